@@ -1,0 +1,139 @@
+// The public C++ interface: the exact, fully dynamic additively weighted Voronoi diagram of circles.
+//
+// Distance of a point p to a site (c, r) is |p - c| - r: negative inside the circle. Every answer is exact for the doubles
+// that were given: no answer depends on rounding, on the order of operations, or on the platform.
+//
+// Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the paper below); predicates and the
+// canonical rule for degenerate input: docs/PREDICATES.md. Units: whatever the coordinates are in; y points upwards and
+// "counter-clockwise" is meant so. Costs: h = number of visible sites, d = number of neighbours of the site in question.
+//
+// Errors: no call throws. A call that fails returns its Error and leaves the diagram as it was. Not thread-safe: one thread
+// at a time, also for queries (they share scratch memory).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace apollonius {
+
+/// A site's public name: stable while the site lives; ids of removed sites are used again.
+using SiteId = std::uint32_t;
+inline constexpr SiteId kNoSite = 0xFFFFFFFFu;
+
+/// Smallest and largest magnitude that a coordinate or a weight may have, apart from 0 (same unit as the coordinates).
+inline constexpr double kSmallestMagnitude = 1e-100;
+inline constexpr double kLargestMagnitude = 1e100;
+/// Most sites that one diagram can hold.
+inline constexpr std::size_t kMostSites = std::size_t{1} << 29;
+
+enum class Error : std::uint8_t {
+  kNone = 0,
+  kNotFinite,    ///< a NaN or an infinity was given
+  kOutOfRange,   ///< a magnitude outside [kSmallestMagnitude, kLargestMagnitude] and not 0
+  kUnknownSite,  ///< no site has this id
+  kBadLength,    ///< lengths of arrays do not fit each other, or are no multiple of the record's
+  kOutOfMemory,  ///< memory ran out
+  kTooLarge,     ///< more than kMostSites sites
+};
+
+/// A circle: centre and weight (radius). Negative weights are legal: only differences of weights matter to the diagram.
+struct Circle {
+  double x;
+  double y;
+  double r;
+};
+
+/// How the nearest site is located (paper, section 4): walking from neighbour to neighbour, O(h) at worst and about sqrt(h)
+/// on random input; or through a hierarchy of Delaunay graphs, about log h.
+enum class Location : std::uint8_t { kWalk, kHierarchy };
+
+/// The bounded Voronoi vertices; row k of each array belongs to vertex k. The rows' order depends on the history.
+struct VertexArrays {
+  std::vector<double> coordinates;      ///< x, y of each vertex
+  std::vector<double> clearance;        ///< common distance to its three sites
+  std::vector<std::uint32_t> sites;     ///< the three sites, counter-clockwise around the vertex's circle
+};
+
+/// The Voronoi edges. Two sites can share several.
+struct EdgeArrays {
+  std::vector<std::uint32_t> sites;     ///< two sites a, b of each edge
+  std::vector<std::int32_t> vertices;   ///< its two ends as rows of VertexArrays, -1 for an unbounded end; walking from the
+                                        ///< first to the second keeps a's cell on the left
+};
+
+class Diagram {
+ public:
+  explicit Diagram(Location location = Location::kHierarchy);
+  ~Diagram();
+  Diagram(Diagram&&) noexcept;
+  Diagram& operator=(Diagram&&) noexcept;
+
+  // --- Sites -------------------------------------------------------------------------------------------------------------
+
+  /// Adds a site. Duplicates and covered circles are legal (they become hidden sites).
+  /// Errors: kNotFinite, kOutOfRange, kOutOfMemory, kTooLarge. Cost: location + O(size of the change).
+  [[nodiscard]] Error insert(double x, double y, double r, SiteId& id);
+
+  /// Adds xyr.size()/3 sites (x, y, r triples); ids[k] becomes the id of triple k. All or nothing.
+  /// Errors: as insert; kBadLength unless xyr.size() == 3 * ids.size().
+  [[nodiscard]] Error insertMany(std::span<const double> xyr, std::span<SiteId> ids);
+
+  /// Removes a site; `removed` tells whether there was one. Sites that only it covered become visible again.
+  /// Errors: kOutOfMemory. Cost: O(1) for a hidden site, else expected O((d + its direct hidden children) log of that).
+  [[nodiscard]] Error remove(SiteId id, bool& removed);
+
+  /// Removes several; unknown and repeated ids are skipped, `removed` counts the others. Errors: kOutOfMemory.
+  [[nodiscard]] Error removeMany(std::span<const SiteId> ids, std::size_t& removed);
+
+  /// Moves and/or resizes a site, which keeps its id. Errors: as insert, kUnknownSite.
+  [[nodiscard]] Error update(SiteId id, double x, double y, double r);
+
+  /// Updates ids[k] to triple k, all or nothing. Errors: as update; kBadLength unless xyr.size() == 3 * ids.size().
+  [[nodiscard]] Error updateMany(std::span<const SiteId> ids, std::span<const double> xyr);
+
+  /// Removes all sites; ids start from 0 again.
+  void clear() noexcept;
+
+  [[nodiscard]] std::size_t size() const noexcept;         ///< sites, hidden ones too
+  [[nodiscard]] std::size_t visibleSize() const noexcept;  ///< sites with a cell
+  [[nodiscard]] std::size_t hiddenSize() const noexcept;   ///< sites without one (the paper's trivial sites)
+  [[nodiscard]] bool has(SiteId id) const noexcept;
+  [[nodiscard]] Error site(SiteId id, Circle& circle) const noexcept;     ///< Errors: kUnknownSite
+  [[nodiscard]] Error ids(std::vector<SiteId>& ids) const;                ///< all ids, ascending; replaces the contents
+  [[nodiscard]] Error isHidden(SiteId id, bool& hidden) const noexcept;   ///< Errors: kUnknownSite
+
+  /// A visible site that covers this one (the nearest one to its centre); kNoSite for a visible site.
+  /// Errors: kUnknownSite, kOutOfMemory. Cost: one location.
+  [[nodiscard]] Error coverOf(SiteId id, SiteId& cover) const;
+
+  // --- Queries -----------------------------------------------------------------------------------------------------------
+
+  /// The nearest site of a point and its distance; ties go to the larger r, then x, then y. kNoSite and +infinity if empty.
+  /// Exact choice; the distance is rounded. Errors: kNotFinite, kOutOfRange, kOutOfMemory.
+  [[nodiscard]] Error find(double x, double y, SiteId& id, double& distance) const;
+
+  /// find for xy.size()/2 points. `distances` may be empty, else it has one element a point.
+  /// Errors: as find; kBadLength if the sizes do not fit.
+  [[nodiscard]] Error findMany(std::span<const double> xy, std::span<SiteId> ids, std::span<double> distances) const;
+
+  /// The distinct sites whose cells share an edge with this one's, counter-clockwise (each at its first occurrence);
+  /// none for a hidden site. Replaces the contents. Errors: kUnknownSite, kOutOfMemory. Cost: O(d).
+  [[nodiscard]] Error neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
+
+  [[nodiscard]] Error vertices(VertexArrays& vertices) const;  ///< Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
+  [[nodiscard]] Error edges(EdgeArrays& edges) const;          ///< Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
+
+  /// Checks every invariant with exact arithmetic; `broken` becomes empty, or names the first broken one.
+  /// Errors: kOutOfMemory. Cost: O(n), slow: for tests.
+  [[nodiscard]] Error validate(std::string& broken) const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace apollonius
