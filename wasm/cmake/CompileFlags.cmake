@@ -1,0 +1,36 @@
+# One set of flags for every target, native and wasm, as an interface target `apollonius_flags`.
+#
+# Contraction is off and fast-math stays off because the error bounds of the predicates count each rounding; with both, + - * /
+# and sqrt give the same bits under g++, clang++ and wasm, and so does everything that is computed with them.
+add_library(apollonius_flags INTERFACE)
+target_compile_options(apollonius_flags INTERFACE
+  -ffp-contract=off -fno-fast-math
+  -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^i.86$|^x86$" AND NOT EMSCRIPTEN)
+  target_compile_options(apollonius_flags INTERFACE -msse2 -mfpmath=sse)  # x87 would round to 80 bits
+endif()
+target_compile_definitions(apollonius_flags INTERFACE BOOST_MP_STANDALONE)
+if(APOLLONIUS_BOOST_FOUND)
+  target_include_directories(apollonius_flags SYSTEM INTERFACE "${APOLLONIUS_BOOST_FOUND}")
+endif()
+if(APOLLONIUS_SHADOW_CHECK)
+  target_compile_definitions(apollonius_flags INTERFACE APOLLONIUS_SHADOW_CHECK=1)
+endif()
+
+# Options that must reach GoogleTest too, because object files with and without them do not mix.
+string(REPLACE "-O2" "-O3" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
+if(EMSCRIPTEN)
+  add_compile_options(-fwasm-exceptions -msimd128)
+  add_link_options(-fwasm-exceptions)
+endif()
+if(APOLLONIUS_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+if(APOLLONIUS_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "APOLLONIUS_FUZZ needs clang++: pass -DCMAKE_CXX_COMPILER=clang++-14")
+  endif()
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g)
+  add_link_options(-fsanitize=address,undefined)
+endif()

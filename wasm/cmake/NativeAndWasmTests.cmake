@@ -1,0 +1,80 @@
+# GoogleTest executables from tests/: each folder that holds *_test.cpp files becomes one executable, `number_tests` for
+# tests/number and so on; files of tests/ itself become `core_tests`. The same sources are built natively and for wasm.
+#
+# Natively CTest lists every single test. As wasm it lists one entry an executable: a Node process for each test would cost
+# more than the tests.
+set(tests "${CMAKE_CURRENT_SOURCE_DIR}/tests")
+file(GLOB_RECURSE test_files CONFIGURE_DEPENDS "${tests}/*_test.cpp")
+file(GLOB_RECURSE support_files CONFIGURE_DEPENDS "${tests}/support/*.cpp")
+list(FILTER support_files EXCLUDE REGEX "_test\\.cpp$")
+
+if(NOT TARGET apollonius OR NOT (test_files OR APOLLONIUS_FUZZ))
+  message(STATUS "No C++ tests yet")
+  return()
+endif()
+
+set(APOLLONIUS_GOOGLETEST "/usr/src/googletest" CACHE PATH "GoogleTest's sources")
+if(NOT EXISTS "${APOLLONIUS_GOOGLETEST}/CMakeLists.txt")
+  message(FATAL_ERROR "GoogleTest's sources are not in ${APOLLONIUS_GOOGLETEST}. Install them (Debian, Ubuntu: apt-get install"
+    " libgtest-dev), pass -DAPOLLONIUS_GOOGLETEST=<folder>, or leave the tests out with -DAPOLLONIUS_TESTS=OFF.")
+endif()
+set(BUILD_GMOCK OFF CACHE BOOL "" FORCE)
+set(INSTALL_GTEST OFF CACHE BOOL "" FORCE)
+if(EMSCRIPTEN)
+  set(gtest_disable_pthreads ON CACHE BOOL "" FORCE)
+endif()
+add_subdirectory("${APOLLONIUS_GOOGLETEST}" "${CMAKE_CURRENT_BINARY_DIR}/googletest" EXCLUDE_FROM_ALL SYSTEM)
+
+# What all test executables share: generators, oracle, and where the data files are.
+if(support_files)
+  add_library(apollonius_test_support STATIC ${support_files})
+  set(support_scope PUBLIC)
+else()
+  add_library(apollonius_test_support INTERFACE)
+  set(support_scope INTERFACE)
+endif()
+target_include_directories(apollonius_test_support ${support_scope} "${CMAKE_CURRENT_SOURCE_DIR}" "${tests}")
+target_compile_definitions(apollonius_test_support ${support_scope} APOLLONIUS_TEST_DATA="${tests}/data")
+target_link_libraries(apollonius_test_support ${support_scope} apollonius)
+
+if(EMSCRIPTEN)
+  # Node's own file system, so that tests read tests/data as they do natively.
+  set(wasm_test_link_options -sENVIRONMENT=node -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sALLOW_MEMORY_GROWTH=1
+    -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB)
+endif()
+
+set(folders "")
+foreach(file IN LISTS test_files)
+  cmake_path(RELATIVE_PATH file BASE_DIRECTORY "${tests}" OUTPUT_VARIABLE relative)
+  if(relative MATCHES "^([^/]+)/")
+    set(folder "${CMAKE_MATCH_1}")
+  else()
+    set(folder core)
+  endif()
+  list(APPEND folders ${folder})
+  list(APPEND ${folder}_files "${file}")
+endforeach()
+list(REMOVE_DUPLICATES folders)
+
+include(GoogleTest)
+foreach(folder IN LISTS folders)
+  set(target ${folder}_tests)
+  add_executable(${target} ${${folder}_files})
+  target_link_libraries(${target} PRIVATE apollonius_test_support gtest_main)
+  if(EMSCRIPTEN)
+    target_link_options(${target} PRIVATE ${wasm_test_link_options})
+    add_test(NAME ${folder} COMMAND ${target})
+  else()
+    gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST TEST_PREFIX "${folder}/")
+  endif()
+endforeach()
+
+if(APOLLONIUS_FUZZ)
+  file(GLOB fuzz_files CONFIGURE_DEPENDS "${tests}/fuzz/*_fuzz.cpp")
+  foreach(file IN LISTS fuzz_files)
+    cmake_path(GET file STEM name)
+    add_executable(${name} "${file}")
+    target_link_libraries(${name} PRIVATE apollonius_test_support)
+    target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  endforeach()
+endif()
