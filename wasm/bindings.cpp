@@ -1,0 +1,219 @@
+// What JavaScript sees of the library: registration only, no logic.
+//
+// Two kinds of exports, because a call through embind costs 0.2-0.3 us without eval (a strict content security policy allows
+// none) and a direct one a tenth of that (docs/DECISIONS.md):
+// - the class `Diagram`, by embind: life time, and calls that handle arrays;
+// - `diagram...` functions, exported as they are: calls about one site or point, with the diagram's address first.
+// Every fallible call returns the error code of apollonius.h as an integer. Scalar results are written to one block
+// (`resultsAddress`), arrays in come from one scratch block (`reserve`), arrays out stay in vectors here until the next call
+// or `release`. wasm/heap.ts is the only other place that knows these blocks.
+#include <emscripten/bind.h>
+#include <emscripten/em_macros.h>
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+#include <string>
+
+#include "apollonius.h"
+
+namespace {
+
+using apollonius::Diagram;
+using apollonius::Error;
+using apollonius::SiteId;
+using Address = std::uintptr_t;
+
+// The block of scalar results; wasm/heap.ts repeats this order.
+struct Results {
+  double x, y, r, distance;
+  std::uint32_t id, flag;
+  std::array<std::uint32_t, 3> address, length;  // arrays out: first byte, number of elements
+};
+Results results;
+
+// Arrays out, kept alive until JavaScript has copied them.
+std::vector<SiteId> siteIds;
+apollonius::VertexArrays vertexArrays;
+apollonius::EdgeArrays edgeArrays;
+std::string text;
+
+// Arrays in, and arrays out whose length is known before the call.
+struct Scratch {
+  void* data = nullptr;
+  std::size_t bytes = 0;
+};
+Scratch scratch;
+
+// Blocks up to this size stay allocated from call to call.
+constexpr std::size_t kKeptBytes = std::size_t{1} << 20;
+
+int code(Error error) { return static_cast<int>(error); }
+
+template <class Element>
+Element* at(Address address) {
+  return reinterpret_cast<Element*>(address);  // NOLINT: an address that JavaScript got from `reserve`
+}
+
+template <class Container>
+void publish(std::size_t slot, const Container& container) {
+  results.address[slot] = static_cast<std::uint32_t>(reinterpret_cast<Address>(container.data()));
+  results.length[slot] = static_cast<std::uint32_t>(container.size());
+}
+
+Address resultsAddress() { return reinterpret_cast<Address>(&results); }
+
+// At least that many bytes, aligned for doubles; 0 if memory ran out. What an earlier call reserved is gone.
+Address reserve(std::size_t bytes) {
+  if (bytes > scratch.bytes) {
+    std::free(scratch.data);
+    scratch.data = std::malloc(bytes);
+    scratch.bytes = scratch.data == nullptr ? 0 : bytes;
+  }
+  return reinterpret_cast<Address>(scratch.data);
+}
+
+// Gives large blocks back once JavaScript has copied from them.
+void release() {
+  if (scratch.bytes > kKeptBytes) {
+    std::free(scratch.data);
+    scratch = {};
+  }
+  siteIds = {};
+  vertexArrays = {};
+  edgeArrays = {};
+  text = {};
+}
+
+Diagram* create(bool hierarchy) {
+  try {
+    return new Diagram(hierarchy ? apollonius::Location::kHierarchy : apollonius::Location::kWalk);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
+Address address(const Diagram& diagram) { return reinterpret_cast<Address>(&diagram); }
+
+int insertMany(Diagram& diagram, Address xyr, Address ids, std::size_t count) {
+  return code(diagram.insertMany({at<const double>(xyr), 3 * count}, {at<SiteId>(ids), count}));
+}
+
+int removeMany(Diagram& diagram, Address ids, std::size_t count) {
+  std::size_t removed = 0;
+  const Error error = diagram.removeMany({at<const SiteId>(ids), count}, removed);
+  results.flag = static_cast<std::uint32_t>(removed);
+  return code(error);
+}
+
+int updateMany(Diagram& diagram, Address ids, Address xyr, std::size_t count) {
+  return code(diagram.updateMany({at<const SiteId>(ids), count}, {at<const double>(xyr), 3 * count}));
+}
+
+int findMany(const Diagram& diagram, Address xy, Address ids, Address distances, std::size_t count) {
+  return code(diagram.findMany({at<const double>(xy), 2 * count}, {at<SiteId>(ids), count},
+                               {at<double>(distances), distances == 0 ? 0 : count}));
+}
+
+int ids(const Diagram& diagram) {
+  const Error error = diagram.ids(siteIds);
+  publish(0, siteIds);
+  return code(error);
+}
+
+int neighbors(const Diagram& diagram, SiteId id) {
+  const Error error = diagram.neighbors(id, siteIds);
+  publish(0, siteIds);
+  return code(error);
+}
+
+int vertices(const Diagram& diagram) {
+  const Error error = diagram.vertices(vertexArrays);
+  publish(0, vertexArrays.coordinates);
+  publish(1, vertexArrays.clearance);
+  publish(2, vertexArrays.sites);
+  return code(error);
+}
+
+int edges(const Diagram& diagram) {
+  const Error error = diagram.edges(edgeArrays);
+  publish(0, edgeArrays.sites);
+  publish(1, edgeArrays.vertices);
+  return code(error);
+}
+
+int validate(const Diagram& diagram) {
+  const Error error = diagram.validate(text);
+  publish(0, text);
+  return code(error);
+}
+
+}  // namespace
+
+extern "C" {
+
+EMSCRIPTEN_KEEPALIVE int diagramInsert(Diagram* diagram, double x, double y, double r) {
+  return code(diagram->insert(x, y, r, results.id));
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramRemove(Diagram* diagram, SiteId id) {
+  bool removed = false;
+  const Error error = diagram->remove(id, removed);
+  results.flag = removed ? 1 : 0;
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramUpdate(Diagram* diagram, SiteId id, double x, double y, double r) {
+  return code(diagram->update(id, x, y, r));
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramFind(const Diagram* diagram, double x, double y) {
+  return code(diagram->find(x, y, results.id, results.distance));
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramHas(const Diagram* diagram, SiteId id) { return diagram->has(id) ? 1 : 0; }
+
+EMSCRIPTEN_KEEPALIVE int diagramSite(const Diagram* diagram, SiteId id) {
+  apollonius::Circle circle{};
+  const Error error = diagram->site(id, circle);
+  results.x = circle.x;
+  results.y = circle.y;
+  results.r = circle.r;
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramIsHidden(const Diagram* diagram, SiteId id) {
+  bool hidden = false;
+  const Error error = diagram->isHidden(id, hidden);
+  results.flag = hidden ? 1 : 0;
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramCoverOf(const Diagram* diagram, SiteId id) {
+  return code(diagram->coverOf(id, results.id));
+}
+
+EMSCRIPTEN_KEEPALIVE std::uint32_t diagramSize(const Diagram* diagram) { return diagram->size(); }
+EMSCRIPTEN_KEEPALIVE std::uint32_t diagramVisibleSize(const Diagram* diagram) { return diagram->visibleSize(); }
+
+}  // extern "C"
+
+EMSCRIPTEN_BINDINGS(apollonius) {
+  emscripten::function("resultsAddress", &resultsAddress);
+  emscripten::function("reserve", &reserve);
+  emscripten::function("release", &release);
+  emscripten::class_<Diagram>("Diagram")
+      .class_function("create", &create, emscripten::allow_raw_pointers())
+      .function("address", &address)
+      .function("insertMany", &insertMany)
+      .function("removeMany", &removeMany)
+      .function("updateMany", &updateMany)
+      .function("findMany", &findMany)
+      .function("clear", &Diagram::clear)
+      .function("ids", &ids)
+      .function("neighbors", &neighbors)
+      .function("vertices", &vertices)
+      .function("edges", &edges)
+      .function("validate", &validate);
+}
