@@ -1,0 +1,33 @@
+// What the library assumes of `double`, and powers of two.
+//
+// Only + - * / and sqrt are used (correctly rounded to nearest, subnormals kept), contraction is off in every build, so that
+// native code and WebAssembly give the same bits. Directed rounding, fma and libm are not used: WebAssembly has none of them.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+namespace apollonius {
+
+static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
+#ifdef __FAST_MATH__
+#error "fast-math breaks the error bounds"
+#endif
+
+/// 2^exponent, for exponents of normal numbers (-1022 … 1023).
+constexpr double powerOfTwo(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
+
+/// Unit roundoff: fl(a op b) = (a op b)(1 + d) with |d| <= kUnitRoundoff, unless the result underflows.
+inline constexpr double kUnitRoundoff = powerOfTwo(-53);
+
+/// floor(log2 |x|) of a normal number.
+constexpr int exponentOf(double x) {
+  return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52) & 0x7FF) - 1023;
+}
+
+constexpr double absolute(double x) { return x < 0 ? -x : x; }
+
+}  // namespace apollonius

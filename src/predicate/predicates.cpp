@@ -1,0 +1,91 @@
+#include "predicate/predicates.h"
+
+#include <utility>
+
+#include "predicate/shadow_check.h"
+#include "predicate/stages.h"
+
+namespace apollonius {
+
+using stages::counts;
+
+namespace {
+
+/// Is `a` to be the pole rather than b?
+bool isBetterPole(Corner a, Corner b) { return a != nullptr && (b == nullptr || precedes(*b, *a)); }
+
+bool coversCorner(const Site& q, Corner c) { return c != nullptr && covers(q, *c); }
+
+/// The common part of vertex conflict and of the existence of a circle (q infinite).
+bool circleIsBeaten(Corner i, Corner j, Corner k, Corner q) {
+  // Rotate the face so that its largest finite site is the pole.
+  if (isBetterPole(j, i) && !isBetterPole(k, j)) {
+    std::swap(i, j);
+    std::swap(j, k);
+  } else if (isBetterPole(k, i)) {
+    std::swap(i, k);
+    std::swap(j, k);
+  }
+  const MaybeSign filtered = stages::vertexFilter(*i, j, k, q);
+  shadowCheck(filtered, [&] { return stages::vertexExact(*i, j, k, q); });
+  ++(filtered.known ? counts().vertexFilter : counts().vertexExact);
+  const Sign sign = filtered.known ? filtered.sign : stages::vertexExact(*i, j, k, q);
+  if (sign != Sign::kZero) return sign == Sign::kPositive;
+  ++counts().vertexDegenerate;
+  return stages::vertexDegenerate(*i, j, k, q);
+}
+
+bool probeIsInRange(EdgeCorners e, const Site& q, stages::Probe probe) {
+  if (isBetterPole(e.j, e.i)) e = {e.j, e.i, e.l, e.k};  // the same edge seen from its other side
+  const MaybeSign filtered = stages::edgeFilter(*e.i, e.j, e.k, e.l, q, probe);
+  shadowCheck(filtered, [&] { return stages::edgeExact(*e.i, e.j, e.k, e.l, q, probe); },
+              [](Sign s) { return s == Sign::kPositive ? Sign::kPositive : Sign::kNegative; });
+  if (filtered.known) {
+    ++counts().edgeFilter;
+    return filtered.sign == Sign::kPositive;
+  }
+  ++counts().edgeExact;
+  return stages::edgeExact(*e.i, e.j, e.k, e.l, q, probe) == Sign::kPositive;
+}
+
+}  // namespace
+
+bool covers(const Site& a, const Site& b) {
+  if (a.r <= b.r) return a.r == b.r && a.x == b.x && a.y == b.y;
+  const MaybeSign filtered = stages::lorentzFilter(a, b);
+  shadowCheck(filtered, [&] { return stages::lorentzExact(a, b); });
+  if (filtered.known) return filtered.sign == Sign::kNegative;
+  ++counts().lorentzExact;
+  return stages::lorentzExact(a, b) != Sign::kPositive;
+}
+
+Sign compareDistance(double x, double y, const Site& a, const Site& b) {
+  const MaybeSign filtered = stages::distanceFilter(x, y, a, b);
+  shadowCheck(filtered, [&] { return stages::distanceExact(x, y, a, b); });
+  if (filtered.known) return filtered.sign;
+  ++counts().distanceExact;
+  return stages::distanceExact(x, y, a, b);
+}
+
+bool isNearer(double x, double y, const Site& a, const Site& b) {
+  const Sign sign = compareDistance(x, y, a, b);
+  return sign == Sign::kPositive || (sign == Sign::kZero && precedes(a, b));
+}
+
+bool isVertexInConflict(Corner i, Corner j, Corner k, const Site& q) {
+  if (coversCorner(q, i) || coversCorner(q, j) || coversCorner(q, k)) return true;
+  return circleIsBeaten(i, j, k, &q);
+}
+
+bool hasVoronoiCircle(const Site& i, const Site& j, const Site& k) { return !circleIsBeaten(&i, &j, &k, nullptr); }
+
+bool isInteriorInConflict(const EdgeCorners& edge, const Site& q) {
+  return probeIsInRange(edge, q, stages::Probe::kMiddle);
+}
+
+bool isEntireEdgeInConflict(const EdgeCorners& edge, const Site& q) {
+  if (coversCorner(q, edge.i) || coversCorner(q, edge.j)) return true;
+  return !probeIsInRange(edge, q, stages::Probe::kOpposite);
+}
+
+}  // namespace apollonius

@@ -1,0 +1,46 @@
+// The questions that the diagram asks. Every answer is exact for sites in the documented range; a site covered by another is
+// hidden and no longer asked about. Formulas and proofs: docs/PREDICATES.md. None throws but for lack of memory.
+//
+// Stages (predicate/stages.h): filter (doubles with an error bound), exact (Dyadic), degenerate (the canonical rule).
+#pragma once
+
+#include "number/sign.h"
+#include "predicate/site.h"
+
+namespace apollonius {
+
+/// Does a cover b, that is, is disc b within disc a (touching from within included)?
+/// Laws: reflexive, transitive; both ways only for identical sites. Degree 2.
+[[nodiscard]] bool covers(const Site& a, const Site& b);
+
+/// sign(d(p, a) - d(p, b)) for the point p = (x, y) and d(p, s) = |p - c_s| - r_s. Law: antisymmetric in a, b. Degree 4.
+[[nodiscard]] Sign compareDistance(double x, double y, const Site& a, const Site& b);
+
+/// Is b nearer to (x, y) than a, where a tie goes to the larger site in the order of precedes()? Irreflexive and transitive.
+[[nodiscard]] bool isNearer(double x, double y, const Site& a, const Site& b);
+
+/// Is q in conflict with the Voronoi vertex of the face (i, j, k), i.e. does the vertex belong to q's cell once q is added?
+/// REQUIRES: i, j, k counter-clockwise with an existing Voronoi circle, at most one of them infinite, none covering another or q.
+/// Laws: the same for (j, k, i); zeros of the polynomial are settled as if larger sites had infinitely larger increments of
+/// their weights, so the answers never depend on the order of insertion. Degree 8.
+[[nodiscard]] bool isVertexInConflict(Corner i, Corner j, Corner k, const Site& q);
+
+/// Is there a circle that touches i, j, k from outside (or from inside) in counter-clockwise order? The sites are finite and
+/// none covers another. A common tangent line is settled as isVertexInConflict settles zeros. Degree 8.
+[[nodiscard]] bool hasVoronoiCircle(const Site& i, const Site& j, const Site& k);
+
+/// A Voronoi edge: the part of the bisector of i and j from its vertex (j, i, l) to its vertex (i, j, k), with i on its left.
+/// At most one of i, j, and at most one corner of each face, is infinite.
+struct EdgeCorners {
+  Corner i, j, k, l;
+};
+
+/// With neither end of the edge in conflict with q: is its interior?
+/// REQUIRES: as isVertexInConflict for both ends, which are not in conflict. Degree 12.
+[[nodiscard]] bool isInteriorInConflict(const EdgeCorners& edge, const Site& q);
+
+/// With both ends of the edge in conflict with q: is all of it?
+/// REQUIRES: as isVertexInConflict for both ends, which are in conflict. Degree 12.
+[[nodiscard]] bool isEntireEdgeInConflict(const EdgeCorners& edge, const Site& q);
+
+}  // namespace apollonius

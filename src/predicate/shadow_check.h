@@ -1,0 +1,34 @@
+// Shadow check: in builds with APOLLONIUS_SHADOW_CHECK every answer of a filter is compared with the exact stage, and a
+// contradiction ends the program. Other builds contain nothing of it.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "number/approx.h"
+#include "number/sign.h"
+
+namespace apollonius {
+
+#ifdef APOLLONIUS_SHADOW_CHECK
+inline constexpr bool kShadowCheck = true;
+#else
+inline constexpr bool kShadowCheck = false;
+#endif
+
+struct AsItIs {
+  Sign operator()(Sign s) const { return s; }
+};
+
+/// `normalise` maps signs that mean the same to one.
+template <class Exact, class Normalise = AsItIs>
+void shadowCheck(MaybeSign filtered, Exact&& exact, Normalise&& normalise = {}) {
+  if constexpr (kShadowCheck) {
+    if (filtered.known && normalise(filtered.sign) != normalise(exact())) {
+      std::fprintf(stderr, "shadow check: a filter contradicts the exact stage\n");
+      std::abort();
+    }
+  }
+}
+
+}  // namespace apollonius

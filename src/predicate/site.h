@@ -1,0 +1,24 @@
+// A site, and the total order of sites that settles every tie.
+#pragma once
+
+namespace apollonius {
+
+/// A weighted point: centre (x, y) and weight r, in the user's unit. Finite, within the documented range.
+struct Site {
+  double x = 0;
+  double y = 0;
+  double r = 0;
+};
+
+/// A corner of a face, or an end of an edge: a site, or nullptr for the site at infinity.
+using Corner = const Site*;
+
+/// The order of docs/PREDICATES.md, "Degenerate position": by weight, then x, then y. Of several sites that tie, the one that
+/// comes last wins. A strict weak order; only identical sites are equivalent.
+constexpr bool precedes(const Site& a, const Site& b) {
+  if (a.r != b.r) return a.r < b.r;
+  if (a.x != b.x) return a.x < b.x;
+  return a.y < b.y;
+}
+
+}  // namespace apollonius

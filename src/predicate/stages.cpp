@@ -1,0 +1,165 @@
+#include "predicate/stages.h"
+
+#include "number/ball.h"
+#include "number/root_sign.h"
+#include "predicate/approx_distance.h"
+#include "predicate/rows.h"
+
+namespace apollonius::stages {
+
+namespace {
+
+// --- Depths of the formulas: how many roundings the filter's bound has to count (number/approx.h) --------------------------
+
+constexpr Depth kInput{Depth::Input{}};
+constexpr Row<Depth> kRow = rowOf(kInput, kInput, kInput);
+constexpr VertexForm<Depth> kVertex{kRow, kRow, kRow};
+constexpr Chord<Depth> kChord = chordOf(kRow, kRow);
+constexpr EdgeForm<Depth> kEdge{kChord, kChord};
+constexpr SpanForm<Depth> kSpan{kRow, kRow};
+
+static_assert(kRow.p.roundings == 5, "x² and y² 3 each, their sum 4, less r² 5");
+static_assert(kVertex.xy.roundings == 12, "minor 4, times p 10, two sums 12");
+static_assert(kVertex.x.roundings == 22);
+static_assert(kVertex.squares().roundings == 27);
+static_assert(kEdge.along.roundings == 18 && kEdge.turn.roundings == 18, "chord 8, product 17, sum 18");
+static_assert(EdgeForm<Depth>::squares(kChord, kChord, kEdge.along).roundings == 38);
+
+// --- The decisions, once for both kinds of rows ------------------------------------------------------------------------------
+
+/// Rows 0, 1, 2 are j, k, q.
+template <class Rows>
+Sign vertexSign(Rows& rows) {
+  using T = typename Rows::Number;
+  const VertexForm<T> form(rows.row(0), rows.row(1), rows.row(2));
+  return signOfSum(rows.sign(form.x, kVertex.x), -rows.sign(form.xy, kVertex.xy),
+                   [&] { return rows.sign(form.squares(), kVertex.squares()); });
+}
+
+/// sign(±end.w · turn - √D · along): which side of an end of the edge the probe is on. `side` is + for the end at k, - at l.
+template <class Rows, class T>
+Sign edgeEndSign(Rows& rows, const Chord<T>& end, const Chord<T>& shadow, Sign side) {
+  const EdgeForm<T> form(end, shadow);
+  const Sign first = side * rows.sign(end.w, kChord.w) * rows.sign(form.turn, kEdge.turn);
+  const Sign second = -rows.sign(form.along, kEdge.along);
+  return signOfSum(first, second, [&] {
+    return rows.sign(EdgeForm<T>::squares(end, shadow, form.along), EdgeForm<Depth>::squares(kChord, kChord, kEdge.along));
+  });
+}
+
+Sign spanSign(const FilterRows& rows, bool& failed) {
+  // Roots of rounded numbers: a running error bound instead of the constant one.
+  const auto ball = [](Approx a, Depth depth) { return Ball::bounded(a.value, boundFactor(depth) * a.magnitude + kUnderflow); };
+  const Row<Approx> k = rows.row(1), l = rows.row(2);
+  const SpanForm<Approx> form(l, k);
+  const Ball rootK = sqrt(ball(k.p, kRow.p)), rootL = sqrt(ball(l.p, kRow.p));
+  const Ball span = ball(form.c0, kSpan.c0) + ball(form.cl, kSpan.cl) * rootL + ball(form.ck, kSpan.ck) * rootK +
+                    ball(form.clk, kSpan.clk) * rootL * rootK;
+  if (span.certainlyPositive()) return Sign::kPositive;
+  if ((Ball(0) - span).certainlyPositive()) return Sign::kNegative;
+  failed = true;
+  return Sign::kZero;
+}
+
+Sign spanSign(const ExactRows& rows, bool&) {
+  const SpanForm<Dyadic> form(rows.row(2), rows.row(1));
+  return signOfTwoRoots(form.c0, form.cl, rows.row(2).p, form.ck, rows.row(1).p, form.clk);
+}
+
+/// Rows 0 … 3 are j, k, l, q; jIsInfinite tells whether the range may span more than a half turn.
+template <class Rows>
+Sign edgeSign(Rows& rows, bool jIsInfinite, Probe probe, bool& failed) {
+  using T = typename Rows::Number;
+  const Row<T> j = rows.row(0);
+  Chord<T> shadow = chordOf(j, rows.row(3));
+  if (probe == Probe::kOpposite) shadow = {T(0) - shadow.u, T(0) - shadow.v, shadow.w};
+  const Sign beforeK = edgeEndSign(rows, chordOf(j, rows.row(1)), shadow, Sign::kPositive);
+  const Sign afterL = edgeEndSign(rows, chordOf(j, rows.row(2)), shadow, Sign::kNegative);
+  if (beforeK == Sign::kPositive && afterL == Sign::kPositive) return Sign::kPositive;
+  // A range of at most half a turn (all bounded edges, seen from the larger site) asks for both, a larger one for either.
+  if (!jIsInfinite || (beforeK != Sign::kPositive && afterL != Sign::kPositive)) return Sign::kNegative;
+  return -spanSign(rows, failed);
+}
+
+}  // namespace
+
+// --- Covering: p of two sites ------------------------------------------------------------------------------------------------
+
+MaybeSign lorentzFilter(const Site& a, const Site& b) {
+  const Approx p = lorentz(Approx(a.x - b.x), Approx(a.y - b.y), Approx(a.r - b.r));
+  return filteredSign(p, boundFactor(kRow.p));
+}
+
+Sign lorentzExact(const Site& a, const Site& b) {
+  return lorentz(Dyadic(a.x) - Dyadic(b.x), Dyadic(a.y) - Dyadic(b.y), Dyadic(a.r) - Dyadic(b.r)).sign();
+}
+
+// --- Distance ----------------------------------------------------------------------------------------------------------------
+
+MaybeSign distanceFilter(double x, double y, const Site& a, const Site& b) {
+  const ApproxDistance da(x, y, a), db(x, y, b);
+  const double difference = da.value - db.value;
+  const double bound = da.bound + db.bound;
+  if (difference > bound) return {Sign::kPositive, true};
+  if (difference < -bound) return {Sign::kNegative, true};
+  return {};
+}
+
+Sign distanceExact(double x, double y, const Site& a, const Site& b) {
+  const Dyadic px(x), py(y);
+  const auto squaredTo = [&](const Site& s) {
+    const Dyadic dx = Dyadic(s.x) - px, dy = Dyadic(s.y) - py;
+    return dx * dx + dy * dy;
+  };
+  // √A - √B - (ra - rb)
+  return signOfTwoRoots(Dyadic(b.r) - Dyadic(a.r), Dyadic(1), squaredTo(a), Dyadic(-1), squaredTo(b), Dyadic(0));
+}
+
+// --- Vertex conflict ---------------------------------------------------------------------------------------------------------
+
+MaybeSign vertexFilter(const Site& i, Corner j, Corner k, Corner q) {
+  FilterRows rows(i, {j, k, q});
+  const Sign sign = vertexSign(rows);
+  return {sign, !rows.failed()};
+}
+
+Sign vertexExact(const Site& i, Corner j, Corner k, Corner q) {
+  ExactRows rows(i, {j, k, q});
+  return vertexSign(rows);
+}
+
+bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q) {
+  // Perturbed weights: only the largest of the four, z, matters. It is i or q (docs/PREDICATES.md, "Degenerate position").
+  if (q != nullptr && precedes(i, *q)) return true;
+  // q is opposite to z = i on the circle exactly if, of the three products of tangent lengths of opposite pairs, the one that
+  // pairs q with i is the largest (Casey's theorem).
+  const auto p = [](Corner a, Corner b) {
+    if (a == nullptr || b == nullptr) return Dyadic(1);
+    return lorentz(Dyadic(a->x) - Dyadic(b->x), Dyadic(a->y) - Dyadic(b->y), Dyadic(a->r) - Dyadic(b->r));
+  };
+  const Dyadic opposite = p(&i, q) * p(j, k);
+  return (opposite - p(j, q) * p(&i, k)).sign() == Sign::kPositive &&
+         (opposite - p(k, q) * p(&i, j)).sign() == Sign::kPositive;
+}
+
+// --- Edge conflict -----------------------------------------------------------------------------------------------------------
+
+MaybeSign edgeFilter(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
+  FilterRows rows(i, {j, k, l, &q});
+  bool spanFailed = false;
+  const Sign sign = edgeSign(rows, j == nullptr, probe, spanFailed);
+  return {sign, !rows.failed() && !spanFailed};
+}
+
+Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
+  ExactRows rows(i, {j, k, l, &q});
+  bool never = false;
+  return edgeSign(rows, j == nullptr, probe, never);
+}
+
+Counts& counts() {
+  thread_local Counts counts;
+  return counts;
+}
+
+}  // namespace apollonius::stages

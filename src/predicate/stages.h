@@ -1,0 +1,48 @@
+// The stages of each predicate under fixed names, for predicates.cpp and for tests that assert which stage answers. A filter
+// never contradicts the exact stage; it says "unknown" instead. REQUIRES of each: as of its predicate in predicates.h.
+#pragma once
+
+#include "number/approx.h"
+#include "number/sign.h"
+#include "predicate/predicates.h"
+#include "predicate/site.h"
+
+namespace apollonius::stages {
+
+/// p of two sites: (xa-xb)² + (ya-yb)² - (ra-rb)².
+[[nodiscard]] MaybeSign lorentzFilter(const Site& a, const Site& b);
+[[nodiscard]] Sign lorentzExact(const Site& a, const Site& b);
+
+[[nodiscard]] MaybeSign distanceFilter(double x, double y, const Site& a, const Site& b);
+[[nodiscard]] Sign distanceExact(double x, double y, const Site& a, const Site& b);
+
+/// i is finite and the largest of the finite ones among i, j, k; q covers none of them; at most one of the four is infinite
+/// (q = nullptr asks whether infinity is nearer, that is, whether the face has no Voronoi circle).
+/// Positive: conflict; zero: q touches the circle.
+[[nodiscard]] MaybeSign vertexFilter(const Site& i, Corner j, Corner k, Corner q);
+[[nodiscard]] Sign vertexExact(const Site& i, Corner j, Corner k, Corner q);
+/// The answer where vertexExact is zero.
+[[nodiscard]] bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q);
+
+/// The direction from the pole whose membership in the edge's range of directions decides an edge conflict: the middle of q's
+/// shadow on the bisector (neither end in conflict), or its opposite (both ends in conflict).
+enum class Probe : signed char { kMiddle = 1, kOpposite = -1 };
+
+/// Positive: the direction is strictly within the range; zero or negative: it is not. i is finite, and the larger of i and j
+/// if both are; q covers neither.
+[[nodiscard]] MaybeSign edgeFilter(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
+[[nodiscard]] Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
+
+/// How often each stage answered in this thread since the last reset; filters of cached circles count as `cached`.
+struct Counts {
+  unsigned long long lorentzExact = 0;
+  unsigned long long distanceExact = 0;
+  unsigned long long vertexFilter = 0;
+  unsigned long long vertexExact = 0;
+  unsigned long long vertexDegenerate = 0;
+  unsigned long long edgeFilter = 0;
+  unsigned long long edgeExact = 0;
+};
+[[nodiscard]] Counts& counts();
+
+}  // namespace apollonius::stages
