@@ -1,0 +1,85 @@
+// Seeded sets of circles, from harmless to exactly degenerate. Deterministic on every platform: + - * / and sqrt only;
+// directions come from the rational parametrisation of the circle. Units are non-dimensional; "hidden" means covered by
+// another circle of the set (internal tangency included).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "apollonius.h"
+#include "support/random.h"
+
+namespace apollonius::test {
+
+using Circles = std::vector<Circle>;
+
+/// A point of the unit circle, correct to rounding, every direction possible (not uniform in angle, but nearly).
+struct Direction {
+  double x;
+  double y;
+};
+Direction randomDirection(Random& random);
+
+// --- General position --------------------------------------------------------------------------------------------------------
+
+/// Share of hidden circles in randomCircles.
+enum class Hidden { kNone, k5Percent, k20Percent, k50Percent, k95Percent };
+
+/// Centres uniform in [-1e6, 1e6]^2 and radii uniform in [0, R] as in Table 1 of the paper, R chosen for the share of hidden
+/// circles (kNone: points, R = 0). For small n the share is only roughly met.
+Circles randomCircles(Random& random, std::size_t n, Hidden hidden);
+
+/// Radii over six orders of magnitude, many small and few large ones (r = 1e6 / 10^(6u), u uniform, made by square roots).
+Circles powerLaw(Random& random, std::size_t n);
+
+/// A circle of radius 1e6 and n small ones with centres close to its rim.
+Circles giantDisk(Random& random, std::size_t n);
+
+// --- Degenerate position -----------------------------------------------------------------------------------------------------
+
+/// Integers: coordinates in 0..maxCoordinate, radii in 0..maxRadius; duplicates and covered circles as they come.
+Circles tinyGrid(Random& random, std::size_t n, int maxCoordinate, int maxRadius);
+
+/// Centres (i, j) * spacing for 0 <= i < columns, 0 <= j < rows, all with radius r, in random order. With spacing 0.1 the
+/// cocircularities are broken by rounding only.
+Circles lattice(Random& random, int columns, int rows, double spacing, double r);
+
+/// Random integer centres, one radius.
+Circles equalRadii(Random& random, std::size_t n);
+
+/// Chains of circles of which each is exactly tangent to its predecessor, from outside or from inside (then it is hidden).
+Circles tangentOutside(Random& random, std::size_t n);
+Circles tangentInside(Random& random, std::size_t n);
+
+/// Few centres, many radii: of each centre only the largest circle can be visible.
+Circles concentric(Random& random, std::size_t n);
+
+/// How collinear lays out its centres.
+enum class Line { kHorizontal, kVertical, kDiagonal, kRandomSlope };
+
+/// Centres exactly on one line, equally spaced or not; radii 0..maxRadius (0: points).
+Circles collinear(Random& random, std::size_t n, Line line, bool equalSpacing, int maxRadius);
+
+/// Integer points with x^2 + y^2 = 32045^2 (5 * 13 * 17 * 29, 324 points), all of one radius.
+Circles cocircularPoints(Random& random, std::size_t n);
+
+/// Integer circles that all touch the circle of radius `common` about the origin from outside: centre (a, b) of a Pythagorean
+/// triple (a, b, c) and weight c - common, negative where c < common. No two cover each other unless they share a direction.
+Circles commonTangent(Random& random, std::size_t n, int common);
+
+/// A giant circle and n integer circles, each exactly tangent to it: from outside (visible), from inside (hidden), or with its
+/// centre exactly on the rim.
+Circles giantDiskExact(Random& random, std::size_t n);
+
+// --- Extremes of the number range ----------------------------------------------------------------------------------------------
+
+/// Which magnitudes the coordinates and radii of rangeEnds have.
+enum class Range { kHuge, kTiny, kMixed };
+
+/// kHuge: up to 1e100. kTiny: between 1e-100 and 1e-97, or 0. kMixed: any power of two in the range, and 0.
+Circles rangeEnds(Random& random, std::size_t n, Range range);
+
+/// Coordinates and radii that differ by a few units in the last place from a common circle.
+Circles oneUlpApart(Random& random, std::size_t n);
+
+}  // namespace apollonius::test
