@@ -1,0 +1,105 @@
+// The theorem of number/approx.h on the predicates' own formulas: the exact value lies within boundFactor * magnitude +
+// kUnderflow of the computed one. Exact values from Dyadic.
+#include "number/approx.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "number/dyadic.h"
+#include "predicate/formulas.h"
+#include "support/effort.h"
+#include "support/random.h"
+
+namespace apollonius {
+namespace {
+
+using test::Random;
+
+void expectWithinBound(Approx computed, Depth depth, const Dyadic& exact) {
+  const double bound = boundFactor(depth) * computed.magnitude + kUnderflow;
+  const Dyadic error = Dyadic(computed.value) - exact;
+  EXPECT_NE((error - Dyadic(bound)).sign(), Sign::kPositive) << computed.value;
+  EXPECT_NE((error + Dyadic(bound)).sign(), Sign::kNegative) << computed.value;
+  const MaybeSign filtered = filteredSign(computed, boundFactor(depth));
+  if (filtered.known) {
+    EXPECT_EQ(filtered.sign, exact.sign());
+  }
+}
+
+/// Two sites' coordinates whose difference gets rounded: that is the rounding which Depth::Input counts.
+struct Difference {
+  double a, b;
+  [[nodiscard]] Approx approx() const { return Approx(a - b); }
+  [[nodiscard]] Dyadic exact() const { return Dyadic(a) - Dyadic(b); }
+};
+
+TEST(Depth, CountsRoundings) {
+  constexpr Depth input{Depth::Input{}};
+  static_assert((input + input).roundings == 2);
+  static_assert((input * input).roundings == 3);
+  static_assert((input * input + input).roundings == 4);
+  static_assert((Depth(1) * input).roundings == 2);
+  SUCCEED();
+}
+
+TEST(Approx, FormulasStayWithinTheirBounds) {
+  constexpr Depth input{Depth::Input{}};
+  constexpr Row<Depth> depthRow = rowOf(input, input, input);
+  constexpr VertexForm<Depth> depthVertex{depthRow, depthRow, depthRow};
+  constexpr Chord<Depth> depthChord = chordOf(depthRow, depthRow);
+  constexpr EdgeForm<Depth> depthEdge{depthChord, depthChord};
+  constexpr SpanForm<Depth> depthSpan{depthRow, depthRow};
+  Random random(31);
+  for (int run = 0; run < test::runs(4000); ++run) {
+    Difference d[9];
+    for (Difference& difference : d) {
+      // Magnitudes far apart from row to row, equal ones now and then, coordinates that cancel.
+      const double size = std::ldexp(1.0, run % 2 == 0 ? static_cast<int>(random.integer(-3, 3)) : static_cast<int>(random.integer(-200, 30)));
+      difference = {size * random.between(-1, 1), size * random.between(-1, 1)};
+      if (random.oneIn(4)) difference.b = std::nextafter(difference.a, 2.0 * size);
+    }
+    Row<Approx> approx[3];
+    Row<Dyadic> exact[3];
+    for (int k = 0; k < 3; ++k) {
+      approx[k] = rowOf(d[3 * k].approx(), d[3 * k + 1].approx(), d[3 * k + 2].approx());
+      exact[k] = rowOf(d[3 * k].exact(), d[3 * k + 1].exact(), d[3 * k + 2].exact());
+    }
+    if (run % 5 == 0) {
+      approx[1] = infinityRow<Approx>();
+      exact[1] = infinityRow<Dyadic>();
+    }
+    expectWithinBound(approx[0].p, depthRow.p, exact[0].p);
+    const VertexForm<Approx> vertex(approx[0], approx[1], approx[2]);
+    const VertexForm<Dyadic> exactVertex(exact[0], exact[1], exact[2]);
+    expectWithinBound(vertex.x, depthVertex.x, exactVertex.x);
+    expectWithinBound(vertex.xy, depthVertex.xy, exactVertex.xy);
+    expectWithinBound(vertex.squares(), depthVertex.squares(), exactVertex.squares());
+    const Chord<Approx> end = chordOf(approx[0], approx[1]), shadow = chordOf(approx[0], approx[2]);
+    const Chord<Dyadic> exactEnd = chordOf(exact[0], exact[1]), exactShadow = chordOf(exact[0], exact[2]);
+    expectWithinBound(end.w, depthChord.w, exactEnd.w);
+    const EdgeForm<Approx> edge(end, shadow);
+    const EdgeForm<Dyadic> exactEdge(exactEnd, exactShadow);
+    expectWithinBound(edge.turn, depthEdge.turn, exactEdge.turn);
+    expectWithinBound(edge.along, depthEdge.along, exactEdge.along);
+    expectWithinBound(EdgeForm<Approx>::squares(end, shadow, edge.along),
+                      EdgeForm<Depth>::squares(depthChord, depthChord, depthEdge.along),
+                      EdgeForm<Dyadic>::squares(exactEnd, exactShadow, exactEdge.along));
+    const SpanForm<Approx> span(approx[0], approx[2]);
+    const SpanForm<Dyadic> exactSpan(exact[0], exact[2]);
+    expectWithinBound(span.c0, depthSpan.c0, exactSpan.c0);
+    expectWithinBound(span.clk, depthSpan.clk, exactSpan.clk);
+    if (HasFailure()) {
+      FAIL() << "run " << run;
+    }
+  }
+}
+
+TEST(Approx, InfinitiesAndNansAreUnknown) {
+  const Approx huge(1e200);
+  EXPECT_FALSE(filteredSign(huge * huge - huge * huge, boundFactor(Depth(3))).known);
+  EXPECT_FALSE(filteredSign(huge * huge, boundFactor(Depth(3))).known) << "an infinite bound";
+}
+
+}  // namespace
+}  // namespace apollonius

@@ -1,0 +1,18 @@
+// How much the randomised tests do: one constant, smaller where the same code runs slower (WebAssembly, sanitizers), so that
+// every suite stays within a few minutes.
+#pragma once
+
+namespace apollonius::test {
+
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr int kEffortDivisor = 10;
+#elif defined(__EMSCRIPTEN__)
+inline constexpr int kEffortDivisor = 5;
+#else
+inline constexpr int kEffortDivisor = 1;
+#endif
+
+/// How many runs to make of a test that makes `native` of them natively.
+constexpr int runs(int native) { return native / kEffortDivisor + 1; }
+
+}  // namespace apollonius::test
