@@ -1,8 +1,8 @@
 // What JavaScript sees of the library: registration only, no logic.
 //
-// Two kinds of exports, because a call through embind costs 0.2-0.3 us without eval (a strict content security policy allows
-// none) and a direct one a tenth of that (docs/DECISIONS.md):
-// - the class `Diagram`, by embind: life time, and calls that handle arrays;
+// Two kinds of exports, because a call through embind costs about 0.2 us when eval is off (a strict content security
+// policy allows none) and a direct one about 0.013 us:
+// - the class `Diagram`, by embind: life time, and calls about many sites or points;
 // - `diagram...` functions, exported as they are: calls about one site or point, with the diagram's address first.
 // Every fallible call returns the error code of apollonius.h as an integer. Scalar results are written to one block
 // (`resultsAddress`), arrays in come from one scratch block (`reserve`), arrays out stay in vectors here until the next call
@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "apollonius.h"
 
@@ -46,9 +47,6 @@ struct Scratch {
 };
 Scratch scratch;
 
-// Blocks up to this size stay allocated from call to call.
-constexpr std::size_t kKeptBytes = std::size_t{1} << 20;
-
 int code(Error error) { return static_cast<int>(error); }
 
 template <class Element>
@@ -74,12 +72,10 @@ Address reserve(std::size_t bytes) {
   return reinterpret_cast<Address>(scratch.data);
 }
 
-// Gives large blocks back once JavaScript has copied from them.
+// Gives all blocks back; JavaScript calls it when it has copied from large ones.
 void release() {
-  if (scratch.bytes > kKeptBytes) {
-    std::free(scratch.data);
-    scratch = {};
-  }
+  std::free(scratch.data);
+  scratch = {};
   siteIds = {};
   vertexArrays = {};
   edgeArrays = {};
@@ -118,12 +114,6 @@ int findMany(const Diagram& diagram, Address xy, Address ids, Address distances,
 
 int ids(const Diagram& diagram) {
   const Error error = diagram.ids(siteIds);
-  publish(0, siteIds);
-  return code(error);
-}
-
-int neighbors(const Diagram& diagram, SiteId id) {
-  const Error error = diagram.neighbors(id, siteIds);
   publish(0, siteIds);
   return code(error);
 }
@@ -194,6 +184,12 @@ EMSCRIPTEN_KEEPALIVE int diagramCoverOf(const Diagram* diagram, SiteId id) {
   return code(diagram->coverOf(id, results.id));
 }
 
+EMSCRIPTEN_KEEPALIVE int diagramNeighbors(const Diagram* diagram, SiteId id) {
+  const Error error = diagram->neighbors(id, siteIds);
+  publish(0, siteIds);
+  return code(error);
+}
+
 EMSCRIPTEN_KEEPALIVE std::uint32_t diagramSize(const Diagram* diagram) { return diagram->size(); }
 EMSCRIPTEN_KEEPALIVE std::uint32_t diagramVisibleSize(const Diagram* diagram) { return diagram->visibleSize(); }
 
@@ -212,7 +208,6 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("findMany", &findMany)
       .function("clear", &Diagram::clear)
       .function("ids", &ids)
-      .function("neighbors", &neighbors)
       .function("vertices", &vertices)
       .function("edges", &edges)
       .function("validate", &validate);

@@ -1,0 +1,37 @@
+// Diagram.from: from any items to flat x, y, r triples.
+import { numberError } from "./arguments.js";
+
+/** Reads one number from an item; called with the item, its index and all items, as d3's accessors are. */
+export type Accessor<T> = (item: T, index: number, items: Iterable<T> | ArrayLike<T>) => number;
+
+type Fields = { readonly [name: string]: unknown } & ArrayLike<unknown>;
+
+// By default an item is an object {x, y, r} or an array [x, y, r].
+function field<T>(name: "x" | "y" | "r", position: number): (item: T) => unknown {
+  return (item) => {
+    const fields = item as Fields | null | undefined;
+    return Array.isArray(item) || ArrayBuffer.isView(item) ? fields?.[position] : fields?.[name];
+  };
+}
+
+/** Throws "not-finite" or "out-of-range", naming the item, for values that cannot be a site's. */
+export function triples<T>(items: Iterable<T> | ArrayLike<T>, x?: Accessor<T>, y?: Accessor<T>, r?: Accessor<T>,
+                           that?: unknown): Float64Array {
+  const readX = x ?? field<T>("x", 0);
+  const readY = y ?? field<T>("y", 1);
+  const defaultR = field<T>("r", 2);
+  const readR = r ?? ((item: T) => defaultR(item) ?? 0);
+  const list: ArrayLike<T> = "length" in items ? items : Array.from(items);
+  const xyr = new Float64Array(3 * list.length);
+  for (let index = 0; index < list.length; ++index) {
+    const item = list[index] as T;
+    const values = [readX.call(that, item, index, items), readY.call(that, item, index, items),
+                    readR.call(that, item, index, items)];
+    values.forEach((value, k) => {
+      const error = numberError(`${"xyr"[k]} of item ${index}`, value);
+      if (error) throw error;
+      xyr[3 * index + k] = value as number;
+    });
+  }
+  return xyr;
+}

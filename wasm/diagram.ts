@@ -1,0 +1,333 @@
+import { type Accessor, triples } from "./accessors.js";
+import { checkedIds, checkedNumbers, isSiteId, unknownSite } from "./arguments.js";
+import { ApolloniusError } from "./errors.js";
+import {
+  check, checkSite, checkTypes, kUnknownSite, outOfMemory, throwForElements, throwForNumbers,
+} from "./failures.js";
+import { NativeDiagram } from "./native.js";
+
+/** A circle: centre and radius (weight), in the unit of the input. */
+export interface Site {
+  x: number;
+  y: number;
+  r: number;
+}
+
+/** The bounded Voronoi vertices; row k of each array belongs to vertex k. The order of the rows depends on the history. */
+export interface Vertices {
+  /** x, y of each vertex. */
+  coordinates: Float64Array;
+  /** Common distance of each vertex to its three sites: the radius of the largest empty circle there. */
+  clearance: Float64Array;
+  /** The three sites of each vertex, counter-clockwise. */
+  sites: Uint32Array;
+}
+
+/** The Voronoi edges; row k of each array belongs to edge k. Two sites can share several edges. */
+export interface Edges {
+  /** The two sites of each edge. */
+  sites: Uint32Array;
+  /** Its two ends as rows of `vertices()`, -1 for an unbounded end; the first site's cell is on the left on the way. */
+  vertices: Int32Array;
+}
+
+export interface DiagramOptions {
+  /**
+   * How the nearest site is located (paper, section 4): "hierarchy" (default), about log n; or "walk", from neighbour to
+   * neighbour, about sqrt(n), with less memory.
+   */
+  location?: "hierarchy" | "walk";
+}
+
+/**
+ * The additively weighted Voronoi diagram of circles: exact and fully dynamic.
+ *
+ * The distance of a point p to a site is |p - c| - r, negative inside the circle. Every decision is exact for the numbers given;
+ * nothing depends on rounding, on the order of operations or on the platform. Numbers in: 0 and magnitudes from 1e-100 to
+ * 1e100, negative weights included; y points upwards. n is the number of sites, d the number of a site's neighbours.
+ *
+ * Every call that fails throws an ApolloniusError and leaves the diagram as it was; after `dispose` every call throws
+ * "disposed". Every call that needs memory can throw "out-of-memory". Arrays that are returned belong to the caller.
+ *
+ * Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the paper).
+ */
+export class Diagram implements Disposable {
+  #native: NativeDiagram | null;
+
+  /**
+   * A diagram of flat x, y, r triples; their ids are 0, 1, 2, … in input order. Cost: expected O(n log n).
+   * Throws "not-finite", "out-of-range", "bad-length" (no multiple of 3), "too-large".
+   */
+  constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
+    const numbers = xyr === undefined ? undefined : checkedNumbers("xyr", xyr, 3);
+    this.#native = NativeDiagram.create(this, options?.location !== "walk");
+    if (this.#native === null) throw outOfMemory();
+    if (numbers === undefined) return;
+    try {
+      this.#insertTriples(numbers);
+    } catch (error) {
+      this.dispose();
+      throw error;
+    }
+  }
+
+  /**
+   * A diagram of any items, read by accessors as in d3-delaunay (item, index, items). Without accessors an item is an object
+   * {x, y, r} or an array [x, y, r]; a missing r is 0. Ids are 0, 1, 2, … in input order.
+   * Throws as the constructor, naming the item. Cost: expected O(n log n).
+   */
+  static from<T>(items: Iterable<T> | ArrayLike<T>, x?: Accessor<T>, y?: Accessor<T>, r?: Accessor<T>,
+                 that?: unknown): Diagram {
+    return new Diagram(triples(items, x, y, r, that));
+  }
+
+  // --- Sites -----------------------------------------------------------------------------------------------------------------
+
+  /**
+   * Adds a site (paper, section 3) and returns its id: stable while the site lives; ids of removed sites are used again.
+   * Duplicates and covered circles are legal: they are hidden sites. Cost: one location and O(size of the change).
+   * Throws "not-finite", "out-of-range", "too-large".
+   */
+  insert(x: number, y: number, r: number = 0): number {
+    const native = this.#living();
+    checkTypes(x, y, r);
+    const status = native.insert(x, y, r);
+    if (status !== 0) throwForNumbers(status, x, y, r);
+    return native.id;
+  }
+
+  /**
+   * Adds flat x, y, r triples, all or none, much faster than a loop; returns their ids in input order. Cost: expected
+   * O(m log n) for m triples. Throws as `insert`, and "bad-length" (no multiple of 3).
+   */
+  insertMany(xyr: ArrayLike<number>): Uint32Array {
+    this.#living();
+    return this.#insertTriples(checkedNumbers("xyr", xyr, 3));
+  }
+
+  /**
+   * Removes a site (paper, section 5); false if there is no such site. Sites that only it covered become visible. Cost: O(1)
+   * for a hidden site, else expected O(k log k) with k = d + the hidden sites directly below it.
+   */
+  remove(id: number): boolean {
+    const native = this.#living();
+    if (!isSiteId(id)) return false;
+    check(native.remove(id));
+    return native.count !== 0;
+  }
+
+  /**
+   * Removes several sites; returns how many there were. Unknown and repeated ids are skipped. Throws "bad-length" if `ids` is no
+   * array.
+   */
+  removeMany(ids: ArrayLike<number>): number {
+    const native = this.#living();
+    check(native.removeMany(checkedIds("ids", ids)));
+    return native.count;
+  }
+
+  /**
+   * Moves and/or resizes a site, which keeps its id; without r it keeps its radius. Cost: as remove and insert.
+   * Throws "unknown-site", "not-finite", "out-of-range".
+   */
+  update(id: number, x: number, y: number, r?: number): this {
+    const native = this.#living();
+    const weight = r === undefined ? this.site(id).r : r;
+    if (!isSiteId(id)) throw unknownSite(id);
+    checkTypes(x, y, weight);
+    const status = native.update(id, x, y, weight);
+    if (status === kUnknownSite) throw unknownSite(id);
+    if (status !== 0) throwForNumbers(status, x, y, weight);
+    return this;
+  }
+
+  /**
+   * Updates site ids[k] to the k-th x, y, r triple, all or none. Throws as `update`, and "bad-length" unless there is one triple
+   * an id.
+   */
+  updateMany(ids: ArrayLike<number>, xyr: ArrayLike<number>): this {
+    const native = this.#living();
+    const sites = checkedIds("ids", ids);
+    const numbers = checkedNumbers("xyr", xyr, 3);
+    if (numbers.length !== 3 * sites.length) {
+      throw new ApolloniusError("bad-length", `expected ${3 * sites.length} values in xyr for ${sites.length} ids, got ${numbers.length}`);
+    }
+    const status = native.updateMany(sites, numbers);
+    if (status === kUnknownSite) {
+      const k = sites.findIndex((id) => !native.has(id));
+      throw new ApolloniusError("unknown-site", `ids[${k}]: ${unknownSite(ids[k]).message}`);
+    }
+    if (status !== 0) throwForElements(status, "xyr", numbers);
+    return this;
+  }
+
+  /** Removes all sites; ids start from 0 again. Cost: O(n). */
+  clear(): this {
+    this.#living().clear();
+    return this;
+  }
+
+  /** Number of sites, hidden ones too. O(1). */
+  get size(): number {
+    return this.#living().size;
+  }
+
+  /** Number of sites that have a cell. O(1). */
+  get visibleSize(): number {
+    return this.#living().visibleSize;
+  }
+
+  /** Number of sites that have none, because another site covers them (the paper's trivial sites). O(1). */
+  get hiddenSize(): number {
+    const native = this.#living();
+    return native.size - native.visibleSize;
+  }
+
+  /** Whether a site has this id. O(1). */
+  has(id: number): boolean {
+    const native = this.#living();
+    return isSiteId(id) && native.has(id);
+  }
+
+  /** Centre and radius of a site, exactly as given. O(1). Throws "unknown-site". */
+  site(id: number): Site {
+    const native = this.#living();
+    checkSite(isSiteId(id) ? native.site(id) : kUnknownSite, id);
+    return { x: native.x, y: native.y, r: native.r };
+  }
+
+  /** All ids, ascending. O(n). */
+  ids(): Uint32Array {
+    const native = this.#living();
+    check(native.ids());
+    return this.#taken(native, () => native.takeWords(0));
+  }
+
+  /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
+  isHidden(id: number): boolean {
+    const native = this.#living();
+    checkSite(isSiteId(id) ? native.isHidden(id) : kUnknownSite, id);
+    return native.count !== 0;
+  }
+
+  /** A visible site that covers this one; -1 for a visible site. Cost: one location. Throws "unknown-site". */
+  coverOf(id: number): number {
+    const native = this.#living();
+    checkSite(isSiteId(id) ? native.coverOf(id) : kUnknownSite, id);
+    return native.id;
+  }
+
+  // --- Queries ---------------------------------------------------------------------------------------------------------------
+
+  /**
+   * The nearest site of a point, -1 if the diagram is empty. Exact; ties go to the larger r, then x, then y. Cost: one location
+   * (paper, section 4). Throws "not-finite", "out-of-range".
+   */
+  find(x: number, y: number): number {
+    const native = this.#living();
+    this.#locate(native, x, y);
+    return native.id;
+  }
+
+  /** `find` with the (rounded) distance |p - c| - r, negative inside the circle; null if the diagram is empty. */
+  nearest(x: number, y: number): { id: number; distance: number } | null {
+    const native = this.#living();
+    this.#locate(native, x, y);
+    const id = native.id;
+    return id === -1 ? null : { id, distance: native.distance };
+  }
+
+  /**
+   * `find` for flat x, y pairs, much faster than a loop. With `distances` (one element a point) it also fills in the distances,
+   * Infinity if the diagram is empty. Throws as `find`, and "bad-length".
+   */
+  findMany(xy: ArrayLike<number>, distances?: Float64Array): Int32Array {
+    const native = this.#living();
+    const numbers = checkedNumbers("xy", xy, 2);
+    const ids = new Int32Array(numbers.length / 2);
+    if (distances !== undefined && !(distances instanceof Float64Array && distances.length === ids.length)) {
+      throw new ApolloniusError("bad-length", `expected distances to be a Float64Array of ${ids.length} elements, one a point`);
+    }
+    const status = native.findMany(numbers, ids, distances);
+    if (status !== 0) throwForElements(status, "xy", numbers);
+    return ids;
+  }
+
+  /**
+   * The distinct sites whose cells share an edge with this site's, counter-clockwise, each where it occurs first; empty for a
+   * hidden site. O(d). Throws "unknown-site".
+   */
+  neighbors(id: number): Uint32Array {
+    const native = this.#living();
+    checkSite(isSiteId(id) ? native.neighbors(id) : kUnknownSite, id);
+    return this.#taken(native, () => native.takeWords(0));
+  }
+
+  /** All Voronoi edges. O(n). */
+  edges(): Edges {
+    const native = this.#living();
+    check(native.edges());
+    return this.#taken(native, () => ({ sites: native.takeWords(0), vertices: new Int32Array(native.takeWords(1).buffer) }));
+  }
+
+  /** All bounded Voronoi vertices, centres of circles that touch three sites and contain no part of another. O(n). */
+  vertices(): Vertices {
+    const native = this.#living();
+    check(native.vertices());
+    return this.#taken(native, () => ({
+      coordinates: native.takeDoubles(0), clearance: native.takeDoubles(1), sites: native.takeWords(2),
+    }));
+  }
+
+  /** null, or the first broken invariant in words. With exact arithmetic and slow, O(n) with large constants: for tests. */
+  validate(): string | null {
+    const native = this.#living();
+    check(native.validate());
+    return this.#taken(native, () => native.takeText(0)) || null;
+  }
+
+  // --- Life time -------------------------------------------------------------------------------------------------------------
+
+  /**
+   * Frees the diagram's memory now; later calls throw "disposed", a second `dispose` does nothing. A forgotten diagram is freed
+   * when it is collected.
+   */
+  dispose(): void {
+    this.#native?.destroy();
+    this.#native = null;
+  }
+
+  /** For `using diagram = new Diagram()`. */
+  [Symbol.dispose](): void {
+    this.dispose();
+  }
+
+  // --- Shared parts ----------------------------------------------------------------------------------------------------------
+
+  #living(): NativeDiagram {
+    if (this.#native === null) throw new ApolloniusError("disposed", "the diagram has been disposed of");
+    return this.#native;
+  }
+
+  /** What `take` copied out of the native arrays, whose memory is given back after. */
+  #taken<Result>(native: NativeDiagram, take: () => Result): Result {
+    try {
+      return take();
+    } finally {
+      native.finish();
+    }
+  }
+
+  #insertTriples(xyr: ArrayLike<number>): Uint32Array {
+    const ids = new Uint32Array(xyr.length / 3);
+    const status = this.#living().insertMany(xyr, ids);
+    if (status !== 0) throwForElements(status, "xyr", xyr);
+    return ids;
+  }
+
+  #locate(native: NativeDiagram, x: number, y: number): void {
+    checkTypes(x, y);
+    const status = native.find(x, y);
+    if (status !== 0) throwForNumbers(status, x, y);
+  }
+}

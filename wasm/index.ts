@@ -1,0 +1,19 @@
+// The default entry: carries its wasm as text and compiles it synchronously at the first use.
+import base64 from "../build/wasm/apollonius.wasm";
+import { isRunning, setModuleSource, start } from "./module.js";
+
+export * from "./api.js";
+
+function bytes(): Uint8Array<ArrayBuffer> {
+  return Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+}
+
+setModuleSource(() => new WebAssembly.Module(bytes()));
+
+/**
+ * Compiles ahead of the first use and off the main thread. Optional: without it the first diagram compiles synchronously, a few
+ * milliseconds.
+ */
+export async function load(): Promise<void> {
+  if (!isRunning()) start(await WebAssembly.compile(bytes()));
+}

@@ -1,0 +1,238 @@
+// One diagram inside the wasm module, with typed arrays instead of heap addresses: no other file knows an address, and no view
+// of the heap leaves this one (a view dies when the memory grows). Layout of the shared blocks: wasm/bindings.cpp.
+import type { Diagram as Handle, MainModule } from "../build/wasm/apollonius.mjs";
+import { runningModule } from "./module.js";
+
+/** Error codes as integers, 0 for success: the order of `Error` in src/apollonius.h. */
+export type Status = number;
+const kOutOfMemory: Status = 5;
+
+/** "No site": not a valid id, and what the library answers when there is none. */
+export const kNoSite = 0xffffffff;
+
+// Blocks in the heap of up to this size stay allocated for the next call: giving one back costs a call.
+const kKeptBytes = 1 << 18;
+
+// More than this many bytes a 32-bit heap never has; beyond 2^32 the address arithmetic would wrap.
+const kMostBytes = 0xffff_0000;
+
+// Byte offsets in `Results` of wasm/bindings.cpp.
+const kX = 0;
+const kY = 8;
+const kR = 16;
+const kDistance = 24;
+const kId = 32;
+const kFlag = 36;
+const kAddresses = 40;
+const kLengths = 52;
+
+let collector: FinalizationRegistry<Handle> | undefined;
+let results = 0;
+
+/**
+ * The net under diagrams that nobody disposes of. It holds embind's handle only, so the owner can be collected.
+ */
+function handleCollector(): FinalizationRegistry<Handle> {
+  collector ??= new FinalizationRegistry((handle) => handle.delete());
+  return collector;
+}
+
+export class NativeDiagram {
+  readonly #module: MainModule;
+  readonly #handle: Handle;
+  readonly #address: number;
+
+  private constructor(module: MainModule, handle: Handle) {
+    this.#module = module;
+    this.#handle = handle;
+    this.#address = handle.address();
+  }
+
+  /** An empty diagram that lives until `destroy`, or until `owner` is collected; null if memory ran out. */
+  static create(owner: object, hierarchy: boolean): NativeDiagram | null {
+    const module = runningModule();
+    results = module.resultsAddress();
+    const handle = module.Diagram.create(hierarchy);
+    if (handle === null) return null;
+    const native = new NativeDiagram(module, handle);
+    handleCollector().register(owner, handle, native);
+    return native;
+  }
+
+  destroy(): void {
+    handleCollector().unregister(this);
+    this.#handle.delete();
+  }
+
+  // --- Calls about one site or point. Their results are read below, before the next call. ---------------------------------
+
+  insert(x: number, y: number, r: number): Status {
+    return this.#module._diagramInsert(this.#address, x, y, r);
+  }
+  remove(id: number): Status {
+    return this.#module._diagramRemove(this.#address, id);
+  }
+  update(id: number, x: number, y: number, r: number): Status {
+    return this.#module._diagramUpdate(this.#address, id, x, y, r);
+  }
+  find(x: number, y: number): Status {
+    return this.#module._diagramFind(this.#address, x, y);
+  }
+  has(id: number): boolean {
+    return this.#module._diagramHas(this.#address, id) !== 0;
+  }
+  site(id: number): Status {
+    return this.#module._diagramSite(this.#address, id);
+  }
+  isHidden(id: number): Status {
+    return this.#module._diagramIsHidden(this.#address, id);
+  }
+  neighbors(id: number): Status {
+    return this.#module._diagramNeighbors(this.#address, id);
+  }
+  coverOf(id: number): Status {
+    return this.#module._diagramCoverOf(this.#address, id);
+  }
+  get size(): number {
+    return this.#module._diagramSize(this.#address);
+  }
+  get visibleSize(): number {
+    return this.#module._diagramVisibleSize(this.#address);
+  }
+  clear(): void {
+    this.#handle.clear();
+  }
+
+  // --- Scalar results of the last call ---------------------------------------------------------------------------------------
+
+  /** The site that the last call answered; -1 for none. */
+  get id(): number {
+    return this.#module.HEAP32[(results + kId) >>> 2];
+  }
+  /** How many, or whether (1 or 0). */
+  get count(): number {
+    return this.#module.HEAPU32[(results + kFlag) >>> 2];
+  }
+  get x(): number {
+    return this.#number(kX);
+  }
+  get y(): number {
+    return this.#number(kY);
+  }
+  get r(): number {
+    return this.#number(kR);
+  }
+  get distance(): number {
+    return this.#number(kDistance);
+  }
+
+  // --- Arrays in -------------------------------------------------------------------------------------------------------------
+
+  /** Inserts triples; the new ids go to `ids`. */
+  insertMany(xyr: ArrayLike<number>, ids: Uint32Array): Status {
+    return this.#withScratch(ids.length * 28, (at) => {
+      const idsAt = this.#writeDoubles(at, xyr, 3 * ids.length);
+      const status = this.#handle.insertMany(at, idsAt, ids.length);
+      if (status === 0) ids.set(this.#words(idsAt, ids.length));
+      return status;
+    });
+  }
+
+  removeMany(ids: Uint32Array): Status {
+    return this.#withScratch(ids.length * 4, (at) => {
+      this.#words(at, ids.length).set(ids);
+      return this.#handle.removeMany(at, ids.length);
+    });
+  }
+
+  updateMany(ids: Uint32Array, xyr: ArrayLike<number>): Status {
+    return this.#withScratch(ids.length * 28, (at) => {
+      const idsAt = this.#writeDoubles(at, xyr, 3 * ids.length);
+      this.#words(idsAt, ids.length).set(ids);
+      return this.#handle.updateMany(idsAt, at, ids.length);
+    });
+  }
+
+  /** Nearest sites of x, y pairs into `ids` (-1 for none), and their distances into `distances` if given. */
+  findMany(xy: ArrayLike<number>, ids: Int32Array, distances: Float64Array | undefined): Status {
+    const count = ids.length;
+    return this.#withScratch(count * (distances ? 28 : 20), (at) => {
+      const distancesAt = this.#writeDoubles(at, xy, 2 * count);
+      const idsAt = distances ? distancesAt + count * 8 : distancesAt;
+      const status = this.#handle.findMany(at, idsAt, distances ? distancesAt : 0, count);
+      if (status === 0) {
+        ids.set(this.#words(idsAt, count));
+        distances?.set(this.#doubles(distancesAt, count));
+      }
+      return status;
+    });
+  }
+
+  // --- Arrays out: each call fills slots, from which `take...` copies and `finish` gives back what was large ---------------
+
+  ids(): Status {
+    return this.#handle.ids();
+  }
+  vertices(): Status {
+    return this.#handle.vertices();
+  }
+  edges(): Status {
+    return this.#handle.edges();
+  }
+  validate(): Status {
+    return this.#handle.validate();
+  }
+
+  takeDoubles(slot: number): Float64Array {
+    return this.#doubles(this.#slot(kAddresses, slot), this.#slot(kLengths, slot)).slice();
+  }
+  takeWords(slot: number): Uint32Array {
+    return this.#words(this.#slot(kAddresses, slot), this.#slot(kLengths, slot)).slice();
+  }
+  takeText(slot: number): string {
+    const start = this.#slot(kAddresses, slot);
+    const bytes: Uint8Array = this.#module.HEAPU8;
+    return new TextDecoder().decode(bytes.slice(start, start + this.#slot(kLengths, slot)));
+  }
+  finish(): void {
+    const bytes = 8 * (this.#slot(kLengths, 0) + this.#slot(kLengths, 1) + this.#slot(kLengths, 2));
+    if (bytes > kKeptBytes) this.#module.release();
+  }
+
+  // --- Addresses -------------------------------------------------------------------------------------------------------------
+
+  #number(offset: number): number {
+    return this.#module.HEAPF64[(results + offset) >>> 3];
+  }
+
+  #slot(offset: number, slot: number): number {
+    return this.#module.HEAPU32[((results + offset) >>> 2) + slot];
+  }
+
+  #words(address: number, count: number): Uint32Array {
+    const heap: Uint32Array = this.#module.HEAPU32;
+    return heap.subarray(address / 4, address / 4 + count);
+  }
+
+  #doubles(address: number, count: number): Float64Array {
+    const heap: Float64Array = this.#module.HEAPF64;
+    return heap.subarray(address / 8, address / 8 + count);
+  }
+
+  /** Copies values in and returns the address behind them. */
+  #writeDoubles(address: number, values: ArrayLike<number>, count: number): number {
+    this.#doubles(address, count).set(values);
+    return address + count * 8;
+  }
+
+  #withScratch(bytes: number, call: (address: number) => Status): Status {
+    if (bytes > kMostBytes) return kOutOfMemory;
+    const address = this.#module.reserve(Math.max(bytes, 8));
+    if (address === 0) return kOutOfMemory;
+    try {
+      return call(address);
+    } finally {
+      if (bytes > kKeptBytes) this.#module.release();
+    }
+  }
+}
