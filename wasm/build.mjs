@@ -1,0 +1,61 @@
+// npm run build: the package's dist/ from src/ and wasm/.
+//
+//   dist/esm/{index,wasm}.js, *.d.ts    ES modules
+//   dist/cjs/{index,wasm}.js, *.d.ts    CommonJS, the same
+//   dist/apollonius.wasm                for the entry `apollonius-diagram/wasm`; the default entry carries it as text
+import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+import { buildWasm } from "./toolchain/cmake.mjs";
+import { root } from "./toolchain/folders.mjs";
+import { run } from "./toolchain/process.mjs";
+import { ensureBuildTools, main } from "./toolchain/setup.mjs";
+
+const wasm = path.join(root, "wasm");
+const dist = path.join(root, "dist");
+const types = path.join(root, "build/types/wasm");
+const entries = ["index", "wasm"];
+
+async function bundle(format, outdir) {
+  const { build } = await import("esbuild");  // not before `npm ci` may have installed it
+  await build({
+    entryPoints: entries.map((entry) => path.join(wasm, `${entry}.ts`)),
+    outdir, format, bundle: true, minify: true, keepNames: false, target: "es2022", charset: "utf8", logLevel: "warning",
+    legalComments: "none",
+    loader: { ".wasm": "base64" },
+    // The glue would look for the .wasm file beside itself; it never has to.
+    define: { "import.meta.url": "undefined" },
+  });
+}
+
+/** The declaration files that the entries reach; those of inner files stay out of the package. */
+function publicDeclarations() {
+  const reached = new Set();
+  const visit = (name) => {
+    if (reached.has(name)) return;
+    reached.add(name);
+    const text = readFileSync(path.join(types, name), "utf8");
+    for (const [, module] of text.matchAll(/from "\.\/(.*?)\.js"/g)) visit(`${module}.d.ts`);
+  };
+  for (const entry of entries) visit(`${entry}.d.ts`);
+  return [...reached];
+}
+
+export async function buildPackage() {
+  const emscripten = ensureBuildTools();
+  const built = buildWasm(emscripten, "apollonius_wasm");
+  run(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", wasm]);
+
+  rmSync(dist, { recursive: true, force: true });
+  const declarations = publicDeclarations();
+  for (const format of ["esm", "cjs"]) {
+    const folder = path.join(dist, format);
+    mkdirSync(folder, { recursive: true });
+    await bundle(format, folder);
+    for (const name of declarations) cpSync(path.join(types, name), path.join(folder, name));
+  }
+  writeFileSync(path.join(dist, "cjs/package.json"), '{ "type": "commonjs" }\n');
+  cpSync(path.join(built, "apollonius.wasm"), path.join(dist, "apollonius.wasm"));
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) await main(buildPackage);

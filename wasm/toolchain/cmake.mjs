@@ -1,0 +1,30 @@
+// Builds with CMake in folders under build/.
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { availableParallelism } from "node:os";
+import path from "node:path";
+import { cmakeToolchainFile } from "./emscripten.mjs";
+import { root } from "./folders.mjs";
+import { capture, run } from "./process.mjs";
+
+export const jobs = String(availableParallelism());
+const nodePrograms = path.join(root, "node_modules/.bin");
+
+/** Configures if the arguments are new (CMake itself notices changed files), then builds; returns the folder. */
+export function buildWithCmake(name, settings, { target = "all", env } = {}) {
+  const folder = path.join(root, "build", name);
+  const args = Object.entries(settings).map(([key, value]) => `-D${key}=${value}`);
+  const stamp = path.join(folder, ".arguments");
+  if (!existsSync(path.join(folder, "CMakeCache.txt")) || !existsSync(stamp) || readFileSync(stamp, "utf8") !== args.join("\n")) {
+    mkdirSync(folder, { recursive: true });
+    capture("cmake", ["--fresh", "-S", root, "-B", folder, ...args], { env });
+    writeFileSync(stamp, args.join("\n"));
+  }
+  run("cmake", ["--build", folder, "--target", target, "--parallel", jobs], { env });
+  return folder;
+}
+
+/** The wasm build; emcc finds TypeScript's compiler on PATH and writes the glue's types with it. */
+export function buildWasm(emscripten, target) {
+  return buildWithCmake("wasm", { CMAKE_TOOLCHAIN_FILE: cmakeToolchainFile(emscripten) },
+                        { target, env: { PATH: `${nodePrograms}${path.delimiter}${process.env.PATH}` } });
+}
