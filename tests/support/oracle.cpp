@@ -1,6 +1,7 @@
 #include "support/oracle.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "support/oracle_numbers.h"
@@ -91,14 +92,11 @@ ExactSite relativeTo(const ExactSite& origin, const ExactSite& site) {
   return {site.x - origin.x, site.y - origin.y, site.r - origin.r};
 }
 
-/// Face (i, j, k) of finite sites. `q` may be null (only existence is asked: kFree or kNoCircle); `qAtInfinity` asks for
-/// conflict with the site at infinity, which a proper circle never has.
-Verdict judgeFinite(const ExactSite& i, const ExactSite& jAbsolute, const ExactSite& kAbsolute, const ExactSite* q) {
-  const ExactSite j = relativeTo(i, jAbsolute);
-  const ExactSite k = relativeTo(i, kAbsolute);
+/// The circle that touches the sites in the order (first, j, k): kFree with `result` set, kNoCircle or kUndetermined.
+Verdict findCircle(const ExactSite& j, const ExactSite& k, TouchingCircle& result) {
   TouchingCircle circles[2];
   if (!touchingCircles(j, k, circles)) return Verdict::kUndetermined;
-  const TouchingCircle* found = nullptr;
+  bool found = false;
   for (const TouchingCircle& circle : circles) {
     if (signOf(circle.d) < 0) continue;
     if (signOf(circle.d) == 0) return Verdict::kUndetermined;
@@ -111,15 +109,22 @@ Verdict judgeFinite(const ExactSite& i, const ExactSite& jAbsolute, const ExactS
     const int turn = signAt(circle, k.y * j.r - j.y * k.r, j.x * k.r - k.x * j.r, j.x * k.y - j.y * k.x, 0);
     if (turn < 0) continue;
     if (turn == 0) return Verdict::kUndetermined;
-    if (found != nullptr) throw std::logic_error("oracle: two Voronoi circles of one orientation");
-    found = &circle;
+    if (found) throw std::logic_error("oracle: two Voronoi circles of one orientation");
+    found = true;
+    result = circle;
   }
-  if (found == nullptr) return Verdict::kNoCircle;
-  if (q == nullptr) return Verdict::kFree;
+  return found ? Verdict::kFree : Verdict::kNoCircle;
+}
+
+/// Face (i, j, k) of finite sites. `q` may be null: only existence is asked, kFree or kNoCircle.
+Verdict judgeFinite(const ExactSite& i, const ExactSite& j, const ExactSite& k, const ExactSite* q) {
+  TouchingCircle circle;
+  const Verdict existence = findCircle(relativeTo(i, j), relativeTo(i, k), circle);
+  if (existence != Verdict::kFree || q == nullptr) return existence;
   // |c - b_q| < rho + r_q: never if the right side is negative; else the squares.
   const ExactSite t = relativeTo(i, *q);
-  if (signAt(*found, 0, 0, 1, t.r) < 0) return Verdict::kFree;
-  return worse(signAt(*found, 2 * t.x, 2 * t.y, 2 * t.r, -(t.x * t.x + t.y * t.y - t.r * t.r)));
+  if (signAt(circle, 0, 0, 1, t.r) < 0) return Verdict::kFree;
+  return worse(signAt(circle, 2 * t.x, 2 * t.y, 2 * t.r, -(t.x * t.x + t.y * t.y - t.r * t.r)));
 }
 
 /// Face (a, b, infinity): the half-plane {n . x >= n . b_a + r_a} that touches both, with unit normal n to the left of the
@@ -276,6 +281,23 @@ bool oracleSmaller(const Circle& a, const Circle& b) {
   if (a.r != b.r) return a.r < b.r;
   if (a.x != b.x) return a.x < b.x;
   return a.y < b.y;
+}
+
+std::optional<bool> oracleCircleIsWithin(const Circle& i, const Circle& j, const Circle& k, const Circle& estimate, double error) {
+  const int unit = lowestBit({i.x, i.y, i.r, j.x, j.y, j.r, k.x, k.y, k.r, estimate.x, estimate.y, estimate.r, error});
+  const auto exact = [&](const Circle& c) { return ExactSite{scaled(c.x, unit), scaled(c.y, unit), scaled(c.r, unit)}; };
+  const ExactSite pole = exact(i);
+  TouchingCircle circle;
+  const Verdict existence = findCircle(relativeTo(pole, exact(j)), relativeTo(pole, exact(k)), circle);
+  if (existence == Verdict::kUndetermined) return std::nullopt;
+  if (existence == Verdict::kNoCircle) return false;
+  // The estimate's clearance s is rho - r_i.
+  const ExactSite e{scaled(estimate.x, unit) - pole.x, scaled(estimate.y, unit) - pole.y, scaled(estimate.r, unit) + pole.r};
+  const Integer bound = scaled(error, unit);
+  const auto within = [&](int l, int m, int n, const Integer& value) {
+    return signAt(circle, l, m, n, -value - bound) <= 0 && signAt(circle, l, m, n, -value + bound) >= 0;
+  };
+  return within(1, 0, 0, e.x) && within(0, 1, 0, e.y) && within(0, 0, 1, e.r);
 }
 
 CircleAnswer oracleCircle(const Circles& circles, int i, int j, int k, int q) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "apollonius.h"
@@ -44,6 +45,10 @@ bool oracleSmaller(const Circle& a, const Circle& b);
 /// kInfinity for infinity (j or k or q, not i). The first question's answer is kNoCircle or one of the other two.
 enum class CircleAnswer { kNoCircle, kFree, kInConflict };
 CircleAnswer oracleCircle(const Circles& circles, int i, int j, int k, int q);
+
+/// Is the Voronoi circle of the counter-clockwise face (i, j, k), which exists, within `error` of an estimate (x and y of its
+/// centre, r for its clearance), each of the three numbers for itself? No answer where the three sites also touch a line.
+std::optional<bool> oracleCircleIsWithin(const Circle& i, const Circle& j, const Circle& k, const Circle& estimate, double error);
 
 /// Sign of (|p - a| - r_a) - (|p - b| - r_b).
 int oracleCompareDistance(double x, double y, const Circle& a, const Circle& b);

@@ -1,0 +1,87 @@
+// compareDistance() and isNearer() against the oracle, their laws, and their filter against their exact stage.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "predicate/samples.h"
+#include "predicate/stages.h"
+#include "support/corpus.h"
+#include "support/effort.h"
+#include "support/operations.h"
+
+namespace apollonius {
+namespace {
+
+using namespace test;
+
+void expectSameAsOracle(double x, double y, const Circle& a, const Circle& b) {
+  const int expected = oracleCompareDistance(x, y, a, b);
+  const Sign sign = compareDistance(x, y, toSite(a), toSite(b));
+  ASSERT_EQ(static_cast<int>(sign), expected) << "point " << x << " " << y << "\n" << toText(insertAll({a, b}));
+  ASSERT_EQ(compareDistance(x, y, toSite(b), toSite(a)), -sign) << "antisymmetric";
+  const bool nearer = expected > 0 || (expected == 0 && oracleSmaller(a, b));
+  ASSERT_EQ(isNearer(x, y, toSite(a), toSite(b)), nearer);
+  const MaybeSign filtered = stages::distanceFilter(x, y, toSite(a), toSite(b));
+  if (filtered.known) {
+    ASSERT_EQ(filtered.sign, stages::distanceExact(x, y, toSite(a), toSite(b)));
+  }
+}
+
+TEST(Distance, AgreesWithTheOracleOnAGrid) {
+  int ties = 0;
+  for (int a = 0; a < 64; ++a) {
+    for (int b = 0; b < 64; ++b) {
+      const Circle first{a % 4 * 1.0, a / 4 % 4 * 1.0, a / 16 * 1.0};
+      const Circle second{b % 4 * 1.0, b / 4 % 4 * 1.0, b / 16 * 1.0};
+      for (int point = 0; point < 16; ++point) {
+        const double x = point % 4, y = point / 4;
+        expectSameAsOracle(x, y, first, second);
+        if (HasFatalFailure()) return;
+        ties += oracleCompareDistance(x, y, first, second) == 0;
+      }
+    }
+  }
+  EXPECT_GT(ties, 3000);
+}
+
+TEST(Distance, AgreesWithTheOracleOnEveryGenerator) {
+  for (const NamedGenerator& generator : corpus()) {
+    SCOPED_TRACE(generator.name);
+    Random random(71);
+    const Circles circles = generator.make(random, 20);
+    for (int run = 0; run < runs(300); ++run) {
+      const Circle& a = circles[random.below(circles.size())];
+      const Circle& b = circles[random.below(circles.size())];
+      const Circle& p = circles[random.below(circles.size())];
+      // At a centre; half-way between two; with coordinates of different sites.
+      const double x = run % 3 == 0 ? p.x : run % 3 == 1 ? (a.x + b.x) / 2 : a.x;
+      const double y = run % 3 == 0 ? p.y : run % 3 == 1 ? (a.y + b.y) / 2 : b.y;
+      expectSameAsOracle(x, y, a, b);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(Distance, OneUlpAside) {
+  const Circle a{-3, 4, 1}, b{3, 4, 1};  // the bisector is x = 0
+  for (const double x : {0.0, 1e-100, -1e-100, 1e-16, -1e-17}) {
+    EXPECT_EQ(static_cast<int>(compareDistance(x, 0, toSite(a), toSite(b))), x > 0 ? 1 : x < 0 ? -1 : 0) << x;
+  }
+}
+
+TEST(Distance, EasyComparisonsAreAnsweredByTheFilter) {
+  Random random(72);
+  const Circles circles = randomCircles(random, 200, Hidden::k20Percent);
+  const auto before = stages::counts().distanceExact;
+  for (int run = 0; run < 2000; ++run) {
+    const Site a = toSite(circles[random.below(100)]);
+    const Site b = toSite(circles[100 + random.below(100)]);
+    (void)compareDistance(random.between(-1e6, 1e6), random.between(-1e6, 1e6), a, b);
+  }
+  EXPECT_EQ(stages::counts().distanceExact, before);
+  EXPECT_EQ(compareDistance(0, 0, {3, 4, 0}, {5, 12, 8}), Sign::kZero);
+  EXPECT_EQ(stages::counts().distanceExact, before + 1) << "a tie needs the exact stage";
+}
+
+}  // namespace
+}  // namespace apollonius
