@@ -1,7 +1,6 @@
 #include "predicate/predicates.h"
 
-#include <utility>
-
+#include "predicate/pole.h"
 #include "predicate/shadow_check.h"
 #include "predicate/stages.h"
 
@@ -11,21 +10,11 @@ using stages::counts;
 
 namespace {
 
-/// Is `a` to be the pole rather than b?
-bool isBetterPole(Corner a, Corner b) { return a != nullptr && (b == nullptr || precedes(*b, *a)); }
-
 bool coversCorner(const Site& q, Corner c) { return c != nullptr && covers(q, *c); }
 
 /// The common part of vertex conflict and of the existence of a circle (q infinite).
 bool circleIsBeaten(Corner i, Corner j, Corner k, Corner q) {
-  // Rotate the face so that its largest finite site is the pole.
-  if (isBetterPole(j, i) && !isBetterPole(k, j)) {
-    std::swap(i, j);
-    std::swap(j, k);
-  } else if (isBetterPole(k, i)) {
-    std::swap(i, k);
-    std::swap(j, k);
-  }
+  rotateToPole(i, j, k);
   const MaybeSign filtered = stages::vertexFilter(*i, j, k, q);
   shadowCheck(filtered, [&] { return stages::vertexExact(*i, j, k, q); });
   ++(filtered.known ? counts().vertexFilter : counts().vertexExact);
@@ -75,6 +64,13 @@ bool isNearer(double x, double y, const Site& a, const Site& b) {
 bool isVertexInConflict(Corner i, Corner j, Corner k, const Site& q) {
   if (coversCorner(q, i) || coversCorner(q, j) || coversCorner(q, k)) return true;
   return circleIsBeaten(i, j, k, &q);
+}
+
+bool isVertexInConflict(const VoronoiCircle& circle, Corner i, Corner j, Corner k, const Site& q) {
+  const MaybeSign filtered = circleFilter(circle, q);
+  shadowCheck(filtered, [&] { return isVertexInConflict(i, j, k, q) ? Sign::kPositive : Sign::kNegative; });
+  if (filtered.known) return filtered.sign == Sign::kPositive;
+  return isVertexInConflict(i, j, k, q);
 }
 
 bool hasVoronoiCircle(const Site& i, const Site& j, const Site& k) { return !circleIsBeaten(&i, &j, &k, nullptr); }

@@ -6,6 +6,7 @@
 
 #include "number/sign.h"
 #include "predicate/site.h"
+#include "predicate/voronoi_circle.h"
 
 namespace apollonius {
 
@@ -24,6 +25,9 @@ namespace apollonius {
 /// Laws: the same for (j, k, i); zeros of the polynomial are settled as if larger sites had infinitely larger increments of
 /// their weights, so the answers never depend on the order of insertion. Degree 8.
 [[nodiscard]] bool isVertexInConflict(Corner i, Corner j, Corner k, const Site& q);
+
+/// The same, asking the face's cached circle first.
+[[nodiscard]] bool isVertexInConflict(const VoronoiCircle& circle, Corner i, Corner j, Corner k, const Site& q);
 
 /// Is there a circle that touches i, j, k from outside (or from inside) in counter-clockwise order? The sites are finite and
 /// none covers another. A common tangent line is settled as isVertexInConflict settles zeros. Degree 8.

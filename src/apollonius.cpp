@@ -1,0 +1,181 @@
+// The public interface: checks arguments at the door, translates lack of memory into an error, and leaves the work to the core.
+#include "apollonius.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <stdexcept>
+
+#include "diagram/diagram_core.h"
+#include "diagram/spatial_order.h"
+#include "predicate/approx_distance.h"
+
+namespace apollonius {
+
+namespace {
+
+Error checkNumber(double value) {
+  if (!std::isfinite(value)) return Error::kNotFinite;
+  const double magnitude = std::abs(value);
+  return magnitude == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude) ? Error::kNone : Error::kOutOfRange;
+}
+
+Error checkNumbers(std::span<const double> values) {
+  for (const double value : values) {
+    if (const Error error = checkNumber(value); error != Error::kNone) return error;
+  }
+  return Error::kNone;
+}
+
+Error checkCircle(double x, double y, double r) {
+  const double values[] = {x, y, r};
+  return checkNumbers(values);
+}
+
+template <class Operation>
+Error guarded(Operation&& operation) {
+  try {
+    operation();
+    return Error::kNone;
+  } catch (const std::bad_alloc&) {
+    return Error::kOutOfMemory;
+  } catch (const std::length_error&) {
+    return Error::kOutOfMemory;
+  }
+}
+
+}  // namespace
+
+class Diagram::Impl : public DiagramCore {
+ public:
+  using DiagramCore::DiagramCore;
+};
+
+Diagram::Diagram(Location location) : impl_(std::make_unique<Impl>(location)) {}
+Diagram::~Diagram() = default;
+Diagram::Diagram(Diagram&&) noexcept = default;
+Diagram& Diagram::operator=(Diagram&&) noexcept = default;
+
+// --- Sites -------------------------------------------------------------------------------------------------------------------
+
+Error Diagram::insert(double x, double y, double r, SiteId& id) {
+  if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
+  if (size() == kMostSites) return Error::kTooLarge;
+  return guarded([&] { id = impl_->insert({x, y, r}); });
+}
+
+Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
+  if (xyr.size() != 3 * ids.size()) return Error::kBadLength;
+  if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
+  if (ids.size() > kMostSites - size()) return Error::kTooLarge;
+  return guarded([&] { impl_->insertMany(xyr, ids); });
+}
+
+Error Diagram::remove(SiteId id, bool& removed) {
+  return guarded([&] { removed = impl_->remove(id); });
+}
+
+Error Diagram::removeMany(std::span<const SiteId> ids, std::size_t& removed) {
+  return guarded([&] { removed = impl_->removeMany(ids); });
+}
+
+Error Diagram::update(SiteId id, double x, double y, double r) {
+  if (!has(id)) return Error::kUnknownSite;
+  if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
+  return guarded([&] { impl_->update(id, {x, y, r}); });
+}
+
+Error Diagram::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
+  if (xyr.size() != 3 * ids.size()) return Error::kBadLength;
+  for (const SiteId id : ids) {
+    if (!has(id)) return Error::kUnknownSite;
+  }
+  if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
+  return guarded([&] { impl_->updateMany(ids, xyr); });
+}
+
+void Diagram::clear() noexcept { impl_->clear(); }
+
+std::size_t Diagram::size() const noexcept { return impl_->ids().size(); }
+std::size_t Diagram::visibleSize() const noexcept { return impl_->visibleCount(); }
+std::size_t Diagram::hiddenSize() const noexcept { return impl_->ids().hiddenCount(); }
+bool Diagram::has(SiteId id) const noexcept { return impl_->ids().state(id) != SiteState::kFree; }
+
+Error Diagram::site(SiteId id, Circle& circle) const noexcept {
+  if (!has(id)) return Error::kUnknownSite;
+  const Site& site = impl_->site(id);
+  circle = {site.x, site.y, site.r};
+  return Error::kNone;
+}
+
+Error Diagram::ids(std::vector<SiteId>& ids) const {
+  return guarded([&] {
+    ids.clear();
+    ids.reserve(size());
+    for (SiteId id = 0; id < impl_->ids().slots(); ++id) {
+      if (has(id)) ids.push_back(id);
+    }
+  });
+}
+
+Error Diagram::isHidden(SiteId id, bool& hidden) const noexcept {
+  if (!has(id)) return Error::kUnknownSite;
+  hidden = impl_->ids().state(id) == SiteState::kHidden;
+  return Error::kNone;
+}
+
+Error Diagram::coverOf(SiteId id, SiteId& cover) const {
+  if (!has(id)) return Error::kUnknownSite;
+  return guarded([&] {
+    const Site& site = impl_->site(id);
+    // Lemma 1 of the paper: the site nearest to its centre covers it.
+    cover = impl_->ids().state(id) == SiteState::kHidden ? impl_->nearest(site.x, site.y) : kNoSite;
+  });
+}
+
+// --- Queries -----------------------------------------------------------------------------------------------------------------
+
+Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
+  for (const double value : {x, y}) {
+    if (const Error error = checkNumber(value); error != Error::kNone) return error;
+  }
+  return guarded([&] {
+    id = visibleSize() == 0 ? kNoSite : impl_->nearest(x, y);
+    distance = id == kNoSite ? std::numeric_limits<double>::infinity() : ApproxDistance(x, y, impl_->site(id)).value;
+  });
+}
+
+Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids, std::span<double> distances) const {
+  if (xy.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size())) return Error::kBadLength;
+  if (const Error error = checkNumbers(xy); error != Error::kNone) return error;
+  return guarded([&] {
+    SiteId near = kNoSite;
+    for (const std::uint32_t k : hilbertOrder({xy, 2})) {  // each walk starts where the one before ended
+      const double x = xy[2 * std::size_t{k}], y = xy[2 * std::size_t{k} + 1];
+      if (visibleSize() > 0) near = impl_->nearest(x, y, near);
+      ids[k] = near;
+      if (distances.empty()) continue;
+      distances[k] = near == kNoSite ? std::numeric_limits<double>::infinity() : ApproxDistance(x, y, impl_->site(near)).value;
+    }
+  });
+}
+
+Error Diagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
+  if (!has(id)) return Error::kUnknownSite;
+  return guarded([&] { impl_->neighbors(id, neighbors); });
+}
+
+Error Diagram::vertices(VertexArrays& vertices) const {
+  return guarded([&] { impl_->vertices(vertices); });
+}
+
+Error Diagram::edges(EdgeArrays& edges) const {
+  return guarded([&] { impl_->edges(edges); });
+}
+
+Error Diagram::validate(std::string& broken) const {
+  return guarded([&] { broken = impl_->check(); });
+}
+
+}  // namespace apollonius

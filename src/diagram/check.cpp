@@ -1,0 +1,73 @@
+// The invariants of a diagram, exactly checked; the first broken one is named with its ids.
+#include <string>
+
+#include "diagram/diagram_core.h"
+#include "predicate/predicates.h"
+
+namespace apollonius {
+
+const char* DelaunayGraph::check(std::uint32_t& where) const {
+  if (const char* broken = graph_.check(where)) return broken;
+  std::size_t vertices = 0;
+  for (std::size_t v = 1; v < graph_.vertexSlots(); ++v) vertices += graph_.hasVertex(VertexId{static_cast<std::uint32_t>(v)});
+  where = static_cast<std::uint32_t>(visibleCount_);
+  if (visibleCount_ >= 2 ? vertices != visibleCount_ : vertices != 0) return "the count of visible sites is wrong: count";
+  if (visibleCount_ > 0 && (recent_ == kNoVertex || !isVisible(recent_))) return "walks start from a site without a cell: count";
+
+  for (std::size_t i = 0; i < 3 * graph_.faceSlots(); ++i) {
+    const HalfedgeId h{static_cast<std::uint32_t>(i)};
+    if (!graph_.isLive(faceOf(h))) continue;
+    where = static_cast<std::uint32_t>(i);
+    const EdgeCorners e = edge(h);
+    // Every edge: neither site covers the other; the corner beyond is not in conflict with the face on this side.
+    if (e.i != nullptr && e.j != nullptr && covers(*e.i, *e.j)) return "a visible site is covered by a neighbour: half-edge";
+    if (e.l != nullptr && e.l != e.k && isVertexInConflict(e.i, e.j, e.k, *e.l)) {
+      return "a face is in conflict with the site beyond its edge: half-edge";
+    }
+    // Every bounded face: its circle exists, and the cached one is this one.
+    if (index(h) % 3 != 0) continue;
+    if (e.i != nullptr && e.j != nullptr && e.k != nullptr && !hasVoronoiCircle(*e.i, *e.j, *e.k)) {
+      return "a face has no Voronoi circle: half-edge";
+    }
+    const VoronoiCircle fresh = voronoiCircle(e.i, e.j, e.k), &cached = circles_[index(faceOf(h))];
+    const auto same = [](double a, double b) { return a == b || (a != a && b != b); };
+    if (!same(fresh.x, cached.x) || !same(fresh.y, cached.y) || !same(fresh.s, cached.s) || fresh.slope != cached.slope) {
+      return "the cached circle of a face is not its circle: half-edge";
+    }
+  }
+  return nullptr;
+}
+
+std::string DiagramCore::check() const {
+  std::uint32_t where = 0;
+  if (const char* broken = base_.check(where)) return std::string(broken) + " " + std::to_string(where);
+  if (const char* broken = hierarchy_.check(base_, where)) return "hierarchy: " + std::string(broken) + " " + std::to_string(where);
+  for (SiteId id = 0; id < ids_.slots(); ++id) {
+    if ((ids_.state(id) == SiteState::kVisible) != base_.isVisible(vertexOf(id))) {
+      return "the state of a site differs from its place in the graph: site " + std::to_string(id);
+    }
+  }
+  if (ids_.size() != ids_.hiddenCount() + base_.visibleCount()) return "sites are neither visible nor hidden: all";
+  return checkHidden();
+}
+
+/// Every hidden site hangs on a site that covers it, and all of them hang, at the end, on visible ones.
+std::string DiagramCore::checkHidden() const {
+  std::vector<SiteId> reached;
+  for (SiteId id = 0; id < ids_.slots(); ++id) {
+    if (ids_.state(id) == SiteState::kVisible) reached.push_back(id);
+  }
+  const std::size_t visible = reached.size();
+  for (std::size_t k = 0; k < reached.size(); ++k) {
+    for (SiteId child = hidden_.firstChild(reached[k]); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
+      if (ids_.state(child) != SiteState::kHidden) return "a site that hangs on another is not hidden: site " + std::to_string(child);
+      if (!covers(site(reached[k]), site(child))) return "a hidden site is not covered by its parent: site " + std::to_string(child);
+      if (reached.size() == ids_.size()) return "the forest of hidden sites has a cycle: site " + std::to_string(child);
+      reached.push_back(child);
+    }
+  }
+  if (reached.size() != visible + ids_.hiddenCount()) return "hidden sites hang on nothing: reached " + std::to_string(reached.size());
+  return {};
+}
+
+}  // namespace apollonius

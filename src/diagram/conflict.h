@@ -1,0 +1,45 @@
+// The conflict region of a new site: the part of the Voronoi skeleton that its cell will swallow (paper, section 3.2), as
+// faces, and the rim of the hole that they leave. Reports, never changes the graph.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "graph/ids.h"
+#include "predicate/site.h"
+
+namespace apollonius {
+
+class DelaunayGraph;
+
+class ConflictSearch {
+ public:
+  /// Finds the conflict region of q. `near` is the visible site nearest to q's centre and does not cover q.
+  /// REQUIRES: at least two visible sites. Cost: O(degree of `near` + size of the region).
+  void find(const DelaunayGraph& diagram, const Site& q, VertexId near);
+
+  /// The faces in conflict; empty if q's cell lies within one edge.
+  [[nodiscard]] std::span<const FaceId> faces() const { return faces_; }
+  /// The hole's rim from inside, counter-clockwise, as Graph::starHole wants it; empty if q covers every site.
+  [[nodiscard]] std::span<const HalfedgeId> rim() const { return rim_; }
+
+ private:
+  enum class Mark : std::uint8_t { kUnknown, kClear, kConflict, kInRegion };
+
+  [[nodiscard]] bool isInConflict(FaceId f);
+  [[nodiscard]] bool isEntirelyInConflict(HalfedgeId h) const;
+  [[nodiscard]] bool findFirst(VertexId near);
+  void expand();
+  void enter(FaceId f);
+
+  const DelaunayGraph* diagram_ = nullptr;  // during find only
+  const Site* q_ = nullptr;
+  std::vector<Mark> marks_;                 // by face; all kUnknown between calls
+  std::vector<FaceId> touched_;             // faces whose mark is to be wiped
+  std::vector<HalfedgeId> stack_;
+  std::vector<FaceId> faces_;
+  std::vector<HalfedgeId> rim_;
+};
+
+}  // namespace apollonius

@@ -1,0 +1,83 @@
+// One Delaunay graph together with its sites: an additively weighted Voronoi diagram in its dual form, without hidden sites.
+// The diagram proper is one of these for all visible sites, plus smaller ones for location (hierarchy.h); deletions build a
+// scratch one of a site's neighbours (remove.h).
+//
+// Vertices are the caller's numbers (1, 2, …; 0 is infinity): whoever inserts a site says which vertex it becomes.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "diagram/conflict.h"
+#include "graph/graph.h"
+#include "predicate/predicates.h"
+#include "predicate/site.h"
+#include "predicate/voronoi_circle.h"
+
+namespace apollonius {
+
+class DelaunayGraph {
+ public:
+  // --- Reading -------------------------------------------------------------------------------------------------------------
+
+  [[nodiscard]] const Graph& graph() const { return graph_; }
+  [[nodiscard]] std::size_t visibleCount() const { return visibleCount_; }
+  [[nodiscard]] bool isVisible(VertexId v) const { return graph_.hasVertex(v) || (visibleCount_ == 1 && v == recent_); }
+  /// Some visible vertex, the one of the last change as a rule; kNoVertex if there is none.
+  [[nodiscard]] VertexId anyVisible() const { return recent_; }
+  [[nodiscard]] const Site& site(VertexId v) const { return sites_[index(v)]; }
+  [[nodiscard]] Corner corner(VertexId v) const { return v == kInfinity ? nullptr : &site(v); }
+  [[nodiscard]] const VoronoiCircle& circle(FaceId f) const { return circles_[index(f)]; }
+  /// The Voronoi edge dual to h, with h's origin on its left.
+  [[nodiscard]] EdgeCorners edge(HalfedgeId h) const {
+    return {corner(graph_.origin(h)), corner(graph_.target(h)), corner(graph_.apex(h)), corner(graph_.apex(graph_.twin(h)))};
+  }
+  [[nodiscard]] bool isFaceInConflict(FaceId f, const Site& q) const;
+
+  /// The visible site nearest to (x, y); ties go to the largest in the order of precedes(). Walks from `start`, which is visible
+  /// (paper, section 4, procedure NearestNeighbor). REQUIRES: a visible site.
+  [[nodiscard]] VertexId nearest(double x, double y, VertexId start) const;
+
+  // --- Changing: each either succeeds or throws std::bad_alloc and has changed nothing ---------------------------------------
+
+  /// Room for vertices of index < slots, and for faces of that many visible ones.
+  void reserve(std::size_t slots);
+
+  /// Writes the site of a vertex that is not visible, so that remove() can consider it. REQUIRES: reserve.
+  void setSite(VertexId v, const Site& site) { sites_[index(v)] = site; }
+
+  struct Insertion {
+    VertexId cover;                     ///< the visible site that covers the new one, which then got no place; or kNoVertex
+    std::span<const VertexId> covered;  ///< vertices that lost their place because the new one covers them; valid until the
+                                        ///< next change
+  };
+  /// Inserts the site of v (setSite), walking from `start` (visible, or kNoVertex) to its place. Paper, section 3.
+  [[nodiscard]] Insertion insert(VertexId v, VertexId start);
+
+  /// Forgets all sites but keeps the room.
+  void clear() noexcept;
+
+  /// The first broken invariant, exactly checked, or nullptr; `where` receives an id that it names.
+  [[nodiscard]] const char* check(std::uint32_t& where) const;
+
+ private:
+  friend class Remover;  // the other operation that changes the graph
+
+  [[nodiscard]] Insertion insertSecond(VertexId v);
+  [[nodiscard]] Insertion coverAll(VertexId v);
+  void computeCircle(FaceId f);
+  void reserveFaces(std::size_t removed, std::size_t created);
+
+  std::vector<Site> sites_;              // by vertex
+  Graph graph_;                          // has faces from two visible sites on
+  std::vector<VoronoiCircle> circles_;   // by face
+  std::size_t visibleCount_ = 0;
+  VertexId recent_ = kNoVertex;          // visible; the only one if visibleCount_ is 1
+
+  ConflictSearch conflicts_;
+  std::vector<FaceId> newFaces_;         // scratch
+  std::vector<VertexId> covered_;        // scratch
+};
+
+}  // namespace apollonius

@@ -1,0 +1,82 @@
+#include "diagram/hierarchy.h"
+
+#include <new>
+
+namespace apollonius {
+
+Hierarchy::Slot Hierarchy::chosen(Slot upper, unsigned level) {
+  // Multiplicative hashing; the upper bits are the good ones.
+  std::uint64_t z = (upper + 1ull) * 0x9E3779B97F4A7C15ull + level * 0xD1B54A32D192ED03ull;
+  z = (z ^ (z >> 32)) * 0xD6E8FEB86659FD93ull;
+  return static_cast<Slot>(z >> (64 - kBits));
+}
+
+Hierarchy::Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
+  Slot slot = kNoSite;
+  for (std::size_t k = levels_.size(); k > level; --k) {
+    const DelaunayGraph& graph = levels_[k - 1];
+    if (graph.visibleCount() == 0) continue;
+    const VertexId start = slot == kNoSite ? graph.anyVisible() : vertexOf(slot);
+    slot = below(slotOf(graph.nearest(x, y, start)), static_cast<unsigned>(k - 1));
+  }
+  return slot;
+}
+
+void Hierarchy::insert(SiteId id, const Site& site) noexcept {
+  try {
+    Slot slot = id;
+    for (unsigned level = 0; level < kMostLevels && climbs(slot, level); ++level) {
+      slot >>= kBits;
+      if (levels_.size() == level) levels_.emplace_back();
+      DelaunayGraph& graph = levels_[level];
+      graph.reserve(slot + std::size_t{2});
+      graph.setSite(vertexOf(slot), site);
+      const Slot start = locateOn(level + 1, site.x, site.y);
+      (void)graph.insert(vertexOf(slot), start == kNoSite ? kNoVertex : vertexOf(start));
+      // What the new site covers is hidden on level 0 as well; the diagram takes it off the other levels.
+    }
+  } catch (const std::bad_alloc&) {
+    clear();
+  }
+}
+
+void Hierarchy::remove(SiteId id, Remover& remover) noexcept {
+  try {
+    Slot slot = id;
+    for (unsigned level = 0; level < levels_.size() && climbs(slot, level); ++level) {
+      slot >>= kBits;
+      DelaunayGraph& graph = levels_[level];
+      if (index(vertexOf(slot)) < graph.graph().vertexSlots() && graph.isVisible(vertexOf(slot))) {
+        (void)remover.remove(graph, vertexOf(slot), {});
+      }
+    }
+  } catch (const std::bad_alloc&) {
+    clear();
+  }
+}
+
+const char* Hierarchy::check(const DelaunayGraph& base, std::uint32_t& where) const {
+  const DelaunayGraph* lower = &base;
+  for (unsigned level = 0; level < levels_.size(); ++level) {
+    const DelaunayGraph& graph = levels_[level];
+    if (const char* broken = graph.check(where)) return broken;
+    std::size_t expected = 0;
+    for (std::size_t v = 1; v < lower->graph().vertexSlots(); ++v) {
+      const VertexId below{static_cast<std::uint32_t>(v)};
+      const Slot slot = slotOf(below);
+      if (!climbs(slot, level) || !lower->isVisible(below)) continue;
+      ++expected;
+      where = slot;
+      const VertexId above = vertexOf(slot >> kBits);
+      if (index(above) >= graph.graph().vertexSlots() || !graph.isVisible(above)) return "a level lacks a site: slot";
+      const Site &a = graph.site(above), &b = lower->site(below);
+      if (a.x != b.x || a.y != b.y || a.r != b.r) return "levels differ about a site: slot";
+    }
+    where = level + 1;
+    if (expected != graph.visibleCount()) return "a level holds sites that the one below does not: level";
+    lower = &graph;
+  }
+  return nullptr;
+}
+
+}  // namespace apollonius

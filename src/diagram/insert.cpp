@@ -1,0 +1,64 @@
+// Insertion in the paper's three stages (section 3): nearest site, is the new one covered by it, conflict region and starring.
+#include <array>
+
+#include "diagram/delaunay_graph.h"
+
+namespace apollonius {
+
+DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start) {
+  const Site& q = site(v);
+  if (visibleCount_ == 0) {
+    visibleCount_ = 1;
+    recent_ = v;
+    return {kNoVertex, {}};
+  }
+  if (visibleCount_ == 1) return insertSecond(v);
+
+  const VertexId near = nearest(q.x, q.y, start == kNoVertex ? recent_ : start);
+  if (covers(site(near), q)) return {near, {}};  // Lemma 1
+
+  conflicts_.find(*this, q, near);
+  if (conflicts_.rim().empty()) return coverAll(v);
+
+  const std::size_t removed = conflicts_.faces().size();
+  const std::size_t created = conflicts_.rim().size();
+  reserveFaces(removed, created);
+  const std::span<const VertexId> covered = graph_.starHole(v, conflicts_.faces(), conflicts_.rim(), newFaces_);
+  for (const FaceId f : newFaces_) computeCircle(f);
+  visibleCount_ += 1 - covered.size();
+  recent_ = v;
+  return {kNoVertex, covered};
+}
+
+DelaunayGraph::Insertion DelaunayGraph::insertSecond(VertexId v) {
+  const VertexId first = recent_;
+  if (covers(site(first), site(v))) return {first, {}};
+  if (covers(site(v), site(first))) return coverAll(v);
+  reserveFaces(0, 2);
+  std::array<FaceId, 2> faces;
+  graph_.makePair(first, v, faces);
+  for (const FaceId f : faces) computeCircle(f);
+  visibleCount_ = 2;
+  recent_ = v;
+  return {kNoVertex, {}};
+}
+
+/// The new site covers every visible one: it remains alone.
+DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v) {
+  covered_.clear();
+  if (visibleCount_ == 1) {
+    covered_.push_back(recent_);
+  } else {
+    covered_.reserve(visibleCount_);
+    for (std::size_t i = 1; i < graph_.vertexSlots(); ++i) {
+      const VertexId u{static_cast<std::uint32_t>(i)};
+      if (graph_.hasVertex(u)) covered_.push_back(u);
+    }
+  }
+  graph_.clear();
+  visibleCount_ = 1;
+  recent_ = v;
+  return {kNoVertex, covered_};
+}
+
+}  // namespace apollonius

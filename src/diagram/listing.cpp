@@ -1,0 +1,78 @@
+// The diagram as arrays: neighbours of a site, Voronoi vertices, Voronoi edges.
+#include <algorithm>
+
+#include "diagram/diagram_core.h"
+
+namespace apollonius {
+
+void DiagramCore::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
+  neighbors.clear();
+  const Graph& graph = base_.graph();
+  if (!graph.hasVertex(vertexOf(id))) return;
+  const HalfedgeId begin = graph.outgoing(vertexOf(id));
+  HalfedgeId h = begin;
+  do {
+    if (graph.target(h) != kInfinity) neighbors.push_back(siteOf(graph.target(h)));
+    h = graph.rotateCcw(h);
+  } while (h != begin);
+
+  // Keep the first occurrence of each: sort positions by site, mark the later ones, drop them.
+  std::vector<std::uint32_t> positions(neighbors.size());
+  for (std::uint32_t k = 0; k < positions.size(); ++k) positions[k] = k;
+  std::stable_sort(positions.begin(), positions.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return neighbors[a] < neighbors[b]; });
+  std::vector<char> isRepeated(neighbors.size(), 0);
+  for (std::size_t k = 1; k < positions.size(); ++k) {
+    isRepeated[positions[k]] = neighbors[positions[k]] == neighbors[positions[k - 1]];
+  }
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    if (isRepeated[k] == 0) neighbors[kept++] = neighbors[k];
+  }
+  neighbors.resize(kept);
+}
+
+bool DiagramCore::isBounded(FaceId f) const {
+  const Graph& graph = base_.graph();
+  return graph.isLive(f) && graph.origin(halfedgeOf(f, 0)) != kInfinity && graph.origin(halfedgeOf(f, 1)) != kInfinity &&
+         graph.origin(halfedgeOf(f, 2)) != kInfinity;
+}
+
+void DiagramCore::vertices(VertexArrays& out) const {
+  out.coordinates.clear();
+  out.clearance.clear();
+  out.sites.clear();
+  const Graph& graph = base_.graph();
+  for (std::size_t i = 0; i < graph.faceSlots(); ++i) {
+    const FaceId f{static_cast<std::uint32_t>(i)};
+    if (!isBounded(f)) continue;
+    const VoronoiCircle& circle = base_.circle(f);
+    out.coordinates.push_back(circle.x);
+    out.coordinates.push_back(circle.y);
+    out.clearance.push_back(circle.s);
+    for (unsigned c = 0; c < 3; ++c) out.sites.push_back(siteOf(graph.origin(halfedgeOf(f, c))));
+  }
+}
+
+void DiagramCore::edges(EdgeArrays& out) const {
+  out.sites.clear();
+  out.vertices.clear();
+  const Graph& graph = base_.graph();
+  std::vector<std::int32_t> row(graph.faceSlots(), -1);  // of bounded faces in vertices()
+  std::int32_t rows = 0;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (isBounded(FaceId{static_cast<std::uint32_t>(i)})) row[i] = rows++;
+  }
+  for (std::size_t i = 0; i < 3 * graph.faceSlots(); ++i) {
+    const HalfedgeId h{static_cast<std::uint32_t>(i)};
+    if (!graph.isLive(faceOf(h)) || graph.twin(h) < h) continue;  // each edge once
+    if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity) continue;
+    out.sites.push_back(siteOf(graph.origin(h)));
+    out.sites.push_back(siteOf(graph.target(h)));
+    // Counter-clockwise about h's origin the edge runs from the vertex of the face on the right to that on the left.
+    out.vertices.push_back(row[index(faceOf(graph.twin(h)))]);
+    out.vertices.push_back(row[index(faceOf(h))]);
+  }
+}
+
+}  // namespace apollonius

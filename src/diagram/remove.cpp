@@ -1,0 +1,195 @@
+#include "diagram/remove.h"
+
+#include <algorithm>
+
+#include "diagram/invariant.h"
+
+namespace apollonius {
+
+std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden) {
+  fates_.clear();
+  collectLink(diagram.graph(), v);
+  const std::size_t remaining = diagram.visibleCount() - 1;
+
+  if (hidden.empty() && remaining < 2) {
+    becomeSingle(diagram, remaining == 0 ? kNoVertex : diagram.graph().origin(link_[0]) != kInfinity
+                                                         ? diagram.graph().origin(link_[0])
+                                                         : diagram.graph().target(link_[0]));
+    return fates_;
+  }
+  if (hidden.empty() && link_.size() <= 3) {
+    // Degree 2: the two edges opposite to v become one. Degree 3: the three become a face.
+    patch_.clear();
+    patchFaces_.clear();
+    if (link_.size() == 3) {
+      const Graph& graph = diagram.graph();
+      patch_.push_back({{graph.origin(link_[0]), graph.origin(link_[1]), graph.origin(link_[2])},
+                        {Graph::kOutside | 0, Graph::kOutside | 1, Graph::kOutside | 2}});
+    }
+    apply(diagram, v);
+    return fates_;
+  }
+
+  buildSmall(diagram, hidden);
+  fates_.reserve(hidden.size());
+  const auto firstHidden = static_cast<std::uint32_t>(global_.size() - hidden.size());
+  for (std::size_t k = firstHidden; k < global_.size(); ++k) {
+    fates_.push_back({global_[k], cover_[k] == kNoVertex ? kNoVertex : global(cover_[k])});
+  }
+  const auto revived = static_cast<std::size_t>(
+      std::count_if(fates_.begin(), fates_.end(), [](const Fate& fate) { return fate.cover == kNoVertex; }));
+
+  if (remaining + revived < 2) {
+    becomeSingle(diagram, small_.visibleCount() == 0 ? kNoVertex : global(small_.anyVisible()));
+    return fates_;
+  }
+  findPatch(diagram, v);
+  apply(diagram, v);
+  diagram.visibleCount_ += revived;
+  return fates_;
+}
+
+void Remover::collectLink(const Graph& graph, VertexId v) {
+  link_.clear();
+  const HalfedgeId begin = graph.outgoing(v);
+  if (begin == kNoHalfedge) return;  // v is the only visible site
+  HalfedgeId h = begin;
+  do {
+    link_.push_back(next(h));
+    h = graph.rotateCcw(h);
+  } while (h != begin);
+}
+
+/// The neighbours enter in rounds of halved strides along the link, each from its predecessor of an earlier round: the walks
+/// stay short and the order has no bad cases that a sorted one has. A neighbour that occurs twice in the link is covered by its
+/// first occurrence and so falls out by itself.
+void Remover::buildSmall(const DelaunayGraph& diagram, std::span<const VertexId> hidden) {
+  const std::size_t d = link_.size();
+  small_.clear();
+  small_.reserve(d + hidden.size() + 1);
+  global_.assign(1, kInfinity);
+  cover_.assign(1, kNoVertex);
+  global_.reserve(d + hidden.size() + 1);
+  cover_.reserve(d + hidden.size() + 1);
+
+  order_.assign(d, kNoVertex);  // local vertex of link position, once it has entered
+  const auto enter = [&](std::size_t position, std::size_t predecessor) {
+    const VertexId u = diagram.graph().origin(link_[position]);
+    VertexId start = predecessor < d ? order_[predecessor] : kNoVertex;
+    if (u != kInfinity) start = addLocal(diagram, u, start);
+    order_[position] = start;
+  };
+  std::size_t stride = 1;
+  while (stride < d) stride *= 2;
+  if (d > 0) enter(0, d);
+  for (; stride >= 1; stride /= 2) {
+    for (std::size_t position = stride; position < d; position += 2 * stride) enter(position, position - stride);
+  }
+  for (const VertexId u : hidden) addLocal(diagram, u, kNoVertex);
+}
+
+/// Adds a vertex of the diagram to the small one; returns the visible vertex at its place.
+VertexId Remover::addLocal(const DelaunayGraph& diagram, VertexId v, VertexId start) {
+  const VertexId local{static_cast<std::uint32_t>(global_.size())};
+  global_.push_back(v);
+  cover_.push_back(kNoVertex);
+  small_.setSite(local, diagram.site(v));
+  const DelaunayGraph::Insertion insertion = small_.insert(local, start);
+  cover_[index(local)] = insertion.cover;
+  for (const VertexId covered : insertion.covered) cover_[index(covered)] = local;
+  return insertion.cover == kNoVertex ? local : insertion.cover;
+}
+
+/// The part of the small diagram that v would be in conflict with. Its rim is v's link: both are v's neighbours in the diagram of
+/// the same sites, and the canonical rule makes them equal in degenerate position too.
+void Remover::findPatch(const DelaunayGraph& diagram, VertexId v) {
+  patchFaces_.clear();
+  const Graph& small = small_.graph();
+  patchOf_.assign(small.faceSlots(), kNoIndex);
+  linkOf_.assign(3 * small.faceSlots(), kNoIndex);
+  if (diagram.visibleCount() == 1) {
+    takeAllAsPatch();  // v's cell was the plane
+  } else if (small_.visibleCount() > 1) {
+    const Site& q = diagram.site(v);
+    small_.conflicts_.find(small_, q, small_.nearest(q.x, q.y, small_.anyVisible()));
+    const std::span<const FaceId> faces = small_.conflicts_.faces();
+    patchFaces_.assign(faces.begin(), faces.end());
+    if (!faces.empty()) alignLink(diagram.graph());
+  }
+  // Else one neighbour and infinity, or a cell within one edge of the small diagram: degree 2, an empty patch.
+  invariant(!patchFaces_.empty() || link_.size() == 2, "an empty patch fits a site of degree 2 only");
+  makePatch();
+}
+
+void Remover::takeAllAsPatch() {
+  for (std::size_t i = 0; i < small_.graph().faceSlots(); ++i) {
+    const FaceId f{static_cast<std::uint32_t>(i)};
+    if (small_.graph().isLive(f)) patchFaces_.push_back(f);
+  }
+}
+
+/// Numbers the small diagram's rim as the link. A pair (from, to) occurs in the link of v once: three sites in a given order have
+/// at most one Voronoi circle.
+void Remover::alignLink(const Graph& graph) {
+  const std::span<const HalfedgeId> rim = small_.conflicts_.rim();
+  const Graph& small = small_.graph();
+  const auto fits = [&](HalfedgeId inner, HalfedgeId link) {
+    return global(small.origin(inner)) == graph.origin(link) && global(small.target(inner)) == graph.target(link);
+  };
+  invariant(rim.size() == link_.size(), "the patch has as many sides as the star");
+  std::size_t shift = 0;
+  while (shift < rim.size() && !fits(rim[shift], link_[0])) ++shift;
+  for (std::size_t k = 0; k < rim.size(); ++k) {
+    const HalfedgeId inner = rim[(k + shift) % rim.size()];
+    invariant(fits(inner, link_[k]), "the sides of the patch are those of the star");
+    linkOf_[index(inner)] = static_cast<std::uint32_t>(k);
+  }
+}
+
+void Remover::makePatch() {
+  const Graph& small = small_.graph();
+  for (std::size_t k = 0; k < patchFaces_.size(); ++k) patchOf_[index(patchFaces_[k])] = static_cast<std::uint32_t>(k);
+  patch_.resize(patchFaces_.size());
+  for (std::size_t k = 0; k < patchFaces_.size(); ++k) {
+    for (unsigned c = 0; c < 3; ++c) {
+      const HalfedgeId h = halfedgeOf(patchFaces_[k], c);
+      const HalfedgeId across = small.twin(h);
+      const std::uint32_t beyond = patchOf_[index(faceOf(across))];
+      patch_[k].corners[c] = global(small.origin(h));
+      // An edge of which v's cell took only the ends (its two sides are on the rim and in the patch) is whole again.
+      patch_[k].across[c] = beyond != kNoIndex ? 3 * beyond + static_cast<std::uint32_t>(index(across) % 3)
+                                               : Graph::kOutside | linkOf_[index(h)];
+    }
+  }
+}
+
+void Remover::apply(DelaunayGraph& diagram, VertexId v) {
+  diagram.reserveFaces(link_.size(), patch_.size());
+  // Some visible neighbour, should v be the vertex that walks start from.
+  VertexId neighbour = kNoVertex;
+  if (!patch_.empty()) {
+    neighbour = patch_[0].corners[0] != kInfinity ? patch_[0].corners[0] : patch_[0].corners[1];
+  } else {
+    const VertexId a = diagram.graph().origin(link_[0]);
+    neighbour = a != kInfinity ? a : diagram.graph().target(link_[0]);
+  }
+  diagram.graph_.replaceStar(v, link_, patch_, diagram.newFaces_);
+  for (std::size_t k = 0; k < patch_.size(); ++k) {
+    const FaceId f = diagram.newFaces_[k];
+    if (patchFaces_.empty()) {
+      diagram.computeCircle(f);
+    } else {
+      diagram.circles_[index(f)] = small_.circle(patchFaces_[k]);
+    }
+  }
+  --diagram.visibleCount_;
+  if (diagram.recent_ == v) diagram.recent_ = neighbour;
+}
+
+void Remover::becomeSingle(DelaunayGraph& diagram, VertexId v) {
+  diagram.clear();
+  diagram.visibleCount_ = v == kNoVertex ? 0 : 1;
+  diagram.recent_ = v;
+}
+
+}  // namespace apollonius

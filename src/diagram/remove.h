@@ -1,0 +1,52 @@
+// Deletion of a visible site (paper, section 5.1): its star is filled with the part of the small diagram of its neighbours and
+// of the sites that it hid, which the site would be in conflict with.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "diagram/delaunay_graph.h"
+
+namespace apollonius {
+
+class Remover {
+ public:
+  /// What became of a site that the removed one had covered.
+  struct Fate {
+    VertexId vertex;
+    VertexId cover;  ///< its new cover (a visible site or another of the formerly covered); kNoVertex if it is visible now
+  };
+
+  /// Removes v from the diagram. `hidden` are the vertices that it covered and that may become visible (their sites are set).
+  /// Returns their fates, valid until the next call. Throws std::bad_alloc with the diagram unchanged.
+  /// Cost: as building a diagram of its d neighbours and of `hidden`.
+  std::span<const Fate> remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden);
+
+ private:
+  void collectLink(const Graph& graph, VertexId v);
+  void buildSmall(const DelaunayGraph& diagram, std::span<const VertexId> hidden);
+  VertexId addLocal(const DelaunayGraph& diagram, VertexId v, VertexId start);
+  void findPatch(const DelaunayGraph& diagram, VertexId v);
+  void takeAllAsPatch();
+  void alignLink(const Graph& graph);
+  void makePatch();
+  void apply(DelaunayGraph& diagram, VertexId v);
+  void becomeSingle(DelaunayGraph& diagram, VertexId v);
+  [[nodiscard]] VertexId global(VertexId local) const { return local == kInfinity ? kInfinity : global_[index(local)]; }
+
+  // The small diagram; its vertex k is the big one's global_[k], covered by the small one's cover_[k].
+  DelaunayGraph small_;
+  std::vector<VertexId> global_;
+  std::vector<VertexId> cover_;
+
+  std::vector<HalfedgeId> link_;         // half-edges opposite to the site in its star, counter-clockwise
+  std::vector<VertexId> order_;          // neighbours in the order in which they enter the small diagram
+  std::vector<std::uint32_t> patchOf_;   // by face of the small diagram: index in the patch, or kNoIndex
+  std::vector<std::uint32_t> linkOf_;    // by half-edge of the small diagram: index in link_, or kNoIndex
+  std::vector<FaceId> patchFaces_;       // faces of the small diagram that make the patch
+  std::vector<Graph::PatchFace> patch_;
+  std::vector<Fate> fates_;
+};
+
+}  // namespace apollonius

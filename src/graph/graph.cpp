@@ -1,0 +1,136 @@
+#include "graph/graph.h"
+
+#include <algorithm>
+
+namespace apollonius {
+
+void Graph::reserveVertices(std::size_t slots) {
+  if (outgoing_.size() < slots) outgoing_.resize(slots, kNoHalfedge);
+}
+
+void Graph::reserveFaces(std::size_t removed, std::size_t created) {
+  const auto grow = [](auto& array, std::size_t needed) {
+    if (array.capacity() < needed) array.reserve(std::max(needed, array.capacity() + array.capacity() / 2));
+  };
+  if (created > removed + freeFaces_) {
+    const std::size_t needed = origin_.size() + 3 * (created - removed - freeFaces_);
+    grow(origin_, needed);
+    grow(twin_, needed);
+  }
+  grow(rim_, std::max(removed, created));
+  grow(lost_, 3 * removed);
+}
+
+void Graph::clear() {
+  origin_.clear();
+  twin_.clear();
+  outgoing_.assign(outgoing_.size(), kNoHalfedge);
+  firstFree_ = kNoHalfedge;
+  freeFaces_ = 0;
+}
+
+FaceId Graph::takeFace() {
+  if (firstFree_ == kNoHalfedge) {
+    const FaceId f{static_cast<std::uint32_t>(faceSlots())};
+    origin_.resize(origin_.size() + 3, kNoVertex);
+    twin_.resize(twin_.size() + 3, kNoHalfedge);
+    return f;
+  }
+  const FaceId f = faceOf(firstFree_);
+  firstFree_ = twin(firstFree_);
+  --freeFaces_;
+  return f;
+}
+
+void Graph::freeFace(FaceId f) {
+  for (unsigned c = 0; c < 3; ++c) {
+    origin_[index(halfedgeOf(f, c))] = kNoVertex;
+    twin_[index(halfedgeOf(f, c))] = kNoHalfedge;
+  }
+  twin_[index(halfedgeOf(f, 0))] = firstFree_;
+  firstFree_ = halfedgeOf(f, 0);
+  ++freeFaces_;
+}
+
+void Graph::setFace(FaceId f, VertexId a, VertexId b, VertexId c) {
+  const std::array<VertexId, 3> corners{a, b, c};
+  for (unsigned k = 0; k < 3; ++k) {
+    const HalfedgeId h = halfedgeOf(f, k);
+    origin_[index(h)] = corners[k];
+    outgoing_[index(corners[k])] = h;
+  }
+}
+
+void Graph::makePair(VertexId u, VertexId v, std::array<FaceId, 2>& faces) {
+  faces = {takeFace(), takeFace()};
+  setFace(faces[0], u, v, kInfinity);
+  setFace(faces[1], v, u, kInfinity);
+  sew(halfedgeOf(faces[0], 0), halfedgeOf(faces[1], 0));  // u → v
+  sew(halfedgeOf(faces[0], 1), halfedgeOf(faces[1], 2));  // v → infinity
+  sew(halfedgeOf(faces[0], 2), halfedgeOf(faces[1], 1));  // infinity → u
+}
+
+std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> hole, std::span<const HalfedgeId> rim,
+                                          std::span<FaceId> newFaces) {
+  const std::size_t n = rim.size();
+  // Faces of the hole are used again, so everything is read before anything is written.
+  rim_.clear();
+  for (const HalfedgeId h : rim) rim_.push_back({origin(h), twin(h)});
+  lost_.clear();
+  for (const FaceId f : hole) {
+    for (unsigned c = 0; c < 3; ++c) {
+      VertexId& corner = origin_[index(halfedgeOf(f, c))];
+      if (outgoing(corner) != kNoHalfedge) lost_.push_back(corner);  // once each: the rim's get their place back below
+      outgoing_[index(corner)] = kNoHalfedge;
+      corner = kNoVertex;
+    }
+  }
+  for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < hole.size() ? hole[k] : takeFace();
+
+  // An outer side within the hole is on the rim itself and is replaced too: leave word there of what replaces it.
+  const auto isInHole = [&](HalfedgeId h) { return origin(h) == kNoVertex; };
+  for (std::size_t k = 0; k < n; ++k) {
+    if (isInHole(rim[k])) twin_[index(rim[k])] = halfedgeOf(newFaces[k], 0);
+  }
+  for (RimEdge& edge : rim_) {
+    if (isInHole(edge.outer)) edge.outer = twin(edge.outer);
+  }
+
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t after = k + 1 < n ? k + 1 : 0;
+    setFace(newFaces[k], rim_[k].from, rim_[after].from, w);
+    sew(halfedgeOf(newFaces[k], 0), rim_[k].outer);
+    sew(halfedgeOf(newFaces[k], 1), halfedgeOf(newFaces[after], 2));
+  }
+  for (std::size_t k = n; k < hole.size(); ++k) freeFace(hole[k]);
+  std::erase_if(lost_, [&](VertexId v) { return outgoing(v) != kNoHalfedge; });
+  return lost_;
+}
+
+void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<const PatchFace> patch,
+                        std::span<FaceId> newFaces) {
+  const std::size_t n = patch.size();
+  rim_.clear();
+  for (const HalfedgeId h : link) rim_.push_back({origin(h), twin(h)});
+  for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < link.size() ? faceOf(link[k]) : takeFace();
+  outgoing_[index(v)] = kNoHalfedge;
+  if (n == 0 && !link.empty()) {
+    sew(rim_[0].outer, rim_[1].outer);
+    outgoing_[index(rim_[0].from)] = rim_[1].outer;
+    outgoing_[index(rim_[1].from)] = rim_[0].outer;
+  }
+  // Surplus faces of the star go first: `link` names them, and no new face does.
+  for (std::size_t k = n; k < link.size(); ++k) freeFace(faceOf(link[k]));
+  for (std::size_t k = 0; k < n; ++k) {
+    const PatchFace& face = patch[k];
+    setFace(newFaces[k], face.corners[0], face.corners[1], face.corners[2]);
+    for (unsigned c = 0; c < 3; ++c) {
+      const std::uint32_t across = face.across[c];
+      const HalfedgeId other = (across & kOutside) != 0 ? rim_[across & ~kOutside].outer
+                                                        : halfedgeOf(newFaces[across / 3], across % 3);
+      sew(halfedgeOf(newFaces[k], c), other);
+    }
+  }
+}
+
+}  // namespace apollonius

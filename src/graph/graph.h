@@ -1,0 +1,119 @@
+// The Delaunay graph as pure topology: a closed triangulated surface (a sphere) in flat arrays, vertex 0 being the site at
+// infinity. It knows no coordinates; which faces go and which come is decided by the diagram.
+//
+//     origin[h]   vertex where half-edge h starts            next(h), previous(h): by index arithmetic (graph/ids.h)
+//     twin[h]     the other half of its edge                 face = h / 3
+//     outgoing[v] one half-edge that starts at v, or kNoHalfedge if v has no place in the graph
+//
+// Two vertices can share several edges, a vertex can have degree 2, a face can meet the same neighbour twice: an edge is a
+// half-edge id, never a pair of vertices. With fewer than two visible sites there are no faces at all.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "graph/ids.h"
+
+namespace apollonius {
+
+class Graph {
+ public:
+  // --- Reading -------------------------------------------------------------------------------------------------------------
+
+  [[nodiscard]] VertexId origin(HalfedgeId h) const { return origin_[index(h)]; }
+  [[nodiscard]] VertexId target(HalfedgeId h) const { return origin_[index(next(h))]; }
+  /// The corner of h's face that is not on h.
+  [[nodiscard]] VertexId apex(HalfedgeId h) const { return origin_[index(previous(h))]; }
+  [[nodiscard]] HalfedgeId twin(HalfedgeId h) const { return twin_[index(h)]; }
+  [[nodiscard]] HalfedgeId outgoing(VertexId v) const { return outgoing_[index(v)]; }
+  [[nodiscard]] bool hasVertex(VertexId v) const { return index(v) < outgoing_.size() && outgoing(v) != kNoHalfedge; }
+  /// The next half-edge around the origin of h.
+  [[nodiscard]] HalfedgeId rotateCcw(HalfedgeId h) const { return twin(previous(h)); }
+  [[nodiscard]] HalfedgeId rotateCw(HalfedgeId h) const { return next(twin(h)); }
+
+  [[nodiscard]] std::size_t faceSlots() const { return origin_.size() / 3; }  ///< live and free ones
+  [[nodiscard]] std::size_t vertexSlots() const { return outgoing_.size(); }
+  [[nodiscard]] std::size_t faceCount() const { return faceSlots() - freeFaces_; }
+  [[nodiscard]] bool isLive(FaceId f) const { return origin(halfedgeOf(f, 0)) != kNoVertex; }
+  [[nodiscard]] bool isEmpty() const { return faceCount() == 0; }
+
+  // --- Room ----------------------------------------------------------------------------------------------------------------
+  // The operations below allocate nothing: whoever calls them has made room, and can fail only there.
+
+  void reserveVertices(std::size_t slots);  ///< room for vertices of index < slots
+  /// Room for an operation that takes `removed` faces away and brings `created` new ones.
+  void reserveFaces(std::size_t removed, std::size_t created);
+
+  // --- Operations ----------------------------------------------------------------------------------------------------------
+
+  /// Forgets everything but the room.
+  void clear();
+
+  /// The surface of two sites and infinity: two faces, three edges. REQUIRES isEmpty().
+  ///
+  ///             infinity                    face 0 = (u, v, infinity)
+  ///            /        \                   face 1 = (v, u, infinity), on the back
+  ///           u -------- v
+  void makePair(VertexId u, VertexId v, std::array<FaceId, 2>& faces);
+
+  /// Puts vertex w into a hole: the faces `hole` go, and each half-edge of `rim` gets a new face with w at its left.
+  /// The rim lists, counter-clockwise, the half-edges that bound the hole from inside; a rim half-edge whose twin is on the rim
+  /// too is an edge with the hole on both sides (or, with no face in the hole, the one edge that is opened).
+  ///
+  ///         b ______ a             b ______ a
+  ///          |      |               | \  / |         rim: a→b, b→c, c→d, d→a
+  ///          | hole |       =>      |  w   |         new face k = (rim k's origin, rim k's target, w)
+  ///          |______|               | /  \ |
+  ///         c        d             c        d
+  ///
+  /// newFaces[k] receives the face of rim[k]. Vertices that were within the hole lose their place (hasVertex becomes false) and
+  /// are returned; the span lives until the next operation.
+  /// REQUIRES: room for w and reserveFaces(hole.size(), rim.size()); newFaces.size() == rim.size() >= 2.
+  std::span<const VertexId> starHole(VertexId w, std::span<const FaceId> hole, std::span<const HalfedgeId> rim, std::span<FaceId> newFaces);
+
+  /// A face of a patch: three vertices and, for each of its half-edges, what lies on the other side.
+  struct PatchFace {
+    std::array<VertexId, 3> corners;
+    /// Either the half-edge 3·face + corner of the patch, or kOutside | k for the outer side of link edge k.
+    std::array<std::uint32_t, 3> across;
+  };
+  static constexpr std::uint32_t kOutside = 0x80000000u;
+
+  /// The reverse of starHole: takes vertex v out and fills its star with `patch`.
+  /// `link` lists the half-edges opposite to v in the faces of its star, counter-clockwise. An empty patch sews link[0] to
+  /// link[1] (v had degree 2). newFaces[k] receives the face of patch[k].
+  /// REQUIRES: room for all corners and reserveFaces(link.size(), patch.size()); newFaces.size() == patch.size().
+  void replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<const PatchFace> patch, std::span<FaceId> newFaces);
+
+  /// Checks all invariants of the surface and returns the first broken one, or nullptr. `where` receives an id that it names.
+  [[nodiscard]] const char* check(std::uint32_t& where) const;
+
+ private:
+  friend class GraphBreaker;  // tests break a structure on purpose
+
+  [[nodiscard]] FaceId takeFace();
+  void freeFace(FaceId f);
+  void setFace(FaceId f, VertexId a, VertexId b, VertexId c);
+  void sew(HalfedgeId h, HalfedgeId g) {
+    twin_[index(h)] = g;
+    twin_[index(g)] = h;
+  }
+
+  std::vector<VertexId> origin_;      // kNoVertex in free faces
+  std::vector<HalfedgeId> twin_;      // in a free face, its first entry names the first half-edge of the next free face
+  std::vector<HalfedgeId> outgoing_;
+  HalfedgeId firstFree_ = kNoHalfedge;
+  std::size_t freeFaces_ = 0;
+
+  // Scratch of starHole and replaceStar.
+  struct RimEdge {
+    VertexId from;
+    HalfedgeId outer;
+  };
+  std::vector<RimEdge> rim_;
+  std::vector<VertexId> lost_;
+};
+
+}  // namespace apollonius
