@@ -1,0 +1,15 @@
+// Jest's projects; tests/run.mjs selects among them. Tests are ES modules and are not transformed.
+import { fileURLToPath } from "node:url";
+
+const rootDir = fileURLToPath(new URL("..", import.meta.url));
+const common = { rootDir, roots: ["<rootDir>/tests"], testEnvironment: "node", transform: {} };
+
+export default {
+  rootDir,
+  testTimeout: 60_000,
+  projects: [
+    { ...common, displayName: "package", testMatch: ["<rootDir>/tests/wasm/**/*.test.mjs"] },
+    { ...common, displayName: "layers", testMatch: ["<rootDir>/tests/*.test.mjs"] },
+    { ...common, displayName: "web", testMatch: ["<rootDir>/tests/web/**/*.test.mjs"] },
+  ],
+};

@@ -1,0 +1,106 @@
+// npm test: sets up, builds, and runs everything.     npm test -- native wasm package web    runs some steps only
+//
+//   native    the C++ tests, natively, with every filtered predicate answer compared to the exact one
+//   wasm      the same C++ tests as WebAssembly under Node
+//   package   Jest on the package as `npm pack` makes it, and on the rules about who may include whom
+//   web       Jest on the page in a real browser
+import { spawn } from "node:child_process";
+import { existsSync, readdirSync } from "node:fs";
+import path from "node:path";
+import { buildPackage } from "../wasm/build.mjs";
+import { ensureChromium } from "../wasm/toolchain/browser.mjs";
+import { ensureBoost } from "../wasm/toolchain/boost.mjs";
+import { buildWasm, buildWithCmake, jobs } from "../wasm/toolchain/cmake.mjs";
+import { ensureEmscripten } from "../wasm/toolchain/emscripten.mjs";
+import { root } from "../wasm/toolchain/folders.mjs";
+import { ensureNativeTools } from "../wasm/toolchain/native.mjs";
+import { ensureNpmPackages } from "../wasm/toolchain/npm_packages.mjs";
+import { say, SetUpError } from "../wasm/toolchain/process.mjs";
+import { main } from "../wasm/toolchain/setup.mjs";
+import { installPacked } from "./wasm/support/install_packed.mjs";
+
+/** Runs a test runner with its output shown, and returns the last line that matches. Throws if it fails. */
+function runTests(program, args, summary, env = {}) {
+  return new Promise((resolve, reject) => {
+    const child = spawn(program, args, { cwd: root, env: { ...process.env, ...env }, stdio: ["ignore", "pipe", "pipe"] });
+    let output = "";
+    for (const [stream, sink] of [[child.stdout, process.stdout], [child.stderr, process.stderr]]) {
+      stream.setEncoding("utf8").on("data", (text) => {
+        output += text;
+        sink.write(text);
+      });
+    }
+    child.on("error", reject);
+    child.on("close", (code) => {
+      const line = output.split("\n").filter((text) => summary.test(text)).at(-1)?.trim() ?? "no summary";
+      if (code === 0) resolve(line);
+      else reject(Object.assign(new SetUpError(line), { isTestFailure: true }));
+    });
+  });
+}
+
+function ctest(folder) {
+  const args = ["--test-dir", folder, "--output-on-failure", "--no-tests=error", "--progress", "--parallel", jobs];
+  return runTests("ctest", args, /tests passed, \d+ tests? failed/);
+}
+
+function jest(projects, env = {}) {
+  const args = ["--experimental-vm-modules", "--disable-warning=ExperimentalWarning", "node_modules/jest/bin/jest.js",
+                "--config", "tests/jest.config.mjs", "--selectProjects", ...projects];
+  return runTests(process.execPath, args, /^Tests: /, env);
+}
+
+const steps = {
+  async native() {
+    ensureNativeTools();
+    ensureBoost();
+    return ctest(buildWithCmake("native", { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_SHADOW_CHECK: "ON" }));
+  },
+  async wasm() {
+    ensureNativeTools();
+    ensureNpmPackages();
+    const emscripten = ensureEmscripten();
+    ensureBoost();
+    return ctest(buildWasm(emscripten, "all"));
+  },
+  async package() {
+    await buildPackage();
+    installPacked();
+    return jest(["package", "layers"]);
+  },
+  async web() {
+    const files = path.join(root, "tests/web");
+    if (!existsSync(files) || !readdirSync(files).some((name) => name.endsWith(".test.mjs"))) return "no tests yet";
+    const chromium = ensureChromium();
+    if (chromium === null) {
+      if (process.env.CI) throw new SetUpError("no browser: none is installed and apt has no package `chromium`");
+      return "SKIPPED: no browser is installed and apt has no package `chromium`; install one or set CHROMIUM to its path";
+    }
+    await buildPackage();
+    return jest(["web"], { CHROMIUM: chromium });
+  },
+};
+
+function secondsSince(start) {
+  return `${((performance.now() - start) / 1000).toFixed(0)} s`;
+}
+
+await main(async () => {
+  const wanted = process.argv.slice(2);
+  const unknown = wanted.find((name) => !(name in steps));
+  if (unknown) throw new SetUpError(`unknown step ${unknown}: expected ${Object.keys(steps).join(", ")}`);
+  const began = performance.now();
+  const report = [];
+  for (const name of wanted.length > 0 ? wanted : Object.keys(steps)) {
+    say(`=== ${name}`);
+    const start = performance.now();
+    try {
+      report.push(`${name.padEnd(8)} ${await steps[name]()}   (${secondsSince(start)})`);
+    } catch (error) {
+      if (!(error instanceof SetUpError)) console.error(error);
+      report.push(`${name.padEnd(8)} FAILED: ${error.message}   (${secondsSince(start)})`);
+      process.exitCode = 1;
+    }
+  }
+  console.log(`\n${report.join("\n")}\n${process.exitCode ? "FAILED" : "All passed"} in ${secondsSince(began)}`);
+});

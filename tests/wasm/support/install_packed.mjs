@@ -1,0 +1,18 @@
+// The package as users get it: packed by npm, installed into build/packed, a project of its own.
+import { mkdirSync, rmSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { root } from "../../../wasm/toolchain/folders.mjs";
+import { capture } from "../../../wasm/toolchain/process.mjs";
+
+export const packed = path.join(root, "build/packed");
+
+export function installPacked() {
+  rmSync(packed, { recursive: true, force: true });
+  mkdirSync(packed, { recursive: true });
+  const [{ filename }] = JSON.parse(capture("npm", ["pack", "--json", "--loglevel=error", "--pack-destination", packed], { cwd: root }));
+  writeFileSync(path.join(packed, "package.json"), JSON.stringify({ name: "packed-consumer", private: true, type: "module" }));
+  // `import` of the bare name resolves against the importing file's folder, so the tests go through a file that is here.
+  writeFileSync(path.join(packed, "consumer.mjs"), 'export * from "apollonius-diagram";\n');
+  capture("npm", ["install", "--offline", "--no-audit", "--no-fund", "--loglevel=error", `./${filename}`], { cwd: packed });
+  return path.join(packed, filename);
+}
