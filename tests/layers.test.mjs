@@ -1,0 +1,94 @@
+// Who may include whom: the table of docs/ARCHITECTURE.md, checked on the #include and import lines themselves.
+import { execFileSync } from "node:child_process";
+import { existsSync, readFileSync } from "node:fs";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+
+const root = fileURLToPath(new URL("..", import.meta.url));
+
+/** Files that belong to the repository: tracked, or new and not ignored. */
+const files = execFileSync("git", ["ls-files", "--cached", "--others", "--exclude-standard"], { cwd: root, encoding: "utf8" })
+  .split("\n").filter((file) => file !== "" && existsSync(path.join(root, file)));
+
+const std = /^<[a-z_]+>$/;
+const rules = [
+  { of: /^src\/number\//, may: [std, /^<boost\/multiprecision\//, /^"number\//] },
+  { of: /^src\/predicate\//, may: [std, /^"(number|predicate)\//] },
+  { of: /^src\/graph\//, may: [std, /^"graph\//] },
+  { of: /^src\/diagram\//, may: [std, /^"(graph|predicate|diagram)\//, /^"number\/sign\.h"$/] },
+  { of: /^src\/geometry\//, may: [std, /^"(diagram|number|geometry)\//] },
+  { of: /^src\/apollonius\.h$/, may: [std] },
+  { of: /^src\/apollonius\.cpp$/, may: [std, /^"(number|predicate|graph|diagram|geometry)\//, /^"apollonius\.h"$/] },
+  { of: /^wasm\/bindings\.cpp$/, may: [std, /^<emscripten\//, /^"apollonius\.h"$/] },
+  { of: /^bench\/.*\.(cpp|h)$/, may: [std, /^"apollonius\.h"$/, /^"(tests\/)?support\/generators/, /^<CGAL\//] },
+
+  { of: /^wasm\/(index|module|native)\.ts$/, may: [/^\.\/[\w.]+$/, /^\.\.\/build\/wasm\/apollonius\.(mjs|wasm)$/] },
+  { of: /^wasm\/[\w.]+\.ts$/, may: [/^\.\/[\w.]+$/] },
+  { of: /^web\/[^/]+\.js$/, may: [/^\.\/[\w./]+$/, /^apollonius-diagram$/] },
+  { of: /^web\/.*\.mjs$/, may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z][\w-]*$/] },
+  { of: /^bench\/.*\.m?js$/, may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z@][\w./-]*$/, /^\.\.\/wasm\/toolchain\//] },
+];
+
+/** What a file includes or imports, in the words of its own lines. */
+function dependencies(file) {
+  const text = readFileSync(path.join(root, file), "utf8");
+  const patterns = /\.(cpp|h)$/.test(file)
+    ? [/^\s*#\s*include\s*([<"][^>"]+[>"])/gm]
+    : [/^\s*(?:import|export)\b[^;"']*?\bfrom\s*["']([^"']+)["']/gm, /^\s*import\s*["']([^"']+)["']/gm,
+       /\bawait import\(\s*["']([^"']+)["']/g];
+  return patterns.flatMap((pattern) => [...text.matchAll(pattern)].map((match) => match[1]));
+}
+
+function sources(folder) {
+  return files.filter((file) => file.startsWith(folder) && /\.(cpp|h|ts|js|mjs)$/.test(file));
+}
+
+test("every file of src/ belongs to a layer", () => {
+  const homeless = sources("src/").filter((file) => !rules.some((rule) => rule.of.test(file)));
+  expect(homeless).toEqual([]);
+});
+
+test.each(rules.map((rule) => [rule.of.source, rule]))("%s includes only what it may", (_, rule) => {
+  const own = files.filter((file) => rules.find((candidate) => candidate.of.test(file)) === rule);
+  const forbidden = own.flatMap((file) => dependencies(file)
+    .filter((name) => !rule.may.some((pattern) => pattern.test(name)))
+    .map((name) => `${file}: ${name}`));
+  expect(forbidden).toEqual([]);
+});
+
+test("the patterns do read lines", () => {
+  expect(dependencies("wasm/bindings.cpp")).toContain('"apollonius.h"');
+  expect(dependencies("wasm/diagram.ts")).toContain("./native.js");
+  expect(dependencies("tests/layers.test.mjs")).toContain("node:fs");
+});
+
+test("heap views and addresses are in wasm/native.ts only", () => {
+  const users = sources("wasm/").filter((file) => file.endsWith(".ts"))
+    .filter((file) => /\bHEAP[FU]?\d+\b|resultsAddress|\.reserve\(/.test(readFileSync(path.join(root, file), "utf8")));
+  expect(users).toEqual(["wasm/native.ts"]);
+});
+
+test("no source file is longer than 500 lines", () => {
+  const long = ["src/", "wasm/", "web/", "tests/", "bench/"].flatMap(sources)
+    .filter((file) => readFileSync(path.join(root, file), "utf8").split("\n").length > 501);
+  expect(long).toEqual([]);
+});
+
+test("top-level entries are the documented ones", () => {
+  const allowed = new Set(["src", "wasm", "web", "tests", "bench", "docs", "CMakeLists.txt", "package.json", "package-lock.json",
+                           "README.md", "CHANGELOG.md", "LICENSE"]);
+  const others = [...new Set(files.map((file) => file.split("/")[0]))].filter((name) => !allowed.has(name) && !name.startsWith("."));
+  expect(others).toEqual([]);
+});
+
+test("no file names a package registry's host, and the lock file holds no download addresses", () => {
+  // In pieces, so that this file does not name them either.
+  const hosts = [["npmjs", "org"], ["npmjs", "com"], ["debian", "org"], ["ubuntu", "com"], ["nodesource", "com"], ["yarnpkg", "com"],
+                 ["pypi", "org"], ["crates", "io"]].map((parts) => parts.join("."));
+  const named = files.flatMap((file) => {
+    const text = readFileSync(path.join(root, file), "latin1");
+    return hosts.filter((host) => text.includes(host)).map((host) => `${file}: ${host}`);
+  });
+  expect(named).toEqual([]);
+  expect(readFileSync(path.join(root, "package-lock.json"), "utf8")).not.toMatch(/"resolved"/);
+});
