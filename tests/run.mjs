@@ -13,6 +13,7 @@ import { ensureBoost } from "../wasm/toolchain/boost.mjs";
 import { buildWasm, buildWithCmake, jobs } from "../wasm/toolchain/cmake.mjs";
 import { ensureEmscripten } from "../wasm/toolchain/emscripten.mjs";
 import { root } from "../wasm/toolchain/folders.mjs";
+import { withBuildLock } from "../wasm/toolchain/lock.mjs";
 import { ensureNativeTools } from "../wasm/toolchain/native.mjs";
 import { ensureNpmPackages } from "../wasm/toolchain/npm_packages.mjs";
 import { say, SetUpError } from "../wasm/toolchain/process.mjs";
@@ -54,14 +55,15 @@ const steps = {
   async native() {
     ensureNativeTools();
     ensureBoost();
-    return ctest(buildWithCmake("native", { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_SHADOW_CHECK: "ON" }));
+    const settings = { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_SHADOW_CHECK: "ON" };
+    return ctest(await withBuildLock(() => buildWithCmake("native", settings)));
   },
   async wasm() {
     ensureNativeTools();
     ensureNpmPackages();
     const emscripten = ensureEmscripten();
     ensureBoost();
-    return ctest(buildWasm(emscripten, "all"));
+    return ctest(await withBuildLock(() => buildWasm(emscripten, "all")));
   },
   async package() {
     await buildPackage();

@@ -3,11 +3,15 @@
 //   dist/esm/{index,wasm}.js, *.d.ts    ES modules
 //   dist/cjs/{index,wasm}.js, *.d.ts    CommonJS, the same
 //   dist/apollonius.wasm                for the entry `apollonius-diagram/wasm`; the default entry carries it as text
-import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createHash } from "node:crypto";
+import {
+  chmodSync, copyFileSync, cpSync, existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync,
+} from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { buildWasm } from "./toolchain/cmake.mjs";
 import { root } from "./toolchain/folders.mjs";
+import { withBuildLock } from "./toolchain/lock.mjs";
 import { run } from "./toolchain/process.mjs";
 import { ensureBuildTools, main } from "./toolchain/setup.mjs";
 
@@ -20,7 +24,7 @@ async function bundle(format, outdir) {
   const { build } = await import("esbuild");  // not before `npm ci` may have installed it
   await build({
     entryPoints: entries.map((entry) => path.join(wasm, `${entry}.ts`)),
-    outdir, format, bundle: true, minify: true, keepNames: false, target: "es2022", charset: "utf8", logLevel: "warning",
+    outdir, format, bundle: true, minify: true, target: "es2022", charset: "utf8", logLevel: "warning",
     legalComments: "none",
     loader: { ".wasm": "base64" },
     // The glue would look for the .wasm file beside itself; it never has to.
@@ -41,21 +45,48 @@ function publicDeclarations() {
   return [...reached];
 }
 
-export async function buildPackage() {
-  const emscripten = ensureBuildTools();
-  const built = buildWasm(emscripten, "apollonius_wasm");
-  run(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", wasm]);
+/** A fingerprint of all that dist/ is made from. */
+function fingerprint(built) {
+  const inputs = [
+    ...readdirSync(wasm).filter((name) => /\.(ts|mjs|json)$/.test(name)).map((name) => path.join(wasm, name)),
+    ...["apollonius.mjs", "apollonius.wasm", "apollonius.d.mts"].map((name) => path.join(built, name)),
+    path.join(root, "package-lock.json"),
+  ];
+  const hash = createHash("sha256");
+  for (const input of inputs) hash.update(input).update(readFileSync(input));
+  return hash.digest("hex");
+}
 
-  rmSync(dist, { recursive: true, force: true });
+/** Makes dist/ beside itself and then puts it in place, so that a server or a test never sees half of it. */
+async function makeDist(built) {
+  run(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", wasm]);
+  const fresh = path.join(root, "build/dist");
+  rmSync(fresh, { recursive: true, force: true });
   const declarations = publicDeclarations();
   for (const format of ["esm", "cjs"]) {
-    const folder = path.join(dist, format);
+    const folder = path.join(fresh, format);
     mkdirSync(folder, { recursive: true });
     await bundle(format, folder);
     for (const name of declarations) cpSync(path.join(types, name), path.join(folder, name));
   }
-  writeFileSync(path.join(dist, "cjs/package.json"), '{ "type": "commonjs" }\n');
-  cpSync(path.join(built, "apollonius.wasm"), path.join(dist, "apollonius.wasm"));
+  writeFileSync(path.join(fresh, "cjs/package.json"), '{ "type": "commonjs" }\n');
+  copyFileSync(path.join(built, "apollonius.wasm"), path.join(fresh, "apollonius.wasm"));
+  chmodSync(path.join(fresh, "apollonius.wasm"), 0o644);
+  rmSync(dist, { recursive: true, force: true });
+  renameSync(fresh, dist);
+}
+
+export async function buildPackage() {
+  const emscripten = ensureBuildTools();
+  await withBuildLock(async () => {
+    const built = buildWasm(emscripten, "apollonius_wasm");
+    const stamp = path.join(root, "build/dist.fingerprint");
+    const wanted = fingerprint(built);
+    if (existsSync(dist) && existsSync(stamp) && readFileSync(stamp, "utf8") === wanted) return;
+    rmSync(stamp, { force: true });
+    await makeDist(built);
+    writeFileSync(stamp, wanted);
+  });
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) await main(buildPackage);

@@ -5,7 +5,10 @@ import { isRunning, setModuleSource, start } from "./module.js";
 export * from "./api.js";
 
 function bytes(): Uint8Array<ArrayBuffer> {
-  return Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+  const characters = atob(base64);
+  const decoded = new Uint8Array(characters.length);
+  for (let k = 0; k < decoded.length; ++k) decoded[k] = characters.charCodeAt(k);
+  return decoded;
 }
 
 setModuleSource(() => new WebAssembly.Module(bytes()));
