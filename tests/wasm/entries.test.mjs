@@ -1,0 +1,142 @@
+// The package as users load it: ES modules, CommonJS, the entry with a separate .wasm, workers, a strict policy, types.
+import { mkdirSync, readdirSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { root } from "../../wasm/toolchain/folders.mjs";
+import { capture } from "../../wasm/toolchain/process.mjs";
+import { packed } from "./support/install_packed.mjs";
+import { runInNode, runScriptInNode } from "./support/node.mjs";
+
+const use = 'const d = new Diagram([0, 0, 1, 9, 0, 2]); console.log(d.find(8, 0), d.size);';
+
+test("import", () => {
+  expect(runInNode(`import { Diagram } from "apollonius-diagram"; ${use}`)).toBe("1 2");
+});
+
+test("require", () => {
+  expect(runScriptInNode(`const { Diagram } = require("apollonius-diagram"); ${use}`)).toBe("1 2");
+});
+
+test("load compiles ahead, once or often", () => {
+  expect(runInNode(`
+    import { Diagram, load } from "apollonius-diagram";
+    await Promise.all([load(), load()]);
+    await load();
+    ${use}`)).toBe("1 2");
+});
+
+test("a diagram made while load is under way is not lost", () => {
+  expect(runInNode(`
+    import { Diagram, load } from "apollonius-diagram";
+    const loading = load();
+    const early = new Diagram([0, 0, 1]);
+    await loading;
+    console.log(early.insert(5, 5, 1), new Diagram([1, 1, 1]).find(0, 0), early.size);`)).toBe("1 0 2");
+});
+
+test("import compiles nothing and is no promise", () => {
+  expect(runScriptInNode(`
+    let compiled = 0;
+    const Module = WebAssembly.Module;
+    WebAssembly.Module = new Proxy(Module, { construct(target, args) { ++compiled; return Reflect.construct(target, args); } });
+    for (const name of ["compile", "instantiate", "compileStreaming", "instantiateStreaming"]) {
+      const original = WebAssembly[name];
+      WebAssembly[name] = (...args) => { ++compiled; return original(...args); };
+    }
+    const before = Object.keys(globalThis).length;
+    const { Diagram } = require("apollonius-diagram");
+    const atImport = [compiled, Object.keys(globalThis).length - before];
+    new Diagram(); new Diagram();
+    console.log(JSON.stringify([atImport, compiled]));`)).toBe("[[0,0],1]");
+});
+
+test("no code is made from strings", () => {
+  expect(runInNode(`import { Diagram } from "apollonius-diagram"; ${use}`, ["--disallow-code-generation-from-strings"])).toBe("1 2");
+});
+
+test.each([
+  ["require", 'const { Diagram } = require("apollonius-diagram");'],
+  ["import", 'const { Diagram } = await import("apollonius-diagram");'],
+])("in a worker, by %s", (_, get) => {
+  expect(runScriptInNode(`
+    const { Worker } = require("node:worker_threads");
+    const worker = new Worker(\`(async () => {
+      const { parentPort } = require("node:worker_threads");
+      ${get}
+      parentPort.postMessage(new Diagram([0, 0, 1, 9, 0, 2]).find(8, 0));
+    })()\`, { eval: true });
+    worker.on("message", (id) => console.log(id));`)).toBe("1");
+});
+
+test("two copies of the package in one process do not disturb each other", () => {
+  expect(runInNode(`
+    import { createRequire } from "node:module";
+    import { Diagram } from "apollonius-diagram";
+    const other = createRequire(process.cwd() + "/x.js")("apollonius-diagram").Diagram;
+    const [a, b] = [new Diagram([0, 0, 1]), new other([0, 0, 1, 5, 5, 1])];
+    console.log(a.size, b.size, a instanceof other);`)).toBe("1 2 false");
+});
+
+const bytes = 'readFileSync("node_modules/apollonius-diagram/dist/apollonius.wasm")';
+test.each([
+  ["bytes", bytes],
+  ["a compiled module", `new WebAssembly.Module(${bytes})`],
+  ["a response", `new Response(${bytes}, { headers: { "content-type": "application/wasm" } })`],
+  ["a promise of a response of unknown type", `Promise.resolve(new Response(${bytes}))`],
+  ["an address", '"data:application/wasm;base64," + ' + bytes + '.toString("base64")'],
+])("the entry with a separate .wasm loads %s", (_, source) => {
+  expect(runInNode(`
+    import { readFileSync } from "node:fs";
+    import { Diagram, load } from "apollonius-diagram/wasm";
+    await load(${source});
+    ${use}`)).toBe("1 2");
+  expect(runInNode(`import { Diagram } from "apollonius-diagram/wasm";
+    try { new Diagram(); } catch (error) { console.log(error.message); }`)).toContain("await load(source)");
+});
+
+const consumer = `
+import { ApolloniusError, Diagram, load, type ErrorCode, type Site } from "apollonius-diagram";
+await0(load());
+declare function await0(promise: Promise<void>): void;
+interface City { lon: number; lat: number; people: number }
+const cities: City[] = [];
+const diagram: Diagram = Diagram.from(cities, (d) => d.lon, (d, i, all) => d.lat + i, (d) => Math.sqrt(d.people));
+const site: Site = diagram.site(0);
+const nearest: { id: number; distance: number } | null = diagram.nearest(site.x, site.y);
+const ids: Int32Array = diagram.findMany(new Float64Array(4), new Float64Array(2));
+const code: ErrorCode | undefined = new ApolloniusError("not-finite", "x").code;
+// @ts-expect-error: no such code
+const wrong: ErrorCode = "wrong";
+// @ts-expect-error: numbers only
+diagram.insert("1", 2);
+{ using scoped = new Diagram([0, 0, 1]); scoped.size; }
+export { nearest, ids, code, wrong };
+`;
+
+test("types work for ES modules and CommonJS, and `using` compiles", () => {
+  const folder = path.join(packed, "types");
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(path.join(folder, "esm.mts"), consumer);
+  writeFileSync(path.join(folder, "cjs.cts"), consumer);
+  writeFileSync(path.join(folder, "separate.mts"), 'import { Diagram, load } from "apollonius-diagram/wasm";\n' +
+    'export const loading: Promise<void> = load(new URL("x:y"));\nexport const diagram = new Diagram();\n');
+  writeFileSync(path.join(folder, "tsconfig.json"), JSON.stringify({
+    compilerOptions: {
+      target: "ES2022", module: "NodeNext", strict: true, exactOptionalPropertyTypes: true, noEmit: true, types: [],
+      lib: ["ES2023", "ESNext.Disposable", "DOM"],
+    },
+    files: ["esm.mts", "cjs.cts", "separate.mts"],
+  }));
+  capture(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", folder]);
+});
+
+test("the tarball holds what users need and no more", () => {
+  const installed = path.join(packed, "node_modules/apollonius-diagram");
+  expect(readdirSync(installed).sort()).toEqual(expect.arrayContaining(["LICENSE", "dist", "package.json"]));
+  const files = readdirSync(installed, { recursive: true }).filter((file) => /\.(ts|cpp|h|map|mjs)$/.test(file) && !file.endsWith(".d.ts"));
+  expect(files).toEqual([]);
+});
+
+test("publint finds nothing", () => {
+  const tarball = readdirSync(packed).find((file) => file.endsWith(".tgz"));
+  capture(process.execPath, [path.join(root, "node_modules/publint/src/cli.js"), "run", path.join(packed, tarball), "--strict"]);
+});

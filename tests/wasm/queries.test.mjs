@@ -1,0 +1,131 @@
+// Queries, against distances computed here.
+import { Diagram } from "../../build/packed/consumer.mjs";
+import { generator, randomCircles } from "./support/random.mjs";
+
+const count = 400;
+const xyr = randomCircles(count, 11);
+const diagram = new Diagram(xyr);
+
+function distance(id, x, y) {
+  const site = diagram.site(id);
+  return Math.hypot(x - site.x, y - site.y) - site.r;
+}
+
+function nearest(x, y) {
+  let best = 0;
+  for (let id = 1; id < count; ++id) if (distance(id, x, y) < distance(best, x, y)) best = id;
+  return best;
+}
+
+test("find, nearest and findMany agree with all distances", () => {
+  const random = generator(12);
+  const xy = Float64Array.from({ length: 600 }, () => random() * 3000 - 1500);
+  const distances = new Float64Array(300);
+  const ids = diagram.findMany(xy, distances);
+  expect(ids).toBeInstanceOf(Int32Array);
+  expect(diagram.findMany([...xy])).toEqual(ids);
+  for (let k = 0; k < 300; ++k) {
+    const [x, y] = [xy[2 * k], xy[2 * k + 1]];
+    const expected = nearest(x, y);
+    expect(diagram.find(x, y)).toBe(expected);
+    expect(ids[k]).toBe(expected);
+    const answer = diagram.nearest(x, y);
+    expect(answer.id).toBe(expected);
+    expect(answer.distance).toBeCloseTo(distance(expected, x, y), 9);
+    expect(distances[k]).toBe(answer.distance);
+  }
+});
+
+test("distance is negative inside a circle", () => {
+  expect(new Diagram([0, 0, 5]).nearest(1, 0)).toEqual({ id: 0, distance: -4 });
+});
+
+test("ties go to the larger r, then x, then y", () => {
+  const find = (triples, x, y) => {
+    const built = new Diagram(triples);
+    return built.site(built.find(x, y));
+  };
+  expect(find([-2, 0, 0, 3, 0, 1], 0, 0)).toEqual({ x: 3, y: 0, r: 1 });
+  expect(find([-2, 0, 0, 2, 0, 0], 0, 0)).toEqual({ x: 2, y: 0, r: 0 });
+  expect(find([0, -2, 0, 0, 2, 0], 0, 0)).toEqual({ x: 0, y: 2, r: 0 });
+});
+
+test("findMany of an empty diagram", () => {
+  const distances = new Float64Array(2);
+  expect([...new Diagram().findMany([0, 0, 1, 1], distances)]).toEqual([-1, -1]);
+  expect([...distances]).toEqual([Infinity, Infinity]);
+  expect([...diagram.findMany([])]).toEqual([]);
+});
+
+test("neighbors are mutual, distinct, and those of the edges", () => {
+  const pairs = new Set();
+  const { sites } = diagram.edges();
+  for (let k = 0; k < sites.length; k += 2) pairs.add(`${sites[k]} ${sites[k + 1]}`).add(`${sites[k + 1]} ${sites[k]}`);
+  const listed = [];
+  for (const id of diagram.ids()) {
+    const neighbors = [...diagram.neighbors(id)];
+    expect(new Set(neighbors).size).toBe(neighbors.length);
+    expect(neighbors).not.toContain(id);
+    expect(neighbors.length > 0).toBe(!diagram.isHidden(id));
+    listed.push(...neighbors.map((other) => `${id} ${other}`));
+  }
+  expect(listed.sort()).toEqual([...pairs].sort());
+});
+
+test("neighbors are counter-clockwise", () => {
+  const star = new Diagram([0, 0, 0, 10, 0, 0, 0, 10, 0, -10, 0, 0, 0, -10, 0]);
+  const around = [...star.neighbors(0)];
+  const start = around.indexOf(1);
+  expect([...around.slice(start), ...around.slice(0, start)]).toEqual([1, 2, 3, 4]);
+});
+
+test("vertices are equally far from their three sites and from no site nearer", () => {
+  const { coordinates, clearance, sites } = diagram.vertices();
+  expect(sites.length).toBe(3 * clearance.length);
+  expect(coordinates.length).toBe(2 * clearance.length);
+  for (let k = 0; k < clearance.length; ++k) {
+    const [x, y] = [coordinates[2 * k], coordinates[2 * k + 1]];
+    const tolerance = 1e-9 * (1000 + Math.abs(x) + Math.abs(y));
+    for (const id of sites.subarray(3 * k, 3 * k + 3)) expect(Math.abs(distance(id, x, y) - clearance[k])).toBeLessThan(tolerance);
+    expect(Math.abs(distance(nearest(x, y), x, y) - clearance[k])).toBeLessThan(tolerance);
+  }
+});
+
+test("an edge's ends are vertices of both of its sites, and Euler's formula holds", () => {
+  const { sites, vertices } = diagram.edges();
+  const corners = diagram.vertices().sites;
+  let unbounded = 0;
+  for (let edge = 0; edge < sites.length / 2; ++edge) {
+    for (const row of vertices.subarray(2 * edge, 2 * edge + 2)) {
+      if (row === -1) ++unbounded;
+      else expect([...corners.subarray(3 * row, 3 * row + 3)]).toEqual(expect.arrayContaining([...sites.subarray(2 * edge, 2 * edge + 2)]));
+    }
+  }
+  // Cells - edges + vertices, with one more vertex at infinity.
+  expect(diagram.visibleSize - sites.length / 2 + corners.length / 3 + 1).toBe(2);
+  expect(unbounded).toBeGreaterThan(0);
+});
+
+test("an edge walked from its first to its second vertex has its first site on the left", () => {
+  const { sites, vertices } = diagram.edges();
+  const { coordinates } = diagram.vertices();
+  for (let edge = 0; edge < sites.length / 2; ++edge) {
+    const [from, to] = vertices.subarray(2 * edge, 2 * edge + 2);
+    if (from === -1 || to === -1) continue;
+    const a = diagram.site(sites[2 * edge]);
+    const b = diagram.site(sites[2 * edge + 1]);
+    // From the left site to the right one it is a right turn off the way: way x (b - a) is negative.
+    const wayX = coordinates[2 * to] - coordinates[2 * from];
+    const wayY = coordinates[2 * to + 1] - coordinates[2 * from + 1];
+    if (Math.hypot(wayX, wayY) < 1e-6) continue;
+    expect(wayX * (b.y - a.y) - wayY * (b.x - a.x)).toBeLessThan(0);
+  }
+});
+
+test("arrays that were handed out stay as they are", () => {
+  const built = new Diagram(randomCircles(50, 13));
+  const [ids, edges, vertices] = [built.ids(), built.edges(), built.vertices()];
+  const before = JSON.stringify([ids, edges, vertices]);
+  built.insertMany(randomCircles(100_000, 14));  // makes the memory grow
+  expect(JSON.stringify([ids, edges, vertices])).toBe(before);
+});
