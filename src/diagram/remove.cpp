@@ -154,11 +154,12 @@ void Remover::makePatch() {
     for (unsigned c = 0; c < 3; ++c) {
       const HalfedgeId h = halfedgeOf(patchFaces_[k], c);
       const HalfedgeId across = small.twin(h);
-      const std::uint32_t beyond = patchOf_[index(faceOf(across))];
       patch_[k].corners[c] = global(small.origin(h));
-      // An edge of which v's cell took only the ends (its two sides are on the rim and in the patch) is whole again.
-      patch_[k].across[c] = beyond != kNoIndex ? 3 * beyond + static_cast<std::uint32_t>(index(across) % 3)
-                                               : Graph::kOutside | linkOf_[index(h)];
+      // An edge of which v's cell took only the ends is on the rim with both sides, though both its faces are in the patch: what
+      // lies between the ends is for the big diagram to say.
+      const std::uint32_t outside = linkOf_[index(h)];
+      patch_[k].across[c] = outside != kNoIndex ? Graph::kOutside | outside
+                                                : 3 * patchOf_[index(faceOf(across))] + static_cast<std::uint32_t>(index(across) % 3);
     }
   }
 }

@@ -110,8 +110,12 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
 void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<const PatchFace> patch,
                         std::span<FaceId> newFaces) {
   const std::size_t n = patch.size();
+  // Faces of the star are used again, so everything is read before anything is written.
   rim_.clear();
   for (const HalfedgeId h : link) rim_.push_back({origin(h), twin(h)});
+  for (const HalfedgeId h : link) {
+    for (const HalfedgeId side : {h, next(h), previous(h)}) origin_[index(side)] = kNoVertex;
+  }
   for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < link.size() ? faceOf(link[k]) : takeFace();
   outgoing_[index(v)] = kNoHalfedge;
   if (n == 0 && !link.empty()) {
@@ -119,6 +123,18 @@ void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<
     outgoing_[index(rim_[0].from)] = rim_[1].outer;
     outgoing_[index(rim_[1].from)] = rim_[0].outer;
   }
+
+  // An outer side within the star is a link edge itself and is replaced too: leave word there of what replaces it.
+  for (std::size_t k = 0; k < n; ++k) {
+    for (unsigned c = 0; c < 3; ++c) {
+      const std::uint32_t across = patch[k].across[c];
+      if ((across & kOutside) != 0) twin_[index(link[across & ~kOutside])] = halfedgeOf(newFaces[k], c);
+    }
+  }
+  for (RimEdge& edge : rim_) {
+    if (origin(edge.outer) == kNoVertex) edge.outer = twin(edge.outer);
+  }
+
   // Surplus faces of the star go first: `link` names them, and no new face does.
   for (std::size_t k = n; k < link.size(); ++k) freeFace(faceOf(link[k]));
   for (std::size_t k = 0; k < n; ++k) {

@@ -83,7 +83,7 @@ class Graph {
 
   /// The reverse of starHole: takes vertex v out and fills its star with `patch`.
   /// `link` lists the half-edges opposite to v in the faces of its star, counter-clockwise. An empty patch sews link[0] to
-  /// link[1] (v had degree 2). newFaces[k] receives the face of patch[k].
+  /// link[1] (v had degree 2). A link edge with the star on both sides stays sewn to its partner. newFaces[k] receives the face of patch[k].
   /// REQUIRES: room for all corners and reserveFaces(link.size(), patch.size()); newFaces.size() == patch.size().
   void replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<const PatchFace> patch, std::span<FaceId> newFaces);
 
