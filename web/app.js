@@ -139,9 +139,9 @@ export class App extends EventTarget {
     this.viewChanged();
   }
 
-  fit(bounds = this.scene.bounds(), insets) {
+  fit(bounds = this.scene.bounds(), insets = undefined, margin = undefined) {
     if (!bounds) return;
-    this.view.fit(bounds, insets);
+    this.view.fit(bounds, insets, margin);
     this.viewChanged();
   }
 

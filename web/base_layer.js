@@ -6,6 +6,7 @@ import { addArc, setDualArc, setVoronoiArc } from "./curves.js";
 
 const kDot = 1.1; // circles smaller than this (pixels) are drawn as dots of this size
 const kDashFrom = 5; // hidden circles at least this large (pixels) are dashed
+const kNameFrom = 15; // visible circles at least this large (pixels) show their name, if it fits into them
 const kMostInPath = 2000; // pieces in one path: very long paths are slow to stroke
 
 /**
@@ -40,6 +41,7 @@ export function drawBase(context, scene, view, layers, theme, box) {
     drawCircles(context, visible, theme.site, "stroke");
   }
   if (layers.hidden) drawHidden(context, hidden, theme);
+  if (layers.circles) drawNames(context, scene, view, near, theme);
 }
 
 /** Puts x, y, r in pixels of every circle that meets the box into one of two lists. */
@@ -89,13 +91,75 @@ function drawHidden(context, xyr, theme) {
 /** Strokes one curve for each edge, in paths of bounded length. */
 function strokeRows(context, scene, view, box, setArc) {
   const { edgeCount } = scene.graph();
+  const isOutside = outsideTest(scene, view, box);
   const arc = newArc();
-  for (let from = 0; from < edgeCount; from += kMostInPath) {
-    context.beginPath();
-    const to = Math.min(edgeCount, from + kMostInPath);
-    for (let row = from; row < to; row++) {
-      if (setArc(row, arc)) addArc(context, view, arc, box);
+  let pieces = 0;
+  context.beginPath();
+  for (let row = 0; row < edgeCount; row++) {
+    if (isOutside(row) || !setArc(row, arc) || !addArc(context, view, arc, box)) continue;
+    if (++pieces % kMostInPath === 0) {
+      context.stroke();
+      context.beginPath();
     }
-    context.stroke();
   }
+  context.stroke();
+}
+
+/**
+ * A cheap test that an edge and its dual lie outside a box: along an edge the distance to its two sites is largest at the ends,
+ * so all of it lies in a disc about each site; and the dual edge lies in the two discs together.
+ */
+function outsideTest(scene, view, box) {
+  const { edgeSites, edgeVertices, clearance } = scene.graph();
+  const { xyr } = scene;
+  const xmin = view.toWorldX(box.left);
+  const xmax = view.toWorldX(box.right);
+  const ymin = view.toWorldY(box.bottom);
+  const ymax = view.toWorldY(box.top);
+  const misses = (site, largest) => {
+    const x = xyr[3 * site];
+    const y = xyr[3 * site + 1];
+    const reach = xyr[3 * site + 2] + largest;
+    return x + reach < xmin || x - reach > xmax || y + reach < ymin || y - reach > ymax;
+  };
+  return (row) => {
+    const first = edgeVertices[2 * row];
+    const second = edgeVertices[2 * row + 1];
+    if (first < 0 || second < 0) return false;
+    const largest = Math.max(clearance[first], clearance[second]);
+    return misses(edgeSites[2 * row], largest) && misses(edgeSites[2 * row + 1], largest);
+  };
+}
+
+const widths = new Map(); // of names, in pixels of the font below
+
+/** Names of sites that have one, inside their circles. */
+function drawNames(context, scene, view, box, theme) {
+  if (scene.labels.size === 0) return;
+  const flags = scene.graph().visible;
+  const { xyr } = scene;
+  context.font = `500 11.5px ${theme.sans}`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.fillStyle = theme.name;
+  for (const [id, { name }] of scene.labels) {
+    const r = xyr[3 * id + 2] * view.scale;
+    if (r < kNameFrom || !flags[id]) continue;
+    const x = view.toScreenX(xyr[3 * id]);
+    const y = view.toScreenY(xyr[3 * id + 1]);
+    if (x + r < box.left || x - r > box.right || y + r < box.top || y - r > box.bottom) continue;
+    let width = widths.get(name);
+    if (width === undefined) widths.set(name, (width = context.measureText(name).width));
+    if (width < 2 * r - 6 && !isCrowded(scene, view, flags, id, x, y, width / 2 + 4)) context.fillText(name, x, y);
+  }
+}
+
+/** Whether another visible circle has its centre where the name would be. */
+function isCrowded(scene, view, flags, id, x, y, halfWidth) {
+  const { xyr } = scene;
+  for (const other of scene.ids) {
+    if (other === id || !flags[other]) continue;
+    if (Math.abs(view.toScreenX(xyr[3 * other]) - x) < halfWidth && Math.abs(view.toScreenY(xyr[3 * other + 1]) - y) < 9) return true;
+  }
+  return false;
 }

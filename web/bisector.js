@@ -4,7 +4,7 @@
 // the unit direction (c, s) it lies at the distance rho with 1/rho = qx·c + qy·s + qw, where for (x, y, r) = other minus pole
 // and p = x² + y² - r² the form is (qx, qy, qw) = (2x, 2y, 2r) / p. A circular arc of directions is a rational quadratic
 // curve, and (c, s, 1) -> (c, s, 1/rho) is linear: so every piece is exactly a rational quadratic curve with three control
-// points and one weight. A parabola (needed by the dual only) is another such form.
+// points and one weight. Parabolas, needed by the dual only, are quadratic curves without weights.
 //
 // Coordinates: the diagram's own, y upwards.
 
@@ -28,22 +28,33 @@ function setSegment(arc, x0, y0, x2, y2) {
 }
 
 /**
- * The piece of the curve 1/rho = qx·c + qy·s + qw about the focus (fx, fy) between two of its points.
- * False if the points see the curve in opposite directions or the form is not positive between them (then: no finite piece).
+ * The piece of the curve 1/rho = qx·c + qy·s + qw about the focus (fx, fy) between two of its points, which the focus sees at
+ * an angle of at most pi. False if the form is not positive between them: then there is no finite piece.
  * @param {Arc} arc receives the piece
  */
 export function setConic(arc, fx, fy, qx, qy, qw, x0, y0, x2, y2) {
   const rho0 = Math.hypot(x0 - fx, y0 - fy);
   const rho2 = Math.hypot(x2 - fx, y2 - fy);
-  const mx = (x0 - fx) / rho0 + (x2 - fx) / rho2;
-  const my = (y0 - fy) / rho0 + (y2 - fy) / rho2;
+  let mx = (x0 - fx) / rho0 + (x2 - fx) / rho2;
+  let my = (y0 - fy) / rho0 + (y2 - fy) / rho2;
   const m = Math.hypot(mx, my); // 2 cos(half of the angle between the two directions)
-  const w1 = (qx * mx + qy * my) / m + (qw * m) / 2;
-  if (!(w1 > 0) || !(m > 1e-12)) return false;
+  if (m > 1e-9) {
+    mx /= m;
+    my /= m;
+  } else {
+    // Opposite directions: the middle one is at right angles, where the curve is.
+    mx = (y2 - fy) / rho2;
+    my = (fx - x2) / rho2;
+    const turn = Math.sign(qx * mx + qy * my);
+    mx *= turn;
+    my *= turn;
+  }
+  const w1 = qx * mx + qy * my + (qw * m) / 2;
+  if (!(w1 > 0)) return false;
   arc.x0 = x0;
   arc.y0 = y0;
-  arc.x1 = fx + mx / (m * w1);
-  arc.y1 = fy + my / (m * w1);
+  arc.x1 = fx + mx / w1;
+  arc.y1 = fy + my / w1;
   arc.w = w1 * Math.sqrt(rho0 * rho2);
   arc.x2 = x2;
   arc.y2 = y2;
@@ -119,6 +130,21 @@ export function setBisector(arc, ax, ay, ar, bx, by, br, first, second, far, cut
 }
 
 /**
+ * The parabola |p - c| - R = n·(p - a) + ra from a to b: as far from the circle (c, R) as from the line with the unit normal n.
+ * With c as origin, x along the line and y along n it is y = (x² - k²) / 2k: a quadratic Bézier curve.
+ */
+function setParabola(arc, { x: cx, y: cy, r: cr }, nx, ny, ax, ay, ar, bx, by) {
+  const k = cr + nx * (cx - ax) + ny * (cy - ay) + ar;
+  if (!(k > 0)) return;
+  const xa = ny * (ax - cx) - nx * (ay - cy);
+  const xb = ny * (bx - cx) - nx * (by - cy);
+  const x1 = (xa + xb) / 2;
+  const y1 = nx * (ax - cx) + ny * (ay - cy) + (xa / k) * (x1 - xa);
+  arc.x1 = cx + ny * x1 + nx * y1;
+  arc.y1 = cy - nx * x1 + ny * y1;
+}
+
+/**
  * The edge of the dual graph between the centres of a and b, as Appendix A of the paper draws it: the bisector of the two
  * Voronoi circles (centre and clearance) at the ends of the Voronoi edge, which passes through both centres; a parabola if
  * one of them is unbounded (a half-plane), a segment if both are.
@@ -143,10 +169,6 @@ export function setDualEdge(arc, ax, ay, ar, bx, by, br, first, second) {
     const circle = first ?? second;
     const [before, after] = asymptotes(ax, ay, ar, bx, by, br);
     const theta = first ? after : before; // where the unbounded end leaves; the half-plane's inner normal is -direction
-    const nx = -Math.cos(theta);
-    const ny = -Math.sin(theta);
-    const k = circle.r + nx * (circle.x - ax) + ny * (circle.y - ay) + ar; // |p - c| - R = n·(p - a) + ra
-    if (!(k > 0)) return;
-    setConic(arc, circle.x, circle.y, -nx / k, -ny / k, 1 / k, ax, ay, bx, by) || setSegment(arc, ax, ay, bx, by);
+    setParabola(arc, circle, -Math.cos(theta), -Math.sin(theta), ax, ay, ar, bx, by);
   }
 }

@@ -41,7 +41,7 @@ export function setDualArc(scene, row, arc) {
   setDualEdge(arc, xyr[a], xyr[a + 1], xyr[a + 2], xyr[b], xyr[b + 1], xyr[b + 2], first, second);
 }
 
-/** Adds an arc to a path if its control triangle meets the box. @param {View} view @param {Arc} arc */
+/** Adds an arc to a path if its control triangle meets the box; tells whether it does. @param {View} view @param {Arc} arc */
 export function addArc(path, view, arc, box) {
   const x0 = view.toScreenX(arc.x0);
   const y0 = view.toScreenY(arc.y0);
@@ -55,10 +55,11 @@ export function addArc(path, view, arc, box) {
     (y0 < box.top && y1 < box.top && y2 < box.top) ||
     (y0 > box.bottom && y1 > box.bottom && y2 > box.bottom)
   ) {
-    return;
+    return false;
   }
   path.moveTo(x0, y0);
   drawConic(path, x0, y0, x1, y1, arc.w, x2, y2);
+  return true;
 }
 
 /** Adds the edges of one site's cell. */

@@ -8,6 +8,7 @@ import { listenToPointer } from "./pointer.js";
 import { randomCircles } from "./random_sets.js";
 
 const kRandomSize = { width: 1600, height: 1000 }; // of random sets, in units
+const kFirstView = [-1100, 3900, 4100, 7200]; // Europe: large enough that one sees the curves
 const kNarrow = 760; // pixels, as in style.css: the panel is on top instead of at the left
 
 const element = (id) => document.getElementById(id);
@@ -23,18 +24,18 @@ async function start() {
 
   const resize = () => app.painter.resize(window.innerWidth, window.innerHeight, window.devicePixelRatio || 1);
   const insets = () =>
-    window.innerWidth <= kNarrow ? { left: 0, top: 96, right: 0, bottom: 0 } : { left: 280, top: 0, right: 0, bottom: 0 };
+    window.innerWidth <= kNarrow ? { left: 0, top: 150, right: 0, bottom: 0 } : { left: 280, top: 0, right: 0, bottom: 0 };
 
   const actions = {
-    async cities() {
+    async cities(firstView = null) {
       const cities = await citiesLoading;
       app.painter.map = cities.map;
       panel.unit = "km";
       panel.showsMap(true);
       bounds = cities.bounds;
       app.replaceAll(cities.xyr, cities.labels);
-      // The world may lie under the panel: there is only sea.
-      app.fit(bounds, window.innerWidth <= kNarrow ? insets() : undefined);
+      if (firstView) app.fit(firstView, insets(), 0);
+      else actions.fit();
     },
     random(count, hiddenShare) {
       app.painter.map = null;
@@ -48,6 +49,7 @@ async function start() {
       app.replaceAll(new Float64Array(0), []);
     },
     fit() {
+      // The world may lie under the panel: there is only sea.
       if (bounds && window.innerWidth > kNarrow) app.fit(bounds);
       else app.fit(bounds ?? app.scene.bounds(), insets());
     },
@@ -60,7 +62,7 @@ async function start() {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => app.painter.readTheme());
   listenToPointer(canvas, app);
   listenToKeyboard(canvas, app, actions);
-  await actions.cities();
+  await actions.cities(kFirstView);
 
   // A handle for tests and the curious; not an interface: it may change at any time.
   window.app = app;

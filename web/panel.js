@@ -54,7 +54,7 @@ export class Panel {
     for (const button of document.querySelectorAll("[data-count]")) {
       button.addEventListener("click", () => actions.random(Number(button.dataset.count), Number(share.value) / 100));
     }
-    element("set-cities").addEventListener("click", actions.cities);
+    element("set-cities").addEventListener("click", () => actions.cities());
     element("clear").addEventListener("click", actions.clear);
     element("fit").addEventListener("click", actions.fit);
     element("layers").addEventListener("change", ({ target }) => app.setLayer(target.name, target.checked));

@@ -25,7 +25,9 @@ export function listenToPointer(element, app) {
   const onHandle = (x, y, type) => {
     if (app.selected < 0) return false;
     const handle = handleOf(app.view, app.scene.site(app.selected));
-    return Math.hypot(x - handle.x, y - handle.y) <= (kHandleReach[type] ?? 9);
+    const distance = Math.hypot(x - handle.x, y - handle.y);
+    const fromCentre = Math.hypot(x - handle.x + handle.radius, y - handle.y);
+    return distance <= (kHandleReach[type] ?? 9) && distance < fromCentre; // a small circle can still be moved
   };
 
   /** What a gesture that starts here will do if it becomes a drag. */

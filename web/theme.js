@@ -1,7 +1,7 @@
 // The canvas takes its colours from the style sheet, so that light and dark are defined in one place: style.css.
 
 const kNames = [
-  "paper", "ink", "sea", "land", "coast",
+  "sans", "paper", "ink", "name", "sea", "land", "coast",
   "cell", "site", "siteFill", "hidden", "hiddenFill", "dual",
   "accent", "accentFill", "accentSite", "neighbor", "neighborFill", "pointer",
 ];

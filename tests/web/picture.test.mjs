@@ -1,0 +1,107 @@
+// What is drawn, against the diagram: cells hold exactly the points nearest to their site, at any zoom; and a picture that was
+// updated box by box equals one that was drawn anew.
+import { afterAll, beforeAll, expect, test } from "@jest/globals";
+import { describeInBrowser } from "./support/browser.mjs";
+import { generator } from "../../web/random_sets.js";
+
+const random = generator(11);
+const kSets = {
+  one: [0, 0, 5],
+  "two equal": [0, 0, 5, 20, 0, 5],
+  "two unequal": [0, 0, 5, 20, 0, 1],
+  "two overlapping": [0, 0, 15, 5, 3, 11],
+  "nearly covered, all around": [0, 0, 10, 9.02, 0, 1, -9.002, 0, 1, 0, 9.0002, 1, 30, 3, 2],
+  "collinear, unequal": [0, 0, 1, 10, 0, 3, 20, 0, 2, 40, 0, 2.5],
+  "collinear, equal": [0, 0, 1, 10, 0, 1, 20, 0, 1],
+  lattice: [0, 0, 1, 10, 0, 1, 0, 10, 1, 10, 10, 1, 20, 0, 1, 20, 10, 1],
+  cocircular: [10, 0, 1, 0, 10, 1, -10, 0, 1, 0, -10, 1, 6, 8, 1, -8, 6, 1],
+  duplicates: [0, 0, 1, 0, 0, 1, 5, 5, 0, 5, 5, 1, 9, 1, 0],
+  giant: [0, 0, 1000, 1001, 0, 1, 0, 1001, 1, -1001, 0, 1, 0, -1001, 1, 750, 750, 3],
+  points: Array.from({ length: 30 }, (_, k) => (k % 3 === 2 ? 0 : 100 * random())),
+};
+for (let k = 0; k < 12; k++) {
+  const count = 3 + Math.floor(random() * 15);
+  kSets[`random ${k}`] = Array.from({ length: 3 * count }, (_, n) => (n % 3 === 2 ? 25 * random() ** 3 : 100 * random()));
+}
+
+describeInBrowser("the picture", (open) => {
+  let page;
+  beforeAll(async () => {
+    page = await open();
+  });
+  afterAll(async () => {
+    expect(page.errors).toEqual([]);
+    await page.context().close();
+  });
+
+  test.each(Object.entries(kSets))("cells: %s", async (_, xyr) => {
+    const { points, wrong } = await page.evaluate(async (xyr) => {
+      const { addCell } = await import("./curves.js");
+      const context = document.createElement("canvas").getContext("2d");
+      const holds = (id, x, y) => {
+        context.beginPath();
+        addCell(context, app.scene, app.view, id);
+        return context.isPointInPath(x, y);
+      };
+      app.replaceAll(Float64Array.from(xyr));
+      const ids = [...app.diagram.ids()];
+      const wrong = [];
+      let points = 0;
+      for (const zoom of [1, 0.1, 0.001, 5, 40, 1000]) {
+        app.fit(undefined, { left: 0, top: 0, right: 0, bottom: 0 });
+        app.zoom(zoom, app.view.width * Math.random(), app.view.height * Math.random());
+        for (let k = 0; k < 60; k++) {
+          const x = app.view.width * Math.random();
+          const y = app.view.height * Math.random();
+          const far = (id) => {
+            const site = app.scene.site(id);
+            return Math.hypot(app.view.toWorldX(x) - site.x, app.view.toWorldY(y) - site.y) - site.r;
+          };
+          const [first, second] = ids.sort((a, b) => far(a) - far(b));
+          if (second !== undefined && (far(second) - far(first)) * app.view.scale < 1) continue; // too near to a boundary
+          points++;
+          const found = ids.filter((id) => holds(id, x, y));
+          if (found.length !== 1 || found[0] !== first) wrong.push({ zoom, x, y, first, found });
+        }
+      }
+      return { points, wrong: wrong.slice(0, 5) };
+    }, xyr);
+    expect(wrong).toEqual([]);
+    expect(points).toBeGreaterThan(50);
+  });
+
+  test.each([false, true])("boxes: after many changes the picture is the one drawn anew (dual graph: %s)", async (dual) => {
+    await page.click('[data-count="1000"]');
+    await page.setChecked("[name=dual]", dual);
+    const { changed, differing, boxes } = await page.evaluate(() => {
+      const canvas = app.painter.canvases.base;
+      const pixels = () => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+      const count = (a, b) => {
+        let differing = 0;
+        for (let k = 3; k < a.length; k += 4) if (Math.abs(a[k] - b[k]) > 64) differing++;
+        return differing;
+      };
+      app.painter.flush();
+      const start = pixels();
+      app.painter.costs.box.length = 0;
+      for (let k = 0; k < 60; k++) {
+        const ids = app.diagram.ids();
+        const id = ids[(k * 37) % ids.length];
+        const { x, y, r } = app.scene.site(id);
+        if (k % 4 === 0) app.move(id, x + 30, y - 20);
+        else if (k % 4 === 1) app.resize(id, 2.5 * r + 5);
+        else if (k % 4 === 2) app.remove(id);
+        else app.insertAt(400 + ((k * 53) % 800), 100 + ((k * 31) % 600), 10);
+        app.painter.flush();
+      }
+      const after = pixels();
+      app.painter.redraw();
+      app.painter.flush();
+      return { changed: count(start, after), differing: count(after, pixels()), boxes: app.painter.costs.box.length };
+    });
+    expect(changed).toBeGreaterThan(1000);
+    expect(boxes).toBeGreaterThan(40);
+    expect(differing).toBeLessThan(20); // anti-aliasing where paths were cut differently
+    expect(await page.evaluate(() => app.diagram.validate())).toBeNull();
+  });
+});

@@ -1,0 +1,69 @@
+// The static server: types, refusals, the next free port; and the page's security policy fits its import map.
+import { createHash } from "node:crypto";
+import { readFileSync } from "node:fs";
+import { createServer, request } from "node:http";
+import { afterAll, beforeAll, expect, test } from "@jest/globals";
+import { serve } from "../../web/serve.mjs";
+
+let server;
+beforeAll(async () => (server = await serve(0)));
+afterAll(() => server.close());
+
+/** The status and headers for a path that is sent as it is. */
+const get = (path, method = "GET") =>
+  new Promise((resolve, reject) => {
+    const { port } = new URL(server.url);
+    request({ host: "127.0.0.1", port, path, method }, (response) => {
+      response.resume();
+      response.on("end", () => resolve({ status: response.statusCode, headers: response.headers }));
+    })
+      .on("error", reject)
+      .end();
+  });
+
+test.each([
+  ["/web/", "text/html"],
+  ["/web/main.js", "text/javascript"],
+  ["/web/style.css", "text/css"],
+  ["/web/data/cities.json", "application/json"],
+  ["/dist/apollonius.wasm", "application/wasm"],
+])("%s is %s, isolated", async (path, type) => {
+  const { status, headers } = await get(path);
+  expect(status).toBe(200);
+  expect(headers["content-type"]).toContain(type);
+  expect(headers["cross-origin-opener-policy"]).toBe("same-origin");
+  expect(headers["cross-origin-embedder-policy"]).toBe("require-corp");
+});
+
+test.each(["/package.json", "/web/../package.json", "/web/%2e%2e/package.json", "/web/%2e%2e%2fpackage.json", "/.git/config",
+           "/web/none.js", "/web/data", "/web/%ff", "/web/%00"])("%s is refused", async (path) => {
+  expect((await get(path)).status).toBe(404);
+});
+
+test("the root leads to the page; only GET and HEAD", async () => {
+  expect(await get("/")).toMatchObject({ status: 302, headers: { location: "/web/" } });
+  expect((await get("/web/", "HEAD")).status).toBe(200);
+  expect((await get("/web/", "POST")).status).toBe(405);
+});
+
+test("a port in use is passed over", async () => {
+  const taken = createServer();
+  await new Promise((resolve) => taken.listen(0, "127.0.0.1", resolve));
+  const { port } = taken.address();
+  const second = await serve(port);
+  expect(Number(new URL(second.url).port)).toBeGreaterThan(port);
+  await second.close();
+  await new Promise((resolve) => taken.close(resolve));
+});
+
+test("the security policy allows the import map, and no other inline script", () => {
+  const html = readFileSync(new URL("../../web/index.html", import.meta.url), "utf8");
+  const [, map] = html.match(/<script type="importmap">([\s\S]*?)<\/script>/);
+  const policy = html.match(/content="(default-src[^"]*)"/)[1];
+  expect(policy).toContain(`'sha256-${createHash("sha256").update(map).digest("base64")}'`);
+  expect(policy).not.toMatch(/unsafe-(inline|eval|hashes)(?<!wasm-unsafe-eval)/);
+  expect(html.match(/<script/g)).toHaveLength(2); // the map, and main.js
+  const { imports } = JSON.parse(map);
+  const { exports } = JSON.parse(readFileSync(new URL("../../package.json", import.meta.url), "utf8"));
+  expect(imports["apollonius-diagram"]).toBe(`.${exports["."].import.default}`.replace("./.", "../").replace("//", "/"));
+});
