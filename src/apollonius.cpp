@@ -174,6 +174,10 @@ Error Diagram::edges(EdgeArrays& edges) const {
   return guarded([&] { impl_->edges(edges); });
 }
 
+Error Diagram::faces(std::vector<SiteId>& sites) const {
+  return guarded([&] { impl_->faces(sites); });
+}
+
 Error Diagram::validate(std::string& broken) const {
   return guarded([&] { broken = impl_->check(); });
 }

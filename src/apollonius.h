@@ -51,14 +51,16 @@ struct Circle {
 /// on random input; or through a hierarchy of Delaunay graphs, about log h.
 enum class Location : std::uint8_t { kWalk, kHierarchy };
 
-/// The bounded Voronoi vertices; row k of each array belongs to vertex k. The rows' order depends on the history.
+/// The Voronoi vertices in the plane; row k of each array belongs to vertex k. The rows' order depends on the history.
 struct VertexArrays {
   std::vector<double> coordinates;      ///< x, y of each vertex
   std::vector<double> clearance;        ///< common distance to its three sites
   std::vector<std::uint32_t> sites;     ///< the three sites, counter-clockwise around the vertex's circle
 };
 
-/// The Voronoi edges. Two sites can share several.
+/// The Voronoi edges. Two sites can share several. Where more than three sites touch one circle, the canonical rule makes edges
+/// of length zero, and several vertices at one place; where three are in line on the hull (a common tangent line), an edge and a
+/// vertex at infinity, which are not listed.
 struct EdgeArrays {
   std::vector<std::uint32_t> sites;     ///< two sites a, b of each edge
   std::vector<std::int32_t> vertices;   ///< its two ends as rows of VertexArrays, -1 for an unbounded end; walking from the
@@ -120,12 +122,18 @@ class Diagram {
   /// Errors: as find; kBadLength if the sizes do not fit.
   [[nodiscard]] Error findMany(std::span<const double> xy, std::span<SiteId> ids, std::span<double> distances) const;
 
-  /// The distinct sites whose cells share an edge with this one's, counter-clockwise (each at its first occurrence);
+  /// The distinct sites whose cells share an edge with this one's, counter-clockwise (each at its first occurrence), edges of
+  /// length zero and edges at infinity included (degenerate position; the graph is triangulated canonically);
   /// none for a hidden site. Replaces the contents. Errors: kUnknownSite, kOutOfMemory. Cost: O(d).
   [[nodiscard]] Error neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
 
   [[nodiscard]] Error vertices(VertexArrays& vertices) const;  ///< Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
   [[nodiscard]] Error edges(EdgeArrays& edges) const;          ///< Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
+
+  /// The faces of the Delaunay graph, three sites each, counter-clockwise, kNoSite for infinity: the topology itself, with the
+  /// edges and vertices at infinity that vertices() and edges() leave out. A function of the set of sites, up to the order of the
+  /// faces and which of several identical sites is visible. Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
+  [[nodiscard]] Error faces(std::vector<SiteId>& sites) const;
 
   /// Checks every invariant with exact arithmetic; `broken` becomes empty, or names the first broken one.
   /// Errors: kOutOfMemory. Cost: O(n), slow: for tests.

@@ -43,6 +43,7 @@ class DiagramCore {
   void neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
   void vertices(VertexArrays& vertices) const;
   void edges(EdgeArrays& edges) const;
+  void faces(std::vector<SiteId>& sites) const;
 
   /// Empty, or the first broken invariant.
   [[nodiscard]] std::string check() const;
@@ -62,7 +63,8 @@ class DiagramCore {
   void displaceVisible(SiteId id);
   [[nodiscard]] VertexId startFor(double x, double y) const;
 
-  [[nodiscard]] bool isBounded(FaceId f) const;
+  [[nodiscard]] bool hasFiniteVertex(FaceId f) const;
+  [[nodiscard]] bool isEdgeAtInfinity(HalfedgeId h, const std::vector<std::int32_t>& finite) const;
   [[nodiscard]] std::string checkHidden() const;
 
   Location location_;

@@ -32,10 +32,34 @@ void DiagramCore::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
   neighbors.resize(kept);
 }
 
-bool DiagramCore::isBounded(FaceId f) const {
+/// Does the face have a Voronoi vertex in the plane? Not if it is unbounded, nor if its vertex is at infinity: three sites in line
+/// on the hull, which the canonical rule makes a face of.
+bool DiagramCore::hasFiniteVertex(FaceId f) const {
   const Graph& graph = base_.graph();
-  return graph.isLive(f) && graph.origin(halfedgeOf(f, 0)) != kInfinity && graph.origin(halfedgeOf(f, 1)) != kInfinity &&
-         graph.origin(halfedgeOf(f, 2)) != kInfinity;
+  if (!graph.isLive(f)) return false;
+  Corner corners[3];
+  for (unsigned c = 0; c < 3; ++c) {
+    corners[c] = base_.corner(graph.origin(halfedgeOf(f, c)));
+    if (corners[c] == nullptr) return false;
+  }
+  return !isVertexAtInfinity(*corners[0], *corners[1], *corners[2]);
+}
+
+/// Is the Voronoi edge dual to h at infinity altogether? `finite` tells which faces have a finite vertex.
+bool DiagramCore::isEdgeAtInfinity(HalfedgeId h, const std::vector<std::int32_t>& finite) const {
+  const EdgeCorners e = base_.edge(h);
+  if (e.i == nullptr || e.j == nullptr) return true;
+  const auto isOuterSide = [&](FaceId f, Corner k) { return finite[index(f)] < 0 && k != nullptr && touchesBetween(*e.i, *e.j, *k); };
+  return isOuterSide(faceOf(h), e.k) || isOuterSide(faceOf(base_.graph().twin(h)), e.l);
+}
+
+void DiagramCore::faces(std::vector<SiteId>& sites) const {
+  sites.clear();
+  const Graph& graph = base_.graph();
+  for (std::size_t i = 0; i < 3 * graph.faceSlots(); ++i) {
+    const HalfedgeId h{static_cast<std::uint32_t>(i)};
+    if (graph.isLive(faceOf(h))) sites.push_back(graph.origin(h) == kInfinity ? kNoSite : siteOf(graph.origin(h)));
+  }
 }
 
 void DiagramCore::vertices(VertexArrays& out) const {
@@ -45,7 +69,7 @@ void DiagramCore::vertices(VertexArrays& out) const {
   const Graph& graph = base_.graph();
   for (std::size_t i = 0; i < graph.faceSlots(); ++i) {
     const FaceId f{static_cast<std::uint32_t>(i)};
-    if (!isBounded(f)) continue;
+    if (!hasFiniteVertex(f)) continue;
     const VoronoiCircle& circle = base_.circle(f);
     out.coordinates.push_back(circle.x);
     out.coordinates.push_back(circle.y);
@@ -58,15 +82,14 @@ void DiagramCore::edges(EdgeArrays& out) const {
   out.sites.clear();
   out.vertices.clear();
   const Graph& graph = base_.graph();
-  std::vector<std::int32_t> row(graph.faceSlots(), -1);  // of bounded faces in vertices()
+  std::vector<std::int32_t> row(graph.faceSlots(), -1);  // of the faces in vertices()
   std::int32_t rows = 0;
   for (std::size_t i = 0; i < row.size(); ++i) {
-    if (isBounded(FaceId{static_cast<std::uint32_t>(i)})) row[i] = rows++;
+    if (hasFiniteVertex(FaceId{static_cast<std::uint32_t>(i)})) row[i] = rows++;
   }
   for (std::size_t i = 0; i < 3 * graph.faceSlots(); ++i) {
     const HalfedgeId h{static_cast<std::uint32_t>(i)};
-    if (!graph.isLive(faceOf(h)) || graph.twin(h) < h) continue;  // each edge once
-    if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity) continue;
+    if (!graph.isLive(faceOf(h)) || graph.twin(h) < h || isEdgeAtInfinity(h, row)) continue;  // each edge once
     out.sites.push_back(siteOf(graph.origin(h)));
     out.sites.push_back(siteOf(graph.target(h)));
     // Counter-clockwise about h's origin the edge runs from the vertex of the face on the right to that on the left.

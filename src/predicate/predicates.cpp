@@ -75,6 +75,18 @@ bool isVertexInConflict(const VoronoiCircle& circle, Corner i, Corner j, Corner 
 
 bool hasVoronoiCircle(const Site& i, const Site& j, const Site& k) { return !circleIsBeaten(&i, &j, &k, nullptr); }
 
+bool isVertexAtInfinity(const Site& i, const Site& j, const Site& k) {
+  Corner a = &i, b = &j, c = &k;
+  rotateToPole(a, b, c);
+  const MaybeSign filtered = stages::vertexFilter(*a, b, c, nullptr);
+  return (filtered.known ? filtered.sign : stages::vertexExact(*a, b, c, nullptr)) == Sign::kZero;
+}
+
+bool touchesBetween(const Site& i, const Site& j, const Site& k) {
+  // √p is the distance of two points of contact, so the outer two have the largest.
+  return stages::lorentzDifference(i, j, i, k) == Sign::kPositive && stages::lorentzDifference(i, j, j, k) == Sign::kPositive;
+}
+
 bool isInteriorInConflict(const EdgeCorners& edge, const Site& q) {
   return probeIsInRange(edge, q, stages::Probe::kMiddle);
 }

@@ -33,6 +33,13 @@ namespace apollonius {
 /// none covers another. A common tangent line is settled as isVertexInConflict settles zeros. Degree 8.
 [[nodiscard]] bool hasVoronoiCircle(const Site& i, const Site& j, const Site& k);
 
+/// Does a face of three finite sites have its vertex at infinity, that is, do they touch a common tangent line (on one side of
+/// it)? The canonical rule makes such faces where three sites of the hull are in line. REQUIRES: a face of a diagram. Degree 8.
+[[nodiscard]] bool isVertexAtInfinity(const Site& i, const Site& j, const Site& k);
+
+/// On the common tangent line of such a face: does k touch it between i and j? Degree 2.
+[[nodiscard]] bool touchesBetween(const Site& i, const Site& j, const Site& k);
+
 /// A Voronoi edge: the part of the bisector of i and j from its vertex (j, i, l) to its vertex (i, j, k), with i on its left.
 /// At most one of i, j, and at most one corner of each face, is infinite.
 struct EdgeCorners {

@@ -81,6 +81,10 @@ Sign edgeSign(Rows& rows, bool jIsInfinite, Probe probe, bool& failed) {
   return -spanSign(rows, failed);
 }
 
+Dyadic exactLorentz(const Site& a, const Site& b) {
+  return lorentz(Dyadic(a.x) - Dyadic(b.x), Dyadic(a.y) - Dyadic(b.y), Dyadic(a.r) - Dyadic(b.r));
+}
+
 }  // namespace
 
 // --- Covering: p of two sites ------------------------------------------------------------------------------------------------
@@ -90,8 +94,10 @@ MaybeSign lorentzFilter(const Site& a, const Site& b) {
   return filteredSign(p, boundFactor(kRow.p));
 }
 
-Sign lorentzExact(const Site& a, const Site& b) {
-  return lorentz(Dyadic(a.x) - Dyadic(b.x), Dyadic(a.y) - Dyadic(b.y), Dyadic(a.r) - Dyadic(b.r)).sign();
+Sign lorentzExact(const Site& a, const Site& b) { return exactLorentz(a, b).sign(); }
+
+Sign lorentzDifference(const Site& a, const Site& b, const Site& c, const Site& d) {
+  return (exactLorentz(a, b) - exactLorentz(c, d)).sign();
 }
 
 // --- Distance ----------------------------------------------------------------------------------------------------------------
@@ -135,7 +141,7 @@ bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q) {
   // pairs q with i is the largest (Casey's theorem).
   const auto p = [](Corner a, Corner b) {
     if (a == nullptr || b == nullptr) return Dyadic(1);
-    return lorentz(Dyadic(a->x) - Dyadic(b->x), Dyadic(a->y) - Dyadic(b->y), Dyadic(a->r) - Dyadic(b->r));
+    return exactLorentz(*a, *b);
   };
   const Dyadic opposite = p(&i, q) * p(j, k);
   return (opposite - p(j, q) * p(&i, k)).sign() == Sign::kPositive &&

@@ -12,6 +12,8 @@ namespace apollonius::stages {
 /// p of two sites: (xa-xb)² + (ya-yb)² - (ra-rb)².
 [[nodiscard]] MaybeSign lorentzFilter(const Site& a, const Site& b);
 [[nodiscard]] Sign lorentzExact(const Site& a, const Site& b);
+/// sign(p of a, b - p of c, d), exactly.
+[[nodiscard]] Sign lorentzDifference(const Site& a, const Site& b, const Site& c, const Site& d);
 
 [[nodiscard]] MaybeSign distanceFilter(double x, double y, const Site& a, const Site& b);
 [[nodiscard]] Sign distanceExact(double x, double y, const Site& a, const Site& b);
