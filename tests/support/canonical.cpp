@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace apollonius::test {
@@ -32,7 +33,7 @@ class Complaints {
   std::string& broken_;
 };
 
-/// Triples of the vertices and of the unbounded ends of edges, in site ids; infinity is kNoSite.
+/// Triples of all faces in site ids; infinity is kNoSite. Vertices and edges have to fit them, and each other.
 std::vector<std::array<SiteId, 3>> idTriples(const Diagram& diagram, Complaints& complaints) {
   VertexArrays vertices;
   EdgeArrays edges;
@@ -43,12 +44,19 @@ std::vector<std::array<SiteId, 3>> idTriples(const Diagram& diagram, Complaints&
                     "lengths of vertices()");
   complaints.unless(edges.sites.size() == edges.vertices.size() && edges.sites.size() % 2 == 0, "lengths of edges()");
 
+  std::vector<SiteId> faces;
+  complaints.unless(diagram.faces(faces) == Error::kNone && faces.size() % 3 == 0, "faces() failed");
   std::vector<std::array<SiteId, 3>> triples;
+  std::set<std::array<SiteId, 3>> known;  // in every rotation
+  for (std::size_t k = 0; k + 2 < faces.size(); k += 3) {
+    triples.push_back({faces[k], faces[k + 1], faces[k + 2]});
+    for (int turn = 0; turn < 3; ++turn) known.insert({faces[k + turn], faces[k + (turn + 1) % 3], faces[k + (turn + 2) % 3]});
+  }
   // Each side of each vertex's triple belongs to exactly one end of one edge: count them off.
   std::vector<std::multimap<std::pair<SiteId, SiteId>, bool>> sides(vertexCount);
   for (std::size_t k = 0; k < vertexCount; ++k) {
     const SiteId* s = &vertices.sites[3 * k];
-    triples.push_back({s[0], s[1], s[2]});
+    complaints.unless(known.count({s[0], s[1], s[2]}) == 1, "a vertex is not the vertex of a face");
     for (int side = 0; side < 3; ++side) sides[k].insert({{s[side], s[(side + 1) % 3]}, true});
   }
   for (std::size_t k = 0; k + 1 < edges.sites.size(); k += 2) {
@@ -59,7 +67,7 @@ std::vector<std::array<SiteId, 3>> idTriples(const Diagram& diagram, Complaints&
       const std::int32_t vertex = edges.vertices[k + end];
       const std::pair<SiteId, SiteId> side = end == 1 ? std::pair{a, b} : std::pair{b, a};
       if (vertex == -1) {
-        triples.push_back({side.first, side.second, kNoSite});
+        // An unbounded end, or a vertex at infinity, which vertices() does not list.
       } else if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertexCount) {
         complaints.unless(false, "an edge's end is not a row of vertices()");
       } else {
