@@ -63,6 +63,7 @@ class DelaunayGraph {
 
  private:
   friend class Remover;  // the other operation that changes the graph
+  friend class DiagramBreaker;  // tests break a structure on purpose
 
   [[nodiscard]] Insertion insertSecond(VertexId v);
   [[nodiscard]] Insertion coverAll(VertexId v);

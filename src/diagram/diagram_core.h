@@ -52,6 +52,8 @@ class DiagramCore {
   [[nodiscard]] static SiteId siteOf(VertexId v) { return static_cast<SiteId>(v) - 1; }
 
  private:
+  friend class DiagramBreaker;  // tests break a structure on purpose
+
   /// Room for everything that is kept per site.
   void reserve(std::size_t sites);
   SiteId insertNear(const Site& site, VertexId start);

@@ -35,6 +35,8 @@ class Hierarchy {
   [[nodiscard]] const char* check(const DelaunayGraph& base, std::uint32_t& where) const;
 
  private:
+  friend class DiagramBreaker;  // tests break a structure on purpose
+
   using Slot = std::uint32_t;
   static constexpr unsigned kBits = 5;  // 32 = 2^5: the fastest of 8, 16, 32, 64 for 100 000 sites
   static constexpr unsigned kMostLevels = 5;  // the top one holds 16 of 2^29 sites
