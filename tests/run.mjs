@@ -5,8 +5,7 @@
 //   package   Jest on the package as `npm pack` makes it, and on the rules about who may include whom
 //   web       Jest on the page in a real browser
 import { spawn } from "node:child_process";
-import { existsSync, readdirSync } from "node:fs";
-import path from "node:path";
+import { createInterface } from "node:readline";
 import { buildPackage } from "../wasm/build.mjs";
 import { ensureChromium } from "../wasm/toolchain/browser.mjs";
 import { ensureBoost } from "../wasm/toolchain/boost.mjs";
@@ -20,35 +19,35 @@ import { say, SetUpError } from "../wasm/toolchain/process.mjs";
 import { main } from "../wasm/toolchain/setup.mjs";
 import { installPacked } from "./wasm/support/install_packed.mjs";
 
-/** Runs a test runner with its output shown, and returns the last line that matches. Throws if it fails. */
-function runTests(program, args, summary, env = {}) {
+/**
+ * Runs a test runner with its output shown, but for lines that match `boring`; returns the last line that matches `summary`.
+ * Throws if it fails.
+ */
+function runTests(program, args, { summary, boring, env }) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, { cwd: root, env: { ...process.env, ...env }, stdio: ["ignore", "pipe", "pipe"] });
-    let output = "";
+    let last = "no summary";
     for (const [stream, sink] of [[child.stdout, process.stdout], [child.stderr, process.stderr]]) {
-      stream.setEncoding("utf8").on("data", (text) => {
-        output += text;
-        sink.write(text);
+      createInterface({ input: stream }).on("line", (line) => {
+        if (summary.test(line)) last = line.trim();
+        if (!boring?.test(line)) sink.write(`${line}\n`);
       });
     }
     child.on("error", reject);
-    child.on("close", (code) => {
-      const line = output.split("\n").filter((text) => summary.test(text)).at(-1)?.trim() ?? "no summary";
-      if (code === 0) resolve(line);
-      else reject(Object.assign(new SetUpError(line), { isTestFailure: true }));
-    });
+    child.on("close", (code) => (code === 0 ? resolve(last) : reject(new SetUpError(last))));
   });
 }
 
 function ctest(folder) {
-  const args = ["--test-dir", folder, "--output-on-failure", "--no-tests=error", "--progress", "--parallel", jobs];
-  return runTests("ctest", args, /tests passed, \d+ tests? failed/);
+  const args = ["--test-dir", folder, "--output-on-failure", "--no-tests=error", "--parallel", jobs];
+  const boring = /^\s+Start +\d+: |Passed +0\.\d+ sec$/;
+  return runTests("ctest", args, { summary: /tests passed, \d+ tests? failed/, boring });
 }
 
 function jest(projects, env = {}) {
   const args = ["--experimental-vm-modules", "--disable-warning=ExperimentalWarning", "node_modules/jest/bin/jest.js",
                 "--config", "tests/jest.config.mjs", "--selectProjects", ...projects];
-  return runTests(process.execPath, args, /^Tests: /, env);
+  return runTests(process.execPath, args, { summary: /^Tests: /, env });
 }
 
 const steps = {
@@ -71,15 +70,13 @@ const steps = {
     return jest(["package", "layers"]);
   },
   async web() {
-    const files = path.join(root, "tests/web");
-    if (!existsSync(files) || !readdirSync(files).some((name) => name.endsWith(".test.mjs"))) return "no tests yet";
     const chromium = ensureChromium();
-    if (chromium === null) {
-      if (process.env.CI) throw new SetUpError("no browser: none is installed and apt has no package `chromium`");
-      return "SKIPPED: no browser is installed and apt has no package `chromium`; install one or set CHROMIUM to its path";
+    if (chromium === null && process.env.CI) {
+      throw new SetUpError("no browser: none is installed, and apt has no package `chromium` that could be installed");
     }
     await buildPackage();
-    return jest(["web"], { CHROMIUM: chromium });
+    const line = await jest(["web"], { CHROMIUM: chromium ?? "" });
+    return chromium ? line : `${line}   WITHOUT A BROWSER: install Chromium, or set CHROMIUM to its path`;
   },
 };
 

@@ -6,6 +6,9 @@ add_library(apollonius_flags INTERFACE)
 target_compile_options(apollonius_flags INTERFACE
   -ffp-contract=off -fno-fast-math
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(apollonius_flags INTERFACE -Wno-restrict)  # g++ 12 sees one in every "..." + std::string
+endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^i.86$|^x86$" AND NOT EMSCRIPTEN)
   target_compile_options(apollonius_flags INTERFACE -msse2 -mfpmath=sse)  # x87 would round to 80 bits
 endif()
