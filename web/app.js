@@ -6,6 +6,8 @@ import { View } from "./view.js";
 
 const kFirstRadius = 14; // pixels: a new circle, until the user has resized one
 
+const kQueries = 32; // pointer movements over which the time of a query is averaged
+
 /** Events: "hover", "select", "change" (of the diagram), "layers". */
 export class App extends EventTarget {
   scene = new Scene();
@@ -13,7 +15,7 @@ export class App extends EventTarget {
   /** @type {Painter} */ painter;
   /** The pointer in pixels, or null while it is elsewhere. @type {{ x: number, y: number } | null} */
   pointer = null;
-  /** Mean time of a nearest-site query, measured over pointer movements. */
+  /** Time of a nearest-site query: the mean over the latest few dozen movements of the pointer (single ones are too short). */
   query = { count: 0, micros: 0 };
   #insertPixels = kFirstRadius;
 
@@ -115,8 +117,9 @@ export class App extends EventTarget {
     const wy = this.view.toWorldY(y);
     const start = performance.now();
     const nearest = this.diagram.nearest(wx, wy);
-    this.query.micros += (performance.now() - start) * 1000;
-    this.query.count++;
+    const micros = (performance.now() - start) * 1000;
+    const weight = 1 / Math.min(++this.query.count, kQueries);
+    this.query.micros += (micros - this.query.micros) * weight;
     if (!nearest) return null;
     return { x, y, id: nearest.id, distance: nearest.distance, neighbors: this.diagram.neighbors(nearest.id) };
   }

@@ -138,7 +138,7 @@ function drawNames(context, scene, view, box, theme) {
   if (scene.labels.size === 0) return;
   const flags = scene.graph().visible;
   const { xyr } = scene;
-  context.font = `500 11.5px ${theme.sans}`;
+  context.font = `500 11px ${theme.sans}`;
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.fillStyle = theme.name;
@@ -150,7 +150,7 @@ function drawNames(context, scene, view, box, theme) {
     if (x + r < box.left || x - r > box.right || y + r < box.top || y - r > box.bottom) continue;
     let width = widths.get(name);
     if (width === undefined) widths.set(name, (width = context.measureText(name).width));
-    if (width < 2 * r - 6 && !isCrowded(scene, view, flags, id, x, y, width / 2 + 4)) context.fillText(name, x, y);
+    if (width < 2 * r - 2 && !isCrowded(scene, view, flags, id, x, y, width / 2 + 4)) context.fillText(name, x, y);
   }
 }
 

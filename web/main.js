@@ -23,6 +23,10 @@ async function start() {
   let bounds = null; // of the set that was loaded: what "fit" shows while it is there
 
   const resize = () => app.painter.resize(window.innerWidth, window.innerHeight, window.devicePixelRatio || 1);
+  const watchDensity = () => {
+    // Another screen has another density: no event tells but the end of this one.
+    matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`).addEventListener("change", () => (resize(), watchDensity()), { once: true });
+  };
   const insets = () =>
     window.innerWidth <= kNarrow ? { left: 0, top: 150, right: 0, bottom: 0 } : { left: 280, top: 0, right: 0, bottom: 0 };
 
@@ -58,6 +62,7 @@ async function start() {
   panel.fold(window.innerWidth <= kNarrow);
 
   resize();
+  watchDensity();
   window.addEventListener("resize", resize);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => app.painter.readTheme());
   listenToPointer(canvas, app);

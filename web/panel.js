@@ -12,10 +12,10 @@ export function short(value) {
   const size = Math.abs(value);
   if (size !== 0 && (size < 1e-3 || size >= 1e7)) return value.toExponential(2).replace("-", "\u2212");
   const digits = size >= 100 || size === 0 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
-  return grouped2(value.toFixed(digits));
+  return groupedText(value.toFixed(digits));
 }
 
-function grouped2(text) {
+function groupedText(text) {
   const [integer, fraction] = text.replace("-", "\u2212").split(".");
   const head = integer.replace(/\B(?=(\d{3})+(?!\d))/g, "\u202f");
   return fraction ? `${head}.${fraction}` : head;
@@ -111,7 +111,7 @@ export class Panel {
     const verb = { insert: "Insert", update: "Update", remove: "Remove" }[operation];
     if (verb) this.#text("timing", `${verb}${count === 1 ? "" : ` ${grouped(count)}`}: ${duration(micros)}`);
     const { query } = this.app;
-    this.#text("query", query.count >= kFewest ? `Nearest: ${duration(query.micros / query.count)}` : "");
+    this.#text("query", query.count >= kFewest ? `Nearest: ${duration(query.micros)}` : "");
     this.#updateCard();
   }
 

@@ -72,6 +72,10 @@ describeInBrowser("the page", (open) => {
       expect([at.x, at.y]).toEqual([expect.closeTo(x, 6), expect.closeTo(y, 6)]);
       await settled(page);
       expect(await page.isVisible("#card")).toBe(true);
+      await page.keyboard.press("Delete"); // the click has focused the canvas
+      expect(await stateOf(page)).toEqual(before);
+      await settled(page);
+      expect(await page.isVisible("#card")).toBe(false);
     });
 
     test("a click on a circle selects it; Alt-click inserts upon it, hidden if it is covered", async () => {
