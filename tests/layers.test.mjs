@@ -1,14 +1,18 @@
 // Who may include whom: the table of docs/ARCHITECTURE.md, checked on the #include and import lines themselves.
-import { execFileSync } from "node:child_process";
-import { existsSync, readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
 const root = fileURLToPath(new URL("..", import.meta.url));
 
-/** Files that belong to the repository: tracked, or new and not ignored. */
-const files = execFileSync("git", ["ls-files", "--cached", "--others", "--exclude-standard"], { cwd: root, encoding: "utf8" })
-  .split("\n").filter((file) => file !== "" && existsSync(path.join(root, file)));
+const ignored = /^(node_modules|build.*|dist|\.git|\.cache)$|\.(tgz|tsbuildinfo)$/;  // as .gitignore says
+
+/** All files of the repository, as paths from its root. */
+function filesIn(folder) {
+  return readdirSync(path.join(root, folder), { withFileTypes: true }).filter((entry) => !ignored.test(entry.name))
+    .flatMap((entry) => (entry.isDirectory() ? filesIn(`${folder}${entry.name}/`) : [folder + entry.name]));
+}
+const files = filesIn("");
 
 const std = /^<[a-z_]+>$/;
 const rules = [

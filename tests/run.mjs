@@ -9,12 +9,11 @@ import { createInterface } from "node:readline";
 import { buildPackage } from "../wasm/build.mjs";
 import { ensureChromium } from "../wasm/toolchain/browser.mjs";
 import { ensureBoost } from "../wasm/toolchain/boost.mjs";
-import { buildWasm, buildWithCmake, jobs } from "../wasm/toolchain/cmake.mjs";
+import { buildWasmTests, buildWithCmake, jobs } from "../wasm/toolchain/cmake.mjs";
 import { ensureEmscripten } from "../wasm/toolchain/emscripten.mjs";
 import { root } from "../wasm/toolchain/folders.mjs";
 import { withBuildLock } from "../wasm/toolchain/lock.mjs";
 import { ensureNativeTools } from "../wasm/toolchain/native.mjs";
-import { ensureNpmPackages } from "../wasm/toolchain/npm_packages.mjs";
 import { say, SetUpError } from "../wasm/toolchain/process.mjs";
 import { main } from "../wasm/toolchain/setup.mjs";
 import { installPacked } from "./wasm/support/install_packed.mjs";
@@ -59,10 +58,9 @@ const steps = {
   },
   async wasm() {
     ensureNativeTools();
-    ensureNpmPackages();
     const emscripten = ensureEmscripten();
     ensureBoost();
-    return ctest(await withBuildLock(() => buildWasm(emscripten, "all")));
+    return ctest(await withBuildLock(() => buildWasmTests(emscripten)));
   },
   async package() {
     await buildPackage();

@@ -9,7 +9,7 @@ import {
 } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
-import { buildWasm } from "./toolchain/cmake.mjs";
+import { buildWasmModule } from "./toolchain/cmake.mjs";
 import { root } from "./toolchain/folders.mjs";
 import { withBuildLock } from "./toolchain/lock.mjs";
 import { run } from "./toolchain/process.mjs";
@@ -79,7 +79,7 @@ async function makeDist(built) {
 export async function buildPackage() {
   const emscripten = ensureBuildTools();
   await withBuildLock(async () => {
-    const built = buildWasm(emscripten, "apollonius_wasm");
+    const built = buildWasmModule(emscripten);
     const stamp = path.join(root, "build/dist.fingerprint");
     const wanted = fingerprint(built);
     if (existsSync(dist) && existsSync(stamp) && readFileSync(stamp, "utf8") === wanted) return;

@@ -23,8 +23,13 @@ export function buildWithCmake(name, settings, { target = "all", env } = {}) {
   return folder;
 }
 
-/** The wasm build; emcc finds TypeScript's compiler on PATH and writes the glue's types with it. */
-export function buildWasm(emscripten, target) {
-  return buildWithCmake("wasm", { CMAKE_TOOLCHAIN_FILE: cmakeToolchainFile(emscripten) },
-                        { target, env: { PATH: `${nodePrograms}${path.delimiter}${process.env.PATH}` } });
+/** The wasm module for the package; emcc finds TypeScript's compiler on PATH and writes the glue's types with it. */
+export function buildWasmModule(emscripten) {
+  return buildWithCmake("wasm", { CMAKE_TOOLCHAIN_FILE: cmakeToolchainFile(emscripten), APOLLONIUS_TESTS: "OFF" },
+                        { target: "apollonius_wasm", env: { PATH: `${nodePrograms}${path.delimiter}${process.env.PATH}` } });
+}
+
+/** The C++ tests as wasm. */
+export function buildWasmTests(emscripten) {
+  return buildWithCmake("wasm-tests", { CMAKE_TOOLCHAIN_FILE: cmakeToolchainFile(emscripten) });
 }
