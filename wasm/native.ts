@@ -184,10 +184,14 @@ export class NativeDiagram {
   }
 
   takeDoubles(slot: number): Float64Array {
-    return this.#doubles(this.#slot(kAddresses, slot), this.#slot(kLengths, slot)).slice();
+    const start = this.#slot(kAddresses, slot) / 8;
+    const heap: Float64Array = this.#module.HEAPF64;
+    return heap.slice(start, start + this.#slot(kLengths, slot));
   }
   takeWords(slot: number): Uint32Array {
-    return this.#words(this.#slot(kAddresses, slot), this.#slot(kLengths, slot)).slice();
+    const start = this.#slot(kAddresses, slot) / 4;
+    const heap: Uint32Array = this.#module.HEAPU32;
+    return heap.slice(start, start + this.#slot(kLengths, slot));
   }
   takeText(slot: number): string {
     const start = this.#slot(kAddresses, slot);
