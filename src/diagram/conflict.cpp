@@ -34,7 +34,7 @@ bool ConflictSearch::findFirst(VertexId near) {
     h = graph.rotateCcw(h);
   } while (h != begin);
   do {
-    if (isInteriorInConflict(diagram_->edge(h), *q_)) {
+    if (isInteriorInConflict(diagram_->edge(h), diagram_->circle(faceOf(h)), diagram_->circle(faceOf(graph.twin(h))), *q_)) {
       rim_.push_back(h);
       rim_.push_back(graph.twin(h));
       return false;
@@ -80,6 +80,9 @@ bool ConflictSearch::isInConflict(FaceId f) {
   return mark != Mark::kClear;
 }
 
-bool ConflictSearch::isEntirelyInConflict(HalfedgeId h) const { return isEntireEdgeInConflict(diagram_->edge(h), *q_); }
+bool ConflictSearch::isEntirelyInConflict(HalfedgeId h) const {
+  return isEntireEdgeInConflict(diagram_->edge(h), diagram_->circle(faceOf(h)), diagram_->circle(faceOf(diagram_->graph().twin(h))),
+                                *q_);
+}
 
 }  // namespace apollonius

@@ -4,7 +4,7 @@
 
 namespace apollonius {
 
-bool DelaunayGraph::isFaceInConflict(FaceId f, const Site& q) const {
+bool DelaunayGraph::isFaceInConflictByCorners(FaceId f, const Site& q) const {
   return isVertexInConflict(circles_[index(f)], corner(graph_.origin(halfedgeOf(f, 0))), corner(graph_.origin(halfedgeOf(f, 1))),
                             corner(graph_.origin(halfedgeOf(f, 2))), q);
 }

@@ -12,6 +12,7 @@
 #include "diagram/conflict.h"
 #include "graph/graph.h"
 #include "predicate/predicates.h"
+#include "predicate/shadow_check.h"
 #include "predicate/site.h"
 #include "predicate/voronoi_circle.h"
 
@@ -33,7 +34,10 @@ class DelaunayGraph {
   [[nodiscard]] EdgeCorners edge(HalfedgeId h) const {
     return {corner(graph_.origin(h)), corner(graph_.target(h)), corner(graph_.apex(h)), corner(graph_.apex(graph_.twin(h)))};
   }
-  [[nodiscard]] bool isFaceInConflict(FaceId f, const Site& q) const;
+  [[nodiscard]] bool isFaceInConflict(FaceId f, const Site& q) const {
+    const MaybeSign filtered = circleFilter(circle(f), q);  // settles nearly all; no corner is looked up
+    return filtered.known && !kShadowCheck ? filtered.sign == Sign::kPositive : isFaceInConflictByCorners(f, q);
+  }
 
   /// The visible site nearest to (x, y); ties go to the largest in the order of precedes(). Walks from `start`, which is visible
   /// (paper, section 4, procedure NearestNeighbor). REQUIRES: a visible site.
@@ -65,6 +69,7 @@ class DelaunayGraph {
   friend class Remover;  // the other operation that changes the graph
   friend class DiagramBreaker;  // tests break a structure on purpose
 
+  [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
   [[nodiscard]] Insertion insertSecond(VertexId v);
   [[nodiscard]] Insertion coverAll(VertexId v);
   void computeCircle(FaceId f);

@@ -28,6 +28,6 @@ constexpr int exponentOf(double x) {
   return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52) & 0x7FF) - 1023;
 }
 
-constexpr double absolute(double x) { return x < 0 ? -x : x; }
+constexpr double absolute(double x) { return __builtin_fabs(x); }
 
 }  // namespace apollonius

@@ -24,17 +24,25 @@ bool circleIsBeaten(Corner i, Corner j, Corner k, Corner q) {
   return stages::vertexDegenerate(*i, j, k, q);
 }
 
-bool probeIsInRange(EdgeCorners e, const Site& q, stages::Probe probe) {
-  if (isBetterPole(e.j, e.i)) e = {e.j, e.i, e.l, e.k};  // the same edge seen from its other side
-  const MaybeSign filtered = stages::edgeFilter(*e.i, e.j, e.k, e.l, q, probe);
-  shadowCheck(filtered, [&] { return stages::edgeExact(*e.i, e.j, e.k, e.l, q, probe); },
-              [](Sign s) { return s == Sign::kPositive ? Sign::kPositive : Sign::kNegative; });
-  if (filtered.known) {
-    ++counts().edgeFilter;
-    return filtered.sign == Sign::kPositive;
+/// `atK`, `atL`: cached circles of the edge's faces, or nullptr.
+bool probeIsInRange(EdgeCorners e, const VoronoiCircle* atK, const VoronoiCircle* atL, const Site& q, stages::Probe probe) {
+  if (isBetterPole(e.j, e.i)) {  // the same edge seen from its other side
+    e = {e.j, e.i, e.l, e.k};
+    std::swap(atK, atL);
   }
-  ++counts().edgeExact;
-  return stages::edgeExact(*e.i, e.j, e.k, e.l, q, probe) == Sign::kPositive;
+  const auto exact = [&] { return stages::edgeExact(*e.i, e.j, e.k, e.l, q, probe); };
+  const auto decide = [&](MaybeSign filtered) {
+    shadowCheck(filtered, exact, [](Sign s) { return s == Sign::kPositive ? Sign::kPositive : Sign::kNegative; });
+    return filtered.known;
+  };
+  if (atK != nullptr) {
+    const MaybeSign filtered = stages::edgeCircleFilter(*e.i, e.j, *atK, *atL, q, probe);
+    if (decide(filtered)) return filtered.sign == Sign::kPositive;
+  }
+  const MaybeSign filtered = stages::edgeFilter(*e.i, e.j, e.k, e.l, q, probe);
+  ++(filtered.known ? counts().edgeFilter : counts().edgeExact);
+  if (decide(filtered)) return filtered.sign == Sign::kPositive;
+  return exact() == Sign::kPositive;
 }
 
 }  // namespace
@@ -88,12 +96,21 @@ bool touchesBetween(const Site& i, const Site& j, const Site& k) {
 }
 
 bool isInteriorInConflict(const EdgeCorners& edge, const Site& q) {
-  return probeIsInRange(edge, q, stages::Probe::kMiddle);
+  return probeIsInRange(edge, nullptr, nullptr, q, stages::Probe::kMiddle);
+}
+
+bool isInteriorInConflict(const EdgeCorners& edge, const VoronoiCircle& atK, const VoronoiCircle& atL, const Site& q) {
+  return probeIsInRange(edge, &atK, &atL, q, stages::Probe::kMiddle);
 }
 
 bool isEntireEdgeInConflict(const EdgeCorners& edge, const Site& q) {
   if (coversCorner(q, edge.i) || coversCorner(q, edge.j)) return true;
-  return !probeIsInRange(edge, q, stages::Probe::kOpposite);
+  return !probeIsInRange(edge, nullptr, nullptr, q, stages::Probe::kOpposite);
+}
+
+bool isEntireEdgeInConflict(const EdgeCorners& edge, const VoronoiCircle& atK, const VoronoiCircle& atL, const Site& q) {
+  if (coversCorner(q, edge.i) || coversCorner(q, edge.j)) return true;
+  return !probeIsInRange(edge, &atK, &atL, q, stages::Probe::kOpposite);
 }
 
 }  // namespace apollonius

@@ -54,4 +54,9 @@ struct EdgeCorners {
 /// REQUIRES: as isVertexInConflict for both ends, which are in conflict. Degree 12.
 [[nodiscard]] bool isEntireEdgeInConflict(const EdgeCorners& edge, const Site& q);
 
+/// The same, asking the cached circles of the edge's faces (i, j, k) and (j, i, l) first.
+[[nodiscard]] bool isInteriorInConflict(const EdgeCorners& edge, const VoronoiCircle& atK, const VoronoiCircle& atL, const Site& q);
+[[nodiscard]] bool isEntireEdgeInConflict(const EdgeCorners& edge, const VoronoiCircle& atK, const VoronoiCircle& atL,
+                                          const Site& q);
+
 }  // namespace apollonius

@@ -6,6 +6,7 @@
 #include "number/sign.h"
 #include "predicate/predicates.h"
 #include "predicate/site.h"
+#include "predicate/voronoi_circle.h"
 
 namespace apollonius::stages {
 
@@ -29,6 +30,11 @@ namespace apollonius::stages {
 /// The direction from the pole whose membership in the edge's range of directions decides an edge conflict: the middle of q's
 /// shadow on the bisector (neither end in conflict), or its opposite (both ends in conflict).
 enum class Probe : signed char { kMiddle = 1, kOpposite = -1 };
+
+/// The first filter of edge conflicts: as edgeFilter, but the directions of the edge's ends come from the cached circles of the
+/// faces (i, j, k) and (j, i, l).
+[[nodiscard]] MaybeSign edgeCircleFilter(const Site& i, Corner j, const VoronoiCircle& atK, const VoronoiCircle& atL, const Site& q,
+                                         Probe probe);
 
 /// Positive: the direction is strictly within the range; zero or negative: it is not. i is finite, and the larger of i and j
 /// if both are; q covers neither.

@@ -18,63 +18,110 @@ float roundedUp(double x) {
   return std::max(static_cast<float>(x * (1 + powerOfTwo(-22))), std::numeric_limits<float>::min());
 }
 
-Row<Ball> ballRow(Corner c, const Site& pole, double scale) {
-  if (c == nullptr) return infinityRow<Ball>();
-  // Scaling by a power of two adds no error.
-  return rowOf(Ball::rounded((c->x - pole.x) * scale), Ball::rounded((c->y - pole.y) * scale),
-               Ball::rounded((c->r - pole.r) * scale));
+double largest(const Row<double>& row) { return std::max({absolute(row.x), absolute(row.y), absolute(row.r)}); }
+
+/// Differences to the pole times a power of two: one rounding each.
+Row<double> rowFrom(const Site& pole, const Site& s, double scale) {
+  return rowOf((s.x - pole.x) * scale, (s.y - pole.y) * scale, (s.r - pole.r) * scale);
 }
 
-double largestDifference(Corner c, const Site& pole) {
-  if (c == nullptr) return 0;
-  return std::max({absolute(c->x - pole.x), absolute(c->y - pole.y), absolute(c->r - pole.r)});
+/// x² + y² + r²: what the roundings in p = x² + y² - r² are relative to; |error of p| <= 5u times this (number/approx.h).
+double magnitude(const Row<double>& row) { return row.x * row.x + row.y * row.y + row.r * row.r; }
+
+/// Circle of three finite sites, and a bound on its error.
+///
+/// Direction of the vertex from the pole: n (cos, sin) = (a, b) = (v √D - w u, -u √D - w v), with (u, v, w) = chordOf(j, k),
+/// n = u² + v² and D = p_jk p_j p_k = n - w²; distance rho = n f with f = p_j / (2 (a x_j + b y_j + n r_j)); docs/PREDICATES.md.
+///
+/// Bound, to first order in u (the unit roundoff), eX being the error of X and g = |u| + |v| >= √n >= |w|, √D:
+///     e_c    = 9 u (l_k m_j + l_j m_k)                               of u, v, w: depth 8; l the largest of |x|, |y|, |r|, m magnitude()
+///     e_root = √D (4u + 3u (m_jk/p_jk + m_j/p_j + m_k/p_k))          half the relative error of D, 5u m/p for each factor and 2u for
+///                                                                    the products, and the root's own u
+///     e_ab   = g (e_root + 3 e_c + 4u g)                             of a, of b
+///     e_n    = g (2 e_c + 3u g)
+///     e_den  = l (2 e_ab + e_n + 10u g²)                             l = l_j; |a|+|b|+n <= 2.42 g², 4 roundings each
+///     e_f/f  = 5u m_j/p_j + e_den/den + 3u
+///     centre, each coordinate: f e_ab + rho (e_f/f + 2u) + u |x|     s: f e_n + rho (e_f/f + 2u) + u |s|
+/// Products of errors are smaller than the terms above by the largest relative error, which is demanded to be at most 2^-10;
+/// the roundings in the bound itself are fewer than 2^6, a 2^-46th. A factor of 1 + 2^-5 covers both.
+VoronoiCircle boundedCircle(const Site& pole, const Site& sj, const Site& sk) {
+  constexpr double u1 = kUnitRoundoff;
+  Row<double> j = rowFrom(pole, sj, 1), k = rowFrom(pole, sk, 1);
+  const double size = std::max(largest(j), largest(k));
+  const double scale = inputScale(size);
+  if (scale != 1) {
+    j = rowFrom(pole, sj, scale);
+    k = rowFrom(pole, sk, scale);
+  }
+  const Row<double> jk = rowFrom(sj, sk, scale);
+  const Chord<double> chord = chordOf(j, k);
+  const double u = chord.u, v = chord.v, w = chord.w;
+  const double n = u * u + v * v;
+  const double d = jk.p * j.p * k.p;
+  const double root = std::sqrt(d);
+  const double a = v * root - w * u;
+  const double b = -(u * root + w * v);
+  const double denominator = a * j.x + b * j.y + n * j.r;
+  const double f = j.p / (2 * denominator);
+  const double rho = f * n;
+
+  VoronoiCircle circle;
+  circle.x = pole.x + f * a / scale;
+  circle.y = pole.y + f * b / scale;
+  circle.s = rho / scale - pole.r;
+
+  const double mj = magnitude(j), mk = magnitude(k);
+  const double lj = largest(j), lk = largest(k);
+  const double g = absolute(u) + absolute(v);
+  const double eChord = 9 * u1 * (lk * mj + lj * mk);
+  const double relativePj = 5 * u1 * mj / j.p;
+  const double relativeD = 2 * u1 + relativePj + 5 * u1 * (magnitude(jk) / jk.p + mk / k.p);
+  const double eAb = g * (root * (relativeD / 2 + 2 * u1) + 3 * eChord + 4 * u1 * g);
+  const double eN = g * (2 * eChord + 3 * u1 * g);
+  const double relativeDen = lj * (2 * eAb + eN + 10 * u1 * g * g) / denominator;
+  constexpr double kLargestRelative = powerOfTwo(-10);
+  // Written so that NaN, negative p (a rounded cover), and a denominator that may be 0 end here, too. The last is for underflow:
+  // chords of normal size keep every product normal.
+  if (!(eChord * g <= kLargestRelative * n && relativeD <= kLargestRelative && relativeDen >= 0 &&
+        relativeDen <= kLargestRelative && jk.p > 0 && j.p > 0 && k.p > 0 && n > powerOfTwo(-400))) {
+    circle.error = std::numeric_limits<float>::infinity();
+    return circle;
+  }
+  const double relativeF = relativePj + relativeDen + 3 * u1;
+  const double error = (f * (2 * eAb + eN) + 3 * rho * (relativeF + 2 * u1)) / scale +
+                       u1 * (absolute(circle.x) + absolute(circle.y) + absolute(circle.s));
+  circle.error = roundedUp(error * (1 + powerOfTwo(-5)));
+  return circle;
+}
+
+/// Half-plane of two finite sites, the pole and t; `side` is +1 if it is the pole's left on the way to t, else -1. There are few of
+/// these faces, so the bound is computed along with the value.
+VoronoiCircle halfPlane(const Site& pole, const Site& t, int side) {
+  const double size = std::max({absolute(t.x - pole.x), absolute(t.y - pole.y), absolute(t.r - pole.r)});
+  const double scale = inputScale(size);
+  const Ball x = Ball::rounded((t.x - pole.x) * scale), y = Ball::rounded((t.y - pole.y) * scale);
+  const Ball r = Ball::rounded((t.r - pole.r) * scale);
+  const Ball n = x * x + y * y;
+  const Ball root = Ball(side) * sqrt(lorentz(x, y, r));
+  // The direction (a, b) of boundedCircle with t for one row and infinity for the other.
+  const Ball a = (Ball(0) - (y * root + r * x)) / n, b = (x * root - r * y) / n;
+  const Ball offset = a * Ball::exact(pole.x) + b * Ball::exact(pole.y) + Ball::exact(pole.r);
+  VoronoiCircle plane;
+  plane.x = a.value();
+  plane.y = b.value();
+  plane.s = offset.value();
+  plane.error = roundedUp(offset.bound());
+  plane.slope = roundedUp(std::max(a.bound(), b.bound()));
+  return plane;
 }
 
 }  // namespace
 
 VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k) {
   rotateToPole(i, j, k);
-  const Site& pole = *i;
-  const double scale = inputScale(std::max(largestDifference(j, pole), largestDifference(k, pole)));
-  const Row<Ball> rj = ballRow(j, pole, scale), rk = ballRow(k, pole, scale);
-
-  // Direction of the vertex from the pole: n · d = (-w u + v √D, -w v - u √D) with n = u² + v², D = n - w² (PREDICATES.md, 4).
-  // D is computed as the product p_jk p_j p_k, which cancels less.
-  const Chord<Ball> chord = chordOf(rj, rk);
-  const Ball n = chord.u * chord.u + chord.v * chord.v;
-  const Ball pjk = j == nullptr || k == nullptr
-                       ? Ball(1)
-                       : lorentz(Ball::rounded((j->x - k->x) * scale), Ball::rounded((j->y - k->y) * scale),
-                                 Ball::rounded((j->r - k->r) * scale));
-  const Ball root = sqrt(pjk * rj.p * rk.p);
-  const Ball a = chord.v * root - chord.w * chord.u;
-  const Ball b = Ball(0) - (chord.u * root + chord.w * chord.v);
-
-  VoronoiCircle circle;
-  const Ball px = Ball::exact(pole.x), py = Ball::exact(pole.y), pr = Ball::exact(pole.r);
-  if (j == nullptr || k == nullptr) {
-    const Ball normalX = a / n, normalY = b / n;
-    const Ball offset = normalX * px + normalY * py + pr;
-    circle.x = normalX.value();
-    circle.y = normalY.value();
-    circle.s = offset.value();
-    circle.error = roundedUp(offset.bound());
-    circle.slope = roundedUp(std::max(normalX.bound(), normalY.bound()));
-    return circle;
-  }
-  // Radius: 1 / (2 rho) = (d · (x_j, y_j) + r_j) / p_j; the centre is pole + rho d.
-  const Ball denominator = a * rj.x + b * rj.y + n * rj.r;
-  if (!denominator.certainlyPositive()) {
-    circle.error = std::numeric_limits<float>::infinity();
-    return circle;
-  }
-  const Ball factor = rj.p / (denominator + denominator) * Ball::exact(1 / scale);
-  const Ball x = px + factor * a, y = py + factor * b, s = factor * n - pr;
-  circle.x = x.value();
-  circle.y = y.value();
-  circle.s = s.value();
-  circle.error = roundedUp(x.bound() + y.bound() + s.bound());
-  return circle;
+  if (k == nullptr) return halfPlane(*i, *j, 1);
+  if (j == nullptr) return halfPlane(*i, *k, -1);
+  return boundedCircle(*i, *j, *k);
 }
 
 }  // namespace apollonius

@@ -1,0 +1,74 @@
+// Edge conflict from the cached circles of the edge's two faces: turns between directions in doubles, some forty flops instead of
+// polynomials of degree 12.
+#include <algorithm>
+
+#include "number/fp.h"
+#include "predicate/formulas.h"
+#include "predicate/stages.h"
+
+namespace apollonius::stages {
+
+namespace {
+
+constexpr double u1 = kUnitRoundoff;
+
+/// A vector with a bound on the error of each component.
+struct Arrow {
+  double x, y, error;
+  [[nodiscard]] double size() const { return absolute(x) + absolute(y); }
+};
+
+/// Direction of a face's vertex from the pole, not normalised: the circle's centre less the pole's, or the half-plane's normal.
+Arrow directionOf(const VoronoiCircle& circle, const Site& pole) {
+  if (circle.isHalfPlane()) return {circle.x, circle.y, circle.slope};
+  Arrow d{circle.x - pole.x, circle.y - pole.y, 0};
+  d.error = circle.error + u1 * std::max(absolute(d.x), absolute(d.y));
+  return d;
+}
+
+/// Sign of a.x b.y - a.y b.x: errors a.error |b| + b.error |a| + twice their product, and two roundings of each product.
+MaybeSign turn(const Arrow& a, const Arrow& b) {
+  const double value = a.x * b.y - a.y * b.x;
+  const double sa = a.size(), sb = b.size();
+  const double bound = (a.error * sb + b.error * sa + 2 * a.error * b.error + 3 * u1 * sa * sb) * (1 + 16 * u1);
+  // Underflow is far below the bound where the arrows are not tiny.
+  if (!(bound > powerOfTwo(-900))) return {};
+  if (value > bound) return {Sign::kPositive, true};
+  if (value < -bound) return {Sign::kNegative, true};
+  return {};
+}
+
+/// Middle of q's shadow on the bisector of the pole and j (chordOf), or its opposite. Depth 8 (stages.cpp): the error of each
+/// component is at most 9u (l_q m_j + l_j m_q), with l the largest difference and m = x² + y² + r².
+Arrow shadowMiddle(const Site& pole, Corner j, const Site& q, Probe probe) {
+  const double sign = probe == Probe::kMiddle ? 1 : -1;
+  const double qx = q.x - pole.x, qy = q.y - pole.y, qr = q.r - pole.r;
+  const double lq = std::max({absolute(qx), absolute(qy), absolute(qr)});
+  if (j == nullptr) return {sign * qx, sign * qy, u1 * lq};
+  const double jx = j->x - pole.x, jy = j->y - pole.y, jr = j->r - pole.r;
+  const double lj = std::max({absolute(jx), absolute(jy), absolute(jr)});
+  const double pq = lorentz(qx, qy, qr), pj = lorentz(jx, jy, jr);
+  const double mq = qx * qx + qy * qy + qr * qr, mj = jx * jx + jy * jy + jr * jr;
+  return {sign * (qx * pj - jx * pq), sign * (qy * pj - jy * pq), 9 * u1 * (lq * mj + lj * mq)};
+}
+
+}  // namespace
+
+MaybeSign edgeCircleFilter(const Site& i, Corner j, const VoronoiCircle& atK, const VoronoiCircle& atL, const Site& q,
+                           Probe probe) {
+  const Arrow middle = shadowMiddle(i, j, q, probe);
+  const Arrow towardsK = directionOf(atK, i), towardsL = directionOf(atL, i);
+  const MaybeSign beforeK = turn(middle, towardsK), afterL = turn(towardsL, middle);
+  constexpr MaybeSign kInside{Sign::kPositive, true}, kOutside{Sign::kNegative, true}, kUnknown{};
+  if (j != nullptr) {
+    // A bounded edge's range of directions, seen from the larger site, is at most half a turn.
+    if ((beforeK.known && beforeK.sign == Sign::kNegative) || (afterL.known && afterL.sign == Sign::kNegative)) return kOutside;
+    return beforeK.known && afterL.known ? kInside : kUnknown;
+  }
+  if (!beforeK.known || !afterL.known) return kUnknown;
+  if (beforeK.sign == afterL.sign) return beforeK.sign == Sign::kPositive ? kInside : kOutside;
+  const MaybeSign span = turn(towardsL, towardsK);
+  return {-span.sign, span.known};
+}
+
+}  // namespace apollonius::stages
