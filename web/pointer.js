@@ -121,6 +121,12 @@ export function listenToPointer(element, app) {
     }
   });
 
+  element.addEventListener("mousedown", (event) => {
+    if (!event.shiftKey) return;
+    event.preventDefault(); // it would select text
+    element.focus();
+  });
+
   element.addEventListener("pointermove", (event) => {
     const at = position(event);
     if (down.has(event.pointerId)) down.set(event.pointerId, at);

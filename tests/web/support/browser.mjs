@@ -32,7 +32,7 @@ export function describeInBrowser(name, define) {
       });
       return;
     }
-    console.warn(`SKIPPED: ${name}. No Chromium found: install it, or set CHROMIUM to its path.`);
+    process.stderr.write(`SKIPPED: ${name}. No Chromium found: install it, or set CHROMIUM to its path.\n`); // Jest would hide console.warn
     describe.skip(name, () => define(async () => null));
     return;
   }
