@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <sstream>
 
 namespace apollonius::test {
@@ -33,8 +32,14 @@ class Complaints {
   std::string& broken_;
 };
 
-/// Triples of all faces in site ids; infinity is kNoSite. Vertices and edges have to fit them, and each other.
-std::vector<std::array<SiteId, 3>> idTriples(const Diagram& diagram, Complaints& complaints) {
+/// vertices() and edges() in site ids: what of them is no history.
+struct Listing {
+  std::vector<std::array<SiteId, 3>> vertices;
+  std::vector<std::array<SiteId, 2>> unboundedEdges;  ///< the left and the right cell, on the way outwards
+};
+
+/// Reads them and checks that they fit: each vertex in the plane has three edges, one between each two of its sites.
+Listing listingOf(const Diagram& diagram, Complaints& complaints) {
   VertexArrays vertices;
   EdgeArrays edges;
   complaints.unless(diagram.vertices(vertices) == Error::kNone, "vertices() failed");
@@ -44,49 +49,43 @@ std::vector<std::array<SiteId, 3>> idTriples(const Diagram& diagram, Complaints&
                     "lengths of vertices()");
   complaints.unless(edges.sites.size() == edges.vertices.size() && edges.sites.size() % 2 == 0, "lengths of edges()");
 
-  std::vector<SiteId> faces;
-  complaints.unless(diagram.faces(faces) == Error::kNone && faces.size() % 3 == 0, "faces() failed");
-  std::vector<std::array<SiteId, 3>> triples;
-  std::set<std::array<SiteId, 3>> known;  // in every rotation
-  for (std::size_t k = 0; k + 2 < faces.size(); k += 3) {
-    triples.push_back({faces[k], faces[k + 1], faces[k + 2]});
-    for (int turn = 0; turn < 3; ++turn) known.insert({faces[k + turn], faces[k + (turn + 1) % 3], faces[k + (turn + 2) % 3]});
-  }
-  // Each side of each vertex's triple belongs to exactly one end of one edge: count them off.
-  std::vector<std::multimap<std::pair<SiteId, SiteId>, bool>> sides(vertexCount);
+  Listing listing;
+  using Side = std::pair<SiteId, SiteId>;
+  std::vector<std::vector<Side>> sides(vertexCount);  // those that no edge has claimed yet
   for (std::size_t k = 0; k < vertexCount; ++k) {
     const SiteId* s = &vertices.sites[3 * k];
-    complaints.unless(known.count({s[0], s[1], s[2]}) == 1, "a vertex is not the vertex of a face");
-    for (int side = 0; side < 3; ++side) sides[k].insert({{s[side], s[(side + 1) % 3]}, true});
+    listing.vertices.push_back({s[0], s[1], s[2]});
+    sides[k] = {{s[0], s[1]}, {s[1], s[2]}, {s[2], s[0]}};
   }
   for (std::size_t k = 0; k + 1 < edges.sites.size(); k += 2) {
     const SiteId a = edges.sites[k];
     const SiteId b = edges.sites[k + 1];
-    // At the end that one walks to, the vertex has a on the left and b on the right: counter-clockwise b, (third), a.
+    complaints.unless(a != b, "an edge between a site and itself");
     for (int end = 0; end < 2; ++end) {
+      // At the end that one walks to, a is on the left and b on the right: counter-clockwise b, the third, a.
       const std::int32_t vertex = edges.vertices[k + end];
-      const std::pair<SiteId, SiteId> side = end == 1 ? std::pair{a, b} : std::pair{b, a};
+      const Side side = end == 1 ? Side{a, b} : Side{b, a};
       if (vertex == -1) {
-        // An unbounded end, or a vertex at infinity, which vertices() does not list.
+        listing.unboundedEdges.push_back({side.first, side.second});
       } else if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertexCount) {
         complaints.unless(false, "an edge's end is not a row of vertices()");
       } else {
-        auto& left = sides[vertex];
-        const auto found = left.find(side);
-        complaints.unless(found != left.end(), "an edge does not fit the sites of the vertex at its end");
-        if (found != left.end()) left.erase(found);
+        const auto found = std::find(sides[vertex].begin(), sides[vertex].end(), side);
+        complaints.unless(found != sides[vertex].end(), "an edge does not fit the sites of the vertex at its end");
+        if (found != sides[vertex].end()) sides[vertex].erase(found);
       }
     }
   }
-  for (const auto& left : sides) complaints.unless(left.empty(), "a vertex without three edges");
-  return triples;
+  for (const auto& unclaimed : sides) complaints.unless(unclaimed.empty(), "a vertex without three edges");
+  return listing;
 }
 
 }  // namespace
 
 bool Canonical::operator==(const Canonical& other) const {
   return std::equal(circles.begin(), circles.end(), other.circles.begin(), other.circles.end(), same) &&
-         visible == other.visible && triples == other.triples;
+         visible == other.visible && triples == other.triples && vertices == other.vertices &&
+         unboundedEdges == other.unboundedEdges;
 }
 
 Canonical canonicalForm(const Diagram& diagram, std::string& broken) {
@@ -119,22 +118,29 @@ Canonical canonicalForm(const Diagram& diagram, std::string& broken) {
     complaints.unless(!form.visible[index], "two identical circles are visible");
     form.visible[index] = true;
   }
-  for (const std::array<SiteId, 3>& triple : idTriples(diagram, complaints)) {
-    Triple indices{};
-    for (int k = 0; k < 3; ++k) {
-      const auto found = circleOf.find(triple[k]);
-      bool hidden = false;
-      if (found != circleOf.end()) {
-        complaints.unless(diagram.isHidden(triple[k], hidden) == Error::kNone && !hidden, "a vertex or edge of a hidden site");
-      }
-      complaints.unless(found != circleOf.end() || triple[k] == kNoSite, "a vertex or edge of an unknown site");
-      indices[k] = found == circleOf.end() ? kInfinity : lastIndex(form.circles, found->second);
-    }
-    form.triples.push_back(rotated(indices));
+  const auto indexOf = [&](SiteId id) {
+    if (id == kNoSite) return kInfinity;
+    bool hidden = true;
+    const auto found = circleOf.find(id);
+    const bool visible = found != circleOf.end() && diagram.isHidden(id, hidden) == Error::kNone && !hidden;
+    complaints.unless(visible, "a face, vertex or edge of a site that is hidden or unknown");
+    return visible ? lastIndex(form.circles, found->second) : kInfinity;
+  };
+  std::vector<SiteId> faces;
+  complaints.unless(diagram.faces(faces) == Error::kNone && faces.size() % 3 == 0, "faces() failed");
+  for (std::size_t k = 0; k + 2 < faces.size(); k += 3) {
+    form.triples.push_back(rotated({indexOf(faces[k]), indexOf(faces[k + 1]), indexOf(faces[k + 2])}));
   }
+  const Listing listing = listingOf(diagram, complaints);
+  for (const auto& v : listing.vertices) form.vertices.push_back(rotated({indexOf(v[0]), indexOf(v[1]), indexOf(v[2])}));
+  for (const auto& edge : listing.unboundedEdges) form.unboundedEdges.push_back({indexOf(edge[0]), indexOf(edge[1])});
   std::sort(form.triples.begin(), form.triples.end());
+  std::sort(form.vertices.begin(), form.vertices.end());
+  std::sort(form.unboundedEdges.begin(), form.unboundedEdges.end());
+  complaints.unless(std::includes(form.triples.begin(), form.triples.end(), form.vertices.begin(), form.vertices.end()),
+                    "a vertex is not the vertex of a face");
   const std::size_t h = visibleCircles.size();
-  complaints.unless(form.triples.size() == (h < 2 ? 0 : 2 * h - 2), "number of vertices, those at infinity included, is not 2h - 2");
+  complaints.unless(form.triples.size() == (h < 2 ? 0 : 2 * h - 2), "the number of faces is not 2h - 2");
   return form;
 }
 
@@ -147,12 +153,17 @@ Canonical canonicalByOracle(const Circles& circles) {
   for (std::size_t k = 0; k < circles.size(); ++k) {
     if (diagram.visible[k]) form.visible[lastIndex(form.circles, circles[k])] = true;
   }
-  for (const Triple& triple : diagram.triples) {
-    Triple indices{};
-    for (int k = 0; k < 3; ++k) indices[k] = triple[k] == kInfinity ? kInfinity : lastIndex(form.circles, circles[triple[k]]);
-    form.triples.push_back(rotated(indices));
-  }
-  std::sort(form.triples.begin(), form.triples.end());
+  const auto indexOf = [&](int k) { return k == kInfinity ? kInfinity : lastIndex(form.circles, circles[k]); };
+  const auto translated = [&](const std::vector<Triple>& triples) {
+    std::vector<Triple> result;
+    for (const Triple& t : triples) result.push_back(rotated({indexOf(t[0]), indexOf(t[1]), indexOf(t[2])}));
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  form.triples = translated(diagram.triples);
+  form.vertices = translated(diagram.vertices);
+  for (const auto& edge : diagram.unboundedEdges) form.unboundedEdges.push_back({indexOf(edge[0]), indexOf(edge[1])});
+  std::sort(form.unboundedEdges.begin(), form.unboundedEdges.end());
   return form;
 }
 
@@ -172,15 +183,24 @@ std::string difference(const Canonical& expected, const Canonical& got) {
     text << "\n";
     if (k == 40) break;
   }
-  const auto list = [&](const char* title, const std::vector<Triple>& from, const std::vector<Triple>& without) {
-    std::vector<Triple> rest;
-    std::set_difference(from.begin(), from.end(), without.begin(), without.end(), std::back_inserter(rest));
+  const auto list = [&](const char* title, const auto& from, const auto& without) {
+    auto rest = from;
+    rest.erase(std::set_difference(from.begin(), from.end(), without.begin(), without.end(), rest.begin()), rest.end());
+    if (rest.empty()) return;
     text << title << ":";
-    for (std::size_t k = 0; k < rest.size() && k < 40; ++k) text << " (" << rest[k][0] << " " << rest[k][1] << " " << rest[k][2] << ")";
+    for (std::size_t k = 0; k < rest.size() && k < 40; ++k) {
+      text << " (";
+      for (const int index : rest[k]) text << " " << index;
+      text << " )";
+    }
     text << "\n";
   };
-  list("missing vertices", expected.triples, got.triples);
-  list("wrong vertices", got.triples, expected.triples);
+  list("missing faces", expected.triples, got.triples);
+  list("wrong faces", got.triples, expected.triples);
+  list("missing vertices", expected.vertices, got.vertices);
+  list("wrong vertices", got.vertices, expected.vertices);
+  list("missing unbounded edges", expected.unboundedEdges, got.unboundedEdges);
+  list("wrong unbounded edges", got.unboundedEdges, expected.unboundedEdges);
   return text.str();
 }
 

@@ -14,7 +14,10 @@ namespace apollonius::test {
 struct Canonical {
   Circles circles;               ///< all sites, ascending by (r, x, y), duplicates too
   std::vector<bool> visible;     ///< per circle; of identical circles the last one is called the visible one
-  std::vector<Triple> triples;   ///< Voronoi vertices as indices into `circles` (of identical ones the last), sorted
+  // Indices into `circles` (of identical ones the last), sorted; see OracleDiagram.
+  std::vector<Triple> triples;
+  std::vector<Triple> vertices;
+  std::vector<std::array<int, 2>> unboundedEdges;
 
   bool operator==(const Canonical& other) const;
 };

@@ -92,11 +92,14 @@ std::string toText(const History& history) {
   std::string text;
   for (const Operation& operation : history) {
     const Circle& c = operation.circle;
-    const std::string xyr = " " + hexFloat(c.x) + " " + hexFloat(c.y) + " " + hexFloat(c.r);
     switch (operation.kind) {
-      case Operation::Kind::kInsert: text += "insert" + xyr; break;
-      case Operation::Kind::kRemove: text += "remove " + std::to_string(operation.target); break;
-      case Operation::Kind::kUpdate: text += "update " + std::to_string(operation.target) + xyr; break;
+      case Operation::Kind::kInsert: text += "insert"; break;
+      case Operation::Kind::kRemove: text += "remove "; break;
+      case Operation::Kind::kUpdate: text += "update "; break;
+    }
+    if (operation.kind != Operation::Kind::kInsert) text += std::to_string(operation.target);
+    if (operation.kind != Operation::Kind::kRemove) {
+      for (const double value : {c.x, c.y, c.r}) text.append(" ").append(hexFloat(value));
     }
     text += '\n';
   }

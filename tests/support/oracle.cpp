@@ -36,8 +36,8 @@ int signAt(const TouchingCircle& circle, const Integer& l, const Integer& m, con
 }
 
 /// Both solutions of |c| = rho, |c - b_j| = rho + r_j, |c - b_k| = rho + r_k, squared (so rho etc. can come out negative); j
-/// and k are relative to the first site. False if a solution lies at infinity, exactly.
-bool touchingCircles(const ExactSite& j, const ExactSite& k, TouchingCircle (&solutions)[2]) {
+/// and k are relative to the first site. Returns how many of them are finite: the others lie at infinity, exactly.
+int touchingCircles(const ExactSite& j, const ExactSite& k, TouchingCircle (&solutions)[2]) {
   // Differences of the squared equations are linear: 2*(c . b_t + rho*r_t) = p_t.
   const Integer pj = j.x * j.x + j.y * j.y - j.r * j.r;
   const Integer pk = k.x * k.x + k.y * k.y - k.r * k.r;
@@ -49,17 +49,23 @@ bool touchingCircles(const ExactSite& j, const ExactSite& k, TouchingCircle (&so
     const Integer bx = -2 * (j.r * k.y - k.r * j.y);
     const Integer by = -2 * (k.r * j.x - j.r * k.x);
     const Integer q2 = bx * bx + by * by - 4 * det * det;
-    if (signOf(q2) == 0) return false;
     const Integer h = ax * bx + ay * by;
-    const Integer d = h * h - q2 * (ax * ax + ay * ay);
-    const Integer denominator = 2 * det * q2;
+    const Integer q0 = ax * ax + ay * ay;
+    const Integer d = h * h - q2 * q0;
+    const Integer denominator = 2 * det * (signOf(q2) == 0 ? Integer(2 * h) : q2);
     const int flip = signOf(denominator);
+    if (signOf(q2) == 0) {
+      if (flip == 0) return 0;
+      // rho = -q0 / (2h); the other solution went to infinity.
+      solutions[0] = {flip * (2 * h * ax - bx * q0), 0, flip * (2 * h * ay - by * q0), 0, -2 * flip * det * q0, 0, flip * denominator, d};
+      return 1;
+    }
     for (int root = 0; root < 2; ++root) {
       const int unit = (root == 0 ? 1 : -1) * flip;
       solutions[root] = {flip * (ax * q2 - bx * h), unit * bx,        flip * (ay * q2 - by * h), unit * by,
                          -2 * flip * det * h,       2 * unit * det,   flip * denominator,        d};
     }
-    return true;
+    return 2;
   }
   // The centres are collinear: c = (u*e + w*e') / E with e along the line, e' its left normal, E = |e|^2. The linear equations
   // give u and rho, and w = +-sqrt(rho^2 * E - u^2).
@@ -71,7 +77,7 @@ bool touchingCircles(const ExactSite& j, const ExactSite& k, TouchingCircle (&so
   const Integer tk = k.x * ex + k.y * ey;
   // 2*(u*t/E + rho*r) = p for both: u = E*(pj*rk - pk*rj) / (2*m), rho = (tj*pk - tk*pj) / (2*m), m = tj*rk - tk*rj.
   const Integer m = tj * k.r - tk * j.r;
-  if (signOf(m) == 0) return false;
+  if (signOf(m) == 0) return 0;
   const int flip = signOf(m);
   const Integer u = flip * E * (pj * k.r - pk * j.r);
   const Integer rho = flip * (tj * pk - tk * pj);
@@ -81,7 +87,7 @@ bool touchingCircles(const ExactSite& j, const ExactSite& k, TouchingCircle (&so
     const int unit = root == 0 ? 1 : -1;  // everything times E, the denominator too
     solutions[root] = {u * ex, -unit * ey, u * ey, unit * ex, rho * E, 0, n * E, d};
   }
-  return true;
+  return 2;
 }
 
 enum class Verdict { kNoCircle, kFree, kInConflict, kUndetermined };
@@ -92,12 +98,13 @@ ExactSite relativeTo(const ExactSite& origin, const ExactSite& site) {
   return {site.x - origin.x, site.y - origin.y, site.r - origin.r};
 }
 
-/// The circle that touches the sites in the order (first, j, k): kFree with `result` set, kNoCircle or kUndetermined.
+/// The circle that touches the sites in the order (first, j, k): kFree with `result` set, kNoCircle, or kUndetermined: at infinity.
 Verdict findCircle(const ExactSite& j, const ExactSite& k, TouchingCircle& result) {
   TouchingCircle circles[2];
-  if (!touchingCircles(j, k, circles)) return Verdict::kUndetermined;
+  const int finite = touchingCircles(j, k, circles);
   bool found = false;
-  for (const TouchingCircle& circle : circles) {
+  for (int solution = 0; solution < finite; ++solution) {
+    const TouchingCircle& circle = circles[solution];
     if (signOf(circle.d) < 0) continue;
     if (signOf(circle.d) == 0) return Verdict::kUndetermined;
     const int si = signAt(circle, 0, 0, 1, 0);
@@ -113,7 +120,8 @@ Verdict findCircle(const ExactSite& j, const ExactSite& k, TouchingCircle& resul
     found = true;
     result = circle;
   }
-  return found ? Verdict::kFree : Verdict::kNoCircle;
+  if (found) return Verdict::kFree;
+  return finite == 2 ? Verdict::kNoCircle : Verdict::kUndetermined;
 }
 
 /// Face (i, j, k) of finite sites. `q` may be null: only existence is asked, kFree or kNoCircle.
@@ -137,6 +145,18 @@ Verdict judgeInfinite(const ExactSite& a, const ExactSite& bAbsolute, const Exac
   const Integer square = b.x * b.x + b.y * b.y;
   return worse(signOf(Integer(t.r * square - b.r * (b.x * t.x + b.y * t.y)), Integer(b.x * t.y - b.y * t.x),
                       Integer(square - b.r * b.r)));
+}
+
+/// Along the half-plane of judgeInfinite: does q, which touches it too, touch it between a and b?
+bool touchesBetween(const ExactSite& a, const ExactSite& bAbsolute, const ExactSite& q) {
+  const ExactSite b = relativeTo(a, bAbsolute);
+  const Integer p = b.x * b.x + b.y * b.y - b.r * b.r;
+  // Positions along the tangent (n_y, -n_x), which leads from a to b; n as in judgeInfinite, times |b|^2.
+  const auto signOfPosition = [&](const Integer& x, const Integer& y) {
+    return signOf(Integer(b.r * (b.x * y - b.y * x)), Integer(b.x * x + b.y * y), p);
+  };
+  const ExactSite t = relativeTo(a, q);
+  return signOfPosition(t.x, t.y) > 0 && signOfPosition(b.x - t.x, b.y - t.y) > 0;
 }
 
 class Oracle {
@@ -195,7 +215,17 @@ class Oracle {
     throw std::logic_error("oracle: zero in spite of the perturbation");
   }
 
-  std::size_t size() const { return sites_.size(); }
+  /// Unperturbed: does the face (i, j, k), which exists, have its vertex in the plane?
+  bool isVertexInPlane(int i, int j, int k) const { return judgeFinite(sites_[i], sites_[j], sites_[k], nullptr) == Verdict::kFree; }
+
+  /// Unperturbed: do the cells of i and j share an edge that runs to infinity, i on its left?
+  bool isUnboundedEdge(int i, int j, const std::vector<int>& among) const {
+    return std::none_of(among.begin(), among.end(), [&](int q) {
+      if (q == i || q == j) return false;
+      const Verdict verdict = judgeInfinite(sites_[i], sites_[j], &sites_[q]);
+      return verdict == Verdict::kInConflict || (verdict == Verdict::kUndetermined && touchesBetween(sites_[i], sites_[j], sites_[q]));
+    });
+  }
 
  private:
   /// Site k in finer units, the `level` largest of the involved ones enlarged.
@@ -243,6 +273,14 @@ OracleDiagram oracleDiagram(const Circles& circles, Perturb perturb) {
     }
   }
   std::sort(diagram.triples.begin(), diagram.triples.end());
+  for (const Triple& t : diagram.triples) {
+    if (t[0] != kInfinity && oracle.isVertexInPlane(t[0], t[1], t[2])) diagram.vertices.push_back(t);
+  }
+  for (const int i : visible) {
+    for (const int j : visible) {
+      if (i != j && oracle.isUnboundedEdge(i, j, visible)) diagram.unboundedEdges.push_back({i, j});
+    }
+  }
   return diagram;
 }
 

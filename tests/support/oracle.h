@@ -23,7 +23,10 @@ using Triple = std::array<int, 3>;
 
 struct OracleDiagram {
   std::vector<bool> visible;    ///< per circle; of identical circles the first one is the visible one
-  std::vector<Triple> triples;  ///< the Voronoi vertices, those at infinity included, sorted
+  std::vector<Triple> triples;  ///< the faces of the Delaunay graph: Voronoi vertices, those at infinity included, sorted
+  std::vector<Triple> vertices;  ///< those of the triples whose vertex is in the plane, sorted
+  /// The edges that run to infinity: i, j with i's cell on the left of the way outwards, sorted. Two cells can share two.
+  std::vector<std::array<int, 2>> unboundedEdges;
 };
 
 /// How the oracle makes degenerate input generic. kWhereNeeded: as said above, the default. kEverything: all weights are
@@ -47,7 +50,7 @@ enum class CircleAnswer { kNoCircle, kFree, kInConflict };
 CircleAnswer oracleCircle(const Circles& circles, int i, int j, int k, int q);
 
 /// Is the Voronoi circle of the counter-clockwise face (i, j, k), which exists, within `error` of an estimate (x and y of its
-/// centre, r for its clearance), each of the three numbers for itself? No answer where the three sites also touch a line.
+/// centre, r for its clearance), each of the three numbers for itself? No answer where that circle is a line.
 std::optional<bool> oracleCircleIsWithin(const Circle& i, const Circle& j, const Circle& k, const Circle& estimate, double error);
 
 /// Sign of (|p - a| - r_a) - (|p - b| - r_b).
