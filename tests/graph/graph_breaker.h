@@ -1,0 +1,35 @@
+// Breaks a graph on purpose, for tests of the checks: the one friend that may write to its arrays.
+#pragma once
+
+#include "graph/graph.h"
+
+namespace apollonius {
+
+class GraphBreaker {
+ public:
+  explicit GraphBreaker(Graph& graph) : graph_(graph) {}
+
+  VertexId& origin(HalfedgeId h) { return graph_.origin_[index(h)]; }
+  HalfedgeId& twin(HalfedgeId h) { return graph_.twin_[index(h)]; }
+  HalfedgeId& outgoing(VertexId v) { return graph_.outgoing_[index(v)]; }
+  HalfedgeId& firstFree() { return graph_.firstFree_; }
+  std::size_t& freeFaces() { return graph_.freeFaces_; }
+
+  void sew(HalfedgeId h, HalfedgeId g) { graph_.sew(h, g); }
+  FaceId addFace(VertexId a, VertexId b, VertexId c) {
+    const FaceId f = graph_.takeFace();
+    graph_.setFace(f, a, b, c);
+    return f;
+  }
+  void freeFace(FaceId f) { graph_.freeFace(f); }
+  void truncateTwins() { graph_.twin_.pop_back(); }
+  void truncateHalfedges() {
+    graph_.origin_.pop_back();
+    graph_.twin_.pop_back();
+  }
+
+ private:
+  Graph& graph_;
+};
+
+}  // namespace apollonius
