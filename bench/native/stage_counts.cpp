@@ -1,0 +1,32 @@
+#include "bench/native/stage_counts.h"
+
+#include <sstream>
+
+#include "predicate/stages.h"
+
+namespace apollonius::bench::stages {
+
+void reset() { apollonius::stages::counts() = {}; }
+
+std::string perItem(std::size_t items) {
+  const apollonius::stages::Counts& counts = apollonius::stages::counts();
+  std::ostringstream text;
+  text << ",\"stages\":{";
+  const char* separator = "";
+  const auto add = [&](const char* name, unsigned long long count) {
+    if (count == 0) return;
+    text << separator << '"' << name << "\":" << static_cast<double>(count) / static_cast<double>(items);
+    separator = ",";
+  };
+  add("lorentzExact", counts.lorentzExact);
+  add("distanceExact", counts.distanceExact);
+  add("vertexFilter", counts.vertexFilter);
+  add("vertexExact", counts.vertexExact);
+  add("vertexDegenerate", counts.vertexDegenerate);
+  add("edgeFilter", counts.edgeFilter);
+  add("edgeExact", counts.edgeExact);
+  text << "}";
+  return text.str();
+}
+
+}  // namespace apollonius::bench::stages
