@@ -24,7 +24,9 @@ const rules = [
   { of: /^src\/apollonius\.h$/, may: [std] },
   { of: /^src\/apollonius\.cpp$/, may: [std, /^"(number|predicate|graph|diagram|geometry)\//, /^"apollonius\.h"$/] },
   { of: /^wasm\/bindings\.cpp$/, may: [std, /^<emscripten\//, /^"apollonius\.h"$/] },
-  { of: /^bench\/.*\.(cpp|h)$/, may: [std, /^"apollonius\.h"$/, /^"(tests\/)?support\/generators/, /^<CGAL\//] },
+  { of: /^bench\/.*\.(cpp|h)$/, may: [std, /^"apollonius\.h"$/, /^"(tests\/)?support\/generators/, /^<CGAL\//, /^"bench\//,
+                                      /^"predicate\/stages\.h"$/,  // it counts which stage answers
+                                      /^<malloc\.h>$/] },           // and how much memory is in use
 
   { of: /^wasm\/(index|module|native)\.ts$/, may: [/^\.\/[\w.]+$/, /^\.\.\/build\/wasm\/apollonius\.(mjs|wasm)$/] },
   { of: /^wasm\/[\w.]+\.ts$/, may: [/^\.\/[\w.]+$/] },

@@ -44,9 +44,9 @@ function ctest(folder) {
 }
 
 function jest(projects, env = {}) {
-  const args = ["--experimental-vm-modules", "--disable-warning=ExperimentalWarning", "node_modules/jest/bin/jest.js",
+  const args = ["--experimental-vm-modules", "node_modules/jest/bin/jest.js",
                 "--config", "tests/jest.config.mjs", "--selectProjects", ...projects];
-  return runTests(process.execPath, args, { summary: /^Tests: /, env });
+  return runTests(process.execPath, args, { summary: /^Tests: /, env: { NODE_NO_WARNINGS: "1", ...env } });
 }
 
 const steps = {

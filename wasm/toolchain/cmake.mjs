@@ -1,5 +1,5 @@
 // Builds with CMake in folders under build/.
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
 import path from "node:path";
 import { cmakeToolchainFile } from "./emscripten.mjs";
@@ -14,10 +14,12 @@ export function buildWithCmake(name, settings, { target = "all", env } = {}) {
   const folder = path.join(root, "build", name);
   const args = Object.entries(settings).map(([key, value]) => `-D${key}=${value}`);
   const stamp = path.join(folder, ".arguments");
-  if (!existsSync(path.join(folder, "CMakeCache.txt")) || !existsSync(stamp) || readFileSync(stamp, "utf8") !== args.join("\n")) {
+  const wanted = [root, ...args].join("\n");  // a clone that was moved starts afresh too
+  if (!existsSync(stamp) || readFileSync(stamp, "utf8") !== wanted) {
     mkdirSync(folder, { recursive: true });
+    rmSync(stamp, { force: true });
     capture("cmake", ["--fresh", "-S", root, "-B", folder, ...args], { env });
-    writeFileSync(stamp, args.join("\n"));
+    writeFileSync(stamp, wanted);
   }
   run("cmake", ["--build", folder, "--target", target, "--parallel", jobs], { env });
   return folder;
