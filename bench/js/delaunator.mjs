@@ -1,0 +1,18 @@
+// delaunator as a contender: the Delaunay triangulation of the centres, without radii, not dynamic.
+import Delaunator from "delaunator";
+import { readCentres, sampled } from "./sampling.mjs";
+
+function build(request) {
+  const centres = readCentres(request.set);
+  let triangulation;
+  const answer = sampled(request, centres.length / 2, () => { triangulation = undefined; }, () => {
+    triangulation = new Delaunator(centres);
+  });
+  return { ...answer, sink: triangulation.triangles.length };
+}
+
+export const operations = { build };
+
+export function warmUp() {
+  for (let k = 0; k < 20; ++k) new Delaunator(Float64Array.from({ length: 20_000 }, Math.random));
+}

@@ -1,0 +1,41 @@
+// flatbush as a contender: a static R-tree of the centres; the nearest one through `neighbors`.
+import Flatbush from "flatbush";
+import { forEachUntil, readCentres, readQueries, sampled } from "./sampling.mjs";
+
+let current = { set: "" };
+
+function load({ set }) {
+  if (set !== current.set) current = { set, centres: readCentres(set), tree: undefined };
+}
+
+function builtTree() {
+  const { centres } = current;
+  const tree = new Flatbush(centres.length / 2);
+  for (let k = 0; k < centres.length; k += 2) tree.add(centres[k], centres[k + 1], centres[k], centres[k + 1]);
+  tree.finish();
+  return tree;
+}
+
+function build(request) {
+  load(request);
+  return sampled(request, current.centres.length / 2, () => { current.tree = undefined; }, () => { current.tree = builtTree(); });
+}
+
+function find(request) {
+  load(request);
+  current.tree ??= builtTree();
+  const { tree } = current;
+  const points = readQueries(request);
+  let sink = 0;
+  const answer = sampled(request, points.length / 2, () => { sink = 0; }, () =>
+    forEachUntil(request.limit, points.length / 2, (k) => { sink += tree.neighbors(points[2 * k], points[2 * k + 1], 1)[0]; }));
+  return { ...answer, sink };
+}
+
+export const operations = { build, find, findNear: find };
+
+export function warmUp() {
+  current = { set: "", centres: Float64Array.from({ length: 20_000 }, Math.random) };
+  for (let k = 0; k < 20; ++k) current.tree = builtTree();
+  for (let k = 0; k < 50_000; ++k) current.tree.neighbors(Math.random(), Math.random(), 1);
+}

@@ -1,0 +1,228 @@
+// The packed package as a contender. The operations are those of bench/native/operations.cpp, and calls, memory and churn.
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+import { forEachUntil, readDoubles, readQueries, sampled } from "./sampling.mjs";
+
+// The package does not show its heap, so the instance's memory is caught when it is made.
+let memory;
+WebAssembly.Instance = class extends WebAssembly.Instance {
+  constructor(...args) {
+    super(...args);
+    memory ??= Object.values(this.exports).find((value) => value instanceof WebAssembly.Memory);
+  }
+};
+const heapBytes = () => memory.buffer.byteLength;
+
+const { Diagram } = await import(pathToFileURL(path.join(process.env.BENCH_PACKAGE, "consumer.mjs")).href);
+
+// The last set and its diagram are kept, so that several queries in a row need one construction.
+const current = { set: "", sites: new Float64Array(), diagram: new Diagram(), isWhole: false };
+
+function renew(diagram) {
+  current.diagram.dispose();
+  current.diagram = diagram;
+}
+
+function load({ set }) {
+  if (set === current.set) return;
+  current.set = set;
+  current.sites = readDoubles(`${set}.sites`);
+  renew(new Diagram());
+  current.isWhole = false;
+}
+
+function ensureDiagram(request) {
+  load(request);
+  if (current.isWhole) return;
+  current.diagram.dispose();  // before, not after: one diagram in the heap at a time
+  current.diagram = new Diagram(current.sites);
+  current.isWhole = true;
+}
+
+const size = () => current.sites.length / 3;
+const countOf = (request) => (request.count > 0 ? Math.min(request.count, size()) : size());
+const withVisible = (answer) => ({ ...answer, visible: current.diagram.visibleSize });
+
+// --- Construction ------------------------------------------------------------------------------------------------------------
+
+function build(request) {
+  load(request);
+  const answer = sampled(request, size(), () => renew(new Diagram()), () => {
+    current.diagram = new Diagram(current.sites);
+  });
+  current.isWhole = true;
+  return withVisible(answer);
+}
+
+function insertOneByOne(request, location) {
+  load(request);
+  const { sites } = current;
+  const count = countOf(request);
+  const prepare = () => {
+    renew(new Diagram(undefined, { location }));
+    current.isWhole = false;
+  };
+  return withVisible(sampled(request, count, prepare, () => {
+    const { diagram } = current;
+    return forEachUntil(request.limit, count, (k) => diagram.insert(sites[3 * k], sites[3 * k + 1], sites[3 * k + 2]));
+  }));
+}
+
+// --- Queries -----------------------------------------------------------------------------------------------------------------
+
+function find(request) {
+  ensureDiagram(request);
+  const { diagram } = current;
+  const points = readQueries(request);
+  let sink = 0;
+  const answer = sampled(request, points.length / 2, () => { sink = 0; }, () =>
+    forEachUntil(request.limit, points.length / 2, (k) => { sink += diagram.find(points[2 * k], points[2 * k + 1]); }));
+  return withVisible({ ...answer, sink });
+}
+
+function findMany(request) {
+  ensureDiagram(request);
+  const points = readQueries(request);
+  let found;
+  const answer = sampled(request, points.length / 2, () => {}, () => { found = current.diagram.findMany(points); });
+  return withVisible({ ...answer, sink: found.reduce((sum, id) => sum + id, 0) });
+}
+
+// --- Changes: on the sites at the end of the set, whose ids are their places in it ---------------------------------------------
+
+/** The visible ones among the last `count` sites, last first: CGAL cannot remove the others. */
+function visibleAtEnd(count) {
+  const last = size() - 1;
+  return Uint32Array.from({ length: count }, (_, k) => last - k).filter((id) => !current.diagram.isHidden(id));
+}
+
+function removed(request, atOnce) {
+  ensureDiagram(request);
+  const ids = visibleAtEnd(countOf(request));
+  let sink = 0;
+  const prepare = () => {
+    ensureDiagram(request);
+    sink = 0;
+  };
+  const answer = sampled(request, ids.length, prepare, () => {
+    const { diagram } = current;
+    current.isWhole = false;
+    if (atOnce) return void (sink = diagram.removeMany(ids));
+    return forEachUntil(request.limit, ids.length, (k) => { sink += diagram.remove(ids[k]); });
+  });
+  return withVisible({ ...answer, sink });
+}
+
+function meanSpacing(sites) {
+  const low = [Infinity, Infinity];
+  const high = [-Infinity, -Infinity];
+  for (let k = 0; k < sites.length; k += 3) {
+    for (const axis of [0, 1]) {
+      low[axis] = Math.min(low[axis], sites[k + axis]);
+      high[axis] = Math.max(high[axis], sites[k + axis]);
+    }
+  }
+  return Math.sqrt((high[0] - low[0]) * (high[1] - low[1]) / (sites.length / 3));
+}
+
+/** The last `count` sites move at constant velocities of up to `step` mean spacings a frame; each frame is one sample. */
+function moved(request, atOnce) {
+  ensureDiagram(request);
+  current.isWhole = false;
+  const { diagram } = current;
+  const count = countOf(request);
+  const first = size() - count;
+  const ids = Uint32Array.from({ length: count }, (_, k) => first + k);
+  const moving = current.sites.slice(3 * first);
+  const step = request.step * meanSpacing(current.sites);
+  const fraction = (value) => value - Math.floor(value);
+  const nextFrame = () => {
+    for (let k = 0; k < count; ++k) {
+      moving[3 * k] += step * (2 * fraction(k * 0.6180339887498949) - 1);
+      moving[3 * k + 1] += step * (2 * fraction(k * 0.4142135623730951) - 1);
+    }
+  };
+  return withVisible(sampled(request, count, nextFrame, () => {
+    if (atOnce) return void diagram.updateMany(ids, moving);
+    return forEachUntil(request.limit, count, (k) => diagram.update(ids[k], moving[3 * k], moving[3 * k + 1], moving[3 * k + 2]));
+  }));
+}
+
+// --- The border and the memory -------------------------------------------------------------------------------------------------
+
+/** A million calls that do nothing but cross the border. */
+function calls(request, call) {
+  ensureDiagram(request);
+  const { diagram } = current;
+  const count = request.count || 1_000_000;
+  let sink = 0;
+  const answer = sampled(request, count, () => { sink = 0; }, () => {
+    for (let k = 0; k < count; ++k) sink += call(diagram, k);
+  });
+  return { ...answer, sink };
+}
+
+/** Growth of the heap by one construction; only the first one of a process tells, because the heap never shrinks. */
+function memoryOfBuild(request) {
+  load(request);
+  const before = heapBytes();
+  const answer = build(request);
+  return { ...answer, bytesPerSite: (heapBytes() - before) / size() };
+}
+
+/** `count` pairs of a removal and an insertion of a new site elsewhere; the heap after the first thousand and after all. */
+function churn(request) {
+  ensureDiagram(request);
+  current.isWhole = false;
+  const { diagram, sites } = current;
+  const points = readQueries(request);
+  const ids = diagram.ids();
+  const count = request.count || 1_000_000;
+  const pair = (k) => {
+    const slot = (k * 7919) % ids.length;
+    const query = 2 * (k % (points.length / 2));
+    diagram.remove(ids[slot]);
+    ids[slot] = diagram.insert(points[query], points[query + 1], sites[3 * slot + 2]);
+  };
+  const pairsTo = (end, start) => {
+    for (let k = start; k < end; ++k) pair(k);
+  };
+  pairsTo(1000, 0);
+  const afterThousand = heapBytes();
+  const answer = sampled({ ...request, seconds: 0 }, count - 1000, () => {}, () => pairsTo(count, 1000));
+  return withVisible({ ...answer, bytesAfterThousand: afterThousand, bytesAfterAll: heapBytes() });
+}
+
+export const operations = {
+  build, find, findMany, churn,
+  findNear: find,
+  findManyNear: findMany,
+  insert: (request) => insertOneByOne(request, "hierarchy"),
+  insertByWalk: (request) => insertOneByOne(request, "walk"),
+  remove: (request) => removed(request, false),
+  removeMany: (request) => removed(request, true),
+  update: (request) => moved(request, false),
+  updateMany: (request) => moved(request, true),
+  callSize: (request) => calls(request, (diagram) => diagram.size),
+  callHas: (request) => calls(request, (diagram, k) => diagram.has(k)),
+  memory: memoryOfBuild,
+};
+
+/** Until the engine has compiled the hot functions at its best level. */
+export function warmUp() {
+  const end = performance.now() + 700;
+  let state = 1;
+  const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
+  while (performance.now() < end) {
+    const sites = Float64Array.from({ length: 3 * 2000 }, (_, k) => random() * (k % 3 === 2 ? 20 : 2000));
+    const diagram = new Diagram(sites);
+    for (let k = 0; k < 500; ++k) {
+      diagram.find(2000 * random(), 2000 * random());
+      diagram.update(2 * k, 2000 * random(), 2000 * random(), 20 * random());
+      diagram.remove(2 * k + 1);
+      diagram.insert(2000 * random(), 2000 * random(), 20 * random());
+    }
+    diagram.findMany(sites.subarray(0, 4000));
+    diagram.dispose();
+  }
+}

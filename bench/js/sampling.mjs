@@ -1,0 +1,51 @@
+// What the JavaScript contenders share: reading a set, and timing an operation in samples. As bench/native/contender.h.
+import { existsSync, readFileSync } from "node:fs";
+
+const kMostSamples = 25;
+
+/** Raw little-endian doubles. */
+export function readDoubles(file) {
+  if (!existsSync(file)) throw new Error(`no file ${file}`);
+  const bytes = readFileSync(file);
+  return new Float64Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
+}
+
+/** The queries of an operation as x, y pairs: near sites if its name ends so, else uniform in the bounding box. */
+export function readQueries({ set, operation, count }) {
+  const points = readDoubles(`${set}${operation.endsWith("Near") ? ".near" : ".box"}`);
+  return count > 0 ? points.subarray(0, 2 * count) : points;
+}
+
+/** The centres of a set, as x, y pairs. */
+export function readCentres(set) {
+  const sites = readDoubles(`${set}.sites`);
+  return Float64Array.from({ length: sites.length / 3 * 2 }, (_, k) => sites[3 * (k >> 1) + (k & 1)]);
+}
+
+/** Takes samples: `prepare()` is not timed, `work()` is; it returns how many items it did (less than `items` if it was cut off). */
+export function sampled(request, items, prepare, work) {
+  const samples = [];
+  let measured = 0;
+  let isCutOff = false;
+  do {
+    prepare();
+    globalThis.gc?.();
+    const start = performance.now();
+    const done = work() ?? items;
+    const milliseconds = performance.now() - start;
+    measured += milliseconds / 1000;
+    isCutOff ||= done < items;
+    samples.push(1000 * milliseconds / done);
+  } while (measured < request.seconds && samples.length < kMostSamples && !isCutOff);
+  return { samples, items, isCutOff };
+}
+
+/** Calls `step(k)` for k = 0, 1, ... `items` times or until the time limit; returns how often. */
+export function forEachUntil(limit, items, step) {
+  const end = performance.now() + 1000 * limit;
+  for (let k = 0; k < items; ++k) {
+    if ((k & 1023) === 1023 && performance.now() > end) return k;
+    step(k);
+  }
+  return items;
+}
