@@ -13,7 +13,7 @@ export interface Site {
   r: number;
 }
 
-/** The bounded Voronoi vertices; row k of each array belongs to vertex k. The order of the rows depends on the history. */
+/** The Voronoi vertices in the plane; row k of each array belongs to vertex k. The order of the rows depends on the history. */
 export interface Vertices {
   /** x, y of each vertex. */
   coordinates: Float64Array;
@@ -23,7 +23,10 @@ export interface Vertices {
   sites: Uint32Array;
 }
 
-/** The Voronoi edges; row k of each array belongs to edge k. Two sites can share several edges. */
+/**
+ * The Voronoi edges; row k of each array belongs to edge k. Two sites can share several edges. Where more than three sites touch
+ * one circle, the canonical rule makes edges of length zero, and several vertices at one place.
+ */
 export interface Edges {
   /** The two sites of each edge. */
   sites: Uint32Array;
@@ -255,7 +258,8 @@ export class Diagram implements Disposable {
 
   /**
    * The distinct sites whose cells share an edge with this site's, counter-clockwise, each where it occurs first; empty for a
-   * hidden site. O(d). Throws "unknown-site".
+   * hidden site. Edges of length zero and at infinity count (degenerate position; the graph is triangulated canonically).
+   * O(d). Throws "unknown-site".
    */
   neighbors(id: number): Uint32Array {
     const native = this.#living();
@@ -270,7 +274,7 @@ export class Diagram implements Disposable {
     return this.#taken(native, () => ({ sites: native.takeWords(0), vertices: new Int32Array(native.takeWords(1).buffer) }));
   }
 
-  /** All bounded Voronoi vertices, centres of circles that touch three sites and contain no part of another. O(n). */
+  /** All Voronoi vertices: centres of circles that touch three sites and contain no part of another. O(n). */
   vertices(): Vertices {
     const native = this.#living();
     check(native.vertices());

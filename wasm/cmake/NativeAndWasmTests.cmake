@@ -38,6 +38,8 @@ target_compile_definitions(apollonius_test_support ${support_scope} APOLLONIUS_T
 target_link_libraries(apollonius_test_support ${support_scope} apollonius)
 
 if(EMSCRIPTEN)
+  # The programs are CommonJS; the repository's package.json says otherwise of .js files.
+  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/package.json" "{ \"type\": \"commonjs\" }\n")
   # Node's own file system, so that tests read tests/data as they do natively.
   set(wasm_test_link_options -sENVIRONMENT=node -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sALLOW_MEMORY_GROWTH=1
     -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB)
