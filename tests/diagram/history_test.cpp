@@ -15,8 +15,11 @@ TEST(History, ShortOnesOnTinyGrids) {
   Random random(221);
   for (int run = 0; run < runs(12000); ++run) {
     const int side = static_cast<int>(random.integer(1, 6));
-    const Circles pool = tinyGrid(random, 6 + random.below(20), side, static_cast<int>(random.integer(0, 4)));
-    const History history = randomHistory(random, pool, 4 + random.below(24));
+    const int heaviest = random.below(5);
+    const std::size_t poolSize = 6 + random.below(std::size_t{20});
+    const Circles pool = tinyGrid(random, poolSize, side, heaviest);
+    const std::size_t steps = 4 + random.below(std::size_t{24});
+    const History history = randomHistory(random, pool, steps);
     Checks checks;
     checks.location = run % 2 == 0 ? Location::kHierarchy : Location::kWalk;
     checks.oracleUpTo = 7;

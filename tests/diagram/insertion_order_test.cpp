@@ -22,7 +22,9 @@ TEST(InsertionOrder, AllOrdersOfTinySetsGiveTheSameGraph) {
   Random random(211);
   for (int run = 0; run < runs(1500); ++run) {
     const int side = static_cast<int>(random.integer(1, 5));
-    const Circles circles = tinyGrid(random, 3 + random.below(3), side, static_cast<int>(random.integer(0, 3)));
+    const int heaviest = random.below(4);
+    const std::size_t n = 3 + random.below(std::size_t{3});
+    const Circles circles = tinyGrid(random, n, side, heaviest);
     const Location location = run % 2 == 0 ? Location::kHierarchy : Location::kWalk;
     std::string broken;
     const Canonical expected = freshBuild(circles, Build::kBulk, location, broken);
@@ -43,7 +45,9 @@ TEST(InsertionOrder, RandomOrdersOfLargerGridsGiveTheSameGraph) {
   Random random(212);
   for (int run = 0; run < runs(1500); ++run) {
     const int side = static_cast<int>(random.integer(2, 12));
-    Circles circles = tinyGrid(random, 8 + random.below(60), side, static_cast<int>(random.integer(0, side)));
+    const int heaviest = random.below(side + 1);
+    const std::size_t n = 8 + random.below(std::size_t{60});
+    Circles circles = tinyGrid(random, n, side, heaviest);
     std::string broken;
     const Canonical expected = freshBuild(circles, Build::kBulk, Location::kHierarchy, broken);
     ASSERT_EQ(broken, "") << toText(insertAll(circles));

@@ -25,7 +25,8 @@ TEST(DiagramAndOracle, AgreeOnTinyGrids) {
   for (int run = 0; run < runs(30000); ++run) {
     const int side = static_cast<int>(random.integer(1, 6));
     const int heaviest = static_cast<int>(random.integer(0, 4));
-    const Circles circles = tinyGrid(random, random.below(9), side, heaviest);
+    const std::size_t n = random.below(std::size_t{9});
+    const Circles circles = tinyGrid(random, n, side, heaviest);
     expectOraclesDiagram(circles, run % 2 == 0 ? Location::kHierarchy : Location::kWalk);
     if (HasFatalFailure()) FAIL() << "run " << run;
   }
@@ -58,7 +59,7 @@ TEST_P(DiagramAndOracleOn, Agree) {
   Random random(202);
   const int count = runs(GetParam().large ? 150 : 15);
   for (int run = 0; run < count; ++run) {
-    const std::size_t n = GetParam().large ? 2 + random.below(9) : 2 + random.below(5);
+    const std::size_t n = 2 + random.below(GetParam().large ? std::size_t{9} : std::size_t{5});
     expectOraclesDiagram(GetParam().make(random, n), run % 2 == 0 ? Location::kHierarchy : Location::kWalk);
     if (HasFatalFailure()) FAIL() << "run " << run;
   }

@@ -75,7 +75,8 @@ TEST(EdgeConflict, AgreesWithTheOracleOnTinyGrids) {
   for (int run = 0; run < runs(20000); ++run) {
     const int side = static_cast<int>(random.integer(1, 6));
     const int heaviest = static_cast<int>(random.integer(0, 4));
-    const Circles circles = visibleOnly(tinyGrid(random, 2 + random.below(4), side, heaviest));
+    const std::size_t n = 2 + random.below(std::size_t{4});
+    const Circles circles = visibleOnly(tinyGrid(random, n, side, heaviest));
     const Circle query = tinyGrid(random, 1, side, heaviest).front();
     if (circles.size() < 2 || coveredByAny(query, circles)) continue;
     expectAgreement(circles, query, outcomes);
@@ -95,7 +96,8 @@ TEST_P(EdgeConflictOn, AgreesWithTheOracle) {
   Outcomes outcomes;
   const int count = runs(GetParam().large ? 150 : 10);
   for (int run = 0; run < count; ++run) {
-    Circles circles = GetParam().make(random, 3 + random.below(4));
+    const std::size_t n = 3 + random.below(std::size_t{4});
+    Circles circles = GetParam().make(random, n);
     const Circle query = circles.back();
     circles.pop_back();
     circles = visibleOnly(circles);

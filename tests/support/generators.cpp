@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+// Never two random numbers within one call's arguments: compilers evaluate arguments in different orders.
 namespace apollonius::test {
 
 namespace {
@@ -156,8 +157,14 @@ Circles concentric(Random& random, std::size_t n) {
   const std::size_t centres = n / 4 + 1;
   Circles circles;
   for (std::size_t k = 0; k < n; ++k) {
-    const Circle centre = k < centres ? circleAt(random.integer(0, 40), random.integer(0, 40), 0) : circles[random.below(centres)];
-    circles.push_back({centre.x, centre.y, static_cast<double>(random.integer(0, 8))});
+    const std::int64_t r = random.integer(0, 8);
+    if (k < centres) {
+      const std::int64_t x = random.integer(0, 40);
+      circles.push_back(circleAt(x, random.integer(0, 40), r));
+    } else {
+      const Circle& centre = circles[random.below(centres)];
+      circles.push_back({centre.x, centre.y, static_cast<double>(r)});
+    }
   }
   return circles;
 }
@@ -234,12 +241,12 @@ Circles giantDiskExact(Random& random, std::size_t n) {
 Circles rangeEnds(Random& random, std::size_t n, Range range) {
   const auto magnitude = [&]() -> double {
     if (random.oneIn(8)) return 0;
-    double value = 0;
+    double value = random.between(1, 2);
     switch (range) {
       case Range::kHuge: value = kLargestMagnitude * random.between(0.001, 1); break;
       case Range::kTiny: value = kSmallestMagnitude * random.between(1, 1000); break;
       // 2^-331 = 2.3e-100 and 2^331 = 4.4e99, times [1, 2).
-      case Range::kMixed: value = std::ldexp(random.between(1, 2), static_cast<int>(random.integer(-331, 331))); break;
+      case Range::kMixed: value = std::ldexp(value, static_cast<int>(random.integer(-331, 331))); break;
     }
     return random.oneIn(2) ? value : -value;
   };

@@ -54,8 +54,8 @@ History randomHistory(Random& random, const Circles& pool, std::size_t steps) {
   const auto draw = [&] { return pool[random.below(pool.size())]; };
   for (std::size_t k = 0; k < steps; ++k) {
     if (random.oneIn(16)) growing = !growing;
-    const std::uint64_t dice = random.below(8);
-    if (live.empty() || dice < (growing ? 5u : 2u)) {
+    const int dice = random.below(8);
+    if (live.empty() || dice < (growing ? 5 : 2)) {
       history.push_back({Operation::Kind::kInsert, 0, draw()});
       live.push_back(inserted++);
       continue;

@@ -32,7 +32,9 @@ TEST(Oracle, ClosedSurfaceOnTinyGrids) {
   Random random(1);
   for (int run = 0; run < 600; ++run) {
     const int side = static_cast<int>(random.integer(1, 5));
-    const Circles circles = tinyGrid(random, random.below(8), side, static_cast<int>(random.integer(0, 3)));
+    const int heaviest = random.below(4);
+    const std::size_t n = random.below(std::size_t{8});
+    const Circles circles = tinyGrid(random, n, side, heaviest);
     expectClosedSurface(circles, oracleDiagram(circles));
     if (HasFailure()) return;
   }
@@ -57,7 +59,8 @@ TEST(Oracle, PerturbationIsSmallEnough) {
   // All weights perturbed from the start and by other amounts: the same diagram.
   Random random(3);
   for (int run = 0; run < 60; ++run) {
-    const Circles circles = tinyGrid(random, 6, static_cast<int>(random.integer(1, 4)), static_cast<int>(random.integer(0, 2)));
+    const int side = 1 + random.below(4);
+    const Circles circles = tinyGrid(random, 6, side, random.below(3));
     EXPECT_EQ(oracleDiagram(circles).triples, oracleDiagram(circles, Perturb::kEverything).triples) << toText(insertAll(circles));
   }
 }

@@ -18,11 +18,14 @@ class Random {
   std::uint64_t next();
 
   /// Uniform in [0, bound); bound > 0. The modulo's bias (bound / 2^64) does not matter to a test.
-  std::uint64_t below(std::uint64_t bound) { return next() % bound; }
+  template <class Whole>
+  Whole below(Whole bound) {
+    return static_cast<Whole>(next() % static_cast<std::uint64_t>(bound));
+  }
 
   /// Uniform integer in [low, high].
   std::int64_t integer(std::int64_t low, std::int64_t high) {
-    return low + static_cast<std::int64_t>(below(static_cast<std::uint64_t>(high - low) + 1));
+    return low + below(high - low + 1);
   }
 
   /// Uniform in [0, 1), a multiple of 2^-53.

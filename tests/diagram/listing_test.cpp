@@ -1,0 +1,176 @@
+// neighbors(), vertices(), edges() and faces() against each other, and the vertices' coordinates against their definition.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "support/corpus.h"
+#include "support/effort.h"
+#include "support/replay.h"
+
+namespace apollonius::test {
+namespace {
+
+struct Listed {
+  std::vector<SiteId> ids, faces;
+  VertexArrays vertices;
+  EdgeArrays edges;
+};
+
+Listed build(Diagram& diagram, const Circles& circles) {
+  std::vector<double> xyr;
+  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
+  Listed listed;
+  listed.ids.resize(circles.size());
+  EXPECT_EQ(diagram.insertMany(xyr, listed.ids), Error::kNone);
+  EXPECT_EQ(diagram.faces(listed.faces), Error::kNone);
+  EXPECT_EQ(diagram.vertices(listed.vertices), Error::kNone);
+  EXPECT_EQ(diagram.edges(listed.edges), Error::kNone);
+  return listed;
+}
+
+/// The neighbours of `site` in counter-clockwise order, once around, from the faces; empty if a neighbour occurs more than once
+/// (then faces alone do not say how they follow each other).
+std::vector<SiteId> turnAround(const std::vector<SiteId>& faces, SiteId site) {
+  std::map<SiteId, SiteId> following;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (faces[k] != site) continue;
+    const std::size_t base = k - k % 3;
+    following[faces[base + (k + 1) % 3]] = faces[base + (k + 2) % 3];
+    ++count;
+  }
+  if (following.size() != count || count == 0) return {};
+  std::vector<SiteId> around;
+  SiteId at = following.begin()->first;
+  for (std::size_t k = 0; k < count; ++k) {
+    around.push_back(at);
+    at = following.at(at);
+  }
+  return around;
+}
+
+class ListingOn : public ::testing::TestWithParam<NamedGenerator> {};
+
+TEST_P(ListingOn, NeighborsAreThoseOfTheFacesCounterClockwise) {
+  Random random(281);
+  for (int run = 0; run < runs(5); ++run) {
+    Diagram diagram;
+    const Circles circles = GetParam().make(random, GetParam().large ? 40 + 30 * static_cast<std::size_t>(run) : 10);
+    const Listed listed = build(diagram, circles);
+    std::map<SiteId, std::set<SiteId>> adjacent;
+    for (std::size_t k = 0; k < listed.faces.size(); ++k) {
+      const SiteId a = listed.faces[k], b = listed.faces[k - k % 3 + (k + 1) % 3];
+      if (a != kNoSite && b != kNoSite) adjacent[a].insert(b);
+    }
+    for (const SiteId id : listed.ids) {
+      std::vector<SiteId> neighbors;
+      ASSERT_EQ(diagram.neighbors(id, neighbors), Error::kNone);
+      ASSERT_EQ(std::set<SiteId>(neighbors.begin(), neighbors.end()), adjacent[id]);
+      ASSERT_EQ(neighbors.size(), adjacent[id].size()) << "each once";
+      for (const SiteId other : neighbors) ASSERT_EQ(adjacent[other].count(id), 1u) << "symmetric";
+      std::vector<SiteId> around = turnAround(listed.faces, id);
+      if (around.empty()) continue;
+      around.erase(std::remove(around.begin(), around.end(), kNoSite), around.end());
+      std::rotate(around.begin(), std::find(around.begin(), around.end(), neighbors.empty() ? 0 : neighbors[0]), around.end());
+      ASSERT_EQ(neighbors, around) << "counter-clockwise";
+    }
+  }
+}
+
+TEST_P(ListingOn, EdgesAndVerticesAreConsistent) {
+  // canonicalForm does the checking: three edges a vertex, ends that fit, sites that are visible.
+  Random random(282);
+  const Circles circles = GetParam().make(random, GetParam().large ? 500 : 16);
+  std::string broken;
+  (void)freshBuild(circles, Build::kBulk, Location::kHierarchy, broken);
+  EXPECT_EQ(broken, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, ListingOn, ::testing::ValuesIn(corpus()),
+                         [](const auto& parameter) { return parameter.param.name; });
+
+TEST(Listing, VerticesAreEquidistantAndNothingIsNearer) {
+  Random random(283);
+  for (const Hidden hidden : {Hidden::kNone, Hidden::k20Percent, Hidden::k50Percent}) {
+    Diagram diagram;
+    const Circles circles = randomCircles(random, 300, hidden);
+    const Listed listed = build(diagram, circles);
+    for (std::size_t k = 0; k < listed.vertices.clearance.size(); ++k) {
+      const double x = listed.vertices.coordinates[2 * k], y = listed.vertices.coordinates[2 * k + 1];
+      const double clearance = listed.vertices.clearance[k];
+      ASSERT_TRUE(std::isfinite(x) && std::isfinite(y) && std::isfinite(clearance));
+      const double size = std::abs(x) + std::abs(y) + 2e6;
+      // Far vertices (three sites nearly in line) are ill-conditioned along their edge, not across it: the distances agree.
+      const double tolerance = 1e-9 * size;
+      for (std::size_t c = 0; c < 3; ++c) {
+        Circle circle{};
+        ASSERT_EQ(diagram.site(listed.vertices.sites[3 * k + c], circle), Error::kNone);
+        const double dx = x - circle.x, dy = y - circle.y;
+        ASSERT_NEAR(std::sqrt(dx * dx + dy * dy) - circle.r, clearance, tolerance);
+      }
+      for (const Circle& circle : circles) {
+        const double dx = x - circle.x, dy = y - circle.y;
+        ASSERT_GT(std::sqrt(dx * dx + dy * dy) - circle.r, clearance - tolerance);
+      }
+    }
+  }
+}
+
+TEST(Listing, VerticesOfNearlyDegenerateSetsAreStillEquidistant) {
+  Random random(284);
+  for (const char* name : {"DecimalLattice", "CocircularPoints", "CommonTangent", "GiantDiskExact", "PowerLaw", "GiantDisk", "Grid6Radius3"}) {
+    for (const NamedGenerator& generator : corpus()) {
+      if (generator.name != name) continue;
+      SCOPED_TRACE(name);
+      Diagram diagram;
+      const Circles circles = generator.make(random, 120);
+      const Listed listed = build(diagram, circles);
+      for (std::size_t k = 0; k < listed.vertices.clearance.size(); ++k) {
+        const double x = listed.vertices.coordinates[2 * k], y = listed.vertices.coordinates[2 * k + 1];
+        ASSERT_TRUE(std::isfinite(x) && std::isfinite(y));
+        for (std::size_t c = 0; c < 3; ++c) {
+          Circle circle{};
+          ASSERT_EQ(diagram.site(listed.vertices.sites[3 * k + c], circle), Error::kNone);
+          const double dx = x - circle.x, dy = y - circle.y;
+          const double length = std::sqrt(dx * dx + dy * dy);
+          ASSERT_NEAR(length - circle.r, listed.vertices.clearance[k], 1e-6 * (length + std::abs(circle.r) + 1))
+              << x << " " << y << " sites " << listed.vertices.sites[3 * k] << " " << listed.vertices.sites[3 * k + 1] << " "
+              << listed.vertices.sites[3 * k + 2];
+        }
+      }
+    }
+  }
+}
+
+TEST(Listing, TwoSitesShareOneLine) {
+  Diagram diagram;
+  const Listed listed = build(diagram, {{0, 0, 1}, {10, 0, 2}});
+  EXPECT_TRUE(listed.vertices.clearance.empty());
+  EXPECT_EQ(listed.edges.vertices, (std::vector<std::int32_t>{-1, -1}));
+  EXPECT_EQ(listed.edges.sites.size(), 2u);
+  EXPECT_EQ(listed.faces.size(), 6u);
+}
+
+TEST(Listing, ThreeInLineShareTwoLines) {
+  Diagram diagram;
+  const Listed listed = build(diagram, {{0, 0, 1}, {10, 0, 1}, {20, 0, 1}});
+  EXPECT_TRUE(listed.vertices.clearance.empty());
+  EXPECT_EQ(listed.edges.vertices, (std::vector<std::int32_t>{-1, -1, -1, -1}));
+}
+
+TEST(Listing, NoSitesAndOneSite) {
+  Diagram diagram;
+  Listed listed = build(diagram, {});
+  EXPECT_TRUE(listed.vertices.clearance.empty() && listed.edges.sites.empty() && listed.faces.empty());
+  listed = build(diagram, {{0, 0, 1}});
+  EXPECT_TRUE(listed.vertices.clearance.empty() && listed.edges.sites.empty() && listed.faces.empty());
+  std::vector<SiteId> neighbors{3};
+  EXPECT_EQ(diagram.neighbors(listed.ids[0], neighbors), Error::kNone);
+  EXPECT_TRUE(neighbors.empty());
+}
+
+}  // namespace
+}  // namespace apollonius::test
