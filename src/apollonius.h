@@ -47,9 +47,12 @@ struct Circle {
   double r;
 };
 
-/// How the nearest site is located (paper, section 4): walking from neighbour to neighbour, O(h) at worst and about sqrt(h)
-/// on random input; or through a hierarchy of Delaunay graphs, about log h.
-enum class Location : std::uint8_t { kWalk, kHierarchy };
+/// How the nearest site is located (paper, section 4). The answers are the same.
+enum class Location : std::uint8_t {
+  kWalk,            ///< the paper's plain walk: all neighbours of a site are asked; O(h) at worst, about sqrt(h) on random input
+  kPlainHierarchy,  ///< the paper's hierarchy of Delaunay graphs, with that walk on each level
+  kHierarchy,       ///< the hierarchy, with a walk that asks one neighbour of a site: about log h, whatever the degrees
+};
 
 /// The Voronoi vertices in the plane; row k of each array belongs to vertex k. The rows' order depends on the history.
 struct VertexArrays {

@@ -6,7 +6,7 @@
 
 namespace apollonius {
 
-void ConflictSearch::find(const DelaunayGraph& diagram, const Site& q, VertexId near) {
+void ConflictSearch::find(const DelaunayGraph& diagram, const Site& q, VertexId near, HalfedgeId sector) {
   // Wiped before, not after: a call that ran out of memory leaves marks behind.
   for (const FaceId f : touched_) marks_[index(f)] = Mark::kUnknown;
   touched_.clear();
@@ -16,33 +16,46 @@ void ConflictSearch::find(const DelaunayGraph& diagram, const Site& q, VertexId 
   diagram_ = &diagram;
   q_ = &q;
   if (marks_.size() < diagram.graph().faceSlots()) marks_.resize(diagram.graph().faceSlots(), Mark::kUnknown);
-  if (findFirst(near)) expand();
+  if (sector == kNoHalfedge || !startInSector(sector)) startAround(near);
+  expand();
 }
 
-/// Lemma 2 of the paper: q is in conflict with an edge of the cell of its nearest site. Enters the first face found in conflict
-/// and returns true; or finds the one edge whose interior holds all of the region.
-bool ConflictSearch::findFirst(VertexId near) {
+/// Enters a face if it is in conflict; then the region is to be expanded from its sides.
+bool ConflictSearch::startAt(FaceId f) {
+  if (!isInConflict(f)) return false;
+  enter(f);
+  for (unsigned c = 3; c-- > 0;) stack_.push_back(halfedgeOf(f, c));
+  return true;
+}
+
+/// Neither end of the edge is in conflict: is its interior? Then that is all of the region.
+bool ConflictSearch::startWithin(HalfedgeId h) {
+  const HalfedgeId twin = diagram_->graph().twin(h);
+  if (!isInteriorInConflict(diagram_->edge(h), diagram_->circle(faceOf(h)), diagram_->circle(faceOf(twin)), *q_)) return false;
+  rim_.push_back(h);
+  rim_.push_back(twin);
+  return true;
+}
+
+/// The edge across which the ray from the nearest site through q's centre leaves the cell is in conflict (paper, section 3.4).
+bool ConflictSearch::startInSector(HalfedgeId sector) {
+  return startAt(faceOf(sector)) || startAt(faceOf(diagram_->graph().twin(sector))) || startWithin(sector);
+}
+
+/// Some edge of the nearest site's cell is in conflict (paper, Lemma 2).
+void ConflictSearch::startAround(VertexId near) {
   const Graph& graph = diagram_->graph();
   const HalfedgeId begin = graph.outgoing(near);
   HalfedgeId h = begin;
   do {
-    if (isInConflict(faceOf(h))) {
-      enter(faceOf(h));
-      for (unsigned c = 3; c-- > 0;) stack_.push_back(halfedgeOf(faceOf(h), c));
-      return true;
-    }
+    if (startAt(faceOf(h))) return;
     h = graph.rotateCcw(h);
   } while (h != begin);
   do {
-    if (isInteriorInConflict(diagram_->edge(h), diagram_->circle(faceOf(h)), diagram_->circle(faceOf(graph.twin(h))), *q_)) {
-      rim_.push_back(h);
-      rim_.push_back(graph.twin(h));
-      return false;
-    }
+    if (startWithin(h)) return;
     h = graph.rotateCcw(h);
   } while (h != begin);
   invariant(false, "a site that is not covered is in conflict with an edge of its nearest site (Lemma 2)");
-  return false;
 }
 
 /// The paper's depth-first search with a stack of half-edges instead of recursion. The half-edges on the stack and on the rim,

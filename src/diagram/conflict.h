@@ -15,9 +15,10 @@ class DelaunayGraph;
 
 class ConflictSearch {
  public:
-  /// Finds the conflict region of q. `near` is the visible site nearest to q's centre and does not cover q.
-  /// REQUIRES: at least two visible sites. Cost: O(degree of `near` + size of the region).
-  void find(const DelaunayGraph& diagram, const Site& q, VertexId near);
+  /// Finds the conflict region of q. `near` is the visible site nearest to q's centre and does not cover q; `sector` the half-edge
+  /// there in whose range of directions q's centre lies, or kNoHalfedge.
+  /// REQUIRES: at least two visible sites. Cost: O(size of the region), plus the degree of `near` without a sector.
+  void find(const DelaunayGraph& diagram, const Site& q, VertexId near, HalfedgeId sector);
 
   /// The faces in conflict; empty if q's cell lies within one edge.
   [[nodiscard]] std::span<const FaceId> faces() const { return faces_; }
@@ -29,7 +30,10 @@ class ConflictSearch {
 
   [[nodiscard]] bool isInConflict(FaceId f);
   [[nodiscard]] bool isEntirelyInConflict(HalfedgeId h) const;
-  [[nodiscard]] bool findFirst(VertexId near);
+  [[nodiscard]] bool startAt(FaceId f);
+  [[nodiscard]] bool startWithin(HalfedgeId h);
+  [[nodiscard]] bool startInSector(HalfedgeId sector);
+  void startAround(VertexId near);
   void expand();
   void enter(FaceId f);
 

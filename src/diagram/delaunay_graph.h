@@ -18,6 +18,10 @@
 
 namespace apollonius {
 
+/// How a walk to the nearest site looks for a nearer one: among all neighbours (paper, section 4, procedure NearestNeighbor), or
+/// only in the direction of the point.
+enum class Walk : unsigned char { kAllNeighbors, kSectors };
+
 class DelaunayGraph {
  public:
   // --- Reading -------------------------------------------------------------------------------------------------------------
@@ -39,9 +43,13 @@ class DelaunayGraph {
     return filtered.known && !kShadowCheck ? filtered.sign == Sign::kPositive : isFaceInConflictByCorners(f, q);
   }
 
-  /// The visible site nearest to (x, y); ties go to the largest in the order of precedes(). Walks from `start`, which is visible
-  /// (paper, section 4, procedure NearestNeighbor). REQUIRES: a visible site.
-  [[nodiscard]] VertexId nearest(double x, double y, VertexId start) const;
+  /// The visible site nearest to (x, y); ties go to the largest in the order of precedes().
+  struct Located {
+    VertexId nearest = kNoVertex;
+    HalfedgeId sector = kNoHalfedge;  ///< the half-edge there whose range of directions holds the point; kNoHalfedge if that is not known
+  };
+  /// Walks from `start`, which is visible. REQUIRES: a visible site.
+  [[nodiscard]] Located locate(double x, double y, VertexId start, Walk walk = Walk::kSectors) const;
 
   // --- Changing: each either succeeds or throws std::bad_alloc and has changed nothing ---------------------------------------
 
@@ -57,7 +65,7 @@ class DelaunayGraph {
                                         ///< next change
   };
   /// Inserts the site of v (setSite), walking from `start` (visible, or kNoVertex) to its place. Paper, section 3.
-  [[nodiscard]] Insertion insert(VertexId v, VertexId start);
+  [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors);
 
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
@@ -69,8 +77,10 @@ class DelaunayGraph {
   friend class Remover;  // the other operation that changes the graph
   friend class DiagramBreaker;  // tests break a structure on purpose
 
+  [[nodiscard]] Located walkAllNeighbors(double x, double y, VertexId start) const;
+  [[nodiscard]] Located walkSectors(double x, double y, VertexId start) const;
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
-  [[nodiscard]] Insertion insertSecond(VertexId v);
+  [[nodiscard]] Insertion insertBesideOne(VertexId v);
   [[nodiscard]] Insertion coverAll(VertexId v);
   void computeCircle(FaceId f);
   void reserveFaces(std::size_t removed, std::size_t created);

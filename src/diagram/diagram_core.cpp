@@ -19,7 +19,7 @@ VertexId DiagramCore::startFor(double x, double y) const {
 
 SiteId DiagramCore::nearest(double x, double y, SiteId hint) const {
   const VertexId start = hint != kNoSite ? vertexOf(hint) : startFor(x, y);
-  return siteOf(base_.nearest(x, y, start));
+  return siteOf(base_.locate(x, y, start, walk_).nearest);
 }
 
 SiteId DiagramCore::insert(const Site& site) { return insertNear(site, kNoVertex); }
@@ -39,7 +39,7 @@ SiteState DiagramCore::place(SiteId id, const Site& site, VertexId start) {
   // -0 + 0 is 0: one number, one pattern of bits.
   base_.setSite(v, {site.x + 0.0, site.y + 0.0, site.r + 0.0});
   if (start == kNoVertex) start = startFor(site.x, site.y);
-  const DelaunayGraph::Insertion insertion = base_.insert(v, start);
+  const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_);
   // From here on nothing throws.
   if (insertion.cover != kNoVertex) {
     hidden_.attach(id, siteOf(insertion.cover));
@@ -50,7 +50,7 @@ SiteState DiagramCore::place(SiteId id, const Site& site, VertexId start) {
     ids_.setState(siteOf(covered), SiteState::kHidden);
     hierarchy_.remove(siteOf(covered), remover_);
   }
-  if (location_ == Location::kHierarchy) hierarchy_.insert(id, site);
+  if (usesHierarchy_) hierarchy_.insert(id, site);
   return SiteState::kVisible;
 }
 
@@ -92,7 +92,7 @@ void DiagramCore::displaceVisible(SiteId id) {
     }
   }
   hierarchy_.remove(id, remover_);
-  if (location_ == Location::kHierarchy) {
+  if (usesHierarchy_) {
     // The fates were the remover's scratch, which the line above may have used.
     for (const VertexId child : children_) {
       if (ids_.state(siteOf(child)) == SiteState::kVisible) hierarchy_.insert(siteOf(child), base_.site(child));

@@ -20,7 +20,10 @@ namespace apollonius {
 
 class DiagramCore {
  public:
-  explicit DiagramCore(Location location) : location_(location) {}
+  explicit DiagramCore(Location location)
+      : usesHierarchy_(location != Location::kWalk),
+        walk_(location == Location::kHierarchy ? Walk::kSectors : Walk::kAllNeighbors),
+        hierarchy_(walk_) {}
 
   SiteId insert(const Site& site);
   void insertMany(std::span<const double> xyr, std::span<SiteId> ids);
@@ -69,7 +72,8 @@ class DiagramCore {
   [[nodiscard]] bool isEdgeAtInfinity(HalfedgeId h, const std::vector<std::int32_t>& finite) const;
   [[nodiscard]] std::string checkHidden() const;
 
-  Location location_;
+  bool usesHierarchy_;
+  Walk walk_;
   SiteIds ids_;
   DelaunayGraph base_;        // vertex of site id: id + 1
   HiddenForest hidden_;       // node of site id: id

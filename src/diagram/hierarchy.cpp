@@ -17,9 +17,21 @@ Hierarchy::Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
     const DelaunayGraph& graph = levels_[k - 1];
     if (graph.visibleCount() == 0) continue;
     const VertexId start = slot == kNoSite ? graph.anyVisible() : vertexOf(slot);
-    slot = below(slotOf(graph.nearest(x, y, start)), static_cast<unsigned>(k - 1));
+    const VertexId end = stepDown(graph, graph.locate(x, y, start, walk_), x, y);
+    slot = below(slotOf(end), static_cast<unsigned>(k - 1));
   }
   return slot;
+}
+
+/// The nearest site; but a giant among small ones has a high degree below, and nobody knows where to start turning around it. The
+/// neighbour in whose sector the point lies leads there: it is taken if, seen from it, the giant's weight dwarfs the distance.
+VertexId Hierarchy::stepDown(const DelaunayGraph& graph, DelaunayGraph::Located located, double x, double y) {
+  if (located.sector == kNoHalfedge) return located.nearest;
+  const VertexId neighbor = graph.graph().target(located.sector);
+  if (neighbor == kInfinity) return located.nearest;
+  const Site &giant = graph.site(located.nearest), &small = graph.site(neighbor);
+  const double reach = (absolute(small.x - x) + absolute(small.y - y)) / 4;
+  return giant.r - small.r > reach ? neighbor : located.nearest;
 }
 
 void Hierarchy::insert(SiteId id, const Site& site) noexcept {
@@ -31,8 +43,8 @@ void Hierarchy::insert(SiteId id, const Site& site) noexcept {
       DelaunayGraph& graph = levels_[level];
       graph.reserve(slot + std::size_t{2});
       graph.setSite(vertexOf(slot), site);
-      const Slot start = locateOn(level + 1, site.x, site.y);
-      (void)graph.insert(vertexOf(slot), start == kNoSite ? kNoVertex : vertexOf(start));
+      const Slot above = locateOn(level + 1, site.x, site.y);
+      (void)graph.insert(vertexOf(slot), above == kNoSite ? kNoVertex : vertexOf(above), walk_);
       // What the new site covers is hidden on level 0 as well; the diagram takes it off the other levels.
     }
   } catch (const std::bad_alloc&) {

@@ -20,6 +20,8 @@ namespace apollonius {
 
 class Hierarchy {
  public:
+  explicit Hierarchy(Walk walk) : walk_(walk) {}
+
   /// The site (an id) to start from on level 0 for (x, y), or kNoSite if the levels are empty.
   [[nodiscard]] SiteId locate(double x, double y) const { return locateOn(0, x, y); }
 
@@ -52,6 +54,10 @@ class Hierarchy {
   /// The slot on `level` to start from.
   [[nodiscard]] Slot locateOn(unsigned level, double x, double y) const;
 
+  /// The vertex to go down with from where a search on one level ended.
+  [[nodiscard]] static VertexId stepDown(const DelaunayGraph& graph, DelaunayGraph::Located located, double x, double y);
+
+  Walk walk_;
   std::vector<DelaunayGraph> levels_;  // [k] is level k + 1
 };
 

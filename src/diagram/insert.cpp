@@ -5,19 +5,18 @@
 
 namespace apollonius {
 
-DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start) {
+DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk walk) {
   const Site& q = site(v);
   if (visibleCount_ == 0) {
     visibleCount_ = 1;
     recent_ = v;
     return {kNoVertex, {}};
   }
-  if (visibleCount_ == 1) return insertSecond(v);
+  if (visibleCount_ == 1) return insertBesideOne(v);
+  const Located near = locate(q.x, q.y, start == kNoVertex ? recent_ : start, walk);
+  if (covers(site(near.nearest), q)) return {near.nearest, {}};  // Lemma 1
 
-  const VertexId near = nearest(q.x, q.y, start == kNoVertex ? recent_ : start);
-  if (covers(site(near), q)) return {near, {}};  // Lemma 1
-
-  conflicts_.find(*this, q, near);
+  conflicts_.find(*this, q, near.nearest, near.sector);
   if (conflicts_.rim().empty()) return coverAll(v);
 
   const std::size_t removed = conflicts_.faces().size();
@@ -30,7 +29,7 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start) {
   return {kNoVertex, covered};
 }
 
-DelaunayGraph::Insertion DelaunayGraph::insertSecond(VertexId v) {
+DelaunayGraph::Insertion DelaunayGraph::insertBesideOne(VertexId v) {
   const VertexId first = recent_;
   if (covers(site(first), site(v))) return {first, {}};
   if (covers(site(v), site(first))) return coverAll(v);

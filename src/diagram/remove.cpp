@@ -111,7 +111,8 @@ void Remover::findPatch(const DelaunayGraph& diagram, VertexId v) {
     takeAllAsPatch();  // v's cell was the plane
   } else if (small_.visibleCount() > 1) {
     const Site& q = diagram.site(v);
-    small_.conflicts_.find(small_, q, small_.nearest(q.x, q.y, small_.anyVisible()));
+    const DelaunayGraph::Located near = small_.locate(q.x, q.y, small_.anyVisible());
+    small_.conflicts_.find(small_, q, near.nearest, near.sector);
     const std::span<const FaceId> faces = small_.conflicts_.faces();
     patchFaces_.assign(faces.begin(), faces.end());
     if (!faces.empty()) alignLink(diagram.graph());

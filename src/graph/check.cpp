@@ -4,12 +4,12 @@
 namespace apollonius {
 
 const char* Graph::check(std::uint32_t& where) const {
-  const std::size_t halfedges = origin_.size();
+  const std::size_t halfedges = halfedges_.size();
   const auto fail = [&](const char* what, std::size_t at) {
     where = static_cast<std::uint32_t>(at);
     return what;
   };
-  if (twin_.size() != halfedges || halfedges % 3 != 0) return fail("arrays of half-edges differ in length at", halfedges);
+  if (halfedges % 3 != 0) return fail("half-edges are not three a face: half-edges", halfedges);
 
   // Half-edges: corners, twins.
   std::size_t live = 0;

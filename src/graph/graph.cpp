@@ -13,17 +13,14 @@ void Graph::reserveFaces(std::size_t removed, std::size_t created) {
     if (array.capacity() < needed) array.reserve(std::max(needed, array.capacity() + array.capacity() / 2));
   };
   if (created > removed + freeFaces_) {
-    const std::size_t needed = origin_.size() + 3 * (created - removed - freeFaces_);
-    grow(origin_, needed);
-    grow(twin_, needed);
+    grow(halfedges_, halfedges_.size() + 3 * (created - removed - freeFaces_));
   }
   grow(rim_, std::max(removed, created));
   grow(lost_, 3 * removed);
 }
 
 void Graph::clear() {
-  origin_.clear();
-  twin_.clear();
+  halfedges_.clear();
   outgoing_.assign(outgoing_.size(), kNoHalfedge);
   firstFree_ = kNoHalfedge;
   freeFaces_ = 0;
@@ -32,8 +29,7 @@ void Graph::clear() {
 FaceId Graph::takeFace() {
   if (firstFree_ == kNoHalfedge) {
     const FaceId f{static_cast<std::uint32_t>(faceSlots())};
-    origin_.resize(origin_.size() + 3, kNoVertex);
-    twin_.resize(twin_.size() + 3, kNoHalfedge);
+    halfedges_.resize(halfedges_.size() + 3);
     return f;
   }
   const FaceId f = faceOf(firstFree_);
@@ -44,10 +40,9 @@ FaceId Graph::takeFace() {
 
 void Graph::freeFace(FaceId f) {
   for (unsigned c = 0; c < 3; ++c) {
-    origin_[index(halfedgeOf(f, c))] = kNoVertex;
-    twin_[index(halfedgeOf(f, c))] = kNoHalfedge;
+    halfedges_[index(halfedgeOf(f, c))] = Halfedge{};
   }
-  twin_[index(halfedgeOf(f, 0))] = firstFree_;
+  halfedges_[index(halfedgeOf(f, 0))].twin = firstFree_;
   firstFree_ = halfedgeOf(f, 0);
   ++freeFaces_;
 }
@@ -56,7 +51,7 @@ void Graph::setFace(FaceId f, VertexId a, VertexId b, VertexId c) {
   const std::array<VertexId, 3> corners{a, b, c};
   for (unsigned k = 0; k < 3; ++k) {
     const HalfedgeId h = halfedgeOf(f, k);
-    origin_[index(h)] = corners[k];
+    halfedges_[index(h)].origin = corners[k];
     outgoing_[index(corners[k])] = h;
   }
 }
@@ -79,7 +74,7 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
   lost_.clear();
   for (const FaceId f : hole) {
     for (unsigned c = 0; c < 3; ++c) {
-      VertexId& corner = origin_[index(halfedgeOf(f, c))];
+      VertexId& corner = halfedges_[index(halfedgeOf(f, c))].origin;
       if (outgoing(corner) != kNoHalfedge) lost_.push_back(corner);  // once each: the rim's get their place back below
       outgoing_[index(corner)] = kNoHalfedge;
       corner = kNoVertex;
@@ -90,7 +85,7 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
   // An outer side within the hole is on the rim itself and is replaced too: leave word there of what replaces it.
   const auto isInHole = [&](HalfedgeId h) { return origin(h) == kNoVertex; };
   for (std::size_t k = 0; k < n; ++k) {
-    if (isInHole(rim[k])) twin_[index(rim[k])] = halfedgeOf(newFaces[k], 0);
+    if (isInHole(rim[k])) halfedges_[index(rim[k])].twin = halfedgeOf(newFaces[k], 0);
   }
   for (RimEdge& edge : rim_) {
     if (isInHole(edge.outer)) edge.outer = twin(edge.outer);
@@ -114,7 +109,7 @@ void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<
   rim_.clear();
   for (const HalfedgeId h : link) rim_.push_back({origin(h), twin(h)});
   for (const HalfedgeId h : link) {
-    for (const HalfedgeId side : {h, next(h), previous(h)}) origin_[index(side)] = kNoVertex;
+    for (const HalfedgeId side : {h, next(h), previous(h)}) halfedges_[index(side)].origin = kNoVertex;
   }
   for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < link.size() ? faceOf(link[k]) : takeFace();
   outgoing_[index(v)] = kNoHalfedge;
@@ -128,7 +123,7 @@ void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<
   for (std::size_t k = 0; k < n; ++k) {
     for (unsigned c = 0; c < 3; ++c) {
       const std::uint32_t across = patch[k].across[c];
-      if ((across & kOutside) != 0) twin_[index(link[across & ~kOutside])] = halfedgeOf(newFaces[k], c);
+      if ((across & kOutside) != 0) halfedges_[index(link[across & ~kOutside])].twin = halfedgeOf(newFaces[k], c);
     }
   }
   for (RimEdge& edge : rim_) {

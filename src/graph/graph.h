@@ -1,9 +1,9 @@
 // The Delaunay graph as pure topology: a closed triangulated surface (a sphere) in flat arrays, vertex 0 being the site at
 // infinity. It knows no coordinates; which faces go and which come is decided by the diagram.
 //
-//     origin[h]   vertex where half-edge h starts            next(h), previous(h): by index arithmetic (graph/ids.h)
-//     twin[h]     the other half of its edge                 face = h / 3
-//     outgoing[v] one half-edge that starts at v, or kNoHalfedge if v has no place in the graph
+//     halfedges[h].origin   vertex where half-edge h starts     next(h), previous(h): by index arithmetic (graph/ids.h)
+//     halfedges[h].twin     the other half of its edge          face = h / 3
+//     outgoing[v]           one half-edge that starts at v, or kNoHalfedge if v has no place in the graph
 //
 // Two vertices can share several edges, a vertex can have degree 2, a face can meet the same neighbour twice: an edge is a
 // half-edge id, never a pair of vertices. With fewer than two visible sites there are no faces at all.
@@ -22,18 +22,18 @@ class Graph {
  public:
   // --- Reading -------------------------------------------------------------------------------------------------------------
 
-  [[nodiscard]] VertexId origin(HalfedgeId h) const { return origin_[index(h)]; }
-  [[nodiscard]] VertexId target(HalfedgeId h) const { return origin_[index(next(h))]; }
+  [[nodiscard]] VertexId origin(HalfedgeId h) const { return halfedges_[index(h)].origin; }
+  [[nodiscard]] VertexId target(HalfedgeId h) const { return halfedges_[index(next(h))].origin; }
   /// The corner of h's face that is not on h.
-  [[nodiscard]] VertexId apex(HalfedgeId h) const { return origin_[index(previous(h))]; }
-  [[nodiscard]] HalfedgeId twin(HalfedgeId h) const { return twin_[index(h)]; }
+  [[nodiscard]] VertexId apex(HalfedgeId h) const { return halfedges_[index(previous(h))].origin; }
+  [[nodiscard]] HalfedgeId twin(HalfedgeId h) const { return halfedges_[index(h)].twin; }
   [[nodiscard]] HalfedgeId outgoing(VertexId v) const { return outgoing_[index(v)]; }
   [[nodiscard]] bool hasVertex(VertexId v) const { return index(v) < outgoing_.size() && outgoing(v) != kNoHalfedge; }
   /// The next half-edge around the origin of h.
   [[nodiscard]] HalfedgeId rotateCcw(HalfedgeId h) const { return twin(previous(h)); }
   [[nodiscard]] HalfedgeId rotateCw(HalfedgeId h) const { return next(twin(h)); }
 
-  [[nodiscard]] std::size_t faceSlots() const { return origin_.size() / 3; }  ///< live and free ones
+  [[nodiscard]] std::size_t faceSlots() const { return halfedges_.size() / 3; }  ///< live and free ones
   [[nodiscard]] std::size_t vertexSlots() const { return outgoing_.size(); }
   [[nodiscard]] std::size_t faceCount() const { return faceSlots() - freeFaces_; }
   [[nodiscard]] bool isLive(FaceId f) const { return origin(halfedgeOf(f, 0)) != kNoVertex; }
@@ -97,12 +97,17 @@ class Graph {
   void freeFace(FaceId f);
   void setFace(FaceId f, VertexId a, VertexId b, VertexId c);
   void sew(HalfedgeId h, HalfedgeId g) {
-    twin_[index(h)] = g;
-    twin_[index(g)] = h;
+    halfedges_[index(h)].twin = g;
+    halfedges_[index(g)].twin = h;
   }
 
-  std::vector<VertexId> origin_;      // kNoVertex in free faces
-  std::vector<HalfedgeId> twin_;      // in a free face, its first entry names the first half-edge of the next free face
+  // Both fields of a half-edge, and mostly its whole face, are in one cache line.
+  struct Halfedge {
+    VertexId origin = kNoVertex;      // kNoVertex in free faces
+    HalfedgeId twin = kNoHalfedge;    // in a free face, its first entry names the first half-edge of the next free face
+  };
+
+  std::vector<Halfedge> halfedges_;
   std::vector<HalfedgeId> outgoing_;
   HalfedgeId firstFree_ = kNoHalfedge;
   std::size_t freeFaces_ = 0;

@@ -2,7 +2,7 @@
 // polynomials of degree 12.
 #include <algorithm>
 
-#include "number/fp.h"
+#include "predicate/direction.h"
 #include "predicate/formulas.h"
 #include "predicate/stages.h"
 
@@ -11,32 +11,6 @@ namespace apollonius::stages {
 namespace {
 
 constexpr double u1 = kUnitRoundoff;
-
-/// A vector with a bound on the error of each component.
-struct Arrow {
-  double x, y, error;
-  [[nodiscard]] double size() const { return absolute(x) + absolute(y); }
-};
-
-/// Direction of a face's vertex from the pole, not normalised: the circle's centre less the pole's, or the half-plane's normal.
-Arrow directionOf(const VoronoiCircle& circle, const Site& pole) {
-  if (circle.isHalfPlane()) return {circle.x, circle.y, circle.slope};
-  Arrow d{circle.x - pole.x, circle.y - pole.y, 0};
-  d.error = circle.error + u1 * std::max(absolute(d.x), absolute(d.y));
-  return d;
-}
-
-/// Sign of a.x b.y - a.y b.x: errors a.error |b| + b.error |a| + twice their product, and two roundings of each product.
-MaybeSign turn(const Arrow& a, const Arrow& b) {
-  const double value = a.x * b.y - a.y * b.x;
-  const double sa = a.size(), sb = b.size();
-  const double bound = (a.error * sb + b.error * sa + 2 * a.error * b.error + 3 * u1 * sa * sb) * (1 + 16 * u1);
-  // Underflow is far below the bound where the arrows are not tiny.
-  if (!(bound > powerOfTwo(-900))) return {};
-  if (value > bound) return {Sign::kPositive, true};
-  if (value < -bound) return {Sign::kNegative, true};
-  return {};
-}
 
 /// Middle of q's shadow on the bisector of the pole and j (chordOf), or its opposite. Depth 8 (stages.cpp): the error of each
 /// component is at most 9u (l_q m_j + l_j m_q), with l the largest difference and m = x² + y² + r².

@@ -6,6 +6,7 @@
 #include "number/ball.h"
 #include "predicate/formulas.h"
 #include "predicate/pole.h"
+#include "predicate/predicates.h"
 #include "predicate/rows.h"
 
 namespace apollonius {
@@ -121,7 +122,12 @@ VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k) {
   rotateToPole(i, j, k);
   if (k == nullptr) return halfPlane(*i, *j, 1);
   if (j == nullptr) return halfPlane(*i, *k, -1);
-  return boundedCircle(*i, *j, *k);
+  const VoronoiCircle circle = boundedCircle(*i, *j, *k);
+  if (circle.error < std::numeric_limits<float>::infinity() || !isVertexAtInfinity(*i, *j, *k)) return circle;
+  // The half-plane beyond the common tangent line: that of two of the sites in the order in which they touch it, which all
+  // pairs have but the outermost one.
+  if (touchesBetween(*i, *j, *k)) return halfPlane(*i, *k, -1);
+  return halfPlane(*i, *j, 1);
 }
 
 }  // namespace apollonius

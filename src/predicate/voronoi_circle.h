@@ -27,7 +27,8 @@ struct VoronoiCircle {
   [[nodiscard]] bool isHalfPlane() const { return slope >= 0; }
 };
 
-/// The circle of a counter-clockwise face with an existing circle. The same bits for the same three sites, whichever comes
+/// The circle of a counter-clockwise face with an existing circle; of a face whose vertex is at infinity (three sites in line on the
+/// hull), the half-plane. The same bits for the same three sites, whichever comes
 /// first and on whichever platform: the computation starts from the largest site in the order of precedes().
 [[nodiscard]] VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k);
 

@@ -9,8 +9,8 @@ class GraphBreaker {
  public:
   explicit GraphBreaker(Graph& graph) : graph_(graph) {}
 
-  VertexId& origin(HalfedgeId h) { return graph_.origin_[index(h)]; }
-  HalfedgeId& twin(HalfedgeId h) { return graph_.twin_[index(h)]; }
+  VertexId& origin(HalfedgeId h) { return graph_.halfedges_[index(h)].origin; }
+  HalfedgeId& twin(HalfedgeId h) { return graph_.halfedges_[index(h)].twin; }
   HalfedgeId& outgoing(VertexId v) { return graph_.outgoing_[index(v)]; }
   HalfedgeId& firstFree() { return graph_.firstFree_; }
   std::size_t& freeFaces() { return graph_.freeFaces_; }
@@ -22,11 +22,7 @@ class GraphBreaker {
     return f;
   }
   void freeFace(FaceId f) { graph_.freeFace(f); }
-  void truncateTwins() { graph_.twin_.pop_back(); }
-  void truncateHalfedges() {
-    graph_.origin_.pop_back();
-    graph_.twin_.pop_back();
-  }
+  void truncateHalfedges() { graph_.halfedges_.pop_back(); }
 
  private:
   Graph& graph_;
