@@ -18,18 +18,13 @@
 #include <string>
 #include <vector>
 
-namespace apollonius {
+#include "diagram/vocabulary.h"
 
-/// A site's public name: stable while the site lives; ids of removed sites are used again.
-using SiteId = std::uint32_t;
-inline constexpr SiteId kNoSite = 0xFFFFFFFFu;
+namespace apollonius {
 
 /// Smallest and largest magnitude that a coordinate or a weight may have, apart from 0 (same unit as the coordinates).
 inline constexpr double kSmallestMagnitude = 1e-100;
 inline constexpr double kLargestMagnitude = 1e100;
-/// Most sites that one diagram can hold.
-inline constexpr std::size_t kMostSites = std::size_t{1} << 29;
-
 enum class Error : std::uint8_t {
   kNone = 0,
   kNotFinite,    ///< a NaN or an infinity was given
@@ -45,29 +40,6 @@ struct Circle {
   double x;
   double y;
   double r;
-};
-
-/// How the nearest site is located (paper, section 4). The answers are the same.
-enum class Location : std::uint8_t {
-  kWalk,            ///< the paper's plain walk: all neighbours of a site are asked; O(h) at worst, about sqrt(h) on random input
-  kPlainHierarchy,  ///< the paper's hierarchy of Delaunay graphs, with that walk on each level
-  kHierarchy,       ///< the hierarchy, with a walk that asks one neighbour of a site: about log h, whatever the degrees
-};
-
-/// The Voronoi vertices in the plane; row k of each array belongs to vertex k. The rows' order depends on the history.
-struct VertexArrays {
-  std::vector<double> coordinates;      ///< x, y of each vertex
-  std::vector<double> clearance;        ///< common distance to its three sites
-  std::vector<std::uint32_t> sites;     ///< the three sites, counter-clockwise around the vertex's circle
-};
-
-/// The Voronoi edges. Two sites can share several. Where more than three sites touch one circle, the canonical rule makes edges
-/// of length zero, and several vertices at one place; where three are in line on the hull (a common tangent line), an edge and a
-/// vertex at infinity, which are not listed.
-struct EdgeArrays {
-  std::vector<std::uint32_t> sites;     ///< two sites a, b of each edge
-  std::vector<std::int32_t> vertices;   ///< its two ends as rows of VertexArrays, -1 for an unbounded end; walking from the
-                                        ///< first to the second keeps a's cell on the left
 };
 
 class Diagram {

@@ -21,7 +21,7 @@ const rules = [
   { of: /^src\/graph\//, may: [std, /^"graph\//] },
   { of: /^src\/diagram\//, may: [std, /^"(graph|predicate|diagram)\//, /^"number\/sign\.h"$/] },
   { of: /^src\/geometry\//, may: [std, /^"(diagram|number|geometry)\//] },
-  { of: /^src\/apollonius\.h$/, may: [std] },
+  { of: /^src\/apollonius\.h$/, may: [std, /^"diagram\/vocabulary\.h"$/] },
   { of: /^src\/apollonius\.cpp$/, may: [std, /^"(number|predicate|graph|diagram|geometry)\//, /^"apollonius\.h"$/] },
   { of: /^wasm\/bindings\.cpp$/, may: [std, /^<emscripten\//, /^"apollonius\.h"$/] },
   { of: /^bench\/.*\.(cpp|h)$/, may: [std, /^"apollonius\.h"$/, /^"(tests\/)?support\/generators/, /^<CGAL\//, /^"bench\//,

@@ -9,19 +9,15 @@ bool DelaunayGraph::isFaceInConflictByCorners(FaceId f, const Site& q) const {
                             corner(graph_.origin(halfedgeOf(f, 2))), q);
 }
 
-void DelaunayGraph::computeCircle(FaceId f) {
-  circles_[index(f)] = voronoiCircle(corner(graph_.origin(halfedgeOf(f, 0))), corner(graph_.origin(halfedgeOf(f, 1))),
-                                     corner(graph_.origin(halfedgeOf(f, 2))));
-}
-
 void DelaunayGraph::reserve(std::size_t slots) {
-  graph_.reserveVertices(slots);
   if (sites_.size() < slots) sites_.resize(slots);
+  graph_.reserveVertices(slots);  // last: who looks at its size finds room for all
 }
 
 void DelaunayGraph::reserveFaces(std::size_t removed, std::size_t created) {
   graph_.reserveFaces(removed, created);
   newFaces_.resize(created);
+  newCircles_.resize(created);
   const std::size_t slots = graph_.faceSlots() + (created > removed ? created - removed : 0);
   if (circles_.size() < slots) circles_.resize(slots);
 }

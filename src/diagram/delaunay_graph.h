@@ -82,8 +82,12 @@ class DelaunayGraph {
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
   [[nodiscard]] Insertion insertBesideOne(VertexId v);
   [[nodiscard]] Insertion coverAll(VertexId v);
-  void computeCircle(FaceId f);
+  /// Room for an operation on the graph, newFaces_ and newCircles_ of the right size included.
   void reserveFaces(std::size_t removed, std::size_t created);
+  /// After the operation: newCircles_ become the circles of newFaces_.
+  void takeCircles() noexcept {
+    for (std::size_t k = 0; k < newFaces_.size(); ++k) circles_[index(newFaces_[k])] = newCircles_[k];
+  }
 
   std::vector<Site> sites_;              // by vertex
   Graph graph_;                          // has faces from two visible sites on
@@ -93,6 +97,7 @@ class DelaunayGraph {
 
   ConflictSearch conflicts_;
   std::vector<FaceId> newFaces_;         // scratch
+  std::vector<VoronoiCircle> newCircles_;  // scratch: computed before the graph changes, as that may take memory
   std::vector<VertexId> covered_;        // scratch
 };
 

@@ -7,9 +7,9 @@
 namespace apollonius {
 
 void DiagramCore::reserve(std::size_t sites) {
-  base_.reserve(sites + 1);
-  hidden_.reserve(sites);
   ids_.reserve(sites);
+  hidden_.reserve(sites);
+  base_.reserve(sites + 1);  // last: who looks at its size finds room for all
 }
 
 VertexId DiagramCore::startFor(double x, double y) const {
@@ -27,8 +27,8 @@ SiteId DiagramCore::insert(const Site& site) { return insertNear(site, kNoVertex
 SiteId DiagramCore::insertNear(const Site& site, VertexId start) {
   const SiteId id = ids_.next();
   if (id + std::size_t{2} > base_.graph().vertexSlots()) {
-    base_.reserve(id + std::size_t{2});
     hidden_.reserve(id + std::size_t{1});
+    base_.reserve(id + std::size_t{2});  // last: see reserve
   }
   ids_.take(id, place(id, site, start));
   return id;
@@ -62,9 +62,22 @@ bool DiagramCore::remove(SiteId id) {
 }
 
 std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
-  std::size_t removed = 0;
-  for (const SiteId id : ids) removed += remove(id);
-  return removed;
+  ballast_.load();
+  std::vector<SiteId> gone;
+  gone.reserve(ids.size());
+  try {
+    for (const SiteId id : ids) {
+      if (ids_.state(id) == SiteState::kFree || ids_.state(id) == SiteState::kPending) continue;  // pending: repeated
+      displace(id);
+      gone.push_back(id);
+    }
+  } catch (const std::bad_alloc&) {
+    ballast_.drop();
+    for (const SiteId id : gone) restore(id, site(id));
+    throw;
+  }
+  for (const SiteId id : gone) ids_.release(id);
+  return gone.size();
 }
 
 void DiagramCore::displace(SiteId id) {
@@ -73,6 +86,7 @@ void DiagramCore::displace(SiteId id) {
   } else {
     displaceVisible(id);
   }
+  ids_.setState(id, SiteState::kPending);
 }
 
 void DiagramCore::displaceVisible(SiteId id) {
@@ -101,15 +115,19 @@ void DiagramCore::displaceVisible(SiteId id) {
 }
 
 void DiagramCore::update(SiteId id, const Site& site) {
+  ballast_.load();
+  move(id, site);
+}
+
+void DiagramCore::move(SiteId id, const Site& site) {
   const Site old = this->site(id);
   if (old.x == site.x && old.y == site.y && old.r == site.r) return;
-  ballast_.load();
   displace(id);
   try {
     ids_.setState(id, place(id, site, kNoVertex));
   } catch (const std::bad_alloc&) {
     ballast_.drop();
-    ids_.setState(id, place(id, old, kNoVertex));
+    restore(id, old);
     throw;
   }
 }
@@ -120,11 +138,10 @@ void DiagramCore::insertMany(std::span<const double> xyr, std::span<SiteId> ids)
   const std::size_t sites = ids_.size() + n;
   reserve(sites > ids_.slots() ? sites : ids_.slots());
   std::vector<std::uint32_t> order = insertionOrder({xyr, 3});
-  // Ids are given in the order of the input, sites inserted along the curve: so the ids are taken first, as hidden sites of no
-  // parent, which no search meets.
+  // Ids are given in the order of the input, sites inserted along the curve.
   for (SiteId& id : ids) {
     id = ids_.next();
-    ids_.take(id, SiteState::kHidden);
+    ids_.take(id, SiteState::kPending);
   }
   std::size_t done = 0;
   try {
@@ -138,22 +155,26 @@ void DiagramCore::insertMany(std::span<const double> xyr, std::span<SiteId> ids)
   } catch (const std::bad_alloc&) {
     ballast_.drop();
     for (std::size_t k = 0; k < done; ++k) displace(ids[order[k]]);
-    for (std::size_t k = n; k-- > 0;) ids_.release(ids[k]);
+    for (std::size_t k = n; k-- > 0;) ids_.release(ids[k]);  // so that the next ones are given in the same order again
     throw;
   }
 }
 
 void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
+  ballast_.load();
   std::vector<Site> old(ids.size());
   std::size_t done = 0;
   try {
     for (; done < ids.size(); ++done) {
       old[done] = site(ids[done]);
-      update(ids[done], {xyr[3 * done], xyr[3 * done + 1], xyr[3 * done + 2]});
+      move(ids[done], {xyr[3 * done], xyr[3 * done + 1], xyr[3 * done + 2]});
     }
   } catch (const std::bad_alloc&) {
     ballast_.drop();
-    while (done-- > 0) update(ids[done], old[done]);
+    while (done-- > 0) {
+      displace(ids[done]);
+      restore(ids[done], old[done]);
+    }
     throw;
   }
 }

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "apollonius.h"
 #include "diagram/ballast.h"
 #include "diagram/delaunay_graph.h"
 #include "diagram/hidden.h"
 #include "diagram/hierarchy.h"
 #include "diagram/remove.h"
 #include "diagram/site_ids.h"
+#include "diagram/vocabulary.h"
 
 namespace apollonius {
 
@@ -28,7 +28,7 @@ class DiagramCore {
   SiteId insert(const Site& site);
   void insertMany(std::span<const double> xyr, std::span<SiteId> ids);
   bool remove(SiteId id);
-  /// How many of the ids were in use. May throw with some of them removed only if there is no memory for anything at all.
+  /// How many of the ids were in use.
   std::size_t removeMany(std::span<const SiteId> ids);
   void update(SiteId id, const Site& site);
   void updateMany(std::span<const SiteId> ids, std::span<const double> xyr);
@@ -63,8 +63,12 @@ class DiagramCore {
   /// Places a site whose id is in no structure; `start` is visible, or kNoVertex to locate from scratch. May throw; else the
   /// returned state is what the id is to get.
   [[nodiscard]] SiteState place(SiteId id, const Site& site, VertexId start);
-  /// Takes a site out of all structures; its id stays in use.
+  /// Takes a site out of all structures; its id becomes pending.
   void displace(SiteId id);
+  /// Displaces a site and places it elsewhere; a site that cannot be placed returns to where it was.
+  void move(SiteId id, const Site& site);
+  /// Undoes a displacement. There is room for it: the ballast has been dropped.
+  void restore(SiteId id, const Site& site) noexcept { ids_.setState(id, place(id, site, kNoVertex)); }
   void displaceVisible(SiteId id);
   [[nodiscard]] VertexId startFor(double x, double y) const;
 

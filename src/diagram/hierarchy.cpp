@@ -35,6 +35,7 @@ VertexId Hierarchy::stepDown(const DelaunayGraph& graph, DelaunayGraph::Located 
 }
 
 void Hierarchy::insert(SiteId id, const Site& site) noexcept {
+  if (isDropped_) return;
   try {
     Slot slot = id;
     for (unsigned level = 0; level < kMostLevels && climbs(slot, level); ++level) {
@@ -48,7 +49,7 @@ void Hierarchy::insert(SiteId id, const Site& site) noexcept {
       // What the new site covers is hidden on level 0 as well; the diagram takes it off the other levels.
     }
   } catch (const std::bad_alloc&) {
-    clear();
+    drop();
   }
 }
 
@@ -63,7 +64,7 @@ void Hierarchy::remove(SiteId id, Remover& remover) noexcept {
       }
     }
   } catch (const std::bad_alloc&) {
-    clear();
+    drop();
   }
 }
 

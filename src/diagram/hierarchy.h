@@ -5,16 +5,17 @@
 // common number, is a slot of the next. So nothing is stored to get from a slot on one level to the same site's on another, and
 // sites that are revived or moved return to their levels. Levels hold visible sites only.
 //
-// The hierarchy is an accelerator: where it runs out of memory it is dropped, and searches walk from afar.
+// The hierarchy is an accelerator: where it runs out of memory it is dropped until the diagram is cleared, and searches walk from
+// afar.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "apollonius.h"
 #include "diagram/delaunay_graph.h"
 #include "diagram/remove.h"
+#include "diagram/vocabulary.h"
 
 namespace apollonius {
 
@@ -31,7 +32,10 @@ class Hierarchy {
   /// Takes a site off its levels, if it is on any.
   void remove(SiteId id, Remover& remover) noexcept;
 
-  void clear() noexcept { levels_.clear(); }
+  void clear() noexcept {
+    levels_.clear();
+    isDropped_ = false;
+  }
 
   /// The first broken invariant or nullptr; `base` is level 0, whose vertex of site id is id + 1.
   [[nodiscard]] const char* check(const DelaunayGraph& base, std::uint32_t& where) const;
@@ -58,7 +62,13 @@ class Hierarchy {
   [[nodiscard]] static VertexId stepDown(const DelaunayGraph& graph, DelaunayGraph::Located located, double x, double y);
 
   Walk walk_;
+  void drop() noexcept {
+    levels_.clear();
+    isDropped_ = true;
+  }
+
   std::vector<DelaunayGraph> levels_;  // [k] is level k + 1
+  bool isDropped_ = false;
 };
 
 }  // namespace apollonius

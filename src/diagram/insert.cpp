@@ -1,6 +1,4 @@
 // Insertion in the paper's three stages (section 3): nearest site, is the new one covered by it, conflict region and starring.
-#include <array>
-
 #include "diagram/delaunay_graph.h"
 
 namespace apollonius {
@@ -22,8 +20,12 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk 
   const std::size_t removed = conflicts_.faces().size();
   const std::size_t created = conflicts_.rim().size();
   reserveFaces(removed, created);
+  for (std::size_t k = 0; k < created; ++k) {
+    const HalfedgeId h = conflicts_.rim()[k];
+    newCircles_[k] = voronoiCircle(corner(graph_.origin(h)), corner(graph_.target(h)), &q);
+  }
   const std::span<const VertexId> covered = graph_.starHole(v, conflicts_.faces(), conflicts_.rim(), newFaces_);
-  for (const FaceId f : newFaces_) computeCircle(f);
+  takeCircles();
   visibleCount_ += 1 - covered.size();
   recent_ = v;
   return {kNoVertex, covered};
@@ -34,9 +36,10 @@ DelaunayGraph::Insertion DelaunayGraph::insertBesideOne(VertexId v) {
   if (covers(site(first), site(v))) return {first, {}};
   if (covers(site(v), site(first))) return coverAll(v);
   reserveFaces(0, 2);
-  std::array<FaceId, 2> faces;
-  graph_.makePair(first, v, faces);
-  for (const FaceId f : faces) computeCircle(f);
+  newCircles_[0] = voronoiCircle(corner(first), corner(v), nullptr);
+  newCircles_[1] = voronoiCircle(corner(v), corner(first), nullptr);
+  graph_.makePair(first, v, newFaces_);
+  takeCircles();
   visibleCount_ = 2;
   recent_ = v;
   return {kNoVertex, {}};

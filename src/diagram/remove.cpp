@@ -175,15 +175,14 @@ void Remover::apply(DelaunayGraph& diagram, VertexId v) {
     const VertexId a = diagram.graph().origin(link_[0]);
     neighbour = a != kInfinity ? a : diagram.graph().target(link_[0]);
   }
-  diagram.graph_.replaceStar(v, link_, patch_, diagram.newFaces_);
   for (std::size_t k = 0; k < patch_.size(); ++k) {
-    const FaceId f = diagram.newFaces_[k];
-    if (patchFaces_.empty()) {
-      diagram.computeCircle(f);
-    } else {
-      diagram.circles_[index(f)] = small_.circle(patchFaces_[k]);
-    }
+    const auto& corners = patch_[k].corners;
+    diagram.newCircles_[k] = patchFaces_.empty()
+                                 ? voronoiCircle(diagram.corner(corners[0]), diagram.corner(corners[1]), diagram.corner(corners[2]))
+                                 : small_.circle(patchFaces_[k]);
   }
+  diagram.graph_.replaceStar(v, link_, patch_, diagram.newFaces_);
+  diagram.takeCircles();
   --diagram.visibleCount_;
   if (diagram.recent_ == v) diagram.recent_ = neighbour;
 }

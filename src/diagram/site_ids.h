@@ -3,13 +3,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "apollonius.h"
+#include "diagram/vocabulary.h"
+
 
 namespace apollonius {
 
-enum class SiteState : std::uint8_t { kFree = 0, kVisible = 1, kHidden = 2 };
+/// kPending: in use, but the site is in no structure at the moment; within operations of several steps only.
+enum class SiteState : std::uint8_t { kFree = 0, kVisible = 1, kHidden = 2, kPending = 3 };
 
 class SiteIds {
  public:

@@ -56,8 +56,8 @@ void Graph::setFace(FaceId f, VertexId a, VertexId b, VertexId c) {
   }
 }
 
-void Graph::makePair(VertexId u, VertexId v, std::array<FaceId, 2>& faces) {
-  faces = {takeFace(), takeFace()};
+void Graph::makePair(VertexId u, VertexId v, std::span<FaceId> faces) {
+  for (FaceId& f : faces) f = takeFace();
   setFace(faces[0], u, v, kInfinity);
   setFace(faces[1], v, u, kInfinity);
   sew(halfedgeOf(faces[0], 0), halfedgeOf(faces[1], 0));  // u → v

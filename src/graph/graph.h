@@ -51,12 +51,12 @@ class Graph {
   /// Forgets everything but the room.
   void clear();
 
-  /// The surface of two sites and infinity: two faces, three edges. REQUIRES isEmpty().
+  /// The surface of two sites and infinity: two faces, three edges. REQUIRES isEmpty(), reserveFaces(0, 2), faces.size() == 2.
   ///
   ///             infinity                    face 0 = (u, v, infinity)
   ///            /        \                   face 1 = (v, u, infinity), on the back
   ///           u -------- v
-  void makePair(VertexId u, VertexId v, std::array<FaceId, 2>& faces);
+  void makePair(VertexId u, VertexId v, std::span<FaceId> faces);
 
   /// Puts vertex w into a hole: the faces `hole` go, and each half-edge of `rim` gets a new face with w at its left.
   /// The rim lists, counter-clockwise, the half-edges that bound the hole from inside; a rim half-edge whose twin is on the rim

@@ -1,0 +1,41 @@
+// The words that the public interface and the diagram share: ids, ways of location, arrays out. Plain standard types; users get
+// them with apollonius.h.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace apollonius {
+
+/// A site's public name: stable while the site lives; ids of removed sites are used again.
+using SiteId = std::uint32_t;
+inline constexpr SiteId kNoSite = 0xFFFFFFFFu;
+
+/// Most sites that one diagram can hold.
+inline constexpr std::size_t kMostSites = std::size_t{1} << 29;
+
+/// How the nearest site is located (paper, section 4). The answers are the same.
+enum class Location : std::uint8_t {
+  kWalk,            ///< the paper's plain walk: all neighbours of a site are asked; O(h) at worst, about sqrt(h) on random input
+  kPlainHierarchy,  ///< the paper's hierarchy of Delaunay graphs, with that walk on each level
+  kHierarchy,       ///< the hierarchy, with a walk that asks one neighbour of a site: about log h, whatever the degrees
+};
+
+/// The Voronoi vertices in the plane; row k of each array belongs to vertex k. The rows' order depends on the history.
+struct VertexArrays {
+  std::vector<double> coordinates;      ///< x, y of each vertex
+  std::vector<double> clearance;        ///< common distance to its three sites
+  std::vector<std::uint32_t> sites;     ///< the three sites, counter-clockwise around the vertex's circle
+};
+
+/// The Voronoi edges. Two sites can share several. Where more than three sites touch one circle, the canonical rule makes edges
+/// of length zero, and several vertices at one place; where three are in line on the hull (a common tangent line), an edge and a
+/// vertex at infinity, which are not listed.
+struct EdgeArrays {
+  std::vector<std::uint32_t> sites;     ///< two sites a, b of each edge
+  std::vector<std::int32_t> vertices;   ///< its two ends as rows of VertexArrays, -1 for an unbounded end; walking from the
+                                        ///< first to the second keeps a's cell on the left
+};
+
+}  // namespace apollonius
