@@ -1,7 +1,7 @@
 // A JavaScript contender as a program: reads one request a line, answers each with one line of JSON, as bench/native/contender.h.
 //
-//   node --expose-gc bench/js/contender.mjs NAME                            requests from standard input
-//   node --expose-gc bench/js/contender.mjs NAME SET OPERATION...           for a person
+//   node bench/js/contender.mjs NAME                        requests from standard input
+//   node bench/js/contender.mjs NAME SET OPERATION...       for a person
 //
 // NAME is ours, delaunator, d3_delaunay or flatbush. `ours` loads the packed package from the folder in BENCH_PACKAGE.
 import { createInterface } from "node:readline";

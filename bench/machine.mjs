@@ -1,0 +1,54 @@
+// What the numbers were measured on.
+import { readFileSync } from "node:fs";
+import { cpus, loadavg, release, totalmem } from "node:os";
+import path from "node:path";
+import { ensureEmscripten } from "../wasm/toolchain/emscripten.mjs";
+import { capture } from "../wasm/toolchain/process.mjs";
+import { hasCgal } from "./prepare.mjs";
+import { root } from "./places.mjs";
+
+function attempt(action) {
+  try {
+    return action();
+  } catch {
+    return "unknown";
+  }
+}
+
+const firstLine = (text) => text.split("\n")[0].trim();
+
+function distribution() {
+  return /^PRETTY_NAME="(.*)"$/m.exec(readFileSync("/etc/os-release", "utf8"))[1];
+}
+
+function compiler() {
+  const cache = readFileSync(path.join(root, "build/bench/CMakeCache.txt"), "utf8");
+  return firstLine(capture(/^CMAKE_CXX_COMPILER:\w+=(.*)$/m.exec(cache)[1], ["--version"]));
+}
+
+function commit() {
+  const hash = capture("git", ["rev-parse", "--short", "HEAD"], { cwd: root }).trim();
+  const isChanged = capture("git", ["status", "--porcelain", "--", "src", "wasm", "bench", "package.json"], { cwd: root }).trim() !== "";
+  return hash + (isChanged ? " and uncommitted changes" : "");
+}
+
+const installed = (name) => JSON.parse(readFileSync(path.join(root, "node_modules", name, "package.json"), "utf8")).version;
+
+function cgal() {
+  return /CGAL_VERSION (\S+)/.exec(readFileSync("/usr/include/CGAL/version.h", "utf8"))[1];
+}
+
+export function machine() {
+  const [{ model }] = cpus();
+  return {
+    cpu: model.trim(), cores: cpus().length, memory: `${Math.round(totalmem() / 2 ** 30)} GiB`,
+    system: attempt(() => `${distribution()}, Linux ${release()}`),
+    node: process.version, v8: process.versions.v8,
+    emscripten: attempt(() => readFileSync(path.join(ensureEmscripten(), "emscripten-version.txt"), "utf8").replaceAll('"', "").trim()),
+    compiler: attempt(compiler), cgal: hasCgal ? attempt(cgal) : "not installed",
+    delaunator: attempt(() => installed("delaunator")), "d3-delaunay": attempt(() => installed("d3-delaunay")),
+    flatbush: attempt(() => installed("flatbush")),
+    commit: attempt(commit), date: new Date().toISOString().slice(0, 10),
+    load: loadavg()[0].toFixed(2),  // of other programs, before the run
+  };
+}

@@ -1,0 +1,99 @@
+// What is measured: scenes, each one set with the operations on it, in order. A scene is run `rounds` times, and in each round every
+// step asks its contenders in turn; `rounds` of a step limits how often a slow one takes part.
+import { countCities } from "./cities.mjs";
+
+export const families = ["random0", "random5", "random20", "random50", "lattice", "decimal", "cocircular", "collinear", "clustered",
+                         "powerlaw", "planet", "cities"];
+
+/** Hidden sites in percent (the families random0 ...) for the paper's h/n. */
+export const tableOneFamilies = { "1.00": "random0", 0.95: "random5", "0.80": "random20", "0.50": "random50" };
+
+const modes = {
+  quick: { rounds: 1, seconds: 0.1, limit: 3, sizes: [1e3, 1e4, 1e5], family: 1e4, tableOne: 1e4, walk: 1e4, memory: 1e5, churn: 2e4 },
+  default: { rounds: 3, seconds: 0.3, limit: 15, sizes: [1e3, 1e4, 1e5, 1e6], family: 1e5, tableOne: 1e6, walk: 1e5, memory: 1e6, churn: 1e6 },
+  full: { rounds: 5, seconds: 0.5, limit: 900, sizes: [1e3, 1e4, 1e5, 1e6, 1e7], family: 1e6, tableOne: 1e6, walk: 1e6, memory: 1e6, churn: 1e6 },
+};
+export const modeNames = Object.keys(modes);
+
+const ours = ["wasm", "native"];
+
+/** Against the number of sites, with the opponents. */
+function scaling({ rounds, seconds, limit, sizes }) {
+  return sizes.map((n) => {
+    const isHuge = n > 1e6;
+    const common = { seconds, limit };
+    const queries = { ...common, count: Math.min(n, 2e5) };
+    const slowly = n >= 1e6 ? 1 : rounds;  // CGAL's minutes
+    return {
+      part: "scaling", family: "random5", n, rounds: isHuge ? 1 : rounds,
+      steps: [
+        { op: "build", who: isHuge ? [...ours, "delaunator"] : [...ours, "cgal", "delaunator", "flatbush"], ...common },
+        { op: "buildSorted", who: isHuge ? [] : ["cgal"], ...common, rounds: slowly },
+        { op: "find", who: isHuge ? ours : [...ours, "cgal", "flatbush", "d3-delaunay"], ...queries, limit: 5 },
+        { op: "findMany", who: ours, ...queries },
+        { op: "remove", who: isHuge ? ours : [...ours, "cgal"], ...common, count: Math.max(1000, n / 10) },
+        { op: "removeMany", who: ours, ...common, count: Math.max(1000, n / 10) },
+        { op: "insert", who: ours, ...common },
+        { op: "insert", who: n > 1e5 ? [] : ["cgal"], ...common },
+      ],
+    };
+  });
+}
+
+/** Every kind of input; native as well, for its counts of stages. */
+function kinds({ rounds, seconds, limit, family: n }) {
+  const sizes = n > 1e5 ? [1e5, n] : [n];
+  return sizes.flatMap((size) => families.map((family) => {
+    const common = { seconds, limit };
+    const steps = [
+      { op: "build", ...common },
+      { op: "find", ...common, count: 50_000 },
+      { op: "findNear", ...common, count: 50_000 },
+      { op: "remove", ...common, count: size / 10 },
+      { op: "insert", ...common },
+    ];
+    return {
+      part: "families", family, n: family === "cities" ? Math.min(size, countCities()) : size, rounds: Math.min(rounds, 3),
+      steps: steps.flatMap((step) => [{ ...step, who: ["wasm"] }, { ...step, who: ["native"], rounds: 1, seconds: 0 }]),
+    };
+  }));
+}
+
+/** Table 1 of the paper: one by one, both ways to locate. */
+function tableOne({ seconds, limit, rounds, tableOne: largest, walk }) {
+  return [1e3, 1e4, 1e5, 1e6].filter((n) => n <= largest).flatMap((n) => Object.values(tableOneFamilies).map((family) => ({
+    part: "table1", family, n, rounds: n >= 1e6 ? 1 : Math.min(rounds, 3),
+    steps: [
+      { op: "insert", who: ours, seconds, limit: Math.max(limit, 60) },
+      { op: "insertByWalk", who: n <= walk ? ["native"] : [], seconds, limit: Math.max(limit, 60) },
+    ],
+  })));
+}
+
+/** 10 000 moving sites a frame, of so many. Steps in mean spacings; each frame is a sample. */
+function moves({ rounds, seconds, sizes }) {
+  const among = [1e4, ...sizes.filter((n) => n === 1e6)];
+  return among.flatMap((n) => [0.001, 0.01, 0.1].map((step) => ({
+    part: "moves", family: "random5", n, label: `${step} spacings`, rounds: Math.min(rounds, 2),
+    steps: ["update", "updateMany"].map((op) => ({ op, who: ours, count: 1e4, step, seconds: 4 * seconds, rebuild: true })),
+  })));
+}
+
+/** What a call costs that does nothing else, and the heap. */
+function border({ rounds, seconds, memory, churn }) {
+  return [
+    {
+      part: "border", family: "random5", n: 1e4, rounds,
+      steps: [{ op: "callSize", who: ["wasm"], seconds }, { op: "callHas", who: ["wasm"], seconds }],
+    },
+    { part: "memory", family: "random5", n: memory, rounds: 1, steps: [{ op: "memory", who: ["wasm"], seconds: 0, fresh: true }] },
+    { part: "memory", family: "random5", n: 1e4, rounds: 1, steps: [{ op: "churn", who: ["wasm"], count: churn, fresh: true }] },
+  ];
+}
+
+export const parts = { scaling, families: kinds, table1: tableOne, moves, border };
+
+/** The scenes of a mode, of all parts or of one. */
+export function scenesOf(mode, only) {
+  return Object.entries(parts).filter(([name]) => !only || only === name).flatMap(([, part]) => part(modes[mode]));
+}

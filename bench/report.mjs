@@ -1,0 +1,46 @@
+// The whole report: one Markdown text, which is also what the run prints.
+import { stagesTable, timesTable, visibleTable } from "./tables.mjs";
+import { tableOne } from "./table_one.mjs";
+import { targetsTable } from "./targets.mjs";
+
+const titles = {
+  scaling: "Against the number of sites (random circles, 5 % hidden)",
+  families: "Kinds of input",
+  moves: "10 000 moving sites (µs per site; `updateMany`: times 10 is ms per frame)",
+  border: "One call that does nothing else (µs)",
+  memory: "Memory (µs per item; bytes below)",
+};
+
+function memoryLines(records) {
+  const megabytes = (bytes) => `${(bytes / 2 ** 20).toFixed(1)} MiB`;
+  return records.flatMap((record) => {
+    if (record.op === "memory" && record.bytesPerSite) return [`- ${record.n} sites at once: ${record.bytesPerSite.toFixed(0)} bytes of heap growth per site`];
+    if (record.op === "churn" && record.bytesAfterAll) {
+      return [`- heap with ${record.n} sites: ${megabytes(record.bytesAfterThousand)} after 1000 removals and insertions, ` +
+              `${megabytes(record.bytesAfterAll)} after ${record.items + 1000}`];
+    }
+    return [];
+  });
+}
+
+export function report({ machine, mode, records, disagreements, seconds }) {
+  const of = (part) => records.filter((record) => record.part === part);
+  const sections = Object.entries(titles).filter(([part]) => of(part).length > 0).map(([part, title]) => {
+    const text = [`## ${title}`, timesTable(of(part))];
+    if (part === "families") text.push(visibleTable(of(part)), "Stages (native), without the answers from the circles cached with the faces:", stagesTable(of(part)));
+    if (part === "memory") text.push(memoryLines(of(part)).join("\n"));
+    return text.join("\n\n");
+  });
+  const table = of("table1").length > 0
+    ? [`## Table 1 of the paper, one by one in random order\n\n${tableOne(records)}`] : [];
+  const goals = targetsTable(records);
+  return [
+    "# Benchmark results",
+    Object.entries(machine).map(([key, value]) => `- ${key}: ${value}`).join("\n"),
+    `Mode ${mode}, ${seconds.toFixed(0)} s. Median (fastest..slowest); * = cut off at the time limit and counted for what was done until then. ` +
+      "wasm is the packed package in Node, native the same C++ without it; delaunator, d3-delaunay and flatbush know points only.",
+    ...(disagreements.length > 0 ? [`**Contenders disagree**:\n${disagreements.map((text) => `- ${text}`).join("\n")}`] : []),
+    ...(goals ? [`## Goals\n\n${goals}`] : []),
+    ...sections, ...table,
+  ].join("\n\n") + "\n";
+}

@@ -1,0 +1,64 @@
+// npm run bench: builds all contenders, measures, prints one report, and writes it with its picture.
+//
+//   npm run bench                      about eight minutes        -> bench/results/latest.{json,md,svg}
+//   npm run bench -- --quick           under a minute             -> build/bench-results/
+//   npm run bench -- --full            all of it, up to 10 000 000 sites, hours -> bench/results/
+//   npm run bench -- --only families   one part: scaling, families, table1, moves, border -> build/bench-results/
+//   npm run bench -- --without cgal    leaves a contender out (may be repeated)           -> build/bench-results/
+import { mkdirSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { parseArgs } from "node:util";
+import { SetUpError } from "../wasm/toolchain/process.mjs";
+import { main } from "../wasm/toolchain/setup.mjs";
+import { names, stopAll } from "./contenders.mjs";
+import { machine } from "./machine.mjs";
+import { disagreements, runScenes } from "./measure.mjs";
+import { picture } from "./picture.mjs";
+import { drafts, results } from "./places.mjs";
+import { modeNames, parts, scenesOf } from "./plan.mjs";
+import { buildContenders } from "./prepare.mjs";
+import { report } from "./report.mjs";
+
+function options() {
+  const { values } = parseArgs({
+    options: { quick: { type: "boolean" }, full: { type: "boolean" }, only: { type: "string" }, without: { type: "string", multiple: true } },
+  });
+  const mode = modeNames.find((name) => values[name]) ?? "default";
+  const { only, without = [] } = values;
+  if (only && !parts[only]) throw new SetUpError(`no part ${only}: there are ${Object.keys(parts).join(", ")}`);
+  const stranger = without.find((name) => !names.includes(name));
+  if (stranger) throw new SetUpError(`no contender ${stranger}: there are ${names.join(", ")}`);
+  return { mode, only, without };
+}
+
+function progress(share, text) {
+  if (process.stderr.isTTY) process.stderr.write(`\r\x1b[K${(100 * share).toFixed(0).padStart(3)} %  ${text}`);
+}
+
+await main(async () => {
+  const { mode, only, without } = options();
+  const hasCgal = await buildContenders();
+  const isThere = (name) => (name !== "cgal" || hasCgal) && !without.includes(name);
+  const facts = machine();
+  const start = performance.now();
+  let records;
+  try {
+    records = await runScenes(scenesOf(mode, only), isThere, progress);
+  } finally {
+    stopAll();
+  }
+  progress(1, "\n");
+  const seconds = (performance.now() - start) / 1000;
+  const run = { machine: facts, mode, seconds: Math.round(seconds), records, disagreements: disagreements(records) };
+  const text = report({ ...run, seconds });
+  console.log(text);
+
+  const isWhole = mode !== "quick" && !only && without.length === 0;
+  const folder = isWhole ? results : drafts;
+  mkdirSync(folder, { recursive: true });
+  const { cpu, cores, node, commit, date } = facts;
+  writeFileSync(path.join(folder, "latest.json"), `${JSON.stringify(run, null, 1)}\n`);
+  writeFileSync(path.join(folder, "latest.md"), text);
+  writeFileSync(path.join(folder, "latest.svg"), picture(records, `${cpu}, ${cores} cores; Node ${node}; commit ${commit}; ${date}`));
+  console.log(`Written to ${path.relative(process.cwd(), folder)}/latest.{json,md,svg}`);
+});

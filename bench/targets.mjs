@@ -1,0 +1,70 @@
+// The goals of issues 2 and 3 as ratios of this run's numbers. For information: timing decides no test.
+import { short, table } from "./tables.mjs";
+
+/** A lookup in microseconds, us("scaling random5 1000000 build wasm"), of the medians or of the fastest samples. */
+function lookup(records, member) {
+  const found = new Map(records.map((record) => [
+    [record.part, record.family, record.n, record.label, record.op, record.contender].filter(Boolean).join(" "), record,
+  ]));
+  return (key) => found.get(key)?.[member];
+}
+
+const information = { text: "", isMet: () => null };
+const most = (limit) => ({ text: `≤ ${limit}`, isMet: (value) => value <= limit });
+const least = (limit) => ({ text: `≥ ${limit}`, isMet: (value) => value >= limit });
+
+/** The largest measured size up to a wanted one: a quick run has no million. */
+function largestSize(records, part, wanted) {
+  const sizes = records.filter((record) => record.part === part && record.family === "random5" && record.n <= wanted).map(({ n }) => n);
+  return Math.max(...sizes);
+}
+
+/** What, value, goal; the value from the medians ("us") or from the fastest samples ("fastest"). */
+function goals(records, member) {
+  const us = lookup(records, member);
+  const million = largestSize(records, "scaling", 1e6);
+  const hundred = largestSize(records, "scaling", 1e5);
+  const ten = largestSize(records, "scaling", 1e4);
+  const family = largestSize(records, "families", 1e5);
+  const scaling = (n, op, contender) => us(`scaling random5 ${n} ${op} ${contender}`);
+  const kind = (name, op) => us(`families ${name} ${family} ${op} wasm`);
+  const toRandom = (name, op = "build") => [`${op} ${name} / random, ${family}`, kind(name, op) / kind("random5", op)];
+  const memory = records.find(({ op }) => op === "memory");
+  const churn = records.find(({ op }) => op === "churn");
+  const megabytes = (bytes) => bytes / 2 ** 20;
+  return [
+    [`build ${million}: wasm / delaunator`, scaling(million, "build", "wasm") / scaling(million, "build", "delaunator"), most(1.3)],
+    [`build ${million}: CGAL / wasm`, scaling(million, "build", "cgal") / scaling(million, "build", "wasm"), least(8)],
+    [`build ${million}: CGAL / native`, scaling(million, "build", "cgal") / scaling(million, "build", "native"), least(12)],
+    [`build ${million}: CGAL in sorted order / wasm`, scaling(million, "buildSorted", "cgal") / scaling(million, "build", "wasm"), information],
+    [`one by one ${hundred}: CGAL / wasm`, scaling(hundred, "insert", "cgal") / scaling(hundred, "insert", "wasm"), least(2.5)],
+    [`one by one ${hundred}: CGAL / native`, scaling(hundred, "insert", "cgal") / scaling(hundred, "insert", "native"), least(2.5)],
+    [`find in ${million}: CGAL / wasm`, scaling(million, "find", "cgal") / scaling(million, "find", "wasm"), least(5)],
+    [`find in ${million}: flatbush / wasm`, scaling(million, "find", "flatbush") / scaling(million, "find", "wasm"), least(2.5)],
+    [`findMany / find in ${million}: wasm`, scaling(million, "findMany", "wasm") / scaling(million, "find", "wasm"), most(0.5)],
+    [`remove from ${million}: CGAL / wasm`, scaling(million, "remove", "cgal") / scaling(million, "remove", "wasm"), least(4)],
+    [`build per site ${million} / ${ten}: wasm`, scaling(million, "build", "wasm") / scaling(ten, "build", "wasm"), most(1.5)],
+    [...toRandom("lattice"), most(1.5)],
+    [...toRandom("powerlaw"), most(1.5)],
+    [...toRandom("collinear"), most(2)],
+    [...toRandom("planet"), most(2)],
+    [...toRandom("decimal"), most(3)],
+    [...toRandom("cocircular"), most(3)],
+    [...toRandom("planet", "findNear"), most(3)],
+    [...toRandom("planet", "remove"), most(3)],
+    [`heap per site, ${memory?.n} sites, bytes`, memory?.bytesPerSite, most(160)],
+    ["heap growth from 1000 pairs to all, MiB", churn && megabytes(churn.bytesAfterAll - churn.bytesAfterThousand), most(0)],
+    ["updateMany of 10000 (0.01 spacings), ms a frame", us("moves random5 10000 0.01 spacings updateMany wasm") * 10, most(10)],
+    [`issue 2: insert one by one, ${hundred}, wasm, µs`, scaling(hundred, "insert", "wasm"), most(6)],
+    [`issue 2: find in ${hundred}, wasm, µs`, scaling(hundred, "find", "wasm"), most(3)],
+    [`issue 2: remove from ${hundred}, wasm, µs`, scaling(hundred, "remove", "wasm"), most(15)],
+  ];
+}
+
+export function targetsTable(records) {
+  const fastest = goals(records, "fastest");
+  const rows = goals(records, "us").map(([what, value, goal], k) => [what, value, fastest[k][1], goal])
+    .filter(([, value]) => Number.isFinite(value))
+    .map(([what, value, best, goal]) => [what, short(value), short(best), goal.text, { true: "yes", false: "no", null: "" }[goal.isMet(value)]]);
+  return rows.length === 0 ? "" : table(["what", "of medians", "of the fastest", "goal", "met"], rows);
+}
