@@ -16,7 +16,9 @@ class DiagramBreaker {
   /// Makes the cached circles fit sites that were changed behind the diagram's back.
   static void computeCircles(DelaunayGraph& diagram) {
     for (std::uint32_t f = 0; f < diagram.graph_.faceSlots(); ++f) {
-      if (diagram.graph_.isLive(FaceId{f})) diagram.computeCircle(FaceId{f});
+      if (!diagram.graph_.isLive(FaceId{f})) continue;
+      const EdgeCorners e = diagram.edge(halfedgeOf(FaceId{f}, 0));
+      diagram.circles_[f] = voronoiCircle(e.i, e.j, e.k);
     }
   }
 
