@@ -87,7 +87,8 @@ function border({ rounds, seconds, memory, churn }) {
       steps: [{ op: "callSize", who: ["wasm"], seconds }, { op: "callHas", who: ["wasm"], seconds }],
     },
     { part: "memory", family: "random5", n: memory, rounds: 1, steps: [{ op: "memory", who: ["wasm"], seconds: 0, fresh: true }] },
-    { part: "memory", family: "random5", n: 1e4, rounds: 1, steps: [{ op: "churn", who: ["wasm"], count: churn, fresh: true }] },
+    // 100 000 sites, so that the heap is larger than the 16 MiB that it starts with.
+    { part: "memory", family: "random5", n: 1e5, rounds: 1, steps: [{ op: "churn", who: ["wasm"], count: churn, fresh: true }] },
   ];
 }
 

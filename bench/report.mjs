@@ -19,6 +19,9 @@ function memoryLines(records) {
       return [`- heap with ${record.n} sites: ${megabytes(record.bytesAfterThousand)} after 1000 removals and insertions, ` +
               `${megabytes(record.bytesAfterAll)} after ${record.items + 1000}`];
     }
+    if (record.part === "scaling" && record.op === "build" && record.bytesPerSite) {
+      return [`- ${record.n} sites natively: ${record.bytesPerSite.toFixed(0)} bytes allocated per site (no unused heap)`];
+    }
     return [];
   });
 }
@@ -28,7 +31,7 @@ export function report({ machine, mode, records, disagreements, seconds }) {
   const sections = Object.entries(titles).filter(([part]) => of(part).length > 0).map(([part, title]) => {
     const text = [`## ${title}`, timesTable(of(part))];
     if (part === "families") text.push(visibleTable(of(part)), "Stages (native), without the answers from the circles cached with the faces:", stagesTable(of(part)));
-    if (part === "memory") text.push(memoryLines(of(part)).join("\n"));
+    if (part === "memory") text.push(memoryLines(records).join("\n"));
     return text.join("\n\n");
   });
   const table = of("table1").length > 0
