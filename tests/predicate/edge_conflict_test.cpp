@@ -14,13 +14,20 @@ namespace {
 
 using namespace test;
 
-/// The two predicates do not depend on the side that the edge is looked at from.
+/// The two predicates do not depend on the side that the edge is looked at from, nor on whether cached circles are asked first.
 void expectSymmetric(const EdgeCorners& e, const Site& q, bool interior) {
   const EdgeCorners mirrored{e.j, e.i, e.l, e.k};
+  const VoronoiCircle atK = voronoiCircle(e.i, e.j, e.k), atL = voronoiCircle(e.j, e.i, e.l);
   if (interior) {
-    ASSERT_EQ(isInteriorInConflict(e, q), isInteriorInConflict(mirrored, q));
+    const bool expected = isInteriorInConflict(e, q);
+    ASSERT_EQ(isInteriorInConflict(mirrored, q), expected);
+    ASSERT_EQ(isInteriorInConflict(e, atK, atL, q), expected);
+    ASSERT_EQ(isInteriorInConflict(mirrored, atL, atK, q), expected);
   } else {
-    ASSERT_EQ(isEntireEdgeInConflict(e, q), isEntireEdgeInConflict(mirrored, q));
+    const bool expected = isEntireEdgeInConflict(e, q);
+    ASSERT_EQ(isEntireEdgeInConflict(mirrored, q), expected);
+    ASSERT_EQ(isEntireEdgeInConflict(e, atK, atL, q), expected);
+    ASSERT_EQ(isEntireEdgeInConflict(mirrored, atL, atK, q), expected);
   }
 }
 

@@ -65,6 +65,8 @@ const std::vector<NamedGenerator>& corpus() {
       extremes("Tiny", Range::kTiny),
       extremes("MixedMagnitudes", Range::kMixed),
       {"OneUlpApart", oneUlpApart},
+      {"NestedClusters", [](Random& random, std::size_t n) { return nestedClusters(random, n, false); }},
+      {"NestedClustersFarApart", [](Random& random, std::size_t n) { return nestedClusters(random, n, true); }, false},
   };
   return generators;
 }

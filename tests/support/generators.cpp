@@ -259,6 +259,30 @@ Circles rangeEnds(Random& random, std::size_t n, Range range) {
   return circles;
 }
 
+Circles nestedClusters(Random& random, std::size_t n, bool farApart) {
+  Circles circles;
+  const int exponents[] = {farApart ? -250 : 0, farApart ? 250 : 0};
+  for (std::size_t k = 0; k < n; ++k) {
+    const int exponent = exponents[k % 2];
+    const double size = std::ldexp(1.0, exponent);
+    if (k < 2) {
+      const double x = size * random.between(1, 2);
+      circles.push_back({x, -size * random.between(1, 2), size * random.unit()});
+      continue;
+    }
+    const Circle& from = circles[k % 2 + 2 * random.below(k / 2)];  // one of the same family
+    const auto offset = [&] {
+      if (random.oneIn(3)) return 0.0;
+      const double fraction = random.between(-1, 1);
+      return std::ldexp(fraction, exponent - random.below(54));
+    };
+    const double x = from.x + offset();
+    const double y = from.y + offset();
+    circles.push_back({x, y, from.r + offset()});
+  }
+  return circles;
+}
+
 Circles oneUlpApart(Random& random, std::size_t n) {
   const auto step = [&](double value) {
     const std::int64_t count = random.integer(-3, 3);

@@ -79,6 +79,10 @@ enum class Range { kHuge, kTiny, kMixed };
 /// kHuge: up to 1e100. kTiny: between 1e-100 and 1e-97, or 0. kMixed: any power of two in the range, and 0.
 Circles rangeEnds(Random& random, std::size_t n, Range range);
 
+/// Clusters within clusters: each circle is another one plus offsets of any magnitude from the cluster's size down to one ulp. With
+/// farApart, two such families of sizes about 2^-250 and 2^250.
+Circles nestedClusters(Random& random, std::size_t n, bool farApart);
+
 /// Coordinates and radii that differ by a few units in the last place from a common circle.
 Circles oneUlpApart(Random& random, std::size_t n);
 
