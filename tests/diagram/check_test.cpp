@@ -227,7 +227,7 @@ TEST_F(HierarchyCheck, SiteThatIsNotBelow) {
   const auto v = vertex(static_cast<std::uint32_t>(level().graph().vertexSlots()));
   level().reserve(index(v) + 1);
   level().setSite(v, {-1000, -1000, 1});
-  (void)level().insert(v, level().anyVisible());
+  (void)level().insert(v, kNoVertex);
   expectBroken("hierarchy: a level holds sites that the one below does not: level 1");
 }
 

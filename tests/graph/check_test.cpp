@@ -1,5 +1,4 @@
-// Graph::check names each kind of damage: every message of src/graph/check.cpp is provoked here, but for two that can only be
-// true together with an earlier one (see the last two tests).
+// Graph::check names each kind of damage: every message of src/graph/check.cpp is provoked here.
 #include "graph/graph_breaker.h"
 #include "graph/surface.h"
 
@@ -200,8 +199,7 @@ TEST_F(GraphCheck, WrongCountOfFreeFaces) {
 }
 
 TEST(GraphCheckEmpty, AVertexOfNoFaceIsNamed) {
-  // "vertices without faces" cannot be reached: the half-edge that such a vertex names does not exist or is free, and that is
-  // found before.
+  // No message of its own: the half-edge that such a vertex names does not exist, or is free.
   Graph graph;
   graph.reserveVertices(3);
   GraphBreaker{graph}.outgoing(vertex(2)) = HalfedgeId{0};
@@ -209,7 +207,7 @@ TEST(GraphCheckEmpty, AVertexOfNoFaceIsNamed) {
 }
 
 TEST_F(GraphCheck, AVertexOfDegreeOneIsALoop) {
-  // "degree below two" cannot be reached: a face with two adjacent sides sewn to each other has a loop for its third side.
+  // No message of its own: a face with two adjacent sides sewn to each other has a loop for its third side.
   graph.reserveFaces(0, 2);
   const FaceId f = breaker.addFace(vertex(4), vertex(1), vertex(1));
   breaker.sew(halfedgeOf(f, 0), halfedgeOf(f, 2));
