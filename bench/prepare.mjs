@@ -31,7 +31,6 @@ async function buildNative() {
   ensureNativeTools();
   ensureBoost();
   await withBuildLock(() => {
-    // The setting's only use is that CMake looks again once CGAL has come or gone.
     const settings = { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_TESTS: "OFF", BENCH_CGAL: hasCgal ? "ON" : "OFF" };
     for (const target of ["bench_sites", "native_bench", ...(hasCgal ? ["cgal_bench"] : [])]) buildWithCmake("bench", settings, { target });
   });

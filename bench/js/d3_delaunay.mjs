@@ -1,6 +1,6 @@
 // d3-delaunay as a contender: nearest centre by walking, from the first point (no hint: queries are at random places).
 import { Delaunay } from "d3-delaunay";
-import { forEachUntil, readCentres, readQueries, sampled } from "./sampling.mjs";
+import { forEachUntil, forMilliseconds, readCentres, readQueries, sampled } from "./sampling.mjs";
 
 let current = { set: "" };
 
@@ -15,3 +15,8 @@ function find(request) {
 }
 
 export const operations = { find, findNear: find };
+
+export function warmUp() {
+  const delaunay = new Delaunay(Float64Array.from({ length: 2000 }, Math.random));
+  forMilliseconds(300, () => delaunay.find(Math.random(), Math.random()));
+}

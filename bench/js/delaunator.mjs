@@ -1,6 +1,6 @@
 // delaunator as a contender: the Delaunay triangulation of the centres, without radii, not dynamic.
 import Delaunator from "delaunator";
-import { readCentres, sampled } from "./sampling.mjs";
+import { forMilliseconds, readCentres, sampled } from "./sampling.mjs";
 
 function build(request) {
   const centres = readCentres(request.set);
@@ -14,5 +14,5 @@ function build(request) {
 export const operations = { build };
 
 export function warmUp() {
-  for (let k = 0; k < 20; ++k) new Delaunator(Float64Array.from({ length: 20_000 }, Math.random));
+  forMilliseconds(700, (k) => new Delaunator(Float64Array.from({ length: k % 8 === 0 ? 20_000 : 2000 }, Math.random)));
 }

@@ -1,6 +1,6 @@
 // flatbush as a contender: a static R-tree of the centres; the nearest one through `neighbors`.
 import Flatbush from "flatbush";
-import { forEachUntil, readCentres, readQueries, sampled } from "./sampling.mjs";
+import { forEachUntil, forMilliseconds, readCentres, readQueries, sampled } from "./sampling.mjs";
 
 let current = { set: "" };
 
@@ -35,7 +35,9 @@ function find(request) {
 export const operations = { build, find, findNear: find };
 
 export function warmUp() {
-  current = { set: "", centres: Float64Array.from({ length: 20_000 }, Math.random) };
-  for (let k = 0; k < 20; ++k) current.tree = builtTree();
-  for (let k = 0; k < 50_000; ++k) current.tree.neighbors(Math.random(), Math.random(), 1);
+  current = { set: "", centres: Float64Array.from({ length: 4000 }, Math.random) };
+  forMilliseconds(700, () => {
+    current.tree = builtTree();
+    for (let k = 0; k < 1000; ++k) current.tree.neighbors(Math.random(), Math.random(), 1);
+  });
 }

@@ -1,7 +1,7 @@
 // The packed package as a contender. The operations are those of bench/native/operations.cpp, and calls, memory and churn.
 import path from "node:path";
 import { pathToFileURL } from "node:url";
-import { forEachUntil, readDoubles, readQueries, sampled } from "./sampling.mjs";
+import { forEachUntil, forMilliseconds, readDoubles, readQueries, sampled } from "./sampling.mjs";
 
 // The package does not show its heap, so the instance's memory is caught when it is made.
 let memory;
@@ -208,12 +208,10 @@ export const operations = {
   memory: memoryOfBuild,
 };
 
-/** Until the engine has compiled the hot functions at its best level. */
 export function warmUp() {
-  const end = performance.now() + 700;
   let state = 1;
   const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
-  while (performance.now() < end) {
+  forMilliseconds(700, () => {
     const sites = Float64Array.from({ length: 3 * 2000 }, (_, k) => random() * (k % 3 === 2 ? 20 : 2000));
     const diagram = new Diagram(sites);
     for (let k = 0; k < 500; ++k) {
@@ -224,5 +222,5 @@ export function warmUp() {
     }
     diagram.findMany(sites.subarray(0, 4000));
     diagram.dispose();
-  }
+  });
 }

@@ -1,7 +1,7 @@
 // What the JavaScript contenders share: reading a set, and timing an operation in samples. As bench/native/contender.h.
 import { existsSync, readFileSync } from "node:fs";
 
-const kMostSamples = 25;
+const kMostSamples = 200;
 
 /** Raw little-endian doubles. */
 export function readDoubles(file) {
@@ -48,4 +48,10 @@ export function forEachUntil(limit, items, step) {
     step(k);
   }
   return items;
+}
+
+/** Warm-up: repeats an action, so that the engine compiles what is hot at its best level before anything is timed. */
+export function forMilliseconds(duration, action) {
+  const end = performance.now() + duration;
+  for (let k = 0; performance.now() < end; ++k) action(k);
 }

@@ -56,7 +56,7 @@ class Stopwatch {
 /// Takes samples: `prepare()` is not timed, `work(items)` is; it may lower `items` if it stops at the limit.
 template <class Prepare, class Work>
 Answer sampled(const Request& request, std::size_t items, Prepare prepare, Work work) {
-  constexpr std::size_t kMostSamples = 25;
+  constexpr std::size_t kMostSamples = 200;
   Answer answer;
   answer.items = items;
   double measured = 0;
