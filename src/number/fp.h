@@ -28,6 +28,14 @@ constexpr int exponentOf(double x) {
   return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52) & 0x7FF) - 1023;
 }
 
+/// Exponent of the lowest digit of a nonzero double: the largest e for which x is a multiple of 2^e.
+constexpr int lowestExponentOf(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const int biased = static_cast<int>((bits >> 52) & 0x7FF);
+  const std::uint64_t digits = (bits & ((std::uint64_t{1} << 52) - 1)) | (biased != 0 ? std::uint64_t{1} << 52 : 0);
+  return (biased != 0 ? biased : 1) - 1075 + std::countr_zero(digits);
+}
+
 constexpr double absolute(double x) { return __builtin_fabs(x); }
 
 }  // namespace apollonius

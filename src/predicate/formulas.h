@@ -11,6 +11,7 @@ namespace apollonius {
 template <class T>
 struct Row {
   T x, y, r, p;
+  bool isInfinite = false;
 };
 
 /// p of two sites from the differences of their coordinates and weights (degree 2).
@@ -21,12 +22,19 @@ constexpr T lorentz(const T& x, const T& y, const T& r) {
 
 template <class T>
 constexpr Row<T> rowOf(const T& x, const T& y, const T& r) {
-  return {x, y, r, lorentz(x, y, r)};
+  return {x, y, r, lorentz(x, y, r), false};
 }
 
 template <class T>
 constexpr Row<T> infinityRow() {
-  return {T(0), T(0), T(0), T(1)};
+  return {T(0), T(0), T(0), T(1), true};
+}
+
+/// p of two sites given as rows; 1 if one of them is infinite (degree 2).
+template <class T>
+constexpr T between(const Row<T>& a, const Row<T>& b) {
+  if (a.isInfinite || b.isInfinite) return T(1);
+  return lorentz(a.x - b.x, a.y - b.y, a.r - b.r);
 }
 
 /// Where the bisectors of the pole with `from` and with `to` meet: up to the positive factor from.p * to.p, the line

@@ -1,5 +1,7 @@
 #include "predicate/predicates.h"
 
+#include <utility>
+
 #include "predicate/pole.h"
 #include "predicate/shadow_check.h"
 #include "predicate/stages.h"
@@ -10,19 +12,59 @@ using stages::counts;
 
 namespace {
 
-bool coversCorner(const Site& q, Corner c) { return c != nullptr && covers(q, *c); }
+using Count = unsigned long long;
 
-/// The common part of vertex conflict and of the existence of a circle (q infinite).
+/// The answer of the exact stage, computed at most once, and the shadow check of the stages before.
+/// `Meaning` maps signs that mean the same to one.
+template <class Exact, class Meaning = AsItIs>
+class Question {
+ public:
+  Question(Exact exact, Count& count, Meaning meaning = {}) : exact_(exact), count_(count), meaning_(meaning) {}
+
+  /// Has the stage an answer? Counts it.
+  bool isSettledBy(MaybeSign answer, Count& count) {
+    shadowCheck(answer, exact_, meaning_);
+    count += answer.known;
+    sign_ = answer.sign;
+    return answer.known;
+  }
+  /// The answer: of the stage that settled the question, or the exact one.
+  [[nodiscard]] Sign settled() const { return sign_; }
+  [[nodiscard]] Sign exact() {
+    ++count_;
+    return exact_();
+  }
+
+ private:
+  Exact exact_;
+  Count& count_;
+  Meaning meaning_;
+  Sign sign_ = Sign::kZero;
+};
+
+/// Where a positive sign means yes and anything else no.
+struct PositiveOrNot {
+  Sign operator()(Sign s) const { return s == Sign::kPositive ? Sign::kPositive : Sign::kNegative; }
+};
+
+/// Vertex conflict before the degenerate rule, for any face and any one infinite site of the four.
+Sign vertexSign(const Site& i, Corner j, Corner k, Corner q) {
+  Question question([&] { return stages::vertexExact(i, j, k, q); }, counts().vertexExact);
+  if (question.isSettledBy(stages::vertexFilter(i, j, k, q), counts().vertexFilter)) return question.settled();
+  if (question.isSettledBy(stages::vertexMiddle(i, j, k, q), counts().vertexMiddle)) return question.settled();
+  return question.exact();
+}
+
+/// Is the vertex of the face nearer to q than to the face's sites? q is infinite to ask whether the face has no circle.
 bool circleIsBeaten(Corner i, Corner j, Corner k, Corner q) {
   rotateToPole(i, j, k);
-  const MaybeSign filtered = stages::vertexFilter(*i, j, k, q);
-  shadowCheck(filtered, [&] { return stages::vertexExact(*i, j, k, q); });
-  ++(filtered.known ? counts().vertexFilter : counts().vertexExact);
-  const Sign sign = filtered.known ? filtered.sign : stages::vertexExact(*i, j, k, q);
+  const Sign sign = vertexSign(*i, j, k, q);
   if (sign != Sign::kZero) return sign == Sign::kPositive;
   ++counts().vertexDegenerate;
   return stages::vertexDegenerate(*i, j, k, q);
 }
+
+bool coversCorner(const Site& q, Corner c) { return c != nullptr && covers(q, *c); }
 
 /// `atK`, `atL`: cached circles of the edge's faces, or nullptr.
 bool probeIsInRange(EdgeCorners e, const VoronoiCircle* atK, const VoronoiCircle* atL, const Site& q, stages::Probe probe) {
@@ -30,38 +72,33 @@ bool probeIsInRange(EdgeCorners e, const VoronoiCircle* atK, const VoronoiCircle
     e = {e.j, e.i, e.l, e.k};
     std::swap(atK, atL);
   }
-  const auto exact = [&] { return stages::edgeExact(*e.i, e.j, e.k, e.l, q, probe); };
-  const auto decide = [&](MaybeSign filtered) {
-    shadowCheck(filtered, exact, [](Sign s) { return s == Sign::kPositive ? Sign::kPositive : Sign::kNegative; });
-    return filtered.known;
+  Question question([&] { return stages::edgeExact(*e.i, e.j, e.k, e.l, q, probe); }, counts().edgeExact, PositiveOrNot{});
+  const auto answer = [&] {
+    if (atK != nullptr && question.isSettledBy(stages::edgeCircleFilter(*e.i, e.j, *atK, *atL, q, probe), counts().edgeCached)) {
+      return question.settled();
+    }
+    if (question.isSettledBy(stages::edgeFilter(*e.i, e.j, e.k, e.l, q, probe), counts().edgeFilter)) return question.settled();
+    if (question.isSettledBy(stages::edgeMiddle(*e.i, e.j, e.k, e.l, q, probe), counts().edgeMiddle)) return question.settled();
+    return question.exact();
   };
-  if (atK != nullptr) {
-    const MaybeSign filtered = stages::edgeCircleFilter(*e.i, e.j, *atK, *atL, q, probe);
-    if (decide(filtered)) return filtered.sign == Sign::kPositive;
-  }
-  const MaybeSign filtered = stages::edgeFilter(*e.i, e.j, e.k, e.l, q, probe);
-  ++(filtered.known ? counts().edgeFilter : counts().edgeExact);
-  if (decide(filtered)) return filtered.sign == Sign::kPositive;
-  return exact() == Sign::kPositive;
+  return answer() == Sign::kPositive;
 }
 
 }  // namespace
 
 bool covers(const Site& a, const Site& b) {
   if (a.r <= b.r) return a.r == b.r && a.x == b.x && a.y == b.y;
-  const MaybeSign filtered = stages::lorentzFilter(a, b);
-  shadowCheck(filtered, [&] { return stages::lorentzExact(a, b); });
-  if (filtered.known) return filtered.sign == Sign::kNegative;
-  ++counts().lorentzExact;
-  return stages::lorentzExact(a, b) != Sign::kPositive;
+  Question question([&] { return stages::lorentzExact(a, b); }, counts().lorentzExact);
+  if (question.isSettledBy(stages::lorentzFilter(a, b), counts().lorentzFilter)) return question.settled() != Sign::kPositive;
+  if (question.isSettledBy(stages::lorentzMiddle(a, b), counts().lorentzMiddle)) return question.settled() != Sign::kPositive;
+  return question.exact() != Sign::kPositive;
 }
 
 Sign compareDistance(double x, double y, const Site& a, const Site& b) {
-  const MaybeSign filtered = stages::distanceFilter(x, y, a, b);
-  shadowCheck(filtered, [&] { return stages::distanceExact(x, y, a, b); });
-  if (filtered.known) return filtered.sign;
-  ++counts().distanceExact;
-  return stages::distanceExact(x, y, a, b);
+  Question question([&] { return stages::distanceExact(x, y, a, b); }, counts().distanceExact);
+  if (question.isSettledBy(stages::distanceFilter(x, y, a, b), counts().distanceFilter)) return question.settled();
+  if (question.isSettledBy(stages::distanceMiddle(x, y, a, b), counts().distanceMiddle)) return question.settled();
+  return question.exact();
 }
 
 bool isNearer(double x, double y, const Site& a, const Site& b) {
@@ -86,8 +123,7 @@ bool hasVoronoiCircle(const Site& i, const Site& j, const Site& k) { return !cir
 bool isVertexAtInfinity(const Site& i, const Site& j, const Site& k) {
   Corner a = &i, b = &j, c = &k;
   rotateToPole(a, b, c);
-  const MaybeSign filtered = stages::vertexFilter(*a, b, c, nullptr);
-  return (filtered.known ? filtered.sign : stages::vertexExact(*a, b, c, nullptr)) == Sign::kZero;
+  return vertexSign(*a, b, c, nullptr) == Sign::kZero;
 }
 
 bool touchesBetween(const Site& i, const Site& j, const Site& k) {

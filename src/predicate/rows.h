@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <limits>
 
 #include "number/approx.h"
 #include "number/dyadic.h"
@@ -72,6 +73,52 @@ class FilterRows {
   }
 
   std::array<Difference, 4> differences_{};
+  bool failed_ = false;
+};
+
+/// Middle stage: where the coordinates are small multiples of one power of two (grids, integers, quarters), doubles in that unit
+/// compute exactly, and zeros are known to be zeros. If the magnitude of a formula (number/approx.h) is below 2^53 units, so is
+/// everything that it was made of: every number on the way is an integer that a double holds, and no rounding happened.
+class UnitRows {
+ public:
+  using Number = Approx;
+
+  UnitRows(const Site& pole, std::initializer_list<Corner> corners) {
+    int unit = std::numeric_limits<int>::max();
+    const auto include = [&](const Site& s) {
+      for (const double v : {s.x, s.y, s.r}) {
+        if (v != 0) unit = std::min(unit, lowestExponentOf(v));
+      }
+    };
+    include(pole);
+    for (Corner c : corners) {
+      if (c != nullptr) include(*c);
+    }
+    // Coordinates are normal numbers; in the unit they are integers, and up to 2^53 their differences are exact.
+    failed_ = unit < -900 || unit > 900;
+    const double scale = failed_ ? 1 : powerOfTwo(-unit);
+    const auto difference = [&](double a, double b) {
+      const double x = a * scale, y = b * scale;
+      if (!(absolute(x) <= kLargestExact && absolute(y) <= kLargestExact)) failed_ = true;
+      return Approx(x - y);
+    };
+    std::size_t n = 0;
+    for (Corner c : corners) {
+      rows_[n++] = c != nullptr ? rowOf(difference(c->x, pole.x), difference(c->y, pole.y), difference(c->r, pole.r))
+                                : infinityRow<Approx>();
+    }
+  }
+
+  [[nodiscard]] const Row<Approx>& row(std::size_t k) const { return rows_[k]; }
+  Sign sign(Approx x, Depth) {
+    if (!(x.magnitude < kLargestExact)) failed_ = true;
+    return signOf(x.value);
+  }
+  [[nodiscard]] bool failed() const { return failed_; }
+
+ private:
+  static constexpr double kLargestExact = powerOfTwo(53);
+  std::array<Row<Approx>, 4> rows_;
   bool failed_ = false;
 };
 

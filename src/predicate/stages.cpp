@@ -17,6 +17,7 @@ constexpr VertexForm<Depth> kVertex{kRow, kRow, kRow};
 constexpr Chord<Depth> kChord = chordOf(kRow, kRow);
 constexpr EdgeForm<Depth> kEdge{kChord, kChord};
 constexpr SpanForm<Depth> kSpan{kRow, kRow};
+constexpr Depth kProducts = kRow.p * kRow.p - kRow.p * kRow.p;  // for signs that are computed without rounding
 
 static_assert(kRow.p.roundings == 5, "x² and y² 3 each, their sum 4, less r² 5");
 static_assert(kVertex.xy.roundings == 12, "minor 4, times p 10, two sums 12");
@@ -36,6 +37,17 @@ Sign vertexSign(Rows& rows) {
                    [&] { return rows.sign(form.squares(), kVertex.squares()); });
 }
 
+/// Rows 0, 1, 2 are j, k, q on one circle with the pole. q is opposite to the pole on it exactly if, of the three products of tangent
+/// lengths of opposite pairs, the one that pairs q with the pole is the largest (Casey's theorem).
+template <class Rows>
+bool isOppositePole(Rows& rows) {
+  using T = typename Rows::Number;
+  const Row<T> j = rows.row(0), k = rows.row(1), q = rows.row(2);
+  const T opposite = q.p * between(j, k);
+  return rows.sign(opposite - between(j, q) * k.p, kProducts) == Sign::kPositive &&
+         rows.sign(opposite - between(k, q) * j.p, kProducts) == Sign::kPositive;
+}
+
 /// sign(±end.w · turn - √D · along): which side of an end of the edge the probe is on. `side` is + for the end at k, - at l.
 template <class Rows, class T>
 Sign edgeEndSign(Rows& rows, const Chord<T>& end, const Chord<T>& shadow, Sign side) {
@@ -47,7 +59,9 @@ Sign edgeEndSign(Rows& rows, const Chord<T>& end, const Chord<T>& shadow, Sign s
   });
 }
 
-Sign spanSign(const FilterRows& rows, bool& failed) {
+/// Rows of doubles: roots are not among what they compute exactly.
+template <class Rows>
+Sign spanSign(const Rows& rows, bool& failed) {
   // Roots of rounded numbers: a running error bound instead of the constant one.
   const auto ball = [](Approx a, Depth depth) { return Ball::bounded(a.value, boundFactor(depth) * a.magnitude + kUnderflow); };
   const Row<Approx> k = rows.row(1), l = rows.row(2);
@@ -61,6 +75,7 @@ Sign spanSign(const FilterRows& rows, bool& failed) {
   return Sign::kZero;
 }
 
+template <>
 Sign spanSign(const ExactRows& rows, bool&) {
   const SpanForm<Dyadic> form(rows.row(2), rows.row(1));
   return signOfTwoRoots(form.c0, form.cl, rows.row(2).p, form.ck, rows.row(1).p, form.clk);
@@ -94,6 +109,12 @@ MaybeSign lorentzFilter(const Site& a, const Site& b) {
   return filteredSign(p, boundFactor(kRow.p));
 }
 
+MaybeSign lorentzMiddle(const Site& a, const Site& b) {
+  UnitRows rows(a, {&b});
+  const Sign sign = rows.sign(rows.row(0).p, kRow.p);
+  return {sign, !rows.failed()};
+}
+
 Sign lorentzExact(const Site& a, const Site& b) { return exactLorentz(a, b).sign(); }
 
 Sign lorentzDifference(const Site& a, const Site& b, const Site& c, const Site& d) {
@@ -109,6 +130,14 @@ MaybeSign distanceFilter(double x, double y, const Site& a, const Site& b) {
   if (difference > bound) return {Sign::kPositive, true};
   if (difference < -bound) return {Sign::kNegative, true};
   return {};
+}
+
+MaybeSign distanceMiddle(double x, double y, const Site& a, const Site& b) {
+  if (a.r != b.r) return {};
+  const Site p{x, y, a.r};
+  UnitRows rows(p, {&a, &b});
+  const Sign sign = rows.sign(rows.row(0).p - rows.row(1).p, kRow.p);  // equal weights: the squared distances
+  return {sign, !rows.failed()};
 }
 
 Sign distanceExact(double x, double y, const Site& a, const Site& b) {
@@ -129,6 +158,12 @@ MaybeSign vertexFilter(const Site& i, Corner j, Corner k, Corner q) {
   return {sign, !rows.failed()};
 }
 
+MaybeSign vertexMiddle(const Site& i, Corner j, Corner k, Corner q) {
+  UnitRows rows(i, {j, k, q});
+  const Sign sign = vertexSign(rows);
+  return {sign, !rows.failed()};
+}
+
 Sign vertexExact(const Site& i, Corner j, Corner k, Corner q) {
   ExactRows rows(i, {j, k, q});
   return vertexSign(rows);
@@ -137,21 +172,24 @@ Sign vertexExact(const Site& i, Corner j, Corner k, Corner q) {
 bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q) {
   // Perturbed weights: only the largest of the four, z, matters. It is i or q (docs/PREDICATES.md, "Degenerate position").
   if (q != nullptr && precedes(i, *q)) return true;
-  // q is opposite to z = i on the circle exactly if, of the three products of tangent lengths of opposite pairs, the one that
-  // pairs q with i is the largest (Casey's theorem).
-  const auto p = [](Corner a, Corner b) {
-    if (a == nullptr || b == nullptr) return Dyadic(1);
-    return exactLorentz(*a, *b);
-  };
-  const Dyadic opposite = p(&i, q) * p(j, k);
-  return (opposite - p(j, q) * p(&i, k)).sign() == Sign::kPositive &&
-         (opposite - p(k, q) * p(&i, j)).sign() == Sign::kPositive;
+  UnitRows unit(i, {j, k, q});
+  const bool opposite = isOppositePole(unit);
+  if (!unit.failed()) return opposite;
+  ExactRows exact(i, {j, k, q});
+  return isOppositePole(exact);
 }
 
 // --- Edge conflict -----------------------------------------------------------------------------------------------------------
 
 MaybeSign edgeFilter(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
   FilterRows rows(i, {j, k, l, &q});
+  bool spanFailed = false;
+  const Sign sign = edgeSign(rows, j == nullptr, probe, spanFailed);
+  return {sign, !rows.failed() && !spanFailed};
+}
+
+MaybeSign edgeMiddle(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
+  UnitRows rows(i, {j, k, l, &q});
   bool spanFailed = false;
   const Sign sign = edgeSign(rows, j == nullptr, probe, spanFailed);
   return {sign, !rows.failed() && !spanFailed};

@@ -12,17 +12,21 @@ namespace apollonius::stages {
 
 /// p of two sites: (xa-xb)² + (ya-yb)² - (ra-rb)².
 [[nodiscard]] MaybeSign lorentzFilter(const Site& a, const Site& b);
+[[nodiscard]] MaybeSign lorentzMiddle(const Site& a, const Site& b);
 [[nodiscard]] Sign lorentzExact(const Site& a, const Site& b);
 /// sign(p of a, b - p of c, d), exactly.
 [[nodiscard]] Sign lorentzDifference(const Site& a, const Site& b, const Site& c, const Site& d);
 
 [[nodiscard]] MaybeSign distanceFilter(double x, double y, const Site& a, const Site& b);
+/// For sites of equal weights only.
+[[nodiscard]] MaybeSign distanceMiddle(double x, double y, const Site& a, const Site& b);
 [[nodiscard]] Sign distanceExact(double x, double y, const Site& a, const Site& b);
 
 /// i is finite and the largest of the finite ones among i, j, k; q covers none of them; at most one of the four is infinite
 /// (q = nullptr asks whether infinity is nearer, that is, whether the face has no Voronoi circle).
 /// Positive: conflict; zero: q touches the circle.
 [[nodiscard]] MaybeSign vertexFilter(const Site& i, Corner j, Corner k, Corner q);
+[[nodiscard]] MaybeSign vertexMiddle(const Site& i, Corner j, Corner k, Corner q);
 [[nodiscard]] Sign vertexExact(const Site& i, Corner j, Corner k, Corner q);
 /// The answer where vertexExact is zero.
 [[nodiscard]] bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q);
@@ -39,16 +43,25 @@ enum class Probe : signed char { kMiddle = 1, kOpposite = -1 };
 /// Positive: the direction is strictly within the range; zero or negative: it is not. i is finite, and the larger of i and j
 /// if both are; q covers neither.
 [[nodiscard]] MaybeSign edgeFilter(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
+[[nodiscard]] MaybeSign edgeMiddle(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
 [[nodiscard]] Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
 
-/// How often each stage answered in this thread since the last reset; filters of cached circles count as `cached`.
+/// How often each stage answered in this thread since the last reset (`cached`: the filter by cached circles). Vertex conflicts and
+/// distances that are settled where they arise (circleFilter, walks) are not counted.
 struct Counts {
+  unsigned long long lorentzFilter = 0;
+  unsigned long long lorentzMiddle = 0;
   unsigned long long lorentzExact = 0;
+  unsigned long long distanceFilter = 0;
+  unsigned long long distanceMiddle = 0;
   unsigned long long distanceExact = 0;
   unsigned long long vertexFilter = 0;
+  unsigned long long vertexMiddle = 0;
   unsigned long long vertexExact = 0;
   unsigned long long vertexDegenerate = 0;
+  unsigned long long edgeCached = 0;
   unsigned long long edgeFilter = 0;
+  unsigned long long edgeMiddle = 0;
   unsigned long long edgeExact = 0;
 };
 [[nodiscard]] Counts& counts();
