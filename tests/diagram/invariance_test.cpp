@@ -26,18 +26,24 @@ Canonical shape(Circles circles, Change&& change) {
 
 Circle unchanged(const Circle& c) { return c; }
 
+bool isLegal(const Circle& c) {
+  const auto inRange = [](double value) {
+    return value == 0 || (std::abs(value) >= kSmallestMagnitude && std::abs(value) <= kLargestMagnitude);
+  };
+  return inRange(c.x) && inRange(c.y) && inRange(c.r);
+}
+
 class InvarianceOn : public ::testing::TestWithParam<NamedGenerator> {};
 
 TEST_P(InvarianceOn, ScalingByPowersOfTwo) {
-  if (GetParam().name == "Huge" || GetParam().name == "Tiny" || GetParam().name == "MixedMagnitudes") GTEST_SKIP() << "at the range's ends already";
   Random random(311);
   const Circles circles = GetParam().make(random, GetParam().large ? 60 : 12);
   const Canonical expected = shape(circles, unchanged);
-  const int most = GetParam().large ? 200 : 20;
-  for (const int exponent : {-most, -1, 5, most}) {
+  for (const int exponent : {-500, -200, -20, -1, 5, 20, 200, 500}) {
     const auto scaled = [&](const Circle& c) {
       return Circle{std::ldexp(c.x, exponent), std::ldexp(c.y, exponent), std::ldexp(c.r, exponent)};
     };
+    if (!std::all_of(circles.begin(), circles.end(), [&](const Circle& c) { return isLegal(scaled(c)); })) continue;
     EXPECT_TRUE(shape(circles, scaled) == expected) << "scaled by 2^" << exponent;
   }
 }

@@ -113,7 +113,9 @@ History fromText(const std::string& text, std::string& error) {
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
-    const auto fail = [&](const char* what) { error = "line " + std::to_string(number) + ": " + what + ": " + line; };
+    const auto fail = [&](const char* what) {
+      error = std::string("line ").append(std::to_string(number)).append(": ").append(what).append(": ").append(line);
+    };
     std::istringstream words(line);
     std::string word;
     if (!(words >> word) || word[0] == '#') continue;

@@ -78,7 +78,7 @@ std::string checkHistory(const History& history, const Checks& checks) {
     if (wrong.empty() && checks.validateEveryStep) wrong = validated(replay.diagram());
     const bool last = step + 1 == history.size();
     if (wrong.empty() && (last || checks.compareEveryStep)) wrong = compared(replay.diagram(), replay.survivors(), checks);
-    if (!wrong.empty()) return "after operation " + std::to_string(step) + ": " + wrong;
+    if (!wrong.empty()) return std::string("after operation ").append(std::to_string(step)).append(": ").append(wrong);
   }
   return {};
 }
