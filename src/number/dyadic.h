@@ -31,7 +31,39 @@ class Dyadic {
     if (value < 0) mantissa_.backend().negate();
   }
 
+  static Dyadic powerOfTwo(int exponent) { return Dyadic(Integer(1), exponent); }
+
   [[nodiscard]] Sign sign() const { return signOf(mantissa_.sign()); }
+
+  /// About `mantissa * 2^exponent` with 2^62 <= |mantissa| <= 2^63 (or 0): a relative error of at most 2^-52.
+  struct Rounded {
+    double mantissa = 0;
+    int exponent = 0;
+  };
+  [[nodiscard]] Rounded rounded() const {
+    if (mantissa_.is_zero()) return {};
+    Integer digits = boost::multiprecision::abs(mantissa_);
+    const int excess = static_cast<int>(boost::multiprecision::msb(digits)) - 62;
+    if (excess > 0) {
+      digits >>= static_cast<unsigned>(excess);
+    } else {
+      digits <<= static_cast<unsigned>(-excess);
+    }
+    const auto magnitude = static_cast<double>(static_cast<std::uint64_t>(digits));
+    return {mantissa_.sign() < 0 ? -magnitude : magnitude, exponent_ + excess};
+  }
+
+  /// The root of a positive number from below, with a relative error of at most 2^-digits.
+  [[nodiscard]] Dyadic root(unsigned digits) const {
+    Integer m = mantissa_;
+    int e = exponent_;
+    const unsigned wanted = 2 * digits + 2, present = boost::multiprecision::msb(m);
+    unsigned shift = wanted > present ? wanted - present : 0;
+    if (((e - static_cast<int>(shift)) & 1) != 0) ++shift;
+    m <<= shift;
+    e -= static_cast<int>(shift);
+    return Dyadic(Integer(boost::multiprecision::sqrt(m)), e / 2);
+  }
 
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
     return Dyadic(a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_);

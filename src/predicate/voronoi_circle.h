@@ -32,6 +32,11 @@ struct VoronoiCircle {
 /// first and on whichever platform: the computation starts from the largest site in the order of precedes().
 [[nodiscard]] VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k);
 
+/// The same with coordinates that are good whatever the sites: errors of a few units in the last place of the radius and of each
+/// coordinate. Takes long numbers where voronoiCircle's doubles do not suffice. Coordinates beyond the range of doubles are
+/// infinite. REQUIRES: the vertex is not at infinity.
+[[nodiscard]] VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k);
+
 /// Vertex conflict from the cached circle alone: positive, conflict; negative, none; or unknown.
 ///
 /// Circle: conflict means |c - q| < s + r. With h = fl(s + r) and E = error + 2u|h|, the exact s + r and |c - q| differ from h
