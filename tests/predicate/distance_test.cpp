@@ -21,9 +21,12 @@ void expectSameAsOracle(double x, double y, const Circle& a, const Circle& b) {
   ASSERT_EQ(compareDistance(x, y, toSite(b), toSite(a)), -sign) << "antisymmetric";
   const bool nearer = expected > 0 || (expected == 0 && oracleSmaller(a, b));
   ASSERT_EQ(isNearer(x, y, toSite(a), toSite(b)), nearer);
-  const MaybeSign filtered = stages::distanceFilter(x, y, toSite(a), toSite(b));
-  if (filtered.known) {
-    ASSERT_EQ(filtered.sign, stages::distanceExact(x, y, toSite(a), toSite(b)));
+  const Sign exact = stages::distanceExact(x, y, toSite(a), toSite(b));
+  for (const MaybeSign early :
+       {stages::distanceFilter(x, y, toSite(a), toSite(b)), stages::distanceMiddle(x, y, toSite(a), toSite(b))}) {
+    if (early.known) {
+      ASSERT_EQ(early.sign, exact);
+    }
   }
 }
 

@@ -1,0 +1,65 @@
+// Which stage answers: easy input must not reach the slow stages, and input that is exactly degenerate must not be answered by
+// rounding. Counted along whole builds through the public interface, and on single questions.
+#include <gtest/gtest.h>
+
+#include "predicate/samples.h"
+#include "predicate/stages.h"
+#include "support/corpus.h"
+
+namespace apollonius {
+namespace {
+
+using namespace test;
+
+/// How often each stage answered during a build.
+stages::Counts countsOfBuild(const Circles& circles) {
+  stages::counts() = {};
+  Diagram diagram;
+  for (const Circle& c : circles) {
+    SiteId id = kNoSite;
+    EXPECT_EQ(diagram.insert(c.x, c.y, c.r, id), Error::kNone);
+  }
+  return stages::counts();
+}
+
+Circles make(const char* name, std::size_t n) {
+  for (const NamedGenerator& generator : corpus()) {
+    Random random(111);
+    if (generator.name == name) return generator.make(random, n);
+  }
+  ADD_FAILURE() << name;
+  return {};
+}
+
+TEST(StageUse, RandomCirclesNeedNoExactArithmetic) {
+  for (const char* name : {"Hidden5Percent", "Hidden20Percent", "Hidden50Percent", "PowerLaw"}) {
+    const stages::Counts counts = countsOfBuild(make(name, 2000));
+    // One in ten thousand insertions may be close enough to degenerate by chance.
+    EXPECT_LE(counts.vertexExact + counts.edgeExact + counts.lorentzExact + counts.distanceExact, 1u) << name;
+    EXPECT_EQ(counts.vertexDegenerate, 0u) << name;
+  }
+}
+
+TEST(StageUse, SmallIntegersAreSettledByTheMiddleStage) {
+  for (const char* name : {"IntegerLattice", "Grid3Radius0", "Grid4Radius1", "Grid20Radius10", "HorizontalLineEqualSpacing"}) {
+    const stages::Counts counts = countsOfBuild(make(name, 400));
+    EXPECT_EQ(counts.vertexExact, 0u) << name;
+    EXPECT_GT(counts.vertexDegenerate, 0u) << name << ": the middle stage knows zeros to be zeros";
+  }
+}
+
+TEST(StageUse, CocircularPointsOfManyDigitsNeedTheExactStage) {
+  const stages::Counts counts = countsOfBuild(make("CocircularPoints", 200));
+  EXPECT_GT(counts.vertexExact, 0u);
+  EXPECT_GT(counts.vertexDegenerate, 0u);
+}
+
+TEST(StageUse, DecimalLatticeIsNotDegenerateEverywhere) {
+  // 0.1 * i is rounded: the in-circle determinant of a cell of the lattice is tiny, mostly not zero, and no double can tell.
+  const stages::Counts counts = countsOfBuild(make("DecimalLattice", 400));
+  EXPECT_GT(counts.vertexExact, 0u);
+  EXPECT_LT(counts.vertexDegenerate, counts.vertexExact + counts.vertexMiddle + counts.vertexFilter);
+}
+
+}  // namespace
+}  // namespace apollonius
