@@ -17,17 +17,14 @@ namespace {
 
 /// Hash of what the diagram says about its circles: order-free, so a change here means that the bits of some coordinate, clearance
 /// or distance have changed. Update it only with a change of those formulas that is meant.
-constexpr std::uint64_t kExpectedValues = 0x3e4703d9406ad8c3;
+constexpr std::uint64_t kExpectedValues = 0x28a00a54d6230897;
 
 /// Hash of the raw arrays in their order, which depends on how the diagram is stored and searched. Update it after any change of
 /// that; it still has to be the same natively and in wasm.
-constexpr std::uint64_t kExpectedRaw = 0xd9526ec47d32229e;
+constexpr std::uint64_t kExpectedRaw = 0x7e3dcb6ce9f582c6;
 
 /// Hash of generated circles: native code and wasm must be tested with the same sets.
 constexpr std::uint64_t kExpectedGenerated = 0xf53230292420a024;
-
-/// Its vertices' coordinates come out as NaN, whose bits are no platform's promise.
-constexpr const char* kWithoutCoordinates = "NestedClustersFarApart";
 
 std::string hex(const Hash& hash) {
   char text[20];
@@ -77,7 +74,6 @@ void addOutputs(const Diagram& diagram, Random& random, Hashes& hashes) {
 TEST(Determinism, HashesOfAFixedSequence) {
   Hashes hashes;
   for (const NamedGenerator& generator : corpus()) {
-    if (generator.name == kWithoutCoordinates) continue;
     Random random(291);
     const std::size_t n = generator.large ? 60 : 12;
     const Circles pool = generator.make(random, n);
@@ -93,7 +89,6 @@ TEST(Determinism, HashesOfAFixedSequence) {
 
 TEST(Determinism, VerticesHaveTheSameBitsAfterAnyHistory) {
   for (const NamedGenerator& generator : corpus()) {
-    if (generator.name == kWithoutCoordinates) continue;
     SCOPED_TRACE(generator.name);
     Random random(292);
     Circles circles = generator.make(random, generator.large ? 80 : 10);
