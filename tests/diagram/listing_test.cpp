@@ -119,28 +119,34 @@ TEST(Listing, VerticesAreEquidistantAndNothingIsNearer) {
   }
 }
 
-TEST(Listing, VerticesOfNearlyDegenerateSetsAreStillEquidistant) {
+/// The listed vertex against the exact circle of its sites.
+void expectAccurate(const Circle (&c)[3], double x, double y, double clearance) {
+  const double size = std::abs(x) + std::abs(y) + std::abs(clearance);
+  if (!std::isfinite(size)) {
+    // Only where the exact circle is beyond the doubles, too.
+    ASSERT_FALSE(oracleCircleIsWithin(c[0], c[1], c[2], {0, 0, 0}, 1e300).value_or(false))
+        << x << " " << y << " " << clearance << " for\n" << toText(insertAll({c[0], c[1], c[2]}));
+    return;
+  }
+  double sites = 0;
+  for (const Circle& circle : c) sites = std::max({sites, std::abs(circle.x), std::abs(circle.y), std::abs(circle.r)});
+  const double error = 0x1p-39 * size + 0x1p-48 * sites;
+  ASSERT_TRUE(oracleCircleIsWithin(c[0], c[1], c[2], {x, y, clearance}, error).value_or(true))
+      << x << " " << y << " " << clearance << " for\n" << toText(insertAll({c[0], c[1], c[2]}));
+}
+
+TEST_P(ListingOn, CoordinatesAreAccurate) {
   Random random(284);
-  for (const char* name : {"DecimalLattice", "CocircularPoints", "CommonTangent", "GiantDiskExact", "PowerLaw", "GiantDisk", "Grid6Radius3"}) {
-    for (const NamedGenerator& generator : corpus()) {
-      if (generator.name != name) continue;
-      SCOPED_TRACE(name);
-      Diagram diagram;
-      const Circles circles = generator.make(random, 120);
-      const Listed listed = build(diagram, circles);
-      for (std::size_t k = 0; k < listed.vertices.clearance.size(); ++k) {
-        const double x = listed.vertices.coordinates[2 * k], y = listed.vertices.coordinates[2 * k + 1];
-        ASSERT_TRUE(std::isfinite(x) && std::isfinite(y));
-        for (std::size_t c = 0; c < 3; ++c) {
-          Circle circle{};
-          ASSERT_EQ(diagram.site(listed.vertices.sites[3 * k + c], circle), Error::kNone);
-          const double dx = x - circle.x, dy = y - circle.y;
-          const double length = std::sqrt(dx * dx + dy * dy);
-          ASSERT_NEAR(length - circle.r, listed.vertices.clearance[k], 1e-6 * (length + std::abs(circle.r) + 1))
-              << x << " " << y << " sites " << listed.vertices.sites[3 * k] << " " << listed.vertices.sites[3 * k + 1] << " "
-              << listed.vertices.sites[3 * k + 2];
-        }
+  for (int run = 0; run < runs(30); ++run) {
+    Diagram diagram;
+    const Listed listed = build(diagram, GetParam().make(random, GetParam().large ? 15 : 8));
+    for (std::size_t k = 0; k < listed.vertices.clearance.size(); ++k) {
+      Circle c[3];
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        ASSERT_EQ(diagram.site(listed.vertices.sites[3 * k + corner], c[corner]), Error::kNone);
       }
+      expectAccurate(c, listed.vertices.coordinates[2 * k], listed.vertices.coordinates[2 * k + 1], listed.vertices.clearance[k]);
+      if (HasFatalFailure()) FAIL() << "run " << run;
     }
   }
 }
