@@ -32,7 +32,8 @@ std::size_t allocationsOf(Operation&& operation) {
 }
 
 TEST(Room, TheCounterCounts) {
-  EXPECT_EQ(allocationsOf([] { std::vector<int> three(3); }), 1u);
+  // Called by name: clang++ leaves out a pair of new and delete that nobody looks at.
+  EXPECT_EQ(allocationsOf([] { ::operator delete(::operator new(8)); }), 1u);
 }
 
 TEST(Room, MakePairAllocatesNothingAfterReserve) {
