@@ -7,7 +7,7 @@
 // canonical rule for degenerate input: docs/PREDICATES.md. Units: whatever the coordinates are in; y points upwards and
 // "counter-clockwise" is meant so. Costs: h = number of visible sites, d = number of neighbours of the site in question.
 //
-// Errors: no call throws. A call that fails returns its Error and leaves the diagram as it was. Not thread-safe: one thread
+// Errors: no call throws (but the constructor, std::bad_alloc). A call that fails returns its Error and leaves the diagram as it was. Not thread-safe: one thread
 // at a time, also for queries (they share scratch memory).
 #pragma once
 
@@ -44,6 +44,7 @@ struct Circle {
 
 class Diagram {
  public:
+  /// The one call that can throw: std::bad_alloc.
   explicit Diagram(Location location = Location::kHierarchy);
   ~Diagram();
   Diagram(Diagram&&) noexcept;

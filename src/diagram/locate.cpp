@@ -151,7 +151,8 @@ DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId s
       }
       if (better == kNoHalfedge) return {graph_.origin(begin), sector};
     }
-    begin = graph_.twin(better);
+    // The edge back, whose other end is not nearer, and the one after it, whose other end was probably asked before, come last.
+    begin = graph_.rotateCcw(graph_.twin(better));
   }
 }
 

@@ -57,7 +57,7 @@ class Dyadic {
   [[nodiscard]] Dyadic root(unsigned digits) const {
     Integer m = mantissa_;
     int e = exponent_;
-    const unsigned wanted = 2 * digits + 2, present = boost::multiprecision::msb(m);
+    const unsigned wanted = 2 * digits + 2, present = static_cast<unsigned>(boost::multiprecision::msb(m));
     unsigned shift = wanted > present ? wanted - present : 0;
     if (((e - static_cast<int>(shift)) & 1) != 0) ++shift;
     m <<= shift;

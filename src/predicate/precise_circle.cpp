@@ -30,9 +30,9 @@ Dyadic magnitude(const Dyadic& x) { return x.sign() == Sign::kNegative ? -x : x;
 
 VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k) {
   const VoronoiCircle quick = voronoiCircle(i, j, k);
-  // Written so that NaN goes on to the long numbers.
   const double size = absolute(quick.x) + absolute(quick.y) + absolute(quick.s);
-  if (quick.isHalfPlane() || quick.error <= powerOfTwo(-40) * size) return quick;
+  const bool isKnown = quick.error < std::numeric_limits<float>::infinity();
+  if (quick.isHalfPlane() || (isKnown && quick.error <= powerOfTwo(-40) * size)) return quick;
 
   rotateToPole(i, j, k);
   const ExactRows rows(*i, {j, k});

@@ -48,7 +48,8 @@ struct EdgeCorners {
 };
 
 /// With neither end of the edge in conflict with q: is its interior?
-/// REQUIRES: as isVertexInConflict for both ends, which are not in conflict. Degree 12.
+/// REQUIRES: as isVertexInConflict for both ends, which are not in conflict. Degree 12; 16 for some unbounded edges (the span of their
+/// directions).
 [[nodiscard]] bool isInteriorInConflict(const EdgeCorners& edge, const Site& q);
 
 /// With both ends of the edge in conflict with q: is all of it?
