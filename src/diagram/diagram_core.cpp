@@ -1,5 +1,6 @@
 #include "diagram/diagram_core.h"
 
+#include <algorithm>
 #include <new>
 
 #include "diagram/spatial_order.h"
@@ -13,6 +14,8 @@ void DiagramCore::reserve(std::size_t sites) {
 }
 
 VertexId DiagramCore::startFor(double x, double y) const {
+  const SiteId close = grid_.near(x, y);
+  if (close != kNoSite && ids_.state(close) == SiteState::kVisible) return vertexOf(close);
   const SiteId start = hierarchy_.locate(x, y);
   return start == kNoSite ? base_.anyVisible() : vertexOf(start);
 }
@@ -48,9 +51,9 @@ SiteState DiagramCore::place(SiteId id, const Site& site, VertexId start) {
   for (const VertexId covered : insertion.covered) {
     hidden_.attach(siteOf(covered), id);
     ids_.setState(siteOf(covered), SiteState::kHidden);
-    hierarchy_.remove(siteOf(covered), remover_);
+    leaveLocation(siteOf(covered));
   }
-  if (usesHierarchy_) hierarchy_.insert(id, site);
+  enterLocation(id);
   return SiteState::kVisible;
 }
 
@@ -105,13 +108,40 @@ void DiagramCore::displaceVisible(SiteId id) {
       hidden_.attach(child, siteOf(fate.cover));
     }
   }
-  hierarchy_.remove(id, remover_);
-  if (usesHierarchy_) {
-    // The fates were the remover's scratch, which the line above may have used.
-    for (const VertexId child : children_) {
-      if (ids_.state(siteOf(child)) == SiteState::kVisible) hierarchy_.insert(siteOf(child), base_.site(child));
-    }
+  leaveLocation(id);
+  // The fates were the remover's scratch, which the line above may have used.
+  for (const VertexId child : children_) {
+    if (ids_.state(siteOf(child)) == SiteState::kVisible) enterLocation(siteOf(child));
   }
+}
+
+void DiagramCore::enterLocation(SiteId id) noexcept {
+  if (!usesHierarchy_) return;
+  hierarchy_.insert(id, site(id));
+  if (walk_ != Walk::kSectors) return;
+  grid_.insert(id, site(id));
+  if (grid_.isOutgrown()) rebuildGrid();
+}
+
+void DiagramCore::leaveLocation(SiteId id) noexcept {
+  hierarchy_.remove(id, remover_);
+  grid_.remove(site(id));
+}
+
+void DiagramCore::rebuildGrid() noexcept {
+  Site low = site(siteOf(base_.anyVisible())), high = low;
+  const auto forEachVisible = [&](auto&& visit) {
+    for (SiteId id = 0; id < ids_.slots(); ++id) {
+      if (base_.graph().hasVertex(vertexOf(id))) visit(id);
+    }
+  };
+  forEachVisible([&](SiteId id) {
+    const Site& s = site(id);
+    low = {std::min(low.x, s.x), std::min(low.y, s.y), 0};
+    high = {std::max(high.x, s.x), std::max(high.y, s.y), 0};
+  });
+  grid_.rebuild(base_.visibleCount(), low, high);
+  forEachVisible([&](SiteId id) { grid_.insert(id, site(id)); });
 }
 
 void DiagramCore::update(SiteId id, const Site& site) {
@@ -183,6 +213,7 @@ void DiagramCore::clear() noexcept {
   base_.clear();
   hidden_.clear();
   hierarchy_.clear();
+  grid_.clear();
   ids_.clear();
 }
 

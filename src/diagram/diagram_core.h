@@ -1,5 +1,5 @@
-// The dynamic diagram: the Delaunay graph of the visible sites, the forest of the hidden ones, the hierarchy for location, and
-// the ids that hold them together. Arguments have been checked by the caller (apollonius.cpp); lack of memory is thrown as
+// The dynamic diagram: the Delaunay graph of the visible sites, the forest of the hidden ones, the hierarchy and the grid
+// for location, and the ids that hold them together. Arguments have been checked by the caller (apollonius.cpp); lack of memory is thrown as
 // std::bad_alloc with the diagram as it was before the call.
 #pragma once
 
@@ -14,6 +14,7 @@
 #include "diagram/hierarchy.h"
 #include "diagram/remove.h"
 #include "diagram/site_ids.h"
+#include "diagram/start_grid.h"
 #include "diagram/vocabulary.h"
 
 namespace apollonius {
@@ -70,6 +71,10 @@ class DiagramCore {
   /// Undoes a displacement. There is room for it: the ballast has been dropped.
   void restore(SiteId id, const Site& site) noexcept { ids_.setState(id, place(id, site, kNoVertex)); }
   void displaceVisible(SiteId id);
+  /// What location needs to know of a site that became visible, and of one that is visible no more.
+  void enterLocation(SiteId id) noexcept;
+  void leaveLocation(SiteId id) noexcept;
+  void rebuildGrid() noexcept;
   [[nodiscard]] VertexId startFor(double x, double y) const;
 
   [[nodiscard]] bool hasFiniteVertex(FaceId f) const;
@@ -82,6 +87,7 @@ class DiagramCore {
   DelaunayGraph base_;        // vertex of site id: id + 1
   HiddenForest hidden_;       // node of site id: id
   Hierarchy hierarchy_;
+  StartGrid grid_;            // with Walk::kSectors only
   Remover remover_;
   Ballast ballast_;
   std::vector<VertexId> children_;  // scratch of displaceVisible

@@ -1,0 +1,71 @@
+// A grid of places to start from: for each cell of a square grid over the sites, some site with its centre there. Where sites are
+// spread evenly, a walk from there has a step or two, and one look replaces the descent through the hierarchy. Cells that hold many
+// sites give no answer: there the hierarchy is better.
+//
+// The grid is a hint and nothing else. Entries go stale when sites leave or move; whoever asks checks that the site is visible.
+// Where it runs out of memory it is dropped.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "diagram/vocabulary.h"
+#include "predicate/site.h"
+
+namespace apollonius {
+
+class StartGrid {
+ public:
+  /// A site whose centre was in the cell of (x, y), or kNoSite.
+  [[nodiscard]] SiteId near(double x, double y) const {
+    if (cells_.empty()) return kNoSite;
+    const Cell& cell = cells_[cellOf(x, y)];
+    return cell.count <= kFew ? cell.site : kNoSite;
+  }
+
+  void insert(SiteId id, const Site& site) {
+    ++noted_;
+    if (cells_.empty()) return;
+    Cell& cell = cells_[cellOf(site.x, site.y)];
+    cell.site = id;
+    cell.count += cell.count <= kFew;
+  }
+  void remove(const Site& site) {
+    if (cells_.empty()) return;
+    Cell& cell = cells_[cellOf(site.x, site.y)];
+    cell.count -= cell.count > 0 && cell.count <= kFew;
+  }
+
+  /// Has so much been inserted since the last rebuild that another one pays?
+  [[nodiscard]] bool isOutgrown() const { return noted_ > kLeast && noted_ > 2 * cells_.size(); }
+
+  /// Starts anew with all cells empty, for `sites` sites within a box; insert() each of them then.
+  void rebuild(std::size_t sites, const Site& low, const Site& high) noexcept;
+
+  void clear() noexcept { *this = StartGrid{}; }
+
+ private:
+  static constexpr std::size_t kLeast = 64;  // below, walks are short anyway
+  static constexpr std::uint32_t kFew = 6;
+
+  struct Cell {
+    SiteId site = kNoSite;
+    std::uint32_t count = 0;  // of sites inserted; stays at kFew + 1 once it got there
+  };
+
+  [[nodiscard]] std::size_t cellOf(double x, double y) const {
+    return clamped((y - low_.y) * scaleY_) * side_ + clamped((x - low_.x) * scaleX_);
+  }
+  [[nodiscard]] std::size_t clamped(double position) const {
+    if (!(position > 0)) return 0;
+    return position < static_cast<double>(side_ - 1) ? static_cast<std::size_t>(position) : side_ - 1;
+  }
+
+  std::vector<Cell> cells_;  // side_ * side_, row by row
+  std::size_t side_ = 0;
+  std::size_t noted_ = 0;
+  Site low_;
+  double scaleX_ = 0, scaleY_ = 0;
+};
+
+}  // namespace apollonius

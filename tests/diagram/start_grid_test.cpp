@@ -1,0 +1,60 @@
+// The grid of starting places: gives some site of the cell asked for, nothing where it is crowded, and never more than a hint.
+#include "diagram/start_grid.h"
+
+#include <gtest/gtest.h>
+
+namespace apollonius {
+namespace {
+
+TEST(StartGrid, GivesNothingBeforeItIsBuilt) {
+  StartGrid grid;
+  grid.insert(3, {1, 2, 0});
+  EXPECT_EQ(grid.near(1, 2), kNoSite);
+}
+
+TEST(StartGrid, GivesASiteOfTheCell) {
+  StartGrid grid;
+  grid.rebuild(100, {0, 0, 0}, {110, 110, 0});  // 11 cells a side, 10 wide
+  for (SiteId id = 0; id < 121; ++id) grid.insert(id, {10.0 * (id % 11) + 5, 10.0 * (id / 11) + 5, 1});
+  for (SiteId id = 0; id < 121; ++id) EXPECT_EQ(grid.near(10.0 * (id % 11) + 1, 10.0 * (id / 11) + 9), id);
+}
+
+TEST(StartGrid, PointsOutsideBelongToTheCellsAtTheBorder) {
+  StartGrid grid;
+  grid.rebuild(100, {0, 0, 0}, {110, 110, 0});
+  grid.insert(7, {109, 109, 0});
+  EXPECT_EQ(grid.near(1e100, 1e100), 7u);
+  EXPECT_EQ(grid.near(-1e100, 1e100), kNoSite);
+}
+
+TEST(StartGrid, CrowdedCellsAreLeftToTheHierarchy) {
+  StartGrid grid;
+  grid.rebuild(100, {0, 0, 0}, {110, 110, 0});
+  for (SiteId id = 0; id < 6; ++id) grid.insert(id, {1, 1, 0});
+  EXPECT_NE(grid.near(1, 1), kNoSite);
+  grid.insert(6, {1, 1, 0});
+  EXPECT_EQ(grid.near(1, 1), kNoSite);
+}
+
+TEST(StartGrid, SitesOnALineOrAtOnePlace) {
+  StartGrid grid;
+  grid.rebuild(100, {5, 0, 0}, {5, 110, 0});
+  grid.insert(1, {5, 15, 0});
+  EXPECT_EQ(grid.near(5, 15), 1u);
+  grid.rebuild(100, {5, 5, 0}, {5, 5, 0});
+  grid.insert(2, {5, 5, 0});
+  EXPECT_EQ(grid.near(0, 9), 2u);
+}
+
+TEST(StartGrid, IsOutgrownByAsMuchAsItHolds) {
+  StartGrid grid;
+  for (SiteId id = 0; id < 64; ++id) grid.insert(id, {0, 0, 0});
+  EXPECT_FALSE(grid.isOutgrown());
+  grid.insert(64, {0, 0, 0});
+  EXPECT_TRUE(grid.isOutgrown());
+  grid.rebuild(100, {0, 0, 0}, {1, 1, 0});
+  EXPECT_FALSE(grid.isOutgrown());
+}
+
+}  // namespace
+}  // namespace apollonius
