@@ -7,7 +7,7 @@ namespace apollonius::test {
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr int kEffortDivisor = 10;
 #elif defined(__EMSCRIPTEN__)
-inline constexpr int kEffortDivisor = 5;
+inline constexpr int kEffortDivisor = 3;
 #else
 inline constexpr int kEffortDivisor = 1;
 #endif
