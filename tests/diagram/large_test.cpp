@@ -67,5 +67,62 @@ INSTANTIATE_TEST_SUITE_P(Sets, LargeSetOf,
                                            LargeSet{"Concentric", 3000}, LargeSet{"TangentOutside", 3000},
                                            LargeSet{"TangentInside", 3000}, LargeSet{"NestedClusters", 3000}));
 
+/// Sites come and go while the place where they are and the size of it change by orders of magnitude: whatever location keeps to
+/// start its walks from must follow.
+TEST(LargeHistory, DriftingSites) {
+  for (const Location location : {Location::kHierarchy, Location::kWalk}) {
+    Random random(322);
+    Diagram diagram(location);
+    std::vector<SiteId> ids;
+    Circles circles;
+    const std::size_t most = static_cast<std::size_t>(runs(location == Location::kWalk ? 800 : 4000));
+    for (const double scale : {1.0, 1e-6, 1e4, 1e60, 1e-60, 1.0}) {
+      const double centre = scale * random.between(-3, 3);
+      const auto draw = [&] {
+        const double x = centre + scale * random.between(-1, 1);
+        const double y = centre + scale * random.between(-1, 1);
+        return Circle{x, y, 0.01 * scale * random.unit()};
+      };
+      for (std::size_t step = 0; step < 2 * most; ++step) {
+        const std::size_t chosen = ids.empty() ? 0 : random.below(ids.size());
+        const int dice = random.below(4);
+        if (ids.size() < most && (ids.empty() || dice < 2)) {
+          circles.push_back(draw());
+          ids.push_back(kNoSite);
+          ASSERT_EQ(diagram.insert(circles.back().x, circles.back().y, circles.back().r, ids.back()), Error::kNone);
+        } else if (dice < 3) {
+          circles[chosen] = draw();
+          ASSERT_EQ(diagram.update(ids[chosen], circles[chosen].x, circles[chosen].y, circles[chosen].r), Error::kNone);
+        } else {
+          bool removed = false;
+          ASSERT_EQ(diagram.remove(ids[chosen], removed), Error::kNone);
+          std::swap(ids[chosen], ids.back());
+          std::swap(circles[chosen], circles.back());
+          ids.pop_back();
+          circles.pop_back();
+        }
+      }
+      for (int point = 0; point < 10; ++point) {
+        const Circle at = draw();
+        SiteId found = kNoSite;
+        double distance = 0;
+        ASSERT_EQ(diagram.find(at.x, at.y, found, distance), Error::kNone);
+        Circle got{};
+        ASSERT_EQ(diagram.site(found, got), Error::kNone);
+        const Circle& expected = circles[static_cast<std::size_t>(oracleNearest(circles, at.x, at.y))];
+        ASSERT_TRUE(got.x == expected.x && got.y == expected.y && got.r == expected.r) << "scale " << scale;
+      }
+      std::string broken;
+      ASSERT_EQ(diagram.validate(broken), Error::kNone);
+      ASSERT_EQ(broken, "") << "scale " << scale;
+      const Canonical got = canonicalForm(diagram, broken);
+      ASSERT_EQ(broken, "");
+      const Canonical expected = freshBuild(circles, Build::kBulk, location, broken);
+      ASSERT_EQ(broken, "");
+      ASSERT_TRUE(got == expected) << "scale " << scale;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace apollonius::test

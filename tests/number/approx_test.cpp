@@ -55,7 +55,7 @@ TEST(Approx, FormulasStayWithinTheirBounds) {
     Difference d[9];
     for (Difference& difference : d) {
       // Magnitudes far apart from row to row, equal ones now and then, coordinates that cancel.
-      const double size = std::ldexp(1.0, run % 2 == 0 ? static_cast<int>(random.integer(-3, 3)) : static_cast<int>(random.integer(-200, 30)));
+      const double size = std::ldexp(1.0, run % 2 == 0 ? random.below(7) - 3 : random.below(231) - 200);
       difference = {size * random.between(-1, 1), size * random.between(-1, 1)};
       if (random.oneIn(4)) difference.b = std::nextafter(difference.a, 2.0 * size);
     }

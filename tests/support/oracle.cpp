@@ -57,7 +57,8 @@ int touchingCircles(const ExactSite& j, const ExactSite& k, TouchingCircle (&sol
     if (signOf(q2) == 0) {
       if (flip == 0) return 0;
       // rho = -q0 / (2h); the other solution went to infinity.
-      solutions[0] = {flip * (2 * h * ax - bx * q0), 0, flip * (2 * h * ay - by * q0), 0, -2 * flip * det * q0, 0, flip * denominator, d};
+      solutions[0] = {flip * (2 * h * ax - bx * q0), 0, flip * (2 * h * ay - by * q0), 0,
+                      -2 * flip * det * q0,          0, flip * denominator,            d};
       return 1;
     }
     for (int root = 0; root < 2; ++root) {
