@@ -11,6 +11,7 @@
 
 #include "diagram/conflict.h"
 #include "graph/graph.h"
+#include "predicate/circle_fan.h"
 #include "predicate/predicates.h"
 #include "predicate/shadow_check.h"
 #include "predicate/site.h"
@@ -55,6 +56,8 @@ class DelaunayGraph {
 
   /// Room for vertices of index < slots, and for faces of that many visible ones.
   void reserve(std::size_t slots);
+  /// Room for the faces of so many more visible sites, in one piece.
+  void reserveBulk(std::size_t sites);
 
   /// Writes the site of a vertex that is not visible, so that remove() can consider it. REQUIRES: reserve.
   void setSite(VertexId v, const Site& site) { sites_[index(v)] = site; }
@@ -82,11 +85,12 @@ class DelaunayGraph {
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
   [[nodiscard]] Insertion insertBesideOne(VertexId v);
   [[nodiscard]] Insertion coverAll(VertexId v);
-  /// Room for an operation on the graph, newFaces_ and newCircles_ of the right size included.
+  /// Room for an operation on the graph, newFaces_ and newCircles_ included.
   void reserveFaces(std::size_t removed, std::size_t created);
+  [[nodiscard]] std::span<FaceId> newFaces(std::size_t created) { return {newFaces_.data(), created}; }
   /// After the operation: newCircles_ become the circles of newFaces_.
-  void takeCircles() noexcept {
-    for (std::size_t k = 0; k < newFaces_.size(); ++k) circles_[index(newFaces_[k])] = newCircles_[k];
+  void takeCircles(std::size_t created) noexcept {
+    for (std::size_t k = 0; k < created; ++k) circles_[index(newFaces_[k])] = newCircles_[k];
   }
 
   std::vector<Site> sites_;              // by vertex
@@ -96,6 +100,7 @@ class DelaunayGraph {
   VertexId recent_ = kNoVertex;          // visible; the only one if visibleCount_ is 1
 
   ConflictSearch conflicts_;
+  CircleFan fan_;
   std::vector<FaceId> newFaces_;         // scratch
   std::vector<VoronoiCircle> newCircles_;  // scratch: computed before the graph changes, as that may take memory
   std::vector<VertexId> covered_;        // scratch

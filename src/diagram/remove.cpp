@@ -181,8 +181,8 @@ void Remover::apply(DelaunayGraph& diagram, VertexId v) {
                                  ? voronoiCircle(diagram.corner(corners[0]), diagram.corner(corners[1]), diagram.corner(corners[2]))
                                  : small_.circle(patchFaces_[k]);
   }
-  diagram.graph_.replaceStar(v, link_, patch_, diagram.newFaces_);
-  diagram.takeCircles();
+  diagram.graph_.replaceStar(v, link_, patch_, diagram.newFaces(patch_.size()));
+  diagram.takeCircles(patch_.size());
   --diagram.visibleCount_;
   if (diagram.recent_ == v) diagram.recent_ = neighbour;
 }

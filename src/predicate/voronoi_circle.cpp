@@ -13,12 +13,6 @@ namespace apollonius {
 
 namespace {
 
-/// The smallest convenient float that is at least x; infinity for NaN.
-float roundedUp(double x) {
-  if (!(x <= 1e38)) return std::numeric_limits<float>::infinity();
-  return std::max(static_cast<float>(x * (1 + powerOfTwo(-22))), std::numeric_limits<float>::min());
-}
-
 double largest(const Row<double>& row) { return std::max({absolute(row.x), absolute(row.y), absolute(row.r)}); }
 
 /// Differences to the pole times a power of two: one rounding each.

@@ -6,7 +6,9 @@
 // sticks out of it if a·x + b·y + r > c.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "number/approx.h"
 #include "number/fp.h"
@@ -26,6 +28,12 @@ struct VoronoiCircle {
 
   [[nodiscard]] bool isHalfPlane() const { return slope >= 0; }
 };
+
+/// For bounds: the smallest convenient float that is at least x; infinity for NaN.
+inline float roundedUp(double x) {
+  if (!(x <= 1e38)) return std::numeric_limits<float>::infinity();
+  return std::max(static_cast<float>(x * (1 + powerOfTwo(-22))), std::numeric_limits<float>::min());
+}
 
 /// The circle of a counter-clockwise face with an existing circle; of a face whose vertex is at infinity (three sites in line on the
 /// hull), the half-plane. The same bits for the same three sites, whichever comes
