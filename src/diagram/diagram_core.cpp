@@ -151,6 +151,7 @@ void DiagramCore::update(SiteId id, const Site& site) {
 void DiagramCore::move(Slot slot, const Site& site) {
   const Site old = this->site(slot);
   if (old.x == site.x && old.y == site.y && old.r == site.r) return;
+  if (moveInPlace(slot, site)) return;
   displace(slot);
   try {
     ids_.setState(slot, place(slot, site, kNoVertex));
@@ -159,6 +160,20 @@ void DiagramCore::move(Slot slot, const Site& site) {
     restore(slot, old);
     throw;
   }
+}
+
+bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
+  if (ids_.state(slot) != SiteState::kVisible) return false;
+  const Site to{site.x + 0.0, site.y + 0.0, site.r + 0.0};  // as in place()
+  for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
+    if (!covers(to, this->site(child))) return false;
+  }
+  const Site from = this->site(slot);
+  if (!base_.moveInPlace(vertexOf(slot), to)) return false;
+  hierarchy_.move(slot, to, remover_);
+  grid_.move(slot, from, to);
+  if (grid_.isOutgrown()) rebuildGrid();
+  return true;
 }
 
 void DiagramCore::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {

@@ -72,6 +72,8 @@ class DiagramCore {
   void displace(Slot slot);
   /// Displaces a site and places it elsewhere; a site that cannot be placed returns to where it was.
   void move(Slot slot, const Site& site);
+  /// Moves a site if nothing else changes by that; else false.
+  [[nodiscard]] bool moveInPlace(Slot slot, const Site& site);
   /// Undoes a displacement. There is room for it: the ballast has been dropped.
   void restore(Slot slot, const Site& site) noexcept { ids_.setState(slot, place(slot, site, kNoVertex)); }
   void displaceVisible(Slot slot);

@@ -32,6 +32,13 @@ class Hierarchy {
   /// Takes a site off its levels, if it is on any.
   void remove(Slot slot, Remover& remover) noexcept;
 
+  /// Enters a site anew that has moved on level 0.
+  void move(Slot slot, const Site& to, Remover& remover) noexcept {
+    if (!climbs(slot, 0) || levels_.empty()) return;
+    remove(slot, remover);
+    insert(slot, to);
+  }
+
   void clear() noexcept {
     levels_.clear();
     isDropped_ = false;

@@ -36,6 +36,12 @@ class StartGrid {
     cell.count -= cell.count > 0 && cell.count <= kFew;
   }
 
+  void move(Slot slot, const Site& from, const Site& to) {
+    if (cells_.empty() || cellOf(from.x, from.y) == cellOf(to.x, to.y)) return;
+    remove(from);
+    insert(slot, to);
+  }
+
   /// Has so much been inserted since the last rebuild that another one pays?
   [[nodiscard]] bool isOutgrown() const { return noted_ > kLeast && noted_ > 2 * cells_.size(); }
 

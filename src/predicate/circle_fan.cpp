@@ -27,8 +27,7 @@ void CircleFan::reserve(std::size_t n) {
   corners_.resize(room);  // last: who looks at its size finds room in all
 }
 
-void CircleFan::compute(const Site& q, std::span<VoronoiCircle> circles) {
-  const std::size_t n = circles.size();
+bool CircleFan::computeAll(const Site& q, std::size_t n) {
   double* const numbers = numbers_.data();
   double largest = 0;
   for (std::size_t k = 0; k < n; ++k) {
@@ -51,18 +50,35 @@ void CircleFan::compute(const Site& q, std::span<VoronoiCircle> circles) {
   for (std::size_t a = kSiteX; a <= kL; ++a) {
     for (std::size_t k = 0; k < 2; ++k) numbers[a * stride_ + n + k] = numbers[a * stride_ + k];
   }
-  const bool isOrdinary = largest < kLargestDifference;
-  if (isOrdinary) computeBounded(q, n);
+  if (!(largest < kLargestDifference)) return false;
+  computeBounded(q, n);
+  return true;
+}
+
+double CircleFan::error(std::size_t k) const { return numbers_[kError * stride_ + k]; }
+
+VoronoiCircle CircleFan::circle(std::size_t k) const {
+  return {numbers_[kCircleX * stride_ + k], numbers_[kCircleY * stride_ + k], numbers_[kCircleS * stride_ + k], roundedUp(error(k)), -1};
+}
+
+void CircleFan::compute(const Site& q, std::span<VoronoiCircle> circles) {
+  const std::size_t n = circles.size();
+  const bool isOrdinary = computeAll(q, n);
   for (std::size_t k = 0; k < n; ++k) {
-    const double error = numbers[kError * stride_ + k];
     const Corner j = corners_[k], l = corners_[k + 1 < n ? k + 1 : 0];
-    if (isOrdinary && error < kInfinite && j != nullptr && l != nullptr) {
-      circles[k] = {numbers[kCircleX * stride_ + k], numbers[kCircleY * stride_ + k], numbers[kCircleS * stride_ + k],
-                    roundedUp(error), -1};
-    } else {
-      circles[k] = voronoiCircle(j, l, &q);
-    }
+    const bool isGood = isOrdinary && j != nullptr && l != nullptr && error(k) < kInfinite;
+    circles[k] = isGood ? circle(k) : voronoiCircle(j, l, &q);
   }
+}
+
+bool CircleFan::computeIfCertain(const Site& q, std::span<VoronoiCircle> circles) {
+  const std::size_t n = circles.size();
+  if (!computeAll(q, n)) return false;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!(error(k) < kInfinite)) return false;
+    circles[k] = circle(k);
+  }
+  return true;
 }
 
 /// The formulas and the bound are those of boundedCircle (voronoi_circle.cpp, where they are derived), seen from q, whose rows

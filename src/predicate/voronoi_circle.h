@@ -40,6 +40,10 @@ inline float roundedUp(double x) {
 /// first and on whichever platform: the computation starts from the largest site in the order of precedes().
 [[nodiscard]] VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k);
 
+/// The circle as voronoiCircle() computes it, if the counter-clockwise triple of sites has one; at most one of them is infinite, and
+/// none covers another. Returns whether it has.
+[[nodiscard]] bool findVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle);
+
 /// The same with coordinates that are good whatever the sites: errors of a few units in the last place of the radius and of each
 /// coordinate. Takes long numbers where voronoiCircle's doubles do not suffice. Coordinates beyond the range of doubles are
 /// infinite. REQUIRES: the vertex is not at infinity.
