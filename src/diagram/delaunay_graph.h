@@ -81,7 +81,8 @@ class DelaunayGraph {
   [[nodiscard]] const char* check(std::uint32_t& where) const;
 
  private:
-  friend class Remover;  // the other operation that changes the graph
+  friend class Remover;   // the other operation that changes the graph
+  friend class MassMove;  // changes sites and circles
   friend class DiagramBreaker;  // tests break a structure on purpose
 
   [[nodiscard]] Located walkAllNeighbors(double x, double y, VertexId start) const;

@@ -7,6 +7,13 @@
 
 namespace apollonius {
 
+namespace {
+
+/// -0 + 0 is 0: one number, one pattern of bits.
+Site normalized(const Site& site) { return {site.x + 0.0, site.y + 0.0, site.r + 0.0}; }
+
+}  // namespace
+
 void DiagramCore::reserve(std::size_t sites) {
   ids_.reserve(sites);
   hidden_.reserve(sites);
@@ -36,8 +43,7 @@ SiteId DiagramCore::insert(const Site& site) {
 
 SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start) {
   const VertexId v = vertexOf(slot);
-  // -0 + 0 is 0: one number, one pattern of bits.
-  base_.setSite(v, {site.x + 0.0, site.y + 0.0, site.r + 0.0});
+  base_.setSite(v, normalized(site));
   if (start == kNoVertex) start = startFor(site.x, site.y);
   const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_);
   // From here on nothing throws.
@@ -164,16 +170,43 @@ void DiagramCore::move(Slot slot, const Site& site) {
 
 bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
   if (ids_.state(slot) != SiteState::kVisible) return false;
-  const Site to{site.x + 0.0, site.y + 0.0, site.r + 0.0};  // as in place()
-  for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
-    if (!covers(to, this->site(child))) return false;
-  }
+  const Site to = normalized(site);
   const Site from = this->site(slot);
-  if (!base_.moveInPlace(vertexOf(slot), to)) return false;
-  hierarchy_.move(slot, to, remover_);
-  grid_.move(slot, from, to);
-  if (grid_.isOutgrown()) rebuildGrid();
+  if (!coversChildren(slot, to) || !base_.moveInPlace(vertexOf(slot), to)) return false;
+  followMove(slot, from);
   return true;
+}
+
+bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
+  for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
+    if (!covers(to, site(child))) return false;
+  }
+  return true;
+}
+
+/// What location needs to know of a site that moved and is visible as before.
+void DiagramCore::followMove(Slot slot, const Site& from) noexcept {
+  hierarchy_.move(slot, site(slot), remover_);
+  grid_.move(slot, from, site(slot));
+  if (grid_.isOutgrown()) rebuildGrid();
+}
+
+void DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order) {
+  if (base_.visibleCount() < 2) return;
+  moves_.clear();
+  moves_.reserve(ids.size());
+  for (const std::size_t k : order) {
+    const Slot slot = ids_.slotOf(ids[k]);
+    const Site to = normalized({xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
+    const Site& from = site(slot);
+    const bool isAtRest = from.x == to.x && from.y == to.y && from.r == to.r;
+    if (ids_.state(slot) != SiteState::kVisible || isAtRest || !coversChildren(slot, to)) continue;
+    moves_.push_back({vertexOf(slot), to});
+  }
+  const std::span<const std::uint8_t> isMade = massMove_.apply(base_, moves_);
+  for (std::size_t k = 0; k < moves_.size(); ++k) {
+    if (isMade[k] != 0) followMove(slotOf(moves_[k].vertex), massMove_.siteBefore(k));
+  }
 }
 
 void DiagramCore::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
@@ -227,23 +260,39 @@ VertexId DiagramCore::visibleBeside(Slot slot) const {
 
 void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
   ballast_.load();
-  std::vector<Site> old(ids.size());
-  std::size_t done = 0;
+  const std::vector<std::uint32_t> order = orderOfSlots(ids);
+  std::vector<Site> before(ids.size());
+  for (std::size_t k = 0; k < ids.size(); ++k) before[k] = site(ids_.slotOf(ids[k]));
   try {
-    for (; done < ids.size(); ++done) {
-      const Slot slot = ids_.slotOf(ids[done]);
-      old[done] = site(slot);
-      move(slot, {xyr[3 * done], xyr[3 * done + 1], xyr[3 * done + 2]});
-    }
+    moveManyInPlace(ids, xyr, order);
+    for (const std::size_t k : order) move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
   } catch (const std::bad_alloc&) {
     ballast_.drop();
-    while (done-- > 0) {
-      const Slot slot = ids_.slotOf(ids[done]);
+    for (const std::size_t k : order) {
+      const Slot slot = ids_.slotOf(ids[k]);
       displace(slot);
-      restore(slot, old[done]);
+      restore(slot, before[k]);
     }
     throw;
   }
+}
+
+/// Positions in `ids` in the order of the slots, which is one of places; of an id that is given several times, the last one only.
+std::vector<std::uint32_t> DiagramCore::orderOfSlots(std::span<const SiteId> ids) const {
+  struct Entry {
+    Slot slot;
+    std::uint32_t position;
+  };
+  std::vector<Entry> entries(ids.size());
+  for (std::uint32_t k = 0; k < ids.size(); ++k) entries[k] = {ids_.slotOf(ids[k]), k};
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& a, const Entry& b) { return a.slot != b.slot ? a.slot < b.slot : a.position < b.position; });
+  std::vector<std::uint32_t> order;
+  order.reserve(ids.size());
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    if (k + 1 == entries.size() || entries[k + 1].slot != entries[k].slot) order.push_back(entries[k].position);
+  }
+  return order;
 }
 
 void DiagramCore::clear() noexcept {

@@ -12,6 +12,7 @@
 #include "diagram/delaunay_graph.h"
 #include "diagram/hidden.h"
 #include "diagram/hierarchy.h"
+#include "diagram/mass_move.h"
 #include "diagram/remove.h"
 #include "diagram/site_ids.h"
 #include "diagram/start_grid.h"
@@ -74,6 +75,11 @@ class DiagramCore {
   void move(Slot slot, const Site& site);
   /// Moves a site if nothing else changes by that; else false.
   [[nodiscard]] bool moveInPlace(Slot slot, const Site& site);
+  /// Moves those of the sites together for which that is so; the others stay where they are.
+  void moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order);
+  [[nodiscard]] bool coversChildren(Slot slot, const Site& to) const;
+  void followMove(Slot slot, const Site& from) noexcept;
+  [[nodiscard]] std::vector<std::uint32_t> orderOfSlots(std::span<const SiteId> ids) const;
   /// Undoes a displacement. There is room for it: the ballast has been dropped.
   void restore(Slot slot, const Site& site) noexcept { ids_.setState(slot, place(slot, site, kNoVertex)); }
   void displaceVisible(Slot slot);
@@ -97,6 +103,8 @@ class DiagramCore {
   Hierarchy hierarchy_;
   StartGrid grid_;            // with Walk::kSectors only
   Remover remover_;
+  MassMove massMove_;
+  std::vector<MassMove::Move> moves_;  // scratch of moveManyInPlace
   Ballast ballast_;
   std::vector<VertexId> children_;  // scratch of displaceVisible
 };

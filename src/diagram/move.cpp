@@ -23,13 +23,6 @@ bool isClear(const VoronoiCircle& circle, const Site& site) {
   return filtered.known && filtered.sign == Sign::kNegative;
 }
 
-/// Do two directions certainly differ by less than a quarter turn? The bound is that of turn().
-bool isWithinQuarterTurn(const Arrow& a, const Arrow& b) {
-  const double sa = a.size(), sb = b.size();
-  const double bound = (a.error * sb + b.error * sa + 2 * a.error * b.error + 3 * kUnitRoundoff * sa * sb) * (1 + 16 * kUnitRoundoff);
-  return bound > powerOfTwo(-900) && a.x * b.x + a.y * b.y > bound;
-}
-
 constexpr std::size_t kMostFaces = 24;  // a site of more neighbours rarely moves without consequences
 
 }  // namespace
@@ -58,9 +51,9 @@ bool DelaunayGraph::moveInPlace(VertexId v, const Site& to) {
     const VoronoiCircle &before = circle(faceOf(h)), &after = newCircles_[k];
     const Site &right = site(graph_.target(h)), &left = site(graph_.apex(h));
     if (before.isHalfPlane()) return false;
-    if (!isWithinQuarterTurn(directionOf(before, from), directionOf(after, to)) ||
-        !isWithinQuarterTurn(directionOf(before, right), directionOf(after, right)) ||
-        !isWithinQuarterTurn(directionOf(before, left), directionOf(after, left))) {
+    if (!differByLessThanAQuarter(directionOf(before, from), directionOf(after, to)) ||
+        !differByLessThanAQuarter(directionOf(before, right), directionOf(after, right)) ||
+        !differByLessThanAQuarter(directionOf(before, left), directionOf(after, left))) {
       return false;
     }
     const VertexId beyond = graph_.apex(graph_.twin(next(h)));

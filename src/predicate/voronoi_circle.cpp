@@ -131,6 +131,13 @@ VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k) {
   return halfPlaneOfThree(*i, *j, *k);
 }
 
+bool findCertainVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle) noexcept {
+  rotateToPole(i, j, k);
+  if (k != nullptr && j != nullptr) return boundedCircle(*i, *j, *k, circle) == Existence::kYes;
+  circle = k == nullptr ? halfPlane(*i, *j, 1) : halfPlane(*i, *k, -1);
+  return true;
+}
+
 bool findVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle) {
   rotateToPole(i, j, k);
   if (j == nullptr || k == nullptr) {

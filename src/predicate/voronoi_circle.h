@@ -44,6 +44,9 @@ inline float roundedUp(double x) {
 /// none covers another. Returns whether it has.
 [[nodiscard]] bool findVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle);
 
+/// The same in doubles alone, which throw nothing: true only if they show that there is a circle.
+[[nodiscard]] bool findCertainVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle) noexcept;
+
 /// The same with coordinates that are good whatever the sites: errors of a few units in the last place of the radius and of each
 /// coordinate. Takes long numbers where voronoiCircle's doubles do not suffice. Coordinates beyond the range of doubles are
 /// infinite. REQUIRES: the vertex is not at infinity.
