@@ -22,7 +22,7 @@ void DiagramCore::reserve(std::size_t sites) {
 
 VertexId DiagramCore::startFor(double x, double y) const {
   const Slot close = grid_.near(x, y);
-  if (close != kNoSlot && ids_.state(close) == SiteState::kVisible) return vertexOf(close);
+  if (close != kNoSlot && base_.isVisible(vertexOf(close))) return vertexOf(close);
   const Slot start = hierarchy_.locate(x, y);
   return start == kNoSlot ? base_.anyVisible() : vertexOf(start);
 }
@@ -147,6 +147,7 @@ void DiagramCore::rebuildGrid() noexcept {
   });
   grid_.rebuild(base_.visibleCount(), low, high);
   forEachVisible([&](Slot slot) { grid_.insert(slot, site(slot)); });
+  grid_.fillGaps();
 }
 
 void DiagramCore::update(SiteId id, const Site& site) {

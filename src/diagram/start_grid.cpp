@@ -19,4 +19,20 @@ void StartGrid::rebuild(std::size_t sites, const Site& low, const Site& high) no
   }
 }
 
+void StartGrid::fillGaps() noexcept {
+  for (std::size_t row = 0; row < side_; ++row) {
+    for (std::size_t column = 0; column < side_; ++column) {
+      Cell& cell = cells_[row * side_ + column];
+      if (cell.count > 0) continue;
+      const auto take = [&](const Cell& beside) {
+        if (beside.count > 0) cell.site = beside.site;
+      };
+      if (row > 0) take(*(&cell - side_));
+      if (row + 1 < side_) take(*(&cell + side_));
+      if (column > 0) take(*(&cell - 1));
+      if (column + 1 < side_) take(*(&cell + 1));
+    }
+  }
+}
+
 }  // namespace apollonius

@@ -16,7 +16,7 @@ namespace apollonius {
 
 class StartGrid {
  public:
-  /// The slot of a site whose centre was in the cell of (x, y), or kNoSlot.
+  /// The slot of a site whose centre was in the cell of (x, y) or beside it, or kNoSlot.
   [[nodiscard]] Slot near(double x, double y) const {
     if (cells_.empty()) return kNoSlot;
     const Cell& cell = cells_[cellOf(x, y)];
@@ -45,8 +45,11 @@ class StartGrid {
   /// Has so much been inserted since the last rebuild that another one pays?
   [[nodiscard]] bool isOutgrown() const { return noted_ > kLeast && noted_ > 2 * cells_.size(); }
 
-  /// Starts anew with all cells empty, for `sites` sites within a box; insert() each of them then.
+  /// Starts anew with all cells empty, for `sites` sites within a box; insert() each of them then, and call fillGaps().
   void rebuild(std::size_t sites, const Site& low, const Site& high) noexcept;
+
+  /// Cells without a site, a third of them where sites are spread at random, get that of a cell beside.
+  void fillGaps() noexcept;
 
   void clear() noexcept { *this = StartGrid{}; }
 

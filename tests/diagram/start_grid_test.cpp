@@ -56,5 +56,18 @@ TEST(StartGrid, IsOutgrownByAsMuchAsItHolds) {
   EXPECT_FALSE(grid.isOutgrown());
 }
 
+TEST(StartGrid, GapsGetASiteFromBeside) {
+  StartGrid grid;
+  grid.rebuild(120, {0, 0, 0}, {110, 110, 0});  // eleven cells a side
+  grid.insert(7, {55, 55, 1});
+  grid.fillGaps();
+  for (const Slot near : {grid.near(55, 55), grid.near(45, 55), grid.near(65, 55), grid.near(55, 45), grid.near(55, 65)}) EXPECT_EQ(near, 7u);
+  EXPECT_EQ(grid.near(45, 45), kNoSlot);
+  EXPECT_EQ(grid.near(75, 55), kNoSlot);
+  grid.insert(8, {45, 55, 1});
+  EXPECT_EQ(grid.near(45, 55), 8u);
+  StartGrid{}.fillGaps();
+}
+
 }  // namespace
 }  // namespace apollonius
