@@ -214,17 +214,18 @@ void DiagramCore::insertMany(std::span<const double> xyr, std::span<SiteId> ids)
   const std::size_t n = ids.size();
   ballast_.load();
   const std::size_t sites = ids_.size() + n;
-  reserve(sites > ids_.slots() ? sites : ids_.slots());
-  const std::vector<std::uint32_t> curve = hilbertOrder({xyr, 3});
-  std::vector<std::uint32_t> order = randomizedRounds(n);
+  // The orders first: what sorting needs for a while is then used again for what stays.
+  std::vector<std::uint32_t> order = hilbertOrder({xyr, 3});
   std::vector<Slot> slots(n);
+  reserve(sites > ids_.slots() ? sites : ids_.slots());
   // Ids are given in the order of the input, slots along the curve: what is close in the plane is close in memory.
   for (SiteId& id : ids) id = ids_.takeId();
   for (std::size_t k = 0; k < n; ++k) {
-    const double* circle = &xyr[3 * std::size_t{curve[k]}];
-    slots[k] = ids_.takeSlot(ids[curve[k]], SiteState::kPending);
+    const double* circle = &xyr[3 * std::size_t{order[k]}];
+    slots[k] = ids_.takeSlot(ids[order[k]], SiteState::kPending);
     base_.setSite(vertexOf(slots[k]), {circle[0], circle[1], circle[2]});
   }
+  randomizedRounds(order);
   // Walks start beside, so the grid need not be kept while it changes a lot.
   isBulk_ = n > ids_.size() / 4;
   std::size_t done = 0;

@@ -99,7 +99,8 @@ std::vector<std::uint32_t> hilbertOrder(PointArray points) {
   return order;
 }
 
-std::vector<std::uint32_t> randomizedRounds(std::size_t n) {
+void randomizedRounds(std::span<std::uint32_t> order) noexcept {
+  const std::size_t n = order.size();
   // The round, counted from the last, is the number of leading zeros of a random word: 0 with probability 1/2, and so on.
   constexpr std::size_t kRounds = 65;
   const auto roundOf = [](std::size_t k) {
@@ -116,9 +117,7 @@ std::vector<std::uint32_t> randomizedRounds(std::size_t n) {
     start[round] = sum;
     sum += count;
   }
-  std::vector<std::uint32_t> order(n);
   for (std::size_t k = 0; k < n; ++k) order[start[roundOf(k)]++] = static_cast<std::uint32_t>(k);
-  return order;
 }
 
 }  // namespace apollonius

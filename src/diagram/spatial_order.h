@@ -21,8 +21,8 @@ struct PointArray {
 /// platform. Cost: O(n), a radix sort.
 [[nodiscard]] std::vector<std::uint32_t> hilbertOrder(PointArray points);
 
-/// The numbers 0 … n-1 in randomised rounds, rising in each: about half of them in the last round, a quarter in the one before, and
+/// Writes the numbers 0 … n-1 to the array of n in randomised rounds, rising in each: about half of them in the last round, a quarter in the one before, and
 /// so on. Seeded: the same on every platform.
-[[nodiscard]] std::vector<std::uint32_t> randomizedRounds(std::size_t n);
+void randomizedRounds(std::span<std::uint32_t> order) noexcept;
 
 }  // namespace apollonius

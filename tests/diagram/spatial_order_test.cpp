@@ -102,9 +102,14 @@ TEST(HilbertOrder, ManyPointsAreOrderedAsFew) {
 }
 
 TEST(RandomizedRounds, HaveDoublingSizes) {
-  for (const std::size_t n : {0u, 1u, 2u, 3u, 10u}) EXPECT_TRUE(isPermutation(randomizedRounds(n))) << n;
+  const auto roundsOf = [](std::size_t n) {
+    std::vector<std::uint32_t> order(n);
+    randomizedRounds(order);
+    return order;
+  };
+  for (const std::size_t n : {0u, 1u, 2u, 3u, 10u}) EXPECT_TRUE(isPermutation(roundsOf(n))) << n;
   constexpr std::size_t kNumbers = 1 << 14;
-  const std::vector<std::uint32_t> order = randomizedRounds(kNumbers);
+  const std::vector<std::uint32_t> order = roundsOf(kNumbers);
   ASSERT_TRUE(isPermutation(order));
   // In a round numbers rise; where they fall, another begins.
   std::vector<std::size_t> rounds{1};
