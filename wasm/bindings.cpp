@@ -195,6 +195,18 @@ EMSCRIPTEN_KEEPALIVE int diagramNeighbors(const Diagram* diagram, SiteId id) {
   return code(error);
 }
 
+EMSCRIPTEN_KEEPALIVE int diagramKNearest(const Diagram* diagram, double x, double y, std::uint32_t k) {
+  const Error error = diagram->kNearest(x, y, k, siteIds);
+  publish(0, siteIds);
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramWithin(const Diagram* diagram, double x, double y, double distance) {
+  const Error error = diagram->within(x, y, distance, siteIds);
+  publish(0, siteIds);
+  return code(error);
+}
+
 EMSCRIPTEN_KEEPALIVE std::uint32_t diagramSize(const Diagram* diagram) { return diagram->size(); }
 EMSCRIPTEN_KEEPALIVE std::uint32_t diagramVisibleSize(const Diagram* diagram) { return diagram->visibleSize(); }
 

@@ -1,5 +1,7 @@
 import { type Accessor, triples } from "./accessors.js";
-import { checkedIds, checkedNumbers, isSiteId, unknownSite } from "./arguments.js";
+import {
+  allocated, checkedChoice, checkedCount, checkedIds, checkedNumbers, checkNumber, isSiteId, typedArrayKind, unknownSite,
+} from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import {
   check, checkSite, checkTypes, kUnknownSite, outOfMemory, throwForElements, throwForNumbers,
@@ -59,11 +61,12 @@ export class Diagram implements Disposable {
 
   /**
    * A diagram of flat x, y, r triples; their ids are 0, 1, 2, … in input order. Cost: expected O(n log n).
-   * Throws "not-finite", "out-of-range", "bad-length" (no multiple of 3), "too-large".
+   * Throws "not-finite", "out-of-range", "bad-length" (no multiple of 3), "too-large", "bad-option" (an unknown location).
    */
   constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
     const numbers = xyr === undefined ? undefined : checkedNumbers("xyr", xyr, 3);
-    this.#native = NativeDiagram.create(this, options?.location !== "walk");
+    const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
+    this.#native = NativeDiagram.create(this, location === "hierarchy");
     if (this.#native === null) throw outOfMemory();
     if (numbers === undefined) return;
     try {
@@ -77,7 +80,7 @@ export class Diagram implements Disposable {
   /**
    * A diagram of any items, read by accessors as in d3-delaunay (item, index, items). Without accessors an item is an object
    * {x, y, r} or an array [x, y, r]; a missing r is 0. Ids are 0, 1, 2, … in input order.
-   * Throws as the constructor, naming the item. Cost: expected O(n log n).
+   * Throws as the constructor, naming the item; "bad-option" if an accessor is no function. Cost: expected O(n log n).
    */
   static from<T>(items: Iterable<T> | ArrayLike<T>, x?: Accessor<T>, y?: Accessor<T>, r?: Accessor<T>,
                  that?: unknown): Diagram {
@@ -247,13 +250,41 @@ export class Diagram implements Disposable {
   findMany(xy: ArrayLike<number>, distances?: Float64Array): Int32Array {
     const native = this.#living();
     const numbers = checkedNumbers("xy", xy, 2);
-    const ids = new Int32Array(numbers.length / 2);
-    if (distances !== undefined && !(distances instanceof Float64Array && distances.length === ids.length)) {
+    const ids = allocated(() => new Int32Array(numbers.length / 2));
+    if (distances !== undefined && !(typedArrayKind(distances) === "Float64Array" && distances.length === ids.length)) {
       throw new ApolloniusError("bad-length", `expected distances to be a Float64Array of ${ids.length} elements, one a point`);
     }
     const status = native.findMany(numbers, ids, distances);
     if (status !== 0) throwForElements(status, "xy", numbers);
     return ids;
+  }
+
+  /**
+   * The k nearest sites of a point, hidden ones too, nearest first; all sites if there are fewer. Exact; ties go to the larger r, then
+   * x, then y, identical circles come in any order. Cost: one location and O(m log m), m the number of neighbours of the sites
+   * found, whatever n is. Throws "not-finite", "out-of-range" (also for a k that is no whole number
+   * from 0 on; Infinity means all).
+   */
+  kNearest(x: number, y: number, k: number): Uint32Array {
+    const native = this.#living();
+    checkTypes(x, y);
+    const status = native.kNearest(x, y, checkedCount("k", k));
+    if (status !== 0) throwForNumbers(status, x, y);
+    return this.#taken(native, () => native.takeWords(0));
+  }
+
+  /**
+   * All sites whose distance |p - c| - r to a point is at most `distance`, hidden ones too, nearest first: with 0 every circle that
+   * contains the point, negative for circles that contain it that deep. Exact, sites at that very distance included. Cost: as kNearest.
+   * Throws "not-finite", "out-of-range".
+   */
+  within(x: number, y: number, distance: number): Uint32Array {
+    const native = this.#living();
+    checkTypes(x, y);
+    checkNumber("distance", distance);
+    const status = native.within(x, y, distance);
+    if (status !== 0) throwForNumbers(status, x, y);
+    return this.#taken(native, () => native.takeWords(0));
   }
 
   /**
@@ -323,7 +354,7 @@ export class Diagram implements Disposable {
   }
 
   #insertTriples(xyr: ArrayLike<number>): Uint32Array {
-    const ids = new Uint32Array(xyr.length / 3);
+    const ids = allocated(() => new Uint32Array(xyr.length / 3));
     const status = this.#living().insertMany(xyr, ids);
     if (status !== 0) throwForElements(status, "xyr", xyr);
     return ids;

@@ -4,6 +4,7 @@ export type ErrorCode =
   | "out-of-range"
   | "unknown-site"
   | "bad-length"
+  | "bad-option"
   | "bad-bounds"
   | "disposed"
   | "out-of-memory"

@@ -86,6 +86,12 @@ export class NativeDiagram {
   neighbors(id: number): Status {
     return this.#module._diagramNeighbors(this.#address, id);
   }
+  kNearest(x: number, y: number, k: number): Status {
+    return this.#module._diagramKNearest(this.#address, x, y, k);
+  }
+  within(x: number, y: number, distance: number): Status {
+    return this.#module._diagramWithin(this.#address, x, y, distance);
+  }
   coverOf(id: number): Status {
     return this.#module._diagramCoverOf(this.#address, id);
   }

@@ -43,6 +43,10 @@ class DiagramCore {
   /// The nearest site; `hint` is a site close to the point, or kNoSite. REQUIRES: not empty.
   [[nodiscard]] SiteId nearest(double x, double y, SiteId hint = kNoSite) const;
 
+  /// Sites in the order of their distance to (x, y), at most `most`, and none farther than `farthest` if that is given; ties as in
+  /// nearest(). Replaces the contents of `sites`.
+  void nearby(double x, double y, std::size_t most, const double* farthest, std::vector<SiteId>& sites) const;
+
   // Listings; each replaces the contents of its argument.
   void neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
   void vertices(VertexArrays& vertices) const;

@@ -1,0 +1,131 @@
+// The sites around a point in the order of their distance: kNearest and within.
+//
+// Growing over the graph. Claim: in the order of (distance to p, ties to the larger site), each visible site s but the first one has a
+// Delaunay neighbour before it. So the next visible site is always among the neighbours of those reported so far.
+//   Proof. Ties first: perturb the weights as the canonical rule does (docs/PREDICATES.md, "Degenerate position"), larger sites by
+//   infinitely larger amounts. The graph is that of the perturbed sites, the order is that of their distances, no two distances to p
+//   are equal, and two cells that meet in a point share an edge. Now walk from p straight to the centre of s. At a point x of the way
+//   d(x, s) = d(p, s) - |x - p|, and d(x, u) >= d(p, u) - |x - p| for any other site u (triangle inequality). The way ends in the cell
+//   of s, because d(c_s, u) <= d(c_s, s) = -r_s would mean that u covers s; and it does not start there, because s is not the first.
+//   Where it enters that cell for the last time, it comes from the cell of a neighbour u with d(x, u) = d(x, s), hence
+//   d(p, u) <= d(p, s), and not equal: u is before s.
+//
+// Hidden sites: a site that covers s, |c - c_s| <= r - r_s, is nowhere farther than s (triangle inequality again) and is larger, unless
+// the two are identical. So s comes after its parent in the forest, and joins the queue when the parent is reported.
+#include <algorithm>
+
+#include "diagram/diagram_core.h"
+#include "predicate/approx_distance.h"
+
+namespace apollonius {
+
+namespace {
+
+/// A set of ids that costs what is put into it, however large the diagram is: open addressing, at most half full.
+class IdSet {
+ public:
+  /// Was it not there yet?
+  bool insert(SiteId id) {
+    if (2 * ++size_ > slots_.size()) grow();
+    return place(id);
+  }
+
+ private:
+  [[nodiscard]] bool place(SiteId id) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = (id * 0x9E3779B1u) >> 7 & mask;
+    for (; slots_[at] != kNoSite; at = (at + 1) & mask) {
+      if (slots_[at] == id) {
+        --size_;
+        return false;
+      }
+    }
+    slots_[at] = id;
+    return true;
+  }
+
+  void grow() {
+    std::vector<SiteId> old(2 * slots_.size(), kNoSite);
+    old.swap(slots_);
+    for (const SiteId id : old) {
+      if (id != kNoSite) static_cast<void>(place(id));
+    }
+  }
+
+  std::vector<SiteId> slots_ = std::vector<SiteId>(256, kNoSite);
+  std::size_t size_ = 0;
+};
+
+/// The sites that may come next, the nearest on top.
+class Queue {
+ public:
+  Queue(const DiagramCore& diagram, double x, double y) : diagram_(diagram), x_(x), y_(y) {}
+
+  [[nodiscard]] bool empty() const { return heap_.empty(); }
+
+  void push(SiteId id) {
+    const ApproxDistance distance(x_, y_, diagram_.site(id));
+    heap_.push_back({distance.value, distance.bound, id});
+    std::push_heap(heap_.begin(), heap_.end(), [this](const Entry& a, const Entry& b) { return isAfter(a, b); });
+  }
+
+  SiteId pop() {
+    std::pop_heap(heap_.begin(), heap_.end(), [this](const Entry& a, const Entry& b) { return isAfter(a, b); });
+    const SiteId id = heap_.back().id;
+    heap_.pop_back();
+    return id;
+  }
+
+ private:
+  struct Entry {
+    double distance;
+    double bound;  // of its error
+    SiteId id;
+  };
+
+  [[nodiscard]] bool isAfter(const Entry& a, const Entry& b) const {
+    const double difference = a.distance - b.distance, bound = a.bound + b.bound;
+    if (difference > bound || difference < -bound) return difference > 0;
+    const Site &sa = diagram_.site(a.id), &sb = diagram_.site(b.id);
+    if (isNearer(x_, y_, sa, sb)) return true;
+    return !isNearer(x_, y_, sb, sa) && a.id > b.id;  // identical: any order will do, if it is one
+  }
+
+  const DiagramCore& diagram_;
+  double x_, y_;
+  std::vector<Entry> heap_;
+};
+
+}  // namespace
+
+void DiagramCore::nearby(double x, double y, std::size_t most, const double* farthest, std::vector<SiteId>& sites) const {
+  sites.clear();
+  if (visibleCount() == 0 || most == 0) return;
+  // The distance to a site with its centre at p is minus its weight.
+  const Site limit{x, y, farthest != nullptr ? -*farthest : 0};
+  Queue queue(*this, x, y);
+  const auto consider = [&](SiteId id) {
+    if (farthest == nullptr || compareDistance(x, y, site(id), limit) != Sign::kPositive) queue.push(id);
+  };
+  IdSet seen;  // of visible sites: a hidden one has one parent
+  const SiteId first = nearest(x, y);
+  seen.insert(first);
+  consider(first);
+  const Graph& graph = base_.graph();
+  while (!queue.empty()) {
+    const SiteId id = queue.pop();
+    sites.push_back(id);
+    if (sites.size() == most) return;
+    for (SiteId child = hidden_.firstChild(id); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) consider(child);
+    if (!graph.hasVertex(vertexOf(id))) continue;  // hidden, or the only visible one
+    const HalfedgeId begin = graph.outgoing(vertexOf(id));
+    HalfedgeId h = begin;
+    do {
+      const VertexId neighbor = graph.target(h);
+      if (neighbor != kInfinity && seen.insert(siteOf(neighbor))) consider(siteOf(neighbor));
+      h = graph.rotateCcw(h);
+    } while (h != begin);
+  }
+}
+
+}  // namespace apollonius
