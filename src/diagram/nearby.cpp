@@ -24,7 +24,7 @@ namespace {
 /// A set of ids that costs what is put into it, however large the diagram is: open addressing, at most half full.
 class IdSet {
  public:
-  /// Was it not there yet?
+  /// Puts it in; was it not there yet?
   bool insert(SiteId id) {
     if (2 * ++size_ > slots_.size()) grow();
     return place(id);
@@ -108,6 +108,7 @@ void DiagramCore::nearby(double x, double y, std::size_t most, const double* far
     if (farthest == nullptr || compareDistance(x, y, site(id), limit) != Sign::kPositive) queue.push(id);
   };
   IdSet seen;  // of visible sites: a hidden one has one parent
+  std::vector<SiteId> candidates;
   const SiteId first = nearest(x, y);
   seen.insert(first);
   consider(first);
@@ -120,11 +121,13 @@ void DiagramCore::nearby(double x, double y, std::size_t most, const double* far
     if (!graph.hasVertex(vertexOf(id))) continue;  // hidden, or the only visible one
     const HalfedgeId begin = graph.outgoing(vertexOf(id));
     HalfedgeId h = begin;
+    candidates.clear();
     do {
       const VertexId neighbor = graph.target(h);
-      if (neighbor != kInfinity && seen.insert(siteOf(neighbor))) consider(siteOf(neighbor));
+      if (neighbor != kInfinity && seen.insert(siteOf(neighbor))) candidates.push_back(siteOf(neighbor));
       h = graph.rotateCcw(h);
     } while (h != begin);
+    for (const SiteId candidate : candidates) consider(candidate);  // a loop of its own: sites are fetched from memory side by side
   }
 }
 
