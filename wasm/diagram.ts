@@ -10,8 +10,11 @@ import { NativeDiagram } from "./native.js";
 
 /** A circle: centre and radius (weight), in the unit of the input. */
 export interface Site {
+  /** Of the centre. */
   x: number;
+  /** Of the centre; upwards. */
   y: number;
+  /** Radius, or weight; may be negative, as only differences matter to the diagram. */
   r: number;
 }
 
@@ -36,6 +39,7 @@ export interface Edges {
   vertices: Int32Array;
 }
 
+/** Options of the constructor. */
 export interface DiagramOptions {
   /**
    * How the nearest site is located (paper, section 4): "hierarchy" (default), about log n; or "walk", from neighbour to
@@ -123,8 +127,8 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Removes several sites; returns how many there were. Unknown and repeated ids are skipped. Throws "bad-length" if `ids` is no
-   * array.
+   * Removes several sites; returns how many there were. Unknown and repeated ids are skipped. Cost: as `remove` for each. Throws
+   * "bad-length" if `ids` is no array.
    */
   removeMany(ids: ArrayLike<number>): number {
     const native = this.#living();
@@ -148,8 +152,8 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Updates site ids[k] to the k-th x, y, r triple, all or none. Throws as `update`, and "bad-length" unless there is one triple
-   * an id.
+   * Updates site ids[k] to the k-th x, y, r triple, all or none. Cost: as `update` for each. Throws as `update`, and
+   * "bad-length" unless there is one triple an id.
    */
   updateMany(ids: ArrayLike<number>, xyr: ArrayLike<number>): this {
     const native = this.#living();
@@ -235,7 +239,7 @@ export class Diagram implements Disposable {
     return native.id;
   }
 
-  /** `find` with the (rounded) distance |p - c| - r, negative inside the circle; null if the diagram is empty. */
+  /** `find` with the (rounded) distance |p - c| - r, negative inside the circle; null if the diagram is empty. Cost, errors: as find. */
   nearest(x: number, y: number): { id: number; distance: number } | null {
     const native = this.#living();
     this.#locate(native, x, y);
@@ -245,7 +249,7 @@ export class Diagram implements Disposable {
 
   /**
    * `find` for flat x, y pairs, much faster than a loop. With `distances` (one element a point) it also fills in the distances,
-   * Infinity if the diagram is empty. Throws as `find`, and "bad-length".
+   * Infinity if the diagram is empty. Cost: O(m log m) for m points, and m locations. Throws as `find`, and "bad-length".
    */
   findMany(xy: ArrayLike<number>, distances?: Float64Array): Int32Array {
     const native = this.#living();
@@ -325,14 +329,14 @@ export class Diagram implements Disposable {
 
   /**
    * Frees the diagram's memory now; later calls throw "disposed", a second `dispose` does nothing. A forgotten diagram is freed
-   * when it is collected.
+   * when it is collected. Cost: O(1).
    */
   dispose(): void {
     this.#native?.destroy();
     this.#native = null;
   }
 
-  /** For `using diagram = new Diagram()`. */
+  /** `dispose`, for `using diagram = new Diagram()`. Cost: O(1). */
   [Symbol.dispose](): void {
     this.dispose();
   }
