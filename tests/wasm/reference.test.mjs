@@ -35,7 +35,7 @@ test.each(described.map(({ entry, exports }) => [entry, exports]))("%s exports w
 
 test.each(classes.map((one) => [one.name, one]))("every member of %s is documented, and every documented one is there", (name, { members }) => {
   const there = [...Object.getOwnPropertyNames(consumer[name].prototype), ...Object.getOwnPropertySymbols(consumer[name].prototype)]
-    .map((key) => (typeof key === "symbol" ? key.description : key));
+    .map((key) => (key === Symbol.dispose ? "Symbol.dispose" : key));
   const documented = members.filter(({ isStatic, code }) => !isStatic && !/^readonly \w+( =|: ErrorCode)/.test(code)).map((member) => member.name);
   expect(documented.sort()).toEqual(there.sort());
   for (const { name: member } of members.filter(({ isStatic }) => isStatic)) expect(consumer[name]).toHaveProperty(member);
@@ -73,4 +73,8 @@ test("the table for d3-delaunay's users has every public name of d3-delaunay", (
   const missing = [...names(Delaunay, delaunay).map((name) => `delaunay.${name}`), ...names(Voronoi, delaunay.voronoi()).map((name) => `voronoi.${name}`),
                    ...statics.map((name) => `Delaunay.${name}`)].filter((name) => !table.includes(`\`${name}`));
   expect(missing).toEqual([]);
+});
+
+test("the changelog's newest version is the package's", () => {
+  expect(/^## (\S+)/m.exec(read("CHANGELOG.md"))[1]).toBe(JSON.parse(read("package.json")).version);
 });
