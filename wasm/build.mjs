@@ -1,6 +1,6 @@
 // npm run build: the package's dist/ from src/ and wasm/.
 //
-//   dist/esm/{index,wasm}.js, *.d.ts    ES modules, on top of shared.js
+//   dist/esm/{index,wasm}.js, *.d.ts    ES modules
 //   dist/cjs/{index,wasm}.js, *.d.ts    CommonJS, the same; index.js is also the file for a script tag, with the global `apollonius`
 //   dist/apollonius.wasm                for the entry `apollonius-diagram/wasm`; the default entry carries it as text
 import { createHash } from "node:crypto";
@@ -67,8 +67,7 @@ async function bundle(format, outdir, built) {
     entryPoints: entries.map((entry) => path.join(wasm, `${entry}.ts`)),
     outdir, format, bundle: true, minify: true, target: "es2022", charset: "utf8", logLevel: "warning",
     legalComments: "none",
-    write: false, plugins: [wasmAsText(built)], 
-    ...(format === "cjs" ? { platform: "node", ...scriptTag } : { splitting: true, chunkNames: "shared" }),
+    write: false, plugins: [wasmAsText(built)], ...(format === "cjs" ? { platform: "node", ...scriptTag } : {}),
     // The glue would look for the .wasm file beside itself; it never has to.
     define: { "import.meta.url": "undefined" },
   });

@@ -7,16 +7,14 @@ type ModuleSource = () => WebAssembly.Module;
 let source: ModuleSource | undefined;
 let instance: MainModule | undefined;
 
-/** Tells where the first use gets the compiled module from. The default entry calls this; the other one has to be loaded. */
+/** Tells where the first use gets the compiled module from. Each entry of the package calls this once. */
 export function setModuleSource(moduleSource: ModuleSource): void {
   source = moduleSource;
 }
 
 /** The running module; compiled and started now if this is the first use. */
 export function runningModule(): MainModule {
-  if (instance) return instance;
-  if (!source) throw new Error("apollonius-diagram/wasm: `await load(source)` before the first diagram");
-  return start(source());
+  return instance ?? start((source as ModuleSource)());
 }
 
 export function isRunning(): boolean {

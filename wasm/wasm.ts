@@ -1,10 +1,14 @@
 // The entry `apollonius-diagram/wasm`: the same names, with the wasm kept in a file of its own (`apollonius-diagram/apollonius.wasm`).
-import { isRunning, start } from "./module.js";
+import { isRunning, setModuleSource, start } from "./module.js";
 
 export * from "./api.js";
 
 /** Where the wasm comes from: its address, a response (streamed), its bytes, or a compiled module. */
 export type WasmSource = string | URL | Response | PromiseLike<Response> | BufferSource | WebAssembly.Module;
+
+setModuleSource(() => {
+  throw new Error("apollonius-diagram/wasm: `await load(source)` before the first diagram");
+});
 
 async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
   if (source instanceof WebAssembly.Module) return source;
