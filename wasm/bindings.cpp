@@ -167,6 +167,18 @@ EMSCRIPTEN_KEEPALIVE int diagramFind(const Diagram* diagram, double x, double y)
   return code(diagram->find(x, y, results.id, results.distance));
 }
 
+EMSCRIPTEN_KEEPALIVE int diagramKNearest(const Diagram* diagram, double x, double y, std::uint32_t k) {
+  const Error error = diagram->kNearest(x, y, k, siteIds);
+  publish(0, siteIds);
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramWithin(const Diagram* diagram, double x, double y, double distance) {
+  const Error error = diagram->within(x, y, distance, siteIds);
+  publish(0, siteIds);
+  return code(error);
+}
+
 EMSCRIPTEN_KEEPALIVE int diagramHas(const Diagram* diagram, SiteId id) { return diagram->has(id) ? 1 : 0; }
 
 EMSCRIPTEN_KEEPALIVE int diagramSite(const Diagram* diagram, SiteId id) {
@@ -191,18 +203,6 @@ EMSCRIPTEN_KEEPALIVE int diagramCoverOf(const Diagram* diagram, SiteId id) {
 
 EMSCRIPTEN_KEEPALIVE int diagramNeighbors(const Diagram* diagram, SiteId id) {
   const Error error = diagram->neighbors(id, siteIds);
-  publish(0, siteIds);
-  return code(error);
-}
-
-EMSCRIPTEN_KEEPALIVE int diagramKNearest(const Diagram* diagram, double x, double y, std::uint32_t k) {
-  const Error error = diagram->kNearest(x, y, k, siteIds);
-  publish(0, siteIds);
-  return code(error);
-}
-
-EMSCRIPTEN_KEEPALIVE int diagramWithin(const Diagram* diagram, double x, double y, double distance) {
-  const Error error = diagram->within(x, y, distance, siteIds);
   publish(0, siteIds);
   return code(error);
 }
