@@ -9,13 +9,14 @@ set(quick  # precise_circle.cpp comes first: the linker takes the first copy of 
   diagram/conflict.cpp diagram/locate.cpp diagram/insert.cpp diagram/delaunay_graph.cpp
   predicate/voronoi_circle.cpp predicate/edge_circle_filter.cpp graph/graph.cpp
   diagram/diagram_core.cpp diagram/hierarchy.cpp diagram/remove.cpp diagram/spatial_order.cpp diagram/start_grid.cpp
-  diagram/listing.cpp apollonius.cpp)
-set(small graph/check.cpp diagram/check.cpp)
+  diagram/listing.cpp)
 list(TRANSFORM quick PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
-list(TRANSFORM small PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
+set(small ${APOLLONIUS_SOURCES})
+list(FILTER small INCLUDE REGEX "/(check|voronoi)\\.cpp$|/src/geometry/")
 set(compact ${APOLLONIUS_SOURCES})
 list(REMOVE_ITEM compact ${quick} ${small})
-list(APPEND quick "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings.cpp")
+# The doors must not be among the quick: everything that is called in one place only would be copied into them.
+list(APPEND compact "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings.cpp")
 list(APPEND small "${CMAKE_CURRENT_SOURCE_DIR}/wasm/embind_types.cpp")
 
 foreach(part_and_level IN ITEMS quick:-O2 compact:-Os small:-Oz)
