@@ -21,38 +21,38 @@ namespace apollonius {
 
 namespace {
 
-/// A set of ids that costs what is put into it, however large the diagram is: open addressing, at most half full.
-class IdSet {
+/// A set of slots that costs what is put into it, however large the diagram is: open addressing, at most half full.
+class SlotSet {
  public:
   /// Puts it in; was it not there yet?
-  bool insert(SiteId id) {
+  bool insert(Slot slot) {
     if (2 * ++size_ > slots_.size()) grow();
-    return place(id);
+    return place(slot);
   }
 
  private:
-  [[nodiscard]] bool place(SiteId id) {
+  [[nodiscard]] bool place(Slot slot) {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t at = (id * 0x9E3779B1u) >> 7 & mask;
-    for (; slots_[at] != kNoSite; at = (at + 1) & mask) {
-      if (slots_[at] == id) {
+    std::size_t at = (slot * 0x9E3779B1u) >> 7 & mask;
+    for (; slots_[at] != kNoSlot; at = (at + 1) & mask) {
+      if (slots_[at] == slot) {
         --size_;
         return false;
       }
     }
-    slots_[at] = id;
+    slots_[at] = slot;
     return true;
   }
 
   void grow() {
-    std::vector<SiteId> old(2 * slots_.size(), kNoSite);
+    std::vector<Slot> old(2 * slots_.size(), kNoSlot);
     old.swap(slots_);
-    for (const SiteId id : old) {
-      if (id != kNoSite) static_cast<void>(place(id));
+    for (const Slot slot : old) {
+      if (slot != kNoSlot) static_cast<void>(place(slot));
     }
   }
 
-  std::vector<SiteId> slots_ = std::vector<SiteId>(256, kNoSite);
+  std::vector<Slot> slots_ = std::vector<Slot>(256, kNoSlot);
   std::size_t size_ = 0;
 };
 
@@ -63,32 +63,32 @@ class Queue {
 
   [[nodiscard]] bool empty() const { return heap_.empty(); }
 
-  void push(SiteId id) {
-    const ApproxDistance distance(x_, y_, diagram_.site(id));
-    heap_.push_back({distance.value, distance.bound, id});
+  void push(Slot slot) {
+    const ApproxDistance distance(x_, y_, diagram_.site(slot));
+    heap_.push_back({distance.value, distance.bound, slot});
     std::push_heap(heap_.begin(), heap_.end(), [this](const Entry& a, const Entry& b) { return isAfter(a, b); });
   }
 
-  SiteId pop() {
+  Slot pop() {
     std::pop_heap(heap_.begin(), heap_.end(), [this](const Entry& a, const Entry& b) { return isAfter(a, b); });
-    const SiteId id = heap_.back().id;
+    const Slot slot = heap_.back().slot;
     heap_.pop_back();
-    return id;
+    return slot;
   }
 
  private:
   struct Entry {
     double distance;
     double bound;  // of its error
-    SiteId id;
+    Slot slot;
   };
 
   [[nodiscard]] bool isAfter(const Entry& a, const Entry& b) const {
     const double difference = a.distance - b.distance, bound = a.bound + b.bound;
     if (difference > bound || difference < -bound) return difference > 0;
-    const Site &sa = diagram_.site(a.id), &sb = diagram_.site(b.id);
+    const Site &sa = diagram_.site(a.slot), &sb = diagram_.site(b.slot);
     if (isNearer(x_, y_, sa, sb)) return true;
-    return !isNearer(x_, y_, sb, sa) && a.id > b.id;  // identical: any order will do, if it is one
+    return !isNearer(x_, y_, sb, sa) && diagram_.ids().idOf(a.slot) > diagram_.ids().idOf(b.slot);  // identical: any order will do
   }
 
   const DiagramCore& diagram_;
@@ -104,30 +104,30 @@ void DiagramCore::nearby(double x, double y, std::size_t most, const double* far
   // The distance to a site with its centre at p is minus its weight.
   const Site limit{x, y, farthest != nullptr ? -*farthest : 0};
   Queue queue(*this, x, y);
-  const auto consider = [&](SiteId id) {
-    if (farthest == nullptr || compareDistance(x, y, site(id), limit) != Sign::kPositive) queue.push(id);
+  const auto consider = [&](Slot slot) {
+    if (farthest == nullptr || compareDistance(x, y, site(slot), limit) != Sign::kPositive) queue.push(slot);
   };
-  IdSet seen;  // of visible sites: a hidden one has one parent
-  std::vector<SiteId> candidates;
-  const SiteId first = nearest(x, y);
+  SlotSet seen;  // of visible sites: a hidden one has one parent
+  std::vector<Slot> candidates;
+  const Slot first = nearest(x, y);
   seen.insert(first);
   consider(first);
   const Graph& graph = base_.graph();
   while (!queue.empty()) {
-    const SiteId id = queue.pop();
-    sites.push_back(id);
+    const Slot slot = queue.pop();
+    sites.push_back(ids_.idOf(slot));
     if (sites.size() == most) return;
-    for (SiteId child = hidden_.firstChild(id); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) consider(child);
-    if (!graph.hasVertex(vertexOf(id))) continue;  // hidden, or the only visible one
-    const HalfedgeId begin = graph.outgoing(vertexOf(id));
+    for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) consider(child);
+    if (!graph.hasVertex(vertexOf(slot))) continue;  // hidden, or the only visible one
+    const HalfedgeId begin = graph.outgoing(vertexOf(slot));
     HalfedgeId h = begin;
     candidates.clear();
     do {
       const VertexId neighbor = graph.target(h);
-      if (neighbor != kInfinity && seen.insert(siteOf(neighbor))) candidates.push_back(siteOf(neighbor));
+      if (neighbor != kInfinity && seen.insert(slotOf(neighbor))) candidates.push_back(slotOf(neighbor));
       h = graph.rotateCcw(h);
     } while (h != begin);
-    for (const SiteId candidate : candidates) consider(candidate);  // a loop of its own: sites are fetched from memory side by side
+    for (const Slot candidate : candidates) consider(candidate);  // a loop of its own: sites are fetched from memory side by side
   }
 }
 

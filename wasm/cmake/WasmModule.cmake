@@ -9,7 +9,8 @@ set(quick  # precise_circle.cpp comes first: the linker takes the first copy of 
   diagram/conflict.cpp diagram/locate.cpp diagram/insert.cpp diagram/delaunay_graph.cpp
   predicate/voronoi_circle.cpp predicate/edge_circle_filter.cpp graph/graph.cpp
   diagram/diagram_core.cpp diagram/hierarchy.cpp diagram/remove.cpp diagram/spatial_order.cpp diagram/start_grid.cpp
-  diagram/listing.cpp)
+  diagram/listing.cpp
+  diagram/mass_move.cpp diagram/move.cpp diagram/ears.cpp predicate/circle_fan.cpp)
 list(TRANSFORM quick PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 set(small ${APOLLONIUS_SOURCES})
 list(FILTER small INCLUDE REGEX "/(check|voronoi)\\.cpp$|/src/geometry/")
