@@ -165,6 +165,18 @@ Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids, std::
   });
 }
 
+Error Diagram::kNearest(double x, double y, std::size_t k, std::vector<SiteId>& sites) const {
+  for (const double value : {x, y}) {
+    if (const Error error = checkNumber(value); error != Error::kNone) return error;
+  }
+  return guarded([&] { impl_->nearby(x, y, k, nullptr, sites); });
+}
+
+Error Diagram::within(double x, double y, double distance, std::vector<SiteId>& sites) const {
+  if (const Error error = checkCircle(x, y, distance); error != Error::kNone) return error;
+  return guarded([&] { impl_->nearby(x, y, size(), &distance, sites); });
+}
+
 Error Diagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
   if (!has(id)) return Error::kUnknownSite;
   return guarded([&] { impl_->neighbors(id, neighbors); });

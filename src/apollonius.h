@@ -98,6 +98,14 @@ class Diagram {
   /// Errors: as find; kBadLength if the sizes do not fit.
   [[nodiscard]] Error findMany(std::span<const double> xy, std::span<SiteId> ids, std::span<double> distances) const;
 
+  /// The k nearest sites of a point, hidden ones too, nearest first; ties as in find (identical circles in any order). All sites if there
+  /// are fewer. Exact. Replaces the contents. Errors: as find. Cost: one location and O(m log m), m = the neighbours of the sites found.
+  [[nodiscard]] Error kNearest(double x, double y, std::size_t k, std::vector<SiteId>& sites) const;
+
+  /// All sites at a distance of at most `distance` (which may be negative: that deep inside), nearest first, hidden ones too; 0 gives
+  /// the circles that contain the point. Exact, boundary included. Replaces the contents. Errors, cost: as kNearest.
+  [[nodiscard]] Error within(double x, double y, double distance, std::vector<SiteId>& sites) const;
+
   /// The distinct sites whose cells share an edge with this one's, counter-clockwise (each at its first occurrence), edges of
   /// length zero and edges at infinity included (degenerate position; the graph is triangulated canonically);
   /// none for a hidden site. Replaces the contents. Errors: kUnknownSite, kOutOfMemory. Cost: O(d).

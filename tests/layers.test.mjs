@@ -30,6 +30,7 @@ const rules = [
 
   { of: /^wasm\/(index|module|native)\.ts$/, may: [/^\.\/[\w.]+$/, /^\.\.\/build\/wasm\/apollonius\.(mjs|wasm)$/] },
   { of: /^wasm\/[\w.]+\.ts$/, may: [/^\.\/[\w.]+$/] },
+  { of: /^web\/examples\/.*\.js$/, may: [/^\.\/random_circles\.js$/, /^apollonius-diagram$/, /^d3-[a-z]+$/] },
   { of: /^web\/[^/]+\.js$/, may: [/^\.\/[\w./]+$/, /^apollonius-diagram$/] },
   { of: /^web\/.*\.mjs$/, may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z][\w-]*$/] },
   { of: /^bench\/.*\.m?js$/, may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z@][\w./-]*$/, /^\.\.\/wasm\/toolchain\//] },

@@ -2,12 +2,13 @@
 //
 //   native    the C++ tests, natively, with every filtered predicate answer compared to the exact one
 //   wasm      the same C++ tests as WebAssembly under Node
-//   package   Jest on the package as `npm pack` makes it, and on the rules about who may include whom
+//   package  Jest on the package as `npm pack` makes it (in Node, in browsers, through bundlers), and on the rules about who may
+//            include whom
 //   web       Jest on the page in a real browser
 import { spawn } from "node:child_process";
 import { createInterface } from "node:readline";
 import { buildPackage } from "../wasm/build.mjs";
-import { ensureChromium } from "../wasm/toolchain/browser.mjs";
+import { ensureChromium, ensureFirefox } from "../wasm/toolchain/browser.mjs";
 import { ensureBoost } from "../wasm/toolchain/boost.mjs";
 import { buildWasmTests, buildWithCmake, jobs } from "../wasm/toolchain/cmake.mjs";
 import { ensureEmscripten } from "../wasm/toolchain/emscripten.mjs";
@@ -63,9 +64,12 @@ const steps = {
     return ctest(await withBuildLock(() => buildWasmTests(emscripten)));
   },
   async package() {
+    const browsers = { CHROMIUM: ensureChromium() ?? "", FIREFOX: ensureFirefox() ?? "" };
     await buildPackage();
     installPacked();
-    return jest(["package", "layers"]);
+    const line = await jest(["package", "layers"], browsers);
+    const missing = Object.keys(browsers).filter((name) => browsers[name] === "");
+    return missing.length === 0 ? line : `${line}   WITHOUT ${missing.join(" AND ")}: install it, or set that variable to its path`;
   },
   async web() {
     const chromium = ensureChromium();

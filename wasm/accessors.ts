@@ -1,5 +1,6 @@
 // Diagram.from: from any items to flat x, y, r triples.
-import { numberError } from "./arguments.js";
+import { allocated, described, numberError } from "./arguments.js";
+import { ApolloniusError } from "./errors.js";
 
 /** Reads one number from an item; called with the item, its index and all items, as d3's accessors are. */
 export type Accessor<T> = (item: T, index: number, items: Iterable<T> | ArrayLike<T>) => number;
@@ -17,12 +18,19 @@ function field<T>(name: "x" | "y" | "r", position: number): (item: T) => unknown
 /** Throws "not-finite" or "out-of-range", naming the item, for values that cannot be a site's. */
 export function triples<T>(items: Iterable<T> | ArrayLike<T>, x?: Accessor<T>, y?: Accessor<T>, r?: Accessor<T>,
                            that?: unknown): Float64Array {
+  if (typeof items !== "object" || items === null || !("length" in items || Symbol.iterator in items)) {
+    throw new ApolloniusError("bad-length", `items is ${described(items)}, expected an iterable or an array`);
+  }
+  for (const [name, accessor] of Object.entries({ x, y, r })) {
+    if (accessor === undefined || accessor === null || typeof accessor === "function") continue;
+    throw new ApolloniusError("bad-option", `${name} is ${described(accessor)}, expected a function of an item`);
+  }
   const readX = x ?? field<T>("x", 0);
   const readY = y ?? field<T>("y", 1);
   const defaultR = field<T>("r", 2);
   const readR = r ?? ((item: T) => defaultR(item) ?? 0);
   const list: ArrayLike<T> = "length" in items ? items : Array.from(items);
-  const xyr = new Float64Array(3 * list.length);
+  const xyr = allocated(() => new Float64Array(3 * list.length));
   for (let index = 0; index < list.length; ++index) {
     const item = list[index] as T;
     const values = [readX.call(that, item, index, items), readY.call(that, item, index, items),

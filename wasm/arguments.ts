@@ -7,7 +7,7 @@ import { kNoSite } from "./native.js";
 const kSmallestMagnitude = 1e-100;
 const kLargestMagnitude = 1e100;
 
-function described(value: unknown): string {
+export function described(value: unknown): string {
   if (typeof value === "string") return `the string ${JSON.stringify(value)}`;
   if (typeof value === "bigint") return `the bigint ${value}n`;
   if (typeof value === "object" && value !== null) return Array.isArray(value) ? "an array" : "an object";
@@ -25,6 +25,31 @@ export function numberError(name: string, value: unknown): ApolloniusError | nul
     return new ApolloniusError("out-of-range", `${name} is ${value}, expected 0 or a magnitude from 1e-100 to 1e100`);
   }
   return null;
+}
+
+/** Throws unless the value can be a coordinate or weight. */
+export function checkNumber(name: string, value: unknown): void {
+  const error = numberError(name, value);
+  if (error) throw error;
+}
+
+/** How many of something: any whole number from 0 on. More than 2^32 - 1 is as good as that. */
+export function checkedCount(name: string, value: unknown): number {
+  if (typeof value !== "number" || Number.isNaN(value)) {
+    throw new ApolloniusError("not-finite", `${name} is ${described(value)}, expected a whole number`);
+  }
+  if (!(value >= 0 && (Number.isInteger(value) || value === Infinity))) {
+    throw new ApolloniusError("out-of-range", `${name} is ${value}, expected a whole number from 0 on`);
+  }
+  return Math.min(value, 2 ** 32 - 1);
+}
+
+/** One of several words; the first one if the value is undefined. */
+export function checkedChoice<Word extends string>(name: string, value: unknown, words: readonly [Word, ...Word[]]): Word {
+  if (value === undefined) return words[0];
+  if (words.includes(value as Word)) return value as Word;
+  const expected = words.map((word) => JSON.stringify(word)).join(" or ");
+  throw new ApolloniusError("bad-option", `${name} is ${described(value)}, expected ${expected}`);
 }
 
 /** Throws for the first element of an array that is not acceptable. */
@@ -48,8 +73,35 @@ function isArrayLike(values: unknown): values is ArrayLike<unknown> {
     (values as ArrayLike<unknown>).length >= 0;
 }
 
-function isTypedArray(values: object): boolean {
-  return ArrayBuffer.isView(values) && !(values instanceof DataView);
+/** "Float64Array" and so on for typed arrays, of whatever realm; undefined for anything else. */
+export function typedArrayKind(values: unknown): string | undefined {
+  return ArrayBuffer.isView(values) ? (values as unknown as { [Symbol.toStringTag]?: string })[Symbol.toStringTag] : undefined;
+}
+
+/** Has the array lost its elements to another thread? Then it looks empty, which is hardly what the caller means. */
+function isDetached(values: ArrayLike<unknown>): boolean {
+  if (values.length !== 0 || !ArrayBuffer.isView(values)) return false;
+  try {
+    new Uint8Array(values.buffer);
+    return false;
+  } catch {
+    return true;
+  }
+}
+
+function checkedArray(name: string, values: unknown, of: string): ArrayLike<unknown> {
+  if (!isArrayLike(values)) throw new ApolloniusError("bad-length", `${name} is ${described(values)}, expected an array of ${of}`);
+  if (isDetached(values)) throw new ApolloniusError("bad-length", `${name} is a typed array whose buffer is detached, expected an array of ${of}`);
+  return values;
+}
+
+/** A new typed array; that there can be none of that length is a lack of memory. */
+export function allocated<Values>(make: () => Values): Values {
+  try {
+    return make();
+  } catch {
+    throw new ApolloniusError("out-of-memory", "not enough memory");
+  }
 }
 
 /**
@@ -57,17 +109,15 @@ function isTypedArray(values: object): boolean {
  * strings and nulls are refused and not turned into numbers.
  */
 export function checkedNumbers(name: string, values: unknown, multipleOf: number): ArrayLike<number> {
-  if (!isArrayLike(values)) {
-    throw new ApolloniusError("bad-length", `${name} is ${described(values)}, expected an array of numbers`);
+  const array = checkedArray(name, values, "numbers");
+  if (array.length % multipleOf !== 0) {
+    throw new ApolloniusError("bad-length", `expected a multiple of ${multipleOf} values in ${name}, got ${array.length}`);
   }
-  if (values.length % multipleOf !== 0) {
-    throw new ApolloniusError("bad-length", `expected a multiple of ${multipleOf} values in ${name}, got ${values.length}`);
-  }
-  const isBigInts = values instanceof BigInt64Array || values instanceof BigUint64Array;
-  if (isTypedArray(values) && !isBigInts) return values as ArrayLike<number>;
-  const numbers = new Float64Array(values.length);
+  const kind = typedArrayKind(array);
+  if (kind !== undefined && !kind.startsWith("Big")) return array as ArrayLike<number>;
+  const numbers = allocated(() => new Float64Array(array.length));
   for (let k = 0; k < numbers.length; ++k) {
-    const value = values[k];
+    const value = array[k];
     if (typeof value !== "number") throw numberError(`${name}[${k}]`, value) as ApolloniusError;
     numbers[k] = value;
   }
@@ -76,7 +126,9 @@ export function checkedNumbers(name: string, values: unknown, multipleOf: number
 
 /** Site ids for the heap; what cannot be an id becomes kNoSite, which no site has. */
 export function checkedIds(name: string, ids: unknown): Uint32Array {
-  if (ids instanceof Uint32Array) return ids;
-  if (!isArrayLike(ids)) throw new ApolloniusError("bad-length", `${name} is ${described(ids)}, expected an array of site ids`);
-  return Uint32Array.from({ length: ids.length }, (_, k) => (isSiteId(ids[k]) ? (ids[k] as number) : kNoSite));
+  const array = checkedArray(name, ids, "site ids");
+  if (array instanceof Uint32Array) return array;
+  const checked = allocated(() => new Uint32Array(array.length));
+  for (let k = 0; k < checked.length; ++k) checked[k] = isSiteId(array[k]) ? (array[k] as number) : kNoSite;
+  return checked;
 }

@@ -2,11 +2,13 @@
 //
 // Two kinds of exports, because a call through embind costs about 0.2 us when eval is off (a strict content security
 // policy allows none) and a direct one about 0.013 us:
-// - the class `Diagram`, by embind: life time, and calls about many sites or points;
-// - `diagram...` functions, exported as they are: calls about one site or point, with the diagram's address first.
+// - functions by embind: life time, and calls about many sites or points;
+// - `diagram...` functions, exported as they are: calls about one site or point.
+// Both take the diagram's address first. Embind could register a class, but what its JavaScript does for classes (inheritance,
+// smart pointers, overloads) is larger than the library's own, and native.ts needs none of it.
 // Every fallible call returns the error code of apollonius.h as an integer. Scalar results are written to one block
 // (`resultsAddress`), arrays in come from one scratch block (`reserve`), arrays out stay in vectors here until the next call
-// or `release`. wasm/heap.ts is the only other place that knows these blocks.
+// or `release`. wasm/native.ts is the only other place that knows these blocks.
 #include <emscripten/bind.h>
 #include <emscripten/em_macros.h>
 
@@ -26,7 +28,7 @@ using apollonius::Error;
 using apollonius::SiteId;
 using Address = std::uintptr_t;
 
-// The block of scalar results; wasm/heap.ts repeats this order.
+// The block of scalar results; wasm/native.ts repeats this order.
 struct Results {
   double x, y, r, distance;
   std::uint32_t id, flag;
@@ -82,15 +84,18 @@ void release() {
   text = {};
 }
 
-Diagram* create(bool hierarchy) {
+// The address of a new diagram; 0 if memory ran out.
+Address create(bool hierarchy) {
   try {
-    return new Diagram(hierarchy ? apollonius::Location::kHierarchy : apollonius::Location::kWalk);
+    return reinterpret_cast<Address>(new Diagram(hierarchy ? apollonius::Location::kHierarchy : apollonius::Location::kWalk));
   } catch (const std::bad_alloc&) {
-    return nullptr;
+    return 0;
   }
 }
 
-Address address(const Diagram& diagram) { return reinterpret_cast<Address>(&diagram); }
+void destroy(Address diagram) { delete at<Diagram>(diagram); }
+
+void clear(Diagram& diagram) { diagram.clear(); }
 
 int insertMany(Diagram& diagram, Address xyr, Address ids, std::size_t count) {
   return code(diagram.insertMany({at<const double>(xyr), 3 * count}, {at<SiteId>(ids), count}));
@@ -162,6 +167,18 @@ EMSCRIPTEN_KEEPALIVE int diagramFind(const Diagram* diagram, double x, double y)
   return code(diagram->find(x, y, results.id, results.distance));
 }
 
+EMSCRIPTEN_KEEPALIVE int diagramKNearest(const Diagram* diagram, double x, double y, std::uint32_t k) {
+  const Error error = diagram->kNearest(x, y, k, siteIds);
+  publish(0, siteIds);
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramWithin(const Diagram* diagram, double x, double y, double distance) {
+  const Error error = diagram->within(x, y, distance, siteIds);
+  publish(0, siteIds);
+  return code(error);
+}
+
 EMSCRIPTEN_KEEPALIVE int diagramHas(const Diagram* diagram, SiteId id) { return diagram->has(id) ? 1 : 0; }
 
 EMSCRIPTEN_KEEPALIVE int diagramSite(const Diagram* diagram, SiteId id) {
@@ -195,20 +212,35 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t diagramVisibleSize(const Diagram* diagram) { 
 
 }  // extern "C"
 
+namespace {
+
+// Registers a function of a diagram as one of the diagram's address.
+template <auto function, class Result, class Subject, class... Arguments>
+void registerMethod(const char* name, Result (*)(Subject&, Arguments...)) {
+  emscripten::function(name, +[](Address diagram, Arguments... arguments) -> Result {
+    return function(*at<Subject>(diagram), arguments...);
+  });
+}
+template <auto function>
+void method(const char* name) {
+  registerMethod<function>(name, function);
+}
+
+}  // namespace
+
 EMSCRIPTEN_BINDINGS(apollonius) {
   emscripten::function("resultsAddress", &resultsAddress);
   emscripten::function("reserve", &reserve);
   emscripten::function("release", &release);
-  emscripten::class_<Diagram>("Diagram")
-      .class_function("create", &create, emscripten::allow_raw_pointers())
-      .function("address", &address)
-      .function("insertMany", &insertMany)
-      .function("removeMany", &removeMany)
-      .function("updateMany", &updateMany)
-      .function("findMany", &findMany)
-      .function("clear", &Diagram::clear)
-      .function("ids", &ids)
-      .function("vertices", &vertices)
-      .function("edges", &edges)
-      .function("validate", &validate);
+  emscripten::function("create", &create);
+  emscripten::function("destroy", &destroy);
+  method<&insertMany>("insertMany");
+  method<&removeMany>("removeMany");
+  method<&updateMany>("updateMany");
+  method<&findMany>("findMany");
+  method<&clear>("clear");
+  method<&ids>("ids");
+  method<&vertices>("vertices");
+  method<&edges>("edges");
+  method<&validate>("validate");
 }

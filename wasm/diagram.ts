@@ -1,5 +1,7 @@
 import { type Accessor, triples } from "./accessors.js";
-import { checkedIds, checkedNumbers, isSiteId, unknownSite } from "./arguments.js";
+import {
+  allocated, checkedChoice, checkedCount, checkedIds, checkedNumbers, checkNumber, isSiteId, typedArrayKind, unknownSite,
+} from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import {
   check, checkSite, checkTypes, kUnknownSite, outOfMemory, throwForElements, throwForNumbers,
@@ -8,8 +10,11 @@ import { NativeDiagram } from "./native.js";
 
 /** A circle: centre and radius (weight), in the unit of the input. */
 export interface Site {
+  /** Of the centre. */
   x: number;
+  /** Of the centre; upwards. */
   y: number;
+  /** Radius, or weight; may be negative, as only differences matter to the diagram. */
   r: number;
 }
 
@@ -34,6 +39,7 @@ export interface Edges {
   vertices: Int32Array;
 }
 
+/** Options of the constructor. */
 export interface DiagramOptions {
   /**
    * How the nearest site is located (paper, section 4): "hierarchy" (default), about log n; or "walk", from neighbour to
@@ -59,11 +65,12 @@ export class Diagram implements Disposable {
 
   /**
    * A diagram of flat x, y, r triples; their ids are 0, 1, 2, … in input order. Cost: expected O(n log n).
-   * Throws "not-finite", "out-of-range", "bad-length" (no multiple of 3), "too-large".
+   * Throws "not-finite", "out-of-range", "bad-length" (no multiple of 3), "too-large", "bad-option" (an unknown location).
    */
   constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
     const numbers = xyr === undefined ? undefined : checkedNumbers("xyr", xyr, 3);
-    this.#native = NativeDiagram.create(this, options?.location !== "walk");
+    const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
+    this.#native = NativeDiagram.create(this, location === "hierarchy");
     if (this.#native === null) throw outOfMemory();
     if (numbers === undefined) return;
     try {
@@ -77,7 +84,7 @@ export class Diagram implements Disposable {
   /**
    * A diagram of any items, read by accessors as in d3-delaunay (item, index, items). Without accessors an item is an object
    * {x, y, r} or an array [x, y, r]; a missing r is 0. Ids are 0, 1, 2, … in input order.
-   * Throws as the constructor, naming the item. Cost: expected O(n log n).
+   * Throws as the constructor, naming the item; "bad-option" if an accessor is no function. Cost: expected O(n log n).
    */
   static from<T>(items: Iterable<T> | ArrayLike<T>, x?: Accessor<T>, y?: Accessor<T>, r?: Accessor<T>,
                  that?: unknown): Diagram {
@@ -120,8 +127,8 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Removes several sites; returns how many there were. Unknown and repeated ids are skipped. Throws "bad-length" if `ids` is no
-   * array.
+   * Removes several sites; returns how many there were. Unknown and repeated ids are skipped. Cost: as `remove` for each. Throws
+   * "bad-length" if `ids` is no array.
    */
   removeMany(ids: ArrayLike<number>): number {
     const native = this.#living();
@@ -145,8 +152,8 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Updates site ids[k] to the k-th x, y, r triple, all or none. Throws as `update`, and "bad-length" unless there is one triple
-   * an id.
+   * Updates site ids[k] to the k-th x, y, r triple, all or none. Cost: as `update` for each. Throws as `update`, and
+   * "bad-length" unless there is one triple an id.
    */
   updateMany(ids: ArrayLike<number>, xyr: ArrayLike<number>): this {
     const native = this.#living();
@@ -232,7 +239,7 @@ export class Diagram implements Disposable {
     return native.id;
   }
 
-  /** `find` with the (rounded) distance |p - c| - r, negative inside the circle; null if the diagram is empty. */
+  /** `find` with the (rounded) distance |p - c| - r, negative inside the circle; null if the diagram is empty. Cost, errors: as find. */
   nearest(x: number, y: number): { id: number; distance: number } | null {
     const native = this.#living();
     this.#locate(native, x, y);
@@ -242,18 +249,46 @@ export class Diagram implements Disposable {
 
   /**
    * `find` for flat x, y pairs, much faster than a loop. With `distances` (one element a point) it also fills in the distances,
-   * Infinity if the diagram is empty. Throws as `find`, and "bad-length".
+   * Infinity if the diagram is empty. Cost: O(m log m) for m points, and m locations. Throws as `find`, and "bad-length".
    */
   findMany(xy: ArrayLike<number>, distances?: Float64Array): Int32Array {
     const native = this.#living();
     const numbers = checkedNumbers("xy", xy, 2);
-    const ids = new Int32Array(numbers.length / 2);
-    if (distances !== undefined && !(distances instanceof Float64Array && distances.length === ids.length)) {
+    const ids = allocated(() => new Int32Array(numbers.length / 2));
+    if (distances !== undefined && !(typedArrayKind(distances) === "Float64Array" && distances.length === ids.length)) {
       throw new ApolloniusError("bad-length", `expected distances to be a Float64Array of ${ids.length} elements, one a point`);
     }
     const status = native.findMany(numbers, ids, distances);
     if (status !== 0) throwForElements(status, "xy", numbers);
     return ids;
+  }
+
+  /**
+   * The k nearest sites of a point, hidden ones too, nearest first; all sites if there are fewer. Exact; ties go to the larger r, then
+   * x, then y, identical circles come in any order. Cost: one location and O(m log m), m the number of neighbours of the sites
+   * found, whatever n is. Throws "not-finite", "out-of-range" (also for a k that is no whole number
+   * from 0 on; Infinity means all).
+   */
+  kNearest(x: number, y: number, k: number): Uint32Array {
+    const native = this.#living();
+    checkTypes(x, y);
+    const status = native.kNearest(x, y, checkedCount("k", k));
+    if (status !== 0) throwForNumbers(status, x, y);
+    return this.#taken(native, () => native.takeWords(0));
+  }
+
+  /**
+   * All sites whose distance |p - c| - r to a point is at most `distance`, hidden ones too, nearest first: with 0 every circle that
+   * contains the point, negative for circles that contain it that deep. Exact, sites at that very distance included. Cost: as kNearest.
+   * Throws "not-finite", "out-of-range".
+   */
+  within(x: number, y: number, distance: number): Uint32Array {
+    const native = this.#living();
+    checkTypes(x, y);
+    checkNumber("distance", distance);
+    const status = native.within(x, y, distance);
+    if (status !== 0) throwForNumbers(status, x, y);
+    return this.#taken(native, () => native.takeWords(0));
   }
 
   /**
@@ -294,14 +329,14 @@ export class Diagram implements Disposable {
 
   /**
    * Frees the diagram's memory now; later calls throw "disposed", a second `dispose` does nothing. A forgotten diagram is freed
-   * when it is collected.
+   * when it is collected. Cost: O(1).
    */
   dispose(): void {
     this.#native?.destroy();
     this.#native = null;
   }
 
-  /** For `using diagram = new Diagram()`. */
+  /** `dispose`, for `using diagram = new Diagram()`. Cost: O(1). */
   [Symbol.dispose](): void {
     this.dispose();
   }
@@ -323,7 +358,7 @@ export class Diagram implements Disposable {
   }
 
   #insertTriples(xyr: ArrayLike<number>): Uint32Array {
-    const ids = new Uint32Array(xyr.length / 3);
+    const ids = allocated(() => new Uint32Array(xyr.length / 3));
     const status = this.#living().insertMany(xyr, ids);
     if (status !== 0) throwForElements(status, "xyr", xyr);
     return ids;

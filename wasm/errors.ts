@@ -1,9 +1,22 @@
-/** What went wrong, for programs. */
+/**
+ * What went wrong, for programs.
+ * - "not-finite": a number is NaN or infinite, or what should be a number is something else
+ * - "out-of-range": a magnitude other than 0 below 1e-100 or above 1e100, or a count that is no whole number from 0 on
+ * - "unknown-site": no site has this id
+ * - "bad-length": no array (of numbers, ids or items), an array of a wrong length, or one whose buffer is detached
+ * - "bad-option": an option or accessor is none of what is documented
+ * - "bad-bounds": bounds to clip at that are no box
+ * - "disposed": the diagram has been disposed of
+ * - "out-of-memory": memory ran out, or was never enough
+ * - "corrupt-snapshot": bytes that are no snapshot of a diagram
+ * - "too-large": more than 2^29 sites
+ */
 export type ErrorCode =
   | "not-finite"
   | "out-of-range"
   | "unknown-site"
   | "bad-length"
+  | "bad-option"
   | "bad-bounds"
   | "disposed"
   | "out-of-memory"
@@ -15,9 +28,12 @@ export type ErrorCode =
  * `message` names the argument and its value.
  */
 export class ApolloniusError extends Error {
+  /** Always "ApolloniusError". */
   override readonly name = "ApolloniusError";
+  /** What went wrong, for programs. */
   readonly code: ErrorCode;
 
+  /** Made by the library; public for tests that imitate it. */
   constructor(code: ErrorCode, message: string) {
     super(message);
     this.code = code;

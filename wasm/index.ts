@@ -1,13 +1,12 @@
 // The default entry: carries its wasm as text and compiles it synchronously at the first use.
-import base64 from "../build/wasm/apollonius.wasm";
+import text from "../build/wasm/apollonius.wasm";
 import { isRunning, setModuleSource, start } from "./module.js";
 
 export * from "./api.js";
 
 function bytes(): Uint8Array<ArrayBuffer> {
-  const characters = atob(base64);
-  const decoded = new Uint8Array(characters.length);
-  for (let k = 0; k < decoded.length; ++k) decoded[k] = characters.charCodeAt(k);
+  const decoded = new Uint8Array(text.length);
+  for (let k = 0; k < decoded.length; ++k) decoded[k] = text.charCodeAt(k);
   return decoded;
 }
 

@@ -1,6 +1,6 @@
 // One diagram inside the wasm module, with typed arrays instead of heap addresses: no other file knows an address, and no view
 // of the heap leaves this one (a view dies when the memory grows). Layout of the shared blocks: wasm/bindings.cpp.
-import type { Diagram as Handle, MainModule } from "../build/wasm/apollonius.mjs";
+import type { MainModule } from "../build/wasm/apollonius.mjs";
 import { runningModule } from "./module.js";
 
 /** Error codes as integers, 0 for success: the order of `Error` in src/apollonius.h. */
@@ -26,42 +26,38 @@ const kFlag = 36;
 const kAddresses = 40;
 const kLengths = 52;
 
-let collector: FinalizationRegistry<Handle> | undefined;
+let collector: FinalizationRegistry<number> | undefined;
 let results = 0;
 
-/**
- * The net under diagrams that nobody disposes of. It holds embind's handle only, so the owner can be collected.
- */
-function handleCollector(): FinalizationRegistry<Handle> {
-  collector ??= new FinalizationRegistry((handle) => handle.delete());
+/** The net under diagrams that nobody disposes of. It holds addresses only, so that owners can be collected. */
+function addressCollector(): FinalizationRegistry<number> {
+  collector ??= new FinalizationRegistry((address) => runningModule().destroy(address));
   return collector;
 }
 
 export class NativeDiagram {
   readonly #module: MainModule;
-  readonly #handle: Handle;
   readonly #address: number;
 
-  private constructor(module: MainModule, handle: Handle) {
+  private constructor(module: MainModule, address: number) {
     this.#module = module;
-    this.#handle = handle;
-    this.#address = handle.address();
+    this.#address = address;
   }
 
   /** An empty diagram that lives until `destroy`, or until `owner` is collected; null if memory ran out. */
   static create(owner: object, hierarchy: boolean): NativeDiagram | null {
     const module = runningModule();
     results = module.resultsAddress();
-    const handle = module.Diagram.create(hierarchy);
-    if (handle === null) return null;
-    const native = new NativeDiagram(module, handle);
-    handleCollector().register(owner, handle, native);
+    const address = module.create(hierarchy);
+    if (address === 0) return null;
+    const native = new NativeDiagram(module, address);
+    addressCollector().register(owner, address, native);
     return native;
   }
 
   destroy(): void {
-    handleCollector().unregister(this);
-    this.#handle.delete();
+    addressCollector().unregister(this);
+    this.#module.destroy(this.#address);
   }
 
   // --- Calls about one site or point. Their results are read below, before the next call. ---------------------------------
@@ -90,6 +86,12 @@ export class NativeDiagram {
   neighbors(id: number): Status {
     return this.#module._diagramNeighbors(this.#address, id);
   }
+  kNearest(x: number, y: number, k: number): Status {
+    return this.#module._diagramKNearest(this.#address, x, y, k);
+  }
+  within(x: number, y: number, distance: number): Status {
+    return this.#module._diagramWithin(this.#address, x, y, distance);
+  }
   coverOf(id: number): Status {
     return this.#module._diagramCoverOf(this.#address, id);
   }
@@ -100,7 +102,7 @@ export class NativeDiagram {
     return this.#module._diagramVisibleSize(this.#address);
   }
   clear(): void {
-    this.#handle.clear();
+    this.#module.clear(this.#address);
   }
 
   // --- Scalar results of the last call ---------------------------------------------------------------------------------------
@@ -132,7 +134,7 @@ export class NativeDiagram {
   insertMany(xyr: ArrayLike<number>, ids: Uint32Array): Status {
     return this.#withScratch(ids.length * 28, (at) => {
       const idsAt = this.#writeDoubles(at, xyr, 3 * ids.length);
-      const status = this.#handle.insertMany(at, idsAt, ids.length);
+      const status = this.#module.insertMany(this.#address, at, idsAt, ids.length);
       if (status === 0) ids.set(this.#words(idsAt, ids.length));
       return status;
     });
@@ -141,7 +143,7 @@ export class NativeDiagram {
   removeMany(ids: Uint32Array): Status {
     return this.#withScratch(ids.length * 4, (at) => {
       this.#words(at, ids.length).set(ids);
-      return this.#handle.removeMany(at, ids.length);
+      return this.#module.removeMany(this.#address, at, ids.length);
     });
   }
 
@@ -149,7 +151,7 @@ export class NativeDiagram {
     return this.#withScratch(ids.length * 28, (at) => {
       const idsAt = this.#writeDoubles(at, xyr, 3 * ids.length);
       this.#words(idsAt, ids.length).set(ids);
-      return this.#handle.updateMany(idsAt, at, ids.length);
+      return this.#module.updateMany(this.#address, idsAt, at, ids.length);
     });
   }
 
@@ -159,7 +161,7 @@ export class NativeDiagram {
     return this.#withScratch(count * (distances ? 28 : 20), (at) => {
       const distancesAt = this.#writeDoubles(at, xy, 2 * count);
       const idsAt = distances ? distancesAt + count * 8 : distancesAt;
-      const status = this.#handle.findMany(at, idsAt, distances ? distancesAt : 0, count);
+      const status = this.#module.findMany(this.#address, at, idsAt, distances ? distancesAt : 0, count);
       if (status === 0) {
         ids.set(this.#words(idsAt, count));
         distances?.set(this.#doubles(distancesAt, count));
@@ -171,16 +173,16 @@ export class NativeDiagram {
   // --- Arrays out: each call fills slots, from which `take...` copies and `finish` gives back what was large ---------------
 
   ids(): Status {
-    return this.#handle.ids();
+    return this.#module.ids(this.#address);
   }
   vertices(): Status {
-    return this.#handle.vertices();
+    return this.#module.vertices(this.#address);
   }
   edges(): Status {
-    return this.#handle.edges();
+    return this.#module.edges(this.#address);
   }
   validate(): Status {
-    return this.#handle.validate();
+    return this.#module.validate(this.#address);
   }
 
   takeDoubles(slot: number): Float64Array {

@@ -13,7 +13,10 @@ setModuleSource(() => {
 async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
   if (source instanceof WebAssembly.Module) return source;
   if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return WebAssembly.compile(source as BufferSource);
-  const response = await (typeof source === "string" || source instanceof URL ? fetch(source) : (source as Response));
+  const response = await (typeof source === "string" || source instanceof URL ? fetch(source) : source);
+  if (!(response instanceof Response)) {
+    throw new TypeError("apollonius-diagram/wasm: load() expects an address, a Response, the bytes or a WebAssembly.Module");
+  }
   if (!response.ok) throw new Error(`apollonius-diagram/wasm: ${response.url} answered ${response.status}`);
   const isWasm = response.headers.get("content-type")?.startsWith("application/wasm");
   return isWasm ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());

@@ -1,5 +1,5 @@
-// esbuild gives imports of .wasm files as base64 text (wasm/build.mjs).
+// Imports of .wasm files are strings of one character a byte (wasm/build.mjs).
 declare module "*.wasm" {
-  const base64: string;
-  export default base64;
+  const text: string;
+  export default text;
 }

@@ -1,4 +1,4 @@
-// A static server for the page: node web/serve.mjs [--port N]. Serves this repository's web/ and dist/ on this machine only, and
+// A static server for the page: node web/serve.mjs [--port N]. Serves this repository's web/ and dist/ and the d3 modules of its examples on this machine only, and
 // takes the next free port. The headers let the page measure microseconds (isolation) and show that the package runs under a
 // strict content security policy (which index.html states too).
 import { createReadStream } from "node:fs";
@@ -9,6 +9,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 
 const kRoot = fileURLToPath(new URL("..", import.meta.url));
 const kServed = ["web", "dist"];
+const kServedPackages = /^d3-\w+$/;  // of node_modules: what web/examples imports
 const kHost = "127.0.0.1";
 const kTypes = {
   ".html": "text/html; charset=utf-8",
@@ -37,7 +38,8 @@ function fileOf(url) {
     return null;
   }
   const parts = path.split(sep).filter(Boolean);
-  if (!kServed.includes(parts[0]) || parts.some((part) => part.startsWith("."))) return null;
+  const isServed = kServed.includes(parts[0]) || (parts[0] === "node_modules" && kServedPackages.test(parts[1] ?? ""));
+  if (!isServed || parts.some((part) => part.startsWith("."))) return null;
   return join(kRoot, ...parts, path.endsWith(sep) ? "index.html" : "");
 }
 

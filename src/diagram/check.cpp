@@ -1,8 +1,8 @@
 // The invariants of a diagram, exactly checked; the first broken one is named with its ids.
+#include <cmath>
 #include <string>
 
 #include "diagram/diagram_core.h"
-#include "number/fp.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {
@@ -12,10 +12,10 @@ namespace {
 /// Can both be the same circle or half-plane, within their errors? NaNs come with infinite errors.
 bool agree(const VoronoiCircle& a, const VoronoiCircle& b) {
   if (a.isHalfPlane() != b.isHalfPlane()) return false;
-  const double error = (double{a.error} + double{b.error}) * (1 + powerOfTwo(-20));
-  const auto isClose = [](double x, double y, double bound) { return !(absolute(x - y) > bound); };
+  const double error = (double{a.error} + double{b.error}) * (1 + 0x1p-20);
+  const auto isClose = [](double x, double y, double bound) { return !(std::abs(x - y) > bound); };
   if (!a.isHalfPlane()) return isClose(a.x, b.x, error) && isClose(a.y, b.y, error) && isClose(a.s, b.s, error);
-  const double slope = (double{a.slope} + double{b.slope}) * (1 + powerOfTwo(-20));
+  const double slope = (double{a.slope} + double{b.slope}) * (1 + 0x1p-20);
   return isClose(a.x, b.x, slope) && isClose(a.y, b.y, slope) && isClose(a.s, b.s, error);
 }
 

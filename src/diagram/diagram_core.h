@@ -45,6 +45,10 @@ class DiagramCore {
   /// The nearest site; `hint` is a visible site close to the point, or kNoSlot. REQUIRES: not empty.
   [[nodiscard]] Slot nearest(double x, double y, Slot hint = kNoSlot) const;
 
+  /// Sites in the order of their distance to (x, y), at most `most`, and none farther than `farthest` if that is given; ties as in
+  /// nearest(). Replaces the contents of `sites`.
+  void nearby(double x, double y, std::size_t most, const double* farthest, std::vector<SiteId>& sites) const;
+
   // Listings; each replaces the contents of its argument.
   void neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
   void vertices(VertexArrays& vertices) const;

@@ -205,6 +205,16 @@ std::vector<Operation> queries(std::size_t n) {
          return d.find(3.5, 2.25, id, distance);
        }},
       {"findMany", [=, ids = std::vector<SiteId>(n), distances = std::vector<double>(n)](Diagram& d) mutable { return d.findMany(xy, ids, distances); }},
+      {"kNearest",
+       [=](Diagram& d) {
+         std::vector<SiteId> sites;
+         return d.kNearest(3.5, 2.25, n, sites);
+       }},
+      {"within",
+       [](Diagram& d) {
+         std::vector<SiteId> sites;
+         return d.within(3.5, 2.25, 1e6, sites);
+       }},
       {"neighbors",
        [=](Diagram& d) {
          std::vector<SiteId> sites;

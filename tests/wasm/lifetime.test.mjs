@@ -1,4 +1,5 @@
 // Life time: dispose, collection, and memory running out.
+import { transformSync } from "esbuild";
 import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
 import { runInNode } from "./support/node.mjs";
 import { randomCircles } from "./support/random.mjs";
@@ -23,6 +24,8 @@ const uses = {
   nearest: (d) => d.nearest(0, 0),
   findMany: (d) => d.findMany([0, 0]),
   neighbors: (d) => d.neighbors(0),
+  kNearest: (d) => d.kNearest(0, 0, 1),
+  within: (d) => d.within(0, 0, 1),
   edges: (d) => d.edges(),
   vertices: (d) => d.vertices(),
   validate: (d) => d.validate(),
@@ -54,6 +57,20 @@ test("Symbol.dispose disposes", () => {
   expect(() => diagram.size).toThrow(expect.objectContaining({ code: "disposed" }));
 });
 
+test("`using` disposes at the end of the block, whatever ends it", () => {
+  const source = `
+    import { Diagram } from "apollonius-diagram";
+    const seen = [];
+    try {
+      using diagram = new Diagram([0, 0, 1]);
+      seen.push(diagram);
+      throw new Error("early");
+    } catch {}
+    try { seen[0].size; } catch (error) { console.log(error.code); }`;
+  const { code } = transformSync(source, { target: "es2022", format: "esm" });  // Node 20 does not know `using` yet
+  expect(runInNode(code)).toBe("disposed");
+});
+
 test("disposed memory is used again", () => {
   const output = runInNode(`
     let grown = 0;
@@ -66,6 +83,44 @@ test("disposed memory is used again", () => {
     for (let k = 0; k < 8; ++k) new Diagram(xyr).dispose();
     console.log(grown - before);
   `);
+  expect(output).toBe("0");
+});
+
+// The memory itself, as the module sees it: what WebAssembly.Memory.grow was called for.
+const watchGrowth = `
+    let pages = 0;
+    const grow = WebAssembly.Memory.prototype.grow;
+    WebAssembly.Memory.prototype.grow = function (more) { pages += more; return grow.call(this, more); };
+    const { Diagram } = await import("apollonius-diagram");`;
+
+test("a million diagrams, made and disposed of, need the memory of a few", () => {
+  const output = runInNode(`${watchGrowth}
+    for (let k = 0; k < 1_000_000; ++k) {
+      if (k % 3 === 0) {
+        using(new Diagram([k, 0, 1, k + 5, 5, 1]));
+      } else {
+        const diagram = new Diagram();
+        diagram.insert(k, 1, 2);
+        diagram.dispose();
+      }
+      if (k === 1000) pages = 0;
+    }
+    function using(diagram) { diagram.find(0, 0); diagram[Symbol.dispose](); }
+    console.log(pages);`);
+  expect(output).toBe("0");
+}, 120_000);
+
+test("forgotten diagrams give their memory back", () => {
+  const output = runInNode(`${watchGrowth}
+    const xyr = Float64Array.from({ length: 900 }, (_, k) => (k % 3 === 2 ? 1 : (k * 7919) % 10007));
+    const rounds = [];
+    for (let round = 0; round < 12; ++round) {
+      for (let k = 0; k < 20; ++k) new Diagram(xyr).find(0, 0);
+      gc();
+      await new Promise((resolve) => setTimeout(resolve, 20));  // finalizers run between tasks
+      rounds.push(pages);
+    }
+    console.log(rounds.at(-1) - rounds[5]);`, ["--expose-gc"]);
   expect(output).toBe("0");
 });
 
@@ -118,7 +173,7 @@ test("out of memory is an error, and the diagram is as it was", () => {
       }
     }
     const full = diagram.size;
-    for (const count of [3e4, 3e6]) {
+    for (const count of [3e6, 6e6]) {
       try {
         diagram.insertMany(Float64Array.from({ length: count }, random));
       } catch (error) {

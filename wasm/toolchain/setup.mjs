@@ -1,9 +1,9 @@
 // Everything that a build needs, installed where it is missing: fast when nothing is.
 //
-//   node wasm/toolchain/setup.mjs [boost | emscripten | native | browser | npm]...     (all by default)
+//   node wasm/toolchain/setup.mjs [boost | emscripten | native | browser | firefox | npm]...     (all by default)
 import { pathToFileURL } from "node:url";
 import { ensureBoost } from "./boost.mjs";
-import { ensureChromium } from "./browser.mjs";
+import { ensureChromium, ensureFirefox } from "./browser.mjs";
 import { ensureEmscripten } from "./emscripten.mjs";
 import { ensureCmake, ensureNativeTools } from "./native.mjs";
 import { ensureNpmPackages } from "./npm_packages.mjs";
@@ -34,6 +34,7 @@ const parts = {
   emscripten: ensureEmscripten,
   boost: ensureBoost,
   browser: ensureChromium,
+  firefox: ensureFirefox,
 };
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {

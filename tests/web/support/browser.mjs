@@ -51,7 +51,8 @@ export function describeInBrowser(name, define) {
   });
 }
 
-async function openPage(browser, url, options = {}) {
+/** `path` is below the page's folder, `ready` the global that says that the page is; other options are Playwright's. */
+async function openPage(browser, url, { path = "", ready = "app", ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
   page.errors = [];
@@ -59,8 +60,8 @@ async function openPage(browser, url, options = {}) {
   page.on("pageerror", (error) => page.errors.push(String(error)));
   page.on("requestfailed", (request) => page.errors.push(`failed: ${request.url()}`));
   page.on("response", (response) => response.status() >= 400 && page.errors.push(`${response.status()}: ${response.url()}`));
-  await page.goto(url);
-  await page.waitForFunction(() => window.app !== undefined);
+  await page.goto(url + path);
+  await page.waitForFunction((name) => window[name] !== undefined, ready, { timeout: 10_000 });
   return page;
 }
 

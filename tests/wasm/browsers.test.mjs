@@ -1,0 +1,60 @@
+// The packed package in Chromium and Firefox, under a strict content security policy: as it is, in workers, and as each bundler
+// packs it.
+import { existsSync } from "node:fs";
+import path from "node:path";
+import { root } from "../../wasm/toolchain/folders.mjs";
+import { capture } from "../../wasm/toolchain/process.mjs";
+import { runScriptInNode } from "./support/node.mjs";
+import { runPages } from "./support/pages.mjs";
+
+const expected = "1 2 null";
+const use = "const d = new Diagram([0, 0, 1, 9, 0, 2]); report(`${d.find(8, 0)} ${d.size} ${d.validate()}`);";
+const dist = "/node_modules/apollonius-diagram/dist";
+const bundlers = ["vite", "webpack", "rollup", "esbuild"];
+
+const bundle = (name) => JSON.parse(capture(process.execPath, [path.join(root, "tests/wasm/support/bundle.mjs"), name]).trim().split("\n").at(-1));
+
+test.each(bundlers)("%s bundles the package without a warning, and the bundle runs", (name) => {
+  expect(bundle(name)).toEqual([]);
+  expect(runScriptInNode(`globalThis.report = console.log; import("./bundles/${name}/main.js")`)).toBe(expected);
+});
+
+const files = {
+  "module.js": `import { Diagram } from "${dist}/esm/index.js"; ${use}`,
+  "global.js": `const { Diagram } = apollonius; ${use}`,
+  "wasm.js": `import { Diagram, load } from "${dist}/esm/wasm.js"; await load("${dist}/apollonius.wasm"); ${use}`,
+  "ahead.js": `import { Diagram, load } from "${dist}/esm/index.js"; await load(); ${use}`,
+  "start_module_worker.js": `new Worker("/module_worker_inside.js", { type: "module" }).onmessage = ({ data }) => report(data);`,
+  "module_worker_inside.js": `const report = (found) => postMessage(found); import { Diagram } from "${dist}/esm/index.js"; ${use}`,
+  "start_classic_worker.js": `new Worker("/classic_worker_inside.js").onmessage = ({ data }) => report(data);`,
+  "classic_worker_inside.js": `const report = (found) => postMessage(found); importScripts("${dist}/cjs/index.js"); const { Diagram } = apollonius; ${use}`,
+};
+const module = (file) => ({ html: `<script type="module" src="${file}"></script>` });
+const cases = {
+  module: module("/module.js"),
+  load: module("/ahead.js"),
+  streaming: module("/wasm.js"),
+  script: { html: `<script src="${dist}/cjs/index.js"></script><script src="/global.js"></script>` },
+  "script-in-an-old-page": { charset: "windows-1252", html: `<script src="${dist}/cjs/index.js"></script><script src="/global.js"></script>` },
+  "module-worker": module("/start_module_worker.js"),
+  "classic-worker": { html: '<script src="/start_classic_worker.js"></script>' },
+  ...Object.fromEntries(bundlers.map((name) => [`bundle-${name}`, module(`/bundles/${name}/main.js`)])),
+  ...Object.fromEntries(["vite", "webpack", "esbuild"].map((name) => [`streamed-${name}`, module(`/bundles/${name}/streamed.js`)])),
+};
+
+describe.each([
+  ["Chromium", process.env.CHROMIUM, "/usr/bin/chromium"],
+  ["Firefox", process.env.FIREFOX, "/usr/bin/firefox-esr"],
+])("%s", (name, given, usual) => {
+  const browser = [given, usual].find((file) => file && existsSync(file));
+  if (!browser && !process.env.CI) {
+    process.stderr.write(`SKIPPED: the package in ${name}, which is not installed. Set ${name.toUpperCase()} to its path.\n`);
+    test.skip("is installed", () => {});
+    return;
+  }
+  test("runs the package in every way", async () => {
+    expect(browser).toBeDefined();
+    const results = await runPages(browser, cases, files);
+    expect(results).toEqual(Object.fromEntries(Object.keys(cases).map((key) => [key, expected])));
+  }, 90_000);
+});

@@ -1,0 +1,78 @@
+// With equal radii, whatever they are, the results are those of d3-delaunay.
+import { Delaunay } from "d3-delaunay";
+import { Diagram } from "../../build/packed/consumer.mjs";
+import { generator } from "./support/random.mjs";
+
+const count = 400;
+const random = generator(71);
+const items = Array.from({ length: count }, () => ({ x: random() * 960, y: random() * 500 }));
+const delaunay = Delaunay.from(items, (d) => d.x, (d) => d.y);
+const sorted = (numbers) => [...numbers].sort((a, b) => a - b);
+
+describe.each([0, 1, 250, -3])("all radii %d", (r) => {
+  const diagram = Diagram.from(items, (d) => d.x, (d) => d.y, () => r);
+
+  test("find", () => {
+    for (let k = 0; k < 3000; ++k) {
+      const [x, y] = [random() * 1200 - 120, random() * 700 - 100];
+      expect(diagram.find(x, y)).toBe(delaunay.find(x, y));
+    }
+  });
+
+  test("neighbors", () => {
+    for (let id = 0; id < count; ++id) expect(sorted(diagram.neighbors(id))).toEqual(sorted(delaunay.neighbors(id)));
+  });
+
+  test("triangles and circumcenters are the vertices", () => {
+    const { sites, coordinates, clearance } = diagram.vertices();
+    const rows = (triples, centers) => Array.from({ length: triples.length / 3 }, (_, k) => ({
+      key: sorted(triples.slice(3 * k, 3 * k + 3)).join(" "), x: centers[2 * k], y: centers[2 * k + 1],
+    })).sort((a, b) => (a.key < b.key ? -1 : 1));
+    const ours = rows(sites, coordinates);
+    const theirs = rows(delaunay.triangles, delaunay.voronoi([0, 0, 960, 500]).circumcenters);
+    expect(ours.map(({ key }) => key)).toEqual(theirs.map(({ key }) => key));
+    ours.forEach(({ x, y }, k) => {
+      // d3-delaunay's circumcenters lose digits in flat triangles; ours do not.
+      const tolerance = 1e-6 * (1 + Math.hypot(x, y));
+      expect(Math.hypot(x - theirs[k].x, y - theirs[k].y)).toBeLessThan(tolerance);
+    });
+    expect(clearance.every((d) => d > -r)).toBe(true);
+  });
+
+  test("halfedges are the edges", () => {
+    const pairs = new Set();
+    const { triangles, halfedges } = delaunay;
+    triangles.forEach((from, h) => {
+      const to = triangles[h % 3 === 2 ? h - 2 : h + 1];
+      if (halfedges[h] < h) pairs.add(sorted([from, to]).join(" "));
+    });
+    const { sites } = diagram.edges();
+    expect(new Set(Array.from({ length: sites.length / 2 }, (_, k) => sorted(sites.slice(2 * k, 2 * k + 2)).join(" ")))).toEqual(pairs);
+    expect(sites.length / 2).toBe(pairs.size);
+  });
+});
+
+test("from takes the same accessors and this", () => {
+  const that = { scale: 2 };
+  const calls = [];
+  const x = function (item, index, all) {
+    calls.push([this === that, index, all === items]);
+    return item.x;
+  };
+  const built = Diagram.from(items, x, (d) => d.y, undefined, that);
+  const theirs = [];
+  Delaunay.from(items, function (item, index, all) {
+    theirs.push([this === that, index, all === items]);
+    return item.x;
+  }, (d) => d.y, that);
+  expect(calls).toEqual(theirs);
+  expect(built.find(100, 100)).toBe(delaunay.find(100, 100));
+});
+
+test("duplicates: d3-delaunay skips all but one, here the others are hidden", () => {
+  const points = [[10, 10], [50, 10], [10, 60], [10, 10]];
+  const diagram = Diagram.from(points);
+  expect(diagram.visibleSize).toBe(3);
+  expect(diagram.isHidden(0) !== diagram.isHidden(3)).toBe(true);
+  expect(Delaunay.from(points).triangles.length).toBe(3);
+});

@@ -1,0 +1,57 @@
+// The tarball itself: what is in it, how large it is, and what the linters of packages say.
+import { readdirSync, readFileSync, statSync } from "node:fs";
+import path from "node:path";
+import { brotliCompressSync, constants } from "node:zlib";
+import { root } from "../../wasm/toolchain/folders.mjs";
+import { capture } from "../../wasm/toolchain/process.mjs";
+import { packed } from "./support/install_packed.mjs";
+
+const installed = path.join(packed, "node_modules/apollonius-diagram");
+const tarball = path.join(packed, readdirSync(packed).find((file) => file.endsWith(".tgz")));
+const files = readdirSync(installed, { recursive: true }).filter((file) => statSync(path.join(installed, file)).isFile());
+
+function brotli(file) {
+  const bytes = readFileSync(path.join(installed, file));
+  const params = { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length };
+  return brotliCompressSync(bytes, { params }).length;
+}
+
+test("holds what users need and no more", () => {
+  const entries = ["index", "wasm"].flatMap((name) => ["esm", "cjs"].flatMap((format) => [`dist/${format}/${name}.js`, `dist/${format}/${name}.d.ts`]));
+  expect(files).toEqual(expect.arrayContaining([...entries, "dist/apollonius.wasm", "dist/cjs/package.json", "package.json", "LICENSE", "README.md"]));
+  expect(files.filter((file) => !/^dist\/(esm|cjs)\/\w+\.(js|d\.ts)$|^dist\/apollonius\.wasm$|^dist\/cjs\/package\.json$/.test(file)).sort())
+    .toEqual(["LICENSE", "README.md", "package.json"]);
+});
+
+test("needs no other package and runs nothing when it is installed", () => {
+  const { dependencies, peerDependencies, optionalDependencies, scripts } = JSON.parse(readFileSync(path.join(installed, "package.json"), "utf8"));
+  expect({ dependencies, peerDependencies, optionalDependencies }).toEqual({});
+  expect(Object.keys(scripts).filter((name) => /install|prepare|postpack/.test(name))).toEqual([]);
+});
+
+test("sizes: the default entry at most 60 KB with brotli, all of it at most 600 KB", () => {
+  const unpacked = files.reduce((sum, file) => sum + statSync(path.join(installed, file)).size, 0);
+  const sizes = { esm: brotli("dist/esm/index.js"), script: brotli("dist/cjs/index.js"), wasm: brotli("dist/apollonius.wasm"),
+                  glue: brotli("dist/esm/wasm.js") };
+  process.stdout.write(`bytes with brotli: ${JSON.stringify(sizes)}; unpacked ${unpacked}, packed ${statSync(tarball).size}\n`);
+  expect(sizes.esm).toBeLessThanOrEqual(60_000);
+  expect(sizes.script).toBeLessThanOrEqual(60_500);  // the same with its wrapper
+  expect(sizes.wasm + sizes.glue).toBeLessThan(sizes.esm);
+  expect(unpacked).toBeLessThanOrEqual(600_000);
+});
+
+test("publint finds nothing", () => {
+  capture(process.execPath, [path.join(root, "node_modules/publint/src/cli.js"), "run", tarball, "--strict"]);
+});
+
+test("the types are not wrong, however they are resolved", () => {
+  // In a Node of its own: it brings a TypeScript that Jest need not load.
+  const output = capture(process.execPath, ["--input-type=module", "--eval", `
+    import { readFileSync } from "node:fs";
+    import { checkPackage, createPackageFromTarballData } from "@arethetypeswrong/core";
+    const { types, problems } = await checkPackage(createPackageFromTarballData(readFileSync(${JSON.stringify(tarball)})),
+                                                   { excludeEntrypoints: ["./apollonius.wasm"] });
+    console.log(JSON.stringify({ types: types.kind, problems: problems.filter(({ resolutionKind }) => resolutionKind !== "node10") }));`],
+                         { cwd: root });
+  expect(JSON.parse(output)).toEqual({ types: "included", problems: [] });
+});

@@ -1,0 +1,126 @@
+// Values of types that TypeScript refuses and JavaScript lets through: accepted and right, or an error with a code.
+import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
+import { runInNewContext } from "node:vm";
+
+const values = [0, 0, 1, 10, 0, 2];
+const second = { x: 10, y: 0, r: 2 };
+
+function shifted(bytes) {
+  // Typed arrays at odd multiples of their element size; an address that is no multiple of 8 has to be copied all the same.
+  const array = new Float32Array(new ArrayBuffer(4 * (values.length + bytes)), 4 * bytes, values.length);
+  array.set(values);
+  return array;
+}
+
+function shared() {
+  const array = new Float64Array(new SharedArrayBuffer(64), 8, values.length);
+  array.set(values);
+  return array;
+}
+
+function detached(array = new Float64Array(values)) {
+  structuredClone(array, { transfer: [array.buffer] });
+  return array;
+}
+
+test.each([
+  ["a subarray", new Float64Array([9, ...values, 9]).subarray(1, 7)],
+  ["an odd offset", shifted(1)],
+  ["an odd offset of 12 bytes", shifted(3)],
+  ["shared memory", shared()],
+  ["clamped bytes", new Uint8ClampedArray(values)],
+  ["another realm's array", runInNewContext("[0, 0, 1, 10, 0, 2]")],
+  ["another realm's typed array", runInNewContext("new Float64Array([0, 0, 1, 10, 0, 2])")],
+  ["a length-tracking view", new Float64Array(new ArrayBuffer(48, { maxByteLength: 96 })).fill(0).map((_, k) => values[k])],
+])("%s is read rightly", (_, xyr) => {
+  const diagram = new Diagram(xyr);
+  expect(diagram.site(1)).toEqual(second);
+  expect([...diagram.insertMany(xyr)]).toEqual([2, 3]);
+  diagram.updateMany(new Uint32Array(new SharedArrayBuffer(8)).map((_, k) => k), xyr);
+  expect([...diagram.findMany(xyr)]).toEqual([...diagram.findMany(values)]);
+  expect(diagram.validate()).toBeNull();
+});
+
+test("ids of all kinds, with offsets, shared, from another realm", () => {
+  const kinds = [[0, 1], new Uint8Array([7, 0, 1]).subarray(1), new Float64Array([0, 1]), new Uint32Array([9, 0, 1]).subarray(1),
+                 new Uint32Array(new SharedArrayBuffer(8)).map((_, k) => k), runInNewContext("new Uint32Array([0, 1])")];
+  for (const ids of kinds) {
+    const diagram = new Diagram(values);
+    diagram.updateMany(ids, [5, 5, 1, 20, 20, 2]);
+    expect(diagram.site(1)).toEqual({ x: 20, y: 20, r: 2 });
+    expect(diagram.removeMany(ids)).toBe(2);
+  }
+});
+
+test("distances may be a view with an offset, shared, or of another realm", () => {
+  const diagram = new Diagram(values);
+  for (const distances of [new Float64Array(5).subarray(3), new Float64Array(new SharedArrayBuffer(32), 16), runInNewContext("new Float64Array(2)")]) {
+    diagram.findMany([0, 0, 10, 0], distances);
+    expect([...distances]).toEqual([-1, -2]);
+  }
+});
+
+const cases = [
+  // Detached buffers look empty.
+  ["constructor", () => new Diagram(detached()), "bad-length", "xyr is a typed array whose buffer is detached"],
+  ["insertMany", (d) => d.insertMany(detached()), "bad-length", "xyr is a typed array whose buffer is detached"],
+  ["updateMany ids", (d) => d.updateMany(detached(new Uint32Array(2)), []), "bad-length", "ids is a typed array whose buffer is detached"],
+  ["updateMany xyr", (d) => d.updateMany([], detached()), "bad-length", "xyr is a typed array whose buffer is detached"],
+  ["removeMany", (d) => d.removeMany(detached(new Uint32Array(2))), "bad-length", "ids is a typed array whose buffer is detached"],
+  ["findMany", (d) => d.findMany(detached()), "bad-length", "xy is a typed array whose buffer is detached"],
+  ["findMany distances", (d) => d.findMany([0, 0], detached()), "bad-length", "distances"],
+  // Big integers
+  ["constructor", () => new Diagram([1n, 2, 3]), "not-finite", "xyr[0] is the bigint 1n"],
+  ["insertMany", (d) => d.insertMany(runInNewContext("new BigUint64Array(3)")), "not-finite", "xyr[0] is the bigint 0n"],
+  ["updateMany ids", (d) => d.updateMany([1n], [1, 2, 3]), "unknown-site", "ids[0]"],
+  ["findMany", (d) => d.findMany(new BigInt64Array(2)), "not-finite", "xy[0] is the bigint 0n"],
+  ["nearest", (d) => d.nearest(0n, 0), "not-finite", "x is the bigint 0n"],
+  ["site", (d) => d.site(1n), "unknown-site", "site the bigint 1n does not exist"],
+  // Sparse arrays, and things that are none
+  ["constructor", () => new Diagram(new Array(3)), "not-finite", "xyr[0] is undefined"],
+  ["updateMany", (d) => d.updateMany([0], [1, , 3]), "not-finite", "xyr[1] is undefined"],
+  ["updateMany ids", (d) => d.updateMany([, 1], values), "unknown-site", "ids[0]"],
+  ["findMany", (d) => d.findMany([1, , 3, 4]), "not-finite", "xy[1] is undefined"],
+  ["findMany", (d) => d.findMany("12"), "bad-length", 'xy is the string "12"'],
+  ["findMany", (d) => d.findMany(new DataView(new ArrayBuffer(16))), "bad-length", "xy is an object"],
+  ["findMany", (d) => d.findMany(new ArrayBuffer(16)), "bad-length", "xy is an object"],
+  ["findMany", (d) => d.findMany(new Map()), "bad-length", "xy is an object"],
+  ["insertMany", (d) => d.insertMany(() => {}), "bad-length", "xyr is a function"],
+  ["insertMany", (d) => d.insertMany([[0, 0, 1], [1, 1, 1], [2, 2, 2]]), "not-finite", "xyr[0] is an array"],
+  ["removeMany", (d) => d.removeMany("0"), "bad-length", 'ids is the string "0"'],
+  ["removeMany", (d) => d.removeMany(null), "bad-length", "ids is null"],
+  ["insert", (d) => d.insert({ x: 1, y: 2, r: 3 }), "not-finite", "x is an object"],
+  ["insert", (d) => d.insert(1, 2, true), "not-finite", "r is true"],
+  ["insert", (d) => d.insert(1, 2, Symbol("r")), "not-finite", "r is Symbol(r)"],
+  ["insert", (d) => d.insert(new Number(1), 2, 3), "not-finite", "x is an object"],
+  // Lengths that no memory holds
+  ["insertMany", (d) => d.insertMany({ length: 3 * 2 ** 50 }), "out-of-memory", "memory"],
+  ["findMany", (d) => d.findMany({ length: 2 ** 50 }), "out-of-memory", "memory"],
+  ["removeMany", (d) => d.removeMany({ length: 2 ** 50 }), "out-of-memory", "memory"],
+  ["from", () => Diagram.from({ length: 2 ** 50 }), "out-of-memory", "memory"],
+  // Items, accessors, options
+  ["from", () => Diagram.from(null), "bad-length", "items is null"],
+  ["from", () => Diagram.from(5), "bad-length", "items is 5"],
+  ["from", () => Diagram.from("abc"), "bad-length", 'items is the string "abc"'],
+  ["from", () => Diagram.from({ x: 1 }), "bad-length", "items is an object"],
+  ["from", () => Diagram.from([{ x: 1, y: "2" }]), "not-finite", 'y of item 0 is the string "2"'],
+  ["from", () => Diagram.from([[1, 2n]]), "not-finite", "y of item 0 is the bigint 2n"],
+  ["from", () => Diagram.from([[1, 2]], "lon"), "bad-option", 'x is the string "lon", expected a function'],
+  ["from", () => Diagram.from([[1, 2]], undefined, undefined, 5), "bad-option", "r is 5, expected a function"],
+  ["constructor", () => new Diagram([], { location: "grid" }), "bad-option", 'options.location is the string "grid", expected "hierarchy" or "walk"'],
+  ["constructor", () => new Diagram([], { location: null }), "bad-option", "options.location is null"],
+];
+
+test.each(cases)("%s: %p", (_, call, code, message) => {
+  const diagram = new Diagram(values);
+  let error;
+  try {
+    call(diagram);
+  } catch (thrown) {
+    error = thrown;
+  }
+  expect(error).toBeInstanceOf(ApolloniusError);
+  expect({ code: error.code, message: error.message }).toEqual({ code, message: expect.stringContaining(message) });
+  expect(diagram.size).toBe(2);
+  expect(diagram.validate()).toBeNull();
+});

@@ -1,0 +1,123 @@
+// The examples of web/examples do what they say, in the browser.
+import { mkdirSync, readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { expect, test } from "@jest/globals";
+import { describeInBrowser } from "./support/browser.mjs";
+
+const pictures = fileURLToPath(new URL("../../build/pictures/", import.meta.url));
+const index = readFileSync(new URL("../../web/examples/index.html", import.meta.url), "utf8");
+const names = [...index.matchAll(/^ {8}(\w+): "/gm)].map((match) => match[1]);
+
+describeInBrowser("examples", (open) => {
+  /** Runs `check` in the page of an example, with what the example returned; keeps a picture for people to look at. */
+  async function inExample(name, check, act = async () => {}) {
+    const page = await open({ path: `examples/#${name}`, ready: "example", viewport: { width: 1000, height: 660 } });
+    await act(page);
+    const found = await page.evaluate(check);
+    mkdirSync(pictures, { recursive: true });
+    await page.screenshot({ path: `${pictures}example_${name}.png` });
+    expect(page.errors).toEqual([]);
+    await page.context().close();
+    return found;
+  }
+
+  test("comparison: the plain diagram picks a bubble that the pointer is not in", async () => {
+    const found = await inExample("comparison", () => {
+      const { bubbles, plain, weighted, worst: [x, y] } = window.example;
+      const isIn = (id) => Math.hypot(bubbles[id].x - x, bubbles[id].y - y) < bubbles[id].r;
+      return [isIn(plain), isIn(weighted)];
+    });
+    expect(found).toEqual([false, true]);
+  });
+
+  test("bubble_chart: what is pointed at is picked, hidden bubbles too", async () => {
+    const found = await inExample("bubble_chart", () => {
+      const { bubbles, diagram, pick } = window.example;
+      const distance = (b, x, y) => Math.hypot(b.x - x, b.y - y) - b.r;
+      let wrong = 0, hidden = 0;
+      for (let x = 2; x < 920; x += 13) {
+        for (let y = 2; y < 480; y += 13) {
+          const under = bubbles.filter((b) => distance(b, x, y) <= 0);
+          const best = under.length > 0 ? under.reduce((a, b) => (b.r < a.r ? b : a)) : bubbles.reduce((a, b) => (distance(b, x, y) < distance(a, x, y) ? b : a));
+          wrong += bubbles[pick(x, y)] !== best;
+          hidden += diagram.isHidden(pick(x, y));
+        }
+      }
+      return { wrong, hidesSome: hidden > 0, marked: document.querySelectorAll('circle[fill="#e15759"]').length };
+    }, (page) => page.mouse.move(500, 300));
+    expect(found).toEqual({ wrong: 0, hidesSome: true, marked: 1 });
+  });
+
+  test("force: the diagram follows the circles", async () => {
+    const found = await inExample("force", () => {
+      const { diagram, nodes, simulation } = window.example;
+      simulation.stop();
+      const apart = nodes.filter(({ x, y, r }, id) => {
+        const site = diagram.site(id);
+        return site.x !== x || site.y !== y || site.r !== r;
+      });
+      return { size: diagram.size, apart: apart.length, broken: diagram.validate(), alpha: simulation.alpha() };
+    }, async (page) => {
+      await page.mouse.move(480, 300);
+      await page.waitForFunction(() => window.example.simulation.alpha() < 0.8);
+    });
+    expect(found).toMatchObject({ size: 400, apart: 0, broken: null });
+  });
+
+  test("worker: every pixel has its circle", async () => {
+    const found = await inExample("worker", () => {
+      const { ids, distances, width, height } = window.example;
+      return { all: ids.length === width * height, known: ids.every((id) => id >= 0 && id < 60), some: new Set(ids).size > 20, finite: distances.every(Number.isFinite) };
+    });
+    expect(found).toEqual({ all: true, known: true, some: true, finite: true });
+  });
+
+  test("empty_circles: they overlap nothing, and the first touches three", async () => {
+    const found = await inExample("empty_circles", () => {
+      const { circles, empty } = window.example;
+      const gap = (a, b) => Math.hypot(a.x - b.x, a.y - b.y) - a.r - b.r;
+      const overlaps = empty.flatMap((a, k) => [...circles, ...empty.slice(0, k)].map((b) => gap(a, b))).filter((g) => g < -1e-9);
+      const touched = empty.map((a, k) => [...circles, ...empty.slice(0, k)].filter((b) => Math.abs(gap(a, b)) < 1e-9).length);
+      const descending = empty.every((a, k) => k === 0 || a.r <= empty[k - 1].r);
+      return { count: empty.length, overlaps: overlaps.length, least: Math.min(...touched), descending };
+    });
+    expect(found).toEqual({ count: 12, overlaps: 0, least: 3, descending: true });
+  });
+
+  test("clearance_path: a disc of that radius passes along it, between the sides of the window", async () => {
+    const found = await inExample("clearance_path", () => {
+      const { circles, path, clearance } = window.example;
+      const inside = path.every(([x, y]) => x >= 0 && y >= 0 && x <= 920 && y <= 480);
+      const room = path.map(([x, y]) => Math.min(...circles.map((c) => Math.hypot(c.x - x, c.y - y) - c.r)));
+      return { inside, narrowest: Math.abs(Math.min(...room) - clearance), positive: clearance > 0, from: path[0][0], to: path.at(-1)[0], length: path.length };
+    });
+    expect(found.narrowest).toBeLessThan(1e-9);
+    expect(found.inside).toBe(true);
+    expect(found.positive).toBe(true);
+    expect(found.from).toBeLessThan(150);
+    expect(found.to).toBeGreaterThan(770);
+  });
+
+  test("facilities: the areas fill the window", async () => {
+    const page = await open({ path: "examples/#bubble_chart", ready: "example" });
+    const hasCells = await page.evaluate(() => "voronoi" in Object.getPrototypeOf(window.example.diagram));
+    await page.context().close();
+    if (!hasCells) {
+      process.stderr.write("SKIPPED: web/examples/facilities.js, which needs diagram.voronoi()\n");
+      return;
+    }
+    const found = await inExample("facilities", () => {
+      const { diagram, stations, areas } = window.example;
+      const total = stations.reduce((sum, _, id) => sum + (diagram.isHidden(id) ? 0 : areas.cellArea(id)), 0);
+      return { total, labels: document.querySelectorAll("text").length };
+    });
+    expect(found.total).toBeCloseTo(920 * 480, 3);
+    expect(found.labels).toBe(24);
+  });
+
+  test("each example is tested here", () => {
+    const text = readFileSync(fileURLToPath(import.meta.url), "utf8");
+    expect(names.length).toBe(7);
+    for (const name of names) expect(text).toContain(`inExample("${name}"`);
+  });
+});

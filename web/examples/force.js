@@ -1,0 +1,50 @@
+// d3-force moves circles, and the diagram follows: one updateMany a tick. Lines join neighbours whose rims are close.
+import { Diagram } from "apollonius-diagram";
+import { forceCollide, forceSimulation, forceX, forceY } from "d3-force";
+import { randomCircles } from "./random_circles.js";
+
+const width = 920, height = 480, close = 12;
+
+export default function force(container) {
+  const nodes = randomCircles(400, width, height, 2, 22);
+  const diagram = Diagram.from(nodes);
+  const ids = diagram.ids();
+  const xyr = new Float64Array(3 * nodes.length);
+
+  const canvas = container.appendChild(Object.assign(document.createElement("canvas"), { width, height }));
+  const context = canvas.getContext("2d");
+  let mouse = null;
+  canvas.onpointermove = (event) => (mouse = [event.offsetX, event.offsetY]);
+
+  const simulation = forceSimulation(nodes)
+    .force("x", forceX(width / 2).strength(0.03)).force("y", forceY(height / 2).strength(0.08))
+    .force("collide", forceCollide((node) => node.r + 2)).alphaDecay(0.01)
+    .on("tick", () => {
+      nodes.forEach(({ x, y, r }, id) => xyr.set([x, y, r], 3 * id));
+      diagram.updateMany(ids, xyr);
+      draw();
+    });
+
+  function draw() {
+    context.clearRect(0, 0, width, height);
+    context.strokeStyle = "#bbb";
+    context.beginPath();
+    const { sites } = diagram.edges();
+    for (let k = 0; k < sites.length; k += 2) {
+      const [a, b] = [nodes[sites[k]], nodes[sites[k + 1]]];
+      if (Math.hypot(a.x - b.x, a.y - b.y) - a.r - b.r > close) continue;
+      context.moveTo(a.x, a.y);
+      context.lineTo(b.x, b.y);
+    }
+    context.stroke();
+    const nearest = mouse ? diagram.find(...mouse) : -1;
+    const around = new Set(nearest < 0 ? [] : diagram.neighbors(nearest));
+    nodes.forEach(({ x, y, r }, id) => {
+      context.fillStyle = id === nearest ? "#e15759" : around.has(id) ? "#f28e2b" : "#4e79a7";
+      context.beginPath();
+      context.arc(x, y, r, 0, 2 * Math.PI);
+      context.fill();
+    });
+  }
+  return { diagram, nodes, simulation };
+}
