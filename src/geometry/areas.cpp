@@ -1,0 +1,106 @@
+#include "geometry/areas.h"
+
+#include <algorithm>
+
+#include "geometry/border.h"
+#include "geometry/clip.h"
+#include "geometry/measures.h"
+
+namespace apollonius {
+
+namespace {
+
+/// A border contact of some cell, to be sorted by cell.
+struct SiteContact {
+  SiteId site;
+  BorderContact contact;
+};
+
+class AreaSum {
+ public:
+  AreaSum(const DiagramCore& core, const Window& window, std::vector<double>& areas)
+      : core_(core), window_(window), areas_(areas) {
+    areas_.assign(core.ids().slots(), 0);
+    lost_.assign(areas_.size(), 0);
+  }
+
+  void run() {
+    const DelaunayGraph& base = core_.base();
+    const Graph& graph = base.graph();
+    ClippedEdge clipped;
+    for (std::size_t k = 0; k < 3 * graph.faceSlots(); ++k) {
+      const HalfedgeId h{static_cast<std::uint32_t>(k)};
+      if (!graph.isLive(faceOf(h)) || graph.origin(h) == kInfinity || graph.target(h) == kInfinity) continue;
+      if (!startsAtPole(base, h) || !isInPlane(base, h)) continue;
+      clipEdge(base, h, window_, clipped);
+      const SiteId left = DiagramCore::siteOf(graph.origin(h)), right = DiagramCore::siteOf(graph.target(h));
+      for (int piece = 0; piece < clipped.count; ++piece) addPiece(clipped.pieces[static_cast<std::size_t>(piece)], left, right);
+    }
+    if (contacts_.empty()) {
+      // No edge meets the border: one cell has the whole window.
+      if (core_.visibleCount() > 0) areas_[ownerOfMiddle(core_, window_)] = window_.width() * window_.height();
+      return;
+    }
+    addBorders();
+    for (std::size_t id = 0; id < areas_.size(); ++id) areas_[id] = std::max(0.0, areas_[id] + lost_[id]);
+  }
+
+ private:
+  void addPiece(const ClippedPiece& piece, SiteId left, SiteId right) {
+    const Conic& curve = piece.curve;
+    const double beyond = areaBeyondChord(curve);
+    addChord(left, curve.p0, curve.p2, beyond);
+    addChord(right, curve.p2, curve.p0, -beyond);
+    if (piece.fromSide != kNoSide) addContact(left, right, piece.fromSide, curve.p0, false);
+    if (piece.toSide != kNoSide) addContact(left, right, piece.toSide, curve.p2, true);
+  }
+
+  void addContact(SiteId left, SiteId right, int side, Point point, bool leaves) {
+    const double place = window_.placeOf(side, point);
+    contacts_.push_back({left, {place, point, 0, leaves}});
+    contacts_.push_back({right, {place, point, 0, !leaves}});
+  }
+
+  /// The triangle of a chord and the cell's origin: its centre, or the point of the window nearest to it.
+  void addChord(SiteId id, Point from, Point to, double beyond) {
+    const Site& site = core_.site(id);
+    const Point origin = window_.nearestTo({site.x, site.y});
+    const double term = cross(from - origin, to - origin) / 2 + beyond;
+    const double sum = areas_[id] + term;  // Neumaier's summation
+    lost_[id] += absolute(areas_[id]) >= absolute(term) ? (areas_[id] - sum) + term : (term - sum) + areas_[id];
+    areas_[id] = sum;
+  }
+
+  void addBorders() {
+    std::stable_sort(contacts_.begin(), contacts_.end(), [](const SiteContact& a, const SiteContact& b) { return a.site < b.site; });
+    std::vector<BorderContact> own;
+    std::vector<BorderArc> arcs;
+    for (std::size_t begin = 0; begin < contacts_.size();) {
+      const SiteId id = contacts_[begin].site;
+      own.clear();
+      for (; begin < contacts_.size() && contacts_[begin].site == id; ++begin) own.push_back(contacts_[begin].contact);
+      matchBorder(core_, id, window_, own, arcs);
+      for (const BorderArc& arc : arcs) {
+        Point at = own[arc.from].point;
+        for (int k = 0; k < arc.cornerCount; ++k) {
+          const Point corner = window_.corner((arc.firstCorner + k) % 4);
+          addChord(id, at, corner, 0);
+          at = corner;
+        }
+        addChord(id, at, own[arc.to].point, 0);
+      }
+    }
+  }
+
+  const DiagramCore& core_;
+  Window window_;
+  std::vector<double>& areas_;
+  std::vector<double> lost_;
+  std::vector<SiteContact> contacts_;
+};
+
+}  // namespace
+
+void cellAreas(const DiagramCore& core, const Window& window, std::vector<double>& areas) { AreaSum(core, window, areas).run(); }
+
+}  // namespace apollonius

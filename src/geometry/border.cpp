@@ -1,0 +1,87 @@
+#include "geometry/border.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace apollonius {
+
+namespace {
+
+/// Places from a reference on: 0 to 4.
+double after(double place, double reference) {
+  const double d = place - reference;
+  return d >= 0 ? d : d + 4;
+}
+
+/// Disorder of two sorted lists that should alternate, one[0] first: the sum of what they overlap.
+double disorder(const std::vector<double>& one, const std::vector<double>& two) {
+  double sum = 0;
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    sum += std::max(0.0, one[k] - two[k]);
+    if (k + 1 < one.size()) sum += std::max(0.0, two[k] - one[k + 1]);
+  }
+  return sum;
+}
+
+/// Coordinates whose magnitude is below the documented range, which means nothing but rounding, become 0.
+double inRange(double x) { return absolute(x) < 1e-100 ? 0 : x; }
+
+SiteId nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x), inRange(p.y)); }
+
+/// Two ways of matching whose disorders differ by less than this, in sides, are taken for equally good. Rounding moves a crossing
+/// that is not tangent by far less, and a tangent one by its root, 2^-26 at most.
+constexpr double kNoDifference = powerOfTwo(-24);
+
+}  // namespace
+
+SiteId ownerOfMiddle(const DiagramCore& core, const Window& window) { return nearest(core, window.center()); }
+
+void matchBorder(const DiagramCore& core, SiteId site, const Window& window, std::vector<BorderContact>& contacts,
+                 std::vector<BorderArc>& arcs) {
+  arcs.clear();
+  if (contacts.empty()) return;
+  std::sort(contacts.begin(), contacts.end(), [](const BorderContact& a, const BorderContact& b) {
+    return a.place != b.place ? a.place < b.place : a.piece < b.piece;
+  });
+  // The reference is the middle of the largest gap.
+  double reference = 0, gap = -1;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const double next = k + 1 < contacts.size() ? contacts[k + 1].place : contacts[0].place + 4;
+    if (next - contacts[k].place > gap) {
+      gap = next - contacts[k].place;
+      reference = contacts[k].place + gap / 2;
+    }
+  }
+  if (reference >= 4) reference -= 4;
+  std::rotate(contacts.begin(), std::find_if(contacts.begin(), contacts.end(), [&](const BorderContact& c) { return c.place > reference; }),
+              contacts.end());
+
+  std::vector<std::uint32_t> leaves, enters;
+  std::vector<double> leavePlaces, enterPlaces;
+  for (std::uint32_t k = 0; k < contacts.size(); ++k) {
+    const bool isLeave = contacts[k].leaves;
+    (isLeave ? leaves : enters).push_back(k);
+    (isLeave ? leavePlaces : enterPlaces).push_back(after(contacts[k].place, reference));
+  }
+  const std::size_t count = std::min(leaves.size(), enters.size());  // they are equally many
+  const double outside = disorder(leavePlaces, enterPlaces), inside = disorder(enterPlaces, leavePlaces);
+  const bool holdsReference =
+      absolute(outside - inside) > kNoDifference ? inside < outside : nearest(core, window.at(reference)) == site;
+
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool isWrapped = holdsReference && k + 1 == count;
+    const std::size_t m = holdsReference ? (k + 1) % count : k;
+    BorderArc arc{leaves[k], enters[m]};
+    const double from = leavePlaces[k], to = enterPlaces[m] + (isWrapped ? 4 : 0);
+    for (int step = 0; step < 8; ++step) {  // corners once around from the reference, and once more
+      const int first = static_cast<int>(reference) + 1;
+      const double at = first - reference + step;
+      if (at <= from || at >= to) continue;
+      if (arc.cornerCount++ == 0) arc.firstCorner = (first + step) % 4;
+    }
+    arc.cornerCount = std::min(arc.cornerCount, 4);
+    arcs.push_back(arc);
+  }
+}
+
+}  // namespace apollonius

@@ -1,0 +1,108 @@
+#include "geometry/clip.h"
+
+#include <limits>
+
+namespace apollonius {
+
+namespace {
+
+struct Crossing {
+  double e;
+  int side;
+  int step;  // +1: the edge goes beyond the side's line, -1: it comes back
+};
+
+/// The crossings of an edge with the lines of the four sides, in order; and of how many lines its start is beyond.
+class Crossings {
+ public:
+  Crossings(const Edge& edge, const Window& window) {
+    for (int side = 0; side < 4; ++side) {
+      const LineForm form(edge.bisector, Window::normal(side), window.offset(side));
+      const auto isBeyond = [&](const EdgeEnd& end, double e) {
+        return end.isFinite ? window.isBeyond(side, end.point) : form.signAtInfinity(e > 1) >= 0;
+      };
+      const bool from = isBeyond(edge.from, edge.e0), to = isBeyond(edge.to, edge.e1);
+      beyondAtStart_ += from;
+      double extremum = 0;
+      if (from != to) {
+        if (to) {
+          add({form.rise(edge.e0, edge.e1), side, 1});
+        } else {
+          add({form.fall(edge.e0, edge.e1), side, -1});
+        }
+      } else if (form.hasExcursion(from ? 1 : -1, edge.e0, edge.e1, extremum)) {
+        if (from) {
+          add({form.fall(edge.e0, extremum), side, -1});
+          add({form.rise(extremum, edge.e1), side, 1});
+        } else {
+          add({form.rise(edge.e0, extremum), side, 1});
+          add({form.fall(extremum, edge.e1), side, -1});
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] int beyondAtStart() const { return beyondAtStart_; }
+  [[nodiscard]] const Crossing* begin() const { return crossings_.data(); }
+  [[nodiscard]] const Crossing* end() const { return crossings_.data() + count_; }
+
+ private:
+  /// Keeps them sorted; of equal ones the earlier added stays first, so that a line's own two do not change places.
+  void add(Crossing c) {
+    std::size_t k = count_++;
+    for (; k > 0 && crossings_[k - 1].e > c.e; --k) crossings_[k] = crossings_[k - 1];
+    crossings_[k] = c;
+  }
+
+  std::array<Crossing, 8> crossings_{};
+  std::size_t count_ = 0;
+  int beyondAtStart_ = 0;
+};
+
+/// A place on an edge: parameter, point, and the side it is on.
+struct Mark {
+  double e;
+  Point point;
+  signed char side;
+};
+
+bool isUsable(Point p) { return absolute(p.x) <= std::numeric_limits<double>::max() && absolute(p.y) <= std::numeric_limits<double>::max(); }
+
+ClippedPiece pieceBetween(const Bisector& bisector, const Mark& from, const Mark& to) {
+  ClippedPiece piece{Conic::segment(from.point, to.point), from.side, to.side};
+  if (bisector.isLine() || !(to.e > from.e)) return piece;
+  const Conic curve = bisector.piece(from.e, to.e, from.point, to.point);
+  if (isUsable(curve.p1) && curve.w >= 1) piece.curve = curve;
+  return piece;
+}
+
+}  // namespace
+
+void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, ClippedEdge& clipped) {
+  clipped.count = 0;
+  const Edge edge(graph, h);
+  const Mark start{edge.e0, edge.from.point, kNoSide}, end{edge.e1, edge.to.point, kNoSide};
+  if (edge.from.isFinite && edge.to.isFinite && window.holds(start.point) && window.holds(end.point)) {
+    // The usual case: the whole curve is within the triangle of its ends and p1.
+    clipped.pieces[0] = pieceBetween(edge.bisector, start, end);
+    if (window.holds(clipped.pieces[0].curve.p1)) {
+      clipped.count = 1;
+      return;
+    }
+  }
+  const Crossings crossings(edge, window);
+  int beyond = crossings.beyondAtStart();
+  Mark from = start;
+  for (const Crossing& crossing : crossings) {
+    const bool wasInside = beyond == 0;
+    beyond += crossing.step;
+    if (!wasInside && beyond != 0) continue;
+    const Point point = window.onSide(crossing.side, edge.bisector.at(crossing.e));
+    const Mark mark{crossing.e, point, static_cast<signed char>(crossing.side)};
+    if (wasInside) clipped.pieces[static_cast<std::size_t>(clipped.count++)] = pieceBetween(edge.bisector, from, mark);
+    from = mark;
+  }
+  if (beyond == 0 && edge.to.isFinite) clipped.pieces[static_cast<std::size_t>(clipped.count++)] = pieceBetween(edge.bisector, from, end);
+}
+
+}  // namespace apollonius

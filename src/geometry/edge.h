@@ -1,0 +1,40 @@
+// A Voronoi edge as a curve: what it is a piece of, and where it ends. Taken from the Delaunay graph and the circles of its faces.
+#pragma once
+
+#include "diagram/delaunay_graph.h"
+#include "geometry/bisector.h"
+
+namespace apollonius {
+
+/// An end of an edge: a Voronoi vertex, or at infinity (also if it is further away than doubles reach).
+struct EdgeEnd {
+  Point point;
+  bool isFinite = false;
+};
+
+/// The Voronoi vertex of a face. Where the cached circle's error bound is above 2^-40 of its coordinates, long numbers are taken
+/// (preciseVoronoiCircle).
+[[nodiscard]] EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f);
+
+/// The same with the clearance. REQUIRES: a face whose vertex is in the plane.
+[[nodiscard]] VoronoiCircle preciseCircleOf(const DelaunayGraph& graph, FaceId f);
+
+/// The half-edge of an edge whose origin is the pole of its bisector: the larger one in the order of precedes().
+[[nodiscard]] bool startsAtPole(const DelaunayGraph& graph, HalfedgeId h);
+
+/// Does the edge run through the plane? Not if one of its sites is infinity, nor if it is at infinity altogether: three sites in line
+/// on the hull make, canonically, a face whose vertex is at infinity, and an edge behind it.
+[[nodiscard]] bool isInPlane(const DelaunayGraph& graph, HalfedgeId h);
+
+/// The edge dual to h, from E = e0 (the vertex of the face to the right of h) to e1 >= e0. Its ends are taken as they are, whatever
+/// their rounding: the edges that meet in a vertex have exactly that point in common.
+struct Edge {
+  Bisector bisector;
+  EdgeEnd from, to;
+  double e0, e1;
+
+  /// REQUIRES: startsAtPole, isInPlane.
+  Edge(const DelaunayGraph& graph, HalfedgeId h);
+};
+
+}  // namespace apollonius
