@@ -30,7 +30,7 @@ double squaredTangent(const Site& a, const Site& b) {
 }
 
 /// Parameters beyond these are as good as infinite: B e^t would leave the doubles.
-constexpr double kLargestParameter = powerOfTwo(500);
+constexpr double kLargestParameter = powerOfTwo(1000);
 
 }  // namespace
 
@@ -64,7 +64,7 @@ double Bisector::parameterOf(Point p) const {
   const Point way = p - pole_;
   const double y = cross(axis_, way);
   double sinh = y / b_;
-  double cosh = std::sqrt(1 + sinh * sinh);
+  double cosh = absolute(sinh) < powerOfTwo(30) ? std::sqrt(1 + sinh * sinh) : absolute(sinh);
   // An error of y moves the place by A/B times as much along the axis where |sinh| is large. Where that is worse, the distance
   // from the pole tells the place, whose error is at most that of the point times 2A/D <= 1.
   if (a_ * absolute(sinh) > b_ * cosh) {
@@ -81,7 +81,7 @@ Conic Bisector::piece(double e0, double e1, Point from, Point to) const {
   if (isLine()) return Conic::segment(from, to);
   // The tangents at t0 and t1 meet at (D/2 + A cosh m / cosh u, B sinh m / cosh u) with the middle m and half the difference u; the
   // weight is cosh u, and cosh m / cosh u = (cosh t0 + cosh t1) / (2 cosh² u).
-  const double h = std::sqrt(e1 / e0);
+  const double h = std::sqrt(e1) / std::sqrt(e0);
   const double w = (h + 1 / h) / 2;
   const Place first(e0), second(e1);
   const double scale = 1 / (2 * w * w);

@@ -29,11 +29,7 @@ Point clippedToDoubles(Point p) {
 
 VoronoiCircle preciseCircleOf(const DelaunayGraph& graph, FaceId f) {
   const VoronoiCircle& cached = graph.circle(f);
-  // The test of preciseVoronoiCircle, without computing the circle again.
-  if (cached.isHalfPlane() ||
-      cached.error <= powerOfTwo(-40) * (absolute(cached.x) + absolute(cached.y) + absolute(cached.s))) {
-    return cached;
-  }
+  if (isPrecise(cached)) return cached;
   const EdgeCorners corners = graph.edge(halfedgeOf(f, 0));
   return preciseVoronoiCircle(corners.i, corners.j, corners.k);
 }

@@ -1,8 +1,11 @@
 // A Voronoi edge as a curve: what it is a piece of, and where it ends. Taken from the Delaunay graph and the circles of its faces.
 #pragma once
 
+#include <limits>
+
 #include "diagram/delaunay_graph.h"
 #include "geometry/bisector.h"
+#include "number/fp.h"
 
 namespace apollonius {
 
@@ -12,8 +15,15 @@ struct EdgeEnd {
   bool isFinite = false;
 };
 
-/// The Voronoi vertex of a face. Where the cached circle's error bound is above 2^-40 of its coordinates, long numbers are taken
-/// (preciseVoronoiCircle).
+/// Is a face's cached circle good enough to be handed out: a half-plane, or with an error bound of at most 2^-40 of its numbers? It is
+/// the question of preciseVoronoiCircle.
+[[nodiscard]] inline bool isPrecise(const VoronoiCircle& circle) {
+  return circle.isHalfPlane() ||
+         (circle.error < std::numeric_limits<float>::infinity() &&
+          circle.error <= powerOfTwo(-40) * (absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
+}
+
+/// The Voronoi vertex of a face, from the cached circle or, if that is not precise, from long numbers.
 [[nodiscard]] EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f);
 
 /// The same with the clearance. REQUIRES: a face whose vertex is in the plane.

@@ -120,15 +120,24 @@ double adaptiveLength(const Conic& conic, double whole, double tolerance, int de
   return adaptiveLength(first, a, tolerance, depth - 1) + adaptiveLength(second, b, tolerance, depth - 1);
 }
 
+/// Weights above 2 speed up towards the ends so much that the quadrature would not see it. A halving takes about the root of the weight,
+/// so even 2^1000 is below 2 after eleven.
+double halvedLength(const Conic& conic, double tolerance) {
+  if (!(conic.w > 2)) return adaptiveLength(conic, gaussLength(conic), tolerance, 40);
+  Conic first, second;
+  conic.halve(first, second);
+  return halvedLength(first, tolerance) + halvedLength(second, tolerance);
+}
+
 }  // namespace
 
 double lengthOf(const Conic& conic) {
   const Point p2 = conic.p2 - conic.p0;
   if (conic.isStraight()) return length(p2);
   const Conic shifted{{0, 0}, conic.p1 - conic.p0, conic.w, p2};  // so that halving rounds relative to the piece's own size
-  const double whole = gaussLength(shifted);
-  // The sharpest bend halves away: a piece that is nearly folded (w = 2^k) takes about 2k halvings along one path.
-  return adaptiveLength(shifted, whole, powerOfTwo(-46) * whole, 100);
+  Conic first, second;
+  shifted.halve(first, second);
+  return halvedLength(shifted, powerOfTwo(-46) * (length(first.p2) + length(p2 - first.p2)));
 }
 
 }  // namespace apollonius

@@ -35,10 +35,6 @@ bool isPlain(const Site& i, const Site& j, const VoronoiCircle& from, const Voro
   return 2 * r * l2 <= 7 * p * tolerance && 4 * r * r * l2 <= p * p;
 }
 
-bool isExact(const VoronoiCircle& circle) {  // enough for a vertex, see preciseCircleOf
-  return circle.error <= powerOfTwo(-40) * (absolute(circle.x) + absolute(circle.y) + absolute(circle.s));
-}
-
 }  // namespace
 
 bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion, Path& path) {
@@ -50,7 +46,7 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
     const VertexId i = graph.origin(h), j = graph.target(h);
     if (i == kInfinity || j == kInfinity || !startsAtPole(base, h)) return;
     const VoronoiCircle &from = base.circle(faceOf(twin)), &to = base.circle(faceOf(h));
-    if (isPlain(base.site(i), base.site(j), from, to, window, tolerance) && isExact(from) && isExact(to)) {
+    if (isPlain(base.site(i), base.site(j), from, to, window, tolerance) && isPrecise(from) && isPrecise(to)) {
       path.move(from.x, from.y);
       path.line(to.x, to.y);
       return;
