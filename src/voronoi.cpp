@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <stdexcept>
 
@@ -52,7 +53,35 @@ void finish(const Moments& moments, Point origin, CellMeasures& measures) {
 
 }  // namespace
 
-double Voronoi::defaultTolerance() const { return kDefaultShare * windowOf(bounds_).diagonal(); }
+Bounds Voronoi::extentOf(const Diagram& diagram) {
+  const DiagramCore& core = diagram.core();
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  Bounds box{kNone, kNone, -kNone, -kNone};
+  for (SiteId id = 0; id < core.ids().slots(); ++id) {
+    if (core.ids().state(id) == SiteState::kFree) continue;
+    const Site& site = core.site(id);
+    const double r = std::max(site.r, 0.0);
+    box = {std::min(box.xmin, site.x - r), std::min(box.ymin, site.y - r), std::max(box.xmax, site.x + r), std::max(box.ymax, site.y + r)};
+  }
+  if (!(box.xmin <= box.xmax)) return {};
+  const auto widen = [](double& low, double& high) {
+    if (!(low < high)) {
+      const double pad = low == 0 ? 1 : absolute(low) / 2;
+      low -= pad;
+      high += pad;
+    }
+    const auto inRange = [](double x) {
+      return absolute(x) < kSmallestMagnitude ? 0.0 : std::clamp(x, -kLargestMagnitude, kLargestMagnitude);
+    };
+    low = inRange(low);
+    high = inRange(high);
+  };
+  widen(box.xmin, box.xmax);
+  widen(box.ymin, box.ymax);
+  return areGood(box) ? box : Bounds{};
+}
+
+double defaultTolerance(const Bounds& bounds) { return kDefaultShare * windowOf(bounds).diagonal(); }
 
 template <class Operation>
 Error Voronoi::guarded(double tolerance, Operation&& operation) const {

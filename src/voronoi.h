@@ -55,17 +55,17 @@ struct CellMeasures {
   bool isEmpty = true;    ///< no part of it is in the window, or the site is hidden
 };
 
+/// A tolerance for drawings in a window: 2^-14 of its diagonal.
+[[nodiscard]] double defaultTolerance(const Bounds& bounds);
+
 class Voronoi {
  public:
   explicit Voronoi(const Diagram& diagram, const Bounds& bounds = {}) : diagram_(diagram), bounds_(bounds) {}
 
   // Every call below can return kBadBounds (unless xmin < xmax, ymin < ymax, all within the range of coordinates) and kOutOfMemory, and
   // replaces the contents of its last argument. Those with a site: kUnknownSite; a hidden one has an empty cell. Those with a tolerance
-  // (largest distance of a drawn line from the true one; defaultTolerance() is too small to be seen): kNotFinite, kOutOfRange unless it
+  // (largest distance of a drawn line from the true one; defaultTolerance is too small to be seen): kNotFinite, kOutOfRange unless it
   // is > 0. Below 2^-36 of the window's diagonal it has no further effect.
-
-  /// 2^-14 of the window's diagonal.
-  [[nodiscard]] double defaultTolerance() const;
 
   /// Each Voronoi edge inside the window, its pieces one by one.
   [[nodiscard]] Error edges(CurveArrays& edges) const;
@@ -78,6 +78,9 @@ class Voronoi {
   [[nodiscard]] Error measuresWithin(SiteId id, double radius, CellMeasures& measures) const;
   /// The area of every cell, by id; 0 for ids without one. They add up to the window's. Cost: O(h)
   [[nodiscard]] Error areas(std::vector<double>& areas) const;
+
+  /// The box of all circles (of centres, where radii are below 0), a little larger if it would be empty: for drawings without a window.
+  [[nodiscard]] static Bounds extentOf(const Diagram& diagram);
 
   /// Sites met by the convex hull of the circles, counter-clockwise; one can occur more than once.
   [[nodiscard]] Error hull(std::vector<SiteId>& sites) const;
