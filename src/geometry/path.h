@@ -2,6 +2,7 @@
 // it into any of those. Standard types only: users get it with voronoi.h.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,18 +23,35 @@ struct Path {
     commands.clear();
     coordinates.clear();
   }
-  void move(double x, double y) { add(Command::kMove, x, y); }
-  void line(double x, double y) { add(Command::kLine, x, y); }
-  void curve(double x1, double y1, double x2, double y2, double x, double y) {
-    commands.push_back(static_cast<std::uint8_t>(Command::kCurve));
-    coordinates.insert(coordinates.end(), {x1, y1, x2, y2, x, y});
+  /// Segments of their own, x0, y0, x1, y1 each.
+  void segments(const double* ends, std::size_t count) {
+    coordinates.insert(coordinates.end(), ends, ends + 4 * count);
+    for (std::size_t k = 0; k < count; ++k) {
+      add(Command::kMove);
+      add(Command::kLine);
+    }
   }
-  void close() { commands.push_back(static_cast<std::uint8_t>(Command::kClose)); }
+  void move(double x, double y) {
+    add(Command::kMove);
+    addPoint(x, y);
+  }
+  void line(double x, double y) {
+    add(Command::kLine);
+    addPoint(x, y);
+  }
+  void curve(double x1, double y1, double x2, double y2, double x, double y) {
+    add(Command::kCurve);
+    addPoint(x1, y1);
+    addPoint(x2, y2);
+    addPoint(x, y);
+  }
+  void close() { add(Command::kClose); }
 
  private:
-  void add(Command command, double x, double y) {
-    commands.push_back(static_cast<std::uint8_t>(command));
-    coordinates.insert(coordinates.end(), {x, y});
+  void add(Command command) { commands.push_back(static_cast<std::uint8_t>(command)); }
+  void addPoint(double x, double y) {
+    coordinates.push_back(x);
+    coordinates.push_back(y);
   }
 };
 
