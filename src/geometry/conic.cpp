@@ -1,7 +1,5 @@
 #include "geometry/conic.h"
 
-#include <algorithm>
-
 #include "number/fp.h"
 
 namespace apollonius {
@@ -44,12 +42,12 @@ void Conic::halve(Conic& first, Conic& second) const {
 
 double Conic::sagitta() const {
   if (isStraight()) return 0;
-  // The tangent at the middle of the arc is parallel to the chord, so that is where the distance is largest.
-  const Point chord = p2 - p0;
-  const double share = w / (1 + w), size = length(chord);
-  const double height = length(p1 - middle(p0, p2));
-  if (!(size > 0)) return share * height;
-  return share * std::min(absolute(cross(chord, p1 - p0)) / size, height);
+  const Point chord = p2 - p0, way = p1 - p0;
+  const double share = w / (1 + w), square = dot(chord, chord), along = dot(way, chord);
+  // The tangent at the middle of the arc is parallel to the chord, so that is where the distance from its line is largest. Where p1 is
+  // beyond an end of the chord, the curve can be, too.
+  if (along >= 0 && along <= square && square > 0) return share * absolute(cross(chord, way)) / std::sqrt(square);
+  return share * length(p1 - middle(p0, p2));
 }
 
 }  // namespace apollonius
