@@ -30,7 +30,6 @@ bool areGood(const Bounds& b) {
 }
 
 constexpr double kDefaultShare = powerOfTwo(-14);
-constexpr double kSmallestShare = powerOfTwo(-36);
 
 void append(const Conic& c, std::vector<double>& curves) {
   curves.insert(curves.end(), {c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.w, c.p2.x, c.p2.y});
@@ -89,8 +88,7 @@ Error Voronoi::guarded(double tolerance, Operation&& operation) const {
   if (!std::isfinite(tolerance)) return Error::kNotFinite;
   if (!(tolerance > 0)) return Error::kOutOfRange;
   try {
-    const Window window = windowOf(bounds_);
-    operation(window, std::max(tolerance, kSmallestShare * window.diagonal()));
+    operation(windowOf(bounds_), tolerance);
     return Error::kNone;
   } catch (const std::bad_alloc&) {
     return Error::kOutOfMemory;

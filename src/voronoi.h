@@ -65,7 +65,7 @@ class Voronoi {
   // Every call below can return kBadBounds (unless xmin < xmax, ymin < ymax, all within the range of coordinates) and kOutOfMemory, and
   // replaces the contents of its last argument. Those with a site: kUnknownSite; a hidden one has an empty cell. Those with a tolerance
   // (largest distance of a drawn line from the true one; defaultTolerance is too small to be seen): kNotFinite, kOutOfRange unless it
-  // is > 0. Below 2^-36 of the window's diagonal it has no further effect.
+  // is > 0. Below 2^-36 of a curve's size it has no further effect.
 
   /// Each Voronoi edge inside the window, its pieces one by one.
   [[nodiscard]] Error edges(CurveArrays& edges) const;
@@ -100,7 +100,7 @@ class Voronoi {
   [[nodiscard]] Error drawHull(double tolerance, Path& path) const;
 
  private:
-  /// Checks bounds and tolerance, which becomes the one to use, then runs and turns lack of memory into an error.
+  /// Checks bounds and tolerance, then runs and turns lack of memory into an error.
   template <class Operation>
   Error guarded(double tolerance, Operation&& operation) const;
   template <class Operation>

@@ -1,5 +1,7 @@
 #include "geometry/approximate.h"
 
+#include <algorithm>
+
 #include "number/fp.h"
 
 namespace apollonius {
@@ -21,20 +23,22 @@ double cubicError(double w) {
   return z * z * (0.02 + (z > 0 ? 0.054 * z : 0));
 }
 
+/// The cubic with the same ends and end tangents whose middle is the conic's.
+void drawCubic(const Conic& conic, Path& path) {
+  const double share = 4 * conic.w / (3 * (1 + conic.w));
+  const Point a = conic.p0 + share * (conic.p1 - conic.p0), b = conic.p2 + share * (conic.p1 - conic.p2);
+  path.curve(a.x, a.y, b.x, b.y, conic.p2.x, conic.p2.y);
+}
+
 void draw(const Conic& conic, double tolerance, Path& path, int depth) {
-  if (conic.isStraight() || conic.sagitta() <= tolerance) {
+  if (conic.sagitta() <= tolerance) {
     path.line(conic.p2.x, conic.p2.y);
     return;
   }
-  const Point p0 = conic.p0, p1 = conic.p1, p2 = conic.p2;
+  if (depth == 0 || cubicError(conic.w) * length(conic.p1 - middle(conic.p0, conic.p2)) <= tolerance) return drawCubic(conic, path);
   Conic first, second;
   conic.halve(first, second);
-  if (cubicError(conic.w) * length(p1 - middle(p0, p2)) <= tolerance || depth == 0 || !isSplittable(conic, first.p2)) {
-    const double share = 4 * conic.w / (3 * (1 + conic.w));  // puts the cubic's middle where the conic's is
-    const Point a = p0 + share * (p1 - p0), b = p2 + share * (p1 - p2);
-    path.curve(a.x, a.y, b.x, b.y, p2.x, p2.y);
-    return;
-  }
+  if (!isSplittable(conic, first.p2)) return drawCubic(conic, path);
   draw(first, tolerance, path, depth - 1);
   draw(second, tolerance, path, depth - 1);
 }
@@ -53,12 +57,19 @@ void flatten(const Conic& conic, double tolerance, std::vector<double>& points, 
   points.push_back(conic.p2.y);
 }
 
+/// No finer than this share of the curve's size: 2^18 points or about 64 cubic curves at worst.
+double finestFor(const Conic& conic) {
+  return powerOfTwo(-36) * (length(conic.p1 - conic.p0) + length(conic.p2 - conic.p1));
+}
+
 }  // namespace
 
-void drawConic(const Conic& conic, double tolerance, Path& path) { draw(conic, tolerance, path, kMostHalvings); }
+void drawConic(const Conic& conic, double tolerance, Path& path) {
+  draw(conic, std::max(tolerance, finestFor(conic)), path, kMostHalvings);
+}
 
 void flattenConic(const Conic& conic, double tolerance, std::vector<double>& points) {
-  flatten(conic, tolerance, points, kMostHalvings);
+  flatten(conic, std::max(tolerance, finestFor(conic)), points, kMostHalvings);
 }
 
 }  // namespace apollonius

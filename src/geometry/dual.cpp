@@ -1,5 +1,6 @@
 #include "geometry/dual.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "geometry/bisector.h"
@@ -55,6 +56,13 @@ Conic parabola(const VoronoiCircle& circle, Point n, const Site& a, const Site& 
   return {pa, c + x * along + y * n, 1, pb};
 }
 
+/// A bound on the error of a circle from preciseCircleOf that touches the site. Its own is a float, and no smaller than 2^-126.
+double errorOf(const VoronoiCircle& circle, const Site& site) {
+  const double numbers = absolute(circle.x) + absolute(circle.y) + absolute(circle.s);
+  const double inputs = absolute(site.x) + absolute(site.y) + absolute(site.r);
+  return std::min(static_cast<double>(circle.error), powerOfTwo(-39) * numbers + powerOfTwo(-48) * inputs);
+}
+
 }  // namespace
 
 DualEdge dualEdge(const DelaunayGraph& graph, HalfedgeId h) {
@@ -70,7 +78,7 @@ DualEdge dualEdge(const DelaunayGraph& graph, HalfedgeId h) {
   if (first.s < second.s) std::swap(first, second);
   const Point c1{first.x, first.y}, c2{second.x, second.y};
   const double distance = length(c2 - c1);
-  const bool areFar = distance > 4 * (static_cast<double>(first.error) + static_cast<double>(second.error));
+  const bool areFar = distance > 4 * (errorOf(first, i) + errorOf(second, i));
   if (areFar) {
     const Bisector bisector({first.x, first.y, first.s}, {second.x, second.y, second.s});
     if (bisector.isKnown()) {

@@ -29,9 +29,7 @@ bool visitEdges(const DelaunayGraph& base, Portion& portion, const Path& path, D
 /// The curvature of the bisector is at most A/B² = 2|r|/p =: c. With a chord of length l and c l <= 1, the arc turns by less than half a
 /// turn and is at most l² c / 7 away from its chord (a circle's: l² c / 8 (1 + …), at c l = 1 a 7.46th). No branches: which edges pass
 /// cannot be predicted.
-bool isPlain(const Site& i, const Site& j, const VoronoiCircle& from, const VoronoiCircle& to, const Window& window, double tolerance) {
-  const double dx = j.x - i.x, dy = j.y - i.y, r = absolute(j.r - i.r);
-  const double p = dx * dx + dy * dy - r * r;
+bool isPlain(double p, double r, const VoronoiCircle& from, const VoronoiCircle& to, const Window& window, double tolerance) {
   const double lx = to.x - from.x, ly = to.y - from.y, l2 = lx * lx + ly * ly;
   const auto isUsable = [&](const VoronoiCircle& c) {
     const double size = absolute(c.x) + absolute(c.y) + absolute(c.s);
@@ -45,13 +43,15 @@ bool isPlain(const Site& i, const Site& j, const VoronoiCircle& from, const Voro
 }  // namespace
 
 bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion, Path& path) {
-  // In blocks and without branches where possible: the time is that of fetching sites and circles from memory, and several fetches
-  // overlap only if the processor need not guess.
+  // In blocks, each in several short loops without branches: the time is that of fetching sites and circles from memory, and many fetches
+  // overlap if there is little to do and nothing to guess between them. (Half as long as one loop.)
   constexpr std::size_t kBlock = 256;
   const DelaunayGraph& base = core.base();
   const Graph& graph = base.graph();
   const std::size_t count = 3 * graph.faceSlots();
   std::array<HalfedgeId, kBlock> edges, others;
+  std::array<VoronoiCircle, kBlock> starts;
+  std::array<double, kBlock> squares, differences;  // p and |r| of the two sites
   std::array<double, 4 * kBlock> ends;
   ClippedEdge clipped;
   while (portion.cursor < count) {
@@ -65,11 +65,18 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
       edgeCount += static_cast<std::size_t>(graph.isLive(faceOf(h))) & static_cast<std::size_t>(graph.twin(h) > h) &
                    static_cast<std::size_t>(graph.origin(h) != kInfinity) & static_cast<std::size_t>(graph.target(h) != kInfinity);
     }
+    for (std::size_t k = 0; k < edgeCount; ++k) starts[k] = base.circle(faceOf(graph.twin(edges[k])));
+    for (std::size_t k = 0; k < edgeCount; ++k) {
+      const Site &i = base.site(graph.origin(edges[k])), &j = base.site(graph.target(edges[k]));
+      const double dx = j.x - i.x, dy = j.y - i.y, dr = j.r - i.r;
+      squares[k] = dx * dx + dy * dy - dr * dr;
+      differences[k] = absolute(dr);
+    }
     std::size_t plainCount = 0, otherCount = 0;
     for (std::size_t k = 0; k < edgeCount; ++k) {
       const HalfedgeId h = edges[k];
-      const VoronoiCircle &from = base.circle(faceOf(graph.twin(h))), &to = base.circle(faceOf(h));
-      const bool plain = isPlain(base.site(graph.origin(h)), base.site(graph.target(h)), from, to, window, tolerance);
+      const VoronoiCircle &from = starts[k], &to = base.circle(faceOf(h));
+      const bool plain = isPlain(squares[k], differences[k], from, to, window, tolerance);
       double* const at = &ends[4 * plainCount];
       at[0] = from.x;
       at[1] = from.y;
@@ -81,9 +88,9 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
     }
     path.segments(ends.data(), plainCount);
     for (std::size_t m = 0; m < otherCount; ++m) {
-      const HalfedgeId h = others[m];
+      const HalfedgeId h = startsAtPole(base, others[m]) ? others[m] : graph.twin(others[m]);
       if (!isInPlane(base, h)) continue;
-      clipEdge(base, startsAtPole(base, h) ? h : graph.twin(h), window, clipped);
+      clipEdge(base, h, window, clipped);
       for (int k = 0; k < clipped.count; ++k) {
         const Conic& curve = clipped.pieces[static_cast<std::size_t>(k)].curve;
         path.move(curve.p0.x, curve.p0.y);
