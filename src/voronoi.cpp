@@ -29,7 +29,7 @@ bool areGood(const Bounds& b) {
   return b.xmin < b.xmax && b.ymin < b.ymax;
 }
 
-constexpr double kDefaultShare = powerOfTwo(-14);
+constexpr double kDefaultShare = powerOfTwo(-13);
 
 void append(const Conic& c, std::vector<double>& curves) {
   curves.insert(curves.end(), {c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.w, c.p2.x, c.p2.y});

@@ -55,7 +55,7 @@ struct CellMeasures {
   bool isEmpty = true;    ///< no part of it is in the window, or the site is hidden
 };
 
-/// A tolerance for drawings in a window: 2^-14 of its diagonal.
+/// A tolerance for drawings in a window that is too small to be seen: 2^-13 of its diagonal.
 [[nodiscard]] double defaultTolerance(const Bounds& bounds);
 
 class Voronoi {
@@ -64,7 +64,7 @@ class Voronoi {
 
   // Every call below can return kBadBounds (unless xmin < xmax, ymin < ymax, all within the range of coordinates) and kOutOfMemory, and
   // replaces the contents of its last argument. Those with a site: kUnknownSite; a hidden one has an empty cell. Those with a tolerance
-  // (largest distance of a drawn line from the true one; defaultTolerance is too small to be seen): kNotFinite, kOutOfRange unless it
+  // (largest distance of a drawn line from the true one; see defaultTolerance): kNotFinite, kOutOfRange unless it
   // is > 0. Below 2^-36 of a curve's size it has no further effect.
 
   /// Each Voronoi edge inside the window, its pieces one by one.

@@ -11,8 +11,8 @@ export interface PathContext {
 
 export interface DrawOptions {
   /**
-   * Largest distance between a drawn curve and the true one, in the diagram's unit, > 0. By default 2^-14 of the window's diagonal:
-   * less than a tenth of a pixel in a window of 1000 pixels.
+   * Largest distance between a drawn curve and the true one, in the diagram's unit, > 0. By default 2^-13 of the window's diagonal:
+   * a sixth of a pixel where that is 1300 pixels.
    */
   tolerance?: number | undefined;
   /** Decimal places of the numbers in a path string, 0 to 15; by default all that they have. */

@@ -49,7 +49,8 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
   const DelaunayGraph& base = core.base();
   const Graph& graph = base.graph();
   const std::size_t count = 3 * graph.faceSlots();
-  std::array<HalfedgeId, kBlock> edges, others;
+  std::array<HalfedgeId, kBlock> edges;
+  std::array<std::size_t, kBlock> others;  // those of `edges` that are not plain
   std::array<VoronoiCircle, kBlock> starts;
   std::array<double, kBlock> squares, differences;  // p and |r| of the two sites
   std::array<double, 4 * kBlock> ends;
@@ -74,22 +75,22 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
     }
     std::size_t plainCount = 0, otherCount = 0;
     for (std::size_t k = 0; k < edgeCount; ++k) {
-      const HalfedgeId h = edges[k];
-      const VoronoiCircle &from = starts[k], &to = base.circle(faceOf(h));
+      const VoronoiCircle &from = starts[k], &to = base.circle(faceOf(edges[k]));
       const bool plain = isPlain(squares[k], differences[k], from, to, window, tolerance);
       double* const at = &ends[4 * plainCount];
       at[0] = from.x;
       at[1] = from.y;
       at[2] = to.x;
       at[3] = to.y;
-      others[otherCount] = h;
+      others[otherCount] = k;
       plainCount += static_cast<std::size_t>(plain);
       otherCount += static_cast<std::size_t>(!plain);
     }
     path.segments(ends.data(), plainCount);
     for (std::size_t m = 0; m < otherCount; ++m) {
-      const HalfedgeId h = startsAtPole(base, others[m]) ? others[m] : graph.twin(others[m]);
-      if (!isInPlane(base, h)) continue;
+      const HalfedgeId g = edges[others[m]], h = startsAtPole(base, g) ? g : graph.twin(g);
+      const bool isBounded = !starts[others[m]].isHalfPlane() && !base.circle(faceOf(g)).isHalfPlane();
+      if (!isBounded && !isInPlane(base, h)) continue;
       clipEdge(base, h, window, clipped);
       for (int k = 0; k < clipped.count; ++k) {
         const Conic& curve = clipped.pieces[static_cast<std::size_t>(k)].curve;
