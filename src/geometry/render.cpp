@@ -25,19 +25,56 @@ bool visitEdges(const DelaunayGraph& base, Portion& portion, const Path& path, D
   return false;
 }
 
+/// The vertices of an edge, seen from the pole, are precise and inside the window.
+bool isUsable(const VoronoiCircle& c, const Window& window) {
+  const double size = absolute(c.x) + absolute(c.y) + absolute(c.s);
+  return (static_cast<int>(c.slope < 0) & static_cast<int>(c.error <= powerOfTwo(-40) * size) & static_cast<int>(c.x > window.xmin) &
+          static_cast<int>(c.x < window.xmax) & static_cast<int>(c.y > window.ymin) & static_cast<int>(c.y < window.ymax)) != 0;
+}
+
 /// Is the edge inside the window and straight up to the tolerance? A quick test that says yes for most edges of large diagrams.
 /// The curvature of the bisector is at most A/B² = 2|r|/p =: c. With a chord of length l and c l <= 1, the arc turns by less than half a
 /// turn and is at most l² c / 7 away from its chord (a circle's: l² c / 8 (1 + …), at c l = 1 a 7.46th). No branches: which edges pass
 /// cannot be predicted.
 bool isPlain(double p, double r, const VoronoiCircle& from, const VoronoiCircle& to, const Window& window, double tolerance) {
   const double lx = to.x - from.x, ly = to.y - from.y, l2 = lx * lx + ly * ly;
-  const auto isUsable = [&](const VoronoiCircle& c) {
-    const double size = absolute(c.x) + absolute(c.y) + absolute(c.s);
-    return static_cast<int>(c.slope < 0) & static_cast<int>(c.error <= powerOfTwo(-40) * size) & static_cast<int>(c.x > window.xmin) &
-           static_cast<int>(c.x < window.xmax) & static_cast<int>(c.y > window.ymin) & static_cast<int>(c.y < window.ymax);
-  };
-  return (isUsable(from) & isUsable(to) & static_cast<int>(2 * r * l2 <= 7 * p * tolerance) &
-          static_cast<int>(4 * r * r * l2 <= p * p)) != 0;
+  return (static_cast<int>(isUsable(from, window)) & static_cast<int>(isUsable(to, window)) &
+          static_cast<int>(2 * r * l2 <= 7 * p * tolerance) & static_cast<int>(4 * r * r * l2 <= p * p)) != 0;
+}
+
+/// Draws an edge between two vertices inside the window by one line or one cubic, if that will do and is well-conditioned; most edges
+/// that are not plain. `p` as in bisector.h, without the care for circles that nearly cover each other: those are left to clipEdge.
+///
+/// Seen from the pole the bisector is 1/rho = 2 (c · d + r) / p for unit directions d, c and r being the other site less the pole
+/// (docs/PREDICATES.md, section 1). For points a and b of it with distances rho_a and rho_b, n = rho_b a + rho_a b points to where the
+/// tangents meet, at t n with t = p / (2 (c · n + r s)), s = rho_a rho_b + a · b, and the weight is 1 / (t √(2s)).
+bool drawQuickly(const Site& pole, const Site& other, double p, Point from, Point to, const Window& window, double tolerance, Path& path) {
+  const Point center{pole.x, pole.y}, c{other.x - pole.x, other.y - pole.y}, a = from - center, b = to - center;
+  const double r = other.r - pole.r, ra = length(a), rb = length(b);
+  const double s = ra * rb + dot(a, b);
+  const Point n = rb * a + ra * b;
+  const double t = p / (2 * (dot(c, n) + r * s));
+  const double w = 1 / (t * std::sqrt(2 * s));
+  const Point p1 = center + t * n;
+  if (!(s > 0.25 * ra * rb && p > powerOfTwo(-10) * (dot(c, c) + r * r) && w >= 1 && w < 16 && window.holds(p1))) return false;
+  // As draw() in approximate.cpp, in squares.
+  const Point chord = to - from, way = p1 - from;
+  const double l2 = dot(chord, chord), along = dot(way, chord), limit = tolerance * (1 + w);
+  if (!(along >= 0 && along <= l2)) return false;
+  const double height = w * cross(chord, way);
+  if (height * height <= limit * limit * l2) {
+    path.move(from.x, from.y);
+    path.line(to.x, to.y);
+    return true;
+  }
+  const double z = (w - 1) / (w + 1), error = z * z * (0.02 + 0.054 * z);  // cubicError
+  const Point up = p1 - middle(from, to);
+  if (!(error * error * dot(up, up) <= tolerance * tolerance)) return false;
+  const double share = 4 * w / (3 * (1 + w));
+  const Point first = from + share * way, second = to + share * (p1 - to);
+  path.move(from.x, from.y);
+  path.curve(first.x, first.y, second.x, second.y, to.x, to.y);
+  return true;
 }
 
 }  // namespace
@@ -89,7 +126,13 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
     path.segments(ends.data(), plainCount);
     for (std::size_t m = 0; m < otherCount; ++m) {
       const HalfedgeId g = edges[others[m]], h = startsAtPole(base, g) ? g : graph.twin(g);
-      const bool isBounded = !starts[others[m]].isHalfPlane() && !base.circle(faceOf(g)).isHalfPlane();
+      const VoronoiCircle &from = starts[others[m]], &to = base.circle(faceOf(g));
+      if (isUsable(from, window) && isUsable(to, window) &&
+          drawQuickly(base.site(graph.origin(h)), base.site(graph.target(h)), squares[others[m]], {from.x, from.y}, {to.x, to.y}, window,
+                      tolerance, path)) {
+        continue;
+      }
+      const bool isBounded = !from.isHalfPlane() && !to.isHalfPlane();
       if (!isBounded && !isInPlane(base, h)) continue;
       clipEdge(base, h, window, clipped);
       for (int k = 0; k < clipped.count; ++k) {

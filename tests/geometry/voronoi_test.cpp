@@ -101,29 +101,52 @@ TEST(Voronoi, PortionsMakeUpTheWhole) {
 }
 
 TEST(Voronoi, DrawingsAreOnTheCurves) {
-  // Every drawn end point of an edge is equally far from two nearest sites; plain edges and clipped ones alike.
+  // Ends of drawn pieces are equally far from the two nearest sites, and what is between up to the tolerance: each of the two distances
+  // changes by at most as much as the point moves. Small tolerances and large ones, so that all ways of drawing an edge are taken.
   Random random(542);
-  for (const double tolerance : {1.0, 1e5}) {
+  for (const double share : {1e-7, 1e-5, 1e-3, 0.03}) {
     const Circles circles = randomCircles(random, 200, Hidden::k50Percent);
     Diagram diagram;
     insertInto(diagram, circles);
     Bounds bounds;
     ASSERT_TRUE(windowAround(circles, 0.1, bounds));
-    Path path;
-    Voronoi::Portion portion;
-    ASSERT_EQ(Voronoi(diagram, bounds).drawEdges(tolerance, portion, path), Error::kNone);
-    std::size_t at = 0;
-    for (const std::uint8_t command : path.commands) {
-      at += static_cast<Command>(command) == Command::kCurve ? 6 : 2;
-      const double x = path.coordinates[at - 2], y = path.coordinates[at - 1];
+    const double tolerance = share * (bounds.xmax - bounds.xmin);
+    const auto difference = [&](double x, double y) {
       double first = 1e300, second = 1e300;
       for (const Circle& c : circles) {
         const double d = distanceTo(c, x, y);
         second = std::min(second, std::max(first, d));
         first = std::min(first, d);
       }
-      ASSERT_NEAR(first, second, 1e-6);
+      return second - first;
+    };
+    Path path;
+    Voronoi::Portion portion;
+    ASSERT_EQ(Voronoi(diagram, bounds).drawEdges(tolerance, portion, path), Error::kNone);
+    double x = 0, y = 0;
+    std::size_t at = 0, curves = 0;
+    for (std::size_t k = 0; k < path.commands.size(); ++k) {
+      const auto command = static_cast<Command>(path.commands[k]);
+      const double* xy = &path.coordinates[at];
+      const bool isCurve = command == Command::kCurve;
+      at += isCurve ? 6 : 2;
+      curves += isCurve;
+      const double endX = path.coordinates[at - 2], endY = path.coordinates[at - 1];
+      const bool isLast = k + 1 == path.commands.size() || static_cast<Command>(path.commands[k + 1]) == Command::kMove;
+      if (command == Command::kMove || isLast) {
+        ASSERT_LE(difference(endX, endY), 1e-6);
+      }
+      for (const double t : {0.21, 0.5, 0.77}) {
+        if (command == Command::kMove) break;
+        const double s = 1 - t;
+        const double px = isCurve ? s * s * s * x + 3 * s * s * t * xy[0] + 3 * s * t * t * xy[2] + t * t * t * xy[4] : s * x + t * endX;
+        const double py = isCurve ? s * s * s * y + 3 * s * s * t * xy[1] + 3 * s * t * t * xy[3] + t * t * t * xy[5] : s * y + t * endY;
+        ASSERT_LE(difference(px, py), 2.01 * tolerance) << "share " << share;
+      }
+      x = endX;
+      y = endY;
     }
+    EXPECT_EQ(curves > 20, share < 0.01) << curves;
   }
 }
 
