@@ -1,5 +1,6 @@
 #include "geometry/clip.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace apollonius {
@@ -76,10 +77,22 @@ ClippedPiece pieceBetween(const Bisector& bisector, const Mark& from, const Mark
   return piece;
 }
 
+/// Is the edge surely outside the window? Along an edge the distances from its sites, (D/2) cosh t ± A, are largest at an end; so all of it is
+/// within weight + clearance of the pole. Enlarged by 2^-20, far more than rounding.
+bool isFarAway(const Site& pole, const VoronoiCircle& a, const VoronoiCircle& b, const Window& window) {
+  if (a.isHalfPlane() || b.isHalfPlane() || !isPrecise(a) || !isPrecise(b)) return false;
+  const double size = absolute(pole.r) + absolute(a.s) + absolute(b.s);
+  const double reach = pole.r + std::max(a.s, b.s) + powerOfTwo(-20) * size;
+  const double x = pole.x, y = pole.y;
+  return x + reach < window.xmin || x - reach > window.xmax || y + reach < window.ymin || y - reach > window.ymax;
+}
+
 }  // namespace
 
 void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, ClippedEdge& clipped) {
   clipped.count = 0;
+  const Graph& g = graph.graph();
+  if (isFarAway(graph.site(g.origin(h)), graph.circle(faceOf(g.twin(h))), graph.circle(faceOf(h)), window)) return;
   const Edge edge(graph, h);
   const Mark start{edge.e0, edge.from.point, kNoSide}, end{edge.e1, edge.to.point, kNoSide};
   if (edge.from.isFinite && edge.to.isFinite && window.holds(start.point) && window.holds(end.point)) {
