@@ -25,21 +25,19 @@ bool visitEdges(const DelaunayGraph& base, Portion& portion, const Path& path, D
   return false;
 }
 
-/// The vertices of an edge, seen from the pole, are precise and inside the window.
+/// Is it a precise vertex inside the window? All of this is easily guessed: mostly it is, or (zoomed in) mostly it is not.
 bool isUsable(const VoronoiCircle& c, const Window& window) {
-  const double size = absolute(c.x) + absolute(c.y) + absolute(c.s);
-  return (static_cast<int>(c.slope < 0) & static_cast<int>(c.error <= powerOfTwo(-40) * size) & static_cast<int>(c.x > window.xmin) &
-          static_cast<int>(c.x < window.xmax) & static_cast<int>(c.y > window.ymin) & static_cast<int>(c.y < window.ymax)) != 0;
+  return window.holds({c.x, c.y}) && !c.isHalfPlane() && c.error <= powerOfTwo(-40) * (absolute(c.x) + absolute(c.y) + absolute(c.s));
 }
 
 /// Is the edge inside the window and straight up to the tolerance? A quick test that says yes for most edges of large diagrams.
 /// The curvature of the bisector is at most A/B² = 2|r|/p =: c. With a chord of length l and c l <= 1, the arc turns by less than half a
-/// turn and is at most l² c / 7 away from its chord (a circle's: l² c / 8 (1 + …), at c l = 1 a 7.46th). No branches: which edges pass
-/// cannot be predicted.
+/// turn and is at most l² c / 7 away from its chord (a circle's: l² c / 8 (1 + …), at c l = 1 a 7.46th). No branch on that: which
+/// edges pass cannot be guessed.
 bool isPlain(double p, double r, const VoronoiCircle& from, const VoronoiCircle& to, const Window& window, double tolerance) {
+  if (!isUsable(from, window) || !isUsable(to, window)) return false;
   const double lx = to.x - from.x, ly = to.y - from.y, l2 = lx * lx + ly * ly;
-  return (static_cast<int>(isUsable(from, window)) & static_cast<int>(isUsable(to, window)) &
-          static_cast<int>(2 * r * l2 <= 7 * p * tolerance) & static_cast<int>(4 * r * r * l2 <= p * p)) != 0;
+  return (static_cast<int>(2 * r * l2 <= 7 * p * tolerance) & static_cast<int>(4 * r * r * l2 <= p * p)) != 0;
 }
 
 /// Draws an edge between two vertices inside the window by one line or one cubic, if that will do and is well-conditioned; most edges
