@@ -95,8 +95,9 @@ LineForm::LineForm(const Bisector& bisector, Point normal, double offset)
       c_((dot(normal, bisector.pole()) - offset) + dot(normal, bisector.axis()) * (bisector.distance() / 2)) {}
 
 int LineForm::signAtInfinity(bool upper) const {
-  const double leading = upper ? p_ + q_ : p_ - q_;
-  const double value = leading != 0 ? leading : c_;
+  // The coefficients of E, 1 and 1/E, or the other way round: the first that is not 0. (All but the last are 0 where the asymptote is the line.)
+  const double leading = upper ? p_ + q_ : p_ - q_, last = upper ? p_ - q_ : p_ + q_;
+  const double value = leading != 0 ? leading : c_ != 0 ? c_ : last;
   return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
@@ -111,13 +112,13 @@ double LineForm::root() const {
 double LineForm::rise(double e0, double e1) const {
   const double s = root();
   const double e = c_ <= 0 ? (s - c_) / (p_ + q_) : (q_ - p_) / (c_ + s);
-  return e > e0 ? std::min(e, e1) : e0;  // NaN (0/0: along the line) becomes e0
+  return e < e1 ? std::max(e, e0) : e1;  // NaN (0/0: it rises to 0 at the end) becomes e1
 }
 
 double LineForm::fall(double e0, double e1) const {
   const double s = root();
   const double e = c_ >= 0 ? -(c_ + s) / (p_ + q_) : (p_ - q_) / (s - c_);
-  return e > e0 ? std::min(e, e1) : e0;
+  return e > e0 ? std::min(e, e1) : e0;  // NaN becomes e0
 }
 
 bool LineForm::hasExcursion(int sign, double e0, double e1, double& at) const {

@@ -61,7 +61,7 @@ class LineForm {
  public:
   LineForm(const Bisector& bisector, Point normal, double offset);
 
-  /// Its sign at an end: at infinity (E = 0 or infinity) that of the leading term.
+  /// Its sign towards an end at infinity (E = infinity if upper, else E = 0); 0 only if the bisector is the line.
   [[nodiscard]] int signAtInfinity(bool upper) const;
   /// Where it becomes positive, and where it becomes negative, as E grows. Meaningful where there is such a place: between two
   /// places of different sign, or on the two sides of a dip or bump. Clamped to [e0, e1].

@@ -28,6 +28,19 @@ double inRange(double x) { return absolute(x) < 1e-100 ? 0 : x; }
 
 SiteId nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x), inRange(p.y)); }
 
+/// Does the site own the border around the middle of a gap between contacts? Asked just inside of the window, because the border itself may
+/// be an edge of the diagram; and at five places, because any one may be too close to an edge.
+bool ownsGap(const DiagramCore& core, SiteId site, const Window& window, double middlePlace, double gap) {
+  int votes = 0;
+  for (const double part : {0.0, -0.21, 0.17, -0.34, 0.38}) {
+    double place = middlePlace + part * gap;
+    place += place < 0 ? 4 : place >= 4 ? -4 : 0;
+    const Point p = window.at(place);
+    votes += nearest(core, p + powerOfTwo(-20) * (window.center() - p)) == site ? 1 : -1;
+  }
+  return votes > 0;
+}
+
 /// Two ways of matching whose disorders differ by less than this, in sides, are taken for equally good. Rounding moves a crossing
 /// that is not tangent by far less, and a tangent one by its root, 2^-26 at most.
 constexpr double kNoDifference = powerOfTwo(-24);
@@ -66,7 +79,7 @@ void matchBorder(const DiagramCore& core, SiteId site, const Window& window, std
   const std::size_t count = std::min(leaves.size(), enters.size());  // they are equally many
   const double outside = disorder(leavePlaces, enterPlaces), inside = disorder(enterPlaces, leavePlaces);
   const bool holdsReference =
-      absolute(outside - inside) > kNoDifference ? inside < outside : nearest(core, window.at(reference)) == site;
+      absolute(outside - inside) > kNoDifference ? inside < outside : ownsGap(core, site, window, reference, gap);
 
   for (std::size_t k = 0; k < count; ++k) {
     const bool isWrapped = holdsReference && k + 1 == count;

@@ -206,6 +206,52 @@ TEST(Cells, ContactsThatAreNoCuts) {
   EXPECT_TRUE(cell.curves.empty()) << "a cell that only touches the window";
 }
 
+TEST(Cells, IntegerCirclesInWindowsThatEndOnTheirEdgesAndVertices) {
+  // Asymptotes and edges along the border, vertices on it, corners on edges: nearly every run has some. Once as they are and once
+  // times 0.1, where rounding puts everything next to where it should be.
+  Random random(526);
+  for (int run = 0; run < runs(8000); ++run) {
+    const int size = 1 + 2 * random.below(5);
+    Circles circles = tinyGrid(random, 1 + random.below(std::size_t{9}), size, random.below(5));
+    const double unit = random.oneIn(2) ? 1 : 0.1, step = random.oneIn(2) ? 1 : 0.25;
+    for (Circle& c : circles) c = {c.x * unit, c.y * unit, c.r * unit};
+    const auto coordinate = [&] { return unit * step * static_cast<double>(random.integer(-2, static_cast<int>((size + 2) / step))); };
+    Bounds bounds{coordinate(), coordinate(), coordinate(), coordinate()};
+    if (bounds.xmin > bounds.xmax) std::swap(bounds.xmin, bounds.xmax);
+    if (bounds.ymin > bounds.ymax) std::swap(bounds.ymin, bounds.ymax);
+    if (bounds.xmin == bounds.xmax || bounds.ymin == bounds.ymax) continue;
+    Diagram diagram;
+    insertInto(diagram, circles);
+    const Voronoi voronoi(diagram, bounds);
+    std::vector<double> areas;
+    ASSERT_EQ(voronoi.areas(areas), Error::kNone);
+    const double whole = areaOf(bounds), tolerance = 1e-3 * unit;
+    double sum = 0;
+    std::vector<RingArrays> rings(areas.size());
+    for (SiteId id = 0; id < areas.size(); ++id) {
+      CellMeasures measures;
+      ASSERT_EQ(voronoi.measures(id, measures), Error::kNone);
+      ASSERT_NEAR(measures.area / whole, areas[id] / whole, 1e-12) << "run " << run;
+      ASSERT_EQ(voronoi.polygon(id, tolerance, rings[id]), Error::kNone);
+      sum += areas[id];
+    }
+    ASSERT_NEAR(sum / whole, 1, 1e-12) << "run " << run;
+    for (int k = 0; k < 4; ++k) {
+      const double x = random.between(bounds.xmin, bounds.xmax), y = random.between(bounds.ymin, bounds.ymax);
+      SiteId nearest = kNoSite;
+      double distance = 0, second = std::numeric_limits<double>::infinity();
+      ASSERT_EQ(diagram.find(x, y, nearest, distance), Error::kNone);
+      for (SiteId id = 0; id < circles.size(); ++id) {
+        bool hidden = false;
+        ASSERT_EQ(diagram.isHidden(id, hidden), Error::kNone);
+        if (id != nearest && !hidden) second = std::min(second, distanceTo(circles[id], x, y));
+      }
+      if (!(second - distance > 2.5 * tolerance)) continue;
+      for (SiteId id = 0; id < circles.size(); ++id) ASSERT_EQ(isInside(rings[id], x, y), id == nearest) << "run " << run;
+    }
+  }
+}
+
 TEST(Cells, SeveralRegionsOfOneCell) {
   // A large circle left of the window reaches around a small one into both of the window's left corners.
   const Circles circles{{-60, 50, 58}, {50, 50, 0}};
