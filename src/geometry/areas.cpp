@@ -36,13 +36,14 @@ class AreaSum {
       const SiteId left = DiagramCore::siteOf(graph.origin(h)), right = DiagramCore::siteOf(graph.target(h));
       for (int piece = 0; piece < clipped.count; ++piece) addPiece(clipped.pieces[static_cast<std::size_t>(piece)], left, right);
     }
-    if (contacts_.empty()) {
-      // No edge meets the border: one cell has the whole window.
-      if (core_.visibleCount() > 0) areas_[ownerOfMiddle(core_, window_)] = window_.width() * window_.height();
-      return;
-    }
     addBorders();
     for (std::size_t id = 0; id < areas_.size(); ++id) areas_[id] = std::max(0.0, areas_[id] + lost_[id]);
+    // If no edge meets the window, one cell has all of it. (Edges can touch it, so contacts are no proof; the sum is all or nothing.)
+    double sum = 0;
+    for (const double area : areas_) sum += area;
+    const double whole = window_.width() * window_.height();
+    if (core_.visibleCount() == 0 || sum > whole / 2) return;
+    if (const SiteId owner = ownerOfWindow(core_, window_); owner != kNoSite) areas_[owner] = whole;
   }
 
  private:

@@ -32,6 +32,15 @@ double squaredTangent(const Site& a, const Site& b) {
 /// Parameters beyond these are as good as infinite: B e^t would leave the doubles.
 constexpr double kLargestParameter = powerOfTwo(1000);
 
+/// A root in [e0, e1], or the end that is nearer. Where the line is parallel to an asymptote up to rounding, a root near infinity can come
+/// out beyond it, as negative and large in size (and one near 0 as negative and small). `otherwise` is for 0/0: along the line.
+double between(double e0, double e, double e1, double otherwise) {
+  if (e > 0) return std::clamp(e, e0, e1);
+  if (!(e <= 0)) return otherwise;
+  const double low = std::max(e0, 1 / kLargestParameter), high = std::min(e1, kLargestParameter);
+  return -e / low > high / -e ? e1 : e0;
+}
+
 }  // namespace
 
 Bisector::Bisector(const Site& pole, const Site& other) : pole_{pole.x, pole.y} {
@@ -94,11 +103,11 @@ LineForm::LineForm(const Bisector& bisector, Point normal, double offset)
       q_(cross(bisector.axis(), normal) * bisector.conjugate()),
       c_((dot(normal, bisector.pole()) - offset) + dot(normal, bisector.axis()) * (bisector.distance() / 2)) {}
 
-int LineForm::signAtInfinity(bool upper) const {
+bool LineForm::isBeyond(double e) const {
+  if (e > 0 && e < std::numeric_limits<double>::infinity()) return ((p_ + q_) * e + (p_ - q_) / e) / 2 + c_ >= 0;
   // The coefficients of E, 1 and 1/E, or the other way round: the first that is not 0. (All but the last are 0 where the asymptote is the line.)
-  const double leading = upper ? p_ + q_ : p_ - q_, last = upper ? p_ - q_ : p_ + q_;
-  const double value = leading != 0 ? leading : c_ != 0 ? c_ : last;
-  return value > 0 ? 1 : value < 0 ? -1 : 0;
+  const double leading = e > 0 ? p_ + q_ : p_ - q_, last = e > 0 ? p_ - q_ : p_ + q_;
+  return (leading != 0 ? leading : c_ != 0 ? c_ : last) >= 0;
 }
 
 double LineForm::root() const {
@@ -112,13 +121,13 @@ double LineForm::root() const {
 double LineForm::rise(double e0, double e1) const {
   const double s = root();
   const double e = c_ <= 0 ? (s - c_) / (p_ + q_) : (q_ - p_) / (c_ + s);
-  return e < e1 ? std::max(e, e0) : e1;  // NaN (0/0: it rises to 0 at the end) becomes e1
+  return between(e0, e, e1, e1);
 }
 
 double LineForm::fall(double e0, double e1) const {
   const double s = root();
   const double e = c_ >= 0 ? -(c_ + s) / (p_ + q_) : (p_ - q_) / (s - c_);
-  return e > e0 ? std::min(e, e1) : e0;  // NaN becomes e0
+  return between(e0, e, e1, e0);
 }
 
 bool LineForm::hasExcursion(int sign, double e0, double e1, double& at) const {

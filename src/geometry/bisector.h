@@ -61,8 +61,8 @@ class LineForm {
  public:
   LineForm(const Bisector& bisector, Point normal, double offset);
 
-  /// Its sign towards an end at infinity (E = infinity if upper, else E = 0); 0 only if the bisector is the line.
-  [[nodiscard]] int signAtInfinity(bool upper) const;
+  /// Is it positive or 0 at a place? Towards the ends at infinity (E = 0 and E = infinity): does it tend to that from above?
+  [[nodiscard]] bool isBeyond(double e) const;
   /// Where it becomes positive, and where it becomes negative, as E grows. Meaningful where there is such a place: between two
   /// places of different sign, or on the two sides of a dip or bump. Clamped to [e0, e1].
   [[nodiscard]] double rise(double e0, double e1) const;

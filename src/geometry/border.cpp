@@ -47,7 +47,16 @@ constexpr double kNoDifference = powerOfTwo(-24);
 
 }  // namespace
 
-SiteId ownerOfMiddle(const DiagramCore& core, const Window& window) { return nearest(core, window.center()); }
+SiteId ownerOfWindow(const DiagramCore& core, const Window& window) {
+  // A sliver of a cell, lost to rounding, can own the middle; but hardly the corners, too, which are asked just inside.
+  const SiteId middle = nearest(core, window.center());
+  int votes = 1;
+  for (int k = 0; k < 4; ++k) {
+    const Point corner = window.corner(k);
+    votes += nearest(core, corner + powerOfTwo(-20) * (window.center() - corner)) == middle ? 1 : 0;
+  }
+  return votes >= 3 ? middle : kNoSite;
+}
 
 void matchBorder(const DiagramCore& core, SiteId site, const Window& window, std::vector<BorderContact>& contacts,
                  std::vector<BorderArc>& arcs) {

@@ -32,7 +32,7 @@ struct BorderArc {
 void matchBorder(const DiagramCore& core, SiteId site, const Window& window, std::vector<BorderContact>& contacts,
                  std::vector<BorderArc>& arcs);
 
-/// The site nearest to the middle of the window; it owns all of it if no edge meets the window. REQUIRES: not empty.
-[[nodiscard]] SiteId ownerOfMiddle(const DiagramCore& core, const Window& window);
+/// The site that owns the whole window if no edge meets it: the one nearest to most of its corners and its middle, or kNoSite. REQUIRES: not empty.
+[[nodiscard]] SiteId ownerOfWindow(const DiagramCore& core, const Window& window);
 
 }  // namespace apollonius

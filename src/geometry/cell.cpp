@@ -20,7 +20,7 @@ const Cell& CellFinder::find(SiteId site) {
   } else if (!pieces_.empty()) {
     for (const Piece& piece : pieces_) cell_.pieces.push_back({piece.clipped.curve, piece.neighbor});
     closeRegion();
-  } else if (ownerOfMiddle(core_, window_) == site) {
+  } else if (wholeOwner() == site) {
     wholeWindow();
   }
   return cell_;
@@ -83,6 +83,12 @@ void CellFinder::addBorder(const BorderArc& arc) {
   };
   for (int k = 0; k < arc.cornerCount; ++k) lineTo(window_.corner((arc.firstCorner + k) % 4));
   lineTo(contacts_[arc.to].point);
+}
+
+SiteId CellFinder::wholeOwner() {
+  if (!isOwnerKnown_) owner_ = ownerOfWindow(core_, window_);
+  isOwnerKnown_ = true;
+  return owner_;
 }
 
 void CellFinder::wholeWindow() {

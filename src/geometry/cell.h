@@ -42,6 +42,8 @@ class CellFinder {
 
   void clipEdges(SiteId site);
   void link(SiteId site);
+  /// ownerOfWindow, found once.
+  SiteId wholeOwner();
   void wholeWindow();
   void addBorder(const BorderArc& arc);
   /// Ends a region; takes it back if its area is 0 up to rounding, as when a cell only touches the window.
@@ -50,6 +52,8 @@ class CellFinder {
   const DiagramCore& core_;
   Window window_;
   Cell cell_;
+  SiteId owner_ = kNoSite;
+  bool isOwnerKnown_ = false;
   std::vector<Piece> pieces_;
   std::vector<BorderContact> contacts_;
   std::vector<BorderArc> arcs_;

@@ -17,27 +17,26 @@ struct Crossing {
 class Crossings {
  public:
   Crossings(const Edge& edge, const Window& window) {
-    for (int side = 0; side < 4; ++side) {
-      const LineForm form(edge.bisector, Window::normal(side), window.offset(side));
-      const auto isBeyond = [&](const EdgeEnd& end, double e) {
-        return end.isFinite ? window.isBeyond(side, end.point) : form.signAtInfinity(e > 1) >= 0;
-      };
-      const bool from = isBeyond(edge.from, edge.e0), to = isBeyond(edge.to, edge.e1);
-      beyondAtStart_ += from;
+    const auto form = [&](int side) { return LineForm(edge.bisector, Window::normal(side), window.offset(side)); };
+    const std::array<LineForm, 4> forms{form(0), form(1), form(2), form(3)};
+    const std::array<bool, 4> from = sidesBeyond(forms, edge.from, edge.e0, window), to = sidesBeyond(forms, edge.to, edge.e1, window);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int side = static_cast<int>(k);
+      beyondAtStart_ += from[k];
       double extremum = 0;
-      if (from != to) {
-        if (to) {
-          add({form.rise(edge.e0, edge.e1), side, 1});
+      if (from[k] != to[k]) {
+        if (to[k]) {
+          add({forms[k].rise(edge.e0, edge.e1), side, 1});
         } else {
-          add({form.fall(edge.e0, edge.e1), side, -1});
+          add({forms[k].fall(edge.e0, edge.e1), side, -1});
         }
-      } else if (form.hasExcursion(from ? 1 : -1, edge.e0, edge.e1, extremum)) {
-        if (from) {
-          add({form.fall(edge.e0, extremum), side, -1});
-          add({form.rise(extremum, edge.e1), side, 1});
+      } else if (forms[k].hasExcursion(from[k] ? 1 : -1, edge.e0, edge.e1, extremum)) {
+        if (from[k]) {
+          add({forms[k].fall(edge.e0, extremum), side, -1});
+          add({forms[k].rise(extremum, edge.e1), side, 1});
         } else {
-          add({form.rise(edge.e0, extremum), side, 1});
-          add({form.fall(extremum, edge.e1), side, -1});
+          add({forms[k].rise(edge.e0, extremum), side, 1});
+          add({forms[k].fall(extremum, edge.e1), side, -1});
         }
       }
     }
@@ -48,6 +47,18 @@ class Crossings {
   [[nodiscard]] const Crossing* end() const { return crossings_.data() + count_; }
 
  private:
+  /// Which sides' lines an end is beyond. Whether it is in the window at all is what its coordinates say, because its three edges must
+  /// agree on that. If it is not, beyond which lines is the edge's own affair, and what the curve says: the coordinates of a vertex far
+  /// away can be off by more than the window.
+  static std::array<bool, 4> sidesBeyond(const std::array<LineForm, 4>& forms, const EdgeEnd& end, double e, const Window& window) {
+    std::array<bool, 4> beyond{};
+    if (end.isFinite && window.holds(end.point)) return beyond;
+    bool any = false;
+    for (std::size_t k = 0; k < 4; ++k) any = (beyond[k] = forms[k].isBeyond(e)) || any;
+    for (std::size_t k = 0; k < 4 && !any; ++k) beyond[k] = window.isBeyond(static_cast<int>(k), end.point);
+    return beyond;
+  }
+
   /// Keeps them sorted; of equal ones the earlier added stays first, so that a line's own two do not change places.
   void add(Crossing c) {
     std::size_t k = count_++;
