@@ -1,5 +1,5 @@
 // Cells in a window: shapes, measures, bad input. The geometry itself is tested in tests/geometry (natively and as WebAssembly).
-import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
+import { ApolloniusError, curvePoint, curveTangent, Diagram } from "../../build/packed/consumer.mjs";
 import { randomCircles } from "./support/random.mjs";
 import { isInside, ringArea } from "./support/recorder.mjs";
 
@@ -89,11 +89,33 @@ test("curves of cells and of edges are the same, and lie at equal distances from
     cell.neighbors.forEach((other, k) => {
       if (other === -1) return;
       const [x0, y0, , , , x2, y2] = cell.curves.subarray(7 * k, 7 * k + 7);
-      expect(keys).toContain([id, other, x0, y0, x2, y2].join());
+      expect(keys.has([id, other, x0, y0, x2, y2].join())).toBe(true);
       ++inner;
     });
   }
   expect(inner).toBe(edges.sites.length);
+});
+
+test("places and tangents of curves: equally far from both sites, and at equal angles to the ways from them", () => {
+  const { curves, sites } = voronoi.edgeCurves();
+  for (let k = 0; k < sites.length / 2; ++k) {
+    expect(curvePoint(curves, k, 0)).toEqual([...curves.subarray(7 * k, 7 * k + 2)]);
+    expect(curvePoint(curves, k, 1)).toEqual([...curves.subarray(7 * k + 5, 7 * k + 7)]);
+    for (const t of [0.1, 0.5, 0.8]) {
+      const [x, y] = curvePoint(curves, k, t);
+      const [tx, ty] = curveTangent(curves, k, t);
+      const [a, b] = [...sites.subarray(2 * k, 2 * k + 2)].map((id) => {
+        const [dx, dy] = [x - xyr[3 * id], y - xyr[3 * id + 1]];
+        const length = Math.hypot(dx, dy);
+        return { distance: length - xyr[3 * id + 2], along: (dx * tx + dy * ty) / length, left: (dx * ty - dy * tx) / length };
+      });
+      expect(Math.abs(a.distance - b.distance)).toBeLessThan(1e-7);
+      if (Math.hypot(curves[7 * k + 5] - curves[7 * k], curves[7 * k + 6] - curves[7 * k + 1]) < 1e-3) continue;
+      expect(Math.abs(a.along - b.along)).toBeLessThan(1e-5);
+      expect(a.left).toBeGreaterThan(0);  // the first site is on the left
+      expect(b.left).toBeLessThan(0);
+    }
+  }
 });
 
 test("neighbors in the window are neighbors", () => {
