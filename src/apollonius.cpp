@@ -101,11 +101,12 @@ void Diagram::clear() noexcept { impl_->clear(); }
 std::size_t Diagram::size() const noexcept { return impl_->ids().size(); }
 std::size_t Diagram::visibleSize() const noexcept { return impl_->visibleCount(); }
 std::size_t Diagram::hiddenSize() const noexcept { return impl_->ids().hiddenCount(); }
-bool Diagram::has(SiteId id) const noexcept { return impl_->ids().state(id) != SiteState::kFree; }
+bool Diagram::has(SiteId id) const noexcept { return impl_->ids().slotOf(id) != kNoSlot; }
 
 Error Diagram::site(SiteId id, Circle& circle) const noexcept {
-  if (!has(id)) return Error::kUnknownSite;
-  const Site& site = impl_->site(id);
+  const Slot slot = impl_->ids().slotOf(id);
+  if (slot == kNoSlot) return Error::kUnknownSite;
+  const Site& site = impl_->site(slot);
   circle = {site.x, site.y, site.r};
   return Error::kNone;
 }
@@ -114,24 +115,26 @@ Error Diagram::ids(std::vector<SiteId>& ids) const {
   return guarded([&] {
     ids.clear();
     ids.reserve(size());
-    for (SiteId id = 0; id < impl_->ids().slots(); ++id) {
+    for (SiteId id = 0; id < impl_->ids().idLimit(); ++id) {
       if (has(id)) ids.push_back(id);
     }
   });
 }
 
 Error Diagram::isHidden(SiteId id, bool& hidden) const noexcept {
-  if (!has(id)) return Error::kUnknownSite;
-  hidden = impl_->ids().state(id) == SiteState::kHidden;
+  const Slot slot = impl_->ids().slotOf(id);
+  if (slot == kNoSlot) return Error::kUnknownSite;
+  hidden = impl_->ids().state(slot) == SiteState::kHidden;
   return Error::kNone;
 }
 
 Error Diagram::coverOf(SiteId id, SiteId& cover) const {
-  if (!has(id)) return Error::kUnknownSite;
+  const Slot slot = impl_->ids().slotOf(id);
+  if (slot == kNoSlot) return Error::kUnknownSite;
   return guarded([&] {
-    const Site& site = impl_->site(id);
+    const Site& site = impl_->site(slot);
     // Lemma 1 of the paper: the site nearest to its centre covers it.
-    cover = impl_->ids().state(id) == SiteState::kHidden ? impl_->nearest(site.x, site.y) : kNoSite;
+    cover = impl_->ids().state(slot) == SiteState::kHidden ? impl_->ids().idOf(impl_->nearest(site.x, site.y)) : kNoSite;
   });
 }
 
@@ -142,8 +145,9 @@ Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
     if (const Error error = checkNumber(value); error != Error::kNone) return error;
   }
   return guarded([&] {
-    id = visibleSize() == 0 ? kNoSite : impl_->nearest(x, y);
-    distance = id == kNoSite ? std::numeric_limits<double>::infinity() : ApproxDistance(x, y, impl_->site(id)).value;
+    const Slot near = visibleSize() == 0 ? kNoSlot : impl_->nearest(x, y);
+    id = near == kNoSlot ? kNoSite : impl_->ids().idOf(near);
+    distance = near == kNoSlot ? std::numeric_limits<double>::infinity() : ApproxDistance(x, y, impl_->site(near)).value;
   });
 }
 
@@ -151,13 +155,13 @@ Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids, std::
   if (xy.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size())) return Error::kBadLength;
   if (const Error error = checkNumbers(xy); error != Error::kNone) return error;
   return guarded([&] {
-    SiteId near = kNoSite;
+    Slot near = kNoSlot;
     for (const std::uint32_t k : hilbertOrder({xy, 2})) {  // each walk starts where the one before ended
       const double x = xy[2 * std::size_t{k}], y = xy[2 * std::size_t{k} + 1];
       if (visibleSize() > 0) near = impl_->nearest(x, y, near);
-      ids[k] = near;
+      ids[k] = near == kNoSlot ? kNoSite : impl_->ids().idOf(near);
       if (distances.empty()) continue;
-      distances[k] = near == kNoSite ? std::numeric_limits<double>::infinity() : ApproxDistance(x, y, impl_->site(near)).value;
+      distances[k] = near == kNoSlot ? std::numeric_limits<double>::infinity() : ApproxDistance(x, y, impl_->site(near)).value;
     }
   });
 }

@@ -23,14 +23,17 @@ std::string perItem(std::size_t items) {
   add("lorentzExact", counts.lorentzExact);
   add("distanceFilter", counts.distanceFilter);
   add("distanceMiddle", counts.distanceMiddle);
+  add("distanceWhole", counts.distanceWhole);
   add("distanceExact", counts.distanceExact);
   add("vertexFilter", counts.vertexFilter);
   add("vertexMiddle", counts.vertexMiddle);
+  add("vertexWhole", counts.vertexWhole);
   add("vertexExact", counts.vertexExact);
   add("vertexDegenerate", counts.vertexDegenerate);
   add("edgeCached", counts.edgeCached);
   add("edgeFilter", counts.edgeFilter);
   add("edgeMiddle", counts.edgeMiddle);
+  add("edgeWhole", counts.edgeWhole);
   add("edgeExact", counts.edgeExact);
   text << "}";
   return text.str();

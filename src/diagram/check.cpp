@@ -2,9 +2,24 @@
 #include <string>
 
 #include "diagram/diagram_core.h"
+#include "number/fp.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {
+
+namespace {
+
+/// Can both be the same circle or half-plane, within their errors? NaNs come with infinite errors.
+bool agree(const VoronoiCircle& a, const VoronoiCircle& b) {
+  if (a.isHalfPlane() != b.isHalfPlane()) return false;
+  const double error = (double{a.error} + double{b.error}) * (1 + powerOfTwo(-20));
+  const auto isClose = [](double x, double y, double bound) { return !(absolute(x - y) > bound); };
+  if (!a.isHalfPlane()) return isClose(a.x, b.x, error) && isClose(a.y, b.y, error) && isClose(a.s, b.s, error);
+  const double slope = (double{a.slope} + double{b.slope}) * (1 + powerOfTwo(-20));
+  return isClose(a.x, b.x, slope) && isClose(a.y, b.y, slope) && isClose(a.s, b.s, error);
+}
+
+}  // namespace
 
 const char* DelaunayGraph::check(std::uint32_t& where) const {
   if (const char* broken = graph_.check(where)) return broken;
@@ -29,9 +44,7 @@ const char* DelaunayGraph::check(std::uint32_t& where) const {
     if (e.i != nullptr && e.j != nullptr && e.k != nullptr && !hasVoronoiCircle(*e.i, *e.j, *e.k)) {
       return "a face has no Voronoi circle: half-edge";
     }
-    const VoronoiCircle fresh = voronoiCircle(e.i, e.j, e.k), &cached = circles_[index(faceOf(h))];
-    const auto same = [](double a, double b) { return a == b || (a != a && b != b); };
-    if (!same(fresh.x, cached.x) || !same(fresh.y, cached.y) || !same(fresh.s, cached.s) || fresh.slope != cached.slope) {
+    if (!agree(circles_[index(faceOf(h))], voronoiCircle(e.i, e.j, e.k))) {
       return "the cached circle of a face is not its circle: half-edge";
     }
   }
@@ -42,27 +55,34 @@ std::string DiagramCore::check() const {
   std::uint32_t where = 0;
   if (const char* broken = base_.check(where)) return std::string(broken) + " " + std::to_string(where);
   if (const char* broken = hierarchy_.check(base_, where)) return "hierarchy: " + std::string(broken) + " " + std::to_string(where);
-  for (SiteId id = 0; id < ids_.slots(); ++id) {
-    if ((ids_.state(id) == SiteState::kVisible) != base_.isVisible(vertexOf(id))) {
-      return "the state of a site differs from its place in the graph: site " + std::to_string(id);
+  const auto name = [&](Slot slot) { return std::to_string(ids_.idOf(slot)); };
+  std::size_t used = 0;
+  for (Slot slot = 0; slot < ids_.slots(); ++slot) {
+    if ((ids_.state(slot) == SiteState::kVisible) != base_.isVisible(vertexOf(slot))) {
+      return "the state of a site differs from its place in the graph: site " + name(slot);
     }
+    if (ids_.state(slot) == SiteState::kFree) continue;
+    ++used;
+    if (ids_.slotOf(ids_.idOf(slot)) != slot) return "the place of an id is another: site " + name(slot);
   }
-  if (ids_.size() != ids_.hiddenCount() + base_.visibleCount()) return "sites are neither visible nor hidden: all";
+  if (used != ids_.size()) return "the count of sites is wrong: count " + std::to_string(ids_.size());
+  if (used != ids_.hiddenCount() + base_.visibleCount()) return "sites are neither visible nor hidden: all";
   return checkHidden();
 }
 
 /// Every hidden site hangs on a site that covers it, and all of them hang, at the end, on visible ones.
 std::string DiagramCore::checkHidden() const {
-  std::vector<SiteId> reached;
-  for (SiteId id = 0; id < ids_.slots(); ++id) {
-    if (ids_.state(id) == SiteState::kVisible) reached.push_back(id);
+  const auto name = [&](Slot slot) { return std::to_string(ids_.idOf(slot)); };
+  std::vector<Slot> reached;
+  for (Slot slot = 0; slot < ids_.slots(); ++slot) {
+    if (ids_.state(slot) == SiteState::kVisible) reached.push_back(slot);
   }
   const std::size_t visible = reached.size();
   for (std::size_t k = 0; k < reached.size(); ++k) {
-    for (SiteId child = hidden_.firstChild(reached[k]); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
-      if (ids_.state(child) != SiteState::kHidden) return "a site that hangs on another is not hidden: site " + std::to_string(child);
-      if (!covers(site(reached[k]), site(child))) return "a hidden site is not covered by its parent: site " + std::to_string(child);
-      if (reached.size() == ids_.size()) return "the forest of hidden sites has a cycle: site " + std::to_string(child);
+    for (Slot child = hidden_.firstChild(reached[k]); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
+      if (ids_.state(child) != SiteState::kHidden) return "a site that hangs on another is not hidden: site " + name(child);
+      if (!covers(site(reached[k]), site(child))) return "a hidden site is not covered by its parent: site " + name(child);
+      if (reached.size() == ids_.size()) return "the forest of hidden sites has a cycle: site " + name(child);
       reached.push_back(child);
     }
   }

@@ -2,30 +2,58 @@
 
 #include "diagram/delaunay_graph.h"
 #include "diagram/invariant.h"
+#include "predicate/edge_shortcut.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {
 
-void ConflictSearch::find(const DelaunayGraph& diagram, const Site& q, VertexId near, HalfedgeId sector) {
+void ConflictSearch::begin(const DelaunayGraph& diagram, const Site& q) {
   // Wiped before, not after: a call that ran out of memory leaves marks behind.
-  for (const FaceId f : touched_) marks_[index(f)] = Mark::kUnknown;
-  touched_.clear();
+  for (const FaceId f : faces_) isInRegion_[index(f)] = 0;
   faces_.clear();
   rim_.clear();
   stack_.clear();
   diagram_ = &diagram;
   q_ = &q;
-  if (marks_.size() < diagram.graph().faceSlots()) marks_.resize(diagram.graph().faceSlots(), Mark::kUnknown);
+  if (isInRegion_.size() < diagram.graph().faceSlots()) isInRegion_.resize(diagram.graph().faceSlots(), 0);
+}
+
+void ConflictSearch::find(const DelaunayGraph& diagram, const Site& q, VertexId near, HalfedgeId sector) {
+  begin(diagram, q);
   if (sector == kNoHalfedge || !startInSector(sector)) startAround(near);
   expand();
 }
 
+bool ConflictSearch::findBeside(const DelaunayGraph& diagram, const Site& q, VertexId close) {
+  constexpr int kFewFaces = 8;
+  begin(diagram, q);
+  const Graph& graph = diagram.graph();
+  const HalfedgeId first = graph.outgoing(close);
+  HalfedgeId h = first;
+  for (int k = 0; k < kFewFaces; ++k) {
+    // The filter's word only: it means strictly nearer, while the exact rule counts the site of a circle given twice as in conflict.
+    const MaybeSign filtered = circleFilter(diagram.circle(faceOf(h)), q);
+    if (filtered.known && filtered.sign == Sign::kPositive) {
+      startAtConflict(faceOf(h));
+      expand();
+      return true;
+    }
+    h = graph.rotateCcw(h);
+    if (h == first) break;
+  }
+  return false;
+}
+
 /// Enters a face if it is in conflict; then the region is to be expanded from its sides.
 bool ConflictSearch::startAt(FaceId f) {
-  if (!isInConflict(f)) return false;
+  if (!diagram_->isFaceInConflict(f, *q_)) return false;
+  startAtConflict(f);
+  return true;
+}
+
+void ConflictSearch::startAtConflict(FaceId f) {
   enter(f);
   for (unsigned c = 3; c-- > 0;) stack_.push_back(halfedgeOf(f, c));
-  return true;
 }
 
 /// Neither end of the edge is in conflict: is its interior? Then that is all of the region.
@@ -67,12 +95,13 @@ void ConflictSearch::expand() {
     stack_.pop_back();
     const HalfedgeId across = graph.twin(h);
     const FaceId beyond = faceOf(across);
-    if (!isInConflict(beyond) || !isEntirelyInConflict(h)) {
+    const bool wasInRegion = isInRegion_[index(beyond)] != 0;
+    if ((!wasInRegion && !diagram_->isFaceInConflict(beyond, *q_)) || !isEntirelyInConflict(h, across)) {
       rim_.push_back(h);  // q's cell ends on this edge; if both its ends are in conflict, its twin gets here too
       continue;
     }
     // An edge between two faces of the region closes a cycle around a site that q covers: no rim (its twin is dropped too).
-    if (marks_[index(beyond)] == Mark::kInRegion) continue;
+    if (wasInRegion) continue;
     enter(beyond);
     stack_.push_back(previous(across));
     stack_.push_back(next(across));
@@ -80,22 +109,21 @@ void ConflictSearch::expand() {
 }
 
 void ConflictSearch::enter(FaceId f) {
-  marks_[index(f)] = Mark::kInRegion;
-  faces_.push_back(f);
+  faces_.push_back(f);  // first: a mark that is not listed would stay
+  isInRegion_[index(f)] = 1;
 }
 
-bool ConflictSearch::isInConflict(FaceId f) {
-  Mark& mark = marks_[index(f)];
-  if (mark == Mark::kUnknown) {
-    touched_.push_back(f);
-    mark = diagram_->isFaceInConflict(f, *q_) ? Mark::kConflict : Mark::kClear;
+/// Both ends of the edge are in conflict.
+bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const {
+  const Graph& graph = diagram_->graph();
+  const VertexId i = graph.origin(h), j = graph.origin(twin);
+  const VoronoiCircle &atK = diagram_->circle(faceOf(h)), &atL = diagram_->circle(faceOf(twin));
+  if (i != kInfinity && j != kInfinity && isSurelyInConflictBetweenEnds(diagram_->site(i), diagram_->site(j), atK, atL, *q_)) {
+    shadowCheck({Sign::kPositive, true},
+                [&] { return isEntireEdgeInConflict(diagram_->edge(h), *q_) ? Sign::kPositive : Sign::kNegative; });
+    return true;
   }
-  return mark != Mark::kClear;
-}
-
-bool ConflictSearch::isEntirelyInConflict(HalfedgeId h) const {
-  return isEntireEdgeInConflict(diagram_->edge(h), diagram_->circle(faceOf(h)), diagram_->circle(faceOf(diagram_->graph().twin(h))),
-                                *q_);
+  return isEntireEdgeInConflict(diagram_->edge(h), atK, atL, *q_);
 }
 
 }  // namespace apollonius

@@ -20,17 +20,22 @@ class ConflictSearch {
   /// REQUIRES: at least two visible sites. Cost: O(size of the region), plus the degree of `near` without a sector.
   void find(const DelaunayGraph& diagram, const Site& q, VertexId near, HalfedgeId sector);
 
+  /// The same without location: looks for a conflict at a few faces of a visible site close to q's centre. False, and nothing found,
+  /// if there is none; else q is not covered. REQUIRES: at least two visible sites.
+  [[nodiscard]] bool findBeside(const DelaunayGraph& diagram, const Site& q, VertexId close);
+
+  void reserve(std::size_t faces) { isInRegion_.reserve(faces); }
+
   /// The faces in conflict; empty if q's cell lies within one edge.
   [[nodiscard]] std::span<const FaceId> faces() const { return faces_; }
   /// The hole's rim from inside, counter-clockwise, as Graph::starHole wants it; empty if q covers every site.
   [[nodiscard]] std::span<const HalfedgeId> rim() const { return rim_; }
 
  private:
-  enum class Mark : std::uint8_t { kUnknown, kClear, kConflict, kInRegion };
-
-  [[nodiscard]] bool isInConflict(FaceId f);
-  [[nodiscard]] bool isEntirelyInConflict(HalfedgeId h) const;
+  void begin(const DelaunayGraph& diagram, const Site& q);
+  [[nodiscard]] bool isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const;
   [[nodiscard]] bool startAt(FaceId f);
+  void startAtConflict(FaceId f);
   [[nodiscard]] bool startWithin(HalfedgeId h);
   [[nodiscard]] bool startInSector(HalfedgeId sector);
   void startAround(VertexId near);
@@ -39,8 +44,7 @@ class ConflictSearch {
 
   const DelaunayGraph* diagram_ = nullptr;  // during find only
   const Site* q_ = nullptr;
-  std::vector<Mark> marks_;                 // by face; all kUnknown between calls
-  std::vector<FaceId> touched_;             // faces whose mark is to be wiped
+  std::vector<std::uint8_t> isInRegion_;    // by face; of the faces in faces_
   std::vector<HalfedgeId> stack_;
   std::vector<FaceId> faces_;
   std::vector<HalfedgeId> rim_;

@@ -16,10 +16,23 @@ void DelaunayGraph::reserve(std::size_t slots) {
 
 void DelaunayGraph::reserveFaces(std::size_t removed, std::size_t created) {
   graph_.reserveFaces(removed, created);
-  newFaces_.resize(created);
-  newCircles_.resize(created);
+  fan_.reserve(created);
+  if (newCircles_.size() < created) {
+    newFaces_.resize(created);
+    newCircles_.resize(created);
+  }
   const std::size_t slots = graph_.faceSlots() + (created > removed ? created - removed : 0);
-  if (circles_.size() < slots) circles_.resize(slots);
+  if (circles_.size() < slots) {
+    if (circles_.capacity() < slots) circles_.reserve(slots + slots / 2);
+    circles_.resize(slots);
+  }
+}
+
+void DelaunayGraph::reserveBulk(std::size_t sites) {
+  const std::size_t faces = 2 * (visibleCount_ + sites);  // Euler: 2 (V + 1) - 4 with infinity
+  graph_.reserveFaces(0, faces > graph_.faceCount() ? faces - graph_.faceCount() : 0);
+  circles_.reserve(faces);
+  conflicts_.reserve(faces);
 }
 
 void DelaunayGraph::clear() noexcept {

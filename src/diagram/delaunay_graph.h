@@ -11,6 +11,7 @@
 
 #include "diagram/conflict.h"
 #include "graph/graph.h"
+#include "predicate/circle_fan.h"
 #include "predicate/predicates.h"
 #include "predicate/shadow_check.h"
 #include "predicate/site.h"
@@ -55,6 +56,8 @@ class DelaunayGraph {
 
   /// Room for vertices of index < slots, and for faces of that many visible ones.
   void reserve(std::size_t slots);
+  /// Room for the faces of so many more visible sites, in one piece.
+  void reserveBulk(std::size_t sites);
 
   /// Writes the site of a vertex that is not visible, so that remove() can consider it. REQUIRES: reserve.
   void setSite(VertexId v, const Site& site) { sites_[index(v)] = site; }
@@ -67,6 +70,10 @@ class DelaunayGraph {
   /// Inserts the site of v (setSite), walking from `start` (visible, or kNoVertex) to its place. Paper, section 3.
   [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors);
 
+  /// Moves the site of a visible vertex, if the graph certainly stays the same; false, and nothing changed, if doubles do not show
+  /// that (move.cpp). Cost: O(degree).
+  [[nodiscard]] bool moveInPlace(VertexId v, const Site& site);
+
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
 
@@ -74,7 +81,8 @@ class DelaunayGraph {
   [[nodiscard]] const char* check(std::uint32_t& where) const;
 
  private:
-  friend class Remover;  // the other operation that changes the graph
+  friend class Remover;   // the other operation that changes the graph
+  friend class MassMove;  // changes sites and circles
   friend class DiagramBreaker;  // tests break a structure on purpose
 
   [[nodiscard]] Located walkAllNeighbors(double x, double y, VertexId start) const;
@@ -82,11 +90,12 @@ class DelaunayGraph {
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
   [[nodiscard]] Insertion insertBesideOne(VertexId v);
   [[nodiscard]] Insertion coverAll(VertexId v);
-  /// Room for an operation on the graph, newFaces_ and newCircles_ of the right size included.
+  /// Room for an operation on the graph, newFaces_ and newCircles_ included.
   void reserveFaces(std::size_t removed, std::size_t created);
+  [[nodiscard]] std::span<FaceId> newFaces(std::size_t created) { return {newFaces_.data(), created}; }
   /// After the operation: newCircles_ become the circles of newFaces_.
-  void takeCircles() noexcept {
-    for (std::size_t k = 0; k < newFaces_.size(); ++k) circles_[index(newFaces_[k])] = newCircles_[k];
+  void takeCircles(std::size_t created) noexcept {
+    for (std::size_t k = 0; k < created; ++k) circles_[index(newFaces_[k])] = newCircles_[k];
   }
 
   std::vector<Site> sites_;              // by vertex
@@ -96,6 +105,7 @@ class DelaunayGraph {
   VertexId recent_ = kNoVertex;          // visible; the only one if visibleCount_ is 1
 
   ConflictSearch conflicts_;
+  CircleFan fan_;
   std::vector<FaceId> newFaces_;         // scratch
   std::vector<VoronoiCircle> newCircles_;  // scratch: computed before the graph changes, as that may take memory
   std::vector<VertexId> covered_;        // scratch

@@ -7,6 +7,13 @@
 
 namespace apollonius {
 
+namespace {
+
+/// -0 + 0 is 0: one number, one pattern of bits.
+Site normalized(const Site& site) { return {site.x + 0.0, site.y + 0.0, site.r + 0.0}; }
+
+}  // namespace
+
 void DiagramCore::reserve(std::size_t sites) {
   ids_.reserve(sites);
   hidden_.reserve(sites);
@@ -14,151 +21,191 @@ void DiagramCore::reserve(std::size_t sites) {
 }
 
 VertexId DiagramCore::startFor(double x, double y) const {
-  const SiteId close = grid_.near(x, y);
-  if (close != kNoSite && ids_.state(close) == SiteState::kVisible) return vertexOf(close);
-  const SiteId start = hierarchy_.locate(x, y);
-  return start == kNoSite ? base_.anyVisible() : vertexOf(start);
+  const Slot close = grid_.near(x, y);
+  if (close != kNoSlot && ids_.state(close) == SiteState::kVisible) return vertexOf(close);
+  const Slot start = hierarchy_.locate(x, y);
+  return start == kNoSlot ? base_.anyVisible() : vertexOf(start);
 }
 
-SiteId DiagramCore::nearest(double x, double y, SiteId hint) const {
-  const VertexId start = hint != kNoSite ? vertexOf(hint) : startFor(x, y);
-  return siteOf(base_.locate(x, y, start, walk_).nearest);
+Slot DiagramCore::nearest(double x, double y, Slot hint) const {
+  const VertexId start = hint != kNoSlot ? vertexOf(hint) : startFor(x, y);
+  return slotOf(base_.locate(x, y, start, walk_).nearest);
 }
 
-SiteId DiagramCore::insert(const Site& site) { return insertNear(site, kNoVertex); }
-
-SiteId DiagramCore::insertNear(const Site& site, VertexId start) {
-  const SiteId id = ids_.next();
-  if (id + std::size_t{2} > base_.graph().vertexSlots()) {
-    hidden_.reserve(id + std::size_t{1});
-    base_.reserve(id + std::size_t{2});  // last: see reserve
+SiteId DiagramCore::insert(const Site& site) {
+  const Slot slot = ids_.next();
+  if (slot + std::size_t{2} > base_.graph().vertexSlots()) {
+    hidden_.reserve(slot + std::size_t{1});
+    base_.reserve(slot + std::size_t{2});  // last: see reserve
   }
-  ids_.take(id, place(id, site, start));
-  return id;
+  return ids_.take(place(slot, site, kNoVertex));
 }
 
-SiteState DiagramCore::place(SiteId id, const Site& site, VertexId start) {
-  const VertexId v = vertexOf(id);
-  // -0 + 0 is 0: one number, one pattern of bits.
-  base_.setSite(v, {site.x + 0.0, site.y + 0.0, site.r + 0.0});
+SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start) {
+  const VertexId v = vertexOf(slot);
+  base_.setSite(v, normalized(site));
   if (start == kNoVertex) start = startFor(site.x, site.y);
   const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_);
   // From here on nothing throws.
   if (insertion.cover != kNoVertex) {
-    hidden_.attach(id, siteOf(insertion.cover));
+    hidden_.attach(slot, slotOf(insertion.cover));
     return SiteState::kHidden;
   }
   for (const VertexId covered : insertion.covered) {
-    hidden_.attach(siteOf(covered), id);
-    ids_.setState(siteOf(covered), SiteState::kHidden);
-    leaveLocation(siteOf(covered));
+    hidden_.attach(slotOf(covered), slot);
+    ids_.setState(slotOf(covered), SiteState::kHidden);
+    leaveLocation(slotOf(covered));
   }
-  enterLocation(id);
+  enterLocation(slot);
   return SiteState::kVisible;
 }
 
 bool DiagramCore::remove(SiteId id) {
-  if (ids_.state(id) == SiteState::kFree) return false;
-  displace(id);
-  ids_.release(id);
+  const Slot slot = ids_.slotOf(id);
+  if (slot == kNoSlot) return false;
+  displace(slot);
+  ids_.release(slot);
   return true;
 }
 
 std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
   ballast_.load();
-  std::vector<SiteId> gone;
+  std::vector<Slot> gone;
   gone.reserve(ids.size());
   try {
     for (const SiteId id : ids) {
-      if (ids_.state(id) == SiteState::kFree || ids_.state(id) == SiteState::kPending) continue;  // pending: repeated
-      displace(id);
-      gone.push_back(id);
+      const Slot slot = ids_.slotOf(id);
+      if (slot == kNoSlot || ids_.state(slot) == SiteState::kPending) continue;  // pending: repeated
+      displace(slot);
+      gone.push_back(slot);
     }
   } catch (const std::bad_alloc&) {
     ballast_.drop();
-    for (const SiteId id : gone) restore(id, site(id));
+    for (const Slot slot : gone) restore(slot, site(slot));
     throw;
   }
-  for (const SiteId id : gone) ids_.release(id);
+  for (const Slot slot : gone) ids_.release(slot);
   return gone.size();
 }
 
-void DiagramCore::displace(SiteId id) {
-  if (ids_.state(id) == SiteState::kHidden) {
-    hidden_.dissolve(id);  // what it covered is covered by its parent, too
+void DiagramCore::displace(Slot slot) {
+  if (ids_.state(slot) == SiteState::kHidden) {
+    hidden_.dissolve(slot);  // what it covered is covered by its parent, too
   } else {
-    displaceVisible(id);
+    displaceVisible(slot);
   }
-  ids_.setState(id, SiteState::kPending);
+  ids_.setState(slot, SiteState::kPending);
 }
 
-void DiagramCore::displaceVisible(SiteId id) {
+void DiagramCore::displaceVisible(Slot slot) {
   children_.clear();
-  for (SiteId child = hidden_.firstChild(id); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
+  for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
     children_.push_back(vertexOf(child));
   }
-  const std::span<const Remover::Fate> fates = remover_.remove(base_, vertexOf(id), children_);
+  const std::span<const Remover::Fate> fates = remover_.remove(base_, vertexOf(slot), children_);
   // From here on nothing throws.
   for (const Remover::Fate& fate : fates) {
-    const SiteId child = siteOf(fate.vertex);
+    const Slot child = slotOf(fate.vertex);
     hidden_.detach(child);
     if (fate.cover == kNoVertex) {
       ids_.setState(child, SiteState::kVisible);
     } else {
-      hidden_.attach(child, siteOf(fate.cover));
+      hidden_.attach(child, slotOf(fate.cover));
     }
   }
-  leaveLocation(id);
+  leaveLocation(slot);
   // The fates were the remover's scratch, which the line above may have used.
   for (const VertexId child : children_) {
-    if (ids_.state(siteOf(child)) == SiteState::kVisible) enterLocation(siteOf(child));
+    if (ids_.state(slotOf(child)) == SiteState::kVisible) enterLocation(slotOf(child));
   }
 }
 
-void DiagramCore::enterLocation(SiteId id) noexcept {
+void DiagramCore::enterLocation(Slot slot) noexcept {
   if (!usesHierarchy_) return;
-  hierarchy_.insert(id, site(id));
-  if (walk_ != Walk::kSectors) return;
-  grid_.insert(id, site(id));
+  hierarchy_.insert(slot, site(slot));
+  if (walk_ != Walk::kSectors || isBulk_) return;
+  grid_.insert(slot, site(slot));
   if (grid_.isOutgrown()) rebuildGrid();
 }
 
-void DiagramCore::leaveLocation(SiteId id) noexcept {
-  hierarchy_.remove(id, remover_);
-  grid_.remove(site(id));
+void DiagramCore::leaveLocation(Slot slot) noexcept {
+  hierarchy_.remove(slot, remover_);
+  grid_.remove(site(slot));
 }
 
 void DiagramCore::rebuildGrid() noexcept {
-  Site low = site(siteOf(base_.anyVisible())), high = low;
+  Site low = base_.site(base_.anyVisible()), high = low;
   const auto forEachVisible = [&](auto&& visit) {
-    for (SiteId id = 0; id < ids_.slots(); ++id) {
-      if (base_.graph().hasVertex(vertexOf(id))) visit(id);
+    for (Slot slot = 0; slot < ids_.slots(); ++slot) {
+      if (base_.graph().hasVertex(vertexOf(slot))) visit(slot);
     }
   };
-  forEachVisible([&](SiteId id) {
-    const Site& s = site(id);
+  forEachVisible([&](Slot slot) {
+    const Site& s = site(slot);
     low = {std::min(low.x, s.x), std::min(low.y, s.y), 0};
     high = {std::max(high.x, s.x), std::max(high.y, s.y), 0};
   });
   grid_.rebuild(base_.visibleCount(), low, high);
-  forEachVisible([&](SiteId id) { grid_.insert(id, site(id)); });
+  forEachVisible([&](Slot slot) { grid_.insert(slot, site(slot)); });
 }
 
 void DiagramCore::update(SiteId id, const Site& site) {
   ballast_.load();
-  move(id, site);
+  move(ids_.slotOf(id), site);
 }
 
-void DiagramCore::move(SiteId id, const Site& site) {
-  const Site old = this->site(id);
+void DiagramCore::move(Slot slot, const Site& site) {
+  const Site old = this->site(slot);
   if (old.x == site.x && old.y == site.y && old.r == site.r) return;
-  displace(id);
+  if (moveInPlace(slot, site)) return;
+  displace(slot);
   try {
-    ids_.setState(id, place(id, site, kNoVertex));
+    ids_.setState(slot, place(slot, site, kNoVertex));
   } catch (const std::bad_alloc&) {
     ballast_.drop();
-    restore(id, old);
+    restore(slot, old);
     throw;
+  }
+}
+
+bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
+  if (ids_.state(slot) != SiteState::kVisible) return false;
+  const Site to = normalized(site);
+  const Site from = this->site(slot);
+  if (!coversChildren(slot, to) || !base_.moveInPlace(vertexOf(slot), to)) return false;
+  followMove(slot, from);
+  return true;
+}
+
+bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
+  for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
+    if (!covers(to, site(child))) return false;
+  }
+  return true;
+}
+
+/// What location needs to know of a site that moved and is visible as before.
+void DiagramCore::followMove(Slot slot, const Site& from) noexcept {
+  hierarchy_.move(slot, site(slot), remover_);
+  grid_.move(slot, from, site(slot));
+  if (grid_.isOutgrown()) rebuildGrid();
+}
+
+void DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order) {
+  if (base_.visibleCount() < 2) return;
+  moves_.clear();
+  moves_.reserve(ids.size());
+  for (const std::size_t k : order) {
+    const Slot slot = ids_.slotOf(ids[k]);
+    const Site to = normalized({xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
+    const Site& from = site(slot);
+    const bool isAtRest = from.x == to.x && from.y == to.y && from.r == to.r;
+    if (ids_.state(slot) != SiteState::kVisible || isAtRest || !coversChildren(slot, to)) continue;
+    moves_.push_back({vertexOf(slot), to});
+  }
+  const std::span<const std::uint8_t> isMade = massMove_.apply(base_, moves_);
+  for (std::size_t k = 0; k < moves_.size(); ++k) {
+    if (isMade[k] != 0) followMove(slotOf(moves_[k].vertex), massMove_.siteBefore(k));
   }
 }
 
@@ -167,46 +214,85 @@ void DiagramCore::insertMany(std::span<const double> xyr, std::span<SiteId> ids)
   ballast_.load();
   const std::size_t sites = ids_.size() + n;
   reserve(sites > ids_.slots() ? sites : ids_.slots());
-  std::vector<std::uint32_t> order = insertionOrder({xyr, 3});
-  // Ids are given in the order of the input, sites inserted along the curve.
-  for (SiteId& id : ids) {
-    id = ids_.next();
-    ids_.take(id, SiteState::kPending);
+  const std::vector<std::uint32_t> curve = hilbertOrder({xyr, 3});
+  std::vector<std::uint32_t> order = randomizedRounds(n);
+  std::vector<Slot> slots(n);
+  // Ids are given in the order of the input, slots along the curve: what is close in the plane is close in memory.
+  for (SiteId& id : ids) id = ids_.takeId();
+  for (std::size_t k = 0; k < n; ++k) {
+    const double* circle = &xyr[3 * std::size_t{curve[k]}];
+    slots[k] = ids_.takeSlot(ids[curve[k]], SiteState::kPending);
+    base_.setSite(vertexOf(slots[k]), {circle[0], circle[1], circle[2]});
   }
+  // Walks start beside, so the grid need not be kept while it changes a lot.
+  isBulk_ = n > ids_.size() / 4;
   std::size_t done = 0;
   try {
-    VertexId start = kNoVertex;
+    base_.reserveBulk(n);
     for (; done < n; ++done) {
-      const double* circle = &xyr[3 * std::size_t{order[done]}];
-      const SiteId id = ids[order[done]];
-      ids_.setState(id, place(id, {circle[0], circle[1], circle[2]}, start));
-      start = base_.anyVisible();
+      const Slot slot = slots[order[done]];
+      const Site circle = site(slot);
+      ids_.setState(slot, place(slot, circle, visibleBeside(slot)));
     }
+    endBulk();
   } catch (const std::bad_alloc&) {
+    endBulk();
     ballast_.drop();
-    for (std::size_t k = 0; k < done; ++k) displace(ids[order[k]]);
-    for (std::size_t k = n; k-- > 0;) ids_.release(ids[k]);  // so that the next ones are given in the same order again
+    for (std::size_t k = 0; k < done; ++k) displace(slots[order[k]]);
+    for (std::size_t k = n; k-- > 0;) ids_.release(ids_.slotOf(ids[k]));  // so that the next ids are given in the same order again
     throw;
   }
 }
 
+void DiagramCore::endBulk() noexcept {
+  if (isBulk_ && walk_ == Walk::kSectors && base_.visibleCount() > 0) rebuildGrid();
+  isBulk_ = false;
+}
+
+VertexId DiagramCore::visibleBeside(Slot slot) const {
+  constexpr Slot kReach = 4;
+  for (Slot distance = 1; distance <= kReach; ++distance) {
+    if (slot >= distance && base_.isVisible(vertexOf(slot - distance))) return vertexOf(slot - distance);
+    if (base_.isVisible(vertexOf(slot + distance))) return vertexOf(slot + distance);
+  }
+  return base_.anyVisible();
+}
+
 void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
   ballast_.load();
-  std::vector<Site> old(ids.size());
-  std::size_t done = 0;
+  const std::vector<std::uint32_t> order = orderOfSlots(ids);
+  std::vector<Site> before(ids.size());
+  for (std::size_t k = 0; k < ids.size(); ++k) before[k] = site(ids_.slotOf(ids[k]));
   try {
-    for (; done < ids.size(); ++done) {
-      old[done] = site(ids[done]);
-      move(ids[done], {xyr[3 * done], xyr[3 * done + 1], xyr[3 * done + 2]});
-    }
+    moveManyInPlace(ids, xyr, order);
+    for (const std::size_t k : order) move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
   } catch (const std::bad_alloc&) {
     ballast_.drop();
-    while (done-- > 0) {
-      displace(ids[done]);
-      restore(ids[done], old[done]);
+    for (const std::size_t k : order) {
+      const Slot slot = ids_.slotOf(ids[k]);
+      displace(slot);
+      restore(slot, before[k]);
     }
     throw;
   }
+}
+
+/// Positions in `ids` in the order of the slots, which is one of places; of an id that is given several times, the last one only.
+std::vector<std::uint32_t> DiagramCore::orderOfSlots(std::span<const SiteId> ids) const {
+  struct Entry {
+    Slot slot;
+    std::uint32_t position;
+  };
+  std::vector<Entry> entries(ids.size());
+  for (std::uint32_t k = 0; k < ids.size(); ++k) entries[k] = {ids_.slotOf(ids[k]), k};
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& a, const Entry& b) { return a.slot != b.slot ? a.slot < b.slot : a.position < b.position; });
+  std::vector<std::uint32_t> order;
+  order.reserve(ids.size());
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    if (k + 1 == entries.size() || entries[k + 1].slot != entries[k].slot) order.push_back(entries[k].position);
+  }
+  return order;
 }
 
 void DiagramCore::clear() noexcept {

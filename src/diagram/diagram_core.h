@@ -12,6 +12,7 @@
 #include "diagram/delaunay_graph.h"
 #include "diagram/hidden.h"
 #include "diagram/hierarchy.h"
+#include "diagram/mass_move.h"
 #include "diagram/remove.h"
 #include "diagram/site_ids.h"
 #include "diagram/start_grid.h"
@@ -28,6 +29,7 @@ class DiagramCore {
 
   SiteId insert(const Site& site);
   void insertMany(std::span<const double> xyr, std::span<SiteId> ids);
+  /// False if the id is not in use.
   bool remove(SiteId id);
   /// How many of the ids were in use.
   std::size_t removeMany(std::span<const SiteId> ids);
@@ -37,11 +39,11 @@ class DiagramCore {
 
   [[nodiscard]] const SiteIds& ids() const { return ids_; }
   [[nodiscard]] std::size_t visibleCount() const { return base_.visibleCount(); }
-  [[nodiscard]] const Site& site(SiteId id) const { return base_.site(vertexOf(id)); }
+  [[nodiscard]] const Site& site(Slot slot) const { return base_.site(vertexOf(slot)); }
   [[nodiscard]] const DelaunayGraph& base() const { return base_; }
 
-  /// The nearest site; `hint` is a site close to the point, or kNoSite. REQUIRES: not empty.
-  [[nodiscard]] SiteId nearest(double x, double y, SiteId hint = kNoSite) const;
+  /// The nearest site; `hint` is a visible site close to the point, or kNoSlot. REQUIRES: not empty.
+  [[nodiscard]] Slot nearest(double x, double y, Slot hint = kNoSlot) const;
 
   // Listings; each replaces the contents of its argument.
   void neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
@@ -52,29 +54,40 @@ class DiagramCore {
   /// Empty, or the first broken invariant.
   [[nodiscard]] std::string check() const;
 
-  [[nodiscard]] static VertexId vertexOf(SiteId id) { return VertexId{id + 1}; }
-  [[nodiscard]] static SiteId siteOf(VertexId v) { return static_cast<SiteId>(v) - 1; }
+  [[nodiscard]] static VertexId vertexOf(Slot slot) { return VertexId{slot + 1}; }
+  [[nodiscard]] static Slot slotOf(VertexId v) { return static_cast<Slot>(v) - 1; }
+  /// The public id of a vertex's site.
+  [[nodiscard]] SiteId siteOf(VertexId v) const { return ids_.idOf(slotOf(v)); }
 
  private:
   friend class DiagramBreaker;  // tests break a structure on purpose
 
   /// Room for everything that is kept per site.
   void reserve(std::size_t sites);
-  SiteId insertNear(const Site& site, VertexId start);
-  /// Places a site whose id is in no structure; `start` is visible, or kNoVertex to locate from scratch. May throw; else the
-  /// returned state is what the id is to get.
-  [[nodiscard]] SiteState place(SiteId id, const Site& site, VertexId start);
-  /// Takes a site out of all structures; its id becomes pending.
-  void displace(SiteId id);
+  /// Places a site whose slot is in no structure; `start` is visible, or kNoVertex to locate from scratch. May throw; else the
+  /// returned state is what the slot is to get.
+  [[nodiscard]] SiteState place(Slot slot, const Site& site, VertexId start);
+  /// A visible vertex close to a slot along the curve of a bulk insertion, or kNoVertex.
+  [[nodiscard]] VertexId visibleBeside(Slot slot) const;
+  /// Takes a site out of all structures; its slot becomes pending.
+  void displace(Slot slot);
   /// Displaces a site and places it elsewhere; a site that cannot be placed returns to where it was.
-  void move(SiteId id, const Site& site);
+  void move(Slot slot, const Site& site);
+  /// Moves a site if nothing else changes by that; else false.
+  [[nodiscard]] bool moveInPlace(Slot slot, const Site& site);
+  /// Moves those of the sites together for which that is so; the others stay where they are.
+  void moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order);
+  [[nodiscard]] bool coversChildren(Slot slot, const Site& to) const;
+  void followMove(Slot slot, const Site& from) noexcept;
+  [[nodiscard]] std::vector<std::uint32_t> orderOfSlots(std::span<const SiteId> ids) const;
   /// Undoes a displacement. There is room for it: the ballast has been dropped.
-  void restore(SiteId id, const Site& site) noexcept { ids_.setState(id, place(id, site, kNoVertex)); }
-  void displaceVisible(SiteId id);
+  void restore(Slot slot, const Site& site) noexcept { ids_.setState(slot, place(slot, site, kNoVertex)); }
+  void displaceVisible(Slot slot);
   /// What location needs to know of a site that became visible, and of one that is visible no more.
-  void enterLocation(SiteId id) noexcept;
-  void leaveLocation(SiteId id) noexcept;
+  void enterLocation(Slot slot) noexcept;
+  void leaveLocation(Slot slot) noexcept;
   void rebuildGrid() noexcept;
+  void endBulk() noexcept;
   [[nodiscard]] VertexId startFor(double x, double y) const;
 
   [[nodiscard]] bool hasFiniteVertex(FaceId f) const;
@@ -83,12 +96,15 @@ class DiagramCore {
 
   bool usesHierarchy_;
   Walk walk_;
+  bool isBulk_ = false;       // many sites are being inserted; the grid is made afterwards
   SiteIds ids_;
-  DelaunayGraph base_;        // vertex of site id: id + 1
-  HiddenForest hidden_;       // node of site id: id
+  DelaunayGraph base_;        // vertex of slot s: s + 1
+  HiddenForest hidden_;       // node of slot s: s
   Hierarchy hierarchy_;
   StartGrid grid_;            // with Walk::kSectors only
   Remover remover_;
+  MassMove massMove_;
+  std::vector<MassMove::Move> moves_;  // scratch of moveManyInPlace
   Ballast ballast_;
   std::vector<VertexId> children_;  // scratch of displaceVisible
 };

@@ -4,19 +4,19 @@
 
 namespace apollonius {
 
-Hierarchy::Slot Hierarchy::chosen(Slot upper, unsigned level) {
+Slot Hierarchy::chosen(Slot upper, unsigned level) {
   // Multiplicative hashing; the upper bits are the good ones.
   std::uint64_t z = (upper + 1ull) * 0x9E3779B97F4A7C15ull + level * 0xD1B54A32D192ED03ull;
   z = (z ^ (z >> 32)) * 0xD6E8FEB86659FD93ull;
   return static_cast<Slot>(z >> (64 - kBits));
 }
 
-Hierarchy::Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
-  Slot slot = kNoSite;
+Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
+  Slot slot = kNoSlot;
   for (std::size_t k = levels_.size(); k > level; --k) {
     const DelaunayGraph& graph = levels_[k - 1];
     if (graph.visibleCount() == 0) continue;
-    const VertexId start = slot == kNoSite ? graph.anyVisible() : vertexOf(slot);
+    const VertexId start = slot == kNoSlot ? graph.anyVisible() : vertexOf(slot);
     const VertexId end = stepDown(graph, graph.locate(x, y, start, walk_), x, y);
     slot = below(slotOf(end), static_cast<unsigned>(k - 1));
   }
@@ -34,10 +34,9 @@ VertexId Hierarchy::stepDown(const DelaunayGraph& graph, DelaunayGraph::Located 
   return giant.r - small.r > reach ? neighbor : located.nearest;
 }
 
-void Hierarchy::insert(SiteId id, const Site& site) noexcept {
+void Hierarchy::insert(Slot slot, const Site& site) noexcept {
   if (isDropped_) return;
   try {
-    Slot slot = id;
     for (unsigned level = 0; level < kMostLevels && climbs(slot, level); ++level) {
       slot >>= kBits;
       if (levels_.size() == level) levels_.emplace_back();
@@ -45,7 +44,7 @@ void Hierarchy::insert(SiteId id, const Site& site) noexcept {
       graph.reserve(slot + std::size_t{2});
       graph.setSite(vertexOf(slot), site);
       const Slot above = locateOn(level + 1, site.x, site.y);
-      (void)graph.insert(vertexOf(slot), above == kNoSite ? kNoVertex : vertexOf(above), walk_);
+      (void)graph.insert(vertexOf(slot), above == kNoSlot ? kNoVertex : vertexOf(above), walk_);
       // What the new site covers is hidden on level 0 as well; the diagram takes it off the other levels.
     }
   } catch (const std::bad_alloc&) {
@@ -53,9 +52,8 @@ void Hierarchy::insert(SiteId id, const Site& site) noexcept {
   }
 }
 
-void Hierarchy::remove(SiteId id, Remover& remover) noexcept {
+void Hierarchy::remove(Slot slot, Remover& remover) noexcept {
   try {
-    Slot slot = id;
     for (unsigned level = 0; level < levels_.size() && climbs(slot, level); ++level) {
       slot >>= kBits;
       DelaunayGraph& graph = levels_[level];

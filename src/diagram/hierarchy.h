@@ -1,7 +1,7 @@
 // The hierarchy of Delaunay graphs for location (paper, section 4): level k + 1 holds a sample of the sites of level k, every
 // eighth on average, and a search walks on each level from where it ended on the one above. Level 0 is the diagram itself.
 //
-// Which sites a level holds is a function of their ids: of each 8 consecutive slots of a level, one, chosen by a hash of their
+// Which sites a level holds is a function of their slots: of each 8 consecutive slots of a level, one, chosen by a hash of their
 // common number, is a slot of the next. So nothing is stored to get from a slot on one level to the same site's on another, and
 // sites that are revived or moved return to their levels. Levels hold visible sites only.
 //
@@ -15,7 +15,7 @@
 
 #include "diagram/delaunay_graph.h"
 #include "diagram/remove.h"
-#include "diagram/vocabulary.h"
+#include "diagram/site_ids.h"
 
 namespace apollonius {
 
@@ -23,28 +23,34 @@ class Hierarchy {
  public:
   explicit Hierarchy(Walk walk) : walk_(walk) {}
 
-  /// The site (an id) to start from on level 0 for (x, y), or kNoSite if the levels are empty.
-  [[nodiscard]] SiteId locate(double x, double y) const { return locateOn(0, x, y); }
+  /// The slot of the site to start from on level 0 for (x, y), or kNoSlot if the levels are empty.
+  [[nodiscard]] Slot locate(double x, double y) const { return locateOn(0, x, y); }
 
   /// Enters a site that is visible on level 0 and is not on its levels yet.
-  void insert(SiteId id, const Site& site) noexcept;
+  void insert(Slot slot, const Site& site) noexcept;
 
   /// Takes a site off its levels, if it is on any.
-  void remove(SiteId id, Remover& remover) noexcept;
+  void remove(Slot slot, Remover& remover) noexcept;
+
+  /// Enters a site anew that has moved on level 0.
+  void move(Slot slot, const Site& to, Remover& remover) noexcept {
+    if (!climbs(slot, 0) || levels_.empty()) return;
+    remove(slot, remover);
+    insert(slot, to);
+  }
 
   void clear() noexcept {
     levels_.clear();
     isDropped_ = false;
   }
 
-  /// The first broken invariant or nullptr; `base` is level 0, whose vertex of site id is id + 1.
+  /// The first broken invariant or nullptr; `base` is level 0, whose vertex of slot s is s + 1.
   [[nodiscard]] const char* check(const DelaunayGraph& base, std::uint32_t& where) const;
 
  private:
   friend class DiagramBreaker;  // tests break a structure on purpose
 
-  using Slot = std::uint32_t;
-  static constexpr unsigned kBits = 3;  // of 4, 8, 16 and 32, 8 took the least time for insertions and searches among 100 000 sites
+  static constexpr unsigned kBits = 5;  // of 4, 8, 16 and 32, 8 took the least time for insertions and searches among 100 000 sites
   static constexpr unsigned kMostLevels = 8;  // the top one holds 32 of 2^29 sites
   static constexpr Slot kMask = (Slot{1} << kBits) - 1;
 

@@ -11,21 +11,22 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk 
     return {kNoVertex, {}};
   }
   if (visibleCount_ == 1) return insertBesideOne(v);
-  const Located near = locate(q.x, q.y, start == kNoVertex ? recent_ : start, walk);
-  if (covers(site(near.nearest), q)) return {near.nearest, {}};  // Lemma 1
-
-  conflicts_.find(*this, q, near.nearest, near.sector);
+  if (start == kNoVertex) start = recent_;
+  // Often a conflict is found at once, which makes the first two stages superfluous: a covered site has none.
+  if (!conflicts_.findBeside(*this, q, start)) {
+    const Located near = locate(q.x, q.y, start, walk);
+    if (covers(site(near.nearest), q)) return {near.nearest, {}};  // Lemma 1
+    conflicts_.find(*this, q, near.nearest, near.sector);
+  }
   if (conflicts_.rim().empty()) return coverAll(v);
 
   const std::size_t removed = conflicts_.faces().size();
   const std::size_t created = conflicts_.rim().size();
   reserveFaces(removed, created);
-  for (std::size_t k = 0; k < created; ++k) {
-    const HalfedgeId h = conflicts_.rim()[k];
-    newCircles_[k] = voronoiCircle(corner(graph_.origin(h)), corner(graph_.target(h)), &q);
-  }
-  const std::span<const VertexId> covered = graph_.starHole(v, conflicts_.faces(), conflicts_.rim(), newFaces_);
-  takeCircles();
+  for (std::size_t k = 0; k < created; ++k) fan_.setCorner(k, corner(graph_.origin(conflicts_.rim()[k])));
+  fan_.compute(q, {newCircles_.data(), created});
+  const std::span<const VertexId> covered = graph_.starHole(v, conflicts_.faces(), conflicts_.rim(), newFaces(created));
+  takeCircles(created);
   visibleCount_ += 1 - covered.size();
   recent_ = v;
   return {kNoVertex, covered};
@@ -38,8 +39,8 @@ DelaunayGraph::Insertion DelaunayGraph::insertBesideOne(VertexId v) {
   reserveFaces(0, 2);
   newCircles_[0] = voronoiCircle(corner(first), corner(v), nullptr);
   newCircles_[1] = voronoiCircle(corner(v), corner(first), nullptr);
-  graph_.makePair(first, v, newFaces_);
-  takeCircles();
+  graph_.makePair(first, v, newFaces(2));
+  takeCircles(2);
   visibleCount_ = 2;
   recent_ = v;
   return {kNoVertex, {}};

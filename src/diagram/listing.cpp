@@ -8,8 +8,9 @@ namespace apollonius {
 void DiagramCore::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
   neighbors.clear();
   const Graph& graph = base_.graph();
-  if (!graph.hasVertex(vertexOf(id))) return;
-  const HalfedgeId begin = graph.outgoing(vertexOf(id));
+  const VertexId v = vertexOf(ids_.slotOf(id));
+  if (!graph.hasVertex(v)) return;
+  const HalfedgeId begin = graph.outgoing(v);
   HalfedgeId h = begin;
   do {
     if (graph.target(h) != kInfinity) neighbors.push_back(siteOf(graph.target(h)));

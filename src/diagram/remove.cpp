@@ -17,16 +17,12 @@ std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId 
                                                          : diagram.graph().target(link_[0]));
     return fates_;
   }
-  if (hidden.empty() && link_.size() <= 3) {
-    // Degree 2: the two edges opposite to v become one. Degree 3: the three become a face.
-    patch_.clear();
-    patchFaces_.clear();
-    if (link_.size() == 3) {
-      const Graph& graph = diagram.graph();
-      patch_.push_back({{graph.origin(link_[0]), graph.origin(link_[1]), graph.origin(link_[2])},
-                        {Graph::kOutside | 0, Graph::kOutside | 1, Graph::kOutside | 2}});
-    }
-    apply(diagram, v);
+  if (hidden.empty() && link_.size() == 2) {
+    apply(diagram, v, {}, {});  // the two edges opposite to v become one
+    return fates_;
+  }
+  if (hidden.empty() && ears_.fill(diagram, v, link_)) {
+    apply(diagram, v, ears_.patch(), ears_.circles());
     return fates_;
   }
 
@@ -44,7 +40,7 @@ std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId 
     return fates_;
   }
   findPatch(diagram, v);
-  apply(diagram, v);
+  apply(diagram, v, patch_, patchCircles_);
   diagram.visibleCount_ += revived;
   return fates_;
 }
@@ -151,7 +147,9 @@ void Remover::makePatch() {
   const Graph& small = small_.graph();
   for (std::size_t k = 0; k < patchFaces_.size(); ++k) patchOf_[index(patchFaces_[k])] = static_cast<std::uint32_t>(k);
   patch_.resize(patchFaces_.size());
+  patchCircles_.resize(patchFaces_.size());
   for (std::size_t k = 0; k < patchFaces_.size(); ++k) {
+    patchCircles_[k] = small_.circle(patchFaces_[k]);
     for (unsigned c = 0; c < 3; ++c) {
       const HalfedgeId h = halfedgeOf(patchFaces_[k], c);
       const HalfedgeId across = small.twin(h);
@@ -165,24 +163,17 @@ void Remover::makePatch() {
   }
 }
 
-void Remover::apply(DelaunayGraph& diagram, VertexId v) {
-  diagram.reserveFaces(link_.size(), patch_.size());
+void Remover::apply(DelaunayGraph& diagram, VertexId v, std::span<const Graph::PatchFace> patch,
+                    std::span<const VoronoiCircle> circles) {
+  diagram.reserveFaces(link_.size(), patch.size());
   // Some visible neighbour, should v be the vertex that walks start from.
-  VertexId neighbour = kNoVertex;
-  if (!patch_.empty()) {
-    neighbour = patch_[0].corners[0] != kInfinity ? patch_[0].corners[0] : patch_[0].corners[1];
-  } else {
-    const VertexId a = diagram.graph().origin(link_[0]);
-    neighbour = a != kInfinity ? a : diagram.graph().target(link_[0]);
-  }
-  for (std::size_t k = 0; k < patch_.size(); ++k) {
-    const auto& corners = patch_[k].corners;
-    diagram.newCircles_[k] = patchFaces_.empty()
-                                 ? voronoiCircle(diagram.corner(corners[0]), diagram.corner(corners[1]), diagram.corner(corners[2]))
-                                 : small_.circle(patchFaces_[k]);
-  }
-  diagram.graph_.replaceStar(v, link_, patch_, diagram.newFaces_);
-  diagram.takeCircles();
+  const Graph& graph = diagram.graph();
+  const VertexId a = patch.empty() ? graph.origin(link_[0]) : patch[0].corners[0];
+  const VertexId b = patch.empty() ? graph.target(link_[0]) : patch[0].corners[1];
+  const VertexId neighbour = a != kInfinity ? a : b;
+  std::copy(circles.begin(), circles.end(), diagram.newCircles_.begin());
+  diagram.graph_.replaceStar(v, link_, patch, diagram.newFaces(patch.size()));
+  diagram.takeCircles(patch.size());
   --diagram.visibleCount_;
   if (diagram.recent_ == v) diagram.recent_ = neighbour;
 }

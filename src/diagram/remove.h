@@ -1,5 +1,6 @@
 // Deletion of a visible site (paper, section 5.1): its star is filled with the part of the small diagram of its neighbours and
-// of the sites that it hid, which the site would be in conflict with.
+// of the sites that it hid, which the site would be in conflict with. Where the site hid none and its degree is not large, clipping ears
+// does the same with less (ears.h).
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "diagram/delaunay_graph.h"
+#include "diagram/ears.h"
 
 namespace apollonius {
 
@@ -31,9 +33,11 @@ class Remover {
   void takeAllAsPatch();
   void alignLink(const Graph& graph);
   void makePatch();
-  void apply(DelaunayGraph& diagram, VertexId v);
+  void apply(DelaunayGraph& diagram, VertexId v, std::span<const Graph::PatchFace> patch, std::span<const VoronoiCircle> circles);
   void becomeSingle(DelaunayGraph& diagram, VertexId v);
   [[nodiscard]] VertexId global(VertexId local) const { return local == kInfinity ? kInfinity : global_[index(local)]; }
+
+  EarClipper ears_;
 
   // The small diagram; its vertex k is the big one's global_[k], covered by the small one's cover_[k].
   DelaunayGraph small_;
@@ -46,6 +50,7 @@ class Remover {
   std::vector<std::uint32_t> linkOf_;    // by half-edge of the small diagram: index in link_, or kNoIndex
   std::vector<FaceId> patchFaces_;       // faces of the small diagram that make the patch
   std::vector<Graph::PatchFace> patch_;
+  std::vector<VoronoiCircle> patchCircles_;
   std::vector<Fate> fates_;
 };
 

@@ -1,4 +1,6 @@
-// Public site ids: which are in use and for what, and which are free to be used again. One word a site.
+// Names and places of sites. A site's public id is stable while it lives; its slot is where it is in the arrays of the diagram.
+// They are two numbers so that sites that come in bulk can lie in memory as they lie in the plane, and still be called
+// 0, 1, 2, … in the order of the input. One word an id, one a slot.
 #pragma once
 
 #include <cstddef>
@@ -8,73 +10,126 @@
 
 #include "diagram/vocabulary.h"
 
-
 namespace apollonius {
+
+/// A site's place in the arrays; its vertex is the slot's number + 1.
+using Slot = std::uint32_t;
+inline constexpr Slot kNoSlot = 0xFFFFFFFFu;
 
 /// kPending: in use, but the site is in no structure at the moment; within operations of several steps only.
 enum class SiteState : std::uint8_t { kFree = 0, kVisible = 1, kHidden = 2, kPending = 3 };
 
 class SiteIds {
  public:
-  [[nodiscard]] std::size_t slots() const { return words_.size(); }
-  [[nodiscard]] std::size_t size() const { return words_.size() - freeCount_; }
+  [[nodiscard]] std::size_t slots() const { return slots_.size(); }  ///< slots in use are below
+  [[nodiscard]] std::size_t idLimit() const { return ids_.size(); }  ///< ids in use are below
+  [[nodiscard]] std::size_t size() const { return slots_.size() - freeSlots_; }
   [[nodiscard]] std::size_t hiddenCount() const { return hiddenCount_; }
-  [[nodiscard]] SiteState state(SiteId id) const {
-    return id < words_.size() ? static_cast<SiteState>(words_[id] >> kShift) : SiteState::kFree;
+  [[nodiscard]] SiteState state(Slot slot) const {
+    return slot < slots_.size() ? static_cast<SiteState>(slots_[slot] >> kShift) : SiteState::kFree;
   }
+  /// Of a slot in use.
+  [[nodiscard]] SiteId idOf(Slot slot) const { return slots_[slot] & kMask; }
+  /// kNoSlot if the id is not in use.
+  [[nodiscard]] Slot slotOf(SiteId id) const { return id < ids_.size() && (ids_[id] & kFreeId) == 0 ? ids_[id] : kNoSlot; }
 
-  /// Makes room for one more id and returns it; it is not in use before setState.
-  [[nodiscard]] SiteId next() {
-    if (freeCount_ == 0) {
-      words_.push_back(kEndOfList);
-      firstFree_ = static_cast<SiteId>(words_.size() - 1);
-      freeCount_ = 1;
+  /// Makes room for one more site and returns the slot that it will get; it is not in use before take().
+  [[nodiscard]] Slot next() {
+    if (firstFreeId_ == kEnd) {
+      ids_.push_back(kFreeId | kEnd);
+      firstFreeId_ = static_cast<SiteId>(ids_.size() - 1);
     }
-    return firstFree_;
+    if (firstFreeSlot_ == kEnd) {
+      slots_.push_back(kEnd);
+      firstFreeSlot_ = static_cast<Slot>(slots_.size() - 1);
+      ++freeSlots_;
+    }
+    return firstFreeSlot_;
   }
 
-  /// Takes the id that next() returned.
-  void take(SiteId id, SiteState state) {
-    const std::uint32_t following = words_[id] & kListMask;
-    firstFree_ = following == kEndOfList ? kNoSite : following;
-    --freeCount_;
-    words_[id] = 0;
-    setState(id, state);
+  /// Takes the next slot and the next id. REQUIRES: next().
+  SiteId take(SiteState state) {
+    const SiteId id = takeId();
+    (void)takeSlot(id, state);
+    return id;
   }
 
-  /// Changes the state of an id in use.
-  void setState(SiteId id, SiteState state) {
+  /// The two halves of take(), for many sites whose slots are in another order than their ids. REQUIRES: reserve().
+  [[nodiscard]] SiteId takeId() {
+    if (firstFreeId_ == kEnd) {
+      ids_.push_back(kNoSlot);
+      return static_cast<SiteId>(ids_.size() - 1);
+    }
+    const SiteId id = firstFreeId_;
+    firstFreeId_ = ids_[id] & kMask;
+    ids_[id] = kNoSlot;
+    return id;
+  }
+  [[nodiscard]] Slot takeSlot(SiteId id, SiteState state) {
+    Slot slot = firstFreeSlot_;
+    if (slot == kEnd) {
+      slot = static_cast<Slot>(slots_.size());
+      slots_.push_back(0);
+    } else {
+      firstFreeSlot_ = slots_[slot] & kMask;
+      --freeSlots_;
+    }
+    ids_[id] = slot;
+    slots_[slot] = word(state, id);
     hiddenCount_ += state == SiteState::kHidden;
-    hiddenCount_ -= this->state(id) == SiteState::kHidden;
-    words_[id] = static_cast<std::uint32_t>(state) << kShift;
+    return slot;
   }
 
-  void release(SiteId id) {
-    hiddenCount_ -= state(id) == SiteState::kHidden;
-    words_[id] = firstFree_ == kNoSite ? kEndOfList : firstFree_;
-    firstFree_ = id;
-    ++freeCount_;
+  /// Changes the state of a slot in use.
+  void setState(Slot slot, SiteState state) {
+    hiddenCount_ += state == SiteState::kHidden;
+    hiddenCount_ -= this->state(slot) == SiteState::kHidden;
+    slots_[slot] = word(state, idOf(slot));
   }
 
-  void reserve(std::size_t slots) { words_.reserve(slots); }
+  /// Frees a slot in use, and its id.
+  void release(Slot slot) {
+    hiddenCount_ -= state(slot) == SiteState::kHidden;
+    const SiteId id = idOf(slot);
+    ids_[id] = kFreeId | firstFreeId_;
+    firstFreeId_ = id;
+    slots_[slot] = word(SiteState::kFree, firstFreeSlot_);
+    firstFreeSlot_ = slot;
+    ++freeSlots_;
+  }
 
-  void clear() { *this = SiteIds{std::move(words_)}; }
+  /// Room for `more` sites in all.
+  void reserve(std::size_t sites) {
+    ids_.reserve(sites);
+    slots_.reserve(sites);
+  }
 
-  SiteIds() = default;
+  /// Forgets all sites but keeps the room.
+  void clear() {
+    ids_.clear();
+    slots_.clear();
+    firstFreeId_ = firstFreeSlot_ = kEnd;
+    freeSlots_ = hiddenCount_ = 0;
+  }
 
  private:
-  // State in the upper two bits; of a free id, the next free one below.
+  // Of a slot: the state in the upper two bits; below, the id, or of a free slot the next free one. Of an id: the slot, or with the
+  // top bit set the next free id.
   static constexpr unsigned kShift = 30;
-  static constexpr std::uint32_t kListMask = (std::uint32_t{1} << kShift) - 1;
-  static constexpr std::uint32_t kEndOfList = kListMask;
-  static_assert(kMostSites < kEndOfList);
+  static constexpr std::uint32_t kMask = (std::uint32_t{1} << kShift) - 1;
+  static constexpr std::uint32_t kEnd = kMask;
+  static constexpr std::uint32_t kFreeId = 0x80000000u;
+  static_assert(kMostSites < kEnd);
 
-  /// Keeps the room of a used array.
-  explicit SiteIds(std::vector<std::uint32_t>&& room) : words_(std::move(room)) { words_.clear(); }
+  static constexpr std::uint32_t word(SiteState state, std::uint32_t value) {
+    return static_cast<std::uint32_t>(state) << kShift | value;
+  }
 
-  std::vector<std::uint32_t> words_;
-  SiteId firstFree_ = kNoSite;
-  std::size_t freeCount_ = 0;
+  std::vector<std::uint32_t> ids_;    // by id
+  std::vector<std::uint32_t> slots_;  // by slot
+  SiteId firstFreeId_ = kEnd;
+  Slot firstFreeSlot_ = kEnd;
+  std::size_t freeSlots_ = 0;
   std::size_t hiddenCount_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "diagram/spatial_order.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <limits>
 
@@ -16,21 +17,21 @@ std::uint32_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
   for (std::uint32_t side = 1u << (kCurveBits - 1); side > 0; side >>= 1) {
     const std::uint32_t right = (x & side) != 0, upper = (y & side) != 0;
     position = position << 2 | ((3 * right) ^ upper);
-    // The curve in the quarter is a reflected copy: swap the axes in the lower quarters, and turn around in the right one.
-    if (upper == 0) {
-      if (right != 0) {
-        x = ~x;
-        y = ~y;
-      }
-      std::swap(x, y);
-    }
+    // The curve in the quarter is a reflected copy: in the lower quarters the axes are swapped, and in the right one of them turned
+    // around as well. Written without branches, which would be taken at random.
+    const std::uint32_t flip = 0u - (right & (upper ^ 1u));
+    x ^= flip;
+    y ^= flip;
+    const std::uint32_t swapped = (x ^ y) & (0u - (upper ^ 1u));
+    x ^= swapped;
+    y ^= swapped;
   }
   return position;
 }
 
-/// Keys (round, position on the curve) in one word, the point's index beside it.
+/// A position on the curve, and which point is there.
 struct Entry {
-  std::uint64_t key;
+  std::uint32_t key;
   std::uint32_t point;
 };
 
@@ -58,32 +59,66 @@ std::vector<Entry> curveEntries(PointArray points) {
   return entries;
 }
 
-std::vector<std::uint32_t> sorted(std::vector<Entry>& entries) {
-  std::sort(entries.begin(), entries.end(),
-            [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
-  std::vector<std::uint32_t> order(entries.size());
-  for (std::size_t k = 0; k < entries.size(); ++k) order[k] = entries[k].point;
-  return order;
+/// Sorts by key, stably: least significant digits first.
+void radixSort(std::vector<Entry>& entries) {
+  constexpr unsigned kDigitBits = 11, kDigits = 3;
+  constexpr std::uint32_t kDigitMask = (1u << kDigitBits) - 1;
+  std::vector<Entry> other(entries.size());
+  std::vector<std::array<std::uint32_t, kDigits>> starts(std::size_t{1} << kDigitBits);
+  const auto digit = [](std::uint32_t key, unsigned d) { return key >> (d * kDigitBits) & kDigitMask; };
+  for (const Entry& entry : entries) {
+    for (unsigned d = 0; d < kDigits; ++d) ++starts[digit(entry.key, d)][d];
+  }
+  std::array<std::uint32_t, kDigits> sum{};
+  for (auto& start : starts) {
+    for (unsigned d = 0; d < kDigits; ++d) {
+      const std::uint32_t count = start[d];
+      start[d] = sum[d];
+      sum[d] += count;
+    }
+  }
+  for (unsigned d = 0; d < kDigits; ++d) {
+    for (const Entry& entry : entries) other[starts[digit(entry.key, d)][d]++] = entry;
+    entries.swap(other);
+  }
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> hilbertOrder(PointArray points) {
   std::vector<Entry> entries = curveEntries(points);
-  return sorted(entries);
+  constexpr std::size_t kFew = 512;  // a radix sort has 2^11 counters to sum up
+  if (entries.size() > kFew) {
+    radixSort(entries);
+  } else {
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
+  }
+  std::vector<std::uint32_t> order(entries.size());
+  for (std::size_t k = 0; k < entries.size(); ++k) order[k] = entries[k].point;
+  return order;
 }
 
-std::vector<std::uint32_t> insertionOrder(PointArray points) {
-  std::vector<Entry> entries = curveEntries(points);
-  // A point is in the last round with probability 1/2, in the one before with 1/4, and so on: leading zeros of a random word.
-  for (Entry& entry : entries) {
-    std::uint64_t z = (entry.point + 1ull) * 0x9E3779B97F4A7C15ull;  // splitmix64
+std::vector<std::uint32_t> randomizedRounds(std::size_t n) {
+  // The round, counted from the last, is the number of leading zeros of a random word: 0 with probability 1/2, and so on.
+  constexpr std::size_t kRounds = 65;
+  const auto roundOf = [](std::size_t k) {
+    std::uint64_t z = (k + 1ull) * 0x9E3779B97F4A7C15ull;  // splitmix64
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-    const auto round = static_cast<std::uint64_t>(std::countl_zero(z ^ (z >> 31)));
-    entry.key |= (64 - round) << 32;
+    return static_cast<std::size_t>(std::countl_zero(z ^ (z >> 31)));
+  };
+  std::array<std::size_t, kRounds> start{};
+  for (std::size_t k = 0; k < n; ++k) ++start[roundOf(k)];
+  std::size_t sum = 0;
+  for (std::size_t round = kRounds; round-- > 0;) {
+    const std::size_t count = start[round];
+    start[round] = sum;
+    sum += count;
   }
-  return sorted(entries);
+  std::vector<std::uint32_t> order(n);
+  for (std::size_t k = 0; k < n; ++k) order[start[roundOf(k)]++] = static_cast<std::uint32_t>(k);
+  return order;
 }
 
 }  // namespace apollonius

@@ -3,6 +3,7 @@
 // stays that of a random order.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,10 +17,12 @@ struct PointArray {
   [[nodiscard]] std::size_t size() const { return values.size() / stride; }
 };
 
-/// Indices of the points along a Hilbert curve over their bounding box. The same on every platform.
+/// Indices of the points along a Hilbert curve over their bounding box; equal points in the order of the input. The same on every
+/// platform. Cost: O(n), a radix sort.
 [[nodiscard]] std::vector<std::uint32_t> hilbertOrder(PointArray points);
 
-/// Indices of the points in randomised rounds, each along a Hilbert curve. Seeded: the same on every platform.
-[[nodiscard]] std::vector<std::uint32_t> insertionOrder(PointArray points);
+/// The numbers 0 … n-1 in randomised rounds, rising in each: about half of them in the last round, a quarter in the one before, and
+/// so on. Seeded: the same on every platform.
+[[nodiscard]] std::vector<std::uint32_t> randomizedRounds(std::size_t n);
 
 }  // namespace apollonius

@@ -9,31 +9,37 @@
 #include <cstdint>
 #include <vector>
 
-#include "diagram/vocabulary.h"
+#include "diagram/site_ids.h"
 #include "predicate/site.h"
 
 namespace apollonius {
 
 class StartGrid {
  public:
-  /// A site whose centre was in the cell of (x, y), or kNoSite.
-  [[nodiscard]] SiteId near(double x, double y) const {
-    if (cells_.empty()) return kNoSite;
+  /// The slot of a site whose centre was in the cell of (x, y), or kNoSlot.
+  [[nodiscard]] Slot near(double x, double y) const {
+    if (cells_.empty()) return kNoSlot;
     const Cell& cell = cells_[cellOf(x, y)];
-    return cell.count <= kFew ? cell.site : kNoSite;
+    return cell.count <= kFew ? cell.site : kNoSlot;
   }
 
-  void insert(SiteId id, const Site& site) {
+  void insert(Slot slot, const Site& site) {
     ++noted_;
     if (cells_.empty()) return;
     Cell& cell = cells_[cellOf(site.x, site.y)];
-    cell.site = id;
+    cell.site = slot;
     cell.count += cell.count <= kFew;
   }
   void remove(const Site& site) {
     if (cells_.empty()) return;
     Cell& cell = cells_[cellOf(site.x, site.y)];
     cell.count -= cell.count > 0 && cell.count <= kFew;
+  }
+
+  void move(Slot slot, const Site& from, const Site& to) {
+    if (cells_.empty() || cellOf(from.x, from.y) == cellOf(to.x, to.y)) return;
+    remove(from);
+    insert(slot, to);
   }
 
   /// Has so much been inserted since the last rebuild that another one pays?
@@ -49,7 +55,7 @@ class StartGrid {
   static constexpr std::uint32_t kFew = 6;
 
   struct Cell {
-    SiteId site = kNoSite;
+    Slot site = kNoSlot;
     std::uint32_t count = 0;  // of sites inserted; stays at kFew + 1 once it got there
   };
 

@@ -72,18 +72,14 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
   rim_.clear();
   for (const HalfedgeId h : rim) rim_.push_back({origin(h), twin(h)});
   lost_.clear();
-  for (const FaceId f : hole) {
-    for (unsigned c = 0; c < 3; ++c) {
-      VertexId& corner = halfedges_[index(halfedgeOf(f, c))].origin;
-      if (outgoing(corner) != kNoHalfedge) lost_.push_back(corner);  // once each: the rim's get their place back below
-      outgoing_[index(corner)] = kNoHalfedge;
-      corner = kNoVertex;
-    }
-  }
+  // f faces that hang together by f - 1 edges, as a tree, have f + 2 sides and no vertex within. So it is nearly always.
+  const bool mayLose = n != hole.size() + 2;
+  if (mayLose) collectCorners(hole);
+  for (const FaceId f : hole) halfedges_[index(halfedgeOf(f, 0))].origin = kNoVertex;
   for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < hole.size() ? hole[k] : takeFace();
 
   // An outer side within the hole is on the rim itself and is replaced too: leave word there of what replaces it.
-  const auto isInHole = [&](HalfedgeId h) { return origin(h) == kNoVertex; };
+  const auto isInHole = [&](HalfedgeId h) { return !isLive(faceOf(h)); };
   for (std::size_t k = 0; k < n; ++k) {
     if (isInHole(rim[k])) halfedges_[index(rim[k])].twin = halfedgeOf(newFaces[k], 0);
   }
@@ -91,15 +87,34 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
     if (isInHole(edge.outer)) edge.outer = twin(edge.outer);
   }
 
+  HalfedgeId spoke = halfedgeOf(newFaces[n - 1], 1);  // to w, of the face before
   for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t after = k + 1 < n ? k + 1 : 0;
-    setFace(newFaces[k], rim_[k].from, rim_[after].from, w);
-    sew(halfedgeOf(newFaces[k], 0), rim_[k].outer);
-    sew(halfedgeOf(newFaces[k], 1), halfedgeOf(newFaces[after], 2));
+    const HalfedgeId side = halfedgeOf(newFaces[k], 0), toNew = HalfedgeId{static_cast<std::uint32_t>(side) + 1};
+    const HalfedgeId fromNew = HalfedgeId{static_cast<std::uint32_t>(side) + 2};
+    const VertexId from = rim_[k].from;
+    halfedges_[index(side)] = {from, rim_[k].outer};
+    halfedges_[index(rim_[k].outer)].twin = side;
+    halfedges_[index(toNew)].origin = rim_[k + 1 < n ? k + 1 : 0].from;
+    halfedges_[index(fromNew)] = {w, spoke};
+    halfedges_[index(spoke)].twin = fromNew;
+    outgoing_[index(from)] = side;
+    spoke = toNew;
   }
+  outgoing_[index(w)] = halfedgeOf(newFaces[0], 2);
   for (std::size_t k = n; k < hole.size(); ++k) freeFace(hole[k]);
-  std::erase_if(lost_, [&](VertexId v) { return outgoing(v) != kNoHalfedge; });
+  if (mayLose) std::erase_if(lost_, [&](VertexId v) { return outgoing(v) != kNoHalfedge; });
   return lost_;
+}
+
+/// Takes their places from the corners of the hole and lists them in lost_: those on the rim get them back.
+void Graph::collectCorners(std::span<const FaceId> hole) {
+  for (const FaceId f : hole) {
+    for (unsigned c = 0; c < 3; ++c) {
+      const VertexId corner = origin(halfedgeOf(f, c));
+      if (outgoing(corner) != kNoHalfedge) lost_.push_back(corner);  // once each
+      outgoing_[index(corner)] = kNoHalfedge;
+    }
+  }
 }
 
 void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<const PatchFace> patch,

@@ -94,6 +94,7 @@ class Graph {
   friend class GraphBreaker;  // tests break a structure on purpose
 
   [[nodiscard]] FaceId takeFace();
+  void collectCorners(std::span<const FaceId> hole);
   void freeFace(FaceId f);
   void setFace(FaceId f, VertexId a, VertexId b, VertexId c);
   void sew(HalfedgeId h, HalfedgeId g) {

@@ -30,12 +30,23 @@ inline Arrow directionOf(double px, double py, const Site& pole) {
   return {x, y, kUnitRoundoff * std::max(absolute(x), absolute(y))};
 }
 
+/// Bounds the error of a sum of two products of components of a and b.
+inline double productBound(const Arrow& a, const Arrow& b) {
+  const double sa = a.size(), sb = b.size();
+  return (a.error * sb + b.error * sa + 2 * a.error * b.error + 3 * kUnitRoundoff * sa * sb) * (1 + 16 * kUnitRoundoff);
+}
+
+/// Do the directions certainly differ by less than a quarter turn?
+inline bool differByLessThanAQuarter(const Arrow& a, const Arrow& b) {
+  const double bound = productBound(a, b);
+  return bound > powerOfTwo(-900) && a.x * b.x + a.y * b.y > bound;
+}
+
 /// Is b to the left of a (positive) or to the right? Sign of a.x b.y - a.y b.x, whose error is at most a.error |b| + b.error |a| +
 /// twice their product, and two roundings of each of the two products.
 inline MaybeSign turn(const Arrow& a, const Arrow& b) {
   const double value = a.x * b.y - a.y * b.x;
-  const double sa = a.size(), sb = b.size();
-  const double bound = (a.error * sb + b.error * sa + 2 * a.error * b.error + 3 * kUnitRoundoff * sa * sb) * (1 + 16 * kUnitRoundoff);
+  const double bound = productBound(a, b);
   // Underflow is far below the bound where the arrows are not tiny; NaN ends as unknown.
   if (!(bound > powerOfTwo(-900))) return {};
   if (value > bound) return {Sign::kPositive, true};

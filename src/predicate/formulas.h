@@ -58,8 +58,13 @@ struct VertexForm {
   constexpr VertexForm(const Row<T>& j, const Row<T>& k, const Row<T>& q)
       : xr(determinant(j.x, j.r, j.p, k.x, k.r, k.p, q.x, q.r, q.p)),
         yr(determinant(j.y, j.r, j.p, k.y, k.r, k.p, q.y, q.r, q.p)),
-        xy(determinant(j.x, j.y, j.p, k.x, k.y, k.p, q.x, q.y, q.p)),
+        xy(xyOf(j, k, q)),
         x((k.x * j.p - j.x * k.p) * xr + (k.y * j.p - j.y * k.p) * yr) {}
+
+  /// xy alone, which decides where all weights are equal: xr, yr and x are zero then.
+  [[nodiscard]] static constexpr T xyOf(const Row<T>& j, const Row<T>& k, const Row<T>& q) {
+    return determinant(j.x, j.y, j.p, k.x, k.y, k.p, q.x, q.y, q.p);
+  }
 
   /// x² - xy² p_jk p_j p_k without its positive factor u² + v² of chordOf(j, k): degree 8.
   [[nodiscard]] constexpr T squares() const { return xr * xr + yr * yr - xy * xy; }

@@ -52,6 +52,7 @@ Sign vertexSign(const Site& i, Corner j, Corner k, Corner q) {
   Question question([&] { return stages::vertexExact(i, j, k, q); }, counts().vertexExact);
   if (question.isSettledBy(stages::vertexFilter(i, j, k, q), counts().vertexFilter)) return question.settled();
   if (question.isSettledBy(stages::vertexMiddle(i, j, k, q), counts().vertexMiddle)) return question.settled();
+  if (question.isSettledBy(stages::vertexWhole(i, j, k, q), counts().vertexWhole)) return question.settled();
   return question.exact();
 }
 
@@ -79,6 +80,7 @@ bool probeIsInRange(EdgeCorners e, const VoronoiCircle* atK, const VoronoiCircle
     }
     if (question.isSettledBy(stages::edgeFilter(*e.i, e.j, e.k, e.l, q, probe), counts().edgeFilter)) return question.settled();
     if (question.isSettledBy(stages::edgeMiddle(*e.i, e.j, e.k, e.l, q, probe), counts().edgeMiddle)) return question.settled();
+    if (question.isSettledBy(stages::edgeWhole(*e.i, e.j, e.k, e.l, q, probe), counts().edgeWhole)) return question.settled();
     return question.exact();
   };
   return answer() == Sign::kPositive;
@@ -98,6 +100,7 @@ Sign compareDistance(double x, double y, const Site& a, const Site& b) {
   Question question([&] { return stages::distanceExact(x, y, a, b); }, counts().distanceExact);
   if (question.isSettledBy(stages::distanceFilter(x, y, a, b), counts().distanceFilter)) return question.settled();
   if (question.isSettledBy(stages::distanceMiddle(x, y, a, b), counts().distanceMiddle)) return question.settled();
+  if (question.isSettledBy(stages::distanceWhole(x, y, a, b), counts().distanceWhole)) return question.settled();
   return question.exact();
 }
 

@@ -10,6 +10,7 @@
 #include "number/approx.h"
 #include "number/dyadic.h"
 #include "number/fp.h"
+#include "number/whole.h"
 #include "predicate/formulas.h"
 #include "predicate/site.h"
 
@@ -46,6 +47,10 @@ class FilterRows {
     }
   }
 
+  /// Of all finite sites: their differences to the pole's weight are zero, rounded or not.
+  [[nodiscard]] bool hasEqualWeights() const {
+    return std::all_of(differences_.begin(), differences_.end(), [](const Difference& d) { return d.r == 0; });
+  }
   [[nodiscard]] Row<Approx> row(std::size_t k) const {
     const Difference& d = differences_[k];
     return d.finite ? rowOf(Approx(d.x), Approx(d.y), Approx(d.r)) : infinityRow<Approx>();
@@ -76,49 +81,153 @@ class FilterRows {
   bool failed_ = false;
 };
 
+/// The digits of numbers: exponents of the lowest one and of the highest one.
+struct Range {
+  int lowest = std::numeric_limits<int>::max();
+  int highest = std::numeric_limits<int>::min();
+  void include(double v) {
+    if (v == 0) return;
+    lowest = std::min(lowest, lowestExponentOf(v));
+    highest = std::max(highest, exponentOf(v));
+  }
+  void include(const Site& s) {
+    include(s.x);
+    include(s.y);
+    include(s.r);
+  }
+};
+
+/// The differences of some sites to a pole in doubles, whether all of them are exact (of sites close together they are as a rule),
+/// and if so, their digits.
+struct Differences {
+  struct Triple {
+    double x = 0, y = 0, r = 0;
+    bool isFinite = false;
+  };
+  std::array<Triple, 4> triples;
+  std::size_t count = 0;
+  bool areExact = true;
+  int unit = 0, highest = 0;
+
+  Differences(const Site& pole, std::initializer_list<Corner> corners) {
+    Range range;
+    const auto difference = [&](double a, double b) {
+      const double d = a - b;
+      // The rounding error of a difference is a double (Knuth's TwoSum).
+      const double back = a - d;
+      areExact &= (a - (d + back)) + (back - b) == 0;
+      range.include(d);
+      return d;
+    };
+    for (Corner c : corners) {
+      if (c != nullptr) triples[count] = {difference(c->x, pole.x), difference(c->y, pole.y), difference(c->r, pole.r), true};
+      ++count;
+    }
+    unit = range.lowest == std::numeric_limits<int>::max() ? 0 : range.lowest;
+    highest = range.lowest == std::numeric_limits<int>::max() ? 0 : range.highest;
+  }
+};
+
+/// A number that is a double if it is known to be exact. `magnitude` is that of the value, or at least 2^53 and a bound on all that
+/// the value was made of.
+struct ExactDouble {
+  double value = 0;
+  double magnitude = 0;
+  constexpr ExactDouble() = default;
+  constexpr ExactDouble(int constant) : value(constant), magnitude(absolute(value)) {}  // NOLINT: constants in formulas
+  /// An integer.
+  constexpr explicit ExactDouble(double integer) : ExactDouble(integer, absolute(integer)) {}
+  friend constexpr ExactDouble operator+(ExactDouble a, ExactDouble b) { return {a.value + b.value, a.magnitude + b.magnitude}; }
+  friend constexpr ExactDouble operator-(ExactDouble a, ExactDouble b) { return {a.value - b.value, a.magnitude + b.magnitude}; }
+  friend constexpr ExactDouble operator*(ExactDouble a, ExactDouble b) { return {a.value * b.value, a.magnitude * b.magnitude}; }
+
+  static constexpr double kLargest = powerOfTwo(53);
+  [[nodiscard]] constexpr bool isExact() const { return magnitude < kLargest; }
+
+ private:
+  /// Exact integers whose sum or product is below 2^53 in magnitude: no rounding happened. Zero times anything is zero.
+  constexpr ExactDouble(double v, double m) : value(v), magnitude(m < kLargest ? absolute(v) : m) {}
+};
+
 /// Middle stage: where the coordinates are small multiples of one power of two (grids, integers, quarters), doubles in that unit
-/// compute exactly, and zeros are known to be zeros. If the magnitude of a formula (number/approx.h) is below 2^53 units, so is
-/// everything that it was made of: every number on the way is an integer that a double holds, and no rounding happened.
+/// compute exactly, and zeros are known to be zeros.
 class UnitRows {
  public:
-  using Number = Approx;
+  using Number = ExactDouble;
 
   UnitRows(const Site& pole, std::initializer_list<Corner> corners) {
-    int unit = std::numeric_limits<int>::max();
-    const auto include = [&](const Site& s) {
-      for (const double v : {s.x, s.y, s.r}) {
-        if (v != 0) unit = std::min(unit, lowestExponentOf(v));
-      }
-    };
-    include(pole);
-    for (Corner c : corners) {
-      if (c != nullptr) include(*c);
-    }
-    // Coordinates are normal numbers; in the unit they are integers, and up to 2^53 their differences are exact.
-    failed_ = unit < -900 || unit > 900;
-    const double scale = failed_ ? 1 : powerOfTwo(-unit);
-    const auto difference = [&](double a, double b) {
-      const double x = a * scale, y = b * scale;
-      if (!(absolute(x) <= kLargestExact && absolute(y) <= kLargestExact)) failed_ = true;
-      return Approx(x - y);
-    };
-    std::size_t n = 0;
-    for (Corner c : corners) {
-      rows_[n++] = c != nullptr ? rowOf(difference(c->x, pole.x), difference(c->y, pole.y), difference(c->r, pole.r))
-                                : infinityRow<Approx>();
+    const Differences differences(pole, corners);
+    // Normal numbers in the unit are integers.
+    failed_ = !differences.areExact || differences.unit < -900 || differences.unit > 900;
+    if (failed_) return;
+    const double scale = powerOfTwo(-differences.unit);
+    const auto in = [&](double d) { return ExactDouble(d * scale); };
+    for (std::size_t k = 0; k < differences.count; ++k) {
+      const Differences::Triple& d = differences.triples[k];
+      rows_[k] = d.isFinite ? rowOf(in(d.x), in(d.y), in(d.r)) : infinityRow<ExactDouble>();
     }
   }
 
-  [[nodiscard]] const Row<Approx>& row(std::size_t k) const { return rows_[k]; }
-  Sign sign(Approx x, Depth) {
-    if (!(x.magnitude < kLargestExact)) failed_ = true;
+  [[nodiscard]] bool hasEqualWeights() const {
+    return std::all_of(rows_.begin(), rows_.end(), [](const Row<ExactDouble>& row) { return row.r.value == 0; });
+  }
+  [[nodiscard]] const Row<ExactDouble>& row(std::size_t k) const { return rows_[k]; }
+  Sign sign(ExactDouble x, Depth) {
+    if (!x.isExact()) failed_ = true;
     return signOf(x.value);
   }
   [[nodiscard]] bool failed() const { return failed_; }
 
  private:
-  static constexpr double kLargestExact = powerOfTwo(53);
-  std::array<Row<Approx>, 4> rows_;
+  std::array<Row<ExactDouble>, 4> rows_;
+  bool failed_ = false;
+};
+
+/// Middle stage for longer inputs (decimal fractions, integers of many digits): integers in the common unit. Fails only where the
+/// coordinates range over more than 2^120 units.
+class WholeRows {
+ public:
+  using Number = Whole;
+
+  WholeRows(const Site& pole, std::initializer_list<Corner> corners) {
+    const Differences differences(pole, corners);
+    if (differences.areExact) {
+      if (!fits(differences.unit, differences.highest)) return;
+      const auto in = [&](double d) { return Whole::inUnits(d, differences.unit); };
+      for (std::size_t k = 0; k < differences.count; ++k) {
+        const Differences::Triple& d = differences.triples[k];
+        rows_[k] = d.isFinite ? rowOf(in(d.x), in(d.y), in(d.r)) : infinityRow<Whole>();
+      }
+      return;
+    }
+    Range range;
+    range.include(pole);
+    for (Corner c : corners) {
+      if (c != nullptr) range.include(*c);
+    }
+    if (!fits(range.lowest, range.highest)) return;
+    const auto in = [&](double v) { return Whole::inUnits(v, range.lowest); };
+    const Whole x = in(pole.x), y = in(pole.y), r = in(pole.r);
+    std::size_t n = 0;
+    for (Corner c : corners) {
+      rows_[n++] = c != nullptr ? rowOf(in(c->x) - x, in(c->y) - y, in(c->r) - r) : infinityRow<Whole>();
+    }
+  }
+
+  [[nodiscard]] bool hasEqualWeights() const {
+    return std::all_of(rows_.begin(), rows_.end(), [](const Row<Whole>& row) { return row.r.sign() == Sign::kZero; });
+  }
+  [[nodiscard]] const Row<Whole>& row(std::size_t k) const { return rows_[k]; }
+  [[nodiscard]] static Sign sign(const Whole& x, Depth) { return x.sign(); }
+  [[nodiscard]] bool failed() const { return failed_; }
+
+ private:
+  bool fits(int lowest, int highest) {
+    failed_ = highest >= lowest && highest - lowest > Whole::kInputBits - 3;
+    return !failed_;
+  }
+
+  std::array<Row<Whole>, 4> rows_;
   bool failed_ = false;
 };
 
@@ -135,6 +244,9 @@ class ExactRows {
     }
   }
 
+  [[nodiscard]] bool hasEqualWeights() const {
+    return std::all_of(rows_.begin(), rows_.end(), [](const Row<Dyadic>& row) { return row.r.sign() == Sign::kZero; });
+  }
   [[nodiscard]] const Row<Dyadic>& row(std::size_t k) const { return rows_[k]; }
   [[nodiscard]] static Sign sign(const Dyadic& x, Depth) { return x.sign(); }
 

@@ -32,6 +32,7 @@ static_assert(EdgeForm<Depth>::squares(kChord, kChord, kEdge.along).roundings ==
 template <class Rows>
 Sign vertexSign(Rows& rows) {
   using T = typename Rows::Number;
+  if (rows.hasEqualWeights()) return -rows.sign(VertexForm<T>::xyOf(rows.row(0), rows.row(1), rows.row(2)), kVertex.xy);
   const VertexForm<T> form(rows.row(0), rows.row(1), rows.row(2));
   return signOfSum(rows.sign(form.x, kVertex.x), -rows.sign(form.xy, kVertex.xy),
                    [&] { return rows.sign(form.squares(), kVertex.squares()); });
@@ -63,9 +64,10 @@ Sign edgeEndSign(Rows& rows, const Chord<T>& end, const Chord<T>& shadow, Sign s
 template <class Rows>
 Sign spanSign(const Rows& rows, bool& failed) {
   // Roots of rounded numbers: a running error bound instead of the constant one.
-  const auto ball = [](Approx a, Depth depth) { return Ball::bounded(a.value, boundFactor(depth) * a.magnitude + kUnderflow); };
-  const Row<Approx> k = rows.row(1), l = rows.row(2);
-  const SpanForm<Approx> form(l, k);
+  using T = typename Rows::Number;
+  const auto ball = [](T a, Depth depth) { return Ball::bounded(a.value, boundFactor(depth) * a.magnitude + kUnderflow); };
+  const Row<T> k = rows.row(1), l = rows.row(2);
+  const SpanForm<T> form(l, k);
   const Ball rootK = sqrt(ball(k.p, kRow.p)), rootL = sqrt(ball(l.p, kRow.p));
   const Ball span = ball(form.c0, kSpan.c0) + ball(form.cl, kSpan.cl) * rootL + ball(form.ck, kSpan.ck) * rootK +
                     ball(form.clk, kSpan.clk) * rootL * rootK;
@@ -75,11 +77,15 @@ Sign spanSign(const Rows& rows, bool& failed) {
   return Sign::kZero;
 }
 
-template <>
-Sign spanSign(const ExactRows& rows, bool&) {
-  const SpanForm<Dyadic> form(rows.row(2), rows.row(1));
+template <class T, class Rows>
+Sign exactSpanSign(const Rows& rows) {
+  const SpanForm<T> form(rows.row(2), rows.row(1));
   return signOfTwoRoots(form.c0, form.cl, rows.row(2).p, form.ck, rows.row(1).p, form.clk);
 }
+template <>
+Sign spanSign(const WholeRows& rows, bool&) { return exactSpanSign<Whole>(rows); }
+template <>
+Sign spanSign(const ExactRows& rows, bool&) { return exactSpanSign<Dyadic>(rows); }
 
 /// Rows 0 … 3 are j, k, l, q; jIsInfinite tells whether the range may span more than a half turn.
 template <class Rows>
@@ -118,6 +124,10 @@ MaybeSign lorentzMiddle(const Site& a, const Site& b) {
 Sign lorentzExact(const Site& a, const Site& b) { return exactLorentz(a, b).sign(); }
 
 Sign lorentzDifference(const Site& a, const Site& b, const Site& c, const Site& d) {
+  const Approx difference = lorentz(Approx(a.x - b.x), Approx(a.y - b.y), Approx(a.r - b.r)) -
+                            lorentz(Approx(c.x - d.x), Approx(c.y - d.y), Approx(c.r - d.r));
+  const MaybeSign filtered = filteredSign(difference, boundFactor(kRow.p - kRow.p));
+  if (filtered.known) return filtered.sign;
   return (exactLorentz(a, b) - exactLorentz(c, d)).sign();
 }
 
@@ -138,6 +148,13 @@ MaybeSign distanceMiddle(double x, double y, const Site& a, const Site& b) {
   UnitRows rows(p, {&a, &b});
   const Sign sign = rows.sign(rows.row(0).p - rows.row(1).p, kRow.p);  // equal weights: the squared distances
   return {sign, !rows.failed()};
+}
+
+MaybeSign distanceWhole(double x, double y, const Site& a, const Site& b) {
+  WholeRows rows({x, y, 0}, {&a, &b});
+  if (rows.failed()) return {};
+  const Row<Whole> &s = rows.row(0), &t = rows.row(1);
+  return {signOfTwoRoots(t.r - s.r, Whole(1), s.x * s.x + s.y * s.y, Whole(-1), t.x * t.x + t.y * t.y, Whole(0)), true};
 }
 
 Sign distanceExact(double x, double y, const Site& a, const Site& b) {
@@ -164,6 +181,12 @@ MaybeSign vertexMiddle(const Site& i, Corner j, Corner k, Corner q) {
   return {sign, !rows.failed()};
 }
 
+MaybeSign vertexWhole(const Site& i, Corner j, Corner k, Corner q) {
+  WholeRows rows(i, {j, k, q});
+  if (rows.failed()) return {};
+  return {vertexSign(rows), true};
+}
+
 Sign vertexExact(const Site& i, Corner j, Corner k, Corner q) {
   ExactRows rows(i, {j, k, q});
   return vertexSign(rows);
@@ -172,9 +195,14 @@ Sign vertexExact(const Site& i, Corner j, Corner k, Corner q) {
 bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q) {
   // Perturbed weights: only the largest of the four, z, matters. It is i or q (docs/PREDICATES.md, "Degenerate position").
   if (q != nullptr && precedes(i, *q)) return true;
+  FilterRows filter(i, {j, k, q});
+  const bool probably = isOppositePole(filter);
+  if (!filter.failed()) return probably;
   UnitRows unit(i, {j, k, q});
   const bool opposite = isOppositePole(unit);
   if (!unit.failed()) return opposite;
+  WholeRows whole(i, {j, k, q});
+  if (!whole.failed()) return isOppositePole(whole);
   ExactRows exact(i, {j, k, q});
   return isOppositePole(exact);
 }
@@ -193,6 +221,13 @@ MaybeSign edgeMiddle(const Site& i, Corner j, Corner k, Corner l, const Site& q,
   bool spanFailed = false;
   const Sign sign = edgeSign(rows, j == nullptr, probe, spanFailed);
   return {sign, !rows.failed() && !spanFailed};
+}
+
+MaybeSign edgeWhole(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
+  WholeRows rows(i, {j, k, l, &q});
+  if (rows.failed()) return {};
+  bool never = false;
+  return {edgeSign(rows, j == nullptr, probe, never), true};
 }
 
 Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {

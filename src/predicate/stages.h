@@ -1,5 +1,6 @@
 // The stages of each predicate under fixed names, for predicates.cpp and for tests that assert which stage answers. A filter
-// never contradicts the exact stage; it says "unknown" instead. REQUIRES of each: as of its predicate in predicates.h.
+// never contradicts the exact stage; it says "unknown" instead. There are two middle stages: `Middle` computes in doubles without
+// rounding (small integers), `Whole` in integers of fixed room (number/whole.h). REQUIRES of each: as of its predicate in predicates.h.
 #pragma once
 
 #include "number/approx.h"
@@ -20,6 +21,7 @@ namespace apollonius::stages {
 [[nodiscard]] MaybeSign distanceFilter(double x, double y, const Site& a, const Site& b);
 /// For sites of equal weights only.
 [[nodiscard]] MaybeSign distanceMiddle(double x, double y, const Site& a, const Site& b);
+[[nodiscard]] MaybeSign distanceWhole(double x, double y, const Site& a, const Site& b);
 [[nodiscard]] Sign distanceExact(double x, double y, const Site& a, const Site& b);
 
 /// i is finite and the largest of the finite ones among i, j, k; q covers none of them; at most one of the four is infinite
@@ -27,6 +29,7 @@ namespace apollonius::stages {
 /// Positive: conflict; zero: q touches the circle.
 [[nodiscard]] MaybeSign vertexFilter(const Site& i, Corner j, Corner k, Corner q);
 [[nodiscard]] MaybeSign vertexMiddle(const Site& i, Corner j, Corner k, Corner q);
+[[nodiscard]] MaybeSign vertexWhole(const Site& i, Corner j, Corner k, Corner q);
 [[nodiscard]] Sign vertexExact(const Site& i, Corner j, Corner k, Corner q);
 /// The answer where vertexExact is zero.
 [[nodiscard]] bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q);
@@ -44,6 +47,7 @@ enum class Probe : signed char { kMiddle = 1, kOpposite = -1 };
 /// if both are; q covers neither.
 [[nodiscard]] MaybeSign edgeFilter(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
 [[nodiscard]] MaybeSign edgeMiddle(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
+[[nodiscard]] MaybeSign edgeWhole(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
 [[nodiscard]] Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
 
 /// How often each stage answered in this thread since the last reset (`cached`: the filter by cached circles). Vertex conflicts and
@@ -54,14 +58,17 @@ struct Counts {
   unsigned long long lorentzExact = 0;
   unsigned long long distanceFilter = 0;
   unsigned long long distanceMiddle = 0;
+  unsigned long long distanceWhole = 0;
   unsigned long long distanceExact = 0;
   unsigned long long vertexFilter = 0;
   unsigned long long vertexMiddle = 0;
+  unsigned long long vertexWhole = 0;
   unsigned long long vertexExact = 0;
   unsigned long long vertexDegenerate = 0;
   unsigned long long edgeCached = 0;
   unsigned long long edgeFilter = 0;
   unsigned long long edgeMiddle = 0;
+  unsigned long long edgeWhole = 0;
   unsigned long long edgeExact = 0;
 };
 [[nodiscard]] Counts& counts();

@@ -13,12 +13,6 @@ namespace apollonius {
 
 namespace {
 
-/// The smallest convenient float that is at least x; infinity for NaN.
-float roundedUp(double x) {
-  if (!(x <= 1e38)) return std::numeric_limits<float>::infinity();
-  return std::max(static_cast<float>(x * (1 + powerOfTwo(-22))), std::numeric_limits<float>::min());
-}
-
 double largest(const Row<double>& row) { return std::max({absolute(row.x), absolute(row.y), absolute(row.r)}); }
 
 /// Differences to the pole times a power of two: one rounding each.
@@ -29,7 +23,10 @@ Row<double> rowFrom(const Site& pole, const Site& s, double scale) {
 /// x² + y² + r²: what the roundings in p = x² + y² - r² are relative to; |error of p| <= 5u times this (number/approx.h).
 double magnitude(const Row<double>& row) { return row.x * row.x + row.y * row.y + row.r * row.r; }
 
-/// Circle of three finite sites, and a bound on its error.
+/// What a computation in doubles has found out about the existence of a circle.
+enum class Existence : unsigned char { kYes, kNo, kUnknown };
+
+/// Circle of three finite sites, and a bound on its error. It exists exactly if the denominator below is positive.
 ///
 /// Direction of the vertex from the pole: n (cos, sin) = (a, b) = (v √D - w u, -u √D - w v), with (u, v, w) = chordOf(j, k),
 /// n = u² + v² and D = p_jk p_j p_k = n - w²; distance rho = n f with f = p_j / (2 (a x_j + b y_j + n r_j)); docs/PREDICATES.md.
@@ -45,7 +42,7 @@ double magnitude(const Row<double>& row) { return row.x * row.x + row.y * row.y 
 ///     centre, each coordinate: f e_ab + rho (e_f/f + 2u) + u |x|     s: f e_n + rho (e_f/f + 2u) + u |s|
 /// Products of errors are smaller than the terms above by the largest relative error, which is demanded to be at most 2^-10;
 /// the roundings in the bound itself are fewer than 2^6, a 2^-46th. A factor of 1 + 2^-5 covers both.
-VoronoiCircle boundedCircle(const Site& pole, const Site& sj, const Site& sk) {
+Existence boundedCircle(const Site& pole, const Site& sj, const Site& sk, VoronoiCircle& circle) {
   constexpr double u1 = kUnitRoundoff;
   Row<double> j = rowFrom(pole, sj, 1), k = rowFrom(pole, sk, 1);
   const double size = std::max(largest(j), largest(k));
@@ -66,7 +63,7 @@ VoronoiCircle boundedCircle(const Site& pole, const Site& sj, const Site& sk) {
   const double f = j.p / (2 * denominator);
   const double rho = f * n;
 
-  VoronoiCircle circle;
+  circle.slope = -1;
   circle.x = pole.x + f * a / scale;
   circle.y = pole.y + f * b / scale;
   circle.s = rho / scale - pole.r;
@@ -83,16 +80,17 @@ VoronoiCircle boundedCircle(const Site& pole, const Site& sj, const Site& sk) {
   constexpr double kLargestRelative = powerOfTwo(-10);
   // Written so that NaN, negative p (a rounded cover), and a denominator that may be 0 end here, too. The last is for underflow:
   // chords of normal size keep every product normal.
-  if (!(eChord * g <= kLargestRelative * n && relativeD <= kLargestRelative && relativeDen >= 0 &&
-        relativeDen <= kLargestRelative && jk.p > 0 && j.p > 0 && k.p > 0 && n > powerOfTwo(-400))) {
+  const bool isCertain = eChord * g <= kLargestRelative * n && relativeD <= kLargestRelative &&
+                         absolute(relativeDen) <= kLargestRelative && jk.p > 0 && j.p > 0 && k.p > 0 && n > powerOfTwo(-400);
+  if (!isCertain || denominator < 0) {
     circle.error = std::numeric_limits<float>::infinity();
-    return circle;
+    return isCertain ? Existence::kNo : Existence::kUnknown;
   }
   const double relativeF = relativePj + relativeDen + 3 * u1;
   const double error = (f * (2 * eAb + eN) + 3 * rho * (relativeF + 2 * u1)) / scale +
                        u1 * (absolute(circle.x) + absolute(circle.y) + absolute(circle.s));
   circle.error = roundedUp(error * (1 + powerOfTwo(-5)));
-  return circle;
+  return Existence::kYes;
 }
 
 /// Half-plane of two finite sites, the pole and t; `side` is +1 if it is the pole's left on the way to t, else -1. There are few of
@@ -116,18 +114,43 @@ VoronoiCircle halfPlane(const Site& pole, const Site& t, int side) {
   return plane;
 }
 
+/// The half-plane beyond the common tangent line of three sites: that of two of them in the order in which they touch it, which all
+/// pairs have but the outermost one.
+VoronoiCircle halfPlaneOfThree(const Site& i, const Site& j, const Site& k) {
+  return touchesBetween(i, j, k) ? halfPlane(i, k, -1) : halfPlane(i, j, 1);
+}
+
 }  // namespace
 
 VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k) {
   rotateToPole(i, j, k);
   if (k == nullptr) return halfPlane(*i, *j, 1);
   if (j == nullptr) return halfPlane(*i, *k, -1);
-  const VoronoiCircle circle = boundedCircle(*i, *j, *k);
-  if (circle.error < std::numeric_limits<float>::infinity() || !isVertexAtInfinity(*i, *j, *k)) return circle;
-  // The half-plane beyond the common tangent line: that of two of the sites in the order in which they touch it, which all
-  // pairs have but the outermost one.
-  if (touchesBetween(*i, *j, *k)) return halfPlane(*i, *k, -1);
-  return halfPlane(*i, *j, 1);
+  VoronoiCircle circle;
+  if (boundedCircle(*i, *j, *k, circle) == Existence::kYes || !isVertexAtInfinity(*i, *j, *k)) return circle;
+  return halfPlaneOfThree(*i, *j, *k);
+}
+
+bool findCertainVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle) noexcept {
+  rotateToPole(i, j, k);
+  if (k != nullptr && j != nullptr) return boundedCircle(*i, *j, *k, circle) == Existence::kYes;
+  circle = k == nullptr ? halfPlane(*i, *j, 1) : halfPlane(*i, *k, -1);
+  return true;
+}
+
+bool findVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle) {
+  rotateToPole(i, j, k);
+  if (j == nullptr || k == nullptr) {
+    circle = voronoiCircle(i, j, k);
+    return true;
+  }
+  const Existence existence = boundedCircle(*i, *j, *k, circle);
+  if (existence == Existence::kUnknown) {
+    if (!hasVoronoiCircle(*i, *j, *k)) return false;
+    if (isVertexAtInfinity(*i, *j, *k)) circle = halfPlaneOfThree(*i, *j, *k);
+    return true;
+  }
+  return existence == Existence::kYes;
 }
 
 }  // namespace apollonius

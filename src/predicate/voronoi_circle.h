@@ -6,7 +6,9 @@
 // sticks out of it if a·x + b·y + r > c.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "number/approx.h"
 #include "number/fp.h"
@@ -27,10 +29,23 @@ struct VoronoiCircle {
   [[nodiscard]] bool isHalfPlane() const { return slope >= 0; }
 };
 
+/// For bounds: the smallest convenient float that is at least x; infinity for NaN.
+inline float roundedUp(double x) {
+  if (!(x <= 1e38)) return std::numeric_limits<float>::infinity();
+  return std::max(static_cast<float>(x * (1 + powerOfTwo(-22))), std::numeric_limits<float>::min());
+}
+
 /// The circle of a counter-clockwise face with an existing circle; of a face whose vertex is at infinity (three sites in line on the
 /// hull), the half-plane. The same bits for the same three sites, whichever comes
 /// first and on whichever platform: the computation starts from the largest site in the order of precedes().
 [[nodiscard]] VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k);
+
+/// The circle as voronoiCircle() computes it, if the counter-clockwise triple of sites has one; at most one of them is infinite, and
+/// none covers another. Returns whether it has.
+[[nodiscard]] bool findVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle);
+
+/// The same in doubles alone, which throw nothing: true only if they show that there is a circle.
+[[nodiscard]] bool findCertainVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle) noexcept;
 
 /// The same with coordinates that are good whatever the sites: errors of a few units in the last place of the radius and of each
 /// coordinate. Takes long numbers where voronoiCircle's doubles do not suffice. Coordinates beyond the range of doubles are

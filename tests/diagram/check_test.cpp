@@ -78,7 +78,8 @@ TEST(DelaunayGraphCheck, CachedCircle) {
       EXPECT_EQ(broken(diagram), "the cached circle of a face is not its circle: half-edge");
     }
     DelaunayGraph diagram = graphOf(kFive);
-    Breaker::circle(diagram, FaceId{f}).slope += 2;  // circle for half-plane or the reverse
+    VoronoiCircle& circle = Breaker::circle(diagram, FaceId{f});
+    circle.slope = circle.isHalfPlane() ? -1 : 1;
     EXPECT_EQ(broken(diagram), "the cached circle of a face is not its circle: half-edge");
   }
 }
@@ -162,7 +163,8 @@ TEST_F(DiagramCheck, StateOfAHiddenSite) {
 TEST_F(DiagramCheck, SiteOfNoState) {
   fill(9);
   SiteIds& ids = Breaker::ids(core);
-  ids.take(ids.next(), SiteState::kFree);
+  (void)ids.next();
+  ids.take(SiteState::kPending);
   EXPECT_EQ(core.check(), "sites are neither visible nor hidden: all");
 }
 

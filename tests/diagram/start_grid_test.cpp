@@ -9,14 +9,14 @@ namespace {
 TEST(StartGrid, GivesNothingBeforeItIsBuilt) {
   StartGrid grid;
   grid.insert(3, {1, 2, 0});
-  EXPECT_EQ(grid.near(1, 2), kNoSite);
+  EXPECT_EQ(grid.near(1, 2), kNoSlot);
 }
 
 TEST(StartGrid, GivesASiteOfTheCell) {
   StartGrid grid;
   grid.rebuild(100, {0, 0, 0}, {110, 110, 0});  // 11 cells a side, 10 wide
-  for (SiteId id = 0; id < 121; ++id) grid.insert(id, {10.0 * (id % 11) + 5, 10.0 * (id / 11) + 5, 1});
-  for (SiteId id = 0; id < 121; ++id) EXPECT_EQ(grid.near(10.0 * (id % 11) + 1, 10.0 * (id / 11) + 9), id);
+  for (Slot id = 0; id < 121; ++id) grid.insert(id, {10.0 * (id % 11) + 5, 10.0 * (id / 11) + 5, 1});
+  for (Slot id = 0; id < 121; ++id) EXPECT_EQ(grid.near(10.0 * (id % 11) + 1, 10.0 * (id / 11) + 9), id);
 }
 
 TEST(StartGrid, PointsOutsideBelongToTheCellsAtTheBorder) {
@@ -24,16 +24,16 @@ TEST(StartGrid, PointsOutsideBelongToTheCellsAtTheBorder) {
   grid.rebuild(100, {0, 0, 0}, {110, 110, 0});
   grid.insert(7, {109, 109, 0});
   EXPECT_EQ(grid.near(1e100, 1e100), 7u);
-  EXPECT_EQ(grid.near(-1e100, 1e100), kNoSite);
+  EXPECT_EQ(grid.near(-1e100, 1e100), kNoSlot);
 }
 
 TEST(StartGrid, CrowdedCellsAreLeftToTheHierarchy) {
   StartGrid grid;
   grid.rebuild(100, {0, 0, 0}, {110, 110, 0});
-  for (SiteId id = 0; id < 6; ++id) grid.insert(id, {1, 1, 0});
-  EXPECT_NE(grid.near(1, 1), kNoSite);
+  for (Slot id = 0; id < 6; ++id) grid.insert(id, {1, 1, 0});
+  EXPECT_NE(grid.near(1, 1), kNoSlot);
   grid.insert(6, {1, 1, 0});
-  EXPECT_EQ(grid.near(1, 1), kNoSite);
+  EXPECT_EQ(grid.near(1, 1), kNoSlot);
 }
 
 TEST(StartGrid, SitesOnALineOrAtOnePlace) {
@@ -48,7 +48,7 @@ TEST(StartGrid, SitesOnALineOrAtOnePlace) {
 
 TEST(StartGrid, IsOutgrownByAsMuchAsItHolds) {
   StartGrid grid;
-  for (SiteId id = 0; id < 64; ++id) grid.insert(id, {0, 0, 0});
+  for (Slot id = 0; id < 64; ++id) grid.insert(id, {0, 0, 0});
   EXPECT_FALSE(grid.isOutgrown());
   grid.insert(64, {0, 0, 0});
   EXPECT_TRUE(grid.isOutgrown());

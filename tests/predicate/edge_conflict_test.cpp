@@ -127,7 +127,8 @@ TEST_P(EdgeConflictOn, EarlyStagesNeverContradictTheExactOne) {
     const Corner k = run % 3 == 1 ? nullptr : &s[2];
     for (const auto probe : {stages::Probe::kMiddle, stages::Probe::kOpposite}) {
       const Sign exact = stages::edgeExact(s[0], j, k, &s[3], s[4], probe);
-      for (const MaybeSign early : {stages::edgeFilter(s[0], j, k, &s[3], s[4], probe), stages::edgeMiddle(s[0], j, k, &s[3], s[4], probe)}) {
+      for (const MaybeSign early : {stages::edgeFilter(s[0], j, k, &s[3], s[4], probe), stages::edgeMiddle(s[0], j, k, &s[3], s[4], probe),
+                                   stages::edgeWhole(s[0], j, k, &s[3], s[4], probe)}) {
         if (early.known) {
           ASSERT_EQ(early.sign == Sign::kPositive, exact == Sign::kPositive) << "run " << run;
         }

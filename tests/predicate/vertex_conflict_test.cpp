@@ -107,7 +107,7 @@ TEST_P(VertexConflictOn, StagesAgreeAndScalingChangesNothing) {
     const Site& q = s[3];
     rotateToPole(i, j, k);
     const Sign exact = stages::vertexExact(*i, j, k, &q);
-    for (const MaybeSign early : {stages::vertexFilter(*i, j, k, &q), stages::vertexMiddle(*i, j, k, &q)}) {
+    for (const MaybeSign early : {stages::vertexFilter(*i, j, k, &q), stages::vertexMiddle(*i, j, k, &q), stages::vertexWhole(*i, j, k, &q)}) {
       if (early.known) {
         ASSERT_EQ(early.sign, exact) << "run " << run;
       }

@@ -4,7 +4,7 @@
 # and sqrt give the same bits under g++, clang++ and wasm, and so does everything that is computed with them.
 add_library(apollonius_flags INTERFACE)
 target_compile_options(apollonius_flags INTERFACE
-  -ffp-contract=off -fno-fast-math
+  -ffp-contract=off -fno-fast-math -fno-math-errno -fno-trapping-math
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(apollonius_flags INTERFACE -Wno-restrict)  # g++ 12 sees one in every "..." + std::string

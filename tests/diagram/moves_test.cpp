@@ -1,0 +1,80 @@
+// Moves, small ones above all, which mostly leave the graph as it is and take a shorter way: after each step the diagram is valid
+// and that of a fresh construction.
+#include <gtest/gtest.h>
+
+#include "apollonius.h"
+#include "support/canonical.h"
+#include "support/corpus.h"
+#include "support/effort.h"
+
+namespace apollonius {
+namespace {
+
+using namespace test;
+
+Diagram diagramOf(const Circles& circles, std::vector<SiteId>& ids) {
+  std::vector<double> xyr;
+  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
+  ids.resize(circles.size());
+  Diagram diagram;
+  EXPECT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
+  return diagram;
+}
+
+double extentOf(const Circles& circles) {
+  double extent = 0;
+  for (const Circle& c : circles) extent = std::max({extent, std::abs(c.x - circles[0].x), std::abs(c.y - circles[0].y)});
+  return extent > 0 ? extent : 1;
+}
+
+class MovesOn : public ::testing::TestWithParam<NamedGenerator> {};
+
+TEST_P(MovesOn, LeaveTheDiagramOfTheNewSites) {
+  Random random(91);
+  for (const double step : {1e-12, 1e-6, 1e-3, 1e-2, 0.1}) {
+    Circles circles = GetParam().make(random, 40);
+    if (circles.empty()) continue;
+    const double reach = step * extentOf(circles);
+    std::vector<SiteId> ids;
+    Diagram diagram = diagramOf(circles, ids);
+    for (int run = 0; run < runs(8); ++run) {
+      for (std::size_t k = 0; k < circles.size(); ++k) {
+        if (random.oneIn(4)) continue;
+        Circle c = circles[k];
+        c.x += random.between(-reach, reach);
+        c.y += random.between(-reach, reach);
+        if (random.oneIn(2)) c.r += random.between(-reach, reach);
+        const Error error = diagram.update(ids[k], c.x, c.y, c.r);
+        if (error == Error::kOutOfRange) continue;
+        ASSERT_EQ(error, Error::kNone);
+        circles[k] = c;
+      }
+      std::string broken;
+      ASSERT_EQ(diagram.validate(broken), Error::kNone);
+      ASSERT_EQ(broken, "") << "step " << step << ", run " << run;
+      std::vector<SiteId> freshIds;
+      const Diagram fresh = diagramOf(circles, freshIds);
+      const Canonical expected = canonicalForm(fresh, broken), got = canonicalForm(diagram, broken);
+      ASSERT_EQ(broken, "");
+      ASSERT_EQ(difference(expected, got), "") << "step " << step << ", run " << run;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, MovesOn, ::testing::ValuesIn(corpus()), [](const auto& parameter) { return parameter.param.name; });
+
+TEST(Moves, HiddenSitesFollowTheirCover) {
+  std::vector<SiteId> ids;
+  Diagram diagram = diagramOf({{0, 0, 5}, {1, 0, 1}, {20, 0, 1}, {0, 20, 1}, {-20, 0, 1}, {0, -20, 1}}, ids);
+  ASSERT_EQ(diagram.hiddenSize(), 1u);
+  ASSERT_EQ(diagram.update(ids[0], 0.5, 0, 5), Error::kNone);
+  EXPECT_EQ(diagram.hiddenSize(), 1u);
+  ASSERT_EQ(diagram.update(ids[0], -4, 0, 5), Error::kNone);  // within the same cell of the graph, but no longer over site 1
+  EXPECT_EQ(diagram.hiddenSize(), 0u);
+  std::string broken;
+  ASSERT_EQ(diagram.validate(broken), Error::kNone);
+  EXPECT_EQ(broken, "");
+}
+
+}  // namespace
+}  // namespace apollonius
