@@ -56,9 +56,9 @@ Bounds Voronoi::extentOf(const Diagram& diagram) {
   const DiagramCore& core = diagram.core();
   constexpr double kNone = std::numeric_limits<double>::infinity();
   Bounds box{kNone, kNone, -kNone, -kNone};
-  for (SiteId id = 0; id < core.ids().slots(); ++id) {
-    if (core.ids().state(id) == SiteState::kFree) continue;
-    const Site& site = core.site(id);
+  for (Slot slot = 0; slot < core.ids().slots(); ++slot) {
+    if (core.ids().state(slot) == SiteState::kFree) continue;
+    const Site& site = core.site(slot);
     const double r = std::max(site.r, 0.0);
     box = {std::min(box.xmin, site.x - r), std::min(box.ymin, site.y - r), std::max(box.xmax, site.x + r), std::max(box.ymax, site.y + r)};
   }
@@ -81,6 +81,8 @@ Bounds Voronoi::extentOf(const Diagram& diagram) {
 }
 
 double defaultTolerance(const Bounds& bounds) { return kDefaultShare * windowOf(bounds).diagonal(); }
+
+std::uint32_t Voronoi::slotOf(SiteId id) const { return diagram_.core().ids().slotOf(id); }
 
 template <class Operation>
 Error Voronoi::guarded(double tolerance, Operation&& operation) const {
@@ -117,8 +119,8 @@ Error Voronoi::edges(CurveArrays& edges) const {
       clipEdge(base, h, window, clipped);
       for (int piece = 0; piece < clipped.count; ++piece) {
         append(clipped.pieces[static_cast<std::size_t>(piece)].curve, edges.curves);
-        edges.sites.push_back(DiagramCore::siteOf(graph.origin(h)));
-        edges.sites.push_back(DiagramCore::siteOf(graph.target(h)));
+        edges.sites.push_back(diagram_.core().siteOf(graph.origin(h)));
+        edges.sites.push_back(diagram_.core().siteOf(graph.target(h)));
       }
     }
   });
@@ -127,7 +129,7 @@ Error Voronoi::edges(CurveArrays& edges) const {
 Error Voronoi::cell(SiteId id, CurveArrays& boundary) const {
   return guardedFor(id, 1, [&](const Window& window, double) {
     CellFinder finder(diagram_.core(), window);
-    const Cell& cell = finder.find(id);
+    const Cell& cell = finder.find(slotOf(id));
     boundary.curves.clear();
     boundary.sites.clear();
     for (const BoundaryPiece& piece : cell.pieces) {
@@ -141,7 +143,7 @@ Error Voronoi::cell(SiteId id, CurveArrays& boundary) const {
 Error Voronoi::polygon(SiteId id, double tolerance, RingArrays& rings) const {
   return guardedFor(id, tolerance, [&](const Window& window, double allowed) {
     CellFinder finder(diagram_.core(), window);
-    const Cell& cell = finder.find(id);
+    const Cell& cell = finder.find(slotOf(id));
     rings.coordinates.clear();
     rings.starts.assign(1, 0);
     for (std::size_t region = 0; region < cell.regionCount(); ++region) {
@@ -159,9 +161,9 @@ Error Voronoi::polygon(SiteId id, double tolerance, RingArrays& rings) const {
 Error Voronoi::measures(SiteId id, CellMeasures& measures) const {
   return guardedFor(id, 1, [&](const Window& window, double) {
     CellFinder finder(diagram_.core(), window);
-    const Cell& cell = finder.find(id);
+    const Cell& cell = finder.find(slotOf(id));
     measures = {};
-    const Site& site = diagram_.core().site(id);
+    const Site& site = diagram_.core().site(slotOf(id));
     const Point origin = window.nearestTo({site.x, site.y});
     Moments moments;
     measure(cell.pieces, origin, moments, measures);
@@ -176,9 +178,9 @@ Error Voronoi::measuresWithin(SiteId id, double radius, CellMeasures& measures) 
   const Voronoi anywhere(diagram_);
   return anywhere.guarded(1, [&](const Window&, double) {
     std::vector<BoundaryPiece> boundary;
-    cellWithin(diagram_.core(), id, radius, boundary);
+    cellWithin(diagram_.core(), slotOf(id), radius, boundary);
     measures = {};
-    const Site& site = diagram_.core().site(id);
+    const Site& site = diagram_.core().site(slotOf(id));
     Moments moments;
     measure(boundary, {site.x, site.y}, moments, measures);
     finish(moments, {site.x, site.y}, measures);
@@ -224,7 +226,7 @@ Error Voronoi::drawCell(SiteId id, double tolerance, Path& path) const {
   return guardedFor(id, tolerance, [&](const Window& window, double allowed) {
     path.clear();
     CellFinder finder(diagram_.core(), window);
-    const Cell& cell = finder.find(id);
+    const Cell& cell = finder.find(slotOf(id));
     for (std::size_t region = 0; region < cell.regionCount(); ++region) {
       const std::uint32_t end = cell.starts[region + 1];
       const Point start = cell.pieces[cell.starts[region]].curve.p0;

@@ -100,6 +100,7 @@ class Voronoi {
   [[nodiscard]] Error drawHull(double tolerance, Path& path) const;
 
  private:
+  [[nodiscard]] std::uint32_t slotOf(SiteId id) const;  // where the core has it
   /// Checks bounds and tolerance, then runs and turns lack of memory into an error.
   template <class Operation>
   Error guarded(double tolerance, Operation&& operation) const;

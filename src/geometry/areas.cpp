@@ -12,17 +12,14 @@ namespace {
 
 /// A border contact of some cell, to be sorted by cell.
 struct SiteContact {
-  SiteId site;
+  Slot site;
   BorderContact contact;
 };
 
 class AreaSum {
  public:
   AreaSum(const DiagramCore& core, const Window& window, std::vector<double>& areas)
-      : core_(core), window_(window), areas_(areas) {
-    areas_.assign(core.ids().slots(), 0);
-    lost_.assign(areas_.size(), 0);
-  }
+      : core_(core), window_(window), byId_(areas), areas_(core.ids().slots(), 0), lost_(core.ids().slots(), 0) {}
 
   void run() {
     const DelaunayGraph& base = core_.base();
@@ -33,21 +30,29 @@ class AreaSum {
       if (!graph.isLive(faceOf(h)) || graph.origin(h) == kInfinity || graph.target(h) == kInfinity) continue;
       if (!startsAtPole(base, h) || !isInPlane(base, h)) continue;
       clipEdge(base, h, window_, clipped);
-      const SiteId left = DiagramCore::siteOf(graph.origin(h)), right = DiagramCore::siteOf(graph.target(h));
+      const Slot left = DiagramCore::slotOf(graph.origin(h)), right = DiagramCore::slotOf(graph.target(h));
       for (int piece = 0; piece < clipped.count; ++piece) addPiece(clipped.pieces[static_cast<std::size_t>(piece)], left, right);
     }
     addBorders();
-    for (std::size_t id = 0; id < areas_.size(); ++id) areas_[id] = std::max(0.0, areas_[id] + lost_[id]);
+    for (std::size_t slot = 0; slot < areas_.size(); ++slot) areas_[slot] = std::max(0.0, areas_[slot] + lost_[slot]);
+    giveWhole();
+    byId_.assign(core_.ids().idLimit(), 0);
+    for (Slot slot = 0; slot < areas_.size(); ++slot) {
+      if (areas_[slot] > 0) byId_[core_.ids().idOf(slot)] = areas_[slot];
+    }
+  }
+
+ private:
+  void giveWhole() {
     // If no edge meets the window, one cell has all of it. (Edges can touch it, so contacts are no proof; the sum is all or nothing.)
     double sum = 0;
     for (const double area : areas_) sum += area;
     const double whole = window_.width() * window_.height();
     if (core_.visibleCount() == 0 || sum > whole / 2) return;
-    if (const SiteId owner = ownerOfWindow(core_, window_); owner != kNoSite) areas_[owner] = whole;
+    if (const Slot owner = ownerOfWindow(core_, window_); owner != kNoSlot) areas_[owner] = whole;
   }
 
- private:
-  void addPiece(const ClippedPiece& piece, SiteId left, SiteId right) {
+  void addPiece(const ClippedPiece& piece, Slot left, Slot right) {
     const Conic& curve = piece.curve;
     const double beyond = areaBeyondChord(curve);
     addChord(left, curve.p0, curve.p2, beyond);
@@ -56,20 +61,20 @@ class AreaSum {
     if (piece.toSide != kNoSide) addContact(left, right, piece.toSide, curve.p2, true);
   }
 
-  void addContact(SiteId left, SiteId right, int side, Point point, bool leaves) {
+  void addContact(Slot left, Slot right, int side, Point point, bool leaves) {
     const double place = window_.placeOf(side, point);
     contacts_.push_back({left, {place, point, 0, leaves}});
     contacts_.push_back({right, {place, point, 0, !leaves}});
   }
 
   /// The triangle of a chord and the cell's origin: its centre, or the point of the window nearest to it.
-  void addChord(SiteId id, Point from, Point to, double beyond) {
-    const Site& site = core_.site(id);
+  void addChord(Slot slot, Point from, Point to, double beyond) {
+    const Site& site = core_.site(slot);
     const Point origin = window_.nearestTo({site.x, site.y});
     const double term = cross(from - origin, to - origin) / 2 + beyond;
-    const double sum = areas_[id] + term;  // Neumaier's summation
-    lost_[id] += absolute(areas_[id]) >= absolute(term) ? (areas_[id] - sum) + term : (term - sum) + areas_[id];
-    areas_[id] = sum;
+    const double sum = areas_[slot] + term;  // Neumaier's summation
+    lost_[slot] += absolute(areas_[slot]) >= absolute(term) ? (areas_[slot] - sum) + term : (term - sum) + areas_[slot];
+    areas_[slot] = sum;
   }
 
   void addBorders() {
@@ -77,25 +82,26 @@ class AreaSum {
     std::vector<BorderContact> own;
     std::vector<BorderArc> arcs;
     for (std::size_t begin = 0; begin < contacts_.size();) {
-      const SiteId id = contacts_[begin].site;
+      const Slot slot = contacts_[begin].site;
       own.clear();
-      for (; begin < contacts_.size() && contacts_[begin].site == id; ++begin) own.push_back(contacts_[begin].contact);
-      matchBorder(core_, id, window_, own, arcs);
+      for (; begin < contacts_.size() && contacts_[begin].site == slot; ++begin) own.push_back(contacts_[begin].contact);
+      matchBorder(core_, slot, window_, own, arcs);
       for (const BorderArc& arc : arcs) {
         Point at = own[arc.from].point;
         for (int k = 0; k < arc.cornerCount; ++k) {
           const Point corner = window_.corner((arc.firstCorner + k) % 4);
-          addChord(id, at, corner, 0);
+          addChord(slot, at, corner, 0);
           at = corner;
         }
-        addChord(id, at, own[arc.to].point, 0);
+        addChord(slot, at, own[arc.to].point, 0);
       }
     }
   }
 
   const DiagramCore& core_;
   Window window_;
-  std::vector<double>& areas_;
+  std::vector<double>& byId_;
+  std::vector<double> areas_;  // by slot, as all below
   std::vector<double> lost_;
   std::vector<SiteContact> contacts_;
 };

@@ -26,11 +26,11 @@ double disorder(const std::vector<double>& one, const std::vector<double>& two) 
 /// Coordinates whose magnitude is below the documented range, which means nothing but rounding, become 0.
 double inRange(double x) { return absolute(x) < 1e-100 ? 0 : x; }
 
-SiteId nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x), inRange(p.y)); }
+Slot nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x), inRange(p.y)); }
 
 /// Does the site own the border around the middle of a gap between contacts? Asked just inside of the window, because the border itself may
 /// be an edge of the diagram; and at five places, because any one may be too close to an edge.
-bool ownsGap(const DiagramCore& core, SiteId site, const Window& window, double middlePlace, double gap) {
+bool ownsGap(const DiagramCore& core, Slot site, const Window& window, double middlePlace, double gap) {
   int votes = 0;
   for (const double part : {0.0, -0.21, 0.17, -0.34, 0.38}) {
     double place = middlePlace + part * gap;
@@ -47,18 +47,18 @@ constexpr double kNoDifference = powerOfTwo(-24);
 
 }  // namespace
 
-SiteId ownerOfWindow(const DiagramCore& core, const Window& window) {
+Slot ownerOfWindow(const DiagramCore& core, const Window& window) {
   // A sliver of a cell, lost to rounding, can own the middle; but hardly the corners, too, which are asked just inside.
-  const SiteId middle = nearest(core, window.center());
+  const Slot middle = nearest(core, window.center());
   int votes = 1;
   for (int k = 0; k < 4; ++k) {
     const Point corner = window.corner(k);
     votes += nearest(core, corner + powerOfTwo(-20) * (window.center() - corner)) == middle ? 1 : 0;
   }
-  return votes >= 3 ? middle : kNoSite;
+  return votes >= 3 ? middle : kNoSlot;
 }
 
-void matchBorder(const DiagramCore& core, SiteId site, const Window& window, std::vector<BorderContact>& contacts,
+void matchBorder(const DiagramCore& core, Slot site, const Window& window, std::vector<BorderContact>& contacts,
                  std::vector<BorderArc>& arcs) {
   arcs.clear();
   if (contacts.empty()) return;

@@ -29,10 +29,10 @@ struct BorderArc {
 };
 
 /// Matches the contacts of a cell, of which as many leave as enter; sorts them by place.
-void matchBorder(const DiagramCore& core, SiteId site, const Window& window, std::vector<BorderContact>& contacts,
+void matchBorder(const DiagramCore& core, Slot site, const Window& window, std::vector<BorderContact>& contacts,
                  std::vector<BorderArc>& arcs);
 
-/// The site that owns the whole window if no edge meets it: the one nearest to most of its corners and its middle, or kNoSite. REQUIRES: not empty.
-[[nodiscard]] SiteId ownerOfWindow(const DiagramCore& core, const Window& window);
+/// The site that owns the whole window if no edge meets it: the one nearest to most of its corners and its middle, or kNoSlot. REQUIRES: not empty.
+[[nodiscard]] Slot ownerOfWindow(const DiagramCore& core, const Window& window);
 
 }  // namespace apollonius

@@ -4,7 +4,7 @@
 
 namespace apollonius {
 
-const Cell& CellFinder::find(SiteId site) {
+const Cell& CellFinder::find(Slot site) {
   cell_.pieces.clear();
   cell_.starts.assign(1, 0);
   if (core_.ids().state(site) != SiteState::kVisible) return cell_;
@@ -27,7 +27,7 @@ const Cell& CellFinder::find(SiteId site) {
 }
 
 /// The parts of the cell's edges inside the window, counter-clockwise about the site.
-void CellFinder::clipEdges(SiteId site) {
+void CellFinder::clipEdges(Slot site) {
   pieces_.clear();
   const DelaunayGraph& base = core_.base();
   const Graph& graph = base.graph();
@@ -38,7 +38,7 @@ void CellFinder::clipEdges(SiteId site) {
   HalfedgeId h = begin;
   do {
     if (isInPlane(base, h)) {
-      const SiteId neighbor = DiagramCore::siteOf(graph.target(h));
+      const SiteId neighbor = core_.siteOf(graph.target(h));
       if (startsAtPole(base, h)) {
         clipEdge(base, h, window_, clipped);
         for (int k = 0; k < clipped.count; ++k) pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)], neighbor});
@@ -52,7 +52,7 @@ void CellFinder::clipEdges(SiteId site) {
 }
 
 /// Joins the pieces, which leave and enter the window, along its border.
-void CellFinder::link(SiteId site) {
+void CellFinder::link(Slot site) {
   matchBorder(core_, site, window_, contacts_, arcs_);
   arcAfter_.assign(pieces_.size(), 0);
   isUsed_.assign(pieces_.size(), 0);
@@ -85,7 +85,7 @@ void CellFinder::addBorder(const BorderArc& arc) {
   lineTo(contacts_[arc.to].point);
 }
 
-SiteId CellFinder::wholeOwner() {
+Slot CellFinder::wholeOwner() {
   if (!isOwnerKnown_) owner_ = ownerOfWindow(core_, window_);
   isOwnerKnown_ = true;
   return owner_;

@@ -32,7 +32,7 @@ class CellFinder {
   CellFinder(const DiagramCore& core, const Window& window) : core_(core), window_(window) {}
 
   /// The cell of a site, without regions if it is hidden or does not meet the window. Valid until the next call. Cost: O(d log d).
-  const Cell& find(SiteId site);
+  const Cell& find(Slot site);
 
  private:
   struct Piece {
@@ -40,10 +40,10 @@ class CellFinder {
     SiteId neighbor;
   };
 
-  void clipEdges(SiteId site);
-  void link(SiteId site);
+  void clipEdges(Slot site);
+  void link(Slot site);
   /// ownerOfWindow, found once.
-  SiteId wholeOwner();
+  Slot wholeOwner();
   void wholeWindow();
   void addBorder(const BorderArc& arc);
   /// Ends a region; takes it back if its area is 0 up to rounding, as when a cell only touches the window.
@@ -52,7 +52,7 @@ class CellFinder {
   const DiagramCore& core_;
   Window window_;
   Cell cell_;
-  SiteId owner_ = kNoSite;
+  Slot owner_ = kNoSlot;
   bool isOwnerKnown_ = false;
   std::vector<Piece> pieces_;
   std::vector<BorderContact> contacts_;

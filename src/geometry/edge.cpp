@@ -29,7 +29,8 @@ Point clippedToDoubles(Point p) {
 
 VoronoiCircle preciseCircleOf(const DelaunayGraph& graph, FaceId f) {
   const VoronoiCircle& cached = graph.circle(f);
-  if (isPrecise(cached)) return cached;
+  if (cached.isHalfPlane()) return cached;
+  // Computed anew: the last bits of a cached circle depend on how it came about.
   const EdgeCorners corners = graph.edge(halfedgeOf(f, 0));
   return preciseVoronoiCircle(corners.i, corners.j, corners.k);
 }

@@ -15,15 +15,15 @@ struct EdgeEnd {
   bool isFinite = false;
 };
 
-/// Is a face's cached circle good enough to be handed out: a half-plane, or with an error bound of at most 2^-40 of its numbers? It is
-/// the question of preciseVoronoiCircle.
+/// Is a face's cached circle as good as preciseVoronoiCircle's: a half-plane, or with an error bound of at most 2^-40 of its numbers? For
+/// drawings and quick tests; its last bits depend on the history.
 [[nodiscard]] inline bool isPrecise(const VoronoiCircle& circle) {
   return circle.isHalfPlane() ||
          (circle.error < std::numeric_limits<float>::infinity() &&
           circle.error <= powerOfTwo(-40) * (absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
 }
 
-/// The Voronoi vertex of a face, from the cached circle or, if that is not precise, from long numbers.
+/// The Voronoi vertex of a face, the same bits after any history (preciseVoronoiCircle).
 [[nodiscard]] EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f);
 
 /// The same with the clearance. REQUIRES: a face whose vertex is in the plane.

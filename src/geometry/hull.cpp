@@ -42,8 +42,8 @@ void visitHull(const Graph& graph, Visit&& visit) {
 void hullSites(const DiagramCore& core, std::vector<SiteId>& sites) {
   sites.clear();
   const DelaunayGraph& base = core.base();
-  if (base.visibleCount() == 1) sites.push_back(DiagramCore::siteOf(base.anyVisible()));
-  visitHull(base.graph(), [&](HalfedgeId h) { sites.push_back(DiagramCore::siteOf(base.graph().origin(h))); });
+  if (base.visibleCount() == 1) sites.push_back(core.siteOf(base.anyVisible()));
+  visitHull(base.graph(), [&](HalfedgeId h) { sites.push_back(core.siteOf(base.graph().origin(h))); });
 }
 
 void drawHull(const DiagramCore& core, double tolerance, Path& path) {

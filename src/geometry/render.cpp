@@ -175,8 +175,8 @@ bool drawSites(const DiagramCore& core, double tolerance, Portion& portion, Path
   const std::size_t limit = portion.commands;
   for (; portion.cursor < core.ids().slots(); ++portion.cursor) {
     if (path.commands.size() >= limit) return true;
-    const auto id = static_cast<SiteId>(portion.cursor);
-    if (core.ids().state(id) != SiteState::kFree) drawCircle(core.site(id), tolerance, path);
+    const auto slot = static_cast<Slot>(portion.cursor);
+    if (core.ids().state(slot) != SiteState::kFree) drawCircle(core.site(slot), tolerance, path);
   }
   return false;
 }

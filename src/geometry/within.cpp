@@ -35,7 +35,7 @@ void addArc(Point center, double radius, Point from, Point to, bool isFull, std:
 
 }  // namespace
 
-void cellWithin(const DiagramCore& core, SiteId site, double radius, std::vector<BoundaryPiece>& boundary) {
+void cellWithin(const DiagramCore& core, Slot site, double radius, std::vector<BoundaryPiece>& boundary) {
   boundary.clear();
   if (core.ids().state(site) != SiteState::kVisible || !(radius > 0)) return;
   const DelaunayGraph& base = core.base();
@@ -59,7 +59,7 @@ void cellWithin(const DiagramCore& core, SiteId site, double radius, std::vector
           if (e0 < e1) {
             const Point from = isFromCut ? bisector.at(e0) : edge.from.point, to = isToCut ? bisector.at(e1) : edge.to.point;
             const Conic curve = bisector.piece(e0, e1, from, to);
-            const SiteId neighbor = DiagramCore::siteOf(graph.target(h));
+            const SiteId neighbor = core.siteOf(graph.target(h));
             if (isPole) {
               sectors.push_back({{curve, neighbor}, unit(from - center), unit(to - center), isFromCut, isToCut});
             } else {

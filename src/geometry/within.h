@@ -11,6 +11,6 @@ namespace apollonius {
 
 /// Its boundary, counter-clockwise: pieces of the cell's edges and circular arcs (neighbor kNoSite). Empty for a hidden site or a radius
 /// of 0 or less.
-void cellWithin(const DiagramCore& core, SiteId site, double radius, std::vector<BoundaryPiece>& boundary);
+void cellWithin(const DiagramCore& core, Slot site, double radius, std::vector<BoundaryPiece>& boundary);
 
 }  // namespace apollonius
