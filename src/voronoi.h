@@ -6,7 +6,8 @@
 //     P(t) = ((1-t)² P0 + 2 w t (1-t) P1 + t² P2) / ((1-t)² + 2 w t (1-t) + t²),   0 <= t <= 1,
 //
 // w > 1 for a hyperbola; w = 0 for a straight segment. Where two cells meet, both have the same curve, bit for bit; and all numbers are
-// the same bits natively and as WebAssembly, after any history.
+// the same bits natively and as WebAssembly. Curves have the same bits after any history, too; drawings and sums (areas, centroids, lengths)
+// may differ in the last places.
 //
 // The window is convex and a cell is star-shaped, so the clipped cell is a number of *regions* without holes: one if its centre is in the
 // window, perhaps several if not. What only touches the window is not in it.

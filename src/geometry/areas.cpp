@@ -29,7 +29,7 @@ class AreaSum {
       const HalfedgeId h{static_cast<std::uint32_t>(k)};
       if (!graph.isLive(faceOf(h)) || graph.origin(h) == kInfinity || graph.target(h) == kInfinity) continue;
       if (!startsAtPole(base, h) || !isInPlane(base, h)) continue;
-      clipEdge(base, h, window_, clipped);
+      clipEdge(base, h, window_, clipped, Bits::kCached);
       const Slot left = DiagramCore::slotOf(graph.origin(h)), right = DiagramCore::slotOf(graph.target(h));
       for (int piece = 0; piece < clipped.count; ++piece) addPiece(clipped.pieces[static_cast<std::size_t>(piece)], left, right);
     }

@@ -100,11 +100,11 @@ bool isFarAway(const Site& pole, const VoronoiCircle& a, const VoronoiCircle& b,
 
 }  // namespace
 
-void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, ClippedEdge& clipped) {
+void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, ClippedEdge& clipped, Bits bits) {
   clipped.count = 0;
   const Graph& g = graph.graph();
   if (isFarAway(graph.site(g.origin(h)), graph.circle(faceOf(g.twin(h))), graph.circle(faceOf(h)), window)) return;
-  const Edge edge(graph, h);
+  const Edge edge(graph, h, bits);
   const Mark start{edge.e0, edge.from.point, kNoSide}, end{edge.e1, edge.to.point, kNoSide};
   if (edge.from.isFinite && edge.to.isFinite && window.holds(start.point) && window.holds(end.point)) {
     // The usual case: the whole curve is within the triangle of its ends and p1.

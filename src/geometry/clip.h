@@ -31,7 +31,7 @@ struct ClippedEdge {
   int count = 0;
 };
 
-/// Clips the edge dual to h. REQUIRES: startsAtPole, isInPlane.
-void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, ClippedEdge& clipped);
+/// Clips the edge dual to h. Edges of one drawing or sum take the same bits, so that they meet. REQUIRES: startsAtPole, isInPlane.
+void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, ClippedEdge& clipped, Bits bits = Bits::kCanonical);
 
 }  // namespace apollonius

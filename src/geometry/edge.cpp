@@ -35,8 +35,9 @@ VoronoiCircle preciseCircleOf(const DelaunayGraph& graph, FaceId f) {
   return preciseVoronoiCircle(corners.i, corners.j, corners.k);
 }
 
-EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f) {
-  const VoronoiCircle circle = preciseCircleOf(graph, f);
+EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f, Bits bits) {
+  const VoronoiCircle& cached = graph.circle(f);
+  const VoronoiCircle circle = bits == Bits::kCached && isPrecise(cached) ? cached : preciseCircleOf(graph, f);
   if (circle.isHalfPlane()) return {};
   return {{circle.x, circle.y}, true};
 }
@@ -52,10 +53,10 @@ bool isInPlane(const DelaunayGraph& graph, HalfedgeId h) {
   return !isOuterSide(graph, h) && !isOuterSide(graph, graph.graph().twin(h));
 }
 
-Edge::Edge(const DelaunayGraph& graph, HalfedgeId h)
+Edge::Edge(const DelaunayGraph& graph, HalfedgeId h, Bits bits)
     : bisector(graph.site(graph.graph().origin(h)), graph.site(graph.graph().target(h))),
-      from(vertexOf(graph, faceOf(graph.graph().twin(h)))),
-      to(vertexOf(graph, faceOf(h))),
+      from(vertexOf(graph, faceOf(graph.graph().twin(h)), bits)),
+      to(vertexOf(graph, faceOf(h), bits)),
       e0(0),
       e1(kInfinite) {
   const auto parameter = [&](EdgeEnd& end, double atInfinity) {

@@ -23,8 +23,12 @@ struct EdgeEnd {
           circle.error <= powerOfTwo(-40) * (absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
 }
 
-/// The Voronoi vertex of a face, the same bits after any history (preciseVoronoiCircle).
-[[nodiscard]] EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f);
+/// Which bits a vertex gets: the same after any history (preciseVoronoiCircle), or those of the cached circle if it is precise, which is quicker
+/// and differs in the last places.
+enum class Bits : unsigned char { kCanonical, kCached };
+
+/// The Voronoi vertex of a face.
+[[nodiscard]] EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f, Bits bits);
 
 /// The same with the clearance. REQUIRES: a face whose vertex is in the plane.
 [[nodiscard]] VoronoiCircle preciseCircleOf(const DelaunayGraph& graph, FaceId f);
@@ -44,7 +48,7 @@ struct Edge {
   double e0, e1;
 
   /// REQUIRES: startsAtPole, isInPlane.
-  Edge(const DelaunayGraph& graph, HalfedgeId h);
+  Edge(const DelaunayGraph& graph, HalfedgeId h, Bits bits = Bits::kCanonical);
 };
 
 }  // namespace apollonius

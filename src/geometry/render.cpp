@@ -132,7 +132,7 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
       }
       const bool isBounded = !from.isHalfPlane() && !to.isHalfPlane();
       if (!isBounded && !isInPlane(base, h)) continue;
-      clipEdge(base, h, window, clipped);
+      clipEdge(base, h, window, clipped, Bits::kCached);
       for (int k = 0; k < clipped.count; ++k) {
         const Conic& curve = clipped.pieces[static_cast<std::size_t>(k)].curve;
         path.move(curve.p0.x, curve.p0.y);
