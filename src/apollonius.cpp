@@ -56,6 +56,7 @@ Diagram::Diagram(Location location) : impl_(std::make_unique<Impl>(location)) {}
 Diagram::~Diagram() = default;
 Diagram::Diagram(Diagram&&) noexcept = default;
 Diagram& Diagram::operator=(Diagram&&) noexcept = default;
+const DiagramCore& Diagram::core() const noexcept { return *impl_; }
 
 // --- Sites -------------------------------------------------------------------------------------------------------------------
 

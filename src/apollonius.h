@@ -33,6 +33,7 @@ enum class Error : std::uint8_t {
   kBadLength,    ///< lengths of arrays do not fit each other, or are no multiple of the record's
   kOutOfMemory,  ///< memory ran out
   kTooLarge,     ///< more than kMostSites sites
+  kBadBounds,    ///< a window that is empty, inverted, not finite or out of range (voronoi.h)
 };
 
 /// A circle: centre and weight (radius). Negative weights are legal: only differences of weights matter to the diagram.
@@ -41,6 +42,8 @@ struct Circle {
   double y;
   double r;
 };
+
+class DiagramCore;
 
 class Diagram {
  public:
@@ -111,7 +114,10 @@ class Diagram {
   /// none for a hidden site. Replaces the contents. Errors: kUnknownSite, kOutOfMemory. Cost: O(d).
   [[nodiscard]] Error neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
 
-  [[nodiscard]] Error vertices(VertexArrays& vertices) const;  ///< Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
+  /// The Voronoi vertices. Each coordinate and clearance is within 2^-39 (|x| + |y| + |clearance|) + 2^-48 (the largest number among
+  /// its three sites) of the exact one, whatever the sites, and the same bits after any history. Replaces the contents.
+  /// Errors: kOutOfMemory. Cost: O(h)
+  [[nodiscard]] Error vertices(VertexArrays& vertices) const;
   [[nodiscard]] Error edges(EdgeArrays& edges) const;          ///< Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
 
   /// The faces of the Delaunay graph, three sites each, counter-clockwise, kNoSite for infinity: the topology itself, with the
@@ -124,7 +130,10 @@ class Diagram {
   [[nodiscard]] Error validate(std::string& broken) const;
 
  private:
+  friend class Voronoi;  // its geometry: voronoi.h
+
   class Impl;
+  [[nodiscard]] const DiagramCore& core() const noexcept;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -132,3 +132,28 @@ export function checkedIds(name: string, ids: unknown): Uint32Array {
   for (let k = 0; k < checked.length; ++k) checked[k] = isSiteId(array[k]) ? (array[k] as number) : kNoSite;
   return checked;
 }
+
+/** A window [xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax; throws "bad-bounds". */
+export function checkedBounds(bounds: unknown): [number, number, number, number] {
+  if (!isArrayLike(bounds) || bounds.length !== 4) {
+    throw new ApolloniusError("bad-bounds", `bounds is ${described(bounds)}, expected [xmin, ymin, xmax, ymax]`);
+  }
+  const names = ["xmin", "ymin", "xmax", "ymax"] as const;
+  const [xmin, ymin, xmax, ymax] = names.map((name, k) => {
+    const error = numberError(`${name} of bounds`, bounds[k]);
+    if (error) throw new ApolloniusError("bad-bounds", error.message);
+    return bounds[k] as number;
+  }) as [number, number, number, number];
+  if (!(xmin < xmax && ymin < ymax)) {
+    throw new ApolloniusError("bad-bounds", `bounds are [${xmin}, ${ymin}, ${xmax}, ${ymax}], expected xmin < xmax and ymin < ymax`);
+  }
+  return [xmin, ymin, xmax, ymax];
+}
+
+/** A positive number for which there is a default; throws "not-finite" or "out-of-range". */
+export function checkedTolerance(tolerance: unknown, usual: () => number): number {
+  if (tolerance === undefined) return usual();
+  if (typeof tolerance !== "number" || !Number.isFinite(tolerance)) throw numberError("tolerance", tolerance) as ApolloniusError;
+  if (!(tolerance > 0)) throw new ApolloniusError("out-of-range", `tolerance is ${tolerance}, expected a number above 0`);
+  return tolerance;
+}

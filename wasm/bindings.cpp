@@ -20,12 +20,15 @@
 #include <vector>
 
 #include "apollonius.h"
+#include "voronoi.h"
 
 namespace {
 
+using apollonius::Bounds;
 using apollonius::Diagram;
 using apollonius::Error;
 using apollonius::SiteId;
+using apollonius::Voronoi;
 using Address = std::uintptr_t;
 
 // The block of scalar results; wasm/native.ts repeats this order.
@@ -40,6 +43,10 @@ Results results;
 std::vector<SiteId> siteIds;
 apollonius::VertexArrays vertexArrays;
 apollonius::EdgeArrays edgeArrays;
+apollonius::CurveArrays curveArrays;
+apollonius::RingArrays ringArrays;
+std::vector<double> numbers;
+apollonius::Path path;
 std::string text;
 
 // Arrays in, and arrays out whose length is known before the call.
@@ -81,6 +88,10 @@ void release() {
   siteIds = {};
   vertexArrays = {};
   edgeArrays = {};
+  curveArrays = {};
+  ringArrays = {};
+  numbers = {};
+  path = {};
   text = {};
 }
 
@@ -144,6 +155,24 @@ int validate(const Diagram& diagram) {
   return code(error);
 }
 
+int publishMeasures(Error error, const apollonius::CellMeasures& measures) {
+  results.x = measures.centroidX;
+  results.y = measures.centroidY;
+  results.r = measures.perimeter;
+  results.distance = measures.area;
+  results.flag = measures.isEmpty ? 0 : 1;
+  return code(error);
+}
+
+int publishPath(Error error) {
+  publish(0, path.coordinates);
+  publish(1, path.commands);
+  return code(error);
+}
+
+// What `diagramDraw` draws; wasm/native.ts repeats this order.
+enum class Drawing { kEdges, kSites, kDual, kDualWithRays, kHull };
+
 }  // namespace
 
 extern "C" {
@@ -204,6 +233,95 @@ EMSCRIPTEN_KEEPALIVE int diagramCoverOf(const Diagram* diagram, SiteId id) {
 EMSCRIPTEN_KEEPALIVE int diagramNeighbors(const Diagram* diagram, SiteId id) {
   const Error error = diagram->neighbors(id, siteIds);
   publish(0, siteIds);
+  return code(error);
+}
+
+// --- Geometry: bounds are four numbers, xmin, ymin, xmax, ymax -------------------------------------------------------------------
+
+EMSCRIPTEN_KEEPALIVE double toleranceFor(double xmin, double ymin, double xmax, double ymax) {
+  return apollonius::defaultTolerance({xmin, ymin, xmax, ymax});
+}
+
+EMSCRIPTEN_KEEPALIVE void diagramExtent(const Diagram* diagram) {
+  const Bounds box = Voronoi::extentOf(*diagram);
+  results.x = box.xmin;
+  results.y = box.ymin;
+  results.r = box.xmax;
+  results.distance = box.ymax;
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramHull(const Diagram* diagram) {
+  const Error error = Voronoi(*diagram).hull(siteIds);
+  publish(0, siteIds);
+  return code(error);
+}
+
+// Draws about `commands` commands from `cursor` on; then results.id is the next cursor and results.flag tells whether that was all.
+EMSCRIPTEN_KEEPALIVE int diagramDraw(const Diagram* diagram, int what, double xmin, double ymin, double xmax, double ymax,
+                                     double tolerance, std::uint32_t cursor, std::uint32_t commands) {
+  const Voronoi voronoi(*diagram, {xmin, ymin, xmax, ymax});
+  Voronoi::Portion portion{cursor, commands};
+  const auto draw = [&] {
+    switch (static_cast<Drawing>(what)) {
+      case Drawing::kEdges: return voronoi.drawEdges(tolerance, portion, path);
+      case Drawing::kSites: return voronoi.drawSites(tolerance, portion, path);
+      case Drawing::kDual: return voronoi.drawDual(tolerance, false, portion, path);
+      case Drawing::kDualWithRays: return voronoi.drawDual(tolerance, true, portion, path);
+      case Drawing::kHull: break;
+    }
+    portion.isDone = true;
+    return voronoi.drawHull(tolerance, path);
+  };
+  const Error error = draw();
+  results.id = static_cast<std::uint32_t>(portion.cursor);
+  results.flag = portion.isDone ? 1 : 0;
+  return publishPath(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int voronoiDrawCell(const Diagram* diagram, double xmin, double ymin, double xmax, double ymax, SiteId id,
+                                         double tolerance) {
+  return publishPath(Voronoi(*diagram, {xmin, ymin, xmax, ymax}).drawCell(id, tolerance, path));
+}
+
+EMSCRIPTEN_KEEPALIVE int voronoiPolygon(const Diagram* diagram, double xmin, double ymin, double xmax, double ymax, SiteId id,
+                                        double tolerance) {
+  const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).polygon(id, tolerance, ringArrays);
+  publish(0, ringArrays.coordinates);
+  publish(1, ringArrays.starts);
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int voronoiCell(const Diagram* diagram, double xmin, double ymin, double xmax, double ymax, SiteId id) {
+  const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).cell(id, curveArrays);
+  publish(0, curveArrays.curves);
+  publish(1, curveArrays.sites);
+  publish(2, curveArrays.regions);
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int voronoiEdges(const Diagram* diagram, double xmin, double ymin, double xmax, double ymax) {
+  const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).edges(curveArrays);
+  publish(0, curveArrays.curves);
+  publish(1, curveArrays.sites);
+  return code(error);
+}
+
+// results.distance is the area, r the perimeter, x and y the centroid; results.flag is 0 if there is none of it.
+EMSCRIPTEN_KEEPALIVE int voronoiMeasures(const Diagram* diagram, double xmin, double ymin, double xmax, double ymax, SiteId id) {
+  apollonius::CellMeasures measures;
+  const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).measures(id, measures);
+  return publishMeasures(error, measures);
+}
+
+EMSCRIPTEN_KEEPALIVE int voronoiMeasuresWithin(const Diagram* diagram, SiteId id, double radius) {
+  apollonius::CellMeasures measures;
+  const Error error = Voronoi(*diagram).measuresWithin(id, radius, measures);
+  return publishMeasures(error, measures);
+}
+
+EMSCRIPTEN_KEEPALIVE int voronoiAreas(const Diagram* diagram, double xmin, double ymin, double xmax, double ymax) {
+  const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).areas(numbers);
+  publish(0, numbers);
   return code(error);
 }
 

@@ -1,12 +1,16 @@
 import { type Accessor, triples } from "./accessors.js";
 import {
-  allocated, checkedChoice, checkedCount, checkedIds, checkedNumbers, checkNumber, isSiteId, typedArrayKind, unknownSite,
+  allocated, checkedBounds, checkedChoice, checkedCount, checkedIds, checkedNumbers, checkedTolerance, checkNumber, isSiteId,
+  typedArrayKind, unknownSite,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import {
   check, checkSite, checkTypes, kUnknownSite, outOfMemory, throwForElements, throwForNumbers,
 } from "./failures.js";
-import { NativeDiagram } from "./native.js";
+import { provideNative } from "./living.js";
+import { Drawing, NativeDiagram, type NativeBounds } from "./native.js";
+import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
+import { type Bounds, Voronoi } from "./voronoi.js";
 
 /** A circle: centre and radius (weight), in the unit of the input. */
 export interface Site {
@@ -62,6 +66,10 @@ export interface DiagramOptions {
  */
 export class Diagram implements Disposable {
   #native: NativeDiagram | null;
+
+  static {
+    provideNative((diagram) => (diagram as Diagram).#living());
+  }
 
   /**
    * A diagram of flat x, y, r triples; their ids are 0, 1, 2, … in input order. Cost: expected O(n log n).
@@ -318,6 +326,53 @@ export class Diagram implements Disposable {
     }));
   }
 
+  // --- Geometry --------------------------------------------------------------------------------------------------------------
+
+  /**
+   * The cells inside a window: a view, always of the diagram as it is now. The default window is d3-delaunay's, 960 x 500. Throws
+   * "bad-bounds".
+   */
+  voronoi(bounds: Bounds = [0, 0, 960, 500]): Voronoi {
+    this.#living();
+    return new Voronoi(this, checkedBounds(bounds));
+  }
+
+  /**
+   * Ids of the sites that the convex hull of the circles touches, counter-clockwise; a site can occur more than once (a large circle
+   * with small ones sticking out). O(length).
+   */
+  hull(): Uint32Array {
+    const native = this.#living();
+    check(native.hull());
+    return this.#taken(native, () => native.takeWords(0));
+  }
+
+  /**
+   * Draws the dual graph as the paper's Appendix A embeds it: each Delaunay edge as a piece of a hyperbola or parabola or as a segment
+   * between the two centres, such that no two cross. With `bounds` also the rays of the sites on the hull, up to that window.
+   * Returns an SVG path string if there is no context. O(n).
+   */
+  render(context: PathContext, options?: DrawOptions & { bounds?: Bounds | undefined }): void;
+  render(context?: null, options?: DrawOptions & { bounds?: Bounds | undefined }): string;
+  render(context?: PathContext | null, options?: DrawOptions & { bounds?: Bounds | undefined }): string | void {
+    const bounds = options?.bounds === undefined ? undefined : checkedBounds(options.bounds);
+    return this.#draw(bounds ? Drawing.dualWithRays : Drawing.dual, bounds, context, options);
+  }
+
+  /** Draws the circles of all sites, hidden ones too (none for radii of 0 or less). As `render`. */
+  renderSites(context: PathContext, options?: DrawOptions): void;
+  renderSites(context?: null, options?: DrawOptions): string;
+  renderSites(context?: PathContext | null, options?: DrawOptions): string | void {
+    return this.#draw(Drawing.sites, undefined, context, options);
+  }
+
+  /** Draws the convex hull of the circles, arcs and tangents, as one closed figure. As `render`. */
+  renderHull(context: PathContext, options?: DrawOptions): void;
+  renderHull(context?: null, options?: DrawOptions): string;
+  renderHull(context?: PathContext | null, options?: DrawOptions): string | void {
+    return this.#draw(Drawing.hull, undefined, context, options);
+  }
+
   /** null, or the first broken invariant in words. With exact arithmetic and slow, O(n) with large constants: for tests. */
   validate(): string | null {
     const native = this.#living();
@@ -355,6 +410,17 @@ export class Diagram implements Disposable {
     } finally {
       native.finish();
     }
+  }
+
+  /** Without bounds, those of the circles say what tolerance cannot be seen. */
+  #draw(what: Drawing, bounds: NativeBounds | undefined, context: PathContext | null | undefined,
+        options: DrawOptions | undefined): string | void {
+    const native = this.#living();
+    const window = bounds ?? native.extent();
+    const tolerance = checkedTolerance(options?.tolerance, () => native.toleranceFor(window));
+    return drawn(context, options, (target) => {
+      check(native.draw(what, window, tolerance, (commands, count, xy) => play(target, commands, count, xy)));
+    });
   }
 
   #insertTriples(xyr: ArrayLike<number>): Uint32Array {

@@ -14,6 +14,7 @@ const kFailures: readonly (readonly [ErrorCode, string] | null)[] = [
   ["bad-length", "lengths of arrays do not fit each other"],
   ["out-of-memory", "not enough memory"],
   ["too-large", "more sites than one diagram can hold"],
+  ["bad-bounds", "the window is empty, inverted or out of range"],
 ];
 
 export function failure(status: Status): ApolloniusError {

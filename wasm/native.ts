@@ -1,6 +1,7 @@
 // One diagram inside the wasm module, with typed arrays instead of heap addresses: no other file knows an address, and no view
 // of the heap leaves this one (a view dies when the memory grows). Layout of the shared blocks: wasm/bindings.cpp.
 import type { MainModule } from "../build/wasm/apollonius.mjs";
+import { ApolloniusError } from "./errors.js";
 import { runningModule } from "./module.js";
 
 /** Error codes as integers, 0 for success: the order of `Error` in src/apollonius.h. */
@@ -26,6 +27,16 @@ const kFlag = 36;
 const kAddresses = 40;
 const kLengths = 52;
 
+/** A window: xmin, ymin, xmax, ymax. */
+export type NativeBounds = readonly [xmin: number, ymin: number, xmax: number, ymax: number];
+
+/** What `draw` can draw: the order of `Drawing` in wasm/bindings.cpp. */
+export const Drawing = { edges: 0, sites: 1, dual: 2, dualWithRays: 3, hull: 4 } as const;
+export type Drawing = (typeof Drawing)[keyof typeof Drawing];
+
+// Commands in one portion of a drawing: few enough to stay in the processor's cache.
+const kPortion = 4096;
+
 let collector: FinalizationRegistry<number> | undefined;
 let results = 0;
 
@@ -35,9 +46,13 @@ function addressCollector(): FinalizationRegistry<number> {
   return collector;
 }
 
+type Play = (commands: Uint8Array, count: number, xy: Float64Array) => void;
+interface Portion { xy?: Float64Array; commands?: Uint8Array }
+
 export class NativeDiagram {
   readonly #module: MainModule;
   readonly #address: number;
+  #isDestroyed = false;
 
   private constructor(module: MainModule, address: number) {
     this.#module = module;
@@ -58,6 +73,7 @@ export class NativeDiagram {
   destroy(): void {
     addressCollector().unregister(this);
     this.#module.destroy(this.#address);
+    this.#isDestroyed = true;
   }
 
   // --- Calls about one site or point. Their results are read below, before the next call. ---------------------------------
@@ -183,6 +199,75 @@ export class NativeDiagram {
   }
   validate(): Status {
     return this.#module.validate(this.#address);
+  }
+
+  // --- Geometry --------------------------------------------------------------------------------------------------------------
+
+  toleranceFor(bounds: NativeBounds): number {
+    return this.#module._toleranceFor(...bounds);
+  }
+  /** The box of all circles. */
+  extent(): NativeBounds {
+    this.#module._diagramExtent(this.#address);
+    return [this.x, this.y, this.r, this.distance];
+  }
+  hull(): Status {
+    return this.#module._diagramHull(this.#address);
+  }
+  polygon(bounds: NativeBounds, id: number, tolerance: number): Status {
+    return this.#module._voronoiPolygon(this.#address, ...bounds, id, tolerance);
+  }
+  cell(bounds: NativeBounds, id: number): Status {
+    return this.#module._voronoiCell(this.#address, ...bounds, id);
+  }
+  edgeCurves(bounds: NativeBounds): Status {
+    return this.#module._voronoiEdges(this.#address, ...bounds);
+  }
+  areas(bounds: NativeBounds): Status {
+    return this.#module._voronoiAreas(this.#address, ...bounds);
+  }
+  /** Leaves x and y of the centroid, the perimeter in r, the area in distance, and in count whether there is any. */
+  measures(bounds: NativeBounds, id: number): Status {
+    return this.#module._voronoiMeasures(this.#address, ...bounds, id);
+  }
+  measuresWithin(id: number, radius: number): Status {
+    return this.#module._voronoiMeasuresWithin(this.#address, id, radius);
+  }
+
+  /** Hands a drawing to `play` in portions, which may do anything but keep the arrays: even change the diagram. */
+  draw(what: Drawing, bounds: NativeBounds, tolerance: number, play: Play): Status {
+    const portion: Portion = {};
+    for (let cursor = 0; ;) {
+      const status = this.#module._diagramDraw(this.#address, what, ...bounds, tolerance, cursor, kPortion);
+      if (status !== 0) return status;
+      cursor = this.id >>> 0;
+      const isDone = this.count !== 0;
+      this.#playPortion(portion, play);
+      if (isDone) break;
+      if (this.#isDestroyed) throw new ApolloniusError("disposed", "the diagram was disposed of while it was drawn");
+    }
+    this.finish();
+    return 0;
+  }
+  drawCell(bounds: NativeBounds, id: number, tolerance: number, play: Play): Status {
+    const status = this.#module._voronoiDrawCell(this.#address, ...bounds, id, tolerance);
+    if (status !== 0) return status;
+    this.#playPortion({}, play);
+    this.finish();
+    return 0;
+  }
+
+  /** Copies the path in slots 0 and 1 into the portion's own arrays, which grow as needed. */
+  #playPortion(portion: Portion, play: Play): void {
+    const coordinates = this.#doubles(this.#slot(kAddresses, 0), this.#slot(kLengths, 0));
+    const count = this.#slot(kLengths, 1);
+    const heap: Uint8Array = this.#module.HEAPU8;
+    const commands = heap.subarray(this.#slot(kAddresses, 1), this.#slot(kAddresses, 1) + count);
+    if (!portion.xy || portion.xy.length < coordinates.length) portion.xy = new Float64Array(coordinates.length);
+    if (!portion.commands || portion.commands.length < count) portion.commands = new Uint8Array(count);
+    portion.xy.set(coordinates);
+    portion.commands.set(commands);
+    play(portion.commands, count, portion.xy);
   }
 
   takeDoubles(slot: number): Float64Array {

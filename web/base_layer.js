@@ -1,13 +1,12 @@
 // The static picture: circles, cell boundaries, dual graph, hidden sites. Drawn whole, or inside one box only.
-import { newArc } from "./bisector.js";
-import { addArc, setDualArc, setVoronoiArc } from "./curves.js";
+import { boundsOf, drawOptions, ScreenStrokes } from "./curves.js";
 
 /** @typedef {{ cells: boolean, circles: boolean, dual: boolean, hidden: boolean, map: boolean }} Layers what is shown */
 
 const kDot = 1.1; // circles smaller than this (pixels) are drawn as dots of this size
 const kDashFrom = 5; // hidden circles at least this large (pixels) are dashed
 const kNameFrom = 15; // visible circles at least this large (pixels) show their name, if it fits into them
-const kMostInPath = 2000; // pieces in one path: very long paths are slow to stroke
+const kMostInPath = 2000; // circles in one path: very long paths are slow to stroke
 
 /**
  * @param {CanvasRenderingContext2D} context
@@ -28,13 +27,17 @@ export function drawBase(context, scene, view, layers, theme, box) {
   if (layers.dual) {
     context.strokeStyle = theme.dual;
     context.lineWidth = 1;
-    strokeRows(context, scene, view, near, (row, arc) => (setDualArc(scene, row, arc), true));
+    const strokes = new ScreenStrokes(context, view, near);
+    scene.diagram.render(strokes, drawOptions(view));
+    strokes.finish();
   }
-  if (layers.cells) {
-    const disc = view.disc();
+  const bounds = boundsOf(view, near);
+  if (layers.cells && bounds) {
     context.strokeStyle = theme.cell;
     context.lineWidth = 1;
-    strokeRows(context, scene, view, near, (row, arc) => setVoronoiArc(scene, row, disc, arc));
+    const strokes = new ScreenStrokes(context, view, near);
+    scene.diagram.voronoi(bounds).render(strokes, drawOptions(view));
+    strokes.finish();
   }
   if (layers.circles) {
     context.lineWidth = 1;
@@ -46,7 +49,7 @@ export function drawBase(context, scene, view, layers, theme, box) {
 
 /** Puts x, y, r in pixels of every circle that meets the box into one of two lists. */
 function sortCircles(scene, view, box, visible, hidden) {
-  const flags = scene.graph().visible;
+  const flags = scene.visible();
   const { xyr } = scene;
   for (const id of scene.ids) {
     const x = view.toScreenX(xyr[3 * id]);
@@ -88,55 +91,12 @@ function drawHidden(context, xyr, theme) {
   context.setLineDash([]);
 }
 
-/** Strokes one curve for each edge, in paths of bounded length. */
-function strokeRows(context, scene, view, box, setArc) {
-  const { edgeCount } = scene.graph();
-  const isOutside = outsideTest(scene, view, box);
-  const arc = newArc();
-  let pieces = 0;
-  context.beginPath();
-  for (let row = 0; row < edgeCount; row++) {
-    if (isOutside(row) || !setArc(row, arc) || !addArc(context, view, arc, box)) continue;
-    if (++pieces % kMostInPath === 0) {
-      context.stroke();
-      context.beginPath();
-    }
-  }
-  context.stroke();
-}
-
-/**
- * A cheap test that an edge and its dual lie outside a box: along an edge the distance to its two sites is largest at the ends,
- * so all of it lies in a disc about each site; and the dual edge lies in the two discs together.
- */
-function outsideTest(scene, view, box) {
-  const { edgeSites, edgeVertices, clearance } = scene.graph();
-  const { xyr } = scene;
-  const xmin = view.toWorldX(box.left);
-  const xmax = view.toWorldX(box.right);
-  const ymin = view.toWorldY(box.bottom);
-  const ymax = view.toWorldY(box.top);
-  const misses = (site, largest) => {
-    const x = xyr[3 * site];
-    const y = xyr[3 * site + 1];
-    const reach = xyr[3 * site + 2] + largest;
-    return x + reach < xmin || x - reach > xmax || y + reach < ymin || y - reach > ymax;
-  };
-  return (row) => {
-    const first = edgeVertices[2 * row];
-    const second = edgeVertices[2 * row + 1];
-    if (first < 0 || second < 0) return false;
-    const largest = Math.max(clearance[first], clearance[second]);
-    return misses(edgeSites[2 * row], largest) && misses(edgeSites[2 * row + 1], largest);
-  };
-}
-
 const widths = new Map(); // of names, in pixels of the font below
 
 /** Names of sites that have one, inside their circles. */
 function drawNames(context, scene, view, box, theme) {
   if (scene.labels.size === 0) return;
-  const flags = scene.graph().visible;
+  const flags = scene.visible();
   const { xyr } = scene;
   context.font = `500 11px ${theme.sans}`;
   context.textAlign = "center";

@@ -1,5 +1,5 @@
 // What follows the pointer: the nearest site, its cell and its neighbours; the distance; the selected site and its handle.
-import { addCell, addCellEdges } from "./curves.js";
+import { addCell } from "./curves.js";
 
 /** @typedef {{ x: number, y: number, id: number, distance: number, neighbors: Uint32Array }} Hover pointer in pixels, distance in units */
 
@@ -47,7 +47,6 @@ export function drawOverlay(context, scene, view, theme, hover, selected, draft)
 }
 
 function drawHover(context, scene, view, theme, hover) {
-  const box = { left: 0, top: 0, right: view.width, bottom: view.height };
   context.fillStyle = theme.neighborFill;
   context.beginPath();
   for (const id of hover.neighbors) addCell(context, scene, view, id);
@@ -59,8 +58,6 @@ function drawHover(context, scene, view, theme, hover) {
   context.fill();
   context.strokeStyle = theme.accent;
   context.lineWidth = 2;
-  context.beginPath();
-  addCellEdges(context, scene, view, hover.id, box);
   context.stroke();
 
   context.strokeStyle = theme.neighbor;

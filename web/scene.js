@@ -1,21 +1,9 @@
-// The diagram that the page shows, with what drawing needs beside it: a mirror of the circles, names, the arrays of vertices
-// and edges as they are now, and how long the last operation took.
+// The diagram that the page shows, with what drawing needs beside it: a mirror of the circles, names, which of them are visible, and
+// how long the last operation took.
 import { Diagram } from "apollonius-diagram";
 
 /** @typedef {{ name: string, detail?: string }} Label */
 /** @typedef {{ operation: string, micros: number, count: number }} Timing */
-
-/**
- * The diagram's graph at one moment. `start` and `rows` list the edges of each site: those of site s are
- * rows[start[s]] … rows[start[s + 1] - 1].
- * @typedef {object} Graph
- * @property {number} edgeCount
- * @property {Uint32Array} edgeSites
- * @property {Int32Array} edgeVertices
- * @property {Float64Array} coordinates
- * @property {Float64Array} clearance
- * @property {Uint8Array} visible by id: 1 if the site has a cell
- */
 
 export class Scene extends EventTarget {
   diagram = new Diagram();
@@ -27,8 +15,7 @@ export class Scene extends EventTarget {
   labels = new Map();
   /** @type {Timing} */
   timing = { operation: "", micros: 0, count: 1 };
-  /** @type {Graph | null} */ #graph = null;
-  #incidence = null;
+  /** @type {Uint8Array | null} */ #visible = null;
 
   /** Replaces everything by these circles (x, y, r triples) and their labels. */
   replaceAll(xyr, labels = []) {
@@ -82,43 +69,16 @@ export class Scene extends EventTarget {
   }
 
   isVisible(id) {
-    return this.graph().visible[id] === 1;
+    return this.visible()[id] === 1;
   }
 
-  /** The graph as it is now; read from the diagram once after every change. @returns {Graph} */
-  graph() {
-    if (this.#graph) return this.#graph;
-    const edges = this.diagram.edges();
-    const vertices = this.diagram.vertices();
-    const visible = new Uint8Array(this.xyr.length / 3);
-    for (const site of edges.sites) visible[site] = 1;
-    if (this.diagram.visibleSize === 1) visible[this.diagram.find(0, 0)] = 1; // a single cell has no edge
-    this.#incidence = null;
-    this.#graph = {
-      edgeCount: edges.sites.length / 2,
-      edgeSites: edges.sites,
-      edgeVertices: edges.vertices,
-      coordinates: vertices.coordinates,
-      clearance: vertices.clearance,
-      visible,
-    };
-    return this.#graph;
-  }
-
-  /** The rows of the edges around a site, in no particular order. */
-  edgesOf(id) {
-    const { edgeSites } = this.graph();
-    if (!this.#incidence) {
-      const start = new Uint32Array(this.xyr.length / 3 + 1);
-      for (const site of edgeSites) start[site + 1]++;
-      for (let s = 1; s < start.length; s++) start[s] += start[s - 1];
-      const fill = start.slice();
-      const rows = new Uint32Array(edgeSites.length);
-      for (let k = 0; k < edgeSites.length; k++) rows[fill[edgeSites[k]]++] = k >> 1;
-      this.#incidence = { start, rows };
+  /** By id: 1 if the site has a cell. Read from the diagram once after every change. */
+  visible() {
+    if (!this.#visible) {
+      this.#visible = new Uint8Array(this.xyr.length / 3);
+      for (const id of this.ids) this.#visible[id] = this.diagram.isHidden(id) ? 0 : 1;
     }
-    const { start, rows } = this.#incidence;
-    return rows.subarray(start[id], start[id + 1]);
+    return this.#visible;
   }
 
   /**
@@ -126,7 +86,7 @@ export class Scene extends EventTarget {
    * smaller than `reach` count as that large. -1 if there is none.
    */
   pick(x, y, reach, { visible = true, hidden = true } = {}) {
-    const flags = this.graph().visible;
+    const flags = this.visible();
     let best = -1;
     let bestRadius = Infinity;
     let bestDistance = Infinity;
@@ -179,7 +139,7 @@ export class Scene extends EventTarget {
   }
 
   #changed(detail) {
-    this.#graph = null;
+    this.#visible = null;
     if (detail.all || detail.inserted || detail.removed) this.ids = this.diagram.ids();
     this.dispatchEvent(new CustomEvent("change", { detail }));
   }

@@ -29,6 +29,11 @@ const uses = {
   edges: (d) => d.edges(),
   vertices: (d) => d.vertices(),
   validate: (d) => d.validate(),
+  hull: (d) => d.hull(),
+  voronoi: (d) => d.voronoi(),
+  render: (d) => d.render(),
+  renderSites: (d) => d.renderSites(),
+  renderHull: (d) => d.renderHull(),
 };
 
 test("every member of the class is tried after dispose", () => {

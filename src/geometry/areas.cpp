@@ -1,0 +1,113 @@
+#include "geometry/areas.h"
+
+#include <algorithm>
+
+#include "geometry/border.h"
+#include "geometry/clip.h"
+#include "geometry/measures.h"
+
+namespace apollonius {
+
+namespace {
+
+/// A border contact of some cell, to be sorted by cell.
+struct SiteContact {
+  Slot site;
+  BorderContact contact;
+};
+
+class AreaSum {
+ public:
+  AreaSum(const DiagramCore& core, const Window& window, std::vector<double>& areas)
+      : core_(core), window_(window), byId_(areas), areas_(core.ids().slots(), 0), lost_(core.ids().slots(), 0) {}
+
+  void run() {
+    const DelaunayGraph& base = core_.base();
+    const Graph& graph = base.graph();
+    ClippedEdge clipped;
+    for (std::size_t k = 0; k < 3 * graph.faceSlots(); ++k) {
+      const HalfedgeId h{static_cast<std::uint32_t>(k)};
+      if (!graph.isLive(faceOf(h)) || graph.origin(h) == kInfinity || graph.target(h) == kInfinity) continue;
+      if (!startsAtPole(base, h) || !isInPlane(base, h)) continue;
+      clipEdge(base, h, window_, clipped, Bits::kCached);
+      const Slot left = DiagramCore::slotOf(graph.origin(h)), right = DiagramCore::slotOf(graph.target(h));
+      for (int piece = 0; piece < clipped.count; ++piece) addPiece(clipped.pieces[static_cast<std::size_t>(piece)], left, right);
+    }
+    addBorders();
+    for (std::size_t slot = 0; slot < areas_.size(); ++slot) areas_[slot] = std::max(0.0, areas_[slot] + lost_[slot]);
+    giveWhole();
+    byId_.assign(core_.ids().idLimit(), 0);
+    for (Slot slot = 0; slot < areas_.size(); ++slot) {
+      if (areas_[slot] > 0) byId_[core_.ids().idOf(slot)] = areas_[slot];
+    }
+  }
+
+ private:
+  void giveWhole() {
+    // If no edge meets the window, one cell has all of it. (Edges can touch it, so contacts are no proof; the sum is all or nothing.)
+    double sum = 0;
+    for (const double area : areas_) sum += area;
+    const double whole = window_.width() * window_.height();
+    if (core_.visibleCount() == 0 || sum > whole / 2) return;
+    if (const Slot owner = ownerOfWindow(core_, window_); owner != kNoSlot) areas_[owner] = whole;
+  }
+
+  void addPiece(const ClippedPiece& piece, Slot left, Slot right) {
+    const Conic& curve = piece.curve;
+    const double beyond = areaBeyondChord(curve);
+    addChord(left, curve.p0, curve.p2, beyond);
+    addChord(right, curve.p2, curve.p0, -beyond);
+    if (piece.fromSide != kNoSide) addContact(left, right, piece.fromSide, curve.p0, false);
+    if (piece.toSide != kNoSide) addContact(left, right, piece.toSide, curve.p2, true);
+  }
+
+  void addContact(Slot left, Slot right, int side, Point point, bool leaves) {
+    const double place = window_.placeOf(side, point);
+    contacts_.push_back({left, {place, point, 0, leaves}});
+    contacts_.push_back({right, {place, point, 0, !leaves}});
+  }
+
+  /// The triangle of a chord and the cell's origin: its centre, or the point of the window nearest to it.
+  void addChord(Slot slot, Point from, Point to, double beyond) {
+    const Site& site = core_.site(slot);
+    const Point origin = window_.nearestTo({site.x, site.y});
+    const double term = cross(from - origin, to - origin) / 2 + beyond;
+    const double sum = areas_[slot] + term;  // Neumaier's summation
+    lost_[slot] += absolute(areas_[slot]) >= absolute(term) ? (areas_[slot] - sum) + term : (term - sum) + areas_[slot];
+    areas_[slot] = sum;
+  }
+
+  void addBorders() {
+    std::stable_sort(contacts_.begin(), contacts_.end(), [](const SiteContact& a, const SiteContact& b) { return a.site < b.site; });
+    std::vector<BorderContact> own;
+    std::vector<BorderArc> arcs;
+    for (std::size_t begin = 0; begin < contacts_.size();) {
+      const Slot slot = contacts_[begin].site;
+      own.clear();
+      for (; begin < contacts_.size() && contacts_[begin].site == slot; ++begin) own.push_back(contacts_[begin].contact);
+      matchBorder(core_, slot, window_, own, arcs);
+      for (const BorderArc& arc : arcs) {
+        Point at = own[arc.from].point;
+        for (int k = 0; k < arc.cornerCount; ++k) {
+          const Point corner = window_.corner((arc.firstCorner + k) % 4);
+          addChord(slot, at, corner, 0);
+          at = corner;
+        }
+        addChord(slot, at, own[arc.to].point, 0);
+      }
+    }
+  }
+
+  const DiagramCore& core_;
+  Window window_;
+  std::vector<double>& byId_;
+  std::vector<double> areas_;  // by slot, as all below
+  std::vector<double> lost_;
+  std::vector<SiteContact> contacts_;
+};
+
+}  // namespace
+
+void cellAreas(const DiagramCore& core, const Window& window, std::vector<double>& areas) { AreaSum(core, window, areas).run(); }
+
+}  // namespace apollonius

@@ -1,0 +1,109 @@
+#include "geometry/border.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace apollonius {
+
+namespace {
+
+/// Places from a reference on: 0 to 4.
+double after(double place, double reference) {
+  const double d = place - reference;
+  return d >= 0 ? d : d + 4;
+}
+
+/// Disorder of two sorted lists that should alternate, one[0] first: the sum of what they overlap.
+double disorder(const std::vector<double>& one, const std::vector<double>& two) {
+  double sum = 0;
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    sum += std::max(0.0, one[k] - two[k]);
+    if (k + 1 < one.size()) sum += std::max(0.0, two[k] - one[k + 1]);
+  }
+  return sum;
+}
+
+/// Coordinates whose magnitude is below the documented range, which means nothing but rounding, become 0.
+double inRange(double x) { return absolute(x) < 1e-100 ? 0 : x; }
+
+Slot nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x), inRange(p.y)); }
+
+/// Does the site own the border around the middle of a gap between contacts? Asked just inside of the window, because the border itself may
+/// be an edge of the diagram; and at five places, because any one may be too close to an edge.
+bool ownsGap(const DiagramCore& core, Slot site, const Window& window, double middlePlace, double gap) {
+  int votes = 0;
+  for (const double part : {0.0, -0.21, 0.17, -0.34, 0.38}) {
+    double place = middlePlace + part * gap;
+    place += place < 0 ? 4 : place >= 4 ? -4 : 0;
+    const Point p = window.at(place);
+    votes += nearest(core, p + powerOfTwo(-20) * (window.center() - p)) == site ? 1 : -1;
+  }
+  return votes > 0;
+}
+
+/// Two ways of matching whose disorders differ by less than this, in sides, are taken for equally good. Rounding moves a crossing
+/// that is not tangent by far less, and a tangent one by its root, 2^-26 at most.
+constexpr double kNoDifference = powerOfTwo(-24);
+
+}  // namespace
+
+Slot ownerOfWindow(const DiagramCore& core, const Window& window) {
+  // A sliver of a cell, lost to rounding, can own the middle; but hardly the corners, too, which are asked just inside.
+  const Slot middle = nearest(core, window.center());
+  int votes = 1;
+  for (int k = 0; k < 4; ++k) {
+    const Point corner = window.corner(k);
+    votes += nearest(core, corner + powerOfTwo(-20) * (window.center() - corner)) == middle ? 1 : 0;
+  }
+  return votes >= 3 ? middle : kNoSlot;
+}
+
+void matchBorder(const DiagramCore& core, Slot site, const Window& window, std::vector<BorderContact>& contacts,
+                 std::vector<BorderArc>& arcs) {
+  arcs.clear();
+  if (contacts.empty()) return;
+  std::sort(contacts.begin(), contacts.end(), [](const BorderContact& a, const BorderContact& b) {
+    return a.place != b.place ? a.place < b.place : a.piece < b.piece;
+  });
+  // The reference is the middle of the largest gap.
+  double reference = 0, gap = -1;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const double next = k + 1 < contacts.size() ? contacts[k + 1].place : contacts[0].place + 4;
+    if (next - contacts[k].place > gap) {
+      gap = next - contacts[k].place;
+      reference = contacts[k].place + gap / 2;
+    }
+  }
+  if (reference >= 4) reference -= 4;
+  std::rotate(contacts.begin(), std::find_if(contacts.begin(), contacts.end(), [&](const BorderContact& c) { return c.place > reference; }),
+              contacts.end());
+
+  std::vector<std::uint32_t> leaves, enters;
+  std::vector<double> leavePlaces, enterPlaces;
+  for (std::uint32_t k = 0; k < contacts.size(); ++k) {
+    const bool isLeave = contacts[k].leaves;
+    (isLeave ? leaves : enters).push_back(k);
+    (isLeave ? leavePlaces : enterPlaces).push_back(after(contacts[k].place, reference));
+  }
+  const std::size_t count = std::min(leaves.size(), enters.size());  // they are equally many
+  const double outside = disorder(leavePlaces, enterPlaces), inside = disorder(enterPlaces, leavePlaces);
+  const bool holdsReference =
+      absolute(outside - inside) > kNoDifference ? inside < outside : ownsGap(core, site, window, reference, gap);
+
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool isWrapped = holdsReference && k + 1 == count;
+    const std::size_t m = holdsReference ? (k + 1) % count : k;
+    BorderArc arc{leaves[k], enters[m]};
+    const double from = leavePlaces[k], to = enterPlaces[m] + (isWrapped ? 4 : 0);
+    for (int step = 0; step < 8; ++step) {  // corners once around from the reference, and once more
+      const int first = static_cast<int>(reference) + 1;
+      const double at = first - reference + step;
+      if (at <= from || at >= to) continue;
+      if (arc.cornerCount++ == 0) arc.firstCorner = (first + step) % 4;
+    }
+    arc.cornerCount = std::min(arc.cornerCount, 4);
+    arcs.push_back(arc);
+  }
+}
+
+}  // namespace apollonius

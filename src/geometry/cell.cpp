@@ -1,0 +1,109 @@
+#include "geometry/cell.h"
+
+#include "geometry/measures.h"
+
+namespace apollonius {
+
+const Cell& CellFinder::find(Slot site) {
+  cell_.pieces.clear();
+  cell_.starts.assign(1, 0);
+  if (core_.ids().state(site) != SiteState::kVisible) return cell_;
+  clipEdges(site);
+  contacts_.clear();
+  for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
+    const ClippedPiece& piece = pieces_[k].clipped;
+    if (piece.fromSide != kNoSide) contacts_.push_back({window_.placeOf(piece.fromSide, piece.curve.p0), piece.curve.p0, k, false});
+    if (piece.toSide != kNoSide) contacts_.push_back({window_.placeOf(piece.toSide, piece.curve.p2), piece.curve.p2, k, true});
+  }
+  if (!contacts_.empty()) {
+    link(site);
+  } else if (!pieces_.empty()) {
+    for (const Piece& piece : pieces_) cell_.pieces.push_back({piece.clipped.curve, piece.neighbor});
+    closeRegion();
+  } else if (wholeOwner() == site) {
+    wholeWindow();
+  }
+  return cell_;
+}
+
+/// The parts of the cell's edges inside the window, counter-clockwise about the site.
+void CellFinder::clipEdges(Slot site) {
+  pieces_.clear();
+  const DelaunayGraph& base = core_.base();
+  const Graph& graph = base.graph();
+  const VertexId v = DiagramCore::vertexOf(site);
+  if (!graph.hasVertex(v)) return;  // the only visible site
+  ClippedEdge clipped;
+  const HalfedgeId begin = graph.outgoing(v);
+  HalfedgeId h = begin;
+  do {
+    if (isInPlane(base, h)) {
+      const SiteId neighbor = core_.siteOf(graph.target(h));
+      if (startsAtPole(base, h)) {
+        clipEdge(base, h, window_, clipped);
+        for (int k = 0; k < clipped.count; ++k) pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)], neighbor});
+      } else {
+        clipEdge(base, graph.twin(h), window_, clipped);
+        for (int k = clipped.count; k-- > 0;) pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)].reversed(), neighbor});
+      }
+    }
+    h = graph.rotateCcw(h);
+  } while (h != begin);
+}
+
+/// Joins the pieces, which leave and enter the window, along its border.
+void CellFinder::link(Slot site) {
+  matchBorder(core_, site, window_, contacts_, arcs_);
+  arcAfter_.assign(pieces_.size(), 0);
+  isUsed_.assign(pieces_.size(), 0);
+  for (std::uint32_t k = 0; k < arcs_.size(); ++k) arcAfter_[contacts_[arcs_[k].from].piece] = k;
+  for (const BorderArc& first : arcs_) {
+    std::uint32_t k = contacts_[first.to].piece;
+    if (isUsed_[k] != 0) continue;
+    while (isUsed_[k] == 0) {
+      isUsed_[k] = 1;
+      cell_.pieces.push_back({pieces_[k].clipped.curve, pieces_[k].neighbor});
+      if (pieces_[k].clipped.toSide == kNoSide) {
+        k = (k + 1) % static_cast<std::uint32_t>(pieces_.size());
+        continue;
+      }
+      const BorderArc& arc = arcs_[arcAfter_[k]];
+      addBorder(arc);
+      k = contacts_[arc.to].piece;
+    }
+    closeRegion();
+  }
+}
+
+void CellFinder::addBorder(const BorderArc& arc) {
+  Point at = contacts_[arc.from].point;
+  const auto lineTo = [&](Point p) {
+    if (!(p == at)) cell_.pieces.push_back({Conic::segment(at, p), kNoSite});
+    at = p;
+  };
+  for (int k = 0; k < arc.cornerCount; ++k) lineTo(window_.corner((arc.firstCorner + k) % 4));
+  lineTo(contacts_[arc.to].point);
+}
+
+Slot CellFinder::wholeOwner() {
+  if (!isOwnerKnown_) owner_ = ownerOfWindow(core_, window_);
+  isOwnerKnown_ = true;
+  return owner_;
+}
+
+void CellFinder::wholeWindow() {
+  for (int k = 0; k < 4; ++k) cell_.pieces.push_back({Conic::segment(window_.corner(k), window_.corner((k + 1) % 4)), kNoSite});
+  closeRegion();
+}
+
+void CellFinder::closeRegion() {
+  const std::uint32_t start = cell_.starts.back();
+  const Area area = areaOf(std::span(cell_.pieces).subspan(start), window_.nearestTo(cell_.pieces[start].curve.p0));
+  if (area.value > area.rounding) {
+    cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
+  } else {
+    cell_.pieces.resize(start);
+  }
+}
+
+}  // namespace apollonius

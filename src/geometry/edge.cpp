@@ -1,0 +1,78 @@
+#include "geometry/edge.h"
+
+#include <limits>
+
+#include "number/fp.h"
+#include "predicate/pole.h"
+#include "predicate/predicates.h"
+
+namespace apollonius {
+
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// Does the face have its vertex at infinity though its three sites are finite, with the edge of h as the outer one?
+bool isOuterSide(const DelaunayGraph& graph, HalfedgeId h) {
+  const VertexId apex = graph.graph().apex(h);
+  if (!graph.circle(faceOf(h)).isHalfPlane() || apex == kInfinity) return false;
+  return touchesBetween(graph.site(graph.graph().origin(h)), graph.site(graph.graph().target(h)), graph.site(apex));
+}
+
+/// Where a vertex lies that is too far away for doubles: at which end of the bisector.
+Point clippedToDoubles(Point p) {
+  const auto part = [](double x) { return x == kInfinite ? 1.0 : x == -kInfinite ? -1.0 : 0.0; };
+  return {part(p.x), part(p.y)};
+}
+
+}  // namespace
+
+VoronoiCircle preciseCircleOf(const DelaunayGraph& graph, FaceId f) {
+  const VoronoiCircle& cached = graph.circle(f);
+  if (cached.isHalfPlane()) return cached;
+  // Computed anew: the last bits of a cached circle depend on how it came about.
+  const EdgeCorners corners = graph.edge(halfedgeOf(f, 0));
+  return preciseVoronoiCircle(corners.i, corners.j, corners.k);
+}
+
+EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f, Bits bits) {
+  const VoronoiCircle& cached = graph.circle(f);
+  const VoronoiCircle circle = bits == Bits::kCached && isPrecise(cached) ? cached : preciseCircleOf(graph, f);
+  if (circle.isHalfPlane()) return {};
+  return {{circle.x, circle.y}, true};
+}
+
+bool startsAtPole(const DelaunayGraph& graph, HalfedgeId h) {
+  const VertexId i = graph.graph().origin(h), j = graph.graph().target(h);
+  const Site &a = graph.site(i), &b = graph.site(j);
+  return precedes(b, a) || (!precedes(a, b) && h < graph.graph().twin(h));
+}
+
+bool isInPlane(const DelaunayGraph& graph, HalfedgeId h) {
+  if (graph.graph().origin(h) == kInfinity || graph.graph().target(h) == kInfinity) return false;
+  return !isOuterSide(graph, h) && !isOuterSide(graph, graph.graph().twin(h));
+}
+
+Edge::Edge(const DelaunayGraph& graph, HalfedgeId h, Bits bits)
+    : bisector(graph.site(graph.graph().origin(h)), graph.site(graph.graph().target(h))),
+      from(vertexOf(graph, faceOf(graph.graph().twin(h)), bits)),
+      to(vertexOf(graph, faceOf(h), bits)),
+      e0(0),
+      e1(kInfinite) {
+  const auto parameter = [&](EdgeEnd& end, double atInfinity) {
+    if (!end.isFinite) return atInfinity;
+    if (absolute(end.point.x) < kInfinite && absolute(end.point.y) < kInfinite) {
+      const double e = bisector.parameterOf(end.point);
+      if (e > 0 && e < kInfinite) return e;
+      end.isFinite = false;
+      return e;
+    }
+    end.isFinite = false;
+    return cross(bisector.axis(), clippedToDoubles(end.point)) < 0 ? 0 : kInfinite;
+  };
+  e0 = parameter(from, 0);
+  e1 = parameter(to, kInfinite);
+  if (e1 < e0) e1 = e0;  // so short that rounding turned it
+}
+
+}  // namespace apollonius

@@ -1,0 +1,24 @@
+// A point or a vector of the plane, y upwards, in the unit of the sites.
+#pragma once
+
+#include <cmath>
+
+namespace apollonius {
+
+struct Point {
+  double x = 0;
+  double y = 0;
+
+  friend constexpr Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+  friend constexpr Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+  friend constexpr Point operator*(double s, Point a) { return {s * a.x, s * a.y}; }
+  friend constexpr bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
+};
+
+constexpr double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
+/// Positive if b is to the left of a.
+constexpr double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+constexpr Point middle(Point a, Point b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2}; }
+inline double length(Point a) { return std::sqrt(a.x * a.x + a.y * a.y); }
+
+}  // namespace apollonius

@@ -1,0 +1,66 @@
+// What the geometry tests share: building diagrams, windows around sets of circles, and plain geometry of polygons.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "support/generators.h"
+#include "voronoi.h"
+
+namespace apollonius::test {
+
+inline void insertInto(Diagram& diagram, const Circles& circles) {
+  std::vector<double> xyr;
+  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
+  std::vector<SiteId> ids(circles.size());
+  ASSERT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
+}
+
+/// The box of the centres, enlarged on all sides by this share of its size and moved a little off centre; false if it cannot be one.
+inline bool windowAround(const Circles& circles, double share, Bounds& bounds) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Circle& c : circles) {
+    low = std::min({low, c.x, c.y});
+    high = std::max({high, c.x, c.y});
+  }
+  const double size = high - low;
+  bounds = {low - share * size, low - 0.9 * share * size, high + share * size, high + 1.1 * share * size};
+  const auto isGood = [](double x) { return x == 0 || (std::abs(x) >= kSmallestMagnitude && std::abs(x) <= kLargestMagnitude); };
+  return size > 0 && isGood(bounds.xmin) && isGood(bounds.ymin) && isGood(bounds.xmax) && isGood(bounds.ymax) &&
+         bounds.xmin < bounds.xmax && bounds.ymin < bounds.ymax;
+}
+
+inline double areaOf(const Bounds& b) { return (b.xmax - b.xmin) * (b.ymax - b.ymin); }
+
+/// How often rings wind around a point (even-odd is enough: they do not overlap).
+inline bool isInside(const RingArrays& rings, double x, double y) {
+  bool inside = false;
+  for (std::size_t r = 0; r + 1 < rings.starts.size(); ++r) {
+    for (std::size_t k = rings.starts[r]; k + 1 < rings.starts[r + 1]; ++k) {
+      const double *a = &rings.coordinates[2 * k], *b = a + 2;
+      if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
+    }
+  }
+  return inside;
+}
+
+/// Signed area of rings.
+inline double areaOf(const RingArrays& rings) {
+  double sum = 0;
+  for (std::size_t r = 0; r + 1 < rings.starts.size(); ++r) {
+    const double x0 = rings.coordinates[2 * rings.starts[r]], y0 = rings.coordinates[2 * rings.starts[r] + 1];
+    for (std::size_t k = rings.starts[r]; k + 1 < rings.starts[r + 1]; ++k) {
+      const double *a = &rings.coordinates[2 * k], *b = a + 2;
+      sum += (a[0] - x0) * (b[1] - y0) - (b[0] - x0) * (a[1] - y0);
+    }
+  }
+  return sum / 2;
+}
+
+inline double distanceTo(const Circle& c, double x, double y) { return std::sqrt((x - c.x) * (x - c.x) + (y - c.y) * (y - c.y)) - c.r; }
+
+}  // namespace apollonius::test

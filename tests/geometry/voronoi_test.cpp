@@ -1,0 +1,238 @@
+// The geometry's interface: errors, portions, and the same bits after any history, natively and as WebAssembly.
+#include "voronoi.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "geometry/approximate.h"
+#include "geometry/measures.h"
+#include "geometry/shapes.h"
+#include "support/corpus.h"
+#include "support/hash.h"
+#include "support/replay.h"
+
+namespace apollonius::test {
+namespace {
+
+/// Hash of curves, measures and drawings of a fixed set of diagrams; native code and wasm must agree. Update it only with a change of
+/// those formulas that is meant.
+constexpr std::uint64_t kExpectedGeometry = 0xeaac64f53c73381b;
+
+TEST(VoronoiErrors, BadBoundsAndTolerances) {
+  Diagram diagram;
+  insertInto(diagram, {{1, 2, 1}, {5, 6, 1}});
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
+  std::vector<double> areas{3};
+  for (const Bounds& bad : {Bounds{0, 0, 0, 1}, Bounds{0, 0, 1, 0}, Bounds{1, 0, 0, 1}, Bounds{0, 2, 1, 1}, Bounds{kNan, 0, 1, 1},
+                            Bounds{0, 0, kInf, 1}, Bounds{0, -kInf, 1, 1}, Bounds{0, 0, 1e101, 1}, Bounds{0, 0, 1e-101, 1}}) {
+    const Voronoi voronoi(diagram, bad);
+    CurveArrays curves;
+    RingArrays rings;
+    CellMeasures measures;
+    Path path;
+    Voronoi::Portion portion;
+    EXPECT_EQ(voronoi.areas(areas), Error::kBadBounds);
+    EXPECT_EQ(voronoi.edges(curves), Error::kBadBounds);
+    EXPECT_EQ(voronoi.cell(0, curves), Error::kBadBounds);
+    EXPECT_EQ(voronoi.polygon(0, 1, rings), Error::kBadBounds);
+    EXPECT_EQ(voronoi.measures(0, measures), Error::kBadBounds);
+    EXPECT_EQ(voronoi.drawEdges(1, portion, path), Error::kBadBounds);
+    EXPECT_EQ(voronoi.drawCell(0, 1, path), Error::kBadBounds);
+    EXPECT_EQ(areas, std::vector<double>{3}) << "unchanged";
+  }
+  const Voronoi voronoi(diagram);
+  RingArrays rings;
+  EXPECT_EQ(voronoi.polygon(0, 0, rings), Error::kOutOfRange);
+  EXPECT_EQ(voronoi.polygon(0, -1, rings), Error::kOutOfRange);
+  EXPECT_EQ(voronoi.polygon(0, kNan, rings), Error::kNotFinite);
+  EXPECT_EQ(voronoi.polygon(0, kInf, rings), Error::kNotFinite);
+  EXPECT_EQ(voronoi.polygon(2, 1, rings), Error::kUnknownSite);
+  CellMeasures measures;
+  EXPECT_EQ(voronoi.measures(kNoSite, measures), Error::kUnknownSite);
+  EXPECT_EQ(voronoi.polygon(0, 1e-300, rings), Error::kNone) << "as fine as it gets";
+}
+
+TEST(VoronoiErrors, HiddenSitesHaveNothing) {
+  Diagram diagram;
+  insertInto(diagram, {{100, 100, 50}, {110, 100, 5}, {300, 300, 5}});
+  const Voronoi voronoi(diagram);
+  CurveArrays curves;
+  RingArrays rings;
+  CellMeasures measures;
+  Path path;
+  ASSERT_EQ(voronoi.cell(1, curves), Error::kNone);
+  EXPECT_TRUE(curves.curves.empty());
+  EXPECT_EQ(curves.regions.size(), 1u);
+  ASSERT_EQ(voronoi.polygon(1, 1, rings), Error::kNone);
+  EXPECT_TRUE(rings.coordinates.empty());
+  ASSERT_EQ(voronoi.measures(1, measures), Error::kNone);
+  EXPECT_TRUE(measures.isEmpty);
+  ASSERT_EQ(voronoi.measuresWithin(1, 10, measures), Error::kNone);
+  EXPECT_TRUE(measures.isEmpty);
+  ASSERT_EQ(voronoi.drawCell(1, 1, path), Error::kNone);
+  EXPECT_TRUE(path.commands.empty());
+}
+
+TEST(Voronoi, PortionsMakeUpTheWhole) {
+  Random random(541);
+  const Circles circles = randomCircles(random, 300, Hidden::k20Percent);
+  Diagram diagram;
+  insertInto(diagram, circles);
+  Bounds bounds;
+  ASSERT_TRUE(windowAround(circles, -0.2, bounds));
+  const Voronoi voronoi(diagram, bounds);
+  Path whole, part, joined;
+  Voronoi::Portion all;
+  ASSERT_EQ(voronoi.drawEdges(100, all, whole), Error::kNone);
+  EXPECT_TRUE(all.isDone);
+  Voronoi::Portion portion{0, 64};
+  int portions = 0;
+  while (!portion.isDone) {
+    ASSERT_EQ(voronoi.drawEdges(100, portion, part), Error::kNone);
+    joined.commands.insert(joined.commands.end(), part.commands.begin(), part.commands.end());
+    joined.coordinates.insert(joined.coordinates.end(), part.coordinates.begin(), part.coordinates.end());
+    ++portions;
+  }
+  EXPECT_GT(portions, 2);
+  EXPECT_EQ(joined.commands, whole.commands);
+  EXPECT_EQ(joined.coordinates, whole.coordinates);
+}
+
+TEST(Voronoi, DrawingsAreOnTheCurves) {
+  // Ends of drawn pieces are equally far from the two nearest sites, and what is between up to the tolerance: each of the two distances
+  // changes by at most as much as the point moves. Small tolerances and large ones, so that all ways of drawing an edge are taken.
+  Random random(542);
+  for (const double share : {1e-7, 1e-5, 1e-3, 0.03}) {
+    const Circles circles = randomCircles(random, 200, Hidden::k50Percent);
+    Diagram diagram;
+    insertInto(diagram, circles);
+    Bounds bounds;
+    ASSERT_TRUE(windowAround(circles, 0.1, bounds));
+    const double tolerance = share * (bounds.xmax - bounds.xmin);
+    const auto difference = [&](double x, double y) {
+      double first = 1e300, second = 1e300;
+      for (const Circle& c : circles) {
+        const double d = distanceTo(c, x, y);
+        second = std::min(second, std::max(first, d));
+        first = std::min(first, d);
+      }
+      return second - first;
+    };
+    Path path;
+    Voronoi::Portion portion;
+    ASSERT_EQ(Voronoi(diagram, bounds).drawEdges(tolerance, portion, path), Error::kNone);
+    double x = 0, y = 0;
+    std::size_t at = 0, curves = 0;
+    for (std::size_t k = 0; k < path.commands.size(); ++k) {
+      const auto command = static_cast<Command>(path.commands[k]);
+      const double* xy = &path.coordinates[at];
+      const bool isCurve = command == Command::kCurve;
+      at += isCurve ? 6 : 2;
+      curves += isCurve;
+      const double endX = path.coordinates[at - 2], endY = path.coordinates[at - 1];
+      const bool isLast = k + 1 == path.commands.size() || static_cast<Command>(path.commands[k + 1]) == Command::kMove;
+      if (command == Command::kMove || isLast) {
+        ASSERT_LE(difference(endX, endY), 1e-6);
+      }
+      for (const double t : {0.21, 0.5, 0.77}) {
+        if (command == Command::kMove) break;
+        const double s = 1 - t;
+        const double px = isCurve ? s * s * s * x + 3 * s * s * t * xy[0] + 3 * s * t * t * xy[2] + t * t * t * xy[4] : s * x + t * endX;
+        const double py = isCurve ? s * s * s * y + 3 * s * s * t * xy[1] + 3 * s * t * t * xy[3] + t * t * t * xy[5] : s * y + t * endY;
+        ASSERT_LE(difference(px, py), 2.01 * tolerance) << "share " << share;
+      }
+      x = endX;
+      y = endY;
+    }
+    EXPECT_EQ(curves > 20, share < 0.01) << curves;
+  }
+}
+
+/// Adds the curves of cells, their measures and their approximations. Where a boundary starts depends on the history; which curves it has
+/// does not.
+void add(const Voronoi& voronoi, const std::vector<SiteId>& order, double tolerance, Hash& hash) {
+  for (const SiteId id : order) {
+    CurveArrays cell;
+    ASSERT_EQ(voronoi.cell(id, cell), Error::kNone);
+    std::vector<std::vector<double>> curves;
+    for (std::size_t k = 0; k + 6 < cell.curves.size(); k += 7) curves.emplace_back(&cell.curves[k], &cell.curves[k] + 7);
+    std::sort(curves.begin(), curves.end());
+    for (const std::vector<double>& c : curves) {
+      for (const double number : c) hash.add(number + 0.0);  // -0 and 0 sort as equals
+      const Conic conic{{c[0], c[1]}, {c[2], c[3]}, c[4], {c[5], c[6]}};
+      Path path;
+      std::vector<double> points;
+      drawConic(conic, tolerance, path);
+      flattenConic(conic, tolerance, points);
+      Moments moments;
+      moments.add(conic, {1, 2});
+      hash.addAll(path.coordinates);
+      hash.addAll(points);
+      for (const double number : {lengthOf(conic), areaBeyondChord(conic), moments.first.x, moments.first.y}) hash.add(number + 0.0);
+    }
+  }
+}
+
+TEST(VoronoiDeterminism, CurvesHaveTheSameBitsAfterAnyHistory) {
+  for (const NamedGenerator& generator : corpus()) {
+    SCOPED_TRACE(generator.name);
+    Random random(543);
+    const Circles circles = generator.make(random, generator.large ? 40 : 8);
+    Bounds bounds;
+    if (!windowAround(circles, -0.1, bounds)) continue;
+    Hash hashes[2];
+    for (int run = 0; run < 2; ++run) {
+      Diagram diagram;
+      std::vector<SiteId> order(circles.size());
+      for (std::size_t k = 0; k < circles.size(); ++k) {
+        const std::size_t which = run == 0 ? k : circles.size() - 1 - k;
+        ASSERT_EQ(diagram.insert(circles[which].x, circles[which].y, circles[which].r, order[which]), Error::kNone);
+      }
+      if (run == 1) {  // of identical circles any may be the visible one: those come first
+        for (SiteId& id : order) {
+          bool hidden = false;
+          ASSERT_EQ(diagram.isHidden(id, hidden), Error::kNone);
+          if (hidden) id = kNoSite;
+        }
+      }
+      std::vector<SiteId> visible;
+      for (const SiteId id : order) {
+        bool hidden = true;
+        if (id != kNoSite) {
+          ASSERT_EQ(diagram.isHidden(id, hidden), Error::kNone);
+        }
+        if (!hidden) visible.push_back(id);
+      }
+      std::sort(visible.begin(), visible.end(), [&](SiteId a, SiteId b) {
+        Circle p{}, q{};
+        EXPECT_EQ(diagram.site(a, p), Error::kNone);
+        EXPECT_EQ(diagram.site(b, q), Error::kNone);
+        return std::tie(p.r, p.x, p.y) < std::tie(q.r, q.x, q.y);
+      });
+      add(Voronoi(diagram, bounds), visible, 1e-4 * (bounds.xmax - bounds.xmin), hashes[run]);
+    }
+    EXPECT_EQ(hashes[0].value(), hashes[1].value());
+  }
+}
+
+TEST(VoronoiDeterminism, HashOfGeometry) {
+  Hash hash;
+  for (const NamedGenerator& generator : corpus()) {
+    Random random(544);
+    const Circles circles = generator.make(random, generator.large ? 50 : 8);
+    Bounds bounds;
+    if (!windowAround(circles, -0.2, bounds)) continue;
+    Diagram diagram;
+    insertInto(diagram, circles);
+    const Voronoi voronoi(diagram, bounds);
+    std::vector<SiteId> ids;
+    ASSERT_EQ(diagram.ids(ids), Error::kNone);
+    add(voronoi, ids, 1e-4 * (bounds.xmax - bounds.xmin), hash);
+  }
+  EXPECT_EQ(hash.value(), kExpectedGeometry) << std::hex << hash.value();
+}
+
+}  // namespace
+}  // namespace apollonius::test

@@ -1,0 +1,279 @@
+import { checkedTolerance, isSiteId, numberError } from "./arguments.js";
+import type { Diagram } from "./diagram.js";
+import { check, checkSite, kUnknownSite } from "./failures.js";
+import { nativeOf } from "./living.js";
+import { Drawing, type NativeDiagram } from "./native.js";
+import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
+
+/** A window, xmin < xmax and ymin < ymax, in the diagram's unit. */
+export type Bounds = readonly [xmin: number, ymin: number, xmax: number, ymax: number];
+
+/**
+ * Curves as they are: each a rational quadratic Bezier curve, seven numbers x0, y0, x1, y1, w, x2, y2 for
+ *
+ *     P(t) = ((1-t)² P0 + 2 w t (1-t) P1 + t² P2) / ((1-t)² + 2 w t (1-t) + t²),   0 <= t <= 1
+ *
+ * A piece of a hyperbola (w > 1) is exactly that; w is 0 for a straight segment, of which P1 is the middle. P1 is where the tangents at
+ * P0 and P2 meet.
+ */
+export interface EdgeCurves {
+  curves: Float64Array;
+  /** The two sites of each curve; the first one's cell is on the left from P0 to P2. */
+  sites: Uint32Array;
+}
+
+/** The boundary of a cell inside the window, counter-clockwise, region by region. */
+export interface CellCurves {
+  curves: Float64Array;
+  /** The site on the other side of each curve; -1 along the border of the window. */
+  neighbors: Int32Array;
+  /** The first curve of each region, and the number of curves at the end. */
+  regions: Uint32Array;
+}
+
+export interface Measures {
+  area: number;
+  /** null if the area is 0. */
+  centroid: [number, number] | null;
+  perimeter: number;
+}
+
+/** A closed ring x, y, …, its first point repeated at the end, with the id of its site. */
+export type CellPolygon = Float64Array & { index: number };
+
+type Position = [number, number];
+
+/** GeoJSON (RFC 7946) of cells; the id of each feature is its site's. */
+export interface CellsCollection {
+  type: "FeatureCollection";
+  features: {
+    type: "Feature";
+    id: number;
+    properties: { site: number };
+    geometry: { type: "Polygon"; coordinates: Position[][] } | { type: "MultiPolygon"; coordinates: Position[][][] };
+  }[];
+}
+
+/**
+ * The cells of a diagram inside a window, as shapes, measures and drawings: `diagram.voronoi(bounds)`. A view: always of the diagram as
+ * it is now; do not change that while a drawing calls the context.
+ *
+ * Cells have curved edges, and everything is computed from these: drawings and polygons are within a tolerance of them, measures are
+ * those of the curves. A clipped cell can be several *regions* (if its site's centre is outside the window).
+ *
+ * Everywhere: an id without a site throws "unknown-site"; for a hidden site, which has no cell, and for what a cell has no part of inside
+ * the window, there is nothing: null for arrays and objects, nothing drawn. Measures are null for a hidden site, and 0 outside the
+ * window. Names and meaning are d3-delaunay's where it has them.
+ */
+export class Voronoi {
+  readonly diagram: Diagram;
+  readonly xmin: number;
+  readonly ymin: number;
+  readonly xmax: number;
+  readonly ymax: number;
+
+  /** @internal Use `diagram.voronoi(bounds)`, which checks the bounds. */
+  constructor(diagram: Diagram, [xmin, ymin, xmax, ymax]: Bounds) {
+    this.diagram = diagram;
+    this.xmin = xmin;
+    this.ymin = ymin;
+    this.xmax = xmax;
+    this.ymax = ymax;
+  }
+
+  // --- Drawing: into the context, or without one as an SVG path string ---------------------------------------------------------
+
+  /** Draws all edges inside the window, each once. O(n). */
+  render(context: PathContext, options?: DrawOptions): void;
+  render(context?: null, options?: DrawOptions): string;
+  render(context?: PathContext | null, options?: DrawOptions): string | void {
+    const native = nativeOf(this.diagram);
+    const tolerance = this.#tolerance(native, options);
+    return drawn(context, options, (target) => {
+      check(native.draw(Drawing.edges, this.#bounds, tolerance, (commands, count, xy) => play(target, commands, count, xy)));
+    });
+  }
+
+  /** Draws the window's border. */
+  renderBounds(context: PathContext, options?: DrawOptions): void;
+  renderBounds(context?: null, options?: DrawOptions): string;
+  renderBounds(context?: PathContext | null, options?: DrawOptions): string | void {
+    nativeOf(this.diagram);
+    return drawn(context, options, (target) => {
+      target.moveTo(this.xmin, this.ymin);
+      target.lineTo(this.xmax, this.ymin);
+      target.lineTo(this.xmax, this.ymax);
+      target.lineTo(this.xmin, this.ymax);
+      target.closePath();
+    });
+  }
+
+  /** Draws a cell as closed figures, one for each region. O(d log d). */
+  renderCell(id: number, context: PathContext, options?: DrawOptions): void;
+  renderCell(id: number, context?: null, options?: DrawOptions): string;
+  renderCell(id: number, context?: PathContext | null, options?: DrawOptions): string | void {
+    const native = this.#nativeFor(id);
+    const tolerance = this.#tolerance(native, options);
+    return drawn(context, options, (target) => {
+      check(native.drawCell(this.#bounds, id, tolerance, (commands, count, xy) => play(target, commands, count, xy)));
+    });
+  }
+
+  // --- Shapes ----------------------------------------------------------------------------------------------------------------
+
+  /**
+   * A cell as one closed ring, counter-clockwise (y upwards), within the tolerance of the true one. Several regions are joined by
+   * doubled segments, which have no area; `cellRegions` keeps them apart. O(d log d).
+   */
+  cellPolygon(id: number, options?: { tolerance?: number | undefined }): Float64Array | null {
+    const rings = this.cellRegions(id, options);
+    if (rings === null || rings.length <= 1) return rings?.[0] ?? null;
+    // To each further ring and around it, then back the same way.
+    const points = rings.flatMap((ring) => [...ring]);
+    for (const ring of rings.slice(0, -1).reverse()) points.push(ring[0] as number, ring[1] as number);
+    return Float64Array.from(points);
+  }
+
+  /** The regions of a cell as closed rings, counter-clockwise. As `cellPolygon`. */
+  cellRegions(id: number, options?: { tolerance?: number | undefined }): Float64Array[] | null {
+    const native = this.#nativeFor(id);
+    const tolerance = this.#tolerance(native, options);
+    check(native.polygon(this.#bounds, id, tolerance));
+    const coordinates = native.takeDoubles(0);
+    const starts = native.takeWords(1);
+    native.finish();
+    if (starts.length < 2) return null;
+    if (starts.length === 2) return [coordinates];
+    return Array.from(starts.subarray(1), (end, k) => coordinates.slice(2 * (starts[k] as number), 2 * end));
+  }
+
+  /** The polygons of all cells that have a part in the window, ascending by id, which is their `index`. */
+  *cellPolygons(options?: { tolerance?: number | undefined }): Generator<CellPolygon, void> {
+    for (const id of this.diagram.ids()) {
+      const ring = this.cellPolygon(id, options);
+      if (ring !== null) yield Object.assign(ring, { index: id });
+    }
+  }
+
+  /** The true boundary of a cell, as curves. */
+  cellCurves(id: number): CellCurves | null {
+    const native = this.#nativeFor(id);
+    check(native.cell(this.#bounds, id));
+    const boundary = {
+      curves: native.takeDoubles(0), neighbors: new Int32Array(native.takeWords(1).buffer), regions: native.takeWords(2),
+    };
+    native.finish();
+    return boundary.regions.length < 2 ? null : boundary;
+  }
+
+  /** All edges inside the window, as curves; an edge of which the window cuts out a part is several. O(n). */
+  edgeCurves(): EdgeCurves {
+    const native = nativeOf(this.diagram);
+    check(native.edgeCurves(this.#bounds));
+    const edges = { curves: native.takeDoubles(0), sites: native.takeWords(1) };
+    native.finish();
+    return edges;
+  }
+
+  /** All cells as GeoJSON, ascending by id: polygons, or multi-polygons where a cell is several regions. */
+  toGeoJSON(options?: { tolerance?: number | undefined }): CellsCollection {
+    const features: CellsCollection["features"] = [];
+    for (const id of this.diagram.ids()) {
+      const rings = this.cellRegions(id, options);
+      if (rings === null) continue;
+      const polygons = rings.map((ring) => [Array.from({ length: ring.length / 2 },
+                                                       (_, k): Position => [ring[2 * k] as number, ring[2 * k + 1] as number])]);
+      const geometry = polygons.length === 1
+        ? { type: "Polygon" as const, coordinates: polygons[0] as Position[][] }
+        : { type: "MultiPolygon" as const, coordinates: polygons };
+      features.push({ type: "Feature", id, properties: { site: id }, geometry });
+    }
+    return { type: "FeatureCollection", features };
+  }
+
+  // --- Questions ---------------------------------------------------------------------------------------------------------------
+
+  /**
+   * Is this site the nearest one to the point? Exact, ties as in `diagram.find`; the window does not matter. false for a hidden site.
+   * Throws "unknown-site", "not-finite", "out-of-range".
+   */
+  contains(id: number, x: number, y: number): boolean {
+    this.#nativeFor(id);
+    return this.diagram.find(x, y) === id;
+  }
+
+  /** The sites whose cells have an edge in common with this one's inside the window, counter-clockwise, each once. */
+  neighbors(id: number): Uint32Array {
+    const boundary = this.cellCurves(id);
+    return Uint32Array.from(new Set(boundary?.neighbors.filter((site) => site !== -1)));
+  }
+
+  // --- Measures of the true, curved cells -----------------------------------------------------------------------------------------
+
+  /** Area of a cell inside the window; null for a hidden site. */
+  cellArea(id: number): number | null {
+    return this.cellMeasures(id)?.area ?? null;
+  }
+
+  /** Centroid of a cell inside the window; null if no part of it is. */
+  cellCentroid(id: number): [number, number] | null {
+    return this.cellMeasures(id)?.centroid ?? null;
+  }
+
+  /** Length of the boundary of a cell inside the window, the window's border included; null for a hidden site. */
+  cellPerimeter(id: number): number | null {
+    return this.cellMeasures(id)?.perimeter ?? null;
+  }
+
+  /** Area, centroid and perimeter at once. */
+  cellMeasures(id: number): Measures | null {
+    const native = this.#nativeFor(id);
+    check(native.isHidden(id));
+    if (native.count !== 0) return null;
+    check(native.measures(this.#bounds, id));
+    return measuresOf(native);
+  }
+
+  /**
+   * Area, centroid and perimeter of the part of a cell within `radius` of its site's centre: what a site covers at most. The window does
+   * not matter. null for a hidden site. Throws "unknown-site", "not-finite", "out-of-range" (a radius below 0).
+   */
+  cellWithin(id: number, radius: number): Measures | null {
+    const native = this.#nativeFor(id);
+    const error = numberError("radius", radius);
+    if (error) throw error;
+    check(native.isHidden(id));
+    if (native.count !== 0) return null;
+    check(native.measuresWithin(id, radius));
+    return measuresOf(native);
+  }
+
+  /** The areas of all cells inside the window, by id; 0 where there is none. They add up to the window's. O(n), much faster than a loop. */
+  cellAreas(): Float64Array {
+    const native = nativeOf(this.diagram);
+    check(native.areas(this.#bounds));
+    const areas = native.takeDoubles(0);
+    native.finish();
+    return areas;
+  }
+
+  // --- Shared parts ----------------------------------------------------------------------------------------------------------
+
+  get #bounds(): Bounds {
+    return [this.xmin, this.ymin, this.xmax, this.ymax];
+  }
+
+  #nativeFor(id: number): NativeDiagram {
+    const native = nativeOf(this.diagram);
+    checkSite(isSiteId(id) && native.has(id) ? 0 : kUnknownSite, id);
+    return native;
+  }
+
+  #tolerance(native: NativeDiagram, options: { tolerance?: number | undefined } | undefined): number {
+    return checkedTolerance(options?.tolerance, () => native.toleranceFor(this.#bounds));
+  }
+}
+
+function measuresOf(native: NativeDiagram): Measures {
+  return { area: native.distance, centroid: native.count === 0 ? null : [native.x, native.y], perimeter: native.r };
+}
