@@ -329,8 +329,8 @@ export class Diagram implements Disposable {
   // --- Geometry --------------------------------------------------------------------------------------------------------------
 
   /**
-   * The cells inside a window: a view, always of the diagram as it is now. The default window is d3-delaunay's, 960 x 500. Throws
-   * "bad-bounds".
+   * The cells inside a window: a view, always of the diagram as it is now. The default window is d3-delaunay's, 960 x 500.
+   * Cost: O(1). Throws "bad-bounds".
    */
   voronoi(bounds: Bounds = [0, 0, 960, 500]): Voronoi {
     this.#living();

@@ -3,12 +3,17 @@ import { ApolloniusError } from "./errors.js";
 
 /** What can be drawn into: a canvas context, a Path2D, a d3-path, or anything else with these four methods. */
 export interface PathContext {
+  /** Starts a new piece. */
   moveTo(x: number, y: number): void;
+  /** Goes on straight. */
   lineTo(x: number, y: number): void;
+  /** Goes on along a cubic Bezier curve. */
   bezierCurveTo(x1: number, y1: number, x2: number, y2: number, x: number, y: number): void;
+  /** Closes the piece. */
   closePath(): void;
 }
 
+/** How to draw. */
 export interface DrawOptions {
   /**
    * Largest distance between a drawn curve and the true one, in the diagram's unit, > 0. By default 2^-13 of the window's diagonal:

@@ -17,6 +17,7 @@ export type Bounds = readonly [xmin: number, ymin: number, xmax: number, ymax: n
  * P0 and P2 meet.
  */
 export interface EdgeCurves {
+  /** The curves, one after the other. */
   curves: Float64Array;
   /** The two sites of each curve; the first one's cell is on the left from P0 to P2. */
   sites: Uint32Array;
@@ -24,6 +25,7 @@ export interface EdgeCurves {
 
 /** The boundary of a cell inside the window, counter-clockwise, region by region. */
 export interface CellCurves {
+  /** The curves, one after the other. */
   curves: Float64Array;
   /** The site on the other side of each curve; -1 along the border of the window. */
   neighbors: Int32Array;
@@ -31,10 +33,13 @@ export interface CellCurves {
   regions: Uint32Array;
 }
 
+/** Measures of a true curved cell, in the diagram's unit. */
 export interface Measures {
+  /** Area; 0 if no part of the cell is inside. */
   area: number;
   /** null if the area is 0. */
   centroid: [number, number] | null;
+  /** Length of the boundary, the window's parts included. */
   perimeter: number;
 }
 
@@ -45,7 +50,9 @@ type Position = [number, number];
 
 /** GeoJSON (RFC 7946) of cells; the id of each feature is its site's. */
 export interface CellsCollection {
+  /** GeoJSON's name of it. */
   type: "FeatureCollection";
+  /** One feature a cell. */
   features: {
     type: "Feature";
     id: number;
@@ -66,10 +73,15 @@ export interface CellsCollection {
  * window. Names and meaning are d3-delaunay's where it has them.
  */
 export class Voronoi {
+  /** The diagram that is looked at. */
   readonly diagram: Diagram;
+  /** Left border of the window. */
   readonly xmin: number;
+  /** Lower border (y upwards). */
   readonly ymin: number;
+  /** Right border. */
   readonly xmax: number;
+  /** Upper border. */
   readonly ymax: number;
 
   /** @internal Use `diagram.voronoi(bounds)`, which checks the bounds. */

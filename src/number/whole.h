@@ -57,7 +57,8 @@ class Whole {
 
   [[nodiscard]] Sign sign() const { return size_ == 0 ? Sign::kZero : isNegative_ ? Sign::kNegative : Sign::kPositive; }
 
-  friend Whole operator*(const Whole& a, const Whole& b) {
+  // Products and sums are calls: copied into each formula they would be most of the WebAssembly module.
+  [[gnu::noinline]] friend Whole operator*(const Whole& a, const Whole& b) {
     Whole product;
     if (a.size_ == 0 || b.size_ == 0) return product;
     product.size_ = a.size_ + b.size_;
@@ -84,7 +85,7 @@ class Whole {
   static_assert(16 * kInputBits + 8 <= 32 * (kLimbs - 4));
 
   /// a + b, with the sign of b given.
-  static Whole sum(const Whole& a, const Whole& b, bool bIsNegative) {
+  [[gnu::noinline]] static Whole sum(const Whole& a, const Whole& b, bool bIsNegative) {
     if (a.isNegative_ == bIsNegative || a.size_ == 0 || b.size_ == 0) {
       Whole result = a.size_ >= b.size_ ? added(a, b) : added(b, a);
       result.isNegative_ = a.size_ == 0 ? bIsNegative : a.isNegative_;
