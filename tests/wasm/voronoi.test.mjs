@@ -24,6 +24,23 @@ test("the default window is d3-delaunay's", () => {
   expect(diagram.voronoi().diagram).toBe(diagram);
 });
 
+test("areas are the shares of random points that are nearest to each circle", () => {
+  const points = 400_000, xy = new Float64Array(2 * points);
+  let state = 7;
+  const random = () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
+  for (let k = 0; k < points; ++k) {
+    xy[2 * k] = -900 + 1900 * random();
+    xy[2 * k + 1] = -700 + 1500 * random();
+  }
+  const counts = new Float64Array(300);
+  for (const id of diagram.findMany(xy)) ++counts[id];
+  const areas = voronoi.cellAreas();
+  for (let id = 0; id < 300; ++id) {
+    const share = (diagram.isHidden(id) ? 0 : areas[id]) / whole;
+    expect(Math.abs(counts[id] - points * share)).toBeLessThanOrEqual(6 * Math.sqrt(points * share * (1 - share)));  // six sigma
+  }
+});
+
 test("areas add up to the window, one by one and all at once", () => {
   const areas = voronoi.cellAreas();
   expect(areas).toBeInstanceOf(Float64Array);
