@@ -109,20 +109,13 @@ Error Voronoi::guardedFor(SiteId id, double tolerance, Operation&& operation) co
 Error Voronoi::edges(CurveArrays& edges) const {
   return guarded(1, [&](const Window& window, double) {
     edges = {};
-    const DelaunayGraph& base = diagram_.core().base();
-    const Graph& graph = base.graph();
-    ClippedEdge clipped;
-    for (std::size_t k = 0; k < 3 * graph.faceSlots(); ++k) {
-      const HalfedgeId h{static_cast<std::uint32_t>(k)};
-      if (!graph.isLive(faceOf(h)) || graph.origin(h) == kInfinity || graph.target(h) == kInfinity) continue;
-      if (!startsAtPole(base, h) || !isInPlane(base, h)) continue;
-      clipEdge(base, h, window, clipped);
-      for (int piece = 0; piece < clipped.count; ++piece) {
-        append(clipped.pieces[static_cast<std::size_t>(piece)].curve, edges.curves);
-        edges.sites.push_back(diagram_.core().siteOf(graph.origin(h)));
-        edges.sites.push_back(diagram_.core().siteOf(graph.target(h)));
-      }
-    }
+    const DiagramCore& core = diagram_.core();
+    const Graph& graph = core.base().graph();
+    forEachClippedPiece(core.base(), window, Bits::kCanonical, [&](HalfedgeId h, const ClippedPiece& piece) {
+      append(piece.curve, edges.curves);
+      edges.sites.push_back(core.siteOf(graph.origin(h)));
+      edges.sites.push_back(core.siteOf(graph.target(h)));
+    });
   });
 }
 

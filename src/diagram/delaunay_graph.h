@@ -70,10 +70,6 @@ class DelaunayGraph {
   /// Inserts the site of v (setSite), walking from `start` (visible, or kNoVertex) to its place. Paper, section 3.
   [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors);
 
-  /// Moves the site of a visible vertex, if the graph certainly stays the same; false, and nothing changed, if doubles do not show
-  /// that (move.cpp). Cost: O(degree).
-  [[nodiscard]] bool moveInPlace(VertexId v, const Site& site);
-
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
 
@@ -82,7 +78,7 @@ class DelaunayGraph {
 
  private:
   friend class Remover;   // the other operation that changes the graph
-  friend class MassMove;  // changes sites and circles
+  friend class SiteMoves; // changes sites and circles
   friend class DiagramBreaker;  // tests break a structure on purpose
 
   [[nodiscard]] Located walkAllNeighbors(double x, double y, VertexId start) const;

@@ -170,11 +170,12 @@ void DiagramCore::move(Slot slot, const Site& site) {
 }
 
 bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
-  if (ids_.state(slot) != SiteState::kVisible) return false;
+  if (!base_.graph().hasVertex(vertexOf(slot))) return false;  // hidden, or the only visible one
   const Site to = normalized(site);
-  const Site from = this->site(slot);
-  if (!coversChildren(slot, to) || !base_.moveInPlace(vertexOf(slot), to)) return false;
-  followMove(slot, from);
+  if (!coversChildren(slot, to)) return false;
+  const SiteMoves::Move move{vertexOf(slot), to};
+  if (siteMoves_.apply(base_, {&move, 1})[0] == 0) return false;
+  followMove(slot, siteMoves_.siteBefore(0));
   return true;
 }
 
@@ -193,7 +194,6 @@ void DiagramCore::followMove(Slot slot, const Site& from) noexcept {
 }
 
 void DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order) {
-  if (base_.visibleCount() < 2) return;
   moves_.clear();
   moves_.reserve(ids.size());
   for (const std::size_t k : order) {
@@ -201,12 +201,12 @@ void DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const d
     const Site to = normalized({xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
     const Site& from = site(slot);
     const bool isAtRest = from.x == to.x && from.y == to.y && from.r == to.r;
-    if (ids_.state(slot) != SiteState::kVisible || isAtRest || !coversChildren(slot, to)) continue;
+    if (!base_.graph().hasVertex(vertexOf(slot)) || isAtRest || !coversChildren(slot, to)) continue;
     moves_.push_back({vertexOf(slot), to});
   }
-  const std::span<const std::uint8_t> isMade = massMove_.apply(base_, moves_);
+  const std::span<const std::uint8_t> isMade = siteMoves_.apply(base_, moves_);
   for (std::size_t k = 0; k < moves_.size(); ++k) {
-    if (isMade[k] != 0) followMove(slotOf(moves_[k].vertex), massMove_.siteBefore(k));
+    if (isMade[k] != 0) followMove(slotOf(moves_[k].vertex), siteMoves_.siteBefore(k));
   }
 }
 

@@ -12,7 +12,7 @@
 #include "diagram/delaunay_graph.h"
 #include "diagram/hidden.h"
 #include "diagram/hierarchy.h"
-#include "diagram/mass_move.h"
+#include "diagram/site_moves.h"
 #include "diagram/remove.h"
 #include "diagram/site_ids.h"
 #include "diagram/start_grid.h"
@@ -107,8 +107,8 @@ class DiagramCore {
   Hierarchy hierarchy_;
   StartGrid grid_;            // with Walk::kSectors only
   Remover remover_;
-  MassMove massMove_;
-  std::vector<MassMove::Move> moves_;  // scratch of moveManyInPlace
+  SiteMoves siteMoves_;
+  std::vector<SiteMoves::Move> moves_;  // scratch of moveManyInPlace
   Ballast ballast_;
   std::vector<VertexId> children_;  // scratch of displaceVisible
 };

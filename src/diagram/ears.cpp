@@ -32,7 +32,7 @@ bool EarClipper::fill(const DelaunayGraph& diagram, VertexId v, std::span<const 
     corners_[a].side = 3 * static_cast<std::uint32_t>(patch_.size() - 1) + 2;  // the chord c → a of the new face
     corners_.erase(corners_.begin() + static_cast<std::ptrdiff_t>(b));
     failures = 0;
-    // Next the corner after the chord's end, an ear at which the chord was not part of before.
+    // Next the end of the chord: its ear has a new side.
     b = b < corners_.size() ? b : 0;
   }
   if (!findVoronoiCircle(diagram.corner(corners_[0].vertex), diagram.corner(corners_[1].vertex), diagram.corner(corners_[2].vertex),

@@ -1,7 +1,7 @@
 // The hierarchy of Delaunay graphs for location (paper, section 4): level k + 1 holds a sample of the sites of level k, every
-// eighth on average, and a search walks on each level from where it ended on the one above. Level 0 is the diagram itself.
+// thirty-second on average, and a search walks on each level from where it ended on the one above. Level 0 is the diagram itself.
 //
-// Which sites a level holds is a function of their slots: of each 8 consecutive slots of a level, one, chosen by a hash of their
+// Which sites a level holds is a function of their slots: of each 32 consecutive slots of a level, one, chosen by a hash of their
 // common number, is a slot of the next. So nothing is stored to get from a slot on one level to the same site's on another, and
 // sites that are revived or moved return to their levels. Levels hold visible sites only.
 //
@@ -50,7 +50,7 @@ class Hierarchy {
  private:
   friend class DiagramBreaker;  // tests break a structure on purpose
 
-  static constexpr unsigned kBits = 5;  // of 4, 8, 16 and 32, 8 took the least time for insertions and searches among 100 000 sites
+  static constexpr unsigned kBits = 5;  // few sites pay for a level; most searches start from the grid (start_grid.h) anyway
   static constexpr unsigned kMostLevels = 8;  // the top one holds 32 of 2^29 sites
   static constexpr Slot kMask = (Slot{1} << kBits) - 1;
 

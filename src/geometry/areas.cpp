@@ -22,17 +22,10 @@ class AreaSum {
       : core_(core), window_(window), byId_(areas), areas_(core.ids().slots(), 0), lost_(core.ids().slots(), 0) {}
 
   void run() {
-    const DelaunayGraph& base = core_.base();
-    const Graph& graph = base.graph();
-    ClippedEdge clipped;
-    for (std::size_t k = 0; k < 3 * graph.faceSlots(); ++k) {
-      const HalfedgeId h{static_cast<std::uint32_t>(k)};
-      if (!graph.isLive(faceOf(h)) || graph.origin(h) == kInfinity || graph.target(h) == kInfinity) continue;
-      if (!startsAtPole(base, h) || !isInPlane(base, h)) continue;
-      clipEdge(base, h, window_, clipped, Bits::kCached);
-      const Slot left = DiagramCore::slotOf(graph.origin(h)), right = DiagramCore::slotOf(graph.target(h));
-      for (int piece = 0; piece < clipped.count; ++piece) addPiece(clipped.pieces[static_cast<std::size_t>(piece)], left, right);
-    }
+    const Graph& graph = core_.base().graph();
+    forEachClippedPiece(core_.base(), window_, Bits::kCached, [&](HalfedgeId h, const ClippedPiece& piece) {
+      addPiece(piece, DiagramCore::slotOf(graph.origin(h)), DiagramCore::slotOf(graph.target(h)));
+    });
     addBorders();
     for (std::size_t slot = 0; slot < areas_.size(); ++slot) areas_[slot] = std::max(0.0, areas_[slot] + lost_[slot]);
     giveWhole();

@@ -55,30 +55,19 @@ bool CircleFan::computeAll(const Site& q, std::size_t n) {
   return true;
 }
 
-double CircleFan::error(std::size_t k) const { return numbers_[kError * stride_ + k]; }
-
-VoronoiCircle CircleFan::circle(std::size_t k) const {
-  return {numbers_[kCircleX * stride_ + k], numbers_[kCircleY * stride_ + k], numbers_[kCircleS * stride_ + k], roundedUp(error(k)), -1};
-}
-
 void CircleFan::compute(const Site& q, std::span<VoronoiCircle> circles) {
   const std::size_t n = circles.size();
   const bool isOrdinary = computeAll(q, n);
+  const double* const numbers = numbers_.data();
   for (std::size_t k = 0; k < n; ++k) {
     const Corner j = corners_[k], l = corners_[k + 1 < n ? k + 1 : 0];
-    const bool isGood = isOrdinary && j != nullptr && l != nullptr && error(k) < kInfinite;
-    circles[k] = isGood ? circle(k) : voronoiCircle(j, l, &q);
+    const double error = numbers[kError * stride_ + k];
+    if (isOrdinary && j != nullptr && l != nullptr && error < kInfinite) {
+      circles[k] = {numbers[kCircleX * stride_ + k], numbers[kCircleY * stride_ + k], numbers[kCircleS * stride_ + k], roundedUp(error), -1};
+    } else {
+      circles[k] = voronoiCircle(j, l, &q);
+    }
   }
-}
-
-bool CircleFan::computeIfCertain(const Site& q, std::span<VoronoiCircle> circles) {
-  const std::size_t n = circles.size();
-  if (!computeAll(q, n)) return false;
-  for (std::size_t k = 0; k < n; ++k) {
-    if (!(error(k) < kInfinite)) return false;
-    circles[k] = circle(k);
-  }
-  return true;
 }
 
 /// The formulas and the bound are those of boundedCircle (voronoi_circle.cpp, where they are derived), seen from q, whose rows

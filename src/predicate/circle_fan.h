@@ -24,16 +24,10 @@ class CircleFan {
   /// REQUIRES: reserve(circles.size()), all corners set, all circles exist.
   void compute(const Site& q, std::span<VoronoiCircle> circles);
 
-  /// The same for corners that are all finite, if doubles show that all circles exist and no two sites of a face cover each other.
-  /// False: nothing is known. REQUIRES: reserve(circles.size()), all corners set and finite.
-  [[nodiscard]] bool computeIfCertain(const Site& q, std::span<VoronoiCircle> circles);
-
  private:
   /// Computes the arrays; false if the numbers are beyond the range of the formulas.
   bool computeAll(const Site& q, std::size_t n);
   void computeBounded(const Site& q, std::size_t n);
-  [[nodiscard]] double error(std::size_t k) const;
-  [[nodiscard]] VoronoiCircle circle(std::size_t k) const;
 
   std::vector<Corner> corners_;
   // Arrays of stride_ numbers, one for each quantity of a corner or a face (circle_fan.cpp), so that two faces are computed at once.

@@ -81,6 +81,12 @@ class FilterRows {
   bool failed_ = false;
 };
 
+/// Of all finite sites: their differences to the pole's weight, which are exact or at least zero where they should be, are zero.
+template <class T>
+bool haveEqualWeights(const std::array<Row<T>, 4>& rows) {
+  return std::all_of(rows.begin(), rows.end(), [](const Row<T>& row) { return signOf(row.r) == Sign::kZero; });
+}
+
 /// The digits of numbers: exponents of the lowest one and of the highest one.
 struct Range {
   int lowest = std::numeric_limits<int>::max();
@@ -143,6 +149,7 @@ struct ExactDouble {
 
   static constexpr double kLargest = powerOfTwo(53);
   [[nodiscard]] constexpr bool isExact() const { return magnitude < kLargest; }
+  friend constexpr Sign signOf(ExactDouble x) { return signOf(x.value); }
 
  private:
   /// Exact integers whose sum or product is below 2^53 in magnitude: no rounding happened. Zero times anything is zero.
@@ -168,13 +175,11 @@ class UnitRows {
     }
   }
 
-  [[nodiscard]] bool hasEqualWeights() const {
-    return std::all_of(rows_.begin(), rows_.end(), [](const Row<ExactDouble>& row) { return row.r.value == 0; });
-  }
+  [[nodiscard]] bool hasEqualWeights() const { return haveEqualWeights(rows_); }
   [[nodiscard]] const Row<ExactDouble>& row(std::size_t k) const { return rows_[k]; }
   Sign sign(ExactDouble x, Depth) {
     if (!x.isExact()) failed_ = true;
-    return signOf(x.value);
+    return signOf(x);
   }
   [[nodiscard]] bool failed() const { return failed_; }
 
@@ -184,7 +189,7 @@ class UnitRows {
 };
 
 /// Middle stage for longer inputs (decimal fractions, integers of many digits): integers in the common unit. Fails only where the
-/// coordinates range over more than 2^120 units.
+/// coordinates range over more than 2^117 units.
 class WholeRows {
  public:
   using Number = Whole;
@@ -214,9 +219,7 @@ class WholeRows {
     }
   }
 
-  [[nodiscard]] bool hasEqualWeights() const {
-    return std::all_of(rows_.begin(), rows_.end(), [](const Row<Whole>& row) { return row.r.sign() == Sign::kZero; });
-  }
+  [[nodiscard]] bool hasEqualWeights() const { return haveEqualWeights(rows_); }
   [[nodiscard]] const Row<Whole>& row(std::size_t k) const { return rows_[k]; }
   [[nodiscard]] static Sign sign(const Whole& x, Depth) { return x.sign(); }
   [[nodiscard]] bool failed() const { return failed_; }
@@ -244,9 +247,7 @@ class ExactRows {
     }
   }
 
-  [[nodiscard]] bool hasEqualWeights() const {
-    return std::all_of(rows_.begin(), rows_.end(), [](const Row<Dyadic>& row) { return row.r.sign() == Sign::kZero; });
-  }
+  [[nodiscard]] bool hasEqualWeights() const { return haveEqualWeights(rows_); }
   [[nodiscard]] const Row<Dyadic>& row(std::size_t k) const { return rows_[k]; }
   [[nodiscard]] static Sign sign(const Dyadic& x, Depth) { return x.sign(); }
 

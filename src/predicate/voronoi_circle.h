@@ -1,5 +1,6 @@
 // The Voronoi circle of a face in doubles, with bounds on its error: kept with each face as the first filter of vertex
-// conflicts (a few flops, one cache line), and the source of the vertices' coordinates.
+// conflicts (a few flops, one cache line). Listed coordinates are computed anew (preciseVoronoiCircle): the last bits of a kept circle
+// depend on how it came about.
 //
 // For a bounded face: centre (x, y) and clearance s, the common distance to its three sites. For an unbounded face: the
 // half-plane a·x + b·y >= c beyond the two circles' common tangent line, with outer unit normal (a, b); a site of weight r

@@ -1,4 +1,4 @@
-#include "diagram/mass_move.h"
+#include "diagram/site_moves.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,7 +7,7 @@
 
 namespace apollonius {
 
-std::span<const std::uint8_t> MassMove::apply(DelaunayGraph& diagram, std::span<const Move> moves) {
+std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& diagram, std::span<const Move> moves) {
   diagram_ = &diagram;
   moves_ = moves;
   reserve(diagram, moves.size());
@@ -39,7 +39,7 @@ std::span<const std::uint8_t> MassMove::apply(DelaunayGraph& diagram, std::span<
   return {isMade_.data(), moves.size()};
 }
 
-void MassMove::reserve(const DelaunayGraph& diagram, std::size_t moves) {
+void SiteMoves::reserve(const DelaunayGraph& diagram, std::size_t moves) {
   const Graph& graph = diagram.graph();
   before_.resize(moves);
   isMade_.resize(moves);
@@ -64,7 +64,7 @@ void MassMove::reserve(const DelaunayGraph& diagram, std::size_t moves) {
   queue_.reserve(faces);  // a face is in the queue once
 }
 
-void MassMove::collectFaces() {
+void SiteMoves::collectFaces() {
   const Graph& graph = diagram_->graph();
   for (const Move& move : moves_) {
     const HalfedgeId begin = graph.outgoing(move.vertex);
@@ -80,14 +80,14 @@ void MassMove::collectFaces() {
   }
 }
 
-const Site& MassMove::siteBefore(VertexId v) const { return isMoved(v) ? before_[moveOf_[index(v)]] : diagram_->site(v); }
+const Site& SiteMoves::siteBefore(VertexId v) const { return isMoved(v) ? before_[moveOf_[index(v)]] : diagram_->site(v); }
 
-bool MassMove::hasMovedCorner(FaceId f) const {
+bool SiteMoves::hasMovedCorner(FaceId f) const {
   const Graph& graph = diagram_->graph();
   return isMoved(graph.origin(halfedgeOf(f, 0))) || isMoved(graph.origin(halfedgeOf(f, 1))) || isMoved(graph.origin(halfedgeOf(f, 2)));
 }
 
-void MassMove::computeCircle(std::uint32_t position) {
+void SiteMoves::computeCircle(std::uint32_t position) {
   ChangedFace& changed = changed_[position];
   changed.isActive = hasMovedCorner(changed.face);
   if (!changed.isActive) return;
@@ -95,9 +95,9 @@ void MassMove::computeCircle(std::uint32_t position) {
   if (!findCertainVoronoiCircle(e.i, e.j, e.k, changed.circle)) changed.circle.error = std::numeric_limits<float>::infinity();
 }
 
-/// The conditions of move.cpp for one face: its circle exists, no corner beyond an edge is in conflict with it nor one of its corners
+/// The conditions for one face: its circle exists, no corner beyond an edge is in conflict with it nor one of its corners
 /// with the face beyond, and its vertex has turned by less than a quarter as seen from each corner.
-void MassMove::check(std::uint32_t position) {
+void SiteMoves::check(std::uint32_t position) {
   ChangedFace& changed = changed_[position];
   changed.isQueued = false;
   const FaceId f = changed.face;
@@ -131,7 +131,7 @@ void MassMove::check(std::uint32_t position) {
   }
 }
 
-void MassMove::takeBackCorners(FaceId f) {
+void SiteMoves::takeBackCorners(FaceId f) {
   const Graph& graph = diagram_->graph();
   for (unsigned c = 0; c < 3; ++c) {
     const VertexId corner = graph.origin(halfedgeOf(f, c));
@@ -140,7 +140,7 @@ void MassMove::takeBackCorners(FaceId f) {
 }
 
 /// The site returns to where it was; the faces around it are computed anew, and they and the ones beyond are to be checked.
-void MassMove::takeBack(VertexId v) {
+void SiteMoves::takeBack(VertexId v) {
   diagram_->setSite(v, before_[moveOf_[index(v)]]);
   isMoved_[index(v)] = 0;
   const Graph& graph = diagram_->graph();
@@ -154,7 +154,7 @@ void MassMove::takeBack(VertexId v) {
   } while (h != begin);
 }
 
-void MassMove::queue(FaceId f) {
+void SiteMoves::queue(FaceId f) {
   const std::uint32_t position = positionOf_[index(f)];
   if (position == kNoIndex || changed_[position].isQueued) return;
   changed_[position].isQueued = true;

@@ -1,5 +1,17 @@
-// Many sites move at once, mostly without consequences for the graph: the certificate of move.cpp for all of them together, so that
-// each face is computed and checked once instead of once for each of its corners.
+// A certificate that moving sites, one or many at once, changes no face: for the small moves of animations.
+//
+// Let the circles of all faces around moved sites be computed anew, each once. The graph is that of the new diagram if
+//   1. all of them exist, and neighbours do not cover each other;
+//   2. across each edge of these faces, the corner beyond is not in conflict with the face, seen from either side;
+//   3. each of the vertices moves, as seen from each of its three sites, by less than a quarter turn.
+// Why. 1 and 2 say that along each Voronoi edge its two ends come in the right order. So each cell is bounded by a closed curve
+// that runs counter-clockwise around its centre; by 3 it does so as often as before, once. Hence the cells, glued along their
+// edges, cover the sphere without branching; the graph is a sphere as well, and so (Riemann-Hurwitz) they cover it once: they tile
+// the plane. Now let p be in the cell of i, and suppose j nearer to it. From p straight to c_j the distance to j falls as fast as any can,
+// so j stays strictly nearer than the tile's site, down to c_j itself; but c_j is in the tile of j. So the tiles are the Voronoi cells.
+//
+// Everything is asked of the filters; what they do not know counts as no, and the sites concerned stay where they are. A face at
+// infinity has a direction for a vertex, its half-plane's normal.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +22,7 @@
 
 namespace apollonius {
 
-class MassMove {
+class SiteMoves {
  public:
   struct Move {
     VertexId vertex;

@@ -1,0 +1,15 @@
+// Refusals: what a call throws when it is given what it cannot take.
+import { ApolloniusError } from "../../../build/packed/consumer.mjs";
+
+/** Expects a typed error of this code whose message contains this text; returns it. */
+export function expectRefusal(call, code, message) {
+  let error;
+  try {
+    call();
+  } catch (thrown) {
+    error = thrown;
+  }
+  expect(error).toBeInstanceOf(ApolloniusError);
+  expect({ code: error.code, message: error.message }).toEqual({ code, message: expect.stringContaining(message) });
+  return error;
+}
