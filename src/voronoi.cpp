@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <stdexcept>
 
 #include "geometry/approximate.h"
@@ -92,9 +91,7 @@ Error Voronoi::guarded(double tolerance, Operation&& operation) const {
   try {
     operation(windowOf(bounds_), tolerance);
     return Error::kNone;
-  } catch (const std::bad_alloc&) {
-    return Error::kOutOfMemory;
-  } catch (const std::length_error&) {
+  } catch (...) {
     return Error::kOutOfMemory;
   }
 }

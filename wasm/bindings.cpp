@@ -99,7 +99,7 @@ void release() {
 Address create(bool hierarchy) {
   try {
     return reinterpret_cast<Address>(new Diagram(hierarchy ? apollonius::Location::kHierarchy : apollonius::Location::kWalk));
-  } catch (const std::bad_alloc&) {
+  } catch (...) {
     return 0;
   }
 }

@@ -62,8 +62,8 @@ export class NativeDiagram {
   /** An empty diagram that lives until `destroy`, or until `owner` is collected; null if memory ran out. */
   static create(owner: object, hierarchy: boolean): NativeDiagram | null {
     const module = runningModule();
-    results = module.resultsAddress();
-    const address = module.create(hierarchy);
+    results = module.resultsAddress() >>> 0;
+    const address = module.create(hierarchy) >>> 0;
     if (address === 0) return null;
     const native = new NativeDiagram(module, address);
     addressCollector().register(owner, address, native);
@@ -318,7 +318,7 @@ export class NativeDiagram {
 
   #withScratch(bytes: number, call: (address: number) => Status): Status {
     if (bytes > kMostBytes) return kOutOfMemory;
-    const address = this.#module.reserve(Math.max(bytes, 8));
+    const address = this.#module.reserve(Math.max(bytes, 8)) >>> 0;
     if (address === 0) return kOutOfMemory;
     try {
       return call(address);

@@ -1,8 +1,8 @@
 #include "diagram/diagram_core.h"
 
 #include <algorithm>
-#include <new>
 
+#include "diagram/sort_by_key.h"
 #include "diagram/spatial_order.h"
 
 namespace apollonius {
@@ -79,7 +79,7 @@ std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
       displace(slot);
       gone.push_back(slot);
     }
-  } catch (const std::bad_alloc&) {
+  } catch (...) {
     ballast_.drop();
     for (const Slot slot : gone) restore(slot, site(slot));
     throw;
@@ -162,7 +162,7 @@ void DiagramCore::move(Slot slot, const Site& site) {
   displace(slot);
   try {
     ids_.setState(slot, place(slot, site, kNoVertex));
-  } catch (const std::bad_alloc&) {
+  } catch (...) {
     ballast_.drop();
     restore(slot, old);
     throw;
@@ -237,7 +237,7 @@ void DiagramCore::insertMany(std::span<const double> xyr, std::span<SiteId> ids)
       ids_.setState(slot, place(slot, circle, visibleBeside(slot)));
     }
     endBulk();
-  } catch (const std::bad_alloc&) {
+  } catch (...) {
     endBulk();
     ballast_.drop();
     for (std::size_t k = 0; k < done; ++k) displace(slots[order[k]]);
@@ -268,7 +268,7 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
   try {
     moveManyInPlace(ids, xyr, order);
     for (const std::size_t k : order) move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
-  } catch (const std::bad_alloc&) {
+  } catch (...) {
     ballast_.drop();
     for (const std::size_t k : order) {
       const Slot slot = ids_.slotOf(ids[k]);
@@ -281,18 +281,13 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
 
 /// Positions in `ids` in the order of the slots, which is one of places; of an id that is given several times, the last one only.
 std::vector<std::uint32_t> DiagramCore::orderOfSlots(std::span<const SiteId> ids) const {
-  struct Entry {
-    Slot slot;
-    std::uint32_t position;
-  };
-  std::vector<Entry> entries(ids.size());
+  std::vector<Keyed> entries(ids.size());
   for (std::uint32_t k = 0; k < ids.size(); ++k) entries[k] = {ids_.slotOf(ids[k]), k};
-  std::sort(entries.begin(), entries.end(),
-            [](const Entry& a, const Entry& b) { return a.slot != b.slot ? a.slot < b.slot : a.position < b.position; });
+  sortByKey(entries);
   std::vector<std::uint32_t> order;
   order.reserve(ids.size());
   for (std::size_t k = 0; k < entries.size(); ++k) {
-    if (k + 1 == entries.size() || entries[k + 1].slot != entries[k].slot) order.push_back(entries[k].position);
+    if (k + 1 == entries.size() || entries[k + 1].key != entries[k].key) order.push_back(entries[k].value);
   }
   return order;
 }

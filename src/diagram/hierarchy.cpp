@@ -1,6 +1,5 @@
 #include "diagram/hierarchy.h"
 
-#include <new>
 
 namespace apollonius {
 
@@ -47,7 +46,7 @@ void Hierarchy::insert(Slot slot, const Site& site) noexcept {
       (void)graph.insert(vertexOf(slot), above == kNoSlot ? kNoVertex : vertexOf(above), walk_);
       // What the new site covers is hidden on level 0 as well; the diagram takes it off the other levels.
     }
-  } catch (const std::bad_alloc&) {
+  } catch (...) {
     drop();
   }
 }
@@ -61,7 +60,7 @@ void Hierarchy::remove(Slot slot, Remover& remover) noexcept {
         (void)remover.remove(graph, vertexOf(slot), {});
       }
     }
-  } catch (const std::bad_alloc&) {
+  } catch (...) {
     drop();
   }
 }

@@ -1,7 +1,6 @@
 // The diagram as arrays: neighbours of a site, Voronoi vertices, Voronoi edges.
-#include <algorithm>
-
 #include "diagram/diagram_core.h"
+#include "diagram/sort_by_key.h"
 
 namespace apollonius {
 
@@ -18,14 +17,11 @@ void DiagramCore::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
   } while (h != begin);
 
   // Keep the first occurrence of each: sort positions by site, mark the later ones, drop them.
-  std::vector<std::uint32_t> positions(neighbors.size());
-  for (std::uint32_t k = 0; k < positions.size(); ++k) positions[k] = k;
-  std::stable_sort(positions.begin(), positions.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return neighbors[a] < neighbors[b]; });
+  std::vector<Keyed> positions(neighbors.size());
+  for (std::uint32_t k = 0; k < positions.size(); ++k) positions[k] = {neighbors[k], k};
+  sortByKey(positions);
   std::vector<char> isRepeated(neighbors.size(), 0);
-  for (std::size_t k = 1; k < positions.size(); ++k) {
-    isRepeated[positions[k]] = neighbors[positions[k]] == neighbors[positions[k - 1]];
-  }
+  for (std::size_t k = 1; k < positions.size(); ++k) isRepeated[positions[k].value] = positions[k].key == positions[k - 1].key;
   std::size_t kept = 0;
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     if (isRepeated[k] == 0) neighbors[kept++] = neighbors[k];

@@ -1,7 +1,6 @@
 #include "diagram/start_grid.h"
 
 #include <cmath>
-#include <new>
 
 namespace apollonius {
 
@@ -14,7 +13,7 @@ void StartGrid::rebuild(std::size_t sites, const Site& low, const Site& high) no
     scaleX_ = high.x > low.x ? cells / (high.x - low.x) : 0;
     scaleY_ = high.y > low.y ? cells / (high.y - low.y) : 0;
     noted_ = 0;
-  } catch (const std::bad_alloc&) {
+  } catch (...) {
     clear();
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "diagram/sort_by_key.h"
 #include "geometry/border.h"
 #include "geometry/clip.h"
 #include "geometry/measures.h"
@@ -71,13 +72,15 @@ class AreaSum {
   }
 
   void addBorders() {
-    std::stable_sort(contacts_.begin(), contacts_.end(), [](const SiteContact& a, const SiteContact& b) { return a.site < b.site; });
+    std::vector<Keyed> bySite(contacts_.size());
+    for (std::uint32_t k = 0; k < bySite.size(); ++k) bySite[k] = {contacts_[k].site, k};
+    sortByKey(bySite);
     std::vector<BorderContact> own;
     std::vector<BorderArc> arcs;
-    for (std::size_t begin = 0; begin < contacts_.size();) {
-      const Slot slot = contacts_[begin].site;
+    for (std::size_t begin = 0; begin < bySite.size();) {
+      const Slot slot = bySite[begin].key;
       own.clear();
-      for (; begin < contacts_.size() && contacts_[begin].site == slot; ++begin) own.push_back(contacts_[begin].contact);
+      for (; begin < bySite.size() && bySite[begin].key == slot; ++begin) own.push_back(contacts_[bySite[begin].value].contact);
       matchBorder(core_, slot, window_, own, arcs);
       for (const BorderArc& arc : arcs) {
         Point at = own[arc.from].point;

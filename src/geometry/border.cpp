@@ -62,7 +62,8 @@ void matchBorder(const DiagramCore& core, Slot site, const Window& window, std::
                  std::vector<BorderArc>& arcs) {
   arcs.clear();
   if (contacts.empty()) return;
-  std::sort(contacts.begin(), contacts.end(), [](const BorderContact& a, const BorderContact& b) {
+  // All of them: a heap sort, which is a tenth of std::sort's code.
+  std::partial_sort(contacts.begin(), contacts.end(), contacts.end(), [](const BorderContact& a, const BorderContact& b) {
     return a.place != b.place ? a.place < b.place : a.piece < b.piece;
   });
   // The reference is the middle of the largest gap.

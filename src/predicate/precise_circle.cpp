@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "number/dyadic.h"
+#include "predicate/long_rows.h"
 #include "predicate/pole.h"
-#include "predicate/rows.h"
 #include "predicate/voronoi_circle.h"
 
 namespace apollonius {

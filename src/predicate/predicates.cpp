@@ -47,8 +47,8 @@ struct PositiveOrNot {
   Sign operator()(Sign s) const { return s == Sign::kPositive ? Sign::kPositive : Sign::kNegative; }
 };
 
-/// Vertex conflict before the degenerate rule, for any face and any one infinite site of the four.
-Sign vertexSign(const Site& i, Corner j, Corner k, Corner q) {
+/// Vertex conflict before the degenerate rule, for any face and any one infinite site of the four. Not inline: it has two callers.
+[[gnu::noinline]] Sign vertexSign(const Site& i, Corner j, Corner k, Corner q) {
   Question question([&] { return stages::vertexExact(i, j, k, q); }, counts().vertexExact);
   if (question.isSettledBy(stages::vertexFilter(i, j, k, q), counts().vertexFilter)) return question.settled();
   if (question.isSettledBy(stages::vertexMiddle(i, j, k, q), counts().vertexMiddle)) return question.settled();

@@ -17,6 +17,7 @@ namespace apollonius::stages {
 [[nodiscard]] Sign lorentzExact(const Site& a, const Site& b);
 /// sign(p of a, b - p of c, d), exactly.
 [[nodiscard]] Sign lorentzDifference(const Site& a, const Site& b, const Site& c, const Site& d);
+[[nodiscard]] Sign lorentzDifferenceExact(const Site& a, const Site& b, const Site& c, const Site& d);
 
 [[nodiscard]] MaybeSign distanceFilter(double x, double y, const Site& a, const Site& b);
 /// For sites of equal weights only.
@@ -33,6 +34,8 @@ namespace apollonius::stages {
 [[nodiscard]] Sign vertexExact(const Site& i, Corner j, Corner k, Corner q);
 /// The answer where vertexExact is zero.
 [[nodiscard]] bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q);
+/// Its geometric part in long integers: of four sites on one circle, is q opposite to the pole, i?
+[[nodiscard]] bool isOppositePoleExact(const Site& i, Corner j, Corner k, Corner q);
 
 /// The direction from the pole whose membership in the edge's range of directions decides an edge conflict: the middle of q's
 /// shadow on the bisector (neither end in conflict), or its opposite (both ends in conflict).

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "number/fp.h"
 #include "support/effort.h"
 #include "support/oracle_numbers.h"
 #include "support/random.h"

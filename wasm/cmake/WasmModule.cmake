@@ -2,25 +2,22 @@
 # build folder, with the glue's types as apollonius.d.mts (for which emcc needs `tsc` on PATH; wasm/build.mjs sees to it). Not part of
 # `all`: the tests do not need it. Compiled from the sources once more, because only here link-time optimisation pays (the tests link faster without).
 #
-# Every visitor of a page downloads this, so only what insertions, deletions, searches and listings run through is compiled for speed. -O3 for everything
-# is no faster (measured) and 30 % larger when compressed.
-set(quick  # precise_circle.cpp comes first: the linker takes the first copy of each inline function, here those of long numbers
-  predicate/precise_circle.cpp
-  diagram/conflict.cpp diagram/locate.cpp diagram/insert.cpp diagram/delaunay_graph.cpp
-  predicate/voronoi_circle.cpp predicate/edge_circle_filter.cpp graph/graph.cpp
-  diagram/diagram_core.cpp diagram/hierarchy.cpp diagram/remove.cpp diagram/spatial_order.cpp diagram/start_grid.cpp
-  diagram/site_moves.cpp diagram/ears.cpp predicate/circle_fan.cpp predicate/stages.cpp
-  geometry/render.cpp geometry/clip.cpp geometry/edge.cpp geometry/bisector.cpp geometry/conic.cpp geometry/approximate.cpp
-  geometry/border.cpp geometry/areas.cpp geometry/measures.cpp)
+# Every visitor of a page downloads this, so all is compiled for size but what insertions, deletions, searches and drawings of many sites
+# run through. Measured (bench/README.md, "Size"): all for size is a quarter slower on random sites and half as fast on degenerate ones;
+# all for speed is no faster than this and half as large again when compressed.
+set(quick
+  predicate/circle_fan.cpp predicate/edge_circle_filter.cpp number/whole.cpp
+  diagram/conflict.cpp diagram/locate.cpp diagram/insert.cpp diagram/sort_by_key.cpp)
+set(compact
+  predicate/predicates.cpp predicate/stages.cpp predicate/voronoi_circle.cpp graph/graph.cpp
+  diagram/remove.cpp diagram/ears.cpp diagram/site_moves.cpp
+  geometry/clip.cpp geometry/render.cpp geometry/edge.cpp geometry/bisector.cpp geometry/conic.cpp geometry/approximate.cpp)
 list(TRANSFORM quick PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
+list(TRANSFORM compact PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 set(small ${APOLLONIUS_SOURCES})
-list(FILTER small INCLUDE REGEX "/(check|voronoi)\\.cpp$|/src/geometry/")
-list(REMOVE_ITEM small ${quick})
-set(compact ${APOLLONIUS_SOURCES})
-list(REMOVE_ITEM compact ${quick} ${small})
+list(REMOVE_ITEM small ${quick} ${compact} "${CMAKE_CURRENT_SOURCE_DIR}/src/diagram/invariant.cpp")
 # The doors must not be among the quick: everything that is called in one place only would be copied into them.
-list(APPEND compact "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings.cpp")
-list(APPEND small "${CMAKE_CURRENT_SOURCE_DIR}/wasm/embind_types.cpp")
+list(APPEND small "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/wasm/embind_types.cpp")
 
 foreach(part_and_level IN ITEMS quick:-O2 compact:-Os small:-Oz)
   string(REPLACE ":" ";" part_and_level ${part_and_level})
@@ -33,11 +30,12 @@ foreach(part_and_level IN ITEMS quick:-O2 compact:-Os small:-Oz)
 endforeach()
 
 add_executable(apollonius_wasm EXCLUDE_FROM_ALL
-  $<TARGET_OBJECTS:apollonius_wasm_quick> $<TARGET_OBJECTS:apollonius_wasm_compact> $<TARGET_OBJECTS:apollonius_wasm_small>)
-target_link_libraries(apollonius_wasm PRIVATE embind)
-set_target_properties(apollonius_wasm PROPERTIES OUTPUT_NAME apollonius SUFFIX .mjs LINKER_LANGUAGE CXX)
+  # The small ones first: the linker takes the first copy of each inline function.
+  $<TARGET_OBJECTS:apollonius_wasm_small> $<TARGET_OBJECTS:apollonius_wasm_compact> $<TARGET_OBJECTS:apollonius_wasm_quick>)
+target_link_libraries(apollonius_wasm PRIVATE embind "--js-library=${CMAKE_CURRENT_SOURCE_DIR}/wasm/glue.js")  # the later one's functions win
+set_target_properties(apollonius_wasm PROPERTIES LINK_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/wasm/glue.js" OUTPUT_NAME apollonius SUFFIX .mjs LINKER_LANGUAGE CXX)
 target_link_options(apollonius_wasm PRIVATE
-  -O3 -flto
+  -Oz -flto
   -sMODULARIZE=1 -sEXPORT_ES6=1 -sEXPORT_NAME=createApollonius
   -sENVIRONMENT=web,worker         # with "node" the glue imports Node's modules, which bundlers refuse; Node is handed the bytes
   -sWASM_ASYNC_COMPILATION=0       # `new Diagram()` works at once: compiled at the first use, synchronously

@@ -1,0 +1,7 @@
+#include "diagram/invariant.h"
+
+#include <cstdio>
+
+void apollonius::reportBrokenInvariant(const char* name) {
+  std::fprintf(stderr, "apollonius: broken invariant: %s\n", name);
+}
