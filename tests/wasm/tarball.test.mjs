@@ -43,6 +43,15 @@ test("sizes: the default entry at most 96 KB with brotli, all of it at most 1.1 
   expect(unpacked).toBeLessThanOrEqual(1_100_000);
 });
 
+test("README says how large the entries are", () => {
+  const readme = readFileSync(path.join(root, "README.md"), "utf8");
+  const [entry, glue, wasm] = [/compiled synchronously at the first use.*\| (\d+) KB \|/, /streamed.*\| (\d+) \+ \d+ KB/, /streamed.*\+ (\d+) KB/]
+    .map((pattern) => 1000 * Number(pattern.exec(readme)[1]));
+  for (const [said, file] of [[entry, "dist/esm/index.js"], [glue, "dist/esm/wasm.js"], [wasm, "dist/apollonius.wasm"]]) {
+    expect(Math.abs(said - brotli(file))).toBeLessThan(2000);
+  }
+});
+
 test("is ready to be published, with provenance: npm corrects nothing, and all addresses are of one repository", () => {
   const { repository, homepage, bugs } = JSON.parse(readFileSync(path.join(installed, "package.json"), "utf8"));
   const [, address] = /^git\+(https:\/\/[^ ]+\/apollonius-diagram)\.git$/.exec(repository.url);

@@ -54,8 +54,10 @@ export default function clearancePath(container) {
   const diagram = Diagram.from(circles);
   const found = widestPath(diagram, [0, 0, width, height], [0, height / 2], [width, height / 2]);
   const svg = select(container).append("svg").attr("viewBox", [0, 0, width, height]);
-  svg.append("path").attr("d", diagram.voronoi([0, 0, width, height]).render(null, { digits: 2 })).attr("fill", "none").attr("stroke", "#e3e0da");
-  svg.selectAll("circle").data(circles).join("circle").attr("cx", (d) => d.x).attr("cy", (d) => d.y).attr("r", (d) => d.r).attr("fill", "#bab0ac");
+  svg.append("path").attr("d", diagram.voronoi([0, 0, width, height]).render(null, { digits: 2 }))
+    .attr("fill", "none").attr("stroke", "#e3e0da");
+  svg.selectAll("circle").data(circles).join("circle").attr("cx", (d) => d.x).attr("cy", (d) => d.y).attr("r", (d) => d.r)
+    .attr("fill", "#bab0ac");
   svg.append("polyline").attr("points", found.path.join(" ")).attr("fill", "none").attr("stroke", "#e15759")
     .attr("stroke-width", 2).attr("stroke-linejoin", "round");
   return { circles, ...found };
