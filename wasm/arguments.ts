@@ -11,7 +11,9 @@ const kMostSites = 2 ** 29;
 export function described(value: unknown): string {
   if (typeof value === "string") return `the string ${JSON.stringify(value)}`;
   if (typeof value === "bigint") return `the bigint ${value}n`;
-  if (typeof value === "object" && value !== null) return Array.isArray(value) ? "an array" : "an object";
+  if (Array.isArray(value)) return `an array of ${value.length}`;
+  if (typedArrayKind(value)?.endsWith("Array")) return `${typedArrayKind(value)}(${(value as ArrayLike<unknown>).length})`;
+  if (typeof value === "object" && value !== null) return "an object";
   if (typeof value === "function") return "a function";
   return String(value);
 }

@@ -1,7 +1,7 @@
 import { type Accessor, triples } from "./accessors.js";
 import {
   allocated, checkedBounds, checkedChoice, checkedCount, checkedIds, checkedNewSites, checkedNumbers, checkedTolerance, checkNumber,
-  isSiteId, typedArrayKind, unknownSite,
+  described, isSiteId, typedArrayKind, unknownSite,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import {
@@ -265,7 +265,7 @@ export class Diagram implements Disposable {
     const numbers = checkedNumbers("xy", xy, 2);
     const ids = allocated(() => new Int32Array(numbers.length / 2));
     if (distances !== undefined && !(typedArrayKind(distances) === "Float64Array" && distances.length === ids.length)) {
-      throw new ApolloniusError("bad-length", `expected distances to be a Float64Array of ${ids.length} elements, one a point`);
+      throw new ApolloniusError("bad-length", `distances is ${described(distances)}, expected Float64Array(${ids.length}), one element a point`);
     }
     const status = native.findMany(numbers, ids, distances);
     if (status !== 0) throwForElements(status, "xy", numbers);

@@ -29,7 +29,7 @@ const tooMany = (name, perSite, call) => [2 ** 29 + 1, 2 ** 51].map((count) => [
 ]);
 const window = (call) => [
   ["bad-bounds", (d) => call(d, [0, 0, 0, 5]), "bounds are [0, 0, 0, 5]"],
-  ["bad-bounds", (d) => call(d, [0, 0, 5]), "bounds is an array"],
+  ["bad-bounds", (d) => call(d, [0, 0, 5]), "bounds is an array of 3, expected [xmin, ymin, xmax, ymax]"],
   ["bad-bounds", (d) => call(d, [0, 0, 5, "5"]), 'ymax of bounds is the string "5"'],
 ];
 const tolerance = (call) => [
@@ -115,8 +115,8 @@ export const diagramCalls = {
     use: (d) => d.findMany([0, 0]),
     refuses: [
       ...numbers("xy", 2, (d, xy) => d.findMany(xy)),
-      ["bad-length", (d) => d.findMany([0, 0], new Float64Array(2)), "expected distances to be a Float64Array of 1 elements"],
-      ["bad-length", (d) => d.findMany([0, 0], [0]), "expected distances to be a Float64Array of 1 elements"],
+      ["bad-length", (d) => d.findMany([0, 0], new Float64Array(2)), "distances is Float64Array(2), expected Float64Array(1)"],
+      ["bad-length", (d) => d.findMany([0, 0], [0]), "distances is an array of 1, expected Float64Array(1)"],
     ],
   },
   kNearest: {
