@@ -79,6 +79,20 @@ function moves({ rounds, seconds, sizes }) {
   })));
 }
 
+/** All edges of all cells into a context that adds up, against d3-delaunay with the same centres; and all areas against building. */
+function drawing({ rounds, seconds, sizes }) {
+  const n = Math.min(1e5, Math.max(...sizes));
+  return ["random0", "random5", "random50"].map((family) => ({
+    part: "drawing", family, n, rounds,
+    steps: [
+      { op: "draw", who: ["wasm", "d3-delaunay"], seconds },
+      { op: "redraw", who: ["d3-delaunay"], seconds },
+      { op: "build", who: ["wasm"], seconds },
+      { op: "cellAreas", who: ["wasm"], seconds },
+    ],
+  }));
+}
+
 /** What a call costs that does nothing else, and the heap. */
 function border({ rounds, seconds, memory, churn }) {
   return [
@@ -92,7 +106,7 @@ function border({ rounds, seconds, memory, churn }) {
   ];
 }
 
-export const parts = { scaling, families: kinds, table1: tableOne, moves, border };
+export const parts = { scaling, families: kinds, table1: tableOne, moves, drawing, border };
 
 /** The scenes of a mode, of all parts or of one. */
 export function scenesOf(mode, only) {

@@ -1,4 +1,4 @@
-// The goals of issues 2 and 3 as ratios of this run's numbers. For information: timing decides no test.
+// The goals of issues 2 to 4 as ratios of this run's numbers. For information: timing decides no test.
 import { short, table } from "./tables.mjs";
 
 /** A lookup in microseconds, us("scaling random5 1000000 build wasm"), of the medians or of the fastest samples. */
@@ -29,6 +29,8 @@ function goals(records, member) {
   const scaling = (n, op, contender) => us(`scaling random5 ${n} ${op} ${contender}`);
   const kind = (name, op) => us(`families ${name} ${family} ${op} wasm`);
   const toRandom = (name, op = "build") => [`${op} ${name} / random, ${family}`, kind(name, op) / kind("random5", op)];
+  const drawn = records.find(({ part }) => part === "drawing")?.n;
+  const drawing = (name, op, contender = "wasm") => us(`drawing ${name} ${drawn} ${op} ${contender}`);
   const memory = records.find(({ op }) => op === "memory");
   const churn = records.find(({ op }) => op === "churn");
   const megabytes = (bytes) => bytes / 2 ** 20;
@@ -55,6 +57,11 @@ function goals(records, member) {
     [`heap per site, ${memory?.n} sites, bytes`, memory?.bytesPerSite, most(160)],
     ["heap growth from 1000 pairs to all, MiB", churn && megabytes(churn.bytesAfterAll - churn.bytesAfterThousand), most(0)],
     ["updateMany of 10000 (0.01 spacings), ms a frame", us("moves random5 10000 0.01 spacings updateMany wasm") * 10, most(10)],
+    ...["random0", "random5", "random50"].flatMap((name) => [
+      [`draw ${name} ${drawn}: wasm / d3-delaunay`, drawing(name, "draw") / drawing(name, "draw", "d3-delaunay"), most(2)],
+      [`draw ${name} ${drawn}: wasm / d3-delaunay with known circumcenters`, drawing(name, "draw") / drawing(name, "redraw", "d3-delaunay"), information],
+      [`all areas / build, ${name} ${drawn}`, drawing(name, "cellAreas") / drawing(name, "build"), most(1)],
+    ]),
     [`issue 2: insert one by one, ${hundred}, wasm, µs`, scaling(hundred, "insert", "wasm"), most(6)],
     [`issue 2: find in ${hundred}, wasm, µs`, scaling(hundred, "find", "wasm"), most(3)],
     [`issue 2: remove from ${hundred}, wasm, µs`, scaling(hundred, "remove", "wasm"), most(15)],

@@ -1,5 +1,5 @@
 // Diagram.from: from any items to flat x, y, r triples.
-import { allocated, described, numberError } from "./arguments.js";
+import { allocated, checkSiteCount, described, detachedArray, isDetached, numberError } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 
 /** Reads one number from an item; called with the item, its index and all items, as d3's accessors are. */
@@ -29,7 +29,9 @@ export function triples<T>(items: Iterable<T> | ArrayLike<T>, x?: Accessor<T>, y
   const readY = y ?? field<T>("y", 1);
   const defaultR = field<T>("r", 2);
   const readR = r ?? ((item: T) => defaultR(item) ?? 0);
+  if (isDetached(items)) throw detachedArray("items", "items");
   const list: ArrayLike<T> = "length" in items ? items : Array.from(items);
+  checkSiteCount("items", list.length);
   const xyr = allocated(() => new Float64Array(3 * list.length));
   for (let index = 0; index < list.length; ++index) {
     const item = list[index] as T;

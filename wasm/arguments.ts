@@ -3,14 +3,17 @@
 import { ApolloniusError } from "./errors.js";
 import { kNoSite } from "./native.js";
 
-// The documented range of magnitudes: kSmallestMagnitude and kLargestMagnitude of src/apollonius.h.
+// The documented range of magnitudes and the most sites: as in src/apollonius.h.
 const kSmallestMagnitude = 1e-100;
 const kLargestMagnitude = 1e100;
+const kMostSites = 2 ** 29;
 
 export function described(value: unknown): string {
   if (typeof value === "string") return `the string ${JSON.stringify(value)}`;
   if (typeof value === "bigint") return `the bigint ${value}n`;
-  if (typeof value === "object" && value !== null) return Array.isArray(value) ? "an array" : "an object";
+  if (Array.isArray(value)) return `an array of ${value.length}`;
+  if (typedArrayKind(value)?.endsWith("Array")) return `${typedArrayKind(value)}(${(value as ArrayLike<unknown>).length})`;
+  if (typeof value === "object" && value !== null) return "an object";
   if (typeof value === "function") return "a function";
   return String(value);
 }
@@ -78,21 +81,33 @@ export function typedArrayKind(values: unknown): string | undefined {
   return ArrayBuffer.isView(values) ? (values as unknown as { [Symbol.toStringTag]?: string })[Symbol.toStringTag] : undefined;
 }
 
-/** Has the array lost its elements to another thread? Then it looks empty, which is hardly what the caller means. */
-function isDetached(values: ArrayLike<unknown>): boolean {
-  if (values.length !== 0 || !ArrayBuffer.isView(values)) return false;
+/**
+ * Has a typed array lost its elements, because its buffer went to another thread or shrank? Then it looks empty, which is hardly what the
+ * caller means.
+ */
+export function isDetached(values: unknown): boolean {
+  if (typedArrayKind(values) === undefined || (values as ArrayLike<unknown>).length !== 0) return false;
   try {
-    new Uint8Array(values.buffer);
+    Float64Array.prototype.at.call(values, 0);  // of any kind and realm; throws if there is no memory behind it
     return false;
   } catch {
     return true;
   }
 }
 
+export function detachedArray(name: string, of: string): ApolloniusError {
+  return new ApolloniusError("bad-length", `${name} is a typed array whose buffer is detached or shrunk, expected an array of ${of}`);
+}
+
 function checkedArray(name: string, values: unknown, of: string): ArrayLike<unknown> {
   if (!isArrayLike(values)) throw new ApolloniusError("bad-length", `${name} is ${described(values)}, expected an array of ${of}`);
-  if (isDetached(values)) throw new ApolloniusError("bad-length", `${name} is a typed array whose buffer is detached, expected an array of ${of}`);
+  if (isDetached(values)) throw detachedArray(name, of);
   return values;
+}
+
+/** Throws if there are more sites than one diagram can hold; before any of them is read. */
+export function checkSiteCount(name: string, count: number): void {
+  if (count > kMostSites) throw new ApolloniusError("too-large", `${name} holds ${count} sites, expected at most 2^29`);
 }
 
 /** A new typed array; that there can be none of that length is a lack of memory. */
@@ -109,10 +124,25 @@ export function allocated<Values>(make: () => Values): Values {
  * strings and nulls are refused and not turned into numbers.
  */
 export function checkedNumbers(name: string, values: unknown, multipleOf: number): ArrayLike<number> {
+  return copied(name, counted(name, values, multipleOf));
+}
+
+/** `checkedNumbers` for x, y, r triples of new sites. */
+export function checkedNewSites(name: string, values: unknown): ArrayLike<number> {
+  const array = counted(name, values, 3);
+  checkSiteCount(name, array.length / 3);
+  return copied(name, array);
+}
+
+function counted(name: string, values: unknown, multipleOf: number): ArrayLike<unknown> {
   const array = checkedArray(name, values, "numbers");
   if (array.length % multipleOf !== 0) {
     throw new ApolloniusError("bad-length", `expected a multiple of ${multipleOf} values in ${name}, got ${array.length}`);
   }
+  return array;
+}
+
+function copied(name: string, array: ArrayLike<unknown>): ArrayLike<number> {
   const kind = typedArrayKind(array);
   if (kind !== undefined && !kind.startsWith("Big")) return array as ArrayLike<number>;
   const numbers = allocated(() => new Float64Array(array.length));

@@ -85,14 +85,14 @@ Address reserve(std::size_t bytes) {
 void release() {
   std::free(scratch.data);
   scratch = {};
-  siteIds = {};
+  siteIds = std::vector<SiteId>();  // not {}: that would only empty a vector or string
   vertexArrays = {};
   edgeArrays = {};
   curveArrays = {};
   ringArrays = {};
-  numbers = {};
+  numbers = std::vector<double>();
   path = {};
-  text = {};
+  text = std::string();
 }
 
 // The address of a new diagram; 0 if memory ran out.

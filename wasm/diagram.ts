@@ -1,7 +1,7 @@
 import { type Accessor, triples } from "./accessors.js";
 import {
-  allocated, checkedBounds, checkedChoice, checkedCount, checkedIds, checkedNumbers, checkedTolerance, checkNumber, isSiteId,
-  typedArrayKind, unknownSite,
+  allocated, checkedBounds, checkedChoice, checkedCount, checkedIds, checkedNewSites, checkedNumbers, checkedTolerance, checkNumber,
+  described, isSiteId, typedArrayKind, unknownSite,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import {
@@ -73,10 +73,11 @@ export class Diagram implements Disposable {
 
   /**
    * A diagram of flat x, y, r triples; their ids are 0, 1, 2, … in input order. Cost: expected O(n log n).
-   * Throws "not-finite", "out-of-range", "bad-length" (no multiple of 3), "too-large", "bad-option" (an unknown location).
+   * Throws "not-finite", "out-of-range", "bad-length" (no multiple of 3), "too-large" (more than 2^29 triples), "bad-option" (an unknown
+   * location).
    */
   constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
-    const numbers = xyr === undefined ? undefined : checkedNumbers("xyr", xyr, 3);
+    const numbers = xyr === undefined ? undefined : checkedNewSites("xyr", xyr);
     const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
     this.#native = NativeDiagram.create(this, location === "hierarchy");
     if (this.#native === null) throw outOfMemory();
@@ -104,7 +105,7 @@ export class Diagram implements Disposable {
   /**
    * Adds a site (paper, section 3) and returns its id: stable while the site lives; ids of removed sites are used again.
    * Duplicates and covered circles are legal: they are hidden sites. Cost: one location and O(size of the change).
-   * Throws "not-finite", "out-of-range", "too-large".
+   * Throws "not-finite", "out-of-range".
    */
   insert(x: number, y: number, r: number = 0): number {
     const native = this.#living();
@@ -116,11 +117,11 @@ export class Diagram implements Disposable {
 
   /**
    * Adds flat x, y, r triples, all or none, much faster than a loop; returns their ids in input order. Cost: expected
-   * O(m log n) for m triples. Throws as `insert`, and "bad-length" (no multiple of 3).
+   * O(m log n) for m triples. Throws as `insert`, and "bad-length" (no multiple of 3), "too-large" (more than 2^29 triples).
    */
   insertMany(xyr: ArrayLike<number>): Uint32Array {
     this.#living();
-    return this.#insertTriples(checkedNumbers("xyr", xyr, 3));
+    return this.#insertTriples(checkedNewSites("xyr", xyr));
   }
 
   /**
@@ -264,7 +265,7 @@ export class Diagram implements Disposable {
     const numbers = checkedNumbers("xy", xy, 2);
     const ids = allocated(() => new Int32Array(numbers.length / 2));
     if (distances !== undefined && !(typedArrayKind(distances) === "Float64Array" && distances.length === ids.length)) {
-      throw new ApolloniusError("bad-length", `expected distances to be a Float64Array of ${ids.length} elements, one a point`);
+      throw new ApolloniusError("bad-length", `distances is ${described(distances)}, expected Float64Array(${ids.length}), one element a point`);
     }
     const status = native.findMany(numbers, ids, distances);
     if (status !== 0) throwForElements(status, "xy", numbers);
@@ -339,7 +340,7 @@ export class Diagram implements Disposable {
 
   /**
    * Ids of the sites that the convex hull of the circles touches, counter-clockwise; a site can occur more than once (a large circle
-   * with small ones sticking out). O(length).
+   * with small ones sticking out). Of circles in line on the hull, those between the ends need not be listed. O(length).
    */
   hull(): Uint32Array {
     const native = this.#living();
@@ -350,7 +351,7 @@ export class Diagram implements Disposable {
   /**
    * Draws the dual graph as the paper's Appendix A embeds it: each Delaunay edge as a piece of a hyperbola or parabola or as a segment
    * between the two centres, such that no two cross. With `bounds` also the rays of the sites on the hull, up to that window.
-   * Returns an SVG path string if there is no context. O(n).
+   * Returns an SVG path string if there is no context. O(n). Throws "bad-bounds", "not-finite", "out-of-range" (options).
    */
   render(context: PathContext, options?: DrawOptions & { bounds?: Bounds | undefined }): void;
   render(context?: null, options?: DrawOptions & { bounds?: Bounds | undefined }): string;
@@ -359,14 +360,17 @@ export class Diagram implements Disposable {
     return this.#draw(bounds ? Drawing.dualWithRays : Drawing.dual, bounds, context, options);
   }
 
-  /** Draws the circles of all sites, hidden ones too (none for radii of 0 or less). As `render`. */
+  /** Draws the circles of all sites, hidden ones too (none for radii of 0 or less). O(n). Throws "not-finite", "out-of-range" (options). */
   renderSites(context: PathContext, options?: DrawOptions): void;
   renderSites(context?: null, options?: DrawOptions): string;
   renderSites(context?: PathContext | null, options?: DrawOptions): string | void {
     return this.#draw(Drawing.sites, undefined, context, options);
   }
 
-  /** Draws the convex hull of the circles, arcs and tangents, as one closed figure. As `render`. */
+  /**
+   * Draws the convex hull of the circles, arcs and tangents, as one closed figure. O(length). Throws "not-finite", "out-of-range"
+   * (options).
+   */
   renderHull(context: PathContext, options?: DrawOptions): void;
   renderHull(context?: null, options?: DrawOptions): string;
   renderHull(context?: PathContext | null, options?: DrawOptions): string | void {

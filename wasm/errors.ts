@@ -3,13 +3,13 @@
  * - "not-finite": a number is NaN or infinite, or what should be a number is something else
  * - "out-of-range": a magnitude other than 0 below 1e-100 or above 1e100, or a count that is no whole number from 0 on
  * - "unknown-site": no site has this id
- * - "bad-length": no array (of numbers, ids or items), an array of a wrong length, or one whose buffer is detached
+ * - "bad-length": no array (of numbers, ids or items), an array of a wrong length, or one whose buffer is detached or shrunk
  * - "bad-option": an option or accessor is none of what is documented
  * - "bad-bounds": bounds to clip at that are no box
  * - "disposed": the diagram has been disposed of
  * - "out-of-memory": memory ran out, or was never enough
  * - "corrupt-snapshot": bytes that are no snapshot of a diagram
- * - "too-large": more than 2^29 sites
+ * - "too-large": more than 2^29 sites at once (one by one, memory ends before)
  */
 export type ErrorCode =
   | "not-finite"

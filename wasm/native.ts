@@ -215,6 +215,7 @@ export class NativeDiagram {
     return this.#module._diagramHull(this.#address);
   }
   polygon(bounds: NativeBounds, id: number, tolerance: number): Status {
+    this.#expectLiving();
     return this.#module._voronoiPolygon(this.#address, ...bounds, id, tolerance);
   }
   cell(bounds: NativeBounds, id: number): Status {
@@ -238,18 +239,19 @@ export class NativeDiagram {
   draw(what: Drawing, bounds: NativeBounds, tolerance: number, play: Play): Status {
     const portion: Portion = {};
     for (let cursor = 0; ;) {
+      this.#expectLiving();
       const status = this.#module._diagramDraw(this.#address, what, ...bounds, tolerance, cursor, kPortion);
       if (status !== 0) return status;
       cursor = this.id >>> 0;
       const isDone = this.count !== 0;
       this.#playPortion(portion, play);
       if (isDone) break;
-      if (this.#isDestroyed) throw new ApolloniusError("disposed", "the diagram was disposed of while it was drawn");
     }
     this.finish();
     return 0;
   }
   drawCell(bounds: NativeBounds, id: number, tolerance: number, play: Play): Status {
+    this.#expectLiving();
     const status = this.#module._voronoiDrawCell(this.#address, ...bounds, id, tolerance);
     if (status !== 0) return status;
     this.#playPortion({}, play);
@@ -290,6 +292,11 @@ export class NativeDiagram {
     if (bytes > kKeptBytes) this.#module.release();
   }
 
+  /** The caller's code runs while arguments and options are read and while contexts draw; it may do anything. */
+  #expectLiving(): void {
+    if (this.#isDestroyed) throw new ApolloniusError("disposed", "the diagram was disposed of during the call");
+  }
+
   // --- Addresses -------------------------------------------------------------------------------------------------------------
 
   #number(offset: number): number {
@@ -317,6 +324,7 @@ export class NativeDiagram {
   }
 
   #withScratch(bytes: number, call: (address: number) => Status): Status {
+    this.#expectLiving();
     if (bytes > kMostBytes) return kOutOfMemory;
     const address = this.#module.reserve(Math.max(bytes, 8)) >>> 0;
     if (address === 0) return kOutOfMemory;

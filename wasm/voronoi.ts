@@ -1,5 +1,6 @@
-import { checkedTolerance, isSiteId, numberError } from "./arguments.js";
+import { checkedTolerance, checkNumber, isSiteId } from "./arguments.js";
 import type { Diagram } from "./diagram.js";
+import { ApolloniusError } from "./errors.js";
 import { check, checkSite, kUnknownSite } from "./failures.js";
 import { nativeOf } from "./living.js";
 import { Drawing, type NativeDiagram } from "./native.js";
@@ -70,7 +71,7 @@ export interface CellsCollection {
  *
  * Everywhere: an id without a site throws "unknown-site"; for a hidden site, which has no cell, and for what a cell has no part of inside
  * the window, there is nothing: null for arrays and objects, nothing drawn. Measures are null for a hidden site, and 0 outside the
- * window. Names and meaning are d3-delaunay's where it has them.
+ * window. Options throw "not-finite" or "out-of-range". Names and meaning are d3-delaunay's where it has them.
  */
 export class Voronoi {
   /** The diagram that is looked at. */
@@ -106,7 +107,7 @@ export class Voronoi {
     });
   }
 
-  /** Draws the window's border. */
+  /** Draws the window's border. Throws "out-of-range" (digits). */
   renderBounds(context: PathContext, options?: DrawOptions): void;
   renderBounds(context?: null, options?: DrawOptions): string;
   renderBounds(context?: PathContext | null, options?: DrawOptions): string | void {
@@ -252,8 +253,8 @@ export class Voronoi {
    */
   cellWithin(id: number, radius: number): Measures | null {
     const native = this.#nativeFor(id);
-    const error = numberError("radius", radius);
-    if (error) throw error;
+    checkNumber("radius", radius);
+    if (radius < 0) throw new ApolloniusError("out-of-range", `radius is ${radius}, expected 0 or more`);
     check(native.isHidden(id));
     if (native.count !== 0) return null;
     check(native.measuresWithin(id, radius));

@@ -1,7 +1,7 @@
 // The packed package as a contender. The operations are those of bench/native/operations.cpp, and calls, memory and churn.
 import path from "node:path";
 import { pathToFileURL } from "node:url";
-import { forEachUntil, forMilliseconds, readDoubles, readQueries, sampled } from "./sampling.mjs";
+import { boxOf, forEachUntil, forMilliseconds, readDoubles, readQueries, sampled, Sum } from "./sampling.mjs";
 
 // The package does not show its heap, so the instance's memory is caught when it is made.
 let memory;
@@ -86,6 +86,26 @@ function findMany(request) {
   let found;
   const answer = sampled(request, points.length / 2, () => {}, () => { found = current.diagram.findMany(points); });
   return withVisible({ ...answer, sink: found.reduce((sum, id) => sum + id, 0) });
+}
+
+// --- Shapes: in the bounding box of the centres ------------------------------------------------------------------------------
+
+function draw(request) {
+  ensureDiagram(request);
+  const bounds = boxOf(current.sites, 3);
+  let sum;
+  const answer = sampled(request, size(), () => { sum = new Sum(); }, () => void current.diagram.voronoi(bounds).render(sum));
+  return withVisible({ ...answer, sink: sum.value });
+}
+
+function cellAreas(request) {
+  ensureDiagram(request);
+  const [xmin, ymin, xmax, ymax] = boxOf(current.sites, 3);
+  let areas;
+  const answer = sampled(request, size(), () => {}, () => { areas = current.diagram.voronoi([xmin, ymin, xmax, ymax]).cellAreas(); });
+  const sink = areas.reduce((sum, area) => sum + area, 0);
+  const error = Math.abs(sink / ((xmax - xmin) * (ymax - ymin)) - 1);
+  return error < 1e-9 ? withVisible({ ...answer, sink }) : { error: `areas do not add up: ${error}` };
 }
 
 // --- Changes: on the sites at the end of the set, whose ids are their places in it ---------------------------------------------
@@ -194,7 +214,7 @@ function churn(request) {
 }
 
 export const operations = {
-  build, find, findMany, churn,
+  build, find, findMany, draw, cellAreas, churn,
   findNear: find,
   findManyNear: findMany,
   insert: (request) => insertOneByOne(request, "hierarchy"),
@@ -221,6 +241,7 @@ export function warmUp() {
       diagram.insert(2000 * random(), 2000 * random(), 20 * random());
     }
     diagram.findMany(sites.subarray(0, 4000));
+    diagram.voronoi([0, 0, 2000, 2000]).render(new Sum());
     diagram.dispose();
   });
 }

@@ -55,3 +55,24 @@ export function forMilliseconds(duration, action) {
   const end = performance.now() + duration;
   for (let k = 0; performance.now() < end; ++k) action(k);
 }
+
+/** The bounding box of x, y pairs or x, y, r triples: [xmin, ymin, xmax, ymax]. */
+export function boxOf(numbers, perItem) {
+  const box = [Infinity, Infinity, -Infinity, -Infinity];
+  for (let k = 0; k < numbers.length; k += perItem) {
+    for (const axis of [0, 1]) {
+      box[axis] = Math.min(box[axis], numbers[k + axis]);
+      box[2 + axis] = Math.max(box[2 + axis], numbers[k + axis]);
+    }
+  }
+  return box;
+}
+
+/** Something to draw into that costs next to nothing: it adds up what it is given, so that nothing can be left out. */
+export class Sum {
+  value = 0;
+  moveTo(x, y) { this.value += x + y; }
+  lineTo(x, y) { this.value += x + y; }
+  bezierCurveTo(x1, y1, x2, y2, x, y) { this.value += x1 + y1 + x2 + y2 + x + y; }
+  closePath() { this.value += 1; }
+}

@@ -7,6 +7,17 @@ const count = 400;
 const random = generator(71);
 const items = Array.from({ length: count }, () => ({ x: random() * 960, y: random() * 500 }));
 const delaunay = Delaunay.from(items, (d) => d.x, (d) => d.y);
+/** A cycle of ids from the smallest one on. */
+const cycle = (ids) => {
+  const start = ids.indexOf(Math.min(...ids));
+  return [...ids.slice(start), ...ids.slice(0, start)];
+};
+/** d3-delaunay's hull as ours: counter-clockwise with y upwards, and without points in line between two others. */
+const corners = ({ hull, points }) => {
+  const cross = (a, b, c) => (points[2 * b] - points[2 * a]) * (points[2 * c + 1] - points[2 * a + 1]) -
+    (points[2 * c] - points[2 * a]) * (points[2 * b + 1] - points[2 * a + 1]);
+  return [...hull].filter((id, k) => cross(hull.at(k - 1), id, hull[(k + 1) % hull.length]) !== 0).reverse();
+};
 const sorted = (numbers) => [...numbers].sort((a, b) => a - b);
 
 describe.each([0, 1, 250, -3])("all radii %d", (r) => {
@@ -21,6 +32,32 @@ describe.each([0, 1, 250, -3])("all radii %d", (r) => {
 
   test("neighbors", () => {
     for (let id = 0; id < count; ++id) expect(sorted(diagram.neighbors(id))).toEqual(sorted(delaunay.neighbors(id)));
+  });
+
+  test("hull", () => {
+    expect(cycle(diagram.hull())).toEqual(cycle(corners(delaunay)));
+  });
+
+  test.each([
+    ["a few", (k) => [(k * 7919) % 101, (k * 104729) % 97], 12],
+    ["in a disk", (k) => [Math.sqrt(k) * Math.cos(k), Math.sqrt(k) * Math.sin(k)], 300],
+    ["on a circle", (k) => [Math.cos(k), Math.sin(k)], 60],
+    ["a lattice, with points in line on the hull", (k) => [k % 9, Math.floor(k / 9)], 63],
+    ["a triangle", (k) => [[0, 0], [5, 1], [2, 4]][k], 3],
+  ])("hull of other points: %s", (_, point, length) => {
+    const points = Array.from({ length }, (__, k) => point(k));
+    const circles = new Diagram(points.flatMap(([x, y]) => [x, y, r]));
+    expect(cycle(circles.hull())).toEqual(cycle(corners(Delaunay.from(points))));
+  });
+
+  test("hull of points in line: the two ends; of two points and of one: all", () => {
+    for (const point of [(k) => [k, 0], (k) => [0, -k], (k) => [3 * k, -k], (k) => [k % 7 + 10 * Math.floor(k / 7), 5]]) {
+      const points = Array.from({ length: 20 }, (_, k) => point((k * 7) % 20));
+      const { collinear } = Delaunay.from(points);
+      expect(sorted(new Diagram(points.flatMap(([x, y]) => [x, y, r])).hull())).toEqual(sorted([collinear[0], collinear.at(-1)]));
+    }
+    expect(sorted(new Diagram([0, 0, r, 5, 5, r]).hull())).toEqual(sorted(Delaunay.from([[0, 0], [5, 5]]).hull));
+    expect(sorted(new Diagram([3, 4, r]).hull())).toEqual([...Delaunay.from([[3, 4]]).hull]);
   });
 
   test("triangles and circumcenters are the vertices", () => {

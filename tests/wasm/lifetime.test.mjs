@@ -1,51 +1,17 @@
 // Life time: dispose, collection, and memory running out.
 import { transformSync } from "esbuild";
-import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
+import { Diagram } from "../../build/packed/consumer.mjs";
+import { calls } from "./support/calls.mjs";
 import { runInNode } from "./support/node.mjs";
 import { randomCircles } from "./support/random.mjs";
+import { expectRefusal } from "./support/refusal.mjs";
 
-const uses = {
-  insert: (d) => d.insert(1, 2, 3),
-  insertMany: (d) => d.insertMany([1, 2, 3]),
-  remove: (d) => d.remove(0),
-  removeMany: (d) => d.removeMany([0]),
-  update: (d) => d.update(0, 1, 2, 3),
-  updateMany: (d) => d.updateMany([0], [1, 2, 3]),
-  clear: (d) => d.clear(),
-  size: (d) => d.size,
-  visibleSize: (d) => d.visibleSize,
-  hiddenSize: (d) => d.hiddenSize,
-  has: (d) => d.has(0),
-  site: (d) => d.site(0),
-  ids: (d) => d.ids(),
-  isHidden: (d) => d.isHidden(0),
-  coverOf: (d) => d.coverOf(0),
-  find: (d) => d.find(0, 0),
-  nearest: (d) => d.nearest(0, 0),
-  findMany: (d) => d.findMany([0, 0]),
-  neighbors: (d) => d.neighbors(0),
-  kNearest: (d) => d.kNearest(0, 0, 1),
-  within: (d) => d.within(0, 0, 1),
-  edges: (d) => d.edges(),
-  vertices: (d) => d.vertices(),
-  validate: (d) => d.validate(),
-  hull: (d) => d.hull(),
-  voronoi: (d) => d.voronoi(),
-  render: (d) => d.render(),
-  renderSites: (d) => d.renderSites(),
-  renderHull: (d) => d.renderHull(),
-};
-
-test("every member of the class is tried after dispose", () => {
-  const members = Object.getOwnPropertyNames(Diagram.prototype).filter((name) => !["constructor", "dispose"].includes(name));
-  expect(Object.keys(uses).sort()).toEqual(members.sort());
-});
-
-test.each(Object.entries(uses))("%s after dispose is an error", (_, use) => {
+test.each(calls.filter(([name]) => !/\.(constructor|from)$/.test(name)))("%s after dispose is an error", (name, { use }) => {
   const diagram = new Diagram([0, 0, 1]);
+  const view = diagram.voronoi();
   diagram.dispose();
-  expect(() => use(diagram)).toThrow(ApolloniusError);
-  expect(() => use(diagram)).toThrow(expect.objectContaining({ code: "disposed" }));
+  expectRefusal(() => use(diagram), "disposed", "the diagram has been disposed of");
+  if (name.startsWith("Voronoi.")) expectRefusal(() => use({ voronoi: () => view }), "disposed", "the diagram has been disposed of");
 });
 
 test("a second dispose does nothing, and other diagrams live on", () => {
@@ -53,6 +19,30 @@ test("a second dispose does nothing, and other diagrams live on", () => {
   const other = new Diagram(randomCircles(20, 31));
   diagram.dispose();
   diagram.dispose();
+  expect(other.validate()).toBeNull();
+});
+
+// An array, an option or a context of the caller's can dispose of the diagram in the middle of a call.
+const dispose = (d, value) => ({ get 0() { d.dispose(); return value; }, length: 6, 1: 1, 2: 1, 3: 2, 4: 2, 5: 1 });
+const option = (d, name) => ({ get [name]() { d.dispose(); return undefined; } });
+test.each([
+  ["insertMany", (d) => d.insertMany(dispose(d, 1))],
+  ["updateMany ids", (d) => d.updateMany({ ...[0], length: 1, get 0() { d.dispose(); return 0; } }, [1, 2, 3])],
+  ["updateMany xyr", (d) => d.updateMany([0, 1], dispose(d, 1))],
+  ["removeMany", (d) => d.removeMany(dispose(d, 0))],
+  ["findMany", (d) => d.findMany(dispose(d, 1))],
+  ...["tolerance", "digits"].flatMap((name) => [
+    [`render, ${name}`, (d) => d.render(null, option(d, name))],
+    [`renderSites, ${name}`, (d) => d.renderSites(null, option(d, name))],
+    [`renderHull, ${name}`, (d) => d.renderHull(null, option(d, name))],
+    [`voronoi().render, ${name}`, (d) => d.voronoi().render(null, option(d, name))],
+    [`renderCell, ${name}`, (d) => d.voronoi().renderCell(0, null, option(d, name))],
+  ]),
+  ["cellPolygon", (d) => d.voronoi().cellPolygon(0, option(d, "tolerance"))],
+  ["toGeoJSON", (d) => d.voronoi().toGeoJSON(option(d, "tolerance"))],
+])("disposed of during the call: %s", (_, call) => {
+  const other = new Diagram(randomCircles(20, 32));
+  expectRefusal(() => call(new Diagram([0, 0, 1, 5, 5, 1])), "disposed", "disposed of");
   expect(other.validate()).toBeNull();
 });
 

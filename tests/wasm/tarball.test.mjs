@@ -1,4 +1,5 @@
 // The tarball itself: what is in it, how large it is, and what the linters of packages say.
+import { spawnSync } from "node:child_process";
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import path from "node:path";
 import { brotliCompressSync, constants } from "node:zlib";
@@ -40,6 +41,24 @@ test("sizes: the default entry at most 96 KB with brotli, all of it at most 1.1 
   expect(sizes.script).toBeLessThanOrEqual(96_500);  // the same with its wrapper
   expect(sizes.wasm + sizes.glue).toBeLessThan(sizes.esm);
   expect(unpacked).toBeLessThanOrEqual(1_100_000);
+});
+
+test("README says how large the entries are", () => {
+  const readme = readFileSync(path.join(root, "README.md"), "utf8");
+  const [entry, glue, wasm] = [/compiled synchronously at the first use.*\| (\d+) KB \|/, /streamed.*\| (\d+) \+ \d+ KB/, /streamed.*\+ (\d+) KB/]
+    .map((pattern) => 1000 * Number(pattern.exec(readme)[1]));
+  for (const [said, file] of [[entry, "dist/esm/index.js"], [glue, "dist/esm/wasm.js"], [wasm, "dist/apollonius.wasm"]]) {
+    expect(Math.abs(said - brotli(file))).toBeLessThan(2000);
+  }
+});
+
+test("is ready to be published, with provenance: npm corrects nothing, and all addresses are of one repository", () => {
+  const { repository, homepage, bugs } = JSON.parse(readFileSync(path.join(installed, "package.json"), "utf8"));
+  const [, address] = /^git\+(https:\/\/[^ ]+\/apollonius-diagram)\.git$/.exec(repository.url);
+  expect([repository.type, homepage, bugs.url]).toEqual(["git", `${address}#readme`, `${address}/issues`]);
+  const { status, stderr } = spawnSync("npm", ["publish", tarball, "--dry-run", "--offline"], { cwd: packed, encoding: "utf8" });
+  expect(stderr).not.toMatch(/auto-corrected/);
+  expect(status).toBe(0);
 });
 
 test("publint finds nothing", () => {

@@ -24,6 +24,16 @@ function detached(array = new Float64Array(values)) {
   return array;
 }
 
+/** A view of a buffer that grew or shrank after it was made. */
+function resized(array, view, bytes) {
+  const buffer = new ArrayBuffer(array.byteLength, { maxByteLength: 4 * array.byteLength });
+  new array.constructor(buffer).set(array);
+  const made = view(array.constructor, buffer);
+  buffer.resize(bytes ?? array.byteLength);
+  return made;
+}
+const shrunk = (array) => resized(array, (Kind, buffer) => new Kind(buffer, 0, array.length), array.byteLength / 2);
+
 test.each([
   ["a subarray", new Float64Array([9, ...values, 9]).subarray(1, 7)],
   ["an odd offset", shifted(1)],
@@ -32,6 +42,16 @@ test.each([
   ["clamped bytes", new Uint8ClampedArray(values)],
   ["another realm's array", runInNewContext("[0, 0, 1, 10, 0, 2]")],
   ["another realm's typed array", runInNewContext("new Float64Array([0, 0, 1, 10, 0, 2])")],
+  ["a view of a buffer that grew", resized(new Float64Array(values), (Kind, buffer) => new Kind(buffer, 0, 6), 96)],
+  ["a view that follows its buffer", resized(new Float64Array([...values, 7, 7, 7]), (Kind, buffer) => new Kind(buffer), 48)],
+  ["shared memory that grew", (() => {
+    const buffer = new SharedArrayBuffer(48, { maxByteLength: 96 });
+    const array = new Float64Array(buffer, 0, 6);
+    array.set(values);
+    buffer.grow(96);
+    return array;
+  })()],
+  ["an array-like object", { ...values, length: 6 }],
   ["a length-tracking view", new Float64Array(new ArrayBuffer(48, { maxByteLength: 96 })).fill(0).map((_, k) => values[k])],
 ])("%s is read rightly", (_, xyr) => {
   const diagram = new Diagram(xyr);
@@ -70,6 +90,15 @@ const cases = [
   ["removeMany", (d) => d.removeMany(detached(new Uint32Array(2))), "bad-length", "ids is a typed array whose buffer is detached"],
   ["findMany", (d) => d.findMany(detached()), "bad-length", "xy is a typed array whose buffer is detached"],
   ["findMany distances", (d) => d.findMany([0, 0], detached()), "bad-length", "distances"],
+  // So do views whose buffer shrank below them.
+  ["constructor", () => new Diagram(shrunk(new Float64Array(values))), "bad-length", "xyr is a typed array whose buffer is detached"],
+  ["insertMany", (d) => d.insertMany(shrunk(new Float32Array(values))), "bad-length", "xyr is a typed array whose buffer is detached"],
+  ["updateMany ids", (d) => d.updateMany(shrunk(new Uint32Array(2)), []), "bad-length", "ids is a typed array whose buffer is detached"],
+  ["updateMany xyr", (d) => d.updateMany([], shrunk(new Float64Array(values))), "bad-length", "xyr is a typed array whose buffer is detached"],
+  ["removeMany", (d) => d.removeMany(shrunk(new Uint8Array(2))), "bad-length", "ids is a typed array whose buffer is detached"],
+  ["findMany", (d) => d.findMany(shrunk(new Float64Array(values))), "bad-length", "xy is a typed array whose buffer is detached"],
+  ["findMany distances", (d) => d.findMany([0, 0], shrunk(new Float64Array(2))), "bad-length", "distances"],
+  ["from", () => Diagram.from(detached()), "bad-length", "items is a typed array whose buffer is detached"],
   // Big integers
   ["constructor", () => new Diagram([1n, 2, 3]), "not-finite", "xyr[0] is the bigint 1n"],
   ["insertMany", (d) => d.insertMany(runInNewContext("new BigUint64Array(3)")), "not-finite", "xyr[0] is the bigint 0n"],
@@ -95,10 +124,12 @@ const cases = [
   ["insert", (d) => d.insert(1, 2, Symbol("r")), "not-finite", "r is Symbol(r)"],
   ["insert", (d) => d.insert(new Number(1), 2, 3), "not-finite", "x is an object"],
   // Lengths that no memory holds
-  ["insertMany", (d) => d.insertMany({ length: 3 * 2 ** 50 }), "out-of-memory", "memory"],
   ["findMany", (d) => d.findMany({ length: 2 ** 50 }), "out-of-memory", "memory"],
   ["removeMany", (d) => d.removeMany({ length: 2 ** 50 }), "out-of-memory", "memory"],
-  ["from", () => Diagram.from({ length: 2 ** 50 }), "out-of-memory", "memory"],
+  ["updateMany ids", (d) => d.updateMany({ length: 2 ** 50 }, []), "out-of-memory", "memory"],
+  ["updateMany", (d) => d.updateMany([], { length: 3 * 2 ** 50 }), "out-of-memory", "memory"],
+  ["insertMany", (d) => d.insertMany({ length: 2 ** 53 }), "bad-length", "xyr is an object"],
+  ["findMany", (d) => d.findMany({ length: -2 }), "bad-length", "xy is an object"],
   // Items, accessors, options
   ["from", () => Diagram.from(null), "bad-length", "items is null"],
   ["from", () => Diagram.from(5), "bad-length", "items is 5"],
@@ -111,6 +142,13 @@ const cases = [
   ["constructor", () => new Diagram([], { location: "grid" }), "bad-option", 'options.location is the string "grid", expected "hierarchy" or "walk"'],
   ["constructor", () => new Diagram([], { location: null }), "bad-option", "options.location is null"],
 ];
+
+test("removeMany skips what is no id, of whatever type", () => {
+  const diagram = new Diagram(values);
+  expect(diagram.removeMany(["0", 0n, -1, 0.5, NaN, null, undefined, , {}, 2 ** 32, 2 ** 32 - 1, 7])).toBe(0);
+  expect(diagram.removeMany([1, 1, "0"])).toBe(1);
+  expect([...diagram.ids()]).toEqual([0]);
+});
 
 test.each(cases)("%s: %p", (_, call, code, message) => {
   const diagram = new Diagram(values);

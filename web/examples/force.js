@@ -44,6 +44,8 @@ export default function force(container) {
       context.beginPath();
       context.arc(x, y, r, 0, 2 * Math.PI);
       context.fill();
+      context.strokeStyle = "#fff";
+      context.stroke();
     });
   }
   return { diagram, nodes, simulation };

@@ -1,0 +1,122 @@
+// A program: calls made while the heap is full and cannot grow. Prints, for each, the code of what it threw ("none" if it did not) and
+// whether the diagram was as before. A process of its own, as it replaces WebAssembly.Memory.prototype.grow.
+import { Diagram } from "../../../build/packed/consumer.mjs";
+
+// One site with very many neighbours: then even a call about a single site needs much memory.
+const kRing = 3000;
+const hub = 0;
+const xyr = new Float64Array(3 * (kRing + 1));
+xyr.set([0, 0, 900]);
+for (let k = 1; k <= kRing; ++k) {
+  const angle = (2 * Math.PI * k) / kRing;
+  xyr.set([1000 * Math.cos(angle), 1000 * Math.sin(angle), 0.05], 3 * k);
+}
+const diagram = new Diagram(xyr);
+const view = diagram.voronoi([-1100, -1100, 1100, 1100]);
+
+const many = 20_000;
+const points = new Float64Array(2 * many).map((_, k) => k % 1009);
+const sites = new Float64Array(3 * many).map((_, k) => (k % 3 === 2 ? 1 : (k * 7919) % 100_003));
+const ids = new Uint32Array(many).fill(hub);
+const ink = { moveTo() {}, lineTo() {}, bezierCurveTo() {}, closePath() {} };
+
+/** What each call is asked for; in `small` those that need no memory. */
+const large = {
+  "Diagram.constructor": () => new Diagram(sites),
+  "Diagram.from": () => Diagram.from({ length: many }, (_, k) => k % 1013, (_, k) => k % 997),
+  "Diagram.insert": () => diagram.insert(0, 0, 5000),  // covers all the others
+  "Diagram.insertMany": () => diagram.insertMany(sites),
+  "Diagram.remove": () => diagram.remove(hub),
+  "Diagram.removeMany": () => diagram.removeMany(ids),
+  "Diagram.update": () => diagram.update(hub, 0, 0, 10),
+  "Diagram.updateMany": () => diagram.updateMany(ids, sites),
+  "Diagram.ids": () => diagram.ids(),
+  "Diagram.findMany": () => diagram.findMany(points),
+  "Diagram.kNearest": () => diagram.kNearest(0, 0, Infinity),
+  "Diagram.within": () => diagram.within(0, 0, 1e6),
+  "Diagram.neighbors": () => diagram.neighbors(hub),
+  "Diagram.edges": () => diagram.edges(),
+  "Diagram.vertices": () => diagram.vertices(),
+  "Diagram.hull": () => diagram.hull(),
+  "Diagram.render": () => diagram.render(ink),
+  "Diagram.renderSites": () => diagram.renderSites(ink),
+  "Diagram.renderHull": () => diagram.renderHull(ink),
+  "Diagram.validate": () => diagram.validate(),
+  "Voronoi.render": () => view.render(ink),
+  "Voronoi.renderCell": () => view.renderCell(hub, ink),
+  "Voronoi.cellPolygon": () => view.cellPolygon(hub),
+  "Voronoi.cellPolygons": () => [...view.cellPolygons()],
+  "Voronoi.cellRegions": () => view.cellRegions(hub),
+  "Voronoi.cellCurves": () => view.cellCurves(hub),
+  "Voronoi.edgeCurves": () => view.edgeCurves(),
+  "Voronoi.toGeoJSON": () => view.toGeoJSON(),
+  "Voronoi.neighbors": () => view.neighbors(hub),
+  "Voronoi.cellArea": () => view.cellArea(hub),
+  "Voronoi.cellCentroid": () => view.cellCentroid(hub),
+  "Voronoi.cellPerimeter": () => view.cellPerimeter(hub),
+  "Voronoi.cellMeasures": () => view.cellMeasures(hub),
+  "Voronoi.cellWithin": () => view.cellWithin(hub, 1e6),
+  "Voronoi.cellAreas": () => view.cellAreas(),
+};
+const small = {
+  "Diagram.size": () => diagram.size,
+  "Diagram.visibleSize": () => diagram.visibleSize,
+  "Diagram.hiddenSize": () => diagram.hiddenSize,
+  "Diagram.has": () => diagram.has(hub),
+  "Diagram.site": () => diagram.site(hub),
+  "Diagram.isHidden": () => diagram.isHidden(hub),
+  "Diagram.coverOf": () => diagram.coverOf(hub),
+  "Diagram.find": () => diagram.find(700, 700),
+  "Diagram.nearest": () => diagram.nearest(700, 700),
+  "Diagram.voronoi": () => diagram.voronoi(),
+  "Voronoi.renderBounds": () => view.renderBounds(ink),
+  "Voronoi.contains": () => view.contains(hub, 1, 1),
+  "Diagram.clear": () => diagram.clear(),  // the last one: nothing is left after it
+};
+
+const grow = WebAssembly.Memory.prototype.grow;
+
+/** Diagrams of all sizes, down to empty ones, until none finds a place; and from now on the heap cannot grow. */
+function filled() {
+  diagram.findMany(points);  // after calls about so many the library gives back the blocks that it keeps for the next one
+  WebAssembly.Memory.prototype.grow = () => { throw new RangeError("no more memory"); };
+  const fillers = [];
+  for (let count = 20_000; ; count >>= 2) {
+    try {
+      for (;;) fillers.push(new Diagram(sites.subarray(0, 3 * count)));
+    } catch {
+      if (count === 0) return fillers;
+    }
+  }
+}
+
+function emptied(fillers) {
+  WebAssembly.Memory.prototype.grow = grow;
+  for (const filler of fillers) filler.dispose();
+}
+
+/** All that a failed call must not change, as one number. */
+function state() {
+  const { sites: pairs, vertices } = diagram.edges();
+  let sum = diagram.size + 7 * diagram.visibleSize;
+  const add = (value) => (sum = (Math.imul(sum, 31) + value) | 0);
+  for (const array of [diagram.ids(), pairs, vertices, diagram.vertices().sites]) array.forEach(add);
+  for (const id of diagram.ids()) for (const value of Object.values(diagram.site(id))) add(Math.round(1e6 * value));
+  return sum;
+}
+
+function attempt(call) {
+  const before = state();
+  const fillers = filled();
+  let code = "none";
+  try {
+    call();
+  } catch (error) {
+    code = error.code ?? String(error);
+  }
+  emptied(fillers);
+  return { code, isSame: state() === before };
+}
+
+const results = Object.fromEntries(Object.entries({ ...large, ...small }).map(([name, call]) => [name, { isLarge: name in large, ...attempt(call) }]));
+console.log(JSON.stringify({ results, afterClear: diagram.size }));
