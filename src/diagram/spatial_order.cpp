@@ -29,13 +29,7 @@ std::uint32_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
   return position;
 }
 
-/// A position on the curve, and which point is there.
-struct Entry {
-  std::uint32_t key;
-  std::uint32_t point;
-};
-
-std::vector<Entry> curveEntries(PointArray points) {
+std::vector<KeyedPosition> curveEntries(PointArray points) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   double lowX = kInfinite, lowY = kInfinite, highX = -kInfinite, highY = -kInfinite;
   const std::size_t n = points.size();
@@ -49,7 +43,7 @@ std::vector<Entry> curveEntries(PointArray points) {
   const double extent = std::max(highX - lowX, highY - lowY);
   const double scale = extent > 0 ? (std::uint32_t{1} << kCurveBits) / extent : 0;
   constexpr double kLast = (std::uint32_t{1} << kCurveBits) - 1;
-  std::vector<Entry> entries(n);
+  std::vector<KeyedPosition> entries(n);
   for (std::size_t k = 0; k < n; ++k) {
     const double x = (points.values[k * points.stride] - lowX) * scale;
     const double y = (points.values[k * points.stride + 1] - lowY) * scale;
@@ -60,13 +54,13 @@ std::vector<Entry> curveEntries(PointArray points) {
 }
 
 /// Sorts by key, stably: least significant digits first.
-void radixSort(std::vector<Entry>& entries) {
+void radixSort(std::vector<KeyedPosition>& entries) {
   constexpr unsigned kDigitBits = 11, kDigits = 3;
   constexpr std::uint32_t kDigitMask = (1u << kDigitBits) - 1;
-  std::vector<Entry> other(entries.size());
+  std::vector<KeyedPosition> other(entries.size());
   std::vector<std::array<std::uint32_t, kDigits>> starts(std::size_t{1} << kDigitBits);
   const auto digit = [](std::uint32_t key, unsigned d) { return key >> (d * kDigitBits) & kDigitMask; };
-  for (const Entry& entry : entries) {
+  for (const KeyedPosition& entry : entries) {
     for (unsigned d = 0; d < kDigits; ++d) ++starts[digit(entry.key, d)][d];
   }
   std::array<std::uint32_t, kDigits> sum{};
@@ -78,24 +72,26 @@ void radixSort(std::vector<Entry>& entries) {
     }
   }
   for (unsigned d = 0; d < kDigits; ++d) {
-    for (const Entry& entry : entries) other[starts[digit(entry.key, d)][d]++] = entry;
+    for (const KeyedPosition& entry : entries) other[starts[digit(entry.key, d)][d]++] = entry;
     entries.swap(other);
   }
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> hilbertOrder(PointArray points) {
-  std::vector<Entry> entries = curveEntries(points);
+void sortByKey(std::vector<KeyedPosition>& entries) {
   constexpr std::size_t kFew = 512;  // a radix sort has 2^11 counters to sum up
-  if (entries.size() > kFew) {
-    radixSort(entries);
-  } else {
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
-  }
+  if (entries.size() > kFew) return radixSort(entries);
+  std::sort(entries.begin(), entries.end(), [](const KeyedPosition& a, const KeyedPosition& b) {
+    return a.key != b.key ? a.key < b.key : a.position < b.position;
+  });
+}
+
+std::vector<std::uint32_t> hilbertOrder(PointArray points) {
+  std::vector<KeyedPosition> entries = curveEntries(points);
+  sortByKey(entries);
   std::vector<std::uint32_t> order(entries.size());
-  for (std::size_t k = 0; k < entries.size(); ++k) order[k] = entries[k].point;
+  for (std::size_t k = 0; k < entries.size(); ++k) order[k] = entries[k].position;
   return order;
 }
 

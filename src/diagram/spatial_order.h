@@ -17,8 +17,16 @@ struct PointArray {
   [[nodiscard]] std::size_t size() const { return values.size() / stride; }
 };
 
+/// The position of something in a list, and the key to sort it by.
+struct KeyedPosition {
+  std::uint32_t key, position;
+};
+
+/// Sorts by key; equal keys stay in the order of their positions. REQUIRES: positions that rise. Cost: O(n), a radix sort.
+void sortByKey(std::vector<KeyedPosition>& entries);
+
 /// Indices of the points along a Hilbert curve over their bounding box; equal points in the order of the input. The same on every
-/// platform. Cost: O(n), a radix sort.
+/// platform. Cost: O(n).
 [[nodiscard]] std::vector<std::uint32_t> hilbertOrder(PointArray points);
 
 /// Writes the numbers 0 … n-1 to the array of n in randomised rounds, rising in each: about half of them in the last round, a quarter in the one before, and
