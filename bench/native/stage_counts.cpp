@@ -25,6 +25,7 @@ std::string perItem(std::size_t items) {
   add("distanceMiddle", counts.distanceMiddle);
   add("distanceWhole", counts.distanceWhole);
   add("distanceExact", counts.distanceExact);
+  add("vertexOfPoints", counts.vertexOfPoints);
   add("vertexFilter", counts.vertexFilter);
   add("vertexMiddle", counts.vertexMiddle);
   add("vertexWhole", counts.vertexWhole);

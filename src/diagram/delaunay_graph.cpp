@@ -5,8 +5,9 @@
 namespace apollonius {
 
 bool DelaunayGraph::isFaceInConflictByCorners(FaceId f, const Site& q) const {
-  return isVertexInConflict(circles_[index(f)], corner(graph_.origin(halfedgeOf(f, 0))), corner(graph_.origin(halfedgeOf(f, 1))),
-                            corner(graph_.origin(halfedgeOf(f, 2))), q);
+  const Corner i = corner(graph_.origin(halfedgeOf(f, 0))), j = corner(graph_.origin(halfedgeOf(f, 1))), k = corner(graph_.origin(halfedgeOf(f, 2)));
+  // The circle has been asked before.
+  return kShadowCheck ? isVertexInConflict(circle(f), i, j, k, q) : isVertexInConflict(i, j, k, q);
 }
 
 void DelaunayGraph::reserve(std::size_t slots) {

@@ -170,9 +170,15 @@ void DiagramCore::move(Slot slot, const Site& site) {
 }
 
 bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
-  if (!base_.graph().hasVertex(vertexOf(slot))) return false;  // hidden, or the only visible one
   const Site to = normalized(site);
   if (!coversChildren(slot, to)) return false;
+  if (ids_.state(slot) == SiteState::kHidden) {
+    const Slot parent = hidden_.parentIfNear(slot);
+    if (parent == HiddenForest::kNone || !covers(this->site(parent), to)) return false;
+    base_.setSite(vertexOf(slot), to);
+    return true;
+  }
+  if (!base_.graph().hasVertex(vertexOf(slot))) return false;  // the only visible one
   const SiteMoves::Move move{vertexOf(slot), to};
   if (siteMoves_.apply(base_, {&move, 1})[0] == 0) return false;
   followMove(slot, siteMoves_.siteBefore(0));
@@ -220,12 +226,16 @@ void DiagramCore::insertMany(std::span<const double> xyr, std::span<SiteId> ids)
   reserve(sites > ids_.slots() ? sites : ids_.slots());
   // Ids are given in the order of the input, slots along the curve: what is close in the plane is close in memory.
   for (SiteId& id : ids) id = ids_.takeId();
-  for (std::size_t k = 0; k < n; ++k) {
+  std::uint32_t largest = 0;
+  for (std::uint32_t k = 0; k < n; ++k) {
     const double* circle = &xyr[3 * std::size_t{order[k]}];
     slots[k] = ids_.takeSlot(ids[order[k]], SiteState::kPending);
     base_.setSite(vertexOf(slots[k]), {circle[0], circle[1], circle[2]});
+    if (precedes(site(slots[largest]), site(slots[k]))) largest = k;
   }
   randomizedRounds(order);
+  // The largest first: where sites are in line, it is in all the faces at infinity, and later each new largest one would take them over.
+  if (n > 0) std::iter_swap(order.begin(), std::find(order.begin(), order.end(), largest));
   // Walks start beside, so the grid need not be kept while it changes a lot.
   isBulk_ = n > ids_.size() / 4;
   std::size_t done = 0;

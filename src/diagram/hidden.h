@@ -23,6 +23,14 @@ class HiddenForest {
   [[nodiscard]] Node firstChild(Node n) const { return links_[n].firstChild; }
   [[nodiscard]] Node nextSibling(Node n) const { return isEnd(links_[n].after) ? kNone : links_[n].after; }
 
+  /// Of a node that is not a root; or kNone, for it is known at the end of a list of siblings only, and that may be far.
+  [[nodiscard]] Node parentIfNear(Node n) const {
+    for (int k = 0; k < 16; ++k, n = links_[n].after) {
+      if (isEnd(links_[n].after)) return links_[n].after & ~kEnd;
+    }
+    return kNone;
+  }
+
   /// Hangs a root on `parent`, as its last child, with all that hangs on it.
   void attach(Node child, Node parent);
 

@@ -51,6 +51,19 @@ void Hierarchy::insert(Slot slot, const Site& site) noexcept {
   }
 }
 
+bool Hierarchy::moveInPlace(Slot slot, const Site& to) noexcept {
+  try {
+    for (unsigned level = 0; level < levels_.size() && climbs(slot, level); ++level) {
+      slot >>= kBits;
+      const SiteMoves::Move move{vertexOf(slot), to};
+      if (!levels_[level].graph().hasVertex(move.vertex) || moves_.apply(levels_[level], {&move, 1})[0] == 0) return false;
+    }
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+}
+
 void Hierarchy::remove(Slot slot, Remover& remover) noexcept {
   try {
     for (unsigned level = 0; level < levels_.size() && climbs(slot, level); ++level) {

@@ -16,6 +16,7 @@
 #include "diagram/delaunay_graph.h"
 #include "diagram/remove.h"
 #include "diagram/site_ids.h"
+#include "diagram/site_moves.h"
 
 namespace apollonius {
 
@@ -32,9 +33,9 @@ class Hierarchy {
   /// Takes a site off its levels, if it is on any.
   void remove(Slot slot, Remover& remover) noexcept;
 
-  /// Enters a site anew that has moved on level 0.
+  /// Moves a site that has moved on level 0: in place if that is possible, else it is entered anew.
   void move(Slot slot, const Site& to, Remover& remover) noexcept {
-    if (!climbs(slot, 0) || levels_.empty()) return;
+    if (!climbs(slot, 0) || levels_.empty() || moveInPlace(slot, to)) return;
     remove(slot, remover);
     insert(slot, to);
   }
@@ -61,6 +62,9 @@ class Hierarchy {
   [[nodiscard]] static VertexId vertexOf(Slot s) { return VertexId{s + 1}; }
   [[nodiscard]] static Slot slotOf(VertexId v) { return static_cast<Slot>(v) - 1; }
 
+  /// On all its levels, or false.
+  [[nodiscard]] bool moveInPlace(Slot slot, const Site& to) noexcept;
+
   /// The slot on `level` to start from.
   [[nodiscard]] Slot locateOn(unsigned level, double x, double y) const;
 
@@ -74,6 +78,7 @@ class Hierarchy {
   }
 
   std::vector<DelaunayGraph> levels_;  // [k] is level k + 1
+  SiteMoves moves_;
   bool isDropped_ = false;
 };
 

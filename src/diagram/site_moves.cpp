@@ -1,11 +1,31 @@
 #include "diagram/site_moves.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "predicate/direction.h"
+#include "predicate/pole.h"
 
 namespace apollonius {
+
+namespace {
+
+constexpr std::size_t kBlock = 64;  // circles computed together
+
+/// Has the direction from a site to the vertex certainly turned by less than a quarter? Where the circles' errors are far below the
+/// distances, |v| and |w| (sums of components), v·w is off by less than 2^-8 |v||w|.
+bool turnedLessThanAQuarter(const VoronoiCircle& before, const Site& from, const VoronoiCircle& now, const Site& to) {
+  const double vx = before.x - from.x, vy = before.y - from.y, wx = now.x - to.x, wy = now.y - to.y;
+  const double v = absolute(vx) + absolute(vy), w = absolute(wx) + absolute(wy), size = v * w;
+  if (!now.isHalfPlane() && before.error <= powerOfTwo(-10) * v && now.error <= powerOfTwo(-10) * w && size > powerOfTwo(-900) &&
+      vx * wx + vy * wy > powerOfTwo(-8) * size) {
+    return true;
+  }
+  return differByLessThanAQuarter(directionOf(before, from), directionOf(now, to));
+}
+
+}  // namespace
 
 std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& diagram, std::span<const Move> moves) {
   diagram_ = &diagram;
@@ -19,9 +39,9 @@ std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& diagram, std::span
     moveOf_[index(v)] = k;
     isMoved_[index(v)] = 1;
   }
-  // The new circles, then the checks; a face that fails makes its sites go back, and the faces around are checked again. In the end
+  // The new circles, then the checks; a face that fails makes a site go back, and the faces around are checked again. In the end
   // all that moved passes, and what went back is as it was.
-  for (std::uint32_t position = 0; position < changed_.size(); ++position) computeCircle(position);
+  computeCircles();
   for (std::uint32_t position = 0; position < changed_.size(); ++position) check(position);
   while (!queue_.empty()) {
     const std::uint32_t position = queue_.back();
@@ -48,20 +68,23 @@ void SiteMoves::reserve(const DelaunayGraph& diagram, std::size_t moves) {
     isMoved_.resize(graph.vertexSlots(), 0);
   }
   if (positionOf_.size() < graph.faceSlots()) positionOf_.resize(graph.faceSlots(), kNoIndex);
-  std::size_t faces = 0;
-  for (const Move& move : moves_) {
-    const HalfedgeId begin = graph.outgoing(move.vertex);
-    HalfedgeId h = begin;
-    do {
-      ++faces;
-      h = graph.rotateCcw(h);
-    } while (h != begin);
+  std::size_t faces = moves * 8 < graph.faceCount() ? 0 : graph.faceCount();  // all, or those that there are
+  if (faces == 0) {
+    for (const Move& move : moves_) {
+      const HalfedgeId begin = graph.outgoing(move.vertex);
+      HalfedgeId h = begin;
+      do {
+        ++faces;
+        h = graph.rotateCcw(h);
+      } while (h != begin);
+    }
+    faces = std::min(faces, graph.faceCount());
   }
-  faces = std::min(faces, graph.faceCount());
   changed_.clear();
   changed_.reserve(faces);
   queue_.clear();
   queue_.reserve(faces);  // a face is in the queue once
+  fan_.reserve(2 * kBlock);
 }
 
 void SiteMoves::collectFaces() {
@@ -87,6 +110,35 @@ bool SiteMoves::hasMovedCorner(FaceId f) const {
   return isMoved(graph.origin(halfedgeOf(f, 0))) || isMoved(graph.origin(halfedgeOf(f, 1))) || isMoved(graph.origin(halfedgeOf(f, 2)));
 }
 
+/// All faces have moved corners.
+void SiteMoves::computeCircles() {
+  std::array<std::array<Corner, 3>, kBlock> faces;
+  std::array<VoronoiCircle, kBlock> circles;
+  std::array<std::uint32_t, kBlock> positions;
+  std::size_t n = 0;
+  const auto compute = [&] {
+    fan_.computeFaces({faces.data(), n}, circles);
+    for (std::size_t k = 0; k < n; ++k) {
+      changed_[positions[k]].circle = circles[k];
+      if (!(circles[k].error < std::numeric_limits<float>::infinity())) computeCircle(positions[k]);
+    }
+    n = 0;
+  };
+  for (std::uint32_t position = 0; position < changed_.size(); ++position) {
+    const HalfedgeId h = halfedgeOf(changed_[position].face, 0);
+    const Graph& graph = diagram_->graph();
+    const Corner i = diagram_->corner(graph.origin(h)), j = diagram_->corner(graph.target(h)), k = diagram_->corner(graph.apex(h));
+    if (i == nullptr || j == nullptr || k == nullptr) {
+      computeCircle(position);
+      continue;
+    }
+    faces[n] = {i, j, k};
+    positions[n] = position;
+    if (++n == kBlock) compute();
+  }
+  compute();
+}
+
 void SiteMoves::computeCircle(std::uint32_t position) {
   ChangedFace& changed = changed_[position];
   changed.isActive = hasMovedCorner(changed.face);
@@ -95,8 +147,8 @@ void SiteMoves::computeCircle(std::uint32_t position) {
   if (!findCertainVoronoiCircle(e.i, e.j, e.k, changed.circle)) changed.circle.error = std::numeric_limits<float>::infinity();
 }
 
-/// The conditions for one face: its circle exists, no corner beyond an edge is in conflict with it nor one of its corners
-/// with the face beyond, and its vertex has turned by less than a quarter as seen from each corner.
+/// The conditions for one face: its circle exists, its vertex has turned by less than a quarter as seen from each corner, and comes in
+/// order along its edges.
 void SiteMoves::check(std::uint32_t position) {
   ChangedFace& changed = changed_[position];
   changed.isQueued = false;
@@ -104,38 +156,54 @@ void SiteMoves::check(std::uint32_t position) {
   if (!changed.isActive) return;
   const VoronoiCircle &before = diagram_->circle(f), &now = changed.circle;
   if (!(now.error < std::numeric_limits<float>::infinity()) || before.isHalfPlane() != now.isHalfPlane()) {
-    takeBackCorners(f);
+    takeBackOneOf(f);
     return;
   }
   const Graph& graph = diagram_->graph();
-  const auto isClear = [&](const VoronoiCircle& circle, VertexId v) {
-    if (v == kInfinity) return true;  // a circle that exists is nearer than infinity
-    const MaybeSign filtered = circleFilter(circle, diagram_->site(v));
-    return filtered.known && filtered.sign == Sign::kNegative;
-  };
   for (unsigned c = 0; c < 3; ++c) {
-    const HalfedgeId h = halfedgeOf(f, c), twin = graph.twin(h);
-    const VertexId corner = graph.origin(h), beyond = graph.apex(twin), apex = graph.apex(h);
-    if (corner != kInfinity && !differByLessThanAQuarter(directionOf(before, siteBefore(corner)), directionOf(now, diagram_->site(corner)))) {
-      takeBackCorners(f);
-      return;
-    }
-    // An active face beyond asks about this one's corner itself.
-    const std::uint32_t other = positionOf_[index(faceOf(twin))];
-    const bool isFixed = other == kNoIndex || !changed_[other].isActive;
-    if (beyond == apex || !isClear(now, beyond) || (isFixed && !isClear(diagram_->circle(faceOf(twin)), apex))) {
-      takeBackCorners(f);
-      if (isMoved(beyond)) takeBack(beyond);
+    const VertexId corner = graph.origin(halfedgeOf(f, c));
+    if (corner != kInfinity && !turnedLessThanAQuarter(before, siteBefore(corner), now, diagram_->site(corner))) {
+      takeBackOneOf(f);
       return;
     }
   }
+  for (unsigned c = 0; c < 3; ++c) {
+    const HalfedgeId h = halfedgeOf(f, c), twin = graph.twin(h);
+    const std::uint32_t other = positionOf_[index(faceOf(twin))];
+    const bool isFixed = other == kNoIndex || !changed_[other].isActive;
+    if (!isFixed && position > other) continue;  // asked from the other side
+    if (endsAreInOrder(h, now, isFixed ? diagram_->circle(faceOf(twin)) : changed_[other].circle)) continue;
+    if (const VertexId beyond = graph.apex(twin); isMoved(beyond)) {
+      takeBack(beyond);
+    } else {
+      takeBackOneOf(f);
+    }
+    return;
+  }
 }
 
-void SiteMoves::takeBackCorners(FaceId f) {
+/// Of the edge dual to h, from the vertex on its right to that on its left: do they come in this order? See the top of the header.
+bool SiteMoves::endsAreInOrder(HalfedgeId h, const VoronoiCircle& left, const VoronoiCircle& right) const {
+  const Graph& graph = diagram_->graph();
+  const VertexId i = graph.origin(h), j = graph.target(h);
+  const bool isSwapped = isBetterPole(diagram_->corner(j), diagram_->corner(i));
+  const VertexId pole = isSwapped ? j : i;
+  const auto turnFrom = [&](const VoronoiCircle& a, const VoronoiCircle& b, const Site& site) {
+    const MaybeSign sign = turn(directionOf(a, site), directionOf(b, site));
+    return sign.known ? sign.sign : Sign::kZero;
+  };
+  const Sign now = turnFrom(right, left, diagram_->site(pole));
+  if (i != kInfinity && j != kInfinity) return now == (isSwapped ? Sign::kNegative : Sign::kPositive);
+  return now != Sign::kZero &&
+         now == turnFrom(diagram_->circle(faceOf(graph.twin(h))), diagram_->circle(faceOf(h)), siteBefore(pole));
+}
+
+/// A corner of an active face.
+void SiteMoves::takeBackOneOf(FaceId f) {
   const Graph& graph = diagram_->graph();
   for (unsigned c = 0; c < 3; ++c) {
     const VertexId corner = graph.origin(halfedgeOf(f, c));
-    if (isMoved(corner)) takeBack(corner);
+    if (isMoved(corner)) return takeBack(corner);
   }
 }
 

@@ -2,13 +2,19 @@
 //
 // Let the circles of all faces around moved sites be computed anew, each once. The graph is that of the new diagram if
 //   1. all of them exist, and neighbours do not cover each other;
-//   2. across each edge of these faces, the corner beyond is not in conflict with the face, seen from either side;
+//   2. along each edge of these faces its two ends come in the right order;
 //   3. each of the vertices moves, as seen from each of its three sites, by less than a quarter turn.
-// Why. 1 and 2 say that along each Voronoi edge its two ends come in the right order. So each cell is bounded by a closed curve
-// that runs counter-clockwise around its centre; by 3 it does so as often as before, once. Hence the cells, glued along their
-// edges, cover the sphere without branching; the graph is a sphere as well, and so (Riemann-Hurwitz) they cover it once: they tile
-// the plane. Now let p be in the cell of i, and suppose j nearer to it. From p straight to c_j the distance to j falls as fast as any can,
-// so j stays strictly nearer than the tile's site, down to c_j itself; but c_j is in the tile of j. So the tiles are the Voronoi cells.
+// Why. By 1 and 2 each cell is bounded by a closed curve that runs counter-clockwise around its centre; by 3 it does so as often as
+// before, once. Hence the cells, glued along their edges, cover the sphere without branching; the graph is a sphere as well, and so
+// (Riemann-Hurwitz) they cover it once: they tile the plane. Now let p be in the cell of i, and suppose j nearer to it. From p straight
+// to c_j the distance to j falls as fast as any can, so j stays strictly nearer than the tile's site, down to c_j itself; but c_j is in
+// the tile of j. So the tiles are the Voronoi cells.
+//
+// On 2. Seen from the larger of its sites, a bounded edge spans at most half a turn (docs/PREDICATES.md), so the turn from one end to the
+// other tells. An unbounded one may span more: its turn must have the sign that it had. As by 3 each end has turned by less than a quarter,
+// a span of less than half a turn cannot have become one of more than half a turn then, nor the reverse, nor less than none or more than a
+// whole one. (That the corner beyond an edge is in no conflict with a face, seen from either side, would not do: a small site that has jumped
+// over the vertex at the edge's other end is in none.)
 //
 // Everything is asked of the filters; what they do not know counts as no, and the sites concerned stay where they are. A face at
 // infinity has a direction for a vertex, its half-plane's normal.
@@ -19,6 +25,7 @@
 #include <vector>
 
 #include "diagram/delaunay_graph.h"
+#include "predicate/circle_fan.h"
 
 namespace apollonius {
 
@@ -43,10 +50,12 @@ class SiteMoves {
   [[nodiscard]] bool isMoved(VertexId v) const { return isMoved_[index(v)] != 0; }
   [[nodiscard]] const Site& siteBefore(VertexId v) const;
   [[nodiscard]] bool hasMovedCorner(FaceId f) const;
+  void computeCircles();
   void computeCircle(std::uint32_t position);
   void check(std::uint32_t position);
+  [[nodiscard]] bool endsAreInOrder(HalfedgeId h, const VoronoiCircle& left, const VoronoiCircle& right) const;
   void takeBack(VertexId v);
-  void takeBackCorners(FaceId f);
+  void takeBackOneOf(FaceId f);
   void queue(FaceId f);
 
   DelaunayGraph* diagram_ = nullptr;  // during apply only
@@ -66,6 +75,7 @@ class SiteMoves {
   };
   std::vector<ChangedFace> changed_;
   std::vector<std::uint32_t> queue_;  // positions of faces to check (again)
+  CircleFan fan_;
 };
 
 }  // namespace apollonius

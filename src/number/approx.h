@@ -44,12 +44,10 @@ struct Approx {
   constexpr Approx() = default;
   constexpr Approx(int constant) : value(constant), magnitude(constant < 0 ? -constant : constant) {}  // NOLINT
   constexpr explicit Approx(double input) : value(input), magnitude(absolute(input)) {}
+  constexpr Approx(double v, double m) : value(v), magnitude(m) {}
   friend constexpr Approx operator+(Approx a, Approx b) { return {a.value + b.value, a.magnitude + b.magnitude}; }
   friend constexpr Approx operator-(Approx a, Approx b) { return {a.value - b.value, a.magnitude + b.magnitude}; }
   friend constexpr Approx operator*(Approx a, Approx b) { return {a.value * b.value, a.magnitude * b.magnitude}; }
-
- private:
-  constexpr Approx(double v, double m) : value(v), magnitude(m) {}
 };
 
 /// Largest magnitude of an input to an Approx formula; larger ones are scaled down by a power of two first.

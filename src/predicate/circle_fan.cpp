@@ -14,7 +14,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kLargestDifference = powerOfTwo(33);  // powers up to the twelfth are formed
 
 // The arrays in numbers_, one after the other.
-enum Array : std::size_t { kSiteX, kSiteY, kSiteR, kX, kY, kR, kP, kM, kL, kCircleX, kCircleY, kCircleS, kError, kArrays };
+enum Array : std::size_t { kSiteX, kSiteY, kSiteR, kX, kY, kR, kP, kM, kL, kPoleX, kPoleY, kPoleR, kCircleX, kCircleY, kCircleS, kError, kArrays };
 
 }  // namespace
 
@@ -27,54 +27,82 @@ void CircleFan::reserve(std::size_t n) {
   corners_.resize(room);  // last: who looks at its size finds room in all
 }
 
+/// Row k: the site, seen from the pole. Returns the largest difference.
+inline double CircleFan::setRow(std::size_t k, const Site& pole, const Site& site) {
+  double* const numbers = numbers_.data() + k;
+  const double x = site.x - pole.x, y = site.y - pole.y, r = site.r - pole.r;
+  const double xx = x * x, yy = y * y, rr = r * r;
+  const double l = std::max(std::max(absolute(x), absolute(y)), absolute(r));
+  numbers[kSiteX * stride_] = site.x;
+  numbers[kSiteY * stride_] = site.y;
+  numbers[kSiteR * stride_] = site.r;
+  numbers[kX * stride_] = x;
+  numbers[kY * stride_] = y;
+  numbers[kR * stride_] = r;
+  numbers[kP * stride_] = xx + yy - rr;
+  numbers[kM * stride_] = xx + yy + rr;
+  numbers[kL * stride_] = l;
+  return l;
+}
+
+inline void CircleFan::setPole(std::size_t k, const Site& pole) {
+  numbers_[kPoleX * stride_ + k] = pole.x;
+  numbers_[kPoleY * stride_ + k] = pole.y;
+  numbers_[kPoleR * stride_ + k] = pole.r;
+}
+
+inline VoronoiCircle CircleFan::circle(std::size_t k) const {
+  const double* const numbers = numbers_.data() + k;
+  return {numbers[kCircleX * stride_], numbers[kCircleY * stride_], numbers[kCircleS * stride_], roundedUp(numbers[kError * stride_]), -1};
+}
+
 bool CircleFan::computeAll(const Site& q, std::size_t n) {
   double* const numbers = numbers_.data();
   double largest = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    // The site at infinity gets some finite row; its faces are computed below.
-    const Site& site = corners_[k] != nullptr ? *corners_[k] : q;
-    const double x = site.x - q.x, y = site.y - q.y, r = site.r - q.r;
-    const double xx = x * x, yy = y * y, rr = r * r;
-    const double l = std::max(std::max(absolute(x), absolute(y)), absolute(r));
-    largest = std::max(largest, l);
-    numbers[kSiteX * stride_ + k] = site.x;
-    numbers[kSiteY * stride_ + k] = site.y;
-    numbers[kSiteR * stride_ + k] = site.r;
-    numbers[kX * stride_ + k] = x;
-    numbers[kY * stride_ + k] = y;
-    numbers[kR * stride_ + k] = r;
-    numbers[kP * stride_ + k] = xx + yy - rr;
-    numbers[kM * stride_ + k] = xx + yy + rr;
-    numbers[kL * stride_ + k] = l;
-  }
+  // The site at infinity gets some finite row; its faces are computed below.
+  for (std::size_t k = 0; k < n; ++k) largest = std::max(largest, setRow(k, q, corners_[k] != nullptr ? *corners_[k] : q));
   for (std::size_t a = kSiteX; a <= kL; ++a) {
     for (std::size_t k = 0; k < 2; ++k) numbers[a * stride_ + n + k] = numbers[a * stride_ + k];
   }
   if (!(largest < kLargestDifference)) return false;
-  computeBounded(q, n);
+  setPole(0, q);
+  setPole(1, q);
+  computeBounded(n, 1, 0);
   return true;
 }
 
 void CircleFan::compute(const Site& q, std::span<VoronoiCircle> circles) {
   const std::size_t n = circles.size();
   const bool isOrdinary = computeAll(q, n);
-  const double* const numbers = numbers_.data();
   for (std::size_t k = 0; k < n; ++k) {
     const Corner j = corners_[k], l = corners_[k + 1 < n ? k + 1 : 0];
-    const double error = numbers[kError * stride_ + k];
-    if (isOrdinary && j != nullptr && l != nullptr && error < kInfinite) {
-      circles[k] = {numbers[kCircleX * stride_ + k], numbers[kCircleY * stride_ + k], numbers[kCircleS * stride_ + k], roundedUp(error), -1};
-    } else {
-      circles[k] = voronoiCircle(j, l, &q);
-    }
+    const bool isKnown = isOrdinary && j != nullptr && l != nullptr && numbers_[kError * stride_ + k] < kInfinite;
+    circles[k] = isKnown ? circle(k) : voronoiCircle(j, l, &q);
   }
 }
 
-/// The formulas and the bound are those of boundedCircle (voronoi_circle.cpp, where they are derived), seen from q, whose rows
-/// are shared by neighbouring faces. One division serves all quotients, 1/(D den): 1/den = D · that, 1/p_j = p_k p_jk · den · that.
+void CircleFan::computeFaces(std::span<const std::array<Corner, 3>> faces, std::span<VoronoiCircle> circles) {
+  const std::size_t n = faces.size();
+  double largest = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Site& pole = *faces[k][0];
+    setPole(k, pole);
+    largest = std::max(largest, std::max(setRow(k, pole, *faces[k][1]), setRow(n + k, pole, *faces[k][2])));
+  }
+  computeBounded(n, n, ~std::size_t{0});
+  for (std::size_t k = 0; k < n; ++k) {
+    circles[k] = circle(k);
+    if (!(largest < kLargestDifference)) circles[k].error = std::numeric_limits<float>::infinity();
+  }
+}
+
+/// Circles of the faces of the pole and rows k and `second` + k, for k < n (the last pair may read one more of each). Pole k is at
+/// k & poleMask.
+///
+/// The formulas and the bound are those of boundedCircle (voronoi_circle.cpp, where they are derived), with poles of any size. One division serves all quotients, 1/(D den): 1/den = D · that, 1/p_j = p_k p_jk · den · that.
 /// The computed D cancels, so f has five roundings more than the errors of p_j and den. Underflow: the last three conditions keep
 /// D, D den and a component of the chord far above it, and what smaller products lose is far below the bound.
-void CircleFan::computeBounded(const Site& q, std::size_t n) {
+void CircleFan::computeBounded(std::size_t n, std::size_t second, std::size_t poleMask) {
   constexpr double u1 = kUnitRoundoff;
   const Pair largestRelative = pairOf(powerOfTwo(-10)), zero = pairOf(0), tiny = pairOf(powerOfTwo(-900));
   const double* const in = numbers_.data();
@@ -82,13 +110,13 @@ void CircleFan::computeBounded(const Site& q, std::size_t n) {
   const auto load = [&](Array array, std::size_t k) { return loadPair(in + array * stride_ + k); };
   for (std::size_t k = 0; k < n; k += 2) {
     const Pair xj = load(kX, k), yj = load(kY, k), rj = load(kR, k);
-    const Pair xk = load(kX, k + 1), yk = load(kY, k + 1), rk = load(kR, k + 1);
-    const Pair pj = load(kP, k), pk = load(kP, k + 1);
-    const Pair mj = load(kM, k), mk = load(kM, k + 1);
-    const Pair lj = load(kL, k), lk = load(kL, k + 1);
-    const Pair dx = load(kSiteX, k + 1) - load(kSiteX, k);
-    const Pair dy = load(kSiteY, k + 1) - load(kSiteY, k);
-    const Pair dr = load(kSiteR, k + 1) - load(kSiteR, k);
+    const Pair xk = load(kX, k + second), yk = load(kY, k + second), rk = load(kR, k + second);
+    const Pair pj = load(kP, k), pk = load(kP, k + second);
+    const Pair mj = load(kM, k), mk = load(kM, k + second);
+    const Pair lj = load(kL, k), lk = load(kL, k + second);
+    const Pair dx = load(kSiteX, k + second) - load(kSiteX, k);
+    const Pair dy = load(kSiteY, k + second) - load(kSiteY, k);
+    const Pair dr = load(kSiteR, k + second) - load(kSiteR, k);
     const Pair dxy = dx * dx + dy * dy, drr = dr * dr;
     const Pair pjk = dxy - drr, mjk = dxy + drr;
 
@@ -102,7 +130,8 @@ void CircleFan::computeBounded(const Site& q, std::size_t n) {
     const Pair inverseD = den * inverse, inverseDen = d * inverse;
     const Pair f = 0.5 * pj * inverseDen;
     const Pair rho = f * n2;
-    const Pair x = q.x + f * a, y = q.y + f * b, s = rho - q.r;
+    const std::size_t pole = k & poleMask;
+    const Pair x = load(kPoleX, pole) + f * a, y = load(kPoleY, pole) + f * b, s = rho - load(kPoleR, pole);
 
     const Pair g = absolute(u) + absolute(v);
     const Pair eChord = 9 * u1 * (lk * mj + lj * mk);

@@ -1,6 +1,8 @@
-// The Voronoi circles of all faces around a new site at once: what an insertion spends most of its time on.
+// The Voronoi circles of many faces at once, two by two: of all around a new site, which is what an insertion spends most of its time
+// on, or of any.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -24,10 +26,17 @@ class CircleFan {
   /// REQUIRES: reserve(circles.size()), all corners set, all circles exist.
   void compute(const Site& q, std::span<VoronoiCircle> circles);
 
+  /// Circles of counter-clockwise faces of three finite sites, none of which covers another; an infinite error where it is not certain
+  /// that there is one. REQUIRES: reserve(2 * faces.size()).
+  void computeFaces(std::span<const std::array<Corner, 3>> faces, std::span<VoronoiCircle> circles);
+
  private:
   /// Computes the arrays; false if the numbers are beyond the range of the formulas.
   bool computeAll(const Site& q, std::size_t n);
-  void computeBounded(const Site& q, std::size_t n);
+  double setRow(std::size_t k, const Site& pole, const Site& site);
+  void setPole(std::size_t k, const Site& pole);
+  void computeBounded(std::size_t n, std::size_t second, std::size_t poleMask);
+  [[nodiscard]] VoronoiCircle circle(std::size_t k) const;
 
   std::vector<Corner> corners_;
   // Arrays of stride_ numbers, one for each quantity of a corner or a face (circle_fan.cpp), so that two faces are computed at once.

@@ -50,6 +50,7 @@ struct PositiveOrNot {
 /// Vertex conflict before the degenerate rule, for any face and any one infinite site of the four. Not inline: it has two callers.
 [[gnu::noinline]] Sign vertexSign(const Site& i, Corner j, Corner k, Corner q) {
   Question question([&] { return stages::vertexExact(i, j, k, q); }, counts().vertexExact);
+  if (question.isSettledBy(stages::vertexOfPoints(i, j, k, q), counts().vertexOfPoints)) return question.settled();
   if (question.isSettledBy(stages::vertexFilter(i, j, k, q), counts().vertexFilter)) return question.settled();
   if (question.isSettledBy(stages::vertexMiddle(i, j, k, q), counts().vertexMiddle)) return question.settled();
   if (question.isSettledBy(stages::vertexWhole(i, j, k, q), counts().vertexWhole)) return question.settled();

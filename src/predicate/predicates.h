@@ -1,8 +1,8 @@
 // The questions that the diagram asks. Every answer is exact for sites in the documented range; a site covered by another is
 // hidden and no longer asked about. Formulas and proofs: docs/PREDICATES.md. None throws but for lack of memory.
 //
-// Stages (predicate/stages.h): filter (doubles with an error bound), middle (doubles that are exact in a common unit: grids), exact
-// (Dyadic), degenerate (the canonical rule).
+// Stages (predicate/stages.h): points (equal weights, doubles), filter (doubles with an error bound), middle (doubles that are exact in a common
+// unit: grids; long integers), exact (Dyadic), degenerate (the canonical rule).
 #pragma once
 
 #include "number/sign.h"

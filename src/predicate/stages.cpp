@@ -7,6 +7,25 @@ namespace apollonius::stages {
 
 namespace {
 
+/// isOppositePole (decisions.h) where all weights are equal, so that a p is a sum of squares: each product is off by a factor of at most
+/// (1 + u)^9.
+MaybeSign isOppositeOfPoints(const Site& i, Corner j, Corner k, Corner q) {
+  const auto areEqual = [&](Corner c) { return c == nullptr || c->r == i.r; };
+  if (!areEqual(j) || !areEqual(k) || !areEqual(q)) return {};
+  const auto squared = [](Corner a, Corner b) {
+    if (a == nullptr || b == nullptr) return 1.0;
+    const double x = a->x - b->x, y = a->y - b->y;
+    return x * x + y * y;
+  };
+  const double opposite = squared(&i, q) * squared(j, k);
+  const double larger = std::max(squared(j, q) * squared(&i, k), squared(k, q) * squared(&i, j));
+  constexpr double kMargin = 1 + 32 * kUnitRoundoff, kTiny = powerOfTwo(-400);
+  if (!(opposite > kTiny && larger > kTiny && opposite < 1 / kTiny && larger < 1 / kTiny)) return {};
+  if (opposite > larger * kMargin) return {Sign::kPositive, true};
+  if (opposite * kMargin < larger) return {Sign::kNegative, true};
+  return {};
+}
+
 /// The sign of SpanForm. Rows of doubles: roots are not among what they compute exactly.
 template <class Rows>
 Sign roundedSpanSign(const Rows& rows, bool& failed) {
@@ -68,6 +87,46 @@ MaybeSign distanceMiddle(double x, double y, const Site& a, const Site& b) {
 
 // --- Vertex conflict ---------------------------------------------------------------------------------------------------------
 
+/// The sign of xy (see VertexForm): d = p_j |k q| + p_k |q j| + p_q |j k|, with p = x² + y² of rows of differences to i.
+///
+/// Let e be the exponent of the largest difference. If all coordinates are multiples of W = 2^(e-11), then so are differences, of
+/// less than 2^12 W; p and the minors |k q| … are less than 2^25 W² each, and d's terms less than 2^50 W^4: all exact. (With infinity, p = 1,
+/// the only term is a minor.) If they are multiples of W = 2^(e-25) only, p and minors are still exact, at most 2^53 W², hence d, too, if
+/// all minors are zero; else three roundings of d's terms bound its error. If not, depth 12 does, of the terms with + for -.
+/// Multiples: adding 1.5 · 2^53 W and taking it away again leaves nothing else as it was, for ulp(sum) >= W.
+MaybeSign vertexOfPoints(const Site& i, Corner j, Corner k, Corner q) {
+  const std::array<Corner, 3> corners{j, k, q};
+  std::array<double, 3> x{}, y{}, p{1, 1, 1};
+  double largest = 0;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const Corner c = corners[n];
+    if (c == nullptr) continue;
+    if (c->r != i.r) return {};
+    x[n] = c->x - i.x;
+    y[n] = c->y - i.y;
+    p[n] = x[n] * x[n] + y[n] * y[n];
+    largest = std::max(largest, std::max(absolute(x[n]), absolute(y[n])));
+  }
+  if (!(largest > powerOfTwo(-100) && largest < powerOfTwo(100))) return {};
+
+  const auto haveDigits = [&](int digits) {
+    const double shift = 1.5 * powerOfTwo(exponentOf(largest) - digits + 53);
+    const auto areMultiples = [shift](const Site& s) { return (s.x + shift) - shift == s.x && (s.y + shift) - shift == s.y; };
+    return areMultiples(i) && std::all_of(corners.begin(), corners.end(), [&](Corner c) { return c == nullptr || areMultiples(*c); });
+  };
+  const bool isExact = haveDigits(11), hasExactMinors = isExact || haveDigits(25);
+  double sum = 0, size = 0;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t a = n < 2 ? n + 1 : 0, b = n > 0 ? n - 1 : 2;
+    const double ab = x[a] * y[b], ba = x[b] * y[a];
+    sum += p[n] * (ab - ba);
+    size += p[n] * (hasExactMinors ? absolute(ab - ba) : absolute(ab) + absolute(ba));
+  }
+  if (isExact || (hasExactMinors && size == 0)) return {-signOf(sum), true};
+  const MaybeSign sign = filteredSign({sum, size}, boundFactor(kVertex.xy));
+  return {-sign.sign, sign.known};
+}
+
 MaybeSign vertexFilter(const Site& i, Corner j, Corner k, Corner q) {
   FilterRows rows(i, {j, k, q});
   const Sign sign = vertexSign(rows);
@@ -83,12 +142,10 @@ MaybeSign vertexMiddle(const Site& i, Corner j, Corner k, Corner q) {
 bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q) {
   // Perturbed weights: only the largest of the four, z, matters. It is i or q (docs/PREDICATES.md, "Degenerate position").
   if (q != nullptr && precedes(i, *q)) return true;
+  if (const MaybeSign quick = isOppositeOfPoints(i, j, k, q); quick.known) return quick.sign == Sign::kPositive;
   FilterRows filter(i, {j, k, q});
   const bool probably = isOppositePole(filter);
   if (!filter.failed()) return probably;
-  UnitRows unit(i, {j, k, q});
-  const bool opposite = isOppositePole(unit);
-  if (!unit.failed()) return opposite;
   return isOppositePoleExact(i, j, k, q);
 }
 

@@ -28,6 +28,8 @@ namespace apollonius::stages {
 /// i is finite and the largest of the finite ones among i, j, k; q covers none of them; at most one of the four is infinite
 /// (q = nullptr asks whether infinity is nearer, that is, whether the face has no Voronoi circle).
 /// Positive: conflict; zero: q touches the circle.
+/// The first stage where all weights are equal, for which it is made: doubles, exact on grids. Unknown where weights differ.
+[[nodiscard]] MaybeSign vertexOfPoints(const Site& i, Corner j, Corner k, Corner q);
 [[nodiscard]] MaybeSign vertexFilter(const Site& i, Corner j, Corner k, Corner q);
 [[nodiscard]] MaybeSign vertexMiddle(const Site& i, Corner j, Corner k, Corner q);
 [[nodiscard]] MaybeSign vertexWhole(const Site& i, Corner j, Corner k, Corner q);
@@ -63,6 +65,7 @@ struct Counts {
   unsigned long long distanceMiddle = 0;
   unsigned long long distanceWhole = 0;
   unsigned long long distanceExact = 0;
+  unsigned long long vertexOfPoints = 0;
   unsigned long long vertexFilter = 0;
   unsigned long long vertexMiddle = 0;
   unsigned long long vertexWhole = 0;

@@ -31,6 +31,15 @@ TEST(HiddenForest, ChildrenAreInTheOrderOfAttachment) {
   EXPECT_EQ(children(forest, 0), (List{3, 1, 2}));
 }
 
+TEST(HiddenForest, ParentsAreKnownNearTheEndOfTheList) {
+  HiddenForest forest;
+  forest.reserve(50);
+  for (Node child = 1; child < 50; ++child) forest.attach(child, 0);
+  EXPECT_EQ(forest.parentIfNear(49), 0u);
+  EXPECT_EQ(forest.parentIfNear(40), 0u);
+  EXPECT_EQ(forest.parentIfNear(1), kNone);
+}
+
 TEST(HiddenForest, DetachTakesTheSubtreeAlong) {
   HiddenForest forest;
   forest.reserve(6);

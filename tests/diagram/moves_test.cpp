@@ -61,6 +61,42 @@ TEST_P(MovesOn, LeaveTheDiagramOfTheNewSites) {
   }
 }
 
+/// Frames of an animation: constant velocities, all circles at once.
+TEST_P(MovesOn, ManyAtOnceLeaveTheDiagramOfTheNewSites) {
+  Random random(92);
+  for (const double step : {1e-9, 1e-4, 1e-3, 1e-2, 0.05, 0.3}) {  // sites may jump over others
+    Circles circles = GetParam().make(random, GetParam().large ? 120 : 40);
+    if (circles.empty()) continue;
+    const double reach = step * extentOf(circles);
+    std::vector<SiteId> ids;
+    Diagram diagram = diagramOf(circles, ids);
+    std::vector<Circle> velocities(circles.size());
+    for (Circle& v : velocities) v = {random.between(-reach, reach), random.between(-reach, reach), random.oneIn(3) ? random.between(-reach, reach) : 0};
+    for (int run = 0; run < runs(12); ++run) {
+      Circles next = circles;
+      std::vector<double> xyr;
+      for (std::size_t k = 0; k < next.size(); ++k) {
+        next[k].x += velocities[k].x;
+        next[k].y += velocities[k].y;
+        next[k].r += velocities[k].r;
+        xyr.insert(xyr.end(), {next[k].x, next[k].y, next[k].r});
+      }
+      const Error error = diagram.updateMany(ids, xyr);
+      if (error == Error::kOutOfRange) break;
+      ASSERT_EQ(error, Error::kNone);
+      circles = next;
+      std::string broken;
+      ASSERT_EQ(diagram.validate(broken), Error::kNone);
+      ASSERT_EQ(broken, "") << "step " << step << ", run " << run;
+      std::vector<SiteId> freshIds;
+      const Diagram fresh = diagramOf(circles, freshIds);
+      const Canonical expected = canonicalForm(fresh, broken), got = canonicalForm(diagram, broken);
+      ASSERT_EQ(broken, "");
+      ASSERT_EQ(difference(expected, got), "") << "step " << step << ", run " << run;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Corpus, MovesOn, ::testing::ValuesIn(corpus()), [](const auto& parameter) { return parameter.param.name; });
 
 TEST(Moves, HiddenSitesFollowTheirCover) {

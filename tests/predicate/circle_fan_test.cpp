@@ -25,6 +25,17 @@ TEST_P(CircleFanOn, IsWithinItsErrorBound) {
     const Circles c = visibleOnly(GetParam().make(random, 3));
     if (c.size() < 3 || oracleCircle(c, 0, 1, 2, kInfinity) == CircleAnswer::kNoCircle) continue;
     const std::vector<Site> s = toSites(c);
+    const auto expectWithinBound = [&](const VoronoiCircle& circle, std::size_t pole) {
+      if (circle.isHalfPlane() || !(circle.error < 1e300)) return;
+      ASSERT_TRUE(oracleCircleIsWithin(c[0], c[1], c[2], {circle.x, circle.y, circle.s}, circle.error).value_or(true))
+          << "run " << run << ", site " << pole << ", centre " << circle.x << " " << circle.y << ", error " << circle.error << "\n"
+          << toText(insertAll(c));
+    };
+    const std::array<Corner, 3> faces[] = {{&s[0], &s[1], &s[2]}, {&s[1], &s[2], &s[0]}, {&s[2], &s[0], &s[1]}};
+    VoronoiCircle separate[3];
+    fan.reserve(6);
+    fan.computeFaces(faces, separate);
+    for (std::size_t q = 0; q < 3; ++q) expectWithinBound(separate[q], q);
     for (std::size_t q = 0; q < 3; ++q) {
       const Site &j = s[(q + 1) % 3], &k = s[(q + 2) % 3];
       VoronoiCircle circles[2];  // the second face need not have a circle
@@ -34,10 +45,8 @@ TEST_P(CircleFanOn, IsWithinItsErrorBound) {
       fan.compute(s[q], circles);
       const VoronoiCircle& circle = circles[0];
       ASSERT_EQ(circle.isHalfPlane(), isVertexAtInfinity(s[0], s[1], s[2])) << toText(insertAll(c));
-      if (circle.isHalfPlane() || !(circle.error < 1e300)) continue;
-      ASSERT_TRUE(oracleCircleIsWithin(c[0], c[1], c[2], {circle.x, circle.y, circle.s}, circle.error).value_or(true))
-          << "run " << run << ", site " << q << ", centre " << circle.x << " " << circle.y << ", error " << circle.error << "\n"
-          << toText(insertAll(c));
+      expectWithinBound(circle, q);
+      if (HasFatalFailure()) return;
     }
   }
 }
@@ -66,6 +75,12 @@ TEST(CircleFan, BoundsAreCloseWhereTheSitesAreOrdinary) {
       const VoronoiCircle one = voronoiCircle(&a, &b, &q);
       if (!(one.error < 1e-9)) continue;
       EXPECT_LT(circles[k].error, 1e-7);
+      const std::array<Corner, 3> face{&a, &b, &q};
+      VoronoiCircle alone;
+      fan.computeFaces({&face, 1}, {&alone, 1});
+      EXPECT_LT(alone.error, 1e-7);
+      EXPECT_NEAR(alone.x, one.x, 2 * (double{one.error} + double{alone.error}));
+      EXPECT_NEAR(alone.s, one.s, 2 * (double{one.error} + double{alone.error}));
       EXPECT_NEAR(circles[k].x, one.x, 2 * (double{one.error} + double{circles[k].error}));
       EXPECT_NEAR(circles[k].y, one.y, 2 * (double{one.error} + double{circles[k].error}));
     }

@@ -40,11 +40,11 @@ TEST(StageUse, RandomCirclesNeedNoExactArithmetic) {
   }
 }
 
-TEST(StageUse, SmallIntegersAreSettledByTheMiddleStage) {
+TEST(StageUse, SmallIntegersAreSettledInDoubles) {
   for (const char* name : {"IntegerLattice", "Grid3Radius0", "Grid4Radius1", "Grid20Radius10", "HorizontalLineEqualSpacing"}) {
     const stages::Counts counts = countsOfBuild(make(name, 400));
     EXPECT_EQ(counts.vertexExact, 0u) << name;
-    EXPECT_GT(counts.vertexDegenerate, 0u) << name << ": the middle stage knows zeros to be zeros";
+    EXPECT_GT(counts.vertexDegenerate, 0u) << name << ": zeros are known to be zeros";
   }
 }
 
@@ -60,7 +60,7 @@ TEST(StageUse, DecimalLatticeIsNotDegenerateEverywhere) {
   const stages::Counts counts = countsOfBuild(make("DecimalLattice", 400));
   EXPECT_GT(counts.vertexWhole, 0u);
   EXPECT_EQ(counts.vertexExact, 0u);
-  EXPECT_LT(counts.vertexDegenerate, counts.vertexWhole + counts.vertexMiddle + counts.vertexFilter);
+  EXPECT_LT(counts.vertexDegenerate, counts.vertexWhole + counts.vertexMiddle + counts.vertexFilter + counts.vertexOfPoints);
 }
 
 }  // namespace

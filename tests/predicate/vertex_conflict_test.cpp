@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "number/dyadic.h"
 #include "predicate/pole.h"
 #include "predicate/samples.h"
 #include "predicate/stages.h"
@@ -107,7 +108,8 @@ TEST_P(VertexConflictOn, StagesAgreeAndScalingChangesNothing) {
     const Site& q = s[3];
     rotateToPole(i, j, k);
     const Sign exact = stages::vertexExact(*i, j, k, &q);
-    for (const MaybeSign early : {stages::vertexFilter(*i, j, k, &q), stages::vertexMiddle(*i, j, k, &q), stages::vertexWhole(*i, j, k, &q)}) {
+    for (const MaybeSign early : {stages::vertexOfPoints(*i, j, k, &q), stages::vertexFilter(*i, j, k, &q),
+                                  stages::vertexMiddle(*i, j, k, &q), stages::vertexWhole(*i, j, k, &q)}) {
       if (early.known) {
         ASSERT_EQ(early.sign, exact) << "run " << run;
       }
@@ -157,8 +159,70 @@ TEST(VertexConflict, EasyCasesAreAnsweredByTheFilter) {
   }
   EXPECT_GT(asked, 1000);
   EXPECT_LE(stages::counts().vertexExact - before.vertexExact, static_cast<unsigned>(asked) / 1000);
+  EXPECT_EQ(stages::counts().vertexOfPoints, before.vertexOfPoints) << "weights differ";
   EXPECT_GE(stages::counts().vertexFilter - before.vertexFilter, static_cast<unsigned>(asked));
   EXPECT_EQ(stages::counts().vertexDegenerate, before.vertexDegenerate);
+}
+
+TEST(VertexConflict, PointsOnGridsOfAnySize) {
+  Random random(85);
+  int zeros = 0, unknown = 0;
+  for (int run = 0; run < runs(40000); ++run) {
+    // A square lattice, or a line, in any direction, about some place far away; some of the points are often a little off.
+    const int bits = static_cast<int>(random.integer(1, 30)), places = static_cast<int>(random.integer(0, 20));
+    const double unit = std::ldexp(1.0, static_cast<int>(random.integer(-60, 60)));
+    const std::int64_t most = std::int64_t{1} << bits, far = std::int64_t{1} << (bits + places < 45 ? bits + places : 45);
+    const double x0 = static_cast<double>(random.integer(-far, far)), y0 = static_cast<double>(random.integer(-far, far));
+    const double dx = static_cast<double>(random.integer(-most, most)), dy = static_cast<double>(random.integer(-most, most));
+    const bool onLine = random.integer(0, 1) == 0;
+    std::vector<Site> s;
+    for (int k = 0; k < 4; ++k) {
+      const double a = static_cast<double>(random.integer(-3, 3)), b = onLine ? 0 : static_cast<double>(random.integer(-3, 3));
+      s.push_back({(x0 + a * dx - b * dy) * unit, (y0 + a * dy + b * dx) * unit, 7});
+    }
+    if (random.integer(0, 3) == 0) s[3].x = std::nextafter(s[3].x, random.oneIn(2) ? 0 : 1e300);
+    if (random.integer(0, 3) == 0) s[2].y += unit / 2;
+    bool areDistinct = true;
+    for (int a = 0; a < 4; ++a) {
+      for (int b = 0; b < a; ++b) areDistinct = areDistinct && (s[a].x != s[b].x || s[a].y != s[b].y);
+    }
+    if (!areDistinct) continue;
+    Corner i = &s[0], j = &s[1], k = random.integer(0, 3) == 0 ? nullptr : &s[2];
+    const Corner q = k != nullptr && random.integer(0, 3) == 0 ? nullptr : &s[3];
+    rotateToPole(i, j, k);
+    const Sign exact = stages::vertexExact(*i, j, k, q);
+    const MaybeSign early = stages::vertexOfPoints(*i, j, k, q);
+    if (early.known) {
+      ASSERT_EQ(early.sign, exact) << "run " << run;
+    }
+    zeros += exact == Sign::kZero;
+    unknown += !early.known;
+    if (exact != Sign::kZero) continue;
+    // The rule in degenerate position, in doubles and exactly.
+    const auto product = [](Corner a, Corner b) {
+      return a == nullptr || b == nullptr ? Dyadic(1) : (Dyadic(a->x) - Dyadic(b->x)) * (Dyadic(a->x) - Dyadic(b->x)) +
+                                                            (Dyadic(a->y) - Dyadic(b->y)) * (Dyadic(a->y) - Dyadic(b->y));
+    };
+    const Dyadic opposite = product(i, q) * product(j, k);
+    const bool expected = (q != nullptr && precedes(*i, *q)) ||
+                          ((opposite - product(j, q) * product(i, k)).sign() == Sign::kPositive &&
+                           (opposite - product(k, q) * product(i, j)).sign() == Sign::kPositive);
+    ASSERT_EQ(stages::vertexDegenerate(*i, j, k, q), expected) << "run " << run;
+  }
+  EXPECT_GT(zeros, runs(40000) / 10);
+  EXPECT_LT(unknown, runs(40000) / 3);
+}
+
+TEST(VertexConflict, FirstStageKnowsSmallIntegersAndLongLines) {
+  const Site a{1e6, 1e6, 2}, b{1e6 + 1, 1e6, 2}, c{1e6 + 1, 1e6 + 1, 2}, d{1e6, 1e6 + 1, 2}, far{1e6 + (1 << 21), 1e6, 2};
+  for (const Corner q : {&a, &d}) {
+    const MaybeSign sign = stages::vertexOfPoints(c, q == &a ? &d : &a, &b, q);
+    EXPECT_TRUE(sign.known && sign.sign == Sign::kZero);
+  }
+  const MaybeSign inLine = stages::vertexOfPoints(far, &a, &b, nullptr), beside = stages::vertexOfPoints(far, &a, &c, nullptr);
+  EXPECT_TRUE(inLine.known && inLine.sign == Sign::kZero);
+  EXPECT_TRUE(beside.known && beside.sign != Sign::kZero);
+  EXPECT_FALSE(stages::vertexOfPoints({1e6, 1e6, 3}, &b, &c, &d).known) << "weights differ";
 }
 
 TEST(VertexConflict, DegenerateCasesReachTheDegenerateStage) {
