@@ -34,6 +34,20 @@ VertexId Hierarchy::stepDown(const DelaunayGraph& graph, DelaunayGraph::Located 
   return giant.r - small.r > reach ? neighbor : located.nearest;
 }
 
+void Hierarchy::reserveBulk(std::size_t slots) noexcept {
+  constexpr std::size_t kFew = 64;  // not worth it
+  if (isDropped_) return;
+  try {
+    for (unsigned level = 0; level < kMostLevels && (slots >>= kBits) > kFew; ++level) {
+      if (levels_.size() == level) levels_.emplace_back();
+      levels_[level].reserve(slots + 2);
+      levels_[level].reserveBulk(slots + 1);
+    }
+  } catch (const std::bad_alloc&) {
+    // Nothing is lost: sites that enter ask again.
+  }
+}
+
 void Hierarchy::insert(Slot slot, const Site& site) noexcept {
   if (isDropped_) return;
   try {

@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 #include <limits>
+#include <memory>
+#include <utility>
 
 namespace apollonius {
 
@@ -35,10 +37,10 @@ struct Entry {
   std::uint32_t point;
 };
 
-std::vector<Entry> curveEntries(PointArray points) {
+void fillEntries(PointArray points, std::span<Entry> entries) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   double lowX = kInfinite, lowY = kInfinite, highX = -kInfinite, highY = -kInfinite;
-  const std::size_t n = points.size();
+  const std::size_t n = entries.size();
   for (std::size_t k = 0; k < n; ++k) {
     const double x = points.values[k * points.stride], y = points.values[k * points.stride + 1];
     lowX = std::min(lowX, x);
@@ -49,21 +51,18 @@ std::vector<Entry> curveEntries(PointArray points) {
   const double extent = std::max(highX - lowX, highY - lowY);
   const double scale = extent > 0 ? (std::uint32_t{1} << kCurveBits) / extent : 0;
   constexpr double kLast = (std::uint32_t{1} << kCurveBits) - 1;
-  std::vector<Entry> entries(n);
   for (std::size_t k = 0; k < n; ++k) {
     const double x = (points.values[k * points.stride] - lowX) * scale;
     const double y = (points.values[k * points.stride + 1] - lowY) * scale;
     entries[k] = {hilbertIndex(static_cast<std::uint32_t>(std::min(x, kLast)), static_cast<std::uint32_t>(std::min(y, kLast))),
                   static_cast<std::uint32_t>(k)};
   }
-  return entries;
 }
 
-/// Sorts by key, stably: least significant digits first.
-void radixSort(std::vector<Entry>& entries) {
+/// Sorts by key, stably: least significant digits first. Returns where they are then, in one of the arrays of equal size.
+std::span<Entry> radixSorted(std::span<Entry> entries, std::span<Entry> other) {
   constexpr unsigned kDigitBits = 11, kDigits = 3;
   constexpr std::uint32_t kDigitMask = (1u << kDigitBits) - 1;
-  std::vector<Entry> other(entries.size());
   std::vector<std::array<std::uint32_t, kDigits>> starts(std::size_t{1} << kDigitBits);
   const auto digit = [](std::uint32_t key, unsigned d) { return key >> (d * kDigitBits) & kDigitMask; };
   for (const Entry& entry : entries) {
@@ -79,28 +78,35 @@ void radixSort(std::vector<Entry>& entries) {
   }
   for (unsigned d = 0; d < kDigits; ++d) {
     for (const Entry& entry : entries) other[starts[digit(entry.key, d)][d]++] = entry;
-    entries.swap(other);
+    std::swap(entries, other);
   }
+  return entries;
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> hilbertOrder(PointArray points) {
-  std::vector<Entry> entries = curveEntries(points);
+  const std::size_t n = points.size();
+  // Only two thirds are used: see the header.
+  constexpr std::size_t kBytesOfSite = 24;
+  static_assert(kBytesOfSite == 3 * sizeof(Entry));
+  const auto room = std::make_unique_for_overwrite<Entry[]>(3 * (n + 2));
+  std::span<Entry> entries{room.get(), n};
+  fillEntries(points, entries);
   constexpr std::size_t kFew = 512;  // a radix sort has 2^11 counters to sum up
   if (entries.size() > kFew) {
-    radixSort(entries);
+    entries = radixSorted(entries, {room.get() + n, n});
   } else {
     std::sort(entries.begin(), entries.end(),
               [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
   }
-  std::vector<std::uint32_t> order(entries.size());
-  for (std::size_t k = 0; k < entries.size(); ++k) order[k] = entries[k].point;
+  std::vector<std::uint32_t> order(n);
+  for (std::size_t k = 0; k < n; ++k) order[k] = entries[k].point;
   return order;
 }
 
-void randomizedRounds(std::span<std::uint32_t> order) noexcept {
-  const std::size_t n = order.size();
+std::vector<std::uint32_t> inRandomizedRounds(std::span<const std::uint32_t> items) {
+  const std::size_t n = items.size();
   // The round, counted from the last, is the number of leading zeros of a random word: 0 with probability 1/2, and so on.
   constexpr std::size_t kRounds = 65;
   const auto roundOf = [](std::size_t k) {
@@ -117,7 +123,9 @@ void randomizedRounds(std::span<std::uint32_t> order) noexcept {
     start[round] = sum;
     sum += count;
   }
-  for (std::size_t k = 0; k < n; ++k) order[start[roundOf(k)]++] = static_cast<std::uint32_t>(k);
+  std::vector<std::uint32_t> order(n);
+  for (std::size_t k = 0; k < n; ++k) order[start[roundOf(k)]++] = items[k];
+  return order;
 }
 
 }  // namespace apollonius
