@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "diagram/diagram_core.h"
 #include "diagram/spatial_order.h"
@@ -69,7 +70,19 @@ Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
   if (xyr.size() != 3 * ids.size()) return Error::kBadLength;
   if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
   if (ids.size() > kMostSites - size()) return Error::kTooLarge;
-  return guarded([&] { impl_->insertMany(xyr, ids); });
+  return guarded([&] { impl_->insertStaged(impl_->stage(xyr), ids); });
+}
+
+Error Diagram::insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count, std::vector<SiteId>& ids) {
+  const std::span<const double> numbers{xyr.get(), 3 * count};
+  if (const Error error = checkNumbers(numbers); error != Error::kNone) return error;
+  if (count > kMostSites - size()) return Error::kTooLarge;
+  return guarded([&] {
+    std::vector<std::uint32_t> order = impl_->stage(numbers);
+    xyr.reset();
+    ids.resize(count);
+    impl_->insertStaged(std::move(order), ids);
+  });
 }
 
 Error Diagram::remove(SiteId id, bool& removed) {

@@ -63,6 +63,10 @@ class Diagram {
   /// Errors: as insert; kBadLength unless xyr.size() == 3 * ids.size().
   [[nodiscard]] Error insertMany(std::span<const double> xyr, std::span<SiteId> ids);
 
+  /// The same for `count` triples in an array that is given up: it is freed as soon as they have been copied, before the large arrays are
+  /// made, so that memory never holds both. Replaces the contents of `ids`. (After an error the array may be there or not.)
+  [[nodiscard]] Error insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count, std::vector<SiteId>& ids);
+
   /// Removes a site; `removed` tells whether there was one. Sites that only it covered become visible again.
   /// Errors: kOutOfMemory. Cost: O(1) for a hidden site, else expected O((d + its direct hidden children) log of that).
   [[nodiscard]] Error remove(SiteId id, bool& removed);

@@ -14,9 +14,10 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdlib>
+#include <memory>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apollonius.h"
@@ -51,7 +52,7 @@ std::string text;
 
 // Arrays in, and arrays out whose length is known before the call.
 struct Scratch {
-  void* data = nullptr;
+  std::unique_ptr<double[]> data;
   std::size_t bytes = 0;
 };
 Scratch scratch;
@@ -74,16 +75,15 @@ Address resultsAddress() { return reinterpret_cast<Address>(&results); }
 // At least that many bytes, aligned for doubles; 0 if memory ran out. What an earlier call reserved is gone.
 Address reserve(std::size_t bytes) {
   if (bytes > scratch.bytes) {
-    std::free(scratch.data);
-    scratch.data = std::malloc(bytes);
+    scratch = {};
+    scratch.data.reset(new (std::nothrow) double[(bytes + sizeof(double) - 1) / sizeof(double)]);
     scratch.bytes = scratch.data == nullptr ? 0 : bytes;
   }
-  return reinterpret_cast<Address>(scratch.data);
+  return reinterpret_cast<Address>(scratch.data.get());
 }
 
 // Gives all blocks back; JavaScript calls it when it has copied from large ones.
 void release() {
-  std::free(scratch.data);
   scratch = {};
   siteIds = std::vector<SiteId>();  // not {}: that would only empty a vector or string
   vertexArrays = {};
@@ -108,8 +108,12 @@ void destroy(Address diagram) { delete at<Diagram>(diagram); }
 
 void clear(Diagram& diagram) { diagram.clear(); }
 
-int insertMany(Diagram& diagram, Address xyr, Address ids, std::size_t count) {
-  return code(diagram.insertMany({at<const double>(xyr), 3 * count}, {at<SiteId>(ids), count}));
+// The triples are in the scratch block, which is given up.
+int insertMany(Diagram& diagram, std::size_t count) {
+  const Error error = diagram.insertMany(std::move(scratch.data), count, siteIds);
+  scratch = {};
+  publish(0, siteIds);
+  return code(error);
 }
 
 int removeMany(Diagram& diagram, Address ids, std::size_t count) {

@@ -148,10 +148,10 @@ export class NativeDiagram {
 
   /** Inserts triples; the new ids go to `ids`. */
   insertMany(xyr: ArrayLike<number>, ids: Uint32Array): Status {
-    return this.#withScratch(ids.length * 28, (at) => {
-      const idsAt = this.#writeDoubles(at, xyr, 3 * ids.length);
-      const status = this.#module.insertMany(this.#address, at, idsAt, ids.length);
-      if (status === 0) ids.set(this.#words(idsAt, ids.length));
+    return this.#withScratch(ids.length * 24, (at) => {
+      this.#writeDoubles(at, xyr, 3 * ids.length);
+      const status = this.#module.insertMany(this.#address, ids.length);
+      if (status === 0) ids.set(this.#words(this.#slot(kAddresses, 0), ids.length));
       return status;
     });
   }

@@ -9,13 +9,14 @@ namespace apollonius {
 
 void ConflictSearch::begin(const DelaunayGraph& diagram, const Site& q) {
   // Wiped before, not after: a call that ran out of memory leaves marks behind.
-  for (const FaceId f : faces_) isInRegion_[index(f)] = 0;
+  for (const FaceId f : faces_) marks_[index(f) / kWord] = 0;
   faces_.clear();
   rim_.clear();
   stack_.clear();
   diagram_ = &diagram;
   q_ = &q;
-  if (isInRegion_.size() < diagram.graph().faceSlots()) isInRegion_.resize(diagram.graph().faceSlots(), 0);
+  const std::size_t words = (diagram.graph().faceSlots() + kWord - 1) / kWord;
+  if (marks_.size() < words) marks_.resize(words, 0);
 }
 
 void ConflictSearch::find(const DelaunayGraph& diagram, const Site& q, VertexId near, HalfedgeId sector) {
@@ -95,7 +96,7 @@ void ConflictSearch::expand() {
     stack_.pop_back();
     const HalfedgeId across = graph.twin(h);
     const FaceId beyond = faceOf(across);
-    const bool wasInRegion = isInRegion_[index(beyond)] != 0;
+    const bool wasInRegion = isInRegion(beyond);
     if ((!wasInRegion && !diagram_->isFaceInConflict(beyond, *q_)) || !isEntirelyInConflict(h, across)) {
       rim_.push_back(h);  // q's cell ends on this edge; if both its ends are in conflict, its twin gets here too
       continue;
@@ -108,9 +109,9 @@ void ConflictSearch::expand() {
   }
 }
 
-void ConflictSearch::enter(FaceId f) {
+inline void ConflictSearch::enter(FaceId f) {
   faces_.push_back(f);  // first: a mark that is not listed would stay
-  isInRegion_[index(f)] = 1;
+  marks_[index(f) / kWord] |= mark(f);
 }
 
 /// Both ends of the edge are in conflict.

@@ -24,7 +24,7 @@ class ConflictSearch {
   /// if there is none; else q is not covered. REQUIRES: at least two visible sites.
   [[nodiscard]] bool findBeside(const DelaunayGraph& diagram, const Site& q, VertexId close);
 
-  void reserve(std::size_t faces) { isInRegion_.reserve(faces); }
+  void reserve(std::size_t faces) { marks_.reserve((faces + kWord - 1) / kWord); }
 
   /// The faces in conflict; empty if q's cell lies within one edge.
   [[nodiscard]] std::span<const FaceId> faces() const { return faces_; }
@@ -40,11 +40,15 @@ class ConflictSearch {
   [[nodiscard]] bool startInSector(HalfedgeId sector);
   void startAround(VertexId near);
   void expand();
-  void enter(FaceId f);
+  inline void enter(FaceId f);
+  [[nodiscard]] bool isInRegion(FaceId f) const { return (marks_[index(f) / kWord] & mark(f)) != 0; }
+  [[nodiscard]] static std::uint32_t mark(FaceId f) { return std::uint32_t{1} << static_cast<std::uint32_t>(f) % kWord; }
+
+  static constexpr std::uint32_t kWord = 32;
 
   const DelaunayGraph* diagram_ = nullptr;  // during find only
   const Site* q_ = nullptr;
-  std::vector<std::uint8_t> isInRegion_;    // by face; of the faces in faces_
+  std::vector<std::uint32_t> marks_;        // one bit a face; of the faces in faces_
   std::vector<HalfedgeId> stack_;
   std::vector<FaceId> faces_;
   std::vector<HalfedgeId> rim_;

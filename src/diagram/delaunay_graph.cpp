@@ -11,7 +11,7 @@ bool DelaunayGraph::isFaceInConflictByCorners(FaceId f, const Site& q) const {
 }
 
 void DelaunayGraph::reserve(std::size_t slots) {
-  if (sites_.size() < slots) sites_.resize(slots);
+  reserveSites(slots);
   graph_.reserveVertices(slots);  // last: who looks at its size finds room for all
 }
 
@@ -31,7 +31,7 @@ void DelaunayGraph::reserveFaces(std::size_t removed, std::size_t created) {
 
 void DelaunayGraph::reserveBulk(std::size_t sites) {
   const std::size_t faces = 2 * (visibleCount_ + sites);  // Euler: 2 (V + 1) - 4 with infinity
-  graph_.reserveFaces(0, faces > graph_.faceCount() ? faces - graph_.faceCount() : 0);
+  graph_.reserveFacesInAll(faces);
   circles_.reserve(faces);
   conflicts_.reserve(faces);
 }

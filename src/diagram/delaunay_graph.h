@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diagram/conflict.h"
+#include "diagram/hidden.h"
 #include "graph/graph.h"
 #include "predicate/circle_fan.h"
 #include "predicate/predicates.h"
@@ -54,12 +55,16 @@ class DelaunayGraph {
 
   // --- Changing: each either succeeds or throws std::bad_alloc and has changed nothing ---------------------------------------
 
-  /// Room for vertices of index < slots, and for faces of that many visible ones.
+  /// Room for vertices of index < slots.
   void reserve(std::size_t slots);
+  /// Room for the sites of vertices of index < slots.
+  void reserveSites(std::size_t slots) {
+    if (sites_.size() < slots) sites_.resize(slots);
+  }
   /// Room for the faces of so many more visible sites, in one piece.
   void reserveBulk(std::size_t sites);
 
-  /// Writes the site of a vertex that is not visible, so that remove() can consider it. REQUIRES: reserve.
+  /// Writes the site of a vertex that is not visible, so that remove() can consider it. REQUIRES: reserve or reserveSites.
   void setSite(VertexId v, const Site& site) { sites_[index(v)] = site; }
 
   struct Insertion {
@@ -67,8 +72,9 @@ class DelaunayGraph {
     std::span<const VertexId> covered;  ///< vertices that lost their place because the new one covers them; valid until the
                                         ///< next change
   };
-  /// Inserts the site of v (setSite), walking from `start` (visible, or kNoVertex) to its place. Paper, section 3.
-  [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors);
+  /// Inserts the site of v (setSite), walking from `start` (visible, or kNoVertex) to its place. Paper, section 3. `forest` gets room
+  /// for what the site will cover.
+  [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors, HiddenForest* forest = nullptr);
 
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
@@ -84,8 +90,8 @@ class DelaunayGraph {
   [[nodiscard]] Located walkAllNeighbors(double x, double y, VertexId start) const;
   [[nodiscard]] Located walkSectors(double x, double y, VertexId start) const;
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
-  [[nodiscard]] Insertion insertBesideOne(VertexId v);
-  [[nodiscard]] Insertion coverAll(VertexId v);
+  [[nodiscard]] Insertion insertBesideOne(VertexId v, HiddenForest* forest);
+  [[nodiscard]] Insertion coverAll(VertexId v, HiddenForest* forest);
   /// Room for an operation on the graph, newFaces_ and newCircles_ included.
   void reserveFaces(std::size_t removed, std::size_t created);
   [[nodiscard]] std::span<FaceId> newFaces(std::size_t created) { return {newFaces_.data(), created}; }

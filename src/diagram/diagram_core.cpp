@@ -14,10 +14,10 @@ Site normalized(const Site& site) { return {site.x + 0.0, site.y + 0.0, site.r +
 
 }  // namespace
 
-void DiagramCore::reserve(std::size_t sites) {
-  ids_.reserve(sites);
-  hidden_.reserve(sites);
-  base_.reserve(sites + 1);  // last: who looks at its size finds room for all
+void DiagramCore::reserve(std::size_t slots) {
+  ids_.reserve(slots);
+  hidden_.reserve(slots);
+  base_.reserve(slots + 1);  // last: who looks at its size finds room for all
 }
 
 VertexId DiagramCore::startFor(double x, double y) const {
@@ -45,12 +45,13 @@ SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start) {
   const VertexId v = vertexOf(slot);
   base_.setSite(v, normalized(site));
   if (start == kNoVertex) start = startFor(site.x, site.y);
-  const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_);
-  // From here on nothing throws.
+  const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_, &hidden_);
   if (insertion.cover != kNoVertex) {
+    hidden_.reserveChildren(1);
     hidden_.attach(slot, slotOf(insertion.cover));
     return SiteState::kHidden;
   }
+  // From here on nothing throws.
   for (const VertexId covered : insertion.covered) {
     hidden_.attach(slotOf(covered), slot);
     ids_.setState(slotOf(covered), SiteState::kHidden);
@@ -216,41 +217,52 @@ void DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const d
   }
 }
 
-void DiagramCore::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
+std::vector<std::uint32_t> DiagramCore::stage(std::span<const double> xyr) {
+  std::vector<std::uint32_t> order = hilbertOrder({xyr, 3});
+  base_.reserveSites(slotsWith(order.size()) + 1);
+  // What is close in the plane is close in memory. Nobody looks at sites of slots that are not in use.
+  Slot slot = ids_.nextSlot();
+  for (const std::uint32_t k : order) {
+    const double* circle = &xyr[3 * std::size_t{k}];
+    base_.setSite(vertexOf(slot), {circle[0], circle[1], circle[2]});
+    slot = ids_.nextSlotAfter(slot);
+  }
+  return order;
+}
+
+void DiagramCore::insertStaged(std::vector<std::uint32_t> order, std::span<SiteId> ids) {
   const std::size_t n = ids.size();
   ballast_.load();
-  const std::size_t sites = ids_.size() + n;
-  // The orders first: what sorting needs for a while is then used again for what stays.
-  std::vector<std::uint32_t> order = hilbertOrder({xyr, 3});
-  std::vector<Slot> slots(n);
-  reserve(sites > ids_.slots() ? sites : ids_.slots());
-  // Ids are given in the order of the input, slots along the curve: what is close in the plane is close in memory.
+  const std::size_t slots = slotsWith(n);
+  const bool isBulk = n > (ids_.size() + n) / 4;
+  reserve(slots);
+  if (isBulk && usesHierarchy_) hierarchy_.reserveBulk(slots);
+  // Ids are given in the order of the input, slots along the curve.
   for (SiteId& id : ids) id = ids_.takeId();
-  std::uint32_t largest = 0;
-  for (std::uint32_t k = 0; k < n; ++k) {
-    const double* circle = &xyr[3 * std::size_t{order[k]}];
-    slots[k] = ids_.takeSlot(ids[order[k]], SiteState::kPending);
-    base_.setSite(vertexOf(slots[k]), {circle[0], circle[1], circle[2]});
-    if (precedes(site(slots[largest]), site(slots[k]))) largest = k;
+  Slot largest = kNoSlot;
+  for (std::uint32_t& k : order) {
+    k = ids_.takeSlot(ids[k], SiteState::kPending);
+    if (largest == kNoSlot || precedes(site(largest), site(k))) largest = k;
   }
-  randomizedRounds(order);
-  // The largest first: where sites are in line, it is in all the faces at infinity, and later each new largest one would take them over.
-  if (n > 0) std::iter_swap(order.begin(), std::find(order.begin(), order.end(), largest));
   // Walks start beside, so the grid need not be kept while it changes a lot.
-  isBulk_ = n > ids_.size() / 4;
+  isBulk_ = isBulk;
   std::size_t done = 0;
   try {
-    base_.reserveBulk(n);
+    order = inRandomizedRounds(order);
+    // The largest first: where sites are in line, it is in all the faces at infinity, and later each new largest one would take them over.
+    if (n > 0) std::iter_swap(order.begin(), std::find(order.begin(), order.end(), largest));
+    if (isBulk) base_.reserveBulk(n);  // a few would be paid for by copying all
     for (; done < n; ++done) {
-      const Slot slot = slots[order[done]];
+      const Slot slot = order[done];
       const Site circle = site(slot);
       ids_.setState(slot, place(slot, circle, visibleBeside(slot)));
     }
+    order = std::vector<std::uint32_t>();  // the grid fits where it was
     endBulk();
   } catch (...) {
     endBulk();
     ballast_.drop();
-    for (std::size_t k = 0; k < done; ++k) displace(slots[order[k]]);
+    for (std::size_t k = 0; k < done; ++k) displace(order[k]);
     for (std::size_t k = n; k-- > 0;) ids_.release(ids_.slotOf(ids[k]));  // so that the next ids are given in the same order again
     throw;
   }

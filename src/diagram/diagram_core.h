@@ -3,6 +3,7 @@
 // std::bad_alloc with the diagram as it was before the call.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -28,7 +29,13 @@ class DiagramCore {
         hierarchy_(walk_) {}
 
   SiteId insert(const Site& site);
-  void insertMany(std::span<const double> xyr, std::span<SiteId> ids);
+
+  // Insertion of many in two steps, so that the caller can free the circles in between: at that time there is little else in memory.
+  /// Copies the circles to the slots that they will get, and returns their order there.
+  [[nodiscard]] std::vector<std::uint32_t> stage(std::span<const double> xyr);
+  /// Inserts what was staged last; ids[k] becomes the id of circle k. REQUIRES: no change since then.
+  void insertStaged(std::vector<std::uint32_t> order, std::span<SiteId> ids);
+
   /// False if the id is not in use.
   bool remove(SiteId id);
   /// How many of the ids were in use.
@@ -66,8 +73,10 @@ class DiagramCore {
  private:
   friend class DiagramBreaker;  // tests break a structure on purpose
 
-  /// Room for everything that is kept per site.
-  void reserve(std::size_t sites);
+  /// Room for everything that is kept per site, for so many slots.
+  void reserve(std::size_t slots);
+  /// Slots in use and free ones, once there are so many more sites.
+  [[nodiscard]] std::size_t slotsWith(std::size_t more) const { return std::max(ids_.slots(), ids_.size() + more); }
   /// Places a site whose slot is in no structure; `start` is visible, or kNoVertex to locate from scratch. May throw; else the
   /// returned state is what the slot is to get.
   [[nodiscard]] SiteState place(Slot slot, const Site& site, VertexId start);

@@ -33,6 +33,20 @@ VertexId Hierarchy::stepDown(const DelaunayGraph& graph, DelaunayGraph::Located 
   return giant.r - small.r > reach ? neighbor : located.nearest;
 }
 
+void Hierarchy::reserveBulk(std::size_t slots) noexcept {
+  constexpr std::size_t kFew = 64;  // not worth it
+  if (isDropped_) return;
+  try {
+    for (unsigned level = 0; level < kMostLevels && (slots >>= kBits) > kFew; ++level) {
+      if (levels_.size() == level) levels_.emplace_back();
+      levels_[level].reserve(slots + 2);
+      levels_[level].reserveBulk(slots + 1);
+    }
+  } catch (...) {
+    // Nothing is lost: sites that enter ask again.
+  }
+}
+
 void Hierarchy::insert(Slot slot, const Site& site) noexcept {
   if (isDropped_) return;
   try {
@@ -59,7 +73,7 @@ bool Hierarchy::moveInPlace(Slot slot, const Site& to) noexcept {
       if (!levels_[level].graph().hasVertex(move.vertex) || moves_.apply(levels_[level], {&move, 1})[0] == 0) return false;
     }
     return true;
-  } catch (const std::bad_alloc&) {
+  } catch (...) {
     return false;
   }
 }

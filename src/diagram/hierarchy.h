@@ -27,6 +27,9 @@ class Hierarchy {
   /// The slot of the site to start from on level 0 for (x, y), or kNoSlot if the levels are empty.
   [[nodiscard]] Slot locate(double x, double y) const { return locateOn(0, x, y); }
 
+  /// Room on the levels for the visible ones of so many slots, in one piece, if there is memory.
+  void reserveBulk(std::size_t slots) noexcept;
+
   /// Enters a site that is visible on level 0 and is not on its levels yet.
   void insert(Slot slot, const Site& site) noexcept;
 

@@ -3,14 +3,14 @@
 
 namespace apollonius {
 
-DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk walk) {
+DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk walk, HiddenForest* forest) {
   const Site& q = site(v);
   if (visibleCount_ == 0) {
     visibleCount_ = 1;
     recent_ = v;
     return {kNoVertex, {}};
   }
-  if (visibleCount_ == 1) return insertBesideOne(v);
+  if (visibleCount_ == 1) return insertBesideOne(v, forest);
   if (start == kNoVertex) start = recent_;
   // Often a conflict is found at once, which makes the first two stages superfluous: a covered site has none.
   if (!conflicts_.findBeside(*this, q, start)) {
@@ -18,13 +18,15 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk 
     if (covers(site(near.nearest), q)) return {near.nearest, {}};  // Lemma 1
     conflicts_.find(*this, q, near.nearest, near.sector);
   }
-  if (conflicts_.rim().empty()) return coverAll(v);
+  if (conflicts_.rim().empty()) return coverAll(v, forest);
 
   const std::size_t removed = conflicts_.faces().size();
   const std::size_t created = conflicts_.rim().size();
   reserveFaces(removed, created);
   for (std::size_t k = 0; k < created; ++k) fan_.setCorner(k, corner(graph_.origin(conflicts_.rim()[k])));
   fan_.compute(q, {newCircles_.data(), created});
+  // As many as the region has cycles: f faces that hang together by e edges have e - f + 1, and 3 f - 2 e sides.
+  if (forest != nullptr && removed + 2 > created) forest->reserveChildren((removed + 2 - created) / 2);
   const std::span<const VertexId> covered = graph_.starHole(v, conflicts_.faces(), conflicts_.rim(), newFaces(created));
   takeCircles(created);
   visibleCount_ += 1 - covered.size();
@@ -32,10 +34,10 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk 
   return {kNoVertex, covered};
 }
 
-DelaunayGraph::Insertion DelaunayGraph::insertBesideOne(VertexId v) {
+DelaunayGraph::Insertion DelaunayGraph::insertBesideOne(VertexId v, HiddenForest* forest) {
   const VertexId first = recent_;
   if (covers(site(first), site(v))) return {first, {}};
-  if (covers(site(v), site(first))) return coverAll(v);
+  if (covers(site(v), site(first))) return coverAll(v, forest);
   reserveFaces(0, 2);
   newCircles_[0] = voronoiCircle(corner(first), corner(v), nullptr);
   newCircles_[1] = voronoiCircle(corner(v), corner(first), nullptr);
@@ -47,7 +49,7 @@ DelaunayGraph::Insertion DelaunayGraph::insertBesideOne(VertexId v) {
 }
 
 /// The new site covers every visible one: it remains alone.
-DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v) {
+DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v, HiddenForest* forest) {
   covered_.clear();
   if (visibleCount_ == 1) {
     covered_.push_back(recent_);
@@ -58,6 +60,7 @@ DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v) {
       if (graph_.hasVertex(u)) covered_.push_back(u);
     }
   }
+  if (forest != nullptr) forest->reserveChildren(covered_.size());
   graph_.clear();
   visibleCount_ = 1;
   recent_ = v;

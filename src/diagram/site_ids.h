@@ -3,6 +3,7 @@
 // 0, 1, 2, … in the order of the input. One word an id, one a slot.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -80,6 +81,14 @@ class SiteIds {
     return slot;
   }
 
+  /// The slots that takeSlot() will give, in that order: the first, and the one after another.
+  [[nodiscard]] Slot nextSlot() const { return firstFreeSlot_ == kEnd ? static_cast<Slot>(slots_.size()) : firstFreeSlot_; }
+  [[nodiscard]] Slot nextSlotAfter(Slot slot) const {
+    if (slot >= slots_.size()) return slot + 1;
+    const Slot next = slots_[slot] & kMask;
+    return next == kEnd ? static_cast<Slot>(slots_.size()) : next;
+  }
+
   /// Changes the state of a slot in use.
   void setState(Slot slot, SiteState state) {
     hiddenCount_ += state == SiteState::kHidden;
@@ -98,10 +107,11 @@ class SiteIds {
     ++freeSlots_;
   }
 
-  /// Room for `more` sites in all.
+  /// Room for so many sites in all.
   void reserve(std::size_t sites) {
-    ids_.reserve(sites);
-    slots_.reserve(sites);
+    for (auto* array : {&ids_, &slots_}) {
+      if (array->capacity() < sites) array->reserve(std::max(sites, array->capacity() + array->capacity() / 2));
+    }
   }
 
   /// Forgets all sites but keeps the room.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace apollonius {
 
@@ -10,7 +11,7 @@ namespace {
 constexpr std::size_t kFew = 32;  // of which inserting is cheaper than summing up the counters of a radix sort
 constexpr unsigned kDigitBits = 8, kDigits = 32 / kDigitBits;
 
-void insertionSort(std::vector<Keyed>& entries) {
+void insertionSort(std::span<Keyed> entries) {
   for (std::size_t k = 1; k < entries.size(); ++k) {
     const Keyed entry = entries[k];
     std::size_t hole = k;
@@ -23,9 +24,11 @@ unsigned digitOf(std::uint32_t key, unsigned digit) { return key >> (digit * kDi
 
 }  // namespace
 
-void sortByKey(std::vector<Keyed>& entries) {
-  if (entries.size() <= kFew) return insertionSort(entries);
-  std::vector<Keyed> other(entries.size());
+std::span<Keyed> sortByKey(std::span<Keyed> entries, std::span<Keyed> other) {
+  if (entries.size() <= kFew) {
+    insertionSort(entries);
+    return entries;
+  }
   std::array<std::array<std::uint32_t, 1u << kDigitBits>, kDigits> starts{};
   for (const Keyed& entry : entries) {
     for (unsigned d = 0; d < kDigits; ++d) ++starts[d][digitOf(entry.key, d)];
@@ -39,8 +42,15 @@ void sortByKey(std::vector<Keyed>& entries) {
       sum += count;
     }
     for (const Keyed& entry : entries) other[starts[d][digitOf(entry.key, d)]++] = entry;
-    entries.swap(other);
+    std::swap(entries, other);
   }
+  return entries;
+}
+
+void sortByKey(std::vector<Keyed>& entries) {
+  if (entries.size() <= kFew) return insertionSort(entries);
+  std::vector<Keyed> other(entries.size());
+  if (sortByKey(entries, other).data() == other.data()) entries.swap(other);
 }
 
 }  // namespace apollonius

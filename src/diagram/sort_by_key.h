@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace apollonius {
@@ -13,7 +14,10 @@ struct Keyed {
   std::uint32_t value;
 };
 
-/// Sorts by key, stably. Cost: O(n), with a second array of the same size if there are more than a few.
+/// Sorts by key, stably. Returns where the entries are then: in one of the two arrays of equal size. Cost: O(n).
+[[nodiscard]] std::span<Keyed> sortByKey(std::span<Keyed> entries, std::span<Keyed> other);
+
+/// The same in place, with a second array of its own.
 void sortByKey(std::vector<Keyed>& entries);
 
 }  // namespace apollonius

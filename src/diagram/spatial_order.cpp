@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <limits>
+#include <memory>
 
 #include "diagram/sort_by_key.h"
 
@@ -31,11 +32,11 @@ std::uint32_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
   return position;
 }
 
-/// Positions on the curve, of each point.
-std::vector<Keyed> curveEntries(PointArray points) {
+/// Writes the position on the curve of each point.
+void fillEntries(PointArray points, std::span<Keyed> entries) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   double lowX = kInfinite, lowY = kInfinite, highX = -kInfinite, highY = -kInfinite;
-  const std::size_t n = points.size();
+  const std::size_t n = entries.size();
   for (std::size_t k = 0; k < n; ++k) {
     const double x = points.values[k * points.stride], y = points.values[k * points.stride + 1];
     lowX = std::min(lowX, x);
@@ -46,28 +47,32 @@ std::vector<Keyed> curveEntries(PointArray points) {
   const double extent = std::max(highX - lowX, highY - lowY);
   const double scale = extent > 0 ? (std::uint32_t{1} << kCurveBits) / extent : 0;
   constexpr double kLast = (std::uint32_t{1} << kCurveBits) - 1;
-  std::vector<Keyed> entries(n);
   for (std::size_t k = 0; k < n; ++k) {
     const double x = (points.values[k * points.stride] - lowX) * scale;
     const double y = (points.values[k * points.stride + 1] - lowY) * scale;
     entries[k] = {hilbertIndex(static_cast<std::uint32_t>(std::min(x, kLast)), static_cast<std::uint32_t>(std::min(y, kLast))),
                   static_cast<std::uint32_t>(k)};
   }
-  return entries;
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> hilbertOrder(PointArray points) {
-  std::vector<Keyed> entries = curveEntries(points);
-  sortByKey(entries);
-  std::vector<std::uint32_t> order(entries.size());
-  for (std::size_t k = 0; k < entries.size(); ++k) order[k] = entries[k].value;
+  const std::size_t n = points.size();
+  // Only two thirds are used: see the header.
+  constexpr std::size_t kBytesOfSite = 24;
+  static_assert(kBytesOfSite == 3 * sizeof(Keyed));
+  const auto room = std::make_unique_for_overwrite<Keyed[]>(3 * (n + 2));
+  std::span<Keyed> entries{room.get(), n};
+  fillEntries(points, entries);
+  entries = sortByKey(entries, {room.get() + n, n});
+  std::vector<std::uint32_t> order(n);
+  for (std::size_t k = 0; k < n; ++k) order[k] = entries[k].value;
   return order;
 }
 
-void randomizedRounds(std::span<std::uint32_t> order) noexcept {
-  const std::size_t n = order.size();
+std::vector<std::uint32_t> inRandomizedRounds(std::span<const std::uint32_t> items) {
+  const std::size_t n = items.size();
   // The round, counted from the last, is the number of leading zeros of a random word: 0 with probability 1/2, and so on.
   constexpr std::size_t kRounds = 65;
   const auto roundOf = [](std::size_t k) {
@@ -84,7 +89,9 @@ void randomizedRounds(std::span<std::uint32_t> order) noexcept {
     start[round] = sum;
     sum += count;
   }
-  for (std::size_t k = 0; k < n; ++k) order[start[roundOf(k)]++] = static_cast<std::uint32_t>(k);
+  std::vector<std::uint32_t> order(n);
+  for (std::size_t k = 0; k < n; ++k) order[start[roundOf(k)]++] = items[k];
+  return order;
 }
 
 }  // namespace apollonius

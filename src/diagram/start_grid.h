@@ -20,20 +20,20 @@ class StartGrid {
   [[nodiscard]] Slot near(double x, double y) const {
     if (cells_.empty()) return kNoSlot;
     const Cell& cell = cells_[cellOf(x, y)];
-    return cell.count <= kFew ? cell.site : kNoSlot;
+    return cell.count <= kFew && cell.site != kNoSite ? cell.site : kNoSlot;
   }
 
   void insert(Slot slot, const Site& site) {
     ++noted_;
     if (cells_.empty()) return;
     Cell& cell = cells_[cellOf(site.x, site.y)];
-    cell.site = slot;
-    cell.count += cell.count <= kFew;
+    cell.site = slot & kNoSite;
+    if (cell.count <= kFew) ++cell.count;
   }
   void remove(const Site& site) {
     if (cells_.empty()) return;
     Cell& cell = cells_[cellOf(site.x, site.y)];
-    cell.count -= cell.count > 0 && cell.count <= kFew;
+    if (cell.count > 0 && cell.count <= kFew) --cell.count;
   }
 
   void move(Slot slot, const Site& from, const Site& to) {
@@ -57,9 +57,13 @@ class StartGrid {
   static constexpr std::size_t kLeast = 64;  // below, walks are short anyway
   static constexpr std::uint32_t kFew = 6;
 
+  static constexpr unsigned kSiteBits = 29;
+  static constexpr Slot kNoSite = (Slot{1} << kSiteBits) - 1;
+  static_assert(kMostSites == std::size_t{1} << kSiteBits);  // the last slot is lost for the grid, which is no more than a hint
+
   struct Cell {
-    Slot site = kNoSlot;
-    std::uint32_t count = 0;  // of sites inserted; stays at kFew + 1 once it got there
+    Slot site : kSiteBits = kNoSite;
+    std::uint32_t count : 3 = 0;  // of sites inserted; stays at kFew + 1 once it got there
   };
 
   [[nodiscard]] std::size_t cellOf(double x, double y) const {

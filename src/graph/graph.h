@@ -45,6 +45,8 @@ class Graph {
   void reserveVertices(std::size_t slots);  ///< room for vertices of index < slots
   /// Room for an operation that takes `removed` faces away and brings `created` new ones.
   void reserveFaces(std::size_t removed, std::size_t created);
+  /// Room for so many faces in all, in one piece; operations still make room for what they need at a time.
+  void reserveFacesInAll(std::size_t faces) { halfedges_.reserve(3 * faces); }
 
   // --- Operations ----------------------------------------------------------------------------------------------------------
 

@@ -26,6 +26,7 @@ using List = std::vector<Node>;
 TEST(HiddenForest, ChildrenAreInTheOrderOfAttachment) {
   HiddenForest forest;
   forest.reserve(5);
+  forest.reserveChildren(5);
   EXPECT_EQ(children(forest, 0), List{});
   for (const Node child : {3u, 1u, 2u}) forest.attach(child, 0);
   EXPECT_EQ(children(forest, 0), (List{3, 1, 2}));
@@ -43,6 +44,7 @@ TEST(HiddenForest, ParentsAreKnownNearTheEndOfTheList) {
 TEST(HiddenForest, DetachTakesTheSubtreeAlong) {
   HiddenForest forest;
   forest.reserve(6);
+  forest.reserveChildren(6);
   for (const Node child : {1u, 2u, 3u}) forest.attach(child, 0);
   forest.attach(4, 2);
   forest.detach(2);
@@ -58,6 +60,7 @@ TEST(HiddenForest, DetachTakesTheSubtreeAlong) {
 TEST(HiddenForest, DissolveLeavesTheChildrenInItsPlace) {
   HiddenForest forest;
   forest.reserve(8);
+  forest.reserveChildren(8);
   for (const Node child : {1u, 2u, 3u}) forest.attach(child, 0);
   for (const Node child : {4u, 5u}) forest.attach(child, 2);
   forest.attach(6, 5);
@@ -77,10 +80,26 @@ TEST(HiddenForest, DissolveLeavesTheChildrenInItsPlace) {
 TEST(HiddenForest, ClearForgetsAll) {
   HiddenForest forest;
   forest.reserve(3);
+  forest.reserveChildren(3);
   forest.attach(1, 0);
   forest.attach(2, 1);
   forest.clear();
   for (Node n = 0; n < 3; ++n) EXPECT_EQ(children(forest, n), List{});
+}
+
+TEST(HiddenForest, RecordsAreUsedAgain) {
+  constexpr Node kNodes = 1000;
+  HiddenForest forest;
+  forest.reserve(kNodes);
+  forest.reserveChildren(2);  // what follows has never more; records beyond the room would be written out of bounds (sanitizers)
+  for (Node parent = 0; parent + 2 < kNodes; ++parent) {
+    forest.attach(parent + 1, parent);
+    forest.attach(parent + 2, parent);
+    EXPECT_EQ(children(forest, parent), (List{parent + 1, parent + 2}));
+    forest.detach(parent + 2);
+    forest.dissolve(parent + 1);
+    EXPECT_EQ(children(forest, parent), List{});
+  }
 }
 
 TEST(HiddenForest, RandomHistoriesAgreeWithTheModel) {
@@ -102,6 +121,7 @@ TEST(HiddenForest, RandomHistoriesAgreeWithTheModel) {
       if (parentOf[n] == kNone) {
         const auto parent = static_cast<Node>(random.below(kNodes));
         if (root(parent) == n) continue;
+        forest.reserveChildren(1);
         forest.attach(n, parent);
         childrenOf[parent].push_back(n);
         parentOf[n] = parent;

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <functional>
+#include <memory>
 #include <new>
 #include <optional>
 #include <set>
@@ -185,6 +186,14 @@ std::vector<Operation> changes(Random& random, std::size_t n) {
       {"update", [=](Diagram& d) { return d.update(other, c.x, c.y, c.r); }},
       {"update over all", [=](Diagram& d) { return d.update(other, 0, 0, 1e8); }},
       {"insertMany", [=, ids = std::vector<SiteId>(n)](Diagram& d) mutable { return d.insertMany(xyr, ids); }},
+      {"insertMany of an array that is given up",
+       [=](Diagram& d) {
+         std::vector<SiteId> ids;
+         std::unique_ptr<double[]> given(new (std::nothrow) double[xyr.size()]);
+         if (!given) return Error::kOutOfMemory;
+         std::copy(xyr.begin(), xyr.end(), given.get());
+         return d.insertMany(std::move(given), n, ids);
+       }},
       {"updateMany", [=](Diagram& d) { return d.updateMany(half, halfXyr); }},
       {"removeMany",
        [=](Diagram& d) {
