@@ -95,6 +95,14 @@ function checkedArray(name: string, values: unknown, of: string): ArrayLike<unkn
   return values;
 }
 
+/** What is a Uint8Array, of whatever realm and wherever in its buffer; throws "bad-length". */
+export function checkedBytes(name: string, bytes: unknown): Uint8Array {
+  if (typedArrayKind(bytes) !== "Uint8Array") {
+    throw new ApolloniusError("bad-length", `${name} is ${described(bytes)}, expected a Uint8Array`);
+  }
+  return checkedArray(name, bytes, "bytes") as Uint8Array;
+}
+
 /** A new typed array; that there can be none of that length is a lack of memory. */
 export function allocated<Values>(make: () => Values): Values {
   try {

@@ -73,6 +73,10 @@ class DelaunayGraph {
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
 
+  /// Snapshots (snapshot.cpp): everything but the sites, which are set before restore(); it checks that this is their diagram, exactly.
+  void save(WordWriter& out, std::size_t vertexSlots) const;
+  [[nodiscard]] bool restore(WordReader& in, std::size_t faceSlots);
+
   /// The first broken invariant, exactly checked, or nullptr; `where` receives an id that it names.
   [[nodiscard]] const char* check(std::uint32_t& where) const;
 
@@ -84,6 +88,9 @@ class DelaunayGraph {
   [[nodiscard]] Located walkAllNeighbors(double x, double y, VertexId start) const;
   [[nodiscard]] Located walkSectors(double x, double y, VertexId start) const;
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
+  [[nodiscard]] bool restoreCircle(FaceId f);
+  [[nodiscard]] bool isEmptyAcross(HalfedgeId h) const;
+  [[nodiscard]] bool hullTurnsOnce() const;
   [[nodiscard]] Insertion insertBesideOne(VertexId v);
   [[nodiscard]] Insertion coverAll(VertexId v);
   /// Room for an operation on the graph, newFaces_ and newCircles_ included.

@@ -7,13 +7,6 @@
 
 namespace apollonius {
 
-namespace {
-
-/// -0 + 0 is 0: one number, one pattern of bits.
-Site normalized(const Site& site) { return {site.x + 0.0, site.y + 0.0, site.r + 0.0}; }
-
-}  // namespace
-
 void DiagramCore::reserve(std::size_t sites) {
   ids_.reserve(sites);
   hidden_.reserve(sites);
