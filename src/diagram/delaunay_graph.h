@@ -19,6 +19,8 @@
 
 namespace apollonius {
 
+struct FaceWithSurroundings;
+
 /// How a walk to the nearest site looks for a nearer one: among all neighbours (paper, section 4, procedure NearestNeighbor), or
 /// only in the direction of the point.
 enum class Walk : unsigned char { kAllNeighbors, kSectors };
@@ -88,8 +90,8 @@ class DelaunayGraph {
   [[nodiscard]] Located walkAllNeighbors(double x, double y, VertexId start) const;
   [[nodiscard]] Located walkSectors(double x, double y, VertexId start) const;
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
-  [[nodiscard]] bool restoreCircle(FaceId f);
-  [[nodiscard]] bool isEmptyAcross(HalfedgeId h) const;
+  [[nodiscard]] bool hasSurroundings(FaceId f, FaceWithSurroundings& face) const;
+  [[nodiscard]] bool restoreFace(FaceId f);
   [[nodiscard]] bool hullTurnsOnce() const;
   [[nodiscard]] Insertion insertBesideOne(VertexId v);
   [[nodiscard]] Insertion coverAll(VertexId v);

@@ -98,6 +98,7 @@ class DiagramCore {
   void enterLocation(Slot slot) noexcept;
   void leaveLocation(Slot slot) noexcept;
   void rebuildGrid() noexcept;
+  void buildHierarchy() const noexcept;
   void endBulk() noexcept;
   [[nodiscard]] VertexId startFor(double x, double y) const;
 
@@ -115,7 +116,8 @@ class DiagramCore {
   SiteIds ids_;
   DelaunayGraph base_;        // vertex of slot s: s + 1
   HiddenForest hidden_;       // node of slot s: s
-  Hierarchy hierarchy_;
+  mutable Hierarchy hierarchy_;
+  mutable bool isHierarchyDue_ = false;  // restored from a snapshot: the hierarchy is made when it is asked first, and left alone until then
   StartGrid grid_;            // with Walk::kSectors only
   Remover remover_;
   SiteMoves siteMoves_;

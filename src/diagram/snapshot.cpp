@@ -3,12 +3,15 @@
 // turns once, this is the diagram of these sites (site_moves.h has the reason). So a snapshot that somebody made up cannot break
 // anything later on, and the checksum is there for accidents only.
 //
-// Circles, hierarchy and grid are made anew: they follow from the sites and the graph, and a circle costs about as much as reading it would.
+// Circles, hierarchy and grid are made anew: they follow from the sites and the graph. The grid answers most of what the hierarchy
+// is asked, so that one waits until it is asked for the first time.
+#include <array>
 #include <limits>
 #include <new>
 
 #include "diagram/diagram_core.h"
 #include "graph/words.h"
+#include "predicate/face_pair.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {
@@ -34,20 +37,34 @@ std::uint64_t wordsFor(std::uint64_t slots, std::uint64_t idLimit, std::uint64_t
 /// As many as a 32-bit machine has room for.
 constexpr std::uint64_t kMostWords = std::numeric_limits<std::size_t>::max() / 8;
 
-/// Every step is a bijection, so bytes that differ in one group of eight differ in their checksum.
+/// Every step is a bijection, so bytes that differ in one group of eight differ in their checksum. Two sums, as each waits for its product.
 std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
-  WordReader in(bytes);
-  std::uint64_t sum = 0;
-  for (std::size_t k = 0; k < bytes.size() / 8; ++k) {
-    sum = (sum ^ in.longWord()) * 0x9E3779B97F4A7C15u;
+  const auto add = [](std::uint64_t& sum, std::uint64_t word) {
+    sum = (sum ^ word) * 0x9E3779B97F4A7C15u;
     sum ^= sum >> 29;
+  };
+  WordReader in(bytes);
+  std::uint64_t sum = 0, other = 0;
+  for (std::size_t k = 0; k < bytes.size() / 16; ++k) {
+    add(sum, in.longWord());
+    add(other, in.longWord());
   }
+  if (bytes.size() % 16 != 0) add(sum, in.longWord());
+  add(sum, other);
   return sum;
 }
 
 bool isInRange(double value) {
   const double magnitude = absolute(value);
   return value == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude);  // false for NaN
+}
+
+/// Is q covered by a corner, or a corner by q? Predicates are not asked about such sites. A corner does not count for itself.
+bool coverEachOther(const std::array<Corner, 3>& corners, const Site& q) {
+  for (const Corner a : corners) {
+    if (a != nullptr && a != &q && (covers(*a, q) || covers(q, *a))) return true;
+  }
+  return false;
 }
 
 /// The direction of (x, y) as a number that grows from 0 to 4 in a turn.
@@ -113,49 +130,62 @@ bool DelaunayGraph::restore(WordReader& in, std::size_t faceSlots) {
   if (!graph_.hasVertex(recent_)) return false;  // also if there is none
   visibleCount_ = graph_.faceCount() / 2 + 1;  // Euler, without infinity
   circles_.resize(faceSlots);
-  // Star by star, as slots are close in memory where sites are in the plane; faces are not.
-  const auto forEachHalfedge = [&](auto&& holds) {
-    for (std::size_t v = 0; v < graph_.vertexSlots(); ++v) {
-      const HalfedgeId begin = graph_.outgoing(VertexId{static_cast<std::uint32_t>(v)});
-      if (begin == kNoHalfedge) continue;
-      HalfedgeId h = begin;
-      do {
-        if (!holds(h)) return false;
-        h = graph_.rotateCcw(h);
-      } while (h != begin);
+  std::array<FaceWithSurroundings, 2> pair;
+  std::array<FaceId, 2> faces{};
+  std::array<VoronoiCircle, 2> circles;
+  std::size_t waiting = 0;
+  for (std::size_t f = 0; f < faceSlots; ++f) {
+    const FaceId face{static_cast<std::uint32_t>(f)};
+    if (!graph_.isLive(face)) continue;
+    if (!hasSurroundings(face, pair[waiting])) {
+      if (!restoreFace(face)) return false;
+      continue;
     }
-    return true;
-  };
-  return forEachHalfedge([&](HalfedgeId h) {
-           const bool isFirst = graph_.origin(h) < graph_.target(h) && graph_.origin(h) < graph_.apex(h);
-           return !isFirst || restoreCircle(faceOf(h));
-         }) &&
-         forEachHalfedge([&](HalfedgeId h) { return isEmptyAcross(h); }) && hullTurnsOnce();
-}
-
-/// False if the face has no circle, or one of its sites covers another.
-bool DelaunayGraph::restoreCircle(FaceId f) {
-  Corner corners[3];
-  for (unsigned c = 0; c < 3; ++c) corners[c] = corner(graph_.origin(halfedgeOf(f, c)));
-  const bool isBounded = corners[0] != nullptr && corners[1] != nullptr && corners[2] != nullptr;
-  // That a circle is certain includes that no site covers another.
-  if (isBounded && findCertainVoronoiCircle(corners[0], corners[1], corners[2], circles_[index(f)])) return true;
-  for (unsigned c = 0; c < 3; ++c) {
-    const Corner a = corners[c], b = corners[c == 2 ? 0 : c + 1];
-    if (a != nullptr && b != nullptr && covers(*a, *b)) return false;  // the other way round: the twin's turn
+    faces[waiting++] = face;
+    if (waiting < 2) continue;
+    waiting = 0;
+    const bool areCertain = areCertainFaces(pair, circles);
+    for (unsigned k = 0; k < 2; ++k) {
+      if (areCertain) {
+        circles_[index(faces[k])] = circles[k];
+      } else if (!restoreFace(faces[k])) {
+        return false;
+      }
+    }
   }
-  return findVoronoiCircle(corners[0], corners[1], corners[2], circles_[index(f)]);
+  return (waiting == 0 || restoreFace(faces[0])) && hullTurnsOnce();
 }
 
-/// Is the corner beyond h not in conflict with h's face?
-bool DelaunayGraph::isEmptyAcross(HalfedgeId h) const {
-  const VertexId beyond = graph_.apex(graph_.twin(h)), apex = graph_.apex(h);
-  if (beyond == kInfinity || beyond == apex) return true;
-  const MaybeSign filtered = circleFilter(circle(faceOf(h)), site(beyond));
-  if (filtered.known) return filtered.sign != Sign::kPositive;
-  // Neighbours do not cover each other, but these two need not be.
-  if (apex != kInfinity && (covers(site(apex), site(beyond)) || covers(site(beyond), site(apex)))) return false;
-  return !isFaceInConflictByCorners(faceOf(h), site(beyond));
+/// Fills in the face's sites and those beyond its edges; false if infinity is among them.
+bool DelaunayGraph::hasSurroundings(FaceId f, FaceWithSurroundings& face) const {
+  for (unsigned c = 0; c < 3; ++c) {
+    const HalfedgeId h = halfedgeOf(f, c);
+    face.corners[c] = corner(graph_.origin(h));
+    face.beyond[c] = corner(graph_.apex(graph_.twin(h)));
+    if (face.corners[c] == nullptr || face.beyond[c] == nullptr) return false;
+  }
+  return true;
+}
+
+/// Computes the face's circle, with exact numbers where doubles do not suffice. False if there is none, or one of its sites covers another, or a corner beyond is in conflict with it.
+bool DelaunayGraph::restoreFace(FaceId f) {
+  const std::array<VertexId, 3> v{graph_.origin(halfedgeOf(f, 0)), graph_.origin(halfedgeOf(f, 1)), graph_.origin(halfedgeOf(f, 2))};
+  const std::array<Corner, 3> at{corner(v[0]), corner(v[1]), corner(v[2])};
+  for (const Corner a : at) {
+    if (a != nullptr && coverEachOther(at, *a)) return false;
+  }
+  VoronoiCircle& circle = circles_[index(f)];
+  if (!findVoronoiCircle(at[0], at[1], at[2], circle)) return false;
+  for (unsigned c = 0; c < 3; ++c) {
+    const VertexId beyond = graph_.apex(graph_.twin(halfedgeOf(f, c))), apex = v[c == 0 ? 2 : c - 1];
+    if (beyond == kInfinity || beyond == apex) continue;
+    const Site& q = site(beyond);
+    const MaybeSign filtered = circleFilter(circle, q);
+    if (filtered.known && filtered.sign != Sign::kPositive) continue;
+        if (filtered.known || coverEachOther(at, q)) return false;
+    if (isVertexInConflict(circle, at[0], at[1], at[2], q)) return false;
+  }
+  return true;
 }
 
 /// Else the graph would be that of several diagrams on top of each other, sewn together. Normals that are too close or too vague to
@@ -254,14 +284,13 @@ bool DiagramCore::restore(std::span<const std::uint8_t> bytes) {
 
 /// What is in the graph is visible. False if it is a free slot.
 bool DiagramCore::restoreStates() {
-  isBulk_ = true;
   for (Slot slot = 0; slot < ids_.slots(); ++slot) {
     if (!base_.isVisible(vertexOf(slot))) continue;
     if (ids_.state(slot) == SiteState::kFree) return false;
     ids_.setState(slot, SiteState::kVisible);
-    enterLocation(slot);
   }
-  endBulk();
+  isHierarchyDue_ = usesHierarchy_;
+  if (walk_ == Walk::kSectors && base_.visibleCount() > 0) rebuildGrid();
   return true;
 }
 

@@ -25,14 +25,18 @@ Bytes saved(const Diagram& diagram) {
 
 /// The checksum as docs/SNAPSHOTS.md has it.
 std::uint64_t checksumOf(const Bytes& bytes) {
-  std::uint64_t sum = 0;
+  const auto add = [](std::uint64_t& sum, std::uint64_t word) {
+    sum = (sum ^ word) * 0x9E3779B97F4A7C15u;
+    sum ^= sum >> 29;
+  };
+  std::uint64_t sums[2] = {0, 0};
   for (std::size_t k = 0; k + 8 < bytes.size(); k += 8) {
     std::uint64_t word = 0;
     for (std::size_t byte = 0; byte < 8; ++byte) word |= std::uint64_t{bytes[k + byte]} << (8 * byte);
-    sum = (sum ^ word) * 0x9E3779B97F4A7C15u;
-    sum ^= sum >> 29;
+    add(sums[k / 8 % 2], word);
   }
-  return sum;
+  add(sums[0], sums[1]);
+  return sums[0];
 }
 
 /// As somebody would who wants the bytes to be believed.

@@ -10,6 +10,7 @@ set(quick  # precise_circle.cpp comes first: the linker takes the first copy of 
   predicate/voronoi_circle.cpp predicate/edge_circle_filter.cpp graph/graph.cpp
   diagram/diagram_core.cpp diagram/hierarchy.cpp diagram/remove.cpp diagram/spatial_order.cpp diagram/start_grid.cpp
   diagram/site_moves.cpp diagram/ears.cpp predicate/circle_fan.cpp predicate/stages.cpp
+  predicate/face_pair.cpp graph/snapshot.cpp diagram/snapshot.cpp
   geometry/render.cpp geometry/clip.cpp geometry/edge.cpp geometry/bisector.cpp geometry/conic.cpp geometry/approximate.cpp
   geometry/border.cpp geometry/areas.cpp geometry/measures.cpp)
 list(TRANSFORM quick PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
