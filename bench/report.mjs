@@ -7,6 +7,7 @@ const titles = {
   scaling: "Against the number of sites (random circles, 5 % hidden)",
   families: "Kinds of input",
   moves: "10 000 moving sites (µs per site; `updateMany`: times 10 is ms per frame)",
+  snapshots: "Snapshots (µs per site; threads: µs per point, all of them together)",
   border: "One call that does nothing else (µs)",
   memory: "Memory (µs per item; bytes below)",
 };

@@ -11,6 +11,7 @@
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/replay.h"
+#include "support/snapshots.h"
 
 namespace apollonius::test {
 namespace {
@@ -20,29 +21,6 @@ using Bytes = std::vector<std::uint8_t>;
 Bytes saved(const Diagram& diagram) {
   Bytes bytes;
   EXPECT_EQ(diagram.toBytes(bytes), Error::kNone);
-  return bytes;
-}
-
-/// The checksum as docs/SNAPSHOTS.md has it.
-std::uint64_t checksumOf(const Bytes& bytes) {
-  const auto add = [](std::uint64_t& sum, std::uint64_t word) {
-    sum = (sum ^ word) * 0x9E3779B97F4A7C15u;
-    sum ^= sum >> 29;
-  };
-  std::uint64_t sums[2] = {0, 0};
-  for (std::size_t k = 0; k + 8 < bytes.size(); k += 8) {
-    std::uint64_t word = 0;
-    for (std::size_t byte = 0; byte < 8; ++byte) word |= std::uint64_t{bytes[k + byte]} << (8 * byte);
-    add(sums[k / 8 % 2], word);
-  }
-  add(sums[0], sums[1]);
-  return sums[0];
-}
-
-/// As somebody would who wants the bytes to be believed.
-Bytes withChecksum(Bytes bytes) {
-  const std::uint64_t sum = checksumOf(bytes);
-  for (std::size_t byte = 0; byte < 8 && bytes.size() >= 8; ++byte) bytes[bytes.size() - 8 + byte] = static_cast<std::uint8_t>(sum >> (8 * byte));
   return bytes;
 }
 
@@ -227,7 +205,7 @@ TEST(Snapshot, DoesNotDependOnAnAddress) {
 
 // --- Damage ------------------------------------------------------------------------------------------------------------------
 
-/// Refused, with the diagram as it was; `counter` counts.
+/// Refused, with the diagram as it was.
 void expectRefused(const Bytes& bytes) {
   Diagram diagram = made({{1, 2, 3}});
   ASSERT_EQ(diagram.fromBytes(bytes), Error::kCorruptSnapshot);
