@@ -28,6 +28,7 @@ const uses = {
   within: (d) => d.within(0, 0, 1),
   edges: (d) => d.edges(),
   vertices: (d) => d.vertices(),
+  toBytes: (d) => d.toBytes(),
   validate: (d) => d.validate(),
   hull: (d) => d.hull(),
   voronoi: (d) => d.voronoi(),

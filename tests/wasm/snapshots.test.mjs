@@ -45,7 +45,7 @@ test("a restored diagram is the same", () => {
 test("bytes that were written natively are read, and written again", () => {
   const restored = Diagram.fromBytes(recorded);
   expect(restored.validate()).toBeNull();
-  expect(restored.size).toBe(37);
+  expect(restored.size).toBe(36);
   expect(restored.toBytes()).toEqual(recorded);
 });
 
@@ -73,14 +73,16 @@ test("after any history", () => {
   const step = fc.record({ remove: fc.integer({ min: -8, max: 12 }), x: number, y: number, r: fc.integer({ min: 0, max: 9 }) });
   const play = (diagram, steps) => steps.map(({ remove, x, y, r }) => (remove >= 0 ? diagram.remove(remove) : diagram.insert(x, y, r)));
   fc.assert(fc.property(fc.array(step, { maxLength: 60 }), fc.array(step, { maxLength: 20 }), (before, after) => {
-    using diagram = new Diagram();
+    const diagram = new Diagram();
     play(diagram, before);
-    using restored = Diagram.fromBytes(diagram.toBytes());
+    const restored = Diagram.fromBytes(diagram.toBytes());
     expect(restored.validate()).toBeNull();
     expect(rows(restored)).toBe(rows(diagram));
     expect(play(restored, after)).toEqual(play(diagram, after));
     expect(restored.validate()).toBeNull();
     expect(restored.ids()).toEqual(diagram.ids());
+    diagram.dispose();
+    restored.dispose();
   }), { numRuns: 300 });
 });
 
@@ -179,12 +181,13 @@ test("a refused snapshot leaves no diagram behind", () => {
   expect(Diagram.fromBytes(recorded).validate()).toBeNull();
 });
 
+// toBytes: tests/diagram/out_of_memory_test.cpp.
 test("lack of memory is said, and changes nothing", () => {
   const output = runInNode(`
     import { Diagram } from "apollonius-diagram";
     const circles = (n) => Float64Array.from({ length: 3 * n }, (_, k) => (k * 0.6180339887498949 % 1) * (k % 3 === 2 ? 1 : 1000));
-    const diagram = new Diagram(circles(30_000));
-    const large = diagram.toBytes(), small = new Diagram(circles(300)).toBytes();
+    const diagram = new Diagram(circles(300_000));
+    const large = diagram.toBytes(), small = new Diagram(circles(3000)).toBytes();
     WebAssembly.Memory.prototype.grow = () => { throw new RangeError("no more memory"); };
     const kept = [];
     const codeOf = (call) => {
@@ -194,10 +197,10 @@ test("lack of memory is said, and changes nothing", () => {
         return error.code;
       }
     };
-    const codes = [codeOf(() => Diagram.fromBytes(large)), codeOf(() => Diagram.fromBytes(small)), codeOf(() => diagram.toBytes())];
-    kept.forEach((one) => one.dispose?.());
+    const codes = [codeOf(() => Diagram.fromBytes(large)), codeOf(() => Diagram.fromBytes(small))];
+    kept.forEach((one) => one.dispose());
     console.log(JSON.stringify({ codes, broken: diagram.validate(), same: Buffer.compare(diagram.toBytes(), large) }));`);
-  expect(JSON.parse(output)).toEqual({ codes: Array(3).fill("out-of-memory"), broken: null, same: 0 });
+  expect(JSON.parse(output)).toEqual({ codes: ["out-of-memory", "out-of-memory"], broken: null, same: 0 });
 });
 
 // --- Threads -----------------------------------------------------------------------------------------------------------------
@@ -209,8 +212,8 @@ test("a snapshot moves to a worker thread", () => {
     const diagram = new Diagram([0, 0, 1, 9, 0, 2, 5, 5, 1]);
     diagram.remove(0);
     const worker = new Worker(\`
-      const { parentPort } = require("node:worker_threads");
-      const { Diagram } = require("apollonius-diagram");
+      import { parentPort } from "node:worker_threads";
+      import { Diagram } from "apollonius-diagram";
       parentPort.once("message", (bytes) => parentPort.postMessage([...Diagram.fromBytes(bytes).findMany([8, 0, 5, 6])]));\`, { eval: true });
     const bytes = diagram.toBytes();
     worker.postMessage(bytes, [bytes.buffer]);
