@@ -1,5 +1,6 @@
 // What is measured: scenes, each one set with the operations on it, in order. A scene is run `rounds` times, and in each round every
 // step asks its contenders in turn; `rounds` of a step limits how often a slow one takes part.
+import { availableParallelism } from "node:os";
 import { countCities } from "./cities.mjs";
 
 export const families = ["random0", "random5", "random20", "random50", "lattice", "decimal", "cocircular", "collinear", "clustered",
@@ -93,6 +94,22 @@ function drawing({ rounds, seconds, sizes }) {
   }));
 }
 
+/** Snapshots against building, and `findMany` on threads that restored one. */
+function snapshots({ rounds, seconds, limit, sizes }) {
+  const cores = availableParallelism();
+  const threads = [...new Set([1, 2, 4, 8, 16, cores])].filter((count) => count <= cores || count <= 2);
+  return sizes.filter((n) => n >= 1e4 && n <= 1e6).flatMap((n) => [
+    {
+      part: "snapshots", family: "random5", n, rounds,
+      steps: ["build", "toBytes", "fromBytes"].map((op) => ({ op, who: ours, seconds, limit })),
+    },
+    ...threads.map((count) => ({
+      part: "snapshots", family: "random5", n, label: `${count} thread${count > 1 ? "s" : ""}`, rounds: Math.min(rounds, 2),
+      steps: [{ op: "findManyOnThreads", who: ["wasm"], count, seconds }],
+    })),
+  ]);
+}
+
 /** What a call costs that does nothing else, and the heap. */
 function border({ rounds, seconds, memory, churn }) {
   return [
@@ -106,7 +123,7 @@ function border({ rounds, seconds, memory, churn }) {
   ];
 }
 
-export const parts = { scaling, families: kinds, table1: tableOne, moves, drawing, border };
+export const parts = { scaling, families: kinds, table1: tableOne, moves, drawing, snapshots, border };
 
 /** The scenes of a mode, of all parts or of one. */
 export function scenesOf(mode, only) {

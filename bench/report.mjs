@@ -8,6 +8,7 @@ const titles = {
   families: "Kinds of input",
   moves: "10 000 moving sites (µs per site; `updateMany`: times 10 is ms per frame)",
   drawing: "Drawing all edges (d3-delaunay: of the centres' cells), and the areas of all cells (µs per site)",
+  snapshots: "Snapshots (µs per site; threads: µs per point, all of them together)",
   border: "One call that does nothing else (µs)",
   memory: "Memory (µs per item; bytes below)",
 };

@@ -207,6 +207,20 @@ Error Diagram::faces(std::vector<SiteId>& sites) const {
   return guarded([&] { impl_->faces(sites); });
 }
 
+Error Diagram::toBytes(std::vector<std::uint8_t>& bytes) const {
+  return guarded([&] { impl_->save(bytes); });
+}
+
+Error Diagram::fromBytes(std::span<const std::uint8_t> bytes) {
+  bool isRestored = false;
+  const Error error = guarded([&] {
+    auto restored = std::make_unique<Impl>(impl_->location());
+    isRestored = restored->restore(bytes);
+    if (isRestored) impl_ = std::move(restored);
+  });
+  return error == Error::kNone && !isRestored ? Error::kCorruptSnapshot : error;
+}
+
 Error Diagram::validate(std::string& broken) const {
   return guarded([&] { broken = impl_->check(); });
 }

@@ -22,9 +22,6 @@
 
 namespace apollonius {
 
-/// Smallest and largest magnitude that a coordinate or a weight may have, apart from 0 (same unit as the coordinates).
-inline constexpr double kSmallestMagnitude = 1e-100;
-inline constexpr double kLargestMagnitude = 1e100;
 enum class Error : std::uint8_t {
   kNone = 0,
   kNotFinite,    ///< a NaN or an infinity was given
@@ -34,6 +31,7 @@ enum class Error : std::uint8_t {
   kOutOfMemory,  ///< memory ran out
   kTooLarge,     ///< more than kMostSites sites
   kBadBounds,    ///< a window that is empty, inverted, not finite or out of range (voronoi.h)
+  kCorruptSnapshot,  ///< bytes that are no snapshot, or none of a version that is known, or a damaged one
 };
 
 /// A circle: centre and weight (radius). Negative weights are legal: only differences of weights matter to the diagram.
@@ -128,6 +126,16 @@ class Diagram {
   /// edges and vertices at infinity that vertices() and edges() leave out. A function of the set of sites, up to the order of the
   /// faces and which of several identical sites is visible. Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
   [[nodiscard]] Error faces(std::vector<SiteId>& sites) const;
+
+  // --- Snapshots (docs/SNAPSHOTS.md) -------------------------------------------------------------------------------------------
+
+  /// The diagram in bytes, the same on every platform; replaces the contents. Errors: kOutOfMemory. Cost: O(n), about 56 bytes a site.
+  [[nodiscard]] Error toBytes(std::vector<std::uint8_t>& bytes) const;
+
+  /// Becomes the diagram that was saved: sites, ids, those that are free, hidden sites, graph; location stays as it was chosen. Every
+  /// accidental damage is noticed; bytes that were made to deceive are for validate() to find out. Errors: kCorruptSnapshot, kOutOfMemory.
+  /// Cost: O(n), without any search.
+  [[nodiscard]] Error fromBytes(std::span<const std::uint8_t> bytes);
 
   /// Checks every invariant with exact arithmetic; `broken` becomes empty, or names the first broken one.
   /// Errors: kOutOfMemory. Cost: O(n), slow: for tests.

@@ -110,6 +110,14 @@ export function checkSiteCount(name: string, count: number): void {
   if (count > kMostSites) throw new ApolloniusError("too-large", `${name} holds ${count} sites, expected at most 2^29`);
 }
 
+/** What is a Uint8Array, of whatever realm and wherever in its buffer; throws "bad-length". */
+export function checkedBytes(name: string, bytes: unknown): Uint8Array {
+  if (typedArrayKind(bytes) !== "Uint8Array") {
+    throw new ApolloniusError("bad-length", `${name} is ${described(bytes)}, expected a Uint8Array`);
+  }
+  return checkedArray(name, bytes, "bytes") as Uint8Array;
+}
+
 /** A new typed array; that there can be none of that length is a lack of memory. */
 export function allocated<Values>(make: () => Values): Values {
   try {

@@ -47,6 +47,7 @@ apollonius::EdgeArrays edgeArrays;
 apollonius::CurveArrays curveArrays;
 apollonius::RingArrays ringArrays;
 std::vector<double> numbers;
+std::vector<std::uint8_t> bytes;
 apollonius::Path path;
 std::string text;
 
@@ -91,6 +92,7 @@ void release() {
   curveArrays = {};
   ringArrays = {};
   numbers = std::vector<double>();
+  bytes = std::vector<std::uint8_t>();
   path = {};
   text = std::string();
 }
@@ -157,6 +159,16 @@ int validate(const Diagram& diagram) {
   const Error error = diagram.validate(text);
   publish(0, text);
   return code(error);
+}
+
+int toBytes(const Diagram& diagram) {
+  const Error error = diagram.toBytes(bytes);
+  publish(0, bytes);
+  return code(error);
+}
+
+int fromBytes(Diagram& diagram, Address content, std::size_t length) {
+  return code(diagram.fromBytes({at<const std::uint8_t>(content), length}));
 }
 
 int publishMeasures(Error error, const apollonius::CellMeasures& measures) {
@@ -365,4 +377,6 @@ EMSCRIPTEN_BINDINGS(apollonius) {
   method<&vertices>("vertices");
   method<&edges>("edges");
   method<&validate>("validate");
+  method<&toBytes>("toBytes");
+  method<&fromBytes>("fromBytes");
 }

@@ -186,6 +186,15 @@ export class NativeDiagram {
     });
   }
 
+  /** Becomes what `toBytes` saved. */
+  fromBytes(bytes: Uint8Array): Status {
+    return this.#withScratch(bytes.length, (at) => {
+      const heap: Uint8Array = this.#module.HEAPU8;
+      heap.set(bytes, at);
+      return this.#module.fromBytes(this.#address, at, bytes.length);
+    });
+  }
+
   // --- Arrays out: each call fills slots, from which `take...` copies and `finish` gives back what was large ---------------
 
   ids(): Status {
@@ -196,6 +205,9 @@ export class NativeDiagram {
   }
   edges(): Status {
     return this.#module.edges(this.#address);
+  }
+  toBytes(): Status {
+    return this.#module.toBytes(this.#address);
   }
   validate(): Status {
     return this.#module.validate(this.#address);
@@ -282,10 +294,13 @@ export class NativeDiagram {
     const heap: Uint32Array = this.#module.HEAPU32;
     return heap.slice(start, start + this.#slot(kLengths, slot));
   }
-  takeText(slot: number): string {
+  takeBytes(slot: number): Uint8Array<ArrayBuffer> {
     const start = this.#slot(kAddresses, slot);
-    const bytes: Uint8Array = this.#module.HEAPU8;
-    return new TextDecoder().decode(bytes.slice(start, start + this.#slot(kLengths, slot)));
+    const heap: Uint8Array<ArrayBuffer> = this.#module.HEAPU8;
+    return heap.slice(start, start + this.#slot(kLengths, slot));
+  }
+  takeText(slot: number): string {
+    return new TextDecoder().decode(this.takeBytes(slot));
   }
   finish(): void {
     const bytes = 8 * (this.#slot(kLengths, 0) + this.#slot(kLengths, 1) + this.#slot(kLengths, 2));

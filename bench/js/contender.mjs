@@ -15,11 +15,11 @@ function parsed(line) {
 const [name, set, ...people] = process.argv.slice(2);
 const { operations, warmUp } = await import(`./${name}.mjs`);
 
-function answer(request) {
+async function answer(request) {
   const operation = operations[request.operation];
   if (!operation) return { error: `unknown operation ${request.operation}` };
   try {
-    return operation(request);
+    return await operation(request);
   } catch (error) {
     return { error: String(error.message ?? error) };
   }
@@ -28,11 +28,11 @@ function answer(request) {
 warmUp?.();
 if (people.length > 0) {
   for (const operation of people) {
-    const { samples, error, ...rest } = answer({ operation, set, count: 0, seconds: 1, limit: 60, step: 0.01 });
+    const { samples, error, ...rest } = await answer({ operation, set, count: 0, seconds: 1, limit: 60, step: 0.01 });
     const sorted = samples?.toSorted((a, b) => a - b);
     const text = error ?? `${sorted[sorted.length >> 1].toFixed(4)} us  (${sorted[0].toFixed(4)} .. ${sorted.at(-1).toFixed(4)})`;
     console.log(operation.padEnd(14), text, JSON.stringify(rest));
   }
 } else {
-  for await (const line of createInterface({ input: process.stdin })) console.log(JSON.stringify(answer(parsed(line))));
+  for await (const line of createInterface({ input: process.stdin })) console.log(JSON.stringify(await answer(parsed(line))));
 }

@@ -1,7 +1,8 @@
 // The packed package as a contender. The operations are those of bench/native/operations.cpp, and calls, memory and churn.
 import path from "node:path";
 import { pathToFileURL } from "node:url";
-import { boxOf, forEachUntil, forMilliseconds, readDoubles, readQueries, sampled, Sum } from "./sampling.mjs";
+import { boxOf, forEachUntil, forMilliseconds, readDoubles, readQueries, sampled, sampledLater, Sum } from "./sampling.mjs";
+import { startFinders } from "./threads.mjs";
 
 // The package does not show its heap, so the instance's memory is caught when it is made.
 let memory;
@@ -66,6 +67,35 @@ function insertOneByOne(request, location) {
     const { diagram } = current;
     return forEachUntil(request.limit, count, (k) => diagram.insert(sites[3 * k], sites[3 * k + 1], sites[3 * k + 2]));
   }));
+}
+
+// --- Snapshots ---------------------------------------------------------------------------------------------------------------
+
+function toBytes(request) {
+  ensureDiagram(request);
+  let bytes;
+  const answer = sampled(request, size(), () => {}, () => { bytes = current.diagram.toBytes(); });
+  return withVisible({ ...answer, sink: bytes.length });
+}
+
+function fromBytes(request) {
+  ensureDiagram(request);
+  const bytes = current.diagram.toBytes();
+  const answer = sampled(request, size(), () => renew(new Diagram()), () => {
+    current.diagram = Diagram.fromBytes(bytes);
+  });
+  return withVisible({ ...answer, sink: bytes.length });
+}
+
+/** findMany with the points dealt out to `count` threads, each with a diagram restored from one snapshot. What is moved is timed, too. */
+async function findManyOnThreads(request) {
+  ensureDiagram(request);
+  const points = readQueries({ ...request, count: 0 });
+  const finders = await startFinders(request.count, current.diagram.toBytes());
+  let sink = 0;
+  const answer = await sampledLater(request, points.length / 2, async () => { sink = await finders.find(points); });
+  await finders.stop();
+  return withVisible({ ...answer, sink });
 }
 
 // --- Queries -----------------------------------------------------------------------------------------------------------------
@@ -214,7 +244,7 @@ function churn(request) {
 }
 
 export const operations = {
-  build, find, findMany, draw, cellAreas, churn,
+  build, find, findMany, draw, cellAreas, churn, toBytes, fromBytes, findManyOnThreads,
   findNear: find,
   findManyNear: findMany,
   insert: (request) => insertOneByOne(request, "hierarchy"),

@@ -40,6 +40,20 @@ export function sampled(request, items, prepare, work) {
   return { samples, items, isCutOff };
 }
 
+/** `sampled` for work that ends later. */
+export async function sampledLater(request, items, work) {
+  const samples = [];
+  let measured = 0;
+  do {
+    const start = performance.now();
+    await work();
+    const milliseconds = performance.now() - start;
+    measured += milliseconds / 1000;
+    samples.push(1000 * milliseconds / items);
+  } while (measured < request.seconds && samples.length < kMostSamples);
+  return { samples, items, isCutOff: false };
+}
+
 /** Calls `step(k)` for k = 0, 1, ... `items` times or until the time limit; returns how often. */
 export function forEachUntil(limit, items, step) {
   const end = performance.now() + 1000 * limit;

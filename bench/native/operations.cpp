@@ -49,6 +49,7 @@ const std::map<std::string, Operations::Operation>& Operations::operations() {
       {"find", &Operations::find},           {"findNear", &Operations::find},       {"findMany", &Operations::findMany},
       {"findManyNear", &Operations::findMany}, {"remove", &Operations::remove},     {"removeMany", &Operations::removeMany},
       {"update", &Operations::update},       {"updateMany", &Operations::updateMany},
+      {"toBytes", &Operations::toBytes},     {"fromBytes", &Operations::fromBytes},
   };
   return all;
 }
@@ -132,6 +133,27 @@ Answer Operations::insertOneByOne(const Request& request, Location location) {
 
 Answer Operations::insert(const Request& request) { return insertOneByOne(request, Location::kHierarchy); }
 Answer Operations::insertByWalk(const Request& request) { return insertOneByOne(request, Location::kWalk); }
+
+// --- Snapshots ---------------------------------------------------------------------------------------------------------------
+
+Answer Operations::toBytes(const Request& request) {
+  ensureDiagram();
+  std::vector<std::uint8_t> bytes;
+  Answer answer = sampled(request, size(), [&] { bytes = {}; }, [&](std::size_t&) { check(diagram_.toBytes(bytes)); });
+  answer.sink = static_cast<double>(bytes.size());
+  return answer;
+}
+
+Answer Operations::fromBytes(const Request& request) {
+  ensureDiagram();
+  std::vector<std::uint8_t> bytes;
+  check(diagram_.toBytes(bytes));
+  stages::reset();
+  Answer answer = sampled(request, size(), [&] { diagram_ = Diagram(); }, [&](std::size_t&) { check(diagram_.fromBytes(bytes)); });
+  answer.sink = static_cast<double>(bytes.size());
+  answer.extra = stages::perItem(answer.samples.size() * size());
+  return answer;
+}
 
 // --- Queries -----------------------------------------------------------------------------------------------------------------
 

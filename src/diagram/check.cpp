@@ -19,6 +19,13 @@ bool agree(const VoronoiCircle& a, const VoronoiCircle& b) {
   return isClose(a.x, b.x, slope) && isClose(a.y, b.y, slope) && isClose(a.s, b.s, error);
 }
 
+/// The direction of (x, y) as a number that grows from 0 to 4 in a turn.
+double turnOf(double x, double y) {
+  const double share = absolute(y) / (absolute(x) + absolute(y));
+  if (y >= 0) return x >= 0 ? share : 2 - share;
+  return x < 0 ? 2 + share : 4 - share;
+}
+
 }  // namespace
 
 const char* DelaunayGraph::check(std::uint32_t& where) const {
@@ -48,7 +55,37 @@ const char* DelaunayGraph::check(std::uint32_t& where) const {
       return "the cached circle of a face is not its circle: half-edge";
     }
   }
+  where = 0;
+  if (!graph_.isEmpty() && !hullTurnsOnce()) return "the hull turns more than once: half-edge";
   return nullptr;
+}
+
+/// Else the graph would be that of several diagrams on top of each other, sewn together. Normals that are too close or too vague to
+/// tell which comes first count as one.
+bool DelaunayGraph::hullTurnsOnce() const {
+  constexpr double kClose = 0x1p-16;
+  const HalfedgeId begin = graph_.outgoing(kInfinity);
+  double turned = 0, last = -1, first = 0;
+  const auto turnTo = [&](double turn) {
+    const double step = turn < last ? turn - last + 4 : turn - last;
+    if (step < 4 - kClose) turned += step;
+    last = turn;
+  };
+  HalfedgeId h = begin;
+  do {
+    const VoronoiCircle& plane = circle(faceOf(h));
+    if (plane.slope < kClose / 16) {
+      const double turn = turnOf(plane.x, plane.y);
+      if (last < 0) {
+        first = last = turn;
+      } else {
+        turnTo(turn);
+      }
+    }
+    h = graph_.rotateCw(h);
+  } while (h != begin);
+  if (last >= 0) turnTo(first);
+  return turned < 6;
 }
 
 std::string DiagramCore::check() const {

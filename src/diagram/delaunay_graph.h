@@ -79,6 +79,11 @@ class DelaunayGraph {
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
 
+  /// Snapshots (snapshot.cpp): everything but the sites, which are set before restore(). That fails if what is read is no surface; whether
+  /// it is the diagram of the sites is for check() to say.
+  void save(WordWriter& out, std::size_t vertexSlots) const;
+  [[nodiscard]] bool restore(WordReader& in, std::size_t faceSlots);
+
   /// The first broken invariant, exactly checked, or nullptr; `where` receives an id that it names.
   [[nodiscard]] const char* check(std::uint32_t& where) const;
 
@@ -92,6 +97,8 @@ class DelaunayGraph {
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
   [[nodiscard]] Insertion insertBesideOne(VertexId v, HiddenForest* forest);
   [[nodiscard]] Insertion coverAll(VertexId v, HiddenForest* forest);
+  [[nodiscard]] bool hullTurnsOnce() const;
+  void computeAllCircles();
   /// Room for an operation on the graph, newFaces_ and newCircles_ included.
   void reserveFaces(std::size_t removed, std::size_t created);
   [[nodiscard]] std::span<FaceId> newFaces(std::size_t created) { return {newFaces_.data(), created}; }

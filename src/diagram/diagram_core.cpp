@@ -7,13 +7,6 @@
 
 namespace apollonius {
 
-namespace {
-
-/// -0 + 0 is 0: one number, one pattern of bits.
-Site normalized(const Site& site) { return {site.x + 0.0, site.y + 0.0, site.r + 0.0}; }
-
-}  // namespace
-
 void DiagramCore::reserve(std::size_t slots) {
   ids_.reserve(slots);
   hidden_.reserve(slots);
@@ -23,6 +16,7 @@ void DiagramCore::reserve(std::size_t slots) {
 VertexId DiagramCore::startFor(double x, double y) const {
   const Slot close = grid_.near(x, y);
   if (close != kNoSlot && base_.isVisible(vertexOf(close))) return vertexOf(close);
+  if (isHierarchyDue_) buildHierarchy();
   const Slot start = hierarchy_.locate(x, y);
   return start == kNoSlot ? base_.anyVisible() : vertexOf(start);
 }
@@ -123,15 +117,22 @@ void DiagramCore::displaceVisible(Slot slot) {
 
 void DiagramCore::enterLocation(Slot slot) noexcept {
   if (!usesHierarchy_) return;
-  hierarchy_.insert(slot, site(slot));
+  if (!isHierarchyDue_) hierarchy_.insert(slot, site(slot));
   if (walk_ != Walk::kSectors || isBulk_) return;
   grid_.insert(slot, site(slot));
   if (grid_.isOutgrown()) rebuildGrid();
 }
 
 void DiagramCore::leaveLocation(Slot slot) noexcept {
-  hierarchy_.remove(slot, remover_);
+  if (!isHierarchyDue_) hierarchy_.remove(slot, remover_);
   grid_.remove(site(slot));
+}
+
+void DiagramCore::buildHierarchy() const noexcept {
+  isHierarchyDue_ = false;
+  for (Slot slot = 0; slot < ids_.slots(); ++slot) {
+    if (ids_.state(slot) == SiteState::kVisible) hierarchy_.insert(slot, site(slot));
+  }
 }
 
 void DiagramCore::rebuildGrid() noexcept {
@@ -195,7 +196,7 @@ bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
 
 /// What location needs to know of a site that moved and is visible as before.
 void DiagramCore::followMove(Slot slot, const Site& from) noexcept {
-  hierarchy_.move(slot, site(slot), remover_);
+  if (!isHierarchyDue_) hierarchy_.move(slot, site(slot), remover_);
   grid_.move(slot, from, site(slot));
   if (grid_.isOutgrown()) rebuildGrid();
 }
@@ -318,6 +319,7 @@ void DiagramCore::clear() noexcept {
   base_.clear();
   hidden_.clear();
   hierarchy_.clear();
+  isHierarchyDue_ = false;
   grid_.clear();
   ids_.clear();
 }

@@ -24,7 +24,8 @@ namespace apollonius {
 class DiagramCore {
  public:
   explicit DiagramCore(Location location)
-      : usesHierarchy_(location != Location::kWalk),
+      : location_(location),
+        usesHierarchy_(location != Location::kWalk),
         walk_(location == Location::kHierarchy ? Walk::kSectors : Walk::kAllNeighbors),
         hierarchy_(walk_) {}
 
@@ -44,6 +45,7 @@ class DiagramCore {
   void updateMany(std::span<const SiteId> ids, std::span<const double> xyr);
   void clear() noexcept;
 
+  [[nodiscard]] Location location() const { return location_; }
   [[nodiscard]] const SiteIds& ids() const { return ids_; }
   [[nodiscard]] std::size_t visibleCount() const { return base_.visibleCount(); }
   [[nodiscard]] const Site& site(Slot slot) const { return base_.site(vertexOf(slot)); }
@@ -61,6 +63,11 @@ class DiagramCore {
   void vertices(VertexArrays& vertices) const;
   void edges(EdgeArrays& edges) const;
   void faces(std::vector<SiteId>& sites) const;
+
+  /// The diagram as a snapshot; replaces the contents of `bytes`.
+  void save(std::vector<std::uint8_t>& bytes) const;
+  /// Becomes what was saved; false if the bytes are no snapshot. REQUIRES: a new diagram; after a failure it is good for nothing.
+  [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes);
 
   /// Empty, or the first broken invariant.
   [[nodiscard]] std::string check() const;
@@ -100,20 +107,26 @@ class DiagramCore {
   void enterLocation(Slot slot) noexcept;
   void leaveLocation(Slot slot) noexcept;
   void rebuildGrid() noexcept;
+  void buildHierarchy() const noexcept;
   void endBulk() noexcept;
   [[nodiscard]] VertexId startFor(double x, double y) const;
 
   [[nodiscard]] bool hasFiniteVertex(FaceId f) const;
   [[nodiscard]] bool isEdgeAtInfinity(HalfedgeId h, const std::vector<std::int32_t>& finite) const;
   [[nodiscard]] std::string checkHidden() const;
+  void saveHidden(WordWriter& out) const;
+  [[nodiscard]] bool restoreStates();
+  [[nodiscard]] bool restoreHidden(WordReader& in, std::size_t count);
 
+  Location location_;
   bool usesHierarchy_;
   Walk walk_;
   bool isBulk_ = false;       // many sites are being inserted; the grid is made afterwards
   SiteIds ids_;
   DelaunayGraph base_;        // vertex of slot s: s + 1
   HiddenForest hidden_;       // node of slot s: s
-  Hierarchy hierarchy_;
+  mutable Hierarchy hierarchy_;
+  mutable bool isHierarchyDue_ = false;  // restored from a snapshot: the hierarchy is made when it is asked first, and left alone until then
   StartGrid grid_;            // with Walk::kSectors only
   Remover remover_;
   SiteMoves siteMoves_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diagram/vocabulary.h"
+#include "graph/words.h"
 
 namespace apollonius {
 
@@ -114,6 +115,15 @@ class SiteIds {
     }
   }
 
+  /// Snapshots: for each slot its id, or kNoSite; then the free slots and the free ids, in the order in which they are used.
+  void save(WordWriter& out) const {
+    for (Slot slot = 0; slot < slots_.size(); ++slot) out.word(state(slot) == SiteState::kFree ? kNoSite : idOf(slot));
+    for (Slot slot = firstFreeSlot_; slot != kEnd; slot = slots_[slot] & kMask) out.word(slot);
+    for (SiteId id = firstFreeId_; id != kEnd; id = ids_[id] & kMask) out.word(id);
+  }
+  /// Reads what save() wrote, with all sites pending; false if that is no numbering. REQUIRES: size <= slots, size <= idLimit.
+  [[nodiscard]] bool restore(WordReader& in, std::size_t slots, std::size_t idLimit, std::size_t size);
+
   /// Forgets all sites but keeps the room.
   void clear() {
     ids_.clear();
@@ -129,11 +139,13 @@ class SiteIds {
   static constexpr std::uint32_t kMask = (std::uint32_t{1} << kShift) - 1;
   static constexpr std::uint32_t kEnd = kMask;
   static constexpr std::uint32_t kFreeId = 0x80000000u;
-  static_assert(kMostSites < kEnd);
+  static_assert(kMostSites < kEnd - 1);
 
   static constexpr std::uint32_t word(SiteState state, std::uint32_t value) {
     return static_cast<std::uint32_t>(state) << kShift | value;
   }
+
+  static constexpr std::uint32_t kNotListed = kEnd - 1;  // a free slot, while a snapshot is read
 
   std::vector<std::uint32_t> ids_;    // by id
   std::vector<std::uint32_t> slots_;  // by slot

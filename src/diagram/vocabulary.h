@@ -15,6 +15,10 @@ inline constexpr SiteId kNoSite = 0xFFFFFFFFu;
 /// Most sites that one diagram can hold.
 inline constexpr std::size_t kMostSites = std::size_t{1} << 29;
 
+/// Smallest and largest magnitude that a coordinate or a weight may have, apart from 0 (same unit as the coordinates).
+inline constexpr double kSmallestMagnitude = 1e-100;
+inline constexpr double kLargestMagnitude = 1e100;
+
 /// How the nearest site is located (paper, section 4). The answers are the same.
 enum class Location : std::uint8_t {
   kWalk,            ///< the paper's plain walk: all neighbours of a site are asked; O(h) at worst, about sqrt(h) on random input

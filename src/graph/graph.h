@@ -18,6 +18,9 @@
 
 namespace apollonius {
 
+class WordReader;
+class WordWriter;
+
 class Graph {
  public:
   // --- Reading -------------------------------------------------------------------------------------------------------------
@@ -88,6 +91,14 @@ class Graph {
   /// link[1] (v had degree 2). A link edge with the star on both sides stays sewn to its partner. newFaces[k] receives the face of patch[k].
   /// REQUIRES: room for all corners and reserveFaces(link.size(), patch.size()); newFaces.size() == patch.size().
   void replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<const PatchFace> patch, std::span<FaceId> newFaces);
+
+  // --- Snapshots (snapshot.cpp) ----------------------------------------------------------------------------------------------
+
+  /// Writes 1 + 3 * faceSlots() + vertexSlots words. Vertices from vertexSlots on have no place.
+  void save(WordWriter& out, std::size_t vertexSlots) const;
+  /// Reads what save() wrote for so many slots; false if it is no closed surface of Euler characteristic 2, or the free faces
+  /// are not in a list. That it is connected is left to geometry. REQUIRES: a new graph; after a failure it is good for nothing.
+  [[nodiscard]] bool restore(WordReader& in, std::size_t vertexSlots, std::size_t faceSlots);
 
   /// Checks all invariants of the surface and returns the first broken one, or nullptr. `where` receives an id that it names.
   [[nodiscard]] const char* check(std::uint32_t& where) const;

@@ -10,6 +10,9 @@ struct Site {
   double r = 0;
 };
 
+/// -0 + 0 is 0: one number, one pattern of bits.
+constexpr Site normalized(const Site& site) { return {site.x + 0.0, site.y + 0.0, site.r + 0.0}; }
+
 /// A corner of a face, or an end of an edge: a site, or nullptr for the site at infinity.
 using Corner = const Site*;
 

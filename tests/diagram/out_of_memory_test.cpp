@@ -155,6 +155,14 @@ std::vector<double> flat(const Circles& circles) {
   return xyr;
 }
 
+std::vector<std::uint8_t> snapshotOf(const Circles& circles) {
+  Diagram diagram;
+  build(diagram, circles);
+  std::vector<std::uint8_t> bytes;
+  EXPECT_EQ(diagram.toBytes(bytes), Error::kNone);
+  return bytes;
+}
+
 /// Operations for a diagram of n sites made by mixed(). What they need is made beforehand, so that only the library allocates.
 std::vector<Operation> changes(Random& random, std::size_t n) {
   const Circles others = mixed(random, n);
@@ -200,6 +208,7 @@ std::vector<Operation> changes(Random& random, std::size_t n) {
          std::size_t removed = 0;
          return d.removeMany(half, removed);
        }},
+      {"fromBytes", [bytes = snapshotOf(others)](Diagram& d) { return d.fromBytes(bytes); }},
   };
 }
 
@@ -257,6 +266,11 @@ std::vector<Operation> queries(std::size_t n) {
        [](Diagram& d) {
          std::vector<SiteId> sites;
          return d.faces(sites);
+       }},
+      {"toBytes",
+       [](Diagram& d) {
+         std::vector<std::uint8_t> bytes;
+         return d.toBytes(bytes);
        }},
       {"validate",
        [](Diagram& d) {

@@ -9,7 +9,7 @@ set(quick
   predicate/circle_fan.cpp predicate/edge_circle_filter.cpp number/whole.cpp
   diagram/conflict.cpp diagram/locate.cpp diagram/insert.cpp diagram/sort_by_key.cpp)
 set(compact
-  predicate/predicates.cpp predicate/stages.cpp predicate/voronoi_circle.cpp graph/graph.cpp
+  predicate/predicates.cpp predicate/stages.cpp predicate/voronoi_circle.cpp graph/graph.cpp graph/snapshot.cpp diagram/snapshot.cpp
   diagram/remove.cpp diagram/ears.cpp diagram/site_moves.cpp
   geometry/clip.cpp geometry/render.cpp geometry/edge.cpp geometry/bisector.cpp geometry/conic.cpp geometry/approximate.cpp)
 list(TRANSFORM quick PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")

@@ -74,6 +74,16 @@ export const diagramCalls = {
       ["bad-option", () => Diagram.from([], 7), "x is 7"],
     ],
   },
+  fromBytes: {
+    use: (d) => Diagram.fromBytes(d.toBytes()),
+    refuses: [
+      ["corrupt-snapshot", () => Diagram.fromBytes(new Uint8Array(56)), "bytes are no snapshot"],
+      ["corrupt-snapshot", (d) => Diagram.fromBytes(d.toBytes().subarray(8)), "bytes are no snapshot"],
+      ["bad-length", () => Diagram.fromBytes([1, 2, 3]), "bytes is an array of 3, expected a Uint8Array"],
+      ["bad-length", () => Diagram.fromBytes(new Uint8ClampedArray(8)), "expected a Uint8Array"],
+      ["bad-option", (d) => Diagram.fromBytes(d.toBytes(), { location: "grid" }), 'options.location is the string "grid"'],
+    ],
+  },
   insert: {
     use: (d) => d.insert(1, 2, 3),
     refuses: [...number("x", (d, x) => d.insert(x, 0, 1)), ...number("y", (d, y) => d.insert(0, y)), ...number("r", (d, r) => d.insert(0, 0, r))],
@@ -145,6 +155,7 @@ export const diagramCalls = {
   },
   renderSites: drawn("renderSites"),
   renderHull: drawn("renderHull"),
+  toBytes: works((d) => d.toBytes()),
   validate: works((d) => d.validate()),
 };
 

@@ -18,6 +18,7 @@ const many = 20_000;
 const points = new Float64Array(2 * many).map((_, k) => k % 1009);
 const sites = new Float64Array(3 * many).map((_, k) => (k % 3 === 2 ? 1 : (k * 7919) % 100_003));
 const ids = new Uint32Array(many).fill(hub);
+const bytes = diagram.toBytes();
 const ink = { moveTo() {}, lineTo() {}, bezierCurveTo() {}, closePath() {} };
 
 /** What each call is asked for; in `small` those that need no memory. */
@@ -30,6 +31,8 @@ const large = {
   "Diagram.removeMany": () => diagram.removeMany(ids),
   "Diagram.update": () => diagram.update(hub, 0, 0, 10),
   "Diagram.updateMany": () => diagram.updateMany(ids, sites),
+  "Diagram.fromBytes": () => Diagram.fromBytes(bytes),
+  "Diagram.toBytes": () => diagram.toBytes(),
   "Diagram.ids": () => diagram.ids(),
   "Diagram.findMany": () => diagram.findMany(points),
   "Diagram.kNearest": () => diagram.kNearest(0, 0, Infinity),

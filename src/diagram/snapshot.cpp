@@ -1,0 +1,243 @@
+// Snapshots: docs/SNAPSHOTS.md has the format. Counts, lists, ids and the graph as a surface are checked as they are read, so that whatever
+// the bytes are, nothing outside of the arrays is ever touched. That the graph is the diagram of these sites is what the checksum is
+// trusted for: to prove it would take as long as to build it anew (check.cpp does).
+//
+// Circles, hierarchy and grid are made anew: they follow from the sites and the graph. The grid answers most of what the hierarchy
+// is asked, so that one waits until it is asked for the first time.
+#include <array>
+#include <limits>
+#include <new>
+
+#include "diagram/diagram_core.h"
+#include "graph/words.h"
+#include "predicate/predicates.h"
+
+namespace apollonius {
+
+namespace {
+
+constexpr std::uint64_t kMagic = 0x0A1A0A0D6C6F7041u;  // "Apol", and line ends that a transfer as text would spoil
+constexpr std::uint32_t kVersion = 1;
+
+// In the order of the file, after the magic number.
+struct Header {
+  std::uint32_t version, slots, idLimit, sites, hidden, faceSlots;
+};
+constexpr std::size_t kHeaderWords = 8;
+constexpr std::size_t kChecksumWords = 2;
+
+/// Words of all but the checksum and what makes them even.
+std::uint64_t wordsFor(std::uint64_t slots, std::uint64_t idLimit, std::uint64_t sites, std::uint64_t hidden, std::uint64_t faceSlots) {
+  const std::uint64_t ids = slots + (slots - sites) + (idLimit - sites);
+  const std::uint64_t graph = 2 + 3 * faceSlots + (slots + 1);
+  return kHeaderWords + 6 * slots + ids + graph + 2 * hidden;
+}
+/// As many as a 32-bit machine has room for.
+constexpr std::uint64_t kMostWords = std::numeric_limits<std::size_t>::max() / 8;
+
+/// Every step is a bijection, so bytes that differ in one group of eight differ in their checksum. Two sums, as each waits for its product.
+std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
+  const auto add = [](std::uint64_t& sum, std::uint64_t word) {
+    sum = (sum ^ word) * 0x9E3779B97F4A7C15u;
+    sum ^= sum >> 29;
+  };
+  WordReader in(bytes);
+  std::uint64_t sum = 0, other = 0;
+  for (std::size_t k = 0; k < bytes.size() / 16; ++k) {
+    add(sum, in.longWord());
+    add(other, in.longWord());
+  }
+  if (bytes.size() % 16 != 0) add(sum, in.longWord());
+  add(sum, other);
+  return sum;
+}
+
+bool isInRange(double value) {
+  const double magnitude = absolute(value);
+  return value == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude);  // false for NaN
+}
+
+}  // namespace
+
+// --- Ids ---------------------------------------------------------------------------------------------------------------------
+
+bool SiteIds::restore(WordReader& in, std::size_t slots, std::size_t idLimit, std::size_t size) {
+  ids_.assign(idLimit, kNoSlot);
+  slots_.assign(slots, kNotListed);
+  freeSlots_ = slots;
+  for (Slot slot = 0; slot < slots; ++slot) {
+    const SiteId id = in.word();
+    if (id == kNoSite) continue;
+    if (id >= idLimit || ids_[id] != kNoSlot) return false;
+    ids_[id] = slot;
+    slots_[slot] = word(SiteState::kPending, id);
+    --freeSlots_;
+  }
+  if (this->size() != size) return false;
+  std::uint32_t* last = &firstFreeSlot_;
+  for (std::size_t k = 0; k < freeSlots_; ++k) {
+    const Slot slot = in.word();
+    if (slot >= slots || slots_[slot] != kNotListed) return false;
+    *last = slot;
+    last = &slots_[slot];
+    *last = kEnd;
+  }
+  std::uint32_t freeId = 0;  // marks ids in the list
+  last = &firstFreeId_;
+  for (std::size_t k = size; k < idLimit; ++k) {
+    const SiteId id = in.word();
+    if (id >= idLimit || ids_[id] != kNoSlot) return false;
+    *last = freeId | id;
+    freeId = kFreeId;
+    last = &ids_[id];
+    *last = kFreeId | kEnd;
+  }
+  return true;
+}
+
+// --- The Delaunay graph --------------------------------------------------------------------------------------------------------
+
+void DelaunayGraph::save(WordWriter& out, std::size_t vertexSlots) const {
+  out.word(static_cast<std::uint32_t>(recent_));
+  graph_.save(out, vertexSlots);
+}
+
+bool DelaunayGraph::restore(WordReader& in, std::size_t faceSlots) {
+  recent_ = VertexId{in.word()};
+  if (!graph_.restore(in, sites_.size(), faceSlots)) return false;
+  if (recent_ != kNoVertex && (recent_ == kInfinity || index(recent_) >= sites_.size())) return false;
+  if (graph_.isEmpty()) {
+    visibleCount_ = recent_ != kNoVertex;
+    return true;
+  }
+  if (!graph_.hasVertex(recent_)) return false;  // also if there is none
+  visibleCount_ = graph_.faceCount() / 2 + 1;  // Euler, without infinity
+  computeAllCircles();
+  return true;
+}
+
+void DelaunayGraph::computeAllCircles() {
+  constexpr std::size_t kBlock = 64;
+  std::array<std::array<Corner, 3>, kBlock> corners;
+  std::array<FaceId, kBlock> faces{};
+  std::array<VoronoiCircle, kBlock> found;
+  std::size_t n = 0;
+  const auto compute = [&] {
+    fan_.computeFaces({corners.data(), n}, {found.data(), n});
+    for (std::size_t k = 0; k < n; ++k) {
+      const bool isKnown = found[k].error < std::numeric_limits<float>::infinity();
+      circles_[index(faces[k])] = isKnown ? found[k] : voronoiCircle(corners[k][0], corners[k][1], corners[k][2]);
+    }
+    n = 0;
+  };
+  fan_.reserve(2 * kBlock);
+  circles_.resize(graph_.faceSlots());
+  for (std::size_t f = 0; f < graph_.faceSlots(); ++f) {
+    const FaceId face{static_cast<std::uint32_t>(f)};
+    if (!graph_.isLive(face)) continue;
+    const std::array<Corner, 3> at{corner(graph_.origin(halfedgeOf(face, 0))), corner(graph_.origin(halfedgeOf(face, 1))),
+                                   corner(graph_.origin(halfedgeOf(face, 2)))};
+    if (at[0] == nullptr || at[1] == nullptr || at[2] == nullptr) {
+      circles_[f] = voronoiCircle(at[0], at[1], at[2]);
+      continue;
+    }
+    faces[n] = face;
+    corners[n++] = at;
+    if (n == kBlock) compute();
+  }
+  compute();
+}
+
+// --- The diagram ---------------------------------------------------------------------------------------------------------------
+
+void DiagramCore::save(std::vector<std::uint8_t>& bytes) const {
+  const Graph& graph = base_.graph();
+  const std::size_t slots = ids_.slots();
+  const std::uint64_t words = wordsFor(slots, ids_.idLimit(), ids_.size(), ids_.hiddenCount(), graph.faceSlots());
+  if (words > kMostWords) throw std::bad_alloc();
+  bytes.resize(static_cast<std::size_t>(4 * (words + words % 2 + kChecksumWords)));
+  const std::span<std::uint8_t> content(bytes.data(), bytes.size() - 4 * kChecksumWords);
+  if (words % 2 != 0) WordWriter(content.last(4)).word(0);
+  WordWriter out(content);
+  out.longWord(kMagic);
+  for (const std::size_t count : {std::size_t{kVersion}, slots, ids_.idLimit(), ids_.size(), ids_.hiddenCount(), graph.faceSlots()}) {
+    out.word(static_cast<std::uint32_t>(count));
+  }
+  for (Slot slot = 0; slot < slots; ++slot) {
+    const Site s = ids_.state(slot) == SiteState::kFree ? Site{} : site(slot);
+    for (const double number : {s.x, s.y, s.r}) out.number(number);
+  }
+  ids_.save(out);
+  base_.save(out, slots + 1);
+  saveHidden(out);
+  WordWriter(std::span(bytes).last(4 * kChecksumWords)).longWord(checksumOf(content));
+}
+
+/// Each hidden site with its parent; parents come before their children, and children in their order.
+void DiagramCore::saveHidden(WordWriter& out) const {
+  std::vector<Slot> reached;
+  reached.reserve(ids_.hiddenCount());
+  const auto saveChildren = [&](Slot parent) {
+    for (Slot child = hidden_.firstChild(parent); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
+      out.word(child);
+      out.word(parent);
+      reached.push_back(child);
+    }
+  };
+  for (Slot slot = 0; slot < ids_.slots(); ++slot) {
+    if (ids_.state(slot) == SiteState::kVisible) saveChildren(slot);
+  }
+  for (std::size_t k = 0; k < reached.size(); ++k) saveChildren(reached[k]);
+}
+
+bool DiagramCore::restore(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < 4 * (kHeaderWords + kChecksumWords) || bytes.size() % 8 != 0) return false;
+  const std::span<const std::uint8_t> content = bytes.first(bytes.size() - 4 * kChecksumWords);
+  WordReader in(content);
+  if (in.longWord() != kMagic || checksumOf(content) != WordReader(bytes.last(4 * kChecksumWords)).longWord()) return false;
+  Header header{};
+  for (std::uint32_t* count : {&header.version, &header.slots, &header.idLimit, &header.sites, &header.hidden, &header.faceSlots}) {
+    *count = in.word();
+  }
+  const std::uint64_t slots = header.slots, idLimit = header.idLimit, sites = header.sites;
+  if (header.version != kVersion || slots > kMostSites || idLimit > kMostSites || sites > slots || sites > idLimit) return false;
+  if (header.hidden > sites || header.faceSlots >= kNoIndex / 3) return false;
+  const std::uint64_t words = wordsFor(slots, idLimit, sites, header.hidden, header.faceSlots);
+  if (4 * (words + words % 2) != content.size()) return false;  // so what is made room for below is in the bytes
+  reserve(header.slots);
+  for (Slot slot = 0; slot < slots; ++slot) {
+    const double x = in.number(), y = in.number(), r = in.number();
+    if (!isInRange(x) || !isInRange(y) || !isInRange(r)) return false;
+    base_.setSite(vertexOf(slot), normalized({x, y, r}));
+  }
+  return ids_.restore(in, header.slots, header.idLimit, header.sites) && base_.restore(in, header.faceSlots) && restoreStates() &&
+         restoreHidden(in, header.hidden);
+}
+
+/// What is in the graph is visible. False if it is a free slot.
+bool DiagramCore::restoreStates() {
+  for (Slot slot = 0; slot < ids_.slots(); ++slot) {
+    if (!base_.isVisible(vertexOf(slot))) continue;
+    if (ids_.state(slot) == SiteState::kFree) return false;
+    ids_.setState(slot, SiteState::kVisible);
+  }
+  isHierarchyDue_ = usesHierarchy_;
+  if (walk_ == Walk::kSectors && base_.visibleCount() > 0) rebuildGrid();
+  return true;
+}
+
+bool DiagramCore::restoreHidden(WordReader& in, std::size_t count) {
+  if (base_.visibleCount() + count != ids_.size()) return false;
+  hidden_.reserveChildren(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Slot child = in.word(), parent = in.word();
+    if (ids_.state(child) != SiteState::kPending) return false;
+    if (ids_.state(parent) != SiteState::kVisible && ids_.state(parent) != SiteState::kHidden) return false;
+    if (!covers(site(parent), site(child))) return false;
+    hidden_.attach(child, parent);
+    ids_.setState(child, SiteState::kHidden);
+  }
+  return true;
+}
+
+}  // namespace apollonius

@@ -1,0 +1,226 @@
+// toBytes and fromBytes through the package: the same diagram again, whatever its history; in other threads; and damaged bytes do no harm.
+import { copyFileSync, readFileSync } from "node:fs";
+import path from "node:path";
+import { runInNewContext } from "node:vm";
+import fc from "fast-check";
+import { Diagram } from "../../build/packed/consumer.mjs";
+import { root } from "../../wasm/toolchain/folders.mjs";
+import { capture } from "../../wasm/toolchain/process.mjs";
+import { snapshot } from "./support/graph.mjs";
+import { packed } from "./support/install_packed.mjs";
+import { runInNode } from "./support/node.mjs";
+import { randomCircles } from "./support/random.mjs";
+import { expectRefusal } from "./support/refusal.mjs";
+
+const recorded = new Uint8Array(readFileSync(path.join(root, "tests/data/snapshots/version1.bin")));
+
+function built() {
+  const diagram = new Diagram(randomCircles(40, 31));
+  diagram.insert(0, 0, 300);  // hides some
+  diagram.removeMany([7, 3, 20]);
+  return diagram;
+}
+
+/** All rows of all arrays, in their order. */
+function rows(diagram) {
+  const { coordinates, clearance, sites } = diagram.vertices();
+  const edges = diagram.edges();
+  return [...coordinates, ...clearance, ...sites, ...edges.sites, ...edges.vertices].join();
+}
+
+test("a restored diagram is the same", () => {
+  const diagram = built();
+  const bytes = diagram.toBytes();
+  expect(bytes).toBeInstanceOf(Uint8Array);
+  expect(bytes.buffer.byteLength).toBe(bytes.length);
+  const restored = Diagram.fromBytes(bytes);
+  expect(restored.validate()).toBeNull();
+  expect(snapshot(restored)).toBe(snapshot(diagram));
+  expect(rows(restored)).toBe(rows(diagram));
+  expect(restored.toBytes()).toEqual(bytes);
+  for (let k = 0; k < 5; ++k) expect(restored.insert(9 * k, 5, k)).toBe(diagram.insert(9 * k, 5, k));  // free ids first, in the same order
+  expect(snapshot(restored)).toBe(snapshot(diagram));
+});
+
+test("bytes that were written natively are read, and written again", () => {
+  const restored = Diagram.fromBytes(recorded);
+  expect(restored.validate()).toBeNull();
+  expect(restored.size).toBe(36);
+  expect(restored.toBytes()).toEqual(recorded);
+});
+
+test("few sites, and none", () => {
+  for (const xyr of [[], [1, 2, 3], [1, 2, 3, 1, 2, 1], [0, 0, 1, 9, 0, 1]]) {
+    const diagram = new Diagram(xyr);
+    const restored = Diagram.fromBytes(diagram.toBytes());
+    expect(snapshot(restored)).toBe(snapshot(diagram));
+    expect(restored.find(1, 1)).toBe(diagram.find(1, 1));
+  }
+});
+
+test("another way of location", () => {
+  const bytes = built().toBytes();
+  for (const location of ["walk", "hierarchy", undefined]) {
+    const restored = Diagram.fromBytes(bytes, { location });
+    expect(restored.validate()).toBeNull();
+    expect(restored.toBytes()).toEqual(bytes);
+  }
+  expectRefusal(() => Diagram.fromBytes(bytes, { location: "grid" }), "bad-option", "options.location");
+});
+
+test("after any history", () => {
+  const number = fc.integer({ min: -6, max: 6 });
+  const step = fc.record({ remove: fc.integer({ min: -8, max: 12 }), x: number, y: number, r: fc.integer({ min: 0, max: 9 }) });
+  const play = (diagram, steps) => steps.map(({ remove, x, y, r }) => (remove >= 0 ? diagram.remove(remove) : diagram.insert(x, y, r)));
+  fc.assert(fc.property(fc.array(step, { maxLength: 60 }), fc.array(step, { maxLength: 20 }), (before, after) => {
+    const diagram = new Diagram();
+    play(diagram, before);
+    const restored = Diagram.fromBytes(diagram.toBytes());
+    expect(restored.validate()).toBeNull();
+    expect(rows(restored)).toBe(rows(diagram));
+    expect(play(restored, after)).toEqual(play(diagram, after));
+    expect(restored.validate()).toBeNull();
+    expect(restored.ids()).toEqual(diagram.ids());
+    diagram.dispose();
+    restored.dispose();
+  }), { numRuns: 300 });
+});
+
+// --- Where bytes come from ---------------------------------------------------------------------------------------------------
+
+test("bytes may be a view, at odd offsets, shared, of another realm, a Buffer", () => {
+  const shared = new Uint8Array(new SharedArrayBuffer(recorded.length + 3), 3);
+  shared.set(recorded);
+  const odd = new Uint8Array(recorded.length + 9).subarray(5, recorded.length + 5);
+  odd.set(recorded);
+  for (const bytes of [shared, odd, runInNewContext("Uint8Array.from(values)", { values: [...recorded] }), Buffer.from(recorded)]) {
+    expect(Diagram.fromBytes(bytes).toBytes()).toEqual(recorded);
+  }
+});
+
+test.each([
+  ["nothing", undefined, "bytes is undefined"],
+  ["null", null, "bytes is null"],
+  ["a string", "Apol", 'bytes is the string "Apol"'],
+  ["an array of numbers", [...recorded], "bytes is an array"],
+  ["a buffer", recorded.buffer, "bytes is an object"],
+  ["other elements", new Uint8ClampedArray(recorded), "bytes is an object"],
+  ["a view for all", new DataView(recorded.buffer), "bytes is an object"],
+])("%s is refused", (_, bytes, message) => {
+  expectRefusal(() => Diagram.fromBytes(bytes), "bad-length", message);
+});
+
+test("a detached buffer is refused", () => {
+  const bytes = recorded.slice();
+  structuredClone(bytes, { transfer: [bytes.buffer] });
+  expectRefusal(() => Diagram.fromBytes(bytes), "bad-length", "detached");
+});
+
+// --- Damage ------------------------------------------------------------------------------------------------------------------
+
+const corrupt = (bytes) => expectRefusal(() => Diagram.fromBytes(bytes), "corrupt-snapshot", "bytes are no snapshot");
+
+test("every truncation is noticed", () => {
+  for (let length = 0; length < recorded.length; ++length) corrupt(recorded.subarray(0, length));
+});
+
+test("every flipped byte is noticed", () => {
+  const bytes = recorded.slice();
+  for (let k = 0; k < bytes.length; ++k) {
+    for (const change of [1 << k % 8, 0xff]) {
+      bytes[k] ^= change;
+      corrupt(bytes);
+      bytes[k] ^= change;
+    }
+  }
+});
+
+/** The checksum of docs/SNAPSHOTS.md, put where it belongs. */
+function signed(bytes) {
+  const words = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  const add = (sum, word) => {
+    const product = BigInt.asUintN(64, (sum ^ word) * 0x9e3779b97f4a7c15n);
+    return product ^ (product >> 29n);
+  };
+  const sums = [0n, 0n];
+  for (let at = 0; at < bytes.length - 8; at += 8) sums[at / 8 % 2] = add(sums[at / 8 % 2], words.getBigUint64(at, true));
+  words.setBigUint64(bytes.length - 8, add(...sums), true);
+  return bytes;
+}
+
+test("forged bytes with a right checksum are refused, or validate() finds them out, or they are a diagram", () => {
+  expect(signed(recorded.slice())).toEqual(recorded);
+  const small = new Diagram([0, 0, 1, 5, 0, 2, 0, 4, 1, 5, 0, 1]).toBytes();
+  const change = fc.record({ at: fc.nat(), word: fc.oneof(fc.nat({ max: 20 }), fc.integer()), isByte: fc.boolean() });
+  fc.assert(fc.property(fc.constantFrom(recorded, small), fc.array(change, { minLength: 1, maxLength: 3 }), (original, changes) => {
+    const bytes = original.slice();
+    const view = new DataView(bytes.buffer);
+    for (const { at, word, isByte } of changes) {
+      if (isByte) bytes[at % (bytes.length - 8)] = word;
+      else view.setInt32(4 * (at % (bytes.length / 4 - 2)), word, true);
+    }
+    let restored;
+    try {
+      restored = Diagram.fromBytes(signed(bytes));
+    } catch (error) {
+      expect(error.code).toBe("corrupt-snapshot");
+      return;
+    }
+    if (restored.validate() !== null) return restored.dispose();
+    restored.insert(1, 2, 3);
+    for (const id of restored.ids()) restored.remove(id);
+    expect(restored.size).toBe(0);
+    restored.dispose();
+  }), { numRuns: 2000 });
+});
+
+test("a refused snapshot leaves no diagram behind", () => {
+  const bytes = new Diagram(randomCircles(20_000, 32)).toBytes();
+  bytes[bytes.length - 1] ^= 1;
+  for (let k = 0; k < 300; ++k) corrupt(bytes);  // 300 diagrams would be 1.5 GB
+  expect(Diagram.fromBytes(recorded).validate()).toBeNull();
+});
+
+// toBytes: tests/diagram/out_of_memory_test.cpp.
+test("lack of memory is said, and changes nothing", () => {
+  const output = runInNode(`
+    import { Diagram } from "apollonius-diagram";
+    const circles = (n) => Float64Array.from({ length: 3 * n }, (_, k) => (k * 0.6180339887498949 % 1) * (k % 3 === 2 ? 1 : 1000));
+    const diagram = new Diagram(circles(300_000));
+    const large = diagram.toBytes(), small = new Diagram(circles(3000)).toBytes();
+    WebAssembly.Memory.prototype.grow = () => { throw new RangeError("no more memory"); };
+    const kept = [];
+    const codeOf = (call) => {
+      try {
+        for (let k = 0; k < 10_000; ++k) kept.push(call());
+      } catch (error) {
+        return error.code;
+      }
+    };
+    const codes = [codeOf(() => Diagram.fromBytes(large)), codeOf(() => Diagram.fromBytes(small))];
+    kept.forEach((one) => one.dispose());
+    console.log(JSON.stringify({ codes, broken: diagram.validate(), same: Buffer.compare(diagram.toBytes(), large) }));`);
+  expect(JSON.parse(output)).toEqual({ codes: ["out-of-memory", "out-of-memory"], broken: null, same: 0 });
+});
+
+// --- Threads -----------------------------------------------------------------------------------------------------------------
+
+test("a snapshot moves to a worker thread", () => {
+  expect(runInNode(`
+    import { Worker } from "node:worker_threads";
+    import { Diagram } from "apollonius-diagram";
+    const diagram = new Diagram([0, 0, 1, 9, 0, 2, 5, 5, 1]);
+    diagram.remove(0);
+    const worker = new Worker(\`
+      import { parentPort } from "node:worker_threads";
+      import { Diagram } from "apollonius-diagram";
+      parentPort.once("message", (bytes) => parentPort.postMessage([...Diagram.fromBytes(bytes).findMany([8, 0, 5, 6])]));\`, { eval: true });
+    const bytes = diagram.toBytes();
+    worker.postMessage(bytes, [bytes.buffer]);
+    worker.once("message", (ids) => { console.log(ids.join(), bytes.length); worker.terminate(); });`)).toBe("1,2 0");
+});
+
+test("web/examples/threads.mjs: several threads find what one does", () => {
+  copyFileSync(path.join(root, "web/examples/threads.mjs"), path.join(packed, "threads.mjs"));
+  expect(capture(process.execPath, ["threads.mjs"], { cwd: packed })).toMatch(/^\d+ threads found .* 100000 circles for 1000000 points; 0 differ/);
+});
