@@ -35,6 +35,7 @@ TEST(HiddenForest, ChildrenAreInTheOrderOfAttachment) {
 TEST(HiddenForest, ParentsAreKnownNearTheEndOfTheList) {
   HiddenForest forest;
   forest.reserve(50);
+  forest.reserveChildren(49);
   for (Node child = 1; child < 50; ++child) forest.attach(child, 0);
   EXPECT_EQ(forest.parentIfNear(49), 0u);
   EXPECT_EQ(forest.parentIfNear(40), 0u);
