@@ -47,7 +47,7 @@ apollonius::EdgeArrays edgeArrays;
 apollonius::CurveArrays curveArrays;
 apollonius::RingArrays ringArrays;
 std::vector<double> numbers;
-std::vector<std::uint8_t> bytes;
+std::vector<std::uint8_t> snapshot;
 apollonius::Path path;
 std::string text;
 
@@ -92,7 +92,7 @@ void release() {
   curveArrays = {};
   ringArrays = {};
   numbers = std::vector<double>();
-  bytes = std::vector<std::uint8_t>();
+  snapshot = std::vector<std::uint8_t>();
   path = {};
   text = std::string();
 }
@@ -162,8 +162,8 @@ int validate(const Diagram& diagram) {
 }
 
 int toBytes(const Diagram& diagram) {
-  const Error error = diagram.toBytes(bytes);
-  publish(0, bytes);
+  const Error error = diagram.toBytes(snapshot);
+  publish(0, snapshot);
   return code(error);
 }
 

@@ -104,7 +104,7 @@ test.each([
   ["a string", "Apol", 'bytes is the string "Apol"'],
   ["an array of numbers", [...recorded], "bytes is an array"],
   ["a buffer", recorded.buffer, "bytes is an object"],
-  ["other elements", new Uint8ClampedArray(recorded), "bytes is an object"],
+  ["other elements", new Uint8ClampedArray(recorded), "bytes is Uint8ClampedArray("],
   ["a view for all", new DataView(recorded.buffer), "bytes is an object"],
 ])("%s is refused", (_, bytes, message) => {
   expectRefusal(() => Diagram.fromBytes(bytes), "bad-length", message);

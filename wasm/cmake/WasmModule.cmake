@@ -2,16 +2,13 @@
 # build folder, with the glue's types as apollonius.d.mts (for which emcc needs `tsc` on PATH; wasm/build.mjs sees to it). Not part of
 # `all`: the tests do not need it. Compiled from the sources once more, because only here link-time optimisation pays (the tests link faster without).
 #
-# Every visitor of a page downloads this, so all is compiled for size but what insertions, deletions, searches and drawings of many sites
-# run through. Measured (bench/README.md, "Size"): all for size is a quarter slower on random sites and half as fast on degenerate ones;
-# all for speed is no faster than this and half as large again when compressed.
+# Every visitor of a page downloads this, so all is compiled for size but what insertions, searches and drawings of many sites run through
+# (bench/README.md, "Size", has what each step costs and gives).
 set(quick
   predicate/circle_fan.cpp predicate/edge_circle_filter.cpp number/whole.cpp
-  diagram/conflict.cpp diagram/locate.cpp diagram/insert.cpp diagram/sort_by_key.cpp)
-set(compact
-  predicate/predicates.cpp predicate/stages.cpp predicate/voronoi_circle.cpp graph/graph.cpp graph/snapshot.cpp diagram/snapshot.cpp
-  diagram/remove.cpp diagram/ears.cpp diagram/site_moves.cpp
-  geometry/clip.cpp geometry/render.cpp geometry/edge.cpp geometry/bisector.cpp geometry/conic.cpp geometry/approximate.cpp)
+  diagram/conflict.cpp diagram/locate.cpp diagram/insert.cpp diagram/sort_by_key.cpp
+  geometry/render.cpp geometry/clip.cpp)
+set(compact predicate/voronoi_circle.cpp graph/graph.cpp diagram/site_moves.cpp graph/snapshot.cpp diagram/snapshot.cpp)
 list(TRANSFORM quick PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 list(TRANSFORM compact PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 set(small ${APOLLONIUS_SOURCES})
@@ -30,12 +27,12 @@ foreach(part_and_level IN ITEMS quick:-O2 compact:-Os small:-Oz)
 endforeach()
 
 add_executable(apollonius_wasm EXCLUDE_FROM_ALL
-  # The small ones first: the linker takes the first copy of each inline function.
-  $<TARGET_OBJECTS:apollonius_wasm_small> $<TARGET_OBJECTS:apollonius_wasm_compact> $<TARGET_OBJECTS:apollonius_wasm_quick>)
+  # The quick ones first: the linker takes the first copy of each inline function.
+  $<TARGET_OBJECTS:apollonius_wasm_quick> $<TARGET_OBJECTS:apollonius_wasm_compact> $<TARGET_OBJECTS:apollonius_wasm_small>)
 target_link_libraries(apollonius_wasm PRIVATE embind "--js-library=${CMAKE_CURRENT_SOURCE_DIR}/wasm/glue.js")  # the later one's functions win
 set_target_properties(apollonius_wasm PROPERTIES LINK_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/wasm/glue.js" OUTPUT_NAME apollonius SUFFIX .mjs LINKER_LANGUAGE CXX)
 target_link_options(apollonius_wasm PRIVATE
-  -Oz -flto
+  -O3 -flto  # of what the linker optimises: -Oz saves 0.5 KB and draws a quarter more slowly
   -sMODULARIZE=1 -sEXPORT_ES6=1 -sEXPORT_NAME=createApollonius
   -sENVIRONMENT=web,worker         # with "node" the glue imports Node's modules, which bundlers refuse; Node is handed the bytes
   -sWASM_ASYNC_COMPILATION=0       # `new Diagram()` works at once: compiled at the first use, synchronously

@@ -84,7 +84,7 @@ function filled() {
   diagram.findMany(points);  // after calls about so many the library gives back the blocks that it keeps for the next one
   WebAssembly.Memory.prototype.grow = () => { throw new RangeError("no more memory"); };
   const fillers = [];
-  for (let count = 20_000; ; count >>= 2) {
+  for (let count = kRing / 2; ; count >>= 2) {  // fewer than the ring: the library keeps room for as many ids as it gave last
     try {
       for (;;) fillers.push(new Diagram(sites.subarray(0, 3 * count)));
     } catch {
