@@ -70,6 +70,7 @@ Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
   if (xyr.size() != 3 * ids.size()) return Error::kBadLength;
   if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
   if (ids.size() > kMostSites - size()) return Error::kTooLarge;
+  if (ids.empty()) return Error::kNone;  // without making the room that any insertion needs
   return guarded([&] { impl_->insertStaged(impl_->stage(xyr), ids); });
 }
 
@@ -77,6 +78,10 @@ Error Diagram::insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count, st
   const std::span<const double> numbers{xyr.get(), 3 * count};
   if (const Error error = checkNumbers(numbers); error != Error::kNone) return error;
   if (count > kMostSites - size()) return Error::kTooLarge;
+  if (count == 0) {
+    ids.clear();
+    return Error::kNone;
+  }
   return guarded([&] {
     std::vector<std::uint32_t> order = impl_->stage(numbers);
     xyr.reset();
