@@ -7,8 +7,10 @@
 set(quick
   predicate/circle_fan.cpp predicate/edge_circle_filter.cpp number/whole.cpp
   diagram/conflict.cpp diagram/locate.cpp diagram/insert.cpp diagram/sort_by_key.cpp
-  geometry/render.cpp geometry/clip.cpp)
-set(compact predicate/voronoi_circle.cpp graph/graph.cpp diagram/site_moves.cpp graph/snapshot.cpp diagram/snapshot.cpp)
+  predicate/stages.cpp geometry/render.cpp geometry/clip.cpp)
+set(compact
+  predicate/predicates.cpp predicate/long_stages.cpp predicate/voronoi_circle.cpp
+  graph/graph.cpp graph/snapshot.cpp diagram/snapshot.cpp diagram/site_moves.cpp)
 list(TRANSFORM quick PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 list(TRANSFORM compact PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 set(small ${APOLLONIUS_SOURCES})
