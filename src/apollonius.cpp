@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "diagram/diagram_core.h"
@@ -17,8 +16,7 @@ namespace {
 
 Error checkNumber(double value) {
   if (!std::isfinite(value)) return Error::kNotFinite;
-  const double magnitude = std::abs(value);
-  return magnitude == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude) ? Error::kNone : Error::kOutOfRange;
+  return isInRange(value) ? Error::kNone : Error::kOutOfRange;
 }
 
 Error checkNumbers(std::span<const double> values) {

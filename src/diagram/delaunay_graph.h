@@ -79,8 +79,8 @@ class DelaunayGraph {
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
 
-  /// Snapshots (snapshot.cpp): everything but the sites, which are set before restore(). That fails if what is read is no surface; whether
-  /// it is the diagram of the sites is for check() to say.
+  /// Snapshots (snapshot.cpp): everything but the sites, which are set before restore(). That fails, and leaves what is good
+  /// for nothing, if what is read is no surface; whether it is the diagram of the sites is for check() to say.
   void save(WordWriter& out, std::size_t vertexSlots) const;
   [[nodiscard]] bool restore(WordReader& in, std::size_t faceSlots);
 

@@ -251,7 +251,7 @@ void DiagramCore::insertStaged(std::vector<std::uint32_t> order, std::span<SiteI
   try {
     order = inRandomizedRounds(order);
     // The largest first: where sites are in line, it is in all the faces at infinity, and later each new largest one would take them over.
-    if (n > 0) std::iter_swap(order.begin(), std::find(order.begin(), order.end(), largest));
+    std::iter_swap(order.begin(), std::find(order.begin(), order.end(), largest));
     if (isBulk) base_.reserveBulk(n);  // a few would be paid for by copying all
     for (; done < n; ++done) {
       const Slot slot = order[done];

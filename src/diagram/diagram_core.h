@@ -34,7 +34,7 @@ class DiagramCore {
   // Insertion of many in two steps, so that the caller can free the circles in between: at that time there is little else in memory.
   /// Copies the circles to the slots that they will get, and returns their order there.
   [[nodiscard]] std::vector<std::uint32_t> stage(std::span<const double> xyr);
-  /// Inserts what was staged last; ids[k] becomes the id of circle k. REQUIRES: no change since then.
+  /// Inserts what was staged last; ids[k] becomes the id of circle k. REQUIRES: at least one, and no change since then.
   void insertStaged(std::vector<std::uint32_t> order, std::span<SiteId> ids);
 
   /// False if the id is not in use.

@@ -4,14 +4,13 @@
 #include <array>
 #include <limits>
 
+#include "predicate/circle_batch.h"
 #include "predicate/direction.h"
 #include "predicate/pole.h"
 
 namespace apollonius {
 
 namespace {
-
-constexpr std::size_t kBlock = 64;  // circles computed together
 
 /// Has the direction from a site to the vertex certainly turned by less than a quarter? Where the circles' errors are far below the
 /// distances, |v| and |w| (sums of components), v·w is off by less than 2^-8 |v||w|.
@@ -84,7 +83,7 @@ void SiteMoves::reserve(const DelaunayGraph& diagram, std::size_t moves) {
   changed_.reserve(faces);
   queue_.clear();
   queue_.reserve(faces);  // a face is in the queue once
-  fan_.reserve(2 * kBlock);
+  reserveForBatch(fan_);
 }
 
 void SiteMoves::collectFaces() {
@@ -112,31 +111,21 @@ bool SiteMoves::hasMovedCorner(FaceId f) const {
 
 /// All faces have moved corners.
 void SiteMoves::computeCircles() {
-  std::array<std::array<Corner, 3>, kBlock> faces;
-  std::array<VoronoiCircle, kBlock> circles;
-  std::array<std::uint32_t, kBlock> positions;
-  std::size_t n = 0;
-  const auto compute = [&] {
-    fan_.computeFaces({faces.data(), n}, circles);
-    for (std::size_t k = 0; k < n; ++k) {
-      changed_[positions[k]].circle = circles[k];
-      if (!(circles[k].error < std::numeric_limits<float>::infinity())) computeCircle(positions[k]);
-    }
-    n = 0;
-  };
+  const Graph& graph = diagram_->graph();
+  CircleBatch batch(fan_, [this](std::uint32_t position, const std::array<Corner, 3>&, const VoronoiCircle& circle) {
+    changed_[position].circle = circle;
+    if (!(circle.error < std::numeric_limits<float>::infinity())) computeCircle(position);
+  });
   for (std::uint32_t position = 0; position < changed_.size(); ++position) {
     const HalfedgeId h = halfedgeOf(changed_[position].face, 0);
-    const Graph& graph = diagram_->graph();
     const Corner i = diagram_->corner(graph.origin(h)), j = diagram_->corner(graph.target(h)), k = diagram_->corner(graph.apex(h));
     if (i == nullptr || j == nullptr || k == nullptr) {
       computeCircle(position);
-      continue;
+    } else {
+      batch.add(position, {i, j, k});
     }
-    faces[n] = {i, j, k};
-    positions[n] = position;
-    if (++n == kBlock) compute();
   }
-  compute();
+  batch.finish();
 }
 
 void SiteMoves::computeCircle(std::uint32_t position) {

@@ -10,6 +10,7 @@
 
 #include "diagram/diagram_core.h"
 #include "graph/words.h"
+#include "predicate/circle_batch.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {
@@ -50,11 +51,6 @@ std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
   if (bytes.size() % 16 != 0) add(sum, in.longWord());
   add(sum, other);
   return sum;
-}
-
-bool isInRange(double value) {
-  const double magnitude = absolute(value);
-  return value == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude);  // false for NaN
 }
 
 }  // namespace
@@ -117,35 +113,22 @@ bool DelaunayGraph::restore(WordReader& in, std::size_t faceSlots) {
 }
 
 void DelaunayGraph::computeAllCircles() {
-  constexpr std::size_t kBlock = 64;
-  std::array<std::array<Corner, 3>, kBlock> corners;
-  std::array<FaceId, kBlock> faces{};
-  std::array<VoronoiCircle, kBlock> found;
-  std::size_t n = 0;
-  const auto compute = [&] {
-    fan_.computeFaces({corners.data(), n}, {found.data(), n});
-    for (std::size_t k = 0; k < n; ++k) {
-      const bool isKnown = found[k].error < std::numeric_limits<float>::infinity();
-      circles_[index(faces[k])] = isKnown ? found[k] : voronoiCircle(corners[k][0], corners[k][1], corners[k][2]);
-    }
-    n = 0;
-  };
-  fan_.reserve(2 * kBlock);
+  CircleBatch batch(fan_, [this](std::uint32_t f, const std::array<Corner, 3>& at, const VoronoiCircle& circle) {
+    circles_[f] = circle.error < std::numeric_limits<float>::infinity() ? circle : voronoiCircle(at[0], at[1], at[2]);
+  });
+  reserveForBatch(fan_);
   circles_.resize(graph_.faceSlots());
-  for (std::size_t f = 0; f < graph_.faceSlots(); ++f) {
-    const FaceId face{static_cast<std::uint32_t>(f)};
-    if (!graph_.isLive(face)) continue;
-    const std::array<Corner, 3> at{corner(graph_.origin(halfedgeOf(face, 0))), corner(graph_.origin(halfedgeOf(face, 1))),
-                                   corner(graph_.origin(halfedgeOf(face, 2)))};
-    if (at[0] == nullptr || at[1] == nullptr || at[2] == nullptr) {
-      circles_[f] = voronoiCircle(at[0], at[1], at[2]);
-      continue;
+  for (std::uint32_t f = 0; f < circles_.size(); ++f) {
+    const HalfedgeId h = halfedgeOf(FaceId{f}, 0);
+    if (!graph_.isLive(FaceId{f})) continue;
+    const Corner i = corner(graph_.origin(h)), j = corner(graph_.target(h)), k = corner(graph_.apex(h));
+    if (i == nullptr || j == nullptr || k == nullptr) {
+      circles_[f] = voronoiCircle(i, j, k);
+    } else {
+      batch.add(f, {i, j, k});
     }
-    faces[n] = face;
-    corners[n++] = at;
-    if (n == kBlock) compute();
   }
-  compute();
+  batch.finish();
 }
 
 // --- The diagram ---------------------------------------------------------------------------------------------------------------

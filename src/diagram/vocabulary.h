@@ -18,6 +18,11 @@ inline constexpr std::size_t kMostSites = std::size_t{1} << 29;
 /// Smallest and largest magnitude that a coordinate or a weight may have, apart from 0 (same unit as the coordinates).
 inline constexpr double kSmallestMagnitude = 1e-100;
 inline constexpr double kLargestMagnitude = 1e100;
+/// May a coordinate or a weight have this value? False for NaN and infinities.
+constexpr bool isInRange(double value) {
+  const double magnitude = value < 0 ? -value : value;
+  return magnitude == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude);
+}
 
 /// How the nearest site is located (paper, section 4). The answers are the same.
 enum class Location : std::uint8_t {

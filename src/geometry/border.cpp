@@ -24,7 +24,7 @@ double disorder(const std::vector<double>& one, const std::vector<double>& two) 
 }
 
 /// Coordinates whose magnitude is below the documented range, which means nothing but rounding, become 0.
-double inRange(double x) { return absolute(x) < 1e-100 ? 0 : x; }
+double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
 
 Slot nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x), inRange(p.y)); }
 

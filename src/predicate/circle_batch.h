@@ -1,0 +1,46 @@
+// The Voronoi circles of many faces that come one by one: collected in blocks, of which CircleFan computes two circles at a time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "predicate/circle_fan.h"
+
+namespace apollonius {
+
+inline constexpr std::size_t kCircleBatch = 64;
+
+/// Room for a batch. Throws std::bad_alloc.
+inline void reserveForBatch(CircleFan& fan) { fan.reserve(2 * kCircleBatch); }
+
+/// `take(face, corners, circle)` is called for each face added, in their order, at the latest by finish(). `face` is whatever the caller
+/// knows it by; the circle is as of CircleFan::computeFaces.
+template <class Take>
+class CircleBatch {
+ public:
+  CircleBatch(CircleFan& fan, Take take) : fan_(fan), take_(take) {}
+
+  /// Of three finite sites. REQUIRES: reserveForBatch.
+  void add(std::uint32_t face, const std::array<Corner, 3>& corners) {
+    faces_[count_] = face;
+    corners_[count_] = corners;
+    if (++count_ == kCircleBatch) finish();
+  }
+
+  void finish() {
+    fan_.computeFaces({corners_.data(), count_}, circles_);
+    for (std::size_t k = 0; k < count_; ++k) take_(faces_[k], corners_[k], circles_[k]);
+    count_ = 0;
+  }
+
+ private:
+  CircleFan& fan_;
+  Take take_;
+  std::array<std::uint32_t, kCircleBatch> faces_;
+  std::array<std::array<Corner, 3>, kCircleBatch> corners_;
+  std::array<VoronoiCircle, kCircleBatch> circles_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace apollonius
