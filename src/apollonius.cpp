@@ -224,8 +224,8 @@ Error Diagram::fromBytes(std::span<const std::uint8_t> bytes) {
   return error == Error::kNone && !isRestored ? Error::kCorruptSnapshot : error;
 }
 
-Error Diagram::validate(std::string& broken) const {
-  return guarded([&] { broken = impl_->check(); });
+Error Diagram::validate(Defect& defect) const {
+  return guarded([&] { defect = impl_->check(); });
 }
 
 }  // namespace apollonius

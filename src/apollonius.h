@@ -137,9 +137,20 @@ class Diagram {
   /// Cost: O(n), without any search.
   [[nodiscard]] Error fromBytes(std::span<const std::uint8_t> bytes);
 
-  /// Checks every invariant with exact arithmetic; `broken` becomes empty, or names the first broken one.
-  /// Errors: kOutOfMemory. Cost: O(n), slow: for tests.
-  [[nodiscard]] Error validate(std::string& broken) const;
+  /// Checks every invariant with exact arithmetic and tells the first broken one. Errors: kOutOfMemory. Cost: O(n), slow: for tests.
+  [[nodiscard]] Error validate(Defect& defect) const;
+  /// In words; `broken` becomes empty if there is none.
+  [[nodiscard]] Error validate(std::string& broken) const {
+    Defect defect;
+    const Error error = validate(defect);
+    if (error != Error::kNone) return error;
+    try {
+      broken = defect.text();
+    } catch (...) {
+      return Error::kOutOfMemory;
+    }
+    return Error::kNone;
+  }
 
  private:
   friend class Voronoi;  // its geometry: voronoi.h

@@ -1,22 +1,18 @@
-// What JavaScript sees of the library: registration only, no logic.
+// What JavaScript sees of the library: plain exported functions of numbers, no logic.
 //
-// Two kinds of exports, because a call through embind costs about 0.2 us when eval is off (a strict content security
-// policy allows none) and a direct one about 0.013 us:
-// - functions by embind: life time, and calls about many sites or points;
-// - `diagram...` functions, exported as they are: calls about one site or point.
-// Both take the diagram's address first. Embind could register a class, but what its JavaScript does for classes (inheritance,
-// smart pointers, overloads) is larger than the library's own, and native.ts needs none of it.
-// Every fallible call returns the error code of apollonius.h as an integer. Scalar results are written to one block
-// (`resultsAddress`), arrays in come from one scratch block (`reserve`), arrays out stay in vectors here until the next call
-// or `release`. wasm/native.ts is the only other place that knows these blocks.
-#include <emscripten/bind.h>
+// A diagram is its address, the first argument of most. Every fallible call returns the error code of apollonius.h as an integer.
+// Scalar results are written to one block (`resultsAddress`), arrays in come from one scratch block (`reserve`), arrays out stay in
+// vectors here until the next call or `release`. wasm/native.ts is the only other place that knows these blocks, and wasm/module.ts
+// declares the functions for TypeScript.
+//
+// Embind is not used: with functions of numbers nothing is left for it to convert (docs/DECISIONS.md).
 #include <emscripten/em_macros.h>
 
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <new>
-#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,7 +26,6 @@ using apollonius::Diagram;
 using apollonius::Error;
 using apollonius::SiteId;
 using apollonius::Voronoi;
-using Address = std::uintptr_t;
 
 // The block of scalar results; wasm/native.ts repeats this order.
 struct Results {
@@ -49,7 +44,6 @@ apollonius::RingArrays ringArrays;
 std::vector<double> numbers;
 std::vector<std::uint8_t> snapshot;
 apollonius::Path path;
-std::string text;
 
 // Arrays in, and arrays out whose length is known before the call.
 struct Scratch {
@@ -60,115 +54,10 @@ Scratch scratch;
 
 int code(Error error) { return static_cast<int>(error); }
 
-template <class Element>
-Element* at(Address address) {
-  return reinterpret_cast<Element*>(address);  // NOLINT: an address that JavaScript got from `reserve`
-}
-
 template <class Container>
 void publish(std::size_t slot, const Container& container) {
-  results.address[slot] = static_cast<std::uint32_t>(reinterpret_cast<Address>(container.data()));
+  results.address[slot] = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(container.data()));
   results.length[slot] = static_cast<std::uint32_t>(container.size());
-}
-
-Address resultsAddress() { return reinterpret_cast<Address>(&results); }
-
-// At least that many bytes, aligned for doubles; 0 if memory ran out. What an earlier call reserved is gone.
-Address reserve(std::size_t bytes) {
-  if (bytes > scratch.bytes) {
-    scratch = {};
-    scratch.data.reset(new (std::nothrow) double[(bytes + sizeof(double) - 1) / sizeof(double)]);
-    scratch.bytes = scratch.data == nullptr ? 0 : bytes;
-  }
-  return reinterpret_cast<Address>(scratch.data.get());
-}
-
-// Gives all blocks back; JavaScript calls it when it has copied from large ones.
-void release() {
-  scratch = {};
-  siteIds = std::vector<SiteId>();  // not {}: that would only empty a vector or string
-  vertexArrays = {};
-  edgeArrays = {};
-  curveArrays = {};
-  ringArrays = {};
-  numbers = std::vector<double>();
-  snapshot = std::vector<std::uint8_t>();
-  path = {};
-  text = std::string();
-}
-
-// The address of a new diagram; 0 if memory ran out.
-Address create(bool hierarchy) {
-  try {
-    return reinterpret_cast<Address>(new Diagram(hierarchy ? apollonius::Location::kHierarchy : apollonius::Location::kWalk));
-  } catch (...) {
-    return 0;
-  }
-}
-
-void destroy(Address diagram) { delete at<Diagram>(diagram); }
-
-void clear(Diagram& diagram) { diagram.clear(); }
-
-// The triples are in the scratch block, which is given up.
-int insertMany(Diagram& diagram, std::size_t count) {
-  const Error error = diagram.insertMany(std::move(scratch.data), count, siteIds);
-  scratch = {};
-  publish(0, siteIds);
-  return code(error);
-}
-
-int removeMany(Diagram& diagram, Address ids, std::size_t count) {
-  std::size_t removed = 0;
-  const Error error = diagram.removeMany({at<const SiteId>(ids), count}, removed);
-  results.flag = static_cast<std::uint32_t>(removed);
-  return code(error);
-}
-
-int updateMany(Diagram& diagram, Address ids, Address xyr, std::size_t count) {
-  return code(diagram.updateMany({at<const SiteId>(ids), count}, {at<const double>(xyr), 3 * count}));
-}
-
-int findMany(const Diagram& diagram, Address xy, Address ids, Address distances, std::size_t count) {
-  return code(diagram.findMany({at<const double>(xy), 2 * count}, {at<SiteId>(ids), count},
-                               {at<double>(distances), distances == 0 ? 0 : count}));
-}
-
-int ids(const Diagram& diagram) {
-  const Error error = diagram.ids(siteIds);
-  publish(0, siteIds);
-  return code(error);
-}
-
-int vertices(const Diagram& diagram) {
-  const Error error = diagram.vertices(vertexArrays);
-  publish(0, vertexArrays.coordinates);
-  publish(1, vertexArrays.clearance);
-  publish(2, vertexArrays.sites);
-  return code(error);
-}
-
-int edges(const Diagram& diagram) {
-  const Error error = diagram.edges(edgeArrays);
-  publish(0, edgeArrays.sites);
-  publish(1, edgeArrays.vertices);
-  return code(error);
-}
-
-int validate(const Diagram& diagram) {
-  const Error error = diagram.validate(text);
-  publish(0, text);
-  return code(error);
-}
-
-int toBytes(const Diagram& diagram) {
-  const Error error = diagram.toBytes(snapshot);
-  publish(0, snapshot);
-  return code(error);
-}
-
-int fromBytes(Diagram& diagram, Address content, std::size_t length) {
-  return code(diagram.fromBytes({at<const std::uint8_t>(content), length}));
 }
 
 int publishMeasures(Error error, const apollonius::CellMeasures& measures) {
@@ -192,6 +81,127 @@ enum class Drawing { kEdges, kSites, kDual, kDualWithRays, kHull };
 }  // namespace
 
 extern "C" {
+
+// --- What the module asks of wasm/module.ts --------------------------------------------------------------------------------------
+
+#define IMPORTED(name) __attribute__((import_module("env"), import_name(#name)))
+
+// number/invariant.h: wasm has no stderr, and C's input and output would be 2 % of what a page loads.
+IMPORTED(report) void report(const char* name);
+void reportBrokenInvariant(const char* name) { report(name); }
+
+// Instead of Emscripten's own (the linker's --wrap), which grows by as little as is asked for: malloc needs so many bytes; 1 if it has them.
+IMPORTED(grow) int grow(std::size_t bytes);
+int __wrap_emscripten_resize_heap(std::size_t bytes) { return grow(bytes); }
+
+// --- Blocks ----------------------------------------------------------------------------------------------------------------------
+
+EMSCRIPTEN_KEEPALIVE const Results* resultsAddress() { return &results; }
+
+// At least that many bytes, aligned for doubles; 0 if memory ran out. What an earlier call reserved is gone.
+EMSCRIPTEN_KEEPALIVE double* reserve(std::size_t bytes) {
+  if (bytes > scratch.bytes) {
+    scratch = {};
+    scratch.data.reset(new (std::nothrow) double[(bytes + sizeof(double) - 1) / sizeof(double)]);
+    scratch.bytes = scratch.data == nullptr ? 0 : bytes;
+  }
+  return scratch.data.get();
+}
+
+// Gives all blocks back; JavaScript calls it when it has copied from large ones.
+EMSCRIPTEN_KEEPALIVE void release() {
+  scratch = {};
+  siteIds = std::vector<SiteId>();  // not {}: that would only empty a vector
+  vertexArrays = {};
+  edgeArrays = {};
+  curveArrays = {};
+  ringArrays = {};
+  numbers = std::vector<double>();
+  snapshot = std::vector<std::uint8_t>();
+  path = {};
+}
+
+// --- Life time, and calls about many sites or points. Addresses are of the scratch block. ----------------------------------------
+
+// 0 if memory ran out.
+EMSCRIPTEN_KEEPALIVE Diagram* diagramCreate(bool hierarchy) {
+  try {
+    return new Diagram(hierarchy ? apollonius::Location::kHierarchy : apollonius::Location::kWalk);
+  } catch (...) {
+    return nullptr;
+  }
+}
+
+EMSCRIPTEN_KEEPALIVE void diagramDestroy(Diagram* diagram) { delete diagram; }
+
+EMSCRIPTEN_KEEPALIVE void diagramClear(Diagram* diagram) { diagram->clear(); }
+
+// The triples are in the scratch block, which is given up.
+EMSCRIPTEN_KEEPALIVE int diagramInsertMany(Diagram* diagram, std::size_t count) {
+  const Error error = diagram->insertMany(std::move(scratch.data), count, siteIds);
+  scratch = {};
+  publish(0, siteIds);
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramRemoveMany(Diagram* diagram, const SiteId* ids, std::size_t count) {
+  std::size_t removed = 0;
+  const Error error = diagram->removeMany({ids, count}, removed);
+  results.flag = static_cast<std::uint32_t>(removed);
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramUpdateMany(Diagram* diagram, const SiteId* ids, const double* xyr, std::size_t count) {
+  return code(diagram->updateMany({ids, count}, {xyr, 3 * count}));
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramFindMany(const Diagram* diagram, const double* xy, SiteId* ids, double* distances,
+                                         std::size_t count) {
+  return code(diagram->findMany({xy, 2 * count}, {ids, count}, {distances, distances == nullptr ? 0 : count}));
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramIds(const Diagram* diagram) {
+  const Error error = diagram->ids(siteIds);
+  publish(0, siteIds);
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramVertices(const Diagram* diagram) {
+  const Error error = diagram->vertices(vertexArrays);
+  publish(0, vertexArrays.coordinates);
+  publish(1, vertexArrays.clearance);
+  publish(2, vertexArrays.sites);
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramEdges(const Diagram* diagram) {
+  const Error error = diagram->edges(edgeArrays);
+  publish(0, edgeArrays.sites);
+  publish(1, edgeArrays.vertices);
+  return code(error);
+}
+
+// What is broken is left as text; where, in results.id and, the hierarchy's level, in results.flag.
+EMSCRIPTEN_KEEPALIVE int diagramValidate(const Diagram* diagram) {
+  apollonius::Defect defect;
+  const Error error = diagram->validate(defect);
+  publish(0, defect.isFound() ? std::string_view(defect.what) : std::string_view());
+  results.id = defect.where;
+  results.flag = defect.level;
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramToBytes(const Diagram* diagram) {
+  const Error error = diagram->toBytes(snapshot);
+  publish(0, snapshot);
+  return code(error);
+}
+
+EMSCRIPTEN_KEEPALIVE int diagramFromBytes(Diagram* diagram, const std::uint8_t* content, std::size_t length) {
+  return code(diagram->fromBytes({content, length}));
+}
+
+// --- Calls about one site or point -----------------------------------------------------------------------------------------------
 
 EMSCRIPTEN_KEEPALIVE int diagramInsert(Diagram* diagram, double x, double y, double r) {
   return code(diagram->insert(x, y, r, results.id));
@@ -345,38 +355,3 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t diagramSize(const Diagram* diagram) { return 
 EMSCRIPTEN_KEEPALIVE std::uint32_t diagramVisibleSize(const Diagram* diagram) { return diagram->visibleSize(); }
 
 }  // extern "C"
-
-namespace {
-
-// Registers a function of a diagram as one of the diagram's address.
-template <auto function, class Result, class Subject, class... Arguments>
-void registerMethod(const char* name, Result (*)(Subject&, Arguments...)) {
-  emscripten::function(name, +[](Address diagram, Arguments... arguments) -> Result {
-    return function(*at<Subject>(diagram), arguments...);
-  });
-}
-template <auto function>
-void method(const char* name) {
-  registerMethod<function>(name, function);
-}
-
-}  // namespace
-
-EMSCRIPTEN_BINDINGS(apollonius) {
-  emscripten::function("resultsAddress", &resultsAddress);
-  emscripten::function("reserve", &reserve);
-  emscripten::function("release", &release);
-  emscripten::function("create", &create);
-  emscripten::function("destroy", &destroy);
-  method<&insertMany>("insertMany");
-  method<&removeMany>("removeMany");
-  method<&updateMany>("updateMany");
-  method<&findMany>("findMany");
-  method<&clear>("clear");
-  method<&ids>("ids");
-  method<&vertices>("vertices");
-  method<&edges>("edges");
-  method<&validate>("validate");
-  method<&toBytes>("toBytes");
-  method<&fromBytes>("fromBytes");
-}

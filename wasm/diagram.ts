@@ -411,7 +411,9 @@ export class Diagram implements Disposable {
   validate(): string | null {
     const native = this.#living();
     check(native.validate());
-    return this.#taken(native, () => native.takeText(0)) || null;
+    const what = native.text();
+    if (what === "") return null;
+    return `${native.count === 0 ? "" : `level ${native.count}: `}${what} ${native.id >>> 0}`;
   }
 
   // --- Life time -------------------------------------------------------------------------------------------------------------

@@ -1,11 +1,80 @@
 // The one instance of the wasm module that all diagrams share: made at the first use, never at import.
-import createModule, { type MainModule } from "../build/wasm/apollonius.mjs";
+
+/** Numbers that are addresses in the module's memory. Above 2^31 they come out negative: `>>> 0` where one is used. */
+type Address = number;
+/** Error codes as integers, 0 for success: the order of `Error` in src/apollonius.h. */
+export type Status = number;
+type Flag = number | boolean;
+
+/** The whole memory; other arrays whenever it has grown. */
+export interface Heap {
+  bytes: Uint8Array<ArrayBuffer>;
+  integers: Int32Array<ArrayBuffer>;
+  words: Uint32Array<ArrayBuffer>;
+  doubles: Float64Array<ArrayBuffer>;
+}
+
+/** What wasm/bindings.cpp exports. */
+export interface NativeExports {
+  readonly memory: { readonly buffer: ArrayBuffer; grow(pages: number): number };
+  _initialize(): void;
+
+  resultsAddress(): Address;
+  reserve(bytes: number): Address;
+  release(): void;
+
+  diagramCreate(hierarchy: Flag): Address;
+  diagramDestroy(diagram: Address): void;
+  diagramClear(diagram: Address): void;
+  diagramInsertMany(diagram: Address, count: number): Status;
+  diagramRemoveMany(diagram: Address, ids: Address, count: number): Status;
+  diagramUpdateMany(diagram: Address, ids: Address, xyr: Address, count: number): Status;
+  diagramFindMany(diagram: Address, xy: Address, ids: Address, distances: Address, count: number): Status;
+  diagramIds(diagram: Address): Status;
+  diagramVertices(diagram: Address): Status;
+  diagramEdges(diagram: Address): Status;
+  diagramValidate(diagram: Address): Status;
+  diagramToBytes(diagram: Address): Status;
+  diagramFromBytes(diagram: Address, content: Address, length: number): Status;
+
+  diagramInsert(diagram: Address, x: number, y: number, r: number): Status;
+  diagramRemove(diagram: Address, id: number): Status;
+  diagramUpdate(diagram: Address, id: number, x: number, y: number, r: number): Status;
+  diagramFind(diagram: Address, x: number, y: number): Status;
+  diagramKNearest(diagram: Address, x: number, y: number, k: number): Status;
+  diagramWithin(diagram: Address, x: number, y: number, distance: number): Status;
+  diagramHas(diagram: Address, id: number): Flag;
+  diagramSite(diagram: Address, id: number): Status;
+  diagramIsHidden(diagram: Address, id: number): Status;
+  diagramCoverOf(diagram: Address, id: number): Status;
+  diagramNeighbors(diagram: Address, id: number): Status;
+  diagramSize(diagram: Address): number;
+  diagramVisibleSize(diagram: Address): number;
+
+  toleranceFor(xmin: number, ymin: number, xmax: number, ymax: number): number;
+  diagramExtent(diagram: Address): void;
+  diagramHull(diagram: Address): Status;
+  diagramDraw(diagram: Address, what: number, xmin: number, ymin: number, xmax: number, ymax: number, tolerance: number,
+              cursor: number, commands: number): Status;
+  voronoiDrawCell(diagram: Address, xmin: number, ymin: number, xmax: number, ymax: number, id: number, tolerance: number): Status;
+  voronoiPolygon(diagram: Address, xmin: number, ymin: number, xmax: number, ymax: number, id: number, tolerance: number): Status;
+  voronoiCell(diagram: Address, xmin: number, ymin: number, xmax: number, ymax: number, id: number): Status;
+  voronoiEdges(diagram: Address, xmin: number, ymin: number, xmax: number, ymax: number): Status;
+  voronoiMeasures(diagram: Address, xmin: number, ymin: number, xmax: number, ymax: number, id: number): Status;
+  voronoiMeasuresWithin(diagram: Address, id: number, radius: number): Status;
+  voronoiAreas(diagram: Address, xmin: number, ymin: number, xmax: number, ymax: number): Status;
+}
+
+export interface NativeModule {
+  readonly call: NativeExports;
+  readonly heap: Heap;
+}
 
 /** Gives the compiled module synchronously, or throws if that entry of the package cannot. */
 type ModuleSource = () => WebAssembly.Module;
 
 let source: ModuleSource | undefined;
-let instance: MainModule | undefined;
+let instance: NativeModule | undefined;
 
 /** Tells where the first use gets the compiled module from. Each entry of the package calls this once. */
 export function setModuleSource(moduleSource: ModuleSource): void {
@@ -13,7 +82,7 @@ export function setModuleSource(moduleSource: ModuleSource): void {
 }
 
 /** The running module; compiled and started now if this is the first use. */
-export function runningModule(): MainModule {
+export function runningModule(): NativeModule {
   return instance ?? start((source as ModuleSource)());
 }
 
@@ -21,14 +90,36 @@ export function isRunning(): boolean {
   return instance !== undefined;
 }
 
-/** Starts a compiled module unless one runs already. Synchronous: the glue is built with WASM_ASYNC_COMPILATION=0. */
-export function start(compiled: WebAssembly.Module): MainModule {
-  instance ??= createModule({
-    instantiateWasm(imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance) => unknown) {
-      const started = new WebAssembly.Instance(compiled, imports);
-      receive(started);
-      return started.exports;
+/** Starts a compiled module unless one runs already. */
+export function start(compiled: WebAssembly.Module): NativeModule {
+  if (instance) return instance;
+  const heap = {} as Heap;
+  const view = (buffer: ArrayBuffer) => {
+    heap.bytes = new Uint8Array(buffer);
+    heap.integers = new Int32Array(buffer);
+    heap.words = new Uint32Array(buffer);
+    heap.doubles = new Float64Array(buffer);
+  };
+  const env = {
+    /** Lets the memory have so many bytes and, where there are some, a few more: growing it costs some microseconds. */
+    grow(wanted: number): Flag {
+      const bytes = wanted >>> 0, { memory } = call;
+      for (const more of [Math.min(bytes / 5, 1 << 22), 0]) {
+        try {
+          memory.grow(Math.ceil((bytes + more - heap.bytes.length) / 65536));
+          view(memory.buffer);
+          return 1;
+        } catch {}  // not even what was asked for: malloc fails
+      }
+      return 0;
     },
-  });
-  return instance;
+    report(name: Address): void {
+      const text = heap.bytes.subarray(name, heap.bytes.indexOf(0, name));
+      console.error("apollonius: broken invariant:", String.fromCharCode(...text));
+    },
+  };
+  const call = new WebAssembly.Instance(compiled, { env }).exports as unknown as NativeExports;
+  view(call.memory.buffer);
+  call._initialize();
+  return instance = { call, heap };
 }

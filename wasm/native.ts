@@ -1,11 +1,9 @@
 // One diagram inside the wasm module, with typed arrays instead of heap addresses: no other file knows an address, and no view
 // of the heap leaves this one (a view dies when the memory grows). Layout of the shared blocks: wasm/bindings.cpp.
-import type { MainModule } from "../build/wasm/apollonius.mjs";
 import { ApolloniusError } from "./errors.js";
-import { runningModule } from "./module.js";
+import { type Heap, type NativeExports, runningModule, type Status } from "./module.js";
 
-/** Error codes as integers, 0 for success: the order of `Error` in src/apollonius.h. */
-export type Status = number;
+export type { Status };
 const kOutOfMemory: Status = 5;
 
 /** "No site": not a valid id, and what the library answers when there is none. */
@@ -42,7 +40,7 @@ let results = 0;
 
 /** The net under diagrams that nobody disposes of. It holds addresses only, so that owners can be collected. */
 function addressCollector(): FinalizationRegistry<number> {
-  collector ??= new FinalizationRegistry((address) => runningModule().destroy(address));
+  collector ??= new FinalizationRegistry((address) => runningModule().call.diagramDestroy(address));
   return collector;
 }
 
@@ -50,86 +48,88 @@ type Play = (commands: Uint8Array, count: number, xy: Float64Array) => void;
 interface Portion { xy?: Float64Array; commands?: Uint8Array }
 
 export class NativeDiagram {
-  readonly #module: MainModule;
+  readonly #call: NativeExports;
+  readonly #heap: Heap;
   readonly #address: number;
   #isDestroyed = false;
 
-  private constructor(module: MainModule, address: number) {
-    this.#module = module;
+  private constructor(call: NativeExports, heap: Heap, address: number) {
+    this.#call = call;
+    this.#heap = heap;
     this.#address = address;
   }
 
   /** An empty diagram that lives until `destroy`, or until `owner` is collected; null if memory ran out. */
   static create(owner: object, hierarchy: boolean): NativeDiagram | null {
-    const module = runningModule();
-    results = module.resultsAddress() >>> 0;
-    const address = module.create(hierarchy) >>> 0;
+    const { call, heap } = runningModule();
+    results = call.resultsAddress() >>> 0;
+    const address = call.diagramCreate(hierarchy) >>> 0;
     if (address === 0) return null;
-    const native = new NativeDiagram(module, address);
+    const native = new NativeDiagram(call, heap, address);
     addressCollector().register(owner, address, native);
     return native;
   }
 
   destroy(): void {
     addressCollector().unregister(this);
-    this.#module.destroy(this.#address);
+    this.#call.diagramDestroy(this.#address);
     this.#isDestroyed = true;
   }
 
   // --- Calls about one site or point. Their results are read below, before the next call. ---------------------------------
 
   insert(x: number, y: number, r: number): Status {
-    return this.#module._diagramInsert(this.#address, x, y, r);
+    return this.#call.diagramInsert(this.#address, x, y, r);
   }
   remove(id: number): Status {
-    return this.#module._diagramRemove(this.#address, id);
+    return this.#call.diagramRemove(this.#address, id);
   }
   update(id: number, x: number, y: number, r: number): Status {
-    return this.#module._diagramUpdate(this.#address, id, x, y, r);
+    return this.#call.diagramUpdate(this.#address, id, x, y, r);
   }
   find(x: number, y: number): Status {
-    return this.#module._diagramFind(this.#address, x, y);
+    return this.#call.diagramFind(this.#address, x, y);
   }
   has(id: number): boolean {
-    return this.#module._diagramHas(this.#address, id) !== 0;
+    return this.#call.diagramHas(this.#address, id) !== 0;
   }
   site(id: number): Status {
-    return this.#module._diagramSite(this.#address, id);
+    return this.#call.diagramSite(this.#address, id);
   }
   isHidden(id: number): Status {
-    return this.#module._diagramIsHidden(this.#address, id);
+    return this.#call.diagramIsHidden(this.#address, id);
   }
   neighbors(id: number): Status {
-    return this.#module._diagramNeighbors(this.#address, id);
+    return this.#call.diagramNeighbors(this.#address, id);
   }
   kNearest(x: number, y: number, k: number): Status {
-    return this.#module._diagramKNearest(this.#address, x, y, k);
+    return this.#call.diagramKNearest(this.#address, x, y, k);
   }
   within(x: number, y: number, distance: number): Status {
-    return this.#module._diagramWithin(this.#address, x, y, distance);
+    return this.#call.diagramWithin(this.#address, x, y, distance);
   }
   coverOf(id: number): Status {
-    return this.#module._diagramCoverOf(this.#address, id);
+    return this.#call.diagramCoverOf(this.#address, id);
   }
   get size(): number {
-    return this.#module._diagramSize(this.#address);
+    return this.#call.diagramSize(this.#address);
   }
   get visibleSize(): number {
-    return this.#module._diagramVisibleSize(this.#address);
+    return this.#call.diagramVisibleSize(this.#address);
   }
   clear(): void {
-    this.#module.clear(this.#address);
+    this.#call.diagramClear(this.#address);
   }
 
   // --- Scalar results of the last call ---------------------------------------------------------------------------------------
 
   /** The site that the last call answered; -1 for none. */
   get id(): number {
-    return this.#module.HEAP32[(results + kId) >>> 2];
+    return this.#heap.integers[(results + kId) >>> 2] as number;
   }
   /** How many, or whether (1 or 0). */
   get count(): number {
-    return this.#module.HEAPU32[(results + kFlag) >>> 2];
+    return this.#heap.words[(results + kFlag) >>> 2] as number;
   }
   get x(): number {
     return this.#number(kX);
@@ -150,7 +150,7 @@ export class NativeDiagram {
   insertMany(xyr: ArrayLike<number>, ids: Uint32Array): Status {
     return this.#withScratch(ids.length * 24, (at) => {
       this.#writeDoubles(at, xyr, 3 * ids.length);
-      const status = this.#module.insertMany(this.#address, ids.length);
+      const status = this.#call.diagramInsertMany(this.#address, ids.length);
       if (status === 0) ids.set(this.#words(this.#slot(kAddresses, 0), ids.length));
       return status;
     });
@@ -159,7 +159,7 @@ export class NativeDiagram {
   removeMany(ids: Uint32Array): Status {
     return this.#withScratch(ids.length * 4, (at) => {
       this.#words(at, ids.length).set(ids);
-      return this.#module.removeMany(this.#address, at, ids.length);
+      return this.#call.diagramRemoveMany(this.#address, at, ids.length);
     });
   }
 
@@ -167,7 +167,7 @@ export class NativeDiagram {
     return this.#withScratch(ids.length * 28, (at) => {
       const idsAt = this.#writeDoubles(at, xyr, 3 * ids.length);
       this.#words(idsAt, ids.length).set(ids);
-      return this.#module.updateMany(this.#address, idsAt, at, ids.length);
+      return this.#call.diagramUpdateMany(this.#address, idsAt, at, ids.length);
     });
   }
 
@@ -177,7 +177,7 @@ export class NativeDiagram {
     return this.#withScratch(count * (distances ? 28 : 20), (at) => {
       const distancesAt = this.#writeDoubles(at, xy, 2 * count);
       const idsAt = distances ? distancesAt + count * 8 : distancesAt;
-      const status = this.#module.findMany(this.#address, at, idsAt, distances ? distancesAt : 0, count);
+      const status = this.#call.diagramFindMany(this.#address, at, idsAt, distances ? distancesAt : 0, count);
       if (status === 0) {
         ids.set(this.#words(idsAt, count));
         distances?.set(this.#doubles(distancesAt, count));
@@ -189,62 +189,62 @@ export class NativeDiagram {
   /** Becomes what `toBytes` saved. */
   fromBytes(bytes: Uint8Array): Status {
     return this.#withScratch(bytes.length, (at) => {
-      const heap: Uint8Array = this.#module.HEAPU8;
+      const heap: Uint8Array = this.#heap.bytes;
       heap.set(bytes, at);
-      return this.#module.fromBytes(this.#address, at, bytes.length);
+      return this.#call.diagramFromBytes(this.#address, at, bytes.length);
     });
   }
 
   // --- Arrays out: each call fills slots, from which `take...` copies and `finish` gives back what was large ---------------
 
   ids(): Status {
-    return this.#module.ids(this.#address);
+    return this.#call.diagramIds(this.#address);
   }
   vertices(): Status {
-    return this.#module.vertices(this.#address);
+    return this.#call.diagramVertices(this.#address);
   }
   edges(): Status {
-    return this.#module.edges(this.#address);
+    return this.#call.diagramEdges(this.#address);
   }
   toBytes(): Status {
-    return this.#module.toBytes(this.#address);
+    return this.#call.diagramToBytes(this.#address);
   }
   validate(): Status {
-    return this.#module.validate(this.#address);
+    return this.#call.diagramValidate(this.#address);
   }
 
   // --- Geometry --------------------------------------------------------------------------------------------------------------
 
   toleranceFor(bounds: NativeBounds): number {
-    return this.#module._toleranceFor(...bounds);
+    return this.#call.toleranceFor(...bounds);
   }
   /** The box of all circles. */
   extent(): NativeBounds {
-    this.#module._diagramExtent(this.#address);
+    this.#call.diagramExtent(this.#address);
     return [this.x, this.y, this.r, this.distance];
   }
   hull(): Status {
-    return this.#module._diagramHull(this.#address);
+    return this.#call.diagramHull(this.#address);
   }
   polygon(bounds: NativeBounds, id: number, tolerance: number): Status {
     this.#expectLiving();
-    return this.#module._voronoiPolygon(this.#address, ...bounds, id, tolerance);
+    return this.#call.voronoiPolygon(this.#address, ...bounds, id, tolerance);
   }
   cell(bounds: NativeBounds, id: number): Status {
-    return this.#module._voronoiCell(this.#address, ...bounds, id);
+    return this.#call.voronoiCell(this.#address, ...bounds, id);
   }
   edgeCurves(bounds: NativeBounds): Status {
-    return this.#module._voronoiEdges(this.#address, ...bounds);
+    return this.#call.voronoiEdges(this.#address, ...bounds);
   }
   areas(bounds: NativeBounds): Status {
-    return this.#module._voronoiAreas(this.#address, ...bounds);
+    return this.#call.voronoiAreas(this.#address, ...bounds);
   }
   /** Leaves x and y of the centroid, the perimeter in r, the area in distance, and in count whether there is any. */
   measures(bounds: NativeBounds, id: number): Status {
-    return this.#module._voronoiMeasures(this.#address, ...bounds, id);
+    return this.#call.voronoiMeasures(this.#address, ...bounds, id);
   }
   measuresWithin(id: number, radius: number): Status {
-    return this.#module._voronoiMeasuresWithin(this.#address, id, radius);
+    return this.#call.voronoiMeasuresWithin(this.#address, id, radius);
   }
 
   /** Hands a drawing to `play` in portions, which may do anything but keep the arrays: even change the diagram. */
@@ -252,7 +252,7 @@ export class NativeDiagram {
     const portion: Portion = {};
     for (let cursor = 0; ;) {
       this.#expectLiving();
-      const status = this.#module._diagramDraw(this.#address, what, ...bounds, tolerance, cursor, kPortion);
+      const status = this.#call.diagramDraw(this.#address, what, ...bounds, tolerance, cursor, kPortion);
       if (status !== 0) return status;
       cursor = this.id >>> 0;
       const isDone = this.count !== 0;
@@ -264,7 +264,7 @@ export class NativeDiagram {
   }
   drawCell(bounds: NativeBounds, id: number, tolerance: number, play: Play): Status {
     this.#expectLiving();
-    const status = this.#module._voronoiDrawCell(this.#address, ...bounds, id, tolerance);
+    const status = this.#call.voronoiDrawCell(this.#address, ...bounds, id, tolerance);
     if (status !== 0) return status;
     this.#playPortion({}, play);
     this.finish();
@@ -275,7 +275,7 @@ export class NativeDiagram {
   #playPortion(portion: Portion, play: Play): void {
     const coordinates = this.#doubles(this.#slot(kAddresses, 0), this.#slot(kLengths, 0));
     const count = this.#slot(kLengths, 1);
-    const heap: Uint8Array = this.#module.HEAPU8;
+    const heap: Uint8Array = this.#heap.bytes;
     const commands = heap.subarray(this.#slot(kAddresses, 1), this.#slot(kAddresses, 1) + count);
     if (!portion.xy || portion.xy.length < coordinates.length) portion.xy = new Float64Array(coordinates.length);
     if (!portion.commands || portion.commands.length < count) portion.commands = new Uint8Array(count);
@@ -286,25 +286,26 @@ export class NativeDiagram {
 
   takeDoubles(slot: number): Float64Array {
     const start = this.#slot(kAddresses, slot) / 8;
-    const heap: Float64Array = this.#module.HEAPF64;
+    const heap: Float64Array = this.#heap.doubles;
     return heap.slice(start, start + this.#slot(kLengths, slot));
   }
   takeWords(slot: number): Uint32Array {
     const start = this.#slot(kAddresses, slot) / 4;
-    const heap: Uint32Array = this.#module.HEAPU32;
+    const heap: Uint32Array = this.#heap.words;
     return heap.slice(start, start + this.#slot(kLengths, slot));
   }
   takeBytes(slot: number): Uint8Array<ArrayBuffer> {
     const start = this.#slot(kAddresses, slot);
-    const heap: Uint8Array<ArrayBuffer> = this.#module.HEAPU8;
+    const heap: Uint8Array<ArrayBuffer> = this.#heap.bytes;
     return heap.slice(start, start + this.#slot(kLengths, slot));
   }
-  takeText(slot: number): string {
-    return new TextDecoder().decode(this.takeBytes(slot));
+  /** ASCII in slot 0. */
+  text(): string {
+    return String.fromCharCode(...this.takeBytes(0));
   }
   finish(): void {
     const bytes = 8 * (this.#slot(kLengths, 0) + this.#slot(kLengths, 1) + this.#slot(kLengths, 2));
-    if (bytes > kKeptBytes) this.#module.release();
+    if (bytes > kKeptBytes) this.#call.release();
   }
 
   /** The caller's code runs while arguments and options are read and while contexts draw; it may do anything. */
@@ -315,20 +316,20 @@ export class NativeDiagram {
   // --- Addresses -------------------------------------------------------------------------------------------------------------
 
   #number(offset: number): number {
-    return this.#module.HEAPF64[(results + offset) >>> 3];
+    return this.#heap.doubles[(results + offset) >>> 3] as number;
   }
 
   #slot(offset: number, slot: number): number {
-    return this.#module.HEAPU32[((results + offset) >>> 2) + slot];
+    return this.#heap.words[((results + offset) >>> 2) + slot] as number;
   }
 
   #words(address: number, count: number): Uint32Array {
-    const heap: Uint32Array = this.#module.HEAPU32;
+    const heap: Uint32Array = this.#heap.words;
     return heap.subarray(address / 4, address / 4 + count);
   }
 
   #doubles(address: number, count: number): Float64Array {
-    const heap: Float64Array = this.#module.HEAPF64;
+    const heap: Float64Array = this.#heap.doubles;
     return heap.subarray(address / 8, address / 8 + count);
   }
 
@@ -341,12 +342,12 @@ export class NativeDiagram {
   #withScratch(bytes: number, call: (address: number) => Status): Status {
     this.#expectLiving();
     if (bytes > kMostBytes) return kOutOfMemory;
-    const address = this.#module.reserve(Math.max(bytes, 8)) >>> 0;
+    const address = this.#call.reserve(Math.max(bytes, 8)) >>> 0;
     if (address === 0) return kOutOfMemory;
     try {
       return call(address);
     } finally {
-      if (bytes > kKeptBytes) this.#module.release();
+      if (bytes > kKeptBytes) this.#call.release();
     }
   }
 }

@@ -1,5 +1,7 @@
-// Imports of .wasm files are strings of one character a byte (wasm/build.mjs).
+// Imports of .wasm files (asTemplate in wasm/build.mjs).
 declare module "*.wasm" {
-  const text: string;
-  export default text;
+  /** One character a byte, whose code's lower eight bits are the byte; of each pair in `swaps`, the bytes have changed places. */
+  export const text: string;
+  /** a, b, a, b, … */
+  export const swaps: readonly number[];
 }

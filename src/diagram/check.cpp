@@ -1,6 +1,5 @@
 // The invariants of a diagram, exactly checked; the first broken one is named with its ids.
 #include <cmath>
-#include <string>
 
 #include "diagram/diagram_core.h"
 #include "predicate/predicates.h"
@@ -88,28 +87,27 @@ bool DelaunayGraph::hullTurnsOnce() const {
   return turned < 6;
 }
 
-std::string DiagramCore::check() const {
-  std::uint32_t where = 0;
-  if (const char* broken = base_.check(where)) return std::string(broken) + " " + std::to_string(where);
-  if (const char* broken = hierarchy_.check(base_, where)) return "hierarchy: " + std::string(broken) + " " + std::to_string(where);
-  const auto name = [&](Slot slot) { return std::to_string(ids_.idOf(slot)); };
-  std::size_t used = 0;
+Defect DiagramCore::check() const {
+  Defect defect;
+  if ((defect.what = base_.check(defect.where)) != nullptr) return defect;
+  if ((defect.what = hierarchy_.check(base_, defect.where, defect.level)) != nullptr) return defect;
+  std::uint32_t used = 0;
   for (Slot slot = 0; slot < ids_.slots(); ++slot) {
+    const auto found = [&](const char* what) { return Defect{what, ids_.idOf(slot)}; };
     if ((ids_.state(slot) == SiteState::kVisible) != base_.isVisible(vertexOf(slot))) {
-      return "the state of a site differs from its place in the graph: site " + name(slot);
+      return found("the state of a site differs from its place in the graph: site");
     }
     if (ids_.state(slot) == SiteState::kFree) continue;
     ++used;
-    if (ids_.slotOf(ids_.idOf(slot)) != slot) return "the place of an id is another: site " + name(slot);
+    if (ids_.slotOf(ids_.idOf(slot)) != slot) return found("the place of an id is another: site");
   }
-  if (used != ids_.size()) return "the count of sites is wrong: count " + std::to_string(ids_.size());
-  if (used != ids_.hiddenCount() + base_.visibleCount()) return "sites are neither visible nor hidden: all";
+  if (used != ids_.size()) return {"the count of sites is wrong: count", used};
+  if (used != ids_.hiddenCount() + base_.visibleCount()) return {"sites are neither visible nor hidden: count", used};
   return checkHidden();
 }
 
 /// Every hidden site hangs on a site that covers it, and all of them hang, at the end, on visible ones.
-std::string DiagramCore::checkHidden() const {
-  const auto name = [&](Slot slot) { return std::to_string(ids_.idOf(slot)); };
+Defect DiagramCore::checkHidden() const {
   std::vector<Slot> reached;
   for (Slot slot = 0; slot < ids_.slots(); ++slot) {
     if (ids_.state(slot) == SiteState::kVisible) reached.push_back(slot);
@@ -117,14 +115,15 @@ std::string DiagramCore::checkHidden() const {
   const std::size_t visible = reached.size();
   for (std::size_t k = 0; k < reached.size(); ++k) {
     for (Slot child = hidden_.firstChild(reached[k]); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
-      if (ids_.state(child) != SiteState::kHidden) return "a site that hangs on another is not hidden: site " + name(child);
-      if (!covers(site(reached[k]), site(child))) return "a hidden site is not covered by its parent: site " + name(child);
-      if (reached.size() == ids_.size()) return "the forest of hidden sites has a cycle: site " + name(child);
+      const auto found = [&](const char* what) { return Defect{what, ids_.idOf(child)}; };
+      if (ids_.state(child) != SiteState::kHidden) return found("a site that hangs on another is not hidden: site");
+      if (!covers(site(reached[k]), site(child))) return found("a hidden site is not covered by its parent: site");
+      if (reached.size() == ids_.size()) return found("the forest of hidden sites has a cycle: site");
       reached.push_back(child);
     }
   }
-  if (reached.size() != visible + ids_.hiddenCount()) return "hidden sites hang on nothing: reached " + std::to_string(reached.size());
-  return {};
+  if (reached.size() == visible + ids_.hiddenCount()) return {};
+  return {"hidden sites hang on nothing: reached", static_cast<std::uint32_t>(reached.size())};
 }
 
 }  // namespace apollonius

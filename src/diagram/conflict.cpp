@@ -1,7 +1,7 @@
 #include "diagram/conflict.h"
 
 #include "diagram/delaunay_graph.h"
-#include "diagram/invariant.h"
+#include "number/invariant.h"
 #include "predicate/edge_shortcut.h"
 #include "predicate/predicates.h"
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "diagram/ballast.h"
@@ -69,8 +68,8 @@ class DiagramCore {
   /// Becomes what was saved; false if the bytes are no snapshot. REQUIRES: a new diagram; after a failure it is good for nothing.
   [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes);
 
-  /// Empty, or the first broken invariant.
-  [[nodiscard]] std::string check() const;
+  /// The first broken invariant.
+  [[nodiscard]] Defect check() const;
 
   [[nodiscard]] static VertexId vertexOf(Slot slot) { return VertexId{slot + 1}; }
   [[nodiscard]] static Slot slotOf(VertexId v) { return static_cast<Slot>(v) - 1; }
@@ -113,7 +112,7 @@ class DiagramCore {
 
   [[nodiscard]] bool hasFiniteVertex(FaceId f) const;
   [[nodiscard]] bool isEdgeAtInfinity(HalfedgeId h, const std::vector<std::int32_t>& finite) const;
-  [[nodiscard]] std::string checkHidden() const;
+  [[nodiscard]] Defect checkHidden() const;
   void saveHidden(WordWriter& out) const;
   [[nodiscard]] bool restoreStates();
   [[nodiscard]] bool restoreHidden(WordReader& in, std::size_t count);

@@ -92,27 +92,28 @@ void Hierarchy::remove(Slot slot, Remover& remover) noexcept {
   }
 }
 
-const char* Hierarchy::check(const DelaunayGraph& base, std::uint32_t& where) const {
+const char* Hierarchy::check(const DelaunayGraph& base, std::uint32_t& where, std::uint32_t& level) const {
   const DelaunayGraph* lower = &base;
-  for (unsigned level = 0; level < levels_.size(); ++level) {
-    const DelaunayGraph& graph = levels_[level];
+  for (const DelaunayGraph& graph : levels_) {
+    const unsigned below = level++;
     if (const char* broken = graph.check(where)) return broken;
     std::size_t expected = 0;
     for (std::size_t v = 1; v < lower->graph().vertexSlots(); ++v) {
-      const VertexId below{static_cast<std::uint32_t>(v)};
-      const Slot slot = slotOf(below);
-      if (!climbs(slot, level) || !lower->isVisible(below)) continue;
+      const VertexId vertex{static_cast<std::uint32_t>(v)};
+      const Slot slot = slotOf(vertex);
+      if (!climbs(slot, below) || !lower->isVisible(vertex)) continue;
       ++expected;
       where = slot;
       const VertexId above = vertexOf(slot >> kBits);
-      if (index(above) >= graph.graph().vertexSlots() || !graph.isVisible(above)) return "a level lacks a site: slot";
-      const Site &a = graph.site(above), &b = lower->site(below);
-      if (a.x != b.x || a.y != b.y || a.r != b.r) return "levels differ about a site: slot";
+      if (index(above) >= graph.graph().vertexSlots() || !graph.isVisible(above)) return "it lacks a site: slot below";
+      const Site &a = graph.site(above), &b = lower->site(vertex);
+      if (a.x != b.x || a.y != b.y || a.r != b.r) return "levels differ about a site: slot below";
     }
-    where = level + 1;
-    if (expected != graph.visibleCount()) return "a level holds sites that the one below does not: level";
+    where = static_cast<std::uint32_t>(expected);
+    if (expected != graph.visibleCount()) return "it holds sites that the level below does not: expected";
     lower = &graph;
   }
+  level = 0;
   return nullptr;
 }
 

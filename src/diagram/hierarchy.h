@@ -49,7 +49,7 @@ class Hierarchy {
   }
 
   /// The first broken invariant or nullptr; `base` is level 0, whose vertex of slot s is s + 1.
-  [[nodiscard]] const char* check(const DelaunayGraph& base, std::uint32_t& where) const;
+  [[nodiscard]] const char* check(const DelaunayGraph& base, std::uint32_t& where, std::uint32_t& level) const;
 
  private:
   friend class DiagramBreaker;  // tests break a structure on purpose

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "diagram/invariant.h"
+#include "number/invariant.h"
 
 namespace apollonius {
 

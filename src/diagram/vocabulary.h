@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace apollonius {
@@ -23,6 +24,21 @@ constexpr bool isInRange(double value) {
   const double magnitude = value < 0 ? -value : value;
   return magnitude == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude);
 }
+
+/// The first broken invariant that a check found; one without `what` found none.
+struct Defect {
+  const char* what = nullptr;  ///< ends with the kind of what is at `where`
+  std::uint32_t where = 0;     ///< an index, id or count
+  std::uint32_t level = 0;     ///< of the hierarchy (0 is the diagram itself)
+
+  [[nodiscard]] bool isFound() const { return what != nullptr; }
+  /// In words; empty if there is none. Throws std::bad_alloc.
+  [[nodiscard]] std::string text() const {
+    if (what == nullptr) return {};
+    const std::string found = what + (' ' + std::to_string(where));
+    return level == 0 ? found : "level " + std::to_string(level) + ": " + found;
+  }
+};
 
 /// How the nearest site is located (paper, section 4). The answers are the same.
 enum class Location : std::uint8_t {

@@ -1,6 +1,12 @@
-// Dyadic: the one exact ring of the library. A number m * 2^e with an integer m of any length; every double is one, and
-// + - * stay inside. Exponents are carried beside the integer, so that wide ranges of exponents cost no digits until two
-// numbers of different exponents are added.
+// Dyadic: the one exact ring of the library. A number m * 2^e with an integer m; every double is one, and + - * stay inside.
+// Exponents are carried beside the integer, so that wide ranges of exponents cost no digits until two numbers of different
+// exponents are added.
+//
+// The integer has a fixed place of its own, so that nothing here can run out of memory. That place is large enough: coordinates and
+// weights, 0 or from 1e-100 to 1e100, are multiples of 2^-385 below 2^333, their differences below 2^334; so a form of degree d
+// with t terms is a multiple of 2^(-385 d) below 2^(334 d) t, and its integer has at most 719 d + log2(t) bits, as have those of
+// its parts. The highest degree is 16, with fewer than 2^13 terms (SpanForm in signOfTwoRoots): 11 517 bits. What is longer than kBits
+// breaks an invariant.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -18,36 +24,35 @@ class Dyadic {
   /// The exact value of a finite double.
   explicit Dyadic(double value);
 
-  static Dyadic powerOfTwo(int exponent) { return Dyadic(Integer(1), exponent); }
+  // Copies what is in use instead of all the place.
+  Dyadic(const Dyadic& other) noexcept { *this = other; }
+  Dyadic& operator=(const Dyadic& other) noexcept {
+    mantissa_.backend().assign(other.mantissa_.backend());
+    exponent_ = other.exponent_;
+    return *this;
+  }
 
   [[nodiscard]] Sign sign() const { return signOf(mantissa_.sign()); }
 
-  /// About `mantissa * 2^exponent` with 2^62 <= |mantissa| <= 2^63 (or 0): a relative error of at most 2^-52.
+  /// About `mantissa * 2^exponent` with 2^62 <= |mantissa| <= 2^63 (or 0): a relative error of at most (1 + 2^-9) 2^-53.
   struct Rounded {
     double mantissa = 0;
     int exponent = 0;
   };
   [[nodiscard]] Rounded rounded() const;
 
-  /// The leading bits, at least one: towards 0, with a relative error below 2^(1 - bits).
-  [[nodiscard]] Dyadic truncated(unsigned bits) const;
-
-  /// The root of a positive number from below, with a relative error of at most 2^-digits.
-  [[nodiscard]] Dyadic root(unsigned digits) const;
-
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
-  friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
+  friend Dyadic operator+(const Dyadic& a, const Dyadic& b) { return sum(a, b, false); }
+  friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return sum(a, b, true); }
   friend Dyadic operator-(const Dyadic& a);
-  friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + -b; }
 
  private:
-  // 512 bits are kept inline: the degree-8 predicates of inputs of similar size need no heap.
+  static constexpr unsigned kBits = 192 * 64;
   using Integer = boost::multiprecision::number<
-      boost::multiprecision::cpp_int_backend<512, 0, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked,
-                                             std::allocator<boost::multiprecision::limb_type>>,
+      boost::multiprecision::cpp_int_backend<kBits, kBits, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>,
       boost::multiprecision::et_off>;
 
-  Dyadic(Integer mantissa, int exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
+  static Dyadic sum(const Dyadic& a, const Dyadic& b, bool isDifference);
 
   Integer mantissa_ = 0;
   int exponent_ = 0;

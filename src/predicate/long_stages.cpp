@@ -1,4 +1,4 @@
-// The last stages: in long integers (whole) and in numbers of any length (exact). Apart from the first ones because they are compiled
+// The last stages: in long integers (whole) and in numbers as long as any input can ask for (exact). Apart from the first ones because they are compiled
 // for size: what takes the time is in number/whole.cpp and in cpp_int.
 #include "predicate/decisions.h"
 #include "predicate/long_rows.h"

@@ -133,10 +133,10 @@ class DiagramCheck : public ::testing::Test {
       last = core.insert({x, y, 4});
       if (k % 3 == 0) lastHidden = core.insert({x + 1, y, 1});
     }
-    ASSERT_EQ(core.check(), "");
+    ASSERT_EQ(core.check().text(), "");
   }
 
-  void expectBroken(const std::string& message) { EXPECT_TRUE(startsWith(core.check(), message)) << core.check(); }
+  void expectBroken(const std::string& message) { EXPECT_TRUE(startsWith(core.check().text(), message)) << core.check().text(); }
 
   DiagramCore core{Location::kHierarchy};
   SiteId last = kNoSite, lastHidden = kNoSite;  // visible, hidden
@@ -145,19 +145,19 @@ class DiagramCheck : public ::testing::Test {
 TEST_F(DiagramCheck, ChecksTheGraphFirst) {
   fill(9);
   Breaker::visibleCount(Breaker::base(core)) = 3;
-  EXPECT_EQ(core.check(), "the count of visible sites is wrong: count 3");
+  EXPECT_EQ(core.check().text(), "the count of visible sites is wrong: count 3");
 }
 
 TEST_F(DiagramCheck, StateOfAVisibleSite) {
   fill(9);
   Breaker::ids(core).setState(last, SiteState::kHidden);
-  EXPECT_EQ(core.check(), "the state of a site differs from its place in the graph: site " + std::to_string(last));
+  EXPECT_EQ(core.check().text(), "the state of a site differs from its place in the graph: site " + std::to_string(last));
 }
 
 TEST_F(DiagramCheck, StateOfAHiddenSite) {
   fill(9);
   Breaker::ids(core).setState(lastHidden, SiteState::kVisible);
-  EXPECT_EQ(core.check(), "the state of a site differs from its place in the graph: site " + std::to_string(lastHidden));
+  EXPECT_EQ(core.check().text(), "the state of a site differs from its place in the graph: site " + std::to_string(lastHidden));
 }
 
 TEST_F(DiagramCheck, SiteOfNoState) {
@@ -165,20 +165,20 @@ TEST_F(DiagramCheck, SiteOfNoState) {
   SiteIds& ids = Breaker::ids(core);
   (void)ids.next();
   ids.take(SiteState::kPending);
-  EXPECT_EQ(core.check(), "sites are neither visible nor hidden: all");
+  EXPECT_EQ(core.check().text(), "sites are neither visible nor hidden: count " + std::to_string(ids.size()));
 }
 
 TEST_F(DiagramCheck, VisibleSiteInTheForest) {
   fill(9);
   Breaker::hidden(core).attach(last, 0);
-  EXPECT_EQ(core.check(), "a site that hangs on another is not hidden: site " + std::to_string(last));
+  EXPECT_EQ(core.check().text(), "a site that hangs on another is not hidden: site " + std::to_string(last));
 }
 
 TEST_F(DiagramCheck, HiddenSiteOnAnotherThanItsCover) {
   fill(9);
   Breaker::hidden(core).detach(lastHidden);
   Breaker::hidden(core).attach(lastHidden, last);
-  EXPECT_EQ(core.check(), "a hidden site is not covered by its parent: site " + std::to_string(lastHidden));
+  EXPECT_EQ(core.check().text(), "a hidden site is not covered by its parent: site " + std::to_string(lastHidden));
 }
 
 TEST_F(DiagramCheck, CycleInTheForest) {
@@ -207,13 +207,13 @@ class HierarchyCheck : public DiagramCheck {
 
 TEST_F(HierarchyCheck, ChecksEachLevel) {
   ++Breaker::visibleCount(level());
-  expectBroken("hierarchy: the count of visible sites is wrong: count");
+  expectBroken("level 1: the count of visible sites is wrong: count");
 }
 
 TEST_F(HierarchyCheck, SiteThatALevelLacks) {
   Remover remover;
   (void)remover.remove(level(), level().anyVisible(), {});
-  expectBroken("hierarchy: a level lacks a site: slot");
+  expectBroken("level 1: it lacks a site: slot below");
 }
 
 TEST_F(HierarchyCheck, SiteThatDiffers) {
@@ -222,7 +222,7 @@ TEST_F(HierarchyCheck, SiteThatDiffers) {
   site.r += 1e-6;
   level().setSite(v, site);
   Breaker::computeCircles(level());
-  expectBroken("hierarchy: levels differ about a site: slot");
+  expectBroken("level 1: levels differ about a site: slot below");
 }
 
 TEST_F(HierarchyCheck, SiteThatIsNotBelow) {
@@ -230,7 +230,7 @@ TEST_F(HierarchyCheck, SiteThatIsNotBelow) {
   level().reserve(index(v) + 1);
   level().setSite(v, {-1000, -1000, 1});
   (void)level().insert(v, kNoVertex);
-  expectBroken("hierarchy: a level holds sites that the one below does not: level 1");
+  expectBroken("level 1: it holds sites that the level below does not: expected");
 }
 
 }  // namespace

@@ -17,11 +17,11 @@ namespace {
 
 /// Hash of what the diagram says about its circles: order-free, so a change here means that the bits of some coordinate, clearance
 /// or distance have changed. Update it only with a change of those formulas that is meant.
-constexpr std::uint64_t kExpectedValues = 0xad27dc73358b8ce1;
+constexpr std::uint64_t kExpectedValues = 0xd02ca36052dd5908;
 
 /// Hash of the raw arrays in their order, which depends on how the diagram is stored and searched. Update it after any change of
 /// that; it still has to be the same natively and in wasm.
-constexpr std::uint64_t kExpectedRaw = 0x5c4ec613b818ba95;
+constexpr std::uint64_t kExpectedRaw = 0xbe915d31dca66150;
 
 /// Hash of generated circles: native code and wasm must be tested with the same sets.
 constexpr std::uint64_t kExpectedGenerated = 0xf53230292420a024;

@@ -2,9 +2,12 @@
 // rounding. Counted along whole builds through the public interface, and on single questions.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "predicate/samples.h"
 #include "predicate/stages.h"
 #include "support/corpus.h"
+#include "support/effort.h"
 
 namespace apollonius {
 namespace {
@@ -61,6 +64,28 @@ TEST(StageUse, DecimalLatticeIsNotDegenerateEverywhere) {
   EXPECT_GT(counts.vertexWhole, 0u);
   EXPECT_EQ(counts.vertexExact, 0u);
   EXPECT_LT(counts.vertexDegenerate, counts.vertexWhole + counts.vertexMiddle + counts.vertexFilter + counts.vertexOfPoints);
+}
+
+/// Numbers from end to end of the range, all digits in use: whatever the exact stage makes of them has room (number/dyadic.h). An
+/// integer that had not would end the program.
+TEST(StageUse, LongestNumbersFitTheExactStage) {
+  Random random(112);
+  const auto number = [&] {
+    const double digits = 1 - static_cast<double>(random.below(std::uint64_t{1} << 52)) * 0x1p-53;
+    const double x = random.below(2) == 0 ? 1e100 * digits : 1e-100 / digits;
+    return random.below(2) == 0 ? x : -x;
+  };
+  for (int run = 0; run < runs(200); ++run) {
+    std::array<Site, 5> s;
+    for (Site& site : s) site = {number(), number(), number()};
+    (void)stages::vertexExact(s[0], &s[1], &s[2], &s[3]);
+    (void)stages::isOppositePoleExact(s[0], &s[1], &s[2], &s[3]);
+    (void)stages::distanceExact(s[0].x, s[0].y, s[1], s[2]);
+    for (const stages::Probe probe : {stages::Probe::kMiddle, stages::Probe::kOpposite}) {
+      (void)stages::edgeExact(s[0], &s[1], &s[2], &s[3], s[4], probe);
+      (void)stages::edgeExact(s[0], nullptr, &s[2], &s[3], s[4], probe);
+    }
+  }
 }
 
 }  // namespace

@@ -47,6 +47,55 @@ TEST_P(VoronoiCircleOn, IsWithinItsErrorBound) {
   }
 }
 
+TEST_P(VoronoiCircleOn, IsPreciseFromLongNumbers) {
+  Random random(103);
+  for (int run = 0; run < runs(GetParam().large ? 300 : 40); ++run) {
+    const Circles c = visibleOnly(GetParam().make(random, 3));
+    if (c.size() < 3 || oracleCircle(c, 0, 1, 2, kInfinity) == CircleAnswer::kNoCircle) continue;
+    const std::vector<Site> s = toSites(c);
+    const VoronoiCircle circle = preciseVoronoiCircle(&s[0], &s[1], &s[2]);
+    if (circle.isHalfPlane()) continue;
+    const double size = absolute(circle.x) + absolute(circle.y) + absolute(circle.s);
+    if (!(size < 1e150)) continue;  // a bound is a float
+    if (size < 1e37 && size > 1e-30) {
+      ASSERT_LE(circle.error, 0x1p-39 * size + 0x1p-44 * (absolute(s[0].x) + absolute(s[0].y) + absolute(s[0].r))) << toText(insertAll(c));
+    }
+    if (!(circle.error < 1e300)) continue;
+    ASSERT_TRUE(oracleCircleIsWithin(c[0], c[1], c[2], {circle.x, circle.y, circle.s}, circle.error).value_or(true))
+        << "run " << run << ", centre " << circle.x << " " << circle.y << ", error " << circle.error << "\n"
+        << toText(insertAll(c));
+  }
+}
+
+/// Sites in line up to a unit in the last place, and magnitudes from end to end of the range: the longest numbers there are.
+TEST(VoronoiCircle, IsPreciseWhereTermsCancel) {
+  for (const double tiny : {1e-16, 1e-40, 1e-100}) {
+    for (const double large : {1.0, 1e30, 1e100}) {
+      const Circles c{{-large, 0, tiny}, {0, -tiny, 0}, {large, 0, tiny}};
+      const std::vector<Site> s = toSites(c);
+      for (const auto& [j, k] : {std::pair{1, 2}, std::pair{2, 1}}) {
+        if (!hasVoronoiCircle(s[0], s[static_cast<std::size_t>(j)], s[static_cast<std::size_t>(k)])) continue;
+        const VoronoiCircle circle = preciseVoronoiCircle(&s[0], &s[static_cast<std::size_t>(j)], &s[static_cast<std::size_t>(k)]);
+        if (circle.isHalfPlane() || !(circle.error < 1e300)) continue;
+        EXPECT_TRUE(oracleCircleIsWithin(c[0], c[static_cast<std::size_t>(j)], c[static_cast<std::size_t>(k)], {circle.x, circle.y, circle.s},
+                                         circle.error).value_or(true)) << tiny << " " << large;
+      }
+    }
+  }
+}
+
+/// Equal weights make some of the terms 0, whatever the scale.
+TEST(VoronoiCircle, IsPreciseOfFlatTrianglesOfAllSizes) {
+  for (const double size : {1e-90, 1e-3, 1.0, 1e3, 1e90}) {
+    const double height = 0x1p-45 * size;
+    const Site left{-size, 0, size}, top{0, height, size}, right{size, 0, size};
+    const VoronoiCircle circle = preciseVoronoiCircle(&left, &right, &top);
+    EXPECT_NEAR(circle.x / size, 0, 20) << size;  // doubles may be used if they are right to a 2^-40th
+    EXPECT_NEAR(circle.y / size, -0x1p44, 20) << size;
+    EXPECT_NEAR(circle.s / size, 0x1p44, 20) << size;
+  }
+}
+
 TEST_P(VoronoiCircleOn, HalfPlaneTouchesBothSites) {
   Random random(102);
   for (int run = 0; run < runs(300); ++run) {

@@ -1,6 +1,8 @@
-# wasm/bindings.cpp and the library as one wasm module with its JavaScript glue: apollonius.wasm and apollonius.mjs in the
-# build folder, with the glue's types as apollonius.d.mts (for which emcc needs `tsc` on PATH; wasm/build.mjs sees to it). Not part of
-# `all`: the tests do not need it. Compiled from the sources once more, because only here link-time optimisation pays (the tests link faster without).
+# wasm/bindings.cpp and the library as one wasm module, apollonius.wasm in the build folder. Not part of `all`: the tests do not
+# need it. Compiled from the sources once more, because only here link-time optimisation pays (the tests link faster without).
+#
+# No JavaScript comes with it: wasm/module.ts starts it in twenty lines, where Emscripten's were more than a third of all JavaScript
+# in the package. What it imports is in wasm/bindings.cpp.
 #
 # Every visitor of a page downloads this, so all is compiled for size but what insertions, searches and drawings of many sites run through
 # (bench/README.md, "Size", has what each step costs and gives).
@@ -14,9 +16,9 @@ set(compact
 list(TRANSFORM quick PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 list(TRANSFORM compact PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 set(small ${APOLLONIUS_SOURCES})
-list(REMOVE_ITEM small ${quick} ${compact} "${CMAKE_CURRENT_SOURCE_DIR}/src/diagram/invariant.cpp")
+list(REMOVE_ITEM small ${quick} ${compact} "${CMAKE_CURRENT_SOURCE_DIR}/src/number/invariant.cpp")
 # The doors must not be among the quick: everything that is called in one place only would be copied into them.
-list(APPEND small "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/wasm/embind_types.cpp")
+list(APPEND small "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings.cpp")
 
 foreach(part_and_level IN ITEMS quick:-O2 compact:-Os small:-Oz)
   string(REPLACE ":" ";" part_and_level ${part_and_level})
@@ -31,16 +33,10 @@ endforeach()
 add_executable(apollonius_wasm EXCLUDE_FROM_ALL
   # The quick ones first: the linker takes the first copy of each inline function.
   $<TARGET_OBJECTS:apollonius_wasm_quick> $<TARGET_OBJECTS:apollonius_wasm_compact> $<TARGET_OBJECTS:apollonius_wasm_small>)
-target_link_libraries(apollonius_wasm PRIVATE embind "--js-library=${CMAKE_CURRENT_SOURCE_DIR}/wasm/glue.js")  # the later one's functions win
-set_target_properties(apollonius_wasm PROPERTIES LINK_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/wasm/glue.js" OUTPUT_NAME apollonius SUFFIX .mjs LINKER_LANGUAGE CXX)
+set_target_properties(apollonius_wasm PROPERTIES OUTPUT_NAME apollonius SUFFIX .wasm LINKER_LANGUAGE CXX)
 target_link_options(apollonius_wasm PRIVATE
   -O3 -flto  # of what the linker optimises: -Oz saves 0.5 KB and draws a quarter more slowly
-  -sMODULARIZE=1 -sEXPORT_ES6=1 -sEXPORT_NAME=createApollonius
-  -sENVIRONMENT=web,worker         # with "node" the glue imports Node's modules, which bundlers refuse; Node is handed the bytes
-  -sWASM_ASYNC_COMPILATION=0       # `new Diagram()` works at once: compiled at the first use, synchronously
-  -sDYNAMIC_EXECUTION=0            # no eval: runs under a strict content security policy
-  -sFILESYSTEM=0 -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sMEMORY_GROWTH_GEOMETRIC_CAP=4194304 -sSTACK_SIZE=1MB
-  -sMALLOC=emmalloc                # 6 KB smaller than the default and as fast here: a diagram is a few large arrays
-  -sINCOMING_MODULE_JS_API=instantiateWasm
-  -sEXPORTED_RUNTIME_METHODS=HEAPU8,HEAP32,HEAPU32,HEAPF64
-  --emit-tsd=apollonius.d.mts)
+  --no-entry                       # a library: `_initialize` instead of `main`
+  -Wl,--wrap=emscripten_resize_heap
+  -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB
+  -sMALLOC=emmalloc)               # 6 KB smaller than the default and as fast here: a diagram is a few large arrays

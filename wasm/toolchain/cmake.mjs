@@ -7,7 +7,6 @@ import { root } from "./folders.mjs";
 import { capture, run } from "./process.mjs";
 
 export const jobs = String(availableParallelism());
-const nodePrograms = path.join(root, "node_modules/.bin");
 
 /** Configures if the arguments are new (CMake itself notices changed files), then builds; returns the folder. */
 export function buildWithCmake(name, settings, { target = "all", env } = {}) {
@@ -25,10 +24,10 @@ export function buildWithCmake(name, settings, { target = "all", env } = {}) {
   return folder;
 }
 
-/** The wasm module for the package; emcc finds TypeScript's compiler on PATH and writes the glue's types with it. */
+/** The wasm module for the package. */
 export function buildWasmModule(emscripten) {
   return buildWithCmake("wasm", { CMAKE_TOOLCHAIN_FILE: cmakeToolchainFile(emscripten), APOLLONIUS_TESTS: "OFF" },
-                        { target: "apollonius_wasm", env: { PATH: `${nodePrograms}${path.delimiter}${process.env.PATH}` } });
+                        { target: "apollonius_wasm" });
 }
 
 /** The C++ tests as wasm. */

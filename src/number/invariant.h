@@ -6,8 +6,7 @@
 
 namespace apollonius {
 
-/// Tells whoever runs the program: on stderr, or on the console (wasm/glue.js instead of invariant.cpp: C's input and output would be
-/// 2 % of what a page loads).
+/// Tells whoever runs the program: on stderr, or on the console (wasm/bindings.cpp instead of invariant.cpp).
 extern "C" void reportBrokenInvariant(const char* name);
 
 inline void invariant(bool holds, const char* name) {

@@ -1,4 +1,4 @@
-#include "diagram/invariant.h"
+#include "number/invariant.h"
 
 #include <cstdio>
 
