@@ -8,6 +8,7 @@
 
 #include "diagram/diagram_core.h"
 #include "diagram/spatial_order.h"
+#include "memory/flat_array.h"
 #include "predicate/approx_distance.h"
 
 namespace apollonius {
@@ -72,7 +73,7 @@ Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
   return guarded([&] { impl_->insertStaged(impl_->stage(xyr), ids); });
 }
 
-Error Diagram::insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count, std::vector<SiteId>& ids) {
+Error Diagram::insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count, Array<SiteId>& ids) {
   const std::span<const double> numbers{xyr.get(), 3 * count};
   if (const Error error = checkNumbers(numbers); error != Error::kNone) return error;
   if (count > kMostSites - size()) return Error::kTooLarge;
@@ -81,7 +82,7 @@ Error Diagram::insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count, st
     return Error::kNone;
   }
   return guarded([&] {
-    std::vector<std::uint32_t> order = impl_->stage(numbers);
+    FlatArray<std::uint32_t> order = impl_->stage(numbers);
     xyr.reset();
     ids.resize(count);
     impl_->insertStaged(std::move(order), ids);
@@ -126,7 +127,7 @@ Error Diagram::site(SiteId id, Circle& circle) const noexcept {
   return Error::kNone;
 }
 
-Error Diagram::ids(std::vector<SiteId>& ids) const {
+Error Diagram::ids(Array<SiteId>& ids) const {
   return guarded([&] {
     ids.clear();
     ids.reserve(size());
@@ -181,19 +182,19 @@ Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids, std::
   });
 }
 
-Error Diagram::kNearest(double x, double y, std::size_t k, std::vector<SiteId>& sites) const {
+Error Diagram::kNearest(double x, double y, std::size_t k, Array<SiteId>& sites) const {
   for (const double value : {x, y}) {
     if (const Error error = checkNumber(value); error != Error::kNone) return error;
   }
   return guarded([&] { impl_->nearby(x, y, k, nullptr, sites); });
 }
 
-Error Diagram::within(double x, double y, double distance, std::vector<SiteId>& sites) const {
+Error Diagram::within(double x, double y, double distance, Array<SiteId>& sites) const {
   if (const Error error = checkCircle(x, y, distance); error != Error::kNone) return error;
   return guarded([&] { impl_->nearby(x, y, size(), &distance, sites); });
 }
 
-Error Diagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
+Error Diagram::neighbors(SiteId id, Array<SiteId>& neighbors) const {
   if (!has(id)) return Error::kUnknownSite;
   return guarded([&] { impl_->neighbors(id, neighbors); });
 }
@@ -206,11 +207,11 @@ Error Diagram::edges(EdgeArrays& edges) const {
   return guarded([&] { impl_->edges(edges); });
 }
 
-Error Diagram::faces(std::vector<SiteId>& sites) const {
+Error Diagram::faces(Array<SiteId>& sites) const {
   return guarded([&] { impl_->faces(sites); });
 }
 
-Error Diagram::toBytes(std::vector<std::uint8_t>& bytes) const {
+Error Diagram::toBytes(Array<std::uint8_t>& bytes) const {
   return guarded([&] { impl_->save(bytes); });
 }
 

@@ -2,6 +2,7 @@
 #include "voronoi.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +13,7 @@
 #include "geometry/measures.h"
 #include "geometry/render.h"
 #include "geometry/within.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -29,8 +31,8 @@ bool areGood(const Bounds& b) {
 
 constexpr double kDefaultShare = powerOfTwo(-13);
 
-void append(const Conic& c, std::vector<double>& curves) {
-  curves.insert(curves.end(), {c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.w, c.p2.x, c.p2.y});
+void appendCurve(const Conic& c, Array<double>& curves) {
+  append(curves, std::array{c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.w, c.p2.x, c.p2.y});
 }
 
 void measure(std::span<const BoundaryPiece> boundary, Point origin, Moments& moments, CellMeasures& measures) {
@@ -108,7 +110,7 @@ Error Voronoi::edges(CurveArrays& edges) const {
     const DiagramCore& core = diagram_.core();
     const Graph& graph = core.base().graph();
     forEachClippedPiece(core.base(), window, Bits::kCanonical, [&](HalfedgeId h, const ClippedPiece& piece) {
-      append(piece.curve, edges.curves);
+      appendCurve(piece.curve, edges.curves);
       edges.sites.push_back(core.siteOf(graph.origin(h)));
       edges.sites.push_back(core.siteOf(graph.target(h)));
     });
@@ -122,10 +124,11 @@ Error Voronoi::cell(SiteId id, CurveArrays& boundary) const {
     boundary.curves.clear();
     boundary.sites.clear();
     for (const BoundaryPiece& piece : cell.pieces) {
-      append(piece.curve, boundary.curves);
+      appendCurve(piece.curve, boundary.curves);
       boundary.sites.push_back(piece.neighbor);
     }
-    boundary.regions = cell.starts;
+    boundary.regions.clear();
+    for (const std::uint32_t start : cell.starts) boundary.regions.push_back(start);
   });
 }
 
@@ -137,7 +140,7 @@ Error Voronoi::polygon(SiteId id, double tolerance, RingArrays& rings) const {
     rings.starts.assign(1, 0);
     for (std::size_t region = 0; region < cell.regionCount(); ++region) {
       const Point start = cell.pieces[cell.starts[region]].curve.p0;
-      rings.coordinates.insert(rings.coordinates.end(), {start.x, start.y});
+      append(rings.coordinates, std::array{start.x, start.y});
       for (std::uint32_t k = cell.starts[region]; k < cell.starts[region + 1]; ++k) {
         const Conic& curve = cell.pieces[k].curve;
         if (!(curve.p0 == curve.p2)) flattenConic(curve, allowed, rings.coordinates);  // no point twice in a row
@@ -166,7 +169,7 @@ Error Voronoi::measuresWithin(SiteId id, double radius, CellMeasures& measures) 
   if (radius < 0 || radius > kLargestMagnitude) return Error::kOutOfRange;
   const Voronoi anywhere(diagram_);
   return anywhere.guarded(1, [&](const Window&, double) {
-    std::vector<BoundaryPiece> boundary;
+    FlatArray<BoundaryPiece> boundary;
     cellWithin(diagram_.core(), slotOf(id), radius, boundary);
     measures = {};
     const Site& site = diagram_.core().site(slotOf(id));
@@ -176,11 +179,11 @@ Error Voronoi::measuresWithin(SiteId id, double radius, CellMeasures& measures) 
   });
 }
 
-Error Voronoi::areas(std::vector<double>& areas) const {
+Error Voronoi::areas(Array<double>& areas) const {
   return guarded(1, [&](const Window& window, double) { cellAreas(diagram_.core(), window, areas); });
 }
 
-Error Voronoi::hull(std::vector<SiteId>& sites) const {
+Error Voronoi::hull(Array<SiteId>& sites) const {
   return guarded(1, [&](const Window&, double) { hullSites(diagram_.core(), sites); });
 }
 

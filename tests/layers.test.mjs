@@ -16,16 +16,17 @@ const files = filesIn("");
 
 const std = /^<[a-z_]+>$/;
 const rules = [
+  { of: /^src\/memory\//, may: [std, /^"memory\//] },
   { of: /^src\/number\//, may: [std, /^<boost\/multiprecision\//, /^"number\//] },
-  { of: /^src\/predicate\//, may: [std, /^"(number|predicate)\//] },
-  { of: /^src\/graph\//, may: [std, /^"graph\//] },
-  { of: /^src\/diagram\//, may: [std, /^"(graph|predicate|diagram)\//, /^"number\/(sign|invariant)\.h"$/] },
-  { of: /^src\/geometry\//, may: [std, /^"(diagram|graph|predicate|number|geometry)\//] },
+  { of: /^src\/predicate\//, may: [std, /^"(memory|number|predicate)\//] },
+  { of: /^src\/graph\//, may: [std, /^"(memory|graph)\//] },
+  { of: /^src\/diagram\//, may: [std, /^"(memory|graph|predicate|diagram)\//, /^"number\/(sign|invariant)\.h"$/] },
+  { of: /^src\/geometry\//, may: [std, /^"(memory|diagram|graph|predicate|number|geometry)\//] },
   { of: /^src\/apollonius\.h$/, may: [std, /^"diagram\/vocabulary\.h"$/] },
-  { of: /^src\/apollonius\.cpp$/, may: [std, /^"(number|predicate|graph|diagram|geometry)\//, /^"apollonius\.h"$/] },
+  { of: /^src\/apollonius\.cpp$/, may: [std, /^"(memory|number|predicate|graph|diagram|geometry)\//, /^"apollonius\.h"$/] },
   { of: /^src\/voronoi\.h$/, may: [std, /^"apollonius\.h"$/, /^"geometry\/path\.h"$/] },  // path.h has standard types only
-  { of: /^src\/voronoi\.cpp$/, may: [std, /^"geometry\//, /^"voronoi\.h"$/] },
-  { of: /^wasm\/bindings\.cpp$/, may: [std, /^<emscripten\//, /^"(apollonius|voronoi)\.h"$/] },
+  { of: /^src\/voronoi\.cpp$/, may: [std, /^"(memory|geometry)\//, /^"voronoi\.h"$/] },
+  { of: /^wasm\/\w+\.cpp$/, may: [std, /^<emscripten\//, /^"(apollonius|voronoi)\.h"$/] },
   { of: /^bench\/.*\.(cpp|h)$/, may: [std, /^"apollonius\.h"$/, /^"(tests\/)?support\/generators/, /^<CGAL\//, /^"bench\//,
                                       /^"predicate\/stages\.h"$/,  // it counts which stage answers
                                       /^<malloc\.h>$/] },           // and how much memory is in use
@@ -75,6 +76,12 @@ test("heap views and addresses are in wasm/native.ts only, but for module.ts, wh
   const users = sources("wasm/").filter((file) => file.endsWith(".ts"))
     .filter((file) => /\bheap\.|resultsAddress|\.reserve\(/.test(readFileSync(path.join(root, file), "utf8")));
   expect(users).toEqual(["wasm/module.ts", "wasm/native.ts"]);
+});
+
+test("exceptions are caught whatever they are, and no type is asked for at run time (wasm/lean_runtime.cpp)", () => {
+  const asking = ["src/", "wasm/"].flatMap(sources).filter((file) => /\.(cpp|h)$/.test(file))
+    .filter((file) => /\bcatch \((?!\.\.\.\))|\bdynamic_cast\b|\btypeid\b/.test(readFileSync(path.join(root, file), "utf8")));
+  expect(asking).toEqual([]);
 });
 
 test("no source file is longer than 500 lines", () => {

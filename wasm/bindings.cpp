@@ -14,7 +14,6 @@
 #include <new>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "apollonius.h"
 #include "voronoi.h"
@@ -36,13 +35,13 @@ struct Results {
 Results results;
 
 // Arrays out, kept alive until JavaScript has copied them.
-std::vector<SiteId> siteIds;
+apollonius::Array<SiteId> siteIds;
 apollonius::VertexArrays vertexArrays;
 apollonius::EdgeArrays edgeArrays;
 apollonius::CurveArrays curveArrays;
 apollonius::RingArrays ringArrays;
-std::vector<double> numbers;
-std::vector<std::uint8_t> snapshot;
+apollonius::Array<double> numbers;
+apollonius::Array<std::uint8_t> snapshot;
 apollonius::Path path;
 
 // Arrays in, and arrays out whose length is known before the call.
@@ -111,13 +110,13 @@ EMSCRIPTEN_KEEPALIVE double* reserve(std::size_t bytes) {
 // Gives all blocks back; JavaScript calls it when it has copied from large ones.
 EMSCRIPTEN_KEEPALIVE void release() {
   scratch = {};
-  siteIds = std::vector<SiteId>();  // not {}: that would only empty a vector
+  siteIds = apollonius::Array<SiteId>();  // not {}: that would only empty a vector
   vertexArrays = {};
   edgeArrays = {};
   curveArrays = {};
   ringArrays = {};
-  numbers = std::vector<double>();
-  snapshot = std::vector<std::uint8_t>();
+  numbers = apollonius::Array<double>();
+  snapshot = apollonius::Array<std::uint8_t>();
   path = {};
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "diagram/diagram_core.h"
+#include "memory/flat_array.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {
@@ -108,7 +109,7 @@ Defect DiagramCore::check() const {
 
 /// Every hidden site hangs on a site that covers it, and all of them hang, at the end, on visible ones.
 Defect DiagramCore::checkHidden() const {
-  std::vector<Slot> reached;
+  FlatArray<Slot> reached;
   for (Slot slot = 0; slot < ids_.slots(); ++slot) {
     if (ids_.state(slot) == SiteState::kVisible) reached.push_back(slot);
   }

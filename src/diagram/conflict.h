@@ -4,9 +4,9 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "graph/ids.h"
+#include "memory/flat_array.h"
 #include "predicate/site.h"
 
 namespace apollonius {
@@ -48,10 +48,10 @@ class ConflictSearch {
 
   const DelaunayGraph* diagram_ = nullptr;  // during find only
   const Site* q_ = nullptr;
-  std::vector<std::uint32_t> marks_;        // one bit a face; of the faces in faces_
-  std::vector<HalfedgeId> stack_;
-  std::vector<FaceId> faces_;
-  std::vector<HalfedgeId> rim_;
+  FlatArray<std::uint32_t> marks_;        // one bit a face; of the faces in faces_
+  FlatArray<HalfedgeId> stack_;
+  FlatArray<FaceId> faces_;
+  FlatArray<HalfedgeId> rim_;
 };
 
 }  // namespace apollonius

@@ -7,11 +7,11 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "diagram/conflict.h"
 #include "diagram/hidden.h"
 #include "graph/graph.h"
+#include "memory/flat_array.h"
 #include "predicate/circle_fan.h"
 #include "predicate/predicates.h"
 #include "predicate/shadow_check.h"
@@ -107,17 +107,17 @@ class DelaunayGraph {
     for (std::size_t k = 0; k < created; ++k) circles_[index(newFaces_[k])] = newCircles_[k];
   }
 
-  std::vector<Site> sites_;              // by vertex
+  FlatArray<Site> sites_;              // by vertex
   Graph graph_;                          // has faces from two visible sites on
-  std::vector<VoronoiCircle> circles_;   // by face
+  FlatArray<VoronoiCircle> circles_;   // by face
   std::size_t visibleCount_ = 0;
   VertexId recent_ = kNoVertex;          // visible; the only one if visibleCount_ is 1
 
   ConflictSearch conflicts_;
   CircleFan fan_;
-  std::vector<FaceId> newFaces_;         // scratch
-  std::vector<VoronoiCircle> newCircles_;  // scratch: computed before the graph changes, as that may take memory
-  std::vector<VertexId> covered_;        // scratch
+  FlatArray<FaceId> newFaces_;         // scratch
+  FlatArray<VoronoiCircle> newCircles_;  // scratch: computed before the graph changes, as that may take memory
+  FlatArray<VertexId> covered_;        // scratch
 };
 
 }  // namespace apollonius

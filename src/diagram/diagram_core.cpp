@@ -4,6 +4,7 @@
 
 #include "diagram/sort_by_key.h"
 #include "diagram/spatial_order.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -65,7 +66,7 @@ bool DiagramCore::remove(SiteId id) {
 
 std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
   ballast_.load();
-  std::vector<Slot> gone;
+  FlatArray<Slot> gone;
   gone.reserve(ids.size());
   try {
     for (const SiteId id : ids) {
@@ -218,8 +219,8 @@ void DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const d
   }
 }
 
-std::vector<std::uint32_t> DiagramCore::stage(std::span<const double> xyr) {
-  std::vector<std::uint32_t> order = hilbertOrder({xyr, 3});
+FlatArray<std::uint32_t> DiagramCore::stage(std::span<const double> xyr) {
+  FlatArray<std::uint32_t> order = hilbertOrder({xyr, 3});
   base_.reserveSites(slotsWith(order.size()) + 1);
   // What is close in the plane is close in memory. Nobody looks at sites of slots that are not in use.
   Slot slot = ids_.nextSlot();
@@ -231,7 +232,7 @@ std::vector<std::uint32_t> DiagramCore::stage(std::span<const double> xyr) {
   return order;
 }
 
-void DiagramCore::insertStaged(std::vector<std::uint32_t> order, std::span<SiteId> ids) {
+void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId> ids) {
   const std::size_t n = ids.size();
   ballast_.load();
   const std::size_t slots = slotsWith(n);
@@ -258,7 +259,7 @@ void DiagramCore::insertStaged(std::vector<std::uint32_t> order, std::span<SiteI
       const Site circle = site(slot);
       ids_.setState(slot, place(slot, circle, visibleBeside(slot)));
     }
-    order = std::vector<std::uint32_t>();  // the grid fits where it was
+    order = FlatArray<std::uint32_t>();  // the grid fits where it was
     endBulk();
   } catch (...) {
     endBulk();
@@ -285,8 +286,8 @@ VertexId DiagramCore::visibleBeside(Slot slot) const {
 
 void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
   ballast_.load();
-  const std::vector<std::uint32_t> order = orderOfSlots(ids);
-  std::vector<Site> before(ids.size());
+  const FlatArray<std::uint32_t> order = orderOfSlots(ids);
+  FlatArray<Site> before(ids.size());
   for (std::size_t k = 0; k < ids.size(); ++k) before[k] = site(ids_.slotOf(ids[k]));
   try {
     moveManyInPlace(ids, xyr, order);
@@ -303,11 +304,11 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
 }
 
 /// Positions in `ids` in the order of the slots, which is one of places; of an id that is given several times, the last one only.
-std::vector<std::uint32_t> DiagramCore::orderOfSlots(std::span<const SiteId> ids) const {
-  std::vector<Keyed> entries(ids.size());
+FlatArray<std::uint32_t> DiagramCore::orderOfSlots(std::span<const SiteId> ids) const {
+  FlatArray<Keyed> entries(ids.size());
   for (std::uint32_t k = 0; k < ids.size(); ++k) entries[k] = {ids_.slotOf(ids[k]), k};
   sortByKey(entries);
-  std::vector<std::uint32_t> order;
+  FlatArray<std::uint32_t> order;
   order.reserve(ids.size());
   for (std::size_t k = 0; k < entries.size(); ++k) {
     if (k + 1 == entries.size() || entries[k + 1].key != entries[k].key) order.push_back(entries[k].value);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "diagram/ballast.h"
 #include "diagram/delaunay_graph.h"
@@ -17,6 +16,7 @@
 #include "diagram/site_ids.h"
 #include "diagram/start_grid.h"
 #include "diagram/vocabulary.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -32,9 +32,9 @@ class DiagramCore {
 
   // Insertion of many in two steps, so that the caller can free the circles in between: at that time there is little else in memory.
   /// Copies the circles to the slots that they will get, and returns their order there.
-  [[nodiscard]] std::vector<std::uint32_t> stage(std::span<const double> xyr);
+  [[nodiscard]] FlatArray<std::uint32_t> stage(std::span<const double> xyr);
   /// Inserts what was staged last; ids[k] becomes the id of circle k. REQUIRES: at least one, and no change since then.
-  void insertStaged(std::vector<std::uint32_t> order, std::span<SiteId> ids);
+  void insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId> ids);
 
   /// False if the id is not in use.
   bool remove(SiteId id);
@@ -55,16 +55,16 @@ class DiagramCore {
 
   /// Sites in the order of their distance to (x, y), at most `most`, and none farther than `farthest` if that is given; ties as in
   /// nearest(). Replaces the contents of `sites`.
-  void nearby(double x, double y, std::size_t most, const double* farthest, std::vector<SiteId>& sites) const;
+  void nearby(double x, double y, std::size_t most, const double* farthest, Array<SiteId>& sites) const;
 
   // Listings; each replaces the contents of its argument.
-  void neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
+  void neighbors(SiteId id, Array<SiteId>& neighbors) const;
   void vertices(VertexArrays& vertices) const;
   void edges(EdgeArrays& edges) const;
-  void faces(std::vector<SiteId>& sites) const;
+  void faces(Array<SiteId>& sites) const;
 
   /// The diagram as a snapshot; replaces the contents of `bytes`.
-  void save(std::vector<std::uint8_t>& bytes) const;
+  void save(Array<std::uint8_t>& bytes) const;
   /// Becomes what was saved; false if the bytes are no snapshot. REQUIRES: a new diagram; after a failure it is good for nothing.
   [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes);
 
@@ -98,7 +98,7 @@ class DiagramCore {
   void moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order);
   [[nodiscard]] bool coversChildren(Slot slot, const Site& to) const;
   void followMove(Slot slot, const Site& from) noexcept;
-  [[nodiscard]] std::vector<std::uint32_t> orderOfSlots(std::span<const SiteId> ids) const;
+  [[nodiscard]] FlatArray<std::uint32_t> orderOfSlots(std::span<const SiteId> ids) const;
   /// Undoes a displacement. There is room for it: the ballast has been dropped.
   void restore(Slot slot, const Site& site) noexcept { ids_.setState(slot, place(slot, site, kNoVertex)); }
   void displaceVisible(Slot slot);
@@ -111,7 +111,7 @@ class DiagramCore {
   [[nodiscard]] VertexId startFor(double x, double y) const;
 
   [[nodiscard]] bool hasFiniteVertex(FaceId f) const;
-  [[nodiscard]] bool isEdgeAtInfinity(HalfedgeId h, const std::vector<std::int32_t>& finite) const;
+  [[nodiscard]] bool isEdgeAtInfinity(HalfedgeId h, const FlatArray<std::int32_t>& finite) const;
   [[nodiscard]] Defect checkHidden() const;
   void saveHidden(WordWriter& out) const;
   [[nodiscard]] bool restoreStates();
@@ -129,9 +129,9 @@ class DiagramCore {
   StartGrid grid_;            // with Walk::kSectors only
   Remover remover_;
   SiteMoves siteMoves_;
-  std::vector<SiteMoves::Move> moves_;  // scratch of moveManyInPlace
+  FlatArray<SiteMoves::Move> moves_;  // scratch of moveManyInPlace
   Ballast ballast_;
-  std::vector<VertexId> children_;  // scratch of displaceVisible
+  FlatArray<VertexId> children_;  // scratch of displaceVisible
 };
 
 }  // namespace apollonius

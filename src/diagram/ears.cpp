@@ -30,7 +30,7 @@ bool EarClipper::fill(const DelaunayGraph& diagram, VertexId v, std::span<const 
     }
     addFace(a, b, c, circle);
     corners_[a].side = 3 * static_cast<std::uint32_t>(patch_.size() - 1) + 2;  // the chord c → a of the new face
-    corners_.erase(corners_.begin() + static_cast<std::ptrdiff_t>(b));
+    corners_.erase(b);
     failures = 0;
     // Next the end of the chord: its ear has a new side.
     b = b < corners_.size() ? b : 0;

@@ -10,9 +10,9 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "diagram/delaunay_graph.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -39,9 +39,9 @@ class EarClipper {
   void addFace(std::size_t a, std::size_t b, std::size_t c, const VoronoiCircle& circle);
   void join(std::uint32_t halfedge, std::uint32_t side);
 
-  std::vector<CornerOfHole> corners_;  // what is left of the polygon
-  std::vector<Graph::PatchFace> patch_;
-  std::vector<VoronoiCircle> circles_;
+  FlatArray<CornerOfHole> corners_;  // what is left of the polygon
+  FlatArray<Graph::PatchFace> patch_;
+  FlatArray<VoronoiCircle> circles_;
 };
 
 }  // namespace apollonius

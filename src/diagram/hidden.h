@@ -15,6 +15,8 @@
 #include <memory>
 #include <vector>
 
+#include "memory/flat_array.h"
+
 namespace apollonius {
 
 class HiddenForest {
@@ -78,7 +80,7 @@ class HiddenForest {
 
   static constexpr std::uint32_t kBlock = 128;
 
-  std::vector<std::uint32_t> records_;  // by node, or kNone
+  FlatArray<std::uint32_t> records_;  // by node, or kNone
   std::vector<std::unique_ptr<Links[]>> blocks_;
   std::uint32_t taken_ = 0;  // records from here on have never been used since clear()
   std::uint32_t firstFree_ = kNone;

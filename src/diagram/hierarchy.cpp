@@ -12,8 +12,8 @@ Slot Hierarchy::chosen(Slot upper, unsigned level) {
 
 Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
   Slot slot = kNoSlot;
-  for (std::size_t k = levels_.size(); k > level; --k) {
-    const DelaunayGraph& graph = levels_[k - 1];
+  for (std::size_t k = levelCount_; k > level; --k) {
+    const DelaunayGraph& graph = *levels_[k - 1];
     if (graph.visibleCount() == 0) continue;
     const VertexId start = slot == kNoSlot ? graph.anyVisible() : vertexOf(slot);
     const VertexId end = stepDown(graph, graph.locate(x, y, start, walk_), x, y);
@@ -38,9 +38,9 @@ void Hierarchy::reserveBulk(std::size_t slots) noexcept {
   if (isDropped_) return;
   try {
     for (unsigned level = 0; level < kMostLevels && (slots >>= kBits) > kFew; ++level) {
-      if (levels_.size() == level) levels_.emplace_back();
-      levels_[level].reserve(slots + 2);
-      levels_[level].reserveBulk(slots + 1);
+      DelaunayGraph& graph = levelToFill(level);
+      graph.reserve(slots + 2);
+      graph.reserveBulk(slots + 1);
     }
   } catch (...) {
     // Nothing is lost: sites that enter ask again.
@@ -52,8 +52,7 @@ void Hierarchy::insert(Slot slot, const Site& site) noexcept {
   try {
     for (unsigned level = 0; level < kMostLevels && climbs(slot, level); ++level) {
       slot >>= kBits;
-      if (levels_.size() == level) levels_.emplace_back();
-      DelaunayGraph& graph = levels_[level];
+      DelaunayGraph& graph = levelToFill(level);
       graph.reserve(slot + std::size_t{2});
       graph.setSite(vertexOf(slot), site);
       const Slot above = locateOn(level + 1, site.x, site.y);
@@ -67,10 +66,10 @@ void Hierarchy::insert(Slot slot, const Site& site) noexcept {
 
 bool Hierarchy::moveInPlace(Slot slot, const Site& to) noexcept {
   try {
-    for (unsigned level = 0; level < levels_.size() && climbs(slot, level); ++level) {
+    for (unsigned level = 0; level < levelCount_ && climbs(slot, level); ++level) {
       slot >>= kBits;
       const SiteMoves::Move move{vertexOf(slot), to};
-      if (!levels_[level].graph().hasVertex(move.vertex) || moves_.apply(levels_[level], {&move, 1})[0] == 0) return false;
+      if (!levels_[level]->graph().hasVertex(move.vertex) || moves_.apply(*levels_[level], {&move, 1})[0] == 0) return false;
     }
     return true;
   } catch (...) {
@@ -80,9 +79,9 @@ bool Hierarchy::moveInPlace(Slot slot, const Site& to) noexcept {
 
 void Hierarchy::remove(Slot slot, Remover& remover) noexcept {
   try {
-    for (unsigned level = 0; level < levels_.size() && climbs(slot, level); ++level) {
+    for (unsigned level = 0; level < levelCount_ && climbs(slot, level); ++level) {
       slot >>= kBits;
-      DelaunayGraph& graph = levels_[level];
+      DelaunayGraph& graph = *levels_[level];
       if (index(vertexOf(slot)) < graph.graph().vertexSlots() && graph.isVisible(vertexOf(slot))) {
         (void)remover.remove(graph, vertexOf(slot), {});
       }
@@ -94,8 +93,9 @@ void Hierarchy::remove(Slot slot, Remover& remover) noexcept {
 
 const char* Hierarchy::check(const DelaunayGraph& base, std::uint32_t& where, std::uint32_t& level) const {
   const DelaunayGraph* lower = &base;
-  for (const DelaunayGraph& graph : levels_) {
-    const unsigned below = level++;
+  for (unsigned below = 0; below < levelCount_; ++below) {
+    const DelaunayGraph& graph = *levels_[below];
+    level = below + 1;
     if (const char* broken = graph.check(where)) return broken;
     std::size_t expected = 0;
     for (std::size_t v = 1; v < lower->graph().vertexSlots(); ++v) {
@@ -104,9 +104,9 @@ const char* Hierarchy::check(const DelaunayGraph& base, std::uint32_t& where, st
       if (!climbs(slot, below) || !lower->isVisible(vertex)) continue;
       ++expected;
       where = slot;
-      const VertexId above = vertexOf(slot >> kBits);
-      if (index(above) >= graph.graph().vertexSlots() || !graph.isVisible(above)) return "it lacks a site: slot below";
-      const Site &a = graph.site(above), &b = lower->site(vertex);
+      const VertexId copy = vertexOf(slot >> kBits);
+      if (index(copy) >= graph.graph().vertexSlots() || !graph.isVisible(copy)) return "it lacks a site: slot below";
+      const Site &a = graph.site(copy), &b = lower->site(vertex);
       if (a.x != b.x || a.y != b.y || a.r != b.r) return "levels differ about a site: slot below";
     }
     where = static_cast<std::uint32_t>(expected);

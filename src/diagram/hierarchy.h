@@ -9,9 +9,10 @@
 // afar.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
 #include "diagram/delaunay_graph.h"
 #include "diagram/remove.h"
@@ -38,13 +39,13 @@ class Hierarchy {
 
   /// Moves a site that has moved on level 0: in place if that is possible, else it is entered anew.
   void move(Slot slot, const Site& to, Remover& remover) noexcept {
-    if (!climbs(slot, 0) || levels_.empty() || moveInPlace(slot, to)) return;
+    if (!climbs(slot, 0) || levelCount_ == 0 || moveInPlace(slot, to)) return;
     remove(slot, remover);
     insert(slot, to);
   }
 
   void clear() noexcept {
-    levels_.clear();
+    drop();
     isDropped_ = false;
   }
 
@@ -76,11 +77,21 @@ class Hierarchy {
 
   Walk walk_;
   void drop() noexcept {
-    levels_.clear();
+    for (; levelCount_ > 0; --levelCount_) levels_[levelCount_ - 1].reset();
     isDropped_ = true;
   }
 
-  std::vector<DelaunayGraph> levels_;  // [k] is level k + 1
+  /// Opens the next level if that is `level`.
+  DelaunayGraph& levelToFill(unsigned level) {
+    if (levelCount_ == level) {
+      levels_[level] = std::make_unique<DelaunayGraph>();
+      ++levelCount_;
+    }
+    return *levels_[level];
+  }
+
+  std::array<std::unique_ptr<DelaunayGraph>, kMostLevels> levels_;  // [k] is level k + 1
+  unsigned levelCount_ = 0;
   SiteMoves moves_;
   bool isDropped_ = false;
 };

@@ -1,10 +1,11 @@
 // The diagram as arrays: neighbours of a site, Voronoi vertices, Voronoi edges.
 #include "diagram/diagram_core.h"
 #include "diagram/sort_by_key.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
-void DiagramCore::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
+void DiagramCore::neighbors(SiteId id, Array<SiteId>& neighbors) const {
   neighbors.clear();
   const Graph& graph = base_.graph();
   const VertexId v = vertexOf(ids_.slotOf(id));
@@ -17,10 +18,10 @@ void DiagramCore::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
   } while (h != begin);
 
   // Keep the first occurrence of each: sort positions by site, mark the later ones, drop them.
-  std::vector<Keyed> positions(neighbors.size());
+  FlatArray<Keyed> positions(neighbors.size());
   for (std::uint32_t k = 0; k < positions.size(); ++k) positions[k] = {neighbors[k], k};
   sortByKey(positions);
-  std::vector<char> isRepeated(neighbors.size(), 0);
+  FlatArray<char> isRepeated(neighbors.size(), 0);
   for (std::size_t k = 1; k < positions.size(); ++k) isRepeated[positions[k].value] = positions[k].key == positions[k - 1].key;
   std::size_t kept = 0;
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
@@ -43,14 +44,14 @@ bool DiagramCore::hasFiniteVertex(FaceId f) const {
 }
 
 /// Is the Voronoi edge dual to h at infinity altogether? `finite` tells which faces have a finite vertex.
-bool DiagramCore::isEdgeAtInfinity(HalfedgeId h, const std::vector<std::int32_t>& finite) const {
+bool DiagramCore::isEdgeAtInfinity(HalfedgeId h, const FlatArray<std::int32_t>& finite) const {
   const EdgeCorners e = base_.edge(h);
   if (e.i == nullptr || e.j == nullptr) return true;
   const auto isOuterSide = [&](FaceId f, Corner k) { return finite[index(f)] < 0 && k != nullptr && touchesBetween(*e.i, *e.j, *k); };
   return isOuterSide(faceOf(h), e.k) || isOuterSide(faceOf(base_.graph().twin(h)), e.l);
 }
 
-void DiagramCore::faces(std::vector<SiteId>& sites) const {
+void DiagramCore::faces(Array<SiteId>& sites) const {
   sites.clear();
   const Graph& graph = base_.graph();
   for (std::size_t i = 0; i < 3 * graph.faceSlots(); ++i) {
@@ -80,7 +81,7 @@ void DiagramCore::edges(EdgeArrays& out) const {
   out.sites.clear();
   out.vertices.clear();
   const Graph& graph = base_.graph();
-  std::vector<std::int32_t> row(graph.faceSlots(), -1);  // of the faces in vertices()
+  FlatArray<std::int32_t> row(graph.faceSlots(), -1);  // of the faces in vertices()
   std::int32_t rows = 0;
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (hasFiniteVertex(FaceId{static_cast<std::uint32_t>(i)})) row[i] = rows++;

@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include "diagram/diagram_core.h"
+#include "memory/flat_array.h"
 #include "predicate/approx_distance.h"
 
 namespace apollonius {
@@ -45,14 +46,14 @@ class SlotSet {
   }
 
   void grow() {
-    std::vector<Slot> old(2 * slots_.size(), kNoSlot);
+    FlatArray<Slot> old(2 * slots_.size(), kNoSlot);
     old.swap(slots_);
     for (const Slot slot : old) {
       if (slot != kNoSlot) static_cast<void>(place(slot));
     }
   }
 
-  std::vector<Slot> slots_ = std::vector<Slot>(256, kNoSlot);
+  FlatArray<Slot> slots_ = FlatArray<Slot>(256, kNoSlot);
   std::size_t size_ = 0;
 };
 
@@ -93,12 +94,12 @@ class Queue {
 
   const DiagramCore& diagram_;
   double x_, y_;
-  std::vector<Entry> heap_;
+  FlatArray<Entry> heap_;
 };
 
 }  // namespace
 
-void DiagramCore::nearby(double x, double y, std::size_t most, const double* farthest, std::vector<SiteId>& sites) const {
+void DiagramCore::nearby(double x, double y, std::size_t most, const double* farthest, Array<SiteId>& sites) const {
   sites.clear();
   if (visibleCount() == 0 || most == 0) return;
   // The distance to a site with its centre at p is minus its weight.
@@ -108,7 +109,7 @@ void DiagramCore::nearby(double x, double y, std::size_t most, const double* far
     if (farthest == nullptr || compareDistance(x, y, site(slot), limit) != Sign::kPositive) queue.push(slot);
   };
   SlotSet seen;  // of visible sites: a hidden one has one parent
-  std::vector<Slot> candidates;
+  FlatArray<Slot> candidates;
   const Slot first = nearest(x, y);
   seen.insert(first);
   consider(first);

@@ -109,9 +109,8 @@ void Remover::findPatch(const DelaunayGraph& diagram, VertexId v) {
     const Site& q = diagram.site(v);
     const DelaunayGraph::Located near = small_.locate(q.x, q.y, small_.anyVisible());
     small_.conflicts_.find(small_, q, near.nearest, near.sector);
-    const std::span<const FaceId> faces = small_.conflicts_.faces();
-    patchFaces_.assign(faces.begin(), faces.end());
-    if (!faces.empty()) alignLink(diagram.graph());
+    patchFaces_.assign(small_.conflicts_.faces());
+    if (!patchFaces_.empty()) alignLink(diagram.graph());
   }
   // Else one neighbour and infinity, or a cell within one edge of the small diagram: degree 2, an empty patch.
   invariant(!patchFaces_.empty() || link_.size() == 2, "an empty patch fits a site of degree 2 only");

@@ -5,10 +5,10 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "diagram/delaunay_graph.h"
 #include "diagram/ears.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -41,17 +41,17 @@ class Remover {
 
   // The small diagram; its vertex k is the big one's global_[k], covered by the small one's cover_[k].
   DelaunayGraph small_;
-  std::vector<VertexId> global_;
-  std::vector<VertexId> cover_;
+  FlatArray<VertexId> global_;
+  FlatArray<VertexId> cover_;
 
-  std::vector<HalfedgeId> link_;         // half-edges opposite to the site in its star, counter-clockwise
-  std::vector<VertexId> order_;          // neighbours in the order in which they enter the small diagram
-  std::vector<std::uint32_t> patchOf_;   // by face of the small diagram: index in the patch, or kNoIndex
-  std::vector<std::uint32_t> linkOf_;    // by half-edge of the small diagram: index in link_, or kNoIndex
-  std::vector<FaceId> patchFaces_;       // faces of the small diagram that make the patch
-  std::vector<Graph::PatchFace> patch_;
-  std::vector<VoronoiCircle> patchCircles_;
-  std::vector<Fate> fates_;
+  FlatArray<HalfedgeId> link_;         // half-edges opposite to the site in its star, counter-clockwise
+  FlatArray<VertexId> order_;          // neighbours in the order in which they enter the small diagram
+  FlatArray<std::uint32_t> patchOf_;   // by face of the small diagram: index in the patch, or kNoIndex
+  FlatArray<std::uint32_t> linkOf_;    // by half-edge of the small diagram: index in link_, or kNoIndex
+  FlatArray<FaceId> patchFaces_;       // faces of the small diagram that make the patch
+  FlatArray<Graph::PatchFace> patch_;
+  FlatArray<VoronoiCircle> patchCircles_;
+  FlatArray<Fate> fates_;
 };
 
 }  // namespace apollonius

@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "diagram/vocabulary.h"
 #include "graph/words.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -147,8 +147,8 @@ class SiteIds {
 
   static constexpr std::uint32_t kNotListed = kEnd - 1;  // a free slot, while a snapshot is read
 
-  std::vector<std::uint32_t> ids_;    // by id
-  std::vector<std::uint32_t> slots_;  // by slot
+  FlatArray<std::uint32_t> ids_;    // by id
+  FlatArray<std::uint32_t> slots_;  // by slot
   SiteId firstFreeId_ = kEnd;
   Slot firstFreeSlot_ = kEnd;
   std::size_t freeSlots_ = 0;

@@ -22,9 +22,9 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "diagram/delaunay_graph.h"
+#include "memory/flat_array.h"
 #include "predicate/circle_fan.h"
 
 namespace apollonius {
@@ -60,11 +60,11 @@ class SiteMoves {
 
   DelaunayGraph* diagram_ = nullptr;  // during apply only
   std::span<const Move> moves_;
-  std::vector<Site> before_;          // by move
-  std::vector<std::uint8_t> isMade_;  // by move
-  std::vector<std::uint8_t> isMoved_;      // by vertex; 0 between calls
-  std::vector<std::uint32_t> moveOf_;      // by vertex that moves or has been taken back
-  std::vector<std::uint32_t> positionOf_;  // by face: its place in changed_; kNoIndex between calls
+  FlatArray<Site> before_;          // by move
+  FlatArray<std::uint8_t> isMade_;  // by move
+  FlatArray<std::uint8_t> isMoved_;      // by vertex; 0 between calls
+  FlatArray<std::uint32_t> moveOf_;      // by vertex that moves or has been taken back
+  FlatArray<std::uint32_t> positionOf_;  // by face: its place in changed_; kNoIndex between calls
 
   /// A face with a corner that moves.
   struct ChangedFace {
@@ -73,8 +73,8 @@ class SiteMoves {
     bool isActive;         ///< some corner is moved (now, that is: not taken back)
     VoronoiCircle circle;  ///< its new one; an infinite error if there may be none
   };
-  std::vector<ChangedFace> changed_;
-  std::vector<std::uint32_t> queue_;  // positions of faces to check (again)
+  FlatArray<ChangedFace> changed_;
+  FlatArray<std::uint32_t> queue_;  // positions of faces to check (again)
   CircleFan fan_;
 };
 

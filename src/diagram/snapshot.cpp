@@ -10,6 +10,7 @@
 
 #include "diagram/diagram_core.h"
 #include "graph/words.h"
+#include "memory/flat_array.h"
 #include "predicate/circle_batch.h"
 #include "predicate/predicates.h"
 
@@ -133,7 +134,7 @@ void DelaunayGraph::computeAllCircles() {
 
 // --- The diagram ---------------------------------------------------------------------------------------------------------------
 
-void DiagramCore::save(std::vector<std::uint8_t>& bytes) const {
+void DiagramCore::save(Array<std::uint8_t>& bytes) const {
   const Graph& graph = base_.graph();
   const std::size_t slots = ids_.slots();
   const std::uint64_t words = wordsFor(slots, ids_.idLimit(), ids_.size(), ids_.hiddenCount(), graph.faceSlots());
@@ -158,7 +159,7 @@ void DiagramCore::save(std::vector<std::uint8_t>& bytes) const {
 
 /// Each hidden site with its parent; parents come before their children, and children in their order.
 void DiagramCore::saveHidden(WordWriter& out) const {
-  std::vector<Slot> reached;
+  FlatArray<Slot> reached;
   reached.reserve(ids_.hiddenCount());
   const auto saveChildren = [&](Slot parent) {
     for (Slot child = hidden_.firstChild(parent); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {

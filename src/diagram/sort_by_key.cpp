@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "memory/flat_array.h"
+
 namespace apollonius {
 
 namespace {
@@ -47,9 +49,9 @@ std::span<Keyed> sortByKey(std::span<Keyed> entries, std::span<Keyed> other) {
   return entries;
 }
 
-void sortByKey(std::vector<Keyed>& entries) {
+void sortByKey(FlatArray<Keyed>& entries) {
   if (entries.size() <= kFew) return insertionSort(entries);
-  std::vector<Keyed> other(entries.size());
+  FlatArray<Keyed> other(entries.size());
   if (sortByKey(entries, other).data() == other.data()) entries.swap(other);
 }
 

@@ -4,7 +4,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
+
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -18,6 +19,6 @@ struct Keyed {
 [[nodiscard]] std::span<Keyed> sortByKey(std::span<Keyed> entries, std::span<Keyed> other);
 
 /// The same in place, with a second array of its own.
-void sortByKey(std::vector<Keyed>& entries);
+void sortByKey(FlatArray<Keyed>& entries);
 
 }  // namespace apollonius

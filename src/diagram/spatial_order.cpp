@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "diagram/sort_by_key.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -57,7 +58,7 @@ void fillEntries(PointArray points, std::span<Keyed> entries) {
 
 }  // namespace
 
-std::vector<std::uint32_t> hilbertOrder(PointArray points) {
+FlatArray<std::uint32_t> hilbertOrder(PointArray points) {
   const std::size_t n = points.size();
   // Only two thirds are used: see the header.
   constexpr std::size_t kBytesOfSite = 24;
@@ -66,12 +67,12 @@ std::vector<std::uint32_t> hilbertOrder(PointArray points) {
   std::span<Keyed> entries{room.get(), n};
   fillEntries(points, entries);
   entries = sortByKey(entries, {room.get() + n, n});
-  std::vector<std::uint32_t> order(n);
+  FlatArray<std::uint32_t> order(n);
   for (std::size_t k = 0; k < n; ++k) order[k] = entries[k].value;
   return order;
 }
 
-std::vector<std::uint32_t> inRandomizedRounds(std::span<const std::uint32_t> items) {
+FlatArray<std::uint32_t> inRandomizedRounds(std::span<const std::uint32_t> items) {
   const std::size_t n = items.size();
   // The round, counted from the last, is the number of leading zeros of a random word: 0 with probability 1/2, and so on.
   constexpr std::size_t kRounds = 65;
@@ -89,7 +90,7 @@ std::vector<std::uint32_t> inRandomizedRounds(std::span<const std::uint32_t> ite
     start[round] = sum;
     sum += count;
   }
-  std::vector<std::uint32_t> order(n);
+  FlatArray<std::uint32_t> order(n);
   for (std::size_t k = 0; k < n; ++k) order[start[roundOf(k)]++] = items[k];
   return order;
 }

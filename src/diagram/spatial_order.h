@@ -6,7 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
+
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -20,10 +21,10 @@ struct PointArray {
 /// Indices of the points along a Hilbert curve over their bounding box; equal points in the order of the input. The same on every
 /// platform. Cost: O(n), a radix sort. Takes 24 bytes a point for a while: as much as a site, so that an array of sites that is made
 /// afterwards fits where that was.
-[[nodiscard]] std::vector<std::uint32_t> hilbertOrder(PointArray points);
+[[nodiscard]] FlatArray<std::uint32_t> hilbertOrder(PointArray points);
 
 /// The items in randomised rounds, each in the order in which they are given: about half of them in the last round, a quarter in the
 /// one before, and so on. Seeded: the same on every platform.
-[[nodiscard]] std::vector<std::uint32_t> inRandomizedRounds(std::span<const std::uint32_t> items);
+[[nodiscard]] FlatArray<std::uint32_t> inRandomizedRounds(std::span<const std::uint32_t> items);
 
 }  // namespace apollonius

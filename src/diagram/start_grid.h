@@ -7,9 +7,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "diagram/site_ids.h"
+#include "memory/flat_array.h"
 #include "predicate/site.h"
 
 namespace apollonius {
@@ -74,7 +74,7 @@ class StartGrid {
     return position < static_cast<double>(side_ - 1) ? static_cast<std::size_t>(position) : side_ - 1;
   }
 
-  std::vector<Cell> cells_;  // side_ * side_, row by row
+  FlatArray<Cell> cells_;  // side_ * side_, row by row
   std::size_t side_ = 0;
   std::size_t noted_ = 0;
   Site low_;

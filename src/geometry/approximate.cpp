@@ -43,7 +43,7 @@ void draw(const Conic& conic, double tolerance, Path& path, int depth) {
   draw(second, tolerance, path, depth - 1);
 }
 
-void flatten(const Conic& conic, double tolerance, std::vector<double>& points, int depth) {
+void flatten(const Conic& conic, double tolerance, Array<double>& points, int depth) {
   if (!conic.isStraight() && depth > 0 && !(conic.sagitta() <= tolerance)) {
     Conic first, second;
     conic.halve(first, second);
@@ -68,7 +68,7 @@ void drawConic(const Conic& conic, double tolerance, Path& path) {
   draw(conic, std::max(tolerance, finestFor(conic)), path, kMostHalvings);
 }
 
-void flattenConic(const Conic& conic, double tolerance, std::vector<double>& points) {
+void flattenConic(const Conic& conic, double tolerance, Array<double>& points) {
   flatten(conic, std::max(tolerance, finestFor(conic)), points, kMostHalvings);
 }
 

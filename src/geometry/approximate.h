@@ -1,7 +1,6 @@
 // Conics as cubic Bezier curves and as polylines, within a tolerance and with few pieces.
 #pragma once
 
-#include <vector>
 
 #include "geometry/conic.h"
 #include "geometry/path.h"
@@ -12,6 +11,6 @@ namespace apollonius {
 void drawConic(const Conic& conic, double tolerance, Path& path);
 
 /// Appends points (x, y) of the conic, the last one conic.p2 and without conic.p0: a polyline no further from it than that.
-void flattenConic(const Conic& conic, double tolerance, std::vector<double>& points);
+void flattenConic(const Conic& conic, double tolerance, Array<double>& points);
 
 }  // namespace apollonius

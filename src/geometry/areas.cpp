@@ -6,6 +6,7 @@
 #include "geometry/border.h"
 #include "geometry/clip.h"
 #include "geometry/measures.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -19,7 +20,7 @@ struct SiteContact {
 
 class AreaSum {
  public:
-  AreaSum(const DiagramCore& core, const Window& window, std::vector<double>& areas)
+  AreaSum(const DiagramCore& core, const Window& window, Array<double>& areas)
       : core_(core), window_(window), byId_(areas), areas_(core.ids().slots(), 0), lost_(core.ids().slots(), 0) {}
 
   void run() {
@@ -72,11 +73,11 @@ class AreaSum {
   }
 
   void addBorders() {
-    std::vector<Keyed> bySite(contacts_.size());
+    FlatArray<Keyed> bySite(contacts_.size());
     for (std::uint32_t k = 0; k < bySite.size(); ++k) bySite[k] = {contacts_[k].site, k};
     sortByKey(bySite);
-    std::vector<BorderContact> own;
-    std::vector<BorderArc> arcs;
+    FlatArray<BorderContact> own;
+    FlatArray<BorderArc> arcs;
     for (std::size_t begin = 0; begin < bySite.size();) {
       const Slot slot = bySite[begin].key;
       own.clear();
@@ -96,14 +97,14 @@ class AreaSum {
 
   const DiagramCore& core_;
   Window window_;
-  std::vector<double>& byId_;
-  std::vector<double> areas_;  // by slot, as all below
-  std::vector<double> lost_;
-  std::vector<SiteContact> contacts_;
+  Array<double>& byId_;
+  FlatArray<double> areas_;  // by slot, as all below
+  FlatArray<double> lost_;
+  FlatArray<SiteContact> contacts_;
 };
 
 }  // namespace
 
-void cellAreas(const DiagramCore& core, const Window& window, std::vector<double>& areas) { AreaSum(core, window, areas).run(); }
+void cellAreas(const DiagramCore& core, const Window& window, Array<double>& areas) { AreaSum(core, window, areas).run(); }
 
 }  // namespace apollonius

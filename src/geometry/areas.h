@@ -1,7 +1,6 @@
 // The areas of all clipped cells at once: each edge is clipped once and counts for the cells on both sides.
 #pragma once
 
-#include <vector>
 
 #include "diagram/diagram_core.h"
 #include "geometry/window.h"
@@ -9,6 +8,6 @@
 namespace apollonius {
 
 /// By site id; 0 for ids without a cell.
-void cellAreas(const DiagramCore& core, const Window& window, std::vector<double>& areas);
+void cellAreas(const DiagramCore& core, const Window& window, Array<double>& areas);
 
 }  // namespace apollonius

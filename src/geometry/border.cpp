@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "memory/flat_array.h"
+
 namespace apollonius {
 
 namespace {
@@ -14,7 +16,7 @@ double after(double place, double reference) {
 }
 
 /// Disorder of two sorted lists that should alternate, one[0] first: the sum of what they overlap.
-double disorder(const std::vector<double>& one, const std::vector<double>& two) {
+double disorder(const FlatArray<double>& one, const FlatArray<double>& two) {
   double sum = 0;
   for (std::size_t k = 0; k < one.size(); ++k) {
     sum += std::max(0.0, one[k] - two[k]);
@@ -58,8 +60,8 @@ Slot ownerOfWindow(const DiagramCore& core, const Window& window) {
   return votes >= 3 ? middle : kNoSlot;
 }
 
-void matchBorder(const DiagramCore& core, Slot site, const Window& window, std::vector<BorderContact>& contacts,
-                 std::vector<BorderArc>& arcs) {
+void matchBorder(const DiagramCore& core, Slot site, const Window& window, FlatArray<BorderContact>& contacts,
+                 FlatArray<BorderArc>& arcs) {
   arcs.clear();
   if (contacts.empty()) return;
   // All of them: a heap sort, which is a tenth of std::sort's code.
@@ -79,8 +81,8 @@ void matchBorder(const DiagramCore& core, Slot site, const Window& window, std::
   std::rotate(contacts.begin(), std::find_if(contacts.begin(), contacts.end(), [&](const BorderContact& c) { return c.place > reference; }),
               contacts.end());
 
-  std::vector<std::uint32_t> leaves, enters;
-  std::vector<double> leavePlaces, enterPlaces;
+  FlatArray<std::uint32_t> leaves, enters;
+  FlatArray<double> leavePlaces, enterPlaces;
   for (std::uint32_t k = 0; k < contacts.size(); ++k) {
     const bool isLeave = contacts[k].leaves;
     (isLeave ? leaves : enters).push_back(k);

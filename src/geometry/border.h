@@ -7,10 +7,10 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "diagram/diagram_core.h"
 #include "geometry/window.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -29,8 +29,8 @@ struct BorderArc {
 };
 
 /// Matches the contacts of a cell, of which as many leave as enter; sorts them by place.
-void matchBorder(const DiagramCore& core, Slot site, const Window& window, std::vector<BorderContact>& contacts,
-                 std::vector<BorderArc>& arcs);
+void matchBorder(const DiagramCore& core, Slot site, const Window& window, FlatArray<BorderContact>& contacts,
+                 FlatArray<BorderArc>& arcs);
 
 /// The site that owns the whole window if no edge meets it: the one nearest to most of its corners and its middle, or kNoSlot. REQUIRES: not empty.
 [[nodiscard]] Slot ownerOfWindow(const DiagramCore& core, const Window& window);

@@ -5,11 +5,11 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "diagram/diagram_core.h"
 #include "geometry/border.h"
 #include "geometry/clip.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -20,8 +20,8 @@ struct BoundaryPiece {
 };
 
 struct Cell {
-  std::vector<BoundaryPiece> pieces;
-  std::vector<std::uint32_t> starts;  ///< of each region, its first piece; and the number of pieces
+  FlatArray<BoundaryPiece> pieces;
+  FlatArray<std::uint32_t> starts;  ///< of each region, its first piece; and the number of pieces
 
   [[nodiscard]] std::size_t regionCount() const { return starts.size() - 1; }
 };
@@ -54,11 +54,11 @@ class CellFinder {
   Cell cell_;
   Slot owner_ = kNoSlot;
   bool isOwnerKnown_ = false;
-  std::vector<Piece> pieces_;
-  std::vector<BorderContact> contacts_;
-  std::vector<BorderArc> arcs_;
-  std::vector<std::uint32_t> arcAfter_;  // by piece: the border arc that follows it
-  std::vector<char> isUsed_;             // by piece
+  FlatArray<Piece> pieces_;
+  FlatArray<BorderContact> contacts_;
+  FlatArray<BorderArc> arcs_;
+  FlatArray<std::uint32_t> arcAfter_;  // by piece: the border arc that follows it
+  FlatArray<char> isUsed_;             // by piece
 };
 
 }  // namespace apollonius

@@ -39,7 +39,7 @@ void visitHull(const Graph& graph, Visit&& visit) {
 
 }  // namespace
 
-void hullSites(const DiagramCore& core, std::vector<SiteId>& sites) {
+void hullSites(const DiagramCore& core, Array<SiteId>& sites) {
   sites.clear();
   const DelaunayGraph& base = core.base();
   if (base.visibleCount() == 1) sites.push_back(core.siteOf(base.anyVisible()));

@@ -1,7 +1,6 @@
 // The convex hull of the circles: arcs of the sites that have an edge to infinity, and common tangents between them.
 #pragma once
 
-#include <vector>
 
 #include "diagram/diagram_core.h"
 #include "geometry/path.h"
@@ -11,7 +10,7 @@ namespace apollonius {
 
 /// The sites that the hull touches, counter-clockwise; one can occur several times (a large circle with small ones sticking out), and
 /// where circles are in line on the hull, the canonical graph says which are listed.
-void hullSites(const DiagramCore& core, std::vector<SiteId>& sites);
+void hullSites(const DiagramCore& core, Array<SiteId>& sites);
 
 /// The hull as one closed figure. A radius below 0 shrinks the hull of the centres' other circles: meaningful up to a common offset.
 void drawHull(const DiagramCore& core, double tolerance, Path& path);

@@ -4,7 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+
+#include "memory/array.h"
 
 namespace apollonius {
 
@@ -16,8 +17,8 @@ enum class Command : std::uint8_t {
 };
 
 struct Path {
-  std::vector<std::uint8_t> commands;  ///< of Command
-  std::vector<double> coordinates;     ///< x, y of each point
+  Array<std::uint8_t> commands;  ///< of Command
+  Array<double> coordinates;     ///< x, y of each point
 
   void clear() {
     commands.clear();
@@ -25,10 +26,12 @@ struct Path {
   }
   /// Segments of their own, x0, y0, x1, y1 each.
   void segments(const double* ends, std::size_t count) {
-    coordinates.insert(coordinates.end(), ends, ends + 4 * count);
-    for (std::size_t k = 0; k < count; ++k) {
-      add(Command::kMove);
-      add(Command::kLine);
+    append(coordinates, {ends, 4 * count});
+    std::size_t at = commands.size();
+    commands.resize(at + 2 * count);
+    for (; at < commands.size(); at += 2) {
+      commands[at] = static_cast<std::uint8_t>(Command::kMove);
+      commands[at + 1] = static_cast<std::uint8_t>(Command::kLine);
     }
   }
   void move(double x, double y) {

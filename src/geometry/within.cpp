@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "memory/flat_array.h"
+
 namespace apollonius {
 
 namespace {
@@ -19,7 +21,7 @@ Point unit(Point p) {
 }
 
 /// Adds the arc from one direction to another, counter-clockwise; `isFull` says which of nothing and a full turn equal ones mean.
-void addArc(Point center, double radius, Point from, Point to, bool isFull, std::vector<BoundaryPiece>& boundary) {
+void addArc(Point center, double radius, Point from, Point to, bool isFull, FlatArray<BoundaryPiece>& boundary) {
   const double turn = cross(from, to);
   const bool areEqual = absolute(turn) <= powerOfTwo(-40) && dot(from, to) > 0;
   if (areEqual && !isFull) return;
@@ -35,13 +37,13 @@ void addArc(Point center, double radius, Point from, Point to, bool isFull, std:
 
 }  // namespace
 
-void cellWithin(const DiagramCore& core, Slot site, double radius, std::vector<BoundaryPiece>& boundary) {
+void cellWithin(const DiagramCore& core, Slot site, double radius, FlatArray<BoundaryPiece>& boundary) {
   boundary.clear();
   if (core.ids().state(site) != SiteState::kVisible || !(radius > 0)) return;
   const DelaunayGraph& base = core.base();
   const Graph& graph = base.graph();
   const Point center{core.site(site).x, core.site(site).y};
-  std::vector<Sector> sectors;
+  FlatArray<Sector> sectors;
   const VertexId v = DiagramCore::vertexOf(site);
   if (graph.hasVertex(v)) {
     const HalfedgeId begin = graph.outgoing(v);

@@ -1,5 +1,6 @@
 // Graph::check: the invariants of the surface, one after the other, trusting nothing that has not been checked before.
 #include "graph/graph.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -13,7 +14,7 @@ const char* Graph::check(std::uint32_t& where) const {
 
   // Half-edges: corners, twins.
   std::size_t live = 0;
-  std::vector<std::uint32_t> degree(outgoing_.size(), 0);
+  FlatArray<std::uint32_t> degree(outgoing_.size(), 0);
   for (std::size_t i = 0; i < halfedges; ++i) {
     const HalfedgeId h{static_cast<std::uint32_t>(i)};
     if (!isLive(faceOf(h))) {
@@ -51,8 +52,8 @@ const char* Graph::check(std::uint32_t& where) const {
   // A sphere: connected, Euler's formula V - E + F = 2.
   const std::size_t faces = live / 3;
   if (faces != 0) {  // without faces no vertex has a place, by the checks above
-    std::vector<char> reached(faceSlots(), 0);
-    std::vector<FaceId> queue;
+    FlatArray<char> reached(faceSlots(), 0);
+    FlatArray<FaceId> queue;
     for (std::size_t f = 0; queue.empty(); ++f) {
       if (isLive(FaceId{static_cast<std::uint32_t>(f)})) queue.push_back(FaceId{static_cast<std::uint32_t>(f)});
     }

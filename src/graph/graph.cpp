@@ -102,7 +102,10 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
   }
   outgoing_[index(w)] = halfedgeOf(newFaces[0], 2);
   for (std::size_t k = n; k < hole.size(); ++k) freeFace(hole[k]);
-  if (mayLose) std::erase_if(lost_, [&](VertexId v) { return outgoing(v) != kNoHalfedge; });
+  if (mayLose) {
+    const auto hasPlace = [&](VertexId v) { return outgoing(v) != kNoHalfedge; };
+    lost_.resize(static_cast<std::size_t>(std::remove_if(lost_.begin(), lost_.end(), hasPlace) - lost_.begin()));
+  }
   return lost_;
 }
 

@@ -12,9 +12,9 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "graph/ids.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -121,8 +121,8 @@ class Graph {
     HalfedgeId twin = kNoHalfedge;    // in a free face, its first entry names the first half-edge of the next free face
   };
 
-  std::vector<Halfedge> halfedges_;
-  std::vector<HalfedgeId> outgoing_;
+  FlatArray<Halfedge> halfedges_;
+  FlatArray<HalfedgeId> outgoing_;
   HalfedgeId firstFree_ = kNoHalfedge;
   std::size_t freeFaces_ = 0;
 
@@ -131,8 +131,8 @@ class Graph {
     VertexId from;
     HalfedgeId outer;
   };
-  std::vector<RimEdge> rim_;
-  std::vector<VertexId> lost_;
+  FlatArray<RimEdge> rim_;
+  FlatArray<VertexId> lost_;
 };
 
 }  // namespace apollonius

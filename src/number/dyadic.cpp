@@ -2,10 +2,25 @@
 
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 #include "number/invariant.h"
 
 namespace apollonius {
+
+// All of them here: inlined, the place of an Integer being cleared would be everywhere.
+
+Dyadic::Dyadic() noexcept = default;
+
+Dyadic::Dyadic(int value) : mantissa_(value) {}
+
+Dyadic::Dyadic(const Dyadic& other) noexcept { *this = other; }
+
+Dyadic& Dyadic::operator=(const Dyadic& other) noexcept {
+  mantissa_.backend().assign(other.mantissa_.backend());
+  exponent_ = other.exponent_;
+  return *this;
+}
 
 Dyadic::Dyadic(double value) {
   if (value == 0) return;
@@ -21,15 +36,19 @@ Dyadic::Dyadic(double value) {
 
 Dyadic::Rounded Dyadic::rounded() const {
   if (mantissa_.is_zero()) return {};
-  Integer digits = boost::multiprecision::abs(mantissa_);
-  const int excess = static_cast<int>(boost::multiprecision::msb(digits)) - 62;
-  if (excess > 0) {
-    digits >>= static_cast<unsigned>(excess);
-  } else {
-    digits <<= static_cast<unsigned>(-excess);
+  const auto& digits = mantissa_.backend();
+  constexpr int kLimb = std::numeric_limits<boost::multiprecision::limb_type>::digits;
+  const int zeros = std::countl_zero(digits.limbs()[digits.size() - 1]);
+  std::uint64_t leading = 0;
+  int room = 64;
+  for (std::size_t k = digits.size(), bits = kLimb - zeros; k > 0 && room > 0; bits = kLimb) {
+    const std::uint64_t limb = digits.limbs()[--k];
+    const int shift = room - static_cast<int>(bits);
+    leading |= shift >= 0 ? limb << shift : limb >> -shift;
+    room = shift;
   }
-  const auto magnitude = static_cast<double>(static_cast<std::uint64_t>(digits));
-  return {mantissa_.sign() < 0 ? -magnitude : magnitude, exponent_ + excess};
+  const auto magnitude = static_cast<double>(leading >> 1);
+  return {digits.sign() ? -magnitude : magnitude, exponent_ + static_cast<int>(digits.size()) * kLimb - zeros - 63};
 }
 
 // Results are made in their place: an Integer is 1.5 KB, and each one made costs some 20 ns whatever it holds.

@@ -18,19 +18,15 @@ namespace apollonius {
 
 class Dyadic {
  public:
-  Dyadic() = default;
-  Dyadic(int value) : mantissa_(value) {}  // NOLINT: implicit on purpose, formulas contain small constants
+  Dyadic() noexcept;
+  Dyadic(int value);  // NOLINT: implicit on purpose, formulas contain small constants
 
   /// The exact value of a finite double.
   explicit Dyadic(double value);
 
   // Copies what is in use instead of all the place.
-  Dyadic(const Dyadic& other) noexcept { *this = other; }
-  Dyadic& operator=(const Dyadic& other) noexcept {
-    mantissa_.backend().assign(other.mantissa_.backend());
-    exponent_ = other.exponent_;
-    return *this;
-  }
+  Dyadic(const Dyadic& other) noexcept;
+  Dyadic& operator=(const Dyadic& other) noexcept;
 
   [[nodiscard]] Sign sign() const { return signOf(mantissa_.sign()); }
 

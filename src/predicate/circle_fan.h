@@ -5,8 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <vector>
 
+#include "memory/flat_array.h"
 #include "predicate/site.h"
 #include "predicate/voronoi_circle.h"
 
@@ -38,9 +38,9 @@ class CircleFan {
   void computeBounded(std::size_t n, std::size_t second, std::size_t poleMask);
   [[nodiscard]] VoronoiCircle circle(std::size_t k) const;
 
-  std::vector<Corner> corners_;
+  FlatArray<Corner> corners_;
   // Arrays of stride_ numbers, one for each quantity of a corner or a face (circle_fan.cpp), so that two faces are computed at once.
-  std::vector<double> numbers_;
+  FlatArray<double> numbers_;
   std::size_t stride_ = 0;
 };
 

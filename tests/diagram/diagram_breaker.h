@@ -25,7 +25,8 @@ class DiagramBreaker {
   static DelaunayGraph& base(DiagramCore& core) { return core.base_; }
   static SiteIds& ids(DiagramCore& core) { return core.ids_; }
   static HiddenForest& hidden(DiagramCore& core) { return core.hidden_; }
-  static std::vector<DelaunayGraph>& levels(DiagramCore& core) { return core.hierarchy_.levels_; }
+  static unsigned levelCount(DiagramCore& core) { return core.hierarchy_.levelCount_; }
+  static DelaunayGraph& level(DiagramCore& core, unsigned k) { return *core.hierarchy_.levels_[k]; }
 };
 
 }  // namespace apollonius

@@ -16,7 +16,8 @@ endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^i.86$|^x86$" AND NOT EMSCRIPTEN)
   target_compile_options(apollonius_flags INTERFACE -msse2 -mfpmath=sse)  # x87 would round to 80 bits
 endif()
-target_compile_definitions(apollonius_flags INTERFACE BOOST_MP_STANDALONE)
+# Long multiplication only: from more limbs on than a Dyadic has (number/dyadic.h), and than fit the type that counts them.
+target_compile_definitions(apollonius_flags INTERFACE BOOST_MP_STANDALONE BOOST_MP_KARATSUBA_CUTOFF=65536)
 if(APOLLONIUS_BOOST_FOUND)
   target_include_directories(apollonius_flags SYSTEM INTERFACE "${APOLLONIUS_BOOST_FOUND}")
 endif()

@@ -8,17 +8,16 @@
 # (bench/README.md, "Size", has what each step costs and gives).
 set(quick
   predicate/circle_fan.cpp predicate/edge_circle_filter.cpp number/whole.cpp
-  diagram/conflict.cpp diagram/locate.cpp diagram/insert.cpp diagram/sort_by_key.cpp
-  predicate/stages.cpp geometry/render.cpp geometry/clip.cpp)
+  diagram/conflict.cpp diagram/locate.cpp diagram/insert.cpp diagram/sort_by_key.cpp)
 set(compact
-  predicate/predicates.cpp predicate/long_stages.cpp predicate/voronoi_circle.cpp
-  graph/graph.cpp graph/snapshot.cpp diagram/snapshot.cpp diagram/site_moves.cpp)
+  geometry/render.cpp geometry/clip.cpp predicate/voronoi_circle.cpp
+  graph/snapshot.cpp diagram/snapshot.cpp diagram/site_moves.cpp)
 list(TRANSFORM quick PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 list(TRANSFORM compact PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 set(small ${APOLLONIUS_SOURCES})
 list(REMOVE_ITEM small ${quick} ${compact} "${CMAKE_CURRENT_SOURCE_DIR}/src/number/invariant.cpp")
 # The doors must not be among the quick: everything that is called in one place only would be copied into them.
-list(APPEND small "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings.cpp")
+list(APPEND small "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/wasm/lean_runtime.cpp")
 
 foreach(part_and_level IN ITEMS quick:-O2 compact:-Os small:-Oz)
   string(REPLACE ":" ";" part_and_level ${part_and_level})
@@ -28,6 +27,7 @@ foreach(part_and_level IN ITEMS quick:-O2 compact:-Os small:-Oz)
   target_include_directories(apollonius_wasm_${part} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src")
   target_link_libraries(apollonius_wasm_${part} PRIVATE apollonius_flags)
   target_compile_options(apollonius_wasm_${part} PRIVATE -flto ${level})
+  target_compile_definitions(apollonius_wasm_${part} PRIVATE APOLLONIUS_FLAT_ARRAYS)
 endforeach()
 
 add_executable(apollonius_wasm EXCLUDE_FROM_ALL
