@@ -78,6 +78,16 @@ test("heap views and addresses are in wasm/native.ts only, but for module.ts, wh
   expect(users).toEqual(["wasm/module.ts", "wasm/native.ts"]);
 });
 
+test("wasm/module.ts declares the functions that wasm/bindings.cpp exports, with as many arguments", () => {
+  const found = (file, pattern) => Object.fromEntries([...readFileSync(path.join(root, file), "utf8").matchAll(pattern)]
+    .map(([, name, list]) => [name, list.trim() === "" ? 0 : list.split(",").length]));
+  const exported = found("wasm/bindings.cpp", /EMSCRIPTEN_KEEPALIVE [^(]*?(\w+)\(([^)]*)\)/g);
+  const declared = found("wasm/module.ts", /^  (\w+)\(([^)]*)\): \w+;$/gm);
+  delete declared._initialize;
+  expect(Object.keys(exported).length).toBeGreaterThan(30);
+  expect(declared).toEqual(exported);
+});
+
 test("exceptions are caught whatever they are, and no type is asked for at run time (wasm/lean_runtime.cpp)", () => {
   const asking = ["src/", "wasm/"].flatMap(sources).filter((file) => /\.(cpp|h)$/.test(file))
     .filter((file) => /\bcatch \((?!\.\.\.\))|\bdynamic_cast\b|\btypeid\b/.test(readFileSync(path.join(root, file), "utf8")));
