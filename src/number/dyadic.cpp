@@ -8,6 +8,10 @@
 
 namespace apollonius {
 
+namespace {
+constexpr int kLimb = std::numeric_limits<boost::multiprecision::limb_type>::digits;  // 64 where the compiler has 128-bit integers
+}
+
 // All of them here: inlined, the place of an Integer being cleared would be everywhere.
 
 Dyadic::Dyadic() noexcept = default;
@@ -37,7 +41,6 @@ Dyadic::Dyadic(double value) {
 Dyadic::Rounded Dyadic::rounded() const {
   if (mantissa_.is_zero()) return {};
   const auto& digits = mantissa_.backend();
-  constexpr int kLimb = std::numeric_limits<boost::multiprecision::limb_type>::digits;
   const int zeros = std::countl_zero(digits.limbs()[digits.size() - 1]);
   std::uint64_t leading = 0;
   int room = 64;
@@ -55,7 +58,7 @@ Dyadic::Rounded Dyadic::rounded() const {
 
 Dyadic operator*(const Dyadic& a, const Dyadic& b) {
   const auto &left = a.mantissa_.backend(), &right = b.mantissa_.backend();
-  invariant((left.size() + right.size()) * 64 <= Dyadic::kBits, "an exact product is too long");
+  invariant((left.size() + right.size()) * kLimb <= Dyadic::kBits, "an exact product is too long");
   Dyadic product;
   eval_multiply(product.mantissa_.backend(), left, right);
   product.exponent_ = a.exponent_ + b.exponent_;
@@ -71,7 +74,7 @@ Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, bool isDifference) {
   const unsigned distance = static_cast<unsigned>(first.exponent_ - second.exponent_);
   Dyadic sum;
   auto& digits = sum.mantissa_.backend();
-  invariant(first.mantissa_.backend().size() * 64 + distance < kBits, "an exact sum is too long");
+  invariant(first.mantissa_.backend().size() * kLimb + distance < kBits, "an exact sum is too long");
   digits.assign(first.mantissa_.backend());
   eval_left_shift(digits, distance);
   if (isDifference) {

@@ -34,19 +34,19 @@ test("needs no other package and runs nothing when it is installed", () => {
 test("sizes: the default entry at most 60 KB with brotli, all of it at most 600 KB", () => {
   const unpacked = files.reduce((sum, file) => sum + statSync(path.join(installed, file)).size, 0);
   const sizes = { esm: brotli("dist/esm/index.js"), script: brotli("dist/cjs/index.js"), wasm: brotli("dist/apollonius.wasm"),
-                  glue: brotli("dist/esm/wasm.js") };
+                  code: brotli("dist/esm/wasm.js") };
   process.stdout.write(`bytes with brotli: ${JSON.stringify(sizes)}; unpacked ${unpacked}, packed ${statSync(tarball).size}\n`);
   expect(sizes.esm).toBeLessThanOrEqual(60_000);
   expect(sizes.script).toBeLessThanOrEqual(60_000);  // the same with its wrapper
-  expect(sizes.wasm + sizes.glue).toBeLessThan(sizes.esm);
+  expect(sizes.wasm + sizes.code).toBeLessThan(sizes.esm);
   expect(unpacked).toBeLessThanOrEqual(600_000);
 });
 
 test("README says how large the entries are", () => {
   const readme = readFileSync(path.join(root, "README.md"), "utf8");
-  const [entry, glue, wasm] = [/compiled synchronously at the first use.*\| (\d+) KB \|/, /streamed.*\| (\d+) \+ \d+ KB/, /streamed.*\+ (\d+) KB/]
+  const [entry, code, wasm] = [/compiled synchronously at the first use.*\| (\d+) KB \|/, /streamed.*\| (\d+) \+ \d+ KB/, /streamed.*\+ (\d+) KB/]
     .map((pattern) => 1000 * Number(pattern.exec(readme)[1]));
-  for (const [said, file] of [[entry, "dist/esm/index.js"], [glue, "dist/esm/wasm.js"], [wasm, "dist/apollonius.wasm"]]) {
+  for (const [said, file] of [[entry, "dist/esm/index.js"], [code, "dist/esm/wasm.js"], [wasm, "dist/apollonius.wasm"]]) {
     expect(Math.abs(said - brotli(file))).toBeLessThan(2000);
   }
 });
