@@ -104,7 +104,8 @@ export class Diagram implements Disposable {
    * The diagram that `toBytes` saved, with its ids (the free ones are used again in the same order); `location` may be another.
    * Every accidental damage is noticed; of bytes that somebody may have made to deceive, ask `validate` first (docs/SNAPSHOTS.md).
    * Throws "corrupt-snapshot" (bytes that are no snapshot, or damaged, or of a later version of the format), "bad-length" (no
-   * Uint8Array), "bad-option". Cost: O(n), without any search.
+   * Uint8Array), "bad-option". Cost: O(n), without any search; the Voronoi circles of faces
+   * are computed when later calls first need them.
    */
   static fromBytes(bytes: Uint8Array, options?: DiagramOptions): Diagram {
     const content = checkedBytes("bytes", bytes);

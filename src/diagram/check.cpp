@@ -51,7 +51,7 @@ const char* DelaunayGraph::check(std::uint32_t& where) const {
     if (e.i != nullptr && e.j != nullptr && e.k != nullptr && !hasVoronoiCircle(*e.i, *e.j, *e.k)) {
       return "a face has no Voronoi circle: half-edge";
     }
-    if (!agree(circles_[index(faceOf(h))], voronoiCircle(e.i, e.j, e.k))) {
+    if (!agree(circle(faceOf(h)), voronoiCircle(e.i, e.j, e.k))) {
       return "the cached circle of a face is not its circle: half-edge";
     }
   }

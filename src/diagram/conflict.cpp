@@ -118,7 +118,7 @@ inline void ConflictSearch::enter(FaceId f) {
 bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const {
   const Graph& graph = diagram_->graph();
   const VertexId i = graph.origin(h), j = graph.origin(twin);
-  const VoronoiCircle &atK = diagram_->circle(faceOf(h)), &atL = diagram_->circle(faceOf(twin));
+  const VoronoiCircle &atK = diagram_->keptCircle(faceOf(h)), &atL = diagram_->keptCircle(faceOf(twin));
   if (i != kInfinity && j != kInfinity && isSurelyInConflictBetweenEnds(diagram_->site(i), diagram_->site(j), atK, atL, *q_)) {
     shadowCheck({Sign::kPositive, true},
                 [&] { return isEntireEdgeInConflict(diagram_->edge(h), *q_) ? Sign::kPositive : Sign::kNegative; });

@@ -1,11 +1,19 @@
 #include "diagram/delaunay_graph.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
+
+#include "predicate/circle_batch.h"
 
 namespace apollonius {
 
 bool DelaunayGraph::isFaceInConflictByCorners(FaceId f, const Site& q) const {
   const Corner i = corner(graph_.origin(halfedgeOf(f, 0))), j = corner(graph_.origin(halfedgeOf(f, 1))), k = corner(graph_.origin(halfedgeOf(f, 2)));
+  if (keptCircle(f).isMissing()) {
+    computeCircle(f);
+    return isFaceInConflict(f, q);
+  }
   // The circle has been asked before.
   return kShadowCheck ? isVertexInConflict(circle(f), i, j, k, q) : isVertexInConflict(i, j, k, q);
 }
@@ -40,6 +48,36 @@ void DelaunayGraph::clear() noexcept {
   graph_.clear();
   visibleCount_ = 0;
   recent_ = kNoVertex;
+  mayMissCircles_ = false;
+}
+
+void DelaunayGraph::computeCircle(FaceId f) const {
+  const EdgeCorners corners = edge(halfedgeOf(f, 0));
+  circles_[index(f)] = voronoiCircle(corners.i, corners.j, corners.k);
+}
+
+void DelaunayGraph::computeMissingCircles() const {
+  if (!mayMissCircles_) return;
+  CircleFan fan;
+  reserveForBatch(fan);
+  CircleBatch batch(fan, [this](std::uint32_t f, const std::array<Corner, 3>&, const VoronoiCircle& circle) {
+    if (circle.error < std::numeric_limits<float>::infinity()) {
+      circles_[f] = circle;
+    } else {
+      computeCircle(FaceId{f});
+    }
+  });
+  for (std::uint32_t f = 0; f < graph_.faceSlots(); ++f) {
+    if (!graph_.isLive(FaceId{f}) || !keptCircle(FaceId{f}).isMissing()) continue;
+    const EdgeCorners corners = edge(halfedgeOf(FaceId{f}, 0));
+    if (corners.i == nullptr || corners.j == nullptr || corners.k == nullptr) {
+      computeCircle(FaceId{f});
+    } else {
+      batch.add(f, {corners.i, corners.j, corners.k});
+    }
+  }
+  batch.finish();
+  mayMissCircles_ = false;
 }
 
 }  // namespace apollonius

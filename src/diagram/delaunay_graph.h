@@ -35,13 +35,21 @@ class DelaunayGraph {
   [[nodiscard]] VertexId anyVisible() const { return recent_; }
   [[nodiscard]] const Site& site(VertexId v) const { return sites_[index(v)]; }
   [[nodiscard]] Corner corner(VertexId v) const { return v == kInfinity ? nullptr : &site(v); }
-  [[nodiscard]] const VoronoiCircle& circle(FaceId f) const { return circles_[index(f)]; }
+  /// Of a face. After restore() most are missing; each is computed when it is first asked for.
+  [[nodiscard]] const VoronoiCircle& circle(FaceId f) const {
+    if (keptCircle(f).isMissing()) computeCircle(f);
+    return keptCircle(f);
+  }
+  /// The same, or kMissingCircle: for filters, and for loops behind computeMissingCircles().
+  [[nodiscard]] const VoronoiCircle& keptCircle(FaceId f) const { return circles_[index(f)]; }
+  /// All that are missing at once, in a quarter of the time. Throws std::bad_alloc.
+  void computeMissingCircles() const;
   /// The Voronoi edge dual to h, with h's origin on its left.
   [[nodiscard]] EdgeCorners edge(HalfedgeId h) const {
     return {corner(graph_.origin(h)), corner(graph_.target(h)), corner(graph_.apex(h)), corner(graph_.apex(graph_.twin(h)))};
   }
   [[nodiscard]] bool isFaceInConflict(FaceId f, const Site& q) const {
-    const MaybeSign filtered = circleFilter(circle(f), q);  // settles nearly all; no corner is looked up
+    const MaybeSign filtered = circleFilter(keptCircle(f), q);  // settles nearly all; no corner is looked up
     return filtered.known && !kShadowCheck ? filtered.sign == Sign::kPositive : isFaceInConflictByCorners(f, q);
   }
 
@@ -98,7 +106,7 @@ class DelaunayGraph {
   [[nodiscard]] Insertion insertBesideOne(VertexId v, HiddenForest* forest);
   [[nodiscard]] Insertion coverAll(VertexId v, HiddenForest* forest);
   [[nodiscard]] bool hullTurnsOnce() const;
-  void computeAllCircles();
+  void computeCircle(FaceId f) const;
   /// Room for an operation on the graph, newFaces_ and newCircles_ included.
   void reserveFaces(std::size_t removed, std::size_t created);
   [[nodiscard]] std::span<FaceId> newFaces(std::size_t created) { return {newFaces_.data(), created}; }
@@ -109,7 +117,8 @@ class DelaunayGraph {
 
   FlatArray<Site> sites_;              // by vertex
   Graph graph_;                          // has faces from two visible sites on
-  FlatArray<VoronoiCircle> circles_;   // by face
+  mutable FlatArray<VoronoiCircle> circles_;  // by face; mutable only where one is missing
+  mutable bool mayMissCircles_ = false;
   std::size_t visibleCount_ = 0;
   VertexId recent_ = kNoVertex;          // visible; the only one if visibleCount_ is 1
 

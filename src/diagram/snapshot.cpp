@@ -2,16 +2,14 @@
 // the bytes are, nothing outside of the arrays is ever touched. That the graph is the diagram of these sites is what the checksum is
 // trusted for: to prove it would take as long as to build it anew (check.cpp does).
 //
-// Circles, hierarchy and grid are made anew: they follow from the sites and the graph. The grid answers most of what the hierarchy
-// is asked, so that one waits until it is asked for the first time.
-#include <array>
+// Circles, hierarchy and grid are made anew: they follow from the sites and the graph. Each circle waits until it is asked for, and so
+// does the hierarchy, as the grid answers most of what that one is asked.
 #include <limits>
 #include <new>
 
 #include "diagram/diagram_core.h"
 #include "graph/words.h"
 #include "memory/flat_array.h"
-#include "predicate/circle_batch.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {
@@ -109,27 +107,9 @@ bool DelaunayGraph::restore(WordReader& in, std::size_t faceSlots) {
   }
   if (!graph_.hasVertex(recent_)) return false;  // also if there is none
   visibleCount_ = graph_.faceCount() / 2 + 1;  // Euler, without infinity
-  computeAllCircles();
+  circles_.resize(faceSlots, kMissingCircle);
+  mayMissCircles_ = true;
   return true;
-}
-
-void DelaunayGraph::computeAllCircles() {
-  CircleBatch batch(fan_, [this](std::uint32_t f, const std::array<Corner, 3>& at, const VoronoiCircle& circle) {
-    circles_[f] = circle.error < std::numeric_limits<float>::infinity() ? circle : voronoiCircle(at[0], at[1], at[2]);
-  });
-  reserveForBatch(fan_);
-  circles_.resize(graph_.faceSlots());
-  for (std::uint32_t f = 0; f < circles_.size(); ++f) {
-    const HalfedgeId h = halfedgeOf(FaceId{f}, 0);
-    if (!graph_.isLive(FaceId{f})) continue;
-    const Corner i = corner(graph_.origin(h)), j = corner(graph_.target(h)), k = corner(graph_.apex(h));
-    if (i == nullptr || j == nullptr || k == nullptr) {
-      circles_[f] = voronoiCircle(i, j, k);
-    } else {
-      batch.add(f, {i, j, k});
-    }
-  }
-  batch.finish();
 }
 
 // --- The diagram ---------------------------------------------------------------------------------------------------------------

@@ -38,6 +38,7 @@ void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, Cl
 template <class Visit>
 void forEachClippedPiece(const DelaunayGraph& base, const Window& window, Bits bits, Visit&& visit) {
   const Graph& graph = base.graph();
+  base.computeMissingCircles();
   ClippedEdge clipped;
   for (std::size_t k = 0; k < 3 * graph.faceSlots(); ++k) {
     const HalfedgeId h{static_cast<std::uint32_t>(k)};

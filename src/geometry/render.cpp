@@ -83,6 +83,7 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
   constexpr std::size_t kBlock = 256;
   const DelaunayGraph& base = core.base();
   const Graph& graph = base.graph();
+  base.computeMissingCircles();
   const std::size_t count = 3 * graph.faceSlots();
   std::array<HalfedgeId, kBlock> edges;
   std::array<std::size_t, kBlock> others;  // those of `edges` that are not plain
@@ -101,7 +102,7 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
       edgeCount += static_cast<std::size_t>(graph.isLive(faceOf(h))) & static_cast<std::size_t>(graph.twin(h) > h) &
                    static_cast<std::size_t>(graph.origin(h) != kInfinity) & static_cast<std::size_t>(graph.target(h) != kInfinity);
     }
-    for (std::size_t k = 0; k < edgeCount; ++k) starts[k] = base.circle(faceOf(graph.twin(edges[k])));
+    for (std::size_t k = 0; k < edgeCount; ++k) starts[k] = base.keptCircle(faceOf(graph.twin(edges[k])));
     for (std::size_t k = 0; k < edgeCount; ++k) {
       const Site &i = base.site(graph.origin(edges[k])), &j = base.site(graph.target(edges[k]));
       const double dx = j.x - i.x, dy = j.y - i.y, dr = j.r - i.r;
@@ -110,7 +111,7 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
     }
     std::size_t plainCount = 0, otherCount = 0;
     for (std::size_t k = 0; k < edgeCount; ++k) {
-      const VoronoiCircle &from = starts[k], &to = base.circle(faceOf(edges[k]));
+      const VoronoiCircle &from = starts[k], &to = base.keptCircle(faceOf(edges[k]));
       const bool plain = isPlain(squares[k], differences[k], from, to, window, tolerance);
       double* const at = &ends[4 * plainCount];
       at[0] = from.x;
@@ -124,7 +125,7 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
     path.segments(ends.data(), plainCount);
     for (std::size_t m = 0; m < otherCount; ++m) {
       const HalfedgeId g = edges[others[m]], h = startsAtPole(base, g) ? g : graph.twin(g);
-      const VoronoiCircle &from = starts[others[m]], &to = base.circle(faceOf(g));
+      const VoronoiCircle &from = starts[others[m]], &to = base.keptCircle(faceOf(g));
       if (isUsable(from, window) && isUsable(to, window) &&
           drawQuickly(base.site(graph.origin(h)), base.site(graph.target(h)), squares[others[m]], {from.x, from.y}, {to.x, to.y}, window,
                       tolerance, path)) {

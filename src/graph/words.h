@@ -4,27 +4,40 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 namespace apollonius {
+
+/// A word with its bytes in the order of the file, or one of the file in that of the machine.
+template <class Word>
+constexpr Word littleEndian(Word word) {
+  if constexpr (std::endian::native == std::endian::little) {
+    return word;
+  } else {
+    Word reversed = 0;
+    for (std::size_t byte = 0; byte < sizeof(Word); ++byte, word >>= 8) reversed = reversed << 8 | (word & 0xFF);
+    return reversed;
+  }
+}
 
 /// Writes one word after the other. REQUIRES: room, which the caller has counted.
 class WordWriter {
  public:
   explicit WordWriter(std::span<std::uint8_t> bytes) : next_(bytes.data()) {}
 
-  void word(std::uint32_t value) {
-    std::uint8_t* const at = next_;  // bytes may be anything's, even this pointer's: without a copy it is read again for each
-    for (unsigned byte = 0; byte < 4; ++byte) at[byte] = static_cast<std::uint8_t>(value >> (8 * byte));
-    next_ = at + 4;
-  }
-  void longWord(std::uint64_t value) {
-    word(static_cast<std::uint32_t>(value));
-    word(static_cast<std::uint32_t>(value >> 32));
-  }
+  void word(std::uint32_t value) { write(value); }
+  void longWord(std::uint64_t value) { write(value); }
   void number(double value) { longWord(std::bit_cast<std::uint64_t>(value)); }
 
  private:
+  template <class Word>
+  void write(Word value) {
+    const Word word = littleEndian(value);
+    std::memcpy(next_, &word, sizeof(Word));
+    next_ += sizeof(Word);
+  }
+
   std::uint8_t* next_;
 };
 
@@ -33,19 +46,19 @@ class WordReader {
  public:
   explicit WordReader(std::span<const std::uint8_t> bytes) : next_(bytes.data()) {}
 
-  [[nodiscard]] std::uint32_t word() {
-    std::uint32_t value = 0;
-    for (unsigned byte = 0; byte < 4; ++byte) value |= static_cast<std::uint32_t>(next_[byte]) << (8 * byte);
-    next_ += 4;
-    return value;
-  }
-  [[nodiscard]] std::uint64_t longWord() {
-    const std::uint64_t low = word();
-    return low | static_cast<std::uint64_t>(word()) << 32;
-  }
+  [[nodiscard]] std::uint32_t word() { return read<std::uint32_t>(); }
+  [[nodiscard]] std::uint64_t longWord() { return read<std::uint64_t>(); }
   [[nodiscard]] double number() { return std::bit_cast<double>(longWord()); }
 
  private:
+  template <class Word>
+  Word read() {
+    Word word;
+    std::memcpy(&word, next_, sizeof(Word));
+    next_ += sizeof(Word);
+    return littleEndian(word);
+  }
+
   const std::uint8_t* next_;
 };
 

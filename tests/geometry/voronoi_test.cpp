@@ -217,6 +217,78 @@ TEST(VoronoiDeterminism, CurvesHaveTheSameBitsAfterAnyHistory) {
   }
 }
 
+/// Of the chords of its pieces.
+double lengthOf(const Path& path) {
+  double length = 0, x = 0, y = 0;
+  const double* xy = path.coordinates.data();
+  for (const std::uint8_t command : path.commands) {
+    xy += static_cast<Command>(command) == Command::kCurve ? 6 : 2;
+    if (static_cast<Command>(command) != Command::kMove) length += std::hypot(xy[-2] - x, xy[-1] - y);
+    x = xy[-2];
+    y = xy[-1];
+  }
+  return length;
+}
+
+TEST(VoronoiDeterminism, RestoredDiagramsHaveTheSameShapes) {
+  // A restored diagram has none of its circles at first: each question is the first one.
+  for (const NamedGenerator& generator : corpus()) {
+    SCOPED_TRACE(generator.name);
+    Random random(545);
+    const Circles circles = generator.make(random, generator.large ? 60 : 8);
+    Bounds bounds;
+    if (!windowAround(circles, -0.1, bounds)) continue;
+    const double size = std::max(bounds.xmax - bounds.xmin, bounds.ymax - bounds.ymin), tolerance = 1e-4 * size;
+    const double largest = std::max({std::abs(bounds.xmin), std::abs(bounds.xmax), std::abs(bounds.ymin), std::abs(bounds.ymax)});
+    Diagram original;
+    insertInto(original, circles);
+    std::vector<std::uint8_t> bytes;
+    ASSERT_EQ(original.toBytes(bytes), Error::kNone);
+    const auto onBoth = [&](auto&& ask) {
+      Diagram restored;
+      ASSERT_EQ(restored.fromBytes(bytes), Error::kNone);
+      ask(Voronoi(original, bounds), Voronoi(restored, bounds));
+    };
+    onBoth([](const Voronoi& a, const Voronoi& b) {
+      CurveArrays curves, same;
+      ASSERT_EQ(a.edges(curves), Error::kNone);
+      ASSERT_EQ(b.edges(same), Error::kNone);
+      EXPECT_EQ(curves.curves, same.curves);
+      EXPECT_EQ(curves.sites, same.sites);
+    });
+    onBoth([&](const Voronoi& a, const Voronoi& b) {
+      for (SiteId id = 0; id < circles.size(); ++id) {
+        CurveArrays cell, same;
+        ASSERT_EQ(a.cell(id, cell), Error::kNone);
+        ASSERT_EQ(b.cell(id, same), Error::kNone);
+        EXPECT_EQ(cell.curves, same.curves);
+      }
+    });
+    onBoth([&](const Voronoi& a, const Voronoi& b) {
+      std::vector<double> areas, same;
+      ASSERT_EQ(a.areas(areas), Error::kNone);
+      ASSERT_EQ(b.areas(same), Error::kNone);
+      ASSERT_EQ(areas.size(), same.size());
+      for (std::size_t k = 0; k < areas.size(); ++k) EXPECT_NEAR(areas[k], same[k], 1e-11 * size * largest);
+    });
+    onBoth([&](const Voronoi& a, const Voronoi& b) {
+      Path path, same;
+      Voronoi::Portion portion, again;
+      ASSERT_EQ(a.drawEdges(tolerance, portion, path), Error::kNone);
+      ASSERT_EQ(b.drawEdges(tolerance, again, same), Error::kNone);
+      // Last bits decide in which of several ways an edge is drawn, and when.
+      EXPECT_NEAR(lengthOf(path), lengthOf(same), tolerance * static_cast<double>(path.commands.size()));
+    });
+    onBoth([&](const Voronoi& a, const Voronoi& b) {
+      Path path, same;
+      Voronoi::Portion portion, again;
+      ASSERT_EQ(a.drawDual(tolerance, true, portion, path), Error::kNone);
+      ASSERT_EQ(b.drawDual(tolerance, true, again, same), Error::kNone);
+      EXPECT_EQ(path.commands, same.commands);
+    });
+  }
+}
+
 TEST(VoronoiDeterminism, HashOfGeometry) {
   Hash hash;
   for (const NamedGenerator& generator : corpus()) {
