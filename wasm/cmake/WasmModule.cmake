@@ -8,10 +8,11 @@
 # (bench/README.md, "Size", has what each step costs and gives).
 set(quick
   predicate/circle_fan.cpp predicate/edge_circle_filter.cpp number/whole.cpp
-  diagram/conflict.cpp diagram/locate.cpp diagram/insert.cpp diagram/sort_by_key.cpp
+  diagram/conflict.cpp diagram/locate.cpp diagram/sort_by_key.cpp
   geometry/render.cpp geometry/clip.cpp geometry/edge.cpp predicate/stages.cpp)
 set(compact
-  predicate/voronoi_circle.cpp predicate/predicates.cpp diagram/site_moves.cpp geometry/bisector.cpp geometry/approximate.cpp)
+  predicate/voronoi_circle.cpp diagram/site_moves.cpp diagram/insert.cpp
+  predicate/predicates.cpp geometry/bisector.cpp geometry/approximate.cpp)
 list(TRANSFORM quick PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 list(TRANSFORM compact PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 set(small ${APOLLONIUS_SOURCES})
@@ -36,8 +37,9 @@ add_executable(apollonius_wasm EXCLUDE_FROM_ALL
 set_target_properties(apollonius_wasm PROPERTIES OUTPUT_NAME apollonius SUFFIX .wasm LINKER_LANGUAGE CXX)
 target_link_options(apollonius_wasm PRIVATE
   -O3 -flto  # of what the linker optimises: -Oz saves 0.5 KB and draws a quarter more slowly
-  # Copies across files only of what is called in one place, or is smaller than a call: 1.6 KB less, and as fast.
-  -Wl,-mllvm,-inline-threshold=-50
+  # Copies across files only of what is called in one place, or is smaller than a call: 1.6 KB less, and as fast. Few loops gain by vectors
+  # that do not have them already (number/pair.h).
+  -Wl,-mllvm,-inline-threshold=-50 -Wl,-mllvm,-vectorize-loops=false
   --no-entry                       # a library: `_initialize` instead of `main`
   -Wl,--wrap=emscripten_resize_heap
   -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB
