@@ -96,6 +96,7 @@ void SiteMoves::collectFaces() {
       if (position == kNoIndex) {
         position = static_cast<std::uint32_t>(changed_.size());
         changed_.push_back({faceOf(h), true, true, {}});
+        (void)diagram_->circle(faceOf(h));  // if it is missing, it is computed of the sites as they are now
       }
       h = graph.rotateCcw(h);
     } while (h != begin);

@@ -27,6 +27,15 @@ double extentOf(const Circles& circles) {
   return extent > 0 ? extent : 1;
 }
 
+/// As a snapshot leaves it: with none of its circles, which are computed when they are asked for.
+Diagram restored(const Diagram& diagram) {
+  std::vector<std::uint8_t> bytes;
+  EXPECT_EQ(diagram.toBytes(bytes), Error::kNone);
+  Diagram same;
+  EXPECT_EQ(same.fromBytes(bytes), Error::kNone);
+  return same;
+}
+
 class MovesOn : public ::testing::TestWithParam<NamedGenerator> {};
 
 TEST_P(MovesOn, LeaveTheDiagramOfTheNewSites) {
@@ -38,6 +47,7 @@ TEST_P(MovesOn, LeaveTheDiagramOfTheNewSites) {
     std::vector<SiteId> ids;
     Diagram diagram = diagramOf(circles, ids);
     for (int run = 0; run < runs(8); ++run) {
+      if (random.oneIn(3)) diagram = restored(diagram);
       for (std::size_t k = 0; k < circles.size(); ++k) {
         if (random.oneIn(4)) continue;
         Circle c = circles[k];
@@ -73,6 +83,7 @@ TEST_P(MovesOn, ManyAtOnceLeaveTheDiagramOfTheNewSites) {
     std::vector<Circle> velocities(circles.size());
     for (Circle& v : velocities) v = {random.between(-reach, reach), random.between(-reach, reach), random.oneIn(3) ? random.between(-reach, reach) : 0};
     for (int run = 0; run < runs(12); ++run) {
+      if (random.oneIn(3)) diagram = restored(diagram);
       Circles next = circles;
       std::vector<double> xyr;
       for (std::size_t k = 0; k < next.size(); ++k) {
@@ -98,6 +109,28 @@ TEST_P(MovesOn, ManyAtOnceLeaveTheDiagramOfTheNewSites) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, MovesOn, ::testing::ValuesIn(corpus()), [](const auto& parameter) { return parameter.param.name; });
+
+TEST(Moves, AFewSitesJumpAnywhere) {
+  Random random(93);
+  for (int run = 0; run < runs(4000); ++run) {
+    const std::size_t n = 2 + random.below(6);
+    const auto some = [&] {
+      return random.oneIn(2) ? tinyGrid(random, n, 5, 2) : randomCircles(random, n, Hidden::kNone);
+    };
+    const Circles circles = some(), next = some();
+    std::vector<SiteId> ids, freshIds;
+    Diagram diagram = restored(diagramOf(circles, ids));
+    std::vector<double> xyr;
+    for (const Circle& c : next) xyr.insert(xyr.end(), {c.x, c.y, c.r});
+    ASSERT_EQ(diagram.updateMany(ids, xyr), Error::kNone);
+    std::string broken;
+    ASSERT_EQ(diagram.validate(broken), Error::kNone);
+    ASSERT_EQ(broken, "") << "run " << run;
+    const Diagram fresh = diagramOf(next, freshIds);
+    const Canonical expected = canonicalForm(fresh, broken), got = canonicalForm(diagram, broken);
+    ASSERT_EQ(difference(expected, got), "") << "run " << run;
+  }
+}
 
 TEST(Moves, HiddenSitesFollowTheirCover) {
   std::vector<SiteId> ids;

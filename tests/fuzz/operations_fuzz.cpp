@@ -48,6 +48,8 @@ double number(Bytes& bytes, Numbers numbers) {
   return 0;
 }
 
+constexpr std::uint8_t kRestoreCode = 0xFD;  // would be one more of many inserts
+
 bool isLegal(double value) {
   const double magnitude = std::abs(value);
   return magnitude == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude);
@@ -74,6 +76,10 @@ History decode(Bytes& bytes, Numbers numbers) {
       history.push_back({Operation::Kind::kRemove, live[chosen], {}});
       live[chosen] = live.back();
       live.pop_back();
+      continue;
+    }
+    if (code == kRestoreCode) {
+      history.push_back({Operation::Kind::kRestore, 0, {}});
       continue;
     }
     Circle circle{};

@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
+bool hasTarget(Operation::Kind kind) { return kind == Operation::Kind::kRemove || kind == Operation::Kind::kUpdate; }
+bool hasCircle(Operation::Kind kind) { return kind == Operation::Kind::kInsert || kind == Operation::Kind::kUpdate; }
+
 std::string hexFloat(double value) {
   char buffer[40];
   std::snprintf(buffer, sizeof buffer, "%a", value);
@@ -28,6 +31,8 @@ History without(const History& history, std::size_t first, std::size_t count) {
     Operation operation = history[k];
     if (operation.kind == Operation::Kind::kInsert) {
       newName.push_back(leftOut ? kNone : inserted++);
+      if (leftOut) continue;
+    } else if (operation.kind == Operation::Kind::kRestore) {
       if (leftOut) continue;
     } else {
       if (leftOut || newName[operation.target] == kNone) continue;
@@ -54,6 +59,7 @@ History randomHistory(Random& random, const Circles& pool, std::size_t steps) {
   const auto draw = [&] { return pool[random.below(pool.size())]; };
   for (std::size_t k = 0; k < steps; ++k) {
     if (random.oneIn(16)) growing = !growing;
+    if (k % 11 == 10) history.push_back({Operation::Kind::kRestore, 0, {}});
     const int dice = random.below(8);
     if (live.empty() || dice < (growing ? 5 : 2)) {
       history.push_back({Operation::Kind::kInsert, 0, draw()});
@@ -79,6 +85,7 @@ Circles survivors(const History& history) {
       case Operation::Kind::kInsert: circles.push_back(operation.circle); break;
       case Operation::Kind::kRemove: circles[operation.target].reset(); break;
       case Operation::Kind::kUpdate: circles[operation.target] = operation.circle; break;
+      case Operation::Kind::kRestore: break;
     }
   }
   Circles result;
@@ -96,9 +103,10 @@ std::string toText(const History& history) {
       case Operation::Kind::kInsert: text += "insert"; break;
       case Operation::Kind::kRemove: text += "remove "; break;
       case Operation::Kind::kUpdate: text += "update "; break;
+      case Operation::Kind::kRestore: text += "restore"; break;
     }
-    if (operation.kind != Operation::Kind::kInsert) text += std::to_string(operation.target);
-    if (operation.kind != Operation::Kind::kRemove) {
+    if (hasTarget(operation.kind)) text += std::to_string(operation.target);
+    if (hasCircle(operation.kind)) {
       for (const double value : {c.x, c.y, c.r}) text.append(" ").append(hexFloat(value));
     }
     text += '\n';
@@ -122,15 +130,19 @@ History fromText(const std::string& text, std::string& error) {
     Operation operation{Operation::Kind::kInsert, 0, {}};
     if (word == "remove" || word == "update") {
       operation.kind = word == "remove" ? Operation::Kind::kRemove : Operation::Kind::kUpdate;
-      if (!(words >> operation.target) || operation.target >= lives.size() || !lives[operation.target]) {
-        fail("no such circle");
-        return {};
-      }
+    } else if (word == "restore") {
+      operation.kind = Operation::Kind::kRestore;
     } else if (word != "insert") {
       fail("not an operation");
       return {};
     }
-    if (operation.kind != Operation::Kind::kRemove) {
+    if (hasTarget(operation.kind)) {
+      if (!(words >> operation.target) || operation.target >= lives.size() || !lives[operation.target]) {
+        fail("no such circle");
+        return {};
+      }
+    }
+    if (hasCircle(operation.kind)) {
       for (double* value : {&operation.circle.x, &operation.circle.y, &operation.circle.r}) {
         words >> word;
         char* end = nullptr;

@@ -5,6 +5,7 @@
 //   insert x y r       adds a circle; the k-th insert of the history (from 0) is called k from here on
 //   remove k           removes the circle called k
 //   update k x y r     moves and resizes it
+//   restore            the diagram becomes what its snapshot gives
 //
 // Numbers are decimal or C hex floats; printed ones are hex floats, so that no digit gets lost.
 #pragma once
@@ -20,7 +21,7 @@
 namespace apollonius::test {
 
 struct Operation {
-  enum class Kind { kInsert, kRemove, kUpdate };
+  enum class Kind { kInsert, kRemove, kUpdate, kRestore };
   Kind kind;
   std::size_t target;  ///< kRemove and kUpdate: which insert made the circle
   Circle circle;       ///< kInsert and kUpdate
@@ -31,7 +32,7 @@ using History = std::vector<Operation>;
 History insertAll(const Circles& circles);
 
 /// `steps` operations over circles drawn from `pool` (with repetition): about half inserts, a quarter removals and a quarter
-/// updates, in phases of growth and decline so that diagrams of few and of many sites both occur.
+/// updates, with a restoration now and then, in phases of growth and decline so that diagrams of few and of many sites both occur.
 History randomHistory(Random& random, const Circles& pool, std::size_t steps);
 
 /// The circles that a history leaves, in order of their names.
