@@ -1,4 +1,4 @@
-// The goals of issues 2 to 4 as ratios of this run's numbers. For information: timing decides no test.
+// The goals of issues 2 to 5 as ratios of this run's numbers. For information: timing decides no test.
 import { short, table } from "./tables.mjs";
 
 /** A lookup in microseconds, us("scaling random5 1000000 build wasm"), of the medians or of the fastest samples. */
@@ -57,6 +57,9 @@ function goals(records, member) {
     [`heap per site, ${memory?.n} sites, bytes`, memory?.bytesPerSite, most(160)],
     ["heap growth from 1000 pairs to all, MiB", churn && megabytes(churn.bytesAfterAll - churn.bytesAfterThousand), most(0)],
     ["updateMany of 10000 (0.01 spacings), ms a frame", us("moves random5 10000 0.01 spacings updateMany wasm") * 10, most(10)],
+    ...[hundred, million].flatMap((n) => ["wasm", "native"].map((contender) => [
+      `build / fromBytes ${n}: ${contender}`, us(`snapshots random5 ${n} build ${contender}`) / us(`snapshots random5 ${n} fromBytes ${contender}`), least(5),
+    ])),
     ...["random0", "random5", "random50"].flatMap((name) => [
       [`draw ${name} ${drawn}: wasm / d3-delaunay`, drawing(name, "draw") / drawing(name, "draw", "d3-delaunay"), most(2)],
       [`draw ${name} ${drawn}: wasm / d3-delaunay with known circumcenters`, drawing(name, "draw") / drawing(name, "redraw", "d3-delaunay"), information],

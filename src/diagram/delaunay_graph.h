@@ -35,7 +35,8 @@ class DelaunayGraph {
   [[nodiscard]] VertexId anyVisible() const { return recent_; }
   [[nodiscard]] const Site& site(VertexId v) const { return sites_[index(v)]; }
   [[nodiscard]] Corner corner(VertexId v) const { return v == kInfinity ? nullptr : &site(v); }
-  /// Of a face. After restore() most are missing; each is computed when it is first asked for.
+  /// Of a face. After restore() all are missing. Each is computed when it is first asked for, of the sites as they are then: who moves visible
+  /// sites asks for the circles around them before.
   [[nodiscard]] const VoronoiCircle& circle(FaceId f) const {
     if (keptCircle(f).isMissing()) computeCircle(f);
     return keptCircle(f);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "predicate/circle_batch.h"
@@ -31,13 +32,17 @@ std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& diagram, std::span
   moves_ = moves;
   reserve(diagram, moves.size());
   collectFaces();
+  double longest = 0;
   for (std::uint32_t k = 0; k < moves.size(); ++k) {
     const VertexId v = moves[k].vertex;
-    before_[k] = diagram.site(v);
+    const Site& from = before_[k] = diagram.site(v);
+    const double dx = moves[k].to.x - from.x, dy = moves[k].to.y - from.y;
+    longest = std::max(longest, dx * dx + dy * dy);
     diagram.setSite(v, moves[k].to);
     moveOf_[index(v)] = k;
     isMoved_[index(v)] = 1;
   }
+  longestMove_ = std::sqrt(longest);
   // The new circles, then the checks; a face that fails makes a site go back, and the faces around are checked again. In the end
   // all that moved passes, and what went back is as it was.
   computeCircles();
@@ -150,11 +155,13 @@ void SiteMoves::check(std::uint32_t position) {
     return;
   }
   const Graph& graph = diagram_->graph();
-  for (unsigned c = 0; c < 3; ++c) {
-    const VertexId corner = graph.origin(halfedgeOf(f, c));
-    if (corner != kInfinity && !turnedLessThanAQuarter(before, siteBefore(corner), now, diagram_->site(corner))) {
-      takeBackOneOf(f);
-      return;
+  if (!isFarFromItsSites(f, before, now)) {
+    for (unsigned c = 0; c < 3; ++c) {
+      const VertexId corner = graph.origin(halfedgeOf(f, c));
+      if (corner != kInfinity && !turnedLessThanAQuarter(before, siteBefore(corner), now, diagram_->site(corner))) {
+        takeBackOneOf(f);
+        return;
+      }
     }
   }
   for (unsigned c = 0; c < 3; ++c) {
@@ -170,6 +177,17 @@ void SiteMoves::check(std::uint32_t position) {
     }
     return;
   }
+}
+
+/// Is the vertex farther from its sites than all of them and it together have moved? Then it has turned by less than a quarter as seen from each:
+/// two vectors make an acute angle if their difference is shorter than one of them. Its distance to a site is clearance + weight.
+bool SiteMoves::isFarFromItsSites(FaceId f, const VoronoiCircle& before, const VoronoiCircle& now) const {
+  if (now.isHalfPlane()) return false;
+  const double dx = now.x - before.x, dy = now.y - before.y;
+  const double moved = (std::sqrt(dx * dx + dy * dy) + longestMove_ + before.error + now.error) * (1 + powerOfTwo(-20));
+  bool isFar = true;
+  for (unsigned c = 0; c < 3; ++c) isFar &= moved < now.s + diagram_->site(diagram_->graph().origin(halfedgeOf(f, c))).r;
+  return isFar;
 }
 
 /// Of the edge dual to h, from the vertex on its right to that on its left: do they come in this order? See the top of the header.

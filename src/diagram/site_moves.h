@@ -3,7 +3,8 @@
 // Let the circles of all faces around moved sites be computed anew, each once. The graph is that of the new diagram if
 //   1. all of them exist, and neighbours do not cover each other;
 //   2. along each edge of these faces its two ends come in the right order;
-//   3. each of the vertices moves, as seen from each of its three sites, by less than a quarter turn.
+//   3. each of the vertices moves, as seen from each of its three sites, by less than a quarter turn: surely if it is farther from them
+//      than the sites and it have moved together.
 // Why. By 1 and 2 each cell is bounded by a closed curve that runs counter-clockwise around its centre; by 3 it does so as often as
 // before, once. Hence the cells, glued along their edges, cover the sphere without branching; the graph is a sphere as well, and so
 // (Riemann-Hurwitz) they cover it once: they tile the plane. Now let p be in the cell of i, and suppose j nearer to it. From p straight
@@ -53,6 +54,7 @@ class SiteMoves {
   void computeCircles();
   void computeCircle(std::uint32_t position);
   void check(std::uint32_t position);
+  [[nodiscard]] bool isFarFromItsSites(FaceId f, const VoronoiCircle& before, const VoronoiCircle& now) const;
   [[nodiscard]] bool endsAreInOrder(HalfedgeId h, const VoronoiCircle& left, const VoronoiCircle& right) const;
   void takeBack(VertexId v);
   void takeBackOneOf(FaceId f);
@@ -60,6 +62,7 @@ class SiteMoves {
 
   DelaunayGraph* diagram_ = nullptr;  // during apply only
   std::span<const Move> moves_;
+  double longestMove_ = 0;
   FlatArray<Site> before_;          // by move
   FlatArray<std::uint8_t> isMade_;  // by move
   FlatArray<std::uint8_t> isMoved_;      // by vertex; 0 between calls
