@@ -133,7 +133,7 @@ class Diagram {
 
   /// Becomes the diagram that was saved: sites, ids, those that are free, hidden sites, graph; location stays as it was chosen. Every
   /// accidental damage is noticed; bytes that were made to deceive are for validate() to find out. Errors: kCorruptSnapshot, kOutOfMemory.
-  /// Cost: O(n), without any search.
+  /// Cost: O(n), without any search; the Voronoi circles of faces are computed when later calls first need them.
   [[nodiscard]] Error fromBytes(std::span<const std::uint8_t> bytes);
 
   /// Checks every invariant with exact arithmetic and tells the first broken one. Errors: kOutOfMemory. Cost: O(n), slow: for tests.

@@ -43,7 +43,7 @@ class DelaunayGraph {
   }
   /// The same, or kMissingCircle: for filters, and for loops behind computeMissingCircles().
   [[nodiscard]] const VoronoiCircle& keptCircle(FaceId f) const { return circles_[index(f)]; }
-  /// All that are missing at once, in a quarter of the time. Throws std::bad_alloc.
+  /// All that are missing, two by two, which is faster than one by one. Throws std::bad_alloc.
   void computeMissingCircles() const;
   /// The Voronoi edge dual to h, with h's origin on its left.
   [[nodiscard]] EdgeCorners edge(HalfedgeId h) const {
