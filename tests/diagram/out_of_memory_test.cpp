@@ -20,6 +20,7 @@
 #include "apollonius.h"
 #include "support/effort.h"
 #include "support/generators.h"
+#include "voronoi.h"
 
 namespace {
 
@@ -280,7 +281,78 @@ std::vector<Operation> queries(std::size_t n) {
   };
 }
 
+/// Everything that has a shape, for n sites.
+std::vector<Operation> shapes(std::size_t n) {
+  const auto asked = [](auto ask) { return [=](Diagram& d) { return ask(Voronoi(d, Bounds{-2e5, -1e5, 3e5, 2e5})); }; };
+  const auto ofEach = [=](auto ask) {
+    return asked([=](const Voronoi& v) {
+      Error error = Error::kNone;
+      for (SiteId id = 0; id < n && error == Error::kNone; ++id) error = ask(v, id);
+      return error;
+    });
+  };
+  return {
+      {"curves of edges", asked([](const Voronoi& v) {
+         CurveArrays curves;
+         return v.edges(curves);
+       })},
+      {"cells", ofEach([](const Voronoi& v, SiteId id) {
+         CurveArrays curves;
+         return v.cell(id, curves);
+       })},
+      {"polygons", ofEach([](const Voronoi& v, SiteId id) {
+         RingArrays rings;
+         return v.polygon(id, 100, rings);
+       })},
+      {"measures", ofEach([](const Voronoi& v, SiteId id) {
+         CellMeasures measures;
+         return v.measures(id, measures);
+       })},
+      {"measures within", ofEach([](const Voronoi& v, SiteId id) {
+         CellMeasures measures;
+         return v.measuresWithin(id, 1e5, measures);
+       })},
+      {"areas", asked([](const Voronoi& v) {
+         std::vector<double> areas;
+         return v.areas(areas);
+       })},
+      {"hull", asked([](const Voronoi& v) {
+         std::vector<SiteId> sites;
+         return v.hull(sites);
+       })},
+      {"drawing of edges", asked([](const Voronoi& v) {
+         Path path;
+         Voronoi::Portion portion;
+         return v.drawEdges(100, portion, path);
+       })},
+      {"drawing of the dual", asked([](const Voronoi& v) {
+         Path path;
+         Voronoi::Portion portion;
+         return v.drawDual(100, true, portion, path);
+       })},
+      {"drawing of cells", ofEach([](const Voronoi& v, SiteId id) {
+         Path path;
+         return v.drawCell(id, 100, path);
+       })},
+      {"drawing of the hull", asked([](const Voronoi& v) {
+         Path path;
+         return v.drawHull(100, path);
+       })},
+  };
+}
+
 enum class Failure { kOnce, kBudget };
+
+/// Whether the diagram comes from a snapshot, which leaves circles and hierarchy for later.
+enum class Origin { kBuilt, kRestored };
+
+void make(Diagram& diagram, const Circles& circles, Origin origin) {
+  if (origin == Origin::kRestored) {
+    ASSERT_EQ(diagram.fromBytes(snapshotOf(circles)), Error::kNone);
+  } else {
+    build(diagram, circles);
+  }
+}
 
 /// What became of a diagram on which an operation ran while the heap refused something; empty if that is as it should be.
 /// `before` and `after` are the states without and with the operation.
@@ -307,7 +379,7 @@ std::string verdict(Diagram& diagram, const std::function<Error(Diagram&)>& run,
 
 /// Makes an operation fail at each allocation that it makes on a fresh diagram; stops at the first wrong outcome, with a
 /// message. `failed` counts the calls that reported kOutOfMemory.
-std::string failEverywhere(const Circles& circles, const Operation& operation, Failure failure, int& failed) {
+std::string failEverywhere(const Circles& circles, Origin origin, const Operation& operation, Failure failure, int& failed) {
   Diagram untouched, changed;
   build(untouched, circles);
   build(changed, circles);
@@ -316,7 +388,7 @@ std::string failEverywhere(const Circles& circles, const Operation& operation, F
   std::size_t at = 0;
   for (;;) {
     Diagram diagram;
-    build(diagram, circles);
+    make(diagram, circles, origin);
     const std::function<Error(Diagram&)> run = operation.run;  // a fresh copy: no memory of an earlier run
     heap.arm();
     const std::size_t live = heap.live;
@@ -343,10 +415,10 @@ std::string failEverywhere(const Circles& circles, const Operation& operation, F
 class OutOfMemory : public ::testing::TestWithParam<Failure> {
  protected:
   /// One message for each operation that goes wrong.
-  void failAll(const Circles& circles, const std::vector<Operation>& operations) {
+  void failAll(const Circles& circles, const std::vector<Operation>& operations, Origin origin = Origin::kBuilt) {
     for (const Operation& operation : operations) {
       if (wrong_.contains(operation.name)) continue;
-      const std::string message = failEverywhere(circles, operation, GetParam(), failed_);
+      const std::string message = failEverywhere(circles, origin, operation, GetParam(), failed_);
       if (message.empty()) continue;
       wrong_.insert(operation.name);
       ADD_FAILURE() << message;
@@ -386,6 +458,25 @@ TEST_P(OutOfMemory, QueriesSaySo) {
     failAll(circles, queries(n));
   }
   EXPECT_GT(failed_, 10);
+}
+
+TEST_P(OutOfMemory, RestoredDiagramsAreNoExceptions) {
+  for (const std::size_t n : {2u, 9u, 16u}) {
+    Random random(n);
+    const Circles circles = mixed(random, n);
+    failAll(circles, changes(random, n), Origin::kRestored);
+    failAll(circles, queries(n), Origin::kRestored);
+  }
+  EXPECT_GT(failed_, 100);
+}
+
+TEST_P(OutOfMemory, ShapesSaySo) {
+  for (const std::size_t n : {1u, 2u, 9u, 16u}) {
+    Random random(n);
+    const Circles circles = mixed(random, n);
+    for (const Origin origin : {Origin::kBuilt, Origin::kRestored}) failAll(circles, shapes(n), origin);
+  }
+  EXPECT_GT(failed_, 50);
 }
 
 INSTANTIATE_TEST_SUITE_P(By, OutOfMemory, ::testing::Values(Failure::kOnce, Failure::kBudget),
