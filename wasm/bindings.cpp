@@ -1,8 +1,8 @@
 // What JavaScript sees of the library: plain exported functions of numbers, no logic.
 //
 // A diagram is its address, the first argument of most. Every fallible call returns the error code of apollonius.h as an integer.
-// Scalar results are written to one block (`resultsAddress`), arrays in come from one scratch block (`reserve`), arrays out stay in
-// vectors here until the next call or `release`. wasm/native.ts is the only other place that knows these blocks, and wasm/module.ts
+// Scalar results are written to one block (`resultsAddress`), arrays in come from one scratch block (`reserve`), arrays out stay
+// here until the next call or `release`. wasm/native.ts is the only other place that knows these blocks, and wasm/module.ts
 // declares the functions for TypeScript.
 //
 // Embind is not used: with functions of numbers nothing is left for it to convert (docs/DECISIONS.md).

@@ -1,7 +1,6 @@
 #include "diagram/delaunay_graph.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "predicate/circle_batch.h"
@@ -60,7 +59,7 @@ void DelaunayGraph::computeMissingCircles() const {
   if (!mayMissCircles_) return;
   CircleFan fan;
   reserveForBatch(fan);
-  CircleBatch batch(fan, [this](std::uint32_t f, const std::array<Corner, 3>&, const VoronoiCircle& circle) {
+  CircleBatch batch(fan, [this](std::uint32_t f, const VoronoiCircle& circle) {
     if (circle.error < std::numeric_limits<float>::infinity()) {
       circles_[f] = circle;
     } else {

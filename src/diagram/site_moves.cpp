@@ -1,7 +1,6 @@
 #include "diagram/site_moves.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -118,7 +117,7 @@ bool SiteMoves::hasMovedCorner(FaceId f) const {
 /// All faces have moved corners.
 void SiteMoves::computeCircles() {
   const Graph& graph = diagram_->graph();
-  CircleBatch batch(fan_, [this](std::uint32_t position, const std::array<Corner, 3>&, const VoronoiCircle& circle) {
+  CircleBatch batch(fan_, [this](std::uint32_t position, const VoronoiCircle& circle) {
     changed_[position].circle = circle;
     if (!(circle.error < std::numeric_limits<float>::infinity())) computeCircle(position);
   });

@@ -14,7 +14,7 @@ inline constexpr std::size_t kCircleBatch = 64;
 /// Room for a batch. Throws std::bad_alloc.
 inline void reserveForBatch(CircleFan& fan) { fan.reserve(2 * kCircleBatch); }
 
-/// `take(face, corners, circle)` is called for each face added, in their order, at the latest by finish(). `face` is whatever the caller
+/// `take(face, circle)` is called for each face added, in their order, at the latest by finish(). `face` is whatever the caller
 /// knows it by; the circle is as of CircleFan::computeFaces.
 template <class Take>
 class CircleBatch {
@@ -30,7 +30,7 @@ class CircleBatch {
 
   void finish() {
     fan_.computeFaces({corners_.data(), count_}, circles_);
-    for (std::size_t k = 0; k < count_; ++k) take_(faces_[k], corners_[k], circles_[k]);
+    for (std::size_t k = 0; k < count_; ++k) take_(faces_[k], circles_[k]);
     count_ = 0;
   }
 

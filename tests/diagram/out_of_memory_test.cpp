@@ -442,7 +442,7 @@ TEST_P(OutOfMemory, ChangesLeaveTheDiagramAsItWas) {
 }
 
 TEST_P(OutOfMemory, ChangesThatNeedLongNumbersLeaveTheDiagramAsItWas) {
-  // Exact arithmetic beyond the 512 bits that are kept inline: exponents far apart.
+  // Exponents far apart. Long numbers allocate nothing themselves (number/dyadic.h); what uses them does.
   for (const std::size_t n : {3u, 6u}) {
     Random random(n);
     const Circles circles = rangeEnds(random, n, Range::kMixed);

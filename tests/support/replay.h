@@ -37,8 +37,8 @@ class Replay {
 /// What checkHistory compares, and how often.
 struct Checks {
   Location location = Location::kHierarchy;
-  bool validateEveryStep = true;
-  bool compareEveryStep = false;    ///< else only at the end
+  bool validateEveryStep = true;    ///< but after a restoration, whose diagram the next operation is to meet as it is
+  bool compareEveryStep = false;    ///< the same; else only at the end
   std::size_t oracleUpTo = 0;       ///< most distinct survivors for which the oracle is asked, too
 };
 
