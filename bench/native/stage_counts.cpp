@@ -36,6 +36,11 @@ std::string perItem(std::size_t items) {
   add("edgeMiddle", counts.edgeMiddle);
   add("edgeWhole", counts.edgeWhole);
   add("edgeExact", counts.edgeExact);
+  add("rayCached", counts.rayCached);
+  add("rayFilter", counts.rayFilter);
+  add("rayMiddle", counts.rayMiddle);
+  add("rayWhole", counts.rayWhole);
+  add("rayExact", counts.rayExact);
   text << "}";
   return text.str();
 }

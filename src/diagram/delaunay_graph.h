@@ -103,6 +103,7 @@ class DelaunayGraph {
 
   [[nodiscard]] Located walkAllNeighbors(double x, double y, VertexId start) const;
   [[nodiscard]] Located walkSectors(double x, double y, VertexId start) const;
+  void shadowCheckNearest(VertexId v, double x, double y) const;
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
   [[nodiscard]] Insertion insertBesideOne(VertexId v, HiddenForest* forest);
   [[nodiscard]] Insertion coverAll(VertexId v, HiddenForest* forest);

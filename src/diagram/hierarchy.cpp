@@ -26,8 +26,9 @@ Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
 /// neighbour in whose sector the point lies leads there: it is taken if, seen from it, the giant's weight dwarfs the distance.
 VertexId Hierarchy::stepDown(const DelaunayGraph& graph, DelaunayGraph::Located located, double x, double y) {
   if (located.sector == kNoHalfedge) return located.nearest;
-  const VertexId neighbor = graph.graph().target(located.sector);
-  if (neighbor == kInfinity) return located.nearest;
+  const Graph& links = graph.graph();
+  VertexId neighbor = links.target(located.sector);
+  if (neighbor == kInfinity) neighbor = links.target(links.rotateCcw(located.sector));  // between two that stick out of the giant
   const Site &giant = graph.site(located.nearest), &small = graph.site(neighbor);
   const double reach = (absolute(small.x - x) + absolute(small.y - y)) / 4;
   return giant.r - small.r > reach ? neighbor : located.nearest;

@@ -10,7 +10,7 @@ namespace apollonius {
 namespace {
 
 /// A site and its distance to a fixed point. Distances that doubles cannot tell apart are compared exactly; ties have a winner, so
-/// that walks end.
+/// that walks end. (The filter is distanceFilter's, which the shadow check compares with the exact stage.)
 class Nearest {
  public:
   Nearest(double x, double y, const Site& first) : x_(x), y_(y), site_(&first), distance_(x, y, first) {}
@@ -35,53 +35,57 @@ class Nearest {
 /// Up to this many neighbours are asked one after the other, which is cheaper than finding out which one to ask.
 constexpr int kFewNeighbors = 12;
 
-/// Where the ray from a site's centre through a point lies among the directions of the site's faces.
+/// Where the ray from a site's centre through a point lies among the directions of the site's faces. Every answer is exact: that a
+/// sector holds the ray is what the end of a walk is proved by.
 class Sectors {
  public:
+  /// REQUIRES: (x, y) is not the pole's centre.
   Sectors(const DelaunayGraph& diagram, double x, double y, VertexId pole)
-      : diagram_(diagram), pole_(diagram.site(pole)), ray_(directionOf(x, y, pole_)) {}
+      : diagram_(diagram), pole_(diagram.site(pole)), x_(x), y_(y) {}
 
-  /// The half-edge around the pole whose sector holds the ray, rotating from `begin` towards it; if the ray runs along a boundary,
-  /// one of those beside. kNoHalfedge if doubles cannot tell.
+  /// A half-edge around the pole whose sector, its bounds included, holds the ray, rotating from `begin` towards it; or kNoHalfedge, if
+  /// doubles cannot tell a sector of nearly a whole turn from one of nearly none.
   [[nodiscard]] HalfedgeId find(HalfedgeId begin) const {
     const Graph& graph = diagram_.graph();
     HalfedgeId h = begin;
-    Side first = sideOf(graph.twin(h)), last = sideOf(h);
-    const bool clockwise = first == Side::kRight;
+    Bearing first = bearing(graph.rotateCw(h)), last = bearing(h);
+    const bool clockwise = first == Bearing::kRight;
     for (;;) {
-      if (first == Side::kUnknown || last == Side::kUnknown) return kNoHalfedge;
-      if (first == Side::kAlong || last == Side::kAlong) return h;
-      // To the left of the first direction and to the right of the last: inside. To the same side of both: inside if the sector
-      // is wider than half a turn.
-      if (first == Side::kLeft && last == Side::kRight) return h;
-      if (first == last && turn(direction(graph.twin(h)), direction(h)).sign == Sign::kNegative) return h;
+      if (holds(h, first, last)) return h;
       h = clockwise ? graph.rotateCw(h) : graph.rotateCcw(h);
       if (h == begin) return kNoHalfedge;
       (clockwise ? last : first) = clockwise ? first : last;
-      (clockwise ? first : last) = sideOf(clockwise ? graph.twin(h) : h);
+      (clockwise ? first : last) = bearing(clockwise ? graph.rotateCw(h) : h);
     }
   }
 
-  /// Does the ray run along the direction of h's face, as far as doubles can tell?
-  [[nodiscard]] bool runsAlong(HalfedgeId h) const { return sideOf(h) == Side::kAlong; }
+  /// Does the ray run along the direction of the face to the left of h?
+  [[nodiscard]] bool runsAlong(HalfedgeId h) const { return bearing(h) == Bearing::kAlong; }
 
  private:
-  /// Of the ray as seen along a direction. An opposite ray counts as left: half a turn to the left.
-  enum class Side { kLeft, kRight, kAlong, kUnknown };
+  [[nodiscard]] const VoronoiCircle& circle(HalfedgeId h) const { return diagram_.circle(faceOf(h)); }
 
-  [[nodiscard]] Arrow direction(HalfedgeId h) const { return directionOf(diagram_.circle(faceOf(h)), pole_); }
+  /// Along the direction of the face to the left of h, which starts at the pole.
+  [[nodiscard]] Bearing bearing(HalfedgeId h) const {
+    const Graph& graph = diagram_.graph();
+    return bearingOf(x_, y_, circle(h), pole_, diagram_.corner(graph.target(h)), diagram_.corner(graph.apex(h)));
+  }
 
-  [[nodiscard]] Side sideOf(HalfedgeId h) const {
-    const Arrow d = direction(h);
-    if (const MaybeSign side = turn(d, ray_); side.known) return side.sign == Sign::kPositive ? Side::kLeft : Side::kRight;
-    const MaybeSign along = turn({d.y, -d.x, d.error}, ray_);  // turned by a quarter: the sign of the scalar product
-    if (!along.known) return Side::kUnknown;
-    return along.sign == Sign::kPositive ? Side::kAlong : Side::kLeft;
+  /// Does the sector from the direction of h's right face counter-clockwise to that of its left face hold the ray, which lies so as
+  /// seen along them? The ray is turned from the last direction by as much as from the first, less the span of the sector: by more
+  /// means that a whole turn was added, so the ray is within. Bearings are listed in the order of such turns.
+  [[nodiscard]] bool holds(HalfedgeId h, Bearing first, Bearing last) const {
+    if (first == Bearing::kAlong || last == Bearing::kAlong) return true;
+    if (first != last) return last > first;
+    // On the same side of both, or opposite to both: within if the sector spans more than half a turn.
+    if (first == Bearing::kOpposite) return false;
+    const Arrow from = directionOf(circle(diagram_.graph().rotateCw(h)), pole_), to = directionOf(circle(h), pole_);
+    return turn(from, to).sign == Sign::kNegative;
   }
 
   const DelaunayGraph& diagram_;
   const Site& pole_;
-  Arrow ray_;
+  double x_, y_;
 };
 
 }  // namespace
@@ -109,9 +113,14 @@ DelaunayGraph::Located DelaunayGraph::walkAllNeighbors(double x, double y, Verte
 
 /// The plain walk where degrees are small. At a site with more than kFewNeighbors, the ray from its centre through the point decides:
 /// it leaves the site's cell across one Voronoi edge, that of the sector (the range of directions of a half-edge v → j, from the
-/// vertex of the face on its right to that on its left) which holds the ray. Cells are star-shaped about the centre, so if j is not
-/// nearer than v, nothing is. Directions come from the cached circles; where the ray runs along a boundary between sectors, as far
-/// as doubles can tell, both sides are asked, and where they tell nothing, all neighbours.
+/// vertex of the face on its right to that on its left) which holds the ray.
+///
+/// Why that proves the end. Cells are star-shaped about the centre. Beyond the place where the ray leaves v's cell, into that of j, the
+/// distance to v grows as fast as any can, and that to j does not: j is strictly nearer than v there. So if j is not nearer than v, the
+/// point is in v's cell. It may be its very end, at the same distance from both. Then all sites at that distance touch one circle about
+/// it. If there are more than two, it is a Voronoi vertex, and the canonical graph has faces of all of them there with the largest one:
+/// that one is the answer and is among the neighbours across the edges that meet in the ray's direction; these are asked, too. Where the
+/// sector is not to be found, all neighbours are.
 DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId start) const {
   Nearest nearest(x, y, site(start));
   HalfedgeId better = kNoHalfedge;
@@ -133,14 +142,16 @@ DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId s
 
     HalfedgeId sector = kNoHalfedge;
     if (better == kNoHalfedge) {
-      const Sectors sectors(*this, x, y, graph_.origin(h));
+      const VertexId pole = graph_.origin(h);
+      if (site(pole).x == x && site(pole).y == y) return {pole, kNoHalfedge};  // no other covers it, so none is as near
+      const Sectors sectors(*this, x, y, pole);
       sector = sectors.find(begin);
       if (sector == kNoHalfedge) {
         do {
           h = graph_.rotateCcw(h);
         } while (!ask(h) && h != begin);
       } else if (!ask(sector)) {
-        for (HalfedgeId right = sector; sectors.runsAlong(graph_.twin(right));) {
+        for (HalfedgeId right = sector; sectors.runsAlong(graph_.rotateCw(right));) {
           right = graph_.rotateCw(right);
           if (right == sector || ask(right)) break;
         }
@@ -149,11 +160,28 @@ DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId s
           if (left == sector || ask(left)) break;
         }
       }
-      if (better == kNoHalfedge) return {graph_.origin(begin), sector};
+      if (better == kNoHalfedge) {
+        shadowCheckNearest(pole, x, y);
+        return {pole, sector};
+      }
     }
     // The edge back, whose other end is not nearer, and the one after it, whose other end was probably asked before, come last.
     begin = graph_.rotateCcw(graph_.twin(better));
   }
+}
+
+/// In builds with the shadow check: no neighbour of v is nearer, which is what the walk through all neighbours proves.
+void DelaunayGraph::shadowCheckNearest(VertexId v, double x, double y) const {
+  if constexpr (!kShadowCheck) return;
+  Nearest nearest(x, y, site(v));
+  const HalfedgeId begin = graph_.outgoing(v);
+  HalfedgeId h = begin;
+  do {
+    const VertexId j = graph_.target(h);
+    shadowCheck({Sign::kNegative, true},
+                [&] { return j != kInfinity && nearest.improve(site(j)) ? Sign::kPositive : Sign::kNegative; });
+    h = graph_.rotateCcw(h);
+  } while (h != begin);
 }
 
 }  // namespace apollonius

@@ -15,6 +15,8 @@ inline constexpr VertexForm<Depth> kVertex{kRow, kRow, kRow};
 inline constexpr Chord<Depth> kChord = chordOf(kRow, kRow);
 inline constexpr EdgeForm<Depth> kEdge{kChord, kChord};
 inline constexpr SpanForm<Depth> kSpan{kRow, kRow};
+inline constexpr Chord<Depth> kRay{kInput, kInput, kInput};  // an arrow from the pole; it has no w
+inline constexpr EdgeForm<Depth> kRayForm{kChord, kRay};
 inline constexpr Depth kProducts = kRow.p * kRow.p - kRow.p * kRow.p;  // for signs that are computed without rounding
 
 static_assert(kRow.p.roundings == 5, "x² and y² 3 each, their sum 4, less r² 5");
@@ -23,6 +25,8 @@ static_assert(kVertex.x.roundings == 22);
 static_assert(kVertex.squares().roundings == 27);
 static_assert(kEdge.along.roundings == 18 && kEdge.turn.roundings == 18, "chord 8, product 17, sum 18");
 static_assert(EdgeForm<Depth>::squares(kChord, kChord, kEdge.along).roundings == 38);
+static_assert(kRayForm.along.roundings == 11 && kRayForm.turn.roundings == 11, "chord 8, product 10, sum 11");
+static_assert(EdgeForm<Depth>::squares(kChord, kRay, kRayForm.along).roundings == 24);
 
 // --- The decisions -------------------------------------------------------------------------------------------------------------
 
@@ -55,6 +59,28 @@ Sign edgeEndSign(Rows& rows, const Chord<T>& end, const Chord<T>& shadow, Sign s
   const Sign second = -rows.sign(form.along, kEdge.along);
   return signOfSum(first, second, [&] {
     return rows.sign(EdgeForm<T>::squares(end, shadow, form.along), EdgeForm<Depth>::squares(kChord, kChord, kEdge.along));
+  });
+}
+
+/// Rows 0, 1 are j, k of a face of the pole's, row 2 a point. Up to a positive factor, the direction d of the face's vertex is
+/// (√D v - w u, -√D u - w v) for the chord (u, v, w) from j to k. So with turn = u y - v x and along = u x + v y of the point (x, y):
+///     cross(d, point) = √D along - w turn,     dot(d, point) = -√D turn - w along,
+/// and, as D = u² + v² - w², the squares of the two terms differ by (along² - w² (x² + y²)) (u² + v²), or the same with turn².
+template <class Rows>
+Sign raySign(Rows& rows, RayPart part) {
+  using T = typename Rows::Number;
+  const Row<T> point = rows.row(2);
+  const Chord<T> end = chordOf(rows.row(0), rows.row(1));
+  const Chord<T> ray{point.x, point.y, T(0)};
+  const EdgeForm<T> form(end, ray);
+  const bool isLeftwards = part == RayPart::kLeftwards;
+  const T& rooted = isLeftwards ? form.along : form.turn;  // the factor of √D
+  const T& other = isLeftwards ? form.turn : form.along;
+  const Sign first = isLeftwards ? rows.sign(rooted, kRayForm.along) : -rows.sign(rooted, kRayForm.turn);
+  if (rows.hasEqualWeights()) return first;
+  const Sign second = -(rows.sign(end.w, kChord.w) * rows.sign(other, kRayForm.turn));
+  return signOfSum(first, second, [&] {
+    return -rows.sign(EdgeForm<T>::squares(end, ray, rooted), EdgeForm<Depth>::squares(kChord, kRay, kRayForm.along));
   });
 }
 

@@ -71,4 +71,17 @@ Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe
   return edgeSign(rows, j == nullptr, probe, [&] { return spanSign(rows); });
 }
 
+MaybeSign rayWhole(double x, double y, const Site& i, Corner j, Corner k, RayPart part) {
+  const Site point{x, y, i.r};
+  WholeRows rows(i, {j, k, &point});
+  if (rows.failed()) return {};
+  return {raySign(rows, part), true};
+}
+
+Sign rayExact(double x, double y, const Site& i, Corner j, Corner k, RayPart part) {
+  const Site point{x, y, i.r};
+  ExactRows rows(i, {j, k, &point});
+  return raySign(rows, part);
+}
+
 }  // namespace apollonius::stages

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "predicate/direction.h"
 #include "predicate/pole.h"
 #include "predicate/shadow_check.h"
 #include "predicate/stages.h"
@@ -64,6 +65,21 @@ bool circleIsBeaten(Corner i, Corner j, Corner k, Corner q) {
   if (sign != Sign::kZero) return sign == Sign::kPositive;
   ++counts().vertexDegenerate;
   return stages::vertexDegenerate(*i, j, k, q);
+}
+
+/// A coordinate of a ray in the frame of a face's direction.
+Sign raySign(double x, double y, const VoronoiCircle& circle, const Site& i, Corner j, Corner k, stages::RayPart part) {
+  const auto byCircle = [&]() -> MaybeSign {
+    Arrow d = directionOf(circle, i);
+    if (part == stages::RayPart::kAlong) d = {d.y, -d.x, d.error};  // turned by a quarter
+    return turn(d, directionOf(x, y, i));
+  };
+  Question question([&] { return stages::rayExact(x, y, i, j, k, part); }, counts().rayExact);
+  if (question.isSettledBy(byCircle(), counts().rayCached)) return question.settled();
+  if (question.isSettledBy(stages::rayFilter(x, y, i, j, k, part), counts().rayFilter)) return question.settled();
+  if (question.isSettledBy(stages::rayMiddle(x, y, i, j, k, part), counts().rayMiddle)) return question.settled();
+  if (question.isSettledBy(stages::rayWhole(x, y, i, j, k, part), counts().rayWhole)) return question.settled();
+  return question.exact();
 }
 
 bool coversCorner(const Site& q, Corner c) { return c != nullptr && covers(q, *c); }
@@ -133,6 +149,13 @@ bool isVertexAtInfinity(const Site& i, const Site& j, const Site& k) {
 bool touchesBetween(const Site& i, const Site& j, const Site& k) {
   // √p is the distance of two points of contact, so the outer two have the largest.
   return stages::lorentzDifference(i, j, i, k) == Sign::kPositive && stages::lorentzDifference(i, j, j, k) == Sign::kPositive;
+}
+
+Bearing bearingOf(double x, double y, const VoronoiCircle& circle, const Site& i, Corner j, Corner k) {
+  const Sign left = raySign(x, y, circle, i, j, k, stages::RayPart::kLeftwards);
+  if (left != Sign::kZero) return left == Sign::kPositive ? Bearing::kLeft : Bearing::kRight;
+  const Sign along = raySign(x, y, circle, i, j, k, stages::RayPart::kAlong);
+  return along == Sign::kPositive ? Bearing::kAlong : Bearing::kOpposite;
 }
 
 bool isInteriorInConflict(const EdgeCorners& edge, const Site& q) {

@@ -41,6 +41,13 @@ namespace apollonius {
 /// On the common tangent line of such a face: does k touch it between i and j? Degree 2.
 [[nodiscard]] bool touchesBetween(const Site& i, const Site& j, const Site& k);
 
+/// Where a ray lies as seen along a direction.
+enum class Bearing : signed char { kAlong, kLeft, kOpposite, kRight };
+
+/// Of the ray from the centre of i through (x, y), seen along the direction from that centre to the vertex of the face (i, j, k).
+/// `circle` is the face's cached circle, which is asked first. REQUIRES: a face of a diagram, i finite, (x, y) not the centre. Degree 8.
+[[nodiscard]] Bearing bearingOf(double x, double y, const VoronoiCircle& circle, const Site& i, Corner j, Corner k);
+
 /// A Voronoi edge: the part of the bisector of i and j from its vertex (j, i, l) to its vertex (i, j, k), with i on its left.
 /// At most one of i, j, and at most one corner of each face, is infinite.
 struct EdgeCorners {

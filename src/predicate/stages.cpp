@@ -165,6 +165,22 @@ MaybeSign edgeMiddle(const Site& i, Corner j, Corner k, Corner l, const Site& q,
   return {sign, !rows.failed() && !spanFailed};
 }
 
+// --- Rays ----------------------------------------------------------------------------------------------------------------------
+
+MaybeSign rayFilter(double x, double y, const Site& i, Corner j, Corner k, RayPart part) {
+  const Site point{x, y, i.r};
+  FilterRows rows(i, {j, k, &point});
+  const Sign sign = raySign(rows, part);
+  return {sign, !rows.failed()};
+}
+
+MaybeSign rayMiddle(double x, double y, const Site& i, Corner j, Corner k, RayPart part) {
+  const Site point{x, y, i.r};
+  UnitRows rows(i, {j, k, &point});
+  const Sign sign = raySign(rows, part);
+  return {sign, !rows.failed()};
+}
+
 Counts& counts() {
   thread_local Counts counts;
   return counts;

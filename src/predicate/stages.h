@@ -55,6 +55,14 @@ enum class Probe : signed char { kMiddle = 1, kOpposite = -1 };
 [[nodiscard]] MaybeSign edgeWhole(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
 [[nodiscard]] Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
 
+/// Two coordinates of a ray from i's centre through (x, y) in the frame of the direction d from there to the vertex of the face (i, j, k):
+/// positive to the left of d, and positive along d.
+enum class RayPart : signed char { kLeftwards, kAlong };
+[[nodiscard]] MaybeSign rayFilter(double x, double y, const Site& i, Corner j, Corner k, RayPart part);
+[[nodiscard]] MaybeSign rayMiddle(double x, double y, const Site& i, Corner j, Corner k, RayPart part);
+[[nodiscard]] MaybeSign rayWhole(double x, double y, const Site& i, Corner j, Corner k, RayPart part);
+[[nodiscard]] Sign rayExact(double x, double y, const Site& i, Corner j, Corner k, RayPart part);
+
 /// How often each stage answered in this thread since the last reset (`cached`: the filter by cached circles). Vertex conflicts and
 /// distances that are settled where they arise (circleFilter, walks) are not counted.
 struct Counts {
@@ -76,6 +84,11 @@ struct Counts {
   unsigned long long edgeMiddle = 0;
   unsigned long long edgeWhole = 0;
   unsigned long long edgeExact = 0;
+  unsigned long long rayCached = 0;
+  unsigned long long rayFilter = 0;
+  unsigned long long rayMiddle = 0;
+  unsigned long long rayWhole = 0;
+  unsigned long long rayExact = 0;
 };
 [[nodiscard]] Counts& counts();
 

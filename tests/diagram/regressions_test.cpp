@@ -35,7 +35,7 @@ TEST(Regressions, AllFilesReplay) {
     for (const Location location : {Location::kHierarchy, Location::kWalk}) {
       Checks checks;
       checks.location = location;
-      checks.compareEveryStep = true;
+      checks.compareEveryStep = history.size() <= 100;
       checks.oracleUpTo = 10;
       EXPECT_EQ(checkHistory(history, checks), "");
     }

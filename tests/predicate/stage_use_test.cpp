@@ -81,6 +81,9 @@ TEST(StageUse, LongestNumbersFitTheExactStage) {
     (void)stages::vertexExact(s[0], &s[1], &s[2], &s[3]);
     (void)stages::isOppositePoleExact(s[0], &s[1], &s[2], &s[3]);
     (void)stages::distanceExact(s[0].x, s[0].y, s[1], s[2]);
+    for (const stages::RayPart part : {stages::RayPart::kLeftwards, stages::RayPart::kAlong}) {
+      (void)stages::rayExact(s[0].x, s[1].y, s[2], &s[3], &s[4], part);
+    }
     for (const stages::Probe probe : {stages::Probe::kMiddle, stages::Probe::kOpposite}) {
       (void)stages::edgeExact(s[0], &s[1], &s[2], &s[3], s[4], probe);
       (void)stages::edgeExact(s[0], nullptr, &s[2], &s[3], s[4], probe);

@@ -52,6 +52,7 @@ const std::vector<NamedGenerator>& corpus() {
       {"EqualRadii", equalRadii},
       {"TangentOutside", tangentOutside},
       {"TangentInside", tangentInside},
+      {"TangentInLayers", tangentInLayers},
       {"Concentric", concentric},
       line("HorizontalLineEqualSpacing", Line::kHorizontal, true, 0),
       line("VerticalLineEqualSpacing", Line::kVertical, true, 1),

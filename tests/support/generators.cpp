@@ -221,6 +221,19 @@ Circles commonTangent(Random& random, std::size_t n, int common) {
   return circles;
 }
 
+Circles tangentInLayers(Random& random, std::size_t n) {
+  Circles circles;
+  const Circles directions = cocircularPoints(random, n / 4 + 1);
+  for (std::size_t k = 0; k < n; ++k) {
+    const Circle& direction = directions[random.below(directions.size())];
+    const auto layer = static_cast<double>(random.integer(0, 6));
+    Circle circle{direction.x * (layer + 1), direction.y * (layer + 1), 32045 * layer};
+    if (random.oneIn(10)) circle.r += static_cast<double>(random.integer(-1, 1));
+    circles.push_back(circle);
+  }
+  return circles;
+}
+
 Circles giantDiskExact(Random& random, std::size_t n) {
   constexpr std::int64_t kGiant = 32045;
   const Circles rim = cocircularPoints(random, n / 3);
