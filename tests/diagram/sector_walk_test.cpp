@@ -26,7 +26,8 @@ std::vector<double> pointsOnRays(Random& random, const Circles& circles, int cou
   for (int k = 0; k < count; ++k) {
     const Circle& a = circles[random.below(circles.size())];
     const Circle& b = circles[random.below(circles.size())];
-    const double along = random.oneIn(2) ? static_cast<double>(random.integer(-3, 4)) / 2 : random.between(-1, 3);
+    const double along = random.oneIn(2) ? static_cast<double>(random.integer(-3, 4)) / 2
+                         : random.oneIn(2) ? 1 + random.between(-1, 1) * random.unit() * random.unit() * 0.3 : random.between(-1, 3);
     double x = a.x + along * (b.x - a.x), y = a.y + along * (b.y - a.y);
     if (random.oneIn(4)) x = nudged(random, x);
     if (random.oneIn(4)) y = nudged(random, y);

@@ -223,12 +223,12 @@ Circles commonTangent(Random& random, std::size_t n, int common) {
 
 Circles tangentInLayers(Random& random, std::size_t n) {
   Circles circles;
-  const Circles directions = cocircularPoints(random, n / 4 + 1);
+  const Circles directions = cocircularPoints(random, n);
   for (std::size_t k = 0; k < n; ++k) {
     const Circle& direction = directions[random.below(directions.size())];
-    const auto layer = static_cast<double>(random.integer(0, 6));
+    const auto layer = static_cast<double>(random.oneIn(2) ? 0 : random.integer(0, random.oneIn(8) ? 10000 : 6));
     Circle circle{direction.x * (layer + 1), direction.y * (layer + 1), 32045 * layer};
-    if (random.oneIn(10)) circle.r += static_cast<double>(random.integer(-1, 1));
+    if (random.oneIn(30)) circle.r += static_cast<double>(random.integer(-1, 1));
     circles.push_back(circle);
   }
   return circles;

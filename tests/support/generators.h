@@ -68,7 +68,7 @@ Circles cocircularPoints(Random& random, std::size_t n);
 Circles commonTangent(Random& random, std::size_t n, int common);
 
 /// Integer circles (x (m + 1), y (m + 1), m c) for x² + y² = c², c = 32045: all touch the circle of radius c about the origin from
-/// outside, and so one vertex has as many edges of length zero; many directions coincide. A tenth is moved by one unit.
+/// outside, and so one vertex has as many edges of length zero; many directions coincide; m is 0 for half of them and huge for a few. Some are resized by one unit.
 Circles tangentInLayers(Random& random, std::size_t n);
 
 /// A giant circle and n integer circles, each exactly tangent to it: from outside (visible), from inside (hidden), or with its
