@@ -94,6 +94,21 @@ function drawing({ rounds, seconds, sizes }) {
   }));
 }
 
+/** Sorted orders against random ones, and sites that hide each other. `insert` is one by one. */
+function orders({ rounds, seconds, limit, family: n }) {
+  const common = { seconds, limit };
+  const scene = (family, size, ...steps) => ({
+    part: "orders", family, n: size, rounds: Math.min(rounds, 3), steps: steps.map((step) => ({ ...step, who: ours, ...common })),
+  });
+  const sorted = ["line", "parallels", "rows"].flatMap((family) => [family, `${family}-shuffled`]);
+  return [
+    ...[n / 10, n].flatMap((size) => sorted.map((family) => scene(family, size, { op: "insert" }))),
+    scene("line-shuffled", n, { op: "removeNearest", count: n / 10 }),
+    ...["duplicates", "concentric", "chain"].map((family) => scene(family, n, { op: "kNearest", count: 1000 }, { op: "removeNearest", count: n / 10 })),
+    scene("random5", n, { op: "kNearest", count: 10_000 }, { op: "removeNearest", count: n / 10 }),
+  ];
+}
+
 /** Snapshots against building, and `findMany` on threads that restored one. */
 function snapshots({ rounds, seconds, limit, sizes }) {
   const cores = availableParallelism();
@@ -123,7 +138,7 @@ function border({ rounds, seconds, memory, churn }) {
   ];
 }
 
-export const parts = { scaling, families: kinds, table1: tableOne, moves, drawing, snapshots, border };
+export const parts = { scaling, families: kinds, orders, table1: tableOne, moves, drawing, snapshots, border };
 
 /** The scenes of a mode, of all parts or of one. */
 export function scenesOf(mode, only) {

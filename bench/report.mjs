@@ -6,6 +6,7 @@ import { targetsTable } from "./targets.mjs";
 const titles = {
   scaling: "Against the number of sites (random circles, 5 % hidden)",
   families: "Kinds of input",
+  orders: "Sorted orders one by one, and sites that hide each other",
   moves: "10 000 moving sites (µs per site; `updateMany`: times 10 is ms per frame)",
   drawing: "Drawing all edges (d3-delaunay: of the centres' cells), and the areas of all cells (µs per site)",
   snapshots: "Snapshots (µs per site; threads: µs per point, all of them together)",

@@ -3,7 +3,7 @@
 //   npm run bench                      about eight minutes        -> bench/results/latest.{json,md,svg}
 //   npm run bench -- --quick           under a minute             -> build/bench-results/
 //   npm run bench -- --full            all of it, up to 10 000 000 sites, hours -> bench/results/
-//   npm run bench -- --only families   one part: scaling, families, table1, moves, drawing, snapshots, border -> build/bench-results/
+//   npm run bench -- --only families   one part: scaling, families, orders, table1, moves, drawing, snapshots, border -> build/bench-results/
 //   npm run bench -- --without cgal    leaves a contender out (may be repeated)           -> build/bench-results/
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";

@@ -31,6 +31,7 @@ function goals(records, member) {
   const toRandom = (name, op = "build") => [`${op} ${name} / random, ${family}`, kind(name, op) / kind("random5", op)];
   const drawn = records.find(({ part }) => part === "drawing")?.n;
   const drawing = (name, op, contender = "wasm") => us(`drawing ${name} ${drawn} ${op} ${contender}`);
+  const ordered = (name, op) => us(`orders ${name} ${family} ${op} wasm`);
   const memory = records.find(({ op }) => op === "memory");
   const churn = records.find(({ op }) => op === "churn");
   const megabytes = (bytes) => bytes / 2 ** 20;
@@ -54,6 +55,13 @@ function goals(records, member) {
     [...toRandom("cocircular"), most(3)],
     [...toRandom("planet", "findNear"), most(3)],
     [...toRandom("planet", "remove"), most(3)],
+    ...["line", "parallels", "rows"].map((name) => [
+      `one by one, ${name} ${family}: sorted / shuffled`, ordered(name, "insert") / ordered(`${name}-shuffled`, "insert"), most(5),
+    ]),
+    ...["line-shuffled", "duplicates", "concentric", "chain"].map((name) => [
+      `remove the nearest, ${name} ${family}: / random`, ordered(name, "removeNearest") / ordered("random5", "removeNearest"), most(5),
+    ]),
+    [`10 nearest, chain ${family}: / random`, ordered("chain", "kNearest") / ordered("random5", "kNearest"), most(5)],
     [`heap per site, ${memory?.n} sites, bytes`, memory?.bytesPerSite, most(160)],
     ["heap growth from 1000 pairs to all, MiB", churn && megabytes(churn.bytesAfterAll - churn.bytesAfterThousand), most(0)],
     ["updateMany of 10000 (0.01 spacings), ms a frame", us("moves random5 10000 0.01 spacings updateMany wasm") * 10, most(10)],

@@ -138,6 +138,17 @@ function cellAreas(request) {
   return error < 1e-9 ? withVisible({ ...answer, sink }) : { error: `areas do not add up: ${error}` };
 }
 
+/** Ten. */
+function kNearest(request) {
+  ensureDiagram(request);
+  const { diagram } = current;
+  const points = readQueries(request);
+  let sink = 0;
+  const answer = sampled(request, points.length / 2, () => { sink = 0; }, () =>
+    forEachUntil(request.limit, points.length / 2, (k) => { sink += diagram.kNearest(points[2 * k], points[2 * k + 1], 10).at(-1); }));
+  return withVisible({ ...answer, sink });
+}
+
 // --- Changes: on the sites at the end of the set, whose ids are their places in it ---------------------------------------------
 
 /** The visible ones among the last `count` sites, last first: CGAL cannot remove the others. */
@@ -159,6 +170,25 @@ function removed(request, atOnce) {
     current.isWhole = false;
     if (atOnce) return void (sink = diagram.removeMany(ids));
     return forEachUntil(request.limit, ids.length, (k) => { sink += diagram.remove(ids[k]); });
+  });
+  return withVisible({ ...answer, sink });
+}
+
+/** The site nearest to each of `count` places: of sites that hide each other, the visible one. */
+function removeNearest(request) {
+  load(request);
+  const points = readQueries(request);
+  let sink = 0;
+  const prepare = () => {
+    ensureDiagram(request);
+    sink = 0;
+  };
+  const answer = sampled(request, Math.min(points.length / 2, size() - 1), prepare, () => {
+    const { diagram } = current;
+    current.isWhole = false;
+    return forEachUntil(request.limit, Math.min(points.length / 2, size() - 1), (k) => {
+      sink += diagram.remove(diagram.find(points[2 * k], points[2 * k + 1]));
+    });
   });
   return withVisible({ ...answer, sink });
 }
@@ -245,6 +275,7 @@ function churn(request) {
 
 export const operations = {
   build, find, findMany, draw, cellAreas, churn, toBytes, fromBytes, findManyOnThreads,
+  kNearest, removeNearest,
   findNear: find,
   findManyNear: findMany,
   insert: (request) => insertOneByOne(request, "hierarchy"),

@@ -50,6 +50,7 @@ const std::map<std::string, Operations::Operation>& Operations::operations() {
       {"findManyNear", &Operations::findMany}, {"remove", &Operations::remove},     {"removeMany", &Operations::removeMany},
       {"update", &Operations::update},       {"updateMany", &Operations::updateMany},
       {"toBytes", &Operations::toBytes},     {"fromBytes", &Operations::fromBytes},
+      {"kNearest", &Operations::kNearest},   {"removeNearest", &Operations::removeNearest},
   };
   return all;
 }
@@ -186,6 +187,22 @@ Answer Operations::findMany(const Request& request) {
   return answer;
 }
 
+/// Ten.
+Answer Operations::kNearest(const Request& request) {
+  ensureDiagram();
+  const std::vector<double> points = queries(request);
+  std::vector<SiteId> found;
+  double sum = 0;
+  Answer answer = sampled(request, points.size() / 2, [&] { sum = 0; }, [&](std::size_t& items) {
+    forEachUntil(request.limit, items, [&](std::size_t k) {
+      check(diagram_.kNearest(points[2 * k], points[2 * k + 1], 10, found));
+      sum += found.back();
+    });
+  });
+  answer.sink = sum;
+  return answer;
+}
+
 // --- Changes: on the sites at the end of the set -------------------------------------------------------------------------------
 
 // The visible ones: CGAL cannot remove the others.
@@ -220,6 +237,29 @@ Answer Operations::removed(const Request& request, bool atOnce) {
   });
   answer.sink = static_cast<double>(sum);
   answer.extra = stages::perItem(ids.size());
+  return answer;
+}
+
+/// The site nearest to each of `count` places: of sites that hide each other, the visible one.
+Answer Operations::removeNearest(const Request& request) {
+  const std::vector<double> points = queries(request);
+  std::size_t sum = 0;
+  const auto prepare = [&] {
+    ensureDiagram();
+    sum = 0;
+  };
+  Answer answer = sampled(request, std::min(points.size() / 2, size() - 1), prepare, [&](std::size_t& items) {
+    isWhole_ = false;
+    forEachUntil(request.limit, items, [&](std::size_t k) {
+      SiteId id;
+      double distance;
+      bool isRemoved;
+      check(diagram_.find(points[2 * k], points[2 * k + 1], id, distance));
+      check(diagram_.remove(id, isRemoved));
+      sum += isRemoved;
+    });
+  });
+  answer.sink = static_cast<double>(sum);
   return answer;
 }
 

@@ -30,10 +30,12 @@ class Operations {
   Answer insertByWalk(const Request& request);
   Answer find(const Request& request);
   Answer findMany(const Request& request);
+  Answer kNearest(const Request& request);
   Answer toBytes(const Request& request);
   Answer fromBytes(const Request& request);
   Answer remove(const Request& request);
   Answer removeMany(const Request& request);
+  Answer removeNearest(const Request& request);
   Answer update(const Request& request);
   Answer updateMany(const Request& request);
 

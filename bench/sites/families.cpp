@@ -77,6 +77,30 @@ SiteSet powerLaw(Random& numbers, std::size_t n) {
   return {std::move(circles)};
 }
 
+/// Points (k, row) for all k, row by row: a line for one row.
+SiteSet rowByRow(std::size_t n, std::size_t rows) {
+  Circles circles;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t perRow = (n + rows - 1) / rows;
+    circles.push_back({static_cast<double>(k % perRow), static_cast<double>(k / perRow), 0});
+  }
+  return {std::move(circles), 1};
+}
+
+std::size_t sideOf(std::size_t n) { return static_cast<std::size_t>(std::sqrt(static_cast<double>(n))); }
+
+SiteSet shuffled(Random& numbers, SiteSet sites) {
+  numbers.shuffle(sites.circles);
+  return sites;
+}
+
+/// Circles k = 1 … n about (k spread, 0) with radius k: concentric for 0, each touching the next from inside for 1.
+SiteSet nested(Random& numbers, std::size_t n, double spread) {
+  Circles circles;
+  for (std::size_t k = 1; k <= n; ++k) circles.push_back({spread * static_cast<double>(k), 0, static_cast<double>(k)});
+  return shuffled(numbers, {std::move(circles), 1});
+}
+
 struct Family {
   std::string_view name;
   SiteSet (*make)(Random&, std::size_t);
@@ -96,6 +120,17 @@ constexpr Family kFamilies[] = {
     {"powerlaw", powerLaw},
     // The giant comes first, so that every later insertion meets it, and removals from the back do not.
     {"planet", [](Random& numbers, std::size_t n) { return SiteSet{test::giantDisk(numbers, n - 1), 1000}; }},
+    // Orders: the same points sorted and in random order.
+    {"line", [](Random&, std::size_t n) { return rowByRow(n, 1); }},
+    {"line-shuffled", [](Random& numbers, std::size_t n) { return shuffled(numbers, rowByRow(n, 1)); }},
+    {"parallels", [](Random&, std::size_t n) { return rowByRow(n, 2); }},
+    {"parallels-shuffled", [](Random& numbers, std::size_t n) { return shuffled(numbers, rowByRow(n, 2)); }},
+    {"rows", [](Random&, std::size_t n) { return rowByRow(n, sideOf(n)); }},
+    {"rows-shuffled", [](Random& numbers, std::size_t n) { return shuffled(numbers, rowByRow(n, sideOf(n))); }},
+    // One visible site, all others below it.
+    {"duplicates", [](Random&, std::size_t n) { return SiteSet{Circles(n, Circle{1, 1, 1}), 1}; }},
+    {"concentric", [](Random& numbers, std::size_t n) { return nested(numbers, n, 0); }},
+    {"chain", [](Random& numbers, std::size_t n) { return nested(numbers, n, 1); }},
 };
 
 struct Box {
