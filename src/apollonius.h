@@ -65,7 +65,8 @@ class Diagram {
   [[nodiscard]] Error insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count, Array<SiteId>& ids);
 
   /// Removes a site; `removed` tells whether there was one. Sites that only it covered become visible again.
-  /// Errors: kOutOfMemory. Cost: O(1) for a hidden site, else expected O((d + its direct hidden children) log of that).
+  /// Errors: kOutOfMemory. Cost: O(log n) amortised for a hidden site and for the visible one of nested or identical
+  /// sites, else expected O(k log k) with k = d + the hidden sites directly below it.
   [[nodiscard]] Error remove(SiteId id, bool& removed);
 
   /// Removes several; unknown and repeated ids are skipped, `removed` counts the others. Errors: kOutOfMemory.

@@ -144,8 +144,9 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Removes a site (paper, section 5); false if there is no such site. Sites that only it covered become visible. Cost: O(1)
-   * for a hidden site, else expected O(k log k) with k = d + the hidden sites directly below it.
+   * Removes a site (paper, section 5); false if there is no such site. Sites that only it covered become visible. Cost:
+   * O(log n) amortised for a hidden site and for the visible one of nested or identical circles, else expected
+   * O(k log k) with k = d + the hidden sites directly below it.
    */
   remove(id: number): boolean {
     const native = this.#living();

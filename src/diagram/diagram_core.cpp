@@ -5,8 +5,21 @@
 #include "diagram/sort_by_key.h"
 #include "diagram/spatial_order.h"
 #include "memory/flat_array.h"
+#include "predicate/predicates.h"
 
 namespace apollonius {
+
+namespace {
+
+/// Of slots.
+struct Covers {
+  const DelaunayGraph& graph;
+  bool operator()(Slot a, Slot b) const {
+    return covers(graph.site(DiagramCore::vertexOf(a)), graph.site(DiagramCore::vertexOf(b)));
+  }
+};
+
+}  // namespace
 
 void DiagramCore::reserve(std::size_t slots) {
   ids_.reserve(slots);
@@ -43,10 +56,10 @@ SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start) {
   const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_, &hidden_);
   if (insertion.cover != kNoVertex) {
     hidden_.reserveChildren(1);
-    hidden_.attach(slot, slotOf(insertion.cover));
+    hang(slot, slotOf(insertion.cover));
     return SiteState::kHidden;
   }
-  // From here on nothing throws.
+  // From here on nothing throws. None of these covers another: they were visible.
   for (const VertexId covered : insertion.covered) {
     hidden_.attach(slotOf(covered), slot);
     ids_.setState(slotOf(covered), SiteState::kHidden);
@@ -86,27 +99,28 @@ std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
 
 void DiagramCore::displace(Slot slot) {
   if (ids_.state(slot) == SiteState::kHidden) {
-    hidden_.dissolve(slot);  // what it covered is covered by its parent, too
+    hidden_.dissolve(slot, Covers{base_});  // what it covered is covered by its parent, too
   } else {
     displaceVisible(slot);
   }
   ids_.setState(slot, SiteState::kPending);
 }
 
+void DiagramCore::hang(Slot child, Slot parent) noexcept { hidden_.hang(child, parent, Covers{base_}); }
+
 void DiagramCore::displaceVisible(Slot slot) {
-  children_.clear();
-  for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
-    children_.push_back(vertexOf(child));
-  }
+  sortOutChildren(slot);
   const std::span<const Remover::Fate> fates = remover_.remove(base_, vertexOf(slot), children_);
   // From here on nothing throws.
-  for (const Remover::Fate& fate : fates) {
-    const Slot child = slotOf(fate.vertex);
-    hidden_.detach(child);
-    if (fate.cover == kNoVertex) {
-      ids_.setState(child, SiteState::kVisible);
-    } else {
-      hidden_.attach(child, slotOf(fate.cover));
+  for (const std::span<const Remover::Fate> all : {std::span<const Remover::Fate>(adopted_), fates}) {
+    for (const Remover::Fate& fate : all) {
+      const Slot child = slotOf(fate.vertex);
+      hidden_.detach(child);
+      if (fate.cover == kNoVertex) {
+        ids_.setState(child, SiteState::kVisible);
+      } else {
+        hang(child, slotOf(fate.cover));
+      }
     }
   }
   leaveLocation(slot);
@@ -116,12 +130,39 @@ void DiagramCore::displaceVisible(Slot slot) {
   }
 }
 
+/// The largest adopts all children that it covers: a question each, while the remover has to find a place for each that
+/// it gets. That goes on with the largest of the rest as long as a quarter of them is adopted: at most four questions a
+/// child.
+void DiagramCore::sortOutChildren(Slot slot) {
+  children_.clear();
+  adopted_.clear();
+  for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
+    children_.push_back(vertexOf(child));
+  }
+  adopted_.reserve(children_.size());
+  const auto isSmaller = [this](VertexId a, VertexId b) { return precedes(base_.site(a), base_.site(b)); };
+  for (std::size_t done = 0; done + 1 < children_.size(); ++done) {
+    VertexId* const first = children_.begin() + done;
+    std::iter_swap(first, std::max_element(first, children_.end(), isSmaller));
+    const VertexId largest = *first;
+    const auto isAdopted = [&](VertexId child) {
+      const bool isCovered = covers(base_.site(largest), base_.site(child));
+      if (isCovered) adopted_.push_back({child, largest});
+      return isCovered;
+    };
+    VertexId* const end = std::remove_if(first + 1, children_.end(), isAdopted);
+    const auto rest = children_.end() - first, adopted = children_.end() - end;
+    children_.resize(static_cast<std::size_t>(end - children_.begin()));
+    if (4 * adopted < rest) break;
+  }
+}
+
 void DiagramCore::enterLocation(Slot slot) noexcept {
   if (!usesHierarchy_) return;
   if (!isHierarchyDue_) hierarchy_.insert(slot, site(slot));
   if (walk_ != Walk::kSectors || isBulk_) return;
   grid_.insert(slot, site(slot));
-  if (grid_.isOutgrown()) rebuildGrid();
+  if (grid_.isOutgrown(ids_.slots())) rebuildGrid();
 }
 
 void DiagramCore::leaveLocation(Slot slot) noexcept {
@@ -199,7 +240,7 @@ bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
 void DiagramCore::followMove(Slot slot, const Site& from) noexcept {
   if (!isHierarchyDue_) hierarchy_.move(slot, site(slot), remover_);
   grid_.move(slot, from, site(slot));
-  if (grid_.isOutgrown()) rebuildGrid();
+  if (grid_.isOutgrown(ids_.slots())) rebuildGrid();
 }
 
 void DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order) {

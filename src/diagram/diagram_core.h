@@ -102,6 +102,10 @@ class DiagramCore {
   /// Undoes a displacement. There is room for it: the ballast has been dropped.
   void restore(Slot slot, const Site& site) noexcept { ids_.setState(slot, place(slot, site, kNoVertex)); }
   void displaceVisible(Slot slot);
+  /// Into children_ what hangs on a visible site and may become visible, into adopted_ the rest of what hangs on it.
+  void sortOutChildren(Slot slot);
+  /// Hangs a site of no other structure on one that covers it, or below. There is room; nothing throws.
+  void hang(Slot child, Slot parent) noexcept;
   /// What location needs to know of a site that became visible, and of one that is visible no more.
   void enterLocation(Slot slot) noexcept;
   void leaveLocation(Slot slot) noexcept;
@@ -132,6 +136,7 @@ class DiagramCore {
   FlatArray<SiteMoves::Move> moves_;  // scratch of moveManyInPlace
   Ballast ballast_;
   FlatArray<VertexId> children_;  // scratch of displaceVisible
+  FlatArray<Remover::Fate> adopted_;
 };
 
 }  // namespace apollonius

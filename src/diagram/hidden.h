@@ -2,6 +2,34 @@
 // what hangs on it, so that covering costs O(1), and removing a site concerns only what hangs on it directly. (The paper's
 // lists, section 3.3, hang everything on visible sites and pay O(n) for the removal of a hidden one.)
 //
+// Were all new ones hung on the visible site itself, its removal would have to look at each. So `hang` makes a
+// skew heap of those that cover each other (Sleator and Tarjan, Self-adjusting heaps, 1986), which keeps nothing
+// but the order of the children: a site that has kFew children compares the next one with its last child; the
+// smaller of the two goes on below the larger, and that moves to the front, so that another child is the last one
+// next time. Where neither covers the other, the new one is hung beside.
+//
+// What holds after any history, T being the number of insertions since clear():
+//  1. Of a family in which of any two sites one covers the other (duplicates, concentric circles, circles that
+//     touch in one point from inside), no site has more than kFew children. For hang() puts a site beside kFew
+//     others only if it has compared it with one of them; dissolve() hangs the children of such a site anew; and
+//     of the children of a visible site that is removed, the largest gets the others
+//     (DiagramCore::displaceVisible). Not meant are sites that have been moved in place, which may change what
+//     they are to each other.
+//  2. hang() asks O(log T) questions amortised, whatever the family.
+//     Proof. Let each site weigh 1 when it comes, and a hidden one that is dissolved leave its weight to its
+//     parent. A tree weighs what its sites weigh; a child is heavy if its tree weighs more than half of its
+//     parent's. The potential is the number of sites whose last child is heavy. hang() goes down two trees, that
+//     of the parent and that of the new site, always to a last child. Each step asks about the last child of one
+//     site, which then is the first child, or has been replaced by the first. If it was heavy, the last one is
+//     not heavy now, as the others weigh less than half together and the whole has not become lighter: the
+//     potential has paid. If it was not, its tree weighs at most half of its parent's: that happens log2 T times
+//     at most in each tree, and the potential grows by 1 at most. The last question and the new link cost O(1).
+//     Covering, detaching and dissolving change one list of children each, and no weight above it: what is hung
+//     on by then is visible, or dissolve's parent, or a child of the site that is being removed. []
+// So a removal from such a family costs O(log T) amortised. In general it costs what the m direct children cost:
+// they may be m sites that cover nobody, of which only the diagram of all can tell which become visible. Each is
+// hung then on what covers it, so that it comes up again only when that one is removed.
+//
 // Children form a list with both ends known to the parent; the ends name the parent where there is no further sibling, so that
 // taking a site out, with its children put in its place, needs no search.
 //
@@ -43,7 +71,13 @@ class HiddenForest {
   }
 
   /// Hangs a root on `parent`, as its last child, with all that hangs on it. REQUIRES: room (reserveChildren).
-  void attach(Node child, Node parent);
+  void attach(Node child, Node parent) { insertBefore(kEnd | parent, child, parent); }
+
+  /// Hangs a root on `parent` or below, and perhaps something from below that on the root, as said above. covers(a, b):
+  /// may b hang on a? A partial order, but for identical sites, and it must not throw.
+  /// REQUIRES: covers(parent, child), and room.
+  template <class Covers>
+  void hang(Node child, Node parent, Covers covers);
 
   /// Takes a child off its parent, with all that hangs on it.
   void detach(Node child) {
@@ -52,8 +86,10 @@ class HiddenForest {
     --children_;
   }
 
-  /// Takes a child off its parent and hangs its own children in its place.
-  void dissolve(Node child);
+  /// Takes a child off its parent and hangs its own children there: in its place, or one by one if there are few. Cost:
+  /// O(1), or that of hanging these.
+  template <class Covers>
+  void dissolve(Node child, Covers covers);
 
   /// Forgets everything but the room.
   void clear();
@@ -75,8 +111,20 @@ class HiddenForest {
   void ensureRecord(Node n);
   void releaseIfAlone(Node n);
 
+  /// Hangs a root on `parent`, before the child `sibling`, or as the last one if that is kEnd | parent.
+  void insertBefore(Node sibling, Node child, Node parent);
+
   /// Puts the list first … last (or nothing) in the place of child.
   void replace(Node child, Node first, Node last);
+
+  /// How many children a site takes without comparing them.
+  static constexpr int kFew = 2;
+  [[nodiscard]] bool hasFew(Node parent, int few) const {
+    for (Node child = firstChild(parent); child != kNone; child = nextSibling(child)) {
+      if (few-- == 0) return false;
+    }
+    return true;
+  }
 
   static constexpr std::uint32_t kBlock = 128;
 
@@ -111,19 +159,49 @@ inline void HiddenForest::releaseIfAlone(Node n) {
   records_[n] = kNone;
 }
 
-inline void HiddenForest::attach(Node child, Node parent) {
+inline void HiddenForest::insertBefore(Node sibling, Node child, Node parent) {
   ensureRecord(child);
   ensureRecord(parent);
-  Links& p = links(parent);
   Links& c = links(child);
-  c.after = kEnd | parent;
-  c.before = p.lastChild != kNone ? p.lastChild : kEnd | parent;
-  (p.lastChild != kNone ? links(p.lastChild).after : p.firstChild) = child;
-  p.lastChild = child;
+  Node& behind = isEnd(sibling) ? links(parent).lastChild : links(sibling).before;  // names who is before child now
+  c.after = sibling;
+  c.before = behind != kNone ? behind : kEnd | parent;
+  behind = child;
+  (isEnd(c.before) ? links(parent).firstChild : links(c.before).after) = child;
   ++children_;
 }
 
-inline void HiddenForest::dissolve(Node child) {
+template <class Covers>
+void HiddenForest::hang(Node child, Node parent, Covers covers) {
+  while (!hasFew(parent, kFew - 1)) {
+    const Node last = links(parent).lastChild;
+    if (covers(child, last)) {  // identical sites, too: one question less for the next
+      detach(last);
+      insertBefore(firstChild(parent), child, parent);
+      parent = child;
+      child = last;
+    } else if (covers(last, child)) {
+      detach(last);
+      insertBefore(firstChild(parent), last, parent);
+      parent = last;
+    } else {
+      break;
+    }
+  }
+  attach(child, parent);
+}
+
+template <class Covers>
+void HiddenForest::dissolve(Node child, Covers covers) {
+  const Node parent = hasFew(child, kFew) ? parentIfNear(child) : kNone;
+  if (parent != kNone) {
+    detach(child);
+    for (Node first = firstChild(child); first != kNone; first = firstChild(child)) {
+      detach(first);
+      hang(first, parent, covers);
+    }
+    return;
+  }
   Links& c = links(child);
   const Node first = c.firstChild, last = c.lastChild;
   c.firstChild = c.lastChild = kNone;

@@ -54,11 +54,7 @@ DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v, HiddenForest* fores
   if (visibleCount_ == 1) {
     covered_.push_back(recent_);
   } else {
-    covered_.reserve(visibleCount_);
-    for (std::size_t i = 1; i < graph_.vertexSlots(); ++i) {
-      const VertexId u{static_cast<std::uint32_t>(i)};
-      if (graph_.hasVertex(u)) covered_.push_back(u);
-    }
+    graph_.listVertices(covered_);
   }
   if (forest != nullptr) forest->reserveChildren(covered_.size());
   graph_.clear();

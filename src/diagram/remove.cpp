@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "diagram/spatial_order.h"
 #include "number/invariant.h"
 
 namespace apollonius {
@@ -29,11 +30,13 @@ std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId 
   buildSmall(diagram, hidden);
   fates_.reserve(hidden.size());
   const auto firstHidden = static_cast<std::uint32_t>(global_.size() - hidden.size());
-  for (std::size_t k = firstHidden; k < global_.size(); ++k) {
-    fates_.push_back({global_[k], cover_[k] == kNoVertex ? kNoVertex : global(cover_[k])});
+  for (const VertexId local : fallen_) {
+    if (index(local) >= firstHidden) fates_.push_back({global(local), global(cover_[index(local)])});
   }
-  const auto revived = static_cast<std::size_t>(
-      std::count_if(fates_.begin(), fates_.end(), [](const Fate& fate) { return fate.cover == kNoVertex; }));
+  const std::size_t revived = hidden.size() - fates_.size();
+  for (std::size_t k = firstHidden; k < global_.size(); ++k) {
+    if (cover_[k] == kNoVertex) fates_.push_back({global_[k], kNoVertex});
+  }
 
   if (remaining + revived < 2) {
     becomeSingle(diagram, small_.visibleCount() == 0 ? kNoVertex : global(small_.anyVisible()));
@@ -65,8 +68,10 @@ void Remover::buildSmall(const DelaunayGraph& diagram, std::span<const VertexId>
   small_.reserve(d + hidden.size() + 1);
   global_.assign(1, kInfinity);
   cover_.assign(1, kNoVertex);
+  fallen_.clear();
   global_.reserve(d + hidden.size() + 1);
   cover_.reserve(d + hidden.size() + 1);
+  fallen_.reserve(d + hidden.size());
 
   order_.assign(d, kNoVertex);  // local vertex of link position, once it has entered
   const auto enter = [&](std::size_t position, std::size_t predecessor) {
@@ -81,7 +86,22 @@ void Remover::buildSmall(const DelaunayGraph& diagram, std::span<const VertexId>
   for (; stride >= 1; stride /= 2) {
     for (std::size_t position = stride; position < d; position += 2 * stride) enter(position, position - stride);
   }
-  for (const VertexId u : hidden) addLocal(diagram, u, kNoVertex);
+  if (hidden.size() < kMany) {
+    for (const VertexId u : hidden) addLocal(diagram, u, kNoVertex);
+  } else {
+    addMany(diagram, hidden);
+  }
+}
+
+/// In the order of a bulk insertion, each from its predecessor. In any other one walks would be long.
+void Remover::addMany(const DelaunayGraph& diagram, std::span<const VertexId> hidden) {
+  FlatArray<double> centres;
+  centres.reserve(2 * hidden.size());
+  for (const VertexId u : hidden) {
+    centres.push_back(diagram.site(u).x);
+    centres.push_back(diagram.site(u).y);
+  }
+  for (const std::uint32_t k : inRandomizedRounds(hilbertOrder({centres, 2}))) addLocal(diagram, hidden[k], kNoVertex);
 }
 
 /// Adds a vertex of the diagram to the small one; returns the visible vertex at its place.
@@ -91,8 +111,12 @@ VertexId Remover::addLocal(const DelaunayGraph& diagram, VertexId v, VertexId st
   cover_.push_back(kNoVertex);
   small_.setSite(local, diagram.site(v));
   const DelaunayGraph::Insertion insertion = small_.insert(local, start);
-  cover_[index(local)] = insertion.cover;
-  for (const VertexId covered : insertion.covered) cover_[index(covered)] = local;
+  const auto fall = [&](VertexId fallen, VertexId cover) {
+    cover_[index(fallen)] = cover;
+    fallen_.push_back(fallen);
+  };
+  if (insertion.cover != kNoVertex) fall(local, insertion.cover);
+  for (const VertexId covered : insertion.covered) fall(covered, local);
   return insertion.cover == kNoVertex ? local : insertion.cover;
 }
 

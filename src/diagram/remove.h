@@ -21,13 +21,15 @@ class Remover {
   };
 
   /// Removes v from the diagram. `hidden` are the vertices that it covered and that may become visible (their sites are set).
-  /// Returns their fates, valid until the next call. Throws std::bad_alloc with the diagram unchanged.
+  /// Returns their fates, valid until the next call: first those that are covered, each before its cover if that is
+  /// covered, too. Throws std::bad_alloc with the diagram unchanged.
   /// Cost: as building a diagram of its d neighbours and of `hidden`.
   std::span<const Fate> remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden);
 
  private:
   void collectLink(const Graph& graph, VertexId v);
   void buildSmall(const DelaunayGraph& diagram, std::span<const VertexId> hidden);
+  void addMany(const DelaunayGraph& diagram, std::span<const VertexId> hidden);
   VertexId addLocal(const DelaunayGraph& diagram, VertexId v, VertexId start);
   void findPatch(const DelaunayGraph& diagram, VertexId v);
   void takeAllAsPatch();
@@ -37,12 +39,15 @@ class Remover {
   void becomeSingle(DelaunayGraph& diagram, VertexId v);
   [[nodiscard]] VertexId global(VertexId local) const { return local == kInfinity ? kInfinity : global_[index(local)]; }
 
+  static constexpr std::size_t kMany = 32;  // hidden sites
+
   EarClipper ears_;
 
   // The small diagram; its vertex k is the big one's global_[k], covered by the small one's cover_[k].
   DelaunayGraph small_;
   FlatArray<VertexId> global_;
   FlatArray<VertexId> cover_;
+  FlatArray<VertexId> fallen_;         // what is covered there, in the order in which that came
 
   FlatArray<HalfedgeId> link_;         // half-edges opposite to the site in its star, counter-clockwise
   FlatArray<VertexId> order_;          // neighbours in the order in which they enter the small diagram

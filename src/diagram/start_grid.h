@@ -42,8 +42,11 @@ class StartGrid {
     insert(slot, to);
   }
 
-  /// Has so much been inserted since the last rebuild that another one pays?
-  [[nodiscard]] bool isOutgrown() const { return noted_ > kLeast && noted_ > 2 * cells_.size(); }
+  /// Has so much been inserted since the last rebuild that another one pays, which looks at so many slots? Few of them
+  /// may be those of visible sites.
+  [[nodiscard]] bool isOutgrown(std::size_t slots) const {
+    return noted_ > kLeast && noted_ > 2 * cells_.size() && noted_ > slots / 64;
+  }
 
   /// Starts anew with all cells empty, for `sites` sites within a box; insert() each of them then, and call fillGaps().
   void rebuild(std::size_t sites, const Site& low, const Site& high) noexcept;

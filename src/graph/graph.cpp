@@ -20,10 +20,30 @@ void Graph::reserveFaces(std::size_t removed, std::size_t created) {
 }
 
 void Graph::clear() {
+  if (hasFewFaces()) {
+    for (const Halfedge& h : halfedges_) {
+      if (h.origin != kNoVertex) outgoing_[index(h.origin)] = kNoHalfedge;
+    }
+  } else {
+    outgoing_.assign(outgoing_.size(), kNoHalfedge);
+  }
   halfedges_.clear();
-  outgoing_.assign(outgoing_.size(), kNoHalfedge);
   firstFree_ = kNoHalfedge;
   freeFaces_ = 0;
+}
+
+void Graph::listVertices(FlatArray<VertexId>& vertices) const {
+  vertices.clear();
+  if (hasFewFaces()) {
+    for (std::size_t i = 0; i < halfedges_.size(); ++i) {
+      const VertexId v = halfedges_[i].origin;
+      if (v != kNoVertex && v != kInfinity && index(outgoing(v)) == i) vertices.push_back(v);
+    }
+  } else {
+    for (std::uint32_t v = 1; v < vertexSlots(); ++v) {
+      if (hasVertex(VertexId{v})) vertices.push_back(VertexId{v});
+    }
+  }
 }
 
 FaceId Graph::takeFace() {

@@ -41,6 +41,8 @@ class Graph {
   [[nodiscard]] std::size_t faceCount() const { return faceSlots() - freeFaces_; }
   [[nodiscard]] bool isLive(FaceId f) const { return origin(halfedgeOf(f, 0)) != kNoVertex; }
   [[nodiscard]] bool isEmpty() const { return faceCount() == 0; }
+  /// All vertices with a place but infinity; replaces the contents. Cost: as clear(). Throws std::bad_alloc.
+  void listVertices(FlatArray<VertexId>& vertices) const;
 
   // --- Room ----------------------------------------------------------------------------------------------------------------
   // The operations below allocate nothing: whoever calls them has made room, and can fail only there.
@@ -53,7 +55,7 @@ class Graph {
 
   // --- Operations ----------------------------------------------------------------------------------------------------------
 
-  /// Forgets everything but the room.
+  /// Forgets everything but the room. Cost: O(faceSlots()), however many vertex slots there are.
   void clear();
 
   /// The surface of two sites and infinity: two faces, three edges. REQUIRES isEmpty(), reserveFaces(0, 2), faces.size() == 2.
@@ -106,6 +108,8 @@ class Graph {
  private:
   friend class GraphBreaker;  // tests break a structure on purpose
 
+  /// Then it is faster to look at these than at all vertices.
+  [[nodiscard]] bool hasFewFaces() const { return halfedges_.size() < outgoing_.size() / 8; }
   [[nodiscard]] FaceId takeFace();
   void collectCorners(std::span<const FaceId> hole);
   void freeFace(FaceId f);

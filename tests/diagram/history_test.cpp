@@ -50,6 +50,18 @@ TEST(History, LongOnesOnGrids) {
   }
 }
 
+TEST(History, NestedFamiliesEveryStepCompared) {
+  Random random(230);
+  for (int run = 0; run < runs(400); ++run) {
+    const Circles pool = nestedFamilies(random, 4 + random.below(std::size_t{30}));
+    Checks checks;
+    checks.location = run % 2 == 0 ? Location::kHierarchy : Location::kWalk;
+    checks.compareEveryStep = true;
+    checks.oracleUpTo = 6;
+    ASSERT_EQ(failureOf(randomHistory(random, pool, 60), checks), "") << "run " << run;
+  }
+}
+
 class HistoryOn : public ::testing::TestWithParam<NamedGenerator> {};
 
 TEST_P(HistoryOn, EndsInAFreshBuild) {

@@ -49,11 +49,11 @@ TEST(StartGrid, SitesOnALineOrAtOnePlace) {
 TEST(StartGrid, IsOutgrownByAsMuchAsItHolds) {
   StartGrid grid;
   for (Slot id = 0; id < 64; ++id) grid.insert(id, {0, 0, 0});
-  EXPECT_FALSE(grid.isOutgrown());
+  EXPECT_FALSE(grid.isOutgrown(0));
   grid.insert(64, {0, 0, 0});
-  EXPECT_TRUE(grid.isOutgrown());
+  EXPECT_TRUE(grid.isOutgrown(0));
   grid.rebuild(100, {0, 0, 0}, {1, 1, 0});
-  EXPECT_FALSE(grid.isOutgrown());
+  EXPECT_FALSE(grid.isOutgrown(0));
 }
 
 TEST(StartGrid, GapsGetASiteFromBeside) {

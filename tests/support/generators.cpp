@@ -169,6 +169,27 @@ Circles concentric(Random& random, std::size_t n) {
   return circles;
 }
 
+Circles nestedFamilies(Random& random, std::size_t n) {
+  const auto largest = static_cast<std::int64_t>(n) + 2;
+  const std::int64_t families = 1 + static_cast<std::int64_t>(n) / 12;
+  Circles circles;
+  while (circles.size() < n) {
+    const std::int64_t family = random.integer(0, families - 1), x = 3 * largest * family;
+    const std::int64_t r = random.integer(1, largest);
+    if (random.oneIn(12)) {
+      circles.push_back(circleAt(x, 0, 3 * largest * random.integer(1, families) + random.integer(0, 3)));
+      continue;
+    }
+    switch (family % 4) {
+      case 0: circles.push_back(circleAt(x, 0, 5)); break;
+      case 1: circles.push_back(circleAt(x, 0, r)); break;
+      case 2: circles.push_back(circleAt(x + r, 0, r)); break;
+      default: circles.push_back(r % 2 == 0 ? circleAt(x, 0, 4 * (r / 4)) : circleAt(x, 4 * (r / 4) + 2, 1)); break;
+    }
+  }
+  return circles;
+}
+
 Circles collinear(Random& random, std::size_t n, Line line, bool equalSpacing, int maxRadius) {
   std::int64_t stepX = 0;
   std::int64_t stepY = 0;

@@ -54,6 +54,11 @@ Circles tangentInside(Random& random, std::size_t n);
 /// Few centres, many radii: of each centre only the largest circle can be visible.
 Circles concentric(Random& random, std::size_t n);
 
+/// Families of nested circles side by side, each of one kind: identical, concentric, touching in one point from inside,
+/// or nested ones with a small circle in each gap; and now and then a giant around some of them. Integers, in random
+/// order.
+Circles nestedFamilies(Random& random, std::size_t n);
+
 /// How collinear lays out its centres.
 enum class Line { kHorizontal, kVertical, kDiagonal, kRandomSlope };
 
