@@ -112,8 +112,8 @@ class Diagram {
   [[nodiscard]] Error within(double x, double y, double distance, Array<SiteId>& sites) const;
 
   /// The distinct sites whose cells share an edge with this one's, counter-clockwise (each at its first occurrence), edges of
-  /// length zero and edges at infinity included (degenerate position; the graph is triangulated canonically);
-  /// none for a hidden site. Replaces the contents. Errors: kUnknownSite, kOutOfMemory. Cost: O(d).
+  /// length zero included (degenerate position; the graph is triangulated canonically); none for a hidden site. Replaces the
+  /// contents. Errors: kUnknownSite, kOutOfMemory. Cost: O(d).
   [[nodiscard]] Error neighbors(SiteId id, Array<SiteId>& neighbors) const;
 
   /// The Voronoi vertices. Each coordinate and clearance is within 2^-39 (|x| + |y| + |clearance|) + 2^-48 (the largest number among
@@ -122,9 +122,9 @@ class Diagram {
   [[nodiscard]] Error vertices(VertexArrays& vertices) const;
   [[nodiscard]] Error edges(EdgeArrays& edges) const;          ///< Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
 
-  /// The faces of the Delaunay graph, three sites each, counter-clockwise, kNoSite for infinity: the topology itself, with the
-  /// edges and vertices at infinity that vertices() and edges() leave out. A function of the set of sites, up to the order of the
-  /// faces and which of several identical sites is visible. Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
+  /// The faces of the Delaunay graph, three sites each, counter-clockwise, kNoSite for infinity: the topology itself. Those
+  /// without infinity are the rows of vertices(). A function of the set of sites, up to the order of the faces and which of several
+  /// identical sites is visible. Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
   [[nodiscard]] Error faces(Array<SiteId>& sites) const;
 
   // --- Snapshots (docs/SNAPSHOTS.md) -------------------------------------------------------------------------------------------

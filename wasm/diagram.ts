@@ -103,7 +103,7 @@ export class Diagram implements Disposable {
   /**
    * The diagram that `toBytes` saved, with its ids (the free ones are used again in the same order); `location` may be another.
    * Every accidental damage is noticed; of bytes that somebody may have made to deceive, ask `validate` first (docs/SNAPSHOTS.md).
-   * Throws "corrupt-snapshot" (bytes that are no snapshot, or damaged, or of a later version of the format), "bad-length" (no
+   * Throws "corrupt-snapshot" (bytes that are no snapshot, or damaged, or of another version of the format), "bad-length" (no
    * Uint8Array), "bad-option". Cost: O(n), without any search; the Voronoi circles of faces
    * are computed when later calls first need them.
    */
@@ -322,7 +322,7 @@ export class Diagram implements Disposable {
 
   /**
    * The distinct sites whose cells share an edge with this site's, counter-clockwise, each where it occurs first; empty for a
-   * hidden site. Edges of length zero and at infinity count (degenerate position; the graph is triangulated canonically).
+   * hidden site. Edges of length zero count (degenerate position; the graph is triangulated canonically).
    * O(d). Throws "unknown-site".
    */
   neighbors(id: number): Uint32Array {
@@ -360,7 +360,7 @@ export class Diagram implements Disposable {
 
   /**
    * Ids of the sites that the convex hull of the circles touches, counter-clockwise; a site can occur more than once (a large circle
-   * with small ones sticking out). Of circles in line on the hull, those between the ends need not be listed. O(length).
+   * with small ones sticking out; points in line, there and back). Circles in line on the hull are all listed. O(length).
    */
   hull(): Uint32Array {
     const native = this.#living();

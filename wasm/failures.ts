@@ -15,7 +15,7 @@ const kFailures: readonly (readonly [ErrorCode, string] | null)[] = [
   ["out-of-memory", "not enough memory"],
   ["too-large", "more sites than one diagram can hold"],
   ["bad-bounds", "the window is empty, inverted or out of range"],
-  ["corrupt-snapshot", "bytes are no snapshot of a diagram, or damaged, or of a later version"],
+  ["corrupt-snapshot", "bytes are no snapshot of a diagram, or damaged, or of another version"],
 ];
 
 export function failure(status: Status): ApolloniusError {

@@ -282,18 +282,12 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
   if (isBulk && usesHierarchy_) hierarchy_.reserveBulk(slots);
   // Ids are given in the order of the input, slots along the curve.
   for (SiteId& id : ids) id = ids_.takeId();
-  Slot largest = kNoSlot;
-  for (std::uint32_t& k : order) {
-    k = ids_.takeSlot(ids[k], SiteState::kPending);
-    if (largest == kNoSlot || precedes(site(largest), site(k))) largest = k;
-  }
+  for (std::uint32_t& k : order) k = ids_.takeSlot(ids[k], SiteState::kPending);
   // Walks start beside, so the grid need not be kept while it changes a lot.
   isBulk_ = isBulk;
   std::size_t done = 0;
   try {
     order = inRandomizedRounds(order);
-    // The largest first: where sites are in line, it is in all the faces at infinity, and later each new largest one would take them over.
-    std::iter_swap(order.begin(), std::find(order.begin(), order.end(), largest));
     if (isBulk) base_.reserveBulk(n);  // a few would be paid for by copying all
     for (; done < n; ++done) {
       const Slot slot = order[done];

@@ -114,8 +114,7 @@ class DiagramCore {
   void endBulk() noexcept;
   [[nodiscard]] VertexId startFor(double x, double y) const;
 
-  [[nodiscard]] bool hasFiniteVertex(FaceId f) const;
-  [[nodiscard]] bool isEdgeAtInfinity(HalfedgeId h, const FlatArray<std::int32_t>& finite) const;
+  [[nodiscard]] bool isBounded(FaceId f) const;
   [[nodiscard]] Defect checkHidden() const;
   void saveHidden(WordWriter& out) const;
   [[nodiscard]] bool restoreStates();

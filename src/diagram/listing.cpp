@@ -30,25 +30,14 @@ void DiagramCore::neighbors(SiteId id, Array<SiteId>& neighbors) const {
   neighbors.resize(kept);
 }
 
-/// Does the face have a Voronoi vertex in the plane? Not if it is unbounded, nor if its vertex is at infinity: three sites in line
-/// on the hull, which the canonical rule makes a face of.
-bool DiagramCore::hasFiniteVertex(FaceId f) const {
+/// Is it the face of a Voronoi vertex, of three finite sites?
+bool DiagramCore::isBounded(FaceId f) const {
   const Graph& graph = base_.graph();
   if (!graph.isLive(f)) return false;
-  Corner corners[3];
   for (unsigned c = 0; c < 3; ++c) {
-    corners[c] = base_.corner(graph.origin(halfedgeOf(f, c)));
-    if (corners[c] == nullptr) return false;
+    if (graph.origin(halfedgeOf(f, c)) == kInfinity) return false;
   }
-  return !isVertexAtInfinity(*corners[0], *corners[1], *corners[2]);
-}
-
-/// Is the Voronoi edge dual to h at infinity altogether? `finite` tells which faces have a finite vertex.
-bool DiagramCore::isEdgeAtInfinity(HalfedgeId h, const FlatArray<std::int32_t>& finite) const {
-  const EdgeCorners e = base_.edge(h);
-  if (e.i == nullptr || e.j == nullptr) return true;
-  const auto isOuterSide = [&](FaceId f, Corner k) { return finite[index(f)] < 0 && k != nullptr && touchesBetween(*e.i, *e.j, *k); };
-  return isOuterSide(faceOf(h), e.k) || isOuterSide(faceOf(base_.graph().twin(h)), e.l);
+  return true;
 }
 
 void DiagramCore::faces(Array<SiteId>& sites) const {
@@ -67,7 +56,7 @@ void DiagramCore::vertices(VertexArrays& out) const {
   const Graph& graph = base_.graph();
   for (std::size_t i = 0; i < graph.faceSlots(); ++i) {
     const FaceId f{static_cast<std::uint32_t>(i)};
-    if (!hasFiniteVertex(f)) continue;
+    if (!isBounded(f)) continue;
     const EdgeCorners corners = base_.edge(halfedgeOf(f, 0));
     const VoronoiCircle circle = preciseVoronoiCircle(corners.i, corners.j, corners.k);
     out.coordinates.push_back(circle.x);
@@ -84,11 +73,12 @@ void DiagramCore::edges(EdgeArrays& out) const {
   FlatArray<std::int32_t> row(graph.faceSlots(), -1);  // of the faces in vertices()
   std::int32_t rows = 0;
   for (std::size_t i = 0; i < row.size(); ++i) {
-    if (hasFiniteVertex(FaceId{static_cast<std::uint32_t>(i)})) row[i] = rows++;
+    if (isBounded(FaceId{static_cast<std::uint32_t>(i)})) row[i] = rows++;
   }
   for (std::size_t i = 0; i < 3 * graph.faceSlots(); ++i) {
     const HalfedgeId h{static_cast<std::uint32_t>(i)};
-    if (!graph.isLive(faceOf(h)) || graph.twin(h) < h || isEdgeAtInfinity(h, row)) continue;  // each edge once
+    if (!graph.isLive(faceOf(h)) || graph.twin(h) < h) continue;  // each edge once
+    if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity) continue;
     out.sites.push_back(siteOf(graph.origin(h)));
     out.sites.push_back(siteOf(graph.target(h)));
     // Counter-clockwise about h's origin the edge runs from the vertex of the face on the right to that on the left.

@@ -149,7 +149,7 @@ void SiteMoves::check(std::uint32_t position) {
   const FaceId f = changed.face;
   if (!changed.isActive) return;
   const VoronoiCircle &before = diagram_->circle(f), &now = changed.circle;
-  if (!(now.error < std::numeric_limits<float>::infinity()) || before.isHalfPlane() != now.isHalfPlane()) {
+  if (!(now.error < std::numeric_limits<float>::infinity())) {
     takeBackOneOf(f);
     return;
   }

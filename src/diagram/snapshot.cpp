@@ -17,7 +17,7 @@ namespace apollonius {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x0A1A0A0D6C6F7041u;  // "Apol", and line ends that a transfer as text would spoil
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 // In the order of the file, after the magic number.
 struct Header {

@@ -56,8 +56,7 @@ struct VertexArrays {
 };
 
 /// The Voronoi edges. Two sites can share several. Where more than three sites touch one circle, the canonical rule makes edges
-/// of length zero, and several vertices at one place; where three are in line on the hull (a common tangent line), an edge and a
-/// vertex at infinity, which are not listed.
+/// of length zero, and several vertices at one place.
 struct EdgeArrays {
   Array<std::uint32_t> sites;     ///< two sites a, b of each edge
   Array<std::int32_t> vertices;   ///< its two ends as rows of VertexArrays, -1 for an unbounded end; walking from the

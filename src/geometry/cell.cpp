@@ -37,7 +37,7 @@ void CellFinder::clipEdges(Slot site) {
   const HalfedgeId begin = graph.outgoing(v);
   HalfedgeId h = begin;
   do {
-    if (isInPlane(base, h)) {
+    if (graph.target(h) != kInfinity) {
       const SiteId neighbor = core_.siteOf(graph.target(h));
       if (startsAtPole(base, h)) {
         clipEdge(base, h, window_, clipped);

@@ -31,7 +31,7 @@ struct ClippedEdge {
   int count = 0;
 };
 
-/// Clips the edge dual to h. Edges of one drawing or sum take the same bits, so that they meet. REQUIRES: startsAtPole, isInPlane.
+/// Clips the edge dual to h. Edges of one drawing or sum take the same bits, so that they meet. REQUIRES: startsAtPole.
 void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, ClippedEdge& clipped, Bits bits = Bits::kCanonical);
 
 /// Clips all edges of the diagram; visit(h, piece) gets each piece that is left, with the half-edge that it is a part of.
@@ -43,7 +43,7 @@ void forEachClippedPiece(const DelaunayGraph& base, const Window& window, Bits b
   for (std::size_t k = 0; k < 3 * graph.faceSlots(); ++k) {
     const HalfedgeId h{static_cast<std::uint32_t>(k)};
     if (!graph.isLive(faceOf(h)) || graph.origin(h) == kInfinity || graph.target(h) == kInfinity) continue;
-    if (!startsAtPole(base, h) || !isInPlane(base, h)) continue;
+    if (!startsAtPole(base, h)) continue;
     clipEdge(base, h, window, clipped, bits);
     for (int piece = 0; piece < clipped.count; ++piece) visit(h, clipped.pieces[static_cast<std::size_t>(piece)]);
   }

@@ -20,7 +20,7 @@ struct DualEdge {
   int count = 1;    ///< 2 for an edge with the same circle at both ends
 };
 
-/// The drawn edge of h. REQUIRES: isInPlane (edge.h).
+/// The drawn edge of h. REQUIRES: two finite sites.
 [[nodiscard]] DualEdge dualEdge(const DelaunayGraph& graph, HalfedgeId h);
 
 /// Unit direction of the ray of an edge from a site to infinity. REQUIRES: h's target is infinity.

@@ -4,20 +4,12 @@
 
 #include "number/fp.h"
 #include "predicate/pole.h"
-#include "predicate/predicates.h"
 
 namespace apollonius {
 
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-/// Does the face have its vertex at infinity though its three sites are finite, with the edge of h as the outer one?
-bool isOuterSide(const DelaunayGraph& graph, HalfedgeId h) {
-  const VertexId apex = graph.graph().apex(h);
-  if (!graph.circle(faceOf(h)).isHalfPlane() || apex == kInfinity) return false;
-  return touchesBetween(graph.site(graph.graph().origin(h)), graph.site(graph.graph().target(h)), graph.site(apex));
-}
 
 /// Where a vertex lies that is too far away for doubles: at which end of the bisector.
 Point clippedToDoubles(Point p) {
@@ -46,11 +38,6 @@ bool startsAtPole(const DelaunayGraph& graph, HalfedgeId h) {
   const VertexId i = graph.graph().origin(h), j = graph.graph().target(h);
   const Site &a = graph.site(i), &b = graph.site(j);
   return precedes(b, a) || (!precedes(a, b) && h < graph.graph().twin(h));
-}
-
-bool isInPlane(const DelaunayGraph& graph, HalfedgeId h) {
-  if (graph.graph().origin(h) == kInfinity || graph.graph().target(h) == kInfinity) return false;
-  return !isOuterSide(graph, h) && !isOuterSide(graph, graph.graph().twin(h));
 }
 
 Edge::Edge(const DelaunayGraph& graph, HalfedgeId h, Bits bits)

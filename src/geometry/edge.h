@@ -30,15 +30,11 @@ enum class Bits : unsigned char { kCanonical, kCached };
 /// The Voronoi vertex of a face.
 [[nodiscard]] EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f, Bits bits);
 
-/// The same with the clearance. REQUIRES: a face whose vertex is in the plane.
+/// The same with the clearance; of a face with infinity, the half-plane.
 [[nodiscard]] VoronoiCircle preciseCircleOf(const DelaunayGraph& graph, FaceId f);
 
-/// The half-edge of an edge whose origin is the pole of its bisector: the larger one in the order of precedes().
+/// The half-edge of an edge whose origin is the pole of its bisector: the larger one in the order of precedes(). REQUIRES: two finite sites.
 [[nodiscard]] bool startsAtPole(const DelaunayGraph& graph, HalfedgeId h);
-
-/// Does the edge run through the plane? Not if one of its sites is infinity, nor if it is at infinity altogether: three sites in line
-/// on the hull make, canonically, a face whose vertex is at infinity, and an edge behind it.
-[[nodiscard]] bool isInPlane(const DelaunayGraph& graph, HalfedgeId h);
 
 /// The edge dual to h, from E = e0 (the vertex of the face to the right of h) to e1 >= e0. Its ends are taken as they are, whatever
 /// their rounding: the edges that meet in a vertex have exactly that point in common.
@@ -47,7 +43,7 @@ struct Edge {
   EdgeEnd from, to;
   double e0, e1;
 
-  /// REQUIRES: startsAtPole, isInPlane.
+  /// REQUIRES: startsAtPole.
   Edge(const DelaunayGraph& graph, HalfedgeId h, Bits bits = Bits::kCanonical);
 };
 

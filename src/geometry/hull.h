@@ -8,8 +8,8 @@
 
 namespace apollonius {
 
-/// The sites that the hull touches, counter-clockwise; one can occur several times (a large circle with small ones sticking out), and
-/// where circles are in line on the hull, the canonical graph says which are listed.
+/// The sites that the hull touches, all of them, counter-clockwise; one can occur several times (a large circle with small ones sticking
+/// out; points in line, there and back).
 void hullSites(const DiagramCore& core, Array<SiteId>& sites);
 
 /// The hull as one closed figure. A radius below 0 shrinks the hull of the centres' other circles: meaningful up to a common offset.

@@ -131,8 +131,6 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
                       tolerance, path)) {
         continue;
       }
-      const bool isBounded = !from.isHalfPlane() && !to.isHalfPlane();
-      if (!isBounded && !isInPlane(base, h)) continue;
       clipEdge(base, h, window, clipped, Bits::kCached);
       for (int k = 0; k < clipped.count; ++k) {
         const Conic& curve = clipped.pieces[static_cast<std::size_t>(k)].curve;
@@ -152,7 +150,7 @@ bool drawDual(const DiagramCore& core, const Window* window, double tolerance, P
     if (i == kInfinity) return;
     const Site& site = base.site(i);
     if (j != kInfinity) {
-      if (!startsAtPole(base, h) || !isInPlane(base, h)) return;
+      if (!startsAtPole(base, h)) return;
       const DualEdge edge = dualEdge(base, h);
       path.move(site.x, site.y);
       for (int k = 0; k < edge.count; ++k) drawConic(edge.curves[k], tolerance, path);

@@ -49,7 +49,7 @@ void cellWithin(const DiagramCore& core, Slot site, double radius, FlatArray<Bou
     const HalfedgeId begin = graph.outgoing(v);
     HalfedgeId h = begin;
     do {
-      if (isInPlane(base, h)) {
+      if (graph.target(h) != kInfinity) {
         const bool isPole = startsAtPole(base, h);
         const Edge edge(base, isPole ? h : graph.twin(h));
         const Bisector& bisector = edge.bisector;

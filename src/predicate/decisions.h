@@ -17,9 +17,10 @@ inline constexpr EdgeForm<Depth> kEdge{kChord, kChord};
 inline constexpr SpanForm<Depth> kSpan{kRow, kRow};
 inline constexpr Chord<Depth> kRay{kInput, kInput, kInput};  // an arrow from the pole; it has no w
 inline constexpr EdgeForm<Depth> kRayForm{kChord, kRay};
-inline constexpr Depth kProducts = kRow.p * kRow.p - kRow.p * kRow.p;  // for signs that are computed without rounding
+inline constexpr Depth kProducts = kRow.p * between(kRow, kRow) - kRow.p * between(kRow, kRow);
 
 static_assert(kRow.p.roundings == 5, "x² and y² 3 each, their sum 4, less r² 5");
+static_assert(kProducts.roundings == 14, "p of two rows 7, times p 13, difference 14");
 static_assert(kVertex.xy.roundings == 12, "minor 4, times p 10, two sums 12");
 static_assert(kVertex.x.roundings == 22);
 static_assert(kVertex.squares().roundings == 27);
@@ -40,15 +41,16 @@ Sign vertexSign(Rows& rows) {
                    [&] { return rows.sign(form.squares(), kVertex.squares()); });
 }
 
-/// Rows 0, 1, 2 are j, k, q on one circle with the pole. q is opposite to the pole on it exactly if, of the three products of tangent
-/// lengths of opposite pairs, the one that pairs q with the pole is the largest (Casey's theorem).
+/// Rows 0, 1, 2 are j, k, q on one circle (or line) with the pole. q is opposite to a corner of the face on it exactly if, of the three
+/// ways to pair the four, the one that pairs q with this corner has the largest product of tangent lengths (Casey's theorem).
 template <class Rows>
-bool isOppositePole(Rows& rows) {
+bool isOpposite(Rows& rows, FaceCorner corner) {
   using T = typename Rows::Number;
   const Row<T> j = rows.row(0), k = rows.row(1), q = rows.row(2);
-  const T opposite = q.p * between(j, k);
-  return rows.sign(opposite - between(j, q) * k.p, kProducts) == Sign::kPositive &&
-         rows.sign(opposite - between(k, q) * j.p, kProducts) == Sign::kPositive;
+  const std::array<T, 3> products{q.p * between(j, k), between(j, q) * k.p, between(k, q) * j.p};
+  const auto n = static_cast<std::size_t>(corner);
+  return rows.sign(products[n] - products[(n + 1) % 3], kProducts) == Sign::kPositive &&
+         rows.sign(products[n] - products[(n + 2) % 3], kProducts) == Sign::kPositive;
 }
 
 /// sign(±end.w · turn - √D · along): which side of an end of the edge the probe is on. `side` is + for the end at k, - at l.

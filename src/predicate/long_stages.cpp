@@ -13,16 +13,10 @@ Sign spanSign(const Rows& rows) {
   return signOfTwoRoots(form.c0, form.cl, rows.row(2).p, form.ck, rows.row(1).p, form.clk);
 }
 
-Dyadic exactLorentz(const Site& a, const Site& b) {
-  return lorentz(Dyadic(a.x) - Dyadic(b.x), Dyadic(a.y) - Dyadic(b.y), Dyadic(a.r) - Dyadic(b.r));
-}
-
 }  // namespace
 
-Sign lorentzExact(const Site& a, const Site& b) { return exactLorentz(a, b).sign(); }
-
-Sign lorentzDifferenceExact(const Site& a, const Site& b, const Site& c, const Site& d) {
-  return (exactLorentz(a, b) - exactLorentz(c, d)).sign();
+Sign lorentzExact(const Site& a, const Site& b) {
+  return lorentz(Dyadic(a.x) - Dyadic(b.x), Dyadic(a.y) - Dyadic(b.y), Dyadic(a.r) - Dyadic(b.r)).sign();
 }
 
 MaybeSign distanceWhole(double x, double y, const Site& a, const Site& b) {
@@ -53,11 +47,11 @@ Sign vertexExact(const Site& i, Corner j, Corner k, Corner q) {
   return vertexSign(rows);
 }
 
-bool isOppositePoleExact(const Site& i, Corner j, Corner k, Corner q) {
+bool isOppositeExact(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner) {
   WholeRows whole(i, {j, k, q});
-  if (!whole.failed()) return isOppositePole(whole);
+  if (!whole.failed()) return isOpposite(whole, corner);
   ExactRows exact(i, {j, k, q});
-  return isOppositePole(exact);
+  return isOpposite(exact, corner);
 }
 
 MaybeSign edgeWhole(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {

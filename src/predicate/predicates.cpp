@@ -48,8 +48,8 @@ struct PositiveOrNot {
   Sign operator()(Sign s) const { return s == Sign::kPositive ? Sign::kPositive : Sign::kNegative; }
 };
 
-/// Vertex conflict before the degenerate rule, for any face and any one infinite site of the four. Not inline: it has two callers.
-[[gnu::noinline]] Sign vertexSign(const Site& i, Corner j, Corner k, Corner q) {
+/// Vertex conflict before the degenerate rule, for any face and any one infinite site of the four.
+Sign vertexSign(const Site& i, Corner j, Corner k, Corner q) {
   Question question([&] { return stages::vertexExact(i, j, k, q); }, counts().vertexExact);
   if (question.isSettledBy(stages::vertexOfPoints(i, j, k, q), counts().vertexOfPoints)) return question.settled();
   if (question.isSettledBy(stages::vertexFilter(i, j, k, q), counts().vertexFilter)) return question.settled();
@@ -139,17 +139,6 @@ bool isVertexInConflict(const VoronoiCircle& circle, Corner i, Corner j, Corner 
 }
 
 bool hasVoronoiCircle(const Site& i, const Site& j, const Site& k) { return !circleIsBeaten(&i, &j, &k, nullptr); }
-
-bool isVertexAtInfinity(const Site& i, const Site& j, const Site& k) {
-  Corner a = &i, b = &j, c = &k;
-  rotateToPole(a, b, c);
-  return vertexSign(*a, b, c, nullptr) == Sign::kZero;
-}
-
-bool touchesBetween(const Site& i, const Site& j, const Site& k) {
-  // √p is the distance of two points of contact, so the outer two have the largest.
-  return stages::lorentzDifference(i, j, i, k) == Sign::kPositive && stages::lorentzDifference(i, j, j, k) == Sign::kPositive;
-}
 
 Bearing bearingOf(double x, double y, const VoronoiCircle& circle, const Site& i, Corner j, Corner k) {
   const Sign left = raySign(x, y, circle, i, j, k, stages::RayPart::kLeftwards);

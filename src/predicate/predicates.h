@@ -23,23 +23,16 @@ namespace apollonius {
 
 /// Is q in conflict with the Voronoi vertex of the face (i, j, k), i.e. does the vertex belong to q's cell once q is added?
 /// REQUIRES: i, j, k counter-clockwise with an existing Voronoi circle, at most one of them infinite, none covering another or q.
-/// Laws: the same for (j, k, i); zeros of the polynomial are settled as if larger sites had infinitely larger increments of
-/// their weights, so the answers never depend on the order of insertion. Degree 8.
+/// Laws: the same for (j, k, i); zeros of the polynomial are settled as if infinity began at a finite, immense clearance and larger
+/// sites had infinitely larger increments of their weights, so the answers never depend on the order of insertion. Degree 8.
 [[nodiscard]] bool isVertexInConflict(Corner i, Corner j, Corner k, const Site& q);
 
 /// The same, asking the face's cached circle first.
 [[nodiscard]] bool isVertexInConflict(const VoronoiCircle& circle, Corner i, Corner j, Corner k, const Site& q);
 
 /// Is there a circle that touches i, j, k from outside (or from inside) in counter-clockwise order? The sites are finite and
-/// none covers another. A common tangent line is settled as isVertexInConflict settles zeros. Degree 8.
+/// none covers another. A common tangent line is none: infinity takes it over. Degree 8.
 [[nodiscard]] bool hasVoronoiCircle(const Site& i, const Site& j, const Site& k);
-
-/// Does a face of three finite sites have its vertex at infinity, that is, do they touch a common tangent line (on one side of
-/// it)? The canonical rule makes such faces where three sites of the hull are in line. REQUIRES: a face of a diagram. Degree 8.
-[[nodiscard]] bool isVertexAtInfinity(const Site& i, const Site& j, const Site& k);
-
-/// On the common tangent line of such a face: does k touch it between i and j? Degree 2.
-[[nodiscard]] bool touchesBetween(const Site& i, const Site& j, const Site& k);
 
 /// Where a ray lies as seen along a direction.
 enum class Bearing : signed char { kAlong, kLeft, kOpposite, kRight };

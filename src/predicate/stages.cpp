@@ -7,9 +7,9 @@ namespace apollonius::stages {
 
 namespace {
 
-/// isOppositePole (decisions.h) where all weights are equal, so that a p is a sum of squares: each product is off by a factor of at most
+/// isOpposite (decisions.h) where all weights are equal, so that a p is a sum of squares: each product is off by a factor of at most
 /// (1 + u)^9.
-MaybeSign isOppositeOfPoints(const Site& i, Corner j, Corner k, Corner q) {
+MaybeSign isOppositeOfPoints(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner) {
   const auto areEqual = [&](Corner c) { return c == nullptr || c->r == i.r; };
   if (!areEqual(j) || !areEqual(k) || !areEqual(q)) return {};
   const auto squared = [](Corner a, Corner b) {
@@ -17,8 +17,9 @@ MaybeSign isOppositeOfPoints(const Site& i, Corner j, Corner k, Corner q) {
     const double x = a->x - b->x, y = a->y - b->y;
     return x * x + y * y;
   };
-  const double opposite = squared(&i, q) * squared(j, k);
-  const double larger = std::max(squared(j, q) * squared(&i, k), squared(k, q) * squared(&i, j));
+  const std::array<double, 3> products{squared(&i, q) * squared(j, k), squared(j, q) * squared(&i, k), squared(k, q) * squared(&i, j)};
+  const auto n = static_cast<std::size_t>(corner);
+  const double opposite = products[n], larger = std::max(products[(n + 1) % 3], products[(n + 2) % 3]);
   constexpr double kMargin = 1 + 32 * kUnitRoundoff, kTiny = powerOfTwo(-400);
   if (!(opposite > kTiny && larger > kTiny && opposite < 1 / kTiny && larger < 1 / kTiny)) return {};
   if (opposite > larger * kMargin) return {Sign::kPositive, true};
@@ -28,9 +29,11 @@ MaybeSign isOppositeOfPoints(const Site& i, Corner j, Corner k, Corner q) {
 
 /// The sign of SpanForm. Rows of doubles: roots are not among what they compute exactly.
 template <class Rows>
-Sign roundedSpanSign(const Rows& rows, bool& failed) {
-  // Roots of rounded numbers: a running error bound instead of the constant one.
+Sign roundedSpanSign(Rows& rows, bool& failed) {
   using T = typename Rows::Number;
+  // The other terms are zero, and there is no root to be taken: on the hull of a grid, where most spans are zero.
+  if (rows.hasEqualWeights()) return rows.sign(SpanForm<T>(rows.row(2), rows.row(1)).clk, kSpan.clk);
+  // Roots of rounded numbers: a running error bound instead of the constant one.
   const auto ball = [](T a, Depth depth) { return Ball::bounded(a.value, boundFactor(depth) * a.magnitude + kUnderflow); };
   const Row<T> k = rows.row(1), l = rows.row(2);
   const SpanForm<T> form(l, k);
@@ -56,14 +59,6 @@ MaybeSign lorentzMiddle(const Site& a, const Site& b) {
   UnitRows rows(a, {&b});
   const Sign sign = rows.sign(rows.row(0).p, kRow.p);
   return {sign, !rows.failed()};
-}
-
-Sign lorentzDifference(const Site& a, const Site& b, const Site& c, const Site& d) {
-  const Approx difference = lorentz(Approx(a.x - b.x), Approx(a.y - b.y), Approx(a.r - b.r)) -
-                            lorentz(Approx(c.x - d.x), Approx(c.y - d.y), Approx(c.r - d.r));
-  const MaybeSign filtered = filteredSign(difference, boundFactor(kRow.p - kRow.p));
-  if (filtered.known) return filtered.sign;
-  return lorentzDifferenceExact(a, b, c, d);
 }
 
 // --- Distance ----------------------------------------------------------------------------------------------------------------
@@ -140,13 +135,15 @@ MaybeSign vertexMiddle(const Site& i, Corner j, Corner k, Corner q) {
 }
 
 bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q) {
-  // Perturbed weights: only the largest of the four, z, matters. It is i or q (docs/PREDICATES.md, "Degenerate position").
-  if (q != nullptr && precedes(i, *q)) return true;
-  if (const MaybeSign quick = isOppositeOfPoints(i, j, k, q); quick.known) return quick.sign == Sign::kPositive;
+  // Only the largest of the four, z, matters: infinity if it is among them, else i or q (docs/PREDICATES.md, "Degenerate position").
+  if (q == nullptr) return true;
+  const FaceCorner z = j == nullptr ? FaceCorner::kJ : k == nullptr ? FaceCorner::kK : FaceCorner::kPole;
+  if (z == FaceCorner::kPole && precedes(i, *q)) return true;
+  if (const MaybeSign quick = isOppositeOfPoints(i, j, k, q, z); quick.known) return quick.sign == Sign::kPositive;
   FilterRows filter(i, {j, k, q});
-  const bool probably = isOppositePole(filter);
+  const bool probably = isOpposite(filter, z);
   if (!filter.failed()) return probably;
-  return isOppositePoleExact(i, j, k, q);
+  return isOppositeExact(i, j, k, q, z);
 }
 
 // --- Edge conflict -----------------------------------------------------------------------------------------------------------

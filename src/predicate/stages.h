@@ -15,9 +15,6 @@ namespace apollonius::stages {
 [[nodiscard]] MaybeSign lorentzFilter(const Site& a, const Site& b);
 [[nodiscard]] MaybeSign lorentzMiddle(const Site& a, const Site& b);
 [[nodiscard]] Sign lorentzExact(const Site& a, const Site& b);
-/// sign(p of a, b - p of c, d), exactly.
-[[nodiscard]] Sign lorentzDifference(const Site& a, const Site& b, const Site& c, const Site& d);
-[[nodiscard]] Sign lorentzDifferenceExact(const Site& a, const Site& b, const Site& c, const Site& d);
 
 [[nodiscard]] MaybeSign distanceFilter(double x, double y, const Site& a, const Site& b);
 /// For sites of equal weights only.
@@ -36,8 +33,9 @@ namespace apollonius::stages {
 [[nodiscard]] Sign vertexExact(const Site& i, Corner j, Corner k, Corner q);
 /// The answer where vertexExact is zero.
 [[nodiscard]] bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q);
-/// Its geometric part in long integers: of four sites on one circle, is q opposite to the pole, i?
-[[nodiscard]] bool isOppositePoleExact(const Site& i, Corner j, Corner k, Corner q);
+/// Its geometric part in long integers: of four sites that touch one circle (or line: one is infinite), is q opposite to this corner?
+enum class FaceCorner : unsigned char { kPole, kJ, kK };
+[[nodiscard]] bool isOppositeExact(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner);
 
 /// The direction from the pole whose membership in the edge's range of directions decides an edge conflict: the middle of q's
 /// shadow on the bisector (neither end in conflict), or its opposite (both ends in conflict).

@@ -114,12 +114,6 @@ VoronoiCircle halfPlane(const Site& pole, const Site& t, int side) {
   return plane;
 }
 
-/// The half-plane beyond the common tangent line of three sites: that of two of them in the order in which they touch it, which all
-/// pairs have but the outermost one.
-VoronoiCircle halfPlaneOfThree(const Site& i, const Site& j, const Site& k) {
-  return touchesBetween(i, j, k) ? halfPlane(i, k, -1) : halfPlane(i, j, 1);
-}
-
 }  // namespace
 
 VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k) {
@@ -127,8 +121,8 @@ VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k) {
   if (k == nullptr) return halfPlane(*i, *j, 1);
   if (j == nullptr) return halfPlane(*i, *k, -1);
   VoronoiCircle circle;
-  if (boundedCircle(*i, *j, *k, circle) == Existence::kYes || !isVertexAtInfinity(*i, *j, *k)) return circle;
-  return halfPlaneOfThree(*i, *j, *k);
+  (void)boundedCircle(*i, *j, *k, circle);  // that it exists is known to the caller
+  return circle;
 }
 
 bool findCertainVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle) noexcept {
@@ -145,12 +139,7 @@ bool findVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle) {
     return true;
   }
   const Existence existence = boundedCircle(*i, *j, *k, circle);
-  if (existence == Existence::kUnknown) {
-    if (!hasVoronoiCircle(*i, *j, *k)) return false;
-    if (isVertexAtInfinity(*i, *j, *k)) circle = halfPlaneOfThree(*i, *j, *k);
-    return true;
-  }
-  return existence == Existence::kYes;
+  return existence == Existence::kYes || (existence == Existence::kUnknown && hasVoronoiCircle(*i, *j, *k));
 }
 
 }  // namespace apollonius

@@ -40,9 +40,8 @@ inline float roundedUp(double x) {
   return std::max(static_cast<float>(x * (1 + powerOfTwo(-22))), std::numeric_limits<float>::min());
 }
 
-/// The circle of a counter-clockwise face with an existing circle; of a face whose vertex is at infinity (three sites in line on the
-/// hull), the half-plane. The same bits for the same three sites, whichever comes
-/// first and on whichever platform: the computation starts from the largest site in the order of precedes().
+/// The circle of a counter-clockwise face with an existing circle. The same bits for the same three sites, whichever comes first and on
+/// whichever platform: the computation starts from the largest site in the order of precedes().
 [[nodiscard]] VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k);
 
 /// The circle as voronoiCircle() computes it, if the counter-clockwise triple of sites has one; at most one of them is infinite, and
@@ -54,7 +53,7 @@ inline float roundedUp(double x) {
 
 /// The same with coordinates that are good whatever the sites: errors of a few units in the last place of the radius and of each
 /// coordinate. Takes long numbers where voronoiCircle's doubles do not suffice. Coordinates beyond the range of doubles are
-/// infinite. REQUIRES: the vertex is not at infinity.
+/// infinite.
 [[nodiscard]] VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k);
 
 /// Vertex conflict from the cached circle alone: positive, conflict; negative, none; or unknown.

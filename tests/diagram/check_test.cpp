@@ -217,7 +217,21 @@ TEST_F(HierarchyCheck, SiteThatALevelLacks) {
 }
 
 TEST_F(HierarchyCheck, SiteThatDiffers) {
-  const VertexId v = level().anyVisible();
+  // Not one on the hull: those are in line, and one that grows takes over a face.
+  const Graph& graph = level().graph();
+  VertexId v = kNoVertex;
+  for (std::uint32_t k = 1; k < graph.vertexSlots() && v == kNoVertex; ++k) {
+    if (!graph.hasVertex(vertex(k))) continue;
+    bool isOnHull = false;
+    const HalfedgeId begin = graph.outgoing(vertex(k));
+    HalfedgeId h = begin;
+    do {
+      isOnHull = isOnHull || graph.target(h) == kInfinity;
+      h = graph.rotateCcw(h);
+    } while (h != begin);
+    if (!isOnHull) v = vertex(k);
+  }
+  ASSERT_NE(v, kNoVertex);
   Site site = level().site(v);
   site.r += 1e-6;
   level().setSite(v, site);

@@ -17,14 +17,14 @@ namespace {
 
 /// Hash of what the diagram says about its circles: order-free, so a change here means that the bits of some coordinate, clearance
 /// or distance have changed. Update it only with a change of those formulas that is meant.
-constexpr std::uint64_t kExpectedValues = 0xd02ca36052dd5908;
+constexpr std::uint64_t kExpectedValues = 0x38e41ad312b2a25d;
 
 /// Hash of the raw arrays in their order, which depends on how the diagram is stored and searched. Update it after any change of
 /// that; it still has to be the same natively and in wasm.
 constexpr std::uint64_t kExpectedRaw = 0xca4d044d3fce0204;
 
 /// Hash of generated circles: native code and wasm must be tested with the same sets.
-constexpr std::uint64_t kExpectedGenerated = 0xf53230292420a024;
+constexpr std::uint64_t kExpectedGenerated = 0xed88663fc0172253;
 
 std::string hex(const Hash& hash) {
   char text[20];

@@ -27,6 +27,20 @@ TEST(History, ShortOnesOnTinyGrids) {
   }
 }
 
+TEST(History, ShortOnesInLine) {
+  Random random(227);
+  for (int run = 0; run < runs(2000); ++run) {
+    const int heaviest = random.below(4);
+    const std::size_t poolSize = 5 + random.below(std::size_t{8});
+    const Circles pool = run % 3 == 0 ? collinear(random, poolSize, Line::kRandomSlope, run % 2 == 0, heaviest)
+                                      : tangentLines(random, poolSize, run % 3, heaviest);
+    Checks checks;
+    checks.location = run % 2 == 0 ? Location::kHierarchy : Location::kWalk;
+    checks.oracleUpTo = 7;
+    ASSERT_EQ(failureOf(randomHistory(random, pool, 4 + random.below(std::size_t{20})), checks), "") << "run " << run;
+  }
+}
+
 TEST(History, EveryStepComparedOnTinyGrids) {
   Random random(222);
   for (int run = 0; run < runs(1500); ++run) {

@@ -41,6 +41,28 @@ TEST(InsertionOrder, AllOrdersOfTinySetsGiveTheSameGraph) {
   }
 }
 
+/// Sites in line and under common tangents, where zeros of vertex conflict involve infinity: the oracle's graph in every order.
+TEST(InsertionOrder, AllOrdersOfTinySetsInLineGiveTheOraclesGraph) {
+  Random random(214);
+  for (int run = 0; run < runs(300); ++run) {
+    const std::size_t n = 3 + random.below(std::size_t{3});
+    const int heaviest = random.below(4);
+    const Circles circles = run % 3 == 0 ? collinear(random, n, Line::kRandomSlope, run % 2 == 0, heaviest)
+                                         : tangentLines(random, n, run % 3, heaviest);
+    const Canonical expected = canonicalByOracle(circles);
+    std::vector<std::size_t> order(circles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    do {
+      std::string broken;
+      const Canonical got = buildInOrder(circles, order, run % 2 == 0 ? Location::kHierarchy : Location::kWalk, broken);
+      Circles ordered;
+      for (const std::size_t k : order) ordered.push_back(circles[k]);
+      ASSERT_EQ(broken, "") << toText(insertAll(ordered));
+      ASSERT_TRUE(got == expected) << "run " << run << "\n" << difference(expected, got) << toText(insertAll(ordered));
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
+}
+
 TEST(InsertionOrder, RandomOrdersOfLargerGridsGiveTheSameGraph) {
   Random random(212);
   for (int run = 0; run < runs(1500); ++run) {

@@ -60,7 +60,12 @@ TEST_P(ListingOn, NeighborsAreThoseOfTheFacesCounterClockwise) {
     Diagram diagram;
     const Circles circles = GetParam().make(random, GetParam().large ? 40 + 30 * static_cast<std::size_t>(run) : 10);
     const Listed listed = build(diagram, circles);
-    std::map<SiteId, std::set<SiteId>> adjacent;
+    std::map<SiteId, std::set<SiteId>> adjacent, acrossEdges;
+    for (std::size_t k = 0; k < listed.edges.sites.size(); k += 2) {
+      const SiteId a = listed.edges.sites[k], b = listed.edges.sites[k + 1];
+      acrossEdges[a].insert(b);
+      acrossEdges[b].insert(a);
+    }
     for (std::size_t k = 0; k < listed.faces.size(); ++k) {
       const SiteId a = listed.faces[k], b = listed.faces[k - k % 3 + (k + 1) % 3];
       if (a != kNoSite && b != kNoSite) adjacent[a].insert(b);
@@ -69,6 +74,7 @@ TEST_P(ListingOn, NeighborsAreThoseOfTheFacesCounterClockwise) {
       std::vector<SiteId> neighbors;
       ASSERT_EQ(diagram.neighbors(id, neighbors), Error::kNone);
       ASSERT_EQ(std::set<SiteId>(neighbors.begin(), neighbors.end()), adjacent[id]);
+      ASSERT_EQ(acrossEdges[id], adjacent[id]);
       ASSERT_EQ(neighbors.size(), adjacent[id].size()) << "each once";
       for (const SiteId other : neighbors) ASSERT_EQ(adjacent[other].count(id), 1u) << "symmetric";
       std::vector<SiteId> around = turnAround(listed.faces, id);
@@ -124,14 +130,14 @@ void expectAccurate(const Circle (&c)[3], double x, double y, double clearance) 
   const double size = std::abs(x) + std::abs(y) + std::abs(clearance);
   if (!std::isfinite(size)) {
     // Only where the exact circle is beyond the doubles, too.
-    ASSERT_FALSE(oracleCircleIsWithin(c[0], c[1], c[2], {0, 0, 0}, 1e300).value_or(false))
+    ASSERT_FALSE(oracleCircleIsWithin(c[0], c[1], c[2], {0, 0, 0}, 1e300))
         << x << " " << y << " " << clearance << " for\n" << toText(insertAll({c[0], c[1], c[2]}));
     return;
   }
   double sites = 0;
   for (const Circle& circle : c) sites = std::max({sites, std::abs(circle.x), std::abs(circle.y), std::abs(circle.r)});
   const double error = 0x1p-39 * size + 0x1p-48 * sites;
-  ASSERT_TRUE(oracleCircleIsWithin(c[0], c[1], c[2], {x, y, clearance}, error).value_or(true))
+  ASSERT_TRUE(oracleCircleIsWithin(c[0], c[1], c[2], {x, y, clearance}, error))
       << x << " " << y << " " << clearance << " for\n" << toText(insertAll({c[0], c[1], c[2]}));
 }
 
@@ -165,6 +171,26 @@ TEST(Listing, ThreeInLineShareTwoLines) {
   const Listed listed = build(diagram, {{0, 0, 1}, {10, 0, 1}, {20, 0, 1}});
   EXPECT_TRUE(listed.vertices.clearance.empty());
   EXPECT_EQ(listed.edges.vertices, (std::vector<std::int32_t>{-1, -1, -1, -1}));
+  EXPECT_EQ(listed.edges.sites.size(), 4u);
+}
+
+TEST(Listing, NeighborsInLineAreTheTwoBeside) {
+  constexpr std::size_t kCount = 100;
+  for (const double slope : {0.0, 1.0, -3.0}) {
+    Circles circles;
+    for (std::size_t k = 0; k < kCount; ++k) circles.push_back({static_cast<double>(k), slope * static_cast<double>(k), 2});
+    Diagram diagram;
+    const Listed listed = build(diagram, circles);
+    for (std::size_t k = 0; k < kCount; ++k) {
+      std::vector<SiteId> neighbors;
+      ASSERT_EQ(diagram.neighbors(listed.ids[k], neighbors), Error::kNone);
+      std::sort(neighbors.begin(), neighbors.end());
+      std::vector<SiteId> expected;
+      if (k > 0) expected.push_back(listed.ids[k - 1]);
+      if (k + 1 < kCount) expected.push_back(listed.ids[k + 1]);
+      ASSERT_EQ(neighbors, expected);
+    }
+  }
 }
 
 TEST(Listing, NoSitesAndOneSite) {

@@ -79,7 +79,8 @@ TEST(StageUse, LongestNumbersFitTheExactStage) {
     std::array<Site, 5> s;
     for (Site& site : s) site = {number(), number(), number()};
     (void)stages::vertexExact(s[0], &s[1], &s[2], &s[3]);
-    (void)stages::isOppositePoleExact(s[0], &s[1], &s[2], &s[3]);
+    (void)stages::isOppositeExact(s[0], &s[1], &s[2], &s[3], stages::FaceCorner::kPole);
+    (void)stages::isOppositeExact(s[0], &s[1], nullptr, &s[3], stages::FaceCorner::kK);
     (void)stages::distanceExact(s[0].x, s[0].y, s[1], s[2]);
     for (const stages::RayPart part : {stages::RayPart::kLeftwards, stages::RayPart::kAlong}) {
       (void)stages::rayExact(s[0].x, s[1].y, s[2], &s[3], &s[4], part);

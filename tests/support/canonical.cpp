@@ -32,14 +32,9 @@ class Complaints {
   std::string& broken_;
 };
 
-/// vertices() and edges() in site ids: what of them is no history.
-struct Listing {
-  std::vector<std::array<SiteId, 3>> vertices;
-  std::vector<std::array<SiteId, 2>> unboundedEdges;  ///< the left and the right cell, on the way outwards
-};
-
-/// Reads them and checks that they fit: each vertex in the plane has three edges, one between each two of its sites.
-Listing listingOf(const Diagram& diagram, Complaints& complaints) {
+/// The faces as vertices() and edges() tell of them: of a vertex its sites, of an edge to infinity its left and right cell on the way
+/// outwards, and infinity. Checks that the two fit: each vertex has three edges, one between each two of its sites.
+std::vector<std::array<SiteId, 3>> facesOfListings(const Diagram& diagram, Complaints& complaints) {
   VertexArrays vertices;
   EdgeArrays edges;
   complaints.unless(diagram.vertices(vertices) == Error::kNone, "vertices() failed");
@@ -49,12 +44,12 @@ Listing listingOf(const Diagram& diagram, Complaints& complaints) {
                     "lengths of vertices()");
   complaints.unless(edges.sites.size() == edges.vertices.size() && edges.sites.size() % 2 == 0, "lengths of edges()");
 
-  Listing listing;
+  std::vector<std::array<SiteId, 3>> faces;
   using Side = std::pair<SiteId, SiteId>;
   std::vector<std::vector<Side>> sides(vertexCount);  // those that no edge has claimed yet
   for (std::size_t k = 0; k < vertexCount; ++k) {
     const SiteId* s = &vertices.sites[3 * k];
-    listing.vertices.push_back({s[0], s[1], s[2]});
+    faces.push_back({s[0], s[1], s[2]});
     sides[k] = {{s[0], s[1]}, {s[1], s[2]}, {s[2], s[0]}};
   }
   for (std::size_t k = 0; k + 1 < edges.sites.size(); k += 2) {
@@ -66,7 +61,7 @@ Listing listingOf(const Diagram& diagram, Complaints& complaints) {
       const std::int32_t vertex = edges.vertices[k + end];
       const Side side = end == 1 ? Side{a, b} : Side{b, a};
       if (vertex == -1) {
-        listing.unboundedEdges.push_back({side.first, side.second});
+        faces.push_back({kNoSite, side.first, side.second});
       } else if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertexCount) {
         complaints.unless(false, "an edge's end is not a row of vertices()");
       } else {
@@ -77,15 +72,14 @@ Listing listingOf(const Diagram& diagram, Complaints& complaints) {
     }
   }
   for (const auto& unclaimed : sides) complaints.unless(unclaimed.empty(), "a vertex without three edges");
-  return listing;
+  return faces;
 }
 
 }  // namespace
 
 bool Canonical::operator==(const Canonical& other) const {
   return std::equal(circles.begin(), circles.end(), other.circles.begin(), other.circles.end(), same) &&
-         visible == other.visible && triples == other.triples && vertices == other.vertices &&
-         unboundedEdges == other.unboundedEdges;
+         visible == other.visible && triples == other.triples;
 }
 
 Canonical canonicalForm(const Diagram& diagram, std::string& broken) {
@@ -131,14 +125,11 @@ Canonical canonicalForm(const Diagram& diagram, std::string& broken) {
   for (std::size_t k = 0; k + 2 < faces.size(); k += 3) {
     form.triples.push_back(rotated({indexOf(faces[k]), indexOf(faces[k + 1]), indexOf(faces[k + 2])}));
   }
-  const Listing listing = listingOf(diagram, complaints);
-  for (const auto& v : listing.vertices) form.vertices.push_back(rotated({indexOf(v[0]), indexOf(v[1]), indexOf(v[2])}));
-  for (const auto& edge : listing.unboundedEdges) form.unboundedEdges.push_back({indexOf(edge[0]), indexOf(edge[1])});
   std::sort(form.triples.begin(), form.triples.end());
-  std::sort(form.vertices.begin(), form.vertices.end());
-  std::sort(form.unboundedEdges.begin(), form.unboundedEdges.end());
-  complaints.unless(std::includes(form.triples.begin(), form.triples.end(), form.vertices.begin(), form.vertices.end()),
-                    "a vertex is not the vertex of a face");
+  std::vector<Triple> listed;
+  for (const auto& f : facesOfListings(diagram, complaints)) listed.push_back(rotated({indexOf(f[0]), indexOf(f[1]), indexOf(f[2])}));
+  std::sort(listed.begin(), listed.end());
+  complaints.unless(listed == form.triples, "vertices() and edges() tell of other faces than faces()");
   const std::size_t h = visibleCircles.size();
   complaints.unless(form.triples.size() == (h < 2 ? 0 : 2 * h - 2), "the number of faces is not 2h - 2");
   return form;
@@ -154,16 +145,8 @@ Canonical canonicalByOracle(const Circles& circles) {
     if (diagram.visible[k]) form.visible[lastIndex(form.circles, circles[k])] = true;
   }
   const auto indexOf = [&](int k) { return k == kInfinity ? kInfinity : lastIndex(form.circles, circles[k]); };
-  const auto translated = [&](const std::vector<Triple>& triples) {
-    std::vector<Triple> result;
-    for (const Triple& t : triples) result.push_back(rotated({indexOf(t[0]), indexOf(t[1]), indexOf(t[2])}));
-    std::sort(result.begin(), result.end());
-    return result;
-  };
-  form.triples = translated(diagram.triples);
-  form.vertices = translated(diagram.vertices);
-  for (const auto& edge : diagram.unboundedEdges) form.unboundedEdges.push_back({indexOf(edge[0]), indexOf(edge[1])});
-  std::sort(form.unboundedEdges.begin(), form.unboundedEdges.end());
+  for (const Triple& t : diagram.triples) form.triples.push_back(rotated({indexOf(t[0]), indexOf(t[1]), indexOf(t[2])}));
+  std::sort(form.triples.begin(), form.triples.end());
   return form;
 }
 
@@ -197,10 +180,6 @@ std::string difference(const Canonical& expected, const Canonical& got) {
   };
   list("missing faces", expected.triples, got.triples);
   list("wrong faces", got.triples, expected.triples);
-  list("missing vertices", expected.vertices, got.vertices);
-  list("wrong vertices", got.vertices, expected.vertices);
-  list("missing unbounded edges", expected.unboundedEdges, got.unboundedEdges);
-  list("wrong unbounded edges", got.unboundedEdges, expected.unboundedEdges);
   return text.str();
 }
 

@@ -14,10 +14,7 @@ namespace apollonius::test {
 struct Canonical {
   Circles circles;               ///< all sites, ascending by (r, x, y), duplicates too
   std::vector<bool> visible;     ///< per circle; of identical circles the last one is called the visible one
-  // Indices into `circles` (of identical ones the last), sorted; see OracleDiagram.
-  std::vector<Triple> triples;
-  std::vector<Triple> vertices;
-  std::vector<std::array<int, 2>> unboundedEdges;
+  std::vector<Triple> triples;   ///< indices into `circles` (of identical ones the last), sorted; see OracleDiagram
 
   bool operator==(const Canonical& other) const;
 };

@@ -68,6 +68,9 @@ const std::vector<NamedGenerator>& corpus() {
       {"OneUlpApart", oneUlpApart},
       {"NestedClusters", [](Random& random, std::size_t n) { return nestedClusters(random, n, false); }},
       {"NestedClustersFarApart", [](Random& random, std::size_t n) { return nestedClusters(random, n, true); }, false},
+      {"TangentLine", [](Random& random, std::size_t n) { return tangentLines(random, n, 1, 4); }},
+      {"TangentLines", [](Random& random, std::size_t n) { return tangentLines(random, n, 2, 3); }},
+      {"ParallelLines", [](Random& random, std::size_t n) { return tangentLines(random, n, 2, 0); }},
   };
   return generators;
 }

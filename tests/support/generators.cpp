@@ -214,6 +214,20 @@ Circles collinear(Random& random, std::size_t n, Line line, bool equalSpacing, i
   return circles;
 }
 
+Circles tangentLines(Random& random, std::size_t n, int lines, int heaviest) {
+  // Along the line in steps of (a, b), away from it in steps of (-b, a): both are of length c.
+  const Triple step = pythagorean(random, 3, 1);
+  const std::int64_t width = heaviest + 1;  // between the lines: a weight of half of it touches both
+  Circles circles;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::int64_t along = random.integer(0, static_cast<std::int64_t>(3 * n));
+    const std::int64_t weight = random.integer(0, heaviest);
+    const std::int64_t away = lines == 2 && random.oneIn(2) ? width - weight : weight;
+    circles.push_back(circleAt(along * step.a - away * step.b, along * step.b + away * step.a, weight * step.c));
+  }
+  return circles;
+}
+
 Circles cocircularPoints(Random& random, std::size_t n) {
   constexpr std::int64_t kRadius = 32045;
   static const Circles all = [] {

@@ -65,6 +65,10 @@ enum class Line { kHorizontal, kVertical, kDiagonal, kRandomSlope };
 /// Centres exactly on one line, equally spaced or not; radii 0..maxRadius (0: points).
 Circles collinear(Random& random, std::size_t n, Line line, bool equalSpacing, int maxRadius);
 
+/// Circles that touch a line of any rational direction from one side, exactly; with `lines` 2 also a parallel one from the other side, so
+/// that some touch both. Weights are 0..heaviest times a common factor (0: points on the lines).
+Circles tangentLines(Random& random, std::size_t n, int lines, int heaviest);
+
 /// Integer points with x^2 + y^2 = 32045^2 (5 * 13 * 17 * 29, 324 points), all of one radius.
 Circles cocircularPoints(Random& random, std::size_t n);
 

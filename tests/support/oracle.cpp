@@ -1,7 +1,6 @@
 #include "support/oracle.h"
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 
 #include "support/oracle_numbers.h"
@@ -99,7 +98,8 @@ ExactSite relativeTo(const ExactSite& origin, const ExactSite& site) {
   return {site.x - origin.x, site.y - origin.y, site.r - origin.r};
 }
 
-/// The circle that touches the sites in the order (first, j, k): kFree with `result` set, kNoCircle, or kUndetermined: at infinity.
+/// The circle that touches the sites in the order (first, j, k): kFree with `result` set, or kNoCircle; kUndetermined only where a site
+/// covers another.
 Verdict findCircle(const ExactSite& j, const ExactSite& k, TouchingCircle& result) {
   TouchingCircle circles[2];
   const int finite = touchingCircles(j, k, circles);
@@ -121,38 +121,54 @@ Verdict findCircle(const ExactSite& j, const ExactSite& k, TouchingCircle& resul
     found = true;
     result = circle;
   }
-  if (found) return Verdict::kFree;
-  return finite == 2 ? Verdict::kNoCircle : Verdict::kUndetermined;
+  return found ? Verdict::kFree : Verdict::kNoCircle;
 }
 
-/// Face (i, j, k) of finite sites. `q` may be null: only existence is asked, kFree or kNoCircle.
-Verdict judgeFinite(const ExactSite& i, const ExactSite& j, const ExactSite& k, const ExactSite* q) {
-  TouchingCircle circle;
-  const Verdict existence = findCircle(relativeTo(i, j), relativeTo(i, k), circle);
-  if (existence != Verdict::kFree || q == nullptr) return existence;
+/// Is the circle of a face, seen from its first site, free of a site?
+Verdict judgeCircle(const TouchingCircle& circle, const ExactSite& first, const ExactSite& q) {
   // |c - b_q| < rho + r_q: never if the right side is negative; else the squares.
-  const ExactSite t = relativeTo(i, *q);
+  const ExactSite t = relativeTo(first, q);
   if (signAt(circle, 0, 0, 1, t.r) < 0) return Verdict::kFree;
   return worse(signAt(circle, 2 * t.x, 2 * t.y, 2 * t.r, -(t.x * t.x + t.y * t.y - t.r * t.r)));
 }
 
-/// Face (a, b, infinity): the half-plane {n . x >= n . b_a + r_a} that touches both, with unit normal n to the left of the
-/// way from contact point a to contact point b.
-Verdict judgeInfinite(const ExactSite& a, const ExactSite& bAbsolute, const ExactSite* q) {
-  if (q == nullptr) return Verdict::kFree;
+/// Face (i, j, k) of finite sites. `q` may be null: only existence is asked, kFree or kNoCircle. A circle whose clearance is not less than
+/// the horizon is none; without a horizon, only what is a line is none.
+Verdict judgeFinite(const ExactSite& i, const ExactSite& j, const ExactSite& k, const ExactSite* q, const Integer* horizon) {
+  TouchingCircle circle;
+  const Verdict existence = findCircle(relativeTo(i, j), relativeTo(i, k), circle);
+  if (existence != Verdict::kFree) return existence;
+  if (horizon != nullptr && signAt(circle, 0, 0, 1, -(*horizon + i.r)) >= 0) return Verdict::kNoCircle;
+  return q == nullptr ? Verdict::kFree : judgeCircle(circle, i, *q);
+}
+
+/// Face (a, b, infinity): the circle that touches both and whose clearance is the horizon, to the left of the way from a to b.
+Verdict judgeHorizon(const ExactSite& a, const ExactSite& bAbsolute, const ExactSite& q, const Integer& horizon) {
   const ExactSite b = relativeTo(a, bAbsolute);
-  const ExactSite t = relativeTo(a, *q);
+  const Integer rho = horizon + a.r, square = b.x * b.x + b.y * b.y;
+  // |c| = rho and |c - b| = rho + r_b: 2 (c . b) = |b|^2 - r_b^2 - 2 rho r_b, and the rest of c is along b's left normal.
+  const Integer along = square - b.r * b.r - 2 * rho * b.r;
+  const TouchingCircle circle{along * b.x,      -b.y, along * b.y, b.x, 2 * square * rho, 0, 2 * square,
+                              4 * rho * rho * square - along * along};
+  return judgeCircle(circle, a, q);
+}
+
+/// The same in the limit: the half-plane {n . x >= n . b_a + r_a} that touches both, with unit normal n to the left of the
+/// way from contact point a to contact point b.
+Verdict judgeHalfPlane(const ExactSite& a, const ExactSite& bAbsolute, const ExactSite& q) {
+  const ExactSite b = relativeTo(a, bAbsolute);
+  const ExactSite t = relativeTo(a, q);
   // n = (-r*b + sqrt(p)*b') / |b|^2 with b' the left normal of b; q sticks out if n . t + r_t > 0.
   const Integer square = b.x * b.x + b.y * b.y;
   return worse(signOf(Integer(t.r * square - b.r * (b.x * t.x + b.y * t.y)), Integer(b.x * t.y - b.y * t.x),
                       Integer(square - b.r * b.r)));
 }
 
-/// Along the half-plane of judgeInfinite: does q, which touches it too, touch it between a and b?
+/// Along the half-plane of judgeHalfPlane: does q, which touches it too, touch it between a and b?
 bool touchesBetween(const ExactSite& a, const ExactSite& bAbsolute, const ExactSite& q) {
   const ExactSite b = relativeTo(a, bAbsolute);
   const Integer p = b.x * b.x + b.y * b.y - b.r * b.r;
-  // Positions along the tangent (n_y, -n_x), which leads from a to b; n as in judgeInfinite, times |b|^2.
+  // Positions along the tangent (n_y, -n_x), which leads from a to b; n as in judgeHalfPlane, times |b|^2.
   const auto signOfPosition = [&](const Integer& x, const Integer& y) {
     return signOf(Integer(b.r * (b.x * y - b.y * x)), Integer(b.x * x + b.y * y), p);
   };
@@ -172,8 +188,11 @@ class Oracle {
         if (signOf(*value) != 0) bits = std::max(bits, static_cast<unsigned>(msb(abs(*value))) + 1);
       }
     }
-    // Generous: what is nonzero among numbers of b bits is a few times b bits away from zero.
-    step_ = (perturb == Perturb::kEverything ? 60 : 40) + 8 * bits;
+    // Generous: what is nonzero among numbers of b bits is a few times b bits away from zero, and circles are at most a few times b bits
+    // large. A tiny weight must not be seen from the horizon.
+    const unsigned horizonBits = 60 + 12 * bits;
+    horizon_ = Integer(1) << horizonBits;
+    step_ = perturb == Perturb::kEverything ? 2 * horizonBits : 40 + 8 * bits;
     rank_.resize(sites_.size());
     for (std::size_t k = 0; k < sites_.size(); ++k) {
       for (const ExactSite& other : sites_) rank_[k] += smaller(sites_[k], other);
@@ -202,28 +221,31 @@ class Oracle {
     if (k != kInfinity) involved.push_back(k);
     if (q >= 0) involved.push_back(q);
     std::sort(involved.begin(), involved.end(), [&](int a, int b) { return rank_[a] < rank_[b]; });
+    if (k == kInfinity && q < 0) return Verdict::kFree;
+    if (k == kInfinity && perturb_ == Perturb::kWhereNeeded) {
+      const Verdict verdict = judgeHalfPlane(sites_[i], sites_[j], sites_[q]);
+      if (verdict != Verdict::kUndetermined) return verdict;
+    }
     const std::size_t last = involved.size();
     for (std::size_t level = perturb_ == Perturb::kEverything ? last : 0; level <= last; ++level) {
       const ExactSite a = perturbed(i, involved, level);
       const ExactSite b = perturbed(j, involved, level);
       ExactSite query;
       if (q >= 0) query = perturbed(q, involved, level);
-      const ExactSite* queryPointer = q >= 0 ? &query : nullptr;
-      const Verdict verdict = k == kInfinity ? judgeInfinite(a, b, queryPointer)
-                                             : judgeFinite(a, b, perturbed(k, involved, level), queryPointer);
+      const Integer horizon = horizon_ << step_ * static_cast<unsigned>(level);
+      const Verdict verdict = k == kInfinity ? judgeHorizon(a, b, query, horizon)
+                                             : judgeFinite(a, b, perturbed(k, involved, level), q >= 0 ? &query : nullptr,
+                                                           perturb_ == Perturb::kEverything ? &horizon : nullptr);
       if (verdict != Verdict::kUndetermined) return verdict;
     }
     throw std::logic_error("oracle: zero in spite of the perturbation");
   }
 
-  /// Unperturbed: does the face (i, j, k), which exists, have its vertex in the plane?
-  bool isVertexInPlane(int i, int j, int k) const { return judgeFinite(sites_[i], sites_[j], sites_[k], nullptr) == Verdict::kFree; }
-
   /// Unperturbed: do the cells of i and j share an edge that runs to infinity, i on its left?
   bool isUnboundedEdge(int i, int j, const std::vector<int>& among) const {
     return std::none_of(among.begin(), among.end(), [&](int q) {
       if (q == i || q == j) return false;
-      const Verdict verdict = judgeInfinite(sites_[i], sites_[j], &sites_[q]);
+      const Verdict verdict = judgeHalfPlane(sites_[i], sites_[j], sites_[q]);
       return verdict == Verdict::kInConflict || (verdict == Verdict::kUndetermined && touchesBetween(sites_[i], sites_[j], sites_[q]));
     });
   }
@@ -244,6 +266,7 @@ class Oracle {
   std::vector<ExactSite> sites_;
   std::vector<int> rank_;  ///< 0 for the largest; identical sites share a rank, but only one of them is visible
   unsigned step_ = 0;
+  Integer horizon_;  ///< where infinity begins, in units of sites_
   Perturb perturb_;
 };
 
@@ -274,9 +297,6 @@ OracleDiagram oracleDiagram(const Circles& circles, Perturb perturb) {
     }
   }
   std::sort(diagram.triples.begin(), diagram.triples.end());
-  for (const Triple& t : diagram.triples) {
-    if (t[0] != kInfinity && oracle.isVertexInPlane(t[0], t[1], t[2])) diagram.vertices.push_back(t);
-  }
   for (const int i : visible) {
     for (const int j : visible) {
       if (i != j && oracle.isUnboundedEdge(i, j, visible)) diagram.unboundedEdges.push_back({i, j});
@@ -322,14 +342,13 @@ bool oracleSmaller(const Circle& a, const Circle& b) {
   return a.y < b.y;
 }
 
-std::optional<bool> oracleCircleIsWithin(const Circle& i, const Circle& j, const Circle& k, const Circle& estimate, double error) {
+bool oracleCircleIsWithin(const Circle& i, const Circle& j, const Circle& k, const Circle& estimate, double error) {
   const int unit = lowestBit({i.x, i.y, i.r, j.x, j.y, j.r, k.x, k.y, k.r, estimate.x, estimate.y, estimate.r, error});
   const auto exact = [&](const Circle& c) { return ExactSite{scaled(c.x, unit), scaled(c.y, unit), scaled(c.r, unit)}; };
   const ExactSite pole = exact(i);
   TouchingCircle circle;
   const Verdict existence = findCircle(relativeTo(pole, exact(j)), relativeTo(pole, exact(k)), circle);
-  if (existence == Verdict::kUndetermined) return std::nullopt;
-  if (existence == Verdict::kNoCircle) return false;
+  if (existence != Verdict::kFree) return false;
   // The estimate's clearance s is rho - r_i.
   const ExactSite e{scaled(estimate.x, unit) - pole.x, scaled(estimate.y, unit) - pole.y, scaled(estimate.r, unit) + pole.r};
   const Integer bound = scaled(error, unit);

@@ -2,13 +2,14 @@
 // src/ but the public struct Circle: neither numbers nor predicates nor the way the equations are solved. Meant for about a
 // dozen circles (time n^4).
 //
-// Degenerate position: weights get r + epsilon, where a larger site (by r, then x, then y) has the infinitely larger epsilon.
-// The oracle does that literally: where an exact test comes out zero, it repeats it with the weight of the largest site
-// involved enlarged by a concrete tiny number, then that of the two largest, and so on.
+// Degenerate position: infinity begins where the nearest site is further than an immense clearance, the horizon; and weights get
+// r + epsilon, where a larger site (by r, then x, then y) has the infinitely larger epsilon, all of them infinitely small against the
+// horizon's inverse. The oracle does that literally: where an exact test comes out zero, it repeats it with a concrete horizon if
+// infinity is involved, then with the weight of the largest site involved enlarged by a concrete tiny number, then that of the
+// two largest, and so on.
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "apollonius.h"
@@ -23,9 +24,9 @@ using Triple = std::array<int, 3>;
 
 struct OracleDiagram {
   std::vector<bool> visible;    ///< per circle; of identical circles the first one is the visible one
-  std::vector<Triple> triples;  ///< the faces of the Delaunay graph: Voronoi vertices, those at infinity included, sorted
-  std::vector<Triple> vertices;  ///< those of the triples whose vertex is in the plane, sorted
-  /// The edges that run to infinity: i, j with i's cell on the left of the way outwards, sorted. Two cells can share two.
+  std::vector<Triple> triples;  ///< the faces of the Delaunay graph, those with infinity included, sorted
+  /// The edges that run to infinity: i, j with i's cell on the left of the way outwards, sorted. Two cells can share two. Found without
+  /// any perturbation; they are the triples with infinity (oracle_test).
   std::vector<std::array<int, 2>> unboundedEdges;
 };
 
@@ -50,8 +51,8 @@ enum class CircleAnswer { kNoCircle, kFree, kInConflict };
 CircleAnswer oracleCircle(const Circles& circles, int i, int j, int k, int q);
 
 /// Is the Voronoi circle of the counter-clockwise face (i, j, k), which exists, within `error` of an estimate (x and y of its
-/// centre, r for its clearance), each of the three numbers for itself? No answer where that circle is a line.
-std::optional<bool> oracleCircleIsWithin(const Circle& i, const Circle& j, const Circle& k, const Circle& estimate, double error);
+/// centre, r for its clearance), each of the three numbers for itself?
+bool oracleCircleIsWithin(const Circle& i, const Circle& j, const Circle& k, const Circle& estimate, double error);
 
 /// Sign of (|p - a| - r_a) - (|p - b| - r_b).
 int oracleCompareDistance(double x, double y, const Circle& a, const Circle& b);

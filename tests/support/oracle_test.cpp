@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "support/operations.h"
@@ -14,6 +15,12 @@ namespace {
 void expectClosedSurface(const Circles& circles, const OracleDiagram& diagram) {
   std::size_t visible = 0;
   for (const bool flag : diagram.visible) visible += flag;
+  std::vector<Triple> unbounded;
+  for (const auto& [i, j] : diagram.unboundedEdges) unbounded.push_back({kInfinity, i, j});
+  std::vector<Triple> withInfinity = diagram.triples;
+  withInfinity.erase(std::remove_if(withInfinity.begin(), withInfinity.end(), [](const Triple& t) { return t[0] != kInfinity; }),
+                     withInfinity.end());
+  EXPECT_EQ(withInfinity, unbounded) << toText(insertAll(circles));
   const std::size_t expected = visible < 2 ? 0 : 2 * visible - 2;
   EXPECT_EQ(diagram.triples.size(), expected) << toText(insertAll(circles));
   std::map<std::pair<int, int>, int> excess;
@@ -62,6 +69,8 @@ TEST(Oracle, PerturbationIsSmallEnough) {
     const int side = 1 + random.below(4);
     const Circles circles = tinyGrid(random, 6, side, random.below(3));
     EXPECT_EQ(oracleDiagram(circles).triples, oracleDiagram(circles, Perturb::kEverything).triples) << toText(insertAll(circles));
+    const Circles lines = tangentLines(random, 5, 1 + run % 2, run % 3);
+    EXPECT_EQ(oracleDiagram(lines).triples, oracleDiagram(lines, Perturb::kEverything).triples) << toText(insertAll(lines));
   }
 }
 
@@ -97,6 +106,16 @@ TEST(Oracle, SquareIsSplitByTheLargestSite) {
   const OracleDiagram diagram = oracleDiagram({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
   const std::vector<Triple> expected{{kInfinity, 0, 3}, {kInfinity, 1, 0}, {kInfinity, 2, 1},
                                      {kInfinity, 3, 2}, {0, 1, 2},         {0, 2, 3}};
+  EXPECT_EQ(diagram.triples, expected);
+}
+
+TEST(Oracle, AllThatTouchTheHullAreOnIt) {
+  // Points in line, out of order: there and back.
+  const std::vector<Triple> there{{kInfinity, 0, 2}, {kInfinity, 1, 2}, {kInfinity, 2, 0}, {kInfinity, 2, 1}};
+  EXPECT_EQ(oracleDiagram({{0, 0, 0}, {5, 0, 0}, {2, 0, 0}}).triples, there);
+  // Three circles touch a line from above; the middle one is as high as the others together are not.
+  const OracleDiagram diagram = oracleDiagram({{0, 1, 1}, {20, 1, 1}, {10, 5, 5}});
+  const std::vector<Triple> expected{{kInfinity, 0, 2}, {kInfinity, 1, 2}, {kInfinity, 2, 0}, {kInfinity, 2, 1}};
   EXPECT_EQ(diagram.triples, expected);
 }
 

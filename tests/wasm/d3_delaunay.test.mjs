@@ -12,11 +12,17 @@ const cycle = (ids) => {
   const start = ids.indexOf(Math.min(...ids));
   return [...ids.slice(start), ...ids.slice(0, start)];
 };
-/** d3-delaunay's hull as ours: counter-clockwise with y upwards, and without points in line between two others. */
-const corners = ({ hull, points }) => {
+/** Of a hull, without points in line between two others. */
+const corners = (hull, points) => {
   const cross = (a, b, c) => (points[2 * b] - points[2 * a]) * (points[2 * c + 1] - points[2 * a + 1]) -
     (points[2 * c] - points[2 * a]) * (points[2 * b + 1] - points[2 * a + 1]);
-  return [...hull].filter((id, k) => cross(hull.at(k - 1), id, hull[(k + 1) % hull.length]) !== 0).reverse();
+  return [...hull].filter((id, k) => cross(hull.at(k - 1), id, hull[(k + 1) % hull.length]) !== 0);
+};
+/** Ours is counter-clockwise with y upwards, and has all points that are in line on it; d3-delaunay's may lack some. */
+const expectSameHull = (diagram, { hull, points }) => {
+  const ours = diagram.hull();
+  expect(cycle(corners(ours, points))).toEqual(cycle(corners(hull, points).reverse()));
+  expect([...hull].filter((id) => !ours.includes(id))).toEqual([]);
 };
 const sorted = (numbers) => [...numbers].sort((a, b) => a - b);
 
@@ -35,7 +41,7 @@ describe.each([0, 1, 250, -3])("all radii %d", (r) => {
   });
 
   test("hull", () => {
-    expect(cycle(diagram.hull())).toEqual(cycle(corners(delaunay)));
+    expectSameHull(diagram, delaunay);
   });
 
   test.each([
@@ -47,14 +53,19 @@ describe.each([0, 1, 250, -3])("all radii %d", (r) => {
   ])("hull of other points: %s", (_, point, length) => {
     const points = Array.from({ length }, (__, k) => point(k));
     const circles = new Diagram(points.flatMap(([x, y]) => [x, y, r]));
-    expect(cycle(circles.hull())).toEqual(cycle(corners(Delaunay.from(points))));
+    expectSameHull(circles, Delaunay.from(points));
   });
 
-  test("hull of points in line: the two ends; of two points and of one: all", () => {
+  test("points in line: the hull goes there and back, neighbors are the ones beside; of two points and of one: all", () => {
     for (const point of [(k) => [k, 0], (k) => [0, -k], (k) => [3 * k, -k], (k) => [k % 7 + 10 * Math.floor(k / 7), 5]]) {
       const points = Array.from({ length: 20 }, (_, k) => point((k * 7) % 20));
       const { collinear } = Delaunay.from(points);
-      expect(sorted(new Diagram(points.flatMap(([x, y]) => [x, y, r])).hull())).toEqual(sorted([collinear[0], collinear.at(-1)]));
+      const line = new Diagram(points.flatMap(([x, y]) => [x, y, r]));
+      expect(sorted(line.hull())).toEqual(sorted([...collinear, ...collinear.subarray(1, -1)]));
+      collinear.forEach((id, k) => {
+        expect(sorted(line.neighbors(id))).toEqual(sorted([collinear[k - 1], collinear[k + 1]].filter((other) => other !== undefined)));
+        expect(sorted(line.neighbors(id))).toEqual(sorted(Delaunay.from(points).neighbors(id)));
+      });
     }
     expect(sorted(new Diagram([0, 0, r, 5, 5, r]).hull())).toEqual(sorted(Delaunay.from([[0, 0], [5, 5]]).hull));
     expect(sorted(new Diagram([3, 4, r]).hull())).toEqual([...Delaunay.from([[3, 4]]).hull]);

@@ -72,6 +72,11 @@ test("neighbors are mutual, distinct, and those of the edges", () => {
   expect(listed.sort()).toEqual([...pairs].sort());
 });
 
+test("neighbors in line are the ones beside", () => {
+  const line = new Diagram([0, 0, 0, 1, 0, 0, 2, 0, 0]);
+  expect([0, 1, 2].map((id) => [...line.neighbors(id)].sort())).toEqual([[1], [0, 2], [1]]);
+});
+
 test("neighbors are counter-clockwise", () => {
   const star = new Diagram([0, 0, 0, 10, 0, 0, 0, 10, 0, -10, 0, 0, 0, -10, 0]);
   const around = [...star.neighbors(0)];
@@ -101,7 +106,7 @@ test("an edge's ends are vertices of both of its sites, and Euler's formula hold
       else expect([...corners.subarray(3 * row, 3 * row + 3)]).toEqual(expect.arrayContaining([...sites.subarray(2 * edge, 2 * edge + 2)]));
     }
   }
-  // Cells - edges + vertices, with one more vertex at infinity.
+  // Cells - edges + vertices, with infinity for one more vertex.
   expect(diagram.visibleSize - sites.length / 2 + corners.length / 3 + 1).toBe(2);
   expect(unbounded).toBeGreaterThan(0);
 });

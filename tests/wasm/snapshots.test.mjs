@@ -12,7 +12,7 @@ import { runInNode } from "./support/node.mjs";
 import { randomCircles } from "./support/random.mjs";
 import { expectRefusal } from "./support/refusal.mjs";
 
-const recorded = new Uint8Array(readFileSync(path.join(root, "tests/data/snapshots/version1.bin")));
+const recorded = new Uint8Array(readFileSync(path.join(root, "tests/data/snapshots/version2.bin")));
 
 function built() {
   const diagram = new Diagram(randomCircles(40, 31));
