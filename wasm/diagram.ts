@@ -60,7 +60,9 @@ export interface DiagramOptions {
  * 1e100, negative weights included; y points upwards. n is the number of sites, d the number of a site's neighbours.
  *
  * Every call that fails throws an ApolloniusError and leaves the diagram as it was; after `dispose` every call throws
- * "disposed". Every call that needs memory can throw "out-of-memory". Arrays that are returned belong to the caller.
+ * "disposed". Every call that needs memory can throw "out-of-memory". A call that ends in its middle, by a defect of the library or
+ * because no stack is left, throws "broken", as does every later one of that diagram, whose memory is not given back before all diagrams
+ * of its time are gone. Arrays that are returned belong to the caller.
  *
  * Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the paper).
  */
