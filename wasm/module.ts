@@ -161,7 +161,7 @@ function guarded(raw: NativeExports, retire: () => void): NativeExports {
     running = undefined;
   };
   const failure = (cause?: unknown) =>
-    new ApolloniusError("broken", "a call of this diagram ended in its middle: please report how, unless the stack was full", { cause });
+    new ApolloniusError("broken", "a call of this diagram ended in its middle: please report it, unless no stack was left", { cause });
 
   const call: Record<string, unknown> = { ...raw };
   for (const [name, plain] of Object.entries(raw)) {

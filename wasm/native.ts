@@ -191,7 +191,7 @@ export class NativeDiagram {
   fromBytes(bytes: Uint8Array): Status {
     return this.#withScratch(bytes.length, (at) => {
       const heap: Uint8Array = this.#heap.bytes;
-      heap.set(bytes, at);
+      heap.subarray(at, at + bytes.length).set(bytes);
       return this.#call.diagramFromBytes(this.#address, at, bytes.length);
     });
   }
