@@ -103,7 +103,7 @@ test("no source file is longer than 500 lines", () => {
 
 test("top-level entries are the documented ones", () => {
   const allowed = new Set(["src", "wasm", "web", "tests", "bench", "docs", "CMakeLists.txt", "package.json", "package-lock.json",
-                           "README.md", "CHANGELOG.md", "LICENSE"]);
+                           "README.md", "CHANGELOG.md", "SECURITY.md", "LICENSE"]);
   const others = [...new Set(files.map((file) => file.split("/")[0]))].filter((name) => !allowed.has(name) && !name.startsWith("."));
   expect(others).toEqual([]);
 });
