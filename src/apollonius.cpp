@@ -9,6 +9,8 @@
 #include "diagram/diagram_core.h"
 #include "diagram/spatial_order.h"
 #include "memory/flat_array.h"
+#include "number/fp.h"
+#include "number/invariant.h"
 #include "predicate/approx_distance.h"
 
 namespace apollonius {
@@ -51,7 +53,10 @@ class Diagram::Impl : public DiagramCore {
   using DiagramCore::DiagramCore;
 };
 
-Diagram::Diagram(Location location) : impl_(std::make_unique<Impl>(location)) {}
+Diagram::Diagram(Location location) : impl_(std::make_unique<Impl>(location)) {
+  const char* defect = arithmeticDefect();
+  invariant(defect == nullptr, defect);
+}
 Diagram::~Diagram() = default;
 Diagram::Diagram(Diagram&&) noexcept = default;
 Diagram& Diagram::operator=(Diagram&&) noexcept = default;

@@ -9,6 +9,9 @@
 //
 // Errors: no call throws (but the constructor, std::bad_alloc). A call that fails returns its Error and leaves the diagram as it was. Not thread-safe: one thread
 // at a time, also for queries (they share scratch memory).
+//
+// Arithmetic has to be IEEE 754's, rounded to nearest, with subnormals: a program that is linked with -ffast-math, for one, lacks them. The
+// constructor looks, and ends the program with a message if it is not so.
 #pragma once
 
 #include <cstddef>

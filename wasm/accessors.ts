@@ -1,5 +1,5 @@
 // Diagram.from: from any items to flat x, y, r triples.
-import { allocated, checkSiteCount, described, detachedArray, isDetached, numberError } from "./arguments.js";
+import { allocated, checkSiteCount, described, detachedArray, isArrayLike, isDetached, numberError } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 
 /** Reads one number from an item; called with the item, its index and all items, as d3's accessors are. */
@@ -15,11 +15,15 @@ function field<T>(name: "x" | "y" | "r", position: number): (item: T) => unknown
   };
 }
 
+function notIterable(items: unknown): ApolloniusError {
+  return new ApolloniusError("bad-length", `items is ${described(items)}, expected an iterable or an array`);
+}
+
 /** Throws "not-finite" or "out-of-range", naming the item, for values that cannot be a site's. */
 export function triples<T>(items: Iterable<T> | ArrayLike<T>, x?: Accessor<T>, y?: Accessor<T>, r?: Accessor<T>,
                            that?: unknown): Float64Array {
   if (typeof items !== "object" || items === null || !("length" in items || Symbol.iterator in items)) {
-    throw new ApolloniusError("bad-length", `items is ${described(items)}, expected an iterable or an array`);
+    throw notIterable(items);
   }
   for (const [name, accessor] of Object.entries({ x, y, r })) {
     if (accessor === undefined || accessor === null || typeof accessor === "function") continue;
@@ -31,9 +35,11 @@ export function triples<T>(items: Iterable<T> | ArrayLike<T>, x?: Accessor<T>, y
   const readR = r ?? ((item: T) => defaultR(item) ?? 0);
   if (isDetached(items)) throw detachedArray("items", "items");
   const list: ArrayLike<T> = "length" in items ? items : Array.from(items);
-  checkSiteCount("items", list.length);
-  const xyr = allocated(() => new Float64Array(3 * list.length));
-  for (let index = 0; index < list.length; ++index) {
+  if (!isArrayLike(list)) throw notIterable(items);
+  const count = list.length;  // accessors may change the list
+  checkSiteCount("items", count);
+  const xyr = allocated(() => new Float64Array(3 * count));
+  for (let index = 0; index < count; ++index) {
     const item = list[index] as T;
     const values = [readX.call(that, item, index, items), readY.call(that, item, index, items),
                     readR.call(that, item, index, items)];

@@ -71,14 +71,28 @@ export function unknownSite(id: unknown): ApolloniusError {
   return new ApolloniusError("unknown-site", `site ${typeof id === "number" ? id : described(id)} does not exist`);
 }
 
-function isArrayLike(values: unknown): values is ArrayLike<unknown> {
+// What typed arrays say of themselves can be overwritten; what these say, whatever the realm, cannot.
+const ofTypedArray = (property: string | symbol) =>
+  Object.getOwnPropertyDescriptor(Object.getPrototypeOf(Uint8Array.prototype), property)?.get as () => unknown;
+const kindOf = ofTypedArray(Symbol.toStringTag);
+const views = ["buffer", "byteOffset", "length"].map(ofTypedArray);
+
+export function isArrayLike(values: unknown): values is ArrayLike<unknown> {
   return typeof values === "object" && values !== null && Number.isSafeInteger((values as ArrayLike<unknown>).length) &&
     (values as ArrayLike<unknown>).length >= 0;
 }
 
 /** "Float64Array" and so on for typed arrays, of whatever realm; undefined for anything else. */
 export function typedArrayKind(values: unknown): string | undefined {
-  return ArrayBuffer.isView(values) ? (values as unknown as { [Symbol.toStringTag]?: string })[Symbol.toStringTag] : undefined;
+  return kindOf.call(values) as string | undefined;
+}
+
+/** A typed array as a new view of the same memory, whose length is the true one. Anything else, and what has lost its memory, as it is. */
+export function plainView(values: unknown): unknown {
+  const kind = typedArrayKind(values);
+  if (kind === undefined || isDetached(values)) return values;
+  type Kind = new (...view: unknown[]) => unknown;
+  return new (globalThis as unknown as Record<string, Kind>)[kind]!(...views.map((view) => view.call(values)));
 }
 
 /**
@@ -86,7 +100,7 @@ export function typedArrayKind(values: unknown): string | undefined {
  * caller means.
  */
 export function isDetached(values: unknown): boolean {
-  if (typedArrayKind(values) === undefined || (values as ArrayLike<unknown>).length !== 0) return false;
+  if (typedArrayKind(values) === undefined || views[2]!.call(values) !== 0) return false;
   try {
     Float64Array.prototype.at.call(values, 0);  // of any kind and realm; throws if there is no memory behind it
     return false;
@@ -99,7 +113,8 @@ export function detachedArray(name: string, of: string): ApolloniusError {
   return new ApolloniusError("bad-length", `${name} is a typed array whose buffer is detached or shrunk, expected an array of ${of}`);
 }
 
-function checkedArray(name: string, values: unknown, of: string): ArrayLike<unknown> {
+function checkedArray(name: string, given: unknown, of: string): ArrayLike<unknown> {
+  const values = plainView(given);
   if (!isArrayLike(values)) throw new ApolloniusError("bad-length", `${name} is ${described(values)}, expected an array of ${of}`);
   if (isDetached(values)) throw detachedArray(name, of);
   return values;
@@ -165,9 +180,12 @@ function copied(name: string, array: ArrayLike<unknown>): ArrayLike<number> {
 /** Site ids for the heap; what cannot be an id becomes kNoSite, which no site has. */
 export function checkedIds(name: string, ids: unknown): Uint32Array {
   const array = checkedArray(name, ids, "site ids");
-  if (array instanceof Uint32Array) return array;
+  if (typedArrayKind(array) === "Uint32Array") return array as Uint32Array;
   const checked = allocated(() => new Uint32Array(array.length));
-  for (let k = 0; k < checked.length; ++k) checked[k] = isSiteId(array[k]) ? (array[k] as number) : kNoSite;
+  for (let k = 0; k < checked.length; ++k) {
+    const id = array[k];
+    checked[k] = isSiteId(id) ? id : kNoSite;
+  }
   return checked;
 }
 
@@ -178,9 +196,10 @@ export function checkedBounds(bounds: unknown): [number, number, number, number]
   }
   const names = ["xmin", "ymin", "xmax", "ymax"] as const;
   const [xmin, ymin, xmax, ymax] = names.map((name, k) => {
-    const error = numberError(`${name} of bounds`, bounds[k]);
+    const value = bounds[k];  // read once: a getter may say something else the next time
+    const error = numberError(`${name} of bounds`, value);
     if (error) throw new ApolloniusError("bad-bounds", error.message);
-    return bounds[k] as number;
+    return value as number;
   }) as [number, number, number, number];
   if (!(xmin < xmax && ymin < ymax)) {
     throw new ApolloniusError("bad-bounds", `bounds are [${xmin}, ${ymin}, ${xmax}, ${ymax}], expected xmin < xmax and ymin < ymax`);

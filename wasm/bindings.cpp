@@ -34,22 +34,26 @@ struct Results {
 };
 Results results;
 
-// Arrays out, kept alive until JavaScript has copied them.
-apollonius::Array<SiteId> siteIds;
-apollonius::VertexArrays vertexArrays;
-apollonius::EdgeArrays edgeArrays;
-apollonius::CurveArrays curveArrays;
-apollonius::RingArrays ringArrays;
-apollonius::Array<double> numbers;
-apollonius::Array<std::uint8_t> snapshot;
-apollonius::Path path;
-
 // Arrays in, and arrays out whose length is known before the call.
 struct Scratch {
   std::unique_ptr<double[]> data;
   std::size_t bytes = 0;
 };
-Scratch scratch;
+
+// What all diagrams share. Arrays out are kept alive until JavaScript has copied them.
+struct Blocks {
+  Scratch scratch;
+  apollonius::Array<SiteId> siteIds;
+  apollonius::VertexArrays vertexArrays;
+  apollonius::EdgeArrays edgeArrays;
+  apollonius::CurveArrays curveArrays;
+  apollonius::RingArrays ringArrays;
+  apollonius::Array<double> numbers;
+  apollonius::Array<std::uint8_t> snapshot;
+  apollonius::Path path;
+};
+Blocks blocks;
+auto& [scratch, siteIds, vertexArrays, edgeArrays, curveArrays, ringArrays, numbers, snapshot, path] = blocks;
 
 int code(Error error) { return static_cast<int>(error); }
 
@@ -108,17 +112,10 @@ EMSCRIPTEN_KEEPALIVE double* reserve(std::size_t bytes) {
 }
 
 // Gives all blocks back; JavaScript calls it when it has copied from large ones.
-EMSCRIPTEN_KEEPALIVE void release() {
-  scratch = {};
-  siteIds = apollonius::Array<SiteId>();  // not {}: that would only empty a vector
-  vertexArrays = {};
-  edgeArrays = {};
-  curveArrays = {};
-  ringArrays = {};
-  numbers = apollonius::Array<double>();
-  snapshot = apollonius::Array<std::uint8_t>();
-  path = {};
-}
+EMSCRIPTEN_KEEPALIVE void release() { blocks = Blocks(); }
+
+// After a call that ended in its middle, when any block may be half-made: begins with new ones, and gives none back.
+EMSCRIPTEN_KEEPALIVE void abandon() { new (&blocks) Blocks; }
 
 // --- Life time, and calls about many sites or points. Addresses are of the scratch block. ----------------------------------------
 

@@ -35,7 +35,7 @@ function asTemplate(bytes) {
   const high = codes.slice(128).sort((a, b) => counts[b] - counts[a]);
   const swaps = [];
   // Not all that would make the file shorter: the order of the others means something, and helps compression.
-  for (let k = 0; counts[high[k]] > counts[low[k]] + bytes.length / 256; ++k) swaps.push([low[k], high[k]]);
+  for (let k = 0; counts[high[k]] > counts[low[k]] + bytes.length / 384; ++k) swaps.push([low[k], high[k]]);
   for (const [a, b] of swaps) [codes[a], codes[b]] = [b, a];
   for (const code of unfit) codes[code] += 256;
   return { template: `\`${Array.from(bytes, (byte) => String.fromCharCode(codes[byte])).join("")}\``, swaps: swaps.flat() };

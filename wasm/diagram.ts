@@ -1,7 +1,7 @@
 import { type Accessor, triples } from "./accessors.js";
 import {
   allocated, checkedBounds, checkedBytes, checkedChoice, checkedCount, checkedIds, checkedNewSites, checkedNumbers, checkedTolerance,
-  checkNumber, described, isSiteId, typedArrayKind, unknownSite,
+  checkNumber, described, isDetached, isSiteId, plainView, typedArrayKind, unknownSite,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import {
@@ -60,7 +60,9 @@ export interface DiagramOptions {
  * 1e100, negative weights included; y points upwards. n is the number of sites, d the number of a site's neighbours.
  *
  * Every call that fails throws an ApolloniusError and leaves the diagram as it was; after `dispose` every call throws
- * "disposed". Every call that needs memory can throw "out-of-memory". Arrays that are returned belong to the caller.
+ * "disposed". Every call that needs memory can throw "out-of-memory". A call that ends in its middle, by a defect of the library or
+ * because no stack is left, throws "broken", as does every later one of that diagram, whose memory is not given back before all diagrams
+ * of its time are gone. Arrays that are returned belong to the caller.
  *
  * Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the paper).
  */
@@ -77,8 +79,8 @@ export class Diagram implements Disposable {
    * location).
    */
   constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
-    const numbers = xyr === undefined ? undefined : checkedNewSites("xyr", xyr);
     const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
+    const numbers = xyr === undefined ? undefined : checkedNewSites("xyr", xyr);
     this.#native = NativeDiagram.create(this, location === "hierarchy");
     if (this.#native === null) throw outOfMemory();
     if (numbers === undefined) return;
@@ -108,10 +110,9 @@ export class Diagram implements Disposable {
    * are computed when later calls first need them.
    */
   static fromBytes(bytes: Uint8Array, options?: DiagramOptions): Diagram {
-    const content = checkedBytes("bytes", bytes);
     const diagram = new Diagram(undefined, options);
     try {
-      check(diagram.#living().fromBytes(content));
+      check(diagram.#living().fromBytes(checkedBytes("bytes", bytes)));
     } catch (error) {
       diagram.dispose();
       throw error;
@@ -284,10 +285,11 @@ export class Diagram implements Disposable {
     const native = this.#living();
     const numbers = checkedNumbers("xy", xy, 2);
     const ids = allocated(() => new Int32Array(numbers.length / 2));
-    if (distances !== undefined && !(typedArrayKind(distances) === "Float64Array" && distances.length === ids.length)) {
-      throw new ApolloniusError("bad-length", `distances is ${described(distances)}, expected Float64Array(${ids.length}), one element a point`);
+    const out = plainView(distances) as Float64Array | undefined;
+    if (out !== undefined && !(typedArrayKind(out) === "Float64Array" && out.length === ids.length && !isDetached(out))) {
+      throw new ApolloniusError("bad-length", `distances is ${described(out)}, expected Float64Array(${ids.length}), one element a point`);
     }
-    const status = native.findMany(numbers, ids, distances);
+    const status = native.findMany(numbers, ids, out);
     if (status !== 0) throwForElements(status, "xy", numbers);
     return ids;
   }
@@ -355,7 +357,7 @@ export class Diagram implements Disposable {
    */
   voronoi(bounds: Bounds = [0, 0, 960, 500]): Voronoi {
     this.#living();
-    return new Voronoi(this, checkedBounds(bounds));
+    return new Voronoi(this, bounds);
   }
 
   /**

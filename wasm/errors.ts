@@ -10,6 +10,8 @@
  * - "out-of-memory": memory ran out, or was never enough
  * - "corrupt-snapshot": bytes that are no snapshot of a diagram
  * - "too-large": more than 2^29 sites at once (one by one, memory ends before)
+ * - "broken": a call of this diagram ended in its middle, by a defect of the library (please report it) or because it began at the very end
+ *   of the stack. This diagram takes no more calls, but for `dispose`; all others are as they were
  */
 export type ErrorCode =
   | "not-finite"
@@ -21,11 +23,12 @@ export type ErrorCode =
   | "disposed"
   | "out-of-memory"
   | "corrupt-snapshot"
-  | "too-large";
+  | "too-large"
+  | "broken";
 
 /**
- * Thrown by every call that cannot be carried out; the diagram is then as it was before the call. `code` is for programs,
- * `message` names the argument and its value.
+ * Thrown by every call that cannot be carried out; the diagram is then as it was before the call, unless `code` is "broken". `code` is for
+ * programs, `message` names the argument and its value.
  */
 export class ApolloniusError extends Error {
   /** Always "ApolloniusError". */
@@ -34,8 +37,8 @@ export class ApolloniusError extends Error {
   readonly code: ErrorCode;
 
   /** Made by the library; public for tests that imitate it. */
-  constructor(code: ErrorCode, message: string) {
-    super(message);
+  constructor(code: ErrorCode, message: string, options?: ErrorOptions) {
+    super(message, options);
     this.code = code;
   }
 }

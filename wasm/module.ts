@@ -1,4 +1,6 @@
-// The one instance of the wasm module that all diagrams share: made at the first use, never at import.
+// The instance of the wasm module that diagrams share: made at the first use, never at import. After a call that ended in its middle, what is
+// made later gets a new one.
+import { ApolloniusError } from "./errors.js";
 
 /** Numbers that are addresses in the module's memory. Above 2^31 they come out negative: `>>> 0` where one is used. */
 type Address = number;
@@ -17,11 +19,13 @@ export interface Heap {
 /** What wasm/bindings.cpp exports. */
 export interface NativeExports {
   readonly memory: { readonly buffer: ArrayBuffer; grow(pages: number): number };
+  readonly __stack_pointer: { value: Address };
   _initialize(): void;
 
   resultsAddress(): Address;
   reserve(bytes: number): Address;
   release(): void;
+  abandon(): void;
 
   diagramCreate(hierarchy: Flag): Address;
   diagramDestroy(diagram: Address): void;
@@ -92,9 +96,13 @@ export function isRunning(): boolean {
 
 /** Starts a compiled module unless one runs already. */
 export function start(compiled: WebAssembly.Module): NativeModule {
-  if (instance) return instance;
+  return instance ??= started(compiled);
+}
+
+function started(compiled: WebAssembly.Module): NativeModule {
   const heap = {} as Heap;
-  const view = (buffer: ArrayBuffer) => {
+  const view = () => {
+    const { buffer } = raw.memory;
     heap.bytes = new Uint8Array(buffer);
     heap.integers = new Int32Array(buffer);
     heap.words = new Uint32Array(buffer);
@@ -103,11 +111,11 @@ export function start(compiled: WebAssembly.Module): NativeModule {
   const env = {
     /** Lets the memory have so many bytes and, where there are some, a few more: growing it costs some microseconds. */
     grow(wanted: number): Flag {
-      const bytes = wanted >>> 0, { memory } = call;
+      const bytes = wanted >>> 0, { memory } = raw;
       for (const more of [Math.min(bytes / 5, 1 << 22), 0]) {
         try {
           memory.grow(Math.ceil((bytes + more - heap.bytes.length) / 65536));
-          view(memory.buffer);
+          view();
           return 1;
         } catch {}  // not even what was asked for: malloc fails
       }
@@ -115,11 +123,68 @@ export function start(compiled: WebAssembly.Module): NativeModule {
     },
     report(name: Address): void {
       const text = heap.bytes.subarray(name, heap.bytes.indexOf(0, name));
-      console.error("apollonius: broken invariant:", String.fromCharCode(...text));
+      try {
+        console.error("apollonius: broken invariant:", String.fromCharCode(...text));
+      } catch {}  // into C++ it would look like a lack of memory
     },
   };
-  const call = new WebAssembly.Instance(compiled, { env }).exports as unknown as NativeExports;
-  view(call.memory.buffer);
-  call._initialize();
-  return instance = { call, heap };
+  const raw = new WebAssembly.Instance(compiled, { env }).exports as unknown as NativeExports;
+  view();
+  raw._initialize();
+  const module = { heap, call: guarded(raw, () => {
+    view();
+    try {
+      if (instance === module) instance = started(compiled);
+    } catch {}  // no memory for another: this one goes on
+  }) };
+  return module;
+}
+
+type Call = (diagram: number, ...rest: number[]) => number;
+
+/**
+ * The exports, each guarded against what ends a call in its middle: a trap, which is a defect of the library, or an exhausted stack, which
+ * nothing foresees. The diagram of that call may be half changed: from then on it is broken, every call of it throws, and its memory is never
+ * given back, as its destructor might follow a wrong address. All others find the stack and the shared blocks as they have to be.
+ */
+function guarded(raw: NativeExports, retire: () => void): NativeExports {
+  const stack = raw.__stack_pointer, top = stack.value;
+  const broken = new Set<Address>();
+  let running: Address | undefined;  // the diagram of the call that is under way; 0 if that is about none
+
+  /** Sets things right after a call that ended in its middle. At the end of the stack this may fail itself: then the next call does it. */
+  const settle = (diagram: Address) => {
+    broken.add(running = diagram);
+    stack.value = top;
+    raw.abandon();
+    retire();
+    running = undefined;
+  };
+  const failure = (cause?: unknown) =>
+    new ApolloniusError("broken", "a call of this diagram ended in its middle: please report it, unless no stack was left", { cause });
+
+  const call: Record<string, unknown> = { ...raw };
+  for (const [name, plain] of Object.entries(raw)) {
+    if (typeof plain !== "function") continue;
+    const isOfDiagram = /^(diagram(?!Create)|voronoi)/.test(name);
+    // As many parameters as any has: a list of the rest would be made anew for each call.
+    call[name] = (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number) => {
+      const diagram = isOfDiagram ? a : 0;
+      if (running !== undefined) settle(running);
+      if (diagram !== 0 && broken.size !== 0 && broken.has(diagram)) {
+        if (name === "diagramDestroy") return;
+        throw failure();
+      }
+      running = diagram;
+      try {
+        const result = (plain as Call)(a, b, c, d, e, f, g, h, i);
+        running = undefined;
+        return result;
+      } catch (error) {
+        settle(diagram);
+        throw failure(error);
+      }
+    };
+  }
+  return call as unknown as NativeExports;
 }

@@ -35,12 +35,13 @@ export type Drawing = (typeof Drawing)[keyof typeof Drawing];
 // Commands in one portion of a drawing: few enough to stay in the processor's cache.
 const kPortion = 4096;
 
-let collector: FinalizationRegistry<number> | undefined;
-let results = 0;
+interface Place { call: NativeExports; address: number }
+let collector: FinalizationRegistry<Place> | undefined;
+let results = 0;  // the same in every instance of the module
 
 /** The net under diagrams that nobody disposes of. It holds addresses only, so that owners can be collected. */
-function addressCollector(): FinalizationRegistry<number> {
-  collector ??= new FinalizationRegistry((address) => runningModule().call.diagramDestroy(address));
+function addressCollector(): FinalizationRegistry<Place> {
+  collector ??= new FinalizationRegistry(({ call, address }) => call.diagramDestroy(address));
   return collector;
 }
 
@@ -66,7 +67,7 @@ export class NativeDiagram {
     const address = call.diagramCreate(hierarchy) >>> 0;
     if (address === 0) return null;
     const native = new NativeDiagram(call, heap, address);
-    addressCollector().register(owner, address, native);
+    addressCollector().register(owner, { call, address }, native);
     return native;
   }
 
@@ -190,7 +191,7 @@ export class NativeDiagram {
   fromBytes(bytes: Uint8Array): Status {
     return this.#withScratch(bytes.length, (at) => {
       const heap: Uint8Array = this.#heap.bytes;
-      heap.set(bytes, at);
+      heap.subarray(at, at + bytes.length).set(bytes);
       return this.#call.diagramFromBytes(this.#address, at, bytes.length);
     });
   }

@@ -1,4 +1,4 @@
-import { checkedTolerance, checkNumber, isSiteId } from "./arguments.js";
+import { checkedBounds, checkedTolerance, checkNumber, isSiteId } from "./arguments.js";
 import type { Diagram } from "./diagram.js";
 import { ApolloniusError } from "./errors.js";
 import { check, checkSite, kUnknownSite } from "./failures.js";
@@ -85,13 +85,15 @@ export class Voronoi {
   /** Upper border. */
   readonly ymax: number;
 
-  /** @internal Use `diagram.voronoi(bounds)`, which checks the bounds. */
-  constructor(diagram: Diagram, [xmin, ymin, xmax, ymax]: Bounds) {
+  /** @internal Use `diagram.voronoi(bounds)`. */
+  constructor(diagram: Diagram, bounds: Bounds) {
+    const [xmin, ymin, xmax, ymax] = checkedBounds(bounds);
     this.diagram = diagram;
     this.xmin = xmin;
     this.ymin = ymin;
     this.xmax = xmax;
     this.ymax = ymax;
+    Object.freeze(this);  // an object put there would be asked for its value in the middle of a call
   }
 
   // --- Drawing: into the context, or without one as an SVG path string ---------------------------------------------------------

@@ -5,14 +5,27 @@
 #pragma once
 
 #include <bit>
+#include <cfloat>
 #include <cstdint>
 #include <limits>
 
 namespace apollonius {
 
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
-#ifdef __FAST_MATH__
-#error "fast-math breaks the error bounds"
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || __FINITE_MATH_ONLY__
+#error "fast-math breaks the error bounds: compile without -ffast-math, -Ofast, -funsafe-math-optimizations and their parts"
+#endif
+#if FLT_EVAL_METHOD != 0
+#error "intermediate results of more than 53 bits break the error bounds: compile with -msse2 -mfpmath=sse"
+#endif
+
+/// What is wrong with arithmetic as this program runs, in words, or null: contraction, which no macro tells of, if all was compiled without
+/// the flags of wasm/cmake/CompileFlags.cmake; subnormals flushed to zero, as a program does that is linked with -ffast-math; another
+/// direction of rounding. WebAssembly has none of them.
+#ifdef __wasm__
+constexpr const char* arithmeticDefect() { return nullptr; }
+#else
+const char* arithmeticDefect();
 #endif
 
 /// 2^exponent, for exponents of normal numbers (-1022 … 1023).

@@ -2,7 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
+#include <string>
+
+#include "apollonius.h"
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
 
 namespace apollonius {
 namespace {
@@ -27,6 +34,41 @@ TEST(Fp, ProductsAreNotContracted) {
   const double square = x * x;
   EXPECT_EQ(x * x - square, 0.0);
 }
+
+TEST(Fp, ArithmeticIsAsAssumed) { EXPECT_STREQ(arithmeticDefect(), nullptr); }
+
+#ifndef __wasm__  // which has one mode only
+TEST(Fp, OtherDirectionsOfRoundingAreSeen) {
+  for (const int direction : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    ASSERT_EQ(std::fesetround(direction), 0);
+    const char* defect = arithmeticDefect();
+    std::fesetround(FE_TONEAREST);
+    ASSERT_NE(defect, nullptr) << direction;
+    EXPECT_NE(std::string(defect).find("rounding"), std::string::npos) << defect;
+  }
+}
+#endif
+
+#ifdef __SSE2__
+TEST(Fp, FlushedSubnormalsAreSeen) {
+  constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
+  const unsigned before = _mm_getcsr();
+  for (const unsigned mode : {kFlushToZero, kDenormalsAreZero, kFlushToZero | kDenormalsAreZero}) {
+    _mm_setcsr(before | mode);
+    const char* defect = arithmeticDefect();
+    _mm_setcsr(before);
+    ASSERT_NE(defect, nullptr) << mode;
+    EXPECT_NE(std::string(defect).find("subnormal"), std::string::npos) << defect;
+  }
+}
+
+TEST(FpDeathTest, NoDiagramWithoutSubnormals) {
+  EXPECT_DEATH({
+    _mm_setcsr(_mm_getcsr() | 0x8000);
+    const Diagram diagram;
+  }, "broken invariant: subnormal numbers are flushed");
+}
+#endif
 
 }  // namespace
 }  // namespace apollonius

@@ -1,11 +1,39 @@
 # One set of flags for every target, native and wasm, as an interface target `apollonius_flags`.
 #
 # Contraction is off and fast-math stays off because the error bounds of the predicates count each rounding; with both, + - * /
-# and sqrt give the same bits under g++, clang++ and wasm, and so does everything that is computed with them.
+# and sqrt give the same bits under g++, clang++ and wasm, and so does everything that is computed with them. Flags of the machine
+# (-march=native, -mfma) are fine with contraction off. What asks for other arithmetic is refused, although ours come later on the command line
+# and win there: the linker's does not have them, and with -ffast-math it switches subnormals off for the whole program.
+function(apollonius_refuse_other_arithmetic)
+  get_directory_property(compile_options COMPILE_OPTIONS)
+  get_directory_property(link_options LINK_OPTIONS)
+  set(asked "${CMAKE_CXX_COMPILER_ARG1} ${CMAKE_CXX_FLAGS} ${CMAKE_EXE_LINKER_FLAGS} ${compile_options} ${link_options}")
+  foreach(config IN ITEMS ${CMAKE_BUILD_TYPE} ${CMAKE_CONFIGURATION_TYPES})
+    string(TOUPPER "${config}" config)
+    string(APPEND asked " ${CMAKE_CXX_FLAGS_${config}} ${CMAKE_EXE_LINKER_FLAGS_${config}}")
+  endforeach()
+  set(parts_of_fast_math "unsafe-math-optimizations|associative-math|reciprocal-math|finite-math-only|no-signed-zeros|cx-limited-range")
+  set(forbidden "Ofast|ffast-math|f(${parts_of_fast_math})|ffp-contract=(on|fast.*)|ffp-model=(fast|aggressive)"
+    "|fsingle-precision-constant|mfpmath=(387|both|.*[,+].*)|mdaz-ftz|mno-sse2?")
+  string(CONCAT forbidden ${forbidden})
+  string(REGEX REPLACE "[;: ]+" ";" asked "${asked}")
+  foreach(option IN LISTS asked)
+    if(option MATCHES "^-(${forbidden})$")
+      message(FATAL_ERROR "apollonius: ${option} changes arithmetic, on which the exactness of every answer rests."
+        " Remove it from CMAKE_CXX_FLAGS, CXXFLAGS or wherever it is added (-march=native and -mfma are fine).")
+    endif()
+  endforeach()
+endfunction()
+apollonius_refuse_other_arithmetic()
+
 add_library(apollonius_flags INTERFACE)
 target_compile_options(apollonius_flags INTERFACE
-  -ffp-contract=off -fno-fast-math -fno-math-errno -fno-trapping-math
+  "SHELL:-ffp-contract=off -fno-fast-math -fno-math-errno -fno-trapping-math"  # as one: CMake leaves out what has been there before, far from the end
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|i.86|x86)$")
+  # g++ 12 turns alternating differences and sums of products into vfmaddsub even with contraction off. Without the instructions it cannot.
+  target_compile_options(apollonius_flags INTERFACE "SHELL:-mno-fma -mno-fma4 -mno-avx512f")
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(apollonius_flags INTERFACE -Wno-restrict)  # g++ 12 sees one in every "..." + std::string
 endif()

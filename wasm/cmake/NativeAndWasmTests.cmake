@@ -71,6 +71,11 @@ foreach(folder IN LISTS folders)
   endif()
 endforeach()
 
+if(NOT EMSCRIPTEN)
+  add_test(NAME flags COMMAND "${CMAKE_COMMAND}" -DROOT=${CMAKE_CURRENT_SOURCE_DIR} -DWORK=${CMAKE_CURRENT_BINARY_DIR}/flags
+    -DCXX=${CMAKE_CXX_COMPILER} -DOBJDUMP=${CMAKE_OBJDUMP} -DLIBRARY=$<TARGET_FILE:apollonius> -P "${tests}/flags/check.cmake")
+endif()
+
 if(APOLLONIUS_FUZZ)
   file(GLOB fuzz_files CONFIGURE_DEPENDS "${tests}/fuzz/*_fuzz.cpp")
   foreach(file IN LISTS fuzz_files)

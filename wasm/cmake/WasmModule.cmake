@@ -42,5 +42,6 @@ target_link_options(apollonius_wasm PRIVATE
   -Wl,-mllvm,-inline-threshold=-50 -Wl,-mllvm,-vectorize-loops=false
   --no-entry                       # a library: `_initialize` instead of `main`
   -Wl,--wrap=emscripten_resize_heap
+  -Wl,--export=__stack_pointer     # wasm/module.ts puts it back after a trap
   -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB
   -sMALLOC=emmalloc)               # 6 KB smaller than the default and as fast here: a diagram is a few large arrays
