@@ -182,10 +182,8 @@ bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
     return true;
   }
   if (!base_.graph().hasVertex(vertexOf(slot))) return false;  // the only visible one
-  const SiteMoves::Move move{vertexOf(slot), to};
-  if (siteMoves_.apply(base_, {&move, 1})[0] == 0) return false;
-  followMove(slot, siteMoves_.siteBefore(0));
-  return true;
+  moves_.assign(1, {vertexOf(slot), to});
+  return makeMoves();
 }
 
 bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
@@ -195,11 +193,19 @@ bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
   return true;
 }
 
-/// What location needs to know of a site that moved and is visible as before.
-void DiagramCore::followMove(Slot slot, const Site& from) noexcept {
-  if (!isHierarchyDue_) hierarchy_.move(slot, site(slot), remover_);
-  grid_.move(slot, from, site(slot));
+/// Makes those of moves_ that leave the graph as it is, and keeps only them there; the levels and the grid follow. False if there is none.
+bool DiagramCore::makeMoves() {
+  const std::span<const std::uint8_t> isMade = siteMoves_.apply(base_, moves_);
+  std::size_t made = 0;
+  for (std::size_t k = 0; k < moves_.size(); ++k) {
+    if (isMade[k] == 0) continue;
+    moves_[made++] = moves_[k];
+    grid_.move(slotOf(moves_[k].vertex), siteMoves_.siteBefore(k), moves_[k].to);
+  }
+  moves_.resize(made, {});
+  if (!isHierarchyDue_) hierarchy_.move(moves_, remover_);
   if (grid_.isOutgrown()) rebuildGrid();
+  return made > 0;
 }
 
 void DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order) {
@@ -213,10 +219,7 @@ void DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const d
     if (!base_.graph().hasVertex(vertexOf(slot)) || isAtRest || !coversChildren(slot, to)) continue;
     moves_.push_back({vertexOf(slot), to});
   }
-  const std::span<const std::uint8_t> isMade = siteMoves_.apply(base_, moves_);
-  for (std::size_t k = 0; k < moves_.size(); ++k) {
-    if (isMade[k] != 0) followMove(slotOf(moves_[k].vertex), siteMoves_.siteBefore(k));
-  }
+  makeMoves();
 }
 
 FlatArray<std::uint32_t> DiagramCore::stage(std::span<const double> xyr) {

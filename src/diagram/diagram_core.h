@@ -97,7 +97,7 @@ class DiagramCore {
   /// Moves those of the sites together for which that is so; the others stay where they are.
   void moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order);
   [[nodiscard]] bool coversChildren(Slot slot, const Site& to) const;
-  void followMove(Slot slot, const Site& from) noexcept;
+  bool makeMoves();
   [[nodiscard]] FlatArray<std::uint32_t> orderOfSlots(std::span<const SiteId> ids) const;
   /// Undoes a displacement. There is room for it: the ballast has been dropped.
   void restore(Slot slot, const Site& site) noexcept { ids_.setState(slot, place(slot, site, kNoVertex)); }
@@ -129,7 +129,7 @@ class DiagramCore {
   StartGrid grid_;            // with Walk::kSectors only
   Remover remover_;
   SiteMoves siteMoves_;
-  FlatArray<SiteMoves::Move> moves_;  // scratch of moveManyInPlace
+  FlatArray<SiteMoves::Move> moves_;  // scratch of moves in place
   Ballast ballast_;
   FlatArray<VertexId> children_;  // scratch of displaceVisible
 };
