@@ -59,7 +59,7 @@ class DelaunayGraph {
     VertexId nearest = kNoVertex;
     HalfedgeId sector = kNoHalfedge;  ///< the half-edge there whose range of directions holds the point; kNoHalfedge if that is not known
   };
-  /// Walks from `start`, which is visible. REQUIRES: a visible site.
+  /// Walks from `start`, as of insert(). REQUIRES: a visible site.
   [[nodiscard]] Located locate(double x, double y, VertexId start, Walk walk = Walk::kSectors) const;
 
   // --- Changing: each either succeeds or throws std::bad_alloc and has changed nothing ---------------------------------------
@@ -81,8 +81,8 @@ class DelaunayGraph {
     std::span<const VertexId> covered;  ///< vertices that lost their place because the new one covers them; valid until the
                                         ///< next change
   };
-  /// Inserts the site of v (setSite), walking from `start` (visible, or kNoVertex) to its place. Paper, section 3. `forest` gets room
-  /// for what the site will cover.
+  /// Inserts the site of v (setSite), walking to its place from `start`, or from some visible vertex if that is not one: starts are hints, kept
+  /// by others (grid, levels). Paper, section 3. `forest` gets room for what the site will cover. REQUIRES: v is not visible.
   [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors, HiddenForest* forest = nullptr);
 
   /// Forgets all sites but keeps the room.
@@ -101,6 +101,7 @@ class DelaunayGraph {
   friend class SiteMoves; // changes sites and circles
   friend class DiagramBreaker;  // tests break a structure on purpose
 
+  [[nodiscard]] VertexId visibleStart(VertexId hint) const { return isVisible(hint) ? hint : recent_; }
   [[nodiscard]] Located walkAllNeighbors(double x, double y, VertexId start) const;
   [[nodiscard]] Located walkSectors(double x, double y, VertexId start) const;
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;

@@ -5,6 +5,7 @@
 #include "diagram/sort_by_key.h"
 #include "diagram/spatial_order.h"
 #include "memory/flat_array.h"
+#include "number/invariant.h"
 
 namespace apollonius {
 
@@ -19,7 +20,7 @@ VertexId DiagramCore::startFor(double x, double y) const {
   if (close != kNoSlot && base_.isVisible(vertexOf(close))) return vertexOf(close);
   if (isHierarchyDue_) buildHierarchy();
   const Slot start = hierarchy_.locate(x, y);
-  return start == kNoSlot ? base_.anyVisible() : vertexOf(start);
+  return start == kNoSlot ? kNoVertex : vertexOf(start);
 }
 
 Slot DiagramCore::nearest(double x, double y, Slot hint) const {
@@ -86,6 +87,7 @@ std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
 
 void DiagramCore::displace(Slot slot) {
   if (ids_.state(slot) == SiteState::kHidden) {
+    invariant(hidden_.isChild(slot), "a hidden site hangs on another");
     hidden_.dissolve(slot);  // what it covered is covered by its parent, too
   } else {
     displaceVisible(slot);
@@ -176,7 +178,7 @@ bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
   const Site to = normalized(site);
   if (!coversChildren(slot, to)) return false;
   if (ids_.state(slot) == SiteState::kHidden) {
-    const Slot parent = hidden_.parentIfNear(slot);
+    const Slot parent = hidden_.isChild(slot) ? hidden_.parentIfNear(slot) : HiddenForest::kNone;
     if (parent == HiddenForest::kNone || !covers(this->site(parent), to)) return false;
     base_.setSite(vertexOf(slot), to);
     return true;

@@ -1,9 +1,11 @@
 // Insertion in the paper's three stages (section 3): nearest site, is the new one covered by it, conflict region and starring.
 #include "diagram/delaunay_graph.h"
+#include "number/invariant.h"
 
 namespace apollonius {
 
 DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk walk, HiddenForest* forest) {
+  invariant(!isVisible(v), "a site enters a graph once");
   const Site& q = site(v);
   if (visibleCount_ == 0) {
     visibleCount_ = 1;
@@ -11,7 +13,7 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk 
     return {kNoVertex, {}};
   }
   if (visibleCount_ == 1) return insertBesideOne(v, forest);
-  if (start == kNoVertex) start = recent_;
+  start = visibleStart(start);
   // Often a conflict is found at once, which makes the first two stages superfluous: a covered site has none.
   if (!conflicts_.findBeside(*this, q, start)) {
     const Located near = locate(q.x, q.y, start, walk);

@@ -7,6 +7,7 @@
 namespace apollonius {
 
 std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden) {
+  invariant(diagram.isVisible(v), "a site that is removed from a graph is there");
   fates_.clear();
   collectLink(diagram.graph(), v);
   const std::size_t remaining = diagram.visibleCount() - 1;
