@@ -24,6 +24,8 @@ namespace apollonius {
 /// only in the direction of the point.
 enum class Walk : unsigned char { kAllNeighbors, kSectors };
 
+class Remover;
+
 class DelaunayGraph {
  public:
   // --- Reading -------------------------------------------------------------------------------------------------------------
@@ -83,7 +85,9 @@ class DelaunayGraph {
   };
   /// Inserts the site of v (setSite), walking to its place from `start`, or from some visible vertex if that is not one: starts are hints, kept
   /// by others (grid, levels). Paper, section 3. `forest` gets room for what the site will cover. REQUIRES: v is not visible.
-  [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors, HiddenForest* forest = nullptr);
+  /// With a remover, all room is made that it will need to take the site out again, all there is to be as it was before.
+  [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors, HiddenForest* forest = nullptr,
+                                 Remover* remover = nullptr);
 
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
@@ -106,11 +110,13 @@ class DelaunayGraph {
   [[nodiscard]] Located walkSectors(double x, double y, VertexId start) const;
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
   [[nodiscard]] Insertion insertBesideOne(VertexId v, HiddenForest* forest);
-  [[nodiscard]] Insertion coverAll(VertexId v, HiddenForest* forest);
+  [[nodiscard]] Insertion coverAll(VertexId v, HiddenForest* forest, Remover* remover);
   [[nodiscard]] bool hullTurnsOnce() const;
   void computeCircle(FaceId f) const;
   /// Room for an operation on the graph, newFaces_ and newCircles_ included.
   void reserveFaces(std::size_t removed, std::size_t created);
+  /// Room for the scratch of an operation on so many faces and sides that needs none for new faces, as it undoes one.
+  void reserveReturn(std::size_t facesAndSides);
   [[nodiscard]] std::span<FaceId> newFaces(std::size_t created) { return {newFaces_.data(), created}; }
   /// After the operation: newCircles_ become the circles of newFaces_.
   void takeCircles(std::size_t created) noexcept {
@@ -129,6 +135,7 @@ class DelaunayGraph {
   FlatArray<FaceId> newFaces_;         // scratch
   FlatArray<VoronoiCircle> newCircles_;  // scratch: computed before the graph changes, as that may take memory
   FlatArray<VertexId> covered_;        // scratch
+  std::size_t returnRoom_ = 0;         // of reserveReturn()
 };
 
 }  // namespace apollonius

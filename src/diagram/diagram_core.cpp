@@ -18,7 +18,7 @@ void DiagramCore::reserve(std::size_t slots) {
 VertexId DiagramCore::startFor(double x, double y) const {
   const Slot close = grid_.near(x, y);
   if (close != kNoSlot && base_.isVisible(vertexOf(close))) return vertexOf(close);
-  if (isHierarchyDue_) buildHierarchy();
+  if (isHierarchyDue_ && !isUndoing_) buildHierarchy();
   const Slot start = hierarchy_.locate(x, y);
   return start == kNoSlot ? kNoVertex : vertexOf(start);
 }
@@ -37,11 +37,11 @@ SiteId DiagramCore::insert(const Site& site) {
   return ids_.take(place(slot, site, kNoVertex));
 }
 
-SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start) {
+SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start, Undo undo) {
   const VertexId v = vertexOf(slot);
   base_.setSite(v, normalized(site));
   if (start == kNoVertex) start = startFor(site.x, site.y);
-  const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_, &hidden_);
+  const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_, &hidden_, undo == Undo::kMaybe ? &remover_ : nullptr);
   if (insertion.cover != kNoVertex) {
     hidden_.reserveChildren(1);
     hidden_.attach(slot, slotOf(insertion.cover));
@@ -73,34 +73,36 @@ std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
     for (const SiteId id : ids) {
       const Slot slot = ids_.slotOf(id);
       if (slot == kNoSlot || ids_.state(slot) == SiteState::kPending) continue;  // pending: repeated
-      displace(slot);
+      displace(slot, Undo::kMaybe);
       gone.push_back(slot);
     }
   } catch (...) {
-    ballast_.drop();
-    for (const Slot slot : gone) restore(slot, site(slot));
+    beginUndo();
+    for (std::size_t k = gone.size(); k-- > 0;) putBack(gone[k], site(gone[k]));
+    endUndo();
     throw;
   }
   for (const Slot slot : gone) ids_.release(slot);
   return gone.size();
 }
 
-void DiagramCore::displace(Slot slot) {
+void DiagramCore::displace(Slot slot, Undo undo) {
   if (ids_.state(slot) == SiteState::kHidden) {
     invariant(hidden_.isChild(slot), "a hidden site hangs on another");
     hidden_.dissolve(slot);  // what it covered is covered by its parent, too
   } else {
-    displaceVisible(slot);
+    displaceVisible(slot, undo);
   }
   ids_.setState(slot, SiteState::kPending);
 }
 
-void DiagramCore::displaceVisible(Slot slot) {
-  children_.clear();
+void DiagramCore::displaceVisible(Slot slot, Undo undo) {
+  FlatArray<VertexId>& children = remover_.hiddenList();
+  children.clear();
   for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
-    children_.push_back(vertexOf(child));
+    children.push_back(vertexOf(child));
   }
-  const std::span<const Remover::Fate> fates = remover_.remove(base_, vertexOf(slot), children_);
+  const std::span<const Remover::Fate> fates = remover_.remove(base_, vertexOf(slot), children, undo == Undo::kMaybe);
   // From here on nothing throws.
   for (const Remover::Fate& fate : fates) {
     const Slot child = slotOf(fate.vertex);
@@ -113,14 +115,14 @@ void DiagramCore::displaceVisible(Slot slot) {
   }
   leaveLocation(slot);
   // The fates were the remover's scratch, which the line above may have used.
-  for (const VertexId child : children_) {
+  for (const VertexId child : children) {
     if (ids_.state(slotOf(child)) == SiteState::kVisible) enterLocation(slotOf(child));
   }
 }
 
 void DiagramCore::enterLocation(Slot slot) noexcept {
   if (!usesHierarchy_) return;
-  if (!isHierarchyDue_) hierarchy_.insert(slot, site(slot));
+  if (!isHierarchyDue_ && !isUndoing_) hierarchy_.insert(slot, site(slot));
   if (walk_ != Walk::kSectors || isBulk_) return;
   grid_.insert(slot, site(slot));
   if (grid_.isOutgrown()) rebuildGrid();
@@ -160,18 +162,39 @@ void DiagramCore::update(SiteId id, const Site& site) {
   move(ids_.slotOf(id), site);
 }
 
-void DiagramCore::move(Slot slot, const Site& site) {
+DiagramCore::Moved DiagramCore::move(Slot slot, const Site& site) {
   const Site old = this->site(slot);
-  if (old.x == site.x && old.y == site.y && old.r == site.r) return;
-  if (moveInPlace(slot, site)) return;
-  displace(slot);
+  if (old.x == site.x && old.y == site.y && old.r == site.r) return Moved::kNot;
+  if (moveInPlace(slot, site)) return Moved::kInPlace;
+  displace(slot, Undo::kMaybe);
   try {
-    ids_.setState(slot, place(slot, site, kNoVertex));
+    ids_.setState(slot, place(slot, site, kNoVertex, Undo::kMaybe));
   } catch (...) {
-    ballast_.drop();
-    restore(slot, old);
+    beginUndo();
+    putBack(slot, old);
+    endUndo();
     throw;
   }
+  return Moved::kAnew;
+}
+
+/// The levels would need room of their own; they go, which makes some, and are made anew when they are asked for.
+void DiagramCore::beginUndo() noexcept {
+  ballast_.drop();
+  hierarchy_.clear();
+  isHierarchyDue_ = false;
+  isUndoing_ = true;
+}
+
+void DiagramCore::endUndo() noexcept {
+  isUndoing_ = false;
+  isHierarchyDue_ = usesHierarchy_;
+}
+
+void DiagramCore::moveBack(Slot slot, const Site& from) noexcept {
+  const SiteMoves::Move move{vertexOf(slot), from};
+  if (ids_.state(slot) == SiteState::kVisible) grid_.move(slot, site(slot), from);
+  SiteMoves::takeBack(base_, {&move, 1});
 }
 
 bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
@@ -253,6 +276,7 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
   }
   // Walks start beside, so the grid need not be kept while it changes a lot.
   isBulk_ = isBulk;
+  const Undo undo = n < ids_.size() ? Undo::kMaybe : Undo::kNever;  // a diagram that was empty is simply emptied
   std::size_t done = 0;
   try {
     order = inRandomizedRounds(order);
@@ -262,14 +286,22 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
     for (; done < n; ++done) {
       const Slot slot = order[done];
       const Site circle = site(slot);
-      ids_.setState(slot, place(slot, circle, visibleBeside(slot)));
+      ids_.setState(slot, place(slot, circle, visibleBeside(slot), undo));
     }
     order = FlatArray<std::uint32_t>();  // the grid fits where it was
     endBulk();
   } catch (...) {
-    endBulk();
-    ballast_.drop();
-    for (std::size_t k = 0; k < done; ++k) displace(order[k]);
+    isBulk_ = false;
+    beginUndo();
+    if (n == ids_.size()) {
+      base_.clear();
+      hidden_.clear();
+      grid_.clear();
+    } else {
+      for (std::size_t k = done; k-- > 0;) takeOut(order[k]);
+      if (isBulk && walk_ == Walk::kSectors) rebuildGrid();
+    }
+    endUndo();
     for (std::size_t k = n; k-- > 0;) ids_.release(ids_.slotOf(ids[k]));  // so that the next ids are given in the same order again
     throw;
   }
@@ -293,17 +325,34 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
   ballast_.load();
   const FlatArray<std::uint32_t> order = orderOfSlots(ids);
   FlatArray<Site> before(ids.size());
-  for (std::size_t k = 0; k < ids.size(); ++k) before[k] = site(ids_.slotOf(ids[k]));
+  for (const std::size_t k : order) before[k] = site(ids_.slotOf(ids[k]));
+  FlatArray<Moved> moved(order.size());  // those that were moved one by one, and how
+  std::size_t done = 0;
   try {
     moveManyInPlace(ids, xyr, order);
-    for (const std::size_t k : order) move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
+    for (; done < order.size(); ++done) {
+      const std::size_t k = order[done];
+      moved[done] = move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
+    }
   } catch (...) {
-    ballast_.drop();
+    beginUndo();
+    while (done-- > 0) {
+      const Slot slot = ids_.slotOf(ids[order[done]]);
+      if (moved[done] == Moved::kAnew) takeOut(slot);
+      if (moved[done] == Moved::kAnew) putBack(slot, before[order[done]]);
+      if (moved[done] == Moved::kInPlace) moveBack(slot, before[order[done]]);
+    }
+    // What is not where it was now has moved together with others, and goes back so.
+    moves_.clear();
     for (const std::size_t k : order) {
       const Slot slot = ids_.slotOf(ids[k]);
-      displace(slot);
-      restore(slot, before[k]);
+      const Site &from = before[k], &to = site(slot);
+      if (from.x == to.x && from.y == to.y && from.r == to.r) continue;
+      moves_.push_back({vertexOf(slot), from});
+      grid_.move(slot, to, from);
     }
+    SiteMoves::takeBack(base_, moves_);
+    endUndo();
     throw;
   }
 }

@@ -83,15 +83,19 @@ class DiagramCore {
   void reserve(std::size_t slots);
   /// Slots in use and free ones, once there are so many more sites.
   [[nodiscard]] std::size_t slotsWith(std::size_t more) const { return std::max(ids_.slots(), ids_.size() + more); }
+  /// May an operation have to be undone? Then it first makes the room that takes: undoing needs no memory, and the levels are left out of it.
+  enum class Undo : bool { kNever, kMaybe };
   /// Places a site whose slot is in no structure; `start` is visible, or kNoVertex to locate from scratch. May throw; else the
   /// returned state is what the slot is to get.
-  [[nodiscard]] SiteState place(Slot slot, const Site& site, VertexId start);
+  [[nodiscard]] SiteState place(Slot slot, const Site& site, VertexId start, Undo undo = Undo::kNever);
   /// A visible vertex close to a slot along the curve of a bulk insertion, or kNoVertex.
   [[nodiscard]] VertexId visibleBeside(Slot slot) const;
   /// Takes a site out of all structures; its slot becomes pending.
-  void displace(Slot slot);
-  /// Displaces a site and places it elsewhere; a site that cannot be placed returns to where it was.
-  void move(Slot slot, const Site& site);
+  void displace(Slot slot, Undo undo = Undo::kNever);
+  /// How a site got to its new place: not at all (it is there), nothing else having changed, or displaced and placed.
+  enum class Moved : std::uint8_t { kNot, kInPlace, kAnew };
+  /// A site that cannot be placed returns to where it was.
+  Moved move(Slot slot, const Site& site);
   /// Moves a site if nothing else changes by that; else false.
   [[nodiscard]] bool moveInPlace(Slot slot, const Site& site);
   /// Moves those of the sites together for which that is so; the others stay where they are.
@@ -99,9 +103,14 @@ class DiagramCore {
   [[nodiscard]] bool coversChildren(Slot slot, const Site& to) const;
   bool makeMoves();
   [[nodiscard]] FlatArray<std::uint32_t> orderOfSlots(std::span<const SiteId> ids) const;
-  /// Undoes a displacement. There is room for it: the ballast has been dropped.
-  void restore(Slot slot, const Site& site) noexcept { ids_.setState(slot, place(slot, site, kNoVertex)); }
-  void displaceVisible(Slot slot);
+  // Undoing, step by step in reverse order, each from what it had led to: so it needs what was needed then, and there is room for that.
+  void beginUndo() noexcept;
+  void endUndo() noexcept;
+  void putBack(Slot slot, const Site& site) noexcept { ids_.setState(slot, place(slot, site, kNoVertex)); }
+  void takeOut(Slot slot) noexcept { displace(slot); }
+  /// A site that has moved in place.
+  void moveBack(Slot slot, const Site& from) noexcept;
+  void displaceVisible(Slot slot, Undo undo);
   /// What location needs to know of a site that became visible, and of one that is visible no more.
   void enterLocation(Slot slot) noexcept;
   void leaveLocation(Slot slot) noexcept;
@@ -120,6 +129,7 @@ class DiagramCore {
   Location location_;
   bool usesHierarchy_;
   Walk walk_;
+  bool isUndoing_ = false;
   bool isBulk_ = false;       // many sites are being inserted; the grid is made afterwards
   SiteIds ids_;
   DelaunayGraph base_;        // vertex of slot s: s + 1
@@ -131,7 +141,6 @@ class DiagramCore {
   SiteMoves siteMoves_;
   FlatArray<SiteMoves::Move> moves_;  // scratch of moves in place
   Ballast ballast_;
-  FlatArray<VertexId> children_;  // scratch of displaceVisible
 };
 
 }  // namespace apollonius

@@ -6,8 +6,10 @@
 
 namespace apollonius {
 
-std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden) {
+std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden,
+                                               bool mayReturn) {
   invariant(diagram.isVisible(v), "a site that is removed from a graph is there");
+  mayReturn_ = mayReturn;
   fates_.clear();
   collectLink(diagram.graph(), v);
   const std::size_t remaining = diagram.visibleCount() - 1;
@@ -44,6 +46,26 @@ std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId 
   apply(diagram, v, patch_, patchCircles_);
   diagram.visibleCount_ += revived;
   return fates_;
+}
+
+/// A degree of d with h hidden sites makes a small diagram of d + h sites at most, with no more than twice as many faces.
+void Remover::reserve(std::size_t sites) {
+  if (sites <= room_) return;
+  sites = std::max(sites, 2 * room_);
+  const std::size_t faces = 2 * (sites + 1);
+  small_.reserve(sites + 1);
+  small_.reserveBulk(sites);
+  small_.reserveReturn(faces);
+  for (FlatArray<VertexId>* array : {&global_, &cover_, &order_, &hidden_}) array->reserve(sites + 1);
+  link_.reserve(sites);
+  fates_.reserve(sites);
+  patchOf_.reserve(faces);
+  linkOf_.reserve(3 * faces);
+  patchFaces_.reserve(faces);
+  patch_.reserve(faces);
+  patchCircles_.reserve(faces);
+  ears_.reserve();
+  room_ = sites;
 }
 
 void Remover::collectLink(const Graph& graph, VertexId v) {
@@ -166,6 +188,7 @@ void Remover::makePatch() {
 void Remover::apply(DelaunayGraph& diagram, VertexId v, std::span<const Graph::PatchFace> patch,
                     std::span<const VoronoiCircle> circles) {
   diagram.reserveFaces(link_.size(), patch.size());
+  if (mayReturn_) diagram.reserveReturn(std::max(link_.size(), patch.size()));
   // Some visible neighbour, should v be the vertex that walks start from.
   const Graph& graph = diagram.graph();
   const VertexId a = patch.empty() ? graph.origin(link_[0]) : patch[0].corners[0];

@@ -23,7 +23,14 @@ class Remover {
   /// Removes v from the diagram. `hidden` are the vertices that it covered and that may become visible (their sites are set).
   /// Returns their fates, valid until the next call. Throws std::bad_alloc with the diagram unchanged.
   /// Cost: as building a diagram of its d neighbours and of `hidden`.
-  std::span<const Fate> remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden);
+  /// With `mayReturn`, all room is made that the site needs to be inserted again.
+  std::span<const Fate> remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden, bool mayReturn = false);
+
+  /// All the room that it takes to remove a site whose neighbours and hidden sites are so many together.
+  void reserve(std::size_t sites);
+
+  /// Scratch for a caller's list of hidden vertices; reserve() makes room there, too.
+  [[nodiscard]] FlatArray<VertexId>& hiddenList() { return hidden_; }
 
  private:
   void collectLink(const Graph& graph, VertexId v);
@@ -38,6 +45,8 @@ class Remover {
   [[nodiscard]] VertexId global(VertexId local) const { return local == kInfinity ? kInfinity : global_[index(local)]; }
 
   EarClipper ears_;
+  bool mayReturn_ = false;     // of the call at hand
+  std::size_t room_ = 0;       // of reserve()
 
   // The small diagram; its vertex k is the big one's global_[k], covered by the small one's cover_[k].
   DelaunayGraph small_;
@@ -52,6 +61,7 @@ class Remover {
   FlatArray<Graph::PatchFace> patch_;
   FlatArray<VoronoiCircle> patchCircles_;
   FlatArray<Fate> fates_;
+  FlatArray<VertexId> hidden_;
 };
 
 }  // namespace apollonius
