@@ -28,7 +28,7 @@ class ConflictSearch {
   void reserveRegion(std::size_t faces, std::size_t sides) {
     faces_.reserve(faces);
     rim_.reserve(sides);
-    stack_.reserve(faces + 3);  // each face that enters takes one half-edge from it and puts two there, the first one three
+    stack_.reserve(faces + 3);  // a face that enters takes one half-edge from it and puts two there; the first puts three
   }
 
   void reserve(std::size_t faces) { marks_.reserve((faces + kWord - 1) / kWord); }

@@ -83,9 +83,10 @@ class DelaunayGraph {
     std::span<const VertexId> covered;  ///< vertices that lost their place because the new one covers them; valid until the
                                         ///< next change
   };
-  /// Inserts the site of v (setSite), walking to its place from `start`, or from some visible vertex if that is not one: starts are hints, kept
-  /// by others (grid, levels). Paper, section 3. `forest` gets room for what the site will cover. REQUIRES: v is not visible.
-  /// With a remover, all room is made that it will need to take the site out again, all there is to be as it was before.
+  /// Inserts the site of v (setSite), walking to its place from `start`, or from some visible vertex if that is
+  /// not one: starts are hints, kept by others (grid, levels). Paper, section 3. `forest` gets room for what
+  /// the site will cover. REQUIRES: v is not visible. With a remover, all room is made that it will need to
+  /// take the site out again, all there is to be as it was before.
   [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors, HiddenForest* forest = nullptr,
                                  Remover* remover = nullptr);
 

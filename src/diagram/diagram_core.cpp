@@ -41,7 +41,8 @@ SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start, Undo u
   const VertexId v = vertexOf(slot);
   base_.setSite(v, normalized(site));
   if (start == kNoVertex) start = startFor(site.x, site.y);
-  const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_, &hidden_, undo == Undo::kMaybe ? &remover_ : nullptr);
+  Remover* const remover = undo == Undo::kMaybe ? &remover_ : nullptr;
+  const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_, &hidden_, remover);
   if (insertion.cover != kNoVertex) {
     hidden_.reserveChildren(1);
     hidden_.attach(slot, slotOf(insertion.cover));
@@ -218,7 +219,8 @@ bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
   return true;
 }
 
-/// Makes those of moves_ that leave the graph as it is, and keeps only them there; the levels and the grid follow. False if there is none.
+/// Makes those of moves_ that leave the graph as it is, and keeps only them there; the levels and the grid
+/// follow. False if there is none.
 bool DiagramCore::makeMoves() {
   const std::span<const std::uint8_t> isMade = siteMoves_.apply(base_, moves_);
   std::size_t made = 0;
@@ -338,9 +340,10 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
     beginUndo();
     while (done-- > 0) {
       const Slot slot = ids_.slotOf(ids[order[done]]);
-      if (moved[done] == Moved::kAnew) takeOut(slot);
-      if (moved[done] == Moved::kAnew) putBack(slot, before[order[done]]);
       if (moved[done] == Moved::kInPlace) moveBack(slot, before[order[done]]);
+      if (moved[done] != Moved::kAnew) continue;
+      takeOut(slot);
+      putBack(slot, before[order[done]]);
     }
     // What is not where it was now has moved together with others, and goes back so.
     moves_.clear();

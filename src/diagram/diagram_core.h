@@ -83,7 +83,8 @@ class DiagramCore {
   void reserve(std::size_t slots);
   /// Slots in use and free ones, once there are so many more sites.
   [[nodiscard]] std::size_t slotsWith(std::size_t more) const { return std::max(ids_.slots(), ids_.size() + more); }
-  /// May an operation have to be undone? Then it first makes the room that takes: undoing needs no memory, and the levels are left out of it.
+  /// May an operation have to be undone? Then it first makes the room that takes: undoing needs no memory, and
+  /// the levels are left out of it.
   enum class Undo : bool { kNever, kMaybe };
   /// Places a site whose slot is in no structure; `start` is visible, or kNoVertex to locate from scratch. May throw; else the
   /// returned state is what the slot is to get.
@@ -103,7 +104,8 @@ class DiagramCore {
   [[nodiscard]] bool coversChildren(Slot slot, const Site& to) const;
   bool makeMoves();
   [[nodiscard]] FlatArray<std::uint32_t> orderOfSlots(std::span<const SiteId> ids) const;
-  // Undoing, step by step in reverse order, each from what it had led to: so it needs what was needed then, and there is room for that.
+  // Undoing, step by step in reverse order, each from what it had led to: so it needs what was needed then, and
+  // there is room for that.
   void beginUndo() noexcept;
   void endUndo() noexcept;
   void putBack(Slot slot, const Site& site) noexcept { ids_.setState(slot, place(slot, site, kNoVertex)); }

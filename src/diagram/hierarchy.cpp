@@ -63,10 +63,11 @@ void Hierarchy::insert(Slot slot, const Site& site) noexcept {
   }
 }
 
-/// One by one would not do: on level 0 all have moved, and of two sites in each other's way the one that comes first would cover the other
-/// where that one has been. So each level moves as a whole as far as it can (SiteMoves) and is then rid of those that it could not
-/// move, and so are all others; what is left are sites of level 0 where they are now. The levels above are still as they were before: they,
-/// too, hold sites that were visible together. Once no level holds a site in a former place, those that were left behind enter anew.
+/// One by one would not do: on level 0 all have moved, and of two sites in each other's way the one that comes
+/// first would cover the other where that one has been. So each level moves as a whole as far as it can
+/// (SiteMoves) and is then rid of those that it could not move, and so are all others; what is left are sites
+/// of level 0 where they are now. The levels above are still as they were before: they, too, hold sites that
+/// were visible together. Once no level holds a site in a former place, those that were left behind enter anew.
 void Hierarchy::move(std::span<const SiteMoves::Move> moves, Remover& remover) noexcept {
   if (levelCount_ == 0) return;
   try {
@@ -90,7 +91,8 @@ void Hierarchy::move(std::span<const SiteMoves::Move> moves, Remover& remover) n
   for (const SiteMoves::Move& move : behind_) insert(slotOf(move.vertex), move.to);
 }
 
-/// Moves what can be moved in place on a level, and keeps in moves_ what goes on to the next one. The rest is left behind.
+/// Moves what can be moved in place on a level, and keeps in moves_ what goes on to the next one. The rest is
+/// left behind.
 void Hierarchy::followOn(unsigned level) {
   DelaunayGraph& graph = *levels_[level];
   behind_.reserve(behind_.size() + moves_.size());  // from here on only SiteMoves throws, and then nothing has moved

@@ -5,9 +5,10 @@
 // common number, is a slot of the next. So nothing is stored to get from a slot on one level to the same site's on another, and
 // sites that are revived or moved return to their levels.
 //
-// A level holds sites that are visible on level 0, where they are there, and while the levels follow a change, no others: what leaves
-// goes first, from all of its levels, then what is new enters. So nothing is ever covered on a level: what covers it there covers it on
-// level 0 as well. (That has to be so: a site hidden on a level would be lost for it, as levels have no forest to bring it back from.)
+// A level holds sites that are visible together on level 0: now, or, while it has yet to follow a change, before
+// that; never some of both. What leaves goes first, from all of its levels, then what is new enters. So nothing
+// is ever covered on a level: what covers it there covers it on level 0 as well. (That has to be so: a site hidden on a
+// level would be lost for it, as levels have no forest to bring it back from.)
 //
 // The hierarchy is an accelerator: where it runs out of memory it is dropped until the diagram is cleared, and searches walk from
 // afar.
@@ -42,8 +43,8 @@ class Hierarchy {
   /// Takes a site off its levels, if it is on any.
   void remove(Slot slot, Remover& remover) noexcept;
 
-  /// Follows moves that left the graph of level 0 as it is, all of those made together at once: each is a vertex of level 0 and where its site
-  /// is now.
+  /// Follows moves that left the graph of level 0 as it is, all of those made together at once: each is a
+  /// vertex of level 0 and where its site is now.
   void move(std::span<const SiteMoves::Move> moves, Remover& remover) noexcept;
 
   void clear() noexcept {
@@ -94,8 +95,8 @@ class Hierarchy {
   std::array<std::unique_ptr<DelaunayGraph>, kMostLevels> levels_;  // [k] is level k + 1
   unsigned levelCount_ = 0;
   SiteMoves siteMoves_;
-  // Scratch of move(): of the sites that go with the moves as far as the level at hand, the move there, and the slot on level 0. Sites that
-  // stay behind are listed with those.
+  // Scratch of move(): of the sites that go with the moves as far as the level at hand, the move there, and the
+  // slot on level 0. Sites that stay behind are listed with those.
   FlatArray<SiteMoves::Move> moves_;
   FlatArray<Slot> slots_;
   FlatArray<SiteMoves::Move> behind_;

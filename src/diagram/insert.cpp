@@ -1,7 +1,8 @@
 // Insertion in the paper's three stages (section 3): nearest site, is the new one covered by it, conflict region and starring.
+#include "diagram/delaunay_graph.h"
+
 #include <algorithm>
 
-#include "diagram/delaunay_graph.h"
 #include "diagram/remove.h"
 #include "number/invariant.h"
 

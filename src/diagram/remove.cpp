@@ -48,7 +48,8 @@ std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId 
   return fates_;
 }
 
-/// A degree of d with h hidden sites makes a small diagram of d + h sites at most, with no more than twice as many faces.
+/// A degree of d with h hidden sites makes a small diagram of d + h sites at most, with no more than twice as
+/// many faces.
 void Remover::reserve(std::size_t sites) {
   if (sites <= room_) return;
   sites = std::max(sites, 2 * room_);

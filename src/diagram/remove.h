@@ -24,7 +24,8 @@ class Remover {
   /// Returns their fates, valid until the next call. Throws std::bad_alloc with the diagram unchanged.
   /// Cost: as building a diagram of its d neighbours and of `hidden`.
   /// With `mayReturn`, all room is made that the site needs to be inserted again.
-  std::span<const Fate> remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden, bool mayReturn = false);
+  std::span<const Fate> remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden,
+                               bool mayReturn = false);
 
   /// All the room that it takes to remove a site whose neighbours and hidden sites are so many together.
   void reserve(std::size_t sites);

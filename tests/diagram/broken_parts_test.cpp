@@ -1,6 +1,7 @@
-// Structures broken on purpose: whatever one part says of another, nobody walks out of the arrays. The levels of the hierarchy, the grid
-// and hints only say where to start, so with wrong ones the answers are still right; where the parts contradict each other about a site,
-// the program ends with the name of the invariant, before anything is touched. (Under AddressSanitizer this says most.)
+// Structures broken on purpose: whatever one part says of another, nobody walks out of the arrays. The levels
+// of the hierarchy, the grid and hints only say where to start, so with wrong ones the answers are still right;
+// where the parts contradict each other about a site, the program ends with the name of the invariant, before
+// anything is touched. (Under AddressSanitizer this says most.)
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -274,7 +274,8 @@ std::string failEverywhere(const Circles& circles, Origin origin, const NamedOpe
              (failure == Failure::kOnce ? "allocation " : "budget of bytes ") + std::to_string(at) + ": " + wrong;
     }
     if (seen.failures == 0) return {};
-    // The next allocation, or in long sequences one a little later; the smallest budget that gets further. Large sets take longer steps.
+    // The next allocation, or in long sequences one a little later; the smallest budget that gets further.
+    // Large sets take longer steps.
     const std::size_t step = circles.size() > 200 ? at / 3 : failure == Failure::kOnce ? at / 10 : at / 40;
     at = failure == Failure::kOnce ? at + 1 + step : std::max(seen.wanted - live, at + 1 + step);
   }

@@ -1,5 +1,6 @@
-// libFuzzer target: bytes are read as a sequence of operations on the public API: single ones, batches, moves of all circles at once, and
-// sets of hundreds to thousands that a generator draws, so that the hierarchy has its levels. validate() runs after each call, and the end
+// libFuzzer target: bytes are read as a sequence of operations on the public API: single ones, batches, moves
+// of all circles at once, and sets of hundreds to thousands that a generator draws, so that the hierarchy has
+// its levels. validate() runs after each call, and the end
 // is compared with fresh builds and, for few sites, with the oracle. A failure prints the history as tests/data/regressions wants
 // it. How to run: README.md beside this file.
 #include <bit>
@@ -103,7 +104,9 @@ class Decoder {
     }
   }
 
-  void add(Operation::Kind kind, std::size_t target, const Circle& circle, bool isJoined) { history_.push_back({kind, target, circle, isJoined}); }
+  void add(Operation::Kind kind, std::size_t target, const Circle& circle, bool isJoined) {
+    history_.push_back({kind, target, circle, isJoined});
+  }
   void insert(const Circle& circle, bool isJoined) {
     add(Operation::Kind::kInsert, 0, circle, isJoined);
     live_.push_back(circles_.size());

@@ -19,7 +19,8 @@ class Replay {
  public:
   explicit Replay(Location location = Location::kHierarchy) : diagram_(location) {}
 
-  /// Applies the operations of one call; returns what went wrong at once (an error code, a wrong size, an id that changed), or nothing.
+  /// Applies the operations of one call; returns what went wrong at once (an error code, a wrong size, an id
+  /// that changed), or nothing.
   std::string apply(std::span<const Operation> call);
 
   [[nodiscard]] const Diagram& diagram() const { return diagram_; }

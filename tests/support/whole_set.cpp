@@ -133,12 +133,14 @@ std::string WholeSet::findSamples(Random& random) const {
     double distance = 0;
     if (diagram_.find(x, y, id, distance) != Error::kNone) return "find failed";
     Circle found{};
-    if (diagram_.site(id, found) != Error::kNone || !(distanceTo(found) <= least + 1e-12 * size)) return "find gave a site that is not the nearest";
+    if (diagram_.site(id, found) != Error::kNone) return "find gave no site";
+    if (!(distanceTo(found) <= least + 1e-12 * size)) return "find gave a site that is not the nearest";
   }
   return {};
 }
 
-// --- Moves -------------------------------------------------------------------------------------------------------------------
+// --- Moves
+// -------------------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -200,7 +202,8 @@ Circles relaxed(const Circles& circles, Random&) {
   return next;
 }
 
-/// A tick of a simulation of forces: overlapping circles push each other apart along one axis, and all are drawn to the middle.
+/// A tick of a simulation of forces: overlapping circles push each other apart along one axis, and all are
+/// drawn to the middle.
 Circles pushed(const Circles& circles, Random&) {
   Circles next = circles;
   double x = 0, y = 0;
