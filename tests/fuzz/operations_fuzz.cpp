@@ -18,7 +18,7 @@ namespace apollonius::test {
 namespace {
 
 constexpr std::size_t kMostCalls = 48;
-constexpr std::size_t kMostSites = 2500;
+constexpr std::size_t kMostSites = 1500;
 
 /// Reads the input from front to back; zeros after its end.
 class Bytes {
@@ -148,12 +148,12 @@ class Decoder {
     }
   }
 
-  /// Of a generator, mostly a few dozen, seldom as many as make a second level.
+  /// Of a generator, mostly a few dozen, seldom as many as make a level, or two.
   void insertSet() {
     const NamedGenerator& generator = corpus()[bytes_.next() % corpus().size()];
     const std::uint8_t size = bytes_.next();
     Random random(bytes_.next());
-    const std::size_t n = size < 200 ? size % 50 + 1u : size < 250 ? 300u : 2000u;
+    const std::size_t n = size < 200 ? size % 50 + 1u : size < 250 ? 200u : 1200u;
     if (!generator.large && n > 20) return;
     bool isJoined = false;
     for (const Circle& circle : generator.make(random, n)) {
