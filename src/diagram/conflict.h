@@ -24,6 +24,13 @@ class ConflictSearch {
   /// if there is none; else q is not covered. REQUIRES: at least two visible sites.
   [[nodiscard]] bool findBeside(const DelaunayGraph& diagram, const Site& q, VertexId close);
 
+  /// Room for a region of so many faces with a rim of so many sides.
+  void reserveRegion(std::size_t faces, std::size_t sides) {
+    faces_.reserve(faces);
+    rim_.reserve(sides);
+    stack_.reserve(faces + 3);  // a face that enters takes one half-edge from it and puts two there; the first puts three
+  }
+
   void reserve(std::size_t faces) { marks_.reserve((faces + kWord - 1) / kWord); }
 
   /// The faces in conflict; empty if q's cell lies within one edge.

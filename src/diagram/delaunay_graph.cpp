@@ -36,6 +36,16 @@ void DelaunayGraph::reserveFaces(std::size_t removed, std::size_t created) {
   }
 }
 
+void DelaunayGraph::reserveReturn(std::size_t facesAndSides) {
+  conflicts_.reserve(std::max(circles_.capacity(), graph_.faceSlots() + facesAndSides));
+  if (facesAndSides <= returnRoom_) return;
+  facesAndSides = std::max(facesAndSides, 2 * returnRoom_);
+  reserveFaces(facesAndSides, facesAndSides);
+  conflicts_.reserveRegion(facesAndSides, facesAndSides);
+  covered_.reserve(facesAndSides);
+  returnRoom_ = facesAndSides;
+}
+
 void DelaunayGraph::reserveBulk(std::size_t sites) {
   const std::size_t faces = 2 * (visibleCount_ + sites);  // Euler: 2 (V + 1) - 4 with infinity
   graph_.reserveFacesInAll(faces);

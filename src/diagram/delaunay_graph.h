@@ -24,6 +24,8 @@ namespace apollonius {
 /// only in the direction of the point.
 enum class Walk : unsigned char { kAllNeighbors, kSectors };
 
+class Remover;
+
 class DelaunayGraph {
  public:
   // --- Reading -------------------------------------------------------------------------------------------------------------
@@ -59,7 +61,7 @@ class DelaunayGraph {
     VertexId nearest = kNoVertex;
     HalfedgeId sector = kNoHalfedge;  ///< the half-edge there whose range of directions holds the point; kNoHalfedge if that is not known
   };
-  /// Walks from `start`, which is visible. REQUIRES: a visible site.
+  /// Walks from `start`, as of insert(). REQUIRES: a visible site.
   [[nodiscard]] Located locate(double x, double y, VertexId start, Walk walk = Walk::kSectors) const;
 
   // --- Changing: each either succeeds or throws std::bad_alloc and has changed nothing ---------------------------------------
@@ -81,9 +83,12 @@ class DelaunayGraph {
     std::span<const VertexId> covered;  ///< vertices that lost their place because the new one covers them; valid until the
                                         ///< next change
   };
-  /// Inserts the site of v (setSite), walking from `start` (visible, or kNoVertex) to its place. Paper, section 3. `forest` gets room
-  /// for what the site will cover.
-  [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors, HiddenForest* forest = nullptr);
+  /// Inserts the site of v (setSite), walking to its place from `start`, or from some visible vertex if that is
+  /// not one: starts are hints, kept by others (grid, levels). Paper, section 3. `forest` gets room for what
+  /// the site will cover. REQUIRES: v is not visible. With a remover, all room is made that it will need to
+  /// take the site out again, all there is to be as it was before.
+  [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors, HiddenForest* forest = nullptr,
+                                 Remover* remover = nullptr);
 
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
@@ -101,16 +106,19 @@ class DelaunayGraph {
   friend class SiteMoves; // changes sites and circles
   friend class DiagramBreaker;  // tests break a structure on purpose
 
+  [[nodiscard]] VertexId visibleStart(VertexId hint) const { return isVisible(hint) ? hint : recent_; }
   [[nodiscard]] Located walkAllNeighbors(double x, double y, VertexId start) const;
   [[nodiscard]] Located walkSectors(double x, double y, VertexId start) const;
   void shadowCheckNearest(VertexId v, double x, double y) const;
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
   [[nodiscard]] Insertion insertBesideOne(VertexId v, HiddenForest* forest);
-  [[nodiscard]] Insertion coverAll(VertexId v, HiddenForest* forest);
+  [[nodiscard]] Insertion coverAll(VertexId v, HiddenForest* forest, Remover* remover);
   [[nodiscard]] bool hullTurnsOnce() const;
   void computeCircle(FaceId f) const;
   /// Room for an operation on the graph, newFaces_ and newCircles_ included.
   void reserveFaces(std::size_t removed, std::size_t created);
+  /// Room for the scratch of an operation on so many faces and sides that needs none for new faces, as it undoes one.
+  void reserveReturn(std::size_t facesAndSides);
   [[nodiscard]] std::span<FaceId> newFaces(std::size_t created) { return {newFaces_.data(), created}; }
   /// After the operation: newCircles_ become the circles of newFaces_.
   void takeCircles(std::size_t created) noexcept {
@@ -129,6 +137,7 @@ class DelaunayGraph {
   FlatArray<FaceId> newFaces_;         // scratch
   FlatArray<VoronoiCircle> newCircles_;  // scratch: computed before the graph changes, as that may take memory
   FlatArray<VertexId> covered_;        // scratch
+  std::size_t returnRoom_ = 0;         // of reserveReturn()
 };
 
 }  // namespace apollonius

@@ -5,6 +5,7 @@
 #include "diagram/sort_by_key.h"
 #include "diagram/spatial_order.h"
 #include "memory/flat_array.h"
+#include "number/invariant.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {
@@ -30,9 +31,9 @@ void DiagramCore::reserve(std::size_t slots) {
 VertexId DiagramCore::startFor(double x, double y) const {
   const Slot close = grid_.near(x, y);
   if (close != kNoSlot && base_.isVisible(vertexOf(close))) return vertexOf(close);
-  if (isHierarchyDue_) buildHierarchy();
+  if (isHierarchyDue_ && !isUndoing_) buildHierarchy();
   const Slot start = hierarchy_.locate(x, y);
-  return start == kNoSlot ? base_.anyVisible() : vertexOf(start);
+  return start == kNoSlot ? kNoVertex : vertexOf(start);
 }
 
 Slot DiagramCore::nearest(double x, double y, Slot hint) const {
@@ -49,11 +50,12 @@ SiteId DiagramCore::insert(const Site& site) {
   return ids_.take(place(slot, site, kNoVertex));
 }
 
-SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start) {
+SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start, Undo undo) {
   const VertexId v = vertexOf(slot);
   base_.setSite(v, normalized(site));
   if (start == kNoVertex) start = startFor(site.x, site.y);
-  const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_, &hidden_);
+  Remover* const remover = undo == Undo::kMaybe ? &remover_ : nullptr;
+  const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_, &hidden_, remover);
   if (insertion.cover != kNoVertex) {
     hidden_.reserveChildren(1);
     hang(slot, slotOf(insertion.cover));
@@ -85,34 +87,38 @@ std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
     for (const SiteId id : ids) {
       const Slot slot = ids_.slotOf(id);
       if (slot == kNoSlot || ids_.state(slot) == SiteState::kPending) continue;  // pending: repeated
-      displace(slot);
+      displace(slot, Undo::kMaybe);
       gone.push_back(slot);
     }
   } catch (...) {
-    ballast_.drop();
-    for (const Slot slot : gone) restore(slot, site(slot));
+    beginUndo();
+    for (std::size_t k = gone.size(); k-- > 0;) putBack(gone[k], site(gone[k]));
+    endUndo();
     throw;
   }
   for (const Slot slot : gone) ids_.release(slot);
   return gone.size();
 }
 
-void DiagramCore::displace(Slot slot) {
+void DiagramCore::displace(Slot slot, Undo undo) {
   if (ids_.state(slot) == SiteState::kHidden) {
+    invariant(hidden_.isChild(slot), "a hidden site hangs on another");
     hidden_.dissolve(slot, Covers{base_});  // what it covered is covered by its parent, too
   } else {
-    displaceVisible(slot);
+    displaceVisible(slot, undo);
   }
   ids_.setState(slot, SiteState::kPending);
 }
 
 void DiagramCore::hang(Slot child, Slot parent) noexcept { hidden_.hang(child, parent, Covers{base_}); }
 
-void DiagramCore::displaceVisible(Slot slot) {
+void DiagramCore::displaceVisible(Slot slot, Undo undo) {
   sortOutChildren(slot);
-  const std::span<const Remover::Fate> fates = remover_.remove(base_, vertexOf(slot), children_);
+  const FlatArray<VertexId>& children = remover_.hiddenList();
+  const std::span<const Remover::Fate> adopted(remover_.adoptedList().data(), remover_.adoptedList().size());
+  const std::span<const Remover::Fate> fates = remover_.remove(base_, vertexOf(slot), children, undo == Undo::kMaybe);
   // From here on nothing throws.
-  for (const std::span<const Remover::Fate> all : {std::span<const Remover::Fate>(adopted_), fates}) {
+  for (const std::span<const Remover::Fate> all : {adopted, fates}) {
     for (const Remover::Fate& fate : all) {
       const Slot child = slotOf(fate.vertex);
       hidden_.detach(child);
@@ -125,7 +131,7 @@ void DiagramCore::displaceVisible(Slot slot) {
   }
   leaveLocation(slot);
   // The fates were the remover's scratch, which the line above may have used.
-  for (const VertexId child : children_) {
+  for (const VertexId child : children) {
     if (ids_.state(slotOf(child)) == SiteState::kVisible) enterLocation(slotOf(child));
   }
 }
@@ -134,32 +140,34 @@ void DiagramCore::displaceVisible(Slot slot) {
 /// it gets. That goes on with the largest of the rest as long as a quarter of them is adopted: at most four questions a
 /// child.
 void DiagramCore::sortOutChildren(Slot slot) {
-  children_.clear();
-  adopted_.clear();
+  FlatArray<VertexId>& children = remover_.hiddenList();
+  FlatArray<Remover::Fate>& adopted = remover_.adoptedList();
+  children.clear();
+  adopted.clear();
   for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
-    children_.push_back(vertexOf(child));
+    children.push_back(vertexOf(child));
   }
-  adopted_.reserve(children_.size());
+  adopted.reserve(children.size());
   const auto isSmaller = [this](VertexId a, VertexId b) { return precedes(base_.site(a), base_.site(b)); };
-  for (std::size_t done = 0; done + 1 < children_.size(); ++done) {
-    VertexId* const first = children_.begin() + done;
-    std::iter_swap(first, std::max_element(first, children_.end(), isSmaller));
+  for (std::size_t done = 0; done + 1 < children.size(); ++done) {
+    VertexId* const first = children.begin() + done;
+    std::iter_swap(first, std::max_element(first, children.end(), isSmaller));
     const VertexId largest = *first;
     const auto isAdopted = [&](VertexId child) {
       const bool isCovered = covers(base_.site(largest), base_.site(child));
-      if (isCovered) adopted_.push_back({child, largest});
+      if (isCovered) adopted.push_back({child, largest});
       return isCovered;
     };
-    VertexId* const end = std::remove_if(first + 1, children_.end(), isAdopted);
-    const auto rest = children_.end() - first, adopted = children_.end() - end;
-    children_.resize(static_cast<std::size_t>(end - children_.begin()));
-    if (4 * adopted < rest) break;
+    VertexId* const end = std::remove_if(first + 1, children.end(), isAdopted);
+    const auto rest = children.end() - first, count = children.end() - end;
+    children.resize(static_cast<std::size_t>(end - children.begin()));
+    if (4 * count < rest) break;
   }
 }
 
 void DiagramCore::enterLocation(Slot slot) noexcept {
   if (!usesHierarchy_) return;
-  if (!isHierarchyDue_) hierarchy_.insert(slot, site(slot));
+  if (!isHierarchyDue_ && !isUndoing_) hierarchy_.insert(slot, site(slot));
   if (walk_ != Walk::kSectors || isBulk_) return;
   grid_.insert(slot, site(slot));
   if (grid_.isOutgrown(ids_.slots())) rebuildGrid();
@@ -199,34 +207,53 @@ void DiagramCore::update(SiteId id, const Site& site) {
   move(ids_.slotOf(id), site);
 }
 
-void DiagramCore::move(Slot slot, const Site& site) {
+DiagramCore::Moved DiagramCore::move(Slot slot, const Site& site) {
   const Site old = this->site(slot);
-  if (old.x == site.x && old.y == site.y && old.r == site.r) return;
-  if (moveInPlace(slot, site)) return;
-  displace(slot);
+  if (old.x == site.x && old.y == site.y && old.r == site.r) return Moved::kNot;
+  if (moveInPlace(slot, site)) return Moved::kInPlace;
+  displace(slot, Undo::kMaybe);
   try {
-    ids_.setState(slot, place(slot, site, kNoVertex));
+    ids_.setState(slot, place(slot, site, kNoVertex, Undo::kMaybe));
   } catch (...) {
-    ballast_.drop();
-    restore(slot, old);
+    beginUndo();
+    putBack(slot, old);
+    endUndo();
     throw;
   }
+  return Moved::kAnew;
+}
+
+/// The levels would need room of their own; they go, which makes some, and are made anew when they are asked for.
+void DiagramCore::beginUndo() noexcept {
+  ballast_.drop();
+  hierarchy_.clear();
+  isHierarchyDue_ = false;
+  isUndoing_ = true;
+}
+
+void DiagramCore::endUndo() noexcept {
+  isUndoing_ = false;
+  isHierarchyDue_ = usesHierarchy_;
+}
+
+void DiagramCore::moveBack(Slot slot, const Site& from) noexcept {
+  const SiteMoves::Move move{vertexOf(slot), from};
+  if (ids_.state(slot) == SiteState::kVisible) grid_.move(slot, site(slot), from);
+  SiteMoves::takeBack(base_, {&move, 1});
 }
 
 bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
   const Site to = normalized(site);
   if (!coversChildren(slot, to)) return false;
   if (ids_.state(slot) == SiteState::kHidden) {
-    const Slot parent = hidden_.parentIfNear(slot);
+    const Slot parent = hidden_.isChild(slot) ? hidden_.parentIfNear(slot) : HiddenForest::kNone;
     if (parent == HiddenForest::kNone || !covers(this->site(parent), to)) return false;
     base_.setSite(vertexOf(slot), to);
     return true;
   }
   if (!base_.graph().hasVertex(vertexOf(slot))) return false;  // the only visible one
-  const SiteMoves::Move move{vertexOf(slot), to};
-  if (siteMoves_.apply(base_, {&move, 1})[0] == 0) return false;
-  followMove(slot, siteMoves_.siteBefore(0));
-  return true;
+  moves_.assign(1, {vertexOf(slot), to});
+  return makeMoves();
 }
 
 bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
@@ -236,11 +263,20 @@ bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
   return true;
 }
 
-/// What location needs to know of a site that moved and is visible as before.
-void DiagramCore::followMove(Slot slot, const Site& from) noexcept {
-  if (!isHierarchyDue_) hierarchy_.move(slot, site(slot), remover_);
-  grid_.move(slot, from, site(slot));
+/// Makes those of moves_ that leave the graph as it is, and keeps only them there; the levels and the grid
+/// follow. False if there is none.
+bool DiagramCore::makeMoves() {
+  const std::span<const std::uint8_t> isMade = siteMoves_.apply(base_, moves_);
+  std::size_t made = 0;
+  for (std::size_t k = 0; k < moves_.size(); ++k) {
+    if (isMade[k] == 0) continue;
+    moves_[made++] = moves_[k];
+    grid_.move(slotOf(moves_[k].vertex), siteMoves_.siteBefore(k), moves_[k].to);
+  }
+  moves_.resize(made, {});
+  if (!isHierarchyDue_) hierarchy_.move(moves_, remover_);
   if (grid_.isOutgrown(ids_.slots())) rebuildGrid();
+  return made > 0;
 }
 
 void DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order) {
@@ -254,10 +290,7 @@ void DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const d
     if (!base_.graph().hasVertex(vertexOf(slot)) || isAtRest || !coversChildren(slot, to)) continue;
     moves_.push_back({vertexOf(slot), to});
   }
-  const std::span<const std::uint8_t> isMade = siteMoves_.apply(base_, moves_);
-  for (std::size_t k = 0; k < moves_.size(); ++k) {
-    if (isMade[k] != 0) followMove(slotOf(moves_[k].vertex), siteMoves_.siteBefore(k));
-  }
+  makeMoves();
 }
 
 FlatArray<std::uint32_t> DiagramCore::stage(std::span<const double> xyr) {
@@ -285,6 +318,7 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
   for (std::uint32_t& k : order) k = ids_.takeSlot(ids[k], SiteState::kPending);
   // Walks start beside, so the grid need not be kept while it changes a lot.
   isBulk_ = isBulk;
+  const Undo undo = n < ids_.size() ? Undo::kMaybe : Undo::kNever;  // a diagram that was empty is simply emptied
   std::size_t done = 0;
   try {
     order = inRandomizedRounds(order);
@@ -292,14 +326,22 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
     for (; done < n; ++done) {
       const Slot slot = order[done];
       const Site circle = site(slot);
-      ids_.setState(slot, place(slot, circle, visibleBeside(slot)));
+      ids_.setState(slot, place(slot, circle, visibleBeside(slot), undo));
     }
     order = FlatArray<std::uint32_t>();  // the grid fits where it was
     endBulk();
   } catch (...) {
-    endBulk();
-    ballast_.drop();
-    for (std::size_t k = 0; k < done; ++k) displace(order[k]);
+    isBulk_ = false;
+    beginUndo();
+    if (n == ids_.size()) {
+      base_.clear();
+      hidden_.clear();
+      grid_.clear();
+    } else {
+      for (std::size_t k = done; k-- > 0;) takeOut(order[k]);
+      if (isBulk && walk_ == Walk::kSectors) rebuildGrid();
+    }
+    endUndo();
     for (std::size_t k = n; k-- > 0;) ids_.release(ids_.slotOf(ids[k]));  // so that the next ids are given in the same order again
     throw;
   }
@@ -323,17 +365,35 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
   ballast_.load();
   const FlatArray<std::uint32_t> order = orderOfSlots(ids);
   FlatArray<Site> before(ids.size());
-  for (std::size_t k = 0; k < ids.size(); ++k) before[k] = site(ids_.slotOf(ids[k]));
+  for (const std::size_t k : order) before[k] = site(ids_.slotOf(ids[k]));
+  FlatArray<Moved> moved(order.size());  // those that were moved one by one, and how
+  std::size_t done = 0;
   try {
     moveManyInPlace(ids, xyr, order);
-    for (const std::size_t k : order) move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
+    for (; done < order.size(); ++done) {
+      const std::size_t k = order[done];
+      moved[done] = move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
+    }
   } catch (...) {
-    ballast_.drop();
+    beginUndo();
+    while (done-- > 0) {
+      const Slot slot = ids_.slotOf(ids[order[done]]);
+      if (moved[done] == Moved::kInPlace) moveBack(slot, before[order[done]]);
+      if (moved[done] != Moved::kAnew) continue;
+      takeOut(slot);
+      putBack(slot, before[order[done]]);
+    }
+    // What is not where it was now has moved together with others, and goes back so.
+    moves_.clear();
     for (const std::size_t k : order) {
       const Slot slot = ids_.slotOf(ids[k]);
-      displace(slot);
-      restore(slot, before[k]);
+      const Site &from = before[k], &to = site(slot);
+      if (from.x == to.x && from.y == to.y && from.r == to.r) continue;
+      moves_.push_back({vertexOf(slot), from});
+      grid_.move(slot, to, from);
     }
+    SiteMoves::takeBack(base_, moves_);
+    endUndo();
     throw;
   }
 }

@@ -83,26 +83,37 @@ class DiagramCore {
   void reserve(std::size_t slots);
   /// Slots in use and free ones, once there are so many more sites.
   [[nodiscard]] std::size_t slotsWith(std::size_t more) const { return std::max(ids_.slots(), ids_.size() + more); }
+  /// May an operation have to be undone? Then it first makes the room that takes: undoing needs no memory, and
+  /// the levels are left out of it.
+  enum class Undo : bool { kNever, kMaybe };
   /// Places a site whose slot is in no structure; `start` is visible, or kNoVertex to locate from scratch. May throw; else the
   /// returned state is what the slot is to get.
-  [[nodiscard]] SiteState place(Slot slot, const Site& site, VertexId start);
+  [[nodiscard]] SiteState place(Slot slot, const Site& site, VertexId start, Undo undo = Undo::kNever);
   /// A visible vertex close to a slot along the curve of a bulk insertion, or kNoVertex.
   [[nodiscard]] VertexId visibleBeside(Slot slot) const;
   /// Takes a site out of all structures; its slot becomes pending.
-  void displace(Slot slot);
-  /// Displaces a site and places it elsewhere; a site that cannot be placed returns to where it was.
-  void move(Slot slot, const Site& site);
+  void displace(Slot slot, Undo undo = Undo::kNever);
+  /// How a site got to its new place: not at all (it is there), nothing else having changed, or displaced and placed.
+  enum class Moved : std::uint8_t { kNot, kInPlace, kAnew };
+  /// A site that cannot be placed returns to where it was.
+  Moved move(Slot slot, const Site& site);
   /// Moves a site if nothing else changes by that; else false.
   [[nodiscard]] bool moveInPlace(Slot slot, const Site& site);
   /// Moves those of the sites together for which that is so; the others stay where they are.
   void moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order);
   [[nodiscard]] bool coversChildren(Slot slot, const Site& to) const;
-  void followMove(Slot slot, const Site& from) noexcept;
+  bool makeMoves();
   [[nodiscard]] FlatArray<std::uint32_t> orderOfSlots(std::span<const SiteId> ids) const;
-  /// Undoes a displacement. There is room for it: the ballast has been dropped.
-  void restore(Slot slot, const Site& site) noexcept { ids_.setState(slot, place(slot, site, kNoVertex)); }
-  void displaceVisible(Slot slot);
-  /// Into children_ what hangs on a visible site and may become visible, into adopted_ the rest of what hangs on it.
+  // Undoing, step by step in reverse order, each from what it had led to: so it needs what was needed then, and
+  // there is room for that.
+  void beginUndo() noexcept;
+  void endUndo() noexcept;
+  void putBack(Slot slot, const Site& site) noexcept { ids_.setState(slot, place(slot, site, kNoVertex)); }
+  void takeOut(Slot slot) noexcept { displace(slot); }
+  /// A site that has moved in place.
+  void moveBack(Slot slot, const Site& from) noexcept;
+  void displaceVisible(Slot slot, Undo undo);
+  /// Into the remover's lists, hiddenList() what hangs on a visible site and may become visible, adoptedList() the rest of what hangs on it.
   void sortOutChildren(Slot slot);
   /// Hangs a site of no other structure on one that covers it, or below. There is room; nothing throws.
   void hang(Slot child, Slot parent) noexcept;
@@ -123,6 +134,7 @@ class DiagramCore {
   Location location_;
   bool usesHierarchy_;
   Walk walk_;
+  bool isUndoing_ = false;
   bool isBulk_ = false;       // many sites are being inserted; the grid is made afterwards
   SiteIds ids_;
   DelaunayGraph base_;        // vertex of slot s: s + 1
@@ -132,10 +144,8 @@ class DiagramCore {
   StartGrid grid_;            // with Walk::kSectors only
   Remover remover_;
   SiteMoves siteMoves_;
-  FlatArray<SiteMoves::Move> moves_;  // scratch of moveManyInPlace
+  FlatArray<SiteMoves::Move> moves_;  // scratch of moves in place
   Ballast ballast_;
-  FlatArray<VertexId> children_;  // scratch of displaceVisible
-  FlatArray<Remover::Fate> adopted_;
 };
 
 }  // namespace apollonius

@@ -25,6 +25,13 @@ class EarClipper {
   /// REQUIRES: v hid no site that becomes visible; a link of at least 3. Throws std::bad_alloc.
   [[nodiscard]] bool fill(const DelaunayGraph& diagram, VertexId v, std::span<const HalfedgeId> link);
 
+  /// Room for all that it can do.
+  void reserve() {
+    corners_.reserve(kMostCorners);
+    patch_.reserve(kMostCorners);
+    circles_.reserve(kMostCorners);
+  }
+
   [[nodiscard]] std::span<const Graph::PatchFace> patch() const { return patch_; }
   [[nodiscard]] std::span<const VoronoiCircle> circles() const { return circles_; }
 

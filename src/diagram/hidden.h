@@ -62,6 +62,9 @@ class HiddenForest {
   /// Of a child.
   [[nodiscard]] Node nextSibling(Node n) const { return isEnd(links(n).after) ? kNone : links(n).after; }
 
+  /// Does it hang on another?
+  [[nodiscard]] bool isChild(Node n) const { return hasRecord(n) && links(n).before != kNone; }
+
   /// Of a node that is not a root; or kNone, for it is known at the end of a list of siblings only, and that may be far.
   [[nodiscard]] Node parentIfNear(Node n) const {
     for (int k = 0; k < 16; ++k, n = links(n).after) {
@@ -106,7 +109,7 @@ class HiddenForest {
     Node after = kNone;
   };
 
-  [[nodiscard]] bool hasRecord(Node n) const { return records_[n] != kNone; }
+  [[nodiscard]] bool hasRecord(Node n) const { return n < records_.size() && records_[n] != kNone; }
   [[nodiscard]] Links& links(Node n) const { return blocks_[records_[n] / kBlock][records_[n] % kBlock]; }
   void ensureRecord(Node n);
   void releaseIfAlone(Node n);

@@ -1,6 +1,5 @@
 #include "diagram/hierarchy.h"
 
-
 namespace apollonius {
 
 Slot Hierarchy::chosen(Slot upper, unsigned level) {
@@ -55,27 +54,72 @@ void Hierarchy::insert(Slot slot, const Site& site) noexcept {
       slot >>= kBits;
       DelaunayGraph& graph = levelToFill(level);
       graph.reserve(slot + std::size_t{2});
+      if (graph.isVisible(vertexOf(slot))) return drop();  // never: a level with a site twice would be no graph
       graph.setSite(vertexOf(slot), site);
       const Slot above = locateOn(level + 1, site.x, site.y);
       (void)graph.insert(vertexOf(slot), above == kNoSlot ? kNoVertex : vertexOf(above), walk_);
-      // What the new site covers is hidden on level 0 as well; the diagram takes it off the other levels.
     }
   } catch (...) {
     drop();
   }
 }
 
-bool Hierarchy::moveInPlace(Slot slot, const Site& to) noexcept {
+/// One by one would not do: on level 0 all have moved, and of two sites in each other's way the one that comes
+/// first would cover the other where that one has been. So each level moves as a whole as far as it can
+/// (SiteMoves) and is then rid of those that it could not move, and so are all others; what is left are sites
+/// of level 0 where they are now. The levels above are still as they were before: they, too, hold sites that
+/// were visible together. Once no level holds a site in a former place, those that were left behind enter anew.
+void Hierarchy::move(std::span<const SiteMoves::Move> moves, Remover& remover) noexcept {
+  if (levelCount_ == 0) return;
   try {
-    for (unsigned level = 0; level < levelCount_ && climbs(slot, level); ++level) {
-      slot >>= kBits;
-      const SiteMoves::Move move{vertexOf(slot), to};
-      if (!levels_[level]->graph().hasVertex(move.vertex) || moves_.apply(*levels_[level], {&move, 1})[0] == 0) return false;
+    moves_.clear();
+    slots_.clear();
+    behind_.clear();
+    for (const SiteMoves::Move& move : moves) {
+      const Slot slot = slotOf(move.vertex);
+      if (!climbs(slot, 0)) continue;
+      moves_.push_back({vertexOf(slot >> kBits), move.to});
+      slots_.push_back(slot);
     }
-    return true;
+    for (unsigned level = 0; level < levelCount_ && !moves_.empty(); ++level) {
+      const std::size_t before = behind_.size();
+      followOn(level);
+      for (std::size_t k = before; k < behind_.size(); ++k) remove(slotOf(behind_[k].vertex), remover);
+    }
   } catch (...) {
-    return false;
+    drop();
   }
+  for (const SiteMoves::Move& move : behind_) insert(slotOf(move.vertex), move.to);
+}
+
+/// Moves what can be moved in place on a level, and keeps in moves_ what goes on to the next one. The rest is
+/// left behind.
+void Hierarchy::followOn(unsigned level) {
+  DelaunayGraph& graph = *levels_[level];
+  behind_.reserve(behind_.size() + moves_.size());  // from here on only SiteMoves throws, and then nothing has moved
+  const auto leave = [&](std::size_t k) { behind_.push_back({vertexOf(slots_[k]), moves_[k].to}); };
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < moves_.size(); ++k) {
+    if (!graph.graph().hasVertex(moves_[k].vertex)) {  // the only one there
+      leave(k);
+      continue;
+    }
+    moves_[count] = moves_[k];
+    slots_[count++] = slots_[k];
+  }
+  const std::span<const std::uint8_t> isMade = siteMoves_.apply(graph, {moves_.data(), count});
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Slot slot = slotOf(moves_[k].vertex);
+    if (isMade[k] == 0) {
+      leave(k);
+    } else if (climbs(slot, level + 1)) {
+      moves_[kept] = {vertexOf(slot >> kBits), moves_[k].to};
+      slots_[kept++] = slots_[k];
+    }
+  }
+  moves_.resize(kept, {});
+  slots_.resize(kept);
 }
 
 void Hierarchy::remove(Slot slot, Remover& remover) noexcept {
@@ -83,9 +127,7 @@ void Hierarchy::remove(Slot slot, Remover& remover) noexcept {
     for (unsigned level = 0; level < levelCount_ && climbs(slot, level); ++level) {
       slot >>= kBits;
       DelaunayGraph& graph = *levels_[level];
-      if (index(vertexOf(slot)) < graph.graph().vertexSlots() && graph.isVisible(vertexOf(slot))) {
-        (void)remover.remove(graph, vertexOf(slot), {});
-      }
+      if (graph.isVisible(vertexOf(slot))) (void)remover.remove(graph, vertexOf(slot), {});
     }
   } catch (...) {
     drop();

@@ -3,7 +3,12 @@
 //
 // Which sites a level holds is a function of their slots: of each 32 consecutive slots of a level, one, chosen by a hash of their
 // common number, is a slot of the next. So nothing is stored to get from a slot on one level to the same site's on another, and
-// sites that are revived or moved return to their levels. Levels hold visible sites only.
+// sites that are revived or moved return to their levels.
+//
+// A level holds sites that are visible together on level 0: now, or, while it has yet to follow a change, before
+// that; never some of both. What leaves goes first, from all of its levels, then what is new enters. So nothing
+// is ever covered on a level: what covers it there covers it on level 0 as well. (That has to be so: a site hidden on a
+// level would be lost for it, as levels have no forest to bring it back from.)
 //
 // The hierarchy is an accelerator: where it runs out of memory it is dropped until the diagram is cleared, and searches walk from
 // afar.
@@ -18,6 +23,7 @@
 #include "diagram/remove.h"
 #include "diagram/site_ids.h"
 #include "diagram/site_moves.h"
+#include "memory/flat_array.h"
 
 namespace apollonius {
 
@@ -37,12 +43,9 @@ class Hierarchy {
   /// Takes a site off its levels, if it is on any.
   void remove(Slot slot, Remover& remover) noexcept;
 
-  /// Moves a site that has moved on level 0: in place if that is possible, else it is entered anew.
-  void move(Slot slot, const Site& to, Remover& remover) noexcept {
-    if (!climbs(slot, 0) || levelCount_ == 0 || moveInPlace(slot, to)) return;
-    remove(slot, remover);
-    insert(slot, to);
-  }
+  /// Follows moves that left the graph of level 0 as it is, all of those made together at once: each is a
+  /// vertex of level 0 and where its site is now.
+  void move(std::span<const SiteMoves::Move> moves, Remover& remover) noexcept;
 
   void clear() noexcept {
     drop();
@@ -66,8 +69,7 @@ class Hierarchy {
   [[nodiscard]] static VertexId vertexOf(Slot s) { return VertexId{s + 1}; }
   [[nodiscard]] static Slot slotOf(VertexId v) { return static_cast<Slot>(v) - 1; }
 
-  /// On all its levels, or false.
-  [[nodiscard]] bool moveInPlace(Slot slot, const Site& to) noexcept;
+  void followOn(unsigned level);
 
   /// The slot on `level` to start from.
   [[nodiscard]] Slot locateOn(unsigned level, double x, double y) const;
@@ -92,7 +94,12 @@ class Hierarchy {
 
   std::array<std::unique_ptr<DelaunayGraph>, kMostLevels> levels_;  // [k] is level k + 1
   unsigned levelCount_ = 0;
-  SiteMoves moves_;
+  SiteMoves siteMoves_;
+  // Scratch of move(): of the sites that go with the moves as far as the level at hand, the move there, and the
+  // slot on level 0. Sites that stay behind are listed with those.
+  FlatArray<SiteMoves::Move> moves_;
+  FlatArray<Slot> slots_;
+  FlatArray<SiteMoves::Move> behind_;
   bool isDropped_ = false;
 };
 

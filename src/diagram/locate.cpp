@@ -91,7 +91,8 @@ class Sectors {
 }  // namespace
 
 DelaunayGraph::Located DelaunayGraph::locate(double x, double y, VertexId start, Walk walk) const {
-  if (visibleCount_ == 1) return {start, kNoHalfedge};
+  if (visibleCount_ == 1) return {recent_, kNoHalfedge};
+  start = visibleStart(start);
   return walk == Walk::kSectors ? walkSectors(x, y, start) : walkAllNeighbors(x, y, start);
 }
 

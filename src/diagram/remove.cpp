@@ -7,7 +7,10 @@
 
 namespace apollonius {
 
-std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden) {
+std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden,
+                                               bool mayReturn) {
+  invariant(diagram.isVisible(v), "a site that is removed from a graph is there");
+  mayReturn_ = mayReturn;
   fates_.clear();
   collectLink(diagram.graph(), v);
   const std::size_t remaining = diagram.visibleCount() - 1;
@@ -46,6 +49,28 @@ std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId 
   apply(diagram, v, patch_, patchCircles_);
   diagram.visibleCount_ += revived;
   return fates_;
+}
+
+/// A degree of d with h hidden sites makes a small diagram of d + h sites at most, with no more than twice as
+/// many faces.
+void Remover::reserve(std::size_t sites) {
+  if (sites <= room_) return;
+  sites = std::max(sites, 2 * room_);
+  const std::size_t faces = 2 * (sites + 1);
+  small_.reserve(sites + 1);
+  small_.reserveBulk(sites);
+  small_.reserveReturn(faces);
+  for (FlatArray<VertexId>* array : {&global_, &cover_, &fallen_, &order_, &hidden_}) array->reserve(sites + 1);
+  link_.reserve(sites);
+  fates_.reserve(sites);
+  adopted_.reserve(sites);
+  patchOf_.reserve(faces);
+  linkOf_.reserve(3 * faces);
+  patchFaces_.reserve(faces);
+  patch_.reserve(faces);
+  patchCircles_.reserve(faces);
+  ears_.reserve();
+  room_ = sites;
 }
 
 void Remover::collectLink(const Graph& graph, VertexId v) {
@@ -93,15 +118,22 @@ void Remover::buildSmall(const DelaunayGraph& diagram, std::span<const VertexId>
   }
 }
 
-/// In the order of a bulk insertion, each from its predecessor. In any other one walks would be long.
+/// In the order of a bulk insertion, each from its predecessor; in any other one walks would be long. So they are where there is
+/// no room for that order, as when this undoes an operation that ran out of memory.
 void Remover::addMany(const DelaunayGraph& diagram, std::span<const VertexId> hidden) {
-  FlatArray<double> centres;
-  centres.reserve(2 * hidden.size());
-  for (const VertexId u : hidden) {
-    centres.push_back(diagram.site(u).x);
-    centres.push_back(diagram.site(u).y);
+  FlatArray<std::uint32_t> order;
+  try {
+    FlatArray<double> centres;
+    centres.reserve(2 * hidden.size());
+    for (const VertexId u : hidden) {
+      centres.push_back(diagram.site(u).x);
+      centres.push_back(diagram.site(u).y);
+    }
+    order = inRandomizedRounds(hilbertOrder({centres, 2}));
+  } catch (...) {
+    order = FlatArray<std::uint32_t>();
   }
-  for (const std::uint32_t k : inRandomizedRounds(hilbertOrder({centres, 2}))) addLocal(diagram, hidden[k], kNoVertex);
+  for (std::size_t k = 0; k < hidden.size(); ++k) addLocal(diagram, hidden[order.empty() ? k : order[k]], kNoVertex);
 }
 
 /// Adds a vertex of the diagram to the small one; returns the visible vertex at its place.
@@ -189,6 +221,7 @@ void Remover::makePatch() {
 void Remover::apply(DelaunayGraph& diagram, VertexId v, std::span<const Graph::PatchFace> patch,
                     std::span<const VoronoiCircle> circles) {
   diagram.reserveFaces(link_.size(), patch.size());
+  if (mayReturn_) diagram.reserveReturn(std::max(link_.size(), patch.size()));
   // Some visible neighbour, should v be the vertex that walks start from.
   const Graph& graph = diagram.graph();
   const VertexId a = patch.empty() ? graph.origin(link_[0]) : patch[0].corners[0];

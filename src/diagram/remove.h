@@ -24,7 +24,16 @@ class Remover {
   /// Returns their fates, valid until the next call: first those that are covered, each before its cover if that is
   /// covered, too. Throws std::bad_alloc with the diagram unchanged.
   /// Cost: as building a diagram of its d neighbours and of `hidden`.
-  std::span<const Fate> remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden);
+  /// With `mayReturn`, all room is made that the site needs to be inserted again.
+  std::span<const Fate> remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden,
+                               bool mayReturn = false);
+
+  /// All the room that it takes to remove a site whose neighbours and hidden sites are so many together.
+  void reserve(std::size_t sites);
+
+  /// Scratch for a caller: hidden vertices, and what has become of others; reserve() makes room there, too.
+  [[nodiscard]] FlatArray<VertexId>& hiddenList() { return hidden_; }
+  [[nodiscard]] FlatArray<Fate>& adoptedList() { return adopted_; }
 
  private:
   void collectLink(const Graph& graph, VertexId v);
@@ -42,6 +51,8 @@ class Remover {
   static constexpr std::size_t kMany = 32;  // hidden sites
 
   EarClipper ears_;
+  bool mayReturn_ = false;     // of the call at hand
+  std::size_t room_ = 0;       // of reserve()
 
   // The small diagram; its vertex k is the big one's global_[k], covered by the small one's cover_[k].
   DelaunayGraph small_;
@@ -57,6 +68,8 @@ class Remover {
   FlatArray<Graph::PatchFace> patch_;
   FlatArray<VoronoiCircle> patchCircles_;
   FlatArray<Fate> fates_;
+  FlatArray<VertexId> hidden_;
+  FlatArray<Fate> adopted_;
 };
 
 }  // namespace apollonius

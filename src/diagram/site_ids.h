@@ -11,6 +11,7 @@
 #include "diagram/vocabulary.h"
 #include "graph/words.h"
 #include "memory/flat_array.h"
+#include "number/invariant.h"
 
 namespace apollonius {
 
@@ -30,8 +31,8 @@ class SiteIds {
   [[nodiscard]] SiteState state(Slot slot) const {
     return slot < slots_.size() ? static_cast<SiteState>(slots_[slot] >> kShift) : SiteState::kFree;
   }
-  /// Of a slot in use.
-  [[nodiscard]] SiteId idOf(Slot slot) const { return slots_[slot] & kMask; }
+  /// Of a slot in use; kNoSite where there are no slots.
+  [[nodiscard]] SiteId idOf(Slot slot) const { return slot < slots_.size() ? slots_[slot] & kMask : kNoSite; }
   /// kNoSlot if the id is not in use.
   [[nodiscard]] Slot slotOf(SiteId id) const { return id < ids_.size() && (ids_[id] & kFreeId) == 0 ? ids_[id] : kNoSlot; }
 
@@ -92,6 +93,7 @@ class SiteIds {
 
   /// Changes the state of a slot in use.
   void setState(Slot slot, SiteState state) {
+    invariant(slot < slots_.size(), "only a slot in use has a state");
     hiddenCount_ += state == SiteState::kHidden;
     hiddenCount_ -= this->state(slot) == SiteState::kHidden;
     slots_[slot] = word(state, idOf(slot));
@@ -99,6 +101,7 @@ class SiteIds {
 
   /// Frees a slot in use, and its id.
   void release(Slot slot) {
+    invariant(slot < slots_.size(), "only a slot in use is freed");
     hiddenCount_ -= state(slot) == SiteState::kHidden;
     const SiteId id = idOf(slot);
     ids_[id] = kFreeId | firstFreeId_;

@@ -62,6 +62,20 @@ std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& diagram, std::span
   return {isMade_.data(), moves.size()};
 }
 
+void SiteMoves::takeBack(DelaunayGraph& diagram, std::span<const Move> moves) noexcept {
+  for (const Move& move : moves) diagram.setSite(move.vertex, move.to);
+  const Graph& graph = diagram.graph();
+  for (const Move& move : moves) {
+    const HalfedgeId begin = graph.outgoing(move.vertex);
+    if (begin == kNoHalfedge) continue;  // hidden
+    HalfedgeId h = begin;
+    do {
+      diagram.computeCircle(faceOf(h));
+      h = graph.rotateCcw(h);
+    } while (h != begin);
+  }
+}
+
 void SiteMoves::reserve(const DelaunayGraph& diagram, std::size_t moves) {
   const Graph& graph = diagram.graph();
   before_.resize(moves);

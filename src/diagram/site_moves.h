@@ -42,6 +42,10 @@ class SiteMoves {
   /// Throws std::bad_alloc with the diagram unchanged. Cost: O(sum of the degrees).
   std::span<const std::uint8_t> apply(DelaunayGraph& diagram, std::span<const Move> moves);
 
+  /// Puts sites back that moves in place have moved, `moves` telling where to. The graph is the one of these
+  /// places. Cost: O(sum of the degrees).
+  static void takeBack(DelaunayGraph& diagram, std::span<const Move> moves) noexcept;
+
   /// Where the site of move k was before the last apply().
   [[nodiscard]] const Site& siteBefore(std::size_t k) const { return before_[k]; }
 

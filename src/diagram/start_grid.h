@@ -57,6 +57,8 @@ class StartGrid {
   void clear() noexcept { *this = StartGrid{}; }
 
  private:
+  friend class DiagramBreaker;  // tests break a structure on purpose
+
   static constexpr std::size_t kLeast = 64;  // below, walks are short anyway
   static constexpr std::uint32_t kFew = 6;
 

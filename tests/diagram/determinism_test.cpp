@@ -78,7 +78,7 @@ TEST(Determinism, HashesOfAFixedSequence) {
     const std::size_t n = generator.large ? 60 : 12;
     const Circles pool = generator.make(random, n);
     Replay replay;
-    for (const Operation& operation : randomHistory(random, pool, 2 * n)) ASSERT_EQ(replay.apply(operation), "");
+    for (const Operation& operation : randomHistory(random, pool, 2 * n)) ASSERT_EQ(replay.apply({&operation, 1}), "");
     addOutputs(replay.diagram(), random, hashes);
     if (HasFatalFailure()) return;
   }
@@ -95,7 +95,7 @@ TEST(Determinism, VerticesHaveTheSameBitsAfterAnyHistory) {
     std::array<Hashes, 3> hashes;
     for (Hashes& run : hashes) {
       Replay replay;
-      for (const Operation& operation : insertAll(circles)) ASSERT_EQ(replay.apply(operation), "");
+      for (const Operation& operation : insertAll(circles)) ASSERT_EQ(replay.apply({&operation, 1}), "");
       Random points(293);
       addOutputs(replay.diagram(), points, run);
       random.shuffle(circles);

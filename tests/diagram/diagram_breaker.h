@@ -1,6 +1,7 @@
 // Breaks a diagram on purpose, for tests of the checks: the one friend that may write to its parts.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "diagram/diagram_core.h"
@@ -26,6 +27,23 @@ class DiagramBreaker {
   static SiteIds& ids(DiagramCore& core) { return core.ids_; }
   static HiddenForest& hidden(DiagramCore& core) { return core.hidden_; }
   static unsigned levelCount(DiagramCore& core) { return core.hierarchy_.levelCount_; }
+  static void dropGrid(DiagramCore& core) { core.grid_.clear(); }
+  /// Lets each cell of the grid name what `slot` gives.
+  template <class Give>
+  static void fillGrid(DiagramCore& core, Give&& slot) {
+    for (std::size_t k = 0; k < core.grid_.cells_.size(); ++k) {
+      core.grid_.cells_[k].site = slot() & StartGrid::kNoSite;
+      core.grid_.cells_[k].count = 1;
+    }
+  }
+  /// Removes a site from everything but the levels and the grid.
+  static void forget(DiagramCore& core, Slot slot) {
+    Hierarchy levels = std::move(core.hierarchy_);
+    core.hierarchy_ = Hierarchy(core.walk_);
+    core.displace(slot);
+    core.ids_.release(slot);
+    core.hierarchy_ = std::move(levels);
+  }
   static DelaunayGraph& level(DiagramCore& core, unsigned k) { return *core.hierarchy_.levels_[k]; }
 };
 

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <new>
 #include <optional>
 #include <set>
@@ -18,9 +19,9 @@
 #include <utility>
 
 #include "apollonius.h"
+#include "diagram/named_operations.h"
 #include "support/effort.h"
 #include "support/generators.h"
-#include "voronoi.h"
 
 namespace {
 
@@ -144,12 +145,6 @@ void build(Diagram& diagram, const Circles& circles) {
   }
 }
 
-/// An operation on a diagram; results that it returns live as long as the object.
-struct Operation {
-  std::string name;
-  std::function<Error(Diagram&)> run;
-};
-
 std::vector<double> flat(const Circles& circles) {
   std::vector<double> xyr;
   for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
@@ -165,7 +160,7 @@ std::vector<std::uint8_t> snapshotOf(const Circles& circles) {
 }
 
 /// Operations for a diagram of n sites made by mixed(). What they need is made beforehand, so that only the library allocates.
-std::vector<Operation> changes(Random& random, std::size_t n) {
+std::vector<NamedOperation> changes(Random& random, std::size_t n) {
   const Circles others = mixed(random, n);
   const std::vector<double> xyr = flat(others);
   std::vector<SiteId> all(n), half;
@@ -213,134 +208,6 @@ std::vector<Operation> changes(Random& random, std::size_t n) {
   };
 }
 
-std::vector<Operation> queries(std::size_t n) {
-  std::vector<double> xy;
-  for (std::size_t k = 0; k < 2 * n; ++k) xy.push_back(static_cast<double>(k * 7 % 13));
-  return {
-      {"find",
-       [](Diagram& d) {
-         SiteId id = kNoSite;
-         double distance = 0;
-         return d.find(3.5, 2.25, id, distance);
-       }},
-      {"findMany", [=, ids = std::vector<SiteId>(n), distances = std::vector<double>(n)](Diagram& d) mutable { return d.findMany(xy, ids, distances); }},
-      {"kNearest",
-       [=](Diagram& d) {
-         std::vector<SiteId> sites;
-         return d.kNearest(3.5, 2.25, n, sites);
-       }},
-      {"within",
-       [](Diagram& d) {
-         std::vector<SiteId> sites;
-         return d.within(3.5, 2.25, 1e6, sites);
-       }},
-      {"neighbors",
-       [=](Diagram& d) {
-         std::vector<SiteId> sites;
-         Error error = Error::kNone;
-         for (SiteId id = 0; id < n && error == Error::kNone; ++id) error = d.neighbors(id, sites);
-         return error;
-       }},
-      {"coverOf",
-       [=](Diagram& d) {
-         SiteId cover = kNoSite;
-         Error error = Error::kNone;
-         for (SiteId id = 0; id < n && error == Error::kNone; ++id) error = d.coverOf(id, cover);
-         return error;
-       }},
-      {"ids",
-       [](Diagram& d) {
-         std::vector<SiteId> ids;
-         return d.ids(ids);
-       }},
-      {"vertices",
-       [](Diagram& d) {
-         VertexArrays vertices;
-         return d.vertices(vertices);
-       }},
-      {"edges",
-       [](Diagram& d) {
-         EdgeArrays edges;
-         return d.edges(edges);
-       }},
-      {"faces",
-       [](Diagram& d) {
-         std::vector<SiteId> sites;
-         return d.faces(sites);
-       }},
-      {"toBytes",
-       [](Diagram& d) {
-         std::vector<std::uint8_t> bytes;
-         return d.toBytes(bytes);
-       }},
-      {"validate",
-       [](Diagram& d) {
-         std::string broken;
-         return d.validate(broken);
-       }},
-  };
-}
-
-/// Everything that has a shape, for n sites.
-std::vector<Operation> shapes(std::size_t n) {
-  const auto asked = [](auto ask) { return [=](Diagram& d) { return ask(Voronoi(d, Bounds{-2e5, -1e5, 3e5, 2e5})); }; };
-  const auto ofEach = [=](auto ask) {
-    return asked([=](const Voronoi& v) {
-      Error error = Error::kNone;
-      for (SiteId id = 0; id < n && error == Error::kNone; ++id) error = ask(v, id);
-      return error;
-    });
-  };
-  return {
-      {"curves of edges", asked([](const Voronoi& v) {
-         CurveArrays curves;
-         return v.edges(curves);
-       })},
-      {"cells", ofEach([](const Voronoi& v, SiteId id) {
-         CurveArrays curves;
-         return v.cell(id, curves);
-       })},
-      {"polygons", ofEach([](const Voronoi& v, SiteId id) {
-         RingArrays rings;
-         return v.polygon(id, 100, rings);
-       })},
-      {"measures", ofEach([](const Voronoi& v, SiteId id) {
-         CellMeasures measures;
-         return v.measures(id, measures);
-       })},
-      {"measures within", ofEach([](const Voronoi& v, SiteId id) {
-         CellMeasures measures;
-         return v.measuresWithin(id, 1e5, measures);
-       })},
-      {"areas", asked([](const Voronoi& v) {
-         std::vector<double> areas;
-         return v.areas(areas);
-       })},
-      {"hull", asked([](const Voronoi& v) {
-         std::vector<SiteId> sites;
-         return v.hull(sites);
-       })},
-      {"drawing of edges", asked([](const Voronoi& v) {
-         Path path;
-         Voronoi::Portion portion;
-         return v.drawEdges(100, portion, path);
-       })},
-      {"drawing of the dual", asked([](const Voronoi& v) {
-         Path path;
-         Voronoi::Portion portion;
-         return v.drawDual(100, true, portion, path);
-       })},
-      {"drawing of cells", ofEach([](const Voronoi& v, SiteId id) {
-         Path path;
-         return v.drawCell(id, 100, path);
-       })},
-      {"drawing of the hull", asked([](const Voronoi& v) {
-         Path path;
-         return v.drawHull(100, path);
-       })},
-  };
-}
-
 enum class Failure { kOnce, kBudget };
 
 /// Whether the diagram comes from a snapshot, which leaves circles and hierarchy for later.
@@ -379,7 +246,7 @@ std::string verdict(Diagram& diagram, const std::function<Error(Diagram&)>& run,
 
 /// Makes an operation fail at each allocation that it makes on a fresh diagram; stops at the first wrong outcome, with a
 /// message. `failed` counts the calls that reported kOutOfMemory.
-std::string failEverywhere(const Circles& circles, Origin origin, const Operation& operation, Failure failure, int& failed) {
+std::string failEverywhere(const Circles& circles, Origin origin, const NamedOperation& operation, Failure failure, int& failed) {
   Diagram untouched, changed;
   build(untouched, circles);
   build(changed, circles);
@@ -408,15 +275,17 @@ std::string failEverywhere(const Circles& circles, Origin origin, const Operatio
     }
     if (seen.failures == 0) return {};
     // The next allocation, or in long sequences one a little later; the smallest budget that gets further.
-    at = failure == Failure::kOnce ? at + 1 + at / 10 : std::max(seen.wanted - live, at + 1 + at / 40);
+    // Large sets take longer steps.
+    const std::size_t step = circles.size() > 200 ? at / 3 : failure == Failure::kOnce ? at / 10 : at / 40;
+    at = failure == Failure::kOnce ? at + 1 + step : std::max(seen.wanted - live, at + 1 + step);
   }
 }
 
 class OutOfMemory : public ::testing::TestWithParam<Failure> {
  protected:
   /// One message for each operation that goes wrong.
-  void failAll(const Circles& circles, const std::vector<Operation>& operations, Origin origin = Origin::kBuilt) {
-    for (const Operation& operation : operations) {
+  void failAll(const Circles& circles, const std::vector<NamedOperation>& operations, Origin origin = Origin::kBuilt) {
+    for (const NamedOperation& operation : operations) {
       if (wrong_.contains(operation.name)) continue;
       const std::string message = failEverywhere(circles, origin, operation, GetParam(), failed_);
       if (message.empty()) continue;
@@ -448,6 +317,80 @@ TEST_P(OutOfMemory, ChangesThatNeedLongNumbersLeaveTheDiagramAsItWas) {
     const Circles circles = rangeEnds(random, n, Range::kMixed);
     failAll(circles, changes(random, n));
   }
+  EXPECT_GT(failed_, 50);
+}
+
+/// Changes of most of a set, with a giant that comes in the middle of it.
+std::vector<NamedOperation> changesOfAll(const Circles& circles, const Circle& giant) {
+  const std::size_t n = circles.size();
+  std::vector<SiteId> ids(n);
+  std::iota(ids.begin(), ids.end(), SiteId{0});
+  const auto updateTo = [=](auto change) {
+    std::vector<double> xyr;
+    for (std::size_t k = 0; k < n; ++k) {
+      Circle c = circles[k];
+      change(k, c);
+      xyr.insert(xyr.end(), {c.x, c.y, c.r});
+    }
+    return [=](Diagram& d) { return d.updateMany(ids, xyr); };
+  };
+  const auto giantAt = [=](std::size_t at) {
+    return [=](std::size_t k, Circle& c) { c = k == at ? giant : Circle{c.x + 2e4, c.y - 1e4, c.r}; };
+  };
+  std::vector<double> more;
+  for (const Circle& c : circles) more.insert(more.end(), {c.x + 1e4, c.y + 2e4, c.r});
+  more.insert(more.end(), {giant.x, giant.y, giant.r});
+  std::vector<SiteId> odd;
+  for (SiteId id = 1; id < n; id += 2) odd.push_back(id);
+  // In the order of their places in memory, which is not known.
+  const auto giantAndOneOverAll = [=](SiteId first, SiteId second) {
+    const std::vector<double> xyr{giant.x, giant.y, giant.r, 0, 0, 4e6};
+    return [=, both = std::vector<SiteId>{first, second}](Diagram& d) { return d.updateMany(both, xyr); };
+  };
+  const std::vector<SiteId> allButOne(ids.begin() + 1, ids.end());
+  const auto removal = [](const std::vector<SiteId>& which) {
+    return [=](Diagram& d) {
+      std::size_t removed = 0;
+      return d.removeMany(which, removed);
+    };
+  };
+  return {
+      {"updateMany, all a little", updateTo([](std::size_t k, Circle& c) { c.x += static_cast<double>(k % 7); })},
+      {"updateMany, all grow", updateTo([](std::size_t k, Circle& c) { c.r += k % 3 == 0 ? 3e5 : 1e5; })},
+      {"updateMany, all elsewhere", updateTo([](std::size_t k, Circle& c) { c = {c.y, -c.x, c.r + static_cast<double>(k)}; })},
+      {"updateMany, an early giant", updateTo(giantAt(3))},
+      {"updateMany, a late giant", updateTo(giantAt(n - 3))},
+      {"updateMany, a giant and one over all", giantAndOneOverAll(5, 6)},
+      {"updateMany, one over all and a giant", giantAndOneOverAll(6, 5)},
+      {"update to a giant", [=](Diagram& d) { return d.update(5, giant.x, giant.y, giant.r); }},
+      {"insertMany with a giant", [=, moreIds = std::vector<SiteId>(n + 1)](Diagram& d) mutable { return d.insertMany(more, moreIds); }},
+      {"removeMany of half", removal(odd)},
+      {"removeMany of all but one", removal(allButOne)},
+  };
+}
+
+TEST_P(OutOfMemory, ChangesOfWholeSetsLeaveThemAsTheyWere) {
+  Random random(7);
+  const std::size_t n = isThorough() ? 2200 : kEffortDivisor > 1 ? 120 : 300;  // one level over 300, two over 2200
+  const Circle overAQuarter{5e5, 5e5, 7e5};
+  Circles circles = randomCircles(random, n, Hidden::kNone);
+  failAll(circles, changesOfAll(circles, overAQuarter));
+  for (Circle& c : circles) c.r = random.between(0, 2e4);  // some hidden
+  circles[1] = {-5e5, 5e5, 6e5};                           // a giant that leaves
+  failAll(circles, changesOfAll(circles, overAQuarter));
+  EXPECT_GT(failed_, 50);
+}
+
+/// Hundreds of neighbours: undoing that takes more than what is held back.
+TEST_P(OutOfMemory, GiantsWithManyNeighborsLeaveTheDiagramAsItWas) {
+  Random random(8);
+  Circles circles = giantDisk(random, isThorough() ? 3000 : kEffortDivisor > 1 ? 100 : 500);
+  const auto larger = [](const Circle& a, const Circle& b) { return a.r > b.r; };
+  std::sort(circles.begin(), circles.end(), larger);
+  const Circle giant = circles[0];
+  failAll(circles, changesOfAll(circles, {1e4, 0, giant.r}));
+  circles[0].r = 0;
+  failAll(circles, changesOfAll(circles, giant));
   EXPECT_GT(failed_, 50);
 }
 

@@ -2,6 +2,8 @@
 // every suite stays within a few minutes.
 #pragma once
 
+#include <cstdlib>
+
 namespace apollonius::test {
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -14,5 +16,8 @@ inline constexpr int kEffortDivisor = 1;
 
 /// How many runs to make of a test that makes `native` of them natively.
 constexpr int runs(int native) { return native / kEffortDivisor + 1; }
+
+/// Shall tests run that take minutes each? Set APOLLONIUS_THOROUGH=1, best with a build without the shadow check.
+inline bool isThorough() { return std::getenv("APOLLONIUS_THOROUGH") != nullptr; }
 
 }  // namespace apollonius::test

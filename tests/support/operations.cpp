@@ -21,14 +21,17 @@ std::string hexFloat(double value) {
 }
 
 /// The history without operations [first, first + count): operations on circles that are no longer inserted go too, and
-/// names close up.
+/// names close up. What is left of a call stays one.
 History without(const History& history, std::size_t first, std::size_t count) {
   std::vector<std::size_t> newName;
   std::size_t inserted = 0;
   History result;
+  bool isCallOpen = false;  // has something of the call that operation k belongs to been kept?
   for (std::size_t k = 0; k < history.size(); ++k) {
     const bool leftOut = k >= first && k < first + count;
     Operation operation = history[k];
+    isCallOpen = isCallOpen && operation.isJoined;
+    operation.isJoined = isCallOpen;
     if (operation.kind == Operation::Kind::kInsert) {
       newName.push_back(leftOut ? kNone : inserted++);
       if (leftOut) continue;
@@ -39,11 +42,18 @@ History without(const History& history, std::size_t first, std::size_t count) {
       operation.target = newName[operation.target];
     }
     result.push_back(operation);
+    isCallOpen = true;
   }
   return result;
 }
 
 }  // namespace
+
+std::size_t endOfCall(const History& history, std::size_t first) {
+  std::size_t end = first + 1;
+  while (end < history.size() && history[end].isJoined) ++end;
+  return end;
+}
 
 History insertAll(const Circles& circles) {
   History history;
@@ -99,6 +109,7 @@ std::string toText(const History& history) {
   std::string text;
   for (const Operation& operation : history) {
     const Circle& c = operation.circle;
+    if (operation.isJoined) text += "and ";
     switch (operation.kind) {
       case Operation::Kind::kInsert: text += "insert"; break;
       case Operation::Kind::kRemove: text += "remove "; break;
@@ -128,12 +139,19 @@ History fromText(const std::string& text, std::string& error) {
     std::string word;
     if (!(words >> word) || word[0] == '#') continue;
     Operation operation{Operation::Kind::kInsert, 0, {}};
+    operation.isJoined = word == "and";
+    if (operation.isJoined && !(words >> word)) word.clear();
     if (word == "remove" || word == "update") {
       operation.kind = word == "remove" ? Operation::Kind::kRemove : Operation::Kind::kUpdate;
     } else if (word == "restore") {
       operation.kind = Operation::Kind::kRestore;
     } else if (word != "insert") {
       fail("not an operation");
+      return {};
+    }
+    const bool canJoin = !history.empty() && history.back().kind == operation.kind && operation.kind != Operation::Kind::kRestore;
+    if (operation.isJoined && !canJoin) {
+      fail("not of the kind of the line before");
       return {};
     }
     if (hasTarget(operation.kind)) {

@@ -6,6 +6,8 @@
 //   remove k           removes the circle called k
 //   update k x y r     moves and resizes it
 //   restore            the diagram becomes what its snapshot gives
+//   and …              with insert, remove or update: in the same call as the line before, which is of the same kind: insertMany,
+//                      removeMany, updateMany
 //
 // Numbers are decimal or C hex floats; printed ones are hex floats, so that no digit gets lost.
 #pragma once
@@ -25,11 +27,15 @@ struct Operation {
   Kind kind;
   std::size_t target;  ///< kRemove and kUpdate: which insert made the circle
   Circle circle;       ///< kInsert and kUpdate
+  bool isJoined = false;  ///< in one call with the operation before
 };
 
 using History = std::vector<Operation>;
 
 History insertAll(const Circles& circles);
+
+/// Where the call that holds operation `first` ends: the first operation behind it.
+std::size_t endOfCall(const History& history, std::size_t first);
 
 /// `steps` operations over circles drawn from `pool` (with repetition): about half inserts, a quarter removals and a quarter
 /// updates, with a restoration now and then, in phases of growth and decline so that diagrams of few and of many sites both occur.

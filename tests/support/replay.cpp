@@ -10,6 +10,12 @@ std::string validated(const Diagram& diagram) {
   return broken.empty() ? std::string() : "validate(): " + broken;
 }
 
+std::vector<double> numbersOf(std::span<const Operation> call) {
+  std::vector<double> xyr;
+  for (const Operation& operation : call) xyr.insert(xyr.end(), {operation.circle.x, operation.circle.y, operation.circle.r});
+  return xyr;
+}
+
 /// Compares the diagram with everything else that can be known about its circles.
 std::string compared(const Diagram& diagram, const Circles& circles, const Checks& checks) {
   std::string broken;
@@ -30,34 +36,12 @@ std::string compared(const Diagram& diagram, const Circles& circles, const Check
 
 }  // namespace
 
-std::string Replay::apply(const Operation& operation) {
-  const Circle& c = operation.circle;
-  switch (operation.kind) {
-    case Operation::Kind::kInsert: {
-      SiteId id = kNoSite;
-      if (diagram_.insert(c.x, c.y, c.r, id) != Error::kNone) return "insert failed";
-      for (const Entry& entry : entries_) {
-        if (entry.lives && entry.id == id) return "insert gave an id that is taken";
-      }
-      entries_.push_back({c, id, true});
-      ++size_;
-      break;
-    }
-    case Operation::Kind::kRemove: {
-      Entry& entry = entries_.at(operation.target);
-      bool removed = false;
-      if (diagram_.remove(entry.id, removed) != Error::kNone || !removed) return "remove failed";
-      if (diagram_.has(entry.id)) return "a removed site is still there";
-      entry.lives = false;
-      --size_;
-      break;
-    }
-    case Operation::Kind::kUpdate: {
-      Entry& entry = entries_.at(operation.target);
-      if (diagram_.update(entry.id, c.x, c.y, c.r) != Error::kNone) return "update failed";
-      entry.circle = c;
-      break;
-    }
+std::string Replay::apply(std::span<const Operation> call) {
+  std::string wrong;
+  switch (call[0].kind) {
+    case Operation::Kind::kInsert: wrong = insert(call); break;
+    case Operation::Kind::kRemove: wrong = remove(call); break;
+    case Operation::Kind::kUpdate: wrong = update(call); break;
     case Operation::Kind::kRestore: {
       std::vector<std::uint8_t> bytes;
       if (diagram_.toBytes(bytes) != Error::kNone) return "toBytes failed";
@@ -65,8 +49,49 @@ std::string Replay::apply(const Operation& operation) {
       break;
     }
   }
-  if (diagram_.size() != size_) return "wrong size()";
+  if (wrong.empty() && diagram_.size() != taken_.size()) return "wrong size()";
+  return wrong;
+}
+
+std::string Replay::insert(std::span<const Operation> call) {
+  std::vector<SiteId> ids(call.size(), kNoSite);
+  const std::vector<double> xyr = numbersOf(call);
+  const Error error = call.size() == 1 ? diagram_.insert(xyr[0], xyr[1], xyr[2], ids[0]) : diagram_.insertMany(xyr, ids);
+  if (error != Error::kNone) return "insert failed";
+  for (std::size_t k = 0; k < call.size(); ++k) {
+    if (!taken_.insert(ids[k]).second) return "insert gave an id that is taken";
+    entries_.push_back({call[k].circle, ids[k], true});
+  }
   return {};
+}
+
+std::string Replay::remove(std::span<const Operation> call) {
+  const std::vector<SiteId> ids = idsOf(call);
+  std::size_t removed = 0;
+  bool isRemoved = false;
+  const Error error = call.size() == 1 ? diagram_.remove(ids[0], isRemoved) : diagram_.removeMany(ids, removed);
+  if (error != Error::kNone || removed + isRemoved != call.size()) return "remove failed";
+  for (std::size_t k = 0; k < call.size(); ++k) {
+    if (diagram_.has(ids[k])) return "a removed site is still there";
+    entries_[call[k].target].lives = false;
+    taken_.erase(ids[k]);
+  }
+  return {};
+}
+
+std::string Replay::update(std::span<const Operation> call) {
+  const std::vector<SiteId> ids = idsOf(call);
+  const std::vector<double> xyr = numbersOf(call);
+  const Error error = call.size() == 1 ? diagram_.update(ids[0], xyr[0], xyr[1], xyr[2]) : diagram_.updateMany(ids, xyr);
+  if (error != Error::kNone) return "update failed";
+  for (const Operation& operation : call) entries_[operation.target].circle = operation.circle;
+  return {};
+}
+
+std::vector<SiteId> Replay::idsOf(std::span<const Operation> call) const {
+  std::vector<SiteId> ids;
+  for (const Operation& operation : call) ids.push_back(entries_.at(operation.target).id);
+  return ids;
 }
 
 Circles Replay::survivors() const {
@@ -79,9 +104,10 @@ Circles Replay::survivors() const {
 
 std::string checkHistory(const History& history, const Checks& checks) {
   Replay replay(checks.location);
-  for (std::size_t step = 0; step < history.size(); ++step) {
-    std::string wrong = replay.apply(history[step]);
-    const bool last = step + 1 == history.size();
+  for (std::size_t step = 0, end = 0; step < history.size(); step = end) {
+    end = endOfCall(history, step);
+    std::string wrong = replay.apply(std::span(history).subspan(step, end - step));
+    const bool last = end == history.size();
     // To validate a restored diagram is to ask for all of its circles: the next operation is to meet it without them.
     if (wrong.empty() && history[step].kind == Operation::Kind::kRestore && !last) continue;
     if (wrong.empty() && checks.validateEveryStep) wrong = validated(replay.diagram());

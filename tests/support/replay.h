@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,8 +19,9 @@ class Replay {
  public:
   explicit Replay(Location location = Location::kHierarchy) : diagram_(location) {}
 
-  /// Applies one operation; returns what went wrong at once (an error code, a wrong size, an id that changed), or nothing.
-  std::string apply(const Operation& operation);
+  /// Applies the operations of one call; returns what went wrong at once (an error code, a wrong size, an id
+  /// that changed), or nothing.
+  std::string apply(std::span<const Operation> call);
 
   [[nodiscard]] const Diagram& diagram() const { return diagram_; }
   [[nodiscard]] Circles survivors() const;
@@ -29,9 +32,14 @@ class Replay {
     SiteId id;
     bool lives;
   };
+  std::string insert(std::span<const Operation> call);
+  std::string remove(std::span<const Operation> call);
+  std::string update(std::span<const Operation> call);
+  [[nodiscard]] std::vector<SiteId> idsOf(std::span<const Operation> call) const;
+
   Diagram diagram_;
   std::vector<Entry> entries_;  // by the operations' names
-  std::size_t size_ = 0;
+  std::set<SiteId> taken_;  // ids of those that live
 };
 
 /// What checkHistory compares, and how often.

@@ -1,0 +1,148 @@
+// Every query and every shape as an operation by name, for tests that run all of them.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "apollonius.h"
+#include "voronoi.h"
+
+namespace apollonius::test {
+
+/// An operation on a diagram; results that it returns live as long as the object.
+struct NamedOperation {
+  std::string name;
+  std::function<Error(Diagram&)> run;
+};
+
+inline std::vector<NamedOperation> queries(std::size_t n) {
+  std::vector<double> xy;
+  for (std::size_t k = 0; k < 2 * n; ++k) xy.push_back(static_cast<double>(k * 7 % 13));
+  return {
+      {"find",
+       [](Diagram& d) {
+         SiteId id = kNoSite;
+         double distance = 0;
+         return d.find(3.5, 2.25, id, distance);
+       }},
+      {"findMany", [=, ids = std::vector<SiteId>(n), distances = std::vector<double>(n)](Diagram& d) mutable { return d.findMany(xy, ids, distances); }},
+      {"kNearest",
+       [=](Diagram& d) {
+         std::vector<SiteId> sites;
+         return d.kNearest(3.5, 2.25, n, sites);
+       }},
+      {"within",
+       [](Diagram& d) {
+         std::vector<SiteId> sites;
+         return d.within(3.5, 2.25, 1e6, sites);
+       }},
+      {"neighbors",
+       [=](Diagram& d) {
+         std::vector<SiteId> sites;
+         Error error = Error::kNone;
+         for (SiteId id = 0; id < n && error == Error::kNone; ++id) error = d.neighbors(id, sites);
+         return error;
+       }},
+      {"coverOf",
+       [=](Diagram& d) {
+         SiteId cover = kNoSite;
+         Error error = Error::kNone;
+         for (SiteId id = 0; id < n && error == Error::kNone; ++id) error = d.coverOf(id, cover);
+         return error;
+       }},
+      {"ids",
+       [](Diagram& d) {
+         std::vector<SiteId> ids;
+         return d.ids(ids);
+       }},
+      {"vertices",
+       [](Diagram& d) {
+         VertexArrays vertices;
+         return d.vertices(vertices);
+       }},
+      {"edges",
+       [](Diagram& d) {
+         EdgeArrays edges;
+         return d.edges(edges);
+       }},
+      {"faces",
+       [](Diagram& d) {
+         std::vector<SiteId> sites;
+         return d.faces(sites);
+       }},
+      {"toBytes",
+       [](Diagram& d) {
+         std::vector<std::uint8_t> bytes;
+         return d.toBytes(bytes);
+       }},
+      {"validate",
+       [](Diagram& d) {
+         std::string broken;
+         return d.validate(broken);
+       }},
+  };
+}
+
+/// Everything that has a shape, for n sites.
+inline std::vector<NamedOperation> shapes(std::size_t n) {
+  const auto asked = [](auto ask) { return [=](Diagram& d) { return ask(Voronoi(d, Bounds{-2e5, -1e5, 3e5, 2e5})); }; };
+  const auto ofEach = [=](auto ask) {
+    return asked([=](const Voronoi& v) {
+      Error error = Error::kNone;
+      for (SiteId id = 0; id < n && error == Error::kNone; ++id) error = ask(v, id);
+      return error;
+    });
+  };
+  return {
+      {"curves of edges", asked([](const Voronoi& v) {
+         CurveArrays curves;
+         return v.edges(curves);
+       })},
+      {"cells", ofEach([](const Voronoi& v, SiteId id) {
+         CurveArrays curves;
+         return v.cell(id, curves);
+       })},
+      {"polygons", ofEach([](const Voronoi& v, SiteId id) {
+         RingArrays rings;
+         return v.polygon(id, 100, rings);
+       })},
+      {"measures", ofEach([](const Voronoi& v, SiteId id) {
+         CellMeasures measures;
+         return v.measures(id, measures);
+       })},
+      {"measures within", ofEach([](const Voronoi& v, SiteId id) {
+         CellMeasures measures;
+         return v.measuresWithin(id, 1e5, measures);
+       })},
+      {"areas", asked([](const Voronoi& v) {
+         std::vector<double> areas;
+         return v.areas(areas);
+       })},
+      {"hull", asked([](const Voronoi& v) {
+         std::vector<SiteId> sites;
+         return v.hull(sites);
+       })},
+      {"drawing of edges", asked([](const Voronoi& v) {
+         Path path;
+         Voronoi::Portion portion;
+         return v.drawEdges(100, portion, path);
+       })},
+      {"drawing of the dual", asked([](const Voronoi& v) {
+         Path path;
+         Voronoi::Portion portion;
+         return v.drawDual(100, true, portion, path);
+       })},
+      {"drawing of cells", ofEach([](const Voronoi& v, SiteId id) {
+         Path path;
+         return v.drawCell(id, 100, path);
+       })},
+      {"drawing of the hull", asked([](const Voronoi& v) {
+         Path path;
+         return v.drawHull(100, path);
+       })},
+  };
+}
+
+}  // namespace apollonius::test
