@@ -1,7 +1,9 @@
 #include "diagram/conflict.h"
 
+#include <algorithm>
+
 #include "diagram/delaunay_graph.h"
-#include "number/invariant.h"
+#include "diagram/sort_by_key.h"
 #include "predicate/edge_shortcut.h"
 #include "predicate/predicates.h"
 
@@ -84,7 +86,7 @@ void ConflictSearch::startAround(VertexId near) {
     if (startWithin(h)) return;
     h = graph.rotateCcw(h);
   } while (h != begin);
-  invariant(false, "a site that is not covered is in conflict with an edge of its nearest site (Lemma 2)");
+  diagram_->demand(false, "a site that is not covered is in conflict with an edge of its nearest site (Lemma 2)");
 }
 
 /// The paper's depth-first search with a stack of half-edges instead of recursion. The half-edges on the stack and on the rim,
@@ -125,6 +127,41 @@ bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const {
     return true;
   }
   return isEntireEdgeInConflict(diagram_->edge(h), atK, atL, *q_);
+}
+
+bool ConflictSearch::isDisk() const {
+  if (faces_.empty()) return true;  // an edge that is opened
+  const Graph& graph = diagram_->graph();
+  FlatArray<Keyed> rim(rim_.size());
+  bool hasInfinity = false;
+  for (std::uint32_t k = 0; k < rim.size(); ++k) {
+    rim[k] = {static_cast<std::uint32_t>(rim_[k]), k};
+    hasInfinity |= graph.origin(rim_[k]) == kInfinity;
+  }
+  sortByKey(rim);
+  const auto isOnRim = [&](HalfedgeId h) {
+    const auto key = static_cast<std::uint32_t>(h);
+    const Keyed* const at = std::lower_bound(rim.begin(), rim.end(), key, [](const Keyed& a, std::uint32_t b) { return a.key < b; });
+    return at != rim.end() && at->key == key;
+  };
+  for (std::size_t k = 0; k < rim_.size(); ++k) {
+    const HalfedgeId h = rim_[k], twin = graph.twin(h);
+    if (isInRegion(faceOf(twin)) && !isOnRim(twin)) return false;
+    // The side that follows, around h's target.
+    HalfedgeId side = next(h);
+    while (!isOnRim(side)) {
+      const HalfedgeId across = graph.twin(side);
+      if (!isInRegion(faceOf(across)) || next(across) == next(h)) return false;
+      side = next(across);
+    }
+    if (side != rim_[k + 1 < rim_.size() ? k + 1 : 0]) return false;
+  }
+  for (const FaceId f : faces_) {
+    for (unsigned c = 0; c < 3 && !hasInfinity; ++c) {
+      if (graph.origin(halfedgeOf(f, c)) == kInfinity) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace apollonius

@@ -24,6 +24,9 @@ class ConflictSearch {
   /// if there is none; else q is not covered. REQUIRES: at least two visible sites.
   [[nodiscard]] bool findBeside(const DelaunayGraph& diagram, const Site& q, VertexId close);
 
+  /// Are the faces a disk, with the rim around them and infinity not within? Of a Delaunay graph they are. Throws std::bad_alloc.
+  [[nodiscard]] bool isDisk() const;
+
   void reserve(std::size_t faces) { marks_.reserve((faces + kWord - 1) / kWord); }
 
   /// The faces in conflict; empty if q's cell lies within one edge.

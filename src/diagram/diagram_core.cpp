@@ -5,6 +5,7 @@
 #include "diagram/sort_by_key.h"
 #include "diagram/spatial_order.h"
 #include "memory/flat_array.h"
+#include "number/invariant.h"
 
 namespace apollonius {
 
@@ -172,6 +173,15 @@ void DiagramCore::move(Slot slot, const Site& site) {
   }
 }
 
+void DiagramCore::restore(Slot slot, const Site& site) noexcept {
+  if (isBroken()) return;
+  try {
+    ids_.setState(slot, place(slot, site, kNoVertex));
+  } catch (...) {
+    invariant(isBroken(), "there is room to undo");
+  }
+}
+
 bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
   const Site to = normalized(site);
   if (!coversChildren(slot, to)) return false;
@@ -264,6 +274,7 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
   } catch (...) {
     endBulk();
     ballast_.drop();
+    if (isBroken()) throw;
     for (std::size_t k = 0; k < done; ++k) displace(order[k]);
     for (std::size_t k = n; k-- > 0;) ids_.release(ids_.slotOf(ids[k]));  // so that the next ids are given in the same order again
     throw;
@@ -294,6 +305,7 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
     for (const std::size_t k : order) move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
   } catch (...) {
     ballast_.drop();
+    if (isBroken()) throw;
     for (const std::size_t k : order) {
       const Slot slot = ids_.slotOf(ids[k]);
       displace(slot);

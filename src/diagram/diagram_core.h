@@ -66,7 +66,9 @@ class DiagramCore {
   /// The diagram as a snapshot; replaces the contents of `bytes`.
   void save(Array<std::uint8_t>& bytes) const;
   /// Becomes what was saved; false if the bytes are no snapshot. REQUIRES: a new diagram; after a failure it is good for nothing.
-  [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes);
+  [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes, Source source);
+  /// Has an operation found that trusted bytes were no diagram? Then this one is good for nothing but clear().
+  [[nodiscard]] bool isBroken() const { return base_.isBroken(); }
 
   /// The first broken invariant.
   [[nodiscard]] Defect check() const;
@@ -99,8 +101,8 @@ class DiagramCore {
   [[nodiscard]] bool coversChildren(Slot slot, const Site& to) const;
   void followMove(Slot slot, const Site& from) noexcept;
   [[nodiscard]] FlatArray<std::uint32_t> orderOfSlots(std::span<const SiteId> ids) const;
-  /// Undoes a displacement. There is room for it: the ballast has been dropped.
-  void restore(Slot slot, const Site& site) noexcept { ids_.setState(slot, place(slot, site, kNoVertex)); }
+  /// Undoes a displacement. There is room for it: the ballast has been dropped. A broken diagram is left as it is.
+  void restore(Slot slot, const Site& site) noexcept;
   void displaceVisible(Slot slot);
   /// What location needs to know of a site that became visible, and of one that is visible no more.
   void enterLocation(Slot slot) noexcept;

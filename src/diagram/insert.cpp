@@ -19,6 +19,7 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk 
     conflicts_.find(*this, q, near.nearest, near.sector);
   }
   if (conflicts_.rim().empty()) return coverAll(v, forest);
+  if (!isProven_) demand(conflicts_.isDisk(), "the conflict region is a disk");
 
   const std::size_t removed = conflicts_.faces().size();
   const std::size_t created = conflicts_.rim().size();

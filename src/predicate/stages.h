@@ -55,6 +55,14 @@ enum class Probe : signed char { kMiddle = 1, kOpposite = -1 };
 [[nodiscard]] MaybeSign edgeWhole(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
 [[nodiscard]] Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
 
+/// The turn from the middle of l's shadow on the bisector of i and j to that of k's. i is larger than j; none of the four covers i or j.
+[[nodiscard]] MaybeSign shadowTurnFilter(const Site& i, const Site& j, const Site& l, const Site& k);
+[[nodiscard]] Sign shadowTurnExact(const Site& i, const Site& j, const Site& l, const Site& k);
+/// Is the angle of the outer normal of the face (i, j, infinity) in [0, pi)?
+[[nodiscard]] bool normalIsUpExact(const Site& i, const Site& j);
+/// The turn from the outer normal of the face (i, l, infinity) to that of (k, i, infinity).
+[[nodiscard]] Sign spanExact(const Site& i, const Site& l, const Site& k);
+
 /// How often each stage answered in this thread since the last reset (`cached`: the filter by cached circles). Vertex conflicts and
 /// distances that are settled where they arise (circleFilter, walks) are not counted.
 struct Counts {
