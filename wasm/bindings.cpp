@@ -196,8 +196,10 @@ EMSCRIPTEN_KEEPALIVE int diagramToBytes(const Diagram* diagram) {
   return code(error);
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramFromBytes(Diagram* diagram, const std::uint8_t* content, std::size_t length, int isTrusted) {
-  return code(diagram->fromBytes({content, length}, isTrusted != 0 ? apollonius::Source::kTrusted : apollonius::Source::kAnyone));
+EMSCRIPTEN_KEEPALIVE int diagramFromBytes(Diagram* diagram, const std::uint8_t* content, std::size_t length,
+                                          int isTrusted) {
+  const auto source = isTrusted != 0 ? apollonius::Source::kTrusted : apollonius::Source::kAnyone;
+  return code(diagram->fromBytes({content, length}, source));
 }
 
 // --- Calls about one site or point -----------------------------------------------------------------------------------------------

@@ -54,7 +54,7 @@ export interface DiagramOptions {
 
 /** Options of `Diagram.fromBytes`. */
 export interface SnapshotOptions extends DiagramOptions {
-  /** true: the bytes are `toBytes`'s own and nobody has changed them, so that nothing needs to be proved. Default: false. */
+  /** true: the bytes are `toBytes`'s own and nobody has changed them, so that nothing is proved. Default: false. */
   trusted?: boolean;
 }
 
@@ -108,11 +108,12 @@ export class Diagram implements Disposable {
 
   /**
    * The diagram that `toBytes` saved, with its ids (the free ones are used again in the same order); `location` may be another.
-   * Whoever made the bytes: the result is the exact diagram of the sites in them, which is proved.
-   * Throws "corrupt-snapshot" (bytes that are no snapshot, or damaged, or not the diagram of their sites, or of a later version of the
-   * format), "bad-length" (no Uint8Array), "bad-option". Cost: O(n), without any search; for degenerate input (grids) about that of
-   * building. With `trusted`, for bytes of your own, the proof is left out, which is several times as fast; should such bytes lie,
-   * answers may be wrong, and calls on this diagram may throw "corrupt-snapshot" (docs/SNAPSHOTS.md).
+   * Whoever made the bytes: the result is the exact diagram of the sites in them, which is proved. Throws
+   * "corrupt-snapshot" (bytes that are no snapshot, or damaged, or not the diagram of their sites, or of a later
+   * version of the format), "bad-length" (no Uint8Array), "bad-option". Cost: O(n), without any search; for
+   * degenerate input (grids) about that of building. With `trusted`, for bytes of your own, the proof is left out,
+   * which is several times as fast; should such bytes lie, answers may be wrong, and calls on this diagram may throw
+   * "corrupt-snapshot" (docs/SNAPSHOTS.md).
    */
   static fromBytes(bytes: Uint8Array, options?: SnapshotOptions): Diagram {
     const content = checkedBytes("bytes", bytes);

@@ -36,7 +36,8 @@ const char* DelaunayGraph::check(std::uint32_t& where) const {
   for (std::size_t i = 0; i < graph_.faceSlots(); ++i) {
     const FaceId f{static_cast<std::uint32_t>(i)};
     where = static_cast<std::uint32_t>(halfedgeOf(f, 0));
-    if (graph_.isLive(f) && !agree(circle(f), circles[i])) return "the cached circle of a face is not its circle: half-edge";
+    if (!graph_.isLive(f) || agree(circle(f), circles[i])) continue;
+    return "the cached circle of a face is not its circle: half-edge";
   }
   return nullptr;
 }

@@ -141,7 +141,8 @@ bool ConflictSearch::isDisk() const {
   sortByKey(rim);
   const auto isOnRim = [&](HalfedgeId h) {
     const auto key = static_cast<std::uint32_t>(h);
-    const Keyed* const at = std::lower_bound(rim.begin(), rim.end(), key, [](const Keyed& a, std::uint32_t b) { return a.key < b; });
+    const auto isBefore = [](const Keyed& entry, std::uint32_t other) { return entry.key < other; };
+    const Keyed* const at = std::lower_bound(rim.begin(), rim.end(), key, isBefore);
     return at != rim.end() && at->key == key;
   };
   for (std::size_t k = 0; k < rim_.size(); ++k) {

@@ -95,8 +95,8 @@ class DelaunayGraph {
   /// Is it the Delaunay graph of its sites (proof.h)? Computes the circles of all faces.
   [[nodiscard]] bool prove();
 
-  // A restored graph that has not been proved may be anything on a closed surface. Walks end and stay in the arrays there; what would
-  // not is demanded before an operation commits.
+  // A restored graph that has not been proved may be anything on a closed surface. Walks end and stay in the arrays
+  // there; what would not is demanded before an operation commits.
   [[nodiscard]] bool isProven() const { return isProven_; }
   /// Has the graph turned out to be none of its sites? Then it is good for nothing.
   [[nodiscard]] bool isBroken() const { return isBroken_; }

@@ -15,7 +15,8 @@ Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
   for (std::size_t k = levelCount_; k > level; --k) {
     const DelaunayGraph& graph = *levels_[k - 1];
     if (graph.visibleCount() == 0) continue;
-    // A level lacks a site of the one above only if the diagram, which nobody has proved, shows one that another covers.
+    // A level lacks a site of the one above only if the diagram, which nobody has proved, shows one that another
+    // covers.
     const bool isThere = slot != kNoSlot && graph.graph().hasVertex(vertexOf(slot));
     const VertexId start = isThere ? vertexOf(slot) : graph.anyVisible();
     const VertexId end = stepDown(graph, graph.locate(x, y, start, walk_), x, y);

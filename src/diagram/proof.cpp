@@ -13,12 +13,14 @@ namespace {
 
 class Proof {
  public:
-  Proof(const DelaunayGraph& diagram, FlatArray<VoronoiCircle>& circles) : diagram_(diagram), graph_(diagram.graph()), circles_(circles) {}
+  Proof(const DelaunayGraph& diagram, FlatArray<VoronoiCircle>& circles)
+      : diagram_(diagram), graph_(diagram.graph()), circles_(circles) {}
 
   const char* run(std::uint32_t& where) {
     lookAtFaces();
     if (what_ == nullptr) lookAtEdges();
-    if (what_ == nullptr && !hullTurnsOnce()) fail("the hull turns more than once: half-edge", graph_.outgoing(kInfinity));
+    const HalfedgeId hull = graph_.outgoing(kInfinity);
+    if (what_ == nullptr && !hullTurnsOnce()) fail("the hull turns more than once: half-edge", hull);
     where = where_;
     return what_;
   }
@@ -58,27 +60,31 @@ class Proof {
       return fail("a visible site is covered by a neighbour: half-edge", h);
     }
     const EdgeCorners e = diagram_.edge(halfedgeOf(f, 0));
-    if (!findVoronoiCircle(e.i, e.j, e.k, circles_[index(f)])) fail("a face has no Voronoi circle: half-edge", halfedgeOf(f, 0));
+    const bool exists = findVoronoiCircle(e.i, e.j, e.k, circles_[index(f)]);
+    if (!exists) fail("a face has no Voronoi circle: half-edge", halfedgeOf(f, 0));
   }
 
   void lookAtEdges() {
     for (std::uint32_t i = 0; i < 3 * graph_.faceSlots() && what_ == nullptr; ++i) {
       const HalfedgeId h{i}, twin = graph_.twin(h);
       if (!graph_.isLive(faceOf(h)) || twin < h) continue;  // each edge once
-      if (!isDelaunayEdge(diagram_.edge(h), circle(h), circle(twin))) fail("the faces of an edge contradict each other: half-edge", h);
+      if (isDelaunayEdge(diagram_.edge(h), circle(h), circle(twin))) continue;
+      fail("the faces of an edge contradict each other: half-edge", h);
     }
   }
 
   /// Counts how often the normals pass the angle 0 on their way around infinity.
   [[nodiscard]] bool hullTurnsOnce() const {
     const HalfedgeId begin = graph_.twin(graph_.outgoing(kInfinity));
-    HalfedgeId h = begin;  // from a site i to infinity, between the half-planes of (i, l, infinity) and (k, i, infinity)
+    HalfedgeId h = begin;  // from i to infinity, between the half-planes of (i, l, infinity) and (k, i, infinity)
     std::size_t turns = 0;
     do {
       const HalfedgeId twin = graph_.twin(h);
-      const Site &i = diagram_.site(graph_.origin(h)), &k = diagram_.site(graph_.apex(h)), &l = diagram_.site(graph_.apex(twin));
+      const Site& i = diagram_.site(graph_.origin(h));
+      const Site &k = diagram_.site(graph_.apex(h)), &l = diagram_.site(graph_.apex(twin));
       const bool startsUp = pointsUp(i, l, circle(twin)), endsUp = pointsUp(k, i, circle(h));
-      const bool passes = startsUp == endsUp ? turnOfHull(i, l, k, circle(twin), circle(h)) == Sign::kNegative : endsUp;
+      const bool passes =
+          startsUp == endsUp ? turnOfHull(i, l, k, circle(twin), circle(h)) == Sign::kNegative : endsUp;
       turns += static_cast<std::size_t>(passes);
       h = graph_.twin(next(h));
     } while (h != begin);

@@ -91,6 +91,8 @@ VertexId Remover::addLocal(const DelaunayGraph& diagram, VertexId v, VertexId st
   global_.push_back(v);
   cover_.push_back(kNoVertex);
   small_.setSite(local, diagram.site(v));
+  // Another neighbour covers it only in a diagram that nobody has proved.
+  if (start != kNoVertex && !small_.isVisible(start)) start = kNoVertex;
   const DelaunayGraph::Insertion insertion = small_.insert(local, start);
   cover_[index(local)] = insertion.cover;
   for (const VertexId covered : insertion.covered) cover_[index(covered)] = local;
@@ -109,7 +111,9 @@ void Remover::findPatch(const DelaunayGraph& diagram, VertexId v) {
   } else if (small_.visibleCount() > 1) {
     const Site& q = diagram.site(v);
     const DelaunayGraph::Located near = small_.locate(q.x, q.y, small_.anyVisible());
-    if (!diagram.isProven()) diagram.demand(!covers(small_.site(near.nearest), q), "no neighbour covers a visible site");
+    if (!diagram.isProven()) {
+      diagram.demand(!covers(small_.site(near.nearest), q), "no neighbour covers a visible site");
+    }
     small_.conflicts_.find(small_, q, near.nearest, near.sector);
     patchFaces_.assign(small_.conflicts_.faces());
     if (!patchFaces_.empty()) alignLink(diagram);
@@ -177,7 +181,8 @@ void Remover::makePatch() {
 void Remover::apply(DelaunayGraph& diagram, VertexId v, std::span<const Graph::PatchFace> patch,
                     std::span<const VoronoiCircle> circles) {
   // Two sides of each other would be the sides of a whole sphere.
-  if (patch.empty()) diagram.demand(diagram.graph().twin(link_[0]) != link_[1], "a patch is as large as what it replaces");
+  const bool isSphere = patch.empty() && diagram.graph().twin(link_[0]) == link_[1];
+  diagram.demand(!isSphere, "the star of a site is not all there is");
   diagram.reserveFaces(link_.size(), patch.size());
   // Some visible neighbour, should v be the vertex that walks start from.
   const Graph& graph = diagram.graph();

@@ -1,9 +1,11 @@
-// Snapshots: docs/SNAPSHOTS.md has the format. Counts, lists, ids and the graph as a surface are checked as they are read. Then it is
-// proved that the graph is the Delaunay graph of these sites (proof.h), or, of trusted bytes, believed: whatever they are, nothing
-// outside of the arrays is ever touched, and an operation that would damage the surface finds out before it does (DelaunayGraph::demand).
+// Snapshots: docs/SNAPSHOTS.md has the format. Counts, lists, ids and the graph as a surface are checked as they are
+// read. Then it is proved that the graph is the Delaunay graph of these sites (proof.h), or, of trusted bytes,
+// believed: whatever they are, nothing outside of the arrays is ever touched, and an operation that would damage the
+// surface finds out before it does (DelaunayGraph::demand).
 //
-// Circles, hierarchy and grid are made anew: they follow from the sites and the graph. The proof needs the circles; without it each
-// waits until it is asked for. So does the hierarchy, as the grid answers most of what that one is asked.
+// Circles, hierarchy and grid are made anew: they follow from the sites and the graph. The proof needs the circles;
+// without it each waits until it is asked for. So does the hierarchy, as the grid answers most of what that one is
+// asked.
 #include <limits>
 #include <new>
 
@@ -175,8 +177,9 @@ bool DiagramCore::restore(std::span<const std::uint8_t> bytes, Source source) {
     if (!isInRange(x) || !isInRange(y) || !isInRange(r)) return false;
     base_.setSite(vertexOf(slot), normalized({x, y, r}));
   }
-  return ids_.restore(in, header.slots, header.idLimit, header.sites) && base_.restore(in, header.faceSlots) && restoreStates() &&
-         restoreHidden(in, header.hidden) && (words % 2 == 0 || in.word() == 0) && (source == Source::kTrusted || base_.prove());
+  return ids_.restore(in, header.slots, header.idLimit, header.sites) && base_.restore(in, header.faceSlots) &&
+         restoreStates() && restoreHidden(in, header.hidden) && (words % 2 == 0 || in.word() == 0) &&
+         (source == Source::kTrusted || base_.prove());
 }
 
 /// What is in the graph is visible. False if it is a free slot.

@@ -40,9 +40,11 @@ double series(const std::array<double, kTerms>& c, double z) {
 
 }  // namespace
 
+// Conditions are written so that NaN, of an edge that is none (trusted snapshots may lie), ends the recursion.
+
 ArcFactors arcFactors(double w) {
   const double z = (w - 1) / (w + 1), next = 1 + z;
-  if (absolute(z) <= kSeriesEnd) return {2 * next * series(kAreaCoefficients, z), next * next * series(kMomentCoefficients, z)};
+  if (!(absolute(z) > kSeriesEnd)) return {2 * next * series(kAreaCoefficients, z), next * next * series(kMomentCoefficients, z)};
   const ArcFactors half = arcFactors(std::sqrt((1 + w) / 2));
   const double share = w / (1 + w), rest = 1 / (1 + w);
   return {share + share * rest * half.area, share * share / 3 + share * share * rest / 2 * (half.area + half.moment)};
@@ -50,7 +52,7 @@ ArcFactors arcFactors(double w) {
 
 double arcAreaFactor(double w) {
   const double z = (w - 1) / (w + 1);
-  if (absolute(z) <= kSeriesEnd) return 2 * (1 + z) * series(kAreaCoefficients, z);
+  if (!(absolute(z) > kSeriesEnd)) return 2 * (1 + z) * series(kAreaCoefficients, z);
   const double share = w / (1 + w);
   return share + share / (1 + w) * arcAreaFactor(std::sqrt((1 + w) / 2));
 }

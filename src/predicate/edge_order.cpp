@@ -1,4 +1,5 @@
-// What an edge and its two faces can tell of whether they belong to a Delaunay graph. Proofs: docs/PREDICATES.md, "Order along an edge".
+// What an edge and its two faces can tell of whether they belong to a Delaunay graph. Proofs: docs/PREDICATES.md,
+// "Order along an edge".
 #include <utility>
 
 #include "predicate/direction.h"
@@ -13,27 +14,31 @@ namespace {
 
 bool haveEqualWeights(const EdgeCorners& e) { return e.i->r == e.j->r && e.j->r == e.k->r && e.k->r == e.l->r; }
 
-/// Does the edge, both of whose ends are finite, have positive length? Known only if its ends are apart in doubles; negative: they
-/// come in the wrong order.
+/// Does the edge, both of whose ends are finite, have positive length? Known only if its ends are apart in doubles;
+/// negative: they come in the wrong order.
 MaybeSign turnAlong(const EdgeCorners& e, const VoronoiCircle& atK, const VoronoiCircle& atL) {
   return turn(directionOf(atL, *e.i), directionOf(atK, *e.i));
 }
 
 /// i is the larger site, and finite as j is.
 bool isBoundedDelaunayEdge(const EdgeCorners& e) {
-  // The upper end of the bisector, at the vertex (i, j, infinity), and the lower one: is the site's shadow cut off there?
+  // The upper end of the bisector, at the vertex (i, j, infinity), and the lower one: is the site's shadow cut off
+  // there?
   const auto reachesUpperEnd = [&](const Site& q) { return isVertexInConflict(e.i, e.j, nullptr, q); };
   const auto reachesLowerEnd = [&](const Site& q) { return isVertexInConflict(e.j, e.i, nullptr, q); };
   if (e.k == e.l) return e.k == nullptr || reachesUpperEnd(*e.k);
   if (e.l != nullptr && isVertexInConflict(e.i, e.j, e.k, *e.l)) return false;
   if (e.k != nullptr && isVertexInConflict(e.j, e.i, e.l, *e.k)) return false;
-  if (e.k == nullptr || e.l == nullptr || haveEqualWeights(e)) return true;  // shadows of half a turn are not cut off at both ends
+  // With equal weights shadows are half a turn, which no arc cuts off at both ends.
+  if (e.k == nullptr || e.l == nullptr || haveEqualWeights(e)) return true;
   if (reachesUpperEnd(*e.k) || reachesLowerEnd(*e.l)) return true;
   return turnBetweenShadows(*e.i, *e.j, *e.l, *e.k) == Sign::kPositive;
 }
 
 /// The site i with infinity.
-bool isDelaunayEdgeAtInfinity(const EdgeCorners& e) { return e.k == e.l || !isVertexInConflict(e.i, nullptr, e.k, *e.l); }
+bool isDelaunayEdgeAtInfinity(const EdgeCorners& e) {
+  return e.k == e.l || !isVertexInConflict(e.i, nullptr, e.k, *e.l);
+}
 
 }  // namespace
 
@@ -65,7 +70,7 @@ bool isDelaunayEdge(EdgeCorners e, const VoronoiCircle& circleAtK, const Voronoi
   return isBoundedDelaunayEdge(e);
 }
 
-// --- The hull ------------------------------------------------------------------------------------------------------------------
+// --- The hull --------------------------------------------------------------------------------------------------------
 
 bool pointsUp(const Site& i, const Site& j, const VoronoiCircle& plane) {
   MaybeSign filtered;

@@ -170,7 +170,7 @@ Counts& counts() {
   return counts;
 }
 
-// --- Order along an edge -------------------------------------------------------------------------------------------------------
+// --- Order along an edge ---------------------------------------------------------------------------------------------
 
 MaybeSign shadowTurnFilter(const Site& i, const Site& j, const Site& l, const Site& k) {
   FilterRows rows(i, {&j, &l, &k});

@@ -55,7 +55,8 @@ enum class Probe : signed char { kMiddle = 1, kOpposite = -1 };
 [[nodiscard]] MaybeSign edgeWhole(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
 [[nodiscard]] Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
 
-/// The turn from the middle of l's shadow on the bisector of i and j to that of k's. i is larger than j; none of the four covers i or j.
+/// The turn from the middle of l's shadow on the bisector of i and j to that of k's. i is larger than j; none of the
+/// four covers i or j.
 [[nodiscard]] MaybeSign shadowTurnFilter(const Site& i, const Site& j, const Site& l, const Site& k);
 [[nodiscard]] Sign shadowTurnExact(const Site& i, const Site& j, const Site& l, const Site& k);
 /// Is the angle of the outer normal of the face (i, j, infinity) in [0, pi)?

@@ -1,5 +1,5 @@
-// findContradiction (diagram/proof.h) in both directions: a surface with sites is accepted exactly if it is the Delaunay graph of them.
-// Surfaces: graphs of other sites, of moved or exchanged ones, and with flipped edges.
+// findContradiction (diagram/proof.h) in both directions: a surface with sites is accepted exactly if it is the
+// Delaunay graph of them. Surfaces: graphs of other sites, of moved or exchanged ones, and with flipped edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>

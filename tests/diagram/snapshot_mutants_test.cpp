@@ -1,5 +1,6 @@
-// Snapshots that lie, with a right checksum. As anyone's bytes they are refused, or they are the diagram of the sites that they hold, by
-// fresh builds and brute force. As trusted bytes they do no harm: every call ends (under the sanitizers: within its memory).
+// Snapshots that lie, with a right checksum. As anyone's bytes they are refused, or they are the diagram of the sites
+// that they hold, by fresh builds and brute force. As trusted bytes they do no harm: every call ends (under the
+// sanitizers: within its memory).
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -27,8 +28,8 @@ Bytes snapshotOf(const Circles& circles, std::size_t removed = 0) {
   return bytes;
 }
 
-/// Many hidden, grids, lines, two giants with small ones between (several edges between two sites), a giant with small ones at its rim
-/// (degree 2), decimals, few.
+/// Many hidden, grids, lines, two giants with small ones between (several edges between two sites), a giant with
+/// small ones at its rim (degree 2), decimals, few.
 std::vector<Bytes> originals() {
   Random random(11);
   std::vector<Bytes> all;

@@ -1,6 +1,6 @@
-// libFuzzer target: bytes are a snapshot, whose checksum is made right and of which the mutator changes parts that it knows. Taken as
-// anyone's, it is refused or right; taken as trusted, every call ends in its memory. Start from real ones; how to run: README.md
-// beside this file.
+// libFuzzer target: bytes are a snapshot, whose checksum is made right and of which the mutator changes parts that it
+// knows. Taken as anyone's, it is refused or right; taken as trusted, every call ends in its memory. Start from real
+// ones; how to run: README.md beside this file.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

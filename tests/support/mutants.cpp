@@ -91,7 +91,8 @@ void exchangeTwins(std::vector<std::uint8_t>& bytes, const Layout& at, Random& r
   setWord(bytes, at.twinsAt + b, c), setWord(bytes, at.twinsAt + c, b);
 }
 
-/// The edge of half-edge h becomes the other diagonal of its two faces, as in tests/graph: the surface is a closed one as before.
+/// The edge of half-edge h becomes the other diagonal of its two faces, as in tests/graph: the surface is a closed
+/// one as before.
 void flipEdge(std::vector<std::uint8_t>& bytes, const Layout& at, Random& random) {
   const auto next = [](std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; };
   const auto twin = [&](std::uint32_t h) { return wordAt(bytes, at.twinsAt + h); };
