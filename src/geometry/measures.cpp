@@ -1,6 +1,7 @@
 #include "geometry/measures.h"
 
 #include <array>
+#include <limits>
 
 #include "geometry/cell.h"
 #include "number/fp.h"
@@ -125,7 +126,7 @@ double adaptiveLength(const Conic& conic, double whole, double tolerance, int de
 /// Weights above 2 speed up towards the ends so much that the quadrature would not see it. A halving takes about the root of the weight,
 /// so even 2^1000 is below 2 after eleven.
 double halvedLength(const Conic& conic, double tolerance) {
-  if (!(conic.w > 2)) return adaptiveLength(conic, gaussLength(conic), tolerance, 40);
+  if (!(conic.w > 2 && conic.w < std::numeric_limits<double>::infinity())) return adaptiveLength(conic, gaussLength(conic), tolerance, 40);
   Conic first, second;
   conic.halve(first, second);
   return halvedLength(first, tolerance) + halvedLength(second, tolerance);

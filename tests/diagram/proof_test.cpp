@@ -45,7 +45,8 @@ Adjacency adjacencyOf(const Graph& graph) {
   for (std::uint32_t i = 0; i < 3 * graph.faceSlots(); ++i) {
     const HalfedgeId h{i};
     if (!graph.isLive(faceOf(h))) continue;
-    all.insert({{index(graph.origin(h)), index(graph.target(h)), index(graph.apex(h))}, index(graph.apex(graph.twin(h)))});
+    const std::array<std::size_t, 3> key{index(graph.origin(h)), index(graph.target(h)), index(graph.apex(h))};
+    all.insert({key, index(graph.apex(graph.twin(h)))});
   }
   return all;
 }
@@ -66,9 +67,12 @@ bool judge(const DelaunayGraph& diagram, std::size_t sites) {
       text += line;
     }
     for (const auto& [key, across] : adjacencyOf(diagram.graph())) {
-      text += "\n" + std::to_string(key[0]) + " " + std::to_string(key[1]) + " " + std::to_string(key[2]) + " | " + std::to_string(across);
+      text += '\n';
+      for (const std::size_t v : key) text += std::to_string(v) + ' ';
+      text += "| " + std::to_string(across);
     }
-    ADD_FAILURE() << (isRight ? "refused: " : "accepted") << (what != nullptr ? what : "") << " " << where << "\n" << text;
+    const char* const verdict = what != nullptr ? what : "accepted";
+    ADD_FAILURE() << verdict << " " << where << (isRight ? ", but is right" : ", but is wrong") << "\n" << text;
   }
   return isRight;
 }
@@ -154,7 +158,9 @@ TEST(Proof, SurfacesOfSmallGrids) {
     Random random(static_cast<std::uint64_t>(run) + 100);
     const int extent = 1 + static_cast<int>(random.below(5u)), weights = static_cast<int>(random.below(4u));
     const auto another = [&]() -> Site {
-      return {static_cast<double>(random.below(extent + 1)), static_cast<double>(random.below(extent + 1)), static_cast<double>(random.below(weights + 1))};
+      const auto upTo = [&](int most) { return static_cast<double>(random.below(most + 1)); };
+      const double x = upTo(extent), y = upTo(extent);
+      return {x, y, upTo(weights)};
     };
     judgeAround(sitesOf(tinyGrid(random, 2 + random.below(9u), extent, weights)), random, another, tally);
     ASSERT_FALSE(HasFailure());
@@ -170,11 +176,18 @@ TEST(Proof, SurfacesWithMultipleEdges) {
     SCOPED_TRACE(run);
     Random random(static_cast<std::uint64_t>(run) + 100000);
     const bool onGrid = random.oneIn(2);
-    const auto number = [&](double from, double to) { return onGrid ? static_cast<double>(random.integer(static_cast<int>(from), static_cast<int>(to))) : random.between(from, to); };
-    const auto another = [&]() -> Site { return {number(-14, 14), number(-14, 14), random.oneIn(3) ? number(0, 9) : number(0, 2)}; };
+    const auto number = [&](int from, int to) {
+      return onGrid ? static_cast<double>(random.integer(from, to)) : random.between(from, to);
+    };
+    const auto another = [&]() -> Site {
+      const double x = number(-14, 14), y = number(-14, 14);
+      return {x, y, random.oneIn(3) ? number(0, 9) : number(0, 2)};
+    };
     std::vector<Site> sites{{-10, 0, number(5, 9)}, {10, 0, number(5, 9)}};
     if (random.oneIn(3)) sites[1] = {-10, 0, 20};
-    for (std::uint64_t k = 1 + random.below(6u); k > 0; --k) sites.push_back({number(-8, 8), number(-8, 8), number(0, 2)});
+    for (std::uint64_t k = 1 + random.below(6u); k > 0; --k) {
+      sites.push_back({number(-8, 8), number(-8, 8), number(0, 2)});
+    }
     judgeAround(sites, random, another, tally);
     ASSERT_FALSE(HasFailure());
   }
@@ -210,7 +223,8 @@ TEST_P(ProofOnCorpus, LargeGraphsAreProved) {
   EXPECT_TRUE(judge(graphOf(sites), sites.size()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Proof, ProofOnCorpus, ::testing::ValuesIn(test::corpus()), [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Proof, ProofOnCorpus, ::testing::ValuesIn(test::corpus()),
+                         [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace apollonius

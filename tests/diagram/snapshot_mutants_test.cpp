@@ -103,7 +103,8 @@ TEST(SnapshotMutants, TrustedDoNoHarm) {
   for (int run = 0; run < runs(20000); ++run) {
     Random random(static_cast<std::uint64_t>(run) + 200000);
     const Bytes bytes = mutant(all[random.below(all.size())], random);
-    Diagram diagram(random.oneIn(4) ? Location::kWalk : random.oneIn(4) ? Location::kPlainHierarchy : Location::kHierarchy);
+    Diagram diagram(random.oneIn(4) ? Location::kWalk : random.oneIn(4) ? Location::kPlainHierarchy
+                                                                        : Location::kHierarchy);
     if (restored(diagram, bytes, Source::kTrusted) != Error::kNone) continue;
     ++accepted;
     found += callEverything(diagram, random.next());
@@ -117,7 +118,8 @@ TEST(SnapshotMutants, LargeTrustedDoNoHarm) {
   if (kShadowCheck) GTEST_SKIP() << "with the shadow check";
   for (const bool isGrid : {false, true}) {
     Random make(5);
-    const Bytes original = snapshotOf(isGrid ? lattice(make, 30, 30, 1, 0.25) : randomCircles(make, 1200, Hidden::k5Percent), 30);
+    const Circles circles = isGrid ? lattice(make, 30, 30, 1, 0.25) : randomCircles(make, 1200, Hidden::k5Percent);
+    const Bytes original = snapshotOf(circles, 30);
     for (int run = 0; run < runs(150); ++run) {
       Random random(static_cast<std::uint64_t>(run) + 300000);
       Bytes bytes = original;
@@ -128,7 +130,8 @@ TEST(SnapshotMutants, LargeTrustedDoNoHarm) {
   }
 }
 
-// --- Found by others: tests/data/snapshots/forged_*.bin ------------------------------------------------------------------------------
+// --- Found by others: tests/data/snapshots/forged_*.bin
+// ---------------------------------------------------------------
 
 class Forged : public ::testing::TestWithParam<const char*> {};
 

@@ -17,7 +17,8 @@ namespace {
 
 void run(const std::vector<std::uint8_t>& input) {
   const std::vector<std::uint8_t> bytes = withChecksum(input);
-  const std::uint64_t seed = bytes.size() < 8 ? 0 : bytes[bytes.size() - 1] | std::uint64_t{bytes[bytes.size() - 2]} << 8;
+  const std::size_t n = bytes.size();
+  const std::uint64_t seed = n < 8 ? 0 : bytes[n - 1] | std::uint64_t{bytes[n - 2]} << 8;
   Random random(seed);
   Diagram diagram;
   if (diagram.fromBytes(bytes) == Error::kNone) {
@@ -35,7 +36,8 @@ void run(const std::vector<std::uint8_t>& input) {
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
+                                               unsigned seed) {
   using namespace apollonius::test;
   std::vector<std::uint8_t> bytes(data, data + size);
   apollonius::Diagram diagram;

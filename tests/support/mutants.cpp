@@ -84,7 +84,8 @@ void exchangeSites(std::vector<std::uint8_t>& bytes, const Layout& at, Random& r
 
 /// Two pairs of twins are sewn another way.
 void exchangeTwins(std::vector<std::uint8_t>& bytes, const Layout& at, Random& random) {
-  const auto a = static_cast<std::uint32_t>(random.below(3 * at.faces)), b = static_cast<std::uint32_t>(random.below(3 * at.faces));
+  const auto any = [&] { return static_cast<std::uint32_t>(random.below(3 * at.faces)); };
+  const std::uint32_t a = any(), b = any();
   const std::uint32_t c = wordAt(bytes, at.twinsAt + a), d = wordAt(bytes, at.twinsAt + b);
   if (c >= 3 * at.faces || d >= 3 * at.faces) return;
   setWord(bytes, at.twinsAt + a, d), setWord(bytes, at.twinsAt + d, a);
@@ -117,7 +118,9 @@ void flipEdge(std::vector<std::uint8_t>& bytes, const Layout& at, Random& random
   };
   const std::size_t a = origin(h), b = origin(hn), c = origin(hp), d = origin(tp);
   if (std::max({a, b, c, d}) > at.slots) return;
-  const auto sew = [&](std::uint32_t x, std::uint32_t y) { setWord(bytes, at.twinsAt + x, y), setWord(bytes, at.twinsAt + y, x); };
+  const auto sew = [&](std::uint32_t x, std::uint32_t y) {
+    setWord(bytes, at.twinsAt + x, y), setWord(bytes, at.twinsAt + y, x);
+  };
   sew(hn, outer[3]), sew(hp, outer[0]), sew(tn, outer[1]), sew(tp, outer[2]);
   setWord(bytes, at.verticesAt + a, tp), setWord(bytes, at.verticesAt + b, hp);
   setWord(bytes, at.verticesAt + c, h), setWord(bytes, at.verticesAt + d, t);
@@ -146,13 +149,15 @@ std::vector<std::uint8_t> mutant(const std::vector<std::uint8_t>& snapshot, Rand
     } else if (kind == 12 && at.faces > 0) {
       exchangeTwins(bytes, at, random);
     } else if (kind == 13 && at.hidden > 0) {
-      setWord(bytes, at.forestAt + random.below(2 * at.hidden), static_cast<std::uint32_t>(random.below(at.slots)));
+      const std::size_t k = at.forestAt + random.below(2 * at.hidden);
+      setWord(bytes, k, static_cast<std::uint32_t>(random.below(at.slots)));
     } else if (kind == 14) {
       const std::size_t a = random.below(words), b = random.below(words);
       const std::uint32_t old = wordAt(bytes, a);
       setWord(bytes, a, wordAt(bytes, b)), setWord(bytes, b, old);
     } else {
-      setWord(bytes, 2 + random.below(words - 2), random.oneIn(4) ? 0xFFFFFFFFu : static_cast<std::uint32_t>(random.below(words)));
+      const std::size_t k = 2 + random.below(words - 2);
+      setWord(bytes, k, random.oneIn(4) ? 0xFFFFFFFFu : static_cast<std::uint32_t>(random.below(words)));
     }
   }
   return withChecksum(bytes);
@@ -180,7 +185,8 @@ std::string whatIsWrong(const Diagram& diagram, Random& random) {
     SiteId found = kNoSite;
     double distance = 0;
     if (diagram.find(x, y, found, distance) != Error::kNone) return "find failed";
-    const Circle& near = circles[static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), found) - ids.begin())];
+    const auto place = std::lower_bound(ids.begin(), ids.end(), found) - ids.begin();
+    const Circle& near = circles[static_cast<std::size_t>(place)];
     const Circle& nearest = circles[static_cast<std::size_t>(oracleNearest(circles, x, y))];
     if (near.x != nearest.x || near.y != nearest.y || near.r != nearest.r) return "find is wrong";
   }
@@ -250,7 +256,7 @@ bool callEverything(Diagram& diagram, std::uint64_t seed) {
       case 18: take(voronoi.hull(some)); break;
       case 19: take(voronoi.drawEdges(tolerance, portion, path)); break;
       case 20: take(voronoi.drawDual(tolerance, random.oneIn(2), portion, path)); break;
-      case 21: take(random.oneIn(2) ? voronoi.drawHull(tolerance, path) : voronoi.drawCell(anyId(), tolerance, path)); break;
+      case 21: take(voronoi.drawHull(tolerance, path)), take(voronoi.drawCell(anyId(), tolerance, path)); break;
       case 22: case 23: case 24: take(diagram.insert(x, y, r, id)); break;
       case 25: take(diagram.remove(anyId(), flag)); break;
       case 26: case 27: take(diagram.update(anyId(), x, y, r)); break;
@@ -263,7 +269,8 @@ bool callEverything(Diagram& diagram, std::uint64_t seed) {
       default: {
         const std::vector<double> triples{x, y, r, y, x, r, a.x, b.y, r};
         std::vector<SiteId> three(3);
-        take(random.oneIn(2) ? diagram.insertMany(triples, three) : diagram.removeMany(std::vector<SiteId>{anyId(), anyId()}, count));
+        const std::vector<SiteId> gone{anyId(), anyId()};
+        take(random.oneIn(2) ? diagram.insertMany(triples, three) : diagram.removeMany(gone, count));
       }
     }
   }

@@ -157,7 +157,8 @@ const originals = [
 ];
 
 const changes = fc.array(fc.record({
-  at: fc.nat(), from: fc.nat(), word: fc.oneof(fc.nat({ max: 40 }), fc.integer()), kind: fc.constantFrom("byte", "word", "number", "site"),
+  at: fc.nat(), from: fc.nat(), word: fc.oneof(fc.nat({ max: 40 }), fc.integer()),
+  kind: fc.constantFrom("byte", "word", "number", "site"),
 }), { minLength: 1, maxLength: 3 });
 
 /** A snapshot with some of its parts changed, and a checksum that says it was never otherwise. */
@@ -166,8 +167,9 @@ function forged(original, changes) {
   for (const { at, from, word, kind } of changes) {
     if (kind === "byte") bytes[at % (bytes.length - 8)] = word;
     else if (kind === "word") view.setInt32(4 * (at % (bytes.length / 4 - 2)), word, true);
-    else if (kind === "number") view.setFloat64(32 + 8 * (at % (3 * slots)), view.getFloat64(32 + 8 * (from % (3 * slots)), true), true);
-    else {
+    else if (kind === "number") {
+      view.setFloat64(32 + 8 * (at % (3 * slots)), view.getFloat64(32 + 8 * (from % (3 * slots)), true), true);
+    } else {
       const one = 32 + 24 * (at % slots), other = 32 + 24 * (from % slots), site = bytes.slice(one, one + 24);
       bytes.copyWithin(one, other, other + 24);
       bytes.set(site, other);
@@ -197,12 +199,15 @@ function callAll(diagram, codes) {
   const ids = attempt(() => diagram.ids()) ?? [];
   const voronoi = diagram.voronoi([-20, -20, 20, 20]);
   for (const call of [
-    () => diagram.find(1, 2), () => diagram.findMany([3, 4, -100, 7]), () => diagram.kNearest(0, 0, 4), () => diagram.within(1, 1, 5),
-    () => diagram.vertices(), () => diagram.edges(), () => diagram.toBytes(), () => diagram.validate(), () => diagram.hull(),
-    () => diagram.render(), () => diagram.renderHull(), () => voronoi.render(), () => voronoi.edgeCurves(), () => voronoi.cellAreas(),
-    () => voronoi.toGeoJSON(),
+    () => diagram.find(1, 2), () => diagram.findMany([3, 4, -100, 7]), () => diagram.kNearest(0, 0, 4),
+    () => diagram.within(1, 1, 5), () => diagram.vertices(), () => diagram.edges(), () => diagram.toBytes(),
+    () => diagram.validate(), () => diagram.hull(), () => diagram.render(), () => diagram.renderHull(),
+    () => voronoi.render(), () => voronoi.edgeCurves(), () => voronoi.cellAreas(), () => voronoi.toGeoJSON(),
   ]) attempt(call);
-  for (const id of ids) attempt(() => [diagram.neighbors(id), diagram.coverOf(id), voronoi.cellRegions(id), voronoi.cellMeasures(id), voronoi.cellWithin(id, 3)]);
+  for (const id of ids) {
+    attempt(() => [diagram.neighbors(id), diagram.coverOf(id), voronoi.cellRegions(id), voronoi.cellWithin(id, 3)]);
+    attempt(() => voronoi.cellMeasures(id));
+  }
   for (const id of ids) attempt(() => diagram.update(id, id % 7, id % 3, id % 2));
   attempt(() => diagram.insertMany([1, 2, 3, 4, 5, 0]));
   attempt(() => diagram.updateMany(ids.slice(0, 3), [...ids.slice(0, 3)].flatMap((id) => [id, -id, 1])));
@@ -253,7 +258,9 @@ test("trusted bytes of one's own give the same diagram", () => {
     expect(snapshot(restored)).toBe(snapshot(diagram));
     expect(restored.validate()).toBeNull();
   }
-  for (const trusted of [null, 1, "yes", {}]) expectRefusal(() => Diagram.fromBytes(bytes, { trusted }), "bad-option", "options.trusted");
+  for (const trusted of [null, 1, "yes", {}]) {
+    expectRefusal(() => Diagram.fromBytes(bytes, { trusted }), "bad-option", "options.trusted");
+  }
 });
 
 test("a refused snapshot leaves no diagram behind", () => {
