@@ -20,7 +20,7 @@ VertexId DiagramCore::startFor(double x, double y) const {
   if (close != kNoSlot && base_.isVisible(vertexOf(close))) return vertexOf(close);
   if (isHierarchyDue_) buildHierarchy();
   const Slot start = hierarchy_.locate(x, y);
-  return start == kNoSlot ? base_.anyVisible() : vertexOf(start);
+  return start == kNoSlot || !base_.isVisible(vertexOf(start)) ? base_.anyVisible() : vertexOf(start);
 }
 
 Slot DiagramCore::nearest(double x, double y, Slot hint) const {

@@ -59,7 +59,8 @@ void Hierarchy::insert(Slot slot, const Site& site) noexcept {
       graph.reserve(slot + std::size_t{2});
       graph.setSite(vertexOf(slot), site);
       const Slot above = locateOn(level + 1, site.x, site.y);
-      (void)graph.insert(vertexOf(slot), above == kNoSlot ? kNoVertex : vertexOf(above), walk_);
+      const bool isThere = above != kNoSlot && graph.graph().hasVertex(vertexOf(above));  // see locateOn
+      (void)graph.insert(vertexOf(slot), isThere ? vertexOf(above) : kNoVertex, walk_);
       // What the new site covers is hidden on level 0 as well; the diagram takes it off the other levels.
     }
   } catch (...) {

@@ -13,15 +13,6 @@ Sign spanSign(const Rows& rows) {
   return signOfTwoRoots(form.c0, form.cl, rows.row(2).p, form.ck, rows.row(1).p, form.clk);
 }
 
-/// Of the outer normal of the face of the pole, row 0 and infinity, up to a positive factor: is its angle in [0, pi)?
-template <class Rows>
-bool isNormalUp(const Rows& rows) {
-  using T = typename Rows::Number;
-  const Row<T>& t = rows.row(0);
-  const Sign y = signOfRoot(T(0) - t.r * t.y, t.x, t.p);
-  return y == Sign::kPositive || (y == Sign::kZero && signOfRoot(T(0) - t.r * t.x, T(0) - t.y, t.p) == Sign::kPositive);
-}
-
 Dyadic exactLorentz(const Site& a, const Site& b) {
   return lorentz(Dyadic(a.x) - Dyadic(b.x), Dyadic(a.y) - Dyadic(b.y), Dyadic(a.r) - Dyadic(b.r));
 }
@@ -81,15 +72,15 @@ Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe
 }
 
 Sign shadowTurnExact(const Site& i, const Site& j, const Site& l, const Site& k) {
-  WholeRows whole(i, {&j, &l, &k});
-  if (!whole.failed()) return shadowTurnSign(whole);
-  ExactRows exact(i, {&j, &l, &k});
-  return shadowTurnSign(exact);
+  ExactRows rows(i, {&j, &l, &k});  // so seldom asked that shorter numbers would only be more code
+  return shadowTurnSign(rows);
 }
 
 bool normalIsUpExact(const Site& i, const Site& j) {
-  const WholeRows whole(i, {&j});
-  return whole.failed() ? isNormalUp(ExactRows(i, {&j})) : isNormalUp(whole);
+  const ExactRows rows(i, {&j});
+  const Row<Dyadic>& t = rows.row(0);
+  const Sign y = signOfRoot(-(t.r * t.y), t.x, t.p);
+  return y == Sign::kPositive || (y == Sign::kZero && signOfRoot(-(t.r * t.x), -t.y, t.p) == Sign::kPositive);
 }
 
 Sign spanExact(const Site& i, const Site& l, const Site& k) {
