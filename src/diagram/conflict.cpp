@@ -132,25 +132,25 @@ bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const {
 bool ConflictSearch::isDisk() const {
   if (faces_.empty()) return true;  // an edge that is opened
   const Graph& graph = diagram_->graph();
-  FlatArray<Keyed> rim(rim_.size());
-  bool hasInfinity = false;
+  FlatArray<Keyed> rim(rim_.size()), corners(rim_.size());
   for (std::uint32_t k = 0; k < rim.size(); ++k) {
     rim[k] = {static_cast<std::uint32_t>(rim_[k]), k};
-    hasInfinity |= graph.origin(rim_[k]) == kInfinity;
+    corners[k] = {static_cast<std::uint32_t>(graph.origin(rim_[k])), k};
   }
   sortByKey(rim);
-  const auto isOnRim = [&](HalfedgeId h) {
-    const auto key = static_cast<std::uint32_t>(h);
+  sortByKey(corners);
+  const auto isAmong = [](const FlatArray<Keyed>& entries, auto id) {
+    const auto key = static_cast<std::uint32_t>(id);
     const auto isBefore = [](const Keyed& entry, std::uint32_t other) { return entry.key < other; };
-    const Keyed* const at = std::lower_bound(rim.begin(), rim.end(), key, isBefore);
-    return at != rim.end() && at->key == key;
+    const Keyed* const at = std::lower_bound(entries.begin(), entries.end(), key, isBefore);
+    return at != entries.end() && at->key == key;
   };
   for (std::size_t k = 0; k < rim_.size(); ++k) {
     const HalfedgeId h = rim_[k], twin = graph.twin(h);
-    if (isInRegion(faceOf(twin)) && !isOnRim(twin)) return false;
+    if (isInRegion(faceOf(twin)) && !isAmong(rim, twin)) return false;
     // The side that follows, around h's target.
     HalfedgeId side = next(h);
-    while (!isOnRim(side)) {
+    while (!isAmong(rim, side)) {
       const HalfedgeId across = graph.twin(side);
       if (!isInRegion(faceOf(across)) || next(across) == next(h)) return false;
       side = next(across);
@@ -158,8 +158,9 @@ bool ConflictSearch::isDisk() const {
     if (side != rim_[k + 1 < rim_.size() ? k + 1 : 0]) return false;
   }
   for (const FaceId f : faces_) {
-    for (unsigned c = 0; c < 3 && !hasInfinity; ++c) {
-      if (graph.origin(halfedgeOf(f, c)) == kInfinity) return false;
+    for (unsigned c = 0; c < 3; ++c) {
+      const VertexId v = graph.origin(halfedgeOf(f, c));
+      if (!isAmong(corners, v) && (v == kInfinity || !covers(*q_, diagram_->site(v)))) return false;
     }
   }
   return true;

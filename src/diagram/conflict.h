@@ -24,8 +24,8 @@ class ConflictSearch {
   /// if there is none; else q is not covered. REQUIRES: at least two visible sites.
   [[nodiscard]] bool findBeside(const DelaunayGraph& diagram, const Site& q, VertexId close);
 
-  /// Are the faces a disk, with the rim around them and infinity not within? Of a Delaunay graph they are. Throws
-  /// std::bad_alloc.
+  /// Are the faces a disk, with the rim around them and no vertex within but those that q covers? Of a Delaunay graph
+  /// they are. Throws std::bad_alloc.
   [[nodiscard]] bool isDisk() const;
 
   void reserve(std::size_t faces) { marks_.reserve((faces + kWord - 1) / kWord); }

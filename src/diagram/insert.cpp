@@ -61,6 +61,9 @@ DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v, HiddenForest* fores
       if (graph_.hasVertex(u)) covered_.push_back(u);
     }
   }
+  for (std::size_t k = 0; !isProven_ && k < covered_.size(); ++k) {
+    demand(covers(site(v), site(covered_[k])), "what has no rim covers all");
+  }
   if (forest != nullptr) forest->reserveChildren(covered_.size());
   graph_.clear();
   visibleCount_ = 1;

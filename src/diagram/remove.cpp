@@ -10,6 +10,7 @@ std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId 
   fates_.clear();
   collectLink(diagram.graph(), v);
   const std::size_t remaining = diagram.visibleCount() - 1;
+  diagram.demand(remaining == 0 || !link_.empty(), "a visible site has a place in the graph");
 
   if (hidden.empty() && remaining < 2) {
     becomeSingle(diagram, remaining == 0 ? kNoVertex : diagram.graph().origin(link_[0]) != kInfinity
