@@ -35,14 +35,15 @@ Error checkCircle(double x, double y, double r) {
 }
 
 /// All that can be thrown is for want of memory (std::bad_alloc, a vector's std::length_error), so that types need not be told apart,
-/// which would cost the wasm module a kilobyte.
+/// which would cost the wasm module a kilobyte; or because trusted bytes were no diagram, which the diagram remembers.
 template <class Operation>
-Error guarded(Operation&& operation) {
+Error guarded(const DiagramCore& core, Operation&& operation) {
+  if (core.isBroken()) return Error::kCorruptSnapshot;
   try {
     operation();
     return Error::kNone;
   } catch (...) {
-    return Error::kOutOfMemory;
+    return core.isBroken() ? Error::kCorruptSnapshot : Error::kOutOfMemory;
   }
 }
 
@@ -67,7 +68,7 @@ const DiagramCore& Diagram::core() const noexcept { return *impl_; }
 Error Diagram::insert(double x, double y, double r, SiteId& id) {
   if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
   if (size() == kMostSites) return Error::kTooLarge;
-  return guarded([&] { id = impl_->insert({x, y, r}); });
+  return guarded(*impl_, [&] { id = impl_->insert({x, y, r}); });
 }
 
 Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
@@ -75,7 +76,7 @@ Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
   if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
   if (ids.size() > kMostSites - size()) return Error::kTooLarge;
   if (ids.empty()) return Error::kNone;  // without making the room that any insertion needs
-  return guarded([&] { impl_->insertStaged(impl_->stage(xyr), ids); });
+  return guarded(*impl_, [&] { impl_->insertStaged(impl_->stage(xyr), ids); });
 }
 
 Error Diagram::insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count, Array<SiteId>& ids) {
@@ -86,7 +87,7 @@ Error Diagram::insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count, Ar
     ids.clear();
     return Error::kNone;
   }
-  return guarded([&] {
+  return guarded(*impl_, [&] {
     FlatArray<std::uint32_t> order = impl_->stage(numbers);
     xyr.reset();
     ids.resize(count);
@@ -95,17 +96,17 @@ Error Diagram::insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count, Ar
 }
 
 Error Diagram::remove(SiteId id, bool& removed) {
-  return guarded([&] { removed = impl_->remove(id); });
+  return guarded(*impl_, [&] { removed = impl_->remove(id); });
 }
 
 Error Diagram::removeMany(std::span<const SiteId> ids, std::size_t& removed) {
-  return guarded([&] { removed = impl_->removeMany(ids); });
+  return guarded(*impl_, [&] { removed = impl_->removeMany(ids); });
 }
 
 Error Diagram::update(SiteId id, double x, double y, double r) {
   if (!has(id)) return Error::kUnknownSite;
   if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
-  return guarded([&] { impl_->update(id, {x, y, r}); });
+  return guarded(*impl_, [&] { impl_->update(id, {x, y, r}); });
 }
 
 Error Diagram::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
@@ -114,7 +115,7 @@ Error Diagram::updateMany(std::span<const SiteId> ids, std::span<const double> x
     if (!has(id)) return Error::kUnknownSite;
   }
   if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
-  return guarded([&] { impl_->updateMany(ids, xyr); });
+  return guarded(*impl_, [&] { impl_->updateMany(ids, xyr); });
 }
 
 void Diagram::clear() noexcept { impl_->clear(); }
@@ -133,7 +134,7 @@ Error Diagram::site(SiteId id, Circle& circle) const noexcept {
 }
 
 Error Diagram::ids(Array<SiteId>& ids) const {
-  return guarded([&] {
+  return guarded(*impl_, [&] {
     ids.clear();
     ids.reserve(size());
     for (SiteId id = 0; id < impl_->ids().idLimit(); ++id) {
@@ -152,7 +153,7 @@ Error Diagram::isHidden(SiteId id, bool& hidden) const noexcept {
 Error Diagram::coverOf(SiteId id, SiteId& cover) const {
   const Slot slot = impl_->ids().slotOf(id);
   if (slot == kNoSlot) return Error::kUnknownSite;
-  return guarded([&] {
+  return guarded(*impl_, [&] {
     const Site& site = impl_->site(slot);
     // Lemma 1 of the paper: the site nearest to its centre covers it.
     cover = impl_->ids().state(slot) == SiteState::kHidden ? impl_->ids().idOf(impl_->nearest(site.x, site.y)) : kNoSite;
@@ -165,7 +166,7 @@ Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
   for (const double value : {x, y}) {
     if (const Error error = checkNumber(value); error != Error::kNone) return error;
   }
-  return guarded([&] {
+  return guarded(*impl_, [&] {
     const Slot near = visibleSize() == 0 ? kNoSlot : impl_->nearest(x, y);
     id = near == kNoSlot ? kNoSite : impl_->ids().idOf(near);
     distance = near == kNoSlot ? std::numeric_limits<double>::infinity() : ApproxDistance(x, y, impl_->site(near)).value;
@@ -175,7 +176,7 @@ Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
 Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids, std::span<double> distances) const {
   if (xy.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size())) return Error::kBadLength;
   if (const Error error = checkNumbers(xy); error != Error::kNone) return error;
-  return guarded([&] {
+  return guarded(*impl_, [&] {
     Slot near = kNoSlot;
     for (const std::uint32_t k : hilbertOrder({xy, 2})) {  // each walk starts where the one before ended
       const double x = xy[2 * std::size_t{k}], y = xy[2 * std::size_t{k} + 1];
@@ -191,47 +192,48 @@ Error Diagram::kNearest(double x, double y, std::size_t k, Array<SiteId>& sites)
   for (const double value : {x, y}) {
     if (const Error error = checkNumber(value); error != Error::kNone) return error;
   }
-  return guarded([&] { impl_->nearby(x, y, k, nullptr, sites); });
+  return guarded(*impl_, [&] { impl_->nearby(x, y, k, nullptr, sites); });
 }
 
 Error Diagram::within(double x, double y, double distance, Array<SiteId>& sites) const {
   if (const Error error = checkCircle(x, y, distance); error != Error::kNone) return error;
-  return guarded([&] { impl_->nearby(x, y, size(), &distance, sites); });
+  return guarded(*impl_, [&] { impl_->nearby(x, y, size(), &distance, sites); });
 }
 
 Error Diagram::neighbors(SiteId id, Array<SiteId>& neighbors) const {
   if (!has(id)) return Error::kUnknownSite;
-  return guarded([&] { impl_->neighbors(id, neighbors); });
+  return guarded(*impl_, [&] { impl_->neighbors(id, neighbors); });
 }
 
 Error Diagram::vertices(VertexArrays& vertices) const {
-  return guarded([&] { impl_->vertices(vertices); });
+  return guarded(*impl_, [&] { impl_->vertices(vertices); });
 }
 
 Error Diagram::edges(EdgeArrays& edges) const {
-  return guarded([&] { impl_->edges(edges); });
+  return guarded(*impl_, [&] { impl_->edges(edges); });
 }
 
 Error Diagram::faces(Array<SiteId>& sites) const {
-  return guarded([&] { impl_->faces(sites); });
+  return guarded(*impl_, [&] { impl_->faces(sites); });
 }
 
 Error Diagram::toBytes(Array<std::uint8_t>& bytes) const {
-  return guarded([&] { impl_->save(bytes); });
+  return guarded(*impl_, [&] { impl_->save(bytes); });
 }
 
-Error Diagram::fromBytes(std::span<const std::uint8_t> bytes) {
-  bool isRestored = false;
-  const Error error = guarded([&] {
+Error Diagram::fromBytes(std::span<const std::uint8_t> bytes, Source source) {
+  try {
     auto restored = std::make_unique<Impl>(impl_->location());
-    isRestored = restored->restore(bytes);
-    if (isRestored) impl_ = std::move(restored);
-  });
-  return error == Error::kNone && !isRestored ? Error::kCorruptSnapshot : error;
+    if (!restored->restore(bytes, source)) return Error::kCorruptSnapshot;
+    impl_ = std::move(restored);
+    return Error::kNone;
+  } catch (...) {
+    return Error::kOutOfMemory;
+  }
 }
 
 Error Diagram::validate(Defect& defect) const {
-  return guarded([&] { defect = impl_->check(); });
+  return guarded(*impl_, [&] { defect = impl_->check(); });
 }
 
 }  // namespace apollonius

@@ -33,7 +33,8 @@ enum class Error : std::uint8_t {
   kOutOfMemory,  ///< memory ran out
   kTooLarge,     ///< more than kMostSites sites
   kBadBounds,    ///< a window that is empty, inverted, not finite or out of range (voronoi.h)
-  kCorruptSnapshot,  ///< bytes that are no snapshot, or none of a version that is known, or a damaged one
+  kCorruptSnapshot,  ///< bytes that are no snapshot, or none of a version that is known, or a damaged or forged one; also of calls
+                     ///< that find out that trusted bytes were
 };
 
 /// A circle: centre and weight (radius). Negative weights are legal: only differences of weights matter to the diagram.
@@ -135,10 +136,16 @@ class Diagram {
   /// The diagram in bytes, the same on every platform; replaces the contents. Errors: kOutOfMemory. Cost: O(n), about 56 bytes a site.
   [[nodiscard]] Error toBytes(Array<std::uint8_t>& bytes) const;
 
-  /// Becomes the diagram that was saved: sites, ids, those that are free, hidden sites, graph; location stays as it was chosen. Every
-  /// accidental damage is noticed; bytes that were made to deceive are for validate() to find out. Errors: kCorruptSnapshot, kOutOfMemory.
-  /// Cost: O(n), without any search; the Voronoi circles of faces are computed when later calls first need them.
-  [[nodiscard]] Error fromBytes(std::span<const std::uint8_t> bytes);
+  /// Becomes the diagram that was saved: sites, ids, those that are free, hidden sites, graph; location stays as it
+  /// was chosen. Whoever made the bytes, the diagram is that of the sites in them, which is proved exactly. Errors:
+  /// kCorruptSnapshot, kOutOfMemory. Cost: O(n), without any search; on degenerate input (grids) about as long as
+  /// building.
+  ///
+  /// Source::kTrusted leaves the proof out, for bytes that toBytes() wrote and nobody else has had: several times as
+  /// fast; the Voronoi circles of faces are then computed when later calls first need them. If the bytes lie, answers
+  /// may be wrong, and a call that finds out returns kCorruptSnapshot, as all calls with an Error but fromBytes() do
+  /// then until clear(); every call ends and stays in its memory.
+  [[nodiscard]] Error fromBytes(std::span<const std::uint8_t> bytes, Source source = Source::kAnyone);
 
   /// Checks every invariant with exact arithmetic and tells the first broken one. Errors: kOutOfMemory. Cost: O(n), slow: for tests.
   [[nodiscard]] Error validate(Defect& defect) const;

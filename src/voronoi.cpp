@@ -89,6 +89,7 @@ Error Voronoi::guarded(double tolerance, Operation&& operation) const {
   if (!areGood(bounds_)) return Error::kBadBounds;
   if (!std::isfinite(tolerance)) return Error::kNotFinite;
   if (!(tolerance > 0)) return Error::kOutOfRange;
+  if (diagram_.core().isBroken()) return Error::kCorruptSnapshot;
   try {
     operation(windowOf(bounds_), tolerance);
     return Error::kNone;

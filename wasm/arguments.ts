@@ -48,7 +48,8 @@ export function checkedCount(name: string, value: unknown): number {
 }
 
 /** One of several words; the first one if the value is undefined. */
-export function checkedChoice<Word extends string>(name: string, value: unknown, words: readonly [Word, ...Word[]]): Word {
+export function checkedChoice<Word extends string | boolean>(name: string, value: unknown,
+                                                             words: readonly [Word, ...Word[]]): Word {
   if (value === undefined) return words[0];
   if (words.includes(value as Word)) return value as Word;
   const expected = words.map((word) => JSON.stringify(word)).join(" or ");

@@ -193,8 +193,10 @@ EMSCRIPTEN_KEEPALIVE int diagramToBytes(const Diagram* diagram) {
   return code(error);
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramFromBytes(Diagram* diagram, const std::uint8_t* content, std::size_t length) {
-  return code(diagram->fromBytes({content, length}));
+EMSCRIPTEN_KEEPALIVE int diagramFromBytes(Diagram* diagram, const std::uint8_t* content, std::size_t length,
+                                          int isTrusted) {
+  const auto source = isTrusted != 0 ? apollonius::Source::kTrusted : apollonius::Source::kAnyone;
+  return code(diagram->fromBytes({content, length}, source));
 }
 
 // --- Calls about one site or point -----------------------------------------------------------------------------------------------

@@ -52,6 +52,12 @@ export interface DiagramOptions {
   location?: "hierarchy" | "walk";
 }
 
+/** Options of `Diagram.fromBytes`. */
+export interface SnapshotOptions extends DiagramOptions {
+  /** true: the bytes are `toBytes`'s own and nobody has changed them, so that nothing is proved. Default: false. */
+  trusted?: boolean;
+}
+
 /**
  * The additively weighted Voronoi diagram of circles: exact and fully dynamic.
  *
@@ -104,15 +110,18 @@ export class Diagram implements Disposable {
 
   /**
    * The diagram that `toBytes` saved, with its ids (the free ones are used again in the same order); `location` may be another.
-   * Every accidental damage is noticed; of bytes that somebody may have made to deceive, ask `validate` first (docs/SNAPSHOTS.md).
-   * Throws "corrupt-snapshot" (bytes that are no snapshot, or damaged, or of another version of the format), "bad-length" (no
-   * Uint8Array), "bad-option". Cost: O(n), without any search; the Voronoi circles of faces
-   * are computed when later calls first need them.
+   * Whoever made the bytes: the result is the exact diagram of the sites in them, which is proved. Throws
+   * "corrupt-snapshot" (bytes that are no snapshot, or damaged, or not the diagram of their sites, or of another
+   * version of the format), "bad-length" (no Uint8Array), "bad-option". Cost: O(n), without any search; for
+   * degenerate input (grids) about that of building. With `trusted`, for bytes of your own, the proof is left out,
+   * which is several times as fast; should such bytes lie, answers may be wrong, and calls on this diagram may throw
+   * "corrupt-snapshot" (docs/SNAPSHOTS.md).
    */
-  static fromBytes(bytes: Uint8Array, options?: DiagramOptions): Diagram {
+  static fromBytes(bytes: Uint8Array, options?: SnapshotOptions): Diagram {
+    const trusted = checkedChoice("options.trusted", options?.trusted, [false, true]);
     const diagram = new Diagram(undefined, options);
     try {
-      check(diagram.#living().fromBytes(checkedBytes("bytes", bytes)));
+      check(diagram.#living().fromBytes(checkedBytes("bytes", bytes), trusted));  // last: options may have getters
     } catch (error) {
       diagram.dispose();
       throw error;

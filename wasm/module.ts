@@ -39,7 +39,7 @@ export interface NativeExports {
   diagramEdges(diagram: Address): Status;
   diagramValidate(diagram: Address): Status;
   diagramToBytes(diagram: Address): Status;
-  diagramFromBytes(diagram: Address, content: Address, length: number): Status;
+  diagramFromBytes(diagram: Address, content: Address, length: number, isTrusted: Flag): Status;
 
   diagramInsert(diagram: Address, x: number, y: number, r: number): Status;
   diagramRemove(diagram: Address, id: number): Status;

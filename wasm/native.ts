@@ -187,12 +187,12 @@ export class NativeDiagram {
     });
   }
 
-  /** Becomes what `toBytes` saved. */
-  fromBytes(bytes: Uint8Array): Status {
+  /** Becomes what `toBytes` saved; proved unless the bytes are trusted. */
+  fromBytes(bytes: Uint8Array, isTrusted: boolean): Status {
     return this.#withScratch(bytes.length, (at) => {
       const heap: Uint8Array = this.#heap.bytes;
       heap.subarray(at, at + bytes.length).set(bytes);
-      return this.#call.diagramFromBytes(this.#address, at, bytes.length);
+      return this.#call.diagramFromBytes(this.#address, at, bytes.length, isTrusted ? 1 : 0);
     });
   }
 

@@ -46,7 +46,7 @@ if (!isMainThread) {
   let diagram;
   parentPort.on("message", ({ bytes, points }) => {
     if (bytes) {
-      diagram = Diagram.fromBytes(bytes);
+      diagram = Diagram.fromBytes(bytes, { trusted: true });
       parentPort.postMessage(diagram.size);
     } else {
       const ids = diagram.findMany(points);

@@ -150,7 +150,8 @@ Answer Operations::fromBytes(const Request& request) {
   std::vector<std::uint8_t> bytes;
   check(diagram_.toBytes(bytes));
   stages::reset();
-  Answer answer = sampled(request, size(), [&] { diagram_ = Diagram(); }, [&](std::size_t&) { check(diagram_.fromBytes(bytes)); });
+  const auto restore = [&](std::size_t&) { check(diagram_.fromBytes(bytes, Source::kTrusted)); };
+  Answer answer = sampled(request, size(), [&] { diagram_ = Diagram(); }, restore);
   answer.sink = static_cast<double>(bytes.size());
   answer.extra = stages::perItem(answer.samples.size() * size());
   return answer;

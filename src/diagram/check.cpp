@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "diagram/diagram_core.h"
+#include "diagram/proof.h"
 #include "memory/flat_array.h"
 #include "predicate/predicates.h"
 
@@ -19,13 +20,6 @@ bool agree(const VoronoiCircle& a, const VoronoiCircle& b) {
   return isClose(a.x, b.x, slope) && isClose(a.y, b.y, slope) && isClose(a.s, b.s, error);
 }
 
-/// The direction of (x, y) as a number that grows from 0 to 4 in a turn.
-double turnOf(double x, double y) {
-  const double share = absolute(y) / (absolute(x) + absolute(y));
-  if (y >= 0) return x >= 0 ? share : 2 - share;
-  return x < 0 ? 2 + share : 4 - share;
-}
-
 }  // namespace
 
 const char* DelaunayGraph::check(std::uint32_t& where) const {
@@ -36,56 +30,16 @@ const char* DelaunayGraph::check(std::uint32_t& where) const {
   if (visibleCount_ >= 2 ? vertices != visibleCount_ : vertices != 0) return "the count of visible sites is wrong: count";
   if (visibleCount_ > 0 && (recent_ == kNoVertex || !isVisible(recent_))) return "walks start from a site without a cell: count";
 
-  for (std::size_t i = 0; i < 3 * graph_.faceSlots(); ++i) {
-    const HalfedgeId h{static_cast<std::uint32_t>(i)};
-    if (!graph_.isLive(faceOf(h))) continue;
-    where = static_cast<std::uint32_t>(i);
-    const EdgeCorners e = edge(h);
-    // Every edge: neither site covers the other; the corner beyond is not in conflict with the face on this side.
-    if (e.i != nullptr && e.j != nullptr && covers(*e.i, *e.j)) return "a visible site is covered by a neighbour: half-edge";
-    if (e.l != nullptr && e.l != e.k && isVertexInConflict(e.i, e.j, e.k, *e.l)) {
-      return "a face is in conflict with the site beyond its edge: half-edge";
-    }
-    // Every bounded face: its circle exists, and the cached one is this one.
-    if (index(h) % 3 != 0) continue;
-    if (e.i != nullptr && e.j != nullptr && e.k != nullptr && !hasVoronoiCircle(*e.i, *e.j, *e.k)) {
-      return "a face has no Voronoi circle: half-edge";
-    }
-    if (!agree(circle(faceOf(h)), voronoiCircle(e.i, e.j, e.k))) {
-      return "the cached circle of a face is not its circle: half-edge";
-    }
+  if (graph_.isEmpty()) return nullptr;
+  FlatArray<VoronoiCircle> circles;
+  if (const char* broken = findContradiction(*this, circles, where)) return broken;
+  for (std::size_t i = 0; i < graph_.faceSlots(); ++i) {
+    const FaceId f{static_cast<std::uint32_t>(i)};
+    where = static_cast<std::uint32_t>(halfedgeOf(f, 0));
+    if (!graph_.isLive(f) || agree(circle(f), circles[i])) continue;
+    return "the cached circle of a face is not its circle: half-edge";
   }
-  where = 0;
-  if (!graph_.isEmpty() && !hullTurnsOnce()) return "the hull turns more than once: half-edge";
   return nullptr;
-}
-
-/// Else the graph would be that of several diagrams on top of each other, sewn together. Normals that are too close or too vague to
-/// tell which comes first count as one.
-bool DelaunayGraph::hullTurnsOnce() const {
-  constexpr double kClose = 0x1p-16;
-  const HalfedgeId begin = graph_.outgoing(kInfinity);
-  double turned = 0, last = -1, first = 0;
-  const auto turnTo = [&](double turn) {
-    const double step = turn < last ? turn - last + 4 : turn - last;
-    if (step < 4 - kClose) turned += step;
-    last = turn;
-  };
-  HalfedgeId h = begin;
-  do {
-    const VoronoiCircle& plane = circle(faceOf(h));
-    if (plane.slope < kClose / 16) {
-      const double turn = turnOf(plane.x, plane.y);
-      if (last < 0) {
-        first = last = turn;
-      } else {
-        turnTo(turn);
-      }
-    }
-    h = graph_.rotateCw(h);
-  } while (h != begin);
-  if (last >= 0) turnTo(first);
-  return turned < 6;
 }
 
 Defect DiagramCore::check() const {

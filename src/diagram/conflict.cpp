@@ -1,7 +1,9 @@
 #include "diagram/conflict.h"
 
+#include <algorithm>
+
 #include "diagram/delaunay_graph.h"
-#include "number/invariant.h"
+#include "diagram/sort_by_key.h"
 #include "predicate/edge_shortcut.h"
 #include "predicate/predicates.h"
 
@@ -84,7 +86,7 @@ void ConflictSearch::startAround(VertexId near) {
     if (startWithin(h)) return;
     h = graph.rotateCcw(h);
   } while (h != begin);
-  invariant(false, "a site that is not covered is in conflict with an edge of its nearest site (Lemma 2)");
+  diagram_->demand(false, "a site that is not covered is in conflict with an edge of its nearest site (Lemma 2)");
 }
 
 /// The paper's depth-first search with a stack of half-edges instead of recursion. The half-edges on the stack and on the rim,
@@ -125,6 +127,43 @@ bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const {
     return true;
   }
   return isEntireEdgeInConflict(diagram_->edge(h), atK, atL, *q_);
+}
+
+bool ConflictSearch::isDisk() const {
+  if (faces_.empty()) return true;  // an edge that is opened
+  const Graph& graph = diagram_->graph();
+  FlatArray<Keyed> rim(rim_.size()), corners(rim_.size());
+  for (std::uint32_t k = 0; k < rim.size(); ++k) {
+    rim[k] = {static_cast<std::uint32_t>(rim_[k]), k};
+    corners[k] = {static_cast<std::uint32_t>(graph.origin(rim_[k])), k};
+  }
+  sortByKey(rim);
+  sortByKey(corners);
+  const auto isAmong = [](const FlatArray<Keyed>& entries, auto id) {
+    const auto key = static_cast<std::uint32_t>(id);
+    const auto isBefore = [](const Keyed& entry, std::uint32_t other) { return entry.key < other; };
+    const Keyed* const at = std::lower_bound(entries.begin(), entries.end(), key, isBefore);
+    return at != entries.end() && at->key == key;
+  };
+  for (std::size_t k = 0; k < rim_.size(); ++k) {
+    const HalfedgeId h = rim_[k], twin = graph.twin(h);
+    if (isInRegion(faceOf(twin)) && !isAmong(rim, twin)) return false;
+    // The side that follows, around h's target.
+    HalfedgeId side = next(h);
+    while (!isAmong(rim, side)) {
+      const HalfedgeId across = graph.twin(side);
+      if (!isInRegion(faceOf(across)) || next(across) == next(h)) return false;
+      side = next(across);
+    }
+    if (side != rim_[k + 1 < rim_.size() ? k + 1 : 0]) return false;
+  }
+  for (const FaceId f : faces_) {
+    for (unsigned c = 0; c < 3; ++c) {
+      const VertexId v = graph.origin(halfedgeOf(f, c));
+      if (!isAmong(corners, v) && (v == kInfinity || !covers(*q_, diagram_->site(v)))) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace apollonius

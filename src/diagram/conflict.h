@@ -31,6 +31,10 @@ class ConflictSearch {
     stack_.reserve(faces + 3);  // a face that enters takes one half-edge from it and puts two there; the first puts three
   }
 
+  /// Are the faces a disk, with the rim around them and no vertex within but those that q covers? Of a Delaunay graph
+  /// they are. Throws std::bad_alloc.
+  [[nodiscard]] bool isDisk() const;
+
   void reserve(std::size_t faces) { marks_.reserve((faces + kWord - 1) / kWord); }
 
   /// The faces in conflict; empty if q's cell lies within one edge.

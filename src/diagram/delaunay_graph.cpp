@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 
+#include "diagram/proof.h"
+#include "number/invariant.h"
 #include "predicate/circle_batch.h"
 
 namespace apollonius {
@@ -58,6 +61,15 @@ void DelaunayGraph::clear() noexcept {
   visibleCount_ = 0;
   recent_ = kNoVertex;
   mayMissCircles_ = false;
+  isProven_ = true;
+  isBroken_ = false;
+}
+
+/// Within operations that would end as if memory had run out: nothing has been changed.
+void DelaunayGraph::refuse(const char* name) const {
+  invariant(!isProven_, name);
+  isBroken_ = true;
+  throw std::bad_alloc();
 }
 
 void DelaunayGraph::computeCircle(FaceId f) const {
@@ -87,6 +99,13 @@ void DelaunayGraph::computeMissingCircles() const {
   }
   batch.finish();
   mayMissCircles_ = false;
+}
+
+bool DelaunayGraph::prove() {
+  std::uint32_t where = 0;
+  isProven_ = graph_.isEmpty() || findContradiction(*this, circles_, where) == nullptr;
+  mayMissCircles_ = !isProven_;
+  return isProven_;
 }
 
 }  // namespace apollonius

@@ -94,9 +94,21 @@ class DelaunayGraph {
   void clear() noexcept;
 
   /// Snapshots (snapshot.cpp): everything but the sites, which are set before restore(). That fails, and leaves what is good
-  /// for nothing, if what is read is no surface; whether it is the diagram of the sites is for check() to say.
+  /// for nothing, if what is read is no surface; whether it is the diagram of the sites is for prove() to say.
   void save(WordWriter& out, std::size_t vertexSlots) const;
   [[nodiscard]] bool restore(WordReader& in, std::size_t faceSlots);
+  /// Is it the Delaunay graph of its sites (proof.h)? Computes the circles of all faces.
+  [[nodiscard]] bool prove();
+
+  // A restored graph that has not been proved may be anything on a closed surface. Walks end and stay in the arrays
+  // there; what would not is demanded before an operation commits.
+  [[nodiscard]] bool isProven() const { return isProven_; }
+  /// Has the graph turned out to be none of its sites? Then it is good for nothing.
+  [[nodiscard]] bool isBroken() const { return isBroken_; }
+  /// What holds in a Delaunay graph. Where it does not, an unproven graph is broken, which throws; else the code is.
+  void demand(bool holds, const char* name) const {
+    if (!holds) refuse(name);
+  }
 
   /// The first broken invariant, exactly checked, or nullptr; `where` receives an id that it names.
   [[nodiscard]] const char* check(std::uint32_t& where) const;
@@ -113,8 +125,8 @@ class DelaunayGraph {
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
   [[nodiscard]] Insertion insertBesideOne(VertexId v, HiddenForest* forest);
   [[nodiscard]] Insertion coverAll(VertexId v, HiddenForest* forest, Remover* remover);
-  [[nodiscard]] bool hullTurnsOnce() const;
   void computeCircle(FaceId f) const;
+  void refuse(const char* name) const;
   /// Room for an operation on the graph, newFaces_ and newCircles_ included.
   void reserveFaces(std::size_t removed, std::size_t created);
   /// Room for the scratch of an operation on so many faces and sides that needs none for new faces, as it undoes one.
@@ -129,6 +141,8 @@ class DelaunayGraph {
   Graph graph_;                          // has faces from two visible sites on
   mutable FlatArray<VoronoiCircle> circles_;  // by face; mutable only where one is missing
   mutable bool mayMissCircles_ = false;
+  bool isProven_ = true;
+  mutable bool isBroken_ = false;
   std::size_t visibleCount_ = 0;
   VertexId recent_ = kNoVertex;          // visible; the only one if visibleCount_ is 1
 

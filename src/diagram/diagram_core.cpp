@@ -242,6 +242,25 @@ void DiagramCore::moveBack(Slot slot, const Site& from) noexcept {
   SiteMoves::takeBack(base_, {&move, 1});
 }
 
+/// A diagram of trusted bytes that lied may refuse to be set right; it is broken then, and left as it is.
+template <class Step>
+void DiagramCore::undoStep(Step step) noexcept {
+  if (isBroken()) return;
+  try {
+    step();
+  } catch (...) {
+    invariant(isBroken(), "there is room to undo");
+  }
+}
+
+void DiagramCore::putBack(Slot slot, const Site& site) noexcept {
+  undoStep([&] { ids_.setState(slot, place(slot, site, kNoVertex)); });
+}
+
+void DiagramCore::takeOut(Slot slot) noexcept {
+  undoStep([&] { displace(slot); });
+}
+
 bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
   const Site to = normalized(site);
   if (!coversChildren(slot, to)) return false;
@@ -332,6 +351,7 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
     endBulk();
   } catch (...) {
     isBulk_ = false;
+    if (isBroken()) throw;
     beginUndo();
     if (n == ids_.size()) {
       base_.clear();
@@ -375,6 +395,7 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
       moved[done] = move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
     }
   } catch (...) {
+    if (isBroken()) throw;
     beginUndo();
     while (done-- > 0) {
       const Slot slot = ids_.slotOf(ids[order[done]]);

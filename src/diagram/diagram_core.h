@@ -66,7 +66,9 @@ class DiagramCore {
   /// The diagram as a snapshot; replaces the contents of `bytes`.
   void save(Array<std::uint8_t>& bytes) const;
   /// Becomes what was saved; false if the bytes are no snapshot. REQUIRES: a new diagram; after a failure it is good for nothing.
-  [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes);
+  [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes, Source source);
+  /// Has an operation found that trusted bytes were no diagram? Then this one is good for nothing but clear().
+  [[nodiscard]] bool isBroken() const { return base_.isBroken(); }
 
   /// The first broken invariant.
   [[nodiscard]] Defect check() const;
@@ -108,8 +110,10 @@ class DiagramCore {
   // there is room for that.
   void beginUndo() noexcept;
   void endUndo() noexcept;
-  void putBack(Slot slot, const Site& site) noexcept { ids_.setState(slot, place(slot, site, kNoVertex)); }
-  void takeOut(Slot slot) noexcept { displace(slot); }
+  template <class Step>
+  void undoStep(Step step) noexcept;
+  void putBack(Slot slot, const Site& site) noexcept;
+  void takeOut(Slot slot) noexcept;
   /// A site that has moved in place.
   void moveBack(Slot slot, const Site& from) noexcept;
   void displaceVisible(Slot slot, Undo undo);

@@ -14,7 +14,10 @@ Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
   for (std::size_t k = levelCount_; k > level; --k) {
     const DelaunayGraph& graph = *levels_[k - 1];
     if (graph.visibleCount() == 0) continue;
-    const VertexId start = slot == kNoSlot ? graph.anyVisible() : vertexOf(slot);
+    // A level lacks a site of the one above only if the diagram, which nobody has proved, shows one that another
+    // covers.
+    const bool isThere = slot != kNoSlot && graph.graph().hasVertex(vertexOf(slot));
+    const VertexId start = isThere ? vertexOf(slot) : graph.anyVisible();
     const VertexId end = stepDown(graph, graph.locate(x, y, start, walk_), x, y);
     slot = below(slotOf(end), static_cast<unsigned>(k - 1));
   }

@@ -26,6 +26,7 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk 
     conflicts_.find(*this, q, near.nearest, near.sector);
   }
   if (conflicts_.rim().empty()) return coverAll(v, forest, remover);
+  if (!isProven_) demand(conflicts_.isDisk(), "the conflict region is a disk");
 
   const std::size_t removed = conflicts_.faces().size();
   const std::size_t created = conflicts_.rim().size();
@@ -67,6 +68,9 @@ DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v, HiddenForest* fores
     covered_.push_back(recent_);
   } else {
     graph_.listVertices(covered_);
+  }
+  for (std::size_t k = 0; !isProven_ && k < covered_.size(); ++k) {
+    demand(covers(site(v), site(covered_[k])), "what has no rim covers all");
   }
   if (forest != nullptr) forest->reserveChildren(covered_.size());
   if (remover != nullptr) {

@@ -4,6 +4,7 @@
 
 #include "diagram/spatial_order.h"
 #include "number/invariant.h"
+#include "predicate/predicates.h"
 
 namespace apollonius {
 
@@ -14,6 +15,7 @@ std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId 
   fates_.clear();
   collectLink(diagram.graph(), v);
   const std::size_t remaining = diagram.visibleCount() - 1;
+  diagram.demand(remaining == 0 || !link_.empty(), "a visible site has a place in the graph");
 
   if (hidden.empty() && remaining < 2) {
     becomeSingle(diagram, remaining == 0 ? kNoVertex : diagram.graph().origin(link_[0]) != kInfinity
@@ -45,6 +47,7 @@ std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId 
     becomeSingle(diagram, small_.visibleCount() == 0 ? kNoVertex : global(small_.anyVisible()));
     return fates_;
   }
+  if (!diagram.isProven()) diagram.demand(hasAllNeighbors(diagram.graph()), "no neighbour is covered");
   findPatch(diagram, v);
   apply(diagram, v, patch_, patchCircles_);
   diagram.visibleCount_ += revived;
@@ -164,13 +167,25 @@ void Remover::findPatch(const DelaunayGraph& diagram, VertexId v) {
   } else if (small_.visibleCount() > 1) {
     const Site& q = diagram.site(v);
     const DelaunayGraph::Located near = small_.locate(q.x, q.y, small_.anyVisible());
+    if (!diagram.isProven()) {
+      diagram.demand(!covers(small_.site(near.nearest), q), "no neighbour covers a visible site");
+    }
     small_.conflicts_.find(small_, q, near.nearest, near.sector);
     patchFaces_.assign(small_.conflicts_.faces());
-    if (!patchFaces_.empty()) alignLink(diagram.graph());
+    if (!patchFaces_.empty()) alignLink(diagram);
   }
   // Else one neighbour and infinity, or a cell within one edge of the small diagram: degree 2, an empty patch.
-  invariant(!patchFaces_.empty() || link_.size() == 2, "an empty patch fits a site of degree 2 only");
+  diagram.demand(!patchFaces_.empty() || link_.size() == 2, "an empty patch fits a site of degree 2 only");
   makePatch();
+}
+
+/// Is each neighbour visible in the small diagram?
+bool Remover::hasAllNeighbors(const Graph& graph) const {
+  for (std::size_t k = 0; k < link_.size(); ++k) {
+    const VertexId u = graph.origin(link_[k]), local = order_[k];
+    if (u != kInfinity && (global(local) != u || !small_.isVisible(local))) return false;
+  }
+  return true;
 }
 
 void Remover::takeAllAsPatch() {
@@ -182,18 +197,19 @@ void Remover::takeAllAsPatch() {
 
 /// Numbers the small diagram's rim as the link. A pair (from, to) occurs in the link of v once: three sites in a given order have
 /// at most one Voronoi circle.
-void Remover::alignLink(const Graph& graph) {
+void Remover::alignLink(const DelaunayGraph& diagram) {
+  const Graph& graph = diagram.graph();
   const std::span<const HalfedgeId> rim = small_.conflicts_.rim();
   const Graph& small = small_.graph();
   const auto fits = [&](HalfedgeId inner, HalfedgeId link) {
     return global(small.origin(inner)) == graph.origin(link) && global(small.target(inner)) == graph.target(link);
   };
-  invariant(rim.size() == link_.size(), "the patch has as many sides as the star");
+  diagram.demand(rim.size() == link_.size(), "the patch has as many sides as the star");
   std::size_t shift = 0;
   while (shift < rim.size() && !fits(rim[shift], link_[0])) ++shift;
   for (std::size_t k = 0; k < rim.size(); ++k) {
     const HalfedgeId inner = rim[(k + shift) % rim.size()];
-    invariant(fits(inner, link_[k]), "the sides of the patch are those of the star");
+    diagram.demand(fits(inner, link_[k]), "the sides of the patch are those of the star");
     linkOf_[index(inner)] = static_cast<std::uint32_t>(k);
   }
 }
@@ -220,6 +236,9 @@ void Remover::makePatch() {
 
 void Remover::apply(DelaunayGraph& diagram, VertexId v, std::span<const Graph::PatchFace> patch,
                     std::span<const VoronoiCircle> circles) {
+  // Two sides of each other would be the sides of a whole sphere.
+  const bool isSphere = patch.empty() && diagram.graph().twin(link_[0]) == link_[1];
+  diagram.demand(!isSphere, "the star of a site is not all there is");
   diagram.reserveFaces(link_.size(), patch.size());
   if (mayReturn_) diagram.reserveReturn(std::max(link_.size(), patch.size()));
   // Some visible neighbour, should v be the vertex that walks start from.

@@ -41,8 +41,9 @@ class Remover {
   void addMany(const DelaunayGraph& diagram, std::span<const VertexId> hidden);
   VertexId addLocal(const DelaunayGraph& diagram, VertexId v, VertexId start);
   void findPatch(const DelaunayGraph& diagram, VertexId v);
+  [[nodiscard]] bool hasAllNeighbors(const Graph& graph) const;
   void takeAllAsPatch();
-  void alignLink(const Graph& graph);
+  void alignLink(const DelaunayGraph& diagram);
   void makePatch();
   void apply(DelaunayGraph& diagram, VertexId v, std::span<const Graph::PatchFace> patch, std::span<const VoronoiCircle> circles);
   void becomeSingle(DelaunayGraph& diagram, VertexId v);

@@ -1,9 +1,11 @@
-// Snapshots: docs/SNAPSHOTS.md has the format. Counts, lists, ids and the graph as a surface are checked as they are read, so that whatever
-// the bytes are, nothing outside of the arrays is ever touched. That the graph is the diagram of these sites is what the checksum is
-// trusted for: to prove it would take as long as to build it anew (check.cpp does).
+// Snapshots: docs/SNAPSHOTS.md has the format. Counts, lists, ids and the graph as a surface are checked as they are
+// read. Then it is proved that the graph is the Delaunay graph of these sites (proof.h), or, of trusted bytes,
+// believed: whatever they are, nothing outside of the arrays is ever touched, and an operation that would damage the
+// surface finds out before it does (DelaunayGraph::demand).
 //
-// Circles, hierarchy and grid are made anew: they follow from the sites and the graph. Each circle waits until it is asked for, and so
-// does the hierarchy, as the grid answers most of what that one is asked.
+// Circles, hierarchy and grid are made anew: they follow from the sites and the graph. The proof needs the circles;
+// without it each waits until it is asked for. So does the hierarchy, as the grid answers most of what that one is
+// asked.
 #include <limits>
 #include <new>
 
@@ -106,6 +108,7 @@ bool DelaunayGraph::restore(WordReader& in, std::size_t faceSlots) {
     return true;
   }
   if (!graph_.hasVertex(recent_)) return false;  // also if there is none
+  isProven_ = false;
   visibleCount_ = graph_.faceCount() / 2 + 1;  // Euler, without infinity
   circles_.resize(faceSlots, kMissingCircle);
   mayMissCircles_ = true;
@@ -154,7 +157,7 @@ void DiagramCore::saveHidden(WordWriter& out) const {
   for (std::size_t k = 0; k < reached.size(); ++k) saveChildren(reached[k]);
 }
 
-bool DiagramCore::restore(std::span<const std::uint8_t> bytes) {
+bool DiagramCore::restore(std::span<const std::uint8_t> bytes, Source source) {
   if (bytes.size() < 4 * (kHeaderWords + kChecksumWords) || bytes.size() % 8 != 0) return false;
   const std::span<const std::uint8_t> content = bytes.first(bytes.size() - 4 * kChecksumWords);
   WordReader in(content);
@@ -174,8 +177,9 @@ bool DiagramCore::restore(std::span<const std::uint8_t> bytes) {
     if (!isInRange(x) || !isInRange(y) || !isInRange(r)) return false;
     base_.setSite(vertexOf(slot), normalized({x, y, r}));
   }
-  return ids_.restore(in, header.slots, header.idLimit, header.sites) && base_.restore(in, header.faceSlots) && restoreStates() &&
-         restoreHidden(in, header.hidden);
+  return ids_.restore(in, header.slots, header.idLimit, header.sites) && base_.restore(in, header.faceSlots) &&
+         restoreStates() && restoreHidden(in, header.hidden) && (words % 2 == 0 || in.word() == 0) &&
+         (source == Source::kTrusted || base_.prove());
 }
 
 /// What is in the graph is visible. False if it is a free slot.

@@ -41,6 +41,9 @@ struct Defect {
   }
 };
 
+/// Whose bytes a snapshot is. kAnyone: that they are the diagram of their sites is proved. kTrusted: that is believed.
+enum class Source : std::uint8_t { kAnyone, kTrusted };
+
 /// How the nearest site is located (paper, section 4). The answers are the same.
 enum class Location : std::uint8_t {
   kWalk,            ///< the paper's plain walk: all neighbours of a site are asked; O(h) at worst, about sqrt(h) on random input

@@ -12,7 +12,10 @@ namespace {
 // and the sagitta falls to a quarter or less with each. Points that coincide in doubles end it sooner.
 constexpr int kMostHalvings = 640;
 
-bool isSplittable(const Conic& conic, Point m) { return !(m == conic.p0 || m == conic.p2); }
+/// Not where coordinates are none, either: trusted snapshots may lie.
+bool isSplittable(const Conic& conic, Point m) {
+  return dot(m, m) >= 0 && !(m == conic.p0 || m == conic.p2);
+}
 
 /// Bound on the distance between a conic and the cubic with the same ends and end tangents that meets it at the middle of the
 /// arc, in units of the distance from the chord's middle to p1. As a function of z = (w-1)/(w+1) the distance is of order z² (the

@@ -63,7 +63,9 @@ Slot ownerOfWindow(const DiagramCore& core, const Window& window) {
 void matchBorder(const DiagramCore& core, Slot site, const Window& window, FlatArray<BorderContact>& contacts,
                  FlatArray<BorderArc>& arcs) {
   arcs.clear();
-  if (contacts.empty()) return;
+  // Edges that are none (trusted snapshots may lie) leave the border nowhere.
+  const auto isOnBorder = [](const BorderContact& c) { return c.place >= 0 && c.place <= 4; };
+  if (contacts.empty() || !std::all_of(contacts.begin(), contacts.end(), isOnBorder)) return;
   // All of them: a heap sort, which is a tenth of std::sort's code.
   std::partial_sort(contacts.begin(), contacts.end(), contacts.end(), [](const BorderContact& a, const BorderContact& b) {
     return a.place != b.place ? a.place < b.place : a.piece < b.piece;
@@ -88,7 +90,10 @@ void matchBorder(const DiagramCore& core, Slot site, const Window& window, FlatA
     (isLeave ? leaves : enters).push_back(k);
     (isLeave ? leavePlaces : enterPlaces).push_back(after(contacts[k].place, reference));
   }
-  const std::size_t count = std::min(leaves.size(), enters.size());  // they are equally many
+  const std::size_t count = std::min(leaves.size(), enters.size());  // they are equally many, if the edges are some
+  if (count == 0) return;
+  leavePlaces.resize(count);
+  enterPlaces.resize(count);
   const double outside = disorder(leavePlaces, enterPlaces), inside = disorder(enterPlaces, leavePlaces);
   const bool holdsReference =
       absolute(outside - inside) > kNoDifference ? inside < outside : ownsGap(core, site, window, reference, gap);

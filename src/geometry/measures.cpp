@@ -1,6 +1,7 @@
 #include "geometry/measures.h"
 
 #include <array>
+#include <limits>
 
 #include "geometry/cell.h"
 #include "number/fp.h"
@@ -40,9 +41,11 @@ double series(const std::array<double, kTerms>& c, double z) {
 
 }  // namespace
 
+// Conditions are written so that NaN, of an edge that is none (trusted snapshots may lie), ends the recursion.
+
 ArcFactors arcFactors(double w) {
   const double z = (w - 1) / (w + 1), next = 1 + z;
-  if (absolute(z) <= kSeriesEnd) return {2 * next * series(kAreaCoefficients, z), next * next * series(kMomentCoefficients, z)};
+  if (!(absolute(z) > kSeriesEnd)) return {2 * next * series(kAreaCoefficients, z), next * next * series(kMomentCoefficients, z)};
   const ArcFactors half = arcFactors(std::sqrt((1 + w) / 2));
   const double share = w / (1 + w), rest = 1 / (1 + w);
   return {share + share * rest * half.area, share * share / 3 + share * share * rest / 2 * (half.area + half.moment)};
@@ -50,7 +53,7 @@ ArcFactors arcFactors(double w) {
 
 double arcAreaFactor(double w) {
   const double z = (w - 1) / (w + 1);
-  if (absolute(z) <= kSeriesEnd) return 2 * (1 + z) * series(kAreaCoefficients, z);
+  if (!(absolute(z) > kSeriesEnd)) return 2 * (1 + z) * series(kAreaCoefficients, z);
   const double share = w / (1 + w);
   return share + share / (1 + w) * arcAreaFactor(std::sqrt((1 + w) / 2));
 }
@@ -123,7 +126,7 @@ double adaptiveLength(const Conic& conic, double whole, double tolerance, int de
 /// Weights above 2 speed up towards the ends so much that the quadrature would not see it. A halving takes about the root of the weight,
 /// so even 2^1000 is below 2 after eleven.
 double halvedLength(const Conic& conic, double tolerance) {
-  if (!(conic.w > 2)) return adaptiveLength(conic, gaussLength(conic), tolerance, 40);
+  if (!(conic.w > 2 && conic.w < std::numeric_limits<double>::infinity())) return adaptiveLength(conic, gaussLength(conic), tolerance, 40);
   Conic first, second;
   conic.halve(first, second);
   return halvedLength(first, tolerance) + halvedLength(second, tolerance);

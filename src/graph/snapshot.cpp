@@ -43,6 +43,7 @@ bool Graph::restore(WordReader& in, std::size_t vertexSlots, std::size_t faceSlo
     const bool isFree = a == kNoVertex && b == kNoVertex && c == kNoVertex;
     if (!isFree && (a == b || b == c || c == a || a == kNoVertex || b == kNoVertex || c == kNoVertex)) return false;
     freeFaces_ += isFree;
+    if (isFree && (halfedges_[i + 1].twin != kNoHalfedge || halfedges_[i + 2].twin != kNoHalfedge)) return false;
   }
   // Euler's formula, with infinity among the vertices.
   const std::size_t faces = faceSlots - freeFaces_;

@@ -102,4 +102,12 @@ Sign edgeSign(Rows& rows, bool jIsInfinite, Probe probe, SpanSign&& spanSign) {
   return -spanSign();
 }
 
+/// Rows 0, 1, 2 are j, l, k: the turn from the middle of l's shadow to that of k's.
+template <class Rows>
+Sign shadowTurnSign(Rows& rows) {
+  using T = typename Rows::Number;
+  const Row<T> j = rows.row(0);
+  return rows.sign(EdgeForm<T>(chordOf(j, rows.row(1)), chordOf(j, rows.row(2))).turn, kEdge.turn);
+}
+
 }  // namespace apollonius::stages

@@ -78,4 +78,21 @@ Sign rayExact(double x, double y, const Site& i, Corner j, Corner k, RayPart par
   return raySign(rows, part);
 }
 
+Sign shadowTurnExact(const Site& i, const Site& j, const Site& l, const Site& k) {
+  ExactRows rows(i, {&j, &l, &k});  // so seldom asked that shorter numbers would only be more code
+  return shadowTurnSign(rows);
+}
+
+bool normalIsUpExact(const Site& i, const Site& j) {
+  const ExactRows rows(i, {&j});
+  const Row<Dyadic>& t = rows.row(0);
+  const Sign y = signOfRoot(-(t.r * t.y), t.x, t.p);
+  return y == Sign::kPositive || (y == Sign::kZero && signOfRoot(-(t.r * t.x), -t.y, t.p) == Sign::kPositive);
+}
+
+Sign spanExact(const Site& i, const Site& l, const Site& k) {
+  const WholeRows whole(i, {nullptr, &k, &l});
+  return whole.failed() ? spanSign(ExactRows(i, {nullptr, &k, &l})) : spanSign(whole);
+}
+
 }  // namespace apollonius::stages

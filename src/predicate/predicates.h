@@ -61,4 +61,23 @@ struct EdgeCorners {
 [[nodiscard]] bool isEntireEdgeInConflict(const EdgeCorners& edge, const VoronoiCircle& atK, const VoronoiCircle& atL,
                                           const Site& q);
 
+// --- Proofs: what is to be asked of a graph that may be another's (docs/PREDICATES.md, "Order along an edge") ---------
+
+/// Is the edge that of a Delaunay graph, as far as its two faces can tell: do its ends come in their order along the
+/// bisector, and where they coincide, has the canonical rule chosen this diagonal? Of an edge with infinity only the
+/// latter: the order of its ends is for the whole hull to tell. A false answer is a proof; if all edges, the circles
+/// of all faces, and the hull are right, so is the graph. REQUIRES: both faces have circles, which are given, and in
+/// each face no site covers another. Degree 8.
+[[nodiscard]] bool isDelaunayEdge(EdgeCorners edge, const VoronoiCircle& atK, const VoronoiCircle& atL);
+
+/// On the bisector of i and j, seen from i: the turn from the middle of l's shadow to that of k's. Degree 6.
+[[nodiscard]] Sign turnBetweenShadows(const Site& i, const Site& j, const Site& l, const Site& k);
+
+/// Has the half-plane of the face (i, j, infinity), which is given, an outer normal of an angle in [0, pi)? Degree 6.
+[[nodiscard]] bool pointsUp(const Site& i, const Site& j, const VoronoiCircle& plane);
+/// The turn from the outer normal of the face (i, l, infinity) to that of (k, i, infinity), whose half-planes are
+/// given. Degree 16.
+[[nodiscard]] Sign turnOfHull(const Site& i, const Site& l, const Site& k, const VoronoiCircle& atL,
+                              const VoronoiCircle& atK);
+
 }  // namespace apollonius

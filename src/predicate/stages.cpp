@@ -183,4 +183,12 @@ Counts& counts() {
   return counts;
 }
 
+// --- Order along an edge ---------------------------------------------------------------------------------------------
+
+MaybeSign shadowTurnFilter(const Site& i, const Site& j, const Site& l, const Site& k) {
+  FilterRows rows(i, {&j, &l, &k});
+  const Sign sign = shadowTurnSign(rows);
+  return {sign, !rows.failed()};
+}
+
 }  // namespace apollonius::stages

@@ -61,6 +61,15 @@ enum class RayPart : signed char { kLeftwards, kAlong };
 [[nodiscard]] MaybeSign rayWhole(double x, double y, const Site& i, Corner j, Corner k, RayPart part);
 [[nodiscard]] Sign rayExact(double x, double y, const Site& i, Corner j, Corner k, RayPart part);
 
+/// The turn from the middle of l's shadow on the bisector of i and j to that of k's. i is larger than j; none of the
+/// four covers i or j.
+[[nodiscard]] MaybeSign shadowTurnFilter(const Site& i, const Site& j, const Site& l, const Site& k);
+[[nodiscard]] Sign shadowTurnExact(const Site& i, const Site& j, const Site& l, const Site& k);
+/// Is the angle of the outer normal of the face (i, j, infinity) in [0, pi)?
+[[nodiscard]] bool normalIsUpExact(const Site& i, const Site& j);
+/// The turn from the outer normal of the face (i, l, infinity) to that of (k, i, infinity).
+[[nodiscard]] Sign spanExact(const Site& i, const Site& l, const Site& k);
+
 /// How often each stage answered in this thread since the last reset (`cached`: the filter by cached circles). Vertex conflicts and
 /// distances that are settled where they arise (circleFilter, walks) are not counted.
 struct Counts {

@@ -87,7 +87,7 @@ TEST(DelaunayGraphCheck, CachedCircle) {
 TEST(DelaunayGraphCheck, FacesOfOtherSites) {
   // Sites moved behind the graph's back, circles computed anew: which damage is found first depends on the numbers of the faces,
   // so all displacements on a grid are tried. A displacement that changes nothing leaves the graph of a fresh build.
-  const std::string conflict = "a face is in conflict with the site beyond its edge: half-edge";
+  const std::string conflict = "the faces of an edge contradict each other: half-edge";
   const std::string covered = "a visible site is covered by a neighbour: half-edge";
   const std::string noCircle = "a face has no Voronoi circle: half-edge";
   std::set<std::string> messages;

@@ -32,7 +32,7 @@ Diagram restored(const Diagram& diagram) {
   std::vector<std::uint8_t> bytes;
   EXPECT_EQ(diagram.toBytes(bytes), Error::kNone);
   Diagram same;
-  EXPECT_EQ(same.fromBytes(bytes), Error::kNone);
+  EXPECT_EQ(same.fromBytes(bytes, Source::kTrusted), Error::kNone);
   return same;
 }
 

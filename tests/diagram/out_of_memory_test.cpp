@@ -205,6 +205,7 @@ std::vector<NamedOperation> changes(Random& random, std::size_t n) {
          return d.removeMany(half, removed);
        }},
       {"fromBytes", [bytes = snapshotOf(others)](Diagram& d) { return d.fromBytes(bytes); }},
+      {"fromBytes, trusted", [bytes = snapshotOf(others)](Diagram& d) { return d.fromBytes(bytes, Source::kTrusted); }},
   };
 }
 
@@ -215,7 +216,7 @@ enum class Origin { kBuilt, kRestored };
 
 void make(Diagram& diagram, const Circles& circles, Origin origin) {
   if (origin == Origin::kRestored) {
-    ASSERT_EQ(diagram.fromBytes(snapshotOf(circles)), Error::kNone);
+    ASSERT_EQ(diagram.fromBytes(snapshotOf(circles), Source::kTrusted), Error::kNone);
   } else {
     build(diagram, circles);
   }

@@ -246,7 +246,7 @@ TEST(VoronoiDeterminism, RestoredDiagramsHaveTheSameShapes) {
     ASSERT_EQ(original.toBytes(bytes), Error::kNone);
     const auto onBoth = [&](auto&& ask) {
       Diagram restored;
-      ASSERT_EQ(restored.fromBytes(bytes), Error::kNone);
+      ASSERT_EQ(restored.fromBytes(bytes, Source::kTrusted), Error::kNone);
       ask(Voronoi(original, bounds), Voronoi(restored, bounds));
     };
     onBoth([](const Voronoi& a, const Voronoi& b) {

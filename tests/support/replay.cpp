@@ -45,7 +45,7 @@ std::string Replay::apply(std::span<const Operation> call) {
     case Operation::Kind::kRestore: {
       std::vector<std::uint8_t> bytes;
       if (diagram_.toBytes(bytes) != Error::kNone) return "toBytes failed";
-      if (diagram_.fromBytes(bytes) != Error::kNone) return "fromBytes failed";
+      if (diagram_.fromBytes(bytes, Source::kTrusted) != Error::kNone) return "fromBytes failed";
       break;
     }
   }

@@ -148,30 +148,119 @@ function signed(bytes) {
   return bytes;
 }
 
-test("forged bytes with a right checksum are refused, or validate() finds them out, or they are a diagram", () => {
-  expect(signed(recorded.slice())).toEqual(recorded);
-  const small = new Diagram([0, 0, 1, 5, 0, 2, 0, 4, 1, 5, 0, 1]).toBytes();
-  const change = fc.record({ at: fc.nat(), word: fc.oneof(fc.nat({ max: 20 }), fc.integer()), isByte: fc.boolean() });
-  fc.assert(fc.property(fc.constantFrom(recorded, small), fc.array(change, { minLength: 1, maxLength: 3 }), (original, changes) => {
-    const bytes = original.slice();
-    const view = new DataView(bytes.buffer);
-    for (const { at, word, isByte } of changes) {
-      if (isByte) bytes[at % (bytes.length - 8)] = word;
-      else view.setInt32(4 * (at % (bytes.length / 4 - 2)), word, true);
+const originals = [
+  recorded, ...[
+    [0, 0, 1, 5, 0, 2, 0, 4, 1, 5, 0, 1],
+    [-10, 0, 8, 10, 0, 8, 0, 0, 1, 0, 5, 1, 0, -6, 0.5, -10, 0, 3],
+    Array.from({ length: 16 }, (_, k) => [k % 4, k >> 2, 0]).flat(),
+  ].map((circles) => new Diagram(circles).toBytes()),
+];
+
+const changes = fc.array(fc.record({
+  at: fc.nat(), from: fc.nat(), word: fc.oneof(fc.nat({ max: 40 }), fc.integer()),
+  kind: fc.constantFrom("byte", "word", "number", "site"),
+}), { minLength: 1, maxLength: 3 });
+
+/** A snapshot with some of its parts changed, and a checksum that says it was never otherwise. */
+function forged(original, changes) {
+  const bytes = original.slice(), view = new DataView(bytes.buffer), slots = view.getUint32(12, true);
+  for (const { at, from, word, kind } of changes) {
+    if (kind === "byte") bytes[at % (bytes.length - 8)] = word;
+    else if (kind === "word") view.setInt32(4 * (at % (bytes.length / 4 - 2)), word, true);
+    else if (kind === "number") {
+      view.setFloat64(32 + 8 * (at % (3 * slots)), view.getFloat64(32 + 8 * (from % (3 * slots)), true), true);
+    } else {
+      const one = 32 + 24 * (at % slots), other = 32 + 24 * (from % slots), site = bytes.slice(one, one + 24);
+      bytes.copyWithin(one, other, other + 24);
+      bytes.set(site, other);
     }
-    let restored;
+  }
+  return signed(bytes);
+}
+
+function restoredOrNull(bytes, options) {
+  try {
+    return Diagram.fromBytes(bytes, options);
+  } catch (error) {
+    expect(error.code).toBe("corrupt-snapshot");
+    return null;
+  }
+}
+
+/** Each call in turn; what they throw must be an ApolloniusError with one of the codes. */
+function callAll(diagram, codes) {
+  const attempt = (call) => {
     try {
-      restored = Diagram.fromBytes(signed(bytes));
+      return call();
     } catch (error) {
-      expect(error.code).toBe("corrupt-snapshot");
-      return;
+      expect([error.name, error.code]).toEqual(["ApolloniusError", expect.stringMatching(`^(${codes})$`)]);
     }
-    if (restored.validate() !== null) return restored.dispose();
-    restored.insert(1, 2, 3);
-    for (const id of restored.ids()) restored.remove(id);
-    expect(restored.size).toBe(0);
+  };
+  const ids = attempt(() => diagram.ids()) ?? [];
+  const voronoi = diagram.voronoi([-20, -20, 20, 20]);
+  for (const call of [
+    () => diagram.find(1, 2), () => diagram.findMany([3, 4, -100, 7]), () => diagram.kNearest(0, 0, 4),
+    () => diagram.within(1, 1, 5), () => diagram.vertices(), () => diagram.edges(), () => diagram.toBytes(),
+    () => diagram.validate(), () => diagram.hull(), () => diagram.render(), () => diagram.renderHull(),
+    () => voronoi.render(), () => voronoi.edgeCurves(), () => voronoi.cellAreas(), () => voronoi.toGeoJSON(),
+  ]) attempt(call);
+  for (const id of ids) {
+    attempt(() => [diagram.neighbors(id), diagram.coverOf(id), voronoi.cellRegions(id), voronoi.cellWithin(id, 3)]);
+    attempt(() => voronoi.cellMeasures(id));
+  }
+  for (const id of ids) attempt(() => diagram.update(id, id % 7, id % 3, id % 2));
+  attempt(() => diagram.insertMany([1, 2, 3, 4, 5, 0]));
+  attempt(() => diagram.updateMany(ids.slice(0, 3), [...ids.slice(0, 3)].flatMap((id) => [id, -id, 1])));
+  for (const id of ids) attempt(() => [diagram.find(id, -id), diagram.remove(id)]);
+}
+
+test("forged bytes with a right checksum are refused, or they are the diagram of their sites", () => {
+  expect(signed(recorded.slice())).toEqual(recorded);
+  fc.assert(fc.property(fc.constantFrom(...originals), changes, (original, some) => {
+    const restored = restoredOrNull(forged(original, some));
+    if (restored === null) return;
+    expect(restored.validate()).toBeNull();
+    const fresh = new Diagram([...restored.ids()].flatMap((id) => Object.values(restored.site(id)).slice(0, 3)));
+    expect(restored.visibleSize).toBe(fresh.visibleSize);
+    callAll(restored, "none");
+    restored.dispose();
+    fresh.dispose();
+  }), { numRuns: 2000 });
+});
+
+test("trusted bytes that lie do no harm to anything else", () => {
+  const other = built(), before = snapshot(other);
+  let accepted = 0;
+  fc.assert(fc.property(fc.constantFrom(...originals), changes, (original, some) => {
+    const restored = restoredOrNull(forged(original, some), { trusted: true });
+    if (restored === null) return;
+    ++accepted;
+    callAll(restored, "corrupt-snapshot|unknown-site");
     restored.dispose();
   }), { numRuns: 2000 });
+  expect(accepted).toBeGreaterThan(500);
+  expect(snapshot(other)).toBe(before);
+  expect(other.validate()).toBeNull();
+});
+
+test.each(["hang", "find_out_of_bounds", "validate_clean_find_wrong"])("tests/data/snapshots/forged_%s.bin", (name) => {
+  const bytes = new Uint8Array(readFileSync(path.join(root, `tests/data/snapshots/forged_${name}.bin`)));
+  expect(signed(bytes.slice())).toEqual(bytes);
+  corrupt(bytes);
+  callAll(Diagram.fromBytes(bytes, { trusted: true }), "corrupt-snapshot|unknown-site");
+});
+
+test("trusted bytes of one's own give the same diagram", () => {
+  const diagram = built(), bytes = diagram.toBytes();
+  for (const trusted of [true, false, undefined]) {
+    const restored = Diagram.fromBytes(bytes, { trusted });
+    expect(restored.toBytes()).toEqual(bytes);
+    expect(snapshot(restored)).toBe(snapshot(diagram));
+    expect(restored.validate()).toBeNull();
+  }
+  for (const trusted of [null, 1, "yes", {}]) {
+    expectRefusal(() => Diagram.fromBytes(bytes, { trusted }), "bad-option", "options.trusted");
+  }
 });
 
 test("a refused snapshot leaves no diagram behind", () => {

@@ -82,6 +82,7 @@ export const diagramCalls = {
       ["bad-length", () => Diagram.fromBytes([1, 2, 3]), "bytes is an array of 3, expected a Uint8Array"],
       ["bad-length", () => Diagram.fromBytes(new Uint8ClampedArray(8)), "expected a Uint8Array"],
       ["bad-option", (d) => Diagram.fromBytes(d.toBytes(), { location: "grid" }), 'options.location is the string "grid"'],
+      ["bad-option", (d) => Diagram.fromBytes(d.toBytes(), { trusted: 1 }), "options.trusted is 1, expected false or"],
     ],
   },
   insert: {

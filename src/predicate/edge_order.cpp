@@ -1,0 +1,90 @@
+// What an edge and its two faces can tell of whether they belong to a Delaunay graph. Proofs: docs/PREDICATES.md,
+// "Order along an edge".
+#include <utility>
+
+#include "predicate/direction.h"
+#include "predicate/pole.h"
+#include "predicate/predicates.h"
+#include "predicate/shadow_check.h"
+#include "predicate/stages.h"
+
+namespace apollonius {
+
+namespace {
+
+bool haveEqualWeights(const EdgeCorners& e) { return e.i->r == e.j->r && e.j->r == e.k->r && e.k->r == e.l->r; }
+
+/// Does the edge, both of whose ends are finite, have positive length? Known only if its ends are apart in doubles;
+/// negative: they come in the wrong order.
+MaybeSign turnAlong(const EdgeCorners& e, const VoronoiCircle& atK, const VoronoiCircle& atL) {
+  return turn(directionOf(atL, *e.i), directionOf(atK, *e.i));
+}
+
+/// i is the larger site, and finite as j is.
+bool isBoundedDelaunayEdge(const EdgeCorners& e) {
+  // The upper end of the bisector, at the vertex (i, j, infinity), and the lower one: is the site's shadow cut off
+  // there?
+  const auto reachesUpperEnd = [&](const Site& q) { return isVertexInConflict(e.i, e.j, nullptr, q); };
+  const auto reachesLowerEnd = [&](const Site& q) { return isVertexInConflict(e.j, e.i, nullptr, q); };
+  if (e.k == e.l) return e.k == nullptr || reachesUpperEnd(*e.k);
+  if (e.l != nullptr && isVertexInConflict(e.i, e.j, e.k, *e.l)) return false;
+  if (e.k != nullptr && isVertexInConflict(e.j, e.i, e.l, *e.k)) return false;
+  // With equal weights shadows are half a turn, which no arc cuts off at both ends.
+  if (e.k == nullptr || e.l == nullptr || haveEqualWeights(e)) return true;
+  if (reachesUpperEnd(*e.k) || reachesLowerEnd(*e.l)) return true;
+  return turnBetweenShadows(*e.i, *e.j, *e.l, *e.k) == Sign::kPositive;
+}
+
+/// The site i with infinity.
+bool isDelaunayEdgeAtInfinity(const EdgeCorners& e) {
+  return e.k == e.l || !isVertexInConflict(e.i, nullptr, e.k, *e.l);
+}
+
+}  // namespace
+
+Sign turnBetweenShadows(const Site& i, const Site& j, const Site& l, const Site& k) {
+  const MaybeSign filtered = stages::shadowTurnFilter(i, j, l, k);
+  shadowCheck(filtered, [&] { return stages::shadowTurnExact(i, j, l, k); });
+  return filtered.known ? filtered.sign : stages::shadowTurnExact(i, j, l, k);
+}
+
+bool isDelaunayEdge(EdgeCorners e, const VoronoiCircle& circleAtK, const VoronoiCircle& circleAtL) {
+  const VoronoiCircle *atK = &circleAtK, *atL = &circleAtL;
+  if (isBetterPole(e.j, e.i)) {  // the same edge seen from its other side
+    e = {e.j, e.i, e.l, e.k};
+    std::swap(atK, atL);
+  }
+  if (e.j == nullptr) {
+    // An edge of positive length is in order if the hull turns once, which is for others to find out.
+    return (e.k != e.l && turnAlong(e, *atK, *atL).known) || isDelaunayEdgeAtInfinity(e);
+  }
+  if (e.k != nullptr && e.l != nullptr && e.k != e.l) {
+    const MaybeSign order = turnAlong(e, *atK, *atL);
+    if (order.known) {
+      // (Of a right order, the other way may know a conflict that is elsewhere found to be none of a Delaunay graph.)
+      const bool isRight = order.sign == Sign::kPositive;
+      if (!isRight) shadowCheck(order, [&] { return isBoundedDelaunayEdge(e) ? Sign::kPositive : Sign::kNegative; });
+      return isRight;
+    }
+  }
+  return isBoundedDelaunayEdge(e);
+}
+
+// --- The hull --------------------------------------------------------------------------------------------------------
+
+bool pointsUp(const Site& i, const Site& j, const VoronoiCircle& plane) {
+  MaybeSign filtered;
+  if (plane.y > plane.slope) filtered = {Sign::kPositive, true};
+  if (plane.y < -plane.slope) filtered = {Sign::kNegative, true};
+  const auto exact = [&] { return stages::normalIsUpExact(i, j) ? Sign::kPositive : Sign::kNegative; };
+  shadowCheck(filtered, exact);
+  return (filtered.known ? filtered.sign : exact()) == Sign::kPositive;
+}
+
+Sign turnOfHull(const Site& i, const Site& l, const Site& k, const VoronoiCircle& atL, const VoronoiCircle& atK) {
+  const MaybeSign filtered = turn(directionOf(atL, i), directionOf(atK, i));
+  shadowCheck(filtered, [&] { return stages::spanExact(i, l, k); });
+  return filtered.known ? filtered.sign : stages::spanExact(i, l, k);
+}
+
+}  // namespace apollonius

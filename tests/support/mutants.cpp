@@ -1,0 +1,290 @@
+#include "support/mutants.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "support/canonical.h"
+#include "support/replay.h"
+#include "support/snapshots.h"
+#include "voronoi.h"
+
+namespace apollonius::test {
+
+namespace {
+
+/// The parts of a snapshot (docs/SNAPSHOTS.md), as numbers of words.
+struct Layout {
+  std::size_t slots, ids, sites, hidden, faces;
+  std::size_t numbersAt, idsAt, twinsAt, verticesAt, forestAt;
+
+  explicit Layout(const std::vector<std::uint8_t>& bytes) {
+    const auto word = [&](std::size_t k) {
+      std::uint32_t value = 0;
+      for (std::size_t byte = 4; byte-- > 0;) value = value << 8 | bytes[4 * k + byte];
+      return std::size_t{value};
+    };
+    slots = word(3), ids = word(4), sites = word(5), hidden = word(6), faces = word(7);
+    numbersAt = 8;
+    idsAt = numbersAt + 6 * slots;
+    twinsAt = idsAt + slots + (slots - sites) + (ids - sites) + 2;
+    verticesAt = twinsAt + 3 * faces;
+    forestAt = verticesAt + slots + 1;
+  }
+};
+
+std::uint32_t wordAt(const std::vector<std::uint8_t>& bytes, std::size_t k) {
+  std::uint32_t value = 0;
+  for (std::size_t byte = 4; byte-- > 0;) value = value << 8 | bytes[4 * k + byte];
+  return value;
+}
+
+void setWord(std::vector<std::uint8_t>& bytes, std::size_t k, std::uint32_t value) {
+  for (std::size_t byte = 0; byte < 4; ++byte, value >>= 8) bytes[4 * k + byte] = static_cast<std::uint8_t>(value);
+}
+
+double numberAt(const std::vector<std::uint8_t>& bytes, std::size_t k) {
+  return std::bit_cast<double>(std::uint64_t{wordAt(bytes, k + 1)} << 32 | wordAt(bytes, k));
+}
+
+void setNumber(std::vector<std::uint8_t>& bytes, std::size_t k, double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  setWord(bytes, k, static_cast<std::uint32_t>(bits));
+  setWord(bytes, k + 1, static_cast<std::uint32_t>(bits >> 32));
+}
+
+void changeNumber(std::vector<std::uint8_t>& bytes, const Layout& at, Random& random) {
+  const auto any = [&] { return at.numbersAt + 6 * random.below(at.slots) + 2 * random.below(std::size_t{3}); };
+  const std::size_t k = any(), other = any();
+  const double value = numberAt(bytes, k), another = numberAt(bytes, other);
+  switch (random.below(6u)) {
+    case 0: return setNumber(bytes, k, another);
+    case 1:
+      setNumber(bytes, k, another);
+      return setNumber(bytes, other, value);
+    case 2: return setNumber(bytes, k, value + (another - value) * random.unit());
+    case 3: return setNumber(bytes, k, value * (random.oneIn(2) ? 1 + 0x1p-40 : 1 + 0x1p-10));
+    case 4: return setNumber(bytes, k, static_cast<double>(random.integer(-10, 10)));
+    default: return setWord(bytes, k + random.below(std::size_t{2}), static_cast<std::uint32_t>(random.next()));
+  }
+}
+
+/// The site of one slot, and that of another, change places, or one becomes the other.
+void exchangeSites(std::vector<std::uint8_t>& bytes, const Layout& at, Random& random) {
+  const std::size_t a = at.numbersAt + 6 * random.below(at.slots), b = at.numbersAt + 6 * random.below(at.slots);
+  const bool isCopy = random.oneIn(3);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const std::uint32_t old = wordAt(bytes, a + k);
+    setWord(bytes, a + k, wordAt(bytes, b + k));
+    if (!isCopy) setWord(bytes, b + k, old);
+  }
+}
+
+/// Two pairs of twins are sewn another way.
+void exchangeTwins(std::vector<std::uint8_t>& bytes, const Layout& at, Random& random) {
+  const auto any = [&] { return static_cast<std::uint32_t>(random.below(3 * at.faces)); };
+  const std::uint32_t a = any(), b = any();
+  const std::uint32_t c = wordAt(bytes, at.twinsAt + a), d = wordAt(bytes, at.twinsAt + b);
+  if (c >= 3 * at.faces || d >= 3 * at.faces) return;
+  setWord(bytes, at.twinsAt + a, d), setWord(bytes, at.twinsAt + d, a);
+  setWord(bytes, at.twinsAt + b, c), setWord(bytes, at.twinsAt + c, b);
+}
+
+/// The edge of half-edge h becomes the other diagonal of its two faces, as in tests/graph: the surface is a closed
+/// one as before.
+void flipEdge(std::vector<std::uint8_t>& bytes, const Layout& at, Random& random) {
+  const auto next = [](std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; };
+  const auto twin = [&](std::uint32_t h) { return wordAt(bytes, at.twinsAt + h); };
+  const auto h = static_cast<std::uint32_t>(random.below(3 * at.faces)), t = twin(h);
+  if (t >= 3 * at.faces) return;
+  const std::uint32_t hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
+  const std::uint32_t outer[] = {twin(hn), twin(hp), twin(tn), twin(tp)};
+  for (const std::uint32_t o : outer) {
+    if (o >= 3 * at.faces || o == hn || o == hp || o == tn || o == tp) return;
+  }
+  // Who starts where, told by the half-edges of the vertices: those of the four corners get one that does.
+  const auto origin = [&](std::uint32_t g) -> std::size_t {
+    for (std::uint32_t around = g, steps = 0; steps < 3 * at.faces; ++steps) {
+      for (std::size_t v = 0; v <= at.slots; ++v) {
+        if (wordAt(bytes, at.verticesAt + v) == around) return v;
+      }
+      const std::uint32_t before = next(next(around));
+      if (twin(before) >= 3 * at.faces) break;
+      around = twin(before);
+    }
+    return at.slots + 1;
+  };
+  const std::size_t a = origin(h), b = origin(hn), c = origin(hp), d = origin(tp);
+  if (std::max({a, b, c, d}) > at.slots) return;
+  const auto sew = [&](std::uint32_t x, std::uint32_t y) {
+    setWord(bytes, at.twinsAt + x, y), setWord(bytes, at.twinsAt + y, x);
+  };
+  sew(hn, outer[3]), sew(hp, outer[0]), sew(tn, outer[1]), sew(tp, outer[2]);
+  setWord(bytes, at.verticesAt + a, tp), setWord(bytes, at.verticesAt + b, hp);
+  setWord(bytes, at.verticesAt + c, h), setWord(bytes, at.verticesAt + d, t);
+}
+
+void expect(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "%s\n", what);
+  std::abort();
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> mutant(const std::vector<std::uint8_t>& snapshot, Random& random) {
+  std::vector<std::uint8_t> bytes = snapshot;
+  const Layout at(snapshot);
+  const std::size_t words = bytes.size() / 4 - 2;
+  for (std::uint64_t changes = 1 + random.below(4u); changes > 0; --changes) {
+    const std::uint64_t kind = random.below(16u);
+    if (kind < 5 && at.slots > 0) {
+      changeNumber(bytes, at, random);
+    } else if (kind < 8 && at.slots > 0) {
+      exchangeSites(bytes, at, random);
+    } else if (kind < 12 && at.faces > 0) {
+      flipEdge(bytes, at, random);
+    } else if (kind == 12 && at.faces > 0) {
+      exchangeTwins(bytes, at, random);
+    } else if (kind == 13 && at.hidden > 0) {
+      const std::size_t k = at.forestAt + random.below(2 * at.hidden);
+      setWord(bytes, k, static_cast<std::uint32_t>(random.below(at.slots)));
+    } else if (kind == 14) {
+      const std::size_t a = random.below(words), b = random.below(words);
+      const std::uint32_t old = wordAt(bytes, a);
+      setWord(bytes, a, wordAt(bytes, b)), setWord(bytes, b, old);
+    } else {
+      const std::size_t k = 2 + random.below(words - 2);
+      setWord(bytes, k, random.oneIn(4) ? 0xFFFFFFFFu : static_cast<std::uint32_t>(random.below(words)));
+    }
+  }
+  return withChecksum(bytes);
+}
+
+std::string whatIsWrong(const Diagram& diagram, Random& random) {
+  std::string broken;
+  if (diagram.validate(broken) != Error::kNone || !broken.empty()) return "validate: " + broken;
+  const Canonical form = canonicalForm(diagram, broken);
+  if (!broken.empty()) return broken;
+  const Canonical fresh = freshBuild(form.circles, Build::kOneByOne, Location::kHierarchy, broken);
+  if (!broken.empty()) return broken;
+  if (const std::string other = difference(fresh, form); !other.empty()) return other;
+  std::vector<SiteId> ids;
+  if (diagram.ids(ids) != Error::kNone || ids.size() != form.circles.size()) return "ids";
+  Circles circles;
+  for (const SiteId id : ids) {
+    circles.emplace_back();
+    if (diagram.site(id, circles.back()) != Error::kNone) return "site";
+  }
+  for (int k = 0; k < 8 && !ids.empty(); ++k) {
+    const Circle &a = circles[random.below(circles.size())], &b = circles[random.below(circles.size())];
+    const double x = random.oneIn(2) ? a.x : a.x / 2 + b.x / 2, y = random.oneIn(2) ? b.y : a.y / 2 + b.y / 2;
+    if ((x != 0 && std::abs(x) < kSmallestMagnitude) || (y != 0 && std::abs(y) < kSmallestMagnitude)) continue;
+    SiteId found = kNoSite;
+    double distance = 0;
+    if (diagram.find(x, y, found, distance) != Error::kNone) return "find failed";
+    const auto place = std::lower_bound(ids.begin(), ids.end(), found) - ids.begin();
+    const Circle& near = circles[static_cast<std::size_t>(place)];
+    const Circle& nearest = circles[static_cast<std::size_t>(oracleNearest(circles, x, y))];
+    if (near.x != nearest.x || near.y != nearest.y || near.r != nearest.r) return "find is wrong";
+  }
+  return {};
+}
+
+bool callEverything(Diagram& diagram, std::uint64_t seed) {
+  Random random(seed);
+  bool isBroken = false;
+  const auto take = [&](Error error) {
+    if (isBroken) return expect(error != Error::kNone, "a broken diagram answers");
+    isBroken = error == Error::kCorruptSnapshot;
+  };
+  std::vector<SiteId> ids;
+  take(diagram.ids(ids));
+  Circles circles{{1, 2, 3}};
+  for (const SiteId id : ids) {
+    circles.emplace_back();
+    take(diagram.site(id, circles.back()));
+  }
+  if (isBroken) return true;
+  const auto anyId = [&] { return ids.empty() ? SiteId{0} : ids[random.below(ids.size())]; };
+  const auto any = [&]() -> const Circle& { return circles[random.below(circles.size())]; };
+  const auto between = [&](double a, double b) {
+    const double c = random.oneIn(3) ? a : a + (b - a) * random.between(-0.5, 1.5);
+    return isInRange(c) ? c : 0.0;
+  };
+  std::vector<SiteId> some;
+  VertexArrays vertices;
+  EdgeArrays edges;
+  CurveArrays curves;
+  RingArrays rings;
+  CellMeasures measures;
+  std::vector<double> areas;
+  std::vector<std::uint8_t> bytes;
+  Path path;
+  SiteId id = kNoSite;
+  double distance = 0;
+  bool flag = false;
+  std::size_t count = 0;
+  for (int step = 0; step < 60; ++step) {
+    const Circle a = any(), b = any();
+    const double x = between(a.x, b.x), y = between(a.y, b.y), r = between(a.r, b.r);
+    const Bounds extent = Voronoi::extentOf(diagram);
+    const Voronoi voronoi(diagram, random.oneIn(2) ? extent : Bounds{-100, -100, 100, 100});
+    const double tolerance = defaultTolerance(extent);
+    Voronoi::Portion portion;
+    Defect defect;
+    // Reading calls, and one that changes it after a while.
+    switch (random.below(step < 20 ? 22u : 30u)) {
+      case 0: case 1: case 2: take(diagram.find(x, y, id, distance)); break;
+      case 3: take(diagram.kNearest(x, y, 1 + random.below(std::size_t{9}), some)); break;
+      case 4: take(diagram.within(x, y, r, some)); break;
+      case 5: take(diagram.neighbors(anyId(), some)); break;
+      case 6: take(diagram.vertices(vertices)); break;
+      case 7: take(diagram.edges(edges)); break;
+      case 8: take(diagram.faces(some)); break;
+      case 9: take(diagram.coverOf(anyId(), id)); break;
+      case 10: take(diagram.validate(defect)); break;
+      case 11: take(diagram.toBytes(bytes)); break;
+      case 12: take(voronoi.edges(curves)); break;
+      case 13: take(voronoi.cell(anyId(), curves)); break;
+      case 14: take(voronoi.polygon(anyId(), tolerance, rings)); break;
+      case 15: take(voronoi.measures(anyId(), measures)); break;
+      case 16: take(voronoi.measuresWithin(anyId(), 1 + (r < 0 ? -r : r), measures)); break;
+      case 17: take(voronoi.areas(areas)); break;
+      case 18: take(voronoi.hull(some)); break;
+      case 19: take(voronoi.drawEdges(tolerance, portion, path)); break;
+      case 20: take(voronoi.drawDual(tolerance, random.oneIn(2), portion, path)); break;
+      case 21: take(voronoi.drawHull(tolerance, path)), take(voronoi.drawCell(anyId(), tolerance, path)); break;
+      case 22: case 23: case 24: take(diagram.insert(x, y, r, id)); break;
+      case 25: take(diagram.remove(anyId(), flag)); break;
+      case 26: case 27: take(diagram.update(anyId(), x, y, r)); break;
+      case 28: {
+        const std::vector<SiteId> two{anyId(), anyId()};
+        const std::vector<double> triples{x, y, r, y, x, r};
+        take(diagram.updateMany(two, triples));
+        break;
+      }
+      default: {
+        const std::vector<double> triples{x, y, r, y, x, r, a.x, b.y, r};
+        std::vector<SiteId> three(3);
+        const std::vector<SiteId> gone{anyId(), anyId()};
+        take(random.oneIn(2) ? diagram.insertMany(triples, three) : diagram.removeMany(gone, count));
+      }
+    }
+  }
+  if (!isBroken) {
+    for (const SiteId gone : ids) take(diagram.remove(gone, flag));
+  }
+  if (isBroken) {
+    diagram.clear();
+    isBroken = false;
+    take(diagram.insert(1, 2, 3, id));
+    expect(!isBroken && diagram.size() == 1, "a diagram that was cleared is as new");
+    return true;
+  }
+  return false;
+}
+
+}  // namespace apollonius::test
