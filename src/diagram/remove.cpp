@@ -168,7 +168,8 @@ void Remover::findPatch(const DelaunayGraph& diagram, VertexId v) {
     const Site& q = diagram.site(v);
     const DelaunayGraph::Located near = small_.locate(q.x, q.y, small_.anyVisible());
     if (!diagram.isProven()) {
-      diagram.demand(!covers(small_.site(near.nearest), q), "no neighbour covers a visible site");
+      const Site& nearest = small_.site(near.nearest);  // may be the same circle again, which had been hidden
+      diagram.demand(!covers(nearest, q) || covers(q, nearest), "no neighbour covers a visible site");
     }
     small_.conflicts_.find(small_, q, near.nearest, near.sector);
     patchFaces_.assign(small_.conflicts_.faces());
