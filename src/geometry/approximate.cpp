@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/turn.h"
 #include "number/fp.h"
 
 namespace apollonius {
@@ -43,13 +44,14 @@ void draw(const Conic& conic, double tolerance, Path& path, int depth) {
   draw(second, tolerance, path, depth - 1);
 }
 
-void flatten(const Conic& conic, double tolerance, Array<double>& points, int depth) {
-  if (!conic.isStraight() && depth > 0 && !(conic.sagitta() <= tolerance)) {
+void flatten(const Conic& conic, double tolerance, Array<double>& points, const Point* center, int depth) {
+  const auto turnsLeft = [&] { return center == nullptr || turnOf(*center, conic.p0, conic.p2) == Sign::kPositive; };
+  if (!conic.isStraight() && depth > 0 && !(conic.sagitta() <= tolerance && turnsLeft())) {
     Conic first, second;
     conic.halve(first, second);
     if (isSplittable(conic, first.p2)) {
-      flatten(first, tolerance, points, depth - 1);
-      flatten(second, tolerance, points, depth - 1);
+      flatten(first, tolerance, points, center, depth - 1);
+      flatten(second, tolerance, points, center, depth - 1);
       return;
     }
   }
@@ -68,8 +70,8 @@ void drawConic(const Conic& conic, double tolerance, Path& path) {
   draw(conic, std::max(tolerance, finestFor(conic)), path, kMostHalvings);
 }
 
-void flattenConic(const Conic& conic, double tolerance, Array<double>& points) {
-  flatten(conic, std::max(tolerance, finestFor(conic)), points, kMostHalvings);
+void flattenConic(const Conic& conic, double tolerance, Array<double>& points, const Point* center) {
+  flatten(conic, std::max(tolerance, finestFor(conic)), points, center, kMostHalvings);
 }
 
 }  // namespace apollonius

@@ -66,6 +66,8 @@ MaybeSign edgeWhole(const Site& i, Corner j, Corner k, Corner l, const Site& q, 
   return {edgeSign(rows, j == nullptr, probe, [&] { return spanSign(rows); }), true};
 }
 
+Sign hullTurnExact(const Site& i, const Site& l, const Site& k) { return spanSign(ExactRows(i, {nullptr, &k, &l})); }
+
 Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
   ExactRows rows(i, {j, k, l, &q});
   return edgeSign(rows, j == nullptr, probe, [&] { return spanSign(rows); });

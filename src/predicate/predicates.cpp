@@ -130,6 +130,14 @@ bool isVertexAtInfinity(const Site& i, const Site& j, const Site& k) {
   return vertexSign(*a, b, c, nullptr) == Sign::kZero;
 }
 
+bool touchesCircle(const Site& i, const Site& j, const Site& k, const Site& q) {
+  Corner a = &i, b = &j, c = &k;
+  rotateToPole(a, b, c);
+  return vertexSign(*a, b, c, &q) == Sign::kZero;
+}
+
+Sign hullTurn(const Site& i, const Site& l, const Site& k) { return stages::hullTurnExact(i, l, k); }
+
 bool touchesBetween(const Site& i, const Site& j, const Site& k) {
   // √p is the distance of two points of contact, so the outer two have the largest.
   return stages::lorentzDifference(i, j, i, k) == Sign::kPositive && stages::lorentzDifference(i, j, j, k) == Sign::kPositive;

@@ -55,6 +55,9 @@ enum class Probe : signed char { kMiddle = 1, kOpposite = -1 };
 [[nodiscard]] MaybeSign edgeWhole(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
 [[nodiscard]] Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe);
 
+/// Sign of the cross product of the outer normals of the half-planes of (l, i) and (i, k); l and k may be one site.
+[[nodiscard]] Sign hullTurnExact(const Site& i, const Site& l, const Site& k);
+
 /// How often each stage answered in this thread since the last reset (`cached`: the filter by cached circles). Vertex conflicts and
 /// distances that are settled where they arise (circleFilter, walks) are not counted.
 struct Counts {
