@@ -44,12 +44,18 @@ void draw(const Conic& conic, double tolerance, Path& path, int depth) {
   draw(second, tolerance, path, depth - 1);
 }
 
+/// Does the chord turn counter-clockwise about a center, if there is one?
+bool turnsLeft(const Conic& conic, const Point* center) {
+  return center == nullptr || turnOf(*center, conic.p0, conic.p2) == Sign::kPositive;
+}
+
 void flatten(const Conic& conic, double tolerance, Array<double>& points, const Point* center, int depth) {
-  const auto turnsLeft = [&] { return center == nullptr || turnOf(*center, conic.p0, conic.p2) == Sign::kPositive; };
-  if (!conic.isStraight() && depth > 0 && !(conic.sagitta() <= tolerance && turnsLeft())) {
+  const bool isNear = conic.isStraight() || conic.sagitta() <= tolerance;
+  if (!conic.isStraight() && depth > 0 && !(isNear && turnsLeft(conic, center))) {
     Conic first, second;
     conic.halve(first, second);
-    if (isSplittable(conic, first.p2)) {
+    // Of the halves of a curve that turns left, one chord does at least. If none does, rounding hides it, and halving on will not help.
+    if (isSplittable(conic, first.p2) && (!isNear || turnsLeft(first, center) || turnsLeft(second, center))) {
       flatten(first, tolerance, points, center, depth - 1);
       flatten(second, tolerance, points, center, depth - 1);
       return;

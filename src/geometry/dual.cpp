@@ -48,7 +48,7 @@ constexpr double kLargestWeight = powerOfTwo(48);
 DualEdge dualEdge(const DelaunayGraph& graph, HalfedgeId h) {
   const Site &i = graph.site(graph.graph().origin(h)), &j = graph.site(graph.graph().target(h));
   const Point pi{i.x, i.y}, pj{j.x, j.y};
-  const VoronoiCircle first = preciseCircleOf(graph, faceOf(graph.graph().twin(h))), second = preciseCircleOf(graph, faceOf(h));
+  const VoronoiCircle first = graph.vertex(faceOf(graph.graph().twin(h))), second = graph.vertex(faceOf(h));
   DualEdge edge;
   edge.curves[0] = Conic::segment(pi, pj);
   const Bisector bisector(i, j);
