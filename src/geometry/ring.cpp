@@ -17,12 +17,12 @@ class Ring {
     points_.push_back(p.y);
   }
 
-  /// Of what has been added after place `from`, drops the points that come before their predecessors by rounding. The first and the last stay if
-  /// the last one is fixed: a point of the border, or the ring's start.
-  void straighten(std::size_t from, bool isLastFixed) {
+  /// Of a chain of curves, which began at place `from`, drops the points that come before their predecessors by rounding. Its ends stay: points of
+  /// the border, or the ring's start.
+  void straighten(std::size_t from) {
     std::size_t kept = from;
     for (std::size_t k = from + 1; k < count(); ++k) {
-      const bool isFixed = isLastFixed && k + 1 == count();
+      const bool isFixed = k + 1 == count();
       while (isFixed && kept > from && isBefore(at(k), at(kept))) --kept;
       if (at(k) == at(kept) || (!isFixed && isBefore(at(k), at(kept)))) continue;
       put(++kept, at(k));
@@ -33,11 +33,13 @@ class Ring {
   [[nodiscard]] std::size_t count() const { return (points_.size() - begin_) / 2; }
   [[nodiscard]] Point at(std::size_t k) const { return {points_[begin_ + 2 * k], points_[begin_ + 2 * k + 1]}; }
 
-  /// Removes the ring if its area is not positive.
-  void finish() {
+  /// Removes the ring if its area is not positive: it has less than three different points, or is in the wrong order.
+  bool finish() {
     double area = 0;
     for (std::size_t k = 1; k + 1 < count(); ++k) area += cross(at(k) - at(0), at(k + 1) - at(0));
-    if (!(area > 0)) points_.resize(begin_);
+    if (area > 0) return true;
+    points_.resize(begin_);
+    return false;
   }
 
  private:
@@ -59,14 +61,24 @@ class Ring {
 
 }  // namespace
 
-void appendRing(std::span<const BoundaryPiece> region, Point center, double tolerance, Array<double>& points) {
+namespace {
+
+/// Does a piece of the border run clockwise, because rounding has exchanged two contacts (border.h)? Then it counts as a curve.
+bool runsBackwards(const Window& window, const Conic& piece) {
+  const Point a = piece.p0, b = piece.p2;
+  return (a.y == window.ymin && b.y == window.ymin && b.x < a.x) || (a.x == window.xmax && b.x == window.xmax && b.y < a.y) ||
+         (a.y == window.ymax && b.y == window.ymax && b.x > a.x) || (a.x == window.xmin && b.x == window.xmin && b.y > a.y);
+}
+
+/// One try; false, with nothing appended, if it is no ring.
+bool tryRing(std::span<const BoundaryPiece> region, Point center, const Window& window, double tolerance, Array<double>& points) {
   Ring ring(center, points);
   ring.add(region.front().curve.p0);
   std::size_t from = 0;  // the start of a chain of curves
   bool isOnCurve = false;
   for (const BoundaryPiece& piece : region) {
-    if (piece.neighbor == kNoSite) {
-      if (isOnCurve) ring.straighten(from, true);
+    if (piece.neighbor == kNoSite && !runsBackwards(window, piece.curve)) {
+      if (isOnCurve) ring.straighten(from);
       isOnCurve = false;
       ring.add(piece.curve.p2);
       continue;
@@ -75,8 +87,19 @@ void appendRing(std::span<const BoundaryPiece> region, Point center, double tole
     isOnCurve = true;
     flattenConic(piece.curve, tolerance, points, &center);
   }
-  if (isOnCurve) ring.straighten(from, true);
-  ring.finish();
+  if (isOnCurve) ring.straighten(from);
+  return ring.finish();
+}
+
+/// Finer than this share of the tolerance is not tried.
+constexpr double kFinestShare = powerOfTwo(-42);
+
+}  // namespace
+
+void appendRing(std::span<const BoundaryPiece> region, Point center, const Window& window, double tolerance, Array<double>& points) {
+  // Where a region is thinner than the tolerance, between a curve and the border, say, nothing may be left of it: then finer.
+  for (double share = 1; share >= kFinestShare && !tryRing(region, center, window, share * tolerance, points); share *= powerOfTwo(-6)) {
+  }
 }
 
 }  // namespace apollonius

@@ -16,6 +16,7 @@ namespace apollonius {
 
 /// Appends the points of a region of the cell about `center`, the first one again at the end; at least three different ones. If there are none, because the
 /// region is as small as the distance of doubles, nothing is appended.
-void appendRing(std::span<const BoundaryPiece> region, Point center, double tolerance, Array<double>& points);
+void appendRing(std::span<const BoundaryPiece> region, Point center, const Window& window, double tolerance,
+                Array<double>& points);
 
 }  // namespace apollonius

@@ -3,11 +3,13 @@
 
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "geometry/shapes.h"
 #include "geometry/turn.h"
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/operations.h"
 
 namespace apollonius::test {
 namespace {
@@ -53,7 +55,12 @@ int checkRings(const Circles& circles, const Bounds& bounds, double tolerance) {
       EXPECT_GE(ring.size(), 4u) << "site " << id;
       EXPECT_GE(different.size(), 3u) << "site " << id;
       EXPECT_TRUE(ring.front() == ring.back()) << "site " << id;
-      EXPECT_FALSE(crossesItself(ring)) << "site " << id << " region " << r;
+      if (crossesItself(ring)) {
+        std::ostringstream text;
+        text.precision(17);
+        for (const Point p : ring) text << p.x << " " << p.y << "\n";
+        ADD_FAILURE() << "site " << id << " region " << r << " of " << toText(insertAll(circles)) << "crosses itself:\n" << text.str();
+      }
       ++count;
     }
   }
@@ -64,12 +71,12 @@ class RingsOn : public ::testing::TestWithParam<NamedGenerator> {};
 
 TEST_P(RingsOn, DoNotCrossThemselves) {
   Random random(601);
-  for (int run = 0; run < runs(20); ++run) {
-    const Circles circles = GetParam().make(random, GetParam().large ? 8 + 4 * static_cast<std::size_t>(run) : 4 + static_cast<std::size_t>(run % 6));
+  for (int run = 0; run < runs(6); ++run) {
+    const Circles circles = GetParam().make(random, GetParam().large ? 8 + 8 * static_cast<std::size_t>(run) : 4 + static_cast<std::size_t>(run % 6));
     for (const double share : {0.0, -0.3, 0.4, 30.0}) {
       Bounds bounds;
       if (!windowAround(circles, share, bounds)) continue;
-      for (const double tolerance : {1e-5, 1e-3, 0.1}) {
+      for (const double tolerance : {1e-4, 0.1}) {
         checkRings(circles, bounds, tolerance * (bounds.xmax - bounds.xmin));
         if (HasFailure()) FAIL() << "run " << run << " share " << share << " tolerance " << tolerance;
       }
