@@ -7,6 +7,7 @@
 #include "geometry/shapes.h"
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/operations.h"
 
 namespace apollonius::test {
 namespace {
@@ -153,6 +154,92 @@ TEST_P(DualOn, HullHoldsAllCirclesAndTouchesIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, DualOn, ::testing::ValuesIn(corpus()), [](const auto& parameter) { return parameter.param.name; });
+
+/// Decimal fractions: triples in line and quadruples on a circle up to rounding, so that Voronoi circles are far larger than everything else, or
+/// nearly the same.
+Circles decimalSet(Random& random, int kind) {
+  Circles circles;
+  const double step = kind == 3 ? 8.53e-9 : 0.1;
+  const std::size_t n = 4 + random.below(std::size_t{17});
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto i = static_cast<double>(random.integer(0, 9)), j = static_cast<double>(random.integer(0, 9));
+    const double r = kind == 1 && random.oneIn(3) ? step * static_cast<double>(random.integer(0, 3)) : 0;
+    circles.push_back(kind == 2 ? Circle{0.1 * i, 0.3 * i + (random.oneIn(4) ? 0.1 * j : 0), r} : Circle{step * i, step * j, r});
+  }
+  return circles;
+}
+
+Path drawnDual(const Circles& circles, const Bounds& bounds, double tolerance) {
+  Diagram diagram;
+  insertInto(diagram, circles);
+  Path path;
+  Voronoi::Portion portion;
+  EXPECT_EQ(Voronoi(diagram, bounds).drawDual(tolerance, true, portion, path), Error::kNone);
+  return path;
+}
+
+TEST(Dual, EdgesOfDecimalSetsDoNotCross) {
+  Random random(534);
+  for (int run = 0; run < runs(600); ++run) {
+    const Circles circles = decimalSet(random, run % 4);
+    Bounds bounds;
+    if (!windowAround(circles, 0.2, bounds)) continue;
+    const double size = bounds.xmax - bounds.xmin;
+    ASSERT_EQ(crossings(segmentsOf(drawnDual(circles, bounds, size * 1e-7)), size * 2e-4), 0u) << "run " << run << "\n" << toText(insertAll(circles));
+  }
+  const Circles flat{{.8, .5, 0}, {.9, .30000000000000004, 0}, {.6000000000000001, .9, 0}, {.3, .3, 0}};
+  EXPECT_EQ(crossings(segmentsOf(drawnDual(flat, {0, 0, 1, 1}, 1e-7)), 2e-4), 0u);
+}
+
+TEST(Dual, EdgesAreWhereTwoVoronoiCirclesAreNearest) {
+  // Appendix A by its definition: the embedding is the Voronoi diagram of the Voronoi circles. (Edges with an end at infinity have a half-plane
+  // for one of their circles; those between two sites of the hull are left out.)
+  Random random(535);
+  int checked = 0;
+  for (int run = 0; run < runs(120); ++run) {
+    const Circles circles = run % 5 == 4 ? randomCircles(random, 30, Hidden::k20Percent) : decimalSet(random, run % 5);
+    Bounds bounds;
+    if (!windowAround(circles, 0.2, bounds)) continue;
+    const double size = bounds.xmax - bounds.xmin, tolerance = 1e-9 * size;
+    Diagram diagram;
+    insertInto(diagram, circles);
+    VertexArrays vertices;
+    std::vector<SiteId> hull;
+    ASSERT_EQ(diagram.vertices(vertices), Error::kNone);
+    ASSERT_EQ(Voronoi(diagram).hull(hull), Error::kNone);
+    const auto isOnHull = [&](double x, double y) {
+      return std::any_of(hull.begin(), hull.end(), [&](SiteId id) { return circles[id].x == x && circles[id].y == y; });
+    };
+    const std::vector<Segment> segments = segmentsOf(drawnDual(circles, bounds, tolerance));
+    for (std::size_t first = 0, end = 0; first < segments.size(); first = end) {
+      while (end < segments.size() && segments[end].edge == segments[first].edge) ++end;
+      if (isOnHull(segments[first].ax, segments[first].ay) && isOnHull(segments[end - 1].bx, segments[end - 1].by)) continue;
+      if (end - first == 1 && isOnHull(segments[first].ax, segments[first].ay)) continue;  // a ray, perhaps
+      for (std::size_t k = first; k + 1 < end; ++k) {
+        const double x = segments[k].bx, y = segments[k].by;
+        double nearest = 1e300, second = 1e300;
+        for (std::size_t v = 0; v < vertices.clearance.size(); ++v) {
+          const double far = vertices.clearance[v], dx = vertices.coordinates[2 * v] - x, dy = vertices.coordinates[2 * v + 1] - y;
+          if (!(far < 1e6 * size)) continue;  // such a distance has no digits left
+          const double distance = std::hypot(dx, dy) - far;
+          second = std::min(second, std::max(nearest, distance));
+          nearest = std::min(nearest, distance);
+        }
+        ASSERT_LE(std::abs(second - nearest), 1e-7 * size) << "run " << run << " at " << x << " " << y << "\n" << toText(insertAll(circles));
+        ++checked;
+      }
+    }
+  }
+  EXPECT_GT(checked, runs(1000));
+}
+
+TEST(Dual, TheRayOfALargeCircleLeavesOnItsFarSide) {
+  // A point just outside the rim: nearly all directions are the large circle's, and the middle of them is opposite to the point.
+  const Path path = drawnDual({{0, 0, .5}, {.3, .4, 0}}, {-5, -5, 5, 5}, 1e-3);
+  bool isFound = false;
+  for (std::size_t k = 0; k + 1 < path.coordinates.size(); k += 2) isFound |= path.coordinates[k + 1] == -5 && std::abs(path.coordinates[k] + 3.75) < 1e-9;
+  EXPECT_TRUE(isFound);
+}
 
 TEST(Hull, OneSiteAndNone) {
   Diagram diagram;
