@@ -144,7 +144,8 @@ Error Voronoi::polygon(SiteId id, double tolerance, RingArrays& rings) const {
       const std::uint32_t first = cell.starts[region], count = cell.starts[region + 1] - first;
       const std::size_t size = rings.coordinates.size();
       appendRing(std::span(cell.pieces).subspan(first, count), {site.x, site.y}, window, allowed, rings.coordinates);
-      if (rings.coordinates.size() > size) rings.starts.push_back(static_cast<std::uint32_t>(rings.coordinates.size() / 2));
+      if (rings.coordinates.size() == size) continue;
+      rings.starts.push_back(static_cast<std::uint32_t>(rings.coordinates.size() / 2));
     }
   });
 }

@@ -1,9 +1,11 @@
-// Voronoi vertices for output. Their last bits must not depend on the history, as those of cached circles do; nor, where more than three sites touch
-// one circle, on which of its faces is asked: the edges between those have length zero, and a boundary through them must not wander.
+// Voronoi vertices for output. Their last bits must not depend on the history, as those of cached circles do;
+// nor, where more than three sites touch one circle, on which of its faces is asked: the edges between those
+// have length zero, and a boundary through them must not wander.
 //
-// All faces of such a vertex have the largest z of the touching sites for a corner: perturbed as in docs/PREDICATES.md ("Degenerate position"),
-// z takes the vertex for its own cell, and each of the others becomes its neighbour. So they are consecutive around z, which is the pole of
-// each, and whether a face has company is seen at two of its edges.
+// All faces of such a vertex have the largest z of the touching sites for a corner: perturbed as in
+// docs/PREDICATES.md ("Degenerate position"), z takes the vertex for its own cell, and each of the others
+// becomes its neighbour. So they are consecutive around z, which is the pole of each, and whether a face has
+// company is seen at two of its edges.
 #include "diagram/delaunay_graph.h"
 #include "predicate/pole.h"
 
@@ -16,7 +18,8 @@ bool DelaunayGraph::isSameVertex(HalfedgeId h) const {
   if (beyond == kInfinity) return false;
   const VoronoiCircle &a = circle(f), &b = circle(g);
   if (b.isHalfPlane()) return false;
-  // Nearly all are certainly different: each number is off by its circle's error at most. (Errors that are not known are infinite.)
+  // Nearly all are certainly different: each number is off by its circle's error at most. (Errors that are
+  // not known are infinite.)
   const double error = (static_cast<double>(a.error) + static_cast<double>(b.error)) * (1 + powerOfTwo(-20));
   if (absolute(a.x - b.x) > error || absolute(a.y - b.y) > error || absolute(a.s - b.s) > error) return false;
   const EdgeCorners e = edge(h);

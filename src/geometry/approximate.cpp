@@ -54,7 +54,8 @@ void flatten(const Conic& conic, double tolerance, Array<double>& points, const 
   if (!conic.isStraight() && depth > 0 && !(isNear && turnsLeft(conic, center))) {
     Conic first, second;
     conic.halve(first, second);
-    // Of the halves of a curve that turns left, one chord does at least. If none does, rounding hides it, and halving on will not help.
+    // Of the halves of a curve that turns left, one chord does at least. If none does, rounding hides it, and
+    // halving on will not help.
     if (isSplittable(conic, first.p2) && (!isNear || turnsLeft(first, center) || turnsLeft(second, center))) {
       flatten(first, tolerance, points, center, depth - 1);
       flatten(second, tolerance, points, center, depth - 1);

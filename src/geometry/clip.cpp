@@ -68,8 +68,8 @@ class Crossings {
     crossings_[k] = c;
   }
 
-  /// Nothing is beyond the lines of two opposite sides at once. Where the window is so thin that rounding has the edge go beyond the one before it
-  /// comes back from the other, it comes back at that place, too.
+  /// Nothing is beyond the lines of two opposite sides at once. Where the window is so thin that rounding has
+  /// the edge go beyond the one before it comes back from the other, it comes back at that place, too.
   void separate(int side, bool isBeyond, bool isBeyondOpposite) {
     int beyond = isBeyond ? side : isBeyondOpposite ? side + 2 : -1;
     for (std::size_t k = 0; k < count_; ++k) {

@@ -16,9 +16,10 @@ Point unit(Point p) {
   return {p.x / size, p.y / size};
 }
 
-/// A Voronoi vertex as its edge's pole sees it, with the pole at the origin and the other site at (D, 0). The distance of the vertex is
-/// rho and 1/(2 rho) = (D cosine + r) / p (docs/PREDICATES.md, "The pole picture"), r <= 0 being the other weight less the pole's: so
-/// D cosine is a sum of positive terms, which is good however far away the vertex is, and at infinity (rho infinite, a half-plane).
+/// A Voronoi vertex as its edge's pole sees it, with the pole at the origin and the other site at (D, 0). The
+/// distance of the vertex is rho and 1/(2 rho) = (D cosine + r) / p (docs/PREDICATES.md, "The pole picture"),
+/// r <= 0 being the other weight less the pole's: so D cosine is a sum of positive terms, which is good
+/// however far away the vertex is, and at infinity (rho infinite, a half-plane).
 struct SeenVertex {
   double inverse;  ///< p / (2 rho)
   double cosine, sine;
@@ -31,7 +32,8 @@ SeenVertex seen(const Bisector& bisector, const VoronoiCircle& circle, double po
   if (!circle.isHalfPlane()) vertex.inverse = p / (2 * (circle.s + poleWeight));
   vertex.cosine = std::min((vertex.inverse + 2 * bisector.transverse()) / d, 1.0);
   const double size = length(way), side = cross(bisector.axis(), way) / size;
-  // Near the axis the sine is what is small and good, elsewhere the cosine, which is all there is if the vertex is too far for doubles.
+  // Near the axis the sine is what is small and good, elsewhere the cosine, which is all there is if the
+  // vertex is too far for doubles.
   const bool isOnLeft = side >= 0 || (!(side < 0) && isLeft);
   const double sine = std::sqrt((1 - vertex.cosine) * (1 + vertex.cosine));
   vertex.sine = absolute(side) < 0.5 ? side : isOnLeft ? sine : -sine;

@@ -47,7 +47,8 @@ HullTurn hullTurnOf(const DelaunayGraph& base, HalfedgeId h) {
   const double sine = cross(from, to);
   const double error = 2 * (static_cast<double>(right.slope) + static_cast<double>(left.slope)) + 4 * kUnitRoundoff;
   if (absolute(sine) > error) return {from, to, signOf(sine)};
-  return {from, to, hullTurn(base.site(graph.origin(h)), base.site(graph.apex(graph.twin(h))), base.site(graph.apex(h)))};
+  const Site &before = base.site(graph.apex(graph.twin(h))), &after = base.site(graph.apex(h));
+  return {from, to, hullTurn(base.site(graph.origin(h)), before, after)};
 }
 
 void hullSites(const DiagramCore& core, Array<SiteId>& sites) {

@@ -15,9 +15,10 @@ void hullSites(const DiagramCore& core, Array<SiteId>& sites);
 /// The hull as one closed figure. A radius below 0 shrinks the hull of the centres' other circles: meaningful up to a common offset.
 void drawHull(const DiagramCore& core, double tolerance, Path& path);
 
-/// The directions in which the cell of a site of the hull is unbounded, counter-clockwise between two unit vectors. Less than half a turn
-/// if `sign` is positive, more if it is negative, as a large site has between two that hardly stick out of it; if it is zero, none at all
-/// or half a turn. The sign is exact, since "none" and "all" cannot be told apart by two rounded vectors.
+/// The directions in which the cell of a site of the hull is unbounded, counter-clockwise between two unit
+/// vectors. Less than half a turn if `sign` is positive, more if it is negative, as a large site has between
+/// two that hardly stick out of it; if it is zero, none at all or half a turn. The sign is exact, since
+/// "none" and "all" cannot be told apart by two rounded vectors.
 struct HullTurn {
   Point from, to;
   Sign sign;

@@ -17,8 +17,8 @@ class Ring {
     points_.push_back(p.y);
   }
 
-  /// Of a chain of curves, which began at place `from`, drops the points that come before their predecessors by rounding. Its ends stay: points of
-  /// the border, or the ring's start.
+  /// Of a chain of curves, which began at place `from`, drops the points that come before their predecessors
+  /// by rounding. Its ends stay: points of the border, or the ring's start.
   void straighten(std::size_t from) {
     std::size_t kept = from;
     for (std::size_t k = from + 1; k < count(); ++k) {
@@ -63,15 +63,18 @@ class Ring {
 
 namespace {
 
-/// Does a piece of the border run clockwise, because rounding has exchanged two contacts (border.h)? Then it counts as a curve.
+/// Does a piece of the border run clockwise, because rounding has exchanged two contacts (border.h)? Then it
+/// counts as a curve.
 bool runsBackwards(const Window& window, const Conic& piece) {
   const Point a = piece.p0, b = piece.p2;
-  return (a.y == window.ymin && b.y == window.ymin && b.x < a.x) || (a.x == window.xmax && b.x == window.xmax && b.y < a.y) ||
-         (a.y == window.ymax && b.y == window.ymax && b.x > a.x) || (a.x == window.xmin && b.x == window.xmin && b.y > a.y);
+  const auto areOn = [](double side, double p, double q) { return p == side && q == side; };
+  return (areOn(window.ymin, a.y, b.y) && b.x < a.x) || (areOn(window.xmax, a.x, b.x) && b.y < a.y) ||
+         (areOn(window.ymax, a.y, b.y) && b.x > a.x) || (areOn(window.xmin, a.x, b.x) && b.y > a.y);
 }
 
 /// One try; false, with nothing appended, if it is no ring.
-bool tryRing(std::span<const BoundaryPiece> region, Point center, const Window& window, double tolerance, Array<double>& points) {
+bool tryRing(std::span<const BoundaryPiece> region, Point center, const Window& window, double tolerance,
+             Array<double>& points) {
   Ring ring(center, points);
   ring.add(region.front().curve.p0);
   std::size_t from = 0;  // the start of a chain of curves
@@ -96,9 +99,12 @@ constexpr double kFinestShare = powerOfTwo(-42);
 
 }  // namespace
 
-void appendRing(std::span<const BoundaryPiece> region, Point center, const Window& window, double tolerance, Array<double>& points) {
-  // Where a region is thinner than the tolerance, between a curve and the border, say, nothing may be left of it: then finer.
-  for (double share = 1; share >= kFinestShare && !tryRing(region, center, window, share * tolerance, points); share *= powerOfTwo(-6)) {
+void appendRing(std::span<const BoundaryPiece> region, Point center, const Window& window, double tolerance,
+                Array<double>& points) {
+  // Where a region is thinner than the tolerance, between a curve and the border, say, nothing may be left of
+  // it: then finer.
+  for (double share = 1; share >= kFinestShare; share *= powerOfTwo(-6)) {
+    if (tryRing(region, center, window, share * tolerance, points)) return;
   }
 }
 

@@ -8,8 +8,8 @@ namespace apollonius {
 
 namespace {
 
-/// A part of an edge within the radius, the directions from the centre in which it starts and ends, and one between them from which both
-/// are less than half a turn away.
+/// A part of an edge within the radius, the directions from the centre in which it starts and ends, and one
+/// between them from which both are less than half a turn away.
 struct Sector {
   BoundaryPiece piece;
   Point from, between, to;
@@ -50,7 +50,8 @@ void findSectors(const DiagramCore& core, Slot site, double radius, FlatArray<Se
     const bool isPole = startsAtPole(base, h);
     const Edge edge(base, isPole ? h : graph.twin(h));
     const Bisector& bisector = edge.bisector;
-    const double largest = (isPole ? radius - bisector.transverse() : radius + bisector.transverse()) / (bisector.distance() / 2);
+    const double a = isPole ? -bisector.transverse() : bisector.transverse();
+    const double largest = (radius + a) / (bisector.distance() / 2);
     if (!(largest > 1)) return;
     const double e = largest + std::sqrt((largest - 1) * (largest + 1));
     const bool isFromCut = !(edge.e0 > 1 / e), isToCut = !(edge.e1 < e);
@@ -62,10 +63,11 @@ void findSectors(const DiagramCore& core, Slot site, double radius, FlatArray<Se
     // Seen from either site, a bisector turns by less than half a turn on each side of the axis.
     const Point between = bisector.at(std::clamp(1.0, e0, e1));
     const SiteId neighbor = core.siteOf(graph.target(h));
+    const Point start = unit(from - center), middle = unit(between - center), end = unit(to - center);
     if (isPole) {
-      sectors.push_back({{curve, neighbor}, unit(from - center), unit(between - center), unit(to - center), isFromCut, isToCut});
+      sectors.push_back({{curve, neighbor}, start, middle, end, isFromCut, isToCut});
     } else {
-      sectors.push_back({{curve.reversed(), neighbor}, unit(to - center), unit(between - center), unit(from - center), isToCut, isFromCut});
+      sectors.push_back({{curve.reversed(), neighbor}, end, middle, start, isToCut, isFromCut});
     }
   };
   do {
@@ -84,9 +86,11 @@ void cellWithin(const DiagramCore& core, Slot site, double radius, FlatArray<Bou
   findSectors(core, site, radius, sectors);
   if (sectors.empty()) return addArc(center, radius, {1, 0}, {1, 0}, boundary);
 
-  // All sectors and the arcs between them are one turn. So an arc between equal directions is none, unless nothing else turns: then one of
-  // them is all of it.
-  const auto hasArc = [&](std::size_t k) { return sectors[k].endsOnCircle || sectors[(k + 1) % sectors.size()].startsOnCircle; };
+  // All sectors and the arcs between them are one turn. So an arc between equal directions is none, unless
+  // nothing else turns: then one of them is all of it.
+  const auto hasArc = [&](std::size_t k) {
+    return sectors[k].endsOnCircle || sectors[(k + 1) % sectors.size()].startsOnCircle;
+  };
   bool isTurnFound = false;
   for (std::size_t k = 0; k < sectors.size() && !isTurnFound; ++k) {
     const Sector& sector = sectors[k];

@@ -52,15 +52,17 @@ double halfQuotient(const Rounded& a, const Rounded& b, const Rounded& c) {
   return scaled(a.mantissa / c.mantissa * b.mantissa, a.exponent + b.exponent - c.exponent - 1);
 }
 
-/// The circle of three sites of equal weights whose coordinates are multiples of one unit, no further apart than 2^17 of them. Then nothing is
-/// rounded but the centre's offset from the pole, a quotient of two integers, and what is computed from that: on grids, centres are right
-/// where doubles can hold them, and all faces with this pole and this centre get the same bits. The pole comes first.
+/// The circle of three sites of equal weights whose coordinates are multiples of one unit, no further apart
+/// than 2^17 of them. Then nothing is rounded but the centre's offset from the pole, a quotient of two
+/// integers, and what is computed from that: on grids, centres are right where doubles can hold them, and all
+/// faces with this pole and this centre get the same bits. The pole comes first.
 bool circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& circle) {
   if (i.r != j.r || i.r != k.r) return false;
   const double jx = j.x - i.x, jy = j.y - i.y, kx = k.x - i.x, ky = k.y - i.y;
   const double largest = std::max({absolute(jx), absolute(jy), absolute(kx), absolute(ky)});
   if (!(largest > powerOfTwo(-200) && largest < powerOfTwo(200))) return false;
-  // Multiples of 2^(e-16), as in vertexOfPoints (stages.cpp). Differences are below 2^17 units, p below 2^35 and products below 2^52.
+  // Multiples of 2^(e-16), as in vertexOfPoints (stages.cpp). Differences are below 2^17 units, p below 2^35
+  // and products below 2^52.
   const double shift = 1.5 * powerOfTwo(exponentOf(largest) - 16 + 53);
   for (const Site* s : {&i, &j, &k}) {
     if ((s->x + shift) - shift != s->x || (s->y + shift) - shift != s->y) return false;
@@ -78,8 +80,8 @@ bool circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& ci
   return true;
 }
 
-/// A face in long numbers. Its vertex is at (x, y) from the pole, which is rho away, with 2c x = p a, 2c y = p b, 2c rho = p n, c > 0, and each of
-/// a, b, c of the form first + second √d (as in voronoiCircle()).
+/// A face in long numbers. Its vertex is at (x, y) from the pole, which is rho away, with 2c x = p a, 2c y =
+/// p b, 2c rho = p n, c > 0, and each of a, b, c of the form first + second √d (as in voronoiCircle()).
 struct LongFace {
   struct Number {
     Dyadic first, second;
@@ -111,7 +113,9 @@ double correctQuotient(const LongFace& face, const LongFace::Number& number, dou
   const LongFace::Number c{face.c.first + face.c.first, face.c.second + face.c.second};
   const Rounded under = withRoot(c.first, c.second, face.d);
   // number - 2c t, of which the signs are exact.
-  const auto restAt = [&](const Dyadic& t) { return LongFace::Number{number.first - c.first * t, number.second - c.second * t}; };
+  const auto restAt = [&](const Dyadic& t) {
+    return LongFace::Number{number.first - c.first * t, number.second - c.second * t};
+  };
   if (signOfRoot(number.first, number.second, face.d) == Sign::kZero) return 0;
   double t = estimate, previous = t, step = 0;
   for (int round = 0; round < 16; ++round) {
@@ -122,7 +126,8 @@ double correctQuotient(const LongFace& face, const LongFace::Number& number, dou
     t = previous + step;
     if (absolute(step) <= powerOfTwo(-30) * absolute(t)) break;
   }
-  // The step is good to 2^-49 of itself, a 2^-79th of t. So t is right unless the sum was as near to the middle of two doubles as that.
+  // The step is good to 2^-49 of itself, a 2^-79th of t. So t is right unless the sum was as near to the
+  // middle of two doubles as that.
   const double back = t - previous, lost = (previous - (t - back)) + (step - back);
   const double next = neighborOf(t, lost > 0);
   if (lost == 0 || absolute(absolute(lost) - absolute(next - t) / 2) > powerOfTwo(-20) * absolute(next - t)) return t;
@@ -132,7 +137,8 @@ double correctQuotient(const LongFace& face, const LongFace::Number& number, dou
   return (beyond == Sign::kPositive) == (next > t) ? next : t;
 }
 
-/// Are the numbers short enough for the exact stage of a quotient: forms of degree 16, 2 of them in a double of any size?
+/// Are the numbers short enough for the exact stage of a quotient: forms of degree 16, 2 of them in a double
+/// of any size?
 bool haveFewDigits(std::initializer_list<const Site*> sites) {
   Range range;
   for (const Site* s : sites) range.include(*s);
@@ -173,9 +179,12 @@ VoronoiCircle commonVoronoiCircle(const Site& first, const Site& second, const S
   VoronoiCircle circle = preciseVoronoiCircle(i, j, k);
   const double rho = circle.s + i->r;
   VoronoiCircle onGrid;
-  if (circleOnGrid(*i, *j, *k, onGrid) || !haveFewDigits({i, j, k}) || !(absolute(circle.x) + absolute(circle.y) + rho < kInfinite)) return circle;
+  const bool isFinite = absolute(circle.x) + absolute(circle.y) + rho < kInfinite;
+  if (!isFinite || circleOnGrid(*i, *j, *k, onGrid) || !haveFewDigits({i, j, k})) return circle;
   const LongFace face(*i, *j, *k);
-  const auto timesP = [&](const LongFace::Number& number) { return LongFace::Number{number.first * face.row.p, number.second * face.row.p}; };
+  const auto timesP = [&](const LongFace::Number& number) {
+    return LongFace::Number{number.first * face.row.p, number.second * face.row.p};
+  };
   circle.x = i->x + correctQuotient(face, timesP(face.a), circle.x - i->x);
   circle.y = i->y + correctQuotient(face, timesP(face.b), circle.y - i->y);
   circle.s = correctQuotient(face, timesP({face.n, Dyadic(0)}), rho) - i->r;

@@ -41,12 +41,14 @@ namespace apollonius {
 /// On the common tangent line of such a face: does k touch it between i and j? Degree 2.
 [[nodiscard]] bool touchesBetween(const Site& i, const Site& j, const Site& k);
 
-/// A site i of the hull between its neighbours there, l before and k after it, counter-clockwise (they may be one site): how far does the
-/// outer normal turn, from the common tangent of l and i to that of i and k? Positive: less than half a turn; negative: more; zero:
-/// not at all, or exactly half a turn. Exact; for who cannot tell by the normals in doubles. Degree 16.
+/// A site i of the hull between its neighbours there, l before and k after it, counter-clockwise (they may be
+/// one site): how far does the outer normal turn, from the common tangent of l and i to that of i and k?
+/// Positive: less than half a turn; negative: more; zero: not at all, or exactly half a turn. Exact; for who
+/// cannot tell by the normals in doubles. Degree 16.
 [[nodiscard]] Sign hullTurn(const Site& i, const Site& l, const Site& k);
 
-/// Does q touch the Voronoi circle of the face (i, j, k), so that their vertices are one point? REQUIRES: as isVertexInConflict, i, j, k finite.
+/// Does q touch the Voronoi circle of the face (i, j, k), so that their vertices are one point? REQUIRES: as
+/// isVertexInConflict, i, j, k finite.
 [[nodiscard]] bool touchesCircle(const Site& i, const Site& j, const Site& k, const Site& q);
 
 /// A Voronoi edge: the part of the bisector of i and j from its vertex (j, i, l) to its vertex (i, j, k), with i on its left.

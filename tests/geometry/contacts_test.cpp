@@ -1,5 +1,6 @@
-// Circles that touch, or miss it by a rounding: what the hull, the disk about a site and the areas make of them. Independent of the curves: hulls of
-// sampled circles, points whose nearest site is found by comparing all.
+// Circles that touch, or miss it by a rounding: what the hull, the disk about a site and the areas make of
+// them. Independent of the curves: hulls of sampled circles, points whose nearest site is found by comparing
+// all.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,8 +15,8 @@ namespace {
 
 const double kPi = std::acos(-1.0);
 
-/// Circles with decimal fractions for numbers; some touch others from outside, some from inside, some are points on a rim, in a direction of
-/// small integers: up to rounding, to either side.
+/// Circles with decimal fractions for numbers; some touch others from outside, some from inside, some are
+/// points on a rim, in a direction of small integers: up to rounding, to either side.
 Circles decimalContacts(Random& random, std::size_t n) {
   const double unit = random.oneIn(2) ? 0.1 : 0.01;
   const auto decimal = [&](int low, int high) { return unit * static_cast<double>(random.integer(low, high)); };
@@ -41,7 +42,10 @@ void sampledHull(const Circles& circles, double& area, double& perimeter) {
   constexpr int kSamples = 4096;
   std::vector<std::pair<double, double>> points;
   for (const Circle& c : circles) {
-    for (int k = 0; k < kSamples; ++k) points.emplace_back(c.x + c.r * std::cos(2 * kPi * k / kSamples), c.y + c.r * std::sin(2 * kPi * k / kSamples));
+    for (int k = 0; k < kSamples; ++k) {
+      const double angle = 2 * kPi * k / kSamples;
+      points.emplace_back(c.x + c.r * std::cos(angle), c.y + c.r * std::sin(angle));
+    }
   }
   std::sort(points.begin(), points.end());
   std::vector<std::pair<double, double>> hull;
@@ -114,7 +118,9 @@ void checkHull(const Circles& circles) {
 
 TEST(Contacts, HullsAreThoseOfSampledCircles) {
   Random random(611);
-  for (int run = 0; run < runs(250) && !HasFailure(); ++run) checkHull(decimalContacts(random, 2 + random.below(std::size_t{5})));
+  for (int run = 0; run < runs(250) && !HasFailure(); ++run) {
+    checkHull(decimalContacts(random, 2 + random.below(std::size_t{5})));
+  }
 }
 
 TEST(Contacts, APointOnTheRimKeepsTheHullsArc) {
@@ -133,7 +139,8 @@ double sampledShare(const Circles& circles, std::size_t site, double radius) {
       ++inside;
       const double x = circles[site].x + radius * dx, y = circles[site].y + radius * dy;
       const double distance = distanceTo(circles[site], x, y);
-      own += std::all_of(circles.begin(), circles.end(), [&](const Circle& c) { return distanceTo(c, x, y) >= distance - 1e-9; });
+      own += std::all_of(circles.begin(), circles.end(),
+                         [&](const Circle& c) { return distanceTo(c, x, y) >= distance - 1e-9; });
     }
   }
   return static_cast<double>(own) / inside;
@@ -147,7 +154,8 @@ void checkDisk(const Circles& circles, SiteId site, double radius) {
   CellMeasures measures;
   ASSERT_EQ(Voronoi(diagram).measuresWithin(site, radius, measures), Error::kNone);
   const double share = hidden ? 0 : sampledShare(circles, site, radius);
-  EXPECT_NEAR(measures.area / (kPi * radius * radius), share, 0.03) << "site " << site << " radius " << radius << "\n" << toText(insertAll(circles));
+  EXPECT_NEAR(measures.area / (kPi * radius * radius), share, 0.03)
+      << "site " << site << " radius " << radius << "\n" << toText(insertAll(circles));
 }
 
 TEST(Contacts, DisksAreSharedAsSampled) {
@@ -155,7 +163,9 @@ TEST(Contacts, DisksAreSharedAsSampled) {
   for (int run = 0; run < runs(400) && !HasFailure(); ++run) {
     const Circles circles = decimalContacts(random, 2 + random.below(std::size_t{3}));
     // Two identical circles own the same points; only one of them is visible.
-    for (SiteId site = 0; site < circles.size(); ++site) checkDisk(circles, site, random.oneIn(2) ? 25 : random.between(0.1, 4));
+    for (SiteId site = 0; site < circles.size(); ++site) {
+      checkDisk(circles, site, random.oneIn(2) ? 25 : random.between(0.1, 4));
+    }
   }
 }
 
@@ -176,7 +186,9 @@ double sumOfAreas(const Circles& circles, const Bounds& bounds) {
     EXPECT_EQ(Voronoi(diagram, bounds).measures(id, measures), Error::kNone);
     cells += measures.area;
   }
-  return std::abs(cells / areaOf(bounds) - 1) > std::abs(sum / areaOf(bounds) - 1) ? cells / areaOf(bounds) : sum / areaOf(bounds);
+  cells /= areaOf(bounds);
+  sum /= areaOf(bounds);
+  return std::abs(cells - 1) > std::abs(sum - 1) ? cells : sum;
 }
 
 TEST(Areas, AddUpWhereSitesAreOneOrTwoDoublesApart) {
@@ -191,7 +203,8 @@ TEST(Areas, AddUpWhereSitesAreOneOrTwoDoublesApart) {
       const double y = base + ulp * static_cast<double>(random.integer(-span, span));
       circles.push_back({x, y, random.oneIn(3) ? ulp * static_cast<double>(random.integer(0, 2)) : 0});
     }
-    const double left = base - ulp * static_cast<double>(random.integer(0, width)), bottom = base - ulp * static_cast<double>(random.integer(0, width));
+    const double left = base - ulp * static_cast<double>(random.integer(0, width));
+    const double bottom = base - ulp * static_cast<double>(random.integer(0, width));
     const Bounds bounds{left, bottom, left + ulp * width, bottom + ulp * width};
     // Contacts are off by a double or two; a few on each side.
     ASSERT_NEAR(sumOfAreas(circles, bounds), 1, 8.0 / width) << "run " << run;

@@ -156,8 +156,8 @@ TEST_P(DualOn, HullHoldsAllCirclesAndTouchesIt) {
 
 INSTANTIATE_TEST_SUITE_P(Corpus, DualOn, ::testing::ValuesIn(corpus()), [](const auto& parameter) { return parameter.param.name; });
 
-/// Decimal fractions: triples in line and quadruples on a circle up to rounding, so that Voronoi circles are far larger than everything else, or
-/// nearly the same.
+/// Decimal fractions: triples in line and quadruples on a circle up to rounding, so that Voronoi circles are
+/// far larger than everything else, or nearly the same.
 Circles decimalSet(Random& random, int kind) {
   Circles circles;
   const double step = kind == 3 ? 8.53e-9 : 0.1;
@@ -165,7 +165,8 @@ Circles decimalSet(Random& random, int kind) {
   for (std::size_t k = 0; k < n; ++k) {
     const auto i = static_cast<double>(random.integer(0, 9)), j = static_cast<double>(random.integer(0, 9));
     const double r = kind == 1 && random.oneIn(3) ? step * static_cast<double>(random.integer(0, 3)) : 0;
-    circles.push_back(kind == 2 ? Circle{0.1 * i, 0.3 * i + (random.oneIn(4) ? 0.1 * j : 0), r} : Circle{step * i, step * j, r});
+    const double y = kind == 2 ? 0.3 * i + (random.oneIn(4) ? 0.1 * j : 0) : step * j;
+    circles.push_back({step * i, y, r});
   }
   return circles;
 }
@@ -179,8 +180,9 @@ Path drawnDual(const Circles& circles, const Bounds& bounds, double tolerance) {
   return path;
 }
 
-/// Segments cut where they leave the surroundings of the sites. An edge around a Voronoi circle that is 10^15 times as large as everything else goes there
-/// and comes back a site's distance away, which doubles cannot tell apart there.
+/// Segments cut where they leave the surroundings of the sites. An edge around a Voronoi circle that is 10^15
+/// times as large as everything else goes there and comes back a site's distance away, which doubles cannot
+/// tell apart there.
 std::vector<Segment> nearPart(const std::vector<Segment>& segments, double size) {
   std::vector<Segment> near;
   for (Segment s : segments) {
@@ -217,8 +219,8 @@ TEST(Dual, EdgesOfDecimalSetsDoNotCross) {
 }
 
 TEST(Dual, EdgesAreWhereTwoVoronoiCirclesAreNearest) {
-  // Appendix A by its definition: the embedding is the Voronoi diagram of the Voronoi circles. (Edges with an end at infinity have a half-plane
-  // for one of their circles, and are left out.)
+  // Appendix A by its definition: the embedding is the Voronoi diagram of the Voronoi circles. (Edges with an
+  // end at infinity have a half-plane for one of their circles, and are left out.)
   Random random(535);
   int checked = 0;
   for (int run = 0; run < runs(100); ++run) {
@@ -233,7 +235,8 @@ TEST(Dual, EdgesAreWhereTwoVoronoiCirclesAreNearest) {
     ASSERT_EQ(diagram.vertices(vertices), Error::kNone);
     ASSERT_EQ(diagram.edges(edges), Error::kNone);
     // A distance to a circle that is far larger than its sites has no digits left.
-    if (std::any_of(vertices.clearance.begin(), vertices.clearance.end(), [&](double s) { return s > 1e6 * size; })) continue;
+    const auto isFar = [&](double s) { return s > 1e6 * size; };
+    if (std::any_of(vertices.clearance.begin(), vertices.clearance.end(), isFar)) continue;
     std::set<std::array<double, 4>> unbounded;
     for (std::size_t k = 0; k < edges.sites.size(); k += 2) {
       if (edges.vertices[k] >= 0 && edges.vertices[k + 1] >= 0) continue;
@@ -244,17 +247,19 @@ TEST(Dual, EdgesAreWhereTwoVoronoiCirclesAreNearest) {
     const std::vector<Segment> segments = segmentsOf(drawnDual(circles, bounds, tolerance));
     for (std::size_t first = 0, end = 0; first < segments.size(); first = end) {
       while (end < segments.size() && segments[end].edge == segments[first].edge) ++end;
-      if (unbounded.contains({segments[first].ax, segments[first].ay, segments[end - 1].bx, segments[end - 1].by})) continue;
+      const Segment &head = segments[first], &tail = segments[end - 1];
+      if (unbounded.contains({head.ax, head.ay, tail.bx, tail.by})) continue;
       for (std::size_t k = first; k + 1 < end; ++k) {
         const double x = segments[k].bx, y = segments[k].by;
         double nearest = 1e300, second = 1e300;
         for (std::size_t v = 0; v < vertices.clearance.size(); ++v) {
-          const double far = vertices.clearance[v], dx = vertices.coordinates[2 * v] - x, dy = vertices.coordinates[2 * v + 1] - y;
-          const double distance = std::hypot(dx, dy) - far;
+          const double dx = vertices.coordinates[2 * v] - x, dy = vertices.coordinates[2 * v + 1] - y;
+          const double distance = std::hypot(dx, dy) - vertices.clearance[v];
           second = std::min(second, std::max(nearest, distance));
           nearest = std::min(nearest, distance);
         }
-        ASSERT_LE(std::abs(second - nearest), 1e-7 * size) << "run " << run << " at " << x << " " << y << "\n" << toText(insertAll(circles));
+        ASSERT_LE(second - nearest, 1e-7 * size)
+            << "run " << run << " at " << x << " " << y << "\n" << toText(insertAll(circles));
         ++checked;
       }
     }
@@ -263,10 +268,13 @@ TEST(Dual, EdgesAreWhereTwoVoronoiCirclesAreNearest) {
 }
 
 TEST(Dual, TheRayOfALargeCircleLeavesOnItsFarSide) {
-  // A point just outside the rim: nearly all directions are the large circle's, and the middle of them is opposite to the point.
+  // A point just outside the rim: nearly all directions are the large circle's, and the middle of them is
+  // opposite to the point.
   const Path path = drawnDual({{0, 0, .5}, {.3, .4, 0}}, {-5, -5, 5, 5}, 1e-3);
   bool isFound = false;
-  for (std::size_t k = 0; k + 1 < path.coordinates.size(); k += 2) isFound |= path.coordinates[k + 1] == -5 && std::abs(path.coordinates[k] + 3.75) < 1e-9;
+  for (std::size_t k = 0; k + 1 < path.coordinates.size(); k += 2) {
+    isFound |= path.coordinates[k + 1] == -5 && std::abs(path.coordinates[k] + 3.75) < 1e-9;
+  }
   EXPECT_TRUE(isFound);
 }
 

@@ -1,4 +1,5 @@
-// Rings of cells: closed, of three different points or more, and not crossing themselves, exactly; and the vertices that they go through.
+// Rings of cells: closed, of three different points or more, and not crossing themselves, exactly; and the
+// vertices that they go through.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,10 +21,8 @@ bool crossesItself(const std::vector<Point>& p) {
   for (std::size_t i = 0; i < sides; ++i) {
     for (std::size_t j = i + 2; j < sides; ++j) {
       const Point a = p[i], b = p[i + 1], c = p[j], d = p[j + 1];
-      if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) || std::max(a.y, b.y) < std::min(c.y, d.y) ||
-          std::max(c.y, d.y) < std::min(a.y, b.y)) {
-        continue;
-      }
+      if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x)) continue;
+      if (std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y)) continue;
       const auto apart = [](Sign s, Sign t) { return s * t == Sign::kNegative; };
       if (apart(turnOf(a, b, c), turnOf(a, b, d)) && apart(turnOf(c, d, a), turnOf(c, d, b))) return true;
     }
@@ -47,7 +46,9 @@ int checkRings(const Circles& circles, const Bounds& bounds, double tolerance) {
     }
     for (std::size_t r = 0; r + 1 < rings.starts.size(); ++r) {
       std::vector<Point> ring;
-      for (std::uint32_t k = rings.starts[r]; k < rings.starts[r + 1]; ++k) ring.push_back({rings.coordinates[2 * k], rings.coordinates[2 * k + 1]});
+      for (std::uint32_t k = rings.starts[r]; k < rings.starts[r + 1]; ++k) {
+        ring.push_back({rings.coordinates[2 * k], rings.coordinates[2 * k + 1]});
+      }
       std::vector<std::pair<double, double>> different;
       for (const Point p : ring) different.emplace_back(p.x, p.y);
       std::sort(different.begin(), different.end());
@@ -59,7 +60,8 @@ int checkRings(const Circles& circles, const Bounds& bounds, double tolerance) {
         std::ostringstream text;
         text.precision(17);
         for (const Point p : ring) text << p.x << " " << p.y << "\n";
-        ADD_FAILURE() << "site " << id << " region " << r << " of " << toText(insertAll(circles)) << "crosses itself:\n" << text.str();
+        ADD_FAILURE() << "site " << id << " region " << r << " of " << toText(insertAll(circles)) << "crosses itself:\n"
+                      << text.str();
       }
       ++count;
     }
@@ -72,7 +74,8 @@ class RingsOn : public ::testing::TestWithParam<NamedGenerator> {};
 TEST_P(RingsOn, DoNotCrossThemselves) {
   Random random(601);
   for (int run = 0; run < runs(6); ++run) {
-    const Circles circles = GetParam().make(random, GetParam().large ? 8 + 8 * static_cast<std::size_t>(run) : 4 + static_cast<std::size_t>(run % 6));
+    const auto k = static_cast<std::size_t>(run);
+    const Circles circles = GetParam().make(random, GetParam().large ? 8 + 8 * k : 4 + k);
     for (const double share : {0.0, -0.3, 0.4, 30.0}) {
       Bounds bounds;
       if (!windowAround(circles, share, bounds)) continue;
@@ -86,7 +89,8 @@ TEST_P(RingsOn, DoNotCrossThemselves) {
 
 INSTANTIATE_TEST_SUITE_P(Corpus, RingsOn, ::testing::ValuesIn(corpus()), [](const auto& parameter) { return parameter.param.name; });
 
-/// Subsets of lattices: integers, decimal fractions as they are written, multiples of a decimal step (off by rounding), moved far away.
+/// Subsets of lattices: integers, decimal fractions as they are written, multiples of a decimal step (off by
+/// rounding), moved far away.
 Circles latticeSubset(Random& random, int kind) {
   const int side = 2 + random.below(6);
   const double steps[] = {1, 0.1, 0.3, 8.53e-9, 48, 1e-3};
@@ -173,7 +177,8 @@ TEST(Vertices, OfManySitesOnOneCircleAreOne) {
     for (std::size_t v = 0; v < count; ++v) {
       const double x = vertices.coordinates[2 * v], y = vertices.coordinates[2 * v + 1], s = vertices.clearance[v];
       ++places[{x, y, s}];
-      // No other place is as near as rounding could have moved this one. (Vertices of such small integers are far apart or the same.)
+      // No other place is as near as rounding could have moved this one. (Vertices of such small integers are
+      // far apart or the same.)
       for (std::size_t w = 0; w < v; ++w) {
         const double dx = vertices.coordinates[2 * w] - x, dy = vertices.coordinates[2 * w + 1] - y;
         const double size = 1e-12 * (std::abs(x) + std::abs(y) + std::abs(s));
@@ -192,7 +197,9 @@ TEST(Vertices, OnGridsAreRight) {
   VertexArrays vertices;
   ASSERT_EQ(diagram.vertices(vertices), Error::kNone);
   int found = 0;
-  for (std::size_t v = 0; v < vertices.clearance.size(); ++v) found += vertices.coordinates[2 * v] == 150 && vertices.coordinates[2 * v + 1] == 150;
+  for (std::size_t v = 0; v < vertices.clearance.size(); ++v) {
+    found += vertices.coordinates[2 * v] == 150 && vertices.coordinates[2 * v + 1] == 150;
+  }
   EXPECT_EQ(found, 2);
 }
 
