@@ -12,6 +12,7 @@
 #include "geometry/hull.h"
 #include "geometry/measures.h"
 #include "geometry/render.h"
+#include "geometry/ring.h"
 #include "geometry/within.h"
 #include "memory/flat_array.h"
 
@@ -137,15 +138,14 @@ Error Voronoi::polygon(SiteId id, double tolerance, RingArrays& rings) const {
   return guardedFor(id, tolerance, [&](const Window& window, double allowed) {
     CellFinder finder(diagram_.core(), window);
     const Cell& cell = finder.find(slotOf(id));
+    const Site& site = diagram_.core().site(slotOf(id));
     rings.coordinates.clear();
     rings.starts.assign(1, 0);
     for (std::size_t region = 0; region < cell.regionCount(); ++region) {
-      const Point start = cell.pieces[cell.starts[region]].curve.p0;
-      append(rings.coordinates, std::array{start.x, start.y});
-      for (std::uint32_t k = cell.starts[region]; k < cell.starts[region + 1]; ++k) {
-        const Conic& curve = cell.pieces[k].curve;
-        if (!(curve.p0 == curve.p2)) flattenConic(curve, allowed, rings.coordinates);  // no point twice in a row
-      }
+      const std::uint32_t first = cell.starts[region], count = cell.starts[region + 1] - first;
+      const std::size_t size = rings.coordinates.size();
+      appendRing(std::span(cell.pieces).subspan(first, count), {site.x, site.y}, window, allowed, rings.coordinates);
+      if (rings.coordinates.size() == size) continue;
       rings.starts.push_back(static_cast<std::uint32_t>(rings.coordinates.size() / 2));
     }
   });

@@ -71,12 +71,15 @@ class Voronoi {
   [[nodiscard]] Error edges(CurveArrays& edges) const;
   /// The boundary of a cell, counter-clockwise, region by region. Cost: O(d log d).
   [[nodiscard]] Error cell(SiteId id, CurveArrays& boundary) const;
-  /// The same as polylines.
+  /// The same as polylines: rings of at least three different points that do not cross themselves, whatever
+  /// the tolerance. (Where sites are as close as doubles are, rounding can have the last word.) A region
+  /// about as small as the distance of doubles there has no ring.
   [[nodiscard]] Error polygon(SiteId id, double tolerance, RingArrays& rings) const;
   [[nodiscard]] Error measures(SiteId id, CellMeasures& measures) const;
   /// Area, centroid and perimeter of the part of the (unclipped) cell within `radius` of the site's centre; bounds do not matter.
   [[nodiscard]] Error measuresWithin(SiteId id, double radius, CellMeasures& measures) const;
-  /// The area of every cell, by id; 0 for ids without one. They add up to the window's. Cost: O(h)
+  /// The area of every cell, by id; 0 for ids without one. They add up to the window's, to rounding: of the
+  /// coordinates, too, where the window is only a few doubles wide. Cost: O(h)
   [[nodiscard]] Error areas(Array<double>& areas) const;
 
   /// The box of all circles (of centres, where radii are below 0), a little larger if it would be empty: for drawings without a window.

@@ -51,6 +51,9 @@ class DelaunayGraph {
   [[nodiscard]] EdgeCorners edge(HalfedgeId h) const {
     return {corner(graph_.origin(h)), corner(graph_.target(h)), corner(graph_.apex(h)), corner(graph_.apex(graph_.twin(h)))};
   }
+  /// Its vertex for output: precise, the same bits after any history, and the same for all faces of which it
+  /// is the vertex, where more than three sites touch one circle. A half-plane as circle() has it.
+  [[nodiscard]] VoronoiCircle vertex(FaceId f) const;
   [[nodiscard]] bool isFaceInConflict(FaceId f, const Site& q) const {
     const MaybeSign filtered = circleFilter(keptCircle(f), q);  // settles nearly all; no corner is looked up
     return filtered.known && !kShadowCheck ? filtered.sign == Sign::kPositive : isFaceInConflictByCorners(f, q);
@@ -125,6 +128,7 @@ class DelaunayGraph {
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
   [[nodiscard]] Insertion insertBesideOne(VertexId v, HiddenForest* forest);
   [[nodiscard]] Insertion coverAll(VertexId v, HiddenForest* forest, Remover* remover);
+  [[nodiscard]] bool isSameVertex(HalfedgeId h) const;
   void computeCircle(FaceId f) const;
   void refuse(const char* name) const;
   /// Room for an operation on the graph, newFaces_ and newCircles_ included.

@@ -57,8 +57,7 @@ void DiagramCore::vertices(VertexArrays& out) const {
   for (std::size_t i = 0; i < graph.faceSlots(); ++i) {
     const FaceId f{static_cast<std::uint32_t>(i)};
     if (!isBounded(f)) continue;
-    const EdgeCorners corners = base_.edge(halfedgeOf(f, 0));
-    const VoronoiCircle circle = preciseVoronoiCircle(corners.i, corners.j, corners.k);
+    const VoronoiCircle circle = base_.vertex(f);
     out.coordinates.push_back(circle.x);
     out.coordinates.push_back(circle.y);
     out.clearance.push_back(circle.s);

@@ -43,9 +43,15 @@ bool ownsGap(const DiagramCore& core, Slot site, const Window& window, double mi
   return votes > 0;
 }
 
-/// Two ways of matching whose disorders differ by less than this, in sides, are taken for equally good. Rounding moves a crossing
-/// that is not tangent by far less, and a tangent one by its root, 2^-26 at most.
-constexpr double kNoDifference = powerOfTwo(-24);
+/// Two ways of matching whose disorders differ by less than this, in sides, are taken for equally good.
+/// Rounding of the curves moves a crossing that is not tangent by far less than 2^-24, and a tangent one by
+/// its root, 2^-26 at most. Vertices are rounded to doubles, besides, which is more than that in a window of
+/// few doubles: one of their distances.
+double noDifference(const Window& window) {
+  const double largest =
+      std::max({absolute(window.xmin), absolute(window.ymin), absolute(window.xmax), absolute(window.ymax)});
+  return powerOfTwo(-24) + powerOfTwo(-52) * largest / std::min(window.width(), window.height());
+}
 
 }  // namespace
 
@@ -95,8 +101,8 @@ void matchBorder(const DiagramCore& core, Slot site, const Window& window, FlatA
   leavePlaces.resize(count);
   enterPlaces.resize(count);
   const double outside = disorder(leavePlaces, enterPlaces), inside = disorder(enterPlaces, leavePlaces);
-  const bool holdsReference =
-      absolute(outside - inside) > kNoDifference ? inside < outside : ownsGap(core, site, window, reference, gap);
+  const bool isClear = absolute(outside - inside) > noDifference(window);
+  const bool holdsReference = isClear ? inside < outside : ownsGap(core, site, window, reference, gap);
 
   for (std::size_t k = 0; k < count; ++k) {
     const bool isWrapped = holdsReference && k + 1 == count;

@@ -40,6 +40,8 @@ class Crossings {
         }
       }
     }
+    separate(0, from[0], from[2]);
+    separate(1, from[1], from[3]);
   }
 
   [[nodiscard]] int beyondAtStart() const { return beyondAtStart_; }
@@ -64,6 +66,24 @@ class Crossings {
     std::size_t k = count_++;
     for (; k > 0 && crossings_[k - 1].e > c.e; --k) crossings_[k] = crossings_[k - 1];
     crossings_[k] = c;
+  }
+
+  /// Nothing is beyond the lines of two opposite sides at once. Where the window is so thin that rounding has
+  /// the edge go beyond the one before it comes back from the other, it comes back at that place, too.
+  void separate(int side, bool isBeyond, bool isBeyondOpposite) {
+    int beyond = isBeyond ? side : isBeyondOpposite ? side + 2 : -1;
+    for (std::size_t k = 0; k < count_; ++k) {
+      if (crossings_[k].side % 2 != side) continue;
+      if (crossings_[k].step > 0 && beyond >= 0) {
+        const double e = crossings_[k].e;
+        std::size_t back = k + 1;
+        while (back < count_ && !(crossings_[back].side == beyond && crossings_[back].step < 0)) ++back;
+        if (back == count_) return;
+        std::rotate(crossings_.begin() + k, crossings_.begin() + back, crossings_.begin() + back + 1);
+        crossings_[k].e = e;
+      }
+      beyond = crossings_[k].step > 0 ? crossings_[k].side : -1;
+    }
   }
 
   std::array<Crossing, 8> crossings_{};

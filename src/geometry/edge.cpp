@@ -19,17 +19,9 @@ Point clippedToDoubles(Point p) {
 
 }  // namespace
 
-VoronoiCircle preciseCircleOf(const DelaunayGraph& graph, FaceId f) {
-  const VoronoiCircle& cached = graph.circle(f);
-  if (cached.isHalfPlane()) return cached;
-  // Computed anew: the last bits of a cached circle depend on how it came about.
-  const EdgeCorners corners = graph.edge(halfedgeOf(f, 0));
-  return preciseVoronoiCircle(corners.i, corners.j, corners.k);
-}
-
 EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f, Bits bits) {
   const VoronoiCircle& cached = graph.circle(f);
-  const VoronoiCircle circle = bits == Bits::kCached && isPrecise(cached) ? cached : preciseCircleOf(graph, f);
+  const VoronoiCircle circle = bits == Bits::kCached && isPrecise(cached) ? cached : graph.vertex(f);
   if (circle.isHalfPlane()) return {};
   return {{circle.x, circle.y}, true};
 }

@@ -23,15 +23,12 @@ struct EdgeEnd {
           circle.error <= powerOfTwo(-40) * (absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
 }
 
-/// Which bits a vertex gets: the same after any history (preciseVoronoiCircle), or those of the cached circle if it is precise, which is quicker
+/// Which bits a vertex gets: the same after any history (DelaunayGraph::vertex), or those of the cached circle if it is precise, which is quicker
 /// and differs in the last places.
 enum class Bits : unsigned char { kCanonical, kCached };
 
 /// The Voronoi vertex of a face.
 [[nodiscard]] EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f, Bits bits);
-
-/// The same with the clearance; of a face with infinity, the half-plane.
-[[nodiscard]] VoronoiCircle preciseCircleOf(const DelaunayGraph& graph, FaceId f);
 
 /// The half-edge of an edge whose origin is the pole of its bisector: the larger one in the order of precedes(). REQUIRES: two finite sites.
 [[nodiscard]] bool startsAtPole(const DelaunayGraph& graph, HalfedgeId h);

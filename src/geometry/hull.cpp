@@ -1,6 +1,8 @@
 #include "geometry/hull.h"
 
 #include "geometry/approximate.h"
+#include "number/fp.h"
+#include "predicate/predicates.h"
 
 namespace apollonius {
 
@@ -8,14 +10,12 @@ namespace {
 
 Point leftOf(Point p) { return {-p.y, p.x}; }
 
-/// Continues a path, which is at center + radius · from, along the circle to direction `to`, counter-clockwise, in pieces of a
-/// quarter at most.
-void drawArc(Point center, double radius, const VoronoiCircle& start, const VoronoiCircle& end, double tolerance, Path& path) {
-  Point from{start.x, start.y};
-  const Point to{end.x, end.y};
-  const double turn = turnBetween(start, end);
-  if (turn == 0 && dot(from, to) > 0) return;
-  bool isDone = turn >= 0 && dot(from, to) >= 0;
+/// Continues a path, which is at center + radius · turn.from, along the circle, in pieces of a quarter at most.
+void drawArc(Point center, double radius, const HullTurn& turn, double tolerance, Path& path) {
+  Point from = turn.from;
+  const Point to = turn.to;
+  if (turn.sign == Sign::kZero && dot(from, to) > 0) return;
+  bool isDone = turn.sign != Sign::kNegative && dot(from, to) >= 0;
   for (int quarter = 0; quarter < 3 && !isDone; ++quarter) {
     const Point next = leftOf(from);
     drawConic(Conic::arc(center, radius, from, next), tolerance, path);
@@ -39,6 +39,15 @@ void visitHull(const Graph& graph, Visit&& visit) {
 
 }  // namespace
 
+HullTurn hullTurnOf(const DelaunayGraph& base, HalfedgeId h) {
+  // From the normal of the tangent on the right to that on the left.
+  const Graph& graph = base.graph();
+  const VoronoiCircle &right = base.circle(faceOf(graph.twin(h))), &left = base.circle(faceOf(h));
+  const Point from{right.x, right.y}, to{left.x, left.y};
+  const Site &before = base.site(graph.apex(graph.twin(h))), &after = base.site(graph.apex(h));
+  return {from, to, turnOfHull(base.site(graph.origin(h)), before, after, right, left)};
+}
+
 void hullSites(const DiagramCore& core, Array<SiteId>& sites) {
   sites.clear();
   const DelaunayGraph& base = core.base();
@@ -57,17 +66,16 @@ void drawHull(const DiagramCore& core, double tolerance, Path& path) {
   bool isFirst = true;
   visitHull(base.graph(), [&](HalfedgeId h) {
     const Site& site = base.site(base.graph().origin(h));
-    // The site's arc is where its cell is unbounded: from the normal of the tangent on the right to that on the left.
-    const VoronoiCircle &right = base.circle(faceOf(base.graph().twin(h))), &left = base.circle(faceOf(h));
+    const HullTurn turn = hullTurnOf(base, h);  // the site's arc is where its cell is unbounded
     const Point center{site.x, site.y};
-    const Point start = center + site.r * Point{right.x, right.y};
+    const Point start = center + site.r * turn.from;
     if (isFirst) {
       path.move(start.x, start.y);
     } else {
       path.line(start.x, start.y);
     }
     isFirst = false;
-    if (site.r != 0) drawArc(center, site.r, right, left, tolerance, path);
+    if (site.r != 0) drawArc(center, site.r, turn, tolerance, path);
   });
   if (!isFirst) path.close();
 }

@@ -15,13 +15,16 @@ void hullSites(const DiagramCore& core, Array<SiteId>& sites);
 /// The hull as one closed figure. A radius below 0 shrinks the hull of the centres' other circles: meaningful up to a common offset.
 void drawHull(const DiagramCore& core, double tolerance, Path& path);
 
-/// Sine of the turn from the outer normal of one half-plane to that of the other; 0 if it is so within the normals' error bounds (then
-/// the normals are the same, or opposite).
-[[nodiscard]] inline double turnBetween(const VoronoiCircle& from, const VoronoiCircle& to) {
-  const double sine = cross(Point{from.x, from.y}, Point{to.x, to.y});
-  const double error = 2 * (static_cast<double>(from.slope) + static_cast<double>(to.slope)) + 4 * kUnitRoundoff;
-  return absolute(sine) > error ? sine : 0;
-}
+/// The directions in which the cell of a site of the hull is unbounded, counter-clockwise between two unit
+/// vectors. Less than half a turn if `sign` is positive, more if it is negative, as a large site has between
+/// two that hardly stick out of it; if it is zero, none at all or half a turn. The sign is exact, since
+/// "none" and "all" cannot be told apart by two rounded vectors.
+struct HullTurn {
+  Point from, to;
+  Sign sign;
+};
+/// REQUIRES: h's target is infinity.
+[[nodiscard]] HullTurn hullTurnOf(const DelaunayGraph& graph, HalfedgeId h);
 
 /// The circle of a site as a closed figure; nothing for a radius of 0 or less.
 void drawCircle(const Site& site, double tolerance, Path& path);

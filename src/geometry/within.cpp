@@ -8,10 +8,11 @@ namespace apollonius {
 
 namespace {
 
-/// The directions from the centre at which a piece starts and ends.
+/// A part of an edge within the radius, the directions from the centre in which it starts and ends, and one
+/// between them from which both are less than half a turn away.
 struct Sector {
   BoundaryPiece piece;
-  Point from, to;
+  Point from, between, to;
   bool startsOnCircle, endsOnCircle;
 };
 
@@ -20,12 +21,12 @@ Point unit(Point p) {
   return {p.x / size, p.y / size};
 }
 
-/// Adds the arc from one direction to another, counter-clockwise; `isFull` says which of nothing and a full turn equal ones mean.
-void addArc(Point center, double radius, Point from, Point to, bool isFull, FlatArray<BoundaryPiece>& boundary) {
-  const double turn = cross(from, to);
-  const bool areEqual = absolute(turn) <= powerOfTwo(-40) && dot(from, to) > 0;
-  if (areEqual && !isFull) return;
-  bool isDone = !areEqual && turn >= 0 && dot(from, to) >= 0;
+/// Are they the same direction up to rounding?
+bool areEqual(Point a, Point b) { return absolute(cross(a, b)) <= powerOfTwo(-40) && dot(a, b) > 0; }
+
+/// Adds the arc from one direction to another, counter-clockwise; a full turn if they are equal.
+void addArc(Point center, double radius, Point from, Point to, FlatArray<BoundaryPiece>& boundary) {
+  bool isDone = !areEqual(from, to) && cross(from, to) >= 0 && dot(from, to) >= 0;
   for (int quarter = 0; quarter < 3 && !isDone; ++quarter) {
     const Point next{-from.y, from.x};
     boundary.push_back({Conic::arc(center, radius, from, next), kNoSite});
@@ -35,49 +36,73 @@ void addArc(Point center, double radius, Point from, Point to, bool isFull, Flat
   boundary.push_back({Conic::arc(center, radius, from, to), kNoSite});
 }
 
+/// The parts of a cell's edges within the radius, counter-clockwise about the site.
+void findSectors(const DiagramCore& core, Slot site, double radius, FlatArray<Sector>& sectors) {
+  const DelaunayGraph& base = core.base();
+  const Graph& graph = base.graph();
+  const Point center{core.site(site).x, core.site(site).y};
+  const VertexId v = DiagramCore::vertexOf(site);
+  if (!graph.hasVertex(v)) return;
+  const HalfedgeId begin = graph.outgoing(v);
+  HalfedgeId h = begin;
+  const auto add = [&] {
+    if (graph.target(h) == kInfinity) return;
+    const bool isPole = startsAtPole(base, h);
+    const Edge edge(base, isPole ? h : graph.twin(h));
+    const Bisector& bisector = edge.bisector;
+    const double a = isPole ? -bisector.transverse() : bisector.transverse();
+    const double largest = (radius + a) / (bisector.distance() / 2);
+    if (!(largest > 1)) return;
+    const double e = largest + std::sqrt((largest - 1) * (largest + 1));
+    const bool isFromCut = !(edge.e0 > 1 / e), isToCut = !(edge.e1 < e);
+    const double e0 = isFromCut ? 1 / e : edge.e0, e1 = isToCut ? e : edge.e1;
+    // An edge inside that has no length in doubles still says that the cell ends there.
+    if (e0 > e1 || (e0 == e1 && (isFromCut || isToCut))) return;
+    const Point from = isFromCut ? bisector.at(e0) : edge.from.point, to = isToCut ? bisector.at(e1) : edge.to.point;
+    const Conic curve = bisector.piece(e0, e1, from, to);
+    // Seen from either site, a bisector turns by less than half a turn on each side of the axis.
+    const Point between = bisector.at(std::clamp(1.0, e0, e1));
+    const SiteId neighbor = core.siteOf(graph.target(h));
+    const Point start = unit(from - center), middle = unit(between - center), end = unit(to - center);
+    if (isPole) {
+      sectors.push_back({{curve, neighbor}, start, middle, end, isFromCut, isToCut});
+    } else {
+      sectors.push_back({{curve.reversed(), neighbor}, end, middle, start, isToCut, isFromCut});
+    }
+  };
+  do {
+    add();
+    h = graph.rotateCcw(h);
+  } while (h != begin);
+}
+
 }  // namespace
 
 void cellWithin(const DiagramCore& core, Slot site, double radius, FlatArray<BoundaryPiece>& boundary) {
   boundary.clear();
   if (core.ids().state(site) != SiteState::kVisible || !(radius > 0)) return;
-  const DelaunayGraph& base = core.base();
-  const Graph& graph = base.graph();
   const Point center{core.site(site).x, core.site(site).y};
   FlatArray<Sector> sectors;
-  const VertexId v = DiagramCore::vertexOf(site);
-  if (graph.hasVertex(v)) {
-    const HalfedgeId begin = graph.outgoing(v);
-    HalfedgeId h = begin;
-    do {
-      if (graph.target(h) != kInfinity) {
-        const bool isPole = startsAtPole(base, h);
-        const Edge edge(base, isPole ? h : graph.twin(h));
-        const Bisector& bisector = edge.bisector;
-        const double largest = (isPole ? radius - bisector.transverse() : radius + bisector.transverse()) / (bisector.distance() / 2);
-        if (largest > 1) {
-          const double e = largest + std::sqrt((largest - 1) * (largest + 1));
-          const bool isFromCut = !(edge.e0 > 1 / e), isToCut = !(edge.e1 < e);
-          const double e0 = isFromCut ? 1 / e : edge.e0, e1 = isToCut ? e : edge.e1;
-          if (e0 < e1) {
-            const Point from = isFromCut ? bisector.at(e0) : edge.from.point, to = isToCut ? bisector.at(e1) : edge.to.point;
-            const Conic curve = bisector.piece(e0, e1, from, to);
-            const SiteId neighbor = core.siteOf(graph.target(h));
-            if (isPole) {
-              sectors.push_back({{curve, neighbor}, unit(from - center), unit(to - center), isFromCut, isToCut});
-            } else {
-              sectors.push_back({{curve.reversed(), neighbor}, unit(to - center), unit(from - center), isToCut, isFromCut});
-            }
-          }
-        }
-      }
-      h = graph.rotateCcw(h);
-    } while (h != begin);
+  findSectors(core, site, radius, sectors);
+  if (sectors.empty()) return addArc(center, radius, {1, 0}, {1, 0}, boundary);
+
+  // All sectors and the arcs between them are one turn. So an arc between equal directions is none, unless
+  // nothing else turns: then one of them is all of it.
+  const auto hasArc = [&](std::size_t k) {
+    return sectors[k].endsOnCircle || sectors[(k + 1) % sectors.size()].startsOnCircle;
+  };
+  bool isTurnFound = false;
+  for (std::size_t k = 0; k < sectors.size() && !isTurnFound; ++k) {
+    const Sector& sector = sectors[k];
+    isTurnFound = !areEqual(sector.from, sector.between) || !areEqual(sector.between, sector.to) ||
+                  (hasArc(k) && !areEqual(sector.to, sectors[(k + 1) % sectors.size()].from));
   }
-  if (sectors.empty()) addArc(center, radius, {1, 0}, {1, 0}, true, boundary);
   for (std::size_t k = 0; k < sectors.size(); ++k) {
     boundary.push_back(sectors[k].piece);
-    const Sector& next = sectors[(k + 1) % sectors.size()];
-    if (sectors[k].endsOnCircle || next.startsOnCircle) addArc(center, radius, sectors[k].to, next.from, sectors.size() == 1, boundary);
+    const Point from = sectors[k].to, to = sectors[(k + 1) % sectors.size()].from;
+    if (!hasArc(k) || (areEqual(from, to) && isTurnFound)) continue;
+    addArc(center, radius, from, to, boundary);
+    isTurnFound = true;
   }
 }
 

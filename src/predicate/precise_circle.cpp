@@ -1,8 +1,12 @@
 // Coordinates of Voronoi vertices from long numbers: for nearly collinear triples and other cases where doubles cancel.
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
 #include <limits>
 
+#include "number/root_sign.h"
 #include "predicate/long_rows.h"
 #include "predicate/pole.h"
 #include "predicate/voronoi_circle.h"
@@ -12,6 +16,8 @@ namespace apollonius {
 namespace {
 
 using Rounded = Dyadic::Rounded;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// x 2^exponent; infinite or 0 where that is beyond doubles.
 double scaled(double x, int exponent) {
@@ -46,33 +52,142 @@ double halfQuotient(const Rounded& a, const Rounded& b, const Rounded& c) {
   return scaled(a.mantissa / c.mantissa * b.mantissa, a.exponent + b.exponent - c.exponent - 1);
 }
 
+/// The circle of three sites of equal weights whose coordinates are multiples of one unit, no further apart
+/// than 2^17 of them. Then nothing is rounded but the centre's offset from the pole, a quotient of two
+/// integers, and what is computed from that: on grids, centres are right where doubles can hold them, and all
+/// faces with this pole and this centre get the same bits. The pole comes first.
+bool circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& circle) {
+  if (i.r != j.r || i.r != k.r) return false;
+  const double jx = j.x - i.x, jy = j.y - i.y, kx = k.x - i.x, ky = k.y - i.y;
+  const double largest = std::max({absolute(jx), absolute(jy), absolute(kx), absolute(ky)});
+  if (!(largest > powerOfTwo(-200) && largest < powerOfTwo(200))) return false;
+  // Multiples of 2^(e-16), as in vertexOfPoints (stages.cpp). Differences are below 2^17 units, p below 2^35
+  // and products below 2^52.
+  const double shift = 1.5 * powerOfTwo(exponentOf(largest) - 16 + 53);
+  for (const Site* s : {&i, &j, &k}) {
+    if ((s->x + shift) - shift != s->x || (s->y + shift) - shift != s->y) return false;
+  }
+  const double pj = jx * jx + jy * jy, pk = kx * kx + ky * ky;
+  const double twice = 2 * (jx * ky - jy * kx);
+  if (!(twice > 0)) return false;
+  const double x = (pj * ky - pk * jy) / twice, y = (pk * jx - pj * kx) / twice;
+  const double rho = std::sqrt(x * x + y * y);
+  circle.x = i.x + x;
+  circle.y = i.y + y;
+  circle.s = rho - i.r;
+  circle.slope = -1;
+  circle.error = roundedUp(kUnitRoundoff * (4 * rho + absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
+  return true;
+}
+
+/// A face in long numbers. Its vertex is at (x, y) from the pole, which is rho away, with 2c x = p a, 2c y =
+/// p b, 2c rho = p n, c > 0, and each of a, b, c of the form first + second √d (as in voronoiCircle()).
+struct LongFace {
+  struct Number {
+    Dyadic first, second;
+  };
+  Dyadic d, n;
+  Row<Dyadic> row;
+  Number a, b, c;
+
+  LongFace(const Site& i, const Site& j, const Site& k) {
+    const ExactRows rows(i, {&j, &k});
+    row = rows.row(0);
+    const auto [u, v, w] = chordOf(row, rows.row(1));
+    n = u * u + v * v;
+    d = n - w * w;
+    a = {-(w * u), v};
+    b = {-(w * v), -u};
+    c = {n * row.r - w * (u * row.x + v * row.y), v * row.x - u * row.y};
+  }
+};
+
+/// The next double above or below; t is not 0.
+double neighborOf(double t, bool above) {
+  const auto bits = std::bit_cast<std::uint64_t>(t);
+  return std::bit_cast<double>((t > 0) == above ? bits + 1 : bits - 1);
+}
+
+/// `number` / (2c), rounded to the nearest double, or to the one of even mantissa if there are two; from an estimate.
+double correctQuotient(const LongFace& face, const LongFace::Number& number, double estimate) {
+  const LongFace::Number c{face.c.first + face.c.first, face.c.second + face.c.second};
+  const Rounded under = withRoot(c.first, c.second, face.d);
+  // number - 2c t, of which the signs are exact.
+  const auto restAt = [&](const Dyadic& t) {
+    return LongFace::Number{number.first - c.first * t, number.second - c.second * t};
+  };
+  if (signOfRoot(number.first, number.second, face.d) == Sign::kZero) return 0;
+  double t = estimate, previous = t, step = 0;
+  for (int round = 0; round < 16; ++round) {
+    const LongFace::Number rest = restAt(Dyadic(t));
+    const Rounded over = withRoot(rest.first, rest.second, face.d);
+    previous = t;
+    step = scaled(over.mantissa / under.mantissa, over.exponent - under.exponent);
+    t = previous + step;
+    if (absolute(step) <= powerOfTwo(-30) * absolute(t)) break;
+  }
+  // The step is good to 2^-49 of itself, a 2^-79th of t. So t is right unless the sum was as near to the
+  // middle of two doubles as that.
+  const double back = t - previous, lost = (previous - (t - back)) + (step - back);
+  const double next = neighborOf(t, lost > 0);
+  if (lost == 0 || absolute(absolute(lost) - absolute(next - t) / 2) > powerOfTwo(-20) * absolute(next - t)) return t;
+  const LongFace::Number rest = restAt((Dyadic(t) + Dyadic(next)) * Dyadic(0.5));
+  const Sign beyond = signOfRoot(rest.first, rest.second, face.d);
+  if (beyond == Sign::kZero) return lowestExponentOf(t) > lowestExponentOf(next) ? t : next;
+  return (beyond == Sign::kPositive) == (next > t) ? next : t;
+}
+
+/// Are the numbers short enough for the exact stage of a quotient: forms of degree 16, 2 of them in a double
+/// of any size?
+bool haveFewDigits(std::initializer_list<const Site*> sites) {
+  Range range;
+  for (const Site* s : sites) range.include(*s);
+  return range.highest - range.lowest < 500;
+}
+
 }  // namespace
 
 VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k) {
+  rotateToPole(i, j, k);
+  VoronoiCircle onGrid;
+  if (j != nullptr && k != nullptr && circleOnGrid(*i, *j, *k, onGrid)) return onGrid;
   const VoronoiCircle quick = voronoiCircle(i, j, k);
   const double size = absolute(quick.x) + absolute(quick.y) + absolute(quick.s);
   const bool isKnown = quick.error < std::numeric_limits<float>::infinity();
   if (quick.isHalfPlane() || (isKnown && quick.error <= powerOfTwo(-40) * size)) return quick;
 
-  // As in voronoiCircle: the centre is half p (a, b) / c from the pole, and half p n / c is its distance.
-  rotateToPole(i, j, k);
-  const ExactRows rows(*i, {j, k});
-  const Row<Dyadic>& row = rows.row(0);
-  const auto [u, v, w] = chordOf(row, rows.row(1));
-  const Dyadic n = u * u + v * v;
-  const Dyadic d = n - w * w;
-  const Rounded p = row.p.rounded();
-  const Rounded a = withRoot(-(w * u), v, d), b = withRoot(-(w * v), -u, d);
-  const Rounded c = withRoot(n * row.r - w * (u * row.x + v * row.y), v * row.x - u * row.y, d);
+  // The centre is half p (a, b) / c from the pole, and half p n / c is its distance.
+  const LongFace face(*i, *j, *k);
+  const Rounded p = face.row.p.rounded();
+  const Rounded a = withRoot(face.a.first, face.a.second, face.d), b = withRoot(face.b.first, face.b.second, face.d);
+  const Rounded c = withRoot(face.c.first, face.c.second, face.d);
   VoronoiCircle circle;
   circle.x = i->x + halfQuotient(p, a, c);
   circle.y = i->y + halfQuotient(p, b, c);
-  const double rho = halfQuotient(p, n.rounded(), c);
+  const double rho = halfQuotient(p, face.n.rounded(), c);
   circle.s = rho - i->r;
   // Each of the three quotients is off by at most 1 + 6.5 + 6.5 + 2 = 16 units of rho, and each sum by one of its own.
   const double error64 = 16 * kUnitRoundoff * (3 * rho + absolute(circle.x) + absolute(circle.y) + absolute(circle.s));
   circle.error = error64 < 1e38 ? std::max(static_cast<float>(error64 * 1.01), std::numeric_limits<float>::min())
                                 : std::numeric_limits<float>::infinity();
+  return circle;
+}
+
+VoronoiCircle commonVoronoiCircle(const Site& first, const Site& second, const Site& third) {
+  Corner i = &first, j = &second, k = &third;
+  rotateToPole(i, j, k);
+  VoronoiCircle circle = preciseVoronoiCircle(i, j, k);
+  const double rho = circle.s + i->r;
+  VoronoiCircle onGrid;
+  const bool isFinite = absolute(circle.x) + absolute(circle.y) + rho < kInfinite;
+  if (!isFinite || circleOnGrid(*i, *j, *k, onGrid) || !haveFewDigits({i, j, k})) return circle;
+  const LongFace face(*i, *j, *k);
+  const auto timesP = [&](const LongFace::Number& number) {
+    return LongFace::Number{number.first * face.row.p, number.second * face.row.p};
+  };
+  circle.x = i->x + correctQuotient(face, timesP(face.a), circle.x - i->x);
+  circle.y = i->y + correctQuotient(face, timesP(face.b), circle.y - i->y);
+  circle.s = correctQuotient(face, timesP({face.n, Dyadic(0)}), rho) - i->r;
   return circle;
 }
 

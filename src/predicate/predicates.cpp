@@ -147,6 +147,12 @@ Bearing bearingOf(double x, double y, const VoronoiCircle& circle, const Site& i
   return along == Sign::kPositive ? Bearing::kAlong : Bearing::kOpposite;
 }
 
+bool touchesCircle(const Site& i, const Site& j, const Site& k, const Site& q) {
+  Corner a = &i, b = &j, c = &k;
+  rotateToPole(a, b, c);
+  return vertexSign(*a, b, c, &q) == Sign::kZero;
+}
+
 bool isInteriorInConflict(const EdgeCorners& edge, const Site& q) {
   return probeIsInRange(edge, nullptr, nullptr, q, stages::Probe::kMiddle);
 }

@@ -41,6 +41,10 @@ enum class Bearing : signed char { kAlong, kLeft, kOpposite, kRight };
 /// `circle` is the face's cached circle, which is asked first. REQUIRES: a face of a diagram, i finite, (x, y) not the centre. Degree 8.
 [[nodiscard]] Bearing bearingOf(double x, double y, const VoronoiCircle& circle, const Site& i, Corner j, Corner k);
 
+/// Does q touch the Voronoi circle of the face (i, j, k), so that their vertices are one point? REQUIRES: as
+/// isVertexInConflict, i, j, k finite.
+[[nodiscard]] bool touchesCircle(const Site& i, const Site& j, const Site& k, const Site& q);
+
 /// A Voronoi edge: the part of the bisector of i and j from its vertex (j, i, l) to its vertex (i, j, k), with i on its left.
 /// At most one of i, j, and at most one corner of each face, is infinite.
 struct EdgeCorners {

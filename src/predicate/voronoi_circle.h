@@ -56,6 +56,12 @@ inline float roundedUp(double x) {
 /// infinite.
 [[nodiscard]] VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k);
 
+/// The same for a circle that more than three sites touch, with the same bits whichever three of them are
+/// given, the largest of all among them: the centre's offset from that site, and its distance, are rounded
+/// correctly. (Not where the sites' digits range over more than 500 places: there they are as
+/// preciseVoronoiCircle's.)
+[[nodiscard]] VoronoiCircle commonVoronoiCircle(const Site& i, const Site& j, const Site& k);
+
 /// Vertex conflict from the cached circle alone: positive, conflict; negative, none; or unknown.
 ///
 /// Circle: conflict means |c - q| < s + r. With h = fl(s + r) and E = error + 2u|h|, the exact s + r and |c - q| differ from h

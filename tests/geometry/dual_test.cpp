@@ -1,12 +1,14 @@
 // The drawn dual graph is an embedding (paper, Appendix A, Theorem 4): no two edges cross. And the hull, against its definition.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
-#include <map>
+#include <set>
 
 #include "geometry/shapes.h"
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/operations.h"
 
 namespace apollonius::test {
 namespace {
@@ -153,6 +155,128 @@ TEST_P(DualOn, HullHoldsAllCirclesAndTouchesIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, DualOn, ::testing::ValuesIn(corpus()), [](const auto& parameter) { return parameter.param.name; });
+
+/// Decimal fractions: triples in line and quadruples on a circle up to rounding, so that Voronoi circles are
+/// far larger than everything else, or nearly the same.
+Circles decimalSet(Random& random, int kind) {
+  Circles circles;
+  const double step = kind == 3 ? 8.53e-9 : 0.1;
+  const std::size_t n = 4 + random.below(std::size_t{17});
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto i = static_cast<double>(random.integer(0, 9)), j = static_cast<double>(random.integer(0, 9));
+    const double r = kind == 1 && random.oneIn(3) ? step * static_cast<double>(random.integer(0, 3)) : 0;
+    const double y = kind == 2 ? 0.3 * i + (random.oneIn(4) ? 0.1 * j : 0) : step * j;
+    circles.push_back({step * i, y, r});
+  }
+  return circles;
+}
+
+Path drawnDual(const Circles& circles, const Bounds& bounds, double tolerance) {
+  Diagram diagram;
+  insertInto(diagram, circles);
+  Path path;
+  Voronoi::Portion portion;
+  EXPECT_EQ(Voronoi(diagram, bounds).drawDual(tolerance, true, portion, path), Error::kNone);
+  return path;
+}
+
+/// Segments cut where they leave the surroundings of the sites. An edge around a Voronoi circle that is 10^15
+/// times as large as everything else goes there and comes back a site's distance away, which doubles cannot
+/// tell apart there.
+std::vector<Segment> nearPart(const std::vector<Segment>& segments, double size) {
+  std::vector<Segment> near;
+  for (Segment s : segments) {
+    const double far = 1000 * size, a = std::hypot(s.ax, s.ay), b = std::hypot(s.bx, s.by);
+    if (a > far && b > far) continue;
+    const auto cut = [&](double& x, double& y, double fromX, double fromY) {
+      const double share = far / (std::abs(x - fromX) + std::abs(y - fromY));
+      if (share >= 1) return;
+      x = fromX + share * (x - fromX);
+      y = fromY + share * (y - fromY);
+    };
+    if (b > a) {
+      cut(s.bx, s.by, s.ax, s.ay);
+    } else {
+      cut(s.ax, s.ay, s.bx, s.by);
+    }
+    near.push_back(s);
+  }
+  return near;
+}
+
+TEST(Dual, EdgesOfDecimalSetsDoNotCross) {
+  Random random(534);
+  for (int run = 0; run < runs(200); ++run) {
+    const Circles circles = decimalSet(random, run % 4);
+    Bounds bounds;
+    if (!windowAround(circles, 0.2, bounds)) continue;
+    const double size = bounds.xmax - bounds.xmin;
+    ASSERT_EQ(crossings(nearPart(segmentsOf(drawnDual(circles, bounds, size * 1e-7)), size), size * 2e-4), 0u)
+        << "run " << run << "\n" << toText(insertAll(circles));
+  }
+  const Circles flat{{.8, .5, 0}, {.9, .30000000000000004, 0}, {.6000000000000001, .9, 0}, {.3, .3, 0}};
+  EXPECT_EQ(crossings(nearPart(segmentsOf(drawnDual(flat, {0, 0, 1, 1}, 1e-7)), 1), 2e-4), 0u);
+}
+
+TEST(Dual, EdgesAreWhereTwoVoronoiCirclesAreNearest) {
+  // Appendix A by its definition: the embedding is the Voronoi diagram of the Voronoi circles. (Edges with an
+  // end at infinity have a half-plane for one of their circles, and are left out.)
+  Random random(535);
+  int checked = 0;
+  for (int run = 0; run < runs(100); ++run) {
+    const Circles circles = run % 5 == 4 ? randomCircles(random, 30, Hidden::k20Percent) : decimalSet(random, run % 5);
+    Bounds bounds;
+    if (!windowAround(circles, 0.2, bounds)) continue;
+    const double size = bounds.xmax - bounds.xmin, tolerance = 1e-9 * size;
+    Diagram diagram;
+    insertInto(diagram, circles);
+    VertexArrays vertices;
+    EdgeArrays edges;
+    ASSERT_EQ(diagram.vertices(vertices), Error::kNone);
+    ASSERT_EQ(diagram.edges(edges), Error::kNone);
+    // A distance to a circle that is far larger than its sites has no digits left.
+    const auto isFar = [&](double s) { return s > 1e6 * size; };
+    if (std::any_of(vertices.clearance.begin(), vertices.clearance.end(), isFar)) continue;
+    std::set<std::array<double, 4>> unbounded;
+    for (std::size_t k = 0; k < edges.sites.size(); k += 2) {
+      if (edges.vertices[k] >= 0 && edges.vertices[k + 1] >= 0) continue;
+      const Circle &a = circles[edges.sites[k]], &b = circles[edges.sites[k + 1]];
+      unbounded.insert({a.x, a.y, b.x, b.y});
+      unbounded.insert({b.x, b.y, a.x, a.y});
+    }
+    const std::vector<Segment> segments = segmentsOf(drawnDual(circles, bounds, tolerance));
+    for (std::size_t first = 0, end = 0; first < segments.size(); first = end) {
+      while (end < segments.size() && segments[end].edge == segments[first].edge) ++end;
+      const Segment &head = segments[first], &tail = segments[end - 1];
+      if (unbounded.contains({head.ax, head.ay, tail.bx, tail.by})) continue;
+      for (std::size_t k = first; k + 1 < end; ++k) {
+        const double x = segments[k].bx, y = segments[k].by;
+        double nearest = 1e300, second = 1e300;
+        for (std::size_t v = 0; v < vertices.clearance.size(); ++v) {
+          const double dx = vertices.coordinates[2 * v] - x, dy = vertices.coordinates[2 * v + 1] - y;
+          const double distance = std::hypot(dx, dy) - vertices.clearance[v];
+          second = std::min(second, std::max(nearest, distance));
+          nearest = std::min(nearest, distance);
+        }
+        ASSERT_LE(second - nearest, 1e-7 * size)
+            << "run " << run << " at " << x << " " << y << "\n" << toText(insertAll(circles));
+        ++checked;
+      }
+    }
+  }
+  EXPECT_GT(checked, runs(500));
+}
+
+TEST(Dual, TheRayOfALargeCircleLeavesOnItsFarSide) {
+  // A point just outside the rim: nearly all directions are the large circle's, and the middle of them is
+  // opposite to the point.
+  const Path path = drawnDual({{0, 0, .5}, {.3, .4, 0}}, {-5, -5, 5, 5}, 1e-3);
+  bool isFound = false;
+  for (std::size_t k = 0; k + 1 < path.coordinates.size(); k += 2) {
+    isFound |= path.coordinates[k + 1] == -5 && std::abs(path.coordinates[k] + 3.75) < 1e-9;
+  }
+  EXPECT_TRUE(isFound);
+}
 
 TEST(Hull, OneSiteAndNone) {
   Diagram diagram;

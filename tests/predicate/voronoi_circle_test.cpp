@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -21,6 +23,18 @@ using namespace test;
 bool sameBits(const VoronoiCircle& a, const VoronoiCircle& b) {
   const auto same = [](double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); };
   return same(a.x, b.x) && same(a.y, b.y) && same(a.s, b.s) && same(a.error, b.error) && same(a.slope, b.slope);
+}
+
+/// Do sites that touch one circle about the origin from outside come in this order, counter-clockwise?
+bool touchesTurning(const Site& a, const Site& b, const Site& c) {
+  const auto direction = [](const Site& s) {
+    const double size = std::sqrt(s.x * s.x + s.y * s.y);
+    return std::pair{s.x / size, s.y / size};
+  };
+  const auto [ax, ay] = direction(a);
+  const auto [bx, by] = direction(b);
+  const auto [cx, cy] = direction(c);
+  return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) > 1e-9;
 }
 
 class VoronoiCircleOn : public ::testing::TestWithParam<NamedGenerator> {};
@@ -116,6 +130,63 @@ TEST_P(VoronoiCircleOn, HalfPlaneTouchesBothSites) {
 
 INSTANTIATE_TEST_SUITE_P(Corpus, VoronoiCircleOn, ::testing::ValuesIn(corpus()),
                          [](const auto& parameter) { return parameter.param.name; });
+
+/// A circle that many sites touch: the same bits from any three of them with the largest, and its centre is the origin.
+TEST(VoronoiCircle, OfManySitesIsTheSameForAll) {
+  Random random(104);
+  int count = 0;
+  for (int run = 0; run < runs(300); ++run) {
+    Circles c = visibleOnly(run % 3 == 0 ? cocircularPoints(random, 7) : commonTangent(random, 7, 20));
+    std::sort(c.begin(), c.end(), [](const Circle& a, const Circle& b) { return oracleSmaller(b, a); });
+    const double unit = run % 2 == 0 ? 1 : 0x1p-9;
+    std::vector<Site> s = toSites(c);
+    for (Site& site : s) site = {unit * site.x, unit * site.y, unit * site.r};
+    const double clearance = unit * (run % 3 == 0 ? 32044 : 20);
+    for (std::size_t j = 1; j < s.size(); ++j) {
+      for (std::size_t k = 1; k < s.size(); ++k) {
+        if (k == j || !touchesTurning(s[0], s[j], s[k])) continue;
+        const VoronoiCircle circle = commonVoronoiCircle(s[j], s[k], s[0]);
+        EXPECT_EQ(circle.x, 0);
+        EXPECT_EQ(circle.y, 0);
+        EXPECT_EQ(circle.s, clearance);
+        for (std::size_t q = 1; q < s.size(); ++q) {
+          EXPECT_TRUE(q == j || q == k || touchesCircle(s[0], s[j], s[k], s[q]));
+        }
+        ++count;
+      }
+    }
+    if (HasFailure()) FAIL() << "run " << run;
+  }
+  EXPECT_GT(count, runs(1000));
+}
+
+/// Far from the origin the offsets are rounded: still the same bits.
+TEST(VoronoiCircle, OfManySitesHasTheSameBitsWhereItIsRounded) {
+  Random random(105);
+  for (int run = 0; run < runs(300); ++run) {
+    // A circle about a centre of thirds cannot be held by doubles, but its four sites can: mirror images in two lines.
+    const double x = static_cast<double>(random.integer(1, 99)), y = static_cast<double>(random.integer(1, 99));
+    const double h = static_cast<double>(random.integer(1, 99));
+    const double r = random.oneIn(2) ? 0 : static_cast<double>(random.integer(1, 9));
+    const double far = 1000.1, w = 2 * x + 1;
+    const std::array<Site, 4> s{Site{far, 0, r}, Site{far, h, r}, Site{far + w, h + y, 0.5}, Site{far + w, -y, 0.5}};
+    if (covers(s[0], s[2]) || covers(s[2], s[0])) continue;
+    // In the order of the contacts, counter-clockwise: 0, 3, 2, 1. The largest is 1 if the first two are
+    // larger, else 2.
+    const std::size_t z = precedes(s[1], s[2]) ? 2 : 1;
+    std::vector<VoronoiCircle> circles;
+    for (const auto& [a, b, c] : {std::array<std::size_t, 3>{0, 3, 2}, {3, 2, 1}, {2, 1, 0}, {1, 0, 3}}) {
+      if (a != z && b != z && c != z) continue;
+      if (!hasVoronoiCircle(s[a], s[b], s[c]) || !touchesCircle(s[a], s[b], s[c], s[6 - a - b - c])) continue;
+      circles.push_back(commonVoronoiCircle(s[a], s[b], s[c]));
+    }
+    for (const VoronoiCircle& circle : circles) {
+      EXPECT_EQ(circle.x, circles[0].x) << "run " << run;
+      EXPECT_EQ(circle.y, circles[0].y) << "run " << run;
+      EXPECT_EQ(circle.s, circles[0].s) << "run " << run;
+    }
+  }
+}
 
 TEST(VoronoiCircle, SimpleCases) {
   const Site a{0, 0, 0}, b{4, 0, 0}, c{0, 4, 0};

@@ -1,0 +1,111 @@
+#include "geometry/ring.h"
+
+#include "geometry/approximate.h"
+#include "geometry/turn.h"
+#include "number/fp.h"
+
+namespace apollonius {
+
+namespace {
+
+class Ring {
+ public:
+  Ring(Point center, Array<double>& points) : center_(center), points_(points), begin_(points.size()) {}
+
+  void add(Point p) {
+    points_.push_back(p.x);
+    points_.push_back(p.y);
+  }
+
+  /// Of a chain of curves, which began at place `from`, drops the points that come before their predecessors
+  /// by rounding. Its ends stay: points of the border, or the ring's start.
+  void straighten(std::size_t from) {
+    std::size_t kept = from;
+    for (std::size_t k = from + 1; k < count(); ++k) {
+      const bool isFixed = k + 1 == count();
+      while (isFixed && kept > from && isBefore(at(k), at(kept))) --kept;
+      if (at(k) == at(kept) || (!isFixed && isBefore(at(k), at(kept)))) continue;
+      put(++kept, at(k));
+    }
+    points_.resize(begin_ + 2 * (kept + 1));
+  }
+
+  [[nodiscard]] std::size_t count() const { return (points_.size() - begin_) / 2; }
+  [[nodiscard]] Point at(std::size_t k) const { return {points_[begin_ + 2 * k], points_[begin_ + 2 * k + 1]}; }
+
+  /// Removes the ring if its area is not positive: it has less than three different points, or is in the wrong order.
+  bool finish() {
+    double area = 0;
+    for (std::size_t k = 1; k + 1 < count(); ++k) area += cross(at(k) - at(0), at(k + 1) - at(0));
+    if (area > 0) return true;
+    points_.resize(begin_);
+    return false;
+  }
+
+ private:
+  void put(std::size_t k, Point p) {
+    points_[begin_ + 2 * k] = p.x;
+    points_[begin_ + 2 * k + 1] = p.y;
+  }
+
+  /// Is p clockwise of q, and by no more than vertices can be off (edge.h)?
+  [[nodiscard]] bool isBefore(Point p, Point q) const {
+    const double size = absolute(p.x) + absolute(p.y) + length(p - center_);
+    return length(p - q) <= powerOfTwo(-38) * size && turnOf(center_, q, p) == Sign::kNegative;
+  }
+
+  Point center_;
+  Array<double>& points_;
+  std::size_t begin_;
+};
+
+}  // namespace
+
+namespace {
+
+/// Does a piece of the border run clockwise, because rounding has exchanged two contacts (border.h)? Then it
+/// counts as a curve.
+bool runsBackwards(const Window& window, const Conic& piece) {
+  const Point a = piece.p0, b = piece.p2;
+  const auto areOn = [](double side, double p, double q) { return p == side && q == side; };
+  return (areOn(window.ymin, a.y, b.y) && b.x < a.x) || (areOn(window.xmax, a.x, b.x) && b.y < a.y) ||
+         (areOn(window.ymax, a.y, b.y) && b.x > a.x) || (areOn(window.xmin, a.x, b.x) && b.y > a.y);
+}
+
+/// One try; false, with nothing appended, if it is no ring.
+bool tryRing(std::span<const BoundaryPiece> region, Point center, const Window& window, double tolerance,
+             Array<double>& points) {
+  Ring ring(center, points);
+  ring.add(region.front().curve.p0);
+  std::size_t from = 0;  // the start of a chain of curves
+  bool isOnCurve = false;
+  for (const BoundaryPiece& piece : region) {
+    if (piece.neighbor == kNoSite && !runsBackwards(window, piece.curve)) {
+      if (isOnCurve) ring.straighten(from);
+      isOnCurve = false;
+      ring.add(piece.curve.p2);
+      continue;
+    }
+    if (!isOnCurve) from = ring.count() - 1;
+    isOnCurve = true;
+    flattenConic(piece.curve, tolerance, points, &center);
+  }
+  if (isOnCurve) ring.straighten(from);
+  return ring.finish();
+}
+
+/// Finer than this share of the tolerance is not tried.
+constexpr double kFinestShare = powerOfTwo(-42);
+
+}  // namespace
+
+void appendRing(std::span<const BoundaryPiece> region, Point center, const Window& window, double tolerance,
+                Array<double>& points) {
+  // Where a region is thinner than the tolerance, between a curve and the border, say, nothing may be left of
+  // it: then finer.
+  for (double share = 1; share >= kFinestShare; share *= powerOfTwo(-6)) {
+    if (tryRing(region, center, window, share * tolerance, points)) return;
+  }
+}
+
+}  // namespace apollonius

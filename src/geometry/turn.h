@@ -1,0 +1,12 @@
+// Exact orientation of three points with double coordinates.
+#pragma once
+
+#include "geometry/point.h"
+#include "number/sign.h"
+
+namespace apollonius {
+
+/// Positive if a, b is a turn to the left as seen from `from`: the sign of (a - from) × (b - from). Exact.
+[[nodiscard]] Sign turnOf(Point from, Point a, Point b);
+
+}  // namespace apollonius
