@@ -11,19 +11,27 @@
 
 namespace apollonius {
 
-/// Do the faces on both sides of an edge, which starts at the largest site of h's face, have one circle?
+namespace {
+
+/// Are the circles of two bounded faces certainly different? Nearly all are: each number is off by its circle's error at most. (Errors that
+/// are not known are infinite.)
+bool areApart(const VoronoiCircle& a, const VoronoiCircle& b) {
+  const double error = (static_cast<double>(a.error) + static_cast<double>(b.error)) * (1 + powerOfTwo(-20));
+  return absolute(a.x - b.x) > error || absolute(a.y - b.y) > error || absolute(a.s - b.s) > error;
+}
+
+}  // namespace
+
+/// Do the faces on both sides of an edge, which starts at the largest site of h's face, have one circle? Or do they have the same three
+/// sites, in both orders, and circles that are one as far as doubles can tell: then they are to be rounded as well as if they were.
 bool DelaunayGraph::isSameVertex(HalfedgeId h) const {
   const FaceId f = faceOf(h), g = faceOf(graph_.twin(h));
   const VertexId beyond = graph_.apex(graph_.twin(h));
   if (beyond == kInfinity) return false;
-  const VoronoiCircle &a = circle(f), &b = circle(g);
-  if (b.isHalfPlane()) return false;
-  // Nearly all are certainly different: each number is off by its circle's error at most. (Errors that are
-  // not known are infinite.)
-  const double error = (static_cast<double>(a.error) + static_cast<double>(b.error)) * (1 + powerOfTwo(-20));
-  if (absolute(a.x - b.x) > error || absolute(a.y - b.y) > error || absolute(a.s - b.s) > error) return false;
   const EdgeCorners e = edge(h);
-  return touchesCircle(*e.i, *e.j, *e.k, *e.l);
+  if (beyond == graph_.apex(h)) return !areApart(voronoiCircle(e.i, e.j, e.k), voronoiCircle(e.j, e.i, e.l));  // not the cached: see above
+  const VoronoiCircle &a = circle(f), &b = circle(g);
+  return !b.isHalfPlane() && !areApart(a, b) && touchesCircle(*e.i, *e.j, *e.k, *e.l);
 }
 
 VoronoiCircle DelaunayGraph::vertex(FaceId f) const {

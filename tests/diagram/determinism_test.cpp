@@ -17,14 +17,14 @@ namespace {
 
 /// Hash of what the diagram says about its circles: order-free, so a change here means that the bits of some coordinate, clearance
 /// or distance have changed. Update it only with a change of those formulas that is meant.
-constexpr std::uint64_t kExpectedValues = 0x38e41ad312b2a25d;
+constexpr std::uint64_t kExpectedValues = 0xbc441551d99089c7;
 
 /// Hash of the raw arrays in their order, which depends on how the diagram is stored and searched. Update it after any change of
 /// that; it still has to be the same natively and in wasm.
-constexpr std::uint64_t kExpectedRaw = 0xca4d044d3fce0204;
+constexpr std::uint64_t kExpectedRaw = 0x9cca63b7d306dc49;
 
 /// Hash of generated circles: native code and wasm must be tested with the same sets.
-constexpr std::uint64_t kExpectedGenerated = 0xed88663fc0172253;
+constexpr std::uint64_t kExpectedGenerated = 0xed46e77fa0e6f83e;
 
 std::string hex(const Hash& hash) {
   char text[20];

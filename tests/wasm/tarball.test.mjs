@@ -31,15 +31,15 @@ test("needs no other package and runs nothing when it is installed", () => {
 });
 
 // Every visitor of a page loads it. What this costs in speed, and where there is room: bench/README.md, "Size".
-test("sizes: the default entry at most 60 KB with brotli, all of it at most 600 KB", () => {
+test("sizes: the default entry at most 95 KB with brotli, all of it at most 1 MB", () => {
   const unpacked = files.reduce((sum, file) => sum + statSync(path.join(installed, file)).size, 0);
   const sizes = { esm: brotli("dist/esm/index.js"), script: brotli("dist/cjs/index.js"), wasm: brotli("dist/apollonius.wasm"),
                   code: brotli("dist/esm/wasm.js") };
   process.stdout.write(`bytes with brotli: ${JSON.stringify(sizes)}; unpacked ${unpacked}, packed ${statSync(tarball).size}\n`);
-  expect(sizes.esm).toBeLessThanOrEqual(60_400);
-  expect(sizes.script).toBeLessThanOrEqual(60_400);  // the same with its wrapper
+  expect(sizes.esm).toBeLessThanOrEqual(95_000);
+  expect(sizes.script).toBeLessThanOrEqual(95_000);  // the same with its wrapper
   expect(sizes.wasm + sizes.code).toBeLessThan(sizes.esm);
-  expect(unpacked).toBeLessThanOrEqual(600_000);
+  expect(unpacked).toBeLessThanOrEqual(1_000_000);
 });
 
 test("README says how large the entries are", () => {
