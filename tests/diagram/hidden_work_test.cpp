@@ -98,7 +98,9 @@ TEST(HiddenWork, RemovingTheVisibleOneOfNestedSitesUntilNoneIsLeft) {
             ASSERT_EQ(core.visibleCount(), 1u);
             ASSERT_EQ(core.site(core.ids().slotOf(anyVisible(core))).r, circles[left - 1].r) << "the largest";
             ASSERT_TRUE(core.remove(anyVisible(core)));
-            if (left == n / 2) EXPECT_EQ(core.check().text(), "");
+            if (left == n / 2) {
+              EXPECT_EQ(core.check().text(), "");
+            }
           }
         });
         EXPECT_EQ(core.ids().size(), 0u);
@@ -127,7 +129,9 @@ TEST(HiddenWork, RemovingNestedSitesInAnyOrderAndAllAtOnce) {
         }
         for (std::size_t k = 0; k < n; ++k) {
           EXPECT_TRUE(core.remove(ids[k]));
-          if (k == n / 2) EXPECT_LE(mostChildren(core), 2u);
+          if (k == n / 2) {
+            EXPECT_LE(mostChildren(core), 2u);
+          }
         }
       });
       EXPECT_LT(work, (4 + 3 * std::log2(n)) * static_cast<double>(n));
