@@ -32,7 +32,7 @@ void DelaunayGraph::reserveFaces(std::size_t removed, std::size_t created) {
     newFaces_.resize(created);
     newCircles_.resize(created);
   }
-  const std::size_t slots = graph_.faceSlots() + (created > removed ? created - removed : 0);
+  const std::size_t slots = graph_.faceSlotsAfter(removed, created);
   if (circles_.size() < slots) {
     if (circles_.capacity() < slots) circles_.reserve(slots + slots / 2);
     circles_.resize(slots);

@@ -12,9 +12,7 @@ void Graph::reserveFaces(std::size_t removed, std::size_t created) {
   const auto grow = [](auto& array, std::size_t needed) {
     if (array.capacity() < needed) array.reserve(std::max(needed, array.capacity() + array.capacity() / 2));
   };
-  if (created > removed + freeFaces_) {
-    grow(halfedges_, halfedges_.size() + 3 * (created - removed - freeFaces_));
-  }
+  grow(halfedges_, 3 * faceSlotsAfter(removed, created));
   grow(rim_, std::max(removed, created));
   grow(lost_, 3 * removed);
 }

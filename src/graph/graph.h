@@ -37,6 +37,10 @@ class Graph {
   [[nodiscard]] HalfedgeId rotateCw(HalfedgeId h) const { return next(twin(h)); }
 
   [[nodiscard]] std::size_t faceSlots() const { return halfedges_.size() / 3; }  ///< live and free ones
+  /// As many as that will be after an operation that takes `removed` faces away and brings `created` new ones.
+  [[nodiscard]] std::size_t faceSlotsAfter(std::size_t removed, std::size_t created) const {
+    return faceSlots() + (created > removed + freeFaces_ ? created - removed - freeFaces_ : 0);
+  }
   [[nodiscard]] std::size_t vertexSlots() const { return outgoing_.size(); }
   [[nodiscard]] std::size_t faceCount() const { return faceSlots() - freeFaces_; }
   [[nodiscard]] bool isLive(FaceId f) const { return origin(halfedgeOf(f, 0)) != kNoVertex; }

@@ -382,6 +382,18 @@ TEST_P(OutOfMemory, ChangesOfWholeSetsLeaveThemAsTheyWere) {
   EXPECT_GT(failed_, 50);
 }
 
+/// A giant leaves more room free among the faces than memory is held back; taking it out again has to find that.
+TEST_P(OutOfMemory, GiantsOverManySitesAreTakenOutAgain) {
+  if (kEffortDivisor > 1) GTEST_SKIP() << "two thousand sites";
+  Random random(7);
+  const Circles circles = randomCircles(random, 2200, Hidden::kNone);
+  std::vector<NamedOperation> operations = changesOfAll(circles, {5e5, 5e5, 7e5});
+  std::erase_if(operations, [](const NamedOperation& operation) { return operation.name.find("one over all") == std::string::npos; });
+  ASSERT_EQ(operations.size(), 2u);
+  failAll(circles, operations);
+  EXPECT_GT(failed_, 10);
+}
+
 /// Hundreds of neighbours: undoing that takes more than what is held back.
 TEST_P(OutOfMemory, GiantsWithManyNeighborsLeaveTheDiagramAsItWas) {
   Random random(8);
