@@ -79,7 +79,8 @@ class Diagram {
   /// Moves and/or resizes a site, which keeps its id. Errors: as insert, kUnknownSite.
   [[nodiscard]] Error update(SiteId id, double x, double y, double r);
 
-  /// Updates ids[k] to triple k, all or nothing. Errors: as update; kBadLength unless xyr.size() == 3 * ids.size().
+  /// Updates ids[k] to triple k, all or nothing. Cost: as update for each; where many sites move far, that of building, with
+  /// memory for two diagrams if there is some. Errors: as update; kBadLength unless xyr.size() == 3 * ids.size().
   [[nodiscard]] Error updateMany(std::span<const SiteId> ids, std::span<const double> xyr);
 
   /// Removes all sites; ids start from 0 again.

@@ -191,8 +191,8 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Updates site ids[k] to the k-th x, y, r triple, all or none. Cost: as `update` for each. Throws as `update`, and
-   * "bad-length" unless there is one triple an id.
+   * Updates site ids[k] to the k-th x, y, r triple, all or none. Cost: as `update` for each, but no more than building
+   * takes where many sites move far. Throws as `update`, and "bad-length" unless there is one triple an id.
    */
   updateMany(ids: ArrayLike<number>, xyr: ArrayLike<number>): this {
     const native = this.#living();

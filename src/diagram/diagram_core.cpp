@@ -12,6 +12,11 @@ namespace apollonius {
 
 namespace {
 
+// Moving a site on its own, which displaces and places it, costs some ten times as much as it costs in a bulk insertion, and
+// certifying moves in place half as much: where more than this share have to be moved on their own, building anew is cheaper.
+constexpr std::size_t kRebuildShare = 24;
+constexpr std::size_t kFewMoves = 16;  // are not worth new arrays
+
 /// Of slots.
 struct Covers {
   const DelaunayGraph& graph;
@@ -30,7 +35,7 @@ void DiagramCore::reserve(std::size_t slots) {
 
 VertexId DiagramCore::startFor(double x, double y) const {
   const Slot close = grid_.near(x, y);
-  if (close != kNoSlot && base_.isVisible(vertexOf(close))) return vertexOf(close);
+  if (close != kNoSlot && base_.isVisible(vertexOf(close)) && grid_.isClose(site(close), x, y)) return vertexOf(close);
   if (isHierarchyDue_ && !isUndoing_) buildHierarchy();
   const Slot start = hierarchy_.locate(x, y);
   return start == kNoSlot ? kNoVertex : vertexOf(start);
@@ -265,14 +270,14 @@ bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
   const Site to = normalized(site);
   if (!coversChildren(slot, to)) return false;
   if (ids_.state(slot) == SiteState::kHidden) {
-    const Slot parent = hidden_.isChild(slot) ? hidden_.parentIfNear(slot) : HiddenForest::kNone;
-    if (parent == HiddenForest::kNone || !covers(this->site(parent), to)) return false;
+    if (!staysBelow(slot, to)) return false;
     base_.setSite(vertexOf(slot), to);
     return true;
   }
   if (!base_.graph().hasVertex(vertexOf(slot))) return false;  // the only visible one
   moves_.assign(1, {vertexOf(slot), to});
-  return makeMoves();
+  makeMoves(1);
+  return !moves_.empty();
 }
 
 bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
@@ -282,10 +287,14 @@ bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
   return true;
 }
 
-/// Makes those of moves_ that leave the graph as it is, and keeps only them there; the levels and the grid
-/// follow. False if there is none.
-bool DiagramCore::makeMoves() {
-  const std::span<const std::uint8_t> isMade = siteMoves_.apply(base_, moves_);
+/// Of a hidden site: does its parent cover it there, too? No is also said where the parent is not to be found quickly.
+bool DiagramCore::staysBelow(Slot slot, const Site& to) const {
+  const Slot parent = hidden_.isChild(slot) ? hidden_.parentIfNear(slot) : HiddenForest::kNone;
+  return parent != HiddenForest::kNone && covers(site(parent), to);
+}
+
+void DiagramCore::makeMoves(std::size_t mostLeft) {
+  const std::span<const std::uint8_t> isMade = siteMoves_.apply(base_, moves_, mostLeft);
   std::size_t made = 0;
   for (std::size_t k = 0; k < moves_.size(); ++k) {
     if (isMade[k] == 0) continue;
@@ -295,21 +304,28 @@ bool DiagramCore::makeMoves() {
   moves_.resize(made, {});
   if (!isHierarchyDue_) hierarchy_.move(moves_, remover_);
   if (grid_.isOutgrown(ids_.slots())) rebuildGrid();
-  return made > 0;
 }
 
-void DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order) {
+std::size_t DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr,
+                                         std::span<const std::uint32_t> order, std::size_t mostLeft) {
   moves_.clear();
   moves_.reserve(ids.size());
+  std::size_t left = 0;
   for (const std::size_t k : order) {
     const Slot slot = ids_.slotOf(ids[k]);
     const Site to = normalized({xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
     const Site& from = site(slot);
-    const bool isAtRest = from.x == to.x && from.y == to.y && from.r == to.r;
-    if (!base_.graph().hasVertex(vertexOf(slot)) || isAtRest || !coversChildren(slot, to)) continue;
-    moves_.push_back({vertexOf(slot), to});
+    if (from.x == to.x && from.y == to.y && from.r == to.r) continue;
+    if (base_.graph().hasVertex(vertexOf(slot)) && coversChildren(slot, to)) {
+      moves_.push_back({vertexOf(slot), to});
+    } else {
+      left += ids_.state(slot) != SiteState::kHidden || !staysBelow(slot, to);
+    }
   }
-  makeMoves();
+  if (left > mostLeft) return left + moves_.size();
+  const std::size_t all = moves_.size();
+  makeMoves(mostLeft - left);
+  return left + all - moves_.size();
 }
 
 FlatArray<std::uint32_t> DiagramCore::stage(std::span<const double> xyr) {
@@ -331,22 +347,16 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
   const std::size_t slots = slotsWith(n);
   const bool isBulk = n > (ids_.size() + n) / 4;
   reserve(slots);
-  if (isBulk && usesHierarchy_) hierarchy_.reserveBulk(slots);
   // Ids are given in the order of the input, slots along the curve.
   for (SiteId& id : ids) id = ids_.takeId();
   for (std::uint32_t& k : order) k = ids_.takeSlot(ids[k], SiteState::kPending);
-  // Walks start beside, so the grid need not be kept while it changes a lot.
-  isBulk_ = isBulk;
+  if (isBulk) beginBulk(slots);
   const Undo undo = n < ids_.size() ? Undo::kMaybe : Undo::kNever;  // a diagram that was empty is simply emptied
   std::size_t done = 0;
   try {
     order = inRandomizedRounds(order);
     if (isBulk) base_.reserveBulk(n);  // a few would be paid for by copying all
-    for (; done < n; ++done) {
-      const Slot slot = order[done];
-      const Site circle = site(slot);
-      ids_.setState(slot, place(slot, circle, visibleBeside(slot), undo));
-    }
+    placeAll(order, undo, done);
     order = FlatArray<std::uint32_t>();  // the grid fits where it was
     endBulk();
   } catch (...) {
@@ -367,6 +377,21 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
   }
 }
 
+/// Walks start beside, so the grid need not be kept while it changes a lot. Levels that are to be made when they are asked
+/// for are left alone until then.
+void DiagramCore::beginBulk(std::size_t slots) {
+  isBulk_ = true;
+  if (usesHierarchy_ && !isHierarchyDue_) hierarchy_.reserveBulk(slots);
+}
+
+void DiagramCore::placeAll(std::span<const std::uint32_t> order, Undo undo, std::size_t& done) {
+  for (; done < order.size(); ++done) {
+    const Slot slot = order[done];
+    const Site circle = site(slot);
+    ids_.setState(slot, place(slot, circle, visibleBeside(slot), undo));
+  }
+}
+
 void DiagramCore::endBulk() noexcept {
   if (isBulk_ && walk_ == Walk::kSectors && base_.visibleCount() > 0) rebuildGrid();
   isBulk_ = false;
@@ -384,12 +409,13 @@ VertexId DiagramCore::visibleBeside(Slot slot) const {
 void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
   ballast_.load();
   const FlatArray<std::uint32_t> order = orderOfSlots(ids);
+  const std::size_t mostLeft = std::max(ids_.size() / kRebuildShare, kFewMoves);
   FlatArray<Site> before(ids.size());
   for (const std::size_t k : order) before[k] = site(ids_.slotOf(ids[k]));
   FlatArray<Moved> moved(order.size());  // those that were moved one by one, and how
   std::size_t done = 0;
   try {
-    moveManyInPlace(ids, xyr, order);
+    if (moveManyInPlace(ids, xyr, order, mostLeft) > mostLeft && rebuildWith(ids, xyr, order)) return;
     for (; done < order.size(); ++done) {
       const std::size_t k = order[done];
       moved[done] = move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});

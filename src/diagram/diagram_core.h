@@ -101,10 +101,17 @@ class DiagramCore {
   Moved move(Slot slot, const Site& site);
   /// Moves a site if nothing else changes by that; else false.
   [[nodiscard]] bool moveInPlace(Slot slot, const Site& site);
-  /// Moves those of the sites together for which that is so; the others stay where they are.
-  void moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order);
+  /// Moves those of the sites together for which that is so; the others stay where they are. Should they be more than
+  /// `mostLeft`, all may stay; how many do, but for hidden ones that can be moved in place.
+  std::size_t moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order,
+                              std::size_t mostLeft);
   [[nodiscard]] bool coversChildren(Slot slot, const Site& to) const;
-  bool makeMoves();
+  [[nodiscard]] bool staysBelow(Slot slot, const Site& to) const;
+  /// Makes those of moves_ that leave the graph as it is, and keeps only them there; the levels and the grid follow.
+  void makeMoves(std::size_t mostLeft);
+  /// Becomes a diagram built anew of all sites with these moves made (rebuild.cpp). False, and nothing is changed, if there
+  /// is no memory for two of them.
+  [[nodiscard]] bool rebuildWith(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order) noexcept;
   [[nodiscard]] FlatArray<std::uint32_t> orderOfSlots(std::span<const SiteId> ids) const;
   // Undoing, step by step in reverse order, each from what it had led to: so it needs what was needed then, and
   // there is room for that.
@@ -126,6 +133,9 @@ class DiagramCore {
   void leaveLocation(Slot slot) noexcept;
   void rebuildGrid() noexcept;
   void buildHierarchy() const noexcept;
+  void beginBulk(std::size_t slots);
+  /// Places pending sites, in this order, in which each is beside earlier ones in memory; `done` counts them.
+  void placeAll(std::span<const std::uint32_t> order, Undo undo, std::size_t& done);
   void endBulk() noexcept;
   [[nodiscard]] VertexId startFor(double x, double y) const;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "diagram/vocabulary.h"
@@ -109,6 +110,20 @@ class SiteIds {
     slots_[slot] = word(SiteState::kFree, firstFreeSlot_);
     firstFreeSlot_ = slot;
     ++freeSlots_;
+  }
+
+  /// Becomes the same numbering with the slots 0, 1, 2, … for the sites of these ids, all pending.
+  /// REQUIRES: each id in use once. Throws std::bad_alloc.
+  void assignWithSlots(const SiteIds& other, std::span<const SiteId> order) {
+    ids_ = other.ids_;
+    firstFreeId_ = other.firstFreeId_;
+    slots_.resize(order.size());
+    for (Slot slot = 0; slot < order.size(); ++slot) {
+      ids_[order[slot]] = slot;
+      slots_[slot] = word(SiteState::kPending, order[slot]);
+    }
+    firstFreeSlot_ = kEnd;
+    freeSlots_ = hiddenCount_ = 0;
   }
 
   /// Room for so many sites in all.

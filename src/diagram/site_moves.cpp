@@ -26,31 +26,25 @@ bool turnedLessThanAQuarter(const VoronoiCircle& before, const Site& from, const
 
 }  // namespace
 
-std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& diagram, std::span<const Move> moves) {
+std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& diagram, std::span<const Move> moves, std::size_t mostLeft) {
   diagram_ = &diagram;
   moves_ = moves;
-  reserve(diagram, moves.size());
+  reserveMoves(diagram);
+  isMade_.assign(moves.size(), 0);
+  if (areHopeless(mostLeft)) return {isMade_.data(), moves.size()};
+  reserveFaces(diagram.graph());
   collectFaces();
-  double longest = 0;
-  for (std::uint32_t k = 0; k < moves.size(); ++k) {
-    const VertexId v = moves[k].vertex;
-    const Site& from = before_[k] = diagram.site(v);
-    const double dx = moves[k].to.x - from.x, dy = moves[k].to.y - from.y;
-    longest = std::max(longest, dx * dx + dy * dy);
-    diagram.setSite(v, moves[k].to);
-    moveOf_[index(v)] = k;
-    isMoved_[index(v)] = 1;
-  }
-  longestMove_ = std::sqrt(longest);
+  makeAll();
   // The new circles, then the checks; a face that fails makes a site go back, and the faces around are checked again. In the end
   // all that moved passes, and what went back is as it was.
   computeCircles();
-  for (std::uint32_t position = 0; position < changed_.size(); ++position) check(position);
-  while (!queue_.empty()) {
+  for (std::uint32_t position = 0; position < changed_.size() && left_ <= mostLeft; ++position) check(position);
+  while (!queue_.empty() && left_ <= mostLeft) {
     const std::uint32_t position = queue_.back();
     queue_.pop_back();
     check(position);
   }
+  if (left_ > mostLeft) takeBackAll();
   for (const ChangedFace& changed : changed_) {
     if (changed.isActive) diagram.circles_[index(changed.face)] = changed.circle;
     positionOf_[index(changed.face)] = kNoIndex;
@@ -76,16 +70,19 @@ void SiteMoves::takeBack(DelaunayGraph& diagram, std::span<const Move> moves) no
   }
 }
 
-void SiteMoves::reserve(const DelaunayGraph& diagram, std::size_t moves) {
-  const Graph& graph = diagram.graph();
-  before_.resize(moves);
-  isMade_.resize(moves);
-  if (isMoved_.size() < graph.vertexSlots()) {
-    moveOf_.resize(graph.vertexSlots());
-    isMoved_.resize(graph.vertexSlots(), 0);
+void SiteMoves::reserveMoves(const DelaunayGraph& diagram) {
+  const std::size_t slots = diagram.graph().vertexSlots();
+  before_.resize(moves_.size());
+  isMade_.reserve(moves_.size());
+  if (isMoved_.size() < slots) {
+    moveOf_.resize(slots);
+    isMoved_.resize(slots, 0);
   }
+}
+
+void SiteMoves::reserveFaces(const Graph& graph) {
   if (positionOf_.size() < graph.faceSlots()) positionOf_.resize(graph.faceSlots(), kNoIndex);
-  std::size_t faces = moves * 8 < graph.faceCount() ? 0 : graph.faceCount();  // all, or those that there are
+  std::size_t faces = moves_.size() * 8 < graph.faceCount() ? 0 : graph.faceCount();  // all, or those that there are
   if (faces == 0) {
     for (const Move& move : moves_) {
       const HalfedgeId begin = graph.outgoing(move.vertex);
@@ -119,6 +116,55 @@ void SiteMoves::collectFaces() {
       h = graph.rotateCcw(h);
     } while (h != begin);
   }
+}
+
+void SiteMoves::makeAll() {
+  double longest = 0;
+  for (std::uint32_t k = 0; k < moves_.size(); ++k) {
+    const VertexId v = moves_[k].vertex;
+    const Site& from = before_[k] = diagram_->site(v);
+    const double dx = moves_[k].to.x - from.x, dy = moves_[k].to.y - from.y;
+    longest = std::max(longest, dx * dx + dy * dy);
+    diagram_->setSite(v, moves_[k].to);
+    moveOf_[index(v)] = k;
+    isMoved_[index(v)] = 1;
+  }
+  longestMove_ = std::sqrt(longest);
+  left_ = 0;
+}
+
+/// Would too many have to stay? The share of sites whose own faces contradict each other after the moves is a good guess at
+/// that of those that have to stay in the end. A sample of them costs some percent of all.
+bool SiteMoves::areHopeless(std::size_t mostLeft) {
+  constexpr std::size_t kShare = 16, kMost = 256;
+  const std::size_t sample = std::min(moves_.size() / kShare, kMost);
+  if (moves_.size() <= mostLeft || sample < kShare) return false;
+  diagram_->computeMissingCircles();  // of the sites as they are now
+  makeAll();
+  std::size_t failing = 0;
+  for (std::size_t k = 0; k < sample; ++k) failing += !keepsItsStar(moves_[k * moves_.size() / sample].vertex);
+  takeBackAll();
+  return failing * moves_.size() > mostLeft * sample;
+}
+
+/// Have all faces around it circles, and are their vertices in order along its edges?
+bool SiteMoves::keepsItsStar(VertexId v) const {
+  const Graph& graph = diagram_->graph();
+  const HalfedgeId begin = graph.outgoing(v);
+  VoronoiCircle first, before, now;
+  HalfedgeId h = begin;
+  do {
+    const EdgeCorners e = diagram_->edge(h);
+    if (!findCertainVoronoiCircle(e.i, e.j, e.k, now)) return false;
+    if (h == begin) {
+      first = now;
+    } else if (graph.target(h) != kInfinity && !endsAreInOrder(h, now, before)) {
+      return false;
+    }
+    before = now;
+    h = graph.rotateCcw(h);
+  } while (h != begin);
+  return graph.target(h) == kInfinity || endsAreInOrder(h, first, before);
 }
 
 const Site& SiteMoves::siteBefore(VertexId v) const { return isMoved(v) ? before_[moveOf_[index(v)]] : diagram_->site(v); }
@@ -228,10 +274,21 @@ void SiteMoves::takeBackOneOf(FaceId f) {
   }
 }
 
+/// As if nothing had been tried: no face is active, no site is moved.
+void SiteMoves::takeBackAll() noexcept {
+  for (std::size_t k = 0; k < moves_.size(); ++k) {
+    const VertexId v = moves_[k].vertex;
+    if (isMoved(v)) diagram_->setSite(v, before_[k]);
+    isMoved_[index(v)] = 0;
+  }
+  for (ChangedFace& changed : changed_) changed.isActive = false;
+}
+
 /// The site returns to where it was; the faces around it are computed anew, and they and the ones beyond are to be checked.
 void SiteMoves::takeBack(VertexId v) {
   diagram_->setSite(v, before_[moveOf_[index(v)]]);
   isMoved_[index(v)] = 0;
+  ++left_;
   const Graph& graph = diagram_->graph();
   const HalfedgeId begin = graph.outgoing(v);
   HalfedgeId h = begin;

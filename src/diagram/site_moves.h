@@ -22,6 +22,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "diagram/delaunay_graph.h"
@@ -38,9 +39,11 @@ class SiteMoves {
   };
 
   /// Moves as many of the sites as certainly leave the graph as it is, and returns for each move whether it was made. The others
-  /// stay where they are. REQUIRES: visible vertices, each at most once; no move is from a place to itself.
+  /// stay where they are: all of them, if more than `mostLeft` would have to (there are cheaper ways then), which a
+  /// sample of them tells quickly in most cases. REQUIRES: visible vertices, each at most once; no move is from a place to itself.
   /// Throws std::bad_alloc with the diagram unchanged. Cost: O(sum of the degrees).
-  std::span<const std::uint8_t> apply(DelaunayGraph& diagram, std::span<const Move> moves);
+  std::span<const std::uint8_t> apply(DelaunayGraph& diagram, std::span<const Move> moves,
+                                      std::size_t mostLeft = std::numeric_limits<std::size_t>::max());
 
   /// Puts sites back that moves in place have moved, `moves` telling where to. The graph is the one of these
   /// places. Cost: O(sum of the degrees).
@@ -50,7 +53,11 @@ class SiteMoves {
   [[nodiscard]] const Site& siteBefore(std::size_t k) const { return before_[k]; }
 
  private:
-  void reserve(const DelaunayGraph& diagram, std::size_t moves);
+  void reserveMoves(const DelaunayGraph& diagram);
+  void reserveFaces(const Graph& graph);
+  [[nodiscard]] bool areHopeless(std::size_t mostLeft);
+  [[nodiscard]] bool keepsItsStar(VertexId v) const;
+  void makeAll();
   void collectFaces();
   [[nodiscard]] bool isMoved(VertexId v) const { return isMoved_[index(v)] != 0; }
   [[nodiscard]] const Site& siteBefore(VertexId v) const;
@@ -62,11 +69,13 @@ class SiteMoves {
   [[nodiscard]] bool endsAreInOrder(HalfedgeId h, const VoronoiCircle& left, const VoronoiCircle& right) const;
   void takeBack(VertexId v);
   void takeBackOneOf(FaceId f);
+  void takeBackAll() noexcept;
   void queue(FaceId f);
 
   DelaunayGraph* diagram_ = nullptr;  // during apply only
   std::span<const Move> moves_;
   double longestMove_ = 0;
+  std::size_t left_ = 0;  // moves that have been taken back
   FlatArray<Site> before_;          // by move
   FlatArray<std::uint8_t> isMade_;  // by move
   FlatArray<std::uint8_t> isMoved_;      // by vertex; 0 between calls

@@ -2,7 +2,8 @@
 // spread evenly, a walk from there has a step or two, and one look replaces the descent through the hierarchy. Cells that hold many
 // sites give no answer: there the hierarchy is better.
 //
-// The grid is a hint and nothing else. Entries go stale when sites leave or move; whoever asks checks that the site is visible.
+// The grid is a hint and nothing else. Entries go stale when sites leave or move, and their slots go to sites elsewhere; whoever
+// asks checks that the site is visible, and still close: walks from afar cost far more than the hierarchy.
 // Where it runs out of memory it is dropped.
 #pragma once
 
@@ -21,6 +22,12 @@ class StartGrid {
     if (cells_.empty()) return kNoSlot;
     const Cell& cell = cells_[cellOf(x, y)];
     return cell.count <= kFew && cell.site != kNoSite ? cell.site : kNoSlot;
+  }
+
+  /// Is the site's centre in the cell of (x, y) or beside it? REQUIRES: near() has named it.
+  [[nodiscard]] bool isClose(const Site& site, double x, double y) const {
+    const auto differ = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
+    return differ(columnOf(site.x), columnOf(x)) <= 1 && differ(rowOf(site.y), rowOf(y)) <= 1;
   }
 
   void insert(Slot slot, const Site& site) {
@@ -71,9 +78,9 @@ class StartGrid {
     std::uint32_t count : 3 = 0;  // of sites inserted; stays at kFew + 1 once it got there
   };
 
-  [[nodiscard]] std::size_t cellOf(double x, double y) const {
-    return clamped((y - low_.y) * scaleY_) * side_ + clamped((x - low_.x) * scaleX_);
-  }
+  [[nodiscard]] std::size_t columnOf(double x) const { return clamped((x - low_.x) * scaleX_); }
+  [[nodiscard]] std::size_t rowOf(double y) const { return clamped((y - low_.y) * scaleY_); }
+  [[nodiscard]] std::size_t cellOf(double x, double y) const { return rowOf(y) * side_ + columnOf(x); }
   [[nodiscard]] std::size_t clamped(double position) const {
     if (!(position > 0)) return 0;
     return position < static_cast<double>(side_ - 1) ? static_cast<std::size_t>(position) : side_ - 1;

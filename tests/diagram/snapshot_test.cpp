@@ -208,6 +208,25 @@ TEST(Snapshot, ReplacesWhatWasThere) {
   EXPECT_EQ(none.size(), 56u);
 }
 
+/// The levels of a restored diagram are made when they are asked for; until then nobody else may open them.
+TEST(Snapshot, RestoredDiagramsTakeMoreThanTheyHold) {
+  Random random(91);
+  const Circles circles = randomCircles(random, 3000, Hidden::k20Percent);  // three thousand pay for a level
+  const auto insert = [&](Diagram& diagram, std::size_t begin, std::size_t end) {
+    std::vector<double> xyr;
+    for (std::size_t k = begin; k < end; ++k) xyr.insert(xyr.end(), {circles[k].x, circles[k].y, circles[k].r});
+    std::vector<SiteId> ids(end - begin);
+    ASSERT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
+  };
+  Diagram built, restored;
+  insert(built, 0, 1000);
+  for (const Source source : {Source::kAnyone, Source::kTrusted}) {
+    ASSERT_EQ(restored.fromBytes(saved(built), source), Error::kNone);
+    insert(restored, 1000, circles.size());
+    EXPECT_EQ(validated(restored), "");
+  }
+}
+
 TEST(Snapshot, DoesNotDependOnAnAddress) {
   const Bytes bytes = saved(made({{0, 0, 1}, {10, 0, 2}, {3, 7, 1}}));
   for (std::size_t shift = 0; shift < 8; ++shift) {

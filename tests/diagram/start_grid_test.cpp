@@ -27,6 +27,19 @@ TEST(StartGrid, PointsOutsideBelongToTheCellsAtTheBorder) {
   EXPECT_EQ(grid.near(-1e100, 1e100), kNoSlot);
 }
 
+/// A slot that a cell names may have gone to a site elsewhere by now.
+TEST(StartGrid, CloseIsWhatIsInTheCellOrBesideIt) {
+  StartGrid grid;
+  grid.rebuild(100, {0, 0, 0}, {110, 110, 0});
+  grid.insert(7, {55, 55, 0});
+  ASSERT_EQ(grid.near(51, 59), 7u);
+  EXPECT_TRUE(grid.isClose({55, 55, 0}, 51, 59));
+  EXPECT_TRUE(grid.isClose({69, 41, 0}, 51, 59));
+  EXPECT_FALSE(grid.isClose({71, 55, 0}, 51, 59));
+  EXPECT_FALSE(grid.isClose({55, 39, 0}, 51, 59));
+  EXPECT_TRUE(grid.isClose({-5, 1e100, 0}, 3, 105));  // outside belongs to the border
+}
+
 TEST(StartGrid, CrowdedCellsAreLeftToTheHierarchy) {
   StartGrid grid;
   grid.rebuild(100, {0, 0, 0}, {110, 110, 0});
