@@ -3,37 +3,30 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <numeric>
 
 #include "diagram/diagram_breaker.h"
 #include "diagram/diagram_core.h"
-#include "predicate/stages.h"
 #include "support/effort.h"
 #include "support/generators.h"
+#include "support/questions.h"
 #include "support/random.h"
 
 namespace apollonius {
 namespace {
 
 using test::Circles;
+using test::questions;
 using test::Random;
 using test::runs;
 
-/// Questions to predicates so far, whichever stage answered.
-unsigned long long questions() {
-  using Count = unsigned long long;
-  const auto counts = std::bit_cast<std::array<Count, sizeof(stages::Counts) / sizeof(Count)>>(stages::counts());
-  return std::accumulate(counts.begin(), counts.end(), Count{0});
-}
-
 /// Of what is done.
 double questionsOf(const std::function<void()>& run) {
-  const auto before = questions();
+  const double before = questions();
   run();
-  return static_cast<double>(questions() - before);
+  return questions() - before;
 }
 
 void insertAll(DiagramCore& core, const Circles& circles) {

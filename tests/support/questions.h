@@ -1,0 +1,20 @@
+// Work that is counted instead of timed: how often the predicates have been asked.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <numeric>
+
+#include "predicate/stages.h"
+
+namespace apollonius::test {
+
+/// Questions to predicates so far, whichever stage answered. What filters settle within a walk, unasked, is not among
+/// them.
+inline double questions() {
+  using Count = unsigned long long;
+  const auto counts = std::bit_cast<std::array<Count, sizeof(stages::Counts) / sizeof(Count)>>(stages::counts());
+  return static_cast<double>(std::accumulate(counts.begin(), counts.end(), Count{0}));
+}
+
+}  // namespace apollonius::test
