@@ -71,13 +71,20 @@ function tableOne({ seconds, limit, rounds, tableOne: largest, walk }) {
   })));
 }
 
-/** 10 000 moving sites a frame, of so many. Steps in mean spacings; each frame is a sample. */
-function moves({ rounds, seconds, sizes }) {
+/** 10 000 moving sites a frame, of so many, and all of them far against building. Steps in mean spacings; each frame is a sample. */
+function moves({ rounds, seconds, limit, sizes }) {
   const among = [1e4, ...sizes.filter((n) => n === 1e6)];
-  return among.flatMap((n) => [0.001, 0.01, 0.1].map((step) => ({
+  const far = [1e4, 1e5].filter((n) => n <= Math.max(...sizes)).map((n) => ({
+    part: "moves", family: "random5", n, label: "all far", rounds: Math.min(rounds, 3),
+    steps: [
+      { op: "build", who: ours, seconds, limit },
+      { op: "updateMany", who: ours, count: n, step: 30, seconds, rebuild: true },
+    ],
+  }));
+  return far.concat(among.flatMap((n) => [0.001, 0.01, 0.1].map((step) => ({
     part: "moves", family: "random5", n, label: `${step} spacings`, rounds: Math.min(rounds, 2),
     steps: ["update", "updateMany"].map((op) => ({ op, who: ours, count: 1e4, step, seconds: 4 * seconds, rebuild: true })),
-  })));
+  }))));
 }
 
 /** All edges of all cells into a context that adds up, against d3-delaunay with the same centres; and all areas against building. */

@@ -65,6 +65,10 @@ function goals(records, member) {
     [`heap per site, ${memory?.n} sites, bytes`, memory?.bytesPerSite, most(160)],
     ["heap growth from 1000 pairs to all, MiB", churn && megabytes(churn.bytesAfterAll - churn.bytesAfterThousand), most(0)],
     ["updateMany of 10000 (0.01 spacings), ms a frame", us("moves random5 10000 0.01 spacings updateMany wasm") * 10, most(10)],
+    ...["wasm", "native"].map((contender) => [
+      `updateMany of all, far / build ${hundred}: ${contender}`,
+      us(`moves random5 ${hundred} all far updateMany ${contender}`) / us(`moves random5 ${hundred} all far build ${contender}`), most(1.3),
+    ]),
     ...[hundred, million].flatMap((n) => ["wasm", "native"].map((contender) => [
       `build / fromBytes ${n}: ${contender}`, us(`snapshots random5 ${n} build ${contender}`) / us(`snapshots random5 ${n} fromBytes ${contender}`), least(5),
     ])),
