@@ -1,5 +1,7 @@
 // Life time: dispose, collection, and memory running out.
+import { fileURLToPath } from "node:url";
 import { transformSync } from "esbuild";
+import { capture } from "../../wasm/toolchain/process.mjs";
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { calls } from "./support/calls.mjs";
 import { runInNode } from "./support/node.mjs";
@@ -184,3 +186,17 @@ test("out of memory is an error, and the diagram is as it was", () => {
   `);
   expect(JSON.parse(output)).toEqual({ one: 3, many: 2, broken: null, grew: 10000, isFull: true });
 }, 120_000);
+
+test("a million small diagrams come and go", () => {
+  for (let k = 0; k < 1_000_000; ++k) {
+    const diagram = new Diagram([0, 0, 1, 5, k % 7, 2, 9, 1, 1]);
+    if (k % 100_000 === 0) expect(diagram.find(5, 1)).toBe(1);
+    diagram.dispose();
+  }
+}, 120_000);
+
+const thorough = process.env.APOLLONIUS_THOROUGH ? test : test.skip;  // 4 GB and half a minute
+thorough("all memory that there is, and less again", () => {
+  const program = fileURLToPath(new URL("support/all_memory.mjs", import.meta.url));
+  expect(JSON.parse(capture(process.execPath, [program], { env: { NODE_OPTIONS: "" } })).wrong).toEqual([]);
+}, 600_000);
