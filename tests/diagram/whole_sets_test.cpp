@@ -163,7 +163,12 @@ INSTANTIATE_TEST_SUITE_P(TwoLevels, WholeSets,
                                                               {"CommonTangent", 1500}})),
                          nameOf);
 INSTANTIATE_TEST_SUITE_P(ThreeLevels, WholeSets,
-                         ::testing::ValuesIn(forThoroughRuns({{"Points", 36000}, {"Hidden20Percent", 36000}})), nameOf);
+                         ::testing::ValuesIn(forThoroughRuns({{"Points", 36000},
+                                                              {"Hidden20Percent", 36000},
+                                                              {"Hidden95Percent", 20000},
+                                                              {"IntegerLattice", 20000},
+                                                              {"GiantDisk", 20000}})),
+                         nameOf);
 
 }  // namespace
 }  // namespace apollonius::test
