@@ -29,7 +29,7 @@ std::vector<Segment> segmentsOf(const Path& path) {
     y = ny;
   };
   for (const std::uint8_t command : path.commands) {
-    const double* xy = &path.coordinates[at];
+    const double* xy = path.coordinates.data() + at;
     switch (static_cast<Command>(command)) {
       case Command::kMove:
         ++edge;

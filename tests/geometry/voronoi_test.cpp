@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "geometry/approximate.h"
@@ -127,7 +128,7 @@ TEST(Voronoi, DrawingsAreOnTheCurves) {
     std::size_t at = 0, curves = 0;
     for (std::size_t k = 0; k < path.commands.size(); ++k) {
       const auto command = static_cast<Command>(path.commands[k]);
-      const double* xy = &path.coordinates[at];
+      const double* xy = path.coordinates.data() + at;
       const bool isCurve = command == Command::kCurve;
       at += isCurve ? 6 : 2;
       curves += isCurve;
@@ -303,6 +304,7 @@ TEST(VoronoiDeterminism, HashOfGeometry) {
     ASSERT_EQ(diagram.ids(ids), Error::kNone);
     add(voronoi, ids, 1e-4 * (bounds.xmax - bounds.xmin), hash);
   }
+  std::printf("geometry %#018llx\n", static_cast<unsigned long long>(hash.value()));
   EXPECT_EQ(hash.value(), kExpectedGeometry) << std::hex << hash.value();
 }
 
