@@ -293,6 +293,15 @@ TEST(Hull, OneSiteAndNone) {
   EXPECT_EQ(path.commands.size(), 6u) << "move, four quarters, close";
 }
 
+TEST(Hull, OnePoint) {
+  Diagram diagram;
+  insertInto(diagram, {{3, 4, 0}});
+  Path path;
+  EXPECT_EQ(Voronoi(diagram).drawHull(0.1, path), Error::kNone);
+  EXPECT_EQ(path.commands.size(), 2u) << "move, close";
+  EXPECT_EQ(path.coordinates, (std::vector<double>{3, 4}));
+}
+
 TEST(Hull, ALargeCircleWithSmallOnesSticksOutBetweenThem) {
   Diagram diagram;
   insertInto(diagram, {{0, 0, 10}, {10, 0, 1}, {-10, 0, 1}, {0, 10, 1}});
