@@ -20,8 +20,11 @@ export function curveTangent(curves: ArrayLike<number>, k: number, t: number): [
   const [a, b, c] = w === 0 ? [0, 1, 0] : [w * s * s, t * s, w * t * t];
   const x = a * (x1 - x0) + b * (x2 - x0) + c * (x2 - x1);
   const y = a * (y1 - y0) + b * (y2 - y0) + c * (y2 - y1);
-  const length = Math.hypot(x, y);
-  return [x / length, y / length];
+  // Not Math.hypot: every engine rounds it in its own way. Divided first, as squares of large and of small numbers do not exist.
+  const larger = Math.max(Math.abs(x), Math.abs(y));
+  const [u, v] = [x / larger, y / larger];
+  const length = Math.sqrt(u * u + v * v);
+  return [u / length, v / length];
 }
 
 type Seven = [x0: number, y0: number, x1: number, y1: number, w: number, x2: number, y2: number];

@@ -17,7 +17,7 @@ class Ballast {
   void drop() noexcept { memory_.reset(); }
 
  private:
-  static constexpr std::size_t kBytes = 64 * 1024;
+  static constexpr std::size_t kBytes = std::size_t{64} * 1024;
   std::unique_ptr<std::byte[]> memory_;
 };
 

@@ -59,8 +59,8 @@ class DiagramCore {
 
   // Listings; each replaces the contents of its argument.
   void neighbors(SiteId id, Array<SiteId>& neighbors) const;
-  void vertices(VertexArrays& vertices) const;
-  void edges(EdgeArrays& edges) const;
+  void vertices(VertexArrays& out) const;
+  void edges(EdgeArrays& out) const;
   void faces(Array<SiteId>& sites) const;
 
   /// The diagram as a snapshot; replaces the contents of `bytes`.

@@ -21,11 +21,11 @@ void DiagramCore::neighbors(SiteId id, Array<SiteId>& neighbors) const {
   FlatArray<Keyed> positions(neighbors.size());
   for (std::uint32_t k = 0; k < positions.size(); ++k) positions[k] = {neighbors[k], k};
   sortByKey(positions);
-  FlatArray<char> isRepeated(neighbors.size(), 0);
+  FlatArray<bool> isRepeated(neighbors.size(), false);
   for (std::size_t k = 1; k < positions.size(); ++k) isRepeated[positions[k].value] = positions[k].key == positions[k - 1].key;
   std::size_t kept = 0;
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    if (isRepeated[k] == 0) neighbors[kept++] = neighbors[k];
+    if (!isRepeated[k]) neighbors[kept++] = neighbors[k];
   }
   neighbors.resize(kept);
 }

@@ -46,7 +46,7 @@ class Remover {
   void alignLink(const DelaunayGraph& diagram);
   void makePatch();
   void apply(DelaunayGraph& diagram, VertexId v, std::span<const Graph::PatchFace> patch, std::span<const VoronoiCircle> circles);
-  void becomeSingle(DelaunayGraph& diagram, VertexId v);
+  static void becomeSingle(DelaunayGraph& diagram, VertexId v);
   [[nodiscard]] VertexId global(VertexId local) const { return local == kInfinity ? kInfinity : global_[index(local)]; }
 
   static constexpr std::size_t kMany = 32;  // hidden sites

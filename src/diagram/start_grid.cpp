@@ -9,7 +9,7 @@ void StartGrid::rebuild(std::size_t sites, const Site& low, const Site& high) no
     side_ = static_cast<std::size_t>(std::sqrt(static_cast<double>(sites))) + 1;
     cells_.assign(side_ * side_, Cell{});
     low_ = low;
-    const double cells = static_cast<double>(side_);
+    const auto cells = static_cast<double>(side_);
     scaleX_ = high.x > low.x ? cells / (high.x - low.x) : 0;
     scaleY_ = high.y > low.y ? cells / (high.y - low.y) : 0;
     noted_ = 0;

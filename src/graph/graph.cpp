@@ -108,7 +108,7 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
   HalfedgeId spoke = halfedgeOf(newFaces[n - 1], 1);  // to w, of the face before
   for (std::size_t k = 0; k < n; ++k) {
     const HalfedgeId side = halfedgeOf(newFaces[k], 0), toNew = HalfedgeId{static_cast<std::uint32_t>(side) + 1};
-    const HalfedgeId fromNew = HalfedgeId{static_cast<std::uint32_t>(side) + 2};
+    const HalfedgeId fromNew{static_cast<std::uint32_t>(side) + 2};
     const VertexId from = rim_[k].from;
     halfedges_[index(side)] = {from, rim_[k].outer};
     halfedges_[index(rim_[k].outer)].twin = side;

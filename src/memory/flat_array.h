@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
@@ -59,17 +60,26 @@ class FlatArray {
   [[nodiscard]] std::size_t size() const { return bytes_.size; }
   [[nodiscard]] std::size_t capacity() const { return bytes_.room; }
   [[nodiscard]] bool empty() const { return bytes_.size == 0; }
-  [[nodiscard]] T& operator[](std::size_t k) { return data()[k]; }
-  [[nodiscard]] const T& operator[](std::size_t k) const { return data()[k]; }
+  [[nodiscard]] T& operator[](std::size_t k) {
+    assert(k < size());  // AddressSanitizer only knows of the room
+    return data()[k];
+  }
+  [[nodiscard]] const T& operator[](std::size_t k) const {
+    assert(k < size());
+    return data()[k];
+  }
   [[nodiscard]] T* begin() { return data(); }
   [[nodiscard]] T* end() { return data() + size(); }
   [[nodiscard]] const T* begin() const { return data(); }
   [[nodiscard]] const T* end() const { return data() + size(); }
-  [[nodiscard]] T& back() { return data()[size() - 1]; }
-  [[nodiscard]] const T& back() const { return data()[size() - 1]; }
+  [[nodiscard]] T& back() { return (*this)[size() - 1]; }
+  [[nodiscard]] const T& back() const { return (*this)[size() - 1]; }
 
   void clear() { bytes_.size = 0; }
-  void pop_back() { --bytes_.size; }
+  void pop_back() {
+    assert(!empty());
+    --bytes_.size;
+  }
   void swap(FlatArray& other) noexcept { bytes_.swap(other.bytes_); }
 
   // All below throw std::bad_alloc, and then nothing has changed.
@@ -110,6 +120,7 @@ class FlatArray {
   }
   /// Takes element k out; those behind it move up.
   void erase(std::size_t k) {
+    assert(k < size());
     std::copy(begin() + k + 1, end(), begin() + k);
     pop_back();
   }

@@ -71,7 +71,7 @@ Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, bool isDifference) {
   if (a.mantissa_.is_zero()) return isDifference ? -b : b;
   const bool aIsFirst = a.exponent_ >= b.exponent_;
   const Dyadic &first = aIsFirst ? a : b, &second = aIsFirst ? b : a;  // by exponent
-  const unsigned distance = static_cast<unsigned>(first.exponent_ - second.exponent_);
+  const auto distance = static_cast<unsigned>(first.exponent_ - second.exponent_);
   Dyadic sum;
   auto& digits = sum.mantissa_.backend();
   invariant(first.mantissa_.backend().size() * kLimb + distance < kBits, "an exact sum is too long");

@@ -8,8 +8,8 @@
 
 namespace apollonius {
 
-typedef double Pair __attribute__((vector_size(16)));           // extensions that g++ and clang++ share
-typedef std::int64_t PairMask __attribute__((vector_size(16)));  // what comparisons of Pairs yield: all bits or none
+using Pair __attribute__((vector_size(16))) = double;           // extensions that g++ and clang++ share
+using PairMask __attribute__((vector_size(16))) = std::int64_t;  // what comparisons of Pairs yield: all bits or none
 
 inline Pair pairOf(double x) { return Pair{x, x}; }
 inline Pair loadPair(const double* from) {

@@ -22,9 +22,10 @@ class Whole {
     std::copy_n(other.limbs_, size_, limbs_);
   }
   Whole& operator=(const Whole& other) {
+    if (this == &other) return *this;
     size_ = other.size_;
     isNegative_ = other.isNegative_;
-    std::copy_n(other.limbs_, size_, limbs_);  // onto itself, too
+    std::copy_n(other.limbs_, size_, limbs_);
     return *this;
   }
 

@@ -60,7 +60,7 @@ inline float roundedUp(double x) {
 /// given, the largest of all among them: the centre's offset from that site, and its distance, are rounded
 /// correctly. (Not where the sites' digits range over more than 500 places: there they are as
 /// preciseVoronoiCircle's.)
-[[nodiscard]] VoronoiCircle commonVoronoiCircle(const Site& i, const Site& j, const Site& k);
+[[nodiscard]] VoronoiCircle commonVoronoiCircle(const Site& first, const Site& second, const Site& third);
 
 /// Vertex conflict from the cached circle alone: positive, conflict; negative, none; or unknown.
 ///

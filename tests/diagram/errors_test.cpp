@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "support/replay.h"
 
@@ -140,6 +141,17 @@ TEST_F(Errors, WrongLengths) {
   EXPECT_EQ(diagram_.findMany(std::span(xyr).first(5), std::span(some, 2), distances), Error::kBadLength);
   EXPECT_EQ(diagram_.findMany(std::span(xyr).first(4), some, distances), Error::kBadLength);
   EXPECT_EQ(diagram_.findMany(std::span(xyr).first(6), some, distances), Error::kBadLength);
+}
+
+TEST_F(Errors, ArraysThatAreGivenUp) {
+  std::vector<SiteId> ids{7};
+  EXPECT_EQ(diagram_.insertMany(std::make_unique<double[]>(3), 0, ids), Error::kNone);
+  EXPECT_TRUE(ids.empty());
+  const std::size_t size = diagram_.size();
+  auto xyr = std::make_unique<double[]>(3);
+  xyr[1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(diagram_.insertMany(std::move(xyr), 1, ids), Error::kNotFinite);
+  EXPECT_EQ(diagram_.size(), size);
 }
 
 TEST_F(Errors, EmptyBatchesAreFine) {

@@ -187,7 +187,7 @@ class Chain {
     values_.erase(std::prev(values_.end()));
     List heirs = children(forest_, top_);
     const auto isSmaller = [&](Node a, Node b) { return value_[a] < value_[b]; };
-    std::iter_swap(heirs.begin(), std::max_element(heirs.begin(), heirs.end(), isSmaller));
+    if (!heirs.empty()) std::iter_swap(heirs.begin(), std::max_element(heirs.begin(), heirs.end(), isSmaller));
     for (const Node heir : heirs) forest_.detach(heir);
     for (std::size_t k = 1; k < heirs.size(); ++k) hang(heirs[k], heirs[0]);
     free_.push_back(top_);

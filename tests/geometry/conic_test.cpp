@@ -85,7 +85,7 @@ TEST(Conic, ApproximationsAreWithinTheTolerance) {
         std::vector<Point> drawn{conic.p0};
         std::size_t at = 0;
         for (const std::uint8_t command : path.commands) {
-          const double* xy = &path.coordinates[at];
+          const double* xy = path.coordinates.data() + at;
           if (static_cast<Command>(command) == Command::kLine) {
             drawn.push_back({xy[0], xy[1]});
             at += 2;

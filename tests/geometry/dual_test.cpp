@@ -29,7 +29,7 @@ std::vector<Segment> segmentsOf(const Path& path) {
     y = ny;
   };
   for (const std::uint8_t command : path.commands) {
-    const double* xy = &path.coordinates[at];
+    const double* xy = path.coordinates.data() + at;
     switch (static_cast<Command>(command)) {
       case Command::kMove:
         ++edge;
@@ -291,6 +291,15 @@ TEST(Hull, OneSiteAndNone) {
   EXPECT_EQ(sites, std::vector<SiteId>{0});
   EXPECT_EQ(Voronoi(diagram).drawHull(0.1, path), Error::kNone);
   EXPECT_EQ(path.commands.size(), 6u) << "move, four quarters, close";
+}
+
+TEST(Hull, OnePoint) {
+  Diagram diagram;
+  insertInto(diagram, {{3, 4, 0}});
+  Path path;
+  EXPECT_EQ(Voronoi(diagram).drawHull(0.1, path), Error::kNone);
+  EXPECT_EQ(path.commands.size(), 2u) << "move, close";
+  EXPECT_EQ(path.coordinates, (std::vector<double>{3, 4}));
 }
 
 TEST(Hull, ALargeCircleWithSmallOnesSticksOutBetweenThem) {

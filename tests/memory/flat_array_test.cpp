@@ -90,6 +90,13 @@ TEST(FlatArray, CopiesAndMoves) {
   expectSame(copy, {{1, 1}, {2, 2}});
 }
 
+TEST(FlatArray, BecomesItselfUnharmed) {
+  FlatArray<Pair> array{{1, 1}, {2, 2}};
+  const FlatArray<Pair>& same = array;
+  array = same;
+  expectSame(array, {{1, 1}, {2, 2}});
+}
+
 TEST(FlatArray, NoRoomChangesNothing) {
   FlatArray<Pair> array{{1, 1}, {2, 2}};
   EXPECT_THROW(array.reserve(SIZE_MAX / 4), std::bad_alloc);

@@ -6,7 +6,13 @@
 
 namespace apollonius::test {
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define APOLLONIUS_UNDER_SANITIZER 1  // clang's way to say it
+#endif
+#endif
+
+#if defined(__SANITIZE_ADDRESS__) || defined(APOLLONIUS_UNDER_SANITIZER)
 inline constexpr int kEffortDivisor = 10;
 #elif defined(__EMSCRIPTEN__)
 inline constexpr int kEffortDivisor = 3;

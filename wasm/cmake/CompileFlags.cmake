@@ -29,7 +29,11 @@ apollonius_refuse_other_arithmetic()
 add_library(apollonius_flags INTERFACE)
 target_compile_options(apollonius_flags INTERFACE
   "SHELL:-ffp-contract=off -fno-fast-math -fno-math-errno -fno-trapping-math"  # as one: CMake leaves out what has been there before, far from the end
-  -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wold-style-cast -Wcast-qual -Wcast-align -Wextra-semi -Wformat=2
+  -Wimplicit-fallthrough -Wnon-virtual-dtor -Woverloaded-virtual -Wundef)
+if(APOLLONIUS_WERROR)
+  target_compile_options(apollonius_flags INTERFACE -Werror)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|i.86|x86)$")
   # g++ 12 turns alternating differences and sums of products into vfmaddsub even with contraction off. Without the instructions it cannot.
   target_compile_options(apollonius_flags INTERFACE "SHELL:-mno-fma -mno-fma4 -mno-avx512f")
@@ -41,7 +45,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # Boost's shift of integers of fixed length, inlined into ours: g++ 12 takes the length for 0.
   target_compile_options(apollonius_flags INTERFACE -Wno-aggressive-loop-optimizations)
 endif()
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "^i.86$|^x86$" AND NOT EMSCRIPTEN)
+# Also with -m32 on a 64-bit machine, whose name then still is that of the machine.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|i.86|x86)$" AND CMAKE_SIZEOF_VOID_P EQUAL 4 AND NOT EMSCRIPTEN)
   target_compile_options(apollonius_flags INTERFACE -msse2 -mfpmath=sse)  # x87 would round to 80 bits
 endif()
 # Long multiplication only: from more limbs on than a Dyadic has (number/dyadic.h), and than fit the type that counts them.
@@ -61,7 +66,9 @@ if(EMSCRIPTEN)
   add_link_options(-fwasm-exceptions -mbulk-memory)
 endif()
 if(APOLLONIUS_SANITIZE)
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g)
+  # With assertions, and those of the standard library: AddressSanitizer does not see an index that is beyond a vector's size but in its room.
+  add_compile_options(-UNDEBUG -D_GLIBCXX_ASSERTIONS)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=address,undefined)
 endif()
 if(APOLLONIUS_FUZZ)

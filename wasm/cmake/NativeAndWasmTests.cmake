@@ -71,6 +71,10 @@ foreach(folder IN LISTS folders)
   endif()
 endforeach()
 
+# The recorded hashes alone, for tests/check/determinism.mjs, which builds them with many compilers and flags.
+add_executable(determinism_tests EXCLUDE_FROM_ALL "${tests}/diagram/determinism_test.cpp" "${tests}/geometry/voronoi_test.cpp")
+target_link_libraries(determinism_tests PRIVATE apollonius_test_support gtest_main)
+
 if(NOT EMSCRIPTEN)
   add_test(NAME flags COMMAND "${CMAKE_COMMAND}" -DROOT=${CMAKE_CURRENT_SOURCE_DIR} -DWORK=${CMAKE_CURRENT_BINARY_DIR}/flags
     -DCXX=${CMAKE_CXX_COMPILER} -DOBJDUMP=${CMAKE_OBJDUMP} -DLIBRARY=$<TARGET_FILE:apollonius> -P "${tests}/flags/check.cmake")

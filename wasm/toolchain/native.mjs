@@ -15,6 +15,40 @@ export function ensureCmake() {
   ensureMissing(needs.slice(1, 3), "building");
 }
 
+/** For tests/check.mjs and tests/coverage.mjs. */
+function ensureTool(program, packages, why) {
+  if (!which(program)) ensureInstalled(packages, why);
+  return program;
+}
+
+export function ensureClang() {
+  return ensureTool("clang++-14", ["clang-14", "libclang-rt-14-dev"], "building with clang++");
+}
+
+export function ensureClangTidy() {
+  return ensureTool("clang-tidy-14", ["clang-tidy-14"], "clang-tidy");
+}
+
+/** llvm-profdata and llvm-cov of the same version as clang++. */
+export function ensureCoverageTools() {
+  return ["llvm-profdata-14", "llvm-cov-14"].map((program) => ensureTool(program, ["llvm-14"], "coverage"));
+}
+
+export function ensureCppcheck() {
+  return ensureTool("cppcheck", ["cppcheck"], "cppcheck");
+}
+
+export function ensureValgrind() {
+  return ensureTool("valgrind", ["valgrind", "libc6-dbg"], "valgrind");  // without libc's symbols it refuses to start
+}
+
+/** What `g++ -m32` needs. */
+export function ensureThirtyTwoBits() {
+  if (!existsSync("/usr/include/gnu/stubs-32.h") && !existsSync("/usr/include/x86_64-linux-gnu/gnu/stubs-32.h")) {
+    ensureInstalled(["g++-multilib"], "32-bit builds");
+  }
+}
+
 export function ensureNativeTools() {
   ensureMissing(needs, "the C++ build and its tests");
 }

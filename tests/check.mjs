@@ -1,0 +1,65 @@
+// npm run check: what looks at the C++ code more closely than the tests do.     npm run check -- tidy cppcheck    runs some steps only
+//
+//   sanitizers   the native tests with AddressSanitizer and UndefinedBehaviorSanitizer (smaller sizes: tests/support/effort.h)
+//   valgrind     a few of the native tests under memcheck, which knows of uninitialised memory, too
+//   tidy         clang-tidy on src/ and wasm/, with the checks of .clang-tidy
+//   cppcheck     cppcheck on src/, without what tests/check/cppcheck.txt leaves out
+//   determinism  the recorded hashes with g++ and clang++, -O0 to -O3, 32 bits, the machine's own instructions
+//
+// APOLLONIUS_DETERMINISM=clang limits the builds of the last one to those whose name has that in it.
+import path from "node:path";
+import { ensureBoost } from "../wasm/toolchain/boost.mjs";
+import { buildWithCmake } from "../wasm/toolchain/cmake.mjs";
+import { withBuildLock } from "../wasm/toolchain/lock.mjs";
+import { ensureNativeTools, ensureValgrind } from "../wasm/toolchain/native.mjs";
+import { run } from "../wasm/toolchain/process.mjs";
+import { cppcheck, tidy } from "./check/analyse.mjs";
+import { checkDeterminism } from "./check/determinism.mjs";
+import { ctest, runSteps } from "./steps.mjs";
+
+/**
+ * A few of each program: what runs here takes some thirty times as long as natively. None that counts calls of operator new, which
+ * valgrind puts its own in the place of.
+ */
+const underValgrind = {
+  memory_tests: "*", graph_tests: "-Room*", number_tests: "*",
+  diagram_tests: "Errors*:Ids*:SiteIds*:HiddenForest*:Regressions*:Snapshot.*",
+  geometry_tests: "Contacts*:Rings*:VoronoiErrors*",
+};
+
+const native = () => {
+  ensureNativeTools();
+  ensureBoost();
+};
+
+await runSteps({
+  async sanitizers() {
+    native();
+    const settings = { CMAKE_BUILD_TYPE: "RelWithDebInfo", APOLLONIUS_SANITIZE: "ON", APOLLONIUS_WERROR: "ON" };
+    return ctest(await withBuildLock(() => buildWithCmake("sanitizers", settings)), {
+      ASAN_OPTIONS: "detect_stack_use_after_return=1:strict_init_order=1:check_initialization_order=1:allocator_may_return_null=1",
+      UBSAN_OPTIONS: "print_stacktrace=1",
+    });
+  },
+  async valgrind() {
+    native();
+    const valgrind = ensureValgrind();
+    // The build of `npm test -- native`.
+    const settings = { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_SHADOW_CHECK: "ON", APOLLONIUS_WERROR: "ON" };
+    const folder = await withBuildLock(() => buildWithCmake("native", settings));
+    for (const [program, filter] of Object.entries(underValgrind)) {
+      run(valgrind, ["--quiet", "--error-exitcode=1", "--leak-check=full", "--errors-for-leak-kinds=definite,possible",
+                     path.join(folder, program), "--gtest_brief=1", `--gtest_filter=${filter}`]);
+    }
+    return `${Object.keys(underValgrind).length} programs without an error or a leak`;
+  },
+  async tidy() {
+    native();
+    return tidy();
+  },
+  cppcheck,
+  async determinism() {
+    native();
+    return withBuildLock(checkDeterminism);
+  },
+});

@@ -1,0 +1,162 @@
+// npm run coverage: which lines and branches of src/ the native tests run, by folder; and those that they do not, each with its reason.
+//
+// Clang's source-based coverage. Without the shadow check: with it every exact stage runs on everything, whether or not a filter leaves
+// anything to it, and half of src/predicate would be covered by what is no test of it. For the same reason a line that only a test's own
+// direct call reaches (tests/predicate calls each stage) counts: that is how stages are tested.
+//
+// A branch is one outcome of one condition; what several instances of a template run is added up. What stays uncovered has its reason in
+// tests/check/uncovered.json, found by its text; what has none is printed. A reason that is no longer needed makes the command fail. The tests themselves do not count.
+//
+//   npm run coverage -- --all      prints what has a reason, too
+//   npm run coverage -- --reuse    looks again at the counts of the last run
+import { spawn } from "node:child_process";
+import { mkdirSync, readFileSync, readdirSync, rmSync } from "node:fs";
+import path from "node:path";
+import { parseArgs } from "node:util";
+import { ensureBoost } from "../wasm/toolchain/boost.mjs";
+import { buildWithCmake, jobs } from "../wasm/toolchain/cmake.mjs";
+import { root } from "../wasm/toolchain/folders.mjs";
+import { withBuildLock } from "../wasm/toolchain/lock.mjs";
+import { ensureClang, ensureCoverageTools, ensureNativeTools } from "../wasm/toolchain/native.mjs";
+import { capture, say, SetUpError } from "../wasm/toolchain/process.mjs";
+import { main } from "../wasm/toolchain/setup.mjs";
+
+const { values: options } = parseArgs({ options: { all: { type: "boolean" }, reuse: { type: "boolean" } } });
+
+/** Runs all test programs, each in as many parts as there are processors. Throws if one fails: what it did not run would be said to be uncovered. */
+async function runPrograms(folder, programs, profiles) {
+  rmSync(profiles, { recursive: true, force: true });
+  mkdirSync(profiles, { recursive: true });
+  const queue = programs.flatMap((program) => Array.from({ length: Number(jobs) }, (_, part) => ({ program, part })));
+  const worker = async () => {
+    for (let next = queue.shift(); next !== undefined; next = queue.shift()) {
+      const { program, part } = next;
+      say(`${program}, part ${part}`);
+      const env = { ...process.env, GTEST_TOTAL_SHARDS: jobs, GTEST_SHARD_INDEX: String(part),
+                    LLVM_PROFILE_FILE: path.join(profiles, `${program}.${part}.profraw`) };
+      const code = await new Promise((resolve, reject) => {
+        spawn(path.join(folder, program), ["--gtest_brief=1"], { cwd: root, env, stdio: ["ignore", "inherit", "inherit"] })
+          .on("error", reject).on("close", resolve);
+      });
+      if (code !== 0) throw new SetUpError(`${program} failed`);
+    }
+  };
+  await Promise.all(Array.from({ length: Number(jobs) }, worker));
+}
+
+/** Line numbers with their counts, by file, from an lcov report. */
+function linesOf(lcov) {
+  const lines = {};
+  let own;
+  for (const row of lcov.split("\n")) {
+    if (row.startsWith("SF:")) own = lines[path.relative(root, row.slice(3))] ??= new Map();
+    const found = /^DA:(\d+),(\d+)/.exec(row);
+    if (found) own.set(Number(found[1]), (own.get(Number(found[1])) ?? 0) + Number(found[2]));
+  }
+  return lines;
+}
+
+/** How often the code at a place has run; segments are [line, column, count, hasCount, ...] in order. */
+function countAt(segments, line, column) {
+  let count = 0;
+  for (const [l, c, n, hasCount] of segments) {
+    if (l > line || (l === line && c > column)) break;
+    count = hasCount ? n : 0;
+  }
+  return count;
+}
+
+/** Conditions as [line, column, how often true, how often false]: template instances together, constant conditions left out. */
+function conditionsOf({ branches, segments }) {
+  const merged = new Map();
+  for (const [line, column, endLine, endColumn, yes, no] of branches) {
+    const key = [line, column, endLine, endColumn].join();
+    const before = merged.get(key) ?? [line, column, 0, 0];
+    merged.set(key, [line, column, before[2] + yes, before[3] + no]);
+  }
+  // Neither true nor false although it has run: known when it was compiled.
+  return [...merged.values()].filter(([line, column, yes, no]) => yes + no > 0 || countAt(segments, line, column) === 0);
+}
+
+function measure(folder, programs, profiles) {
+  const [profdata, cov] = ensureCoverageTools();
+  const merged = path.join(profiles, "all.profdata");
+  const raw = readdirSync(profiles).filter((name) => name.endsWith(".profraw")).map((name) => path.join(profiles, name));
+  capture(profdata, ["merge", "-sparse", ...raw, "-o", merged]);
+  const objects = programs.flatMap((program, k) => [...(k > 0 ? ["-object"] : []), path.join(folder, program)]);
+  const common = ["export", `-instr-profile=${merged}`, "-ignore-filename-regex=/(tests|googletest|boost|include|bench)/", ...objects];
+  const lines = linesOf(capture(cov, [...common, "-format=lcov"]));
+  const [{ files }] = JSON.parse(capture(cov, [...common, "-skip-functions", "-skip-expansions"])).data;
+  return files.map((file) => ({ name: path.relative(root, file.filename), conditions: conditionsOf(file) }))
+    .filter(({ name }) => name.startsWith("src/"))
+    .map(({ name, conditions }) => ({ name, conditions, lines: lines[name] }))
+    .sort((a, b) => a.name.localeCompare(b.name));
+}
+
+/** What of a file did not run: [line, what, column of the condition]. */
+function uncoveredOf({ lines, conditions }) {
+  const found = [...lines].filter(([, count]) => count === 0).map(([line]) => [line, "not run"]);
+  for (const [line, column, yes, no] of conditions) {
+    if (lines.get(line) === 0) continue;  // said already
+    if (yes === 0) found.push([line, "never true", column]);
+    if (no === 0) found.push([line, "never false", column]);
+  }
+  return found.sort((a, b) => a[0] - b[0]);
+}
+
+const percent = (part, whole) => (whole === 0 ? "–" : `${((100 * part) / whole).toFixed(2)} %`);
+
+function table(files) {
+  const rows = new Map();
+  const add = (key, { lines, conditions }) => {
+    const row = rows.get(key) ?? rows.set(key, [0, 0, 0, 0]).get(key);
+    row[0] += [...lines.values()].filter((count) => count > 0).length;
+    row[1] += lines.size;
+    for (const [, , yes, no] of conditions) row[2] += (yes > 0) + (no > 0);
+    row[3] += 2 * conditions.length;
+  };
+  for (const file of files) {
+    add(file.name.split("/").length > 2 ? path.dirname(file.name) : "src", file);
+    add("all", file);
+  }
+  for (const [name, [lines, allLines, outcomes, allOutcomes]] of rows) {
+    console.log(`${name.padEnd(14)} lines ${percent(lines, allLines).padStart(8)} (${lines} of ${allLines})`.padEnd(50) +
+                `branches ${percent(outcomes, allOutcomes).padStart(8)} (${outcomes} of ${allOutcomes})`);
+  }
+}
+
+/** Prints what is uncovered; returns how many reasons are for nothing. */
+function list(files) {
+  const reasons = JSON.parse(readFileSync(path.join(root, "tests/check/uncovered.json"), "utf8"));
+  const used = new Set();
+  let explained = 0, unexplained = 0;
+  for (const file of files) {
+    const text = readFileSync(path.join(root, file.name), "utf8").split("\n");
+    for (const [line, what, column] of uncoveredOf(file)) {
+      const source = text[line - 1].trim();
+      const reason = reasons.find((entry) => entry.file === file.name && entry.lines.includes(source));
+      if (reason) used.add(reason).add(`${file.name} ${source}`);
+      reason ? ++explained : ++unexplained;
+      if (!reason || options.all) console.log(`${file.name}:${line}${column ? `:${column}` : ""}: ${what} | ${source}${reason ? `   # ${reason.why}` : ""}`);
+    }
+  }
+  const stale = reasons.flatMap(({ file, lines }) => lines.filter((line) => !used.has(`${file} ${line}`)).map((line) => `${file}: ${line}`));
+  for (const line of stale) console.log(`is covered, or is not there any more: ${line}`);
+  console.log(`${explained} uncovered with a reason (tests/check/uncovered.json), ${unexplained} without, ${stale.length} reasons for nothing`);
+  return stale.length;
+}
+
+await main(async () => {
+  ensureNativeTools();
+  ensureBoost();
+  const settings = { CMAKE_BUILD_TYPE: "None", CMAKE_CXX_COMPILER: ensureClang(), APOLLONIUS_WERROR: "ON",
+                     CMAKE_CXX_FLAGS: "-O1 -DNDEBUG -fprofile-instr-generate -fcoverage-mapping" };
+  const folder = options.reuse ? path.join(root, "build/coverage") : await withBuildLock(() => buildWithCmake("coverage", settings));
+  const programs = readdirSync(folder).filter((name) => name.endsWith("_tests") && name !== "determinism_tests");
+  const profiles = path.join(folder, "profiles");
+  if (!options.reuse) await runPrograms(folder, programs, profiles);
+  const files = measure(folder, programs, profiles);
+  const staleReasons = list(files);
+  table(files);
+  if (staleReasons > 0) process.exitCode = 1;
+});

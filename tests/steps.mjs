@@ -1,0 +1,64 @@
+// Commands of named steps: `npm test`, `npm run check`. All steps run, also after one that failed; a table at the end says what came of each.
+import { spawn } from "node:child_process";
+import { createInterface } from "node:readline";
+import { jobs } from "../wasm/toolchain/cmake.mjs";
+import { root } from "../wasm/toolchain/folders.mjs";
+import { say, SetUpError } from "../wasm/toolchain/process.mjs";
+import { main } from "../wasm/toolchain/setup.mjs";
+
+/**
+ * Runs a program with its output shown, but for lines that match `boring`; returns the last line that matches `summary`.
+ * Throws if it fails.
+ */
+export function runTests(program, args, { summary, boring, env }) {
+  return new Promise((resolve, reject) => {
+    const child = spawn(program, args, { cwd: root, env: { ...process.env, ...env }, stdio: ["ignore", "pipe", "pipe"] });
+    let last = "no summary";
+    for (const [stream, sink] of [[child.stdout, process.stdout], [child.stderr, process.stderr]]) {
+      createInterface({ input: stream }).on("line", (line) => {
+        if (summary.test(line)) last = line.trim();
+        if (!boring?.test(line)) sink.write(`${line}\n`);
+      });
+    }
+    child.on("error", reject);
+    child.on("close", (code) => (code === 0 ? resolve(last) : reject(new SetUpError(last))));
+  });
+}
+
+/** All tests of a build folder. */
+export function ctest(folder, env) {
+  const args = ["--test-dir", folder, "--output-on-failure", "--no-tests=error", "--parallel", jobs];
+  const boring = /^\s+Start +\d+: |Passed +0\.\d+ sec$/;
+  return runTests("ctest", args, { summary: /tests passed, \d+ tests? failed/, boring, env });
+}
+
+function secondsSince(start) {
+  return `${((performance.now() - start) / 1000).toFixed(0)} s`;
+}
+
+/**
+ * Runs the steps that are named on the command line, or all.
+ * @param {Record<string, () => Promise<string> | string>} steps each returns its line of the table, or throws
+ */
+export function runSteps(steps) {
+  return main(async () => {
+    const wanted = process.argv.slice(2);
+    const unknown = wanted.find((name) => !(name in steps));
+    if (unknown) throw new SetUpError(`unknown step ${unknown}: expected ${Object.keys(steps).join(", ")}`);
+    const width = Math.max(...Object.keys(steps).map((name) => name.length));
+    const began = performance.now();
+    const report = [];
+    for (const name of wanted.length > 0 ? wanted : Object.keys(steps)) {
+      say(`=== ${name}`);
+      const start = performance.now();
+      try {
+        report.push(`${name.padEnd(width)} ${await steps[name]()}   (${secondsSince(start)})`);
+      } catch (error) {
+        if (!(error instanceof SetUpError)) console.error(error);
+        report.push(`${name.padEnd(width)} FAILED: ${error.message}   (${secondsSince(start)})`);
+        process.exitCode = 1;
+      }
+    }
+    console.log(`\n${report.join("\n")}\n${process.exitCode ? "FAILED" : "All passed"} in ${secondsSince(began)}`);
+  });
+}

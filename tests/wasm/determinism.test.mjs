@@ -1,0 +1,45 @@
+// The same bits in every engine: a history with all outputs of the package, as one hash, in Node, Chromium and Firefox. What differed would be
+// arithmetic of the engine's JavaScript; the wasm's own is compared with native code by recorded hashes (tests/diagram/determinism_test.cpp).
+import { existsSync, readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { runInNode } from "./support/node.mjs";
+import { runPages } from "./support/pages.mjs";
+
+const script = fileURLToPath(new URL("support/all_outputs.mjs", import.meta.url));
+const dist = "/node_modules/apollonius-diagram/dist";
+
+const inNode = runInNode(`
+  import { hashOfAllOutputs } from ${JSON.stringify(`file://${script}`)};
+  console.log(await hashOfAllOutputs(await import("apollonius-diagram")));
+`);
+
+test("Node comes to a hash of all outputs, the same each time", () => {
+  expect(inNode).toMatch(/^\d{6,} bytes [0-9a-f]{64}$/);
+  expect(runInNode(`
+    const { hashOfAllOutputs } = await import(${JSON.stringify(`file://${script}`)});
+    const code = await import("apollonius-diagram");
+    await hashOfAllOutputs(code);
+    console.log(await hashOfAllOutputs(code));
+  `)).toBe(inNode);
+});
+
+describe.each([
+  ["Chromium", process.env.CHROMIUM, "/usr/bin/chromium"],
+  ["Firefox", process.env.FIREFOX, "/usr/bin/firefox-esr"],
+])("%s", (name, given, usual) => {
+  const browser = [given, usual].find((file) => file && existsSync(file));
+  if (!browser && !process.env.CI) {
+    process.stderr.write(`SKIPPED: the hash of all outputs in ${name}, which is not installed. Set ${name.toUpperCase()} to its path.\n`);
+    test.skip("is installed", () => {});
+    return;
+  }
+  test("has the same bits as Node", async () => {
+    expect(browser).toBeDefined();
+    const files = {
+      "all_outputs.js": readFileSync(script, "utf8"),
+      "hash.js": `import { hashOfAllOutputs } from "/all_outputs.js"; import * as code from "${dist}/esm/index.js"; report(await hashOfAllOutputs(code));`,
+    };
+    const { hash } = await runPages(browser, { hash: { html: '<script type="module" src="/hash.js"></script>' } }, files);
+    expect(hash).toBe(inNode);
+  }, 90_000);
+});
