@@ -174,6 +174,22 @@ TEST(Contacts, ASliverOfACellIsNotADisk) {
   checkDisk({{.7, .3, 1.5000000000000002}, {3.1000000000000005, 3.5, 2.5}, {1.6, 1.5000000000000002, 0}}, 2, 35);
 }
 
+TEST(Contacts, HalfADiskOfAnyRadius) {
+  // Found by geometry_fuzz: where the radius was more than 2^511 times the sites' distance, nothing was left of it.
+  for (int exponent = -250; exponent <= 330; exponent += 20) {
+    const double radius = std::ldexp(1.0, exponent), small = 0x1p-280;
+    Diagram diagram;
+    insertInto(diagram, {{small, 0, small / 4}, {-small, 0, small / 4}, {0, 0.75 * small, 0}});
+    CellMeasures measures;
+    ASSERT_EQ(Voronoi(diagram).measuresWithin(0, radius, measures), Error::kNone);
+    // The third site takes less than a quarter.
+    EXPECT_GT(measures.area / radius / radius, kPi / 4) << exponent;
+    EXPECT_LT(measures.area / radius / radius, kPi / 2 * (1 + 1e-9)) << exponent;
+    EXPECT_GT(measures.perimeter / radius, 2 + kPi / 2) << exponent;
+    EXPECT_LT(measures.perimeter / radius, 2 + kPi) << exponent;
+  }
+}
+
 double sumOfAreas(const Circles& circles, const Bounds& bounds) {
   Diagram diagram;
   insertInto(diagram, circles);
