@@ -16,8 +16,11 @@ struct Sector {
   bool startsOnCircle, endsOnCircle;
 };
 
+/// Any direction for a point that rounding has put on the centre, as it does where the radius is smaller than
+/// the distance of doubles there.
 Point unit(Point p) {
   const double size = length(p);
+  if (!(size > 0)) return {1, 0};
   return {p.x / size, p.y / size};
 }
 

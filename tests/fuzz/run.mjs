@@ -2,7 +2,7 @@
 // turn, a slice of time each, from the corpus in tests/fuzz/corpus and what earlier runs have added to it.
 //
 //   npm run fuzz -- --minutes 60                     all targets, for an hour in all
-//   npm run fuzz -- --minutes 5 --target geometry    those whose name has that in it
+//   npm run fuzz -- --minutes 5 --target geometry    those whose name has that in it (several: with commas)
 //   npm run fuzz -- --minutes 60 --jobs 2            two at a time
 //   npm run fuzz -- --merge                          no run: makes tests/fuzz/corpus of all that was found, minimised
 //
@@ -151,7 +151,7 @@ if (import.meta.url === pathToFileURL(process.argv[1]).href) {
       },
     });
     const minutes = Number(values.minutes), jobs = Number(values.jobs);
-    const targets = names().filter((name) => name.includes(values.target));
+    const targets = names().filter((name) => values.target.split(",").some((part) => name.includes(part)));
     if (!(minutes > 0) || !Number.isInteger(jobs) || jobs < 1) throw new SetUpError("--minutes and --jobs take numbers above 0");
     if (targets.length === 0) throw new SetUpError(`no target ${values.target}: expected some of ${names().join(", ")}`);
     const folder = await build(targets);

@@ -190,6 +190,21 @@ TEST(Contacts, HalfADiskOfAnyRadius) {
   }
 }
 
+TEST(Contacts, ADiskSmallerThanTheDistanceOfDoublesIsFinite) {
+  // Found by geometry_fuzz: the ends of its arcs are the centre itself, in no direction, and measures were NaN.
+  for (const double radius : {1e-30, 0.15, 1e15, 1e25}) {
+    Diagram diagram;
+    insertInto(diagram, {{1e-79, 1e36, 0}, {1.0000000000000001e-79, 1e36, 0}, {2e-79, 1e36, 0}, {1e-79, 3e36, 0}});
+    for (SiteId site = 0; site < 4; ++site) {
+      CellMeasures measures;
+      ASSERT_EQ(Voronoi(diagram).measuresWithin(site, radius, measures), Error::kNone);
+      EXPECT_GE(measures.perimeter, 0) << radius;
+      EXPECT_LE(measures.perimeter, 10 * (radius + 1e21)) << radius;
+      EXPECT_LE(measures.area, 10 * (radius + 1e21) * (radius + 1e21)) << radius;
+    }
+  }
+}
+
 double sumOfAreas(const Circles& circles, const Bounds& bounds) {
   Diagram diagram;
   insertInto(diagram, circles);
