@@ -55,10 +55,10 @@ function corpora(target) {
 
 const running = new Set();
 
-/** Runs a program, its output in a string. Low in priority: nobody waits for it. */
+/** Runs a program, its output in a string. */
 function run(program, args) {
   return new Promise((resolve, reject) => {
-    const child = spawn("nice", ["-n", "19", program, ...args], { stdio: ["ignore", "pipe", "pipe"] });
+    const child = spawn(program, args, { stdio: ["ignore", "pipe", "pipe"] });
     running.add(child);
     let output = "";
     for (const stream of [child.stdout, child.stderr]) stream.on("data", (data) => (output = (output + data).slice(-200_000)));
@@ -73,8 +73,9 @@ function run(program, args) {
 /** One slice; what it did. */
 async function slice(folder, target, seconds) {
   const start = performance.now();
-  const { code, output } = await run(path.join(folder, target), [
-    `-max_total_time=${seconds}`, `-max_len=${lengths[target] ?? 512}`, "-print_final_stats=1", "-timeout=300",
+  // At the lowest priority: nobody waits for it.
+  const { code, output } = await run("nice", ["-n", "19", path.join(folder, target),
+    `-max_total_time=${seconds}`, `-max_len=${lengths[target] ?? 512}`, "-len_control=0", "-print_final_stats=1", "-timeout=300",
     "-report_slow_units=300", "-rss_limit_mb=4096", `-artifact_prefix=${path.join(findings, `${target}-`)}`, ...corpora(target),
   ]);
   const number = (pattern) => Number([...output.matchAll(pattern)].at(-1)?.[1] ?? 0);

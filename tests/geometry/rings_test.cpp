@@ -132,6 +132,11 @@ TEST(Rings, OfACellSmallerThanTheTolerance) {
   EXPECT_EQ(checkRings(circles, bounds, defaultTolerance(bounds)), 3);
 }
 
+TEST(Rings, ThroughAVertexOnACornerOfTheWindow) {
+  // Found by geometry_fuzz: the two edges that end at (0, 0) were cut off by one side each, in the wrong order.
+  EXPECT_EQ(checkRings({{-63, -60, 67}, {-9, -12, -5}, {0, -108, 88}}, {-24, -2, 0, 0}, 0.001), 3);
+}
+
 TEST(Rings, ThroughOneVertexOfFourSites) {
   const Circles circles{{768, 200, 10}, {672, 150, 10}, {768, 0, 10}, {672, 50, 10}};
   EXPECT_EQ(checkRings(circles, {}, 0.1), 4);
