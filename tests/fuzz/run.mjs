@@ -28,7 +28,7 @@ import { digestOfSources, printTable, addToTotals } from "./totals.mjs";
 const home = path.join(root, "build", "fuzz");
 const findings = path.join(home, "findings");
 const seeds = path.join(root, "tests", "fuzz", "corpus");
-const sliceSeconds = 120;
+const sliceSeconds = 600;  // each begins with reading what is there, which is not counted
 const mostOfCorpus = 100;
 
 /** How long inputs may be: what a target reads of them. */
