@@ -164,8 +164,8 @@ class Checker {
       const double radius =
           std::clamp(tolerance_ * std::ldexp(1.0, random_.below(30)), kSmallestMagnitude, kLargestMagnitude);
       take(voronoi_.measuresWithin(id, radius, within));
-      // The arcs are made of doubles about the centre.
-      const double seen = radius + 0x1p-49 * std::max(std::abs(circles_[id].x), std::abs(circles_[id].y));
+      // The outline is good to about 2^-48 of the largest number.
+      const double seen = radius + 0x1p-45 * most_;
       expect(std::abs(within.area) <= 3.1415926536 * seen * seen * (1 + 1e-9), "more than a disk", id);
       expect(std::isfinite(within.perimeter) && within.perimeter >= 0, "a perimeter", id);
     }
