@@ -77,6 +77,7 @@ class Voronoi {
   [[nodiscard]] Error polygon(SiteId id, double tolerance, RingArrays& rings) const;
   [[nodiscard]] Error measures(SiteId id, CellMeasures& measures) const;
   /// Area, centroid and perimeter of the part of the (unclipped) cell within `radius` of the site's centre; bounds do not matter.
+  /// The outline is good to about 2^-48 of the largest number of the site and its neighbors: a radius as small as that means little.
   [[nodiscard]] Error measuresWithin(SiteId id, double radius, CellMeasures& measures) const;
   /// The area of every cell, by id; 0 for ids without one. They add up to the window's, to rounding: of the
   /// coordinates, too, where the window is only a few doubles wide. Cost: O(h)

@@ -4,6 +4,7 @@
 //   valgrind     a few of the native tests under memcheck, which knows of uninitialised memory, too
 //   tidy         clang-tidy on src/ and wasm/, with the checks of .clang-tidy
 //   cppcheck     cppcheck on src/, without what tests/check/cppcheck.txt leaves out
+//   thorough     whole sets of tens of thousands, lack of memory among thousands; without the shadow check
 //   determinism  the recorded hashes with g++ and clang++, -O0 to -O3, 32 bits, the machine's own instructions
 //
 // APOLLONIUS_DETERMINISM=clang limits the builds of the last one to those whose name has that in it.
@@ -15,7 +16,7 @@ import { ensureNativeTools, ensureValgrind } from "../wasm/toolchain/native.mjs"
 import { run } from "../wasm/toolchain/process.mjs";
 import { cppcheck, tidy } from "./check/analyse.mjs";
 import { checkDeterminism } from "./check/determinism.mjs";
-import { ctest, runSteps } from "./steps.mjs";
+import { ctest, runSteps, runTests } from "./steps.mjs";
 
 /**
  * A few of each program: what runs here takes some thirty times as long as natively. None that counts calls of operator new, which
@@ -52,6 +53,13 @@ await runSteps({
                      path.join(folder, program), "--gtest_brief=1", `--gtest_filter=${filter}`]);
     }
     return `${Object.keys(underValgrind).length} programs without an error or a leak`;
+  },
+  async thorough() {
+    native();
+    const settings = { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_WERROR: "ON" };
+    const folder = await withBuildLock(() => buildWithCmake("release", settings, { target: "diagram_tests" }));
+    return runTests(path.join(folder, "diagram_tests"), ["--gtest_brief=1", "--gtest_filter=*WholeSets*:*OutOfMemory*"],
+                    { summary: /PASSED/, env: { APOLLONIUS_THOROUGH: "1" } });
   },
   async tidy() {
     native();

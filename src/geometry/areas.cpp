@@ -58,8 +58,8 @@ class AreaSum {
 
   void addContact(Slot left, Slot right, int side, Point point, bool leaves) {
     const double place = window_.placeOf(side, point);
-    contacts_.push_back({left, {place, point, 0, leaves}});
-    contacts_.push_back({right, {place, point, 0, !leaves}});
+    contacts_.push_back({left, {side, place, point, 0, leaves}});
+    contacts_.push_back({right, {side, place, point, 0, !leaves}});
   }
 
   /// The triangle of a chord and the cell's origin: its centre, or the point of the window nearest to it.

@@ -15,6 +15,26 @@ double after(double place, double reference) {
   return d >= 0 ? d : d + 4;
 }
 
+/// Before, counter-clockwise from corner 0. Places are rounded to a share of the side, coordinates are not: the order
+/// does not depend on where the boundary was begun.
+bool comesBefore(const BorderContact& a, const BorderContact& b) {
+  if (a.place != b.place) return a.place < b.place;
+  if (a.side != b.side) return a.side < b.side;
+  const auto along = [](const BorderContact& c) {
+    return c.side == 0 ? c.point.x : c.side == 1 ? c.point.y : c.side == 2 ? -c.point.x : -c.point.y;
+  };
+  return along(a) != along(b) ? along(a) < along(b) : a.piece < b.piece;
+}
+
+/// The number of corners on the way between two contacts, of which rounded places count `seen`. One at each end may be
+/// missing there, none is too many; and none is on the way if rounding has exchanged the two.
+int cornersBetween(const BorderContact& from, const BorderContact& to, int seen) {
+  int count = (to.side - from.side + 4) % 4;
+  while (count < seen) count += 4;
+  if (count - seen > 2) count -= 4;
+  return std::clamp(count, 0, 4);
+}
+
 /// Disorder of two sorted lists that should alternate, one[0] first: the sum of what they overlap.
 double disorder(const FlatArray<double>& one, const FlatArray<double>& two) {
   double sum = 0;
@@ -73,9 +93,7 @@ void matchBorder(const DiagramCore& core, Slot site, const Window& window, FlatA
   const auto isOnBorder = [](const BorderContact& c) { return c.place >= 0 && c.place <= 4; };
   if (contacts.empty() || !std::all_of(contacts.begin(), contacts.end(), isOnBorder)) return;
   // All of them: a heap sort, which is a tenth of std::sort's code.
-  std::partial_sort(contacts.begin(), contacts.end(), contacts.end(), [](const BorderContact& a, const BorderContact& b) {
-    return a.place != b.place ? a.place < b.place : a.piece < b.piece;
-  });
+  std::partial_sort(contacts.begin(), contacts.end(), contacts.end(), comesBefore);
   // The reference is the middle of the largest gap.
   double reference = 0, gap = -1;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -109,13 +127,13 @@ void matchBorder(const DiagramCore& core, Slot site, const Window& window, FlatA
     const std::size_t m = holdsReference ? (k + 1) % count : k;
     BorderArc arc{leaves[k], enters[m]};
     const double from = leavePlaces[k], to = enterPlaces[m] + (isWrapped ? 4 : 0);
+    int seen = 0;
     for (int step = 0; step < 8; ++step) {  // corners once around from the reference, and once more
-      const int first = static_cast<int>(reference) + 1;
-      const double at = first - reference + step;
-      if (at <= from || at >= to) continue;
-      if (arc.cornerCount++ == 0) arc.firstCorner = (first + step) % 4;
+      const double at = static_cast<int>(reference) + 1 - reference + step;
+      seen += at > from && at < to;
     }
-    arc.cornerCount = std::min(arc.cornerCount, 4);
+    arc.firstCorner = (contacts[arc.from].side + 1) % 4;
+    arc.cornerCount = cornersBetween(contacts[arc.from], contacts[arc.to], seen);
     arcs.push_back(arc);
   }
 }

@@ -16,6 +16,7 @@ namespace apollonius {
 
 /// A point where a cell's boundary meets the window's border.
 struct BorderContact {
+  int side;
   double place;         ///< Window::placeOf
   Point point;
   std::uint32_t piece;  ///< the piece of the boundary that ends here (leaves) or starts here

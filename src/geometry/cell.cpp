@@ -12,8 +12,11 @@ const Cell& CellFinder::find(Slot site) {
   contacts_.clear();
   for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
     const ClippedPiece& piece = pieces_[k].clipped;
-    if (piece.fromSide != kNoSide) contacts_.push_back({window_.placeOf(piece.fromSide, piece.curve.p0), piece.curve.p0, k, false});
-    if (piece.toSide != kNoSide) contacts_.push_back({window_.placeOf(piece.toSide, piece.curve.p2), piece.curve.p2, k, true});
+    const auto add = [&](int side, Point p, bool leaves) {
+      if (side != kNoSide) contacts_.push_back({side, window_.placeOf(side, p), p, k, leaves});
+    };
+    add(piece.fromSide, piece.curve.p0, false);
+    add(piece.toSide, piece.curve.p2, true);
   }
   if (!contacts_.empty()) {
     link(site);
@@ -98,7 +101,14 @@ void CellFinder::wholeWindow() {
 
 void CellFinder::closeRegion() {
   const std::uint32_t start = cell_.starts.back();
-  const Area area = areaOf(std::span(cell_.pieces).subspan(start), window_.nearestTo(cell_.pieces[start].curve.p0));
+  const auto pieces = std::span(cell_.pieces).subspan(start);
+  // Of one and the same point, wherever the boundary was begun: a sliver is there after any history, or after none.
+  Point origin = pieces.front().curve.p0;
+  for (const BoundaryPiece& piece : pieces) {
+    const Point p = piece.curve.p0;
+    if (p.x < origin.x || (p.x == origin.x && p.y < origin.y)) origin = p;
+  }
+  const Area area = areaOf(pieces, window_.nearestTo(origin));
   if (area.value > area.rounding) {
     cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
   } else {

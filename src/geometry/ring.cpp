@@ -63,13 +63,13 @@ class Ring {
 
 namespace {
 
-/// Does a piece of the border run clockwise, because rounding has exchanged two contacts (border.h)? Then it
-/// counts as a curve.
+/// Does a piece of the border not run counter-clockwise along a side, because rounding has exchanged two contacts
+/// (border.h), which may be on the two sides of a corner? Then it counts as a curve.
 bool runsBackwards(const Window& window, const Conic& piece) {
   const Point a = piece.p0, b = piece.p2;
   const auto areOn = [](double side, double p, double q) { return p == side && q == side; };
-  return (areOn(window.ymin, a.y, b.y) && b.x < a.x) || (areOn(window.xmax, a.x, b.x) && b.y < a.y) ||
-         (areOn(window.ymax, a.y, b.y) && b.x > a.x) || (areOn(window.xmin, a.x, b.x) && b.y > a.y);
+  return !((areOn(window.ymin, a.y, b.y) && b.x >= a.x) || (areOn(window.xmax, a.x, b.x) && b.y >= a.y) ||
+           (areOn(window.ymax, a.y, b.y) && b.x <= a.x) || (areOn(window.xmin, a.x, b.x) && b.y <= a.y));
 }
 
 /// One try; false, with nothing appended, if it is no ring.

@@ -16,8 +16,11 @@ struct Sector {
   bool startsOnCircle, endsOnCircle;
 };
 
+/// Any direction for a point that rounding has put on the centre, as it does where the radius is smaller than
+/// the distance of doubles there.
 Point unit(Point p) {
   const double size = length(p);
+  if (!(size > 0)) return {1, 0};
   return {p.x / size, p.y / size};
 }
 
@@ -53,7 +56,8 @@ void findSectors(const DiagramCore& core, Slot site, double radius, FlatArray<Se
     const double a = isPole ? -bisector.transverse() : bisector.transverse();
     const double largest = (radius + a) / (bisector.distance() / 2);
     if (!(largest > 1)) return;
-    const double e = largest + std::sqrt((largest - 1) * (largest + 1));
+    const bool isImmense = largest > powerOfTwo(500);  // of which the square may be infinite
+    const double e = largest + (isImmense ? largest : std::sqrt((largest - 1) * (largest + 1)));
     const bool isFromCut = !(edge.e0 > 1 / e), isToCut = !(edge.e1 < e);
     const double e0 = isFromCut ? 1 / e : edge.e0, e1 = isToCut ? e : edge.e1;
     // An edge inside that has no length in doubles still says that the cell ends there.

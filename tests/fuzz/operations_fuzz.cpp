@@ -3,13 +3,12 @@
 // its levels. validate() runs after each call, and the end
 // is compared with fresh builds and, for few sites, with the oracle. A failure prints the history as tests/data/regressions wants
 // it. How to run: README.md beside this file.
-#include <bit>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <span>
 
+#include "support/bytes.h"
 #include "support/corpus.h"
 #include "support/replay.h"
 #include "support/whole_set.h"
@@ -19,39 +18,6 @@ namespace {
 
 constexpr std::size_t kMostCalls = 48;
 constexpr std::size_t kMostSites = 1500;
-
-/// Reads the input from front to back; zeros after its end.
-class Bytes {
- public:
-  explicit Bytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-  [[nodiscard]] bool empty() const { return at_ >= bytes_.size(); }
-  std::uint8_t next() { return empty() ? 0 : bytes_[at_++]; }
-  std::uint64_t next64() {
-    std::uint64_t value = 0;
-    for (int k = 0; k < 8; ++k) value |= std::uint64_t{next()} << (8 * k);
-    return value;
-  }
-
- private:
-  std::span<const std::uint8_t> bytes_;
-  std::size_t at_ = 0;
-};
-
-/// How numbers are made of bytes.
-enum class Numbers : std::uint8_t { kTinyGrid, kGrid, kNarrowDoubles, kRawDoubles };
-
-double number(Bytes& bytes, Numbers numbers) {
-  switch (numbers) {
-    case Numbers::kTinyGrid: return bytes.next() % 4;
-    case Numbers::kGrid: return static_cast<std::int8_t>(bytes.next());
-    case Numbers::kNarrowDoubles: {  // all bits of a mantissa, magnitudes of about 1
-      const double value = std::bit_cast<double>((bytes.next64() & 0x800FFFFFFFFFFFFFu) | 0x3FE0000000000000u);
-      return std::ldexp(value, bytes.next() % 4);
-    }
-    case Numbers::kRawDoubles: return std::bit_cast<double>(bytes.next64());
-  }
-  return 0;
-}
 
 // Codes that would be some more of many single inserts.
 constexpr std::uint8_t kRestoreCode = 0xFD, kSetCode = 0xF9, kMoveAllCode = 0xF5, kRemoveManyCode = 0xF1, kInsertManyCode = 0xED,

@@ -174,6 +174,37 @@ TEST(Contacts, ASliverOfACellIsNotADisk) {
   checkDisk({{.7, .3, 1.5000000000000002}, {3.1000000000000005, 3.5, 2.5}, {1.6, 1.5000000000000002, 0}}, 2, 35);
 }
 
+TEST(Contacts, HalfADiskOfAnyRadius) {
+  // Found by geometry_fuzz: where the radius was more than 2^511 times the sites' distance, nothing was left of it.
+  for (int exponent = -250; exponent <= 330; exponent += 20) {
+    const double radius = std::ldexp(1.0, exponent), small = 0x1p-280;
+    Diagram diagram;
+    insertInto(diagram, {{small, 0, small / 4}, {-small, 0, small / 4}, {0, 0.75 * small, 0}});
+    CellMeasures measures;
+    ASSERT_EQ(Voronoi(diagram).measuresWithin(0, radius, measures), Error::kNone);
+    // The third site takes less than a quarter.
+    EXPECT_GT(measures.area / radius / radius, kPi / 4) << exponent;
+    EXPECT_LT(measures.area / radius / radius, kPi / 2 * (1 + 1e-9)) << exponent;
+    EXPECT_GT(measures.perimeter / radius, 2 + kPi / 2) << exponent;
+    EXPECT_LT(measures.perimeter / radius, 2 + kPi) << exponent;
+  }
+}
+
+TEST(Contacts, ADiskSmallerThanTheDistanceOfDoublesIsFinite) {
+  // Found by geometry_fuzz: the ends of its arcs are the centre itself, in no direction, and measures were NaN.
+  for (const double radius : {1e-30, 0.15, 1e15, 1e25}) {
+    Diagram diagram;
+    insertInto(diagram, {{1e-79, 1e36, 0}, {1.0000000000000001e-79, 1e36, 0}, {2e-79, 1e36, 0}, {1e-79, 3e36, 0}});
+    for (SiteId site = 0; site < 4; ++site) {
+      CellMeasures measures;
+      ASSERT_EQ(Voronoi(diagram).measuresWithin(site, radius, measures), Error::kNone);
+      EXPECT_GE(measures.perimeter, 0) << radius;
+      EXPECT_LE(measures.perimeter, 10 * (radius + 1e21)) << radius;
+      EXPECT_LE(measures.area, 10 * (radius + 1e21) * (radius + 1e21)) << radius;
+    }
+  }
+}
+
 double sumOfAreas(const Circles& circles, const Bounds& bounds) {
   Diagram diagram;
   insertInto(diagram, circles);

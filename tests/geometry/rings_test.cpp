@@ -7,28 +7,12 @@
 #include <sstream>
 
 #include "geometry/shapes.h"
-#include "geometry/turn.h"
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/operations.h"
 
 namespace apollonius::test {
 namespace {
-
-/// Is there a proper crossing of two sides of a ring? By exact orientations.
-bool crossesItself(const std::vector<Point>& p) {
-  const std::size_t sides = p.size() - 1;
-  for (std::size_t i = 0; i < sides; ++i) {
-    for (std::size_t j = i + 2; j < sides; ++j) {
-      const Point a = p[i], b = p[i + 1], c = p[j], d = p[j + 1];
-      if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x)) continue;
-      if (std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y)) continue;
-      const auto apart = [](Sign s, Sign t) { return s * t == Sign::kNegative; };
-      if (apart(turnOf(a, b, c), turnOf(a, b, d)) && apart(turnOf(c, d, a), turnOf(c, d, b))) return true;
-    }
-  }
-  return false;
-}
 
 /// Checks the rings of all cells; returns how many there are.
 int checkRings(const Circles& circles, const Bounds& bounds, double tolerance) {
@@ -146,6 +130,11 @@ TEST(Rings, OfACellSmallerThanTheTolerance) {
   const Circles circles{{6, 2, 2}, {8, 0, 2}, {7, 1, 1}};
   const Bounds bounds{-600, -600, 600, 600};
   EXPECT_EQ(checkRings(circles, bounds, defaultTolerance(bounds)), 3);
+}
+
+TEST(Rings, ThroughAVertexOnACornerOfTheWindow) {
+  // Found by geometry_fuzz: the two edges that end at (0, 0) were cut off by one side each, in the wrong order.
+  EXPECT_EQ(checkRings({{-63, -60, 67}, {-9, -12, -5}, {0, -108, 88}}, {-24, -2, 0, 0}, 0.001), 3);
 }
 
 TEST(Rings, ThroughOneVertexOfFourSites) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/turn.h"
 #include "support/generators.h"
 #include "voronoi.h"
 
@@ -59,6 +60,21 @@ inline double areaOf(const RingArrays& rings) {
     }
   }
   return sum / 2;
+}
+
+/// Is there a proper crossing of two sides of a ring? By exact orientations.
+inline bool crossesItself(const std::vector<Point>& p) {
+  const std::size_t sides = p.size() - 1;
+  for (std::size_t i = 0; i < sides; ++i) {
+    for (std::size_t j = i + 2; j < sides; ++j) {
+      const Point a = p[i], b = p[i + 1], c = p[j], d = p[j + 1];
+      if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x)) continue;
+      if (std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y)) continue;
+      const auto apart = [](Sign s, Sign t) { return s * t == Sign::kNegative; };
+      if (apart(turnOf(a, b, c), turnOf(a, b, d)) && apart(turnOf(c, d, a), turnOf(c, d, b))) return true;
+    }
+  }
+  return false;
 }
 
 inline double distanceTo(const Circle& c, double x, double y) { return std::sqrt((x - c.x) * (x - c.x) + (y - c.y) * (y - c.y)) - c.r; }

@@ -1,0 +1,59 @@
+// A set of circles that answers what a diagram of them must, by trying all. Right for small integers: there two
+// distances are equal or clearly apart.
+const EQUAL = 1e-9;
+
+/** Whether circle `outer` holds circle `inner`. */
+export function covers([bx, by, br], [ax, ay, ar]) {
+  return br >= ar && (ax - bx) ** 2 + (ay - by) ** 2 <= (br - ar) ** 2;
+}
+
+export const distanceTo = ([x, y, r], px, py) => Math.hypot(px - x, py - y) - r;
+const areIdentical = (a, b) => a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
+
+/** Negative if circle a comes before b in a list of the nearest; 0 for identical ones. */
+function compareAt(a, b, px, py) {
+  const difference = distanceTo(a, px, py) - distanceTo(b, px, py);
+  if (Math.abs(difference) > EQUAL) return difference;
+  return b[2] - a[2] || b[0] - a[0] || b[1] - a[1];
+}
+
+export class BruteForce {
+  constructor(circles = new Map()) {
+    this.circles = circles;  // by id
+  }
+
+  get size() { return this.circles.size; }
+  get ids() { return [...this.circles.keys()].sort((a, b) => a - b); }
+  copy() { return new BruteForce(new Map(this.circles)); }
+
+  /** The sites that have a cell, but for which of several identical ones it is. */
+  get visibleCircles() {
+    const different = [...new Map([...this.circles.values()].map((circle) => [String(circle), circle])).values()];
+    return different.filter((circle) => !different.some((other) => other !== circle && covers(other, circle)));
+  }
+
+  /** Whether the site can be visible: no other circle covers it, but for identical ones. */
+  isCandidate(id) {
+    const circle = this.circles.get(id);
+    return ![...this.circles.values()].some((other) => !areIdentical(other, circle) && covers(other, circle));
+  }
+
+  identicalTo(id) {
+    return this.ids.filter((other) => areIdentical(this.circles.get(other), this.circles.get(id)));
+  }
+
+  /** All circles in the order in which they are near to a point. */
+  sortedAt(x, y) {
+    return [...this.circles.values()].sort((a, b) => compareAt(a, b, x, y));
+  }
+
+  /** Those at a distance of at most so much, nearest first. */
+  within(x, y, distance) {
+    return this.sortedAt(x, y).filter((circle) => distanceTo(circle, x, y) <= distance + EQUAL);
+  }
+
+  /** How far the circles reach in a direction. */
+  reach(ux, uy) {
+    return Math.max(...[...this.circles.values()].map(([x, y, r]) => x * ux + y * uy + r));
+  }
+}
