@@ -52,6 +52,7 @@ enum Kind {
   kTouchingWithin,  // a disc and others within it that seem to touch it
   kGiant,           // and small ones at its rim
   kOfAnySize,
+  kCluster,  // so close together that products of differences underflow
   kKinds
 };
 
@@ -80,6 +81,10 @@ struct Family {
         if (random.oneIn(3)) return {0.1, 0.2, 1};
         const double t = 3 * x, cosine = (1 - t * t) / (1 + t * t), sine = 2 * t / (1 + t * t);
         return {0.1 + (1 - r) * cosine, 0.2 + (1 - r) * sine, r};
+      }
+      case kCluster: {
+        const double scale = random.oneIn(3) ? 1 : 0x1p-100;
+        return {scale * x, scale * y, random.oneIn(2) ? 0 : scale * r};
       }
       case kGiant:
         return random.oneIn(3) ? Site{1000.3, 0.1, 1000.3} : Site{x, y, r};
@@ -257,7 +262,9 @@ TEST(NearZero, EdgeConflict) {
         (precedes(i, l) || !coversNot(i, l) || !coversNot(j, l) || !hasVoronoiCircle(i, l, j)))
       continue;
     if (other == nullptr && !coversNot(i, l)) continue;
+    const EdgeCorners edge{&i, other, &k, &l};
     if (isVertexInConflict(&i, other, &k, l) || isVertexInConflict(other, &i, &l, k)) continue;
+    if (!isDelaunayEdge(edge, voronoiCircle(&i, other, &k), voronoiCircle(other, &i, &l))) continue;
     const VoronoiCircle atK = someCircle(&i, other, &k, random),
                         atL = someCircle(other, &i, &l, random);
     Site q = family.site(random);
@@ -289,7 +296,7 @@ TEST(NearZero, EdgeConflict) {
       expectSameIn(stages::edgeWhole(i, other, &k, &l, at, probe), "whole");
       if (other != nullptr && probe == stages::Probe::kOpposite &&
           isSurelyInConflictBetweenEnds(i, j, atK, atL, at)) {
-        EXPECT_TRUE(isEntireEdgeInConflict(EdgeCorners{&i, &j, &k, &l}, at)) << "shortcut";
+        EXPECT_TRUE(isEntireEdgeInConflict(edge, at)) << "shortcut";
       }
     };
     asked += askAroundChange(
@@ -367,6 +374,26 @@ TEST(NearZero, TurnBetweenShadows) {
     if (HasFailure()) FAIL() << "run " << run;
   }
   EXPECT_GT(asked, runs(300));
+}
+
+/// Points in line, two of them neighbouring doubles: which of them is between is what the
+/// degenerate rule asks.
+TEST(NearZero, OppositeOnALine) {
+  Random random(139);
+  for (int run = 0; run < runs(2000); ++run) {
+    const Site i{random.between(1, 3), 0, 0}, j{random.between(-1, 1), 0, 0};
+    Site q = run % 2 == 0 ? j : i;
+    for (std::uint64_t ulps = 1 + random.below(3u); ulps > 0; --ulps) {
+      q.x = std::nextafter(q.x, run % 4 < 2 ? -9.0 : 0.5);
+    }
+    ASSERT_EQ(stages::vertexExact(i, &j, nullptr, &q), Sign::kZero);
+    EXPECT_EQ(stages::vertexDegenerate(i, &j, nullptr, &q),
+              stages::isOppositeExact(i, &j, nullptr, &q, stages::FaceCorner::kK))
+        << "run " << run;
+    EXPECT_EQ(stages::vertexDegenerate(i, nullptr, &j, &q),
+              stages::isOppositeExact(i, nullptr, &j, &q, stages::FaceCorner::kJ))
+        << "run " << run;
+  }
 }
 
 /// The hull's normals: which way they point, and the turn from one to the next.
