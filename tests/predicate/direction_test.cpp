@@ -70,7 +70,7 @@ TEST(Turn, KnowsNothingWhereProductsUnderflow) {
   Random random(123);
   for (int run = 0; run < test::runs(5000); ++run) {
     const double size = std::ldexp(1.0, -520 - random.below(20)), bend = std::ldexp(random.between(-1, 1), -random.below(40));
-    const Arrow a{size * random.between(-1, 1), size * random.between(-1, 1), 0};
+    const Arrow a{size * random.between(-1, 1), size * random.between(-1, 1), std::ldexp(size, -random.below(30))};
     expectRight(a, {a.x - bend * a.y, a.y + bend * a.x, 0});
     if (HasFatalFailure()) return;
   }
