@@ -19,7 +19,8 @@ class SnapshotParts : public ::testing::Test {
  protected:
   static constexpr std::size_t kSlots = 5, kSites = 3;
   static constexpr std::size_t kIds = 8 + 6 * kSlots, kFreeSlots = kIds + kSlots,
-                               kFreeIds = kFreeSlots + 2, kRecent = kFreeIds + 2;
+                               kFreeIds = kFreeSlots + 2, kRecent = kFreeIds + 2,
+                               kTwins = kRecent + 2;
 
   void SetUp() override {
     SiteId id = kNoSite;
@@ -50,9 +51,9 @@ class SnapshotParts : public ::testing::Test {
     set(8 + 2 * k, static_cast<std::uint32_t>(bits));
     set(9 + 2 * k, static_cast<std::uint32_t>(bits >> 32));
   }
-  [[nodiscard]] bool isAccepted() const {
+  [[nodiscard]] bool isAccepted(Source source = Source::kAnyone) const {
     Diagram restored;
-    return restored.fromBytes(withChecksum(bytes_)) == Error::kNone;
+    return restored.fromBytes(withChecksum(bytes_), source) == Error::kNone;
   }
 
   Diagram diagram_;
@@ -129,6 +130,65 @@ TEST_F(SnapshotParts, FreeSlotInTheGraph) {
   set(kIds + free, 2);
   for (std::size_t k = 0; k < 6; ++k) set(8 + 6 * free + k, word(8 + 6 * 2 + k));
   EXPECT_FALSE(isAccepted());
+}
+
+// --- The surface, which is looked at whoever the bytes come from ---------------------------------
+
+TEST_F(SnapshotParts, TwinsThatAreNotMutual) {
+  const std::uint32_t halfedges = 3 * word(7);
+  for (std::uint32_t h = 0; h < halfedges; ++h) {
+    const std::uint32_t twin = word(kTwins + h);
+    for (std::uint32_t g = 0; g < halfedges; ++g) {
+      if (g == twin) continue;
+      set(kTwins + h, g);
+      EXPECT_FALSE(isAccepted(Source::kTrusted)) << h << " " << g;
+    }
+    set(kTwins + h, twin);
+  }
+}
+
+// Each half-edge is still some other's twin, and in one star.
+TEST_F(SnapshotParts, TwinsInACycle) {
+  const std::uint32_t halfedges = 3 * word(7), none = 0xFFFFFFFFu;
+  for (std::uint32_t h = 0; h < halfedges; ++h) {
+    for (std::uint32_t g = 0; g < halfedges; ++g) {
+      for (std::uint32_t k = g + 1; k < halfedges; ++k) {
+        const std::uint32_t a = word(kTwins + h), b = word(kTwins + g), c = word(kTwins + k);
+        if (g == h || k == h || a == none || b == none || c == none) continue;
+        set(kTwins + h, b), set(kTwins + g, c), set(kTwins + k, a);
+        EXPECT_FALSE(isAccepted(Source::kTrusted)) << h << " " << g << " " << k;
+        set(kTwins + h, a), set(kTwins + g, b), set(kTwins + k, c);
+      }
+    }
+  }
+}
+
+TEST_F(SnapshotParts, OneStarOfTwoVertices) {
+  const std::size_t vertices = kTwins + 3 * word(7);
+  for (std::size_t v = 0; v <= kSlots; ++v) {
+    for (std::size_t u = 0; u <= kSlots; ++u) {
+      const std::uint32_t old = word(vertices + v);
+      if (old == word(vertices + u)) continue;
+      set(vertices + v, word(vertices + u));
+      EXPECT_FALSE(isAccepted(Source::kTrusted)) << v << " " << u;
+      set(vertices + v, old);
+    }
+  }
+}
+
+TEST_F(SnapshotParts, ListOfFreeFaces) {
+  const std::uint32_t none = 0xFFFFFFFFu, first = word(kRecent + 1);
+  ASSERT_NE(first, none) << "there are free faces";
+  std::uint32_t last = first;
+  while (word(kTwins + last) != none) last = word(kTwins + last);
+  set(kTwins + last, first);  // it has no end
+  EXPECT_FALSE(isAccepted(Source::kTrusted));
+  set(kTwins + last, none);
+  for (std::uint32_t h = 0; h < 3 * word(7); ++h) {
+    if (h == first) continue;
+    set(kRecent + 1, h);  // it starts at a live face, within a face, or behind the first one
+    EXPECT_FALSE(isAccepted(Source::kTrusted)) << h;
+  }
 }
 
 // An odd number of words: the one that makes it even is zero.
