@@ -38,7 +38,7 @@ double between(double e0, double e, double e1, double otherwise) {
   if (e > 0) return std::clamp(e, e0, e1);
   if (!(e <= 0)) return otherwise;
   const double low = std::max(e0, 1 / kLargestParameter), high = std::min(e1, kLargestParameter);
-  return -e / low > high / -e ? e1 : e0;
+  return absolute(e) / low > high / absolute(e) ? e1 : e0;  // not -e: of 0 that is -0
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/effort.h"
 #include "support/generators.h"
 
@@ -111,6 +113,34 @@ TEST(Bisector, LinesAreCrossedWhereTheyAre) {
     ++crossed;
   }
   EXPECT_GT(crossed, runs(20000) / 10);
+}
+
+/// Of a line along an asymptote the crossing is at infinity, and rounding may put it beyond: the end there is the answer.
+TEST(Bisector, LinesAlongAnAsymptoteAreCrossedAtItsEnd) {
+  Random random(504);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (int run = 0; run < runs(2000); ++run) {
+    Site pole, other;
+    randomPair(random, random.unit(), pole, other);
+    const Bisector bisector(pole, other);
+    for (const bool upper : {false, true}) {
+      const Point direction = bisector.asymptote(upper);
+      const Point normal{-direction.y, direction.x};
+      const double offset = dot(normal, bisector.pole()) - 1e4;
+      const LineForm form(bisector, normal, offset);
+      if (upper) {
+        EXPECT_GT(form.fall(0, infinity), 1e10) << "run " << run;
+      } else {
+        EXPECT_LT(form.rise(0, infinity), 1e-10) << "run " << run;
+      }
+      const LineForm opposite(bisector, Point{-normal.x, -normal.y}, -offset);
+      if (upper) {
+        EXPECT_GT(opposite.rise(0, infinity), 1e10) << "run " << run;
+      } else {
+        EXPECT_LT(opposite.fall(0, infinity), 1e-10) << "run " << run;
+      }
+    }
+  }
 }
 
 }  // namespace

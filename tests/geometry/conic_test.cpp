@@ -112,6 +112,20 @@ TEST(Conic, ApproximationsAreWithinTheTolerance) {
   }
 }
 
+// Between neighbouring doubles there is nothing to halve: that must not be tried again and again.
+TEST(Conic, OfAFewDoublesIsNotHalvedWithoutEnd) {
+  const double step = 0x1p-33;  // of doubles around a million
+  for (const double w : {1.0, 3.0, 1e9}) {
+    const Conic conic{{1e6, 1e6}, {1e6 + step, 1e6}, w, {1e6 + step, 1e6 + step}};
+    Path path;
+    drawConic(conic, 1e-30, path);
+    EXPECT_LE(path.commands.size(), 4u);
+    std::vector<double> points;
+    flattenConic(conic, 1e-30, points);
+    EXPECT_LE(points.size(), 8u);
+  }
+}
+
 TEST(Measures, CircleIsPi) {
   Moments moments;
   double length = 0, area = 0;

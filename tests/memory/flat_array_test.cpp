@@ -116,5 +116,13 @@ TEST(FlatArray, KeepsItsRoom) {
   EXPECT_TRUE(array[4] == (Pair{3, 3}) && array[5] == Pair{});
 }
 
+// A room of which the bytes cannot be counted: their number must not wrap around to a small one.
+TEST(FlatArray, NoRoomIsTooLargeToBeRefused) {
+  FlatArray<Pair> array(3);
+  EXPECT_THROW(array.reserve(SIZE_MAX / sizeof(Pair) + 2), std::bad_alloc);
+  EXPECT_THROW(array.reserve(SIZE_MAX / 2), std::bad_alloc);
+  expectSame(array, std::vector<Pair>(3));
+}
+
 }  // namespace
 }  // namespace apollonius

@@ -1,32 +1,40 @@
-// Mutants: small changes to src/ that the tests must notice. Each is applied to a copy of the sources, built, and tried on the native tests
-// until one fails (or hangs, or does not build: then it says so, as such a mutant is no good).
+// Mutants: small changes to src/ that the tests must notice.
 //
-//   npm run mutants                        all of tests/mutants/mutants.json; hours on two cores
+//   npm run mutants                        all of tests/mutants/mutants.json; an hour on two cores
 //   npm run mutants -- --from 20 --to 40   some of them
 //   npm run mutants -- --only predicate    those of files whose path has that in it
+//   npm run mutants -- --longest 1         with tests of a second at most: a first look, of which only what is noticed is kept
 //   npm run mutants -- --propose 150       prints so many new ones, spread over the files of src/: for a person to choose from
 //
-// A mutant is a file, one line of it, and what that line becomes. One with an `equivalent` (why no test can notice it) is left out. The report goes
-// to build/mutants/report.json; results of earlier runs are kept for mutants and sources that have not changed.
+// A mutant is a file, a piece of it (as tokens, whatever the layout), and what that piece becomes. All are put into one copy of the sources, each
+// behind a switch (switched.mjs), which is built once, with the shadow check. Each test is run once without any mutant, to see how long it takes
+// and which mutants it comes by; then the tests that come by a mutant are run with it, quick ones first, until one fails, ends or hangs.
+// A mutant with an `equivalent` (why no test can notice it) is not run. The report goes to build/mutants/report.json after each mutant; what has
+// been noticed is kept for as long as mutant and file do not change.
 import { spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
-import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import { proposals } from "./propose.mjs";
+import { inParallel, Suite } from "./suite.mjs";
+import { switched } from "./switched.mjs";
+import { normalized } from "./tokens.mjs";
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 const work = path.join(root, "build", "mutants");
 const tree = path.join(work, "tree");
 const reportFile = path.join(work, "report.json");
-const jobs = String(availableParallelism());
-const kSlowestTest = 900;  // seconds; the unchanged programs take a fraction of it
 
 const { values: options } = parseArgs({
-  options: { from: { type: "string", default: "0" }, to: { type: "string" }, only: { type: "string", default: "" }, propose: { type: "string" } },
+  options: {
+    from: { type: "string", default: "0" }, to: { type: "string" }, only: { type: "string", default: "" },
+    jobs: { type: "string", default: String(availableParallelism()) }, longest: { type: "string", default: "Infinity" }, propose: { type: "string" },
+  },
 });
+const jobs = Number(options.jobs), longest = Number(options.longest);
 
 if (options.propose) {
   console.log(JSON.stringify(proposals(root, Number(options.propose)), null, 1));
@@ -34,80 +42,78 @@ if (options.propose) {
 }
 
 const all = JSON.parse(readFileSync(path.join(root, "tests/mutants/mutants.json"), "utf8"));
-const digest = (text) => createHash("sha256").update(text).digest("hex").slice(0, 16);
+const digest = (...texts) => createHash("sha256").update(JSON.stringify(texts)).digest("hex").slice(0, 16);
+const sourceOf = (file) => readFileSync(path.join(root, file), "utf8");
+const keyOf = ({ file, line, becomes }) => digest(file, normalized(line), normalized(becomes), normalized(sourceOf(file)));
 
-/** The file with the mutant's line changed; throws unless that line is there once. */
-function mutated({ file, line, becomes }) {
-  const lines = readFileSync(path.join(root, file), "utf8").split("\n");
-  const places = lines.flatMap((text, k) => (text.trim() === line ? [k] : []));
-  if (places.length !== 1) throw new Error(`${file} has ${places.length} lines "${line}"`);
-  const [k] = places;
-  lines[k] = lines[k].replace(line, () => becomes);
-  return lines.join("\n");
+/** Writes a file of the copy, unless it is there as it should be: then nothing is built anew. */
+function write(name, content) {
+  const place = path.join(tree, name);
+  if (existsSync(place) && readFileSync(place).equals(Buffer.from(content))) return;
+  mkdirSync(path.dirname(place), { recursive: true });
+  writeFileSync(place, content);
 }
 
-const run = (program, args, seconds) =>
-  spawnSync(program, args, { cwd: tree, encoding: "utf8", timeout: 1000 * seconds, maxBuffer: 1 << 28, killSignal: "SIGKILL" });
-
-/** A copy of what is built, with a build folder of its own that later mutants share. */
-function prepare() {
-  mkdirSync(tree, { recursive: true });
-  for (const name of ["CMakeLists.txt", "src", "tests", "wasm", "bench"]) {
-    rmSync(path.join(tree, name), { recursive: true, force: true });
-    cpSync(path.join(root, name), path.join(tree, name), { recursive: true, preserveTimestamps: true });
-  }
-  const configured = run("cmake", ["-S", ".", "-B", "build", "-DCMAKE_BUILD_TYPE=Release", "-DAPOLLONIUS_SHADOW_CHECK=ON"], 600);
-  if (configured.status !== 0) throw new Error(configured.stderr);
-  const built = build();
-  if (built.status !== 0) throw new Error(built.stderr);
+function run(program, args) {
+  const { status } = spawnSync(program, args, { cwd: tree, stdio: ["ignore", "inherit", "inherit"] });
+  if (status !== 0) throw new Error(`${program} ${args.join(" ")} ends with ${status}`);
 }
 
-const build = () => run("cmake", ["--build", "build", "--parallel", jobs], 3600);
-
-/** The test programs, the one of the mutant's own folder first. */
-function programsFor(file) {
-  const own = `${file.split("/")[1]}_tests`;
-  const programs = readdirSync(path.join(tree, "build")).filter((name) => name.endsWith("_tests"));
-  return programs.sort((a, b) => (b === own) - (a === own) || a.localeCompare(b));
-}
-
-/** What notices the mutant: the name of a test, "hangs" or "does not build"; null if nothing does. */
-function noticedBy(mutant) {
-  const place = path.join(tree, mutant.file);
-  const original = readFileSync(place, "utf8");
-  writeFileSync(place, mutated(mutant));
-  try {
-    if (build().status !== 0) return "does not build";
-    for (const program of programsFor(mutant.file)) {
-      const result = run(path.join(tree, "build", program), ["--gtest_fail_fast", "--gtest_brief=1"], kSlowestTest);
-      if (result.error?.code === "ETIMEDOUT" || result.signal === "SIGKILL") return `${program} hangs`;
-      if (result.status === 0) continue;
-      return /\[ {2}FAILED {2}\] (\S+)/.exec(result.stdout)?.[1] ?? `${program} ends with ${result.status ?? result.signal}`;
+/** A copy of what is built, with all mutants in it. */
+function writeTree() {
+  const files = new Map();  // by name: [mutant, number]
+  all.forEach((mutant, number) => files.set(mutant.file, [...(files.get(mutant.file) ?? []), [mutant, number]]));
+  for (const folder of ["tests", "wasm", "bench", "src"]) {
+    for (const name of readdirSync(path.join(root, folder), { recursive: true })) {
+      const file = path.join(folder, name);
+      if (!statSync(path.join(root, file)).isFile()) continue;
+      const mutants = files.get(file);
+      write(file, mutants ? switched(sourceOf(file), mutants) : readFileSync(path.join(root, file)));
     }
-    return null;
-  } finally {
-    writeFileSync(place, original);
   }
+  write("CMakeLists.txt", sourceOf("CMakeLists.txt"));
+  for (const name of ["switch.h", "switch.cpp"]) write(`src/${name}`, sourceOf(`tests/mutants/${name}`));
 }
 
-const earlier = existsSync(reportFile) ? JSON.parse(readFileSync(reportFile, "utf8")) : {};
-const chosen = all.slice(Number(options.from), options.to ? Number(options.to) : undefined)
-  .filter(({ file, equivalent }) => !equivalent && file.includes(options.only));
-let isPrepared = false;
-const survivors = [];
-for (const mutant of chosen) {
-  const key = digest(JSON.stringify([mutant.file, mutant.line, mutant.becomes]) + mutated(mutant));
-  if (earlier[key] === undefined || earlier[key] === null) {
-    if (!isPrepared) prepare();
-    isPrepared = true;
-    earlier[key] = noticedBy(mutant);
-    writeFileSync(reportFile, JSON.stringify(earlier, null, 1));
-  }
-  const what = `${mutant.file}: ${mutant.line}  ->  ${mutant.becomes}`;
-  console.log(`${earlier[key] ?? "NOT NOTICED"}\n    ${what}`);
-  if (earlier[key] === null) survivors.push(what);
+/** Builds the tree, with the shadow check or without; all programs or some. Returns where they are. */
+function built(folder, shadowCheck, targets = []) {
+  run("cmake", ["-S", ".", "-B", folder, "-DCMAKE_BUILD_TYPE=Release", `-DAPOLLONIUS_SHADOW_CHECK=${shadowCheck ? "ON" : "OFF"}`,
+    `-DCMAKE_CXX_FLAGS=-w -include ${path.join(tree, "src/switch.h")}`, "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"]);
+  run("cmake", ["--build", folder, "--parallel", String(jobs), ...targets.flatMap((target) => ["--target", target])]);
+  return path.join(tree, folder);
 }
-const unusable = chosen.length - chosen.filter((m) => earlier[digest(JSON.stringify([m.file, m.line, m.becomes]) + mutated(m))] !== "does not build").length;
-console.log(`${chosen.length - survivors.length - unusable} of ${chosen.length - unusable} mutants noticed, ${unusable} do not build, ` +
-            `${all.filter(({ equivalent }) => equivalent).length} are equivalent`);
-process.exitCode = survivors.length * 20 > chosen.length - unusable ? 1 : 0;
+
+const folderOf = (file) => path.dirname(file).replace(/^src\/?/, "") || (file.includes("voronoi") ? "geometry" : "diagram");
+
+const report = existsSync(reportFile) ? JSON.parse(readFileSync(reportFile, "utf8")) : {};
+const chosen = all.map((mutant, number) => ({ ...mutant, number })).slice(Number(options.from), options.to ? Number(options.to) : undefined)
+  .filter(({ file }) => file.includes(options.only));
+const mutants = chosen.filter(({ equivalent }) => !equivalent);
+const open = mutants.filter((mutant) => !report[keyOf(mutant)]);
+if (open.length > 0) {
+  writeTree();
+  const suite = new Suite(path.join(work, "measured.json"), jobs);
+  const skipped = await suite.measure(built("build", true), longest);
+  if (longest === Infinity) {  // as in the wasm step of npm test
+    await suite.measure(built("build-plain", false, Object.keys(skipped)), longest, skipped);
+  }
+  await inParallel(open, jobs, async (mutant) => {
+    const key = keyOf(mutant);
+    const noticed = await suite.noticedBy(mutant.number, folderOf(mutant.file), longest);
+    if (noticed !== null || longest === Infinity) report[key] = noticed;
+    writeFileSync(reportFile, JSON.stringify(report, null, 1));
+    console.log(`${mutant.number}: ${noticed ?? "NOT NOTICED"}\n    ${mutant.file}: ${mutant.line}  ->  ${mutant.becomes}`);
+  });
+}
+
+const survivors = mutants.filter((mutant) => !report[keyOf(mutant)]);
+for (const { number, file, line, becomes } of survivors) console.log(`NOT NOTICED ${number} ${file}: ${line}  ->  ${becomes}`);
+const counted = {};
+for (const mutant of chosen) {
+  const row = (counted[path.dirname(mutant.file)] ??= { mutants: 0, noticed: 0, equivalent: 0, "not noticed": 0 });
+  ++row.mutants;
+  ++row[mutant.equivalent ? "equivalent" : report[keyOf(mutant)] ? "noticed" : "not noticed"];
+}
+console.table(counted);
+console.log(`${mutants.length - survivors.length} of ${mutants.length} mutants noticed, ${chosen.length - mutants.length} are equivalent`);
+process.exitCode = survivors.length * 20 > mutants.length ? 1 : 0;

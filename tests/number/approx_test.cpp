@@ -101,5 +101,12 @@ TEST(Approx, InfinitiesAndNansAreUnknown) {
   EXPECT_FALSE(filteredSign(huge * huge, boundFactor(Depth(3))).known) << "an infinite bound";
 }
 
+// Where everything was lost to underflow, the magnitude is as well: nothing is known of a value that small.
+TEST(Approx, WhatUnderflowMayHaveLeftIsUnknown) {
+  for (const double value : {0x1p-700, -0x1p-700}) {
+    EXPECT_FALSE(filteredSign({value, 0}, boundFactor(Depth(3))).known);
+  }
+}
+
 }  // namespace
 }  // namespace apollonius

@@ -77,6 +77,14 @@ TEST(Ball, NothingIsKnownAfterDivisionByZeroOrRootOfNegative) {
   }
 }
 
+TEST(Ball, UnderflowStaysWithinTheBound) {
+  const Ball small = Ball::exact(0x1.8p-600);
+  const Dyadic exact(0x1.8p-600);
+  EXPECT_EQ((small * small).value(), 0);
+  EXPECT_TRUE(contains(small * small, exact * exact));
+  EXPECT_FALSE((small * small).bound() > 1e-200);
+}
+
 TEST(Ball, CertainlyPositiveMeansPositive) {
   EXPECT_TRUE(Ball::exact(1e-300).certainlyPositive());
   EXPECT_FALSE(Ball::exact(0).certainlyPositive());

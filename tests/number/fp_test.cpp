@@ -22,6 +22,18 @@ TEST(Fp, PowersOfTwoAreExact) {
   }
 }
 
+TEST(Fp, LowestExponentIsThatOfTheLastDigit) {
+  for (const int exponent : {-960, -53, 0, 31, 1000}) {
+    for (int digits = 0; digits <= 52; ++digits) {
+      const double x = powerOfTwo(exponent) * (digits == 0 ? 1 : 1 + powerOfTwo(-digits));
+      EXPECT_EQ(lowestExponentOf(x), exponent - digits);
+      EXPECT_EQ(lowestExponentOf(-x), exponent - digits);
+    }
+  }
+  EXPECT_EQ(lowestExponentOf(0x1p-1074), -1074);
+  EXPECT_EQ(lowestExponentOf(0x1.8p-1070), -1071);
+}
+
 TEST(Fp, UnitRoundoffIsHalfAnUlpOfOne) {
   EXPECT_EQ(1 + kUnitRoundoff, 1.0) << "a tie, rounded to even";
   EXPECT_GT(1 + 1.5 * kUnitRoundoff, 1.0);

@@ -66,6 +66,37 @@ TEST(Turn, KnowsNothingOfTheUnknown) {
   EXPECT_FALSE(turn({1e-200, 0, 0}, {0, 1e-200, 0}).known) << "too close to underflow";
 }
 
+TEST(Turn, KnowsNothingWhereProductsUnderflow) {
+  Random random(123);
+  for (int run = 0; run < test::runs(5000); ++run) {
+    const double size = std::ldexp(1.0, -520 - random.below(20)), bend = std::ldexp(random.between(-1, 1), -random.below(40));
+    const Arrow a{size * random.between(-1, 1), size * random.between(-1, 1), std::ldexp(size, -random.below(30))};
+    expectRight(a, {a.x - bend * a.y, a.y + bend * a.x, 0});
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(Turn, OfLessThanAQuarterIsCertain) {
+  Random random(124);
+  int known = 0;
+  for (int run = 0; run < test::runs(20000); ++run) {
+    const double error = run % 2 == 0 ? 0 : std::ldexp(1.0, -1 - random.below(60));
+    const Arrow a{random.between(-1, 1), random.between(-1, 1), error};
+    const double bend = std::ldexp(random.between(-1, 1), -random.below(58));
+    const Arrow b{-a.y + bend * a.x, a.x + bend * a.y, run % 3 == 0 ? error : 0};  // nearly at right angles
+    if (!differByLessThanAQuarter(a, b)) continue;
+    ++known;
+    for (int corner = 0; corner < 16; ++corner) {
+      const auto moved = [&](double value, double bound, int bit) {
+        return Dyadic(value) + Dyadic((corner >> bit & 1) != 0 ? bound : -bound);
+      };
+      const Dyadic dot = moved(a.x, a.error, 0) * moved(b.x, b.error, 2) + moved(a.y, a.error, 1) * moved(b.y, b.error, 3);
+      ASSERT_EQ(dot.sign(), Sign::kPositive) << "run " << run;
+    }
+  }
+  EXPECT_GT(known, test::runs(1000));
+}
+
 TEST(Direction, OfAPointStaysWithinItsBound) {
   Random random(122);
   for (int run = 0; run < test::runs(5000); ++run) {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "number/dyadic.h"
+#include "predicate/approx_distance.h"
 #include "predicate/samples.h"
 #include "predicate/stages.h"
 #include "support/corpus.h"
@@ -71,6 +73,31 @@ TEST(Distance, OneUlpAside) {
   for (const double x : {0.0, 1e-100, -1e-100, 1e-16, -1e-17}) {
     EXPECT_EQ(static_cast<int>(compareDistance(x, 0, toSite(a), toSite(b))), x > 0 ? 1 : x < 0 ? -1 : 0) << x;
   }
+}
+
+/// The bound holds, and not by much: errors of half of it do occur.
+TEST(Distance, StaysWithinItsBound) {
+  Random random(73);
+  int large = 0;
+  for (int run = 0; run < runs(20000); ++run) {
+    const double size = std::ldexp(1.0, random.below(7) - 3);
+    const double x = random.between(-1, 1), y = random.between(-1, 1);
+    const double r = random.oneIn(2) ? 0 : random.between(-1, 1);
+    const Site site{size * random.between(-1, 1), size * random.between(-1, 1), r};
+    const ApproxDistance distance(x, y, site);
+    const Dyadic dx = Dyadic(site.x) - Dyadic(x), dy = Dyadic(site.y) - Dyadic(y);
+    // The length, value + r, compared with value + r + bound: all of them are positive.
+    const auto isBeyond = [&](double bound) {
+      const Dyadic length = Dyadic(distance.value) + Dyadic(r);
+      const Dyadic low = length - Dyadic(bound), high = length + Dyadic(bound);
+      const Dyadic square = dx * dx + dy * dy;
+      return (square - high * high).sign() == Sign::kPositive || (low * low - square).sign() == Sign::kPositive;
+    };
+    if (distance.value + r < 0.01) continue;
+    ASSERT_FALSE(isBeyond(distance.bound)) << "run " << run;
+    large += isBeyond(distance.bound * 0.45);
+  }
+  EXPECT_GT(large, 0);
 }
 
 TEST(Distance, EasyComparisonsAreAnsweredByTheFilter) {
