@@ -55,17 +55,22 @@ function corpora(target) {
 
 const running = new Set();
 
-/** Runs a program, its output in a string. */
-function run(program, args) {
+/** Runs a program, its output in a string; interrupts it after so many seconds. */
+function run(program, args, { seconds } = {}) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, { stdio: ["ignore", "pipe", "pipe"] });
     running.add(child);
-    let output = "";
+    let output = "", isInterrupted = false;
+    const timer = seconds && setTimeout(() => {
+      isInterrupted = true;
+      child.kill("SIGINT");
+    }, 1000 * seconds);
     for (const stream of [child.stdout, child.stderr]) stream.on("data", (data) => (output = (output + data).slice(-200_000)));
     child.on("error", reject);
     child.on("close", (code) => {
       running.delete(child);
-      resolve({ code, output });
+      clearTimeout(timer);
+      resolve({ code, output, isInterrupted });
     });
   });
 }
@@ -74,13 +79,14 @@ function run(program, args) {
 async function slice(folder, target, seconds) {
   const start = performance.now();
   // At the lowest priority: nobody waits for it.
-  const { code, output } = await run("nice", ["-n", "19", path.join(folder, target),
+  // (libFuzzer looks at the time only when it has read the corpus, which on a busy machine takes minutes.)
+  const { code, output, isInterrupted } = await run("nice", ["-n", "19", path.join(folder, target),
     `-max_total_time=${seconds}`, `-max_len=${lengths[target] ?? 512}`, "-len_control=0", "-print_final_stats=1", "-timeout=300",
     "-report_slow_units=300", "-rss_limit_mb=4096", `-artifact_prefix=${path.join(findings, `${target}-`)}`, ...corpora(target),
-  ]);
+  ], { seconds: seconds + 20 });
   const number = (pattern) => Number([...output.matchAll(pattern)].at(-1)?.[1] ?? 0);
   const artifact = /Test unit written to (\S+)/.exec(output)?.[1];
-  const isFinding = artifact !== undefined || (code !== 0 && !isStopped);
+  const isFinding = artifact !== undefined || (code !== 0 && !isStopped && !isInterrupted);
   if (isFinding) writeFileSync(`${artifact ?? path.join(findings, `${target}-${Date.now()}`)}.log`, output);
   return {
     executions: number(/number_of_executed_units:\s+(\d+)/g) || number(/^#(\d+)/gm),
