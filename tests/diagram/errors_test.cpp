@@ -154,6 +154,16 @@ TEST_F(Errors, ArraysThatAreGivenUp) {
   EXPECT_EQ(diagram_.size(), size);
 }
 
+TEST(EmptyDiagram, FindManyFindsNothingInfinitelyFarAway) {
+  const Diagram empty;
+  std::vector<SiteId> ids(2, 5);
+  std::vector<double> distances(2, 0);
+  const double points[] = {1, 2, 3, 4};
+  ASSERT_EQ(empty.findMany(points, ids, distances), Error::kNone);
+  EXPECT_EQ(ids, std::vector<SiteId>(2, kNoSite));
+  EXPECT_EQ(distances, std::vector<double>(2, std::numeric_limits<double>::infinity()));
+}
+
 TEST_F(Errors, EmptyBatchesAreFine) {
   std::size_t removed = 99;
   EXPECT_EQ(diagram_.insertMany({}, {}), Error::kNone);
