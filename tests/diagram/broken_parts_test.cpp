@@ -165,7 +165,7 @@ TEST_F(BrokenParts, HintsThatAreNoSites) {
   }
 }
 
-#if GTEST_HAS_DEATH_TEST
+#ifdef GTEST_HAS_DEATH_TEST
 using BrokenPartsDeathTest = BrokenParts;
 
 TEST_F(BrokenPartsDeathTest, PartsThatContradictEachOtherAboutASite) {
