@@ -41,9 +41,11 @@ constexpr std::size_t kSlack = kShadowCheck ? 3 : 1;
 /// in line these know nothing.
 std::size_t answers() {
   const stages::Counts& c = stages::counts();
-  return c.lorentzFilter + c.lorentzMiddle + c.lorentzExact + c.distanceFilter + c.distanceMiddle + c.distanceWhole + c.distanceExact +
-         c.vertexOfPoints + c.vertexFilter + c.vertexMiddle + c.vertexWhole + c.vertexExact + c.edgeCached + c.edgeFilter + c.edgeMiddle +
-         c.edgeWhole + c.edgeExact;
+  const unsigned long long all =
+      c.lorentzFilter + c.lorentzMiddle + c.lorentzExact + c.distanceFilter + c.distanceMiddle + c.distanceWhole +
+      c.distanceExact + c.vertexOfPoints + c.vertexFilter + c.vertexMiddle + c.vertexWhole + c.vertexExact + c.edgeCached +
+      c.edgeFilter + c.edgeMiddle + c.edgeWhole + c.edgeExact;
+  return static_cast<std::size_t>(all);
 }
 
 struct Work {
