@@ -1,5 +1,5 @@
 // Sorted orders, the classical worst cases of incremental insertion: over all generators and spirals, inserted one by one
-// in each of several orders and removed in the same one. Questions to the predicates are counted, for n sites and for 2n:
+// in each of several orders and removed in the same one. Questions to the predicates are counted, for n sites and for 4n:
 // per face of the graph that changes they must not grow. (The graph itself may change more in one order than in another;
 // that is the price of an explicit graph, not of how it is found.)
 #include <gtest/gtest.h>
@@ -116,22 +116,22 @@ class WorstOrders : public ::testing::TestWithParam<NamedGenerator> {};
 
 TEST_P(WorstOrders, AskNoMorePerChangeOfLargerSets) {
   if (kShadowCheck) GTEST_SKIP() << "the shadow check asks on its own account";
-  const auto n = static_cast<std::size_t>(runs(1000));
+  const auto n = static_cast<std::size_t>(runs(600));
   for (const Order& order : orders()) {
     SCOPED_TRACE(order.name);
     Work work[2];
-    for (const std::size_t times : {1u, 2u}) {
+    for (const std::size_t times : {1u, 4u}) {
       Random random(531);
       Circles circles = GetParam().make(random, times * n);
       if (order.key) {
         std::stable_sort(circles.begin(), circles.end(),
                          [&](const Circle& a, const Circle& b) { return order.key(a) < order.key(b); });
       }
-      work[times - 1] = workOf(circles);
+      work[times > 1] = workOf(circles);
     }
-    // A quadratic order doubles it.
-    EXPECT_LE(work[1].insertion, 1.4 * work[0].insertion + 2);
-    EXPECT_LE(work[1].removal, 1.4 * work[0].removal + 2);
+    // A quadratic order has four times as much. (Around a giant it depends on luck, within a factor of two.)
+    EXPECT_LE(work[1].insertion, 2 * work[0].insertion + 2);
+    EXPECT_LE(work[1].removal, 2 * work[0].removal + 2);
   }
 }
 
