@@ -12,9 +12,9 @@ namespace apollonius {
 
 namespace {
 
-// Moving a site on its own, which displaces and places it, costs some ten times as much as it costs in a bulk insertion, and
+// Moving a site on its own, which displaces and places it, costs ten to twenty times as much as it costs in a bulk insertion, and
 // certifying moves in place half as much: where more than this share have to be moved on their own, building anew is cheaper.
-constexpr std::size_t kRebuildShare = 24;
+constexpr std::size_t kRebuildShare = 48;
 constexpr std::size_t kFewMoves = 16;  // are not worth new arrays
 
 /// Of slots.
