@@ -347,16 +347,23 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
   const std::size_t slots = slotsWith(n);
   const bool isBulk = n > (ids_.size() + n) / 4;
   reserve(slots);
+  // Levels that wait to be made are left alone until they are asked for.
+  if (isBulk && usesHierarchy_ && !isHierarchyDue_) hierarchy_.reserveBulk(slots);
   // Ids are given in the order of the input, slots along the curve.
   for (SiteId& id : ids) id = ids_.takeId();
   for (std::uint32_t& k : order) k = ids_.takeSlot(ids[k], SiteState::kPending);
-  if (isBulk) beginBulk(slots);
+  // Walks start beside, so the grid need not be kept while it changes a lot.
+  isBulk_ = isBulk;
   const Undo undo = n < ids_.size() ? Undo::kMaybe : Undo::kNever;  // a diagram that was empty is simply emptied
   std::size_t done = 0;
   try {
     order = inRandomizedRounds(order);
     if (isBulk) base_.reserveBulk(n);  // a few would be paid for by copying all
-    placeAll(order, undo, done);
+    for (; done < n; ++done) {
+      const Slot slot = order[done];
+      const Site circle = site(slot);
+      ids_.setState(slot, place(slot, circle, visibleBeside(slot), undo));
+    }
     order = FlatArray<std::uint32_t>();  // the grid fits where it was
     endBulk();
   } catch (...) {
@@ -374,21 +381,6 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
     endUndo();
     for (std::size_t k = n; k-- > 0;) ids_.release(ids_.slotOf(ids[k]));  // so that the next ids are given in the same order again
     throw;
-  }
-}
-
-/// Walks start beside, so the grid need not be kept while it changes a lot. Levels that are to be made when they are asked
-/// for are left alone until then.
-void DiagramCore::beginBulk(std::size_t slots) {
-  isBulk_ = true;
-  if (usesHierarchy_ && !isHierarchyDue_) hierarchy_.reserveBulk(slots);
-}
-
-void DiagramCore::placeAll(std::span<const std::uint32_t> order, Undo undo, std::size_t& done) {
-  for (; done < order.size(); ++done) {
-    const Slot slot = order[done];
-    const Site circle = site(slot);
-    ids_.setState(slot, place(slot, circle, visibleBeside(slot), undo));
   }
 }
 

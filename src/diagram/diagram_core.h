@@ -133,9 +133,6 @@ class DiagramCore {
   void leaveLocation(Slot slot) noexcept;
   void rebuildGrid() noexcept;
   void buildHierarchy() const noexcept;
-  void beginBulk(std::size_t slots);
-  /// Places pending sites, in this order, in which each is beside earlier ones in memory; `done` counts them.
-  void placeAll(std::span<const std::uint32_t> order, Undo undo, std::size_t& done);
   void endBulk() noexcept;
   [[nodiscard]] VertexId startFor(double x, double y) const;
 

@@ -4,56 +4,37 @@
 #include <utility>
 
 #include "diagram/diagram_core.h"
-#include "diagram/spatial_order.h"
 
 namespace apollonius {
 
 bool DiagramCore::rebuildWith(std::span<const SiteId> ids, std::span<const double> xyr,
                               std::span<const std::uint32_t> order) noexcept {
-  const std::size_t n = ids_.size();
   DiagramCore fresh(location_);
   try {
+    FlatArray<SiteId> used;  // the ids, ascending: what the fresh diagram calls k is used[k]
+    used.reserve(ids_.size());
+    FlatArray<std::uint32_t> newOrder;
     {
-      FlatArray<double> circles(3 * ids_.idLimit());  // by id; then those in use follow each other
-      const auto put = [&](SiteId id, const Site& to) {
-        double* const circle = &circles[3 * std::size_t{id}];
-        circle[0] = to.x;
-        circle[1] = to.y;
-        circle[2] = to.r;
-      };
-      FlatArray<SiteId> used;
-      used.reserve(n);
+      FlatArray<std::uint32_t> moveOf(ids_.idLimit(), kNoIndex);
+      for (const std::uint32_t k : order) moveOf[ids[k]] = k;
+      FlatArray<double> circles;
+      circles.reserve(3 * ids_.size());
       for (SiteId id = 0; id < ids_.idLimit(); ++id) {
         const Slot slot = ids_.slotOf(id);
         if (slot == kNoSlot) continue;
-        put(id, site(slot));
+        const std::size_t k = moveOf[id];
+        const Site circle = k == kNoIndex ? site(slot) : Site{xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]};
         used.push_back(id);
+        for (const double number : {circle.x, circle.y, circle.r}) circles.push_back(number);
       }
-      for (const std::size_t k : order) put(ids[k], {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
-      for (std::size_t k = 0; k < n; ++k) {
-        const double* const circle = &circles[3 * std::size_t{used[k]}];
-        put(static_cast<SiteId>(k), {circle[0], circle[1], circle[2]});
-      }
-      fresh.reserve(n);
-      FlatArray<SiteId> bySlot = hilbertOrder({{circles.data(), 3 * n}, 3});
-      for (Slot slot = 0; slot < n; ++slot) {
-        const double* const circle = &circles[3 * std::size_t{bySlot[slot]}];
-        fresh.base_.setSite(vertexOf(slot), {circle[0], circle[1], circle[2]});
-        bySlot[slot] = used[bySlot[slot]];
-      }
-      fresh.ids_.assignWithSlots(ids_, bySlot);
+      newOrder = fresh.stage({circles.data(), circles.size()});
     }
-    FlatArray<std::uint32_t> slots(n);
-    for (Slot slot = 0; slot < n; ++slot) slots[slot] = slot;
-    slots = inRandomizedRounds(slots);
-    fresh.base_.reserveBulk(n);
-    fresh.beginBulk(n);
-    std::size_t done = 0;
-    fresh.placeAll(slots, Undo::kNever, done);
+    FlatArray<SiteId> newIds(used.size());
+    fresh.insertStaged(std::move(newOrder), newIds);
+    fresh.ids_.rename(used, ids_);
   } catch (...) {
     return false;
   }
-  fresh.endBulk();
   std::swap(ids_, fresh.ids_);
   std::swap(base_, fresh.base_);
   std::swap(hidden_, fresh.hidden_);

@@ -112,18 +112,16 @@ class SiteIds {
     ++freeSlots_;
   }
 
-  /// Becomes the same numbering with the slots 0, 1, 2, … for the sites of these ids, all pending.
-  /// REQUIRES: each id in use once. Throws std::bad_alloc.
-  void assignWithSlots(const SiteIds& other, std::span<const SiteId> order) {
+  /// Calls the sites 0, 1, 2, … by these names, and takes over which ids are free from the numbering that they come from.
+  /// REQUIRES: no free slots or ids; the names are all that `other` has in use. Throws std::bad_alloc with nothing changed.
+  void rename(std::span<const SiteId> names, const SiteIds& other) {
     ids_ = other.ids_;
     firstFreeId_ = other.firstFreeId_;
-    slots_.resize(order.size());
-    for (Slot slot = 0; slot < order.size(); ++slot) {
-      ids_[order[slot]] = slot;
-      slots_[slot] = word(SiteState::kPending, order[slot]);
+    for (Slot slot = 0; slot < slots_.size(); ++slot) {
+      const SiteId name = names[idOf(slot)];
+      ids_[name] = slot;
+      slots_[slot] = word(state(slot), name);
     }
-    firstFreeSlot_ = kEnd;
-    freeSlots_ = hiddenCount_ = 0;
   }
 
   /// Room for so many sites in all.

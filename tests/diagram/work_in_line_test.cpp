@@ -10,6 +10,7 @@
 #include "diagram/diagram_core.h"
 #include "predicate/shadow_check.h"
 #include "predicate/stages.h"
+#include "support/degree.h"
 #include "support/effort.h"
 #include "support/random.h"
 
@@ -17,22 +18,6 @@ namespace apollonius {
 namespace {
 
 using namespace test;
-
-/// Of a visible site: how many faces it has.
-std::size_t degreeOf(const DelaunayGraph& base, VertexId v) {
-  const Graph& graph = base.graph();
-  if (!graph.hasVertex(v)) return 0;
-  std::size_t degree = 0;
-  const HalfedgeId begin = graph.outgoing(v);
-  HalfedgeId h = begin;
-  do {
-    ++degree;
-    h = graph.rotateCcw(h);
-  } while (h != begin);
-  return degree;
-}
-
-std::size_t degreeOf(const DiagramCore& core, SiteId id) { return degreeOf(core.base(), DiagramCore::vertexOf(core.ids().slotOf(id))); }
 
 /// How much more the shadow check may ask on its own account.
 constexpr std::size_t kSlack = kShadowCheck ? 3 : 1;
@@ -56,7 +41,7 @@ Work workOfInsertion(const std::vector<Site>& sites) {
   DiagramCore core(Location::kHierarchy);
   Work work;
   stages::counts() = {};
-  for (const Site& site : sites) work.faces += degreeOf(core, core.insert(site));
+  for (const Site& site : sites) work.faces += degree(core, core.insert(site));
   work.answers = answers();
   return work;
 }
@@ -120,7 +105,7 @@ TEST_P(WorkInLine, OfARemovalIsThatOfAFewFaces) {
   for (int k = 0; k < 1000; ++k) {
     const SiteId id = ids[random.below(n)];
     if (core.ids().slotOf(id) == kNoSlot) continue;
-    ASSERT_LE(degreeOf(core, id), 12u);
+    ASSERT_LE(degree(core, id), 12u);
     stages::counts() = {};
     ASSERT_TRUE(core.remove(id));
     ASSERT_LE(answers(), kSlack * 150);
@@ -133,7 +118,7 @@ TEST(WorkInLine, PointsHaveDegreeFour) {
   for (int k = 0; k < 100; ++k) ids.push_back(core.insert({k * 37 % 100 * 1.0, k * 37 % 100 * 2.0, 0}));
   for (int k = 0; k < 100; ++k) {
     // The two beside and infinity on both sides; the ends have one neighbour and one side.
-    EXPECT_EQ(degreeOf(core, ids[static_cast<std::size_t>(k)]), k * 37 % 100 == 0 || k * 37 % 100 == 99 ? 2u : 4u);
+    EXPECT_EQ(degree(core, ids[static_cast<std::size_t>(k)]), k * 37 % 100 == 0 || k * 37 % 100 == 99 ? 2u : 4u);
   }
 }
 

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <string>
 
 #include "diagram/diagram_core.h"
 #include "predicate/shadow_check.h"
 #include "support/corpus.h"
+#include "support/degree.h"
 #include "support/effort.h"
 #include "support/questions.h"
 
@@ -20,6 +20,7 @@ namespace apollonius {
 namespace {
 
 using test::Circles;
+using test::degree;
 using test::NamedGenerator;
 using test::questions;
 using test::Random;
@@ -69,21 +70,6 @@ const std::vector<Order>& orders() {
   return all;
 }
 
-/// How many faces of the graph a site has.
-double facesOf(const DiagramCore& core, SiteId id) {
-  const Graph& graph = core.base().graph();
-  const VertexId v = DiagramCore::vertexOf(core.ids().slotOf(id));
-  if (!graph.hasVertex(v)) return 0;
-  double faces = 0;
-  const HalfedgeId begin = graph.outgoing(v);
-  HalfedgeId h = begin;
-  do {
-    ++faces;
-    h = graph.rotateCcw(h);
-  } while (h != begin);
-  return faces;
-}
-
 /// Questions per site, and per face that changes where sites have more of them than usual.
 struct Work {
   double insertion, removal;
@@ -99,13 +85,13 @@ Work workOf(const Circles& circles) {
   double before = questions();
   for (const Circle& c : circles) {
     ids.push_back(core.insert({c.x, c.y, c.r}));
-    faces += facesOf(core, ids.back());
+    faces += static_cast<double>(degree(core, ids.back()));
   }
   work.insertion = perChange(questions() - before, faces);
   faces = 0;
   before = questions();
   for (const SiteId id : ids) {
-    faces += facesOf(core, id);
+    faces += static_cast<double>(degree(core, id));
     EXPECT_TRUE(core.remove(id));
   }
   work.removal = perChange(questions() - before, faces);

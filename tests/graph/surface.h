@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graph/graph.h"
+#include "support/degree.h"
 
 namespace apollonius::test {
 
@@ -66,16 +67,6 @@ inline HalfedgeId halfedge(const Graph& graph, std::uint32_t a, std::uint32_t b,
   }
   ADD_FAILURE() << "no half-edge " << a << " to " << b;
   return kNoHalfedge;
-}
-
-inline std::size_t degree(const Graph& graph, VertexId v) {
-  std::size_t n = 0;
-  HalfedgeId h = graph.outgoing(v);
-  do {
-    ++n;
-    h = graph.rotateCcw(h);
-  } while (h != graph.outgoing(v));
-  return n;
 }
 
 /// The half-edges opposite to v in its star, counter-clockwise: what Graph::replaceStar wants.

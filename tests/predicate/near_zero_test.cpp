@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "diagram/vocabulary.h"
 #include "predicate/circle_fan.h"
@@ -141,11 +142,20 @@ void expectSame(MaybeSign filtered, Sign exact, const char* what) {
   }
 }
 
-TEST(NearZero, Covering) {
-  Random random(131);
+/// Calls `ask(family, random, asked)` for `times` families in turn, which adds to `asked` what it could ask; returns that.
+template <class Ask>
+int askFamilies(std::uint64_t seed, int times, Ask&& ask) {
+  Random random(seed);
   int asked = 0;
-  for (int run = 0; run < runs(3000); ++run) {
-    const Family family(run, random);
+  for (int run = 0; run < runs(times) && !::testing::Test::HasFailure(); ++run) {
+    SCOPED_TRACE("run " + std::to_string(run));
+    ask(Family(run, random), random, asked);
+  }
+  return asked;
+}
+
+TEST(NearZero, Covering) {
+  const int all = askFamilies(131, 3000, [](const Family& family, Random& random, int& asked) {
     Site a = family.site(random), b = family.site(random);
     a.r += family.size / 2;
     const double y = b.y;
@@ -159,16 +169,12 @@ TEST(NearZero, Covering) {
           expectSame(stages::lorentzFilter(a, q), stages::lorentzExact(a, q), "filter");
           expectSame(stages::lorentzMiddle(a, q), stages::lorentzExact(a, q), "middle");
         });
-    if (HasFailure()) FAIL() << "run " << run;
-  }
-  EXPECT_GT(asked, runs(1000));
+  });
+  EXPECT_GT(all, runs(1000));
 }
 
 TEST(NearZero, Distance) {
-  Random random(132);
-  int asked = 0;
-  for (int run = 0; run < runs(5000); ++run) {
-    const Family family(run, random);
+  const int all = askFamilies(132, 5000, [](const Family& family, Random& random, int& asked) {
     const Site a = family.site(random), b = family.site(random), p = family.site(random);
     asked += askAroundChange(
         p.x - 2 * family.size, p.x + 2 * family.size,
@@ -179,20 +185,16 @@ TEST(NearZero, Distance) {
           expectSame(stages::distanceMiddle(x, p.y, a, b), exact, "middle");
           expectSame(stages::distanceWhole(x, p.y, a, b), exact, "whole");
         });
-    if (HasFailure()) FAIL() << "run " << run;
-  }
-  EXPECT_GT(asked, runs(1000));
+  });
+  EXPECT_GT(all, runs(1000));
 }
 
 /// The filters of vertex conflicts, the cached circles among them, of faces with and without
 /// infinity.
 TEST(NearZero, VertexConflict) {
-  Random random(133);
-  int asked = 0;
-  for (int run = 0; run < runs(4000); ++run) {
-    const Family family(run, random);
+  const int all = askFamilies(133, 4000, [](const Family& family, Random& random, int& asked) {
     Site i, j, k;
-    if (!takeFace(family, random, i, j, k)) continue;
+    if (!takeFace(family, random, i, j, k)) return;
     const Corner third = random.oneIn(5) ? nullptr : &k;
     const Site q = family.site(random);
     const VoronoiCircle circle = someCircle(&i, &j, third, random);
@@ -213,19 +215,15 @@ TEST(NearZero, VertexConflict) {
           expectSame(stages::vertexMiddle(i, &j, third, &at), exact, "middle");
           expectSame(stages::vertexWhole(i, &j, third, &at), exact, "whole");
         });
-    if (HasFailure()) FAIL() << "run " << run;
-  }
-  EXPECT_GT(asked, runs(1000));
+  });
+  EXPECT_GT(all, runs(1000));
 }
 
 /// Whether three sites have a circle at all: k is moved until they have none.
 TEST(NearZero, Existence) {
-  Random random(134);
-  int asked = 0;
-  for (int run = 0; run < runs(3000); ++run) {
+  const int all = askFamilies(134, 3000, [](const Family& family, Random& random, int& asked) {
     Site i, j, k;
-    const Family family(run, random);
-    if (!takeFace(family, random, i, j, k)) continue;
+    if (!takeFace(family, random, i, j, k)) return;
     asked += askAroundChange(
         k.x, k.x + family.size * (random.oneIn(2) ? 4 : -4),
         [&](double x) {
@@ -244,27 +242,23 @@ TEST(NearZero, Existence) {
           fan.computeFaces({&face, 1}, {&circle, 1});
           EXPECT_TRUE(!(circle.error < HUGE_VALF) || exists);
         });
-    if (HasFailure()) FAIL() << "run " << run;
-  }
-  EXPECT_GT(asked, runs(300));
+  });
+  EXPECT_GT(all, runs(300));
 }
 
 TEST(NearZero, EdgeConflict) {
-  Random random(135);
-  int asked = 0;
-  for (int run = 0; run < runs(20000); ++run) {
-    const Family family(run, random);
+  const int all = askFamilies(135, 20000, [](const Family& family, Random& random, int& asked) {
     Site i, j, k;
-    if (!takeFace(family, random, i, j, k)) continue;
+    if (!takeFace(family, random, i, j, k)) return;
     const Site l = family.site(random);
     const Corner other = random.oneIn(4) ? nullptr : &j;
     if (other != nullptr &&
         (precedes(i, l) || !coversNot(i, l) || !coversNot(j, l) || !hasVoronoiCircle(i, l, j)))
-      continue;
-    if (other == nullptr && !coversNot(i, l)) continue;
+      return;
+    if (other == nullptr && !coversNot(i, l)) return;
     const EdgeCorners edge{&i, other, &k, &l};
-    if (isVertexInConflict(&i, other, &k, l) || isVertexInConflict(other, &i, &l, k)) continue;
-    if (!isDelaunayEdge(edge, voronoiCircle(&i, other, &k), voronoiCircle(other, &i, &l))) continue;
+    if (isVertexInConflict(&i, other, &k, l) || isVertexInConflict(other, &i, &l, k)) return;
+    if (!isDelaunayEdge(edge, voronoiCircle(&i, other, &k), voronoiCircle(other, &i, &l))) return;
     const VoronoiCircle atK = someCircle(&i, other, &k, random),
                         atL = someCircle(other, &i, &l, random);
     Site q = family.site(random);
@@ -320,18 +314,14 @@ TEST(NearZero, EdgeConflict) {
       probe = probeOf(close);
       expectRight(close);
     }
-    if (HasFailure()) FAIL() << "run " << run;
-  }
-  EXPECT_GT(asked, runs(1000));
+  });
+  EXPECT_GT(all, runs(1000));
 }
 
 TEST(NearZero, Rays) {
-  Random random(136);
-  int asked = 0;
-  for (int run = 0; run < runs(4000); ++run) {
-    const Family family(run, random);
+  const int all = askFamilies(136, 4000, [](const Family& family, Random& random, int& asked) {
     Site i, j, k;
-    if (!takeFace(family, random, i, j, k)) continue;
+    if (!takeFace(family, random, i, j, k)) return;
     const Corner third = random.oneIn(5) ? nullptr : &k;
     const VoronoiCircle circle = someCircle(&i, &j, third, random);
     const Site p = family.site(random);
@@ -348,16 +338,12 @@ TEST(NearZero, Rays) {
                             third);  // the shadow check looks at the cached circle's answer
           });
     }
-    if (HasFailure()) FAIL() << "run " << run;
-  }
-  EXPECT_GT(asked, runs(1000));
+  });
+  EXPECT_GT(all, runs(1000));
 }
 
 TEST(NearZero, TurnBetweenShadows) {
-  Random random(137);
-  int asked = 0;
-  for (int run = 0; run < runs(6000); ++run) {
-    const Family family(run, random);
+  const int all = askFamilies(137, 6000, [](const Family& family, Random& random, int& asked) {
     Site i = family.site(random), j = family.site(random);
     if (precedes(i, j)) std::swap(i, j);
     const Site l = family.site(random), k = family.site(random);
@@ -371,9 +357,8 @@ TEST(NearZero, TurnBetweenShadows) {
           expectSame(stages::shadowTurnFilter(i, j, l, at), stages::shadowTurnExact(i, j, l, at),
                      "filter");
         });
-    if (HasFailure()) FAIL() << "run " << run;
-  }
-  EXPECT_GT(asked, runs(300));
+  });
+  EXPECT_GT(all, runs(300));
 }
 
 /// Points in line, two of them neighbouring doubles: which of them is between is what the
@@ -398,10 +383,7 @@ TEST(NearZero, OppositeOnALine) {
 
 /// The hull's normals: which way they point, and the turn from one to the next.
 TEST(NearZero, Hull) {
-  Random random(138);
-  int asked = 0;
-  for (int run = 0; run < runs(3000); ++run) {
-    const Family family(run, random);
+  const int all = askFamilies(138, 3000, [](const Family& family, Random& random, int& asked) {
     const Site i = family.site(random), l = family.site(random), k = family.site(random);
     asked += askAroundChange(
         l.y - 3 * family.size, l.y + 3 * family.size,
@@ -414,7 +396,7 @@ TEST(NearZero, Hull) {
           EXPECT_EQ(pointsUp(i, at, voronoiCircle(&i, &at, nullptr)),
                     stages::normalIsUpExact(i, at));
         });
-    if (!coversNot(i, l)) continue;
+    if (!coversNot(i, l)) return;
     asked += askAroundChange(
         k.x - 3 * family.size, k.x + 3 * family.size,
         [&](double x) {
@@ -427,9 +409,8 @@ TEST(NearZero, Hull) {
                               atK = voronoiCircle(&at, &i, nullptr);
           EXPECT_EQ(turnOfHull(i, l, at, atL, atK), stages::spanExact(i, l, at));
         });
-    if (HasFailure()) FAIL() << "run " << run;
-  }
-  EXPECT_GT(asked, runs(1000));
+  });
+  EXPECT_GT(all, runs(1000));
 }
 
 }  // namespace

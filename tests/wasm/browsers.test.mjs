@@ -1,9 +1,9 @@
 // The packed package in Chromium and Firefox, under a strict content security policy: as it is, in workers, and as each bundler
 // packs it.
-import { existsSync } from "node:fs";
 import path from "node:path";
 import { root } from "../../wasm/toolchain/folders.mjs";
 import { capture } from "../../wasm/toolchain/process.mjs";
+import { describeInBrowsers } from "./support/browsers.mjs";
 import { runScriptInNode } from "./support/node.mjs";
 import { runPages } from "./support/pages.mjs";
 
@@ -42,16 +42,7 @@ const cases = {
   ...Object.fromEntries(["vite", "webpack", "esbuild"].map((name) => [`streamed-${name}`, module(`/bundles/${name}/streamed.js`)])),
 };
 
-describe.each([
-  ["Chromium", process.env.CHROMIUM, "/usr/bin/chromium"],
-  ["Firefox", process.env.FIREFOX, "/usr/bin/firefox-esr"],
-])("%s", (name, given, usual) => {
-  const browser = [given, usual].find((file) => file && existsSync(file));
-  if (!browser && !process.env.CI) {
-    process.stderr.write(`SKIPPED: the package in ${name}, which is not installed. Set ${name.toUpperCase()} to its path.\n`);
-    test.skip("is installed", () => {});
-    return;
-  }
+describeInBrowsers("the package", (browser) => {
   test("runs the package in every way", async () => {
     expect(browser).toBeDefined();
     const results = await runPages(browser, cases, files);

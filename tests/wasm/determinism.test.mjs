@@ -1,7 +1,8 @@
 // The same bits in every engine: a history with all outputs of the package, as one hash, in Node, Chromium and Firefox. What differed would be
 // arithmetic of the engine's JavaScript; the wasm's own is compared with native code by recorded hashes (tests/diagram/determinism_test.cpp).
-import { existsSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
+import { describeInBrowsers } from "./support/browsers.mjs";
 import { runInNode } from "./support/node.mjs";
 import { runPages } from "./support/pages.mjs";
 
@@ -23,16 +24,7 @@ test("Node comes to a hash of all outputs, the same each time", () => {
   `)).toBe(inNode);
 });
 
-describe.each([
-  ["Chromium", process.env.CHROMIUM, "/usr/bin/chromium"],
-  ["Firefox", process.env.FIREFOX, "/usr/bin/firefox-esr"],
-])("%s", (name, given, usual) => {
-  const browser = [given, usual].find((file) => file && existsSync(file));
-  if (!browser && !process.env.CI) {
-    process.stderr.write(`SKIPPED: the hash of all outputs in ${name}, which is not installed. Set ${name.toUpperCase()} to its path.\n`);
-    test.skip("is installed", () => {});
-    return;
-  }
+describeInBrowsers("the hash of all outputs", (browser) => {
   test("has the same bits as Node", async () => {
     expect(browser).toBeDefined();
     const files = {
