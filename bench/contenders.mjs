@@ -1,4 +1,5 @@
-// The programs that are compared: started once, kept warm, asked in turn. What they understand: bench/native/contender.h.
+// The programs that are compared: started once, kept warm, asked in turn. What they understand:
+// bench/native/contender.h.
 import { spawn } from "node:child_process";
 import path from "node:path";
 import { createInterface } from "node:readline";
@@ -8,7 +9,8 @@ import { native, packed, root } from "./places.mjs";
 export const names = ["wasm", "native", "cgal", "delaunator", "d3-delaunay", "flatbush"];
 
 const node = (module) => ({
-  program: process.execPath, args: ["--max-old-space-size=8192", path.join(root, "bench/js/contender.mjs"), module],
+  program: process.execPath,
+  args: ["--max-old-space-size=8192", path.join(root, "bench/js/contender.mjs"), module],
 });
 const commands = {
   wasm: node("ours"),
@@ -21,17 +23,21 @@ const commands = {
 
 const running = new Map();
 const kMostDeaths = 2;
-const deaths = new Map();  // how often each ended by itself: one that keeps doing so is not started again
+// how often each ended by itself: one that keeps doing so is not started again
+const deaths = new Map();
 
 function start(name) {
   const { program, args } = commands[name];
-  const child = spawn(program, args, { stdio: ["pipe", "pipe", "inherit"], env: { ...process.env, BENCH_PACKAGE: packed } });
+  const child = spawn(program, args, {
+    stdio: ["pipe", "pipe", "inherit"],
+    env: { ...process.env, BENCH_PACKAGE: packed },
+  });
   const contender = { child, receive: () => {} };
   createInterface({ input: child.stdout }).on("line", (line) => contender.receive(line));
-  child.stdin.on("error", () => {});  // of a child that has ended; "close" tells
+  child.stdin.on("error", () => {}); // of a child that has ended; "close" tells
   child.on("error", (error) => contender.receive(JSON.stringify({ error: error.message })));
   child.on("close", () => {
-    if (running.get(name) !== contender) return;  // it was stopped
+    if (running.get(name) !== contender) return; // it was stopped
     running.delete(name);
     deaths.set(name, (deaths.get(name) ?? 0) + 1);
     contender.receive(JSON.stringify({ error: "ended" }));
@@ -40,7 +46,10 @@ function start(name) {
   return contender;
 }
 
-/** One request, {op, set, ...}; resolves to the answer. After `timeout` seconds the contender is stopped and started afresh. */
+/**
+ * One request, {op, set, ...}; resolves to the answer. After `timeout` seconds the contender is
+ * stopped and started afresh.
+ */
 export function ask(name, request, timeout) {
   if (deaths.get(name) >= kMostDeaths) return Promise.resolve({ error: "ended" });
   const contender = running.get(name) ?? start(name);
@@ -54,7 +63,11 @@ export function ask(name, request, timeout) {
       contender.receive = () => {};
       resolve(JSON.parse(line));
     };
-    contender.child.stdin.write(`${Object.entries(request).map(([key, value]) => `${key}=${value}`).join(" ")}\n`);
+    contender.child.stdin.write(
+      `${Object.entries(request)
+        .map(([key, value]) => `${key}=${value}`)
+        .join(" ")}\n`,
+    );
   });
 }
 

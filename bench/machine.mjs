@@ -28,11 +28,15 @@ function compiler() {
 
 function commit() {
   const hash = capture("git", ["rev-parse", "--short", "HEAD"], { cwd: root }).trim();
-  const isChanged = capture("git", ["status", "--porcelain", "--", "src", "wasm", "bench", "package.json"], { cwd: root }).trim() !== "";
+  const isChanged =
+    capture("git", ["status", "--porcelain", "--", "src", "wasm", "bench", "package.json"], {
+      cwd: root,
+    }).trim() !== "";
   return hash + (isChanged ? " and uncommitted changes" : "");
 }
 
-const installed = (name) => JSON.parse(readFileSync(path.join(root, "node_modules", name, "package.json"), "utf8")).version;
+const installed = (name) =>
+  JSON.parse(readFileSync(path.join(root, "node_modules", name, "package.json"), "utf8")).version;
 
 function cgal() {
   return /CGAL_VERSION (\S+)/.exec(readFileSync("/usr/include/CGAL/version.h", "utf8"))[1];
@@ -41,14 +45,24 @@ function cgal() {
 export function machine() {
   const [{ model }] = cpus();
   return {
-    cpu: model.trim(), cores: cpus().length, memory: `${Math.round(totalmem() / 2 ** 30)} GiB`,
+    cpu: model.trim(),
+    cores: cpus().length,
+    memory: `${Math.round(totalmem() / 2 ** 30)} GiB`,
     system: attempt(() => `${distribution()}, Linux ${release()}`),
-    node: process.version, v8: process.versions.v8,
-    emscripten: attempt(() => readFileSync(path.join(ensureEmscripten(), "emscripten-version.txt"), "utf8").replaceAll('"', "").trim()),
-    compiler: attempt(compiler), cgal: hasCgal ? attempt(cgal) : "not installed",
-    delaunator: attempt(() => installed("delaunator")), "d3-delaunay": attempt(() => installed("d3-delaunay")),
+    node: process.version,
+    v8: process.versions.v8,
+    emscripten: attempt(() =>
+      readFileSync(path.join(ensureEmscripten(), "emscripten-version.txt"), "utf8")
+        .replaceAll('"', "")
+        .trim(),
+    ),
+    compiler: attempt(compiler),
+    cgal: hasCgal ? attempt(cgal) : "not installed",
+    delaunator: attempt(() => installed("delaunator")),
+    "d3-delaunay": attempt(() => installed("d3-delaunay")),
     flatbush: attempt(() => installed("flatbush")),
-    commit: attempt(commit), date: new Date().toISOString().slice(0, 10),
-    load: loadavg()[0].toFixed(2),  // of other programs, before the run
+    commit: attempt(commit),
+    date: new Date().toISOString().slice(0, 10),
+    load: loadavg()[0].toFixed(2), // of other programs, before the run
   };
 }

@@ -2,7 +2,7 @@
 import { ask, stop } from "./contenders.mjs";
 import { ensureSet } from "./prepare.mjs";
 
-const kTimeout = 240;  // seconds for one request that does not end by itself
+const kTimeout = 240; // seconds for one request that does not end by itself
 
 export function median(values) {
   const sorted = [...values].sort((a, b) => a - b);
@@ -30,7 +30,13 @@ function merge(record, { samples = [], ...facts }) {
 
 function summary({ samples, ...record }) {
   if (samples.length === 0) return record;
-  return { ...record, us: median(samples), fastest: Math.min(...samples), slowest: Math.max(...samples), samples: samples.length };
+  return {
+    ...record,
+    us: median(samples),
+    fastest: Math.min(...samples),
+    slowest: Math.max(...samples),
+    samples: samples.length,
+  };
 }
 
 /** Runs one scene; its records. `isThere` tells which contenders take part. */
@@ -42,14 +48,22 @@ async function runScene(scene, isThere, progress) {
       if (round >= (step.rounds ?? scene.rounds)) continue;
       const who = step.who.filter(isThere);
       for (let k = 0; k < who.length; ++k) {
-        const contender = who[(k + round) % who.length];  // each is first in turn
+        const contender = who[(k + round) % who.length]; // each is first in turn
         const key = `${index} ${contender}`;
         const record = records.get(key) ?? {
-          part: scene.part, family: scene.family, n: scene.n, ...(scene.label && { label: scene.label }), op: step.op, contender, samples: [],
+          part: scene.part,
+          family: scene.family,
+          n: scene.n,
+          ...(scene.label && { label: scene.label }),
+          op: step.op,
+          contender,
+          samples: [],
         };
         records.set(key, record);
-        if (record.error) continue;  // once too slow, always too slow
-        progress(`${scene.part}: ${scene.family} ${scene.n}, ${step.op}, ${contender}, round ${round + 1} of ${scene.rounds}`);
+        if (record.error) continue; // once too slow, always too slow
+        progress(
+          `${scene.part}: ${scene.family} ${scene.n}, ${step.op}, ${contender}, round ${round + 1} of ${scene.rounds}`,
+        );
         merge(record, await askStep(contender, step, set));
       }
     }
@@ -60,22 +74,32 @@ async function runScene(scene, isThere, progress) {
 export async function runScenes(scenes, isThere, progress) {
   const records = [];
   for (const [k, scene] of scenes.entries()) {
-    records.push(...await runScene(scene, isThere, (text) => progress(k / scenes.length, text)));
+    records.push(...(await runScene(scene, isThere, (text) => progress(k / scenes.length, text))));
   }
   return records;
 }
 
-/** Where contenders that should agree do not: the number of visible sites, and what the queries found (wasm and native). */
+/**
+ * Where contenders that should agree do not: the number of visible sites, and what the queries
+ * found (wasm and native).
+ */
 export function disagreements(records) {
   const groups = new Map();
   for (const record of records) {
-    if (record.isCutOff || record.error || record.part === "moves") continue;  // these did different amounts of work
+    // these did different amounts of work
+    if (record.isCutOff || record.error || record.part === "moves") continue;
     const key = [record.part, record.family, record.n, record.op].join(" ");
     groups.set(key, [...(groups.get(key) ?? []), record]);
   }
   return [...groups].flatMap(([key, group]) => {
-    const visible = new Set(group.map((record) => record.visible || 0).filter((count) => count > 0));
-    const sinks = new Set(group.filter(({ contender }) => contender === "wasm" || contender === "native").map(({ sink }) => sink || 0));
+    const visible = new Set(
+      group.map((record) => record.visible || 0).filter((count) => count > 0),
+    );
+    const sinks = new Set(
+      group
+        .filter(({ contender }) => contender === "wasm" || contender === "native")
+        .map(({ sink }) => sink || 0),
+    );
     return [
       ...(visible.size > 1 ? [`${key}: visible sites ${[...visible].join(", ")}`] : []),
       ...(sinks.size > 1 ? [`${key}: results ${[...sinks].join(", ")}`] : []),

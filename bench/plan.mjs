@@ -1,18 +1,66 @@
-// What is measured: scenes, each one set with the operations on it, in order. A scene is run `rounds` times, and in each round every
-// step asks its contenders in turn; `rounds` of a step limits how often a slow one takes part.
+// What is measured: scenes, each one set with the operations on it, in order. A scene is run
+// `rounds` times, and in each round every step asks its contenders in turn; `rounds` of a step
+// limits how often a slow one takes part.
 import { availableParallelism } from "node:os";
 import { countCities } from "./cities.mjs";
 
-export const families = ["random0", "random5", "random20", "random50", "lattice", "decimal", "cocircular", "collinear", "clustered",
-                         "powerlaw", "planet", "cities"];
+export const families = [
+  "random0",
+  "random5",
+  "random20",
+  "random50",
+  "lattice",
+  "decimal",
+  "cocircular",
+  "collinear",
+  "clustered",
+  "powerlaw",
+  "planet",
+  "cities",
+];
 
 /** Hidden sites in percent (the families random0 ...) for the paper's h/n. */
-export const tableOneFamilies = { "1.00": "random0", 0.95: "random5", "0.80": "random20", "0.50": "random50" };
+export const tableOneFamilies = {
+  "1.00": "random0",
+  0.95: "random5",
+  "0.80": "random20",
+  "0.50": "random50",
+};
 
 const modes = {
-  quick: { rounds: 1, seconds: 0.1, limit: 3, sizes: [1e3, 1e4, 1e5], family: 1e4, tableOne: 1e4, walk: 1e4, memory: 1e5, churn: 2e4 },
-  default: { rounds: 3, seconds: 0.3, limit: 15, sizes: [1e3, 1e4, 1e5, 1e6], family: 1e5, tableOne: 1e6, walk: 1e5, memory: 1e6, churn: 1e6 },
-  full: { rounds: 5, seconds: 0.5, limit: 900, sizes: [1e3, 1e4, 1e5, 1e6, 1e7], family: 1e6, tableOne: 1e6, walk: 1e6, memory: 1e6, churn: 1e6 },
+  quick: {
+    rounds: 1,
+    seconds: 0.1,
+    limit: 3,
+    sizes: [1e3, 1e4, 1e5],
+    family: 1e4,
+    tableOne: 1e4,
+    walk: 1e4,
+    memory: 1e5,
+    churn: 2e4,
+  },
+  default: {
+    rounds: 3,
+    seconds: 0.3,
+    limit: 15,
+    sizes: [1e3, 1e4, 1e5, 1e6],
+    family: 1e5,
+    tableOne: 1e6,
+    walk: 1e5,
+    memory: 1e6,
+    churn: 1e6,
+  },
+  full: {
+    rounds: 5,
+    seconds: 0.5,
+    limit: 900,
+    sizes: [1e3, 1e4, 1e5, 1e6, 1e7],
+    family: 1e6,
+    tableOne: 1e6,
+    walk: 1e6,
+    memory: 1e6,
+    churn: 1e6,
+  },
 };
 export const modeNames = Object.keys(modes);
 
@@ -24,15 +72,32 @@ function scaling({ rounds, seconds, limit, sizes }) {
     const isHuge = n > 1e6;
     const common = { seconds, limit };
     const queries = { ...common, count: Math.min(n, 2e5) };
-    const slowly = n >= 1e6 ? 1 : rounds;  // CGAL's minutes
+    const slowly = n >= 1e6 ? 1 : rounds; // CGAL's minutes
     return {
-      part: "scaling", family: "random5", n, rounds: isHuge ? 1 : rounds,
+      part: "scaling",
+      family: "random5",
+      n,
+      rounds: isHuge ? 1 : rounds,
       steps: [
-        { op: "build", who: isHuge ? [...ours, "delaunator"] : [...ours, "cgal", "delaunator", "flatbush"], ...common },
+        {
+          op: "build",
+          who: isHuge ? [...ours, "delaunator"] : [...ours, "cgal", "delaunator", "flatbush"],
+          ...common,
+        },
         { op: "buildSorted", who: isHuge ? [] : ["cgal"], ...common, rounds: slowly },
-        { op: "find", who: isHuge ? ours : [...ours, "cgal", "flatbush", "d3-delaunay"], ...queries, limit: 5 },
+        {
+          op: "find",
+          who: isHuge ? ours : [...ours, "cgal", "flatbush", "d3-delaunay"],
+          ...queries,
+          limit: 5,
+        },
         { op: "findMany", who: ours, ...queries },
-        { op: "remove", who: isHuge ? ours : [...ours, "cgal"], ...common, count: Math.max(1000, n / 10) },
+        {
+          op: "remove",
+          who: isHuge ? ours : [...ours, "cgal"],
+          ...common,
+          count: Math.max(1000, n / 10),
+        },
         { op: "removeMany", who: ours, ...common, count: Math.max(1000, n / 10) },
         { op: "insert", who: ours, ...common },
         { op: "insert", who: n > 1e5 ? [] : ["cgal"], ...common },
@@ -44,54 +109,104 @@ function scaling({ rounds, seconds, limit, sizes }) {
 /** Every kind of input; native as well, for its counts of stages. */
 function kinds({ rounds, seconds, limit, family: n }) {
   const sizes = n > 1e5 ? [1e5, n] : [n];
-  return sizes.flatMap((size) => families.map((family) => {
-    const common = { seconds, limit };
-    const steps = [
-      { op: "build", ...common },
-      { op: "find", ...common, count: 50_000 },
-      { op: "findNear", ...common, count: 50_000 },
-      { op: "remove", ...common, count: size / 10 },
-      { op: "insert", ...common },
-    ];
-    return {
-      part: "families", family, n: family === "cities" ? Math.min(size, countCities()) : size, rounds: Math.min(rounds, 3),
-      steps: steps.flatMap((step) => [{ ...step, who: ["wasm"] }, { ...step, who: ["native"], rounds: 1, seconds: 0 }]),
-    };
-  }));
+  return sizes.flatMap((size) =>
+    families.map((family) => {
+      const common = { seconds, limit };
+      const steps = [
+        { op: "build", ...common },
+        { op: "find", ...common, count: 50_000 },
+        { op: "findNear", ...common, count: 50_000 },
+        { op: "remove", ...common, count: size / 10 },
+        { op: "insert", ...common },
+      ];
+      return {
+        part: "families",
+        family,
+        n: family === "cities" ? Math.min(size, countCities()) : size,
+        rounds: Math.min(rounds, 3),
+        steps: steps.flatMap((step) => [
+          { ...step, who: ["wasm"] },
+          { ...step, who: ["native"], rounds: 1, seconds: 0 },
+        ]),
+      };
+    }),
+  );
 }
 
 /** Table 1 of the paper: one by one, both ways to locate. */
 function tableOne({ seconds, limit, rounds, tableOne: largest, walk }) {
-  return [1e3, 1e4, 1e5, 1e6].filter((n) => n <= largest).flatMap((n) => Object.values(tableOneFamilies).map((family) => ({
-    part: "table1", family, n, rounds: n >= 1e6 ? 1 : Math.min(rounds, 3),
-    steps: [
-      { op: "insert", who: ours, seconds, limit: Math.max(limit, 60) },
-      { op: "insertByWalk", who: n <= walk ? ["native"] : [], seconds, limit: Math.max(limit, 60) },
-    ],
-  })));
+  return [1e3, 1e4, 1e5, 1e6]
+    .filter((n) => n <= largest)
+    .flatMap((n) =>
+      Object.values(tableOneFamilies).map((family) => ({
+        part: "table1",
+        family,
+        n,
+        rounds: n >= 1e6 ? 1 : Math.min(rounds, 3),
+        steps: [
+          { op: "insert", who: ours, seconds, limit: Math.max(limit, 60) },
+          {
+            op: "insertByWalk",
+            who: n <= walk ? ["native"] : [],
+            seconds,
+            limit: Math.max(limit, 60),
+          },
+        ],
+      })),
+    );
 }
 
-/** 10 000 moving sites a frame, of so many, and all of them far against building. Steps in mean spacings; each frame is a sample. */
+/**
+ * 10 000 moving sites a frame, of so many, and all of them far against building. Steps in mean
+ * spacings; each frame is a sample.
+ */
 function moves({ rounds, seconds, limit, sizes }) {
   const among = [1e4, ...sizes.filter((n) => n === 1e6)];
-  const far = [1e4, 1e5].filter((n) => n <= Math.max(...sizes)).map((n) => ({
-    part: "moves", family: "random5", n, label: "all far", rounds: Math.min(rounds, 3),
-    steps: [
-      { op: "build", who: ours, seconds, limit },
-      { op: "updateMany", who: ours, count: n, step: 30, seconds, rebuild: true },
-    ],
-  }));
-  return far.concat(among.flatMap((n) => [0.001, 0.01, 0.1].map((step) => ({
-    part: "moves", family: "random5", n, label: `${step} spacings`, rounds: Math.min(rounds, 2),
-    steps: ["update", "updateMany"].map((op) => ({ op, who: ours, count: 1e4, step, seconds: 4 * seconds, rebuild: true })),
-  }))));
+  const far = [1e4, 1e5]
+    .filter((n) => n <= Math.max(...sizes))
+    .map((n) => ({
+      part: "moves",
+      family: "random5",
+      n,
+      label: "all far",
+      rounds: Math.min(rounds, 3),
+      steps: [
+        { op: "build", who: ours, seconds, limit },
+        { op: "updateMany", who: ours, count: n, step: 30, seconds, rebuild: true },
+      ],
+    }));
+  return far.concat(
+    among.flatMap((n) =>
+      [0.001, 0.01, 0.1].map((step) => ({
+        part: "moves",
+        family: "random5",
+        n,
+        label: `${step} spacings`,
+        rounds: Math.min(rounds, 2),
+        steps: ["update", "updateMany"].map((op) => ({
+          op,
+          who: ours,
+          count: 1e4,
+          step,
+          seconds: 4 * seconds,
+          rebuild: true,
+        })),
+      })),
+    ),
+  );
 }
 
-/** All edges of all cells into a context that adds up, against d3-delaunay with the same centres; and all areas against building. */
+/**
+ * All edges of all cells into a context that adds up, against d3-delaunay with the same centres;
+ * and all areas against building.
+ */
 function drawing({ rounds, seconds, sizes }) {
   const n = Math.min(1e5, Math.max(...sizes));
   return ["random0", "random5", "random50"].map((family) => ({
-    part: "drawing", family, n, rounds,
+    part: "drawing",
+    family,
+    n,
+    rounds,
     steps: [
       { op: "draw", who: ["wasm", "d3-delaunay"], seconds },
       { op: "redraw", who: ["d3-delaunay"], seconds },
@@ -105,13 +220,19 @@ function drawing({ rounds, seconds, sizes }) {
 function orders({ rounds, seconds, limit, family: n }) {
   const common = { seconds, limit };
   const scene = (family, size, ...steps) => ({
-    part: "orders", family, n: size, rounds: Math.min(rounds, 3), steps: steps.map((step) => ({ ...step, who: ours, ...common })),
+    part: "orders",
+    family,
+    n: size,
+    rounds: Math.min(rounds, 3),
+    steps: steps.map((step) => ({ ...step, who: ours, ...common })),
   });
   const sorted = ["line", "parallels", "rows"].flatMap((family) => [family, `${family}-shuffled`]);
   return [
     ...[n / 10, n].flatMap((size) => sorted.map((family) => scene(family, size, { op: "insert" }))),
     scene("line-shuffled", n, { op: "removeNearest", count: n / 10 }),
-    ...["duplicates", "concentric", "chain"].map((family) => scene(family, n, { op: "kNearest", count: 1000 }, { op: "removeNearest", count: n / 10 })),
+    ...["duplicates", "concentric", "chain"].map((family) =>
+      scene(family, n, { op: "kNearest", count: 1000 }, { op: "removeNearest", count: n / 10 }),
+    ),
     scene("random5", n, { op: "kNearest", count: 10_000 }, { op: "removeNearest", count: n / 10 }),
   ];
 }
@@ -119,35 +240,75 @@ function orders({ rounds, seconds, limit, family: n }) {
 /** Snapshots against building, and `findMany` on threads that restored one. */
 function snapshots({ rounds, seconds, limit, sizes }) {
   const cores = availableParallelism();
-  const threads = [...new Set([1, 2, 4, 8, 16, cores])].filter((count) => count <= cores || count <= 2);
-  return sizes.filter((n) => n >= 1e4 && n <= 1e6).flatMap((n) => [
-    {
-      part: "snapshots", family: "random5", n, rounds,
-      steps: ["build", "toBytes", "fromBytes"].map((op) => ({ op, who: ours, seconds, limit })),
-    },
-    ...threads.map((count) => ({
-      part: "snapshots", family: "random5", n, label: `${count} thread${count > 1 ? "s" : ""}`, rounds: Math.min(rounds, 2),
-      steps: [{ op: "findManyOnThreads", who: ["wasm"], count, seconds }],
-    })),
-  ]);
+  const threads = [...new Set([1, 2, 4, 8, 16, cores])].filter(
+    (count) => count <= cores || count <= 2,
+  );
+  return sizes
+    .filter((n) => n >= 1e4 && n <= 1e6)
+    .flatMap((n) => [
+      {
+        part: "snapshots",
+        family: "random5",
+        n,
+        rounds,
+        steps: ["build", "toBytes", "fromBytes"].map((op) => ({ op, who: ours, seconds, limit })),
+      },
+      ...threads.map((count) => ({
+        part: "snapshots",
+        family: "random5",
+        n,
+        label: `${count} thread${count > 1 ? "s" : ""}`,
+        rounds: Math.min(rounds, 2),
+        steps: [{ op: "findManyOnThreads", who: ["wasm"], count, seconds }],
+      })),
+    ]);
 }
 
 /** What a call costs that does nothing else, and the heap. */
 function border({ rounds, seconds, memory, churn }) {
   return [
     {
-      part: "border", family: "random5", n: 1e4, rounds,
-      steps: [{ op: "callSize", who: ["wasm"], seconds }, { op: "callHas", who: ["wasm"], seconds }],
+      part: "border",
+      family: "random5",
+      n: 1e4,
+      rounds,
+      steps: [
+        { op: "callSize", who: ["wasm"], seconds },
+        { op: "callHas", who: ["wasm"], seconds },
+      ],
     },
-    { part: "memory", family: "random5", n: memory, rounds: 1, steps: [{ op: "memory", who: ["wasm"], seconds: 0, fresh: true }] },
+    {
+      part: "memory",
+      family: "random5",
+      n: memory,
+      rounds: 1,
+      steps: [{ op: "memory", who: ["wasm"], seconds: 0, fresh: true }],
+    },
     // 100 000 sites, so that the heap is larger than the 16 MiB that it starts with.
-    { part: "memory", family: "random5", n: 1e5, rounds: 1, steps: [{ op: "churn", who: ["wasm"], count: churn, fresh: true }] },
+    {
+      part: "memory",
+      family: "random5",
+      n: 1e5,
+      rounds: 1,
+      steps: [{ op: "churn", who: ["wasm"], count: churn, fresh: true }],
+    },
   ];
 }
 
-export const parts = { scaling, families: kinds, orders, table1: tableOne, moves, drawing, snapshots, border };
+export const parts = {
+  scaling,
+  families: kinds,
+  orders,
+  table1: tableOne,
+  moves,
+  drawing,
+  snapshots,
+  border,
+};
 
 /** The scenes of a mode, of all parts or of one. */
 export function scenesOf(mode, only) {
-  return Object.entries(parts).filter(([name]) => !only || only === name).flatMap(([, part]) => part(modes[mode]));
+  return Object.entries(parts)
+    .filter(([name]) => !only || only === name)
+    .flatMap(([, part]) => part(modes[mode]));
 }

@@ -9,7 +9,9 @@ import { capture, run, say } from "../wasm/toolchain/process.mjs";
 import { writeCities } from "./cities.mjs";
 import { native, packed, root, sets } from "./places.mjs";
 
-export const hasCgal = ["/usr/include", "/usr/local/include"].some((folder) => existsSync(`${folder}/CGAL/version.h`));
+export const hasCgal = ["/usr/include", "/usr/local/include"].some((folder) =>
+  existsSync(`${folder}/CGAL/version.h`),
+);
 
 /** The package as users get it: packed by npm and installed in a folder of its own. */
 function installPackage() {
@@ -20,10 +22,22 @@ function installPackage() {
   say("packing the package");
   rmSync(packed, { recursive: true, force: true });
   mkdirSync(packed, { recursive: true });
-  const [{ filename }] = JSON.parse(capture("npm", ["pack", "--json", "--loglevel=error", "--pack-destination", packed], { cwd: root }));
-  writeFileSync(path.join(packed, "package.json"), JSON.stringify({ name: "bench-consumer", private: true, type: "module" }));
-  writeFileSync(path.join(packed, "consumer.mjs"), 'export * from "apollonius-diagram";\n');  // the bare name resolves from here
-  capture("npm", ["install", "--offline", "--no-audit", "--no-fund", "--loglevel=error", `./${filename}`], { cwd: packed });
+  const [{ filename }] = JSON.parse(
+    capture("npm", ["pack", "--json", "--loglevel=error", "--pack-destination", packed], {
+      cwd: root,
+    }),
+  );
+  writeFileSync(
+    path.join(packed, "package.json"),
+    JSON.stringify({ name: "bench-consumer", private: true, type: "module" }),
+  );
+  // the bare name resolves from here
+  writeFileSync(path.join(packed, "consumer.mjs"), 'export * from "apollonius-diagram";\n');
+  capture(
+    "npm",
+    ["install", "--offline", "--no-audit", "--no-fund", "--loglevel=error", `./${filename}`],
+    { cwd: packed },
+  );
   writeFileSync(stamp, fingerprint);
 }
 
@@ -31,8 +45,13 @@ async function buildNative() {
   ensureNativeTools();
   ensureBoost();
   await withBuildLock(() => {
-    const settings = { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_TESTS: "OFF", BENCH_CGAL: hasCgal ? "ON" : "OFF" };
-    for (const target of ["bench_sites", "native_bench", ...(hasCgal ? ["cgal_bench"] : [])]) buildWithCmake("bench", settings, { target });
+    const settings = {
+      CMAKE_BUILD_TYPE: "Release",
+      APOLLONIUS_TESTS: "OFF",
+      BENCH_CGAL: hasCgal ? "ON" : "OFF",
+    };
+    for (const target of ["bench_sites", "native_bench", ...(hasCgal ? ["cgal_bench"] : [])])
+      buildWithCmake("bench", settings, { target });
   });
   if (!hasCgal) say("CGAL is left out: install libcgal-dev to compare with it");
 }
@@ -44,11 +63,15 @@ export async function buildContenders() {
   return hasCgal;
 }
 
-/** The path of a set without extension; it is made if it is missing or older than the program that makes it. */
+/**
+ * The path of a set without extension; it is made if it is missing or older than the program that
+ * makes it.
+ */
 export function ensureSet(family, n) {
   const stem = path.join(sets, `${family}-${n}`);
   const maker = path.join(native, "bench_sites");
-  const isFresh = existsSync(`${stem}.near`) && statSync(`${stem}.near`).mtimeMs > statSync(maker).mtimeMs;
+  const isFresh =
+    existsSync(`${stem}.near`) && statSync(`${stem}.near`).mtimeMs > statSync(maker).mtimeMs;
   if (isFresh) return stem;
   mkdirSync(sets, { recursive: true });
   if (family === "cities") writeCities(`${stem}.sites`);

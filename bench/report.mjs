@@ -8,7 +8,8 @@ const titles = {
   families: "Kinds of input",
   orders: "Sorted orders one by one, and sites that hide each other",
   moves: "10 000 moving sites (µs per site; `updateMany`: times 10 is ms per frame)",
-  drawing: "Drawing all edges (d3-delaunay: of the centres' cells), and the areas of all cells (µs per site)",
+  drawing:
+    "Drawing all edges (d3-delaunay: of the centres' cells), and the areas of all cells (µs per site)",
   snapshots: "Snapshots (µs per site; threads: µs per point, all of them together)",
   border: "One call that does nothing else (µs)",
   memory: "Memory (µs per item; bytes below)",
@@ -17,13 +18,20 @@ const titles = {
 function memoryLines(records) {
   const megabytes = (bytes) => `${(bytes / 2 ** 20).toFixed(1)} MiB`;
   return records.flatMap((record) => {
-    if (record.op === "memory" && record.bytesPerSite) return [`- ${record.n} sites at once: ${record.bytesPerSite.toFixed(0)} bytes of heap growth per site`];
+    if (record.op === "memory" && record.bytesPerSite)
+      return [
+        `- ${record.n} sites at once: ${record.bytesPerSite.toFixed(0)} bytes of heap growth per site`,
+      ];
     if (record.op === "churn" && record.bytesAfterAll) {
-      return [`- heap with ${record.n} sites: ${megabytes(record.bytesAfterThousand)} after 1000 removals and insertions, ` +
-              `${megabytes(record.bytesAfterAll)} after ${record.items + 1000}`];
+      return [
+        `- heap with ${record.n} sites: ${megabytes(record.bytesAfterThousand)} after 1000 removals and insertions, ` +
+          `${megabytes(record.bytesAfterAll)} after ${record.items + 1000}`,
+      ];
     }
     if (record.part === "scaling" && record.op === "build" && record.bytesPerSite) {
-      return [`- ${record.n} sites natively: ${record.bytesPerSite.toFixed(0)} bytes allocated per site (no unused heap)`];
+      return [
+        `- ${record.n} sites natively: ${record.bytesPerSite.toFixed(0)} bytes allocated per site (no unused heap)`,
+      ];
     }
     return [];
   });
@@ -31,22 +39,38 @@ function memoryLines(records) {
 
 export function report({ machine, mode, records, disagreements, seconds }) {
   const of = (part) => records.filter((record) => record.part === part);
-  const sections = Object.entries(titles).filter(([part]) => of(part).length > 0).map(([part, title]) => {
-    const text = [`## ${title}`, timesTable(of(part))];
-    if (part === "families") text.push(visibleTable(of(part)), "Stages (native), without the answers from the circles cached with the faces:", stagesTable(of(part)));
-    if (part === "memory") text.push(memoryLines(records).join("\n"));
-    return text.join("\n\n");
-  });
-  const table = of("table1").length > 0
-    ? [`## Table 1 of the paper, one by one in random order\n\n${tableOne(records)}`] : [];
+  const sections = Object.entries(titles)
+    .filter(([part]) => of(part).length > 0)
+    .map(([part, title]) => {
+      const text = [`## ${title}`, timesTable(of(part))];
+      if (part === "families")
+        text.push(
+          visibleTable(of(part)),
+          "Stages (native), without the answers from the circles cached with the faces:",
+          stagesTable(of(part)),
+        );
+      if (part === "memory") text.push(memoryLines(records).join("\n"));
+      return text.join("\n\n");
+    });
+  const table =
+    of("table1").length > 0
+      ? [`## Table 1 of the paper, one by one in random order\n\n${tableOne(records)}`]
+      : [];
   const goals = targetsTable(records);
-  return [
-    "# Benchmark results",
-    Object.entries(machine).map(([key, value]) => `- ${key}: ${value}`).join("\n"),
-    `Mode ${mode}, ${seconds.toFixed(0)} s. Median (fastest..slowest); * = cut off at the time limit and counted for what was done until then. ` +
-      "wasm is the packed package in Node, native the same C++ without it; delaunator, d3-delaunay and flatbush know points only.",
-    ...(disagreements.length > 0 ? [`**Contenders disagree**:\n${disagreements.map((text) => `- ${text}`).join("\n")}`] : []),
-    ...(goals ? [`## Goals\n\n${goals}`] : []),
-    ...sections, ...table,
-  ].join("\n\n") + "\n";
+  return (
+    [
+      "# Benchmark results",
+      Object.entries(machine)
+        .map(([key, value]) => `- ${key}: ${value}`)
+        .join("\n"),
+      `Mode ${mode}, ${seconds.toFixed(0)} s. Median (fastest..slowest); * = cut off at the time limit and counted for what was done until then. ` +
+        "wasm is the packed package in Node, native the same C++ without it; delaunator, d3-delaunay and flatbush know points only.",
+      ...(disagreements.length > 0
+        ? [`**Contenders disagree**:\n${disagreements.map((text) => `- ${text}`).join("\n")}`]
+        : []),
+      ...(goals ? [`## Goals\n\n${goals}`] : []),
+      ...sections,
+      ...table,
+    ].join("\n\n") + "\n"
+  );
 }

@@ -1,10 +1,13 @@
-// npm run bench: builds all contenders, measures, prints one report, and writes it with its picture.
+// npm run bench: builds all contenders, measures, prints one report, and writes it with its
+// picture.
 //
-//   npm run bench                      about eight minutes        -> bench/results/latest.{json,md,svg}
-//   npm run bench -- --quick           under a minute             -> build/bench-results/
-//   npm run bench -- --full            all of it, up to 10 000 000 sites, hours -> bench/results/
-//   npm run bench -- --only families   one part: scaling, families, orders, table1, moves, drawing, snapshots, border -> build/bench-results/
-//   npm run bench -- --without cgal    leaves a contender out (may be repeated)           -> build/bench-results/
+//   npm run bench                      about eight minutes        ->
+//   bench/results/latest.{json,md,svg} npm run bench -- --quick           under a minute
+//    -> build/bench-results/ npm run bench -- --full            all of it, up to 10 000 000 sites,
+//    hours -> bench/results/
+//   npm run bench -- --only families   one part: scaling, families, orders, table1, moves, drawing,
+//   snapshots, border -> build/bench-results/ npm run bench -- --without cgal    leaves a contender
+//   out (may be repeated)           -> build/bench-results/
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
@@ -21,18 +24,25 @@ import { report } from "./report.mjs";
 
 function options() {
   const { values } = parseArgs({
-    options: { quick: { type: "boolean" }, full: { type: "boolean" }, only: { type: "string" }, without: { type: "string", multiple: true } },
+    options: {
+      quick: { type: "boolean" },
+      full: { type: "boolean" },
+      only: { type: "string" },
+      without: { type: "string", multiple: true },
+    },
   });
   const mode = modeNames.find((name) => values[name]) ?? "default";
   const { only, without = [] } = values;
-  if (only && !parts[only]) throw new SetUpError(`no part ${only}: there are ${Object.keys(parts).join(", ")}`);
+  if (only && !parts[only])
+    throw new SetUpError(`no part ${only}: there are ${Object.keys(parts).join(", ")}`);
   const stranger = without.find((name) => !names.includes(name));
   if (stranger) throw new SetUpError(`no contender ${stranger}: there are ${names.join(", ")}`);
   return { mode, only, without };
 }
 
 function progress(share, text) {
-  if (process.stderr.isTTY) process.stderr.write(`\r\x1b[K${(100 * share).toFixed(0).padStart(3)} %  ${text}`);
+  if (process.stderr.isTTY)
+    process.stderr.write(`\r\x1b[K${(100 * share).toFixed(0).padStart(3)} %  ${text}`);
 }
 
 await main(async () => {
@@ -49,7 +59,13 @@ await main(async () => {
   }
   progress(1, "\n");
   const seconds = (performance.now() - start) / 1000;
-  const run = { machine: facts, mode, seconds: Math.round(seconds), records, disagreements: disagreements(records) };
+  const run = {
+    machine: facts,
+    mode,
+    seconds: Math.round(seconds),
+    records,
+    disagreements: disagreements(records),
+  };
   const text = report({ ...run, seconds });
   console.log(text);
 
@@ -59,6 +75,9 @@ await main(async () => {
   const { cpu, cores, node, commit, date } = facts;
   writeFileSync(path.join(folder, "latest.json"), `${JSON.stringify(run, null, 1)}\n`);
   writeFileSync(path.join(folder, "latest.md"), text);
-  writeFileSync(path.join(folder, "latest.svg"), picture(records, `${cpu}, ${cores} cores; Node ${node}; commit ${commit}; ${date}`));
+  writeFileSync(
+    path.join(folder, "latest.svg"),
+    picture(records, `${cpu}, ${cores} cores; Node ${node}; commit ${commit}; ${date}`),
+  );
   console.log(`Written to ${path.relative(process.cwd(), folder)}/latest.{json,md,svg}`);
 });

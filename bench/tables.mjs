@@ -27,15 +27,23 @@ function cell(record) {
   return `${short(record.us)}${record.isCutOff ? "*" : ""}${spread}`;
 }
 
-/** Microseconds per item: a row for each set and operation, a column for each contender that has a number. */
+/**
+ * Microseconds per item: a row for each set and operation, a column for each contender that has a
+ * number.
+ */
 export function timesTable(records) {
   const who = names.filter((name) => records.some(({ contender }) => contender === name));
   const rows = new Map();
   for (const record of records) {
-    const key = [record.family, thousands(record.n), record.label, record.op].filter(Boolean).join(", ");
+    const key = [record.family, thousands(record.n), record.label, record.op]
+      .filter(Boolean)
+      .join(", ");
     rows.set(key, { ...rows.get(key), [record.contender]: record });
   }
-  return table(["set, operation: µs per item", ...who], [...rows].map(([key, row]) => [key, ...who.map((name) => cell(row[name]))]));
+  return table(
+    ["set, operation: µs per item", ...who],
+    [...rows].map(([key, row]) => [key, ...who.map((name) => cell(row[name]))]),
+  );
 }
 
 /** Which stage answered how often per item; only rows with answers beyond the cached circles. */
@@ -43,14 +51,21 @@ export function stagesTable(records) {
   const counted = records.filter(({ stages }) => stages && Object.keys(stages).length > 0);
   const stages = [...new Set(counted.flatMap((record) => Object.keys(record.stages)))];
   const rows = counted.map((record) => [
-    `${record.family}, ${thousands(record.n)}, ${record.op}`, ...stages.map((stage) => short(record.stages[stage])),
+    `${record.family}, ${thousands(record.n)}, ${record.op}`,
+    ...stages.map((stage) => short(record.stages[stage])),
   ]);
   return table(["set, operation: answers per item", ...stages], rows);
 }
 
 /** How many sites of each set are visible. */
 export function visibleTable(records) {
-  const rows = records.filter(({ op, contender }) => op === "build" && contender === "wasm")
-    .map(({ family, n, visible }) => [family, thousands(n), thousands(visible ?? 0), short(visible / n)]);
+  const rows = records
+    .filter(({ op, contender }) => op === "build" && contender === "wasm")
+    .map(({ family, n, visible }) => [
+      family,
+      thousands(n),
+      thousands(visible ?? 0),
+      short(visible / n),
+    ]);
   return table(["family", "n", "h (visible)", "h/n"], rows);
 }

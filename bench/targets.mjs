@@ -1,11 +1,20 @@
-// The goals of issues 2 to 5 as ratios of this run's numbers. For information: timing decides no test.
+// The goals of issues 2 to 5 as ratios of this run's numbers. For information: timing decides no
+// test.
 import { short, table } from "./tables.mjs";
 
-/** A lookup in microseconds, us("scaling random5 1000000 build wasm"), of the medians or of the fastest samples. */
+/**
+ * A lookup in microseconds, us("scaling random5 1000000 build wasm"), of the medians or of the
+ * fastest samples.
+ */
 function lookup(records, member) {
-  const found = new Map(records.map((record) => [
-    [record.part, record.family, record.n, record.label, record.op, record.contender].filter(Boolean).join(" "), record,
-  ]));
+  const found = new Map(
+    records.map((record) => [
+      [record.part, record.family, record.n, record.label, record.op, record.contender]
+        .filter(Boolean)
+        .join(" "),
+      record,
+    ]),
+  );
   return (key) => found.get(key)?.[member];
 }
 
@@ -15,7 +24,9 @@ const least = (limit) => ({ text: `≥ ${limit}`, isMet: (value) => value >= lim
 
 /** The largest measured size up to a wanted one: a quick run has no million. */
 function largestSize(records, part, wanted) {
-  const sizes = records.filter((record) => record.part === part && record.family === "random5" && record.n <= wanted).map(({ n }) => n);
+  const sizes = records
+    .filter((record) => record.part === part && record.family === "random5" && record.n <= wanted)
+    .map(({ n }) => n);
   return Math.max(...sizes);
 }
 
@@ -28,25 +39,73 @@ function goals(records, member) {
   const family = largestSize(records, "families", 1e5);
   const scaling = (n, op, contender) => us(`scaling random5 ${n} ${op} ${contender}`);
   const kind = (name, op) => us(`families ${name} ${family} ${op} wasm`);
-  const toRandom = (name, op = "build") => [`${op} ${name} / random, ${family}`, kind(name, op) / kind("random5", op)];
+  const toRandom = (name, op = "build") => [
+    `${op} ${name} / random, ${family}`,
+    kind(name, op) / kind("random5", op),
+  ];
   const drawn = records.find(({ part }) => part === "drawing")?.n;
-  const drawing = (name, op, contender = "wasm") => us(`drawing ${name} ${drawn} ${op} ${contender}`);
+  const drawing = (name, op, contender = "wasm") =>
+    us(`drawing ${name} ${drawn} ${op} ${contender}`);
   const ordered = (name, op) => us(`orders ${name} ${family} ${op} wasm`);
   const memory = records.find(({ op }) => op === "memory");
   const churn = records.find(({ op }) => op === "churn");
   const megabytes = (bytes) => bytes / 2 ** 20;
   return [
-    [`build ${million}: wasm / delaunator`, scaling(million, "build", "wasm") / scaling(million, "build", "delaunator"), most(1.3)],
-    [`build ${million}: CGAL / wasm`, scaling(million, "build", "cgal") / scaling(million, "build", "wasm"), least(8)],
-    [`build ${million}: CGAL / native`, scaling(million, "build", "cgal") / scaling(million, "build", "native"), least(12)],
-    [`build ${million}: CGAL in sorted order / wasm`, scaling(million, "buildSorted", "cgal") / scaling(million, "build", "wasm"), information],
-    [`one by one ${hundred}: CGAL / wasm`, scaling(hundred, "insert", "cgal") / scaling(hundred, "insert", "wasm"), least(2.5)],
-    [`one by one ${hundred}: CGAL / native`, scaling(hundred, "insert", "cgal") / scaling(hundred, "insert", "native"), least(2.5)],
-    [`find in ${million}: CGAL / wasm`, scaling(million, "find", "cgal") / scaling(million, "find", "wasm"), least(5)],
-    [`find in ${million}: flatbush / wasm`, scaling(million, "find", "flatbush") / scaling(million, "find", "wasm"), least(2.5)],
-    [`findMany / find in ${million}: wasm`, scaling(million, "findMany", "wasm") / scaling(million, "find", "wasm"), most(0.5)],
-    [`remove from ${million}: CGAL / wasm`, scaling(million, "remove", "cgal") / scaling(million, "remove", "wasm"), least(4)],
-    [`build per site ${million} / ${ten}: wasm`, scaling(million, "build", "wasm") / scaling(ten, "build", "wasm"), most(1.5)],
+    [
+      `build ${million}: wasm / delaunator`,
+      scaling(million, "build", "wasm") / scaling(million, "build", "delaunator"),
+      most(1.3),
+    ],
+    [
+      `build ${million}: CGAL / wasm`,
+      scaling(million, "build", "cgal") / scaling(million, "build", "wasm"),
+      least(8),
+    ],
+    [
+      `build ${million}: CGAL / native`,
+      scaling(million, "build", "cgal") / scaling(million, "build", "native"),
+      least(12),
+    ],
+    [
+      `build ${million}: CGAL in sorted order / wasm`,
+      scaling(million, "buildSorted", "cgal") / scaling(million, "build", "wasm"),
+      information,
+    ],
+    [
+      `one by one ${hundred}: CGAL / wasm`,
+      scaling(hundred, "insert", "cgal") / scaling(hundred, "insert", "wasm"),
+      least(2.5),
+    ],
+    [
+      `one by one ${hundred}: CGAL / native`,
+      scaling(hundred, "insert", "cgal") / scaling(hundred, "insert", "native"),
+      least(2.5),
+    ],
+    [
+      `find in ${million}: CGAL / wasm`,
+      scaling(million, "find", "cgal") / scaling(million, "find", "wasm"),
+      least(5),
+    ],
+    [
+      `find in ${million}: flatbush / wasm`,
+      scaling(million, "find", "flatbush") / scaling(million, "find", "wasm"),
+      least(2.5),
+    ],
+    [
+      `findMany / find in ${million}: wasm`,
+      scaling(million, "findMany", "wasm") / scaling(million, "find", "wasm"),
+      most(0.5),
+    ],
+    [
+      `remove from ${million}: CGAL / wasm`,
+      scaling(million, "remove", "cgal") / scaling(million, "remove", "wasm"),
+      least(4),
+    ],
+    [
+      `build per site ${million} / ${ten}: wasm`,
+      scaling(million, "build", "wasm") / scaling(ten, "build", "wasm"),
+      most(1.5),
+    ],
     [...toRandom("lattice"), most(1.5)],
     [...toRandom("powerlaw"), most(1.5)],
     [...toRandom("collinear"), most(2)],
@@ -56,28 +115,67 @@ function goals(records, member) {
     [...toRandom("planet", "findNear"), most(3)],
     [...toRandom("planet", "remove"), most(3)],
     ...["line", "parallels", "rows"].map((name) => [
-      `one by one, ${name} ${family}: sorted / shuffled`, ordered(name, "insert") / ordered(`${name}-shuffled`, "insert"), most(5),
+      `one by one, ${name} ${family}: sorted / shuffled`,
+      ordered(name, "insert") / ordered(`${name}-shuffled`, "insert"),
+      most(5),
     ]),
     ...["line-shuffled", "duplicates", "concentric", "chain"].map((name) => [
-      `remove the nearest, ${name} ${family}: / random`, ordered(name, "removeNearest") / ordered("random5", "removeNearest"), most(5),
+      `remove the nearest, ${name} ${family}: / random`,
+      ordered(name, "removeNearest") / ordered("random5", "removeNearest"),
+      most(5),
     ]),
-    [`10 nearest, chain ${family}: / random`, ordered("chain", "kNearest") / ordered("random5", "kNearest"), most(5)],
+    [
+      `10 nearest, chain ${family}: / random`,
+      ordered("chain", "kNearest") / ordered("random5", "kNearest"),
+      most(5),
+    ],
     [`heap per site, ${memory?.n} sites, bytes`, memory?.bytesPerSite, most(160)],
-    ["heap growth from 1000 pairs to all, MiB", churn && megabytes(churn.bytesAfterAll - churn.bytesAfterThousand), most(0)],
-    ["updateMany of 10000 (0.01 spacings), ms a frame", us("moves random5 10000 0.01 spacings updateMany wasm") * 10, most(10)],
+    [
+      "heap growth from 1000 pairs to all, MiB",
+      churn && megabytes(churn.bytesAfterAll - churn.bytesAfterThousand),
+      most(0),
+    ],
+    [
+      "updateMany of 10000 (0.01 spacings), ms a frame",
+      us("moves random5 10000 0.01 spacings updateMany wasm") * 10,
+      most(10),
+    ],
     ...["wasm", "native"].map((contender) => [
       `updateMany of all, far / build ${hundred}: ${contender}`,
-      us(`moves random5 ${hundred} all far updateMany ${contender}`) / us(`moves random5 ${hundred} all far build ${contender}`), most(1.3),
+      us(`moves random5 ${hundred} all far updateMany ${contender}`) /
+        us(`moves random5 ${hundred} all far build ${contender}`),
+      most(1.3),
     ]),
-    ...[hundred, million].flatMap((n) => ["wasm", "native"].map((contender) => [
-      `build / fromBytes ${n}: ${contender}`, us(`snapshots random5 ${n} build ${contender}`) / us(`snapshots random5 ${n} fromBytes ${contender}`), least(5),
-    ])),
+    ...[hundred, million].flatMap((n) =>
+      ["wasm", "native"].map((contender) => [
+        `build / fromBytes ${n}: ${contender}`,
+        us(`snapshots random5 ${n} build ${contender}`) /
+          us(`snapshots random5 ${n} fromBytes ${contender}`),
+        least(5),
+      ]),
+    ),
     ...["random0", "random5", "random50"].flatMap((name) => [
-      [`draw ${name} ${drawn}: wasm / d3-delaunay`, drawing(name, "draw") / drawing(name, "draw", "d3-delaunay"), most(2)],
-      [`draw ${name} ${drawn}: wasm / d3-delaunay with known circumcenters`, drawing(name, "draw") / drawing(name, "redraw", "d3-delaunay"), information],
-      [`all areas / build, ${name} ${drawn}`, drawing(name, "cellAreas") / drawing(name, "build"), most(1)],
+      [
+        `draw ${name} ${drawn}: wasm / d3-delaunay`,
+        drawing(name, "draw") / drawing(name, "draw", "d3-delaunay"),
+        most(2),
+      ],
+      [
+        `draw ${name} ${drawn}: wasm / d3-delaunay with known circumcenters`,
+        drawing(name, "draw") / drawing(name, "redraw", "d3-delaunay"),
+        information,
+      ],
+      [
+        `all areas / build, ${name} ${drawn}`,
+        drawing(name, "cellAreas") / drawing(name, "build"),
+        most(1),
+      ],
     ]),
-    [`issue 2: insert one by one, ${hundred}, wasm, µs`, scaling(hundred, "insert", "wasm"), most(6)],
+    [
+      `issue 2: insert one by one, ${hundred}, wasm, µs`,
+      scaling(hundred, "insert", "wasm"),
+      most(6),
+    ],
     [`issue 2: find in ${hundred}, wasm, µs`, scaling(hundred, "find", "wasm"), most(3)],
     [`issue 2: remove from ${hundred}, wasm, µs`, scaling(hundred, "remove", "wasm"), most(15)],
   ];
@@ -85,8 +183,17 @@ function goals(records, member) {
 
 export function targetsTable(records) {
   const fastest = goals(records, "fastest");
-  const rows = goals(records, "us").map(([what, value, goal], k) => [what, value, fastest[k][1], goal])
+  const rows = goals(records, "us")
+    .map(([what, value, goal], k) => [what, value, fastest[k][1], goal])
     .filter(([, value]) => Number.isFinite(value))
-    .map(([what, value, best, goal]) => [what, short(value), short(best), goal.text, { true: "yes", false: "no", null: "" }[goal.isMet(value)]]);
-  return rows.length === 0 ? "" : table(["what", "of medians", "of the fastest", "goal", "met"], rows);
+    .map(([what, value, best, goal]) => [
+      what,
+      short(value),
+      short(best),
+      goal.text,
+      { true: "yes", false: "no", null: "" }[goal.isMet(value)],
+    ]);
+  return rows.length === 0
+    ? ""
+    : table(["what", "of medians", "of the fastest", "goal", "met"], rows);
 }

@@ -1,4 +1,5 @@
-// The public interface: checks arguments at the door, translates lack of memory into an error, and leaves the work to the core.
+// The public interface: checks arguments at the door, translates lack of memory into an error, and
+// leaves the work to the core.
 #include "apollonius.h"
 
 #include <algorithm>
@@ -34,8 +35,9 @@ Error checkCircle(double x, double y, double r) {
   return checkNumbers(values);
 }
 
-/// All that can be thrown is for want of memory (std::bad_alloc, a vector's std::length_error), so that types need not be told apart,
-/// which would cost the wasm module a kilobyte; or because trusted bytes were no diagram, which the diagram remembers.
+/// All that can be thrown is for want of memory (std::bad_alloc, a vector's std::length_error), so
+/// that types need not be told apart, which would cost the wasm module a kilobyte; or because
+/// trusted bytes were no diagram, which the diagram remembers.
 template <class Operation>
 Error guarded(const DiagramCore& core, Operation&& operation) {
   if (core.isBroken()) return Error::kCorruptSnapshot;
@@ -63,7 +65,8 @@ Diagram::Diagram(Diagram&&) noexcept = default;
 Diagram& Diagram::operator=(Diagram&&) noexcept = default;
 const DiagramCore& Diagram::core() const noexcept { return *impl_; }
 
-// --- Sites -------------------------------------------------------------------------------------------------------------------
+// --- Sites
+// -------------------------------------------------------------------------------------------------
 
 Error Diagram::insert(double x, double y, double r, SiteId& id) {
   if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
@@ -156,11 +159,14 @@ Error Diagram::coverOf(SiteId id, SiteId& cover) const {
   return guarded(*impl_, [&] {
     const Site& site = impl_->site(slot);
     // Lemma 1 of the paper: the site nearest to its centre covers it.
-    cover = impl_->ids().state(slot) == SiteState::kHidden ? impl_->ids().idOf(impl_->nearest(site.x, site.y)) : kNoSite;
+    cover = impl_->ids().state(slot) == SiteState::kHidden
+                ? impl_->ids().idOf(impl_->nearest(site.x, site.y))
+                : kNoSite;
   });
 }
 
-// --- Queries -----------------------------------------------------------------------------------------------------------------
+// --- Queries
+// -------------------------------------------------------------------------------------------------
 
 Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
   for (const double value : {x, y}) {
@@ -169,21 +175,26 @@ Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
   return guarded(*impl_, [&] {
     const Slot near = visibleSize() == 0 ? kNoSlot : impl_->nearest(x, y);
     id = near == kNoSlot ? kNoSite : impl_->ids().idOf(near);
-    distance = near == kNoSlot ? std::numeric_limits<double>::infinity() : ApproxDistance(x, y, impl_->site(near)).value;
+    distance = near == kNoSlot ? std::numeric_limits<double>::infinity()
+                               : ApproxDistance(x, y, impl_->site(near)).value;
   });
 }
 
-Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids, std::span<double> distances) const {
-  if (xy.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size())) return Error::kBadLength;
+Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids,
+                        std::span<double> distances) const {
+  if (xy.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size()))
+    return Error::kBadLength;
   if (const Error error = checkNumbers(xy); error != Error::kNone) return error;
   return guarded(*impl_, [&] {
     Slot near = kNoSlot;
-    for (const std::uint32_t k : hilbertOrder({xy, 2})) {  // each walk starts where the one before ended
+    for (const std::uint32_t k :
+         hilbertOrder({xy, 2})) {  // each walk starts where the one before ended
       const double x = xy[2 * std::size_t{k}], y = xy[2 * std::size_t{k} + 1];
       if (visibleSize() > 0) near = impl_->nearest(x, y, near);
       ids[k] = near == kNoSlot ? kNoSite : impl_->ids().idOf(near);
       if (distances.empty()) continue;
-      distances[k] = near == kNoSlot ? std::numeric_limits<double>::infinity() : ApproxDistance(x, y, impl_->site(near)).value;
+      distances[k] = near == kNoSlot ? std::numeric_limits<double>::infinity()
+                                     : ApproxDistance(x, y, impl_->site(near)).value;
     }
   });
 }

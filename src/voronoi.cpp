@@ -1,4 +1,5 @@
-// The geometry's door: checks bounds, ids and tolerances, turns lack of memory into an error, and leaves the work to src/geometry.
+// The geometry's door: checks bounds, ids and tolerances, turns lack of memory into an error, and
+// leaves the work to src/geometry.
 #include "voronoi.h"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ Window windowOf(const Bounds& b) { return {b.xmin, b.ymin, b.xmax, b.ymax}; }
 bool areGood(const Bounds& b) {
   for (const double x : {b.xmin, b.ymin, b.xmax, b.ymax}) {
     const double magnitude = std::abs(x);
-    if (!(magnitude == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude))) return false;
+    if (!(magnitude == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude)))
+      return false;
   }
   return b.xmin < b.xmax && b.ymin < b.ymax;
 }
@@ -36,7 +38,8 @@ void appendCurve(const Conic& c, Array<double>& curves) {
   append(curves, std::array{c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.w, c.p2.x, c.p2.y});
 }
 
-void measure(std::span<const BoundaryPiece> boundary, Point origin, Moments& moments, CellMeasures& measures) {
+void measure(std::span<const BoundaryPiece> boundary, Point origin, Moments& moments,
+             CellMeasures& measures) {
   for (const BoundaryPiece& piece : boundary) {
     moments.add(piece.curve, origin);
     measures.perimeter += lengthOf(piece.curve);
@@ -61,7 +64,8 @@ Bounds Voronoi::extentOf(const Diagram& diagram) {
     if (core.ids().state(slot) == SiteState::kFree) continue;
     const Site& site = core.site(slot);
     const double r = std::max(site.r, 0.0);
-    box = {std::min(box.xmin, site.x - r), std::min(box.ymin, site.y - r), std::max(box.xmax, site.x + r), std::max(box.ymax, site.y + r)};
+    box = {std::min(box.xmin, site.x - r), std::min(box.ymin, site.y - r),
+           std::max(box.xmax, site.x + r), std::max(box.ymax, site.y + r)};
   }
   if (!(box.xmin <= box.xmax)) return {};
   const auto widen = [](double& low, double& high) {
@@ -71,7 +75,9 @@ Bounds Voronoi::extentOf(const Diagram& diagram) {
       high += pad;
     }
     const auto inRange = [](double x) {
-      return absolute(x) < kSmallestMagnitude ? 0.0 : std::clamp(x, -kLargestMagnitude, kLargestMagnitude);
+      return absolute(x) < kSmallestMagnitude
+                 ? 0.0
+                 : std::clamp(x, -kLargestMagnitude, kLargestMagnitude);
     };
     low = inRange(low);
     high = inRange(high);
@@ -81,7 +87,9 @@ Bounds Voronoi::extentOf(const Diagram& diagram) {
   return areGood(box) ? box : Bounds{};
 }
 
-double defaultTolerance(const Bounds& bounds) { return kDefaultShare * windowOf(bounds).diagonal(); }
+double defaultTolerance(const Bounds& bounds) {
+  return kDefaultShare * windowOf(bounds).diagonal();
+}
 
 std::uint32_t Voronoi::slotOf(SiteId id) const { return diagram_.core().ids().slotOf(id); }
 
@@ -111,11 +119,12 @@ Error Voronoi::edges(CurveArrays& edges) const {
     edges = {};
     const DiagramCore& core = diagram_.core();
     const Graph& graph = core.base().graph();
-    forEachClippedPiece(core.base(), window, Bits::kCanonical, [&](HalfedgeId h, const ClippedPiece& piece) {
-      appendCurve(piece.curve, edges.curves);
-      edges.sites.push_back(core.siteOf(graph.origin(h)));
-      edges.sites.push_back(core.siteOf(graph.target(h)));
-    });
+    forEachClippedPiece(core.base(), window, Bits::kCanonical,
+                        [&](HalfedgeId h, const ClippedPiece& piece) {
+                          appendCurve(piece.curve, edges.curves);
+                          edges.sites.push_back(core.siteOf(graph.origin(h)));
+                          edges.sites.push_back(core.siteOf(graph.target(h)));
+                        });
   });
 }
 
@@ -144,7 +153,8 @@ Error Voronoi::polygon(SiteId id, double tolerance, RingArrays& rings) const {
     for (std::size_t region = 0; region < cell.regionCount(); ++region) {
       const std::uint32_t first = cell.starts[region], count = cell.starts[region + 1] - first;
       const std::size_t size = rings.coordinates.size();
-      appendRing(std::span(cell.pieces).subspan(first, count), {site.x, site.y}, window, allowed, rings.coordinates);
+      appendRing(std::span(cell.pieces).subspan(first, count), {site.x, site.y}, window, allowed,
+                 rings.coordinates);
       if (rings.coordinates.size() == size) continue;
       rings.starts.push_back(static_cast<std::uint32_t>(rings.coordinates.size() / 2));
     }
@@ -181,7 +191,8 @@ Error Voronoi::measuresWithin(SiteId id, double radius, CellMeasures& measures) 
 }
 
 Error Voronoi::areas(Array<double>& areas) const {
-  return guarded(1, [&](const Window& window, double) { cellAreas(diagram_.core(), window, areas); });
+  return guarded(1,
+                 [&](const Window& window, double) { cellAreas(diagram_.core(), window, areas); });
 }
 
 Error Voronoi::hull(Array<SiteId>& sites) const {
@@ -210,7 +221,8 @@ Error Voronoi::drawDual(double tolerance, bool rays, Portion& portion, Path& pat
   return guarded(tolerance, [&](const Window& window, double allowed) {
     path.clear();
     apollonius::Portion part{portion.cursor, portion.commands};
-    portion.isDone = !apollonius::drawDual(diagram_.core(), rays ? &window : nullptr, allowed, part, path);
+    portion.isDone =
+        !apollonius::drawDual(diagram_.core(), rays ? &window : nullptr, allowed, part, path);
     portion.cursor = part.cursor;
   });
 }

@@ -1,13 +1,18 @@
-// npm run check: what looks at the C++ code more closely than the tests do.     npm run check -- tidy cppcheck    runs some steps only
+// npm run check: what looks at the C++ code more closely than the tests do.     npm run check --
+// tidy cppcheck    runs some steps only
 //
-//   sanitizers   the native tests with AddressSanitizer and UndefinedBehaviorSanitizer (smaller sizes: tests/support/effort.h)
+//   sanitizers   the native tests with AddressSanitizer and UndefinedBehaviorSanitizer (smaller
+//                sizes: tests/support/effort.h)
 //   valgrind     a few of the native tests under memcheck, which knows of uninitialised memory, too
 //   tidy         clang-tidy on src/ and wasm/, with the checks of .clang-tidy
 //   cppcheck     cppcheck on src/, without what tests/check/cppcheck.txt leaves out
-//   thorough     whole sets of tens of thousands, lack of memory among thousands; without the shadow check
-//   determinism  the recorded hashes with g++ and clang++, -O0 to -O3, 32 bits, the machine's own instructions
+//   thorough     whole sets of tens of thousands, lack of memory among thousands; without the
+//                shadow check
+//   determinism  the recorded hashes with g++ and clang++, -O0 to -O3, 32 bits, the machine's own
+//                instructions
 //
-// APOLLONIUS_DETERMINISM=clang limits the builds of the last one to those whose name has that in it.
+// APOLLONIUS_DETERMINISM=clang limits the builds of the last one to those whose name has that in
+// it.
 import path from "node:path";
 import { ensureBoost } from "../wasm/toolchain/boost.mjs";
 import { buildWithCmake } from "../wasm/toolchain/cmake.mjs";
@@ -19,11 +24,13 @@ import { checkDeterminism } from "./check/determinism.mjs";
 import { ctest, runSteps, runTests } from "./steps.mjs";
 
 /**
- * A few of each program: what runs here takes some thirty times as long as natively. None that counts calls of operator new, which
- * valgrind puts its own in the place of.
+ * A few of each program: what runs here takes some thirty times as long as natively. None that
+ * counts calls of operator new, which valgrind puts its own in the place of.
  */
 const underValgrind = {
-  memory_tests: "*", graph_tests: "-Room*", number_tests: "*",
+  memory_tests: "*",
+  graph_tests: "-Room*",
+  number_tests: "*",
   diagram_tests: "Errors*:Ids*:SiteIds*:HiddenForest*:Regressions*:Snapshot.*",
   geometry_tests: "Contacts*:Rings*:VoronoiErrors*",
 };
@@ -36,9 +43,14 @@ const native = () => {
 await runSteps({
   async sanitizers() {
     native();
-    const settings = { CMAKE_BUILD_TYPE: "RelWithDebInfo", APOLLONIUS_SANITIZE: "ON", APOLLONIUS_WERROR: "ON" };
+    const settings = {
+      CMAKE_BUILD_TYPE: "RelWithDebInfo",
+      APOLLONIUS_SANITIZE: "ON",
+      APOLLONIUS_WERROR: "ON",
+    };
     return ctest(await withBuildLock(() => buildWithCmake("sanitizers", settings)), {
-      ASAN_OPTIONS: "detect_stack_use_after_return=1:strict_init_order=1:check_initialization_order=1:allocator_may_return_null=1",
+      ASAN_OPTIONS:
+        "detect_stack_use_after_return=1:strict_init_order=1:check_initialization_order=1:allocator_may_return_null=1",
       UBSAN_OPTIONS: "print_stacktrace=1",
     });
   },
@@ -46,20 +58,36 @@ await runSteps({
     native();
     const valgrind = ensureValgrind();
     // The build of `npm test -- native`.
-    const settings = { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_SHADOW_CHECK: "ON", APOLLONIUS_WERROR: "ON" };
+    const settings = {
+      CMAKE_BUILD_TYPE: "Release",
+      APOLLONIUS_SHADOW_CHECK: "ON",
+      APOLLONIUS_WERROR: "ON",
+    };
     const folder = await withBuildLock(() => buildWithCmake("native", settings));
     for (const [program, filter] of Object.entries(underValgrind)) {
-      run(valgrind, ["--quiet", "--error-exitcode=1", "--leak-check=full", "--errors-for-leak-kinds=definite,possible",
-                     path.join(folder, program), "--gtest_brief=1", `--gtest_filter=${filter}`]);
+      run(valgrind, [
+        "--quiet",
+        "--error-exitcode=1",
+        "--leak-check=full",
+        "--errors-for-leak-kinds=definite,possible",
+        path.join(folder, program),
+        "--gtest_brief=1",
+        `--gtest_filter=${filter}`,
+      ]);
     }
     return `${Object.keys(underValgrind).length} programs without an error or a leak`;
   },
   async thorough() {
     native();
     const settings = { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_WERROR: "ON" };
-    const folder = await withBuildLock(() => buildWithCmake("release", settings, { target: "diagram_tests" }));
-    return runTests(path.join(folder, "diagram_tests"), ["--gtest_brief=1", "--gtest_filter=*WholeSets*:*OutOfMemory*"],
-                    { summary: /PASSED/, env: { APOLLONIUS_THOROUGH: "1" } });
+    const folder = await withBuildLock(() =>
+      buildWithCmake("release", settings, { target: "diagram_tests" }),
+    );
+    return runTests(
+      path.join(folder, "diagram_tests"),
+      ["--gtest_brief=1", "--gtest_filter=*WholeSets*:*OutOfMemory*"],
+      { summary: /PASSED/, env: { APOLLONIUS_THOROUGH: "1" } },
+    );
   },
   async tidy() {
     native();

@@ -1,11 +1,15 @@
-// npm run coverage: which lines and branches of src/ the native tests run, by folder; and those that they do not, each with its reason.
+// npm run coverage: which lines and branches of src/ the native tests run, by folder; and those
+// that they do not, each with its reason.
 //
-// Clang's source-based coverage. Without the shadow check: with it every exact stage runs on everything, whether or not a filter leaves
-// anything to it, and half of src/predicate would be covered by what is no test of it. For the same reason a line that only a test's own
-// direct call reaches (tests/predicate calls each stage) counts: that is how stages are tested.
+// Clang's source-based coverage. Without the shadow check: with it every exact stage runs on
+// everything, whether or not a filter leaves anything to it, and half of src/predicate would be
+// covered by what is no test of it. For the same reason a line that only a test's own direct call
+// reaches (tests/predicate calls each stage) counts: that is how stages are tested.
 //
-// A branch is one outcome of one condition; what several instances of a template run is added up. What stays uncovered has its reason in
-// tests/check/uncovered.json, found by its text; what has none is printed. A reason that is no longer needed makes the command fail. The tests themselves do not count.
+// A branch is one outcome of one condition; what several instances of a template run is added up.
+// What stays uncovered has its reason in tests/check/uncovered.json, found by its text; what has
+// none is printed. A reason that is no longer needed makes the command fail. The tests themselves
+// do not count.
 //
 //   npm run coverage -- --all      prints what has a reason, too
 //   npm run coverage -- --reuse    looks again at the counts of the last run
@@ -21,22 +25,38 @@ import { ensureClang, ensureCoverageTools, ensureNativeTools } from "../wasm/too
 import { capture, say, SetUpError } from "../wasm/toolchain/process.mjs";
 import { main } from "../wasm/toolchain/setup.mjs";
 
-const { values: options } = parseArgs({ options: { all: { type: "boolean" }, reuse: { type: "boolean" } } });
+const { values: options } = parseArgs({
+  options: { all: { type: "boolean" }, reuse: { type: "boolean" } },
+});
 
-/** Runs all test programs, each in as many parts as there are processors. Throws if one fails: what it did not run would be said to be uncovered. */
+/**
+ * Runs all test programs, each in as many parts as there are processors. Throws if one fails: what
+ * it did not run would be said to be uncovered.
+ */
 async function runPrograms(folder, programs, profiles) {
   rmSync(profiles, { recursive: true, force: true });
   mkdirSync(profiles, { recursive: true });
-  const queue = programs.flatMap((program) => Array.from({ length: Number(jobs) }, (_, part) => ({ program, part })));
+  const queue = programs.flatMap((program) =>
+    Array.from({ length: Number(jobs) }, (_, part) => ({ program, part })),
+  );
   const worker = async () => {
     for (let next = queue.shift(); next !== undefined; next = queue.shift()) {
       const { program, part } = next;
       say(`${program}, part ${part}`);
-      const env = { ...process.env, GTEST_TOTAL_SHARDS: jobs, GTEST_SHARD_INDEX: String(part),
-                    LLVM_PROFILE_FILE: path.join(profiles, `${program}.${part}.profraw`) };
+      const env = {
+        ...process.env,
+        GTEST_TOTAL_SHARDS: jobs,
+        GTEST_SHARD_INDEX: String(part),
+        LLVM_PROFILE_FILE: path.join(profiles, `${program}.${part}.profraw`),
+      };
       const code = await new Promise((resolve, reject) => {
-        spawn(path.join(folder, program), ["--gtest_brief=1"], { cwd: root, env, stdio: ["ignore", "inherit", "inherit"] })
-          .on("error", reject).on("close", resolve);
+        spawn(path.join(folder, program), ["--gtest_brief=1"], {
+          cwd: root,
+          env,
+          stdio: ["ignore", "inherit", "inherit"],
+        })
+          .on("error", reject)
+          .on("close", resolve);
       });
       if (code !== 0) throw new SetUpError(`${program} failed`);
     }
@@ -56,7 +76,10 @@ function linesOf(lcov) {
   return lines;
 }
 
-/** How often the code at a place has run; segments are [line, column, count, hasCount, ...] in order. */
+/**
+ * How often the code at a place has run; segments are [line, column, count, hasCount, ...] in
+ * order.
+ */
 function countAt(segments, line, column) {
   let count = 0;
   for (const [l, c, n, hasCount] of segments) {
@@ -66,7 +89,10 @@ function countAt(segments, line, column) {
   return count;
 }
 
-/** Conditions as [line, column, how often true, how often false]: template instances together, constant conditions left out. */
+/**
+ * Conditions as [line, column, how often true, how often false]: template instances together,
+ * constant conditions left out.
+ */
 function conditionsOf({ branches, segments }) {
   const merged = new Map();
   for (const [line, column, endLine, endColumn, yes, no] of branches) {
@@ -75,19 +101,34 @@ function conditionsOf({ branches, segments }) {
     merged.set(key, [line, column, before[2] + yes, before[3] + no]);
   }
   // Neither true nor false although it has run: known when it was compiled.
-  return [...merged.values()].filter(([line, column, yes, no]) => yes + no > 0 || countAt(segments, line, column) === 0);
+  return [...merged.values()].filter(
+    ([line, column, yes, no]) => yes + no > 0 || countAt(segments, line, column) === 0,
+  );
 }
 
 function measure(folder, programs, profiles) {
   const [profdata, cov] = ensureCoverageTools();
   const merged = path.join(profiles, "all.profdata");
-  const raw = readdirSync(profiles).filter((name) => name.endsWith(".profraw")).map((name) => path.join(profiles, name));
+  const raw = readdirSync(profiles)
+    .filter((name) => name.endsWith(".profraw"))
+    .map((name) => path.join(profiles, name));
   capture(profdata, ["merge", "-sparse", ...raw, "-o", merged]);
-  const objects = programs.flatMap((program, k) => [...(k > 0 ? ["-object"] : []), path.join(folder, program)]);
-  const common = ["export", `-instr-profile=${merged}`, "-ignore-filename-regex=/(tests|googletest|boost|include|bench)/", ...objects];
+  const objects = programs.flatMap((program, k) => [
+    ...(k > 0 ? ["-object"] : []),
+    path.join(folder, program),
+  ]);
+  const common = [
+    "export",
+    `-instr-profile=${merged}`,
+    "-ignore-filename-regex=/(tests|googletest|boost|include|bench)/",
+    ...objects,
+  ];
   const lines = linesOf(capture(cov, [...common, "-format=lcov"]));
-  const [{ files }] = JSON.parse(capture(cov, [...common, "-skip-functions", "-skip-expansions"])).data;
-  return files.map((file) => ({ name: path.relative(root, file.filename), conditions: conditionsOf(file) }))
+  const [{ files }] = JSON.parse(
+    capture(cov, [...common, "-skip-functions", "-skip-expansions"]),
+  ).data;
+  return files
+    .map((file) => ({ name: path.relative(root, file.filename), conditions: conditionsOf(file) }))
     .filter(({ name }) => name.startsWith("src/"))
     .map(({ name, conditions }) => ({ name, conditions, lines: lines[name] }))
     .sort((a, b) => a.name.localeCompare(b.name));
@@ -97,7 +138,7 @@ function measure(folder, programs, profiles) {
 function uncoveredOf({ lines, conditions }) {
   const found = [...lines].filter(([, count]) => count === 0).map(([line]) => [line, "not run"]);
   for (const [line, column, yes, no] of conditions) {
-    if (lines.get(line) === 0) continue;  // said already
+    if (lines.get(line) === 0) continue; // said already
     if (yes === 0) found.push([line, "never true", column]);
     if (no === 0) found.push([line, "never false", column]);
   }
@@ -120,8 +161,11 @@ function table(files) {
     add("all", file);
   }
   for (const [name, [lines, allLines, outcomes, allOutcomes]] of rows) {
-    console.log(`${name.padEnd(14)} lines ${percent(lines, allLines).padStart(8)} (${lines} of ${allLines})`.padEnd(50) +
-                `branches ${percent(outcomes, allOutcomes).padStart(8)} (${outcomes} of ${allOutcomes})`);
+    console.log(
+      `${name.padEnd(14)} lines ${percent(lines, allLines).padStart(8)} (${lines} of ${allLines})`.padEnd(
+        50,
+      ) + `branches ${percent(outcomes, allOutcomes).padStart(8)} (${outcomes} of ${allOutcomes})`,
+    );
   }
 }
 
@@ -129,30 +173,48 @@ function table(files) {
 function list(files) {
   const reasons = JSON.parse(readFileSync(path.join(root, "tests/check/uncovered.json"), "utf8"));
   const used = new Set();
-  let explained = 0, unexplained = 0;
+  let explained = 0,
+    unexplained = 0;
   for (const file of files) {
     const text = readFileSync(path.join(root, file.name), "utf8").split("\n");
     for (const [line, what, column] of uncoveredOf(file)) {
       const source = text[line - 1].trim();
-      const reason = reasons.find((entry) => entry.file === file.name && entry.lines.includes(source));
+      const reason = reasons.find(
+        (entry) => entry.file === file.name && entry.lines.includes(source),
+      );
       if (reason) used.add(reason).add(`${file.name} ${source}`);
       reason ? ++explained : ++unexplained;
-      if (!reason || options.all) console.log(`${file.name}:${line}${column ? `:${column}` : ""}: ${what} | ${source}${reason ? `   # ${reason.why}` : ""}`);
+      if (!reason || options.all)
+        console.log(
+          `${file.name}:${line}${column ? `:${column}` : ""}: ${what} | ${source}${reason ? `   # ${reason.why}` : ""}`,
+        );
     }
   }
-  const stale = reasons.flatMap(({ file, lines }) => lines.filter((line) => !used.has(`${file} ${line}`)).map((line) => `${file}: ${line}`));
+  const stale = reasons.flatMap(({ file, lines }) =>
+    lines.filter((line) => !used.has(`${file} ${line}`)).map((line) => `${file}: ${line}`),
+  );
   for (const line of stale) console.log(`is covered, or is not there any more: ${line}`);
-  console.log(`${explained} uncovered with a reason (tests/check/uncovered.json), ${unexplained} without, ${stale.length} reasons for nothing`);
+  console.log(
+    `${explained} uncovered with a reason (tests/check/uncovered.json), ${unexplained} without, ${stale.length} reasons for nothing`,
+  );
   return stale.length;
 }
 
 await main(async () => {
   ensureNativeTools();
   ensureBoost();
-  const settings = { CMAKE_BUILD_TYPE: "None", CMAKE_CXX_COMPILER: ensureClang(), APOLLONIUS_WERROR: "ON",
-                     CMAKE_CXX_FLAGS: "-O1 -DNDEBUG -fprofile-instr-generate -fcoverage-mapping" };
-  const folder = options.reuse ? path.join(root, "build/coverage") : await withBuildLock(() => buildWithCmake("coverage", settings));
-  const programs = readdirSync(folder).filter((name) => name.endsWith("_tests") && name !== "determinism_tests");
+  const settings = {
+    CMAKE_BUILD_TYPE: "None",
+    CMAKE_CXX_COMPILER: ensureClang(),
+    APOLLONIUS_WERROR: "ON",
+    CMAKE_CXX_FLAGS: "-O1 -DNDEBUG -fprofile-instr-generate -fcoverage-mapping",
+  };
+  const folder = options.reuse
+    ? path.join(root, "build/coverage")
+    : await withBuildLock(() => buildWithCmake("coverage", settings));
+  const programs = readdirSync(folder).filter(
+    (name) => name.endsWith("_tests") && name !== "determinism_tests",
+  );
   const profiles = path.join(folder, "profiles");
   if (!options.reuse) await runPrograms(folder, programs, profiles);
   const files = measure(folder, programs, profiles);

@@ -1,9 +1,11 @@
-// npm test: sets up, builds, and runs everything.     npm test -- native wasm package web    runs some steps only
+// npm test: sets up, builds, and runs everything.     npm test -- native wasm package web    runs
+// some steps only
 //
-//   native    the C++ tests, natively, with every filtered predicate answer compared to the exact one
+//   native    the C++ tests, natively, with every filtered predicate answer compared to the exact
+//             one
 //   wasm      the same C++ tests as WebAssembly under Node
-//   package  Jest on the package as `npm pack` makes it (in Node, in browsers, through bundlers), and on the rules about who may
-//            include whom
+//   package  Jest on the package as `npm pack` makes it (in Node, in browsers, through bundlers),
+//            and on the rules about who may include whom
 //   web       Jest on the page in a real browser
 import { buildPackage } from "../wasm/build.mjs";
 import { ensureChromium, ensureFirefox } from "../wasm/toolchain/browser.mjs";
@@ -17,16 +19,29 @@ import { ctest, runSteps, runTests } from "./steps.mjs";
 import { installPacked } from "./wasm/support/install_packed.mjs";
 
 function jest(projects, env = {}) {
-  const args = ["--experimental-vm-modules", "node_modules/jest/bin/jest.js",
-                "--config", "tests/jest.config.mjs", "--selectProjects", ...projects];
-  return runTests(process.execPath, args, { summary: /^Tests: /, env: { NODE_NO_WARNINGS: "1", ...env } });
+  const args = [
+    "--experimental-vm-modules",
+    "node_modules/jest/bin/jest.js",
+    "--config",
+    "tests/jest.config.mjs",
+    "--selectProjects",
+    ...projects,
+  ];
+  return runTests(process.execPath, args, {
+    summary: /^Tests: /,
+    env: { NODE_NO_WARNINGS: "1", ...env },
+  });
 }
 
 await runSteps({
   async native() {
     ensureNativeTools();
     ensureBoost();
-    const settings = { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_SHADOW_CHECK: "ON", APOLLONIUS_WERROR: "ON" };
+    const settings = {
+      CMAKE_BUILD_TYPE: "Release",
+      APOLLONIUS_SHADOW_CHECK: "ON",
+      APOLLONIUS_WERROR: "ON",
+    };
     return ctest(await withBuildLock(() => buildWithCmake("native", settings)));
   },
   async wasm() {
@@ -41,15 +56,21 @@ await runSteps({
     installPacked();
     const line = await jest(["package", "layers"], browsers);
     const missing = Object.keys(browsers).filter((name) => browsers[name] === "");
-    return missing.length === 0 ? line : `${line}   WITHOUT ${missing.join(" AND ")}: install it, or set that variable to its path`;
+    return missing.length === 0
+      ? line
+      : `${line}   WITHOUT ${missing.join(" AND ")}: install it, or set that variable to its path`;
   },
   async web() {
     const chromium = ensureChromium();
     if (chromium === null && process.env.CI) {
-      throw new SetUpError("no browser: none is installed, and apt has no package `chromium` that could be installed");
+      throw new SetUpError(
+        "no browser: none is installed, and apt has no package `chromium` that could be installed",
+      );
     }
     await buildPackage();
     const line = await jest(["web"], { CHROMIUM: chromium ?? "" });
-    return chromium ? line : `${line}   WITHOUT A BROWSER: install Chromium, or set CHROMIUM to its path`;
+    return chromium
+      ? line
+      : `${line}   WITHOUT A BROWSER: install Chromium, or set CHROMIUM to its path`;
   },
 });

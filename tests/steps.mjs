@@ -1,4 +1,5 @@
-// Commands of named steps: `npm test`, `npm run check`. All steps run, also after one that failed; a table at the end says what came of each.
+// Commands of named steps: `npm test`, `npm run check`. All steps run, also after one that failed;
+// a table at the end says what came of each.
 import { spawn } from "node:child_process";
 import { createInterface } from "node:readline";
 import { jobs } from "../wasm/toolchain/cmake.mjs";
@@ -7,14 +8,21 @@ import { say, SetUpError } from "../wasm/toolchain/process.mjs";
 import { main } from "../wasm/toolchain/setup.mjs";
 
 /**
- * Runs a program with its output shown, but for lines that match `boring`; returns the last line that matches `summary`.
- * Throws if it fails.
+ * Runs a program with its output shown, but for lines that match `boring`; returns the last line
+ * that matches `summary`. Throws if it fails.
  */
 export function runTests(program, args, { summary, boring, env }) {
   return new Promise((resolve, reject) => {
-    const child = spawn(program, args, { cwd: root, env: { ...process.env, ...env }, stdio: ["ignore", "pipe", "pipe"] });
+    const child = spawn(program, args, {
+      cwd: root,
+      env: { ...process.env, ...env },
+      stdio: ["ignore", "pipe", "pipe"],
+    });
     let last = "no summary";
-    for (const [stream, sink] of [[child.stdout, process.stdout], [child.stderr, process.stderr]]) {
+    for (const [stream, sink] of [
+      [child.stdout, process.stdout],
+      [child.stderr, process.stderr],
+    ]) {
       createInterface({ input: stream }).on("line", (line) => {
         if (summary.test(line)) last = line.trim();
         if (!boring?.test(line)) sink.write(`${line}\n`);
@@ -27,7 +35,14 @@ export function runTests(program, args, { summary, boring, env }) {
 
 /** All tests of a build folder. */
 export function ctest(folder, env) {
-  const args = ["--test-dir", folder, "--output-on-failure", "--no-tests=error", "--parallel", jobs];
+  const args = [
+    "--test-dir",
+    folder,
+    "--output-on-failure",
+    "--no-tests=error",
+    "--parallel",
+    jobs,
+  ];
   const boring = /^\s+Start +\d+: |Passed +0\.\d+ sec$/;
   return runTests("ctest", args, { summary: /tests passed, \d+ tests? failed/, boring, env });
 }
@@ -38,13 +53,15 @@ function secondsSince(start) {
 
 /**
  * Runs the steps that are named on the command line, or all.
- * @param {Record<string, () => Promise<string> | string>} steps each returns its line of the table, or throws
+ * @param {Record<string, () => Promise<string> | string>} steps each returns its line of the table,
+ * or throws
  */
 export function runSteps(steps) {
   return main(async () => {
     const wanted = process.argv.slice(2);
     const unknown = wanted.find((name) => !(name in steps));
-    if (unknown) throw new SetUpError(`unknown step ${unknown}: expected ${Object.keys(steps).join(", ")}`);
+    if (unknown)
+      throw new SetUpError(`unknown step ${unknown}: expected ${Object.keys(steps).join(", ")}`);
     const width = Math.max(...Object.keys(steps).map((name) => name.length));
     const began = performance.now();
     const report = [];
@@ -59,6 +76,8 @@ export function runSteps(steps) {
         process.exitCode = 1;
       }
     }
-    console.log(`\n${report.join("\n")}\n${process.exitCode ? "FAILED" : "All passed"} in ${secondsSince(began)}`);
+    console.log(
+      `\n${report.join("\n")}\n${process.exitCode ? "FAILED" : "All passed"} in ${secondsSince(began)}`,
+    );
   });
 }

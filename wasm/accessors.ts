@@ -1,8 +1,19 @@
 // Diagram.from: from any items to flat x, y, r triples.
-import { allocated, checkSiteCount, described, detachedArray, isArrayLike, isDetached, numberError } from "./arguments.js";
+import {
+  allocated,
+  checkSiteCount,
+  described,
+  detachedArray,
+  isArrayLike,
+  isDetached,
+  numberError,
+} from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 
-/** Reads one number from an item; called with the item, its index and all items, as d3's accessors are. */
+/**
+ * Reads one number from an item; called with the item, its index and all items, as d3's accessors
+ * are.
+ */
 export type Accessor<T> = (item: T, index: number, items: Iterable<T> | ArrayLike<T>) => number;
 
 type Fields = { readonly [name: string]: unknown } & ArrayLike<unknown>;
@@ -16,18 +27,33 @@ function field<T>(name: "x" | "y" | "r", position: number): (item: T) => unknown
 }
 
 function notIterable(items: unknown): ApolloniusError {
-  return new ApolloniusError("bad-length", `items is ${described(items)}, expected an iterable or an array`);
+  return new ApolloniusError(
+    "bad-length",
+    `items is ${described(items)}, expected an iterable or an array`,
+  );
 }
 
 /** Throws "not-finite" or "out-of-range", naming the item, for values that cannot be a site's. */
-export function triples<T>(items: Iterable<T> | ArrayLike<T>, x?: Accessor<T>, y?: Accessor<T>, r?: Accessor<T>,
-                           that?: unknown): Float64Array {
-  if (typeof items !== "object" || items === null || !("length" in items || Symbol.iterator in items)) {
+export function triples<T>(
+  items: Iterable<T> | ArrayLike<T>,
+  x?: Accessor<T>,
+  y?: Accessor<T>,
+  r?: Accessor<T>,
+  that?: unknown,
+): Float64Array {
+  if (
+    typeof items !== "object" ||
+    items === null ||
+    !("length" in items || Symbol.iterator in items)
+  ) {
     throw notIterable(items);
   }
   for (const [name, accessor] of Object.entries({ x, y, r })) {
     if (accessor === undefined || accessor === null || typeof accessor === "function") continue;
-    throw new ApolloniusError("bad-option", `${name} is ${described(accessor)}, expected a function of an item`);
+    throw new ApolloniusError(
+      "bad-option",
+      `${name} is ${described(accessor)}, expected a function of an item`,
+    );
   }
   const readX = x ?? field<T>("x", 0);
   const readY = y ?? field<T>("y", 1);
@@ -36,13 +62,16 @@ export function triples<T>(items: Iterable<T> | ArrayLike<T>, x?: Accessor<T>, y
   if (isDetached(items)) throw detachedArray("items", "items");
   const list: ArrayLike<T> = "length" in items ? items : Array.from(items);
   if (!isArrayLike(list)) throw notIterable(items);
-  const count = list.length;  // accessors may change the list
+  const count = list.length; // accessors may change the list
   checkSiteCount("items", count);
   const xyr = allocated(() => new Float64Array(3 * count));
   for (let index = 0; index < count; ++index) {
     const item = list[index] as T;
-    const values = [readX.call(that, item, index, items), readY.call(that, item, index, items),
-                    readR.call(that, item, index, items)];
+    const values = [
+      readX.call(that, item, index, items),
+      readY.call(that, item, index, items),
+      readR.call(that, item, index, items),
+    ];
     values.forEach((value, k) => {
       const error = numberError(`${"xyr"[k]} of item ${index}`, value);
       if (error) throw error;

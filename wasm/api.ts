@@ -1,7 +1,22 @@
 // What both entries of the package export.
 export type { Accessor } from "./accessors.js";
-export { Diagram, type DiagramOptions, type Edges, type Site, type SnapshotOptions, type Vertices } from "./diagram.js";
+export {
+  Diagram,
+  type DiagramOptions,
+  type Edges,
+  type Site,
+  type SnapshotOptions,
+  type Vertices,
+} from "./diagram.js";
 export { ApolloniusError, type ErrorCode } from "./errors.js";
 export type { DrawOptions, PathContext } from "./path.js";
-export { type Bounds, type CellCurves, type CellPolygon, type CellsCollection, type EdgeCurves, type Measures, Voronoi } from "./voronoi.js";
+export {
+  type Bounds,
+  type CellCurves,
+  type CellPolygon,
+  type CellsCollection,
+  type EdgeCurves,
+  type Measures,
+  Voronoi,
+} from "./voronoi.js";
 export { curvePoint, curveTangent } from "./curves.js";

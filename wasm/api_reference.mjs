@@ -1,4 +1,5 @@
-// npm run docs: docs/API.md from the comments and types of wasm/*.ts. tests/wasm/reference.test.mjs fails where the two disagree.
+// npm run docs: docs/API.md from the comments and types of wasm/*.ts. tests/wasm/reference.test.mjs
+// fails where the two disagree.
 import { writeFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
@@ -7,7 +8,10 @@ import { root } from "./toolchain/folders.mjs";
 
 export const referenceFile = path.join(root, "docs/API.md");
 
-const entries = [["apollonius-diagram", "index.ts"], ["apollonius-diagram/wasm", "wasm.ts"]];
+const entries = [
+  ["apollonius-diagram", "index.ts"],
+  ["apollonius-diagram/wasm", "wasm.ts"],
+];
 const preface = `# API reference
 
 Made by \`npm run docs\` from the comments in \`wasm/*.ts\`; edit those. Lengths are in the unit of the input, areas in its square; y points
@@ -27,23 +31,40 @@ function exportsOf(checker, program, file) {
 /** The comment of a declaration, as Markdown. */
 function comment(declaration) {
   const docs = ts.getJSDocCommentsAndTags(declaration).filter(ts.isJSDoc);
-  return docs.map((doc) => ts.getTextOfJSDocComment(doc.comment) ?? "").join("\n").trim();
+  return docs
+    .map((doc) => ts.getTextOfJSDocComment(doc.comment) ?? "")
+    .join("\n")
+    .trim();
 }
 
-/** The declaration without comment, body and modifiers that say nothing to a reader, on one line. */
+/**
+ * The declaration without comment, body and modifiers that say nothing to a reader, on one line.
+ */
 function signature(declaration) {
   const source = declaration.getSourceFile().text;
   const end = declaration.body ? declaration.body.getStart() : declaration.end;
-  let text = source.slice(declaration.getStart(), end).replace(/\/\*\*[\s\S]*?\*\/|\/\/.*$/gm, "").replace(/\s+/g, " ").trim();
-  text = text.replace(/;$/, "").replace(/^export (async )?/, "").replace(/^(override |public )+/, "");
+  let text = source
+    .slice(declaration.getStart(), end)
+    .replace(/\/\*\*[\s\S]*?\*\/|\/\/.*$/gm, "")
+    .replace(/\s+/g, " ")
+    .trim();
+  text = text
+    .replace(/;$/, "")
+    .replace(/^export (async )?/, "")
+    .replace(/^(override |public )+/, "");
   if (ts.isGetAccessor(declaration)) text = text.replace(/^get (\w+)\(\)/, "readonly $1");
   return text;
 }
 
 function isPublic(member) {
   if (ts.getJSDocTags(member).some((tag) => tag.tagName.text === "internal")) return false;
-  return member.name === undefined || (!ts.isPrivateIdentifier(member.name) &&
-    (ts.getCombinedModifierFlags(member) & (ts.ModifierFlags.Private | ts.ModifierFlags.Protected)) === 0);
+  return (
+    member.name === undefined ||
+    (!ts.isPrivateIdentifier(member.name) &&
+      (ts.getCombinedModifierFlags(member) &
+        (ts.ModifierFlags.Private | ts.ModifierFlags.Protected)) ===
+        0)
+  );
 }
 
 function memberName(member) {
@@ -52,14 +73,21 @@ function memberName(member) {
 }
 
 /**
- * The public names of the package: per entry a list of { name, kind, text, code, members: { name, text, code, isStatic }[] }. A
- * name that an earlier entry has with the same declaration is left out.
+ * The public names of the package: per entry a list of { name, kind, text, code, members: { name,
+ * text, code, isStatic }[] }. A name that an earlier entry has with the same declaration is left
+ * out.
  */
 export function describePackage() {
   const config = ts.readConfigFile(path.join(root, "wasm/tsconfig.json"), ts.sys.readFile).config;
-  const { options } = ts.convertCompilerOptionsFromJson(config.compilerOptions, path.join(root, "wasm"));
+  const { options } = ts.convertCompilerOptionsFromJson(
+    config.compilerOptions,
+    path.join(root, "wasm"),
+  );
   const files = entries.map(([, file]) => path.join(root, "wasm", file));
-  const program = ts.createProgram([...files, path.join(root, "wasm/wasm_file.d.ts")], { ...options, noEmit: true });
+  const program = ts.createProgram([...files, path.join(root, "wasm/wasm_file.d.ts")], {
+    ...options,
+    noEmit: true,
+  });
   const checker = program.getTypeChecker();
   const seen = new Set();
   return entries.map(([entry, file]) => {
@@ -70,18 +98,40 @@ export function describePackage() {
 }
 
 function describe({ name, declaration }) {
-  const kind = ts.isClassDeclaration(declaration) ? "class" : ts.isInterfaceDeclaration(declaration) ? "interface"
-    : ts.isTypeAliasDeclaration(declaration) ? "type" : ts.isFunctionDeclaration(declaration) ? "function" : "const";
+  const kind = ts.isClassDeclaration(declaration)
+    ? "class"
+    : ts.isInterfaceDeclaration(declaration)
+      ? "interface"
+      : ts.isTypeAliasDeclaration(declaration)
+        ? "type"
+        : ts.isFunctionDeclaration(declaration)
+          ? "function"
+          : "const";
   const members = [];
-  for (const member of (kind === "class" || kind === "interface" ? declaration.members : []).filter(isPublic)) {
+  for (const member of (kind === "class" || kind === "interface" ? declaration.members : []).filter(
+    isPublic,
+  )) {
     if (ts.isClassStaticBlockDeclaration(member) || ts.isSemicolonClassElement(member)) continue;
-    const described = { name: memberName(member), text: comment(member), code: signature(member),
-                        isStatic: (ts.getCombinedModifierFlags(member) & ts.ModifierFlags.Static) !== 0 };
-    const overloaded = members.find((other) => other.name === described.name && other.isStatic === described.isStatic);
+    const described = {
+      name: memberName(member),
+      text: comment(member),
+      code: signature(member),
+      isStatic: (ts.getCombinedModifierFlags(member) & ts.ModifierFlags.Static) !== 0,
+    };
+    const overloaded = members.find(
+      (other) => other.name === described.name && other.isStatic === described.isStatic,
+    );
     if (!overloaded) members.push(described);
-    else if (!member.body) overloaded.code += `\n${described.code}`;  // the one with the body is not public
+    // the one with the body is not public
+    else if (!member.body) overloaded.code += `\n${described.code}`;
   }
-  return { name, kind, text: comment(declaration), code: members.length > 0 ? null : signature(declaration), members };
+  return {
+    name,
+    kind,
+    text: comment(declaration),
+    code: members.length > 0 ? null : signature(declaration),
+    members,
+  };
 }
 
 const fenced = (code) => `\`\`\`ts\n${code}\n\`\`\`\n`;
@@ -90,20 +140,44 @@ function markdownOf({ name, kind, text, code, members }) {
   const parts = [`## ${kind} ${name}\n`, `${text}\n`];
   if (code !== null) parts.push(fenced(code));
   if (kind === "interface") {
-    parts.push(fenced(members.map((member) => `${member.text.replace(/^/gm, "// ")}\n${member.code}`.replace(/^\/\/ \n/, "")).join("\n")));
+    parts.push(
+      fenced(
+        members
+          .map((member) =>
+            `${member.text.replace(/^/gm, "// ")}\n${member.code}`.replace(/^\/\/ \n/, ""),
+          )
+          .join("\n"),
+      ),
+    );
   } else {
     for (const member of members) {
-      const title = member.name === "constructor" ? `new ${name}` : member.isStatic ? `${name}.${member.name}` : member.name;
-      parts.push(`### ${title}\n`, fenced(member.code), ...(member.text ? [`${member.text}\n`] : []));
+      const title =
+        member.name === "constructor"
+          ? `new ${name}`
+          : member.isStatic
+            ? `${name}.${member.name}`
+            : member.name;
+      parts.push(
+        `### ${title}\n`,
+        fenced(member.code),
+        ...(member.text ? [`${member.text}\n`] : []),
+      );
     }
   }
   return parts.join("\n");
 }
 
 export function reference() {
-  return [preface, ...describePackage().flatMap(({ entry, exports, described }) => [
-    `# Entry \`${entry}\`\n\nExports ${exports.map((name) => `\`${name}\``).join(", ")}.\n`, ...described.map(markdownOf),
-  ])].join("\n").replace(/\n{3,}/g, "\n\n");
+  return [
+    preface,
+    ...describePackage().flatMap(({ entry, exports, described }) => [
+      `# Entry \`${entry}\`\n\nExports ${exports.map((name) => `\`${name}\``).join(", ")}.\n`,
+      ...described.map(markdownOf),
+    ]),
+  ]
+    .join("\n")
+    .replace(/\n{3,}/g, "\n\n");
 }
 
-if (import.meta.url === pathToFileURL(process.argv[1]).href) writeFileSync(referenceFile, reference());
+if (import.meta.url === pathToFileURL(process.argv[1]).href)
+  writeFileSync(referenceFile, reference());

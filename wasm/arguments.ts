@@ -1,5 +1,6 @@
-// Argument checks, and the words for what is wrong with an argument. The library itself checks numbers (once, at its own door);
-// this file checks what only JavaScript can get wrong, and finds the culprit after the library has said no.
+// Argument checks, and the words for what is wrong with an argument. The library itself checks
+// numbers (once, at its own door); this file checks what only JavaScript can get wrong, and finds
+// the culprit after the library has said no.
 import { ApolloniusError } from "./errors.js";
 import { kNoSite } from "./native.js";
 
@@ -12,7 +13,8 @@ export function described(value: unknown): string {
   if (typeof value === "string") return `the string ${JSON.stringify(value)}`;
   if (typeof value === "bigint") return `the bigint ${value}n`;
   if (Array.isArray(value)) return `an array of ${value.length}`;
-  if (typedArrayKind(value)?.endsWith("Array")) return `${typedArrayKind(value)}(${(value as ArrayLike<unknown>).length})`;
+  if (typedArrayKind(value)?.endsWith("Array"))
+    return `${typedArrayKind(value)}(${(value as ArrayLike<unknown>).length})`;
   if (typeof value === "object" && value !== null) return "an object";
   if (typeof value === "function") return "a function";
   return String(value);
@@ -21,11 +23,17 @@ export function described(value: unknown): string {
 /** The error that a value deserves as coordinate or weight, or null if it is fine. */
 export function numberError(name: string, value: unknown): ApolloniusError | null {
   if (typeof value !== "number" || !Number.isFinite(value)) {
-    return new ApolloniusError("not-finite", `${name} is ${described(value)}, expected a finite number`);
+    return new ApolloniusError(
+      "not-finite",
+      `${name} is ${described(value)}, expected a finite number`,
+    );
   }
   const magnitude = Math.abs(value);
   if (magnitude !== 0 && (magnitude < kSmallestMagnitude || magnitude > kLargestMagnitude)) {
-    return new ApolloniusError("out-of-range", `${name} is ${value}, expected 0 or a magnitude from 1e-100 to 1e100`);
+    return new ApolloniusError(
+      "out-of-range",
+      `${name} is ${value}, expected 0 or a magnitude from 1e-100 to 1e100`,
+    );
   }
   return null;
 }
@@ -39,17 +47,26 @@ export function checkNumber(name: string, value: unknown): void {
 /** How many of something: any whole number from 0 on. More than 2^32 - 1 is as good as that. */
 export function checkedCount(name: string, value: unknown): number {
   if (typeof value !== "number" || Number.isNaN(value)) {
-    throw new ApolloniusError("not-finite", `${name} is ${described(value)}, expected a whole number`);
+    throw new ApolloniusError(
+      "not-finite",
+      `${name} is ${described(value)}, expected a whole number`,
+    );
   }
   if (!(value >= 0 && (Number.isInteger(value) || value === Infinity))) {
-    throw new ApolloniusError("out-of-range", `${name} is ${value}, expected a whole number from 0 on`);
+    throw new ApolloniusError(
+      "out-of-range",
+      `${name} is ${value}, expected a whole number from 0 on`,
+    );
   }
   return Math.min(value, 2 ** 32 - 1);
 }
 
 /** One of several words; the first one if the value is undefined. */
-export function checkedChoice<Word extends string | boolean>(name: string, value: unknown,
-                                                             words: readonly [Word, ...Word[]]): Word {
+export function checkedChoice<Word extends string | boolean>(
+  name: string,
+  value: unknown,
+  words: readonly [Word, ...Word[]],
+): Word {
   if (value === undefined) return words[0];
   if (words.includes(value as Word)) return value as Word;
   const expected = words.map((word) => JSON.stringify(word)).join(" or ");
@@ -69,18 +86,27 @@ export function isSiteId(id: unknown): id is number {
 }
 
 export function unknownSite(id: unknown): ApolloniusError {
-  return new ApolloniusError("unknown-site", `site ${typeof id === "number" ? id : described(id)} does not exist`);
+  return new ApolloniusError(
+    "unknown-site",
+    `site ${typeof id === "number" ? id : described(id)} does not exist`,
+  );
 }
 
-// What typed arrays say of themselves can be overwritten; what these say, whatever the realm, cannot.
+// What typed arrays say of themselves can be overwritten; what these say, whatever the realm,
+// cannot.
 const ofTypedArray = (property: string | symbol) =>
-  Object.getOwnPropertyDescriptor(Object.getPrototypeOf(Uint8Array.prototype), property)?.get as () => unknown;
+  Object.getOwnPropertyDescriptor(Object.getPrototypeOf(Uint8Array.prototype), property)
+    ?.get as () => unknown;
 const kindOf = ofTypedArray(Symbol.toStringTag);
 const views = ["buffer", "byteOffset", "length"].map(ofTypedArray);
 
 export function isArrayLike(values: unknown): values is ArrayLike<unknown> {
-  return typeof values === "object" && values !== null && Number.isSafeInteger((values as ArrayLike<unknown>).length) &&
-    (values as ArrayLike<unknown>).length >= 0;
+  return (
+    typeof values === "object" &&
+    values !== null &&
+    Number.isSafeInteger((values as ArrayLike<unknown>).length) &&
+    (values as ArrayLike<unknown>).length >= 0
+  );
 }
 
 /** "Float64Array" and so on for typed arrays, of whatever realm; undefined for anything else. */
@@ -88,22 +114,28 @@ export function typedArrayKind(values: unknown): string | undefined {
   return kindOf.call(values) as string | undefined;
 }
 
-/** A typed array as a new view of the same memory, whose length is the true one. Anything else, and what has lost its memory, as it is. */
+/**
+ * A typed array as a new view of the same memory, whose length is the true one. Anything else, and
+ * what has lost its memory, as it is.
+ */
 export function plainView(values: unknown): unknown {
   const kind = typedArrayKind(values);
   if (kind === undefined || isDetached(values)) return values;
   type Kind = new (...view: unknown[]) => unknown;
-  return new (globalThis as unknown as Record<string, Kind>)[kind]!(...views.map((view) => view.call(values)));
+  return new (globalThis as unknown as Record<string, Kind>)[kind]!(
+    ...views.map((view) => view.call(values)),
+  );
 }
 
 /**
- * Has a typed array lost its elements, because its buffer went to another thread or shrank? Then it looks empty, which is hardly what the
- * caller means.
+ * Has a typed array lost its elements, because its buffer went to another thread or shrank? Then it
+ * looks empty, which is hardly what the caller means.
  */
 export function isDetached(values: unknown): boolean {
   if (typedArrayKind(values) === undefined || views[2]!.call(values) !== 0) return false;
   try {
-    Float64Array.prototype.at.call(values, 0);  // of any kind and realm; throws if there is no memory behind it
+    // of any kind and realm; throws if there is no memory behind it
+    Float64Array.prototype.at.call(values, 0);
     return false;
   } catch {
     return true;
@@ -111,25 +143,36 @@ export function isDetached(values: unknown): boolean {
 }
 
 export function detachedArray(name: string, of: string): ApolloniusError {
-  return new ApolloniusError("bad-length", `${name} is a typed array whose buffer is detached or shrunk, expected an array of ${of}`);
+  return new ApolloniusError(
+    "bad-length",
+    `${name} is a typed array whose buffer is detached or shrunk, expected an array of ${of}`,
+  );
 }
 
 function checkedArray(name: string, given: unknown, of: string): ArrayLike<unknown> {
   const values = plainView(given);
-  if (!isArrayLike(values)) throw new ApolloniusError("bad-length", `${name} is ${described(values)}, expected an array of ${of}`);
+  if (!isArrayLike(values))
+    throw new ApolloniusError(
+      "bad-length",
+      `${name} is ${described(values)}, expected an array of ${of}`,
+    );
   if (isDetached(values)) throw detachedArray(name, of);
   return values;
 }
 
 /** Throws if there are more sites than one diagram can hold; before any of them is read. */
 export function checkSiteCount(name: string, count: number): void {
-  if (count > kMostSites) throw new ApolloniusError("too-large", `${name} holds ${count} sites, expected at most 2^29`);
+  if (count > kMostSites)
+    throw new ApolloniusError("too-large", `${name} holds ${count} sites, expected at most 2^29`);
 }
 
 /** What is a Uint8Array, of whatever realm and wherever in its buffer; throws "bad-length". */
 export function checkedBytes(name: string, bytes: unknown): Uint8Array {
   if (typedArrayKind(bytes) !== "Uint8Array") {
-    throw new ApolloniusError("bad-length", `${name} is ${described(bytes)}, expected a Uint8Array`);
+    throw new ApolloniusError(
+      "bad-length",
+      `${name} is ${described(bytes)}, expected a Uint8Array`,
+    );
   }
   return checkedArray(name, bytes, "bytes") as Uint8Array;
 }
@@ -144,10 +187,14 @@ export function allocated<Values>(make: () => Values): Values {
 }
 
 /**
- * Numbers that can be copied to the heap in one go: typed arrays as they are, anything else element by element, so that
- * strings and nulls are refused and not turned into numbers.
+ * Numbers that can be copied to the heap in one go: typed arrays as they are, anything else element
+ * by element, so that strings and nulls are refused and not turned into numbers.
  */
-export function checkedNumbers(name: string, values: unknown, multipleOf: number): ArrayLike<number> {
+export function checkedNumbers(
+  name: string,
+  values: unknown,
+  multipleOf: number,
+): ArrayLike<number> {
   return copied(name, counted(name, values, multipleOf));
 }
 
@@ -161,7 +208,10 @@ export function checkedNewSites(name: string, values: unknown): ArrayLike<number
 function counted(name: string, values: unknown, multipleOf: number): ArrayLike<unknown> {
   const array = checkedArray(name, values, "numbers");
   if (array.length % multipleOf !== 0) {
-    throw new ApolloniusError("bad-length", `expected a multiple of ${multipleOf} values in ${name}, got ${array.length}`);
+    throw new ApolloniusError(
+      "bad-length",
+      `expected a multiple of ${multipleOf} values in ${name}, got ${array.length}`,
+    );
   }
   return array;
 }
@@ -193,17 +243,23 @@ export function checkedIds(name: string, ids: unknown): Uint32Array {
 /** A window [xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax; throws "bad-bounds". */
 export function checkedBounds(bounds: unknown): [number, number, number, number] {
   if (!isArrayLike(bounds) || bounds.length !== 4) {
-    throw new ApolloniusError("bad-bounds", `bounds is ${described(bounds)}, expected [xmin, ymin, xmax, ymax]`);
+    throw new ApolloniusError(
+      "bad-bounds",
+      `bounds is ${described(bounds)}, expected [xmin, ymin, xmax, ymax]`,
+    );
   }
   const names = ["xmin", "ymin", "xmax", "ymax"] as const;
   const [xmin, ymin, xmax, ymax] = names.map((name, k) => {
-    const value = bounds[k];  // read once: a getter may say something else the next time
+    const value = bounds[k]; // read once: a getter may say something else the next time
     const error = numberError(`${name} of bounds`, value);
     if (error) throw new ApolloniusError("bad-bounds", error.message);
     return value as number;
   }) as [number, number, number, number];
   if (!(xmin < xmax && ymin < ymax)) {
-    throw new ApolloniusError("bad-bounds", `bounds are [${xmin}, ${ymin}, ${xmax}, ${ymax}], expected xmin < xmax and ymin < ymax`);
+    throw new ApolloniusError(
+      "bad-bounds",
+      `bounds are [${xmin}, ${ymin}, ${xmax}, ${ymax}], expected xmin < xmax and ymin < ymax`,
+    );
   }
   return [xmin, ymin, xmax, ymax];
 }
@@ -211,7 +267,12 @@ export function checkedBounds(bounds: unknown): [number, number, number, number]
 /** A positive number for which there is a default; throws "not-finite" or "out-of-range". */
 export function checkedTolerance(tolerance: unknown, usual: () => number): number {
   if (tolerance === undefined) return usual();
-  if (typeof tolerance !== "number" || !Number.isFinite(tolerance)) throw numberError("tolerance", tolerance) as ApolloniusError;
-  if (!(tolerance > 0)) throw new ApolloniusError("out-of-range", `tolerance is ${tolerance}, expected a number above 0`);
+  if (typeof tolerance !== "number" || !Number.isFinite(tolerance))
+    throw numberError("tolerance", tolerance) as ApolloniusError;
+  if (!(tolerance > 0))
+    throw new ApolloniusError(
+      "out-of-range",
+      `tolerance is ${tolerance}, expected a number above 0`,
+    );
   return tolerance;
 }

@@ -1,11 +1,13 @@
 // What JavaScript sees of the library: plain exported functions of numbers, no logic.
 //
-// A diagram is its address, the first argument of most. Every fallible call returns the error code of apollonius.h as an integer.
-// Scalar results are written to one block (`resultsAddress`), arrays in come from one scratch block (`reserve`), arrays out stay
-// here until the next call or `release`. wasm/native.ts is the only other place that knows these blocks, and wasm/module.ts
+// A diagram is its address, the first argument of most. Every fallible call returns the error code
+// of apollonius.h as an integer. Scalar results are written to one block (`resultsAddress`), arrays
+// in come from one scratch block (`reserve`), arrays out stay here until the next call or
+// `release`. wasm/native.ts is the only other place that knows these blocks, and wasm/module.ts
 // declares the functions for TypeScript.
 //
-// Embind is not used: with functions of numbers nothing is left for it to convert (docs/DECISIONS.md).
+// Embind is not used: with functions of numbers nothing is left for it to convert
+// (docs/DECISIONS.md).
 #include <emscripten/em_macros.h>
 
 #include <array>
@@ -53,13 +55,15 @@ struct Blocks {
   apollonius::Path path;
 };
 Blocks blocks;
-auto& [scratch, siteIds, vertexArrays, edgeArrays, curveArrays, ringArrays, numbers, snapshot, path] = blocks;
+auto& [scratch, siteIds, vertexArrays, edgeArrays, curveArrays, ringArrays, numbers, snapshot,
+       path] = blocks;
 
 int code(Error error) { return static_cast<int>(error); }
 
 template <class Container>
 void publish(std::size_t slot, const Container& container) {
-  results.address[slot] = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(container.data()));
+  results.address[slot] =
+      static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(container.data()));
   results.length[slot] = static_cast<std::uint32_t>(container.size());
 }
 
@@ -85,23 +89,28 @@ enum class Drawing { kEdges, kSites, kDual, kDualWithRays, kHull };
 
 extern "C" {
 
-// --- What the module asks of wasm/module.ts --------------------------------------------------------------------------------------
+// --- What the module asks of wasm/module.ts
+// --------------------------------------------------------------------------------------
 
 #define IMPORTED(name) __attribute__((import_module("env"), import_name(#name)))
 
-// number/invariant.h: wasm has no stderr, and C's input and output would be 2 % of what a page loads.
+// number/invariant.h: wasm has no stderr, and C's input and output would be 2 % of what a page
+// loads.
 IMPORTED(report) void report(const char* name);
 void reportBrokenInvariant(const char* name) { report(name); }
 
-// Instead of Emscripten's own (the linker's --wrap), which grows by as little as is asked for: malloc needs so many bytes; 1 if it has them.
+// Instead of Emscripten's own (the linker's --wrap), which grows by as little as is asked for:
+// malloc needs so many bytes; 1 if it has them.
 IMPORTED(grow) int grow(std::size_t bytes);
 int __wrap_emscripten_resize_heap(std::size_t bytes) { return grow(bytes); }
 
-// --- Blocks ----------------------------------------------------------------------------------------------------------------------
+// --- Blocks
+// -------------------------------------------------------------------------------------------------
 
 EMSCRIPTEN_KEEPALIVE const Results* resultsAddress() { return &results; }
 
-// At least that many bytes, aligned for doubles; 0 if memory ran out. What an earlier call reserved is gone.
+// At least that many bytes, aligned for doubles; 0 if memory ran out. What an earlier call reserved
+// is gone.
 EMSCRIPTEN_KEEPALIVE double* reserve(std::size_t bytes) {
   if (bytes > scratch.bytes) {
     scratch = {};
@@ -114,10 +123,12 @@ EMSCRIPTEN_KEEPALIVE double* reserve(std::size_t bytes) {
 // Gives all blocks back; JavaScript calls it when it has copied from large ones.
 EMSCRIPTEN_KEEPALIVE void release() { blocks = Blocks(); }
 
-// After a call that ended in its middle, when any block may be half-made: begins with new ones, and gives none back.
+// After a call that ended in its middle, when any block may be half-made: begins with new ones, and
+// gives none back.
 EMSCRIPTEN_KEEPALIVE void abandon() { new (&blocks) Blocks; }
 
-// --- Life time, and calls about many sites or points. Addresses are of the scratch block. ----------------------------------------
+// --- Life time, and calls about many sites or points. Addresses are of the scratch block.
+// ----------------------------------------
 
 // 0 if memory ran out.
 EMSCRIPTEN_KEEPALIVE Diagram* diagramCreate(bool hierarchy) {
@@ -147,13 +158,15 @@ EMSCRIPTEN_KEEPALIVE int diagramRemoveMany(Diagram* diagram, const SiteId* ids, 
   return code(error);
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramUpdateMany(Diagram* diagram, const SiteId* ids, const double* xyr, std::size_t count) {
+EMSCRIPTEN_KEEPALIVE int diagramUpdateMany(Diagram* diagram, const SiteId* ids, const double* xyr,
+                                           std::size_t count) {
   return code(diagram->updateMany({ids, count}, {xyr, 3 * count}));
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramFindMany(const Diagram* diagram, const double* xy, SiteId* ids, double* distances,
-                                         std::size_t count) {
-  return code(diagram->findMany({xy, 2 * count}, {ids, count}, {distances, distances == nullptr ? 0 : count}));
+EMSCRIPTEN_KEEPALIVE int diagramFindMany(const Diagram* diagram, const double* xy, SiteId* ids,
+                                         double* distances, std::size_t count) {
+  return code(diagram->findMany({xy, 2 * count}, {ids, count},
+                                {distances, distances == nullptr ? 0 : count}));
 }
 
 EMSCRIPTEN_KEEPALIVE int diagramIds(const Diagram* diagram) {
@@ -193,13 +206,14 @@ EMSCRIPTEN_KEEPALIVE int diagramToBytes(const Diagram* diagram) {
   return code(error);
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramFromBytes(Diagram* diagram, const std::uint8_t* content, std::size_t length,
-                                          int isTrusted) {
+EMSCRIPTEN_KEEPALIVE int diagramFromBytes(Diagram* diagram, const std::uint8_t* content,
+                                          std::size_t length, int isTrusted) {
   const auto source = isTrusted != 0 ? apollonius::Source::kTrusted : apollonius::Source::kAnyone;
   return code(diagram->fromBytes({content, length}, source));
 }
 
-// --- Calls about one site or point -----------------------------------------------------------------------------------------------
+// --- Calls about one site or point
+// -----------------------------------------------------------------------------------------------
 
 EMSCRIPTEN_KEEPALIVE int diagramInsert(Diagram* diagram, double x, double y, double r) {
   return code(diagram->insert(x, y, r, results.id));
@@ -220,19 +234,23 @@ EMSCRIPTEN_KEEPALIVE int diagramFind(const Diagram* diagram, double x, double y)
   return code(diagram->find(x, y, results.id, results.distance));
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramKNearest(const Diagram* diagram, double x, double y, std::uint32_t k) {
+EMSCRIPTEN_KEEPALIVE int diagramKNearest(const Diagram* diagram, double x, double y,
+                                         std::uint32_t k) {
   const Error error = diagram->kNearest(x, y, k, siteIds);
   publish(0, siteIds);
   return code(error);
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramWithin(const Diagram* diagram, double x, double y, double distance) {
+EMSCRIPTEN_KEEPALIVE int diagramWithin(const Diagram* diagram, double x, double y,
+                                       double distance) {
   const Error error = diagram->within(x, y, distance, siteIds);
   publish(0, siteIds);
   return code(error);
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramHas(const Diagram* diagram, SiteId id) { return diagram->has(id) ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE int diagramHas(const Diagram* diagram, SiteId id) {
+  return diagram->has(id) ? 1 : 0;
+}
 
 EMSCRIPTEN_KEEPALIVE int diagramSite(const Diagram* diagram, SiteId id) {
   apollonius::Circle circle{};
@@ -260,7 +278,8 @@ EMSCRIPTEN_KEEPALIVE int diagramNeighbors(const Diagram* diagram, SiteId id) {
   return code(error);
 }
 
-// --- Geometry: bounds are four numbers, xmin, ymin, xmax, ymax -------------------------------------------------------------------
+// --- Geometry: bounds are four numbers, xmin, ymin, xmax, ymax
+// -------------------------------------------------------------------
 
 EMSCRIPTEN_KEEPALIVE double toleranceFor(double xmin, double ymin, double xmax, double ymax) {
   return apollonius::defaultTolerance({xmin, ymin, xmax, ymax});
@@ -280,18 +299,25 @@ EMSCRIPTEN_KEEPALIVE int diagramHull(const Diagram* diagram) {
   return code(error);
 }
 
-// Draws about `commands` commands from `cursor` on; then results.id is the next cursor and results.flag tells whether that was all.
-EMSCRIPTEN_KEEPALIVE int diagramDraw(const Diagram* diagram, int what, double xmin, double ymin, double xmax, double ymax,
-                                     double tolerance, std::uint32_t cursor, std::uint32_t commands) {
+// Draws about `commands` commands from `cursor` on; then results.id is the next cursor and
+// results.flag tells whether that was all.
+EMSCRIPTEN_KEEPALIVE int diagramDraw(const Diagram* diagram, int what, double xmin, double ymin,
+                                     double xmax, double ymax, double tolerance,
+                                     std::uint32_t cursor, std::uint32_t commands) {
   const Voronoi voronoi(*diagram, {xmin, ymin, xmax, ymax});
   Voronoi::Portion portion{cursor, commands};
   const auto draw = [&] {
     switch (static_cast<Drawing>(what)) {
-      case Drawing::kEdges: return voronoi.drawEdges(tolerance, portion, path);
-      case Drawing::kSites: return voronoi.drawSites(tolerance, portion, path);
-      case Drawing::kDual: return voronoi.drawDual(tolerance, false, portion, path);
-      case Drawing::kDualWithRays: return voronoi.drawDual(tolerance, true, portion, path);
-      case Drawing::kHull: break;
+      case Drawing::kEdges:
+        return voronoi.drawEdges(tolerance, portion, path);
+      case Drawing::kSites:
+        return voronoi.drawSites(tolerance, portion, path);
+      case Drawing::kDual:
+        return voronoi.drawDual(tolerance, false, portion, path);
+      case Drawing::kDualWithRays:
+        return voronoi.drawDual(tolerance, true, portion, path);
+      case Drawing::kHull:
+        break;
     }
     portion.isDone = true;
     return voronoi.drawHull(tolerance, path);
@@ -302,20 +328,22 @@ EMSCRIPTEN_KEEPALIVE int diagramDraw(const Diagram* diagram, int what, double xm
   return publishPath(error);
 }
 
-EMSCRIPTEN_KEEPALIVE int voronoiDrawCell(const Diagram* diagram, double xmin, double ymin, double xmax, double ymax, SiteId id,
-                                         double tolerance) {
+EMSCRIPTEN_KEEPALIVE int voronoiDrawCell(const Diagram* diagram, double xmin, double ymin,
+                                         double xmax, double ymax, SiteId id, double tolerance) {
   return publishPath(Voronoi(*diagram, {xmin, ymin, xmax, ymax}).drawCell(id, tolerance, path));
 }
 
-EMSCRIPTEN_KEEPALIVE int voronoiPolygon(const Diagram* diagram, double xmin, double ymin, double xmax, double ymax, SiteId id,
-                                        double tolerance) {
-  const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).polygon(id, tolerance, ringArrays);
+EMSCRIPTEN_KEEPALIVE int voronoiPolygon(const Diagram* diagram, double xmin, double ymin,
+                                        double xmax, double ymax, SiteId id, double tolerance) {
+  const Error error =
+      Voronoi(*diagram, {xmin, ymin, xmax, ymax}).polygon(id, tolerance, ringArrays);
   publish(0, ringArrays.coordinates);
   publish(1, ringArrays.starts);
   return code(error);
 }
 
-EMSCRIPTEN_KEEPALIVE int voronoiCell(const Diagram* diagram, double xmin, double ymin, double xmax, double ymax, SiteId id) {
+EMSCRIPTEN_KEEPALIVE int voronoiCell(const Diagram* diagram, double xmin, double ymin, double xmax,
+                                     double ymax, SiteId id) {
   const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).cell(id, curveArrays);
   publish(0, curveArrays.curves);
   publish(1, curveArrays.sites);
@@ -323,15 +351,18 @@ EMSCRIPTEN_KEEPALIVE int voronoiCell(const Diagram* diagram, double xmin, double
   return code(error);
 }
 
-EMSCRIPTEN_KEEPALIVE int voronoiEdges(const Diagram* diagram, double xmin, double ymin, double xmax, double ymax) {
+EMSCRIPTEN_KEEPALIVE int voronoiEdges(const Diagram* diagram, double xmin, double ymin, double xmax,
+                                      double ymax) {
   const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).edges(curveArrays);
   publish(0, curveArrays.curves);
   publish(1, curveArrays.sites);
   return code(error);
 }
 
-// results.distance is the area, r the perimeter, x and y the centroid; results.flag is 0 if there is none of it.
-EMSCRIPTEN_KEEPALIVE int voronoiMeasures(const Diagram* diagram, double xmin, double ymin, double xmax, double ymax, SiteId id) {
+// results.distance is the area, r the perimeter, x and y the centroid; results.flag is 0 if there
+// is none of it.
+EMSCRIPTEN_KEEPALIVE int voronoiMeasures(const Diagram* diagram, double xmin, double ymin,
+                                         double xmax, double ymax, SiteId id) {
   apollonius::CellMeasures measures;
   const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).measures(id, measures);
   return publishMeasures(error, measures);
@@ -343,13 +374,16 @@ EMSCRIPTEN_KEEPALIVE int voronoiMeasuresWithin(const Diagram* diagram, SiteId id
   return publishMeasures(error, measures);
 }
 
-EMSCRIPTEN_KEEPALIVE int voronoiAreas(const Diagram* diagram, double xmin, double ymin, double xmax, double ymax) {
+EMSCRIPTEN_KEEPALIVE int voronoiAreas(const Diagram* diagram, double xmin, double ymin, double xmax,
+                                      double ymax) {
   const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).areas(numbers);
   publish(0, numbers);
   return code(error);
 }
 
 EMSCRIPTEN_KEEPALIVE std::uint32_t diagramSize(const Diagram* diagram) { return diagram->size(); }
-EMSCRIPTEN_KEEPALIVE std::uint32_t diagramVisibleSize(const Diagram* diagram) { return diagram->visibleSize(); }
+EMSCRIPTEN_KEEPALIVE std::uint32_t diagramVisibleSize(const Diagram* diagram) {
+  return diagram->visibleSize();
+}
 
 }  // extern "C"

@@ -1,11 +1,21 @@
 // npm run build: the package's dist/ from src/ and wasm/.
 //
 //   dist/esm/{index,wasm}.js, *.d.ts    ES modules
-//   dist/cjs/{index,wasm}.js, *.d.ts    CommonJS, the same; index.js is also the file for a script tag, with the global `apollonius`
-//   dist/apollonius.wasm                for the entry `apollonius-diagram/wasm`; the default entry carries it as text
+//   dist/cjs/{index,wasm}.js, *.d.ts    CommonJS, the same; index.js is also the file for a script
+//   tag, with the global `apollonius` dist/apollonius.wasm                for the entry
+//   `apollonius-diagram/wasm`; the default entry carries it as text
 import { createHash } from "node:crypto";
 import {
-  chmodSync, copyFileSync, cpSync, existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync,
+  chmodSync,
+  copyFileSync,
+  cpSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  writeFileSync,
 } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
@@ -21,27 +31,40 @@ const types = path.join(root, "build/types/wasm");
 const entries = ["index", "wasm"];
 
 /**
- * The wasm as a template literal of one character a byte. In UTF-8, half of the characters up to 255 are one byte each and half are
- * two with few first ones, so that a server's compression sees the wasm itself: 2 % more than the file alone, where base64 costs 38 %.
- * The most frequent bytes of the second half change places with the rarest of the first.
+ * The wasm as a template literal of one character a byte. In UTF-8, half of the characters up to
+ * 255 are one byte each and half are two with few first ones, so that a server's compression sees
+ * the wasm itself: 2 % more than the file alone, where base64 costs 38 %. The most frequent bytes
+ * of the second half change places with the rarest of the first.
  */
 function asTemplate(bytes) {
   const counts = new Uint32Array(256);
   for (const byte of bytes) ++counts[byte];
   const codes = [...counts.keys()];
-  // What a template would have escaped, and the carriage return, which it reads as a line feed, move up by 256.
+  // What a template would have escaped, and the carriage return, which it reads as a line feed,
+  // move up by 256.
   const unfit = [..."\r\\`$"].map((character) => character.charCodeAt(0));
-  const low = codes.slice(0, 128).filter((code) => !unfit.includes(code)).sort((a, b) => counts[a] - counts[b]);
+  const low = codes
+    .slice(0, 128)
+    .filter((code) => !unfit.includes(code))
+    .sort((a, b) => counts[a] - counts[b]);
   const high = codes.slice(128).sort((a, b) => counts[b] - counts[a]);
   const swaps = [];
-  // Not all that would make the file shorter: the order of the others means something, and helps compression.
-  for (let k = 0; counts[high[k]] > counts[low[k]] + bytes.length / 384; ++k) swaps.push([low[k], high[k]]);
+  // Not all that would make the file shorter: the order of the others means something, and helps
+  // compression.
+  for (let k = 0; counts[high[k]] > counts[low[k]] + bytes.length / 384; ++k)
+    swaps.push([low[k], high[k]]);
   for (const [a, b] of swaps) [codes[a], codes[b]] = [b, a];
   for (const code of unfit) codes[code] += 256;
-  return { template: `\`${Array.from(bytes, (byte) => String.fromCharCode(codes[byte])).join("")}\``, swaps: swaps.flat() };
+  return {
+    template: `\`${Array.from(bytes, (byte) => String.fromCharCode(codes[byte])).join("")}\``,
+    swaps: swaps.flat(),
+  };
 }
 
-/** Lets a bundle import the wasm as `asTemplate` has it. esbuild would print its own loaders' strings full of escapes. */
+/**
+ * Lets a bundle import the wasm as `asTemplate` has it. esbuild would print its own loaders'
+ * strings full of escapes.
+ */
 function wasmAsText(built) {
   const { template, swaps } = asTemplate(readFileSync(path.join(built, "apollonius.wasm")));
   const placeholder = "__APOLLONIUS_WASM__";
@@ -49,7 +72,8 @@ function wasmAsText(built) {
     name: "wasm-as-text",
     setup(build) {
       build.onLoad({ filter: /\.wasm$/ }, () => ({
-        contents: `export const text = ${placeholder}, swaps = [${swaps}];`, loader: "js",
+        contents: `export const text = ${placeholder}, swaps = [${swaps}];`,
+        loader: "js",
       }));
       build.onEnd(({ outputFiles }) => {
         for (const { path: file, text } of outputFiles) {
@@ -62,8 +86,8 @@ function wasmAsText(built) {
 }
 
 /**
- * A script tag's file is read in the page's encoding, be it windows-1252, unless a byte order mark says UTF-8. Modules are always
- * UTF-8; Node and bundlers skip the mark.
+ * A script tag's file is read in the page's encoding, be it windows-1252, unless a byte order mark
+ * says UTF-8. Modules are always UTF-8; Node and bundlers skip the mark.
  */
 function byteOrderMark(file) {
   return file.endsWith("cjs/index.js") ? "\uFEFF" : "";
@@ -72,16 +96,26 @@ function byteOrderMark(file) {
 // Where there is no CommonJS, what is exported becomes a global.
 const scriptTag = {
   banner: { js: "(function(module){" },
-  footer: { js: '})(typeof module=="object"&&module.exports?module:{set exports(names){globalThis.apollonius=names}});' },
+  footer: {
+    js: '})(typeof module=="object"&&module.exports?module:{set exports(names){globalThis.apollonius=names}});',
+  },
 };
 
 async function bundle(format, outdir, built) {
-  const { build } = await import("esbuild");  // not before `npm ci` may have installed it
+  const { build } = await import("esbuild"); // not before `npm ci` may have installed it
   await build({
     entryPoints: entries.map((entry) => path.join(wasm, `${entry}.ts`)),
-    outdir, format, bundle: true, minify: true, target: "es2022", charset: "utf8", logLevel: "warning",
+    outdir,
+    format,
+    bundle: true,
+    minify: true,
+    target: "es2022",
+    charset: "utf8",
+    logLevel: "warning",
     legalComments: "none",
-    write: false, plugins: [wasmAsText(built)], ...(format === "cjs" ? { platform: "node", ...scriptTag } : {}),
+    write: false,
+    plugins: [wasmAsText(built)],
+    ...(format === "cjs" ? { platform: "node", ...scriptTag } : {}),
   });
 }
 
@@ -101,7 +135,9 @@ function publicDeclarations() {
 /** A fingerprint of all that dist/ is made from. */
 function fingerprint(built) {
   const inputs = [
-    ...readdirSync(wasm).filter((name) => /\.(ts|mjs|json)$/.test(name)).map((name) => path.join(wasm, name)),
+    ...readdirSync(wasm)
+      .filter((name) => /\.(ts|mjs|json)$/.test(name))
+      .map((name) => path.join(wasm, name)),
     path.join(built, "apollonius.wasm"),
     path.join(root, "package-lock.json"),
   ];
@@ -110,7 +146,10 @@ function fingerprint(built) {
   return hash.digest("hex");
 }
 
-/** Makes dist/ beside itself and then puts it in place, so that a server or a test never sees half of it. */
+/**
+ * Makes dist/ beside itself and then puts it in place, so that a server or a test never sees half
+ * of it.
+ */
 async function makeDist(built) {
   run(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", wasm]);
   const fresh = path.join(root, "build/dist");

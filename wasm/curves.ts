@@ -1,10 +1,15 @@
-// Curves in numbers: places and directions on the rational quadratic curves of `edgeCurves` and `cellCurves`.
+// Curves in numbers: places and directions on the rational quadratic curves of `edgeCurves` and
+// `cellCurves`.
 
 /**
- * The point of curve `k` at a parameter from 0 (its start) to 1. Along a straight segment (w = 0), as along any curve, the
- * parameter does not run evenly.
+ * The point of curve `k` at a parameter from 0 (its start) to 1. Along a straight segment (w = 0),
+ * as along any curve, the parameter does not run evenly.
  */
-export function curvePoint(curves: ArrayLike<number>, k: number, t: number): [x: number, y: number] {
+export function curvePoint(
+  curves: ArrayLike<number>,
+  k: number,
+  t: number,
+): [x: number, y: number] {
   const [x0, y0, x1, y1, w, x2, y2] = sevenOf(curves, k);
   const s = 1 - t;
   const [a, b, c] = [s * s, 2 * w * t * s, t * t];
@@ -13,14 +18,20 @@ export function curvePoint(curves: ArrayLike<number>, k: number, t: number): [x:
 }
 
 /** The unit tangent of curve `k` at a parameter, forwards. */
-export function curveTangent(curves: ArrayLike<number>, k: number, t: number): [x: number, y: number] {
+export function curveTangent(
+  curves: ArrayLike<number>,
+  k: number,
+  t: number,
+): [x: number, y: number] {
   const [x0, y0, x1, y1, w, x2, y2] = sevenOf(curves, k);
-  // The quotient rule's numerator, with the higher terms cancelled; a segment has one direction everywhere.
+  // The quotient rule's numerator, with the higher terms cancelled; a segment has one direction
+  // everywhere.
   const s = 1 - t;
   const [a, b, c] = w === 0 ? [0, 1, 0] : [w * s * s, t * s, w * t * t];
   const x = a * (x1 - x0) + b * (x2 - x0) + c * (x2 - x1);
   const y = a * (y1 - y0) + b * (y2 - y0) + c * (y2 - y1);
-  // Not Math.hypot: every engine rounds it in its own way. Divided first, as squares of large and of small numbers do not exist.
+  // Not Math.hypot: every engine rounds it in its own way. Divided first, as squares of large and
+  // of small numbers do not exist.
   const larger = Math.max(Math.abs(x), Math.abs(y));
   const [u, v] = [x / larger, y / larger];
   const length = Math.sqrt(u * u + v * v);

@@ -1,11 +1,31 @@
 import { type Accessor, triples } from "./accessors.js";
 import {
-  allocated, checkedBounds, checkedBytes, checkedChoice, checkedCount, checkedIds, checkedNewSites, checkedNumbers, checkedTolerance,
-  checkNumber, described, isDetached, isSiteId, plainView, typedArrayKind, unknownSite,
+  allocated,
+  checkedBounds,
+  checkedBytes,
+  checkedChoice,
+  checkedCount,
+  checkedIds,
+  checkedNewSites,
+  checkedNumbers,
+  checkedTolerance,
+  checkNumber,
+  described,
+  isDetached,
+  isSiteId,
+  plainView,
+  typedArrayKind,
+  unknownSite,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import {
-  check, checkSite, checkTypes, kUnknownSite, outOfMemory, throwForElements, throwForNumbers,
+  check,
+  checkSite,
+  checkTypes,
+  kUnknownSite,
+  outOfMemory,
+  throwForElements,
+  throwForNumbers,
 } from "./failures.js";
 import { provideNative } from "./living.js";
 import { Drawing, NativeDiagram, type NativeBounds } from "./native.js";
@@ -22,55 +42,71 @@ export interface Site {
   r: number;
 }
 
-/** The Voronoi vertices in the plane; row k of each array belongs to vertex k. The order of the rows depends on the history. */
+/**
+ * The Voronoi vertices in the plane; row k of each array belongs to vertex k. The order of the rows
+ * depends on the history.
+ */
 export interface Vertices {
   /** x, y of each vertex. */
   coordinates: Float64Array;
-  /** Common distance of each vertex to its three sites: the radius of the largest empty circle there. */
+  /**
+   * Common distance of each vertex to its three sites: the radius of the largest empty circle
+   * there.
+   */
   clearance: Float64Array;
   /** The three sites of each vertex, counter-clockwise. */
   sites: Uint32Array;
 }
 
 /**
- * The Voronoi edges; row k of each array belongs to edge k. Two sites can share several edges. Where more than three sites touch
- * one circle, the canonical rule makes edges of length zero, and several vertices at one place.
+ * The Voronoi edges; row k of each array belongs to edge k. Two sites can share several edges.
+ * Where more than three sites touch one circle, the canonical rule makes edges of length zero, and
+ * several vertices at one place.
  */
 export interface Edges {
   /** The two sites of each edge. */
   sites: Uint32Array;
-  /** Its two ends as rows of `vertices()`, -1 for an unbounded end; the first site's cell is on the left on the way. */
+  /**
+   * Its two ends as rows of `vertices()`, -1 for an unbounded end; the first site's cell is on the
+   * left on the way.
+   */
   vertices: Int32Array;
 }
 
 /** Options of the constructor. */
 export interface DiagramOptions {
   /**
-   * How the nearest site is located (paper, section 4): "hierarchy" (default), about log n; or "walk", from neighbour to
-   * neighbour, about sqrt(n), with less memory.
+   * How the nearest site is located (paper, section 4): "hierarchy" (default), about log n; or
+   * "walk", from neighbour to neighbour, about sqrt(n), with less memory.
    */
   location?: "hierarchy" | "walk";
 }
 
 /** Options of `Diagram.fromBytes`. */
 export interface SnapshotOptions extends DiagramOptions {
-  /** true: the bytes are `toBytes`'s own and nobody has changed them, so that nothing is proved. Default: false. */
+  /**
+   * true: the bytes are `toBytes`'s own and nobody has changed them, so that nothing is proved.
+   * Default: false.
+   */
   trusted?: boolean;
 }
 
 /**
  * The additively weighted Voronoi diagram of circles: exact and fully dynamic.
  *
- * The distance of a point p to a site is |p - c| - r, negative inside the circle. Every decision is exact for the numbers given;
- * nothing depends on rounding, on the order of operations or on the platform. Numbers in: 0 and magnitudes from 1e-100 to
- * 1e100, negative weights included; y points upwards. n is the number of sites, d the number of a site's neighbours.
+ * The distance of a point p to a site is |p - c| - r, negative inside the circle. Every decision is
+ * exact for the numbers given; nothing depends on rounding, on the order of operations or on the
+ * platform. Numbers in: 0 and magnitudes from 1e-100 to 1e100, negative weights included; y points
+ * upwards. n is the number of sites, d the number of a site's neighbours.
  *
- * Every call that fails throws an ApolloniusError and leaves the diagram as it was; after `dispose` every call throws
- * "disposed". Every call that needs memory can throw "out-of-memory". A call that ends in its middle, by a defect of the library or
- * because no stack is left, throws "broken", as does every later one of that diagram, whose memory is not given back before all diagrams
- * of its time are gone. Arrays that are returned belong to the caller.
+ * Every call that fails throws an ApolloniusError and leaves the diagram as it was; after `dispose`
+ * every call throws "disposed". Every call that needs memory can throw "out-of-memory". A call that
+ * ends in its middle, by a defect of the library or because no stack is left, throws "broken", as
+ * does every later one of that diagram, whose memory is not given back before all diagrams of its
+ * time are gone. Arrays that are returned belong to the caller.
  *
- * Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the paper).
+ * Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the
+ * paper).
  */
 export class Diagram implements Disposable {
   #native: NativeDiagram | null;
@@ -80,9 +116,9 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * A diagram of flat x, y, r triples; their ids are 0, 1, 2, … in input order. Cost: expected O(n log n).
-   * Throws "not-finite", "out-of-range", "bad-length" (no multiple of 3), "too-large" (more than 2^29 triples), "bad-option" (an unknown
-   * location).
+   * A diagram of flat x, y, r triples; their ids are 0, 1, 2, … in input order. Cost: expected O(n
+   * log n). Throws "not-finite", "out-of-range", "bad-length" (no multiple of 3), "too-large" (more
+   * than 2^29 triples), "bad-option" (an unknown location).
    */
   constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
     const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
@@ -99,29 +135,37 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * A diagram of any items, read by accessors as in d3-delaunay (item, index, items). Without accessors an item is an object
-   * {x, y, r} or an array [x, y, r]; a missing r is 0. Ids are 0, 1, 2, … in input order.
-   * Throws as the constructor, naming the item; "bad-option" if an accessor is no function. Cost: expected O(n log n).
+   * A diagram of any items, read by accessors as in d3-delaunay (item, index, items). Without
+   * accessors an item is an object {x, y, r} or an array [x, y, r]; a missing r is 0. Ids are 0, 1,
+   * 2, … in input order. Throws as the constructor, naming the item; "bad-option" if an accessor is
+   * no function. Cost: expected O(n log n).
    */
-  static from<T>(items: Iterable<T> | ArrayLike<T>, x?: Accessor<T>, y?: Accessor<T>, r?: Accessor<T>,
-                 that?: unknown): Diagram {
+  static from<T>(
+    items: Iterable<T> | ArrayLike<T>,
+    x?: Accessor<T>,
+    y?: Accessor<T>,
+    r?: Accessor<T>,
+    that?: unknown,
+  ): Diagram {
     return new Diagram(triples(items, x, y, r, that));
   }
 
   /**
-   * The diagram that `toBytes` saved, with its ids (the free ones are used again in the same order); `location` may be another.
-   * Whoever made the bytes: the result is the exact diagram of the sites in them, which is proved. Throws
-   * "corrupt-snapshot" (bytes that are no snapshot, or damaged, or not the diagram of their sites, or of another
-   * version of the format), "bad-length" (no Uint8Array), "bad-option". Cost: O(n), without any search; for
-   * degenerate input (grids) about that of building. With `trusted`, for bytes of your own, the proof is left out,
-   * which is several times as fast; should such bytes lie, answers may be wrong, and calls on this diagram may throw
-   * "corrupt-snapshot" (docs/SNAPSHOTS.md).
+   * The diagram that `toBytes` saved, with its ids (the free ones are used again in the same
+   * order); `location` may be another. Whoever made the bytes: the result is the exact diagram of
+   * the sites in them, which is proved. Throws "corrupt-snapshot" (bytes that are no snapshot, or
+   * damaged, or not the diagram of their sites, or of another version of the format), "bad-length"
+   * (no Uint8Array), "bad-option". Cost: O(n), without any search; for degenerate input (grids)
+   * about that of building. With `trusted`, for bytes of your own, the proof is left out, which is
+   * several times as fast; should such bytes lie, answers may be wrong, and calls on this diagram
+   * may throw "corrupt-snapshot" (docs/SNAPSHOTS.md).
    */
   static fromBytes(bytes: Uint8Array, options?: SnapshotOptions): Diagram {
     const trusted = checkedChoice("options.trusted", options?.trusted, [false, true]);
     const diagram = new Diagram(undefined, options);
     try {
-      check(diagram.#living().fromBytes(checkedBytes("bytes", bytes), trusted));  // last: options may have getters
+      // last: options may have getters
+      check(diagram.#living().fromBytes(checkedBytes("bytes", bytes), trusted));
     } catch (error) {
       diagram.dispose();
       throw error;
@@ -129,12 +173,12 @@ export class Diagram implements Disposable {
     return diagram;
   }
 
-  // --- Sites -----------------------------------------------------------------------------------------------------------------
+  // --- Sites -------------------------------------------------------------------------------------
 
   /**
-   * Adds a site (paper, section 3) and returns its id: stable while the site lives; ids of removed sites are used again.
-   * Duplicates and covered circles are legal: they are hidden sites. Cost: one location and O(size of the change).
-   * Throws "not-finite", "out-of-range".
+   * Adds a site (paper, section 3) and returns its id: stable while the site lives; ids of removed
+   * sites are used again. Duplicates and covered circles are legal: they are hidden sites. Cost:
+   * one location and O(size of the change). Throws "not-finite", "out-of-range".
    */
   insert(x: number, y: number, r: number = 0): number {
     const native = this.#living();
@@ -145,8 +189,9 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Adds flat x, y, r triples, all or none, much faster than a loop; returns their ids in input order. Cost: expected
-   * O(m log n) for m triples. Throws as `insert`, and "bad-length" (no multiple of 3), "too-large" (more than 2^29 triples).
+   * Adds flat x, y, r triples, all or none, much faster than a loop; returns their ids in input
+   * order. Cost: expected O(m log n) for m triples. Throws as `insert`, and "bad-length" (no
+   * multiple of 3), "too-large" (more than 2^29 triples).
    */
   insertMany(xyr: ArrayLike<number>): Uint32Array {
     this.#living();
@@ -154,9 +199,9 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Removes a site (paper, section 5); false if there is no such site. Sites that only it covered become visible. Cost:
-   * O(log n) amortised for a hidden site and for the visible one of nested or identical circles, else expected
-   * O(k log k) with k = d + the hidden sites directly below it.
+   * Removes a site (paper, section 5); false if there is no such site. Sites that only it covered
+   * become visible. Cost: O(log n) amortised for a hidden site and for the visible one of nested or
+   * identical circles, else expected O(k log k) with k = d + the hidden sites directly below it.
    */
   remove(id: number): boolean {
     const native = this.#living();
@@ -166,8 +211,8 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Removes several sites; returns how many there were. Unknown and repeated ids are skipped. Cost: as `remove` for each. Throws
-   * "bad-length" if `ids` is no array.
+   * Removes several sites; returns how many there were. Unknown and repeated ids are skipped. Cost:
+   * as `remove` for each. Throws "bad-length" if `ids` is no array.
    */
   removeMany(ids: ArrayLike<number>): number {
     const native = this.#living();
@@ -176,8 +221,8 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Moves and/or resizes a site, which keeps its id; without r it keeps its radius. Cost: as remove and insert.
-   * Throws "unknown-site", "not-finite", "out-of-range".
+   * Moves and/or resizes a site, which keeps its id; without r it keeps its radius. Cost: as remove
+   * and insert. Throws "unknown-site", "not-finite", "out-of-range".
    */
   update(id: number, x: number, y: number, r?: number): this {
     const native = this.#living();
@@ -191,15 +236,19 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Updates site ids[k] to the k-th x, y, r triple, all or none. Cost: as `update` for each, but no more than building
-   * takes where many sites move far. Throws as `update`, and "bad-length" unless there is one triple an id.
+   * Updates site ids[k] to the k-th x, y, r triple, all or none. Cost: as `update` for each, but no
+   * more than building takes where many sites move far. Throws as `update`, and "bad-length" unless
+   * there is one triple an id.
    */
   updateMany(ids: ArrayLike<number>, xyr: ArrayLike<number>): this {
     const native = this.#living();
     const sites = checkedIds("ids", ids);
     const numbers = checkedNumbers("xyr", xyr, 3);
     if (numbers.length !== 3 * sites.length) {
-      throw new ApolloniusError("bad-length", `expected ${3 * sites.length} values in xyr for ${sites.length} ids, got ${numbers.length}`);
+      throw new ApolloniusError(
+        "bad-length",
+        `expected ${3 * sites.length} values in xyr for ${sites.length} ids, got ${numbers.length}`,
+      );
     }
     const status = native.updateMany(sites, numbers);
     if (status === kUnknownSite) {
@@ -226,7 +275,10 @@ export class Diagram implements Disposable {
     return this.#living().visibleSize;
   }
 
-  /** Number of sites that have none, because another site covers them (the paper's trivial sites). O(1). */
+  /**
+   * Number of sites that have none, because another site covers them (the paper's trivial sites).
+   * O(1).
+   */
   get hiddenSize(): number {
     const native = this.#living();
     return native.size - native.visibleSize;
@@ -259,18 +311,21 @@ export class Diagram implements Disposable {
     return native.count !== 0;
   }
 
-  /** A visible site that covers this one; -1 for a visible site. Cost: one location. Throws "unknown-site". */
+  /**
+   * A visible site that covers this one; -1 for a visible site. Cost: one location. Throws
+   * "unknown-site".
+   */
   coverOf(id: number): number {
     const native = this.#living();
     checkSite(isSiteId(id) ? native.coverOf(id) : kUnknownSite, id);
     return native.id;
   }
 
-  // --- Queries ---------------------------------------------------------------------------------------------------------------
+  // --- Queries -----------------------------------------------------------------------------------
 
   /**
-   * The nearest site of a point, -1 if the diagram is empty. Exact; ties go to the larger r, then x, then y. Cost: one location
-   * (paper, section 4). Throws "not-finite", "out-of-range".
+   * The nearest site of a point, -1 if the diagram is empty. Exact; ties go to the larger r, then
+   * x, then y. Cost: one location (paper, section 4). Throws "not-finite", "out-of-range".
    */
   find(x: number, y: number): number {
     const native = this.#living();
@@ -278,7 +333,10 @@ export class Diagram implements Disposable {
     return native.id;
   }
 
-  /** `find` with the (rounded) distance |p - c| - r, negative inside the circle; null if the diagram is empty. Cost, errors: as find. */
+  /**
+   * `find` with the (rounded) distance |p - c| - r, negative inside the circle; null if the diagram
+   * is empty. Cost, errors: as find.
+   */
   nearest(x: number, y: number): { id: number; distance: number } | null {
     const native = this.#living();
     this.#locate(native, x, y);
@@ -287,16 +345,23 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * `find` for flat x, y pairs, much faster than a loop. With `distances` (one element a point) it also fills in the distances,
-   * Infinity if the diagram is empty. Cost: O(m log m) for m points, and m locations. Throws as `find`, and "bad-length".
+   * `find` for flat x, y pairs, much faster than a loop. With `distances` (one element a point) it
+   * also fills in the distances, Infinity if the diagram is empty. Cost: O(m log m) for m points,
+   * and m locations. Throws as `find`, and "bad-length".
    */
   findMany(xy: ArrayLike<number>, distances?: Float64Array): Int32Array {
     const native = this.#living();
     const numbers = checkedNumbers("xy", xy, 2);
     const ids = allocated(() => new Int32Array(numbers.length / 2));
     const out = plainView(distances) as Float64Array | undefined;
-    if (out !== undefined && !(typedArrayKind(out) === "Float64Array" && out.length === ids.length && !isDetached(out))) {
-      throw new ApolloniusError("bad-length", `distances is ${described(out)}, expected Float64Array(${ids.length}), one element a point`);
+    if (
+      out !== undefined &&
+      !(typedArrayKind(out) === "Float64Array" && out.length === ids.length && !isDetached(out))
+    ) {
+      throw new ApolloniusError(
+        "bad-length",
+        `distances is ${described(out)}, expected Float64Array(${ids.length}), one element a point`,
+      );
     }
     const status = native.findMany(numbers, ids, out);
     if (status !== 0) throwForElements(status, "xy", numbers);
@@ -304,10 +369,11 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * The k nearest sites of a point, hidden ones too, nearest first; all sites if there are fewer. Exact; ties go to the larger r, then
-   * x, then y, identical circles come in any order. Cost: one location and O(m log m), m the number of neighbours of the sites
-   * found, whatever n is. Throws "not-finite", "out-of-range" (also for a k that is no whole number
-   * from 0 on; Infinity means all).
+   * The k nearest sites of a point, hidden ones too, nearest first; all sites if there are fewer.
+   * Exact; ties go to the larger r, then x, then y, identical circles come in any order. Cost: one
+   * location and O(m log m), m the number of neighbours of the sites found, whatever n is. Throws
+   * "not-finite", "out-of-range" (also for a k that is no whole number from 0 on; Infinity means
+   * all).
    */
   kNearest(x: number, y: number, k: number): Uint32Array {
     const native = this.#living();
@@ -318,9 +384,10 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * All sites whose distance |p - c| - r to a point is at most `distance`, hidden ones too, nearest first: with 0 every circle that
-   * contains the point, negative for circles that contain it that deep. Exact, sites at that very distance included. Cost: as kNearest.
-   * Throws "not-finite", "out-of-range".
+   * All sites whose distance |p - c| - r to a point is at most `distance`, hidden ones too, nearest
+   * first: with 0 every circle that contains the point, negative for circles that contain it that
+   * deep. Exact, sites at that very distance included. Cost: as kNearest. Throws "not-finite",
+   * "out-of-range".
    */
   within(x: number, y: number, distance: number): Uint32Array {
     const native = this.#living();
@@ -332,9 +399,9 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * The distinct sites whose cells share an edge with this site's, counter-clockwise, each where it occurs first; empty for a
-   * hidden site. Edges of length zero count (degenerate position; the graph is triangulated canonically).
-   * O(d). Throws "unknown-site".
+   * The distinct sites whose cells share an edge with this site's, counter-clockwise, each where it
+   * occurs first; empty for a hidden site. Edges of length zero count (degenerate position; the
+   * graph is triangulated canonically). O(d). Throws "unknown-site".
    */
   neighbors(id: number): Uint32Array {
     const native = this.#living();
@@ -346,23 +413,31 @@ export class Diagram implements Disposable {
   edges(): Edges {
     const native = this.#living();
     check(native.edges());
-    return this.#taken(native, () => ({ sites: native.takeWords(0), vertices: new Int32Array(native.takeWords(1).buffer) }));
+    return this.#taken(native, () => ({
+      sites: native.takeWords(0),
+      vertices: new Int32Array(native.takeWords(1).buffer),
+    }));
   }
 
-  /** All Voronoi vertices: centres of circles that touch three sites and contain no part of another. O(n). */
+  /**
+   * All Voronoi vertices: centres of circles that touch three sites and contain no part of another.
+   * O(n).
+   */
   vertices(): Vertices {
     const native = this.#living();
     check(native.vertices());
     return this.#taken(native, () => ({
-      coordinates: native.takeDoubles(0), clearance: native.takeDoubles(1), sites: native.takeWords(2),
+      coordinates: native.takeDoubles(0),
+      clearance: native.takeDoubles(1),
+      sites: native.takeWords(2),
     }));
   }
 
-  // --- Geometry --------------------------------------------------------------------------------------------------------------
+  // --- Geometry ----------------------------------------------------------------------------------
 
   /**
-   * The cells inside a window: a view, always of the diagram as it is now. The default window is d3-delaunay's, 960 x 500.
-   * Cost: O(1). Throws "bad-bounds".
+   * The cells inside a window: a view, always of the diagram as it is now. The default window is
+   * d3-delaunay's, 960 x 500. Cost: O(1). Throws "bad-bounds".
    */
   voronoi(bounds: Bounds = [0, 0, 960, 500]): Voronoi {
     this.#living();
@@ -370,8 +445,9 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Ids of the sites that the convex hull of the circles touches, counter-clockwise; a site can occur more than once (a large circle
-   * with small ones sticking out; points in line, there and back). Circles in line on the hull are all listed. O(length).
+   * Ids of the sites that the convex hull of the circles touches, counter-clockwise; a site can
+   * occur more than once (a large circle with small ones sticking out; points in line, there and
+   * back). Circles in line on the hull are all listed. O(length).
    */
   hull(): Uint32Array {
     const native = this.#living();
@@ -380,18 +456,25 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Draws the dual graph as the paper's Appendix A embeds it: each Delaunay edge as a piece of a hyperbola or parabola or as a segment
-   * between the two centres, such that no two cross. With `bounds` also the rays of the sites on the hull, up to that window.
-   * Returns an SVG path string if there is no context. O(n). Throws "bad-bounds", "not-finite", "out-of-range" (options).
+   * Draws the dual graph as the paper's Appendix A embeds it: each Delaunay edge as a piece of a
+   * hyperbola or parabola or as a segment between the two centres, such that no two cross. With
+   * `bounds` also the rays of the sites on the hull, up to that window. Returns an SVG path string
+   * if there is no context. O(n). Throws "bad-bounds", "not-finite", "out-of-range" (options).
    */
   render(context: PathContext, options?: DrawOptions & { bounds?: Bounds | undefined }): void;
   render(context?: null, options?: DrawOptions & { bounds?: Bounds | undefined }): string;
-  render(context?: PathContext | null, options?: DrawOptions & { bounds?: Bounds | undefined }): string | void {
+  render(
+    context?: PathContext | null,
+    options?: DrawOptions & { bounds?: Bounds | undefined },
+  ): string | void {
     const bounds = options?.bounds === undefined ? undefined : checkedBounds(options.bounds);
     return this.#draw(bounds ? Drawing.dualWithRays : Drawing.dual, bounds, context, options);
   }
 
-  /** Draws the circles of all sites, hidden ones too (none for radii of 0 or less). O(n). Throws "not-finite", "out-of-range" (options). */
+  /**
+   * Draws the circles of all sites, hidden ones too (none for radii of 0 or less). O(n). Throws
+   * "not-finite", "out-of-range" (options).
+   */
   renderSites(context: PathContext, options?: DrawOptions): void;
   renderSites(context?: null, options?: DrawOptions): string;
   renderSites(context?: PathContext | null, options?: DrawOptions): string | void {
@@ -399,8 +482,8 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * Draws the convex hull of the circles, arcs and tangents, as one closed figure. O(length). Throws "not-finite", "out-of-range"
-   * (options).
+   * Draws the convex hull of the circles, arcs and tangents, as one closed figure. O(length).
+   * Throws "not-finite", "out-of-range" (options).
    */
   renderHull(context: PathContext, options?: DrawOptions): void;
   renderHull(context?: null, options?: DrawOptions): string;
@@ -408,11 +491,12 @@ export class Diagram implements Disposable {
     return this.#draw(Drawing.hull, undefined, context, options);
   }
 
-  // --- Snapshots -------------------------------------------------------------------------------------------------------------
+  // --- Snapshots ---------------------------------------------------------------------------------
 
   /**
-   * The diagram as bytes, about 56 a site: for files, and for other threads (`postMessage(bytes, [bytes.buffer])` moves them). The same
-   * diagram with the same history gives the same bytes on every platform; docs/SNAPSHOTS.md has the format. Cost: O(n), a fraction of building.
+   * The diagram as bytes, about 56 a site: for files, and for other threads (`postMessage(bytes,
+   * [bytes.buffer])` moves them). The same diagram with the same history gives the same bytes on
+   * every platform; docs/SNAPSHOTS.md has the format. Cost: O(n), a fraction of building.
    */
   toBytes(): Uint8Array<ArrayBuffer> {
     const native = this.#living();
@@ -420,7 +504,10 @@ export class Diagram implements Disposable {
     return this.#taken(native, () => allocated(() => native.takeBytes(0)));
   }
 
-  /** null, or the first broken invariant in words. With exact arithmetic and slow, O(n) with large constants: for tests. */
+  /**
+   * null, or the first broken invariant in words. With exact arithmetic and slow, O(n) with large
+   * constants: for tests.
+   */
   validate(): string | null {
     const native = this.#living();
     check(native.validate());
@@ -429,11 +516,11 @@ export class Diagram implements Disposable {
     return `${native.count === 0 ? "" : `level ${native.count}: `}${what} ${native.id >>> 0}`;
   }
 
-  // --- Life time -------------------------------------------------------------------------------------------------------------
+  // --- Life time ---------------------------------------------------------------------------------
 
   /**
-   * Frees the diagram's memory now; later calls throw "disposed", a second `dispose` does nothing. A forgotten diagram is freed
-   * when it is collected. Cost: O(1).
+   * Frees the diagram's memory now; later calls throw "disposed", a second `dispose` does nothing.
+   * A forgotten diagram is freed when it is collected. Cost: O(1).
    */
   dispose(): void {
     this.#native?.destroy();
@@ -445,10 +532,11 @@ export class Diagram implements Disposable {
     this.dispose();
   }
 
-  // --- Shared parts ----------------------------------------------------------------------------------------------------------
+  // --- Shared parts ------------------------------------------------------------------------------
 
   #living(): NativeDiagram {
-    if (this.#native === null) throw new ApolloniusError("disposed", "the diagram has been disposed of");
+    if (this.#native === null)
+      throw new ApolloniusError("disposed", "the diagram has been disposed of");
     return this.#native;
   }
 
@@ -462,13 +550,21 @@ export class Diagram implements Disposable {
   }
 
   /** Without bounds, those of the circles say what tolerance cannot be seen. */
-  #draw(what: Drawing, bounds: NativeBounds | undefined, context: PathContext | null | undefined,
-        options: DrawOptions | undefined): string | void {
+  #draw(
+    what: Drawing,
+    bounds: NativeBounds | undefined,
+    context: PathContext | null | undefined,
+    options: DrawOptions | undefined,
+  ): string | void {
     const native = this.#living();
     const window = bounds ?? native.extent();
     const tolerance = checkedTolerance(options?.tolerance, () => native.toleranceFor(window));
     return drawn(context, options, (target) => {
-      check(native.draw(what, window, tolerance, (commands, count, xy) => play(target, commands, count, xy)));
+      check(
+        native.draw(what, window, tolerance, (commands, count, xy) =>
+          play(target, commands, count, xy),
+        ),
+      );
     });
   }
 

@@ -1,17 +1,20 @@
 /**
  * What went wrong, for programs.
  * - "not-finite": a number is NaN or infinite, or what should be a number is something else
- * - "out-of-range": a magnitude other than 0 below 1e-100 or above 1e100, or a count that is no whole number from 0 on
+ * - "out-of-range": a magnitude other than 0 below 1e-100 or above 1e100, or a count that is no
+ *   whole number from 0 on
  * - "unknown-site": no site has this id
- * - "bad-length": no array (of numbers, ids or items), an array of a wrong length, or one whose buffer is detached or shrunk
+ * - "bad-length": no array (of numbers, ids or items), an array of a wrong length, or one whose
+ *   buffer is detached or shrunk
  * - "bad-option": an option or accessor is none of what is documented
  * - "bad-bounds": bounds to clip at that are no box
  * - "disposed": the diagram has been disposed of
  * - "out-of-memory": memory ran out, or was never enough
  * - "corrupt-snapshot": bytes that are no snapshot of a diagram
  * - "too-large": more than 2^29 sites at once (one by one, memory ends before)
- * - "broken": a call of this diagram ended in its middle, by a defect of the library (please report it) or because it began at the very end
- *   of the stack. This diagram takes no more calls, but for `dispose`; all others are as they were
+ * - "broken": a call of this diagram ended in its middle, by a defect of the library (please report
+ *   it) or because it began at the very end of the stack. This diagram takes no more calls, but for
+ *   `dispose`; all others are as they were
  */
 export type ErrorCode =
   | "not-finite"
@@ -27,8 +30,8 @@ export type ErrorCode =
   | "broken";
 
 /**
- * Thrown by every call that cannot be carried out; the diagram is then as it was before the call, unless `code` is "broken". `code` is for
- * programs, `message` names the argument and its value.
+ * Thrown by every call that cannot be carried out; the diagram is then as it was before the call,
+ * unless `code` is "broken". `code` is for programs, `message` names the argument and its value.
  */
 export class ApolloniusError extends Error {
   /** Always "ApolloniusError". */

@@ -5,7 +5,8 @@ import type { Status } from "./native.js";
 
 export const kUnknownSite: Status = 3;
 
-// By status: the order of `Error` in src/apollonius.h. The message is the last resort; most failures know a better one.
+// By status: the order of `Error` in src/apollonius.h. The message is the last resort; most
+// failures know a better one.
 const kFailures: readonly (readonly [ErrorCode, string] | null)[] = [
   null,
   ["not-finite", "a number is not finite"],
@@ -50,7 +51,10 @@ export function throwForElements(status: Status, name: string, values: ArrayLike
   throw failure(status);
 }
 
-/** Throws unless x, y and r are of type number; what number they may be is the library's to check. */
+/**
+ * Throws unless x, y and r are of type number; what number they may be is the library's to check.
+ */
 export function checkTypes(x: unknown, y: unknown, r: unknown = 0): void {
-  if (typeof x !== "number" || typeof y !== "number" || typeof r !== "number") throwForNumbers(0, x, y, r);
+  if (typeof x !== "number" || typeof y !== "number" || typeof r !== "number")
+    throwForNumbers(0, x, y, r);
 }

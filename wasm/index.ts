@@ -7,7 +7,8 @@ export * from "./api.js";
 function bytes(): Uint8Array<ArrayBuffer> {
   const byteOf = Uint8Array.from({ length: 256 }, (_, code) => code);
   for (let k = 0; k < swaps.length; k += 2) {
-    const a = swaps[k] as number, b = swaps[k + 1] as number;
+    const a = swaps[k] as number,
+      b = swaps[k + 1] as number;
     byteOf[a] = b;
     byteOf[b] = a;
   }
@@ -19,8 +20,8 @@ function bytes(): Uint8Array<ArrayBuffer> {
 setModuleSource(() => new WebAssembly.Module(bytes()));
 
 /**
- * Compiles ahead of the first use and off the main thread. Optional: without it the first diagram compiles synchronously, a few
- * milliseconds.
+ * Compiles ahead of the first use and off the main thread. Optional: without it the first diagram
+ * compiles synchronously, a few milliseconds.
  */
 export async function load(): Promise<void> {
   if (!isRunning()) start(await WebAssembly.compile(bytes()));

@@ -1,4 +1,5 @@
-// How Voronoi reaches the native diagram of a Diagram, which alone knows it and whether it still lives.
+// How Voronoi reaches the native diagram of a Diagram, which alone knows it and whether it still
+// lives.
 import type { NativeDiagram } from "./native.js";
 
 let access: (diagram: object) => NativeDiagram;

@@ -1,8 +1,11 @@
-// The instance of the wasm module that diagrams share: made at the first use, never at import. After a call that ended in its middle, what is
-// made later gets a new one.
+// The instance of the wasm module that diagrams share: made at the first use, never at import.
+// After a call that ended in its middle, what is made later gets a new one.
 import { ApolloniusError } from "./errors.js";
 
-/** Numbers that are addresses in the module's memory. Above 2^31 they come out negative: `>>> 0` where one is used. */
+/**
+ * Numbers that are addresses in the module's memory. Above 2^31 they come out negative: `>>> 0`
+ * where one is used.
+ */
 type Address = number;
 /** Error codes as integers, 0 for success: the order of `Error` in src/apollonius.h. */
 export type Status = number;
@@ -33,7 +36,13 @@ export interface NativeExports {
   diagramInsertMany(diagram: Address, count: number): Status;
   diagramRemoveMany(diagram: Address, ids: Address, count: number): Status;
   diagramUpdateMany(diagram: Address, ids: Address, xyr: Address, count: number): Status;
-  diagramFindMany(diagram: Address, xy: Address, ids: Address, distances: Address, count: number): Status;
+  diagramFindMany(
+    diagram: Address,
+    xy: Address,
+    ids: Address,
+    distances: Address,
+    count: number,
+  ): Status;
   diagramIds(diagram: Address): Status;
   diagramVertices(diagram: Address): Status;
   diagramEdges(diagram: Address): Status;
@@ -58,13 +67,52 @@ export interface NativeExports {
   toleranceFor(xmin: number, ymin: number, xmax: number, ymax: number): number;
   diagramExtent(diagram: Address): void;
   diagramHull(diagram: Address): Status;
-  diagramDraw(diagram: Address, what: number, xmin: number, ymin: number, xmax: number, ymax: number, tolerance: number,
-              cursor: number, commands: number): Status;
-  voronoiDrawCell(diagram: Address, xmin: number, ymin: number, xmax: number, ymax: number, id: number, tolerance: number): Status;
-  voronoiPolygon(diagram: Address, xmin: number, ymin: number, xmax: number, ymax: number, id: number, tolerance: number): Status;
-  voronoiCell(diagram: Address, xmin: number, ymin: number, xmax: number, ymax: number, id: number): Status;
+  diagramDraw(
+    diagram: Address,
+    what: number,
+    xmin: number,
+    ymin: number,
+    xmax: number,
+    ymax: number,
+    tolerance: number,
+    cursor: number,
+    commands: number,
+  ): Status;
+  voronoiDrawCell(
+    diagram: Address,
+    xmin: number,
+    ymin: number,
+    xmax: number,
+    ymax: number,
+    id: number,
+    tolerance: number,
+  ): Status;
+  voronoiPolygon(
+    diagram: Address,
+    xmin: number,
+    ymin: number,
+    xmax: number,
+    ymax: number,
+    id: number,
+    tolerance: number,
+  ): Status;
+  voronoiCell(
+    diagram: Address,
+    xmin: number,
+    ymin: number,
+    xmax: number,
+    ymax: number,
+    id: number,
+  ): Status;
   voronoiEdges(diagram: Address, xmin: number, ymin: number, xmax: number, ymax: number): Status;
-  voronoiMeasures(diagram: Address, xmin: number, ymin: number, xmax: number, ymax: number, id: number): Status;
+  voronoiMeasures(
+    diagram: Address,
+    xmin: number,
+    ymin: number,
+    xmax: number,
+    ymax: number,
+    id: number,
+  ): Status;
   voronoiMeasuresWithin(diagram: Address, id: number, radius: number): Status;
   voronoiAreas(diagram: Address, xmin: number, ymin: number, xmax: number, ymax: number): Status;
 }
@@ -80,7 +128,10 @@ type ModuleSource = () => WebAssembly.Module;
 let source: ModuleSource | undefined;
 let instance: NativeModule | undefined;
 
-/** Tells where the first use gets the compiled module from. Each entry of the package calls this once. */
+/**
+ * Tells where the first use gets the compiled module from. Each entry of the package calls this
+ * once.
+ */
 export function setModuleSource(moduleSource: ModuleSource): void {
   source = moduleSource;
 }
@@ -96,7 +147,7 @@ export function isRunning(): boolean {
 
 /** Starts a compiled module unless one runs already. */
 export function start(compiled: WebAssembly.Module): NativeModule {
-  return instance ??= started(compiled);
+  return (instance ??= started(compiled));
 }
 
 function started(compiled: WebAssembly.Module): NativeModule {
@@ -109,15 +160,19 @@ function started(compiled: WebAssembly.Module): NativeModule {
     heap.doubles = new Float64Array(buffer);
   };
   const env = {
-    /** Lets the memory have so many bytes and, where there are some, a few more: growing it costs some microseconds. */
+    /**
+     * Lets the memory have so many bytes and, where there are some, a few more: growing it costs
+     * some microseconds.
+     */
     grow(wanted: number): Flag {
-      const bytes = wanted >>> 0, { memory } = raw;
+      const bytes = wanted >>> 0,
+        { memory } = raw;
       for (const more of [Math.min(bytes / 5, 1 << 22), 0]) {
         try {
           memory.grow(Math.ceil((bytes + more - heap.bytes.length) / 65536));
           view();
           return 1;
-        } catch {}  // not even what was asked for: malloc fails
+        } catch {} // not even what was asked for: malloc fails
       }
       return 0;
     },
@@ -125,50 +180,74 @@ function started(compiled: WebAssembly.Module): NativeModule {
       const text = heap.bytes.subarray(name, heap.bytes.indexOf(0, name));
       try {
         console.error("apollonius: broken invariant:", String.fromCharCode(...text));
-      } catch {}  // into C++ it would look like a lack of memory
+      } catch {} // into C++ it would look like a lack of memory
     },
   };
   const raw = new WebAssembly.Instance(compiled, { env }).exports as unknown as NativeExports;
   view();
   raw._initialize();
-  const module = { heap, call: guarded(raw, () => {
-    view();
-    try {
-      if (instance === module) instance = started(compiled);
-    } catch {}  // no memory for another: this one goes on
-  }) };
+  const module = {
+    heap,
+    call: guarded(raw, () => {
+      view();
+      try {
+        if (instance === module) instance = started(compiled);
+      } catch {} // no memory for another: this one goes on
+    }),
+  };
   return module;
 }
 
 type Call = (diagram: number, ...rest: number[]) => number;
 
 /**
- * The exports, each guarded against what ends a call in its middle: a trap, which is a defect of the library, or an exhausted stack, which
- * nothing foresees. The diagram of that call may be half changed: from then on it is broken, every call of it throws, and its memory is never
- * given back, as its destructor might follow a wrong address. All others find the stack and the shared blocks as they have to be.
+ * The exports, each guarded against what ends a call in its middle: a trap, which is a defect of
+ * the library, or an exhausted stack, which nothing foresees. The diagram of that call may be half
+ * changed: from then on it is broken, every call of it throws, and its memory is never given back,
+ * as its destructor might follow a wrong address. All others find the stack and the shared blocks
+ * as they have to be.
  */
 function guarded(raw: NativeExports, retire: () => void): NativeExports {
-  const stack = raw.__stack_pointer, top = stack.value;
+  const stack = raw.__stack_pointer,
+    top = stack.value;
   const broken = new Set<Address>();
-  let running: Address | undefined;  // the diagram of the call that is under way; 0 if that is about none
+  // the diagram of the call that is under way; 0 if that is about none
+  let running: Address | undefined;
 
-  /** Sets things right after a call that ended in its middle. At the end of the stack this may fail itself: then the next call does it. */
+  /**
+   * Sets things right after a call that ended in its middle. At the end of the stack this may fail
+   * itself: then the next call does it.
+   */
   const settle = (diagram: Address) => {
-    broken.add(running = diagram);
+    broken.add((running = diagram));
     stack.value = top;
     raw.abandon();
     retire();
     running = undefined;
   };
   const failure = (cause?: unknown) =>
-    new ApolloniusError("broken", "a call of this diagram ended in its middle: please report it, unless no stack was left", { cause });
+    new ApolloniusError(
+      "broken",
+      "a call of this diagram ended in its middle: please report it, unless no stack was left",
+      { cause },
+    );
 
   const call: Record<string, unknown> = { ...raw };
   for (const [name, plain] of Object.entries(raw)) {
     if (typeof plain !== "function") continue;
     const isOfDiagram = /^(diagram(?!Create)|voronoi)/.test(name);
     // As many parameters as any has: a list of the rest would be made anew for each call.
-    call[name] = (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number) => {
+    call[name] = (
+      a: number,
+      b: number,
+      c: number,
+      d: number,
+      e: number,
+      f: number,
+      g: number,
+      h: number,
+      i: number,
+    ) => {
       const diagram = isOfDiagram ? a : 0;
       if (running !== undefined) settle(running);
       if (diagram !== 0 && broken.size !== 0 && broken.has(diagram)) {

@@ -1,5 +1,6 @@
-// One diagram inside the wasm module, with typed arrays instead of heap addresses: no other file knows an address, and no view
-// of the heap leaves this one (a view dies when the memory grows). Layout of the shared blocks: wasm/bindings.cpp.
+// One diagram inside the wasm module, with typed arrays instead of heap addresses: no other file
+// knows an address, and no view of the heap leaves this one (a view dies when the memory grows).
+// Layout of the shared blocks: wasm/bindings.cpp.
 import { ApolloniusError } from "./errors.js";
 import { type Heap, type NativeExports, runningModule, type Status } from "./module.js";
 
@@ -9,7 +10,8 @@ const kOutOfMemory: Status = 5;
 /** "No site": not a valid id, and what the library answers when there is none. */
 export const kNoSite = 0xffffffff;
 
-// Blocks in the heap of up to this size stay allocated for the next call: giving one back costs a call.
+// Blocks in the heap of up to this size stay allocated for the next call: giving one back costs a
+// call.
 const kKeptBytes = 1 << 18;
 
 // More than this many bytes a 32-bit heap never has; beyond 2^32 the address arithmetic would wrap.
@@ -35,18 +37,27 @@ export type Drawing = (typeof Drawing)[keyof typeof Drawing];
 // Commands in one portion of a drawing: few enough to stay in the processor's cache.
 const kPortion = 4096;
 
-interface Place { call: NativeExports; address: number }
+interface Place {
+  call: NativeExports;
+  address: number;
+}
 let collector: FinalizationRegistry<Place> | undefined;
-let results = 0;  // the same in every instance of the module
+let results = 0; // the same in every instance of the module
 
-/** The net under diagrams that nobody disposes of. It holds addresses only, so that owners can be collected. */
+/**
+ * The net under diagrams that nobody disposes of. It holds addresses only, so that owners can be
+ * collected.
+ */
 function addressCollector(): FinalizationRegistry<Place> {
   collector ??= new FinalizationRegistry(({ call, address }) => call.diagramDestroy(address));
   return collector;
 }
 
 type Play = (commands: Uint8Array, count: number, xy: Float64Array) => void;
-interface Portion { xy?: Float64Array; commands?: Uint8Array }
+interface Portion {
+  xy?: Float64Array;
+  commands?: Uint8Array;
+}
 
 export class NativeDiagram {
   readonly #call: NativeExports;
@@ -60,7 +71,10 @@ export class NativeDiagram {
     this.#address = address;
   }
 
-  /** An empty diagram that lives until `destroy`, or until `owner` is collected; null if memory ran out. */
+  /**
+   * An empty diagram that lives until `destroy`, or until `owner` is collected; null if memory ran
+   * out.
+   */
   static create(owner: object, hierarchy: boolean): NativeDiagram | null {
     const { call, heap } = runningModule();
     results = call.resultsAddress() >>> 0;
@@ -77,7 +91,7 @@ export class NativeDiagram {
     this.#isDestroyed = true;
   }
 
-  // --- Calls about one site or point. Their results are read below, before the next call. ---------------------------------
+  // --- Calls about one site or point. Their results are read below, before the next call. --------
 
   insert(x: number, y: number, r: number): Status {
     return this.#call.diagramInsert(this.#address, x, y, r);
@@ -122,7 +136,7 @@ export class NativeDiagram {
     this.#call.diagramClear(this.#address);
   }
 
-  // --- Scalar results of the last call ---------------------------------------------------------------------------------------
+  // --- Scalar results of the last call -----------------------------------------------------------
 
   /** The site that the last call answered; -1 for none. */
   get id(): number {
@@ -145,7 +159,7 @@ export class NativeDiagram {
     return this.#number(kDistance);
   }
 
-  // --- Arrays in -------------------------------------------------------------------------------------------------------------
+  // --- Arrays in ---------------------------------------------------------------------------------
 
   /** Inserts triples; the new ids go to `ids`. */
   insertMany(xyr: ArrayLike<number>, ids: Uint32Array): Status {
@@ -172,13 +186,22 @@ export class NativeDiagram {
     });
   }
 
-  /** Nearest sites of x, y pairs into `ids` (-1 for none), and their distances into `distances` if given. */
+  /**
+   * Nearest sites of x, y pairs into `ids` (-1 for none), and their distances into `distances` if
+   * given.
+   */
   findMany(xy: ArrayLike<number>, ids: Int32Array, distances: Float64Array | undefined): Status {
     const count = ids.length;
     return this.#withScratch(count * (distances ? 28 : 20), (at) => {
       const distancesAt = this.#writeDoubles(at, xy, 2 * count);
       const idsAt = distances ? distancesAt + count * 8 : distancesAt;
-      const status = this.#call.diagramFindMany(this.#address, at, idsAt, distances ? distancesAt : 0, count);
+      const status = this.#call.diagramFindMany(
+        this.#address,
+        at,
+        idsAt,
+        distances ? distancesAt : 0,
+        count,
+      );
       if (status === 0) {
         ids.set(this.#words(idsAt, count));
         distances?.set(this.#doubles(distancesAt, count));
@@ -196,7 +219,8 @@ export class NativeDiagram {
     });
   }
 
-  // --- Arrays out: each call fills slots, from which `take...` copies and `finish` gives back what was large ---------------
+  // --- Arrays out: each call fills slots, from which `take...` copies and `finish` gives back what
+  // was large ---------------
 
   ids(): Status {
     return this.#call.diagramIds(this.#address);
@@ -214,7 +238,7 @@ export class NativeDiagram {
     return this.#call.diagramValidate(this.#address);
   }
 
-  // --- Geometry --------------------------------------------------------------------------------------------------------------
+  // --- Geometry ----------------------------------------------------------------------------------
 
   toleranceFor(bounds: NativeBounds): number {
     return this.#call.toleranceFor(...bounds);
@@ -240,7 +264,10 @@ export class NativeDiagram {
   areas(bounds: NativeBounds): Status {
     return this.#call.voronoiAreas(this.#address, ...bounds);
   }
-  /** Leaves x and y of the centroid, the perimeter in r, the area in distance, and in count whether there is any. */
+  /**
+   * Leaves x and y of the centroid, the perimeter in r, the area in distance, and in count whether
+   * there is any.
+   */
   measures(bounds: NativeBounds, id: number): Status {
     return this.#call.voronoiMeasures(this.#address, ...bounds, id);
   }
@@ -248,12 +275,22 @@ export class NativeDiagram {
     return this.#call.voronoiMeasuresWithin(this.#address, id, radius);
   }
 
-  /** Hands a drawing to `play` in portions, which may do anything but keep the arrays: even change the diagram. */
+  /**
+   * Hands a drawing to `play` in portions, which may do anything but keep the arrays: even change
+   * the diagram.
+   */
   draw(what: Drawing, bounds: NativeBounds, tolerance: number, play: Play): Status {
     const portion: Portion = {};
-    for (let cursor = 0; ;) {
+    for (let cursor = 0; ; ) {
       this.#expectLiving();
-      const status = this.#call.diagramDraw(this.#address, what, ...bounds, tolerance, cursor, kPortion);
+      const status = this.#call.diagramDraw(
+        this.#address,
+        what,
+        ...bounds,
+        tolerance,
+        cursor,
+        kPortion,
+      );
       if (status !== 0) return status;
       cursor = this.id >>> 0;
       const isDone = this.count !== 0;
@@ -278,8 +315,10 @@ export class NativeDiagram {
     const count = this.#slot(kLengths, 1);
     const heap: Uint8Array = this.#heap.bytes;
     const commands = heap.subarray(this.#slot(kAddresses, 1), this.#slot(kAddresses, 1) + count);
-    if (!portion.xy || portion.xy.length < coordinates.length) portion.xy = new Float64Array(coordinates.length);
-    if (!portion.commands || portion.commands.length < count) portion.commands = new Uint8Array(count);
+    if (!portion.xy || portion.xy.length < coordinates.length)
+      portion.xy = new Float64Array(coordinates.length);
+    if (!portion.commands || portion.commands.length < count)
+      portion.commands = new Uint8Array(count);
     portion.xy.set(coordinates);
     portion.commands.set(commands);
     play(portion.commands, count, portion.xy);
@@ -309,12 +348,16 @@ export class NativeDiagram {
     if (bytes > kKeptBytes) this.#call.release();
   }
 
-  /** The caller's code runs while arguments and options are read and while contexts draw; it may do anything. */
+  /**
+   * The caller's code runs while arguments and options are read and while contexts draw; it may do
+   * anything.
+   */
   #expectLiving(): void {
-    if (this.#isDestroyed) throw new ApolloniusError("disposed", "the diagram was disposed of during the call");
+    if (this.#isDestroyed)
+      throw new ApolloniusError("disposed", "the diagram was disposed of during the call");
   }
 
-  // --- Addresses -------------------------------------------------------------------------------------------------------------
+  // --- Addresses ---------------------------------------------------------------------------------
 
   #number(offset: number): number {
     return this.#heap.doubles[(results + offset) >>> 3] as number;

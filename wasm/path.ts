@@ -1,7 +1,11 @@
-// Drawing: portions of commands from the library, played into anything that draws, or written as an SVG path.
+// Drawing: portions of commands from the library, played into anything that draws, or written as an
+// SVG path.
 import { ApolloniusError } from "./errors.js";
 
-/** What can be drawn into: a canvas context, a Path2D, a d3-path, or anything else with these four methods. */
+/**
+ * What can be drawn into: a canvas context, a Path2D, a d3-path, or anything else with these four
+ * methods.
+ */
 export interface PathContext {
   /** Starts a new piece. */
   moveTo(x: number, y: number): void;
@@ -16,8 +20,8 @@ export interface PathContext {
 /** How to draw. */
 export interface DrawOptions {
   /**
-   * Largest distance between a drawn curve and the true one, in the diagram's unit, > 0. By default 2^-13 of the window's diagonal:
-   * a sixth of a pixel where that is 1300 pixels.
+   * Largest distance between a drawn curve and the true one, in the diagram's unit, > 0. By default
+   * 2^-13 of the window's diagonal: a sixth of a pixel where that is 1300 pixels.
    */
   tolerance?: number | undefined;
   /** Decimal places of the numbers in a path string, 0 to 15; by default all that they have. */
@@ -30,7 +34,12 @@ const kLine = 1;
 const kCurve = 2;
 
 /** Plays `count` commands. */
-export function play(context: PathContext, commands: Uint8Array, count: number, xy: Float64Array): void {
+export function play(
+  context: PathContext,
+  commands: Uint8Array,
+  count: number,
+  xy: Float64Array,
+): void {
   for (let i = 0, k = 0; i < count; ++i) {
     const command = commands[i];
     if (command === kMove) {
@@ -40,8 +49,14 @@ export function play(context: PathContext, commands: Uint8Array, count: number, 
       context.lineTo(xy[k] as number, xy[k + 1] as number);
       k += 2;
     } else if (command === kCurve) {
-      context.bezierCurveTo(xy[k] as number, xy[k + 1] as number, xy[k + 2] as number, xy[k + 3] as number,
-                            xy[k + 4] as number, xy[k + 5] as number);
+      context.bezierCurveTo(
+        xy[k] as number,
+        xy[k + 1] as number,
+        xy[k + 2] as number,
+        xy[k + 3] as number,
+        xy[k + 4] as number,
+        xy[k + 5] as number,
+      );
       k += 6;
     } else {
       context.closePath();
@@ -57,7 +72,10 @@ export class PathString implements PathContext {
   /** Throws "out-of-range" unless `digits` is undefined or an integer from 0 to 15. */
   constructor(digits: number | undefined) {
     if (digits !== undefined && !(Number.isInteger(digits) && digits >= 0 && digits <= 15)) {
-      throw new ApolloniusError("out-of-range", `digits is ${String(digits)}, expected an integer from 0 to 15`);
+      throw new ApolloniusError(
+        "out-of-range",
+        `digits is ${String(digits)}, expected an integer from 0 to 15`,
+      );
     }
     this.#scale = digits === undefined ? undefined : 10 ** digits;
   }
@@ -81,13 +99,16 @@ export class PathString implements PathContext {
   #number(x: number): number {
     if (this.#scale === undefined) return x;
     const rounded = Math.round(x * this.#scale) / this.#scale;
-    return Number.isFinite(rounded) ? rounded : x;  // numbers so large have no decimal places
+    return Number.isFinite(rounded) ? rounded : x; // numbers so large have no decimal places
   }
 }
 
 /** Draws into the context if there is one, else returns the path as a string. */
-export function drawn(context: PathContext | null | undefined, options: DrawOptions | undefined,
-                      draw: (context: PathContext) => void): string | void {
+export function drawn(
+  context: PathContext | null | undefined,
+  options: DrawOptions | undefined,
+  draw: (context: PathContext) => void,
+): string | void {
   if (context !== null && context !== undefined) return draw(context);
   const text = new PathString(options?.digits);
   draw(text);

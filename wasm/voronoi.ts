@@ -10,12 +10,13 @@ import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
 export type Bounds = readonly [xmin: number, ymin: number, xmax: number, ymax: number];
 
 /**
- * Curves as they are: each a rational quadratic Bezier curve, seven numbers x0, y0, x1, y1, w, x2, y2 for
+ * Curves as they are: each a rational quadratic Bezier curve, seven numbers x0, y0, x1, y1, w, x2,
+ * y2 for
  *
  *     P(t) = ((1-t)² P0 + 2 w t (1-t) P1 + t² P2) / ((1-t)² + 2 w t (1-t) + t²),   0 <= t <= 1
  *
- * A piece of a hyperbola (w > 1) is exactly that; w is 0 for a straight segment, of which P1 is the middle. P1 is where the tangents at
- * P0 and P2 meet.
+ * A piece of a hyperbola (w > 1) is exactly that; w is 0 for a straight segment, of which P1 is the
+ * middle. P1 is where the tangents at P0 and P2 meet.
  */
 export interface EdgeCurves {
   /** The curves, one after the other. */
@@ -58,20 +59,25 @@ export interface CellsCollection {
     type: "Feature";
     id: number;
     properties: { site: number };
-    geometry: { type: "Polygon"; coordinates: Position[][] } | { type: "MultiPolygon"; coordinates: Position[][][] };
+    geometry:
+      | { type: "Polygon"; coordinates: Position[][] }
+      | { type: "MultiPolygon"; coordinates: Position[][][] };
   }[];
 }
 
 /**
- * The cells of a diagram inside a window, as shapes, measures and drawings: `diagram.voronoi(bounds)`. A view: always of the diagram as
- * it is now; do not change that while a drawing calls the context.
+ * The cells of a diagram inside a window, as shapes, measures and drawings:
+ * `diagram.voronoi(bounds)`. A view: always of the diagram as it is now; do not change that while a
+ * drawing calls the context.
  *
- * Cells have curved edges, and everything is computed from these: drawings and polygons are within a tolerance of them, measures are
- * those of the curves. A clipped cell can be several *regions* (if its site's centre is outside the window).
+ * Cells have curved edges, and everything is computed from these: drawings and polygons are within
+ * a tolerance of them, measures are those of the curves. A clipped cell can be several *regions*
+ * (if its site's centre is outside the window).
  *
- * Everywhere: an id without a site throws "unknown-site"; for a hidden site, which has no cell, and for what a cell has no part of inside
- * the window, there is nothing: null for arrays and objects, nothing drawn. Measures are null for a hidden site, and 0 outside the
- * window. Options throw "not-finite" or "out-of-range". Names and meaning are d3-delaunay's where it has them.
+ * Everywhere: an id without a site throws "unknown-site"; for a hidden site, which has no cell, and
+ * for what a cell has no part of inside the window, there is nothing: null for arrays and objects,
+ * nothing drawn. Measures are null for a hidden site, and 0 outside the window. Options throw
+ * "not-finite" or "out-of-range". Names and meaning are d3-delaunay's where it has them.
  */
 export class Voronoi {
   /** The diagram that is looked at. */
@@ -93,10 +99,10 @@ export class Voronoi {
     this.ymin = ymin;
     this.xmax = xmax;
     this.ymax = ymax;
-    Object.freeze(this);  // an object put there would be asked for its value in the middle of a call
+    Object.freeze(this); // an object put there would be asked for its value in the middle of a call
   }
 
-  // --- Drawing: into the context, or without one as an SVG path string ---------------------------------------------------------
+  // --- Drawing: into the context, or without one as an SVG path string ---------------------------
 
   /** Draws all edges inside the window, each once. O(n). */
   render(context: PathContext, options?: DrawOptions): void;
@@ -105,7 +111,11 @@ export class Voronoi {
     const native = nativeOf(this.diagram);
     const tolerance = this.#tolerance(native, options);
     return drawn(context, options, (target) => {
-      check(native.draw(Drawing.edges, this.#bounds, tolerance, (commands, count, xy) => play(target, commands, count, xy)));
+      check(
+        native.draw(Drawing.edges, this.#bounds, tolerance, (commands, count, xy) =>
+          play(target, commands, count, xy),
+        ),
+      );
     });
   }
 
@@ -130,22 +140,28 @@ export class Voronoi {
     const native = this.#nativeFor(id);
     const tolerance = this.#tolerance(native, options);
     return drawn(context, options, (target) => {
-      check(native.drawCell(this.#bounds, id, tolerance, (commands, count, xy) => play(target, commands, count, xy)));
+      check(
+        native.drawCell(this.#bounds, id, tolerance, (commands, count, xy) =>
+          play(target, commands, count, xy),
+        ),
+      );
     });
   }
 
-  // --- Shapes ----------------------------------------------------------------------------------------------------------------
+  // --- Shapes ------------------------------------------------------------------------------------
 
   /**
-   * A cell as one closed ring, counter-clockwise (y upwards), within the tolerance of the true one. Several regions are joined by
-   * doubled segments, which have no area; `cellRegions` keeps them apart. O(d log d).
+   * A cell as one closed ring, counter-clockwise (y upwards), within the tolerance of the true one.
+   * Several regions are joined by doubled segments, which have no area; `cellRegions` keeps them
+   * apart. O(d log d).
    */
   cellPolygon(id: number, options?: { tolerance?: number | undefined }): Float64Array | null {
     const rings = this.cellRegions(id, options);
     if (rings === null || rings.length <= 1) return rings?.[0] ?? null;
     // To each further ring and around it, then back the same way.
     const points = rings.flatMap((ring) => [...ring]);
-    for (const ring of rings.slice(0, -1).reverse()) points.push(ring[0] as number, ring[1] as number);
+    for (const ring of rings.slice(0, -1).reverse())
+      points.push(ring[0] as number, ring[1] as number);
     return Float64Array.from(points);
   }
 
@@ -159,10 +175,15 @@ export class Voronoi {
     native.finish();
     if (starts.length < 2) return null;
     if (starts.length === 2) return [coordinates];
-    return Array.from(starts.subarray(1), (end, k) => coordinates.slice(2 * (starts[k] as number), 2 * end));
+    return Array.from(starts.subarray(1), (end, k) =>
+      coordinates.slice(2 * (starts[k] as number), 2 * end),
+    );
   }
 
-  /** The polygons of all cells that have a part in the window, ascending by id, which is their `index`. */
+  /**
+   * The polygons of all cells that have a part in the window, ascending by id, which is their
+   * `index`.
+   */
   *cellPolygons(options?: { tolerance?: number | undefined }): Generator<CellPolygon, void> {
     for (const id of this.diagram.ids()) {
       const ring = this.cellPolygon(id, options);
@@ -175,13 +196,18 @@ export class Voronoi {
     const native = this.#nativeFor(id);
     check(native.cell(this.#bounds, id));
     const boundary = {
-      curves: native.takeDoubles(0), neighbors: new Int32Array(native.takeWords(1).buffer), regions: native.takeWords(2),
+      curves: native.takeDoubles(0),
+      neighbors: new Int32Array(native.takeWords(1).buffer),
+      regions: native.takeWords(2),
     };
     native.finish();
     return boundary.regions.length < 2 ? null : boundary;
   }
 
-  /** All edges inside the window, as curves; an edge of which the window cuts out a part is several. O(n). */
+  /**
+   * All edges inside the window, as curves; an edge of which the window cuts out a part is several.
+   * O(n).
+   */
   edgeCurves(): EdgeCurves {
     const native = nativeOf(this.diagram);
     check(native.edgeCurves(this.#bounds));
@@ -190,40 +216,51 @@ export class Voronoi {
     return edges;
   }
 
-  /** All cells as GeoJSON, ascending by id: polygons, or multi-polygons where a cell is several regions. */
+  /**
+   * All cells as GeoJSON, ascending by id: polygons, or multi-polygons where a cell is several
+   * regions.
+   */
   toGeoJSON(options?: { tolerance?: number | undefined }): CellsCollection {
     const features: CellsCollection["features"] = [];
     for (const id of this.diagram.ids()) {
       const rings = this.cellRegions(id, options);
       if (rings === null) continue;
-      const polygons = rings.map((ring) => [Array.from({ length: ring.length / 2 },
-                                                       (_, k): Position => [ring[2 * k] as number, ring[2 * k + 1] as number])]);
-      const geometry = polygons.length === 1
-        ? { type: "Polygon" as const, coordinates: polygons[0] as Position[][] }
-        : { type: "MultiPolygon" as const, coordinates: polygons };
+      const polygons = rings.map((ring) => [
+        Array.from(
+          { length: ring.length / 2 },
+          (_, k): Position => [ring[2 * k] as number, ring[2 * k + 1] as number],
+        ),
+      ]);
+      const geometry =
+        polygons.length === 1
+          ? { type: "Polygon" as const, coordinates: polygons[0] as Position[][] }
+          : { type: "MultiPolygon" as const, coordinates: polygons };
       features.push({ type: "Feature", id, properties: { site: id }, geometry });
     }
     return { type: "FeatureCollection", features };
   }
 
-  // --- Questions ---------------------------------------------------------------------------------------------------------------
+  // --- Questions ---------------------------------------------------------------------------------
 
   /**
-   * Is this site the nearest one to the point? Exact, ties as in `diagram.find`; the window does not matter. false for a hidden site.
-   * Throws "unknown-site", "not-finite", "out-of-range".
+   * Is this site the nearest one to the point? Exact, ties as in `diagram.find`; the window does
+   * not matter. false for a hidden site. Throws "unknown-site", "not-finite", "out-of-range".
    */
   contains(id: number, x: number, y: number): boolean {
     this.#nativeFor(id);
     return this.diagram.find(x, y) === id;
   }
 
-  /** The sites whose cells have an edge in common with this one's inside the window, counter-clockwise, each once. */
+  /**
+   * The sites whose cells have an edge in common with this one's inside the window,
+   * counter-clockwise, each once.
+   */
   neighbors(id: number): Uint32Array {
     const boundary = this.cellCurves(id);
     return Uint32Array.from(new Set(boundary?.neighbors.filter((site) => site !== -1)));
   }
 
-  // --- Measures of the true, curved cells -----------------------------------------------------------------------------------------
+  // --- Measures of the true, curved cells --------------------------------------------------------
 
   /** Area of a cell inside the window; null for a hidden site. */
   cellArea(id: number): number | null {
@@ -235,7 +272,10 @@ export class Voronoi {
     return this.cellMeasures(id)?.centroid ?? null;
   }
 
-  /** Length of the boundary of a cell inside the window, the window's border included; null for a hidden site. */
+  /**
+   * Length of the boundary of a cell inside the window, the window's border included; null for a
+   * hidden site.
+   */
   cellPerimeter(id: number): number | null {
     return this.cellMeasures(id)?.perimeter ?? null;
   }
@@ -250,20 +290,25 @@ export class Voronoi {
   }
 
   /**
-   * Area, centroid and perimeter of the part of a cell within `radius` of its site's centre: what a site covers at most. The window does
-   * not matter. null for a hidden site. Throws "unknown-site", "not-finite", "out-of-range" (a radius below 0).
+   * Area, centroid and perimeter of the part of a cell within `radius` of its site's centre: what a
+   * site covers at most. The window does not matter. null for a hidden site. Throws "unknown-site",
+   * "not-finite", "out-of-range" (a radius below 0).
    */
   cellWithin(id: number, radius: number): Measures | null {
     const native = this.#nativeFor(id);
     checkNumber("radius", radius);
-    if (radius < 0) throw new ApolloniusError("out-of-range", `radius is ${radius}, expected 0 or more`);
+    if (radius < 0)
+      throw new ApolloniusError("out-of-range", `radius is ${radius}, expected 0 or more`);
     check(native.isHidden(id));
     if (native.count !== 0) return null;
     check(native.measuresWithin(id, radius));
     return measuresOf(native);
   }
 
-  /** The areas of all cells inside the window, by id; 0 where there is none. They add up to the window's. O(n), much faster than a loop. */
+  /**
+   * The areas of all cells inside the window, by id; 0 where there is none. They add up to the
+   * window's. O(n), much faster than a loop.
+   */
   cellAreas(): Float64Array {
     const native = nativeOf(this.diagram);
     check(native.areas(this.#bounds));
@@ -272,7 +317,7 @@ export class Voronoi {
     return areas;
   }
 
-  // --- Shared parts ----------------------------------------------------------------------------------------------------------
+  // --- Shared parts ------------------------------------------------------------------------------
 
   get #bounds(): Bounds {
     return [this.xmin, this.ymin, this.xmax, this.ymax];
@@ -284,11 +329,18 @@ export class Voronoi {
     return native;
   }
 
-  #tolerance(native: NativeDiagram, options: { tolerance?: number | undefined } | undefined): number {
+  #tolerance(
+    native: NativeDiagram,
+    options: { tolerance?: number | undefined } | undefined,
+  ): number {
     return checkedTolerance(options?.tolerance, () => native.toleranceFor(this.#bounds));
   }
 }
 
 function measuresOf(native: NativeDiagram): Measures {
-  return { area: native.distance, centroid: native.count === 0 ? null : [native.x, native.y], perimeter: native.r };
+  return {
+    area: native.distance,
+    centroid: native.count === 0 ? null : [native.x, native.y],
+    perimeter: native.r,
+  };
 }

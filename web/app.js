@@ -1,4 +1,5 @@
-// What the page can do, whoever asks for it: pointer, keyboard, buttons or a test. Keeps diagram, picture and selection together.
+// What the page can do, whoever asks for it: pointer, keyboard, buttons or a test. Keeps diagram,
+// picture and selection together.
 import { Painter } from "./painter.js";
 import { regionOf } from "./regions.js";
 import { Scene } from "./scene.js";
@@ -13,9 +14,14 @@ export class App extends EventTarget {
   scene = new Scene();
   view = new View();
   /** @type {Painter} */ painter;
-  /** The pointer in pixels, or null while it is elsewhere. @type {{ x: number, y: number } | null} */
+  /**
+   * The pointer in pixels, or null while it is elsewhere. @type {{ x: number, y: number } | null}
+   */
   pointer = null;
-  /** Time of a nearest-site query: the mean over the latest few dozen movements of the pointer (single ones are too short). */
+  /**
+   * Time of a nearest-site query: the mean over the latest few dozen movements of the pointer
+   * (single ones are too short).
+   */
   query = { count: 0, micros: 0 };
   #insertPixels = kFirstRadius;
 
@@ -27,7 +33,8 @@ export class App extends EventTarget {
     this.scene.addEventListener("change", ({ detail }) => {
       if (detail.all) this.painter.redraw();
       if (before) this.painter.redrawBox(before);
-      if (detail.id !== undefined && !detail.removed) this.painter.redrawBox(this.#region(detail.id));
+      if (detail.id !== undefined && !detail.removed)
+        this.painter.redrawBox(this.#region(detail.id));
       before = null;
       this.refreshHover();
       this.dispatchEvent(new Event("change"));
@@ -50,7 +57,7 @@ export class App extends EventTarget {
     return regionOf(this.scene, this.view, id, this.painter.layers.dual);
   }
 
-  // --- Sites -----------------------------------------------------------------------------------------------------------
+  // --- Sites -------------------------------------------------------------------------------------
 
   /** Inserts a circle at a pixel and selects it. @param {number} [r] in the diagram's units */
   insertAt(x, y, r = this.#insertPixels / this.view.scale) {
@@ -95,10 +102,13 @@ export class App extends EventTarget {
   pick(x, y, reach) {
     const { circles, hidden } = this.painter.layers;
     const { view } = this;
-    return this.scene.pick(view.toWorldX(x), view.toWorldY(y), reach / view.scale, { visible: circles, hidden });
+    return this.scene.pick(view.toWorldX(x), view.toWorldY(y), reach / view.scale, {
+      visible: circles,
+      hidden,
+    });
   }
 
-  // --- Pointer ---------------------------------------------------------------------------------------------------------
+  // --- Pointer -----------------------------------------------------------------------------------
 
   /** Highlights the site nearest to a pixel; null: the pointer has left. */
   hoverAt(pointer) {
@@ -121,10 +131,16 @@ export class App extends EventTarget {
     const weight = 1 / Math.min(++this.query.count, kQueries);
     this.query.micros += (micros - this.query.micros) * weight;
     if (!nearest) return null;
-    return { x, y, id: nearest.id, distance: nearest.distance, neighbors: this.diagram.neighbors(nearest.id) };
+    return {
+      x,
+      y,
+      id: nearest.id,
+      distance: nearest.distance,
+      neighbors: this.diagram.neighbors(nearest.id),
+    };
   }
 
-  // --- View ------------------------------------------------------------------------------------------------------------
+  // --- View --------------------------------------------------------------------------------------
 
   setLayer(name, shown) {
     this.painter.layers[name] = shown;

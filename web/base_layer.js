@@ -1,11 +1,16 @@
-// The static picture: circles, cell boundaries, dual graph, hidden sites. Drawn whole, or inside one box only.
+// The static picture: circles, cell boundaries, dual graph, hidden sites. Drawn whole, or inside
+// one box only.
 import { boundsOf, drawOptions, ScreenStrokes } from "./curves.js";
 
-/** @typedef {{ cells: boolean, circles: boolean, dual: boolean, hidden: boolean, map: boolean }} Layers what is shown */
+/**
+ * @typedef {{ cells: boolean, circles: boolean, dual: boolean, hidden: boolean, map: boolean }}
+ * Layers what is shown
+ */
 
 const kDot = 1.1; // circles smaller than this (pixels) are drawn as dots of this size
 const kDashFrom = 5; // hidden circles at least this large (pixels) are dashed
-const kNameFrom = 15; // visible circles at least this large (pixels) show their name, if it fits into them
+// visible circles at least this large (pixels) show their name, if it fits into them
+const kNameFrom = 15;
 const kMostInPath = 2000; // circles in one path: very long paths are slow to stroke
 
 /**
@@ -17,7 +22,12 @@ const kMostInPath = 2000; // circles in one path: very long paths are slow to st
  * @param {import("./view.js").Box} box
  */
 export function drawBase(context, scene, view, layers, theme, box) {
-  const near = { left: box.left - 3, top: box.top - 3, right: box.right + 3, bottom: box.bottom + 3 };
+  const near = {
+    left: box.left - 3,
+    top: box.top - 3,
+    right: box.right + 3,
+    bottom: box.bottom + 3,
+  };
   const visible = [];
   const hidden = [];
   sortCircles(scene, view, near, visible, hidden);
@@ -83,7 +93,8 @@ function drawHidden(context, xyr, theme) {
   context.lineWidth = 1;
   const small = [];
   const large = [];
-  for (let k = 0; k < xyr.length; k += 3) (xyr[k + 2] < kDashFrom ? small : large).push(xyr[k], xyr[k + 1], xyr[k + 2]);
+  for (let k = 0; k < xyr.length; k += 3)
+    (xyr[k + 2] < kDashFrom ? small : large).push(xyr[k], xyr[k + 1], xyr[k + 2]);
   drawCircles(context, small, theme.hidden, "stroke");
   context.setLineDash([3, 3]);
   context.lineCap = "butt";
@@ -110,7 +121,8 @@ function drawNames(context, scene, view, box, theme) {
     if (x + r < box.left || x - r > box.right || y + r < box.top || y - r > box.bottom) continue;
     let width = widths.get(name);
     if (width === undefined) widths.set(name, (width = context.measureText(name).width));
-    if (width < 2 * r - 2 && !isCrowded(scene, view, flags, id, x, y, width / 2 + 4)) context.fillText(name, x, y);
+    if (width < 2 * r - 2 && !isCrowded(scene, view, flags, id, x, y, width / 2 + 4))
+      context.fillText(name, x, y);
   }
 }
 
@@ -119,7 +131,11 @@ function isCrowded(scene, view, flags, id, x, y, halfWidth) {
   const { xyr } = scene;
   for (const other of scene.ids) {
     if (other === id || !flags[other]) continue;
-    if (Math.abs(view.toScreenX(xyr[3 * other]) - x) < halfWidth && Math.abs(view.toScreenY(xyr[3 * other + 1]) - y) < 9) return true;
+    if (
+      Math.abs(view.toScreenX(xyr[3 * other]) - x) < halfWidth &&
+      Math.abs(view.toScreenY(xyr[3 * other + 1]) - y) < 9
+    )
+      return true;
   }
   return false;
 }

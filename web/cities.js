@@ -1,5 +1,6 @@
-// The real data that the page opens on: the largest cities of the world, areas of circles in proportion to population.
-// How the files were made: data/make-data.mjs. Unit: kilometres of an equal-area map.
+// The real data that the page opens on: the largest cities of the world, areas of circles in
+// proportion to population. How the files were made: data/make-data.mjs. Unit: kilometres of an
+// equal-area map.
 import { makeMap } from "./map_layer.js";
 
 const kLargestRadius = 330; // km, of the largest city's circle
@@ -13,11 +14,13 @@ async function fetchJson(name) {
 const describe = () => {
   const regions = new Intl.DisplayNames(["en"], { type: "region" });
   const numbers = new Intl.NumberFormat("en");
-  return (country, population) => `${regions.of(country) ?? country} · ${numbers.format(population)} people`;
+  return (country, population) =>
+    `${regions.of(country) ?? country} · ${numbers.format(population)} people`;
 };
 
 /**
- * @returns {Promise<{ xyr: Float64Array, labels: import("./scene.js").Label[], map: import("./map_layer.js").WorldMap,
+ * @returns {Promise<{ xyr: Float64Array, labels: import("./scene.js").Label[], map:
+ * import("./map_layer.js").WorldMap,
  *   bounds: [number, number, number, number] }>}
  */
 export async function loadCities() {

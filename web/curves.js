@@ -5,16 +5,24 @@
 /** @typedef {import("./view.js").Box} Box */
 
 const kTolerance = 0.2; // pixels between a drawn curve and the true one
-const kMargin = 8; // pixels by which cells are drawn larger than the window, so that its border is not seen
+// pixels by which cells are drawn larger than the window, so that its border is not seen
+const kMargin = 8;
 const kMostInPath = 2000; // pieces in one path: very long paths are slow to stroke
 
 /** The options for drawings at this scale. @param {View} view */
 export const drawOptions = (view) => ({ tolerance: kTolerance / view.scale });
 
-/** A box of the window, enlarged by some pixels, as bounds in the diagram's units; null where the view is beyond what numbers resolve. */
+/**
+ * A box of the window, enlarged by some pixels, as bounds in the diagram's units; null where the
+ * view is beyond what numbers resolve.
+ */
 export function boundsOf(view, box, margin = 0) {
-  const bounds = [view.toWorldX(box.left - margin), view.toWorldY(box.bottom + margin), view.toWorldX(box.right + margin), view.toWorldY(box.top - margin)]
-    .map((x) => (Math.abs(x) < 1e-90 ? 0 : x));
+  const bounds = [
+    view.toWorldX(box.left - margin),
+    view.toWorldY(box.bottom + margin),
+    view.toWorldX(box.right + margin),
+    view.toWorldY(box.top - margin),
+  ].map((x) => (Math.abs(x) < 1e-90 ? 0 : x));
   return bounds[0] < bounds[2] && bounds[1] < bounds[3] ? bounds : null;
 }
 
@@ -33,7 +41,12 @@ class ScreenPath {
   bezierCurveTo(x1, y1, x2, y2, x, y) {
     const { path, view } = this;
     path.bezierCurveTo(
-      view.toScreenX(x1), view.toScreenY(y1), view.toScreenX(x2), view.toScreenY(y2), view.toScreenX(x), view.toScreenY(y),
+      view.toScreenX(x1),
+      view.toScreenY(y1),
+      view.toScreenX(x2),
+      view.toScreenY(y2),
+      view.toScreenX(x),
+      view.toScreenY(y),
     );
   }
   closePath() {
@@ -41,7 +54,10 @@ class ScreenPath {
   }
 }
 
-/** Strokes what is drawn in the diagram's units, in paths of bounded length, and leaves out what does not meet the box. */
+/**
+ * Strokes what is drawn in the diagram's units, in paths of bounded length, and leaves out what
+ * does not meet the box.
+ */
 export class ScreenStrokes {
   #x = 0;
   #y = 0;
@@ -64,16 +80,32 @@ export class ScreenStrokes {
   lineTo(x, y) {
     const sx = this.view.toScreenX(x);
     const sy = this.view.toScreenY(y);
-    if (this.#meets(Math.min(this.#x, sx), Math.min(this.#y, sy), Math.max(this.#x, sx), Math.max(this.#y, sy))) this.context.lineTo(sx, sy);
+    if (
+      this.#meets(
+        Math.min(this.#x, sx),
+        Math.min(this.#y, sy),
+        Math.max(this.#x, sx),
+        Math.max(this.#y, sy),
+      )
+    )
+      this.context.lineTo(sx, sy);
     this.#goTo(sx, sy);
   }
 
   bezierCurveTo(x1, y1, x2, y2, x, y) {
     const { view } = this;
-    const [ax, ay, bx, by] = [view.toScreenX(x1), view.toScreenY(y1), view.toScreenX(x2), view.toScreenY(y2)];
+    const [ax, ay, bx, by] = [
+      view.toScreenX(x1),
+      view.toScreenY(y1),
+      view.toScreenX(x2),
+      view.toScreenY(y2),
+    ];
     const [sx, sy] = [view.toScreenX(x), view.toScreenY(y)];
     const meets = this.#meets(
-      Math.min(this.#x, ax, bx, sx), Math.min(this.#y, ay, by, sy), Math.max(this.#x, ax, bx, sx), Math.max(this.#y, ay, by, sy),
+      Math.min(this.#x, ax, bx, sx),
+      Math.min(this.#y, ay, by, sy),
+      Math.max(this.#x, ax, bx, sx),
+      Math.max(this.#y, ay, by, sy),
     );
     if (meets) this.context.bezierCurveTo(ax, ay, bx, by, sx, sy);
     this.#goTo(sx, sy);
@@ -112,15 +144,20 @@ export class ScreenStrokes {
 const windowOf = (view) => ({ left: 0, top: 0, right: view.width, bottom: view.height });
 
 /**
- * Adds a site's cell as closed figures, correct inside the window; nothing for a hidden site. To be filled or stroked.
+ * Adds a site's cell as closed figures, correct inside the window; nothing for a hidden site. To be
+ * filled or stroked.
  * @param {Scene} scene @param {View} view
  */
 export function addCell(path, scene, view, id) {
   const bounds = boundsOf(view, windowOf(view), kMargin);
-  if (bounds) scene.diagram.voronoi(bounds).renderCell(id, new ScreenPath(path, view), drawOptions(view));
+  if (bounds)
+    scene.diagram.voronoi(bounds).renderCell(id, new ScreenPath(path, view), drawOptions(view));
 }
 
-/** The corners of the curves around a site's cell (ends and control points), inside and near the window; null if there is no cell. */
+/**
+ * The corners of the curves around a site's cell (ends and control points), inside and near the
+ * window; null if there is no cell.
+ */
 export function cellCorners(scene, view, id) {
   const bounds = boundsOf(view, windowOf(view), kMargin);
   const cell = bounds && scene.diagram.voronoi(bounds).cellCurves(id);

@@ -1,4 +1,5 @@
-// Keys, while the canvas has the focus. With a selected circle they act on it, without one on the view.
+// Keys, while the canvas has the focus. With a selected circle they act on it, without one on the
+// view.
 
 const kStep = 4; // pixels an arrow key moves a circle; with Shift ten times as far
 const kPan = 60;
@@ -6,7 +7,9 @@ const kGrow = 1.05;
 
 const kArrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
-/** @param {HTMLElement} element @param {import("./app.js").App} app @param {{ fit(): void }} actions */
+/**
+ * @param {HTMLElement} element @param {import("./app.js").App} app @param {{ fit(): void }} actions
+ */
 export function listenToKeyboard(element, app, actions) {
   /** Where keys insert and look for a site: under the pointer, else in the middle of the window. */
   const place = () => app.pointer ?? { x: app.view.width / 2, y: app.view.height / 2 };
@@ -34,7 +37,11 @@ export function listenToKeyboard(element, app, actions) {
   let around = { of: -1, step: 0 };
   function walk(direction) {
     if (app.selected < 0) return;
-    if (around.of < 0 || !app.diagram.has(around.of) || !app.diagram.neighbors(around.of).includes(app.selected)) {
+    if (
+      around.of < 0 ||
+      !app.diagram.has(around.of) ||
+      !app.diagram.neighbors(around.of).includes(app.selected)
+    ) {
       around = { of: app.selected, step: -1 };
     }
     const ring = app.diagram.neighbors(around.of);
@@ -49,7 +56,8 @@ export function listenToKeyboard(element, app, actions) {
     if (key in kArrows) arrow(kArrows[key], event);
     else if (key === "+" || key === "=") grow(kGrow);
     else if (key === "-" || key === "_") grow(1 / kGrow);
-    else if ((key === "Delete" || key === "Backspace") && app.selected >= 0) app.remove(app.selected);
+    else if ((key === "Delete" || key === "Backspace") && app.selected >= 0)
+      app.remove(app.selected);
     else if (key === "Escape") app.select(-1);
     else if (key === "Enter") selectNearest();
     else if (key === "Insert" || key === "i") app.insertAt(place().x, place().y);

@@ -22,13 +22,20 @@ async function start() {
   let seed = 1;
   let bounds = null; // of the set that was loaded: what "fit" shows while it is there
 
-  const resize = () => app.painter.resize(window.innerWidth, window.innerHeight, window.devicePixelRatio || 1);
+  const resize = () =>
+    app.painter.resize(window.innerWidth, window.innerHeight, window.devicePixelRatio || 1);
   const watchDensity = () => {
     // Another screen has another density: no event tells but the end of this one.
-    matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`).addEventListener("change", () => (resize(), watchDensity()), { once: true });
+    matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`).addEventListener(
+      "change",
+      () => (resize(), watchDensity()),
+      { once: true },
+    );
   };
   const insets = () =>
-    window.innerWidth <= kNarrow ? { left: 0, top: 150, right: 0, bottom: 0 } : { left: 280, top: 0, right: 0, bottom: 0 };
+    window.innerWidth <= kNarrow
+      ? { left: 0, top: 150, right: 0, bottom: 0 }
+      : { left: 280, top: 0, right: 0, bottom: 0 };
 
   const actions = {
     async cities(firstView = null) {
@@ -64,7 +71,9 @@ async function start() {
   resize();
   watchDensity();
   window.addEventListener("resize", resize);
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => app.painter.readTheme());
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () =>
+    app.painter.readTheme(),
+  );
   listenToPointer(canvas, app);
   listenToKeyboard(canvas, app, actions);
   await actions.cities(kFirstView);

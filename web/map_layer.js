@@ -1,4 +1,5 @@
-// The land under the cities: one path in the diagram's coordinates, filled under the view's transform.
+// The land under the cities: one path in the diagram's coordinates, filled under the view's
+// transform.
 
 /** @typedef {{ land: Path2D, outline: Path2D }} WorldMap */
 

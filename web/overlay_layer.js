@@ -1,9 +1,16 @@
-// What follows the pointer: the nearest site, its cell and its neighbours; the distance; the selected site and its handle.
+// What follows the pointer: the nearest site, its cell and its neighbours; the distance; the
+// selected site and its handle.
 import { addCell } from "./curves.js";
 
-/** @typedef {{ x: number, y: number, id: number, distance: number, neighbors: Uint32Array }} Hover pointer in pixels, distance in units */
+/**
+ * @typedef {{ x: number, y: number, id: number, distance: number, neighbors: Uint32Array }} Hover
+ * pointer in pixels, distance in units
+ */
 
-/** Space between a selected circle's rim and its ring, in pixels; the handle sits on the ring's east. */
+/**
+ * Space between a selected circle's rim and its ring, in pixels; the handle sits on the ring's
+ * east.
+ */
 const kRing = 5;
 const kSmallestRing = 11;
 
@@ -17,7 +24,10 @@ function ringRadius(view, site) {
   return Math.max(site.r * view.scale + kRing, kSmallestRing);
 }
 
-/** The radius, in the diagram's units, that puts the handle at this distance (pixels) from the centre. */
+/**
+ * The radius, in the diagram's units, that puts the handle at this distance (pixels) from the
+ * centre.
+ */
 export function radiusForHandle(view, distance) {
   return Math.max(0, distance - kRing) / view.scale;
 }
@@ -76,7 +86,10 @@ function drawHover(context, scene, view, theme, hover) {
   drawDistance(context, view, theme, hover, site);
 }
 
-/** The empty circle about the pointer, which touches the nearest site, and the way to the point where it does. */
+/**
+ * The empty circle about the pointer, which touches the nearest site, and the way to the point
+ * where it does.
+ */
 function drawDistance(context, view, theme, hover, site) {
   const radius = hover.distance * view.scale;
   if (!(radius > 3)) return;

@@ -1,6 +1,7 @@
-// Three canvases, one above the other: the map, the diagram, and what follows the pointer. Each is redrawn only when it must
-// be, at most once a frame; a change of one site redraws a box of the diagram only; while the view moves, a picture that takes
-// long to draw is moved and scaled as it is, and drawn anew when the movement rests.
+// Three canvases, one above the other: the map, the diagram, and what follows the pointer. Each is
+// redrawn only when it must be, at most once a frame; a change of one site redraws a box of the
+// diagram only; while the view moves, a picture that takes long to draw is moved and scaled as it
+// is, and drawn anew when the movement rests.
 import { drawBase } from "./base_layer.js";
 import { drawMap } from "./map_layer.js";
 import { drawOverlay } from "./overlay_layer.js";
@@ -8,7 +9,8 @@ import { readTheme } from "./theme.js";
 
 /** @typedef {import("./view.js").Box} Box */
 
-const kPatience = 12; // ms: a picture that took longer to draw is not drawn anew for every step of a movement
+// ms: a picture that took longer to draw is not drawn anew for every step of a movement
+const kPatience = 12;
 const kRest = 90; // ms without movement until it is
 const kRemember = 512; // measured frames
 
@@ -36,7 +38,8 @@ export class Painter {
   #moved = 0; // when the view last changed
 
   /**
-   * @param {{ map: HTMLCanvasElement, base: HTMLCanvasElement, overlay: HTMLCanvasElement }} canvases
+   * @param {{ map: HTMLCanvasElement, base: HTMLCanvasElement, overlay: HTMLCanvasElement }}
+   * canvases
    * @param {import("./scene.js").Scene} scene
    * @param {import("./view.js").View} view
    */
@@ -44,7 +47,9 @@ export class Painter {
     this.canvases = canvases;
     this.scene = scene;
     this.view = view;
-    this.#contexts = Object.fromEntries(Object.entries(canvases).map(([name, canvas]) => [name, canvas.getContext("2d")]));
+    this.#contexts = Object.fromEntries(
+      Object.entries(canvases).map(([name, canvas]) => [name, canvas.getContext("2d")]),
+    );
     this.readTheme();
   }
 
@@ -129,7 +134,8 @@ export class Painter {
     const f = this.view.scale / this.#drawn.scale;
     const dx = this.view.originX - this.#drawn.originX * f;
     const dy = this.view.originY - this.#drawn.originY * f;
-    for (const name of ["map", "base"]) this.canvases[name].style.transform = `matrix(${f}, 0, 0, ${f}, ${dx}, ${dy})`;
+    for (const name of ["map", "base"])
+      this.canvases[name].style.transform = `matrix(${f}, 0, 0, ${f}, ${dx}, ${dy})`;
   }
 
   #drawFull() {
@@ -168,7 +174,12 @@ export class Painter {
     context.clip();
     context.clearRect(left, top, right - left, bottom - top);
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const inner = { left: left / ratio, top: top / ratio, right: right / ratio, bottom: bottom / ratio };
+    const inner = {
+      left: left / ratio,
+      top: top / ratio,
+      right: right / ratio,
+      bottom: bottom / ratio,
+    };
     drawBase(context, this.scene, this.view, this.layers, this.theme, inner);
     context.restore();
     this.#note("box", start);

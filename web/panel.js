@@ -10,7 +10,8 @@ const grouped = (n) => whole.format(n).replaceAll(",", "\u202f");
 /** Three significant digits, without an exponent where that reads well. */
 export function short(value) {
   const size = Math.abs(value);
-  if (size !== 0 && (size < 1e-3 || size >= 1e7)) return value.toExponential(2).replace("-", "\u2212");
+  if (size !== 0 && (size < 1e-3 || size >= 1e7))
+    return value.toExponential(2).replace("-", "\u2212");
   const digits = size >= 100 || size === 0 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
   return groupedText(value.toFixed(digits));
 }
@@ -37,11 +38,13 @@ export class Panel {
 
   /**
    * @param {import("./app.js").App} app
-   * @param {{ cities(): void, random(count: number, share: number): void, clear(): void, fit(): void }} actions
+   * @param {{ cities(): void, random(count: number, share: number): void, clear(): void, fit():
+   * void }} actions
    */
   constructor(app, actions) {
     this.app = app;
-    for (const type of ["change", "hover", "select"]) app.addEventListener(type, () => this.#request());
+    for (const type of ["change", "hover", "select"])
+      app.addEventListener(type, () => this.#request());
     app.addEventListener("select", () => this.#announceSelection());
     this.#listen(actions);
     this.#request();
@@ -52,13 +55,19 @@ export class Panel {
     const share = element("share");
     share.addEventListener("input", () => (element("share-value").value = `${share.value} %`));
     for (const button of document.querySelectorAll("[data-count]")) {
-      button.addEventListener("click", () => actions.random(Number(button.dataset.count), Number(share.value) / 100));
+      button.addEventListener("click", () =>
+        actions.random(Number(button.dataset.count), Number(share.value) / 100),
+      );
     }
     element("set-cities").addEventListener("click", () => actions.cities());
     element("clear").addEventListener("click", actions.clear);
     element("fit").addEventListener("click", actions.fit);
-    element("layers").addEventListener("change", ({ target }) => app.setLayer(target.name, target.checked));
-    element("fold").addEventListener("click", () => this.fold(!element("panel").classList.contains("folded")));
+    element("layers").addEventListener("change", ({ target }) =>
+      app.setLayer(target.name, target.checked),
+    );
+    element("fold").addEventListener("click", () =>
+      this.fold(!element("panel").classList.contains("folded")),
+    );
     const grow = (factor) => {
       if (app.selected < 0) return;
       const { r } = app.scene.site(app.selected);
@@ -66,7 +75,10 @@ export class Panel {
     };
     element("card-larger").addEventListener("click", () => grow(1.15));
     element("card-smaller").addEventListener("click", () => grow(1 / 1.15));
-    element("card-delete").addEventListener("click", () => app.selected >= 0 && app.remove(app.selected));
+    element("card-delete").addEventListener(
+      "click",
+      () => app.selected >= 0 && app.remove(app.selected),
+    );
     element("card-close").addEventListener("click", () => app.select(-1));
   }
 
@@ -102,14 +114,24 @@ export class Panel {
     if (hover) {
       const { name, detail } = scene.label(hover.id);
       this.#text("nearest-name", name);
-      this.#text("nearest-detail", this.#distance(hover.distance) + (detail ? ` · ${detail.split(" · ")[0]}` : ""));
+      this.#text(
+        "nearest-detail",
+        this.#distance(hover.distance) + (detail ? ` · ${detail.split(" · ")[0]}` : ""),
+      );
     } else {
       this.#text("nearest-name", "–");
-      this.#text("nearest-detail", diagram.size ? "Move over the diagram" : "Click to insert a circle");
+      this.#text(
+        "nearest-detail",
+        diagram.size ? "Move over the diagram" : "Click to insert a circle",
+      );
     }
     const { operation, count, micros } = scene.timing;
     const verb = { insert: "Insert", update: "Update", remove: "Remove" }[operation];
-    if (verb) this.#text("timing", `${verb}${count === 1 ? "" : ` ${grouped(count)}`}: ${duration(micros)}`);
+    if (verb)
+      this.#text(
+        "timing",
+        `${verb}${count === 1 ? "" : ` ${grouped(count)}`}: ${duration(micros)}`,
+      );
     const { query } = this.app;
     this.#text("query", query.count >= kFewest ? `Nearest: ${duration(query.micros)}` : "");
     this.#updateCard();
@@ -128,7 +150,10 @@ export class Panel {
     const { x, y, r } = scene.site(selected);
     this.#text("card-name", name);
     this.#text("card-detail", detail ?? "");
-    this.#text("card-numbers", `(${short(x)}, ${short(y)}) · r ${short(r)} · ${this.#state(selected)}`);
+    this.#text(
+      "card-numbers",
+      `(${short(x)}, ${short(y)}) · r ${short(r)} · ${this.#state(selected)}`,
+    );
   }
 
   #state(id) {
@@ -140,11 +165,18 @@ export class Panel {
 
   #announceSelection() {
     const { selected, scene } = this.app;
-    this.announce(selected < 0 ? "Nothing selected" : `${scene.label(selected).name} selected, ${this.#state(selected)}`);
+    this.announce(
+      selected < 0
+        ? "Nothing selected"
+        : `${scene.label(selected).name} selected, ${this.#state(selected)}`,
+    );
   }
 
   announce(text) {
     clearTimeout(this.#announcement);
-    this.#announcement = setTimeout(() => (element("announcer").textContent = text), kAnnounceAfter);
+    this.#announcement = setTimeout(
+      () => (element("announcer").textContent = text),
+      kAnnounceAfter,
+    );
   }
 }

@@ -1,12 +1,15 @@
-// Mouse, pen and touch on the canvas. Every gesture means one thing, decided where and how it starts:
-//   click or tap on a circle selects it, with Shift deletes it; elsewhere it inserts one (Alt or Ctrl: also upon a circle)
-//   drag a circle moves it, drag the selected circle's handle resizes it; drag elsewhere moves the view
-//   drag with Alt or Ctrl draws a circle from its centre; two fingers move and zoom the view
-//   wheel over the selected circle or its handle resizes it; elsewhere it zooms (with Ctrl, as a pinch does, always)
+// Mouse, pen and touch on the canvas. Every gesture means one thing, decided where and how it
+// starts:
+//   click or tap on a circle selects it, with Shift deletes it; elsewhere it inserts one (Alt or
+//   Ctrl: also upon a circle) drag a circle moves it, drag the selected circle's handle resizes it;
+//   drag elsewhere moves the view drag with Alt or Ctrl draws a circle from its centre; two fingers
+//   move and zoom the view wheel over the selected circle or its handle resizes it; elsewhere it
+//   zooms (with Ctrl, as a pinch does, always)
 import { handleOf, radiusForHandle } from "./overlay_layer.js";
 
 const kSlop = 4; // pixels that a click may move
-const kReach = { mouse: 5, pen: 8, touch: 14 }; // pixels around a point or a small circle that count as hit
+// pixels around a point or a small circle that count as hit
+const kReach = { mouse: 5, pen: 8, touch: 14 };
 const kHandleReach = { mouse: 9, pen: 12, touch: 24 };
 const kWheelPause = 250; // ms without wheel events: a new gesture
 
@@ -14,7 +17,10 @@ const kWheelPause = 250; // ms without wheel events: a new gesture
 export function listenToPointer(element, app) {
   /** Pointers that are down, by id. @type {Map<number, { x: number, y: number }>} */
   const down = new Map();
-  /** @type {null | { kind: string, startX: number, startY: number, moved: boolean, id: number, dx: number, dy: number, event: PointerEvent }} */
+  /**
+   * @type {null | { kind: string, startX: number, startY: number, moved: boolean, id: number, dx:
+   * number, dy: number, event: PointerEvent }}
+   */
   let gesture = null;
 
   const position = (event) => {
@@ -27,7 +33,8 @@ export function listenToPointer(element, app) {
     const handle = handleOf(app.view, app.scene.site(app.selected));
     const distance = Math.hypot(x - handle.x, y - handle.y);
     const fromCentre = Math.hypot(x - handle.x + handle.radius, y - handle.y);
-    return distance <= (kHandleReach[type] ?? 9) && distance < fromCentre; // a small circle can still be moved
+    // a small circle can still be moved
+    return distance <= (kHandleReach[type] ?? 9) && distance < fromCentre;
   };
 
   /** What a gesture that starts here will do if it becomes a drag. */
@@ -60,7 +67,10 @@ export function listenToPointer(element, app) {
       app.move(gesture.id, view.toWorldX(x + gesture.dx), view.toWorldY(y + gesture.dy));
     } else if (gesture.kind === "resize") {
       const site = scene.site(app.selected);
-      const distance = Math.hypot(x + gesture.dx - view.toScreenX(site.x), y - view.toScreenY(site.y));
+      const distance = Math.hypot(
+        x + gesture.dx - view.toScreenX(site.x),
+        y - view.toScreenY(site.y),
+      );
       app.resize(app.selected, radiusForHandle(view, distance));
     } else if (gesture.kind === "draw") {
       app.painter.draft = draftTo(x, y);
@@ -98,10 +108,13 @@ export function listenToPointer(element, app) {
   }
 
   function showCursor(x, y, event) {
-    const busy = gesture?.moved && { pan: "grabbing", move: "grabbing", resize: "ew-resize", draw: "crosshair" }[gesture.kind];
+    const busy =
+      gesture?.moved &&
+      { pan: "grabbing", move: "grabbing", resize: "ew-resize", draw: "crosshair" }[gesture.kind];
     let cursor = "crosshair";
     if (onHandle(x, y, event.pointerType)) cursor = "ew-resize";
-    else if (app.pick(x, y, kReach[event.pointerType] ?? 5) >= 0) cursor = event.shiftKey ? "not-allowed" : "grab";
+    else if (app.pick(x, y, kReach[event.pointerType] ?? 5) >= 0)
+      cursor = event.shiftKey ? "not-allowed" : "grab";
     element.style.cursor = busy || cursor;
   }
 
@@ -135,7 +148,8 @@ export function listenToPointer(element, app) {
       return;
     }
     if (gesture && down.has(event.pointerId)) {
-      if (!gesture.moved && Math.hypot(at.x - gesture.startX, at.y - gesture.startY) > kSlop) gesture.moved = true;
+      if (!gesture.moved && Math.hypot(at.x - gesture.startX, at.y - gesture.startY) > kSlop)
+        gesture.moved = true;
       app.pointer = at;
       if (gesture.moved) {
         drag(at.x, at.y);
@@ -158,7 +172,8 @@ export function listenToPointer(element, app) {
     const at = position(event);
     const cancelled = event.type === "pointercancel";
     if (!cancelled && !gesture.moved) click();
-    else if (!cancelled && gesture.kind === "draw") app.insertAt(gesture.startX, gesture.startY, draftTo(at.x, at.y).r);
+    else if (!cancelled && gesture.kind === "draw")
+      app.insertAt(gesture.startX, gesture.startY, draftTo(at.x, at.y).r);
     app.painter.draft = null;
     app.painter.redrawOverlay();
     gesture = null;

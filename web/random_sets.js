@@ -39,9 +39,11 @@ class Buckets {
 const covers = (a, b) => a.r >= b.r && Math.hypot(a.x - b.x, a.y - b.y) <= a.r - b.r;
 
 /**
- * Circles in a rectangle of the given width and height, x, y, r of each. Exactly round(count * hiddenShare) of them lie inside
- * another one; the others overlap here and there but none covers another.
- * @param {{ count: number, hiddenShare: number, seed: number, width: number, height: number }} options
+ * Circles in a rectangle of the given width and height, x, y, r of each. Exactly round(count *
+ * hiddenShare) of them lie inside another one; the others overlap here and there but none covers
+ * another.
+ * @param {{ count: number, hiddenShare: number, seed: number, width: number, height: number }}
+ * options
  * @returns {Float64Array}
  */
 export function randomCircles({ count, hiddenShare, seed, width, height }) {
@@ -57,7 +59,8 @@ export function randomCircles({ count, hiddenShare, seed, width, height }) {
     const circle = { x: random() * width, y: random() * height, r };
     let free = true;
     for (const other of buckets.near(circle.x, circle.y)) {
-      // Centres keep away from other circles, mostly: sets look better, and covering is impossible for equal centres.
+      // Centres keep away from other circles, mostly: sets look better, and covering is impossible
+      // for equal centres.
       const distance = Math.hypot(other.x - circle.x, other.y - circle.y);
       if (covers(other, circle) || covers(circle, other) || distance < 0.6 * Math.max(other.r, r)) {
         free = false;

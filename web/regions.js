@@ -1,4 +1,5 @@
-// Which part of the window a change can touch: a change of one site changes the diagram inside the site's old and new cells only.
+// Which part of the window a change can touch: a change of one site changes the diagram inside the
+// site's old and new cells only.
 import { cellCorners } from "./curves.js";
 
 /** @typedef {import("./view.js").Box} Box */
@@ -17,8 +18,8 @@ function addPoint(box, view, x, y, r = 0) {
 }
 
 /**
- * The box of a site's circle and cell. With the dual graph, whose edges stay inside the cells they connect, the cells of the
- * neighbours too.
+ * The box of a site's circle and cell. With the dual graph, whose edges stay inside the cells they
+ * connect, the cells of the neighbours too.
  * @param {import("./scene.js").Scene} scene
  * @param {import("./view.js").View} view
  * @param {boolean} neighbors

@@ -1,5 +1,5 @@
-// The diagram that the page shows, with what drawing needs beside it: a mirror of the circles, names, which of them are visible, and
-// how long the last operation took.
+// The diagram that the page shows, with what drawing needs beside it: a mirror of the circles,
+// names, which of them are visible, and how long the last operation took.
 import { Diagram } from "apollonius-diagram";
 
 /** @typedef {{ name: string, detail?: string }} Label */
@@ -82,8 +82,8 @@ export class Scene extends EventTarget {
   }
 
   /**
-   * The circle under a point: the smallest that holds it, so that a hidden circle can be reached inside its cover. Circles
-   * smaller than `reach` count as that large. -1 if there is none.
+   * The circle under a point: the smallest that holds it, so that a hidden circle can be reached
+   * inside its cover. Circles smaller than `reach` count as that large. -1 if there is none.
    */
   pick(x, y, reach, { visible = true, hidden = true } = {}) {
     const flags = this.visible();

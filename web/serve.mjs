@@ -1,5 +1,6 @@
-// A static server for the page: node web/serve.mjs [--port N]. Serves this repository's web/ and dist/ and the d3 modules of its examples on this machine only, and
-// takes the next free port. The headers let the page measure microseconds (isolation) and show that the package runs under a
+// A static server for the page: node web/serve.mjs [--port N]. Serves this repository's web/ and
+// dist/ and the d3 modules of its examples on this machine only, and takes the next free port. The
+// headers let the page measure microseconds (isolation) and show that the package runs under a
 // strict content security policy (which index.html states too).
 import { createReadStream } from "node:fs";
 import { stat } from "node:fs/promises";
@@ -9,7 +10,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 
 const kRoot = fileURLToPath(new URL("..", import.meta.url));
 const kServed = ["web", "dist"];
-const kServedPackages = /^d3-\w+$/;  // of node_modules: what web/examples imports
+const kServedPackages = /^d3-\w+$/; // of node_modules: what web/examples imports
 const kHost = "127.0.0.1";
 const kTypes = {
   ".html": "text/html; charset=utf-8",
@@ -38,15 +39,20 @@ function fileOf(url) {
     return null;
   }
   const parts = path.split(sep).filter(Boolean);
-  const isServed = kServed.includes(parts[0]) || (parts[0] === "node_modules" && kServedPackages.test(parts[1] ?? ""));
+  const isServed =
+    kServed.includes(parts[0]) ||
+    (parts[0] === "node_modules" && kServedPackages.test(parts[1] ?? ""));
   if (!isServed || parts.some((part) => part.startsWith("."))) return null;
   return join(kRoot, ...parts, path.endsWith(sep) ? "index.html" : "");
 }
 
 async function answer(request, response) {
-  const refuse = (status, text) => response.writeHead(status, { "Content-Type": "text/plain" }).end(text + "\n");
-  if (request.method !== "GET" && request.method !== "HEAD") return refuse(405, "Only GET and HEAD.");
-  if (/^\/(web)?(\?.*)?$/.test(request.url)) return response.writeHead(302, { Location: "/web/" }).end();
+  const refuse = (status, text) =>
+    response.writeHead(status, { "Content-Type": "text/plain" }).end(text + "\n");
+  if (request.method !== "GET" && request.method !== "HEAD")
+    return refuse(405, "Only GET and HEAD.");
+  if (/^\/(web)?(\?.*)?$/.test(request.url))
+    return response.writeHead(302, { Location: "/web/" }).end();
   const file = fileOf(request.url);
   const found = file && (await stat(file).catch(() => null));
   if (!found?.isFile()) return refuse(404, "Not found.");
@@ -56,7 +62,9 @@ async function answer(request, response) {
     "Content-Length": found.size,
   });
   if (request.method === "HEAD") return response.end();
-  return createReadStream(file).on("error", () => response.destroy()).pipe(response);
+  return createReadStream(file)
+    .on("error", () => response.destroy())
+    .pipe(response);
 }
 
 /**
@@ -82,7 +90,8 @@ export async function serve(port = 8080, attempts = 50) {
     }
   }
   const url = `http://localhost:${server.address().port}/web/`;
-  const close = () => new Promise((resolve) => (server.close(resolve), server.closeAllConnections()));
+  const close = () =>
+    new Promise((resolve) => (server.close(resolve), server.closeAllConnections()));
   return { url, close };
 }
 
@@ -94,11 +103,14 @@ async function main(args) {
     process.exit(2);
   }
   if (!(await stat(join(kRoot, "dist")).catch(() => null))) {
-    console.error("dist/ is missing: the package has not been built. Run: npm start (or npm run build)");
+    console.error(
+      "dist/ is missing: the package has not been built. Run: npm start (or npm run build)",
+    );
     process.exit(1);
   }
   const { url } = await serve(port);
   console.log(`The page is at ${url}  (Ctrl-C ends it)`);
 }
 
-if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) await main(process.argv.slice(2));
+if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href)
+  await main(process.argv.slice(2));

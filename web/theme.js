@@ -1,9 +1,26 @@
-// The canvas takes its colours from the style sheet, so that light and dark are defined in one place: style.css.
+// The canvas takes its colours from the style sheet, so that light and dark are defined in one
+// place: style.css.
 
 const kNames = [
-  "sans", "paper", "ink", "name", "sea", "land", "coast",
-  "cell", "site", "siteFill", "hidden", "hiddenFill", "dual",
-  "accent", "accentFill", "accentSite", "neighbor", "neighborFill", "pointer",
+  "sans",
+  "paper",
+  "ink",
+  "name",
+  "sea",
+  "land",
+  "coast",
+  "cell",
+  "site",
+  "siteFill",
+  "hidden",
+  "hiddenFill",
+  "dual",
+  "accent",
+  "accentFill",
+  "accentSite",
+  "neighbor",
+  "neighborFill",
+  "pointer",
 ];
 
 const property = (name) => "--" + name.replace(/[A-Z]/g, (letter) => "-" + letter.toLowerCase());
@@ -11,5 +28,7 @@ const property = (name) => "--" + name.replace(/[A-Z]/g, (letter) => "-" + lette
 /** @returns {Record<string, string>} */
 export function readTheme() {
   const style = getComputedStyle(document.documentElement);
-  return Object.fromEntries(kNames.map((name) => [name, style.getPropertyValue(property(name)).trim()]));
+  return Object.fromEntries(
+    kNames.map((name) => [name, style.getPropertyValue(property(name)).trim()]),
+  );
 }

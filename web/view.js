@@ -1,4 +1,5 @@
-// The view transform between the diagram's coordinates (y upwards) and CSS pixels (y downwards): one scale, no rotation.
+// The view transform between the diagram's coordinates (y upwards) and CSS pixels (y downwards):
+// one scale, no rotation.
 
 const kSmallestScale = 1e-7;
 const kLargestScale = 1e9;
@@ -63,11 +64,17 @@ export class View {
     this.scale = scale;
   }
 
-  /** Shows all of [xmin, ymin, xmax, ymax] with a margin, inside the window minus the insets (pixels). */
+  /**
+   * Shows all of [xmin, ymin, xmax, ymax] with a margin, inside the window minus the insets
+   * (pixels).
+   */
   fit([xmin, ymin, xmax, ymax], insets = { left: 0, top: 0, right: 0, bottom: 0 }, margin = 28) {
     const width = Math.max(80, this.width - insets.left - insets.right - 2 * margin);
     const height = Math.max(80, this.height - insets.top - insets.bottom - 2 * margin);
-    const scale = Math.min(width / Math.max(xmax - xmin, 1e-9), height / Math.max(ymax - ymin, 1e-9));
+    const scale = Math.min(
+      width / Math.max(xmax - xmin, 1e-9),
+      height / Math.max(ymax - ymin, 1e-9),
+    );
     this.scale = Math.max(kSmallestScale, Math.min(kLargestScale, scale));
     this.originX = insets.left + margin + width / 2 - ((xmin + xmax) / 2) * this.scale;
     this.originY = insets.top + margin + height / 2 + ((ymin + ymax) / 2) * this.scale;

@@ -1,18 +1,19 @@
-// CGAL's diagram as a contender: see bench/native/contender.h for how to talk to it. A program of its own, because CGAL is GPL:
-// it is never linked to the library, and only CGAL's documented interface is used.
+// CGAL's diagram as a contender: see bench/native/contender.h for how to talk to it. A program of
+// its own, because CGAL is GPL: it is never linked to the library, and only CGAL's documented
+// interface is used.
 //
 //   build          range insert into the hierarchy (CGAL chooses the order)
-//   buildSorted    CGAL's best effort: spatially sorted centres into the plain graph, each inserted near the one before
-//   insert         one by one in the order of the file, into the hierarchy
+//   buildSorted    CGAL's best effort: spatially sorted centres into the plain graph, each inserted
+//   near the one before insert         one by one in the order of the file, into the hierarchy
 //   find, findNear, remove     on the hierarchy
 #include <CGAL/Apollonius_graph_2.h>
 #include <CGAL/Apollonius_graph_filtered_traits_2.h>
 #include <CGAL/Apollonius_graph_hierarchy_2.h>
 #include <CGAL/Apollonius_site_2.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
 
 #include <map>
 #include <memory>
@@ -26,7 +27,8 @@ namespace {
 using contender::Answer;
 using contender::Request;
 using Kernel = CGAL::Simple_cartesian<double>;
-using Traits = CGAL::Apollonius_graph_filtered_traits_2<Kernel>;  // exact: interval filter, then MP_Float
+using Traits =
+    CGAL::Apollonius_graph_filtered_traits_2<Kernel>;  // exact: interval filter, then MP_Float
 using Hierarchy = CGAL::Apollonius_graph_hierarchy_2<Traits>;
 using Graph = CGAL::Apollonius_graph_2<Traits>;
 using Point = Kernel::Point_2;
@@ -57,7 +59,8 @@ class Cgal {
     set_ = set;
     sites_.clear();
     const std::vector<double> numbers = contender::readDoubles(set + ".sites");
-    for (std::size_t k = 0; k + 2 < numbers.size(); k += 3) sites_.emplace_back(Point(numbers[k], numbers[k + 1]), numbers[k + 2]);
+    for (std::size_t k = 0; k + 2 < numbers.size(); k += 3)
+      sites_.emplace_back(Point(numbers[k], numbers[k + 1]), numbers[k + 2]);
     hierarchy_ = std::make_unique<Hierarchy>();
     isWhole_ = false;
   }
@@ -70,8 +73,9 @@ class Cgal {
   }
 
   Answer build(const Request& request) {
-    Answer answer = contender::sampled(request, sites_.size(), [&] { hierarchy_ = std::make_unique<Hierarchy>(); },
-                                   [&](std::size_t&) { hierarchy_->insert(sites_.begin(), sites_.end()); });
+    Answer answer = contender::sampled(
+        request, sites_.size(), [&] { hierarchy_ = std::make_unique<Hierarchy>(); },
+        [&](std::size_t&) { hierarchy_->insert(sites_.begin(), sites_.end()); });
     isWhole_ = true;
     answer.visible = hierarchy_->number_of_visible_sites();
     return answer;
@@ -87,11 +91,13 @@ class Cgal {
     };
     using Map = CGAL::First_of_pair_property_map<std::pair<Point, double>>;
     Answer answer = contender::sampled(request, sites_.size(), prepare, [&](std::size_t&) {
-      CGAL::spatial_sort(sorted.begin(), sorted.end(), CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>());
+      CGAL::spatial_sort(sorted.begin(), sorted.end(),
+                         CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>());
       Graph::Vertex_handle last;
       for (const auto& [point, weight] : sorted) {
-        const Graph::Vertex_handle vertex =
-            last == Graph::Vertex_handle() ? graph->insert(Site(point, weight)) : graph->insert(Site(point, weight), last);
+        const Graph::Vertex_handle vertex = last == Graph::Vertex_handle()
+                                                ? graph->insert(Site(point, weight))
+                                                : graph->insert(Site(point, weight), last);
         if (vertex != Graph::Vertex_handle()) last = vertex;  // none for a hidden site
       }
     });
@@ -101,24 +107,33 @@ class Cgal {
 
   Answer insert(const Request& request) {
     isWhole_ = false;
-    const std::size_t count = request.count > 0 ? std::min(request.count, sites_.size()) : sites_.size();
-    Answer answer = contender::sampled(request, count, [&] { hierarchy_ = std::make_unique<Hierarchy>(); }, [&](std::size_t& items) {
-      contender::forEachUntil(request.limit, items, [&](std::size_t k) { hierarchy_->insert(sites_[k]); });
-    });
+    const std::size_t count =
+        request.count > 0 ? std::min(request.count, sites_.size()) : sites_.size();
+    Answer answer = contender::sampled(
+        request, count, [&] { hierarchy_ = std::make_unique<Hierarchy>(); },
+        [&](std::size_t& items) {
+          contender::forEachUntil(request.limit, items,
+                                  [&](std::size_t k) { hierarchy_->insert(sites_[k]); });
+        });
     answer.visible = hierarchy_->number_of_visible_sites();
     return answer;
   }
 
   Answer find(const Request& request) {
     ensureDiagram();
-    std::vector<double> points = contender::readDoubles(set_ + (request.operation == "findNear" ? ".near" : ".box"));
+    std::vector<double> points =
+        contender::readDoubles(set_ + (request.operation == "findNear" ? ".near" : ".box"));
     if (request.count > 0) points.resize(std::min(points.size(), 2 * request.count));
     double sum = 0;
-    Answer answer = contender::sampled(request, points.size() / 2, [&] { sum = 0; }, [&](std::size_t& items) {
-      contender::forEachUntil(request.limit, items, [&](std::size_t k) {
-        sum += hierarchy_->nearest_neighbor(Point(points[2 * k], points[2 * k + 1]))->site().weight();
-      });
-    });
+    Answer answer = contender::sampled(
+        request, points.size() / 2, [&] { sum = 0; },
+        [&](std::size_t& items) {
+          contender::forEachUntil(request.limit, items, [&](std::size_t k) {
+            sum += hierarchy_->nearest_neighbor(Point(points[2 * k], points[2 * k + 1]))
+                       ->site()
+                       .weight();
+          });
+        });
     answer.sink = sum;
     answer.visible = hierarchy_->number_of_visible_sites();
     return answer;
@@ -127,7 +142,8 @@ class Cgal {
   /// The visible ones among the last `count` sites, last first.
   std::vector<Hierarchy::Vertex_handle> visibleAtEnd(std::size_t count) {
     std::map<std::tuple<double, double, double>, Hierarchy::Vertex_handle> vertices;
-    for (auto vertex = hierarchy_->finite_vertices_begin(); vertex != hierarchy_->finite_vertices_end(); ++vertex) {
+    for (auto vertex = hierarchy_->finite_vertices_begin();
+         vertex != hierarchy_->finite_vertices_end(); ++vertex) {
       const Site& site = vertex->site();
       vertices.emplace(std::tuple(site.x(), site.y(), site.weight()), vertex);
     }
@@ -143,7 +159,8 @@ class Cgal {
   }
 
   Answer remove(const Request& request) {
-    const std::size_t count = request.count > 0 ? std::min(request.count, sites_.size()) : sites_.size();
+    const std::size_t count =
+        request.count > 0 ? std::min(request.count, sites_.size()) : sites_.size();
     ensureDiagram();
     std::vector<Hierarchy::Vertex_handle> vertices = visibleAtEnd(count);
     const auto prepare = [&] {
@@ -153,7 +170,8 @@ class Cgal {
     };
     Answer answer = contender::sampled(request, vertices.size(), prepare, [&](std::size_t& items) {
       isWhole_ = false;
-      contender::forEachUntil(request.limit, items, [&](std::size_t k) { hierarchy_->remove(vertices[k]); });
+      contender::forEachUntil(request.limit, items,
+                              [&](std::size_t k) { hierarchy_->remove(vertices[k]); });
     });
     answer.visible = hierarchy_->number_of_visible_sites();
     return answer;

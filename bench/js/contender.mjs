@@ -1,9 +1,11 @@
-// A JavaScript contender as a program: reads one request a line, answers each with one line of JSON, as bench/native/contender.h.
+// A JavaScript contender as a program: reads one request a line, answers each with one line of
+// JSON, as bench/native/contender.h.
 //
 //   node bench/js/contender.mjs NAME                        requests from standard input
 //   node bench/js/contender.mjs NAME SET OPERATION...       for a person
 //
-// NAME is ours, delaunator, d3_delaunay or flatbush. `ours` loads the packed package from the folder in BENCH_PACKAGE.
+// NAME is ours, delaunator, d3_delaunay or flatbush. `ours` loads the packed package from the
+// folder in BENCH_PACKAGE.
 import { createInterface } from "node:readline";
 
 function parsed(line) {
@@ -28,11 +30,21 @@ async function answer(request) {
 warmUp?.();
 if (people.length > 0) {
   for (const operation of people) {
-    const { samples, error, ...rest } = await answer({ operation, set, count: 0, seconds: 1, limit: 60, step: 0.01 });
+    const { samples, error, ...rest } = await answer({
+      operation,
+      set,
+      count: 0,
+      seconds: 1,
+      limit: 60,
+      step: 0.01,
+    });
     const sorted = samples?.toSorted((a, b) => a - b);
-    const text = error ?? `${sorted[sorted.length >> 1].toFixed(4)} us  (${sorted[0].toFixed(4)} .. ${sorted.at(-1).toFixed(4)})`;
+    const text =
+      error ??
+      `${sorted[sorted.length >> 1].toFixed(4)} us  (${sorted[0].toFixed(4)} .. ${sorted.at(-1).toFixed(4)})`;
     console.log(operation.padEnd(14), text, JSON.stringify(rest));
   }
 } else {
-  for await (const line of createInterface({ input: process.stdin })) console.log(JSON.stringify(await answer(parsed(line))));
+  for await (const line of createInterface({ input: process.stdin }))
+    console.log(JSON.stringify(await answer(parsed(line))));
 }

@@ -5,14 +5,24 @@ import { forMilliseconds, readCentres, sampled } from "./sampling.mjs";
 function build(request) {
   const centres = readCentres(request.set);
   let triangulation;
-  const answer = sampled(request, centres.length / 2, () => { triangulation = undefined; }, () => {
-    triangulation = new Delaunator(centres);
-  });
+  const answer = sampled(
+    request,
+    centres.length / 2,
+    () => {
+      triangulation = undefined;
+    },
+    () => {
+      triangulation = new Delaunator(centres);
+    },
+  );
   return { ...answer, sink: triangulation.triangles.length };
 }
 
 export const operations = { build };
 
 export function warmUp() {
-  forMilliseconds(700, (k) => new Delaunator(Float64Array.from({ length: k % 8 === 0 ? 20_000 : 2000 }, Math.random)));
+  forMilliseconds(
+    700,
+    (k) => new Delaunator(Float64Array.from({ length: k % 8 === 0 ? 20_000 : 2000 }, Math.random)),
+  );
 }

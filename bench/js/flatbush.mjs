@@ -11,14 +11,24 @@ function load({ set }) {
 function builtTree() {
   const { centres } = current;
   const tree = new Flatbush(centres.length / 2);
-  for (let k = 0; k < centres.length; k += 2) tree.add(centres[k], centres[k + 1], centres[k], centres[k + 1]);
+  for (let k = 0; k < centres.length; k += 2)
+    tree.add(centres[k], centres[k + 1], centres[k], centres[k + 1]);
   tree.finish();
   return tree;
 }
 
 function build(request) {
   load(request);
-  return sampled(request, current.centres.length / 2, () => { current.tree = undefined; }, () => { current.tree = builtTree(); });
+  return sampled(
+    request,
+    current.centres.length / 2,
+    () => {
+      current.tree = undefined;
+    },
+    () => {
+      current.tree = builtTree();
+    },
+  );
 }
 
 function find(request) {
@@ -27,8 +37,17 @@ function find(request) {
   const { tree } = current;
   const points = readQueries(request);
   let sink = 0;
-  const answer = sampled(request, points.length / 2, () => { sink = 0; }, () =>
-    forEachUntil(request.limit, points.length / 2, (k) => { sink += tree.neighbors(points[2 * k], points[2 * k + 1], 1)[0]; }));
+  const answer = sampled(
+    request,
+    points.length / 2,
+    () => {
+      sink = 0;
+    },
+    () =>
+      forEachUntil(request.limit, points.length / 2, (k) => {
+        sink += tree.neighbors(points[2 * k], points[2 * k + 1], 1)[0];
+      }),
+  );
   return { ...answer, sink };
 }
 

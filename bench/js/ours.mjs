@@ -1,7 +1,17 @@
-// The packed package as a contender. The operations are those of bench/native/operations.cpp, and calls, memory and churn.
+// The packed package as a contender. The operations are those of bench/native/operations.cpp, and
+// calls, memory and churn.
 import path from "node:path";
 import { pathToFileURL } from "node:url";
-import { boxOf, forEachUntil, forMilliseconds, readDoubles, readQueries, sampled, sampledLater, Sum } from "./sampling.mjs";
+import {
+  boxOf,
+  forEachUntil,
+  forMilliseconds,
+  readDoubles,
+  readQueries,
+  sampled,
+  sampledLater,
+  Sum,
+} from "./sampling.mjs";
 import { startFinders } from "./threads.mjs";
 
 // The package does not show its heap, so the instance's memory is caught when it is made.
@@ -14,7 +24,9 @@ WebAssembly.Instance = class extends WebAssembly.Instance {
 };
 const heapBytes = () => memory.buffer.byteLength;
 
-const { Diagram } = await import(pathToFileURL(path.join(process.env.BENCH_PACKAGE, "consumer.mjs")).href);
+const { Diagram } = await import(
+  pathToFileURL(path.join(process.env.BENCH_PACKAGE, "consumer.mjs")).href
+);
 
 // The last set and its diagram are kept, so that several queries in a row need one construction.
 const current = { set: "", sites: new Float64Array(), diagram: new Diagram(), isWhole: false };
@@ -35,7 +47,7 @@ function load({ set }) {
 function ensureDiagram(request) {
   load(request);
   if (current.isWhole) return;
-  current.diagram.dispose();  // before, not after: one diagram in the heap at a time
+  current.diagram.dispose(); // before, not after: one diagram in the heap at a time
   current.diagram = new Diagram(current.sites);
   current.isWhole = true;
 }
@@ -44,13 +56,18 @@ const size = () => current.sites.length / 3;
 const countOf = (request) => (request.count > 0 ? Math.min(request.count, size()) : size());
 const withVisible = (answer) => ({ ...answer, visible: current.diagram.visibleSize });
 
-// --- Construction ------------------------------------------------------------------------------------------------------------
+// --- Construction --------------------------------------------------------------------------------
 
 function build(request) {
   load(request);
-  const answer = sampled(request, size(), () => renew(new Diagram()), () => {
-    current.diagram = new Diagram(current.sites);
-  });
+  const answer = sampled(
+    request,
+    size(),
+    () => renew(new Diagram()),
+    () => {
+      current.diagram = new Diagram(current.sites);
+    },
+  );
   current.isWhole = true;
   return withVisible(answer);
 }
@@ -63,50 +80,80 @@ function insertOneByOne(request, location) {
     renew(new Diagram(undefined, { location }));
     current.isWhole = false;
   };
-  return withVisible(sampled(request, count, prepare, () => {
-    const { diagram } = current;
-    return forEachUntil(request.limit, count, (k) => diagram.insert(sites[3 * k], sites[3 * k + 1], sites[3 * k + 2]));
-  }));
+  return withVisible(
+    sampled(request, count, prepare, () => {
+      const { diagram } = current;
+      return forEachUntil(request.limit, count, (k) =>
+        diagram.insert(sites[3 * k], sites[3 * k + 1], sites[3 * k + 2]),
+      );
+    }),
+  );
 }
 
-// --- Snapshots ---------------------------------------------------------------------------------------------------------------
+// --- Snapshots -----------------------------------------------------------------------------------
 
 function toBytes(request) {
   ensureDiagram(request);
   let bytes;
-  const answer = sampled(request, size(), () => {}, () => { bytes = current.diagram.toBytes(); });
+  const answer = sampled(
+    request,
+    size(),
+    () => {},
+    () => {
+      bytes = current.diagram.toBytes();
+    },
+  );
   return withVisible({ ...answer, sink: bytes.length });
 }
 
 function fromBytes(request) {
   ensureDiagram(request);
   const bytes = current.diagram.toBytes();
-  const answer = sampled(request, size(), () => renew(new Diagram()), () => {
-    current.diagram = Diagram.fromBytes(bytes, { trusted: true });
-  });
+  const answer = sampled(
+    request,
+    size(),
+    () => renew(new Diagram()),
+    () => {
+      current.diagram = Diagram.fromBytes(bytes, { trusted: true });
+    },
+  );
   return withVisible({ ...answer, sink: bytes.length });
 }
 
-/** findMany with the points dealt out to `count` threads, each with a diagram restored from one snapshot. What is moved is timed, too. */
+/**
+ * findMany with the points dealt out to `count` threads, each with a diagram restored from one
+ * snapshot. What is moved is timed, too.
+ */
 async function findManyOnThreads(request) {
   ensureDiagram(request);
   const points = readQueries({ ...request, count: 0 });
   const finders = await startFinders(request.count, current.diagram.toBytes());
   let sink = 0;
-  const answer = await sampledLater(request, points.length / 2, async () => { sink = await finders.find(points); });
+  const answer = await sampledLater(request, points.length / 2, async () => {
+    sink = await finders.find(points);
+  });
   await finders.stop();
   return withVisible({ ...answer, sink });
 }
 
-// --- Queries -----------------------------------------------------------------------------------------------------------------
+// --- Queries -------------------------------------------------------------------------------------
 
 function find(request) {
   ensureDiagram(request);
   const { diagram } = current;
   const points = readQueries(request);
   let sink = 0;
-  const answer = sampled(request, points.length / 2, () => { sink = 0; }, () =>
-    forEachUntil(request.limit, points.length / 2, (k) => { sink += diagram.find(points[2 * k], points[2 * k + 1]); }));
+  const answer = sampled(
+    request,
+    points.length / 2,
+    () => {
+      sink = 0;
+    },
+    () =>
+      forEachUntil(request.limit, points.length / 2, (k) => {
+        sink += diagram.find(points[2 * k], points[2 * k + 1]);
+      }),
+  );
   return withVisible({ ...answer, sink });
 }
 
@@ -114,17 +161,31 @@ function findMany(request) {
   ensureDiagram(request);
   const points = readQueries(request);
   let found;
-  const answer = sampled(request, points.length / 2, () => {}, () => { found = current.diagram.findMany(points); });
+  const answer = sampled(
+    request,
+    points.length / 2,
+    () => {},
+    () => {
+      found = current.diagram.findMany(points);
+    },
+  );
   return withVisible({ ...answer, sink: found.reduce((sum, id) => sum + id, 0) });
 }
 
-// --- Shapes: in the bounding box of the centres ------------------------------------------------------------------------------
+// --- Shapes: in the bounding box of the centres --------------------------------------------------
 
 function draw(request) {
   ensureDiagram(request);
   const bounds = boxOf(current.sites, 3);
   let sum;
-  const answer = sampled(request, size(), () => { sum = new Sum(); }, () => void current.diagram.voronoi(bounds).render(sum));
+  const answer = sampled(
+    request,
+    size(),
+    () => {
+      sum = new Sum();
+    },
+    () => void current.diagram.voronoi(bounds).render(sum),
+  );
   return withVisible({ ...answer, sink: sum.value });
 }
 
@@ -132,10 +193,19 @@ function cellAreas(request) {
   ensureDiagram(request);
   const [xmin, ymin, xmax, ymax] = boxOf(current.sites, 3);
   let areas;
-  const answer = sampled(request, size(), () => {}, () => { areas = current.diagram.voronoi([xmin, ymin, xmax, ymax]).cellAreas(); });
+  const answer = sampled(
+    request,
+    size(),
+    () => {},
+    () => {
+      areas = current.diagram.voronoi([xmin, ymin, xmax, ymax]).cellAreas();
+    },
+  );
   const sink = areas.reduce((sum, area) => sum + area, 0);
   const error = Math.abs(sink / ((xmax - xmin) * (ymax - ymin)) - 1);
-  return error < 1e-9 ? withVisible({ ...answer, sink }) : { error: `areas do not add up: ${error}` };
+  return error < 1e-9
+    ? withVisible({ ...answer, sink })
+    : { error: `areas do not add up: ${error}` };
 }
 
 /** Ten. */
@@ -144,17 +214,28 @@ function kNearest(request) {
   const { diagram } = current;
   const points = readQueries(request);
   let sink = 0;
-  const answer = sampled(request, points.length / 2, () => { sink = 0; }, () =>
-    forEachUntil(request.limit, points.length / 2, (k) => { sink += diagram.kNearest(points[2 * k], points[2 * k + 1], 10).at(-1); }));
+  const answer = sampled(
+    request,
+    points.length / 2,
+    () => {
+      sink = 0;
+    },
+    () =>
+      forEachUntil(request.limit, points.length / 2, (k) => {
+        sink += diagram.kNearest(points[2 * k], points[2 * k + 1], 10).at(-1);
+      }),
+  );
   return withVisible({ ...answer, sink });
 }
 
-// --- Changes: on the sites at the end of the set, whose ids are their places in it ---------------------------------------------
+// --- Changes: on the sites at the end of the set, whose ids are their places in it ---------------
 
 /** The visible ones among the last `count` sites, last first: CGAL cannot remove the others. */
 function visibleAtEnd(count) {
   const last = size() - 1;
-  return Uint32Array.from({ length: count }, (_, k) => last - k).filter((id) => !current.diagram.isHidden(id));
+  return Uint32Array.from({ length: count }, (_, k) => last - k).filter(
+    (id) => !current.diagram.isHidden(id),
+  );
 }
 
 function removed(request, atOnce) {
@@ -169,7 +250,9 @@ function removed(request, atOnce) {
     const { diagram } = current;
     current.isWhole = false;
     if (atOnce) return void (sink = diagram.removeMany(ids));
-    return forEachUntil(request.limit, ids.length, (k) => { sink += diagram.remove(ids[k]); });
+    return forEachUntil(request.limit, ids.length, (k) => {
+      sink += diagram.remove(ids[k]);
+    });
   });
   return withVisible({ ...answer, sink });
 }
@@ -202,10 +285,13 @@ function meanSpacing(sites) {
       high[axis] = Math.max(high[axis], sites[k + axis]);
     }
   }
-  return Math.sqrt((high[0] - low[0]) * (high[1] - low[1]) / (sites.length / 3));
+  return Math.sqrt(((high[0] - low[0]) * (high[1] - low[1])) / (sites.length / 3));
 }
 
-/** The last `count` sites move at constant velocities of up to `step` mean spacings a frame; each frame is one sample. */
+/**
+ * The last `count` sites move at constant velocities of up to `step` mean spacings a frame; each
+ * frame is one sample.
+ */
 function moved(request, atOnce) {
   ensureDiagram(request);
   current.isWhole = false;
@@ -222,13 +308,17 @@ function moved(request, atOnce) {
       moving[3 * k + 1] += step * (2 * fraction(k * 0.4142135623730951) - 1);
     }
   };
-  return withVisible(sampled(request, count, nextFrame, () => {
-    if (atOnce) return void diagram.updateMany(ids, moving);
-    return forEachUntil(request.limit, count, (k) => diagram.update(ids[k], moving[3 * k], moving[3 * k + 1], moving[3 * k + 2]));
-  }));
+  return withVisible(
+    sampled(request, count, nextFrame, () => {
+      if (atOnce) return void diagram.updateMany(ids, moving);
+      return forEachUntil(request.limit, count, (k) =>
+        diagram.update(ids[k], moving[3 * k], moving[3 * k + 1], moving[3 * k + 2]),
+      );
+    }),
+  );
 }
 
-// --- The border and the memory -------------------------------------------------------------------------------------------------
+// --- The border and the memory -------------------------------------------------------------------
 
 /** A million calls that do nothing but cross the border. */
 function calls(request, call) {
@@ -236,13 +326,23 @@ function calls(request, call) {
   const { diagram } = current;
   const count = request.count || 1_000_000;
   let sink = 0;
-  const answer = sampled(request, count, () => { sink = 0; }, () => {
-    for (let k = 0; k < count; ++k) sink += call(diagram, k);
-  });
+  const answer = sampled(
+    request,
+    count,
+    () => {
+      sink = 0;
+    },
+    () => {
+      for (let k = 0; k < count; ++k) sink += call(diagram, k);
+    },
+  );
   return { ...answer, sink };
 }
 
-/** Growth of the heap by one construction; only the first one of a process tells, because the heap never shrinks. */
+/**
+ * Growth of the heap by one construction; only the first one of a process tells, because the heap
+ * never shrinks.
+ */
 function memoryOfBuild(request) {
   load(request);
   const before = heapBytes();
@@ -250,7 +350,10 @@ function memoryOfBuild(request) {
   return { ...answer, bytesPerSite: (heapBytes() - before) / size() };
 }
 
-/** `count` pairs of a removal and an insertion of a new site elsewhere; the heap after the first thousand and after all. */
+/**
+ * `count` pairs of a removal and an insertion of a new site elsewhere; the heap after the first
+ * thousand and after all.
+ */
 function churn(request) {
   ensureDiagram(request);
   current.isWhole = false;
@@ -269,13 +372,27 @@ function churn(request) {
   };
   pairsTo(1000, 0);
   const afterThousand = heapBytes();
-  const answer = sampled({ ...request, seconds: 0 }, count - 1000, () => {}, () => pairsTo(count, 1000));
+  const answer = sampled(
+    { ...request, seconds: 0 },
+    count - 1000,
+    () => {},
+    () => pairsTo(count, 1000),
+  );
   return withVisible({ ...answer, bytesAfterThousand: afterThousand, bytesAfterAll: heapBytes() });
 }
 
 export const operations = {
-  build, find, findMany, draw, cellAreas, churn, toBytes, fromBytes, findManyOnThreads,
-  kNearest, removeNearest,
+  build,
+  find,
+  findMany,
+  draw,
+  cellAreas,
+  churn,
+  toBytes,
+  fromBytes,
+  findManyOnThreads,
+  kNearest,
+  removeNearest,
   findNear: find,
   findManyNear: findMany,
   insert: (request) => insertOneByOne(request, "hierarchy"),
@@ -293,7 +410,10 @@ export function warmUp() {
   let state = 1;
   const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
   forMilliseconds(700, () => {
-    const sites = Float64Array.from({ length: 3 * 2000 }, (_, k) => random() * (k % 3 === 2 ? 20 : 2000));
+    const sites = Float64Array.from(
+      { length: 3 * 2000 },
+      (_, k) => random() * (k % 3 === 2 ? 20 : 2000),
+    );
     const diagram = new Diagram(sites);
     for (let k = 0; k < 500; ++k) {
       diagram.find(2000 * random(), 2000 * random());

@@ -1,4 +1,5 @@
-// What the JavaScript contenders share: reading a set, and timing an operation in samples. As bench/native/contender.h.
+// What the JavaScript contenders share: reading a set, and timing an operation in samples. As
+// bench/native/contender.h.
 import { existsSync, readFileSync } from "node:fs";
 
 const kMostSamples = 200;
@@ -7,10 +8,15 @@ const kMostSamples = 200;
 export function readDoubles(file) {
   if (!existsSync(file)) throw new Error(`no file ${file}`);
   const bytes = readFileSync(file);
-  return new Float64Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
+  return new Float64Array(
+    bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength),
+  );
 }
 
-/** The queries of an operation as x, y pairs: near sites if its name ends so, else uniform in the bounding box. */
+/**
+ * The queries of an operation as x, y pairs: near sites if its name ends so, else uniform in the
+ * bounding box.
+ */
 export function readQueries({ set, operation, count }) {
   const points = readDoubles(`${set}${operation.endsWith("Near") ? ".near" : ".box"}`);
   return count > 0 ? points.subarray(0, 2 * count) : points;
@@ -19,11 +25,18 @@ export function readQueries({ set, operation, count }) {
 /** The centres of a set, as x, y pairs. */
 export function readCentres(set) {
   const sites = readDoubles(`${set}.sites`);
-  return Float64Array.from({ length: sites.length / 3 * 2 }, (_, k) => sites[3 * (k >> 1) + (k & 1)]);
+  return Float64Array.from(
+    { length: (sites.length / 3) * 2 },
+    (_, k) => sites[3 * (k >> 1) + (k & 1)],
+  );
 }
 
-// No forced garbage collection between samples: it throws optimised code away (delaunator became six times slower).
-/** Takes samples: `prepare()` is not timed, `work()` is; it returns how many items it did (less than `items` if it was cut off). */
+// No forced garbage collection between samples: it throws optimised code away (delaunator became
+// six times slower).
+/**
+ * Takes samples: `prepare()` is not timed, `work()` is; it returns how many items it did (less than
+ * `items` if it was cut off).
+ */
 export function sampled(request, items, prepare, work) {
   const samples = [];
   let measured = 0;
@@ -35,7 +48,7 @@ export function sampled(request, items, prepare, work) {
     const milliseconds = performance.now() - start;
     measured += milliseconds / 1000;
     isCutOff ||= done < items;
-    samples.push(1000 * milliseconds / done);
+    samples.push((1000 * milliseconds) / done);
   } while (measured < request.seconds && samples.length < kMostSamples && !isCutOff);
   return { samples, items, isCutOff };
 }
@@ -49,7 +62,7 @@ export async function sampledLater(request, items, work) {
     await work();
     const milliseconds = performance.now() - start;
     measured += milliseconds / 1000;
-    samples.push(1000 * milliseconds / items);
+    samples.push((1000 * milliseconds) / items);
   } while (measured < request.seconds && samples.length < kMostSamples);
   return { samples, items, isCutOff: false };
 }
@@ -64,7 +77,10 @@ export function forEachUntil(limit, items, step) {
   return items;
 }
 
-/** Warm-up: repeats an action, so that the engine compiles what is hot at its best level before anything is timed. */
+/**
+ * Warm-up: repeats an action, so that the engine compiles what is hot at its best level before
+ * anything is timed.
+ */
 export function forMilliseconds(duration, action) {
   const end = performance.now() + duration;
   for (let k = 0; performance.now() < end; ++k) action(k);
@@ -82,11 +98,22 @@ export function boxOf(numbers, perItem) {
   return box;
 }
 
-/** Something to draw into that costs next to nothing: it adds up what it is given, so that nothing can be left out. */
+/**
+ * Something to draw into that costs next to nothing: it adds up what it is given, so that nothing
+ * can be left out.
+ */
 export class Sum {
   value = 0;
-  moveTo(x, y) { this.value += x + y; }
-  lineTo(x, y) { this.value += x + y; }
-  bezierCurveTo(x1, y1, x2, y2, x, y) { this.value += x1 + y1 + x2 + y2 + x + y; }
-  closePath() { this.value += 1; }
+  moveTo(x, y) {
+    this.value += x + y;
+  }
+  lineTo(x, y) {
+    this.value += x + y;
+  }
+  bezierCurveTo(x1, y1, x2, y2, x, y) {
+    this.value += x1 + y1 + x2 + y2 + x + y;
+  }
+  closePath() {
+    this.value += 1;
+  }
 }

@@ -1,4 +1,5 @@
-// Threads that answer findMany, each from its own diagram restored from one snapshot (web/examples/threads.mjs is the short version).
+// Threads that answer findMany, each from its own diagram restored from one snapshot
+// (web/examples/threads.mjs is the short version).
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { isMainThread, parentPort, Worker } from "node:worker_threads";
@@ -10,7 +11,8 @@ function answerOf(worker) {
       worker.off("message", onMessage).off("error", onError);
       done(value);
     };
-    const onMessage = settle(resolve), onError = settle(reject);
+    const onMessage = settle(resolve),
+      onError = settle(reject);
     worker.on("message", onMessage).on("error", onError);
   });
 }
@@ -23,18 +25,22 @@ export async function startFinders(threads, bytes) {
     worker.postMessage(message, moved);
     return answer;
   };
-  await Promise.all(workers.map((worker) => {
-    const own = bytes.slice();
-    return ask(worker, { bytes: own }, [own.buffer]);
-  }));
+  await Promise.all(
+    workers.map((worker) => {
+      const own = bytes.slice();
+      return ask(worker, { bytes: own }, [own.buffer]);
+    }),
+  );
   return {
     /** Sum of the ids that are found for x, y pairs. */
     async find(points) {
       const share = 2 * Math.ceil(points.length / 2 / threads);
-      const found = await Promise.all(workers.map((worker, k) => {
-        const part = points.slice(k * share, (k + 1) * share);
-        return ask(worker, { points: part }, [part.buffer]);
-      }));
+      const found = await Promise.all(
+        workers.map((worker, k) => {
+          const part = points.slice(k * share, (k + 1) * share);
+          return ask(worker, { points: part }, [part.buffer]);
+        }),
+      );
       return found.reduce((sum, ids) => ids.reduce((partial, id) => partial + id, sum), 0);
     },
     stop: () => Promise.all(workers.map((worker) => worker.terminate())),
@@ -42,7 +48,9 @@ export async function startFinders(threads, bytes) {
 }
 
 if (!isMainThread) {
-  const { Diagram } = await import(pathToFileURL(path.join(process.env.BENCH_PACKAGE, "consumer.mjs")).href);
+  const { Diagram } = await import(
+    pathToFileURL(path.join(process.env.BENCH_PACKAGE, "consumer.mjs")).href
+  );
   let diagram;
   parentPort.on("message", ({ bytes, points }) => {
     if (bytes) {

@@ -1,4 +1,5 @@
-// What the C++ contenders share: reading a set, timing an operation in samples, and answering requests.
+// What the C++ contenders share: reading a set, timing an operation in samples, and answering
+// requests.
 //
 // A contender is a program that reads one request a line, and answers each with one line of JSON:
 //     op=find set=build/bench/sets/random5-1000 count=1000 seconds=0.2 limit=60 step=0.01
@@ -30,9 +31,10 @@ struct Answer {
   std::vector<double> samples;  ///< microseconds per item
   std::size_t items = 0;        ///< per sample
   std::size_t visible = 0;      ///< visible sites at the end: contenders must agree
-  double sink = 0;              ///< made of all results: nothing is optimised away, and contenders can be compared
-  bool isCutOff = false;        ///< a sample reached the limit and stands for fewer items
-  std::string extra;            ///< further members as JSON, each with a leading comma
+  double sink =
+      0;  ///< made of all results: nothing is optimised away, and contenders can be compared
+  bool isCutOff = false;  ///< a sample reached the limit and stands for fewer items
+  std::string extra;      ///< further members as JSON, each with a leading comma
   std::string error;
 };
 
@@ -41,19 +43,23 @@ inline std::vector<double> readDoubles(const std::string& path) {
   if (!file) return {};
   std::vector<double> values(static_cast<std::size_t>(file.tellg()) / sizeof(double));
   file.seekg(0);
-  file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(double)));
+  file.read(reinterpret_cast<char*>(values.data()),
+            static_cast<std::streamsize>(values.size() * sizeof(double)));
   return values;
 }
 
 class Stopwatch {
  public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Takes samples: `prepare()` is not timed, `work(items)` is; it may lower `items` if it stops at the limit.
+/// Takes samples: `prepare()` is not timed, `work(items)` is; it may lower `items` if it stops at
+/// the limit.
 template <class Prepare, class Work>
 Answer sampled(const Request& request, std::size_t items, Prepare prepare, Work work) {
   constexpr std::size_t kMostSamples = 200;
@@ -73,7 +79,8 @@ Answer sampled(const Request& request, std::size_t items, Prepare prepare, Work 
   return answer;
 }
 
-/// Calls `step(k)` for k = 0, 1, ... until `items` are done or the time limit is reached, which lowers `items`.
+/// Calls `step(k)` for k = 0, 1, ... until `items` are done or the time limit is reached, which
+/// lowers `items`.
 template <class Step>
 void forEachUntil(double limit, std::size_t& items, Step step) {
   const Stopwatch stopwatch;
@@ -93,10 +100,13 @@ inline void printJson(const Answer& answer) {
   }
   std::cout.precision(6);
   std::cout << "{\"samples\":[";
-  for (std::size_t k = 0; k < answer.samples.size(); ++k) std::cout << (k == 0 ? "" : ",") << answer.samples[k];
+  for (std::size_t k = 0; k < answer.samples.size(); ++k)
+    std::cout << (k == 0 ? "" : ",") << answer.samples[k];
   std::cout.precision(17);
-  std::cout << "],\"items\":" << answer.items << ",\"visible\":" << answer.visible << ",\"sink\":" << answer.sink
-            << ",\"isCutOff\":" << (answer.isCutOff ? "true" : "false") << answer.extra << "}" << std::endl;
+  std::cout << "],\"items\":" << answer.items << ",\"visible\":" << answer.visible
+            << ",\"sink\":" << answer.sink
+            << ",\"isCutOff\":" << (answer.isCutOff ? "true" : "false") << answer.extra << "}"
+            << std::endl;
 }
 
 inline void printForPeople(const std::string& operation, const Answer& answer) {
@@ -106,8 +116,9 @@ inline void printForPeople(const std::string& operation, const Answer& answer) {
   }
   std::vector<double> sorted = answer.samples;
   std::sort(sorted.begin(), sorted.end());
-  std::printf("%-14s %9.4f us  (%.4f .. %.4f, %zu samples of %zu, %zu visible%s)%s\n", operation.c_str(), sorted[sorted.size() / 2],
-              sorted.front(), sorted.back(), sorted.size(), answer.items, answer.visible, answer.isCutOff ? ", cut off" : "",
+  std::printf("%-14s %9.4f us  (%.4f .. %.4f, %zu samples of %zu, %zu visible%s)%s\n",
+              operation.c_str(), sorted[sorted.size() / 2], sorted.front(), sorted.back(),
+              sorted.size(), answer.items, answer.visible, answer.isCutOff ? ", cut off" : "",
               answer.extra.c_str());
 }
 

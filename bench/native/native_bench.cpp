@@ -3,5 +3,6 @@
 
 int main(int argc, char** argv) {
   apollonius::bench::Operations operations;
-  return contender::serve(argc, argv, [&](const contender::Request& request) { return operations.answer(request); });
+  return contender::serve(
+      argc, argv, [&](const contender::Request& request) { return operations.answer(request); });
 }

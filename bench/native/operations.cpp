@@ -26,7 +26,8 @@ std::size_t allocated() {
   return info.uordblks + info.hblkhd;
 }
 
-/// Velocities: the fractional parts of multiples of an irrational number, the same in bench/js/ours.mjs.
+/// Velocities: the fractional parts of multiples of an irrational number, the same in
+/// bench/js/ours.mjs.
 double fraction(double k, double irrational) { return k * irrational - std::floor(k * irrational); }
 
 double meanSpacing(const std::vector<double>& sites) {
@@ -38,19 +39,29 @@ double meanSpacing(const std::vector<double>& sites) {
       high[axis] = std::max(high[axis], sites[k + axis]);
     }
   }
-  return std::sqrt((high[0] - low[0]) * (high[1] - low[1]) / (static_cast<double>(sites.size()) / 3));
+  return std::sqrt((high[0] - low[0]) * (high[1] - low[1]) /
+                   (static_cast<double>(sites.size()) / 3));
 }
 
 }  // namespace
 
 const std::map<std::string, Operations::Operation>& Operations::operations() {
   static const std::map<std::string, Operation> all{
-      {"build", &Operations::build},         {"insert", &Operations::insert},       {"insertByWalk", &Operations::insertByWalk},
-      {"find", &Operations::find},           {"findNear", &Operations::find},       {"findMany", &Operations::findMany},
-      {"findManyNear", &Operations::findMany}, {"remove", &Operations::remove},     {"removeMany", &Operations::removeMany},
-      {"update", &Operations::update},       {"updateMany", &Operations::updateMany},
-      {"toBytes", &Operations::toBytes},     {"fromBytes", &Operations::fromBytes},
-      {"kNearest", &Operations::kNearest},   {"removeNearest", &Operations::removeNearest},
+      {"build", &Operations::build},
+      {"insert", &Operations::insert},
+      {"insertByWalk", &Operations::insertByWalk},
+      {"find", &Operations::find},
+      {"findNear", &Operations::find},
+      {"findMany", &Operations::findMany},
+      {"findManyNear", &Operations::findMany},
+      {"remove", &Operations::remove},
+      {"removeMany", &Operations::removeMany},
+      {"update", &Operations::update},
+      {"updateMany", &Operations::updateMany},
+      {"toBytes", &Operations::toBytes},
+      {"fromBytes", &Operations::fromBytes},
+      {"kNearest", &Operations::kNearest},
+      {"removeNearest", &Operations::removeNearest},
   };
   return all;
 }
@@ -99,7 +110,8 @@ std::vector<double> Operations::queries(const Request& request) const {
   return points;
 }
 
-// --- Construction ------------------------------------------------------------------------------------------------------------
+// --- Construction
+// -------------------------------------------------------------------------------------------------
 
 Answer Operations::build(const Request& request) {
   std::size_t before = 0;
@@ -111,7 +123,8 @@ Answer Operations::build(const Request& request) {
   Answer answer = sampled(request, size(), prepare, [&](std::size_t&) { buildDiagram(); });
   isWhole_ = true;
   const double bytes = static_cast<double>(allocated() - before) / static_cast<double>(size());
-  answer.extra = ",\"bytesPerSite\":" + std::to_string(bytes) + stages::perItem(answer.samples.size() * size());
+  answer.extra = ",\"bytesPerSite\":" + std::to_string(bytes) +
+                 stages::perItem(answer.samples.size() * size());
   return answer;
 }
 
@@ -132,15 +145,21 @@ Answer Operations::insertOneByOne(const Request& request, Location location) {
   return answer;
 }
 
-Answer Operations::insert(const Request& request) { return insertOneByOne(request, Location::kHierarchy); }
-Answer Operations::insertByWalk(const Request& request) { return insertOneByOne(request, Location::kWalk); }
+Answer Operations::insert(const Request& request) {
+  return insertOneByOne(request, Location::kHierarchy);
+}
+Answer Operations::insertByWalk(const Request& request) {
+  return insertOneByOne(request, Location::kWalk);
+}
 
-// --- Snapshots ---------------------------------------------------------------------------------------------------------------
+// --- Snapshots
+// -------------------------------------------------------------------------------------------------
 
 Answer Operations::toBytes(const Request& request) {
   ensureDiagram();
   std::vector<std::uint8_t> bytes;
-  Answer answer = sampled(request, size(), [&] { bytes = {}; }, [&](std::size_t&) { check(diagram_.toBytes(bytes)); });
+  Answer answer = sampled(
+      request, size(), [&] { bytes = {}; }, [&](std::size_t&) { check(diagram_.toBytes(bytes)); });
   answer.sink = static_cast<double>(bytes.size());
   return answer;
 }
@@ -157,21 +176,24 @@ Answer Operations::fromBytes(const Request& request) {
   return answer;
 }
 
-// --- Queries -----------------------------------------------------------------------------------------------------------------
+// --- Queries
+// -------------------------------------------------------------------------------------------------
 
 Answer Operations::find(const Request& request) {
   ensureDiagram();
   const std::vector<double> points = queries(request);
   double sum = 0;
   stages::reset();
-  Answer answer = sampled(request, points.size() / 2, [&] { sum = 0; }, [&](std::size_t& items) {
-    forEachUntil(request.limit, items, [&](std::size_t k) {
-      SiteId id;
-      double distance;
-      check(diagram_.find(points[2 * k], points[2 * k + 1], id, distance));
-      sum += id;
-    });
-  });
+  Answer answer = sampled(
+      request, points.size() / 2, [&] { sum = 0; },
+      [&](std::size_t& items) {
+        forEachUntil(request.limit, items, [&](std::size_t k) {
+          SiteId id;
+          double distance;
+          check(diagram_.find(points[2 * k], points[2 * k + 1], id, distance));
+          sum += id;
+        });
+      });
   answer.sink = sum;
   answer.extra = stages::perItem(answer.samples.size() * points.size() / 2);
   return answer;
@@ -182,7 +204,9 @@ Answer Operations::findMany(const Request& request) {
   const std::vector<double> points = queries(request);
   std::vector<SiteId> found(points.size() / 2);
   stages::reset();
-  Answer answer = sampled(request, found.size(), [] {}, [&](std::size_t&) { check(diagram_.findMany(points, found, {})); });
+  Answer answer = sampled(
+      request, found.size(), [] {},
+      [&](std::size_t&) { check(diagram_.findMany(points, found, {})); });
   for (const SiteId id : found) answer.sink += id;
   answer.extra = stages::perItem(answer.samples.size() * found.size());
   return answer;
@@ -194,17 +218,20 @@ Answer Operations::kNearest(const Request& request) {
   const std::vector<double> points = queries(request);
   std::vector<SiteId> found;
   double sum = 0;
-  Answer answer = sampled(request, points.size() / 2, [&] { sum = 0; }, [&](std::size_t& items) {
-    forEachUntil(request.limit, items, [&](std::size_t k) {
-      check(diagram_.kNearest(points[2 * k], points[2 * k + 1], 10, found));
-      sum += found.back();
-    });
-  });
+  Answer answer = sampled(
+      request, points.size() / 2, [&] { sum = 0; },
+      [&](std::size_t& items) {
+        forEachUntil(request.limit, items, [&](std::size_t k) {
+          check(diagram_.kNearest(points[2 * k], points[2 * k + 1], 10, found));
+          sum += found.back();
+        });
+      });
   answer.sink = sum;
   return answer;
 }
 
-// --- Changes: on the sites at the end of the set -------------------------------------------------------------------------------
+// --- Changes: on the sites at the end of the set
+// -------------------------------------------------------------------------------
 
 // The visible ones: CGAL cannot remove the others.
 std::vector<SiteId> Operations::visibleAtEnd(std::size_t count) const {
@@ -220,7 +247,8 @@ std::vector<SiteId> Operations::visibleAtEnd(std::size_t count) const {
 
 Answer Operations::removed(const Request& request, bool atOnce) {
   ensureDiagram();
-  const std::vector<SiteId> ids = visibleAtEnd(request.count > 0 ? std::min(request.count, size()) : size());
+  const std::vector<SiteId> ids =
+      visibleAtEnd(request.count > 0 ? std::min(request.count, size()) : size());
   std::size_t sum = 0;
   const auto prepare = [&] {
     ensureDiagram();
@@ -249,17 +277,18 @@ Answer Operations::removeNearest(const Request& request) {
     ensureDiagram();
     sum = 0;
   };
-  Answer answer = sampled(request, std::min(points.size() / 2, size() - 1), prepare, [&](std::size_t& items) {
-    isWhole_ = false;
-    forEachUntil(request.limit, items, [&](std::size_t k) {
-      SiteId id;
-      double distance;
-      bool isRemoved;
-      check(diagram_.find(points[2 * k], points[2 * k + 1], id, distance));
-      check(diagram_.remove(id, isRemoved));
-      sum += isRemoved;
-    });
-  });
+  Answer answer =
+      sampled(request, std::min(points.size() / 2, size() - 1), prepare, [&](std::size_t& items) {
+        isWhole_ = false;
+        forEachUntil(request.limit, items, [&](std::size_t k) {
+          SiteId id;
+          double distance;
+          bool isRemoved;
+          check(diagram_.find(points[2 * k], points[2 * k + 1], id, distance));
+          check(diagram_.remove(id, isRemoved));
+          sum += isRemoved;
+        });
+      });
   answer.sink = static_cast<double>(sum);
   return answer;
 }
@@ -267,7 +296,8 @@ Answer Operations::removeNearest(const Request& request) {
 Answer Operations::remove(const Request& request) { return removed(request, false); }
 Answer Operations::removeMany(const Request& request) { return removed(request, true); }
 
-// The last `count` sites move at constant velocities of up to `step` mean spacings a frame; each frame is one sample.
+// The last `count` sites move at constant velocities of up to `step` mean spacings a frame; each
+// frame is one sample.
 Answer Operations::moved(const Request& request, bool atOnce) {
   ensureDiagram();
   isWhole_ = false;

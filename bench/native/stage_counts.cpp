@@ -15,7 +15,8 @@ std::string perItem(std::size_t items) {
   const char* separator = "";
   const auto add = [&](const char* name, unsigned long long count) {
     if (count == 0) return;
-    text << separator << '"' << name << "\":" << static_cast<double>(count) / static_cast<double>(items);
+    text << separator << '"' << name
+         << "\":" << static_cast<double>(count) / static_cast<double>(items);
     separator = ",";
   };
   add("lorentzFilter", counts.lorentzFilter);

@@ -1,9 +1,11 @@
 // bench_sites FOLDER FAMILY N...
-// Writes, as raw little-endian doubles, the files that every contender reads (so that all work on the same bits):
+// Writes, as raw little-endian doubles, the files that every contender reads (so that all work on
+// the same bits):
 //   FOLDER/FAMILY-N.sites   N x, y, r triples in random order
 //   FOLDER/FAMILY-N.box     x, y pairs uniform in the bounding box of the centres
 //   FOLDER/FAMILY-N.near    x, y pairs near random sites
-// For a FAMILY that it does not know (real data), FAMILY-N.sites must be there, and only the queries are written.
+// For a FAMILY that it does not know (real data), FAMILY-N.sites must be there, and only the
+// queries are written.
 #include <algorithm>
 #include <bit>
 #include <cstdio>
@@ -31,7 +33,8 @@ template <class Record>
 bool write(const std::string& name, std::span<const Record> records) {
   static_assert(sizeof(Record) % sizeof(double) == 0);
   std::ofstream file(name + ".part", std::ios::binary);
-  file.write(reinterpret_cast<const char*>(records.data()), static_cast<std::streamsize>(records.size_bytes()));
+  file.write(reinterpret_cast<const char*>(records.data()),
+             static_cast<std::streamsize>(records.size_bytes()));
   file.close();
   return file.good() && std::rename((name + ".part").c_str(), name.c_str()) == 0;
 }
@@ -39,13 +42,15 @@ bool write(const std::string& name, std::span<const Record> records) {
 std::optional<SiteSet> readSet(const std::string& stem, std::size_t n) {
   SiteSet set{std::vector<Circle>(n)};
   std::ifstream file(stem + ".sites", std::ios::binary);
-  file.read(reinterpret_cast<char*>(set.circles.data()), static_cast<std::streamsize>(n * sizeof(Circle)));
+  file.read(reinterpret_cast<char*>(set.circles.data()),
+            static_cast<std::streamsize>(n * sizeof(Circle)));
   return file.good() ? std::optional(std::move(set)) : std::nullopt;
 }
 
 bool writeSet(const std::string& stem, const SiteSet& set) {
   const std::size_t queries = std::min(kMostQueries, std::max(kFewestQueries, set.circles.size()));
-  return write<Circle>(stem + ".sites", set.circles) && write<Point>(stem + ".box", pointsInBox(set, queries)) &&
+  return write<Circle>(stem + ".sites", set.circles) &&
+         write<Point>(stem + ".box", pointsInBox(set, queries)) &&
          write<Point>(stem + ".near", pointsNearSites(set, queries));
 }
 

@@ -1,5 +1,5 @@
-// The families of sets that are measured, by name. Each is a seeded set in random order: inserting it from the front, and
-// removing it from the back, is random insertion and random removal.
+// The families of sets that are measured, by name. Each is a seeded set in random order: inserting
+// it from the front, and removing it from the back, is random insertion and random removal.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,8 @@ namespace apollonius::bench {
 
 struct SiteSet {
   std::vector<Circle> circles;
-  double nearness = 0;  ///< how far from a site the queries "near sites" go (unit of the coordinates); 0: the mean spacing
+  double nearness = 0;  ///< how far from a site the queries "near sites" go (unit of the
+                        ///< coordinates); 0: the mean spacing
 };
 
 /// The names that makeSites knows.

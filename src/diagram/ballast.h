@@ -1,6 +1,7 @@
-// Memory held back for undoing: an operation of several steps loads the ballast first; should a later step run out of memory,
-// dropping it makes room for the small things that taking the earlier steps back may need. Room for the large ones, which grow with
-// a site's neighbours, is made step by step (DiagramCore::Undo).
+// Memory held back for undoing: an operation of several steps loads the ballast first; should a
+// later step run out of memory, dropping it makes room for the small things that taking the earlier
+// steps back may need. Room for the large ones, which grow with a site's neighbours, is made step
+// by step (DiagramCore::Undo).
 #pragma once
 
 #include <cstddef>

@@ -21,7 +21,8 @@ void ConflictSearch::begin(const DelaunayGraph& diagram, const Site& q) {
   if (marks_.size() < words) marks_.resize(words, 0);
 }
 
-void ConflictSearch::find(const DelaunayGraph& diagram, const Site& q, VertexId near, HalfedgeId sector) {
+void ConflictSearch::find(const DelaunayGraph& diagram, const Site& q, VertexId near,
+                          HalfedgeId sector) {
   begin(diagram, q);
   if (sector == kNoHalfedge || !startInSector(sector)) startAround(near);
   expand();
@@ -34,7 +35,8 @@ bool ConflictSearch::findBeside(const DelaunayGraph& diagram, const Site& q, Ver
   const HalfedgeId first = graph.outgoing(close);
   HalfedgeId h = first;
   for (int k = 0; k < kFewFaces; ++k) {
-    // The filter's word only: it means strictly nearer, while the exact rule counts the site of a circle given twice as in conflict.
+    // The filter's word only: it means strictly nearer, while the exact rule counts the site of a
+    // circle given twice as in conflict.
     const MaybeSign filtered = circleFilter(diagram.circle(faceOf(h)), q);
     if (filtered.known && filtered.sign == Sign::kPositive) {
       startAtConflict(faceOf(h));
@@ -62,15 +64,19 @@ void ConflictSearch::startAtConflict(FaceId f) {
 /// Neither end of the edge is in conflict: is its interior? Then that is all of the region.
 bool ConflictSearch::startWithin(HalfedgeId h) {
   const HalfedgeId twin = diagram_->graph().twin(h);
-  if (!isInteriorInConflict(diagram_->edge(h), diagram_->circle(faceOf(h)), diagram_->circle(faceOf(twin)), *q_)) return false;
+  if (!isInteriorInConflict(diagram_->edge(h), diagram_->circle(faceOf(h)),
+                            diagram_->circle(faceOf(twin)), *q_))
+    return false;
   rim_.push_back(h);
   rim_.push_back(twin);
   return true;
 }
 
-/// The edge across which the ray from the nearest site through q's centre leaves the cell is in conflict (paper, section 3.4).
+/// The edge across which the ray from the nearest site through q's centre leaves the cell is in
+/// conflict (paper, section 3.4).
 bool ConflictSearch::startInSector(HalfedgeId sector) {
-  return startAt(faceOf(sector)) || startAt(faceOf(diagram_->graph().twin(sector))) || startWithin(sector);
+  return startAt(faceOf(sector)) || startAt(faceOf(diagram_->graph().twin(sector))) ||
+         startWithin(sector);
 }
 
 /// Some edge of the nearest site's cell is in conflict (paper, Lemma 2).
@@ -86,11 +92,14 @@ void ConflictSearch::startAround(VertexId near) {
     if (startWithin(h)) return;
     h = graph.rotateCcw(h);
   } while (h != begin);
-  diagram_->demand(false, "a site that is not covered is in conflict with an edge of its nearest site (Lemma 2)");
+  diagram_->demand(
+      false,
+      "a site that is not covered is in conflict with an edge of its nearest site (Lemma 2)");
 }
 
-/// The paper's depth-first search with a stack of half-edges instead of recursion. The half-edges on the stack and on the rim,
-/// in order, always bound the region found so far; popping them counter-clockwise yields the rim counter-clockwise.
+/// The paper's depth-first search with a stack of half-edges instead of recursion. The half-edges
+/// on the stack and on the rim, in order, always bound the region found so far; popping them
+/// counter-clockwise yields the rim counter-clockwise.
 void ConflictSearch::expand() {
   const Graph& graph = diagram_->graph();
   while (!stack_.empty()) {
@@ -99,11 +108,14 @@ void ConflictSearch::expand() {
     const HalfedgeId across = graph.twin(h);
     const FaceId beyond = faceOf(across);
     const bool wasInRegion = isInRegion(beyond);
-    if ((!wasInRegion && !diagram_->isFaceInConflict(beyond, *q_)) || !isEntirelyInConflict(h, across)) {
-      rim_.push_back(h);  // q's cell ends on this edge; if both its ends are in conflict, its twin gets here too
+    if ((!wasInRegion && !diagram_->isFaceInConflict(beyond, *q_)) ||
+        !isEntirelyInConflict(h, across)) {
+      rim_.push_back(h);  // q's cell ends on this edge; if both its ends are in conflict, its twin
+                          // gets here too
       continue;
     }
-    // An edge between two faces of the region closes a cycle around a site that q covers: no rim (its twin is dropped too).
+    // An edge between two faces of the region closes a cycle around a site that q covers: no rim
+    // (its twin is dropped too).
     if (wasInRegion) continue;
     enter(beyond);
     stack_.push_back(previous(across));
@@ -120,10 +132,13 @@ inline void ConflictSearch::enter(FaceId f) {
 bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const {
   const Graph& graph = diagram_->graph();
   const VertexId i = graph.origin(h), j = graph.origin(twin);
-  const VoronoiCircle &atK = diagram_->keptCircle(faceOf(h)), &atL = diagram_->keptCircle(faceOf(twin));
-  if (i != kInfinity && j != kInfinity && isSurelyInConflictBetweenEnds(diagram_->site(i), diagram_->site(j), atK, atL, *q_)) {
-    shadowCheck({Sign::kPositive, true},
-                [&] { return isEntireEdgeInConflict(diagram_->edge(h), *q_) ? Sign::kPositive : Sign::kNegative; });
+  const VoronoiCircle &atK = diagram_->keptCircle(faceOf(h)),
+                      &atL = diagram_->keptCircle(faceOf(twin));
+  if (i != kInfinity && j != kInfinity &&
+      isSurelyInConflictBetweenEnds(diagram_->site(i), diagram_->site(j), atK, atL, *q_)) {
+    shadowCheck({Sign::kPositive, true}, [&] {
+      return isEntireEdgeInConflict(diagram_->edge(h), *q_) ? Sign::kPositive : Sign::kNegative;
+    });
     return true;
   }
   return isEntireEdgeInConflict(diagram_->edge(h), atK, atL, *q_);

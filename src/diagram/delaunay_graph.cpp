@@ -11,7 +11,9 @@
 namespace apollonius {
 
 bool DelaunayGraph::isFaceInConflictByCorners(FaceId f, const Site& q) const {
-  const Corner i = corner(graph_.origin(halfedgeOf(f, 0))), j = corner(graph_.origin(halfedgeOf(f, 1))), k = corner(graph_.origin(halfedgeOf(f, 2)));
+  const Corner i = corner(graph_.origin(halfedgeOf(f, 0))),
+               j = corner(graph_.origin(halfedgeOf(f, 1))),
+               k = corner(graph_.origin(halfedgeOf(f, 2)));
   if (keptCircle(f).isMissing()) {
     computeCircle(f);
     return isFaceInConflict(f, q);

@@ -12,8 +12,9 @@ namespace apollonius {
 
 namespace {
 
-// Moving a site on its own, which displaces and places it, costs ten to twenty times as much as it costs in a bulk insertion, and
-// certifying moves in place half as much: where more than this share have to be moved on their own, building anew is cheaper.
+// Moving a site on its own, which displaces and places it, costs ten to twenty times as much as it
+// costs in a bulk insertion, and certifying moves in place half as much: where more than this share
+// have to be moved on their own, building anew is cheaper.
 constexpr std::size_t kRebuildShare = 48;
 constexpr std::size_t kFewMoves = 16;  // are not worth new arrays
 
@@ -35,7 +36,8 @@ void DiagramCore::reserve(std::size_t slots) {
 
 VertexId DiagramCore::startFor(double x, double y) const {
   const Slot close = grid_.near(x, y);
-  if (close != kNoSlot && base_.isVisible(vertexOf(close)) && grid_.isClose(site(close), x, y)) return vertexOf(close);
+  if (close != kNoSlot && base_.isVisible(vertexOf(close)) && grid_.isClose(site(close), x, y))
+    return vertexOf(close);
   if (isHierarchyDue_ && !isUndoing_) buildHierarchy();
   const Slot start = hierarchy_.locate(x, y);
   return start == kNoSlot ? kNoVertex : vertexOf(start);
@@ -91,7 +93,8 @@ std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
   try {
     for (const SiteId id : ids) {
       const Slot slot = ids_.slotOf(id);
-      if (slot == kNoSlot || ids_.state(slot) == SiteState::kPending) continue;  // pending: repeated
+      if (slot == kNoSlot || ids_.state(slot) == SiteState::kPending)
+        continue;  // pending: repeated
       displace(slot, Undo::kMaybe);
       gone.push_back(slot);
     }
@@ -115,13 +118,17 @@ void DiagramCore::displace(Slot slot, Undo undo) {
   ids_.setState(slot, SiteState::kPending);
 }
 
-void DiagramCore::hang(Slot child, Slot parent) noexcept { hidden_.hang(child, parent, Covers{base_}); }
+void DiagramCore::hang(Slot child, Slot parent) noexcept {
+  hidden_.hang(child, parent, Covers{base_});
+}
 
 void DiagramCore::displaceVisible(Slot slot, Undo undo) {
   sortOutChildren(slot);
   const FlatArray<VertexId>& children = remover_.hiddenList();
-  const std::span<const Remover::Fate> adopted(remover_.adoptedList().data(), remover_.adoptedList().size());
-  const std::span<const Remover::Fate> fates = remover_.remove(base_, vertexOf(slot), children, undo == Undo::kMaybe);
+  const std::span<const Remover::Fate> adopted(remover_.adoptedList().data(),
+                                               remover_.adoptedList().size());
+  const std::span<const Remover::Fate> fates =
+      remover_.remove(base_, vertexOf(slot), children, undo == Undo::kMaybe);
   // From here on nothing throws.
   for (const std::span<const Remover::Fate> all : {adopted, fates}) {
     for (const Remover::Fate& fate : all) {
@@ -141,19 +148,22 @@ void DiagramCore::displaceVisible(Slot slot, Undo undo) {
   }
 }
 
-/// The largest adopts all children that it covers: a question each, while the remover has to find a place for each that
-/// it gets. That goes on with the largest of the rest as long as a quarter of them is adopted: at most four questions a
-/// child.
+/// The largest adopts all children that it covers: a question each, while the remover has to find a
+/// place for each that it gets. That goes on with the largest of the rest as long as a quarter of
+/// them is adopted: at most four questions a child.
 void DiagramCore::sortOutChildren(Slot slot) {
   FlatArray<VertexId>& children = remover_.hiddenList();
   FlatArray<Remover::Fate>& adopted = remover_.adoptedList();
   children.clear();
   adopted.clear();
-  for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
+  for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone;
+       child = hidden_.nextSibling(child)) {
     children.push_back(vertexOf(child));
   }
   adopted.reserve(children.size());
-  const auto isSmaller = [this](VertexId a, VertexId b) { return precedes(base_.site(a), base_.site(b)); };
+  const auto isSmaller = [this](VertexId a, VertexId b) {
+    return precedes(base_.site(a), base_.site(b));
+  };
   for (std::size_t done = 0; done + 1 < children.size(); ++done) {
     VertexId* const first = children.begin() + done;
     std::iter_swap(first, std::max_element(first, children.end(), isSmaller));
@@ -228,7 +238,8 @@ DiagramCore::Moved DiagramCore::move(Slot slot, const Site& site) {
   return Moved::kAnew;
 }
 
-/// The levels would need room of their own; they go, which makes some, and are made anew when they are asked for.
+/// The levels would need room of their own; they go, which makes some, and are made anew when they
+/// are asked for.
 void DiagramCore::beginUndo() noexcept {
   ballast_.drop();
   hierarchy_.clear();
@@ -247,7 +258,8 @@ void DiagramCore::moveBack(Slot slot, const Site& from) noexcept {
   SiteMoves::takeBack(base_, {&move, 1});
 }
 
-/// A diagram of trusted bytes that lied may refuse to be set right; it is broken then, and left as it is.
+/// A diagram of trusted bytes that lied may refuse to be set right; it is broken then, and left as
+/// it is.
 template <class Step>
 void DiagramCore::undoStep(Step step) noexcept {
   if (isBroken()) return;
@@ -281,13 +293,15 @@ bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
 }
 
 bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
-  for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
+  for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone;
+       child = hidden_.nextSibling(child)) {
     if (!covers(to, site(child))) return false;
   }
   return true;
 }
 
-/// Of a hidden site: does its parent cover it there, too? No is also said where the parent is not to be found quickly.
+/// Of a hidden site: does its parent cover it there, too? No is also said where the parent is not
+/// to be found quickly.
 bool DiagramCore::staysBelow(Slot slot, const Site& to) const {
   const Slot parent = hidden_.isChild(slot) ? hidden_.parentIfNear(slot) : HiddenForest::kNone;
   return parent != HiddenForest::kNone && covers(site(parent), to);
@@ -307,7 +321,8 @@ void DiagramCore::makeMoves(std::size_t mostLeft) {
 }
 
 std::size_t DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr,
-                                         std::span<const std::uint32_t> order, std::size_t mostLeft) {
+                                         std::span<const std::uint32_t> order,
+                                         std::size_t mostLeft) {
   moves_.clear();
   moves_.reserve(ids.size());
   std::size_t left = 0;
@@ -331,7 +346,8 @@ std::size_t DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<
 FlatArray<std::uint32_t> DiagramCore::stage(std::span<const double> xyr) {
   FlatArray<std::uint32_t> order = hilbertOrder({xyr, 3});
   base_.reserveSites(slotsWith(order.size()) + 1);
-  // What is close in the plane is close in memory. Nobody looks at sites of slots that are not in use.
+  // What is close in the plane is close in memory. Nobody looks at sites of slots that are not in
+  // use.
   Slot slot = ids_.nextSlot();
   for (const std::uint32_t k : order) {
     const double* circle = &xyr[3 * std::size_t{k}];
@@ -354,7 +370,8 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
   for (std::uint32_t& k : order) k = ids_.takeSlot(ids[k], SiteState::kPending);
   // Walks start beside, so the grid need not be kept while it changes a lot.
   isBulk_ = isBulk;
-  const Undo undo = n < ids_.size() ? Undo::kMaybe : Undo::kNever;  // a diagram that was empty is simply emptied
+  const Undo undo =
+      n < ids_.size() ? Undo::kMaybe : Undo::kNever;  // a diagram that was empty is simply emptied
   std::size_t done = 0;
   try {
     order = inRandomizedRounds(order);
@@ -379,7 +396,8 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
       if (isBulk && walk_ == Walk::kSectors) rebuildGrid();
     }
     endUndo();
-    for (std::size_t k = n; k-- > 0;) ids_.release(ids_.slotOf(ids[k]));  // so that the next ids are given in the same order again
+    for (std::size_t k = n; k-- > 0;)
+      ids_.release(ids_.slotOf(ids[k]));  // so that the next ids are given in the same order again
     throw;
   }
 }
@@ -392,7 +410,8 @@ void DiagramCore::endBulk() noexcept {
 VertexId DiagramCore::visibleBeside(Slot slot) const {
   constexpr Slot kReach = 4;
   for (Slot distance = 1; distance <= kReach; ++distance) {
-    if (slot >= distance && base_.isVisible(vertexOf(slot - distance))) return vertexOf(slot - distance);
+    if (slot >= distance && base_.isVisible(vertexOf(slot - distance)))
+      return vertexOf(slot - distance);
     if (base_.isVisible(vertexOf(slot + distance))) return vertexOf(slot + distance);
   }
   return base_.anyVisible();
@@ -407,7 +426,8 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
   FlatArray<Moved> moved(order.size());  // those that were moved one by one, and how
   std::size_t done = 0;
   try {
-    if (moveManyInPlace(ids, xyr, order, mostLeft) > mostLeft && rebuildWith(ids, xyr, order)) return;
+    if (moveManyInPlace(ids, xyr, order, mostLeft) > mostLeft && rebuildWith(ids, xyr, order))
+      return;
     for (; done < order.size(); ++done) {
       const std::size_t k = order[done];
       moved[done] = move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
@@ -437,7 +457,8 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
   }
 }
 
-/// Positions in `ids` in the order of the slots, which is one of places; of an id that is given several times, the last one only.
+/// Positions in `ids` in the order of the slots, which is one of places; of an id that is given
+/// several times, the last one only.
 FlatArray<std::uint32_t> DiagramCore::orderOfSlots(std::span<const SiteId> ids) const {
   FlatArray<Keyed> entries(ids.size());
   for (std::uint32_t k = 0; k < ids.size(); ++k) entries[k] = {ids_.slotOf(ids[k]), k};
@@ -445,7 +466,8 @@ FlatArray<std::uint32_t> DiagramCore::orderOfSlots(std::span<const SiteId> ids) 
   FlatArray<std::uint32_t> order;
   order.reserve(ids.size());
   for (std::size_t k = 0; k < entries.size(); ++k) {
-    if (k + 1 == entries.size() || entries[k + 1].key != entries[k].key) order.push_back(entries[k].value);
+    if (k + 1 == entries.size() || entries[k + 1].key != entries[k].key)
+      order.push_back(entries[k].value);
   }
   return order;
 }

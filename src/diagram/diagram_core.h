@@ -1,6 +1,7 @@
-// The dynamic diagram: the Delaunay graph of the visible sites, the forest of the hidden ones, the hierarchy and the grid
-// for location, and the ids that hold them together. Arguments have been checked by the caller (apollonius.cpp); lack of memory is thrown as
-// std::bad_alloc with the diagram as it was before the call.
+// The dynamic diagram: the Delaunay graph of the visible sites, the forest of the hidden ones, the
+// hierarchy and the grid for location, and the ids that hold them together. Arguments have been
+// checked by the caller (apollonius.cpp); lack of memory is thrown as std::bad_alloc with the
+// diagram as it was before the call.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +12,9 @@
 #include "diagram/delaunay_graph.h"
 #include "diagram/hidden.h"
 #include "diagram/hierarchy.h"
-#include "diagram/site_moves.h"
 #include "diagram/remove.h"
 #include "diagram/site_ids.h"
+#include "diagram/site_moves.h"
 #include "diagram/start_grid.h"
 #include "diagram/vocabulary.h"
 #include "memory/flat_array.h"
@@ -30,10 +31,12 @@ class DiagramCore {
 
   SiteId insert(const Site& site);
 
-  // Insertion of many in two steps, so that the caller can free the circles in between: at that time there is little else in memory.
+  // Insertion of many in two steps, so that the caller can free the circles in between: at that
+  // time there is little else in memory.
   /// Copies the circles to the slots that they will get, and returns their order there.
   [[nodiscard]] FlatArray<std::uint32_t> stage(std::span<const double> xyr);
-  /// Inserts what was staged last; ids[k] becomes the id of circle k. REQUIRES: at least one, and no change since then.
+  /// Inserts what was staged last; ids[k] becomes the id of circle k. REQUIRES: at least one, and
+  /// no change since then.
   void insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId> ids);
 
   /// False if the id is not in use.
@@ -50,12 +53,14 @@ class DiagramCore {
   [[nodiscard]] const Site& site(Slot slot) const { return base_.site(vertexOf(slot)); }
   [[nodiscard]] const DelaunayGraph& base() const { return base_; }
 
-  /// The nearest site; `hint` is a visible site close to the point, or kNoSlot. REQUIRES: not empty.
+  /// The nearest site; `hint` is a visible site close to the point, or kNoSlot. REQUIRES: not
+  /// empty.
   [[nodiscard]] Slot nearest(double x, double y, Slot hint = kNoSlot) const;
 
-  /// Sites in the order of their distance to (x, y), at most `most`, and none farther than `farthest` if that is given; ties as in
-  /// nearest(). Replaces the contents of `sites`.
-  void nearby(double x, double y, std::size_t most, const double* farthest, Array<SiteId>& sites) const;
+  /// Sites in the order of their distance to (x, y), at most `most`, and none farther than
+  /// `farthest` if that is given; ties as in nearest(). Replaces the contents of `sites`.
+  void nearby(double x, double y, std::size_t most, const double* farthest,
+              Array<SiteId>& sites) const;
 
   // Listings; each replaces the contents of its argument.
   void neighbors(SiteId id, Array<SiteId>& neighbors) const;
@@ -65,9 +70,11 @@ class DiagramCore {
 
   /// The diagram as a snapshot; replaces the contents of `bytes`.
   void save(Array<std::uint8_t>& bytes) const;
-  /// Becomes what was saved; false if the bytes are no snapshot. REQUIRES: a new diagram; after a failure it is good for nothing.
+  /// Becomes what was saved; false if the bytes are no snapshot. REQUIRES: a new diagram; after a
+  /// failure it is good for nothing.
   [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes, Source source);
-  /// Has an operation found that trusted bytes were no diagram? Then this one is good for nothing but clear().
+  /// Has an operation found that trusted bytes were no diagram? Then this one is good for nothing
+  /// but clear().
   [[nodiscard]] bool isBroken() const { return base_.isBroken(); }
 
   /// The first broken invariant.
@@ -84,37 +91,44 @@ class DiagramCore {
   /// Room for everything that is kept per site, for so many slots.
   void reserve(std::size_t slots);
   /// Slots in use and free ones, once there are so many more sites.
-  [[nodiscard]] std::size_t slotsWith(std::size_t more) const { return std::max(ids_.slots(), ids_.size() + more); }
-  /// May an operation have to be undone? Then it first makes the room that takes: undoing needs no memory, and
-  /// the levels are left out of it.
+  [[nodiscard]] std::size_t slotsWith(std::size_t more) const {
+    return std::max(ids_.slots(), ids_.size() + more);
+  }
+  /// May an operation have to be undone? Then it first makes the room that takes: undoing needs no
+  /// memory, and the levels are left out of it.
   enum class Undo : bool { kNever, kMaybe };
-  /// Places a site whose slot is in no structure; `start` is visible, or kNoVertex to locate from scratch. May throw; else the
-  /// returned state is what the slot is to get.
-  [[nodiscard]] SiteState place(Slot slot, const Site& site, VertexId start, Undo undo = Undo::kNever);
+  /// Places a site whose slot is in no structure; `start` is visible, or kNoVertex to locate from
+  /// scratch. May throw; else the returned state is what the slot is to get.
+  [[nodiscard]] SiteState place(Slot slot, const Site& site, VertexId start,
+                                Undo undo = Undo::kNever);
   /// A visible vertex close to a slot along the curve of a bulk insertion, or kNoVertex.
   [[nodiscard]] VertexId visibleBeside(Slot slot) const;
   /// Takes a site out of all structures; its slot becomes pending.
   void displace(Slot slot, Undo undo = Undo::kNever);
-  /// How a site got to its new place: not at all (it is there), nothing else having changed, or displaced and placed.
+  /// How a site got to its new place: not at all (it is there), nothing else having changed, or
+  /// displaced and placed.
   enum class Moved : std::uint8_t { kNot, kInPlace, kAnew };
   /// A site that cannot be placed returns to where it was.
   Moved move(Slot slot, const Site& site);
   /// Moves a site if nothing else changes by that; else false.
   [[nodiscard]] bool moveInPlace(Slot slot, const Site& site);
-  /// Moves those of the sites together for which that is so; the others stay where they are. Should they be more than
-  /// `mostLeft`, all may stay; how many do, but for hidden ones that can be moved in place.
-  std::size_t moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order,
-                              std::size_t mostLeft);
+  /// Moves those of the sites together for which that is so; the others stay where they are. Should
+  /// they be more than `mostLeft`, all may stay; how many do, but for hidden ones that can be moved
+  /// in place.
+  std::size_t moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr,
+                              std::span<const std::uint32_t> order, std::size_t mostLeft);
   [[nodiscard]] bool coversChildren(Slot slot, const Site& to) const;
   [[nodiscard]] bool staysBelow(Slot slot, const Site& to) const;
-  /// Makes those of moves_ that leave the graph as it is, and keeps only them there; the levels and the grid follow.
+  /// Makes those of moves_ that leave the graph as it is, and keeps only them there; the levels and
+  /// the grid follow.
   void makeMoves(std::size_t mostLeft);
-  /// Becomes a diagram built anew of all sites with these moves made (rebuild.cpp). False, and nothing is changed, if there
-  /// is no memory for two of them.
-  [[nodiscard]] bool rebuildWith(std::span<const SiteId> ids, std::span<const double> xyr, std::span<const std::uint32_t> order) noexcept;
+  /// Becomes a diagram built anew of all sites with these moves made (rebuild.cpp). False, and
+  /// nothing is changed, if there is no memory for two of them.
+  [[nodiscard]] bool rebuildWith(std::span<const SiteId> ids, std::span<const double> xyr,
+                                 std::span<const std::uint32_t> order) noexcept;
   [[nodiscard]] FlatArray<std::uint32_t> orderOfSlots(std::span<const SiteId> ids) const;
-  // Undoing, step by step in reverse order, each from what it had led to: so it needs what was needed then, and
-  // there is room for that.
+  // Undoing, step by step in reverse order, each from what it had led to: so it needs what was
+  // needed then, and there is room for that.
   void beginUndo() noexcept;
   void endUndo() noexcept;
   template <class Step>
@@ -124,9 +138,11 @@ class DiagramCore {
   /// A site that has moved in place.
   void moveBack(Slot slot, const Site& from) noexcept;
   void displaceVisible(Slot slot, Undo undo);
-  /// Into the remover's lists, hiddenList() what hangs on a visible site and may become visible, adoptedList() the rest of what hangs on it.
+  /// Into the remover's lists, hiddenList() what hangs on a visible site and may become visible,
+  /// adoptedList() the rest of what hangs on it.
   void sortOutChildren(Slot slot);
-  /// Hangs a site of no other structure on one that covers it, or below. There is room; nothing throws.
+  /// Hangs a site of no other structure on one that covers it, or below. There is room; nothing
+  /// throws.
   void hang(Slot child, Slot parent) noexcept;
   /// What location needs to know of a site that became visible, and of one that is visible no more.
   void enterLocation(Slot slot) noexcept;
@@ -146,13 +162,14 @@ class DiagramCore {
   bool usesHierarchy_;
   Walk walk_;
   bool isUndoing_ = false;
-  bool isBulk_ = false;       // many sites are being inserted; the grid is made afterwards
+  bool isBulk_ = false;  // many sites are being inserted; the grid is made afterwards
   SiteIds ids_;
-  DelaunayGraph base_;        // vertex of slot s: s + 1
-  HiddenForest hidden_;       // node of slot s: s
+  DelaunayGraph base_;   // vertex of slot s: s + 1
+  HiddenForest hidden_;  // node of slot s: s
   mutable Hierarchy hierarchy_;
-  mutable bool isHierarchyDue_ = false;  // restored from a snapshot: the hierarchy is made when it is asked first, and left alone until then
-  StartGrid grid_;            // with Walk::kSectors only
+  mutable bool isHierarchyDue_ = false;  // restored from a snapshot: the hierarchy is made when it
+                                         // is asked first, and left alone until then
+  StartGrid grid_;                       // with Walk::kSectors only
   Remover remover_;
   SiteMoves siteMoves_;
   FlatArray<SiteMoves::Move> moves_;  // scratch of moves in place

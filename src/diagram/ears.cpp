@@ -29,14 +29,15 @@ bool EarClipper::fill(const DelaunayGraph& diagram, VertexId v, std::span<const 
       continue;
     }
     addFace(a, b, c, circle);
-    corners_[a].side = 3 * static_cast<std::uint32_t>(patch_.size() - 1) + 2;  // the chord c → a of the new face
+    corners_[a].side =
+        3 * static_cast<std::uint32_t>(patch_.size() - 1) + 2;  // the chord c → a of the new face
     corners_.erase(b);
     failures = 0;
     // Next the end of the chord: its ear has a new side.
     b = b < corners_.size() ? b : 0;
   }
-  if (!findVoronoiCircle(diagram.corner(corners_[0].vertex), diagram.corner(corners_[1].vertex), diagram.corner(corners_[2].vertex),
-                         circle)) {
+  if (!findVoronoiCircle(diagram.corner(corners_[0].vertex), diagram.corner(corners_[1].vertex),
+                         diagram.corner(corners_[2].vertex), circle)) {
     return false;
   }
   addFace(0, 1, 2, circle);
@@ -44,14 +45,15 @@ bool EarClipper::fill(const DelaunayGraph& diagram, VertexId v, std::span<const 
   return true;
 }
 
-bool EarClipper::isEar(const DelaunayGraph& diagram, const Site& removed, std::size_t a, std::size_t b, std::size_t c,
-                       VoronoiCircle& circle) const {
+bool EarClipper::isEar(const DelaunayGraph& diagram, const Site& removed, std::size_t a,
+                       std::size_t b, std::size_t c, VoronoiCircle& circle) const {
   const Corner i = diagram.corner(corners_[a].vertex), j = diagram.corner(corners_[b].vertex),
                k = diagram.corner(corners_[c].vertex);
   if (!findVoronoiCircle(i, j, k, circle)) return false;
   const auto isInConflict = [&](const Site& site) {
     const MaybeSign filtered = circleFilter(circle, site);
-    return filtered.known && !kShadowCheck ? filtered.sign == Sign::kPositive : isVertexInConflict(circle, i, j, k, site);
+    return filtered.known && !kShadowCheck ? filtered.sign == Sign::kPositive
+                                           : isVertexInConflict(circle, i, j, k, site);
   };
   if (!isInConflict(removed)) return false;
   // The corners behind the ear are the likely ones.

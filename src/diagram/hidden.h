@@ -1,40 +1,48 @@
-// The forest of hidden sites: each hangs on a site that covers it, which may be hidden itself. A site that becomes hidden keeps
-// what hangs on it, so that covering costs O(1), and removing a site concerns only what hangs on it directly. (The paper's
-// lists, section 3.3, hang everything on visible sites and pay O(n) for the removal of a hidden one.)
+// The forest of hidden sites: each hangs on a site that covers it, which may be hidden itself. A
+// site that becomes hidden keeps what hangs on it, so that covering costs O(1), and removing a site
+// concerns only what hangs on it directly. (The paper's lists, section 3.3, hang everything on
+// visible sites and pay O(n) for the removal of a hidden one.)
 //
-// Were all new ones hung on the visible site itself, its removal would have to look at each. So `hang` makes a
-// skew heap of those that cover each other (Sleator and Tarjan, Self-adjusting heaps, 1986), which keeps nothing
-// but the order of the children: a site that has kFew children compares the next one with its last child; the
-// smaller of the two goes on below the larger, and that moves to the front, so that another child is the last one
-// next time. Where neither covers the other, the new one is hung beside.
+// Were all new ones hung on the visible site itself, its removal would have to look at each. So
+// `hang` makes a skew heap of those that cover each other (Sleator and Tarjan, Self-adjusting
+// heaps, 1986), which keeps nothing but the order of the children: a site that has kFew children
+// compares the next one with its last child; the smaller of the two goes on below the larger, and
+// that moves to the front, so that another child is the last one next time. Where neither covers
+// the other, the new one is hung beside.
 //
 // What holds after any history, T being the number of insertions since clear():
-//  1. Of a family in which of any two sites one covers the other (duplicates, concentric circles, circles that
-//     touch in one point from inside), no site has more than kFew children. For hang() puts a site beside kFew
-//     others only if it has compared it with one of them; dissolve() hangs the children of such a site anew; and
-//     of the children of a visible site that is removed, the largest gets the others
-//     (DiagramCore::displaceVisible). Not meant are sites that have been moved in place, which may change what
-//     they are to each other.
+//  1. Of a family in which of any two sites one covers the other (duplicates, concentric circles,
+//  circles that
+//     touch in one point from inside), no site has more than kFew children. For hang() puts a site
+//     beside kFew others only if it has compared it with one of them; dissolve() hangs the children
+//     of such a site anew; and of the children of a visible site that is removed, the largest gets
+//     the others (DiagramCore::displaceVisible). Not meant are sites that have been moved in place,
+//     which may change what they are to each other.
 //  2. hang() asks O(log T) questions amortised, whatever the family.
-//     Proof. Let each site weigh 1 when it comes, and a hidden one that is dissolved leave its weight to its
-//     parent. A tree weighs what its sites weigh; a child is heavy if its tree weighs more than half of its
-//     parent's. The potential is the number of sites whose last child is heavy. hang() goes down two trees, that
-//     of the parent and that of the new site, always to a last child. Each step asks about the last child of one
-//     site, which then is the first child, or has been replaced by the first. If it was heavy, the last one is
-//     not heavy now, as the others weigh less than half together and the whole has not become lighter: the
-//     potential has paid. If it was not, its tree weighs at most half of its parent's: that happens log2 T times
-//     at most in each tree, and the potential grows by 1 at most. The last question and the new link cost O(1).
-//     Covering, detaching and dissolving change one list of children each, and no weight above it: what is hung
-//     on by then is visible, or dissolve's parent, or a child of the site that is being removed. []
-// So a removal from such a family costs O(log T) amortised. In general it costs what the m direct children cost:
-// they may be m sites that cover nobody, of which only the diagram of all can tell which become visible. Each is
-// hung then on what covers it, so that it comes up again only when that one is removed.
+//     Proof. Let each site weigh 1 when it comes, and a hidden one that is dissolved leave its
+//     weight to its parent. A tree weighs what its sites weigh; a child is heavy if its tree weighs
+//     more than half of its parent's. The potential is the number of sites whose last child is
+//     heavy. hang() goes down two trees, that of the parent and that of the new site, always to a
+//     last child. Each step asks about the last child of one site, which then is the first child,
+//     or has been replaced by the first. If it was heavy, the last one is not heavy now, as the
+//     others weigh less than half together and the whole has not become lighter: the potential has
+//     paid. If it was not, its tree weighs at most half of its parent's: that happens log2 T times
+//     at most in each tree, and the potential grows by 1 at most. The last question and the new
+//     link cost O(1). Covering, detaching and dissolving change one list of children each, and no
+//     weight above it: what is hung on by then is visible, or dissolve's parent, or a child of the
+//     site that is being removed. []
+// So a removal from such a family costs O(log T) amortised. In general it costs what the m direct
+// children cost: they may be m sites that cover nobody, of which only the diagram of all can tell
+// which become visible. Each is hung then on what covers it, so that it comes up again only when
+// that one is removed.
 //
-// Children form a list with both ends known to the parent; the ends name the parent where there is no further sibling, so that
-// taking a site out, with its children put in its place, needs no search.
+// Children form a list with both ends known to the parent; the ends name the parent where there is
+// no further sibling, so that taking a site out, with its children put in its place, needs no
+// search.
 //
-// Most sites neither hide nor are hidden: such a node costs one word. The others have a record, and there are at most two records
-// a hidden site: its own, and that of its parent. Records come in small blocks, which need no second copy to grow.
+// Most sites neither hide nor are hidden: such a node costs one word. The others have a record, and
+// there are at most two records a hidden site: its own, and that of its parent. Records come in
+// small blocks, which need no second copy to grow.
 #pragma once
 
 #include <algorithm>
@@ -60,12 +68,15 @@ class HiddenForest {
 
   [[nodiscard]] Node firstChild(Node n) const { return hasRecord(n) ? links(n).firstChild : kNone; }
   /// Of a child.
-  [[nodiscard]] Node nextSibling(Node n) const { return isEnd(links(n).after) ? kNone : links(n).after; }
+  [[nodiscard]] Node nextSibling(Node n) const {
+    return isEnd(links(n).after) ? kNone : links(n).after;
+  }
 
   /// Does it hang on another?
   [[nodiscard]] bool isChild(Node n) const { return hasRecord(n) && links(n).before != kNone; }
 
-  /// Of a node that is not a root; or kNone, for it is known at the end of a list of siblings only, and that may be far.
+  /// Of a node that is not a root; or kNone, for it is known at the end of a list of siblings only,
+  /// and that may be far.
   [[nodiscard]] Node parentIfNear(Node n) const {
     for (int k = 0; k < 16; ++k, n = links(n).after) {
       if (isEnd(links(n).after)) return links(n).after & ~kEnd;
@@ -73,12 +84,13 @@ class HiddenForest {
     return kNone;
   }
 
-  /// Hangs a root on `parent`, as its last child, with all that hangs on it. REQUIRES: room (reserveChildren).
+  /// Hangs a root on `parent`, as its last child, with all that hangs on it. REQUIRES: room
+  /// (reserveChildren).
   void attach(Node child, Node parent) { insertBefore(kEnd | parent, child, parent); }
 
-  /// Hangs a root on `parent` or below, and perhaps something from below that on the root, as said above. covers(a, b):
-  /// may b hang on a? A partial order, but for identical sites, and it must not throw.
-  /// REQUIRES: covers(parent, child), and room.
+  /// Hangs a root on `parent` or below, and perhaps something from below that on the root, as said
+  /// above. covers(a, b): may b hang on a? A partial order, but for identical sites, and it must
+  /// not throw. REQUIRES: covers(parent, child), and room.
   template <class Covers>
   void hang(Node child, Node parent, Covers covers);
 
@@ -89,8 +101,8 @@ class HiddenForest {
     --children_;
   }
 
-  /// Takes a child off its parent and hangs its own children there: in its place, or one by one if there are few. Cost:
-  /// O(1), or that of hanging these.
+  /// Takes a child off its parent and hangs its own children there: in its place, or one by one if
+  /// there are few. Cost: O(1), or that of hanging these.
   template <class Covers>
   void dissolve(Node child, Covers covers);
 
@@ -110,11 +122,14 @@ class HiddenForest {
   };
 
   [[nodiscard]] bool hasRecord(Node n) const { return n < records_.size() && records_[n] != kNone; }
-  [[nodiscard]] Links& links(Node n) const { return blocks_[records_[n] / kBlock][records_[n] % kBlock]; }
+  [[nodiscard]] Links& links(Node n) const {
+    return blocks_[records_[n] / kBlock][records_[n] % kBlock];
+  }
   void ensureRecord(Node n);
   void releaseIfAlone(Node n);
 
-  /// Hangs a root on `parent`, before the child `sibling`, or as the last one if that is kEnd | parent.
+  /// Hangs a root on `parent`, before the child `sibling`, or as the last one if that is kEnd |
+  /// parent.
   void insertBefore(Node sibling, Node child, Node parent);
 
   /// Puts the list first … last (or nothing) in the place of child.
@@ -166,7 +181,8 @@ inline void HiddenForest::insertBefore(Node sibling, Node child, Node parent) {
   ensureRecord(child);
   ensureRecord(parent);
   Links& c = links(child);
-  Node& behind = isEnd(sibling) ? links(parent).lastChild : links(sibling).before;  // names who is before child now
+  Node& behind = isEnd(sibling) ? links(parent).lastChild
+                                : links(sibling).before;  // names who is before child now
   c.after = sibling;
   c.before = behind != kNone ? behind : kEnd | parent;
   behind = child;

@@ -14,8 +14,8 @@ Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
   for (std::size_t k = levelCount_; k > level; --k) {
     const DelaunayGraph& graph = *levels_[k - 1];
     if (graph.visibleCount() == 0) continue;
-    // A level lacks a site of the one above only if the diagram, which nobody has proved, shows one that another
-    // covers.
+    // A level lacks a site of the one above only if the diagram, which nobody has proved, shows one
+    // that another covers.
     const bool isThere = slot != kNoSlot && graph.graph().hasVertex(vertexOf(slot));
     const VertexId start = isThere ? vertexOf(slot) : graph.anyVisible();
     const VertexId end = stepDown(graph, graph.locate(x, y, start, walk_), x, y);
@@ -24,13 +24,17 @@ Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
   return slot;
 }
 
-/// The nearest site; but a giant among small ones has a high degree below, and nobody knows where to start turning around it. The
-/// neighbour in whose sector the point lies leads there: it is taken if, seen from it, the giant's weight dwarfs the distance.
-VertexId Hierarchy::stepDown(const DelaunayGraph& graph, DelaunayGraph::Located located, double x, double y) {
+/// The nearest site; but a giant among small ones has a high degree below, and nobody knows where
+/// to start turning around it. The neighbour in whose sector the point lies leads there: it is
+/// taken if, seen from it, the giant's weight dwarfs the distance.
+VertexId Hierarchy::stepDown(const DelaunayGraph& graph, DelaunayGraph::Located located, double x,
+                             double y) {
   if (located.sector == kNoHalfedge) return located.nearest;
   const Graph& links = graph.graph();
   VertexId neighbor = links.target(located.sector);
-  if (neighbor == kInfinity) neighbor = links.target(links.rotateCcw(located.sector));  // between two that stick out of the giant
+  if (neighbor == kInfinity)
+    neighbor =
+        links.target(links.rotateCcw(located.sector));  // between two that stick out of the giant
   const Site &giant = graph.site(located.nearest), &small = graph.site(neighbor);
   const double reach = (absolute(small.x - x) + absolute(small.y - y)) / 4;
   return giant.r - small.r > reach ? neighbor : located.nearest;
@@ -57,7 +61,8 @@ void Hierarchy::insert(Slot slot, const Site& site) noexcept {
       slot >>= kBits;
       DelaunayGraph& graph = levelToFill(level);
       graph.reserve(slot + std::size_t{2});
-      if (graph.isVisible(vertexOf(slot))) return drop();  // never: a level with a site twice would be no graph
+      if (graph.isVisible(vertexOf(slot)))
+        return drop();  // never: a level with a site twice would be no graph
       graph.setSite(vertexOf(slot), site);
       const Slot above = locateOn(level + 1, site.x, site.y);
       (void)graph.insert(vertexOf(slot), above == kNoSlot ? kNoVertex : vertexOf(above), walk_);
@@ -67,11 +72,12 @@ void Hierarchy::insert(Slot slot, const Site& site) noexcept {
   }
 }
 
-/// One by one would not do: on level 0 all have moved, and of two sites in each other's way the one that comes
-/// first would cover the other where that one has been. So each level moves as a whole as far as it can
-/// (SiteMoves) and is then rid of those that it could not move, and so are all others; what is left are sites
-/// of level 0 where they are now. The levels above are still as they were before: they, too, hold sites that
-/// were visible together. Once no level holds a site in a former place, those that were left behind enter anew.
+/// One by one would not do: on level 0 all have moved, and of two sites in each other's way the one
+/// that comes first would cover the other where that one has been. So each level moves as a whole
+/// as far as it can (SiteMoves) and is then rid of those that it could not move, and so are all
+/// others; what is left are sites of level 0 where they are now. The levels above are still as they
+/// were before: they, too, hold sites that were visible together. Once no level holds a site in a
+/// former place, those that were left behind enter anew.
 void Hierarchy::move(std::span<const SiteMoves::Move> moves, Remover& remover) noexcept {
   if (levelCount_ == 0) return;
   try {
@@ -87,7 +93,8 @@ void Hierarchy::move(std::span<const SiteMoves::Move> moves, Remover& remover) n
     for (unsigned level = 0; level < levelCount_ && !moves_.empty(); ++level) {
       const std::size_t before = behind_.size();
       followOn(level);
-      for (std::size_t k = before; k < behind_.size(); ++k) remove(slotOf(behind_[k].vertex), remover);
+      for (std::size_t k = before; k < behind_.size(); ++k)
+        remove(slotOf(behind_[k].vertex), remover);
     }
   } catch (...) {
     drop();
@@ -95,11 +102,12 @@ void Hierarchy::move(std::span<const SiteMoves::Move> moves, Remover& remover) n
   for (const SiteMoves::Move& move : behind_) insert(slotOf(move.vertex), move.to);
 }
 
-/// Moves what can be moved in place on a level, and keeps in moves_ what goes on to the next one. The rest is
-/// left behind.
+/// Moves what can be moved in place on a level, and keeps in moves_ what goes on to the next one.
+/// The rest is left behind.
 void Hierarchy::followOn(unsigned level) {
   DelaunayGraph& graph = *levels_[level];
-  behind_.reserve(behind_.size() + moves_.size());  // from here on only SiteMoves throws, and then nothing has moved
+  behind_.reserve(behind_.size() +
+                  moves_.size());  // from here on only SiteMoves throws, and then nothing has moved
   const auto leave = [&](std::size_t k) { behind_.push_back({vertexOf(slots_[k]), moves_[k].to}); };
   std::size_t count = 0;
   for (std::size_t k = 0; k < moves_.size(); ++k) {
@@ -137,7 +145,8 @@ void Hierarchy::remove(Slot slot, Remover& remover) noexcept {
   }
 }
 
-const char* Hierarchy::check(const DelaunayGraph& base, std::uint32_t& where, std::uint32_t& level) const {
+const char* Hierarchy::check(const DelaunayGraph& base, std::uint32_t& where,
+                             std::uint32_t& level) const {
   const DelaunayGraph* lower = &base;
   for (unsigned below = 0; below < levelCount_; ++below) {
     const DelaunayGraph& graph = *levels_[below];
@@ -151,12 +160,14 @@ const char* Hierarchy::check(const DelaunayGraph& base, std::uint32_t& where, st
       ++expected;
       where = slot;
       const VertexId copy = vertexOf(slot >> kBits);
-      if (index(copy) >= graph.graph().vertexSlots() || !graph.isVisible(copy)) return "it lacks a site: slot below";
+      if (index(copy) >= graph.graph().vertexSlots() || !graph.isVisible(copy))
+        return "it lacks a site: slot below";
       const Site &a = graph.site(copy), &b = lower->site(vertex);
       if (a.x != b.x || a.y != b.y || a.r != b.r) return "levels differ about a site: slot below";
     }
     where = static_cast<std::uint32_t>(expected);
-    if (expected != graph.visibleCount()) return "it holds sites that the level below does not: expected";
+    if (expected != graph.visibleCount())
+      return "it holds sites that the level below does not: expected";
     lower = &graph;
   }
   level = 0;

@@ -1,17 +1,20 @@
-// The hierarchy of Delaunay graphs for location (paper, section 4): level k + 1 holds a sample of the sites of level k, every
-// thirty-second on average, and a search walks on each level from where it ended on the one above. Level 0 is the diagram itself.
+// The hierarchy of Delaunay graphs for location (paper, section 4): level k + 1 holds a sample of
+// the sites of level k, every thirty-second on average, and a search walks on each level from where
+// it ended on the one above. Level 0 is the diagram itself.
 //
-// Which sites a level holds is a function of their slots: of each 32 consecutive slots of a level, one, chosen by a hash of their
-// common number, is a slot of the next. So nothing is stored to get from a slot on one level to the same site's on another, and
-// sites that are revived or moved return to their levels.
+// Which sites a level holds is a function of their slots: of each 32 consecutive slots of a level,
+// one, chosen by a hash of their common number, is a slot of the next. So nothing is stored to get
+// from a slot on one level to the same site's on another, and sites that are revived or moved
+// return to their levels.
 //
-// A level holds sites that are visible together on level 0: now, or, while it has yet to follow a change, before
-// that; never some of both. What leaves goes first, from all of its levels, then what is new enters. So nothing
-// is ever covered on a level: what covers it there covers it on level 0 as well. (That has to be so: a site hidden on a
-// level would be lost for it, as levels have no forest to bring it back from.)
+// A level holds sites that are visible together on level 0: now, or, while it has yet to follow a
+// change, before that; never some of both. What leaves goes first, from all of its levels, then
+// what is new enters. So nothing is ever covered on a level: what covers it there covers it on
+// level 0 as well. (That has to be so: a site hidden on a level would be lost for it, as levels
+// have no forest to bring it back from.)
 //
-// The hierarchy is an accelerator: where it runs out of memory it is dropped until the diagram is cleared, and searches walk from
-// afar.
+// The hierarchy is an accelerator: where it runs out of memory it is dropped until the diagram is
+// cleared, and searches walk from afar.
 #pragma once
 
 #include <array>
@@ -43,8 +46,8 @@ class Hierarchy {
   /// Takes a site off its levels, if it is on any.
   void remove(Slot slot, Remover& remover) noexcept;
 
-  /// Follows moves that left the graph of level 0 as it is, all of those made together at once: each is a
-  /// vertex of level 0 and where its site is now.
+  /// Follows moves that left the graph of level 0 as it is, all of those made together at once:
+  /// each is a vertex of level 0 and where its site is now.
   void move(std::span<const SiteMoves::Move> moves, Remover& remover) noexcept;
 
   void clear() noexcept {
@@ -53,18 +56,24 @@ class Hierarchy {
   }
 
   /// The first broken invariant or nullptr; `base` is level 0, whose vertex of slot s is s + 1.
-  [[nodiscard]] const char* check(const DelaunayGraph& base, std::uint32_t& where, std::uint32_t& level) const;
+  [[nodiscard]] const char* check(const DelaunayGraph& base, std::uint32_t& where,
+                                  std::uint32_t& level) const;
 
  private:
   friend class DiagramBreaker;  // tests break a structure on purpose
 
-  static constexpr unsigned kBits = 5;  // few sites pay for a level; most searches start from the grid (start_grid.h) anyway
+  static constexpr unsigned kBits =
+      5;  // few sites pay for a level; most searches start from the grid (start_grid.h) anyway
   static constexpr unsigned kMostLevels = 8;  // the top one holds 32 of 2^29 sites
   static constexpr Slot kMask = (Slot{1} << kBits) - 1;
 
   /// Is slot s of `level` a slot of the next one, too? Then it is s >> kBits there.
-  [[nodiscard]] static bool climbs(Slot s, unsigned level) { return (s & kMask) == chosen(s >> kBits, level); }
-  [[nodiscard]] static Slot below(Slot upper, unsigned level) { return upper << kBits | chosen(upper, level); }
+  [[nodiscard]] static bool climbs(Slot s, unsigned level) {
+    return (s & kMask) == chosen(s >> kBits, level);
+  }
+  [[nodiscard]] static Slot below(Slot upper, unsigned level) {
+    return upper << kBits | chosen(upper, level);
+  }
   [[nodiscard]] static Slot chosen(Slot upper, unsigned level);
   [[nodiscard]] static VertexId vertexOf(Slot s) { return VertexId{s + 1}; }
   [[nodiscard]] static Slot slotOf(VertexId v) { return static_cast<Slot>(v) - 1; }
@@ -75,7 +84,8 @@ class Hierarchy {
   [[nodiscard]] Slot locateOn(unsigned level, double x, double y) const;
 
   /// The vertex to go down with from where a search on one level ended.
-  [[nodiscard]] static VertexId stepDown(const DelaunayGraph& graph, DelaunayGraph::Located located, double x, double y);
+  [[nodiscard]] static VertexId stepDown(const DelaunayGraph& graph, DelaunayGraph::Located located,
+                                         double x, double y);
 
   Walk walk_;
   void drop() noexcept {
@@ -95,8 +105,8 @@ class Hierarchy {
   std::array<std::unique_ptr<DelaunayGraph>, kMostLevels> levels_;  // [k] is level k + 1
   unsigned levelCount_ = 0;
   SiteMoves siteMoves_;
-  // Scratch of move(): of the sites that go with the moves as far as the level at hand, the move there, and the
-  // slot on level 0. Sites that stay behind are listed with those.
+  // Scratch of move(): of the sites that go with the moves as far as the level at hand, the move
+  // there, and the slot on level 0. Sites that stay behind are listed with those.
   FlatArray<SiteMoves::Move> moves_;
   FlatArray<Slot> slots_;
   FlatArray<SiteMoves::Move> behind_;

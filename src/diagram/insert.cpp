@@ -1,15 +1,15 @@
-// Insertion in the paper's three stages (section 3): nearest site, is the new one covered by it, conflict region and starring.
-#include "diagram/delaunay_graph.h"
-
+// Insertion in the paper's three stages (section 3): nearest site, is the new one covered by it,
+// conflict region and starring.
 #include <algorithm>
 
+#include "diagram/delaunay_graph.h"
 #include "diagram/remove.h"
 #include "number/invariant.h"
 
 namespace apollonius {
 
-DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk walk, HiddenForest* forest,
-                                               Remover* remover) {
+DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk walk,
+                                               HiddenForest* forest, Remover* remover) {
   invariant(!isVisible(v), "a site enters a graph once");
   const Site& q = site(v);
   if (visibleCount_ == 0) {
@@ -19,7 +19,8 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk 
   }
   if (visibleCount_ == 1) return insertBesideOne(v, forest);
   start = visibleStart(start);
-  // Often a conflict is found at once, which makes the first two stages superfluous: a covered site has none.
+  // Often a conflict is found at once, which makes the first two stages superfluous: a covered site
+  // has none.
   if (!conflicts_.findBeside(*this, q, start)) {
     const Located near = locate(q.x, q.y, start, walk);
     if (covers(site(near.nearest), q)) return {near.nearest, {}};  // Lemma 1
@@ -31,16 +32,19 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk 
   const std::size_t removed = conflicts_.faces().size();
   const std::size_t created = conflicts_.rim().size();
   reserveFaces(removed, created);
-  for (std::size_t k = 0; k < created; ++k) fan_.setCorner(k, corner(graph_.origin(conflicts_.rim()[k])));
+  for (std::size_t k = 0; k < created; ++k)
+    fan_.setCorner(k, corner(graph_.origin(conflicts_.rim()[k])));
   fan_.compute(q, {newCircles_.data(), created});
-  // As many as the region has cycles: f faces that hang together by e edges have e - f + 1, and 3 f - 2 e sides.
+  // As many as the region has cycles: f faces that hang together by e edges have e - f + 1, and 3 f
+  // - 2 e sides.
   const std::size_t covered = removed + 2 > created ? (removed + 2 - created) / 2 : 0;
   if (forest != nullptr) forest->reserveChildren(covered);
   if (remover != nullptr) {
     remover->reserve(created + covered);
     reserveReturn(std::max(created, removed));
   }
-  const std::span<const VertexId> lost = graph_.starHole(v, conflicts_.faces(), conflicts_.rim(), newFaces(created));
+  const std::span<const VertexId> lost =
+      graph_.starHole(v, conflicts_.faces(), conflicts_.rim(), newFaces(created));
   takeCircles(created);
   visibleCount_ += 1 - lost.size();
   recent_ = v;
@@ -62,7 +66,8 @@ DelaunayGraph::Insertion DelaunayGraph::insertBesideOne(VertexId v, HiddenForest
 }
 
 /// The new site covers every visible one: it remains alone.
-DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v, HiddenForest* forest, Remover* remover) {
+DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v, HiddenForest* forest,
+                                                 Remover* remover) {
   covered_.clear();
   if (visibleCount_ == 1) {
     covered_.push_back(recent_);

@@ -22,7 +22,8 @@ void DiagramCore::neighbors(SiteId id, Array<SiteId>& neighbors) const {
   for (std::uint32_t k = 0; k < positions.size(); ++k) positions[k] = {neighbors[k], k};
   sortByKey(positions);
   FlatArray<bool> isRepeated(neighbors.size(), false);
-  for (std::size_t k = 1; k < positions.size(); ++k) isRepeated[positions[k].value] = positions[k].key == positions[k - 1].key;
+  for (std::size_t k = 1; k < positions.size(); ++k)
+    isRepeated[positions[k].value] = positions[k].key == positions[k - 1].key;
   std::size_t kept = 0;
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     if (!isRepeated[k]) neighbors[kept++] = neighbors[k];
@@ -45,7 +46,8 @@ void DiagramCore::faces(Array<SiteId>& sites) const {
   const Graph& graph = base_.graph();
   for (std::size_t i = 0; i < 3 * graph.faceSlots(); ++i) {
     const HalfedgeId h{static_cast<std::uint32_t>(i)};
-    if (graph.isLive(faceOf(h))) sites.push_back(graph.origin(h) == kInfinity ? kNoSite : siteOf(graph.origin(h)));
+    if (graph.isLive(faceOf(h)))
+      sites.push_back(graph.origin(h) == kInfinity ? kNoSite : siteOf(graph.origin(h)));
   }
 }
 
@@ -80,7 +82,8 @@ void DiagramCore::edges(EdgeArrays& out) const {
     if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity) continue;
     out.sites.push_back(siteOf(graph.origin(h)));
     out.sites.push_back(siteOf(graph.target(h)));
-    // Counter-clockwise about h's origin the edge runs from the vertex of the face on the right to that on the left.
+    // Counter-clockwise about h's origin the edge runs from the vertex of the face on the right to
+    // that on the left.
     out.vertices.push_back(row[index(faceOf(graph.twin(h)))]);
     out.vertices.push_back(row[index(faceOf(h))]);
   }

@@ -1,5 +1,5 @@
-// Nearest neighbour location by walking: the paper's way (section 4), which asks all neighbours, and the sector walk, which asks
-// the one in the direction of the point.
+// Nearest neighbour location by walking: the paper's way (section 4), which asks all neighbours,
+// and the sector walk, which asks the one in the direction of the point.
 #include "diagram/delaunay_graph.h"
 #include "predicate/approx_distance.h"
 #include "predicate/direction.h"
@@ -9,11 +9,13 @@ namespace apollonius {
 
 namespace {
 
-/// A site and its distance to a fixed point. Distances that doubles cannot tell apart are compared exactly; ties have a winner, so
-/// that walks end. (The filter is distanceFilter's, which the shadow check compares with the exact stage.)
+/// A site and its distance to a fixed point. Distances that doubles cannot tell apart are compared
+/// exactly; ties have a winner, so that walks end. (The filter is distanceFilter's, which the
+/// shadow check compares with the exact stage.)
 class Nearest {
  public:
-  Nearest(double x, double y, const Site& first) : x_(x), y_(y), site_(&first), distance_(x, y, first) {}
+  Nearest(double x, double y, const Site& first)
+      : x_(x), y_(y), site_(&first), distance_(x, y, first) {}
 
   /// Takes the candidate's place if it is nearer.
   bool improve(const Site& candidate) {
@@ -32,19 +34,22 @@ class Nearest {
   ApproxDistance distance_;
 };
 
-/// Up to this many neighbours are asked one after the other, which is cheaper than finding out which one to ask.
+/// Up to this many neighbours are asked one after the other, which is cheaper than finding out
+/// which one to ask.
 constexpr int kFewNeighbors = 12;
 
-/// Where the ray from a site's centre through a point lies among the directions of the site's faces. Every answer is exact: that a
-/// sector holds the ray is what the end of a walk is proved by.
+/// Where the ray from a site's centre through a point lies among the directions of the site's
+/// faces. Every answer is exact: that a sector holds the ray is what the end of a walk is proved
+/// by.
 class Sectors {
  public:
   /// REQUIRES: (x, y) is not the pole's centre.
   Sectors(const DelaunayGraph& diagram, double x, double y, VertexId pole)
       : diagram_(diagram), pole_(diagram.site(pole)), x_(x), y_(y) {}
 
-  /// A half-edge around the pole whose sector, its bounds included, holds the ray, rotating from `begin` towards it; or kNoHalfedge, if
-  /// doubles cannot tell a sector of nearly a whole turn from one of nearly none.
+  /// A half-edge around the pole whose sector, its bounds included, holds the ray, rotating from
+  /// `begin` towards it; or kNoHalfedge, if doubles cannot tell a sector of nearly a whole turn
+  /// from one of nearly none.
   [[nodiscard]] HalfedgeId find(HalfedgeId begin) const {
     const Graph& graph = diagram_.graph();
     HalfedgeId h = begin;
@@ -63,23 +68,29 @@ class Sectors {
   [[nodiscard]] bool runsAlong(HalfedgeId h) const { return bearing(h) == Bearing::kAlong; }
 
  private:
-  [[nodiscard]] const VoronoiCircle& circle(HalfedgeId h) const { return diagram_.circle(faceOf(h)); }
+  [[nodiscard]] const VoronoiCircle& circle(HalfedgeId h) const {
+    return diagram_.circle(faceOf(h));
+  }
 
   /// Along the direction of the face to the left of h, which starts at the pole.
   [[nodiscard]] Bearing bearing(HalfedgeId h) const {
     const Graph& graph = diagram_.graph();
-    return bearingOf(x_, y_, circle(h), pole_, diagram_.corner(graph.target(h)), diagram_.corner(graph.apex(h)));
+    return bearingOf(x_, y_, circle(h), pole_, diagram_.corner(graph.target(h)),
+                     diagram_.corner(graph.apex(h)));
   }
 
-  /// Does the sector from the direction of h's right face counter-clockwise to that of its left face hold the ray, which lies so as
-  /// seen along them? The ray is turned from the last direction by as much as from the first, less the span of the sector: by more
-  /// means that a whole turn was added, so the ray is within. Bearings are listed in the order of such turns.
+  /// Does the sector from the direction of h's right face counter-clockwise to that of its left
+  /// face hold the ray, which lies so as seen along them? The ray is turned from the last direction
+  /// by as much as from the first, less the span of the sector: by more means that a whole turn was
+  /// added, so the ray is within. Bearings are listed in the order of such turns.
   [[nodiscard]] bool holds(HalfedgeId h, Bearing first, Bearing last) const {
     if (first == Bearing::kAlong || last == Bearing::kAlong) return true;
     if (first != last) return last > first;
-    // On the same side of both, or opposite to both: within if the sector spans more than half a turn.
+    // On the same side of both, or opposite to both: within if the sector spans more than half a
+    // turn.
     if (first == Bearing::kOpposite) return false;
-    const Arrow from = directionOf(circle(diagram_.graph().rotateCw(h)), pole_), to = directionOf(circle(h), pole_);
+    const Arrow from = directionOf(circle(diagram_.graph().rotateCw(h)), pole_),
+                to = directionOf(circle(h), pole_);
     return turn(from, to).sign == Sign::kNegative;
   }
 
@@ -112,15 +123,18 @@ DelaunayGraph::Located DelaunayGraph::walkAllNeighbors(double x, double y, Verte
   return {best, kNoHalfedge};
 }
 
-/// The plain walk where degrees are small. At a site with more than kFewNeighbors, the ray from its centre through the point decides:
-/// it leaves the site's cell across one Voronoi edge, that of the sector (the range of directions of a half-edge v → j, from the
-/// vertex of the face on its right to that on its left) which holds the ray.
+/// The plain walk where degrees are small. At a site with more than kFewNeighbors, the ray from its
+/// centre through the point decides: it leaves the site's cell across one Voronoi edge, that of the
+/// sector (the range of directions of a half-edge v → j, from the vertex of the face on its right
+/// to that on its left) which holds the ray.
 ///
-/// Why that proves the end. Cells are star-shaped about the centre. Beyond the place where the ray leaves v's cell, into that of j, the
-/// distance to v grows as fast as any can, and that to j does not: j is strictly nearer than v there. So if j is not nearer than v, the
-/// point is in v's cell. It may be its very end, at the same distance from both. Then all sites at that distance touch one circle about
-/// it. If there are more than two, it is a Voronoi vertex, and the canonical graph has faces of all of them there with the largest one:
-/// that one is the answer and is among the neighbours across the edges that meet in the ray's direction; these are asked, too. Where the
+/// Why that proves the end. Cells are star-shaped about the centre. Beyond the place where the ray
+/// leaves v's cell, into that of j, the distance to v grows as fast as any can, and that to j does
+/// not: j is strictly nearer than v there. So if j is not nearer than v, the point is in v's cell.
+/// It may be its very end, at the same distance from both. Then all sites at that distance touch
+/// one circle about it. If there are more than two, it is a Voronoi vertex, and the canonical graph
+/// has faces of all of them there with the largest one: that one is the answer and is among the
+/// neighbours across the edges that meet in the ray's direction; these are asked, too. Where the
 /// sector is not to be found, all neighbours are.
 DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId start) const {
   Nearest nearest(x, y, site(start));
@@ -144,7 +158,8 @@ DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId s
     HalfedgeId sector = kNoHalfedge;
     if (better == kNoHalfedge) {
       const VertexId pole = graph_.origin(h);
-      if (site(pole).x == x && site(pole).y == y) return {pole, kNoHalfedge};  // no other covers it, so none is as near
+      if (site(pole).x == x && site(pole).y == y)
+        return {pole, kNoHalfedge};  // no other covers it, so none is as near
       const Sectors sectors(*this, x, y, pole);
       sector = sectors.find(begin);
       if (sector == kNoHalfedge) {
@@ -166,12 +181,14 @@ DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId s
         return {pole, sector};
       }
     }
-    // The edge back, whose other end is not nearer, and the one after it, whose other end was probably asked before, come last.
+    // The edge back, whose other end is not nearer, and the one after it, whose other end was
+    // probably asked before, come last.
     begin = graph_.rotateCcw(graph_.twin(better));
   }
 }
 
-/// In builds with the shadow check: no neighbour of v is nearer, which is what the walk through all neighbours proves.
+/// In builds with the shadow check: no neighbour of v is nearer, which is what the walk through all
+/// neighbours proves.
 void DelaunayGraph::shadowCheckNearest(VertexId v, double x, double y) const {
   if constexpr (!kShadowCheck) return;
   Nearest nearest(x, y, site(v));
@@ -179,8 +196,9 @@ void DelaunayGraph::shadowCheckNearest(VertexId v, double x, double y) const {
   HalfedgeId h = begin;
   do {
     const VertexId j = graph_.target(h);
-    shadowCheck({Sign::kNegative, true},
-                [&] { return j != kInfinity && nearest.improve(site(j)) ? Sign::kPositive : Sign::kNegative; });
+    shadowCheck({Sign::kNegative, true}, [&] {
+      return j != kInfinity && nearest.improve(site(j)) ? Sign::kPositive : Sign::kNegative;
+    });
     h = graph_.rotateCcw(h);
   } while (h != begin);
 }

@@ -1,17 +1,21 @@
 // The sites around a point in the order of their distance: kNearest and within.
 //
-// Growing over the graph. Claim: in the order of (distance to p, ties to the larger site), each visible site s but the first one has a
-// Delaunay neighbour before it. So the next visible site is always among the neighbours of those reported so far.
-//   Proof. Ties first: perturb the weights as the canonical rule does (docs/PREDICATES.md, "Degenerate position"), larger sites by
-//   infinitely larger amounts. The graph is that of the perturbed sites, the order is that of their distances, no two distances to p
-//   are equal, and two cells that meet in a point share an edge. Now walk from p straight to the centre of s. At a point x of the way
-//   d(x, s) = d(p, s) - |x - p|, and d(x, u) >= d(p, u) - |x - p| for any other site u (triangle inequality). The way ends in the cell
-//   of s, because d(c_s, u) <= d(c_s, s) = -r_s would mean that u covers s; and it does not start there, because s is not the first.
-//   Where it enters that cell for the last time, it comes from the cell of a neighbour u with d(x, u) = d(x, s), hence
-//   d(p, u) <= d(p, s), and not equal: u is before s.
+// Growing over the graph. Claim: in the order of (distance to p, ties to the larger site), each
+// visible site s but the first one has a Delaunay neighbour before it. So the next visible site is
+// always among the neighbours of those reported so far.
+//   Proof. Ties first: perturb the weights as the canonical rule does (docs/PREDICATES.md,
+//   "Degenerate position"), larger sites by infinitely larger amounts. The graph is that of the
+//   perturbed sites, the order is that of their distances, no two distances to p are equal, and two
+//   cells that meet in a point share an edge. Now walk from p straight to the centre of s. At a
+//   point x of the way d(x, s) = d(p, s) - |x - p|, and d(x, u) >= d(p, u) - |x - p| for any other
+//   site u (triangle inequality). The way ends in the cell of s, because d(c_s, u) <= d(c_s, s) =
+//   -r_s would mean that u covers s; and it does not start there, because s is not the first. Where
+//   it enters that cell for the last time, it comes from the cell of a neighbour u with d(x, u) =
+//   d(x, s), hence d(p, u) <= d(p, s), and not equal: u is before s.
 //
-// Hidden sites: a site that covers s, |c - c_s| <= r - r_s, is nowhere farther than s (triangle inequality again) and is larger, unless
-// the two are identical. So s comes after its parent in the forest, and joins the queue when the parent is reported.
+// Hidden sites: a site that covers s, |c - c_s| <= r - r_s, is nowhere farther than s (triangle
+// inequality again) and is larger, unless the two are identical. So s comes after its parent in the
+// forest, and joins the queue when the parent is reported.
 #include <algorithm>
 
 #include "diagram/diagram_core.h"
@@ -22,7 +26,8 @@ namespace apollonius {
 
 namespace {
 
-/// A set of slots that costs what is put into it, however large the diagram is: open addressing, at most half full.
+/// A set of slots that costs what is put into it, however large the diagram is: open addressing, at
+/// most half full.
 class SlotSet {
  public:
   /// Puts it in; was it not there yet?
@@ -67,11 +72,13 @@ class Queue {
   void push(Slot slot) {
     const ApproxDistance distance(x_, y_, diagram_.site(slot));
     heap_.push_back({distance.value, distance.bound, slot});
-    std::push_heap(heap_.begin(), heap_.end(), [this](const Entry& a, const Entry& b) { return isAfter(a, b); });
+    std::push_heap(heap_.begin(), heap_.end(),
+                   [this](const Entry& a, const Entry& b) { return isAfter(a, b); });
   }
 
   Slot pop() {
-    std::pop_heap(heap_.begin(), heap_.end(), [this](const Entry& a, const Entry& b) { return isAfter(a, b); });
+    std::pop_heap(heap_.begin(), heap_.end(),
+                  [this](const Entry& a, const Entry& b) { return isAfter(a, b); });
     const Slot slot = heap_.back().slot;
     heap_.pop_back();
     return slot;
@@ -89,7 +96,9 @@ class Queue {
     if (difference > bound || difference < -bound) return difference > 0;
     const Site &sa = diagram_.site(a.slot), &sb = diagram_.site(b.slot);
     if (isNearer(x_, y_, sa, sb)) return true;
-    return !isNearer(x_, y_, sb, sa) && diagram_.ids().idOf(a.slot) > diagram_.ids().idOf(b.slot);  // identical: any order will do
+    return !isNearer(x_, y_, sb, sa) &&
+           diagram_.ids().idOf(a.slot) >
+               diagram_.ids().idOf(b.slot);  // identical: any order will do
   }
 
   const DiagramCore& diagram_;
@@ -99,14 +108,16 @@ class Queue {
 
 }  // namespace
 
-void DiagramCore::nearby(double x, double y, std::size_t most, const double* farthest, Array<SiteId>& sites) const {
+void DiagramCore::nearby(double x, double y, std::size_t most, const double* farthest,
+                         Array<SiteId>& sites) const {
   sites.clear();
   if (visibleCount() == 0 || most == 0) return;
   // The distance to a site with its centre at p is minus its weight.
   const Site limit{x, y, farthest != nullptr ? -*farthest : 0};
   Queue queue(*this, x, y);
   const auto consider = [&](Slot slot) {
-    if (farthest == nullptr || compareDistance(x, y, site(slot), limit) != Sign::kPositive) queue.push(slot);
+    if (farthest == nullptr || compareDistance(x, y, site(slot), limit) != Sign::kPositive)
+      queue.push(slot);
   };
   SlotSet seen;  // of visible sites: a hidden one has one parent
   FlatArray<Slot> candidates;
@@ -118,17 +129,21 @@ void DiagramCore::nearby(double x, double y, std::size_t most, const double* far
     const Slot slot = queue.pop();
     sites.push_back(ids_.idOf(slot));
     if (sites.size() == most) return;
-    for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) consider(child);
+    for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone;
+         child = hidden_.nextSibling(child))
+      consider(child);
     if (!graph.hasVertex(vertexOf(slot))) continue;  // hidden, or the only visible one
     const HalfedgeId begin = graph.outgoing(vertexOf(slot));
     HalfedgeId h = begin;
     candidates.clear();
     do {
       const VertexId neighbor = graph.target(h);
-      if (neighbor != kInfinity && seen.insert(slotOf(neighbor))) candidates.push_back(slotOf(neighbor));
+      if (neighbor != kInfinity && seen.insert(slotOf(neighbor)))
+        candidates.push_back(slotOf(neighbor));
       h = graph.rotateCcw(h);
     } while (h != begin);
-    for (const Slot candidate : candidates) consider(candidate);  // a loop of its own: sites are fetched from memory side by side
+    for (const Slot candidate : candidates)
+      consider(candidate);  // a loop of its own: sites are fetched from memory side by side
   }
 }
 

@@ -20,7 +20,8 @@ class Proof {
     lookAtFaces();
     if (what_ == nullptr) lookAtEdges();
     const HalfedgeId hull = graph_.outgoing(kInfinity);
-    if (what_ == nullptr && !hullTurnsOnce()) fail("the hull turns more than once: half-edge", hull);
+    if (what_ == nullptr && !hullTurnsOnce())
+      fail("the hull turns more than once: half-edge", hull);
     where = where_;
     return what_;
   }
@@ -32,7 +33,8 @@ class Proof {
     where_ = static_cast<std::uint32_t>(h);
   }
 
-  /// Filters first: a certain circle proves that it exists and that none of its sites covers another.
+  /// Filters first: a certain circle proves that it exists and that none of its sites covers
+  /// another.
   void lookAtFaces() {
     CircleFan fan;
     reserveForBatch(fan);
@@ -76,22 +78,26 @@ class Proof {
   /// Counts how often the normals pass the angle 0 on their way around infinity.
   [[nodiscard]] bool hullTurnsOnce() const {
     const HalfedgeId begin = graph_.twin(graph_.outgoing(kInfinity));
-    HalfedgeId h = begin;  // from i to infinity, between the half-planes of (i, l, infinity) and (k, i, infinity)
+    HalfedgeId h = begin;  // from i to infinity, between the half-planes of (i, l, infinity) and
+                           // (k, i, infinity)
     std::size_t turns = 0;
     do {
       const HalfedgeId twin = graph_.twin(h);
       const Site& i = diagram_.site(graph_.origin(h));
       const Site &k = diagram_.site(graph_.apex(h)), &l = diagram_.site(graph_.apex(twin));
       const bool startsUp = pointsUp(i, l, circle(twin)), endsUp = pointsUp(k, i, circle(h));
-      const bool passes =
-          startsUp == endsUp ? turnOfHull(i, l, k, circle(twin), circle(h)) == Sign::kNegative : endsUp;
+      const bool passes = startsUp == endsUp
+                              ? turnOfHull(i, l, k, circle(twin), circle(h)) == Sign::kNegative
+                              : endsUp;
       turns += static_cast<std::size_t>(passes);
       h = graph_.twin(next(h));
     } while (h != begin);
     return turns == 1;
   }
 
-  [[nodiscard]] const VoronoiCircle& circle(HalfedgeId h) const { return circles_[index(faceOf(h))]; }
+  [[nodiscard]] const VoronoiCircle& circle(HalfedgeId h) const {
+    return circles_[index(faceOf(h))];
+  }
 
   const DelaunayGraph& diagram_;
   const Graph& graph_;
@@ -102,7 +108,8 @@ class Proof {
 
 }  // namespace
 
-const char* findContradiction(const DelaunayGraph& diagram, FlatArray<VoronoiCircle>& circles, std::uint32_t& where) {
+const char* findContradiction(const DelaunayGraph& diagram, FlatArray<VoronoiCircle>& circles,
+                              std::uint32_t& where) {
   circles.resize(diagram.graph().faceSlots());
   return Proof(diagram, circles).run(where);
 }

@@ -1,6 +1,7 @@
-// Many moves at once that change the graph: all sites are inserted anew, beside the diagram that is there, which they then replace.
-// Each moved on its own would cost a removal and an insertion, and the slots would no longer lie in memory as the sites lie in
-// the plane. Ids stay; slots do not. Cost: that of building, O(n log n) on random sites, and the memory of both diagrams.
+// Many moves at once that change the graph: all sites are inserted anew, beside the diagram that is
+// there, which they then replace. Each moved on its own would cost a removal and an insertion, and
+// the slots would no longer lie in memory as the sites lie in the plane. Ids stay; slots do not.
+// Cost: that of building, O(n log n) on random sites, and the memory of both diagrams.
 #include <utility>
 
 #include "diagram/diagram_core.h"
@@ -23,7 +24,8 @@ bool DiagramCore::rebuildWith(std::span<const SiteId> ids, std::span<const doubl
         const Slot slot = ids_.slotOf(id);
         if (slot == kNoSlot) continue;
         const std::size_t k = moveOf[id];
-        const Site circle = k == kNoIndex ? site(slot) : Site{xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]};
+        const Site circle =
+            k == kNoIndex ? site(slot) : Site{xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]};
         used.push_back(id);
         for (const double number : {circle.x, circle.y, circle.r}) circles.push_back(number);
       }

@@ -8,8 +8,8 @@
 
 namespace apollonius {
 
-std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden,
-                                               bool mayReturn) {
+std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId v,
+                                               std::span<const VertexId> hidden, bool mayReturn) {
   invariant(diagram.isVisible(v), "a site that is removed from a graph is there");
   mayReturn_ = mayReturn;
   fates_.clear();
@@ -18,9 +18,10 @@ std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId 
   diagram.demand(remaining == 0 || !link_.empty(), "a visible site has a place in the graph");
 
   if (hidden.empty() && remaining < 2) {
-    becomeSingle(diagram, remaining == 0 ? kNoVertex : diagram.graph().origin(link_[0]) != kInfinity
-                                                         ? diagram.graph().origin(link_[0])
-                                                         : diagram.graph().target(link_[0]));
+    becomeSingle(diagram, remaining == 0 ? kNoVertex
+                          : diagram.graph().origin(link_[0]) != kInfinity
+                              ? diagram.graph().origin(link_[0])
+                              : diagram.graph().target(link_[0]));
     return fates_;
   }
   if (hidden.empty() && link_.size() == 2) {
@@ -36,7 +37,8 @@ std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId 
   fates_.reserve(hidden.size());
   const auto firstHidden = static_cast<std::uint32_t>(global_.size() - hidden.size());
   for (const VertexId local : fallen_) {
-    if (index(local) >= firstHidden) fates_.push_back({global(local), global(cover_[index(local)])});
+    if (index(local) >= firstHidden)
+      fates_.push_back({global(local), global(cover_[index(local)])});
   }
   const std::size_t revived = hidden.size() - fates_.size();
   for (std::size_t k = firstHidden; k < global_.size(); ++k) {
@@ -47,15 +49,16 @@ std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId 
     becomeSingle(diagram, small_.visibleCount() == 0 ? kNoVertex : global(small_.anyVisible()));
     return fates_;
   }
-  if (!diagram.isProven()) diagram.demand(hasAllNeighbors(diagram.graph()), "no neighbour is covered");
+  if (!diagram.isProven())
+    diagram.demand(hasAllNeighbors(diagram.graph()), "no neighbour is covered");
   findPatch(diagram, v);
   apply(diagram, v, patch_, patchCircles_);
   diagram.visibleCount_ += revived;
   return fates_;
 }
 
-/// A degree of d with h hidden sites makes a small diagram of d + h sites at most, with no more than twice as
-/// many faces.
+/// A degree of d with h hidden sites makes a small diagram of d + h sites at most, with no more
+/// than twice as many faces.
 void Remover::reserve(std::size_t sites) {
   if (sites <= room_) return;
   sites = std::max(sites, 2 * room_);
@@ -63,7 +66,8 @@ void Remover::reserve(std::size_t sites) {
   small_.reserve(sites + 1);
   small_.reserveBulk(sites);
   small_.reserveReturn(faces);
-  for (FlatArray<VertexId>* array : {&global_, &cover_, &fallen_, &order_, &hidden_}) array->reserve(sites + 1);
+  for (FlatArray<VertexId>* array : {&global_, &cover_, &fallen_, &order_, &hidden_})
+    array->reserve(sites + 1);
   link_.reserve(sites);
   fates_.reserve(sites);
   adopted_.reserve(sites);
@@ -87,9 +91,10 @@ void Remover::collectLink(const Graph& graph, VertexId v) {
   } while (h != begin);
 }
 
-/// The neighbours enter in rounds of halved strides along the link, each from its predecessor of an earlier round: the walks
-/// stay short and the order has no bad cases that a sorted one has. A neighbour that occurs twice in the link is covered by its
-/// first occurrence and so falls out by itself.
+/// The neighbours enter in rounds of halved strides along the link, each from its predecessor of an
+/// earlier round: the walks stay short and the order has no bad cases that a sorted one has. A
+/// neighbour that occurs twice in the link is covered by its first occurrence and so falls out by
+/// itself.
 void Remover::buildSmall(const DelaunayGraph& diagram, std::span<const VertexId> hidden) {
   const std::size_t d = link_.size();
   small_.clear();
@@ -112,7 +117,8 @@ void Remover::buildSmall(const DelaunayGraph& diagram, std::span<const VertexId>
   while (stride < d) stride *= 2;
   if (d > 0) enter(0, d);
   for (; stride >= 1; stride /= 2) {
-    for (std::size_t position = stride; position < d; position += 2 * stride) enter(position, position - stride);
+    for (std::size_t position = stride; position < d; position += 2 * stride)
+      enter(position, position - stride);
   }
   if (hidden.size() < kMany) {
     for (const VertexId u : hidden) addLocal(diagram, u, kNoVertex);
@@ -121,8 +127,9 @@ void Remover::buildSmall(const DelaunayGraph& diagram, std::span<const VertexId>
   }
 }
 
-/// In the order of a bulk insertion, each from its predecessor; in any other one walks would be long. So they are where there is
-/// no room for that order, as when this undoes an operation that ran out of memory.
+/// In the order of a bulk insertion, each from its predecessor; in any other one walks would be
+/// long. So they are where there is no room for that order, as when this undoes an operation that
+/// ran out of memory.
 void Remover::addMany(const DelaunayGraph& diagram, std::span<const VertexId> hidden) {
   FlatArray<std::uint32_t> order;
   try {
@@ -136,7 +143,8 @@ void Remover::addMany(const DelaunayGraph& diagram, std::span<const VertexId> hi
   } catch (...) {
     order = FlatArray<std::uint32_t>();
   }
-  for (std::size_t k = 0; k < hidden.size(); ++k) addLocal(diagram, hidden[order.empty() ? k : order[k]], kNoVertex);
+  for (std::size_t k = 0; k < hidden.size(); ++k)
+    addLocal(diagram, hidden[order.empty() ? k : order[k]], kNoVertex);
 }
 
 /// Adds a vertex of the diagram to the small one; returns the visible vertex at its place.
@@ -155,8 +163,9 @@ VertexId Remover::addLocal(const DelaunayGraph& diagram, VertexId v, VertexId st
   return insertion.cover == kNoVertex ? local : insertion.cover;
 }
 
-/// The part of the small diagram that v would be in conflict with. Its rim is v's link: both are v's neighbours in the diagram of
-/// the same sites, and the canonical rule makes them equal in degenerate position too.
+/// The part of the small diagram that v would be in conflict with. Its rim is v's link: both are
+/// v's neighbours in the diagram of the same sites, and the canonical rule makes them equal in
+/// degenerate position too.
 void Remover::findPatch(const DelaunayGraph& diagram, VertexId v) {
   patchFaces_.clear();
   const Graph& small = small_.graph();
@@ -168,15 +177,19 @@ void Remover::findPatch(const DelaunayGraph& diagram, VertexId v) {
     const Site& q = diagram.site(v);
     const DelaunayGraph::Located near = small_.locate(q.x, q.y, small_.anyVisible());
     if (!diagram.isProven()) {
-      const Site& nearest = small_.site(near.nearest);  // may be the same circle again, which had been hidden
-      diagram.demand(!covers(nearest, q) || covers(q, nearest), "no neighbour covers a visible site");
+      const Site& nearest =
+          small_.site(near.nearest);  // may be the same circle again, which had been hidden
+      diagram.demand(!covers(nearest, q) || covers(q, nearest),
+                     "no neighbour covers a visible site");
     }
     small_.conflicts_.find(small_, q, near.nearest, near.sector);
     patchFaces_.assign(small_.conflicts_.faces());
     if (!patchFaces_.empty()) alignLink(diagram);
   }
-  // Else one neighbour and infinity, or a cell within one edge of the small diagram: degree 2, an empty patch.
-  diagram.demand(!patchFaces_.empty() || link_.size() == 2, "an empty patch fits a site of degree 2 only");
+  // Else one neighbour and infinity, or a cell within one edge of the small diagram: degree 2, an
+  // empty patch.
+  diagram.demand(!patchFaces_.empty() || link_.size() == 2,
+                 "an empty patch fits a site of degree 2 only");
   makePatch();
 }
 
@@ -196,14 +209,15 @@ void Remover::takeAllAsPatch() {
   }
 }
 
-/// Numbers the small diagram's rim as the link. A pair (from, to) occurs in the link of v once: three sites in a given order have
-/// at most one Voronoi circle.
+/// Numbers the small diagram's rim as the link. A pair (from, to) occurs in the link of v once:
+/// three sites in a given order have at most one Voronoi circle.
 void Remover::alignLink(const DelaunayGraph& diagram) {
   const Graph& graph = diagram.graph();
   const std::span<const HalfedgeId> rim = small_.conflicts_.rim();
   const Graph& small = small_.graph();
   const auto fits = [&](HalfedgeId inner, HalfedgeId link) {
-    return global(small.origin(inner)) == graph.origin(link) && global(small.target(inner)) == graph.target(link);
+    return global(small.origin(inner)) == graph.origin(link) &&
+           global(small.target(inner)) == graph.target(link);
   };
   diagram.demand(rim.size() == link_.size(), "the patch has as many sides as the star");
   std::size_t shift = 0;
@@ -217,7 +231,8 @@ void Remover::alignLink(const DelaunayGraph& diagram) {
 
 void Remover::makePatch() {
   const Graph& small = small_.graph();
-  for (std::size_t k = 0; k < patchFaces_.size(); ++k) patchOf_[index(patchFaces_[k])] = static_cast<std::uint32_t>(k);
+  for (std::size_t k = 0; k < patchFaces_.size(); ++k)
+    patchOf_[index(patchFaces_[k])] = static_cast<std::uint32_t>(k);
   patch_.resize(patchFaces_.size());
   patchCircles_.resize(patchFaces_.size());
   for (std::size_t k = 0; k < patchFaces_.size(); ++k) {
@@ -226,11 +241,12 @@ void Remover::makePatch() {
       const HalfedgeId h = halfedgeOf(patchFaces_[k], c);
       const HalfedgeId across = small.twin(h);
       patch_[k].corners[c] = global(small.origin(h));
-      // An edge of which v's cell took only the ends is on the rim with both sides, though both its faces are in the patch: what
-      // lies between the ends is for the big diagram to say.
+      // An edge of which v's cell took only the ends is on the rim with both sides, though both its
+      // faces are in the patch: what lies between the ends is for the big diagram to say.
       const std::uint32_t outside = linkOf_[index(h)];
       patch_[k].across[c] = outside != kNoIndex ? Graph::kOutside | outside
-                                                : 3 * patchOf_[index(faceOf(across))] + static_cast<std::uint32_t>(index(across) % 3);
+                                                : 3 * patchOf_[index(faceOf(across))] +
+                                                      static_cast<std::uint32_t>(index(across) % 3);
     }
   }
 }

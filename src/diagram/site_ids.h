@@ -1,6 +1,7 @@
-// Names and places of sites. A site's public id is stable while it lives; its slot is where it is in the arrays of the diagram.
-// They are two numbers so that sites that come in bulk can lie in memory as they lie in the plane, and still be called
-// 0, 1, 2, … in the order of the input. One word an id, one a slot.
+// Names and places of sites. A site's public id is stable while it lives; its slot is where it is
+// in the arrays of the diagram. They are two numbers so that sites that come in bulk can lie in
+// memory as they lie in the plane, and still be called 0, 1, 2, … in the order of the input. One
+// word an id, one a slot.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +21,8 @@ namespace apollonius {
 using Slot = std::uint32_t;
 inline constexpr Slot kNoSlot = 0xFFFFFFFFu;
 
-/// kPending: in use, but the site is in no structure at the moment; within operations of several steps only.
+/// kPending: in use, but the site is in no structure at the moment; within operations of several
+/// steps only.
 enum class SiteState : std::uint8_t { kFree = 0, kVisible = 1, kHidden = 2, kPending = 3 };
 
 class SiteIds {
@@ -33,11 +35,16 @@ class SiteIds {
     return slot < slots_.size() ? static_cast<SiteState>(slots_[slot] >> kShift) : SiteState::kFree;
   }
   /// Of a slot in use; kNoSite where there are no slots.
-  [[nodiscard]] SiteId idOf(Slot slot) const { return slot < slots_.size() ? slots_[slot] & kMask : kNoSite; }
+  [[nodiscard]] SiteId idOf(Slot slot) const {
+    return slot < slots_.size() ? slots_[slot] & kMask : kNoSite;
+  }
   /// kNoSlot if the id is not in use.
-  [[nodiscard]] Slot slotOf(SiteId id) const { return id < ids_.size() && (ids_[id] & kFreeId) == 0 ? ids_[id] : kNoSlot; }
+  [[nodiscard]] Slot slotOf(SiteId id) const {
+    return id < ids_.size() && (ids_[id] & kFreeId) == 0 ? ids_[id] : kNoSlot;
+  }
 
-  /// Makes room for one more site and returns the slot that it will get; it is not in use before take().
+  /// Makes room for one more site and returns the slot that it will get; it is not in use before
+  /// take().
   [[nodiscard]] Slot next() {
     if (firstFreeId_ == kEnd) {
       ids_.push_back(kFreeId | kEnd);
@@ -58,7 +65,8 @@ class SiteIds {
     return id;
   }
 
-  /// The two halves of take(), for many sites whose slots are in another order than their ids. REQUIRES: reserve().
+  /// The two halves of take(), for many sites whose slots are in another order than their ids.
+  /// REQUIRES: reserve().
   [[nodiscard]] SiteId takeId() {
     if (firstFreeId_ == kEnd) {
       ids_.push_back(kNoSlot);
@@ -85,7 +93,9 @@ class SiteIds {
   }
 
   /// The slots that takeSlot() will give, in that order: the first, and the one after another.
-  [[nodiscard]] Slot nextSlot() const { return firstFreeSlot_ == kEnd ? static_cast<Slot>(slots_.size()) : firstFreeSlot_; }
+  [[nodiscard]] Slot nextSlot() const {
+    return firstFreeSlot_ == kEnd ? static_cast<Slot>(slots_.size()) : firstFreeSlot_;
+  }
   [[nodiscard]] Slot nextSlotAfter(Slot slot) const {
     if (slot >= slots_.size()) return slot + 1;
     const Slot next = slots_[slot] & kMask;
@@ -112,8 +122,9 @@ class SiteIds {
     ++freeSlots_;
   }
 
-  /// Calls the sites 0, 1, 2, … by these names, and takes over which ids are free from the numbering that they come from.
-  /// REQUIRES: no free slots or ids; the names are all that `other` has in use. Throws std::bad_alloc with nothing changed.
+  /// Calls the sites 0, 1, 2, … by these names, and takes over which ids are free from the
+  /// numbering that they come from. REQUIRES: no free slots or ids; the names are all that `other`
+  /// has in use. Throws std::bad_alloc with nothing changed.
   void rename(std::span<const SiteId> names, const SiteIds& other) {
     ids_ = other.ids_;
     firstFreeId_ = other.firstFreeId_;
@@ -127,18 +138,23 @@ class SiteIds {
   /// Room for so many sites in all.
   void reserve(std::size_t sites) {
     for (auto* array : {&ids_, &slots_}) {
-      if (array->capacity() < sites) array->reserve(std::max(sites, array->capacity() + array->capacity() / 2));
+      if (array->capacity() < sites)
+        array->reserve(std::max(sites, array->capacity() + array->capacity() / 2));
     }
   }
 
-  /// Snapshots: for each slot its id, or kNoSite; then the free slots and the free ids, in the order in which they are used.
+  /// Snapshots: for each slot its id, or kNoSite; then the free slots and the free ids, in the
+  /// order in which they are used.
   void save(WordWriter& out) const {
-    for (Slot slot = 0; slot < slots_.size(); ++slot) out.word(state(slot) == SiteState::kFree ? kNoSite : idOf(slot));
+    for (Slot slot = 0; slot < slots_.size(); ++slot)
+      out.word(state(slot) == SiteState::kFree ? kNoSite : idOf(slot));
     for (Slot slot = firstFreeSlot_; slot != kEnd; slot = slots_[slot] & kMask) out.word(slot);
     for (SiteId id = firstFreeId_; id != kEnd; id = ids_[id] & kMask) out.word(id);
   }
-  /// Reads what save() wrote, with all sites pending; false if that is no numbering. REQUIRES: size <= slots, size <= idLimit.
-  [[nodiscard]] bool restore(WordReader& in, std::size_t slots, std::size_t idLimit, std::size_t size);
+  /// Reads what save() wrote, with all sites pending; false if that is no numbering. REQUIRES: size
+  /// <= slots, size <= idLimit.
+  [[nodiscard]] bool restore(WordReader& in, std::size_t slots, std::size_t idLimit,
+                             std::size_t size);
 
   /// Forgets all sites but keeps the room.
   void clear() {
@@ -149,8 +165,8 @@ class SiteIds {
   }
 
  private:
-  // Of a slot: the state in the upper two bits; below, the id, or of a free slot the next free one. Of an id: the slot, or with the
-  // top bit set the next free id.
+  // Of a slot: the state in the upper two bits; below, the id, or of a free slot the next free one.
+  // Of an id: the slot, or with the top bit set the next free id.
   static constexpr unsigned kShift = 30;
   static constexpr std::uint32_t kMask = (std::uint32_t{1} << kShift) - 1;
   static constexpr std::uint32_t kEnd = kMask;

@@ -1,11 +1,12 @@
-// Snapshots: docs/SNAPSHOTS.md has the format. Counts, lists, ids and the graph as a surface are checked as they are
-// read. Then it is proved that the graph is the Delaunay graph of these sites (proof.h), or, of trusted bytes,
-// believed: whatever they are, nothing outside of the arrays is ever touched, and an operation that would damage the
-// surface finds out before it does (DelaunayGraph::demand).
+// Snapshots: docs/SNAPSHOTS.md has the format. Counts, lists, ids and the graph as a surface are
+// checked as they are read. Then it is proved that the graph is the Delaunay graph of these sites
+// (proof.h), or, of trusted bytes, believed: whatever they are, nothing outside of the arrays is
+// ever touched, and an operation that would damage the surface finds out before it does
+// (DelaunayGraph::demand).
 //
-// Circles, hierarchy and grid are made anew: they follow from the sites and the graph. The proof needs the circles;
-// without it each waits until it is asked for. So does the hierarchy, as the grid answers most of what that one is
-// asked.
+// Circles, hierarchy and grid are made anew: they follow from the sites and the graph. The proof
+// needs the circles; without it each waits until it is asked for. So does the hierarchy, as the
+// grid answers most of what that one is asked.
 #include <limits>
 #include <new>
 
@@ -18,7 +19,8 @@ namespace apollonius {
 
 namespace {
 
-constexpr std::uint64_t kMagic = 0x0A1A0A0D6C6F7041u;  // "Apol", and line ends that a transfer as text would spoil
+constexpr std::uint64_t kMagic =
+    0x0A1A0A0D6C6F7041u;  // "Apol", and line ends that a transfer as text would spoil
 constexpr std::uint32_t kVersion = 2;
 
 // In the order of the file, after the magic number.
@@ -29,7 +31,8 @@ constexpr std::size_t kHeaderWords = 8;
 constexpr std::size_t kChecksumWords = 2;
 
 /// Words of all but the checksum and what makes them even.
-std::uint64_t wordsFor(std::uint64_t slots, std::uint64_t idLimit, std::uint64_t sites, std::uint64_t hidden, std::uint64_t faceSlots) {
+std::uint64_t wordsFor(std::uint64_t slots, std::uint64_t idLimit, std::uint64_t sites,
+                       std::uint64_t hidden, std::uint64_t faceSlots) {
   const std::uint64_t ids = slots + (slots - sites) + (idLimit - sites);
   const std::uint64_t graph = 2 + 3 * faceSlots + (slots + 1);
   return kHeaderWords + 6 * slots + ids + graph + 2 * hidden;
@@ -37,7 +40,8 @@ std::uint64_t wordsFor(std::uint64_t slots, std::uint64_t idLimit, std::uint64_t
 /// As many as a 32-bit machine has room for.
 constexpr std::uint64_t kMostWords = std::numeric_limits<std::size_t>::max() / 8;
 
-/// Every step is a bijection, so bytes that differ in one group of eight differ in their checksum. Two sums, as each waits for its product.
+/// Every step is a bijection, so bytes that differ in one group of eight differ in their checksum.
+/// Two sums, as each waits for its product.
 std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
   const auto add = [](std::uint64_t& sum, std::uint64_t word) {
     sum = (sum ^ word) * 0x9E3779B97F4A7C15u;
@@ -56,7 +60,8 @@ std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-// --- Ids ---------------------------------------------------------------------------------------------------------------------
+// --- Ids
+// -------------------------------------------------------------------------------------------------
 
 bool SiteIds::restore(WordReader& in, std::size_t slots, std::size_t idLimit, std::size_t size) {
   ids_.assign(idLimit, kNoSlot);
@@ -92,7 +97,8 @@ bool SiteIds::restore(WordReader& in, std::size_t slots, std::size_t idLimit, st
   return true;
 }
 
-// --- The Delaunay graph --------------------------------------------------------------------------------------------------------
+// --- The Delaunay graph
+// -------------------------------------------------------------------------------------------------
 
 void DelaunayGraph::save(WordWriter& out, std::size_t vertexSlots) const {
   out.word(static_cast<std::uint32_t>(recent_));
@@ -102,7 +108,8 @@ void DelaunayGraph::save(WordWriter& out, std::size_t vertexSlots) const {
 bool DelaunayGraph::restore(WordReader& in, std::size_t faceSlots) {
   recent_ = VertexId{in.word()};
   if (!graph_.restore(in, sites_.size(), faceSlots)) return false;
-  if (recent_ != kNoVertex && (recent_ == kInfinity || index(recent_) >= sites_.size())) return false;
+  if (recent_ != kNoVertex && (recent_ == kInfinity || index(recent_) >= sites_.size()))
+    return false;
   if (graph_.isEmpty()) {
     visibleCount_ = recent_ != kNoVertex;
     return true;
@@ -115,19 +122,22 @@ bool DelaunayGraph::restore(WordReader& in, std::size_t faceSlots) {
   return true;
 }
 
-// --- The diagram ---------------------------------------------------------------------------------------------------------------
+// --- The diagram
+// -------------------------------------------------------------------------------------------------
 
 void DiagramCore::save(Array<std::uint8_t>& bytes) const {
   const Graph& graph = base_.graph();
   const std::size_t slots = ids_.slots();
-  const std::uint64_t words = wordsFor(slots, ids_.idLimit(), ids_.size(), ids_.hiddenCount(), graph.faceSlots());
+  const std::uint64_t words =
+      wordsFor(slots, ids_.idLimit(), ids_.size(), ids_.hiddenCount(), graph.faceSlots());
   if (words > kMostWords) throw std::bad_alloc();
   bytes.resize(static_cast<std::size_t>(4 * (words + words % 2 + kChecksumWords)));
   const std::span<std::uint8_t> content(bytes.data(), bytes.size() - 4 * kChecksumWords);
   if (words % 2 != 0) WordWriter(content.last(4)).word(0);
   WordWriter out(content);
   out.longWord(kMagic);
-  for (const std::size_t count : {std::size_t{kVersion}, slots, ids_.idLimit(), ids_.size(), ids_.hiddenCount(), graph.faceSlots()}) {
+  for (const std::size_t count : {std::size_t{kVersion}, slots, ids_.idLimit(), ids_.size(),
+                                  ids_.hiddenCount(), graph.faceSlots()}) {
     out.word(static_cast<std::uint32_t>(count));
   }
   for (Slot slot = 0; slot < slots; ++slot) {
@@ -140,12 +150,14 @@ void DiagramCore::save(Array<std::uint8_t>& bytes) const {
   WordWriter(std::span(bytes).last(4 * kChecksumWords)).longWord(checksumOf(content));
 }
 
-/// Each hidden site with its parent; parents come before their children, and children in their order.
+/// Each hidden site with its parent; parents come before their children, and children in their
+/// order.
 void DiagramCore::saveHidden(WordWriter& out) const {
   FlatArray<Slot> reached;
   reached.reserve(ids_.hiddenCount());
   const auto saveChildren = [&](Slot parent) {
-    for (Slot child = hidden_.firstChild(parent); child != HiddenForest::kNone; child = hidden_.nextSibling(child)) {
+    for (Slot child = hidden_.firstChild(parent); child != HiddenForest::kNone;
+         child = hidden_.nextSibling(child)) {
       out.word(child);
       out.word(parent);
       reached.push_back(child);
@@ -161,24 +173,31 @@ bool DiagramCore::restore(std::span<const std::uint8_t> bytes, Source source) {
   if (bytes.size() < 4 * (kHeaderWords + kChecksumWords) || bytes.size() % 8 != 0) return false;
   const std::span<const std::uint8_t> content = bytes.first(bytes.size() - 4 * kChecksumWords);
   WordReader in(content);
-  if (in.longWord() != kMagic || checksumOf(content) != WordReader(bytes.last(4 * kChecksumWords)).longWord()) return false;
+  if (in.longWord() != kMagic ||
+      checksumOf(content) != WordReader(bytes.last(4 * kChecksumWords)).longWord())
+    return false;
   Header header{};
-  for (std::uint32_t* count : {&header.version, &header.slots, &header.idLimit, &header.sites, &header.hidden, &header.faceSlots}) {
+  for (std::uint32_t* count : {&header.version, &header.slots, &header.idLimit, &header.sites,
+                               &header.hidden, &header.faceSlots}) {
     *count = in.word();
   }
   const std::uint64_t slots = header.slots, idLimit = header.idLimit, sites = header.sites;
-  if (header.version != kVersion || slots > kMostSites || idLimit > kMostSites || sites > slots || sites > idLimit) return false;
+  if (header.version != kVersion || slots > kMostSites || idLimit > kMostSites || sites > slots ||
+      sites > idLimit)
+    return false;
   if (header.hidden > sites || header.faceSlots >= kNoIndex / 3) return false;
   const std::uint64_t words = wordsFor(slots, idLimit, sites, header.hidden, header.faceSlots);
-  if (4 * (words + words % 2) != content.size()) return false;  // so what is made room for below is in the bytes
+  if (4 * (words + words % 2) != content.size())
+    return false;  // so what is made room for below is in the bytes
   reserve(header.slots);
   for (Slot slot = 0; slot < slots; ++slot) {
     const double x = in.number(), y = in.number(), r = in.number();
     if (!isInRange(x) || !isInRange(y) || !isInRange(r)) return false;
     base_.setSite(vertexOf(slot), normalized({x, y, r}));
   }
-  return ids_.restore(in, header.slots, header.idLimit, header.sites) && base_.restore(in, header.faceSlots) &&
-         restoreStates() && restoreHidden(in, header.hidden) && (words % 2 == 0 || in.word() == 0) &&
+  return ids_.restore(in, header.slots, header.idLimit, header.sites) &&
+         base_.restore(in, header.faceSlots) && restoreStates() &&
+         restoreHidden(in, header.hidden) && (words % 2 == 0 || in.word() == 0) &&
          (source == Source::kTrusted || base_.prove());
 }
 
@@ -200,7 +219,8 @@ bool DiagramCore::restoreHidden(WordReader& in, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
     const Slot child = in.word(), parent = in.word();
     if (ids_.state(child) != SiteState::kPending) return false;
-    if (ids_.state(parent) != SiteState::kVisible && ids_.state(parent) != SiteState::kHidden) return false;
+    if (ids_.state(parent) != SiteState::kVisible && ids_.state(parent) != SiteState::kHidden)
+      return false;
     if (!covers(site(parent), site(child))) return false;
     hidden_.attach(child, parent);
     ids_.setState(child, SiteState::kHidden);

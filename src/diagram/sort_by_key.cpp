@@ -10,7 +10,8 @@ namespace apollonius {
 
 namespace {
 
-constexpr std::size_t kFew = 32;  // of which inserting is cheaper than summing up the counters of a radix sort
+constexpr std::size_t kFew =
+    32;  // of which inserting is cheaper than summing up the counters of a radix sort
 constexpr unsigned kDigitBits = 8, kDigits = 32 / kDigitBits;
 
 void insertionSort(std::span<Keyed> entries) {
@@ -22,7 +23,9 @@ void insertionSort(std::span<Keyed> entries) {
   }
 }
 
-unsigned digitOf(std::uint32_t key, unsigned digit) { return key >> (digit * kDigitBits) & ((1u << kDigitBits) - 1); }
+unsigned digitOf(std::uint32_t key, unsigned digit) {
+  return key >> (digit * kDigitBits) & ((1u << kDigitBits) - 1);
+}
 
 }  // namespace
 

@@ -15,14 +15,16 @@ namespace {
 
 constexpr unsigned kCurveBits = 16;  // cells a side: 2^16
 
-/// Position of cell (x, y) along the Hilbert curve that fills the square of 2^kCurveBits cells a side.
+/// Position of cell (x, y) along the Hilbert curve that fills the square of 2^kCurveBits cells a
+/// side.
 std::uint32_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
   std::uint32_t position = 0;
   for (std::uint32_t side = 1u << (kCurveBits - 1); side > 0; side >>= 1) {
     const std::uint32_t right = (x & side) != 0, upper = (y & side) != 0;
     position = position << 2 | ((3 * right) ^ upper);
-    // The curve in the quarter is a reflected copy: in the lower quarters the axes are swapped, and in the right one of them turned
-    // around as well. Written without branches, which would be taken at random.
+    // The curve in the quarter is a reflected copy: in the lower quarters the axes are swapped, and
+    // in the right one of them turned around as well. Written without branches, which would be
+    // taken at random.
     const std::uint32_t flip = 0u - (right & (upper ^ 1u));
     x ^= flip;
     y ^= flip;
@@ -51,7 +53,8 @@ void fillEntries(PointArray points, std::span<Keyed> entries) {
   for (std::size_t k = 0; k < n; ++k) {
     const double x = (points.values[k * points.stride] - lowX) * scale;
     const double y = (points.values[k * points.stride + 1] - lowY) * scale;
-    entries[k] = {hilbertIndex(static_cast<std::uint32_t>(std::min(x, kLast)), static_cast<std::uint32_t>(std::min(y, kLast))),
+    entries[k] = {hilbertIndex(static_cast<std::uint32_t>(std::min(x, kLast)),
+                               static_cast<std::uint32_t>(std::min(y, kLast))),
                   static_cast<std::uint32_t>(k)};
   }
 }
@@ -74,7 +77,8 @@ FlatArray<std::uint32_t> hilbertOrder(PointArray points) {
 
 FlatArray<std::uint32_t> inRandomizedRounds(std::span<const std::uint32_t> items) {
   const std::size_t n = items.size();
-  // The round, counted from the last, is the number of leading zeros of a random word: 0 with probability 1/2, and so on.
+  // The round, counted from the last, is the number of leading zeros of a random word: 0 with
+  // probability 1/2, and so on.
   constexpr std::size_t kRounds = 65;
   const auto roundOf = [](std::size_t k) {
     std::uint64_t z = (k + 1ull) * 0x9E3779B97F4A7C15ull;  // splitmix64

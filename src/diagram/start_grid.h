@@ -1,10 +1,11 @@
-// A grid of places to start from: for each cell of a square grid over the sites, some site with its centre there. Where sites are
-// spread evenly, a walk from there has a step or two, and one look replaces the descent through the hierarchy. Cells that hold many
-// sites give no answer: there the hierarchy is better.
+// A grid of places to start from: for each cell of a square grid over the sites, some site with its
+// centre there. Where sites are spread evenly, a walk from there has a step or two, and one look
+// replaces the descent through the hierarchy. Cells that hold many sites give no answer: there the
+// hierarchy is better.
 //
-// The grid is a hint and nothing else. Entries go stale when sites leave or move, and their slots go to sites elsewhere; whoever
-// asks checks that the site is visible, and still close: walks from afar cost far more than the hierarchy.
-// Where it runs out of memory it is dropped.
+// The grid is a hint and nothing else. Entries go stale when sites leave or move, and their slots
+// go to sites elsewhere; whoever asks checks that the site is visible, and still close: walks from
+// afar cost far more than the hierarchy. Where it runs out of memory it is dropped.
 #pragma once
 
 #include <cstdint>
@@ -49,16 +50,18 @@ class StartGrid {
     insert(slot, to);
   }
 
-  /// Has so much been inserted since the last rebuild that another one pays, which looks at so many slots? Few of them
-  /// may be those of visible sites.
+  /// Has so much been inserted since the last rebuild that another one pays, which looks at so many
+  /// slots? Few of them may be those of visible sites.
   [[nodiscard]] bool isOutgrown(std::size_t slots) const {
     return noted_ > kLeast && noted_ > 2 * cells_.size() && noted_ > slots / 64;
   }
 
-  /// Starts anew with all cells empty, for `sites` sites within a box; insert() each of them then, and call fillGaps().
+  /// Starts anew with all cells empty, for `sites` sites within a box; insert() each of them then,
+  /// and call fillGaps().
   void rebuild(std::size_t sites, const Site& low, const Site& high) noexcept;
 
-  /// Cells without a site, a third of them where sites are spread at random, get that of a cell beside.
+  /// Cells without a site, a third of them where sites are spread at random, get that of a cell
+  /// beside.
   void fillGaps() noexcept;
 
   void clear() noexcept { *this = StartGrid{}; }
@@ -71,7 +74,8 @@ class StartGrid {
 
   static constexpr unsigned kSiteBits = 29;
   static constexpr Slot kNoSite = (Slot{1} << kSiteBits) - 1;
-  static_assert(kMostSites == std::size_t{1} << kSiteBits);  // the last slot is lost for the grid, which is no more than a hint
+  static_assert(kMostSites == std::size_t{1} << kSiteBits);  // the last slot is lost for the grid,
+                                                             // which is no more than a hint
 
   struct Cell {
     Slot site : kSiteBits = kNoSite;
@@ -80,10 +84,13 @@ class StartGrid {
 
   [[nodiscard]] std::size_t columnOf(double x) const { return clamped((x - low_.x) * scaleX_); }
   [[nodiscard]] std::size_t rowOf(double y) const { return clamped((y - low_.y) * scaleY_); }
-  [[nodiscard]] std::size_t cellOf(double x, double y) const { return rowOf(y) * side_ + columnOf(x); }
+  [[nodiscard]] std::size_t cellOf(double x, double y) const {
+    return rowOf(y) * side_ + columnOf(x);
+  }
   [[nodiscard]] std::size_t clamped(double position) const {
     if (!(position > 0)) return 0;
-    return position < static_cast<double>(side_ - 1) ? static_cast<std::size_t>(position) : side_ - 1;
+    return position < static_cast<double>(side_ - 1) ? static_cast<std::size_t>(position)
+                                                     : side_ - 1;
   }
 
   FlatArray<Cell> cells_;  // side_ * side_, row by row

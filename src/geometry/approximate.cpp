@@ -9,8 +9,9 @@ namespace apollonius {
 
 namespace {
 
-// Halving a piece of weight w gives two of weight √((1+w)/2): w is 1 up to rounding after 600 halvings at worst (w near 2^1023)
-// and the sagitta falls to a quarter or less with each. Points that coincide in doubles end it sooner.
+// Halving a piece of weight w gives two of weight √((1+w)/2): w is 1 up to rounding after 600
+// halvings at worst (w near 2^1023) and the sagitta falls to a quarter or less with each. Points
+// that coincide in doubles end it sooner.
 constexpr int kMostHalvings = 640;
 
 /// Not where coordinates are none, either: trusted snapshots may lie.
@@ -18,10 +19,11 @@ bool isSplittable(const Conic& conic, Point m) {
   return dot(m, m) >= 0 && !(m == conic.p0 || m == conic.p2);
 }
 
-/// Bound on the distance between a conic and the cubic with the same ends and end tangents that meets it at the middle of the
-/// arc, in units of the distance from the chord's middle to p1. As a function of z = (w-1)/(w+1) the distance is of order z² (the
-/// sixth order in the length of a piece) with a factor that grows from 0.0187 (z = 0) to 0.0725 (z = 1), and less for z < 0.
-/// Found by evaluation; tests/geometry/approximate_test.cpp holds it against the curves.
+/// Bound on the distance between a conic and the cubic with the same ends and end tangents that
+/// meets it at the middle of the arc, in units of the distance from the chord's middle to p1. As a
+/// function of z = (w-1)/(w+1) the distance is of order z² (the sixth order in the length of a
+/// piece) with a factor that grows from 0.0187 (z = 0) to 0.0725 (z = 1), and less for z < 0. Found
+/// by evaluation; tests/geometry/approximate_test.cpp holds it against the curves.
 double cubicError(double w) {
   const double z = (w - 1) / (w + 1);
   return z * z * (0.02 + (z > 0 ? 0.054 * z : 0));
@@ -30,7 +32,8 @@ double cubicError(double w) {
 /// The cubic with the same ends and end tangents whose middle is the conic's.
 void drawCubic(const Conic& conic, Path& path) {
   const double share = 4 * conic.w / (3 * (1 + conic.w));
-  const Point a = conic.p0 + share * (conic.p1 - conic.p0), b = conic.p2 + share * (conic.p1 - conic.p2);
+  const Point a = conic.p0 + share * (conic.p1 - conic.p0),
+              b = conic.p2 + share * (conic.p1 - conic.p2);
   path.curve(a.x, a.y, b.x, b.y, conic.p2.x, conic.p2.y);
 }
 
@@ -39,7 +42,9 @@ void draw(const Conic& conic, double tolerance, Path& path, int depth) {
     path.line(conic.p2.x, conic.p2.y);
     return;
   }
-  if (depth == 0 || cubicError(conic.w) * length(conic.p1 - middle(conic.p0, conic.p2)) <= tolerance) return drawCubic(conic, path);
+  if (depth == 0 ||
+      cubicError(conic.w) * length(conic.p1 - middle(conic.p0, conic.p2)) <= tolerance)
+    return drawCubic(conic, path);
   Conic first, second;
   conic.halve(first, second);
   if (!isSplittable(conic, first.p2)) return drawCubic(conic, path);
@@ -52,14 +57,16 @@ bool turnsLeft(const Conic& conic, const Point* center) {
   return center == nullptr || turnOf(*center, conic.p0, conic.p2) == Sign::kPositive;
 }
 
-void flatten(const Conic& conic, double tolerance, Array<double>& points, const Point* center, int depth) {
+void flatten(const Conic& conic, double tolerance, Array<double>& points, const Point* center,
+             int depth) {
   const bool isNear = conic.isStraight() || conic.sagitta() <= tolerance;
   if (!conic.isStraight() && depth > 0 && !(isNear && turnsLeft(conic, center))) {
     Conic first, second;
     conic.halve(first, second);
-    // Of the halves of a curve that turns left, one chord does at least. If none does, rounding hides it, and
-    // halving on will not help.
-    if (isSplittable(conic, first.p2) && (!isNear || turnsLeft(first, center) || turnsLeft(second, center))) {
+    // Of the halves of a curve that turns left, one chord does at least. If none does, rounding
+    // hides it, and halving on will not help.
+    if (isSplittable(conic, first.p2) &&
+        (!isNear || turnsLeft(first, center) || turnsLeft(second, center))) {
       flatten(first, tolerance, points, center, depth - 1);
       flatten(second, tolerance, points, center, depth - 1);
       return;
@@ -80,7 +87,8 @@ void drawConic(const Conic& conic, double tolerance, Path& path) {
   draw(conic, std::max(tolerance, finestFor(conic)), path, kMostHalvings);
 }
 
-void flattenConic(const Conic& conic, double tolerance, Array<double>& points, const Point* center) {
+void flattenConic(const Conic& conic, double tolerance, Array<double>& points,
+                  const Point* center) {
   flatten(conic, std::max(tolerance, finestFor(conic)), points, center, kMostHalvings);
 }
 

@@ -1,18 +1,19 @@
 // Conics as cubic Bezier curves and as polylines, within a tolerance and with few pieces.
 #pragma once
 
-
 #include "geometry/conic.h"
 #include "geometry/path.h"
 
 namespace apollonius {
 
-/// Continues a path that is at conic.p0 to conic.p2, by lines and cubic curves no further than `tolerance` from the conic.
+/// Continues a path that is at conic.p0 to conic.p2, by lines and cubic curves no further than
+/// `tolerance` from the conic.
 void drawConic(const Conic& conic, double tolerance, Path& path);
 
-/// Appends points (x, y) of the conic, the last one conic.p2 and without conic.p0: a polyline no further from
-/// it than that. Around a `center`, about which the conic turns counter-clockwise, so does each of its
-/// segments, as far as doubles can show: less than half a turn each.
-void flattenConic(const Conic& conic, double tolerance, Array<double>& points, const Point* center = nullptr);
+/// Appends points (x, y) of the conic, the last one conic.p2 and without conic.p0: a polyline no
+/// further from it than that. Around a `center`, about which the conic turns counter-clockwise, so
+/// does each of its segments, as far as doubles can show: less than half a turn each.
+void flattenConic(const Conic& conic, double tolerance, Array<double>& points,
+                  const Point* center = nullptr);
 
 }  // namespace apollonius

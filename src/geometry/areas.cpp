@@ -21,15 +21,22 @@ struct SiteContact {
 class AreaSum {
  public:
   AreaSum(const DiagramCore& core, const Window& window, Array<double>& areas)
-      : core_(core), window_(window), byId_(areas), areas_(core.ids().slots(), 0), lost_(core.ids().slots(), 0) {}
+      : core_(core),
+        window_(window),
+        byId_(areas),
+        areas_(core.ids().slots(), 0),
+        lost_(core.ids().slots(), 0) {}
 
   void run() {
     const Graph& graph = core_.base().graph();
-    forEachClippedPiece(core_.base(), window_, Bits::kCached, [&](HalfedgeId h, const ClippedPiece& piece) {
-      addPiece(piece, DiagramCore::slotOf(graph.origin(h)), DiagramCore::slotOf(graph.target(h)));
-    });
+    forEachClippedPiece(core_.base(), window_, Bits::kCached,
+                        [&](HalfedgeId h, const ClippedPiece& piece) {
+                          addPiece(piece, DiagramCore::slotOf(graph.origin(h)),
+                                   DiagramCore::slotOf(graph.target(h)));
+                        });
     addBorders();
-    for (std::size_t slot = 0; slot < areas_.size(); ++slot) areas_[slot] = std::max(0.0, areas_[slot] + lost_[slot]);
+    for (std::size_t slot = 0; slot < areas_.size(); ++slot)
+      areas_[slot] = std::max(0.0, areas_[slot] + lost_[slot]);
     giveWhole();
     byId_.assign(core_.ids().idLimit(), 0);
     for (Slot slot = 0; slot < areas_.size(); ++slot) {
@@ -39,7 +46,8 @@ class AreaSum {
 
  private:
   void giveWhole() {
-    // If no edge meets the window, one cell has all of it. (Edges can touch it, so contacts are no proof; the sum is all or nothing.)
+    // If no edge meets the window, one cell has all of it. (Edges can touch it, so contacts are no
+    // proof; the sum is all or nothing.)
     double sum = 0;
     for (const double area : areas_) sum += area;
     const double whole = window_.width() * window_.height();
@@ -62,13 +70,15 @@ class AreaSum {
     contacts_.push_back({right, {side, place, point, 0, !leaves}});
   }
 
-  /// The triangle of a chord and the cell's origin: its centre, or the point of the window nearest to it.
+  /// The triangle of a chord and the cell's origin: its centre, or the point of the window nearest
+  /// to it.
   void addChord(Slot slot, Point from, Point to, double beyond) {
     const Site& site = core_.site(slot);
     const Point origin = window_.nearestTo({site.x, site.y});
     const double term = cross(from - origin, to - origin) / 2 + beyond;
     const double sum = areas_[slot] + term;  // Neumaier's summation
-    lost_[slot] += absolute(areas_[slot]) >= absolute(term) ? (areas_[slot] - sum) + term : (term - sum) + areas_[slot];
+    lost_[slot] += absolute(areas_[slot]) >= absolute(term) ? (areas_[slot] - sum) + term
+                                                            : (term - sum) + areas_[slot];
     areas_[slot] = sum;
   }
 
@@ -81,7 +91,8 @@ class AreaSum {
     for (std::size_t begin = 0; begin < bySite.size();) {
       const Slot slot = bySite[begin].key;
       own.clear();
-      for (; begin < bySite.size() && bySite[begin].key == slot; ++begin) own.push_back(contacts_[bySite[begin].value].contact);
+      for (; begin < bySite.size() && bySite[begin].key == slot; ++begin)
+        own.push_back(contacts_[bySite[begin].value].contact);
       matchBorder(core_, slot, window_, own, arcs);
       for (const BorderArc& arc : arcs) {
         Point at = own[arc.from].point;
@@ -105,6 +116,8 @@ class AreaSum {
 
 }  // namespace
 
-void cellAreas(const DiagramCore& core, const Window& window, Array<double>& areas) { AreaSum(core, window, areas).run(); }
+void cellAreas(const DiagramCore& core, const Window& window, Array<double>& areas) {
+  AreaSum(core, window, areas).run();
+}
 
 }  // namespace apollonius

@@ -1,6 +1,6 @@
-// The areas of all clipped cells at once: each edge is clipped once and counts for the cells on both sides.
+// The areas of all clipped cells at once: each edge is clipped once and counts for the cells on
+// both sides.
 #pragma once
-
 
 #include "diagram/diagram_core.h"
 #include "geometry/window.h"

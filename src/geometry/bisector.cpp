@@ -19,21 +19,24 @@ double toDouble(const Dyadic::Rounded& x) {
   return value * powerOfTwo(exponent);
 }
 
-/// p = x² + y² - r² of two sites. In doubles the error is at most 5u (x² + y² + r²) (number/approx.h); where that is more than a
-/// 2^-40th of p, as when one circle nearly covers the other, it is computed exactly and rounded once.
+/// p = x² + y² - r² of two sites. In doubles the error is at most 5u (x² + y² + r²)
+/// (number/approx.h); where that is more than a 2^-40th of p, as when one circle nearly covers the
+/// other, it is computed exactly and rounded once.
 double squaredTangent(const Site& a, const Site& b) {
   const double x = b.x - a.x, y = b.y - a.y, r = b.r - a.r;
   const double squares = x * x + y * y, p = squares - r * r;
   if (p > powerOfTwo(-10) * (squares + r * r)) return p;
-  const Dyadic dx = Dyadic(b.x) - Dyadic(a.x), dy = Dyadic(b.y) - Dyadic(a.y), dr = Dyadic(b.r) - Dyadic(a.r);
+  const Dyadic dx = Dyadic(b.x) - Dyadic(a.x), dy = Dyadic(b.y) - Dyadic(a.y),
+               dr = Dyadic(b.r) - Dyadic(a.r);
   return toDouble((dx * dx + dy * dy - dr * dr).rounded());
 }
 
 /// Parameters beyond these are as good as infinite: B e^t would leave the doubles.
 constexpr double kLargestParameter = powerOfTwo(1000);
 
-/// A root in [e0, e1], or the end that is nearer. Where the line is parallel to an asymptote up to rounding, a root near infinity can come
-/// out beyond it, as negative and large in size (and one near 0 as negative and small). `otherwise` is for 0/0: along the line.
+/// A root in [e0, e1], or the end that is nearer. Where the line is parallel to an asymptote up to
+/// rounding, a root near infinity can come out beyond it, as negative and large in size (and one
+/// near 0 as negative and small). `otherwise` is for 0/0: along the line.
 double between(double e0, double e, double e1, double otherwise) {
   if (e > 0) return std::clamp(e, e0, e1);
   if (!(e <= 0)) return otherwise;
@@ -74,8 +77,9 @@ double Bisector::parameterOf(Point p) const {
   const double y = cross(axis_, way);
   double sinh = y / b_;
   double cosh = absolute(sinh) < powerOfTwo(30) ? std::sqrt(1 + sinh * sinh) : absolute(sinh);
-  // An error of y moves the place by A/B times as much along the axis where |sinh| is large. Where that is worse, the distance
-  // from the pole tells the place, whose error is at most that of the point times 2A/D <= 1.
+  // An error of y moves the place by A/B times as much along the axis where |sinh| is large. Where
+  // that is worse, the distance from the pole tells the place, whose error is at most that of the
+  // point times 2A/D <= 1.
   if (a_ * absolute(sinh) > b_ * cosh) {
     const double fromPole = (length(way) - a_) / (d_ / 2);
     cosh = fromPole > 1 ? fromPole : 1;
@@ -88,24 +92,30 @@ double Bisector::parameterOf(Point p) const {
 
 Conic Bisector::piece(double e0, double e1, Point from, Point to) const {
   if (isLine()) return Conic::segment(from, to);
-  // The tangents at t0 and t1 meet at (D/2 + A cosh m / cosh u, B sinh m / cosh u) with the middle m and half the difference u; the
-  // weight is cosh u, and cosh m / cosh u = (cosh t0 + cosh t1) / (2 cosh² u).
+  // The tangents at t0 and t1 meet at (D/2 + A cosh m / cosh u, B sinh m / cosh u) with the middle
+  // m and half the difference u; the weight is cosh u, and cosh m / cosh u = (cosh t0 + cosh t1) /
+  // (2 cosh² u).
   const double h = std::sqrt(e1) / std::sqrt(e0);
   const double w = (h + 1 / h) / 2;
   const Place first(e0), second(e1);
   const double scale = 1 / (2 * w * w);
-  const double x = d_ / 2 + a_ * ((first.cosh + second.cosh) * scale), y = b_ * ((first.sinh + second.sinh) * scale);
-  return {from, {pole_.x + (axis_.x * x - axis_.y * y), pole_.y + (axis_.y * x + axis_.x * y)}, w, to};
+  const double x = d_ / 2 + a_ * ((first.cosh + second.cosh) * scale),
+               y = b_ * ((first.sinh + second.sinh) * scale);
+  return {
+      from, {pole_.x + (axis_.x * x - axis_.y * y), pole_.y + (axis_.y * x + axis_.x * y)}, w, to};
 }
 
 LineForm::LineForm(const Bisector& bisector, Point normal, double offset)
     : p_(dot(normal, bisector.axis()) * bisector.transverse()),
       q_(cross(bisector.axis(), normal) * bisector.conjugate()),
-      c_((dot(normal, bisector.pole()) - offset) + dot(normal, bisector.axis()) * (bisector.distance() / 2)) {}
+      c_((dot(normal, bisector.pole()) - offset) +
+         dot(normal, bisector.axis()) * (bisector.distance() / 2)) {}
 
 bool LineForm::isBeyond(double e) const {
-  if (e > 0 && e < std::numeric_limits<double>::infinity()) return ((p_ + q_) * e + (p_ - q_) / e) / 2 + c_ >= 0;
-  // The coefficients of E, 1 and 1/E, or the other way round: the first that is not 0. (All but the last are 0 where the asymptote is the line.)
+  if (e > 0 && e < std::numeric_limits<double>::infinity())
+    return ((p_ + q_) * e + (p_ - q_) / e) / 2 + c_ >= 0;
+  // The coefficients of E, 1 and 1/E, or the other way round: the first that is not 0. (All but the
+  // last are 0 where the asymptote is the line.)
   const double leading = e > 0 ? p_ + q_ : p_ - q_, last = e > 0 ? p_ - q_ : p_ + q_;
   return (leading != 0 ? leading : c_ != 0 ? c_ : last) >= 0;
 }
@@ -115,8 +125,9 @@ double LineForm::root() const {
   return discriminant > 0 ? std::sqrt(discriminant) : 0;
 }
 
-// In E the form is (P+Q)/2 E + (P-Q)/2 / E + c. Its zeros are those of (P+Q) E² + 2cE + (P-Q); the slope there is that of
-// (P+Q) E + c = ±√(c² - (P+Q)(P-Q)), so the sign of the root tells a rise from a fall. Each is written so that nothing cancels.
+// In E the form is (P+Q)/2 E + (P-Q)/2 / E + c. Its zeros are those of (P+Q) E² + 2cE + (P-Q); the
+// slope there is that of (P+Q) E + c = ±√(c² - (P+Q)(P-Q)), so the sign of the root tells a rise
+// from a fall. Each is written so that nothing cancels.
 
 double LineForm::rise(double e0, double e1) const {
   const double s = root();

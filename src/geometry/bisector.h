@@ -1,14 +1,19 @@
-// The bisector of two circles, |p - a| - ra = |p - b| - rb: a line if the weights are equal, else a branch of a hyperbola with its foci
-// at the centres (paper, section 2). Also the bisector of two Voronoi circles, which Appendix A draws the dual with.
+// The bisector of two circles, |p - a| - ra = |p - b| - rb: a line if the weights are equal, else a
+// branch of a hyperbola with its foci at the centres (paper, section 2). Also the bisector of two
+// Voronoi circles, which Appendix A draws the dual with.
 //
-// It is seen from the *pole*, the circle of larger weight, around which it bends away: in the frame with the pole at the origin and the
-// other centre at (D, 0), with A = (ra - rb)/2 >= 0, B = √p/2, p = D² - (ra - rb)² (so that A² + B² = (D/2)²), it is
+// It is seen from the *pole*, the circle of larger weight, around which it bends away: in the frame
+// with the pole at the origin and the other centre at (D, 0), with A = (ra - rb)/2 >= 0, B = √p/2,
+// p = D² - (ra - rb)² (so that A² + B² = (D/2)²), it is
 //
-//     X = D/2 + A cosh t,   Y = B sinh t,      distance from the pole: (D/2) cosh t + A,   from the other: (D/2) cosh t - A
+//     X = D/2 + A cosh t,   Y = B sinh t,      distance from the pole: (D/2) cosh t + A,   from the
+//     other: (D/2) cosh t - A
 //
-// counter-clockwise about the pole as t grows. The parameter that is stored is E = e^t, from 0 to infinity: with it, everything takes
-// + - * / and roots only (the same bits natively and as WebAssembly), an intersection with a line is a quadratic equation, and the
-// ends at infinity are ordinary values. A line has A = 0 and the same parametrisation.
+// counter-clockwise about the pole as t grows. The parameter that is stored is E = e^t, from 0 to
+// infinity: with it, everything takes
+// + - * / and roots only (the same bits natively and as WebAssembly), an intersection with a line
+// is a quadratic equation, and the ends at infinity are ordinary values. A line has A = 0 and the
+// same parametrisation.
 #pragma once
 
 #include "geometry/conic.h"
@@ -27,25 +32,30 @@ class Bisector {
   /// REQUIRES: neither covers the other, `pole` has the larger weight or the same.
   Bisector(const Site& pole, const Site& other);
 
-  /// Has it a meaning in doubles? Not if the centres are so close, or one circle so nearly covers the other, that B is 0.
+  /// Has it a meaning in doubles? Not if the centres are so close, or one circle so nearly covers
+  /// the other, that B is 0.
   [[nodiscard]] bool isKnown() const { return b_ > 0; }
   [[nodiscard]] bool isLine() const { return a_ == 0; }
   [[nodiscard]] double distance() const { return d_; }    ///< D
   [[nodiscard]] double transverse() const { return a_; }  ///< A
   [[nodiscard]] double conjugate() const { return b_; }   ///< B
   [[nodiscard]] Point pole() const { return pole_; }
-  [[nodiscard]] Point axis() const { return axis_; }      ///< unit vector from the pole to the other centre
+  [[nodiscard]] Point axis() const {
+    return axis_;
+  }  ///< unit vector from the pole to the other centre
 
   [[nodiscard]] Point at(double e) const;
   /// Unit tangent, in the direction of growing E.
   [[nodiscard]] Point tangent(double e) const;
-  /// Direction in which the bisector goes to infinity: at E = infinity, or at E = 0 (then away from the plane, too).
+  /// Direction in which the bisector goes to infinity: at E = infinity, or at E = 0 (then away from
+  /// the plane, too).
   [[nodiscard]] Point asymptote(bool upper) const;
 
   /// The parameter of a point that is on the bisector up to rounding.
   [[nodiscard]] double parameterOf(Point p) const;
 
-  /// The piece from E = e0 to e1 > e0, both positive and finite, with these ends (the points of e0 and e1 up to rounding).
+  /// The piece from E = e0 to e1 > e0, both positive and finite, with these ends (the points of e0
+  /// and e1 up to rounding).
   [[nodiscard]] Conic piece(double e0, double e1, Point from, Point to) const;
   [[nodiscard]] Conic piece(double e0, double e1) const { return piece(e0, e1, at(e0), at(e1)); }
 
@@ -55,20 +65,22 @@ class Bisector {
   double d_, a_, b_;
 };
 
-/// n · p - h along a bisector, for a unit vector n: P cosh t + Q sinh t + c. Convex or concave in Y, so it changes sign twice at
-/// most.
+/// n · p - h along a bisector, for a unit vector n: P cosh t + Q sinh t + c. Convex or concave in
+/// Y, so it changes sign twice at most.
 class LineForm {
  public:
   LineForm(const Bisector& bisector, Point normal, double offset);
 
-  /// Is it positive or 0 at a place? Towards the ends at infinity (E = 0 and E = infinity): does it tend to that from above?
+  /// Is it positive or 0 at a place? Towards the ends at infinity (E = 0 and E = infinity): does it
+  /// tend to that from above?
   [[nodiscard]] bool isBeyond(double e) const;
-  /// Where it becomes positive, and where it becomes negative, as E grows. Meaningful where there is such a place: between two
-  /// places of different sign, or on the two sides of a dip or bump. Clamped to [e0, e1].
+  /// Where it becomes positive, and where it becomes negative, as E grows. Meaningful where there
+  /// is such a place: between two places of different sign, or on the two sides of a dip or bump.
+  /// Clamped to [e0, e1].
   [[nodiscard]] double rise(double e0, double e1) const;
   [[nodiscard]] double fall(double e0, double e1) const;
-  /// Does it dip below 0 (for sign = 1), or rise above 0 (sign = -1), strictly between two places where it has that sign?
-  /// `at` receives the place of the extremum.
+  /// Does it dip below 0 (for sign = 1), or rise above 0 (sign = -1), strictly between two places
+  /// where it has that sign? `at` receives the place of the extremum.
   [[nodiscard]] bool hasExcursion(int sign, double e0, double e1, double& at) const;
 
  private:

@@ -15,19 +15,23 @@ double after(double place, double reference) {
   return d >= 0 ? d : d + 4;
 }
 
-/// Before, counter-clockwise from corner 0. Places are rounded to a share of the side, coordinates are not: the order
-/// does not depend on where the boundary was begun.
+/// Before, counter-clockwise from corner 0. Places are rounded to a share of the side, coordinates
+/// are not: the order does not depend on where the boundary was begun.
 bool comesBefore(const BorderContact& a, const BorderContact& b) {
   if (a.place != b.place) return a.place < b.place;
   if (a.side != b.side) return a.side < b.side;
   const auto along = [](const BorderContact& c) {
-    return c.side == 0 ? c.point.x : c.side == 1 ? c.point.y : c.side == 2 ? -c.point.x : -c.point.y;
+    return c.side == 0   ? c.point.x
+           : c.side == 1 ? c.point.y
+           : c.side == 2 ? -c.point.x
+                         : -c.point.y;
   };
   return along(a) != along(b) ? along(a) < along(b) : a.piece < b.piece;
 }
 
-/// The number of corners on the way between two contacts, of which rounded places count `seen`. One at each end may be
-/// missing there, none is too many; and none is on the way if rounding has exchanged the two.
+/// The number of corners on the way between two contacts, of which rounded places count `seen`. One
+/// at each end may be missing there, none is too many; and none is on the way if rounding has
+/// exchanged the two.
 int cornersBetween(const BorderContact& from, const BorderContact& to, int seen) {
   int count = (to.side - from.side + 4) % 4;
   while (count < seen) count += 4;
@@ -45,14 +49,17 @@ double disorder(const FlatArray<double>& one, const FlatArray<double>& two) {
   return sum;
 }
 
-/// Coordinates whose magnitude is below the documented range, which means nothing but rounding, become 0.
+/// Coordinates whose magnitude is below the documented range, which means nothing but rounding,
+/// become 0.
 double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
 
 Slot nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x), inRange(p.y)); }
 
-/// Does the site own the border around the middle of a gap between contacts? Asked just inside of the window, because the border itself may
-/// be an edge of the diagram; and at five places, because any one may be too close to an edge.
-bool ownsGap(const DiagramCore& core, Slot site, const Window& window, double middlePlace, double gap) {
+/// Does the site own the border around the middle of a gap between contacts? Asked just inside of
+/// the window, because the border itself may be an edge of the diagram; and at five places, because
+/// any one may be too close to an edge.
+bool ownsGap(const DiagramCore& core, Slot site, const Window& window, double middlePlace,
+             double gap) {
   int votes = 0;
   for (const double part : {0.0, -0.21, 0.17, -0.34, 0.38}) {
     double place = middlePlace + part * gap;
@@ -63,20 +70,21 @@ bool ownsGap(const DiagramCore& core, Slot site, const Window& window, double mi
   return votes > 0;
 }
 
-/// Two ways of matching whose disorders differ by less than this, in sides, are taken for equally good.
-/// Rounding of the curves moves a crossing that is not tangent by far less than 2^-24, and a tangent one by
-/// its root, 2^-26 at most. Vertices are rounded to doubles, besides, which is more than that in a window of
-/// few doubles: one of their distances.
+/// Two ways of matching whose disorders differ by less than this, in sides, are taken for equally
+/// good. Rounding of the curves moves a crossing that is not tangent by far less than 2^-24, and a
+/// tangent one by its root, 2^-26 at most. Vertices are rounded to doubles, besides, which is more
+/// than that in a window of few doubles: one of their distances.
 double noDifference(const Window& window) {
-  const double largest =
-      std::max({absolute(window.xmin), absolute(window.ymin), absolute(window.xmax), absolute(window.ymax)});
+  const double largest = std::max(
+      {absolute(window.xmin), absolute(window.ymin), absolute(window.xmax), absolute(window.ymax)});
   return powerOfTwo(-24) + powerOfTwo(-52) * largest / std::min(window.width(), window.height());
 }
 
 }  // namespace
 
 Slot ownerOfWindow(const DiagramCore& core, const Window& window) {
-  // A sliver of a cell, lost to rounding, can own the middle; but hardly the corners, too, which are asked just inside.
+  // A sliver of a cell, lost to rounding, can own the middle; but hardly the corners, too, which
+  // are asked just inside.
   const Slot middle = nearest(core, window.center());
   int votes = 1;
   for (int k = 0; k < 4; ++k) {
@@ -86,8 +94,8 @@ Slot ownerOfWindow(const DiagramCore& core, const Window& window) {
   return votes >= 3 ? middle : kNoSlot;
 }
 
-void matchBorder(const DiagramCore& core, Slot site, const Window& window, FlatArray<BorderContact>& contacts,
-                 FlatArray<BorderArc>& arcs) {
+void matchBorder(const DiagramCore& core, Slot site, const Window& window,
+                 FlatArray<BorderContact>& contacts, FlatArray<BorderArc>& arcs) {
   arcs.clear();
   // Edges that are none (trusted snapshots may lie) leave the border nowhere.
   const auto isOnBorder = [](const BorderContact& c) { return c.place >= 0 && c.place <= 4; };
@@ -104,7 +112,9 @@ void matchBorder(const DiagramCore& core, Slot site, const Window& window, FlatA
     }
   }
   if (reference >= 4) reference -= 4;
-  std::rotate(contacts.begin(), std::find_if(contacts.begin(), contacts.end(), [&](const BorderContact& c) { return c.place > reference; }),
+  std::rotate(contacts.begin(),
+              std::find_if(contacts.begin(), contacts.end(),
+                           [&](const BorderContact& c) { return c.place > reference; }),
               contacts.end());
 
   FlatArray<std::uint32_t> leaves, enters;
@@ -114,13 +124,16 @@ void matchBorder(const DiagramCore& core, Slot site, const Window& window, FlatA
     (isLeave ? leaves : enters).push_back(k);
     (isLeave ? leavePlaces : enterPlaces).push_back(after(contacts[k].place, reference));
   }
-  const std::size_t count = std::min(leaves.size(), enters.size());  // they are equally many, if the edges are some
+  const std::size_t count =
+      std::min(leaves.size(), enters.size());  // they are equally many, if the edges are some
   if (count == 0) return;
   leavePlaces.resize(count);
   enterPlaces.resize(count);
-  const double outside = disorder(leavePlaces, enterPlaces), inside = disorder(enterPlaces, leavePlaces);
+  const double outside = disorder(leavePlaces, enterPlaces),
+               inside = disorder(enterPlaces, leavePlaces);
   const bool isClear = absolute(outside - inside) > noDifference(window);
-  const bool holdsReference = isClear ? inside < outside : ownsGap(core, site, window, reference, gap);
+  const bool holdsReference =
+      isClear ? inside < outside : ownsGap(core, site, window, reference, gap);
 
   for (std::size_t k = 0; k < count; ++k) {
     const bool isWrapped = holdsReference && k + 1 == count;

@@ -21,7 +21,8 @@ const Cell& CellFinder::find(Slot site) {
   if (!contacts_.empty()) {
     link(site);
   } else if (!pieces_.empty()) {
-    for (const Piece& piece : pieces_) cell_.pieces.push_back({piece.clipped.curve, piece.neighbor});
+    for (const Piece& piece : pieces_)
+      cell_.pieces.push_back({piece.clipped.curve, piece.neighbor});
     closeRegion();
   } else if (wholeOwner() == site) {
     wholeWindow();
@@ -44,10 +45,12 @@ void CellFinder::clipEdges(Slot site) {
       const SiteId neighbor = core_.siteOf(graph.target(h));
       if (startsAtPole(base, h)) {
         clipEdge(base, h, window_, clipped);
-        for (int k = 0; k < clipped.count; ++k) pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)], neighbor});
+        for (int k = 0; k < clipped.count; ++k)
+          pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)], neighbor});
       } else {
         clipEdge(base, graph.twin(h), window_, clipped);
-        for (int k = clipped.count; k-- > 0;) pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)].reversed(), neighbor});
+        for (int k = clipped.count; k-- > 0;)
+          pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)].reversed(), neighbor});
       }
     }
     h = graph.rotateCcw(h);
@@ -95,14 +98,17 @@ Slot CellFinder::wholeOwner() {
 }
 
 void CellFinder::wholeWindow() {
-  for (int k = 0; k < 4; ++k) cell_.pieces.push_back({Conic::segment(window_.corner(k), window_.corner((k + 1) % 4)), kNoSite});
+  for (int k = 0; k < 4; ++k)
+    cell_.pieces.push_back(
+        {Conic::segment(window_.corner(k), window_.corner((k + 1) % 4)), kNoSite});
   closeRegion();
 }
 
 void CellFinder::closeRegion() {
   const std::uint32_t start = cell_.starts.back();
   const auto pieces = std::span(cell_.pieces).subspan(start);
-  // Of one and the same point, wherever the boundary was begun: a sliver is there after any history, or after none.
+  // Of one and the same point, wherever the boundary was begun: a sliver is there after any
+  // history, or after none.
   Point origin = pieces.front().curve.p0;
   for (const BoundaryPiece& piece : pieces) {
     const Point p = piece.curve.p0;

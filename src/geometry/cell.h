@@ -1,7 +1,8 @@
 // The cell of a site inside the window, as closed boundaries of conic pieces, counter-clockwise.
 //
-// A cell is star-shaped about its site's centre (docs/PREDICATES.md, section 2) and so in one piece, without holes; the window is
-// convex, so a clipped cell is any number of *regions*, each without holes, that meet the window's border.
+// A cell is star-shaped about its site's centre (docs/PREDICATES.md, section 2) and so in one
+// piece, without holes; the window is convex, so a clipped cell is any number of *regions*, each
+// without holes, that meet the window's border.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +32,8 @@ class CellFinder {
  public:
   CellFinder(const DiagramCore& core, const Window& window) : core_(core), window_(window) {}
 
-  /// The cell of a site, without regions if it is hidden or does not meet the window. Valid until the next call. Cost: O(d log d).
+  /// The cell of a site, without regions if it is hidden or does not meet the window. Valid until
+  /// the next call. Cost: O(d log d).
   const Cell& find(Slot site);
 
  private:
@@ -46,7 +48,8 @@ class CellFinder {
   Slot wholeOwner();
   void wholeWindow();
   void addBorder(const BorderArc& arc);
-  /// Ends a region; takes it back if its area is 0 up to rounding, as when a cell only touches the window.
+  /// Ends a region; takes it back if its area is 0 up to rounding, as when a cell only touches the
+  /// window.
   void closeRegion();
 
   const DiagramCore& core_;

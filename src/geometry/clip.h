@@ -1,10 +1,12 @@
 // Voronoi edges clipped to a window, analytically: conic against line.
 //
-// What is decided by rounded numbers is decided once: whether a vertex is in the window (by its coordinates, the same for its three
-// edges), and then where an edge crosses a side's line. An edge whose ends are on different sides of a line crosses it once, upwards or
-// downwards, and that crossing is the root of the quadratic with that slope, whatever the roots' rounding; one whose ends are on
-// the same side crosses it twice or not at all, and that is decided at the extremum between. So a rounding error can only move a
-// crossing, never lose one or invent one, and all cells fit together.
+// What is decided by rounded numbers is decided once: whether a vertex is in the window (by its
+// coordinates, the same for its three edges), and then where an edge crosses a side's line. An edge
+// whose ends are on different sides of a line crosses it once, upwards or downwards, and that
+// crossing is the root of the quadratic with that slope, whatever the roots' rounding; one whose
+// ends are on the same side crosses it twice or not at all, and that is decided at the extremum
+// between. So a rounding error can only move a crossing, never lose one or invent one, and all
+// cells fit together.
 #pragma once
 
 #include <array>
@@ -25,27 +27,34 @@ struct ClippedPiece {
   [[nodiscard]] ClippedPiece reversed() const { return {curve.reversed(), toSide, fromSide}; }
 };
 
-/// At most five: each of four lines is crossed upwards once at most, so the window is left four times at most.
+/// At most five: each of four lines is crossed upwards once at most, so the window is left four
+/// times at most.
 struct ClippedEdge {
   std::array<ClippedPiece, 5> pieces;
   int count = 0;
 };
 
-/// Clips the edge dual to h. Edges of one drawing or sum take the same bits, so that they meet. REQUIRES: startsAtPole.
-void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, ClippedEdge& clipped, Bits bits = Bits::kCanonical);
+/// Clips the edge dual to h. Edges of one drawing or sum take the same bits, so that they meet.
+/// REQUIRES: startsAtPole.
+void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, ClippedEdge& clipped,
+              Bits bits = Bits::kCanonical);
 
-/// Clips all edges of the diagram; visit(h, piece) gets each piece that is left, with the half-edge that it is a part of.
+/// Clips all edges of the diagram; visit(h, piece) gets each piece that is left, with the half-edge
+/// that it is a part of.
 template <class Visit>
-void forEachClippedPiece(const DelaunayGraph& base, const Window& window, Bits bits, Visit&& visit) {
+void forEachClippedPiece(const DelaunayGraph& base, const Window& window, Bits bits,
+                         Visit&& visit) {
   const Graph& graph = base.graph();
   base.computeMissingCircles();
   ClippedEdge clipped;
   for (std::size_t k = 0; k < 3 * graph.faceSlots(); ++k) {
     const HalfedgeId h{static_cast<std::uint32_t>(k)};
-    if (!graph.isLive(faceOf(h)) || graph.origin(h) == kInfinity || graph.target(h) == kInfinity) continue;
+    if (!graph.isLive(faceOf(h)) || graph.origin(h) == kInfinity || graph.target(h) == kInfinity)
+      continue;
     if (!startsAtPole(base, h)) continue;
     clipEdge(base, h, window, clipped, bits);
-    for (int piece = 0; piece < clipped.count; ++piece) visit(h, clipped.pieces[static_cast<std::size_t>(piece)]);
+    for (int piece = 0; piece < clipped.count; ++piece)
+      visit(h, clipped.pieces[static_cast<std::size_t>(piece)]);
   }
 }
 

@@ -5,10 +5,12 @@
 namespace apollonius {
 
 Conic Conic::arc(Point center, double radius, Point from, Point to) {
-  // With u = from + to, the tangents meet at center + radius 2u/|u|², and w is the cosine of half the angle, |u|/2.
+  // With u = from + to, the tangents meet at center + radius 2u/|u|², and w is the cosine of half
+  // the angle, |u|/2.
   const Point u = from + to;
   const double square = dot(u, u);
-  return {center + radius * from, center + (2 * radius / square) * u, std::sqrt(square) / 2, center + radius * to};
+  return {center + radius * from, center + (2 * radius / square) * u, std::sqrt(square) / 2,
+          center + radius * to};
 }
 
 Point Conic::at(double t) const {
@@ -22,7 +24,8 @@ Point Conic::tangent(double t) const {
   // Quotient rule, with the terms of degree 3 and 4 cancelled on paper.
   const double s = 1 - t;
   const double sum = s * s + 2 * w * t * s + t * t;
-  const Point numerator = (2 * w * s * s) * (p1 - p0) + (2 * t * s) * (p2 - p0) + (2 * w * t * t) * (p2 - p1);
+  const Point numerator =
+      (2 * w * s * s) * (p1 - p0) + (2 * t * s) * (p2 - p0) + (2 * w * t * t) * (p2 - p1);
   return (1 / (sum * sum)) * numerator;
 }
 
@@ -44,9 +47,10 @@ double Conic::sagitta() const {
   if (isStraight()) return 0;
   const Point chord = p2 - p0, way = p1 - p0;
   const double share = w / (1 + w), square = dot(chord, chord), along = dot(way, chord);
-  // The tangent at the middle of the arc is parallel to the chord, so that is where the distance from its line is largest. Where p1 is
-  // beyond an end of the chord, the curve can be, too.
-  if (along >= 0 && along <= square && square > 0) return share * absolute(cross(chord, way)) / std::sqrt(square);
+  // The tangent at the middle of the arc is parallel to the chord, so that is where the distance
+  // from its line is largest. Where p1 is beyond an end of the chord, the curve can be, too.
+  if (along >= 0 && along <= square && square > 0)
+    return share * absolute(cross(chord, way)) / std::sqrt(square);
   return share * length(p1 - middle(p0, p2));
 }
 

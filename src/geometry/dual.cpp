@@ -16,24 +16,27 @@ Point unit(Point p) {
   return {p.x / size, p.y / size};
 }
 
-/// A Voronoi vertex as its edge's pole sees it, with the pole at the origin and the other site at (D, 0). The
-/// distance of the vertex is rho and 1/(2 rho) = (D cosine + r) / p (docs/PREDICATES.md, "The pole picture"),
-/// r <= 0 being the other weight less the pole's: so D cosine is a sum of positive terms, which is good
-/// however far away the vertex is, and at infinity (rho infinite, a half-plane).
+/// A Voronoi vertex as its edge's pole sees it, with the pole at the origin and the other site at
+/// (D, 0). The distance of the vertex is rho and 1/(2 rho) = (D cosine + r) / p
+/// (docs/PREDICATES.md, "The pole picture"), r <= 0 being the other weight less the pole's: so D
+/// cosine is a sum of positive terms, which is good however far away the vertex is, and at infinity
+/// (rho infinite, a half-plane).
 struct SeenVertex {
   double inverse;  ///< p / (2 rho)
   double cosine, sine;
 };
 
-SeenVertex seen(const Bisector& bisector, const VoronoiCircle& circle, double poleWeight, bool isLeft) {
+SeenVertex seen(const Bisector& bisector, const VoronoiCircle& circle, double poleWeight,
+                bool isLeft) {
   const double p = 4 * bisector.conjugate() * bisector.conjugate(), d = bisector.distance();
   SeenVertex vertex{0, 0, 0};
-  const Point way = circle.isHalfPlane() ? Point{circle.x, circle.y} : Point{circle.x, circle.y} - bisector.pole();
+  const Point way = circle.isHalfPlane() ? Point{circle.x, circle.y}
+                                         : Point{circle.x, circle.y} - bisector.pole();
   if (!circle.isHalfPlane()) vertex.inverse = p / (2 * (circle.s + poleWeight));
   vertex.cosine = std::min((vertex.inverse + 2 * bisector.transverse()) / d, 1.0);
   const double size = length(way), side = cross(bisector.axis(), way) / size;
-  // Near the axis the sine is what is small and good, elsewhere the cosine, which is all there is if the
-  // vertex is too far for doubles.
+  // Near the axis the sine is what is small and good, elsewhere the cosine, which is all there is
+  // if the vertex is too far for doubles.
   const bool isOnLeft = side >= 0 || (!(side < 0) && isLeft);
   const double sine = std::sqrt((1 - vertex.cosine) * (1 + vertex.cosine));
   vertex.sine = absolute(side) < 0.5 ? side : isOnLeft ? sine : -sine;
@@ -50,18 +53,22 @@ constexpr double kLargestWeight = powerOfTwo(48);
 DualEdge dualEdge(const DelaunayGraph& graph, HalfedgeId h) {
   const Site &i = graph.site(graph.graph().origin(h)), &j = graph.site(graph.graph().target(h));
   const Point pi{i.x, i.y}, pj{j.x, j.y};
-  const VoronoiCircle first = graph.vertex(faceOf(graph.graph().twin(h))), second = graph.vertex(faceOf(h));
+  const VoronoiCircle first = graph.vertex(faceOf(graph.graph().twin(h))),
+                      second = graph.vertex(faceOf(h));
   DualEdge edge;
   edge.curves[0] = Conic::segment(pi, pj);
   const Bisector bisector(i, j);
   if ((first.isHalfPlane() && second.isHalfPlane()) || !bisector.isKnown()) return edge;
 
   const SeenVertex a = seen(bisector, first, i.r, false), b = seen(bisector, second, i.r, true);
-  const double chordX = b.cosine - a.cosine, chordY = b.sine - a.sine;  // between the two directions
+  const double chordX = b.cosine - a.cosine,
+               chordY = b.sine - a.sine;  // between the two directions
   const double sumX = a.cosine + b.cosine;
   const double sumY = a.sine * b.sine < 0 ? -(chordX * sumX) / chordY : a.sine + b.sine;
   const double p = 4 * bisector.conjugate() * bisector.conjugate();
-  const double t = p / (2 * ((a.inverse + b.inverse) + bisector.transverse() * (chordX * chordX + chordY * chordY)));
+  const double t =
+      p /
+      (2 * ((a.inverse + b.inverse) + bisector.transverse() * (chordX * chordX + chordY * chordY)));
   const Point along = bisector.axis();
   const Point way{t * (along.x * sumX - along.y * sumY), t * (along.y * sumX + along.x * sumY)};
   const Point control = pi + way;
@@ -71,7 +78,9 @@ DualEdge dualEdge(const DelaunayGraph& graph, HalfedgeId h) {
     const double distance = c.isHalfPlane() ? kInfinite : length(control - Point{c.x, c.y});
     if (!(distance >= farthest)) continue;
     farthest = distance;
-    w = distance < kInfinite ? std::sqrt(std::max(c.s + i.r, 0.0)) * std::sqrt(std::max(c.s + j.r, 0.0)) / distance : 1;
+    w = distance < kInfinite
+            ? std::sqrt(std::max(c.s + i.r, 0.0)) * std::sqrt(std::max(c.s + j.r, 0.0)) / distance
+            : 1;
   }
   if (!(length(way) < kInfinite)) return edge;
   if (w < kLargestWeight) {

@@ -21,7 +21,8 @@ Point clippedToDoubles(Point p) {
 
 EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f, Bits bits) {
   const VoronoiCircle& cached = graph.circle(f);
-  const VoronoiCircle circle = bits == Bits::kCached && isPrecise(cached) ? cached : graph.vertex(f);
+  const VoronoiCircle circle =
+      bits == Bits::kCached && isPrecise(cached) ? cached : graph.vertex(f);
   if (circle.isHalfPlane()) return {};
   return {{circle.x, circle.y}, true};
 }

@@ -10,7 +10,8 @@ namespace {
 
 Point leftOf(Point p) { return {-p.y, p.x}; }
 
-/// Continues a path, which is at center + radius · turn.from, along the circle, in pieces of a quarter at most.
+/// Continues a path, which is at center + radius · turn.from, along the circle, in pieces of a
+/// quarter at most.
 void drawArc(Point center, double radius, const HullTurn& turn, double tolerance, Path& path) {
   Point from = turn.from;
   const Point to = turn.to;
@@ -52,7 +53,8 @@ void hullSites(const DiagramCore& core, Array<SiteId>& sites) {
   sites.clear();
   const DelaunayGraph& base = core.base();
   if (base.visibleCount() == 1) sites.push_back(core.siteOf(base.anyVisible()));
-  visitHull(base.graph(), [&](HalfedgeId h) { sites.push_back(core.siteOf(base.graph().origin(h))); });
+  visitHull(base.graph(),
+            [&](HalfedgeId h) { sites.push_back(core.siteOf(base.graph().origin(h))); });
 }
 
 void drawHull(const DiagramCore& core, double tolerance, Path& path) {

@@ -1,6 +1,6 @@
-// The convex hull of the circles: arcs of the sites that have an edge to infinity, and common tangents between them.
+// The convex hull of the circles: arcs of the sites that have an edge to infinity, and common
+// tangents between them.
 #pragma once
-
 
 #include "diagram/diagram_core.h"
 #include "geometry/path.h"
@@ -8,17 +8,18 @@
 
 namespace apollonius {
 
-/// The sites that the hull touches, all of them, counter-clockwise; one can occur several times (a large circle with small ones sticking
-/// out; points in line, there and back).
+/// The sites that the hull touches, all of them, counter-clockwise; one can occur several times (a
+/// large circle with small ones sticking out; points in line, there and back).
 void hullSites(const DiagramCore& core, Array<SiteId>& sites);
 
-/// The hull as one closed figure. A radius below 0 shrinks the hull of the centres' other circles: meaningful up to a common offset.
+/// The hull as one closed figure. A radius below 0 shrinks the hull of the centres' other circles:
+/// meaningful up to a common offset.
 void drawHull(const DiagramCore& core, double tolerance, Path& path);
 
-/// The directions in which the cell of a site of the hull is unbounded, counter-clockwise between two unit
-/// vectors. Less than half a turn if `sign` is positive, more if it is negative, as a large site has between
-/// two that hardly stick out of it; if it is zero, none at all or half a turn. The sign is exact, since
-/// "none" and "all" cannot be told apart by two rounded vectors.
+/// The directions in which the cell of a site of the hull is unbounded, counter-clockwise between
+/// two unit vectors. Less than half a turn if `sign` is positive, more if it is negative, as a
+/// large site has between two that hardly stick out of it; if it is zero, none at all or half a
+/// turn. The sign is exact, since "none" and "all" cannot be told apart by two rounded vectors.
 struct HullTurn {
   Point from, to;
   Sign sign;

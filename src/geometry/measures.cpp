@@ -10,12 +10,15 @@ namespace apollonius {
 
 namespace {
 
-// The series are used for |z| below this: 2^-2 to the 20th power, times the last coefficient (2^-15), is below 2^-53.
+// The series are used for |z| below this: 2^-2 to the 20th power, times the last coefficient
+// (2^-15), is below 2^-53.
 constexpr double kSeriesEnd = 0.25;
 constexpr int kTerms = 20;
 
 /// Coefficient of z^(k-1) in the sum of g, k = 1, 2, …
-constexpr double areaCoefficient(int k) { return -1.0 / ((2.0 * k + 1) * (2.0 * k - 1) * (2.0 * k - 3)); }
+constexpr double areaCoefficient(int k) {
+  return -1.0 / ((2.0 * k + 1) * (2.0 * k - 1) * (2.0 * k - 3));
+}
 /// Coefficient of z^(k-2) in the sum of m, k = 2, 3, …
 constexpr double momentCoefficient(int k) {
   return -2.0 * (k - 1) / ((2.0 * k + 1) * (2.0 * k - 1) * (2.0 * k - 3) * (2.0 * k - 5));
@@ -41,14 +44,17 @@ double series(const std::array<double, kTerms>& c, double z) {
 
 }  // namespace
 
-// Conditions are written so that NaN, of an edge that is none (trusted snapshots may lie), ends the recursion.
+// Conditions are written so that NaN, of an edge that is none (trusted snapshots may lie), ends the
+// recursion.
 
 ArcFactors arcFactors(double w) {
   const double z = (w - 1) / (w + 1), next = 1 + z;
-  if (!(absolute(z) > kSeriesEnd)) return {2 * next * series(kAreaCoefficients, z), next * next * series(kMomentCoefficients, z)};
+  if (!(absolute(z) > kSeriesEnd))
+    return {2 * next * series(kAreaCoefficients, z), next * next * series(kMomentCoefficients, z)};
   const ArcFactors half = arcFactors(std::sqrt((1 + w) / 2));
   const double share = w / (1 + w), rest = 1 / (1 + w);
-  return {share + share * rest * half.area, share * share / 3 + share * share * rest / 2 * (half.area + half.moment)};
+  return {share + share * rest * half.area,
+          share * share / 3 + share * share * rest / 2 * (half.area + half.moment)};
 }
 
 double arcAreaFactor(double w) {
@@ -65,10 +71,12 @@ double areaBeyondChord(const Conic& conic) {
 
 Area areaOf(std::span<const BoundaryPiece> boundary, Point origin) {
   Area area;
-  double lost = 0, size = 0;  // Neumaier's summation: boundaries can have as many pieces as there are sites
+  double lost = 0,
+         size = 0;  // Neumaier's summation: boundaries can have as many pieces as there are sites
   const auto add = [&](double term) {
     const double sum = area.value + term;
-    lost += absolute(area.value) >= absolute(term) ? (area.value - sum) + term : (term - sum) + area.value;
+    lost += absolute(area.value) >= absolute(term) ? (area.value - sum) + term
+                                                   : (term - sum) + area.value;
     area.value = sum;
   };
   for (const BoundaryPiece& piece : boundary) {
@@ -78,7 +86,8 @@ Area areaOf(std::span<const BoundaryPiece> boundary, Point origin) {
     size += absolute(a.x * b.y) + absolute(a.y * b.x);
   }
   area.value += lost;
-  // Each cross product: a rounding of each of the four differences, of the two products, and of their difference.
+  // Each cross product: a rounding of each of the four differences, of the two products, and of
+  // their difference.
   area.rounding = 4 * kUnitRoundoff * size;
   return area;
 }
@@ -93,7 +102,8 @@ void Moments::add(const Conic& piece, Point origin) {
   const ArcFactors factors = arcFactors(piece.w);
   const Point m = middle(a, b);
   area += control * factors.area;
-  first = first + (control * factors.area) * m + (control * factors.moment) * (piece.p1 - origin - m);
+  first =
+      first + (control * factors.area) * m + (control * factors.moment) * (piece.p1 - origin - m);
 }
 
 namespace {
@@ -110,7 +120,8 @@ constexpr std::array<GaussNode, 5> kGauss{{{0.14887433898163122, 0.2955242247147
 
 double gaussLength(const Conic& conic) {
   double sum = 0;
-  for (const auto& [x, weight] : kGauss) sum += weight * (length(conic.tangent((1 - x) / 2)) + length(conic.tangent((1 + x) / 2)));
+  for (const auto& [x, weight] : kGauss)
+    sum += weight * (length(conic.tangent((1 - x) / 2)) + length(conic.tangent((1 + x) / 2)));
   return sum / 2;
 }
 
@@ -118,15 +129,18 @@ double adaptiveLength(const Conic& conic, double whole, double tolerance, int de
   Conic first, second;
   conic.halve(first, second);
   const double a = gaussLength(first), b = gaussLength(second);
-  // Where the two differ by so little, the finer one is better by far (a factor of 2^20 for each halving of a smooth piece).
+  // Where the two differ by so little, the finer one is better by far (a factor of 2^20 for each
+  // halving of a smooth piece).
   if (depth == 0 || !(absolute(a + b - whole) > tolerance)) return a + b;
-  return adaptiveLength(first, a, tolerance, depth - 1) + adaptiveLength(second, b, tolerance, depth - 1);
+  return adaptiveLength(first, a, tolerance, depth - 1) +
+         adaptiveLength(second, b, tolerance, depth - 1);
 }
 
-/// Weights above 2 speed up towards the ends so much that the quadrature would not see it. A halving takes about the root of the weight,
-/// so even 2^1000 is below 2 after eleven.
+/// Weights above 2 speed up towards the ends so much that the quadrature would not see it. A
+/// halving takes about the root of the weight, so even 2^1000 is below 2 after eleven.
 double halvedLength(const Conic& conic, double tolerance) {
-  if (!(conic.w > 2 && conic.w < std::numeric_limits<double>::infinity())) return adaptiveLength(conic, gaussLength(conic), tolerance, 40);
+  if (!(conic.w > 2 && conic.w < std::numeric_limits<double>::infinity()))
+    return adaptiveLength(conic, gaussLength(conic), tolerance, 40);
   Conic first, second;
   conic.halve(first, second);
   return halvedLength(first, tolerance) + halvedLength(second, tolerance);
@@ -137,7 +151,10 @@ double halvedLength(const Conic& conic, double tolerance) {
 double lengthOf(const Conic& conic) {
   const Point p2 = conic.p2 - conic.p0;
   if (conic.isStraight()) return length(p2);
-  const Conic shifted{{0, 0}, conic.p1 - conic.p0, conic.w, p2};  // so that halving rounds relative to the piece's own size
+  const Conic shifted{{0, 0},
+                      conic.p1 - conic.p0,
+                      conic.w,
+                      p2};  // so that halving rounds relative to the piece's own size
   Conic first, second;
   shifted.halve(first, second);
   return halvedLength(shifted, powerOfTwo(-46) * (length(first.p2) + length(p2 - first.p2)));

@@ -1,5 +1,6 @@
-// A drawing as data: commands and their coordinates, in the words that canvas, SVG and d3-path share. Whoever holds one can play
-// it into any of those. Standard types only: users get it with voronoi.h.
+// A drawing as data: commands and their coordinates, in the words that canvas, SVG and d3-path
+// share. Whoever holds one can play it into any of those. Standard types only: users get it with
+// voronoi.h.
 #pragma once
 
 #include <cstddef>

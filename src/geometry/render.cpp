@@ -25,36 +25,47 @@ bool visitEdges(const DelaunayGraph& base, Portion& portion, const Path& path, D
   return false;
 }
 
-/// Is it a precise vertex inside the window? All of this is easily guessed: mostly it is, or (zoomed in) mostly it is not.
+/// Is it a precise vertex inside the window? All of this is easily guessed: mostly it is, or
+/// (zoomed in) mostly it is not.
 bool isUsable(const VoronoiCircle& c, const Window& window) {
-  return window.holds({c.x, c.y}) && !c.isHalfPlane() && c.error <= powerOfTwo(-40) * (absolute(c.x) + absolute(c.y) + absolute(c.s));
+  return window.holds({c.x, c.y}) && !c.isHalfPlane() &&
+         c.error <= powerOfTwo(-40) * (absolute(c.x) + absolute(c.y) + absolute(c.s));
 }
 
-/// Is the edge inside the window and straight up to the tolerance? A quick test that says yes for most edges of large diagrams.
-/// The curvature of the bisector is at most A/B² = 2|r|/p =: c. With a chord of length l and c l <= 1, the arc turns by less than half a
-/// turn and is at most l² c / 7 away from its chord (a circle's: l² c / 8 (1 + …), at c l = 1 a 7.46th). No branch on that: which
-/// edges pass cannot be guessed.
-bool isPlain(double p, double r, const VoronoiCircle& from, const VoronoiCircle& to, const Window& window, double tolerance) {
+/// Is the edge inside the window and straight up to the tolerance? A quick test that says yes for
+/// most edges of large diagrams. The curvature of the bisector is at most A/B² = 2|r|/p =: c. With
+/// a chord of length l and c l <= 1, the arc turns by less than half a turn and is at most l² c / 7
+/// away from its chord (a circle's: l² c / 8 (1 + …), at c l = 1 a 7.46th). No branch on that:
+/// which edges pass cannot be guessed.
+bool isPlain(double p, double r, const VoronoiCircle& from, const VoronoiCircle& to,
+             const Window& window, double tolerance) {
   if (!isUsable(from, window) || !isUsable(to, window)) return false;
   const double lx = to.x - from.x, ly = to.y - from.y, l2 = lx * lx + ly * ly;
-  return (static_cast<int>(2 * r * l2 <= 7 * p * tolerance) & static_cast<int>(4 * r * r * l2 <= p * p)) != 0;
+  return (static_cast<int>(2 * r * l2 <= 7 * p * tolerance) &
+          static_cast<int>(4 * r * r * l2 <= p * p)) != 0;
 }
 
-/// Draws an edge between two vertices inside the window by one line or one cubic, if that will do and is well-conditioned; most edges
-/// that are not plain. `p` as in bisector.h, without the care for circles that nearly cover each other: those are left to clipEdge.
+/// Draws an edge between two vertices inside the window by one line or one cubic, if that will do
+/// and is well-conditioned; most edges that are not plain. `p` as in bisector.h, without the care
+/// for circles that nearly cover each other: those are left to clipEdge.
 ///
-/// Seen from the pole the bisector is 1/rho = 2 (c · d + r) / p for unit directions d, c and r being the other site less the pole
-/// (docs/PREDICATES.md, section 1). For points a and b of it with distances rho_a and rho_b, n = rho_b a + rho_a b points to where the
-/// tangents meet, at t n with t = p / (2 (c · n + r s)), s = rho_a rho_b + a · b, and the weight is 1 / (t √(2s)).
-bool drawQuickly(const Site& pole, const Site& other, double p, Point from, Point to, const Window& window, double tolerance, Path& path) {
-  const Point center{pole.x, pole.y}, c{other.x - pole.x, other.y - pole.y}, a = from - center, b = to - center;
+/// Seen from the pole the bisector is 1/rho = 2 (c · d + r) / p for unit directions d, c and r
+/// being the other site less the pole (docs/PREDICATES.md, section 1). For points a and b of it
+/// with distances rho_a and rho_b, n = rho_b a + rho_a b points to where the tangents meet, at t n
+/// with t = p / (2 (c · n + r s)), s = rho_a rho_b + a · b, and the weight is 1 / (t √(2s)).
+bool drawQuickly(const Site& pole, const Site& other, double p, Point from, Point to,
+                 const Window& window, double tolerance, Path& path) {
+  const Point center{pole.x, pole.y}, c{other.x - pole.x, other.y - pole.y}, a = from - center,
+                                                                             b = to - center;
   const double r = other.r - pole.r, ra = length(a), rb = length(b);
   const double s = ra * rb + dot(a, b);
   const Point n = rb * a + ra * b;
   const double t = p / (2 * (dot(c, n) + r * s));
   const double w = 1 / (t * std::sqrt(2 * s));
   const Point p1 = center + t * n;
-  if (!(s > 0.25 * ra * rb && p > powerOfTwo(-10) * (dot(c, c) + r * r) && w >= 1 && w < 16 && window.holds(p1))) return false;
+  if (!(s > 0.25 * ra * rb && p > powerOfTwo(-10) * (dot(c, c) + r * r) && w >= 1 && w < 16 &&
+        window.holds(p1)))
+    return false;
   // As draw() in approximate.cpp, in squares.
   const Point chord = to - from, way = p1 - from;
   const double l2 = dot(chord, chord), along = dot(way, chord), limit = tolerance * (1 + w);
@@ -77,9 +88,11 @@ bool drawQuickly(const Site& pole, const Site& other, double p, Point from, Poin
 
 }  // namespace
 
-bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion, Path& path) {
-  // In blocks, each in several short loops without branches: the time is that of fetching sites and circles from memory, and many fetches
-  // overlap if there is little to do and nothing to guess between them. (Half as long as one loop.)
+bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion,
+               Path& path) {
+  // In blocks, each in several short loops without branches: the time is that of fetching sites and
+  // circles from memory, and many fetches overlap if there is little to do and nothing to guess
+  // between them. (Half as long as one loop.)
   constexpr std::size_t kBlock = 256;
   const DelaunayGraph& base = core.base();
   const Graph& graph = base.graph();
@@ -99,10 +112,13 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
       const HalfedgeId h{static_cast<std::uint32_t>(portion.cursor)};
       edges[edgeCount] = h;
       // Each edge once. In a free face twins are something else.
-      edgeCount += static_cast<std::size_t>(graph.isLive(faceOf(h))) & static_cast<std::size_t>(graph.twin(h) > h) &
-                   static_cast<std::size_t>(graph.origin(h) != kInfinity) & static_cast<std::size_t>(graph.target(h) != kInfinity);
+      edgeCount += static_cast<std::size_t>(graph.isLive(faceOf(h))) &
+                   static_cast<std::size_t>(graph.twin(h) > h) &
+                   static_cast<std::size_t>(graph.origin(h) != kInfinity) &
+                   static_cast<std::size_t>(graph.target(h) != kInfinity);
     }
-    for (std::size_t k = 0; k < edgeCount; ++k) starts[k] = base.keptCircle(faceOf(graph.twin(edges[k])));
+    for (std::size_t k = 0; k < edgeCount; ++k)
+      starts[k] = base.keptCircle(faceOf(graph.twin(edges[k])));
     for (std::size_t k = 0; k < edgeCount; ++k) {
       const Site &i = base.site(graph.origin(edges[k])), &j = base.site(graph.target(edges[k]));
       const double dx = j.x - i.x, dy = j.y - i.y, dr = j.r - i.r;
@@ -127,8 +143,8 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
       const HalfedgeId g = edges[others[m]], h = startsAtPole(base, g) ? g : graph.twin(g);
       const VoronoiCircle &from = starts[others[m]], &to = base.keptCircle(faceOf(g));
       if (isUsable(from, window) && isUsable(to, window) &&
-          drawQuickly(base.site(graph.origin(h)), base.site(graph.target(h)), squares[others[m]], {from.x, from.y}, {to.x, to.y}, window,
-                      tolerance, path)) {
+          drawQuickly(base.site(graph.origin(h)), base.site(graph.target(h)), squares[others[m]],
+                      {from.x, from.y}, {to.x, to.y}, window, tolerance, path)) {
         continue;
       }
       clipEdge(base, h, window, clipped, Bits::kCached);
@@ -142,7 +158,8 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
   return false;
 }
 
-bool drawDual(const DiagramCore& core, const Window* window, double tolerance, Portion& portion, Path& path) {
+bool drawDual(const DiagramCore& core, const Window* window, double tolerance, Portion& portion,
+              Path& path) {
   const DelaunayGraph& base = core.base();
   const Graph& graph = base.graph();
   return visitEdges(base, portion, path, [&](HalfedgeId h) {
@@ -162,7 +179,9 @@ bool drawDual(const DiagramCore& core, const Window* window, double tolerance, P
     double far = std::numeric_limits<double>::infinity();
     for (int side = 0; side < 4; ++side) {
       const double speed = dot(Window::normal(side), ray);
-      if (speed > 0) far = std::min(far, (window->offset(side) - dot(Window::normal(side), {site.x, site.y})) / speed);
+      if (speed > 0)
+        far = std::min(
+            far, (window->offset(side) - dot(Window::normal(side), {site.x, site.y})) / speed);
     }
     const Point end = window->nearestTo(Point{site.x, site.y} + far * ray);
     path.move(site.x, site.y);

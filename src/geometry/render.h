@@ -1,5 +1,6 @@
-// Drawings of a whole diagram, in portions: each call continues at `cursor` (0 at first), adds to the path until it has about as many
-// commands as asked for, and returns false when everything has been drawn.
+// Drawings of a whole diagram, in portions: each call continues at `cursor` (0 at first), adds to
+// the path until it has about as many commands as asked for, and returns false when everything has
+// been drawn.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +17,13 @@ struct Portion {
 };
 
 /// Each Voronoi edge inside the window once.
-bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion, Path& path);
+bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion,
+               Path& path);
 
-/// The dual graph; with a window also the rays to infinity, cut where they leave it (none from sites outside).
-bool drawDual(const DiagramCore& core, const Window* window, double tolerance, Portion& portion, Path& path);
+/// The dual graph; with a window also the rays to infinity, cut where they leave it (none from
+/// sites outside).
+bool drawDual(const DiagramCore& core, const Window* window, double tolerance, Portion& portion,
+              Path& path);
 
 /// The circles of all sites, hidden ones too.
 bool drawSites(const DiagramCore& core, double tolerance, Portion& portion, Path& path);

@@ -10,15 +10,16 @@ namespace {
 
 class Ring {
  public:
-  Ring(Point center, Array<double>& points) : center_(center), points_(points), begin_(points.size()) {}
+  Ring(Point center, Array<double>& points)
+      : center_(center), points_(points), begin_(points.size()) {}
 
   void add(Point p) {
     points_.push_back(p.x);
     points_.push_back(p.y);
   }
 
-  /// Of a chain of curves, which began at place `from`, drops the points that come before their predecessors
-  /// by rounding. Its ends stay: points of the border, or the ring's start.
+  /// Of a chain of curves, which began at place `from`, drops the points that come before their
+  /// predecessors by rounding. Its ends stay: points of the border, or the ring's start.
   void straighten(std::size_t from) {
     std::size_t kept = from;
     for (std::size_t k = from + 1; k < count(); ++k) {
@@ -31,9 +32,12 @@ class Ring {
   }
 
   [[nodiscard]] std::size_t count() const { return (points_.size() - begin_) / 2; }
-  [[nodiscard]] Point at(std::size_t k) const { return {points_[begin_ + 2 * k], points_[begin_ + 2 * k + 1]}; }
+  [[nodiscard]] Point at(std::size_t k) const {
+    return {points_[begin_ + 2 * k], points_[begin_ + 2 * k + 1]};
+  }
 
-  /// Removes the ring if its area is not positive: it has less than three different points, or is in the wrong order.
+  /// Removes the ring if its area is not positive: it has less than three different points, or is
+  /// in the wrong order.
   bool finish() {
     double area = 0;
     for (std::size_t k = 1; k + 1 < count(); ++k) area += cross(at(k) - at(0), at(k + 1) - at(0));
@@ -63,18 +67,21 @@ class Ring {
 
 namespace {
 
-/// Does a piece of the border not run counter-clockwise along a side, because rounding has exchanged two contacts
-/// (border.h), which may be on the two sides of a corner? Then it counts as a curve.
+/// Does a piece of the border not run counter-clockwise along a side, because rounding has
+/// exchanged two contacts (border.h), which may be on the two sides of a corner? Then it counts as
+/// a curve.
 bool runsBackwards(const Window& window, const Conic& piece) {
   const Point a = piece.p0, b = piece.p2;
   const auto areOn = [](double side, double p, double q) { return p == side && q == side; };
-  return !((areOn(window.ymin, a.y, b.y) && b.x >= a.x) || (areOn(window.xmax, a.x, b.x) && b.y >= a.y) ||
-           (areOn(window.ymax, a.y, b.y) && b.x <= a.x) || (areOn(window.xmin, a.x, b.x) && b.y <= a.y));
+  return !((areOn(window.ymin, a.y, b.y) && b.x >= a.x) ||
+           (areOn(window.xmax, a.x, b.x) && b.y >= a.y) ||
+           (areOn(window.ymax, a.y, b.y) && b.x <= a.x) ||
+           (areOn(window.xmin, a.x, b.x) && b.y <= a.y));
 }
 
 /// One try; false, with nothing appended, if it is no ring.
-bool tryRing(std::span<const BoundaryPiece> region, Point center, const Window& window, double tolerance,
-             Array<double>& points) {
+bool tryRing(std::span<const BoundaryPiece> region, Point center, const Window& window,
+             double tolerance, Array<double>& points) {
   Ring ring(center, points);
   ring.add(region.front().curve.p0);
   std::size_t from = 0;  // the start of a chain of curves
@@ -99,10 +106,10 @@ constexpr double kFinestShare = powerOfTwo(-42);
 
 }  // namespace
 
-void appendRing(std::span<const BoundaryPiece> region, Point center, const Window& window, double tolerance,
-                Array<double>& points) {
-  // Where a region is thinner than the tolerance, between a curve and the border, say, nothing may be left of
-  // it: then finer.
+void appendRing(std::span<const BoundaryPiece> region, Point center, const Window& window,
+                double tolerance, Array<double>& points) {
+  // Where a region is thinner than the tolerance, between a curve and the border, say, nothing may
+  // be left of it: then finer.
   for (double share = 1; share >= kFinestShare; share *= powerOfTwo(-6)) {
     if (tryRing(region, center, window, share * tolerance, points)) return;
   }

@@ -6,7 +6,8 @@
 
 namespace apollonius {
 
-/// Positive if a, b is a turn to the left as seen from `from`: the sign of (a - from) × (b - from). Exact.
+/// Positive if a, b is a turn to the left as seen from `from`: the sign of (a - from) × (b - from).
+/// Exact.
 [[nodiscard]] Sign turnOf(Point from, Point a, Point b);
 
 }  // namespace apollonius

@@ -8,16 +8,16 @@ namespace apollonius {
 
 namespace {
 
-/// A part of an edge within the radius, the directions from the centre in which it starts and ends, and one
-/// between them from which both are less than half a turn away.
+/// A part of an edge within the radius, the directions from the centre in which it starts and ends,
+/// and one between them from which both are less than half a turn away.
 struct Sector {
   BoundaryPiece piece;
   Point from, between, to;
   bool startsOnCircle, endsOnCircle;
 };
 
-/// Any direction for a point that rounding has put on the centre, as it does where the radius is smaller than
-/// the distance of doubles there.
+/// Any direction for a point that rounding has put on the centre, as it does where the radius is
+/// smaller than the distance of doubles there.
 Point unit(Point p) {
   const double size = length(p);
   if (!(size > 0)) return {1, 0};
@@ -25,7 +25,9 @@ Point unit(Point p) {
 }
 
 /// Are they the same direction up to rounding?
-bool areEqual(Point a, Point b) { return absolute(cross(a, b)) <= powerOfTwo(-40) && dot(a, b) > 0; }
+bool areEqual(Point a, Point b) {
+  return absolute(cross(a, b)) <= powerOfTwo(-40) && dot(a, b) > 0;
+}
 
 /// Adds the arc from one direction to another, counter-clockwise; a full turn if they are equal.
 void addArc(Point center, double radius, Point from, Point to, FlatArray<BoundaryPiece>& boundary) {
@@ -62,12 +64,14 @@ void findSectors(const DiagramCore& core, Slot site, double radius, FlatArray<Se
     const double e0 = isFromCut ? 1 / e : edge.e0, e1 = isToCut ? e : edge.e1;
     // An edge inside that has no length in doubles still says that the cell ends there.
     if (e0 > e1 || (e0 == e1 && (isFromCut || isToCut))) return;
-    const Point from = isFromCut ? bisector.at(e0) : edge.from.point, to = isToCut ? bisector.at(e1) : edge.to.point;
+    const Point from = isFromCut ? bisector.at(e0) : edge.from.point,
+                to = isToCut ? bisector.at(e1) : edge.to.point;
     const Conic curve = bisector.piece(e0, e1, from, to);
     // Seen from either site, a bisector turns by less than half a turn on each side of the axis.
     const Point between = bisector.at(std::clamp(1.0, e0, e1));
     const SiteId neighbor = core.siteOf(graph.target(h));
-    const Point start = unit(from - center), middle = unit(between - center), end = unit(to - center);
+    const Point start = unit(from - center), middle = unit(between - center),
+                end = unit(to - center);
     if (isPole) {
       sectors.push_back({{curve, neighbor}, start, middle, end, isFromCut, isToCut});
     } else {
@@ -82,7 +86,8 @@ void findSectors(const DiagramCore& core, Slot site, double radius, FlatArray<Se
 
 }  // namespace
 
-void cellWithin(const DiagramCore& core, Slot site, double radius, FlatArray<BoundaryPiece>& boundary) {
+void cellWithin(const DiagramCore& core, Slot site, double radius,
+                FlatArray<BoundaryPiece>& boundary) {
   boundary.clear();
   if (core.ids().state(site) != SiteState::kVisible || !(radius > 0)) return;
   const Point center{core.site(site).x, core.site(site).y};
@@ -90,8 +95,8 @@ void cellWithin(const DiagramCore& core, Slot site, double radius, FlatArray<Bou
   findSectors(core, site, radius, sectors);
   if (sectors.empty()) return addArc(center, radius, {1, 0}, {1, 0}, boundary);
 
-  // All sectors and the arcs between them are one turn. So an arc between equal directions is none, unless
-  // nothing else turns: then one of them is all of it.
+  // All sectors and the arcs between them are one turn. So an arc between equal directions is none,
+  // unless nothing else turns: then one of them is all of it.
   const auto hasArc = [&](std::size_t k) {
     return sectors[k].endsOnCircle || sectors[(k + 1) % sectors.size()].startsOnCircle;
   };

@@ -1,4 +1,5 @@
-// Graph::check: the invariants of the surface, one after the other, trusting nothing that has not been checked before.
+// Graph::check: the invariants of the surface, one after the other, trusting nothing that has not
+// been checked before.
 #include "graph/graph.h"
 #include "memory/flat_array.h"
 
@@ -24,7 +25,8 @@ const char* Graph::check(std::uint32_t& where) const {
     ++live;
     if (index(origin(h)) >= outgoing_.size()) return fail("a corner is no vertex: half-edge", i);
     ++degree[index(origin(h))];
-    if (index(twin(h)) >= halfedges || twin(h) == h || !isLive(faceOf(twin(h)))) return fail("no live twin: half-edge", i);
+    if (index(twin(h)) >= halfedges || twin(h) == h || !isLive(faceOf(twin(h))))
+      return fail("no live twin: half-edge", i);
     if (twin(twin(h)) != h) return fail("the twin's twin is another: half-edge", i);
     if (target(h) != origin(twin(h))) return fail("ends differ from the twin's: half-edge", i);
     if (origin(h) == target(h)) return fail("a loop: half-edge", i);
@@ -39,14 +41,16 @@ const char* Graph::check(std::uint32_t& where) const {
       continue;
     }
     ++vertices;
-    if (index(outgoing(v)) >= halfedges || origin(outgoing(v)) != v) return fail("its half-edge starts elsewhere: vertex", i);
+    if (index(outgoing(v)) >= halfedges || origin(outgoing(v)) != v)
+      return fail("its half-edge starts elsewhere: vertex", i);
     std::size_t turned = 0;
     HalfedgeId h = outgoing(v);
     do {
       h = rotateCcw(h);
       ++turned;
     } while (h != outgoing(v) && turned <= degree[i]);
-    if (turned != degree[i]) return fail("turning around it does not visit its half-edges once: vertex", i);
+    if (turned != degree[i])
+      return fail("turning around it does not visit its half-edges once: vertex", i);
   }
 
   // A sphere: connected, Euler's formula V - E + F = 2.
@@ -55,7 +59,8 @@ const char* Graph::check(std::uint32_t& where) const {
     FlatArray<char> reached(faceSlots(), 0);
     FlatArray<FaceId> queue;
     for (std::size_t f = 0; queue.empty(); ++f) {
-      if (isLive(FaceId{static_cast<std::uint32_t>(f)})) queue.push_back(FaceId{static_cast<std::uint32_t>(f)});
+      if (isLive(FaceId{static_cast<std::uint32_t>(f)}))
+        queue.push_back(FaceId{static_cast<std::uint32_t>(f)});
     }
     reached[index(queue[0])] = 1;
     for (std::size_t done = 0; done < queue.size(); ++done) {
@@ -75,9 +80,11 @@ const char* Graph::check(std::uint32_t& where) const {
   // Free faces: all of them in the list.
   std::size_t listed = 0;
   for (HalfedgeId h = firstFree_; h != kNoHalfedge && listed <= freeFaces_; h = twin(h), ++listed) {
-    if (index(h) >= halfedges || isLive(faceOf(h))) return fail("the free list leads to a live face: half-edge", index(h));
+    if (index(h) >= halfedges || isLive(faceOf(h)))
+      return fail("the free list leads to a live face: half-edge", index(h));
   }
-  if (listed != freeFaces_ || listed + faces != faceSlots()) return fail("free faces are lost: listed", listed);
+  if (listed != freeFaces_ || listed + faces != faceSlots())
+    return fail("free faces are lost: listed", listed);
   return nullptr;
 }
 

@@ -10,7 +10,8 @@ void Graph::reserveVertices(std::size_t slots) {
 
 void Graph::reserveFaces(std::size_t removed, std::size_t created) {
   const auto grow = [](auto& array, std::size_t needed) {
-    if (array.capacity() < needed) array.reserve(std::max(needed, array.capacity() + array.capacity() / 2));
+    if (array.capacity() < needed)
+      array.reserve(std::max(needed, array.capacity() + array.capacity() / 2));
   };
   grow(halfedges_, 3 * faceSlotsAfter(removed, created));
   grow(rim_, std::max(removed, created));
@@ -83,20 +84,23 @@ void Graph::makePair(VertexId u, VertexId v, std::span<FaceId> faces) {
   sew(halfedgeOf(faces[0], 2), halfedgeOf(faces[1], 1));  // infinity → u
 }
 
-std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> hole, std::span<const HalfedgeId> rim,
+std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> hole,
+                                          std::span<const HalfedgeId> rim,
                                           std::span<FaceId> newFaces) {
   const std::size_t n = rim.size();
   // Faces of the hole are used again, so everything is read before anything is written.
   rim_.clear();
   for (const HalfedgeId h : rim) rim_.push_back({origin(h), twin(h)});
   lost_.clear();
-  // f faces that hang together by f - 1 edges, as a tree, have f + 2 sides and no vertex within. So it is nearly always.
+  // f faces that hang together by f - 1 edges, as a tree, have f + 2 sides and no vertex within. So
+  // it is nearly always.
   const bool mayLose = n != hole.size() + 2;
   if (mayLose) collectCorners(hole);
   for (const FaceId f : hole) halfedges_[index(halfedgeOf(f, 0))].origin = kNoVertex;
   for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < hole.size() ? hole[k] : takeFace();
 
-  // An outer side within the hole is on the rim itself and is replaced too: leave word there of what replaces it.
+  // An outer side within the hole is on the rim itself and is replaced too: leave word there of
+  // what replaces it.
   const auto isInHole = [&](HalfedgeId h) { return !isLive(faceOf(h)); };
   for (std::size_t k = 0; k < n; ++k) {
     if (isInHole(rim[k])) halfedges_[index(rim[k])].twin = halfedgeOf(newFaces[k], 0);
@@ -107,7 +111,8 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
 
   HalfedgeId spoke = halfedgeOf(newFaces[n - 1], 1);  // to w, of the face before
   for (std::size_t k = 0; k < n; ++k) {
-    const HalfedgeId side = halfedgeOf(newFaces[k], 0), toNew = HalfedgeId{static_cast<std::uint32_t>(side) + 1};
+    const HalfedgeId side = halfedgeOf(newFaces[k], 0),
+                     toNew = HalfedgeId{static_cast<std::uint32_t>(side) + 1};
     const HalfedgeId fromNew{static_cast<std::uint32_t>(side) + 2};
     const VertexId from = rim_[k].from;
     halfedges_[index(side)] = {from, rim_[k].outer};
@@ -122,12 +127,14 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
   for (std::size_t k = n; k < hole.size(); ++k) freeFace(hole[k]);
   if (mayLose) {
     const auto hasPlace = [&](VertexId v) { return outgoing(v) != kNoHalfedge; };
-    lost_.resize(static_cast<std::size_t>(std::remove_if(lost_.begin(), lost_.end(), hasPlace) - lost_.begin()));
+    lost_.resize(static_cast<std::size_t>(std::remove_if(lost_.begin(), lost_.end(), hasPlace) -
+                                          lost_.begin()));
   }
   return lost_;
 }
 
-/// Takes their places from the corners of the hole and lists them in lost_: those on the rim get them back.
+/// Takes their places from the corners of the hole and lists them in lost_: those on the rim get
+/// them back.
 void Graph::collectCorners(std::span<const FaceId> hole) {
   for (const FaceId f : hole) {
     for (unsigned c = 0; c < 3; ++c) {
@@ -138,14 +145,15 @@ void Graph::collectCorners(std::span<const FaceId> hole) {
   }
 }
 
-void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<const PatchFace> patch,
-                        std::span<FaceId> newFaces) {
+void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link,
+                        std::span<const PatchFace> patch, std::span<FaceId> newFaces) {
   const std::size_t n = patch.size();
   // Faces of the star are used again, so everything is read before anything is written.
   rim_.clear();
   for (const HalfedgeId h : link) rim_.push_back({origin(h), twin(h)});
   for (const HalfedgeId h : link) {
-    for (const HalfedgeId side : {h, next(h), previous(h)}) halfedges_[index(side)].origin = kNoVertex;
+    for (const HalfedgeId side : {h, next(h), previous(h)})
+      halfedges_[index(side)].origin = kNoVertex;
   }
   for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < link.size() ? faceOf(link[k]) : takeFace();
   outgoing_[index(v)] = kNoHalfedge;
@@ -155,11 +163,13 @@ void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<
     outgoing_[index(rim_[1].from)] = rim_[0].outer;
   }
 
-  // An outer side within the star is a link edge itself and is replaced too: leave word there of what replaces it.
+  // An outer side within the star is a link edge itself and is replaced too: leave word there of
+  // what replaces it.
   for (std::size_t k = 0; k < n; ++k) {
     for (unsigned c = 0; c < 3; ++c) {
       const std::uint32_t across = patch[k].across[c];
-      if ((across & kOutside) != 0) halfedges_[index(link[across & ~kOutside])].twin = halfedgeOf(newFaces[k], c);
+      if ((across & kOutside) != 0)
+        halfedges_[index(link[across & ~kOutside])].twin = halfedgeOf(newFaces[k], c);
     }
   }
   for (RimEdge& edge : rim_) {
@@ -173,8 +183,9 @@ void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<
     setFace(newFaces[k], face.corners[0], face.corners[1], face.corners[2]);
     for (unsigned c = 0; c < 3; ++c) {
       const std::uint32_t across = face.across[c];
-      const HalfedgeId other = (across & kOutside) != 0 ? rim_[across & ~kOutside].outer
-                                                        : halfedgeOf(newFaces[across / 3], across % 3);
+      const HalfedgeId other = (across & kOutside) != 0
+                                   ? rim_[across & ~kOutside].outer
+                                   : halfedgeOf(newFaces[across / 3], across % 3);
       sew(halfedgeOf(newFaces[k], c), other);
     }
   }

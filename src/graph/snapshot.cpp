@@ -1,5 +1,6 @@
-// The surface in a snapshot: the twins, and one half-edge of each vertex. The origins follow: they are the stars that the twins turn
-// around. Giving each half-edge its origin that way checks nearly all there is to check.
+// The surface in a snapshot: the twins, and one half-edge of each vertex. The origins follow: they
+// are the stars that the twins turn around. Giving each half-edge its origin that way checks nearly
+// all there is to check.
 #include "graph/graph.h"
 #include "graph/words.h"
 
@@ -39,11 +40,15 @@ bool Graph::restore(WordReader& in, std::size_t vertexSlots, std::size_t faceSlo
   // Of a face all three half-edges have got an origin, three different ones, or none has.
   freeFaces_ = 0;
   for (std::size_t i = 0; i < halfedges_.size(); i += 3) {
-    const VertexId a = halfedges_[i].origin, b = halfedges_[i + 1].origin, c = halfedges_[i + 2].origin;
+    const VertexId a = halfedges_[i].origin, b = halfedges_[i + 1].origin,
+                   c = halfedges_[i + 2].origin;
     const bool isFree = a == kNoVertex && b == kNoVertex && c == kNoVertex;
-    if (!isFree && (a == b || b == c || c == a || a == kNoVertex || b == kNoVertex || c == kNoVertex)) return false;
+    if (!isFree &&
+        (a == b || b == c || c == a || a == kNoVertex || b == kNoVertex || c == kNoVertex))
+      return false;
     freeFaces_ += isFree;
-    if (isFree && (halfedges_[i + 1].twin != kNoHalfedge || halfedges_[i + 2].twin != kNoHalfedge)) return false;
+    if (isFree && (halfedges_[i + 1].twin != kNoHalfedge || halfedges_[i + 2].twin != kNoHalfedge))
+      return false;
   }
   // Euler's formula, with infinity among the vertices.
   const std::size_t faces = faceSlots - freeFaces_;
@@ -52,7 +57,8 @@ bool Graph::restore(WordReader& in, std::size_t vertexSlots, std::size_t faceSlo
   // The list of free faces has as many, and an end: so it has all.
   HalfedgeId free = firstFree_;
   for (std::size_t k = 0; k < freeFaces_; ++k, free = twin(free)) {
-    if (index(free) >= halfedges_.size() || index(free) % 3 != 0 || isLive(faceOf(free))) return false;
+    if (index(free) >= halfedges_.size() || index(free) % 3 != 0 || isLive(faceOf(free)))
+      return false;
   }
   return free == kNoHalfedge;
 }

@@ -1,4 +1,5 @@
-// Little-endian 32-bit words in bytes, at any address: what snapshots are made of, the same on every platform.
+// Little-endian 32-bit words in bytes, at any address: what snapshots are made of, the same on
+// every platform.
 #pragma once
 
 #include <bit>
@@ -16,7 +17,8 @@ constexpr Word littleEndian(Word word) {
     return word;
   } else {
     Word reversed = 0;
-    for (std::size_t byte = 0; byte < sizeof(Word); ++byte, word >>= 8) reversed = reversed << 8 | (word & 0xFF);
+    for (std::size_t byte = 0; byte < sizeof(Word); ++byte, word >>= 8)
+      reversed = reversed << 8 | (word & 0xFF);
     return reversed;
   }
 }

@@ -1,5 +1,6 @@
-// Array: the arrays that the library's users get, which are std::vector. Only the wasm module, where nobody but its own bindings reads
-// them, is compiled without the code of std::vector (WasmModule.cmake).
+// Array: the arrays that the library's users get, which are std::vector. Only the wasm module,
+// where nobody but its own bindings reads them, is compiled without the code of std::vector
+// (WasmModule.cmake).
 #pragma once
 
 #include <span>
@@ -19,7 +20,9 @@ inline void append(Array<double>& array, std::span<const double> values) { array
 #else
 template <class T>
 using Array = std::vector<T>;
-inline void append(Array<double>& array, std::span<const double> values) { array.insert(array.end(), values.begin(), values.end()); }
+inline void append(Array<double>& array, std::span<const double> values) {
+  array.insert(array.end(), values.begin(), values.end());
+}
 #endif
 
 }  // namespace apollonius

@@ -1,8 +1,10 @@
-// FlatArray: a growing array of trivially copyable elements, used like std::vector, whose interface it has as far as it is needed.
+// FlatArray: a growing array of trivially copyable elements, used like std::vector, whose interface
+// it has as far as it is needed.
 //
-// Every std::vector<T> brings its own code to grow, with a buffer to move over from and a way out for each exception: for some thirty
-// types that was a tenth of the wasm module, which every visitor of a page loads (bench/README.md, "Size"). Here, what does not depend
-// on T is there once, in FlatBytes. Arrays that the library's users get are std::vector.
+// Every std::vector<T> brings its own code to grow, with a buffer to move over from and a way out
+// for each exception: for some thirty types that was a tenth of the wasm module, which every
+// visitor of a page loads (bench/README.md, "Size"). Here, what does not depend on T is there once,
+// in FlatBytes. Arrays that the library's users get are std::vector.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +28,8 @@ class FlatBytes {
   ~FlatBytes() { ::operator delete(data); }
 
   void swap(FlatBytes& other) noexcept;
-  /// Room for exactly so many elements, the first `size` of which stay. REQUIRES: n >= size. Throws std::bad_alloc, and then nothing
-  /// has changed.
+  /// Room for exactly so many elements, the first `size` of which stay. REQUIRES: n >= size. Throws
+  /// std::bad_alloc, and then nothing has changed.
   void setRoom(std::size_t n, std::size_t width);
   /// Room for at least so many, twice as many as before if it has to be more.
   void growTo(std::size_t n, std::size_t width);

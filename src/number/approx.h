@@ -1,15 +1,19 @@
-// Approx: a double that knows the size of what it was made of, for error-bound filters; and Depth, which derives the constant
-// of that bound from the formula itself, at compile time.
+// Approx: a double that knows the size of what it was made of, for error-bound filters; and Depth,
+// which derives the constant of that bound from the formula itself, at compile time.
 //
-// Theorem (standard, e.g. Higham, Accuracy and Stability, chapter 3). Let a formula of + - * be evaluated in doubles without
-// overflow or underflow. Expand it into its monomials; each carries one factor (1 + d), |d| <= u, for each rounding on its way
-// to the root. If no monomial passes more than D roundings, then
-//     |computed - exact| <= ((1+u)^D - 1) · M,      M = the same formula with every input replaced by its magnitude
-// and every - by +. Depth counts D (a sum: the larger of its terms' + 1; a product: the sum of its factors' + 1). M itself is
-// computed in doubles and is at least (1-u)^D times its exact value, hence
+// Theorem (standard, e.g. Higham, Accuracy and Stability, chapter 3). Let a formula of + - * be
+// evaluated in doubles without overflow or underflow. Expand it into its monomials; each carries
+// one factor (1 + d), |d| <= u, for each rounding on its way to the root. If no monomial passes
+// more than D roundings, then
+//     |computed - exact| <= ((1+u)^D - 1) · M,      M = the same formula with every input replaced
+//     by its magnitude
+// and every - by +. Depth counts D (a sum: the larger of its terms' + 1; a product: the sum of its
+// factors' + 1). M itself is computed in doubles and is at least (1-u)^D times its exact value,
+// hence
 //     |computed - exact| <= D u (1 + 2^-40) · (computed M)         for D < 1000.
-// Underflow: with all inputs at most 2^33 in magnitude (see kLargestInput) and formulas of degree at most 12, at most 2^8
-// products lose at most 2^-1075 each, which later factors enlarge by less than 2^370: kUnderflow covers the sum.
+// Underflow: with all inputs at most 2^33 in magnitude (see kLargestInput) and formulas of degree
+// at most 12, at most 2^8 products lose at most 2^-1075 each, which later factors enlarge by less
+// than 2^370: kUnderflow covers the sum.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +30,9 @@ struct Depth {
   struct Input {};
   /// A difference of two doubles: one rounding.
   constexpr explicit Depth(Input) : roundings(1) {}
-  friend constexpr Depth operator+(Depth a, Depth b) { return of(std::max(a.roundings, b.roundings) + 1); }
+  friend constexpr Depth operator+(Depth a, Depth b) {
+    return of(std::max(a.roundings, b.roundings) + 1);
+  }
   friend constexpr Depth operator-(Depth a, Depth b) { return a + b; }
   friend constexpr Depth operator*(Depth a, Depth b) { return of(a.roundings + b.roundings + 1); }
 
@@ -42,23 +48,34 @@ struct Approx {
   double value = 0;
   double magnitude = 0;
   constexpr Approx() = default;
-  constexpr Approx(int constant) : value(constant), magnitude(constant < 0 ? -constant : constant) {}  // NOLINT
+  constexpr Approx(int constant)
+      : value(constant), magnitude(constant < 0 ? -constant : constant) {}  // NOLINT
   constexpr explicit Approx(double input) : value(input), magnitude(absolute(input)) {}
   constexpr Approx(double v, double m) : value(v), magnitude(m) {}
-  friend constexpr Approx operator+(Approx a, Approx b) { return {a.value + b.value, a.magnitude + b.magnitude}; }
-  friend constexpr Approx operator-(Approx a, Approx b) { return {a.value - b.value, a.magnitude + b.magnitude}; }
-  friend constexpr Approx operator*(Approx a, Approx b) { return {a.value * b.value, a.magnitude * b.magnitude}; }
+  friend constexpr Approx operator+(Approx a, Approx b) {
+    return {a.value + b.value, a.magnitude + b.magnitude};
+  }
+  friend constexpr Approx operator-(Approx a, Approx b) {
+    return {a.value - b.value, a.magnitude + b.magnitude};
+  }
+  friend constexpr Approx operator*(Approx a, Approx b) {
+    return {a.value * b.value, a.magnitude * b.magnitude};
+  }
 };
 
-/// Largest magnitude of an input to an Approx formula; larger ones are scaled down by a power of two first.
+/// Largest magnitude of an input to an Approx formula; larger ones are scaled down by a power of
+/// two first.
 inline constexpr double kLargestInput = powerOfTwo(33);
 /// Where kLargestInput is kept, underflow moves no formula by more than this.
 inline constexpr double kUnderflow = powerOfTwo(-690);
 
 /// The factor of the bound for a formula whose Depth was computed with the formula itself.
-constexpr double boundFactor(Depth depth) { return depth.roundings * kUnitRoundoff * (1 + powerOfTwo(-40)); }
+constexpr double boundFactor(Depth depth) {
+  return depth.roundings * kUnitRoundoff * (1 + powerOfTwo(-40));
+}
 
-/// What a filter can say: a sign, or that it does not know. A sum of exact zeros is left to the caller as unknown.
+/// What a filter can say: a sign, or that it does not know. A sum of exact zeros is left to the
+/// caller as unknown.
 struct MaybeSign {
   Sign sign = Sign::kZero;
   bool known = false;

@@ -1,11 +1,12 @@
-// Ball: a double with an absolute bound on its error, computed along with it. Used where a formula has divisions and roots
-// (coordinates of Voronoi vertices), so that no constant bound exists.
+// Ball: a double with an absolute bound on its error, computed along with it. Used where a formula
+// has divisions and roots (coordinates of Voronoi vertices), so that no constant bound exists.
 //
-// Each operation adds the propagated errors of its arguments and u |result| for its own rounding. The bounds themselves are
-// computed in doubles, each with a handful of roundings: `bound()` enlarges the final one by 2^-40, more than a thousand
-// operations can lose. Underflow adds less than kBallUnderflow per operation as long as values and bounds stay in range;
-// anything else (overflow, a divisor that may be 0, the root of something that may be negative) ends as NaN or infinity in
-// `error` and must be taken as "nothing is known".
+// Each operation adds the propagated errors of its arguments and u |result| for its own rounding.
+// The bounds themselves are computed in doubles, each with a handful of roundings: `bound()`
+// enlarges the final one by 2^-40, more than a thousand operations can lose. Underflow adds less
+// than kBallUnderflow per operation as long as values and bounds stay in range; anything else
+// (overflow, a divisor that may be 0, the root of something that may be negative) ends as NaN or
+// infinity in `error` and must be taken as "nothing is known".
 #pragma once
 
 #include <cmath>
@@ -34,13 +35,15 @@ class Ball {
   friend Ball operator+(Ball a, Ball b) { return result(a.value_ + b.value_, a.error_ + b.error_); }
   friend Ball operator-(Ball a, Ball b) { return result(a.value_ - b.value_, a.error_ + b.error_); }
   friend Ball operator*(Ball a, Ball b) {
-    return result(a.value_ * b.value_, absolute(a.value_) * b.error_ + (absolute(b.value_) + b.error_) * a.error_);
+    return result(a.value_ * b.value_,
+                  absolute(a.value_) * b.error_ + (absolute(b.value_) + b.error_) * a.error_);
   }
   friend Ball operator/(Ball a, Ball b) {
     const double value = a.value_ / b.value_;
     const double margin = absolute(b.value_) - b.error_;
     // |a'/b' - a/b| <= (|a'-a| + |a/b| |b'-b|) / |b'|
-    return result(value, margin > 0 ? (a.error_ + absolute(value) * b.error_) / margin : std::numeric_limits<double>::infinity());
+    return result(value, margin > 0 ? (a.error_ + absolute(value) * b.error_) / margin
+                                    : std::numeric_limits<double>::infinity());
   }
   friend Ball sqrt(Ball a) {
     if (!(a.value_ > a.error_)) return Ball(0, std::numeric_limits<double>::infinity());

@@ -9,7 +9,9 @@
 namespace apollonius {
 
 namespace {
-constexpr int kLimb = std::numeric_limits<boost::multiprecision::limb_type>::digits;  // 64 where the compiler has 128-bit integers
+constexpr int kLimb =
+    std::numeric_limits<boost::multiprecision::limb_type>::digits;  // 64 where the compiler has
+                                                                    // 128-bit integers
 }
 
 // All of them here: inlined, the place of an Integer being cleared would be everywhere.
@@ -32,7 +34,8 @@ Dyadic::Dyadic(double value) {
   const int biased = static_cast<int>((bits >> 52) & 0x7FF);
   std::uint64_t digits = bits & ((std::uint64_t{1} << 52) - 1);
   if (biased != 0) digits |= std::uint64_t{1} << 52;
-  const int zeros = std::countr_zero(digits);  // short integers for round inputs (grids, small integers)
+  const int zeros =
+      std::countr_zero(digits);  // short integers for round inputs (grids, small integers)
   exponent_ = (biased != 0 ? biased : 1) - 1075 + zeros;
   mantissa_ = digits >> zeros;
   if (value < 0) mantissa_.backend().negate();
@@ -51,10 +54,12 @@ Dyadic::Rounded Dyadic::rounded() const {
     room = shift;
   }
   const auto magnitude = static_cast<double>(leading >> 1);
-  return {digits.sign() ? -magnitude : magnitude, exponent_ + static_cast<int>(digits.size()) * kLimb - zeros - 63};
+  return {digits.sign() ? -magnitude : magnitude,
+          exponent_ + static_cast<int>(digits.size()) * kLimb - zeros - 63};
 }
 
-// Results are made in their place: an Integer is 1.5 KB, and each one made costs some 20 ns whatever it holds.
+// Results are made in their place: an Integer is 1.5 KB, and each one made costs some 20 ns
+// whatever it holds.
 
 Dyadic operator*(const Dyadic& a, const Dyadic& b) {
   const auto &left = a.mantissa_.backend(), &right = b.mantissa_.backend();
@@ -74,7 +79,8 @@ Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, bool isDifference) {
   const auto distance = static_cast<unsigned>(first.exponent_ - second.exponent_);
   Dyadic sum;
   auto& digits = sum.mantissa_.backend();
-  invariant(first.mantissa_.backend().size() * kLimb + distance < kBits, "an exact sum is too long");
+  invariant(first.mantissa_.backend().size() * kLimb + distance < kBits,
+            "an exact sum is too long");
   digits.assign(first.mantissa_.backend());
   eval_left_shift(digits, distance);
   if (isDifference) {

@@ -1,12 +1,13 @@
-// Dyadic: the one exact ring of the library. A number m * 2^e with an integer m; every double is one, and + - * stay inside.
-// Exponents are carried beside the integer, so that wide ranges of exponents cost no digits until two numbers of different
-// exponents are added.
+// Dyadic: the one exact ring of the library. A number m * 2^e with an integer m; every double is
+// one, and + - * stay inside. Exponents are carried beside the integer, so that wide ranges of
+// exponents cost no digits until two numbers of different exponents are added.
 //
-// The integer has a fixed place of its own, so that nothing here can run out of memory. That place is large enough: coordinates and
-// weights, 0 or from 1e-100 to 1e100, are multiples of 2^-385 below 2^333, their differences below 2^334; so a form of degree d
-// with t terms is a multiple of 2^(-385 d) below 2^(334 d) t, and its integer has at most 719 d + log2(t) bits, as have those of
-// its parts. The highest degree is 16, with fewer than 2^13 terms (SpanForm in signOfTwoRoots): 11 517 bits. What is longer than kBits
-// breaks an invariant.
+// The integer has a fixed place of its own, so that nothing here can run out of memory. That place
+// is large enough: coordinates and weights, 0 or from 1e-100 to 1e100, are multiples of 2^-385
+// below 2^333, their differences below 2^334; so a form of degree d with t terms is a multiple of
+// 2^(-385 d) below 2^(334 d) t, and its integer has at most 719 d + log2(t) bits, as have those of
+// its parts. The highest degree is 16, with fewer than 2^13 terms (SpanForm in signOfTwoRoots): 11
+// 517 bits. What is longer than kBits breaks an invariant.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -30,7 +31,8 @@ class Dyadic {
 
   [[nodiscard]] Sign sign() const { return signOf(mantissa_.sign()); }
 
-  /// About `mantissa * 2^exponent` with 2^62 <= |mantissa| <= 2^63 (or 0): a relative error of at most (1 + 2^-9) 2^-53.
+  /// About `mantissa * 2^exponent` with 2^62 <= |mantissa| <= 2^63 (or 0): a relative error of at
+  /// most (1 + 2^-9) 2^-53.
   struct Rounded {
     double mantissa = 0;
     int exponent = 0;
@@ -45,7 +47,8 @@ class Dyadic {
  private:
   static constexpr unsigned kBits = 192 * 64;
   using Integer = boost::multiprecision::number<
-      boost::multiprecision::cpp_int_backend<kBits, kBits, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>,
+      boost::multiprecision::cpp_int_backend<kBits, kBits, boost::multiprecision::signed_magnitude,
+                                             boost::multiprecision::unchecked, void>,
       boost::multiprecision::et_off>;
 
   static Dyadic sum(const Dyadic& a, const Dyadic& b, bool isDifference);

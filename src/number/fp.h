@@ -1,7 +1,8 @@
 // What the library assumes of `double`, and powers of two.
 //
-// Only + - * / and sqrt are used (correctly rounded to nearest, subnormals kept), contraction is off in every build, so that
-// native code and WebAssembly give the same bits. Directed rounding, fma and libm are not used: WebAssembly has none of them.
+// Only + - * / and sqrt are used (correctly rounded to nearest, subnormals kept), contraction is
+// off in every build, so that native code and WebAssembly give the same bits. Directed rounding,
+// fma and libm are not used: WebAssembly has none of them.
 #pragma once
 
 #include <bit>
@@ -12,16 +13,20 @@
 namespace apollonius {
 
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || __FINITE_MATH_ONLY__
-#error "fast-math breaks the error bounds: compile without -ffast-math, -Ofast, -funsafe-math-optimizations and their parts"
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    __FINITE_MATH_ONLY__
+#error \
+    "fast-math breaks the error bounds: compile without -ffast-math, -Ofast, -funsafe-math-optimizations and their parts"
 #endif
 #if FLT_EVAL_METHOD != 0
-#error "intermediate results of more than 53 bits break the error bounds: compile with -msse2 -mfpmath=sse"
+#error \
+    "intermediate results of more than 53 bits break the error bounds: compile with -msse2 -mfpmath=sse"
 #endif
 
-/// What is wrong with arithmetic as this program runs, in words, or null: contraction, which no macro tells of, if all was compiled without
-/// the flags of wasm/cmake/CompileFlags.cmake; subnormals flushed to zero, as a program does that is linked with -ffast-math; another
-/// direction of rounding. WebAssembly has none of them.
+/// What is wrong with arithmetic as this program runs, in words, or null: contraction, which no
+/// macro tells of, if all was compiled without the flags of wasm/cmake/CompileFlags.cmake;
+/// subnormals flushed to zero, as a program does that is linked with -ffast-math; another direction
+/// of rounding. WebAssembly has none of them.
 #ifdef __wasm__
 constexpr const char* arithmeticDefect() { return nullptr; }
 #else
@@ -33,7 +38,8 @@ constexpr double powerOfTwo(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-/// Unit roundoff: fl(a op b) = (a op b)(1 + d) with |d| <= kUnitRoundoff, unless the result underflows.
+/// Unit roundoff: fl(a op b) = (a op b)(1 + d) with |d| <= kUnitRoundoff, unless the result
+/// underflows.
 inline constexpr double kUnitRoundoff = powerOfTwo(-53);
 
 /// floor(log2 |x|) of a normal number.
@@ -41,11 +47,13 @@ constexpr int exponentOf(double x) {
   return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52) & 0x7FF) - 1023;
 }
 
-/// Exponent of the lowest digit of a nonzero double: the largest e for which x is a multiple of 2^e.
+/// Exponent of the lowest digit of a nonzero double: the largest e for which x is a multiple of
+/// 2^e.
 constexpr int lowestExponentOf(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const int biased = static_cast<int>((bits >> 52) & 0x7FF);
-  const std::uint64_t digits = (bits & ((std::uint64_t{1} << 52) - 1)) | (biased != 0 ? std::uint64_t{1} << 52 : 0);
+  const std::uint64_t digits =
+      (bits & ((std::uint64_t{1} << 52) - 1)) | (biased != 0 ? std::uint64_t{1} << 52 : 0);
   return (biased != 0 ? biased : 1) - 1075 + std::countr_zero(digits);
 }
 

@@ -1,12 +1,13 @@
-// What must hold if the code is right, whatever the user's data: a broken one ends the program with its name. Never used to
-// check arguments.
+// What must hold if the code is right, whatever the user's data: a broken one ends the program with
+// its name. Never used to check arguments.
 #pragma once
 
 #include <cstdlib>
 
 namespace apollonius {
 
-/// Tells whoever runs the program: on stderr, or on the console (wasm/bindings.cpp instead of invariant.cpp).
+/// Tells whoever runs the program: on stderr, or on the console (wasm/bindings.cpp instead of
+/// invariant.cpp).
 extern "C" void reportBrokenInvariant(const char* name);
 
 inline void invariant(bool holds, const char* name) {

@@ -1,5 +1,6 @@
-// Two doubles computed with at once: SSE2 and WebAssembly's SIMD have instructions for them. Each of + - * / and sqrt rounds as it
-// does for one double, so results are the same bits as computed one by one.
+// Two doubles computed with at once: SSE2 and WebAssembly's SIMD have instructions for them. Each
+// of + - * / and sqrt rounds as it does for one double, so results are the same bits as computed
+// one by one.
 #pragma once
 
 #include <cmath>
@@ -8,8 +9,9 @@
 
 namespace apollonius {
 
-using Pair __attribute__((vector_size(16))) = double;           // extensions that g++ and clang++ share
-using PairMask __attribute__((vector_size(16))) = std::int64_t;  // what comparisons of Pairs yield: all bits or none
+using Pair __attribute__((vector_size(16))) = double;  // extensions that g++ and clang++ share
+using PairMask __attribute__((vector_size(16))) =
+    std::int64_t;  // what comparisons of Pairs yield: all bits or none
 
 inline Pair pairOf(double x) { return Pair{x, x}; }
 inline Pair loadPair(const double* from) {

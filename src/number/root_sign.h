@@ -1,4 +1,5 @@
-// Signs of numbers with square roots, by squaring: exact over any ordered ring. No root is ever taken.
+// Signs of numbers with square roots, by squaring: exact over any ordered ring. No root is ever
+// taken.
 #pragma once
 
 #include "number/sign.h"
@@ -23,11 +24,13 @@ Sign signOfRoot(const Ring& a, const Ring& b, const Ring& c) {
 /// sign(a + b √c + d √e + f √(c e)). REQUIRES c, e >= 0.
 /// It is P + Q √e with P = a + b √c and Q = d + f √c, and P² - e Q² has one root only.
 template <class Ring>
-Sign signOfTwoRoots(const Ring& a, const Ring& b, const Ring& c, const Ring& d, const Ring& e, const Ring& f) {
+Sign signOfTwoRoots(const Ring& a, const Ring& b, const Ring& c, const Ring& d, const Ring& e,
+                    const Ring& f) {
   const Sign p = signOfRoot(a, b, c);
   const Sign q = signOfRoot(d, f, c) * signOf(e);
   return signOfSum(p, q, [&] {
-    return signOfRoot(a * a + b * b * c - e * (d * d + f * f * c), (a * b - e * d * f) + (a * b - e * d * f), c);
+    return signOfRoot(a * a + b * b * c - e * (d * d + f * f * c),
+                      (a * b - e * d * f) + (a * b - e * d * f), c);
   });
 }
 

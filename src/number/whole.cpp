@@ -21,7 +21,8 @@ Whole Whole::inUnits(double value, int unit) {
   const std::uint64_t low = digits << within;
   result.limbs_[skipped] = static_cast<std::uint32_t>(low);
   result.limbs_[skipped + 1] = static_cast<std::uint32_t>(low >> 32);
-  result.limbs_[skipped + 2] = within != 0 ? static_cast<std::uint32_t>(digits >> (64 - within)) : 0;
+  result.limbs_[skipped + 2] =
+      within != 0 ? static_cast<std::uint32_t>(digits >> (64 - within)) : 0;
   result.size_ = skipped + 3;
   result.isNegative_ = value < 0;
   result.dropZeros();

@@ -1,6 +1,8 @@
-// Whole: integers of up to 2048 bits that are kept in place. The long numbers of the middle stage: no heap, no exponents, and
-// only the limbs in use are copied and multiplied, which makes it several times as fast as Dyadic on the coordinates that people
-// have. The same operations in 32-bit limbs everywhere: WebAssembly multiplies 32 x 32 bits in one instruction, 64 x 64 in a call.
+// Whole: integers of up to 2048 bits that are kept in place. The long numbers of the middle stage:
+// no heap, no exponents, and only the limbs in use are copied and multiplied, which makes it
+// several times as fast as Dyadic on the coordinates that people have. The same operations in
+// 32-bit limbs everywhere: WebAssembly multiplies 32 x 32 bits in one instruction, 64 x 64 in a
+// call.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +19,9 @@ class Whole {
 
   Whole() = default;
   Whole(int value)  // NOLINT: implicit on purpose, formulas contain small constants
-      : limbs_{static_cast<std::uint32_t>(value < 0 ? -value : value)}, size_(value != 0), isNegative_(value < 0) {}
+      : limbs_{static_cast<std::uint32_t>(value < 0 ? -value : value)},
+        size_(value != 0),
+        isNegative_(value < 0) {}
   Whole(const Whole& other) : size_(other.size_), isNegative_(other.isNegative_) {
     std::copy_n(other.limbs_, size_, limbs_);
   }
@@ -32,9 +36,12 @@ class Whole {
   /// value / 2^unit. REQUIRES: an integer, of less than kInputBits bits.
   static Whole inUnits(double value, int unit);
 
-  [[nodiscard]] Sign sign() const { return size_ == 0 ? Sign::kZero : isNegative_ ? Sign::kNegative : Sign::kPositive; }
+  [[nodiscard]] Sign sign() const {
+    return size_ == 0 ? Sign::kZero : isNegative_ ? Sign::kNegative : Sign::kPositive;
+  }
 
-  // Not inline: copied into each formula, products and sums would be most of the WebAssembly module.
+  // Not inline: copied into each formula, products and sums would be most of the WebAssembly
+  // module.
   friend Whole operator*(const Whole& a, const Whole& b);
   friend Whole operator+(const Whole& a, const Whole& b) { return sum(a, b, b.isNegative_); }
   friend Whole operator-(const Whole& a, const Whole& b) { return sum(a, b, !b.isNegative_); }
@@ -54,7 +61,7 @@ class Whole {
 
   std::uint32_t limbs_[kLimbs];  // least significant first; only the first size_ mean something
   int size_ = 0;
-  bool isNegative_ = false;      // of zero, either
+  bool isNegative_ = false;  // of zero, either
 };
 
 inline Sign signOf(const Whole& x) { return x.sign(); }

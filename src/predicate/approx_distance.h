@@ -1,4 +1,5 @@
-// The distance of a point to a site in doubles, with a bound on its error: the filter of all nearest-site searches.
+// The distance of a point to a site in doubles, with a bound on its error: the filter of all
+// nearest-site searches.
 #pragma once
 
 #include <cmath>
@@ -9,9 +10,10 @@
 namespace apollonius {
 
 /// |value - (|p - c| - r)| <= bound, for p = (x, y) and the site within the documented range.
-/// Derivation, u the unit roundoff: the differences carry one factor (1+d) each, their squares three, the sum four, its root
-/// half of that and one more: 3u relative. Subtracting r adds u |value|. Together at most 4u (|p - c| + |r|) to first order;
-/// 5u covers the rest. Differences are 0 or at least 1e-116, so nothing underflows.
+/// Derivation, u the unit roundoff: the differences carry one factor (1+d) each, their squares
+/// three, the sum four, its root half of that and one more: 3u relative. Subtracting r adds u
+/// |value|. Together at most 4u (|p - c| + |r|) to first order; 5u covers the rest. Differences are
+/// 0 or at least 1e-116, so nothing underflows.
 struct ApproxDistance {
   double value;
   double bound;

@@ -1,4 +1,5 @@
-// The Voronoi circles of many faces that come one by one: collected in blocks, of which CircleFan computes two circles at a time.
+// The Voronoi circles of many faces that come one by one: collected in blocks, of which CircleFan
+// computes two circles at a time.
 #pragma once
 
 #include <array>
@@ -14,8 +15,8 @@ inline constexpr std::size_t kCircleBatch = 64;
 /// Room for a batch. Throws std::bad_alloc.
 inline void reserveForBatch(CircleFan& fan) { fan.reserve(2 * kCircleBatch); }
 
-/// `take(face, circle)` is called for each face added, in their order, at the latest by finish(). `face` is whatever the caller
-/// knows it by; the circle is as of CircleFan::computeFaces.
+/// `take(face, circle)` is called for each face added, in their order, at the latest by finish().
+/// `face` is whatever the caller knows it by; the circle is as of CircleFan::computeFaces.
 template <class Take>
 class CircleBatch {
  public:

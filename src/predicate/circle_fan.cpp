@@ -14,14 +14,33 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kLargestDifference = powerOfTwo(33);  // powers up to the twelfth are formed
 
 // The arrays in numbers_, one after the other.
-enum Array : std::size_t { kSiteX, kSiteY, kSiteR, kX, kY, kR, kP, kM, kL, kPoleX, kPoleY, kPoleR, kCircleX, kCircleY, kCircleS, kError, kArrays };
+enum Array : std::size_t {
+  kSiteX,
+  kSiteY,
+  kSiteR,
+  kX,
+  kY,
+  kR,
+  kP,
+  kM,
+  kL,
+  kPoleX,
+  kPoleY,
+  kPoleR,
+  kCircleX,
+  kCircleY,
+  kCircleS,
+  kError,
+  kArrays
+};
 
 }  // namespace
 
 void CircleFan::reserve(std::size_t n) {
   if (corners_.size() >= n) return;
   const std::size_t room = std::max(n, std::size_t{16}) * 3 / 2;
-  const std::size_t stride = room + 2;  // the first two corners follow the last, for the last pair of faces
+  const std::size_t stride =
+      room + 2;  // the first two corners follow the last, for the last pair of faces
   numbers_.resize(kArrays * stride);
   stride_ = stride;
   corners_.resize(room);  // last: who looks at its size finds room in all
@@ -53,14 +72,16 @@ inline void CircleFan::setPole(std::size_t k, const Site& pole) {
 
 inline VoronoiCircle CircleFan::circle(std::size_t k) const {
   const double* const numbers = numbers_.data() + k;
-  return {numbers[kCircleX * stride_], numbers[kCircleY * stride_], numbers[kCircleS * stride_], roundedUp(numbers[kError * stride_]), -1};
+  return {numbers[kCircleX * stride_], numbers[kCircleY * stride_], numbers[kCircleS * stride_],
+          roundedUp(numbers[kError * stride_]), -1};
 }
 
 bool CircleFan::computeAll(const Site& q, std::size_t n) {
   double* const numbers = numbers_.data();
   double largest = 0;
   // The site at infinity gets some finite row; its faces are computed below.
-  for (std::size_t k = 0; k < n; ++k) largest = std::max(largest, setRow(k, q, corners_[k] != nullptr ? *corners_[k] : q));
+  for (std::size_t k = 0; k < n; ++k)
+    largest = std::max(largest, setRow(k, q, corners_[k] != nullptr ? *corners_[k] : q));
   for (std::size_t a = kSiteX; a <= kL; ++a) {
     for (std::size_t k = 0; k < 2; ++k) numbers[a * stride_ + n + k] = numbers[a * stride_ + k];
   }
@@ -76,18 +97,21 @@ void CircleFan::compute(const Site& q, std::span<VoronoiCircle> circles) {
   const bool isOrdinary = computeAll(q, n);
   for (std::size_t k = 0; k < n; ++k) {
     const Corner j = corners_[k], l = corners_[k + 1 < n ? k + 1 : 0];
-    const bool isKnown = isOrdinary && j != nullptr && l != nullptr && numbers_[kError * stride_ + k] < kInfinite;
+    const bool isKnown =
+        isOrdinary && j != nullptr && l != nullptr && numbers_[kError * stride_ + k] < kInfinite;
     circles[k] = isKnown ? circle(k) : voronoiCircle(j, l, &q);
   }
 }
 
-void CircleFan::computeFaces(std::span<const std::array<Corner, 3>> faces, std::span<VoronoiCircle> circles) {
+void CircleFan::computeFaces(std::span<const std::array<Corner, 3>> faces,
+                             std::span<VoronoiCircle> circles) {
   const std::size_t n = faces.size();
   double largest = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const Site& pole = *faces[k][0];
     setPole(k, pole);
-    largest = std::max(largest, std::max(setRow(k, pole, *faces[k][1]), setRow(n + k, pole, *faces[k][2])));
+    largest = std::max(largest,
+                       std::max(setRow(k, pole, *faces[k][1]), setRow(n + k, pole, *faces[k][2])));
   }
   computeBounded(n, n, ~std::size_t{0});
   for (std::size_t k = 0; k < n; ++k) {
@@ -96,15 +120,18 @@ void CircleFan::computeFaces(std::span<const std::array<Corner, 3>> faces, std::
   }
 }
 
-/// Circles of the faces of the pole and rows k and `second` + k, for k < n (the last pair may read one more of each). Pole k is at
-/// k & poleMask.
+/// Circles of the faces of the pole and rows k and `second` + k, for k < n (the last pair may read
+/// one more of each). Pole k is at k & poleMask.
 ///
-/// The formulas and the bound are those of boundedCircle (voronoi_circle.cpp, where they are derived), with poles of any size. One division serves all quotients, 1/(D den): 1/den = D · that, 1/p_j = p_k p_jk · den · that.
-/// The computed D cancels, so f has five roundings more than the errors of p_j and den. Underflow: the last three conditions keep
-/// D, D den and a component of the chord far above it, and what smaller products lose is far below the bound.
+/// The formulas and the bound are those of boundedCircle (voronoi_circle.cpp, where they are
+/// derived), with poles of any size. One division serves all quotients, 1/(D den): 1/den = D ·
+/// that, 1/p_j = p_k p_jk · den · that. The computed D cancels, so f has five roundings more than
+/// the errors of p_j and den. Underflow: the last three conditions keep D, D den and a component of
+/// the chord far above it, and what smaller products lose is far below the bound.
 void CircleFan::computeBounded(std::size_t n, std::size_t second, std::size_t poleMask) {
   constexpr double u1 = kUnitRoundoff;
-  const Pair largestRelative = pairOf(powerOfTwo(-10)), zero = pairOf(0), tiny = pairOf(powerOfTwo(-900));
+  const Pair largestRelative = pairOf(powerOfTwo(-10)), zero = pairOf(0),
+             tiny = pairOf(powerOfTwo(-900));
   const double* const in = numbers_.data();
   double* const out = numbers_.data();
   const auto load = [&](Array array, std::size_t k) { return loadPair(in + array * stride_ + k); };
@@ -131,7 +158,8 @@ void CircleFan::computeBounded(std::size_t n, std::size_t second, std::size_t po
     const Pair f = 0.5 * pj * inverseDen;
     const Pair rho = f * n2;
     const std::size_t pole = k & poleMask;
-    const Pair x = load(kPoleX, pole) + f * a, y = load(kPoleY, pole) + f * b, s = rho - load(kPoleR, pole);
+    const Pair x = load(kPoleX, pole) + f * a, y = load(kPoleY, pole) + f * b,
+               s = rho - load(kPoleR, pole);
 
     const Pair g = absolute(u) + absolute(v);
     const Pair eChord = 9 * u1 * (lk * mj + lj * mk);
@@ -141,14 +169,17 @@ void CircleFan::computeBounded(std::size_t n, std::size_t second, std::size_t po
     const Pair eN = g * (2 * eChord + 3 * u1 * g);
     const Pair relativeDen = lj * (2 * eAb + eN + 10 * u1 * g * g) * inverseDen;
     const Pair relativeF = relativePj + relativeDen + 8 * u1;
-    const Pair error = f * (2 * eAb + eN) + 3 * rho * (relativeF + 2 * u1) + u1 * (absolute(x) + absolute(y) + absolute(s));
-    const PairMask isGood = (eChord * g <= largestRelative * n2) & (relativeD <= largestRelative) & (relativeDen >= zero) &
-                            (relativeDen <= largestRelative) & (pjk > zero) & (pj > zero) & (pk > zero) &
+    const Pair error = f * (2 * eAb + eN) + 3 * rho * (relativeF + 2 * u1) +
+                       u1 * (absolute(x) + absolute(y) + absolute(s));
+    const PairMask isGood = (eChord * g <= largestRelative * n2) & (relativeD <= largestRelative) &
+                            (relativeDen >= zero) & (relativeDen <= largestRelative) &
+                            (pjk > zero) & (pj > zero) & (pk > zero) &
                             (n2 > pairOf(powerOfTwo(-400))) & (d > tiny) & (d * den > tiny);
     storePair(out + kCircleX * stride_ + k, x);
     storePair(out + kCircleY * stride_ + k, y);
     storePair(out + kCircleS * stride_ + k, s);
-    storePair(out + kError * stride_ + k, isGood ? error * (1 + powerOfTwo(-5)) : pairOf(kInfinite));
+    storePair(out + kError * stride_ + k,
+              isGood ? error * (1 + powerOfTwo(-5)) : pairOf(kInfinite));
   }
 }
 

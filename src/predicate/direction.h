@@ -1,4 +1,5 @@
-// Directions in doubles with error bounds, and turns between them: the filter of edge conflicts and the sector walk.
+// Directions in doubles with error bounds, and turns between them: the filter of edge conflicts and
+// the sector walk.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +17,8 @@ struct Arrow {
   [[nodiscard]] double size() const { return absolute(x) + absolute(y); }
 };
 
-/// Direction of a face's vertex from one of its sites, not normalised: the circle's centre less the site's, or the half-plane's
-/// normal.
+/// Direction of a face's vertex from one of its sites, not normalised: the circle's centre less the
+/// site's, or the half-plane's normal.
 inline Arrow directionOf(const VoronoiCircle& circle, const Site& pole) {
   if (circle.isHalfPlane()) return {circle.x, circle.y, circle.slope};
   const double x = circle.x - pole.x, y = circle.y - pole.y;
@@ -33,7 +34,8 @@ inline Arrow directionOf(double px, double py, const Site& pole) {
 /// Bounds the error of a sum of two products of components of a and b.
 inline double productBound(const Arrow& a, const Arrow& b) {
   const double sa = a.size(), sb = b.size();
-  return (a.error * sb + b.error * sa + 2 * a.error * b.error + 3 * kUnitRoundoff * sa * sb) * (1 + 16 * kUnitRoundoff);
+  return (a.error * sb + b.error * sa + 2 * a.error * b.error + 3 * kUnitRoundoff * sa * sb) *
+         (1 + 16 * kUnitRoundoff);
 }
 
 /// Do the directions certainly differ by less than a quarter turn?
@@ -42,8 +44,9 @@ inline bool differByLessThanAQuarter(const Arrow& a, const Arrow& b) {
   return bound > powerOfTwo(-900) && a.x * b.x + a.y * b.y > bound;
 }
 
-/// Is b to the left of a (positive) or to the right? Sign of a.x b.y - a.y b.x, whose error is at most a.error |b| + b.error |a| +
-/// twice their product, and two roundings of each of the two products.
+/// Is b to the left of a (positive) or to the right? Sign of a.x b.y - a.y b.x, whose error is at
+/// most a.error |b| + b.error |a| + twice their product, and two roundings of each of the two
+/// products.
 inline MaybeSign turn(const Arrow& a, const Arrow& b) {
   const double value = a.x * b.y - a.y * b.x;
   const double bound = productBound(a, b);

@@ -1,5 +1,5 @@
-// Edge conflict from the cached circles of the edge's two faces: turns between directions in doubles, some forty flops instead of
-// polynomials of degree 12.
+// Edge conflict from the cached circles of the edge's two faces: turns between directions in
+// doubles, some forty flops instead of polynomials of degree 12.
 #include <algorithm>
 
 #include "predicate/direction.h"
@@ -12,8 +12,9 @@ namespace {
 
 constexpr double u1 = kUnitRoundoff;
 
-/// Middle of q's shadow on the bisector of the pole and j (chordOf), or its opposite. Depth 8 (stages.cpp): the error of each
-/// component is at most 9u (l_q m_j + l_j m_q), with l the largest difference and m = x² + y² + r².
+/// Middle of q's shadow on the bisector of the pole and j (chordOf), or its opposite. Depth 8
+/// (stages.cpp): the error of each component is at most 9u (l_q m_j + l_j m_q), with l the largest
+/// difference and m = x² + y² + r².
 Arrow shadowMiddle(const Site& pole, Corner j, const Site& q, Probe probe) {
   const double sign = probe == Probe::kMiddle ? 1 : -1;
   const double qx = q.x - pole.x, qy = q.y - pole.y, qr = q.r - pole.r;
@@ -28,15 +29,17 @@ Arrow shadowMiddle(const Site& pole, Corner j, const Site& q, Probe probe) {
 
 }  // namespace
 
-MaybeSign edgeCircleFilter(const Site& i, Corner j, const VoronoiCircle& atK, const VoronoiCircle& atL, const Site& q,
-                           Probe probe) {
+MaybeSign edgeCircleFilter(const Site& i, Corner j, const VoronoiCircle& atK,
+                           const VoronoiCircle& atL, const Site& q, Probe probe) {
   const Arrow middle = shadowMiddle(i, j, q, probe);
   const Arrow towardsK = directionOf(atK, i), towardsL = directionOf(atL, i);
   const MaybeSign beforeK = turn(middle, towardsK), afterL = turn(towardsL, middle);
   constexpr MaybeSign kInside{Sign::kPositive, true}, kOutside{Sign::kNegative, true}, kUnknown{};
   if (j != nullptr) {
     // A bounded edge's range of directions, seen from the larger site, is at most half a turn.
-    if ((beforeK.known && beforeK.sign == Sign::kNegative) || (afterL.known && afterL.sign == Sign::kNegative)) return kOutside;
+    if ((beforeK.known && beforeK.sign == Sign::kNegative) ||
+        (afterL.known && afterL.sign == Sign::kNegative))
+      return kOutside;
     return beforeK.known && afterL.known ? kInside : kUnknown;
   }
   if (!beforeK.known || !afterL.known) return kUnknown;

@@ -1,5 +1,5 @@
-// What an edge and its two faces can tell of whether they belong to a Delaunay graph. Proofs: docs/PREDICATES.md,
-// "Order along an edge".
+// What an edge and its two faces can tell of whether they belong to a Delaunay graph. Proofs:
+// docs/PREDICATES.md, "Order along an edge".
 #include <utility>
 
 #include "predicate/direction.h"
@@ -12,20 +12,26 @@ namespace apollonius {
 
 namespace {
 
-bool haveEqualWeights(const EdgeCorners& e) { return e.i->r == e.j->r && e.j->r == e.k->r && e.k->r == e.l->r; }
+bool haveEqualWeights(const EdgeCorners& e) {
+  return e.i->r == e.j->r && e.j->r == e.k->r && e.k->r == e.l->r;
+}
 
-/// Does the edge, both of whose ends are finite, have positive length? Known only if its ends are apart in doubles;
-/// negative: they come in the wrong order.
+/// Does the edge, both of whose ends are finite, have positive length? Known only if its ends are
+/// apart in doubles; negative: they come in the wrong order.
 MaybeSign turnAlong(const EdgeCorners& e, const VoronoiCircle& atK, const VoronoiCircle& atL) {
   return turn(directionOf(atL, *e.i), directionOf(atK, *e.i));
 }
 
 /// i is the larger site, and finite as j is.
 bool isBoundedDelaunayEdge(const EdgeCorners& e) {
-  // The upper end of the bisector, at the vertex (i, j, infinity), and the lower one: is the site's shadow cut off
-  // there?
-  const auto reachesUpperEnd = [&](const Site& q) { return isVertexInConflict(e.i, e.j, nullptr, q); };
-  const auto reachesLowerEnd = [&](const Site& q) { return isVertexInConflict(e.j, e.i, nullptr, q); };
+  // The upper end of the bisector, at the vertex (i, j, infinity), and the lower one: is the site's
+  // shadow cut off there?
+  const auto reachesUpperEnd = [&](const Site& q) {
+    return isVertexInConflict(e.i, e.j, nullptr, q);
+  };
+  const auto reachesLowerEnd = [&](const Site& q) {
+    return isVertexInConflict(e.j, e.i, nullptr, q);
+  };
   if (e.k == e.l) return e.k == nullptr || reachesUpperEnd(*e.k);
   if (e.l != nullptr && isVertexInConflict(e.i, e.j, e.k, *e.l)) return false;
   if (e.k != nullptr && isVertexInConflict(e.j, e.i, e.l, *e.k)) return false;
@@ -55,33 +61,41 @@ bool isDelaunayEdge(EdgeCorners e, const VoronoiCircle& circleAtK, const Voronoi
     std::swap(atK, atL);
   }
   if (e.j == nullptr) {
-    // An edge of positive length is in order if the hull turns once, which is for others to find out.
+    // An edge of positive length is in order if the hull turns once, which is for others to find
+    // out.
     return (e.k != e.l && turnAlong(e, *atK, *atL).known) || isDelaunayEdgeAtInfinity(e);
   }
   if (e.k != nullptr && e.l != nullptr && e.k != e.l) {
     const MaybeSign order = turnAlong(e, *atK, *atL);
     if (order.known) {
-      // (Of a right order, the other way may know a conflict that is elsewhere found to be none of a Delaunay graph.)
+      // (Of a right order, the other way may know a conflict that is elsewhere found to be none of
+      // a Delaunay graph.)
       const bool isRight = order.sign == Sign::kPositive;
-      if (!isRight) shadowCheck(order, [&] { return isBoundedDelaunayEdge(e) ? Sign::kPositive : Sign::kNegative; });
+      if (!isRight)
+        shadowCheck(order,
+                    [&] { return isBoundedDelaunayEdge(e) ? Sign::kPositive : Sign::kNegative; });
       return isRight;
     }
   }
   return isBoundedDelaunayEdge(e);
 }
 
-// --- The hull --------------------------------------------------------------------------------------------------------
+// --- The hull
+// -------------------------------------------------------------------------------------------------
 
 bool pointsUp(const Site& i, const Site& j, const VoronoiCircle& plane) {
   MaybeSign filtered;
   if (plane.y > plane.slope) filtered = {Sign::kPositive, true};
   if (plane.y < -plane.slope) filtered = {Sign::kNegative, true};
-  const auto exact = [&] { return stages::normalIsUpExact(i, j) ? Sign::kPositive : Sign::kNegative; };
+  const auto exact = [&] {
+    return stages::normalIsUpExact(i, j) ? Sign::kPositive : Sign::kNegative;
+  };
   shadowCheck(filtered, exact);
   return (filtered.known ? filtered.sign : exact()) == Sign::kPositive;
 }
 
-Sign turnOfHull(const Site& i, const Site& l, const Site& k, const VoronoiCircle& atL, const VoronoiCircle& atK) {
+Sign turnOfHull(const Site& i, const Site& l, const Site& k, const VoronoiCircle& atL,
+                const VoronoiCircle& atK) {
   const MaybeSign filtered = turn(directionOf(atL, i), directionOf(atK, i));
   shadowCheck(filtered, [&] { return stages::spanExact(i, l, k); });
   return filtered.known ? filtered.sign : stages::spanExact(i, l, k);

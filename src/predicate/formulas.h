@@ -1,13 +1,16 @@
-// Every polynomial of the predicates, once, as a template over the number type: Approx (filter), Depth (the filter's error
-// bound, at compile time), Dyadic (exact). Derivations: docs/PREDICATES.md; degrees are in the input coordinates.
+// Every polynomial of the predicates, once, as a template over the number type: Approx (filter),
+// Depth (the filter's error bound, at compile time), Dyadic (exact). Derivations:
+// docs/PREDICATES.md; degrees are in the input coordinates.
 //
-// All of them look at the diagram from one finite site, the pole: other sites are rows of differences to it. The site at
-// infinity is the row (0, 0, 0, 1), which makes the same formulas hold for unbounded faces and edges.
+// All of them look at the diagram from one finite site, the pole: other sites are rows of
+// differences to it. The site at infinity is the row (0, 0, 0, 1), which makes the same formulas
+// hold for unbounded faces and edges.
 #pragma once
 
 namespace apollonius {
 
-/// A site seen from the pole: differences x, y, r and p = x² + y² - r² (degree 2), the squared length of the outer tangent.
+/// A site seen from the pole: differences x, y, r and p = x² + y² - r² (degree 2), the squared
+/// length of the outer tangent.
 template <class T>
 struct Row {
   T x, y, r, p;
@@ -37,8 +40,8 @@ constexpr T between(const Row<T>& a, const Row<T>& b) {
   return lorentz(a.x - b.x, a.y - b.y, a.r - b.r);
 }
 
-/// Where the bisectors of the pole with `from` and with `to` meet: up to the positive factor from.p * to.p, the line
-/// a u + b v + w = 0 in the plane of directions (a, b) from the pole (degree 3).
+/// Where the bisectors of the pole with `from` and with `to` meet: up to the positive factor from.p
+/// * to.p, the line a u + b v + w = 0 in the plane of directions (a, b) from the pole (degree 3).
 template <class T>
 struct Chord {
   T u, v, w;
@@ -46,14 +49,17 @@ struct Chord {
 
 template <class T>
 constexpr Chord<T> chordOf(const Row<T>& from, const Row<T>& to) {
-  return {to.x * from.p - from.x * to.p, to.y * from.p - from.y * to.p, to.r * from.p - from.r * to.p};
+  return {to.x * from.p - from.x * to.p, to.y * from.p - from.y * to.p,
+          to.r * from.p - from.r * to.p};
 }
 
-/// Vertex conflict: rows j, k of a face (pole, j, k) and q of the query. conflict = sign(x - xy √(p_jk p_j p_k)).
+/// Vertex conflict: rows j, k of a face (pole, j, k) and q of the query. conflict = sign(x - xy
+/// √(p_jk p_j p_k)).
 template <class T>
 struct VertexForm {
-  T xr, yr, xy;  // determinants of columns (x r p), (y r p), (x y p) over the rows j, k, q: degree 4
-  T x;           // degree 7
+  T xr, yr,
+      xy;  // determinants of columns (x r p), (y r p), (x y p) over the rows j, k, q: degree 4
+  T x;     // degree 7
 
   constexpr VertexForm(const Row<T>& j, const Row<T>& k, const Row<T>& q)
       : xr(determinant(j.x, j.r, j.p, k.x, k.r, k.p, q.x, q.r, q.p)),
@@ -70,14 +76,15 @@ struct VertexForm {
   [[nodiscard]] constexpr T squares() const { return xr * xr + yr * yr - xy * xy; }
 
  private:
-  static constexpr T determinant(const T& aj, const T& bj, const T& pj, const T& ak, const T& bk, const T& pk, const T& aq,
-                                 const T& bq, const T& pq) {
+  static constexpr T determinant(const T& aj, const T& bj, const T& pj, const T& ak, const T& bk,
+                                 const T& pk, const T& aq, const T& bq, const T& pq) {
     return pj * (ak * bq - aq * bk) - pk * (aj * bq - aq * bj) + pq * (aj * bk - ak * bj);
   }
 };
 
-/// Edge conflict: the turn between the direction of an end of the edge (chord `end`) and the middle of the query's shadow
-/// (chord `shadow`). turn = sign(±end.w * turn - √D * along), D = p_jt p_j p_t > 0.
+/// Edge conflict: the turn between the direction of an end of the edge (chord `end`) and the middle
+/// of the query's shadow (chord `shadow`). turn = sign(±end.w * turn - √D * along), D = p_jt p_j
+/// p_t > 0.
 template <class T>
 struct EdgeForm {
   T turn;   // degree 6
@@ -87,18 +94,21 @@ struct EdgeForm {
       : turn(end.u * shadow.v - end.v * shadow.u), along(end.u * shadow.u + end.v * shadow.v) {}
 
   /// (w turn)² - D along² without its positive factor u² + v² of `end`: degree 12.
-  [[nodiscard]] static constexpr T squares(const Chord<T>& end, const Chord<T>& shadow, const T& along) {
+  [[nodiscard]] static constexpr T squares(const Chord<T>& end, const Chord<T>& shadow,
+                                           const T& along) {
     return end.w * end.w * (shadow.u * shadow.u + shadow.v * shadow.v) - along * along;
   }
 };
 
-/// Span of an unbounded face's range of directions: cross product of the directions of the half-planes (l, pole) and
-/// (pole, k) = c0 + cl √p_l + ck √p_k + clk √(p_l p_k), up to a positive factor.
+/// Span of an unbounded face's range of directions: cross product of the directions of the
+/// half-planes (l, pole) and (pole, k) = c0 + cl √p_l + ck √p_k + clk √(p_l p_k), up to a positive
+/// factor.
 template <class T>
 struct SpanForm {
   T c0, cl, ck, clk;
 
-  constexpr SpanForm(const Row<T>& l, const Row<T>& k) : SpanForm(l, k, l.x * k.y - l.y * k.x, l.x * k.x + l.y * k.y) {}
+  constexpr SpanForm(const Row<T>& l, const Row<T>& k)
+      : SpanForm(l, k, l.x * k.y - l.y * k.x, l.x * k.x + l.y * k.y) {}
 
  private:
   constexpr SpanForm(const Row<T>& l, const Row<T>& k, const T& cross, const T& dot)

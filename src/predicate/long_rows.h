@@ -1,4 +1,5 @@
-// Rows of differences to a pole in long numbers: the last two stages of the predicates, as rows.h has them for the first two.
+// Rows of differences to a pole in long numbers: the last two stages of the predicates, as rows.h
+// has them for the first two.
 #pragma once
 
 #include <array>
@@ -10,8 +11,8 @@
 
 namespace apollonius {
 
-/// Middle stage for longer inputs (decimal fractions, integers of many digits): integers in the common unit. Fails only where the
-/// coordinates range over more than 2^117 units.
+/// Middle stage for longer inputs (decimal fractions, integers of many digits): integers in the
+/// common unit. Fails only where the coordinates range over more than 2^117 units.
 class WholeRows {
  public:
   using Number = Whole;
@@ -37,7 +38,8 @@ class WholeRows {
     const Whole x = in(pole.x), y = in(pole.y), r = in(pole.r);
     std::size_t n = 0;
     for (Corner c : corners) {
-      rows_[n++] = c != nullptr ? rowOf(in(c->x) - x, in(c->y) - y, in(c->r) - r) : infinityRow<Whole>();
+      rows_[n++] =
+          c != nullptr ? rowOf(in(c->x) - x, in(c->y) - y, in(c->r) - r) : infinityRow<Whole>();
     }
   }
 
@@ -65,7 +67,8 @@ class ExactRows {
     const Dyadic x(pole.x), y(pole.y), r(pole.r);
     std::size_t n = 0;
     for (Corner c : corners) {
-      rows_[n++] = c != nullptr ? rowOf(Dyadic(c->x) - x, Dyadic(c->y) - y, Dyadic(c->r) - r) : infinityRow<Dyadic>();
+      rows_[n++] = c != nullptr ? rowOf(Dyadic(c->x) - x, Dyadic(c->y) - y, Dyadic(c->r) - r)
+                                : infinityRow<Dyadic>();
     }
   }
 

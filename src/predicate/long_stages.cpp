@@ -1,5 +1,6 @@
-// The last stages: in long integers (whole) and in numbers as long as any input can ask for (exact). Apart from the first ones because they are compiled
-// for size: what takes the time is in number/whole.cpp and in cpp_int.
+// The last stages: in long integers (whole) and in numbers as long as any input can ask for
+// (exact). Apart from the first ones because they are compiled for size: what takes the time is in
+// number/whole.cpp and in cpp_int.
 #include "predicate/decisions.h"
 #include "predicate/long_rows.h"
 
@@ -16,14 +17,17 @@ Sign spanSign(const Rows& rows) {
 }  // namespace
 
 Sign lorentzExact(const Site& a, const Site& b) {
-  return lorentz(Dyadic(a.x) - Dyadic(b.x), Dyadic(a.y) - Dyadic(b.y), Dyadic(a.r) - Dyadic(b.r)).sign();
+  return lorentz(Dyadic(a.x) - Dyadic(b.x), Dyadic(a.y) - Dyadic(b.y), Dyadic(a.r) - Dyadic(b.r))
+      .sign();
 }
 
 MaybeSign distanceWhole(double x, double y, const Site& a, const Site& b) {
   WholeRows rows({x, y, 0}, {&a, &b});
   if (rows.failed()) return {};
-  const Row<Whole> &s = rows.row(0), &t = rows.row(1);
-  return {signOfTwoRoots(t.r - s.r, Whole(1), s.x * s.x + s.y * s.y, Whole(-1), t.x * t.x + t.y * t.y, Whole(0)), true};
+  const Row<Whole>&s = rows.row(0), &t = rows.row(1);
+  return {signOfTwoRoots(t.r - s.r, Whole(1), s.x * s.x + s.y * s.y, Whole(-1),
+                         t.x * t.x + t.y * t.y, Whole(0)),
+          true};
 }
 
 Sign distanceExact(double x, double y, const Site& a, const Site& b) {
@@ -33,7 +37,8 @@ Sign distanceExact(double x, double y, const Site& a, const Site& b) {
     return dx * dx + dy * dy;
   };
   // √A - √B - (ra - rb)
-  return signOfTwoRoots(Dyadic(b.r) - Dyadic(a.r), Dyadic(1), squaredTo(a), Dyadic(-1), squaredTo(b), Dyadic(0));
+  return signOfTwoRoots(Dyadic(b.r) - Dyadic(a.r), Dyadic(1), squaredTo(a), Dyadic(-1),
+                        squaredTo(b), Dyadic(0));
 }
 
 MaybeSign vertexWhole(const Site& i, Corner j, Corner k, Corner q) {
@@ -87,7 +92,8 @@ bool normalIsUpExact(const Site& i, const Site& j) {
   const ExactRows rows(i, {&j});
   const Row<Dyadic>& t = rows.row(0);
   const Sign y = signOfRoot(-(t.r * t.y), t.x, t.p);
-  return y == Sign::kPositive || (y == Sign::kZero && signOfRoot(-(t.r * t.x), -t.y, t.p) == Sign::kPositive);
+  return y == Sign::kPositive ||
+         (y == Sign::kZero && signOfRoot(-(t.r * t.x), -t.y, t.p) == Sign::kPositive);
 }
 
 Sign spanExact(const Site& i, const Site& l, const Site& k) {

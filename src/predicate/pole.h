@@ -1,6 +1,6 @@
-// Choice of the pole: the site of a face or an edge from which the others are seen. The largest one is taken, so that the
-// directions of a bounded edge span at most half a turn, the degenerate rule applies directly, and equal triples of sites are
-// computed alike whichever comes first.
+// Choice of the pole: the site of a face or an edge from which the others are seen. The largest one
+// is taken, so that the directions of a bounded edge span at most half a turn, the degenerate rule
+// applies directly, and equal triples of sites are computed alike whichever comes first.
 #pragma once
 
 #include <utility>
@@ -10,7 +10,9 @@
 namespace apollonius {
 
 /// Is `a` to be the pole rather than b?
-inline bool isBetterPole(Corner a, Corner b) { return a != nullptr && (b == nullptr || precedes(*b, *a)); }
+inline bool isBetterPole(Corner a, Corner b) {
+  return a != nullptr && (b == nullptr || precedes(*b, *a));
+}
 
 /// Rotates a face so that its largest finite site comes first.
 inline void rotateToPole(Corner& i, Corner& j, Corner& k) {

@@ -1,4 +1,5 @@
-// Coordinates of Voronoi vertices from long numbers: for nearly collinear triples and other cases where doubles cancel.
+// Coordinates of Voronoi vertices from long numbers: for nearly collinear triples and other cases
+// where doubles cancel.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -21,9 +22,12 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// x 2^exponent; infinite or 0 where that is beyond doubles.
 double scaled(double x, int exponent) {
-  for (; exponent > 1000 && absolute(x) <= std::numeric_limits<double>::max(); exponent -= 1000) x *= powerOfTwo(1000);
+  for (; exponent > 1000 && absolute(x) <= std::numeric_limits<double>::max(); exponent -= 1000)
+    x *= powerOfTwo(1000);
   for (; exponent < -1000 && x != 0; exponent += 1000) x *= powerOfTwo(-1000);
-  return absolute(x) <= std::numeric_limits<double>::max() ? x * powerOfTwo(std::clamp(exponent, -1000, 1000)) : x;
+  return absolute(x) <= std::numeric_limits<double>::max()
+             ? x * powerOfTwo(std::clamp(exponent, -1000, 1000))
+             : x;
 }
 
 /// Of numbers with mantissas between 2^30 and 2^130, or 0.
@@ -34,8 +38,9 @@ Rounded sum(const Rounded& x, const Rounded& y) {
   return {x.mantissa + scaled(y.mantissa, y.exponent - x.exponent), x.exponent};
 }
 
-/// a + b √d; d > 0. Where the terms cancel, it is (a² - b² d) / (a - b √d), whose do not. Relative errors, in units of 2^-53, up to
-/// terms of second order: b and d 1 each, √d 1.5, b √d 3.5, a sum 4.5, a quotient 6.5.
+/// a + b √d; d > 0. Where the terms cancel, it is (a² - b² d) / (a - b √d), whose do not. Relative
+/// errors, in units of 2^-53, up to terms of second order: b and d 1 each, √d 1.5, b √d 3.5, a
+/// sum 4.5, a quotient 6.5.
 Rounded withRoot(const Dyadic& a, const Dyadic& b, const Dyadic& d) {
   Rounded root = d.rounded();
   if (root.exponent % 2 != 0) root = {2 * root.mantissa, root.exponent - 1};
@@ -43,7 +48,8 @@ Rounded withRoot(const Dyadic& a, const Dyadic& b, const Dyadic& d) {
   term = {term.mantissa * std::sqrt(root.mantissa), term.exponent + root.exponent / 2};
   const Rounded first = a.rounded();
   if (a.sign() * b.sign() != Sign::kNegative) return sum(first, term);
-  const Rounded over = (a * a - b * b * d).rounded(), under = sum(first, {-term.mantissa, term.exponent});
+  const Rounded over = (a * a - b * b * d).rounded(),
+                under = sum(first, {-term.mantissa, term.exponent});
   return {over.mantissa / under.mantissa, over.exponent - under.exponent};
 }
 
@@ -52,17 +58,18 @@ double halfQuotient(const Rounded& a, const Rounded& b, const Rounded& c) {
   return scaled(a.mantissa / c.mantissa * b.mantissa, a.exponent + b.exponent - c.exponent - 1);
 }
 
-/// The circle of three sites of equal weights whose coordinates are multiples of one unit, no further apart
-/// than 2^17 of them. Then nothing is rounded but the centre's offset from the pole, a quotient of two
-/// integers, and what is computed from that: on grids, centres are right where doubles can hold them, and all
-/// faces with this pole and this centre get the same bits. The pole comes first.
+/// The circle of three sites of equal weights whose coordinates are multiples of one unit, no
+/// further apart than 2^17 of them. Then nothing is rounded but the centre's offset from the pole,
+/// a quotient of two integers, and what is computed from that: on grids, centres are right where
+/// doubles can hold them, and all faces with this pole and this centre get the same bits. The pole
+/// comes first.
 bool circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& circle) {
   if (i.r != j.r || i.r != k.r) return false;
   const double jx = j.x - i.x, jy = j.y - i.y, kx = k.x - i.x, ky = k.y - i.y;
   const double largest = std::max({absolute(jx), absolute(jy), absolute(kx), absolute(ky)});
   if (!(largest > powerOfTwo(-200) && largest < powerOfTwo(200))) return false;
-  // Multiples of 2^(e-16), as in vertexOfPoints (stages.cpp). Differences are below 2^17 units, p below 2^35
-  // and products below 2^52.
+  // Multiples of 2^(e-16), as in vertexOfPoints (stages.cpp). Differences are below 2^17 units, p
+  // below 2^35 and products below 2^52.
   const double shift = 1.5 * powerOfTwo(exponentOf(largest) - 16 + 53);
   for (const Site* s : {&i, &j, &k}) {
     if ((s->x + shift) - shift != s->x || (s->y + shift) - shift != s->y) return false;
@@ -76,12 +83,14 @@ bool circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& ci
   circle.y = i.y + y;
   circle.s = rho - i.r;
   circle.slope = -1;
-  circle.error = roundedUp(kUnitRoundoff * (4 * rho + absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
+  circle.error = roundedUp(
+      kUnitRoundoff * (4 * rho + absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
   return true;
 }
 
-/// A face in long numbers. Its vertex is at (x, y) from the pole, which is rho away, with 2c x = p a, 2c y =
-/// p b, 2c rho = p n, c > 0, and each of a, b, c of the form first + second √d (as in voronoiCircle()).
+/// A face in long numbers. Its vertex is at (x, y) from the pole, which is rho away, with 2c x = p
+/// a, 2c y = p b, 2c rho = p n, c > 0, and each of a, b, c of the form first + second √d (as in
+/// voronoiCircle()).
 struct LongFace {
   struct Number {
     Dyadic first, second;
@@ -108,7 +117,8 @@ double neighborOf(double t, bool above) {
   return std::bit_cast<double>((t > 0) == above ? bits + 1 : bits - 1);
 }
 
-/// `number` / (2c), rounded to the nearest double, or to the one of even mantissa if there are two; from an estimate.
+/// `number` / (2c), rounded to the nearest double, or to the one of even mantissa if there are two;
+/// from an estimate.
 double correctQuotient(const LongFace& face, const LongFace::Number& number, double estimate) {
   const LongFace::Number c{face.c.first + face.c.first, face.c.second + face.c.second};
   const Rounded under = withRoot(c.first, c.second, face.d);
@@ -126,19 +136,21 @@ double correctQuotient(const LongFace& face, const LongFace::Number& number, dou
     t = previous + step;
     if (absolute(step) <= powerOfTwo(-30) * absolute(t)) break;
   }
-  // The step is good to 2^-49 of itself, a 2^-79th of t. So t is right unless the sum was as near to the
-  // middle of two doubles as that.
+  // The step is good to 2^-49 of itself, a 2^-79th of t. So t is right unless the sum was as near
+  // to the middle of two doubles as that.
   const double back = t - previous, lost = (previous - (t - back)) + (step - back);
   const double next = neighborOf(t, lost > 0);
-  if (lost == 0 || absolute(absolute(lost) - absolute(next - t) / 2) > powerOfTwo(-20) * absolute(next - t)) return t;
+  if (lost == 0 ||
+      absolute(absolute(lost) - absolute(next - t) / 2) > powerOfTwo(-20) * absolute(next - t))
+    return t;
   const LongFace::Number rest = restAt((Dyadic(t) + Dyadic(next)) * Dyadic(0.5));
   const Sign beyond = signOfRoot(rest.first, rest.second, face.d);
   if (beyond == Sign::kZero) return lowestExponentOf(t) > lowestExponentOf(next) ? t : next;
   return (beyond == Sign::kPositive) == (next > t) ? next : t;
 }
 
-/// Are the numbers short enough for the exact stage of a quotient: forms of degree 16, 2 of them in a double
-/// of any size?
+/// Are the numbers short enough for the exact stage of a quotient: forms of degree 16, 2 of them in
+/// a double of any size?
 bool haveFewDigits(std::initializer_list<const Site*> sites) {
   Range range;
   for (const Site* s : sites) range.include(*s);
@@ -159,16 +171,20 @@ VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k) {
   // The centre is half p (a, b) / c from the pole, and half p n / c is its distance.
   const LongFace face(*i, *j, *k);
   const Rounded p = face.row.p.rounded();
-  const Rounded a = withRoot(face.a.first, face.a.second, face.d), b = withRoot(face.b.first, face.b.second, face.d);
+  const Rounded a = withRoot(face.a.first, face.a.second, face.d),
+                b = withRoot(face.b.first, face.b.second, face.d);
   const Rounded c = withRoot(face.c.first, face.c.second, face.d);
   VoronoiCircle circle;
   circle.x = i->x + halfQuotient(p, a, c);
   circle.y = i->y + halfQuotient(p, b, c);
   const double rho = halfQuotient(p, face.n.rounded(), c);
   circle.s = rho - i->r;
-  // Each of the three quotients is off by at most 1 + 6.5 + 6.5 + 2 = 16 units of rho, and each sum by one of its own.
-  const double error64 = 16 * kUnitRoundoff * (3 * rho + absolute(circle.x) + absolute(circle.y) + absolute(circle.s));
-  circle.error = error64 < 1e38 ? std::max(static_cast<float>(error64 * 1.01), std::numeric_limits<float>::min())
+  // Each of the three quotients is off by at most 1 + 6.5 + 6.5 + 2 = 16 units of rho, and each sum
+  // by one of its own.
+  const double error64 =
+      16 * kUnitRoundoff * (3 * rho + absolute(circle.x) + absolute(circle.y) + absolute(circle.s));
+  circle.error = error64 < 1e38 ? std::max(static_cast<float>(error64 * 1.01),
+                                           std::numeric_limits<float>::min())
                                 : std::numeric_limits<float>::infinity();
   return circle;
 }

@@ -20,7 +20,8 @@ using Count = unsigned long long;
 template <class Exact, class Meaning = AsItIs>
 class Question {
  public:
-  Question(Exact exact, Count& count, Meaning meaning = {}) : exact_(exact), count_(count), meaning_(meaning) {}
+  Question(Exact exact, Count& count, Meaning meaning = {})
+      : exact_(exact), count_(count), meaning_(meaning) {}
 
   /// Has the stage an answer? Counts it.
   bool isSettledBy(MaybeSign answer, Count& count) {
@@ -51,14 +52,19 @@ struct PositiveOrNot {
 /// Vertex conflict before the degenerate rule, for any face and any one infinite site of the four.
 Sign vertexSign(const Site& i, Corner j, Corner k, Corner q) {
   Question question([&] { return stages::vertexExact(i, j, k, q); }, counts().vertexExact);
-  if (question.isSettledBy(stages::vertexOfPoints(i, j, k, q), counts().vertexOfPoints)) return question.settled();
-  if (question.isSettledBy(stages::vertexFilter(i, j, k, q), counts().vertexFilter)) return question.settled();
-  if (question.isSettledBy(stages::vertexMiddle(i, j, k, q), counts().vertexMiddle)) return question.settled();
-  if (question.isSettledBy(stages::vertexWhole(i, j, k, q), counts().vertexWhole)) return question.settled();
+  if (question.isSettledBy(stages::vertexOfPoints(i, j, k, q), counts().vertexOfPoints))
+    return question.settled();
+  if (question.isSettledBy(stages::vertexFilter(i, j, k, q), counts().vertexFilter))
+    return question.settled();
+  if (question.isSettledBy(stages::vertexMiddle(i, j, k, q), counts().vertexMiddle))
+    return question.settled();
+  if (question.isSettledBy(stages::vertexWhole(i, j, k, q), counts().vertexWhole))
+    return question.settled();
   return question.exact();
 }
 
-/// Is the vertex of the face nearer to q than to the face's sites? q is infinite to ask whether the face has no circle.
+/// Is the vertex of the face nearer to q than to the face's sites? q is infinite to ask whether the
+/// face has no circle.
 bool circleIsBeaten(Corner i, Corner j, Corner k, Corner q) {
   rotateToPole(i, j, k);
   const Sign sign = vertexSign(*i, j, k, q);
@@ -68,7 +74,8 @@ bool circleIsBeaten(Corner i, Corner j, Corner k, Corner q) {
 }
 
 /// A coordinate of a ray in the frame of a face's direction.
-Sign raySign(double x, double y, const VoronoiCircle& circle, const Site& i, Corner j, Corner k, stages::RayPart part) {
+Sign raySign(double x, double y, const VoronoiCircle& circle, const Site& i, Corner j, Corner k,
+             stages::RayPart part) {
   const auto byCircle = [&]() -> MaybeSign {
     Arrow d = directionOf(circle, i);
     if (part == stages::RayPart::kAlong) d = {d.y, -d.x, d.error};  // turned by a quarter
@@ -76,28 +83,40 @@ Sign raySign(double x, double y, const VoronoiCircle& circle, const Site& i, Cor
   };
   Question question([&] { return stages::rayExact(x, y, i, j, k, part); }, counts().rayExact);
   if (question.isSettledBy(byCircle(), counts().rayCached)) return question.settled();
-  if (question.isSettledBy(stages::rayFilter(x, y, i, j, k, part), counts().rayFilter)) return question.settled();
-  if (question.isSettledBy(stages::rayMiddle(x, y, i, j, k, part), counts().rayMiddle)) return question.settled();
-  if (question.isSettledBy(stages::rayWhole(x, y, i, j, k, part), counts().rayWhole)) return question.settled();
+  if (question.isSettledBy(stages::rayFilter(x, y, i, j, k, part), counts().rayFilter))
+    return question.settled();
+  if (question.isSettledBy(stages::rayMiddle(x, y, i, j, k, part), counts().rayMiddle))
+    return question.settled();
+  if (question.isSettledBy(stages::rayWhole(x, y, i, j, k, part), counts().rayWhole))
+    return question.settled();
   return question.exact();
 }
 
 bool coversCorner(const Site& q, Corner c) { return c != nullptr && covers(q, *c); }
 
 /// `atK`, `atL`: cached circles of the edge's faces, or nullptr.
-bool probeIsInRange(EdgeCorners e, const VoronoiCircle* atK, const VoronoiCircle* atL, const Site& q, stages::Probe probe) {
+bool probeIsInRange(EdgeCorners e, const VoronoiCircle* atK, const VoronoiCircle* atL,
+                    const Site& q, stages::Probe probe) {
   if (isBetterPole(e.j, e.i)) {  // the same edge seen from its other side
     e = {e.j, e.i, e.l, e.k};
     std::swap(atK, atL);
   }
-  Question question([&] { return stages::edgeExact(*e.i, e.j, e.k, e.l, q, probe); }, counts().edgeExact, PositiveOrNot{});
+  Question question([&] { return stages::edgeExact(*e.i, e.j, e.k, e.l, q, probe); },
+                    counts().edgeExact, PositiveOrNot{});
   const auto answer = [&] {
-    if (atK != nullptr && question.isSettledBy(stages::edgeCircleFilter(*e.i, e.j, *atK, *atL, q, probe), counts().edgeCached)) {
+    if (atK != nullptr &&
+        question.isSettledBy(stages::edgeCircleFilter(*e.i, e.j, *atK, *atL, q, probe),
+                             counts().edgeCached)) {
       return question.settled();
     }
-    if (question.isSettledBy(stages::edgeFilter(*e.i, e.j, e.k, e.l, q, probe), counts().edgeFilter)) return question.settled();
-    if (question.isSettledBy(stages::edgeMiddle(*e.i, e.j, e.k, e.l, q, probe), counts().edgeMiddle)) return question.settled();
-    if (question.isSettledBy(stages::edgeWhole(*e.i, e.j, e.k, e.l, q, probe), counts().edgeWhole)) return question.settled();
+    if (question.isSettledBy(stages::edgeFilter(*e.i, e.j, e.k, e.l, q, probe),
+                             counts().edgeFilter))
+      return question.settled();
+    if (question.isSettledBy(stages::edgeMiddle(*e.i, e.j, e.k, e.l, q, probe),
+                             counts().edgeMiddle))
+      return question.settled();
+    if (question.isSettledBy(stages::edgeWhole(*e.i, e.j, e.k, e.l, q, probe), counts().edgeWhole))
+      return question.settled();
     return question.exact();
   };
   return answer() == Sign::kPositive;
@@ -108,16 +127,21 @@ bool probeIsInRange(EdgeCorners e, const VoronoiCircle* atK, const VoronoiCircle
 bool covers(const Site& a, const Site& b) {
   if (a.r <= b.r) return a.r == b.r && a.x == b.x && a.y == b.y;
   Question question([&] { return stages::lorentzExact(a, b); }, counts().lorentzExact);
-  if (question.isSettledBy(stages::lorentzFilter(a, b), counts().lorentzFilter)) return question.settled() != Sign::kPositive;
-  if (question.isSettledBy(stages::lorentzMiddle(a, b), counts().lorentzMiddle)) return question.settled() != Sign::kPositive;
+  if (question.isSettledBy(stages::lorentzFilter(a, b), counts().lorentzFilter))
+    return question.settled() != Sign::kPositive;
+  if (question.isSettledBy(stages::lorentzMiddle(a, b), counts().lorentzMiddle))
+    return question.settled() != Sign::kPositive;
   return question.exact() != Sign::kPositive;
 }
 
 Sign compareDistance(double x, double y, const Site& a, const Site& b) {
   Question question([&] { return stages::distanceExact(x, y, a, b); }, counts().distanceExact);
-  if (question.isSettledBy(stages::distanceFilter(x, y, a, b), counts().distanceFilter)) return question.settled();
-  if (question.isSettledBy(stages::distanceMiddle(x, y, a, b), counts().distanceMiddle)) return question.settled();
-  if (question.isSettledBy(stages::distanceWhole(x, y, a, b), counts().distanceWhole)) return question.settled();
+  if (question.isSettledBy(stages::distanceFilter(x, y, a, b), counts().distanceFilter))
+    return question.settled();
+  if (question.isSettledBy(stages::distanceMiddle(x, y, a, b), counts().distanceMiddle))
+    return question.settled();
+  if (question.isSettledBy(stages::distanceWhole(x, y, a, b), counts().distanceWhole))
+    return question.settled();
   return question.exact();
 }
 
@@ -133,14 +157,18 @@ bool isVertexInConflict(Corner i, Corner j, Corner k, const Site& q) {
 
 bool isVertexInConflict(const VoronoiCircle& circle, Corner i, Corner j, Corner k, const Site& q) {
   const MaybeSign filtered = circleFilter(circle, q);
-  shadowCheck(filtered, [&] { return isVertexInConflict(i, j, k, q) ? Sign::kPositive : Sign::kNegative; });
+  shadowCheck(filtered,
+              [&] { return isVertexInConflict(i, j, k, q) ? Sign::kPositive : Sign::kNegative; });
   if (filtered.known) return filtered.sign == Sign::kPositive;
   return isVertexInConflict(i, j, k, q);
 }
 
-bool hasVoronoiCircle(const Site& i, const Site& j, const Site& k) { return !circleIsBeaten(&i, &j, &k, nullptr); }
+bool hasVoronoiCircle(const Site& i, const Site& j, const Site& k) {
+  return !circleIsBeaten(&i, &j, &k, nullptr);
+}
 
-Bearing bearingOf(double x, double y, const VoronoiCircle& circle, const Site& i, Corner j, Corner k) {
+Bearing bearingOf(double x, double y, const VoronoiCircle& circle, const Site& i, Corner j,
+                  Corner k) {
   const Sign left = raySign(x, y, circle, i, j, k, stages::RayPart::kLeftwards);
   if (left != Sign::kZero) return left == Sign::kPositive ? Bearing::kLeft : Bearing::kRight;
   const Sign along = raySign(x, y, circle, i, j, k, stages::RayPart::kAlong);
@@ -157,7 +185,8 @@ bool isInteriorInConflict(const EdgeCorners& edge, const Site& q) {
   return probeIsInRange(edge, nullptr, nullptr, q, stages::Probe::kMiddle);
 }
 
-bool isInteriorInConflict(const EdgeCorners& edge, const VoronoiCircle& atK, const VoronoiCircle& atL, const Site& q) {
+bool isInteriorInConflict(const EdgeCorners& edge, const VoronoiCircle& atK,
+                          const VoronoiCircle& atL, const Site& q) {
   return probeIsInRange(edge, &atK, &atL, q, stages::Probe::kMiddle);
 }
 
@@ -166,7 +195,8 @@ bool isEntireEdgeInConflict(const EdgeCorners& edge, const Site& q) {
   return !probeIsInRange(edge, nullptr, nullptr, q, stages::Probe::kOpposite);
 }
 
-bool isEntireEdgeInConflict(const EdgeCorners& edge, const VoronoiCircle& atK, const VoronoiCircle& atL, const Site& q) {
+bool isEntireEdgeInConflict(const EdgeCorners& edge, const VoronoiCircle& atK,
+                            const VoronoiCircle& atL, const Site& q) {
   if (coversCorner(q, edge.i) || coversCorner(q, edge.j)) return true;
   return !probeIsInRange(edge, &atK, &atL, q, stages::Probe::kOpposite);
 }

@@ -1,5 +1,6 @@
-// Rows of differences to a pole in doubles, and what turns a number into a sign: the parts by which the stages of one predicate
-// differ. Everything else is one template (decisions.h). Rows of longer numbers: long_rows.h.
+// Rows of differences to a pole in doubles, and what turns a number into a sign: the parts by which
+// the stages of one predicate differ. Everything else is one template (decisions.h). Rows of longer
+// numbers: long_rows.h.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +15,16 @@
 
 namespace apollonius {
 
-/// Power of two that brings differences of at most `largest` below kLargestInput without making any of them subnormal; 1 for
-/// the magnitudes that people use.
+/// Power of two that brings differences of at most `largest` below kLargestInput without making any
+/// of them subnormal; 1 for the magnitudes that people use.
 inline double inputScale(double largest) {
   if (largest > powerOfTwo(-32) && largest < kLargestInput) return 1;
   if (!(largest > 0)) return 1;
   return powerOfTwo(std::clamp(-exponentOf(largest), -1000, 1000));
 }
 
-/// Filter stage: Approx rows, scaled; signs with error bounds. `failed` becomes true when a sign was not certain.
+/// Filter stage: Approx rows, scaled; signs with error bounds. `failed` becomes true when a sign
+/// was not certain.
 class FilterRows {
  public:
   using Number = Approx;
@@ -47,7 +49,8 @@ class FilterRows {
 
   /// Of all finite sites: their differences to the pole's weight are zero, rounded or not.
   [[nodiscard]] bool hasEqualWeights() const {
-    return std::all_of(differences_.begin(), differences_.end(), [](const Difference& d) { return d.r == 0; });
+    return std::all_of(differences_.begin(), differences_.end(),
+                       [](const Difference& d) { return d.r == 0; });
   }
   [[nodiscard]] Row<Approx> row(std::size_t k) const {
     const Difference& d = differences_[k];
@@ -56,7 +59,8 @@ class FilterRows {
 
   Sign sign(Approx x, Depth depth) {
     const MaybeSign s = filteredSign(x, boundFactor(depth));
-    // A sum of nothing but zeros (equal weights, axis-parallel lines) is certainly zero, if no product was lost to underflow.
+    // A sum of nothing but zeros (equal weights, axis-parallel lines) is certainly zero, if no
+    // product was lost to underflow.
     if (!s.known && !(x.magnitude == 0 && productsSurvive())) failed_ = true;
     return s.sign;
   }
@@ -79,10 +83,12 @@ class FilterRows {
   bool failed_ = false;
 };
 
-/// Of all finite sites: their differences to the pole's weight, which are exact or at least zero where they should be, are zero.
+/// Of all finite sites: their differences to the pole's weight, which are exact or at least zero
+/// where they should be, are zero.
 template <class T>
 bool haveEqualWeights(const std::array<Row<T>, 4>& rows) {
-  return std::all_of(rows.begin(), rows.end(), [](const Row<T>& row) { return signOf(row.r) == Sign::kZero; });
+  return std::all_of(rows.begin(), rows.end(),
+                     [](const Row<T>& row) { return signOf(row.r) == Sign::kZero; });
 }
 
 /// The digits of numbers: exponents of the lowest one and of the highest one.
@@ -101,8 +107,8 @@ struct Range {
   }
 };
 
-/// The differences of some sites to a pole in doubles, whether all of them are exact (of sites close together they are as a rule),
-/// and if so, their digits.
+/// The differences of some sites to a pole in doubles, whether all of them are exact (of sites
+/// close together they are as a rule), and if so, their digits.
 struct Differences {
   struct Triple {
     double x = 0, y = 0, r = 0;
@@ -124,7 +130,9 @@ struct Differences {
       return d;
     };
     for (Corner c : corners) {
-      if (c != nullptr) triples[count] = {difference(c->x, pole.x), difference(c->y, pole.y), difference(c->r, pole.r), true};
+      if (c != nullptr)
+        triples[count] = {difference(c->x, pole.x), difference(c->y, pole.y),
+                          difference(c->r, pole.r), true};
       ++count;
     }
     unit = range.lowest == std::numeric_limits<int>::max() ? 0 : range.lowest;
@@ -132,30 +140,38 @@ struct Differences {
   }
 };
 
-/// A number that is a double if it is known to be exact. `magnitude` is that of the value, or at least 2^53 and a bound on all that
-/// the value was made of.
+/// A number that is a double if it is known to be exact. `magnitude` is that of the value, or at
+/// least 2^53 and a bound on all that the value was made of.
 struct ExactDouble {
   double value = 0;
   double magnitude = 0;
   constexpr ExactDouble() = default;
-  constexpr ExactDouble(int constant) : value(constant), magnitude(absolute(value)) {}  // NOLINT: constants in formulas
+  constexpr ExactDouble(int constant)
+      : value(constant), magnitude(absolute(value)) {}  // NOLINT: constants in formulas
   /// An integer.
   constexpr explicit ExactDouble(double integer) : ExactDouble(integer, absolute(integer)) {}
-  friend constexpr ExactDouble operator+(ExactDouble a, ExactDouble b) { return {a.value + b.value, a.magnitude + b.magnitude}; }
-  friend constexpr ExactDouble operator-(ExactDouble a, ExactDouble b) { return {a.value - b.value, a.magnitude + b.magnitude}; }
-  friend constexpr ExactDouble operator*(ExactDouble a, ExactDouble b) { return {a.value * b.value, a.magnitude * b.magnitude}; }
+  friend constexpr ExactDouble operator+(ExactDouble a, ExactDouble b) {
+    return {a.value + b.value, a.magnitude + b.magnitude};
+  }
+  friend constexpr ExactDouble operator-(ExactDouble a, ExactDouble b) {
+    return {a.value - b.value, a.magnitude + b.magnitude};
+  }
+  friend constexpr ExactDouble operator*(ExactDouble a, ExactDouble b) {
+    return {a.value * b.value, a.magnitude * b.magnitude};
+  }
 
   static constexpr double kLargest = powerOfTwo(53);
   [[nodiscard]] constexpr bool isExact() const { return magnitude < kLargest; }
   friend constexpr Sign signOf(ExactDouble x) { return signOf(x.value); }
 
  private:
-  /// Exact integers whose sum or product is below 2^53 in magnitude: no rounding happened. Zero times anything is zero.
+  /// Exact integers whose sum or product is below 2^53 in magnitude: no rounding happened. Zero
+  /// times anything is zero.
   constexpr ExactDouble(double v, double m) : value(v), magnitude(m < kLargest ? absolute(v) : m) {}
 };
 
-/// Middle stage: where the coordinates are small multiples of one power of two (grids, integers, quarters), doubles in that unit
-/// compute exactly, and zeros are known to be zeros.
+/// Middle stage: where the coordinates are small multiples of one power of two (grids, integers,
+/// quarters), doubles in that unit compute exactly, and zeros are known to be zeros.
 class UnitRows {
  public:
   using Number = ExactDouble;

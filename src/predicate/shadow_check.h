@@ -1,5 +1,5 @@
-// Shadow check: in builds with APOLLONIUS_SHADOW_CHECK every answer of a filter is compared with the exact stage, and a
-// contradiction ends the program. Other builds contain nothing of it.
+// Shadow check: in builds with APOLLONIUS_SHADOW_CHECK every answer of a filter is compared with
+// the exact stage, and a contradiction ends the program. Other builds contain nothing of it.
 #pragma once
 
 #include <cstdio>

@@ -3,7 +3,8 @@
 
 namespace apollonius {
 
-/// A weighted point: centre (x, y) and weight r, in the user's unit. Finite, within the documented range.
+/// A weighted point: centre (x, y) and weight r, in the user's unit. Finite, within the documented
+/// range.
 struct Site {
   double x = 0;
   double y = 0;
@@ -16,8 +17,9 @@ constexpr Site normalized(const Site& site) { return {site.x + 0.0, site.y + 0.0
 /// A corner of a face, or an end of an edge: a site, or nullptr for the site at infinity.
 using Corner = const Site*;
 
-/// The order of docs/PREDICATES.md, "Degenerate position": by weight, then x, then y. Of several sites that tie, the one that
-/// comes last wins. A strict weak order; only identical sites are equivalent.
+/// The order of docs/PREDICATES.md, "Degenerate position": by weight, then x, then y. Of several
+/// sites that tie, the one that comes last wins. A strict weak order; only identical sites are
+/// equivalent.
 constexpr bool precedes(const Site& a, const Site& b) {
   if (a.r != b.r) return a.r < b.r;
   if (a.x != b.x) return a.x < b.x;

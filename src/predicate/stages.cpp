@@ -7,8 +7,8 @@ namespace apollonius::stages {
 
 namespace {
 
-/// isOpposite (decisions.h) where all weights are equal, so that a p is a sum of squares: each product is off by a factor of at most
-/// (1 + u)^9.
+/// isOpposite (decisions.h) where all weights are equal, so that a p is a sum of squares: each
+/// product is off by a factor of at most (1 + u)^9.
 MaybeSign isOppositeOfPoints(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner) {
   const auto areEqual = [&](Corner c) { return c == nullptr || c->r == i.r; };
   if (!areEqual(j) || !areEqual(k) || !areEqual(q)) return {};
@@ -17,11 +17,15 @@ MaybeSign isOppositeOfPoints(const Site& i, Corner j, Corner k, Corner q, FaceCo
     const double x = a->x - b->x, y = a->y - b->y;
     return x * x + y * y;
   };
-  const std::array<double, 3> products{squared(&i, q) * squared(j, k), squared(j, q) * squared(&i, k), squared(k, q) * squared(&i, j)};
+  const std::array<double, 3> products{squared(&i, q) * squared(j, k),
+                                       squared(j, q) * squared(&i, k),
+                                       squared(k, q) * squared(&i, j)};
   const auto n = static_cast<std::size_t>(corner);
-  const double opposite = products[n], larger = std::max(products[(n + 1) % 3], products[(n + 2) % 3]);
+  const double opposite = products[n],
+               larger = std::max(products[(n + 1) % 3], products[(n + 2) % 3]);
   constexpr double kMargin = 1 + 32 * kUnitRoundoff, kTiny = powerOfTwo(-400);
-  if (!(opposite > kTiny && larger > kTiny && opposite < 1 / kTiny && larger < 1 / kTiny)) return {};
+  if (!(opposite > kTiny && larger > kTiny && opposite < 1 / kTiny && larger < 1 / kTiny))
+    return {};
   if (opposite > larger * kMargin) return {Sign::kPositive, true};
   if (opposite * kMargin < larger) return {Sign::kNegative, true};
   return {};
@@ -31,15 +35,19 @@ MaybeSign isOppositeOfPoints(const Site& i, Corner j, Corner k, Corner q, FaceCo
 template <class Rows>
 Sign roundedSpanSign(Rows& rows, bool& failed) {
   using T = typename Rows::Number;
-  // The other terms are zero, and there is no root to be taken: on the hull of a grid, where most spans are zero.
-  if (rows.hasEqualWeights()) return rows.sign(SpanForm<T>(rows.row(2), rows.row(1)).clk, kSpan.clk);
+  // The other terms are zero, and there is no root to be taken: on the hull of a grid, where most
+  // spans are zero.
+  if (rows.hasEqualWeights())
+    return rows.sign(SpanForm<T>(rows.row(2), rows.row(1)).clk, kSpan.clk);
   // Roots of rounded numbers: a running error bound instead of the constant one.
-  const auto ball = [](T a, Depth depth) { return Ball::bounded(a.value, boundFactor(depth) * a.magnitude + kUnderflow); };
+  const auto ball = [](T a, Depth depth) {
+    return Ball::bounded(a.value, boundFactor(depth) * a.magnitude + kUnderflow);
+  };
   const Row<T> k = rows.row(1), l = rows.row(2);
   const SpanForm<T> form(l, k);
   const Ball rootK = sqrt(ball(k.p, kRow.p)), rootL = sqrt(ball(l.p, kRow.p));
-  const Ball span = ball(form.c0, kSpan.c0) + ball(form.cl, kSpan.cl) * rootL + ball(form.ck, kSpan.ck) * rootK +
-                    ball(form.clk, kSpan.clk) * rootL * rootK;
+  const Ball span = ball(form.c0, kSpan.c0) + ball(form.cl, kSpan.cl) * rootL +
+                    ball(form.ck, kSpan.ck) * rootK + ball(form.clk, kSpan.clk) * rootL * rootK;
   if (span.certainlyPositive()) return Sign::kPositive;
   if ((Ball(0) - span).certainlyPositive()) return Sign::kNegative;
   failed = true;
@@ -48,7 +56,8 @@ Sign roundedSpanSign(Rows& rows, bool& failed) {
 
 }  // namespace
 
-// --- Covering: p of two sites ------------------------------------------------------------------------------------------------
+// --- Covering: p of two sites
+// ------------------------------------------------------------------------------------------------
 
 MaybeSign lorentzFilter(const Site& a, const Site& b) {
   const Approx p = lorentz(Approx(a.x - b.x), Approx(a.y - b.y), Approx(a.r - b.r));
@@ -61,7 +70,8 @@ MaybeSign lorentzMiddle(const Site& a, const Site& b) {
   return {sign, !rows.failed()};
 }
 
-// --- Distance ----------------------------------------------------------------------------------------------------------------
+// --- Distance
+// -------------------------------------------------------------------------------------------------
 
 MaybeSign distanceFilter(double x, double y, const Site& a, const Site& b) {
   const ApproxDistance da(x, y, a), db(x, y, b);
@@ -76,19 +86,24 @@ MaybeSign distanceMiddle(double x, double y, const Site& a, const Site& b) {
   if (a.r != b.r) return {};
   const Site p{x, y, a.r};
   UnitRows rows(p, {&a, &b});
-  const Sign sign = rows.sign(rows.row(0).p - rows.row(1).p, kRow.p);  // equal weights: the squared distances
+  const Sign sign =
+      rows.sign(rows.row(0).p - rows.row(1).p, kRow.p);  // equal weights: the squared distances
   return {sign, !rows.failed()};
 }
 
-// --- Vertex conflict ---------------------------------------------------------------------------------------------------------
+// --- Vertex conflict
+// -------------------------------------------------------------------------------------------------
 
-/// The sign of xy (see VertexForm): d = p_j |k q| + p_k |q j| + p_q |j k|, with p = x² + y² of rows of differences to i.
+/// The sign of xy (see VertexForm): d = p_j |k q| + p_k |q j| + p_q |j k|, with p = x² + y² of rows
+/// of differences to i.
 ///
-/// Let e be the exponent of the largest difference. If all coordinates are multiples of W = 2^(e-11), then so are differences, of
-/// less than 2^12 W; p and the minors |k q| … are less than 2^25 W² each, and d's terms less than 2^50 W^4: all exact. (With infinity, p = 1,
-/// the only term is a minor.) If they are multiples of W = 2^(e-25) only, p and minors are still exact, at most 2^53 W², hence d, too, if
-/// all minors are zero; else three roundings of d's terms bound its error. If not, depth 12 does, of the terms with + for -.
-/// Multiples: adding 1.5 · 2^53 W and taking it away again leaves nothing else as it was, for ulp(sum) >= W.
+/// Let e be the exponent of the largest difference. If all coordinates are multiples of W =
+/// 2^(e-11), then so are differences, of less than 2^12 W; p and the minors |k q| … are less than
+/// 2^25 W² each, and d's terms less than 2^50 W^4: all exact. (With infinity, p = 1, the only term
+/// is a minor.) If they are multiples of W = 2^(e-25) only, p and minors are still exact, at most
+/// 2^53 W², hence d, too, if all minors are zero; else three roundings of d's terms bound its
+/// error. If not, depth 12 does, of the terms with + for -. Multiples: adding 1.5 · 2^53 W and
+/// taking it away again leaves nothing else as it was, for ulp(sum) >= W.
 MaybeSign vertexOfPoints(const Site& i, Corner j, Corner k, Corner q) {
   const std::array<Corner, 3> corners{j, k, q};
   std::array<double, 3> x{}, y{}, p{1, 1, 1};
@@ -106,8 +121,12 @@ MaybeSign vertexOfPoints(const Site& i, Corner j, Corner k, Corner q) {
 
   const auto haveDigits = [&](int digits) {
     const double shift = 1.5 * powerOfTwo(exponentOf(largest) - digits + 53);
-    const auto areMultiples = [shift](const Site& s) { return (s.x + shift) - shift == s.x && (s.y + shift) - shift == s.y; };
-    return areMultiples(i) && std::all_of(corners.begin(), corners.end(), [&](Corner c) { return c == nullptr || areMultiples(*c); });
+    const auto areMultiples = [shift](const Site& s) {
+      return (s.x + shift) - shift == s.x && (s.y + shift) - shift == s.y;
+    };
+    return areMultiples(i) && std::all_of(corners.begin(), corners.end(), [&](Corner c) {
+             return c == nullptr || areMultiples(*c);
+           });
   };
   const bool isExact = haveDigits(11), hasExactMinors = isExact || haveDigits(25);
   double sum = 0, size = 0;
@@ -135,34 +154,42 @@ MaybeSign vertexMiddle(const Site& i, Corner j, Corner k, Corner q) {
 }
 
 bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q) {
-  // Only the largest of the four, z, matters: infinity if it is among them, else i or q (docs/PREDICATES.md, "Degenerate position").
+  // Only the largest of the four, z, matters: infinity if it is among them, else i or q
+  // (docs/PREDICATES.md, "Degenerate position").
   if (q == nullptr) return true;
-  const FaceCorner z = j == nullptr ? FaceCorner::kJ : k == nullptr ? FaceCorner::kK : FaceCorner::kPole;
+  const FaceCorner z = j == nullptr   ? FaceCorner::kJ
+                       : k == nullptr ? FaceCorner::kK
+                                      : FaceCorner::kPole;
   if (z == FaceCorner::kPole && precedes(i, *q)) return true;
-  if (const MaybeSign quick = isOppositeOfPoints(i, j, k, q, z); quick.known) return quick.sign == Sign::kPositive;
+  if (const MaybeSign quick = isOppositeOfPoints(i, j, k, q, z); quick.known)
+    return quick.sign == Sign::kPositive;
   FilterRows filter(i, {j, k, q});
   const bool probably = isOpposite(filter, z);
   if (!filter.failed()) return probably;
   return isOppositeExact(i, j, k, q, z);
 }
 
-// --- Edge conflict -----------------------------------------------------------------------------------------------------------
+// --- Edge conflict
+// -------------------------------------------------------------------------------------------------
 
 MaybeSign edgeFilter(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
   FilterRows rows(i, {j, k, l, &q});
   bool spanFailed = false;
-  const Sign sign = edgeSign(rows, j == nullptr, probe, [&] { return roundedSpanSign(rows, spanFailed); });
+  const Sign sign =
+      edgeSign(rows, j == nullptr, probe, [&] { return roundedSpanSign(rows, spanFailed); });
   return {sign, !rows.failed() && !spanFailed};
 }
 
 MaybeSign edgeMiddle(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
   UnitRows rows(i, {j, k, l, &q});
   bool spanFailed = false;
-  const Sign sign = edgeSign(rows, j == nullptr, probe, [&] { return roundedSpanSign(rows, spanFailed); });
+  const Sign sign =
+      edgeSign(rows, j == nullptr, probe, [&] { return roundedSpanSign(rows, spanFailed); });
   return {sign, !rows.failed() && !spanFailed};
 }
 
-// --- Rays ----------------------------------------------------------------------------------------------------------------------
+// --- Rays
+// -------------------------------------------------------------------------------------------------
 
 MaybeSign rayFilter(double x, double y, const Site& i, Corner j, Corner k, RayPart part) {
   const Site point{x, y, i.r};
@@ -183,7 +210,8 @@ Counts& counts() {
   return counts;
 }
 
-// --- Order along an edge ---------------------------------------------------------------------------------------------
+// --- Order along an edge
+// ---------------------------------------------------------------------------------------------
 
 MaybeSign shadowTurnFilter(const Site& i, const Site& j, const Site& l, const Site& k) {
   FilterRows rows(i, {&j, &l, &k});

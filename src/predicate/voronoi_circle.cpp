@@ -13,35 +13,44 @@ namespace apollonius {
 
 namespace {
 
-double largest(const Row<double>& row) { return std::max({absolute(row.x), absolute(row.y), absolute(row.r)}); }
+double largest(const Row<double>& row) {
+  return std::max({absolute(row.x), absolute(row.y), absolute(row.r)});
+}
 
 /// Differences to the pole times a power of two: one rounding each.
 Row<double> rowFrom(const Site& pole, const Site& s, double scale) {
   return rowOf((s.x - pole.x) * scale, (s.y - pole.y) * scale, (s.r - pole.r) * scale);
 }
 
-/// x² + y² + r²: what the roundings in p = x² + y² - r² are relative to; |error of p| <= 5u times this (number/approx.h).
+/// x² + y² + r²: what the roundings in p = x² + y² - r² are relative to; |error of p| <= 5u times
+/// this (number/approx.h).
 double magnitude(const Row<double>& row) { return row.x * row.x + row.y * row.y + row.r * row.r; }
 
 /// What a computation in doubles has found out about the existence of a circle.
 enum class Existence : unsigned char { kYes, kNo, kUnknown };
 
-/// Circle of three finite sites, and a bound on its error. It exists exactly if the denominator below is positive.
+/// Circle of three finite sites, and a bound on its error. It exists exactly if the denominator
+/// below is positive.
 ///
-/// Direction of the vertex from the pole: n (cos, sin) = (a, b) = (v √D - w u, -u √D - w v), with (u, v, w) = chordOf(j, k),
-/// n = u² + v² and D = p_jk p_j p_k = n - w²; distance rho = n f with f = p_j / (2 (a x_j + b y_j + n r_j)); docs/PREDICATES.md.
+/// Direction of the vertex from the pole: n (cos, sin) = (a, b) = (v √D - w u, -u √D - w v), with
+/// (u, v, w) = chordOf(j, k), n = u² + v² and D = p_jk p_j p_k = n - w²; distance rho = n f with f
+/// = p_j / (2 (a x_j + b y_j + n r_j)); docs/PREDICATES.md.
 ///
-/// Bound, to first order in u (the unit roundoff), eX being the error of X and g = |u| + |v| >= √n >= |w|, √D:
-///     e_c    = 9 u (l_k m_j + l_j m_k)                               of u, v, w: depth 8; l the largest of |x|, |y|, |r|, m magnitude()
-///     e_root = √D (4u + 3u (m_jk/p_jk + m_j/p_j + m_k/p_k))          half the relative error of D, 5u m/p for each factor and 2u for
-///                                                                    the products, and the root's own u
+/// Bound, to first order in u (the unit roundoff), eX being the error of X and g = |u| + |v| >= √n
+/// >= |w|, √D:
+///     e_c    = 9 u (l_k m_j + l_j m_k)                               of u, v, w: depth 8; l the
+///     largest of |x|, |y|, |r|, m magnitude() e_root = √D (4u + 3u (m_jk/p_jk + m_j/p_j +
+///     m_k/p_k))          half the relative error of D, 5u m/p for each factor and 2u for
+///                                                                    the products, and the root's
+///                                                                    own u
 ///     e_ab   = g (e_root + 3 e_c + 4u g)                             of a, of b
 ///     e_n    = g (2 e_c + 3u g)
-///     e_den  = l (2 e_ab + e_n + 10u g²)                             l = l_j; |a|+|b|+n <= 2.42 g², 4 roundings each
-///     e_f/f  = 5u m_j/p_j + e_den/den + 3u
-///     centre, each coordinate: f e_ab + rho (e_f/f + 2u) + u |x|     s: f e_n + rho (e_f/f + 2u) + u |s|
-/// Products of errors are smaller than the terms above by the largest relative error, which is demanded to be at most 2^-10;
-/// the roundings in the bound itself are fewer than 2^6, a 2^-46th. A factor of 1 + 2^-5 covers both.
+///     e_den  = l (2 e_ab + e_n + 10u g²)                             l = l_j; |a|+|b|+n <= 2.42
+///     g², 4 roundings each e_f/f  = 5u m_j/p_j + e_den/den + 3u centre, each coordinate: f e_ab +
+///     rho (e_f/f + 2u) + u |x|     s: f e_n + rho (e_f/f + 2u) + u |s|
+/// Products of errors are smaller than the terms above by the largest relative error, which is
+/// demanded to be at most 2^-10; the roundings in the bound itself are fewer than 2^6, a 2^-46th. A
+/// factor of 1 + 2^-5 covers both.
 Existence boundedCircle(const Site& pole, const Site& sj, const Site& sk, VoronoiCircle& circle) {
   constexpr double u1 = kUnitRoundoff;
   Row<double> j = rowFrom(pole, sj, 1), k = rowFrom(pole, sk, 1);
@@ -78,10 +87,11 @@ Existence boundedCircle(const Site& pole, const Site& sj, const Site& sk, Vorono
   const double eN = g * (2 * eChord + 3 * u1 * g);
   const double relativeDen = lj * (2 * eAb + eN + 10 * u1 * g * g) / denominator;
   constexpr double kLargestRelative = powerOfTwo(-10);
-  // Written so that NaN, negative p (a rounded cover), and a denominator that may be 0 end here, too. The last is for underflow:
-  // chords of normal size keep every product normal.
+  // Written so that NaN, negative p (a rounded cover), and a denominator that may be 0 end here,
+  // too. The last is for underflow: chords of normal size keep every product normal.
   const bool isCertain = eChord * g <= kLargestRelative * n && relativeD <= kLargestRelative &&
-                         absolute(relativeDen) <= kLargestRelative && jk.p > 0 && j.p > 0 && k.p > 0 && n > powerOfTwo(-400);
+                         absolute(relativeDen) <= kLargestRelative && jk.p > 0 && j.p > 0 &&
+                         k.p > 0 && n > powerOfTwo(-400);
   if (!isCertain || denominator < 0) {
     circle.error = std::numeric_limits<float>::infinity();
     return isCertain ? Existence::kNo : Existence::kUnknown;
@@ -93,10 +103,11 @@ Existence boundedCircle(const Site& pole, const Site& sj, const Site& sk, Vorono
   return Existence::kYes;
 }
 
-/// Half-plane of two finite sites, the pole and t; `side` is +1 if it is the pole's left on the way to t, else -1. There are few of
-/// these faces, so the bound is computed along with the value.
+/// Half-plane of two finite sites, the pole and t; `side` is +1 if it is the pole's left on the way
+/// to t, else -1. There are few of these faces, so the bound is computed along with the value.
 VoronoiCircle halfPlane(const Site& pole, const Site& t, int side) {
-  const double size = std::max({absolute(t.x - pole.x), absolute(t.y - pole.y), absolute(t.r - pole.r)});
+  const double size =
+      std::max({absolute(t.x - pole.x), absolute(t.y - pole.y), absolute(t.r - pole.r)});
   const double scale = inputScale(size);
   const Ball x = Ball::rounded((t.x - pole.x) * scale), y = Ball::rounded((t.y - pole.y) * scale);
   const Ball r = Ball::rounded((t.r - pole.r) * scale);
@@ -139,7 +150,8 @@ bool findVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle) {
     return true;
   }
   const Existence existence = boundedCircle(*i, *j, *k, circle);
-  return existence == Existence::kYes || (existence == Existence::kUnknown && hasVoronoiCircle(*i, *j, *k));
+  return existence == Existence::kYes ||
+         (existence == Existence::kUnknown && hasVoronoiCircle(*i, *j, *k));
 }
 
 }  // namespace apollonius

@@ -1,4 +1,5 @@
-// clang-tidy and cppcheck on the library and the bindings; headers are seen through the files that include them.
+// clang-tidy and cppcheck on the library and the bindings; headers are seen through the files that
+// include them.
 import { spawn } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync } from "node:fs";
 import path from "node:path";
@@ -7,25 +8,34 @@ import { root } from "../../wasm/toolchain/folders.mjs";
 import { ensureClang, ensureClangTidy, ensureCppcheck } from "../../wasm/toolchain/native.mjs";
 import { run, say, SetUpError } from "../../wasm/toolchain/process.mjs";
 
-const sources = () => readdirSync(path.join(root, "src"), { recursive: true }).filter((name) => name.endsWith(".cpp"))
-  .map((name) => `src/${name}`).sort();
+const sources = () =>
+  readdirSync(path.join(root, "src"), { recursive: true })
+    .filter((name) => name.endsWith(".cpp"))
+    .map((name) => `src/${name}`)
+    .sort();
 
 /** What a program prints, whatever its exit code. */
 function output(program, args) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, { cwd: root, stdio: ["ignore", "pipe", "pipe"] });
-    let text = "", errors = "";
+    let text = "",
+      errors = "";
     child.stdout.on("data", (chunk) => (text += chunk));
     child.stderr.on("data", (chunk) => (errors += chunk));
     child.on("error", reject);
-    child.on("close", (code) => (code === 0 || text !== "" ? resolve(text) : reject(new SetUpError(`${program}: ${errors}`))));
+    child.on("close", (code) =>
+      code === 0 || text !== "" ? resolve(text) : reject(new SetUpError(`${program}: ${errors}`)),
+    );
   });
 }
 
 /** Runs clang-tidy on each file; a finding in a header counts once. */
 export async function tidy() {
   const program = ensureClangTidy();
-  const folder = configureWithCmake("tidy", { CMAKE_CXX_COMPILER: ensureClang(), APOLLONIUS_TESTS: "OFF" });
+  const folder = configureWithCmake("tidy", {
+    CMAKE_CXX_COMPILER: ensureClang(),
+    APOLLONIUS_TESTS: "OFF",
+  });
   const queue = sources();
   const count = queue.length;
   const findings = new Set();
@@ -33,7 +43,8 @@ export async function tidy() {
     for (let file = queue.shift(); file !== undefined; file = queue.shift()) {
       const text = await output(program, ["-p", folder, "--quiet", file]);
       for (const finding of text.split(/^(?=\S+:\d+:\d+: (?:warning|error): )/m)) {
-        if (finding.trim() !== "" && !findings.has(finding)) console.log(finding.trimEnd().replaceAll(`${root}/`, ""));
+        if (finding.trim() !== "" && !findings.has(finding))
+          console.log(finding.trimEnd().replaceAll(`${root}/`, ""));
         findings.add(finding);
       }
     }
@@ -49,9 +60,33 @@ export function cppcheck() {
   const work = path.join(root, "build/cppcheck");
   mkdirSync(work, { recursive: true });
   const list = "tests/check/cppcheck.txt";
-  say(`${readFileSync(path.join(root, list), "utf8").split("\n").filter((line) => /^\w/.test(line)).length} kinds of findings are left out: ${list}`);
-  run(program, ["--std=c++20", "--language=c++", "--enable=warning,performance,portability,style", "--error-exitcode=1", "--quiet", "-j", jobs,
-                "-I", "src", `--suppressions-list=${list}`, `--cppcheck-build-dir=${work}`, "--template={file}:{line}: {id}: {message}",
-                "src", "wasm/bindings.cpp", "wasm/lean_runtime.cpp"], { cwd: root });
+  say(
+    `${
+      readFileSync(path.join(root, list), "utf8")
+        .split("\n")
+        .filter((line) => /^\w/.test(line)).length
+    } kinds of findings are left out: ${list}`,
+  );
+  run(
+    program,
+    [
+      "--std=c++20",
+      "--language=c++",
+      "--enable=warning,performance,portability,style",
+      "--error-exitcode=1",
+      "--quiet",
+      "-j",
+      jobs,
+      "-I",
+      "src",
+      `--suppressions-list=${list}`,
+      `--cppcheck-build-dir=${work}`,
+      "--template={file}:{line}: {id}: {message}",
+      "src",
+      "wasm/bindings.cpp",
+      "wasm/lean_runtime.cpp",
+    ],
+    { cwd: root },
+  );
   return "no findings";
 }

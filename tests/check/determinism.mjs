@@ -1,5 +1,6 @@
-// The recorded hashes of tests/diagram/determinism_test.cpp and tests/geometry/voronoi_test.cpp under other compilers, at other levels of
-// optimisation, and with 32-bit words. (Wasm has them in `npm test -- wasm`; Node and browsers, tests/wasm/determinism.test.mjs.)
+// The recorded hashes of tests/diagram/determinism_test.cpp and tests/geometry/voronoi_test.cpp
+// under other compilers, at other levels of optimisation, and with 32-bit words. (Wasm has them in
+// `npm test -- wasm`; Node and browsers, tests/wasm/determinism.test.mjs.)
 import { spawnSync } from "node:child_process";
 import path from "node:path";
 import { buildWithCmake } from "../../wasm/toolchain/cmake.mjs";
@@ -13,9 +14,17 @@ function configurations(only) {
   const clang = ensureClang();
   ensureThirtyTwoBits();
   return [
-    ...levels.map((level) => ["g++", level]), ...levels.map((level) => [clang, level]),
-    ["g++", "-O2 -m32"], ["g++", "-O2 -march=native"], [clang, "-O2 -march=native"],
-  ].map(([compiler, flags]) => ({ name: `${path.basename(compiler)}${flags.replace(/ /g, "")}`, compiler, flags }))
+    ...levels.map((level) => ["g++", level]),
+    ...levels.map((level) => [clang, level]),
+    ["g++", "-O2 -m32"],
+    ["g++", "-O2 -march=native"],
+    [clang, "-O2 -march=native"],
+  ]
+    .map(([compiler, flags]) => ({
+      name: `${path.basename(compiler)}${flags.replace(/ /g, "")}`,
+      compiler,
+      flags,
+    }))
     .filter(({ name }) => !only || name.includes(only));
 }
 
@@ -23,20 +32,39 @@ function configurations(only) {
 function hashes({ name, compiler, flags }) {
   say(`--- ${name}`);
   // Of no named type, so that no flags come in but those that are asked for.
-  const folder = buildWithCmake(`determinism/${name}`, { CMAKE_BUILD_TYPE: "None", CMAKE_CXX_COMPILER: compiler, CMAKE_CXX_FLAGS: flags, APOLLONIUS_WERROR: "ON" },
-                                { target: "determinism_tests" });
-  const { stdout, status, error } = spawnSync(path.join(folder, "determinism_tests"), ["--gtest_filter=*Determinism*"], { encoding: "utf8" });
+  const folder = buildWithCmake(
+    `determinism/${name}`,
+    {
+      CMAKE_BUILD_TYPE: "None",
+      CMAKE_CXX_COMPILER: compiler,
+      CMAKE_CXX_FLAGS: flags,
+      APOLLONIUS_WERROR: "ON",
+    },
+    { target: "determinism_tests" },
+  );
+  const { stdout, status, error } = spawnSync(
+    path.join(folder, "determinism_tests"),
+    ["--gtest_filter=*Determinism*"],
+    { encoding: "utf8" },
+  );
   if (error) throw new SetUpError(`${name}: ${error.message}`);
   if (status !== 0) process.stdout.write(stdout);
-  const found = stdout.split("\n").filter((line) => /^(values|raw|geometry) +0x/.test(line)).map((line) => line.replace(/ +/, " "));
+  const found = stdout
+    .split("\n")
+    .filter((line) => /^(values|raw|geometry) +0x/.test(line))
+    .map((line) => line.replace(/ +/, " "));
   return { name, status, line: found.join("  ") };
 }
 
 export function checkDeterminism() {
   const results = configurations(process.env.APOLLONIUS_DETERMINISM).map(hashes);
-  for (const { name, status, line } of results) console.log(`${name.padEnd(24)} ${line}${status === 0 ? "" : "   FAILED"}`);
+  for (const { name, status, line } of results)
+    console.log(`${name.padEnd(24)} ${line}${status === 0 ? "" : "   FAILED"}`);
   const different = new Set(results.map(({ line }) => line)).size;
-  if (different !== 1 || results.some(({ status, line }) => status !== 0 || line.split("  ").length !== 3)) {
+  if (
+    different !== 1 ||
+    results.some(({ status, line }) => status !== 0 || line.split("  ").length !== 3)
+  ) {
     throw new SetUpError(`${different} different answers of ${results.length} builds`);
   }
   return `the same hashes from ${results.length} builds`;

@@ -1,4 +1,5 @@
-// insertMany, updateMany and removeMany on diagrams that already hold sites: the same graph as a fresh build of what remains.
+// insertMany, updateMany and removeMany on diagrams that already hold sites: the same graph as a
+// fresh build of what remains.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -18,7 +19,8 @@ class Batches {
   void insert(const Circles& circles) {
     std::vector<SiteId> ids(circles.size());
     ASSERT_EQ(diagram_.insertMany(flat(circles), ids), Error::kNone);
-    for (std::size_t k = 0; k < ids.size(); ++k) ASSERT_TRUE(table_.insert({ids[k], circles[k]}).second) << "an id given twice";
+    for (std::size_t k = 0; k < ids.size(); ++k)
+      ASSERT_TRUE(table_.insert({ids[k], circles[k]}).second) << "an id given twice";
   }
 
   void update(const std::vector<SiteId>& ids, const Circles& circles) {

@@ -1,7 +1,8 @@
-// Structures broken on purpose: whatever one part says of another, nobody walks out of the arrays. The levels
-// of the hierarchy, the grid and hints only say where to start, so with wrong ones the answers are still right;
-// where the parts contradict each other about a site, the program ends with the name of the invariant, before
-// anything is touched. (Under AddressSanitizer this says most.)
+// Structures broken on purpose: whatever one part says of another, nobody walks out of the arrays.
+// The levels of the hierarchy, the grid and hints only say where to start, so with wrong ones the
+// answers are still right; where the parts contradict each other about a site, the program ends
+// with the name of the invariant, before anything is touched. (Under AddressSanitizer this says
+// most.)
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -122,7 +123,8 @@ TEST_F(BrokenParts, LevelsHaveTheirSitesElsewhere) {
       const VertexId v = someOf(level);
       if (level.visibleCount() < 3) break;
       (void)remover.remove(level, v, {});
-      level.setSite(v, {random.between(-100, 100), random.between(-100, 100), random.between(0, 30)});  // covers others, too
+      level.setSite(v, {random.between(-100, 100), random.between(-100, 100),
+                        random.between(0, 30)});  // covers others, too
       (void)level.insert(v, kNoVertex);
     }
   }
@@ -190,8 +192,10 @@ TEST_F(BrokenPartsDeathTest, PartsThatContradictEachOtherAboutASite) {
         core.remove(core.ids().idOf(visible));
       },
       "a site that is removed from a graph is there");
-  EXPECT_DEATH((void)Breaker::base(core).insert(DiagramCore::vertexOf(visible), kNoVertex), "a site enters a graph once");
-  EXPECT_DEATH(Breaker::ids(core).setState(Slot{1} << 29, SiteState::kHidden), "only a slot in use has a state");
+  EXPECT_DEATH((void)Breaker::base(core).insert(DiagramCore::vertexOf(visible), kNoVertex),
+               "a site enters a graph once");
+  EXPECT_DEATH(Breaker::ids(core).setState(Slot{1} << 29, SiteState::kHidden),
+               "only a slot in use has a state");
   EXPECT_EQ(core.ids().idOf(Slot{1} << 29), kNoSite);
   EXPECT_TRUE(core.ids().state(slot) != SiteState::kFree);
 }

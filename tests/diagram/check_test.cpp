@@ -1,5 +1,6 @@
-// DelaunayGraph::check, Hierarchy::check and DiagramCore::check name each kind of damage: every message of
-// src/diagram/check.cpp and src/diagram/hierarchy.cpp is provoked here. (Those of the topology: tests/graph/check_test.cpp.)
+// DelaunayGraph::check, Hierarchy::check and DiagramCore::check name each kind of damage: every
+// message of src/diagram/check.cpp and src/diagram/hierarchy.cpp is provoked here. (Those of the
+// topology: tests/graph/check_test.cpp.)
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +23,9 @@ std::string broken(const DelaunayGraph& diagram) {
   return what == nullptr ? std::string() : what;
 }
 
-bool startsWith(const std::string& text, const std::string& start) { return text.compare(0, start.size(), start) == 0; }
+bool startsWith(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
 
 /// Vertices 1, 2, …
 DelaunayGraph graphOf(const std::vector<Site>& sites) {
@@ -37,11 +40,14 @@ DelaunayGraph graphOf(const std::vector<Site>& sites) {
 
 const std::vector<Site> kFive{{0, 0, 1}, {10, 0, 2}, {10, 11, 1}, {0, 10, 3}, {5, 4, 0.5}};
 
-// --- One graph ---------------------------------------------------------------------------------------------------------------
+// --- One graph
+// -------------------------------------------------------------------------------------------------
 
 TEST(DelaunayGraphCheck, FindsNothingWhereNothingIsBroken) {
   for (std::size_t n = 0; n <= kFive.size(); ++n) {
-    EXPECT_EQ(broken(graphOf(std::vector<Site>(kFive.begin(), kFive.begin() + static_cast<std::ptrdiff_t>(n)))), "");
+    EXPECT_EQ(broken(graphOf(std::vector<Site>(kFive.begin(),
+                                               kFive.begin() + static_cast<std::ptrdiff_t>(n)))),
+              "");
   }
 }
 
@@ -72,7 +78,7 @@ TEST(DelaunayGraphCheck, StartOfWalks) {
 
 TEST(DelaunayGraphCheck, CachedCircle) {
   for (std::uint32_t f = 0; f < graphOf(kFive).graph().faceSlots(); ++f) {
-    for (double VoronoiCircle::*part : {&VoronoiCircle::x, &VoronoiCircle::y, &VoronoiCircle::s}) {
+    for (double VoronoiCircle::* part : {&VoronoiCircle::x, &VoronoiCircle::y, &VoronoiCircle::s}) {
       DelaunayGraph diagram = graphOf(kFive);
       Breaker::circle(diagram, FaceId{f}).*part += 1e-3;
       EXPECT_EQ(broken(diagram), "the cached circle of a face is not its circle: half-edge");
@@ -85,8 +91,9 @@ TEST(DelaunayGraphCheck, CachedCircle) {
 }
 
 TEST(DelaunayGraphCheck, FacesOfOtherSites) {
-  // Sites moved behind the graph's back, circles computed anew: which damage is found first depends on the numbers of the faces,
-  // so all displacements on a grid are tried. A displacement that changes nothing leaves the graph of a fresh build.
+  // Sites moved behind the graph's back, circles computed anew: which damage is found first depends
+  // on the numbers of the faces, so all displacements on a grid are tried. A displacement that
+  // changes nothing leaves the graph of a fresh build.
   const std::string conflict = "the faces of an edge contradict each other: half-edge";
   const std::string covered = "a visible site is covered by a neighbour: half-edge";
   const std::string noCircle = "a face has no Voronoi circle: half-edge";
@@ -105,14 +112,17 @@ TEST(DelaunayGraphCheck, FacesOfOtherSites) {
           for (std::uint32_t f = 0; f < d.graph().faceSlots(); ++f) {
             if (!d.graph().isLive(FaceId{f})) continue;
             std::vector<std::size_t> corners;
-            for (unsigned c = 0; c < 3; ++c) corners.push_back(index(d.graph().origin(halfedgeOf(FaceId{f}, c))));
-            std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+            for (unsigned c = 0; c < 3; ++c)
+              corners.push_back(index(d.graph().origin(halfedgeOf(FaceId{f}, c))));
+            std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()),
+                        corners.end());
             all.insert(corners);
           }
           return all;
         };
         const std::string message = broken(diagram);
-        EXPECT_EQ(message.empty(), faces(diagram) == faces(fresh)) << "site " << v << " at " << x << ", " << y << ": " << message;
+        EXPECT_EQ(message.empty(), faces(diagram) == faces(fresh))
+            << "site " << v << " at " << x << ", " << y << ": " << message;
         messages.insert(message);
       }
     }
@@ -122,21 +132,25 @@ TEST(DelaunayGraphCheck, FacesOfOtherSites) {
   EXPECT_TRUE(messages.contains(noCircle));
 }
 
-// --- The whole diagram -------------------------------------------------------------------------------------------------------
+// --- The whole diagram
+// -------------------------------------------------------------------------------------------------
 
 class DiagramCheck : public ::testing::Test {
  protected:
   /// Ten apart in rows, each of radius 4 but for a hidden one of radius 1 within every third.
   void fill(std::size_t n) {
     for (std::size_t k = 0; k < n; ++k) {
-      const double x = 10.0 * static_cast<double>(k % 16), y = 10.0 * static_cast<double>(k / 16) + 0.25 * static_cast<double>(k % 3);
+      const double x = 10.0 * static_cast<double>(k % 16),
+                   y = 10.0 * static_cast<double>(k / 16) + 0.25 * static_cast<double>(k % 3);
       last = core.insert({x, y, 4});
       if (k % 3 == 0) lastHidden = core.insert({x + 1, y, 1});
     }
     ASSERT_EQ(core.check().text(), "");
   }
 
-  void expectBroken(const std::string& message) { EXPECT_TRUE(startsWith(core.check().text(), message)) << core.check().text(); }
+  void expectBroken(const std::string& message) {
+    EXPECT_TRUE(startsWith(core.check().text(), message)) << core.check().text();
+  }
 
   DiagramCore core{Location::kHierarchy};
   SiteId last = kNoSite, lastHidden = kNoSite;  // visible, hidden
@@ -151,13 +165,15 @@ TEST_F(DiagramCheck, ChecksTheGraphFirst) {
 TEST_F(DiagramCheck, StateOfAVisibleSite) {
   fill(9);
   Breaker::ids(core).setState(last, SiteState::kHidden);
-  EXPECT_EQ(core.check().text(), "the state of a site differs from its place in the graph: site " + std::to_string(last));
+  EXPECT_EQ(core.check().text(), "the state of a site differs from its place in the graph: site " +
+                                     std::to_string(last));
 }
 
 TEST_F(DiagramCheck, StateOfAHiddenSite) {
   fill(9);
   Breaker::ids(core).setState(lastHidden, SiteState::kVisible);
-  EXPECT_EQ(core.check().text(), "the state of a site differs from its place in the graph: site " + std::to_string(lastHidden));
+  EXPECT_EQ(core.check().text(), "the state of a site differs from its place in the graph: site " +
+                                     std::to_string(lastHidden));
 }
 
 TEST_F(DiagramCheck, SiteOfNoState) {
@@ -165,20 +181,23 @@ TEST_F(DiagramCheck, SiteOfNoState) {
   SiteIds& ids = Breaker::ids(core);
   (void)ids.next();
   ids.take(SiteState::kPending);
-  EXPECT_EQ(core.check().text(), "sites are neither visible nor hidden: count " + std::to_string(ids.size()));
+  EXPECT_EQ(core.check().text(),
+            "sites are neither visible nor hidden: count " + std::to_string(ids.size()));
 }
 
 TEST_F(DiagramCheck, VisibleSiteInTheForest) {
   fill(9);
   Breaker::hidden(core).attach(last, 0);
-  EXPECT_EQ(core.check().text(), "a site that hangs on another is not hidden: site " + std::to_string(last));
+  EXPECT_EQ(core.check().text(),
+            "a site that hangs on another is not hidden: site " + std::to_string(last));
 }
 
 TEST_F(DiagramCheck, HiddenSiteOnAnotherThanItsCover) {
   fill(9);
   Breaker::hidden(core).detach(lastHidden);
   Breaker::hidden(core).attach(lastHidden, last);
-  EXPECT_EQ(core.check().text(), "a hidden site is not covered by its parent: site " + std::to_string(lastHidden));
+  EXPECT_EQ(core.check().text(),
+            "a hidden site is not covered by its parent: site " + std::to_string(lastHidden));
 }
 
 TEST_F(DiagramCheck, CycleInTheForest) {
@@ -193,7 +212,8 @@ TEST_F(DiagramCheck, HiddenSiteOnNothing) {
   expectBroken("hidden sites hang on nothing: reached");
 }
 
-// --- The hierarchy -----------------------------------------------------------------------------------------------------------
+// --- The hierarchy
+// -------------------------------------------------------------------------------------------------
 
 class HierarchyCheck : public DiagramCheck {
  protected:

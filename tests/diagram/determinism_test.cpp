@@ -1,6 +1,7 @@
-// The same bits everywhere: one fixed sequence of operations, and all output bits of it in two hashes that are written down here.
-// Natively at any optimisation level, with any compiler, and as wasm they must come out the same; a build that differs (a fused
-// multiply-add, x87, another libm in the core) fails here.
+// The same bits everywhere: one fixed sequence of operations, and all output bits of it in two
+// hashes that are written down here. Natively at any optimisation level, with any compiler, and as
+// wasm they must come out the same; a build that differs (a fused multiply-add, x87, another libm
+// in the core) fails here.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,12 +16,13 @@
 namespace apollonius::test {
 namespace {
 
-/// Hash of what the diagram says about its circles: order-free, so a change here means that the bits of some coordinate, clearance
-/// or distance have changed. Update it only with a change of those formulas that is meant.
+/// Hash of what the diagram says about its circles: order-free, so a change here means that the
+/// bits of some coordinate, clearance or distance have changed. Update it only with a change of
+/// those formulas that is meant.
 constexpr std::uint64_t kExpectedValues = 0xbc441551d99089c7;
 
-/// Hash of the raw arrays in their order, which depends on how the diagram is stored and searched. Update it after any change of
-/// that; it still has to be the same natively and in wasm.
+/// Hash of the raw arrays in their order, which depends on how the diagram is stored and searched.
+/// Update it after any change of that; it still has to be the same natively and in wasm.
 constexpr std::uint64_t kExpectedRaw = 0x8091ca1b48850e19;
 
 /// Hash of generated circles: native code and wasm must be tested with the same sets.
@@ -53,7 +55,8 @@ void addOutputs(const Diagram& diagram, Random& random, Hashes& hashes) {
 
   std::vector<std::array<double, 3>> rows;
   for (std::size_t k = 0; k < vertices.clearance.size(); ++k) {
-    rows.push_back({vertices.coordinates[2 * k], vertices.coordinates[2 * k + 1], vertices.clearance[k]});
+    rows.push_back(
+        {vertices.coordinates[2 * k], vertices.coordinates[2 * k + 1], vertices.clearance[k]});
     for (const double number : rows.back()) ASSERT_FALSE(std::isnan(number));
   }
   std::sort(rows.begin(), rows.end());
@@ -78,13 +81,16 @@ TEST(Determinism, HashesOfAFixedSequence) {
     const std::size_t n = generator.large ? 60 : 12;
     const Circles pool = generator.make(random, n);
     Replay replay;
-    for (const Operation& operation : randomHistory(random, pool, 2 * n)) ASSERT_EQ(replay.apply({&operation, 1}), "");
+    for (const Operation& operation : randomHistory(random, pool, 2 * n))
+      ASSERT_EQ(replay.apply({&operation, 1}), "");
     addOutputs(replay.diagram(), random, hashes);
     if (HasFatalFailure()) return;
   }
   std::printf("values %s\nraw    %s\n", hex(hashes.values).c_str(), hex(hashes.raw).c_str());
-  EXPECT_EQ(hashes.values.value(), kExpectedValues) << "bits of coordinates or distances changed, to " << hex(hashes.values);
-  EXPECT_EQ(hashes.raw.value(), kExpectedRaw) << "order of the arrays changed; hash " << hex(hashes.raw);
+  EXPECT_EQ(hashes.values.value(), kExpectedValues)
+      << "bits of coordinates or distances changed, to " << hex(hashes.values);
+  EXPECT_EQ(hashes.raw.value(), kExpectedRaw)
+      << "order of the arrays changed; hash " << hex(hashes.raw);
 }
 
 TEST(Determinism, VerticesHaveTheSameBitsAfterAnyHistory) {
@@ -95,7 +101,8 @@ TEST(Determinism, VerticesHaveTheSameBitsAfterAnyHistory) {
     std::array<Hashes, 3> hashes;
     for (Hashes& run : hashes) {
       Replay replay;
-      for (const Operation& operation : insertAll(circles)) ASSERT_EQ(replay.apply({&operation, 1}), "");
+      for (const Operation& operation : insertAll(circles))
+        ASSERT_EQ(replay.apply({&operation, 1}), "");
       Random points(293);
       addOutputs(replay.diagram(), points, run);
       random.shuffle(circles);
@@ -113,7 +120,8 @@ TEST(Determinism, GeneratorsAreTheSameEverywhere) {
       for (const double number : {c.x, c.y, c.r}) hash.add(number);
     }
   }
-  EXPECT_EQ(hash.value(), kExpectedGenerated) << "the generators made other circles; hash " << hex(hash);
+  EXPECT_EQ(hash.value(), kExpectedGenerated)
+      << "the generators made other circles; hash " << hex(hash);
 }
 
 }  // namespace

@@ -13,7 +13,9 @@ class DiagramBreaker {
   static Graph& graph(DelaunayGraph& diagram) { return diagram.graph_; }
   static std::size_t& visibleCount(DelaunayGraph& diagram) { return diagram.visibleCount_; }
   static VertexId& recent(DelaunayGraph& diagram) { return diagram.recent_; }
-  static VoronoiCircle& circle(DelaunayGraph& diagram, FaceId f) { return diagram.circles_[index(f)]; }
+  static VoronoiCircle& circle(DelaunayGraph& diagram, FaceId f) {
+    return diagram.circles_[index(f)];
+  }
   /// Makes the cached circles fit sites that were changed behind the diagram's back.
   static void computeCircles(DelaunayGraph& diagram) {
     for (std::uint32_t f = 0; f < diagram.graph_.faceSlots(); ++f) {

@@ -58,9 +58,11 @@ struct BadNumber {
 };
 
 const BadNumber kBadNumbers[] = {
-    {kNan, Error::kNotFinite},    {kInf, Error::kNotFinite},     {-kInf, Error::kNotFinite},
-    {1.01e100, Error::kOutOfRange}, {-1.01e100, Error::kOutOfRange}, {0.99e-100, Error::kOutOfRange},
-    {-1e-300, Error::kOutOfRange}, {5e-324, Error::kOutOfRange}, {1.7e308, Error::kOutOfRange},
+    {kNan, Error::kNotFinite},       {kInf, Error::kNotFinite},
+    {-kInf, Error::kNotFinite},      {1.01e100, Error::kOutOfRange},
+    {-1.01e100, Error::kOutOfRange}, {0.99e-100, Error::kOutOfRange},
+    {-1e-300, Error::kOutOfRange},   {5e-324, Error::kOutOfRange},
+    {1.7e308, Error::kOutOfRange},
 };
 
 TEST_F(Errors, BadNumbersInEveryPlace) {
@@ -94,7 +96,8 @@ TEST_F(Errors, BadNumbersInEveryPlace) {
 TEST_F(Errors, EndsOfTheRangeAreLegal) {
   Diagram diagram;
   SiteId id = kNoSite;
-  for (const double value : {kLargestMagnitude, -kLargestMagnitude, kSmallestMagnitude, -kSmallestMagnitude, 0.0, -0.0}) {
+  for (const double value : {kLargestMagnitude, -kLargestMagnitude, kSmallestMagnitude,
+                             -kSmallestMagnitude, 0.0, -0.0}) {
     EXPECT_EQ(diagram.insert(value, 1, 1, id), Error::kNone) << value;
     EXPECT_EQ(diagram.insert(1, value, 1, id), Error::kNone) << value;
     EXPECT_EQ(diagram.insert(1, 1, value, id), Error::kNone) << value;
@@ -107,7 +110,8 @@ TEST_F(Errors, EndsOfTheRangeAreLegal) {
 }
 
 TEST_F(Errors, UnknownSites) {
-  for (const SiteId id : {static_cast<SiteId>(ids_.size()), kNoSite, kNoSite - 1, SiteId{1} << 31}) {
+  for (const SiteId id :
+       {static_cast<SiteId>(ids_.size()), kNoSite, kNoSite - 1, SiteId{1} << 31}) {
     EXPECT_FALSE(diagram_.has(id));
     Circle circle{};
     EXPECT_EQ(diagram_.site(id, circle), Error::kUnknownSite);
@@ -136,9 +140,11 @@ TEST_F(Errors, WrongLengths) {
   EXPECT_EQ(diagram_.insertMany(xyr, std::span(some, 2)), Error::kBadLength);
   EXPECT_EQ(diagram_.insertMany(std::span(xyr).first(6), some), Error::kBadLength);
   EXPECT_EQ(diagram_.updateMany(std::span(ids_).first(2), xyr), Error::kBadLength);
-  EXPECT_EQ(diagram_.updateMany(std::span(ids_).first(3), std::span(xyr).first(6)), Error::kBadLength);
+  EXPECT_EQ(diagram_.updateMany(std::span(ids_).first(3), std::span(xyr).first(6)),
+            Error::kBadLength);
   double distances[2] = {};
-  EXPECT_EQ(diagram_.findMany(std::span(xyr).first(5), std::span(some, 2), distances), Error::kBadLength);
+  EXPECT_EQ(diagram_.findMany(std::span(xyr).first(5), std::span(some, 2), distances),
+            Error::kBadLength);
   EXPECT_EQ(diagram_.findMany(std::span(xyr).first(4), some, distances), Error::kBadLength);
   EXPECT_EQ(diagram_.findMany(std::span(xyr).first(6), some, distances), Error::kBadLength);
 }

@@ -1,6 +1,5 @@
-// HiddenForest against a model that keeps each node's children as a list; and as a heap, with its questions counted.
-#include "diagram/hidden.h"
-
+// HiddenForest against a model that keeps each node's children as a list; and as a heap, with its
+// questions counted.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "diagram/hidden.h"
 #include "support/random.h"
 
 namespace apollonius {
@@ -19,7 +19,8 @@ constexpr Node kNone = HiddenForest::kNone;
 
 std::vector<Node> children(const HiddenForest& forest, Node n) {
   std::vector<Node> all;
-  for (Node child = forest.firstChild(n); child != kNone; child = forest.nextSibling(child)) all.push_back(child);
+  for (Node child = forest.firstChild(n); child != kNone; child = forest.nextSibling(child))
+    all.push_back(child);
   return all;
 }
 
@@ -100,7 +101,8 @@ TEST(HiddenForest, RecordsAreUsedAgain) {
   constexpr Node kNodes = 1000;
   HiddenForest forest;
   forest.reserve(kNodes);
-  forest.reserveChildren(2);  // what follows has never more; records beyond the room would be written out of bounds (sanitizers)
+  forest.reserveChildren(2);  // what follows has never more; records beyond the room would be
+                              // written out of bounds (sanitizers)
   for (Node parent = 0; parent + 2 < kNodes; ++parent) {
     forest.attach(parent + 1, parent);
     forest.attach(parent + 2, parent);
@@ -149,14 +151,17 @@ TEST(HiddenForest, RandomHistoriesAgreeWithTheModel) {
         }
         parentOf[n] = kNone;
       }
-      for (Node k = 0; k < kNodes; ++k) ASSERT_EQ(children(forest, k), childrenOf[k]) << "node " << k << ", step " << step;
+      for (Node k = 0; k < kNodes; ++k)
+        ASSERT_EQ(children(forest, k), childrenOf[k]) << "node " << k << ", step " << step;
     }
   }
 }
 
-// --- As a heap -----------------------------------------------------------------------------------------------------
+// --- As a heap
+// -------------------------------------------------------------------------------------------------
 
-/// A family of nested sites under one visible one, as the diagram treats it: numbers that cover what is not larger.
+/// A family of nested sites under one visible one, as the diagram treats it: numbers that cover
+/// what is not larger.
 class Chain {
  public:
   explicit Chain(Node nodes) : value_(nodes, 0) {
@@ -187,7 +192,8 @@ class Chain {
     values_.erase(std::prev(values_.end()));
     List heirs = children(forest_, top_);
     const auto isSmaller = [&](Node a, Node b) { return value_[a] < value_[b]; };
-    if (!heirs.empty()) std::iter_swap(heirs.begin(), std::max_element(heirs.begin(), heirs.end(), isSmaller));
+    if (!heirs.empty())
+      std::iter_swap(heirs.begin(), std::max_element(heirs.begin(), heirs.end(), isSmaller));
     for (const Node heir : heirs) forest_.detach(heir);
     for (std::size_t k = 1; k < heirs.size(); ++k) hang(heirs[k], heirs[0]);
     free_.push_back(top_);
@@ -206,7 +212,9 @@ class Chain {
 
   [[nodiscard]] std::size_t hiddenCount() const { return hidden_.size(); }
   [[nodiscard]] std::size_t size() const { return values_.size(); }
-  [[nodiscard]] double questionsPerSite() const { return static_cast<double>(questions_) / static_cast<double>(hung_); }
+  [[nodiscard]] double questionsPerSite() const {
+    return static_cast<double>(questions_) / static_cast<double>(hung_);
+  }
 
   /// Every site is reached, no one has more than two children, and parents cover them.
   void check() const {
@@ -247,7 +255,8 @@ TEST(HiddenForest, NestedSitesHaveTwoChildrenAfterAnyHistory) {
     Chain chain(60);
     const int values = seed % 3 == 0 ? 1 : seed % 3 == 1 ? 10 : 1000;
     for (int step = 0; step < 300; ++step) {
-      const bool grows = chain.size() < 60 && (chain.size() < 3 || random.below(step / 50 % 2 == 0 ? 10u : 20u) < 7);
+      const bool grows = chain.size() < 60 &&
+                         (chain.size() < 3 || random.below(step / 50 % 2 == 0 ? 10u : 20u) < 7);
       if (grows) {
         chain.insert(static_cast<int>(random.below(values)));
       } else if (random.oneIn(2)) {
@@ -261,14 +270,16 @@ TEST(HiddenForest, NestedSitesHaveTwoChildrenAfterAnyHistory) {
   }
 }
 
-// The bound of hidden.h with its constant: 2 log2 T light steps and as many paid by the potential, two questions each.
+// The bound of hidden.h with its constant: 2 log2 T light steps and as many paid by the potential,
+// two questions each.
 TEST(HiddenForest, NestedSitesAskLogarithmicallyManyQuestions) {
   for (const int order : {0, 1, 2, 3}) {
     for (const Node n : {1000u, 2000u, 16000u}) {
       Random random(n);
       Chain chain(n);
       std::vector<int> values;
-      for (Node k = 0; k < n; ++k) values.push_back(order == 3 ? 7 : static_cast<int>(order == 1 ? n - k : k));
+      for (Node k = 0; k < n; ++k)
+        values.push_back(order == 3 ? 7 : static_cast<int>(order == 1 ? n - k : k));
       if (order == 2) random.shuffle(values);
       for (const int value : values) chain.insert(value);
       chain.check();

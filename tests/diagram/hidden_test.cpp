@@ -1,4 +1,5 @@
-// Hidden sites: the flags against brute force, coverOf, revival, duplicates, and a site that covers everything.
+// Hidden sites: the flags against brute force, coverOf, revival, duplicates, and a site that covers
+// everything.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,9 +40,10 @@ std::string validated(const Diagram& diagram) {
 }
 
 /// Flags and covers of all sites against their definition.
-void expectRightCovers(const Diagram& diagram, const Circles& circles, const std::vector<SiteId>& ids) {
+void expectRightCovers(const Diagram& diagram, const Circles& circles,
+                       const std::vector<SiteId>& ids) {
   for (std::size_t k = 0; k < circles.size(); ++k) {
-    bool covered = false;   // by a circle that is not identical
+    bool covered = false;  // by a circle that is not identical
     int identicalVisible = 0;
     for (std::size_t other = 0; other < circles.size(); ++other) {
       if (same(circles[k], circles[other])) {
@@ -50,7 +52,8 @@ void expectRightCovers(const Diagram& diagram, const Circles& circles, const std
         covered = covered || oracleCovers(circles[other], circles[k]);
       }
     }
-    ASSERT_EQ(identicalVisible, covered ? 0 : 1) << "site " << k << ": of identical sites one is visible unless covered";
+    ASSERT_EQ(identicalVisible, covered ? 0 : 1)
+        << "site " << k << ": of identical sites one is visible unless covered";
     const SiteId cover = coverOf(diagram, ids[k]);
     ASSERT_EQ(cover == kNoSite, !hidden(diagram, ids[k]));
     if (cover == kNoSite) continue;
@@ -59,7 +62,8 @@ void expectRightCovers(const Diagram& diagram, const Circles& circles, const std
     ASSERT_FALSE(hidden(diagram, cover)) << "a cover is visible";
     ASSERT_TRUE(oracleCovers(by, circles[k])) << "a cover covers";
     const int nearest = oracleNearest(circles, circles[k].x, circles[k].y);
-    ASSERT_TRUE(same(by, circles[static_cast<std::size_t>(nearest)])) << "the cover is the site nearest to the hidden one's centre";
+    ASSERT_TRUE(same(by, circles[static_cast<std::size_t>(nearest)]))
+        << "the cover is the site nearest to the hidden one's centre";
     std::vector<SiteId> neighbors{0};
     ASSERT_EQ(diagram.neighbors(ids[k], neighbors), Error::kNone);
     ASSERT_TRUE(neighbors.empty()) << "a hidden site has no neighbours";
@@ -96,7 +100,8 @@ TEST(Hidden, FlagsAndCoversAlongRandomHistories) {
       } else {
         circles.push_back(pool[random.below(pool.size())]);
         ids.push_back(0);
-        ASSERT_EQ(diagram.insert(circles.back().x, circles.back().y, circles.back().r, ids.back()), Error::kNone);
+        ASSERT_EQ(diagram.insert(circles.back().x, circles.back().y, circles.back().r, ids.back()),
+                  Error::kNone);
       }
     }
     expectRightCovers(diagram, circles, ids);
@@ -158,7 +163,8 @@ TEST(Hidden, DuplicatesAreSitesOfTheirOwn) {
   while (!identical.empty()) {
     EXPECT_EQ(diagram.visibleSize(), 2u);
     EXPECT_EQ(validated(diagram), "");
-    const auto visible = std::find_if(identical.begin(), identical.end(), [&](SiteId id) { return !hidden(diagram, id); });
+    const auto visible = std::find_if(identical.begin(), identical.end(),
+                                      [&](SiteId id) { return !hidden(diagram, id); });
     ASSERT_NE(visible, identical.end());
     bool removed = false;
     ASSERT_EQ(diagram.remove(*visible, removed), Error::kNone);

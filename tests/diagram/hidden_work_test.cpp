@@ -1,5 +1,6 @@
-// What hidden sites cost, counted in questions to the predicates: removing the visible one of many nested sites,
-// covering and uncovering, and asking around a point. Sizes n and 2n: what grows with n in each step would be quadratic in all.
+// What hidden sites cost, counted in questions to the predicates: removing the visible one of many
+// nested sites, covering and uncovering, and asking around a point. Sizes n and 2n: what grows with
+// n in each step would be quadratic in all.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -41,7 +42,9 @@ std::size_t mostChildren(DiagramCore& core) {
   const HiddenForest& forest = DiagramBreaker::hidden(core);
   for (Slot slot = 0; slot < core.ids().slots(); ++slot) {
     std::size_t count = 0;
-    for (Slot child = forest.firstChild(slot); child != HiddenForest::kNone; child = forest.nextSibling(child)) ++count;
+    for (Slot child = forest.firstChild(slot); child != HiddenForest::kNone;
+         child = forest.nextSibling(child))
+      ++count;
     most = std::max(most, count);
   }
   return most;
@@ -62,7 +65,8 @@ const std::array<Family, 3>& nested() {
   static const std::array<Family, 3> families{{
       {"Duplicates", [](std::size_t) { return Circle{1, 2, 3}; }},
       {"Concentric", [](std::size_t k) { return Circle{1, 2, static_cast<double>(k)}; }},
-      {"TangentInside", [](std::size_t k) { return Circle{static_cast<double>(k), 0, static_cast<double>(k)}; }},
+      {"TangentInside",
+       [](std::size_t k) { return Circle{static_cast<double>(k), 0, static_cast<double>(k)}; }},
   }};
   return families;
 }
@@ -82,14 +86,16 @@ TEST(HiddenWork, RemovingTheVisibleOneOfNestedSitesUntilNoneIsLeft) {
         const auto n = static_cast<std::size_t>(runs(4000)) << twice;
         const Circles circles = made(family, n);
         DiagramCore core(Location::kHierarchy);
-        const double inserting = questionsOf([&] { insertAll(core, isShuffled ? shuffled(circles) : circles); });
+        const double inserting =
+            questionsOf([&] { insertAll(core, isShuffled ? shuffled(circles) : circles); });
         EXPECT_LT(inserting, (6 + 2 * std::log2(n)) * static_cast<double>(n));
         EXPECT_LE(mostChildren(core), 2u);
         ASSERT_EQ(core.check().text(), "");
         work[twice] = questionsOf([&] {
           for (std::size_t left = n; left > 0; --left) {
             ASSERT_EQ(core.visibleCount(), 1u);
-            ASSERT_EQ(core.site(core.ids().slotOf(anyVisible(core))).r, circles[left - 1].r) << "the largest";
+            ASSERT_EQ(core.site(core.ids().slotOf(anyVisible(core))).r, circles[left - 1].r)
+                << "the largest";
             ASSERT_TRUE(core.remove(anyVisible(core)));
             if (left == n / 2) {
               EXPECT_EQ(core.check().text(), "");
@@ -151,7 +157,8 @@ TEST(HiddenWork, UpdatesOfTheVisibleDuplicate) {
   EXPECT_EQ(core.check().text(), "");
 }
 
-// Each family gets a tree of its own when the giant over them goes: all removals together stay within n log n.
+// Each family gets a tree of its own when the giant over them goes: all removals together stay
+// within n log n.
 TEST(HiddenWork, RemovingTheVisibleSitesOfNestedFamiliesUntilNoneIsLeft) {
   std::array<double, 2> work{};
   for (const int twice : {0, 1}) {
@@ -185,7 +192,8 @@ TEST(HiddenWork, RemovingTheVisibleSitesOfNestedFamiliesUntilNoneIsLeft) {
 Circles disjoint(std::size_t m) {
   Circles circles;
   for (std::size_t k = 0; k < m; ++k) {
-    circles.push_back({static_cast<double>(k % 50 * 10), static_cast<double>(k / 50 * 10 + k % 7), 1});
+    circles.push_back(
+        {static_cast<double>(k % 50 * 10), static_cast<double>(k / 50 * 10 + k % 7), 1});
   }
   return circles;
 }
@@ -237,7 +245,8 @@ TEST(HiddenWork, AroundAPointInNestedSites) {
       nearest[twice] = questionsOf([&] { core.nearby(-7, 40, kAnswer, nullptr, sites); });
       EXPECT_EQ(sites.size(), kAnswer);
       const Site& last = core.site(core.ids().slotOf(sites.back()));
-      const double distance = std::sqrt((last.x + 7) * (last.x + 7) + (last.y - 40) * (last.y - 40)) - last.r;
+      const double distance =
+          std::sqrt((last.x + 7) * (last.x + 7) + (last.y - 40) * (last.y - 40)) - last.r;
       // In `within` each site that is looked at is a question: at most two for each in the answer.
       if (family.circle(1).r == family.circle(2).r) continue;  // all are as far
       within[twice] = questionsOf([&] { core.nearby(-7, 40, n, &distance, sites); });
@@ -250,7 +259,8 @@ TEST(HiddenWork, AroundAPointInNestedSites) {
   }
 }
 
-// Among sites that are equally far a parent comes before its children, as it should: all circles touch on this line.
+// Among sites that are equally far a parent comes before its children, as it should: all circles
+// touch on this line.
 TEST(HiddenWork, EquallyFarNestedSitesComeLargestFirst) {
   const std::size_t n = 300;
   DiagramCore core(Location::kHierarchy);
@@ -259,7 +269,8 @@ TEST(HiddenWork, EquallyFarNestedSitesComeLargestFirst) {
     std::vector<SiteId> sites;
     core.nearby(x, 0, n, nullptr, sites);
     ASSERT_EQ(sites.size(), n);
-    for (std::size_t k = 0; k < n; ++k) EXPECT_EQ(core.site(core.ids().slotOf(sites[k])).r, static_cast<double>(n - k));
+    for (std::size_t k = 0; k < n; ++k)
+      EXPECT_EQ(core.site(core.ids().slotOf(sites[k])).r, static_cast<double>(n - k));
   }
 }
 

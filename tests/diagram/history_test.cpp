@@ -1,5 +1,6 @@
-// Fully dynamic: after any history of insert, remove and update the graph is that of a fresh build of the surviving circles.
-// On failure the shortened history is printed in the format of tests/data/regressions.
+// Fully dynamic: after any history of insert, remove and update the graph is that of a fresh build
+// of the surviving circles. On failure the shortened history is printed in the format of
+// tests/data/regressions.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -32,12 +33,14 @@ TEST(History, ShortOnesInLine) {
   for (int run = 0; run < runs(2000); ++run) {
     const int heaviest = random.below(4);
     const std::size_t poolSize = 5 + random.below(std::size_t{8});
-    const Circles pool = run % 3 == 0 ? collinear(random, poolSize, Line::kRandomSlope, run % 2 == 0, heaviest)
-                                      : tangentLines(random, poolSize, run % 3, heaviest);
+    const Circles pool =
+        run % 3 == 0 ? collinear(random, poolSize, Line::kRandomSlope, run % 2 == 0, heaviest)
+                     : tangentLines(random, poolSize, run % 3, heaviest);
     Checks checks;
     checks.location = run % 2 == 0 ? Location::kHierarchy : Location::kWalk;
     checks.oracleUpTo = 7;
-    ASSERT_EQ(failureOf(randomHistory(random, pool, 4 + random.below(std::size_t{20})), checks), "") << "run " << run;
+    ASSERT_EQ(failureOf(randomHistory(random, pool, 4 + random.below(std::size_t{20})), checks), "")
+        << "run " << run;
   }
 }
 
@@ -98,7 +101,8 @@ TEST_P(HistoryOn, RemovingAllInRandomOrder) {
   random.shuffle(order);
   for (const std::size_t k : order) history.push_back({Operation::Kind::kRemove, k, {}});
   // Down to nothing, and up again.
-  for (std::size_t k = 0; k < circles.size() && k < 10; ++k) history.push_back({Operation::Kind::kInsert, 0, circles[k]});
+  for (std::size_t k = 0; k < circles.size() && k < 10; ++k)
+    history.push_back({Operation::Kind::kInsert, 0, circles[k]});
   ASSERT_EQ(failureOf(history, {}), "");
 }
 

@@ -1,4 +1,5 @@
-// Ids: stable while a site lives, used again afterwards, from 0 after clear(); the site table along random histories.
+// Ids: stable while a site lives, used again afterwards, from 0 after clear(); the site table along
+// random histories.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -1,4 +1,5 @@
-// The diagram is a function of the set of sites: every order of insertion ends in the same graph, bulk insertion too.
+// The diagram is a function of the set of sites: every order of insertion ends in the same graph,
+// bulk insertion too.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +13,8 @@
 namespace apollonius::test {
 namespace {
 
-Canonical buildInOrder(const Circles& circles, const std::vector<std::size_t>& order, Location location, std::string& broken) {
+Canonical buildInOrder(const Circles& circles, const std::vector<std::size_t>& order,
+                       Location location, std::string& broken) {
   Circles ordered;
   for (const std::size_t k : order) ordered.push_back(circles[k]);
   return freshBuild(ordered, Build::kOneByOne, location, broken);
@@ -36,29 +38,34 @@ TEST(InsertionOrder, AllOrdersOfTinySetsGiveTheSameGraph) {
       Circles ordered;
       for (const std::size_t k : order) ordered.push_back(circles[k]);
       ASSERT_EQ(broken, "") << toText(insertAll(ordered));
-      ASSERT_TRUE(got == expected) << "run " << run << "\n" << difference(expected, got) << toText(insertAll(ordered));
+      ASSERT_TRUE(got == expected) << "run " << run << "\n"
+                                   << difference(expected, got) << toText(insertAll(ordered));
     } while (std::next_permutation(order.begin(), order.end()));
   }
 }
 
-/// Sites in line and under common tangents, where zeros of vertex conflict involve infinity: the oracle's graph in every order.
+/// Sites in line and under common tangents, where zeros of vertex conflict involve infinity: the
+/// oracle's graph in every order.
 TEST(InsertionOrder, AllOrdersOfTinySetsInLineGiveTheOraclesGraph) {
   Random random(214);
   for (int run = 0; run < runs(300); ++run) {
     const std::size_t n = 3 + random.below(std::size_t{3});
     const int heaviest = random.below(4);
-    const Circles circles = run % 3 == 0 ? collinear(random, n, Line::kRandomSlope, run % 2 == 0, heaviest)
-                                         : tangentLines(random, n, run % 3, heaviest);
+    const Circles circles = run % 3 == 0
+                                ? collinear(random, n, Line::kRandomSlope, run % 2 == 0, heaviest)
+                                : tangentLines(random, n, run % 3, heaviest);
     const Canonical expected = canonicalByOracle(circles);
     std::vector<std::size_t> order(circles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     do {
       std::string broken;
-      const Canonical got = buildInOrder(circles, order, run % 2 == 0 ? Location::kHierarchy : Location::kWalk, broken);
+      const Canonical got = buildInOrder(
+          circles, order, run % 2 == 0 ? Location::kHierarchy : Location::kWalk, broken);
       Circles ordered;
       for (const std::size_t k : order) ordered.push_back(circles[k]);
       ASSERT_EQ(broken, "") << toText(insertAll(ordered));
-      ASSERT_TRUE(got == expected) << "run " << run << "\n" << difference(expected, got) << toText(insertAll(ordered));
+      ASSERT_TRUE(got == expected) << "run " << run << "\n"
+                                   << difference(expected, got) << toText(insertAll(ordered));
     } while (std::next_permutation(order.begin(), order.end()));
   }
 }
@@ -75,9 +82,11 @@ TEST(InsertionOrder, RandomOrdersOfLargerGridsGiveTheSameGraph) {
     ASSERT_EQ(broken, "") << toText(insertAll(circles));
     for (int order = 0; order < 3; ++order) {
       random.shuffle(circles);
-      const Canonical got = freshBuild(circles, Build::kOneByOne, order == 0 ? Location::kWalk : Location::kHierarchy, broken);
+      const Canonical got = freshBuild(circles, Build::kOneByOne,
+                                       order == 0 ? Location::kWalk : Location::kHierarchy, broken);
       ASSERT_EQ(broken, "") << toText(insertAll(circles));
-      ASSERT_TRUE(got == expected) << "run " << run << "\n" << difference(expected, got) << toText(insertAll(circles));
+      ASSERT_TRUE(got == expected) << "run " << run << "\n"
+                                   << difference(expected, got) << toText(insertAll(circles));
     }
   }
 }
@@ -94,7 +103,8 @@ TEST_P(InsertionOrderOn, RandomOrdersAndBulkGiveTheSameGraph) {
   for (int order = 0; order < 4; ++order) {
     random.shuffle(circles);
     if (order == 3) std::sort(circles.begin(), circles.end(), oracleSmaller);
-    const Canonical got = freshBuild(circles, Build::kOneByOne, order == 0 ? Location::kWalk : Location::kHierarchy, broken);
+    const Canonical got = freshBuild(circles, Build::kOneByOne,
+                                     order == 0 ? Location::kWalk : Location::kHierarchy, broken);
     ASSERT_EQ(broken, "") << "order " << order;
     ASSERT_TRUE(got == expected) << "order " << order << "\n" << difference(expected, got);
   }

@@ -1,6 +1,7 @@
-// What must not change the graph: scaling by powers of two, exact translation, the same amount added to all weights. These keep
-// the order of sites too, so the canonical forms are equal index by index, in degenerate position as well. Turning the plane by
-// 90 degrees does not keep it; there the answers in general position are compared.
+// What must not change the graph: scaling by powers of two, exact translation, the same amount
+// added to all weights. These keep the order of sites too, so the canonical forms are equal index
+// by index, in degenerate position as well. Turning the plane by 90 degrees does not keep it; there
+// the answers in general position are compared.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +29,8 @@ Circle unchanged(const Circle& c) { return c; }
 
 bool isLegal(const Circle& c) {
   const auto inRange = [](double value) {
-    return value == 0 || (std::abs(value) >= kSmallestMagnitude && std::abs(value) <= kLargestMagnitude);
+    return value == 0 ||
+           (std::abs(value) >= kSmallestMagnitude && std::abs(value) <= kLargestMagnitude);
   };
   return inRange(c.x) && inRange(c.y) && inRange(c.r);
 }
@@ -41,9 +43,12 @@ TEST_P(InvarianceOn, ScalingByPowersOfTwo) {
   const Canonical expected = shape(circles, unchanged);
   for (const int exponent : {-500, -200, -20, -1, 5, 20, 200, 500}) {
     const auto scaled = [&](const Circle& c) {
-      return Circle{std::ldexp(c.x, exponent), std::ldexp(c.y, exponent), std::ldexp(c.r, exponent)};
+      return Circle{std::ldexp(c.x, exponent), std::ldexp(c.y, exponent),
+                    std::ldexp(c.r, exponent)};
     };
-    if (!std::all_of(circles.begin(), circles.end(), [&](const Circle& c) { return isLegal(scaled(c)); })) continue;
+    if (!std::all_of(circles.begin(), circles.end(),
+                     [&](const Circle& c) { return isLegal(scaled(c)); }))
+      continue;
     EXPECT_TRUE(shape(circles, scaled) == expected) << "scaled by 2^" << exponent;
   }
 }
@@ -63,7 +68,8 @@ TEST(Invariance, TranslationAndCommonWeight) {
     const auto lighter = [](const Circle& c) { return Circle{c.x, c.y, c.r - 1000}; };
     ASSERT_TRUE(shape(circles, moved) == expected) << toText(insertAll(circles));
     ASSERT_TRUE(shape(circles, heavier) == expected) << toText(insertAll(circles));
-    ASSERT_TRUE(shape(circles, lighter) == expected) << toText(insertAll(circles)) << "negative weights are legal";
+    ASSERT_TRUE(shape(circles, lighter) == expected)
+        << toText(insertAll(circles)) << "negative weights are legal";
   }
 }
 
@@ -85,7 +91,8 @@ TEST(Invariance, TurningThePlaneInGeneralPosition) {
           const Circle c = back(form.circles[static_cast<std::size_t>(t[k])]);
           corners[k] = {c.x, c.y, c.r};
         }
-        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()),
+                    corners.end());
         triples.push_back(corners);
       }
       std::sort(triples.begin(), triples.end());
@@ -95,7 +102,8 @@ TEST(Invariance, TurningThePlaneInGeneralPosition) {
     for (const Circle& c : circles) turned.push_back({-c.y, c.x, c.r});
     const Canonical form = freshBuild(circles, Build::kBulk, Location::kHierarchy, broken);
     const Canonical turnedForm = freshBuild(turned, Build::kBulk, Location::kHierarchy, broken);
-    EXPECT_TRUE(triplesOf(form, unchanged) == triplesOf(turnedForm, [](const Circle& c) { return Circle{c.y, -c.x, c.r}; }));
+    EXPECT_TRUE(triplesOf(form, unchanged) ==
+                triplesOf(turnedForm, [](const Circle& c) { return Circle{c.y, -c.x, c.r}; }));
   }
 }
 

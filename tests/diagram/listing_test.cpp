@@ -1,4 +1,5 @@
-// neighbors(), vertices(), edges() and faces() against each other, and the vertices' coordinates against their definition.
+// neighbors(), vertices(), edges() and faces() against each other, and the vertices' coordinates
+// against their definition.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,8 +32,8 @@ Listed build(Diagram& diagram, const Circles& circles) {
   return listed;
 }
 
-/// The neighbours of `site` in counter-clockwise order, once around, from the faces; empty if a neighbour occurs more than once
-/// (then faces alone do not say how they follow each other).
+/// The neighbours of `site` in counter-clockwise order, once around, from the faces; empty if a
+/// neighbour occurs more than once (then faces alone do not say how they follow each other).
 std::vector<SiteId> turnAround(const std::vector<SiteId>& faces, SiteId site) {
   std::map<SiteId, SiteId> following;
   std::size_t count = 0;
@@ -58,7 +59,8 @@ TEST_P(ListingOn, NeighborsAreThoseOfTheFacesCounterClockwise) {
   Random random(281);
   for (int run = 0; run < runs(5); ++run) {
     Diagram diagram;
-    const Circles circles = GetParam().make(random, GetParam().large ? 40 + 30 * static_cast<std::size_t>(run) : 10);
+    const Circles circles =
+        GetParam().make(random, GetParam().large ? 40 + 30 * static_cast<std::size_t>(run) : 10);
     const Listed listed = build(diagram, circles);
     std::map<SiteId, std::set<SiteId>> adjacent, acrossEdges;
     for (std::size_t k = 0; k < listed.edges.sites.size(); k += 2) {
@@ -80,7 +82,9 @@ TEST_P(ListingOn, NeighborsAreThoseOfTheFacesCounterClockwise) {
       std::vector<SiteId> around = turnAround(listed.faces, id);
       if (around.empty()) continue;
       around.erase(std::remove(around.begin(), around.end(), kNoSite), around.end());
-      std::rotate(around.begin(), std::find(around.begin(), around.end(), neighbors.empty() ? 0 : neighbors[0]), around.end());
+      std::rotate(around.begin(),
+                  std::find(around.begin(), around.end(), neighbors.empty() ? 0 : neighbors[0]),
+                  around.end());
       ASSERT_EQ(neighbors, around) << "counter-clockwise";
     }
   }
@@ -105,11 +109,13 @@ TEST(Listing, VerticesAreEquidistantAndNothingIsNearer) {
     const Circles circles = randomCircles(random, 300, hidden);
     const Listed listed = build(diagram, circles);
     for (std::size_t k = 0; k < listed.vertices.clearance.size(); ++k) {
-      const double x = listed.vertices.coordinates[2 * k], y = listed.vertices.coordinates[2 * k + 1];
+      const double x = listed.vertices.coordinates[2 * k],
+                   y = listed.vertices.coordinates[2 * k + 1];
       const double clearance = listed.vertices.clearance[k];
       ASSERT_TRUE(std::isfinite(x) && std::isfinite(y) && std::isfinite(clearance));
       const double size = std::abs(x) + std::abs(y) + 2e6;
-      // Far vertices (three sites nearly in line) are ill-conditioned along their edge, not across it: the distances agree.
+      // Far vertices (three sites nearly in line) are ill-conditioned along their edge, not across
+      // it: the distances agree.
       const double tolerance = 1e-9 * size;
       for (std::size_t c = 0; c < 3; ++c) {
         Circle circle{};
@@ -131,14 +137,17 @@ void expectAccurate(const Circle (&c)[3], double x, double y, double clearance) 
   if (!std::isfinite(size)) {
     // Only where the exact circle is beyond the doubles, too.
     ASSERT_FALSE(oracleCircleIsWithin(c[0], c[1], c[2], {0, 0, 0}, 1e300))
-        << x << " " << y << " " << clearance << " for\n" << toText(insertAll({c[0], c[1], c[2]}));
+        << x << " " << y << " " << clearance << " for\n"
+        << toText(insertAll({c[0], c[1], c[2]}));
     return;
   }
   double sites = 0;
-  for (const Circle& circle : c) sites = std::max({sites, std::abs(circle.x), std::abs(circle.y), std::abs(circle.r)});
+  for (const Circle& circle : c)
+    sites = std::max({sites, std::abs(circle.x), std::abs(circle.y), std::abs(circle.r)});
   const double error = 0x1p-39 * size + 0x1p-48 * sites;
   ASSERT_TRUE(oracleCircleIsWithin(c[0], c[1], c[2], {x, y, clearance}, error))
-      << x << " " << y << " " << clearance << " for\n" << toText(insertAll({c[0], c[1], c[2]}));
+      << x << " " << y << " " << clearance << " for\n"
+      << toText(insertAll({c[0], c[1], c[2]}));
 }
 
 TEST_P(ListingOn, CoordinatesAreAccurate) {
@@ -151,7 +160,8 @@ TEST_P(ListingOn, CoordinatesAreAccurate) {
       for (std::size_t corner = 0; corner < 3; ++corner) {
         ASSERT_EQ(diagram.site(listed.vertices.sites[3 * k + corner], c[corner]), Error::kNone);
       }
-      expectAccurate(c, listed.vertices.coordinates[2 * k], listed.vertices.coordinates[2 * k + 1], listed.vertices.clearance[k]);
+      expectAccurate(c, listed.vertices.coordinates[2 * k], listed.vertices.coordinates[2 * k + 1],
+                     listed.vertices.clearance[k]);
       if (HasFatalFailure()) FAIL() << "run " << run;
     }
   }
@@ -178,7 +188,8 @@ TEST(Listing, NeighborsInLineAreTheTwoBeside) {
   constexpr std::size_t kCount = 100;
   for (const double slope : {0.0, 1.0, -3.0}) {
     Circles circles;
-    for (std::size_t k = 0; k < kCount; ++k) circles.push_back({static_cast<double>(k), slope * static_cast<double>(k), 2});
+    for (std::size_t k = 0; k < kCount; ++k)
+      circles.push_back({static_cast<double>(k), slope * static_cast<double>(k), 2});
     Diagram diagram;
     const Listed listed = build(diagram, circles);
     for (std::size_t k = 0; k < kCount; ++k) {
@@ -196,9 +207,11 @@ TEST(Listing, NeighborsInLineAreTheTwoBeside) {
 TEST(Listing, NoSitesAndOneSite) {
   Diagram diagram;
   Listed listed = build(diagram, {});
-  EXPECT_TRUE(listed.vertices.clearance.empty() && listed.edges.sites.empty() && listed.faces.empty());
+  EXPECT_TRUE(listed.vertices.clearance.empty() && listed.edges.sites.empty() &&
+              listed.faces.empty());
   listed = build(diagram, {{0, 0, 1}});
-  EXPECT_TRUE(listed.vertices.clearance.empty() && listed.edges.sites.empty() && listed.faces.empty());
+  EXPECT_TRUE(listed.vertices.clearance.empty() && listed.edges.sites.empty() &&
+              listed.faces.empty());
   std::vector<SiteId> neighbors{3};
   EXPECT_EQ(diagram.neighbors(listed.ids[0], neighbors), Error::kNone);
   EXPECT_TRUE(neighbors.empty());

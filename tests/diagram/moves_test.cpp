@@ -1,5 +1,5 @@
-// Moves, small ones above all, which mostly leave the graph as it is and take a shorter way: after each step the diagram is valid
-// and that of a fresh construction.
+// Moves, small ones above all, which mostly leave the graph as it is and take a shorter way: after
+// each step the diagram is valid and that of a fresh construction.
 #include <gtest/gtest.h>
 
 #include "apollonius.h"
@@ -23,7 +23,8 @@ Diagram diagramOf(const Circles& circles, std::vector<SiteId>& ids) {
 
 double extentOf(const Circles& circles) {
   double extent = 0;
-  for (const Circle& c : circles) extent = std::max({extent, std::abs(c.x - circles[0].x), std::abs(c.y - circles[0].y)});
+  for (const Circle& c : circles)
+    extent = std::max({extent, std::abs(c.x - circles[0].x), std::abs(c.y - circles[0].y)});
   return extent > 0 ? extent : 1;
 }
 
@@ -81,7 +82,9 @@ TEST_P(MovesOn, ManyAtOnceLeaveTheDiagramOfTheNewSites) {
     std::vector<SiteId> ids;
     Diagram diagram = diagramOf(circles, ids);
     std::vector<Circle> velocities(circles.size());
-    for (Circle& v : velocities) v = {random.between(-reach, reach), random.between(-reach, reach), random.oneIn(3) ? random.between(-reach, reach) : 0};
+    for (Circle& v : velocities)
+      v = {random.between(-reach, reach), random.between(-reach, reach),
+           random.oneIn(3) ? random.between(-reach, reach) : 0};
     for (int run = 0; run < runs(12); ++run) {
       if (random.oneIn(3)) diagram = restored(diagram);
       Circles next = circles;
@@ -108,7 +111,8 @@ TEST_P(MovesOn, ManyAtOnceLeaveTheDiagramOfTheNewSites) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, MovesOn, ::testing::ValuesIn(corpus()), [](const auto& parameter) { return parameter.param.name; });
+INSTANTIATE_TEST_SUITE_P(Corpus, MovesOn, ::testing::ValuesIn(corpus()),
+                         [](const auto& parameter) { return parameter.param.name; });
 
 TEST(Moves, AFewSitesJumpAnywhere) {
   Random random(93);
@@ -134,11 +138,13 @@ TEST(Moves, AFewSitesJumpAnywhere) {
 
 TEST(Moves, HiddenSitesFollowTheirCover) {
   std::vector<SiteId> ids;
-  Diagram diagram = diagramOf({{0, 0, 5}, {1, 0, 1}, {20, 0, 1}, {0, 20, 1}, {-20, 0, 1}, {0, -20, 1}}, ids);
+  Diagram diagram =
+      diagramOf({{0, 0, 5}, {1, 0, 1}, {20, 0, 1}, {0, 20, 1}, {-20, 0, 1}, {0, -20, 1}}, ids);
   ASSERT_EQ(diagram.hiddenSize(), 1u);
   ASSERT_EQ(diagram.update(ids[0], 0.5, 0, 5), Error::kNone);
   EXPECT_EQ(diagram.hiddenSize(), 1u);
-  ASSERT_EQ(diagram.update(ids[0], -4, 0, 5), Error::kNone);  // within the same cell of the graph, but no longer over site 1
+  ASSERT_EQ(diagram.update(ids[0], -4, 0, 5),
+            Error::kNone);  // within the same cell of the graph, but no longer over site 1
   EXPECT_EQ(diagram.hiddenSize(), 0u);
   std::string broken;
   ASSERT_EQ(diagram.validate(broken), Error::kNone);

@@ -27,7 +27,8 @@ inline std::vector<NamedOperation> queries(std::size_t n) {
          double distance = 0;
          return d.find(3.5, 2.25, id, distance);
        }},
-      {"findMany", [=, ids = std::vector<SiteId>(n), distances = std::vector<double>(n)](Diagram& d) mutable { return d.findMany(xy, ids, distances); }},
+      {"findMany", [=, ids = std::vector<SiteId>(n), distances = std::vector<double>(n)](
+                       Diagram& d) mutable { return d.findMany(xy, ids, distances); }},
       {"kNearest",
        [=](Diagram& d) {
          std::vector<SiteId> sites;
@@ -87,7 +88,9 @@ inline std::vector<NamedOperation> queries(std::size_t n) {
 
 /// Everything that has a shape, for n sites.
 inline std::vector<NamedOperation> shapes(std::size_t n) {
-  const auto asked = [](auto ask) { return [=](Diagram& d) { return ask(Voronoi(d, Bounds{-2e5, -1e5, 3e5, 2e5})); }; };
+  const auto asked = [](auto ask) {
+    return [=](Diagram& d) { return ask(Voronoi(d, Bounds{-2e5, -1e5, 3e5, 2e5})); };
+  };
   const auto ofEach = [=](auto ask) {
     return asked([=](const Voronoi& v) {
       Error error = Error::kNone;

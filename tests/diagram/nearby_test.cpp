@@ -1,4 +1,5 @@
-// kNearest() and within() against the oracle: all sites, hidden ones too, in exact order, boundary included.
+// kNearest() and within() against the oracle: all sites, hidden ones too, in exact order, boundary
+// included.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,25 +17,38 @@ namespace {
 
 bool same(const Circle& a, const Circle& b) { return a.x == b.x && a.y == b.y && a.r == b.r; }
 
-/// Is a before b in the order of distance to (x, y), ties to the larger circle? Identical circles are equivalent.
+/// Is a before b in the order of distance to (x, y), ties to the larger circle? Identical circles
+/// are equivalent.
 bool isBefore(double x, double y, const Circle& a, const Circle& b) {
   const int sign = oracleCompareDistance(x, y, a, b);
   return sign < 0 || (sign == 0 && oracleSmaller(b, a));
 }
 
-bool inRange(double v) { return v == 0 || (std::abs(v) >= kSmallestMagnitude && std::abs(v) <= kLargestMagnitude); }
+bool inRange(double v) {
+  return v == 0 || (std::abs(v) >= kSmallestMagnitude && std::abs(v) <= kLargestMagnitude);
+}
 
-/// A point where it is hard: a centre, a midpoint, mixed coordinates of two sites, a rim, or anywhere.
+/// A point where it is hard: a centre, a midpoint, mixed coordinates of two sites, a rim, or
+/// anywhere.
 Circle hardPoint(Random& random, const Circles& circles, int kind) {
   const Circle& a = circles[random.below(circles.size())];
   const Circle& b = circles[random.below(circles.size())];
   Circle p{a.x, a.y, 0};
   switch (kind % 5) {
-    case 0: break;
-    case 1: p.x = (a.x + b.x) / 2, p.y = (a.y + b.y) / 2; break;
-    case 2: p.y = b.y; break;
-    case 3: p.x = a.x + a.r; break;
-    default: p.x = 2 * a.x - b.x, p.y = b.y + b.r; break;
+    case 0:
+      break;
+    case 1:
+      p.x = (a.x + b.x) / 2, p.y = (a.y + b.y) / 2;
+      break;
+    case 2:
+      p.y = b.y;
+      break;
+    case 3:
+      p.x = a.x + a.r;
+      break;
+    default:
+      p.x = 2 * a.x - b.x, p.y = b.y + b.r;
+      break;
   }
   return inRange(p.x) && inRange(p.y) ? p : a;
 }
@@ -62,7 +76,8 @@ class Fixture {
     std::vector<SiteId> all, some, close;
     ASSERT_EQ(diagram_.kNearest(x, y, circles_.size() + 1, all), Error::kNone);
     ASSERT_EQ(all.size(), circles_.size()) << "every site once";
-    for (std::size_t i = 0; i < all.size(); ++i) ASSERT_TRUE(same(circles_[all[i]], circles_[expected[i]])) << "rank " << i;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      ASSERT_TRUE(same(circles_[all[i]], circles_[expected[i]])) << "rank " << i;
     std::vector<SiteId> sorted = all;
     std::sort(sorted.begin(), sorted.end());
     ASSERT_EQ(std::unique(sorted.begin(), sorted.end()), sorted.end());
@@ -72,10 +87,13 @@ class Fixture {
     ASSERT_EQ(all.front(), nearest);
 
     ASSERT_EQ(diagram_.kNearest(x, y, k, some), Error::kNone);
-    ASSERT_EQ(some, std::vector<SiteId>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(k, all.size()))));
+    ASSERT_EQ(some, std::vector<SiteId>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(
+                                                                       std::min(k, all.size()))));
 
     const Circle limit{x, y, -distance};
-    const auto end = std::find_if(all.begin(), all.end(), [&](SiteId id) { return oracleCompareDistance(x, y, circles_[id], limit) > 0; });
+    const auto end = std::find_if(all.begin(), all.end(), [&](SiteId id) {
+      return oracleCompareDistance(x, y, circles_[id], limit) > 0;
+    });
     ASSERT_EQ(diagram_.within(x, y, distance, close), Error::kNone);
     ASSERT_EQ(close, std::vector<SiteId>(all.begin(), end)) << "distance " << distance;
   }
@@ -160,7 +178,8 @@ TEST(Nearby, EmptyDiagramNothingAskedFor) {
 TEST(Nearby, BadNumbersAreErrors) {
   Diagram diagram;
   std::vector<SiteId> sites;
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(diagram.kNearest(nan, 0, 1, sites), Error::kNotFinite);
   EXPECT_EQ(diagram.kNearest(0, 1e101, 1, sites), Error::kOutOfRange);
   EXPECT_EQ(diagram.within(0, infinity, 1, sites), Error::kNotFinite);

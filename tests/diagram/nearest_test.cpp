@@ -1,4 +1,5 @@
-// find() and findMany() against the oracle: the right site always, ties included, and a correctly rounded-ish distance.
+// find() and findMany() against the oracle: the right site always, ties included, and a correctly
+// rounded-ish distance.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,11 +31,20 @@ std::vector<double> hardPoints(Random& random, const Circles& circles, int count
     const Circle& b = circles[random.below(circles.size())];
     double x = a.x, y = a.y;
     switch (k % 5) {
-      case 0: break;
-      case 1: x = (a.x + b.x) / 2, y = (a.y + b.y) / 2; break;
-      case 2: y = b.y; break;
-      case 3: x = a.x + a.r; break;
-      default: x = 2 * a.x - b.x, y = b.y + b.r; break;
+      case 0:
+        break;
+      case 1:
+        x = (a.x + b.x) / 2, y = (a.y + b.y) / 2;
+        break;
+      case 2:
+        y = b.y;
+        break;
+      case 3:
+        x = a.x + a.r;
+        break;
+      default:
+        x = 2 * a.x - b.x, y = b.y + b.r;
+        break;
     }
     const auto inRange = [](double v) {
       return v == 0 || (std::abs(v) >= kSmallestMagnitude && std::abs(v) <= kLargestMagnitude);
@@ -60,7 +70,8 @@ void expectOraclesNearest(const Circles& circles, Location location, Random& ran
     Circle got{};
     ASSERT_EQ(diagram.site(nearest[k], got), Error::kNone);
     ASSERT_TRUE(got.x == expected.x && got.y == expected.y && got.r == expected.r)
-        << "point " << x << " " << y << " got " << got.x << " " << got.y << " " << got.r << "\n" << toText(insertAll(circles));
+        << "point " << x << " " << y << " got " << got.x << " " << got.y << " " << got.r << "\n"
+        << toText(insertAll(circles));
     bool hidden = true;
     ASSERT_EQ(diagram.isHidden(nearest[k], hidden), Error::kNone);
     ASSERT_FALSE(hidden);
@@ -81,7 +92,8 @@ TEST(Nearest, AgreesWithTheOracleOnTinyGrids) {
     const int heaviest = random.below(5);
     const std::size_t n = 1 + random.below(std::size_t{12});
     const Circles circles = tinyGrid(random, n, side, heaviest);
-    expectOraclesNearest(circles, run % 2 == 0 ? Location::kHierarchy : Location::kWalk, random, 20);
+    expectOraclesNearest(circles, run % 2 == 0 ? Location::kHierarchy : Location::kWalk, random,
+                         20);
     if (HasFatalFailure()) FAIL() << "run " << run;
   }
 }

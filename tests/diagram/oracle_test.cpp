@@ -1,5 +1,5 @@
-// Diagrams of small sets against the brute-force oracle: visible sites and Voronoi vertices must be the same, in degenerate
-// position too.
+// Diagrams of small sets against the brute-force oracle: visible sites and Voronoi vertices must be
+// the same, in degenerate position too.
 #include <gtest/gtest.h>
 
 #include "support/canonical.h"
@@ -60,7 +60,8 @@ TEST_P(DiagramAndOracleOn, Agree) {
   const int count = runs(GetParam().large ? 150 : 15);
   for (int run = 0; run < count; ++run) {
     const std::size_t n = 2 + random.below(GetParam().large ? std::size_t{9} : std::size_t{5});
-    expectOraclesDiagram(GetParam().make(random, n), run % 2 == 0 ? Location::kHierarchy : Location::kWalk);
+    expectOraclesDiagram(GetParam().make(random, n),
+                         run % 2 == 0 ? Location::kHierarchy : Location::kWalk);
     if (HasFatalFailure()) FAIL() << "run " << run;
   }
 }

@@ -1,8 +1,10 @@
-// Lack of memory: every public operation, made to fail at each of its allocations in turn, must report kOutOfMemory, leave the
-// diagram as it was, and leave it in a state from which everything works.
+// Lack of memory: every public operation, made to fail at each of its allocations in turn, must
+// report kOutOfMemory, leave the diagram as it was, and leave it in a state from which everything
+// works.
 //
-// operator new is replaced for the whole test program. Two ways to fail: the k-th allocation only, as if others had freed
-// memory in between; and a budget of bytes, as on a heap that is full (what the operation itself frees, it may use again).
+// operator new is replaced for the whole test program. Two ways to fail: the k-th allocation only,
+// as if others had freed memory in between; and a budget of bytes, as on a heap that is full (what
+// the operation itself frees, it may use again).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +13,8 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
-#include <numeric>
 #include <new>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -28,10 +30,10 @@ namespace {
 constexpr std::size_t kHeader = alignof(std::max_align_t);  // holds the size of the block behind it
 
 struct Heap {
-  std::size_t live = 0;       // bytes
-  std::size_t count = 0;      // allocations since the last arming
+  std::size_t live = 0;   // bytes
+  std::size_t count = 0;  // allocations since the last arming
   std::size_t failures = 0;
-  std::size_t wanted = 0;     // bytes that would have been live if the first failure had not been one
+  std::size_t wanted = 0;  // bytes that would have been live if the first failure had not been one
   std::optional<std::size_t> failAt;  // the allocation that fails, counted from 0
   std::optional<std::size_t> limit;   // bytes
 
@@ -55,8 +57,8 @@ Heap heap;
 
 }  // namespace
 
-// All forms but the aligned ones, which nobody here uses: sanitizers have their own array and nothrow forms. Not inlined, or g++
-// takes malloc and free for a mismatch.
+// All forms but the aligned ones, which nobody here uses: sanitizers have their own array and
+// nothrow forms. Not inlined, or g++ takes malloc and free for a mismatch.
 [[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   if (heap.refuses(size)) return nullptr;
   void* block = std::malloc(kHeader + size);
@@ -76,7 +78,9 @@ void* operator new(std::size_t size) {
   throw std::bad_alloc();
 }
 void* operator new[](std::size_t size) { return operator new(size); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return operator new(size, std::nothrow); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+  return operator new(size, std::nothrow);
+}
 void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
 void operator delete(void* memory, const std::nothrow_t&) noexcept { operator delete(memory); }
 void operator delete[](void* memory) noexcept { operator delete(memory); }
@@ -86,12 +90,14 @@ void operator delete[](void* memory, const std::nothrow_t&) noexcept { operator 
 namespace apollonius::test {
 namespace {
 
-/// What a user can see of a diagram. Which of several identical circles is the visible one is not part of it.
+/// What a user can see of a diagram. Which of several identical circles is the visible one is not
+/// part of it.
 struct State {
   std::vector<SiteId> ids;
   Circles circles;
-  std::vector<std::pair<std::size_t, bool>> hidden;  // a circle (its first position) and whether it is hidden; sorted
-  std::vector<std::array<std::size_t, 3>> faces;     // circles, the smallest first; sorted
+  std::vector<std::pair<std::size_t, bool>>
+      hidden;  // a circle (its first position) and whether it is hidden; sorted
+  std::vector<std::array<std::size_t, 3>> faces;  // circles, the smallest first; sorted
   std::string broken;
 
   explicit State(const Diagram& diagram) {
@@ -108,7 +114,8 @@ struct State {
     std::vector<SiteId> corners;
     EXPECT_EQ(diagram.faces(corners), Error::kNone);
     for (std::size_t k = 0; k < corners.size(); k += 3) {
-      std::array<std::size_t, 3> face{positionOf(corners[k]), positionOf(corners[k + 1]), positionOf(corners[k + 2])};
+      std::array<std::size_t, 3> face{positionOf(corners[k]), positionOf(corners[k + 1]),
+                                      positionOf(corners[k + 2])};
       std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
       faces.push_back(face);
     }
@@ -117,23 +124,30 @@ struct State {
   }
 
   bool operator==(const State& other) const {
-    return ids == other.ids && hidden == other.hidden && faces == other.faces && broken == other.broken &&
-           std::equal(circles.begin(), circles.end(), other.circles.begin(), other.circles.end(), same);
+    return ids == other.ids && hidden == other.hidden && faces == other.faces &&
+           broken == other.broken &&
+           std::equal(circles.begin(), circles.end(), other.circles.begin(), other.circles.end(),
+                      same);
   }
 
  private:
-  static bool same(const Circle& a, const Circle& b) { return a.x == b.x && a.y == b.y && a.r == b.r; }
+  static bool same(const Circle& a, const Circle& b) {
+    return a.x == b.x && a.y == b.y && a.r == b.r;
+  }
 
   /// The position in `circles` of the first circle that is identical to that of id.
   [[nodiscard]] std::size_t positionOf(SiteId id) const {
     if (id == kNoSite) return kNoSite;
-    const auto at = static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
-    const auto first = std::find_if(circles.begin(), circles.end(), [&](const Circle& c) { return same(c, circles[at]); });
+    const auto at =
+        static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
+    const auto first = std::find_if(circles.begin(), circles.end(),
+                                    [&](const Circle& c) { return same(c, circles[at]); });
     return static_cast<std::size_t>(first - circles.begin());
   }
 };
 
-/// Circles of which most are visible, some hidden, some of those hidden by each other; in the grid many predicates are zero.
+/// Circles of which most are visible, some hidden, some of those hidden by each other; in the grid
+/// many predicates are zero.
 Circles mixed(Random& random, std::size_t n) {
   return n % 2 == 0 ? randomCircles(random, n, Hidden::k20Percent) : tinyGrid(random, n, 12, 4);
 }
@@ -159,7 +173,8 @@ std::vector<std::uint8_t> snapshotOf(const Circles& circles) {
   return bytes;
 }
 
-/// Operations for a diagram of n sites made by mixed(). What they need is made beforehand, so that only the library allocates.
+/// Operations for a diagram of n sites made by mixed(). What they need is made beforehand, so that
+/// only the library allocates.
 std::vector<NamedOperation> changes(Random& random, std::size_t n) {
   const Circles others = mixed(random, n);
   const std::vector<double> xyr = flat(others);
@@ -169,8 +184,10 @@ std::vector<NamedOperation> changes(Random& random, std::size_t n) {
     if (id % 2 == 0) half.push_back(id);
   }
   const Circle c = others[0];
-  const auto some = static_cast<SiteId>(random.below(n)), other = static_cast<SiteId>(random.below(n));
-  const std::vector<double> halfXyr(xyr.begin(), xyr.begin() + static_cast<std::ptrdiff_t>(3 * half.size()));
+  const auto some = static_cast<SiteId>(random.below(n)),
+             other = static_cast<SiteId>(random.below(n));
+  const std::vector<double> halfXyr(xyr.begin(),
+                                    xyr.begin() + static_cast<std::ptrdiff_t>(3 * half.size()));
   return {
       {"insert",
        [=](Diagram& d) {
@@ -189,7 +206,8 @@ std::vector<NamedOperation> changes(Random& random, std::size_t n) {
        }},
       {"update", [=](Diagram& d) { return d.update(other, c.x, c.y, c.r); }},
       {"update over all", [=](Diagram& d) { return d.update(other, 0, 0, 1e8); }},
-      {"insertMany", [=, ids = std::vector<SiteId>(n)](Diagram& d) mutable { return d.insertMany(xyr, ids); }},
+      {"insertMany",
+       [=, ids = std::vector<SiteId>(n)](Diagram& d) mutable { return d.insertMany(xyr, ids); }},
       {"insertMany of an array that is given up",
        [=](Diagram& d) {
          std::vector<SiteId> ids;
@@ -205,7 +223,8 @@ std::vector<NamedOperation> changes(Random& random, std::size_t n) {
          return d.removeMany(half, removed);
        }},
       {"fromBytes", [bytes = snapshotOf(others)](Diagram& d) { return d.fromBytes(bytes); }},
-      {"fromBytes, trusted", [bytes = snapshotOf(others)](Diagram& d) { return d.fromBytes(bytes, Source::kTrusted); }},
+      {"fromBytes, trusted",
+       [bytes = snapshotOf(others)](Diagram& d) { return d.fromBytes(bytes, Source::kTrusted); }},
   };
 }
 
@@ -222,9 +241,10 @@ void make(Diagram& diagram, const Circles& circles, Origin origin) {
   }
 }
 
-/// What became of a diagram on which an operation ran while the heap refused something; empty if that is as it should be.
-/// `before` and `after` are the states without and with the operation.
-std::string verdict(Diagram& diagram, const std::function<Error(Diagram&)>& run, Error error, const State& before, const State& after) {
+/// What became of a diagram on which an operation ran while the heap refused something; empty if
+/// that is as it should be. `before` and `after` are the states without and with the operation.
+std::string verdict(Diagram& diagram, const std::function<Error(Diagram&)>& run, Error error,
+                    const State& before, const State& after) {
   if (error == Error::kOutOfMemory) {
     const State now(diagram);
     if (!now.broken.empty()) return "failed and broke the diagram: " + now.broken;
@@ -239,25 +259,30 @@ std::string verdict(Diagram& diagram, const std::function<Error(Diagram&)>& run,
   if (!(now == after)) return "left another diagram than without any refusal";
   for (int k = 0; k < 70; ++k) {
     SiteId id = kNoSite;
-    if (diagram.insert(3e8 + k % 9 * 5, k / 9 * 5, 2, id) != Error::kNone) return "left a diagram that cannot grow";
+    if (diagram.insert(3e8 + k % 9 * 5, k / 9 * 5, 2, id) != Error::kNone)
+      return "left a diagram that cannot grow";
   }
   const State grown(diagram);
-  return grown.broken.empty() ? std::string() : "left a diagram that breaks as it grows: " + grown.broken;
+  return grown.broken.empty() ? std::string()
+                              : "left a diagram that breaks as it grows: " + grown.broken;
 }
 
-/// Makes an operation fail at each allocation that it makes on a fresh diagram; stops at the first wrong outcome, with a
-/// message. `failed` counts the calls that reported kOutOfMemory.
-std::string failEverywhere(const Circles& circles, Origin origin, const NamedOperation& operation, Failure failure, int& failed) {
+/// Makes an operation fail at each allocation that it makes on a fresh diagram; stops at the first
+/// wrong outcome, with a message. `failed` counts the calls that reported kOutOfMemory.
+std::string failEverywhere(const Circles& circles, Origin origin, const NamedOperation& operation,
+                           Failure failure, int& failed) {
   Diagram untouched, changed;
   build(untouched, circles);
   build(changed, circles);
-  if (std::function<Error(Diagram&)>(operation.run)(changed) != Error::kNone) return operation.name + " fails on its own";
+  if (std::function<Error(Diagram&)>(operation.run)(changed) != Error::kNone)
+    return operation.name + " fails on its own";
   const State before(untouched), after(changed);
   std::size_t at = 0;
   for (;;) {
     Diagram diagram;
     make(diagram, circles, origin);
-    const std::function<Error(Diagram&)> run = operation.run;  // a fresh copy: no memory of an earlier run
+    const std::function<Error(Diagram&)> run =
+        operation.run;  // a fresh copy: no memory of an earlier run
     heap.arm();
     const std::size_t live = heap.live;
     if (failure == Failure::kOnce) {
@@ -272,12 +297,15 @@ std::string failEverywhere(const Circles& circles, Origin origin, const NamedOpe
     const std::string wrong = verdict(diagram, run, error, before, after);
     if (!wrong.empty()) {
       return operation.name + " on " + std::to_string(circles.size()) + " sites, " +
-             (failure == Failure::kOnce ? "allocation " : "budget of bytes ") + std::to_string(at) + ": " + wrong;
+             (failure == Failure::kOnce ? "allocation " : "budget of bytes ") + std::to_string(at) +
+             ": " + wrong;
     }
     if (seen.failures == 0) return {};
-    // The next allocation, or in long sequences one a little later; the smallest budget that gets further.
-    // Large sets take longer steps.
-    const std::size_t step = circles.size() > 200 ? at / 3 : failure == Failure::kOnce ? at / 10 : at / 40;
+    // The next allocation, or in long sequences one a little later; the smallest budget that gets
+    // further. Large sets take longer steps.
+    const std::size_t step = circles.size() > 200        ? at / 3
+                             : failure == Failure::kOnce ? at / 10
+                                                         : at / 40;
     at = failure == Failure::kOnce ? at + 1 + step : std::max(seen.wanted - live, at + 1 + step);
   }
 }
@@ -285,7 +313,8 @@ std::string failEverywhere(const Circles& circles, Origin origin, const NamedOpe
 class OutOfMemory : public ::testing::TestWithParam<Failure> {
  protected:
   /// One message for each operation that goes wrong.
-  void failAll(const Circles& circles, const std::vector<NamedOperation>& operations, Origin origin = Origin::kBuilt) {
+  void failAll(const Circles& circles, const std::vector<NamedOperation>& operations,
+               Origin origin = Origin::kBuilt) {
     for (const NamedOperation& operation : operations) {
       if (wrong_.contains(operation.name)) continue;
       const std::string message = failEverywhere(circles, origin, operation, GetParam(), failed_);
@@ -312,7 +341,8 @@ TEST_P(OutOfMemory, ChangesLeaveTheDiagramAsItWas) {
 }
 
 TEST_P(OutOfMemory, ChangesThatNeedLongNumbersLeaveTheDiagramAsItWas) {
-  // Exponents far apart. Long numbers allocate nothing themselves (number/dyadic.h); what uses them does.
+  // Exponents far apart. Long numbers allocate nothing themselves (number/dyadic.h); what uses them
+  // does.
   for (const std::size_t n : {3u, 6u}) {
     Random random(n);
     const Circles circles = rangeEnds(random, n, Range::kMixed);
@@ -336,7 +366,8 @@ std::vector<NamedOperation> changesOfAll(const Circles& circles, const Circle& g
     return [=](Diagram& d) { return d.updateMany(ids, xyr); };
   };
   const auto giantAt = [=](std::size_t at) {
-    return [=](std::size_t k, Circle& c) { c = k == at ? giant : Circle{c.x + 2e4, c.y - 1e4, c.r}; };
+    return
+        [=](std::size_t k, Circle& c) { c = k == at ? giant : Circle{c.x + 2e4, c.y - 1e4, c.r}; };
   };
   std::vector<double> more;
   for (const Circle& c : circles) more.insert(more.end(), {c.x + 1e4, c.y + 2e4, c.r});
@@ -346,7 +377,9 @@ std::vector<NamedOperation> changesOfAll(const Circles& circles, const Circle& g
   // In the order of their places in memory, which is not known.
   const auto giantAndOneOverAll = [=](SiteId first, SiteId second) {
     const std::vector<double> xyr{giant.x, giant.y, giant.r, 0, 0, 4e6};
-    return [=, both = std::vector<SiteId>{first, second}](Diagram& d) { return d.updateMany(both, xyr); };
+    return [=, both = std::vector<SiteId>{first, second}](Diagram& d) {
+      return d.updateMany(both, xyr);
+    };
   };
   const std::vector<SiteId> allButOne(ids.begin() + 1, ids.end());
   const auto removal = [](const std::vector<SiteId>& which) {
@@ -356,15 +389,19 @@ std::vector<NamedOperation> changesOfAll(const Circles& circles, const Circle& g
     };
   };
   return {
-      {"updateMany, all a little", updateTo([](std::size_t k, Circle& c) { c.x += static_cast<double>(k % 7); })},
-      {"updateMany, all grow", updateTo([](std::size_t k, Circle& c) { c.r += k % 3 == 0 ? 3e5 : 1e5; })},
-      {"updateMany, all elsewhere", updateTo([](std::size_t k, Circle& c) { c = {c.y, -c.x, c.r + static_cast<double>(k)}; })},
+      {"updateMany, all a little",
+       updateTo([](std::size_t k, Circle& c) { c.x += static_cast<double>(k % 7); })},
+      {"updateMany, all grow",
+       updateTo([](std::size_t k, Circle& c) { c.r += k % 3 == 0 ? 3e5 : 1e5; })},
+      {"updateMany, all elsewhere",
+       updateTo([](std::size_t k, Circle& c) { c = {c.y, -c.x, c.r + static_cast<double>(k)}; })},
       {"updateMany, an early giant", updateTo(giantAt(3))},
       {"updateMany, a late giant", updateTo(giantAt(n - 3))},
       {"updateMany, a giant and one over all", giantAndOneOverAll(5, 6)},
       {"updateMany, one over all and a giant", giantAndOneOverAll(6, 5)},
       {"update to a giant", [=](Diagram& d) { return d.update(5, giant.x, giant.y, giant.r); }},
-      {"insertMany with a giant", [=, moreIds = std::vector<SiteId>(n + 1)](Diagram& d) mutable { return d.insertMany(more, moreIds); }},
+      {"insertMany with a giant", [=, moreIds = std::vector<SiteId>(n + 1)](
+                                      Diagram& d) mutable { return d.insertMany(more, moreIds); }},
       {"removeMany of half", removal(odd)},
       {"removeMany of all but one", removal(allButOne)},
   };
@@ -372,7 +409,9 @@ std::vector<NamedOperation> changesOfAll(const Circles& circles, const Circle& g
 
 TEST_P(OutOfMemory, ChangesOfWholeSetsLeaveThemAsTheyWere) {
   Random random(7);
-  const std::size_t n = isThorough() ? 2200 : kEffortDivisor > 1 ? 120 : 300;  // one level over 300, two over 2200
+  const std::size_t n = isThorough()         ? 2200
+                        : kEffortDivisor > 1 ? 120
+                                             : 300;  // one level over 300, two over 2200
   const Circle overAQuarter{5e5, 5e5, 7e5};
   Circles circles = randomCircles(random, n, Hidden::kNone);
   failAll(circles, changesOfAll(circles, overAQuarter));
@@ -382,13 +421,16 @@ TEST_P(OutOfMemory, ChangesOfWholeSetsLeaveThemAsTheyWere) {
   EXPECT_GT(failed_, 50);
 }
 
-/// A giant leaves more room free among the faces than memory is held back; taking it out again has to find that.
+/// A giant leaves more room free among the faces than memory is held back; taking it out again has
+/// to find that.
 TEST_P(OutOfMemory, GiantsOverManySitesAreTakenOutAgain) {
   if (kEffortDivisor > 1) GTEST_SKIP() << "two thousand sites";
   Random random(7);
   const Circles circles = randomCircles(random, 2200, Hidden::kNone);
   std::vector<NamedOperation> operations = changesOfAll(circles, {5e5, 5e5, 7e5});
-  std::erase_if(operations, [](const NamedOperation& operation) { return operation.name.find("one over all") == std::string::npos; });
+  std::erase_if(operations, [](const NamedOperation& operation) {
+    return operation.name.find("one over all") == std::string::npos;
+  });
   ASSERT_EQ(operations.size(), 2u);
   failAll(circles, operations);
   EXPECT_GT(failed_, 10);
@@ -430,13 +472,16 @@ TEST_P(OutOfMemory, ShapesSaySo) {
   for (const std::size_t n : {1u, 2u, 9u, 16u}) {
     Random random(n);
     const Circles circles = mixed(random, n);
-    for (const Origin origin : {Origin::kBuilt, Origin::kRestored}) failAll(circles, shapes(n), origin);
+    for (const Origin origin : {Origin::kBuilt, Origin::kRestored})
+      failAll(circles, shapes(n), origin);
   }
   EXPECT_GT(failed_, 50);
 }
 
 INSTANTIATE_TEST_SUITE_P(By, OutOfMemory, ::testing::Values(Failure::kOnce, Failure::kBudget),
-                         [](const auto& test) { return test.param == Failure::kOnce ? "OneAllocation" : "Budget"; });
+                         [](const auto& test) {
+                           return test.param == Failure::kOnce ? "OneAllocation" : "Budget";
+                         });
 
 }  // namespace
 }  // namespace apollonius::test

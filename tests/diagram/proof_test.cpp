@@ -1,5 +1,8 @@
-// findContradiction (diagram/proof.h) in both directions: a surface with sites is accepted exactly if it is the
-// Delaunay graph of them. Surfaces: graphs of other sites, of moved or exchanged ones, and with flipped edges.
+// findContradiction (diagram/proof.h) in both directions: a surface with sites is accepted exactly
+// if it is the Delaunay graph of them. Surfaces: graphs of other sites, of moved or exchanged ones,
+// and with flipped edges.
+#include "diagram/proof.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +10,6 @@
 #include <string>
 
 #include "diagram/diagram_breaker.h"
-#include "diagram/proof.h"
 #include "graph/graph_breaker.h"
 #include "support/corpus.h"
 #include "support/effort.h"
@@ -38,14 +40,16 @@ DelaunayGraph graphOf(const std::vector<Site>& sites) {
   return diagram;
 }
 
-/// What lies across each side of each face. Of a Delaunay graph the keys are different from each other.
+/// What lies across each side of each face. Of a Delaunay graph the keys are different from each
+/// other.
 using Adjacency = std::multimap<std::array<std::size_t, 3>, std::size_t>;
 Adjacency adjacencyOf(const Graph& graph) {
   Adjacency all;
   for (std::uint32_t i = 0; i < 3 * graph.faceSlots(); ++i) {
     const HalfedgeId h{i};
     if (!graph.isLive(faceOf(h))) continue;
-    const std::array<std::size_t, 3> key{index(graph.origin(h)), index(graph.target(h)), index(graph.apex(h))};
+    const std::array<std::size_t, 3> key{index(graph.origin(h)), index(graph.target(h)),
+                                         index(graph.apex(h))};
     all.insert({key, index(graph.apex(graph.twin(h)))});
   }
   return all;
@@ -72,7 +76,9 @@ bool judge(const DelaunayGraph& diagram, std::size_t sites) {
       text += "| " + std::to_string(across);
     }
     const char* const verdict = what != nullptr ? what : "accepted";
-    ADD_FAILURE() << verdict << " " << where << (isRight ? ", but is right" : ", but is wrong") << "\n" << text;
+    ADD_FAILURE() << verdict << " " << where << (isRight ? ", but is right" : ", but is wrong")
+                  << "\n"
+                  << text;
   }
   return isRight;
 }
@@ -121,8 +127,10 @@ bool flip(DelaunayGraph& diagram, HalfedgeId h) {
   return true;
 }
 
-/// All sorts of surfaces for the sites: as they are, flipped, with sites moved, exchanged or replaced.
-void judgeAround(const std::vector<Site>& some, Random& random, const std::function<Site()>& another, Tally& tally) {
+/// All sorts of surfaces for the sites: as they are, flipped, with sites moved, exchanged or
+/// replaced.
+void judgeAround(const std::vector<Site>& some, Random& random,
+                 const std::function<Site()>& another, Tally& tally) {
   const std::vector<Site> sites = visibleOf(some);
   const std::size_t n = sites.size();
   if (n < 2) return;
@@ -140,7 +148,9 @@ void judgeAround(const std::vector<Site>& some, Random& random, const std::funct
     tally.add(judge(exchanged, n));
     DelaunayGraph flipped = graphOf(sites);
     for (std::uint64_t flips = 1 + random.below(3u); flips > 0; --flips) {
-      (void)flip(flipped, HalfedgeId{static_cast<std::uint32_t>(random.below(3 * flipped.graph().faceSlots()))});
+      (void)flip(
+          flipped,
+          HalfedgeId{static_cast<std::uint32_t>(random.below(3 * flipped.graph().faceSlots()))});
     }
     std::uint32_t where = 0;
     ASSERT_EQ(flipped.graph().check(where), nullptr);
@@ -156,20 +166,23 @@ TEST(Proof, SurfacesOfSmallGrids) {
   for (int run = 0; run < runs(6000); ++run) {
     SCOPED_TRACE(run);
     Random random(static_cast<std::uint64_t>(run) + 100);
-    const int extent = 1 + static_cast<int>(random.below(5u)), weights = static_cast<int>(random.below(4u));
+    const int extent = 1 + static_cast<int>(random.below(5u)),
+              weights = static_cast<int>(random.below(4u));
     const auto another = [&]() -> Site {
       const auto upTo = [&](int most) { return static_cast<double>(random.below(most + 1)); };
       const double x = upTo(extent), y = upTo(extent);
       return {x, y, upTo(weights)};
     };
-    judgeAround(sitesOf(tinyGrid(random, 2 + random.below(9u), extent, weights)), random, another, tally);
+    judgeAround(sitesOf(tinyGrid(random, 2 + random.below(9u), extent, weights)), random, another,
+                tally);
     ASSERT_FALSE(HasFailure());
   }
   EXPECT_GT(tally.right, runs(8000));
   EXPECT_GT(tally.wrong, runs(40000));
 }
 
-// One or two giants and small ones at their rims and between: several edges between two sites, sites of degree 2.
+// One or two giants and small ones at their rims and between: several edges between two sites,
+// sites of degree 2.
 TEST(Proof, SurfacesWithMultipleEdges) {
   Tally tally;
   for (int run = 0; run < runs(6000); ++run) {
@@ -209,8 +222,10 @@ TEST_P(ProofOnCorpus, SurfacesOfFewSites) {
       if (random.oneIn(2)) site.r = pool[random.below(pool.size())].r;
       return site;
     };
-    const std::size_t n = std::min<std::size_t>(pool.size(), 2 + random.below(GetParam().large ? 20u : 8u));
-    judgeAround({pool.begin(), pool.begin() + static_cast<std::ptrdiff_t>(n)}, random, another, tally);
+    const std::size_t n =
+        std::min<std::size_t>(pool.size(), 2 + random.below(GetParam().large ? 20u : 8u));
+    judgeAround({pool.begin(), pool.begin() + static_cast<std::ptrdiff_t>(n)}, random, another,
+                tally);
     ASSERT_FALSE(HasFailure());
   }
   EXPECT_GT(tally.wrong + tally.right, 0);
@@ -218,7 +233,8 @@ TEST_P(ProofOnCorpus, SurfacesOfFewSites) {
 
 TEST_P(ProofOnCorpus, LargeGraphsAreProved) {
   Random random(77);
-  const std::vector<Site> sites = visibleOf(sitesOf(GetParam().make(random, GetParam().large ? 400 : 20)));
+  const std::vector<Site> sites =
+      visibleOf(sitesOf(GetParam().make(random, GetParam().large ? 400 : 20)));
   if (sites.size() < 2) return;
   EXPECT_TRUE(judge(graphOf(sites), sites.size()));
 }

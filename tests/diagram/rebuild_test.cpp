@@ -1,5 +1,6 @@
-// updateMany of sites that nearly all go elsewhere builds the diagram anew. What must not show: ids are the same, given and
-// free ones, the rest of the sites is where it was, and the diagram is that of the sites.
+// updateMany of sites that nearly all go elsewhere builds the diagram anew. What must not show: ids
+// are the same, given and free ones, the rest of the sites is where it was, and the diagram is that
+// of the sites.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -31,7 +32,8 @@ std::string validated(const Diagram& diagram) {
 
 TEST_P(Rebuild, KeepsIdsAndSitesThatStay) {
   const auto n = static_cast<std::size_t>(runs(600));
-  const Circles before = randomCircles(random, n, Hidden::k20Percent), after = randomCircles(random, n, Hidden::k50Percent);
+  const Circles before = randomCircles(random, n, Hidden::k20Percent),
+                after = randomCircles(random, n, Hidden::k50Percent);
   for (const std::size_t stride : {1u, 2u, 9u}) {  // all, half, some of them go elsewhere
     Diagram diagram(GetParam());
     std::vector<SiteId> ids(n);
@@ -53,7 +55,8 @@ TEST_P(Rebuild, KeepsIdsAndSitesThatStay) {
     }
     Diagram oneByOne(GetParam());
     ASSERT_EQ(oneByOne.insertMany(flat(before), ids), Error::kNone);
-    for (std::size_t k = 3; k < n; k += 7) ASSERT_EQ(oneByOne.remove(ids[k], removed), Error::kNone);
+    for (std::size_t k = 3; k < n; k += 7)
+      ASSERT_EQ(oneByOne.remove(ids[k], removed), Error::kNone);
     for (std::size_t k = 0; k < moved.size(); ++k) {
       ASSERT_EQ(oneByOne.update(moved[k], to[k].x, to[k].y, to[k].r), Error::kNone);
     }
@@ -84,8 +87,8 @@ TEST_P(Rebuild, KeepsIdsAndSitesThatStay) {
   }
 }
 
-/// Small moves of all are certified and stay; large ones of all are not even tried after a look at a sample. In between,
-/// some give up half-way.
+/// Small moves of all are certified and stay; large ones of all are not even tried after a look at
+/// a sample. In between, some give up half-way.
 TEST_P(Rebuild, WhereverItStartsTheDiagramIsThatOfTheSites) {
   const auto n = static_cast<std::size_t>(runs(1500));
   const Circles start = randomCircles(random, n, Hidden::k5Percent);
@@ -95,7 +98,9 @@ TEST_P(Rebuild, WhereverItStartsTheDiagramIsThatOfTheSites) {
   ASSERT_EQ(diagram.insertMany(flat(start), ids), Error::kNone);
   Circles now = start;
   for (const double share : {0.001, 0.01, 0.02, 0.03, 0.05, 0.1, 0.3, 1.0, 0.01, 0.001}) {
-    for (Circle& c : now) c = {c.x + share * gap * random.between(-1, 1), c.y + share * gap * random.between(-1, 1), c.r};
+    for (Circle& c : now)
+      c = {c.x + share * gap * random.between(-1, 1), c.y + share * gap * random.between(-1, 1),
+           c.r};
     ASSERT_EQ(diagram.updateMany(ids, flat(now)), Error::kNone);
     ASSERT_EQ(validated(diagram), "") << share;
   }
@@ -107,7 +112,9 @@ TEST_P(Rebuild, WhereverItStartsTheDiagramIsThatOfTheSites) {
 }
 
 INSTANTIATE_TEST_SUITE_P(By, Rebuild, ::testing::Values(Location::kHierarchy, Location::kWalk),
-                         [](const auto& parameter) { return parameter.param == Location::kWalk ? "Walk" : "Hierarchy"; });
+                         [](const auto& parameter) {
+                           return parameter.param == Location::kWalk ? "Walk" : "Hierarchy";
+                         });
 
 }  // namespace
 }  // namespace apollonius::test

@@ -1,6 +1,7 @@
-// The walk that asks one neighbour (locate.cpp) where directions are hard to tell apart: it must find what brute force finds. Giants of high
-// degree, common tangents, directions that coincide, sites one unit in the last place apart. In builds with the shadow check each walk's
-// end is compared with all neighbours as well.
+// The walk that asks one neighbour (locate.cpp) where directions are hard to tell apart: it must
+// find what brute force finds. Giants of high degree, common tangents, directions that coincide,
+// sites one unit in the last place apart. In builds with the shadow check each walk's end is
+// compared with all neighbours as well.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,19 +16,25 @@
 namespace apollonius::test {
 namespace {
 
-bool isInDocumentedRange(double v) { return v == 0 || (std::abs(v) >= kSmallestMagnitude && std::abs(v) <= kLargestMagnitude); }
+bool isInDocumentedRange(double v) {
+  return v == 0 || (std::abs(v) >= kSmallestMagnitude && std::abs(v) <= kLargestMagnitude);
+}
 
-double nudged(Random& random, double v) { return std::nextafter(v, random.oneIn(2) ? 1e300 : -1e300); }
+double nudged(Random& random, double v) {
+  return std::nextafter(v, random.oneIn(2) ? 1e300 : -1e300);
+}
 
-/// Points in the directions that matter: on rays from one centre through another, on and beside the axes between centres, at centres, and next
-/// to all of these.
+/// Points in the directions that matter: on rays from one centre through another, on and beside the
+/// axes between centres, at centres, and next to all of these.
 std::vector<double> pointsOnRays(Random& random, const Circles& circles, int count) {
   std::vector<double> xy;
   for (int k = 0; k < count; ++k) {
     const Circle& a = circles[random.below(circles.size())];
     const Circle& b = circles[random.below(circles.size())];
     const double along = random.oneIn(2) ? static_cast<double>(random.integer(-3, 4)) / 2
-                         : random.oneIn(2) ? 1 + random.between(-1, 1) * random.unit() * random.unit() * 0.3 : random.between(-1, 3);
+                         : random.oneIn(2)
+                             ? 1 + random.between(-1, 1) * random.unit() * random.unit() * 0.3
+                             : random.between(-1, 3);
     double x = a.x + along * (b.x - a.x), y = a.y + along * (b.y - a.y);
     if (random.oneIn(4)) x = nudged(random, x);
     if (random.oneIn(4)) y = nudged(random, y);
@@ -50,16 +57,18 @@ void expectNearestByBruteForce(const Circles& circles, Random& random, int point
     SiteId id = kNoSite;
     double distance = 0;
     ASSERT_EQ(diagram.find(xy[k], xy[k + 1], id, distance), Error::kNone);
-    const Circle& expected = circles[static_cast<std::size_t>(oracleNearest(circles, xy[k], xy[k + 1]))];
+    const Circle& expected =
+        circles[static_cast<std::size_t>(oracleNearest(circles, xy[k], xy[k + 1]))];
     const Circle& got = circles[id];
     ASSERT_TRUE(got.x == expected.x && got.y == expected.y && got.r == expected.r)
-        << "point " << xy[k] << " " << xy[k + 1] << " got " << got.x << " " << got.y << " " << got.r << " instead of " << expected.x << " "
-        << expected.y << " " << expected.r << "\n" << toText(insertAll(circles));
+        << "point " << xy[k] << " " << xy[k + 1] << " got " << got.x << " " << got.y << " " << got.r
+        << " instead of " << expected.x << " " << expected.y << " " << expected.r << "\n"
+        << toText(insertAll(circles));
   }
 }
 
-/// A giant whose boundary is lined with circles of all sizes, in few directions each: high degrees, and directions from its centre that
-/// coincide or differ in the last places.
+/// A giant whose boundary is lined with circles of all sizes, in few directions each: high degrees,
+/// and directions from its centre that coincide or differ in the last places.
 Circles linedGiant(Random& random, std::size_t n) {
   const double giant = 1e6;
   Circles circles{{0, 0, giant}};
@@ -67,14 +76,16 @@ Circles linedGiant(Random& random, std::size_t n) {
     const Direction d = randomDirection(random);
     for (int k = static_cast<int>(random.integer(1, 3)); k > 0; --k) {
       const double r = std::ldexp(1.0, static_cast<int>(random.integer(-30, 12)));
-      const double gap = random.oneIn(3) ? 0 : std::ldexp(1.0, static_cast<int>(random.integer(-30, 3)));
+      const double gap =
+          random.oneIn(3) ? 0 : std::ldexp(1.0, static_cast<int>(random.integer(-30, 3)));
       circles.push_back({d.x * (giant + r + gap), d.y * (giant + r + gap), r});
     }
   }
   return circles;
 }
 
-/// The same with the giant's weight one unit in the last place off that of a ring of points about it.
+/// The same with the giant's weight one unit in the last place off that of a ring of points about
+/// it.
 Circles ringAtTheRim(Random& random, std::size_t n) {
   Circles circles{{0.1, 0.1, 3}};
   while (circles.size() < n) {
@@ -89,7 +100,8 @@ Circles alongOneLine(Random& random, std::size_t n) {
   Circles circles;
   const Direction d = randomDirection(random);
   for (std::size_t k = 0; k < n; ++k) {
-    const double t = random.between(-1e3, 1e3), r = std::ldexp(1.0, static_cast<int>(random.integer(-20, 20)));
+    const double t = random.between(-1e3, 1e3),
+                 r = std::ldexp(1.0, static_cast<int>(random.integer(-20, 20)));
     circles.push_back({t * d.x - r * d.y, t * d.y + r * d.x, r});
   }
   return circles;
@@ -108,20 +120,33 @@ TEST_P(SectorWalkOn, FindsTheNearestSite) {
 }
 
 INSTANTIATE_TEST_SUITE_P(HardDirections, SectorWalkOn,
-                         ::testing::Values(NamedGenerator{"TangentInLayers", tangentInLayers}, NamedGenerator{"LinedGiant", linedGiant},
-                                           NamedGenerator{"RingAtTheRim", ringAtTheRim}, NamedGenerator{"AlongOneLine", alongOneLine},
-                                           NamedGenerator{"GiantDisk", giantDisk}, NamedGenerator{"GiantDiskExact", giantDiskExact},
+                         ::testing::Values(NamedGenerator{"TangentInLayers", tangentInLayers},
+                                           NamedGenerator{"LinedGiant", linedGiant},
+                                           NamedGenerator{"RingAtTheRim", ringAtTheRim},
+                                           NamedGenerator{"AlongOneLine", alongOneLine},
+                                           NamedGenerator{"GiantDisk", giantDisk},
+                                           NamedGenerator{"GiantDiskExact", giantDiskExact},
                                            NamedGenerator{"OneUlpApart", oneUlpApart},
                                            NamedGenerator{"CocircularPoints", cocircularPoints}),
                          [](const auto& parameter) { return parameter.param.name; });
 
 // One by one, find(-609184.8, -876123.9) gave site 0; site 12 is nearer by 133 014.
 TEST(SectorWalk, FifteenIntegerCircles) {
-  const Circles circles{{-612995724, -8605092368, 8625712875}, {-932400, -732415, 0},    {1497300, -5736125, 4742660},
-                        {3312612, 1295691, 2371330},          {3306885, -4920320, 4742660}, {666536, -980577, 0},
-                        {-1146064, 303873, 0},                {-2565456, 3988892, 3556995}, {-1039476, 570343, 0},
-                        {-1147225, -299460, 0},               {2369184, -100862, 1185665},  {-1088167, -470844, 0},
-                        {-732415, -932400, 0},                {112665, -1180300, 0},        {711399, -948532, 0}};
+  const Circles circles{{-612995724, -8605092368, 8625712875},
+                        {-932400, -732415, 0},
+                        {1497300, -5736125, 4742660},
+                        {3312612, 1295691, 2371330},
+                        {3306885, -4920320, 4742660},
+                        {666536, -980577, 0},
+                        {-1146064, 303873, 0},
+                        {-2565456, 3988892, 3556995},
+                        {-1039476, 570343, 0},
+                        {-1147225, -299460, 0},
+                        {2369184, -100862, 1185665},
+                        {-1088167, -470844, 0},
+                        {-732415, -932400, 0},
+                        {112665, -1180300, 0},
+                        {711399, -948532, 0}};
   Diagram diagram;
   SiteId id = kNoSite;
   for (const Circle& c : circles) ASSERT_EQ(diagram.insert(c.x, c.y, c.r, id), Error::kNone);
@@ -157,7 +182,8 @@ TEST(SectorWalk, AsksFewNeighborsOfAGiant) {
   // One level of the hierarchy more, of which each leaves some sixteen directions to the next.
   const double few = directionsAsked(1000);
   for (const std::size_t n : {std::size_t{4000}, std::size_t{16000}}) {
-    EXPECT_LT(directionsAsked(n), few + 64) << few << " directions a search at a degree of 1 000; now " << n;
+    EXPECT_LT(directionsAsked(n), few + 64)
+        << few << " directions a search at a degree of 1 000; now " << n;
   }
 }
 

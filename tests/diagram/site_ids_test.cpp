@@ -93,7 +93,9 @@ TEST(SiteIds, RandomHistoriesAgreeWithTheModel) {
     Random random(seed);
     SiteIds ids;
     std::map<SiteId, SiteState> model;
-    const auto randomState = [&] { return random.oneIn(2) ? SiteState::kHidden : SiteState::kVisible; };
+    const auto randomState = [&] {
+      return random.oneIn(2) ? SiteState::kHidden : SiteState::kVisible;
+    };
     for (int step = 0; step < 500; ++step) {
       // Phases of growth and of decline.
       const bool grow = model.empty() || random.integer(0, 99) < (step / 100 % 2 == 0 ? 70 : 30);
@@ -133,7 +135,8 @@ TEST(SiteIds, RandomHistoriesAgreeWithTheModel) {
         ASSERT_EQ(ids.state(slot), it->second) << id;
         hidden += it->second == SiteState::kHidden;
       }
-      for (Slot slot = 0; slot < ids.slots() + 2; ++slot) used += ids.state(slot) != SiteState::kFree;
+      for (Slot slot = 0; slot < ids.slots() + 2; ++slot)
+        used += ids.state(slot) != SiteState::kFree;
       ASSERT_EQ(ids.size(), model.size());
       ASSERT_EQ(used, model.size());
       ASSERT_EQ(ids.hiddenCount(), hidden);

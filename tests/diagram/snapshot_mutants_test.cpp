@@ -1,6 +1,6 @@
-// Snapshots that lie, with a right checksum. As anyone's bytes they are refused, or they are the diagram of the sites
-// that they hold, by fresh builds and brute force. As trusted bytes they do no harm: every call ends (under the
-// sanitizers: within its memory).
+// Snapshots that lie, with a right checksum. As anyone's bytes they are refused, or they are the
+// diagram of the sites that they hold, by fresh builds and brute force. As trusted bytes they do no
+// harm: every call ends (under the sanitizers: within its memory).
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -28,8 +28,8 @@ Bytes snapshotOf(const Circles& circles, std::size_t removed = 0) {
   return bytes;
 }
 
-/// Many hidden, grids, lines, two giants with small ones between (several edges between two sites), a giant with
-/// small ones at its rim (degree 2), decimals, few.
+/// Many hidden, grids, lines, two giants with small ones between (several edges between two sites),
+/// a giant with small ones at its rim (degree 2), decimals, few.
 std::vector<Bytes> originals() {
   Random random(11);
   std::vector<Bytes> all;
@@ -40,7 +40,8 @@ std::vector<Bytes> originals() {
   all.push_back(snapshotOf(collinear(random, 9, Line::kDiagonal, true, 2)));
   all.push_back(snapshotOf(giantDisk(random, 12), 2));
   all.push_back(snapshotOf(giantDiskExact(random, 10)));
-  all.push_back(snapshotOf({{-10, 0, 8}, {10, 0, 8}, {0, 0, 1}, {0, 5, 1}, {0, -6, 0.5}, {0, 0.5, 0}, {-10, 0, 3}}));
+  all.push_back(snapshotOf(
+      {{-10, 0, 8}, {10, 0, 8}, {0, 0, 1}, {0, 5, 1}, {0, -6, 0.5}, {0, 0.5, 0}, {-10, 0, 3}}));
   all.push_back(snapshotOf({{0, 0, 1}, {10, 0, 2}}));
   all.push_back(snapshotOf({{0, 0, 1}, {10, 0, 2}, {5, 1, 0}}));
   all.push_back(snapshotOf({{0, 0, 3}, {0, 1, 1}, {1, 0, 1}, {0, 0, 1}}));
@@ -103,8 +104,9 @@ TEST(SnapshotMutants, TrustedDoNoHarm) {
   for (int run = 0; run < runs(20000); ++run) {
     Random random(static_cast<std::uint64_t>(run) + 200000);
     const Bytes bytes = mutant(all[random.below(all.size())], random);
-    Diagram diagram(random.oneIn(4) ? Location::kWalk : random.oneIn(4) ? Location::kPlainHierarchy
-                                                                        : Location::kHierarchy);
+    Diagram diagram(random.oneIn(4)   ? Location::kWalk
+                    : random.oneIn(4) ? Location::kPlainHierarchy
+                                      : Location::kHierarchy);
     if (restored(diagram, bytes, Source::kTrusted) != Error::kNone) continue;
     ++accepted;
     found += callEverything(diagram, random.next());
@@ -118,14 +120,16 @@ TEST(SnapshotMutants, LargeTrustedDoNoHarm) {
   if (kShadowCheck) GTEST_SKIP() << "with the shadow check";
   for (const bool isGrid : {false, true}) {
     Random make(5);
-    const Circles circles = isGrid ? lattice(make, 30, 30, 1, 0.25) : randomCircles(make, 1200, Hidden::k5Percent);
+    const Circles circles =
+        isGrid ? lattice(make, 30, 30, 1, 0.25) : randomCircles(make, 1200, Hidden::k5Percent);
     const Bytes original = snapshotOf(circles, 30);
     for (int run = 0; run < runs(150); ++run) {
       Random random(static_cast<std::uint64_t>(run) + 300000);
       Bytes bytes = original;
       for (std::uint64_t k = random.below(60u); k > 0; --k) bytes = mutant(bytes, random);
       Diagram diagram(random.oneIn(4) ? Location::kPlainHierarchy : Location::kHierarchy);
-      if (restored(diagram, bytes, Source::kTrusted) == Error::kNone) (void)callEverything(diagram, random.next());
+      if (restored(diagram, bytes, Source::kTrusted) == Error::kNone)
+        (void)callEverything(diagram, random.next());
     }
   }
 }
@@ -136,7 +140,8 @@ TEST(SnapshotMutants, LargeTrustedDoNoHarm) {
 class Forged : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Forged, IsRefusedAndDoesNoHarmIfTrusted) {
-  std::ifstream file(std::string(APOLLONIUS_TEST_DATA "/snapshots/forged_") + GetParam() + ".bin", std::ios::binary);
+  std::ifstream file(std::string(APOLLONIUS_TEST_DATA "/snapshots/forged_") + GetParam() + ".bin",
+                     std::ios::binary);
   ASSERT_TRUE(file);
   const Bytes bytes{std::istreambuf_iterator<char>(file), {}};
   ASSERT_EQ(withChecksum(bytes), bytes);
@@ -150,7 +155,9 @@ TEST_P(Forged, IsRefusedAndDoesNoHarmIfTrusted) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Snapshots, Forged, ::testing::Values("hang", "find_out_of_bounds", "validate_clean_find_wrong"),
+INSTANTIATE_TEST_SUITE_P(Snapshots, Forged,
+                         ::testing::Values("hang", "find_out_of_bounds",
+                                           "validate_clean_find_wrong"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

@@ -1,5 +1,6 @@
-// Snapshots: what comes back is what was saved, on every platform; and whatever bytes are given, nothing comes of them but a valid
-// diagram or kCorruptSnapshot. (Bytes that lie more cleverly: snapshot_mutants_test.cpp.)
+// Snapshots: what comes back is what was saved, on every platform; and whatever bytes are given,
+// nothing comes of them but a valid diagram or kCorruptSnapshot. (Bytes that lie more cleverly:
+// snapshot_mutants_test.cpp.)
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -50,9 +51,12 @@ struct Answers {
     }
   }
   bool operator==(const Answers& other) const {
-    return ids == other.ids && faces == other.faces && hidden == other.hidden && covers == other.covers && neighbors == other.neighbors &&
-           vertices.coordinates == other.vertices.coordinates && vertices.clearance == other.vertices.clearance &&
-           vertices.sites == other.vertices.sites && edges.sites == other.edges.sites && edges.vertices == other.edges.vertices;
+    return ids == other.ids && faces == other.faces && hidden == other.hidden &&
+           covers == other.covers && neighbors == other.neighbors &&
+           vertices.coordinates == other.vertices.coordinates &&
+           vertices.clearance == other.vertices.clearance &&
+           vertices.sites == other.vertices.sites && edges.sites == other.edges.sites &&
+           edges.vertices == other.edges.vertices;
   }
 };
 
@@ -79,7 +83,8 @@ void expectSame(Diagram& original, Location location, Random& random, const Circ
     EXPECT_TRUE(Answers(restored) == Answers(original));
     EXPECT_EQ(saved(restored), bytes);
   }
-  // Free ids are used again in the same order; what hung on what still does. The second one has no circles at first.
+  // Free ids are used again in the same order; what hung on what still does. The second one has no
+  // circles at first.
   Diagram restored(location);
   ASSERT_EQ(restored.fromBytes(bytes, Source::kTrusted), Error::kNone);
   for (std::size_t k = 0; k < 2 * pool.size(); ++k) {
@@ -142,7 +147,9 @@ TEST_P(OnCorpus, RestoredIsTheSameAfterAnyHistory) {
           ASSERT_EQ(diagram.insert(c.x, c.y, c.r, ids.back()), Error::kNone);
         }
       }
-      expectSame(diagram, location == Location::kWalk ? Location::kHierarchy : Location::kPlainHierarchy, random, pool);
+      expectSame(diagram,
+                 location == Location::kWalk ? Location::kHierarchy : Location::kPlainHierarchy,
+                 random, pool);
     }
   }
 }
@@ -160,9 +167,11 @@ TEST_P(OnCorpus, RestoredIsTheSameAfterBulk) {
   expectSame(diagram, Location::kHierarchy, random, pool);
 }
 
-INSTANTIATE_TEST_SUITE_P(Snapshot, OnCorpus, ::testing::ValuesIn(corpus()), [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Snapshot, OnCorpus, ::testing::ValuesIn(corpus()),
+                         [](const auto& test) { return test.param.name; });
 
-// --- Few sites ---------------------------------------------------------------------------------------------------------------
+// --- Few sites
+// -------------------------------------------------------------------------------------------------
 
 Diagram made(const Circles& circles, const std::vector<SiteId>& removed = {}) {
   Diagram diagram;
@@ -173,7 +182,8 @@ Diagram made(const Circles& circles, const std::vector<SiteId>& removed = {}) {
   return diagram;
 }
 
-/// Small diagrams of every kind: empty, emptied, alone, alone with hidden ones below each other, two, in line, free ids and slots.
+/// Small diagrams of every kind: empty, emptied, alone, alone with hidden ones below each other,
+/// two, in line, free ids and slots.
 std::vector<Diagram> smallOnes() {
   std::vector<Diagram> all;
   all.push_back(made({}));
@@ -182,7 +192,9 @@ std::vector<Diagram> smallOnes() {
   all.push_back(made({{0, 0, 1}, {0, 0, 2}, {0, 0, 2}, {0, 1, 9}, {0, 0, 1}}));
   all.push_back(made({{0, 0, 1}, {10, 0, -1}}));
   all.push_back(made({{0, 0, 1}, {10, 0, 1}, {20, 0, 1}, {30, 0, 1}}, {1}));
-  all.push_back(made({{0, 0, 100}, {0, 0, 5}, {3, 0, 2}, {200, 0, 1}, {0, 99, 2}, {0, 0, 4}, {-300, 1, 0}}, {4, 1}));
+  all.push_back(
+      made({{0, 0, 100}, {0, 0, 5}, {3, 0, 2}, {200, 0, 1}, {0, 99, 2}, {0, 0, 4}, {-300, 1, 0}},
+           {4, 1}));
   Random random(4);
   all.push_back(made(tinyGrid(random, 16, 4, 2), {3, 7, 5}));
   all.push_back(made(randomCircles(random, 14, Hidden::k20Percent), {2}));
@@ -208,13 +220,16 @@ TEST(Snapshot, ReplacesWhatWasThere) {
   EXPECT_EQ(none.size(), 56u);
 }
 
-/// The levels of a restored diagram are made when they are asked for; until then nobody else may open them.
+/// The levels of a restored diagram are made when they are asked for; until then nobody else may
+/// open them.
 TEST(Snapshot, RestoredDiagramsTakeMoreThanTheyHold) {
   Random random(91);
-  const Circles circles = randomCircles(random, 3000, Hidden::k20Percent);  // three thousand pay for a level
+  const Circles circles =
+      randomCircles(random, 3000, Hidden::k20Percent);  // three thousand pay for a level
   const auto insert = [&](Diagram& diagram, std::size_t begin, std::size_t end) {
     std::vector<double> xyr;
-    for (std::size_t k = begin; k < end; ++k) xyr.insert(xyr.end(), {circles[k].x, circles[k].y, circles[k].r});
+    for (std::size_t k = begin; k < end; ++k)
+      xyr.insert(xyr.end(), {circles[k].x, circles[k].y, circles[k].r});
     std::vector<SiteId> ids(end - begin);
     ASSERT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
   };
@@ -233,12 +248,14 @@ TEST(Snapshot, DoesNotDependOnAnAddress) {
     Bytes shifted(shift, 0);
     shifted.insert(shifted.end(), bytes.begin(), bytes.end());
     Diagram diagram;
-    ASSERT_EQ(diagram.fromBytes(std::span<const std::uint8_t>(shifted).subspan(shift)), Error::kNone);
+    ASSERT_EQ(diagram.fromBytes(std::span<const std::uint8_t>(shifted).subspan(shift)),
+              Error::kNone);
     EXPECT_EQ(saved(diagram), bytes);
   }
 }
 
-// --- Damage ------------------------------------------------------------------------------------------------------------------
+// --- Damage
+// -------------------------------------------------------------------------------------------------
 
 /// Refused, with the diagram as it was.
 void expectRefused(const Bytes& bytes) {
@@ -276,7 +293,8 @@ TEST(Snapshot, EveryFlippedByteIsNoticed) {
   }
 }
 
-/// Bytes with a right checksum: either refused, or a valid diagram that works on. Returns whether it is one.
+/// Bytes with a right checksum: either refused, or a valid diagram that works on. Returns whether
+/// it is one.
 bool works(const Bytes& bytes) {
   Diagram diagram;
   const Error error = diagram.fromBytes(withChecksum(bytes));
@@ -291,7 +309,8 @@ bool works(const Bytes& bytes) {
   std::vector<SiteId> ids;
   EXPECT_EQ(diagram.ids(ids), Error::kNone);
   bool removed = false;
-  for (std::size_t k = 0; k < ids.size(); k += 3) EXPECT_EQ(diagram.remove(ids[k], removed), Error::kNone);
+  for (std::size_t k = 0; k < ids.size(); k += 3)
+    EXPECT_EQ(diagram.remove(ids[k], removed), Error::kNone);
   EXPECT_EQ(validated(diagram), "");
   return true;
 }
@@ -305,7 +324,8 @@ TEST(Snapshot, FlippedBytesWithARightChecksumDoNoHarm) {
     for (std::size_t k = 0; k + 8 < bytes.size(); ++k) {
       for (int run = 0; run < runs(5); ++run) {
         Bytes flipped = bytes;
-        flipped[k] ^= static_cast<std::uint8_t>(run < 2 ? 1u << random.below(8) : random.below(255) + 1);
+        flipped[k] ^=
+            static_cast<std::uint8_t>(run < 2 ? 1u << random.below(8) : random.below(255) + 1);
         ++(works(flipped) ? valid : refused);
         ASSERT_FALSE(HasFailure()) << k;
       }
@@ -342,31 +362,39 @@ TEST(Snapshot, CountsThatNobodyHasRoomForAreRefused) {
   for (std::size_t at = 8; at < 32; at += 4) {
     for (const std::uint32_t count : {0x20000000u, 0x7FFFFFFFu, 0xAAAAAAAAu, 0xFFFFFFFFu}) {
       Bytes forged = bytes;
-      for (std::size_t byte = 0; byte < 4; ++byte) forged[at + byte] = static_cast<std::uint8_t>(count >> (8 * byte));
+      for (std::size_t byte = 0; byte < 4; ++byte)
+        forged[at + byte] = static_cast<std::uint8_t>(count >> (8 * byte));
       expectRefused(withChecksum(forged));
     }
   }
 }
 
-// Locally all is well, but the graph goes twice around the middle: such a thing is no diagram of the plane.
+// Locally all is well, but the graph goes twice around the middle: such a thing is no diagram of
+// the plane.
 TEST(Snapshot, SheetsOnTopOfEachOtherAreFoundOut) {
-  // Points on a spiral around the origin, twice round; the graph is the wheel of them, with infinity around.
+  // Points on a spiral around the origin, twice round; the graph is the wheel of them, with
+  // infinity around.
   Circles circles{{0, 0, 0}};
   constexpr int kSpokes = 10;
   constexpr double kX[] = {100, 31, -81, -81, 31}, kY[] = {0, 95, 59, -59, -95};
   for (int k = 0; k < kSpokes; ++k) circles.push_back({kX[k % 5] + k / 5, kY[k % 5] + k / 5, 0});
   Diagram plain = made(circles);
   Bytes bytes = saved(plain);
-  // The same counts are needed: a wheel of n spokes has 2n faces, as has any triangulation of n + 2 vertices.
+  // The same counts are needed: a wheel of n spokes has 2n faces, as has any triangulation of n + 2
+  // vertices.
   const std::size_t slots = circles.size();
   const std::size_t twins = 4 * (8 + 6 * slots + slots + 2);
   const auto put = [&](std::size_t word, int value) {
-    for (std::size_t byte = 0; byte < 4; ++byte) bytes[twins + 4 * word + byte] = static_cast<std::uint8_t>(static_cast<std::uint32_t>(value) >> (8 * byte));
+    for (std::size_t byte = 0; byte < 4; ++byte)
+      bytes[twins + 4 * word + byte] =
+          static_cast<std::uint8_t>(static_cast<std::uint32_t>(value) >> (8 * byte));
   };
-  ASSERT_EQ(bytes.size(), twins + 4 * (6 * kSpokes + slots + 1) + ((twins / 4 + 6 * kSpokes + slots + 1) % 2) * 4 + 8);
+  ASSERT_EQ(bytes.size(), twins + 4 * (6 * kSpokes + slots + 1) +
+                              ((twins / 4 + 6 * kSpokes + slots + 1) % 2) * 4 + 8);
   // Face k: (centre, rim k, rim k+1). Face n + k: (infinity, rim k+1, rim k).
   for (int k = 0; k < kSpokes; ++k) {
-    const int after = (k + 1) % kSpokes, before = (k + kSpokes - 1) % kSpokes, outer = 3 * (kSpokes + k);
+    const int after = (k + 1) % kSpokes, before = (k + kSpokes - 1) % kSpokes,
+              outer = 3 * (kSpokes + k);
     put(static_cast<std::size_t>(3 * k), 3 * before + 2);
     put(static_cast<std::size_t>(3 * k + 1), outer + 1);
     put(static_cast<std::size_t>(3 * k + 2), 3 * after);
@@ -380,7 +408,8 @@ TEST(Snapshot, SheetsOnTopOfEachOtherAreFoundOut) {
   EXPECT_FALSE(works(bytes));
 }
 
-// --- The format --------------------------------------------------------------------------------------------------------------
+// --- The format
+// -------------------------------------------------------------------------------------------------
 
 /// The diagram of tests/data/snapshots/version2.bin: free ids and slots, hidden sites in trees.
 Diagram recorded() {
@@ -398,28 +427,35 @@ TEST(Snapshot, TheFormatIsTheRecordedOne) {
   const Diagram diagram = recorded();
   const Bytes bytes = saved(diagram);
   if (std::getenv("APOLLONIUS_RECORD") != nullptr) {
-    std::ofstream(name, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    std::ofstream(name, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
   }
   std::ifstream file(name, std::ios::binary);
   ASSERT_TRUE(file) << name;
   const Bytes old{std::istreambuf_iterator<char>(file), {}};
   Diagram restored;
-  ASSERT_EQ(restored.fromBytes(old), Error::kNone) << "snapshots of version 2 can no longer be read";
+  ASSERT_EQ(restored.fromBytes(old), Error::kNone)
+      << "snapshots of version 2 can no longer be read";
   EXPECT_EQ(validated(restored), "");
   EXPECT_EQ(difference(canonical(diagram), canonical(restored)), "");
   EXPECT_EQ(saved(restored), old);
-  // Faces come in an order that depends on how diagrams are searched: after a change of that, these differ and can be recorded anew.
+  // Faces come in an order that depends on how diagrams are searched: after a change of that, these
+  // differ and can be recorded anew.
   EXPECT_EQ(bytes, old) << "the same operations gave other bytes; APOLLONIUS_RECORD=1 writes them";
 }
 
-/// Graphs of version 1 may have faces that are no faces any more (docs/SNAPSHOTS.md); later ones are not known.
+/// Graphs of version 1 may have faces that are no faces any more (docs/SNAPSHOTS.md); later ones
+/// are not known.
 TEST(Snapshot, OtherVersionsAreRefused) {
   Bytes bytes = saved(recorded());
   ASSERT_EQ(bytes[8], 2);
   for (const int version : {0, 1, 2, 3, 255}) {
     bytes[8] = static_cast<std::uint8_t>(version);
     Diagram restored;
-    EXPECT_EQ(restored.fromBytes(withChecksum(bytes)), version == 2 ? Error::kNone : Error::kCorruptSnapshot) << version;
+    EXPECT_EQ(restored.fromBytes(withChecksum(bytes)),
+              version == 2 ? Error::kNone : Error::kCorruptSnapshot)
+        << version;
   }
 }
 

@@ -12,7 +12,9 @@
 namespace apollonius {
 namespace {
 
-std::vector<std::uint32_t> listed(const FlatArray<std::uint32_t>& order) { return {order.begin(), order.end()}; }
+std::vector<std::uint32_t> listed(const FlatArray<std::uint32_t>& order) {
+  return {order.begin(), order.end()};
+}
 std::vector<std::uint32_t> hilbertOf(PointArray points) { return listed(hilbertOrder(points)); }
 
 using test::Random;
@@ -55,7 +57,8 @@ TEST(HilbertOrder, ConsecutivePointsAreClose) {
   const std::vector<std::uint32_t> order = hilbertOf({values, 2});
   double length = 0;
   for (std::size_t k = 1; k < kPoints; ++k) {
-    const double dx = values[2 * order[k]] - values[2 * order[k - 1]], dy = values[2 * order[k] + 1] - values[2 * order[k - 1] + 1];
+    const double dx = values[2 * order[k]] - values[2 * order[k - 1]],
+                 dy = values[2 * order[k] + 1] - values[2 * order[k - 1] + 1];
     length += std::sqrt(dx * dx + dy * dy);
   }
   // About √(area · n); the random order's length is about n.
@@ -66,7 +69,8 @@ TEST(HilbertOrder, ReadsWithAStride) {
   Random random(2);
   const std::vector<double> triples = randomPoints(random, 100, 3);
   std::vector<double> pairs;
-  for (std::size_t k = 0; k < 100; ++k) pairs.insert(pairs.end(), {triples[3 * k], triples[3 * k + 1]});
+  for (std::size_t k = 0; k < 100; ++k)
+    pairs.insert(pairs.end(), {triples[3 * k], triples[3 * k + 1]});
   EXPECT_EQ(hilbertOf({triples, 3}), hilbertOf({pairs, 2}));
 }
 
@@ -74,9 +78,9 @@ TEST(SpatialOrder, DegenerateInput) {
   const std::vector<std::vector<double>> inputs{
       {},
       {4, 5},
-      {1, 1, 1, 1, 1, 1},                                // one place
-      {0, 3, 0, 1, 0, 2, 0, 4},                          // a vertical line
-      {-1e100, -1e100, 1e100, 1e100, 0, 0, 1e-100, 0},   // both ends of the range
+      {1, 1, 1, 1, 1, 1},                               // one place
+      {0, 3, 0, 1, 0, 2, 0, 4},                         // a vertical line
+      {-1e100, -1e100, 1e100, 1e100, 0, 0, 1e-100, 0},  // both ends of the range
       {1e-100, 1e-100, 2e-100, 3e-100, 0, 0},
       {1, 1, std::nextafter(1, 2), 1},
   };
@@ -94,7 +98,8 @@ TEST(HilbertOrder, TiesKeepTheOrderOfTheInput) {
 }
 
 TEST(HilbertOrder, ManyPointsAreOrderedAsFew) {
-  // From 513 points on a radix sort orders them; a subset that spans the same box must keep its order.
+  // From 513 points on a radix sort orders them; a subset that spans the same box must keep its
+  // order.
   Random random(4);
   std::vector<double> values = randomPoints(random, 5000, 2);
   for (const double corner : {-1.0, -1.0, 1.0, 1.0}) values.push_back(corner);

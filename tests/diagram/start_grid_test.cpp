@@ -1,4 +1,5 @@
-// The grid of starting places: gives some site of the cell asked for, nothing where it is crowded, and never more than a hint.
+// The grid of starting places: gives some site of the cell asked for, nothing where it is crowded,
+// and never more than a hint.
 #include "diagram/start_grid.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +16,10 @@ TEST(StartGrid, GivesNothingBeforeItIsBuilt) {
 TEST(StartGrid, GivesASiteOfTheCell) {
   StartGrid grid;
   grid.rebuild(100, {0, 0, 0}, {110, 110, 0});  // 11 cells a side, 10 wide
-  for (Slot id = 0; id < 121; ++id) grid.insert(id, {10.0 * (id % 11) + 5, 10.0 * (id / 11) + 5, 1});
-  for (Slot id = 0; id < 121; ++id) EXPECT_EQ(grid.near(10.0 * (id % 11) + 1, 10.0 * (id / 11) + 9), id);
+  for (Slot id = 0; id < 121; ++id)
+    grid.insert(id, {10.0 * (id % 11) + 5, 10.0 * (id / 11) + 5, 1});
+  for (Slot id = 0; id < 121; ++id)
+    EXPECT_EQ(grid.near(10.0 * (id % 11) + 1, 10.0 * (id / 11) + 9), id);
 }
 
 TEST(StartGrid, PointsOutsideBelongToTheCellsAtTheBorder) {
@@ -74,7 +77,9 @@ TEST(StartGrid, GapsGetASiteFromBeside) {
   grid.rebuild(120, {0, 0, 0}, {110, 110, 0});  // eleven cells a side
   grid.insert(7, {55, 55, 1});
   grid.fillGaps();
-  for (const Slot near : {grid.near(55, 55), grid.near(45, 55), grid.near(65, 55), grid.near(55, 45), grid.near(55, 65)}) EXPECT_EQ(near, 7u);
+  for (const Slot near : {grid.near(55, 55), grid.near(45, 55), grid.near(65, 55),
+                          grid.near(55, 45), grid.near(55, 65)})
+    EXPECT_EQ(near, 7u);
   EXPECT_EQ(grid.near(45, 45), kNoSlot);
   EXPECT_EQ(grid.near(75, 55), kNoSlot);
   grid.insert(8, {45, 55, 1});

@@ -1,7 +1,7 @@
-// All sites at once: each kind of move of a whole set, there and back, and batches that insert or remove most
-// of it. After each step everything is checked: the graph, the levels of the hierarchy, the hidden ones, and
-// finds. (Levels that follow moves one by one, a state in the middle that is no diagram: nothing else in the
-// tests moves thousands of sites with two levels over them.)
+// All sites at once: each kind of move of a whole set, there and back, and batches that insert or
+// remove most of it. After each step everything is checked: the graph, the levels of the hierarchy,
+// the hidden ones, and finds. (Levels that follow moves one by one, a state in the middle that is
+// no diagram: nothing else in the tests moves thousands of sites with two levels over them.)
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,8 +58,8 @@ TEST_P(WholeSets, MoveThereAndBack) {
         std::string wrong = set.moveTo(next, way, random);
         if (wrong.empty()) wrong = set.check(random);
         if (wrong.empty()) return true;
-        ADD_FAILURE() << first.name << ", " << second.name << ": at " << name << ", way " << static_cast<int>(way) << ": "
-                      << wrong;
+        ADD_FAILURE() << first.name << ", " << second.name << ": at " << name << ", way "
+                      << static_cast<int>(way) << ": " << wrong;
         return false;
       };
       if (!step(first.make(circles, random), "the first move")) break;
@@ -114,7 +114,8 @@ TEST_P(WholeSets, BatchesThatInsertAndRemoveMostOfThem) {
   expectRight(set.remove(some(set.circles().size())), "all");
   expectRight(set.insert(circles), "a set again");
   const Circles before = set.circles();
-  for (const std::size_t prefix : {std::size_t{1}, n / 3, n - 1}) {  // of a batch, on the same diagram
+  for (const std::size_t prefix :
+       {std::size_t{1}, n / 3, n - 1}) {  // of a batch, on the same diagram
     WholeSet copy(before);
     std::vector<std::size_t> positions(std::min(prefix, n));
     std::iota(positions.begin(), positions.end(), std::size_t{0});
@@ -125,9 +126,10 @@ TEST_P(WholeSets, BatchesThatInsertAndRemoveMostOfThem) {
 }
 
 const char* const kKinds[] = {
-    "Points",          "Hidden20Percent", "Hidden95Percent", "PowerLaw",   "Grid6Radius3",   "Grid20Radius10",
-    "IntegerLattice",  "TangentOutside",  "TangentInside",   "Concentric", "CommonTangent",  "GiantDiskExact",
-    "GiantDisk",       "EqualRadii",      "DiagonalLine",    "OneUlpApart", "NestedClusters", "CocircularPoints"};
+    "Points",         "Hidden20Percent", "Hidden95Percent", "PowerLaw",      "Grid6Radius3",
+    "Grid20Radius10", "IntegerLattice",  "TangentOutside",  "TangentInside", "Concentric",
+    "CommonTangent",  "GiantDiskExact",  "GiantDisk",       "EqualRadii",    "DiagonalLine",
+    "OneUlpApart",    "NestedClusters",  "CocircularPoints"};
 
 std::vector<Set> all(std::size_t n) {
   std::vector<Set> sets;
@@ -143,7 +145,8 @@ std::vector<Set> forThoroughRuns(std::initializer_list<Set> sets) {
 
 INSTANTIATE_TEST_SUITE_P(Small, WholeSets, ::testing::ValuesIn(all(40)), nameOf);
 INSTANTIATE_TEST_SUITE_P(OneLevel, WholeSets,
-                         ::testing::Values(Set{"Points", 300}, Set{"Hidden50Percent", 300}, Set{"IntegerLattice", 300}),
+                         ::testing::Values(Set{"Points", 300}, Set{"Hidden50Percent", 300},
+                                           Set{"IntegerLattice", 300}),
                          nameOf);
 INSTANTIATE_TEST_SUITE_P(OneLevelMore, WholeSets,
                          ::testing::ValuesIn(forThoroughRuns({{"TangentOutside", 300},

@@ -1,6 +1,7 @@
-// Sites in line on the hull, in sorted order and not: what an insertion or a removal changes, and the questions that it asks, must not
-// grow with the number of sites. Work is counted, not timed: the faces that change (an insertion makes as many as the new site has
-// neighbours, a removal takes as many away) and the predicates' answers (stages.h).
+// Sites in line on the hull, in sorted order and not: what an insertion or a removal changes, and
+// the questions that it asks, must not grow with the number of sites. Work is counted, not timed:
+// the faces that change (an insertion makes as many as the new site has neighbours, a removal takes
+// as many away) and the predicates' answers (stages.h).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,14 +23,15 @@ using namespace test;
 /// How much more the shadow check may ask on its own account.
 constexpr std::size_t kSlack = kShadowCheck ? 3 : 1;
 
-/// Answers of all stages since the last reset. Those of the filters that are settled on the way are not among them, but where sites are
-/// in line these know nothing.
+/// Answers of all stages since the last reset. Those of the filters that are settled on the way are
+/// not among them, but where sites are in line these know nothing.
 std::size_t answers() {
   const stages::Counts& c = stages::counts();
-  const unsigned long long all =
-      c.lorentzFilter + c.lorentzMiddle + c.lorentzExact + c.distanceFilter + c.distanceMiddle + c.distanceWhole +
-      c.distanceExact + c.vertexOfPoints + c.vertexFilter + c.vertexMiddle + c.vertexWhole + c.vertexExact + c.edgeCached +
-      c.edgeFilter + c.edgeMiddle + c.edgeWhole + c.edgeExact;
+  const unsigned long long all = c.lorentzFilter + c.lorentzMiddle + c.lorentzExact +
+                                 c.distanceFilter + c.distanceMiddle + c.distanceWhole +
+                                 c.distanceExact + c.vertexOfPoints + c.vertexFilter +
+                                 c.vertexMiddle + c.vertexWhole + c.vertexExact + c.edgeCached +
+                                 c.edgeFilter + c.edgeMiddle + c.edgeWhole + c.edgeExact;
   return static_cast<std::size_t>(all);
 }
 
@@ -57,10 +59,17 @@ const std::vector<Row>& rows() {
   static const std::vector<Row> all{
       {"PointsAlongX", [](std::size_t k) { return Site{static_cast<double>(k), 0, 0}; }},
       {"PointsAlongY", [](std::size_t k) { return Site{5, static_cast<double>(k), 1}; }},
-      {"PointsAlongASlope", [](std::size_t k) { return Site{3.0 * static_cast<double>(k), -2.0 * static_cast<double>(k), 0}; }},
-      {"TwoParallelLines", [](std::size_t k) { return Site{static_cast<double>(k / 2), k % 2 == 0 ? 0.0 : 1000.0, 0}; }},
+      {"PointsAlongASlope",
+       [](std::size_t k) {
+         return Site{3.0 * static_cast<double>(k), -2.0 * static_cast<double>(k), 0};
+       }},
+      {"TwoParallelLines",
+       [](std::size_t k) {
+         return Site{static_cast<double>(k / 2), k % 2 == 0 ? 0.0 : 1000.0, 0};
+       }},
       // Circles of several sizes on a line that they all touch from above.
-      {"TangentRow", [](std::size_t k) {
+      {"TangentRow",
+       [](std::size_t k) {
          const double r = static_cast<double>(1 + k * 7 % 3);
          return Site{8.0 * static_cast<double>(k), r, r};
        }},
@@ -115,15 +124,18 @@ TEST_P(WorkInLine, OfARemovalIsThatOfAFewFaces) {
 TEST(WorkInLine, PointsHaveDegreeFour) {
   DiagramCore core(Location::kHierarchy);
   std::vector<SiteId> ids;
-  for (int k = 0; k < 100; ++k) ids.push_back(core.insert({k * 37 % 100 * 1.0, k * 37 % 100 * 2.0, 0}));
+  for (int k = 0; k < 100; ++k)
+    ids.push_back(core.insert({k * 37 % 100 * 1.0, k * 37 % 100 * 2.0, 0}));
   for (int k = 0; k < 100; ++k) {
     // The two beside and infinity on both sides; the ends have one neighbour and one side.
-    EXPECT_EQ(degree(core, ids[static_cast<std::size_t>(k)]), k * 37 % 100 == 0 || k * 37 % 100 == 99 ? 2u : 4u);
+    EXPECT_EQ(degree(core, ids[static_cast<std::size_t>(k)]),
+              k * 37 % 100 == 0 || k * 37 % 100 == 99 ? 2u : 4u);
   }
 }
 
-/// Row by row, each row from the left: the first site of a row sees all of the row below, and the next ones take most of that over. Those faces
-/// do change, but their circles are in conflict beyond doubt: hardly more questions are asked than in random order.
+/// Row by row, each row from the left: the first site of a row sees all of the row below, and the
+/// next ones take most of that over. Those faces do change, but their circles are in conflict
+/// beyond doubt: hardly more questions are asked than in random order.
 TEST(WorkInLine, OfALatticeRowByRow) {
   if (kShadowCheck) GTEST_SKIP() << "the shadow check asks about every face";
   const int side = runs(60);
@@ -138,7 +150,8 @@ TEST(WorkInLine, OfALatticeRowByRow) {
   EXPECT_LE(rowByRow.answers, 4 * workOfInsertion(sites).answers);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rows, WorkInLine, ::testing::ValuesIn(rows()), [](const auto& parameter) { return parameter.param.name; });
+INSTANTIATE_TEST_SUITE_P(Rows, WorkInLine, ::testing::ValuesIn(rows()),
+                         [](const auto& parameter) { return parameter.param.name; });
 
 }  // namespace
 }  // namespace apollonius

@@ -1,7 +1,8 @@
-// Sorted orders, the classical worst cases of incremental insertion: over all generators and spirals, inserted one by one
-// in each of several orders and removed in the same one. Questions to the predicates are counted, for n sites and for 4n:
-// per face of the graph that changes they must not grow. (The graph itself may change more in one order than in another;
-// that is the price of an explicit graph, not of how it is found.)
+// Sorted orders, the classical worst cases of incremental insertion: over all generators and
+// spirals, inserted one by one in each of several orders and removed in the same one. Questions to
+// the predicates are counted, for n sites and for 4n: per face of the graph that changes they must
+// not grow. (The graph itself may change more in one order than in another; that is the price of an
+// explicit graph, not of how it is found.)
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +27,8 @@ using test::questions;
 using test::Random;
 using test::runs;
 
-/// Where a point of a spiral is, without functions that differ between platforms: each step turns by a rational rotation.
+/// Where a point of a spiral is, without functions that differ between platforms: each step turns
+/// by a rational rotation.
 Circles spiral(std::size_t n, double growth) {
   constexpr double kCosine = 0.8, kSine = 0.6;
   Circles circles;
@@ -47,7 +49,8 @@ const std::vector<NamedGenerator>& generators() {
     std::copy_if(test::corpus().begin(), test::corpus().end(), std::back_inserter(some),
                  [](const NamedGenerator& generator) { return generator.large; });
     some.push_back({"SpiralOfFewTurns", [](Random&, std::size_t n) { return spiral(n, 4); }});
-    some.push_back({"SpiralOfManyTurns", [](Random&, std::size_t n) { return spiral(n, static_cast<double>(n)); }});
+    some.push_back({"SpiralOfManyTurns",
+                    [](Random&, std::size_t n) { return spiral(n, static_cast<double>(n)); }});
     return some;
   }();
   return all;
@@ -110,12 +113,14 @@ TEST_P(WorstOrders, AskNoMorePerChangeOfLargerSets) {
       Random random(531);
       Circles circles = GetParam().make(random, times * n);
       if (order.key) {
-        std::stable_sort(circles.begin(), circles.end(),
-                         [&](const Circle& a, const Circle& b) { return order.key(a) < order.key(b); });
+        std::stable_sort(circles.begin(), circles.end(), [&](const Circle& a, const Circle& b) {
+          return order.key(a) < order.key(b);
+        });
       }
       work[times > 1] = workOf(circles);
     }
-    // A quadratic order has four times as much. (Around a giant it depends on luck, within a factor of two.)
+    // A quadratic order has four times as much. (Around a giant it depends on luck, within a factor
+    // of two.)
     EXPECT_LE(work[1].insertion, 2 * work[0].insertion + 2);
     EXPECT_LE(work[1].removal, 2 * work[0].removal + 2);
   }

@@ -1,6 +1,7 @@
-// libFuzzer target: bytes are circles and a window. All shapes, measures and drawings end, and are what voronoi.h
-// promises: rings are closed and do not cross themselves, areas fill the window, points lie in the cell of their nearest
-// site, portions make up the whole, and curves have the same bits after any history. How to run: README.md beside this.
+// libFuzzer target: bytes are circles and a window. All shapes, measures and drawings end, and are
+// what voronoi.h promises: rings are closed and do not cross themselves, areas fill the window,
+// points lie in the cell of their nearest site, portions make up the whole, and curves have the
+// same bits after any history. How to run: README.md beside this.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -25,7 +26,10 @@ Circles circlesOf(Bytes& bytes) {
   const std::size_t count = bytes.next() % kMostCircles;
   const auto small = [&] { return static_cast<double>(static_cast<std::int8_t>(bytes.next())); };
   switch (mode % 8) {
-    case 0: case 1: case 2: case 3: {
+    case 0:
+    case 1:
+    case 2:
+    case 3: {
       const auto numbers = static_cast<Numbers>(mode % 8);
       while (!bytes.empty() && circles.size() < count) {
         const double x = number(bytes, numbers), y = number(bytes, numbers);
@@ -36,16 +40,19 @@ Circles circlesOf(Bytes& bytes) {
     case 4: {  // multiples of a decimal step, off by rounding, here or far away
       constexpr double kSteps[] = {0.1, 0.3, 8.53e-9, 48, 1e-3, 1.0 / 3, 0x1p-30, 1e90};
       const double step = kSteps[bytes.next() % 8];
-      const double x0 = (mode & 0x40) != 0 ? 1000.1 * step : 0, y0 = (mode & 0x40) != 0 ? -333.3 * step : 0;
+      const double x0 = (mode & 0x40) != 0 ? 1000.1 * step : 0,
+                   y0 = (mode & 0x40) != 0 ? -333.3 * step : 0;
       while (!bytes.empty() && circles.size() < count) {
         const double x = x0 + step * small(), y = y0 + step * small();
         circles.push_back({x, y, (mode & 0x80) != 0 ? 0 : step * (bytes.next() % 16)});
       }
       break;
     }
-    case 5: case 6:
+    case 5:
+    case 6:
       while (!bytes.empty() && circles.size() < count) {
-        for (const Site& s : closeCall([&] { return bytes.next(); }).sites) circles.push_back({s.x, s.y, s.r});
+        for (const Site& s : closeCall([&] { return bytes.next(); }).sites)
+          circles.push_back({s.x, s.y, s.r});
       }
       break;
     default: {
@@ -54,7 +61,9 @@ Circles circlesOf(Bytes& bytes) {
       circles = generator.make(random, generator.large ? count + 1 : count % 9 + 1);
     }
   }
-  std::erase_if(circles, [](const Circle& c) { return !(isInRange(c.x) && isInRange(c.y) && isInRange(c.r)); });
+  std::erase_if(circles, [](const Circle& c) {
+    return !(isInRange(c.x) && isInRange(c.y) && isInRange(c.r));
+  });
   if (circles.size() > kMostCircles) circles.resize(kMostCircles);
   return circles;
 }
@@ -63,7 +72,8 @@ Bounds windowOf(Bytes& bytes, const Circles& circles) {
   Bounds bounds;
   const std::uint8_t kind = bytes.next();
   constexpr double kShares[] = {0, -0.3, 0.4, 30};
-  if (kind % 4 < 2 && !circles.empty() && windowAround(circles, kShares[kind >> 2 & 3], bounds)) return bounds;
+  if (kind % 4 < 2 && !circles.empty() && windowAround(circles, kShares[kind >> 2 & 3], bounds))
+    return bounds;
   if (kind % 4 == 2 && !circles.empty()) {  // sides through centres
     const auto any = [&]() -> const Circle& { return circles[bytes.next() % circles.size()]; };
     bounds = {any().x, any().y, any().x, any().y};
@@ -79,7 +89,11 @@ Bounds windowOf(Bytes& bytes, const Circles& circles) {
 class Checker {
  public:
   Checker(const Circles& circles, const Bounds& bounds, double tolerance, Random random)
-      : circles_(circles), bounds_(bounds), tolerance_(tolerance), random_(random), voronoi_(diagram_, bounds) {
+      : circles_(circles),
+        bounds_(bounds),
+        tolerance_(tolerance),
+        random_(random),
+        voronoi_(diagram_, bounds) {
     std::vector<double> xyr;
     for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
     std::vector<SiteId> ids(circles.size());
@@ -92,10 +106,12 @@ class Checker {
     if (error == Error::kBadBounds) return;
     take(error);
     whole_ = areaOf(bounds_);
-    largest_ = std::max({std::abs(bounds_.xmin), std::abs(bounds_.xmax), std::abs(bounds_.ymin), std::abs(bounds_.ymax)});
+    largest_ = std::max({std::abs(bounds_.xmin), std::abs(bounds_.xmax), std::abs(bounds_.ymin),
+                         std::abs(bounds_.ymax)});
     const double narrow = std::min(bounds_.xmax - bounds_.xmin, bounds_.ymax - bounds_.ymin);
     most_ = largest_;
-    for (const Circle& c : circles_) most_ = std::max({most_, std::abs(c.x), std::abs(c.y), std::abs(c.r)});
+    for (const Circle& c : circles_)
+      most_ = std::max({most_, std::abs(c.x), std::abs(c.y), std::abs(c.r)});
     // Vertices are good to 2^-48 of the largest number of their sites (apollonius.h).
     rounding_ = 1e-9 + 16 * most_ * 0x1p-48 / narrow;
     areApart_ = areApart(narrow);
@@ -111,21 +127,23 @@ class Checker {
  private:
   void expect(bool holds, const char* what, SiteId id = kNoSite) {
     if (holds) return;
-    std::fprintf(stderr, "%s, site %d\nwindow %a %a %a %a (%.17g %.17g %.17g %.17g) tolerance %a\n%s", what, static_cast<int>(id),
-                 bounds_.xmin, bounds_.ymin, bounds_.xmax, bounds_.ymax, bounds_.xmin, bounds_.ymin, bounds_.xmax, bounds_.ymax,
-                 tolerance_, toText(insertAll(circles_)).c_str());
+    std::fprintf(
+        stderr, "%s, site %d\nwindow %a %a %a %a (%.17g %.17g %.17g %.17g) tolerance %a\n%s", what,
+        static_cast<int>(id), bounds_.xmin, bounds_.ymin, bounds_.xmax, bounds_.ymax, bounds_.xmin,
+        bounds_.ymin, bounds_.xmax, bounds_.ymax, tolerance_, toText(insertAll(circles_)).c_str());
     std::abort();
   }
   void take(Error error) { expect(error == Error::kNone, "an error"); }
 
-  /// Are sites, and sides of the window, further apart than doubles of that size? Where they are not, rounding has the
-  /// last word about rings (voronoi.h).
+  /// Are sites, and sides of the window, further apart than doubles of that size? Where they are
+  /// not, rounding has the last word about rings (voronoi.h).
   [[nodiscard]] bool areApart(double narrow) const {
     const double least = 0x1p-36 * most_;
     for (std::size_t k = 0; k < circles_.size(); ++k) {
       for (std::size_t j = 0; j < k; ++j) {
         const Circle &a = circles_[j], &b = circles_[k];
-        const double apart = std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.r - b.r)});
+        const double apart =
+            std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.r - b.r)});
         if (apart > 0 && apart < least) return false;
       }
     }
@@ -138,10 +156,12 @@ class Checker {
       CellMeasures one;
       take(voronoi_.measures(id, one));
       expect(areas[id] >= -rounding_ * whole_, "a negative area", id);
-      expect(std::abs(one.area - areas[id]) <= rounding_ * whole_, "area of one cell and of all", id);
+      expect(std::abs(one.area - areas[id]) <= rounding_ * whole_, "area of one cell and of all",
+             id);
       sum += areas[id] / whole_;
     }
-    if (!circles_.empty() && whole_ > 1e-180 && whole_ < 1e180) expect(std::abs(sum - 1) <= rounding_, "areas do not add up");
+    if (!circles_.empty() && whole_ > 1e-180 && whole_ < 1e180)
+      expect(std::abs(sum - 1) <= rounding_, "areas do not add up");
   }
 
   void checkCells() {
@@ -155,18 +175,21 @@ class Checker {
         const std::uint32_t begin = cell.regions[region], end = cell.regions[region + 1];
         expect(begin < end, "an empty region", id);
         for (std::uint32_t k = begin; k < end; ++k) {
-          const double *c = &cell.curves[7 * k], *following = &cell.curves[7 * (k + 1 < end ? k + 1 : begin)];
-          expect(std::all_of(c, c + 7, [](double v) { return std::isfinite(v); }), "a curve is not finite", id);
+          const double *c = &cell.curves[7 * k],
+                       *following = &cell.curves[7 * (k + 1 < end ? k + 1 : begin)];
+          expect(std::all_of(c, c + 7, [](double v) { return std::isfinite(v); }),
+                 "a curve is not finite", id);
           expect(c[5] == following[0] && c[6] == following[1], "a gap in a boundary", id);
         }
       }
       CellMeasures within;
-      const double radius =
-          std::clamp(tolerance_ * std::ldexp(1.0, random_.below(30)), kSmallestMagnitude, kLargestMagnitude);
+      const double radius = std::clamp(tolerance_ * std::ldexp(1.0, random_.below(30)),
+                                       kSmallestMagnitude, kLargestMagnitude);
       take(voronoi_.measuresWithin(id, radius, within));
       // The outline is good to about 2^-48 of the largest number.
       const double seen = radius + 0x1p-45 * most_;
-      expect(std::abs(within.area) <= 3.1415926536 * seen * seen * (1 + 1e-9), "more than a disk", id);
+      expect(std::abs(within.area) <= 3.1415926536 * seen * seen * (1 + 1e-9), "more than a disk",
+             id);
       expect(std::isfinite(within.perimeter) && within.perimeter >= 0, "a perimeter", id);
     }
   }
@@ -174,12 +197,14 @@ class Checker {
   void checkRings(SiteId id, const RingArrays& rings) {
     CellMeasures measures;
     take(voronoi_.measures(id, measures));
-    if (rings.starts.size() < 2) expect(measures.area <= rounding_ * whole_, "no ring of a cell", id);
+    if (rings.starts.size() < 2)
+      expect(measures.area <= rounding_ * whole_, "no ring of a cell", id);
     for (std::size_t r = 0; r + 1 < rings.starts.size(); ++r) {
       std::vector<Point> ring;
       for (std::uint32_t k = rings.starts[r]; k < rings.starts[r + 1]; ++k) {
         const Point p{rings.coordinates[2 * k], rings.coordinates[2 * k + 1]};
-        const bool isInside = p.x >= bounds_.xmin && p.x <= bounds_.xmax && p.y >= bounds_.ymin && p.y <= bounds_.ymax;
+        const bool isInside = p.x >= bounds_.xmin && p.x <= bounds_.xmax && p.y >= bounds_.ymin &&
+                              p.y <= bounds_.ymax;
         expect(isInside || !areApart_, "a ring outside", id);
         ring.push_back(p);
       }
@@ -189,17 +214,21 @@ class Checker {
       std::sort(different.begin(), different.end());
       different.erase(std::unique(different.begin(), different.end()), different.end());
       expect(different.size() >= 3, "a ring of two points", id);
-      if (areApart_ && ring.size() <= 500) expect(!crossesItself(ring), "a ring crosses itself", id);
+      if (areApart_ && ring.size() <= 500)
+        expect(!crossesItself(ring), "a ring crosses itself", id);
     }
     expect(areaOf(rings) >= -rounding_ * whole_, "clockwise rings", id);
   }
 
   void checkPoints() {
-    // A polygon is at most the tolerance off, and moving by that much changes a difference of distances by twice that.
+    // A polygon is at most the tolerance off, and moving by that much changes a difference of
+    // distances by twice that.
     const double margin = 2.5 * tolerance_ + 0x1p-36 * most_;
     for (int k = 0; k < 30; ++k) {
-      const double x = random_.between(bounds_.xmin, bounds_.xmax), y = random_.between(bounds_.ymin, bounds_.ymax);
-      const double toBorder = std::min({x - bounds_.xmin, bounds_.xmax - x, y - bounds_.ymin, bounds_.ymax - y});
+      const double x = random_.between(bounds_.xmin, bounds_.xmax),
+                   y = random_.between(bounds_.ymin, bounds_.ymax);
+      const double toBorder =
+          std::min({x - bounds_.xmin, bounds_.xmax - x, y - bounds_.ymin, bounds_.ymax - y});
       if (!isInRange(x) || !isInRange(y) || toBorder <= 0x1p-48 * largest_) continue;
       SiteId nearest = kNoSite;
       double distance = 0, second = std::numeric_limits<double>::infinity();
@@ -219,13 +248,16 @@ class Checker {
   void checkEdges() {
     CurveArrays edges;
     take(voronoi_.edges(edges));
-    const double slack = 16 * rounding_ * (bounds_.xmax - bounds_.xmin + bounds_.ymax - bounds_.ymin);
+    const double slack =
+        16 * rounding_ * (bounds_.xmax - bounds_.xmin + bounds_.ymax - bounds_.ymin);
     for (std::size_t k = 0; k < edges.curves.size(); ++k) {
       const double v = edges.curves[k];
       expect(std::isfinite(v), "an edge is not finite");
       const std::size_t part = k % 7;
-      if (part == 0 || part == 5) expect(v >= bounds_.xmin - slack && v <= bounds_.xmax + slack, "an edge outside");
-      if (part == 1 || part == 6) expect(v >= bounds_.ymin - slack && v <= bounds_.ymax + slack, "an edge outside");
+      if (part == 0 || part == 5)
+        expect(v >= bounds_.xmin - slack && v <= bounds_.xmax + slack, "an edge outside");
+      if (part == 1 || part == 6)
+        expect(v >= bounds_.ymin - slack && v <= bounds_.ymax + slack, "an edge outside");
     }
   }
 
@@ -252,20 +284,31 @@ class Checker {
     expect(all.isDone, "a drawing that does not end");
     expectFinite(whole);
     for (std::size_t calls = 0; !portion.isDone; ++calls) {
-      expect(calls <= 2 * whole.commands.size() + 4 * circles_.size() + 8, "a drawing that does not end");
+      expect(calls <= 2 * whole.commands.size() + 4 * circles_.size() + 8,
+             "a drawing that does not end");
       take(draw(portion, part));
       joined.commands.insert(joined.commands.end(), part.commands.begin(), part.commands.end());
-      joined.coordinates.insert(joined.coordinates.end(), part.coordinates.begin(), part.coordinates.end());
+      joined.coordinates.insert(joined.coordinates.end(), part.coordinates.begin(),
+                                part.coordinates.end());
     }
-    expect(joined.commands == whole.commands && joined.coordinates == whole.coordinates, "portions are not the whole");
+    expect(joined.commands == whole.commands && joined.coordinates == whole.coordinates,
+           "portions are not the whole");
   }
 
   void checkDrawings() {
     using Portion = Voronoi::Portion;
-    checkPortions([&](Portion& portion, Path& path) { return voronoi_.drawEdges(tolerance_, portion, path); });
-    checkPortions([&](Portion& portion, Path& path) { return voronoi_.drawSites(tolerance_, portion, path); });
-    checkPortions([&](Portion& portion, Path& path) { return voronoi_.drawDual(tolerance_, false, portion, path); });
-    checkPortions([&](Portion& portion, Path& path) { return voronoi_.drawDual(tolerance_, true, portion, path); });
+    checkPortions([&](Portion& portion, Path& path) {
+      return voronoi_.drawEdges(tolerance_, portion, path);
+    });
+    checkPortions([&](Portion& portion, Path& path) {
+      return voronoi_.drawSites(tolerance_, portion, path);
+    });
+    checkPortions([&](Portion& portion, Path& path) {
+      return voronoi_.drawDual(tolerance_, false, portion, path);
+    });
+    checkPortions([&](Portion& portion, Path& path) {
+      return voronoi_.drawDual(tolerance_, true, portion, path);
+    });
     Path path;
     take(voronoi_.drawHull(tolerance_, path));
     expectFinite(path);
@@ -290,7 +333,8 @@ class Checker {
     Diagram restored, reversed;
     take(restored.fromBytes(bytes));
     std::vector<SiteId> ids(circles_.size());
-    for (std::size_t k = circles_.size(); k-- > 0;) take(reversed.insert(circles_[k].x, circles_[k].y, circles_[k].r, ids[k]));
+    for (std::size_t k = circles_.size(); k-- > 0;)
+      take(reversed.insert(circles_[k].x, circles_[k].y, circles_[k].r, ids[k]));
     for (SiteId id = 0; id < circles_.size(); ++id) {
       bool isHidden = false, isHiddenThere = false;
       take(diagram_.isHidden(id, isHidden));
@@ -318,7 +362,8 @@ class Checker {
 
 void run(Bytes bytes) {
   const std::uint8_t fineness = bytes.next(), seed = bytes.next();
-  // The window before the circles, which take what is left of the bytes; but it may be made of them.
+  // The window before the circles, which take what is left of the bytes; but it may be made of
+  // them.
   std::array<std::uint8_t, 24> ofWindow;
   for (std::uint8_t& byte : ofWindow) byte = bytes.next();
   const Circles circles = circlesOf(bytes);

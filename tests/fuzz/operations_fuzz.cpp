@@ -1,8 +1,8 @@
-// libFuzzer target: bytes are read as a sequence of operations on the public API: single ones, batches, moves
-// of all circles at once, and sets of hundreds to thousands that a generator draws, so that the hierarchy has
-// its levels. validate() runs after each call, and the end
-// is compared with fresh builds and, for few sites, with the oracle. A failure prints the history as tests/data/regressions wants
-// it. How to run: README.md beside this file.
+// libFuzzer target: bytes are read as a sequence of operations on the public API: single ones,
+// batches, moves of all circles at once, and sets of hundreds to thousands that a generator draws,
+// so that the hierarchy has its levels. validate() runs after each call, and the end is compared
+// with fresh builds and, for few sites, with the oracle. A failure prints the history as
+// tests/data/regressions wants it. How to run: README.md beside this file.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -20,17 +20,20 @@ constexpr std::size_t kMostCalls = 48;
 constexpr std::size_t kMostSites = 1500;
 
 // Codes that would be some more of many single inserts.
-constexpr std::uint8_t kRestoreCode = 0xFD, kSetCode = 0xF9, kMoveAllCode = 0xF5, kRemoveManyCode = 0xF1, kInsertManyCode = 0xED,
-                       kMoveSomeCode = 0xE9;
+constexpr std::uint8_t kRestoreCode = 0xFD, kSetCode = 0xF9, kMoveAllCode = 0xF5,
+                       kRemoveManyCode = 0xF1, kInsertManyCode = 0xED, kMoveSomeCode = 0xE9;
 
-bool isLegal(const Circle& circle) { return isInRange(circle.x) && isInRange(circle.y) && isInRange(circle.r); }
+bool isLegal(const Circle& circle) {
+  return isInRange(circle.x) && isInRange(circle.y) && isInRange(circle.r);
+}
 
 /// An illegal circle must be refused; the history goes on with legal ones only.
 void expectRefusal(const Circle& circle) {
   Diagram diagram;
   SiteId id = kNoSite;
   if (diagram.insert(circle.x, circle.y, circle.r, id) == Error::kNone || diagram.size() != 0) {
-    std::fprintf(stderr, "an illegal circle was accepted: %a %a %a\n", circle.x, circle.y, circle.r);
+    std::fprintf(stderr, "an illegal circle was accepted: %a %a %a\n", circle.x, circle.y,
+                 circle.r);
     std::abort();
   }
 }
@@ -49,13 +52,26 @@ class Decoder {
   void step(std::uint8_t code) {
     const std::size_t chosen = live_.empty() ? 0 : (code >> 2) % live_.size();
     switch (code) {
-      case kRestoreCode: add(Operation::Kind::kRestore, 0, {}, false); return;
-      case kSetCode: insertSet(); return;
-      case kMoveAllCode: moveAll(); return;
-      case kRemoveManyCode: removeMany(); return;
-      case kInsertManyCode: someMore(Operation::Kind::kInsert); return;
-      case kMoveSomeCode: someMore(Operation::Kind::kUpdate); return;
-      default: break;
+      case kRestoreCode:
+        add(Operation::Kind::kRestore, 0, {}, false);
+        return;
+      case kSetCode:
+        insertSet();
+        return;
+      case kMoveAllCode:
+        moveAll();
+        return;
+      case kRemoveManyCode:
+        removeMany();
+        return;
+      case kInsertManyCode:
+        someMore(Operation::Kind::kInsert);
+        return;
+      case kMoveSomeCode:
+        someMore(Operation::Kind::kUpdate);
+        return;
+      default:
+        break;
     }
     if ((code & 3) == 3 && !live_.empty()) {
       remove(chosen, false);
@@ -151,7 +167,8 @@ class Decoder {
   void removeMany() {
     const std::size_t left = live_.size() * bytes_.next() / 256;
     Random random(bytes_.next());
-    for (bool isJoined = false; live_.size() > left; isJoined = true) remove(random.below(live_.size()), isJoined);
+    for (bool isJoined = false; live_.size() > left; isJoined = true)
+      remove(random.below(live_.size()), isJoined);
   }
 
   Bytes& bytes_;

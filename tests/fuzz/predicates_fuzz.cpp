@@ -1,6 +1,6 @@
-// libFuzzer target: bytes are sites in all but degenerate position (support/close_calls.h). Every stage of every
-// predicate that claims to know an answer is compared with the exact stage, and the exact answers with the oracle.
-// How to run: README.md beside this file.
+// libFuzzer target: bytes are sites in all but degenerate position (support/close_calls.h). Every
+// stage of every predicate that claims to know an answer is compared with the exact stage, and the
+// exact answers with the oracle. How to run: README.md beside this file.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -38,7 +38,8 @@ void compareEdges(const Circles& visible, const CloseCall& call) {
     const EdgeCorners edge{corner(sites, a), corner(sites, b), corner(sites, thirds.front()),
                            corner(sites, faces.at({b, a}).front())};
     const auto found = left.find(ends);
-    expect(piecesLeft(edge, sites.back()) == (found == left.end() ? 0 : found->second.size()), "an edge", call);
+    expect(piecesLeft(edge, sites.back()) == (found == left.end() ? 0 : found->second.size()),
+           "an edge", call);
   }
 }
 
@@ -50,7 +51,8 @@ void compareWithOracle(const CloseCall& call) {
     const Site &s = call.sites[a], &t = call.sites[b];
     expect(covers(s, t) == oracleCovers(circles[a], circles[b]), "covering", call);
     expect(static_cast<int>(compareDistance(call.x, call.y, s, t)) ==
-               oracleCompareDistance(call.x, call.y, circles[a], circles[b]), "a distance", call);
+               oracleCompareDistance(call.x, call.y, circles[a], circles[b]),
+           "a distance", call);
   }
   const Circles visible = visibleOnly(circles);
   if (visible.size() < 3) return;
@@ -58,13 +60,16 @@ void compareWithOracle(const CloseCall& call) {
   for (const bool isFlipped : {false, true}) {
     const int a = isFlipped ? 1 : 0, b = isFlipped ? 0 : 1;
     const CircleAnswer exists = oracleCircle(visible, a, b, 2, kInfinity);
-    expect(hasVoronoiCircle(sites[a], sites[b], sites[2]) == (exists != CircleAnswer::kNoCircle), "a circle", call);
+    expect(hasVoronoiCircle(sites[a], sites[b], sites[2]) == (exists != CircleAnswer::kNoCircle),
+           "a circle", call);
     for (int q = 2; q < static_cast<int>(visible.size()); ++q) {
       expect(isVertexInConflict(&sites[a], &sites[b], nullptr, sites[q]) ==
-                 (oracleCircle(visible, a, b, kInfinity, q) == CircleAnswer::kInConflict), "a half-plane", call);
+                 (oracleCircle(visible, a, b, kInfinity, q) == CircleAnswer::kInConflict),
+             "a half-plane", call);
       if (q == 2 || exists == CircleAnswer::kNoCircle) continue;
       expect(isVertexInConflict(&sites[a], &sites[b], &sites[2], sites[q]) ==
-                 (oracleCircle(visible, a, b, 2, q) == CircleAnswer::kInConflict), "a vertex", call);
+                 (oracleCircle(visible, a, b, 2, q) == CircleAnswer::kInConflict),
+             "a vertex", call);
     }
   }
   compareEdges(visible, call);

@@ -1,17 +1,27 @@
-// Fuzzing: builds the targets with clang's libFuzzer, AddressSanitizer and UndefinedBehaviorSanitizer, and runs them in
-// turn, a slice of time each, from the corpus in tests/fuzz/corpus and what earlier runs have added to it.
+// Fuzzing: builds the targets with clang's libFuzzer, AddressSanitizer and
+// UndefinedBehaviorSanitizer, and runs them in turn, a slice of time each, from the corpus in
+// tests/fuzz/corpus and what earlier runs have added to it.
 //
 //   npm run fuzz -- --minutes 60                     all targets, for an hour in all
-//   npm run fuzz -- --minutes 5 --target geometry    those whose name has that in it (several: with commas)
-//   npm run fuzz -- --minutes 60 --jobs 2            two at a time
-//   npm run fuzz -- --merge                          no run: makes tests/fuzz/corpus of all that was found, minimised
+//   npm run fuzz -- --minutes 5 --target geometry    those whose name has that in it (several: with
+//   commas) npm run fuzz -- --minutes 60 --jobs 2            two at a time
+//   npm run fuzz -- --merge                          no run: makes tests/fuzz/corpus of all that
+//   was found, minimised
 //
-// It can be stopped at any time; the table is printed then, too. A finding is an input that ends a target; it is kept in
-// build/fuzz/findings with the target's output, and the run ends with 1. What has been run is added up in
-// build/fuzz/totals.json, by a digest of src/.
+// It can be stopped at any time; the table is printed then, too. A finding is an input that ends a
+// target; it is kept in build/fuzz/findings with the target's output, and the run ends with 1. What
+// has been run is added up in build/fuzz/totals.json, by a digest of src/.
 import { spawn } from "node:child_process";
 import { createHash } from "node:crypto";
-import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
@@ -28,20 +38,34 @@ import { digestOfSources, printTable, addToTotals } from "./totals.mjs";
 const home = path.join(root, "build", "fuzz");
 const findings = path.join(home, "findings");
 const seeds = path.join(root, "tests", "fuzz", "corpus");
-const sliceSeconds = 600;  // each begins with reading what is there, which is not counted
+const sliceSeconds = 600; // each begins with reading what is there, which is not counted
 const mostOfCorpus = 100;
 
 /** How long inputs may be: what a target reads of them. */
-const lengths = { operations_fuzz: 512, snapshot_fuzz: 4096, predicates_fuzz: 256, geometry_fuzz: 256 };
+const lengths = {
+  operations_fuzz: 512,
+  snapshot_fuzz: 4096,
+  predicates_fuzz: 256,
+  geometry_fuzz: 256,
+};
 
-const names = () => readdirSync(path.join(root, "tests", "fuzz"))
-  .filter((file) => file.endsWith("_fuzz.cpp")).map((file) => file.slice(0, -4)).sort();
+const names = () =>
+  readdirSync(path.join(root, "tests", "fuzz"))
+    .filter((file) => file.endsWith("_fuzz.cpp"))
+    .map((file) => file.slice(0, -4))
+    .sort();
 
 async function build(targets) {
   ensureNativeTools();
   ensureBoost();
-  const settings = { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_FUZZ: "ON", CMAKE_CXX_COMPILER: ensureClang() };
-  return withBuildLock(() => targets.map((target) => buildWithCmake("fuzz/program", settings, { target })).at(-1));
+  const settings = {
+    CMAKE_BUILD_TYPE: "Release",
+    APOLLONIUS_FUZZ: "ON",
+    CMAKE_CXX_COMPILER: ensureClang(),
+  };
+  return withBuildLock(() =>
+    targets.map((target) => buildWithCmake("fuzz/program", settings, { target })).at(-1),
+  );
 }
 
 /** Where a target starts from, and where it puts what it finds new: [mine, …others]. */
@@ -60,12 +84,16 @@ function run(program, args, { seconds } = {}) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, { stdio: ["ignore", "pipe", "pipe"] });
     running.add(child);
-    let output = "", isInterrupted = false;
-    const timer = seconds && setTimeout(() => {
-      isInterrupted = true;
-      child.kill("SIGINT");
-    }, 1000 * seconds);
-    for (const stream of [child.stdout, child.stderr]) stream.on("data", (data) => (output = (output + data).slice(-200_000)));
+    let output = "",
+      isInterrupted = false;
+    const timer =
+      seconds &&
+      setTimeout(() => {
+        isInterrupted = true;
+        child.kill("SIGINT");
+      }, 1000 * seconds);
+    for (const stream of [child.stdout, child.stderr])
+      stream.on("data", (data) => (output = (output + data).slice(-200_000)));
     child.on("error", reject);
     child.on("close", (code) => {
       running.delete(child);
@@ -79,15 +107,31 @@ function run(program, args, { seconds } = {}) {
 async function slice(folder, target, seconds) {
   const start = performance.now();
   // At the lowest priority: nobody waits for it.
-  // (libFuzzer looks at the time only when it has read the corpus, which on a busy machine takes minutes.)
-  const { code, output, isInterrupted } = await run("nice", ["-n", "19", path.join(folder, target),
-    `-max_total_time=${seconds}`, `-max_len=${lengths[target] ?? 512}`, "-len_control=0", "-print_final_stats=1", "-timeout=300",
-    "-report_slow_units=300", "-rss_limit_mb=4096", `-artifact_prefix=${path.join(findings, `${target}-`)}`, ...corpora(target),
-  ], { seconds: seconds + 20 });
+  // (libFuzzer looks at the time only when it has read the corpus, which on a busy machine takes
+  // minutes.)
+  const { code, output, isInterrupted } = await run(
+    "nice",
+    [
+      "-n",
+      "19",
+      path.join(folder, target),
+      `-max_total_time=${seconds}`,
+      `-max_len=${lengths[target] ?? 512}`,
+      "-len_control=0",
+      "-print_final_stats=1",
+      "-timeout=300",
+      "-report_slow_units=300",
+      "-rss_limit_mb=4096",
+      `-artifact_prefix=${path.join(findings, `${target}-`)}`,
+      ...corpora(target),
+    ],
+    { seconds: seconds + 20 },
+  );
   const number = (pattern) => Number([...output.matchAll(pattern)].at(-1)?.[1] ?? 0);
   const artifact = /Test unit written to (\S+)/.exec(output)?.[1];
   const isFinding = artifact !== undefined || (code !== 0 && !isStopped && !isInterrupted);
-  if (isFinding) writeFileSync(`${artifact ?? path.join(findings, `${target}-${Date.now()}`)}.log`, output);
+  if (isFinding)
+    writeFileSync(`${artifact ?? path.join(findings, `${target}-${Date.now()}`)}.log`, output);
   return {
     executions: number(/number_of_executed_units:\s+(\d+)/g) || number(/^#(\d+)/gm),
     seconds: (performance.now() - start) / 1000,
@@ -98,18 +142,25 @@ async function slice(folder, target, seconds) {
 
 let isStopped = false;
 
-/** Keeps `jobs` slices running until the time is over, always of the target that has had the least time. */
+/**
+ * Keeps `jobs` slices running until the time is over, always of the target that has had the least
+ * time.
+ */
 async function fuzz(folder, targets, minutes, jobs) {
   mkdirSync(findings, { recursive: true });
   const end = performance.now() + minutes * 60_000;
-  const done = Object.fromEntries(targets.map((target) => [target, { executions: 0, seconds: 0, coverage: 0, findings: [] }]));
+  const done = Object.fromEntries(
+    targets.map((target) => [target, { executions: 0, seconds: 0, coverage: 0, findings: [] }]),
+  );
   const busy = new Set();
   const longest = Math.max(5, Math.min(sliceSeconds, (minutes * 60 * jobs) / targets.length));
   const digest = digestOfSources();
   const work = async () => {
     for (;;) {
       const left = (end - performance.now()) / 1000;
-      const free = targets.filter((target) => !busy.has(target)).sort((a, b) => done[a].seconds - done[b].seconds);
+      const free = targets
+        .filter((target) => !busy.has(target))
+        .sort((a, b) => done[a].seconds - done[b].seconds);
       if (isStopped || left < 2 || free.length === 0) return;
       const [target] = free;
       busy.add(target);
@@ -128,44 +179,69 @@ async function fuzz(folder, targets, minutes, jobs) {
   return done;
 }
 
-/** tests/fuzz/corpus/<target> becomes the fewest inputs that reach as much as all do; of many, the shortest. */
+/**
+ * tests/fuzz/corpus/<target> becomes the fewest inputs that reach as much as all do; of many, the
+ * shortest.
+ */
 async function merge(folder, target) {
   const kept = path.join(home, "merged", target);
   rmSync(kept, { recursive: true, force: true });
   mkdirSync(kept, { recursive: true });
   const { code, output } = await run(path.join(folder, target), [
-    "-merge=1", `-max_len=${lengths[target] ?? 512}`, "-timeout=300", kept, ...corpora(target)]);
+    "-merge=1",
+    `-max_len=${lengths[target] ?? 512}`,
+    "-timeout=300",
+    kept,
+    ...corpora(target),
+  ]);
   if (code !== 0) throw new SetUpError(output);
-  const files = readdirSync(kept).map((file) => ({ file, bytes: readFileSync(path.join(kept, file)) }))
+  const files = readdirSync(kept)
+    .map((file) => ({ file, bytes: readFileSync(path.join(kept, file)) }))
     .sort((a, b) => a.bytes.length - b.bytes.length || Buffer.compare(a.bytes, b.bytes));
   // Evenly from short to long.
   const step = Math.max(1, files.length / mostOfCorpus);
-  const chosen = Array.from({ length: Math.min(files.length, mostOfCorpus) }, (_, k) => files[Math.floor(k * step)]);
+  const chosen = Array.from(
+    { length: Math.min(files.length, mostOfCorpus) },
+    (_, k) => files[Math.floor(k * step)],
+  );
   const place = path.join(seeds, target);
   rmSync(place, { recursive: true, force: true });
   mkdirSync(place, { recursive: true });
-  for (const { bytes } of chosen) writeFileSync(path.join(place, createHash("sha1").update(bytes).digest("hex").slice(0, 16)), bytes);
+  for (const { bytes } of chosen)
+    writeFileSync(
+      path.join(place, createHash("sha1").update(bytes).digest("hex").slice(0, 16)),
+      bytes,
+    );
   const size = chosen.reduce((sum, { bytes }) => sum + bytes.length, 0);
-  console.log(`${target}: ${chosen.length} of ${files.length} inputs, ${(size / 1024).toFixed(0)} KB`);
+  console.log(
+    `${target}: ${chosen.length} of ${files.length} inputs, ${(size / 1024).toFixed(0)} KB`,
+  );
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   await main(async () => {
     const { values } = parseArgs({
       options: {
-        minutes: { type: "string", default: "10" }, target: { type: "string", default: "" },
-        jobs: { type: "string", default: "1" }, merge: { type: "boolean", default: false },
+        minutes: { type: "string", default: "10" },
+        target: { type: "string", default: "" },
+        jobs: { type: "string", default: "1" },
+        merge: { type: "boolean", default: false },
       },
     });
-    const minutes = Number(values.minutes), jobs = Number(values.jobs);
-    const targets = names().filter((name) => values.target.split(",").some((part) => name.includes(part)));
-    if (!(minutes > 0) || !Number.isInteger(jobs) || jobs < 1) throw new SetUpError("--minutes and --jobs take numbers above 0");
-    if (targets.length === 0) throw new SetUpError(`no target ${values.target}: expected some of ${names().join(", ")}`);
+    const minutes = Number(values.minutes),
+      jobs = Number(values.jobs);
+    const targets = names().filter((name) =>
+      values.target.split(",").some((part) => name.includes(part)),
+    );
+    if (!(minutes > 0) || !Number.isInteger(jobs) || jobs < 1)
+      throw new SetUpError("--minutes and --jobs take numbers above 0");
+    if (targets.length === 0)
+      throw new SetUpError(`no target ${values.target}: expected some of ${names().join(", ")}`);
     const folder = await build(targets);
     for (const signal of ["SIGINT", "SIGTERM"]) {
       process.on(signal, () => {
         isStopped = true;
-        for (const child of running) child.kill("SIGINT");  // libFuzzer says its figures and ends
+        for (const child of running) child.kill("SIGINT"); // libFuzzer says its figures and ends
       });
     }
     // What runs is a copy, so that a build beside it does no harm.

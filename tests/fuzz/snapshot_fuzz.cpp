@@ -1,6 +1,6 @@
-// libFuzzer target: bytes are a snapshot, whose checksum is made right and of which the mutator changes parts that it
-// knows. Taken as anyone's, it is refused or right; taken as trusted, every call ends in its memory. Start from real
-// ones; how to run: README.md beside this file.
+// libFuzzer target: bytes are a snapshot, whose checksum is made right and of which the mutator
+// changes parts that it knows. Taken as anyone's, it is refused or right; taken as trusted, every
+// call ends in its memory. Start from real ones; how to run: README.md beside this file.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -28,7 +28,8 @@ void run(const std::vector<std::uint8_t>& input) {
       std::abort();
     }
   }
-  if (diagram.fromBytes(bytes, Source::kTrusted) == Error::kNone) (void)callEverything(diagram, seed);
+  if (diagram.fromBytes(bytes, Source::kTrusted) == Error::kNone)
+    (void)callEverything(diagram, seed);
 }
 
 }  // namespace
@@ -36,13 +37,14 @@ void run(const std::vector<std::uint8_t>& input) {
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
-                                               unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t most, unsigned seed) {
   using namespace apollonius::test;
   std::vector<std::uint8_t> bytes(data, data + size);
   apollonius::Diagram diagram;
   // What is no snapshot at all has no parts.
-  if (seed % 8 == 0 || diagram.fromBytes(withChecksum(bytes), apollonius::Source::kTrusted) != apollonius::Error::kNone) {
+  if (seed % 8 == 0 || diagram.fromBytes(withChecksum(bytes), apollonius::Source::kTrusted) !=
+                           apollonius::Error::kNone) {
     return LLVMFuzzerMutate(data, size, most);
   }
   Random random(seed);

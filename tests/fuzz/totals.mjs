@@ -9,12 +9,19 @@ export function digestOfSources() {
   const hash = createHash("sha256");
   const folder = path.join(root, "src");
   for (const file of readdirSync(folder, { recursive: true }).map(String).sort()) {
-    if (/\.(cpp|h)$/.test(file)) hash.update(file).update("\0").update(readFileSync(path.join(folder, file)));
+    if (/\.(cpp|h)$/.test(file))
+      hash
+        .update(file)
+        .update("\0")
+        .update(readFileSync(path.join(folder, file)));
   }
   return hash.digest("hex").slice(0, 16);
 }
 
-/** Adds a slice: { executions, seconds, coverage, findings }. Read and written at once, as another run may do so too. */
+/**
+ * Adds a slice: { executions, seconds, coverage, findings }. Read and written at once, as another
+ * run may do so too.
+ */
 export function addToTotals(file, digest, target, { executions, seconds, coverage, findings }) {
   const totals = existsSync(file) ? JSON.parse(readFileSync(file, "utf8")) : {};
   const all = (totals[digest] ??= {});
@@ -31,10 +38,17 @@ export function addToTotals(file, digest, target, { executions, seconds, coverag
 /** `done` maps targets to sums with their findings listed. */
 export function printTable(done) {
   const rows = Object.entries(done).map(([target, { executions, seconds, coverage, findings }]) => [
-    target, executions.toLocaleString("en"), seconds.toFixed(0), String(coverage), String(findings.length)]);
+    target,
+    executions.toLocaleString("en"),
+    seconds.toFixed(0),
+    String(coverage),
+    String(findings.length),
+  ]);
   const table = [["target", "executions", "seconds", "coverage", "findings"], ...rows];
   const widths = table[0].map((_, column) => Math.max(...table.map((row) => row[column].length)));
-  const line = (row) => row.map((cell, k) => (k === 0 ? cell.padEnd(widths[k]) : cell.padStart(widths[k]))).join("  ");
+  const line = (row) =>
+    row.map((cell, k) => (k === 0 ? cell.padEnd(widths[k]) : cell.padStart(widths[k]))).join("  ");
   console.log(table.map(line).join("\n"));
-  for (const { findings } of Object.values(done)) for (const finding of findings) console.log(finding);
+  for (const { findings } of Object.values(done))
+    for (const finding of findings) console.log(finding);
 }

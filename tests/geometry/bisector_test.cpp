@@ -1,5 +1,6 @@
-// Bisectors against their definition: equal distances. Would catch a wrong frame, a wrong sign of the branch, a control point or weight
-// that is not the curve's, and loss of digits where circles nearly touch from within.
+// Bisectors against their definition: equal distances. Would catch a wrong frame, a wrong sign of
+// the branch, a control point or weight that is not the curve's, and loss of digits where circles
+// nearly touch from within.
 #include "geometry/bisector.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,8 @@ namespace {
 
 double distanceTo(const Site& s, Point p) { return length(p - Point{s.x, s.y}) - s.r; }
 
-/// Two circles of which neither covers the other; `gap` is how far the smaller one sticks out, in units of its distance.
+/// Two circles of which neither covers the other; `gap` is how far the smaller one sticks out, in
+/// units of its distance.
 void randomPair(Random& random, double gap, Site& pole, Site& other) {
   const Direction d = randomDirection(random);
   const double distance = random.between(1, 1000);
@@ -27,14 +29,17 @@ TEST(Bisector, PointsAreEquallyFarFromBothSites) {
   Random random(501);
   for (int run = 0; run < runs(3000); ++run) {
     Site pole, other;
-    const double gap = run % 3 == 0 ? 1 : run % 3 == 1 ? random.unit() : 1e-9 * random.unit() + 1e-12;
+    const double gap = run % 3 == 0   ? 1
+                       : run % 3 == 1 ? random.unit()
+                                      : 1e-9 * random.unit() + 1e-12;
     randomPair(random, gap, pole, other);
     const Bisector bisector(pole, other);
     ASSERT_TRUE(bisector.isKnown());
     for (const double e : {1e-6, 0.01, 0.5, 1.0, 1.7, 40.0, 1e5}) {
       const Point p = bisector.at(e);
       const double size = length(p) + 2000;
-      ASSERT_NEAR(distanceTo(pole, p), distanceTo(other, p), 1e-14 * size) << "run " << run << " e " << e;
+      ASSERT_NEAR(distanceTo(pole, p), distanceTo(other, p), 1e-14 * size)
+          << "run " << run << " e " << e;
       // Where the curve is steep, the parameter is as good as the point.
       const Point again = bisector.at(bisector.parameterOf(p));
       ASSERT_LT(length(again - p), 1e-13 * size) << "run " << run << " e " << e << " gap " << gap;
@@ -57,7 +62,8 @@ TEST(Bisector, PiecesAreExactlyRationalQuadratic) {
       ASSERT_NEAR(distanceTo(pole, p), distanceTo(other, p), 1e-12 * size) << "run " << run;
       // Tangents of the piece and of the bisector are parallel, and the same way.
       const Point along = piece.tangent(t), tangent = bisector.tangent(bisector.parameterOf(p));
-      if (piece.isStraight() && (t == 0 || t == 1)) continue;  // a segment of weight 0 has no speed at its ends
+      if (piece.isStraight() && (t == 0 || t == 1))
+        continue;  // a segment of weight 0 has no speed at its ends
       ASSERT_GT(dot(along, tangent), 0.9999 * length(along));
     }
   }
@@ -106,7 +112,8 @@ TEST(Bisector, LinesAreCrossedWhereTheyAre) {
     ASSERT_TRUE(has || !hasOther) << "run " << run;
     if (!has) continue;
     ASSERT_LE(sign * value(at), 1e-9);
-    const double first = from ? form.fall(e0, at) : form.rise(e0, at), second = from ? form.rise(at, e1) : form.fall(at, e1);
+    const double first = from ? form.fall(e0, at) : form.rise(e0, at),
+                 second = from ? form.rise(at, e1) : form.fall(at, e1);
     ASSERT_NEAR(value(first), 0, 1e-8);
     ASSERT_NEAR(value(second), 0, 1e-8);
     ASSERT_LE(first, second);
@@ -115,7 +122,8 @@ TEST(Bisector, LinesAreCrossedWhereTheyAre) {
   EXPECT_GT(crossed, runs(20000) / 10);
 }
 
-/// Of a line along an asymptote the crossing is at infinity, and rounding may put it beyond: the end there is the answer.
+/// Of a line along an asymptote the crossing is at infinity, and rounding may put it beyond: the
+/// end there is the answer.
 TEST(Bisector, LinesAlongAnAsymptoteAreCrossedAtItsEnd) {
   Random random(504);
   const double infinity = std::numeric_limits<double>::infinity();

@@ -1,4 +1,5 @@
-// Cells inside windows against brute force: who is nearest at each point of a raster, areas by summation, by polygon and by counting.
+// Cells inside windows against brute force: who is nearest at each point of a raster, areas by
+// summation, by polygon and by counting.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +19,9 @@ class CellsOn : public ::testing::TestWithParam<NamedGenerator> {};
 TEST_P(CellsOn, AreasAddUpToTheWindow) {
   Random random(521);
   for (int run = 0; run < runs(12); ++run) {
-    const Circles circles = GetParam().make(random, GetParam().large ? 5 + 25 * static_cast<std::size_t>(run) : 4 + static_cast<std::size_t>(run % 6));
+    const Circles circles =
+        GetParam().make(random, GetParam().large ? 5 + 25 * static_cast<std::size_t>(run)
+                                                 : 4 + static_cast<std::size_t>(run % 6));
     Diagram diagram;
     insertInto(diagram, circles);
     for (const double share : kShares) {
@@ -33,7 +36,8 @@ TEST_P(CellsOn, AreasAddUpToTheWindow) {
         sum += areas[id];
         CellMeasures one;
         ASSERT_EQ(voronoi.measures(id, one), Error::kNone);
-        ASSERT_NEAR(one.area / whole, areas[id] / whole, 1e-13) << "site " << id << " run " << run << " share " << share;
+        ASSERT_NEAR(one.area / whole, areas[id] / whole, 1e-13)
+            << "site " << id << " run " << run << " share " << share;
       }
       ASSERT_NEAR(sum / whole, 1, 1e-12) << "run " << run << " share " << share;
     }
@@ -59,7 +63,8 @@ TEST_P(CellsOn, RasterAgreesWithTheNearestSite) {
       }
       ASSERT_NEAR(sum / areaOf(bounds), 1, 0.01);
       for (int k = 0; k < 40; ++k) {
-        const double x = random.between(bounds.xmin, bounds.xmax), y = random.between(bounds.ymin, bounds.ymax);
+        const double x = random.between(bounds.xmin, bounds.xmax),
+                     y = random.between(bounds.ymin, bounds.ymax);
         if (std::abs(x) < kSmallestMagnitude || std::abs(y) < kSmallestMagnitude) continue;
         SiteId nearest = kNoSite;
         double distance = 0, second = std::numeric_limits<double>::infinity();
@@ -67,10 +72,12 @@ TEST_P(CellsOn, RasterAgreesWithTheNearestSite) {
         for (SiteId id = 0; id < circles.size(); ++id) {
           if (id != nearest) second = std::min(second, distanceTo(circles[id], x, y));
         }
-        // A polygon is at most the tolerance off, and moving by that much changes a difference of distances by twice that.
+        // A polygon is at most the tolerance off, and moving by that much changes a difference of
+        // distances by twice that.
         if (!(second - distance > 2.5 * tolerance)) continue;
         for (SiteId id = 0; id < circles.size(); ++id) {
-          ASSERT_EQ(isInside(rings[id], x, y), id == nearest) << "site " << id << " at " << x << " " << y << " run " << run << " share " << share;
+          ASSERT_EQ(isInside(rings[id], x, y), id == nearest)
+              << "site " << id << " at " << x << " " << y << " run " << run << " share " << share;
         }
       }
     }
@@ -86,17 +93,21 @@ TEST_P(CellsOn, BoundariesAreClosedAndShared) {
     Bounds bounds;
     if (!windowAround(circles, share, bounds)) continue;
     const Voronoi voronoi(diagram, bounds);
-    std::multiset<std::vector<double>> seen;  // curves of cells, and of the cells beyond reversed: each must cancel
+    std::multiset<std::vector<double>>
+        seen;  // curves of cells, and of the cells beyond reversed: each must cancel
     for (SiteId id = 0; id < circles.size(); ++id) {
       CurveArrays cell;
       ASSERT_EQ(voronoi.cell(id, cell), Error::kNone);
       for (std::size_t region = 0; region + 1 < cell.regions.size(); ++region) {
         const std::uint32_t begin = cell.regions[region], end = cell.regions[region + 1];
         for (std::uint32_t k = begin; k < end; ++k) {
-          const double *c = &cell.curves[7 * k], *following = &cell.curves[7 * (k + 1 < end ? k + 1 : begin)];
-          ASSERT_TRUE(c[5] == following[0] && c[6] == following[1]) << "a gap after curve " << k << " of site " << id;
+          const double *c = &cell.curves[7 * k],
+                       *following = &cell.curves[7 * (k + 1 < end ? k + 1 : begin)];
+          ASSERT_TRUE(c[5] == following[0] && c[6] == following[1])
+              << "a gap after curve " << k << " of site " << id;
           if (cell.sites[k] == kNoSite) continue;
-          const std::vector<double> forward{c[0], c[1], c[2], c[3], c[4], c[5], c[6]}, backward{c[5], c[6], c[2], c[3], c[4], c[0], c[1]};
+          const std::vector<double> forward{c[0], c[1], c[2], c[3], c[4], c[5], c[6]},
+              backward{c[5], c[6], c[2], c[3], c[4], c[0], c[1]};
           if (const auto other = seen.find(backward); other != seen.end()) {
             seen.erase(other);
           } else {
@@ -108,14 +119,17 @@ TEST_P(CellsOn, BoundariesAreClosedAndShared) {
     // What remains belongs to regions whose partner was only a touch.
     for (const std::vector<double>& c : seen) {
       const double size = std::abs(c[5] - c[0]) + std::abs(c[6] - c[1]);
-      const bool onBorder = std::min({std::abs(c[0] - bounds.xmin), std::abs(c[0] - bounds.xmax), std::abs(c[1] - bounds.ymin),
-                                      std::abs(c[1] - bounds.ymax)}) < 1e-7 * (bounds.xmax - bounds.xmin);
-      ASSERT_TRUE(onBorder || size < 1e-7 * (bounds.xmax - bounds.xmin)) << c[0] << " " << c[1] << " share " << share;
+      const bool onBorder = std::min({std::abs(c[0] - bounds.xmin), std::abs(c[0] - bounds.xmax),
+                                      std::abs(c[1] - bounds.ymin), std::abs(c[1] - bounds.ymax)}) <
+                            1e-7 * (bounds.xmax - bounds.xmin);
+      ASSERT_TRUE(onBorder || size < 1e-7 * (bounds.xmax - bounds.xmin))
+          << c[0] << " " << c[1] << " share " << share;
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, CellsOn, ::testing::ValuesIn(corpus()), [](const auto& parameter) { return parameter.param.name; });
+INSTANTIATE_TEST_SUITE_P(Corpus, CellsOn, ::testing::ValuesIn(corpus()),
+                         [](const auto& parameter) { return parameter.param.name; });
 
 TEST(Cells, MeasuresAgreeWithCounting) {
   Random random(524);
@@ -126,7 +140,8 @@ TEST(Cells, MeasuresAgreeWithCounting) {
   ASSERT_TRUE(windowAround(circles, -0.1, bounds));
   const Voronoi voronoi(diagram, bounds);
   constexpr int kSide = 400;
-  const double step = (bounds.xmax - bounds.xmin) / kSide, height = (bounds.ymax - bounds.ymin) / kSide;
+  const double step = (bounds.xmax - bounds.xmin) / kSide,
+               height = (bounds.ymax - bounds.ymin) / kSide;
   std::vector<double> area(circles.size(), 0), x(circles.size(), 0), y(circles.size(), 0);
   for (int i = 0; i < kSide; ++i) {
     for (int j = 0; j < kSide; ++j) {
@@ -176,7 +191,8 @@ TEST(Cells, NoneOneAndTwoSites) {
   EXPECT_EQ(areasOf({{100, 100, 3}}, {0, 0, 10, 5}), (std::vector<double>{50}));
   EXPECT_EQ(areasOf({{0, 0, 1}, {10, 0, 1}}, {0, 0, 10, 5}), (std::vector<double>{25, 25}));
   EXPECT_EQ(areasOf({{0, 0, 1}, {100, 0, 1}}, {0, 0, 10, 5}), (std::vector<double>{50, 0}));
-  EXPECT_EQ(areasOf({{0, 0, 5}, {1, 0, 1}}, {0, 0, 10, 5}), (std::vector<double>{50, 0})) << "hidden";
+  EXPECT_EQ(areasOf({{0, 0, 5}, {1, 0, 1}}, {0, 0, 10, 5}), (std::vector<double>{50, 0}))
+      << "hidden";
   const std::vector<double> curved = areasOf({{0, 0, 3}, {10, 0, 1}}, {-20, -20, 20, 20});
   EXPECT_NEAR(curved[0] + curved[1], 1600, 1e-10);
   EXPECT_NEAR(curved[0], 1094.42, 0.01);
@@ -187,13 +203,17 @@ TEST(Cells, ContactsThatAreNoCuts) {
   const Circles pair{{0, 0, 1}, {10, 0, 1}};
   EXPECT_EQ(areasOf(pair, {0, -1, 5, 1}), (std::vector<double>{10, 0}));
   EXPECT_EQ(areasOf(pair, {5, -1, 9, 1}), (std::vector<double>{0, 8}));
-  const Circles cross{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};  // bisectors through all four corners
+  const Circles cross{
+      {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};  // bisectors through all four corners
   EXPECT_EQ(areasOf(cross, {-2, -2, 2, 2}), (std::vector<double>{4, 4, 4, 4}));
-  EXPECT_EQ(areasOf(cross, {0, 0, 2, 2}), (std::vector<double>{2, 2, 0, 0})) << "the vertex is a corner";
-  EXPECT_EQ(areasOf(cross, {-2, 0, 2, 2}), (std::vector<double>{2, 4, 2, 0})) << "the vertex is on a side";
+  EXPECT_EQ(areasOf(cross, {0, 0, 2, 2}), (std::vector<double>{2, 2, 0, 0}))
+      << "the vertex is a corner";
+  EXPECT_EQ(areasOf(cross, {-2, 0, 2, 2}), (std::vector<double>{2, 4, 2, 0}))
+      << "the vertex is on a side";
   // A grid whose cells end exactly on the border.
   Circles grid;
-  for (int k = 0; k < 25; ++k) grid.push_back({static_cast<double>(k % 5), static_cast<double>(k / 5), 0});
+  for (int k = 0; k < 25; ++k)
+    grid.push_back({static_cast<double>(k % 5), static_cast<double>(k / 5), 0});
   const std::vector<double> areas = areasOf(grid, {0.5, 0.5, 3.5, 3.5});
   for (int k = 0; k < 25; ++k) {
     const bool inner = k % 5 > 0 && k % 5 < 4 && k / 5 > 0 && k / 5 < 4;
@@ -207,15 +227,19 @@ TEST(Cells, ContactsThatAreNoCuts) {
 }
 
 TEST(Cells, IntegerCirclesInWindowsThatEndOnTheirEdgesAndVertices) {
-  // Asymptotes and edges along the border, vertices on it, corners on edges: nearly every run has some. Once as they are and once
-  // times 0.1, where rounding puts everything next to where it should be.
+  // Asymptotes and edges along the border, vertices on it, corners on edges: nearly every run has
+  // some. Once as they are and once times 0.1, where rounding puts everything next to where it
+  // should be.
   Random random(526);
   for (int run = 0; run < runs(8000); ++run) {
     const int size = 1 + 2 * random.below(5);
     Circles circles = tinyGrid(random, 1 + random.below(std::size_t{9}), size, random.below(5));
     const double unit = random.oneIn(2) ? 1 : 0.1, step = random.oneIn(2) ? 1 : 0.25;
     for (Circle& c : circles) c = {c.x * unit, c.y * unit, c.r * unit};
-    const auto coordinate = [&] { return unit * step * static_cast<double>(random.integer(-2, static_cast<int>((size + 2) / step))); };
+    const auto coordinate = [&] {
+      return unit * step *
+             static_cast<double>(random.integer(-2, static_cast<int>((size + 2) / step)));
+    };
     Bounds bounds{coordinate(), coordinate(), coordinate(), coordinate()};
     if (bounds.xmin > bounds.xmax) std::swap(bounds.xmin, bounds.xmax);
     if (bounds.ymin > bounds.ymax) std::swap(bounds.ymin, bounds.ymax);
@@ -237,7 +261,8 @@ TEST(Cells, IntegerCirclesInWindowsThatEndOnTheirEdgesAndVertices) {
     }
     ASSERT_NEAR(sum / whole, 1, 1e-12) << "run " << run;
     for (int k = 0; k < 4; ++k) {
-      const double x = random.between(bounds.xmin, bounds.xmax), y = random.between(bounds.ymin, bounds.ymax);
+      const double x = random.between(bounds.xmin, bounds.xmax),
+                   y = random.between(bounds.ymin, bounds.ymax);
       SiteId nearest = kNoSite;
       double distance = 0, second = std::numeric_limits<double>::infinity();
       ASSERT_EQ(diagram.find(x, y, nearest, distance), Error::kNone);
@@ -247,7 +272,8 @@ TEST(Cells, IntegerCirclesInWindowsThatEndOnTheirEdgesAndVertices) {
         if (id != nearest && !hidden) second = std::min(second, distanceTo(circles[id], x, y));
       }
       if (!(second - distance > 2.5 * tolerance)) continue;
-      for (SiteId id = 0; id < circles.size(); ++id) ASSERT_EQ(isInside(rings[id], x, y), id == nearest) << "run " << run;
+      for (SiteId id = 0; id < circles.size(); ++id)
+        ASSERT_EQ(isInside(rings[id], x, y), id == nearest) << "run " << run;
     }
   }
 }
@@ -257,20 +283,26 @@ std::vector<std::vector<double>> sortedCurves(const Voronoi& voronoi, SiteId id)
   CurveArrays cell;
   EXPECT_EQ(voronoi.cell(id, cell), Error::kNone);
   std::vector<std::vector<double>> curves;
-  for (std::size_t k = 0; k < cell.curves.size(); k += 7) curves.emplace_back(&cell.curves[k], &cell.curves[k] + 7);
+  for (std::size_t k = 0; k < cell.curves.size(); k += 7)
+    curves.emplace_back(&cell.curves[k], &cell.curves[k] + 7);
   std::sort(curves.begin(), curves.end());
   return curves;
 }
 
 TEST(Cells, AtACornerOfAnImmenseWindowAreTheSameAfterAnyHistory) {
-  // Found by geometry_fuzz: contacts near a corner are at one place there, seen from the other end of the side. Their
-  // order, and whether the corner is between them, were left to where the boundary of the cell was begun.
+  // Found by geometry_fuzz: contacts near a corner are at one place there, seen from the other end
+  // of the side. Their order, and whether the corner is between them, were left to where the
+  // boundary of the cell was begun.
   Random random(527);
   for (int run = 0; run < runs(2000); ++run) {
     const Circles circles = tinyGrid(random, 7, 6, 2);
     const double size = std::ldexp(1.0, static_cast<int>(random.integer(0, 300)));
-    const auto x = static_cast<double>(random.integer(0, 5)), y = static_cast<double>(random.integer(0, 5));
-    const Bounds corners[] = {{x, y, size + 6, size + 6}, {-size, y, x, size + 6}, {-size, -size, x, y}, {x, -size, size + 6, y}};
+    const auto x = static_cast<double>(random.integer(0, 5)),
+               y = static_cast<double>(random.integer(0, 5));
+    const Bounds corners[] = {{x, y, size + 6, size + 6},
+                              {-size, y, x, size + 6},
+                              {-size, -size, x, y},
+                              {x, -size, size + 6, y}};
     const Bounds bounds = corners[run % 4];
     if (!(bounds.xmin < bounds.xmax && bounds.ymin < bounds.ymax)) continue;
     Diagram forwards, backwards;
@@ -282,14 +314,16 @@ TEST(Cells, AtACornerOfAnImmenseWindowAreTheSameAfterAnyHistory) {
       ASSERT_EQ(forwards.isHidden(id, isHidden), Error::kNone);
       ASSERT_EQ(backwards.isHidden(there, isHiddenThere), Error::kNone);
       if (isHidden != isHiddenThere) continue;  // of identical circles any may be the visible one
-      ASSERT_EQ(sortedCurves(Voronoi(forwards, bounds), id), sortedCurves(Voronoi(backwards, bounds), there))
+      ASSERT_EQ(sortedCurves(Voronoi(forwards, bounds), id),
+                sortedCurves(Voronoi(backwards, bounds), there))
           << "run " << run << " site " << id;
     }
   }
 }
 
 TEST(Cells, SeveralRegionsOfOneCell) {
-  // A large circle left of the window reaches around a small one into both of the window's left corners.
+  // A large circle left of the window reaches around a small one into both of the window's left
+  // corners.
   const Circles circles{{-60, 50, 58}, {50, 50, 0}};
   Diagram diagram;
   insertInto(diagram, circles);

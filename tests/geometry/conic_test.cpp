@@ -43,7 +43,8 @@ std::vector<Point> sampled(const Conic& conic, int halvings) {
 double distanceToPolyline(Point p, const std::vector<Point>& line) {
   double best = 1e300;
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-    if (!(line[k] == line[k + 1])) best = std::min(best, distanceToSegment(p, line[k], line[k + 1]));
+    if (!(line[k] == line[k + 1]))
+      best = std::min(best, distanceToSegment(p, line[k], line[k + 1]));
   }
   return best;
 }
@@ -58,10 +59,12 @@ TEST(Conic, HalvesAreTheSameCurve) {
     EXPECT_TRUE(first.p2 == second.p0);
     for (double t = 0; t <= 1; t += 0.25) {
       const Point p = first.at(t);
-      // On the conic: barycentric coordinates (a, b, c) with respect to the triangle satisfy b² = 4 w² a c.
+      // On the conic: barycentric coordinates (a, b, c) with respect to the triangle satisfy b² = 4
+      // w² a c.
       const double all = cross(conic.p1 - conic.p0, conic.p2 - conic.p0);
       if (w == 0 || std::abs(all) < 1) continue;
-      const double a = cross(conic.p1 - p, conic.p2 - p) / all, b = cross(conic.p2 - p, conic.p0 - p) / all;
+      const double a = cross(conic.p1 - p, conic.p2 - p) / all,
+                   b = cross(conic.p2 - p, conic.p0 - p) / all;
       const double c = 1 - a - b;
       EXPECT_NEAR(b * b, 4 * w * w * a * c, 1e-10 * (1 + 4 * w * w)) << w;
     }
@@ -104,7 +107,8 @@ TEST(Conic, ApproximationsAreWithinTheTolerance) {
           worstDrawn = std::max(worstDrawn, distanceToPolyline(p, drawn));
         }
         ASSERT_LE(worstFlat, tolerance * 1.001) << "w " << w;
-        ASSERT_LE(worstDrawn, tolerance * 1.01 + 1e-3) << "w " << w;  // the samples themselves are 1e-3 apart from the curve
+        ASSERT_LE(worstDrawn, tolerance * 1.01 + 1e-3)
+            << "w " << w;  // the samples themselves are 1e-3 apart from the curve
         ASSERT_LE(path.commands.size(), 24u) << "w " << w << " tolerance " << tolerance;
         ASSERT_LE(polyline.size(), 4 + 12 / std::sqrt(tolerance));
       }
@@ -149,7 +153,8 @@ TEST(Measures, FactorsAgreeWithTheirClosedForms) {
     const double u = std::acosh(w), s = std::sinh(u);
     const ArcFactors factors = arcFactors(w);
     EXPECT_NEAR(factors.area, w * (w * s - u) / (s * s * s), 2e-14) << w;
-    EXPECT_NEAR(factors.moment, w * w * (s + s * s * s / 3 - w * u) / (s * s * s * s * s), 1e-13) << w;
+    EXPECT_NEAR(factors.moment, w * w * (s + s * s * s / 3 - w * u) / (s * s * s * s * s), 1e-13)
+        << w;
     EXPECT_DOUBLE_EQ(factors.area, arcAreaFactor(w));
   }
   EXPECT_DOUBLE_EQ(arcFactors(1).area, 2.0 / 3);

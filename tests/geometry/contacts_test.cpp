@@ -1,6 +1,6 @@
-// Circles that touch, or miss it by a rounding: what the hull, the disk about a site and the areas make of
-// them. Independent of the curves: hulls of sampled circles, points whose nearest site is found by comparing
-// all.
+// Circles that touch, or miss it by a rounding: what the hull, the disk about a site and the areas
+// make of them. Independent of the curves: hulls of sampled circles, points whose nearest site is
+// found by comparing all.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,11 +15,13 @@ namespace {
 
 const double kPi = std::acos(-1.0);
 
-/// Circles with decimal fractions for numbers; some touch others from outside, some from inside, some are
-/// points on a rim, in a direction of small integers: up to rounding, to either side.
+/// Circles with decimal fractions for numbers; some touch others from outside, some from inside,
+/// some are points on a rim, in a direction of small integers: up to rounding, to either side.
 Circles decimalContacts(Random& random, std::size_t n) {
   const double unit = random.oneIn(2) ? 0.1 : 0.01;
-  const auto decimal = [&](int low, int high) { return unit * static_cast<double>(random.integer(low, high)); };
+  const auto decimal = [&](int low, int high) {
+    return unit * static_cast<double>(random.integer(low, high));
+  };
   Circles circles;
   while (circles.size() < n) {
     const double x = decimal(0, 40), y = decimal(0, 40), r = decimal(0, 25);
@@ -28,7 +30,8 @@ Circles decimalContacts(Random& random, std::size_t n) {
       continue;
     }
     const Circle from = circles[random.below(circles.size())];
-    const int triples[][3] = {{3, 4, 5}, {4, 3, 5}, {-3, 4, 5}, {5, -12, 13}, {-8, -15, 17}, {1, 0, 1}, {0, -1, 1}};
+    const int triples[][3] = {{3, 4, 5},     {4, 3, 5}, {-3, 4, 5}, {5, -12, 13},
+                              {-8, -15, 17}, {1, 0, 1}, {0, -1, 1}};
     const auto& [a, b, c] = triples[random.below(std::size_t{7})];
     const double k = decimal(1, 6);
     const double sum = c * k, other = random.oneIn(2) ? sum - from.r : from.r - sum;
@@ -54,7 +57,10 @@ void sampledHull(const Circles& circles, double& area, double& perimeter) {
     for (const auto& p : points) {
       while (hull.size() >= base + 2) {
         const auto &a = hull[hull.size() - 2], &b = hull[hull.size() - 1];
-        if ((b.first - a.first) * (p.second - a.second) - (b.second - a.second) * (p.first - a.first) > 0) break;
+        if ((b.first - a.first) * (p.second - a.second) -
+                (b.second - a.second) * (p.first - a.first) >
+            0)
+          break;
         hull.pop_back();
       }
       hull.push_back(p);
@@ -88,7 +94,10 @@ void measureDrawing(const Path& path, double& area, double& length) {
         startY = y = xy[1];
         xy += 2;
         break;
-      case Command::kLine: to(xy[0], xy[1]); xy += 2; break;
+      case Command::kLine:
+        to(xy[0], xy[1]);
+        xy += 2;
+        break;
       case Command::kCurve: {
         const double px = x, py = y;
         for (int k = 1; k <= 64; ++k) {
@@ -99,7 +108,9 @@ void measureDrawing(const Path& path, double& area, double& length) {
         xy += 6;
         break;
       }
-      case Command::kClose: to(startX, startY); break;
+      case Command::kClose:
+        to(startX, startY);
+        break;
     }
   }
 }
@@ -155,7 +166,8 @@ void checkDisk(const Circles& circles, SiteId site, double radius) {
   ASSERT_EQ(Voronoi(diagram).measuresWithin(site, radius, measures), Error::kNone);
   const double share = hidden ? 0 : sampledShare(circles, site, radius);
   EXPECT_NEAR(measures.area / (kPi * radius * radius), share, 0.03)
-      << "site " << site << " radius " << radius << "\n" << toText(insertAll(circles));
+      << "site " << site << " radius " << radius << "\n"
+      << toText(insertAll(circles));
 }
 
 TEST(Contacts, DisksAreSharedAsSampled) {
@@ -171,11 +183,14 @@ TEST(Contacts, DisksAreSharedAsSampled) {
 
 TEST(Contacts, ASliverOfACellIsNotADisk) {
   checkDisk({{.6000000000000001, .7000000000000001, 1.5}, {1.2000000000000002, 1.5, 2.5}}, 0, 25);
-  checkDisk({{.7, .3, 1.5000000000000002}, {3.1000000000000005, 3.5, 2.5}, {1.6, 1.5000000000000002, 0}}, 2, 35);
+  checkDisk(
+      {{.7, .3, 1.5000000000000002}, {3.1000000000000005, 3.5, 2.5}, {1.6, 1.5000000000000002, 0}},
+      2, 35);
 }
 
 TEST(Contacts, HalfADiskOfAnyRadius) {
-  // Found by geometry_fuzz: where the radius was more than 2^511 times the sites' distance, nothing was left of it.
+  // Found by geometry_fuzz: where the radius was more than 2^511 times the sites' distance, nothing
+  // was left of it.
   for (int exponent = -250; exponent <= 330; exponent += 20) {
     const double radius = std::ldexp(1.0, exponent), small = 0x1p-280;
     Diagram diagram;
@@ -191,10 +206,13 @@ TEST(Contacts, HalfADiskOfAnyRadius) {
 }
 
 TEST(Contacts, ADiskSmallerThanTheDistanceOfDoublesIsFinite) {
-  // Found by geometry_fuzz: the ends of its arcs are the centre itself, in no direction, and measures were NaN.
+  // Found by geometry_fuzz: the ends of its arcs are the centre itself, in no direction, and
+  // measures were NaN.
   for (const double radius : {1e-30, 0.15, 1e15, 1e25}) {
     Diagram diagram;
-    insertInto(diagram, {{1e-79, 1e36, 0}, {1.0000000000000001e-79, 1e36, 0}, {2e-79, 1e36, 0}, {1e-79, 3e36, 0}});
+    insertInto(
+        diagram,
+        {{1e-79, 1e36, 0}, {1.0000000000000001e-79, 1e36, 0}, {2e-79, 1e36, 0}, {1e-79, 3e36, 0}});
     for (SiteId site = 0; site < 4; ++site) {
       CellMeasures measures;
       ASSERT_EQ(Voronoi(diagram).measuresWithin(site, radius, measures), Error::kNone);
@@ -232,7 +250,8 @@ TEST(Areas, AddUpWhereSitesAreOneOrTwoDoublesApart) {
     for (int k = 2 + random.below(6); k > 0; --k) {
       const double x = base + ulp * static_cast<double>(random.integer(-span, span));
       const double y = base + ulp * static_cast<double>(random.integer(-span, span));
-      circles.push_back({x, y, random.oneIn(3) ? ulp * static_cast<double>(random.integer(0, 2)) : 0});
+      circles.push_back(
+          {x, y, random.oneIn(3) ? ulp * static_cast<double>(random.integer(0, 2)) : 0});
     }
     const double left = base - ulp * static_cast<double>(random.integer(0, width));
     const double bottom = base - ulp * static_cast<double>(random.integer(0, width));
@@ -243,10 +262,12 @@ TEST(Areas, AddUpWhereSitesAreOneOrTwoDoublesApart) {
 }
 
 TEST(Areas, AddUpInWindowsAtTheEndsOfTheRange) {
-  const Circles circles{{1, 2, 1}, {-3, 1, 0}, {2, -4, 0.5}, {-1e-90, 1e-95, 0}, {1e60, -1e60, 1e50}};
+  const Circles circles{
+      {1, 2, 1}, {-3, 1, 0}, {2, -4, 0.5}, {-1e-90, 1e-95, 0}, {1e60, -1e60, 1e50}};
   for (const double size : {1e-100, 1e-90, 1.0, 1e50, 1e100}) {
     for (const double shape : {1e-100, 1e-90, 1.0, 1e50, 1e100}) {
-      EXPECT_NEAR(sumOfAreas(circles, {-size, -shape, size, shape}), 1, 1e-9) << size << " " << shape;
+      EXPECT_NEAR(sumOfAreas(circles, {-size, -shape, size, shape}), 1, 1e-9)
+          << size << " " << shape;
       EXPECT_NEAR(sumOfAreas(circles, {0, -shape, size, 0}), 1, 1e-9) << size << " " << shape;
     }
   }

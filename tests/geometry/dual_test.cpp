@@ -1,4 +1,5 @@
-// The drawn dual graph is an embedding (paper, Appendix A, Theorem 4): no two edges cross. And the hull, against its definition.
+// The drawn dual graph is an embedding (paper, Appendix A, Theorem 4): no two edges cross. And the
+// hull, against its definition.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -51,22 +52,31 @@ std::vector<Segment> segmentsOf(const Path& path) {
         at += 6;
         break;
       }
-      case Command::kClose: to(startX, startY); break;
+      case Command::kClose:
+        to(startX, startY);
+        break;
     }
   }
   return segments;
 }
 
-double side(const Segment& s, double x, double y) { return (s.bx - s.ax) * (y - s.ay) - (s.by - s.ay) * (x - s.ax); }
+double side(const Segment& s, double x, double y) {
+  return (s.bx - s.ax) * (y - s.ay) - (s.by - s.ay) * (x - s.ax);
+}
 
-/// Do two segments cross properly: is each clearly on both sides of the other, by more than `margin`?
+/// Do two segments cross properly: is each clearly on both sides of the other, by more than
+/// `margin`?
 bool cross(const Segment& s, const Segment& t, double margin) {
-  if (std::max(s.ax, s.bx) < std::min(t.ax, t.bx) || std::max(t.ax, t.bx) < std::min(s.ax, s.bx)) return false;
-  if (std::max(s.ay, s.by) < std::min(t.ay, t.by) || std::max(t.ay, t.by) < std::min(s.ay, s.by)) return false;
+  if (std::max(s.ax, s.bx) < std::min(t.ax, t.bx) || std::max(t.ax, t.bx) < std::min(s.ax, s.bx))
+    return false;
+  if (std::max(s.ay, s.by) < std::min(t.ay, t.by) || std::max(t.ay, t.by) < std::min(s.ay, s.by))
+    return false;
   const double ls = std::hypot(s.bx - s.ax, s.by - s.ay), lt = std::hypot(t.bx - t.ax, t.by - t.ay);
   if (!(ls > 0 && lt > 0)) return false;
-  const double a = side(s, t.ax, t.ay) / ls, b = side(s, t.bx, t.by) / ls, c = side(t, s.ax, s.ay) / lt, d = side(t, s.bx, s.by) / lt;
-  return std::min(std::abs(a), std::abs(b)) > margin && std::min(std::abs(c), std::abs(d)) > margin && (a > 0) != (b > 0) && (c > 0) != (d > 0);
+  const double a = side(s, t.ax, t.ay) / ls, b = side(s, t.bx, t.by) / ls,
+               c = side(t, s.ax, s.ay) / lt, d = side(t, s.bx, s.by) / lt;
+  return std::min(std::abs(a), std::abs(b)) > margin &&
+         std::min(std::abs(c), std::abs(d)) > margin && (a > 0) != (b > 0) && (c > 0) != (d > 0);
 }
 
 std::size_t crossings(const std::vector<Segment>& segments, double margin) {
@@ -84,7 +94,8 @@ class DualOn : public ::testing::TestWithParam<NamedGenerator> {};
 TEST_P(DualOn, NoTwoEdgesCross) {
   Random random(531);
   for (int run = 0; run < runs(6); ++run) {
-    const Circles circles = GetParam().make(random, GetParam().large ? 12 + static_cast<std::size_t>(run) : 7);
+    const Circles circles =
+        GetParam().make(random, GetParam().large ? 12 + static_cast<std::size_t>(run) : 7);
     Bounds bounds;
     if (!windowAround(circles, 0.2, bounds)) continue;
     Diagram diagram;
@@ -98,7 +109,8 @@ TEST_P(DualOn, NoTwoEdgesCross) {
     for (const double number : path.coordinates) ASSERT_TRUE(std::isfinite(number));
     const std::vector<Segment> segments = segmentsOf(path);
     if (segments.size() > 6000) continue;
-    // Curves are sampled: chords of a strongly bent one may cut a neighbour off by the sampling's own error.
+    // Curves are sampled: chords of a strongly bent one may cut a neighbour off by the sampling's
+    // own error.
     ASSERT_EQ(crossings(segments, size * 2e-4), 0u) << "run " << run;
   }
 }
@@ -113,14 +125,16 @@ TEST_P(DualOn, OneCurveForEachEdge) {
   Path path;
   Voronoi::Portion portion;
   ASSERT_EQ(Voronoi(diagram).drawDual(1, false, portion, path), Error::kNone);
-  const auto moves = std::count(path.commands.begin(), path.commands.end(), static_cast<std::uint8_t>(Command::kMove));
+  const auto moves = std::count(path.commands.begin(), path.commands.end(),
+                                static_cast<std::uint8_t>(Command::kMove));
   EXPECT_EQ(static_cast<std::size_t>(moves), edges.sites.size() / 2);
 }
 
 TEST_P(DualOn, HullHoldsAllCirclesAndTouchesIt) {
   Random random(533);
   for (int run = 0; run < runs(8); ++run) {
-    Circles circles = GetParam().make(random, GetParam().large ? 3 + 8 * static_cast<std::size_t>(run) : 6);
+    Circles circles =
+        GetParam().make(random, GetParam().large ? 3 + 8 * static_cast<std::size_t>(run) : 6);
     for (Circle& c : circles) c.r = std::max(c.r, 0.0);
     Bounds bounds;
     if (!windowAround(circles, 1, bounds)) continue;
@@ -136,35 +150,44 @@ TEST_P(DualOn, HullHoldsAllCirclesAndTouchesIt) {
     ASSERT_FALSE(path.commands.empty());
     std::vector<Segment> outline = segmentsOf(path);
     for (int k = 0; k < 64; ++k) {
-      // The support function: the furthest point in a direction, of all circles, of the listed sites, and of what is drawn.
+      // The support function: the furthest point in a direction, of all circles, of the listed
+      // sites, and of what is drawn.
       const Direction d = randomDirection(random);
       double all = -1e300, listed = -1e300, drawn = -1e300;
       for (const Circle& c : circles) all = std::max(all, c.x * d.x + c.y * d.y + c.r);
-      for (const SiteId id : sites) listed = std::max(listed, circles[id].x * d.x + circles[id].y * d.y + circles[id].r);
-      for (const Segment& s : outline) drawn = std::max({drawn, s.ax * d.x + s.ay * d.y, s.bx * d.x + s.by * d.y});
+      for (const SiteId id : sites)
+        listed = std::max(listed, circles[id].x * d.x + circles[id].y * d.y + circles[id].r);
+      for (const Segment& s : outline)
+        drawn = std::max({drawn, s.ax * d.x + s.ay * d.y, s.bx * d.x + s.by * d.y});
       if (outline.empty()) drawn = path.coordinates[0] * d.x + path.coordinates[1] * d.y;
       ASSERT_NEAR(all, listed, 1e-13 * size) << "run " << run;
-      ASSERT_NEAR(all, drawn, 4e-3 * largest + 4 * tolerance) << "run " << run;  // arcs are sampled every few degrees
+      ASSERT_NEAR(all, drawn, 4e-3 * largest + 4 * tolerance)
+          << "run " << run;  // arcs are sampled every few degrees
       ASSERT_LE(drawn, all + 2 * tolerance);
     }
     // Convex and counter-clockwise: it turns left everywhere, up to the tolerance.
     double area = 0;
-    for (const Segment& s : outline) area += (s.ax - bounds.xmin) * (s.by - bounds.ymin) - (s.bx - bounds.xmin) * (s.ay - bounds.ymin);
+    for (const Segment& s : outline)
+      area +=
+          (s.ax - bounds.xmin) * (s.by - bounds.ymin) - (s.bx - bounds.xmin) * (s.ay - bounds.ymin);
     ASSERT_GE(area, -size * tolerance);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, DualOn, ::testing::ValuesIn(corpus()), [](const auto& parameter) { return parameter.param.name; });
+INSTANTIATE_TEST_SUITE_P(Corpus, DualOn, ::testing::ValuesIn(corpus()),
+                         [](const auto& parameter) { return parameter.param.name; });
 
-/// Decimal fractions: triples in line and quadruples on a circle up to rounding, so that Voronoi circles are
-/// far larger than everything else, or nearly the same.
+/// Decimal fractions: triples in line and quadruples on a circle up to rounding, so that Voronoi
+/// circles are far larger than everything else, or nearly the same.
 Circles decimalSet(Random& random, int kind) {
   Circles circles;
   const double step = kind == 3 ? 8.53e-9 : 0.1;
   const std::size_t n = 4 + random.below(std::size_t{17});
   for (std::size_t k = 0; k < n; ++k) {
-    const auto i = static_cast<double>(random.integer(0, 9)), j = static_cast<double>(random.integer(0, 9));
-    const double r = kind == 1 && random.oneIn(3) ? step * static_cast<double>(random.integer(0, 3)) : 0;
+    const auto i = static_cast<double>(random.integer(0, 9)),
+               j = static_cast<double>(random.integer(0, 9));
+    const double r =
+        kind == 1 && random.oneIn(3) ? step * static_cast<double>(random.integer(0, 3)) : 0;
     const double y = kind == 2 ? 0.3 * i + (random.oneIn(4) ? 0.1 * j : 0) : step * j;
     circles.push_back({step * i, y, r});
   }
@@ -180,9 +203,9 @@ Path drawnDual(const Circles& circles, const Bounds& bounds, double tolerance) {
   return path;
 }
 
-/// Segments cut where they leave the surroundings of the sites. An edge around a Voronoi circle that is 10^15
-/// times as large as everything else goes there and comes back a site's distance away, which doubles cannot
-/// tell apart there.
+/// Segments cut where they leave the surroundings of the sites. An edge around a Voronoi circle
+/// that is 10^15 times as large as everything else goes there and comes back a site's distance
+/// away, which doubles cannot tell apart there.
 std::vector<Segment> nearPart(const std::vector<Segment>& segments, double size) {
   std::vector<Segment> near;
   for (Segment s : segments) {
@@ -211,20 +234,25 @@ TEST(Dual, EdgesOfDecimalSetsDoNotCross) {
     Bounds bounds;
     if (!windowAround(circles, 0.2, bounds)) continue;
     const double size = bounds.xmax - bounds.xmin;
-    ASSERT_EQ(crossings(nearPart(segmentsOf(drawnDual(circles, bounds, size * 1e-7)), size), size * 2e-4), 0u)
-        << "run " << run << "\n" << toText(insertAll(circles));
+    ASSERT_EQ(
+        crossings(nearPart(segmentsOf(drawnDual(circles, bounds, size * 1e-7)), size), size * 2e-4),
+        0u)
+        << "run " << run << "\n"
+        << toText(insertAll(circles));
   }
-  const Circles flat{{.8, .5, 0}, {.9, .30000000000000004, 0}, {.6000000000000001, .9, 0}, {.3, .3, 0}};
+  const Circles flat{
+      {.8, .5, 0}, {.9, .30000000000000004, 0}, {.6000000000000001, .9, 0}, {.3, .3, 0}};
   EXPECT_EQ(crossings(nearPart(segmentsOf(drawnDual(flat, {0, 0, 1, 1}, 1e-7)), 1), 2e-4), 0u);
 }
 
 TEST(Dual, EdgesAreWhereTwoVoronoiCirclesAreNearest) {
-  // Appendix A by its definition: the embedding is the Voronoi diagram of the Voronoi circles. (Edges with an
-  // end at infinity have a half-plane for one of their circles, and are left out.)
+  // Appendix A by its definition: the embedding is the Voronoi diagram of the Voronoi circles.
+  // (Edges with an end at infinity have a half-plane for one of their circles, and are left out.)
   Random random(535);
   int checked = 0;
   for (int run = 0; run < runs(100); ++run) {
-    const Circles circles = run % 5 == 4 ? randomCircles(random, 30, Hidden::k20Percent) : decimalSet(random, run % 5);
+    const Circles circles =
+        run % 5 == 4 ? randomCircles(random, 30, Hidden::k20Percent) : decimalSet(random, run % 5);
     Bounds bounds;
     if (!windowAround(circles, 0.2, bounds)) continue;
     const double size = bounds.xmax - bounds.xmin, tolerance = 1e-9 * size;
@@ -253,13 +281,14 @@ TEST(Dual, EdgesAreWhereTwoVoronoiCirclesAreNearest) {
         const double x = segments[k].bx, y = segments[k].by;
         double nearest = 1e300, second = 1e300;
         for (std::size_t v = 0; v < vertices.clearance.size(); ++v) {
-          const double dx = vertices.coordinates[2 * v] - x, dy = vertices.coordinates[2 * v + 1] - y;
+          const double dx = vertices.coordinates[2 * v] - x,
+                       dy = vertices.coordinates[2 * v + 1] - y;
           const double distance = std::hypot(dx, dy) - vertices.clearance[v];
           second = std::min(second, std::max(nearest, distance));
           nearest = std::min(nearest, distance);
         }
-        ASSERT_LE(second - nearest, 1e-7 * size)
-            << "run " << run << " at " << x << " " << y << "\n" << toText(insertAll(circles));
+        ASSERT_LE(second - nearest, 1e-7 * size) << "run " << run << " at " << x << " " << y << "\n"
+                                                 << toText(insertAll(circles));
         ++checked;
       }
     }
@@ -268,8 +297,8 @@ TEST(Dual, EdgesAreWhereTwoVoronoiCirclesAreNearest) {
 }
 
 TEST(Dual, TheRayOfALargeCircleLeavesOnItsFarSide) {
-  // A point just outside the rim: nearly all directions are the large circle's, and the middle of them is
-  // opposite to the point.
+  // A point just outside the rim: nearly all directions are the large circle's, and the middle of
+  // them is opposite to the point.
   const Path path = drawnDual({{0, 0, .5}, {.3, .4, 0}}, {-5, -5, 5, 5}, 1e-3);
   bool isFound = false;
   for (std::size_t k = 0; k + 1 < path.coordinates.size(); k += 2) {

@@ -1,5 +1,5 @@
-// Rings of cells: closed, of three different points or more, and not crossing themselves, exactly; and the
-// vertices that they go through.
+// Rings of cells: closed, of three different points or more, and not crossing themselves, exactly;
+// and the vertices that they go through.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,7 +44,8 @@ int checkRings(const Circles& circles, const Bounds& bounds, double tolerance) {
         std::ostringstream text;
         text.precision(17);
         for (const Point p : ring) text << p.x << " " << p.y << "\n";
-        ADD_FAILURE() << "site " << id << " region " << r << " of " << toText(insertAll(circles)) << "crosses itself:\n"
+        ADD_FAILURE() << "site " << id << " region " << r << " of " << toText(insertAll(circles))
+                      << "crosses itself:\n"
                       << text.str();
       }
       ++count;
@@ -65,16 +66,18 @@ TEST_P(RingsOn, DoNotCrossThemselves) {
       if (!windowAround(circles, share, bounds)) continue;
       for (const double tolerance : {1e-4, 0.1}) {
         checkRings(circles, bounds, tolerance * (bounds.xmax - bounds.xmin));
-        if (HasFailure()) FAIL() << "run " << run << " share " << share << " tolerance " << tolerance;
+        if (HasFailure())
+          FAIL() << "run " << run << " share " << share << " tolerance " << tolerance;
       }
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, RingsOn, ::testing::ValuesIn(corpus()), [](const auto& parameter) { return parameter.param.name; });
+INSTANTIATE_TEST_SUITE_P(Corpus, RingsOn, ::testing::ValuesIn(corpus()),
+                         [](const auto& parameter) { return parameter.param.name; });
 
-/// Subsets of lattices: integers, decimal fractions as they are written, multiples of a decimal step (off by
-/// rounding), moved far away.
+/// Subsets of lattices: integers, decimal fractions as they are written, multiples of a decimal
+/// step (off by rounding), moved far away.
 Circles latticeSubset(Random& random, int kind) {
   const int side = 2 + random.below(6);
   const double steps[] = {1, 0.1, 0.3, 8.53e-9, 48, 1e-3};
@@ -110,14 +113,16 @@ TEST(Rings, OfLatticeSubsetsDoNotCrossThemselves) {
 }
 
 TEST(Rings, OfSmallCirclesNearlyTouchingLargeOnes) {
-  // Cells smaller than the tolerance, with two or three neighbours, between circles that touch or nearly do.
+  // Cells smaller than the tolerance, with two or three neighbours, between circles that touch or
+  // nearly do.
   Random random(603);
   for (int run = 0; run < runs(3000); ++run) {
     Circles circles;
     const int count = 2 + random.below(4);
     const double unit = random.oneIn(2) ? 1 : 0.1;
     for (int k = 0; k < count; ++k) {
-      const auto x = static_cast<double>(random.integer(0, 9)), y = static_cast<double>(random.integer(0, 9));
+      const auto x = static_cast<double>(random.integer(0, 9)),
+                 y = static_cast<double>(random.integer(0, 9));
       circles.push_back({unit * x, unit * y, unit * static_cast<double>(random.integer(0, 4))});
     }
     const Bounds bounds{-600, -600, 600, 600};
@@ -133,7 +138,8 @@ TEST(Rings, OfACellSmallerThanTheTolerance) {
 }
 
 TEST(Rings, ThroughAVertexOnACornerOfTheWindow) {
-  // Found by geometry_fuzz: the two edges that end at (0, 0) were cut off by one side each, in the wrong order.
+  // Found by geometry_fuzz: the two edges that end at (0, 0) were cut off by one side each, in the
+  // wrong order.
   EXPECT_EQ(checkRings({{-63, -60, 67}, {-9, -12, -5}, {0, -108, 88}}, {-24, -2, 0, 0}, 0.001), 3);
 }
 
@@ -149,10 +155,18 @@ TEST(Vertices, OfManySitesOnOneCircleAreOne) {
   for (int run = 0; run < runs(400); ++run) {
     Circles circles;
     switch (run % 4) {
-      case 0: circles = cocircularPoints(random, 4 + random.below(std::size_t{12})); break;
-      case 1: circles = commonTangent(random, 4 + random.below(std::size_t{12}), 20); break;
-      case 2: circles = tinyGrid(random, 12, 6, 3); break;
-      default: circles = lattice(random, 5, 4, 3, 1); break;
+      case 0:
+        circles = cocircularPoints(random, 4 + random.below(std::size_t{12}));
+        break;
+      case 1:
+        circles = commonTangent(random, 4 + random.below(std::size_t{12}), 20);
+        break;
+      case 2:
+        circles = tinyGrid(random, 12, 6, 3);
+        break;
+      default:
+        circles = lattice(random, 5, 4, 3, 1);
+        break;
     }
     if (run % 8 >= 4) {  // the same in another unit, off the integers, and not about the origin
       for (Circle& c : circles) c = {c.x * 0x1p-7 + 5, c.y * 0x1p-7 - 11, c.r * 0x1p-7};
@@ -164,15 +178,18 @@ TEST(Vertices, OfManySitesOnOneCircleAreOne) {
     std::map<std::vector<double>, int> places;
     const std::size_t count = vertices.clearance.size();
     for (std::size_t v = 0; v < count; ++v) {
-      const double x = vertices.coordinates[2 * v], y = vertices.coordinates[2 * v + 1], s = vertices.clearance[v];
+      const double x = vertices.coordinates[2 * v], y = vertices.coordinates[2 * v + 1],
+                   s = vertices.clearance[v];
       ++places[{x, y, s}];
-      // No other place is as near as rounding could have moved this one. (Vertices of such small integers are
-      // far apart or the same.)
+      // No other place is as near as rounding could have moved this one. (Vertices of such small
+      // integers are far apart or the same.)
       for (std::size_t w = 0; w < v; ++w) {
         const double dx = vertices.coordinates[2 * w] - x, dy = vertices.coordinates[2 * w + 1] - y;
         const double size = 1e-12 * (std::abs(x) + std::abs(y) + std::abs(s));
-        if (std::abs(dx) + std::abs(dy) > size || std::abs(vertices.clearance[w] - s) > size) continue;
-        ASSERT_TRUE(dx == 0 && dy == 0 && vertices.clearance[w] == s) << "run " << run << " at " << x << " " << y;
+        if (std::abs(dx) + std::abs(dy) > size || std::abs(vertices.clearance[w] - s) > size)
+          continue;
+        ASSERT_TRUE(dx == 0 && dy == 0 && vertices.clearance[w] == s)
+            << "run " << run << " at " << x << " " << y;
       }
     }
     for (const auto& [place, faces] : places) multiple += faces > 1;

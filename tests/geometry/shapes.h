@@ -1,4 +1,5 @@
-// What the geometry tests share: building diagrams, windows around sets of circles, and plain geometry of polygons.
+// What the geometry tests share: building diagrams, windows around sets of circles, and plain
+// geometry of polygons.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,7 +22,8 @@ inline void insertInto(Diagram& diagram, const Circles& circles) {
   ASSERT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
 }
 
-/// The box of the centres, enlarged on all sides by this share of its size and moved a little off centre; false if it cannot be one.
+/// The box of the centres, enlarged on all sides by this share of its size and moved a little off
+/// centre; false if it cannot be one.
 inline bool windowAround(const Circles& circles, double share, Bounds& bounds) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Circle& c : circles) {
@@ -29,10 +31,13 @@ inline bool windowAround(const Circles& circles, double share, Bounds& bounds) {
     high = std::max({high, c.x, c.y});
   }
   const double size = high - low;
-  bounds = {low - share * size, low - 0.9 * share * size, high + share * size, high + 1.1 * share * size};
-  const auto isGood = [](double x) { return x == 0 || (std::abs(x) >= kSmallestMagnitude && std::abs(x) <= kLargestMagnitude); };
-  return size > 0 && isGood(bounds.xmin) && isGood(bounds.ymin) && isGood(bounds.xmax) && isGood(bounds.ymax) &&
-         bounds.xmin < bounds.xmax && bounds.ymin < bounds.ymax;
+  bounds = {low - share * size, low - 0.9 * share * size, high + share * size,
+            high + 1.1 * share * size};
+  const auto isGood = [](double x) {
+    return x == 0 || (std::abs(x) >= kSmallestMagnitude && std::abs(x) <= kLargestMagnitude);
+  };
+  return size > 0 && isGood(bounds.xmin) && isGood(bounds.ymin) && isGood(bounds.xmax) &&
+         isGood(bounds.ymax) && bounds.xmin < bounds.xmax && bounds.ymin < bounds.ymax;
 }
 
 inline double areaOf(const Bounds& b) { return (b.xmax - b.xmin) * (b.ymax - b.ymin); }
@@ -43,7 +48,8 @@ inline bool isInside(const RingArrays& rings, double x, double y) {
   for (std::size_t r = 0; r + 1 < rings.starts.size(); ++r) {
     for (std::size_t k = rings.starts[r]; k + 1 < rings.starts[r + 1]; ++k) {
       const double *a = &rings.coordinates[2 * k], *b = a + 2;
-      if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
+      if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
+        inside = !inside;
     }
   }
   return inside;
@@ -53,7 +59,8 @@ inline bool isInside(const RingArrays& rings, double x, double y) {
 inline double areaOf(const RingArrays& rings) {
   double sum = 0;
   for (std::size_t r = 0; r + 1 < rings.starts.size(); ++r) {
-    const double x0 = rings.coordinates[2 * rings.starts[r]], y0 = rings.coordinates[2 * rings.starts[r] + 1];
+    const double x0 = rings.coordinates[2 * rings.starts[r]],
+                 y0 = rings.coordinates[2 * rings.starts[r] + 1];
     for (std::size_t k = rings.starts[r]; k + 1 < rings.starts[r + 1]; ++k) {
       const double *a = &rings.coordinates[2 * k], *b = a + 2;
       sum += (a[0] - x0) * (b[1] - y0) - (b[0] - x0) * (a[1] - y0);
@@ -68,15 +75,20 @@ inline bool crossesItself(const std::vector<Point>& p) {
   for (std::size_t i = 0; i < sides; ++i) {
     for (std::size_t j = i + 2; j < sides; ++j) {
       const Point a = p[i], b = p[i + 1], c = p[j], d = p[j + 1];
-      if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x)) continue;
-      if (std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y)) continue;
+      if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x))
+        continue;
+      if (std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y))
+        continue;
       const auto apart = [](Sign s, Sign t) { return s * t == Sign::kNegative; };
-      if (apart(turnOf(a, b, c), turnOf(a, b, d)) && apart(turnOf(c, d, a), turnOf(c, d, b))) return true;
+      if (apart(turnOf(a, b, c), turnOf(a, b, d)) && apart(turnOf(c, d, a), turnOf(c, d, b)))
+        return true;
     }
   }
   return false;
 }
 
-inline double distanceTo(const Circle& c, double x, double y) { return std::sqrt((x - c.x) * (x - c.x) + (y - c.y) * (y - c.y)) - c.r; }
+inline double distanceTo(const Circle& c, double x, double y) {
+  return std::sqrt((x - c.x) * (x - c.x) + (y - c.y) * (y - c.y)) - c.r;
+}
 
 }  // namespace apollonius::test

@@ -1,4 +1,5 @@
-// The geometry's interface: errors, portions, and the same bits after any history, natively and as WebAssembly.
+// The geometry's interface: errors, portions, and the same bits after any history, natively and as
+// WebAssembly.
 #include "voronoi.h"
 
 #include <gtest/gtest.h>
@@ -17,17 +18,20 @@
 namespace apollonius::test {
 namespace {
 
-/// Hash of curves, measures and drawings of a fixed set of diagrams; native code and wasm must agree. Update it only with a change of
-/// those formulas that is meant.
+/// Hash of curves, measures and drawings of a fixed set of diagrams; native code and wasm must
+/// agree. Update it only with a change of those formulas that is meant.
 constexpr std::uint64_t kExpectedGeometry = 0x96b2b617cbf8dd74;
 
 TEST(VoronoiErrors, BadBoundsAndTolerances) {
   Diagram diagram;
   insertInto(diagram, {{1, 2, 1}, {5, 6, 1}});
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
+                   kInf = std::numeric_limits<double>::infinity();
   std::vector<double> areas{3};
-  for (const Bounds& bad : {Bounds{0, 0, 0, 1}, Bounds{0, 0, 1, 0}, Bounds{1, 0, 0, 1}, Bounds{0, 2, 1, 1}, Bounds{kNan, 0, 1, 1},
-                            Bounds{0, 0, kInf, 1}, Bounds{0, -kInf, 1, 1}, Bounds{0, 0, 1e101, 1}, Bounds{0, 0, 1e-101, 1}}) {
+  for (const Bounds& bad :
+       {Bounds{0, 0, 0, 1}, Bounds{0, 0, 1, 0}, Bounds{1, 0, 0, 1}, Bounds{0, 2, 1, 1},
+        Bounds{kNan, 0, 1, 1}, Bounds{0, 0, kInf, 1}, Bounds{0, -kInf, 1, 1},
+        Bounds{0, 0, 1e101, 1}, Bounds{0, 0, 1e-101, 1}}) {
     const Voronoi voronoi(diagram, bad);
     CurveArrays curves;
     RingArrays rings;
@@ -93,7 +97,8 @@ TEST(Voronoi, PortionsMakeUpTheWhole) {
   while (!portion.isDone) {
     ASSERT_EQ(voronoi.drawEdges(100, portion, part), Error::kNone);
     joined.commands.insert(joined.commands.end(), part.commands.begin(), part.commands.end());
-    joined.coordinates.insert(joined.coordinates.end(), part.coordinates.begin(), part.coordinates.end());
+    joined.coordinates.insert(joined.coordinates.end(), part.coordinates.begin(),
+                              part.coordinates.end());
     ++portions;
   }
   EXPECT_GT(portions, 2);
@@ -102,8 +107,9 @@ TEST(Voronoi, PortionsMakeUpTheWhole) {
 }
 
 TEST(Voronoi, DrawingsAreOnTheCurves) {
-  // Ends of drawn pieces are equally far from the two nearest sites, and what is between up to the tolerance: each of the two distances
-  // changes by at most as much as the point moves. Small tolerances and large ones, so that all ways of drawing an edge are taken.
+  // Ends of drawn pieces are equally far from the two nearest sites, and what is between up to the
+  // tolerance: each of the two distances changes by at most as much as the point moves. Small
+  // tolerances and large ones, so that all ways of drawing an edge are taken.
   Random random(542);
   for (const double share : {1e-7, 1e-5, 1e-3, 0.03}) {
     const Circles circles = randomCircles(random, 200, Hidden::k50Percent);
@@ -133,15 +139,20 @@ TEST(Voronoi, DrawingsAreOnTheCurves) {
       at += isCurve ? 6 : 2;
       curves += isCurve;
       const double endX = path.coordinates[at - 2], endY = path.coordinates[at - 1];
-      const bool isLast = k + 1 == path.commands.size() || static_cast<Command>(path.commands[k + 1]) == Command::kMove;
+      const bool isLast = k + 1 == path.commands.size() ||
+                          static_cast<Command>(path.commands[k + 1]) == Command::kMove;
       if (command == Command::kMove || isLast) {
         ASSERT_LE(difference(endX, endY), 1e-6);
       }
       for (const double t : {0.21, 0.5, 0.77}) {
         if (command == Command::kMove) break;
         const double s = 1 - t;
-        const double px = isCurve ? s * s * s * x + 3 * s * s * t * xy[0] + 3 * s * t * t * xy[2] + t * t * t * xy[4] : s * x + t * endX;
-        const double py = isCurve ? s * s * s * y + 3 * s * s * t * xy[1] + 3 * s * t * t * xy[3] + t * t * t * xy[5] : s * y + t * endY;
+        const double px = isCurve ? s * s * s * x + 3 * s * s * t * xy[0] + 3 * s * t * t * xy[2] +
+                                        t * t * t * xy[4]
+                                  : s * x + t * endX;
+        const double py = isCurve ? s * s * s * y + 3 * s * s * t * xy[1] + 3 * s * t * t * xy[3] +
+                                        t * t * t * xy[5]
+                                  : s * y + t * endY;
         ASSERT_LE(difference(px, py), 2.01 * tolerance) << "share " << share;
       }
       x = endX;
@@ -151,14 +162,15 @@ TEST(Voronoi, DrawingsAreOnTheCurves) {
   }
 }
 
-/// Adds the curves of cells, their measures and their approximations. Where a boundary starts depends on the history; which curves it has
-/// does not.
+/// Adds the curves of cells, their measures and their approximations. Where a boundary starts
+/// depends on the history; which curves it has does not.
 void add(const Voronoi& voronoi, const std::vector<SiteId>& order, double tolerance, Hash& hash) {
   for (const SiteId id : order) {
     CurveArrays cell;
     ASSERT_EQ(voronoi.cell(id, cell), Error::kNone);
     std::vector<std::vector<double>> curves;
-    for (std::size_t k = 0; k + 6 < cell.curves.size(); k += 7) curves.emplace_back(&cell.curves[k], &cell.curves[k] + 7);
+    for (std::size_t k = 0; k + 6 < cell.curves.size(); k += 7)
+      curves.emplace_back(&cell.curves[k], &cell.curves[k] + 7);
     std::sort(curves.begin(), curves.end());
     for (const std::vector<double>& c : curves) {
       for (const double number : c) hash.add(number + 0.0);  // -0 and 0 sort as equals
@@ -171,7 +183,9 @@ void add(const Voronoi& voronoi, const std::vector<SiteId>& order, double tolera
       moments.add(conic, {1, 2});
       hash.addAll(path.coordinates);
       hash.addAll(points);
-      for (const double number : {lengthOf(conic), areaBeyondChord(conic), moments.first.x, moments.first.y}) hash.add(number + 0.0);
+      for (const double number :
+           {lengthOf(conic), areaBeyondChord(conic), moments.first.x, moments.first.y})
+        hash.add(number + 0.0);
     }
   }
 }
@@ -189,7 +203,9 @@ TEST(VoronoiDeterminism, CurvesHaveTheSameBitsAfterAnyHistory) {
       std::vector<SiteId> order(circles.size());
       for (std::size_t k = 0; k < circles.size(); ++k) {
         const std::size_t which = run == 0 ? k : circles.size() - 1 - k;
-        ASSERT_EQ(diagram.insert(circles[which].x, circles[which].y, circles[which].r, order[which]), Error::kNone);
+        ASSERT_EQ(
+            diagram.insert(circles[which].x, circles[which].y, circles[which].r, order[which]),
+            Error::kNone);
       }
       if (run == 1) {  // of identical circles any may be the visible one: those come first
         for (SiteId& id : order) {
@@ -224,7 +240,8 @@ double lengthOf(const Path& path) {
   const double* xy = path.coordinates.data();
   for (const std::uint8_t command : path.commands) {
     xy += static_cast<Command>(command) == Command::kCurve ? 6 : 2;
-    if (static_cast<Command>(command) != Command::kMove) length += std::hypot(xy[-2] - x, xy[-1] - y);
+    if (static_cast<Command>(command) != Command::kMove)
+      length += std::hypot(xy[-2] - x, xy[-1] - y);
     x = xy[-2];
     y = xy[-1];
   }
@@ -239,8 +256,10 @@ TEST(VoronoiDeterminism, RestoredDiagramsHaveTheSameShapes) {
     const Circles circles = generator.make(random, generator.large ? 60 : 8);
     Bounds bounds;
     if (!windowAround(circles, -0.1, bounds)) continue;
-    const double size = std::max(bounds.xmax - bounds.xmin, bounds.ymax - bounds.ymin), tolerance = 1e-4 * size;
-    const double largest = std::max({std::abs(bounds.xmin), std::abs(bounds.xmax), std::abs(bounds.ymin), std::abs(bounds.ymax)});
+    const double size = std::max(bounds.xmax - bounds.xmin, bounds.ymax - bounds.ymin),
+                 tolerance = 1e-4 * size;
+    const double largest = std::max({std::abs(bounds.xmin), std::abs(bounds.xmax),
+                                     std::abs(bounds.ymin), std::abs(bounds.ymax)});
     Diagram original;
     insertInto(original, circles);
     std::vector<std::uint8_t> bytes;
@@ -270,7 +289,8 @@ TEST(VoronoiDeterminism, RestoredDiagramsHaveTheSameShapes) {
       ASSERT_EQ(a.areas(areas), Error::kNone);
       ASSERT_EQ(b.areas(same), Error::kNone);
       ASSERT_EQ(areas.size(), same.size());
-      for (std::size_t k = 0; k < areas.size(); ++k) EXPECT_NEAR(areas[k], same[k], 1e-11 * size * largest);
+      for (std::size_t k = 0; k < areas.size(); ++k)
+        EXPECT_NEAR(areas[k], same[k], 1e-11 * size * largest);
     });
     onBoth([&](const Voronoi& a, const Voronoi& b) {
       Path path, same;
@@ -278,7 +298,8 @@ TEST(VoronoiDeterminism, RestoredDiagramsHaveTheSameShapes) {
       ASSERT_EQ(a.drawEdges(tolerance, portion, path), Error::kNone);
       ASSERT_EQ(b.drawEdges(tolerance, again, same), Error::kNone);
       // Last bits decide in which of several ways an edge is drawn, and when.
-      EXPECT_NEAR(lengthOf(path), lengthOf(same), tolerance * static_cast<double>(path.commands.size()));
+      EXPECT_NEAR(lengthOf(path), lengthOf(same),
+                  tolerance * static_cast<double>(path.commands.size()));
     });
     onBoth([&](const Voronoi& a, const Voronoi& b) {
       Path path, same;
@@ -296,8 +317,10 @@ TEST(VoronoiErrors, BadRadii) {
   const Voronoi voronoi(diagram);
   CellMeasures measures;
   EXPECT_EQ(voronoi.measuresWithin(1, 1, measures), Error::kUnknownSite);
-  EXPECT_EQ(voronoi.measuresWithin(0, std::numeric_limits<double>::quiet_NaN(), measures), Error::kNotFinite);
-  EXPECT_EQ(voronoi.measuresWithin(0, std::numeric_limits<double>::infinity(), measures), Error::kNotFinite);
+  EXPECT_EQ(voronoi.measuresWithin(0, std::numeric_limits<double>::quiet_NaN(), measures),
+            Error::kNotFinite);
+  EXPECT_EQ(voronoi.measuresWithin(0, std::numeric_limits<double>::infinity(), measures),
+            Error::kNotFinite);
   EXPECT_EQ(voronoi.measuresWithin(0, -1, measures), Error::kOutOfRange);
   EXPECT_EQ(voronoi.measuresWithin(0, 1e101, measures), Error::kOutOfRange);
   EXPECT_EQ(voronoi.measuresWithin(0, 1e100, measures), Error::kNone);

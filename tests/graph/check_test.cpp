@@ -17,14 +17,19 @@ class GraphCheck : public ::testing::Test {
   /// Takes vertex 4 out again, so that there are two free faces.
   void freeTwoFaces() {
     const auto link = linkOf(graph, vertex(4));
-    replaceStar(graph, 4, link, {{{graph.origin(link[0]), graph.origin(link[1]), graph.origin(link[2])},
-                                  {outside(0), outside(1), outside(2)}}});
+    replaceStar(graph, 4, link,
+                {{{graph.origin(link[0]), graph.origin(link[1]), graph.origin(link[2])},
+                  {outside(0), outside(1), outside(2)}}});
     ASSERT_EQ(broken(graph), "");
     ASSERT_EQ(graph.faceSlots() - graph.faceCount(), 2u);
   }
 
-  void expectBroken(const std::string& message) { EXPECT_EQ(broken(graph).substr(0, message.size()), message) << broken(graph); }
-  void expectBroken(const std::string& message, std::size_t where) { EXPECT_EQ(broken(graph), message + " " + std::to_string(where)); }
+  void expectBroken(const std::string& message) {
+    EXPECT_EQ(broken(graph).substr(0, message.size()), message) << broken(graph);
+  }
+  void expectBroken(const std::string& message, std::size_t where) {
+    EXPECT_EQ(broken(graph), message + " " + std::to_string(where));
+  }
 
   Graph graph;
   GraphBreaker breaker{graph};
@@ -121,7 +126,8 @@ TEST_F(GraphCheck, OutgoingOutOfTheArrays) {
 }
 
 TEST_F(GraphCheck, VertexWithTwoStars) {
-  // Vertices 4 and 0 have no edge in common: giving both the name 4 leaves every edge in order and 4 with two stars.
+  // Vertices 4 and 0 have no edge in common: giving both the name 4 leaves every edge in order and
+  // 4 with two stars.
   for (std::uint32_t i = 0; i < 18; ++i) {
     if (graph.origin(HalfedgeId{i}) == kInfinity) breaker.origin(HalfedgeId{i}) = vertex(4);
   }
@@ -133,7 +139,8 @@ TEST_F(GraphCheck, TwoSurfaces) {
   // A second closed surface of vertices of its own.
   graph.reserveVertices(9);
   graph.reserveFaces(0, 2);
-  const FaceId f = breaker.addFace(vertex(5), vertex(6), vertex(7)), g = breaker.addFace(vertex(6), vertex(5), vertex(7));
+  const FaceId f = breaker.addFace(vertex(5), vertex(6), vertex(7)),
+               g = breaker.addFace(vertex(6), vertex(5), vertex(7));
   breaker.sew(halfedgeOf(f, 0), halfedgeOf(g, 0));
   breaker.sew(halfedgeOf(f, 1), halfedgeOf(g, 2));
   breaker.sew(halfedgeOf(f, 2), halfedgeOf(g, 1));
@@ -207,7 +214,8 @@ TEST(GraphCheckEmpty, AVertexOfNoFaceIsNamed) {
 }
 
 TEST_F(GraphCheck, AVertexOfDegreeOneIsALoop) {
-  // No message of its own: a face with two adjacent sides sewn to each other has a loop for its third side.
+  // No message of its own: a face with two adjacent sides sewn to each other has a loop for its
+  // third side.
   graph.reserveFaces(0, 2);
   const FaceId f = breaker.addFace(vertex(4), vertex(1), vertex(1));
   breaker.sew(halfedgeOf(f, 0), halfedgeOf(f, 2));

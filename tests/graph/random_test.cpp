@@ -1,6 +1,6 @@
-// Random surfaces: sequences of starHole and replaceStar on random regions, with integers alone. After each operation the
-// graph must be a sphere (Graph::check), and must be what the operation says: faces outside untouched, faces inside replaced,
-// neighbours across the rim as before.
+// Random surfaces: sequences of starHole and replaceStar on random regions, with integers alone.
+// After each operation the graph must be a sphere (Graph::check), and must be what the operation
+// says: faces outside untouched, faces inside replaced, neighbours across the rim as before.
 #include <map>
 #include <random>
 #include <set>
@@ -55,8 +55,9 @@ class RandomSurface {
     dead_.push_back(v);
   }
 
-  /// A random hole whose rim is one closed curve: one face or none, then faces across random sides of the rim; now and then a
-  /// cycle is closed where two neighbours on the rim are sides of one edge, which hides the vertex between them.
+  /// A random hole whose rim is one closed curve: one face or none, then faces across random sides
+  /// of the rim; now and then a cycle is closed where two neighbours on the rim are sides of one
+  /// edge, which hides the vertex between them.
   void star() {
     std::vector<FaceId> hole;
     std::vector<HalfedgeId> rim;
@@ -70,7 +71,8 @@ class RandomSurface {
       inHole[index(faceOf(h))] = 1;
       for (std::size_t tries = below(40); tries > 0; --tries) grow(hole, rim, inHole);
     }
-    for (std::size_t turn = below(rim.size()); turn > 0; --turn) std::rotate(rim.begin(), rim.begin() + 1, rim.end());
+    for (std::size_t turn = below(rim.size()); turn > 0; --turn)
+      std::rotate(rim.begin(), rim.begin() + 1, rim.end());
 
     expected_ = triplesOutside(hole);
     std::map<HalfedgeId, std::size_t> position;
@@ -83,7 +85,8 @@ class RandomSurface {
     }
     for (const HalfedgeId r : rim) within.erase(number(graph_.origin(r)));
     const std::uint32_t w = takeDead();
-    for (const HalfedgeId r : rim) expected_.push_back({number(graph_.origin(r)), number(graph_.target(r)), w});
+    for (const HalfedgeId r : rim)
+      expected_.push_back({number(graph_.origin(r)), number(graph_.target(r)), w});
 
     const Starred starred = starHole(graph_, w, hole, rim);
     EXPECT_EQ(starred.lost, std::vector<std::uint32_t>(within.begin(), within.end()));
@@ -91,8 +94,9 @@ class RandomSurface {
     for (std::size_t k = 0; k < rim.size(); ++k) {
       // With no face in the hole, the two sides of the opened edge are both outside.
       const auto partner = hole.empty() ? position.end() : position.find(outer[k]);
-      EXPECT_EQ(graph_.twin(halfedgeOf(starred.faces[k], 0)),
-                partner != position.end() ? halfedgeOf(starred.faces[partner->second], 0) : outer[k]);
+      EXPECT_EQ(
+          graph_.twin(halfedgeOf(starred.faces[k], 0)),
+          partner != position.end() ? halfedgeOf(starred.faces[partner->second], 0) : outer[k]);
     }
     EXPECT_EQ(degree(graph_, vertex(w)), rim.size());
   }
@@ -113,8 +117,8 @@ class RandomSurface {
     rim.erase(rim.begin(), rim.begin() + 2);
   }
 
-  /// Takes a random vertex out. The star is filled by cutting off ears of its link (where that makes no loop) and, now and
-  /// then, by a fan about a vertex that comes to life.
+  /// Takes a random vertex out. The star is filled by cutting off ears of its link (where that
+  /// makes no loop) and, now and then, by a fan about a vertex that comes to life.
   void unstar() {
     auto it = live_.begin();
     std::advance(it, static_cast<std::ptrdiff_t>(below(live_.size())));
@@ -130,7 +134,8 @@ class RandomSurface {
     if (link.size() > 2 || wholeSphere || (below(4) == 0 && !dead_.empty())) {
       patch = randomPatch(link);
     }
-    for (const Graph::PatchFace& f : patch) expected_.push_back({number(f.corners[0]), number(f.corners[1]), number(f.corners[2])});
+    for (const Graph::PatchFace& f : patch)
+      expected_.push_back({number(f.corners[0]), number(f.corners[1]), number(f.corners[2])});
     bury(v);
     replaceStar(graph_, v, link, patch);
     EXPECT_FALSE(graph_.hasVertex(vertex(v)));
@@ -142,7 +147,8 @@ class RandomSurface {
       std::uint32_t across;  // what lies beyond, as PatchFace says
     };
     std::vector<Side> sides;
-    for (std::uint32_t k = 0; k < link.size(); ++k) sides.push_back({number(graph_.origin(link[k])), outside(k)});
+    for (std::uint32_t k = 0; k < link.size(); ++k)
+      sides.push_back({number(graph_.origin(link[k])), outside(k)});
     std::vector<Graph::PatchFace> patch;
     // Side c of patch face f has `across` at its other side; tell that one, too.
     const auto meet = [&](std::uint32_t f, std::uint32_t c, std::uint32_t across) {
@@ -161,7 +167,9 @@ class RandomSurface {
         if (sides[k].from != sides[(k + 2) % sides.size()].from) ears.push_back(k);
       }
       if (ears.empty()) break;
-      std::rotate(sides.begin(), sides.begin() + static_cast<std::ptrdiff_t>(ears[below(ears.size())]), sides.end());
+      std::rotate(sides.begin(),
+                  sides.begin() + static_cast<std::ptrdiff_t>(ears[below(ears.size())]),
+                  sides.end());
       const std::uint32_t f = addFace(sides[0].from, sides[1].from, sides[2].from);
       meet(f, 0, sides[0].across);
       meet(f, 1, sides[1].across);
@@ -208,9 +216,9 @@ class RandomSurface {
 
   std::mt19937_64 random_;
   Graph graph_;
-  std::set<std::uint32_t> live_;      // without infinity
+  std::set<std::uint32_t> live_;  // without infinity
   std::vector<std::uint32_t> dead_;
-  std::vector<Triple> expected_;      // faces after the operation
+  std::vector<Triple> expected_;  // faces after the operation
 };
 
 TEST(RandomSurface, StaysASphere) {

@@ -1,4 +1,5 @@
-// Room and reuse: the operations allocate nothing once room is made, and freed faces are used again.
+// Room and reuse: the operations allocate nothing once room is made, and freed faces are used
+// again.
 #include <cstdlib>
 #include <new>
 
@@ -10,8 +11,8 @@ std::size_t allocationCount = 0;
 
 }  // namespace
 
-// Replaced for the whole test program; array and nothrow forms end here, too. Not inlined, or g++ takes malloc and free for a
-// mismatch.
+// Replaced for the whole test program; array and nothrow forms end here, too. Not inlined, or g++
+// takes malloc and free for a mismatch.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocationCount;
   if (void* memory = std::malloc(size != 0 ? size : 1)) return memory;
@@ -74,7 +75,8 @@ TEST(Room, ReplaceStarAllocatesNothingAfterReserve) {
   Graph graph;
   splitFace(graph, 3, makePair(graph, 1, 2)[0]);
   const auto link = linkOf(graph, vertex(3));
-  // Five faces in the place of three, with two new vertices: see ReplaceStar.MoreFacesThanTheStarHad.
+  // Five faces in the place of three, with two new vertices: see
+  // ReplaceStar.MoreFacesThanTheStarHad.
   std::uint32_t first = 0;
   while (graph.origin(link[first]) != vertex(1)) ++first;
   const auto side = [&](std::uint32_t k) { return outside((first + k) % 3); };

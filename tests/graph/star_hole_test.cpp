@@ -24,7 +24,8 @@ TEST(StarHole, OneFace) {
 TEST(StarHole, NewFacesAreInTheOrderOfTheRim) {
   Graph graph;
   const auto faces = makePair(graph, 1, 2);
-  const std::vector<HalfedgeId> rim{halfedgeOf(faces[0], 1), halfedgeOf(faces[0], 2), halfedgeOf(faces[0], 0)};
+  const std::vector<HalfedgeId> rim{halfedgeOf(faces[0], 1), halfedgeOf(faces[0], 2),
+                                    halfedgeOf(faces[0], 0)};
   const std::vector<std::uint32_t> from{2, 0, 1};
   const Starred starred = starHole(graph, 3, {faces[0]}, rim);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -38,12 +39,13 @@ TEST(StarHole, SeveralFaces) {
   Graph graph = tetrahedron();
   // Around 1 and 2: the faces left and right of the edge 1-2, a quadrangle 3, 1, 0, 2.
   const HalfedgeId left = halfedge(graph, 1, 2, 3), right = graph.twin(left);
-  const Starred starred =
-      starHole(graph, 4, {faceOf(left), faceOf(right)}, {next(left), previous(left), next(right), previous(right)});
+  const Starred starred = starHole(graph, 4, {faceOf(left), faceOf(right)},
+                                   {next(left), previous(left), next(right), previous(right)});
   EXPECT_EQ(broken(graph), "");
   EXPECT_TRUE(starred.lost.empty());
   EXPECT_EQ(degree(graph, vertex(4)), 4u);
-  EXPECT_EQ(triples(graph), sorted({{2, 0, 3}, {0, 1, 3}, {2, 3, 4}, {3, 1, 4}, {1, 0, 4}, {0, 2, 4}}));
+  EXPECT_EQ(triples(graph),
+            sorted({{2, 0, 3}, {0, 1, 3}, {2, 3, 4}, {3, 1, 4}, {1, 0, 4}, {0, 2, 4}}));
 }
 
 TEST(StarHole, ACycleOfFacesHidesTheVertexWithin) {
@@ -79,13 +81,14 @@ TEST(StarHole, AnEdgeAtInfinityIsAnEdgeLikeOthers) {
 }
 
 TEST(StarHole, ARimWithAnEdgeOnBothSides) {
-  // Both faces of a pair go, but not all of the edge 1-2: the rim is 2→0, 0→1, 1→0', 0'→2 ... of the one face, then of the
-  // other, with 1→2 and 2→1 left in it: both ends of the edge are taken and its middle is not.
+  // Both faces of a pair go, but not all of the edge 1-2: the rim is 2→0, 0→1, 1→0', 0'→2 ... of
+  // the one face, then of the other, with 1→2 and 2→1 left in it: both ends of the edge are taken
+  // and its middle is not.
   Graph graph;
   const auto faces = makePair(graph, 1, 2);
   const HalfedgeId front = halfedgeOf(faces[0], 0), back = graph.twin(front);  // 1→2 of either face
-  // From the front face across 2→0 into the back one: 1→2, (2→1, 1→0 of the back), 0→1. The edge 0-1 occurs with both sides,
-  // next to each other: its other end 0 is on the rim all the same.
+  // From the front face across 2→0 into the back one: 1→2, (2→1, 1→0 of the back), 0→1. The edge
+  // 0-1 occurs with both sides, next to each other: its other end 0 is on the rim all the same.
   const HalfedgeId crossed = next(front);  // 2→0
   ASSERT_EQ(faceOf(graph.twin(crossed)), faces[1]);
   const HalfedgeId beyond = graph.twin(crossed);  // 0→2
@@ -94,7 +97,8 @@ TEST(StarHole, ARimWithAnEdgeOnBothSides) {
   const Starred starred = starHole(graph, 3, {faces[0], faces[1]}, rim);
   EXPECT_EQ(broken(graph), "");
   EXPECT_TRUE(starred.lost.empty());
-  // 1→2 and 2→1 are the two sides of one edge, and so the new faces on them are neighbours; 1→0 and 0→1 alike.
+  // 1→2 and 2→1 are the two sides of one edge, and so the new faces on them are neighbours; 1→0 and
+  // 0→1 alike.
   EXPECT_EQ(triples(graph), sorted({{1, 2, 3}, {2, 1, 3}, {1, 0, 3}, {0, 1, 3}}));
   EXPECT_EQ(graph.twin(halfedgeOf(starred.faces[0], 0)), halfedgeOf(starred.faces[1], 0));
   EXPECT_EQ(graph.twin(halfedgeOf(starred.faces[2], 0)), halfedgeOf(starred.faces[3], 0));
@@ -103,7 +107,8 @@ TEST(StarHole, ARimWithAnEdgeOnBothSides) {
 }
 
 TEST(StarHole, AHoleThatLosesAVertexAndKeepsAnEdgeOnBothSides) {
-  // All four faces of the tetrahedron but not the edge 0-1: vertices 2 and 3 are lost, the new one has degree 2.
+  // All four faces of the tetrahedron but not the edge 0-1: vertices 2 and 3 are lost, the new one
+  // has degree 2.
   Graph graph = tetrahedron();
   const HalfedgeId kept = halfedge(graph, 0, 1);
   const Starred starred = starHole(graph, 4, liveFaces(graph), {kept, graph.twin(kept)});
@@ -115,13 +120,15 @@ TEST(StarHole, AHoleThatLosesAVertexAndKeepsAnEdgeOnBothSides) {
 }
 
 TEST(StarHole, AVertexTwiceOnTheRimIsNotLost) {
-  // Open 1-2 for 3: two edges 1-2. A hole made of the two old faces, glued along 0-1 only, has 1 on its rim twice... and 0 once.
+  // Open 1-2 for 3: two edges 1-2. A hole made of the two old faces, glued along 0-1 only, has 1 on
+  // its rim twice... and 0 once.
   Graph graph;
   makePair(graph, 1, 2);
   openEdge(graph, 3, halfedge(graph, 1, 2));
   const HalfedgeId crossed = halfedge(graph, 0, 1, 2), beyond = graph.twin(crossed);
   const Starred starred =
-      starHole(graph, 4, {faceOf(crossed), faceOf(beyond)}, {next(crossed), previous(crossed), next(beyond), previous(beyond)});
+      starHole(graph, 4, {faceOf(crossed), faceOf(beyond)},
+               {next(crossed), previous(crossed), next(beyond), previous(beyond)});
   EXPECT_EQ(broken(graph), "");
   EXPECT_TRUE(starred.lost.empty());
   EXPECT_EQ(graph.faceCount(), 6u);

@@ -1,4 +1,5 @@
-// What the tests of the graph share: reading a surface as plain integers, and calling its operations with room made for them.
+// What the tests of the graph share: reading a surface as plain integers, and calling its
+// operations with room made for them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -26,7 +27,8 @@ inline Triple triple(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 }
 
 inline Triple triple(const Graph& graph, FaceId f) {
-  return triple(number(graph.origin(halfedgeOf(f, 0))), number(graph.origin(halfedgeOf(f, 1))), number(graph.origin(halfedgeOf(f, 2))));
+  return triple(number(graph.origin(halfedgeOf(f, 0))), number(graph.origin(halfedgeOf(f, 1))),
+                number(graph.origin(halfedgeOf(f, 2))));
 }
 
 inline std::vector<FaceId> liveFaces(const Graph& graph) {
@@ -59,10 +61,12 @@ inline std::string broken(const Graph& graph) {
 }
 
 /// The first half-edge from a to b whose face has its third corner at c (any, without c).
-inline HalfedgeId halfedge(const Graph& graph, std::uint32_t a, std::uint32_t b, std::uint32_t c = kNoIndex) {
+inline HalfedgeId halfedge(const Graph& graph, std::uint32_t a, std::uint32_t b,
+                           std::uint32_t c = kNoIndex) {
   for (std::uint32_t i = 0; i < 3 * graph.faceSlots(); ++i) {
     const HalfedgeId h{i};
-    if (!graph.isLive(faceOf(h)) || graph.origin(h) != vertex(a) || graph.target(h) != vertex(b)) continue;
+    if (!graph.isLive(faceOf(h)) || graph.origin(h) != vertex(a) || graph.target(h) != vertex(b))
+      continue;
     if (c == kNoIndex || graph.apex(h) == vertex(c)) return h;
   }
   ADD_FAILURE() << "no half-edge " << a << " to " << b;
@@ -95,12 +99,14 @@ struct Starred {
 };
 
 /// Graph::starHole with room made; the lost vertices sorted.
-inline Starred starHole(Graph& graph, std::uint32_t w, const std::vector<FaceId>& hole, const std::vector<HalfedgeId>& rim) {
+inline Starred starHole(Graph& graph, std::uint32_t w, const std::vector<FaceId>& hole,
+                        const std::vector<HalfedgeId>& rim) {
   graph.reserveVertices(w + 1);
   graph.reserveFaces(hole.size(), rim.size());
   Starred result;
   result.faces.resize(rim.size());
-  for (const VertexId v : graph.starHole(vertex(w), hole, rim, result.faces)) result.lost.push_back(number(v));
+  for (const VertexId v : graph.starHole(vertex(w), hole, rim, result.faces))
+    result.lost.push_back(number(v));
   std::sort(result.lost.begin(), result.lost.end());
   return result;
 }
@@ -111,10 +117,13 @@ inline Starred splitFace(Graph& graph, std::uint32_t w, FaceId f) {
 }
 
 /// Opens one edge for w, which gets degree 2.
-inline Starred openEdge(Graph& graph, std::uint32_t w, HalfedgeId h) { return starHole(graph, w, {}, {h, graph.twin(h)}); }
+inline Starred openEdge(Graph& graph, std::uint32_t w, HalfedgeId h) {
+  return starHole(graph, w, {}, {h, graph.twin(h)});
+}
 
 /// Graph::replaceStar with room made.
-inline std::vector<FaceId> replaceStar(Graph& graph, std::uint32_t v, const std::vector<HalfedgeId>& link,
+inline std::vector<FaceId> replaceStar(Graph& graph, std::uint32_t v,
+                                       const std::vector<HalfedgeId>& link,
                                        const std::vector<Graph::PatchFace>& patch) {
   std::size_t slots = graph.vertexSlots();
   for (const Graph::PatchFace& face : patch) {
@@ -130,6 +139,8 @@ inline std::vector<FaceId> replaceStar(Graph& graph, std::uint32_t v, const std:
 /// PatchFace.across for the outer side of link edge k.
 constexpr std::uint32_t outside(std::uint32_t k) { return Graph::kOutside | k; }
 /// PatchFace.across for side `corner` of face `face` of the patch.
-constexpr std::uint32_t inside(std::uint32_t face, std::uint32_t corner) { return 3 * face + corner; }
+constexpr std::uint32_t inside(std::uint32_t face, std::uint32_t corner) {
+  return 3 * face + corner;
+}
 
 }  // namespace apollonius::test

@@ -1,4 +1,5 @@
-// FlatArray against std::vector: the same contents after the same random operations, and its own promises.
+// FlatArray against std::vector: the same contents after the same random operations, and its own
+// promises.
 #include "memory/flat_array.h"
 
 #include <gtest/gtest.h>
@@ -36,28 +37,43 @@ TEST(FlatArray, BehavesAsAVector) {
       const Pair value{step, 0.25 * step};
       const std::size_t n = random.below(std::size_t{70});
       switch (random.below(10)) {
-        case 0: array.resize(n), expected.resize(n); break;
-        case 1: array.resize(n, value), expected.resize(n, value); break;
-        case 2: array.assign(n, value), expected.assign(n, value); break;
-        case 3: array.clear(), expected.clear(); break;
-        case 4: array.swap(other), expected.swap(otherExpected); break;
+        case 0:
+          array.resize(n), expected.resize(n);
+          break;
+        case 1:
+          array.resize(n, value), expected.resize(n, value);
+          break;
+        case 2:
+          array.assign(n, value), expected.assign(n, value);
+          break;
+        case 3:
+          array.clear(), expected.clear();
+          break;
+        case 4:
+          array.swap(other), expected.swap(otherExpected);
+          break;
         case 5:
           if (step % 2 == 0) {
             other.assign(array), otherExpected = expected;
           } else if (other.size() < 1000) {
-            other.append(array), otherExpected.insert(otherExpected.end(), expected.begin(), expected.end());
+            other.append(array),
+                otherExpected.insert(otherExpected.end(), expected.begin(), expected.end());
           }
           break;
-        case 6: array.reserve(n), expected.reserve(n); break;
+        case 6:
+          array.reserve(n), expected.reserve(n);
+          break;
         case 7:
           if (array.empty()) break;
-          array.erase(n % array.size()), expected.erase(expected.begin() + static_cast<std::ptrdiff_t>(n % expected.size()));
+          array.erase(n % array.size()),
+              expected.erase(expected.begin() + static_cast<std::ptrdiff_t>(n % expected.size()));
           break;
         case 8:
           if (array.empty()) break;
           array.pop_back(), expected.pop_back();
           break;
-        default: array.push_back(value), expected.push_back(value);
+        default:
+          array.push_back(value), expected.push_back(value);
       }
       expectSame(array, expected);
       expectSame(other, otherExpected);

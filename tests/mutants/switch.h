@@ -1,4 +1,5 @@
-// Included before everything else where mutants are built (switched.mjs): which mutant is on, and which ones a run has come by.
+// Included before everything else where mutants are built (switched.mjs): which mutant is on, and
+// which ones a run has come by.
 #pragma once
 
 #if __cplusplus >= 202002L  // CMake tries the compiler as it is

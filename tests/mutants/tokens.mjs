@@ -1,12 +1,18 @@
 // C++ as a sequence of tokens, so that a mutant finds its place however the source is laid out.
 
-const token = new RegExp([
-  /\/\/[^\n]*|\/\*[^]*?\*\//,                  // comments, which are left out
-  /"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'/,
-  /[A-Za-z_]\w*/,
-  /\.?\d(?:[eEpP][+-]|'?[\w.])*/,
-  /::|->|<<=|>>=|<<|<=|>=|==|!=|&&|\|\||\+\+|--|[-+*/%&|^]=|\S/,  // >> as > >: it closes two lists of template arguments
-].map((part) => part.source).join("|"), "g");
+const token = new RegExp(
+  [
+    /\/\/[^\n]*|\/\*[^]*?\*\//, // comments, which are left out
+    /"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'/,
+    /[A-Za-z_]\w*/,
+    /\.?\d(?:[eEpP][+-]|'?[\w.])*/,
+    // >> as > >: it closes two lists of template arguments
+    /::|->|<<=|>>=|<<|<=|>=|==|!=|&&|\|\||\+\+|--|[-+*/%&|^]=|\S/,
+  ]
+    .map((part) => part.source)
+    .join("|"),
+  "g",
+);
 
 /** Tokens with their places: { text, begin, end }. */
 export function tokensOf(source) {
@@ -19,7 +25,10 @@ export function tokensOf(source) {
 }
 
 /** The same whatever the layout and the comments. */
-export const normalized = (source) => tokensOf(source).map(({ text }) => text).join(" ");
+export const normalized = (source) =>
+  tokensOf(source)
+    .map(({ text }) => text)
+    .join(" ");
 
 /** Index of the token where `pattern` starts in `tokens`; throws unless it is there once. */
 export function placeOf(pattern, tokens, where) {

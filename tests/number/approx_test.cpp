@@ -1,5 +1,5 @@
-// The theorem of number/approx.h on the predicates' own formulas: the exact value lies within boundFactor * magnitude +
-// kUnderflow of the computed one. Exact values from Dyadic.
+// The theorem of number/approx.h on the predicates' own formulas: the exact value lies within
+// boundFactor * magnitude + kUnderflow of the computed one. Exact values from Dyadic.
 #include "number/approx.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,8 @@ void expectWithinBound(Approx computed, Depth depth, const Dyadic& exact) {
   }
 }
 
-/// Two sites' coordinates whose difference gets rounded: that is the rounding which Depth::Input counts.
+/// Two sites' coordinates whose difference gets rounded: that is the rounding which Depth::Input
+/// counts.
 struct Difference {
   double a, b;
   [[nodiscard]] Approx approx() const { return Approx(a - b); }
@@ -55,7 +56,8 @@ TEST(Approx, FormulasStayWithinTheirBounds) {
     Difference d[9];
     for (Difference& difference : d) {
       // Magnitudes far apart from row to row, equal ones now and then, coordinates that cancel.
-      const double size = std::ldexp(1.0, run % 2 == 0 ? random.below(7) - 3 : random.below(231) - 200);
+      const double size =
+          std::ldexp(1.0, run % 2 == 0 ? random.below(7) - 3 : random.below(231) - 200);
       difference = {size * random.between(-1, 1), size * random.between(-1, 1)};
       if (random.oneIn(4)) difference.b = std::nextafter(difference.a, 2.0 * size);
     }
@@ -76,7 +78,8 @@ TEST(Approx, FormulasStayWithinTheirBounds) {
     expectWithinBound(vertex.xy, depthVertex.xy, exactVertex.xy);
     expectWithinBound(vertex.squares(), depthVertex.squares(), exactVertex.squares());
     const Chord<Approx> end = chordOf(approx[0], approx[1]), shadow = chordOf(approx[0], approx[2]);
-    const Chord<Dyadic> exactEnd = chordOf(exact[0], exact[1]), exactShadow = chordOf(exact[0], exact[2]);
+    const Chord<Dyadic> exactEnd = chordOf(exact[0], exact[1]),
+                        exactShadow = chordOf(exact[0], exact[2]);
     expectWithinBound(end.w, depthChord.w, exactEnd.w);
     const EdgeForm<Approx> edge(end, shadow);
     const EdgeForm<Dyadic> exactEdge(exactEnd, exactShadow);
@@ -101,7 +104,8 @@ TEST(Approx, InfinitiesAndNansAreUnknown) {
   EXPECT_FALSE(filteredSign(huge * huge, boundFactor(Depth(3))).known) << "an infinite bound";
 }
 
-// Where everything was lost to underflow, the magnitude is as well: nothing is known of a value that small.
+// Where everything was lost to underflow, the magnitude is as well: nothing is known of a value
+// that small.
 TEST(Approx, WhatUnderflowMayHaveLeftIsUnknown) {
   for (const double value : {0x1p-700, -0x1p-700}) {
     EXPECT_FALSE(filteredSign({value, 0}, boundFactor(Depth(3))).known);

@@ -1,4 +1,5 @@
-// Ball: the exact result of each operation lies within the bound, also when the arguments were inexact.
+// Ball: the exact result of each operation lies within the bound, also when the arguments were
+// inexact.
 #include "number/ball.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,8 @@ bool contains(const Ball& ball, const Dyadic& numerator, const Dyadic& denominat
 }
 
 double randomNumber(Random& random) {
-  const double value = std::ldexp(random.between(0.5, 1), static_cast<int>(random.integer(-60, 60)));
+  const double value =
+      std::ldexp(random.between(0.5, 1), static_cast<int>(random.integer(-60, 60)));
   return random.oneIn(2) ? value : -value;
 }
 
@@ -33,8 +35,12 @@ struct Inexact {
   Dyadic exact;
   static Inexact random(Random& random) {
     const double value = randomNumber(random);
-    const double error = random.oneIn(3) ? 0 : absolute(value) * std::ldexp(1.0, static_cast<int>(random.integer(-55, -1)));
-    return {Ball::bounded(value, error), Dyadic(value) + Dyadic(error) * Dyadic(random.between(-1, 1))};
+    const double error =
+        random.oneIn(3)
+            ? 0
+            : absolute(value) * std::ldexp(1.0, static_cast<int>(random.integer(-55, -1)));
+    return {Ball::bounded(value, error),
+            Dyadic(value) + Dyadic(error) * Dyadic(random.between(-1, 1))};
   }
 };
 
@@ -68,8 +74,8 @@ TEST(Ball, RootContainsTheExactRoot) {
 }
 
 TEST(Ball, NothingIsKnownAfterDivisionByZeroOrRootOfNegative) {
-  const Ball nothing[] = {Ball::exact(1) / Ball::bounded(0.5, 1), sqrt(Ball::bounded(0.5, 1)), sqrt(Ball::exact(-1)),
-                          Ball::exact(1e300) * Ball::exact(1e300)};
+  const Ball nothing[] = {Ball::exact(1) / Ball::bounded(0.5, 1), sqrt(Ball::bounded(0.5, 1)),
+                          sqrt(Ball::exact(-1)), Ball::exact(1e300) * Ball::exact(1e300)};
   for (const Ball& ball : nothing) {
     EXPECT_FALSE(ball.bound() <= 1e300);
     EXPECT_FALSE(ball.certainlyPositive());

@@ -1,4 +1,5 @@
-// Dyadic against an independent exact integer arithmetic (support/oracle_numbers.h), on expressions that cancel.
+// Dyadic against an independent exact integer arithmetic (support/oracle_numbers.h), on expressions
+// that cancel.
 #include "number/dyadic.h"
 
 #include <gtest/gtest.h>
@@ -69,7 +70,8 @@ TEST(Dyadic, RingLaws) {
 TEST(Dyadic, SignsAgreeWithIntegerArithmetic) {
   Random random(12);
   for (int run = 0; run < test::runs(20000); ++run) {
-    // a * b - c * d where c * d is close to a * b, plus a last term far below: the sign hangs on the last bits.
+    // a * b - c * d where c * d is close to a * b, plus a last term far below: the sign hangs on
+    // the last bits.
     const int range = run % 3 == 0 ? 300 : 20;
     const double a = randomDouble(random, 26, range);
     const double b = randomDouble(random, 26, range);
@@ -78,9 +80,10 @@ TEST(Dyadic, SignsAgreeWithIntegerArithmetic) {
     const double c = random.oneIn(2) ? std::nextafter(product, 0) : product;
     const int unit = test::lowestBit({a, b, c, other, 1.0});
     const Integer one = Integer(1) << static_cast<unsigned>(-unit);
-    const Integer expected =
-        test::scaled(a, unit) * test::scaled(b, unit) - (test::scaled(c, unit) + test::scaled(other, unit)) * one;
-    ASSERT_EQ(sign(Dyadic(a) * Dyadic(b) - (Dyadic(c) + Dyadic(other))), expected.sign()) << a << " " << b << " " << c << " " << other;
+    const Integer expected = test::scaled(a, unit) * test::scaled(b, unit) -
+                             (test::scaled(c, unit) + test::scaled(other, unit)) * one;
+    ASSERT_EQ(sign(Dyadic(a) * Dyadic(b) - (Dyadic(c) + Dyadic(other))), expected.sign())
+        << a << " " << b << " " << c << " " << other;
   }
 }
 
@@ -97,7 +100,8 @@ TEST(Dyadic, WideExponentsKeepTheirLowBits) {
 
 Dyadic twoToThe(int exponent) {
   Dyadic power(1);
-  for (; exponent != 0; exponent -= std::clamp(exponent, -1000, 1000)) power = power * Dyadic(std::ldexp(1, std::clamp(exponent, -1000, 1000)));
+  for (; exponent != 0; exponent -= std::clamp(exponent, -1000, 1000))
+    power = power * Dyadic(std::ldexp(1, std::clamp(exponent, -1000, 1000)));
   return power;
 }
 
@@ -113,7 +117,8 @@ TEST(Dyadic, RoundedKeepsFiftyTwoBits) {
     const Dyadic error = back - x;
     const Dyadic bound = x * x * twoToThe(-104);
     ASSERT_LE(sign(error * error - bound), 0) << run;
-    ASSERT_TRUE(rounded.mantissa == 0 || (absolute(rounded.mantissa) >= 0x1p62 && absolute(rounded.mantissa) <= 0x1p63));
+    ASSERT_TRUE(rounded.mantissa == 0 ||
+                (absolute(rounded.mantissa) >= 0x1p62 && absolute(rounded.mantissa) <= 0x1p63));
   }
 }
 

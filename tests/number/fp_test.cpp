@@ -75,10 +75,12 @@ TEST(Fp, FlushedSubnormalsAreSeen) {
 }
 
 TEST(FpDeathTest, NoDiagramWithoutSubnormals) {
-  EXPECT_DEATH({
-    _mm_setcsr(_mm_getcsr() | 0x8000);
-    const Diagram diagram;
-  }, "broken invariant: subnormal numbers are flushed");
+  EXPECT_DEATH(
+      {
+        _mm_setcsr(_mm_getcsr() | 0x8000);
+        const Diagram diagram;
+      },
+      "broken invariant: subnormal numbers are flushed");
 }
 #endif
 

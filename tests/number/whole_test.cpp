@@ -1,4 +1,5 @@
-// Whole against cpp_int: the same sums, differences, products and signs, over all sizes that formulas reach.
+// Whole against cpp_int: the same sums, differences, products and signs, over all sizes that
+// formulas reach.
 #include "number/whole.h"
 
 #include <gtest/gtest.h>
@@ -30,19 +31,21 @@ Both inUnits(double value, int unit) {
   return {Whole::inUnits(value, unit), integer};
 }
 
-Sign signOfInteger(const cpp_int& x) { return x > 0 ? Sign::kPositive : x < 0 ? Sign::kNegative : Sign::kZero; }
-
-void expectSame(const Both& both) {
-  ASSERT_EQ(both.whole.sign(), signOfInteger(both.integer));
+Sign signOfInteger(const cpp_int& x) {
+  return x > 0 ? Sign::kPositive : x < 0 ? Sign::kNegative : Sign::kZero;
 }
+
+void expectSame(const Both& both) { ASSERT_EQ(both.whole.sign(), signOfInteger(both.integer)); }
 
 /// An input of at most `bits` bits, often with few digits, sometimes zero.
 Both randomInput(Random& random, int bits) {
   if (random.oneIn(10)) return {Whole(0), 0};
   const int digits = static_cast<int>(random.integer(1, std::min(bits, 53)));
-  const double mantissa = static_cast<double>(random.below(std::uint64_t{1} << digits)) * (random.oneIn(2) ? 1 : -1);
+  const double mantissa =
+      static_cast<double>(random.below(std::uint64_t{1} << digits)) * (random.oneIn(2) ? 1 : -1);
   const int unit = static_cast<int>(random.integer(-1060, 800));
-  return inUnits(std::ldexp(mantissa, unit + static_cast<int>(random.integer(0, bits - digits))), unit);
+  return inUnits(std::ldexp(mantissa, unit + static_cast<int>(random.integer(0, bits - digits))),
+                 unit);
 }
 
 TEST(Whole, SignsOfSmallNumbers) {
@@ -98,16 +101,20 @@ TEST(Whole, FormulasOfAllDegreesAgree) {
     // Signs alone would miss wrong digits: differences of equal values must vanish.
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        ASSERT_EQ((numbers[i].whole - numbers[j].whole).sign(), signOfInteger(numbers[i].integer - numbers[j].integer));
+        ASSERT_EQ((numbers[i].whole - numbers[j].whole).sign(),
+                  signOfInteger(numbers[i].integer - numbers[j].integer));
       }
     }
     const Both &a = numbers[0], &b = numbers[1];
-    ASSERT_EQ(((a.whole + b.whole) * (a.whole - b.whole) - (a.whole * a.whole - b.whole * b.whole)).sign(), Sign::kZero);
+    ASSERT_EQ(((a.whole + b.whole) * (a.whole - b.whole) - (a.whole * a.whole - b.whole * b.whole))
+                  .sign(),
+              Sign::kZero);
   }
 }
 
 TEST(Whole, LargestProducts) {
-  const double largest = std::ldexp(static_cast<double>((std::uint64_t{1} << 53) - 1), Whole::kInputBits - 53);
+  const double largest =
+      std::ldexp(static_cast<double>((std::uint64_t{1} << 53) - 1), Whole::kInputBits - 53);
   Whole product(1);
   cpp_int expected = 1, one = inUnits(largest, 0).integer;
   for (int degree = 1; degree <= 16; ++degree) {

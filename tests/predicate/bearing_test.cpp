@@ -20,8 +20,9 @@ constexpr VoronoiCircle kKnowsNothing{0, 0, 0, std::numeric_limits<float>::infin
 /// What the four stages say; those that know must agree.
 Sign agreedSign(double x, double y, const Site& i, Corner j, Corner k, RayPart part) {
   const Sign exact = stages::rayExact(x, y, i, j, k, part);
-  for (const MaybeSign stage : {stages::rayFilter(x, y, i, j, k, part), stages::rayMiddle(x, y, i, j, k, part),
-                                stages::rayWhole(x, y, i, j, k, part)}) {
+  for (const MaybeSign stage :
+       {stages::rayFilter(x, y, i, j, k, part), stages::rayMiddle(x, y, i, j, k, part),
+        stages::rayWhole(x, y, i, j, k, part)}) {
     if (stage.known) {
       EXPECT_EQ(stage.sign, exact) << x << " " << y;
     }
@@ -29,10 +30,12 @@ Sign agreedSign(double x, double y, const Site& i, Corner j, Corner k, RayPart p
   return exact;
 }
 
-/// Circles that touch the circle of radius 5 about the origin from outside, in directions of Pythagorean triples: the vertex of each face
-/// of them is the origin, and a ray may run exactly along its direction.
+/// Circles that touch the circle of radius 5 about the origin from outside, in directions of
+/// Pythagorean triples: the vertex of each face of them is the origin, and a ray may run exactly
+/// along its direction.
 TEST(Bearing, KnowsExactDirections) {
-  const int direction[][3] = {{3, 4, 5}, {-4, 3, 5}, {-3, -4, 5}, {4, -3, 5}, {5, 12, 13}, {-12, 5, 13}, {-5, -12, 13}, {12, -5, 13}, {15, 8, 17}};
+  const int direction[][3] = {{3, 4, 5},    {-4, 3, 5},    {-3, -4, 5},  {4, -3, 5}, {5, 12, 13},
+                              {-12, 5, 13}, {-5, -12, 13}, {12, -5, 13}, {15, 8, 17}};
   Random random(181);
   int faces = 0;
   for (int run = 0; run < runs(3000); ++run) {
@@ -44,18 +47,24 @@ TEST(Bearing, KnowsExactDirections) {
     }
     const auto turned = [](const Site& a, const Site& b) { return a.x * b.y - a.y * b.x; };
     // Counter-clockwise around the origin, and no two in one direction.
-    const int lefts = (turned(sites[0], sites[1]) > 0) + (turned(sites[1], sites[2]) > 0) + (turned(sites[2], sites[0]) > 0);
-    if (lefts < 2 || turned(sites[0], sites[1]) * turned(sites[1], sites[2]) * turned(sites[2], sites[0]) == 0) continue;
+    const int lefts = (turned(sites[0], sites[1]) > 0) + (turned(sites[1], sites[2]) > 0) +
+                      (turned(sites[2], sites[0]) > 0);
+    if (lefts < 2 ||
+        turned(sites[0], sites[1]) * turned(sites[1], sites[2]) * turned(sites[2], sites[0]) == 0)
+      continue;
     ++faces;
     const Site& i = sites[0];
     const auto bearing = [&](double x, double y) {
-      for (const RayPart part : {RayPart::kLeftwards, RayPart::kAlong}) agreedSign(x, y, i, &sites[1], &sites[2], part);
-      const Bearing result = bearingOf(x, y, voronoiCircle(&i, &sites[1], &sites[2]), i, &sites[1], &sites[2]);
+      for (const RayPart part : {RayPart::kLeftwards, RayPart::kAlong})
+        agreedSign(x, y, i, &sites[1], &sites[2], part);
+      const Bearing result =
+          bearingOf(x, y, voronoiCircle(&i, &sites[1], &sites[2]), i, &sites[1], &sites[2]);
       EXPECT_EQ(result, bearingOf(x, y, kKnowsNothing, i, &sites[1], &sites[2]));
       return result;
     };
     const auto size = static_cast<double>(random.integer(1, 9)) / 8;
-    const double towards = 1 - size, away = 1 + size;  // times the site: the way to the origin, and from it
+    const double towards = 1 - size,
+                 away = 1 + size;  // times the site: the way to the origin, and from it
     EXPECT_EQ(bearing(towards * i.x, towards * i.y), Bearing::kAlong);
     EXPECT_EQ(bearing(away * i.x, away * i.y), Bearing::kOpposite);
     // A turn of the way to the origin by about 2^-40, to either side.
@@ -68,8 +77,8 @@ TEST(Bearing, KnowsExactDirections) {
 
 class BearingOn : public ::testing::TestWithParam<NamedGenerator> {};
 
-/// On all faces, those with infinity included: every stage that knows says the same, and where doubles can tell the direction of a precise
-/// vertex from the ray, they tell that.
+/// On all faces, those with infinity included: every stage that knows says the same, and where
+/// doubles can tell the direction of a precise vertex from the ray, they tell that.
 TEST_P(BearingOn, AgreesWithPreciseVertices) {
   Random random(182);
   for (int run = 0; run < runs(GetParam().large ? 30 : 3); ++run) {
@@ -82,18 +91,23 @@ TEST_P(BearingOn, AgreesWithPreciseVertices) {
         const Site& i = sites[face[c]];
         const Corner j = corner(sites, face[(c + 1) % 3]), k = corner(sites, face[(c + 2) % 3]);
         const Site& other = sites[random.below(sites.size())];
-        const double t = random.between(-2, 2), bend = std::ldexp(random.between(-1, 1), -random.below(60));
-        const double x = i.x + t * (other.x - i.x) - bend * (other.y - i.y), y = i.y + t * (other.y - i.y) + bend * (other.x - i.x);
+        const double t = random.between(-2, 2),
+                     bend = std::ldexp(random.between(-1, 1), -random.below(60));
+        const double x = i.x + t * (other.x - i.x) - bend * (other.y - i.y),
+                     y = i.y + t * (other.y - i.y) + bend * (other.x - i.x);
         if (!isInRange(x) || !isInRange(y) || (x == i.x && y == i.y)) continue;
-        const Sign left = agreedSign(x, y, i, j, k, RayPart::kLeftwards), along = agreedSign(x, y, i, j, k, RayPart::kAlong);
+        const Sign left = agreedSign(x, y, i, j, k, RayPart::kLeftwards),
+                   along = agreedSign(x, y, i, j, k, RayPart::kAlong);
         ASSERT_FALSE(left == Sign::kZero && along == Sign::kZero);
         const VoronoiCircle circle = voronoiCircle(&i, j, k);
         const MaybeSign turned = turn(directionOf(circle, i), directionOf(x, y, i));
         if (turned.known) {
           ASSERT_EQ(turned.sign, left);
         }
-        const Bearing expected = left == Sign::kPositive ? Bearing::kLeft : left == Sign::kNegative ? Bearing::kRight
-                                 : along == Sign::kPositive ? Bearing::kAlong : Bearing::kOpposite;
+        const Bearing expected = left == Sign::kPositive    ? Bearing::kLeft
+                                 : left == Sign::kNegative  ? Bearing::kRight
+                                 : along == Sign::kPositive ? Bearing::kAlong
+                                                            : Bearing::kOpposite;
         ASSERT_EQ(bearingOf(x, y, circle, i, j, k), expected);
       }
     }

@@ -1,5 +1,6 @@
-// The circles around a new site, computed together: within their stated bounds of the exact ones, whichever of the three sites is
-// the new one, and the half-planes of the same faces as voronoiCircle's.
+// The circles around a new site, computed together: within their stated bounds of the exact ones,
+// whichever of the three sites is the new one, and the half-planes of the same faces as
+// voronoiCircle's.
 #include "predicate/circle_fan.h"
 
 #include <gtest/gtest.h>
@@ -27,11 +28,14 @@ TEST_P(CircleFanOn, IsWithinItsErrorBound) {
     const std::vector<Site> s = toSites(c);
     const auto expectWithinBound = [&](const VoronoiCircle& circle, std::size_t pole) {
       if (!(circle.error < 1e300)) return;
-      ASSERT_TRUE(oracleCircleIsWithin(c[0], c[1], c[2], {circle.x, circle.y, circle.s}, circle.error))
-          << "run " << run << ", site " << pole << ", centre " << circle.x << " " << circle.y << ", error " << circle.error << "\n"
+      ASSERT_TRUE(
+          oracleCircleIsWithin(c[0], c[1], c[2], {circle.x, circle.y, circle.s}, circle.error))
+          << "run " << run << ", site " << pole << ", centre " << circle.x << " " << circle.y
+          << ", error " << circle.error << "\n"
           << toText(insertAll(c));
     };
-    const std::array<Corner, 3> faces[] = {{&s[0], &s[1], &s[2]}, {&s[1], &s[2], &s[0]}, {&s[2], &s[0], &s[1]}};
+    const std::array<Corner, 3> faces[] = {
+        {&s[0], &s[1], &s[2]}, {&s[1], &s[2], &s[0]}, {&s[2], &s[0], &s[1]}};
     VoronoiCircle separate[3];
     fan.reserve(6);
     fan.computeFaces(faces, separate);
@@ -60,9 +64,11 @@ TEST(CircleFan, BoundsAreCloseWhereTheSitesAreOrdinary) {
     // Sites around q, some larger and some smaller.
     std::vector<Site> rim;
     for (std::size_t k = 0; k < n; ++k) {
-      const double t = (static_cast<double>(k) + 0.5) / static_cast<double>(n) * 4 - 2;  // once around, by tangents of half angles
+      const double t = (static_cast<double>(k) + 0.5) / static_cast<double>(n) * 4 -
+                       2;  // once around, by tangents of half angles
       const double half = t < -1 ? -1 / (t + 2) : t > 1 ? -1 / (t - 2) : t;
-      rim.push_back({(1 - half * half) / (1 + half * half), 2 * half / (1 + half * half), random.between(0, 0.3)});
+      rim.push_back({(1 - half * half) / (1 + half * half), 2 * half / (1 + half * half),
+                     random.between(0, 0.3)});
     }
     const Site q{random.between(-0.1, 0.1), random.between(-0.1, 0.1), random.between(0, 0.3)};
     CircleFan fan;
@@ -97,7 +103,8 @@ TEST(CircleFan, FacesWithInfinityAreHalfPlanes) {
   VoronoiCircle circles[3];
   fan.compute(q, circles);
   EXPECT_FALSE(circles[0].isHalfPlane());
-  for (const auto& [k, plane] : {std::pair{1, voronoiCircle(&b, nullptr, &q)}, std::pair{2, voronoiCircle(nullptr, &a, &q)}}) {
+  for (const auto& [k, plane] : {std::pair{1, voronoiCircle(&b, nullptr, &q)},
+                                 std::pair{2, voronoiCircle(nullptr, &a, &q)}}) {
     EXPECT_TRUE(circles[k].isHalfPlane());
     EXPECT_EQ(circles[k].x, plane.x);
     EXPECT_EQ(circles[k].y, plane.y);

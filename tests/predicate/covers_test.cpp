@@ -1,4 +1,5 @@
-// covers() and the order of sites: laws on all circles of a small grid, and against the oracle everywhere.
+// covers() and the order of sites: laws on all circles of a small grid, and against the oracle
+// everywhere.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -56,8 +57,10 @@ TEST(Covers, AgreesWithTheOracleOnEveryGenerator) {
     const Circles circles = generator.make(random, static_cast<std::size_t>(runs(40)));
     for (const Circle& a : circles) {
       for (const Circle& b : circles) {
-        ASSERT_EQ(covers(toSite(a), toSite(b)), oracleCovers(a, b)) << generator.name << "\n" << toText(insertAll({a, b}));
-        for (const MaybeSign early : {stages::lorentzFilter(toSite(a), toSite(b)), stages::lorentzMiddle(toSite(a), toSite(b))}) {
+        ASSERT_EQ(covers(toSite(a), toSite(b)), oracleCovers(a, b)) << generator.name << "\n"
+                                                                    << toText(insertAll({a, b}));
+        for (const MaybeSign early : {stages::lorentzFilter(toSite(a), toSite(b)),
+                                      stages::lorentzMiddle(toSite(a), toSite(b))}) {
           if (early.known) {
             ASSERT_EQ(early.sign, stages::lorentzExact(toSite(a), toSite(b))) << generator.name;
           }

@@ -1,4 +1,5 @@
-// compareDistance() and isNearer() against the oracle, their laws, and their filter against their exact stage.
+// compareDistance() and isNearer() against the oracle, their laws, and their filter against their
+// exact stage.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,14 +20,15 @@ using namespace test;
 void expectSameAsOracle(double x, double y, const Circle& a, const Circle& b) {
   const int expected = oracleCompareDistance(x, y, a, b);
   const Sign sign = compareDistance(x, y, toSite(a), toSite(b));
-  ASSERT_EQ(static_cast<int>(sign), expected) << "point " << x << " " << y << "\n" << toText(insertAll({a, b}));
+  ASSERT_EQ(static_cast<int>(sign), expected) << "point " << x << " " << y << "\n"
+                                              << toText(insertAll({a, b}));
   ASSERT_EQ(compareDistance(x, y, toSite(b), toSite(a)), -sign) << "antisymmetric";
   const bool nearer = expected > 0 || (expected == 0 && oracleSmaller(a, b));
   ASSERT_EQ(isNearer(x, y, toSite(a), toSite(b)), nearer);
   const Sign exact = stages::distanceExact(x, y, toSite(a), toSite(b));
-  for (const MaybeSign early :
-       {stages::distanceFilter(x, y, toSite(a), toSite(b)), stages::distanceMiddle(x, y, toSite(a), toSite(b)),
-        stages::distanceWhole(x, y, toSite(a), toSite(b))}) {
+  for (const MaybeSign early : {stages::distanceFilter(x, y, toSite(a), toSite(b)),
+                                stages::distanceMiddle(x, y, toSite(a), toSite(b)),
+                                stages::distanceWhole(x, y, toSite(a), toSite(b))}) {
     if (early.known) {
       ASSERT_EQ(early.sign, exact);
     }
@@ -71,7 +73,10 @@ TEST(Distance, AgreesWithTheOracleOnEveryGenerator) {
 TEST(Distance, OneUlpAside) {
   const Circle a{-3, 4, 1}, b{3, 4, 1};  // the bisector is x = 0
   for (const double x : {0.0, 1e-100, -1e-100, 1e-16, -1e-17}) {
-    EXPECT_EQ(static_cast<int>(compareDistance(x, 0, toSite(a), toSite(b))), x > 0 ? 1 : x < 0 ? -1 : 0) << x;
+    EXPECT_EQ(static_cast<int>(compareDistance(x, 0, toSite(a), toSite(b))), x > 0   ? 1
+                                                                             : x < 0 ? -1
+                                                                                     : 0)
+        << x;
   }
 }
 
@@ -91,7 +96,8 @@ TEST(Distance, StaysWithinItsBound) {
       const Dyadic length = Dyadic(distance.value) + Dyadic(r);
       const Dyadic low = length - Dyadic(bound), high = length + Dyadic(bound);
       const Dyadic square = dx * dx + dy * dy;
-      return (square - high * high).sign() == Sign::kPositive || (low * low - square).sign() == Sign::kPositive;
+      return (square - high * high).sign() == Sign::kPositive ||
+             (low * low - square).sign() == Sign::kPositive;
     };
     if (distance.value + r < 0.01) continue;
     ASSERT_FALSE(isBeyond(distance.bound)) << "run " << run;

@@ -1,6 +1,7 @@
-// Edge conflicts against the oracle. A new site takes parts of Voronoi edges away; how many edges between two sites remain is
-// known from the oracle's diagrams without and with it, and the answers of the predicates predict that number: none (all of it
-// is taken), one (none of it, or one end, or both ends but not all), or two (the interior only).
+// Edge conflicts against the oracle. A new site takes parts of Voronoi edges away; how many edges
+// between two sites remain is known from the oracle's diagrams without and with it, and the answers
+// of the predicates predict that number: none (all of it is taken), one (none of it, or one end, or
+// both ends but not all), or two (the interior only).
 #include <gtest/gtest.h>
 
 #include "predicate/samples.h"
@@ -14,7 +15,8 @@ namespace {
 
 using namespace test;
 
-/// The two predicates do not depend on the side that the edge is looked at from, nor on whether cached circles are asked first.
+/// The two predicates do not depend on the side that the edge is looked at from, nor on whether
+/// cached circles are asked first.
 void expectSymmetric(const EdgeCorners& e, const Site& q, bool interior) {
   const EdgeCorners mirrored{e.j, e.i, e.l, e.k};
   const VoronoiCircle atK = voronoiCircle(e.i, e.j, e.k), atL = voronoiCircle(e.j, e.i, e.l);
@@ -44,7 +46,8 @@ struct Outcomes {
   int untouched = 0, interior = 0, entire = 0, bothEndsOnly = 0;
 };
 
-/// Checks all edges of the diagram of `circles` against the query, a circle that none of them covers.
+/// Checks all edges of the diagram of `circles` against the query, a circle that none of them
+/// covers.
 void expectAgreement(const Circles& circles, const Circle& query, Outcomes& outcomes) {
   Circles all = circles;
   all.push_back(query);
@@ -54,18 +57,22 @@ void expectAgreement(const Circles& circles, const Circle& query, Outcomes& outc
   const Site q = toSite(query);
   for (const auto& [ends, thirds] : before) {
     const auto [a, b] = ends;
-    // Where two sites share several edges, the oracle's triples do not say which ends belong together.
+    // Where two sites share several edges, the oracle's triples do not say which ends belong
+    // together.
     if (thirds.size() != 1) continue;
     const int l = before.at({b, a}).front();
-    const EdgeCorners edge{corner(sites, a), corner(sites, b), corner(sites, thirds.front()), corner(sites, l)};
+    const EdgeCorners edge{corner(sites, a), corner(sites, b), corner(sites, thirds.front()),
+                           corner(sites, l)};
     const auto found = after.find(ends);
     const std::size_t expected = found == after.end() ? 0 : found->second.size();
-    ASSERT_EQ(piecesLeft(edge, q), expected) << "edge " << a << " " << b << ", faces " << thirds.front() << " and " << l;
+    ASSERT_EQ(piecesLeft(edge, q), expected)
+        << "edge " << a << " " << b << ", faces " << thirds.front() << " and " << l;
     const bool atK = isVertexInConflict(edge.i, edge.j, edge.k, q);
     if (expected == 0) ++outcomes.entire;
     if (expected == 2) ++outcomes.interior;
     if (expected == 1 && !atK) ++outcomes.untouched;
-    if (expected == 1 && atK && isVertexInConflict(edge.j, edge.i, edge.l, q)) ++outcomes.bothEndsOnly;
+    if (expected == 1 && atK && isVertexInConflict(edge.j, edge.i, edge.l, q))
+      ++outcomes.bothEndsOnly;
   }
 }
 
@@ -87,7 +94,8 @@ TEST(EdgeConflict, AgreesWithTheOracleOnTinyGrids) {
     const Circle query = tinyGrid(random, 1, side, heaviest).front();
     if (circles.size() < 2 || coveredByAny(query, circles)) continue;
     expectAgreement(circles, query, outcomes);
-    if (HasFatalFailure()) FAIL() << "run " << run << "\n" << toText(insertAll(circles)) << toText(insertAll({query}));
+    if (HasFatalFailure())
+      FAIL() << "run " << run << "\n" << toText(insertAll(circles)) << toText(insertAll({query}));
   }
   // All kinds of answers must have occurred, often.
   EXPECT_GT(outcomes.untouched, runs(4000));
@@ -110,7 +118,8 @@ TEST_P(EdgeConflictOn, AgreesWithTheOracle) {
     circles = visibleOnly(circles);
     if (circles.size() < 2 || coveredByAny(query, circles)) continue;
     expectAgreement(circles, query, outcomes);
-    if (HasFatalFailure()) FAIL() << "run " << run << "\n" << toText(insertAll(circles)) << toText(insertAll({query}));
+    if (HasFatalFailure())
+      FAIL() << "run " << run << "\n" << toText(insertAll(circles)) << toText(insertAll({query}));
   }
 }
 
@@ -127,8 +136,9 @@ TEST_P(EdgeConflictOn, EarlyStagesNeverContradictTheExactOne) {
     const Corner k = run % 3 == 1 ? nullptr : &s[2];
     for (const auto probe : {stages::Probe::kMiddle, stages::Probe::kOpposite}) {
       const Sign exact = stages::edgeExact(s[0], j, k, &s[3], s[4], probe);
-      for (const MaybeSign early : {stages::edgeFilter(s[0], j, k, &s[3], s[4], probe), stages::edgeMiddle(s[0], j, k, &s[3], s[4], probe),
-                                   stages::edgeWhole(s[0], j, k, &s[3], s[4], probe)}) {
+      for (const MaybeSign early : {stages::edgeFilter(s[0], j, k, &s[3], s[4], probe),
+                                    stages::edgeMiddle(s[0], j, k, &s[3], s[4], probe),
+                                    stages::edgeWhole(s[0], j, k, &s[3], s[4], probe)}) {
         if (early.known) {
           ASSERT_EQ(early.sign == Sign::kPositive, exact == Sign::kPositive) << "run " << run;
         }
@@ -147,7 +157,8 @@ TEST(EdgeConflict, EasyCasesAreAnsweredByTheFilter) {
   for (int run = 0; run < 100; ++run) {
     const Circles circles = visibleOnly(randomCircles(random, 6, Hidden::k20Percent));
     const Circle query = randomCircles(random, 1, Hidden::kNone).front();
-    if (circles.size() >= 2 && !coveredByAny(query, circles)) expectAgreement(circles, query, outcomes);
+    if (circles.size() >= 2 && !coveredByAny(query, circles))
+      expectAgreement(circles, query, outcomes);
   }
   EXPECT_GT(stages::counts().edgeFilter - before.edgeFilter, 500u);
   EXPECT_EQ(stages::counts().edgeExact, before.edgeExact);

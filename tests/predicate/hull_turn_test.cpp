@@ -1,5 +1,5 @@
-// How far the outer normal turns at a site of the hull. Would catch a full turn taken for none, as for a
-// point on the rim of a circle.
+// How far the outer normal turns at a site of the hull. Would catch a full turn taken for none, as
+// for a point on the rim of a circle.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,8 @@ Sign hullTurn(const Site& i, const Site& l, const Site& k) {
   return turnOfHull(i, l, k, voronoiCircle(&i, &l, nullptr), voronoiCircle(&k, &i, nullptr));
 }
 
-/// Outer normal of the half-plane that touches a and b, with the hull to the left of the way from a to b.
+/// Outer normal of the half-plane that touches a and b, with the hull to the left of the way from a
+/// to b.
 Direction normalOf(const Site& a, const Site& b) {
   // n · (b - a) = ra - rb, and n is to the right of the way.
   const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y, along = (a.r - b.r) / square;

@@ -1,6 +1,7 @@
-// The identities of docs/PREDICATES.md, written out here from the document (not from src/predicate/formulas.h) and evaluated on
-// random integers; and formulas.h against them. A polynomial identity of degree 16 that holds at thousands of random points of
-// 2^20 values per variable holds everywhere but for a negligible probability (Schwartz, Zippel).
+// The identities of docs/PREDICATES.md, written out here from the document (not from
+// src/predicate/formulas.h) and evaluated on random integers; and formulas.h against them. A
+// polynomial identity of degree 16 that holds at thousands of random points of 2^20 values per
+// variable holds everywhere but for a negligible probability (Schwartz, Zippel).
 #include <gtest/gtest.h>
 
 #include "predicate/formulas.h"
@@ -17,23 +18,29 @@ struct Relative {
   Integer x, y, r, p;
 };
 
-Relative relative(const Integer& x, const Integer& y, const Integer& r) { return {x, y, r, x * x + y * y - r * r}; }
+Relative relative(const Integer& x, const Integer& y, const Integer& r) {
+  return {x, y, r, x * x + y * y - r * r};
+}
 
 Relative randomRow(Random& random) {
   constexpr std::int64_t kBound = 1 << 20;
-  return relative(random.integer(-kBound, kBound), random.integer(-kBound, kBound), random.integer(-kBound, kBound));
+  return relative(random.integer(-kBound, kBound), random.integer(-kBound, kBound),
+                  random.integer(-kBound, kBound));
 }
 
 const Relative kInfinityRow{0, 0, 0, 1};
 
 /// p of two sites given relative to a third.
-Integer pOf(const Relative& a, const Relative& b) { return relative(a.x - b.x, a.y - b.y, a.r - b.r).p; }
+Integer pOf(const Relative& a, const Relative& b) {
+  return relative(a.x - b.x, a.y - b.y, a.r - b.r).p;
+}
 
 Row<Integer> row(const Relative& a) { return {a.x, a.y, a.r, a.p}; }
 
 /// Determinant of three rows, expanded along the first column, by definition.
 Integer determinant(const Integer (&m)[3][3]) {
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[1][0] * (m[0][1] * m[2][2] - m[0][2] * m[2][1]) +
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+         m[1][0] * (m[0][1] * m[2][2] - m[0][2] * m[2][1]) +
          m[2][0] * (m[0][1] * m[1][2] - m[0][2] * m[1][1]);
 }
 
@@ -93,12 +100,15 @@ TEST_F(Identities, EqualWeightsGiveTheInCircleTest) {
     for (int t = 0; t < 3; ++t) rows[t] = row(relative(all[t].x, all[t].y, 0));
     const VertexForm<Integer> form(rows[0], rows[1], rows[2]);
     ASSERT_EQ(form.x, 0);
-    ASSERT_EQ(form.xy, determinant({{rows[0].x, rows[0].y, rows[0].p}, {rows[1].x, rows[1].y, rows[1].p}, {rows[2].x, rows[2].y, rows[2].p}}));
+    ASSERT_EQ(form.xy, determinant({{rows[0].x, rows[0].y, rows[0].p},
+                                    {rows[1].x, rows[1].y, rows[1].p},
+                                    {rows[2].x, rows[2].y, rows[2].p}}));
   }
 }
 
 TEST_F(Identities, ShadowIsAnArc) {
-  // |m|^2 - w^2 = p_jq / (p_j p_q), multiplied by (p_j p_q)^2, with m and w as the chord from j to q.
+  // |m|^2 - w^2 = p_jq / (p_j p_q), multiplied by (p_j p_q)^2, with m and w as the chord from j to
+  // q.
   for (int point = 0; point < kPoints; ++point) {
     const Relative j = randomRow(random), q = randomRow(random);
     const Integer u = q.x * j.p - j.x * q.p, v = q.y * j.p - j.y * q.p, w = q.r * j.p - j.r * q.p;
@@ -139,8 +149,9 @@ TEST_F(Identities, TurnIsTheDeterminantOfPositions) {
 }
 
 TEST_F(Identities, HalfPlaneDirections) {
-  // d_k and d_l of an unbounded face have lengths |b_k|^2 and |b_l|^2, and their cross product is the span form. The roots are
-  // made rational: choose x, y, s and take r with x^2 + y^2 - r^2 = s^2, i.e. x^2 + y^2 = r^2 + s^2 (two ways as sum of squares).
+  // d_k and d_l of an unbounded face have lengths |b_k|^2 and |b_l|^2, and their cross product is
+  // the span form. The roots are made rational: choose x, y, s and take r with x^2 + y^2 - r^2 =
+  // s^2, i.e. x^2 + y^2 = r^2 + s^2 (two ways as sum of squares).
   for (int point = 0; point < kPoints; ++point) {
     const auto sumOfSquaresTwice = [&] {
       const Integer a = random.integer(-1000, 1000), b = random.integer(-1000, 1000);
@@ -158,23 +169,28 @@ TEST_F(Identities, HalfPlaneDirections) {
     const Integer dlx = -l.r * l.x - l.y * l.s, dly = -l.r * l.y + l.x * l.s;
     const Integer lengthK = k.x * k.x + k.y * k.y;
     ASSERT_EQ(dkx * dkx + dky * dky, lengthK * lengthK);
-    // The half-plane's normal n satisfies n . b_k + r_k = 0, as n = d_k / |b_k|^2 touches the pole and k alike.
+    // The half-plane's normal n satisfies n . b_k + r_k = 0, as n = d_k / |b_k|^2 touches the pole
+    // and k alike.
     ASSERT_EQ(dkx * k.x + dky * k.y + k.r * lengthK, 0);
 
     const SpanForm<Integer> form({l.x, l.y, l.r, l.s * l.s}, {k.x, k.y, k.r, k.s * k.s});
-    ASSERT_EQ(form.c0 + form.cl * l.s + form.ck * k.s + form.clk * l.s * k.s, dlx * dky - dly * dkx);
+    ASSERT_EQ(form.c0 + form.cl * l.s + form.ck * k.s + form.clk * l.s * k.s,
+              dlx * dky - dly * dkx);
   }
 }
 
 TEST_F(Identities, CaseyOnRationalCircles) {
-  // Four circles that touch one circle from outside at known points: the square roots of the products p satisfy Ptolemy's
-  // theorem, so the largest product belongs to the pair of opposite sites.
+  // Four circles that touch one circle from outside at known points: the square roots of the
+  // products p satisfy Ptolemy's theorem, so the largest product belongs to the pair of opposite
+  // sites.
   for (int point = 0; point < 300; ++point) {
-    // Weights c - R at (a, b), a^2 + b^2 = c^2, touch the circle of radius R about the origin, in direction (a, b) / c.
+    // Weights c - R at (a, b), a^2 + b^2 = c^2, touch the circle of radius R about the origin, in
+    // direction (a, b) / c.
     Relative site[4];
     std::int64_t turns = 0;
     for (int t = 0; t < 4; ++t) {
-      // Directions by increasing parameter m/n of the rational parametrisation, scaled: counter-clockwise order 0, 1, 2, 3.
+      // Directions by increasing parameter m/n of the rational parametrisation, scaled:
+      // counter-clockwise order 0, 1, 2, 3.
       turns += random.integer(1, 40);
       const Integer m = turns, n = 37, scale = random.integer(1, 50);
       site[t] = {scale * (n * n - m * m), scale * 2 * m * n, scale * (n * n + m * m), 0};

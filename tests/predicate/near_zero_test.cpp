@@ -142,7 +142,8 @@ void expectSame(MaybeSign filtered, Sign exact, const char* what) {
   }
 }
 
-/// Calls `ask(family, random, asked)` for `times` families in turn, which adds to `asked` what it could ask; returns that.
+/// Calls `ask(family, random, asked)` for `times` families in turn, which adds to `asked` what it
+/// could ask; returns that.
 template <class Ask>
 int askFamilies(std::uint64_t seed, int times, Ask&& ask) {
   Random random(seed);
@@ -160,10 +161,7 @@ TEST(NearZero, Covering) {
     a.r += family.size / 2;
     const double y = b.y;
     asked += askAroundChange(
-        a.x, a.x + 2 * family.size,
-        [&](double x) {
-          return stages::lorentzExact(a, {x, y, b.r});
-        },
+        a.x, a.x + 2 * family.size, [&](double x) { return stages::lorentzExact(a, {x, y, b.r}); },
         [&](double x) {
           const Site q{x, y, b.r};
           expectSame(stages::lorentzFilter(a, q), stages::lorentzExact(a, q), "filter");
@@ -200,9 +198,7 @@ TEST(NearZero, VertexConflict) {
     const VoronoiCircle circle = someCircle(&i, &j, third, random);
     asked += askAroundChange(
         q.x - 3 * family.size, q.x + 3 * family.size,
-        [&](double x) {
-          return isVertexInConflict(&i, &j, third, {x, q.y, q.r});
-        },
+        [&](double x) { return isVertexInConflict(&i, &j, third, {x, q.y, q.r}); },
         [&](double x) {
           const Site at{x, q.y, q.r};
           const Sign conflict =
@@ -226,9 +222,7 @@ TEST(NearZero, Existence) {
     if (!takeFace(family, random, i, j, k)) return;
     asked += askAroundChange(
         k.x, k.x + family.size * (random.oneIn(2) ? 4 : -4),
-        [&](double x) {
-          return hasVoronoiCircle(i, j, {x, k.y, k.r});
-        },
+        [&](double x) { return hasVoronoiCircle(i, j, {x, k.y, k.r}); },
         [&](double x) {
           const Site at{x, k.y, k.r};
           if (!coversNot(i, at) || !coversNot(j, at)) return;
@@ -295,12 +289,8 @@ TEST(NearZero, EdgeConflict) {
     };
     asked += askAroundChange(
         q.x - 3 * family.size, q.x + 3 * family.size,
-        [&](double x) {
-          return exactly({x, q.y, q.r});
-        },
-        [&](double x) {
-          expectRight({x, q.y, q.r});
-        });
+        [&](double x) { return exactly({x, q.y, q.r}); },
+        [&](double x) { expectRight({x, q.y, q.r}); });
     // Next to one of the edge's own sites, where nothing but rounding is left of a shadow.
     for (int step = 0; step < 4; ++step) {
       const Site& at = random.oneIn(2) ? j : i;
@@ -349,9 +339,7 @@ TEST(NearZero, TurnBetweenShadows) {
     const Site l = family.site(random), k = family.site(random);
     asked += askAroundChange(
         k.x - 3 * family.size, k.x + 3 * family.size,
-        [&](double x) {
-          return stages::shadowTurnExact(i, j, l, {x, k.y, k.r});
-        },
+        [&](double x) { return stages::shadowTurnExact(i, j, l, {x, k.y, k.r}); },
         [&](double x) {
           const Site at{x, k.y, k.r};
           expectSame(stages::shadowTurnFilter(i, j, l, at), stages::shadowTurnExact(i, j, l, at),
@@ -387,9 +375,7 @@ TEST(NearZero, Hull) {
     const Site i = family.site(random), l = family.site(random), k = family.site(random);
     asked += askAroundChange(
         l.y - 3 * family.size, l.y + 3 * family.size,
-        [&](double y) {
-          return stages::normalIsUpExact(i, {l.x, y, l.r});
-        },
+        [&](double y) { return stages::normalIsUpExact(i, {l.x, y, l.r}); },
         [&](double y) {
           const Site at{l.x, y, l.r};
           if (!coversNot(i, at)) return;
@@ -399,9 +385,7 @@ TEST(NearZero, Hull) {
     if (!coversNot(i, l)) return;
     asked += askAroundChange(
         k.x - 3 * family.size, k.x + 3 * family.size,
-        [&](double x) {
-          return stages::spanExact(i, l, {x, k.y, k.r});
-        },
+        [&](double x) { return stages::spanExact(i, l, {x, k.y, k.r}); },
         [&](double x) {
           const Site at{x, k.y, k.r};
           if (!coversNot(i, at)) return;

@@ -1,4 +1,5 @@
-// Valid arguments for the predicates: sites of which none covers another, faces and edges of exact diagrams of them.
+// Valid arguments for the predicates: sites of which none covers another, faces and edges of exact
+// diagrams of them.
 #pragma once
 
 #include <map>
@@ -32,13 +33,16 @@ inline Circles visibleOnly(const Circles& circles) {
 }
 
 /// A corner of the predicates from an index of the oracle.
-inline Corner corner(const std::vector<Site>& sites, int index) { return index == kInfinity ? nullptr : &sites[index]; }
+inline Corner corner(const std::vector<Site>& sites, int index) {
+  return index == kInfinity ? nullptr : &sites[index];
+}
 
 /// For each directed edge (a, b) the third corners of the faces on its left.
 inline std::map<std::pair<int, int>, std::vector<int>> facesByEdge(const OracleDiagram& diagram) {
   std::map<std::pair<int, int>, std::vector<int>> faces;
   for (const Triple& t : diagram.triples) {
-    for (int side = 0; side < 3; ++side) faces[{t[side], t[(side + 1) % 3]}].push_back(t[(side + 2) % 3]);
+    for (int side = 0; side < 3; ++side)
+      faces[{t[side], t[(side + 1) % 3]}].push_back(t[(side + 2) % 3]);
   }
   return faces;
 }

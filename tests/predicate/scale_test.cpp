@@ -1,5 +1,5 @@
-// A hundred thousand predicate calls of all families, each stage against the exact one: the short version of
-// tests/scale/predicate_scale.cpp.
+// A hundred thousand predicate calls of all families, each stage against the exact one: the short
+// version of tests/scale/predicate_scale.cpp.
 #include <gtest/gtest.h>
 
 #include "support/effort.h"

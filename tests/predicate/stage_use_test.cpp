@@ -1,5 +1,6 @@
-// Which stage answers: easy input must not reach the slow stages, and input that is exactly degenerate must not be answered by
-// rounding. Counted along whole builds through the public interface, and on single questions.
+// Which stage answers: easy input must not reach the slow stages, and input that is exactly
+// degenerate must not be answered by rounding. Counted along whole builds through the public
+// interface, and on single questions.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -38,13 +39,16 @@ TEST(StageUse, RandomCirclesNeedNoExactArithmetic) {
   for (const char* name : {"Hidden5Percent", "Hidden20Percent", "Hidden50Percent", "PowerLaw"}) {
     const stages::Counts counts = countsOfBuild(make(name, 2000));
     // One in ten thousand insertions may be close enough to degenerate by chance.
-    EXPECT_LE(counts.vertexExact + counts.edgeExact + counts.lorentzExact + counts.distanceExact, 1u) << name;
+    EXPECT_LE(counts.vertexExact + counts.edgeExact + counts.lorentzExact + counts.distanceExact,
+              1u)
+        << name;
     EXPECT_EQ(counts.vertexDegenerate, 0u) << name;
   }
 }
 
 TEST(StageUse, SmallIntegersAreSettledInDoubles) {
-  for (const char* name : {"IntegerLattice", "Grid3Radius0", "Grid4Radius1", "Grid20Radius10", "HorizontalLineEqualSpacing"}) {
+  for (const char* name : {"IntegerLattice", "Grid3Radius0", "Grid4Radius1", "Grid20Radius10",
+                           "HorizontalLineEqualSpacing"}) {
     const stages::Counts counts = countsOfBuild(make(name, 400));
     EXPECT_EQ(counts.vertexExact, 0u) << name;
     EXPECT_GT(counts.vertexDegenerate, 0u) << name << ": zeros are known to be zeros";
@@ -59,15 +63,17 @@ TEST(StageUse, CocircularPointsOfManyDigitsAreSettledByLongIntegers) {
 }
 
 TEST(StageUse, DecimalLatticeIsNotDegenerateEverywhere) {
-  // 0.1 * i is rounded: the in-circle determinant of a cell of the lattice is tiny, mostly not zero, and no double can tell.
+  // 0.1 * i is rounded: the in-circle determinant of a cell of the lattice is tiny, mostly not
+  // zero, and no double can tell.
   const stages::Counts counts = countsOfBuild(make("DecimalLattice", 400));
   EXPECT_GT(counts.vertexWhole, 0u);
   EXPECT_EQ(counts.vertexExact, 0u);
-  EXPECT_LT(counts.vertexDegenerate, counts.vertexWhole + counts.vertexMiddle + counts.vertexFilter + counts.vertexOfPoints);
+  EXPECT_LT(counts.vertexDegenerate,
+            counts.vertexWhole + counts.vertexMiddle + counts.vertexFilter + counts.vertexOfPoints);
 }
 
-/// Numbers from end to end of the range, all digits in use: whatever the exact stage makes of them has room (number/dyadic.h). An
-/// integer that had not would end the program.
+/// Numbers from end to end of the range, all digits in use: whatever the exact stage makes of them
+/// has room (number/dyadic.h). An integer that had not would end the program.
 TEST(StageUse, LongestNumbersFitTheExactStage) {
   Random random(112);
   const auto number = [&] {

@@ -1,5 +1,5 @@
-// isVertexInConflict() and hasVoronoiCircle() against the oracle, which solves for the circles; their laws; the filter and the
-// cached circle against the exact stage.
+// isVertexInConflict() and hasVoronoiCircle() against the oracle, which solves for the circles;
+// their laws; the filter and the cached circle against the exact stage.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,25 +25,30 @@ bool covered(const Circle& q, const Circles& by) {
 }
 
 /// What must hold for each face: the same after rotation, and through the cached circle.
-void expectConflict(const std::vector<Site>& sites, int i, int j, int k, const Site& q, bool expected) {
+void expectConflict(const std::vector<Site>& sites, int i, int j, int k, const Site& q,
+                    bool expected) {
   const Corner a = corner(sites, i), b = corner(sites, j), c = corner(sites, k);
   ASSERT_EQ(isVertexInConflict(a, b, c, q), expected);
   ASSERT_EQ(isVertexInConflict(b, c, a, q), expected) << "rotated once";
   ASSERT_EQ(isVertexInConflict(c, a, b, q), expected) << "rotated twice";
-  ASSERT_EQ(isVertexInConflict(voronoiCircle(a, b, c), a, b, c, q), expected) << "through the cached circle";
+  ASSERT_EQ(isVertexInConflict(voronoiCircle(a, b, c), a, b, c, q), expected)
+      << "through the cached circle";
 }
 
-/// The oracle's answer is about a q that covers nothing and is not covered; otherwise q beats every site that it covers.
+/// The oracle's answer is about a q that covers nothing and is not covered; otherwise q beats every
+/// site that it covers.
 void expectAgreement(const Circles& circles, int i, int j, int k, int q) {
   const std::vector<Site> sites = toSites(circles);
   const CircleAnswer answer = oracleCircle(circles, i, j, k, q);
   if (answer == CircleAnswer::kNoCircle) return;
   bool beatsSite = false;
-  for (const int t : {i, j, k}) beatsSite = beatsSite || (t != kInfinity && oracleCovers(circles[q], circles[t]));
+  for (const int t : {i, j, k})
+    beatsSite = beatsSite || (t != kInfinity && oracleCovers(circles[q], circles[t]));
   expectConflict(sites, i, j, k, sites[q], beatsSite || answer == CircleAnswer::kInConflict);
 }
 
-/// All quadruples (face i, j, k and query q) of circles of a tiny grid; j, k and q take every role, so every permutation is in.
+/// All quadruples (face i, j, k and query q) of circles of a tiny grid; j, k and q take every role,
+/// so every permutation is in.
 TEST(VertexConflict, AgreesWithTheOracleOnAllQuadruplesOfATinyGrid) {
   Circles grid;
   for (int x = 0; x < 3; ++x) {
@@ -72,7 +77,8 @@ TEST(VertexConflict, AgreesWithTheOracleOnAllQuadruplesOfATinyGrid) {
           const int query = static_cast<int>(face.size());
           expectAgreement(all, 0, 1, k < n ? 2 : kInfinity, query);
           if (k == n) expectAgreement(all, 1, 0, kInfinity, query);
-          if (HasFatalFailure()) FAIL() << toText(insertAll(all)) << (k == n ? "with infinity" : "");
+          if (HasFatalFailure())
+            FAIL() << toText(insertAll(all)) << (k == n ? "with infinity" : "");
         }
       }
     }
@@ -108,18 +114,25 @@ TEST_P(VertexConflictOn, StagesAgreeAndScalingChangesNothing) {
     const Site& q = s[3];
     rotateToPole(i, j, k);
     const Sign exact = stages::vertexExact(*i, j, k, &q);
-    for (const MaybeSign early : {stages::vertexOfPoints(*i, j, k, &q), stages::vertexFilter(*i, j, k, &q),
-                                  stages::vertexMiddle(*i, j, k, &q), stages::vertexWhole(*i, j, k, &q)}) {
+    for (const MaybeSign early :
+         {stages::vertexOfPoints(*i, j, k, &q), stages::vertexFilter(*i, j, k, &q),
+          stages::vertexMiddle(*i, j, k, &q), stages::vertexWhole(*i, j, k, &q)}) {
       if (early.known) {
         ASSERT_EQ(early.sign, exact) << "run " << run;
       }
     }
-    // The exact stage is homogeneous: by powers of two nothing changes, not even the range's ends matter.
+    // The exact stage is homogeneous: by powers of two nothing changes, not even the range's ends
+    // matter.
     for (const double scale : {0x1p-40, 0x1p+60}) {
-      const auto scaled = [&](Corner c) { return c == nullptr ? Site{} : Site{c->x * scale, c->y * scale, c->r * scale}; };
+      const auto scaled = [&](Corner c) {
+        return c == nullptr ? Site{} : Site{c->x * scale, c->y * scale, c->r * scale};
+      };
       const Site si = scaled(i), sj = scaled(j), sk = scaled(k), sq = scaled(&q);
-      const MaybeSign again = stages::vertexFilter(si, j == nullptr ? nullptr : &sj, k == nullptr ? nullptr : &sk, &sq);
-      ASSERT_EQ(stages::vertexExact(si, j == nullptr ? nullptr : &sj, k == nullptr ? nullptr : &sk, &sq), exact);
+      const MaybeSign again =
+          stages::vertexFilter(si, j == nullptr ? nullptr : &sj, k == nullptr ? nullptr : &sk, &sq);
+      ASSERT_EQ(
+          stages::vertexExact(si, j == nullptr ? nullptr : &sj, k == nullptr ? nullptr : &sk, &sq),
+          exact);
       if (again.known) {
         ASSERT_EQ(again.sign, exact) << "run " << run;
       }
@@ -140,7 +153,8 @@ TEST(VertexConflict, TranslationAndCommonWeightChangeNothing) {
     const bool expected = isVertexInConflict(&s[0], &s[1], &s[2], s[3]);
     std::vector<Site> moved = s;  // small integers plus these offsets are exact
     for (Site& site : moved) site = {site.x + 0x1p40, site.y - 0x1p45 + 1, site.r - 0x1p30};
-    ASSERT_EQ(isVertexInConflict(&moved[0], &moved[1], &moved[2], moved[3]), expected) << toText(insertAll(circles));
+    ASSERT_EQ(isVertexInConflict(&moved[0], &moved[1], &moved[2], moved[3]), expected)
+        << toText(insertAll(circles));
   }
 }
 
@@ -152,7 +166,9 @@ TEST(VertexConflict, EasyCasesAreAnsweredByTheFilter) {
   for (int run = 0; run < 5000; ++run) {
     const Site* t[4];
     for (const Site*& site : t) site = &s[random.below(s.size())];
-    if (t[0] == t[1] || t[0] == t[2] || t[1] == t[2] || t[3] == t[0] || t[3] == t[1] || t[3] == t[2]) continue;
+    if (t[0] == t[1] || t[0] == t[2] || t[1] == t[2] || t[3] == t[0] || t[3] == t[1] ||
+        t[3] == t[2])
+      continue;
     if (!hasVoronoiCircle(*t[0], *t[1], *t[2])) continue;
     (void)isVertexInConflict(t[0], t[1], t[2], *t[3]);
     ++asked;
@@ -168,23 +184,30 @@ TEST(VertexConflict, PointsOnGridsOfAnySize) {
   Random random(85);
   int zeros = 0, unknown = 0;
   for (int run = 0; run < runs(40000); ++run) {
-    // A square lattice, or a line, in any direction, about some place far away; some of the points are often a little off.
-    const int bits = static_cast<int>(random.integer(1, 30)), places = static_cast<int>(random.integer(0, 20));
+    // A square lattice, or a line, in any direction, about some place far away; some of the points
+    // are often a little off.
+    const int bits = static_cast<int>(random.integer(1, 30)),
+              places = static_cast<int>(random.integer(0, 20));
     const double unit = std::ldexp(1.0, static_cast<int>(random.integer(-60, 60)));
-    const std::int64_t most = std::int64_t{1} << bits, far = std::int64_t{1} << (bits + places < 45 ? bits + places : 45);
-    const double x0 = static_cast<double>(random.integer(-far, far)), y0 = static_cast<double>(random.integer(-far, far));
-    const double dx = static_cast<double>(random.integer(-most, most)), dy = static_cast<double>(random.integer(-most, most));
+    const std::int64_t most = std::int64_t{1} << bits,
+                       far = std::int64_t{1} << (bits + places < 45 ? bits + places : 45);
+    const double x0 = static_cast<double>(random.integer(-far, far)),
+                 y0 = static_cast<double>(random.integer(-far, far));
+    const double dx = static_cast<double>(random.integer(-most, most)),
+                 dy = static_cast<double>(random.integer(-most, most));
     const bool onLine = random.integer(0, 1) == 0;
     std::vector<Site> s;
     for (int k = 0; k < 4; ++k) {
-      const double a = static_cast<double>(random.integer(-3, 3)), b = onLine ? 0 : static_cast<double>(random.integer(-3, 3));
+      const double a = static_cast<double>(random.integer(-3, 3)),
+                   b = onLine ? 0 : static_cast<double>(random.integer(-3, 3));
       s.push_back({(x0 + a * dx - b * dy) * unit, (y0 + a * dy + b * dx) * unit, 7});
     }
     if (random.integer(0, 3) == 0) s[3].x = std::nextafter(s[3].x, random.oneIn(2) ? 0 : 1e300);
     if (random.integer(0, 3) == 0) s[2].y += unit / 2;
     bool areDistinct = true;
     for (int a = 0; a < 4; ++a) {
-      for (int b = 0; b < a; ++b) areDistinct = areDistinct && (s[a].x != s[b].x || s[a].y != s[b].y);
+      for (int b = 0; b < a; ++b)
+        areDistinct = areDistinct && (s[a].x != s[b].x || s[a].y != s[b].y);
     }
     if (!areDistinct) continue;
     Corner i = &s[0], j = &s[1], k = random.integer(0, 3) == 0 ? nullptr : &s[2];
@@ -200,10 +223,13 @@ TEST(VertexConflict, PointsOnGridsOfAnySize) {
     if (exact != Sign::kZero) continue;
     // The rule in degenerate position, in doubles and exactly.
     const auto product = [](Corner a, Corner b) {
-      return a == nullptr || b == nullptr ? Dyadic(1) : (Dyadic(a->x) - Dyadic(b->x)) * (Dyadic(a->x) - Dyadic(b->x)) +
-                                                            (Dyadic(a->y) - Dyadic(b->y)) * (Dyadic(a->y) - Dyadic(b->y));
+      return a == nullptr || b == nullptr
+                 ? Dyadic(1)
+                 : (Dyadic(a->x) - Dyadic(b->x)) * (Dyadic(a->x) - Dyadic(b->x)) +
+                       (Dyadic(a->y) - Dyadic(b->y)) * (Dyadic(a->y) - Dyadic(b->y));
     };
-    const Dyadic withPole = product(i, q) * product(j, k), withJ = product(j, q) * product(i, k), withK = product(k, q) * product(i, j);
+    const Dyadic withPole = product(i, q) * product(j, k), withJ = product(j, q) * product(i, k),
+                 withK = product(k, q) * product(i, j);
     const auto isLargest = [](const Dyadic& a, const Dyadic& b, const Dyadic& c) {
       return (a - b).sign() == Sign::kPositive && (a - c).sign() == Sign::kPositive;
     };
@@ -218,12 +244,14 @@ TEST(VertexConflict, PointsOnGridsOfAnySize) {
 }
 
 TEST(VertexConflict, FirstStageKnowsSmallIntegersAndLongLines) {
-  const Site a{1e6, 1e6, 2}, b{1e6 + 1, 1e6, 2}, c{1e6 + 1, 1e6 + 1, 2}, d{1e6, 1e6 + 1, 2}, far{1e6 + (1 << 21), 1e6, 2};
+  const Site a{1e6, 1e6, 2}, b{1e6 + 1, 1e6, 2}, c{1e6 + 1, 1e6 + 1, 2}, d{1e6, 1e6 + 1, 2},
+      far{1e6 + (1 << 21), 1e6, 2};
   for (const Corner q : {&a, &d}) {
     const MaybeSign sign = stages::vertexOfPoints(c, q == &a ? &d : &a, &b, q);
     EXPECT_TRUE(sign.known && sign.sign == Sign::kZero);
   }
-  const MaybeSign inLine = stages::vertexOfPoints(far, &a, &b, nullptr), beside = stages::vertexOfPoints(far, &a, &c, nullptr);
+  const MaybeSign inLine = stages::vertexOfPoints(far, &a, &b, nullptr),
+                  beside = stages::vertexOfPoints(far, &a, &c, nullptr);
   EXPECT_TRUE(inLine.known && inLine.sign == Sign::kZero);
   EXPECT_TRUE(beside.known && beside.sign != Sign::kZero);
   EXPECT_FALSE(stages::vertexOfPoints({1e6, 1e6, 3}, &b, &c, &d).known) << "weights differ";
@@ -232,7 +260,8 @@ TEST(VertexConflict, FirstStageKnowsSmallIntegersAndLongLines) {
 TEST(VertexConflict, DegenerateCasesReachTheDegenerateStage) {
   const Site square[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   const stages::Counts before = stages::counts();
-  EXPECT_TRUE(isVertexInConflict(&square[0], &square[1], &square[3], square[2])) << "the largest is opposite to the edge 1, 3";
+  EXPECT_TRUE(isVertexInConflict(&square[0], &square[1], &square[3], square[2]))
+      << "the largest is opposite to the edge 1, 3";
   EXPECT_EQ(stages::counts().vertexDegenerate, before.vertexDegenerate + 1);
   EXPECT_FALSE(isVertexInConflict(&square[0], &square[1], &square[2], square[3]));
   EXPECT_EQ(stages::counts().vertexDegenerate, before.vertexDegenerate + 2);

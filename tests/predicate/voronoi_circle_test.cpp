@@ -1,5 +1,6 @@
-// The cached circle of a face: its stated error bounds against the exact circle, the same bits whichever corner comes first, and
-// no knowledge rather than wrong knowledge where doubles do not suffice.
+// The cached circle of a face: its stated error bounds against the exact circle, the same bits
+// whichever corner comes first, and no knowledge rather than wrong knowledge where doubles do not
+// suffice.
 #include "predicate/voronoi_circle.h"
 
 #include <gtest/gtest.h>
@@ -9,8 +10,8 @@
 #include <bit>
 #include <cmath>
 
-#include "predicate/predicates.h"
 #include "predicate/pole.h"
+#include "predicate/predicates.h"
 #include "predicate/samples.h"
 #include "support/corpus.h"
 #include "support/effort.h"
@@ -22,11 +23,15 @@ namespace {
 using namespace test;
 
 bool sameBits(const VoronoiCircle& a, const VoronoiCircle& b) {
-  const auto same = [](double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); };
-  return same(a.x, b.x) && same(a.y, b.y) && same(a.s, b.s) && same(a.error, b.error) && same(a.slope, b.slope);
+  const auto same = [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  };
+  return same(a.x, b.x) && same(a.y, b.y) && same(a.s, b.s) && same(a.error, b.error) &&
+         same(a.slope, b.slope);
 }
 
-/// Do sites that touch one circle about the origin from outside come in this order, counter-clockwise?
+/// Do sites that touch one circle about the origin from outside come in this order,
+/// counter-clockwise?
 bool touchesTurning(const Site& a, const Site& b, const Site& c) {
   const auto direction = [](const Site& s) {
     const double size = std::sqrt(s.x * s.x + s.y * s.y);
@@ -52,8 +57,10 @@ TEST_P(VoronoiCircleOn, IsWithinItsErrorBound) {
     ASSERT_TRUE(sameBits(circle, voronoiCircle(&s[2], &s[0], &s[1])));
     ASSERT_FALSE(circle.isHalfPlane()) << toText(insertAll(c));
     if (!(circle.error < 1e300)) continue;  // says that it knows nothing
-    ASSERT_TRUE(oracleCircleIsWithin(c[0], c[1], c[2], {circle.x, circle.y, circle.s}, circle.error))
-        << "run " << run << ", centre " << circle.x << " " << circle.y << ", error " << circle.error << "\n"
+    ASSERT_TRUE(
+        oracleCircleIsWithin(c[0], c[1], c[2], {circle.x, circle.y, circle.s}, circle.error))
+        << "run " << run << ", centre " << circle.x << " " << circle.y << ", error " << circle.error
+        << "\n"
         << toText(insertAll(c));
   }
 }
@@ -75,24 +82,31 @@ TEST_P(VoronoiCircleOn, IsPreciseFromLongNumbers) {
       ASSERT_LE(circle.error, 0x1p-39 * size + 0x1p-44 * poleSize) << toText(insertAll(c));
     }
     if (!(circle.error < 1e300)) continue;
-    ASSERT_TRUE(oracleCircleIsWithin(c[0], c[1], c[2], {circle.x, circle.y, circle.s}, circle.error))
-        << "run " << run << ", centre " << circle.x << " " << circle.y << ", error " << circle.error << "\n"
+    ASSERT_TRUE(
+        oracleCircleIsWithin(c[0], c[1], c[2], {circle.x, circle.y, circle.s}, circle.error))
+        << "run " << run << ", centre " << circle.x << " " << circle.y << ", error " << circle.error
+        << "\n"
         << toText(insertAll(c));
   }
 }
 
-/// Sites in line up to a unit in the last place, and magnitudes from end to end of the range: the longest numbers there are.
+/// Sites in line up to a unit in the last place, and magnitudes from end to end of the range: the
+/// longest numbers there are.
 TEST(VoronoiCircle, IsPreciseWhereTermsCancel) {
   for (const double tiny : {1e-16, 1e-40, 1e-100}) {
     for (const double large : {1.0, 1e30, 1e100}) {
       const Circles c{{-large, 0, tiny}, {0, -tiny, 0}, {large, 0, tiny}};
       const std::vector<Site> s = toSites(c);
       for (const auto& [j, k] : {std::pair{1, 2}, std::pair{2, 1}}) {
-        if (!hasVoronoiCircle(s[0], s[static_cast<std::size_t>(j)], s[static_cast<std::size_t>(k)])) continue;
-        const VoronoiCircle circle = preciseVoronoiCircle(&s[0], &s[static_cast<std::size_t>(j)], &s[static_cast<std::size_t>(k)]);
+        if (!hasVoronoiCircle(s[0], s[static_cast<std::size_t>(j)], s[static_cast<std::size_t>(k)]))
+          continue;
+        const VoronoiCircle circle = preciseVoronoiCircle(&s[0], &s[static_cast<std::size_t>(j)],
+                                                          &s[static_cast<std::size_t>(k)]);
         if (!(circle.error < 1e300)) continue;
-        EXPECT_TRUE(oracleCircleIsWithin(c[0], c[static_cast<std::size_t>(j)], c[static_cast<std::size_t>(k)], {circle.x, circle.y, circle.s},
-                                         circle.error)) << tiny << " " << large;
+        EXPECT_TRUE(oracleCircleIsWithin(c[0], c[static_cast<std::size_t>(j)],
+                                         c[static_cast<std::size_t>(k)],
+                                         {circle.x, circle.y, circle.s}, circle.error))
+            << tiny << " " << large;
       }
     }
   }
@@ -104,7 +118,8 @@ TEST(VoronoiCircle, IsPreciseOfFlatTrianglesOfAllSizes) {
     const double height = 0x1p-45 * size;
     const Site left{-size, 0, size}, top{0, height, size}, right{size, 0, size};
     const VoronoiCircle circle = preciseVoronoiCircle(&left, &right, &top);
-    EXPECT_NEAR(circle.x / size, 0, 20) << size;  // doubles may be used if they are right to a 2^-40th
+    EXPECT_NEAR(circle.x / size, 0, 20)
+        << size;  // doubles may be used if they are right to a 2^-40th
     EXPECT_NEAR(circle.y / size, -0x1p44, 20) << size;
     EXPECT_NEAR(circle.s / size, 0x1p44, 20) << size;
   }
@@ -121,7 +136,8 @@ TEST_P(VoronoiCircleOn, HalfPlaneTouchesBothSites) {
     ASSERT_TRUE(plane.isHalfPlane());
     ASSERT_TRUE(sameBits(plane, voronoiCircle(&s[1], nullptr, &s[0])));
     ASSERT_TRUE(sameBits(plane, voronoiCircle(nullptr, &s[0], &s[1])));
-    // Both sites touch the half-plane, and its normal is to the left of the way from the first to the second.
+    // Both sites touch the half-plane, and its normal is to the left of the way from the first to
+    // the second.
     for (const Site& site : s) EXPECT_FALSE(circleFilter(plane, site).known);
     if (plane.slope < 0.1) {
       const double size = absolute(s[1].x - s[0].x) + absolute(s[1].y - s[0].y);
@@ -136,13 +152,16 @@ TEST_P(VoronoiCircleOn, HalfPlaneTouchesBothSites) {
 INSTANTIATE_TEST_SUITE_P(Corpus, VoronoiCircleOn, ::testing::ValuesIn(corpus()),
                          [](const auto& parameter) { return parameter.param.name; });
 
-/// A circle that many sites touch: the same bits from any three of them with the largest, and its centre is the origin.
+/// A circle that many sites touch: the same bits from any three of them with the largest, and its
+/// centre is the origin.
 TEST(VoronoiCircle, OfManySitesIsTheSameForAll) {
   Random random(104);
   int count = 0;
   for (int run = 0; run < runs(300); ++run) {
-    Circles c = visibleOnly(run % 3 == 0 ? cocircularPoints(random, 7) : commonTangent(random, 7, 20));
-    std::sort(c.begin(), c.end(), [](const Circle& a, const Circle& b) { return oracleSmaller(b, a); });
+    Circles c =
+        visibleOnly(run % 3 == 0 ? cocircularPoints(random, 7) : commonTangent(random, 7, 20));
+    std::sort(c.begin(), c.end(),
+              [](const Circle& a, const Circle& b) { return oracleSmaller(b, a); });
     const double unit = run % 2 == 0 ? 1 : 0x1p-9;
     std::vector<Site> s = toSites(c);
     for (Site& site : s) site = {unit * site.x, unit * site.y, unit * site.r};
@@ -169,20 +188,25 @@ TEST(VoronoiCircle, OfManySitesIsTheSameForAll) {
 TEST(VoronoiCircle, OfManySitesHasTheSameBitsWhereItIsRounded) {
   Random random(105);
   for (int run = 0; run < runs(300); ++run) {
-    // A circle about a centre of thirds cannot be held by doubles, but its four sites can: mirror images in two lines.
-    const double x = static_cast<double>(random.integer(1, 99)), y = static_cast<double>(random.integer(1, 99));
+    // A circle about a centre of thirds cannot be held by doubles, but its four sites can: mirror
+    // images in two lines.
+    const double x = static_cast<double>(random.integer(1, 99)),
+                 y = static_cast<double>(random.integer(1, 99));
     const double h = static_cast<double>(random.integer(1, 99));
     const double r = random.oneIn(2) ? 0 : static_cast<double>(random.integer(1, 9));
     const double far = 1000.1, w = 2 * x + 1;
-    const std::array<Site, 4> s{Site{far, 0, r}, Site{far, h, r}, Site{far + w, h + y, 0.5}, Site{far + w, -y, 0.5}};
+    const std::array<Site, 4> s{Site{far, 0, r}, Site{far, h, r}, Site{far + w, h + y, 0.5},
+                                Site{far + w, -y, 0.5}};
     if (covers(s[0], s[2]) || covers(s[2], s[0])) continue;
-    // In the order of the contacts, counter-clockwise: 0, 3, 2, 1. The largest is 1 if the first two are
-    // larger, else 2.
+    // In the order of the contacts, counter-clockwise: 0, 3, 2, 1. The largest is 1 if the first
+    // two are larger, else 2.
     const std::size_t z = precedes(s[1], s[2]) ? 2 : 1;
     std::vector<VoronoiCircle> circles;
-    for (const auto& [a, b, c] : {std::array<std::size_t, 3>{0, 3, 2}, {3, 2, 1}, {2, 1, 0}, {1, 0, 3}}) {
+    for (const auto& [a, b, c] :
+         {std::array<std::size_t, 3>{0, 3, 2}, {3, 2, 1}, {2, 1, 0}, {1, 0, 3}}) {
       if (a != z && b != z && c != z) continue;
-      if (!hasVoronoiCircle(s[a], s[b], s[c]) || !touchesCircle(s[a], s[b], s[c], s[6 - a - b - c])) continue;
+      if (!hasVoronoiCircle(s[a], s[b], s[c]) || !touchesCircle(s[a], s[b], s[c], s[6 - a - b - c]))
+        continue;
       circles.push_back(commonVoronoiCircle(s[a], s[b], s[c]));
     }
     for (const VoronoiCircle& circle : circles) {

@@ -1,5 +1,5 @@
-// Exactness at scale: as many predicate calls as wished, each stage compared with the exact one, by families of
-// arguments; and which stage settles how much. Deterministic by the seed.
+// Exactness at scale: as many predicate calls as wished, each stage compared with the exact one, by
+// families of arguments; and which stage settles how much. Deterministic by the seed.
 //
 //   cmake --build build --target predicate_scale && build/predicate_scale 1e8 [seed]
 //

@@ -31,13 +31,17 @@ enum class Numbers : std::uint8_t { kTinyGrid, kGrid, kNarrowDoubles, kRawDouble
 
 inline double number(Bytes& bytes, Numbers numbers) {
   switch (numbers) {
-    case Numbers::kTinyGrid: return bytes.next() % 4;
-    case Numbers::kGrid: return static_cast<std::int8_t>(bytes.next());
+    case Numbers::kTinyGrid:
+      return bytes.next() % 4;
+    case Numbers::kGrid:
+      return static_cast<std::int8_t>(bytes.next());
     case Numbers::kNarrowDoubles: {  // all bits of a mantissa, magnitudes of about 1
-      const double value = std::bit_cast<double>((bytes.next64() & 0x800FFFFFFFFFFFFFu) | 0x3FE0000000000000u);
+      const double value =
+          std::bit_cast<double>((bytes.next64() & 0x800FFFFFFFFFFFFFu) | 0x3FE0000000000000u);
       return std::ldexp(value, bytes.next() % 4);
     }
-    case Numbers::kRawDoubles: return std::bit_cast<double>(bytes.next64());
+    case Numbers::kRawDoubles:
+      return std::bit_cast<double>(bytes.next64());
   }
   return 0;
 }

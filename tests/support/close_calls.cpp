@@ -30,7 +30,8 @@ class Maker {
     unit_ = kUnits[frame & 7];
     // Far from the origin differences are rounded, near it they are exact.
     const double far = unit_ * std::ldexp(1.0, 8 * (frame >> 3 & 3));
-    if ((frame & 0x20) != 0) origin_ = {far * small(), far * small(), (frame & 0x40) != 0 ? far * small() : 0};
+    if ((frame & 0x20) != 0)
+      origin_ = {far * small(), far * small(), (frame & 0x40) != 0 ? far * small() : 0};
     haveOneWeight_ = (frame & 0x80) != 0;
     for (; count_ < call_.sites.size(); ++count_) call_.sites[count_] = legalSite(site(next_()));
     setPoint();
@@ -45,19 +46,24 @@ class Maker {
     return value;
   }
   /// All bits of a mantissa, magnitude of about 1.
-  double narrow() { return std::bit_cast<double>((next64() & 0x800FFFFFFFFFFFFFu) | 0x3FE0000000000000u); }
+  double narrow() {
+    return std::bit_cast<double>((next64() & 0x800FFFFFFFFFFFFFu) | 0x3FE0000000000000u);
+  }
   /// Any number of the range.
   double raw() {
     const std::uint8_t special = next_();
-    if (special < 8) return special % 2 == 0 ? 0 : special % 4 == 1 ? kLargestMagnitude : kSmallestMagnitude;
+    if (special < 8)
+      return special % 2 == 0 ? 0 : special % 4 == 1 ? kLargestMagnitude : kSmallestMagnitude;
     const double mantissa = narrow();
     return std::ldexp(mantissa, static_cast<int>((special | next_() << 8) % 662) - 330);
   }
   /// Mostly as it is, else a few doubles up or down.
   double nudged(double value) {
     const int steps = next_() % 16 - 8;
-    for (int k = 0; k < 4 && k < -steps - 3; ++k) value = std::nextafter(value, -2 * kLargestMagnitude);
-    for (int k = 0; k < 4 && k < steps - 3; ++k) value = std::nextafter(value, 2 * kLargestMagnitude);
+    for (int k = 0; k < 4 && k < -steps - 3; ++k)
+      value = std::nextafter(value, -2 * kLargestMagnitude);
+    for (int k = 0; k < 4 && k < steps - 3; ++k)
+      value = std::nextafter(value, 2 * kLargestMagnitude);
     return value;
   }
   Site nudged(const Site& s) {
@@ -104,12 +110,21 @@ class Maker {
         const double x = raw(), y = raw();
         return {x, y, (next_() & 1) != 0 ? raw() : 0};
       }
-      case 3: return aroundTheOrigin();
-      case 4: case 5: return nudged(former());
-      case 6: case 7: return touching(former());
-      case 8: case 9: return onTheTangentLine();
-      case 10: return touchingTheCircle();
-      case 11: return shadowTowardsAVertex();
+      case 3:
+        return aroundTheOrigin();
+      case 4:
+      case 5:
+        return nudged(former());
+      case 6:
+      case 7:
+        return touching(former());
+      case 8:
+      case 9:
+        return onTheTangentLine();
+      case 10:
+        return touchingTheCircle();
+      case 11:
+        return shadowTowardsAVertex();
       default: {
         const double x = small(), y = small();
         return {origin_.x + unit_ * x, origin_.y + unit_ * y, origin_.r + unit_ * (next_() % 16)};
@@ -135,7 +150,8 @@ class Maker {
     const double way = step * length;
     constexpr double kSigns[] = {-1, -1, 1};
     const std::uint8_t how = next_() % 3;
-    return nudged({s.x + step * d.x, s.y + step * d.y, how == 0 ? way - s.r : s.r + kSigns[how] * way});
+    return nudged(
+        {s.x + step * d.x, s.y + step * d.y, how == 0 ? way - s.r : s.r + kSigns[how] * way});
   }
 
   /// Of two: centre and weight on the line through theirs, as linear functions.
@@ -170,12 +186,14 @@ class Maker {
     return nudged({circle.x + way * d.x, circle.y + way * d.y, way * length - circle.s});
   }
 
-  /// q with q p_j - j p_q parallel to the direction of a vertex, or nearly: p_q is chosen, then q, then its weight.
+  /// q with q p_j - j p_q parallel to the direction of a vertex, or nearly: p_q is chosen, then q,
+  /// then its weight.
   Site shadowTowardsAVertex() {
     Corner pole = nullptr;
     const VoronoiCircle circle = circleOfFormer(pole);
     const Site& j = former();
-    const double jx = j.x - pole->x, jy = j.y - pole->y, jr = j.r - pole->r, pj = jx * jx + jy * jy - jr * jr;
+    const double jx = j.x - pole->x, jy = j.y - pole->y, jr = j.r - pole->r,
+                 pj = jx * jx + jy * jy - jr * jr;
     const double dx = circle.isHalfPlane() ? circle.x : circle.x - pole->x;
     const double dy = circle.isHalfPlane() ? circle.y : circle.y - pole->y;
     const double size = share(), along = (next_() & 1) != 0 ? -size : size;
@@ -224,7 +242,9 @@ class Maker {
 
 }  // namespace
 
-CloseCall closeCall(const std::function<std::uint8_t()>& nextByte) { return Maker(nextByte).make(); }
+CloseCall closeCall(const std::function<std::uint8_t()>& nextByte) {
+  return Maker(nextByte).make();
+}
 
 std::string toText(const CloseCall& call) {
   std::string text;

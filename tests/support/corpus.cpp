@@ -7,15 +7,20 @@ namespace apollonius::test {
 namespace {
 
 NamedGenerator hiddenShare(const char* name, Hidden hidden) {
-  return {name, [hidden](Random& random, std::size_t n) { return randomCircles(random, n, hidden); }};
+  return {name,
+          [hidden](Random& random, std::size_t n) { return randomCircles(random, n, hidden); }};
 }
 
 NamedGenerator grid(const char* name, int maxCoordinate, int maxRadius) {
-  return {name, [=](Random& random, std::size_t n) { return tinyGrid(random, n, maxCoordinate, maxRadius); }};
+  return {name, [=](Random& random, std::size_t n) {
+            return tinyGrid(random, n, maxCoordinate, maxRadius);
+          }};
 }
 
 NamedGenerator line(const char* name, Line direction, bool equalSpacing, int maxRadius) {
-  return {name, [=](Random& random, std::size_t n) { return collinear(random, n, direction, equalSpacing, maxRadius); }};
+  return {name, [=](Random& random, std::size_t n) {
+            return collinear(random, n, direction, equalSpacing, maxRadius);
+          }};
 }
 
 NamedGenerator squareLattice(const char* name, double spacing, double r) {
@@ -27,7 +32,8 @@ NamedGenerator squareLattice(const char* name, double spacing, double r) {
 }
 
 NamedGenerator extremes(const char* name, Range range) {
-  return {name, [range](Random& random, std::size_t n) { return rangeEnds(random, n, range); }, range != Range::kMixed};
+  return {name, [range](Random& random, std::size_t n) { return rangeEnds(random, n, range); },
+          range != Range::kMixed};
 }
 
 }  // namespace
@@ -66,11 +72,14 @@ const std::vector<NamedGenerator>& corpus() {
       extremes("Tiny", Range::kTiny),
       extremes("MixedMagnitudes", Range::kMixed),
       {"OneUlpApart", oneUlpApart},
-      {"NestedClusters", [](Random& random, std::size_t n) { return nestedClusters(random, n, false); }},
-      {"NestedClustersFarApart", [](Random& random, std::size_t n) { return nestedClusters(random, n, true); }, false},
+      {"NestedClusters",
+       [](Random& random, std::size_t n) { return nestedClusters(random, n, false); }},
+      {"NestedClustersFarApart",
+       [](Random& random, std::size_t n) { return nestedClusters(random, n, true); }, false},
       {"TangentLine", [](Random& random, std::size_t n) { return tangentLines(random, n, 1, 4); }},
       {"TangentLines", [](Random& random, std::size_t n) { return tangentLines(random, n, 2, 3); }},
-      {"ParallelLines", [](Random& random, std::size_t n) { return tangentLines(random, n, 2, 0); }},
+      {"ParallelLines",
+       [](Random& random, std::size_t n) { return tangentLines(random, n, 2, 0); }},
   };
   return generators;
 }

@@ -1,4 +1,5 @@
-// Every generator under a name, so that a test can run over all of them and say which one it failed on.
+// Every generator under a name, so that a test can run over all of them and say which one it failed
+// on.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// How much the randomised tests do: one constant, smaller where the same code runs slower (WebAssembly, sanitizers), so that
-// every suite stays within a few minutes.
+// How much the randomised tests do: one constant, smaller where the same code runs slower
+// (WebAssembly, sanitizers), so that every suite stays within a few minutes.
 #pragma once
 
 #include <cstdlib>
@@ -23,7 +23,8 @@ inline constexpr int kEffortDivisor = 1;
 /// How many runs to make of a test that makes `native` of them natively.
 constexpr int runs(int native) { return native / kEffortDivisor + 1; }
 
-/// Shall tests run that take minutes each? Set APOLLONIUS_THOROUGH=1, best with a build without the shadow check.
+/// Shall tests run that take minutes each? Set APOLLONIUS_THOROUGH=1, best with a build without the
+/// shadow check.
 inline bool isThorough() { return std::getenv("APOLLONIUS_THOROUGH") != nullptr; }
 
 }  // namespace apollonius::test

@@ -3,22 +3,29 @@
 #include <array>
 #include <cmath>
 
-// Never two random numbers within one call's arguments: compilers evaluate arguments in different orders.
+// Never two random numbers within one call's arguments: compilers evaluate arguments in different
+// orders.
 namespace apollonius::test {
 
 namespace {
 
 constexpr double kHalfSide = 1e6;  // randomCircles: centres in [-kHalfSide, kHalfSide]^2
 
-/// sqrt(n) * R / side for a share of hidden circles. A circle of radius t*R is covered by about kappa*(1-t)^3 others, kappa =
-/// pi*n*R^2 / (3*side^2); so the visible share is the integral of exp(-kappa*u^3) over [0, 1], solved for kappa numerically.
+/// sqrt(n) * R / side for a share of hidden circles. A circle of radius t*R is covered by about
+/// kappa*(1-t)^3 others, kappa = pi*n*R^2 / (3*side^2); so the visible share is the integral of
+/// exp(-kappa*u^3) over [0, 1], solved for kappa numerically.
 double largestRadiusFactor(Hidden hidden) {
   switch (hidden) {
-    case Hidden::kNone: return 0;
-    case Hidden::k5Percent: return 0.4502;
-    case Hidden::k20Percent: return 1.0023;
-    case Hidden::k50Percent: return 2.3311;
-    case Hidden::k95Percent: return 73.755;
+    case Hidden::kNone:
+      return 0;
+    case Hidden::k5Percent:
+      return 0.4502;
+    case Hidden::k20Percent:
+      return 1.0023;
+    case Hidden::k50Percent:
+      return 2.3311;
+    case Hidden::k95Percent:
+      return 73.755;
   }
   return 0;
 }
@@ -52,16 +59,21 @@ Direction randomDirection(Random& random) {
   const double inverse = 1 / (1 + t * t);
   const Direction quarter{(1 - t * t) * inverse, 2 * t * inverse};
   switch (random.below(4)) {
-    case 0: return quarter;
-    case 1: return {-quarter.y, quarter.x};
-    case 2: return {-quarter.x, -quarter.y};
-    default: return {quarter.y, -quarter.x};
+    case 0:
+      return quarter;
+    case 1:
+      return {-quarter.y, quarter.x};
+    case 2:
+      return {-quarter.x, -quarter.y};
+    default:
+      return {quarter.y, -quarter.x};
   }
 }
 
 Circles randomCircles(Random& random, std::size_t n, Hidden hidden) {
   const double side = 2 * kHalfSide;
-  const double largest = largestRadiusFactor(hidden) * side / std::sqrt(static_cast<double>(n) + (n == 0));
+  const double largest =
+      largestRadiusFactor(hidden) * side / std::sqrt(static_cast<double>(n) + (n == 0));
   Circles circles;
   for (std::size_t k = 0; k < n; ++k) {
     const double x = random.between(-kHalfSide, kHalfSide);
@@ -72,7 +84,8 @@ Circles randomCircles(Random& random, std::size_t n, Hidden hidden) {
 }
 
 Circles powerLaw(Random& random, std::size_t n) {
-  // 10^(-6u) without libm: u in binary, the factor of bit k being 10^(-6 / 2^k), by repeated square roots.
+  // 10^(-6u) without libm: u in binary, the factor of bit k being 10^(-6 / 2^k), by repeated square
+  // roots.
   Circles circles;
   for (std::size_t k = 0; k < n; ++k) {
     const double x = random.between(-kHalfSide, kHalfSide);
@@ -111,7 +124,8 @@ Circles tinyGrid(Random& random, std::size_t n, int maxCoordinate, int maxRadius
 Circles lattice(Random& random, int columns, int rows, double spacing, double r) {
   Circles circles;
   for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) circles.push_back({column * spacing, row * spacing, r});
+    for (int column = 0; column < columns; ++column)
+      circles.push_back({column * spacing, row * spacing, r});
   }
   random.shuffle(circles);
   return circles;
@@ -132,9 +146,11 @@ Circles tangentOutside(Random& random, std::size_t n) {
   for (std::size_t k = 0; k < n; ++k) {
     circles.push_back(last);
     const Triple step = pythagorean(random, 6, 4);
-    // Tangent from outside: the radii add up to the distance; the chain may run over itself, which is fine.
+    // Tangent from outside: the radii add up to the distance; the chain may run over itself, which
+    // is fine.
     const Circle& from = circles[random.below(circles.size())];
-    last = {from.x + static_cast<double>(step.a), from.y + static_cast<double>(step.b), static_cast<double>(step.c) - from.r};
+    last = {from.x + static_cast<double>(step.a), from.y + static_cast<double>(step.b),
+            static_cast<double>(step.c) - from.r};
   }
   return circles;
 }
@@ -148,7 +164,8 @@ Circles tangentInside(Random& random, std::size_t n) {
     // Tangent from inside: the radii differ by the distance; inside or around the chosen circle.
     const Circle& from = circles[random.below(circles.size())];
     const double change = static_cast<double>(random.oneIn(2) ? step.c : -step.c);
-    last = {from.x + static_cast<double>(step.a), from.y + static_cast<double>(step.b), from.r + change};
+    last = {from.x + static_cast<double>(step.a), from.y + static_cast<double>(step.b),
+            from.r + change};
   }
   return circles;
 }
@@ -177,14 +194,24 @@ Circles nestedFamilies(Random& random, std::size_t n) {
     const std::int64_t family = random.integer(0, families - 1), x = 3 * largest * family;
     const std::int64_t r = random.integer(1, largest);
     if (random.oneIn(12)) {
-      circles.push_back(circleAt(x, 0, 3 * largest * random.integer(1, families) + random.integer(0, 3)));
+      circles.push_back(
+          circleAt(x, 0, 3 * largest * random.integer(1, families) + random.integer(0, 3)));
       continue;
     }
     switch (family % 4) {
-      case 0: circles.push_back(circleAt(x, 0, 5)); break;
-      case 1: circles.push_back(circleAt(x, 0, r)); break;
-      case 2: circles.push_back(circleAt(x + r, 0, r)); break;
-      default: circles.push_back(r % 2 == 0 ? circleAt(x, 0, 4 * (r / 4)) : circleAt(x, 4 * (r / 4) + 2, 1)); break;
+      case 0:
+        circles.push_back(circleAt(x, 0, 5));
+        break;
+      case 1:
+        circles.push_back(circleAt(x, 0, r));
+        break;
+      case 2:
+        circles.push_back(circleAt(x + r, 0, r));
+        break;
+      default:
+        circles.push_back(r % 2 == 0 ? circleAt(x, 0, 4 * (r / 4))
+                                     : circleAt(x, 4 * (r / 4) + 2, 1));
+        break;
     }
   }
   return circles;
@@ -194,9 +221,15 @@ Circles collinear(Random& random, std::size_t n, Line line, bool equalSpacing, i
   std::int64_t stepX = 0;
   std::int64_t stepY = 0;
   switch (line) {
-    case Line::kHorizontal: stepX = 3; break;
-    case Line::kVertical: stepY = 3; break;
-    case Line::kDiagonal: stepX = stepY = 2; break;
+    case Line::kHorizontal:
+      stepX = 3;
+      break;
+    case Line::kVertical:
+      stepY = 3;
+      break;
+    case Line::kDiagonal:
+      stepX = stepY = 2;
+      break;
     case Line::kRandomSlope:
       stepX = random.integer(1, 9);
       stepY = random.integer(-9, 9);
@@ -207,8 +240,10 @@ Circles collinear(Random& random, std::size_t n, Line line, bool equalSpacing, i
   const std::int64_t last = static_cast<std::int64_t>(n) * 3;
   Circles circles;
   for (std::size_t k = 0; k < n; ++k) {
-    const std::int64_t position = equalSpacing ? static_cast<std::int64_t>(k) : random.integer(0, last);
-    circles.push_back(circleAt(startX + position * stepX, startY + position * stepY, random.integer(0, maxRadius)));
+    const std::int64_t position =
+        equalSpacing ? static_cast<std::int64_t>(k) : random.integer(0, last);
+    circles.push_back(circleAt(startX + position * stepX, startY + position * stepY,
+                               random.integer(0, maxRadius)));
   }
   random.shuffle(circles);
   return circles;
@@ -217,13 +252,15 @@ Circles collinear(Random& random, std::size_t n, Line line, bool equalSpacing, i
 Circles tangentLines(Random& random, std::size_t n, int lines, int heaviest) {
   // Along the line in steps of (a, b), away from it in steps of (-b, a): both are of length c.
   const Triple step = pythagorean(random, 3, 1);
-  const std::int64_t width = heaviest + 1;  // between the lines: a weight of half of it touches both
+  const std::int64_t width =
+      heaviest + 1;  // between the lines: a weight of half of it touches both
   Circles circles;
   for (std::size_t k = 0; k < n; ++k) {
     const std::int64_t along = random.integer(0, static_cast<std::int64_t>(3 * n));
     const std::int64_t weight = random.integer(0, heaviest);
     const std::int64_t away = lines == 2 && random.oneIn(2) ? width - weight : weight;
-    circles.push_back(circleAt(along * step.a - away * step.b, along * step.b + away * step.a, weight * step.c));
+    circles.push_back(
+        circleAt(along * step.a - away * step.b, along * step.b + away * step.a, weight * step.c));
   }
   return circles;
 }
@@ -261,7 +298,8 @@ Circles tangentInLayers(Random& random, std::size_t n) {
   const Circles directions = cocircularPoints(random, n);
   for (std::size_t k = 0; k < n; ++k) {
     const Circle& direction = directions[random.below(directions.size())];
-    const auto layer = static_cast<double>(random.oneIn(2) ? 0 : random.integer(0, random.oneIn(8) ? 10000 : 6));
+    const auto layer =
+        static_cast<double>(random.oneIn(2) ? 0 : random.integer(0, random.oneIn(8) ? 10000 : 6));
     Circle circle{direction.x * (layer + 1), direction.y * (layer + 1), 32045 * layer};
     if (random.oneIn(30)) circle.r += static_cast<double>(random.integer(-1, 1));
     circles.push_back(circle);
@@ -277,7 +315,8 @@ Circles giantDiskExact(Random& random, std::size_t n) {
     if (k < rim.size()) {
       circles.push_back(rim[k]);
     } else {
-      const Triple triple = pythagorean(random, 160, 2);  // c up to 51200, on both sides of the giant's rim
+      const Triple triple =
+          pythagorean(random, 160, 2);  // c up to 51200, on both sides of the giant's rim
       const std::int64_t r = triple.c > kGiant ? triple.c - kGiant : kGiant - triple.c;
       circles.push_back(circleAt(triple.a, triple.b, r));
     }
@@ -291,10 +330,16 @@ Circles rangeEnds(Random& random, std::size_t n, Range range) {
     if (random.oneIn(8)) return 0;
     double value = random.between(1, 2);
     switch (range) {
-      case Range::kHuge: value = kLargestMagnitude * random.between(0.001, 1); break;
-      case Range::kTiny: value = kSmallestMagnitude * random.between(1, 1000); break;
+      case Range::kHuge:
+        value = kLargestMagnitude * random.between(0.001, 1);
+        break;
+      case Range::kTiny:
+        value = kSmallestMagnitude * random.between(1, 1000);
+        break;
       // 2^-331 = 2.3e-100 and 2^331 = 4.4e99, times [1, 2).
-      case Range::kMixed: value = std::ldexp(value, static_cast<int>(random.integer(-331, 331))); break;
+      case Range::kMixed:
+        value = std::ldexp(value, static_cast<int>(random.integer(-331, 331)));
+        break;
     }
     return random.oneIn(2) ? value : -value;
   };
@@ -338,8 +383,10 @@ Circles oneUlpApart(Random& random, std::size_t n) {
     for (std::int64_t k = 0; k > count; --k) value = std::nextafter(value, -2 * kLargestMagnitude);
     return value;
   };
-  const double scale = random.oneIn(2) ? 1 : 1e6;  // with scale 1, coordinates and radii have the same ulp
-  const Circle base{scale * random.between(1, 2), -scale * random.between(1, 2), random.oneIn(2) ? 0.1 : 1.5};
+  const double scale =
+      random.oneIn(2) ? 1 : 1e6;  // with scale 1, coordinates and radii have the same ulp
+  const Circle base{scale * random.between(1, 2), -scale * random.between(1, 2),
+                    random.oneIn(2) ? 0.1 : 1.5};
   Circles circles;
   for (std::size_t k = 0; k < n; ++k) {
     const double x = step(base.x);

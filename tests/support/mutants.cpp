@@ -42,7 +42,8 @@ std::uint32_t wordAt(const std::vector<std::uint8_t>& bytes, std::size_t k) {
 }
 
 void setWord(std::vector<std::uint8_t>& bytes, std::size_t k, std::uint32_t value) {
-  for (std::size_t byte = 0; byte < 4; ++byte, value >>= 8) bytes[4 * k + byte] = static_cast<std::uint8_t>(value);
+  for (std::size_t byte = 0; byte < 4; ++byte, value >>= 8)
+    bytes[4 * k + byte] = static_cast<std::uint8_t>(value);
 }
 
 double numberAt(const std::vector<std::uint8_t>& bytes, std::size_t k) {
@@ -56,24 +57,33 @@ void setNumber(std::vector<std::uint8_t>& bytes, std::size_t k, double value) {
 }
 
 void changeNumber(std::vector<std::uint8_t>& bytes, const Layout& at, Random& random) {
-  const auto any = [&] { return at.numbersAt + 6 * random.below(at.slots) + 2 * random.below(std::size_t{3}); };
+  const auto any = [&] {
+    return at.numbersAt + 6 * random.below(at.slots) + 2 * random.below(std::size_t{3});
+  };
   const std::size_t k = any(), other = any();
   const double value = numberAt(bytes, k), another = numberAt(bytes, other);
   switch (random.below(6u)) {
-    case 0: return setNumber(bytes, k, another);
+    case 0:
+      return setNumber(bytes, k, another);
     case 1:
       setNumber(bytes, k, another);
       return setNumber(bytes, other, value);
-    case 2: return setNumber(bytes, k, value + (another - value) * random.unit());
-    case 3: return setNumber(bytes, k, value * (random.oneIn(2) ? 1 + 0x1p-40 : 1 + 0x1p-10));
-    case 4: return setNumber(bytes, k, static_cast<double>(random.integer(-10, 10)));
-    default: return setWord(bytes, k + random.below(std::size_t{2}), static_cast<std::uint32_t>(random.next()));
+    case 2:
+      return setNumber(bytes, k, value + (another - value) * random.unit());
+    case 3:
+      return setNumber(bytes, k, value * (random.oneIn(2) ? 1 + 0x1p-40 : 1 + 0x1p-10));
+    case 4:
+      return setNumber(bytes, k, static_cast<double>(random.integer(-10, 10)));
+    default:
+      return setWord(bytes, k + random.below(std::size_t{2}),
+                     static_cast<std::uint32_t>(random.next()));
   }
 }
 
 /// The site of one slot, and that of another, change places, or one becomes the other.
 void exchangeSites(std::vector<std::uint8_t>& bytes, const Layout& at, Random& random) {
-  const std::size_t a = at.numbersAt + 6 * random.below(at.slots), b = at.numbersAt + 6 * random.below(at.slots);
+  const std::size_t a = at.numbersAt + 6 * random.below(at.slots),
+                    b = at.numbersAt + 6 * random.below(at.slots);
   const bool isCopy = random.oneIn(3);
   for (std::size_t k = 0; k < 6; ++k) {
     const std::uint32_t old = wordAt(bytes, a + k);
@@ -92,8 +102,8 @@ void exchangeTwins(std::vector<std::uint8_t>& bytes, const Layout& at, Random& r
   setWord(bytes, at.twinsAt + b, c), setWord(bytes, at.twinsAt + c, b);
 }
 
-/// The edge of half-edge h becomes the other diagonal of its two faces, as in tests/graph: the surface is a closed
-/// one as before.
+/// The edge of half-edge h becomes the other diagonal of its two faces, as in tests/graph: the
+/// surface is a closed one as before.
 void flipEdge(std::vector<std::uint8_t>& bytes, const Layout& at, Random& random) {
   const auto next = [](std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; };
   const auto twin = [&](std::uint32_t h) { return wordAt(bytes, at.twinsAt + h); };
@@ -104,7 +114,8 @@ void flipEdge(std::vector<std::uint8_t>& bytes, const Layout& at, Random& random
   for (const std::uint32_t o : outer) {
     if (o >= 3 * at.faces || o == hn || o == hp || o == tn || o == tp) return;
   }
-  // Who starts where, told by the half-edges of the vertices: those of the four corners get one that does.
+  // Who starts where, told by the half-edges of the vertices: those of the four corners get one
+  // that does.
   const auto origin = [&](std::uint32_t g) -> std::size_t {
     for (std::uint32_t around = g, steps = 0; steps < 3 * at.faces; ++steps) {
       for (std::size_t v = 0; v <= at.slots; ++v) {
@@ -157,7 +168,8 @@ std::vector<std::uint8_t> mutant(const std::vector<std::uint8_t>& snapshot, Rand
       setWord(bytes, a, wordAt(bytes, b)), setWord(bytes, b, old);
     } else {
       const std::size_t k = 2 + random.below(words - 2);
-      setWord(bytes, k, random.oneIn(4) ? 0xFFFFFFFFu : static_cast<std::uint32_t>(random.below(words)));
+      setWord(bytes, k,
+              random.oneIn(4) ? 0xFFFFFFFFu : static_cast<std::uint32_t>(random.below(words)));
     }
   }
   return withChecksum(bytes);
@@ -179,9 +191,13 @@ std::string whatIsWrong(const Diagram& diagram, Random& random) {
     if (diagram.site(id, circles.back()) != Error::kNone) return "site";
   }
   for (int k = 0; k < 8 && !ids.empty(); ++k) {
-    const Circle &a = circles[random.below(circles.size())], &b = circles[random.below(circles.size())];
-    const double x = random.oneIn(2) ? a.x : a.x / 2 + b.x / 2, y = random.oneIn(2) ? b.y : a.y / 2 + b.y / 2;
-    if ((x != 0 && std::abs(x) < kSmallestMagnitude) || (y != 0 && std::abs(y) < kSmallestMagnitude)) continue;
+    const Circle &a = circles[random.below(circles.size())],
+                 &b = circles[random.below(circles.size())];
+    const double x = random.oneIn(2) ? a.x : a.x / 2 + b.x / 2,
+                 y = random.oneIn(2) ? b.y : a.y / 2 + b.y / 2;
+    if ((x != 0 && std::abs(x) < kSmallestMagnitude) ||
+        (y != 0 && std::abs(y) < kSmallestMagnitude))
+      continue;
     SiteId found = kNoSite;
     double distance = 0;
     if (diagram.find(x, y, found, distance) != Error::kNone) return "find failed";
@@ -237,29 +253,80 @@ bool callEverything(Diagram& diagram, std::uint64_t seed) {
     Defect defect;
     // Reading calls, and one that changes it after a while.
     switch (random.below(step < 20 ? 22u : 30u)) {
-      case 0: case 1: case 2: take(diagram.find(x, y, id, distance)); break;
-      case 3: take(diagram.kNearest(x, y, 1 + random.below(std::size_t{9}), some)); break;
-      case 4: take(diagram.within(x, y, r, some)); break;
-      case 5: take(diagram.neighbors(anyId(), some)); break;
-      case 6: take(diagram.vertices(vertices)); break;
-      case 7: take(diagram.edges(edges)); break;
-      case 8: take(diagram.faces(some)); break;
-      case 9: take(diagram.coverOf(anyId(), id)); break;
-      case 10: take(diagram.validate(defect)); break;
-      case 11: take(diagram.toBytes(bytes)); break;
-      case 12: take(voronoi.edges(curves)); break;
-      case 13: take(voronoi.cell(anyId(), curves)); break;
-      case 14: take(voronoi.polygon(anyId(), tolerance, rings)); break;
-      case 15: take(voronoi.measures(anyId(), measures)); break;
-      case 16: take(voronoi.measuresWithin(anyId(), 1 + (r < 0 ? -r : r), measures)); break;
-      case 17: take(voronoi.areas(areas)); break;
-      case 18: take(voronoi.hull(some)); break;
-      case 19: take(voronoi.drawEdges(tolerance, portion, path)); break;
-      case 20: take(voronoi.drawDual(tolerance, random.oneIn(2), portion, path)); break;
-      case 21: take(voronoi.drawHull(tolerance, path)), take(voronoi.drawCell(anyId(), tolerance, path)); break;
-      case 22: case 23: case 24: take(diagram.insert(x, y, r, id)); break;
-      case 25: take(diagram.remove(anyId(), flag)); break;
-      case 26: case 27: take(diagram.update(anyId(), x, y, r)); break;
+      case 0:
+      case 1:
+      case 2:
+        take(diagram.find(x, y, id, distance));
+        break;
+      case 3:
+        take(diagram.kNearest(x, y, 1 + random.below(std::size_t{9}), some));
+        break;
+      case 4:
+        take(diagram.within(x, y, r, some));
+        break;
+      case 5:
+        take(diagram.neighbors(anyId(), some));
+        break;
+      case 6:
+        take(diagram.vertices(vertices));
+        break;
+      case 7:
+        take(diagram.edges(edges));
+        break;
+      case 8:
+        take(diagram.faces(some));
+        break;
+      case 9:
+        take(diagram.coverOf(anyId(), id));
+        break;
+      case 10:
+        take(diagram.validate(defect));
+        break;
+      case 11:
+        take(diagram.toBytes(bytes));
+        break;
+      case 12:
+        take(voronoi.edges(curves));
+        break;
+      case 13:
+        take(voronoi.cell(anyId(), curves));
+        break;
+      case 14:
+        take(voronoi.polygon(anyId(), tolerance, rings));
+        break;
+      case 15:
+        take(voronoi.measures(anyId(), measures));
+        break;
+      case 16:
+        take(voronoi.measuresWithin(anyId(), 1 + (r < 0 ? -r : r), measures));
+        break;
+      case 17:
+        take(voronoi.areas(areas));
+        break;
+      case 18:
+        take(voronoi.hull(some));
+        break;
+      case 19:
+        take(voronoi.drawEdges(tolerance, portion, path));
+        break;
+      case 20:
+        take(voronoi.drawDual(tolerance, random.oneIn(2), portion, path));
+        break;
+      case 21:
+        take(voronoi.drawHull(tolerance, path)), take(voronoi.drawCell(anyId(), tolerance, path));
+        break;
+      case 22:
+      case 23:
+      case 24:
+        take(diagram.insert(x, y, r, id));
+        break;
+      case 25:
+        take(diagram.remove(anyId(), flag));
+        break;
+      case 26:
+      case 27:
+        take(diagram.update(anyId(), x, y, r));
+        break;
       case 28: {
         const std::vector<SiteId> two{anyId(), anyId()};
         const std::vector<double> triples{x, y, r, y, x, r};
@@ -270,7 +337,8 @@ bool callEverything(Diagram& diagram, std::uint64_t seed) {
         const std::vector<double> triples{x, y, r, y, x, r, a.x, b.y, r};
         std::vector<SiteId> three(3);
         const std::vector<SiteId> gone{anyId(), anyId()};
-        take(random.oneIn(2) ? diagram.insertMany(triples, three) : diagram.removeMany(gone, count));
+        take(random.oneIn(2) ? diagram.insertMany(triples, three)
+                             : diagram.removeMany(gone, count));
       }
     }
   }

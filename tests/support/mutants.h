@@ -1,5 +1,5 @@
-// Snapshots that lie: with a right checksum and, here or there, something else than what was saved; and everything
-// that can be asked of the diagram that comes of one.
+// Snapshots that lie: with a right checksum and, here or there, something else than what was saved;
+// and everything that can be asked of the diagram that comes of one.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,18 @@
 
 namespace apollonius::test {
 
-/// One to four changes of any part of a snapshot: numbers, words of ids, twins, half-edges of vertices, pairs of the
-/// forest; of a twin or an exchange of two words mostly, so that surfaces come of them. The checksum fits.
+/// One to four changes of any part of a snapshot: numbers, words of ids, twins, half-edges of
+/// vertices, pairs of the forest; of a twin or an exchange of two words mostly, so that surfaces
+/// come of them. The checksum fits.
 std::vector<std::uint8_t> mutant(const std::vector<std::uint8_t>& snapshot, Random& random);
 
-/// What is wrong with a diagram that fromBytes has accepted from anyone: it must be the one of the sites that it
-/// holds, with their ids, by a fresh build and by brute force. Empty if nothing is.
+/// What is wrong with a diagram that fromBytes has accepted from anyone: it must be the one of the
+/// sites that it holds, with their ids, by a fresh build and by brute force. Empty if nothing is.
 std::string whatIsWrong(const Diagram& diagram, Random& random);
 
-/// Makes each call some times, reading and changing in turns, in an order that the seed gives; answers are not looked
-/// at. After the call that says kCorruptSnapshot all must. Returns whether one did.
+/// Makes each call some times, reading and changing in turns, in an order that the seed gives;
+/// answers are not looked at. After the call that says kCorruptSnapshot all must. Returns whether
+/// one did.
 bool callEverything(Diagram& diagram, std::uint64_t seed);
 
 }  // namespace apollonius::test

@@ -11,8 +11,12 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-bool hasTarget(Operation::Kind kind) { return kind == Operation::Kind::kRemove || kind == Operation::Kind::kUpdate; }
-bool hasCircle(Operation::Kind kind) { return kind == Operation::Kind::kInsert || kind == Operation::Kind::kUpdate; }
+bool hasTarget(Operation::Kind kind) {
+  return kind == Operation::Kind::kRemove || kind == Operation::Kind::kUpdate;
+}
+bool hasCircle(Operation::Kind kind) {
+  return kind == Operation::Kind::kInsert || kind == Operation::Kind::kUpdate;
+}
 
 std::string hexFloat(double value) {
   char buffer[40];
@@ -20,8 +24,8 @@ std::string hexFloat(double value) {
   return buffer;
 }
 
-/// The history without operations [first, first + count): operations on circles that are no longer inserted go too, and
-/// names close up. What is left of a call stays one.
+/// The history without operations [first, first + count): operations on circles that are no longer
+/// inserted go too, and names close up. What is left of a call stays one.
 History without(const History& history, std::size_t first, std::size_t count) {
   std::vector<std::size_t> newName;
   std::size_t inserted = 0;
@@ -92,10 +96,17 @@ Circles survivors(const History& history) {
   std::vector<std::optional<Circle>> circles;
   for (const Operation& operation : history) {
     switch (operation.kind) {
-      case Operation::Kind::kInsert: circles.push_back(operation.circle); break;
-      case Operation::Kind::kRemove: circles[operation.target].reset(); break;
-      case Operation::Kind::kUpdate: circles[operation.target] = operation.circle; break;
-      case Operation::Kind::kRestore: break;
+      case Operation::Kind::kInsert:
+        circles.push_back(operation.circle);
+        break;
+      case Operation::Kind::kRemove:
+        circles[operation.target].reset();
+        break;
+      case Operation::Kind::kUpdate:
+        circles[operation.target] = operation.circle;
+        break;
+      case Operation::Kind::kRestore:
+        break;
     }
   }
   Circles result;
@@ -111,10 +122,18 @@ std::string toText(const History& history) {
     const Circle& c = operation.circle;
     if (operation.isJoined) text += "and ";
     switch (operation.kind) {
-      case Operation::Kind::kInsert: text += "insert"; break;
-      case Operation::Kind::kRemove: text += "remove "; break;
-      case Operation::Kind::kUpdate: text += "update "; break;
-      case Operation::Kind::kRestore: text += "restore"; break;
+      case Operation::Kind::kInsert:
+        text += "insert";
+        break;
+      case Operation::Kind::kRemove:
+        text += "remove ";
+        break;
+      case Operation::Kind::kUpdate:
+        text += "update ";
+        break;
+      case Operation::Kind::kRestore:
+        text += "restore";
+        break;
     }
     if (hasTarget(operation.kind)) text += std::to_string(operation.target);
     if (hasCircle(operation.kind)) {
@@ -133,7 +152,12 @@ History fromText(const std::string& text, std::string& error) {
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     const auto fail = [&](const char* what) {
-      error = std::string("line ").append(std::to_string(number)).append(": ").append(what).append(": ").append(line);
+      error = std::string("line ")
+                  .append(std::to_string(number))
+                  .append(": ")
+                  .append(what)
+                  .append(": ")
+                  .append(line);
     };
     std::istringstream words(line);
     std::string word;
@@ -149,13 +173,15 @@ History fromText(const std::string& text, std::string& error) {
       fail("not an operation");
       return {};
     }
-    const bool canJoin = !history.empty() && history.back().kind == operation.kind && operation.kind != Operation::Kind::kRestore;
+    const bool canJoin = !history.empty() && history.back().kind == operation.kind &&
+                         operation.kind != Operation::Kind::kRestore;
     if (operation.isJoined && !canJoin) {
       fail("not of the kind of the line before");
       return {};
     }
     if (hasTarget(operation.kind)) {
-      if (!(words >> operation.target) || operation.target >= lives.size() || !lives[operation.target]) {
+      if (!(words >> operation.target) || operation.target >= lives.size() ||
+          !lives[operation.target]) {
         fail("no such circle");
         return {};
       }

@@ -1,5 +1,5 @@
-// The oracle's own exact numbers: doubles as integers over a common power of two, and signs of a + b*sqrt(d). Deliberately
-// separate from src/number.
+// The oracle's own exact numbers: doubles as integers over a common power of two, and signs of a +
+// b*sqrt(d). Deliberately separate from src/number.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -10,7 +10,8 @@ namespace apollonius::test {
 
 /// Unlimited integers; those of up to 768 bits need no heap.
 using Integer = boost::multiprecision::number<
-    boost::multiprecision::cpp_int_backend<768, 0, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked>,
+    boost::multiprecision::cpp_int_backend<768, 0, boost::multiprecision::signed_magnitude,
+                                           boost::multiprecision::unchecked>,
     boost::multiprecision::et_off>;
 
 inline int signOf(const Integer& value) { return value.sign(); }
@@ -26,7 +27,8 @@ inline int signOf(const Integer& a, const Integer& b, const Integer& d) {
 
 /// Sign of sqrt(a) - sqrt(b) - c, a, b >= 0.
 inline int signOfRootDifference(const Integer& a, const Integer& b, const Integer& c) {
-  // Compare sqrt(a) with sqrt(b) + c: first the sign of the latter, then the squares a and b + c^2 + 2c*sqrt(b).
+  // Compare sqrt(a) with sqrt(b) + c: first the sign of the latter, then the squares a and b + c^2
+  // + 2c*sqrt(b).
   if (signOf(c, Integer(1), b) < 0) return 1;
   return signOf(Integer(a - b - c * c), Integer(-2 * c), b);
 }

@@ -9,11 +9,12 @@
 
 namespace apollonius::test {
 
-/// Questions to predicates so far, whichever stage answered. What filters settle within a walk, unasked, is not among
-/// them.
+/// Questions to predicates so far, whichever stage answered. What filters settle within a walk,
+/// unasked, is not among them.
 inline double questions() {
   using Count = unsigned long long;
-  const auto counts = std::bit_cast<std::array<Count, sizeof(stages::Counts) / sizeof(Count)>>(stages::counts());
+  const auto counts =
+      std::bit_cast<std::array<Count, sizeof(stages::Counts) / sizeof(Count)>>(stages::counts());
   return static_cast<double>(std::accumulate(counts.begin(), counts.end(), Count{0}));
 }
 

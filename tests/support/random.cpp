@@ -4,7 +4,9 @@ namespace apollonius::test {
 
 namespace {
 
-std::uint64_t rotateLeft(std::uint64_t value, int count) { return (value << count) | (value >> (64 - count)); }
+std::uint64_t rotateLeft(std::uint64_t value, int count) {
+  return (value << count) | (value >> (64 - count));
+}
 
 }  // namespace
 

@@ -1,7 +1,8 @@
 // The tests' own pseudo-random numbers: the same sequence from the same seed on every platform.
 //
-// <random>'s engines are portable but its distributions are not, and libm differs between native code and wasm, so both
-// stay out of here: xoshiro256** (Blackman and Vigna), seeded by splitmix64, with our own few distributions on top.
+// <random>'s engines are portable but its distributions are not, and libm differs between native
+// code and wasm, so both stay out of here: xoshiro256** (Blackman and Vigna), seeded by splitmix64,
+// with our own few distributions on top.
 #pragma once
 
 #include <cstddef>
@@ -24,9 +25,7 @@ class Random {
   }
 
   /// Uniform integer in [low, high].
-  std::int64_t integer(std::int64_t low, std::int64_t high) {
-    return low + below(high - low + 1);
-  }
+  std::int64_t integer(std::int64_t low, std::int64_t high) { return low + below(high - low + 1); }
 
   /// Uniform in [0, 1), a multiple of 2^-53.
   double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }

@@ -12,7 +12,8 @@ std::string validated(const Diagram& diagram) {
 
 std::vector<double> numbersOf(std::span<const Operation> call) {
   std::vector<double> xyr;
-  for (const Operation& operation : call) xyr.insert(xyr.end(), {operation.circle.x, operation.circle.y, operation.circle.r});
+  for (const Operation& operation : call)
+    xyr.insert(xyr.end(), {operation.circle.x, operation.circle.y, operation.circle.r});
   return xyr;
 }
 
@@ -39,9 +40,15 @@ std::string compared(const Diagram& diagram, const Circles& circles, const Check
 std::string Replay::apply(std::span<const Operation> call) {
   std::string wrong;
   switch (call[0].kind) {
-    case Operation::Kind::kInsert: wrong = insert(call); break;
-    case Operation::Kind::kRemove: wrong = remove(call); break;
-    case Operation::Kind::kUpdate: wrong = update(call); break;
+    case Operation::Kind::kInsert:
+      wrong = insert(call);
+      break;
+    case Operation::Kind::kRemove:
+      wrong = remove(call);
+      break;
+    case Operation::Kind::kUpdate:
+      wrong = update(call);
+      break;
     case Operation::Kind::kRestore: {
       std::vector<std::uint8_t> bytes;
       if (diagram_.toBytes(bytes) != Error::kNone) return "toBytes failed";
@@ -56,7 +63,8 @@ std::string Replay::apply(std::span<const Operation> call) {
 std::string Replay::insert(std::span<const Operation> call) {
   std::vector<SiteId> ids(call.size(), kNoSite);
   const std::vector<double> xyr = numbersOf(call);
-  const Error error = call.size() == 1 ? diagram_.insert(xyr[0], xyr[1], xyr[2], ids[0]) : diagram_.insertMany(xyr, ids);
+  const Error error = call.size() == 1 ? diagram_.insert(xyr[0], xyr[1], xyr[2], ids[0])
+                                       : diagram_.insertMany(xyr, ids);
   if (error != Error::kNone) return "insert failed";
   for (std::size_t k = 0; k < call.size(); ++k) {
     if (!taken_.insert(ids[k]).second) return "insert gave an id that is taken";
@@ -69,7 +77,8 @@ std::string Replay::remove(std::span<const Operation> call) {
   const std::vector<SiteId> ids = idsOf(call);
   std::size_t removed = 0;
   bool isRemoved = false;
-  const Error error = call.size() == 1 ? diagram_.remove(ids[0], isRemoved) : diagram_.removeMany(ids, removed);
+  const Error error =
+      call.size() == 1 ? diagram_.remove(ids[0], isRemoved) : diagram_.removeMany(ids, removed);
   if (error != Error::kNone || removed + isRemoved != call.size()) return "remove failed";
   for (std::size_t k = 0; k < call.size(); ++k) {
     if (diagram_.has(ids[k])) return "a removed site is still there";
@@ -82,7 +91,8 @@ std::string Replay::remove(std::span<const Operation> call) {
 std::string Replay::update(std::span<const Operation> call) {
   const std::vector<SiteId> ids = idsOf(call);
   const std::vector<double> xyr = numbersOf(call);
-  const Error error = call.size() == 1 ? diagram_.update(ids[0], xyr[0], xyr[1], xyr[2]) : diagram_.updateMany(ids, xyr);
+  const Error error = call.size() == 1 ? diagram_.update(ids[0], xyr[0], xyr[1], xyr[2])
+                                       : diagram_.updateMany(ids, xyr);
   if (error != Error::kNone) return "update failed";
   for (const Operation& operation : call) entries_[operation.target].circle = operation.circle;
   return {};
@@ -108,11 +118,17 @@ std::string checkHistory(const History& history, const Checks& checks) {
     end = endOfCall(history, step);
     std::string wrong = replay.apply(std::span(history).subspan(step, end - step));
     const bool last = end == history.size();
-    // To validate a restored diagram is to ask for all of its circles: the next operation is to meet it without them.
+    // To validate a restored diagram is to ask for all of its circles: the next operation is to
+    // meet it without them.
     if (wrong.empty() && history[step].kind == Operation::Kind::kRestore && !last) continue;
     if (wrong.empty() && checks.validateEveryStep) wrong = validated(replay.diagram());
-    if (wrong.empty() && (last || checks.compareEveryStep)) wrong = compared(replay.diagram(), replay.survivors(), checks);
-    if (!wrong.empty()) return std::string("after operation ").append(std::to_string(step)).append(": ").append(wrong);
+    if (wrong.empty() && (last || checks.compareEveryStep))
+      wrong = compared(replay.diagram(), replay.survivors(), checks);
+    if (!wrong.empty())
+      return std::string("after operation ")
+          .append(std::to_string(step))
+          .append(": ")
+          .append(wrong);
   }
   return {};
 }
@@ -138,7 +154,8 @@ Canonical freshBuild(const Circles& circles, Build build, Location location, std
 std::string failureOf(const History& history, const Checks& checks) {
   const std::string wrong = checkHistory(history, checks);
   if (wrong.empty()) return {};
-  const History shorter = shorten(history, [&](const History& candidate) { return !checkHistory(candidate, checks).empty(); });
+  const History shorter = shorten(
+      history, [&](const History& candidate) { return !checkHistory(candidate, checks).empty(); });
   return wrong + "\nshortened to:\n" + toText(shorter) + checkHistory(shorter, checks);
 }
 

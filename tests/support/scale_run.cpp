@@ -13,13 +13,17 @@ namespace {
 constexpr std::size_t kSetSize = 16, kCallsOfASet = 6;
 
 double legal(double value) {
-  return isInRange(value) ? value : std::fabs(value) < 1 ? 0 : std::copysign(kLargestMagnitude, value);
+  return isInRange(value)       ? value
+         : std::fabs(value) < 1 ? 0
+                                : std::copysign(kLargestMagnitude, value);
 }
 
 /// As it is, or one double up or down.
 double aside(Random& random, double value) {
   const auto way = random.below(4u);
-  return way > 1 ? value : legal(std::nextafter(value, way == 0 ? -2 * kLargestMagnitude : 2 * kLargestMagnitude));
+  return way > 1 ? value
+                 : legal(std::nextafter(value,
+                                        way == 0 ? -2 * kLargestMagnitude : 2 * kLargestMagnitude));
 }
 
 /// Five circles of a set, and a centre, the middle of two, their vertex, or the coordinates of two.
@@ -36,9 +40,15 @@ CloseCall drawn(Random& random, const Circles& circles, bool areAside) {
   }
   const Site &a = call.sites[0], &b = call.sites[1], &c = call.sites[2];
   switch (random.below(4u)) {
-    case 0: call.x = a.x, call.y = b.y; break;
-    case 1: call.x = legal(a.x / 2 + b.x / 2), call.y = legal(a.y / 2 + b.y / 2); break;
-    case 2: call.x = call.sites[4].x, call.y = call.sites[4].y; break;
+    case 0:
+      call.x = a.x, call.y = b.y;
+      break;
+    case 1:
+      call.x = legal(a.x / 2 + b.x / 2), call.y = legal(a.y / 2 + b.y / 2);
+      break;
+    case 2:
+      call.x = call.sites[4].x, call.y = call.sites[4].y;
+      break;
     default: {
       const VoronoiCircle circle = voronoiCircle(&a, &b, &c);  // of any numbers, if there is none
       const bool isKnown = !std::isnan(circle.x) && !std::isnan(circle.y);
@@ -66,7 +76,9 @@ ScaleRun::ScaleRun(std::uint64_t seed) : random_(seed) {
   for (const NamedGenerator& generator : corpus()) {
     for (const bool areAside : {false, true}) {
       families_.push_back({generator.name + (areAside ? ", a double aside" : ""),
-                           [&generator, areAside](Random& random) { return drawnFrom(generator, random, areAside); },
+                           [&generator, areAside](Random& random) {
+                             return drawnFrom(generator, random, areAside);
+                           },
                            {}});
     }
   }
@@ -104,12 +116,16 @@ std::string ScaleRun::table() const {
   char line[160];
   for (const Family& family : families_) {
     const StageChecks& checks = family.checks;
-    std::snprintf(line, sizeof line, "%-46s %10llu calls, exact %6.2f %%, zeros %6.2f %%, disagreements %llu\n", family.name.c_str(),
-                  static_cast<unsigned long long>(checks.calls()), share(checks.leftToExact(), checks.calls()),
-                  share(checks.zeros(), checks.calls()), static_cast<unsigned long long>(checks.disagreements()));
+    std::snprintf(line, sizeof line,
+                  "%-46s %10llu calls, exact %6.2f %%, zeros %6.2f %%, disagreements %llu\n",
+                  family.name.c_str(), static_cast<unsigned long long>(checks.calls()),
+                  share(checks.leftToExact(), checks.calls()),
+                  share(checks.zeros(), checks.calls()),
+                  static_cast<unsigned long long>(checks.disagreements()));
     text += line;
   }
-  std::snprintf(line, sizeof line, "%-46s %10llu calls, exact %6.2f %%, zeros %6.2f %%, disagreements %llu\n", "all",
+  std::snprintf(line, sizeof line,
+                "%-46s %10llu calls, exact %6.2f %%, zeros %6.2f %%, disagreements %llu\n", "all",
                 static_cast<unsigned long long>(all.calls()), share(all.leftToExact(), all.calls()),
                 share(all.zeros(), all.calls()), static_cast<unsigned long long>(disagreements()));
   return text + line;

@@ -1,5 +1,6 @@
-// Predicate calls in any number: families of arguments in turn (every generator of the corpus, the same with numbers a
-// double aside, and close calls), each stage compared with the exact one. Deterministic by the seed.
+// Predicate calls in any number: families of arguments in turn (every generator of the corpus, the
+// same with numbers a double aside, and close calls), each stage compared with the exact one.
+// Deterministic by the seed.
 #pragma once
 
 #include <cstdint>

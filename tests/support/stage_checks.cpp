@@ -17,7 +17,9 @@ namespace {
 constexpr Sign yesOrNo(bool yes) { return yes ? Sign::kPositive : Sign::kNegative; }
 
 /// Of edges only "positive" and "not positive" mean something.
-MaybeSign positiveOrNot(MaybeSign sign) { return {yesOrNo(sign.sign == Sign::kPositive), sign.known}; }
+MaybeSign positiveOrNot(MaybeSign sign) {
+  return {yesOrNo(sign.sign == Sign::kPositive), sign.known};
+}
 
 }  // namespace
 
@@ -26,9 +28,11 @@ StageChecks::StageChecks() {
   tallies_.resize(kCount);
   tallies_[kCovers] = {"covers", {{"filter"}, {"middle"}}};
   tallies_[kDistance] = {"distance", {{"filter"}, {"middle"}, {"whole"}}};
-  tallies_[kCircle] = {"circle exists", {{"doubles"}, {"fan"}, {"points"}, {"filter"}, {"middle"}, {"whole"}}};
+  tallies_[kCircle] = {"circle exists",
+                       {{"doubles"}, {"fan"}, {"points"}, {"filter"}, {"middle"}, {"whole"}}};
   tallies_[kVertex] = {"vertex", {{"circle"}, {"fan circle"}, {"filter"}, {"middle"}, {"whole"}}};
-  tallies_[kPoints] = {"vertex, one weight", {{"circle"}, {"fan circle"}, {"points"}, {"filter"}, {"middle"}, {"whole"}}};
+  tallies_[kPoints] = {"vertex, one weight",
+                       {{"circle"}, {"fan circle"}, {"points"}, {"filter"}, {"middle"}, {"whole"}}};
   tallies_[kRule] = {"degenerate rule", {{"doubles"}}};
   tallies_[kEdge] = {"edge", {{"shortcut"}, {"circles"}, {"filter"}, {"middle"}, {"whole"}}};
   tallies_[kRay] = {"ray", {{"circle"}, {"filter"}, {"middle"}, {"whole"}}};
@@ -40,7 +44,8 @@ StageChecks::StageChecks() {
 
 void StageChecks::disagree(const char* question, const char* stage) {
   if (++disagreements_ > 10) return;
-  report_ += std::string(question) + ": " + stage + " contradicts the exact stage\n" + toText(*call_);
+  report_ +=
+      std::string(question) + ": " + stage + " contradicts the exact stage\n" + toText(*call_);
 }
 
 void StageChecks::compare(Question question, Sign exact, std::initializer_list<MaybeSign> stages) {
@@ -82,9 +87,12 @@ void StageChecks::askDistances() {
     const Site &a = call_->sites[k], &b = call_->sites[(k + 1) % call_->sites.size()];
     const Sign exact = stages::distanceExact(x, y, a, b);
     compare(kDistance, exact,
-            {stages::distanceFilter(x, y, a, b), stages::distanceMiddle(x, y, a, b), stages::distanceWhole(x, y, a, b)});
-    const bool isNearerExactly = exact == Sign::kPositive || (exact == Sign::kZero && precedes(a, b));
-    expect(compareDistance(x, y, b, a) == -exact && isNearer(x, y, a, b) == isNearerExactly, "distance");
+            {stages::distanceFilter(x, y, a, b), stages::distanceMiddle(x, y, a, b),
+             stages::distanceWhole(x, y, a, b)});
+    const bool isNearerExactly =
+        exact == Sign::kPositive || (exact == Sign::kZero && precedes(a, b));
+    expect(compareDistance(x, y, b, a) == -exact && isNearer(x, y, a, b) == isNearerExactly,
+           "distance");
   }
 }
 
@@ -99,11 +107,15 @@ bool StageChecks::exists(Corner i, Corner j, Corner k) {
   fan_.computeFaces({&face, 1}, {&fromFan, 1});
   const bool isCertainOfFan = fromFan.error < std::numeric_limits<float>::infinity();
   compare(kCircle, beaten,
-          {{Sign::kNegative, isCertain}, {Sign::kNegative, isCertainOfFan}, stages::vertexOfPoints(*a, b, c, nullptr),
-           stages::vertexFilter(*a, b, c, nullptr), stages::vertexMiddle(*a, b, c, nullptr),
+          {{Sign::kNegative, isCertain},
+           {Sign::kNegative, isCertainOfFan},
+           stages::vertexOfPoints(*a, b, c, nullptr),
+           stages::vertexFilter(*a, b, c, nullptr),
+           stages::vertexMiddle(*a, b, c, nullptr),
            stages::vertexWhole(*a, b, c, nullptr)});
   const bool does = beaten == Sign::kNegative;
-  expect(findVoronoiCircle(i, j, k, circle) == does && hasVoronoiCircle(*i, *j, *k) == does, "circle exists");
+  expect(findVoronoiCircle(i, j, k, circle) == does && hasVoronoiCircle(*i, *j, *k) == does,
+         "circle exists");
   return does;
 }
 
@@ -116,7 +128,9 @@ bool StageChecks::isInConflict(const Face& face, const Site& q) {
   if (exact == Sign::kZero) {
     // As docs/PREDICATES.md has it, from the exact stage.
     using stages::FaceCorner;
-    const FaceCorner z = j == nullptr ? FaceCorner::kJ : k == nullptr ? FaceCorner::kK : FaceCorner::kPole;
+    const FaceCorner z = j == nullptr   ? FaceCorner::kJ
+                         : k == nullptr ? FaceCorner::kK
+                                        : FaceCorner::kPole;
     yes = (z == FaceCorner::kPole && precedes(*i, q)) || stages::isOppositeExact(*i, j, k, &q, z);
     compare(kRule, yesOrNo(yes), {{yesOrNo(stages::vertexDegenerate(*i, j, k, &q)), true}});
   }
@@ -132,19 +146,26 @@ bool StageChecks::isInConflict(const Face& face, const Site& q) {
     const std::array<Corner, 3> turned{j, k, i};
     fan_.computeFaces({&turned, 1}, {&fromFan, 1});
   }
-  const bool areEqual = (j == nullptr || j->r == i->r) && (k == nullptr || k->r == i->r) && q.r == i->r;
+  const bool areEqual =
+      (j == nullptr || j->r == i->r) && (k == nullptr || k->r == i->r) && q.r == i->r;
   const MaybeSign byCircle = ofCircle(face.circle), byFan = ofCircle(fromFan);
-  const MaybeSign filter = stages::vertexFilter(*i, j, k, &q), middle = stages::vertexMiddle(*i, j, k, &q);
-  const MaybeSign whole = stages::vertexWhole(*i, j, k, &q), points = stages::vertexOfPoints(*i, j, k, &q);
+  const MaybeSign filter = stages::vertexFilter(*i, j, k, &q),
+                  middle = stages::vertexMiddle(*i, j, k, &q);
+  const MaybeSign whole = stages::vertexWhole(*i, j, k, &q),
+                  points = stages::vertexOfPoints(*i, j, k, &q);
   if (areEqual) {
     compare(kPoints, exact, {byCircle, byFan, points, filter, middle, whole});
   } else {
     expect(!points.known, "vertex of points");
     compare(kVertex, exact, {byCircle, byFan, filter, middle, whole});
   }
-  expect(isVertexInConflict(face.circle, face.corners[1], face.corners[2], face.corners[0], q) == yes, "vertex");
+  expect(
+      isVertexInConflict(face.circle, face.corners[1], face.corners[2], face.corners[0], q) == yes,
+      "vertex");
   if (j != nullptr && k != nullptr) {
-    expect(touchesCircle(*face.corners[0], *face.corners[1], *face.corners[2], q) == (exact == Sign::kZero), "touches");
+    expect(touchesCircle(*face.corners[0], *face.corners[1], *face.corners[2], q) ==
+               (exact == Sign::kZero),
+           "touches");
   }
   return yes;
 }
@@ -160,8 +181,9 @@ void StageChecks::askRays(const Face& face) {
       if (part == stages::RayPart::kAlong) d = {d.y, -d.x, d.error};
       Sign& sign = exact[static_cast<std::size_t>(part)];
       sign = stages::rayExact(x, y, *i, j, k, part);
-      compare(kRay, sign, {turn(d, directionOf(x, y, *i)), stages::rayFilter(x, y, *i, j, k, part),
-                           stages::rayMiddle(x, y, *i, j, k, part), stages::rayWhole(x, y, *i, j, k, part)});
+      compare(kRay, sign,
+              {turn(d, directionOf(x, y, *i)), stages::rayFilter(x, y, *i, j, k, part),
+               stages::rayMiddle(x, y, *i, j, k, part), stages::rayWhole(x, y, *i, j, k, part)});
     }
     const Bearing bearing = exact[0] == Sign::kPositive   ? Bearing::kLeft
                             : exact[0] == Sign::kNegative ? Bearing::kRight
@@ -192,7 +214,8 @@ void StageChecks::askFaces() {
   }
   for (const Face& face : faces_) {
     for (const Site* q : v) {
-      if (std::find(face.corners.begin(), face.corners.end(), q) == face.corners.end()) (void)isInConflict(face, *q);
+      if (std::find(face.corners.begin(), face.corners.end(), q) == face.corners.end())
+        (void)isInConflict(face, *q);
     }
     if (v.size() < 3 || face.corners[2] != nullptr) askRays(face);
   }
@@ -200,7 +223,8 @@ void StageChecks::askFaces() {
 
 const StageChecks::Face* StageChecks::faceOf(Corner i, Corner j, Corner k) const {
   const auto found = std::find_if(faces_.begin(), faces_.end(), [&](const Face& f) {
-    return f.corners == std::array{i, j, k} || f.corners == std::array{j, k, i} || f.corners == std::array{k, i, j};
+    return f.corners == std::array{i, j, k} || f.corners == std::array{j, k, i} ||
+           f.corners == std::array{k, i, j};
   });
   return found == faces_.end() ? nullptr : &*found;
 }
@@ -222,7 +246,8 @@ void StageChecks::askEdge(const EdgeCorners& given, const Site& q) {
     // The ends decide which of the two is asked; stages that take no circles do not mind.
     bool isAsked = false;
     if (isEdge) {
-      const bool kIs = isVertexInConflict(e.i, e.j, e.k, q), lIs = isVertexInConflict(e.j, e.i, e.l, q);
+      const bool kIs = isVertexInConflict(e.i, e.j, e.k, q),
+                 lIs = isVertexInConflict(e.j, e.i, e.l, q);
       isAsked = kIs == lIs && kIs == (probe == stages::Probe::kOpposite);
     }
     const Sign exact = positiveOrNot({stages::edgeExact(*e.i, e.j, e.k, e.l, q, probe), true}).sign;
@@ -230,16 +255,20 @@ void StageChecks::askEdge(const EdgeCorners& given, const Site& q) {
     if (isAsked) {
       circles = stages::edgeCircleFilter(*e.i, e.j, atK->circle, atL->circle, q, probe);
       if (probe == stages::Probe::kOpposite && e.j != nullptr) {
-        shortcut = {Sign::kNegative, isSurelyInConflictBetweenEnds(*e.i, *e.j, atK->circle, atL->circle, q)};
+        shortcut = {Sign::kNegative,
+                    isSurelyInConflictBetweenEnds(*e.i, *e.j, atK->circle, atL->circle, q)};
       }
       if (probe == stages::Probe::kMiddle) {
-        expect(isInteriorInConflict(e, atK->circle, atL->circle, q) == (exact == Sign::kPositive), "interior");
+        expect(isInteriorInConflict(e, atK->circle, atL->circle, q) == (exact == Sign::kPositive),
+               "interior");
       } else {
-        expect(isEntireEdgeInConflict(e, atK->circle, atL->circle, q) == (exact != Sign::kPositive), "entire edge");
+        expect(isEntireEdgeInConflict(e, atK->circle, atL->circle, q) == (exact != Sign::kPositive),
+               "entire edge");
       }
     }
     compare(kEdge, exact,
-            {shortcut, positiveOrNot(circles), positiveOrNot(stages::edgeFilter(*e.i, e.j, e.k, e.l, q, probe)),
+            {shortcut, positiveOrNot(circles),
+             positiveOrNot(stages::edgeFilter(*e.i, e.j, e.k, e.l, q, probe)),
              positiveOrNot(stages::edgeMiddle(*e.i, e.j, e.k, e.l, q, probe)),
              positiveOrNot(stages::edgeWhole(*e.i, e.j, e.k, e.l, q, probe))});
   }
@@ -270,7 +299,8 @@ void StageChecks::askHull() {
   const auto& v = visible_;
   const Site &i = *v[0], &j = *v[1];
   const VoronoiCircle plane = voronoiCircle(&i, &j, nullptr);
-  const MaybeSign up{plane.y > 0 ? Sign::kPositive : Sign::kNegative, plane.y > plane.slope || plane.y < -plane.slope};
+  const MaybeSign up{plane.y > 0 ? Sign::kPositive : Sign::kNegative,
+                     plane.y > plane.slope || plane.y < -plane.slope};
   compare(kUp, yesOrNo(stages::normalIsUpExact(i, j)), {up});
   const Site& k = *v[v.size() > 2 ? 2 : 1];
   // From the normal of (i, j, infinity) to that of (k, i, infinity).
@@ -279,7 +309,8 @@ void StageChecks::askHull() {
   if (v.size() < 4) return;
   const bool isLarger = precedes(j, i);
   const Site &a = isLarger ? i : j, &b = isLarger ? j : i;
-  compare(kShadow, stages::shadowTurnExact(a, b, *v[2], *v[3]), {stages::shadowTurnFilter(a, b, *v[2], *v[3])});
+  compare(kShadow, stages::shadowTurnExact(a, b, *v[2], *v[3]),
+          {stages::shadowTurnFilter(a, b, *v[2], *v[3])});
 }
 
 void StageChecks::ask(const CloseCall& call) {
@@ -300,7 +331,7 @@ void StageChecks::ask(const CloseCall& call) {
   askHull();
 }
 
-std::uint64_t StageChecks::sum(std::uint64_t Tally::*count) const {
+std::uint64_t StageChecks::sum(std::uint64_t Tally::* count) const {
   std::uint64_t sum = 0;
   for (const Tally& tally : tallies_) sum += tally.*count;
   return sum;
@@ -334,7 +365,8 @@ std::string StageChecks::table() const {
                     share(stage.settles, tally.asked), share(stage.knows, tally.asked));
       text += line;
     }
-    std::snprintf(line, sizeof line, "    %-12s settles %6.2f %%\n", "exact", share(tally.left, tally.asked));
+    std::snprintf(line, sizeof line, "    %-12s settles %6.2f %%\n", "exact",
+                  share(tally.left, tally.asked));
     text += line;
   }
   return text;

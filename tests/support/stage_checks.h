@@ -1,5 +1,6 @@
-// Asks every stage of every predicate, cached circles included, and compares what those say that claim to know with the
-// exact stage. Used on samples by predicates_fuzz and in numbers by predicate_scale.
+// Asks every stage of every predicate, cached circles included, and compares what those say that
+// claim to know with the exact stage. Used on samples by predicates_fuzz and in numbers by
+// predicate_scale.
 #pragma once
 
 #include <array>
@@ -34,11 +35,26 @@ class StageChecks {
   [[nodiscard]] const std::string& report() const { return report_; }
   /// Adds what another one has counted.
   void add(const StageChecks& other);
-  /// A line for each stage: the share of questions that it settles when the stages before cannot, and that it could.
+  /// A line for each stage: the share of questions that it settles when the stages before cannot,
+  /// and that it could.
   [[nodiscard]] std::string table() const;
 
  private:
-  enum Question : std::size_t { kCovers, kDistance, kCircle, kVertex, kPoints, kRule, kEdge, kRay, kOrder, kHull, kShadow, kUp, kCount };
+  enum Question : std::size_t {
+    kCovers,
+    kDistance,
+    kCircle,
+    kVertex,
+    kPoints,
+    kRule,
+    kEdge,
+    kRay,
+    kOrder,
+    kHull,
+    kShadow,
+    kUp,
+    kCount
+  };
   struct Stage {
     const char* name;
     std::uint64_t settles = 0, knows = 0;
@@ -53,7 +69,7 @@ class StageChecks {
     VoronoiCircle circle;
   };
 
-  [[nodiscard]] std::uint64_t sum(std::uint64_t Tally::*count) const;
+  [[nodiscard]] std::uint64_t sum(std::uint64_t Tally::* count) const;
   void compare(Question question, Sign exact, std::initializer_list<MaybeSign> stages);
   void expect(bool holds, const char* what);
   void disagree(const char* question, const char* stage);

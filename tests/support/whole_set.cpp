@@ -20,14 +20,18 @@ std::vector<double> flat(const Circles& circles) {
 
 }  // namespace
 
-WholeSet::WholeSet(const Circles& circles, Location location) : diagram_(location) { insert(circles); }
+WholeSet::WholeSet(const Circles& circles, Location location) : diagram_(location) {
+  insert(circles);
+}
 
 std::string WholeSet::insert(const Circles& more) {
   std::vector<SiteId> ids(more.size());
   if (diagram_.insertMany(flat(more), ids) != Error::kNone) return "insertMany failed";
   circles_.insert(circles_.end(), more.begin(), more.end());
   ids_.insert(ids_.end(), ids.begin(), ids.end());
-  return std::set<SiteId>(ids_.begin(), ids_.end()).size() == ids_.size() ? "" : "insertMany gave an id twice";
+  return std::set<SiteId>(ids_.begin(), ids_.end()).size() == ids_.size()
+             ? ""
+             : "insertMany gave an id twice";
 }
 
 std::string WholeSet::remove(const std::vector<std::size_t>& positions) {
@@ -38,7 +42,8 @@ std::string WholeSet::remove(const std::vector<std::size_t>& positions) {
     isRemoved[k] = true;
   }
   std::size_t removed = 0;
-  if (diagram_.removeMany(ids, removed) != Error::kNone || removed != ids.size()) return "removeMany failed";
+  if (diagram_.removeMany(ids, removed) != Error::kNone || removed != ids.size())
+    return "removeMany failed";
   std::size_t kept = 0;
   for (std::size_t k = 0; k < circles_.size(); ++k) {
     if (isRemoved[k]) continue;
@@ -52,7 +57,9 @@ std::string WholeSet::remove(const std::vector<std::size_t>& positions) {
 
 std::string WholeSet::restore() {
   std::vector<std::uint8_t> bytes;
-  return diagram_.toBytes(bytes) == Error::kNone && diagram_.fromBytes(bytes) == Error::kNone ? "" : "toBytes or fromBytes failed";
+  return diagram_.toBytes(bytes) == Error::kNone && diagram_.fromBytes(bytes) == Error::kNone
+             ? ""
+             : "toBytes or fromBytes failed";
 }
 
 std::string WholeSet::update(const std::vector<std::size_t>& positions, const Circles& next) {
@@ -73,8 +80,11 @@ std::string WholeSet::moveTo(const Circles& next, Way way, Random& random) {
   random.shuffle(all);
   std::string wrong;
   switch (way) {
-    case Way::kTogether: return update(all, next);
-    case Way::kRestored: wrong = restore(); return wrong.empty() ? update(all, next) : wrong;
+    case Way::kTogether:
+      return update(all, next);
+    case Way::kRestored:
+      wrong = restore();
+      return wrong.empty() ? update(all, next) : wrong;
     case Way::kInParts: {
       const auto ends = {all.size() / 50 + 1, all.size() / 2 + 1, all.size()};
       std::size_t begin = 0;
@@ -82,16 +92,19 @@ std::string WholeSet::moveTo(const Circles& next, Way way, Random& random) {
         if (end <= begin || end > all.size()) continue;
         const auto at = [&](std::size_t k) { return all.begin() + static_cast<std::ptrdiff_t>(k); };
         wrong = update({at(begin), at(end)}, next);
-        if (wrong.empty() && end < all.size() && diagram_.size() < 400) wrong = check(random);  // half-way
+        if (wrong.empty() && end < all.size() && diagram_.size() < 400)
+          wrong = check(random);  // half-way
         if (!wrong.empty()) return wrong;
         begin = end;
       }
       return {};
     }
-    case Way::kOneByOne: break;
+    case Way::kOneByOne:
+      break;
   }
   for (const std::size_t k : all) {
-    if (diagram_.update(ids_[k], next[k].x, next[k].y, next[k].r) != Error::kNone) return "update failed";
+    if (diagram_.update(ids_[k], next[k].x, next[k].y, next[k].r) != Error::kNone)
+      return "update failed";
     circles_[k] = next[k];
   }
   return {};
@@ -106,7 +119,8 @@ std::string WholeSet::check(Random& random) const {
   for (std::size_t k = 0; k < circles_.size(); ++k) {
     Circle circle{};
     if (diagram_.site(ids_[k], circle) != Error::kNone) return "an id got lost";
-    if (circle.x != circles_[k].x || circle.y != circles_[k].y || circle.r != circles_[k].r) return "a site is elsewhere";
+    if (circle.x != circles_[k].x || circle.y != circles_[k].y || circle.r != circles_[k].r)
+      return "a site is elsewhere";
   }
   const Canonical fresh = freshBuild(circles_, Build::kBulk, Location::kHierarchy, broken);
   if (!broken.empty()) return "fresh build: " + broken;
@@ -117,7 +131,8 @@ std::string WholeSet::check(Random& random) const {
 /// Beside sites, where all kinds of cells are.
 std::string WholeSet::findSamples(Random& random) const {
   for (int k = 0; k < 20 && !circles_.empty(); ++k) {
-    const Circle &a = circles_[random.below(circles_.size())], &b = circles_[random.below(circles_.size())];
+    const Circle &a = circles_[random.below(circles_.size())],
+                 &b = circles_[random.below(circles_.size())];
     const double share = random.between(-0.3, 1);
     const double x = a.x + share * (b.x - a.x), y = a.y + share * (b.y - a.y);
     double least = std::numeric_limits<double>::infinity(), size = 0;
@@ -134,23 +149,27 @@ std::string WholeSet::findSamples(Random& random) const {
     if (diagram_.find(x, y, id, distance) != Error::kNone) return "find failed";
     Circle found{};
     if (diagram_.site(id, found) != Error::kNone) return "find gave no site";
-    if (!(distanceTo(found) <= least + 1e-12 * size)) return "find gave a site that is not the nearest";
+    if (!(distanceTo(found) <= least + 1e-12 * size))
+      return "find gave a site that is not the nearest";
   }
   return {};
 }
 
 // --- Moves
-// -------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 
 namespace {
 
 double extentOf(const Circles& circles) {
   double extent = 0;
-  for (const Circle& c : circles) extent = std::max({extent, std::abs(c.x - circles[0].x), std::abs(c.y - circles[0].y)});
+  for (const Circle& c : circles)
+    extent = std::max({extent, std::abs(c.x - circles[0].x), std::abs(c.y - circles[0].y)});
   return extent > 0 ? extent : 1;
 }
 /// About the distance of neighbours.
-double spacingOf(const Circles& circles) { return extentOf(circles) / std::sqrt(static_cast<double>(circles.size() + 1)); }
+double spacingOf(const Circles& circles) {
+  return extentOf(circles) / std::sqrt(static_cast<double>(circles.size() + 1));
+}
 
 template <class Change>
 Circles changed(Circles circles, Change&& change) {
@@ -189,7 +208,8 @@ Circles relaxed(const Circles& circles, Random&) {
   Circles next = circles;
   std::vector<SiteId> neighbors;
   for (std::size_t k = 0; k < circles.size(); ++k) {
-    if (set.diagram().neighbors(set.ids()[k], neighbors) != Error::kNone || neighbors.empty()) continue;
+    if (set.diagram().neighbors(set.ids()[k], neighbors) != Error::kNone || neighbors.empty())
+      continue;
     double x = 0, y = 0;
     for (const SiteId id : neighbors) {
       x += circles[id].x;
@@ -202,8 +222,8 @@ Circles relaxed(const Circles& circles, Random&) {
   return next;
 }
 
-/// A tick of a simulation of forces: overlapping circles push each other apart along one axis, and all are
-/// drawn to the middle.
+/// A tick of a simulation of forces: overlapping circles push each other apart along one axis, and
+/// all are drawn to the middle.
 Circles pushed(const Circles& circles, Random&) {
   Circles next = circles;
   double x = 0, y = 0;
@@ -213,7 +233,8 @@ Circles pushed(const Circles& circles, Random&) {
   }
   for (std::size_t k = 1; k < next.size(); ++k) {
     Circle &a = next[k - 1], &b = next[k];
-    const double overlap = std::abs(a.r) + std::abs(b.r) - std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
+    const double overlap =
+        std::abs(a.r) + std::abs(b.r) - std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
     if (overlap > 0) {
       a.x -= overlap / 4;
       b.x += overlap / 4;
@@ -224,7 +245,8 @@ Circles pushed(const Circles& circles, Random&) {
   return next;
 }
 
-/// Weights towards prescribed areas: with few neighbours (a small cell, mostly) a weight rises, with many it falls.
+/// Weights towards prescribed areas: with few neighbours (a small cell, mostly) a weight rises,
+/// with many it falls.
 Circles balanced(const Circles& circles, Random&) {
   WholeSet set(circles);
   Circles next = circles;
@@ -246,58 +268,90 @@ const std::vector<WholeMove>& wholeMoves() {
       {"grow", [](const C& c, Random&) { return grown(c, spacingOf(c)); }},
       {"grow a lot", [](const C& c, Random&) { return grown(c, extentOf(c) / 2); }},
       {"shrink", [](const C& c, Random&) { return grown(c, -extentOf(c)); }},
-      {"grow from points", [](const C& c, Random&) { return changed(c, [&](Circle& d) { d.r = 0; }); }},
-      {"grow at random", [](const C& c, Random& random) {
+      {"grow from points",
+       [](const C& c, Random&) { return changed(c, [&](Circle& d) { d.r = 0; }); }},
+      {"grow at random",
+       [](const C& c, Random& random) {
          const double most = extentOf(c) / 2;
          return changed(c, [&](Circle& d) { d.r += random.between(0, most); });
        }},
-      {"double weights", [](const C& c, Random&) { return changed(c, [](Circle& d) { d.r *= 2; }); }},
-      {"negate weights", [](const C& c, Random&) { return changed(c, [](Circle& d) { d.r = -d.r; }); }},
-      {"zoom in", [](const C& c, Random&) { return changed(c, [](Circle& d) { d = {2 * d.x, 2 * d.y, 2 * d.r}; }); }},
-      {"zoom out under the weights", [](const C& c, Random&) { return changed(c, [](Circle& d) { d = {d.x / 4, d.y / 4, d.r}; }); }},
-      {"shift a little", [](const C& c, Random&) {
+      {"double weights",
+       [](const C& c, Random&) { return changed(c, [](Circle& d) { d.r *= 2; }); }},
+      {"negate weights",
+       [](const C& c, Random&) { return changed(c, [](Circle& d) { d.r = -d.r; }); }},
+      {"zoom in",
+       [](const C& c, Random&) {
+         return changed(c, [](Circle& d) { d = {2 * d.x, 2 * d.y, 2 * d.r}; });
+       }},
+      {"zoom out under the weights",
+       [](const C& c, Random&) {
+         return changed(c, [](Circle& d) { d = {d.x / 4, d.y / 4, d.r}; });
+       }},
+      {"shift a little",
+       [](const C& c, Random&) {
          const double by = spacingOf(c) / 8;
          return changed(c, [=](Circle& d) { d.x += by; });
        }},
-      {"shift afar", [](const C& c, Random&) {
+      {"shift afar",
+       [](const C& c, Random&) {
          const double by = 3 * extentOf(c);
          return changed(c, [=](Circle& d) { d = {d.x + by, d.y - by, d.r}; });
        }},
-      {"turn by a quarter", [](const C& c, Random&) { return changed(c, [](Circle& d) { d = {-d.y, d.x, d.r}; }); }},
+      {"turn by a quarter",
+       [](const C& c, Random&) { return changed(c, [](Circle& d) { d = {-d.y, d.x, d.r}; }); }},
       {"mirror", [](const C& c, Random&) { return changed(c, [](Circle& d) { d.x = -d.x; }); }},
-      {"shuffle", [](const C& c, Random& random) {
+      {"shuffle",
+       [](const C& c, Random& random) {
          C next = c;
          random.shuffle(next);
          return next;
        }},
-      {"shuffle weights", [](const C& c, Random& random) {
+      {"shuffle weights",
+       [](const C& c, Random& random) {
          C next = c, donors = c;
          random.shuffle(donors);
          for (std::size_t k = 0; k < c.size(); ++k) next[k].r = donors[k].r;
          return next;
        }},
-      {"swap neighbours in line", [](const C& c, Random&) {
+      {"swap neighbours in line",
+       [](const C& c, Random&) {
          C next = c;
          for (std::size_t k = 1; k < c.size(); k += 2) std::swap(next[k - 1], next[k]);
          return next;
        }},
-      {"jitter a little", [](const C& c, Random& random) { return jittered(c, random, spacingOf(c) / 256); }},
+      {"jitter a little",
+       [](const C& c, Random& random) { return jittered(c, random, spacingOf(c) / 256); }},
       {"jitter", [](const C& c, Random& random) { return jittered(c, random, spacingOf(c) / 4); }},
-      {"jitter a lot", [](const C& c, Random& random) { return jittered(c, random, extentOf(c) / 4); }},
-      {"tilt the weights", [](const C& c, Random&) { return changed(c, [&](Circle& d) { d.r += (d.x - c[0].x) / 2; }); }},
-      {"tilt them more than distances", [](const C& c, Random&) { return changed(c, [&](Circle& d) { d.r += (d.x - c[0].x) * 1.5; }); }},
-      {"all to one place", [](const C& c, Random&) { return changed(c, [&](Circle& d) { d = {c[0].x, c[0].y, d.r}; }); }},
-      {"all to one circle", [](const C& c, Random&) { return changed(c, [&](Circle& d) { d = c[0]; }); }},
-      {"all to one line", [](const C& c, Random&) { return changed(c, [&](Circle& d) { d = {d.x, c[0].y, d.r}; }); }},
-      {"half of them grow", [](const C& c, Random& random) {
+      {"jitter a lot",
+       [](const C& c, Random& random) { return jittered(c, random, extentOf(c) / 4); }},
+      {"tilt the weights",
+       [](const C& c, Random&) {
+         return changed(c, [&](Circle& d) { d.r += (d.x - c[0].x) / 2; });
+       }},
+      {"tilt them more than distances",
+       [](const C& c, Random&) {
+         return changed(c, [&](Circle& d) { d.r += (d.x - c[0].x) * 1.5; });
+       }},
+      {"all to one place",
+       [](const C& c, Random&) {
+         return changed(c, [&](Circle& d) { d = {c[0].x, c[0].y, d.r}; });
+       }},
+      {"all to one circle",
+       [](const C& c, Random&) { return changed(c, [&](Circle& d) { d = c[0]; }); }},
+      {"all to one line",
+       [](const C& c, Random&) { return changed(c, [&](Circle& d) { d = {d.x, c[0].y, d.r}; }); }},
+      {"half of them grow",
+       [](const C& c, Random& random) {
          const double by = 2 * spacingOf(c);
          return changed(c, [&](Circle& d) { d.r += random.oneIn(2) ? by : 0; });
        }},
-      {"half of them jump", [](const C& c, Random& random) {
+      {"half of them jump",
+       [](const C& c, Random& random) {
          const double by = extentOf(c) / 3;
          return changed(c, [&](Circle& d) { d.x += random.oneIn(2) ? by : 0; });
        }},
-      {"one grows over all", [](const C& c, Random& random) {
+      {"one grows over all",
+       [](const C& c, Random& random) {
          C next = c;
          next[random.below(c.size())].r += 8 * extentOf(c);
          return next;

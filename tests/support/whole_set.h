@@ -1,5 +1,5 @@
-// A diagram of which many sites change at once, and what it should contain: moves and batches of whole sets,
-// with everything checked after each.
+// A diagram of which many sites change at once, and what it should contain: moves and batches of
+// whole sets, with everything checked after each.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace apollonius::test {
 
 /// How circles get to where they are to be.
 enum class Way {
-  kTogether,   ///< updateMany of all
-  kOneByOne,   ///< update of each, in random order
-  kInParts,    ///< updateMany of a few, of half, of the rest
-  kRestored,   ///< updateMany after a snapshot has been taken and read
+  kTogether,  ///< updateMany of all
+  kOneByOne,  ///< update of each, in random order
+  kInParts,   ///< updateMany of a few, of half, of the rest
+  kRestored,  ///< updateMany after a snapshot has been taken and read
 };
 
 class WholeSet {
@@ -33,8 +33,8 @@ class WholeSet {
   std::string remove(const std::vector<std::size_t>& positions);
   std::string restore();
 
-  /// Validates everything, compares the graph with that of a fresh build, and finds around with all distances.
-  /// What is wrong, or nothing.
+  /// Validates everything, compares the graph with that of a fresh build, and finds around with all
+  /// distances. What is wrong, or nothing.
   std::string check(Random& random) const;
 
  private:

@@ -1,5 +1,5 @@
-// The packed package in Chromium and Firefox, under a strict content security policy: as it is, in workers, and as each bundler
-// packs it.
+// The packed package in Chromium and Firefox, under a strict content security policy: as it is, in
+// workers, and as each bundler packs it.
 import path from "node:path";
 import { root } from "../../wasm/toolchain/folders.mjs";
 import { capture } from "../../wasm/toolchain/process.mjs";
@@ -8,15 +8,24 @@ import { runScriptInNode } from "./support/node.mjs";
 import { runPages } from "./support/pages.mjs";
 
 const expected = "1 2 null";
-const use = "const d = new Diagram([0, 0, 1, 9, 0, 2]); report(`${d.find(8, 0)} ${d.size} ${d.validate()}`);";
+const use =
+  "const d = new Diagram([0, 0, 1, 9, 0, 2]); report(`${d.find(8, 0)} ${d.size} ${d.validate()}`);";
 const dist = "/node_modules/apollonius-diagram/dist";
 const bundlers = ["vite", "webpack", "rollup", "esbuild"];
 
-const bundle = (name) => JSON.parse(capture(process.execPath, [path.join(root, "tests/wasm/support/bundle.mjs"), name]).trim().split("\n").at(-1));
+const bundle = (name) =>
+  JSON.parse(
+    capture(process.execPath, [path.join(root, "tests/wasm/support/bundle.mjs"), name])
+      .trim()
+      .split("\n")
+      .at(-1),
+  );
 
 test.each(bundlers)("%s bundles the package without a warning, and the bundle runs", (name) => {
   expect(bundle(name)).toEqual([]);
-  expect(runScriptInNode(`globalThis.report = console.log; import("./bundles/${name}/main.js")`)).toBe(expected);
+  expect(
+    runScriptInNode(`globalThis.report = console.log; import("./bundles/${name}/main.js")`),
+  ).toBe(expected);
 });
 
 const files = {
@@ -34,12 +43,24 @@ const cases = {
   module: module("/module.js"),
   load: module("/ahead.js"),
   streaming: module("/wasm.js"),
-  script: { html: `<script src="${dist}/cjs/index.js"></script><script src="/global.js"></script>` },
-  "script-in-an-old-page": { charset: "windows-1252", html: `<script src="${dist}/cjs/index.js"></script><script src="/global.js"></script>` },
+  script: {
+    html: `<script src="${dist}/cjs/index.js"></script><script src="/global.js"></script>`,
+  },
+  "script-in-an-old-page": {
+    charset: "windows-1252",
+    html: `<script src="${dist}/cjs/index.js"></script><script src="/global.js"></script>`,
+  },
   "module-worker": module("/start_module_worker.js"),
   "classic-worker": { html: '<script src="/start_classic_worker.js"></script>' },
-  ...Object.fromEntries(bundlers.map((name) => [`bundle-${name}`, module(`/bundles/${name}/main.js`)])),
-  ...Object.fromEntries(["vite", "webpack", "esbuild"].map((name) => [`streamed-${name}`, module(`/bundles/${name}/streamed.js`)])),
+  ...Object.fromEntries(
+    bundlers.map((name) => [`bundle-${name}`, module(`/bundles/${name}/main.js`)]),
+  ),
+  ...Object.fromEntries(
+    ["vite", "webpack", "esbuild"].map((name) => [
+      `streamed-${name}`,
+      module(`/bundles/${name}/streamed.js`),
+    ]),
+  ),
 };
 
 describeInBrowsers("the package", (browser) => {

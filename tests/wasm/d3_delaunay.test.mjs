@@ -6,7 +6,11 @@ import { generator } from "./support/random.mjs";
 const count = 400;
 const random = generator(71);
 const items = Array.from({ length: count }, () => ({ x: random() * 960, y: random() * 500 }));
-const delaunay = Delaunay.from(items, (d) => d.x, (d) => d.y);
+const delaunay = Delaunay.from(
+  items,
+  (d) => d.x,
+  (d) => d.y,
+);
 /** A cycle of ids from the smallest one on. */
 const cycle = (ids) => {
   const start = ids.indexOf(Math.min(...ids));
@@ -14,11 +18,15 @@ const cycle = (ids) => {
 };
 /** Of a hull, without points in line between two others. */
 const corners = (hull, points) => {
-  const cross = (a, b, c) => (points[2 * b] - points[2 * a]) * (points[2 * c + 1] - points[2 * a + 1]) -
+  const cross = (a, b, c) =>
+    (points[2 * b] - points[2 * a]) * (points[2 * c + 1] - points[2 * a + 1]) -
     (points[2 * c] - points[2 * a]) * (points[2 * b + 1] - points[2 * a + 1]);
   return [...hull].filter((id, k) => cross(hull.at(k - 1), id, hull[(k + 1) % hull.length]) !== 0);
 };
-/** Ours is counter-clockwise with y upwards, and has all points that are in line on it; d3-delaunay's may lack some. */
+/**
+ * Ours is counter-clockwise with y upwards, and has all points that are in line on it;
+ * d3-delaunay's may lack some.
+ */
 const expectSameHull = (diagram, { hull, points }) => {
   const ours = diagram.hull();
   expect(cycle(corners(ours, points))).toEqual(cycle(corners(hull, points).reverse()));
@@ -27,7 +35,12 @@ const expectSameHull = (diagram, { hull, points }) => {
 const sorted = (numbers) => [...numbers].sort((a, b) => a - b);
 
 describe.each([0, 1, 250, -3])("all radii %d", (r) => {
-  const diagram = Diagram.from(items, (d) => d.x, (d) => d.y, () => r);
+  const diagram = Diagram.from(
+    items,
+    (d) => d.x,
+    (d) => d.y,
+    () => r,
+  );
 
   test("find", () => {
     for (let k = 0; k < 3000; ++k) {
@@ -37,7 +50,8 @@ describe.each([0, 1, 250, -3])("all radii %d", (r) => {
   });
 
   test("neighbors", () => {
-    for (let id = 0; id < count; ++id) expect(sorted(diagram.neighbors(id))).toEqual(sorted(delaunay.neighbors(id)));
+    for (let id = 0; id < count; ++id)
+      expect(sorted(diagram.neighbors(id))).toEqual(sorted(delaunay.neighbors(id)));
   });
 
   test("hull", () => {
@@ -49,7 +63,16 @@ describe.each([0, 1, 250, -3])("all radii %d", (r) => {
     ["in a disk", (k) => [Math.sqrt(k) * Math.cos(k), Math.sqrt(k) * Math.sin(k)], 300],
     ["on a circle", (k) => [Math.cos(k), Math.sin(k)], 60],
     ["a lattice, with points in line on the hull", (k) => [k % 9, Math.floor(k / 9)], 63],
-    ["a triangle", (k) => [[0, 0], [5, 1], [2, 4]][k], 3],
+    [
+      "a triangle",
+      (k) =>
+        [
+          [0, 0],
+          [5, 1],
+          [2, 4],
+        ][k],
+      3,
+    ],
   ])("hull of other points: %s", (_, point, length) => {
     const points = Array.from({ length }, (__, k) => point(k));
     const circles = new Diagram(points.flatMap(([x, y]) => [x, y, r]));
@@ -57,25 +80,42 @@ describe.each([0, 1, 250, -3])("all radii %d", (r) => {
   });
 
   test("points in line: the hull goes there and back, neighbors are the ones beside; of two points and of one: all", () => {
-    for (const point of [(k) => [k, 0], (k) => [0, -k], (k) => [3 * k, -k], (k) => [k % 7 + 10 * Math.floor(k / 7), 5]]) {
+    for (const point of [
+      (k) => [k, 0],
+      (k) => [0, -k],
+      (k) => [3 * k, -k],
+      (k) => [(k % 7) + 10 * Math.floor(k / 7), 5],
+    ]) {
       const points = Array.from({ length: 20 }, (_, k) => point((k * 7) % 20));
       const { collinear } = Delaunay.from(points);
       const line = new Diagram(points.flatMap(([x, y]) => [x, y, r]));
       expect(sorted(line.hull())).toEqual(sorted([...collinear, ...collinear.subarray(1, -1)]));
       collinear.forEach((id, k) => {
-        expect(sorted(line.neighbors(id))).toEqual(sorted([collinear[k - 1], collinear[k + 1]].filter((other) => other !== undefined)));
+        expect(sorted(line.neighbors(id))).toEqual(
+          sorted([collinear[k - 1], collinear[k + 1]].filter((other) => other !== undefined)),
+        );
         expect(sorted(line.neighbors(id))).toEqual(sorted(Delaunay.from(points).neighbors(id)));
       });
     }
-    expect(sorted(new Diagram([0, 0, r, 5, 5, r]).hull())).toEqual(sorted(Delaunay.from([[0, 0], [5, 5]]).hull));
+    expect(sorted(new Diagram([0, 0, r, 5, 5, r]).hull())).toEqual(
+      sorted(
+        Delaunay.from([
+          [0, 0],
+          [5, 5],
+        ]).hull,
+      ),
+    );
     expect(sorted(new Diagram([3, 4, r]).hull())).toEqual([...Delaunay.from([[3, 4]]).hull]);
   });
 
   test("triangles and circumcenters are the vertices", () => {
     const { sites, coordinates, clearance } = diagram.vertices();
-    const rows = (triples, centers) => Array.from({ length: triples.length / 3 }, (_, k) => ({
-      key: sorted(triples.slice(3 * k, 3 * k + 3)).join(" "), x: centers[2 * k], y: centers[2 * k + 1],
-    })).sort((a, b) => (a.key < b.key ? -1 : 1));
+    const rows = (triples, centers) =>
+      Array.from({ length: triples.length / 3 }, (_, k) => ({
+        key: sorted(triples.slice(3 * k, 3 * k + 3)).join(" "),
+        x: centers[2 * k],
+        y: centers[2 * k + 1],
+      })).sort((a, b) => (a.key < b.key ? -1 : 1));
     const ours = rows(sites, coordinates);
     const theirs = rows(delaunay.triangles, delaunay.voronoi([0, 0, 960, 500]).circumcenters);
     expect(ours.map(({ key }) => key)).toEqual(theirs.map(({ key }) => key));
@@ -95,7 +135,13 @@ describe.each([0, 1, 250, -3])("all radii %d", (r) => {
       if (halfedges[h] < h) pairs.add(sorted([from, to]).join(" "));
     });
     const { sites } = diagram.edges();
-    expect(new Set(Array.from({ length: sites.length / 2 }, (_, k) => sorted(sites.slice(2 * k, 2 * k + 2)).join(" ")))).toEqual(pairs);
+    expect(
+      new Set(
+        Array.from({ length: sites.length / 2 }, (_, k) =>
+          sorted(sites.slice(2 * k, 2 * k + 2)).join(" "),
+        ),
+      ),
+    ).toEqual(pairs);
     expect(sites.length / 2).toBe(pairs.size);
   });
 });
@@ -109,16 +155,26 @@ test("from takes the same accessors and this", () => {
   };
   const built = Diagram.from(items, x, (d) => d.y, undefined, that);
   const theirs = [];
-  Delaunay.from(items, function (item, index, all) {
-    theirs.push([this === that, index, all === items]);
-    return item.x;
-  }, (d) => d.y, that);
+  Delaunay.from(
+    items,
+    function (item, index, all) {
+      theirs.push([this === that, index, all === items]);
+      return item.x;
+    },
+    (d) => d.y,
+    that,
+  );
   expect(calls).toEqual(theirs);
   expect(built.find(100, 100)).toBe(delaunay.find(100, 100));
 });
 
 test("duplicates: d3-delaunay skips all but one, here the others are hidden", () => {
-  const points = [[10, 10], [50, 10], [10, 60], [10, 10]];
+  const points = [
+    [10, 10],
+    [50, 10],
+    [10, 60],
+    [10, 10],
+  ];
   const diagram = Diagram.from(points);
   expect(diagram.visibleSize).toBe(3);
   expect(diagram.isHidden(0) !== diagram.isHidden(3)).toBe(true);

@@ -1,5 +1,6 @@
-// The same bits in every engine: a history with all outputs of the package, as one hash, in Node, Chromium and Firefox. What differed would be
-// arithmetic of the engine's JavaScript; the wasm's own is compared with native code by recorded hashes (tests/diagram/determinism_test.cpp).
+// The same bits in every engine: a history with all outputs of the package, as one hash, in Node,
+// Chromium and Firefox. What differed would be arithmetic of the engine's JavaScript; the wasm's
+// own is compared with native code by recorded hashes (tests/diagram/determinism_test.cpp).
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { describeInBrowsers } from "./support/browsers.mjs";
@@ -16,12 +17,14 @@ const inNode = runInNode(`
 
 test("Node comes to a hash of all outputs, the same each time", () => {
   expect(inNode).toMatch(/^\d{6,} bytes [0-9a-f]{64}$/);
-  expect(runInNode(`
+  expect(
+    runInNode(`
     const { hashOfAllOutputs } = await import(${JSON.stringify(`file://${script}`)});
     const code = await import("apollonius-diagram");
     await hashOfAllOutputs(code);
     console.log(await hashOfAllOutputs(code));
-  `)).toBe(inNode);
+  `),
+  ).toBe(inNode);
 });
 
 describeInBrowsers("the hash of all outputs", (browser) => {
@@ -31,7 +34,11 @@ describeInBrowsers("the hash of all outputs", (browser) => {
       "all_outputs.js": readFileSync(script, "utf8"),
       "hash.js": `import { hashOfAllOutputs } from "/all_outputs.js"; import * as code from "${dist}/esm/index.js"; report(await hashOfAllOutputs(code));`,
     };
-    const { hash } = await runPages(browser, { hash: { html: '<script type="module" src="/hash.js"></script>' } }, files);
+    const { hash } = await runPages(
+      browser,
+      { hash: { html: '<script type="module" src="/hash.js"></script>' } },
+      files,
+    );
     expect(hash).toBe(inNode);
   }, 90_000);
 });

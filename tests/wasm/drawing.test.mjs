@@ -11,19 +11,24 @@ const drawings = {
   renderBounds: (context, options) => voronoi.renderBounds(context, options),
   renderCell: (context, options) => voronoi.renderCell(diagram.find(0, 0), context, options),
   dual: (context, options) => diagram.render(context, options),
-  dualWithRays: (context, options) => diagram.render(context, { ...options, bounds: [-900, -700, 1000, 800] }),
+  dualWithRays: (context, options) =>
+    diagram.render(context, { ...options, bounds: [-900, -700, 1000, 800] }),
   renderSites: (context, options) => diagram.renderSites(context, options),
   renderHull: (context, options) => diagram.renderHull(context, options),
 };
 
 const letters = { moveTo: "M", lineTo: "L", bezierCurveTo: "C", closePath: "Z" };
 
-test.each(Object.entries(drawings))("%s draws the same into a context and as a string", (_, draw) => {
+test.each(
+  Object.entries(drawings),
+)("%s draws the same into a context and as a string", (_, draw) => {
   const recorder = new Recorder();
   expect(draw(recorder)).toBeUndefined();
   expect(recorder.calls.length).toBeGreaterThan(3);
   expect(recorder.calls[0][0]).toBe("moveTo");
-  expect(recorder.calls.flat().every((value) => typeof value === "string" || Number.isFinite(value))).toBe(true);
+  expect(
+    recorder.calls.flat().every((value) => typeof value === "string" || Number.isFinite(value)),
+  ).toBe(true);
   const text = recorder.calls.map(([name, ...numbers]) => letters[name] + numbers.join()).join("");
   expect(draw()).toBe(text);
   expect(draw(null)).toBe(text);
@@ -49,7 +54,9 @@ test("edges are drawn once, cells and circles are closed", () => {
   expect(count(drawings.dualWithRays, "moveTo")).toBeGreaterThan(count(drawings.dual, "moveTo"));
   expect(count(drawings.renderHull, "closePath")).toBe(1);
   const id = diagram.find(0, 0);
-  expect(count((context) => voronoi.renderCell(id, context), "closePath")).toBe(voronoi.cellRegions(id).length);
+  expect(count((context) => voronoi.renderCell(id, context), "closePath")).toBe(
+    voronoi.cellRegions(id).length,
+  );
 });
 
 test("a context may change the diagram while it is drawn into, and nothing breaks", () => {
@@ -59,25 +66,41 @@ test("a context may change the diagram while it is drawn into, and nothing break
     moveTo() {
       if (++calls % 500 === 0) changing.insertMany(randomCircles(100, calls));
     },
-    lineTo() {}, bezierCurveTo() {}, closePath() {},
+    lineTo() {},
+    bezierCurveTo() {},
+    closePath() {},
   };
   changing.voronoi([-1000, -1000, 1000, 1000]).render(meddler);
   expect(changing.size).toBeGreaterThan(3000);
   expect(changing.validate()).toBeNull();
-  const disposer = { ...meddler, moveTo() { changing.dispose(); } };
-  expect(() => changing.voronoi([-1000, -1000, 1000, 1000]).render(disposer)).toThrow(expect.objectContaining({ code: "disposed" }));
+  const disposer = {
+    ...meddler,
+    moveTo() {
+      changing.dispose();
+    },
+  };
+  expect(() => changing.voronoi([-1000, -1000, 1000, 1000]).render(disposer)).toThrow(
+    expect.objectContaining({ code: "disposed" }),
+  );
 });
 
 test("what a context throws comes through, and the next drawing works", () => {
   const broken = new Recorder();
-  broken.lineTo = () => { throw new RangeError("no ink"); };
+  broken.lineTo = () => {
+    throw new RangeError("no ink");
+  };
   expect(() => voronoi.render(broken)).toThrow("no ink");
   expect(voronoi.render(null, { digits: 0 }).length).toBeGreaterThan(100);
 });
 
 test("nothing to draw is an empty string", () => {
   const empty = new Diagram();
-  expect([empty.render(), empty.renderSites(), empty.renderHull(), empty.voronoi().render()]).toEqual(["", "", "", ""]);
+  expect([
+    empty.render(),
+    empty.renderSites(),
+    empty.renderHull(),
+    empty.voronoi().render(),
+  ]).toEqual(["", "", "", ""]);
   expect([...empty.hull()]).toEqual([]);
   expect([...new Diagram([1, 2, 3]).hull()]).toEqual([0]);
   expect(empty.voronoi().renderBounds()).toBe("M0,0L960,0L960,500L0,500Z");

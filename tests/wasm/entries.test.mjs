@@ -1,4 +1,5 @@
-// The package as users load it: ES modules, CommonJS, the entry with a separate .wasm, workers, a strict policy, types.
+// The package as users load it: ES modules, CommonJS, the entry with a separate .wasm, workers, a
+// strict policy, types.
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "../../wasm/toolchain/folders.mjs";
@@ -6,7 +7,7 @@ import { capture } from "../../wasm/toolchain/process.mjs";
 import { packed } from "./support/install_packed.mjs";
 import { runInNode, runScriptInNode } from "./support/node.mjs";
 
-const use = 'const d = new Diagram([0, 0, 1, 9, 0, 2]); console.log(d.find(8, 0), d.size);';
+const use = "const d = new Diagram([0, 0, 1, 9, 0, 2]); console.log(d.find(8, 0), d.size);";
 
 test("import", () => {
   expect(runInNode(`import { Diagram } from "apollonius-diagram"; ${use}`)).toBe("1 2");
@@ -17,24 +18,29 @@ test("require", () => {
 });
 
 test("load compiles ahead, once or often", () => {
-  expect(runInNode(`
+  expect(
+    runInNode(`
     import { Diagram, load } from "apollonius-diagram";
     await Promise.all([load(), load()]);
     await load();
-    ${use}`)).toBe("1 2");
+    ${use}`),
+  ).toBe("1 2");
 });
 
 test("a diagram made while load is under way is not lost", () => {
-  expect(runInNode(`
+  expect(
+    runInNode(`
     import { Diagram, load } from "apollonius-diagram";
     const loading = load();
     const early = new Diagram([0, 0, 1]);
     await loading;
-    console.log(early.insert(5, 5, 1), new Diagram([1, 1, 1]).find(0, 0), early.size);`)).toBe("1 0 2");
+    console.log(early.insert(5, 5, 1), new Diagram([1, 1, 1]).find(0, 0), early.size);`),
+  ).toBe("1 0 2");
 });
 
 test("import compiles nothing and is no promise", () => {
-  expect(runScriptInNode(`
+  expect(
+    runScriptInNode(`
     let compiled = 0;
     const Module = WebAssembly.Module;
     WebAssembly.Module = new Proxy(Module, { construct(target, args) { ++compiled; return Reflect.construct(target, args); } });
@@ -46,34 +52,43 @@ test("import compiles nothing and is no promise", () => {
     const { Diagram } = require("apollonius-diagram");
     const atImport = [compiled, Object.keys(globalThis).length - before];
     new Diagram(); new Diagram();
-    console.log(JSON.stringify([atImport, compiled]));`)).toBe("[[0,0],1]");
+    console.log(JSON.stringify([atImport, compiled]));`),
+  ).toBe("[[0,0],1]");
 });
 
 test("no code is made from strings", () => {
-  expect(runInNode(`import { Diagram } from "apollonius-diagram"; ${use}`, ["--disallow-code-generation-from-strings"])).toBe("1 2");
+  expect(
+    runInNode(`import { Diagram } from "apollonius-diagram"; ${use}`, [
+      "--disallow-code-generation-from-strings",
+    ]),
+  ).toBe("1 2");
 });
 
 test.each([
   ["require", 'const { Diagram } = require("apollonius-diagram");'],
   ["import", 'const { Diagram } = await import("apollonius-diagram");'],
 ])("in a worker, by %s", (_, get) => {
-  expect(runScriptInNode(`
+  expect(
+    runScriptInNode(`
     const { Worker } = require("node:worker_threads");
     const worker = new Worker(\`(async () => {
       const { parentPort } = require("node:worker_threads");
       ${get}
       parentPort.postMessage(new Diagram([0, 0, 1, 9, 0, 2]).find(8, 0));
     })()\`, { eval: true });
-    worker.on("message", (id) => console.log(id));`)).toBe("1");
+    worker.on("message", (id) => console.log(id));`),
+  ).toBe("1");
 });
 
 test("two copies of the package in one process do not disturb each other", () => {
-  expect(runInNode(`
+  expect(
+    runInNode(`
     import { createRequire } from "node:module";
     import { Diagram } from "apollonius-diagram";
     const other = createRequire(process.cwd() + "/x.js")("apollonius-diagram").Diagram;
     const [a, b] = [new Diagram([0, 0, 1]), new other([0, 0, 1, 5, 5, 1])];
-    console.log(a.size, b.size, a instanceof other);`)).toBe("1 2 false");
+    console.log(a.size, b.size, a instanceof other);`),
+  ).toBe("1 2 false");
 });
 
 const bytes = 'readFileSync("node_modules/apollonius-diagram/dist/apollonius.wasm")';
@@ -84,13 +99,17 @@ test.each([
   ["a promise of a response of unknown type", `Promise.resolve(new Response(${bytes}))`],
   ["an address", '"data:application/wasm;base64," + ' + bytes + '.toString("base64")'],
 ])("the entry with a separate .wasm loads %s", (_, source) => {
-  expect(runInNode(`
+  expect(
+    runInNode(`
     import { readFileSync } from "node:fs";
     import { Diagram, load } from "apollonius-diagram/wasm";
     await load(${source});
-    ${use}`)).toBe("1 2");
-  expect(runInNode(`import { Diagram } from "apollonius-diagram/wasm";
-    try { new Diagram(); } catch (error) { console.log(error.message); }`)).toContain("await load(source)");
+    ${use}`),
+  ).toBe("1 2");
+  expect(
+    runInNode(`import { Diagram } from "apollonius-diagram/wasm";
+    try { new Diagram(); } catch (error) { console.log(error.message); }`),
+  ).toContain("await load(source)");
 });
 
 const consumer = `
@@ -117,16 +136,36 @@ test("types work for ES modules and CommonJS, in NodeNext and Bundler resolution
   mkdirSync(folder, { recursive: true });
   writeFileSync(path.join(folder, "esm.mts"), consumer);
   writeFileSync(path.join(folder, "cjs.cts"), consumer);
-  writeFileSync(path.join(folder, "separate.mts"), 'import { Diagram, load } from "apollonius-diagram/wasm";\n' +
-    'export const loading: Promise<void> = load(new URL("x:y"));\nexport const diagram = new Diagram();\n');
-  const options = { target: "ES2022", strict: true, exactOptionalPropertyTypes: true, noEmit: true, types: [], skipLibCheck: false,
-                    lib: ["ES2023", "ESNext.Disposable", "DOM"] };
+  writeFileSync(
+    path.join(folder, "separate.mts"),
+    'import { Diagram, load } from "apollonius-diagram/wasm";\n' +
+      'export const loading: Promise<void> = load(new URL("x:y"));\nexport const diagram = new Diagram();\n',
+  );
+  const options = {
+    target: "ES2022",
+    strict: true,
+    exactOptionalPropertyTypes: true,
+    noEmit: true,
+    types: [],
+    skipLibCheck: false,
+    lib: ["ES2023", "ESNext.Disposable", "DOM"],
+  };
   const kinds = {
-    NodeNext: { compilerOptions: { ...options, module: "NodeNext" }, files: ["esm.mts", "cjs.cts", "separate.mts"] },
-    Bundler: { compilerOptions: { ...options, module: "ESNext", moduleResolution: "Bundler" }, files: ["esm.mts", "separate.mts"] },
+    NodeNext: {
+      compilerOptions: { ...options, module: "NodeNext" },
+      files: ["esm.mts", "cjs.cts", "separate.mts"],
+    },
+    Bundler: {
+      compilerOptions: { ...options, module: "ESNext", moduleResolution: "Bundler" },
+      files: ["esm.mts", "separate.mts"],
+    },
   };
   for (const [name, config] of Object.entries(kinds)) {
     writeFileSync(path.join(folder, `${name}.json`), JSON.stringify(config));
-    capture(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", path.join(folder, `${name}.json`)]);
+    capture(process.execPath, [
+      path.join(root, "node_modules/typescript/bin/tsc"),
+      "-p",
+      path.join(folder, `${name}.json`),
+    ]);
   }
 });

@@ -1,5 +1,6 @@
-// Each code that the documentation of a call names is raised by it, with words that name argument and value, and the diagram is as it was.
-// "out-of-memory" is in out_of_memory.test.mjs, "disposed" in lifetime.test.mjs. More kinds of bad values: errors.test.mjs, wrong_types.test.mjs.
+// Each code that the documentation of a call names is raised by it, with words that name argument
+// and value, and the diagram is as it was. "out-of-memory" is in out_of_memory.test.mjs, "disposed"
+// in lifetime.test.mjs. More kinds of bad values: errors.test.mjs, wrong_types.test.mjs.
 import { Diagram, Voronoi } from "../../build/packed/consumer.mjs";
 import { describePackage } from "../../wasm/api_reference.mjs";
 import { calls } from "./support/calls.mjs";
@@ -8,10 +9,18 @@ import { randomCircles } from "./support/random.mjs";
 import { expectRefusal } from "./support/refusal.mjs";
 
 const described = describePackage()[0].described;
-const codesOf = (text) => [...text.matchAll(/"([a-z-]+)"/g)].map((match) => match[1]).filter((code) => known.has(code));
-const known = new Set([...described.find(({ name }) => name === "ErrorCode").code.matchAll(/"([a-z-]+)"/g)].map((match) => match[1]));
+const codesOf = (text) =>
+  [...text.matchAll(/"([a-z-]+)"/g)].map((match) => match[1]).filter((code) => known.has(code));
+const known = new Set(
+  [...described.find(({ name }) => name === "ErrorCode").code.matchAll(/"([a-z-]+)"/g)].map(
+    (match) => match[1],
+  ),
+);
 
-/** What its comment says that a member throws: codes, "throws as ...", and what the comment of Voronoi says of all its calls. */
+/**
+ * What its comment says that a member throws: codes, "throws as ...", and what the comment of
+ * Voronoi says of all its calls.
+ */
 function documented(className, name) {
   const { members } = described.find((one) => one.name === className);
   const { text, code } = members.find((member) => member.name === name);
@@ -20,31 +29,52 @@ function documented(className, name) {
   if (other) documented(className, other).forEach((inherited) => codes.add(inherited));
   if (className === "Voronoi") {
     if (/\bid: number/.test(code)) codes.add("unknown-site");
-    if (/\boptions\?/.test(code) && !text.includes("Throws")) codes.add("not-finite").add("out-of-range");
+    if (/\boptions\?/.test(code) && !text.includes("Throws"))
+      codes.add("not-finite").add("out-of-range");
   }
   return [...codes].sort();
 }
 
 test("the comment of Voronoi says what holds for all its calls", () => {
   const { text } = described.find(({ name }) => name === "Voronoi");
-  expect(text.replace(/\s+/g, " ")).toMatch(/id without a site throws "unknown-site".*Options throw "not-finite" or "out-of-range"/);
+  expect(text.replace(/\s+/g, " ")).toMatch(
+    /id without a site throws "unknown-site".*Options throw "not-finite" or "out-of-range"/,
+  );
 });
 
-test.each([["Diagram", Diagram, ["constructor", "from", "fromBytes"]], ["Voronoi", Voronoi, []]])("every call of %s is in the table", (name, type, more) => {
-  const members = Object.getOwnPropertyNames(type.prototype).filter((member) => !["constructor", "dispose"].includes(member));
-  expect(calls.map(([call]) => call).filter((call) => call.startsWith(`${name}.`)).sort()).toEqual([...members, ...more].map((member) => `${name}.${member}`).sort());
+test.each([
+  ["Diagram", Diagram, ["constructor", "from", "fromBytes"]],
+  ["Voronoi", Voronoi, []],
+])("every call of %s is in the table", (name, type, more) => {
+  const members = Object.getOwnPropertyNames(type.prototype).filter(
+    (member) => !["constructor", "dispose"].includes(member),
+  );
+  expect(
+    calls
+      .map(([call]) => call)
+      .filter((call) => call.startsWith(`${name}.`))
+      .sort(),
+  ).toEqual([...members, ...more].map((member) => `${name}.${member}`).sort());
 });
 
-test.each(calls)("%s is tried with each code that its documentation names, and no other", (name, { refuses }) => {
-  expect([...new Set(refuses.map(([code]) => code))].sort()).toEqual(documented(...name.split(".")));
+test.each(calls)("%s is tried with each code that its documentation names, and no other", (name, {
+  refuses,
+}) => {
+  expect([...new Set(refuses.map(([code]) => code))].sort()).toEqual(
+    documented(...name.split(".")),
+  );
 });
 
 const diagram = new Diagram(randomCircles(20, 23));
-diagram.insert(0, 0, 300);  // hides some
-diagram.remove(7);          // leaves a gap in the ids
+diagram.insert(0, 0, 300); // hides some
+diagram.remove(7); // leaves a gap in the ids
 const before = snapshot(diagram);
 
-test.each(calls.flatMap(([name, { refuses }]) => refuses.map(([code, call, message]) => [name, code, message, call])))("%s: %s, %s", (name, code, message, call) => {
+test.each(
+  calls.flatMap(([name, { refuses }]) =>
+    refuses.map(([code, call, message]) => [name, code, message, call]),
+  ),
+)("%s: %s, %s", (name, code, message, call) => {
   expectRefusal(() => call(diagram), code, message);
   expect(snapshot(diagram)).toBe(before);
 });

@@ -6,8 +6,8 @@ import { expectRefusal } from "./support/refusal.mjs";
 
 function built() {
   const diagram = new Diagram(randomCircles(20, 21));
-  diagram.insert(0, 0, 300);  // hides some
-  diagram.remove(7);          // leaves a gap in the ids
+  diagram.insert(0, 0, 300); // hides some
+  diagram.remove(7); // leaves a gap in the ids
   return diagram;
 }
 
@@ -36,27 +36,97 @@ const cases = [
 
   // Arrays of numbers
   ["insertMany NaN", (d) => d.insertMany([1, 2, 3, 4, NaN, 6]), "not-finite", "xyr[4] is NaN"],
-  ["insertMany NaN typed", (d) => d.insertMany(new Float32Array([1, 2, 3, 4, NaN, 6])), "not-finite", "xyr[4] is NaN"],
-  ["insertMany a string", (d) => d.insertMany([1, 2, 3, "4", 5, 6]), "not-finite", 'xyr[3] is the string "4"'],
-  ["insertMany a hole", (d) => d.insertMany([1, 2, , 4, 5, 6]), "not-finite", "xyr[2] is undefined"],
-  ["insertMany bigints", (d) => d.insertMany(new BigInt64Array(3)), "not-finite", "xyr[0] is the bigint 0n"],
-  ["insertMany out of range", (d) => d.insertMany([1, 2, 3, 4, 5, 1e-300]), "out-of-range", "xyr[5] is 1e-300"],
-  ["insertMany seven values", (d) => d.insertMany([1, 2, 3, 4, 5, 6, 7]), "bad-length", "expected a multiple of 3 values in xyr, got 7"],
+  [
+    "insertMany NaN typed",
+    (d) => d.insertMany(new Float32Array([1, 2, 3, 4, NaN, 6])),
+    "not-finite",
+    "xyr[4] is NaN",
+  ],
+  [
+    "insertMany a string",
+    (d) => d.insertMany([1, 2, 3, "4", 5, 6]),
+    "not-finite",
+    'xyr[3] is the string "4"',
+  ],
+  [
+    "insertMany a hole",
+    (d) => d.insertMany([1, 2, , 4, 5, 6]),
+    "not-finite",
+    "xyr[2] is undefined",
+  ],
+  [
+    "insertMany bigints",
+    (d) => d.insertMany(new BigInt64Array(3)),
+    "not-finite",
+    "xyr[0] is the bigint 0n",
+  ],
+  [
+    "insertMany out of range",
+    (d) => d.insertMany([1, 2, 3, 4, 5, 1e-300]),
+    "out-of-range",
+    "xyr[5] is 1e-300",
+  ],
+  [
+    "insertMany seven values",
+    (d) => d.insertMany([1, 2, 3, 4, 5, 6, 7]),
+    "bad-length",
+    "expected a multiple of 3 values in xyr, got 7",
+  ],
   ["insertMany undefined", (d) => d.insertMany(undefined), "bad-length", "xyr is undefined"],
   ["insertMany a number", (d) => d.insertMany(3), "bad-length", "xyr is 3"],
-  ["insertMany a string for all", (d) => d.insertMany("123"), "bad-length", 'xyr is the string "123"'],
+  [
+    "insertMany a string for all",
+    (d) => d.insertMany("123"),
+    "bad-length",
+    'xyr is the string "123"',
+  ],
   ["insertMany no array", (d) => d.insertMany({ length: 1.5 }), "bad-length", "xyr is an object"],
-  ["updateMany NaN", (d) => d.updateMany([1, 2], [1, 2, 3, 4, 5, NaN]), "not-finite", "xyr[5] is NaN"],
-  ["updateMany out of range", (d) => d.updateMany([1, 2], [1, 2, 3, 4, 5, 1e300]), "out-of-range", "xyr[5] is 1e+300"],
-  ["updateMany too short", (d) => d.updateMany([1, 2], [1, 2, 3]), "bad-length", "expected 6 values in xyr for 2 ids, got 3"],
-  ["updateMany four values", (d) => d.updateMany([1], [1, 2, 3, 4]), "bad-length", "expected a multiple of 3 values in xyr, got 4"],
+  [
+    "updateMany NaN",
+    (d) => d.updateMany([1, 2], [1, 2, 3, 4, 5, NaN]),
+    "not-finite",
+    "xyr[5] is NaN",
+  ],
+  [
+    "updateMany out of range",
+    (d) => d.updateMany([1, 2], [1, 2, 3, 4, 5, 1e300]),
+    "out-of-range",
+    "xyr[5] is 1e+300",
+  ],
+  [
+    "updateMany too short",
+    (d) => d.updateMany([1, 2], [1, 2, 3]),
+    "bad-length",
+    "expected 6 values in xyr for 2 ids, got 3",
+  ],
+  [
+    "updateMany four values",
+    (d) => d.updateMany([1], [1, 2, 3, 4]),
+    "bad-length",
+    "expected a multiple of 3 values in xyr, got 4",
+  ],
   ["updateMany no ids", (d) => d.updateMany(undefined, []), "bad-length", "ids is undefined"],
   ["removeMany no array", (d) => d.removeMany(5), "bad-length", "ids is 5"],
   ["findMany NaN", (d) => d.findMany([0, 0, NaN, 0]), "not-finite", "xy[2] is NaN"],
   ["findMany out of range", (d) => d.findMany([0, 0, 0, 1e123]), "out-of-range", "xy[3] is 1e+123"],
-  ["findMany three values", (d) => d.findMany([0, 0, 0]), "bad-length", "expected a multiple of 2 values in xy, got 3"],
-  ["findMany distances too short", (d) => d.findMany([0, 0, 1, 1], new Float64Array(1)), "bad-length", "distances"],
-  ["findMany distances of floats", (d) => d.findMany([0, 0], new Float32Array(1)), "bad-length", "distances"],
+  [
+    "findMany three values",
+    (d) => d.findMany([0, 0, 0]),
+    "bad-length",
+    "expected a multiple of 2 values in xy, got 3",
+  ],
+  [
+    "findMany distances too short",
+    (d) => d.findMany([0, 0, 1, 1], new Float64Array(1)),
+    "bad-length",
+    "distances",
+  ],
+  [
+    "findMany distances of floats",
+    (d) => d.findMany([0, 0], new Float32Array(1)),
+    "bad-length",
+    "distances",
+  ],
 
   // Ids
   ["site of a removed id", (d) => d.site(7), "unknown-site", "site 7 does not exist"],
@@ -69,8 +139,18 @@ const cases = [
   ["update", (d) => d.update(NONE, 1, 2, 3), "unknown-site", "site 1000 does not exist"],
   ["update without r", (d) => d.update(NONE, 1, 2), "unknown-site", "site 1000 does not exist"],
   ["update of NaN", (d) => d.update(NaN, 1, 2, 3), "unknown-site", "site NaN does not exist"],
-  ["updateMany", (d) => d.updateMany([1, NONE], [1, 2, 3, 4, 5, 6]), "unknown-site", "ids[1]: site 1000 does not exist"],
-  ["updateMany of a fraction", (d) => d.updateMany([0.5], [1, 2, 3]), "unknown-site", "ids[0]: site 0.5 does not exist"],
+  [
+    "updateMany",
+    (d) => d.updateMany([1, NONE], [1, 2, 3, 4, 5, 6]),
+    "unknown-site",
+    "ids[1]: site 1000 does not exist",
+  ],
+  [
+    "updateMany of a fraction",
+    (d) => d.updateMany([0.5], [1, 2, 3]),
+    "unknown-site",
+    "ids[0]: site 0.5 does not exist",
+  ],
 ];
 
 test.each(cases)("%s", (_, call, code, message) => {
@@ -81,7 +161,7 @@ test.each(cases)("%s", (_, call, code, message) => {
   expect(error.name).toBe("ApolloniusError");
   expect(snapshot(diagram)).toBe(before);
   expect(diagram.validate()).toBeNull();
-  expect(diagram.insert(0, 1, 2)).toBe(7);  // the free id is still free
+  expect(diagram.insert(0, 1, 2)).toBe(7); // the free id is still free
 });
 
 test.each([
@@ -90,7 +170,9 @@ test.each([
   [[1e200, 2, 3], "out-of-range", "xyr[0] is 1e+200"],
   [null, "bad-length", "xyr is null"],
 ])("the constructor refuses %p", (xyr, code, message) => {
-  expect(() => new Diagram(xyr)).toThrow(expect.objectContaining({ code, message: expect.stringContaining(message) }));
+  expect(() => new Diagram(xyr)).toThrow(
+    expect.objectContaining({ code, message: expect.stringContaining(message) }),
+  );
 });
 
 test("an array that calls back while it is read does no harm", () => {

@@ -1,19 +1,38 @@
 // Diagram.from: items of all kinds, accessors as in d3.
 import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
 
-const expected = [{ x: 1, y: 2, r: 3 }, { x: 40, y: 5, r: 0 }];
+const expected = [
+  { x: 1, y: 2, r: 3 },
+  { x: 40, y: 5, r: 0 },
+];
 
 function sites(diagram) {
   return [...diagram.ids()].map((id) => diagram.site(id));
 }
 
 test("objects, with r or without", () => {
-  expect(sites(Diagram.from([{ x: 1, y: 2, r: 3 }, { x: 40, y: 5 }]))).toEqual(expected);
+  expect(
+    sites(
+      Diagram.from([
+        { x: 1, y: 2, r: 3 },
+        { x: 40, y: 5 },
+      ]),
+    ),
+  ).toEqual(expected);
 });
 
 test("arrays and typed arrays, with r or without", () => {
-  expect(sites(Diagram.from([[1, 2, 3], [40, 5]]))).toEqual(expected);
-  expect(sites(Diagram.from([new Float32Array([1, 2, 3]), new Float64Array([40, 5])]))).toEqual(expected);
+  expect(
+    sites(
+      Diagram.from([
+        [1, 2, 3],
+        [40, 5],
+      ]),
+    ),
+  ).toEqual(expected);
+  expect(sites(Diagram.from([new Float32Array([1, 2, 3]), new Float64Array([40, 5])]))).toEqual(
+    expected,
+  );
 });
 
 test("any iterable: a set, a generator", () => {
@@ -22,7 +41,16 @@ test("any iterable: a set, a generator", () => {
     yield { x: 40, y: 5 };
   }
   expect(sites(Diagram.from(items()))).toEqual(expected);
-  expect(sites(Diagram.from(new Set([[1, 2, 3], [40, 5]])))).toEqual(expected);
+  expect(
+    sites(
+      Diagram.from(
+        new Set([
+          [1, 2, 3],
+          [40, 5],
+        ]),
+      ),
+    ),
+  ).toEqual(expected);
 });
 
 test("array-likes", () => {
@@ -30,17 +58,29 @@ test("array-likes", () => {
 });
 
 test("accessors get item, index, all items, and this", () => {
-  const items = [{ lon: 1, lat: 2, size: 9 }, { lon: 40, lat: 5, size: 0 }];
+  const items = [
+    { lon: 1, lat: 2, size: 9 },
+    { lon: 40, lat: 5, size: 0 },
+  ];
   const that = { scale: 2 };
   const calls = [];
-  const diagram = Diagram.from(items, (d) => d.lon, (d, i, all) => {
-    calls.push([i, all === items]);
-    return d.lat;
-  }, function (d) {
-    return Math.sqrt(d.size) * this.scale / 2;
-  }, that);
+  const diagram = Diagram.from(
+    items,
+    (d) => d.lon,
+    (d, i, all) => {
+      calls.push([i, all === items]);
+      return d.lat;
+    },
+    function (d) {
+      return (Math.sqrt(d.size) * this.scale) / 2;
+    },
+    that,
+  );
   expect(sites(diagram)).toEqual(expected);
-  expect(calls).toEqual([[0, true], [1, true]]);
+  expect(calls).toEqual([
+    [0, true],
+    [1, true],
+  ]);
 });
 
 test("no items", () => {
@@ -55,10 +95,21 @@ test.each([
   [[{ x: 1, y: Infinity }], "y of item 0 is Infinity"],
 ])("%j is refused", (items, message) => {
   expect(() => Diagram.from(items)).toThrow(ApolloniusError);
-  expect(() => Diagram.from(items)).toThrow(expect.objectContaining({ code: "not-finite", message: expect.stringContaining(message) }));
+  expect(() => Diagram.from(items)).toThrow(
+    expect.objectContaining({ code: "not-finite", message: expect.stringContaining(message) }),
+  );
 });
 
 test("an item out of range is named", () => {
-  expect(() => Diagram.from([[0, 0], [1e200, 0]])).toThrow(
-    expect.objectContaining({ code: "out-of-range", message: expect.stringContaining("x of item 1 is 1e+200") }));
+  expect(() =>
+    Diagram.from([
+      [0, 0],
+      [1e200, 0],
+    ]),
+  ).toThrow(
+    expect.objectContaining({
+      code: "out-of-range",
+      message: expect.stringContaining("x of item 1 is 1e+200"),
+    }),
+  );
 });

@@ -8,12 +8,19 @@ import { runInNode } from "./support/node.mjs";
 import { randomCircles } from "./support/random.mjs";
 import { expectRefusal } from "./support/refusal.mjs";
 
-test.each(calls.filter(([name]) => !/\.(constructor|from|fromBytes)$/.test(name)))("%s after dispose is an error", (name, { use }) => {
+test.each(
+  calls.filter(([name]) => !/\.(constructor|from|fromBytes)$/.test(name)),
+)("%s after dispose is an error", (name, { use }) => {
   const diagram = new Diagram([0, 0, 1]);
   const view = diagram.voronoi();
   diagram.dispose();
   expectRefusal(() => use(diagram), "disposed", "the diagram has been disposed of");
-  if (name.startsWith("Voronoi.")) expectRefusal(() => use({ voronoi: () => view }), "disposed", "the diagram has been disposed of");
+  if (name.startsWith("Voronoi."))
+    expectRefusal(
+      () => use({ voronoi: () => view }),
+      "disposed",
+      "the diagram has been disposed of",
+    );
 });
 
 test("a second dispose does nothing, and other diagrams live on", () => {
@@ -24,12 +31,43 @@ test("a second dispose does nothing, and other diagrams live on", () => {
   expect(other.validate()).toBeNull();
 });
 
-// An array, an option or a context of the caller's can dispose of the diagram in the middle of a call.
-const dispose = (d, value) => ({ get 0() { d.dispose(); return value; }, length: 6, 1: 1, 2: 1, 3: 2, 4: 2, 5: 1 });
-const option = (d, name) => ({ get [name]() { d.dispose(); return undefined; } });
+// An array, an option or a context of the caller's can dispose of the diagram in the middle of a
+// call.
+const dispose = (d, value) => ({
+  get 0() {
+    d.dispose();
+    return value;
+  },
+  length: 6,
+  1: 1,
+  2: 1,
+  3: 2,
+  4: 2,
+  5: 1,
+});
+const option = (d, name) => ({
+  get [name]() {
+    d.dispose();
+    return undefined;
+  },
+});
 test.each([
   ["insertMany", (d) => d.insertMany(dispose(d, 1))],
-  ["updateMany ids", (d) => d.updateMany({ ...[0], length: 1, get 0() { d.dispose(); return 0; } }, [1, 2, 3])],
+  [
+    "updateMany ids",
+    (d) =>
+      d.updateMany(
+        {
+          ...[0],
+          length: 1,
+          get 0() {
+            d.dispose();
+            return 0;
+          },
+        },
+        [1, 2, 3],
+      ),
+  ],
   ["updateMany xyr", (d) => d.updateMany([0, 1], dispose(d, 1))],
   ["removeMany", (d) => d.removeMany(dispose(d, 0))],
   ["findMany", (d) => d.findMany(dispose(d, 1))],
@@ -64,7 +102,7 @@ test("`using` disposes at the end of the block, whatever ends it", () => {
       throw new Error("early");
     } catch {}
     try { seen[0].size; } catch (error) { console.log(error.code); }`;
-  const { code } = transformSync(source, { target: "es2022", format: "esm" });  // Node 20 does not know `using` yet
+  const { code } = transformSync(source, { target: "es2022", format: "esm" }); // Node 20 does not know `using` yet
   expect(runInNode(code)).toBe("disposed");
 });
 
@@ -108,7 +146,8 @@ test("a million diagrams, made and disposed of, need the memory of a few", () =>
 }, 120_000);
 
 test("forgotten diagrams give their memory back", () => {
-  const output = runInNode(`${watchGrowth}
+  const output = runInNode(
+    `${watchGrowth}
     const xyr = Float64Array.from({ length: 900 }, (_, k) => (k % 3 === 2 ? 1 : (k * 7919) % 10007));
     const rounds = [];
     for (let round = 0; round < 12; ++round) {
@@ -117,12 +156,15 @@ test("forgotten diagrams give their memory back", () => {
       await new Promise((resolve) => setTimeout(resolve, 20));  // finalizers run between tasks
       rounds.push(pages);
     }
-    console.log(rounds.at(-1) - rounds[5]);`, ["--expose-gc"]);
+    console.log(rounds.at(-1) - rounds[5]);`,
+    ["--expose-gc"],
+  );
   expect(output).toBe("0");
 });
 
 test("a forgotten diagram is collected", () => {
-  const output = runInNode(`
+  const output = runInNode(
+    `
     let freed = 0;
     const Registry = globalThis.FinalizationRegistry;
     globalThis.FinalizationRegistry = class extends Registry {
@@ -135,18 +177,23 @@ test("a forgotten diagram is collected", () => {
       await new Promise((resolve) => setTimeout(resolve, 10));
     }
     console.log(freed >= 90 ? "collected" : "only " + freed);
-  `, ["--expose-gc"]);
+  `,
+    ["--expose-gc"],
+  );
   expect(output).toBe("collected");
 });
 
 test("a disposed diagram is not freed twice when it is collected", () => {
-  const output = runInNode(`
+  const output = runInNode(
+    `
     const { Diagram } = await import("apollonius-diagram");
     for (let k = 0; k < 100; ++k) new Diagram([0, 0, 1, 5, 5, 1]).dispose();
     const kept = new Diagram([0, 0, 1, 5, 5, 1, 9, 0, 2]);
     for (let k = 0; k < 10; ++k) { gc(); await new Promise((resolve) => setTimeout(resolve, 5)); }
     console.log(kept.validate());
-  `, ["--expose-gc"]);
+  `,
+    ["--expose-gc"],
+  );
   expect(output).toBe("null");
 });
 
@@ -195,8 +242,14 @@ test("a million small diagrams come and go", () => {
   }
 }, 120_000);
 
-const thorough = process.env.APOLLONIUS_THOROUGH ? test : test.skip;  // 4 GB and half a minute
-thorough("all memory that there is, and less again", () => {
-  const program = fileURLToPath(new URL("support/all_memory.mjs", import.meta.url));
-  expect(JSON.parse(capture(process.execPath, [program], { env: { NODE_OPTIONS: "" } })).wrong).toEqual([]);
-}, 600_000);
+const thorough = process.env.APOLLONIUS_THOROUGH ? test : test.skip; // 4 GB and half a minute
+thorough(
+  "all memory that there is, and less again",
+  () => {
+    const program = fileURLToPath(new URL("support/all_memory.mjs", import.meta.url));
+    expect(
+      JSON.parse(capture(process.execPath, [program], { env: { NODE_OPTIONS: "" } })).wrong,
+    ).toEqual([]);
+  },
+  600_000,
+);

@@ -3,24 +3,48 @@ import fc from "fast-check";
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { graph } from "./support/graph.mjs";
 
-/** Small integers: nearly every predicate is zero somewhere, and the model's tests of covering are exact. */
-const gridCircle = fc.tuple(fc.integer({ min: -4, max: 4 }), fc.integer({ min: -4, max: 4 }), fc.integer({ min: 0, max: 3 }));
-const anyNumber = fc.double({ min: -1e6, max: 1e6, noNaN: true }).map((value) => (Math.abs(value) < 1e-100 ? 0 : value));
-const anyCircle = fc.tuple(anyNumber, anyNumber, fc.double({ min: 0, max: 3e5, noNaN: true }).map((r) => (r < 1e-100 ? 0 : r)));
+/**
+ * Small integers: nearly every predicate is zero somewhere, and the model's tests of covering are
+ * exact.
+ */
+const gridCircle = fc.tuple(
+  fc.integer({ min: -4, max: 4 }),
+  fc.integer({ min: -4, max: 4 }),
+  fc.integer({ min: 0, max: 3 }),
+);
+const anyNumber = fc
+  .double({ min: -1e6, max: 1e6, noNaN: true })
+  .map((value) => (Math.abs(value) < 1e-100 ? 0 : value));
+const anyCircle = fc.tuple(
+  anyNumber,
+  anyNumber,
+  fc.double({ min: 0, max: 3e5, noNaN: true }).map((r) => (r < 1e-100 ? 0 : r)),
+);
 
-/** Operations name sites by a fraction of the present ids, so that shrinking keeps them meaningful. */
+/**
+ * Operations name sites by a fraction of the present ids, so that shrinking keeps them meaningful.
+ */
 function operations(circle, maxLength) {
   const pick = fc.double({ min: 0, max: 1, maxExcluded: true, noNaN: true });
-  return fc.array(fc.oneof(
-    { weight: 25, arbitrary: fc.record({ insert: circle }) },
-    { weight: 10, arbitrary: fc.record({ insertMany: fc.array(circle, { maxLength: 8 }) }) },
-    { weight: 15, arbitrary: fc.record({ remove: pick }) },
-    { weight: 5, arbitrary: fc.record({ removeMany: fc.array(pick, { maxLength: 5 }) }) },
-    { weight: 15, arbitrary: fc.record({ update: pick, to: circle }) },
-    { weight: 5, arbitrary: fc.record({ updateMany: fc.uniqueArray(pick, { maxLength: 4 }), to: fc.array(circle, { minLength: 4, maxLength: 4 }) }) },
-    { weight: 5, arbitrary: fc.record({ restore: fc.constant(true) }) },
-    { weight: 1, arbitrary: fc.record({ clear: fc.constant(true) }) },
-  ), { maxLength });
+  return fc.array(
+    fc.oneof(
+      { weight: 25, arbitrary: fc.record({ insert: circle }) },
+      { weight: 10, arbitrary: fc.record({ insertMany: fc.array(circle, { maxLength: 8 }) }) },
+      { weight: 15, arbitrary: fc.record({ remove: pick }) },
+      { weight: 5, arbitrary: fc.record({ removeMany: fc.array(pick, { maxLength: 5 }) }) },
+      { weight: 15, arbitrary: fc.record({ update: pick, to: circle }) },
+      {
+        weight: 5,
+        arbitrary: fc.record({
+          updateMany: fc.uniqueArray(pick, { maxLength: 4 }),
+          to: fc.array(circle, { minLength: 4, maxLength: 4 }),
+        }),
+      },
+      { weight: 5, arbitrary: fc.record({ restore: fc.constant(true) }) },
+      { weight: 1, arbitrary: fc.record({ clear: fc.constant(true) }) },
+    ),
+    { maxLength },
+  );
 }
 
 /** Carries an operation out on both; `model` maps ids to circles. */
@@ -78,11 +102,16 @@ function checkSites(diagram, model) {
 
 function checkHiddenExactly(diagram, model) {
   for (const [id, circle] of model) {
-    const others = [...model].filter(([other, otherCircle]) => other !== id && covers(otherCircle, circle));
+    const others = [...model].filter(
+      ([other, otherCircle]) => other !== id && covers(otherCircle, circle),
+    );
     const properly = others.filter(([, other]) => String(other) !== String(circle));
     if (properly.length > 0) expect(diagram.isHidden(id)).toBe(true);
     else if (others.length === 0) expect(diagram.isHidden(id)).toBe(false);
-    else expect([id, ...others.map(([other]) => other)].filter((same) => !diagram.isHidden(same)).length).toBe(1);
+    else
+      expect(
+        [id, ...others.map(([other]) => other)].filter((same) => !diagram.isHidden(same)).length,
+      ).toBe(1);
     const cover = diagram.coverOf(id);
     if (diagram.isHidden(id)) {
       expect(diagram.isHidden(cover)).toBe(false);
@@ -96,45 +125,52 @@ function checkHiddenExactly(diagram, model) {
 function checkNearest(diagram, model, scale) {
   const distance = ([x, y, r], px, py) => Math.hypot(px - x, py - y) - r;
   for (let k = 0; k < 12; ++k) {
-    const [px, py] = [Math.cos(k * 2.4) * scale * k / 8, Math.sin(k * 2.4) * scale * k / 8];
+    const [px, py] = [(Math.cos(k * 2.4) * scale * k) / 8, (Math.sin(k * 2.4) * scale * k) / 8];
     const answer = diagram.nearest(px, py);
     if (model.size === 0) {
       expect(answer).toBeNull();
       continue;
     }
     const smallest = Math.min(...[...model.values()].map((circle) => distance(circle, px, py)));
-    expect(Math.abs(distance(model.get(answer.id), px, py) - smallest)).toBeLessThanOrEqual(1e-12 * scale);
+    expect(Math.abs(distance(model.get(answer.id), px, py) - smallest)).toBeLessThanOrEqual(
+      1e-12 * scale,
+    );
     expect(Math.abs(answer.distance - smallest)).toBeLessThanOrEqual(1e-12 * scale);
     expect(diagram.isHidden(answer.id)).toBe(false);
   }
 }
 
 function property(circle, { scale, maxLength, isExact }) {
-  return fc.property(operations(circle, maxLength), fc.constantFrom("hierarchy", "walk"), (history, location) => {
-    let diagram = new Diagram(undefined, { location });
-    const model = new Map();
-    try {
-      for (const operation of history) {
-        if (operation.restore) {
-          // Not validated, which would ask for all that restoring leaves for later: the next operation is to meet it as it is.
-          const original = diagram;
-          diagram = Diagram.fromBytes(original.toBytes(), { location });
-          original.dispose();
-        } else {
-          apply(operation, diagram, model);
-          expect(diagram.validate()).toBeNull();
+  return fc.property(
+    operations(circle, maxLength),
+    fc.constantFrom("hierarchy", "walk"),
+    (history, location) => {
+      let diagram = new Diagram(undefined, { location });
+      const model = new Map();
+      try {
+        for (const operation of history) {
+          if (operation.restore) {
+            // Not validated, which would ask for all that restoring leaves for later: the next
+            // operation is to meet it as it is.
+            const original = diagram;
+            diagram = Diagram.fromBytes(original.toBytes(), { location });
+            original.dispose();
+          } else {
+            apply(operation, diagram, model);
+            expect(diagram.validate()).toBeNull();
+          }
         }
+        checkSites(diagram, model);
+        if (isExact) checkHiddenExactly(diagram, model);
+        checkNearest(diagram, model, scale);
+        const fresh = new Diagram([...model.values()].flat());
+        expect(graph(diagram)).toEqual(graph(fresh));
+        fresh.dispose();
+      } finally {
+        diagram.dispose();
       }
-      checkSites(diagram, model);
-      if (isExact) checkHiddenExactly(diagram, model);
-      checkNearest(diagram, model, scale);
-      const fresh = new Diagram([...model.values()].flat());
-      expect(graph(diagram)).toEqual(graph(fresh));
-      fresh.dispose();
-    } finally {
-      diagram.dispose();
-    }
-  });
+    },
+  );
 }
 
 test("circles on a small grid", () => {

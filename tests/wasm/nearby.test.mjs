@@ -1,9 +1,10 @@
-// kNearest and within, against sorting everything. (The exact comparison with the oracle is tests/diagram/nearby_test.cpp.)
+// kNearest and within, against sorting everything. (The exact comparison with the oracle is
+// tests/diagram/nearby_test.cpp.)
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { generator, randomCircles } from "./support/random.mjs";
 import { expectRefusal } from "./support/refusal.mjs";
 
-const xyr = randomCircles(1000, 41, 120);  // about a third hidden
+const xyr = randomCircles(1000, 41, 120); // about a third hidden
 const diagram = new Diagram(xyr);
 const random = generator(42);
 const points = Array.from({ length: 40 }, () => [random() * 3000 - 1500, random() * 3000 - 1500]);
@@ -19,18 +20,23 @@ function sorted(x, y) {
 test.each(points)("kNearest and within around %f, %f", (x, y) => {
   const expected = sorted(x, y);
   expect(diagram.hiddenSize).toBeGreaterThan(100);
-  for (const k of [0, 1, 7, 200, 1000, 5000, Infinity]) expect([...diagram.kNearest(x, y, k)]).toEqual(expected.slice(0, k));
+  for (const k of [0, 1, 7, 200, 1000, 5000, Infinity])
+    expect([...diagram.kNearest(x, y, k)]).toEqual(expected.slice(0, k));
   expect(diagram.kNearest(x, y, 1)[0]).toBe(diagram.find(x, y));
   for (const limit of [-100, -10, 0, 50, 400, 1e9]) {
-    expect([...diagram.within(x, y, limit)]).toEqual(expected.filter((id) => distance(id, x, y) <= limit));
+    expect([...diagram.within(x, y, limit)]).toEqual(
+      expected.filter((id) => distance(id, x, y) <= limit),
+    );
   }
 });
 
 test("within 0 is every circle under the pointer, with the rim", () => {
   const circles = new Diagram([0, 0, 5, 3, 0, 1, 10, 0, 5, 10, 0, 2]);
-  expect([...circles.within(3, 0, 0)]).toEqual([0, 1]);      // 2 inside the first, 1 inside the second: the deeper one first
-  expect([...circles.within(5, 0, 0)]).toEqual([2, 0]);      // on two rims: ties go to the larger r, then x
-  expect([...circles.within(10, 0, 0)]).toEqual([2, 3]);     // hidden, but under the pointer
+  // 2 inside the first, 1 inside the second: the deeper one first
+  expect([...circles.within(3, 0, 0)]).toEqual([0, 1]);
+  // on two rims: ties go to the larger r, then x
+  expect([...circles.within(5, 0, 0)]).toEqual([2, 0]);
+  expect([...circles.within(10, 0, 0)]).toEqual([2, 3]); // hidden, but under the pointer
   expect([...circles.within(100, 0, 0)]).toEqual([]);
 });
 
@@ -68,7 +74,7 @@ test("the cost is that of the answer, not of the diagram", () => {
     return best;
   };
   time(small);
-  expect(time(large)).toBeLessThan(20 * time(small));  // O(n) would be 100 times
+  expect(time(large)).toBeLessThan(20 * time(small)); // O(n) would be 100 times
 });
 
 test.each([

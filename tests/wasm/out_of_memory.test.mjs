@@ -1,5 +1,6 @@
-// Lack of memory, call by call: in a full heap every call that needs much memory throws "out-of-memory", every other one works, and
-// afterwards the diagram is as it was. (Natively each single allocation is made to fail: tests/diagram/out_of_memory_test.cpp.)
+// Lack of memory, call by call: in a full heap every call that needs much memory throws
+// "out-of-memory", every other one works, and afterwards the diagram is as it was. (Natively each
+// single allocation is made to fail: tests/diagram/out_of_memory_test.cpp.)
 import { fileURLToPath } from "node:url";
 import { capture } from "../../wasm/toolchain/process.mjs";
 import { calls } from "./support/calls.mjs";
@@ -8,7 +9,7 @@ const program = fileURLToPath(new URL("support/full_heap.mjs", import.meta.url))
 let found;
 beforeAll(() => {
   found = JSON.parse(capture(process.execPath, [program], { env: { NODE_OPTIONS: "" } }));
-}, 300_000);  // a quarter of a minute on a quiet machine
+}, 300_000); // a quarter of a minute on a quiet machine
 
 test("every call is tried", () => {
   expect(Object.keys(found.results).sort()).toEqual(calls.map(([name]) => name).sort());

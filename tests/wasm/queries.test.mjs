@@ -60,7 +60,8 @@ test("findMany of an empty diagram", () => {
 test("neighbors are mutual, distinct, and those of the edges", () => {
   const pairs = new Set();
   const { sites } = diagram.edges();
-  for (let k = 0; k < sites.length; k += 2) pairs.add(`${sites[k]} ${sites[k + 1]}`).add(`${sites[k + 1]} ${sites[k]}`);
+  for (let k = 0; k < sites.length; k += 2)
+    pairs.add(`${sites[k]} ${sites[k + 1]}`).add(`${sites[k + 1]} ${sites[k]}`);
   const listed = [];
   for (const id of diagram.ids()) {
     const neighbors = [...diagram.neighbors(id)];
@@ -91,7 +92,8 @@ test("vertices are equally far from their three sites and from no site nearer", 
   for (let k = 0; k < clearance.length; ++k) {
     const [x, y] = [coordinates[2 * k], coordinates[2 * k + 1]];
     const tolerance = 1e-9 * (1000 + Math.abs(x) + Math.abs(y));
-    for (const id of sites.subarray(3 * k, 3 * k + 3)) expect(Math.abs(distance(id, x, y) - clearance[k])).toBeLessThan(tolerance);
+    for (const id of sites.subarray(3 * k, 3 * k + 3))
+      expect(Math.abs(distance(id, x, y) - clearance[k])).toBeLessThan(tolerance);
     expect(Math.abs(distance(nearest(x, y), x, y) - clearance[k])).toBeLessThan(tolerance);
   }
 });
@@ -103,7 +105,10 @@ test("an edge's ends are vertices of both of its sites, and Euler's formula hold
   for (let edge = 0; edge < sites.length / 2; ++edge) {
     for (const row of vertices.subarray(2 * edge, 2 * edge + 2)) {
       if (row === -1) ++unbounded;
-      else expect([...corners.subarray(3 * row, 3 * row + 3)]).toEqual(expect.arrayContaining([...sites.subarray(2 * edge, 2 * edge + 2)]));
+      else
+        expect([...corners.subarray(3 * row, 3 * row + 3)]).toEqual(
+          expect.arrayContaining([...sites.subarray(2 * edge, 2 * edge + 2)]),
+        );
     }
   }
   // Cells - edges + vertices, with infinity for one more vertex.
@@ -119,7 +124,8 @@ test("an edge walked from its first to its second vertex has its first site on t
     if (from === -1 || to === -1) continue;
     const a = diagram.site(sites[2 * edge]);
     const b = diagram.site(sites[2 * edge + 1]);
-    // From the left site to the right one it is a right turn off the way: way x (b - a) is negative.
+    // From the left site to the right one it is a right turn off the way: way x (b - a) is
+    // negative.
     const wayX = coordinates[2 * to] - coordinates[2 * from];
     const wayY = coordinates[2 * to + 1] - coordinates[2 * from + 1];
     if (Math.hypot(wayX, wayY) < 1e-6) continue;
@@ -131,6 +137,6 @@ test("arrays that were handed out stay as they are", () => {
   const built = new Diagram(randomCircles(50, 13));
   const [ids, edges, vertices] = [built.ids(), built.edges(), built.vertices()];
   const before = JSON.stringify([ids, edges, vertices]);
-  built.insertMany(randomCircles(100_000, 14));  // makes the memory grow
+  built.insertMany(randomCircles(100_000, 14)); // makes the memory grow
   expect(JSON.stringify([ids, edges, vertices])).toBe(before);
 });

@@ -1,4 +1,5 @@
-// What README shows can be pasted: its code runs and gives what the comments beside it say, its links lead somewhere.
+// What README shows can be pasted: its code runs and gives what the comments beside it say, its
+// links lead somewhere.
 import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "../../wasm/toolchain/folders.mjs";
@@ -11,11 +12,15 @@ const importLine = 'import { Diagram } from "apollonius-diagram";\n';
 /** The block with each `expression; // value` made to print the expression, and these values. */
 function instrumented(block) {
   const values = [];
-  const code = block.replace(/^(?!const|import)(\S.*?);\s+\/\/ (\[.*?\]|\d+|true|false)(?=$|:).*$/gm, (_, expression, value) => {
-    values.push(value.replaceAll(" ", ""));
-    return `show(${expression});`;
-  });
-  const show = "const show = (value) => console.log(JSON.stringify(ArrayBuffer.isView(value) ? [...value] : value));\n";
+  const code = block.replace(
+    /^(?!const|import)(\S.*?);\s+\/\/ (\[.*?\]|\d+|true|false)(?=$|:).*$/gm,
+    (_, expression, value) => {
+      values.push(value.replaceAll(" ", ""));
+      return `show(${expression});`;
+    },
+  );
+  const show =
+    "const show = (value) => console.log(JSON.stringify(ArrayBuffer.isView(value) ? [...value] : value));\n";
   return { code: show + code, values };
 }
 
@@ -28,16 +33,25 @@ test("the first lines", () => {
 
 test("the lines about cells", () => {
   const block = blocks.find((text) => text.includes("cellPolygons"));
-  const context = "const calls = []; const context = new Proxy({}, { get: (_, name) => () => calls.push(name) });\n";
-  const output = runInNode(importLine + context + block.replace("ring.index, ring", "ring.index") + "console.log(calls.length > 1, path.slice(0, 1));");
+  const context =
+    "const calls = []; const context = new Proxy({}, { get: (_, name) => () => calls.push(name) });\n";
+  const output = runInNode(
+    importLine +
+      context +
+      block.replace("ring.index, ring", "ring.index") +
+      "console.log(calls.length > 1, path.slice(0, 1));",
+  );
   expect(output.split("\n")).toEqual(["0", "1", "2", "true M"]);
 });
 
 test("the address of the wasm is written as the tests of bundlers write it", () => {
   const block = blocks.find((text) => text.includes("apollonius-diagram/wasm"));
   const bundlers = readFileSync(path.join(root, "tests/wasm/support/bundle.mjs"), "utf8");
-  for (const way of ["\"apollonius-diagram/apollonius.wasm?url\"", "new URL(\"apollonius-diagram/apollonius.wasm\", import.meta.url)",
-                     "from \"apollonius-diagram/apollonius.wasm\";"]) {
+  for (const way of [
+    '"apollonius-diagram/apollonius.wasm?url"',
+    'new URL("apollonius-diagram/apollonius.wasm", import.meta.url)',
+    'from "apollonius-diagram/apollonius.wasm";',
+  ]) {
     expect(block).toContain(way);
     expect(bundlers).toContain(way);
   }
@@ -45,7 +59,11 @@ test("the address of the wasm is written as the tests of bundlers write it", () 
 });
 
 test("links and pictures are there", () => {
-  const targets = [...readme.matchAll(/\]\(([^)]+)\)/g)].map((match) => match[1]).filter((target) => !target.startsWith("http"));
+  const targets = [...readme.matchAll(/\]\(([^)]+)\)/g)]
+    .map((match) => match[1])
+    .filter((target) => !target.startsWith("http"));
   expect(targets.length).toBeGreaterThan(15);
-  expect(targets.filter((target) => !existsSync(path.join(root, target.split("#")[0])))).toEqual([]);
+  expect(targets.filter((target) => !existsSync(path.join(root, target.split("#")[0])))).toEqual(
+    [],
+  );
 });

@@ -1,5 +1,5 @@
-// Documentation, types and exports agree: docs/API.md is what the sources say, the package exports what it lists, README and the
-// table for d3-delaunay's users leave nothing out.
+// Documentation, types and exports agree: docs/API.md is what the sources say, the package exports
+// what it lists, README and the table for d3-delaunay's users leave nothing out.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
@@ -11,7 +11,9 @@ import { root } from "../../wasm/toolchain/folders.mjs";
 import { packed } from "./support/install_packed.mjs";
 
 const described = describePackage();
-const classes = described.flatMap((entry) => entry.described).filter(({ kind }) => kind === "class");
+const classes = described
+  .flatMap((entry) => entry.described)
+  .filter(({ kind }) => kind === "class");
 const require = createRequire(path.join(packed, "package.json"));
 const read = (file) => readFileSync(path.join(root, file), "utf8");
 
@@ -19,35 +21,71 @@ test("docs/API.md is up to date (npm run docs)", () => {
   expect(readFileSync(referenceFile, "utf8")).toBe(reference());
 });
 
-test.each(described.map(({ entry, exports }) => [entry, exports]))("%s exports what is documented, as ES module and CommonJS, and in its types", (entry, exports) => {
-  const values = exports.filter((name) => described.flatMap((other) => other.described)
-    .some((one) => one.name === name && ["class", "function", "const"].includes(one.kind)));
+test.each(
+  described.map(({ entry, exports }) => [entry, exports]),
+)("%s exports what is documented, as ES module and CommonJS, and in its types", (entry, exports) => {
+  const values = exports.filter((name) =>
+    described
+      .flatMap((other) => other.described)
+      .some((one) => one.name === name && ["class", "function", "const"].includes(one.kind)),
+  );
   expect(Object.keys(require(entry)).sort()).toEqual([...values].sort());
-  if (entry === "apollonius-diagram") expect(Object.keys(consumer).sort()).toEqual([...values].sort());
+  if (entry === "apollonius-diagram")
+    expect(Object.keys(consumer).sort()).toEqual([...values].sort());
   for (const format of ["esm", "cjs"]) {
-    const file = path.join(packed, "node_modules/apollonius-diagram/dist", format, entry.endsWith("/wasm") ? "wasm.d.ts" : "index.d.ts");
-    const program = ts.createProgram([file], { noLib: true, types: [], module: ts.ModuleKind.ESNext, moduleResolution: ts.ModuleResolutionKind.Bundler });
+    const file = path.join(
+      packed,
+      "node_modules/apollonius-diagram/dist",
+      format,
+      entry.endsWith("/wasm") ? "wasm.d.ts" : "index.d.ts",
+    );
+    const program = ts.createProgram([file], {
+      noLib: true,
+      types: [],
+      module: ts.ModuleKind.ESNext,
+      moduleResolution: ts.ModuleResolutionKind.Bundler,
+    });
     const checker = program.getTypeChecker();
-    const types = checker.getExportsOfModule(checker.getSymbolAtLocation(program.getSourceFile(file))).map(({ name }) => name);
+    const types = checker
+      .getExportsOfModule(checker.getSymbolAtLocation(program.getSourceFile(file)))
+      .map(({ name }) => name);
     expect(types.sort()).toEqual([...exports].sort());
   }
 });
 
-test.each(classes.map((one) => [one.name, one]))("every member of %s is documented, and every documented one is there", (name, { members }) => {
-  const there = [...Object.getOwnPropertyNames(consumer[name].prototype), ...Object.getOwnPropertySymbols(consumer[name].prototype)]
-    .map((key) => (key === Symbol.dispose ? "Symbol.dispose" : key));
-  const documented = members.filter(({ isStatic, code }) => !isStatic && !/^readonly \w+( =|: ErrorCode)/.test(code)).map((member) => member.name);
-  // Properties of instances are not on the prototype, and a constructor that is not for users is not documented.
-  const isHere = (member) => there.includes(member) || members.some(({ name: other, code }) => other === member && !/^readonly /.test(code));
-  expect(documented.filter(isHere).sort()).toEqual(there.filter((member) => member !== "constructor" || documented.includes(member)).sort());
-  for (const { name: member } of members.filter(({ isStatic }) => isStatic)) expect(consumer[name]).toHaveProperty(member);
+test.each(
+  classes.map((one) => [one.name, one]),
+)("every member of %s is documented, and every documented one is there", (name, { members }) => {
+  const there = [
+    ...Object.getOwnPropertyNames(consumer[name].prototype),
+    ...Object.getOwnPropertySymbols(consumer[name].prototype),
+  ].map((key) => (key === Symbol.dispose ? "Symbol.dispose" : key));
+  const documented = members
+    .filter(({ isStatic, code }) => !isStatic && !/^readonly \w+( =|: ErrorCode)/.test(code))
+    .map((member) => member.name);
+  // Properties of instances are not on the prototype, and a constructor that is not for users is
+  // not documented.
+  const isHere = (member) =>
+    there.includes(member) ||
+    members.some(({ name: other, code }) => other === member && !/^readonly /.test(code));
+  expect(documented.filter(isHere).sort()).toEqual(
+    there.filter((member) => member !== "constructor" || documented.includes(member)).sort(),
+  );
+  for (const { name: member } of members.filter(({ isStatic }) => isStatic))
+    expect(consumer[name]).toHaveProperty(member);
 });
 
 test("every public name says what it is, and every call of a diagram what it costs", () => {
   const all = described.flatMap((entry) => entry.described);
-  const silent = all.flatMap(({ name, text, members }) => [...(text ? [] : [name]), ...members.filter((member) => !member.text).map((member) => `${name}.${member.name}`)]);
+  const silent = all.flatMap(({ name, text, members }) => [
+    ...(text ? [] : [name]),
+    ...members.filter((member) => !member.text).map((member) => `${name}.${member.name}`),
+  ]);
   expect(silent).toEqual([]);
-  const free = all.find(({ name }) => name === "Diagram").members.filter(({ text }) => !/\bO\(|\b[Cc]ost\b|As `\w+`/.test(text)).map(({ name }) => name);
+  const free = all
+    .find(({ name }) => name === "Diagram")
+    .members.filter(({ text }) => !/\bO\(|\b[Cc]ost\b|As `\w+`/.test(text))
+    .map(({ name }) => name);
   expect(free).toEqual([]);
 });
 
@@ -56,24 +94,37 @@ test("error codes in the documentation exist, and each is documented", () => {
   const known = [...codes.code.matchAll(/"([\w-]+)"/g)].map((match) => match[1]);
   for (const code of known) expect(codes.text).toContain(`- "${code}": `);
   const diagram = classes.find(({ name }) => name === "Diagram");
-  const named = diagram.members.flatMap(({ text }) => [...text.matchAll(/"([a-z]+-[a-z]+|disposed)"/g)].map((match) => match[1]));
+  const named = diagram.members.flatMap(({ text }) =>
+    [...text.matchAll(/"([a-z]+-[a-z]+|disposed)"/g)].map((match) => match[1]),
+  );
   expect(named.filter((code) => !known.includes(code))).toEqual([]);
 });
 
 test("README's table has every call of a diagram", () => {
-  const missing = classes.find(({ name }) => name === "Diagram").members.map(({ name }) => name)
-    .filter((name) => !["constructor", "Symbol.dispose"].includes(name) && !new RegExp(`\`[^\`]*\\b${name}\\b`).test(read("README.md")));
+  const missing = classes
+    .find(({ name }) => name === "Diagram")
+    .members.map(({ name }) => name)
+    .filter(
+      (name) =>
+        !["constructor", "Symbol.dispose"].includes(name) &&
+        !new RegExp(`\`[^\`]*\\b${name}\\b`).test(read("README.md")),
+    );
   expect(missing).toEqual([]);
 });
 
 test("the table for d3-delaunay's users has every public name of d3-delaunay", () => {
   const table = read("docs/D3_DELAUNAY.md");
-  const names = (type, object) => [...Object.getOwnPropertyNames(type.prototype), ...Object.getOwnPropertyNames(object)]
-    .filter((name) => !name.startsWith("_") && name !== "constructor");
+  const names = (type, object) =>
+    [...Object.getOwnPropertyNames(type.prototype), ...Object.getOwnPropertyNames(object)].filter(
+      (name) => !name.startsWith("_") && name !== "constructor",
+    );
   const delaunay = new Delaunay([0, 0, 1, 0, 0, 1]);
   const statics = ["from"];
-  const missing = [...names(Delaunay, delaunay).map((name) => `delaunay.${name}`), ...names(Voronoi, delaunay.voronoi()).map((name) => `voronoi.${name}`),
-                   ...statics.map((name) => `Delaunay.${name}`)].filter((name) => !table.includes(`\`${name}`));
+  const missing = [
+    ...names(Delaunay, delaunay).map((name) => `delaunay.${name}`),
+    ...names(Voronoi, delaunay.voronoi()).map((name) => `voronoi.${name}`),
+    ...statics.map((name) => `Delaunay.${name}`),
+  ].filter((name) => !table.includes(`\`${name}`));
   expect(missing).toEqual([]);
 });
 

@@ -10,7 +10,11 @@ test("an empty diagram answers", () => {
   expect(diagram.nearest(1, 2)).toBeNull();
   expect(diagram.ids()).toEqual(new Uint32Array());
   expect(diagram.edges()).toEqual({ sites: new Uint32Array(), vertices: new Int32Array() });
-  expect(diagram.vertices()).toEqual({ coordinates: new Float64Array(), clearance: new Float64Array(), sites: new Uint32Array() });
+  expect(diagram.vertices()).toEqual({
+    coordinates: new Float64Array(),
+    clearance: new Float64Array(),
+    sites: new Uint32Array(),
+  });
   expect(diagram.has(0)).toBe(false);
   expect(diagram.validate()).toBeNull();
 });
@@ -36,8 +40,14 @@ test("r is 0 if left out, and may be negative", () => {
 
 test("all kinds of number arrays are read", () => {
   const values = [0, 0, 1, 10, 0, 2];
-  const kinds = [values, new Float64Array(values), new Float32Array(values), new Int8Array(values), new Uint16Array(values),
-                 { length: 6, ...values }];
+  const kinds = [
+    values,
+    new Float64Array(values),
+    new Float32Array(values),
+    new Int8Array(values),
+    new Uint16Array(values),
+    { length: 6, ...values },
+  ];
   for (const xyr of kinds) {
     const diagram = new Diagram();
     expect([...diagram.insertMany(xyr)]).toEqual([0, 1]);
@@ -58,7 +68,9 @@ test("one by one and in bulk end in the same graph", () => {
 
 test("both ways of location end in the same graph", () => {
   const xyr = randomCircles(200, 2);
-  expect(graph(new Diagram(xyr, { location: "walk" }))).toEqual(graph(new Diagram(xyr, { location: "hierarchy" })));
+  expect(graph(new Diagram(xyr, { location: "walk" }))).toEqual(
+    graph(new Diagram(xyr, { location: "hierarchy" })),
+  );
 });
 
 test("remove tells whether there was a site, and ids are used again", () => {
@@ -71,14 +83,25 @@ test("remove tells whether there was a site, and ids are used again", () => {
   expect(diagram.insert(5, 5, 1)).toBe(1);
 });
 
-test.each([[-1], [0.5], [NaN], [Infinity], [2 ** 32], [2 ** 32 - 1], [3], ["0"], [null], [undefined], [{}]])(
-  "%p is no site's id", (id) => {
-    const diagram = new Diagram([0, 0, 1, 10, 0, 1, 0, 10, 1]);
-    expect(diagram.has(id)).toBe(false);
-    expect(diagram.remove(id)).toBe(false);
-    expect(diagram.removeMany([id])).toBe(0);
-    expect(diagram.size).toBe(3);
-  });
+test.each([
+  [-1],
+  [0.5],
+  [NaN],
+  [Infinity],
+  [2 ** 32],
+  [2 ** 32 - 1],
+  [3],
+  ["0"],
+  [null],
+  [undefined],
+  [{}],
+])("%p is no site's id", (id) => {
+  const diagram = new Diagram([0, 0, 1, 10, 0, 1, 0, 10, 1]);
+  expect(diagram.has(id)).toBe(false);
+  expect(diagram.remove(id)).toBe(false);
+  expect(diagram.removeMany([id])).toBe(0);
+  expect(diagram.size).toBe(3);
+});
 
 test("removeMany counts what was there", () => {
   const diagram = new Diagram(randomCircles(50, 3));

@@ -1,4 +1,5 @@
-// toBytes and fromBytes through the package: the same diagram again, whatever its history; in other threads; and damaged bytes do no harm.
+// toBytes and fromBytes through the package: the same diagram again, whatever its history; in other
+// threads; and damaged bytes do no harm.
 import { copyFileSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { runInNewContext } from "node:vm";
@@ -16,7 +17,7 @@ const recorded = new Uint8Array(readFileSync(path.join(root, "tests/data/snapsho
 
 function built() {
   const diagram = new Diagram(randomCircles(40, 31));
-  diagram.insert(0, 0, 300);  // hides some
+  diagram.insert(0, 0, 300); // hides some
   diagram.removeMany([7, 3, 20]);
   return diagram;
 }
@@ -38,7 +39,9 @@ test("a restored diagram is the same", () => {
   expect(snapshot(restored)).toBe(snapshot(diagram));
   expect(rows(restored)).toBe(rows(diagram));
   expect(restored.toBytes()).toEqual(bytes);
-  for (let k = 0; k < 5; ++k) expect(restored.insert(9 * k, 5, k)).toBe(diagram.insert(9 * k, 5, k));  // free ids first, in the same order
+  for (let k = 0; k < 5; ++k)
+    // free ids first, in the same order
+    expect(restored.insert(9 * k, 5, k)).toBe(diagram.insert(9 * k, 5, k));
   expect(snapshot(restored)).toBe(snapshot(diagram));
 });
 
@@ -65,35 +68,59 @@ test("another way of location", () => {
     expect(restored.validate()).toBeNull();
     expect(restored.toBytes()).toEqual(bytes);
   }
-  expectRefusal(() => Diagram.fromBytes(bytes, { location: "grid" }), "bad-option", "options.location");
+  expectRefusal(
+    () => Diagram.fromBytes(bytes, { location: "grid" }),
+    "bad-option",
+    "options.location",
+  );
 });
 
 test("after any history", () => {
   const number = fc.integer({ min: -6, max: 6 });
-  const step = fc.record({ remove: fc.integer({ min: -8, max: 12 }), x: number, y: number, r: fc.integer({ min: 0, max: 9 }) });
-  const play = (diagram, steps) => steps.map(({ remove, x, y, r }) => (remove >= 0 ? diagram.remove(remove) : diagram.insert(x, y, r)));
-  fc.assert(fc.property(fc.array(step, { maxLength: 60 }), fc.array(step, { maxLength: 20 }), (before, after) => {
-    const diagram = new Diagram();
-    play(diagram, before);
-    const restored = Diagram.fromBytes(diagram.toBytes());
-    expect(restored.validate()).toBeNull();
-    expect(rows(restored)).toBe(rows(diagram));
-    expect(play(restored, after)).toEqual(play(diagram, after));
-    expect(restored.validate()).toBeNull();
-    expect(restored.ids()).toEqual(diagram.ids());
-    diagram.dispose();
-    restored.dispose();
-  }), { numRuns: 300 });
+  const step = fc.record({
+    remove: fc.integer({ min: -8, max: 12 }),
+    x: number,
+    y: number,
+    r: fc.integer({ min: 0, max: 9 }),
+  });
+  const play = (diagram, steps) =>
+    steps.map(({ remove, x, y, r }) =>
+      remove >= 0 ? diagram.remove(remove) : diagram.insert(x, y, r),
+    );
+  fc.assert(
+    fc.property(
+      fc.array(step, { maxLength: 60 }),
+      fc.array(step, { maxLength: 20 }),
+      (before, after) => {
+        const diagram = new Diagram();
+        play(diagram, before);
+        const restored = Diagram.fromBytes(diagram.toBytes());
+        expect(restored.validate()).toBeNull();
+        expect(rows(restored)).toBe(rows(diagram));
+        expect(play(restored, after)).toEqual(play(diagram, after));
+        expect(restored.validate()).toBeNull();
+        expect(restored.ids()).toEqual(diagram.ids());
+        diagram.dispose();
+        restored.dispose();
+      },
+    ),
+    { numRuns: 300 },
+  );
 });
 
-// --- Where bytes come from ---------------------------------------------------------------------------------------------------
+// --- Where bytes come from -----------------------------------------------------------------------
 
 test("bytes may be a view, at odd offsets, shared, of another realm, a Buffer", () => {
   const shared = new Uint8Array(new SharedArrayBuffer(recorded.length + 3), 3);
   shared.set(recorded);
   const odd = new Uint8Array(recorded.length + 9).subarray(5, recorded.length + 5);
   odd.set(recorded);
-  for (const bytes of [shared, odd, runInNewContext("Uint8Array.from(values)", { values: [...recorded] }), Buffer.from(recorded)]) {
+  for (const bytes of [
+    shared,
+    odd,
+    runInNewContext("Uint8Array.from(values)", { values: [...recorded] }),
+    Buffer.from(recorded),
+  ]) {
     expect(Diagram.fromBytes(bytes).toBytes()).toEqual(recorded);
   }
 });
@@ -116,9 +143,10 @@ test("a detached buffer is refused", () => {
   expectRefusal(() => Diagram.fromBytes(bytes), "bad-length", "detached");
 });
 
-// --- Damage ------------------------------------------------------------------------------------------------------------------
+// --- Damage --------------------------------------------------------------------------------------
 
-const corrupt = (bytes) => expectRefusal(() => Diagram.fromBytes(bytes), "corrupt-snapshot", "bytes are no snapshot");
+const corrupt = (bytes) =>
+  expectRefusal(() => Diagram.fromBytes(bytes), "corrupt-snapshot", "bytes are no snapshot");
 
 test("every truncation is noticed", () => {
   for (let length = 0; length < recorded.length; ++length) corrupt(recorded.subarray(0, length));
@@ -127,7 +155,7 @@ test("every truncation is noticed", () => {
 test("every flipped byte is noticed", () => {
   const bytes = recorded.slice();
   for (let k = 0; k < bytes.length; ++k) {
-    for (const change of [1 << k % 8, 0xff]) {
+    for (const change of [1 << (k % 8), 0xff]) {
       bytes[k] ^= change;
       corrupt(bytes);
       bytes[k] ^= change;
@@ -143,34 +171,49 @@ function signed(bytes) {
     return product ^ (product >> 29n);
   };
   const sums = [0n, 0n];
-  for (let at = 0; at < bytes.length - 8; at += 8) sums[at / 8 % 2] = add(sums[at / 8 % 2], words.getBigUint64(at, true));
+  for (let at = 0; at < bytes.length - 8; at += 8)
+    sums[(at / 8) % 2] = add(sums[(at / 8) % 2], words.getBigUint64(at, true));
   words.setBigUint64(bytes.length - 8, add(...sums), true);
   return bytes;
 }
 
 const originals = [
-  recorded, ...[
+  recorded,
+  ...[
     [0, 0, 1, 5, 0, 2, 0, 4, 1, 5, 0, 1],
     [-10, 0, 8, 10, 0, 8, 0, 0, 1, 0, 5, 1, 0, -6, 0.5, -10, 0, 3],
     Array.from({ length: 16 }, (_, k) => [k % 4, k >> 2, 0]).flat(),
   ].map((circles) => new Diagram(circles).toBytes()),
 ];
 
-const changes = fc.array(fc.record({
-  at: fc.nat(), from: fc.nat(), word: fc.oneof(fc.nat({ max: 40 }), fc.integer()),
-  kind: fc.constantFrom("byte", "word", "number", "site"),
-}), { minLength: 1, maxLength: 3 });
+const changes = fc.array(
+  fc.record({
+    at: fc.nat(),
+    from: fc.nat(),
+    word: fc.oneof(fc.nat({ max: 40 }), fc.integer()),
+    kind: fc.constantFrom("byte", "word", "number", "site"),
+  }),
+  { minLength: 1, maxLength: 3 },
+);
 
 /** A snapshot with some of its parts changed, and a checksum that says it was never otherwise. */
 function forged(original, changes) {
-  const bytes = original.slice(), view = new DataView(bytes.buffer), slots = view.getUint32(12, true);
+  const bytes = original.slice(),
+    view = new DataView(bytes.buffer),
+    slots = view.getUint32(12, true);
   for (const { at, from, word, kind } of changes) {
     if (kind === "byte") bytes[at % (bytes.length - 8)] = word;
     else if (kind === "word") view.setInt32(4 * (at % (bytes.length / 4 - 2)), word, true);
     else if (kind === "number") {
-      view.setFloat64(32 + 8 * (at % (3 * slots)), view.getFloat64(32 + 8 * (from % (3 * slots)), true), true);
+      view.setFloat64(
+        32 + 8 * (at % (3 * slots)),
+        view.getFloat64(32 + 8 * (from % (3 * slots)), true),
+        true,
+      );
     } else {
-      const one = 32 + 24 * (at % slots), other = 32 + 24 * (from % slots), site = bytes.slice(one, one + 24);
+      const one = 32 + 24 * (at % slots),
+        other = 32 + 24 * (from % slots),
+        site = bytes.slice(one, one + 24);
       bytes.copyWithin(one, other, other + 24);
       bytes.set(site, other);
     }
@@ -193,65 +236,106 @@ function callAll(diagram, codes) {
     try {
       return call();
     } catch (error) {
-      expect([error.name, error.code]).toEqual(["ApolloniusError", expect.stringMatching(`^(${codes})$`)]);
+      expect([error.name, error.code]).toEqual([
+        "ApolloniusError",
+        expect.stringMatching(`^(${codes})$`),
+      ]);
     }
   };
   const ids = attempt(() => diagram.ids()) ?? [];
   const voronoi = diagram.voronoi([-20, -20, 20, 20]);
   for (const call of [
-    () => diagram.find(1, 2), () => diagram.findMany([3, 4, -100, 7]), () => diagram.kNearest(0, 0, 4),
-    () => diagram.within(1, 1, 5), () => diagram.vertices(), () => diagram.edges(), () => diagram.toBytes(),
-    () => diagram.validate(), () => diagram.hull(), () => diagram.render(), () => diagram.renderHull(),
-    () => voronoi.render(), () => voronoi.edgeCurves(), () => voronoi.cellAreas(), () => voronoi.toGeoJSON(),
-  ]) attempt(call);
+    () => diagram.find(1, 2),
+    () => diagram.findMany([3, 4, -100, 7]),
+    () => diagram.kNearest(0, 0, 4),
+    () => diagram.within(1, 1, 5),
+    () => diagram.vertices(),
+    () => diagram.edges(),
+    () => diagram.toBytes(),
+    () => diagram.validate(),
+    () => diagram.hull(),
+    () => diagram.render(),
+    () => diagram.renderHull(),
+    () => voronoi.render(),
+    () => voronoi.edgeCurves(),
+    () => voronoi.cellAreas(),
+    () => voronoi.toGeoJSON(),
+  ])
+    attempt(call);
   for (const id of ids) {
-    attempt(() => [diagram.neighbors(id), diagram.coverOf(id), voronoi.cellRegions(id), voronoi.cellWithin(id, 3)]);
+    attempt(() => [
+      diagram.neighbors(id),
+      diagram.coverOf(id),
+      voronoi.cellRegions(id),
+      voronoi.cellWithin(id, 3),
+    ]);
     attempt(() => voronoi.cellMeasures(id));
   }
   for (const id of ids) attempt(() => diagram.update(id, id % 7, id % 3, id % 2));
   attempt(() => diagram.insertMany([1, 2, 3, 4, 5, 0]));
-  attempt(() => diagram.updateMany(ids.slice(0, 3), [...ids.slice(0, 3)].flatMap((id) => [id, -id, 1])));
+  attempt(() =>
+    diagram.updateMany(
+      ids.slice(0, 3),
+      [...ids.slice(0, 3)].flatMap((id) => [id, -id, 1]),
+    ),
+  );
   for (const id of ids) attempt(() => [diagram.find(id, -id), diagram.remove(id)]);
 }
 
 test("forged bytes with a right checksum are refused, or they are the diagram of their sites", () => {
   expect(signed(recorded.slice())).toEqual(recorded);
-  fc.assert(fc.property(fc.constantFrom(...originals), changes, (original, some) => {
-    const restored = restoredOrNull(forged(original, some));
-    if (restored === null) return;
-    expect(restored.validate()).toBeNull();
-    const fresh = new Diagram([...restored.ids()].flatMap((id) => Object.values(restored.site(id)).slice(0, 3)));
-    expect(restored.visibleSize).toBe(fresh.visibleSize);
-    callAll(restored, "none");
-    restored.dispose();
-    fresh.dispose();
-  }), { numRuns: 2000 });
+  fc.assert(
+    fc.property(fc.constantFrom(...originals), changes, (original, some) => {
+      const restored = restoredOrNull(forged(original, some));
+      if (restored === null) return;
+      expect(restored.validate()).toBeNull();
+      const fresh = new Diagram(
+        [...restored.ids()].flatMap((id) => Object.values(restored.site(id)).slice(0, 3)),
+      );
+      expect(restored.visibleSize).toBe(fresh.visibleSize);
+      callAll(restored, "none");
+      restored.dispose();
+      fresh.dispose();
+    }),
+    { numRuns: 2000 },
+  );
 });
 
 test("trusted bytes that lie do no harm to anything else", () => {
-  const other = built(), before = snapshot(other);
+  const other = built(),
+    before = snapshot(other);
   let accepted = 0;
-  fc.assert(fc.property(fc.constantFrom(...originals), changes, (original, some) => {
-    const restored = restoredOrNull(forged(original, some), { trusted: true });
-    if (restored === null) return;
-    ++accepted;
-    callAll(restored, "corrupt-snapshot|unknown-site");
-    restored.dispose();
-  }), { numRuns: 2000 });
+  fc.assert(
+    fc.property(fc.constantFrom(...originals), changes, (original, some) => {
+      const restored = restoredOrNull(forged(original, some), { trusted: true });
+      if (restored === null) return;
+      ++accepted;
+      callAll(restored, "corrupt-snapshot|unknown-site");
+      restored.dispose();
+    }),
+    { numRuns: 2000 },
+  );
   expect(accepted).toBeGreaterThan(500);
   expect(snapshot(other)).toBe(before);
   expect(other.validate()).toBeNull();
 });
 
-test.each(["hang", "find_out_of_bounds", "validate_clean_find_wrong"])("tests/data/snapshots/forged_%s.bin", (name) => {
-  const bytes = new Uint8Array(readFileSync(path.join(root, `tests/data/snapshots/forged_${name}.bin`)));
+test.each([
+  "hang",
+  "find_out_of_bounds",
+  "validate_clean_find_wrong",
+])("tests/data/snapshots/forged_%s.bin", (name) => {
+  const bytes = new Uint8Array(
+    readFileSync(path.join(root, `tests/data/snapshots/forged_${name}.bin`)),
+  );
   expect(signed(bytes.slice())).toEqual(bytes);
   corrupt(bytes);
   callAll(Diagram.fromBytes(bytes, { trusted: true }), "corrupt-snapshot|unknown-site");
 });
 
 test("trusted bytes of one's own give the same diagram", () => {
-  const diagram = built(), bytes = diagram.toBytes();
+  const diagram = built(),
+    bytes = diagram.toBytes();
   for (const trusted of [true, false, undefined]) {
     const restored = Diagram.fromBytes(bytes, { trusted });
     expect(restored.toBytes()).toEqual(bytes);
@@ -266,7 +350,7 @@ test("trusted bytes of one's own give the same diagram", () => {
 test("a refused snapshot leaves no diagram behind", () => {
   const bytes = new Diagram(randomCircles(20_000, 32)).toBytes();
   bytes[bytes.length - 1] ^= 1;
-  for (let k = 0; k < 300; ++k) corrupt(bytes);  // 300 diagrams would be 1.5 GB
+  for (let k = 0; k < 300; ++k) corrupt(bytes); // 300 diagrams would be 1.5 GB
   expect(Diagram.fromBytes(recorded).validate()).toBeNull();
 });
 
@@ -289,13 +373,18 @@ test("lack of memory is said, and changes nothing", () => {
     const codes = [codeOf(() => Diagram.fromBytes(large)), codeOf(() => Diagram.fromBytes(small))];
     kept.forEach((one) => one.dispose());
     console.log(JSON.stringify({ codes, broken: diagram.validate(), same: Buffer.compare(diagram.toBytes(), large) }));`);
-  expect(JSON.parse(output)).toEqual({ codes: ["out-of-memory", "out-of-memory"], broken: null, same: 0 });
+  expect(JSON.parse(output)).toEqual({
+    codes: ["out-of-memory", "out-of-memory"],
+    broken: null,
+    same: 0,
+  });
 });
 
-// --- Threads -----------------------------------------------------------------------------------------------------------------
+// --- Threads -------------------------------------------------------------------------------------
 
 test("a snapshot moves to a worker thread", () => {
-  expect(runInNode(`
+  expect(
+    runInNode(`
     import { Worker } from "node:worker_threads";
     import { Diagram } from "apollonius-diagram";
     const diagram = new Diagram([0, 0, 1, 9, 0, 2, 5, 5, 1]);
@@ -306,10 +395,13 @@ test("a snapshot moves to a worker thread", () => {
       parentPort.once("message", (bytes) => parentPort.postMessage([...Diagram.fromBytes(bytes).findMany([8, 0, 5, 6])]));\`, { eval: true });
     const bytes = diagram.toBytes();
     worker.postMessage(bytes, [bytes.buffer]);
-    worker.once("message", (ids) => { console.log(ids.join(), bytes.length); worker.terminate(); });`)).toBe("1,2 0");
+    worker.once("message", (ids) => { console.log(ids.join(), bytes.length); worker.terminate(); });`),
+  ).toBe("1,2 0");
 });
 
 test("web/examples/threads.mjs: several threads find what one does", () => {
   copyFileSync(path.join(root, "web/examples/threads.mjs"), path.join(packed, "threads.mjs"));
-  expect(capture(process.execPath, ["threads.mjs"], { cwd: packed })).toMatch(/^\d+ threads found .* 100000 circles for 1000000 points; 0 differ/);
+  expect(capture(process.execPath, ["threads.mjs"], { cwd: packed })).toMatch(
+    /^\d+ threads found .* 100000 circles for 1000000 points; 0 differ/,
+  );
 });

@@ -8,70 +8,137 @@ import { capture } from "../../wasm/toolchain/process.mjs";
 import { packed } from "./support/install_packed.mjs";
 
 const installed = path.join(packed, "node_modules/apollonius-diagram");
-const tarball = path.join(packed, readdirSync(packed).find((file) => file.endsWith(".tgz")));
-const files = readdirSync(installed, { recursive: true }).filter((file) => statSync(path.join(installed, file)).isFile());
+const tarball = path.join(
+  packed,
+  readdirSync(packed).find((file) => file.endsWith(".tgz")),
+);
+const files = readdirSync(installed, { recursive: true }).filter((file) =>
+  statSync(path.join(installed, file)).isFile(),
+);
 
 function brotli(file) {
   const bytes = readFileSync(path.join(installed, file));
-  const params = { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length };
+  const params = {
+    [constants.BROTLI_PARAM_QUALITY]: 11,
+    [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length,
+  };
   return brotliCompressSync(bytes, { params }).length;
 }
 
 test("holds what users need and no more", () => {
-  const entries = ["index", "wasm"].flatMap((name) => ["esm", "cjs"].flatMap((format) => [`dist/${format}/${name}.js`, `dist/${format}/${name}.d.ts`]));
-  expect(files).toEqual(expect.arrayContaining([...entries, "dist/apollonius.wasm", "dist/cjs/package.json", "package.json", "LICENSE", "README.md"]));
-  expect(files.filter((file) => !/^dist\/(esm|cjs)\/\w+\.(js|d\.ts)$|^dist\/apollonius\.wasm$|^dist\/cjs\/package\.json$/.test(file)).sort())
-    .toEqual(["LICENSE", "README.md", "package.json"]);
+  const entries = ["index", "wasm"].flatMap((name) =>
+    ["esm", "cjs"].flatMap((format) => [
+      `dist/${format}/${name}.js`,
+      `dist/${format}/${name}.d.ts`,
+    ]),
+  );
+  expect(files).toEqual(
+    expect.arrayContaining([
+      ...entries,
+      "dist/apollonius.wasm",
+      "dist/cjs/package.json",
+      "package.json",
+      "LICENSE",
+      "README.md",
+    ]),
+  );
+  expect(
+    files
+      .filter(
+        (file) =>
+          !/^dist\/(esm|cjs)\/\w+\.(js|d\.ts)$|^dist\/apollonius\.wasm$|^dist\/cjs\/package\.json$/.test(
+            file,
+          ),
+      )
+      .sort(),
+  ).toEqual(["LICENSE", "README.md", "package.json"]);
 });
 
 test("needs no other package and runs nothing when it is installed", () => {
-  const { dependencies, peerDependencies, optionalDependencies, scripts } = JSON.parse(readFileSync(path.join(installed, "package.json"), "utf8"));
+  const { dependencies, peerDependencies, optionalDependencies, scripts } = JSON.parse(
+    readFileSync(path.join(installed, "package.json"), "utf8"),
+  );
   expect({ dependencies, peerDependencies, optionalDependencies }).toEqual({});
   expect(Object.keys(scripts).filter((name) => /install|prepare|postpack/.test(name))).toEqual([]);
 });
 
-// Every visitor of a page loads it. What this costs in speed, and where there is room: bench/README.md, "Size".
+// Every visitor of a page loads it. What this costs in speed, and where there is room:
+// bench/README.md, "Size".
 test("sizes: the default entry at most 95 KB with brotli, all of it at most 1 MB", () => {
   const unpacked = files.reduce((sum, file) => sum + statSync(path.join(installed, file)).size, 0);
-  const sizes = { esm: brotli("dist/esm/index.js"), script: brotli("dist/cjs/index.js"), wasm: brotli("dist/apollonius.wasm"),
-                  code: brotli("dist/esm/wasm.js") };
-  process.stdout.write(`bytes with brotli: ${JSON.stringify(sizes)}; unpacked ${unpacked}, packed ${statSync(tarball).size}\n`);
+  const sizes = {
+    esm: brotli("dist/esm/index.js"),
+    script: brotli("dist/cjs/index.js"),
+    wasm: brotli("dist/apollonius.wasm"),
+    code: brotli("dist/esm/wasm.js"),
+  };
+  process.stdout.write(
+    `bytes with brotli: ${JSON.stringify(sizes)}; unpacked ${unpacked}, packed ${statSync(tarball).size}\n`,
+  );
   expect(sizes.esm).toBeLessThanOrEqual(95_000);
-  expect(sizes.script).toBeLessThanOrEqual(95_000);  // the same with its wrapper
+  expect(sizes.script).toBeLessThanOrEqual(95_000); // the same with its wrapper
   expect(sizes.wasm + sizes.code).toBeLessThan(sizes.esm);
   expect(unpacked).toBeLessThanOrEqual(1_000_000);
 });
 
 test("README says how large the entries are", () => {
   const readme = readFileSync(path.join(root, "README.md"), "utf8");
-  const [entry, code, wasm] = [/compiled synchronously at the first use.*\| (\d+) KB \|/, /streamed.*\| (\d+) \+ \d+ KB/, /streamed.*\+ (\d+) KB/]
-    .map((pattern) => 1000 * Number(pattern.exec(readme)[1]));
-  for (const [said, file] of [[entry, "dist/esm/index.js"], [code, "dist/esm/wasm.js"], [wasm, "dist/apollonius.wasm"]]) {
+  const [entry, code, wasm] = [
+    /compiled synchronously at the first use.*\| (\d+) KB \|/,
+    /streamed.*\| (\d+) \+ \d+ KB/,
+    /streamed.*\+ (\d+) KB/,
+  ].map((pattern) => 1000 * Number(pattern.exec(readme)[1]));
+  for (const [said, file] of [
+    [entry, "dist/esm/index.js"],
+    [code, "dist/esm/wasm.js"],
+    [wasm, "dist/apollonius.wasm"],
+  ]) {
     expect(Math.abs(said - brotli(file))).toBeLessThan(2000);
   }
 });
 
 test("is ready to be published, with provenance: npm corrects nothing, and all addresses are of one repository", () => {
-  const { repository, homepage, bugs } = JSON.parse(readFileSync(path.join(installed, "package.json"), "utf8"));
+  const { repository, homepage, bugs } = JSON.parse(
+    readFileSync(path.join(installed, "package.json"), "utf8"),
+  );
   const [, address] = /^git\+(https:\/\/[^ ]+\/apollonius-diagram)\.git$/.exec(repository.url);
-  expect([repository.type, homepage, bugs.url]).toEqual(["git", `${address}#readme`, `${address}/issues`]);
-  const { status, stderr } = spawnSync("npm", ["publish", tarball, "--dry-run", "--offline"], { cwd: packed, encoding: "utf8" });
+  expect([repository.type, homepage, bugs.url]).toEqual([
+    "git",
+    `${address}#readme`,
+    `${address}/issues`,
+  ]);
+  const { status, stderr } = spawnSync("npm", ["publish", tarball, "--dry-run", "--offline"], {
+    cwd: packed,
+    encoding: "utf8",
+  });
   expect(stderr).not.toMatch(/auto-corrected/);
   expect(status).toBe(0);
 });
 
 test("publint finds nothing", () => {
-  capture(process.execPath, [path.join(root, "node_modules/publint/src/cli.js"), "run", tarball, "--strict"]);
+  capture(process.execPath, [
+    path.join(root, "node_modules/publint/src/cli.js"),
+    "run",
+    tarball,
+    "--strict",
+  ]);
 });
 
 test("the types are not wrong, however they are resolved", () => {
   // In a Node of its own: it brings a TypeScript that Jest need not load.
-  const output = capture(process.execPath, ["--input-type=module", "--eval", `
+  const output = capture(
+    process.execPath,
+    [
+      "--input-type=module",
+      "--eval",
+      `
     import { readFileSync } from "node:fs";
     import { checkPackage, createPackageFromTarballData } from "@arethetypeswrong/core";
     const { types, problems } = await checkPackage(createPackageFromTarballData(readFileSync(${JSON.stringify(tarball)})),
                                                    { excludeEntrypoints: ["./apollonius.wasm"] });
-    console.log(JSON.stringify({ types: types.kind, problems: problems.filter(({ resolutionKind }) => resolutionKind !== "node10") }));`],
-                         { cwd: root });
+    console.log(JSON.stringify({ types: types.kind, problems: problems.filter(({ resolutionKind }) => resolutionKind !== "node10") }));`,
+    ],
+    { cwd: root },
+  );
   expect(JSON.parse(output)).toEqual({ types: "included", problems: [] });
 });

@@ -1,20 +1,35 @@
-// A call that ends in its middle (a trap, an exhausted stack) breaks the diagram that it was about and no other.
+// A call that ends in its middle (a trap, an exhausted stack) breaks the diagram that it was about
+// and no other.
 import { fileURLToPath } from "node:url";
 import { capture } from "../../wasm/toolchain/process.mjs";
 import { calls } from "./support/calls.mjs";
 
-const run = (program) => JSON.parse(capture(process.execPath, [fileURLToPath(new URL(`support/${program}`, import.meta.url))], { env: { NODE_OPTIONS: "" } }));
+const run = (program) =>
+  JSON.parse(
+    capture(process.execPath, [fileURLToPath(new URL(`support/${program}`, import.meta.url))], {
+      env: { NODE_OPTIONS: "" },
+    }),
+  );
 
 describe("traps", () => {
   let found;
-  beforeAll(() => { found = run("trapping.mjs"); }, 300_000);
+  beforeAll(() => {
+    found = run("trapping.mjs");
+  }, 300_000);
 
   test.each(calls.map(([name]) => name))("%s", (name) => {
     const isMaking = /\.(constructor|from|fromBytes)$/.test(name);
-    const without = ["Diagram.voronoi", "Voronoi.renderBounds"].includes(name);  // nothing of theirs is done in WebAssembly
+    // nothing of theirs is done in WebAssembly
+    const without = ["Diagram.voronoi", "Voronoi.renderBounds"].includes(name);
     expect(found.perCall[name].length).toBeGreaterThanOrEqual(without ? 0 : 3);
     for (const one of found.perCall[name]) {
-      expect(one).toMatchObject({ code: "broken", cause: one.kind === "end of stack" ? "RangeError" : "RuntimeError", harm: "", disposed: "disposed", destructed: 0 });
+      expect(one).toMatchObject({
+        code: "broken",
+        cause: one.kind === "end of stack" ? "RangeError" : "RuntimeError",
+        harm: "",
+        disposed: "disposed",
+        destructed: 0,
+      });
       if (!isMaking) expect(one.after.filter((code) => code !== "none")).toEqual(["broken"]);
     }
   });
@@ -30,7 +45,14 @@ describe("traps", () => {
   });
 
   test("in a later portion of a drawing, and in a call of the context", () => {
-    expect(found.nested).toEqual({ inPortion: "broken", then: "broken", inNested: "none", inner: "broken", outer: null, harm: "" });
+    expect(found.nested).toEqual({
+      inPortion: "broken",
+      then: "broken",
+      inNested: "none",
+      inner: "broken",
+      outer: null,
+      harm: "",
+    });
   });
 
   test("a console that throws does not reach into the module", () => {

@@ -1,5 +1,11 @@
-// Cells in a window: shapes, measures, bad input. The geometry itself is tested in tests/geometry (natively and as WebAssembly).
-import { ApolloniusError, curvePoint, curveTangent, Diagram } from "../../build/packed/consumer.mjs";
+// Cells in a window: shapes, measures, bad input. The geometry itself is tested in tests/geometry
+// (natively and as WebAssembly).
+import {
+  ApolloniusError,
+  curvePoint,
+  curveTangent,
+  Diagram,
+} from "../../build/packed/consumer.mjs";
 import { randomCircles } from "./support/random.mjs";
 import { isInside, ringArea } from "./support/recorder.mjs";
 
@@ -25,7 +31,8 @@ test("the default window is d3-delaunay's", () => {
 });
 
 test("areas are the shares of random points that are nearest to each circle", () => {
-  const points = 400_000, xy = new Float64Array(2 * points);
+  const points = 400_000,
+    xy = new Float64Array(2 * points);
   let state = 7;
   const random = () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
   for (let k = 0; k < points; ++k) {
@@ -37,7 +44,9 @@ test("areas are the shares of random points that are nearest to each circle", ()
   const areas = voronoi.cellAreas();
   for (let id = 0; id < 300; ++id) {
     const share = (diagram.isHidden(id) ? 0 : areas[id]) / whole;
-    expect(Math.abs(counts[id] - points * share)).toBeLessThanOrEqual(6 * Math.sqrt(points * share * (1 - share)));  // six sigma
+    expect(Math.abs(counts[id] - points * share)).toBeLessThanOrEqual(
+      6 * Math.sqrt(points * share * (1 - share)),
+    ); // six sigma
   }
 });
 
@@ -59,21 +68,27 @@ test("polygons are closed, counter-clockwise, and as large as the cells", () => 
     expect(ring.slice(-2)).toEqual(ring.slice(0, 2));
     const area = ringArea(ring);
     expect(area).toBeGreaterThan(0);
-    expect(Math.abs(area - voronoi.cellArea(ring.index))).toBeLessThan(0.011 * voronoi.cellPerimeter(ring.index));
+    expect(Math.abs(area - voronoi.cellArea(ring.index))).toBeLessThan(
+      0.011 * voronoi.cellPerimeter(ring.index),
+    );
     sum += area;
   }
   expect(sum / whole).toBeCloseTo(1, 4);
 });
 
 test("a smaller tolerance takes more points", () => {
-  const length = (tolerance) => [...voronoi.cellPolygons({ tolerance })].reduce((sum, ring) => sum + ring.length, 0);
+  const length = (tolerance) =>
+    [...voronoi.cellPolygons({ tolerance })].reduce((sum, ring) => sum + ring.length, 0);
   expect(length(0.001)).toBeGreaterThan(1.5 * length(1));
 });
 
 test("the true nearest site's polygon holds a point, and no other does", () => {
   const rings = [...voronoi.cellPolygons({ tolerance: 1e-3 })];
   for (let k = 0; k < 400; ++k) {
-    const [x, y] = [bounds[0] + 1900 * ((k * 0.6180339887) % 1), bounds[1] + 1500 * ((k * 0.7548776662) % 1)];
+    const [x, y] = [
+      bounds[0] + 1900 * ((k * 0.6180339887) % 1),
+      bounds[1] + 1500 * ((k * 0.7548776662) % 1),
+    ];
     const holders = rings.filter((ring) => isInside(ring, x, y)).map((ring) => ring.index);
     const distance = (id) => Math.hypot(x - xyr[3 * id], y - xyr[3 * id + 1]) - xyr[3 * id + 2];
     const sorted = [...diagram.ids()].map(distance).sort((a, b) => a - b);
@@ -92,7 +107,7 @@ test("curves of cells and of edges are the same, and lie at equal distances from
     const [a, b] = edges.sites.subarray(2 * k, 2 * k + 2);
     keys.add([a, b, x0, y0, x2, y2].join());
     keys.add([b, a, x2, y2, x0, y0].join());
-    const sum = 2 + 2 * w;  // at t = 1/2
+    const sum = 2 + 2 * w; // at t = 1/2
     const [x, y] = [(x0 + 2 * w * x1 + x2) / sum, (y0 + 2 * w * y1 + y2) / sum];
     const distance = (id) => Math.hypot(x - xyr[3 * id], y - xyr[3 * id + 1]) - xyr[3 * id + 2];
     expect(Math.abs(distance(a) - distance(b))).toBeLessThan(1e-7);
@@ -124,12 +139,19 @@ test("places and tangents of curves: equally far from both sites, and at equal a
       const [a, b] = [...sites.subarray(2 * k, 2 * k + 2)].map((id) => {
         const [dx, dy] = [x - xyr[3 * id], y - xyr[3 * id + 1]];
         const length = Math.hypot(dx, dy);
-        return { distance: length - xyr[3 * id + 2], along: (dx * tx + dy * ty) / length, left: (dx * ty - dy * tx) / length };
+        return {
+          distance: length - xyr[3 * id + 2],
+          along: (dx * tx + dy * ty) / length,
+          left: (dx * ty - dy * tx) / length,
+        };
       });
       expect(Math.abs(a.distance - b.distance)).toBeLessThan(1e-7);
-      if (Math.hypot(curves[7 * k + 5] - curves[7 * k], curves[7 * k + 6] - curves[7 * k + 1]) < 1e-3) continue;
+      if (
+        Math.hypot(curves[7 * k + 5] - curves[7 * k], curves[7 * k + 6] - curves[7 * k + 1]) < 1e-3
+      )
+        continue;
       expect(Math.abs(a.along - b.along)).toBeLessThan(1e-5);
-      expect(a.left).toBeGreaterThan(0);  // the first site is on the left
+      expect(a.left).toBeGreaterThan(0); // the first site is on the left
       expect(b.left).toBeLessThan(0);
     }
   }
@@ -163,14 +185,21 @@ test("one site has the window, several regions are several rings", () => {
   expect(ringArea(joined)).toBeCloseTo(ringArea(regions[0]) + ringArea(regions[1]), 9);
   expect(joined.slice(-2)).toEqual(joined.slice(0, 2));
   expect(corners.cellCentroid(0)[1]).toBeCloseTo(50, 9);
-  expect(corners.toGeoJSON().features.map((feature) => feature.geometry.type)).toEqual(["MultiPolygon", "Polygon"]);
-  expect([...new Diagram([7, 7, 1]).voronoi([0, 0, 10, 10]).cellPolygon(0)]).toEqual([0, 0, 10, 0, 10, 10, 0, 10, 0, 0]);
+  expect(corners.toGeoJSON().features.map((feature) => feature.geometry.type)).toEqual([
+    "MultiPolygon",
+    "Polygon",
+  ]);
+  expect([...new Diagram([7, 7, 1]).voronoi([0, 0, 10, 10]).cellPolygon(0)]).toEqual([
+    0, 0, 10, 0, 10, 10, 0, 10, 0, 0,
+  ]);
 });
 
 test("GeoJSON: closed rings, right-handed, one feature a cell", () => {
   const { type, features } = voronoi.toGeoJSON();
   expect(type).toBe("FeatureCollection");
-  expect(features.map((feature) => feature.id)).toEqual([...voronoi.cellPolygons()].map((ring) => ring.index));
+  expect(features.map((feature) => feature.id)).toEqual(
+    [...voronoi.cellPolygons()].map((ring) => ring.index),
+  );
   for (const { geometry } of features) {
     const [ring] = geometry.type === "Polygon" ? geometry.coordinates : geometry.coordinates[0];
     expect(ring.length).toBeGreaterThan(3);
@@ -184,7 +213,10 @@ test("within a radius", () => {
   expect(pair.cellWithin(0, 3).area).toBeCloseTo(9 * Math.PI, 12);
   expect(pair.cellWithin(0, 3).perimeter).toBeCloseTo(6 * Math.PI, 12);
   const half = Math.acos(5 / 7);
-  expect(pair.cellWithin(0, 7).area).toBeCloseTo(49 * (Math.PI - half + Math.sin(half) * Math.cos(half)), 11);
+  expect(pair.cellWithin(0, 7).area).toBeCloseTo(
+    49 * (Math.PI - half + Math.sin(half) * Math.cos(half)),
+    11,
+  );
   expect(pair.cellWithin(0, 0)).toEqual({ area: 0, centroid: null, perimeter: 0 });
   expect(codeOf(() => pair.cellWithin(0, -1))).toBe("out-of-range");
   expect(codeOf(() => pair.cellWithin(0, NaN))).toBe("not-finite");
@@ -192,46 +224,99 @@ test("within a radius", () => {
 });
 
 test("bad bounds", () => {
-  const bad = [[0, 0, 0, 1], [0, 0, 1, 0], [1, 0, 0, 1], [0, 1, 1, 0], [NaN, 0, 1, 1], [0, 0, Infinity, 1], [0, -Infinity, 1, 1], [0, 0, 1],
-               [0, 0, 1, 1, 1], [0, 0, "1", 1], [0, 0, 1e101, 1], [0, 0, 1e-101, 1], null, "window", 7];
+  const bad = [
+    [0, 0, 0, 1],
+    [0, 0, 1, 0],
+    [1, 0, 0, 1],
+    [0, 1, 1, 0],
+    [NaN, 0, 1, 1],
+    [0, 0, Infinity, 1],
+    [0, -Infinity, 1, 1],
+    [0, 0, 1],
+    [0, 0, 1, 1, 1],
+    [0, 0, "1", 1],
+    [0, 0, 1e101, 1],
+    [0, 0, 1e-101, 1],
+    null,
+    "window",
+    7,
+  ];
   for (const value of bad) {
     expect(codeOf(() => diagram.voronoi(value))).toBe("bad-bounds");
-    if (value !== null && value !== undefined) expect(codeOf(() => diagram.render(null, { bounds: value }))).toBe("bad-bounds");
+    if (value !== null && value !== undefined)
+      expect(codeOf(() => diagram.render(null, { bounds: value }))).toBe("bad-bounds");
   }
 });
 
 test("bad tolerances and digits", () => {
-  const uses = [(options) => voronoi.cellPolygon(0, options), (options) => voronoi.cellRegions(0, options), (options) => voronoi.render(null, options),
-                (options) => voronoi.renderCell(0, null, options), (options) => voronoi.toGeoJSON(options), (options) => diagram.render(null, options),
-                (options) => diagram.renderSites(null, options), (options) => diagram.renderHull(null, options)];
+  const uses = [
+    (options) => voronoi.cellPolygon(0, options),
+    (options) => voronoi.cellRegions(0, options),
+    (options) => voronoi.render(null, options),
+    (options) => voronoi.renderCell(0, null, options),
+    (options) => voronoi.toGeoJSON(options),
+    (options) => diagram.render(null, options),
+    (options) => diagram.renderSites(null, options),
+    (options) => diagram.renderHull(null, options),
+  ];
   for (const use of uses) {
-    for (const tolerance of [0, -1, -0]) expect(codeOf(() => use({ tolerance }))).toBe("out-of-range");
-    for (const tolerance of [NaN, Infinity, "1", null]) expect(codeOf(() => use({ tolerance }))).toBe("not-finite");
+    for (const tolerance of [0, -1, -0])
+      expect(codeOf(() => use({ tolerance }))).toBe("out-of-range");
+    for (const tolerance of [NaN, Infinity, "1", null])
+      expect(codeOf(() => use({ tolerance }))).toBe("not-finite");
   }
-  for (const digits of [-1, 16, 1.5, NaN, "2"]) expect(codeOf(() => voronoi.render(null, { digits }))).toBe("out-of-range");
+  for (const digits of [-1, 16, 1.5, NaN, "2"])
+    expect(codeOf(() => voronoi.render(null, { digits }))).toBe("out-of-range");
 });
 
 test("hidden sites have nothing, unknown ones are errors, everywhere the same way", () => {
-  const few = new Diagram([100, 100, 50, 110, 100, 5, 5000, 100, 50]);  // 1 is hidden, 2 has no part of the window
+  // 1 is hidden, 2 has no part of the window
+  const few = new Diagram([100, 100, 50, 110, 100, 5, 5000, 100, 50]);
   const view = few.voronoi([0, 0, 200, 200]);
   const uses = {
-    renderCell: (id) => view.renderCell(id), cellPolygon: (id) => view.cellPolygon(id), cellRegions: (id) => view.cellRegions(id),
-    cellCurves: (id) => view.cellCurves(id), cellMeasures: (id) => view.cellMeasures(id), cellArea: (id) => view.cellArea(id),
-    cellCentroid: (id) => view.cellCentroid(id), cellPerimeter: (id) => view.cellPerimeter(id), cellWithin: (id) => view.cellWithin(id, 1),
-    contains: (id) => view.contains(id, 110, 100), neighbors: (id) => [...view.neighbors(id)],
+    renderCell: (id) => view.renderCell(id),
+    cellPolygon: (id) => view.cellPolygon(id),
+    cellRegions: (id) => view.cellRegions(id),
+    cellCurves: (id) => view.cellCurves(id),
+    cellMeasures: (id) => view.cellMeasures(id),
+    cellArea: (id) => view.cellArea(id),
+    cellCentroid: (id) => view.cellCentroid(id),
+    cellPerimeter: (id) => view.cellPerimeter(id),
+    cellWithin: (id) => view.cellWithin(id, 1),
+    contains: (id) => view.contains(id, 110, 100),
+    neighbors: (id) => [...view.neighbors(id)],
   };
   const hidden = Object.fromEntries(Object.entries(uses).map(([name, use]) => [name, use(1)]));
   expect(hidden).toEqual({
-    renderCell: "", cellPolygon: null, cellRegions: null, cellCurves: null, cellMeasures: null, cellArea: null, cellCentroid: null,
-    cellPerimeter: null, cellWithin: null, contains: false, neighbors: [],
+    renderCell: "",
+    cellPolygon: null,
+    cellRegions: null,
+    cellCurves: null,
+    cellMeasures: null,
+    cellArea: null,
+    cellCentroid: null,
+    cellPerimeter: null,
+    cellWithin: null,
+    contains: false,
+    neighbors: [],
   });
-  expect([view.cellPolygon(2), view.cellArea(2), view.cellCentroid(2), view.renderCell(2)]).toEqual([null, 0, null, ""]);
+  expect([view.cellPolygon(2), view.cellArea(2), view.cellCentroid(2), view.renderCell(2)]).toEqual(
+    [null, 0, null, ""],
+  );
   for (const use of Object.values(uses)) {
-    for (const id of [3, -1, 1.5, NaN, "0", null, undefined, 0xffffffff]) expect(codeOf(() => use(id))).toBe("unknown-site");
+    for (const id of [3, -1, 1.5, NaN, "0", null, undefined, 0xffffffff])
+      expect(codeOf(() => use(id))).toBe("unknown-site");
   }
   few.dispose();
-  for (const use of [...Object.values(uses), () => view.render(), () => view.renderBounds(), () => view.cellAreas(), () => view.edgeCurves(),
-                     () => view.toGeoJSON(), () => [...view.cellPolygons()]]) {
+  for (const use of [
+    ...Object.values(uses),
+    () => view.render(),
+    () => view.renderBounds(),
+    () => view.cellAreas(),
+    () => view.edgeCurves(),
+    () => view.toGeoJSON(),
+    () => [...view.cellPolygons()],
+  ]) {
     expect(codeOf(() => use(0))).toBe("disposed");
   }
 });

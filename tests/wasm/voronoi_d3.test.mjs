@@ -1,4 +1,5 @@
-// With equal weights the cells are those of d3-delaunay, and random diagrams, windows and histories keep the laws.
+// With equal weights the cells are those of d3-delaunay, and random diagrams, windows and histories
+// keep the laws.
 import { Delaunay } from "d3-delaunay";
 import fc from "fast-check";
 import { Diagram } from "../../build/packed/consumer.mjs";
@@ -14,7 +15,10 @@ function distanceBetween(ring, other) {
       const [ax, ay] = [other[m], other[m + 1]];
       const [dx, dy] = [other[m + 2] - ax, other[m + 3] - ay];
       const length = dx * dx + dy * dy;
-      const t = length > 0 ? Math.max(0, Math.min(1, ((ring[k] - ax) * dx + (ring[k + 1] - ay) * dy) / length)) : 0;
+      const t =
+        length > 0
+          ? Math.max(0, Math.min(1, ((ring[k] - ax) * dx + (ring[k + 1] - ay) * dy) / length))
+          : 0;
       best = Math.min(best, Math.hypot(ring[k] - ax - t * dx, ring[k + 1] - ay - t * dy));
     }
     worst = Math.max(worst, best);
@@ -26,7 +30,10 @@ test.each([0, 5])("equal weights %p: the polygons of d3-delaunay", (r) => {
   const random = generator(81);
   const bounds = [0, 0, 960, 500];
   for (const count of [1, 2, 3, 10, 200]) {
-    const points = Array.from({ length: count }, () => [random() * 1200 - 100, random() * 700 - 100]);
+    const points = Array.from({ length: count }, () => [
+      random() * 1200 - 100,
+      random() * 700 - 100,
+    ]);
     const theirs = Delaunay.from(points).voronoi(bounds);
     const ours = new Diagram(points.flatMap(([x, y]) => [x, y, r])).voronoi(bounds);
     for (let id = 0; id < count; ++id) {
@@ -44,56 +51,79 @@ test.each([0, 5])("equal weights %p: the polygons of d3-delaunay", (r) => {
   }
 });
 
-const coordinate = fc.oneof(fc.integer({ min: -6, max: 6 }), fc.double({ min: -50, max: 50, noNaN: true }).map((x) => (Math.abs(x) < 1e-90 ? 0 : x)));
-const radius = fc.oneof(fc.integer({ min: 0, max: 4 }), fc.double({ min: 0, max: 20, noNaN: true }).map((r) => (r < 1e-90 ? 0 : r)));
+const coordinate = fc.oneof(
+  fc.integer({ min: -6, max: 6 }),
+  fc.double({ min: -50, max: 50, noNaN: true }).map((x) => (Math.abs(x) < 1e-90 ? 0 : x)),
+);
+const radius = fc.oneof(
+  fc.integer({ min: 0, max: 4 }),
+  fc.double({ min: 0, max: 20, noNaN: true }).map((r) => (r < 1e-90 ? 0 : r)),
+);
 const circle = fc.tuple(coordinate, coordinate, radius);
-const window = fc.tuple(coordinate, coordinate, coordinate, coordinate).filter(([a, b, c, d]) => Math.abs(a - c) > 0.01 && Math.abs(b - d) > 0.01)
+const window = fc
+  .tuple(coordinate, coordinate, coordinate, coordinate)
+  .filter(([a, b, c, d]) => Math.abs(a - c) > 0.01 && Math.abs(b - d) > 0.01)
   .map(([a, b, c, d]) => [Math.min(a, c), Math.min(b, d), Math.max(a, c), Math.max(b, d)]);
 
 /** The cells by their circles, without ids: sorted [x, y, r, area]. */
 function areasByCircle(diagram, bounds) {
   const areas = diagram.voronoi(bounds).cellAreas();
-  return [...diagram.ids()].filter((id) => !diagram.isHidden(id)).map((id) => {
-    const { x, y, r } = diagram.site(id);
-    return [x, y, r, areas[id]];
-  }).sort((a, b) => a[0] - b[0] || a[1] - b[1] || a[2] - b[2]);
+  return [...diagram.ids()]
+    .filter((id) => !diagram.isHidden(id))
+    .map((id) => {
+      const { x, y, r } = diagram.site(id);
+      return [x, y, r, areas[id]];
+    })
+    .sort((a, b) => a[0] - b[0] || a[1] - b[1] || a[2] - b[2]);
 }
 
 test("any circles, any window: cells fill the window, polygons follow them, histories do not matter", () => {
-  fc.assert(fc.property(fc.array(circle, { minLength: 1, maxLength: 14 }), fc.array(circle, { maxLength: 6 }), window, (kept, passing, bounds) => {
-    const whole = (bounds[2] - bounds[0]) * (bounds[3] - bounds[1]);
-    const diagram = new Diagram(kept.flat());
-    const voronoi = diagram.voronoi(bounds);
-    const areas = voronoi.cellAreas();
-    expect(Math.abs(areas.reduce((sum, area) => sum + area, 0) / whole - 1)).toBeLessThan(1e-12);
-    let sum = 0;
-    for (const id of diagram.ids()) {
-      if (diagram.isHidden(id)) {
-        expect(voronoi.cellPolygon(id)).toBeNull();
-        continue;
-      }
-      const measures = voronoi.cellMeasures(id);
-      expect(Math.abs(measures.area - areas[id])).toBeLessThanOrEqual(1e-12 * whole);
-      const regions = voronoi.cellRegions(id) ?? [];
-      for (const ring of regions) sum += ringArea(ring);
-      if (measures.centroid !== null && measures.area > 1e-6 * whole) {
-        expect(measures.centroid[0]).toBeGreaterThanOrEqual(bounds[0]);
-        expect(measures.centroid[0]).toBeLessThanOrEqual(bounds[2]);
-        expect(measures.centroid[1]).toBeGreaterThanOrEqual(bounds[1]);
-        expect(measures.centroid[1]).toBeLessThanOrEqual(bounds[3]);
-      }
-    }
-    expect(Math.abs(sum / whole - 1)).toBeLessThan(0.02);
+  fc.assert(
+    fc.property(
+      fc.array(circle, { minLength: 1, maxLength: 14 }),
+      fc.array(circle, { maxLength: 6 }),
+      window,
+      (kept, passing, bounds) => {
+        const whole = (bounds[2] - bounds[0]) * (bounds[3] - bounds[1]);
+        const diagram = new Diagram(kept.flat());
+        const voronoi = diagram.voronoi(bounds);
+        const areas = voronoi.cellAreas();
+        expect(Math.abs(areas.reduce((sum, area) => sum + area, 0) / whole - 1)).toBeLessThan(
+          1e-12,
+        );
+        let sum = 0;
+        for (const id of diagram.ids()) {
+          if (diagram.isHidden(id)) {
+            expect(voronoi.cellPolygon(id)).toBeNull();
+            continue;
+          }
+          const measures = voronoi.cellMeasures(id);
+          expect(Math.abs(measures.area - areas[id])).toBeLessThanOrEqual(1e-12 * whole);
+          const regions = voronoi.cellRegions(id) ?? [];
+          for (const ring of regions) sum += ringArea(ring);
+          if (measures.centroid !== null && measures.area > 1e-6 * whole) {
+            expect(measures.centroid[0]).toBeGreaterThanOrEqual(bounds[0]);
+            expect(measures.centroid[0]).toBeLessThanOrEqual(bounds[2]);
+            expect(measures.centroid[1]).toBeGreaterThanOrEqual(bounds[1]);
+            expect(measures.centroid[1]).toBeLessThanOrEqual(bounds[3]);
+          }
+        }
+        expect(Math.abs(sum / whole - 1)).toBeLessThan(0.02);
 
-    // Another history of the same set.
-    const other = new Diagram(passing.flat());
-    const first = [...other.ids()];
-    other.insertMany([...kept].reverse().flat());
-    other.removeMany(first);
-    const [expected, got] = [areasByCircle(diagram, bounds), areasByCircle(other, bounds)];
-    expect(got.map((row) => row.slice(0, 3))).toEqual(expected.map((row) => row.slice(0, 3)));
-    got.forEach((row, k) => expect(Math.abs(row[3] - expected[k][3])).toBeLessThanOrEqual(1e-12 * whole));
-    diagram.dispose();
-    other.dispose();
-  }), { seed: 82, numRuns: 300 });
+        // Another history of the same set.
+        const other = new Diagram(passing.flat());
+        const first = [...other.ids()];
+        other.insertMany([...kept].reverse().flat());
+        other.removeMany(first);
+        const [expected, got] = [areasByCircle(diagram, bounds), areasByCircle(other, bounds)];
+        expect(got.map((row) => row.slice(0, 3))).toEqual(expected.map((row) => row.slice(0, 3)));
+        got.forEach((row, k) =>
+          expect(Math.abs(row[3] - expected[k][3])).toBeLessThanOrEqual(1e-12 * whole),
+        );
+        diagram.dispose();
+        other.dispose();
+      },
+    ),
+    { seed: 82, numRuns: 300 },
+  );
 });

@@ -1,4 +1,5 @@
-// Values of types that TypeScript refuses and JavaScript lets through: accepted and right, or an error with a code.
+// Values of types that TypeScript refuses and JavaScript lets through: accepted and right, or an
+// error with a code.
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { runInNewContext } from "node:vm";
 import { expectRefusal } from "./support/refusal.mjs";
@@ -7,8 +8,13 @@ const values = [0, 0, 1, 10, 0, 2];
 const second = { x: 10, y: 0, r: 2 };
 
 function shifted(bytes) {
-  // Typed arrays at odd multiples of their element size; an address that is no multiple of 8 has to be copied all the same.
-  const array = new Float32Array(new ArrayBuffer(4 * (values.length + bytes)), 4 * bytes, values.length);
+  // Typed arrays at odd multiples of their element size; an address that is no multiple of 8 has to
+  // be copied all the same.
+  const array = new Float32Array(
+    new ArrayBuffer(4 * (values.length + bytes)),
+    4 * bytes,
+    values.length,
+  );
   array.set(values);
   return array;
 }
@@ -32,7 +38,8 @@ function resized(array, view, bytes) {
   buffer.resize(bytes ?? array.byteLength);
   return made;
 }
-const shrunk = (array) => resized(array, (Kind, buffer) => new Kind(buffer, 0, array.length), array.byteLength / 2);
+const shrunk = (array) =>
+  resized(array, (Kind, buffer) => new Kind(buffer, 0, array.length), array.byteLength / 2);
 
 test.each([
   ["a subarray", new Float64Array([9, ...values, 9]).subarray(1, 7)],
@@ -42,29 +49,50 @@ test.each([
   ["clamped bytes", new Uint8ClampedArray(values)],
   ["another realm's array", runInNewContext("[0, 0, 1, 10, 0, 2]")],
   ["another realm's typed array", runInNewContext("new Float64Array([0, 0, 1, 10, 0, 2])")],
-  ["a view of a buffer that grew", resized(new Float64Array(values), (Kind, buffer) => new Kind(buffer, 0, 6), 96)],
-  ["a view that follows its buffer", resized(new Float64Array([...values, 7, 7, 7]), (Kind, buffer) => new Kind(buffer), 48)],
-  ["shared memory that grew", (() => {
-    const buffer = new SharedArrayBuffer(48, { maxByteLength: 96 });
-    const array = new Float64Array(buffer, 0, 6);
-    array.set(values);
-    buffer.grow(96);
-    return array;
-  })()],
+  [
+    "a view of a buffer that grew",
+    resized(new Float64Array(values), (Kind, buffer) => new Kind(buffer, 0, 6), 96),
+  ],
+  [
+    "a view that follows its buffer",
+    resized(new Float64Array([...values, 7, 7, 7]), (Kind, buffer) => new Kind(buffer), 48),
+  ],
+  [
+    "shared memory that grew",
+    (() => {
+      const buffer = new SharedArrayBuffer(48, { maxByteLength: 96 });
+      const array = new Float64Array(buffer, 0, 6);
+      array.set(values);
+      buffer.grow(96);
+      return array;
+    })(),
+  ],
   ["an array-like object", { ...values, length: 6 }],
-  ["a length-tracking view", new Float64Array(new ArrayBuffer(48, { maxByteLength: 96 })).fill(0).map((_, k) => values[k])],
+  [
+    "a length-tracking view",
+    new Float64Array(new ArrayBuffer(48, { maxByteLength: 96 })).fill(0).map((_, k) => values[k]),
+  ],
 ])("%s is read rightly", (_, xyr) => {
   const diagram = new Diagram(xyr);
   expect(diagram.site(1)).toEqual(second);
   expect([...diagram.insertMany(xyr)]).toEqual([2, 3]);
-  diagram.updateMany(new Uint32Array(new SharedArrayBuffer(8)).map((_, k) => k), xyr);
+  diagram.updateMany(
+    new Uint32Array(new SharedArrayBuffer(8)).map((_, k) => k),
+    xyr,
+  );
   expect([...diagram.findMany(xyr)]).toEqual([...diagram.findMany(values)]);
   expect(diagram.validate()).toBeNull();
 });
 
 test("ids of all kinds, with offsets, shared, from another realm", () => {
-  const kinds = [[0, 1], new Uint8Array([7, 0, 1]).subarray(1), new Float64Array([0, 1]), new Uint32Array([9, 0, 1]).subarray(1),
-                 new Uint32Array(new SharedArrayBuffer(8)).map((_, k) => k), runInNewContext("new Uint32Array([0, 1])")];
+  const kinds = [
+    [0, 1],
+    new Uint8Array([7, 0, 1]).subarray(1),
+    new Float64Array([0, 1]),
+    new Uint32Array([9, 0, 1]).subarray(1),
+    new Uint32Array(new SharedArrayBuffer(8)).map((_, k) => k),
+    runInNewContext("new Uint32Array([0, 1])"),
+  ];
   for (const ids of kinds) {
     const diagram = new Diagram(values);
     diagram.updateMany(ids, [5, 5, 1, 20, 20, 2]);
@@ -75,7 +103,11 @@ test("ids of all kinds, with offsets, shared, from another realm", () => {
 
 test("distances may be a view with an offset, shared, or of another realm", () => {
   const diagram = new Diagram(values);
-  for (const distances of [new Float64Array(5).subarray(3), new Float64Array(new SharedArrayBuffer(32), 16), runInNewContext("new Float64Array(2)")]) {
+  for (const distances of [
+    new Float64Array(5).subarray(3),
+    new Float64Array(new SharedArrayBuffer(32), 16),
+    runInNewContext("new Float64Array(2)"),
+  ]) {
     diagram.findMany([0, 0, 10, 0], distances);
     expect([...distances]).toEqual([-1, -2]);
   }
@@ -83,25 +115,100 @@ test("distances may be a view with an offset, shared, or of another realm", () =
 
 const cases = [
   // Detached buffers look empty.
-  ["constructor", () => new Diagram(detached()), "bad-length", "xyr is a typed array whose buffer is detached"],
-  ["insertMany", (d) => d.insertMany(detached()), "bad-length", "xyr is a typed array whose buffer is detached"],
-  ["updateMany ids", (d) => d.updateMany(detached(new Uint32Array(2)), []), "bad-length", "ids is a typed array whose buffer is detached"],
-  ["updateMany xyr", (d) => d.updateMany([], detached()), "bad-length", "xyr is a typed array whose buffer is detached"],
-  ["removeMany", (d) => d.removeMany(detached(new Uint32Array(2))), "bad-length", "ids is a typed array whose buffer is detached"],
-  ["findMany", (d) => d.findMany(detached()), "bad-length", "xy is a typed array whose buffer is detached"],
+  [
+    "constructor",
+    () => new Diagram(detached()),
+    "bad-length",
+    "xyr is a typed array whose buffer is detached",
+  ],
+  [
+    "insertMany",
+    (d) => d.insertMany(detached()),
+    "bad-length",
+    "xyr is a typed array whose buffer is detached",
+  ],
+  [
+    "updateMany ids",
+    (d) => d.updateMany(detached(new Uint32Array(2)), []),
+    "bad-length",
+    "ids is a typed array whose buffer is detached",
+  ],
+  [
+    "updateMany xyr",
+    (d) => d.updateMany([], detached()),
+    "bad-length",
+    "xyr is a typed array whose buffer is detached",
+  ],
+  [
+    "removeMany",
+    (d) => d.removeMany(detached(new Uint32Array(2))),
+    "bad-length",
+    "ids is a typed array whose buffer is detached",
+  ],
+  [
+    "findMany",
+    (d) => d.findMany(detached()),
+    "bad-length",
+    "xy is a typed array whose buffer is detached",
+  ],
   ["findMany distances", (d) => d.findMany([0, 0], detached()), "bad-length", "distances"],
   // So do views whose buffer shrank below them.
-  ["constructor", () => new Diagram(shrunk(new Float64Array(values))), "bad-length", "xyr is a typed array whose buffer is detached"],
-  ["insertMany", (d) => d.insertMany(shrunk(new Float32Array(values))), "bad-length", "xyr is a typed array whose buffer is detached"],
-  ["updateMany ids", (d) => d.updateMany(shrunk(new Uint32Array(2)), []), "bad-length", "ids is a typed array whose buffer is detached"],
-  ["updateMany xyr", (d) => d.updateMany([], shrunk(new Float64Array(values))), "bad-length", "xyr is a typed array whose buffer is detached"],
-  ["removeMany", (d) => d.removeMany(shrunk(new Uint8Array(2))), "bad-length", "ids is a typed array whose buffer is detached"],
-  ["findMany", (d) => d.findMany(shrunk(new Float64Array(values))), "bad-length", "xy is a typed array whose buffer is detached"],
-  ["findMany distances", (d) => d.findMany([0, 0], shrunk(new Float64Array(2))), "bad-length", "distances"],
-  ["from", () => Diagram.from(detached()), "bad-length", "items is a typed array whose buffer is detached"],
+  [
+    "constructor",
+    () => new Diagram(shrunk(new Float64Array(values))),
+    "bad-length",
+    "xyr is a typed array whose buffer is detached",
+  ],
+  [
+    "insertMany",
+    (d) => d.insertMany(shrunk(new Float32Array(values))),
+    "bad-length",
+    "xyr is a typed array whose buffer is detached",
+  ],
+  [
+    "updateMany ids",
+    (d) => d.updateMany(shrunk(new Uint32Array(2)), []),
+    "bad-length",
+    "ids is a typed array whose buffer is detached",
+  ],
+  [
+    "updateMany xyr",
+    (d) => d.updateMany([], shrunk(new Float64Array(values))),
+    "bad-length",
+    "xyr is a typed array whose buffer is detached",
+  ],
+  [
+    "removeMany",
+    (d) => d.removeMany(shrunk(new Uint8Array(2))),
+    "bad-length",
+    "ids is a typed array whose buffer is detached",
+  ],
+  [
+    "findMany",
+    (d) => d.findMany(shrunk(new Float64Array(values))),
+    "bad-length",
+    "xy is a typed array whose buffer is detached",
+  ],
+  [
+    "findMany distances",
+    (d) => d.findMany([0, 0], shrunk(new Float64Array(2))),
+    "bad-length",
+    "distances",
+  ],
+  [
+    "from",
+    () => Diagram.from(detached()),
+    "bad-length",
+    "items is a typed array whose buffer is detached",
+  ],
   // Big integers
   ["constructor", () => new Diagram([1n, 2, 3]), "not-finite", "xyr[0] is the bigint 1n"],
-  ["insertMany", (d) => d.insertMany(runInNewContext("new BigUint64Array(3)")), "not-finite", "xyr[0] is the bigint 0n"],
+  [
+    "insertMany",
+    (d) => d.insertMany(runInNewContext("new BigUint64Array(3)")),
+    "not-finite",
+    "xyr[0] is the bigint 0n",
+  ],
   ["updateMany ids", (d) => d.updateMany([1n], [1, 2, 3]), "unknown-site", "ids[0]"],
   ["findMany", (d) => d.findMany(new BigInt64Array(2)), "not-finite", "xy[0] is the bigint 0n"],
   ["nearest", (d) => d.nearest(0n, 0), "not-finite", "x is the bigint 0n"],
@@ -112,11 +219,26 @@ const cases = [
   ["updateMany ids", (d) => d.updateMany([, 1], values), "unknown-site", "ids[0]"],
   ["findMany", (d) => d.findMany([1, , 3, 4]), "not-finite", "xy[1] is undefined"],
   ["findMany", (d) => d.findMany("12"), "bad-length", 'xy is the string "12"'],
-  ["findMany", (d) => d.findMany(new DataView(new ArrayBuffer(16))), "bad-length", "xy is an object"],
+  [
+    "findMany",
+    (d) => d.findMany(new DataView(new ArrayBuffer(16))),
+    "bad-length",
+    "xy is an object",
+  ],
   ["findMany", (d) => d.findMany(new ArrayBuffer(16)), "bad-length", "xy is an object"],
   ["findMany", (d) => d.findMany(new Map()), "bad-length", "xy is an object"],
   ["insertMany", (d) => d.insertMany(() => {}), "bad-length", "xyr is a function"],
-  ["insertMany", (d) => d.insertMany([[0, 0, 1], [1, 1, 1], [2, 2, 2]]), "not-finite", "xyr[0] is an array"],
+  [
+    "insertMany",
+    (d) =>
+      d.insertMany([
+        [0, 0, 1],
+        [1, 1, 1],
+        [2, 2, 2],
+      ]),
+    "not-finite",
+    "xyr[0] is an array",
+  ],
   ["removeMany", (d) => d.removeMany("0"), "bad-length", 'ids is the string "0"'],
   ["removeMany", (d) => d.removeMany(null), "bad-length", "ids is null"],
   ["insert", (d) => d.insert({ x: 1, y: 2, r: 3 }), "not-finite", "x is an object"],
@@ -137,15 +259,37 @@ const cases = [
   ["from", () => Diagram.from({ x: 1 }), "bad-length", "items is an object"],
   ["from", () => Diagram.from([{ x: 1, y: "2" }]), "not-finite", 'y of item 0 is the string "2"'],
   ["from", () => Diagram.from([[1, 2n]]), "not-finite", "y of item 0 is the bigint 2n"],
-  ["from", () => Diagram.from([[1, 2]], "lon"), "bad-option", 'x is the string "lon", expected a function'],
-  ["from", () => Diagram.from([[1, 2]], undefined, undefined, 5), "bad-option", "r is 5, expected a function"],
-  ["constructor", () => new Diagram([], { location: "grid" }), "bad-option", 'options.location is the string "grid", expected "hierarchy" or "walk"'],
-  ["constructor", () => new Diagram([], { location: null }), "bad-option", "options.location is null"],
+  [
+    "from",
+    () => Diagram.from([[1, 2]], "lon"),
+    "bad-option",
+    'x is the string "lon", expected a function',
+  ],
+  [
+    "from",
+    () => Diagram.from([[1, 2]], undefined, undefined, 5),
+    "bad-option",
+    "r is 5, expected a function",
+  ],
+  [
+    "constructor",
+    () => new Diagram([], { location: "grid" }),
+    "bad-option",
+    'options.location is the string "grid", expected "hierarchy" or "walk"',
+  ],
+  [
+    "constructor",
+    () => new Diagram([], { location: null }),
+    "bad-option",
+    "options.location is null",
+  ],
 ];
 
 test("removeMany skips what is no id, of whatever type", () => {
   const diagram = new Diagram(values);
-  expect(diagram.removeMany(["0", 0n, -1, 0.5, NaN, null, undefined, , {}, 2 ** 32, 2 ** 32 - 1, 7])).toBe(0);
+  expect(
+    diagram.removeMany(["0", 0n, -1, 0.5, NaN, null, undefined, , {}, 2 ** 32, 2 ** 32 - 1, 7]),
+  ).toBe(0);
   expect(diagram.removeMany([1, 1, "0"])).toBe(1);
   expect([...diagram.ids()]).toEqual([0]);
 });

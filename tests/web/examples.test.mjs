@@ -9,9 +9,16 @@ const index = readFileSync(new URL("../../web/examples/index.html", import.meta.
 const names = [...index.matchAll(/^ {8}(\w+): "/gm)].map((match) => match[1]);
 
 describeInBrowser("examples", (open) => {
-  /** Runs `check` in the page of an example, with what the example returned; keeps a picture for people to look at. */
+  /**
+   * Runs `check` in the page of an example, with what the example returned; keeps a picture for
+   * people to look at.
+   */
   async function inExample(name, check, act = async () => {}) {
-    const page = await open({ path: `examples/#${name}`, ready: "example", viewport: { width: 1000, height: 660 } });
+    const page = await open({
+      path: `examples/#${name}`,
+      ready: "example",
+      viewport: { width: 1000, height: 660 },
+    });
     await act(page);
     const found = await page.evaluate(check);
     mkdirSync(pictures, { recursive: true });
@@ -23,7 +30,12 @@ describeInBrowser("examples", (open) => {
 
   test("comparison: the plain diagram picks a bubble that the pointer is not in", async () => {
     const found = await inExample("comparison", () => {
-      const { bubbles, plain, weighted, worst: [x, y] } = window.example;
+      const {
+        bubbles,
+        plain,
+        weighted,
+        worst: [x, y],
+      } = window.example;
       const isIn = (id) => Math.hypot(bubbles[id].x - x, bubbles[id].y - y) < bubbles[id].r;
       return [isIn(plain), isIn(weighted)];
     });
@@ -31,43 +43,69 @@ describeInBrowser("examples", (open) => {
   });
 
   test("bubble_chart: what is pointed at is picked, hidden bubbles too", async () => {
-    const found = await inExample("bubble_chart", () => {
-      const { bubbles, diagram, pick } = window.example;
-      const distance = (b, x, y) => Math.hypot(b.x - x, b.y - y) - b.r;
-      let wrong = 0, hidden = 0;
-      for (let x = 2; x < 920; x += 13) {
-        for (let y = 2; y < 480; y += 13) {
-          const under = bubbles.filter((b) => distance(b, x, y) <= 0);
-          const best = under.length > 0 ? under.reduce((a, b) => (b.r < a.r ? b : a)) : bubbles.reduce((a, b) => (distance(b, x, y) < distance(a, x, y) ? b : a));
-          wrong += bubbles[pick(x, y)] !== best;
-          hidden += diagram.isHidden(pick(x, y));
+    const found = await inExample(
+      "bubble_chart",
+      () => {
+        const { bubbles, diagram, pick } = window.example;
+        const distance = (b, x, y) => Math.hypot(b.x - x, b.y - y) - b.r;
+        let wrong = 0,
+          hidden = 0;
+        for (let x = 2; x < 920; x += 13) {
+          for (let y = 2; y < 480; y += 13) {
+            const under = bubbles.filter((b) => distance(b, x, y) <= 0);
+            const best =
+              under.length > 0
+                ? under.reduce((a, b) => (b.r < a.r ? b : a))
+                : bubbles.reduce((a, b) => (distance(b, x, y) < distance(a, x, y) ? b : a));
+            wrong += bubbles[pick(x, y)] !== best;
+            hidden += diagram.isHidden(pick(x, y));
+          }
         }
-      }
-      return { wrong, hidesSome: hidden > 0, marked: document.querySelectorAll('circle[fill="#e15759"]').length };
-    }, (page) => page.mouse.move(500, 300));
+        return {
+          wrong,
+          hidesSome: hidden > 0,
+          marked: document.querySelectorAll('circle[fill="#e15759"]').length,
+        };
+      },
+      (page) => page.mouse.move(500, 300),
+    );
     expect(found).toEqual({ wrong: 0, hidesSome: true, marked: 1 });
   });
 
   test("force: the diagram follows the circles", async () => {
-    const found = await inExample("force", () => {
-      const { diagram, nodes, simulation } = window.example;
-      simulation.stop();
-      const apart = nodes.filter(({ x, y, r }, id) => {
-        const site = diagram.site(id);
-        return site.x !== x || site.y !== y || site.r !== r;
-      });
-      return { size: diagram.size, apart: apart.length, broken: diagram.validate(), alpha: simulation.alpha() };
-    }, async (page) => {
-      await page.mouse.move(480, 300);
-      await page.waitForFunction(() => window.example.simulation.alpha() < 0.8);
-    });
+    const found = await inExample(
+      "force",
+      () => {
+        const { diagram, nodes, simulation } = window.example;
+        simulation.stop();
+        const apart = nodes.filter(({ x, y, r }, id) => {
+          const site = diagram.site(id);
+          return site.x !== x || site.y !== y || site.r !== r;
+        });
+        return {
+          size: diagram.size,
+          apart: apart.length,
+          broken: diagram.validate(),
+          alpha: simulation.alpha(),
+        };
+      },
+      async (page) => {
+        await page.mouse.move(480, 300);
+        await page.waitForFunction(() => window.example.simulation.alpha() < 0.8);
+      },
+    );
     expect(found).toMatchObject({ size: 400, apart: 0, broken: null });
   });
 
   test("worker: every pixel has its circle", async () => {
     const found = await inExample("worker", () => {
       const { ids, distances, width, height } = window.example;
-      return { all: ids.length === width * height, known: ids.every((id) => id >= 0 && id < 60), some: new Set(ids).size > 20, finite: distances.every(Number.isFinite) };
+      return {
+        all: ids.length === width * height,
+        known: ids.every((id) => id >= 0 && id < 60),
+        some: new Set(ids).size > 20,
+        finite: distances.every(Number.isFinite),
+      };
     });
     expect(found).toEqual({ all: true, known: true, some: true, finite: true });
   });
@@ -76,10 +114,20 @@ describeInBrowser("examples", (open) => {
     const found = await inExample("empty_circles", () => {
       const { circles, empty } = window.example;
       const gap = (a, b) => Math.hypot(a.x - b.x, a.y - b.y) - a.r - b.r;
-      const overlaps = empty.flatMap((a, k) => [...circles, ...empty.slice(0, k)].map((b) => gap(a, b))).filter((g) => g < -1e-9);
-      const touched = empty.map((a, k) => [...circles, ...empty.slice(0, k)].filter((b) => Math.abs(gap(a, b)) < 1e-9).length);
+      const overlaps = empty
+        .flatMap((a, k) => [...circles, ...empty.slice(0, k)].map((b) => gap(a, b)))
+        .filter((g) => g < -1e-9);
+      const touched = empty.map(
+        (a, k) =>
+          [...circles, ...empty.slice(0, k)].filter((b) => Math.abs(gap(a, b)) < 1e-9).length,
+      );
       const descending = empty.every((a, k) => k === 0 || a.r <= empty[k - 1].r);
-      return { count: empty.length, overlaps: overlaps.length, least: Math.min(...touched), descending };
+      return {
+        count: empty.length,
+        overlaps: overlaps.length,
+        least: Math.min(...touched),
+        descending,
+      };
     });
     expect(found).toEqual({ count: 12, overlaps: 0, least: 3, descending: true });
   });
@@ -87,13 +135,30 @@ describeInBrowser("examples", (open) => {
   test("clearance_path: a disc of that radius passes along it, between the sides of the window", async () => {
     const found = await inExample("clearance_path", () => {
       const { circles, path, clearance } = window.example;
-      const inside = path.every(([x, y]) => x >= -1e-9 && y >= -1e-9 && x <= 920 + 1e-9 && y <= 480 + 1e-9);
-      const between = path.slice(1).flatMap(([x, y], k) => [0, 0.25, 0.5, 0.75].map((t) => [x + (path[k][0] - x) * t, y + (path[k][1] - y) * t]));
-      const room = between.map(([x, y]) => Math.min(...circles.map((c) => Math.hypot(c.x - x, c.y - y) - c.r)));
-      return { inside, narrowest: Math.min(...room) - clearance, positive: clearance > 0, from: path[0][0], to: path.at(-1)[0], length: path.length };
+      const inside = path.every(
+        ([x, y]) => x >= -1e-9 && y >= -1e-9 && x <= 920 + 1e-9 && y <= 480 + 1e-9,
+      );
+      const between = path
+        .slice(1)
+        .flatMap(([x, y], k) =>
+          [0, 0.25, 0.5, 0.75].map((t) => [x + (path[k][0] - x) * t, y + (path[k][1] - y) * t]),
+        );
+      const room = between.map(([x, y]) =>
+        Math.min(...circles.map((c) => Math.hypot(c.x - x, c.y - y) - c.r)),
+      );
+      return {
+        inside,
+        narrowest: Math.min(...room) - clearance,
+        positive: clearance > 0,
+        from: path[0][0],
+        to: path.at(-1)[0],
+        length: path.length,
+      };
     });
-    expect(found.narrowest).toBeGreaterThan(-0.01);  // nowhere closer to a disc than it says, but for the chords,
-    expect(found.narrowest).toBeLessThan(0.5);       // and as close as that somewhere (between the points that were looked at)
+    // nowhere closer to a disc than it says, but for the chords,
+    expect(found.narrowest).toBeGreaterThan(-0.01);
+    // and as close as that somewhere (between the points that were looked at)
+    expect(found.narrowest).toBeLessThan(0.5);
     expect(found.inside).toBe(true);
     expect(found.positive).toBe(true);
     expect(found.from).toBeLessThan(150);
@@ -103,8 +168,15 @@ describeInBrowser("examples", (open) => {
   test("facilities: the areas fill the window", async () => {
     const found = await inExample("facilities", () => {
       const { diagram, stations, areas } = window.example;
-      const total = stations.reduce((sum, _, id) => sum + (diagram.isHidden(id) ? 0 : areas.cellArea(id)), 0);
-      return { total, labels: document.querySelectorAll("text").length, visible: diagram.visibleSize };
+      const total = stations.reduce(
+        (sum, _, id) => sum + (diagram.isHidden(id) ? 0 : areas.cellArea(id)),
+        0,
+      );
+      return {
+        total,
+        labels: document.querySelectorAll("text").length,
+        visible: diagram.visibleSize,
+      };
     });
     expect(found.total).toBeCloseTo(920 * 480, 3);
     expect(found.labels).toBeGreaterThan(10);

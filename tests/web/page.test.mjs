@@ -1,7 +1,14 @@
-// The page as a visitor uses it: it opens on real data, and every way to change the diagram does what it says. After each
-// interaction the diagram's own exact check must find nothing.
+// The page as a visitor uses it: it opens on real data, and every way to change the diagram does
+// what it says. After each interaction the diagram's own exact check must find nothing.
 import { afterEach, beforeEach, describe, expect, test } from "@jest/globals";
-import { describeInBrowser, freeSpace, settled, sitesInReach, stateOf, whereIs } from "./support/browser.mjs";
+import {
+  describeInBrowser,
+  freeSpace,
+  settled,
+  sitesInReach,
+  stateOf,
+  whereIs,
+} from "./support/browser.mjs";
 
 /** How many pixels of a canvas are not transparent. */
 const painted = (page, name) =>
@@ -13,7 +20,8 @@ const painted = (page, name) =>
     return count;
   }, name);
 
-const texts = (page, ...ids) => page.evaluate((ids) => ids.map((id) => document.getElementById(id).textContent), ids);
+const texts = (page, ...ids) =>
+  page.evaluate((ids) => ids.map((id) => document.getElementById(id).textContent), ids);
 
 describeInBrowser("the page", (open) => {
   let page;
@@ -34,12 +42,15 @@ describeInBrowser("the page", (open) => {
     test("on the cities of the world, drawn, counted and credited", async () => {
       expect(before.size).toBe(1500);
       expect(before.hidden).toBeGreaterThan(100);
-      // The first drawing waits for the canvas to get its size, which can take more than two frames while the machine is busy.
+      // The first drawing waits for the canvas to get its size, which can take more than two frames
+      // while the machine is busy.
       for (let k = 0; k < 300 && (await painted(page, "map")) === 0; ++k) await settled(page);
       expect(await painted(page, "map")).toBeGreaterThan(100_000);
       expect(await painted(page, "base")).toBeGreaterThan(50_000);
       expect(await texts(page, "count-all", "count-visible", "count-hidden")).toEqual(
-        [before.size, before.visible, before.hidden].map((n) => n.toLocaleString("en").replace(",", "\u202f")),
+        [before.size, before.visible, before.hidden].map((n) =>
+          n.toLocaleString("en").replace(",", "\u202f"),
+        ),
       );
       const credit = await page.textContent("#credit");
       expect(credit).toMatch(/GeoNames/);
@@ -53,8 +64,15 @@ describeInBrowser("the page", (open) => {
       await page.emulateMedia({ colorScheme: "dark" });
       await settled(page);
       expect(await paper()).not.toBe(light);
-      const phone = await open({ viewport: { width: 390, height: 844 }, deviceScaleFactor: 3, hasTouch: true, isMobile: true });
-      expect(await phone.evaluate(() => [app.painter.canvases.base.width, app.view.width])).toEqual([1170, 390]);
+      const phone = await open({
+        viewport: { width: 390, height: 844 },
+        deviceScaleFactor: 3,
+        hasTouch: true,
+        isMobile: true,
+      });
+      expect(await phone.evaluate(() => [app.painter.canvases.base.width, app.view.width])).toEqual(
+        [1170, 390],
+      );
       expect(await phone.isVisible("#controls")).toBe(false);
       await phone.tap("#fold");
       expect(await phone.isVisible("#controls")).toBe(true);
@@ -68,7 +86,11 @@ describeInBrowser("the page", (open) => {
       const { x, y } = await freeSpace(page);
       await page.mouse.click(x, y);
       const after = await stateOf(page);
-      expect(after).toMatchObject({ size: before.size + 1, visible: before.visible + 1, broken: null });
+      expect(after).toMatchObject({
+        size: before.size + 1,
+        visible: before.visible + 1,
+        broken: null,
+      });
       const at = await whereIs(page, after.selected);
       expect([at.x, at.y]).toEqual([expect.closeTo(x, 6), expect.closeTo(y, 6)]);
       await settled(page);
@@ -80,7 +102,9 @@ describeInBrowser("the page", (open) => {
     });
 
     test("a click on a circle selects it; Alt-click inserts upon it, hidden if it is covered", async () => {
-      const id = await page.evaluate(() => [...app.diagram.ids()].find((id) => app.scene.label(id).name === "Berlin"));
+      const id = await page.evaluate(() =>
+        [...app.diagram.ids()].find((id) => app.scene.label(id).name === "Berlin"),
+      );
       const { x, y, r } = await whereIs(page, id);
       expect(r).toBeGreaterThan(16);
       await page.mouse.click(x, y);
@@ -113,7 +137,9 @@ describeInBrowser("the page", (open) => {
       for (let k = 1; k <= 20; k++) await page.mouse.move(from.x + 4 * k, from.y + 2 * k);
       await page.mouse.up();
       const to = await whereIs(page, id);
-      expect([to.x - from.x, to.y - from.y, to.r]).toEqual([80, 40, from.r].map((n) => expect.closeTo(n, 6)));
+      expect([to.x - from.x, to.y - from.y, to.r]).toEqual(
+        [80, 40, from.r].map((n) => expect.closeTo(n, 6)),
+      );
       expect(await stateOf(page)).toMatchObject({ size: before.size, selected: id, broken: null });
     });
 
@@ -126,7 +152,10 @@ describeInBrowser("the page", (open) => {
       await page.mouse.move(x + 50, y - 30, { steps: 5 });
       await page.mouse.up();
       const to = await whereIs(page, id);
-      expect([to.x - from.x, to.y - from.y]).toEqual([expect.closeTo(50, 6), expect.closeTo(-30, 6)]);
+      expect([to.x - from.x, to.y - from.y]).toEqual([
+        expect.closeTo(50, 6),
+        expect.closeTo(-30, 6),
+      ]);
       expect(await stateOf(page)).toEqual(before);
     });
 
@@ -149,7 +178,8 @@ describeInBrowser("the page", (open) => {
       await page.mouse.move(from.x, from.y);
       await page.mouse.wheel(0, -100); // not selected yet: zooms about the pointer
       const zoomed = await whereIs(page, id);
-      expect(Math.abs(zoomed.x - from.x)).toBeLessThan(0.5); // the browser rounds the wheel's position
+      // the browser rounds the wheel's position
+      expect(Math.abs(zoomed.x - from.x)).toBeLessThan(0.5);
       expect(zoomed.r / from.r).toBeCloseTo(Math.exp(0.16), 6);
       await page.waitForTimeout(300); // another gesture
       await page.mouse.click(from.x, from.y);
@@ -162,7 +192,9 @@ describeInBrowser("the page", (open) => {
     });
 
     test("the handle resizes; a circle that grows over others hides them, and shrinks back", async () => {
-      const id = await page.evaluate(() => [...app.diagram.ids()].find((id) => app.scene.label(id).name === "Berlin"));
+      const id = await page.evaluate(() =>
+        [...app.diagram.ids()].find((id) => app.scene.label(id).name === "Berlin"),
+      );
       const { x, y, r } = await whereIs(page, id);
       await page.mouse.click(x, y);
       await page.mouse.move(x + r + 5, y);
@@ -217,7 +249,10 @@ describeInBrowser("the page", (open) => {
 
       const touch = await phone.context().newCDPSession(phone);
       const send = (type, ...points) =>
-        touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([px, py], k) => ({ x: px, y: py, id: k })) });
+        touch.send("Input.dispatchTouchEvent", {
+          type,
+          touchPoints: points.map(([px, py], k) => ({ x: px, y: py, id: k })),
+        });
       await send("touchStart", [x, y]);
       for (let k = 1; k <= 10; k++) await send("touchMove", [x - 3 * k, y + 2 * k]);
       await send("touchEnd");
@@ -252,7 +287,10 @@ describeInBrowser("the page", (open) => {
       await page.keyboard.press("Shift+ArrowUp");
       await page.keyboard.press("+");
       const to = await whereIs(page, id);
-      expect([to.x - from.x, to.y - from.y]).toEqual([expect.closeTo(4, 6), expect.closeTo(-40, 6)]);
+      expect([to.x - from.x, to.y - from.y]).toEqual([
+        expect.closeTo(4, 6),
+        expect.closeTo(-40, 6),
+      ]);
       expect(to.r / from.r).toBeCloseTo(1.05, 6);
       await page.keyboard.press("-");
       expect((await whereIs(page, id)).r).toBeCloseTo(from.r, 6);
@@ -260,7 +298,11 @@ describeInBrowser("the page", (open) => {
       await page.keyboard.press("n");
       expect(neighbors).toContain((await stateOf(page)).selected);
       await page.keyboard.press("Delete");
-      expect(await stateOf(page)).toMatchObject({ size: before.size - 1, selected: -1, broken: null });
+      expect(await stateOf(page)).toMatchObject({
+        size: before.size - 1,
+        selected: -1,
+        broken: null,
+      });
       await page.keyboard.press("i");
       expect(await stateOf(page)).toMatchObject({ size: before.size, broken: null });
       await page.keyboard.press("Escape");
@@ -269,12 +311,20 @@ describeInBrowser("the page", (open) => {
   });
 
   describe("buttons", () => {
-    test.each([["100", 0], ["1000", 20], ["10000", 50]])("%s random circles, %i %% hidden", async (count, share) => {
+    test.each([
+      ["100", 0],
+      ["1000", 20],
+      ["10000", 50],
+    ])("%s random circles, %i %% hidden", async (count, share) => {
       await page.fill("#share", String(share));
       await page.click(`[data-count="${count}"]`);
       const hidden = (Number(count) * share) / 100;
       expect(await stateOf(page)).toEqual({
-        size: Number(count), visible: Number(count) - hidden, hidden, selected: -1, broken: null,
+        size: Number(count),
+        visible: Number(count) - hidden,
+        hidden,
+        selected: -1,
+        broken: null,
       });
       await settled(page);
       expect(await painted(page, "base")).toBeGreaterThan(20_000);
@@ -287,7 +337,12 @@ describeInBrowser("the page", (open) => {
       await page.mouse.move(700, 400);
       await settled(page);
       expect(await painted(page, "base")).toBe(0);
-      for (const [x, y] of [[700, 400], [800, 400], [900, 400], [800, 500]]) {
+      for (const [x, y] of [
+        [700, 400],
+        [800, 400],
+        [900, 400],
+        [800, 500],
+      ]) {
         await page.mouse.click(x, y);
         await settled(page);
         expect((await stateOf(page)).broken).toBeNull();
@@ -312,7 +367,8 @@ describeInBrowser("the page", (open) => {
           const canvas = app.painter.canvases.base;
           const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
           let count = 0;
-          for (let k = 0; k < data.length; k += 4) if (data[k + 3] > 100 && data[k] > data[k + 2] + 60) count++;
+          for (let k = 0; k < data.length; k += 4)
+            if (data[k + 3] > 100 && data[k] > data[k + 2] + 60) count++;
           return count;
         });
       expect(await reddish()).toBeGreaterThan(500);
@@ -322,7 +378,8 @@ describeInBrowser("the page", (open) => {
 
     test.each(["circles", "cells", "dual"])("the layer %s can be switched", async (layer) => {
       await page.click('[data-count="100"]');
-      const on = () => page.evaluate(() => (app.painter.flush(), 0)).then(() => painted(page, "base"));
+      const on = () =>
+        page.evaluate(() => (app.painter.flush(), 0)).then(() => painted(page, "base"));
       await page.setChecked(`[name=${layer}]`, true);
       const withLayer = await on();
       await page.setChecked(`[name=${layer}]`, false);

@@ -1,5 +1,5 @@
-// What is drawn, against the diagram: cells hold exactly the points nearest to their site, at any zoom; and a picture that was
-// updated box by box equals one that was drawn anew.
+// What is drawn, against the diagram: cells hold exactly the points nearest to their site, at any
+// zoom; and a picture that was updated box by box equals one that was drawn anew.
 import { afterAll, beforeAll, expect, test } from "@jest/globals";
 import { describeInBrowser } from "./support/browser.mjs";
 import { generator } from "../../web/random_sets.js";
@@ -21,7 +21,9 @@ const kSets = {
 };
 for (let k = 0; k < 12; k++) {
   const count = 3 + Math.floor(random() * 15);
-  kSets[`random ${k}`] = Array.from({ length: 3 * count }, (_, n) => (n % 3 === 2 ? 25 * random() ** 3 : 100 * random()));
+  kSets[`random ${k}`] = Array.from({ length: 3 * count }, (_, n) =>
+    n % 3 === 2 ? 25 * random() ** 3 : 100 * random(),
+  );
 }
 
 describeInBrowser("the picture", (open) => {
@@ -55,10 +57,13 @@ describeInBrowser("the picture", (open) => {
           const y = app.view.height * Math.random();
           const far = (id) => {
             const site = app.scene.site(id);
-            return Math.hypot(app.view.toWorldX(x) - site.x, app.view.toWorldY(y) - site.y) - site.r;
+            return (
+              Math.hypot(app.view.toWorldX(x) - site.x, app.view.toWorldY(y) - site.y) - site.r
+            );
           };
           const [first, second] = ids.sort((a, b) => far(a) - far(b));
-          if (second !== undefined && (far(second) - far(first)) * app.view.scale < 1) continue; // too near to a boundary
+          // too near to a boundary
+          if (second !== undefined && (far(second) - far(first)) * app.view.scale < 1) continue;
           points++;
           const found = ids.filter((id) => holds(id, x, y));
           if (found.length !== 1 || found[0] !== first) wrong.push({ zoom, x, y, first, found });
@@ -70,12 +75,16 @@ describeInBrowser("the picture", (open) => {
     expect(points).toBeGreaterThan(50);
   });
 
-  test.each([false, true])("boxes: after many changes the picture is the one drawn anew (dual graph: %s)", async (dual) => {
+  test.each([
+    false,
+    true,
+  ])("boxes: after many changes the picture is the one drawn anew (dual graph: %s)", async (dual) => {
     await page.click('[data-count="1000"]');
     await page.setChecked("[name=dual]", dual);
     const { changed, differing, boxes } = await page.evaluate(() => {
       const canvas = app.painter.canvases.base;
-      const pixels = () => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+      const pixels = () =>
+        canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
       const count = (a, b) => {
         let differing = 0;
         for (let k = 3; k < a.length; k += 4) if (Math.abs(a[k] - b[k]) > 64) differing++;
@@ -97,7 +106,11 @@ describeInBrowser("the picture", (open) => {
       const after = pixels();
       app.painter.redraw();
       app.painter.flush();
-      return { changed: count(start, after), differing: count(after, pixels()), boxes: app.painter.costs.box.length };
+      return {
+        changed: count(start, after),
+        differing: count(after, pixels()),
+        boxes: app.painter.costs.box.length,
+      };
     });
     expect(changed).toBeGreaterThan(1000);
     expect(boxes).toBeGreaterThan(40);

@@ -19,14 +19,19 @@ function hiddenCount(xyr) {
   return hidden;
 }
 
-test.each([[100, 0], [100, 0.1], [1000, 0], [1000, 0.5], [1000, 0.95], [1, 0.95], [0, 0.5]])(
-  "%i circles, %f of them hidden",
-  (count, hiddenShare) => {
-    const xyr = randomCircles({ ...options, count, hiddenShare });
-    expect(xyr.length).toBe(3 * count);
-    expect(hiddenCount(xyr)).toBe(Math.min(Math.round(count * hiddenShare), Math.max(count - 1, 0)));
-  },
-);
+test.each([
+  [100, 0],
+  [100, 0.1],
+  [1000, 0],
+  [1000, 0.5],
+  [1000, 0.95],
+  [1, 0.95],
+  [0, 0.5],
+])("%i circles, %f of them hidden", (count, hiddenShare) => {
+  const xyr = randomCircles({ ...options, count, hiddenShare });
+  expect(xyr.length).toBe(3 * count);
+  expect(hiddenCount(xyr)).toBe(Math.min(Math.round(count * hiddenShare), Math.max(count - 1, 0)));
+});
 
 test("the same seed gives the same circles, another one others", () => {
   const a = randomCircles({ ...options, count: 50, hiddenShare: 0.2 });

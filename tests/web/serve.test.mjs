@@ -1,4 +1,5 @@
-// The static server: types, refusals, the next free port; and the page's security policy fits its import map.
+// The static server: types, refusals, the next free port; and the page's security policy fits its
+// import map.
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { createServer, request } from "node:http";
@@ -35,8 +36,17 @@ test.each([
   expect(headers["cross-origin-embedder-policy"]).toBe("require-corp");
 });
 
-test.each(["/package.json", "/web/../package.json", "/web/%2e%2e/package.json", "/web/%2e%2e%2fpackage.json", "/.git/config",
-           "/web/none.js", "/web/data", "/web/%ff", "/web/%00"])("%s is refused", async (path) => {
+test.each([
+  "/package.json",
+  "/web/../package.json",
+  "/web/%2e%2e/package.json",
+  "/web/%2e%2e%2fpackage.json",
+  "/.git/config",
+  "/web/none.js",
+  "/web/data",
+  "/web/%ff",
+  "/web/%00",
+])("%s is refused", async (path) => {
   expect((await get(path)).status).toBe(404);
 });
 
@@ -64,6 +74,10 @@ test("the security policy allows the import map, and no other inline script", ()
   expect(policy).not.toMatch(/unsafe-(inline|eval|hashes)(?<!wasm-unsafe-eval)/);
   expect(html.match(/<script/g)).toHaveLength(2); // the map, and main.js
   const { imports } = JSON.parse(map);
-  const { exports } = JSON.parse(readFileSync(new URL("../../package.json", import.meta.url), "utf8"));
-  expect(imports["apollonius-diagram"]).toBe(`.${exports["."].import.default}`.replace("./.", "../").replace("//", "/"));
+  const { exports } = JSON.parse(
+    readFileSync(new URL("../../package.json", import.meta.url), "utf8"),
+  );
+  expect(imports["apollonius-diagram"]).toBe(
+    `.${exports["."].import.default}`.replace("./.", "../").replace("//", "/"),
+  );
 });

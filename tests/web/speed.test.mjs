@@ -1,10 +1,18 @@
-// 10 000 circles: what a frame costs while the pointer hovers, drags, zooms. Recorded and printed, not judged: machines differ.
+// 10 000 circles: what a frame costs while the pointer hovers, drags, zooms. Recorded and printed,
+// not judged: machines differ.
 import { expect, test } from "@jest/globals";
-import { describeInBrowser, freeSpace, sitesInReach, stateOf, whereIs } from "./support/browser.mjs";
+import {
+  describeInBrowser,
+  freeSpace,
+  sitesInReach,
+  stateOf,
+  whereIs,
+} from "./support/browser.mjs";
 
 const summary = (times) => {
   const sorted = [...times].sort((a, b) => a - b);
-  const at = (share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))]?.toFixed(1) ?? "–";
+  const at = (share) =>
+    sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))]?.toFixed(1) ?? "–";
   return `median ${at(0.5)} ms, 95 % ${at(0.95)} ms, worst ${at(1)} ms (${sorted.length})`;
 };
 
@@ -28,7 +36,10 @@ describeInBrowser("speed", (open) => {
         for (const list of [window.frames10k, ...Object.values(app.painter.costs)]) list.length = 0;
       });
       await act();
-      return page.evaluate(() => ({ frames: [...window.frames10k], ...structuredClone(app.painter.costs) }));
+      return page.evaluate(() => ({
+        frames: [...window.frames10k],
+        ...structuredClone(app.painter.costs),
+      }));
     };
     const lines = [];
     const report = (name, times) => lines.push(`${name.padEnd(34)} ${summary(times)}`);
@@ -44,7 +55,8 @@ describeInBrowser("speed", (open) => {
     await page.mouse.move(x, y);
     await page.mouse.down();
     const drag = await measured(async () => {
-      for (let k = 1; k <= 120; k++) await page.mouse.move(x + (700 - x) * (k / 120), y + (400 - y) * (k / 120));
+      for (let k = 1; k <= 120; k++)
+        await page.mouse.move(x + (700 - x) * (k / 120), y + (400 - y) * (k / 120));
     });
     await page.mouse.up();
     report("drag: frame", drag.frames);
@@ -60,7 +72,9 @@ describeInBrowser("speed", (open) => {
     report("zoom: drawing everything", zoom.full);
 
     const query = await page.evaluate(() => app.query);
-    lines.push(`nearest-site query, as the page times it: ${query.micros.toFixed(1)} µs (${query.count})`);
+    lines.push(
+      `nearest-site query, as the page times it: ${query.micros.toFixed(1)} µs (${query.count})`,
+    );
     console.log(lines.join("\n"));
     expect(hover.overlay.length).toBeGreaterThan(20);
     expect(drag.box.length).toBeGreaterThan(20);

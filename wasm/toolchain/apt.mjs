@@ -1,4 +1,5 @@
-// Packages of Debian and Ubuntu, through the machine's own apt: its mirrors, its keys, its signature checks.
+// Packages of Debian and Ubuntu, through the machine's own apt: its mirrors, its keys, its
+// signature checks.
 import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
@@ -20,7 +21,12 @@ export function codename() {
 }
 
 function isInstalled(name) {
-  return succeeds("sh", ["-c", `dpkg-query -W -f '\${Status}' "$1" 2>/dev/null | grep -q 'ok installed'`, "sh", name]);
+  return succeeds("sh", [
+    "-c",
+    `dpkg-query -W -f '\${Status}' "$1" 2>/dev/null | grep -q 'ok installed'`,
+    "sh",
+    name,
+  ]);
 }
 
 /** The command prefix that makes us root, or null if we cannot be. */
@@ -49,7 +55,9 @@ function updateLists() {
 /** The version that apt would install, or null. */
 export function candidate(name) {
   const find = () => {
-    const version = /^ +Candidate: (.*)$/m.exec(capture("apt-cache", ["policy", name], { env: { LC_ALL: "C" } }))?.[1];
+    const version = /^ +Candidate: (.*)$/m.exec(
+      capture("apt-cache", ["policy", name], { env: { LC_ALL: "C" } }),
+    )?.[1];
     return version === undefined || version === "(none)" ? null : version;
   };
   const version = find();
@@ -63,26 +71,46 @@ export function ensureInstalled(names, why) {
   const missing = hasApt() ? names.filter((name) => !isInstalled(name)) : names;
   if (missing.length === 0) return;
   const list = missing.join(" ");
-  if (!hasApt()) throw new SetUpError(`Needed for ${why}, under their Debian names: ${list}. Please install them and try again.`);
+  if (!hasApt())
+    throw new SetUpError(
+      `Needed for ${why}, under their Debian names: ${list}. Please install them and try again.`,
+    );
   if (rootPrefix() === null) {
-    throw new SetUpError(`Needed for ${why}: ${list}. Neither root nor sudo is to be had here; please run as root:\n` +
-      `  apt-get install --no-install-recommends ${list}`);
+    throw new SetUpError(
+      `Needed for ${why}: ${list}. Neither root nor sudo is to be had here; please run as root:\n` +
+        `  apt-get install --no-install-recommends ${list}`,
+    );
   }
   for (const name of missing) candidate(name);
   say(`apt-get install ${list}   (for ${why})`);
-  const install = ["apt-get", "-qq", "-o", "Dpkg::Use-Pty=0", "install", "-y", "--no-install-recommends", ...missing];
+  const install = [
+    "apt-get",
+    "-qq",
+    "-o",
+    "Dpkg::Use-Pty=0",
+    "install",
+    "-y",
+    "--no-install-recommends",
+    ...missing,
+  ];
   try {
     asRoot(install);
   } catch (error) {
     if (updated) throw error;
-    updateLists();  // the lists were there but out of date
+    updateLists(); // the lists were there but out of date
     asRoot(install);
   }
 }
 
-/** The newest package whose name matches, by the first number group in its name as version; null if there is none. */
+/**
+ * The newest package whose name matches, by the first number group in its name as version; null if
+ * there is none.
+ */
 export function newestPackage(prefix, pattern) {
-  const list = () => capture("apt-cache", ["pkgnames", prefix]).split("\n").filter((name) => pattern.test(name));
+  const list = () =>
+    capture("apt-cache", ["pkgnames", prefix])
+      .split("\n")
+      .filter((name) => pattern.test(name));
   let names = list();
   if (names.length === 0) {
     updateLists();
@@ -93,8 +121,9 @@ export function newestPackage(prefix, pattern) {
 }
 
 /**
- * Downloads packages and calls `use` with the folder of the .deb files. With `release`, they come from that release of Debian,
- * through a throw-away apt state: neither the machine's sources nor its dpkg database change.
+ * Downloads packages and calls `use` with the folder of the .deb files. With `release`, they come
+ * from that release of Debian, through a throw-away apt state: neither the machine's sources nor
+ * its dpkg database change.
  */
 export function withDownloaded(names, { release } = {}, use) {
   const work = mkdtempSync(path.join(tmpdir(), "apollonius-apt-"));
@@ -103,9 +132,17 @@ export function withDownloaded(names, { release } = {}, use) {
     if (release) capture("apt-get", ["-qq", "update"], { env: { ...quiet, ...env } });
     const downloads = path.join(work, "downloads");
     mkdirSync(downloads);
-    capture("apt-get", ["-qq", "-o", "APT::Sandbox::User=root", "download", ...names], { cwd: downloads, env });
+    capture("apt-get", ["-qq", "-o", "APT::Sandbox::User=root", "download", ...names], {
+      cwd: downloads,
+      env,
+    });
     const files = readdirSync(downloads);
-    use((name) => path.join(downloads, files.find((file) => file.startsWith(`${name}_`))));
+    use((name) =>
+      path.join(
+        downloads,
+        files.find((file) => file.startsWith(`${name}_`)),
+      ),
+    );
   } finally {
     rmSync(work, { recursive: true, force: true });
   }
@@ -116,31 +153,54 @@ function throwAwayState(work, release) {
     mkdirSync(path.join(work, folder), { recursive: true });
   }
   writeFileSync(path.join(work, "status"), "");
-  writeFileSync(path.join(work, "sources", `${release}.sources`), [
-    "Types: deb", `URIs: ${debianMirror()}`, `Suites: ${release}`, "Components: main",
-    `Architectures: ${capture("dpkg", ["--print-architecture"]).trim()}`,
-    "Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg", "",
-  ].join("\n"));
+  writeFileSync(
+    path.join(work, "sources", `${release}.sources`),
+    [
+      "Types: deb",
+      `URIs: ${debianMirror()}`,
+      `Suites: ${release}`,
+      "Components: main",
+      `Architectures: ${capture("dpkg", ["--print-architecture"]).trim()}`,
+      "Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg",
+      "",
+    ].join("\n"),
+  );
   const config = path.join(work, "apt.conf");
-  writeFileSync(config, [
-    'Dir::Etc::SourceList "/dev/null"; Dir::Etc::Preferences "/dev/null"; Dir::Etc::PreferencesParts "/dev/null";',
-    `Dir::Etc::SourceParts "${work}/sources"; Dir::State::Lists "${work}/lists"; Dir::State::Status "${work}/status";`,
-    `Dir::Cache "${work}/cache"; APT::Sandbox::User "root"; Acquire::Languages "none"; Acquire::Retries "3";`, "",
-  ].join("\n"));
+  writeFileSync(
+    config,
+    [
+      'Dir::Etc::SourceList "/dev/null"; Dir::Etc::Preferences "/dev/null"; Dir::Etc::PreferencesParts "/dev/null";',
+      `Dir::Etc::SourceParts "${work}/sources"; Dir::State::Lists "${work}/lists"; Dir::State::Status "${work}/status";`,
+      `Dir::Cache "${work}/cache"; APT::Sandbox::User "root"; Acquire::Languages "none"; Acquire::Retries "3";`,
+      "",
+    ].join("\n"),
+  );
   return config;
 }
 
 /** The mirror of Debian's main archive that this machine is set up with. */
 function debianMirror() {
-  const find = () => capture("apt-get", ["indextargets", "--format", "$(ORIGIN)|$(CODENAME)|$(COMPONENT)|$(REPO_URI)",
-                                         "Created-By: Packages"])
-    .split("\n").map((line) => line.split("|"))
-    .find(([origin, name, component]) => origin === "Debian" && name === codename() && component === "main")?.[3];
+  const find = () =>
+    capture("apt-get", [
+      "indextargets",
+      "--format",
+      "$(ORIGIN)|$(CODENAME)|$(COMPONENT)|$(REPO_URI)",
+      "Created-By: Packages",
+    ])
+      .split("\n")
+      .map((line) => line.split("|"))
+      .find(
+        ([origin, name, component]) =>
+          origin === "Debian" && name === codename() && component === "main",
+      )?.[3];
   let mirror = find();
   if (mirror === undefined) {
-    updateLists();  // a fresh machine knows origins only once it has fetched the lists
+    updateLists(); // a fresh machine knows origins only once it has fetched the lists
     mirror = find();
   }
-  if (mirror === undefined) throw new SetUpError("apt knows no mirror of Debian: run `apt-get update` as root and try again.");
+  if (mirror === undefined)
+    throw new SetUpError(
+      "apt knows no mirror of Debian: run `apt-get update` as root and try again.",
+    );
   return mirror;
 }

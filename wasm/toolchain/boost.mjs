@@ -1,4 +1,5 @@
-// Boost's multiprecision headers, alone in a folder that is safe on a wasm include path (/usr/include is not).
+// Boost's multiprecision headers, alone in a folder that is safe on a wasm include path
+// (/usr/include is not).
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
@@ -6,24 +7,34 @@ import { codename, hasApt, newestPackage, withDownloaded } from "./apt.mjs";
 import { toolchain } from "./folders.mjs";
 import { capture, say, SetUpError } from "./process.mjs";
 
-const oldestVersion = 108000;  // BOOST_VERSION of 1.80
+const oldestVersion = 108000; // BOOST_VERSION of 1.80
 export const boostInclude = path.join(toolchain, "boost", "include");
 
 function isUsable(include) {
   try {
-    const version = /^#define BOOST_VERSION (\d+)/m.exec(readFileSync(path.join(include, "boost/version.hpp"), "utf8"))?.[1];
-    return Number(version) >= oldestVersion && existsSync(path.join(include, "boost/multiprecision/cpp_int.hpp"));
+    const version = /^#define BOOST_VERSION (\d+)/m.exec(
+      readFileSync(path.join(include, "boost/version.hpp"), "utf8"),
+    )?.[1];
+    return (
+      Number(version) >= oldestVersion &&
+      existsSync(path.join(include, "boost/multiprecision/cpp_int.hpp"))
+    );
   } catch {
     return false;
   }
 }
 
-/** Copies what cpp_int needs in standalone mode; version.hpp last, because it marks the copy as whole. */
+/**
+ * Copies what cpp_int needs in standalone mode; version.hpp last, because it marks the copy as
+ * whole.
+ */
 function keepHeaders(include) {
   rmSync(boostInclude, { recursive: true, force: true });
   mkdirSync(boostInclude, { recursive: true });
   for (const part of ["multiprecision", "config", "config.hpp", "version.hpp"]) {
-    cpSync(path.join(include, "boost", part), path.join(boostInclude, "boost", part), { recursive: true });
+    cpSync(path.join(include, "boost", part), path.join(boostInclude, "boost", part), {
+      recursive: true,
+    });
   }
 }
 
@@ -52,13 +63,17 @@ export function ensureBoost() {
   if (installed) return keepHeaders(installed);
   if (hasApt()) {
     if (codename() === "bookworm") {
-      return withDownloaded([boostOfTrixie], { release: "trixie" }, (file) => keepHeadersOfPackage(file(boostOfTrixie)));
+      return withDownloaded([boostOfTrixie], { release: "trixie" }, (file) =>
+        keepHeadersOfPackage(file(boostOfTrixie)),
+      );
     }
     const name = newestPackage("libboost1.", /^libboost1\.(\d+)-dev$/);
     if (name) withDownloaded([name], {}, (file) => keepHeadersOfPackage(file(name)));
   }
   if (!isUsable(boostInclude)) {
-    throw new SetUpError("Boost's headers, 1.80 or newer, are needed: please install them (Debian's package libboost-dev, or your" +
-      " system's), so that /usr/include/boost or /usr/local/include/boost has them.");
+    throw new SetUpError(
+      "Boost's headers, 1.80 or newer, are needed: please install them (Debian's package libboost-dev, or your" +
+        " system's), so that /usr/include/boost or /usr/local/include/boost has them.",
+    );
   }
 }

@@ -16,10 +16,20 @@ function ensureBrowser(given, programs, debianPackage, why) {
 
 /** The path of a Chromium, installed if need be; null if none can be had. */
 export function ensureChromium() {
-  return ensureBrowser(process.env.CHROMIUM, ["chromium", "google-chrome", "google-chrome-stable"], "chromium", "the tests in a browser");
+  return ensureBrowser(
+    process.env.CHROMIUM,
+    ["chromium", "google-chrome", "google-chrome-stable"],
+    "chromium",
+    "the tests in a browser",
+  );
 }
 
 /** The path of a Firefox, installed if need be; null if none can be had. */
 export function ensureFirefox() {
-  return ensureBrowser(process.env.FIREFOX, ["firefox-esr", "firefox"], "firefox-esr", "the package's tests in a second browser");
+  return ensureBrowser(
+    process.env.FIREFOX,
+    ["firefox-esr", "firefox"],
+    "firefox-esr",
+    "the package's tests in a second browser",
+  );
 }

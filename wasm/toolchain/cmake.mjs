@@ -13,7 +13,7 @@ export function configureWithCmake(name, settings, { env } = {}) {
   const folder = path.join(root, "build", name);
   const args = Object.entries(settings).map(([key, value]) => `-D${key}=${value}`);
   const stamp = path.join(folder, ".arguments");
-  const wanted = [root, ...args].join("\n");  // a clone that was moved starts afresh too
+  const wanted = [root, ...args].join("\n"); // a clone that was moved starts afresh too
   if (!existsSync(stamp) || readFileSync(stamp, "utf8") !== wanted) {
     mkdirSync(folder, { recursive: true });
     rmSync(stamp, { force: true });
@@ -30,14 +30,23 @@ export function buildWithCmake(name, settings, { target = "all", env } = {}) {
   return folder;
 }
 
-/** The wasm module for the package. Warnings are errors only in CI: whoever has a newer Emscripten shall be able to build. */
+/**
+ * The wasm module for the package. Warnings are errors only in CI: whoever has a newer Emscripten
+ * shall be able to build.
+ */
 export function buildWasmModule(emscripten) {
   const strict = process.env.CI ? { APOLLONIUS_WERROR: "ON" } : {};
-  return buildWithCmake("wasm", { CMAKE_TOOLCHAIN_FILE: cmakeToolchainFile(emscripten), APOLLONIUS_TESTS: "OFF", ...strict },
-                        { target: "apollonius_wasm" });
+  return buildWithCmake(
+    "wasm",
+    { CMAKE_TOOLCHAIN_FILE: cmakeToolchainFile(emscripten), APOLLONIUS_TESTS: "OFF", ...strict },
+    { target: "apollonius_wasm" },
+  );
 }
 
 /** The C++ tests as wasm. */
 export function buildWasmTests(emscripten) {
-  return buildWithCmake("wasm-tests", { CMAKE_TOOLCHAIN_FILE: cmakeToolchainFile(emscripten), APOLLONIUS_WERROR: "ON" });
+  return buildWithCmake("wasm-tests", {
+    CMAKE_TOOLCHAIN_FILE: cmakeToolchainFile(emscripten),
+    APOLLONIUS_WERROR: "ON",
+  });
 }

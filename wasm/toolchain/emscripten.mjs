@@ -1,5 +1,5 @@
-// Emscripten: the user's own if it is on PATH and new enough, else the distribution's if new enough, else on Debian 12 a private
-// copy of the next Debian's (bookworm.mjs).
+// Emscripten: the user's own if it is on PATH and new enough, else the distribution's if new
+// enough, else on Debian 12 a private copy of the next Debian's (bookworm.mjs).
 import { existsSync, readFileSync, realpathSync } from "node:fs";
 import path from "node:path";
 import { candidate, codename, ensureInstalled, hasApt } from "./apt.mjs";
@@ -12,7 +12,11 @@ function usableRoot(emcc) {
   if (emcc === null || !existsSync(emcc)) return null;
   const folder = path.dirname(realpathSync(emcc));
   try {
-    const version = JSON.parse(readFileSync(path.join(folder, "emscripten-version.txt"), "utf8").trim().replace(/^([^"].*)$/, '"$1"'));
+    const version = JSON.parse(
+      readFileSync(path.join(folder, "emscripten-version.txt"), "utf8")
+        .trim()
+        .replace(/^([^"].*)$/, '"$1"'),
+    );
     return compareVersions(version, oldestEmscripten) >= 0 ? folder : null;
   } catch {
     return null;
@@ -33,8 +37,10 @@ export function ensureEmscripten() {
     const installed = usableRoot("/usr/bin/emcc");
     if (installed) return installed;
   }
-  throw new SetUpError(`Emscripten ${oldestEmscripten} or newer is needed and cannot be installed from here: please install the` +
-    " Emscripten SDK (emsdk), run its `emsdk_env.sh` so that `emcc` is on PATH, and try again.");
+  throw new SetUpError(
+    `Emscripten ${oldestEmscripten} or newer is needed and cannot be installed from here: please install the` +
+      " Emscripten SDK (emsdk), run its `emsdk_env.sh` so that `emcc` is on PATH, and try again.",
+  );
 }
 
 /** The toolchain file for `cmake -DCMAKE_TOOLCHAIN_FILE=`. */

@@ -6,11 +6,16 @@ import { fileURLToPath } from "node:url";
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 
 /**
- * Tools of this project's own, outside the clone so that a second clone finds them. wasm/cmake/FindBoostMultiprecision.cmake
- * looks in the same place.
+ * Tools of this project's own, outside the clone so that a second clone finds them.
+ * wasm/cmake/FindBoostMultiprecision.cmake looks in the same place.
  */
-export const toolchain = process.env.APOLLONIUS_TOOLCHAIN ??
-  path.join(process.env.XDG_CACHE_HOME ?? path.join(homedir(), ".cache"), "apollonius-diagram", "toolchain");
+export const toolchain =
+  process.env.APOLLONIUS_TOOLCHAIN ??
+  path.join(
+    process.env.XDG_CACHE_HOME ?? path.join(homedir(), ".cache"),
+    "apollonius-diagram",
+    "toolchain",
+  );
 
 /** The oldest Emscripten that the project is known to work with. */
 export const oldestEmscripten = "3.1.69";

@@ -1,4 +1,5 @@
-// One build at a time in a clone: `npm start` beside `npm test` would otherwise link the same files twice at once.
+// One build at a time in a clone: `npm start` beside `npm test` would otherwise link the same files
+// twice at once.
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { setTimeout } from "node:timers/promises";

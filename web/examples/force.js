@@ -1,9 +1,12 @@
-// d3-force moves circles, and the diagram follows: one updateMany a tick. Lines join neighbours whose rims are close.
+// d3-force moves circles, and the diagram follows: one updateMany a tick. Lines join neighbours
+// whose rims are close.
 import { Diagram } from "apollonius-diagram";
 import { forceCollide, forceSimulation, forceX, forceY } from "d3-force";
 import { randomCircles } from "./random_circles.js";
 
-const width = 920, height = 480, close = 12;
+const width = 920,
+  height = 480,
+  close = 12;
 
 export default function force(container) {
   const nodes = randomCircles(400, width, height, 2, 22);
@@ -11,14 +14,21 @@ export default function force(container) {
   const ids = diagram.ids();
   const xyr = new Float64Array(3 * nodes.length);
 
-  const canvas = container.appendChild(Object.assign(document.createElement("canvas"), { width, height }));
+  const canvas = container.appendChild(
+    Object.assign(document.createElement("canvas"), { width, height }),
+  );
   const context = canvas.getContext("2d");
   let mouse = null;
   canvas.onpointermove = (event) => (mouse = [event.offsetX, event.offsetY]);
 
   const simulation = forceSimulation(nodes)
-    .force("x", forceX(width / 2).strength(0.03)).force("y", forceY(height / 2).strength(0.08))
-    .force("collide", forceCollide((node) => node.r + 2)).alphaDecay(0.01)
+    .force("x", forceX(width / 2).strength(0.03))
+    .force("y", forceY(height / 2).strength(0.08))
+    .force(
+      "collide",
+      forceCollide((node) => node.r + 2),
+    )
+    .alphaDecay(0.01)
     .on("tick", () => {
       nodes.forEach(({ x, y, r }, id) => xyr.set([x, y, r], 3 * id));
       diagram.updateMany(ids, xyr);

@@ -1,4 +1,5 @@
-// Runs in a worker: builds a diagram from circles, then answers arrays of points with arrays of ids and distances.
+// Runs in a worker: builds a diagram from circles, then answers arrays of points with arrays of ids
+// and distances.
 import { Diagram } from "apollonius-diagram";
 
 let diagram;
@@ -7,5 +8,5 @@ onmessage = ({ data: { circles, points, question } }) => {
   if (!points) return;
   const distances = new Float64Array(points.length / 2);
   const ids = diagram.findMany(points, distances);
-  postMessage({ ids, distances, question }, [ids.buffer, distances.buffer]);  // moved, not copied
+  postMessage({ ids, distances, question }, [ids.buffer, distances.buffer]); // moved, not copied
 };

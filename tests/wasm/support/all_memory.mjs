@@ -1,5 +1,5 @@
-// A program: diagrams until there is no memory that a module can have (4 GB), then less again. Prints what went wrong, or nothing.
-// A process of its own, as that memory is never given back.
+// A program: diagrams until there is no memory that a module can have (4 GB), then less again.
+// Prints what went wrong, or nothing. A process of its own, as that memory is never given back.
 import { Diagram } from "../../../build/packed/consumer.mjs";
 
 const kSites = 1_000_000;
@@ -22,7 +22,10 @@ while (code === "none" && diagrams.length < 100) {
 }
 const gigabytes = process.memoryUsage().arrayBuffers / 2 ** 30;
 expect(code === "out-of-memory", `expected out-of-memory, got ${code}`);
-expect(gigabytes > 3.5 || process.memoryUsage().rss > 3.5 * 2 ** 30, `only ${gigabytes.toFixed(1)} GiB were taken`);
+expect(
+  gigabytes > 3.5 || process.memoryUsage().rss > 3.5 * 2 ** 30,
+  `only ${gigabytes.toFixed(1)} GiB were taken`,
+);
 expect(diagrams.length >= 10, `only ${diagrams.length} diagrams`);
 
 // Nothing more fits; what is there answers, and stays as it is when a change fails.
@@ -43,7 +46,13 @@ expect(last.find(500, 500) === before || last.size > size, "another answer");
 const half = diagrams.length >> 1;
 for (const diagram of diagrams.splice(half)) diagram.dispose();
 for (let k = 0; k < half - 1; ++k) diagrams.push(new Diagram(xyr));
-expect(diagrams.every((diagram) => diagram.size === size && diagram.find(500, 500) === before), "diagrams differ");
-expect(diagrams[0].validate() === null && diagrams.at(-1).validate() === null, "a diagram is broken");
+expect(
+  diagrams.every((diagram) => diagram.size === size && diagram.find(500, 500) === before),
+  "diagrams differ",
+);
+expect(
+  diagrams[0].validate() === null && diagrams.at(-1).validate() === null,
+  "a diagram is broken",
+);
 for (const diagram of diagrams) diagram.dispose();
 console.log(JSON.stringify({ wrong, diagrams: diagrams.length, rss: process.memoryUsage().rss }));

@@ -1,4 +1,5 @@
-// One history with all outputs of the package, as one hash: the same script in Node and in browsers.
+// One history with all outputs of the package, as one hash: the same script in Node and in
+// browsers.
 
 /** Bytes of all kinds of values, one behind the other; numbers with all their bits. */
 class Bytes {
@@ -43,7 +44,11 @@ const families = {
   random: (u) => [1000 * u() - 500, 1000 * u() - 500, 30 * u()],
   grid: (u) => [Math.floor(20 * u()), Math.floor(20 * u()), Math.floor(2 * u())],
   tangent: (u) => [4 * Math.floor(8 * u()), 0.5 * Math.floor(9 * u()), 2],
-  decimal: (u) => [Math.floor(100 * u()) * 0.1, Math.floor(100 * u()) * 0.1, Math.floor(5 * u()) * 0.1],
+  decimal: (u) => [
+    Math.floor(100 * u()) * 0.1,
+    Math.floor(100 * u()) * 0.1,
+    Math.floor(5 * u()) * 0.1,
+  ],
   tiny: (u) => [u() * 1e-30, u() * 1e-30, u() * 1e-31],
   huge: (u) => [u() * 1e60, u() * 1e60, u() * 1e58],
 };
@@ -66,7 +71,8 @@ export async function hashOfAllOutputs({ Diagram, curvePoint, curveTangent }) {
       if (kind === 0) bytes.add(diagram.insert(x, y, r));
       if (kind === 1) bytes.add(diagram.remove(id));
       if (kind === 2) diagram.update(id, x, y, r);
-      if (kind === 3) diagram.update(id, diagram.site(id).x, diagram.site(id).y, diagram.site(id).r * random());
+      if (kind === 3)
+        diagram.update(id, diagram.site(id).x, diagram.site(id).y, diagram.site(id).r * random());
     }
     bytes.add(diagram.insertMany(circles(60)));
     bytes.add(diagram.removeMany(diagram.ids().slice(0, 100)));
@@ -89,34 +95,68 @@ function outputs(diagram, bytes, random, curvePoint, curveTangent) {
   const bounds = [Math.min(...xs), Math.min(...ys), Math.max(...xs) * 0.9, Math.max(...ys) * 0.8];
   const [width, height] = [bounds[2] - bounds[0], bounds[3] - bounds[1]];
   const tolerance = 1e-3 * width;
-  const somewhere = () => [bounds[0] + width * (2 * random() - 0.5), bounds[1] + height * (2 * random() - 0.5)];
+  const somewhere = () => [
+    bounds[0] + width * (2 * random() - 0.5),
+    bounds[1] + height * (2 * random() - 0.5),
+  ];
 
-  bytes.add({ ids, sites, sizes: [diagram.size, diagram.visibleSize, diagram.hiddenSize], vertices: diagram.vertices(),
-              edges: diagram.edges(), hull: diagram.hull() });
-  for (const id of ids.slice(0, 100)) bytes.add([diagram.isHidden(id), diagram.coverOf(id), diagram.neighbors(id)]);
+  bytes.add({
+    ids,
+    sites,
+    sizes: [diagram.size, diagram.visibleSize, diagram.hiddenSize],
+    vertices: diagram.vertices(),
+    edges: diagram.edges(),
+    hull: diagram.hull(),
+  });
+  for (const id of ids.slice(0, 100))
+    bytes.add([diagram.isHidden(id), diagram.coverOf(id), diagram.neighbors(id)]);
   const points = Float64Array.from(Array.from({ length: 100 }, somewhere).flat());
   const distances = new Float64Array(100);
   bytes.add([diagram.findMany(points, distances), distances]);
   for (let k = 0; k < 20; ++k) {
     const [x, y] = somewhere();
-    bytes.add([diagram.find(x, y), diagram.nearest(x, y), diagram.kNearest(x, y, 5), diagram.within(x, y, width / 10)]);
+    bytes.add([
+      diagram.find(x, y),
+      diagram.nearest(x, y),
+      diagram.kNearest(x, y, 5),
+      diagram.within(x, y, width / 10),
+    ]);
   }
 
   const voronoi = diagram.voronoi(bounds);
-  bytes.add({ cells: voronoi.cellAreas(), edges: voronoi.edgeCurves(), polygons: [...voronoi.cellPolygons({ tolerance })],
-              geo: voronoi.toGeoJSON({ tolerance }) });
+  bytes.add({
+    cells: voronoi.cellAreas(),
+    edges: voronoi.edgeCurves(),
+    polygons: [...voronoi.cellPolygons({ tolerance })],
+    geo: voronoi.toGeoJSON({ tolerance }),
+  });
   for (const id of ids.slice(0, 60)) {
-    bytes.add([voronoi.cellPolygon(id), voronoi.cellRegions(id), voronoi.cellArea(id), voronoi.cellCentroid(id), voronoi.cellPerimeter(id),
-               voronoi.cellMeasures(id), voronoi.cellWithin(id, width / 20), voronoi.neighbors(id), voronoi.contains(id, ...somewhere())]);
+    bytes.add([
+      voronoi.cellPolygon(id),
+      voronoi.cellRegions(id),
+      voronoi.cellArea(id),
+      voronoi.cellCentroid(id),
+      voronoi.cellPerimeter(id),
+      voronoi.cellMeasures(id),
+      voronoi.cellWithin(id, width / 20),
+      voronoi.neighbors(id),
+      voronoi.contains(id, ...somewhere()),
+    ]);
     const cell = voronoi.cellCurves(id);
     bytes.add(cell);
     if (cell === null) continue;
     for (let k = 0; 7 * k < cell.curves.length; ++k) {
-      for (const t of [0, 0.3, 1]) bytes.add([curvePoint(cell.curves, k, t), curveTangent(cell.curves, k, t)]);
+      for (const t of [0, 0.3, 1])
+        bytes.add([curvePoint(cell.curves, k, t), curveTangent(cell.curves, k, t)]);
     }
   }
   for (const digits of [undefined, ...Array(16).keys()]) {
     bytes.add([voronoi.render(null, { digits }), voronoi.renderBounds(null, { digits })]);
   }
-  bytes.add([diagram.render(null, { bounds }), diagram.renderSites(), diagram.renderHull(), voronoi.renderCell(ids[0])]);
+  bytes.add([
+    diagram.render(null, { bounds }),
+    diagram.renderSites(),
+    diagram.renderHull(),
+    voronoi.renderCell(ids[0]),
+  ]);
 }

@@ -1,4 +1,5 @@
-// The browsers that tests run in, each with its tests under its name. One that is missing is skipped, loudly, but not in CI.
+// The browsers that tests run in, each with its tests under its name. One that is missing is
+// skipped, loudly, but not in CI.
 import { existsSync } from "node:fs";
 
 const browsers = [
@@ -8,13 +9,16 @@ const browsers = [
 
 /**
  * @param {string} what is skipped where there is no browser
- * @param {(browser: string | undefined) => void} define the tests, given the path of the program; in CI they are to fail without
+ * @param {(browser: string | undefined) => void} define the tests, given the path of the program;
+ * in CI they are to fail without
  */
 export function describeInBrowsers(what, define) {
   describe.each(browsers)("%s", (name, given, usual) => {
     const browser = [given, usual].find((file) => file && existsSync(file));
     if (!browser && !process.env.CI) {
-      process.stderr.write(`SKIPPED: ${what} in ${name}, which is not installed. Set ${name.toUpperCase()} to its path.\n`);
+      process.stderr.write(
+        `SKIPPED: ${what} in ${name}, which is not installed. Set ${name.toUpperCase()} to its path.\n`,
+      );
       test.skip("is installed", () => {});
       return;
     }

@@ -1,5 +1,5 @@
-// A set of circles that answers what a diagram of them must, by trying all. Right for small integers: there two
-// distances are equal or clearly apart.
+// A set of circles that answers what a diagram of them must, by trying all. Right for small
+// integers: there two distances are equal or clearly apart.
 const EQUAL = 1e-9;
 
 /** Whether circle `outer` holds circle `inner`. */
@@ -19,23 +19,35 @@ function compareAt(a, b, px, py) {
 
 export class BruteForce {
   constructor(circles = new Map()) {
-    this.circles = circles;  // by id
+    this.circles = circles; // by id
   }
 
-  get size() { return this.circles.size; }
-  get ids() { return [...this.circles.keys()].sort((a, b) => a - b); }
-  copy() { return new BruteForce(new Map(this.circles)); }
+  get size() {
+    return this.circles.size;
+  }
+  get ids() {
+    return [...this.circles.keys()].sort((a, b) => a - b);
+  }
+  copy() {
+    return new BruteForce(new Map(this.circles));
+  }
 
   /** The sites that have a cell, but for which of several identical ones it is. */
   get visibleCircles() {
-    const different = [...new Map([...this.circles.values()].map((circle) => [String(circle), circle])).values()];
-    return different.filter((circle) => !different.some((other) => other !== circle && covers(other, circle)));
+    const different = [
+      ...new Map([...this.circles.values()].map((circle) => [String(circle), circle])).values(),
+    ];
+    return different.filter(
+      (circle) => !different.some((other) => other !== circle && covers(other, circle)),
+    );
   }
 
   /** Whether the site can be visible: no other circle covers it, but for identical ones. */
   isCandidate(id) {
     const circle = this.circles.get(id);
-    return ![...this.circles.values()].some((other) => !areIdentical(other, circle) && covers(other, circle));
+    return ![...this.circles.values()].some(
+      (other) => !areIdentical(other, circle) && covers(other, circle),
+    );
   }
 
   identicalTo(id) {

@@ -1,14 +1,17 @@
-// Bundles a page that uses the packed package with one bundler, as its users would:  node bundle.mjs vite|webpack|rollup|esbuild
-// into build/packed/bundles/NAME/: main.js (default entry) and, but for rollup, streamed.js (the entry with a .wasm of its own).
-// Prints the warnings as a JSON array.
+// Bundles a page that uses the packed package with one bundler, as its users would:  node
+// bundle.mjs vite|webpack|rollup|esbuild into build/packed/bundles/NAME/: main.js (default entry)
+// and, but for rollup, streamed.js (the entry with a .wasm of its own). Prints the warnings as a
+// JSON array.
 import { mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { packed } from "./install_packed.mjs";
 
-const use = "const d = new Diagram([0, 0, 1, 9, 0, 2]); globalThis.report(`${d.find(8, 0)} ${d.size} ${d.validate()}`);\n";
+const use =
+  "const d = new Diagram([0, 0, 1, 9, 0, 2]); globalThis.report(`${d.find(8, 0)} ${d.size} ${d.validate()}`);\n";
 const main = `import { Diagram } from "apollonius-diagram";\n${use}`;
-const streamed = (address) => `import { Diagram, load } from "apollonius-diagram/wasm";\n${address}\nawait load(wasm);\n${use}`;
+const streamed = (address) =>
+  `import { Diagram, load } from "apollonius-diagram/wasm";\n${address}\nawait load(wasm);\n${use}`;
 
 const [name] = process.argv.slice(2);
 const source = path.join(packed, "bundles", `${name}-source`);
@@ -20,19 +23,39 @@ function write(file, text) {
   writeFileSync(path.join(source, file), text);
   return path.join(source, file);
 }
-const entries = (address) => ({ main: write("main.js", main), ...(address && { streamed: write("streamed.js", streamed(address)) }) });
+const entries = (address) => ({
+  main: write("main.js", main),
+  ...(address && { streamed: write("streamed.js", streamed(address)) }),
+});
 
 const bundlers = {
   async vite() {
     const { build } = await import("vite");
     const warnings = [];
-    const silent = { hasWarned: false, info() {}, warn: (text) => warnings.push(text), warnOnce: (text) => warnings.push(text),
-                     error: (text) => warnings.push(text), clearScreen() {}, hasErrorLogged: () => false };
+    const silent = {
+      hasWarned: false,
+      info() {},
+      warn: (text) => warnings.push(text),
+      warnOnce: (text) => warnings.push(text),
+      error: (text) => warnings.push(text),
+      clearScreen() {},
+      hasErrorLogged: () => false,
+    };
     await build({
-      root: source, base: "./", configFile: false, customLogger: silent,
+      root: source,
+      base: "./",
+      configFile: false,
+      customLogger: silent,
       build: {
-        outDir: out, emptyOutDir: false, target: "es2022", modulePreload: false, assetsDir: "",
-        rollupOptions: { input: entries('import wasm from "apollonius-diagram/apollonius.wasm?url";'), output: { entryFileNames: "[name].js" } },
+        outDir: out,
+        emptyOutDir: false,
+        target: "es2022",
+        modulePreload: false,
+        assetsDir: "",
+        rollupOptions: {
+          input: entries('import wasm from "apollonius-diagram/apollonius.wasm?url";'),
+          output: { entryFileNames: "[name].js" },
+        },
       },
     });
     return warnings;
@@ -40,10 +63,21 @@ const bundlers = {
 
   async webpack() {
     const { default: webpack } = await import("webpack");
-    const stats = await new Promise((resolve, reject) => webpack({
-      mode: "production", context: source, entry: entries('const wasm = new URL("apollonius-diagram/apollonius.wasm", import.meta.url);'),
-      output: { path: out, filename: "[name].js", publicPath: "auto" }, target: ["web", "es2022"], performance: false,
-    }, (error, result) => (error ? reject(error) : resolve(result))));
+    const stats = await new Promise((resolve, reject) =>
+      webpack(
+        {
+          mode: "production",
+          context: source,
+          entry: entries(
+            'const wasm = new URL("apollonius-diagram/apollonius.wasm", import.meta.url);',
+          ),
+          output: { path: out, filename: "[name].js", publicPath: "auto" },
+          target: ["web", "es2022"],
+          performance: false,
+        },
+        (error, result) => (error ? reject(error) : resolve(result)),
+      ),
+    );
     const { errors, warnings } = stats.toJson({ all: false, errors: true, warnings: true });
     return [...errors, ...warnings].map(({ message }) => message);
   },
@@ -53,9 +87,16 @@ const bundlers = {
     const warnings = [];
     const installed = createRequire(path.join(packed, "package.json"));
     const bundle = await rollup({
-      input: entries(), onwarn: (warning) => warnings.push(warning.message),
+      input: entries(),
+      onwarn: (warning) => warnings.push(warning.message),
       // All that @rollup/plugin-node-resolve would do here.
-      plugins: [{ name: "resolve", resolveId: (id) => (id === "apollonius-diagram" ? installed.resolve(id).replace("cjs", "esm") : null) }],
+      plugins: [
+        {
+          name: "resolve",
+          resolveId: (id) =>
+            id === "apollonius-diagram" ? installed.resolve(id).replace("cjs", "esm") : null,
+        },
+      ],
     });
     await bundle.write({ dir: out, format: "es" });
     return warnings;
@@ -64,8 +105,16 @@ const bundlers = {
   async esbuild() {
     const { build } = await import("esbuild");
     const { warnings } = await build({
-      entryPoints: entries('import address from "apollonius-diagram/apollonius.wasm"; const wasm = new URL(address, import.meta.url);'),
-      bundle: true, minify: true, format: "esm", outdir: out, loader: { ".wasm": "file" }, logLevel: "silent", target: "es2022",
+      entryPoints: entries(
+        'import address from "apollonius-diagram/apollonius.wasm"; const wasm = new URL(address, import.meta.url);',
+      ),
+      bundle: true,
+      minify: true,
+      format: "esm",
+      outdir: out,
+      loader: { ".wasm": "file" },
+      logLevel: "silent",
+      target: "es2022",
     });
     return warnings.map(({ text }) => text);
   },

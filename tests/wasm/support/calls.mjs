@@ -1,12 +1,17 @@
-// Every public call of Diagram and Voronoi: one use of it that works, and what it refuses with which code and words. Tests check that
-// nothing is missing here, neither a member of the classes nor a code that the documentation names.
+// Every public call of Diagram and Voronoi: one use of it that works, and what it refuses with
+// which code and words. Tests check that nothing is missing here, neither a member of the classes
+// nor a code that the documentation names.
 import { Diagram } from "../../../build/packed/consumer.mjs";
 
-const NONE = 1000;  // an id that no site has
+const NONE = 1000; // an id that no site has
 const bounds = [-100, -100, 100, 100];
-const inWindow = (use) => (d, ...values) => use(d.voronoi(bounds), ...values);
+const inWindow =
+  (use) =>
+  (d, ...values) =>
+    use(d.voronoi(bounds), ...values);
 
-// Each takes a call with one argument left open, and returns refusals: [code, call, text in the message].
+// Each takes a call with one argument left open, and returns refusals: [code, call, text in the
+// message].
 const number = (name, call) => [
   ["not-finite", (d) => call(d, NaN), `${name} is NaN`],
   ["not-finite", (d) => call(d, "7"), `${name} is the string "7"`],
@@ -20,16 +25,33 @@ const id = (call) => [
 const numbers = (name, multiple, call) => [
   ["not-finite", (d) => call(d, [1, 2, 3, 4, NaN, 6]), `${name}[4] is NaN`],
   ["out-of-range", (d) => call(d, [1, 2, 3, 1e200, 5, 6]), `${name}[3] is 1e+200`],
-  ["bad-length", (d) => call(d, [1, 2, 3, 4, 5, 6, 7]), `expected a multiple of ${multiple} values in ${name}, got 7`],
+  [
+    "bad-length",
+    (d) => call(d, [1, 2, 3, 4, 5, 6, 7]),
+    `expected a multiple of ${multiple} values in ${name}, got 7`,
+  ],
   ["bad-length", (d) => call(d, 7), `${name} is 7`],
 ];
 // 2^29 + 1 sites and as many as JavaScript can count, of which none is read.
-const tooMany = (name, perSite, call) => [2 ** 29 + 1, 2 ** 51].map((count) => [
-  "too-large", (d) => call(d, { length: perSite * count, get 0() { throw new Error("read"); } }), `${name} holds ${count} sites, expected at most 2^29`,
-]);
+const tooMany = (name, perSite, call) =>
+  [2 ** 29 + 1, 2 ** 51].map((count) => [
+    "too-large",
+    (d) =>
+      call(d, {
+        length: perSite * count,
+        get 0() {
+          throw new Error("read");
+        },
+      }),
+    `${name} holds ${count} sites, expected at most 2^29`,
+  ]);
 const window = (call) => [
   ["bad-bounds", (d) => call(d, [0, 0, 0, 5]), "bounds are [0, 0, 0, 5]"],
-  ["bad-bounds", (d) => call(d, [0, 0, 5]), "bounds is an array of 3, expected [xmin, ymin, xmax, ymax]"],
+  [
+    "bad-bounds",
+    (d) => call(d, [0, 0, 5]),
+    "bounds is an array of 3, expected [xmin, ymin, xmax, ymax]",
+  ],
   ["bad-bounds", (d) => call(d, [0, 0, 5, "5"]), 'ymax of bounds is the string "5"'],
 ];
 const tolerance = (call) => [
@@ -61,14 +83,23 @@ export const diagramCalls = {
   constructor: {
     use: () => new Diagram([1, 2, 3]),
     refuses: [
-      ...numbers("xyr", 3, (d, xyr) => new Diagram(xyr)), ...tooMany("xyr", 3, (d, xyr) => new Diagram(xyr)),
-      ["bad-option", () => new Diagram([], { location: "grid" }), 'options.location is the string "grid"'],
+      ...numbers("xyr", 3, (d, xyr) => new Diagram(xyr)),
+      ...tooMany("xyr", 3, (d, xyr) => new Diagram(xyr)),
+      [
+        "bad-option",
+        () => new Diagram([], { location: "grid" }),
+        'options.location is the string "grid"',
+      ],
     ],
   },
   from: {
     use: () => Diagram.from([[1, 2, 3]]),
     refuses: [
-      ...["x", "y", "r"].flatMap((name) => number(`${name} of item 1`, (d, value) => Diagram.from([[1, 2], { x: 1, y: 2, [name]: value }]))),
+      ...["x", "y", "r"].flatMap((name) =>
+        number(`${name} of item 1`, (d, value) =>
+          Diagram.from([[1, 2], { x: 1, y: 2, [name]: value }]),
+        ),
+      ),
       ...tooMany("items", 1, (d, items) => Diagram.from(items)),
       ["bad-length", () => Diagram.from(7), "items is 7"],
       ["bad-option", () => Diagram.from([], 7), "x is 7"],
@@ -78,37 +109,74 @@ export const diagramCalls = {
     use: (d) => Diagram.fromBytes(d.toBytes()),
     refuses: [
       ["corrupt-snapshot", () => Diagram.fromBytes(new Uint8Array(56)), "bytes are no snapshot"],
-      ["corrupt-snapshot", (d) => Diagram.fromBytes(d.toBytes().subarray(8)), "bytes are no snapshot"],
-      ["bad-length", () => Diagram.fromBytes([1, 2, 3]), "bytes is an array of 3, expected a Uint8Array"],
+      [
+        "corrupt-snapshot",
+        (d) => Diagram.fromBytes(d.toBytes().subarray(8)),
+        "bytes are no snapshot",
+      ],
+      [
+        "bad-length",
+        () => Diagram.fromBytes([1, 2, 3]),
+        "bytes is an array of 3, expected a Uint8Array",
+      ],
       ["bad-length", () => Diagram.fromBytes(new Uint8ClampedArray(8)), "expected a Uint8Array"],
-      ["bad-option", (d) => Diagram.fromBytes(d.toBytes(), { location: "grid" }), 'options.location is the string "grid"'],
-      ["bad-option", (d) => Diagram.fromBytes(d.toBytes(), { trusted: 1 }), "options.trusted is 1, expected false or"],
+      [
+        "bad-option",
+        (d) => Diagram.fromBytes(d.toBytes(), { location: "grid" }),
+        'options.location is the string "grid"',
+      ],
+      [
+        "bad-option",
+        (d) => Diagram.fromBytes(d.toBytes(), { trusted: 1 }),
+        "options.trusted is 1, expected false or",
+      ],
     ],
   },
   insert: {
     use: (d) => d.insert(1, 2, 3),
-    refuses: [...number("x", (d, x) => d.insert(x, 0, 1)), ...number("y", (d, y) => d.insert(0, y)), ...number("r", (d, r) => d.insert(0, 0, r))],
+    refuses: [
+      ...number("x", (d, x) => d.insert(x, 0, 1)),
+      ...number("y", (d, y) => d.insert(0, y)),
+      ...number("r", (d, r) => d.insert(0, 0, r)),
+    ],
   },
   insertMany: {
     use: (d) => d.insertMany([1, 2, 3]),
-    refuses: [...numbers("xyr", 3, (d, xyr) => d.insertMany(xyr)), ...tooMany("xyr", 3, (d, xyr) => d.insertMany(xyr))],
+    refuses: [
+      ...numbers("xyr", 3, (d, xyr) => d.insertMany(xyr)),
+      ...tooMany("xyr", 3, (d, xyr) => d.insertMany(xyr)),
+    ],
   },
   remove: works((d) => d.remove(0)),
-  removeMany: { use: (d) => d.removeMany([0]), refuses: [["bad-length", (d) => d.removeMany(7), "ids is 7"]] },
+  removeMany: {
+    use: (d) => d.removeMany([0]),
+    refuses: [["bad-length", (d) => d.removeMany(7), "ids is 7"]],
+  },
   update: {
     use: (d) => d.update(0, 1, 2, 3),
     refuses: [
-      ...id((d, site) => d.update(site, 1, 2, 3)), ...id((d, site) => d.update(site, 1, 2)),
-      ...number("x", (d, x) => d.update(0, x, 0)), ...number("y", (d, y) => d.update(0, 0, y, 1)), ...number("r", (d, r) => d.update(0, 0, 0, r)),
+      ...id((d, site) => d.update(site, 1, 2, 3)),
+      ...id((d, site) => d.update(site, 1, 2)),
+      ...number("x", (d, x) => d.update(0, x, 0)),
+      ...number("y", (d, y) => d.update(0, 0, y, 1)),
+      ...number("r", (d, r) => d.update(0, 0, 0, r)),
     ],
   },
   updateMany: {
     use: (d) => d.updateMany([0], [1, 2, 3]),
     refuses: [
       ...numbers("xyr", 3, (d, xyr) => d.updateMany([0, 1], xyr)),
-      ["bad-length", (d) => d.updateMany([0], [1, 2, 3, 4, 5, 6]), "expected 3 values in xyr for 1 ids, got 6"],
+      [
+        "bad-length",
+        (d) => d.updateMany([0], [1, 2, 3, 4, 5, 6]),
+        "expected 3 values in xyr for 1 ids, got 6",
+      ],
       ["bad-length", (d) => d.updateMany(7, []), "ids is 7"],
-      ["unknown-site", (d) => d.updateMany([0, NONE], [1, 2, 3, 4, 5, 6]), "ids[1]: site 1000 does not exist"],
+      [
+        "unknown-site",
+        (d) => d.updateMany([0, NONE], [1, 2, 3, 4, 5, 6]),
+        "ids[1]: site 1000 does not exist",
+      ],
     ],
   },
   clear: works((d) => d.clear()),
@@ -120,20 +188,35 @@ export const diagramCalls = {
   ids: works((d) => d.ids()),
   isHidden: ofSite("isHidden"),
   coverOf: ofSite("coverOf"),
-  find: { use: (d) => d.find(0, 0), refuses: [...number("x", (d, x) => d.find(x, 0)), ...number("y", (d, y) => d.find(0, y))] },
-  nearest: { use: (d) => d.nearest(0, 0), refuses: [...number("x", (d, x) => d.nearest(x, 0)), ...number("y", (d, y) => d.nearest(0, y))] },
+  find: {
+    use: (d) => d.find(0, 0),
+    refuses: [...number("x", (d, x) => d.find(x, 0)), ...number("y", (d, y) => d.find(0, y))],
+  },
+  nearest: {
+    use: (d) => d.nearest(0, 0),
+    refuses: [...number("x", (d, x) => d.nearest(x, 0)), ...number("y", (d, y) => d.nearest(0, y))],
+  },
   findMany: {
     use: (d) => d.findMany([0, 0]),
     refuses: [
       ...numbers("xy", 2, (d, xy) => d.findMany(xy)),
-      ["bad-length", (d) => d.findMany([0, 0], new Float64Array(2)), "distances is Float64Array(2), expected Float64Array(1)"],
-      ["bad-length", (d) => d.findMany([0, 0], [0]), "distances is an array of 1, expected Float64Array(1)"],
+      [
+        "bad-length",
+        (d) => d.findMany([0, 0], new Float64Array(2)),
+        "distances is Float64Array(2), expected Float64Array(1)",
+      ],
+      [
+        "bad-length",
+        (d) => d.findMany([0, 0], [0]),
+        "distances is an array of 1, expected Float64Array(1)",
+      ],
     ],
   },
   kNearest: {
     use: (d) => d.kNearest(0, 0, 1),
     refuses: [
-      ...number("x", (d, x) => d.kNearest(x, 0, 1)), ...number("y", (d, y) => d.kNearest(0, y, 1)),
+      ...number("x", (d, x) => d.kNearest(x, 0, 1)),
+      ...number("y", (d, y) => d.kNearest(0, y, 1)),
       ["not-finite", (d) => d.kNearest(0, 0), "k is undefined"],
       ["out-of-range", (d) => d.kNearest(0, 0, 0.5), "k is 0.5"],
     ],
@@ -141,7 +224,8 @@ export const diagramCalls = {
   within: {
     use: (d) => d.within(0, 0, 1),
     refuses: [
-      ...number("x", (d, x) => d.within(x, 0, 1)), ...number("y", (d, y) => d.within(0, y, 1)),
+      ...number("x", (d, x) => d.within(x, 0, 1)),
+      ...number("y", (d, y) => d.within(0, y, 1)),
       ...number("distance", (d, distance) => d.within(0, 0, distance)),
     ],
   },
@@ -152,7 +236,10 @@ export const diagramCalls = {
   hull: works((d) => d.hull()),
   render: {
     use: (d) => d.render(),
-    refuses: [...drawing((d, options) => d.render(null, options)), ...window((d, box) => d.render(null, { bounds: box }))],
+    refuses: [
+      ...drawing((d, options) => d.render(null, options)),
+      ...window((d, box) => d.render(null, { bounds: box })),
+    ],
   },
   renderSites: drawn("renderSites"),
   renderHull: drawn("renderHull"),
@@ -161,25 +248,55 @@ export const diagramCalls = {
 };
 
 export const voronoiCalls = {
-  render: { use: inWindow((v) => v.render()), refuses: drawing(inWindow((v, options) => v.render(null, options))) },
-  renderBounds: { use: inWindow((v) => v.renderBounds()), refuses: digits(inWindow((v, options) => v.renderBounds(null, options))) },
+  render: {
+    use: inWindow((v) => v.render()),
+    refuses: drawing(inWindow((v, options) => v.render(null, options))),
+  },
+  renderBounds: {
+    use: inWindow((v) => v.renderBounds()),
+    refuses: digits(inWindow((v, options) => v.renderBounds(null, options))),
+  },
   renderCell: {
     use: inWindow((v) => v.renderCell(0)),
-    refuses: [...id(inWindow((v, site) => v.renderCell(site))), ...drawing(inWindow((v, options) => v.renderCell(0, null, options)))],
+    refuses: [
+      ...id(inWindow((v, site) => v.renderCell(site))),
+      ...drawing(inWindow((v, options) => v.renderCell(0, null, options))),
+    ],
   },
-  ...Object.fromEntries(["cellPolygon", "cellRegions"].map((name) => [name, {
-    use: inWindow((v) => v[name](0)),
-    refuses: [...id(inWindow((v, site) => v[name](site))), ...tolerance(inWindow((v, options) => v[name](0, options)))],
-  }])),
-  cellPolygons: { use: inWindow((v) => [...v.cellPolygons()]), refuses: tolerance(inWindow((v, options) => [...v.cellPolygons(options)])) },
+  ...Object.fromEntries(
+    ["cellPolygon", "cellRegions"].map((name) => [
+      name,
+      {
+        use: inWindow((v) => v[name](0)),
+        refuses: [
+          ...id(inWindow((v, site) => v[name](site))),
+          ...tolerance(inWindow((v, options) => v[name](0, options))),
+        ],
+      },
+    ]),
+  ),
+  cellPolygons: {
+    use: inWindow((v) => [...v.cellPolygons()]),
+    refuses: tolerance(inWindow((v, options) => [...v.cellPolygons(options)])),
+  },
   cellCurves: ofCell("cellCurves"),
   edgeCurves: works(inWindow((v) => v.edgeCurves())),
-  toGeoJSON: { use: inWindow((v) => v.toGeoJSON()), refuses: tolerance(inWindow((v, options) => v.toGeoJSON(options))) },
+  toGeoJSON: {
+    use: inWindow((v) => v.toGeoJSON()),
+    refuses: tolerance(inWindow((v, options) => v.toGeoJSON(options))),
+  },
   contains: {
     use: inWindow((v) => v.contains(0, 0, 0)),
     refuses: [
       ...id(inWindow((v, site) => v.contains(site, 0, 0))),
-      ...number("x", inWindow((v, x) => v.contains(0, x, 0))), ...number("y", inWindow((v, y) => v.contains(0, 0, y))),
+      ...number(
+        "x",
+        inWindow((v, x) => v.contains(0, x, 0)),
+      ),
+      ...number(
+        "y",
+        inWindow((v, y) => v.contains(0, 0, y)),
+      ),
     ],
   },
   neighbors: ofCell("neighbors"),
@@ -190,7 +307,11 @@ export const voronoiCalls = {
   cellWithin: {
     use: inWindow((v) => v.cellWithin(0, 5)),
     refuses: [
-      ...id(inWindow((v, site) => v.cellWithin(site, 5))), ...number("radius", inWindow((v, radius) => v.cellWithin(0, radius))),
+      ...id(inWindow((v, site) => v.cellWithin(site, 5))),
+      ...number(
+        "radius",
+        inWindow((v, radius) => v.cellWithin(0, radius)),
+      ),
       ["out-of-range", inWindow((v) => v.cellWithin(0, -1)), "radius is -1"],
     ],
   },

@@ -1,11 +1,13 @@
-// A program: calls that begin closer and closer to the end of JavaScript's stack, until one succeeds. Prints how they ended, and what was
-// wrong afterwards, with that diagram unless it said that it is broken, and with another one.
+// A program: calls that begin closer and closer to the end of JavaScript's stack, until one
+// succeeds. Prints how they ended, and what was wrong afterwards, with that diagram unless it said
+// that it is broken, and with another one.
 import { ApolloniusError, Diagram } from "../../../build/packed/consumer.mjs";
 import { graph } from "./graph.mjs";
 import { generator, randomCircles } from "./random.mjs";
 
 const random = generator(61);
-const grid = (count) => Float64Array.from({ length: 3 * count }, (_, k) => Math.floor(random() * (k % 3 === 2 ? 5 : 60)));
+const grid = (count) =>
+  Float64Array.from({ length: 3 * count }, (_, k) => Math.floor(random() * (k % 3 === 2 ? 5 : 60)));
 const bystander = new Diagram(grid(100));
 const before = JSON.stringify(graph(bystander));
 
@@ -43,23 +45,28 @@ for (let round = 0; round < 12; ++round) {
   for (const [name, use] of Object.entries(uses)) {
     const diagram = new Diagram(grid(200));
 
-    dive.call(null, () => {
-      let end = "none";
-      try {
-        use(diagram);
-      } catch (error) {
-        end = error instanceof ApolloniusError ? error.code : error.name;
-      }
-      ends[end] = (ends[end] ?? 0) + 1;
-      return end === "none" || end === "broken";
-    }, ...new Array(round).fill(0));
+    dive.call(
+      null,
+      () => {
+        let end = "none";
+        try {
+          use(diagram);
+        } catch (error) {
+          end = error instanceof ApolloniusError ? error.code : error.name;
+        }
+        ends[end] = (ends[end] ?? 0) + 1;
+        return end === "none" || end === "broken";
+      },
+      ...new Array(round).fill(0),
+    );
     try {
       if (diagram.validate() !== null) wrong.push(`${name}: ${diagram.validate()}`);
     } catch (error) {
       if (error.code !== "broken") wrong.push(`${name}: ${error}`);
     }
     try {
-      if (JSON.stringify(graph(bystander)) !== before || bystander.validate() !== null) wrong.push(`${name}: another diagram has changed`);
+      if (JSON.stringify(graph(bystander)) !== before || bystander.validate() !== null)
+        wrong.push(`${name}: another diagram has changed`);
       bystander.remove(bystander.insert(...grid(1)));
       const fresh = new Diagram(grid(200));
       if (fresh.validate() !== null) wrong.push(`${name}: a new diagram is wrong`);

@@ -1,5 +1,6 @@
-// A program: calls made while the heap is full and cannot grow. Prints, for each, the code of what it threw ("none" if it did not) and
-// whether the diagram was as before. A process of its own, as it replaces WebAssembly.Memory.prototype.grow.
+// A program: calls made while the heap is full and cannot grow. Prints, for each, the code of what
+// it threw ("none" if it did not) and whether the diagram was as before. A process of its own, as
+// it replaces WebAssembly.Memory.prototype.grow.
 import { Diagram } from "../../../build/packed/consumer.mjs";
 
 // One site with very many neighbours: then even a call about a single site needs much memory.
@@ -24,8 +25,13 @@ const ink = { moveTo() {}, lineTo() {}, bezierCurveTo() {}, closePath() {} };
 /** What each call is asked for; in `small` those that need no memory. */
 const large = {
   "Diagram.constructor": () => new Diagram(sites),
-  "Diagram.from": () => Diagram.from({ length: many }, (_, k) => k % 1013, (_, k) => k % 997),
-  "Diagram.insert": () => diagram.insert(0, 0, 5000),  // covers all the others
+  "Diagram.from": () =>
+    Diagram.from(
+      { length: many },
+      (_, k) => k % 1013,
+      (_, k) => k % 997,
+    ),
+  "Diagram.insert": () => diagram.insert(0, 0, 5000), // covers all the others
   "Diagram.insertMany": () => diagram.insertMany(sites),
   "Diagram.remove": () => diagram.remove(hub),
   "Diagram.removeMany": () => diagram.removeMany(ids),
@@ -74,17 +80,24 @@ const small = {
   "Diagram.voronoi": () => diagram.voronoi(),
   "Voronoi.renderBounds": () => view.renderBounds(ink),
   "Voronoi.contains": () => view.contains(hub, 1, 1),
-  "Diagram.clear": () => diagram.clear(),  // the last one: nothing is left after it
+  "Diagram.clear": () => diagram.clear(), // the last one: nothing is left after it
 };
 
 const grow = WebAssembly.Memory.prototype.grow;
 
-/** Diagrams of all sizes, down to empty ones, until none finds a place; and from now on the heap cannot grow. */
+/**
+ * Diagrams of all sizes, down to empty ones, until none finds a place; and from now on the heap
+ * cannot grow.
+ */
 function filled() {
-  diagram.findMany(points);  // after calls about so many the library gives back the blocks that it keeps for the next one
-  WebAssembly.Memory.prototype.grow = () => { throw new RangeError("no more memory"); };
+  // after calls about so many the library gives back the blocks that it keeps for the next one
+  diagram.findMany(points);
+  WebAssembly.Memory.prototype.grow = () => {
+    throw new RangeError("no more memory");
+  };
   const fillers = [];
-  for (let count = kRing / 2; ; count >>= 2) {  // fewer than the ring: the library keeps room for as many ids as it gave last
+  for (let count = kRing / 2; ; count >>= 2) {
+    // fewer than the ring: the library keeps room for as many ids as it gave last
     try {
       for (;;) fillers.push(new Diagram(sites.subarray(0, 3 * count)));
     } catch {
@@ -103,8 +116,10 @@ function state() {
   const { sites: pairs, vertices } = diagram.edges();
   let sum = diagram.size + 7 * diagram.visibleSize;
   const add = (value) => (sum = (Math.imul(sum, 31) + value) | 0);
-  for (const array of [diagram.ids(), pairs, vertices, diagram.vertices().sites]) array.forEach(add);
-  for (const id of diagram.ids()) for (const value of Object.values(diagram.site(id))) add(Math.round(1e6 * value));
+  for (const array of [diagram.ids(), pairs, vertices, diagram.vertices().sites])
+    array.forEach(add);
+  for (const id of diagram.ids())
+    for (const value of Object.values(diagram.site(id))) add(Math.round(1e6 * value));
   return sum;
 }
 
@@ -121,5 +136,10 @@ function attempt(call) {
   return { code, isSame: state() === before };
 }
 
-const results = Object.fromEntries(Object.entries({ ...large, ...small }).map(([name, call]) => [name, { isLarge: name in large, ...attempt(call) }]));
+const results = Object.fromEntries(
+  Object.entries({ ...large, ...small }).map(([name, call]) => [
+    name,
+    { isLarge: name in large, ...attempt(call) },
+  ]),
+);
 console.log(JSON.stringify({ results, afterClear: diagram.size }));

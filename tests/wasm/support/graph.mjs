@@ -1,11 +1,16 @@
-// A diagram's whole state in words that do not depend on its history: sites by value instead of by id, rows sorted.
+// A diagram's whole state in words that do not depend on its history: sites by value instead of by
+// id, rows sorted.
 
 /** Everything that a failed call must not change, ids included. */
 export function snapshot(diagram) {
   const ids = [...diagram.ids()];
   return JSON.stringify({
-    ids, sites: ids.map((id) => diagram.site(id)), hidden: ids.map((id) => diagram.isHidden(id)),
-    neighbors: ids.map((id) => [...diagram.neighbors(id)]), graph: graph(diagram), sizes: [diagram.size, diagram.visibleSize],
+    ids,
+    sites: ids.map((id) => diagram.site(id)),
+    hidden: ids.map((id) => diagram.isHidden(id)),
+    neighbors: ids.map((id) => [...diagram.neighbors(id)]),
+    graph: graph(diagram),
+    sizes: [diagram.size, diagram.visibleSize],
   });
 }
 
@@ -17,17 +22,25 @@ export function graph(diagram) {
     const { x, y, r } = diagram.site(id);
     return `${x},${y},${r}`;
   };
-  const vertex = (row) => (row === -1 ? "unbounded" : smallestRotation([0, 1, 2].map((k) => name(corners[3 * row + k]))));
+  const vertex = (row) =>
+    row === -1 ? "unbounded" : smallestRotation([0, 1, 2].map((k) => name(corners[3 * row + k])));
   return {
     vertices: Array.from({ length: corners.length / 3 }, (_, row) => vertex(row)).sort(),
     edges: Array.from({ length: edges.sites.length / 2 }, (_, row) => {
       const [a, b] = [name(edges.sites[2 * row]), name(edges.sites[2 * row + 1])];
       const [from, to] = [vertex(edges.vertices[2 * row]), vertex(edges.vertices[2 * row + 1])];
-      return [`${a} | ${b}: ${from} -> ${to}`, `${b} | ${a}: ${to} -> ${from}`].sort()[0];  // the same edge, walked either way
+      // the same edge, walked either way
+      return [`${a} | ${b}: ${from} -> ${to}`, `${b} | ${a}: ${to} -> ${from}`].sort()[0];
     }).sort(),
   };
 }
 
 function smallestRotation([a, b, c]) {
-  return [[a, b, c], [b, c, a], [c, a, b]].map((names) => names.join(" ")).sort()[0];
+  return [
+    [a, b, c],
+    [b, c, a],
+    [c, a, b],
+  ]
+    .map((names) => names.join(" "))
+    .sort()[0];
 }

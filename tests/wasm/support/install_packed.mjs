@@ -9,10 +9,22 @@ export const packed = path.join(root, "build/packed");
 export function installPacked() {
   rmSync(packed, { recursive: true, force: true });
   mkdirSync(packed, { recursive: true });
-  const [{ filename }] = JSON.parse(capture("npm", ["pack", "--json", "--loglevel=error", "--pack-destination", packed], { cwd: root }));
-  writeFileSync(path.join(packed, "package.json"), JSON.stringify({ name: "packed-consumer", private: true, type: "module" }));
-  // `import` of the bare name resolves against the importing file's folder, so the tests go through a file that is here.
+  const [{ filename }] = JSON.parse(
+    capture("npm", ["pack", "--json", "--loglevel=error", "--pack-destination", packed], {
+      cwd: root,
+    }),
+  );
+  writeFileSync(
+    path.join(packed, "package.json"),
+    JSON.stringify({ name: "packed-consumer", private: true, type: "module" }),
+  );
+  // `import` of the bare name resolves against the importing file's folder, so the tests go through
+  // a file that is here.
   writeFileSync(path.join(packed, "consumer.mjs"), 'export * from "apollonius-diagram";\n');
-  capture("npm", ["install", "--offline", "--no-audit", "--no-fund", "--loglevel=error", `./${filename}`], { cwd: packed });
+  capture(
+    "npm",
+    ["install", "--offline", "--no-audit", "--no-fund", "--loglevel=error", `./${filename}`],
+    { cwd: packed },
+  );
   return path.join(packed, filename);
 }

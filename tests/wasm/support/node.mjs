@@ -4,12 +4,18 @@ import { packed } from "./install_packed.mjs";
 
 /** What an ES module prints, without the last newline. */
 export function runInNode(source, options = []) {
-  return capture(process.execPath, [...options, "--input-type=module", "--eval", source], { cwd: packed, env: cleanEnv }).trimEnd();
+  return capture(process.execPath, [...options, "--input-type=module", "--eval", source], {
+    cwd: packed,
+    env: cleanEnv,
+  }).trimEnd();
 }
 
 /** What a CommonJS script prints, without the last newline. */
 export function runScriptInNode(source, options = []) {
-  return capture(process.execPath, [...options, "--input-type=commonjs", "--eval", source], { cwd: packed, env: cleanEnv }).trimEnd();
+  return capture(process.execPath, [...options, "--input-type=commonjs", "--eval", source], {
+    cwd: packed,
+    env: cleanEnv,
+  }).trimEnd();
 }
 
 const cleanEnv = { NODE_OPTIONS: "" };

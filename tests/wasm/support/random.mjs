@@ -12,5 +12,7 @@ export function generator(seed) {
 /** `count` circles as x, y, r triples, centres in a square of side 2000 around the origin. */
 export function randomCircles(count, seed, largestRadius = 40) {
   const random = generator(seed);
-  return Float64Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? random() * largestRadius : random() * 2000 - 1000));
+  return Float64Array.from({ length: 3 * count }, (_, k) =>
+    k % 3 === 2 ? random() * largestRadius : random() * 2000 - 1000,
+  );
 }

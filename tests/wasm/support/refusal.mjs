@@ -10,6 +10,9 @@ export function expectRefusal(call, code, message) {
     error = thrown;
   }
   expect(error).toBeInstanceOf(ApolloniusError);
-  expect({ code: error.code, message: error.message }).toEqual({ code, message: expect.stringContaining(message) });
+  expect({ code: error.code, message: error.message }).toEqual({
+    code,
+    message: expect.stringContaining(message),
+  });
   return error;
 }

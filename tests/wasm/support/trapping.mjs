@@ -1,19 +1,85 @@
-// A program: what is left after calls that end in their middle. The module's own functions are wrapped before its first use, so that a chosen one
-// really traps in WebAssembly, with the module's stack used up to somewhere and its shared blocks in use. Prints what it found as JSON.
-// A process of its own, as it replaces WebAssembly.Instance.
+// A program: what is left after calls that end in their middle. The module's own functions are
+// wrapped before its first use, so that a chosen one really traps in WebAssembly, with the module's
+// stack used up to somewhere and its shared blocks in use. Prints what it found as JSON. A process
+// of its own, as it replaces WebAssembly.Instance.
 import { Diagram } from "../../../build/packed/consumer.mjs";
 import { calls } from "./calls.mjs";
 import { snapshot } from "./graph.mjs";
 import { randomCircles } from "./random.mjs";
 
-// (module (memory 1) (func (export "a") unreachable) (func (export "b") (drop (i32.load8_u (i32.const -1)))) (func (export "c") (call 2)))
-const trapper = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.of(
-  0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 4, 3, 0, 0, 0, 5, 3, 1, 0, 1, 7, 13, 3, 1, 97, 0, 0, 1, 98, 0, 1, 1, 99, 0, 2,
-  10, 19, 3, 3, 0, 0, 11, 8, 0, 65, 127, 45, 0, 0, 26, 11, 4, 0, 16, 2, 11))).exports;
+// (module (memory 1) (func (export "a") unreachable) (func (export "b") (drop (i32.load8_u
+// (i32.const -1)))) (func (export "c") (call 2)))
+const trapper = new WebAssembly.Instance(
+  new WebAssembly.Module(
+    Uint8Array.of(
+      0,
+      97,
+      115,
+      109,
+      1,
+      0,
+      0,
+      0,
+      1,
+      4,
+      1,
+      96,
+      0,
+      0,
+      3,
+      4,
+      3,
+      0,
+      0,
+      0,
+      5,
+      3,
+      1,
+      0,
+      1,
+      7,
+      13,
+      3,
+      1,
+      97,
+      0,
+      0,
+      1,
+      98,
+      0,
+      1,
+      1,
+      99,
+      0,
+      2,
+      10,
+      19,
+      3,
+      3,
+      0,
+      0,
+      11,
+      8,
+      0,
+      65,
+      127,
+      45,
+      0,
+      0,
+      26,
+      11,
+      4,
+      0,
+      16,
+      2,
+      11,
+    ),
+  ),
+).exports;
 const traps = { unreachable: trapper.a, "out of bounds": trapper.b, "end of stack": trapper.c };
 
-let seen = 0;        // calls about diagrams
-let trapAt = 0;      // which of these traps; 0 for none
+let seen = 0; // calls about diagrams
+let trapAt = 0; // which of these traps; 0 for none
 let trapsInGrow = false;
 let trap = traps.unreachable;
 const started = [];
@@ -26,19 +92,27 @@ WebAssembly.Instance = class {
     const grow = (bytes) => {
       if (!trapsInGrow) return env.grow(bytes);
       trapsInGrow = false;
-      return trap();  // in the middle of malloc, in the middle of the call
+      return trap(); // in the middle of malloc, in the middle of the call
     };
     const real = new RealInstance(module, { env: { ...env, grow } }).exports;
     started.push({ real, env });
-    this.exports = Object.fromEntries(Object.entries(real).map(([name, member]) => [name, typeof member !== "function" ? member : (...values) => {
-      if (name === "diagramDestroy") destroyed.push(values[0]);
-      else if (/^(diagram|voronoi)/.test(name) && ++seen === trapAt) {
-        real.__stack_pointer.value -= 1000;
-        if (name === "diagramInsertMany") member(...values);  // so that the scratch block has been given up
-        trap();
-      }
-      return member(...values);
-    }]));
+    this.exports = Object.fromEntries(
+      Object.entries(real).map(([name, member]) => [
+        name,
+        typeof member !== "function"
+          ? member
+          : (...values) => {
+              if (name === "diagramDestroy") destroyed.push(values[0]);
+              else if (/^(diagram|voronoi)/.test(name) && ++seen === trapAt) {
+                real.__stack_pointer.value -= 1000;
+                // so that the scratch block has been given up
+                if (name === "diagramInsertMany") member(...values);
+                trap();
+              }
+              return member(...values);
+            },
+      ]),
+    );
   }
 };
 
@@ -77,38 +151,60 @@ const isMaking = (name) => /\.(constructor|from|fromBytes)$/.test(name);
 
 /** What the calls of a diagram throw that has been broken. */
 function codesAfter(diagram, view) {
-  return [...new Set(calls.filter(([name]) => !isMaking(name)).map(([name, { use }]) => (
-    name.startsWith("Diagram.") ? (name === "Diagram.voronoi" ? "broken" : codeOf(() => use(diagram))) : codeOf(() => use({ voronoi: () => view }))
-  )))].sort();
+  return [
+    ...new Set(
+      calls
+        .filter(([name]) => !isMaking(name))
+        .map(([name, { use }]) =>
+          name.startsWith("Diagram.")
+            ? name === "Diagram.voronoi"
+              ? "broken"
+              : codeOf(() => use(diagram))
+            : codeOf(() => use({ voronoi: () => view })),
+        ),
+    ),
+  ].sort();
 }
 
-const perCall = Object.fromEntries(calls.map(([name, { use }]) => {
-  const copy = build();
-  seen = 0;
-  use(copy);
-  const steps = seen;
-  copy.dispose();
-  const found = [];
-  for (const kind in traps) {
-    for (const step of new Set([1, 2, steps].filter((step) => step >= 1 && step <= steps))) {
-      const diagram = build(), view = diagram.voronoi();
-      [seen, trapAt, trap] = [0, step, traps[kind]];
-      let error;
-      try {
-        use(diagram);
-      } catch (thrown) {
-        error = thrown;
+const perCall = Object.fromEntries(
+  calls.map(([name, { use }]) => {
+    const copy = build();
+    seen = 0;
+    use(copy);
+    const steps = seen;
+    copy.dispose();
+    const found = [];
+    for (const kind in traps) {
+      for (const step of new Set([1, 2, steps].filter((step) => step >= 1 && step <= steps))) {
+        const diagram = build(),
+          view = diagram.voronoi();
+        [seen, trapAt, trap] = [0, step, traps[kind]];
+        let error;
+        try {
+          use(diagram);
+        } catch (thrown) {
+          error = thrown;
+        }
+        trapAt = 0;
+        const after = isMaking(name) ? null : codesAfter(diagram, view);
+        const destructions = destroyed.length;
+        diagram.dispose();
+        const destructed = isMaking(name) ? 0 : destroyed.length - destructions;
+        found.push({
+          kind,
+          step,
+          code: error?.code,
+          cause: error?.cause?.name,
+          after,
+          destructed,
+          disposed: codeOf(() => diagram.size),
+          harm: harm(),
+        });
       }
-      trapAt = 0;
-      const after = isMaking(name) ? null : codesAfter(diagram, view);
-      const destructions = destroyed.length;
-      diagram.dispose();
-      const destructed = isMaking(name) ? 0 : destroyed.length - destructions;
-      found.push({ kind, step, code: error?.code, cause: error?.cause?.name, after, destructed, disposed: codeOf(() => diagram.size), harm: harm() });
     }
-  }
-  return [name, found];
-}));
+    return [name, found];
+  }),
+);
 
 // In the middle of real calls, where the memory has to grow.
 const large = randomCircles(30_000, 52);
@@ -122,19 +218,23 @@ const growing = {
   constructor: () => new Diagram(large),
   fromBytes: () => Diagram.fromBytes(largeBytes),
   insertMany: (diagram) => diagram.insertMany(large),
-  insert: (diagram) => { for (;;) diagram.insert(Math.random(), Math.random(), 0); },
+  insert: (diagram) => {
+    for (;;) diagram.insert(Math.random(), Math.random(), 0);
+  },
   findMany: (diagram) => diagram.findMany(new Float64Array(4_000_000)),
 };
-const inGrowth = Object.entries(growing).flatMap(([name, use]) => Object.keys(traps).map((kind) => {
-  const diagram = build();
-  trap = traps[kind];
-  trapsInGrow = true;
-  const keep = [];
-  let code = "none";
-  for (let k = 0; k < 100 && trapsInGrow; ++k) code = codeOf(() => keep.push(use(diagram)));
-  trapsInGrow = false;
-  return { name, kind, code, harm: harm() };
-}));
+const inGrowth = Object.entries(growing).flatMap(([name, use]) =>
+  Object.keys(traps).map((kind) => {
+    const diagram = build();
+    trap = traps[kind];
+    trapsInGrow = true;
+    const keep = [];
+    let code = "none";
+    for (let k = 0; k < 100 && trapsInGrow; ++k) code = codeOf(() => keep.push(use(diagram)));
+    trapsInGrow = false;
+    return { name, kind, code, harm: harm() };
+  }),
+);
 
 // A context's own exception is no trap, whatever it is.
 const ink = { moveTo() {}, lineTo() {}, bezierCurveTo() {}, closePath() {} };
@@ -142,27 +242,47 @@ const drawing = build();
 const inContext = codeOf(() => drawing.render({ ...ink, moveTo: () => trapper.a() }));
 const afterContext = drawing.validate();
 
-// A trap in a drawing's later portion, after the context has changed the diagram; and one in a diagram that the context uses.
+// A trap in a drawing's later portion, after the context has changed the diagram; and one in a
+// diagram that the context uses.
 const many = new Diagram(randomCircles(5000, 53, 5));
 let inserted = false;
-const inPortion = codeOf(() => many.renderSites({ ...ink, moveTo() {
-  if (inserted) return;
-  inserted = true;
-  many.insert(0, 0, 1);
-  [seen, trapAt, trap] = [0, 1, traps.unreachable];
-} }));
+const inPortion = codeOf(() =>
+  many.renderSites({
+    ...ink,
+    moveTo() {
+      if (inserted) return;
+      inserted = true;
+      many.insert(0, 0, 1);
+      [seen, trapAt, trap] = [0, 1, traps.unreachable];
+    },
+  }),
+);
 trapAt = 0;
 const other = build();
-const inNested = codeOf(() => drawing.renderSites({ ...ink, moveTo() {
-  [seen, trapAt] = [0, 1];
-  codeOf(() => other.find(0, 0));
-  trapAt = 0;
-} }));
-const nested = { inPortion, then: codeOf(() => many.size), inNested, inner: codeOf(() => other.size), outer: drawing.validate(), harm: harm() };
+const inNested = codeOf(() =>
+  drawing.renderSites({
+    ...ink,
+    moveTo() {
+      [seen, trapAt] = [0, 1];
+      codeOf(() => other.find(0, 0));
+      trapAt = 0;
+    },
+  }),
+);
+const nested = {
+  inPortion,
+  then: codeOf(() => many.size),
+  inNested,
+  inner: codeOf(() => other.size),
+  outer: drawing.validate(),
+  harm: harm(),
+};
 
 // The console may throw, or call back.
 const print = console.error;
-console.error = () => { throw new Error("console"); };
+console.error = () => {
+  throw new Error("console");
+};
 const reported = codeOf(() => started.at(-1).env.report(8));
 console.error = print;
 
@@ -176,4 +296,14 @@ for (let k = 0; k < 150; ++k) {
   failures.add(codeOf(() => diagram.size)).add(harm());
 }
 
-console.log(JSON.stringify({ perCall, inGrowth, inContext, afterContext, nested, reported, failures: [...failures] }));
+console.log(
+  JSON.stringify({
+    perCall,
+    inGrowth,
+    inContext,
+    afterContext,
+    nested,
+    reported,
+    failures: [...failures],
+  }),
+);

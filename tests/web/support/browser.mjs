@@ -1,10 +1,16 @@
-// A browser for the page's tests: Chromium as installed, driven by playwright-core, against web/serve.mjs.
+// A browser for the page's tests: Chromium as installed, driven by playwright-core, against
+// web/serve.mjs.
 import { existsSync } from "node:fs";
 import { afterAll, beforeAll, describe, test } from "@jest/globals";
 import { chromium } from "playwright-core";
 import { serve } from "../../../web/serve.mjs";
 
-const kCandidates = [process.env.CHROMIUM, process.env.CHROME_PATH, "/usr/bin/chromium", "/usr/bin/google-chrome"];
+const kCandidates = [
+  process.env.CHROMIUM,
+  process.env.CHROME_PATH,
+  "/usr/bin/chromium",
+  "/usr/bin/google-chrome",
+];
 const kArguments = [
   "--no-sandbox",
   "--disable-gpu",
@@ -19,10 +25,13 @@ const kArguments = [
 const executablePath = kCandidates.find((path) => path && existsSync(path));
 
 /**
- * A group of tests with a browser. Without one they are skipped, and say so; in CI that is a failure.
+ * A group of tests with a browser. Without one they are skipped, and say so; in CI that is a
+ * failure.
  * @param {string} name
- * @param {(open: (options?: object) => Promise<import("playwright-core").Page>) => void} define gets a function that opens the
- *   page; `page.errors` lists what went wrong in it: exceptions, console errors, refused or failed requests
+ * @param {(open: (options?: object) => Promise<import("playwright-core").Page>) => void} define
+ * gets a function that opens the
+ *   page; `page.errors` lists what went wrong in it: exceptions, console errors, refused or failed
+ *   requests
  */
 export function describeInBrowser(name, define) {
   if (!executablePath) {
@@ -32,7 +41,9 @@ export function describeInBrowser(name, define) {
       });
       return;
     }
-    process.stderr.write(`SKIPPED: ${name}. No Chromium found: install it, or set CHROMIUM to its path.\n`); // Jest would hide console.warn
+    process.stderr.write(
+      `SKIPPED: ${name}. No Chromium found: install it, or set CHROMIUM to its path.\n`,
+    ); // Jest would hide console.warn
     describe.skip(name, () => define(async () => null));
     return;
   }
@@ -51,7 +62,10 @@ export function describeInBrowser(name, define) {
   });
 }
 
-/** `path` is below the page's folder, `ready` the global that says that the page is; other options are Playwright's. */
+/**
+ * `path` is below the page's folder, `ready` the global that says that the page is; other options
+ * are Playwright's.
+ */
 async function openPage(browser, url, { path = "", ready = "app", ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
@@ -59,7 +73,11 @@ async function openPage(browser, url, { path = "", ready = "app", ...options } =
   page.on("console", (message) => message.type() === "error" && page.errors.push(message.text()));
   page.on("pageerror", (error) => page.errors.push(String(error)));
   page.on("requestfailed", (request) => page.errors.push(`failed: ${request.url()}`));
-  page.on("response", (response) => response.status() >= 400 && page.errors.push(`${response.status()}: ${response.url()}`));
+  page.on(
+    "response",
+    (response) =>
+      response.status() >= 400 && page.errors.push(`${response.status()}: ${response.url()}`),
+  );
   await page.goto(url + path);
   await page.waitForFunction((name) => window[name] !== undefined, ready, { timeout: 10_000 });
   return page;
@@ -67,7 +85,9 @@ async function openPage(browser, url, { path = "", ready = "app", ...options } =
 
 /** Two frames later: what was asked for has been drawn, and the panel shows it. */
 export const settled = (page) =>
-  page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  page.evaluate(
+    () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+  );
 
 /** Pixel position and radius of a site. */
 export const whereIs = (page, id) =>
@@ -82,7 +102,9 @@ export const freeSpace = (page) =>
     let best = { clearance: -Infinity };
     for (let x = 340; x < innerWidth - 60; x += 15) {
       for (let y = 60; y < innerHeight - 120; y += 15) {
-        const { distance } = app.diagram.nearest(app.view.toWorldX(x), app.view.toWorldY(y)) ?? { distance: Infinity };
+        const { distance } = app.diagram.nearest(app.view.toWorldX(x), app.view.toWorldY(y)) ?? {
+          distance: Infinity,
+        };
         const clearance = distance * app.view.scale;
         if (clearance > best.clearance) best = { x, y, clearance };
       }
