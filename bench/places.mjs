@@ -1,6 +1,6 @@
 // Where the benchmark keeps what it builds.
 import path from "node:path";
-import { root } from "../wasm/toolchain/folders.mjs";
+import { root } from "../tools/toolchain/folders.mjs";
 
 export { root };
 /** The native programs. */

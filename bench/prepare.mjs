@@ -1,11 +1,11 @@
 // Builds the contenders and makes the sets.
 import { existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import { ensureBoost } from "../wasm/toolchain/boost.mjs";
-import { buildWithCmake } from "../wasm/toolchain/cmake.mjs";
-import { withBuildLock } from "../wasm/toolchain/lock.mjs";
-import { ensureNativeTools } from "../wasm/toolchain/native.mjs";
-import { capture, run, say } from "../wasm/toolchain/process.mjs";
+import { ensureBoost } from "../tools/toolchain/boost.mjs";
+import { buildWithCmake } from "../tools/toolchain/cmake.mjs";
+import { withBuildLock } from "../tools/toolchain/lock.mjs";
+import { ensureNativeTools } from "../tools/toolchain/native.mjs";
+import { capture, run, say } from "../tools/toolchain/process.mjs";
 import { writeCities } from "./cities.mjs";
 import { native, packed, root, sets } from "./places.mjs";
 
@@ -15,7 +15,7 @@ export const hasCgal = ["/usr/include", "/usr/local/include"].some((folder) =>
 
 /** The package as users get it: packed by npm and installed in a folder of its own. */
 function installPackage() {
-  run(process.execPath, [path.join(root, "wasm/build.mjs")]);
+  run(process.execPath, [path.join(root, "tools/build.mjs")]);
   const stamp = path.join(packed, "fingerprint");
   const fingerprint = readFileSync(path.join(root, "build/dist.fingerprint"), "utf8");
   if (existsSync(stamp) && readFileSync(stamp, "utf8") === fingerprint) return;

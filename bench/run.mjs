@@ -11,8 +11,8 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
-import { SetUpError } from "../wasm/toolchain/process.mjs";
-import { main } from "../wasm/toolchain/setup.mjs";
+import { SetUpError } from "../tools/toolchain/process.mjs";
+import { main } from "../tools/toolchain/setup.mjs";
 import { names, stopAll } from "./contenders.mjs";
 import { machine } from "./machine.mjs";
 import { disagreements, runScenes } from "./measure.mjs";

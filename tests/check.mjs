@@ -14,11 +14,11 @@
 // APOLLONIUS_DETERMINISM=clang limits the builds of the last one to those whose name has that in
 // it.
 import path from "node:path";
-import { ensureBoost } from "../wasm/toolchain/boost.mjs";
-import { buildWithCmake } from "../wasm/toolchain/cmake.mjs";
-import { withBuildLock } from "../wasm/toolchain/lock.mjs";
-import { ensureNativeTools, ensureValgrind } from "../wasm/toolchain/native.mjs";
-import { run } from "../wasm/toolchain/process.mjs";
+import { ensureBoost } from "../tools/toolchain/boost.mjs";
+import { buildWithCmake } from "../tools/toolchain/cmake.mjs";
+import { withBuildLock } from "../tools/toolchain/lock.mjs";
+import { ensureNativeTools, ensureValgrind } from "../tools/toolchain/native.mjs";
+import { run } from "../tools/toolchain/process.mjs";
 import { cppcheck, tidy } from "./check/analyse.mjs";
 import { checkDeterminism } from "./check/determinism.mjs";
 import { ctest, runSteps, runTests } from "./steps.mjs";
@@ -29,7 +29,7 @@ import { ctest, runSteps, runTests } from "./steps.mjs";
  */
 const underValgrind = {
   memory_tests: "*",
-  graph_tests: "-Room*",
+  topology_tests: "-Room*",
   number_tests: "*",
   diagram_tests: "Errors*:Ids*:SiteIds*:HiddenForest*:Regressions*:Snapshot.*",
   geometry_tests: "Contacts*:Rings*:VoronoiErrors*",

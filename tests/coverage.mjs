@@ -17,13 +17,13 @@ import { spawn } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
-import { ensureBoost } from "../wasm/toolchain/boost.mjs";
-import { buildWithCmake, jobs } from "../wasm/toolchain/cmake.mjs";
-import { root } from "../wasm/toolchain/folders.mjs";
-import { withBuildLock } from "../wasm/toolchain/lock.mjs";
-import { ensureClang, ensureCoverageTools, ensureNativeTools } from "../wasm/toolchain/native.mjs";
-import { capture, say, SetUpError } from "../wasm/toolchain/process.mjs";
-import { main } from "../wasm/toolchain/setup.mjs";
+import { ensureBoost } from "../tools/toolchain/boost.mjs";
+import { buildWithCmake, jobs } from "../tools/toolchain/cmake.mjs";
+import { root } from "../tools/toolchain/folders.mjs";
+import { withBuildLock } from "../tools/toolchain/lock.mjs";
+import { ensureClang, ensureCoverageTools, ensureNativeTools } from "../tools/toolchain/native.mjs";
+import { capture, say, SetUpError } from "../tools/toolchain/process.mjs";
+import { main } from "../tools/toolchain/setup.mjs";
 
 const { values: options } = parseArgs({
   options: { all: { type: "boolean" }, reuse: { type: "boolean" } },

@@ -21,29 +21,52 @@ const files = filesIn("");
 
 const std = /^<[a-z_]+>$/;
 const rules = [
+  // Public headers, installed as they are: nothing but the standard library and each other.
+  { of: /^src\/apollonius\//, may: [std, /^"apollonius\//, /^"memory\/array\.h"$/] },
   { of: /^src\/memory\//, may: [std, /^"memory\//] },
   { of: /^src\/number\//, may: [std, /^<boost\/multiprecision\//, /^"number\//] },
   { of: /^src\/predicate\//, may: [std, /^"(memory|number|predicate)\//] },
-  { of: /^src\/graph\//, may: [std, /^"(memory|graph)\//] },
+  { of: /^src\/topology\//, may: [std, /^"(memory|topology)\//] },
+  {
+    of: /^src\/delaunay\//,
+    may: [
+      std,
+      /^"(memory|topology|predicate|delaunay)\//,
+      /^"number\/(sign|invariant)\.h"$/,
+      /^"diagram\/(hidden_forest|spatial_order)\.h"$/, // for now
+    ],
+  },
   {
     of: /^src\/diagram\//,
-    may: [std, /^"(memory|graph|predicate|diagram)\//, /^"number\/(sign|invariant)\.h"$/],
+    may: [
+      std,
+      /^"apollonius\/types\.h"$/,
+      /^"(memory|topology|predicate|delaunay|diagram)\//,
+      /^"number\/(sign|invariant)\.h"$/,
+    ],
   },
-  { of: /^src\/geometry\//, may: [std, /^"(memory|diagram|graph|predicate|number|geometry)\//] },
-  { of: /^src\/apollonius\.h$/, may: [std, /^"diagram\/vocabulary\.h"$/] },
   {
-    of: /^src\/apollonius\.cpp$/,
-    may: [std, /^"(memory|number|predicate|graph|diagram|geometry)\//, /^"apollonius\.h"$/],
+    of: /^src\/geometry\//,
+    may: [
+      std,
+      /^"apollonius\/path\.h"$/,
+      /^"(memory|number|predicate|topology|delaunay|diagram|geometry)\//,
+    ],
   },
-  // path.h has standard types only
-  { of: /^src\/voronoi\.h$/, may: [std, /^"apollonius\.h"$/, /^"geometry\/path\.h"$/] },
-  { of: /^src\/voronoi\.cpp$/, may: [std, /^"(memory|geometry)\//, /^"voronoi\.h"$/] },
-  { of: /^wasm\/\w+\.cpp$/, may: [std, /^<emscripten\//, /^"(apollonius|voronoi)\.h"$/] },
+  {
+    of: /^src\/api\//,
+    may: [
+      std,
+      /^"apollonius\//,
+      /^"(memory|number|predicate|topology|delaunay|diagram|geometry|api)\//,
+    ],
+  },
+  { of: /^wasm\/\w+\.cpp$/, may: [std, /^<emscripten\//, /^"apollonius\//] },
   {
     of: /^bench\/.*\.(cpp|h)$/,
     may: [
       std,
-      /^"apollonius\.h"$/,
+      /^"apollonius\//,
       /^"(tests\/)?support\/generators/,
       /^<CGAL\//,
       /^"bench\//,
@@ -62,7 +85,7 @@ const rules = [
   { of: /^web\/.*\.mjs$/, may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z][\w-]*$/] },
   {
     of: /^bench\/.*\.m?js$/,
-    may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z@][\w./-]*$/, /^\.\.\/wasm\/toolchain\//],
+    may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z@][\w./-]*$/, /^\.\.\/tools\/toolchain\//],
   },
 ];
 
@@ -101,7 +124,7 @@ test.each(
 });
 
 test("the patterns do read lines", () => {
-  expect(dependencies("wasm/bindings.cpp")).toContain('"apollonius.h"');
+  expect(dependencies("wasm/bindings.cpp")).toContain('"apollonius/diagram.h"');
   expect(dependencies("wasm/diagram.ts")).toContain("./native.js");
   expect(dependencies("tests/layers.test.mjs")).toContain("node:fs");
 });
@@ -144,7 +167,7 @@ test("exceptions are caught whatever they are, and no type is asked for at run t
 });
 
 test("no source file is longer than 600 lines", () => {
-  const long = ["src/", "wasm/", "web/", "tests/", "bench/"]
+  const long = ["src/", "wasm/", "web/", "tests/", "bench/", "tools/"]
     .flatMap(sources)
     .filter((file) => readFileSync(path.join(root, file), "utf8").split("\n").length > 601);
   expect(long).toEqual([]);
@@ -158,6 +181,8 @@ test("top-level entries are the documented ones", () => {
     "tests",
     "bench",
     "docs",
+    "cmake",
+    "tools",
     "CMakeLists.txt",
     "package.json",
     "package-lock.json",

@@ -7,14 +7,14 @@
 //   package  Jest on the package as `npm pack` makes it (in Node, in browsers, through bundlers),
 //            and on the rules about who may include whom
 //   web       Jest on the page in a real browser
-import { buildPackage } from "../wasm/build.mjs";
-import { ensureChromium, ensureFirefox } from "../wasm/toolchain/browser.mjs";
-import { ensureBoost } from "../wasm/toolchain/boost.mjs";
-import { buildWasmTests, buildWithCmake } from "../wasm/toolchain/cmake.mjs";
-import { ensureEmscripten } from "../wasm/toolchain/emscripten.mjs";
-import { withBuildLock } from "../wasm/toolchain/lock.mjs";
-import { ensureNativeTools } from "../wasm/toolchain/native.mjs";
-import { SetUpError } from "../wasm/toolchain/process.mjs";
+import { buildPackage } from "../tools/build.mjs";
+import { ensureChromium, ensureFirefox } from "../tools/toolchain/browser.mjs";
+import { ensureBoost } from "../tools/toolchain/boost.mjs";
+import { buildWasmTests, buildWithCmake } from "../tools/toolchain/cmake.mjs";
+import { ensureEmscripten } from "../tools/toolchain/emscripten.mjs";
+import { withBuildLock } from "../tools/toolchain/lock.mjs";
+import { ensureNativeTools } from "../tools/toolchain/native.mjs";
+import { SetUpError } from "../tools/toolchain/process.mjs";
 import { ctest, runSteps, runTests } from "./steps.mjs";
 import { installPacked } from "./wasm/support/install_packed.mjs";
 

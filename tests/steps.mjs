@@ -2,10 +2,10 @@
 // a table at the end says what came of each.
 import { spawn } from "node:child_process";
 import { createInterface } from "node:readline";
-import { jobs } from "../wasm/toolchain/cmake.mjs";
-import { root } from "../wasm/toolchain/folders.mjs";
-import { say, SetUpError } from "../wasm/toolchain/process.mjs";
-import { main } from "../wasm/toolchain/setup.mjs";
+import { jobs } from "../tools/toolchain/cmake.mjs";
+import { root } from "../tools/toolchain/folders.mjs";
+import { say, SetUpError } from "../tools/toolchain/process.mjs";
+import { main } from "../tools/toolchain/setup.mjs";
 
 /**
  * Runs a program with its output shown, but for lines that match `boring`; returns the last line

@@ -4,7 +4,7 @@
 import { ApolloniusError } from "./errors.js";
 import { kNoSite } from "./native.js";
 
-// The documented range of magnitudes and the most sites: as in src/apollonius.h.
+// The documented range of magnitudes and the most sites: as in src/apollonius/diagram.h.
 const kSmallestMagnitude = 1e-100;
 const kLargestMagnitude = 1e100;
 const kMostSites = 2 ** 29;

@@ -1,10 +1,10 @@
 // What JavaScript sees of the library: plain exported functions of numbers, no logic.
 //
 // A diagram is its address, the first argument of most. Every fallible call returns the error code
-// of apollonius.h as an integer. Scalar results are written to one block (`resultsAddress`), arrays
-// in come from one scratch block (`reserve`), arrays out stay here until the next call or
-// `release`. wasm/native.ts is the only other place that knows these blocks, and wasm/module.ts
-// declares the functions for TypeScript.
+// of apollonius/diagram.h as an integer. Scalar results are written to one block
+// (`resultsAddress`), arrays in come from one scratch block (`reserve`), arrays out stay here until
+// the next call or `release`. wasm/native.ts is the only other place that knows these blocks, and
+// wasm/module.ts declares the functions for TypeScript.
 //
 // Embind is not used: with functions of numbers nothing is left for it to convert
 // (docs/DECISIONS.md).
@@ -17,8 +17,8 @@
 #include <string_view>
 #include <utility>
 
-#include "apollonius.h"
-#include "voronoi.h"
+#include "apollonius/diagram.h"
+#include "apollonius/voronoi.h"
 
 namespace {
 
@@ -90,7 +90,6 @@ enum class Drawing { kEdges, kSites, kDual, kDualWithRays, kHull };
 extern "C" {
 
 // --- What the module asks of wasm/module.ts
-// --------------------------------------------------------------------------------------
 
 #define IMPORTED(name) __attribute__((import_module("env"), import_name(#name)))
 
@@ -105,7 +104,6 @@ IMPORTED(grow) int grow(std::size_t bytes);
 int __wrap_emscripten_resize_heap(std::size_t bytes) { return grow(bytes); }
 
 // --- Blocks
-// -------------------------------------------------------------------------------------------------
 
 EMSCRIPTEN_KEEPALIVE const Results* resultsAddress() { return &results; }
 
@@ -128,7 +126,6 @@ EMSCRIPTEN_KEEPALIVE void release() { blocks = Blocks(); }
 EMSCRIPTEN_KEEPALIVE void abandon() { new (&blocks) Blocks; }
 
 // --- Life time, and calls about many sites or points. Addresses are of the scratch block.
-// ----------------------------------------
 
 // 0 if memory ran out.
 EMSCRIPTEN_KEEPALIVE Diagram* diagramCreate(bool hierarchy) {
@@ -213,7 +210,6 @@ EMSCRIPTEN_KEEPALIVE int diagramFromBytes(Diagram* diagram, const std::uint8_t* 
 }
 
 // --- Calls about one site or point
-// -----------------------------------------------------------------------------------------------
 
 EMSCRIPTEN_KEEPALIVE int diagramInsert(Diagram* diagram, double x, double y, double r) {
   return code(diagram->insert(x, y, r, results.id));
@@ -279,7 +275,6 @@ EMSCRIPTEN_KEEPALIVE int diagramNeighbors(const Diagram* diagram, SiteId id) {
 }
 
 // --- Geometry: bounds are four numbers, xmin, ymin, xmax, ymax
-// -------------------------------------------------------------------
 
 EMSCRIPTEN_KEEPALIVE double toleranceFor(double xmin, double ymin, double xmax, double ymax) {
   return apollonius::defaultTolerance({xmin, ymin, xmax, ymax});

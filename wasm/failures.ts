@@ -5,7 +5,7 @@ import type { Status } from "./native.js";
 
 export const kUnknownSite: Status = 3;
 
-// By status: the order of `Error` in src/apollonius.h. The message is the last resort; most
+// By status: the order of `Error` in src/apollonius/diagram.h. The message is the last resort; most
 // failures know a better one.
 const kFailures: readonly (readonly [ErrorCode, string] | null)[] = [
   null,

@@ -7,7 +7,7 @@ import { ApolloniusError } from "./errors.js";
  * where one is used.
  */
 type Address = number;
-/** Error codes as integers, 0 for success: the order of `Error` in src/apollonius.h. */
+/** Error codes as integers, 0 for success: the order of `Error` in src/apollonius/diagram.h. */
 export type Status = number;
 type Flag = number | boolean;
 

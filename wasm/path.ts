@@ -28,7 +28,7 @@ export interface DrawOptions {
   digits?: number | undefined;
 }
 
-// `Command` of src/geometry/path.h.
+// `Command` of src/apollonius/path.h.
 const kMove = 0;
 const kLine = 1;
 const kCurve = 2;

@@ -1,4 +1,4 @@
-// Imports of .wasm files (asTemplate in wasm/build.mjs).
+// Imports of .wasm files (asTemplate in tools/build.mjs).
 declare module "*.wasm" {
   /**
    * One character a byte, whose code's lower eight bits are the byte; of each pair in `swaps`, the

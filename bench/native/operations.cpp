@@ -111,7 +111,6 @@ std::vector<double> Operations::queries(const Request& request) const {
 }
 
 // --- Construction
-// -------------------------------------------------------------------------------------------------
 
 Answer Operations::build(const Request& request) {
   std::size_t before = 0;
@@ -153,7 +152,6 @@ Answer Operations::insertByWalk(const Request& request) {
 }
 
 // --- Snapshots
-// -------------------------------------------------------------------------------------------------
 
 Answer Operations::toBytes(const Request& request) {
   ensureDiagram();
@@ -177,7 +175,6 @@ Answer Operations::fromBytes(const Request& request) {
 }
 
 // --- Queries
-// -------------------------------------------------------------------------------------------------
 
 Answer Operations::find(const Request& request) {
   ensureDiagram();
@@ -231,7 +228,6 @@ Answer Operations::kNearest(const Request& request) {
 }
 
 // --- Changes: on the sites at the end of the set
-// -------------------------------------------------------------------------------
 
 // The visible ones: CGAL cannot remove the others.
 std::vector<SiteId> Operations::visibleAtEnd(std::size_t count) const {

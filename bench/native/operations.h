@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #include "bench/native/contender.h"
 
 namespace apollonius::bench {

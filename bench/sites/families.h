@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 
 namespace apollonius::bench {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "diagram/sort_by_key.h"
+#include "delaunay/sort_by_key.h"
 #include "diagram/spatial_order.h"
 #include "memory/flat_array.h"
 #include "number/invariant.h"

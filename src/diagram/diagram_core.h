@@ -8,15 +8,15 @@
 #include <cstddef>
 #include <span>
 
-#include "diagram/ballast.h"
-#include "diagram/delaunay_graph.h"
-#include "diagram/hidden.h"
+#include "apollonius/types.h"
+#include "delaunay/delaunay_graph.h"
+#include "delaunay/moves.h"
+#include "delaunay/remove.h"
+#include "diagram/hidden_forest.h"
 #include "diagram/hierarchy.h"
-#include "diagram/remove.h"
-#include "diagram/site_ids.h"
-#include "diagram/site_moves.h"
-#include "diagram/start_grid.h"
-#include "diagram/vocabulary.h"
+#include "diagram/hint_grid.h"
+#include "diagram/id_pool.h"
+#include "diagram/memory_reserve.h"
 #include "memory/flat_array.h"
 
 namespace apollonius {

@@ -22,10 +22,10 @@
 #include <memory>
 #include <span>
 
-#include "diagram/delaunay_graph.h"
-#include "diagram/remove.h"
-#include "diagram/site_ids.h"
-#include "diagram/site_moves.h"
+#include "delaunay/delaunay_graph.h"
+#include "delaunay/moves.h"
+#include "delaunay/remove.h"
+#include "diagram/id_pool.h"
 #include "memory/flat_array.h"
 
 namespace apollonius {

@@ -1,6 +1,6 @@
 // The diagram as arrays: neighbours of a site, Voronoi vertices, Voronoi edges.
+#include "delaunay/sort_by_key.h"
 #include "diagram/diagram_core.h"
-#include "diagram/sort_by_key.h"
 #include "memory/flat_array.h"
 
 namespace apollonius {

@@ -11,9 +11,9 @@
 #include <new>
 
 #include "diagram/diagram_core.h"
-#include "graph/words.h"
 #include "memory/flat_array.h"
 #include "predicate/predicates.h"
+#include "topology/words.h"
 
 namespace apollonius {
 
@@ -61,7 +61,6 @@ std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 // --- Ids
-// -------------------------------------------------------------------------------------------------
 
 bool SiteIds::restore(WordReader& in, std::size_t slots, std::size_t idLimit, std::size_t size) {
   ids_.assign(idLimit, kNoSlot);
@@ -98,7 +97,6 @@ bool SiteIds::restore(WordReader& in, std::size_t slots, std::size_t idLimit, st
 }
 
 // --- The Delaunay graph
-// -------------------------------------------------------------------------------------------------
 
 void DelaunayGraph::save(WordWriter& out, std::size_t vertexSlots) const {
   out.word(static_cast<std::uint32_t>(recent_));
@@ -123,7 +121,6 @@ bool DelaunayGraph::restore(WordReader& in, std::size_t faceSlots) {
 }
 
 // --- The diagram
-// -------------------------------------------------------------------------------------------------
 
 void DiagramCore::save(Array<std::uint8_t>& bytes) const {
   const Graph& graph = base_.graph();

@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "diagram/sort_by_key.h"
+#include "delaunay/sort_by_key.h"
 #include "memory/flat_array.h"
 
 namespace apollonius {

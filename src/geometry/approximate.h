@@ -1,8 +1,8 @@
 // Conics as cubic Bezier curves and as polylines, within a tolerance and with few pieces.
 #pragma once
 
+#include "apollonius/path.h"
 #include "geometry/conic.h"
-#include "geometry/path.h"
 
 namespace apollonius {
 

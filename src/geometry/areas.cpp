@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "diagram/sort_by_key.h"
+#include "delaunay/sort_by_key.h"
 #include "geometry/border.h"
 #include "geometry/clip.h"
 #include "geometry/measures.h"

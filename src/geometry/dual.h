@@ -31,7 +31,7 @@
 // (tests/geometry/dual_test.cpp).
 #pragma once
 
-#include "diagram/delaunay_graph.h"
+#include "delaunay/delaunay_graph.h"
 #include "geometry/conic.h"
 
 namespace apollonius {

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "number/fp.h"
-#include "predicate/pole.h"
+#include "predicate/reference_site.h"
 
 namespace apollonius {
 

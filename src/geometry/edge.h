@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "diagram/delaunay_graph.h"
+#include "delaunay/delaunay_graph.h"
 #include "geometry/bisector.h"
 #include "number/fp.h"
 

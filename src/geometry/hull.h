@@ -2,8 +2,8 @@
 // tangents between them.
 #pragma once
 
+#include "apollonius/path.h"
 #include "diagram/diagram_core.h"
-#include "geometry/path.h"
 #include "geometry/point.h"
 
 namespace apollonius {

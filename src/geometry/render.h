@@ -5,8 +5,8 @@
 
 #include <cstddef>
 
+#include "apollonius/path.h"
 #include "diagram/diagram_core.h"
-#include "geometry/path.h"
 #include "geometry/window.h"
 
 namespace apollonius {

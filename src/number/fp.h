@@ -24,7 +24,7 @@ static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<doub
 #endif
 
 /// What is wrong with arithmetic as this program runs, in words, or null: contraction, which no
-/// macro tells of, if all was compiled without the flags of wasm/cmake/CompileFlags.cmake;
+/// macro tells of, if all was compiled without the flags of cmake/CompileFlags.cmake;
 /// subnormals flushed to zero, as a program does that is linked with -ffast-math; another direction
 /// of rounding. WebAssembly has none of them.
 #ifdef __wasm__

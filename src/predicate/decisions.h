@@ -1,15 +1,14 @@
-// The decisions of the predicates, once, as templates over the kind of rows (predicate/rows.h),
+// The decisions of the predicates, once, as templates over the kind of rows (predicate/kernels.h),
 // which are what their stages differ by.
 #pragma once
 
 #include "number/root_sign.h"
-#include "predicate/rows.h"
+#include "predicate/kernels.h"
 #include "predicate/stages.h"
 
 namespace apollonius::stages {
 
 // --- Depths of the formulas: how many roundings the filter's bound has to count (number/approx.h)
-// --------------------------
 
 inline constexpr Depth kInput{Depth::Input{}};
 inline constexpr Row<Depth> kRow = rowOf(kInput, kInput, kInput);
@@ -34,7 +33,6 @@ static_assert(kRayForm.along.roundings == 11 && kRayForm.turn.roundings == 11,
 static_assert(EdgeForm<Depth>::squares(kChord, kRay, kRayForm.along).roundings == 24);
 
 // --- The decisions
-// -------------------------------------------------------------------------------------------------
 
 /// Rows 0, 1, 2 are j, k, q.
 template <class Rows>

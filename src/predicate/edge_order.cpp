@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "predicate/direction.h"
-#include "predicate/pole.h"
 #include "predicate/predicates.h"
+#include "predicate/reference_site.h"
 #include "predicate/shadow_check.h"
 #include "predicate/stages.h"
 
@@ -81,7 +81,6 @@ bool isDelaunayEdge(EdgeCorners e, const VoronoiCircle& circleAtK, const Voronoi
 }
 
 // --- The hull
-// -------------------------------------------------------------------------------------------------
 
 bool pointsUp(const Site& i, const Site& j, const VoronoiCircle& plane) {
   MaybeSign filtered;

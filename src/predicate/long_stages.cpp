@@ -1,8 +1,8 @@
 // The last stages: in long integers (whole) and in numbers as long as any input can ask for
 // (exact). Apart from the first ones because they are compiled for size: what takes the time is in
-// number/whole.cpp and in cpp_int.
+// number/fixed_integer.cpp and in cpp_int.
 #include "predicate/decisions.h"
-#include "predicate/long_rows.h"
+#include "predicate/long_kernels.h"
 
 namespace apollonius::stages {
 

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "number/root_sign.h"
-#include "predicate/long_rows.h"
-#include "predicate/pole.h"
+#include "predicate/long_kernels.h"
+#include "predicate/reference_site.h"
 #include "predicate/voronoi_circle.h"
 
 namespace apollonius {

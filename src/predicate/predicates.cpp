@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "predicate/direction.h"
-#include "predicate/pole.h"
+#include "predicate/reference_site.h"
 #include "predicate/shadow_check.h"
 #include "predicate/stages.h"
 

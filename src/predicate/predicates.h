@@ -77,8 +77,8 @@ struct EdgeCorners {
 [[nodiscard]] bool isEntireEdgeInConflict(const EdgeCorners& edge, const VoronoiCircle& atK,
                                           const VoronoiCircle& atL, const Site& q);
 
-// --- Proofs: what is to be asked of a graph that may be another's (docs/PREDICATES.md, "Order
-// along an edge") ---------
+// --- Proofs: what is to be asked of a graph that may be another's
+// (docs/PREDICATES.md, "Order along an edge")
 
 /// Is the edge that of a Delaunay graph, as far as its two faces can tell: do its ends come in
 /// their order along the bisector, and where they coincide, has the canonical rule chosen this

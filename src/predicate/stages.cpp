@@ -57,7 +57,6 @@ Sign roundedSpanSign(Rows& rows, bool& failed) {
 }  // namespace
 
 // --- Covering: p of two sites
-// ------------------------------------------------------------------------------------------------
 
 MaybeSign lorentzFilter(const Site& a, const Site& b) {
   const Approx p = lorentz(Approx(a.x - b.x), Approx(a.y - b.y), Approx(a.r - b.r));
@@ -71,7 +70,6 @@ MaybeSign lorentzMiddle(const Site& a, const Site& b) {
 }
 
 // --- Distance
-// -------------------------------------------------------------------------------------------------
 
 MaybeSign distanceFilter(double x, double y, const Site& a, const Site& b) {
   const ApproxDistance da(x, y, a), db(x, y, b);
@@ -92,7 +90,6 @@ MaybeSign distanceMiddle(double x, double y, const Site& a, const Site& b) {
 }
 
 // --- Vertex conflict
-// -------------------------------------------------------------------------------------------------
 
 /// The sign of xy (see VertexForm): d = p_j |k q| + p_k |q j| + p_q |j k|, with p = x² + y² of rows
 /// of differences to i.
@@ -170,7 +167,6 @@ bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q) {
 }
 
 // --- Edge conflict
-// -------------------------------------------------------------------------------------------------
 
 MaybeSign edgeFilter(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
   FilterRows rows(i, {j, k, l, &q});
@@ -189,7 +185,6 @@ MaybeSign edgeMiddle(const Site& i, Corner j, Corner k, Corner l, const Site& q,
 }
 
 // --- Rays
-// -------------------------------------------------------------------------------------------------
 
 MaybeSign rayFilter(double x, double y, const Site& i, Corner j, Corner k, RayPart part) {
   const Site point{x, y, i.r};
@@ -211,7 +206,6 @@ Counts& counts() {
 }
 
 // --- Order along an edge
-// ---------------------------------------------------------------------------------------------
 
 MaybeSign shadowTurnFilter(const Site& i, const Site& j, const Site& l, const Site& k) {
   FilterRows rows(i, {&j, &l, &k});

@@ -1,7 +1,8 @@
 // The stages of each predicate under fixed names, for predicates.cpp and for tests that assert
 // which stage answers. A filter never contradicts the exact stage; it says "unknown" instead. There
 // are two middle stages: `Middle` computes in doubles without rounding (small integers), `Whole` in
-// integers of fixed room (number/whole.h). REQUIRES of each: as of its predicate in predicates.h.
+// integers of fixed room (number/fixed_integer.h). REQUIRES of each: as of its predicate in
+// predicates.h.
 #pragma once
 
 #include "number/approx.h"

@@ -5,9 +5,9 @@
 
 #include "number/ball.h"
 #include "predicate/formulas.h"
-#include "predicate/pole.h"
+#include "predicate/kernels.h"
 #include "predicate/predicates.h"
-#include "predicate/rows.h"
+#include "predicate/reference_site.h"
 
 namespace apollonius {
 

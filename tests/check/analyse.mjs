@@ -3,10 +3,10 @@
 import { spawn } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync } from "node:fs";
 import path from "node:path";
-import { configureWithCmake, jobs } from "../../wasm/toolchain/cmake.mjs";
-import { root } from "../../wasm/toolchain/folders.mjs";
-import { ensureClang, ensureClangTidy, ensureCppcheck } from "../../wasm/toolchain/native.mjs";
-import { run, say, SetUpError } from "../../wasm/toolchain/process.mjs";
+import { configureWithCmake, jobs } from "../../tools/toolchain/cmake.mjs";
+import { root } from "../../tools/toolchain/folders.mjs";
+import { ensureClang, ensureClangTidy, ensureCppcheck } from "../../tools/toolchain/native.mjs";
+import { run, say, SetUpError } from "../../tools/toolchain/process.mjs";
 
 const sources = () =>
   readdirSync(path.join(root, "src"), { recursive: true })

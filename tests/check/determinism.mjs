@@ -3,9 +3,9 @@
 // `npm test -- wasm`; Node and browsers, tests/wasm/determinism.test.mjs.)
 import { spawnSync } from "node:child_process";
 import path from "node:path";
-import { buildWithCmake } from "../../wasm/toolchain/cmake.mjs";
-import { ensureClang, ensureThirtyTwoBits } from "../../wasm/toolchain/native.mjs";
-import { say, SetUpError } from "../../wasm/toolchain/process.mjs";
+import { buildWithCmake } from "../../tools/toolchain/cmake.mjs";
+import { ensureClang, ensureThirtyTwoBits } from "../../tools/toolchain/native.mjs";
+import { say, SetUpError } from "../../tools/toolchain/process.mjs";
 
 const levels = ["-O0", "-O1", "-O2", "-O3"];
 

@@ -1,5 +1,7 @@
 // HiddenForest against a model that keeps each node's children as a list; and as a heap, with its
 // questions counted.
+#include "diagram/hidden_forest.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <set>
 #include <vector>
 
-#include "diagram/hidden.h"
 #include "support/random.h"
 
 namespace apollonius {
@@ -158,7 +159,6 @@ TEST(HiddenForest, RandomHistoriesAgreeWithTheModel) {
 }
 
 // --- As a heap
-// -------------------------------------------------------------------------------------------------
 
 /// A family of nested sites under one visible one, as the diagram treats it: numbers that cover
 /// what is not larger.

@@ -8,7 +8,7 @@
 #include <functional>
 #include <numeric>
 
-#include "diagram/diagram_breaker.h"
+#include "delaunay/diagram_breaker.h"
 #include "diagram/diagram_core.h"
 #include "support/effort.h"
 #include "support/generators.h"

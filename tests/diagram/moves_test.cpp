@@ -2,7 +2,7 @@
 // each step the diagram is valid and that of a fresh construction.
 #include <gtest/gtest.h>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #include "support/canonical.h"
 #include "support/corpus.h"
 #include "support/effort.h"

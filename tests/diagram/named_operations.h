@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "apollonius.h"
-#include "voronoi.h"
+#include "apollonius/diagram.h"
+#include "apollonius/voronoi.h"
 
 namespace apollonius::test {
 

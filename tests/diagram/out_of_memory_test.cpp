@@ -20,7 +20,7 @@
 #include <string>
 #include <utility>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #include "diagram/named_operations.h"
 #include "support/effort.h"
 #include "support/generators.h"

@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/replay.h"

@@ -135,7 +135,6 @@ TEST(SnapshotMutants, LargeTrustedDoNoHarm) {
 }
 
 // --- Found by others: tests/data/snapshots/forged_*.bin
-// ---------------------------------------------------------------
 
 class Forged : public ::testing::TestWithParam<const char*> {};
 

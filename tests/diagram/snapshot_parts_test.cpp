@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #include "support/snapshots.h"
 
 namespace apollonius::test {
@@ -132,7 +132,7 @@ TEST_F(SnapshotParts, FreeSlotInTheGraph) {
   EXPECT_FALSE(isAccepted());
 }
 
-// --- The surface, which is looked at whoever the bytes come from ---------------------------------
+// --- The surface, which is looked at whoever the bytes come from
 
 TEST_F(SnapshotParts, TwinsThatAreNotMutual) {
   const std::uint32_t halfedges = 3 * word(7);
@@ -216,7 +216,7 @@ TEST(SnapshotPadding, IsZero) {
   EXPECT_GT(padded, 0);
 }
 
-// --- The same zero at the other doors ------------------------------------------------------------
+// --- The same zero at the other doors
 
 TEST(NegativeZeros, AreZerosHoweverTheyCome) {
   SiteId id = kNoSite;

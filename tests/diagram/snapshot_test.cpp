@@ -171,7 +171,6 @@ INSTANTIATE_TEST_SUITE_P(Snapshot, OnCorpus, ::testing::ValuesIn(corpus()),
                          [](const auto& test) { return test.param.name; });
 
 // --- Few sites
-// -------------------------------------------------------------------------------------------------
 
 Diagram made(const Circles& circles, const std::vector<SiteId>& removed = {}) {
   Diagram diagram;
@@ -255,7 +254,6 @@ TEST(Snapshot, DoesNotDependOnAnAddress) {
 }
 
 // --- Damage
-// -------------------------------------------------------------------------------------------------
 
 /// Refused, with the diagram as it was.
 void expectRefused(const Bytes& bytes) {
@@ -409,7 +407,6 @@ TEST(Snapshot, SheetsOnTopOfEachOtherAreFoundOut) {
 }
 
 // --- The format
-// -------------------------------------------------------------------------------------------------
 
 /// The diagram of tests/data/snapshots/version2.bin: free ids and slots, hidden sites in trees.
 Diagram recorded() {

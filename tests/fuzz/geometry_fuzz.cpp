@@ -1,7 +1,7 @@
 // libFuzzer target: bytes are circles and a window. All shapes, measures and drawings end, and are
-// what voronoi.h promises: rings are closed and do not cross themselves, areas fill the window,
-// points lie in the cell of their nearest site, portions make up the whole, and curves have the
-// same bits after any history. How to run: README.md beside this.
+// what apollonius/voronoi.h promises: rings are closed and do not cross themselves, areas fill the
+// window, points lie in the cell of their nearest site, portions make up the whole, and curves have
+// the same bits after any history. How to run: README.md beside this.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -112,7 +112,7 @@ class Checker {
     most_ = largest_;
     for (const Circle& c : circles_)
       most_ = std::max({most_, std::abs(c.x), std::abs(c.y), std::abs(c.r)});
-    // Vertices are good to 2^-48 of the largest number of their sites (apollonius.h).
+    // Vertices are good to 2^-48 of the largest number of their sites (apollonius/diagram.h).
     rounding_ = 1e-9 + 16 * most_ * 0x1p-48 / narrow;
     areApart_ = areApart(narrow);
     checkAreas(areas);
@@ -136,7 +136,7 @@ class Checker {
   void take(Error error) { expect(error == Error::kNone, "an error"); }
 
   /// Are sites, and sides of the window, further apart than doubles of that size? Where they are
-  /// not, rounding has the last word about rings (voronoi.h).
+  /// not, rounding has the last word about rings (apollonius/voronoi.h).
   [[nodiscard]] bool areApart(double narrow) const {
     const double least = 0x1p-36 * most_;
     for (std::size_t k = 0; k < circles_.size(); ++k) {

@@ -25,14 +25,14 @@ import {
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
-import { ensureBoost } from "../../wasm/toolchain/boost.mjs";
-import { ensureClang } from "../../wasm/toolchain/clang.mjs";
-import { buildWithCmake } from "../../wasm/toolchain/cmake.mjs";
-import { root } from "../../wasm/toolchain/folders.mjs";
-import { withBuildLock } from "../../wasm/toolchain/lock.mjs";
-import { ensureNativeTools } from "../../wasm/toolchain/native.mjs";
-import { SetUpError } from "../../wasm/toolchain/process.mjs";
-import { main } from "../../wasm/toolchain/setup.mjs";
+import { ensureBoost } from "../../tools/toolchain/boost.mjs";
+import { ensureClang } from "../../tools/toolchain/clang.mjs";
+import { buildWithCmake } from "../../tools/toolchain/cmake.mjs";
+import { root } from "../../tools/toolchain/folders.mjs";
+import { withBuildLock } from "../../tools/toolchain/lock.mjs";
+import { ensureNativeTools } from "../../tools/toolchain/native.mjs";
+import { SetUpError } from "../../tools/toolchain/process.mjs";
+import { main } from "../../tools/toolchain/setup.mjs";
 import { digestOfSources, printTable, addToTotals } from "./totals.mjs";
 
 const home = path.join(root, "build", "fuzz");

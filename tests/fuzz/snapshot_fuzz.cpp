@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #include "support/mutants.h"
 #include "support/snapshots.h"
 

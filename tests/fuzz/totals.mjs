@@ -2,7 +2,7 @@
 import { createHash } from "node:crypto";
 import { existsSync, readdirSync, readFileSync, renameSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import { root } from "../../wasm/toolchain/folders.mjs";
+import { root } from "../../tools/toolchain/folders.mjs";
 
 /** Of all files of src/, in an order of their own. */
 export function digestOfSources() {

@@ -9,9 +9,9 @@
 #include <limits>
 #include <vector>
 
+#include "apollonius/voronoi.h"
 #include "geometry/turn.h"
 #include "support/generators.h"
-#include "voronoi.h"
 
 namespace apollonius::test {
 

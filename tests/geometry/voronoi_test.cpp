@@ -1,6 +1,6 @@
 // The geometry's interface: errors, portions, and the same bits after any history, natively and as
 // WebAssembly.
-#include "voronoi.h"
+#include "apollonius/voronoi.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #ifdef __SSE2__
 #include <xmmintrin.h>
 #endif

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <string>
 
-#include "diagram/vocabulary.h"
+#include "apollonius/types.h"
 #include "predicate/circle_fan.h"
 #include "predicate/edge_shortcut.h"
-#include "predicate/pole.h"
 #include "predicate/predicates.h"
+#include "predicate/reference_site.h"
 #include "predicate/stages.h"
 #include "support/effort.h"
 #include "support/random.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "number/dyadic.h"
-#include "predicate/pole.h"
+#include "predicate/reference_site.h"
 #include "predicate/samples.h"
 #include "predicate/stages.h"
 #include "support/corpus.h"

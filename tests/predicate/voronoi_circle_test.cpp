@@ -10,8 +10,8 @@
 #include <bit>
 #include <cmath>
 
-#include "predicate/pole.h"
 #include "predicate/predicates.h"
+#include "predicate/reference_site.h"
 #include "predicate/samples.h"
 #include "support/corpus.h"
 #include "support/effort.h"

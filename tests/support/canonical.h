@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #include "support/oracle.h"
 
 namespace apollonius::test {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #include "predicate/voronoi_circle.h"
 
 namespace apollonius::test {

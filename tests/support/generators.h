@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #include "support/random.h"
 
 namespace apollonius::test {
@@ -23,7 +23,6 @@ struct Direction {
 Direction randomDirection(Random& random);
 
 // --- General position
-// -------------------------------------------------------------------------------------------------
 
 /// Share of hidden circles in randomCircles.
 enum class Hidden { kNone, k5Percent, k20Percent, k50Percent, k95Percent };
@@ -41,7 +40,6 @@ Circles powerLaw(Random& random, std::size_t n);
 Circles giantDisk(Random& random, std::size_t n);
 
 // --- Degenerate position
-// -------------------------------------------------------------------------------------------------
 
 /// Integers: coordinates in 0..maxCoordinate, radii in 0..maxRadius; duplicates and covered circles
 /// as they come.
@@ -96,7 +94,6 @@ Circles tangentInLayers(Random& random, std::size_t n);
 Circles giantDiskExact(Random& random, std::size_t n);
 
 // --- Extremes of the number range
-// ----------------------------------------------------------------------------------------------
 
 /// Which magnitudes the coordinates and radii of rangeEnds have.
 enum class Range { kHuge, kTiny, kMixed };

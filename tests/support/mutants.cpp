@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "apollonius/voronoi.h"
 #include "support/canonical.h"
 #include "support/replay.h"
 #include "support/snapshots.h"
-#include "voronoi.h"
 
 namespace apollonius::test {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #include "support/random.h"
 
 namespace apollonius::test {

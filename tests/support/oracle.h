@@ -13,7 +13,7 @@
 #include <array>
 #include <vector>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #include "support/generators.h"
 
 namespace apollonius::test {

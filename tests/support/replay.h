@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #include "support/canonical.h"
 #include "support/operations.h"
 

@@ -7,7 +7,7 @@
 
 #include "predicate/direction.h"
 #include "predicate/edge_shortcut.h"
-#include "predicate/pole.h"
+#include "predicate/reference_site.h"
 #include "predicate/stages.h"
 
 namespace apollonius::test {

@@ -156,7 +156,6 @@ std::string WholeSet::findSamples(Random& random) const {
 }
 
 // --- Moves
-// -------------------------------------------------------------------------------------------------
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apollonius.h"
+#include "apollonius/diagram.h"
 #include "support/generators.h"
 
 namespace apollonius::test {

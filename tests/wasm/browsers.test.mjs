@@ -1,8 +1,8 @@
 // The packed package in Chromium and Firefox, under a strict content security policy: as it is, in
 // workers, and as each bundler packs it.
 import path from "node:path";
-import { root } from "../../wasm/toolchain/folders.mjs";
-import { capture } from "../../wasm/toolchain/process.mjs";
+import { root } from "../../tools/toolchain/folders.mjs";
+import { capture } from "../../tools/toolchain/process.mjs";
 import { describeInBrowsers } from "./support/browsers.mjs";
 import { runScriptInNode } from "./support/node.mjs";
 import { runPages } from "./support/pages.mjs";

@@ -2,8 +2,8 @@
 // strict policy, types.
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import { root } from "../../wasm/toolchain/folders.mjs";
-import { capture } from "../../wasm/toolchain/process.mjs";
+import { root } from "../../tools/toolchain/folders.mjs";
+import { capture } from "../../tools/toolchain/process.mjs";
 import { packed } from "./support/install_packed.mjs";
 import { runInNode, runScriptInNode } from "./support/node.mjs";
 

@@ -2,7 +2,7 @@
 // and value, and the diagram is as it was. "out-of-memory" is in out_of_memory.test.mjs, "disposed"
 // in lifetime.test.mjs. More kinds of bad values: errors.test.mjs, wrong_types.test.mjs.
 import { Diagram, Voronoi } from "../../build/packed/consumer.mjs";
-import { describePackage } from "../../wasm/api_reference.mjs";
+import { describePackage } from "../../tools/api_reference.mjs";
 import { calls } from "./support/calls.mjs";
 import { snapshot } from "./support/graph.mjs";
 import { randomCircles } from "./support/random.mjs";

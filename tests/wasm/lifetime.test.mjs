@@ -1,7 +1,7 @@
 // Life time: dispose, collection, and memory running out.
 import { fileURLToPath } from "node:url";
 import { transformSync } from "esbuild";
-import { capture } from "../../wasm/toolchain/process.mjs";
+import { capture } from "../../tools/toolchain/process.mjs";
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { calls } from "./support/calls.mjs";
 import { runInNode } from "./support/node.mjs";

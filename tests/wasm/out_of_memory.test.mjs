@@ -2,7 +2,7 @@
 // "out-of-memory", every other one works, and afterwards the diagram is as it was. (Natively each
 // single allocation is made to fail: tests/diagram/out_of_memory_test.cpp.)
 import { fileURLToPath } from "node:url";
-import { capture } from "../../wasm/toolchain/process.mjs";
+import { capture } from "../../tools/toolchain/process.mjs";
 import { calls } from "./support/calls.mjs";
 
 const program = fileURLToPath(new URL("support/full_heap.mjs", import.meta.url));

@@ -2,7 +2,7 @@
 // links lead somewhere.
 import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
-import { root } from "../../wasm/toolchain/folders.mjs";
+import { root } from "../../tools/toolchain/folders.mjs";
 import { runInNode } from "./support/node.mjs";
 
 const readme = readFileSync(path.join(root, "README.md"), "utf8");

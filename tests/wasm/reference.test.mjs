@@ -6,8 +6,8 @@ import path from "node:path";
 import { Delaunay, Voronoi } from "d3-delaunay";
 import ts from "typescript";
 import * as consumer from "../../build/packed/consumer.mjs";
-import { describePackage, reference, referenceFile } from "../../wasm/api_reference.mjs";
-import { root } from "../../wasm/toolchain/folders.mjs";
+import { describePackage, reference, referenceFile } from "../../tools/api_reference.mjs";
+import { root } from "../../tools/toolchain/folders.mjs";
 import { packed } from "./support/install_packed.mjs";
 
 const described = describePackage();

@@ -3,8 +3,8 @@ import { spawnSync } from "node:child_process";
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import path from "node:path";
 import { brotliCompressSync, constants } from "node:zlib";
-import { root } from "../../wasm/toolchain/folders.mjs";
-import { capture } from "../../wasm/toolchain/process.mjs";
+import { root } from "../../tools/toolchain/folders.mjs";
+import { capture } from "../../tools/toolchain/process.mjs";
 import { packed } from "./support/install_packed.mjs";
 
 const installed = path.join(packed, "node_modules/apollonius-diagram");

@@ -1,7 +1,7 @@
 // A call that ends in its middle (a trap, an exhausted stack) breaks the diagram that it was about
 // and no other.
 import { fileURLToPath } from "node:url";
-import { capture } from "../../wasm/toolchain/process.mjs";
+import { capture } from "../../tools/toolchain/process.mjs";
 import { calls } from "./support/calls.mjs";
 
 const run = (program) =>

@@ -4,7 +4,7 @@ import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { createServer, request } from "node:http";
 import { afterAll, beforeAll, expect, test } from "@jest/globals";
-import { serve } from "../../web/serve.mjs";
+import { serve } from "../../tools/serve.mjs";
 
 let server;
 beforeAll(async () => (server = await serve(0)));

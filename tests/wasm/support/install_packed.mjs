@@ -1,8 +1,8 @@
 // The package as users get it: packed by npm, installed into build/packed, a project of its own.
 import { mkdirSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import { root } from "../../../wasm/toolchain/folders.mjs";
-import { capture } from "../../../wasm/toolchain/process.mjs";
+import { root } from "../../../tools/toolchain/folders.mjs";
+import { capture } from "../../../tools/toolchain/process.mjs";
 
 export const packed = path.join(root, "build/packed");
 

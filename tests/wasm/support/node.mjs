@@ -1,5 +1,5 @@
 // Scripts run in a Node of their own, in the folder where the packed package is installed.
-import { capture } from "../../../wasm/toolchain/process.mjs";
+import { capture } from "../../../tools/toolchain/process.mjs";
 import { packed } from "./install_packed.mjs";
 
 /** What an ES module prints, without the last newline. */

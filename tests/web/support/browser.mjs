@@ -1,9 +1,9 @@
 // A browser for the page's tests: Chromium as installed, driven by playwright-core, against
-// web/serve.mjs.
+// tools/serve.mjs.
 import { existsSync } from "node:fs";
 import { afterAll, beforeAll, describe, test } from "@jest/globals";
 import { chromium } from "playwright-core";
-import { serve } from "../../../web/serve.mjs";
+import { serve } from "../../../tools/serve.mjs";
 
 const kCandidates = [
   process.env.CHROMIUM,

@@ -1,0 +1,248 @@
+// The public interface: checks arguments at the door, translates lack of memory into an error, and
+// leaves the work to the core.
+#include "apollonius/diagram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "diagram/diagram_core.h"
+#include "diagram/spatial_order.h"
+#include "memory/flat_array.h"
+#include "number/fp.h"
+#include "number/invariant.h"
+#include "predicate/approx_distance.h"
+
+namespace apollonius {
+
+namespace {
+
+Error checkNumber(double value) {
+  if (!std::isfinite(value)) return Error::kNotFinite;
+  return isInRange(value) ? Error::kNone : Error::kOutOfRange;
+}
+
+Error checkNumbers(std::span<const double> values) {
+  for (const double value : values) {
+    if (const Error error = checkNumber(value); error != Error::kNone) return error;
+  }
+  return Error::kNone;
+}
+
+Error checkCircle(double x, double y, double r) {
+  const double values[] = {x, y, r};
+  return checkNumbers(values);
+}
+
+/// All that can be thrown is for want of memory (std::bad_alloc, a vector's std::length_error), so
+/// that types need not be told apart, which would cost the wasm module a kilobyte; or because
+/// trusted bytes were no diagram, which the diagram remembers.
+template <class Operation>
+Error guarded(const DiagramCore& core, Operation&& operation) {
+  if (core.isBroken()) return Error::kCorruptSnapshot;
+  try {
+    operation();
+    return Error::kNone;
+  } catch (...) {
+    return core.isBroken() ? Error::kCorruptSnapshot : Error::kOutOfMemory;
+  }
+}
+
+}  // namespace
+
+class Diagram::Impl : public DiagramCore {
+ public:
+  using DiagramCore::DiagramCore;
+};
+
+Diagram::Diagram(Location location) : impl_(std::make_unique<Impl>(location)) {
+  const char* defect = arithmeticDefect();
+  invariant(defect == nullptr, defect);
+}
+Diagram::~Diagram() = default;
+Diagram::Diagram(Diagram&&) noexcept = default;
+Diagram& Diagram::operator=(Diagram&&) noexcept = default;
+const DiagramCore& Diagram::core() const noexcept { return *impl_; }
+
+// --- Sites
+
+Error Diagram::insert(double x, double y, double r, SiteId& id) {
+  if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
+  if (size() == kMostSites) return Error::kTooLarge;
+  return guarded(*impl_, [&] { id = impl_->insert({x, y, r}); });
+}
+
+Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
+  if (xyr.size() != 3 * ids.size()) return Error::kBadLength;
+  if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
+  if (ids.size() > kMostSites - size()) return Error::kTooLarge;
+  if (ids.empty()) return Error::kNone;  // without making the room that any insertion needs
+  return guarded(*impl_, [&] { impl_->insertStaged(impl_->stage(xyr), ids); });
+}
+
+Error Diagram::insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count, Array<SiteId>& ids) {
+  const std::span<const double> numbers{xyr.get(), 3 * count};
+  if (const Error error = checkNumbers(numbers); error != Error::kNone) return error;
+  if (count > kMostSites - size()) return Error::kTooLarge;
+  if (count == 0) {
+    ids.clear();
+    return Error::kNone;
+  }
+  return guarded(*impl_, [&] {
+    FlatArray<std::uint32_t> order = impl_->stage(numbers);
+    xyr.reset();
+    ids.resize(count);
+    impl_->insertStaged(std::move(order), ids);
+  });
+}
+
+Error Diagram::remove(SiteId id, bool& removed) {
+  return guarded(*impl_, [&] { removed = impl_->remove(id); });
+}
+
+Error Diagram::removeMany(std::span<const SiteId> ids, std::size_t& removed) {
+  return guarded(*impl_, [&] { removed = impl_->removeMany(ids); });
+}
+
+Error Diagram::update(SiteId id, double x, double y, double r) {
+  if (!has(id)) return Error::kUnknownSite;
+  if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
+  return guarded(*impl_, [&] { impl_->update(id, {x, y, r}); });
+}
+
+Error Diagram::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
+  if (xyr.size() != 3 * ids.size()) return Error::kBadLength;
+  for (const SiteId id : ids) {
+    if (!has(id)) return Error::kUnknownSite;
+  }
+  if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
+  return guarded(*impl_, [&] { impl_->updateMany(ids, xyr); });
+}
+
+void Diagram::clear() noexcept { impl_->clear(); }
+
+std::size_t Diagram::size() const noexcept { return impl_->ids().size(); }
+std::size_t Diagram::visibleSize() const noexcept { return impl_->visibleCount(); }
+std::size_t Diagram::hiddenSize() const noexcept { return impl_->ids().hiddenCount(); }
+bool Diagram::has(SiteId id) const noexcept { return impl_->ids().slotOf(id) != kNoSlot; }
+
+Error Diagram::site(SiteId id, Circle& circle) const noexcept {
+  const Slot slot = impl_->ids().slotOf(id);
+  if (slot == kNoSlot) return Error::kUnknownSite;
+  const Site& site = impl_->site(slot);
+  circle = {site.x, site.y, site.r};
+  return Error::kNone;
+}
+
+Error Diagram::ids(Array<SiteId>& ids) const {
+  return guarded(*impl_, [&] {
+    ids.clear();
+    ids.reserve(size());
+    for (SiteId id = 0; id < impl_->ids().idLimit(); ++id) {
+      if (has(id)) ids.push_back(id);
+    }
+  });
+}
+
+Error Diagram::isHidden(SiteId id, bool& hidden) const noexcept {
+  const Slot slot = impl_->ids().slotOf(id);
+  if (slot == kNoSlot) return Error::kUnknownSite;
+  hidden = impl_->ids().state(slot) == SiteState::kHidden;
+  return Error::kNone;
+}
+
+Error Diagram::coverOf(SiteId id, SiteId& cover) const {
+  const Slot slot = impl_->ids().slotOf(id);
+  if (slot == kNoSlot) return Error::kUnknownSite;
+  return guarded(*impl_, [&] {
+    const Site& site = impl_->site(slot);
+    // Lemma 1 of the paper: the site nearest to its centre covers it.
+    cover = impl_->ids().state(slot) == SiteState::kHidden
+                ? impl_->ids().idOf(impl_->nearest(site.x, site.y))
+                : kNoSite;
+  });
+}
+
+// --- Queries
+
+Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
+  for (const double value : {x, y}) {
+    if (const Error error = checkNumber(value); error != Error::kNone) return error;
+  }
+  return guarded(*impl_, [&] {
+    const Slot near = visibleSize() == 0 ? kNoSlot : impl_->nearest(x, y);
+    id = near == kNoSlot ? kNoSite : impl_->ids().idOf(near);
+    distance = near == kNoSlot ? std::numeric_limits<double>::infinity()
+                               : ApproxDistance(x, y, impl_->site(near)).value;
+  });
+}
+
+Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids,
+                        std::span<double> distances) const {
+  if (xy.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size()))
+    return Error::kBadLength;
+  if (const Error error = checkNumbers(xy); error != Error::kNone) return error;
+  return guarded(*impl_, [&] {
+    Slot near = kNoSlot;
+    for (const std::uint32_t k :
+         hilbertOrder({xy, 2})) {  // each walk starts where the one before ended
+      const double x = xy[2 * std::size_t{k}], y = xy[2 * std::size_t{k} + 1];
+      if (visibleSize() > 0) near = impl_->nearest(x, y, near);
+      ids[k] = near == kNoSlot ? kNoSite : impl_->ids().idOf(near);
+      if (distances.empty()) continue;
+      distances[k] = near == kNoSlot ? std::numeric_limits<double>::infinity()
+                                     : ApproxDistance(x, y, impl_->site(near)).value;
+    }
+  });
+}
+
+Error Diagram::kNearest(double x, double y, std::size_t k, Array<SiteId>& sites) const {
+  for (const double value : {x, y}) {
+    if (const Error error = checkNumber(value); error != Error::kNone) return error;
+  }
+  return guarded(*impl_, [&] { impl_->nearby(x, y, k, nullptr, sites); });
+}
+
+Error Diagram::within(double x, double y, double distance, Array<SiteId>& sites) const {
+  if (const Error error = checkCircle(x, y, distance); error != Error::kNone) return error;
+  return guarded(*impl_, [&] { impl_->nearby(x, y, size(), &distance, sites); });
+}
+
+Error Diagram::neighbors(SiteId id, Array<SiteId>& neighbors) const {
+  if (!has(id)) return Error::kUnknownSite;
+  return guarded(*impl_, [&] { impl_->neighbors(id, neighbors); });
+}
+
+Error Diagram::vertices(VertexArrays& vertices) const {
+  return guarded(*impl_, [&] { impl_->vertices(vertices); });
+}
+
+Error Diagram::edges(EdgeArrays& edges) const {
+  return guarded(*impl_, [&] { impl_->edges(edges); });
+}
+
+Error Diagram::faces(Array<SiteId>& sites) const {
+  return guarded(*impl_, [&] { impl_->faces(sites); });
+}
+
+Error Diagram::toBytes(Array<std::uint8_t>& bytes) const {
+  return guarded(*impl_, [&] { impl_->save(bytes); });
+}
+
+Error Diagram::fromBytes(std::span<const std::uint8_t> bytes, Source source) {
+  try {
+    auto restored = std::make_unique<Impl>(impl_->location());
+    if (!restored->restore(bytes, source)) return Error::kCorruptSnapshot;
+    impl_ = std::move(restored);
+    return Error::kNone;
+  } catch (...) {
+    return Error::kOutOfMemory;
+  }
+}
+
+Error Diagram::validate(Defect& defect) const {
+  return guarded(*impl_, [&] { defect = impl_->check(); });
+}
+
+}  // namespace apollonius

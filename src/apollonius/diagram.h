@@ -1,0 +1,199 @@
+// The public C++ interface: the exact, fully dynamic additively weighted Voronoi diagram of
+// circles.
+//
+// Distance of a point p to a site (c, r) is |p - c| - r: negative inside the circle. Every answer
+// is exact for the doubles that were given: no answer depends on rounding, on the order of
+// operations, or on the platform.
+//
+// Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the paper
+// below); predicates and the canonical rule for degenerate input: docs/PREDICATES.md. Units:
+// whatever the coordinates are in; y points upwards and "counter-clockwise" is meant so. Costs: h =
+// number of visible sites, d = number of neighbours of the site in question.
+//
+// Errors: no call throws (but the constructor, std::bad_alloc). A call that fails returns its Error
+// and leaves the diagram as it was. Not thread-safe: one thread at a time, also for queries (they
+// share scratch memory).
+//
+// Arithmetic has to be IEEE 754's, rounded to nearest, with subnormals: a program that is linked
+// with -ffast-math, for one, lacks them. The constructor looks, and ends the program with a message
+// if it is not so.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "apollonius/types.h"
+
+namespace apollonius {
+
+enum class Error : std::uint8_t {
+  kNone = 0,
+  kNotFinite,    ///< a NaN or an infinity was given
+  kOutOfRange,   ///< a magnitude outside [kSmallestMagnitude, kLargestMagnitude] and not 0
+  kUnknownSite,  ///< no site has this id
+  kBadLength,    ///< lengths of arrays do not fit each other, or are no multiple of the record's
+  kOutOfMemory,  ///< memory ran out
+  kTooLarge,     ///< more than kMostSites sites
+  kBadBounds,    ///< a window that is empty, inverted, not finite or out of range
+                 ///< (apollonius/voronoi.h)
+  kCorruptSnapshot,  ///< bytes that are no snapshot, or none of a version that is known, or a
+                     ///< damaged or forged one; also of calls that find out that trusted bytes were
+};
+
+/// A circle: centre and weight (radius). Negative weights are legal: only differences of weights
+/// matter to the diagram.
+struct Circle {
+  double x;
+  double y;
+  double r;
+};
+
+class DiagramCore;
+
+class Diagram {
+ public:
+  /// The one call that can throw: std::bad_alloc.
+  explicit Diagram(Location location = Location::kHierarchy);
+  ~Diagram();
+  Diagram(Diagram&&) noexcept;
+  Diagram& operator=(Diagram&&) noexcept;
+
+  // --- Sites
+
+  /// Adds a site. Duplicates and covered circles are legal (they become hidden sites).
+  /// Errors: kNotFinite, kOutOfRange, kOutOfMemory, kTooLarge. Cost: location + O(size of the
+  /// change).
+  [[nodiscard]] Error insert(double x, double y, double r, SiteId& id);
+
+  /// Adds xyr.size()/3 sites (x, y, r triples); ids[k] becomes the id of triple k. All or nothing.
+  /// Errors: as insert; kBadLength unless xyr.size() == 3 * ids.size().
+  [[nodiscard]] Error insertMany(std::span<const double> xyr, std::span<SiteId> ids);
+
+  /// The same for `count` triples in an array that is given up: it is freed as soon as they have
+  /// been copied, before the large arrays are made, so that memory never holds both. Replaces the
+  /// contents of `ids`. (After an error the array may be there or not.)
+  [[nodiscard]] Error insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count,
+                                 Array<SiteId>& ids);
+
+  /// Removes a site; `removed` tells whether there was one. Sites that only it covered become
+  /// visible again. Errors: kOutOfMemory. Cost: O(log n) amortised for a hidden site and for the
+  /// visible one of nested or identical sites, else expected O(k log k) with k = d + the hidden
+  /// sites directly below it.
+  [[nodiscard]] Error remove(SiteId id, bool& removed);
+
+  /// Removes several; unknown and repeated ids are skipped, `removed` counts the others. Errors:
+  /// kOutOfMemory.
+  [[nodiscard]] Error removeMany(std::span<const SiteId> ids, std::size_t& removed);
+
+  /// Moves and/or resizes a site, which keeps its id. Errors: as insert, kUnknownSite.
+  [[nodiscard]] Error update(SiteId id, double x, double y, double r);
+
+  /// Updates ids[k] to triple k, all or nothing. Cost: as update for each; where many sites move
+  /// far, that of building, with memory for two diagrams if there is some. Errors: as update;
+  /// kBadLength unless xyr.size() == 3 * ids.size().
+  [[nodiscard]] Error updateMany(std::span<const SiteId> ids, std::span<const double> xyr);
+
+  /// Removes all sites; ids start from 0 again.
+  void clear() noexcept;
+
+  [[nodiscard]] std::size_t size() const noexcept;         ///< sites, hidden ones too
+  [[nodiscard]] std::size_t visibleSize() const noexcept;  ///< sites with a cell
+  [[nodiscard]] std::size_t hiddenSize()
+      const noexcept;  ///< sites without one (the paper's trivial sites)
+  [[nodiscard]] bool has(SiteId id) const noexcept;
+  [[nodiscard]] Error site(SiteId id, Circle& circle) const noexcept;  ///< Errors: kUnknownSite
+  [[nodiscard]] Error ids(Array<SiteId>& ids) const;  ///< all ids, ascending; replaces the contents
+  [[nodiscard]] Error isHidden(SiteId id, bool& hidden) const noexcept;  ///< Errors: kUnknownSite
+
+  /// A visible site that covers this one (the nearest one to its centre); kNoSite for a visible
+  /// site. Errors: kUnknownSite, kOutOfMemory. Cost: one location.
+  [[nodiscard]] Error coverOf(SiteId id, SiteId& cover) const;
+
+  // --- Queries
+
+  /// The nearest site of a point and its distance; ties go to the larger r, then x, then y. kNoSite
+  /// and +infinity if empty. Exact choice; the distance is rounded. Errors: kNotFinite,
+  /// kOutOfRange, kOutOfMemory.
+  [[nodiscard]] Error find(double x, double y, SiteId& id, double& distance) const;
+
+  /// find for xy.size()/2 points. `distances` may be empty, else it has one element a point.
+  /// Errors: as find; kBadLength if the sizes do not fit.
+  [[nodiscard]] Error findMany(std::span<const double> xy, std::span<SiteId> ids,
+                               std::span<double> distances) const;
+
+  /// The k nearest sites of a point, hidden ones too, nearest first; ties as in find (identical
+  /// circles in any order). All sites if there are fewer. Exact. Replaces the contents. Errors: as
+  /// find. Cost: one location and O(m log m), m = the neighbours of the sites found.
+  [[nodiscard]] Error kNearest(double x, double y, std::size_t k, Array<SiteId>& sites) const;
+
+  /// All sites at a distance of at most `distance` (which may be negative: that deep inside),
+  /// nearest first, hidden ones too; 0 gives the circles that contain the point. Exact, boundary
+  /// included. Replaces the contents. Errors, cost: as kNearest.
+  [[nodiscard]] Error within(double x, double y, double distance, Array<SiteId>& sites) const;
+
+  /// The distinct sites whose cells share an edge with this one's, counter-clockwise (each at its
+  /// first occurrence), edges of length zero included (degenerate position; the graph is
+  /// triangulated canonically); none for a hidden site. Replaces the contents. Errors:
+  /// kUnknownSite, kOutOfMemory. Cost: O(d).
+  [[nodiscard]] Error neighbors(SiteId id, Array<SiteId>& neighbors) const;
+
+  /// The Voronoi vertices. Each coordinate and clearance is within 2^-39 (|x| + |y| + |clearance|)
+  /// + 2^-48 (the largest number among its three sites) of the exact one, whatever the sites, and
+  /// the same bits after any history. Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
+  [[nodiscard]] Error vertices(VertexArrays& vertices) const;
+  [[nodiscard]] Error edges(
+      EdgeArrays& edges) const;  ///< Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
+
+  /// The faces of the Delaunay graph, three sites each, counter-clockwise, kNoSite for infinity:
+  /// the topology itself. Those without infinity are the rows of vertices(). A function of the set
+  /// of sites, up to the order of the faces and which of several identical sites is visible.
+  /// Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
+  [[nodiscard]] Error faces(Array<SiteId>& sites) const;
+
+  // --- Snapshots (docs/SNAPSHOTS.md)
+
+  /// The diagram in bytes, the same on every platform; replaces the contents. Errors: kOutOfMemory.
+  /// Cost: O(n), about 56 bytes a site.
+  [[nodiscard]] Error toBytes(Array<std::uint8_t>& bytes) const;
+
+  /// Becomes the diagram that was saved: sites, ids, those that are free, hidden sites, graph;
+  /// location stays as it was chosen. Whoever made the bytes, the diagram is that of the sites in
+  /// them, which is proved exactly. Errors: kCorruptSnapshot, kOutOfMemory. Cost: O(n), without any
+  /// search; on degenerate input (grids) about as long as building.
+  ///
+  /// Source::kTrusted leaves the proof out, for bytes that toBytes() wrote and nobody else has had:
+  /// several times as fast; the Voronoi circles of faces are then computed when later calls first
+  /// need them. If the bytes lie, answers may be wrong, and a call that finds out returns
+  /// kCorruptSnapshot, as all calls with an Error but fromBytes() do then until clear(); every call
+  /// ends and stays in its memory.
+  [[nodiscard]] Error fromBytes(std::span<const std::uint8_t> bytes,
+                                Source source = Source::kAnyone);
+
+  /// Checks every invariant with exact arithmetic and tells the first broken one. Errors:
+  /// kOutOfMemory. Cost: O(n), slow: for tests.
+  [[nodiscard]] Error validate(Defect& defect) const;
+  /// In words; `broken` becomes empty if there is none.
+  [[nodiscard]] Error validate(std::string& broken) const {
+    Defect defect;
+    const Error error = validate(defect);
+    if (error != Error::kNone) return error;
+    try {
+      broken = defect.text();
+    } catch (...) {
+      return Error::kOutOfMemory;
+    }
+    return Error::kNone;
+  }
+
+ private:
+  friend class Voronoi;  // its geometry: apollonius/voronoi.h
+
+  class Impl;
+  [[nodiscard]] const DiagramCore& core() const noexcept;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace apollonius

@@ -1,0 +1,62 @@
+// A drawing as data: commands and their coordinates, in the words that canvas, SVG and d3-path
+// share. Whoever holds one can play it into any of those. Standard types only: users get it with
+// apollonius/voronoi.h.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "memory/array.h"
+
+namespace apollonius {
+
+enum class Command : std::uint8_t {
+  kMove,   ///< 1 point
+  kLine,   ///< 1 point
+  kCurve,  ///< 3 points: cubic Bezier
+  kClose,  ///< no point
+};
+
+struct Path {
+  Array<std::uint8_t> commands;  ///< of Command
+  Array<double> coordinates;     ///< x, y of each point
+
+  void clear() {
+    commands.clear();
+    coordinates.clear();
+  }
+  /// Segments of their own, x0, y0, x1, y1 each.
+  void segments(const double* ends, std::size_t count) {
+    append(coordinates, {ends, 4 * count});
+    std::size_t at = commands.size();
+    commands.resize(at + 2 * count);
+    for (; at < commands.size(); at += 2) {
+      commands[at] = static_cast<std::uint8_t>(Command::kMove);
+      commands[at + 1] = static_cast<std::uint8_t>(Command::kLine);
+    }
+  }
+  void move(double x, double y) {
+    add(Command::kMove);
+    addPoint(x, y);
+  }
+  void line(double x, double y) {
+    add(Command::kLine);
+    addPoint(x, y);
+  }
+  void curve(double x1, double y1, double x2, double y2, double x, double y) {
+    add(Command::kCurve);
+    addPoint(x1, y1);
+    addPoint(x2, y2);
+    addPoint(x, y);
+  }
+  void close() { add(Command::kClose); }
+
+ private:
+  void add(Command command) { commands.push_back(static_cast<std::uint8_t>(command)); }
+  void addPoint(double x, double y) {
+    coordinates.push_back(x);
+    coordinates.push_back(y);
+  }
+};
+
+}  // namespace apollonius

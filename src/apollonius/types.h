@@ -1,0 +1,75 @@
+// The words that the public interface and the diagram share: ids, ways of location, arrays out.
+// Plain standard types; users get them with apollonius/diagram.h.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "memory/array.h"
+
+namespace apollonius {
+
+/// A site's public name: stable while the site lives; ids of removed sites are used again.
+using SiteId = std::uint32_t;
+inline constexpr SiteId kNoSite = 0xFFFFFFFFu;
+
+/// Most sites that one diagram can hold.
+inline constexpr std::size_t kMostSites = std::size_t{1} << 29;
+
+/// Smallest and largest magnitude that a coordinate or a weight may have, apart from 0 (same unit
+/// as the coordinates).
+inline constexpr double kSmallestMagnitude = 1e-100;
+inline constexpr double kLargestMagnitude = 1e100;
+/// May a coordinate or a weight have this value? False for NaN and infinities.
+constexpr bool isInRange(double value) {
+  const double magnitude = value < 0 ? -value : value;
+  return magnitude == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude);
+}
+
+/// The first broken invariant that a check found; one without `what` found none.
+struct Defect {
+  const char* what = nullptr;  ///< ends with the kind of what is at `where`
+  std::uint32_t where = 0;     ///< an index, id or count
+  std::uint32_t level = 0;     ///< of the hierarchy (0 is the diagram itself)
+
+  [[nodiscard]] bool isFound() const { return what != nullptr; }
+  /// In words; empty if there is none. Throws std::bad_alloc.
+  [[nodiscard]] std::string text() const {
+    if (what == nullptr) return {};
+    const std::string found = what + (' ' + std::to_string(where));
+    return level == 0 ? found : "level " + std::to_string(level) + ": " + found;
+  }
+};
+
+/// Whose bytes a snapshot is. kAnyone: that they are the diagram of their sites is proved.
+/// kTrusted: that is believed.
+enum class Source : std::uint8_t { kAnyone, kTrusted };
+
+/// How the nearest site is located (paper, section 4). The answers are the same.
+enum class Location : std::uint8_t {
+  kWalk,  ///< the paper's plain walk: all neighbours of a site are asked; O(h) at worst, about
+          ///< sqrt(h) on random input
+  kPlainHierarchy,  ///< the paper's hierarchy of Delaunay graphs, with that walk on each level
+  kHierarchy,       ///< the hierarchy, with a walk that asks one neighbour of a site: about log h,
+                    ///< whatever the degrees
+};
+
+/// The Voronoi vertices in the plane; row k of each array belongs to vertex k. The rows' order
+/// depends on the history.
+struct VertexArrays {
+  Array<double> coordinates;   ///< x, y of each vertex
+  Array<double> clearance;     ///< common distance to its three sites
+  Array<std::uint32_t> sites;  ///< the three sites, counter-clockwise around the vertex's circle
+};
+
+/// The Voronoi edges. Two sites can share several. Where more than three sites touch one circle,
+/// the canonical rule makes edges of length zero, and several vertices at one place.
+struct EdgeArrays {
+  Array<std::uint32_t> sites;  ///< two sites a, b of each edge
+  Array<std::int32_t>
+      vertices;  ///< its two ends as rows of VertexArrays, -1 for an unbounded end; walking from
+                 ///< the first to the second keeps a's cell on the left
+};
+
+}  // namespace apollonius

@@ -1,0 +1,130 @@
+// The geometry of a diagram: its true, curved cells inside a window, as shapes, measures and
+// drawings; the dual graph drawn; the hull.
+//
+// A Voronoi edge is a piece of a hyperbola branch with its foci at the two centres (of a line, if
+// the weights are equal). Every curve that is handed out is a rational quadratic Bezier curve,
+// which such a piece is exactly: seven numbers x0, y0, x1, y1, w, x2, y2 for
+//
+//     P(t) = ((1-t)² P0 + 2 w t (1-t) P1 + t² P2) / ((1-t)² + 2 w t (1-t) + t²),   0 <= t <= 1,
+//
+// w > 1 for a hyperbola; w = 0 for a straight segment. Where two cells meet, both have the same
+// curve, bit for bit; and all numbers are the same bits natively and as WebAssembly. Curves have
+// the same bits after any history, too; drawings and sums (areas, centroids, lengths) may differ in
+// the last places.
+//
+// The window is convex and a cell is star-shaped, so the clipped cell is a number of *regions*
+// without holes: one if its centre is in the window, perhaps several if not. What only touches the
+// window is not in it.
+//
+// Like apollonius/diagram.h: no call throws or keeps anything; a failed one returns its Error. A
+// Voronoi is a view: it shows the diagram as it is at each call, and must not outlive it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "apollonius/diagram.h"
+#include "apollonius/path.h"
+
+namespace apollonius {
+
+/// An axis-parallel rectangle, in the unit of the coordinates.
+struct Bounds {
+  double xmin = 0;
+  double ymin = 0;
+  double xmax = 960;
+  double ymax = 500;
+};
+
+/// Curves, seven numbers each, and the site on the right of each (kNoSite: the window's border; for
+/// edges(): two sites a curve, the first one on the left).
+struct CurveArrays {
+  Array<double> curves;
+  Array<std::uint32_t> sites;
+  Array<std::uint32_t>
+      regions;  ///< of a cell: the first curve of each region, and the number of curves at the end
+};
+
+/// Closed rings (the first point is repeated at the end), one for each region.
+struct RingArrays {
+  Array<double> coordinates;  ///< x, y of each point
+  Array<std::uint32_t>
+      starts;  ///< the first point of each ring, and the number of points at the end
+};
+
+/// Of a cell inside the window. Without regions, all are 0.
+struct CellMeasures {
+  double area = 0;  ///< relative error a few units in the last place for cells of the window's size
+  double centroidX = 0;
+  double centroidY = 0;
+  double perimeter = 0;
+  bool isEmpty = true;  ///< no part of it is in the window, or the site is hidden
+};
+
+/// A tolerance for drawings in a window that is too small to be seen: 2^-13 of its diagonal.
+[[nodiscard]] double defaultTolerance(const Bounds& bounds);
+
+class Voronoi {
+ public:
+  explicit Voronoi(const Diagram& diagram, const Bounds& bounds = {})
+      : diagram_(diagram), bounds_(bounds) {}
+
+  // Every call below can return kBadBounds (unless xmin < xmax, ymin < ymax, all within the range
+  // of coordinates) and kOutOfMemory, and replaces the contents of its last argument. Those with a
+  // site: kUnknownSite; a hidden one has an empty cell. Those with a tolerance (largest distance of
+  // a drawn line from the true one; see defaultTolerance): kNotFinite, kOutOfRange unless it is >
+  // 0. Below 2^-36 of a curve's size it has no further effect.
+
+  /// Each Voronoi edge inside the window, its pieces one by one.
+  [[nodiscard]] Error edges(CurveArrays& edges) const;
+  /// The boundary of a cell, counter-clockwise, region by region. Cost: O(d log d).
+  [[nodiscard]] Error cell(SiteId id, CurveArrays& boundary) const;
+  /// The same as polylines: rings of at least three different points that do not cross themselves,
+  /// whatever the tolerance. (Where sites are as close as doubles are, rounding can have the last
+  /// word.) A region about as small as the distance of doubles there has no ring.
+  [[nodiscard]] Error polygon(SiteId id, double tolerance, RingArrays& rings) const;
+  [[nodiscard]] Error measures(SiteId id, CellMeasures& measures) const;
+  /// Area, centroid and perimeter of the part of the (unclipped) cell within `radius` of the site's
+  /// centre; bounds do not matter. The outline is good to about 2^-48 of the largest number of the
+  /// site and its neighbors: a radius as small as that means little.
+  [[nodiscard]] Error measuresWithin(SiteId id, double radius, CellMeasures& measures) const;
+  /// The area of every cell, by id; 0 for ids without one. They add up to the window's, to
+  /// rounding: of the coordinates, too, where the window is only a few doubles wide. Cost: O(h)
+  [[nodiscard]] Error areas(Array<double>& areas) const;
+
+  /// The box of all circles (of centres, where radii are below 0), a little larger if it would be
+  /// empty: for drawings without a window.
+  [[nodiscard]] static Bounds extentOf(const Diagram& diagram);
+
+  /// Sites met by the convex hull of the circles, counter-clockwise; one can occur more than once.
+  [[nodiscard]] Error hull(Array<SiteId>& sites) const;
+
+  /// A drawing in portions: start with cursor 0 and go on until isDone. Each call draws about so
+  /// many commands.
+  struct Portion {
+    std::size_t cursor = 0;
+    std::size_t commands = static_cast<std::size_t>(-1);
+    bool isDone = false;
+  };
+  [[nodiscard]] Error drawEdges(double tolerance, Portion& portion, Path& path) const;
+  [[nodiscard]] Error drawSites(double tolerance, Portion& portion, Path& path) const;
+  /// The dual graph as the paper's Appendix A embeds it, not clipped; with `rays` also those to
+  /// infinity, cut at the window.
+  [[nodiscard]] Error drawDual(double tolerance, bool rays, Portion& portion, Path& path) const;
+  /// A cell as closed figures, one for each region.
+  [[nodiscard]] Error drawCell(SiteId id, double tolerance, Path& path) const;
+  [[nodiscard]] Error drawHull(double tolerance, Path& path) const;
+
+ private:
+  [[nodiscard]] std::uint32_t slotOf(SiteId id) const;  // where the core has it
+  /// Checks bounds and tolerance, then runs and turns lack of memory into an error.
+  template <class Operation>
+  Error guarded(double tolerance, Operation&& operation) const;
+  template <class Operation>
+  Error guardedFor(SiteId id, double tolerance, Operation&& operation) const;
+
+  const Diagram& diagram_;
+  Bounds bounds_;
+};
+
+}  // namespace apollonius

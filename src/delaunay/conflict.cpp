@@ -1,0 +1,184 @@
+#include "delaunay/conflict.h"
+
+#include <algorithm>
+
+#include "delaunay/delaunay_graph.h"
+#include "delaunay/sort_by_key.h"
+#include "predicate/edge_shortcut.h"
+#include "predicate/predicates.h"
+
+namespace apollonius {
+
+void ConflictSearch::begin(const DelaunayGraph& diagram, const Site& q) {
+  // Wiped before, not after: a call that ran out of memory leaves marks behind.
+  for (const FaceId f : faces_) marks_[index(f) / kWord] = 0;
+  faces_.clear();
+  rim_.clear();
+  stack_.clear();
+  diagram_ = &diagram;
+  q_ = &q;
+  const std::size_t words = (diagram.graph().faceSlots() + kWord - 1) / kWord;
+  if (marks_.size() < words) marks_.resize(words, 0);
+}
+
+void ConflictSearch::find(const DelaunayGraph& diagram, const Site& q, VertexId near,
+                          HalfedgeId sector) {
+  begin(diagram, q);
+  if (sector == kNoHalfedge || !startInSector(sector)) startAround(near);
+  expand();
+}
+
+bool ConflictSearch::findBeside(const DelaunayGraph& diagram, const Site& q, VertexId close) {
+  constexpr int kFewFaces = 8;
+  begin(diagram, q);
+  const Graph& graph = diagram.graph();
+  const HalfedgeId first = graph.outgoing(close);
+  HalfedgeId h = first;
+  for (int k = 0; k < kFewFaces; ++k) {
+    // The filter's word only: it means strictly nearer, while the exact rule counts the site of a
+    // circle given twice as in conflict.
+    const MaybeSign filtered = circleFilter(diagram.circle(faceOf(h)), q);
+    if (filtered.known && filtered.sign == Sign::kPositive) {
+      startAtConflict(faceOf(h));
+      expand();
+      return true;
+    }
+    h = graph.rotateCcw(h);
+    if (h == first) break;
+  }
+  return false;
+}
+
+/// Enters a face if it is in conflict; then the region is to be expanded from its sides.
+bool ConflictSearch::startAt(FaceId f) {
+  if (!diagram_->isFaceInConflict(f, *q_)) return false;
+  startAtConflict(f);
+  return true;
+}
+
+void ConflictSearch::startAtConflict(FaceId f) {
+  enter(f);
+  for (unsigned c = 3; c-- > 0;) stack_.push_back(halfedgeOf(f, c));
+}
+
+/// Neither end of the edge is in conflict: is its interior? Then that is all of the region.
+bool ConflictSearch::startWithin(HalfedgeId h) {
+  const HalfedgeId twin = diagram_->graph().twin(h);
+  if (!isInteriorInConflict(diagram_->edge(h), diagram_->circle(faceOf(h)),
+                            diagram_->circle(faceOf(twin)), *q_))
+    return false;
+  rim_.push_back(h);
+  rim_.push_back(twin);
+  return true;
+}
+
+/// The edge across which the ray from the nearest site through q's centre leaves the cell is in
+/// conflict (paper, section 3.4).
+bool ConflictSearch::startInSector(HalfedgeId sector) {
+  return startAt(faceOf(sector)) || startAt(faceOf(diagram_->graph().twin(sector))) ||
+         startWithin(sector);
+}
+
+/// Some edge of the nearest site's cell is in conflict (paper, Lemma 2).
+void ConflictSearch::startAround(VertexId near) {
+  const Graph& graph = diagram_->graph();
+  const HalfedgeId begin = graph.outgoing(near);
+  HalfedgeId h = begin;
+  do {
+    if (startAt(faceOf(h))) return;
+    h = graph.rotateCcw(h);
+  } while (h != begin);
+  do {
+    if (startWithin(h)) return;
+    h = graph.rotateCcw(h);
+  } while (h != begin);
+  diagram_->demand(
+      false,
+      "a site that is not covered is in conflict with an edge of its nearest site (Lemma 2)");
+}
+
+/// The paper's depth-first search with a stack of half-edges instead of recursion. The half-edges
+/// on the stack and on the rim, in order, always bound the region found so far; popping them
+/// counter-clockwise yields the rim counter-clockwise.
+void ConflictSearch::expand() {
+  const Graph& graph = diagram_->graph();
+  while (!stack_.empty()) {
+    const HalfedgeId h = stack_.back();
+    stack_.pop_back();
+    const HalfedgeId across = graph.twin(h);
+    const FaceId beyond = faceOf(across);
+    const bool wasInRegion = isInRegion(beyond);
+    if ((!wasInRegion && !diagram_->isFaceInConflict(beyond, *q_)) ||
+        !isEntirelyInConflict(h, across)) {
+      rim_.push_back(h);  // q's cell ends on this edge; if both its ends are in conflict, its twin
+                          // gets here too
+      continue;
+    }
+    // An edge between two faces of the region closes a cycle around a site that q covers: no rim
+    // (its twin is dropped too).
+    if (wasInRegion) continue;
+    enter(beyond);
+    stack_.push_back(previous(across));
+    stack_.push_back(next(across));
+  }
+}
+
+inline void ConflictSearch::enter(FaceId f) {
+  faces_.push_back(f);  // first: a mark that is not listed would stay
+  marks_[index(f) / kWord] |= mark(f);
+}
+
+/// Both ends of the edge are in conflict.
+bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const {
+  const Graph& graph = diagram_->graph();
+  const VertexId i = graph.origin(h), j = graph.origin(twin);
+  const VoronoiCircle &atK = diagram_->keptCircle(faceOf(h)),
+                      &atL = diagram_->keptCircle(faceOf(twin));
+  if (i != kInfinity && j != kInfinity &&
+      isSurelyInConflictBetweenEnds(diagram_->site(i), diagram_->site(j), atK, atL, *q_)) {
+    shadowCheck({Sign::kPositive, true}, [&] {
+      return isEntireEdgeInConflict(diagram_->edge(h), *q_) ? Sign::kPositive : Sign::kNegative;
+    });
+    return true;
+  }
+  return isEntireEdgeInConflict(diagram_->edge(h), atK, atL, *q_);
+}
+
+bool ConflictSearch::isDisk() const {
+  if (faces_.empty()) return true;  // an edge that is opened
+  const Graph& graph = diagram_->graph();
+  FlatArray<Keyed> rim(rim_.size()), corners(rim_.size());
+  for (std::uint32_t k = 0; k < rim.size(); ++k) {
+    rim[k] = {static_cast<std::uint32_t>(rim_[k]), k};
+    corners[k] = {static_cast<std::uint32_t>(graph.origin(rim_[k])), k};
+  }
+  sortByKey(rim);
+  sortByKey(corners);
+  const auto isAmong = [](const FlatArray<Keyed>& entries, auto id) {
+    const auto key = static_cast<std::uint32_t>(id);
+    const auto isBefore = [](const Keyed& entry, std::uint32_t other) { return entry.key < other; };
+    const Keyed* const at = std::lower_bound(entries.begin(), entries.end(), key, isBefore);
+    return at != entries.end() && at->key == key;
+  };
+  for (std::size_t k = 0; k < rim_.size(); ++k) {
+    const HalfedgeId h = rim_[k], twin = graph.twin(h);
+    if (isInRegion(faceOf(twin)) && !isAmong(rim, twin)) return false;
+    // The side that follows, around h's target.
+    HalfedgeId side = next(h);
+    while (!isAmong(rim, side)) {
+      const HalfedgeId across = graph.twin(side);
+      if (!isInRegion(faceOf(across)) || next(across) == next(h)) return false;
+      side = next(across);
+    }
+    if (side != rim_[k + 1 < rim_.size() ? k + 1 : 0]) return false;
+  }
+  for (const FaceId f : faces_) {
+    for (unsigned c = 0; c < 3; ++c) {
+      const VertexId v = graph.origin(halfedgeOf(f, c));
+      if (!isAmong(corners, v) && (v == kInfinity || !covers(*q_, diagram_->site(v)))) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace apollonius

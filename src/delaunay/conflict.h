@@ -1,0 +1,77 @@
+// The conflict region of a new site: the part of the Voronoi skeleton that its cell will swallow
+// (paper, section 3.2), as faces, and the rim of the hole that they leave. Reports, never changes
+// the graph.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "memory/flat_array.h"
+#include "predicate/site.h"
+#include "topology/ids.h"
+
+namespace apollonius {
+
+class DelaunayGraph;
+
+class ConflictSearch {
+ public:
+  /// Finds the conflict region of q. `near` is the visible site nearest to q's centre and does not
+  /// cover q; `sector` the half-edge there in whose range of directions q's centre lies, or
+  /// kNoHalfedge. REQUIRES: at least two visible sites. Cost: O(size of the region), plus the
+  /// degree of `near` without a sector.
+  void find(const DelaunayGraph& diagram, const Site& q, VertexId near, HalfedgeId sector);
+
+  /// The same without location: looks for a conflict at a few faces of a visible site close to q's
+  /// centre. False, and nothing found, if there is none; else q is not covered. REQUIRES: at least
+  /// two visible sites.
+  [[nodiscard]] bool findBeside(const DelaunayGraph& diagram, const Site& q, VertexId close);
+
+  /// Room for a region of so many faces with a rim of so many sides.
+  void reserveRegion(std::size_t faces, std::size_t sides) {
+    faces_.reserve(faces);
+    rim_.reserve(sides);
+    stack_.reserve(faces + 3);  // a face that enters takes one half-edge from it and puts two
+                                // there; the first puts three
+  }
+
+  /// Are the faces a disk, with the rim around them and no vertex within but those that q covers?
+  /// Of a Delaunay graph they are. Throws std::bad_alloc.
+  [[nodiscard]] bool isDisk() const;
+
+  void reserve(std::size_t faces) { marks_.reserve((faces + kWord - 1) / kWord); }
+
+  /// The faces in conflict; empty if q's cell lies within one edge.
+  [[nodiscard]] std::span<const FaceId> faces() const { return faces_; }
+  /// The hole's rim from inside, counter-clockwise, as Graph::starHole wants it; empty if q covers
+  /// every site.
+  [[nodiscard]] std::span<const HalfedgeId> rim() const { return rim_; }
+
+ private:
+  void begin(const DelaunayGraph& diagram, const Site& q);
+  [[nodiscard]] bool isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const;
+  [[nodiscard]] bool startAt(FaceId f);
+  void startAtConflict(FaceId f);
+  [[nodiscard]] bool startWithin(HalfedgeId h);
+  [[nodiscard]] bool startInSector(HalfedgeId sector);
+  void startAround(VertexId near);
+  void expand();
+  inline void enter(FaceId f);
+  [[nodiscard]] bool isInRegion(FaceId f) const {
+    return (marks_[index(f) / kWord] & mark(f)) != 0;
+  }
+  [[nodiscard]] static std::uint32_t mark(FaceId f) {
+    return std::uint32_t{1} << static_cast<std::uint32_t>(f) % kWord;
+  }
+
+  static constexpr std::uint32_t kWord = 32;
+
+  const DelaunayGraph* diagram_ = nullptr;  // during find only
+  const Site* q_ = nullptr;
+  FlatArray<std::uint32_t> marks_;  // one bit a face; of the faces in faces_
+  FlatArray<HalfedgeId> stack_;
+  FlatArray<FaceId> faces_;
+  FlatArray<HalfedgeId> rim_;
+};
+
+}  // namespace apollonius

@@ -1,0 +1,113 @@
+#include "delaunay/delaunay_graph.h"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+
+#include "delaunay/proof.h"
+#include "number/invariant.h"
+#include "predicate/circle_batch.h"
+
+namespace apollonius {
+
+bool DelaunayGraph::isFaceInConflictByCorners(FaceId f, const Site& q) const {
+  const Corner i = corner(graph_.origin(halfedgeOf(f, 0))),
+               j = corner(graph_.origin(halfedgeOf(f, 1))),
+               k = corner(graph_.origin(halfedgeOf(f, 2)));
+  if (keptCircle(f).isMissing()) {
+    computeCircle(f);
+    return isFaceInConflict(f, q);
+  }
+  // The circle has been asked before.
+  return kShadowCheck ? isVertexInConflict(circle(f), i, j, k, q) : isVertexInConflict(i, j, k, q);
+}
+
+void DelaunayGraph::reserve(std::size_t slots) {
+  reserveSites(slots);
+  graph_.reserveVertices(slots);  // last: who looks at its size finds room for all
+}
+
+void DelaunayGraph::reserveFaces(std::size_t removed, std::size_t created) {
+  graph_.reserveFaces(removed, created);
+  fan_.reserve(created);
+  if (newCircles_.size() < created) {
+    newFaces_.resize(created);
+    newCircles_.resize(created);
+  }
+  const std::size_t slots = graph_.faceSlotsAfter(removed, created);
+  if (circles_.size() < slots) {
+    if (circles_.capacity() < slots) circles_.reserve(slots + slots / 2);
+    circles_.resize(slots);
+  }
+}
+
+void DelaunayGraph::reserveReturn(std::size_t facesAndSides) {
+  conflicts_.reserve(std::max(circles_.capacity(), graph_.faceSlots() + facesAndSides));
+  if (facesAndSides <= returnRoom_) return;
+  facesAndSides = std::max(facesAndSides, 2 * returnRoom_);
+  reserveFaces(facesAndSides, facesAndSides);
+  conflicts_.reserveRegion(facesAndSides, facesAndSides);
+  covered_.reserve(facesAndSides);
+  returnRoom_ = facesAndSides;
+}
+
+void DelaunayGraph::reserveBulk(std::size_t sites) {
+  const std::size_t faces = 2 * (visibleCount_ + sites);  // Euler: 2 (V + 1) - 4 with infinity
+  graph_.reserveFacesInAll(faces);
+  circles_.reserve(faces);
+  conflicts_.reserve(faces);
+}
+
+void DelaunayGraph::clear() noexcept {
+  graph_.clear();
+  visibleCount_ = 0;
+  recent_ = kNoVertex;
+  mayMissCircles_ = false;
+  isProven_ = true;
+  isBroken_ = false;
+}
+
+/// Within operations that would end as if memory had run out: nothing has been changed.
+void DelaunayGraph::refuse(const char* name) const {
+  invariant(!isProven_, name);
+  isBroken_ = true;
+  throw std::bad_alloc();
+}
+
+void DelaunayGraph::computeCircle(FaceId f) const {
+  const EdgeCorners corners = edge(halfedgeOf(f, 0));
+  circles_[index(f)] = voronoiCircle(corners.i, corners.j, corners.k);
+}
+
+void DelaunayGraph::computeMissingCircles() const {
+  if (!mayMissCircles_) return;
+  CircleFan fan;
+  reserveForBatch(fan);
+  CircleBatch batch(fan, [this](std::uint32_t f, const VoronoiCircle& circle) {
+    if (circle.error < std::numeric_limits<float>::infinity()) {
+      circles_[f] = circle;
+    } else {
+      computeCircle(FaceId{f});
+    }
+  });
+  for (std::uint32_t f = 0; f < graph_.faceSlots(); ++f) {
+    if (!graph_.isLive(FaceId{f}) || !keptCircle(FaceId{f}).isMissing()) continue;
+    const EdgeCorners corners = edge(halfedgeOf(FaceId{f}, 0));
+    if (corners.i == nullptr || corners.j == nullptr || corners.k == nullptr) {
+      computeCircle(FaceId{f});
+    } else {
+      batch.add(f, {corners.i, corners.j, corners.k});
+    }
+  }
+  batch.finish();
+  mayMissCircles_ = false;
+}
+
+bool DelaunayGraph::prove() {
+  std::uint32_t where = 0;
+  isProven_ = graph_.isEmpty() || findContradiction(*this, circles_, where) == nullptr;
+  mayMissCircles_ = !isProven_;
+  return isProven_;
+}
+
+}  // namespace apollonius

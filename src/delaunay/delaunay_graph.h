@@ -1,0 +1,182 @@
+// One Delaunay graph together with its sites: an additively weighted Voronoi diagram in its dual
+// form, without hidden sites. The diagram proper is one of these for all visible sites, plus
+// smaller ones for location (hierarchy.h); deletions build a scratch one of a site's neighbours
+// (remove.h).
+//
+// Vertices are the caller's numbers (1, 2, …; 0 is infinity): whoever inserts a site says which
+// vertex it becomes.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "delaunay/conflict.h"
+#include "diagram/hidden_forest.h"
+#include "memory/flat_array.h"
+#include "predicate/circle_fan.h"
+#include "predicate/predicates.h"
+#include "predicate/shadow_check.h"
+#include "predicate/site.h"
+#include "predicate/voronoi_circle.h"
+#include "topology/graph.h"
+
+namespace apollonius {
+
+/// How a walk to the nearest site looks for a nearer one: among all neighbours (paper, section 4,
+/// procedure NearestNeighbor), or only in the direction of the point.
+enum class Walk : unsigned char { kAllNeighbors, kSectors };
+
+class Remover;
+
+class DelaunayGraph {
+ public:
+  // --- Reading
+
+  [[nodiscard]] const Graph& graph() const { return graph_; }
+  [[nodiscard]] std::size_t visibleCount() const { return visibleCount_; }
+  [[nodiscard]] bool isVisible(VertexId v) const {
+    return graph_.hasVertex(v) || (visibleCount_ == 1 && v == recent_);
+  }
+  /// Some visible vertex, the one of the last change as a rule; kNoVertex if there is none.
+  [[nodiscard]] VertexId anyVisible() const { return recent_; }
+  [[nodiscard]] const Site& site(VertexId v) const { return sites_[index(v)]; }
+  [[nodiscard]] Corner corner(VertexId v) const { return v == kInfinity ? nullptr : &site(v); }
+  /// Of a face. After restore() all are missing. Each is computed when it is first asked for, of
+  /// the sites as they are then: who moves visible sites asks for the circles around them before.
+  [[nodiscard]] const VoronoiCircle& circle(FaceId f) const {
+    if (keptCircle(f).isMissing()) computeCircle(f);
+    return keptCircle(f);
+  }
+  /// The same, or kMissingCircle: for filters, and for loops behind computeMissingCircles().
+  [[nodiscard]] const VoronoiCircle& keptCircle(FaceId f) const { return circles_[index(f)]; }
+  /// All that are missing, two by two, which is faster than one by one. Throws std::bad_alloc.
+  void computeMissingCircles() const;
+  /// The Voronoi edge dual to h, with h's origin on its left.
+  [[nodiscard]] EdgeCorners edge(HalfedgeId h) const {
+    return {corner(graph_.origin(h)), corner(graph_.target(h)), corner(graph_.apex(h)),
+            corner(graph_.apex(graph_.twin(h)))};
+  }
+  /// Its vertex for output: precise, the same bits after any history, and the same for all faces of
+  /// which it is the vertex, where more than three sites touch one circle. A half-plane as circle()
+  /// has it.
+  [[nodiscard]] VoronoiCircle vertex(FaceId f) const;
+  [[nodiscard]] bool isFaceInConflict(FaceId f, const Site& q) const {
+    const MaybeSign filtered =
+        circleFilter(keptCircle(f), q);  // settles nearly all; no corner is looked up
+    return filtered.known && !kShadowCheck ? filtered.sign == Sign::kPositive
+                                           : isFaceInConflictByCorners(f, q);
+  }
+
+  /// The visible site nearest to (x, y); ties go to the largest in the order of precedes().
+  struct Located {
+    VertexId nearest = kNoVertex;
+    HalfedgeId sector = kNoHalfedge;  ///< the half-edge there whose range of directions holds the
+                                      ///< point; kNoHalfedge if that is not known
+  };
+  /// Walks from `start`, as of insert(). REQUIRES: a visible site.
+  [[nodiscard]] Located locate(double x, double y, VertexId start,
+                               Walk walk = Walk::kSectors) const;
+
+  // --- Changing: each either succeeds or throws std::bad_alloc and has changed nothing
+
+  /// Room for vertices of index < slots.
+  void reserve(std::size_t slots);
+  /// Room for the sites of vertices of index < slots.
+  void reserveSites(std::size_t slots) {
+    if (sites_.size() < slots) sites_.resize(slots);
+  }
+  /// Room for the faces of so many more visible sites, in one piece.
+  void reserveBulk(std::size_t sites);
+
+  /// Writes the site of a vertex that is not visible, so that remove() can consider it. REQUIRES:
+  /// reserve or reserveSites.
+  void setSite(VertexId v, const Site& site) { sites_[index(v)] = site; }
+
+  struct Insertion {
+    VertexId
+        cover;  ///< the visible site that covers the new one, which then got no place; or kNoVertex
+    std::span<const VertexId> covered;  ///< vertices that lost their place because the new one
+                                        ///< covers them; valid until the next change
+  };
+  /// Inserts the site of v (setSite), walking to its place from `start`, or from some visible
+  /// vertex if that is not one: starts are hints, kept by others (grid, levels). Paper, section 3.
+  /// `forest` gets room for what the site will cover. REQUIRES: v is not visible. With a remover,
+  /// all room is made that it will need to take the site out again, all there is to be as it was
+  /// before.
+  [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors,
+                                 HiddenForest* forest = nullptr, Remover* remover = nullptr);
+
+  /// Forgets all sites but keeps the room.
+  void clear() noexcept;
+
+  /// Snapshots (snapshot.cpp): everything but the sites, which are set before restore(). That
+  /// fails, and leaves what is good for nothing, if what is read is no surface; whether it is the
+  /// diagram of the sites is for prove() to say.
+  void save(WordWriter& out, std::size_t vertexSlots) const;
+  [[nodiscard]] bool restore(WordReader& in, std::size_t faceSlots);
+  /// Is it the Delaunay graph of its sites (proof.h)? Computes the circles of all faces.
+  [[nodiscard]] bool prove();
+
+  // A restored graph that has not been proved may be anything on a closed surface. Walks end and
+  // stay in the arrays there; what would not is demanded before an operation commits.
+  [[nodiscard]] bool isProven() const { return isProven_; }
+  /// Has the graph turned out to be none of its sites? Then it is good for nothing.
+  [[nodiscard]] bool isBroken() const { return isBroken_; }
+  /// What holds in a Delaunay graph. Where it does not, an unproven graph is broken, which throws;
+  /// else the code is.
+  void demand(bool holds, const char* name) const {
+    if (!holds) refuse(name);
+  }
+
+  /// The first broken invariant, exactly checked, or nullptr; `where` receives an id that it names.
+  [[nodiscard]] const char* check(std::uint32_t& where) const;
+
+ private:
+  friend class Remover;         // the other operation that changes the graph
+  friend class SiteMoves;       // changes sites and circles
+  friend class DiagramBreaker;  // tests break a structure on purpose
+
+  [[nodiscard]] VertexId visibleStart(VertexId hint) const {
+    return isVisible(hint) ? hint : recent_;
+  }
+  [[nodiscard]] Located walkAllNeighbors(double x, double y, VertexId start) const;
+  [[nodiscard]] Located walkSectors(double x, double y, VertexId start) const;
+  void shadowCheckNearest(VertexId v, double x, double y) const;
+  [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
+  [[nodiscard]] Insertion insertBesideOne(VertexId v, HiddenForest* forest);
+  [[nodiscard]] Insertion coverAll(VertexId v, HiddenForest* forest, Remover* remover);
+  [[nodiscard]] bool isSameVertex(HalfedgeId h) const;
+  void computeCircle(FaceId f) const;
+  void refuse(const char* name) const;
+  /// Room for an operation on the graph, newFaces_ and newCircles_ included.
+  void reserveFaces(std::size_t removed, std::size_t created);
+  /// Room for the scratch of an operation on so many faces and sides that needs none for new faces,
+  /// as it undoes one.
+  void reserveReturn(std::size_t facesAndSides);
+  [[nodiscard]] std::span<FaceId> newFaces(std::size_t created) {
+    return {newFaces_.data(), created};
+  }
+  /// After the operation: newCircles_ become the circles of newFaces_.
+  void takeCircles(std::size_t created) noexcept {
+    for (std::size_t k = 0; k < created; ++k) circles_[index(newFaces_[k])] = newCircles_[k];
+  }
+
+  FlatArray<Site> sites_;                     // by vertex
+  Graph graph_;                               // has faces from two visible sites on
+  mutable FlatArray<VoronoiCircle> circles_;  // by face; mutable only where one is missing
+  mutable bool mayMissCircles_ = false;
+  bool isProven_ = true;
+  mutable bool isBroken_ = false;
+  std::size_t visibleCount_ = 0;
+  VertexId recent_ = kNoVertex;  // visible; the only one if visibleCount_ is 1
+
+  ConflictSearch conflicts_;
+  CircleFan fan_;
+  FlatArray<FaceId> newFaces_;  // scratch
+  FlatArray<VoronoiCircle>
+      newCircles_;  // scratch: computed before the graph changes, as that may take memory
+  FlatArray<VertexId> covered_;  // scratch
+  std::size_t returnRoom_ = 0;   // of reserveReturn()
+};
+
+}  // namespace apollonius

@@ -1,0 +1,59 @@
+// Filling the hole that a deletion leaves, the quick way for the common case: by clipping ears off
+// the polygon of the neighbours.
+//
+// Three consecutive corners a, b, c of the polygon are an ear if their Voronoi circle exists, is in
+// conflict with the removed site (so it lies in the cell that becomes free) and with no other
+// corner. Then it is a vertex of the new diagram: there, only the neighbours matter. A polygon of m
+// corners takes m - 2 faces, and the new diagram has as many there; so if clipping comes to an end,
+// the faces are those of the new diagram. They fit together in one way only, for the corners are
+// pairwise different: then a pair of corners is at most one chord. (Sites that are neighbours of
+// the removed one several times, and sites that it had hidden, are for the small diagram of
+// remove.h.)
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "delaunay/delaunay_graph.h"
+#include "memory/flat_array.h"
+
+namespace apollonius {
+
+class EarClipper {
+ public:
+  /// Longer polygons take a time that grows with the square or worse.
+  static constexpr std::size_t kMostCorners = 24;
+
+  /// Fills the hole of v, whose link is given (remove.h). False, if there is not a simple polygon:
+  /// nothing is known then. REQUIRES: v hid no site that becomes visible; a link of at least 3.
+  /// Throws std::bad_alloc.
+  [[nodiscard]] bool fill(const DelaunayGraph& diagram, VertexId v,
+                          std::span<const HalfedgeId> link);
+
+  /// Room for all that it can do.
+  void reserve() {
+    corners_.reserve(kMostCorners);
+    patch_.reserve(kMostCorners);
+    circles_.reserve(kMostCorners);
+  }
+
+  [[nodiscard]] std::span<const Graph::PatchFace> patch() const { return patch_; }
+  [[nodiscard]] std::span<const VoronoiCircle> circles() const { return circles_; }
+
+ private:
+  struct CornerOfHole {
+    VertexId vertex;
+    std::uint32_t side;  ///< what lies beyond the edge to the next corner, as in Graph::PatchFace
+  };
+
+  [[nodiscard]] bool isEar(const DelaunayGraph& diagram, const Site& removed, std::size_t a,
+                           std::size_t b, std::size_t c, VoronoiCircle& circle) const;
+  void addFace(std::size_t a, std::size_t b, std::size_t c, const VoronoiCircle& circle);
+  void join(std::uint32_t halfedge, std::uint32_t side);
+
+  FlatArray<CornerOfHole> corners_;  // what is left of the polygon
+  FlatArray<Graph::PatchFace> patch_;
+  FlatArray<VoronoiCircle> circles_;
+};
+
+}  // namespace apollonius

@@ -1,0 +1,91 @@
+// Insertion in the paper's three stages (section 3): nearest site, is the new one covered by it,
+// conflict region and starring.
+#include <algorithm>
+
+#include "delaunay/delaunay_graph.h"
+#include "delaunay/remove.h"
+#include "number/invariant.h"
+
+namespace apollonius {
+
+DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk walk,
+                                               HiddenForest* forest, Remover* remover) {
+  invariant(!isVisible(v), "a site enters a graph once");
+  const Site& q = site(v);
+  if (visibleCount_ == 0) {
+    visibleCount_ = 1;
+    recent_ = v;
+    return {kNoVertex, {}};
+  }
+  if (visibleCount_ == 1) return insertBesideOne(v, forest);
+  start = visibleStart(start);
+  // Often a conflict is found at once, which makes the first two stages superfluous: a covered site
+  // has none.
+  if (!conflicts_.findBeside(*this, q, start)) {
+    const Located near = locate(q.x, q.y, start, walk);
+    if (covers(site(near.nearest), q)) return {near.nearest, {}};  // Lemma 1
+    conflicts_.find(*this, q, near.nearest, near.sector);
+  }
+  if (conflicts_.rim().empty()) return coverAll(v, forest, remover);
+  if (!isProven_) demand(conflicts_.isDisk(), "the conflict region is a disk");
+
+  const std::size_t removed = conflicts_.faces().size();
+  const std::size_t created = conflicts_.rim().size();
+  reserveFaces(removed, created);
+  for (std::size_t k = 0; k < created; ++k)
+    fan_.setCorner(k, corner(graph_.origin(conflicts_.rim()[k])));
+  fan_.compute(q, {newCircles_.data(), created});
+  // As many as the region has cycles: f faces that hang together by e edges have e - f + 1, and 3 f
+  // - 2 e sides.
+  const std::size_t covered = removed + 2 > created ? (removed + 2 - created) / 2 : 0;
+  if (forest != nullptr) forest->reserveChildren(covered);
+  if (remover != nullptr) {
+    remover->reserve(created + covered);
+    reserveReturn(std::max(created, removed));
+  }
+  const std::span<const VertexId> lost =
+      graph_.starHole(v, conflicts_.faces(), conflicts_.rim(), newFaces(created));
+  takeCircles(created);
+  visibleCount_ += 1 - lost.size();
+  recent_ = v;
+  return {kNoVertex, lost};
+}
+
+DelaunayGraph::Insertion DelaunayGraph::insertBesideOne(VertexId v, HiddenForest* forest) {
+  const VertexId first = recent_;
+  if (covers(site(first), site(v))) return {first, {}};
+  if (covers(site(v), site(first))) return coverAll(v, forest, nullptr);
+  reserveFaces(0, 2);
+  newCircles_[0] = voronoiCircle(corner(first), corner(v), nullptr);
+  newCircles_[1] = voronoiCircle(corner(v), corner(first), nullptr);
+  graph_.makePair(first, v, newFaces(2));
+  takeCircles(2);
+  visibleCount_ = 2;
+  recent_ = v;
+  return {kNoVertex, {}};
+}
+
+/// The new site covers every visible one: it remains alone.
+DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v, HiddenForest* forest,
+                                                 Remover* remover) {
+  covered_.clear();
+  if (visibleCount_ == 1) {
+    covered_.push_back(recent_);
+  } else {
+    graph_.listVertices(covered_);
+  }
+  for (std::size_t k = 0; !isProven_ && k < covered_.size(); ++k) {
+    demand(covers(site(v), site(covered_[k])), "what has no rim covers all");
+  }
+  if (forest != nullptr) forest->reserveChildren(covered_.size());
+  if (remover != nullptr) {
+    remover->reserve(covered_.size());
+    reserveReturn(2 * covered_.size());
+  }
+  graph_.clear();
+  visibleCount_ = 1;
+  recent_ = v;
+  return {kNoVertex, covered_};
+}
+
+}  // namespace apollonius

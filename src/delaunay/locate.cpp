@@ -1,0 +1,206 @@
+// Nearest neighbour location by walking: the paper's way (section 4), which asks all neighbours,
+// and the sector walk, which asks the one in the direction of the point.
+#include "delaunay/delaunay_graph.h"
+#include "predicate/approx_distance.h"
+#include "predicate/direction.h"
+#include "predicate/predicates.h"
+
+namespace apollonius {
+
+namespace {
+
+/// A site and its distance to a fixed point. Distances that doubles cannot tell apart are compared
+/// exactly; ties have a winner, so that walks end. (The filter is distanceFilter's, which the
+/// shadow check compares with the exact stage.)
+class Nearest {
+ public:
+  Nearest(double x, double y, const Site& first)
+      : x_(x), y_(y), site_(&first), distance_(x, y, first) {}
+
+  /// Takes the candidate's place if it is nearer.
+  bool improve(const Site& candidate) {
+    const ApproxDistance distance(x_, y_, candidate);
+    const double gain = distance_.value - distance.value;
+    const double bound = distance_.bound + distance.bound;
+    if (gain < -bound || (!(gain > bound) && !isNearer(x_, y_, *site_, candidate))) return false;
+    site_ = &candidate;
+    distance_ = distance;
+    return true;
+  }
+
+ private:
+  double x_, y_;
+  const Site* site_;
+  ApproxDistance distance_;
+};
+
+/// Up to this many neighbours are asked one after the other, which is cheaper than finding out
+/// which one to ask.
+constexpr int kFewNeighbors = 12;
+
+/// Where the ray from a site's centre through a point lies among the directions of the site's
+/// faces. Every answer is exact: that a sector holds the ray is what the end of a walk is proved
+/// by.
+class Sectors {
+ public:
+  /// REQUIRES: (x, y) is not the pole's centre.
+  Sectors(const DelaunayGraph& diagram, double x, double y, VertexId pole)
+      : diagram_(diagram), pole_(diagram.site(pole)), x_(x), y_(y) {}
+
+  /// A half-edge around the pole whose sector, its bounds included, holds the ray, rotating from
+  /// `begin` towards it; or kNoHalfedge, if doubles cannot tell a sector of nearly a whole turn
+  /// from one of nearly none.
+  [[nodiscard]] HalfedgeId find(HalfedgeId begin) const {
+    const Graph& graph = diagram_.graph();
+    HalfedgeId h = begin;
+    Bearing first = bearing(graph.rotateCw(h)), last = bearing(h);
+    const bool clockwise = first == Bearing::kRight;
+    for (;;) {
+      if (holds(h, first, last)) return h;
+      h = clockwise ? graph.rotateCw(h) : graph.rotateCcw(h);
+      if (h == begin) return kNoHalfedge;
+      (clockwise ? last : first) = clockwise ? first : last;
+      (clockwise ? first : last) = bearing(clockwise ? graph.rotateCw(h) : h);
+    }
+  }
+
+  /// Does the ray run along the direction of the face to the left of h?
+  [[nodiscard]] bool runsAlong(HalfedgeId h) const { return bearing(h) == Bearing::kAlong; }
+
+ private:
+  [[nodiscard]] const VoronoiCircle& circle(HalfedgeId h) const {
+    return diagram_.circle(faceOf(h));
+  }
+
+  /// Along the direction of the face to the left of h, which starts at the pole.
+  [[nodiscard]] Bearing bearing(HalfedgeId h) const {
+    const Graph& graph = diagram_.graph();
+    return bearingOf(x_, y_, circle(h), pole_, diagram_.corner(graph.target(h)),
+                     diagram_.corner(graph.apex(h)));
+  }
+
+  /// Does the sector from the direction of h's right face counter-clockwise to that of its left
+  /// face hold the ray, which lies so as seen along them? The ray is turned from the last direction
+  /// by as much as from the first, less the span of the sector: by more means that a whole turn was
+  /// added, so the ray is within. Bearings are listed in the order of such turns.
+  [[nodiscard]] bool holds(HalfedgeId h, Bearing first, Bearing last) const {
+    if (first == Bearing::kAlong || last == Bearing::kAlong) return true;
+    if (first != last) return last > first;
+    // On the same side of both, or opposite to both: within if the sector spans more than half a
+    // turn.
+    if (first == Bearing::kOpposite) return false;
+    const Arrow from = directionOf(circle(diagram_.graph().rotateCw(h)), pole_),
+                to = directionOf(circle(h), pole_);
+    return turn(from, to).sign == Sign::kNegative;
+  }
+
+  const DelaunayGraph& diagram_;
+  const Site& pole_;
+  double x_, y_;
+};
+
+}  // namespace
+
+DelaunayGraph::Located DelaunayGraph::locate(double x, double y, VertexId start, Walk walk) const {
+  if (visibleCount_ == 1) return {recent_, kNoHalfedge};
+  start = visibleStart(start);
+  return walk == Walk::kSectors ? walkSectors(x, y, start) : walkAllNeighbors(x, y, start);
+}
+
+DelaunayGraph::Located DelaunayGraph::walkAllNeighbors(double x, double y, VertexId start) const {
+  VertexId best = start;
+  Nearest nearest(x, y, site(best));
+  HalfedgeId h = graph_.outgoing(best);
+  HalfedgeId begin = h;
+  do {
+    const VertexId v = graph_.target(h);
+    if (v != kInfinity && nearest.improve(site(v))) {
+      best = v;
+      begin = h = graph_.twin(h);  // the edge back: its other end is not nearer
+    }
+    h = graph_.rotateCcw(h);
+  } while (h != begin);
+  return {best, kNoHalfedge};
+}
+
+/// The plain walk where degrees are small. At a site with more than kFewNeighbors, the ray from its
+/// centre through the point decides: it leaves the site's cell across one Voronoi edge, that of the
+/// sector (the range of directions of a half-edge v → j, from the vertex of the face on its right
+/// to that on its left) which holds the ray.
+///
+/// Why that proves the end. Cells are star-shaped about the centre. Beyond the place where the ray
+/// leaves v's cell, into that of j, the distance to v grows as fast as any can, and that to j does
+/// not: j is strictly nearer than v there. So if j is not nearer than v, the point is in v's cell.
+/// It may be its very end, at the same distance from both. Then all sites at that distance touch
+/// one circle about it. If there are more than two, it is a Voronoi vertex, and the canonical graph
+/// has faces of all of them there with the largest one: that one is the answer and is among the
+/// neighbours across the edges that meet in the ray's direction; these are asked, too. Where the
+/// sector is not to be found, all neighbours are.
+DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId start) const {
+  Nearest nearest(x, y, site(start));
+  HalfedgeId better = kNoHalfedge;
+  const auto ask = [&](HalfedgeId candidate) {
+    const VertexId j = graph_.target(candidate);
+    if (j != kInfinity && nearest.improve(site(j))) better = candidate;
+    return better != kNoHalfedge;
+  };
+  HalfedgeId begin = graph_.outgoing(start);
+  for (;;) {
+    better = kNoHalfedge;
+    HalfedgeId h = begin;
+    int asked = 0;
+    do {
+      h = graph_.rotateCcw(h);
+      ++asked;
+    } while (!ask(h) && h != begin && asked < kFewNeighbors);
+    if (better == kNoHalfedge && h == begin) return {graph_.origin(h), kNoHalfedge};
+
+    HalfedgeId sector = kNoHalfedge;
+    if (better == kNoHalfedge) {
+      const VertexId pole = graph_.origin(h);
+      if (site(pole).x == x && site(pole).y == y)
+        return {pole, kNoHalfedge};  // no other covers it, so none is as near
+      const Sectors sectors(*this, x, y, pole);
+      sector = sectors.find(begin);
+      if (sector == kNoHalfedge) {
+        do {
+          h = graph_.rotateCcw(h);
+        } while (!ask(h) && h != begin);
+      } else if (!ask(sector)) {
+        for (HalfedgeId right = sector; sectors.runsAlong(graph_.rotateCw(right));) {
+          right = graph_.rotateCw(right);
+          if (right == sector || ask(right)) break;
+        }
+        for (HalfedgeId left = sector; better == kNoHalfedge && sectors.runsAlong(left);) {
+          left = graph_.rotateCcw(left);
+          if (left == sector || ask(left)) break;
+        }
+      }
+      if (better == kNoHalfedge) {
+        shadowCheckNearest(pole, x, y);
+        return {pole, sector};
+      }
+    }
+    // The edge back, whose other end is not nearer, and the one after it, whose other end was
+    // probably asked before, come last.
+    begin = graph_.rotateCcw(graph_.twin(better));
+  }
+}
+
+/// In builds with the shadow check: no neighbour of v is nearer, which is what the walk through all
+/// neighbours proves.
+void DelaunayGraph::shadowCheckNearest(VertexId v, double x, double y) const {
+  if constexpr (!kShadowCheck) return;
+  Nearest nearest(x, y, site(v));
+  const HalfedgeId begin = graph_.outgoing(v);
+  HalfedgeId h = begin;
+  do {
+    const VertexId j = graph_.target(h);
+    shadowCheck({Sign::kNegative, true}, [&] {
+      return j != kInfinity && nearest.improve(site(j)) ? Sign::kPositive : Sign::kNegative;
+    });
+    h = graph_.rotateCcw(h);
+  } while (h != begin);
+}
+
+}  // namespace apollonius

@@ -1,0 +1,107 @@
+// A certificate that moving sites, one or many at once, changes no face: for the small moves of
+// animations.
+//
+// Let the circles of all faces around moved sites be computed anew, each once. The graph is that of
+// the new diagram if
+//   1. all of them exist, and neighbours do not cover each other;
+//   2. along each edge of these faces its two ends come in the right order;
+//   3. each of the vertices moves, as seen from each of its three sites, by less than a quarter
+//   turn: surely if it is farther from them
+//      than the sites and it have moved together.
+// Why. By 1 and 2 each cell is bounded by a closed curve that runs counter-clockwise around its
+// centre; by 3 it does so as often as before, once. Hence the cells, glued along their edges, cover
+// the sphere without branching; the graph is a sphere as well, and so (Riemann-Hurwitz) they cover
+// it once: they tile the plane. Now let p be in the cell of i, and suppose j nearer to it. From p
+// straight to c_j the distance to j falls as fast as any can, so j stays strictly nearer than the
+// tile's site, down to c_j itself; but c_j is in the tile of j. So the tiles are the Voronoi cells.
+//
+// On 2. Seen from the larger of its sites, a bounded edge spans at most half a turn
+// (docs/PREDICATES.md), so the turn from one end to the other tells. An unbounded one may span
+// more: its turn must have the sign that it had. As by 3 each end has turned by less than a
+// quarter, a span of less than half a turn cannot have become one of more than half a turn then,
+// nor the reverse, nor less than none or more than a whole one. (That the corner beyond an edge is
+// in no conflict with a face, seen from either side, would not do: a small site that has jumped
+// over the vertex at the edge's other end is in none.)
+//
+// Everything is asked of the filters; what they do not know counts as no, and the sites concerned
+// stay where they are. A face at infinity has a direction for a vertex, its half-plane's normal.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "delaunay/delaunay_graph.h"
+#include "memory/flat_array.h"
+#include "predicate/circle_fan.h"
+
+namespace apollonius {
+
+class SiteMoves {
+ public:
+  struct Move {
+    VertexId vertex;
+    Site to;
+  };
+
+  /// Moves as many of the sites as certainly leave the graph as it is, and returns for each move
+  /// whether it was made. The others stay where they are: all of them, if more than `mostLeft`
+  /// would have to (there are cheaper ways then), which a sample of them tells quickly in most
+  /// cases. REQUIRES: visible vertices, each at most once; no move is from a place to itself.
+  /// Throws std::bad_alloc with the diagram unchanged. Cost: O(sum of the degrees).
+  std::span<const std::uint8_t> apply(
+      DelaunayGraph& diagram, std::span<const Move> moves,
+      std::size_t mostLeft = std::numeric_limits<std::size_t>::max());
+
+  /// Puts sites back that moves in place have moved, `moves` telling where to. The graph is the one
+  /// of these places. Cost: O(sum of the degrees).
+  static void takeBack(DelaunayGraph& diagram, std::span<const Move> moves) noexcept;
+
+  /// Where the site of move k was before the last apply().
+  [[nodiscard]] const Site& siteBefore(std::size_t k) const { return before_[k]; }
+
+ private:
+  void reserveMoves(const DelaunayGraph& diagram);
+  void reserveFaces(const Graph& graph);
+  [[nodiscard]] bool areHopeless(std::size_t mostLeft);
+  [[nodiscard]] bool keepsItsStar(VertexId v) const;
+  void makeAll();
+  void collectFaces();
+  [[nodiscard]] bool isMoved(VertexId v) const { return isMoved_[index(v)] != 0; }
+  [[nodiscard]] const Site& siteBefore(VertexId v) const;
+  [[nodiscard]] bool hasMovedCorner(FaceId f) const;
+  void computeCircles();
+  void computeCircle(std::uint32_t position);
+  void check(std::uint32_t position);
+  [[nodiscard]] bool isFarFromItsSites(FaceId f, const VoronoiCircle& before,
+                                       const VoronoiCircle& now) const;
+  [[nodiscard]] bool endsAreInOrder(HalfedgeId h, const VoronoiCircle& left,
+                                    const VoronoiCircle& right) const;
+  void takeBack(VertexId v);
+  void takeBackOneOf(FaceId f);
+  void takeBackAll() noexcept;
+  void queue(FaceId f);
+
+  DelaunayGraph* diagram_ = nullptr;  // during apply only
+  std::span<const Move> moves_;
+  double longestMove_ = 0;
+  std::size_t left_ = 0;                 // moves that have been taken back
+  FlatArray<Site> before_;               // by move
+  FlatArray<std::uint8_t> isMade_;       // by move
+  FlatArray<std::uint8_t> isMoved_;      // by vertex; 0 between calls
+  FlatArray<std::uint32_t> moveOf_;      // by vertex that moves or has been taken back
+  FlatArray<std::uint32_t> positionOf_;  // by face: its place in changed_; kNoIndex between calls
+
+  /// A face with a corner that moves.
+  struct ChangedFace {
+    FaceId face;
+    bool isQueued;
+    bool isActive;         ///< some corner is moved (now, that is: not taken back)
+    VoronoiCircle circle;  ///< its new one; an infinite error if there may be none
+  };
+  FlatArray<ChangedFace> changed_;
+  FlatArray<std::uint32_t> queue_;  // positions of faces to check (again)
+  CircleFan fan_;
+};
+
+}  // namespace apollonius

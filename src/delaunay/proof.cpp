@@ -1,0 +1,117 @@
+#include "delaunay/proof.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "delaunay/delaunay_graph.h"
+#include "predicate/circle_batch.h"
+#include "predicate/predicates.h"
+
+namespace apollonius {
+
+namespace {
+
+class Proof {
+ public:
+  Proof(const DelaunayGraph& diagram, FlatArray<VoronoiCircle>& circles)
+      : diagram_(diagram), graph_(diagram.graph()), circles_(circles) {}
+
+  const char* run(std::uint32_t& where) {
+    lookAtFaces();
+    if (what_ == nullptr) lookAtEdges();
+    const HalfedgeId hull = graph_.outgoing(kInfinity);
+    if (what_ == nullptr && !hullTurnsOnce())
+      fail("the hull turns more than once: half-edge", hull);
+    where = where_;
+    return what_;
+  }
+
+ private:
+  void fail(const char* what, HalfedgeId h) {
+    if (what_ != nullptr) return;
+    what_ = what;
+    where_ = static_cast<std::uint32_t>(h);
+  }
+
+  /// Filters first: a certain circle proves that it exists and that none of its sites covers
+  /// another.
+  void lookAtFaces() {
+    CircleFan fan;
+    reserveForBatch(fan);
+    CircleBatch batch(fan, [this](std::uint32_t f, const VoronoiCircle& circle) {
+      circles_[f] = circle;
+      if (!(circle.error < std::numeric_limits<float>::infinity())) lookAtFace(FaceId{f});
+    });
+    for (std::uint32_t f = 0; f < graph_.faceSlots() && what_ == nullptr; ++f) {
+      if (!graph_.isLive(FaceId{f})) continue;
+      const EdgeCorners e = diagram_.edge(halfedgeOf(FaceId{f}, 0));
+      if (e.i == nullptr || e.j == nullptr || e.k == nullptr) {
+        lookAtFace(FaceId{f});
+      } else {
+        batch.add(f, {e.i, e.j, e.k});
+      }
+    }
+    batch.finish();
+  }
+
+  void lookAtFace(FaceId f) {
+    for (unsigned c = 0; c < 3; ++c) {
+      const HalfedgeId h = halfedgeOf(f, c);
+      const Corner i = diagram_.corner(graph_.origin(h)), j = diagram_.corner(graph_.target(h));
+      if (i == nullptr || j == nullptr || !(covers(*i, *j) || covers(*j, *i))) continue;
+      return fail("a visible site is covered by a neighbour: half-edge", h);
+    }
+    const EdgeCorners e = diagram_.edge(halfedgeOf(f, 0));
+    const bool exists = findVoronoiCircle(e.i, e.j, e.k, circles_[index(f)]);
+    if (!exists) fail("a face has no Voronoi circle: half-edge", halfedgeOf(f, 0));
+  }
+
+  void lookAtEdges() {
+    for (std::uint32_t i = 0; i < 3 * graph_.faceSlots() && what_ == nullptr; ++i) {
+      const HalfedgeId h{i}, twin = graph_.twin(h);
+      if (!graph_.isLive(faceOf(h)) || twin < h) continue;  // each edge once
+      if (isDelaunayEdge(diagram_.edge(h), circle(h), circle(twin))) continue;
+      fail("the faces of an edge contradict each other: half-edge", h);
+    }
+  }
+
+  /// Counts how often the normals pass the angle 0 on their way around infinity.
+  [[nodiscard]] bool hullTurnsOnce() const {
+    const HalfedgeId begin = graph_.twin(graph_.outgoing(kInfinity));
+    HalfedgeId h = begin;  // from i to infinity, between the half-planes of (i, l, infinity) and
+                           // (k, i, infinity)
+    std::size_t turns = 0;
+    do {
+      const HalfedgeId twin = graph_.twin(h);
+      const Site& i = diagram_.site(graph_.origin(h));
+      const Site &k = diagram_.site(graph_.apex(h)), &l = diagram_.site(graph_.apex(twin));
+      const bool startsUp = pointsUp(i, l, circle(twin)), endsUp = pointsUp(k, i, circle(h));
+      const bool passes = startsUp == endsUp
+                              ? turnOfHull(i, l, k, circle(twin), circle(h)) == Sign::kNegative
+                              : endsUp;
+      turns += static_cast<std::size_t>(passes);
+      h = graph_.twin(next(h));
+    } while (h != begin);
+    return turns == 1;
+  }
+
+  [[nodiscard]] const VoronoiCircle& circle(HalfedgeId h) const {
+    return circles_[index(faceOf(h))];
+  }
+
+  const DelaunayGraph& diagram_;
+  const Graph& graph_;
+  FlatArray<VoronoiCircle>& circles_;
+  const char* what_ = nullptr;
+  std::uint32_t where_ = 0;
+};
+
+}  // namespace
+
+const char* findContradiction(const DelaunayGraph& diagram, FlatArray<VoronoiCircle>& circles,
+                              std::uint32_t& where) {
+  circles.resize(diagram.graph().faceSlots());
+  return Proof(diagram, circles).run(where);
+}
+
+}  // namespace apollonius

@@ -1,0 +1,103 @@
+// A grid of places to start from: for each cell of a square grid over the sites, some site with its
+// centre there. Where sites are spread evenly, a walk from there has a step or two, and one look
+// replaces the descent through the hierarchy. Cells that hold many sites give no answer: there the
+// hierarchy is better.
+//
+// The grid is a hint and nothing else. Entries go stale when sites leave or move, and their slots
+// go to sites elsewhere; whoever asks checks that the site is visible, and still close: walks from
+// afar cost far more than the hierarchy. Where it runs out of memory it is dropped.
+#pragma once
+
+#include <cstdint>
+
+#include "diagram/id_pool.h"
+#include "memory/flat_array.h"
+#include "predicate/site.h"
+
+namespace apollonius {
+
+class StartGrid {
+ public:
+  /// The slot of a site whose centre was in the cell of (x, y) or beside it, or kNoSlot.
+  [[nodiscard]] Slot near(double x, double y) const {
+    if (cells_.empty()) return kNoSlot;
+    const Cell& cell = cells_[cellOf(x, y)];
+    return cell.count <= kFew && cell.site != kNoSite ? cell.site : kNoSlot;
+  }
+
+  /// Is the site's centre in the cell of (x, y) or beside it? REQUIRES: near() has named it.
+  [[nodiscard]] bool isClose(const Site& site, double x, double y) const {
+    const auto differ = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
+    return differ(columnOf(site.x), columnOf(x)) <= 1 && differ(rowOf(site.y), rowOf(y)) <= 1;
+  }
+
+  void insert(Slot slot, const Site& site) {
+    ++noted_;
+    if (cells_.empty()) return;
+    Cell& cell = cells_[cellOf(site.x, site.y)];
+    cell.site = slot & kNoSite;
+    if (cell.count <= kFew) ++cell.count;
+  }
+  void remove(const Site& site) {
+    if (cells_.empty()) return;
+    Cell& cell = cells_[cellOf(site.x, site.y)];
+    if (cell.count > 0 && cell.count <= kFew) --cell.count;
+  }
+
+  void move(Slot slot, const Site& from, const Site& to) {
+    if (cells_.empty() || cellOf(from.x, from.y) == cellOf(to.x, to.y)) return;
+    remove(from);
+    insert(slot, to);
+  }
+
+  /// Has so much been inserted since the last rebuild that another one pays, which looks at so many
+  /// slots? Few of them may be those of visible sites.
+  [[nodiscard]] bool isOutgrown(std::size_t slots) const {
+    return noted_ > kLeast && noted_ > 2 * cells_.size() && noted_ > slots / 64;
+  }
+
+  /// Starts anew with all cells empty, for `sites` sites within a box; insert() each of them then,
+  /// and call fillGaps().
+  void rebuild(std::size_t sites, const Site& low, const Site& high) noexcept;
+
+  /// Cells without a site, a third of them where sites are spread at random, get that of a cell
+  /// beside.
+  void fillGaps() noexcept;
+
+  void clear() noexcept { *this = StartGrid{}; }
+
+ private:
+  friend class DiagramBreaker;  // tests break a structure on purpose
+
+  static constexpr std::size_t kLeast = 64;  // below, walks are short anyway
+  static constexpr std::uint32_t kFew = 6;
+
+  static constexpr unsigned kSiteBits = 29;
+  static constexpr Slot kNoSite = (Slot{1} << kSiteBits) - 1;
+  static_assert(kMostSites == std::size_t{1} << kSiteBits);  // the last slot is lost for the grid,
+                                                             // which is no more than a hint
+
+  struct Cell {
+    Slot site : kSiteBits = kNoSite;
+    std::uint32_t count : 3 = 0;  // of sites inserted; stays at kFew + 1 once it got there
+  };
+
+  [[nodiscard]] std::size_t columnOf(double x) const { return clamped((x - low_.x) * scaleX_); }
+  [[nodiscard]] std::size_t rowOf(double y) const { return clamped((y - low_.y) * scaleY_); }
+  [[nodiscard]] std::size_t cellOf(double x, double y) const {
+    return rowOf(y) * side_ + columnOf(x);
+  }
+  [[nodiscard]] std::size_t clamped(double position) const {
+    if (!(position > 0)) return 0;
+    return position < static_cast<double>(side_ - 1) ? static_cast<std::size_t>(position)
+                                                     : side_ - 1;
+  }
+
+  FlatArray<Cell> cells_;  // side_ * side_, row by row
+  std::size_t side_ = 0;
+  std::size_t noted_ = 0;
+  Site low_;
+  double scaleX_ = 0, scaleY_ = 0;
+};
+
+}  // namespace apollonius

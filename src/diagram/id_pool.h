@@ -1,0 +1,190 @@
+// Names and places of sites. A site's public id is stable while it lives; its slot is where it is
+// in the arrays of the diagram. They are two numbers so that sites that come in bulk can lie in
+// memory as they lie in the plane, and still be called 0, 1, 2, … in the order of the input. One
+// word an id, one a slot.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "apollonius/types.h"
+#include "memory/flat_array.h"
+#include "number/invariant.h"
+#include "topology/words.h"
+
+namespace apollonius {
+
+/// A site's place in the arrays; its vertex is the slot's number + 1.
+using Slot = std::uint32_t;
+inline constexpr Slot kNoSlot = 0xFFFFFFFFu;
+
+/// kPending: in use, but the site is in no structure at the moment; within operations of several
+/// steps only.
+enum class SiteState : std::uint8_t { kFree = 0, kVisible = 1, kHidden = 2, kPending = 3 };
+
+class SiteIds {
+ public:
+  [[nodiscard]] std::size_t slots() const { return slots_.size(); }  ///< slots in use are below
+  [[nodiscard]] std::size_t idLimit() const { return ids_.size(); }  ///< ids in use are below
+  [[nodiscard]] std::size_t size() const { return slots_.size() - freeSlots_; }
+  [[nodiscard]] std::size_t hiddenCount() const { return hiddenCount_; }
+  [[nodiscard]] SiteState state(Slot slot) const {
+    return slot < slots_.size() ? static_cast<SiteState>(slots_[slot] >> kShift) : SiteState::kFree;
+  }
+  /// Of a slot in use; kNoSite where there are no slots.
+  [[nodiscard]] SiteId idOf(Slot slot) const {
+    return slot < slots_.size() ? slots_[slot] & kMask : kNoSite;
+  }
+  /// kNoSlot if the id is not in use.
+  [[nodiscard]] Slot slotOf(SiteId id) const {
+    return id < ids_.size() && (ids_[id] & kFreeId) == 0 ? ids_[id] : kNoSlot;
+  }
+
+  /// Makes room for one more site and returns the slot that it will get; it is not in use before
+  /// take().
+  [[nodiscard]] Slot next() {
+    if (firstFreeId_ == kEnd) {
+      ids_.push_back(kFreeId | kEnd);
+      firstFreeId_ = static_cast<SiteId>(ids_.size() - 1);
+    }
+    if (firstFreeSlot_ == kEnd) {
+      slots_.push_back(kEnd);
+      firstFreeSlot_ = static_cast<Slot>(slots_.size() - 1);
+      ++freeSlots_;
+    }
+    return firstFreeSlot_;
+  }
+
+  /// Takes the next slot and the next id. REQUIRES: next().
+  SiteId take(SiteState state) {
+    const SiteId id = takeId();
+    (void)takeSlot(id, state);
+    return id;
+  }
+
+  /// The two halves of take(), for many sites whose slots are in another order than their ids.
+  /// REQUIRES: reserve().
+  [[nodiscard]] SiteId takeId() {
+    if (firstFreeId_ == kEnd) {
+      ids_.push_back(kNoSlot);
+      return static_cast<SiteId>(ids_.size() - 1);
+    }
+    const SiteId id = firstFreeId_;
+    firstFreeId_ = ids_[id] & kMask;
+    ids_[id] = kNoSlot;
+    return id;
+  }
+  [[nodiscard]] Slot takeSlot(SiteId id, SiteState state) {
+    Slot slot = firstFreeSlot_;
+    if (slot == kEnd) {
+      slot = static_cast<Slot>(slots_.size());
+      slots_.push_back(0);
+    } else {
+      firstFreeSlot_ = slots_[slot] & kMask;
+      --freeSlots_;
+    }
+    ids_[id] = slot;
+    slots_[slot] = word(state, id);
+    hiddenCount_ += state == SiteState::kHidden;
+    return slot;
+  }
+
+  /// The slots that takeSlot() will give, in that order: the first, and the one after another.
+  [[nodiscard]] Slot nextSlot() const {
+    return firstFreeSlot_ == kEnd ? static_cast<Slot>(slots_.size()) : firstFreeSlot_;
+  }
+  [[nodiscard]] Slot nextSlotAfter(Slot slot) const {
+    if (slot >= slots_.size()) return slot + 1;
+    const Slot next = slots_[slot] & kMask;
+    return next == kEnd ? static_cast<Slot>(slots_.size()) : next;
+  }
+
+  /// Changes the state of a slot in use.
+  void setState(Slot slot, SiteState state) {
+    invariant(slot < slots_.size(), "only a slot in use has a state");
+    hiddenCount_ += state == SiteState::kHidden;
+    hiddenCount_ -= this->state(slot) == SiteState::kHidden;
+    slots_[slot] = word(state, idOf(slot));
+  }
+
+  /// Frees a slot in use, and its id.
+  void release(Slot slot) {
+    invariant(slot < slots_.size(), "only a slot in use is freed");
+    hiddenCount_ -= state(slot) == SiteState::kHidden;
+    const SiteId id = idOf(slot);
+    ids_[id] = kFreeId | firstFreeId_;
+    firstFreeId_ = id;
+    slots_[slot] = word(SiteState::kFree, firstFreeSlot_);
+    firstFreeSlot_ = slot;
+    ++freeSlots_;
+  }
+
+  /// Calls the sites 0, 1, 2, … by these names, and takes over which ids are free from the
+  /// numbering that they come from. REQUIRES: no free slots or ids; the names are all that `other`
+  /// has in use. Throws std::bad_alloc with nothing changed.
+  void rename(std::span<const SiteId> names, const SiteIds& other) {
+    ids_ = other.ids_;
+    firstFreeId_ = other.firstFreeId_;
+    for (Slot slot = 0; slot < slots_.size(); ++slot) {
+      const SiteId name = names[idOf(slot)];
+      ids_[name] = slot;
+      slots_[slot] = word(state(slot), name);
+    }
+  }
+
+  /// Room for so many sites in all.
+  void reserve(std::size_t sites) {
+    for (auto* array : {&ids_, &slots_}) {
+      if (array->capacity() < sites)
+        array->reserve(std::max(sites, array->capacity() + array->capacity() / 2));
+    }
+  }
+
+  /// Snapshots: for each slot its id, or kNoSite; then the free slots and the free ids, in the
+  /// order in which they are used.
+  void save(WordWriter& out) const {
+    for (Slot slot = 0; slot < slots_.size(); ++slot)
+      out.word(state(slot) == SiteState::kFree ? kNoSite : idOf(slot));
+    for (Slot slot = firstFreeSlot_; slot != kEnd; slot = slots_[slot] & kMask) out.word(slot);
+    for (SiteId id = firstFreeId_; id != kEnd; id = ids_[id] & kMask) out.word(id);
+  }
+  /// Reads what save() wrote, with all sites pending; false if that is no numbering. REQUIRES: size
+  /// <= slots, size <= idLimit.
+  [[nodiscard]] bool restore(WordReader& in, std::size_t slots, std::size_t idLimit,
+                             std::size_t size);
+
+  /// Forgets all sites but keeps the room.
+  void clear() {
+    ids_.clear();
+    slots_.clear();
+    firstFreeId_ = firstFreeSlot_ = kEnd;
+    freeSlots_ = hiddenCount_ = 0;
+  }
+
+ private:
+  // Of a slot: the state in the upper two bits; below, the id, or of a free slot the next free one.
+  // Of an id: the slot, or with the top bit set the next free id.
+  static constexpr unsigned kShift = 30;
+  static constexpr std::uint32_t kMask = (std::uint32_t{1} << kShift) - 1;
+  static constexpr std::uint32_t kEnd = kMask;
+  static constexpr std::uint32_t kFreeId = 0x80000000u;
+  static_assert(kMostSites < kEnd - 1);
+
+  static constexpr std::uint32_t word(SiteState state, std::uint32_t value) {
+    return static_cast<std::uint32_t>(state) << kShift | value;
+  }
+
+  static constexpr std::uint32_t kNotListed = kEnd - 1;  // a free slot, while a snapshot is read
+
+  FlatArray<std::uint32_t> ids_;    // by id
+  FlatArray<std::uint32_t> slots_;  // by slot
+  SiteId firstFreeId_ = kEnd;
+  Slot firstFreeSlot_ = kEnd;
+  std::size_t freeSlots_ = 0;
+  std::size_t hiddenCount_ = 0;
+};
+
+}  // namespace apollonius

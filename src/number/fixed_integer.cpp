@@ -1,0 +1,100 @@
+#include "number/fixed_integer.h"
+
+#include <bit>
+
+namespace apollonius {
+
+Whole Whole::inUnits(double value, int unit) {
+  Whole result;
+  if (value == 0) return result;
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const int biased = static_cast<int>((bits >> 52) & 0x7FF);
+  std::uint64_t digits = bits & ((std::uint64_t{1} << 52) - 1);
+  if (biased != 0) digits |= std::uint64_t{1} << 52;
+  int shift = (biased != 0 ? biased : 1) - 1075 - unit;
+  if (shift < 0) {  // the digits shifted out are zeros
+    digits >>= -shift;
+    shift = 0;
+  }
+  const int skipped = shift / 32, within = shift % 32;
+  std::fill_n(result.limbs_, skipped, 0u);
+  const std::uint64_t low = digits << within;
+  result.limbs_[skipped] = static_cast<std::uint32_t>(low);
+  result.limbs_[skipped + 1] = static_cast<std::uint32_t>(low >> 32);
+  result.limbs_[skipped + 2] =
+      within != 0 ? static_cast<std::uint32_t>(digits >> (64 - within)) : 0;
+  result.size_ = skipped + 3;
+  result.isNegative_ = value < 0;
+  result.dropZeros();
+  return result;
+}
+
+Whole operator*(const Whole& a, const Whole& b) {
+  Whole product;
+  if (a.size_ == 0 || b.size_ == 0) return product;
+  product.size_ = a.size_ + b.size_;
+  product.isNegative_ = a.isNegative_ != b.isNegative_;
+  std::fill_n(product.limbs_, product.size_, 0u);
+  for (int i = 0; i < a.size_; ++i) {
+    std::uint64_t carry = 0;
+    const std::uint64_t factor = a.limbs_[i];
+    for (int j = 0; j < b.size_; ++j) {
+      carry += factor * b.limbs_[j] + product.limbs_[i + j];
+      product.limbs_[i + j] = static_cast<std::uint32_t>(carry);
+      carry >>= 32;
+    }
+    product.limbs_[i + b.size_] = static_cast<std::uint32_t>(carry);
+  }
+  product.dropZeros();
+  return product;
+}
+
+Whole Whole::sum(const Whole& a, const Whole& b, bool bIsNegative) {
+  if (a.isNegative_ == bIsNegative || a.size_ == 0 || b.size_ == 0) {
+    Whole result = a.size_ >= b.size_ ? added(a, b) : added(b, a);
+    result.isNegative_ = a.size_ == 0 ? bIsNegative : a.isNegative_;
+    return result;
+  }
+  const bool aIsLarger = compareMagnitudes(a, b) >= 0;
+  Whole result = aIsLarger ? subtracted(a, b) : subtracted(b, a);
+  result.isNegative_ = aIsLarger ? a.isNegative_ : bIsNegative;
+  return result;
+}
+
+/// |a| + |b|. REQUIRES: a has at least as many limbs.
+Whole Whole::added(const Whole& a, const Whole& b) {
+  Whole result;
+  std::uint64_t carry = 0;
+  for (int k = 0; k < a.size_; ++k) {
+    carry += std::uint64_t{a.limbs_[k]} + (k < b.size_ ? b.limbs_[k] : 0);
+    result.limbs_[k] = static_cast<std::uint32_t>(carry);
+    carry >>= 32;
+  }
+  result.limbs_[a.size_] = static_cast<std::uint32_t>(carry);
+  result.size_ = a.size_ + (carry != 0);
+  return result;
+}
+
+/// |a| - |b|. REQUIRES: |a| >= |b|.
+Whole Whole::subtracted(const Whole& a, const Whole& b) {
+  Whole result;
+  std::int64_t borrow = 0;
+  for (int k = 0; k < a.size_; ++k) {
+    borrow += std::int64_t{a.limbs_[k]} - (k < b.size_ ? std::int64_t{b.limbs_[k]} : 0);
+    result.limbs_[k] = static_cast<std::uint32_t>(borrow);
+    borrow >>= 32;
+  }
+  result.size_ = a.size_;
+  result.dropZeros();
+  return result;
+}
+
+int Whole::compareMagnitudes(const Whole& a, const Whole& b) {
+  if (a.size_ != b.size_) return a.size_ < b.size_ ? -1 : 1;
+  for (int k = a.size_; k-- > 0;) {
+    if (a.limbs_[k] != b.limbs_[k]) return a.limbs_[k] < b.limbs_[k] ? -1 : 1;
+  }
+  return 0;
+}
+
+}  // namespace apollonius

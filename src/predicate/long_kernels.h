@@ -1,0 +1,83 @@
+// Rows of differences to a pole in long numbers: the last two stages of the predicates, as rows.h
+// has them for the first two.
+#pragma once
+
+#include <array>
+#include <initializer_list>
+
+#include "number/dyadic.h"
+#include "number/fixed_integer.h"
+#include "predicate/kernels.h"
+
+namespace apollonius {
+
+/// Middle stage for longer inputs (decimal fractions, integers of many digits): integers in the
+/// common unit. Fails only where the coordinates range over more than 2^117 units.
+class WholeRows {
+ public:
+  using Number = Whole;
+
+  WholeRows(const Site& pole, std::initializer_list<Corner> corners) {
+    const Differences differences(pole, corners);
+    if (differences.areExact) {
+      if (!fits(differences.unit, differences.highest)) return;
+      const auto in = [&](double d) { return Whole::inUnits(d, differences.unit); };
+      for (std::size_t k = 0; k < differences.count; ++k) {
+        const Differences::Triple& d = differences.triples[k];
+        rows_[k] = d.isFinite ? rowOf(in(d.x), in(d.y), in(d.r)) : infinityRow<Whole>();
+      }
+      return;
+    }
+    Range range;
+    range.include(pole);
+    for (Corner c : corners) {
+      if (c != nullptr) range.include(*c);
+    }
+    if (!fits(range.lowest, range.highest)) return;
+    const auto in = [&](double v) { return Whole::inUnits(v, range.lowest); };
+    const Whole x = in(pole.x), y = in(pole.y), r = in(pole.r);
+    std::size_t n = 0;
+    for (Corner c : corners) {
+      rows_[n++] =
+          c != nullptr ? rowOf(in(c->x) - x, in(c->y) - y, in(c->r) - r) : infinityRow<Whole>();
+    }
+  }
+
+  [[nodiscard]] bool hasEqualWeights() const { return haveEqualWeights(rows_); }
+  [[nodiscard]] const Row<Whole>& row(std::size_t k) const { return rows_[k]; }
+  [[nodiscard]] static Sign sign(const Whole& x, Depth) { return x.sign(); }
+  [[nodiscard]] bool failed() const { return failed_; }
+
+ private:
+  bool fits(int lowest, int highest) {
+    failed_ = highest >= lowest && highest - lowest > Whole::kInputBits - 3;
+    return !failed_;
+  }
+
+  std::array<Row<Whole>, 4> rows_;
+  bool failed_ = false;
+};
+
+/// Exact stage: the same rows and signs over Dyadic.
+class ExactRows {
+ public:
+  using Number = Dyadic;
+
+  ExactRows(const Site& pole, std::initializer_list<Corner> corners) {
+    const Dyadic x(pole.x), y(pole.y), r(pole.r);
+    std::size_t n = 0;
+    for (Corner c : corners) {
+      rows_[n++] = c != nullptr ? rowOf(Dyadic(c->x) - x, Dyadic(c->y) - y, Dyadic(c->r) - r)
+                                : infinityRow<Dyadic>();
+    }
+  }
+
+  [[nodiscard]] bool hasEqualWeights() const { return haveEqualWeights(rows_); }
+  [[nodiscard]] const Row<Dyadic>& row(std::size_t k) const { return rows_[k]; }
+  [[nodiscard]] static Sign sign(const Dyadic& x, Depth) { return x.sign(); }
+
+ private:
+  std::array<Row<Dyadic>, 4> rows_;
+};
+
+}  // namespace apollonius

@@ -1,0 +1,194 @@
+#include "topology/graph.h"
+
+#include <algorithm>
+
+namespace apollonius {
+
+void Graph::reserveVertices(std::size_t slots) {
+  if (outgoing_.size() < slots) outgoing_.resize(slots, kNoHalfedge);
+}
+
+void Graph::reserveFaces(std::size_t removed, std::size_t created) {
+  const auto grow = [](auto& array, std::size_t needed) {
+    if (array.capacity() < needed)
+      array.reserve(std::max(needed, array.capacity() + array.capacity() / 2));
+  };
+  grow(halfedges_, 3 * faceSlotsAfter(removed, created));
+  grow(rim_, std::max(removed, created));
+  grow(lost_, 3 * removed);
+}
+
+void Graph::clear() {
+  if (hasFewFaces()) {
+    for (const Halfedge& h : halfedges_) {
+      if (h.origin != kNoVertex) outgoing_[index(h.origin)] = kNoHalfedge;
+    }
+  } else {
+    outgoing_.assign(outgoing_.size(), kNoHalfedge);
+  }
+  halfedges_.clear();
+  firstFree_ = kNoHalfedge;
+  freeFaces_ = 0;
+}
+
+void Graph::listVertices(FlatArray<VertexId>& vertices) const {
+  vertices.clear();
+  if (hasFewFaces()) {
+    for (std::size_t i = 0; i < halfedges_.size(); ++i) {
+      const VertexId v = halfedges_[i].origin;
+      if (v != kNoVertex && v != kInfinity && index(outgoing(v)) == i) vertices.push_back(v);
+    }
+  } else {
+    for (std::uint32_t v = 1; v < vertexSlots(); ++v) {
+      if (hasVertex(VertexId{v})) vertices.push_back(VertexId{v});
+    }
+  }
+}
+
+FaceId Graph::takeFace() {
+  if (firstFree_ == kNoHalfedge) {
+    const FaceId f{static_cast<std::uint32_t>(faceSlots())};
+    halfedges_.resize(halfedges_.size() + 3);
+    return f;
+  }
+  const FaceId f = faceOf(firstFree_);
+  firstFree_ = twin(firstFree_);
+  --freeFaces_;
+  return f;
+}
+
+void Graph::freeFace(FaceId f) {
+  for (unsigned c = 0; c < 3; ++c) {
+    halfedges_[index(halfedgeOf(f, c))] = Halfedge{};
+  }
+  halfedges_[index(halfedgeOf(f, 0))].twin = firstFree_;
+  firstFree_ = halfedgeOf(f, 0);
+  ++freeFaces_;
+}
+
+void Graph::setFace(FaceId f, VertexId a, VertexId b, VertexId c) {
+  const std::array<VertexId, 3> corners{a, b, c};
+  for (unsigned k = 0; k < 3; ++k) {
+    const HalfedgeId h = halfedgeOf(f, k);
+    halfedges_[index(h)].origin = corners[k];
+    outgoing_[index(corners[k])] = h;
+  }
+}
+
+void Graph::makePair(VertexId u, VertexId v, std::span<FaceId> faces) {
+  for (FaceId& f : faces) f = takeFace();
+  setFace(faces[0], u, v, kInfinity);
+  setFace(faces[1], v, u, kInfinity);
+  sew(halfedgeOf(faces[0], 0), halfedgeOf(faces[1], 0));  // u → v
+  sew(halfedgeOf(faces[0], 1), halfedgeOf(faces[1], 2));  // v → infinity
+  sew(halfedgeOf(faces[0], 2), halfedgeOf(faces[1], 1));  // infinity → u
+}
+
+std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> hole,
+                                          std::span<const HalfedgeId> rim,
+                                          std::span<FaceId> newFaces) {
+  const std::size_t n = rim.size();
+  // Faces of the hole are used again, so everything is read before anything is written.
+  rim_.clear();
+  for (const HalfedgeId h : rim) rim_.push_back({origin(h), twin(h)});
+  lost_.clear();
+  // f faces that hang together by f - 1 edges, as a tree, have f + 2 sides and no vertex within. So
+  // it is nearly always.
+  const bool mayLose = n != hole.size() + 2;
+  if (mayLose) collectCorners(hole);
+  for (const FaceId f : hole) halfedges_[index(halfedgeOf(f, 0))].origin = kNoVertex;
+  for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < hole.size() ? hole[k] : takeFace();
+
+  // An outer side within the hole is on the rim itself and is replaced too: leave word there of
+  // what replaces it.
+  const auto isInHole = [&](HalfedgeId h) { return !isLive(faceOf(h)); };
+  for (std::size_t k = 0; k < n; ++k) {
+    if (isInHole(rim[k])) halfedges_[index(rim[k])].twin = halfedgeOf(newFaces[k], 0);
+  }
+  for (RimEdge& edge : rim_) {
+    if (isInHole(edge.outer)) edge.outer = twin(edge.outer);
+  }
+
+  HalfedgeId spoke = halfedgeOf(newFaces[n - 1], 1);  // to w, of the face before
+  for (std::size_t k = 0; k < n; ++k) {
+    const HalfedgeId side = halfedgeOf(newFaces[k], 0),
+                     toNew = HalfedgeId{static_cast<std::uint32_t>(side) + 1};
+    const HalfedgeId fromNew{static_cast<std::uint32_t>(side) + 2};
+    const VertexId from = rim_[k].from;
+    halfedges_[index(side)] = {from, rim_[k].outer};
+    halfedges_[index(rim_[k].outer)].twin = side;
+    halfedges_[index(toNew)].origin = rim_[k + 1 < n ? k + 1 : 0].from;
+    halfedges_[index(fromNew)] = {w, spoke};
+    halfedges_[index(spoke)].twin = fromNew;
+    outgoing_[index(from)] = side;
+    spoke = toNew;
+  }
+  outgoing_[index(w)] = halfedgeOf(newFaces[0], 2);
+  for (std::size_t k = n; k < hole.size(); ++k) freeFace(hole[k]);
+  if (mayLose) {
+    const auto hasPlace = [&](VertexId v) { return outgoing(v) != kNoHalfedge; };
+    lost_.resize(static_cast<std::size_t>(std::remove_if(lost_.begin(), lost_.end(), hasPlace) -
+                                          lost_.begin()));
+  }
+  return lost_;
+}
+
+/// Takes their places from the corners of the hole and lists them in lost_: those on the rim get
+/// them back.
+void Graph::collectCorners(std::span<const FaceId> hole) {
+  for (const FaceId f : hole) {
+    for (unsigned c = 0; c < 3; ++c) {
+      const VertexId corner = origin(halfedgeOf(f, c));
+      if (outgoing(corner) != kNoHalfedge) lost_.push_back(corner);  // once each
+      outgoing_[index(corner)] = kNoHalfedge;
+    }
+  }
+}
+
+void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link,
+                        std::span<const PatchFace> patch, std::span<FaceId> newFaces) {
+  const std::size_t n = patch.size();
+  // Faces of the star are used again, so everything is read before anything is written.
+  rim_.clear();
+  for (const HalfedgeId h : link) rim_.push_back({origin(h), twin(h)});
+  for (const HalfedgeId h : link) {
+    for (const HalfedgeId side : {h, next(h), previous(h)})
+      halfedges_[index(side)].origin = kNoVertex;
+  }
+  for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < link.size() ? faceOf(link[k]) : takeFace();
+  outgoing_[index(v)] = kNoHalfedge;
+  if (n == 0 && !link.empty()) {
+    sew(rim_[0].outer, rim_[1].outer);
+    outgoing_[index(rim_[0].from)] = rim_[1].outer;
+    outgoing_[index(rim_[1].from)] = rim_[0].outer;
+  }
+
+  // An outer side within the star is a link edge itself and is replaced too: leave word there of
+  // what replaces it.
+  for (std::size_t k = 0; k < n; ++k) {
+    for (unsigned c = 0; c < 3; ++c) {
+      const std::uint32_t across = patch[k].across[c];
+      if ((across & kOutside) != 0)
+        halfedges_[index(link[across & ~kOutside])].twin = halfedgeOf(newFaces[k], c);
+    }
+  }
+  for (RimEdge& edge : rim_) {
+    if (origin(edge.outer) == kNoVertex) edge.outer = twin(edge.outer);
+  }
+
+  // Surplus faces of the star go first: `link` names them, and no new face does.
+  for (std::size_t k = n; k < link.size(); ++k) freeFace(faceOf(link[k]));
+  for (std::size_t k = 0; k < n; ++k) {
+    const PatchFace& face = patch[k];
+    setFace(newFaces[k], face.corners[0], face.corners[1], face.corners[2]);
+    for (unsigned c = 0; c < 3; ++c) {
+      const std::uint32_t across = face.across[c];
+      const HalfedgeId other = (across & kOutside) != 0
+                                   ? rim_[across & ~kOutside].outer
+                                   : halfedgeOf(newFaces[across / 3], across % 3);
+      sew(halfedgeOf(newFaces[k], c), other);
+    }
+  }
+}
+
+}  // namespace apollonius

@@ -1,0 +1,168 @@
+// The Delaunay graph as pure topology: a closed triangulated surface (a sphere) in flat arrays,
+// vertex 0 being the site at infinity. It knows no coordinates; which faces go and which come is
+// decided by the diagram.
+//
+//     halfedges[h].origin   vertex where half-edge h starts     next(h), previous(h): by index
+//     arithmetic (topology/ids.h) halfedges[h].twin     the other half of its edge          face =
+//     h / 3 outgoing[v]           one half-edge that starts at v, or kNoHalfedge if v has no place
+//     in the graph
+//
+// Two vertices can share several edges, a vertex can have degree 2, a face can meet the same
+// neighbour twice: an edge is a half-edge id, never a pair of vertices. With fewer than two visible
+// sites there are no faces at all.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "memory/flat_array.h"
+#include "topology/ids.h"
+
+namespace apollonius {
+
+class WordReader;
+class WordWriter;
+
+class Graph {
+ public:
+  // --- Reading
+
+  [[nodiscard]] VertexId origin(HalfedgeId h) const { return halfedges_[index(h)].origin; }
+  [[nodiscard]] VertexId target(HalfedgeId h) const { return halfedges_[index(next(h))].origin; }
+  /// The corner of h's face that is not on h.
+  [[nodiscard]] VertexId apex(HalfedgeId h) const { return halfedges_[index(previous(h))].origin; }
+  [[nodiscard]] HalfedgeId twin(HalfedgeId h) const { return halfedges_[index(h)].twin; }
+  [[nodiscard]] HalfedgeId outgoing(VertexId v) const { return outgoing_[index(v)]; }
+  [[nodiscard]] bool hasVertex(VertexId v) const {
+    return index(v) < outgoing_.size() && outgoing(v) != kNoHalfedge;
+  }
+  /// The next half-edge around the origin of h.
+  [[nodiscard]] HalfedgeId rotateCcw(HalfedgeId h) const { return twin(previous(h)); }
+  [[nodiscard]] HalfedgeId rotateCw(HalfedgeId h) const { return next(twin(h)); }
+
+  [[nodiscard]] std::size_t faceSlots() const {
+    return halfedges_.size() / 3;
+  }  ///< live and free ones
+  /// As many as that will be after an operation that takes `removed` faces away and brings
+  /// `created` new ones.
+  [[nodiscard]] std::size_t faceSlotsAfter(std::size_t removed, std::size_t created) const {
+    return faceSlots() + (created > removed + freeFaces_ ? created - removed - freeFaces_ : 0);
+  }
+  [[nodiscard]] std::size_t vertexSlots() const { return outgoing_.size(); }
+  [[nodiscard]] std::size_t faceCount() const { return faceSlots() - freeFaces_; }
+  [[nodiscard]] bool isLive(FaceId f) const { return origin(halfedgeOf(f, 0)) != kNoVertex; }
+  [[nodiscard]] bool isEmpty() const { return faceCount() == 0; }
+  /// All vertices with a place but infinity; replaces the contents. Cost: as clear(). Throws
+  /// std::bad_alloc.
+  void listVertices(FlatArray<VertexId>& vertices) const;
+
+  // --- Room
+  // The operations below allocate nothing: whoever calls them has made room, and can fail only
+  // there.
+
+  void reserveVertices(std::size_t slots);  ///< room for vertices of index < slots
+  /// Room for an operation that takes `removed` faces away and brings `created` new ones.
+  void reserveFaces(std::size_t removed, std::size_t created);
+  /// Room for so many faces in all, in one piece; operations still make room for what they need at
+  /// a time.
+  void reserveFacesInAll(std::size_t faces) { halfedges_.reserve(3 * faces); }
+
+  // --- Operations
+
+  /// Forgets everything but the room. Cost: O(faceSlots()), however many vertex slots there are.
+  void clear();
+
+  /// The surface of two sites and infinity: two faces, three edges. REQUIRES isEmpty(),
+  /// reserveFaces(0, 2), faces.size() == 2.
+  ///
+  ///             infinity                    face 0 = (u, v, infinity)
+  ///            /        \                   face 1 = (v, u, infinity), on the back
+  ///           u -------- v
+  void makePair(VertexId u, VertexId v, std::span<FaceId> faces);
+
+  /// Puts vertex w into a hole: the faces `hole` go, and each half-edge of `rim` gets a new face
+  /// with w at its left. The rim lists, counter-clockwise, the half-edges that bound the hole from
+  /// inside; a rim half-edge whose twin is on the rim too is an edge with the hole on both sides
+  /// (or, with no face in the hole, the one edge that is opened).
+  ///
+  ///         b ______ a             b ______ a
+  ///          |      |               | \  / |         rim: a→b, b→c, c→d, d→a
+  ///          | hole |       =>      |  w   |         new face k = (rim k's origin, rim k's target,
+  ///          w)
+  ///          |______|               | /  \ |
+  ///         c        d             c        d
+  ///
+  /// newFaces[k] receives the face of rim[k]. Vertices that were within the hole lose their place
+  /// (hasVertex becomes false) and are returned; the span lives until the next operation. REQUIRES:
+  /// room for w and reserveFaces(hole.size(), rim.size()); newFaces.size() == rim.size() >= 2.
+  std::span<const VertexId> starHole(VertexId w, std::span<const FaceId> hole,
+                                     std::span<const HalfedgeId> rim, std::span<FaceId> newFaces);
+
+  /// A face of a patch: three vertices and, for each of its half-edges, what lies on the other
+  /// side.
+  struct PatchFace {
+    std::array<VertexId, 3> corners;
+    /// Either the half-edge 3·face + corner of the patch, or kOutside | k for the outer side of
+    /// link edge k.
+    std::array<std::uint32_t, 3> across;
+  };
+  static constexpr std::uint32_t kOutside = 0x80000000u;
+
+  /// The reverse of starHole: takes vertex v out and fills its star with `patch`.
+  /// `link` lists the half-edges opposite to v in the faces of its star, counter-clockwise. An
+  /// empty patch sews link[0] to link[1] (v had degree 2). A link edge with the star on both sides
+  /// stays sewn to its partner. newFaces[k] receives the face of patch[k]. REQUIRES: room for all
+  /// corners and reserveFaces(link.size(), patch.size()); newFaces.size() == patch.size().
+  void replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<const PatchFace> patch,
+                   std::span<FaceId> newFaces);
+
+  // --- Snapshots (snapshot.cpp)
+
+  /// Writes 1 + 3 * faceSlots() + vertexSlots words. Vertices from vertexSlots on have no place.
+  void save(WordWriter& out, std::size_t vertexSlots) const;
+  /// Reads what save() wrote for so many slots; false if it is no closed surface of Euler
+  /// characteristic 2, or the free faces are not in a list. That it is connected is left to
+  /// geometry (delaunay/proof.h). REQUIRES: a new graph; after a failure it is good for nothing.
+  [[nodiscard]] bool restore(WordReader& in, std::size_t vertexSlots, std::size_t faceSlots);
+
+  /// Checks all invariants of the surface and returns the first broken one, or nullptr. `where`
+  /// receives an id that it names.
+  [[nodiscard]] const char* check(std::uint32_t& where) const;
+
+ private:
+  friend class GraphBreaker;  // tests break a structure on purpose
+
+  /// Then it is faster to look at these than at all vertices.
+  [[nodiscard]] bool hasFewFaces() const { return halfedges_.size() < outgoing_.size() / 8; }
+  [[nodiscard]] FaceId takeFace();
+  void collectCorners(std::span<const FaceId> hole);
+  void freeFace(FaceId f);
+  void setFace(FaceId f, VertexId a, VertexId b, VertexId c);
+  void sew(HalfedgeId h, HalfedgeId g) {
+    halfedges_[index(h)].twin = g;
+    halfedges_[index(g)].twin = h;
+  }
+
+  // Both fields of a half-edge, and mostly its whole face, are in one cache line.
+  struct Halfedge {
+    VertexId origin = kNoVertex;    // kNoVertex in free faces
+    HalfedgeId twin = kNoHalfedge;  // in a free face, its first entry names the first half-edge of
+                                    // the next free face
+  };
+
+  FlatArray<Halfedge> halfedges_;
+  FlatArray<HalfedgeId> outgoing_;
+  HalfedgeId firstFree_ = kNoHalfedge;
+  std::size_t freeFaces_ = 0;
+
+  // Scratch of starHole and replaceStar.
+  struct RimEdge {
+    VertexId from;
+    HalfedgeId outer;
+  };
+  FlatArray<RimEdge> rim_;
+  FlatArray<VertexId> lost_;
+};
+
+}  // namespace apollonius

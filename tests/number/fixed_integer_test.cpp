@@ -1,0 +1,132 @@
+// Whole against cpp_int: the same sums, differences, products and signs, over all sizes that
+// formulas reach.
+#include "number/fixed_integer.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+
+#include "support/effort.h"
+#include "support/random.h"
+
+namespace apollonius {
+namespace {
+
+using boost::multiprecision::cpp_int;
+using test::Random;
+
+struct Both {
+  Whole whole;
+  cpp_int integer;
+};
+
+Both inUnits(double value, int unit) {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  cpp_int integer = static_cast<std::int64_t>(std::ldexp(mantissa, 53));
+  const int shift = exponent - 53 - unit;
+  if (shift >= 0) integer <<= static_cast<unsigned>(shift);
+  if (shift < 0) integer /= cpp_int(1) << static_cast<unsigned>(-shift);
+  return {Whole::inUnits(value, unit), integer};
+}
+
+Sign signOfInteger(const cpp_int& x) {
+  return x > 0 ? Sign::kPositive : x < 0 ? Sign::kNegative : Sign::kZero;
+}
+
+void expectSame(const Both& both) { ASSERT_EQ(both.whole.sign(), signOfInteger(both.integer)); }
+
+/// An input of at most `bits` bits, often with few digits, sometimes zero.
+Both randomInput(Random& random, int bits) {
+  if (random.oneIn(10)) return {Whole(0), 0};
+  const int digits = static_cast<int>(random.integer(1, std::min(bits, 53)));
+  const double mantissa =
+      static_cast<double>(random.below(std::uint64_t{1} << digits)) * (random.oneIn(2) ? 1 : -1);
+  const int unit = static_cast<int>(random.integer(-1060, 800));
+  return inUnits(std::ldexp(mantissa, unit + static_cast<int>(random.integer(0, bits - digits))),
+                 unit);
+}
+
+TEST(Whole, SignsOfSmallNumbers) {
+  for (int a = -3; a <= 3; ++a) {
+    EXPECT_EQ(Whole(a).sign(), signOf(a));
+    for (int b = -3; b <= 3; ++b) {
+      EXPECT_EQ((Whole(a) + Whole(b)).sign(), signOf(a + b)) << a << " " << b;
+      EXPECT_EQ((Whole(a) - Whole(b)).sign(), signOf(a - b)) << a << " " << b;
+      EXPECT_EQ((Whole(a) * Whole(b)).sign(), signOf(a * b)) << a << " " << b;
+    }
+  }
+}
+
+TEST(Whole, InputsAreExact) {
+  Random random(11);
+  for (int run = 0; run < test::runs(2000); ++run) {
+    const Both a = randomInput(random, Whole::kInputBits);
+    expectSame(a);
+    // a's digits, by comparison with the same number built from its halves.
+    cpp_int rest = abs(a.integer);
+    Whole built(0), power(1);
+    while (rest > 0) {
+      if ((rest & 1) != 0) built = built + power;
+      power = power + power;
+      rest >>= 1;
+    }
+    EXPECT_EQ((a.integer < 0 ? built + a.whole : built - a.whole).sign(), Sign::kZero) << a.integer;
+  }
+}
+
+TEST(Whole, FormulasOfAllDegreesAgree) {
+  Random random(12);
+  for (int run = 0; run < test::runs(3000); ++run) {
+    const int bits = static_cast<int>(random.integer(1, Whole::kInputBits));
+    std::vector<Both> numbers;
+    for (int k = 0; k < 4; ++k) numbers.push_back(randomInput(random, bits));
+    std::vector<int> degrees(4, 1);
+    for (int step = 0; step < 12; ++step) {
+      const std::size_t i = random.below(numbers.size()), j = random.below(numbers.size());
+      const Both &a = numbers[i], &b = numbers[j];
+      if (random.oneIn(2) && degrees[i] + degrees[j] <= 16) {
+        numbers.push_back({a.whole * b.whole, a.integer * b.integer});
+        degrees.push_back(degrees[i] + degrees[j]);
+      } else if (random.oneIn(2)) {
+        numbers.push_back({a.whole + b.whole, a.integer + b.integer});
+        degrees.push_back(std::max(degrees[i], degrees[j]));
+      } else {
+        numbers.push_back({a.whole - b.whole, a.integer - b.integer});
+        degrees.push_back(std::max(degrees[i], degrees[j]));
+      }
+      expectSame(numbers.back());
+    }
+    // Signs alone would miss wrong digits: differences of equal values must vanish.
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        ASSERT_EQ((numbers[i].whole - numbers[j].whole).sign(),
+                  signOfInteger(numbers[i].integer - numbers[j].integer));
+      }
+    }
+    const Both &a = numbers[0], &b = numbers[1];
+    ASSERT_EQ(((a.whole + b.whole) * (a.whole - b.whole) - (a.whole * a.whole - b.whole * b.whole))
+                  .sign(),
+              Sign::kZero);
+  }
+}
+
+TEST(Whole, LargestProducts) {
+  const double largest =
+      std::ldexp(static_cast<double>((std::uint64_t{1} << 53) - 1), Whole::kInputBits - 53);
+  Whole product(1);
+  cpp_int expected = 1, one = inUnits(largest, 0).integer;
+  for (int degree = 1; degree <= 16; ++degree) {
+    product = product * Whole::inUnits(largest, 0);
+    expected *= one;
+  }
+  Whole sum = product;
+  for (int k = 0; k < 8; ++k) sum = sum + sum;
+  EXPECT_EQ(sum.sign(), Sign::kPositive);
+  for (int k = 0; k < 256; ++k) sum = sum - product;
+  EXPECT_EQ(sum.sign(), Sign::kZero);
+}
+
+}  // namespace
+}  // namespace apollonius

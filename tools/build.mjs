@@ -1,0 +1,185 @@
+// npm run build: the package's dist/ from src/ and wasm/.
+//
+//   dist/esm/{index,wasm}.js, *.d.ts    ES modules
+//   dist/cjs/{index,wasm}.js, *.d.ts    CommonJS, the same; index.js is also the file for a script
+//   tag, with the global `apollonius` dist/apollonius.wasm                for the entry
+//   `apollonius-diagram/wasm`; the default entry carries it as text
+import { createHash } from "node:crypto";
+import {
+  chmodSync,
+  copyFileSync,
+  cpSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
+import path from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { buildWasmModule } from "./toolchain/cmake.mjs";
+import { root } from "./toolchain/folders.mjs";
+import { withBuildLock } from "./toolchain/lock.mjs";
+import { run } from "./toolchain/process.mjs";
+import { ensureBuildTools, main } from "./toolchain/setup.mjs";
+
+const wasm = path.join(root, "wasm");
+const dist = path.join(root, "dist");
+const types = path.join(root, "build/types/wasm");
+const entries = ["index", "wasm"];
+
+/**
+ * The wasm as a template literal of one character a byte. In UTF-8, half of the characters up to
+ * 255 are one byte each and half are two with few first ones, so that a server's compression sees
+ * the wasm itself: 2 % more than the file alone, where base64 costs 38 %. The most frequent bytes
+ * of the second half change places with the rarest of the first.
+ */
+function asTemplate(bytes) {
+  const counts = new Uint32Array(256);
+  for (const byte of bytes) ++counts[byte];
+  const codes = [...counts.keys()];
+  // What a template would have escaped, and the carriage return, which it reads as a line feed,
+  // move up by 256.
+  const unfit = [..."\r\\`$"].map((character) => character.charCodeAt(0));
+  const low = codes
+    .slice(0, 128)
+    .filter((code) => !unfit.includes(code))
+    .sort((a, b) => counts[a] - counts[b]);
+  const high = codes.slice(128).sort((a, b) => counts[b] - counts[a]);
+  const swaps = [];
+  // Not all that would make the file shorter: the order of the others means something, and helps
+  // compression.
+  for (let k = 0; counts[high[k]] > counts[low[k]] + bytes.length / 384; ++k)
+    swaps.push([low[k], high[k]]);
+  for (const [a, b] of swaps) [codes[a], codes[b]] = [b, a];
+  for (const code of unfit) codes[code] += 256;
+  return {
+    template: `\`${Array.from(bytes, (byte) => String.fromCharCode(codes[byte])).join("")}\``,
+    swaps: swaps.flat(),
+  };
+}
+
+/**
+ * Lets a bundle import the wasm as `asTemplate` has it. esbuild would print its own loaders'
+ * strings full of escapes.
+ */
+function wasmAsText(built) {
+  const { template, swaps } = asTemplate(readFileSync(path.join(built, "apollonius.wasm")));
+  const placeholder = "__APOLLONIUS_WASM__";
+  return {
+    name: "wasm-as-text",
+    setup(build) {
+      build.onLoad({ filter: /\.wasm$/ }, () => ({
+        contents: `export const text = ${placeholder}, swaps = [${swaps}];`,
+        loader: "js",
+      }));
+      build.onEnd(({ outputFiles }) => {
+        for (const { path: file, text } of outputFiles) {
+          mkdirSync(path.dirname(file), { recursive: true });
+          writeFileSync(file, byteOrderMark(file) + text.split(placeholder).join(template));
+        }
+      });
+    },
+  };
+}
+
+/**
+ * A script tag's file is read in the page's encoding, be it windows-1252, unless a byte order mark
+ * says UTF-8. Modules are always UTF-8; Node and bundlers skip the mark.
+ */
+function byteOrderMark(file) {
+  return file.endsWith("cjs/index.js") ? "\uFEFF" : "";
+}
+
+// Where there is no CommonJS, what is exported becomes a global.
+const scriptTag = {
+  banner: { js: "(function(module){" },
+  footer: {
+    js: '})(typeof module=="object"&&module.exports?module:{set exports(names){globalThis.apollonius=names}});',
+  },
+};
+
+async function bundle(format, outdir, built) {
+  const { build } = await import("esbuild"); // not before `npm ci` may have installed it
+  await build({
+    entryPoints: entries.map((entry) => path.join(wasm, `${entry}.ts`)),
+    outdir,
+    format,
+    bundle: true,
+    minify: true,
+    target: "es2022",
+    charset: "utf8",
+    logLevel: "warning",
+    legalComments: "none",
+    write: false,
+    plugins: [wasmAsText(built)],
+    ...(format === "cjs" ? { platform: "node", ...scriptTag } : {}),
+  });
+}
+
+/** The declaration files that the entries reach; those of inner files stay out of the package. */
+function publicDeclarations() {
+  const reached = new Set();
+  const visit = (name) => {
+    if (reached.has(name)) return;
+    reached.add(name);
+    const text = readFileSync(path.join(types, name), "utf8");
+    for (const [, module] of text.matchAll(/from "\.\/(.*?)\.js"/g)) visit(`${module}.d.ts`);
+  };
+  for (const entry of entries) visit(`${entry}.d.ts`);
+  return [...reached];
+}
+
+/** A fingerprint of all that dist/ is made from. */
+function fingerprint(built) {
+  const inputs = [
+    ...readdirSync(wasm)
+      .filter((name) => /\.(ts|mjs|json)$/.test(name))
+      .map((name) => path.join(wasm, name)),
+    fileURLToPath(import.meta.url),
+    path.join(built, "apollonius.wasm"),
+    path.join(root, "package-lock.json"),
+  ];
+  const hash = createHash("sha256");
+  for (const input of inputs) hash.update(input).update(readFileSync(input));
+  return hash.digest("hex");
+}
+
+/**
+ * Makes dist/ beside itself and then puts it in place, so that a server or a test never sees half
+ * of it.
+ */
+async function makeDist(built) {
+  run(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", wasm]);
+  const fresh = path.join(root, "build/dist");
+  rmSync(fresh, { recursive: true, force: true });
+  const declarations = publicDeclarations();
+  for (const format of ["esm", "cjs"]) {
+    const folder = path.join(fresh, format);
+    mkdirSync(folder, { recursive: true });
+    await bundle(format, folder, built);
+    for (const name of declarations) cpSync(path.join(types, name), path.join(folder, name));
+  }
+  writeFileSync(path.join(fresh, "cjs/package.json"), '{ "type": "commonjs" }\n');
+  copyFileSync(path.join(built, "apollonius.wasm"), path.join(fresh, "apollonius.wasm"));
+  chmodSync(path.join(fresh, "apollonius.wasm"), 0o644);
+  rmSync(dist, { recursive: true, force: true });
+  renameSync(fresh, dist);
+}
+
+export async function buildPackage() {
+  const emscripten = ensureBuildTools();
+  await withBuildLock(async () => {
+    const built = buildWasmModule(emscripten);
+    const stamp = path.join(root, "build/dist.fingerprint");
+    const wanted = fingerprint(built);
+    if (existsSync(dist) && existsSync(stamp) && readFileSync(stamp, "utf8") === wanted) return;
+    rmSync(stamp, { force: true });
+    await makeDist(built);
+    writeFileSync(stamp, wanted);
+  });
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) await main(buildPackage);

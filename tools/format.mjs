@@ -1,0 +1,24 @@
+// npm run format: lays out all C++ (.clang-format) and all TypeScript and JavaScript (.biome.json).
+//
+//   node tools/format.mjs [--write]     without it only says which files are not laid out so
+import { readdirSync } from "node:fs";
+import path from "node:path";
+import { root } from "./toolchain/folders.mjs";
+import { ensureNpmPackages } from "./toolchain/npm_packages.mjs";
+import { run } from "./toolchain/process.mjs";
+import { main } from "./toolchain/setup.mjs";
+
+const program = (name) => path.join(root, "node_modules/.bin", name);
+
+await main(() => {
+  ensureNpmPackages();
+  const write = process.argv.includes("--write");
+  const cpp = ["src", "wasm", "bench", "tests"].flatMap((folder) =>
+    readdirSync(path.join(root, folder), { recursive: true })
+      .filter((name) => /\.(cpp|h)$/.test(name))
+      .map((name) => path.join(folder, name)),
+  );
+  const layout = write ? ["-i"] : ["--dry-run", "--Werror"];
+  run(program("clang-format"), [...layout, ...cpp], { cwd: root });
+  run(program("biome"), write ? ["format", "--write", "."] : ["format", "."], { cwd: root });
+});

@@ -1,0 +1,116 @@
+// A static server for the page: node tools/serve.mjs [--port N]. Serves this repository's web/ and
+// dist/ and the d3 modules of its examples on this machine only, and takes the next free port. The
+// headers let the page measure microseconds (isolation) and show that the package runs under a
+// strict content security policy (which index.html states too).
+import { createReadStream } from "node:fs";
+import { stat } from "node:fs/promises";
+import { createServer } from "node:http";
+import { extname, join, normalize, sep } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+const kRoot = fileURLToPath(new URL("..", import.meta.url));
+const kServed = ["web", "dist"];
+const kServedPackages = /^d3-\w+$/; // of node_modules: what web/examples imports
+const kHost = "127.0.0.1";
+const kTypes = {
+  ".html": "text/html; charset=utf-8",
+  ".css": "text/css; charset=utf-8",
+  ".js": "text/javascript; charset=utf-8",
+  ".mjs": "text/javascript; charset=utf-8",
+  ".json": "application/json; charset=utf-8",
+  ".map": "application/json; charset=utf-8",
+  ".svg": "image/svg+xml",
+  ".png": "image/png",
+  ".wasm": "application/wasm",
+};
+const kHeaders = {
+  "Cache-Control": "no-cache",
+  "Cross-Origin-Opener-Policy": "same-origin",
+  "Cross-Origin-Embedder-Policy": "require-corp",
+  "X-Content-Type-Options": "nosniff",
+};
+
+/** The file that a request is for, or null. */
+function fileOf(url) {
+  let path;
+  try {
+    path = normalize(decodeURIComponent(new URL(url, "http://localhost").pathname));
+  } catch {
+    return null;
+  }
+  const parts = path.split(sep).filter(Boolean);
+  const isServed =
+    kServed.includes(parts[0]) ||
+    (parts[0] === "node_modules" && kServedPackages.test(parts[1] ?? ""));
+  if (!isServed || parts.some((part) => part.startsWith("."))) return null;
+  return join(kRoot, ...parts, path.endsWith(sep) ? "index.html" : "");
+}
+
+async function answer(request, response) {
+  const refuse = (status, text) =>
+    response.writeHead(status, { "Content-Type": "text/plain" }).end(text + "\n");
+  if (request.method !== "GET" && request.method !== "HEAD")
+    return refuse(405, "Only GET and HEAD.");
+  if (/^\/(web)?(\?.*)?$/.test(request.url))
+    return response.writeHead(302, { Location: "/web/" }).end();
+  const file = fileOf(request.url);
+  const found = file && (await stat(file).catch(() => null));
+  if (!found?.isFile()) return refuse(404, "Not found.");
+  response.writeHead(200, {
+    ...kHeaders,
+    "Content-Type": kTypes[extname(file)] ?? "application/octet-stream",
+    "Content-Length": found.size,
+  });
+  if (request.method === "HEAD") return response.end();
+  return createReadStream(file)
+    .on("error", () => response.destroy())
+    .pipe(response);
+}
+
+/**
+ * Starts the server on the first free port from `port` on (0: any).
+ * @returns {Promise<{ url: string, close(): Promise<void> }>}
+ */
+export async function serve(port = 8080, attempts = 50) {
+  const server = createServer((request, response) => {
+    answer(request, response).catch(() => response.destroy());
+  });
+  for (let k = 0; ; k++) {
+    try {
+      await new Promise((resolve, reject) => {
+        server.once("error", reject);
+        server.listen(port === 0 ? 0 : port + k, kHost, () => {
+          server.off("error", reject);
+          resolve();
+        });
+      });
+      break;
+    } catch (error) {
+      if (error.code !== "EADDRINUSE" || k + 1 >= attempts) throw error;
+    }
+  }
+  const url = `http://localhost:${server.address().port}/web/`;
+  const close = () =>
+    new Promise((resolve) => (server.close(resolve), server.closeAllConnections()));
+  return { url, close };
+}
+
+async function main(args) {
+  const at = args.indexOf("--port");
+  const port = at < 0 ? 8080 : Number(args[at + 1]);
+  if (!Number.isInteger(port) || port < 0 || port > 65535) {
+    console.error("usage: node tools/serve.mjs [--port N]");
+    process.exit(2);
+  }
+  if (!(await stat(join(kRoot, "dist")).catch(() => null))) {
+    console.error(
+      "dist/ is missing: the package has not been built. Run: npm start (or npm run build)",
+    );
+    process.exit(1);
+  }
+  const { url } = await serve(port);
+  console.log(`The page is at ${url}  (Ctrl-C ends it)`);
+}
+
+if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href)
+  await main(process.argv.slice(2));
