@@ -31,7 +31,7 @@ const underValgrind = {
   memory_tests: "*",
   topology_tests: "-Room*",
   number_tests: "*",
-  diagram_tests: "Errors*:Ids*:SiteIds*:HiddenForest*:Regressions*:Snapshot.*",
+  diagram_tests: "Errors*:Ids*:IdPool*:HiddenForest*:Regressions*:Snapshot.*",
   geometry_tests: "Contacts*:Rings*:VoronoiErrors*",
 };
 

@@ -29,12 +29,7 @@ const rules = [
   { of: /^src\/topology\//, may: [std, /^"(memory|topology)\//] },
   {
     of: /^src\/delaunay\//,
-    may: [
-      std,
-      /^"(memory|topology|predicate|delaunay)\//,
-      /^"number\/(sign|invariant)\.h"$/,
-      /^"diagram\/(hidden_forest|spatial_order)\.h"$/, // for now
-    ],
+    may: [std, /^"(memory|topology|predicate|delaunay)\//, /^"number\/(sign|invariant)\.h"$/],
   },
   {
     of: /^src\/diagram\//,

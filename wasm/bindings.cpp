@@ -189,11 +189,11 @@ EMSCRIPTEN_KEEPALIVE int diagramEdges(const Diagram* diagram) {
 
 // What is broken is left as text; where, in results.id and, the hierarchy's level, in results.flag.
 EMSCRIPTEN_KEEPALIVE int diagramValidate(const Diagram* diagram) {
-  apollonius::Defect defect;
-  const Error error = diagram->validate(defect);
-  publish(0, defect.isFound() ? std::string_view(defect.what) : std::string_view());
-  results.id = defect.where;
-  results.flag = defect.level;
+  apollonius::Violation violation;
+  const Error error = diagram->validate(violation);
+  publish(0, violation.isFound() ? std::string_view(violation.what) : std::string_view());
+  results.id = violation.where;
+  results.flag = violation.level;
   return code(error);
 }
 

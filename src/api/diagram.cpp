@@ -8,7 +8,10 @@
 #include <utility>
 
 #include "diagram/diagram_core.h"
+#include "diagram/listing.h"
+#include "diagram/queries.h"
 #include "diagram/spatial_order.h"
+#include "diagram/validate.h"
 #include "memory/flat_array.h"
 #include "number/fp.h"
 #include "number/invariant.h"
@@ -57,8 +60,8 @@ class Diagram::Impl : public DiagramCore {
 };
 
 Diagram::Diagram(Location location) : impl_(std::make_unique<Impl>(location)) {
-  const char* defect = arithmeticDefect();
-  invariant(defect == nullptr, defect);
+  const char* violation = arithmeticViolation();
+  invariant(violation == nullptr, violation);
 }
 Diagram::~Diagram() = default;
 Diagram::Diagram(Diagram&&) noexcept = default;
@@ -201,29 +204,29 @@ Error Diagram::kNearest(double x, double y, std::size_t k, Array<SiteId>& sites)
   for (const double value : {x, y}) {
     if (const Error error = checkNumber(value); error != Error::kNone) return error;
   }
-  return guarded(*impl_, [&] { impl_->nearby(x, y, k, nullptr, sites); });
+  return guarded(*impl_, [&] { listNearby(*impl_, x, y, k, nullptr, sites); });
 }
 
 Error Diagram::within(double x, double y, double distance, Array<SiteId>& sites) const {
   if (const Error error = checkCircle(x, y, distance); error != Error::kNone) return error;
-  return guarded(*impl_, [&] { impl_->nearby(x, y, size(), &distance, sites); });
+  return guarded(*impl_, [&] { listNearby(*impl_, x, y, size(), &distance, sites); });
 }
 
 Error Diagram::neighbors(SiteId id, Array<SiteId>& neighbors) const {
   if (!has(id)) return Error::kUnknownSite;
-  return guarded(*impl_, [&] { impl_->neighbors(id, neighbors); });
+  return guarded(*impl_, [&] { listNeighbors(*impl_, id, neighbors); });
 }
 
 Error Diagram::vertices(VertexArrays& vertices) const {
-  return guarded(*impl_, [&] { impl_->vertices(vertices); });
+  return guarded(*impl_, [&] { listVertices(*impl_, vertices); });
 }
 
 Error Diagram::edges(EdgeArrays& edges) const {
-  return guarded(*impl_, [&] { impl_->edges(edges); });
+  return guarded(*impl_, [&] { listEdges(*impl_, edges); });
 }
 
 Error Diagram::faces(Array<SiteId>& sites) const {
-  return guarded(*impl_, [&] { impl_->faces(sites); });
+  return guarded(*impl_, [&] { listFaces(*impl_, sites); });
 }
 
 Error Diagram::toBytes(Array<std::uint8_t>& bytes) const {
@@ -241,8 +244,8 @@ Error Diagram::fromBytes(std::span<const std::uint8_t> bytes, Source source) {
   }
 }
 
-Error Diagram::validate(Defect& defect) const {
-  return guarded(*impl_, [&] { defect = impl_->check(); });
+Error Diagram::validate(Violation& violation) const {
+  return guarded(*impl_, [&] { violation = apollonius::validate(*impl_); });
 }
 
 }  // namespace apollonius

@@ -174,14 +174,14 @@ class Diagram {
 
   /// Checks every invariant with exact arithmetic and tells the first broken one. Errors:
   /// kOutOfMemory. Cost: O(n), slow: for tests.
-  [[nodiscard]] Error validate(Defect& defect) const;
+  [[nodiscard]] Error validate(Violation& violation) const;
   /// In words; `broken` becomes empty if there is none.
   [[nodiscard]] Error validate(std::string& broken) const {
-    Defect defect;
-    const Error error = validate(defect);
+    Violation violation;
+    const Error error = validate(violation);
     if (error != Error::kNone) return error;
     try {
-      broken = defect.text();
+      broken = violation.text();
     } catch (...) {
       return Error::kOutOfMemory;
     }

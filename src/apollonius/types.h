@@ -28,7 +28,7 @@ constexpr bool isInRange(double value) {
 }
 
 /// The first broken invariant that a check found; one without `what` found none.
-struct Defect {
+struct Violation {
   const char* what = nullptr;  ///< ends with the kind of what is at `where`
   std::uint32_t where = 0;     ///< an index, id or count
   std::uint32_t level = 0;     ///< of the hierarchy (0 is the diagram itself)

@@ -36,10 +36,9 @@ const char* DelaunayGraph::check(std::uint32_t& where) const {
   if (graph_.isEmpty()) return nullptr;
   FlatArray<VoronoiCircle> circles;
   if (const char* broken = findContradiction(*this, circles, where)) return broken;
-  for (std::size_t i = 0; i < graph_.faceSlots(); ++i) {
-    const FaceId f{static_cast<std::uint32_t>(i)};
+  for (const FaceId f : graph_.faces()) {
     where = static_cast<std::uint32_t>(halfedgeOf(f, 0));
-    if (!graph_.isLive(f) || agree(circle(f), circles[i])) continue;
+    if (agree(circle(f), circles[index(f)])) continue;
     return "the cached circle of a face is not its circle: half-edge";
   }
   return nullptr;

@@ -13,7 +13,7 @@ void ConflictSearch::begin(const DelaunayGraph& diagram, const Site& q) {
   // Wiped before, not after: a call that ran out of memory leaves marks behind.
   for (const FaceId f : faces_) marks_[index(f) / kWord] = 0;
   faces_.clear();
-  rim_.clear();
+  boundary_.clear();
   stack_.clear();
   diagram_ = &diagram;
   q_ = &q;
@@ -32,9 +32,9 @@ bool ConflictSearch::findBeside(const DelaunayGraph& diagram, const Site& q, Ver
   constexpr int kFewFaces = 8;
   begin(diagram, q);
   const Graph& graph = diagram.graph();
-  const HalfedgeId first = graph.outgoing(close);
-  HalfedgeId h = first;
-  for (int k = 0; k < kFewFaces; ++k) {
+  int faces = 0;
+  for (const HalfedgeId h : graph.star(close)) {
+    if (++faces > kFewFaces) break;
     // The filter's word only: it means strictly nearer, while the exact rule counts the site of a
     // circle given twice as in conflict.
     const MaybeSign filtered = circleFilter(diagram.circle(faceOf(h)), q);
@@ -43,8 +43,6 @@ bool ConflictSearch::findBeside(const DelaunayGraph& diagram, const Site& q, Ver
       expand();
       return true;
     }
-    h = graph.rotateCcw(h);
-    if (h == first) break;
   }
   return false;
 }
@@ -67,8 +65,8 @@ bool ConflictSearch::startWithin(HalfedgeId h) {
   if (!isInteriorInConflict(diagram_->edge(h), diagram_->circle(faceOf(h)),
                             diagram_->circle(faceOf(twin)), *q_))
     return false;
-  rim_.push_back(h);
-  rim_.push_back(twin);
+  boundary_.push_back(h);
+  boundary_.push_back(twin);
   return true;
 }
 
@@ -82,24 +80,20 @@ bool ConflictSearch::startInSector(HalfedgeId sector) {
 /// Some edge of the nearest site's cell is in conflict (paper, Lemma 2).
 void ConflictSearch::startAround(VertexId near) {
   const Graph& graph = diagram_->graph();
-  const HalfedgeId begin = graph.outgoing(near);
-  HalfedgeId h = begin;
-  do {
+  for (const HalfedgeId h : graph.star(near)) {
     if (startAt(faceOf(h))) return;
-    h = graph.rotateCcw(h);
-  } while (h != begin);
-  do {
+  }
+  for (const HalfedgeId h : graph.star(near)) {
     if (startWithin(h)) return;
-    h = graph.rotateCcw(h);
-  } while (h != begin);
+  }
   diagram_->demand(
       false,
       "a site that is not covered is in conflict with an edge of its nearest site (Lemma 2)");
 }
 
 /// The paper's depth-first search with a stack of half-edges instead of recursion. The half-edges
-/// on the stack and on the rim, in order, always bound the region found so far; popping them
-/// counter-clockwise yields the rim counter-clockwise.
+/// on the stack and on the boundary, in order, always bound the region found so far; popping them
+/// counter-clockwise yields the boundary counter-clockwise.
 void ConflictSearch::expand() {
   const Graph& graph = diagram_->graph();
   while (!stack_.empty()) {
@@ -110,12 +104,12 @@ void ConflictSearch::expand() {
     const bool wasInRegion = isInRegion(beyond);
     if ((!wasInRegion && !diagram_->isFaceInConflict(beyond, *q_)) ||
         !isEntirelyInConflict(h, across)) {
-      rim_.push_back(h);  // q's cell ends on this edge; if both its ends are in conflict, its twin
-                          // gets here too
+      boundary_.push_back(h);  // q's cell ends on this edge; if both its ends are in conflict, its
+                               // twin gets here too
       continue;
     }
-    // An edge between two faces of the region closes a cycle around a site that q covers: no rim
-    // (its twin is dropped too).
+    // An edge between two faces of the region closes a cycle around a site that q covers: no
+    // boundary (its twin is dropped too).
     if (wasInRegion) continue;
     enter(beyond);
     stack_.push_back(previous(across));
@@ -147,12 +141,12 @@ bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const {
 bool ConflictSearch::isDisk() const {
   if (faces_.empty()) return true;  // an edge that is opened
   const Graph& graph = diagram_->graph();
-  FlatArray<Keyed> rim(rim_.size()), corners(rim_.size());
-  for (std::uint32_t k = 0; k < rim.size(); ++k) {
-    rim[k] = {static_cast<std::uint32_t>(rim_[k]), k};
-    corners[k] = {static_cast<std::uint32_t>(graph.origin(rim_[k])), k};
+  FlatArray<Keyed> boundary(boundary_.size()), corners(boundary_.size());
+  for (std::uint32_t k = 0; k < boundary.size(); ++k) {
+    boundary[k] = {static_cast<std::uint32_t>(boundary_[k]), k};
+    corners[k] = {static_cast<std::uint32_t>(graph.origin(boundary_[k])), k};
   }
-  sortByKey(rim);
+  sortByKey(boundary);
   sortByKey(corners);
   const auto isAmong = [](const FlatArray<Keyed>& entries, auto id) {
     const auto key = static_cast<std::uint32_t>(id);
@@ -160,17 +154,17 @@ bool ConflictSearch::isDisk() const {
     const Keyed* const at = std::lower_bound(entries.begin(), entries.end(), key, isBefore);
     return at != entries.end() && at->key == key;
   };
-  for (std::size_t k = 0; k < rim_.size(); ++k) {
-    const HalfedgeId h = rim_[k], twin = graph.twin(h);
-    if (isInRegion(faceOf(twin)) && !isAmong(rim, twin)) return false;
+  for (std::size_t k = 0; k < boundary_.size(); ++k) {
+    const HalfedgeId h = boundary_[k], twin = graph.twin(h);
+    if (isInRegion(faceOf(twin)) && !isAmong(boundary, twin)) return false;
     // The side that follows, around h's target.
     HalfedgeId side = next(h);
-    while (!isAmong(rim, side)) {
+    while (!isAmong(boundary, side)) {
       const HalfedgeId across = graph.twin(side);
       if (!isInRegion(faceOf(across)) || next(across) == next(h)) return false;
       side = next(across);
     }
-    if (side != rim_[k + 1 < rim_.size() ? k + 1 : 0]) return false;
+    if (side != boundary_[k + 1 < boundary_.size() ? k + 1 : 0]) return false;
   }
   for (const FaceId f : faces_) {
     for (unsigned c = 0; c < 3; ++c) {

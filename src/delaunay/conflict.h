@@ -1,6 +1,6 @@
 // The conflict region of a new site: the part of the Voronoi skeleton that its cell will swallow
-// (paper, section 3.2), as faces, and the rim of the hole that they leave. Reports, never changes
-// the graph.
+// (paper, section 3.2), as faces, and the boundary of the hole that they leave. Reports, never
+// changes the graph.
 #pragma once
 
 #include <cstdint>
@@ -27,25 +27,25 @@ class ConflictSearch {
   /// two visible sites.
   [[nodiscard]] bool findBeside(const DelaunayGraph& diagram, const Site& q, VertexId close);
 
-  /// Room for a region of so many faces with a rim of so many sides.
+  /// Room for a region of so many faces with a boundary of so many sides.
   void reserveRegion(std::size_t faces, std::size_t sides) {
     faces_.reserve(faces);
-    rim_.reserve(sides);
+    boundary_.reserve(sides);
     stack_.reserve(faces + 3);  // a face that enters takes one half-edge from it and puts two
                                 // there; the first puts three
   }
 
-  /// Are the faces a disk, with the rim around them and no vertex within but those that q covers?
-  /// Of a Delaunay graph they are. Throws std::bad_alloc.
+  /// Are the faces a disk, with the boundary around them and no vertex within but those that q
+  /// covers? Of a Delaunay graph they are. Throws std::bad_alloc.
   [[nodiscard]] bool isDisk() const;
 
   void reserve(std::size_t faces) { marks_.reserve((faces + kWord - 1) / kWord); }
 
   /// The faces in conflict; empty if q's cell lies within one edge.
   [[nodiscard]] std::span<const FaceId> faces() const { return faces_; }
-  /// The hole's rim from inside, counter-clockwise, as Graph::starHole wants it; empty if q covers
-  /// every site.
-  [[nodiscard]] std::span<const HalfedgeId> rim() const { return rim_; }
+  /// The hole's boundary from inside, counter-clockwise, as Graph::starHole wants it; empty if q
+  /// covers every site.
+  [[nodiscard]] std::span<const HalfedgeId> boundary() const { return boundary_; }
 
  private:
   void begin(const DelaunayGraph& diagram, const Site& q);
@@ -71,7 +71,7 @@ class ConflictSearch {
   FlatArray<std::uint32_t> marks_;  // one bit a face; of the faces in faces_
   FlatArray<HalfedgeId> stack_;
   FlatArray<FaceId> faces_;
-  FlatArray<HalfedgeId> rim_;
+  FlatArray<HalfedgeId> boundary_;
 };
 
 }  // namespace apollonius

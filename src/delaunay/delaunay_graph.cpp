@@ -58,6 +58,33 @@ void DelaunayGraph::reserveBulk(std::size_t sites) {
   conflicts_.reserve(faces);
 }
 
+void DelaunayGraph::replaceStar(VertexId v, std::span<const HalfedgeId> link,
+                                std::span<const Graph::PatchFace> patch,
+                                std::span<const VoronoiCircle> circles, std::size_t newSites,
+                                bool mayReturn) {
+  // Two sides of each other would be the sides of a whole sphere.
+  const bool isSphere = patch.empty() && graph_.twin(link[0]) == link[1];
+  demand(!isSphere, "the star of a site is not all there is");
+  reserveFaces(link.size(), patch.size());
+  if (mayReturn) reserveReturn(std::max(link.size(), patch.size()));
+  // Some visible neighbour, should v be the vertex that walks start from.
+  const VertexId a = patch.empty() ? graph_.origin(link[0]) : patch[0].corners[0];
+  const VertexId b = patch.empty() ? graph_.target(link[0]) : patch[0].corners[1];
+  const VertexId neighbour = a != kInfinity ? a : b;
+  std::copy(circles.begin(), circles.end(), newCircles_.begin());
+  graph_.replaceStar(v, link, patch, newFaces(patch.size()));
+  takeCircles(patch.size());
+  visibleCount_ += newSites;
+  --visibleCount_;
+  if (recent_ == v) recent_ = neighbour;
+}
+
+void DelaunayGraph::becomeSingle(VertexId v) noexcept {
+  clear();
+  visibleCount_ = v == kNoVertex ? 0 : 1;
+  recent_ = v;
+}
+
 void DelaunayGraph::clear() noexcept {
   graph_.clear();
   visibleCount_ = 0;
@@ -90,13 +117,13 @@ void DelaunayGraph::computeMissingCircles() const {
       computeCircle(FaceId{f});
     }
   });
-  for (std::uint32_t f = 0; f < graph_.faceSlots(); ++f) {
-    if (!graph_.isLive(FaceId{f}) || !keptCircle(FaceId{f}).isMissing()) continue;
-    const EdgeCorners corners = edge(halfedgeOf(FaceId{f}, 0));
+  for (const FaceId f : graph_.faces()) {
+    if (!keptCircle(f).isMissing()) continue;
+    const EdgeCorners corners = edge(halfedgeOf(f, 0));
     if (corners.i == nullptr || corners.j == nullptr || corners.k == nullptr) {
-      computeCircle(FaceId{f});
+      computeCircle(f);
     } else {
-      batch.add(f, {corners.i, corners.j, corners.k});
+      batch.add(static_cast<std::uint32_t>(f), {corners.i, corners.j, corners.k});
     }
   }
   batch.finish();

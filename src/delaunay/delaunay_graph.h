@@ -11,7 +11,6 @@
 #include <span>
 
 #include "delaunay/conflict.h"
-#include "diagram/hidden_forest.h"
 #include "memory/flat_array.h"
 #include "predicate/circle_fan.h"
 #include "predicate/predicates.h"
@@ -26,7 +25,17 @@ namespace apollonius {
 /// procedure NearestNeighbor), or only in the direction of the point.
 enum class Walk : unsigned char { kAllNeighbors, kSectors };
 
-class Remover;
+/// Whoever keeps something beside a graph that insertions change, too.
+class InsertionObserver {
+ public:
+  /// A site of this degree is about to enter, which covers at most so many others; nothing has
+  /// changed yet, and throwing std::bad_alloc here leaves it at that. Returns whether the graph is
+  /// to make all room, too, that it takes to remove the site again.
+  virtual bool makeRoom(std::size_t degree, std::size_t covered) = 0;
+
+ protected:
+  ~InsertionObserver() = default;
+};
 
 class DelaunayGraph {
  public:
@@ -100,11 +109,26 @@ class DelaunayGraph {
   };
   /// Inserts the site of v (setSite), walking to its place from `start`, or from some visible
   /// vertex if that is not one: starts are hints, kept by others (grid, levels). Paper, section 3.
-  /// `forest` gets room for what the site will cover. REQUIRES: v is not visible. With a remover,
-  /// all room is made that it will need to take the site out again, all there is to be as it was
-  /// before.
+  /// REQUIRES: v is not visible.
   [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors,
-                                 HiddenForest* forest = nullptr, Remover* remover = nullptr);
+                                 InsertionObserver* observer = nullptr);
+
+  /// Takes v out and fills its star with a patch, whose faces have these circles and in which so
+  /// many new sites are (Graph::replaceStar has the rest). With `mayReturn`, all room is made that
+  /// it takes to insert v again.
+  void replaceStar(VertexId v, std::span<const HalfedgeId> link,
+                   std::span<const Graph::PatchFace> patch, std::span<const VoronoiCircle> circles,
+                   std::size_t newSites, bool mayReturn);
+  /// This vertex, or none for kNoVertex, is all that remains visible.
+  void becomeSingle(VertexId v) noexcept;
+
+  /// The circle of a face whose corners have moved, which is known already or is to be computed.
+  void setCircle(FaceId f, const VoronoiCircle& circle) { circles_[index(f)] = circle; }
+  void computeCircle(FaceId f) const;
+
+  /// Room for searches and changes of so many faces and sides that need none for new faces, as they
+  /// undo others.
+  void reserveReturn(std::size_t facesAndSides);
 
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
@@ -132,8 +156,6 @@ class DelaunayGraph {
   [[nodiscard]] const char* check(std::uint32_t& where) const;
 
  private:
-  friend class Remover;         // the other operation that changes the graph
-  friend class SiteMoves;       // changes sites and circles
   friend class DiagramBreaker;  // tests break a structure on purpose
 
   [[nodiscard]] VertexId visibleStart(VertexId hint) const {
@@ -143,16 +165,12 @@ class DelaunayGraph {
   [[nodiscard]] Located walkSectors(double x, double y, VertexId start) const;
   void shadowCheckNearest(VertexId v, double x, double y) const;
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
-  [[nodiscard]] Insertion insertBesideOne(VertexId v, HiddenForest* forest);
-  [[nodiscard]] Insertion coverAll(VertexId v, HiddenForest* forest, Remover* remover);
+  [[nodiscard]] Insertion insertBesideOne(VertexId v, InsertionObserver* observer);
+  [[nodiscard]] Insertion coverAll(VertexId v, InsertionObserver* observer);
   [[nodiscard]] bool isSameVertex(HalfedgeId h) const;
-  void computeCircle(FaceId f) const;
   void refuse(const char* name) const;
   /// Room for an operation on the graph, newFaces_ and newCircles_ included.
   void reserveFaces(std::size_t removed, std::size_t created);
-  /// Room for the scratch of an operation on so many faces and sides that needs none for new faces,
-  /// as it undoes one.
-  void reserveReturn(std::size_t facesAndSides);
   [[nodiscard]] std::span<FaceId> newFaces(std::size_t created) {
     return {newFaces_.data(), created};
   }

@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "delaunay/delaunay_graph.h"
-#include "delaunay/remove.h"
 #include "number/invariant.h"
 
 namespace apollonius {
 
 DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk walk,
-                                               HiddenForest* forest, Remover* remover) {
+                                               InsertionObserver* observer) {
   invariant(!isVisible(v), "a site enters a graph once");
   const Site& q = site(v);
   if (visibleCount_ == 0) {
@@ -17,7 +16,7 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk 
     recent_ = v;
     return {kNoVertex, {}};
   }
-  if (visibleCount_ == 1) return insertBesideOne(v, forest);
+  if (visibleCount_ == 1) return insertBesideOne(v, observer);
   start = visibleStart(start);
   // Often a conflict is found at once, which makes the first two stages superfluous: a covered site
   // has none.
@@ -26,35 +25,32 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk 
     if (covers(site(near.nearest), q)) return {near.nearest, {}};  // Lemma 1
     conflicts_.find(*this, q, near.nearest, near.sector);
   }
-  if (conflicts_.rim().empty()) return coverAll(v, forest, remover);
+  if (conflicts_.boundary().empty()) return coverAll(v, observer);
   if (!isProven_) demand(conflicts_.isDisk(), "the conflict region is a disk");
 
   const std::size_t removed = conflicts_.faces().size();
-  const std::size_t created = conflicts_.rim().size();
+  const std::size_t created = conflicts_.boundary().size();
   reserveFaces(removed, created);
   for (std::size_t k = 0; k < created; ++k)
-    fan_.setCorner(k, corner(graph_.origin(conflicts_.rim()[k])));
+    fan_.setCorner(k, corner(graph_.origin(conflicts_.boundary()[k])));
   fan_.compute(q, {newCircles_.data(), created});
   // As many as the region has cycles: f faces that hang together by e edges have e - f + 1, and 3 f
   // - 2 e sides.
   const std::size_t covered = removed + 2 > created ? (removed + 2 - created) / 2 : 0;
-  if (forest != nullptr) forest->reserveChildren(covered);
-  if (remover != nullptr) {
-    remover->reserve(created + covered);
+  if (observer != nullptr && observer->makeRoom(created, covered))
     reserveReturn(std::max(created, removed));
-  }
   const std::span<const VertexId> lost =
-      graph_.starHole(v, conflicts_.faces(), conflicts_.rim(), newFaces(created));
+      graph_.starHole(v, conflicts_.faces(), conflicts_.boundary(), newFaces(created));
   takeCircles(created);
   visibleCount_ += 1 - lost.size();
   recent_ = v;
   return {kNoVertex, lost};
 }
 
-DelaunayGraph::Insertion DelaunayGraph::insertBesideOne(VertexId v, HiddenForest* forest) {
+DelaunayGraph::Insertion DelaunayGraph::insertBesideOne(VertexId v, InsertionObserver* observer) {
   const VertexId first = recent_;
   if (covers(site(first), site(v))) return {first, {}};
-  if (covers(site(v), site(first))) return coverAll(v, forest, nullptr);
+  if (covers(site(v), site(first))) return coverAll(v, observer);
   reserveFaces(0, 2);
   newCircles_[0] = voronoiCircle(corner(first), corner(v), nullptr);
   newCircles_[1] = voronoiCircle(corner(v), corner(first), nullptr);
@@ -66,8 +62,7 @@ DelaunayGraph::Insertion DelaunayGraph::insertBesideOne(VertexId v, HiddenForest
 }
 
 /// The new site covers every visible one: it remains alone.
-DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v, HiddenForest* forest,
-                                                 Remover* remover) {
+DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v, InsertionObserver* observer) {
   covered_.clear();
   if (visibleCount_ == 1) {
     covered_.push_back(recent_);
@@ -75,13 +70,10 @@ DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v, HiddenForest* fores
     graph_.listVertices(covered_);
   }
   for (std::size_t k = 0; !isProven_ && k < covered_.size(); ++k) {
-    demand(covers(site(v), site(covered_[k])), "what has no rim covers all");
+    demand(covers(site(v), site(covered_[k])), "what has no boundary covers all");
   }
-  if (forest != nullptr) forest->reserveChildren(covered_.size());
-  if (remover != nullptr) {
-    remover->reserve(covered_.size());
+  if (observer != nullptr && observer->makeRoom(0, covered_.size()))
     reserveReturn(2 * covered_.size());
-  }
   graph_.clear();
   visibleCount_ = 1;
   recent_ = v;

@@ -192,15 +192,12 @@ DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId s
 void DelaunayGraph::shadowCheckNearest(VertexId v, double x, double y) const {
   if constexpr (!kShadowCheck) return;
   Nearest nearest(x, y, site(v));
-  const HalfedgeId begin = graph_.outgoing(v);
-  HalfedgeId h = begin;
-  do {
+  for (const HalfedgeId h : graph_.star(v)) {
     const VertexId j = graph_.target(h);
     shadowCheck({Sign::kNegative, true}, [&] {
       return j != kInfinity && nearest.improve(site(j)) ? Sign::kPositive : Sign::kNegative;
     });
-    h = graph_.rotateCcw(h);
-  } while (h != begin);
+  }
 }
 
 }  // namespace apollonius

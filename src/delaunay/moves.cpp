@@ -51,7 +51,7 @@ std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& diagram, std::span
   }
   if (left_ > mostLeft) takeBackAll();
   for (const ChangedFace& changed : changed_) {
-    if (changed.isActive) diagram.circles_[index(changed.face)] = changed.circle;
+    if (changed.isActive) diagram.setCircle(changed.face, changed.circle);
     positionOf_[index(changed.face)] = kNoIndex;
   }
   for (std::size_t k = 0; k < moves.size(); ++k) {
@@ -65,13 +65,7 @@ void SiteMoves::takeBack(DelaunayGraph& diagram, std::span<const Move> moves) no
   for (const Move& move : moves) diagram.setSite(move.vertex, move.to);
   const Graph& graph = diagram.graph();
   for (const Move& move : moves) {
-    const HalfedgeId begin = graph.outgoing(move.vertex);
-    if (begin == kNoHalfedge) continue;  // hidden
-    HalfedgeId h = begin;
-    do {
-      diagram.computeCircle(faceOf(h));
-      h = graph.rotateCcw(h);
-    } while (h != begin);
+    for (const HalfedgeId h : graph.star(move.vertex)) diagram.computeCircle(faceOf(h));
   }
 }
 
@@ -92,12 +86,7 @@ void SiteMoves::reserveFaces(const Graph& graph) {
                           : graph.faceCount();  // all, or those that there are
   if (faces == 0) {
     for (const Move& move : moves_) {
-      const HalfedgeId begin = graph.outgoing(move.vertex);
-      HalfedgeId h = begin;
-      do {
-        ++faces;
-        h = graph.rotateCcw(h);
-      } while (h != begin);
+      for ([[maybe_unused]] const HalfedgeId h : graph.star(move.vertex)) ++faces;
     }
     faces = std::min(faces, graph.faceCount());
   }
@@ -111,18 +100,14 @@ void SiteMoves::reserveFaces(const Graph& graph) {
 void SiteMoves::collectFaces() {
   const Graph& graph = diagram_->graph();
   for (const Move& move : moves_) {
-    const HalfedgeId begin = graph.outgoing(move.vertex);
-    HalfedgeId h = begin;
-    do {
+    for (const HalfedgeId h : graph.star(move.vertex)) {
       std::uint32_t& position = positionOf_[index(faceOf(h))];
-      if (position == kNoIndex) {
-        position = static_cast<std::uint32_t>(changed_.size());
-        changed_.push_back({faceOf(h), true, true, {}});
-        (void)diagram_->circle(
-            faceOf(h));  // if it is missing, it is computed of the sites as they are now
-      }
-      h = graph.rotateCcw(h);
-    } while (h != begin);
+      if (position != kNoIndex) continue;
+      position = static_cast<std::uint32_t>(changed_.size());
+      changed_.push_back({faceOf(h), true, true, {}});
+      // If it is missing, it is computed of the sites as they are now.
+      (void)diagram_->circle(faceOf(h));
+    }
   }
 }
 
@@ -162,8 +147,7 @@ bool SiteMoves::keepsItsStar(VertexId v) const {
   const Graph& graph = diagram_->graph();
   const HalfedgeId begin = graph.outgoing(v);
   VoronoiCircle first, before, now;
-  HalfedgeId h = begin;
-  do {
+  for (const HalfedgeId h : graph.star(v)) {
     const EdgeCorners e = diagram_->edge(h);
     if (!findCertainVoronoiCircle(e.i, e.j, e.k, now)) return false;
     if (h == begin) {
@@ -172,9 +156,8 @@ bool SiteMoves::keepsItsStar(VertexId v) const {
       return false;
     }
     before = now;
-    h = graph.rotateCcw(h);
-  } while (h != begin);
-  return graph.target(h) == kInfinity || endsAreInOrder(h, first, before);
+  }
+  return graph.target(begin) == kInfinity || endsAreInOrder(begin, first, before);
 }
 
 const Site& SiteMoves::siteBefore(VertexId v) const {
@@ -315,14 +298,11 @@ void SiteMoves::takeBack(VertexId v) {
   isMoved_[index(v)] = 0;
   ++left_;
   const Graph& graph = diagram_->graph();
-  const HalfedgeId begin = graph.outgoing(v);
-  HalfedgeId h = begin;
-  do {
+  for (const HalfedgeId h : graph.star(v)) {
     computeCircle(positionOf_[index(faceOf(h))]);
     for (unsigned c = 0; c < 3; ++c) queue(faceOf(graph.twin(halfedgeOf(faceOf(h), c))));
     queue(faceOf(h));
-    h = graph.rotateCcw(h);
-  } while (h != begin);
+  }
 }
 
 void SiteMoves::queue(FaceId f) {

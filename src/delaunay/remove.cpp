@@ -2,59 +2,57 @@
 
 #include <algorithm>
 
-#include "diagram/spatial_order.h"
 #include "number/invariant.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {
 
-std::span<const Remover::Fate> Remover::remove(DelaunayGraph& diagram, VertexId v,
-                                               std::span<const VertexId> hidden, bool mayReturn) {
+std::span<const Remover::Outcome> Remover::remove(DelaunayGraph& diagram, VertexId v,
+                                                  std::span<const VertexId> hidden,
+                                                  bool mayReturn) {
   invariant(diagram.isVisible(v), "a site that is removed from a graph is there");
-  mayReturn_ = mayReturn;
-  fates_.clear();
+  outcomes_.clear();
   collectLink(diagram.graph(), v);
   const std::size_t remaining = diagram.visibleCount() - 1;
   diagram.demand(remaining == 0 || !link_.empty(), "a visible site has a place in the graph");
 
   if (hidden.empty() && remaining < 2) {
-    becomeSingle(diagram, remaining == 0 ? kNoVertex
-                          : diagram.graph().origin(link_[0]) != kInfinity
-                              ? diagram.graph().origin(link_[0])
-                              : diagram.graph().target(link_[0]));
-    return fates_;
+    diagram.becomeSingle(remaining == 0 ? kNoVertex
+                         : diagram.graph().origin(link_[0]) != kInfinity
+                             ? diagram.graph().origin(link_[0])
+                             : diagram.graph().target(link_[0]));
+    return outcomes_;
   }
   if (hidden.empty() && link_.size() == 2) {
-    apply(diagram, v, {}, {});  // the two edges opposite to v become one
-    return fates_;
+    diagram.replaceStar(v, link_, {}, {}, 0, mayReturn);  // the two edges opposite to v become one
+    return outcomes_;
   }
   if (hidden.empty() && ears_.fill(diagram, v, link_)) {
-    apply(diagram, v, ears_.patch(), ears_.circles());
-    return fates_;
+    diagram.replaceStar(v, link_, ears_.patch(), ears_.circles(), 0, mayReturn);
+    return outcomes_;
   }
 
   buildSmall(diagram, hidden);
-  fates_.reserve(hidden.size());
+  outcomes_.reserve(hidden.size());
   const auto firstHidden = static_cast<std::uint32_t>(global_.size() - hidden.size());
   for (const VertexId local : fallen_) {
     if (index(local) >= firstHidden)
-      fates_.push_back({global(local), global(cover_[index(local)])});
+      outcomes_.push_back({global(local), global(cover_[index(local)])});
   }
-  const std::size_t revived = hidden.size() - fates_.size();
+  const std::size_t revived = hidden.size() - outcomes_.size();
   for (std::size_t k = firstHidden; k < global_.size(); ++k) {
-    if (cover_[k] == kNoVertex) fates_.push_back({global_[k], kNoVertex});
+    if (cover_[k] == kNoVertex) outcomes_.push_back({global_[k], kNoVertex});
   }
 
   if (remaining + revived < 2) {
-    becomeSingle(diagram, small_.visibleCount() == 0 ? kNoVertex : global(small_.anyVisible()));
-    return fates_;
+    diagram.becomeSingle(small_.visibleCount() == 0 ? kNoVertex : global(small_.anyVisible()));
+    return outcomes_;
   }
   if (!diagram.isProven())
     diagram.demand(hasAllNeighbors(diagram.graph()), "no neighbour is covered");
   findPatch(diagram, v);
-  apply(diagram, v, patch_, patchCircles_);
-  diagram.visibleCount_ += revived;
-  return fates_;
+  diagram.replaceStar(v, link_, patch_, patchCircles_, revived, mayReturn);
+  return outcomes_;
 }
 
 /// A degree of d with h hidden sites makes a small diagram of d + h sites at most, with no more
@@ -66,10 +64,12 @@ void Remover::reserve(std::size_t sites) {
   small_.reserve(sites + 1);
   small_.reserveBulk(sites);
   small_.reserveReturn(faces);
+  conflicts_.reserve(faces);
+  conflicts_.reserveRegion(faces, faces);
   for (FlatArray<VertexId>* array : {&global_, &cover_, &fallen_, &order_, &hidden_})
     array->reserve(sites + 1);
   link_.reserve(sites);
-  fates_.reserve(sites);
+  outcomes_.reserve(sites);
   adopted_.reserve(sites);
   patchOf_.reserve(faces);
   linkOf_.reserve(3 * faces);
@@ -82,13 +82,7 @@ void Remover::reserve(std::size_t sites) {
 
 void Remover::collectLink(const Graph& graph, VertexId v) {
   link_.clear();
-  const HalfedgeId begin = graph.outgoing(v);
-  if (begin == kNoHalfedge) return;  // v is the only visible site
-  HalfedgeId h = begin;
-  do {
-    link_.push_back(next(h));
-    h = graph.rotateCcw(h);
-  } while (h != begin);
+  for (const HalfedgeId h : graph.star(v)) link_.push_back(next(h));
 }
 
 /// The neighbours enter in rounds of halved strides along the link, each from its predecessor of an
@@ -120,31 +114,7 @@ void Remover::buildSmall(const DelaunayGraph& diagram, std::span<const VertexId>
     for (std::size_t position = stride; position < d; position += 2 * stride)
       enter(position, position - stride);
   }
-  if (hidden.size() < kMany) {
-    for (const VertexId u : hidden) addLocal(diagram, u, kNoVertex);
-  } else {
-    addMany(diagram, hidden);
-  }
-}
-
-/// In the order of a bulk insertion, each from its predecessor; in any other one walks would be
-/// long. So they are where there is no room for that order, as when this undoes an operation that
-/// ran out of memory.
-void Remover::addMany(const DelaunayGraph& diagram, std::span<const VertexId> hidden) {
-  FlatArray<std::uint32_t> order;
-  try {
-    FlatArray<double> centres;
-    centres.reserve(2 * hidden.size());
-    for (const VertexId u : hidden) {
-      centres.push_back(diagram.site(u).x);
-      centres.push_back(diagram.site(u).y);
-    }
-    order = inRandomizedRounds(hilbertOrder({centres, 2}));
-  } catch (...) {
-    order = FlatArray<std::uint32_t>();
-  }
-  for (std::size_t k = 0; k < hidden.size(); ++k)
-    addLocal(diagram, hidden[order.empty() ? k : order[k]], kNoVertex);
+  for (const VertexId u : hidden) addLocal(diagram, u, kNoVertex);
 }
 
 /// Adds a vertex of the diagram to the small one; returns the visible vertex at its place.
@@ -163,8 +133,8 @@ VertexId Remover::addLocal(const DelaunayGraph& diagram, VertexId v, VertexId st
   return insertion.cover == kNoVertex ? local : insertion.cover;
 }
 
-/// The part of the small diagram that v would be in conflict with. Its rim is v's link: both are
-/// v's neighbours in the diagram of the same sites, and the canonical rule makes them equal in
+/// The part of the small diagram that v would be in conflict with. Its boundary is v's link: both
+/// are v's neighbours in the diagram of the same sites, and the canonical rule makes them equal in
 /// degenerate position too.
 void Remover::findPatch(const DelaunayGraph& diagram, VertexId v) {
   patchFaces_.clear();
@@ -182,8 +152,8 @@ void Remover::findPatch(const DelaunayGraph& diagram, VertexId v) {
       diagram.demand(!covers(nearest, q) || covers(q, nearest),
                      "no neighbour covers a visible site");
     }
-    small_.conflicts_.find(small_, q, near.nearest, near.sector);
-    patchFaces_.assign(small_.conflicts_.faces());
+    conflicts_.find(small_, q, near.nearest, near.sector);
+    patchFaces_.assign(conflicts_.faces());
     if (!patchFaces_.empty()) alignLink(diagram);
   }
   // Else one neighbour and infinity, or a cell within one edge of the small diagram: degree 2, an
@@ -203,27 +173,24 @@ bool Remover::hasAllNeighbors(const Graph& graph) const {
 }
 
 void Remover::takeAllAsPatch() {
-  for (std::size_t i = 0; i < small_.graph().faceSlots(); ++i) {
-    const FaceId f{static_cast<std::uint32_t>(i)};
-    if (small_.graph().isLive(f)) patchFaces_.push_back(f);
-  }
+  for (const FaceId f : small_.graph().faces()) patchFaces_.push_back(f);
 }
 
-/// Numbers the small diagram's rim as the link. A pair (from, to) occurs in the link of v once:
-/// three sites in a given order have at most one Voronoi circle.
+/// Numbers the small diagram's boundary as the link. A pair (from, to) occurs in the link of v
+/// once: three sites in a given order have at most one Voronoi circle.
 void Remover::alignLink(const DelaunayGraph& diagram) {
   const Graph& graph = diagram.graph();
-  const std::span<const HalfedgeId> rim = small_.conflicts_.rim();
+  const std::span<const HalfedgeId> boundary = conflicts_.boundary();
   const Graph& small = small_.graph();
   const auto fits = [&](HalfedgeId inner, HalfedgeId link) {
     return global(small.origin(inner)) == graph.origin(link) &&
            global(small.target(inner)) == graph.target(link);
   };
-  diagram.demand(rim.size() == link_.size(), "the patch has as many sides as the star");
+  diagram.demand(boundary.size() == link_.size(), "the patch has as many sides as the star");
   std::size_t shift = 0;
-  while (shift < rim.size() && !fits(rim[shift], link_[0])) ++shift;
-  for (std::size_t k = 0; k < rim.size(); ++k) {
-    const HalfedgeId inner = rim[(k + shift) % rim.size()];
+  while (shift < boundary.size() && !fits(boundary[shift], link_[0])) ++shift;
+  for (std::size_t k = 0; k < boundary.size(); ++k) {
+    const HalfedgeId inner = boundary[(k + shift) % boundary.size()];
     diagram.demand(fits(inner, link_[k]), "the sides of the patch are those of the star");
     linkOf_[index(inner)] = static_cast<std::uint32_t>(k);
   }
@@ -241,39 +208,14 @@ void Remover::makePatch() {
       const HalfedgeId h = halfedgeOf(patchFaces_[k], c);
       const HalfedgeId across = small.twin(h);
       patch_[k].corners[c] = global(small.origin(h));
-      // An edge of which v's cell took only the ends is on the rim with both sides, though both its
-      // faces are in the patch: what lies between the ends is for the big diagram to say.
+      // An edge of which v's cell took only the ends is on the boundary with both sides, though
+      // both its faces are in the patch: what lies between the ends is for the big diagram to say.
       const std::uint32_t outside = linkOf_[index(h)];
       patch_[k].across[c] = outside != kNoIndex ? Graph::kOutside | outside
                                                 : 3 * patchOf_[index(faceOf(across))] +
                                                       static_cast<std::uint32_t>(index(across) % 3);
     }
   }
-}
-
-void Remover::apply(DelaunayGraph& diagram, VertexId v, std::span<const Graph::PatchFace> patch,
-                    std::span<const VoronoiCircle> circles) {
-  // Two sides of each other would be the sides of a whole sphere.
-  const bool isSphere = patch.empty() && diagram.graph().twin(link_[0]) == link_[1];
-  diagram.demand(!isSphere, "the star of a site is not all there is");
-  diagram.reserveFaces(link_.size(), patch.size());
-  if (mayReturn_) diagram.reserveReturn(std::max(link_.size(), patch.size()));
-  // Some visible neighbour, should v be the vertex that walks start from.
-  const Graph& graph = diagram.graph();
-  const VertexId a = patch.empty() ? graph.origin(link_[0]) : patch[0].corners[0];
-  const VertexId b = patch.empty() ? graph.target(link_[0]) : patch[0].corners[1];
-  const VertexId neighbour = a != kInfinity ? a : b;
-  std::copy(circles.begin(), circles.end(), diagram.newCircles_.begin());
-  diagram.graph_.replaceStar(v, link_, patch, diagram.newFaces(patch.size()));
-  diagram.takeCircles(patch.size());
-  --diagram.visibleCount_;
-  if (diagram.recent_ == v) diagram.recent_ = neighbour;
-}
-
-void Remover::becomeSingle(DelaunayGraph& diagram, VertexId v) {
-  diagram.clear();
-  diagram.visibleCount_ = v == kNoVertex ? 0 : 1;
-  diagram.recent_ = v;
 }
 
 }  // namespace apollonius

@@ -16,19 +16,20 @@ namespace apollonius {
 class Remover {
  public:
   /// What became of a site that the removed one had covered.
-  struct Fate {
+  struct Outcome {
     VertexId vertex;
     VertexId cover;  ///< its new cover (a visible site or another of the formerly covered);
                      ///< kNoVertex if it is visible now
   };
 
   /// Removes v from the diagram. `hidden` are the vertices that it covered and that may become
-  /// visible (their sites are set). Returns their fates, valid until the next call: first those
+  /// visible (their sites are set), in the order in which they are tried: many had better be in
+  /// that of a bulk insertion. Returns their outcomes, valid until the next call: first those
   /// that are covered, each before its cover if that is covered, too. Throws std::bad_alloc with
   /// the diagram unchanged. Cost: as building a diagram of its d neighbours and of `hidden`. With
   /// `mayReturn`, all room is made that the site needs to be inserted again.
-  std::span<const Fate> remove(DelaunayGraph& diagram, VertexId v, std::span<const VertexId> hidden,
-                               bool mayReturn = false);
+  std::span<const Outcome> remove(DelaunayGraph& diagram, VertexId v,
+                                  std::span<const VertexId> hidden, bool mayReturn = false);
 
   /// All the room that it takes to remove a site whose neighbours and hidden sites are so many
   /// together.
@@ -37,34 +38,28 @@ class Remover {
   /// Scratch for a caller: hidden vertices, and what has become of others; reserve() makes room
   /// there, too.
   [[nodiscard]] FlatArray<VertexId>& hiddenList() { return hidden_; }
-  [[nodiscard]] FlatArray<Fate>& adoptedList() { return adopted_; }
+  [[nodiscard]] FlatArray<Outcome>& adoptedList() { return adopted_; }
 
  private:
   void collectLink(const Graph& graph, VertexId v);
   void buildSmall(const DelaunayGraph& diagram, std::span<const VertexId> hidden);
-  void addMany(const DelaunayGraph& diagram, std::span<const VertexId> hidden);
   VertexId addLocal(const DelaunayGraph& diagram, VertexId v, VertexId start);
   void findPatch(const DelaunayGraph& diagram, VertexId v);
   [[nodiscard]] bool hasAllNeighbors(const Graph& graph) const;
   void takeAllAsPatch();
   void alignLink(const DelaunayGraph& diagram);
   void makePatch();
-  void apply(DelaunayGraph& diagram, VertexId v, std::span<const Graph::PatchFace> patch,
-             std::span<const VoronoiCircle> circles);
-  static void becomeSingle(DelaunayGraph& diagram, VertexId v);
   [[nodiscard]] VertexId global(VertexId local) const {
     return local == kInfinity ? kInfinity : global_[index(local)];
   }
 
-  static constexpr std::size_t kMany = 32;  // hidden sites
-
   EarClipper ears_;
-  bool mayReturn_ = false;  // of the call at hand
-  std::size_t room_ = 0;    // of reserve()
+  std::size_t room_ = 0;  // of reserve()
 
   // The small diagram; its vertex k is the big one's global_[k], covered by the small one's
   // cover_[k].
   DelaunayGraph small_;
+  ConflictSearch conflicts_;  // of the removed site there
   FlatArray<VertexId> global_;
   FlatArray<VertexId> cover_;
   FlatArray<VertexId> fallen_;  // what is covered there, in the order in which that came
@@ -78,9 +73,9 @@ class Remover {
   FlatArray<FaceId> patchFaces_;  // faces of the small diagram that make the patch
   FlatArray<Graph::PatchFace> patch_;
   FlatArray<VoronoiCircle> patchCircles_;
-  FlatArray<Fate> fates_;
+  FlatArray<Outcome> outcomes_;
   FlatArray<VertexId> hidden_;
-  FlatArray<Fate> adopted_;
+  FlatArray<Outcome> adopted_;
 };
 
 }  // namespace apollonius

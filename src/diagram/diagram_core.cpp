@@ -61,8 +61,17 @@ SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start, Undo u
   const VertexId v = vertexOf(slot);
   base_.setSite(v, normalized(site));
   if (start == kNoVertex) start = startFor(site.x, site.y);
-  Remover* const remover = undo == Undo::kMaybe ? &remover_ : nullptr;
-  const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_, &hidden_, remover);
+  struct Room final : InsertionObserver {
+    HiddenForest& forest;
+    Remover* remover;  // if the insertion may have to be undone
+    Room(HiddenForest& f, Remover* r) : forest(f), remover(r) {}
+    bool makeRoom(std::size_t degree, std::size_t covered) override {
+      forest.reserveChildren(covered);
+      if (remover != nullptr) remover->reserve(degree + covered);
+      return remover != nullptr;
+    }
+  } room(hidden_, undo == Undo::kMaybe ? &remover_ : nullptr);
+  const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_, &room);
   if (insertion.cover != kNoVertex) {
     hidden_.reserveChildren(1);
     hang(slot, slotOf(insertion.cover));
@@ -87,7 +96,7 @@ bool DiagramCore::remove(SiteId id) {
 }
 
 std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
-  ballast_.load();
+  memoryReserve_.take();
   FlatArray<Slot> gone;
   gone.reserve(ids.size());
   try {
@@ -125,24 +134,24 @@ void DiagramCore::hang(Slot child, Slot parent) noexcept {
 void DiagramCore::displaceVisible(Slot slot, Undo undo) {
   sortOutChildren(slot);
   const FlatArray<VertexId>& children = remover_.hiddenList();
-  const std::span<const Remover::Fate> adopted(remover_.adoptedList().data(),
-                                               remover_.adoptedList().size());
-  const std::span<const Remover::Fate> fates =
+  const std::span<const Remover::Outcome> adopted(remover_.adoptedList().data(),
+                                                  remover_.adoptedList().size());
+  const std::span<const Remover::Outcome> outcomes =
       remover_.remove(base_, vertexOf(slot), children, undo == Undo::kMaybe);
   // From here on nothing throws.
-  for (const std::span<const Remover::Fate> all : {adopted, fates}) {
-    for (const Remover::Fate& fate : all) {
-      const Slot child = slotOf(fate.vertex);
+  for (const std::span<const Remover::Outcome> all : {adopted, outcomes}) {
+    for (const Remover::Outcome& outcome : all) {
+      const Slot child = slotOf(outcome.vertex);
       hidden_.detach(child);
-      if (fate.cover == kNoVertex) {
+      if (outcome.cover == kNoVertex) {
         ids_.setState(child, SiteState::kVisible);
       } else {
-        hang(child, slotOf(fate.cover));
+        hang(child, slotOf(outcome.cover));
       }
     }
   }
   leaveLocation(slot);
-  // The fates were the remover's scratch, which the line above may have used.
+  // The outcomes were the remover's scratch, which the line above may have used.
   for (const VertexId child : children) {
     if (ids_.state(slotOf(child)) == SiteState::kVisible) enterLocation(slotOf(child));
   }
@@ -153,7 +162,7 @@ void DiagramCore::displaceVisible(Slot slot, Undo undo) {
 /// them is adopted: at most four questions a child.
 void DiagramCore::sortOutChildren(Slot slot) {
   FlatArray<VertexId>& children = remover_.hiddenList();
-  FlatArray<Remover::Fate>& adopted = remover_.adoptedList();
+  FlatArray<Remover::Outcome>& adopted = remover_.adoptedList();
   children.clear();
   adopted.clear();
   for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone;
@@ -177,6 +186,30 @@ void DiagramCore::sortOutChildren(Slot slot) {
     const auto rest = children.end() - first, count = children.end() - end;
     children.resize(static_cast<std::size_t>(end - children.begin()));
     if (4 * count < rest) break;
+  }
+  orderForInsertion(children);
+}
+
+/// Many are tried in the order of a bulk insertion; in any other one walks would be long. So they
+/// are where there is no room for that order, as when this undoes an operation that ran out of
+/// memory.
+void DiagramCore::orderForInsertion(FlatArray<VertexId>& vertices) const {
+  constexpr std::size_t kMany = 32;
+  if (vertices.size() < kMany) return;
+  try {
+    FlatArray<double> centres;
+    centres.reserve(2 * vertices.size());
+    for (const VertexId v : vertices) {
+      centres.push_back(base_.site(v).x);
+      centres.push_back(base_.site(v).y);
+    }
+    const FlatArray<std::uint32_t> order = brioOrder(hilbertOrder({centres, 2}));
+    FlatArray<VertexId> ordered;
+    ordered.reserve(vertices.size());
+    for (const std::uint32_t k : order) ordered.push_back(vertices[k]);
+    std::copy(ordered.begin(), ordered.end(), vertices.begin());
+  } catch (...) {
+    return;
   }
 }
 
@@ -218,7 +251,7 @@ void DiagramCore::rebuildGrid() noexcept {
 }
 
 void DiagramCore::update(SiteId id, const Site& site) {
-  ballast_.load();
+  memoryReserve_.take();
   move(ids_.slotOf(id), site);
 }
 
@@ -241,7 +274,7 @@ DiagramCore::Moved DiagramCore::move(Slot slot, const Site& site) {
 /// The levels would need room of their own; they go, which makes some, and are made anew when they
 /// are asked for.
 void DiagramCore::beginUndo() noexcept {
-  ballast_.drop();
+  memoryReserve_.giveBack();
   hierarchy_.clear();
   isHierarchyDue_ = false;
   isUndoing_ = true;
@@ -359,7 +392,7 @@ FlatArray<std::uint32_t> DiagramCore::stage(std::span<const double> xyr) {
 
 void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId> ids) {
   const std::size_t n = ids.size();
-  ballast_.load();
+  memoryReserve_.take();
   const std::size_t slots = slotsWith(n);
   const bool isBulk = n > (ids_.size() + n) / 4;
   reserve(slots);
@@ -374,7 +407,7 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
       n < ids_.size() ? Undo::kMaybe : Undo::kNever;  // a diagram that was empty is simply emptied
   std::size_t done = 0;
   try {
-    order = inRandomizedRounds(order);
+    order = brioOrder(order);
     if (isBulk) base_.reserveBulk(n);  // a few would be paid for by copying all
     for (; done < n; ++done) {
       const Slot slot = order[done];
@@ -418,7 +451,7 @@ VertexId DiagramCore::visibleBeside(Slot slot) const {
 }
 
 void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
-  ballast_.load();
+  memoryReserve_.take();
   const FlatArray<std::uint32_t> order = orderOfSlots(ids);
   const std::size_t mostLeft = std::max(ids_.size() / kRebuildShare, kFewMoves);
   FlatArray<Site> before(ids.size());

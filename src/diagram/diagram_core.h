@@ -48,25 +48,16 @@ class DiagramCore {
   void clear() noexcept;
 
   [[nodiscard]] Location location() const { return location_; }
-  [[nodiscard]] const SiteIds& ids() const { return ids_; }
+  [[nodiscard]] const IdPool& ids() const { return ids_; }
   [[nodiscard]] std::size_t visibleCount() const { return base_.visibleCount(); }
   [[nodiscard]] const Site& site(Slot slot) const { return base_.site(vertexOf(slot)); }
   [[nodiscard]] const DelaunayGraph& base() const { return base_; }
+  [[nodiscard]] const HiddenForest& hidden() const { return hidden_; }
+  [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
 
   /// The nearest site; `hint` is a visible site close to the point, or kNoSlot. REQUIRES: not
   /// empty.
   [[nodiscard]] Slot nearest(double x, double y, Slot hint = kNoSlot) const;
-
-  /// Sites in the order of their distance to (x, y), at most `most`, and none farther than
-  /// `farthest` if that is given; ties as in nearest(). Replaces the contents of `sites`.
-  void nearby(double x, double y, std::size_t most, const double* farthest,
-              Array<SiteId>& sites) const;
-
-  // Listings; each replaces the contents of its argument.
-  void neighbors(SiteId id, Array<SiteId>& neighbors) const;
-  void vertices(VertexArrays& out) const;
-  void edges(EdgeArrays& out) const;
-  void faces(Array<SiteId>& sites) const;
 
   /// The diagram as a snapshot; replaces the contents of `bytes`.
   void save(Array<std::uint8_t>& bytes) const;
@@ -76,9 +67,6 @@ class DiagramCore {
   /// Has an operation found that trusted bytes were no diagram? Then this one is good for nothing
   /// but clear().
   [[nodiscard]] bool isBroken() const { return base_.isBroken(); }
-
-  /// The first broken invariant.
-  [[nodiscard]] Defect check() const;
 
   [[nodiscard]] static VertexId vertexOf(Slot slot) { return VertexId{slot + 1}; }
   [[nodiscard]] static Slot slotOf(VertexId v) { return static_cast<Slot>(v) - 1; }
@@ -141,6 +129,7 @@ class DiagramCore {
   /// Into the remover's lists, hiddenList() what hangs on a visible site and may become visible,
   /// adoptedList() the rest of what hangs on it.
   void sortOutChildren(Slot slot);
+  void orderForInsertion(FlatArray<VertexId>& vertices) const;
   /// Hangs a site of no other structure on one that covers it, or below. There is room; nothing
   /// throws.
   void hang(Slot child, Slot parent) noexcept;
@@ -152,8 +141,6 @@ class DiagramCore {
   void endBulk() noexcept;
   [[nodiscard]] VertexId startFor(double x, double y) const;
 
-  [[nodiscard]] bool isBounded(FaceId f) const;
-  [[nodiscard]] Defect checkHidden() const;
   void saveHidden(WordWriter& out) const;
   [[nodiscard]] bool restoreStates();
   [[nodiscard]] bool restoreHidden(WordReader& in, std::size_t count);
@@ -163,17 +150,17 @@ class DiagramCore {
   Walk walk_;
   bool isUndoing_ = false;
   bool isBulk_ = false;  // many sites are being inserted; the grid is made afterwards
-  SiteIds ids_;
+  IdPool ids_;
   DelaunayGraph base_;   // vertex of slot s: s + 1
   HiddenForest hidden_;  // node of slot s: s
   mutable Hierarchy hierarchy_;
   mutable bool isHierarchyDue_ = false;  // restored from a snapshot: the hierarchy is made when it
                                          // is asked first, and left alone until then
-  StartGrid grid_;                       // with Walk::kSectors only
+  HintGrid grid_;                        // with Walk::kSectors only
   Remover remover_;
   SiteMoves siteMoves_;
   FlatArray<SiteMoves::Move> moves_;  // scratch of moves in place
-  Ballast ballast_;
+  MemoryReserve memoryReserve_;
 };
 
 }  // namespace apollonius

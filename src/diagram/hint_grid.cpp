@@ -4,7 +4,7 @@
 
 namespace apollonius {
 
-void StartGrid::rebuild(std::size_t sites, const Site& low, const Site& high) noexcept {
+void HintGrid::rebuild(std::size_t sites, const Site& low, const Site& high) noexcept {
   try {
     side_ = static_cast<std::size_t>(std::sqrt(static_cast<double>(sites))) + 1;
     cells_.assign(side_ * side_, Cell{});
@@ -18,7 +18,7 @@ void StartGrid::rebuild(std::size_t sites, const Site& low, const Site& high) no
   }
 }
 
-void StartGrid::fillGaps() noexcept {
+void HintGrid::fillGaps() noexcept {
   for (std::size_t row = 0; row < side_; ++row) {
     for (std::size_t column = 0; column < side_; ++column) {
       Cell& cell = cells_[row * side_ + column];

@@ -16,7 +16,7 @@
 
 namespace apollonius {
 
-class StartGrid {
+class HintGrid {
  public:
   /// The slot of a site whose centre was in the cell of (x, y) or beside it, or kNoSlot.
   [[nodiscard]] Slot near(double x, double y) const {
@@ -64,7 +64,7 @@ class StartGrid {
   /// beside.
   void fillGaps() noexcept;
 
-  void clear() noexcept { *this = StartGrid{}; }
+  void clear() noexcept { *this = HintGrid{}; }
 
  private:
   friend class DiagramBreaker;  // tests break a structure on purpose

@@ -25,7 +25,7 @@ inline constexpr Slot kNoSlot = 0xFFFFFFFFu;
 /// steps only.
 enum class SiteState : std::uint8_t { kFree = 0, kVisible = 1, kHidden = 2, kPending = 3 };
 
-class SiteIds {
+class IdPool {
  public:
   [[nodiscard]] std::size_t slots() const { return slots_.size(); }  ///< slots in use are below
   [[nodiscard]] std::size_t idLimit() const { return ids_.size(); }  ///< ids in use are below
@@ -125,7 +125,7 @@ class SiteIds {
   /// Calls the sites 0, 1, 2, … by these names, and takes over which ids are free from the
   /// numbering that they come from. REQUIRES: no free slots or ids; the names are all that `other`
   /// has in use. Throws std::bad_alloc with nothing changed.
-  void rename(std::span<const SiteId> names, const SiteIds& other) {
+  void rename(std::span<const SiteId> names, const IdPool& other) {
     ids_ = other.ids_;
     firstFreeId_ = other.firstFreeId_;
     for (Slot slot = 0; slot < slots_.size(); ++slot) {

@@ -1,21 +1,31 @@
 // The diagram as arrays: neighbours of a site, Voronoi vertices, Voronoi edges.
+#include "diagram/listing.h"
+
 #include "delaunay/sort_by_key.h"
-#include "diagram/diagram_core.h"
 #include "memory/flat_array.h"
 
 namespace apollonius {
 
-void DiagramCore::neighbors(SiteId id, Array<SiteId>& neighbors) const {
+namespace {
+
+/// Is it the face of a Voronoi vertex, of three finite sites?
+bool isBounded(const Graph& graph, FaceId f) {
+  for (unsigned c = 0; c < 3; ++c) {
+    if (graph.origin(halfedgeOf(f, c)) == kInfinity) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void listNeighbors(const DiagramCore& diagram, SiteId id, Array<SiteId>& neighbors) {
   neighbors.clear();
-  const Graph& graph = base_.graph();
-  const VertexId v = vertexOf(ids_.slotOf(id));
+  const Graph& graph = diagram.base().graph();
+  const VertexId v = DiagramCore::vertexOf(diagram.ids().slotOf(id));
   if (!graph.hasVertex(v)) return;
-  const HalfedgeId begin = graph.outgoing(v);
-  HalfedgeId h = begin;
-  do {
-    if (graph.target(h) != kInfinity) neighbors.push_back(siteOf(graph.target(h)));
-    h = graph.rotateCcw(h);
-  } while (h != begin);
+  for (const HalfedgeId h : graph.star(v)) {
+    if (graph.target(h) != kInfinity) neighbors.push_back(diagram.siteOf(graph.target(h)));
+  }
 
   // Keep the first occurrence of each: sort positions by site, mark the later ones, drop them.
   FlatArray<Keyed> positions(neighbors.size());
@@ -31,57 +41,46 @@ void DiagramCore::neighbors(SiteId id, Array<SiteId>& neighbors) const {
   neighbors.resize(kept);
 }
 
-/// Is it the face of a Voronoi vertex, of three finite sites?
-bool DiagramCore::isBounded(FaceId f) const {
-  const Graph& graph = base_.graph();
-  if (!graph.isLive(f)) return false;
-  for (unsigned c = 0; c < 3; ++c) {
-    if (graph.origin(halfedgeOf(f, c)) == kInfinity) return false;
-  }
-  return true;
-}
-
-void DiagramCore::faces(Array<SiteId>& sites) const {
+void listFaces(const DiagramCore& diagram, Array<SiteId>& sites) {
   sites.clear();
-  const Graph& graph = base_.graph();
-  for (std::size_t i = 0; i < 3 * graph.faceSlots(); ++i) {
-    const HalfedgeId h{static_cast<std::uint32_t>(i)};
-    if (graph.isLive(faceOf(h)))
-      sites.push_back(graph.origin(h) == kInfinity ? kNoSite : siteOf(graph.origin(h)));
+  const Graph& graph = diagram.base().graph();
+  for (const FaceId f : graph.faces()) {
+    for (unsigned c = 0; c < 3; ++c) {
+      const VertexId v = graph.origin(halfedgeOf(f, c));
+      sites.push_back(v == kInfinity ? kNoSite : diagram.siteOf(v));
+    }
   }
 }
 
-void DiagramCore::vertices(VertexArrays& out) const {
+void listVertices(const DiagramCore& diagram, VertexArrays& out) {
   out.coordinates.clear();
   out.clearance.clear();
   out.sites.clear();
-  const Graph& graph = base_.graph();
-  for (std::size_t i = 0; i < graph.faceSlots(); ++i) {
-    const FaceId f{static_cast<std::uint32_t>(i)};
-    if (!isBounded(f)) continue;
-    const VoronoiCircle circle = base_.vertex(f);
+  const Graph& graph = diagram.base().graph();
+  for (const FaceId f : graph.faces()) {
+    if (!isBounded(graph, f)) continue;
+    const VoronoiCircle circle = diagram.base().vertex(f);
     out.coordinates.push_back(circle.x);
     out.coordinates.push_back(circle.y);
     out.clearance.push_back(circle.s);
-    for (unsigned c = 0; c < 3; ++c) out.sites.push_back(siteOf(graph.origin(halfedgeOf(f, c))));
+    for (unsigned c = 0; c < 3; ++c)
+      out.sites.push_back(diagram.siteOf(graph.origin(halfedgeOf(f, c))));
   }
 }
 
-void DiagramCore::edges(EdgeArrays& out) const {
+void listEdges(const DiagramCore& diagram, EdgeArrays& out) {
   out.sites.clear();
   out.vertices.clear();
-  const Graph& graph = base_.graph();
-  FlatArray<std::int32_t> row(graph.faceSlots(), -1);  // of the faces in vertices()
+  const Graph& graph = diagram.base().graph();
+  FlatArray<std::int32_t> row(graph.faceSlots(), -1);  // of the faces in listVertices()
   std::int32_t rows = 0;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    if (isBounded(FaceId{static_cast<std::uint32_t>(i)})) row[i] = rows++;
+  for (const FaceId f : graph.faces()) {
+    if (isBounded(graph, f)) row[index(f)] = rows++;
   }
-  for (std::size_t i = 0; i < 3 * graph.faceSlots(); ++i) {
-    const HalfedgeId h{static_cast<std::uint32_t>(i)};
-    if (!graph.isLive(faceOf(h)) || graph.twin(h) < h) continue;  // each edge once
+  for (const HalfedgeId h : graph.edges()) {
     if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity) continue;
-    out.sites.push_back(siteOf(graph.origin(h)));
-    out.sites.push_back(siteOf(graph.target(h)));
+    out.sites.push_back(diagram.siteOf(graph.origin(h)));
+    out.sites.push_back(diagram.siteOf(graph.target(h)));
     // Counter-clockwise about h's origin the edge runs from the vertex of the face on the right to
     // that on the left.
     out.vertices.push_back(row[index(faceOf(graph.twin(h)))]);

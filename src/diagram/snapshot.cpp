@@ -62,7 +62,7 @@ std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
 
 // --- Ids
 
-bool SiteIds::restore(WordReader& in, std::size_t slots, std::size_t idLimit, std::size_t size) {
+bool IdPool::restore(WordReader& in, std::size_t slots, std::size_t idLimit, std::size_t size) {
   ids_.assign(idLimit, kNoSlot);
   slots_.assign(slots, kNotListed);
   freeSlots_ = slots;

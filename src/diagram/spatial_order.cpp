@@ -75,7 +75,7 @@ FlatArray<std::uint32_t> hilbertOrder(PointArray points) {
   return order;
 }
 
-FlatArray<std::uint32_t> inRandomizedRounds(std::span<const std::uint32_t> items) {
+FlatArray<std::uint32_t> brioOrder(std::span<const std::uint32_t> items) {
   const std::size_t n = items.size();
   // The round, counted from the last, is the number of leading zeros of a random word: 0 with
   // probability 1/2, and so on.

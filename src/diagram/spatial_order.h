@@ -25,6 +25,6 @@ struct PointArray {
 
 /// The items in randomised rounds, each in the order in which they are given: about half of them in
 /// the last round, a quarter in the one before, and so on. Seeded: the same on every platform.
-[[nodiscard]] FlatArray<std::uint32_t> inRandomizedRounds(std::span<const std::uint32_t> items);
+[[nodiscard]] FlatArray<std::uint32_t> brioOrder(std::span<const std::uint32_t> items);
 
 }  // namespace apollonius

@@ -1,53 +1,64 @@
 // The invariants of a diagram, exactly checked; the first broken one is named with its ids.
-#include "diagram/diagram_core.h"
+#include "diagram/validate.h"
+
 #include "memory/flat_array.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {
 
-Defect DiagramCore::check() const {
-  Defect defect;
-  if ((defect.what = base_.check(defect.where)) != nullptr) return defect;
-  if ((defect.what = hierarchy_.check(base_, defect.where, defect.level)) != nullptr) return defect;
-  std::uint32_t used = 0;
-  for (Slot slot = 0; slot < ids_.slots(); ++slot) {
-    const auto found = [&](const char* what) { return Defect{what, ids_.idOf(slot)}; };
-    if ((ids_.state(slot) == SiteState::kVisible) != base_.isVisible(vertexOf(slot))) {
-      return found("the state of a site differs from its place in the graph: site");
-    }
-    if (ids_.state(slot) == SiteState::kFree) continue;
-    ++used;
-    if (ids_.slotOf(ids_.idOf(slot)) != slot) return found("the place of an id is another: site");
-  }
-  if (used != ids_.size()) return {"the count of sites is wrong: count", used};
-  if (used != ids_.hiddenCount() + base_.visibleCount())
-    return {"sites are neither visible nor hidden: count", used};
-  return checkHidden();
-}
+namespace {
 
 /// Every hidden site hangs on a site that covers it, and all of them hang, at the end, on visible
 /// ones.
-Defect DiagramCore::checkHidden() const {
+Violation checkHidden(const DiagramCore& diagram) {
+  const IdPool& ids = diagram.ids();
+  const HiddenForest& hidden = diagram.hidden();
   FlatArray<Slot> reached;
-  for (Slot slot = 0; slot < ids_.slots(); ++slot) {
-    if (ids_.state(slot) == SiteState::kVisible) reached.push_back(slot);
+  for (Slot slot = 0; slot < ids.slots(); ++slot) {
+    if (ids.state(slot) == SiteState::kVisible) reached.push_back(slot);
   }
   const std::size_t visible = reached.size();
   for (std::size_t k = 0; k < reached.size(); ++k) {
-    for (Slot child = hidden_.firstChild(reached[k]); child != HiddenForest::kNone;
-         child = hidden_.nextSibling(child)) {
-      const auto found = [&](const char* what) { return Defect{what, ids_.idOf(child)}; };
-      if (ids_.state(child) != SiteState::kHidden)
+    for (Slot child = hidden.firstChild(reached[k]); child != HiddenForest::kNone;
+         child = hidden.nextSibling(child)) {
+      const auto found = [&](const char* what) { return Violation{what, ids.idOf(child)}; };
+      if (ids.state(child) != SiteState::kHidden)
         return found("a site that hangs on another is not hidden: site");
-      if (!covers(site(reached[k]), site(child)))
+      if (!covers(diagram.site(reached[k]), diagram.site(child)))
         return found("a hidden site is not covered by its parent: site");
-      if (reached.size() == ids_.size())
+      if (reached.size() == ids.size())
         return found("the forest of hidden sites has a cycle: site");
       reached.push_back(child);
     }
   }
-  if (reached.size() == visible + ids_.hiddenCount()) return {};
+  if (reached.size() == visible + ids.hiddenCount()) return {};
   return {"hidden sites hang on nothing: reached", static_cast<std::uint32_t>(reached.size())};
+}
+
+}  // namespace
+
+Violation validate(const DiagramCore& diagram) {
+  const IdPool& ids = diagram.ids();
+  const DelaunayGraph& base = diagram.base();
+  Violation violation;
+  if ((violation.what = base.check(violation.where)) != nullptr) return violation;
+  if ((violation.what = diagram.hierarchy().check(base, violation.where, violation.level)) !=
+      nullptr)
+    return violation;
+  std::uint32_t used = 0;
+  for (Slot slot = 0; slot < ids.slots(); ++slot) {
+    const auto found = [&](const char* what) { return Violation{what, ids.idOf(slot)}; };
+    if ((ids.state(slot) == SiteState::kVisible) != base.isVisible(DiagramCore::vertexOf(slot))) {
+      return found("the state of a site differs from its place in the graph: site");
+    }
+    if (ids.state(slot) == SiteState::kFree) continue;
+    ++used;
+    if (ids.slotOf(ids.idOf(slot)) != slot) return found("the place of an id is another: site");
+  }
+  if (used != ids.size()) return {"the count of sites is wrong: count", used};
+  if (used != ids.hiddenCount() + base.visibleCount())
+    return {"sites are neither visible nor hidden: count", used};
+  return checkHidden(diagram);
 }
 
 }  // namespace apollonius

@@ -38,9 +38,7 @@ void CellFinder::clipEdges(Slot site) {
   const VertexId v = DiagramCore::vertexOf(site);
   if (!graph.hasVertex(v)) return;  // the only visible site
   ClippedEdge clipped;
-  const HalfedgeId begin = graph.outgoing(v);
-  HalfedgeId h = begin;
-  do {
+  for (const HalfedgeId h : graph.star(v)) {
     if (graph.target(h) != kInfinity) {
       const SiteId neighbor = core_.siteOf(graph.target(h));
       if (startsAtPole(base, h)) {
@@ -53,8 +51,7 @@ void CellFinder::clipEdges(Slot site) {
           pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)].reversed(), neighbor});
       }
     }
-    h = graph.rotateCcw(h);
-  } while (h != begin);
+  }
 }
 
 /// Joins the pieces, which leave and enter the window, along its border.

@@ -47,14 +47,15 @@ void forEachClippedPiece(const DelaunayGraph& base, const Window& window, Bits b
   const Graph& graph = base.graph();
   base.computeMissingCircles();
   ClippedEdge clipped;
-  for (std::size_t k = 0; k < 3 * graph.faceSlots(); ++k) {
-    const HalfedgeId h{static_cast<std::uint32_t>(k)};
-    if (!graph.isLive(faceOf(h)) || graph.origin(h) == kInfinity || graph.target(h) == kInfinity)
-      continue;
-    if (!startsAtPole(base, h)) continue;
-    clipEdge(base, h, window, clipped, bits);
-    for (int piece = 0; piece < clipped.count; ++piece)
-      visit(h, clipped.pieces[static_cast<std::size_t>(piece)]);
+  for (const FaceId f : graph.faces()) {
+    for (unsigned c = 0; c < 3; ++c) {
+      const HalfedgeId h = halfedgeOf(f, c);
+      if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity || !startsAtPole(base, h))
+        continue;
+      clipEdge(base, h, window, clipped, bits);
+      for (int piece = 0; piece < clipped.count; ++piece)
+        visit(h, clipped.pieces[static_cast<std::size_t>(piece)]);
+    }
   }
 }
 

@@ -47,10 +47,7 @@ void findSectors(const DiagramCore& core, Slot site, double radius, FlatArray<Se
   const Graph& graph = base.graph();
   const Point center{core.site(site).x, core.site(site).y};
   const VertexId v = DiagramCore::vertexOf(site);
-  if (!graph.hasVertex(v)) return;
-  const HalfedgeId begin = graph.outgoing(v);
-  HalfedgeId h = begin;
-  const auto add = [&] {
+  const auto add = [&](HalfedgeId h) {
     if (graph.target(h) == kInfinity) return;
     const bool isPole = startsAtPole(base, h);
     const Edge edge(base, isPole ? h : graph.twin(h));
@@ -78,10 +75,7 @@ void findSectors(const DiagramCore& core, Slot site, double radius, FlatArray<Se
       sectors.push_back({{curve.reversed(), neighbor}, end, middle, start, isToCut, isFromCut});
     }
   };
-  do {
-    add();
-    h = graph.rotateCcw(h);
-  } while (h != begin);
+  for (const HalfedgeId h : graph.star(v)) add(h);
 }
 
 }  // namespace

@@ -28,9 +28,9 @@ static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<doub
 /// subnormals flushed to zero, as a program does that is linked with -ffast-math; another direction
 /// of rounding. WebAssembly has none of them.
 #ifdef __wasm__
-constexpr const char* arithmeticDefect() { return nullptr; }
+constexpr const char* arithmeticViolation() { return nullptr; }
 #else
-const char* arithmeticDefect();
+const char* arithmeticViolation();
 #endif
 
 /// 2^exponent, for exponents of normal numbers (-1022 … 1023).

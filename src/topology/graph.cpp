@@ -14,7 +14,7 @@ void Graph::reserveFaces(std::size_t removed, std::size_t created) {
       array.reserve(std::max(needed, array.capacity() + array.capacity() / 2));
   };
   grow(halfedges_, 3 * faceSlotsAfter(removed, created));
-  grow(rim_, std::max(removed, created));
+  grow(boundary_, std::max(removed, created));
   grow(lost_, 3 * removed);
 }
 
@@ -85,12 +85,12 @@ void Graph::makePair(VertexId u, VertexId v, std::span<FaceId> faces) {
 }
 
 std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> hole,
-                                          std::span<const HalfedgeId> rim,
+                                          std::span<const HalfedgeId> boundary,
                                           std::span<FaceId> newFaces) {
-  const std::size_t n = rim.size();
+  const std::size_t n = boundary.size();
   // Faces of the hole are used again, so everything is read before anything is written.
-  rim_.clear();
-  for (const HalfedgeId h : rim) rim_.push_back({origin(h), twin(h)});
+  boundary_.clear();
+  for (const HalfedgeId h : boundary) boundary_.push_back({origin(h), twin(h)});
   lost_.clear();
   // f faces that hang together by f - 1 edges, as a tree, have f + 2 sides and no vertex within. So
   // it is nearly always.
@@ -99,13 +99,13 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
   for (const FaceId f : hole) halfedges_[index(halfedgeOf(f, 0))].origin = kNoVertex;
   for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < hole.size() ? hole[k] : takeFace();
 
-  // An outer side within the hole is on the rim itself and is replaced too: leave word there of
-  // what replaces it.
+  // An outer side within the hole is on the boundary itself and is replaced too: leave word there
+  // of what replaces it.
   const auto isInHole = [&](HalfedgeId h) { return !isLive(faceOf(h)); };
   for (std::size_t k = 0; k < n; ++k) {
-    if (isInHole(rim[k])) halfedges_[index(rim[k])].twin = halfedgeOf(newFaces[k], 0);
+    if (isInHole(boundary[k])) halfedges_[index(boundary[k])].twin = halfedgeOf(newFaces[k], 0);
   }
-  for (RimEdge& edge : rim_) {
+  for (BoundaryEdge& edge : boundary_) {
     if (isInHole(edge.outer)) edge.outer = twin(edge.outer);
   }
 
@@ -114,10 +114,10 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
     const HalfedgeId side = halfedgeOf(newFaces[k], 0),
                      toNew = HalfedgeId{static_cast<std::uint32_t>(side) + 1};
     const HalfedgeId fromNew{static_cast<std::uint32_t>(side) + 2};
-    const VertexId from = rim_[k].from;
-    halfedges_[index(side)] = {from, rim_[k].outer};
-    halfedges_[index(rim_[k].outer)].twin = side;
-    halfedges_[index(toNew)].origin = rim_[k + 1 < n ? k + 1 : 0].from;
+    const VertexId from = boundary_[k].from;
+    halfedges_[index(side)] = {from, boundary_[k].outer};
+    halfedges_[index(boundary_[k].outer)].twin = side;
+    halfedges_[index(toNew)].origin = boundary_[k + 1 < n ? k + 1 : 0].from;
     halfedges_[index(fromNew)] = {w, spoke};
     halfedges_[index(spoke)].twin = fromNew;
     outgoing_[index(from)] = side;
@@ -133,8 +133,8 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
   return lost_;
 }
 
-/// Takes their places from the corners of the hole and lists them in lost_: those on the rim get
-/// them back.
+/// Takes their places from the corners of the hole and lists them in lost_: those on the boundary
+/// get them back.
 void Graph::collectCorners(std::span<const FaceId> hole) {
   for (const FaceId f : hole) {
     for (unsigned c = 0; c < 3; ++c) {
@@ -149,8 +149,8 @@ void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link,
                         std::span<const PatchFace> patch, std::span<FaceId> newFaces) {
   const std::size_t n = patch.size();
   // Faces of the star are used again, so everything is read before anything is written.
-  rim_.clear();
-  for (const HalfedgeId h : link) rim_.push_back({origin(h), twin(h)});
+  boundary_.clear();
+  for (const HalfedgeId h : link) boundary_.push_back({origin(h), twin(h)});
   for (const HalfedgeId h : link) {
     for (const HalfedgeId side : {h, next(h), previous(h)})
       halfedges_[index(side)].origin = kNoVertex;
@@ -158,9 +158,9 @@ void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link,
   for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < link.size() ? faceOf(link[k]) : takeFace();
   outgoing_[index(v)] = kNoHalfedge;
   if (n == 0 && !link.empty()) {
-    sew(rim_[0].outer, rim_[1].outer);
-    outgoing_[index(rim_[0].from)] = rim_[1].outer;
-    outgoing_[index(rim_[1].from)] = rim_[0].outer;
+    sew(boundary_[0].outer, boundary_[1].outer);
+    outgoing_[index(boundary_[0].from)] = boundary_[1].outer;
+    outgoing_[index(boundary_[1].from)] = boundary_[0].outer;
   }
 
   // An outer side within the star is a link edge itself and is replaced too: leave word there of
@@ -172,7 +172,7 @@ void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link,
         halfedges_[index(link[across & ~kOutside])].twin = halfedgeOf(newFaces[k], c);
     }
   }
-  for (RimEdge& edge : rim_) {
+  for (BoundaryEdge& edge : boundary_) {
     if (origin(edge.outer) == kNoVertex) edge.outer = twin(edge.outer);
   }
 
@@ -184,7 +184,7 @@ void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link,
     for (unsigned c = 0; c < 3; ++c) {
       const std::uint32_t across = face.across[c];
       const HalfedgeId other = (across & kOutside) != 0
-                                   ? rim_[across & ~kOutside].outer
+                                   ? boundary_[across & ~kOutside].outer
                                    : halfedgeOf(newFaces[across / 3], across % 3);
       sew(halfedgeOf(newFaces[k], c), other);
     }

@@ -2,10 +2,10 @@
 // vertex 0 being the site at infinity. It knows no coordinates; which faces go and which come is
 // decided by the diagram.
 //
-//     halfedges[h].origin   vertex where half-edge h starts     next(h), previous(h): by index
-//     arithmetic (topology/ids.h) halfedges[h].twin     the other half of its edge          face =
-//     h / 3 outgoing[v]           one half-edge that starts at v, or kNoHalfedge if v has no place
-//     in the graph
+//     halfedges[h].origin   vertex where half-edge h starts
+//     halfedges[h].twin     the other half of its edge
+//     outgoing[v]           one half-edge that starts at v, or kNoHalfedge if v has no place
+//     next(h), previous(h), faceOf(h) = h / 3: by index arithmetic (topology/ids.h)
 //
 // Two vertices can share several edges, a vertex can have degree 2, a face can meet the same
 // neighbour twice: an edge is a half-edge id, never a pair of vertices. With fewer than two visible
@@ -18,6 +18,7 @@
 
 #include "memory/flat_array.h"
 #include "topology/ids.h"
+#include "topology/ranges.h"
 
 namespace apollonius {
 
@@ -40,10 +41,20 @@ class Graph {
   /// The next half-edge around the origin of h.
   [[nodiscard]] HalfedgeId rotateCcw(HalfedgeId h) const { return twin(previous(h)); }
   [[nodiscard]] HalfedgeId rotateCw(HalfedgeId h) const { return next(twin(h)); }
+  /// All half-edges that start at v, counter-clockwise; none if it has no place. Each one's face is
+  /// at its left.
+  [[nodiscard]] auto star(VertexId v) const { return Star<Graph>(*this, outgoing(v)); }
+  /// All faces.
+  [[nodiscard]] auto faces() const {
+    return Filtered<FaceId, IsLive>(static_cast<std::uint32_t>(faceSlots()), {this});
+  }
+  /// All edges, each as that of its half-edges with the smaller number.
+  [[nodiscard]] auto edges() const {
+    return Filtered<HalfedgeId, IsFirstHalf>(static_cast<std::uint32_t>(halfedges_.size()), {this});
+  }
 
-  [[nodiscard]] std::size_t faceSlots() const {
-    return halfedges_.size() / 3;
-  }  ///< live and free ones
+  /// Live and free ones.
+  [[nodiscard]] std::size_t faceSlots() const { return halfedges_.size() / 3; }
   /// As many as that will be after an operation that takes `removed` faces away and brings
   /// `created` new ones.
   [[nodiscard]] std::size_t faceSlotsAfter(std::size_t removed, std::size_t created) const {
@@ -81,23 +92,24 @@ class Graph {
   ///           u -------- v
   void makePair(VertexId u, VertexId v, std::span<FaceId> faces);
 
-  /// Puts vertex w into a hole: the faces `hole` go, and each half-edge of `rim` gets a new face
-  /// with w at its left. The rim lists, counter-clockwise, the half-edges that bound the hole from
-  /// inside; a rim half-edge whose twin is on the rim too is an edge with the hole on both sides
-  /// (or, with no face in the hole, the one edge that is opened).
+  /// Puts vertex w into a hole: the faces `hole` go, and each half-edge of `boundary` gets a new
+  /// face with w at its left. The boundary lists, counter-clockwise, the half-edges that bound the
+  /// hole from inside; a boundary half-edge whose twin is on the boundary too is an edge with the
+  /// hole on both sides (or, with no face in the hole, the one edge that is opened).
   ///
   ///         b ______ a             b ______ a
-  ///          |      |               | \  / |         rim: a→b, b→c, c→d, d→a
-  ///          | hole |       =>      |  w   |         new face k = (rim k's origin, rim k's target,
-  ///          w)
+  ///          |      |               | \  / |         boundary: a→b, b→c, c→d, d→a
+  ///          | hole |       =>      |  w   |         new face k = (its origin, its target, w)
   ///          |______|               | /  \ |
   ///         c        d             c        d
   ///
-  /// newFaces[k] receives the face of rim[k]. Vertices that were within the hole lose their place
-  /// (hasVertex becomes false) and are returned; the span lives until the next operation. REQUIRES:
-  /// room for w and reserveFaces(hole.size(), rim.size()); newFaces.size() == rim.size() >= 2.
+  /// newFaces[k] receives the face of boundary[k]. Vertices that were within the hole lose their
+  /// place (hasVertex becomes false) and are returned; the span lives until the next operation.
+  /// REQUIRES: room for w and reserveFaces(hole.size(), boundary.size()); newFaces.size() ==
+  /// boundary.size() >= 2.
   std::span<const VertexId> starHole(VertexId w, std::span<const FaceId> hole,
-                                     std::span<const HalfedgeId> rim, std::span<FaceId> newFaces);
+                                     std::span<const HalfedgeId> boundary,
+                                     std::span<FaceId> newFaces);
 
   /// A face of a patch: three vertices and, for each of its half-edges, what lies on the other
   /// side.
@@ -133,6 +145,17 @@ class Graph {
  private:
   friend class GraphBreaker;  // tests break a structure on purpose
 
+  struct IsLive {
+    const Graph* graph;
+    bool operator()(FaceId f) const { return graph->isLive(f); }
+  };
+  struct IsFirstHalf {
+    const Graph* graph;
+    bool operator()(HalfedgeId h) const {
+      return graph->isLive(faceOf(h)) && index(h) < index(graph->twin(h));
+    }
+  };
+
   /// Then it is faster to look at these than at all vertices.
   [[nodiscard]] bool hasFewFaces() const { return halfedges_.size() < outgoing_.size() / 8; }
   [[nodiscard]] FaceId takeFace();
@@ -157,11 +180,11 @@ class Graph {
   std::size_t freeFaces_ = 0;
 
   // Scratch of starHole and replaceStar.
-  struct RimEdge {
+  struct BoundaryEdge {
     VertexId from;
     HalfedgeId outer;
   };
-  FlatArray<RimEdge> rim_;
+  FlatArray<BoundaryEdge> boundary_;
   FlatArray<VertexId> lost_;
 };
 

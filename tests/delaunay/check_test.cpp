@@ -7,6 +7,7 @@
 #include <set>
 
 #include "delaunay/diagram_breaker.h"
+#include "diagram/validate.h"
 #include "support/random.h"
 #include "topology/graph_breaker.h"
 
@@ -143,11 +144,11 @@ class DiagramCheck : public ::testing::Test {
       last = core.insert({x, y, 4});
       if (k % 3 == 0) lastHidden = core.insert({x + 1, y, 1});
     }
-    ASSERT_EQ(core.check().text(), "");
+    ASSERT_EQ(validate(core).text(), "");
   }
 
   void expectBroken(const std::string& message) {
-    EXPECT_TRUE(startsWith(core.check().text(), message)) << core.check().text();
+    EXPECT_TRUE(startsWith(validate(core).text(), message)) << validate(core).text();
   }
 
   DiagramCore core{Location::kHierarchy};
@@ -157,36 +158,38 @@ class DiagramCheck : public ::testing::Test {
 TEST_F(DiagramCheck, ChecksTheGraphFirst) {
   fill(9);
   Breaker::visibleCount(Breaker::base(core)) = 3;
-  EXPECT_EQ(core.check().text(), "the count of visible sites is wrong: count 3");
+  EXPECT_EQ(validate(core).text(), "the count of visible sites is wrong: count 3");
 }
 
 TEST_F(DiagramCheck, StateOfAVisibleSite) {
   fill(9);
   Breaker::ids(core).setState(last, SiteState::kHidden);
-  EXPECT_EQ(core.check().text(), "the state of a site differs from its place in the graph: site " +
-                                     std::to_string(last));
+  EXPECT_EQ(
+      validate(core).text(),
+      "the state of a site differs from its place in the graph: site " + std::to_string(last));
 }
 
 TEST_F(DiagramCheck, StateOfAHiddenSite) {
   fill(9);
   Breaker::ids(core).setState(lastHidden, SiteState::kVisible);
-  EXPECT_EQ(core.check().text(), "the state of a site differs from its place in the graph: site " +
-                                     std::to_string(lastHidden));
+  EXPECT_EQ(validate(core).text(),
+            "the state of a site differs from its place in the graph: site " +
+                std::to_string(lastHidden));
 }
 
 TEST_F(DiagramCheck, SiteOfNoState) {
   fill(9);
-  SiteIds& ids = Breaker::ids(core);
+  IdPool& ids = Breaker::ids(core);
   (void)ids.next();
   ids.take(SiteState::kPending);
-  EXPECT_EQ(core.check().text(),
+  EXPECT_EQ(validate(core).text(),
             "sites are neither visible nor hidden: count " + std::to_string(ids.size()));
 }
 
 TEST_F(DiagramCheck, VisibleSiteInTheForest) {
   fill(9);
   Breaker::hidden(core).attach(last, 0);
-  EXPECT_EQ(core.check().text(),
+  EXPECT_EQ(validate(core).text(),
             "a site that hangs on another is not hidden: site " + std::to_string(last));
 }
 
@@ -194,7 +197,7 @@ TEST_F(DiagramCheck, HiddenSiteOnAnotherThanItsCover) {
   fill(9);
   Breaker::hidden(core).detach(lastHidden);
   Breaker::hidden(core).attach(lastHidden, last);
-  EXPECT_EQ(core.check().text(),
+  EXPECT_EQ(validate(core).text(),
             "a hidden site is not covered by its parent: site " + std::to_string(lastHidden));
 }
 

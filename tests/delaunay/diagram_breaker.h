@@ -26,7 +26,7 @@ class DiagramBreaker {
   }
 
   static DelaunayGraph& base(DiagramCore& core) { return core.base_; }
-  static SiteIds& ids(DiagramCore& core) { return core.ids_; }
+  static IdPool& ids(DiagramCore& core) { return core.ids_; }
   static HiddenForest& hidden(DiagramCore& core) { return core.hidden_; }
   static unsigned levelCount(DiagramCore& core) { return core.hierarchy_.levelCount_; }
   static void dropGrid(DiagramCore& core) { core.grid_.clear(); }
@@ -34,7 +34,7 @@ class DiagramBreaker {
   template <class Give>
   static void fillGrid(DiagramCore& core, Give&& slot) {
     for (std::size_t k = 0; k < core.grid_.cells_.size(); ++k) {
-      core.grid_.cells_[k].site = slot() & StartGrid::kNoSite;
+      core.grid_.cells_[k].site = slot() & HintGrid::kNoSite;
       core.grid_.cells_[k].count = 1;
     }
   }

@@ -181,8 +181,8 @@ TEST(Proof, SurfacesOfSmallGrids) {
   EXPECT_GT(tally.wrong, runs(40000));
 }
 
-// One or two giants and small ones at their rims and between: several edges between two sites,
-// sites of degree 2.
+// One or two giants and small ones at their boundaries and between: several edges between two
+// sites, sites of degree 2.
 TEST(Proof, SurfacesWithMultipleEdges) {
   Tally tally;
   for (int run = 0; run < runs(6000); ++run) {

@@ -10,6 +10,8 @@
 
 #include "delaunay/diagram_breaker.h"
 #include "diagram/diagram_core.h"
+#include "diagram/queries.h"
+#include "diagram/validate.h"
 #include "support/effort.h"
 #include "support/generators.h"
 #include "support/questions.h"
@@ -90,7 +92,7 @@ TEST(HiddenWork, RemovingTheVisibleOneOfNestedSitesUntilNoneIsLeft) {
             questionsOf([&] { insertAll(core, isShuffled ? shuffled(circles) : circles); });
         EXPECT_LT(inserting, (6 + 2 * std::log2(n)) * static_cast<double>(n));
         EXPECT_LE(mostChildren(core), 2u);
-        ASSERT_EQ(core.check().text(), "");
+        ASSERT_EQ(validate(core).text(), "");
         work[twice] = questionsOf([&] {
           for (std::size_t left = n; left > 0; --left) {
             ASSERT_EQ(core.visibleCount(), 1u);
@@ -98,7 +100,7 @@ TEST(HiddenWork, RemovingTheVisibleOneOfNestedSitesUntilNoneIsLeft) {
                 << "the largest";
             ASSERT_TRUE(core.remove(anyVisible(core)));
             if (left == n / 2) {
-              EXPECT_EQ(core.check().text(), "");
+              EXPECT_EQ(validate(core).text(), "");
             }
           }
         });
@@ -154,7 +156,7 @@ TEST(HiddenWork, UpdatesOfTheVisibleDuplicate) {
   });
   EXPECT_LT(work, 40 * static_cast<double>(n));
   EXPECT_EQ(core.visibleCount(), 1u);
-  EXPECT_EQ(core.check().text(), "");
+  EXPECT_EQ(validate(core).text(), "");
 }
 
 // Each family gets a tree of its own when the giant over them goes: all removals together stay
@@ -180,7 +182,7 @@ TEST(HiddenWork, RemovingTheVisibleSitesOfNestedFamiliesUntilNoneIsLeft) {
     work[twice] = questionsOf([&] {
       ASSERT_TRUE(core.remove(0));
       EXPECT_EQ(core.visibleCount(), 10u);
-      EXPECT_EQ(core.check().text(), "");
+      EXPECT_EQ(validate(core).text(), "");
       while (core.visibleCount() > 0) ASSERT_TRUE(core.remove(anyVisible(core)));
     });
     EXPECT_EQ(core.ids().size(), 0u);
@@ -214,10 +216,10 @@ TEST(HiddenWork, UncoveringAGiantBelowAGiantDoesNotAskWhatThatOneHides) {
     for (int k = 0; k < 1000; ++k) ASSERT_TRUE(core.remove(core.insert({0, 0, 2e5})));
   });
   EXPECT_LT(work, 10000);
-  EXPECT_EQ(core.check().text(), "");
+  EXPECT_EQ(validate(core).text(), "");
   ASSERT_TRUE(core.remove(giants[0]));
   EXPECT_EQ(core.visibleCount(), visible);
-  EXPECT_EQ(core.check().text(), "");
+  EXPECT_EQ(validate(core).text(), "");
 }
 
 TEST(HiddenWork, AGiantThatManyWereHungOnUncoversThem) {
@@ -228,7 +230,7 @@ TEST(HiddenWork, AGiantThatManyWereHungOnUncoversThem) {
   EXPECT_EQ(core.visibleCount(), 1u);
   ASSERT_TRUE(core.remove(giant));
   EXPECT_EQ(core.visibleCount(), m);
-  EXPECT_EQ(core.check().text(), "");
+  EXPECT_EQ(validate(core).text(), "");
 }
 
 TEST(HiddenWork, AroundAPointInNestedSites) {
@@ -242,14 +244,14 @@ TEST(HiddenWork, AroundAPointInNestedSites) {
       insertAll(core, shuffled(made(family, n)));
       std::vector<SiteId> sites;
       // Left of where all touch, so that circles differ in their distance.
-      nearest[twice] = questionsOf([&] { core.nearby(-7, 40, kAnswer, nullptr, sites); });
+      nearest[twice] = questionsOf([&] { listNearby(core, -7, 40, kAnswer, nullptr, sites); });
       EXPECT_EQ(sites.size(), kAnswer);
       const Site& last = core.site(core.ids().slotOf(sites.back()));
       const double distance =
           std::sqrt((last.x + 7) * (last.x + 7) + (last.y - 40) * (last.y - 40)) - last.r;
       // In `within` each site that is looked at is a question: at most two for each in the answer.
       if (family.circle(1).r == family.circle(2).r) continue;  // all are as far
-      within[twice] = questionsOf([&] { core.nearby(-7, 40, n, &distance, sites); });
+      within[twice] = questionsOf([&] { listNearby(core, -7, 40, n, &distance, sites); });
       EXPECT_GE(sites.size() + 1, kAnswer);
       EXPECT_LE(sites.size(), kAnswer + 2);
       EXPECT_LT(within[twice], 20 * kAnswer);
@@ -267,7 +269,7 @@ TEST(HiddenWork, EquallyFarNestedSitesComeLargestFirst) {
   insertAll(core, shuffled(made(nested()[2], n)));
   for (const double x : {0.0, -5.0}) {
     std::vector<SiteId> sites;
-    core.nearby(x, 0, n, nullptr, sites);
+    listNearby(core, x, 0, n, nullptr, sites);
     ASSERT_EQ(sites.size(), n);
     for (std::size_t k = 0; k < n; ++k)
       EXPECT_EQ(core.site(core.ids().slotOf(sites[k])).r, static_cast<double>(n - k));

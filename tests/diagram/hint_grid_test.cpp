@@ -7,14 +7,14 @@
 namespace apollonius {
 namespace {
 
-TEST(StartGrid, GivesNothingBeforeItIsBuilt) {
-  StartGrid grid;
+TEST(HintGrid, GivesNothingBeforeItIsBuilt) {
+  HintGrid grid;
   grid.insert(3, {1, 2, 0});
   EXPECT_EQ(grid.near(1, 2), kNoSlot);
 }
 
-TEST(StartGrid, GivesASiteOfTheCell) {
-  StartGrid grid;
+TEST(HintGrid, GivesASiteOfTheCell) {
+  HintGrid grid;
   grid.rebuild(100, {0, 0, 0}, {110, 110, 0});  // 11 cells a side, 10 wide
   for (Slot id = 0; id < 121; ++id)
     grid.insert(id, {10.0 * (id % 11) + 5, 10.0 * (id / 11) + 5, 1});
@@ -22,8 +22,8 @@ TEST(StartGrid, GivesASiteOfTheCell) {
     EXPECT_EQ(grid.near(10.0 * (id % 11) + 1, 10.0 * (id / 11) + 9), id);
 }
 
-TEST(StartGrid, PointsOutsideBelongToTheCellsAtTheBorder) {
-  StartGrid grid;
+TEST(HintGrid, PointsOutsideBelongToTheCellsAtTheBorder) {
+  HintGrid grid;
   grid.rebuild(100, {0, 0, 0}, {110, 110, 0});
   grid.insert(7, {109, 109, 0});
   EXPECT_EQ(grid.near(1e100, 1e100), 7u);
@@ -31,8 +31,8 @@ TEST(StartGrid, PointsOutsideBelongToTheCellsAtTheBorder) {
 }
 
 /// A slot that a cell names may have gone to a site elsewhere by now.
-TEST(StartGrid, CloseIsWhatIsInTheCellOrBesideIt) {
-  StartGrid grid;
+TEST(HintGrid, CloseIsWhatIsInTheCellOrBesideIt) {
+  HintGrid grid;
   grid.rebuild(100, {0, 0, 0}, {110, 110, 0});
   grid.insert(7, {55, 55, 0});
   ASSERT_EQ(grid.near(51, 59), 7u);
@@ -43,8 +43,8 @@ TEST(StartGrid, CloseIsWhatIsInTheCellOrBesideIt) {
   EXPECT_TRUE(grid.isClose({-5, 1e100, 0}, 3, 105));  // outside belongs to the border
 }
 
-TEST(StartGrid, CrowdedCellsAreLeftToTheHierarchy) {
-  StartGrid grid;
+TEST(HintGrid, CrowdedCellsAreLeftToTheHierarchy) {
+  HintGrid grid;
   grid.rebuild(100, {0, 0, 0}, {110, 110, 0});
   for (Slot id = 0; id < 6; ++id) grid.insert(id, {1, 1, 0});
   EXPECT_NE(grid.near(1, 1), kNoSlot);
@@ -52,8 +52,8 @@ TEST(StartGrid, CrowdedCellsAreLeftToTheHierarchy) {
   EXPECT_EQ(grid.near(1, 1), kNoSlot);
 }
 
-TEST(StartGrid, SitesOnALineOrAtOnePlace) {
-  StartGrid grid;
+TEST(HintGrid, SitesOnALineOrAtOnePlace) {
+  HintGrid grid;
   grid.rebuild(100, {5, 0, 0}, {5, 110, 0});
   grid.insert(1, {5, 15, 0});
   EXPECT_EQ(grid.near(5, 15), 1u);
@@ -62,8 +62,8 @@ TEST(StartGrid, SitesOnALineOrAtOnePlace) {
   EXPECT_EQ(grid.near(0, 9), 2u);
 }
 
-TEST(StartGrid, IsOutgrownByAsMuchAsItHolds) {
-  StartGrid grid;
+TEST(HintGrid, IsOutgrownByAsMuchAsItHolds) {
+  HintGrid grid;
   for (Slot id = 0; id < 64; ++id) grid.insert(id, {0, 0, 0});
   EXPECT_FALSE(grid.isOutgrown(0));
   grid.insert(64, {0, 0, 0});
@@ -72,8 +72,8 @@ TEST(StartGrid, IsOutgrownByAsMuchAsItHolds) {
   EXPECT_FALSE(grid.isOutgrown(0));
 }
 
-TEST(StartGrid, GapsGetASiteFromBeside) {
-  StartGrid grid;
+TEST(HintGrid, GapsGetASiteFromBeside) {
+  HintGrid grid;
   grid.rebuild(120, {0, 0, 0}, {110, 110, 0});  // eleven cells a side
   grid.insert(7, {55, 55, 1});
   grid.fillGaps();
@@ -84,7 +84,7 @@ TEST(StartGrid, GapsGetASiteFromBeside) {
   EXPECT_EQ(grid.near(75, 55), kNoSlot);
   grid.insert(8, {45, 55, 1});
   EXPECT_EQ(grid.near(45, 55), 8u);
-  StartGrid{}.fillGaps();
+  HintGrid{}.fillGaps();
 }
 
 }  // namespace

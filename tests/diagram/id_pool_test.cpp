@@ -1,4 +1,4 @@
-// SiteIds against a model that keeps each id's state and slot in a map.
+// IdPool against a model that keeps each id's state and slot in a map.
 #include "diagram/id_pool.h"
 
 #include <gtest/gtest.h>
@@ -12,14 +12,14 @@ namespace {
 
 using test::Random;
 
-SiteId take(SiteIds& ids, SiteState state) {
+SiteId take(IdPool& ids, SiteState state) {
   (void)ids.next();
   return ids.take(state);
 }
-void release(SiteIds& ids, SiteId id) { ids.release(ids.slotOf(id)); }
+void release(IdPool& ids, SiteId id) { ids.release(ids.slotOf(id)); }
 
-TEST(SiteIds, CountFromZero) {
-  SiteIds ids;
+TEST(IdPool, CountFromZero) {
+  IdPool ids;
   EXPECT_EQ(ids.size(), 0u);
   EXPECT_EQ(ids.slotOf(0), kNoSlot);
   EXPECT_EQ(ids.slotOf(kNoSite), kNoSlot);
@@ -33,8 +33,8 @@ TEST(SiteIds, CountFromZero) {
   EXPECT_EQ(ids.size(), 5u);
 }
 
-TEST(SiteIds, NextAloneTakesNothing) {
-  SiteIds ids;
+TEST(IdPool, NextAloneTakesNothing) {
+  IdPool ids;
   EXPECT_EQ(ids.next(), 0u);
   EXPECT_EQ(ids.next(), 0u);
   EXPECT_EQ(ids.size(), 0u);
@@ -42,8 +42,8 @@ TEST(SiteIds, NextAloneTakesNothing) {
   EXPECT_EQ(ids.slotOf(0), kNoSlot);
 }
 
-TEST(SiteIds, ReleasedOnesAreUsedAgainLastFirst) {
-  SiteIds ids;
+TEST(IdPool, ReleasedOnesAreUsedAgainLastFirst) {
+  IdPool ids;
   for (int k = 0; k < 4; ++k) take(ids, SiteState::kHidden);
   release(ids, 1);
   release(ids, 3);
@@ -54,8 +54,8 @@ TEST(SiteIds, ReleasedOnesAreUsedAgainLastFirst) {
   EXPECT_EQ(take(ids, SiteState::kVisible), 4u);
 }
 
-TEST(SiteIds, IdsAndSlotsInDifferentOrders) {
-  SiteIds ids;
+TEST(IdPool, IdsAndSlotsInDifferentOrders) {
+  IdPool ids;
   take(ids, SiteState::kVisible);
   take(ids, SiteState::kVisible);
   release(ids, 0);
@@ -76,8 +76,8 @@ TEST(SiteIds, IdsAndSlotsInDifferentOrders) {
   EXPECT_EQ(take(ids, SiteState::kVisible), c);
 }
 
-TEST(SiteIds, ClearStartsFromZeroAgain) {
-  SiteIds ids;
+TEST(IdPool, ClearStartsFromZeroAgain) {
+  IdPool ids;
   for (int k = 0; k < 4; ++k) take(ids, SiteState::kHidden);
   release(ids, 2);
   ids.clear();
@@ -87,11 +87,11 @@ TEST(SiteIds, ClearStartsFromZeroAgain) {
   EXPECT_EQ(take(ids, SiteState::kVisible), 0u);
 }
 
-TEST(SiteIds, RandomHistoriesAgreeWithTheModel) {
+TEST(IdPool, RandomHistoriesAgreeWithTheModel) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    SiteIds ids;
+    IdPool ids;
     std::map<SiteId, SiteState> model;
     const auto randomState = [&] {
       return random.oneIn(2) ? SiteState::kHidden : SiteState::kVisible;

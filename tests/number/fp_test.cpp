@@ -47,13 +47,13 @@ TEST(Fp, ProductsAreNotContracted) {
   EXPECT_EQ(x * x - square, 0.0);
 }
 
-TEST(Fp, ArithmeticIsAsAssumed) { EXPECT_STREQ(arithmeticDefect(), nullptr); }
+TEST(Fp, ArithmeticIsAsAssumed) { EXPECT_STREQ(arithmeticViolation(), nullptr); }
 
 #ifndef __wasm__  // which has one mode only
 TEST(Fp, OtherDirectionsOfRoundingAreSeen) {
   for (const int direction : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
     ASSERT_EQ(std::fesetround(direction), 0);
-    const char* defect = arithmeticDefect();
+    const char* defect = arithmeticViolation();
     std::fesetround(FE_TONEAREST);
     ASSERT_NE(defect, nullptr) << direction;
     EXPECT_NE(std::string(defect).find("rounding"), std::string::npos) << defect;
@@ -67,7 +67,7 @@ TEST(Fp, FlushedSubnormalsAreSeen) {
   const unsigned before = _mm_getcsr();
   for (const unsigned mode : {kFlushToZero, kDenormalsAreZero, kFlushToZero | kDenormalsAreZero}) {
     _mm_setcsr(before | mode);
-    const char* defect = arithmeticDefect();
+    const char* defect = arithmeticViolation();
     _mm_setcsr(before);
     ASSERT_NE(defect, nullptr) << mode;
     EXPECT_NE(std::string(defect).find("subnormal"), std::string::npos) << defect;

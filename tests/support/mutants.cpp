@@ -250,7 +250,7 @@ bool callEverything(Diagram& diagram, std::uint64_t seed) {
     const Voronoi voronoi(diagram, random.oneIn(2) ? extent : Bounds{-100, -100, 100, 100});
     const double tolerance = defaultTolerance(extent);
     Voronoi::Portion portion;
-    Defect defect;
+    Violation violation;
     // Reading calls, and one that changes it after a while.
     switch (random.below(step < 20 ? 22u : 30u)) {
       case 0:
@@ -280,7 +280,7 @@ bool callEverything(Diagram& diagram, std::uint64_t seed) {
         take(diagram.coverOf(anyId(), id));
         break;
       case 10:
-        take(diagram.validate(defect));
+        take(diagram.validate(violation));
         break;
       case 11:
         take(diagram.toBytes(bytes));

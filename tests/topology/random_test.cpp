@@ -1,6 +1,6 @@
 // Random surfaces: sequences of starHole and replaceStar on random regions, with integers alone.
 // After each operation the graph must be a sphere (Graph::check), and must be what the operation
-// says: faces outside untouched, faces inside replaced, neighbours across the rim as before.
+// says: faces outside untouched, faces inside replaced, neighbours across the boundary as before.
 #include <map>
 #include <random>
 #include <set>
@@ -55,66 +55,69 @@ class RandomSurface {
     dead_.push_back(v);
   }
 
-  /// A random hole whose rim is one closed curve: one face or none, then faces across random sides
-  /// of the rim; now and then a cycle is closed where two neighbours on the rim are sides of one
-  /// edge, which hides the vertex between them.
+  /// A random hole whose boundary is one closed curve: one face or none, then faces across random
+  /// sides of the boundary; now and then a cycle is closed where two neighbours on the boundary are
+  /// sides of one edge, which hides the vertex between them.
   void star() {
     std::vector<FaceId> hole;
-    std::vector<HalfedgeId> rim;
+    std::vector<HalfedgeId> boundary;
     const HalfedgeId h = randomHalfedge();
     if (below(6) == 0) {
-      rim = {h, graph_.twin(h)};
+      boundary = {h, graph_.twin(h)};
     } else {
       hole = {faceOf(h)};
-      rim = {h, next(h), previous(h)};
+      boundary = {h, next(h), previous(h)};
       std::vector<char> inHole(graph_.faceSlots(), 0);
       inHole[index(faceOf(h))] = 1;
-      for (std::size_t tries = below(40); tries > 0; --tries) grow(hole, rim, inHole);
+      for (std::size_t tries = below(40); tries > 0; --tries) grow(hole, boundary, inHole);
     }
-    for (std::size_t turn = below(rim.size()); turn > 0; --turn)
-      std::rotate(rim.begin(), rim.begin() + 1, rim.end());
+    for (std::size_t turn = below(boundary.size()); turn > 0; --turn)
+      std::rotate(boundary.begin(), boundary.begin() + 1, boundary.end());
 
     expected_ = triplesOutside(hole);
     std::map<HalfedgeId, std::size_t> position;
-    for (std::size_t k = 0; k < rim.size(); ++k) position[rim[k]] = k;
+    for (std::size_t k = 0; k < boundary.size(); ++k) position[boundary[k]] = k;
     std::vector<HalfedgeId> outer;
     std::set<std::uint32_t> within;
-    for (const HalfedgeId r : rim) outer.push_back(graph_.twin(r));
+    for (const HalfedgeId r : boundary) outer.push_back(graph_.twin(r));
     for (const FaceId f : hole) {
       for (unsigned c = 0; c < 3; ++c) within.insert(number(graph_.origin(halfedgeOf(f, c))));
     }
-    for (const HalfedgeId r : rim) within.erase(number(graph_.origin(r)));
+    for (const HalfedgeId r : boundary) within.erase(number(graph_.origin(r)));
     const std::uint32_t w = takeDead();
-    for (const HalfedgeId r : rim)
+    for (const HalfedgeId r : boundary)
       expected_.push_back({number(graph_.origin(r)), number(graph_.target(r)), w});
 
-    const Starred starred = starHole(graph_, w, hole, rim);
+    const Starred starred = starHole(graph_, w, hole, boundary);
     EXPECT_EQ(starred.lost, std::vector<std::uint32_t>(within.begin(), within.end()));
     for (const std::uint32_t v : starred.lost) bury(v);
-    for (std::size_t k = 0; k < rim.size(); ++k) {
+    for (std::size_t k = 0; k < boundary.size(); ++k) {
       // With no face in the hole, the two sides of the opened edge are both outside.
       const auto partner = hole.empty() ? position.end() : position.find(outer[k]);
       EXPECT_EQ(
           graph_.twin(halfedgeOf(starred.faces[k], 0)),
           partner != position.end() ? halfedgeOf(starred.faces[partner->second], 0) : outer[k]);
     }
-    EXPECT_EQ(degree(graph_, vertex(w)), rim.size());
+    EXPECT_EQ(degree(graph_, vertex(w)), boundary.size());
   }
 
-  void grow(std::vector<FaceId>& hole, std::vector<HalfedgeId>& rim, std::vector<char>& inHole) {
-    const std::size_t k = below(rim.size());
-    const HalfedgeId across = graph_.twin(rim[k]);
+  void grow(std::vector<FaceId>& hole, std::vector<HalfedgeId>& boundary,
+            std::vector<char>& inHole) {
+    const std::size_t k = below(boundary.size());
+    const HalfedgeId across = graph_.twin(boundary[k]);
     if (inHole[index(faceOf(across))] == 0) {
       inHole[index(faceOf(across))] = 1;
       hole.push_back(faceOf(across));
-      rim[k] = next(across);
-      rim.insert(rim.begin() + static_cast<std::ptrdiff_t>(k) + 1, previous(across));
+      boundary[k] = next(across);
+      boundary.insert(boundary.begin() + static_cast<std::ptrdiff_t>(k) + 1, previous(across));
       return;
     }
-    const std::size_t after = (k + 1) % rim.size();
-    if (rim[after] != across || rim.size() < 4 || graph_.origin(across) == kInfinity) return;
-    std::rotate(rim.begin(), rim.begin() + static_cast<std::ptrdiff_t>(k), rim.end());
-    rim.erase(rim.begin(), rim.begin() + 2);
+    const std::size_t after = (k + 1) % boundary.size();
+    if (boundary[after] != across || boundary.size() < 4 || graph_.origin(across) == kInfinity)
+      return;
+    std::rotate(boundary.begin(), boundary.begin() + static_cast<std::ptrdiff_t>(k),
+                boundary.end());
+    boundary.erase(boundary.begin(), boundary.begin() + 2);
   }
 
   /// Takes a random vertex out. The star is filled by cutting off ears of its link (where that

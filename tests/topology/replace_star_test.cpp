@@ -117,7 +117,8 @@ TEST(ReplaceStar, MoreFacesThanTheStarHad) {
 }
 
 TEST(ReplaceStar, ALinkEdgeWithTheStarOnBothSidesStaysSewnToItsPartner) {
-  // The rim of ARimWithAnEdgeOnBothSides (star_hole_test.cpp): 3's link is 1→2, 2→1, 1→0, 0→1.
+  // The boundary of ABoundaryWithAnEdgeOnBothSides (star_hole_test.cpp): 3's link is 1→2, 2→1, 1→0,
+  // 0→1.
   Graph graph;
   const auto faces = makePair(graph, 1, 2);
   const std::vector<Triple> before = triples(graph);
@@ -170,8 +171,9 @@ TEST(ReplaceStar, UndoesStarHole) {
   // 1→0, 0→2, 2→3 around 4: the faces (1,0,4), (0,2,4), (2,3,4), open at 3→4 and 4→1.
   const auto star = linkFrom(graph, 4, 1);
   const std::vector<FaceId> hole{faceOf(star[0]), faceOf(star[1]), faceOf(star[2])};
-  const std::vector<HalfedgeId> rim{star[0], star[1], star[2], next(star[2]), previous(star[0])};
-  starHole(graph, 9, hole, rim);
+  const std::vector<HalfedgeId> boundary{star[0], star[1], star[2], next(star[2]),
+                                         previous(star[0])};
+  starHole(graph, 9, hole, boundary);
   ASSERT_EQ(broken(graph), "");
   const auto link = linkFrom(graph, 9, 1);
   replaceStar(graph, 9, link,

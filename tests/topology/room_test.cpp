@@ -52,20 +52,20 @@ TEST(Room, StarHoleAllocatesNothingAfterReserve) {
   for (std::uint32_t w = 3; w < 200; ++w) {
     // By turns into a face, into an edge, and over the whole star of the vertex before.
     std::vector<FaceId> hole;
-    std::vector<HalfedgeId> rim;
+    std::vector<HalfedgeId> boundary;
     if (w % 3 == 0) {
       hole = {f};
-      rim = {halfedgeOf(f, 0), halfedgeOf(f, 1), halfedgeOf(f, 2)};
+      boundary = {halfedgeOf(f, 0), halfedgeOf(f, 1), halfedgeOf(f, 2)};
     } else if (w % 3 == 1) {
-      rim = {halfedgeOf(f, 1), graph.twin(halfedgeOf(f, 1))};
+      boundary = {halfedgeOf(f, 1), graph.twin(halfedgeOf(f, 1))};
     } else {
-      rim = linkOf(graph, vertex(w - 1));
-      for (const HalfedgeId h : rim) hole.push_back(faceOf(h));
+      boundary = linkOf(graph, vertex(w - 1));
+      for (const HalfedgeId h : boundary) hole.push_back(faceOf(h));
     }
-    std::vector<FaceId> faces(rim.size());
+    std::vector<FaceId> faces(boundary.size());
     graph.reserveVertices(w + 1);
-    graph.reserveFaces(hole.size(), rim.size());
-    ASSERT_EQ(allocationsOf([&] { (void)graph.starHole(vertex(w), hole, rim, faces); }), 0u);
+    graph.reserveFaces(hole.size(), boundary.size());
+    ASSERT_EQ(allocationsOf([&] { (void)graph.starHole(vertex(w), hole, boundary, faces); }), 0u);
     ASSERT_EQ(broken(graph), "");
     f = faces[0];
   }
@@ -113,9 +113,10 @@ TEST(Room, GrowsGeometrically) {
     std::vector<FaceId> faces(3);
     for (std::uint32_t w = 3; w < kVertices; ++w) {
       const std::array<FaceId, 1> hole{f};
-      const std::array<HalfedgeId, 3> rim{halfedgeOf(f, 0), halfedgeOf(f, 1), halfedgeOf(f, 2)};
+      const std::array<HalfedgeId, 3> boundary{halfedgeOf(f, 0), halfedgeOf(f, 1),
+                                               halfedgeOf(f, 2)};
       graph.reserveFaces(1, 3);
-      (void)graph.starHole(vertex(w), hole, rim, faces);
+      (void)graph.starHole(vertex(w), hole, boundary, faces);
       f = faces[w % 3];
     }
   });

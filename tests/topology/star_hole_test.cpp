@@ -21,13 +21,13 @@ TEST(StarHole, OneFace) {
   EXPECT_EQ(degree(graph, vertex(3)), 3u);
 }
 
-TEST(StarHole, NewFacesAreInTheOrderOfTheRim) {
+TEST(StarHole, NewFacesAreInTheOrderOfTheBoundary) {
   Graph graph;
   const auto faces = makePair(graph, 1, 2);
-  const std::vector<HalfedgeId> rim{halfedgeOf(faces[0], 1), halfedgeOf(faces[0], 2),
-                                    halfedgeOf(faces[0], 0)};
+  const std::vector<HalfedgeId> boundary{halfedgeOf(faces[0], 1), halfedgeOf(faces[0], 2),
+                                         halfedgeOf(faces[0], 0)};
   const std::vector<std::uint32_t> from{2, 0, 1};
-  const Starred starred = starHole(graph, 3, {faces[0]}, rim);
+  const Starred starred = starHole(graph, 3, {faces[0]}, boundary);
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_EQ(graph.origin(halfedgeOf(starred.faces[k], 0)), vertex(from[k]));
     EXPECT_EQ(graph.origin(halfedgeOf(starred.faces[k], 1)), vertex(from[(k + 1) % 3]));
@@ -52,8 +52,8 @@ TEST(StarHole, ACycleOfFacesHidesTheVertexWithin) {
   Graph graph = tetrahedron();
   std::vector<FaceId> hole;
   for (const HalfedgeId h : linkOf(graph, vertex(3))) hole.push_back(faceOf(h));
-  const std::vector<HalfedgeId> rim = linkOf(graph, vertex(3));
-  const Starred starred = starHole(graph, 4, hole, rim);
+  const std::vector<HalfedgeId> boundary = linkOf(graph, vertex(3));
+  const Starred starred = starHole(graph, 4, hole, boundary);
   EXPECT_EQ(broken(graph), "");
   EXPECT_EQ(starred.lost, std::vector<std::uint32_t>{3});
   EXPECT_FALSE(graph.hasVertex(vertex(3)));
@@ -80,21 +80,22 @@ TEST(StarHole, AnEdgeAtInfinityIsAnEdgeLikeOthers) {
   EXPECT_EQ(triples(graph), sorted({{1, 2, 0}, {2, 1, 0}, {0, 1, 3}, {1, 0, 3}}));
 }
 
-TEST(StarHole, ARimWithAnEdgeOnBothSides) {
-  // Both faces of a pair go, but not all of the edge 1-2: the rim is 2→0, 0→1, 1→0', 0'→2 ... of
-  // the one face, then of the other, with 1→2 and 2→1 left in it: both ends of the edge are taken
-  // and its middle is not.
+TEST(StarHole, ABoundaryWithAnEdgeOnBothSides) {
+  // Both faces of a pair go, but not all of the edge 1-2: the boundary is 2→0, 0→1, 1→0', 0'→2 ...
+  // of the one face, then of the other, with 1→2 and 2→1 left in it: both ends of the edge are
+  // taken and its middle is not.
   Graph graph;
   const auto faces = makePair(graph, 1, 2);
   const HalfedgeId front = halfedgeOf(faces[0], 0), back = graph.twin(front);  // 1→2 of either face
   // From the front face across 2→0 into the back one: 1→2, (2→1, 1→0 of the back), 0→1. The edge
-  // 0-1 occurs with both sides, next to each other: its other end 0 is on the rim all the same.
+  // 0-1 occurs with both sides, next to each other: its other end 0 is on the boundary all the
+  // same.
   const HalfedgeId crossed = next(front);  // 2→0
   ASSERT_EQ(faceOf(graph.twin(crossed)), faces[1]);
   const HalfedgeId beyond = graph.twin(crossed);  // 0→2
-  const std::vector<HalfedgeId> rim{front, next(beyond), previous(beyond), previous(front)};
+  const std::vector<HalfedgeId> boundary{front, next(beyond), previous(beyond), previous(front)};
   ASSERT_EQ(next(beyond), back);
-  const Starred starred = starHole(graph, 3, {faces[0], faces[1]}, rim);
+  const Starred starred = starHole(graph, 3, {faces[0], faces[1]}, boundary);
   EXPECT_EQ(broken(graph), "");
   EXPECT_TRUE(starred.lost.empty());
   // 1→2 and 2→1 are the two sides of one edge, and so the new faces on them are neighbours; 1→0 and
@@ -119,9 +120,9 @@ TEST(StarHole, AHoleThatLosesAVertexAndKeepsAnEdgeOnBothSides) {
   EXPECT_EQ(graph.faceSlots(), 4u) << "surplus faces of the hole go to the free list";
 }
 
-TEST(StarHole, AVertexTwiceOnTheRimIsNotLost) {
+TEST(StarHole, AVertexTwiceOnTheBoundaryIsNotLost) {
   // Open 1-2 for 3: two edges 1-2. A hole made of the two old faces, glued along 0-1 only, has 1 on
-  // its rim twice... and 0 once.
+  // its boundary twice... and 0 once.
   Graph graph;
   makePair(graph, 1, 2);
   openEdge(graph, 3, halfedge(graph, 1, 2));

@@ -100,12 +100,12 @@ struct Starred {
 
 /// Graph::starHole with room made; the lost vertices sorted.
 inline Starred starHole(Graph& graph, std::uint32_t w, const std::vector<FaceId>& hole,
-                        const std::vector<HalfedgeId>& rim) {
+                        const std::vector<HalfedgeId>& boundary) {
   graph.reserveVertices(w + 1);
-  graph.reserveFaces(hole.size(), rim.size());
+  graph.reserveFaces(hole.size(), boundary.size());
   Starred result;
-  result.faces.resize(rim.size());
-  for (const VertexId v : graph.starHole(vertex(w), hole, rim, result.faces))
+  result.faces.resize(boundary.size());
+  for (const VertexId v : graph.starHole(vertex(w), hole, boundary, result.faces))
     result.lost.push_back(number(v));
   std::sort(result.lost.begin(), result.lost.end());
   return result;

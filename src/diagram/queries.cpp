@@ -16,9 +16,10 @@
 // Hidden sites: a site that covers s, |c - c_s| <= r - r_s, is nowhere farther than s (triangle
 // inequality again) and is larger, unless the two are identical. So s comes after its parent in the
 // forest, and joins the queue when the parent is reported.
+#include "diagram/queries.h"
+
 #include <algorithm>
 
-#include "diagram/diagram_core.h"
 #include "memory/flat_array.h"
 #include "predicate/approx_distance.h"
 
@@ -108,42 +109,40 @@ class Queue {
 
 }  // namespace
 
-void DiagramCore::nearby(double x, double y, std::size_t most, const double* farthest,
-                         Array<SiteId>& sites) const {
+void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most,
+                const double* farthest, Array<SiteId>& sites) {
   sites.clear();
-  if (visibleCount() == 0 || most == 0) return;
+  if (diagram.visibleCount() == 0 || most == 0) return;
   // The distance to a site with its centre at p is minus its weight.
   const Site limit{x, y, farthest != nullptr ? -*farthest : 0};
-  Queue queue(*this, x, y);
+  Queue queue(diagram, x, y);
   const auto consider = [&](Slot slot) {
-    if (farthest == nullptr || compareDistance(x, y, site(slot), limit) != Sign::kPositive)
+    if (farthest == nullptr || compareDistance(x, y, diagram.site(slot), limit) != Sign::kPositive)
       queue.push(slot);
   };
   SlotSet seen;  // of visible sites: a hidden one has one parent
   FlatArray<Slot> candidates;
-  const Slot first = nearest(x, y);
+  const Slot first = diagram.nearest(x, y);
   seen.insert(first);
   consider(first);
-  const Graph& graph = base_.graph();
+  const Graph& graph = diagram.base().graph();
   while (!queue.empty()) {
     const Slot slot = queue.pop();
-    sites.push_back(ids_.idOf(slot));
+    sites.push_back(diagram.ids().idOf(slot));
     if (sites.size() == most) return;
-    for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone;
-         child = hidden_.nextSibling(child))
+    for (Slot child = diagram.hidden().firstChild(slot); child != HiddenForest::kNone;
+         child = diagram.hidden().nextSibling(child))
       consider(child);
-    if (!graph.hasVertex(vertexOf(slot))) continue;  // hidden, or the only visible one
-    const HalfedgeId begin = graph.outgoing(vertexOf(slot));
-    HalfedgeId h = begin;
+    const VertexId v = DiagramCore::vertexOf(slot);
+    if (!graph.hasVertex(v)) continue;  // hidden, or the only visible one
     candidates.clear();
-    do {
+    for (const HalfedgeId h : graph.star(v)) {
       const VertexId neighbor = graph.target(h);
-      if (neighbor != kInfinity && seen.insert(slotOf(neighbor)))
-        candidates.push_back(slotOf(neighbor));
-      h = graph.rotateCcw(h);
-    } while (h != begin);
-    for (const Slot candidate : candidates)
-      consider(candidate);  // a loop of its own: sites are fetched from memory side by side
+      if (neighbor != kInfinity && seen.insert(DiagramCore::slotOf(neighbor)))
+        candidates.push_back(DiagramCore::slotOf(neighbor));
+    }
+    // A loop of its own: sites are fetched from memory side by side.
+    for (const Slot candidate : candidates) consider(candidate);
   }
 }
 
