@@ -1,11 +1,10 @@
 #include "geometry/areas.h"
 
-#include <algorithm>
-
 #include "delaunay/sort_by_key.h"
 #include "geometry/border.h"
 #include "geometry/clip.h"
 #include "geometry/measures.h"
+#include "geometry/sum.h"
 #include "memory/flat_array.h"
 
 namespace apollonius {
@@ -21,11 +20,7 @@ struct SiteContact {
 class AreaSum {
  public:
   AreaSum(const DiagramCore& core, const Window& window, Array<double>& areas)
-      : core_(core),
-        window_(window),
-        byId_(areas),
-        areas_(core.ids().slots(), 0),
-        lost_(core.ids().slots(), 0) {}
+      : core_(core), window_(window), byId_(areas), areas_(core.ids().slots()) {}
 
   void run() {
     const Graph& graph = core_.base().graph();
@@ -35,13 +30,11 @@ class AreaSum {
                                    DiagramCore::slotOf(graph.target(h)));
                         });
     addBorders();
-    for (std::size_t slot = 0; slot < areas_.size(); ++slot)
-      areas_[slot] = std::max(0.0, areas_[slot] + lost_[slot]);
-    giveWhole();
     byId_.assign(core_.ids().idLimit(), 0);
     for (Slot slot = 0; slot < areas_.size(); ++slot) {
-      if (areas_[slot] > 0) byId_[core_.ids().idOf(slot)] = areas_[slot];
+      if (const double area = areas_[slot].value(); area > 0) byId_[core_.ids().idOf(slot)] = area;
     }
+    giveWhole();
   }
 
  private:
@@ -49,10 +42,11 @@ class AreaSum {
     // If no edge meets the window, one cell has all of it. (Edges can touch it, so contacts are no
     // proof; the sum is all or nothing.)
     double sum = 0;
-    for (const double area : areas_) sum += area;
+    for (const double area : byId_) sum += area;
     const double whole = window_.width() * window_.height();
     if (core_.visibleCount() == 0 || sum > whole / 2) return;
-    if (const Slot owner = ownerOfWindow(core_, window_); owner != kNoSlot) areas_[owner] = whole;
+    if (const Slot owner = ownerOfWindow(core_, window_); owner != kNoSlot)
+      byId_[core_.ids().idOf(owner)] = whole;
   }
 
   void addPiece(const ClippedPiece& piece, Slot left, Slot right) {
@@ -76,10 +70,7 @@ class AreaSum {
     const Site& site = core_.site(slot);
     const Point origin = window_.nearestTo({site.x, site.y});
     const double term = cross(from - origin, to - origin) / 2 + beyond;
-    const double sum = areas_[slot] + term;  // Neumaier's summation
-    lost_[slot] += absolute(areas_[slot]) >= absolute(term) ? (areas_[slot] - sum) + term
-                                                            : (term - sum) + areas_[slot];
-    areas_[slot] = sum;
+    areas_[slot].add(term);
   }
 
   void addBorders() {
@@ -109,8 +100,7 @@ class AreaSum {
   const DiagramCore& core_;
   Window window_;
   Array<double>& byId_;
-  FlatArray<double> areas_;  // by slot, as all below
-  FlatArray<double> lost_;
+  FlatArray<Sum> areas_;  // by slot
   FlatArray<SiteContact> contacts_;
 };
 

@@ -11,11 +11,6 @@ namespace apollonius {
 
 namespace {
 
-Point unit(Point p) {
-  const double size = length(p);
-  return {p.x / size, p.y / size};
-}
-
 /// A Voronoi vertex as its edge's pole sees it, with the pole at the origin and the other site at
 /// (D, 0). The distance of the vertex is rho and 1/(2 rho) = (D cosine + r) / p
 /// (docs/PREDICATES.md, "The pole picture"), r <= 0 being the other weight less the pole's: so D

@@ -1,6 +1,7 @@
 #include "geometry/hull.h"
 
 #include "geometry/approximate.h"
+#include "geometry/arcs.h"
 #include "number/fp.h"
 #include "predicate/predicates.h"
 
@@ -8,22 +9,16 @@ namespace apollonius {
 
 namespace {
 
-Point leftOf(Point p) { return {-p.y, p.x}; }
-
 /// Continues a path, which is at center + radius · turn.from, along the circle, in pieces of a
 /// quarter at most.
 void drawArc(Point center, double radius, const HullTurn& turn, double tolerance, Path& path) {
-  Point from = turn.from;
-  const Point to = turn.to;
-  if (turn.sign == Sign::kZero && dot(from, to) > 0) return;
-  bool isDone = turn.sign != Sign::kNegative && dot(from, to) >= 0;
-  for (int quarter = 0; quarter < 3 && !isDone; ++quarter) {
-    const Point next = leftOf(from);
-    drawConic(Conic::arc(center, radius, from, next), tolerance, path);
-    from = next;
-    isDone = cross(from, to) >= 0 && dot(from, to) >= 0;
-  }
-  if (!(from == to)) drawConic(Conic::arc(center, radius, from, to), tolerance, path);
+  const bool isForwards = dot(turn.from, turn.to) >= 0;
+  if (turn.sign == Sign::kZero && dot(turn.from, turn.to) > 0) return;
+  visitQuarters(turn.from, turn.to, turn.sign != Sign::kNegative && isForwards,
+                [&](Point from, Point to) {
+                  if (from == to) return;
+                  drawConic(Conic::arc(center, radius, from, to), tolerance, path);
+                });
 }
 
 /// The half-edges from sites to infinity, counter-clockwise around the hull.

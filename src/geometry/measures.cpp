@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "geometry/cell.h"
+#include "geometry/sum.h"
 #include "number/fp.h"
 
 namespace apollonius {
@@ -71,21 +72,15 @@ double areaBeyondChord(const Conic& conic) {
 
 Area areaOf(std::span<const BoundaryPiece> boundary, Point origin) {
   Area area;
-  double lost = 0,
-         size = 0;  // Neumaier's summation: boundaries can have as many pieces as there are sites
-  const auto add = [&](double term) {
-    const double sum = area.value + term;
-    lost += absolute(area.value) >= absolute(term) ? (area.value - sum) + term
-                                                   : (term - sum) + area.value;
-    area.value = sum;
-  };
+  Sum sum;  // boundaries can have as many pieces as there are sites
+  double size = 0;
   for (const BoundaryPiece& piece : boundary) {
     const Point a = piece.curve.p0 - origin, b = piece.curve.p2 - origin;
-    add(cross(a, b) / 2);
-    add(areaBeyondChord(piece.curve));
+    sum.add(cross(a, b) / 2);
+    sum.add(areaBeyondChord(piece.curve));
     size += absolute(a.x * b.y) + absolute(a.y * b.x);
   }
-  area.value += lost;
+  area.value = sum.value();
   // Each cross product: a rounding of each of the four differences, of the two products, and of
   // their difference.
   area.rounding = 4 * kUnitRoundoff * size;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/arcs.h"
 #include "memory/flat_array.h"
 
 namespace apollonius {
@@ -16,14 +17,6 @@ struct Sector {
   bool startsOnCircle, endsOnCircle;
 };
 
-/// Any direction for a point that rounding has put on the centre, as it does where the radius is
-/// smaller than the distance of doubles there.
-Point unit(Point p) {
-  const double size = length(p);
-  if (!(size > 0)) return {1, 0};
-  return {p.x / size, p.y / size};
-}
-
 /// Are they the same direction up to rounding?
 bool areEqual(Point a, Point b) {
   return absolute(cross(a, b)) <= powerOfTwo(-40) && dot(a, b) > 0;
@@ -31,14 +24,9 @@ bool areEqual(Point a, Point b) {
 
 /// Adds the arc from one direction to another, counter-clockwise; a full turn if they are equal.
 void addArc(Point center, double radius, Point from, Point to, FlatArray<BoundaryPiece>& boundary) {
-  bool isDone = !areEqual(from, to) && cross(from, to) >= 0 && dot(from, to) >= 0;
-  for (int quarter = 0; quarter < 3 && !isDone; ++quarter) {
-    const Point next{-from.y, from.x};
-    boundary.push_back({Conic::arc(center, radius, from, next), kNoSite});
-    from = next;
-    isDone = cross(from, to) >= 0 && dot(from, to) >= 0;
-  }
-  boundary.push_back({Conic::arc(center, radius, from, to), kNoSite});
+  visitQuarters(from, to, !areEqual(from, to) && isQuarterAtMost(from, to), [&](Point a, Point b) {
+    boundary.push_back({Conic::arc(center, radius, a, b), kNoSite});
+  });
 }
 
 /// The parts of a cell's edges within the radius, counter-clockwise about the site.
