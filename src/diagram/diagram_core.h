@@ -1,6 +1,6 @@
 // The dynamic diagram: the Delaunay graph of the visible sites, the forest of the hidden ones, the
 // hierarchy and the grid for location, and the ids that hold them together. Arguments have been
-// checked by the caller (apollonius.cpp); lack of memory is thrown as std::bad_alloc with the
+// checked by the caller (src/api); lack of memory is thrown as std::bad_alloc with the
 // diagram as it was before the call.
 #pragma once
 

@@ -63,7 +63,7 @@ class Hierarchy {
   friend class DiagramBreaker;  // tests break a structure on purpose
 
   static constexpr unsigned kBits =
-      5;  // few sites pay for a level; most searches start from the grid (start_grid.h) anyway
+      5;  // few sites pay for a level; most searches start from the grid (hint_grid.h) anyway
   static constexpr unsigned kMostLevels = 8;  // the top one holds 32 of 2^29 sites
   static constexpr Slot kMask = (Slot{1} << kBits) - 1;
 

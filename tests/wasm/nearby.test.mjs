@@ -1,5 +1,5 @@
 // kNearest and within, against sorting everything. (The exact comparison with the oracle is
-// tests/diagram/nearby_test.cpp.)
+// tests/diagram/queries_test.cpp.)
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { generator, randomCircles } from "./support/random.mjs";
 import { expectRefusal } from "./support/refusal.mjs";
