@@ -19,7 +19,7 @@ namespace apollonius {
 /// Not on the border: an end of a piece that is a Voronoi vertex.
 inline constexpr signed char kNoSide = -1;
 
-/// A part of an edge inside the window, counter-clockwise about the edge's pole.
+/// A part of an edge inside the window, counter-clockwise about the edge's reference site.
 struct ClippedPiece {
   Conic curve;
   signed char fromSide = kNoSide;  ///< the side of the window on which it starts
@@ -35,7 +35,7 @@ struct ClippedEdge {
 };
 
 /// Clips the edge dual to h. Edges of one drawing or sum take the same bits, so that they meet.
-/// REQUIRES: startsAtPole.
+/// REQUIRES: startsAtReference.
 void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, ClippedEdge& clipped,
               Bits bits = Bits::kCanonical);
 
@@ -51,7 +51,7 @@ void forEachClippedPiece(const DelaunayGraph& base, const Window& window, Bits b
     const HalfedgeId h{static_cast<std::uint32_t>(k)};
     if (!graph.isLive(faceOf(h)) || graph.origin(h) == kInfinity || graph.target(h) == kInfinity)
       continue;
-    if (!startsAtPole(base, h)) continue;
+    if (!startsAtReference(base, h)) continue;
     clipEdge(base, h, window, clipped, bits);
     for (int piece = 0; piece < clipped.count; ++piece)
       visit(h, clipped.pieces[static_cast<std::size_t>(piece)]);
