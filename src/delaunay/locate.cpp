@@ -43,13 +43,13 @@ constexpr int kFewNeighbors = 12;
 /// by.
 class Sectors {
  public:
-  /// REQUIRES: (x, y) is not the pole's centre.
-  Sectors(const DelaunayGraph& diagram, double x, double y, VertexId pole)
-      : diagram_(diagram), pole_(diagram.site(pole)), x_(x), y_(y) {}
+  /// REQUIRES: (x, y) is not the reference site's centre.
+  Sectors(const DelaunayGraph& diagram, double x, double y, VertexId reference)
+      : diagram_(diagram), reference_(diagram.site(reference)), x_(x), y_(y) {}
 
-  /// A half-edge around the pole whose sector, its bounds included, holds the ray, rotating from
-  /// `begin` towards it; or kNoHalfedge, if doubles cannot tell a sector of nearly a whole turn
-  /// from one of nearly none.
+  /// A half-edge around the reference site whose sector, its bounds included, holds the ray,
+  /// rotating from `begin` towards it; or kNoHalfedge, if doubles cannot tell a sector of nearly a
+  /// whole turn from one of nearly none.
   [[nodiscard]] HalfedgeId find(HalfedgeId begin) const {
     const Graph& graph = diagram_.graph();
     HalfedgeId h = begin;
@@ -72,10 +72,10 @@ class Sectors {
     return diagram_.circle(faceOf(h));
   }
 
-  /// Along the direction of the face to the left of h, which starts at the pole.
+  /// Along the direction of the face to the left of h, which starts at the reference site.
   [[nodiscard]] Bearing bearing(HalfedgeId h) const {
     const Graph& graph = diagram_.graph();
-    return bearingOf(x_, y_, circle(h), pole_, diagram_.corner(graph.target(h)),
+    return bearingOf(x_, y_, circle(h), reference_, diagram_.corner(graph.target(h)),
                      diagram_.corner(graph.apex(h)));
   }
 
@@ -89,13 +89,13 @@ class Sectors {
     // On the same side of both, or opposite to both: within if the sector spans more than half a
     // turn.
     if (first == Bearing::kOpposite) return false;
-    const Arrow from = directionOf(circle(diagram_.graph().rotateCw(h)), pole_),
-                to = directionOf(circle(h), pole_);
+    const Arrow from = directionOf(circle(diagram_.graph().rotateCw(h)), reference_),
+                to = directionOf(circle(h), reference_);
     return turn(from, to).sign == Sign::kNegative;
   }
 
   const DelaunayGraph& diagram_;
-  const Site& pole_;
+  const Site& reference_;
   double x_, y_;
 };
 
@@ -157,10 +157,10 @@ DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId s
 
     HalfedgeId sector = kNoHalfedge;
     if (better == kNoHalfedge) {
-      const VertexId pole = graph_.origin(h);
-      if (site(pole).x == x && site(pole).y == y)
-        return {pole, kNoHalfedge};  // no other covers it, so none is as near
-      const Sectors sectors(*this, x, y, pole);
+      const VertexId reference = graph_.origin(h);
+      if (site(reference).x == x && site(reference).y == y)
+        return {reference, kNoHalfedge};  // no other covers it, so none is as near
+      const Sectors sectors(*this, x, y, reference);
       sector = sectors.find(begin);
       if (sector == kNoHalfedge) {
         do {
@@ -177,8 +177,8 @@ DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId s
         }
       }
       if (better == kNoHalfedge) {
-        shadowCheckNearest(pole, x, y);
-        return {pole, sector};
+        shadowCheckNearest(reference, x, y);
+        return {reference, sector};
       }
     }
     // The edge back, whose other end is not nearer, and the one after it, whose other end was

@@ -259,17 +259,17 @@ bool SiteMoves::endsAreInOrder(HalfedgeId h, const VoronoiCircle& left,
                                const VoronoiCircle& right) const {
   const Graph& graph = diagram_->graph();
   const VertexId i = graph.origin(h), j = graph.target(h);
-  const bool isSwapped = isBetterPole(diagram_->corner(j), diagram_->corner(i));
-  const VertexId pole = isSwapped ? j : i;
+  const bool isSwapped = isBetterReference(diagram_->corner(j), diagram_->corner(i));
+  const VertexId reference = isSwapped ? j : i;
   const auto turnFrom = [&](const VoronoiCircle& a, const VoronoiCircle& b, const Site& site) {
     const MaybeSign sign = turn(directionOf(a, site), directionOf(b, site));
     return sign.known ? sign.sign : Sign::kZero;
   };
-  const Sign now = turnFrom(right, left, diagram_->site(pole));
+  const Sign now = turnFrom(right, left, diagram_->site(reference));
   if (i != kInfinity && j != kInfinity)
     return now == (isSwapped ? Sign::kNegative : Sign::kPositive);
   return now != Sign::kZero && now == turnFrom(diagram_->circle(faceOf(graph.twin(h))),
-                                               diagram_->circle(faceOf(h)), siteBefore(pole));
+                                               diagram_->circle(faceOf(h)), siteBefore(reference));
 }
 
 /// A corner of an active face.

@@ -4,8 +4,8 @@
 //
 // All faces of such a vertex have the largest z of the touching sites for a corner: perturbed as in
 // docs/PREDICATES.md ("Degenerate position"), z takes the vertex for its own cell, and each of the
-// others becomes its neighbour. So they are consecutive around z, which is the pole of each, and
-// whether a face has company is seen at two of its edges.
+// others becomes its neighbour. So they are consecutive around z, which is the reference site of
+// each, and whether a face has company is seen at two of its edges.
 #include "delaunay/delaunay_graph.h"
 #include "predicate/reference_site.h"
 
@@ -43,7 +43,7 @@ VoronoiCircle DelaunayGraph::vertex(FaceId f) const {
   HalfedgeId h = halfedgeOf(f, 0);
   for (unsigned c = 1; c < 3; ++c) {
     const HalfedgeId other = halfedgeOf(f, c);
-    if (isBetterPole(corner(graph_.origin(other)), corner(graph_.origin(h)))) h = other;
+    if (isBetterReference(corner(graph_.origin(other)), corner(graph_.origin(h)))) h = other;
   }
   const EdgeCorners e = edge(h);
   // previous(h) ends where h starts.

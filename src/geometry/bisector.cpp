@@ -46,19 +46,20 @@ double between(double e0, double e, double e1, double otherwise) {
 
 }  // namespace
 
-Bisector::Bisector(const Site& pole, const Site& other) : pole_{pole.x, pole.y} {
-  const Point way = Point{other.x, other.y} - pole_;
-  const double p = squaredTangent(pole, other);
+Bisector::Bisector(const Site& reference, const Site& other)
+    : reference_{reference.x, reference.y} {
+  const Point way = Point{other.x, other.y} - reference_;
+  const double p = squaredTangent(reference, other);
   d_ = length(way);
   axis_ = {way.x / d_, way.y / d_};
-  a_ = (pole.r - other.r) / 2;
+  a_ = (reference.r - other.r) / 2;
   b_ = p > 0 ? std::sqrt(p) / 2 : 0;
 }
 
 Point Bisector::at(double e) const {
   const Place place(e);
   const double x = d_ / 2 + a_ * place.cosh, y = b_ * place.sinh;
-  return {pole_.x + (axis_.x * x - axis_.y * y), pole_.y + (axis_.y * x + axis_.x * y)};
+  return {reference_.x + (axis_.x * x - axis_.y * y), reference_.y + (axis_.y * x + axis_.x * y)};
 }
 
 Point Bisector::tangent(double e) const {
@@ -73,16 +74,16 @@ Point Bisector::asymptote(bool upper) const {
 }
 
 double Bisector::parameterOf(Point p) const {
-  const Point way = p - pole_;
+  const Point way = p - reference_;
   const double y = cross(axis_, way);
   double sinh = y / b_;
   double cosh = absolute(sinh) < powerOfTwo(30) ? std::sqrt(1 + sinh * sinh) : absolute(sinh);
   // An error of y moves the place by A/B times as much along the axis where |sinh| is large. Where
-  // that is worse, the distance from the pole tells the place, whose error is at most that of the
-  // point times 2A/D <= 1.
+  // that is worse, the distance from the reference site tells the place, whose error is at most
+  // that of the point times 2A/D <= 1.
   if (a_ * absolute(sinh) > b_ * cosh) {
-    const double fromPole = (length(way) - a_) / (d_ / 2);
-    cosh = fromPole > 1 ? fromPole : 1;
+    const double fromReference = (length(way) - a_) / (d_ / 2);
+    cosh = fromReference > 1 ? fromReference : 1;
     sinh = std::sqrt((cosh - 1) * (cosh + 1));
     if (y < 0) sinh = -sinh;
   }
@@ -101,14 +102,16 @@ Conic Bisector::piece(double e0, double e1, Point from, Point to) const {
   const double scale = 1 / (2 * w * w);
   const double x = d_ / 2 + a_ * ((first.cosh + second.cosh) * scale),
                y = b_ * ((first.sinh + second.sinh) * scale);
-  return {
-      from, {pole_.x + (axis_.x * x - axis_.y * y), pole_.y + (axis_.y * x + axis_.x * y)}, w, to};
+  return {from,
+          {reference_.x + (axis_.x * x - axis_.y * y), reference_.y + (axis_.y * x + axis_.x * y)},
+          w,
+          to};
 }
 
 LineForm::LineForm(const Bisector& bisector, Point normal, double offset)
     : p_(dot(normal, bisector.axis()) * bisector.transverse()),
       q_(cross(bisector.axis(), normal) * bisector.conjugate()),
-      c_((dot(normal, bisector.pole()) - offset) +
+      c_((dot(normal, bisector.reference()) - offset) +
          dot(normal, bisector.axis()) * (bisector.distance() / 2)) {}
 
 bool LineForm::isBeyond(double e) const {

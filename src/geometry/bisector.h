@@ -2,18 +2,17 @@
 // branch of a hyperbola with its foci at the centres (paper, section 2). Also the bisector of two
 // Voronoi circles, which Appendix A draws the dual with.
 //
-// It is seen from the *pole*, the circle of larger weight, around which it bends away: in the frame
-// with the pole at the origin and the other centre at (D, 0), with A = (ra - rb)/2 >= 0, B = √p/2,
-// p = D² - (ra - rb)² (so that A² + B² = (D/2)²), it is
+// It is seen from the *reference site*, the circle of larger weight, around which it bends away: in
+// the frame with the reference site at the origin and the other centre at (D, 0), with
+// A = (ra - rb)/2 >= 0, B = √p/2 and p = D² - (ra - rb)² (so that A² + B² = (D/2)²), it is
 //
-//     X = D/2 + A cosh t,   Y = B sinh t,      distance from the pole: (D/2) cosh t + A,   from the
-//     other: (D/2) cosh t - A
+//     X = D/2 + A cosh t,  Y = B sinh t,
+//     at the distance (D/2) cosh t + A from the reference site and (D/2) cosh t - A from the other,
 //
-// counter-clockwise about the pole as t grows. The parameter that is stored is E = e^t, from 0 to
-// infinity: with it, everything takes
-// + - * / and roots only (the same bits natively and as WebAssembly), an intersection with a line
-// is a quadratic equation, and the ends at infinity are ordinary values. A line has A = 0 and the
-// same parametrisation.
+// counter-clockwise about the reference site as t grows. The parameter that is stored is E = e^t,
+// from 0 to infinity: with it, everything takes + - * / and roots only (the same bits natively and
+// as WebAssembly), an intersection with a line is a quadratic equation, and the ends at infinity
+// are ordinary values. A line has A = 0 and the same parametrisation.
 #pragma once
 
 #include "geometry/conic.h"
@@ -29,8 +28,8 @@ struct Place {
 
 class Bisector {
  public:
-  /// REQUIRES: neither covers the other, `pole` has the larger weight or the same.
-  Bisector(const Site& pole, const Site& other);
+  /// REQUIRES: neither covers the other, `reference` has the larger weight or the same.
+  Bisector(const Site& reference, const Site& other);
 
   /// Has it a meaning in doubles? Not if the centres are so close, or one circle so nearly covers
   /// the other, that B is 0.
@@ -39,10 +38,9 @@ class Bisector {
   [[nodiscard]] double distance() const { return d_; }    ///< D
   [[nodiscard]] double transverse() const { return a_; }  ///< A
   [[nodiscard]] double conjugate() const { return b_; }   ///< B
-  [[nodiscard]] Point pole() const { return pole_; }
-  [[nodiscard]] Point axis() const {
-    return axis_;
-  }  ///< unit vector from the pole to the other centre
+  [[nodiscard]] Point reference() const { return reference_; }
+  /// Unit vector from the reference site to the other centre.
+  [[nodiscard]] Point axis() const { return axis_; }
 
   [[nodiscard]] Point at(double e) const;
   /// Unit tangent, in the direction of growing E.
@@ -60,7 +58,7 @@ class Bisector {
   [[nodiscard]] Conic piece(double e0, double e1) const { return piece(e0, e1, at(e0), at(e1)); }
 
  private:
-  Point pole_;
+  Point reference_;
   Point axis_;
   double d_, a_, b_;
 };

@@ -41,7 +41,7 @@ void CellFinder::clipEdges(Slot site) {
   for (const HalfedgeId h : graph.star(v)) {
     if (graph.target(h) != kInfinity) {
       const SiteId neighbor = core_.siteOf(graph.target(h));
-      if (startsAtPole(base, h)) {
+      if (startsAtReference(base, h)) {
         clipEdge(base, h, window_, clipped);
         for (int k = 0; k < clipped.count; ++k)
           pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)], neighbor});

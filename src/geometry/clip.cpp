@@ -123,14 +123,14 @@ ClippedPiece pieceBetween(const Bisector& bisector, const Mark& from, const Mark
 }
 
 /// Is the edge surely outside the window? Along an edge the distances from its sites, (D/2) cosh t
-/// ± A, are largest at an end; so all of it is within weight + clearance of the pole. Enlarged by
-/// 2^-20, far more than rounding.
-bool isFarAway(const Site& pole, const VoronoiCircle& a, const VoronoiCircle& b,
+/// ± A, are largest at an end; so all of it is within weight + clearance of the reference site.
+/// Enlarged by 2^-20, far more than rounding.
+bool isFarAway(const Site& reference, const VoronoiCircle& a, const VoronoiCircle& b,
                const Window& window) {
   if (a.isHalfPlane() || b.isHalfPlane() || !isPrecise(a) || !isPrecise(b)) return false;
-  const double size = absolute(pole.r) + absolute(a.s) + absolute(b.s);
-  const double reach = pole.r + std::max(a.s, b.s) + powerOfTwo(-20) * size;
-  const double x = pole.x, y = pole.y;
+  const double size = absolute(reference.r) + absolute(a.s) + absolute(b.s);
+  const double reach = reference.r + std::max(a.s, b.s) + powerOfTwo(-20) * size;
+  const double x = reference.x, y = reference.y;
   return x + reach < window.xmin || x - reach > window.xmax || y + reach < window.ymin ||
          y - reach > window.ymax;
 }

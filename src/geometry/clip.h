@@ -19,7 +19,7 @@ namespace apollonius {
 /// Not on the border: an end of a piece that is a Voronoi vertex.
 inline constexpr signed char kNoSide = -1;
 
-/// A part of an edge inside the window, counter-clockwise about the edge's pole.
+/// A part of an edge inside the window, counter-clockwise about the edge's reference site.
 struct ClippedPiece {
   Conic curve;
   signed char fromSide = kNoSide;  ///< the side of the window on which it starts
@@ -35,7 +35,7 @@ struct ClippedEdge {
 };
 
 /// Clips the edge dual to h. Edges of one drawing or sum take the same bits, so that they meet.
-/// REQUIRES: startsAtPole.
+/// REQUIRES: startsAtReference.
 void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, ClippedEdge& clipped,
               Bits bits = Bits::kCanonical);
 
@@ -50,7 +50,7 @@ void forEachClippedPiece(const DelaunayGraph& base, const Window& window, Bits b
   for (const FaceId f : graph.faces()) {
     for (unsigned c = 0; c < 3; ++c) {
       const HalfedgeId h = halfedgeOf(f, c);
-      if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity || !startsAtPole(base, h))
+      if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity || !startsAtReference(base, h))
         continue;
       clipEdge(base, h, window, clipped, bits);
       for (int piece = 0; piece < clipped.count; ++piece)

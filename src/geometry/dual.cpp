@@ -11,23 +11,23 @@ namespace apollonius {
 
 namespace {
 
-/// A Voronoi vertex as its edge's pole sees it, with the pole at the origin and the other site at
-/// (D, 0). The distance of the vertex is rho and 1/(2 rho) = (D cosine + r) / p
-/// (docs/PREDICATES.md, "The pole picture"), r <= 0 being the other weight less the pole's: so D
-/// cosine is a sum of positive terms, which is good however far away the vertex is, and at infinity
-/// (rho infinite, a half-plane).
+/// A Voronoi vertex as its edge's reference site sees it, with the reference site at the origin and
+/// the other site at (D, 0). The distance of the vertex is rho and 1/(2 rho) = (D cosine + r) / p
+/// (docs/PREDICATES.md, "Seen from one site"), r <= 0 being the other weight less the
+/// reference site's: so D cosine is a sum of positive terms, which is good however far away the
+/// vertex is, and at infinity (rho infinite, a half-plane).
 struct SeenVertex {
   double inverse;  ///< p / (2 rho)
   double cosine, sine;
 };
 
-SeenVertex seen(const Bisector& bisector, const VoronoiCircle& circle, double poleWeight,
+SeenVertex seen(const Bisector& bisector, const VoronoiCircle& circle, double referenceWeight,
                 bool isLeft) {
   const double p = 4 * bisector.conjugate() * bisector.conjugate(), d = bisector.distance();
   SeenVertex vertex{0, 0, 0};
   const Point way = circle.isHalfPlane() ? Point{circle.x, circle.y}
-                                         : Point{circle.x, circle.y} - bisector.pole();
-  if (!circle.isHalfPlane()) vertex.inverse = p / (2 * (circle.s + poleWeight));
+                                         : Point{circle.x, circle.y} - bisector.reference();
+  if (!circle.isHalfPlane()) vertex.inverse = p / (2 * (circle.s + referenceWeight));
   vertex.cosine = std::min((vertex.inverse + 2 * bisector.transverse()) / d, 1.0);
   const double size = length(way), side = cross(bisector.axis(), way) / size;
   // Near the axis the sine is what is small and good, elsewhere the cosine, which is all there is

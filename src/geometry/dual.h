@@ -12,8 +12,8 @@
 // differences of opposite sides' lengths are the same: r_i - r_j). So the tangents of the Voronoi
 // edge at its vertices and those of the dual edge at i and j, which halve its angles, all meet in
 // one point m, the control point of both curves; and the dual edge has the weight √(|i c| |j c|) /
-// |m c| for either circle's centre c. Seen from the pole, m depends on the directions d of the two
-// vertices and on 1/rho only:
+// |m c| for either circle's centre c. Seen from the reference site, m depends on the directions d
+// of the two vertices and on 1/rho only:
 //
 //     m = i + p (d1 + d2) / (p/rho1 + p/rho2 + |r_j - r_i| |d1 - d2|²),
 //
@@ -41,7 +41,7 @@ struct DualEdge {
   int count = 1;    ///< 2 for an edge with the same circle at both ends
 };
 
-/// The drawn edge of h. REQUIRES: startsAtPole (edge.h).
+/// The drawn edge of h. REQUIRES: startsAtReference (edge.h).
 [[nodiscard]] DualEdge dualEdge(const DelaunayGraph& graph, HalfedgeId h);
 
 /// Unit direction of the ray of an edge from a site to infinity. REQUIRES: h's target is infinity.

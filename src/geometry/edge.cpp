@@ -27,7 +27,7 @@ EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f, Bits bits) {
   return {{circle.x, circle.y}, true};
 }
 
-bool startsAtPole(const DelaunayGraph& graph, HalfedgeId h) {
+bool startsAtReference(const DelaunayGraph& graph, HalfedgeId h) {
   const VertexId i = graph.graph().origin(h), j = graph.graph().target(h);
   const Site &a = graph.site(i), &b = graph.site(j);
   return precedes(b, a) || (!precedes(a, b) && h < graph.graph().twin(h));

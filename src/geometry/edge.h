@@ -34,9 +34,9 @@ enum class Bits : unsigned char { kCanonical, kCached };
 /// The Voronoi vertex of a face.
 [[nodiscard]] EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f, Bits bits);
 
-/// The half-edge of an edge whose origin is the pole of its bisector: the larger one in the order
-/// of precedes(). REQUIRES: two finite sites.
-[[nodiscard]] bool startsAtPole(const DelaunayGraph& graph, HalfedgeId h);
+/// The half-edge of an edge whose origin is the reference site of its bisector: the larger one in
+/// the order of precedes(). REQUIRES: two finite sites.
+[[nodiscard]] bool startsAtReference(const DelaunayGraph& graph, HalfedgeId h);
 
 /// The edge dual to h, from E = e0 (the vertex of the face to the right of h) to e1 >= e0. Its ends
 /// are taken as they are, whatever their rounding: the edges that meet in a vertex have exactly
@@ -46,7 +46,7 @@ struct Edge {
   EdgeEnd from, to;
   double e0, e1;
 
-  /// REQUIRES: startsAtPole.
+  /// REQUIRES: startsAtReference.
   Edge(const DelaunayGraph& graph, HalfedgeId h, Bits bits = Bits::kCanonical);
 };
 

@@ -49,15 +49,16 @@ bool isPlain(double p, double r, const VoronoiCircle& from, const VoronoiCircle&
 /// and is well-conditioned; most edges that are not plain. `p` as in bisector.h, without the care
 /// for circles that nearly cover each other: those are left to clipEdge.
 ///
-/// Seen from the pole the bisector is 1/rho = 2 (c · d + r) / p for unit directions d, c and r
-/// being the other site less the pole (docs/PREDICATES.md, section 1). For points a and b of it
-/// with distances rho_a and rho_b, n = rho_b a + rho_a b points to where the tangents meet, at t n
-/// with t = p / (2 (c · n + r s)), s = rho_a rho_b + a · b, and the weight is 1 / (t √(2s)).
-bool drawQuickly(const Site& pole, const Site& other, double p, Point from, Point to,
+/// Seen from the reference site the bisector is 1/rho = 2 (c · d + r) / p for unit directions d, c
+/// and r being the other site less the reference site (docs/PREDICATES.md, "Seen from one site").
+/// For points a and b of it with distances rho_a and rho_b, n = rho_b a + rho_a b points to where
+/// the tangents meet, at t n with t = p / (2 (c · n + r s)), s = rho_a rho_b + a · b, and the
+/// weight is 1 / (t √(2s)).
+bool drawQuickly(const Site& reference, const Site& other, double p, Point from, Point to,
                  const Window& window, double tolerance, Path& path) {
-  const Point center{pole.x, pole.y}, c{other.x - pole.x, other.y - pole.y}, a = from - center,
-                                                                             b = to - center;
-  const double r = other.r - pole.r, ra = length(a), rb = length(b);
+  const Point center{reference.x, reference.y}, c{other.x - reference.x, other.y - reference.y},
+      a = from - center, b = to - center;
+  const double r = other.r - reference.r, ra = length(a), rb = length(b);
   const double s = ra * rb + dot(a, b);
   const Point n = rb * a + ra * b;
   const double t = p / (2 * (dot(c, n) + r * s));
@@ -140,7 +141,7 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
     }
     path.segments(ends.data(), plainCount);
     for (std::size_t m = 0; m < otherCount; ++m) {
-      const HalfedgeId g = edges[others[m]], h = startsAtPole(base, g) ? g : graph.twin(g);
+      const HalfedgeId g = edges[others[m]], h = startsAtReference(base, g) ? g : graph.twin(g);
       const VoronoiCircle &from = starts[others[m]], &to = base.keptCircle(faceOf(g));
       if (isUsable(from, window) && isUsable(to, window) &&
           drawQuickly(base.site(graph.origin(h)), base.site(graph.target(h)), squares[others[m]],
@@ -167,7 +168,7 @@ bool drawDual(const DiagramCore& core, const Window* window, double tolerance, P
     if (i == kInfinity) return;
     const Site& site = base.site(i);
     if (j != kInfinity) {
-      if (!startsAtPole(base, h)) return;
+      if (!startsAtReference(base, h)) return;
       const DualEdge edge = dualEdge(base, h);
       path.move(site.x, site.y);
       for (int k = 0; k < edge.count; ++k) drawConic(edge.curves[k], tolerance, path);

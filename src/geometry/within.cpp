@@ -37,10 +37,10 @@ void findSectors(const DiagramCore& core, Slot site, double radius, FlatArray<Se
   const VertexId v = DiagramCore::vertexOf(site);
   const auto add = [&](HalfedgeId h) {
     if (graph.target(h) == kInfinity) return;
-    const bool isPole = startsAtPole(base, h);
-    const Edge edge(base, isPole ? h : graph.twin(h));
+    const bool isReference = startsAtReference(base, h);
+    const Edge edge(base, isReference ? h : graph.twin(h));
     const Bisector& bisector = edge.bisector;
-    const double a = isPole ? -bisector.transverse() : bisector.transverse();
+    const double a = isReference ? -bisector.transverse() : bisector.transverse();
     const double largest = (radius + a) / (bisector.distance() / 2);
     if (!(largest > 1)) return;
     const bool isImmense = largest > powerOfTwo(500);  // of which the square may be infinite
@@ -57,7 +57,7 @@ void findSectors(const DiagramCore& core, Slot site, double radius, FlatArray<Se
     const SiteId neighbor = core.siteOf(graph.target(h));
     const Point start = unit(from - center), middle = unit(between - center),
                 end = unit(to - center);
-    if (isPole) {
+    if (isReference) {
       sectors.push_back({{curve, neighbor}, start, middle, end, isFromCut, isToCut});
     } else {
       sectors.push_back({{curve.reversed(), neighbor}, end, middle, start, isToCut, isFromCut});

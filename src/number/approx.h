@@ -1,5 +1,5 @@
-// Approx: a double that knows the size of what it was made of, for error-bound filters; and Depth,
-// which derives the constant of that bound from the formula itself, at compile time.
+// Approx: a double that knows the size of what it was made of, for error-bound filters; and
+// Roundings, which derives the constant of that bound from the formula itself, at compile time.
 //
 // Theorem (standard, e.g. Higham, Accuracy and Stability, chapter 3). Let a formula of + - * be
 // evaluated in doubles without overflow or underflow. Expand it into its monomials; each carries
@@ -7,8 +7,8 @@
 // more than D roundings, then
 //     |computed - exact| <= ((1+u)^D - 1) · M,      M = the same formula with every input replaced
 //     by its magnitude
-// and every - by +. Depth counts D (a sum: the larger of its terms' + 1; a product: the sum of its
-// factors' + 1). M itself is computed in doubles and is at least (1-u)^D times its exact value,
+// and every - by +. Roundings counts D (a sum: the larger of its terms' + 1; a product: the sum of
+// its factors' + 1). M itself is computed in doubles and is at least (1-u)^D times its exact value,
 // hence
 //     |computed - exact| <= D u (1 + 2^-40) · (computed M)         for D < 1000.
 // Underflow: with all inputs at most 2^33 in magnitude (see kLargestInput) and formulas of degree
@@ -23,24 +23,26 @@
 
 namespace apollonius {
 
-struct Depth {
-  int roundings = 0;
-  constexpr Depth() = default;
-  constexpr Depth(int) {}  // NOLINT: an integer constant carries no error
+struct Roundings {
+  int count = 0;
+  constexpr Roundings() = default;
+  constexpr Roundings(int) {}  // NOLINT: an integer constant carries no error
   struct Input {};
   /// A difference of two doubles: one rounding.
-  constexpr explicit Depth(Input) : roundings(1) {}
-  friend constexpr Depth operator+(Depth a, Depth b) {
-    return of(std::max(a.roundings, b.roundings) + 1);
+  constexpr explicit Roundings(Input) : count(1) {}
+  friend constexpr Roundings operator+(Roundings a, Roundings b) {
+    return of(std::max(a.count, b.count) + 1);
   }
-  friend constexpr Depth operator-(Depth a, Depth b) { return a + b; }
-  friend constexpr Depth operator*(Depth a, Depth b) { return of(a.roundings + b.roundings + 1); }
+  friend constexpr Roundings operator-(Roundings a, Roundings b) { return a + b; }
+  friend constexpr Roundings operator*(Roundings a, Roundings b) {
+    return of(a.count + b.count + 1);
+  }
 
  private:
-  static constexpr Depth of(int roundings) {
-    Depth d;
-    d.roundings = roundings;
-    return d;
+  static constexpr Roundings of(int count) {
+    Roundings sum;
+    sum.count = count;
+    return sum;
   }
 };
 
@@ -69,9 +71,9 @@ inline constexpr double kLargestInput = powerOfTwo(33);
 /// Where kLargestInput is kept, underflow moves no formula by more than this.
 inline constexpr double kUnderflow = powerOfTwo(-690);
 
-/// The factor of the bound for a formula whose Depth was computed with the formula itself.
-constexpr double boundFactor(Depth depth) {
-  return depth.roundings * kUnitRoundoff * (1 + powerOfTwo(-40));
+/// The factor of the bound for a formula whose Roundings was computed with the formula itself.
+constexpr double errorFactor(Roundings roundings) {
+  return roundings.count * kUnitRoundoff * (1 + powerOfTwo(-40));
 }
 
 /// What a filter can say: a sign, or that it does not know. A sum of exact zeros is left to the

@@ -4,8 +4,8 @@
 
 namespace apollonius {
 
-Whole Whole::inUnits(double value, int unit) {
-  Whole result;
+FixedInteger FixedInteger::inUnits(double value, int unit) {
+  FixedInteger result;
   if (value == 0) return result;
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const int biased = static_cast<int>((bits >> 52) & 0x7FF);
@@ -29,8 +29,8 @@ Whole Whole::inUnits(double value, int unit) {
   return result;
 }
 
-Whole operator*(const Whole& a, const Whole& b) {
-  Whole product;
+FixedInteger operator*(const FixedInteger& a, const FixedInteger& b) {
+  FixedInteger product;
   if (a.size_ == 0 || b.size_ == 0) return product;
   product.size_ = a.size_ + b.size_;
   product.isNegative_ = a.isNegative_ != b.isNegative_;
@@ -49,21 +49,21 @@ Whole operator*(const Whole& a, const Whole& b) {
   return product;
 }
 
-Whole Whole::sum(const Whole& a, const Whole& b, bool bIsNegative) {
+FixedInteger FixedInteger::sum(const FixedInteger& a, const FixedInteger& b, bool bIsNegative) {
   if (a.isNegative_ == bIsNegative || a.size_ == 0 || b.size_ == 0) {
-    Whole result = a.size_ >= b.size_ ? added(a, b) : added(b, a);
+    FixedInteger result = a.size_ >= b.size_ ? added(a, b) : added(b, a);
     result.isNegative_ = a.size_ == 0 ? bIsNegative : a.isNegative_;
     return result;
   }
   const bool aIsLarger = compareMagnitudes(a, b) >= 0;
-  Whole result = aIsLarger ? subtracted(a, b) : subtracted(b, a);
+  FixedInteger result = aIsLarger ? subtracted(a, b) : subtracted(b, a);
   result.isNegative_ = aIsLarger ? a.isNegative_ : bIsNegative;
   return result;
 }
 
 /// |a| + |b|. REQUIRES: a has at least as many limbs.
-Whole Whole::added(const Whole& a, const Whole& b) {
-  Whole result;
+FixedInteger FixedInteger::added(const FixedInteger& a, const FixedInteger& b) {
+  FixedInteger result;
   std::uint64_t carry = 0;
   for (int k = 0; k < a.size_; ++k) {
     carry += std::uint64_t{a.limbs_[k]} + (k < b.size_ ? b.limbs_[k] : 0);
@@ -76,8 +76,8 @@ Whole Whole::added(const Whole& a, const Whole& b) {
 }
 
 /// |a| - |b|. REQUIRES: |a| >= |b|.
-Whole Whole::subtracted(const Whole& a, const Whole& b) {
-  Whole result;
+FixedInteger FixedInteger::subtracted(const FixedInteger& a, const FixedInteger& b) {
+  FixedInteger result;
   std::int64_t borrow = 0;
   for (int k = 0; k < a.size_; ++k) {
     borrow += std::int64_t{a.limbs_[k]} - (k < b.size_ ? std::int64_t{b.limbs_[k]} : 0);
@@ -89,7 +89,7 @@ Whole Whole::subtracted(const Whole& a, const Whole& b) {
   return result;
 }
 
-int Whole::compareMagnitudes(const Whole& a, const Whole& b) {
+int FixedInteger::compareMagnitudes(const FixedInteger& a, const FixedInteger& b) {
   if (a.size_ != b.size_) return a.size_ < b.size_ ? -1 : 1;
   for (int k = a.size_; k-- > 0;) {
     if (a.limbs_[k] != b.limbs_[k]) return a.limbs_[k] < b.limbs_[k] ? -1 : 1;

@@ -1,5 +1,5 @@
-// Whole: integers of up to 2048 bits that are kept in place. The long numbers of the middle stage:
-// no heap, no exponents, and only the limbs in use are copied and multiplied, which makes it
+// FixedInteger: integers of up to 2048 bits that are kept in place. The long numbers of the middle
+// stage: no heap, no exponents, and only the limbs in use are copied and multiplied, which makes it
 // several times as fast as Dyadic on the coordinates that people have. The same operations in
 // 32-bit limbs everywhere: WebAssembly multiplies 32 x 32 bits in one instruction, 64 x 64 in a
 // call.
@@ -12,20 +12,20 @@
 
 namespace apollonius {
 
-class Whole {
+class FixedInteger {
  public:
   /// Bits of an input: formulas of degree 16 (spans) with up to 2^8 terms stay within the limbs.
   static constexpr int kInputBits = 120;
 
-  Whole() = default;
-  Whole(int value)  // NOLINT: implicit on purpose, formulas contain small constants
+  FixedInteger() = default;
+  FixedInteger(int value)  // NOLINT: implicit on purpose, formulas contain small constants
       : limbs_{static_cast<std::uint32_t>(value < 0 ? -value : value)},
         size_(value != 0),
         isNegative_(value < 0) {}
-  Whole(const Whole& other) : size_(other.size_), isNegative_(other.isNegative_) {
+  FixedInteger(const FixedInteger& other) : size_(other.size_), isNegative_(other.isNegative_) {
     std::copy_n(other.limbs_, size_, limbs_);
   }
-  Whole& operator=(const Whole& other) {
+  FixedInteger& operator=(const FixedInteger& other) {
     if (this == &other) return *this;
     size_ = other.size_;
     isNegative_ = other.isNegative_;
@@ -34,7 +34,7 @@ class Whole {
   }
 
   /// value / 2^unit. REQUIRES: an integer, of less than kInputBits bits.
-  static Whole inUnits(double value, int unit);
+  static FixedInteger inUnits(double value, int unit);
 
   [[nodiscard]] Sign sign() const {
     return size_ == 0 ? Sign::kZero : isNegative_ ? Sign::kNegative : Sign::kPositive;
@@ -42,19 +42,23 @@ class Whole {
 
   // Not inline: copied into each formula, products and sums would be most of the WebAssembly
   // module.
-  friend Whole operator*(const Whole& a, const Whole& b);
-  friend Whole operator+(const Whole& a, const Whole& b) { return sum(a, b, b.isNegative_); }
-  friend Whole operator-(const Whole& a, const Whole& b) { return sum(a, b, !b.isNegative_); }
+  friend FixedInteger operator*(const FixedInteger& a, const FixedInteger& b);
+  friend FixedInteger operator+(const FixedInteger& a, const FixedInteger& b) {
+    return sum(a, b, b.isNegative_);
+  }
+  friend FixedInteger operator-(const FixedInteger& a, const FixedInteger& b) {
+    return sum(a, b, !b.isNegative_);
+  }
 
  private:
   static constexpr int kLimbs = 66;
   static_assert(16 * kInputBits + 8 <= 32 * (kLimbs - 4));
 
   /// a + b, with the sign of b given.
-  static Whole sum(const Whole& a, const Whole& b, bool bIsNegative);
-  static Whole added(const Whole& a, const Whole& b);
-  static Whole subtracted(const Whole& a, const Whole& b);
-  static int compareMagnitudes(const Whole& a, const Whole& b);
+  static FixedInteger sum(const FixedInteger& a, const FixedInteger& b, bool bIsNegative);
+  static FixedInteger added(const FixedInteger& a, const FixedInteger& b);
+  static FixedInteger subtracted(const FixedInteger& a, const FixedInteger& b);
+  static int compareMagnitudes(const FixedInteger& a, const FixedInteger& b);
   void dropZeros() {
     while (size_ > 0 && limbs_[size_ - 1] == 0) --size_;
   }
@@ -64,6 +68,6 @@ class Whole {
   bool isNegative_ = false;  // of zero, either
 };
 
-inline Sign signOf(const Whole& x) { return x.sign(); }
+inline Sign signOf(const FixedInteger& x) { return x.sign(); }
 
 }  // namespace apollonius

@@ -24,9 +24,9 @@ enum Array : std::size_t {
   kP,
   kM,
   kL,
-  kPoleX,
-  kPoleY,
-  kPoleR,
+  kReferenceX,
+  kReferenceY,
+  kReferenceR,
   kCircleX,
   kCircleY,
   kCircleS,
@@ -46,10 +46,10 @@ void CircleFan::reserve(std::size_t n) {
   corners_.resize(room);  // last: who looks at its size finds room in all
 }
 
-/// Row k: the site, seen from the pole. Returns the largest difference.
-inline double CircleFan::setRow(std::size_t k, const Site& pole, const Site& site) {
+/// Row k: the site, seen from the reference site. Returns the largest difference.
+inline double CircleFan::setRow(std::size_t k, const Site& reference, const Site& site) {
   double* const numbers = numbers_.data() + k;
-  const double x = site.x - pole.x, y = site.y - pole.y, r = site.r - pole.r;
+  const double x = site.x - reference.x, y = site.y - reference.y, r = site.r - reference.r;
   const double xx = x * x, yy = y * y, rr = r * r;
   const double l = std::max(std::max(absolute(x), absolute(y)), absolute(r));
   numbers[kSiteX * stride_] = site.x;
@@ -64,10 +64,10 @@ inline double CircleFan::setRow(std::size_t k, const Site& pole, const Site& sit
   return l;
 }
 
-inline void CircleFan::setPole(std::size_t k, const Site& pole) {
-  numbers_[kPoleX * stride_ + k] = pole.x;
-  numbers_[kPoleY * stride_ + k] = pole.y;
-  numbers_[kPoleR * stride_ + k] = pole.r;
+inline void CircleFan::setReference(std::size_t k, const Site& reference) {
+  numbers_[kReferenceX * stride_ + k] = reference.x;
+  numbers_[kReferenceY * stride_ + k] = reference.y;
+  numbers_[kReferenceR * stride_ + k] = reference.r;
 }
 
 inline VoronoiCircle CircleFan::circle(std::size_t k) const {
@@ -86,8 +86,8 @@ bool CircleFan::computeAll(const Site& q, std::size_t n) {
     for (std::size_t k = 0; k < 2; ++k) numbers[a * stride_ + n + k] = numbers[a * stride_ + k];
   }
   if (!(largest < kLargestDifference)) return false;
-  setPole(0, q);
-  setPole(1, q);
+  setReference(0, q);
+  setReference(1, q);
   computeBounded(n, 1, 0);
   return true;
 }
@@ -108,10 +108,10 @@ void CircleFan::computeFaces(std::span<const std::array<Corner, 3>> faces,
   const std::size_t n = faces.size();
   double largest = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    const Site& pole = *faces[k][0];
-    setPole(k, pole);
-    largest = std::max(largest,
-                       std::max(setRow(k, pole, *faces[k][1]), setRow(n + k, pole, *faces[k][2])));
+    const Site& reference = *faces[k][0];
+    setReference(k, reference);
+    largest = std::max(largest, std::max(setRow(k, reference, *faces[k][1]),
+                                         setRow(n + k, reference, *faces[k][2])));
   }
   computeBounded(n, n, ~std::size_t{0});
   for (std::size_t k = 0; k < n; ++k) {
@@ -120,15 +120,15 @@ void CircleFan::computeFaces(std::span<const std::array<Corner, 3>> faces,
   }
 }
 
-/// Circles of the faces of the pole and rows k and `second` + k, for k < n (the last pair may read
-/// one more of each). Pole k is at k & poleMask.
+/// Circles of the faces of the reference site and rows k and `second` + k, for k < n (the last pair
+/// may read one more of each). Reference site k is at k & referenceMask.
 ///
 /// The formulas and the bound are those of boundedCircle (voronoi_circle.cpp, where they are
-/// derived), with poles of any size. One division serves all quotients, 1/(D den): 1/den = D ·
-/// that, 1/p_j = p_k p_jk · den · that. The computed D cancels, so f has five roundings more than
-/// the errors of p_j and den. Underflow: the last three conditions keep D, D den and a component of
-/// the chord far above it, and what smaller products lose is far below the bound.
-void CircleFan::computeBounded(std::size_t n, std::size_t second, std::size_t poleMask) {
+/// derived), with reference sites of any size. One division serves all quotients, 1/(D den): 1/den
+/// = D · that, 1/p_j = p_k p_jk · den · that. The computed D cancels, so f has five roundings more
+/// than the errors of p_j and den. Underflow: the last three conditions keep D, D den and a
+/// component of the chord far above it, and what smaller products lose is far below the bound.
+void CircleFan::computeBounded(std::size_t n, std::size_t second, std::size_t referenceMask) {
   constexpr double u1 = kUnitRoundoff;
   const Pair largestRelative = pairOf(powerOfTwo(-10)), zero = pairOf(0),
              tiny = pairOf(powerOfTwo(-900));
@@ -157,9 +157,9 @@ void CircleFan::computeBounded(std::size_t n, std::size_t second, std::size_t po
     const Pair inverseD = den * inverse, inverseDen = d * inverse;
     const Pair f = 0.5 * pj * inverseDen;
     const Pair rho = f * n2;
-    const std::size_t pole = k & poleMask;
-    const Pair x = load(kPoleX, pole) + f * a, y = load(kPoleY, pole) + f * b,
-               s = rho - load(kPoleR, pole);
+    const std::size_t reference = k & referenceMask;
+    const Pair x = load(kReferenceX, reference) + f * a, y = load(kReferenceY, reference) + f * b,
+               s = rho - load(kReferenceR, reference);
 
     const Pair g = absolute(u) + absolute(v);
     const Pair eChord = 9 * u1 * (lk * mj + lj * mk);

@@ -34,9 +34,9 @@ class CircleFan {
  private:
   /// Computes the arrays; false if the numbers are beyond the range of the formulas.
   bool computeAll(const Site& q, std::size_t n);
-  double setRow(std::size_t k, const Site& pole, const Site& site);
-  void setPole(std::size_t k, const Site& pole);
-  void computeBounded(std::size_t n, std::size_t second, std::size_t poleMask);
+  double setRow(std::size_t k, const Site& reference, const Site& site);
+  void setReference(std::size_t k, const Site& reference);
+  void computeBounded(std::size_t n, std::size_t second, std::size_t referenceMask);
   [[nodiscard]] VoronoiCircle circle(std::size_t k) const;
 
   FlatArray<Corner> corners_;

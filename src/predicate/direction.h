@@ -19,15 +19,15 @@ struct Arrow {
 
 /// Direction of a face's vertex from one of its sites, not normalised: the circle's centre less the
 /// site's, or the half-plane's normal.
-inline Arrow directionOf(const VoronoiCircle& circle, const Site& pole) {
+inline Arrow directionOf(const VoronoiCircle& circle, const Site& reference) {
   if (circle.isHalfPlane()) return {circle.x, circle.y, circle.slope};
-  const double x = circle.x - pole.x, y = circle.y - pole.y;
+  const double x = circle.x - reference.x, y = circle.y - reference.y;
   return {x, y, circle.error + kUnitRoundoff * std::max(absolute(x), absolute(y))};
 }
 
 /// Direction of a point from a site.
-inline Arrow directionOf(double px, double py, const Site& pole) {
-  const double x = px - pole.x, y = py - pole.y;
+inline Arrow directionOf(double px, double py, const Site& reference) {
+  const double x = px - reference.x, y = py - reference.y;
   return {x, y, kUnitRoundoff * std::max(absolute(x), absolute(y))};
 }
 

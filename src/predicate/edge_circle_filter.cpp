@@ -12,15 +12,15 @@ namespace {
 
 constexpr double u1 = kUnitRoundoff;
 
-/// Middle of q's shadow on the bisector of the pole and j (chordOf), or its opposite. Depth 8
-/// (stages.cpp): the error of each component is at most 9u (l_q m_j + l_j m_q), with l the largest
-/// difference and m = x² + y² + r².
-Arrow shadowMiddle(const Site& pole, Corner j, const Site& q, Probe probe) {
+/// Middle of q's shadow on the bisector of the reference site and j (chordOf), or its opposite.
+/// Roundings 8 (stages.cpp): the error of each component is at most 9u (l_q m_j + l_j m_q), with l
+/// the largest difference and m = x² + y² + r².
+Arrow shadowMiddle(const Site& reference, Corner j, const Site& q, Probe probe) {
   const double sign = probe == Probe::kMiddle ? 1 : -1;
-  const double qx = q.x - pole.x, qy = q.y - pole.y, qr = q.r - pole.r;
+  const double qx = q.x - reference.x, qy = q.y - reference.y, qr = q.r - reference.r;
   const double lq = std::max({absolute(qx), absolute(qy), absolute(qr)});
   if (j == nullptr) return {sign * qx, sign * qy, u1 * lq};
-  const double jx = j->x - pole.x, jy = j->y - pole.y, jr = j->r - pole.r;
+  const double jx = j->x - reference.x, jy = j->y - reference.y, jr = j->r - reference.r;
   const double lj = std::max({absolute(jx), absolute(jy), absolute(jr)});
   const double pq = lorentz(qx, qy, qr), pj = lorentz(jx, jy, jr);
   const double mq = qx * qx + qy * qy + qr * qr, mj = jx * jx + jy * jy + jr * jr;

@@ -56,7 +56,7 @@ Sign turnBetweenShadows(const Site& i, const Site& j, const Site& l, const Site&
 
 bool isDelaunayEdge(EdgeCorners e, const VoronoiCircle& circleAtK, const VoronoiCircle& circleAtL) {
   const VoronoiCircle *atK = &circleAtK, *atL = &circleAtL;
-  if (isBetterPole(e.j, e.i)) {  // the same edge seen from its other side
+  if (isBetterReference(e.j, e.i)) {  // the same edge seen from its other side
     e = {e.j, e.i, e.l, e.k};
     std::swap(atK, atL);
   }

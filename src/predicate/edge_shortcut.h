@@ -27,9 +27,9 @@ inline bool isSurelyInConflictBetweenEnds(const Site& i, const Site& j, const Vo
                                           const VoronoiCircle& atL, const Site& q) {
   constexpr double u1 = kUnitRoundoff;
   const bool swapped = i.r < j.r;
-  const Site &pole = swapped ? j : i, &other = swapped ? i : j;
-  const double qx = q.x - pole.x, qy = q.y - pole.y, qr = q.r - pole.r;
-  const double jx = other.x - pole.x, jy = other.y - pole.y, jr = other.r - pole.r;
+  const Site &reference = swapped ? j : i, &other = swapped ? i : j;
+  const double qx = q.x - reference.x, qy = q.y - reference.y, qr = q.r - reference.r;
+  const double jx = other.x - reference.x, jy = other.y - reference.y, jr = other.r - reference.r;
   const double qxy = qx * qx + qy * qy, jxy = jx * jx + jy * jy, qrr = qr * qr, jrr = jr * jr;
   const double pq = qxy - qrr, pj = jxy - jrr;
   const double mx = qx * pj - jx * pq, my = qy * pj - jy * pq;
@@ -39,7 +39,7 @@ inline bool isSurelyInConflictBetweenEnds(const Site& i, const Site& j, const Vo
   const double e = 9 * u1 * (lq * (jxy + jrr) + lj * (qxy + qrr));
   const double m = absolute(mx) + absolute(my);
   const auto isAhead = [&](const VoronoiCircle& circle) {
-    const double x = circle.x - pole.x, y = circle.y - pole.y;
+    const double x = circle.x - reference.x, y = circle.y - reference.y;
     const double size = absolute(x) + absolute(y);
     const double bound =
         (m * (circle.error + 4 * u1 * size) + e * (size + 2 * circle.error)) * (1 + 32 * u1);

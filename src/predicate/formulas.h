@@ -1,16 +1,16 @@
 // Every polynomial of the predicates, once, as a template over the number type: Approx (filter),
-// Depth (the filter's error bound, at compile time), Dyadic (exact). Derivations:
+// Roundings (the filter's error bound, at compile time), Dyadic (exact). Derivations:
 // docs/PREDICATES.md; degrees are in the input coordinates.
 //
-// All of them look at the diagram from one finite site, the pole: other sites are rows of
+// All of them look at the diagram from one finite site, the reference site: other sites are rows of
 // differences to it. The site at infinity is the row (0, 0, 0, 1), which makes the same formulas
 // hold for unbounded faces and edges.
 #pragma once
 
 namespace apollonius {
 
-/// A site seen from the pole: differences x, y, r and p = x² + y² - r² (degree 2), the squared
-/// length of the outer tangent.
+/// A site seen from the reference site: differences x, y, r and p = x² + y² - r² (degree 2), the
+/// squared length of the outer tangent.
 template <class T>
 struct Row {
   T x, y, r, p;
@@ -40,8 +40,10 @@ constexpr T between(const Row<T>& a, const Row<T>& b) {
   return lorentz(a.x - b.x, a.y - b.y, a.r - b.r);
 }
 
-/// Where the bisectors of the pole with `from` and with `to` meet: up to the positive factor from.p
-/// * to.p, the line a u + b v + w = 0 in the plane of directions (a, b) from the pole (degree 3).
+/// Where the bisectors of the reference site with `from` and with `to` meet: up to the positive
+/// factor from.p
+/// * to.p, the line a u + b v + w = 0 in the plane of directions (a, b) from the reference site
+/// (degree 3).
 template <class T>
 struct Chord {
   T u, v, w;
@@ -53,7 +55,7 @@ constexpr Chord<T> chordOf(const Row<T>& from, const Row<T>& to) {
           to.r * from.p - from.r * to.p};
 }
 
-/// Vertex conflict: rows j, k of a face (pole, j, k) and q of the query. conflict = sign(x - xy
+/// Vertex conflict: rows j, k of a face (i, j, k) and q of the query. conflict = sign(x - xy
 /// √(p_jk p_j p_k)).
 template <class T>
 struct VertexForm {
@@ -101,7 +103,7 @@ struct EdgeForm {
 };
 
 /// Span of an unbounded face's range of directions: cross product of the directions of the
-/// half-planes (l, pole) and (pole, k) = c0 + cl √p_l + ck √p_k + clk √(p_l p_k), up to a positive
+/// half-planes (l, i) and (i, k) = c0 + cl √p_l + ck √p_k + clk √(p_l p_k), up to a positive
 /// factor.
 template <class T>
 struct SpanForm {

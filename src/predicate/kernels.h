@@ -1,6 +1,6 @@
-// Rows of differences to a pole in doubles, and what turns a number into a sign: the parts by which
-// the stages of one predicate differ. Everything else is one template (decisions.h). Rows of longer
-// numbers: long_rows.h.
+// Rows of differences to a reference site in doubles, and what turns a number into a sign: the
+// parts by which the stages of one predicate differ. Everything else is one template (decisions.h).
+// Rows of longer numbers: long_rows.h.
 #pragma once
 
 #include <algorithm>
@@ -25,15 +25,16 @@ inline double inputScale(double largest) {
 
 /// Filter stage: Approx rows, scaled; signs with error bounds. `failed` becomes true when a sign
 /// was not certain.
-class FilterRows {
+class FilterKernel {
  public:
   using Number = Approx;
 
-  FilterRows(const Site& pole, std::initializer_list<Corner> corners) {
+  FilterKernel(const Site& reference, std::initializer_list<Corner> corners) {
     double largest = 0;
     std::size_t n = 0;
     for (Corner c : corners) {
-      if (c != nullptr) differences_[n] = {c->x - pole.x, c->y - pole.y, c->r - pole.r, true};
+      if (c != nullptr)
+        differences_[n] = {c->x - reference.x, c->y - reference.y, c->r - reference.r, true};
       const Difference& d = differences_[n++];
       largest = std::max({largest, absolute(d.x), absolute(d.y), absolute(d.r)});
     }
@@ -47,7 +48,8 @@ class FilterRows {
     }
   }
 
-  /// Of all finite sites: their differences to the pole's weight are zero, rounded or not.
+  /// Of all finite sites: their differences to the reference site's weight are zero, rounded or
+  /// not.
   [[nodiscard]] bool hasEqualWeights() const {
     return std::all_of(differences_.begin(), differences_.end(),
                        [](const Difference& d) { return d.r == 0; });
@@ -57,8 +59,8 @@ class FilterRows {
     return d.finite ? rowOf(Approx(d.x), Approx(d.y), Approx(d.r)) : infinityRow<Approx>();
   }
 
-  Sign sign(Approx x, Depth depth) {
-    const MaybeSign s = filteredSign(x, boundFactor(depth));
+  Sign sign(Approx x, Roundings roundings) {
+    const MaybeSign s = filteredSign(x, errorFactor(roundings));
     // A sum of nothing but zeros (equal weights, axis-parallel lines) is certainly zero, if no
     // product was lost to underflow.
     if (!s.known && !(x.magnitude == 0 && productsSurvive())) failed_ = true;
@@ -83,8 +85,8 @@ class FilterRows {
   bool failed_ = false;
 };
 
-/// Of all finite sites: their differences to the pole's weight, which are exact or at least zero
-/// where they should be, are zero.
+/// Of all finite sites: their differences to the reference site's weight, which are exact or at
+/// least zero where they should be, are zero.
 template <class T>
 bool haveEqualWeights(const std::array<Row<T>, 4>& rows) {
   return std::all_of(rows.begin(), rows.end(),
@@ -107,8 +109,8 @@ struct Range {
   }
 };
 
-/// The differences of some sites to a pole in doubles, whether all of them are exact (of sites
-/// close together they are as a rule), and if so, their digits.
+/// The differences of some sites to a reference site in doubles, whether all of them are exact (of
+/// sites close together they are as a rule), and if so, their digits.
 struct Differences {
   struct Triple {
     double x = 0, y = 0, r = 0;
@@ -119,7 +121,7 @@ struct Differences {
   bool areExact = true;
   int unit = 0, highest = 0;
 
-  Differences(const Site& pole, std::initializer_list<Corner> corners) {
+  Differences(const Site& reference, std::initializer_list<Corner> corners) {
     Range range;
     const auto difference = [&](double a, double b) {
       const double d = a - b;
@@ -131,8 +133,8 @@ struct Differences {
     };
     for (Corner c : corners) {
       if (c != nullptr)
-        triples[count] = {difference(c->x, pole.x), difference(c->y, pole.y),
-                          difference(c->r, pole.r), true};
+        triples[count] = {difference(c->x, reference.x), difference(c->y, reference.y),
+                          difference(c->r, reference.r), true};
       ++count;
     }
     unit = range.lowest == std::numeric_limits<int>::max() ? 0 : range.lowest;
@@ -172,12 +174,12 @@ struct ExactDouble {
 
 /// Middle stage: where the coordinates are small multiples of one power of two (grids, integers,
 /// quarters), doubles in that unit compute exactly, and zeros are known to be zeros.
-class UnitRows {
+class UnitKernel {
  public:
   using Number = ExactDouble;
 
-  UnitRows(const Site& pole, std::initializer_list<Corner> corners) {
-    const Differences differences(pole, corners);
+  UnitKernel(const Site& reference, std::initializer_list<Corner> corners) {
+    const Differences differences(reference, corners);
     // Normal numbers in the unit are integers.
     failed_ = !differences.areExact || differences.unit < -900 || differences.unit > 900;
     if (failed_) return;
@@ -191,7 +193,7 @@ class UnitRows {
 
   [[nodiscard]] bool hasEqualWeights() const { return haveEqualWeights(rows_); }
   [[nodiscard]] const Row<ExactDouble>& row(std::size_t k) const { return rows_[k]; }
-  Sign sign(ExactDouble x, Depth) {
+  Sign sign(ExactDouble x, Roundings) {
     if (!x.isExact()) failed_ = true;
     return signOf(x);
   }

@@ -1,5 +1,5 @@
-// Rows of differences to a pole in long numbers: the last two stages of the predicates, as rows.h
-// has them for the first two.
+// Rows of differences to a reference site in long numbers: the last two stages of the predicates,
+// as rows.h has them for the first two.
 #pragma once
 
 #include <array>
@@ -13,58 +13,58 @@ namespace apollonius {
 
 /// Middle stage for longer inputs (decimal fractions, integers of many digits): integers in the
 /// common unit. Fails only where the coordinates range over more than 2^117 units.
-class WholeRows {
+class FixedKernel {
  public:
-  using Number = Whole;
+  using Number = FixedInteger;
 
-  WholeRows(const Site& pole, std::initializer_list<Corner> corners) {
-    const Differences differences(pole, corners);
+  FixedKernel(const Site& reference, std::initializer_list<Corner> corners) {
+    const Differences differences(reference, corners);
     if (differences.areExact) {
       if (!fits(differences.unit, differences.highest)) return;
-      const auto in = [&](double d) { return Whole::inUnits(d, differences.unit); };
+      const auto in = [&](double d) { return FixedInteger::inUnits(d, differences.unit); };
       for (std::size_t k = 0; k < differences.count; ++k) {
         const Differences::Triple& d = differences.triples[k];
-        rows_[k] = d.isFinite ? rowOf(in(d.x), in(d.y), in(d.r)) : infinityRow<Whole>();
+        rows_[k] = d.isFinite ? rowOf(in(d.x), in(d.y), in(d.r)) : infinityRow<FixedInteger>();
       }
       return;
     }
     Range range;
-    range.include(pole);
+    range.include(reference);
     for (Corner c : corners) {
       if (c != nullptr) range.include(*c);
     }
     if (!fits(range.lowest, range.highest)) return;
-    const auto in = [&](double v) { return Whole::inUnits(v, range.lowest); };
-    const Whole x = in(pole.x), y = in(pole.y), r = in(pole.r);
+    const auto in = [&](double v) { return FixedInteger::inUnits(v, range.lowest); };
+    const FixedInteger x = in(reference.x), y = in(reference.y), r = in(reference.r);
     std::size_t n = 0;
     for (Corner c : corners) {
-      rows_[n++] =
-          c != nullptr ? rowOf(in(c->x) - x, in(c->y) - y, in(c->r) - r) : infinityRow<Whole>();
+      rows_[n++] = c != nullptr ? rowOf(in(c->x) - x, in(c->y) - y, in(c->r) - r)
+                                : infinityRow<FixedInteger>();
     }
   }
 
   [[nodiscard]] bool hasEqualWeights() const { return haveEqualWeights(rows_); }
-  [[nodiscard]] const Row<Whole>& row(std::size_t k) const { return rows_[k]; }
-  [[nodiscard]] static Sign sign(const Whole& x, Depth) { return x.sign(); }
+  [[nodiscard]] const Row<FixedInteger>& row(std::size_t k) const { return rows_[k]; }
+  [[nodiscard]] static Sign sign(const FixedInteger& x, Roundings) { return x.sign(); }
   [[nodiscard]] bool failed() const { return failed_; }
 
  private:
   bool fits(int lowest, int highest) {
-    failed_ = highest >= lowest && highest - lowest > Whole::kInputBits - 3;
+    failed_ = highest >= lowest && highest - lowest > FixedInteger::kInputBits - 3;
     return !failed_;
   }
 
-  std::array<Row<Whole>, 4> rows_;
+  std::array<Row<FixedInteger>, 4> rows_;
   bool failed_ = false;
 };
 
 /// Exact stage: the same rows and signs over Dyadic.
-class ExactRows {
+class ExactKernel {
  public:
   using Number = Dyadic;
 
-  ExactRows(const Site& pole, std::initializer_list<Corner> corners) {
-    const Dyadic x(pole.x), y(pole.y), r(pole.r);
+  ExactKernel(const Site& reference, std::initializer_list<Corner> corners) {
+    const Dyadic x(reference.x), y(reference.y), r(reference.r);
     std::size_t n = 0;
     for (Corner c : corners) {
       rows_[n++] = c != nullptr ? rowOf(Dyadic(c->x) - x, Dyadic(c->y) - y, Dyadic(c->r) - r)
@@ -74,7 +74,7 @@ class ExactRows {
 
   [[nodiscard]] bool hasEqualWeights() const { return haveEqualWeights(rows_); }
   [[nodiscard]] const Row<Dyadic>& row(std::size_t k) const { return rows_[k]; }
-  [[nodiscard]] static Sign sign(const Dyadic& x, Depth) { return x.sign(); }
+  [[nodiscard]] static Sign sign(const Dyadic& x, Roundings) { return x.sign(); }
 
  private:
   std::array<Row<Dyadic>, 4> rows_;

@@ -8,10 +8,10 @@ namespace apollonius::stages {
 
 namespace {
 
-template <class Rows>
-Sign spanSign(const Rows& rows) {
-  const SpanForm<typename Rows::Number> form(rows.row(2), rows.row(1));
-  return signOfTwoRoots(form.c0, form.cl, rows.row(2).p, form.ck, rows.row(1).p, form.clk);
+template <class Kernel>
+Sign spanSign(const Kernel& kernel) {
+  const SpanForm<typename Kernel::Number> form(kernel.row(2), kernel.row(1));
+  return signOfTwoRoots(form.c0, form.cl, kernel.row(2).p, form.ck, kernel.row(1).p, form.clk);
 }
 
 }  // namespace
@@ -21,12 +21,12 @@ Sign lorentzExact(const Site& a, const Site& b) {
       .sign();
 }
 
-MaybeSign distanceWhole(double x, double y, const Site& a, const Site& b) {
-  WholeRows rows({x, y, 0}, {&a, &b});
-  if (rows.failed()) return {};
-  const Row<Whole>&s = rows.row(0), &t = rows.row(1);
-  return {signOfTwoRoots(t.r - s.r, Whole(1), s.x * s.x + s.y * s.y, Whole(-1),
-                         t.x * t.x + t.y * t.y, Whole(0)),
+MaybeSign distanceFixed(double x, double y, const Site& a, const Site& b) {
+  FixedKernel kernel({x, y, 0}, {&a, &b});
+  if (kernel.failed()) return {};
+  const Row<FixedInteger>&s = kernel.row(0), &t = kernel.row(1);
+  return {signOfTwoRoots(t.r - s.r, FixedInteger(1), s.x * s.x + s.y * s.y, FixedInteger(-1),
+                         t.x * t.x + t.y * t.y, FixedInteger(0)),
           true};
 }
 
@@ -41,64 +41,65 @@ Sign distanceExact(double x, double y, const Site& a, const Site& b) {
                         squaredTo(b), Dyadic(0));
 }
 
-MaybeSign vertexWhole(const Site& i, Corner j, Corner k, Corner q) {
-  WholeRows rows(i, {j, k, q});
-  if (rows.failed()) return {};
-  return {vertexSign(rows), true};
+MaybeSign vertexFixed(const Site& i, Corner j, Corner k, Corner q) {
+  FixedKernel kernel(i, {j, k, q});
+  if (kernel.failed()) return {};
+  return {vertexSign(kernel), true};
 }
 
 Sign vertexExact(const Site& i, Corner j, Corner k, Corner q) {
-  ExactRows rows(i, {j, k, q});
-  return vertexSign(rows);
+  ExactKernel kernel(i, {j, k, q});
+  return vertexSign(kernel);
 }
 
 bool isOppositeExact(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner) {
-  WholeRows whole(i, {j, k, q});
+  FixedKernel whole(i, {j, k, q});
   if (!whole.failed()) return isOpposite(whole, corner);
-  ExactRows exact(i, {j, k, q});
+  ExactKernel exact(i, {j, k, q});
   return isOpposite(exact, corner);
 }
 
-MaybeSign edgeWhole(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
-  WholeRows rows(i, {j, k, l, &q});
-  if (rows.failed()) return {};
-  return {edgeSign(rows, j == nullptr, probe, [&] { return spanSign(rows); }), true};
+MaybeSign edgeFixed(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
+  FixedKernel kernel(i, {j, k, l, &q});
+  if (kernel.failed()) return {};
+  return {edgeSign(kernel, j == nullptr, probe, [&] { return spanSign(kernel); }), true};
 }
 
 Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
-  ExactRows rows(i, {j, k, l, &q});
-  return edgeSign(rows, j == nullptr, probe, [&] { return spanSign(rows); });
+  ExactKernel kernel(i, {j, k, l, &q});
+  return edgeSign(kernel, j == nullptr, probe, [&] { return spanSign(kernel); });
 }
 
-MaybeSign rayWhole(double x, double y, const Site& i, Corner j, Corner k, RayPart part) {
+MaybeSign rayFixed(double x, double y, const Site& i, Corner j, Corner k, RayPart part) {
   const Site point{x, y, i.r};
-  WholeRows rows(i, {j, k, &point});
-  if (rows.failed()) return {};
-  return {raySign(rows, part), true};
+  FixedKernel kernel(i, {j, k, &point});
+  if (kernel.failed()) return {};
+  return {raySign(kernel, part), true};
 }
 
 Sign rayExact(double x, double y, const Site& i, Corner j, Corner k, RayPart part) {
   const Site point{x, y, i.r};
-  ExactRows rows(i, {j, k, &point});
-  return raySign(rows, part);
+  ExactKernel kernel(i, {j, k, &point});
+  return raySign(kernel, part);
 }
 
 Sign shadowTurnExact(const Site& i, const Site& j, const Site& l, const Site& k) {
-  ExactRows rows(i, {&j, &l, &k});  // so seldom asked that shorter numbers would only be more code
-  return shadowTurnSign(rows);
+  ExactKernel kernel(i,
+                     {&j, &l, &k});  // so seldom asked that shorter numbers would only be more code
+  return shadowTurnSign(kernel);
 }
 
 bool normalIsUpExact(const Site& i, const Site& j) {
-  const ExactRows rows(i, {&j});
-  const Row<Dyadic>& t = rows.row(0);
+  const ExactKernel kernel(i, {&j});
+  const Row<Dyadic>& t = kernel.row(0);
   const Sign y = signOfRoot(-(t.r * t.y), t.x, t.p);
   return y == Sign::kPositive ||
          (y == Sign::kZero && signOfRoot(-(t.r * t.x), -t.y, t.p) == Sign::kPositive);
 }
 
 Sign spanExact(const Site& i, const Site& l, const Site& k) {
-  const WholeRows whole(i, {nullptr, &k, &l});
-  return whole.failed() ? spanSign(ExactRows(i, {nullptr, &k, &l})) : spanSign(whole);
+  const FixedKernel whole(i, {nullptr, &k, &l});
+  return whole.failed() ? spanSign(ExactKernel(i, {nullptr, &k, &l})) : spanSign(whole);
 }
 
 }  // namespace apollonius::stages

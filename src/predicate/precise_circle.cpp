@@ -59,10 +59,10 @@ double halfQuotient(const Rounded& a, const Rounded& b, const Rounded& c) {
 }
 
 /// The circle of three sites of equal weights whose coordinates are multiples of one unit, no
-/// further apart than 2^17 of them. Then nothing is rounded but the centre's offset from the pole,
-/// a quotient of two integers, and what is computed from that: on grids, centres are right where
-/// doubles can hold them, and all faces with this pole and this centre get the same bits. The pole
-/// comes first.
+/// further apart than 2^17 of them. Then nothing is rounded but the centre's offset from the
+/// reference site, a quotient of two integers, and what is computed from that: on grids, centres
+/// are right where doubles can hold them, and all faces with this reference site and this centre
+/// get the same bits. The reference site comes first.
 bool circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& circle) {
   if (i.r != j.r || i.r != k.r) return false;
   const double jx = j.x - i.x, jy = j.y - i.y, kx = k.x - i.x, ky = k.y - i.y;
@@ -88,9 +88,9 @@ bool circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& ci
   return true;
 }
 
-/// A face in long numbers. Its vertex is at (x, y) from the pole, which is rho away, with 2c x = p
-/// a, 2c y = p b, 2c rho = p n, c > 0, and each of a, b, c of the form first + second √d (as in
-/// voronoiCircle()).
+/// A face in long numbers. Its vertex is at (x, y) from the reference site, which is rho away, with
+/// 2c x = p a, 2c y = p b, 2c rho = p n, c > 0, and each of a, b, c of the form first + second √d
+/// (as in voronoiCircle()).
 struct LongFace {
   struct Number {
     Dyadic first, second;
@@ -100,9 +100,9 @@ struct LongFace {
   Number a, b, c;
 
   LongFace(const Site& i, const Site& j, const Site& k) {
-    const ExactRows rows(i, {&j, &k});
-    row = rows.row(0);
-    const auto [u, v, w] = chordOf(row, rows.row(1));
+    const ExactKernel kernel(i, {&j, &k});
+    row = kernel.row(0);
+    const auto [u, v, w] = chordOf(row, kernel.row(1));
     n = u * u + v * v;
     d = n - w * w;
     a = {-(w * u), v};
@@ -160,7 +160,7 @@ bool haveFewDigits(std::initializer_list<const Site*> sites) {
 }  // namespace
 
 VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k) {
-  rotateToPole(i, j, k);
+  rotateToReference(i, j, k);
   VoronoiCircle onGrid;
   if (j != nullptr && k != nullptr && circleOnGrid(*i, *j, *k, onGrid)) return onGrid;
   const VoronoiCircle quick = voronoiCircle(i, j, k);
@@ -168,7 +168,7 @@ VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k) {
   const bool isKnown = quick.error < std::numeric_limits<float>::infinity();
   if (quick.isHalfPlane() || (isKnown && quick.error <= powerOfTwo(-40) * size)) return quick;
 
-  // The centre is half p (a, b) / c from the pole, and half p n / c is its distance.
+  // The centre is half p (a, b) / c from the reference site, and half p n / c is its distance.
   const LongFace face(*i, *j, *k);
   const Rounded p = face.row.p.rounded();
   const Rounded a = withRoot(face.a.first, face.a.second, face.d),
@@ -191,7 +191,7 @@ VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k) {
 
 VoronoiCircle commonVoronoiCircle(const Site& first, const Site& second, const Site& third) {
   Corner i = &first, j = &second, k = &third;
-  rotateToPole(i, j, k);
+  rotateToReference(i, j, k);
   VoronoiCircle circle = preciseVoronoiCircle(i, j, k);
   const double rho = circle.s + i->r;
   VoronoiCircle onGrid;

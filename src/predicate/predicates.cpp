@@ -58,7 +58,7 @@ Sign vertexSign(const Site& i, Corner j, Corner k, Corner q) {
     return question.settled();
   if (question.isSettledBy(stages::vertexMiddle(i, j, k, q), counts().vertexMiddle))
     return question.settled();
-  if (question.isSettledBy(stages::vertexWhole(i, j, k, q), counts().vertexWhole))
+  if (question.isSettledBy(stages::vertexFixed(i, j, k, q), counts().vertexFixed))
     return question.settled();
   return question.exact();
 }
@@ -66,7 +66,7 @@ Sign vertexSign(const Site& i, Corner j, Corner k, Corner q) {
 /// Is the vertex of the face nearer to q than to the face's sites? q is infinite to ask whether the
 /// face has no circle.
 bool circleIsBeaten(Corner i, Corner j, Corner k, Corner q) {
-  rotateToPole(i, j, k);
+  rotateToReference(i, j, k);
   const Sign sign = vertexSign(*i, j, k, q);
   if (sign != Sign::kZero) return sign == Sign::kPositive;
   ++counts().vertexDegenerate;
@@ -87,7 +87,7 @@ Sign raySign(double x, double y, const VoronoiCircle& circle, const Site& i, Cor
     return question.settled();
   if (question.isSettledBy(stages::rayMiddle(x, y, i, j, k, part), counts().rayMiddle))
     return question.settled();
-  if (question.isSettledBy(stages::rayWhole(x, y, i, j, k, part), counts().rayWhole))
+  if (question.isSettledBy(stages::rayFixed(x, y, i, j, k, part), counts().rayFixed))
     return question.settled();
   return question.exact();
 }
@@ -97,7 +97,7 @@ bool coversCorner(const Site& q, Corner c) { return c != nullptr && covers(q, *c
 /// `atK`, `atL`: cached circles of the edge's faces, or nullptr.
 bool probeIsInRange(EdgeCorners e, const VoronoiCircle* atK, const VoronoiCircle* atL,
                     const Site& q, stages::Probe probe) {
-  if (isBetterPole(e.j, e.i)) {  // the same edge seen from its other side
+  if (isBetterReference(e.j, e.i)) {  // the same edge seen from its other side
     e = {e.j, e.i, e.l, e.k};
     std::swap(atK, atL);
   }
@@ -115,7 +115,7 @@ bool probeIsInRange(EdgeCorners e, const VoronoiCircle* atK, const VoronoiCircle
     if (question.isSettledBy(stages::edgeMiddle(*e.i, e.j, e.k, e.l, q, probe),
                              counts().edgeMiddle))
       return question.settled();
-    if (question.isSettledBy(stages::edgeWhole(*e.i, e.j, e.k, e.l, q, probe), counts().edgeWhole))
+    if (question.isSettledBy(stages::edgeFixed(*e.i, e.j, e.k, e.l, q, probe), counts().edgeFixed))
       return question.settled();
     return question.exact();
   };
@@ -140,7 +140,7 @@ Sign compareDistance(double x, double y, const Site& a, const Site& b) {
     return question.settled();
   if (question.isSettledBy(stages::distanceMiddle(x, y, a, b), counts().distanceMiddle))
     return question.settled();
-  if (question.isSettledBy(stages::distanceWhole(x, y, a, b), counts().distanceWhole))
+  if (question.isSettledBy(stages::distanceFixed(x, y, a, b), counts().distanceFixed))
     return question.settled();
   return question.exact();
 }
@@ -177,7 +177,7 @@ Bearing bearingOf(double x, double y, const VoronoiCircle& circle, const Site& i
 
 bool touchesCircle(const Site& i, const Site& j, const Site& k, const Site& q) {
   Corner a = &i, b = &j, c = &k;
-  rotateToPole(a, b, c);
+  rotateToReference(a, b, c);
   return vertexSign(*a, b, c, &q) == Sign::kZero;
 }
 

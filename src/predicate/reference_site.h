@@ -1,6 +1,7 @@
-// Choice of the pole: the site of a face or an edge from which the others are seen. The largest one
-// is taken, so that the directions of a bounded edge span at most half a turn, the degenerate rule
-// applies directly, and equal triples of sites are computed alike whichever comes first.
+// Choice of the reference site: the site of a face or an edge from which the others are seen. The
+// largest one is taken, so that the directions of a bounded edge span at most half a turn, the
+// degenerate rule applies directly, and equal triples of sites are computed alike whichever comes
+// first.
 #pragma once
 
 #include <utility>
@@ -9,17 +10,17 @@
 
 namespace apollonius {
 
-/// Is `a` to be the pole rather than b?
-inline bool isBetterPole(Corner a, Corner b) {
+/// Is `a` to be the reference site rather than b?
+inline bool isBetterReference(Corner a, Corner b) {
   return a != nullptr && (b == nullptr || precedes(*b, *a));
 }
 
 /// Rotates a face so that its largest finite site comes first.
-inline void rotateToPole(Corner& i, Corner& j, Corner& k) {
-  if (isBetterPole(j, i) && !isBetterPole(k, j)) {
+inline void rotateToReference(Corner& i, Corner& j, Corner& k) {
+  if (isBetterReference(j, i) && !isBetterReference(k, j)) {
     std::swap(i, j);
     std::swap(j, k);
-  } else if (isBetterPole(k, i)) {
+  } else if (isBetterReference(k, i)) {
     std::swap(i, k);
     std::swap(j, k);
   }

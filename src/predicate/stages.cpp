@@ -32,18 +32,18 @@ MaybeSign isOppositeOfPoints(const Site& i, Corner j, Corner k, Corner q, FaceCo
 }
 
 /// The sign of SpanForm. Rows of doubles: roots are not among what they compute exactly.
-template <class Rows>
-Sign roundedSpanSign(Rows& rows, bool& failed) {
-  using T = typename Rows::Number;
+template <class Kernel>
+Sign roundedSpanSign(Kernel& kernel, bool& failed) {
+  using T = typename Kernel::Number;
   // The other terms are zero, and there is no root to be taken: on the hull of a grid, where most
   // spans are zero.
-  if (rows.hasEqualWeights())
-    return rows.sign(SpanForm<T>(rows.row(2), rows.row(1)).clk, kSpan.clk);
+  if (kernel.hasEqualWeights())
+    return kernel.sign(SpanForm<T>(kernel.row(2), kernel.row(1)).clk, kSpan.clk);
   // Roots of rounded numbers: a running error bound instead of the constant one.
-  const auto ball = [](T a, Depth depth) {
-    return Ball::bounded(a.value, boundFactor(depth) * a.magnitude + kUnderflow);
+  const auto ball = [](T a, Roundings roundings) {
+    return Ball::bounded(a.value, errorFactor(roundings) * a.magnitude + kUnderflow);
   };
-  const Row<T> k = rows.row(1), l = rows.row(2);
+  const Row<T> k = kernel.row(1), l = kernel.row(2);
   const SpanForm<T> form(l, k);
   const Ball rootK = sqrt(ball(k.p, kRow.p)), rootL = sqrt(ball(l.p, kRow.p));
   const Ball span = ball(form.c0, kSpan.c0) + ball(form.cl, kSpan.cl) * rootL +
@@ -60,13 +60,13 @@ Sign roundedSpanSign(Rows& rows, bool& failed) {
 
 MaybeSign lorentzFilter(const Site& a, const Site& b) {
   const Approx p = lorentz(Approx(a.x - b.x), Approx(a.y - b.y), Approx(a.r - b.r));
-  return filteredSign(p, boundFactor(kRow.p));
+  return filteredSign(p, errorFactor(kRow.p));
 }
 
 MaybeSign lorentzMiddle(const Site& a, const Site& b) {
-  UnitRows rows(a, {&b});
-  const Sign sign = rows.sign(rows.row(0).p, kRow.p);
-  return {sign, !rows.failed()};
+  UnitKernel kernel(a, {&b});
+  const Sign sign = kernel.sign(kernel.row(0).p, kRow.p);
+  return {sign, !kernel.failed()};
 }
 
 // --- Distance
@@ -83,10 +83,10 @@ MaybeSign distanceFilter(double x, double y, const Site& a, const Site& b) {
 MaybeSign distanceMiddle(double x, double y, const Site& a, const Site& b) {
   if (a.r != b.r) return {};
   const Site p{x, y, a.r};
-  UnitRows rows(p, {&a, &b});
-  const Sign sign =
-      rows.sign(rows.row(0).p - rows.row(1).p, kRow.p);  // equal weights: the squared distances
-  return {sign, !rows.failed()};
+  UnitKernel kernel(p, {&a, &b});
+  const Sign sign = kernel.sign(kernel.row(0).p - kernel.row(1).p,
+                                kRow.p);  // equal weights: the squared distances
+  return {sign, !kernel.failed()};
 }
 
 // --- Vertex conflict
@@ -134,20 +134,20 @@ MaybeSign vertexOfPoints(const Site& i, Corner j, Corner k, Corner q) {
     size += p[n] * (hasExactMinors ? absolute(ab - ba) : absolute(ab) + absolute(ba));
   }
   if (isExact || (hasExactMinors && size == 0)) return {-signOf(sum), true};
-  const MaybeSign sign = filteredSign({sum, size}, boundFactor(kVertex.xy));
+  const MaybeSign sign = filteredSign({sum, size}, errorFactor(kVertex.xy));
   return {-sign.sign, sign.known};
 }
 
 MaybeSign vertexFilter(const Site& i, Corner j, Corner k, Corner q) {
-  FilterRows rows(i, {j, k, q});
-  const Sign sign = vertexSign(rows);
-  return {sign, !rows.failed()};
+  FilterKernel kernel(i, {j, k, q});
+  const Sign sign = vertexSign(kernel);
+  return {sign, !kernel.failed()};
 }
 
 MaybeSign vertexMiddle(const Site& i, Corner j, Corner k, Corner q) {
-  UnitRows rows(i, {j, k, q});
-  const Sign sign = vertexSign(rows);
-  return {sign, !rows.failed()};
+  UnitKernel kernel(i, {j, k, q});
+  const Sign sign = vertexSign(kernel);
+  return {sign, !kernel.failed()};
 }
 
 bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q) {
@@ -156,11 +156,11 @@ bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q) {
   if (q == nullptr) return true;
   const FaceCorner z = j == nullptr   ? FaceCorner::kJ
                        : k == nullptr ? FaceCorner::kK
-                                      : FaceCorner::kPole;
-  if (z == FaceCorner::kPole && precedes(i, *q)) return true;
+                                      : FaceCorner::kReference;
+  if (z == FaceCorner::kReference && precedes(i, *q)) return true;
   if (const MaybeSign quick = isOppositeOfPoints(i, j, k, q, z); quick.known)
     return quick.sign == Sign::kPositive;
-  FilterRows filter(i, {j, k, q});
+  FilterKernel filter(i, {j, k, q});
   const bool probably = isOpposite(filter, z);
   if (!filter.failed()) return probably;
   return isOppositeExact(i, j, k, q, z);
@@ -169,35 +169,35 @@ bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q) {
 // --- Edge conflict
 
 MaybeSign edgeFilter(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
-  FilterRows rows(i, {j, k, l, &q});
+  FilterKernel kernel(i, {j, k, l, &q});
   bool spanFailed = false;
   const Sign sign =
-      edgeSign(rows, j == nullptr, probe, [&] { return roundedSpanSign(rows, spanFailed); });
-  return {sign, !rows.failed() && !spanFailed};
+      edgeSign(kernel, j == nullptr, probe, [&] { return roundedSpanSign(kernel, spanFailed); });
+  return {sign, !kernel.failed() && !spanFailed};
 }
 
 MaybeSign edgeMiddle(const Site& i, Corner j, Corner k, Corner l, const Site& q, Probe probe) {
-  UnitRows rows(i, {j, k, l, &q});
+  UnitKernel kernel(i, {j, k, l, &q});
   bool spanFailed = false;
   const Sign sign =
-      edgeSign(rows, j == nullptr, probe, [&] { return roundedSpanSign(rows, spanFailed); });
-  return {sign, !rows.failed() && !spanFailed};
+      edgeSign(kernel, j == nullptr, probe, [&] { return roundedSpanSign(kernel, spanFailed); });
+  return {sign, !kernel.failed() && !spanFailed};
 }
 
 // --- Rays
 
 MaybeSign rayFilter(double x, double y, const Site& i, Corner j, Corner k, RayPart part) {
   const Site point{x, y, i.r};
-  FilterRows rows(i, {j, k, &point});
-  const Sign sign = raySign(rows, part);
-  return {sign, !rows.failed()};
+  FilterKernel kernel(i, {j, k, &point});
+  const Sign sign = raySign(kernel, part);
+  return {sign, !kernel.failed()};
 }
 
 MaybeSign rayMiddle(double x, double y, const Site& i, Corner j, Corner k, RayPart part) {
   const Site point{x, y, i.r};
-  UnitRows rows(i, {j, k, &point});
-  const Sign sign = raySign(rows, part);
-  return {sign, !rows.failed()};
+  UnitKernel kernel(i, {j, k, &point});
+  const Sign sign = raySign(kernel, part);
+  return {sign, !kernel.failed()};
 }
 
 Counts& counts() {
@@ -208,9 +208,9 @@ Counts& counts() {
 // --- Order along an edge
 
 MaybeSign shadowTurnFilter(const Site& i, const Site& j, const Site& l, const Site& k) {
-  FilterRows rows(i, {&j, &l, &k});
-  const Sign sign = shadowTurnSign(rows);
-  return {sign, !rows.failed()};
+  FilterKernel kernel(i, {&j, &l, &k});
+  const Sign sign = shadowTurnSign(kernel);
+  return {sign, !kernel.failed()};
 }
 
 }  // namespace apollonius::stages

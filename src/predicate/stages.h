@@ -1,8 +1,8 @@
 // The stages of each predicate under fixed names, for predicates.cpp and for tests that assert
 // which stage answers. A filter never contradicts the exact stage; it says "unknown" instead. There
-// are two middle stages: `Middle` computes in doubles without rounding (small integers), `Whole` in
-// integers of fixed room (number/fixed_integer.h). REQUIRES of each: as of its predicate in
-// predicates.h.
+// are two middle stages: `Middle` computes in doubles without rounding (small integers),
+// `FixedInteger` in integers of fixed room (number/fixed_integer.h). REQUIRES of each: as of its
+// predicate in predicates.h.
 #pragma once
 
 #include "number/approx.h"
@@ -21,7 +21,7 @@ namespace apollonius::stages {
 [[nodiscard]] MaybeSign distanceFilter(double x, double y, const Site& a, const Site& b);
 /// For sites of equal weights only.
 [[nodiscard]] MaybeSign distanceMiddle(double x, double y, const Site& a, const Site& b);
-[[nodiscard]] MaybeSign distanceWhole(double x, double y, const Site& a, const Site& b);
+[[nodiscard]] MaybeSign distanceFixed(double x, double y, const Site& a, const Site& b);
 [[nodiscard]] Sign distanceExact(double x, double y, const Site& a, const Site& b);
 
 /// i is finite and the largest of the finite ones among i, j, k; q covers none of them; at most one
@@ -32,18 +32,18 @@ namespace apollonius::stages {
 [[nodiscard]] MaybeSign vertexOfPoints(const Site& i, Corner j, Corner k, Corner q);
 [[nodiscard]] MaybeSign vertexFilter(const Site& i, Corner j, Corner k, Corner q);
 [[nodiscard]] MaybeSign vertexMiddle(const Site& i, Corner j, Corner k, Corner q);
-[[nodiscard]] MaybeSign vertexWhole(const Site& i, Corner j, Corner k, Corner q);
+[[nodiscard]] MaybeSign vertexFixed(const Site& i, Corner j, Corner k, Corner q);
 [[nodiscard]] Sign vertexExact(const Site& i, Corner j, Corner k, Corner q);
 /// The answer where vertexExact is zero.
 [[nodiscard]] bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q);
 /// Its geometric part in long integers: of four sites that touch one circle (or line: one is
 /// infinite), is q opposite to this corner?
-enum class FaceCorner : unsigned char { kPole, kJ, kK };
+enum class FaceCorner : unsigned char { kReference, kJ, kK };
 [[nodiscard]] bool isOppositeExact(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner);
 
-/// The direction from the pole whose membership in the edge's range of directions decides an edge
-/// conflict: the middle of q's shadow on the bisector (neither end in conflict), or its opposite
-/// (both ends in conflict).
+/// The direction from the reference site whose membership in the edge's range of directions decides
+/// an edge conflict: the middle of q's shadow on the bisector (neither end in conflict), or its
+/// opposite (both ends in conflict).
 enum class Probe : signed char { kMiddle = 1, kOpposite = -1 };
 
 /// The first filter of edge conflicts: as edgeFilter, but the directions of the edge's ends come
@@ -57,7 +57,7 @@ enum class Probe : signed char { kMiddle = 1, kOpposite = -1 };
                                    Probe probe);
 [[nodiscard]] MaybeSign edgeMiddle(const Site& i, Corner j, Corner k, Corner l, const Site& q,
                                    Probe probe);
-[[nodiscard]] MaybeSign edgeWhole(const Site& i, Corner j, Corner k, Corner l, const Site& q,
+[[nodiscard]] MaybeSign edgeFixed(const Site& i, Corner j, Corner k, Corner l, const Site& q,
                                   Probe probe);
 [[nodiscard]] Sign edgeExact(const Site& i, Corner j, Corner k, Corner l, const Site& q,
                              Probe probe);
@@ -69,7 +69,7 @@ enum class RayPart : signed char { kLeftwards, kAlong };
                                   RayPart part);
 [[nodiscard]] MaybeSign rayMiddle(double x, double y, const Site& i, Corner j, Corner k,
                                   RayPart part);
-[[nodiscard]] MaybeSign rayWhole(double x, double y, const Site& i, Corner j, Corner k,
+[[nodiscard]] MaybeSign rayFixed(double x, double y, const Site& i, Corner j, Corner k,
                                  RayPart part);
 [[nodiscard]] Sign rayExact(double x, double y, const Site& i, Corner j, Corner k, RayPart part);
 
@@ -92,23 +92,23 @@ struct Counts {
   unsigned long long lorentzExact = 0;
   unsigned long long distanceFilter = 0;
   unsigned long long distanceMiddle = 0;
-  unsigned long long distanceWhole = 0;
+  unsigned long long distanceFixed = 0;
   unsigned long long distanceExact = 0;
   unsigned long long vertexOfPoints = 0;
   unsigned long long vertexFilter = 0;
   unsigned long long vertexMiddle = 0;
-  unsigned long long vertexWhole = 0;
+  unsigned long long vertexFixed = 0;
   unsigned long long vertexExact = 0;
   unsigned long long vertexDegenerate = 0;
   unsigned long long edgeCached = 0;
   unsigned long long edgeFilter = 0;
   unsigned long long edgeMiddle = 0;
-  unsigned long long edgeWhole = 0;
+  unsigned long long edgeFixed = 0;
   unsigned long long edgeExact = 0;
   unsigned long long rayCached = 0;
   unsigned long long rayFilter = 0;
   unsigned long long rayMiddle = 0;
-  unsigned long long rayWhole = 0;
+  unsigned long long rayFixed = 0;
   unsigned long long rayExact = 0;
 };
 [[nodiscard]] Counts& counts();

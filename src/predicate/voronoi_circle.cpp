@@ -17,9 +17,10 @@ double largest(const Row<double>& row) {
   return std::max({absolute(row.x), absolute(row.y), absolute(row.r)});
 }
 
-/// Differences to the pole times a power of two: one rounding each.
-Row<double> rowFrom(const Site& pole, const Site& s, double scale) {
-  return rowOf((s.x - pole.x) * scale, (s.y - pole.y) * scale, (s.r - pole.r) * scale);
+/// Differences to the reference site times a power of two: one rounding each.
+Row<double> rowFrom(const Site& reference, const Site& s, double scale) {
+  return rowOf((s.x - reference.x) * scale, (s.y - reference.y) * scale,
+               (s.r - reference.r) * scale);
 }
 
 /// x² + y² + r²: what the roundings in p = x² + y² - r² are relative to; |error of p| <= 5u times
@@ -32,9 +33,9 @@ enum class Existence : unsigned char { kYes, kNo, kUnknown };
 /// Circle of three finite sites, and a bound on its error. It exists exactly if the denominator
 /// below is positive.
 ///
-/// Direction of the vertex from the pole: n (cos, sin) = (a, b) = (v √D - w u, -u √D - w v), with
-/// (u, v, w) = chordOf(j, k), n = u² + v² and D = p_jk p_j p_k = n - w²; distance rho = n f with f
-/// = p_j / (2 (a x_j + b y_j + n r_j)); docs/PREDICATES.md.
+/// Direction of the vertex from the reference site: n (cos, sin) = (a, b) = (v √D - w u, -u √D - w
+/// v), with (u, v, w) = chordOf(j, k), n = u² + v² and D = p_jk p_j p_k = n - w²; distance rho = n
+/// f with f = p_j / (2 (a x_j + b y_j + n r_j)); docs/PREDICATES.md.
 ///
 /// Bound, to first order in u (the unit roundoff), eX being the error of X and g = |u| + |v| >= √n
 /// >= |w|, √D:
@@ -51,14 +52,15 @@ enum class Existence : unsigned char { kYes, kNo, kUnknown };
 /// Products of errors are smaller than the terms above by the largest relative error, which is
 /// demanded to be at most 2^-10; the roundings in the bound itself are fewer than 2^6, a 2^-46th. A
 /// factor of 1 + 2^-5 covers both.
-Existence boundedCircle(const Site& pole, const Site& sj, const Site& sk, VoronoiCircle& circle) {
+Existence boundedCircle(const Site& reference, const Site& sj, const Site& sk,
+                        VoronoiCircle& circle) {
   constexpr double u1 = kUnitRoundoff;
-  Row<double> j = rowFrom(pole, sj, 1), k = rowFrom(pole, sk, 1);
+  Row<double> j = rowFrom(reference, sj, 1), k = rowFrom(reference, sk, 1);
   const double size = std::max(largest(j), largest(k));
   const double scale = inputScale(size);
   if (scale != 1) {
-    j = rowFrom(pole, sj, scale);
-    k = rowFrom(pole, sk, scale);
+    j = rowFrom(reference, sj, scale);
+    k = rowFrom(reference, sk, scale);
   }
   const Row<double> jk = rowFrom(sj, sk, scale);
   const Chord<double> chord = chordOf(j, k);
@@ -73,9 +75,9 @@ Existence boundedCircle(const Site& pole, const Site& sj, const Site& sk, Vorono
   const double rho = f * n;
 
   circle.slope = -1;
-  circle.x = pole.x + f * a / scale;
-  circle.y = pole.y + f * b / scale;
-  circle.s = rho / scale - pole.r;
+  circle.x = reference.x + f * a / scale;
+  circle.y = reference.y + f * b / scale;
+  circle.s = rho / scale - reference.r;
 
   const double mj = magnitude(j), mk = magnitude(k);
   const double lj = largest(j), lk = largest(k);
@@ -103,19 +105,22 @@ Existence boundedCircle(const Site& pole, const Site& sj, const Site& sk, Vorono
   return Existence::kYes;
 }
 
-/// Half-plane of two finite sites, the pole and t; `side` is +1 if it is the pole's left on the way
-/// to t, else -1. There are few of these faces, so the bound is computed along with the value.
-VoronoiCircle halfPlane(const Site& pole, const Site& t, int side) {
-  const double size =
-      std::max({absolute(t.x - pole.x), absolute(t.y - pole.y), absolute(t.r - pole.r)});
+/// Half-plane of two finite sites, the reference site and t; `side` is +1 if it is the reference
+/// site's left on the way to t, else -1. There are few of these faces, so the bound is computed
+/// along with the value.
+VoronoiCircle halfPlane(const Site& reference, const Site& t, int side) {
+  const double size = std::max(
+      {absolute(t.x - reference.x), absolute(t.y - reference.y), absolute(t.r - reference.r)});
   const double scale = inputScale(size);
-  const Ball x = Ball::rounded((t.x - pole.x) * scale), y = Ball::rounded((t.y - pole.y) * scale);
-  const Ball r = Ball::rounded((t.r - pole.r) * scale);
+  const Ball x = Ball::rounded((t.x - reference.x) * scale),
+             y = Ball::rounded((t.y - reference.y) * scale);
+  const Ball r = Ball::rounded((t.r - reference.r) * scale);
   const Ball n = x * x + y * y;
   const Ball root = Ball(side) * sqrt(lorentz(x, y, r));
   // The direction (a, b) of boundedCircle with t for one row and infinity for the other.
   const Ball a = (Ball(0) - (y * root + r * x)) / n, b = (x * root - r * y) / n;
-  const Ball offset = a * Ball::exact(pole.x) + b * Ball::exact(pole.y) + Ball::exact(pole.r);
+  const Ball offset =
+      a * Ball::exact(reference.x) + b * Ball::exact(reference.y) + Ball::exact(reference.r);
   VoronoiCircle plane;
   plane.x = a.value();
   plane.y = b.value();
@@ -128,7 +133,7 @@ VoronoiCircle halfPlane(const Site& pole, const Site& t, int side) {
 }  // namespace
 
 VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k) {
-  rotateToPole(i, j, k);
+  rotateToReference(i, j, k);
   if (k == nullptr) return halfPlane(*i, *j, 1);
   if (j == nullptr) return halfPlane(*i, *k, -1);
   VoronoiCircle circle;
@@ -137,14 +142,14 @@ VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k) {
 }
 
 bool findCertainVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle) noexcept {
-  rotateToPole(i, j, k);
+  rotateToReference(i, j, k);
   if (k != nullptr && j != nullptr) return boundedCircle(*i, *j, *k, circle) == Existence::kYes;
   circle = k == nullptr ? halfPlane(*i, *j, 1) : halfPlane(*i, *k, -1);
   return true;
 }
 
 bool findVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle) {
-  rotateToPole(i, j, k);
+  rotateToReference(i, j, k);
   if (j == nullptr || k == nullptr) {
     circle = voronoiCircle(i, j, k);
     return true;

@@ -28,10 +28,10 @@ constexpr std::size_t kSlack = kShadowCheck ? 3 : 1;
 std::size_t answers() {
   const stages::Counts& c = stages::counts();
   const unsigned long long all = c.lorentzFilter + c.lorentzMiddle + c.lorentzExact +
-                                 c.distanceFilter + c.distanceMiddle + c.distanceWhole +
+                                 c.distanceFilter + c.distanceMiddle + c.distanceFixed +
                                  c.distanceExact + c.vertexOfPoints + c.vertexFilter +
-                                 c.vertexMiddle + c.vertexWhole + c.vertexExact + c.edgeCached +
-                                 c.edgeFilter + c.edgeMiddle + c.edgeWhole + c.edgeExact;
+                                 c.vertexMiddle + c.vertexFixed + c.vertexExact + c.edgeCached +
+                                 c.edgeFilter + c.edgeMiddle + c.edgeFixed + c.edgeExact;
   return static_cast<std::size_t>(all);
 }
 

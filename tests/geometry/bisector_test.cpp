@@ -17,28 +17,28 @@ double distanceTo(const Site& s, Point p) { return length(p - Point{s.x, s.y}) -
 
 /// Two circles of which neither covers the other; `gap` is how far the smaller one sticks out, in
 /// units of its distance.
-void randomPair(Random& random, double gap, Site& pole, Site& other) {
+void randomPair(Random& random, double gap, Site& reference, Site& other) {
   const Direction d = randomDirection(random);
   const double distance = random.between(1, 1000);
-  pole = {random.between(-100, 100), random.between(-100, 100), random.between(0, 10)};
-  other = {pole.x + distance * d.x, pole.y + distance * d.y, 0};
-  other.r = pole.r - distance * (1 - gap);
+  reference = {random.between(-100, 100), random.between(-100, 100), random.between(0, 10)};
+  other = {reference.x + distance * d.x, reference.y + distance * d.y, 0};
+  other.r = reference.r - distance * (1 - gap);
 }
 
 TEST(Bisector, PointsAreEquallyFarFromBothSites) {
   Random random(501);
   for (int run = 0; run < runs(3000); ++run) {
-    Site pole, other;
+    Site reference, other;
     const double gap = run % 3 == 0   ? 1
                        : run % 3 == 1 ? random.unit()
                                       : 1e-9 * random.unit() + 1e-12;
-    randomPair(random, gap, pole, other);
-    const Bisector bisector(pole, other);
+    randomPair(random, gap, reference, other);
+    const Bisector bisector(reference, other);
     ASSERT_TRUE(bisector.isKnown());
     for (const double e : {1e-6, 0.01, 0.5, 1.0, 1.7, 40.0, 1e5}) {
       const Point p = bisector.at(e);
       const double size = length(p) + 2000;
-      ASSERT_NEAR(distanceTo(pole, p), distanceTo(other, p), 1e-14 * size)
+      ASSERT_NEAR(distanceTo(reference, p), distanceTo(other, p), 1e-14 * size)
           << "run " << run << " e " << e;
       // Where the curve is steep, the parameter is as good as the point.
       const Point again = bisector.at(bisector.parameterOf(p));
@@ -50,16 +50,16 @@ TEST(Bisector, PointsAreEquallyFarFromBothSites) {
 TEST(Bisector, PiecesAreExactlyRationalQuadratic) {
   Random random(502);
   for (int run = 0; run < runs(2000); ++run) {
-    Site pole, other;
-    randomPair(random, run % 2 == 0 ? random.unit() : 1, pole, other);
-    const Bisector bisector(pole, other);
+    Site reference, other;
+    randomPair(random, run % 2 == 0 ? random.unit() : 1, reference, other);
+    const Bisector bisector(reference, other);
     const double e0 = random.between(0.01, 2), e1 = e0 * random.between(1.001, 300);
     const Conic piece = bisector.piece(e0, e1);
-    EXPECT_EQ(piece.isStraight(), pole.r == other.r);
+    EXPECT_EQ(piece.isStraight(), reference.r == other.r);
     for (double t = 0; t <= 1; t += 0.125) {
       const Point p = piece.at(t);
       const double size = length(p) + 2000;
-      ASSERT_NEAR(distanceTo(pole, p), distanceTo(other, p), 1e-12 * size) << "run " << run;
+      ASSERT_NEAR(distanceTo(reference, p), distanceTo(other, p), 1e-12 * size) << "run " << run;
       // Tangents of the piece and of the bisector are parallel, and the same way.
       const Point along = piece.tangent(t), tangent = bisector.tangent(bisector.parameterOf(p));
       if (piece.isStraight() && (t == 0 || t == 1))
@@ -78,9 +78,9 @@ TEST(Bisector, AsymptotesAndOrientation) {
     EXPECT_NEAR(cross(far, direction) / length(far), 0, 1e-6);
     EXPECT_GT(dot(far, direction), 0);
   }
-  // Counter-clockwise about the pole.
+  // Counter-clockwise about the reference site.
   EXPECT_GT(cross(bisector.at(1), bisector.at(2)), 0);
-  // The middle of the gap: 6 from the pole's centre.
+  // The middle of the gap: 6 from the reference site's centre.
   EXPECT_NEAR(bisector.at(1).x, 6, 1e-15);
 }
 
@@ -88,9 +88,9 @@ TEST(Bisector, LinesAreCrossedWhereTheyAre) {
   Random random(503);
   int crossed = 0;
   for (int run = 0; run < runs(20000); ++run) {
-    Site pole, other;
-    randomPair(random, random.unit(), pole, other);
-    const Bisector bisector(pole, other);
+    Site reference, other;
+    randomPair(random, random.unit(), reference, other);
+    const Bisector bisector(reference, other);
     const Direction d = randomDirection(random);
     const Point normal{d.x, d.y};
     const double offset = random.between(-800, 800);
@@ -128,13 +128,13 @@ TEST(Bisector, LinesAlongAnAsymptoteAreCrossedAtItsEnd) {
   Random random(504);
   const double infinity = std::numeric_limits<double>::infinity();
   for (int run = 0; run < runs(2000); ++run) {
-    Site pole, other;
-    randomPair(random, random.unit(), pole, other);
-    const Bisector bisector(pole, other);
+    Site reference, other;
+    randomPair(random, random.unit(), reference, other);
+    const Bisector bisector(reference, other);
     for (const bool upper : {false, true}) {
       const Point direction = bisector.asymptote(upper);
       const Point normal{-direction.y, direction.x};
-      const double offset = dot(normal, bisector.pole()) - 1e4;
+      const double offset = dot(normal, bisector.reference()) - 1e4;
       const LineForm form(bisector, normal, offset);
       if (upper) {
         EXPECT_GT(form.fall(0, infinity), 1e10) << "run " << run;

@@ -1,5 +1,5 @@
 // The theorem of number/approx.h on the predicates' own formulas: the exact value lies within
-// boundFactor * magnitude + kUnderflow of the computed one. Exact values from Dyadic.
+// errorFactor * magnitude + kUnderflow of the computed one. Exact values from Dyadic.
 #include "number/approx.h"
 
 #include <gtest/gtest.h>
@@ -16,41 +16,41 @@ namespace {
 
 using test::Random;
 
-void expectWithinBound(Approx computed, Depth depth, const Dyadic& exact) {
-  const double bound = boundFactor(depth) * computed.magnitude + kUnderflow;
+void expectWithinBound(Approx computed, Roundings roundings, const Dyadic& exact) {
+  const double bound = errorFactor(roundings) * computed.magnitude + kUnderflow;
   const Dyadic error = Dyadic(computed.value) - exact;
   EXPECT_NE((error - Dyadic(bound)).sign(), Sign::kPositive) << computed.value;
   EXPECT_NE((error + Dyadic(bound)).sign(), Sign::kNegative) << computed.value;
-  const MaybeSign filtered = filteredSign(computed, boundFactor(depth));
+  const MaybeSign filtered = filteredSign(computed, errorFactor(roundings));
   if (filtered.known) {
     EXPECT_EQ(filtered.sign, exact.sign());
   }
 }
 
-/// Two sites' coordinates whose difference gets rounded: that is the rounding which Depth::Input
-/// counts.
+/// Two sites' coordinates whose difference gets rounded: that is the rounding which
+/// Roundings::Input counts.
 struct Difference {
   double a, b;
   [[nodiscard]] Approx approx() const { return Approx(a - b); }
   [[nodiscard]] Dyadic exact() const { return Dyadic(a) - Dyadic(b); }
 };
 
-TEST(Depth, CountsRoundings) {
-  constexpr Depth input{Depth::Input{}};
-  static_assert((input + input).roundings == 2);
-  static_assert((input * input).roundings == 3);
-  static_assert((input * input + input).roundings == 4);
-  static_assert((Depth(1) * input).roundings == 2);
+TEST(Roundings, AreCounted) {
+  constexpr Roundings input{Roundings::Input{}};
+  static_assert((input + input).count == 2);
+  static_assert((input * input).count == 3);
+  static_assert((input * input + input).count == 4);
+  static_assert((Roundings(1) * input).count == 2);
   SUCCEED();
 }
 
 TEST(Approx, FormulasStayWithinTheirBounds) {
-  constexpr Depth input{Depth::Input{}};
-  constexpr Row<Depth> depthRow = rowOf(input, input, input);
-  constexpr VertexForm<Depth> depthVertex{depthRow, depthRow, depthRow};
-  constexpr Chord<Depth> depthChord = chordOf(depthRow, depthRow);
-  constexpr EdgeForm<Depth> depthEdge{depthChord, depthChord};
-  constexpr SpanForm<Depth> depthSpan{depthRow, depthRow};
+  constexpr Roundings input{Roundings::Input{}};
+  constexpr Row<Roundings> rowRoundings = rowOf(input, input, input);
+  constexpr VertexForm<Roundings> vertexRoundings{rowRoundings, rowRoundings, rowRoundings};
+  constexpr Chord<Roundings> chordRoundings = chordOf(rowRoundings, rowRoundings);
+  constexpr EdgeForm<Roundings> edgeRoundings{chordRoundings, chordRoundings};
+  constexpr SpanForm<Roundings> spanRoundings{rowRoundings, rowRoundings};
   Random random(31);
   for (int run = 0; run < test::runs(4000); ++run) {
     Difference d[9];
@@ -71,27 +71,28 @@ TEST(Approx, FormulasStayWithinTheirBounds) {
       approx[1] = infinityRow<Approx>();
       exact[1] = infinityRow<Dyadic>();
     }
-    expectWithinBound(approx[0].p, depthRow.p, exact[0].p);
+    expectWithinBound(approx[0].p, rowRoundings.p, exact[0].p);
     const VertexForm<Approx> vertex(approx[0], approx[1], approx[2]);
     const VertexForm<Dyadic> exactVertex(exact[0], exact[1], exact[2]);
-    expectWithinBound(vertex.x, depthVertex.x, exactVertex.x);
-    expectWithinBound(vertex.xy, depthVertex.xy, exactVertex.xy);
-    expectWithinBound(vertex.squares(), depthVertex.squares(), exactVertex.squares());
+    expectWithinBound(vertex.x, vertexRoundings.x, exactVertex.x);
+    expectWithinBound(vertex.xy, vertexRoundings.xy, exactVertex.xy);
+    expectWithinBound(vertex.squares(), vertexRoundings.squares(), exactVertex.squares());
     const Chord<Approx> end = chordOf(approx[0], approx[1]), shadow = chordOf(approx[0], approx[2]);
     const Chord<Dyadic> exactEnd = chordOf(exact[0], exact[1]),
                         exactShadow = chordOf(exact[0], exact[2]);
-    expectWithinBound(end.w, depthChord.w, exactEnd.w);
+    expectWithinBound(end.w, chordRoundings.w, exactEnd.w);
     const EdgeForm<Approx> edge(end, shadow);
     const EdgeForm<Dyadic> exactEdge(exactEnd, exactShadow);
-    expectWithinBound(edge.turn, depthEdge.turn, exactEdge.turn);
-    expectWithinBound(edge.along, depthEdge.along, exactEdge.along);
-    expectWithinBound(EdgeForm<Approx>::squares(end, shadow, edge.along),
-                      EdgeForm<Depth>::squares(depthChord, depthChord, depthEdge.along),
-                      EdgeForm<Dyadic>::squares(exactEnd, exactShadow, exactEdge.along));
+    expectWithinBound(edge.turn, edgeRoundings.turn, exactEdge.turn);
+    expectWithinBound(edge.along, edgeRoundings.along, exactEdge.along);
+    expectWithinBound(
+        EdgeForm<Approx>::squares(end, shadow, edge.along),
+        EdgeForm<Roundings>::squares(chordRoundings, chordRoundings, edgeRoundings.along),
+        EdgeForm<Dyadic>::squares(exactEnd, exactShadow, exactEdge.along));
     const SpanForm<Approx> span(approx[0], approx[2]);
     const SpanForm<Dyadic> exactSpan(exact[0], exact[2]);
-    expectWithinBound(span.c0, depthSpan.c0, exactSpan.c0);
-    expectWithinBound(span.clk, depthSpan.clk, exactSpan.clk);
+    expectWithinBound(span.c0, spanRoundings.c0, exactSpan.c0);
+    expectWithinBound(span.clk, spanRoundings.clk, exactSpan.clk);
     if (HasFailure()) {
       FAIL() << "run " << run;
     }
@@ -100,15 +101,15 @@ TEST(Approx, FormulasStayWithinTheirBounds) {
 
 TEST(Approx, InfinitiesAndNansAreUnknown) {
   const Approx huge(1e200);
-  EXPECT_FALSE(filteredSign(huge * huge - huge * huge, boundFactor(Depth(3))).known);
-  EXPECT_FALSE(filteredSign(huge * huge, boundFactor(Depth(3))).known) << "an infinite bound";
+  EXPECT_FALSE(filteredSign(huge * huge - huge * huge, errorFactor(Roundings(3))).known);
+  EXPECT_FALSE(filteredSign(huge * huge, errorFactor(Roundings(3))).known) << "an infinite bound";
 }
 
 // Where everything was lost to underflow, the magnitude is as well: nothing is known of a value
 // that small.
 TEST(Approx, WhatUnderflowMayHaveLeftIsUnknown) {
   for (const double value : {0x1p-700, -0x1p-700}) {
-    EXPECT_FALSE(filteredSign({value, 0}, boundFactor(Depth(3))).known);
+    EXPECT_FALSE(filteredSign({value, 0}, errorFactor(Roundings(3))).known);
   }
 }
 

@@ -22,7 +22,7 @@ Sign agreedSign(double x, double y, const Site& i, Corner j, Corner k, RayPart p
   const Sign exact = stages::rayExact(x, y, i, j, k, part);
   for (const MaybeSign stage :
        {stages::rayFilter(x, y, i, j, k, part), stages::rayMiddle(x, y, i, j, k, part),
-        stages::rayWhole(x, y, i, j, k, part)}) {
+        stages::rayFixed(x, y, i, j, k, part)}) {
     if (stage.known) {
       EXPECT_EQ(stage.sign, exact) << x << " " << y;
     }

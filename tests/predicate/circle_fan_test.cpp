@@ -26,11 +26,11 @@ TEST_P(CircleFanOn, IsWithinItsErrorBound) {
     const Circles c = visibleOnly(GetParam().make(random, 3));
     if (c.size() < 3 || oracleCircle(c, 0, 1, 2, kInfinity) == CircleAnswer::kNoCircle) continue;
     const std::vector<Site> s = toSites(c);
-    const auto expectWithinBound = [&](const VoronoiCircle& circle, std::size_t pole) {
+    const auto expectWithinBound = [&](const VoronoiCircle& circle, std::size_t reference) {
       if (!(circle.error < 1e300)) return;
       ASSERT_TRUE(
           oracleCircleIsWithin(c[0], c[1], c[2], {circle.x, circle.y, circle.s}, circle.error))
-          << "run " << run << ", site " << pole << ", centre " << circle.x << " " << circle.y
+          << "run " << run << ", site " << reference << ", centre " << circle.x << " " << circle.y
           << ", error " << circle.error << "\n"
           << toText(insertAll(c));
     };

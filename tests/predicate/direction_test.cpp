@@ -114,13 +114,13 @@ TEST(Direction, OfAPointStaysWithinItsBound) {
   Random random(122);
   for (int run = 0; run < test::runs(5000); ++run) {
     const double px = random.between(-1, 1);
-    const Site pole{
+    const Site reference{
         random.oneIn(2) ? px + random.between(-1, 1) * 1e-10 : random.between(-1e6, 1e6),
         random.between(-1, 1), 0};
     const double py = random.between(-1, 1);
-    const Arrow arrow = directionOf(px, py, pole);
-    for (const Dyadic& error : {Dyadic(px) - Dyadic(pole.x) - Dyadic(arrow.x),
-                                Dyadic(py) - Dyadic(pole.y) - Dyadic(arrow.y)}) {
+    const Arrow arrow = directionOf(px, py, reference);
+    for (const Dyadic& error : {Dyadic(px) - Dyadic(reference.x) - Dyadic(arrow.x),
+                                Dyadic(py) - Dyadic(reference.y) - Dyadic(arrow.y)}) {
       ASSERT_LE(static_cast<int>((error - Dyadic(arrow.error)).sign()), 0);
       ASSERT_GE(static_cast<int>((error + Dyadic(arrow.error)).sign()), 0);
     }

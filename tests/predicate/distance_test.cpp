@@ -28,7 +28,7 @@ void expectSameAsOracle(double x, double y, const Circle& a, const Circle& b) {
   const Sign exact = stages::distanceExact(x, y, toSite(a), toSite(b));
   for (const MaybeSign early : {stages::distanceFilter(x, y, toSite(a), toSite(b)),
                                 stages::distanceMiddle(x, y, toSite(a), toSite(b)),
-                                stages::distanceWhole(x, y, toSite(a), toSite(b))}) {
+                                stages::distanceFixed(x, y, toSite(a), toSite(b))}) {
     if (early.known) {
       ASSERT_EQ(early.sign, exact);
     }
@@ -109,7 +109,7 @@ TEST(Distance, StaysWithinItsBound) {
 TEST(Distance, EasyComparisonsAreAnsweredByTheFilter) {
   Random random(72);
   const Circles circles = randomCircles(random, 200, Hidden::k20Percent);
-  const auto before = stages::counts().distanceExact, beforeWhole = stages::counts().distanceWhole;
+  const auto before = stages::counts().distanceExact, beforeFixed = stages::counts().distanceFixed;
   for (int run = 0; run < 2000; ++run) {
     const Site a = toSite(circles[random.below(100)]);
     const Site b = toSite(circles[100 + random.below(100)]);
@@ -117,7 +117,7 @@ TEST(Distance, EasyComparisonsAreAnsweredByTheFilter) {
   }
   EXPECT_EQ(stages::counts().distanceExact, before);
   EXPECT_EQ(compareDistance(0, 0, {3, 4, 0}, {5, 12, 8}), Sign::kZero);
-  EXPECT_EQ(stages::counts().distanceWhole, beforeWhole + 1) << "a tie needs long integers";
+  EXPECT_EQ(stages::counts().distanceFixed, beforeFixed + 1) << "a tie needs long integers";
   EXPECT_EQ(stages::counts().distanceExact, before);
 }
 

@@ -129,7 +129,7 @@ TEST_P(EdgeConflictOn, EarlyStagesNeverContradictTheExactOne) {
   for (int run = 0; run < count; ++run) {
     std::vector<Site> s = toSites(visibleOnly(GetParam().make(random, 7)));
     if (s.size() < 5) continue;
-    // The pole is the larger of i and j, or j is infinite.
+    // The reference site is the larger of i and j, or j is infinite.
     if (precedes(s[0], s[1])) std::swap(s[0], s[1]);
     const bool unbounded = run % 3 == 0;
     const Corner j = unbounded ? nullptr : &s[1];
@@ -138,7 +138,7 @@ TEST_P(EdgeConflictOn, EarlyStagesNeverContradictTheExactOne) {
       const Sign exact = stages::edgeExact(s[0], j, k, &s[3], s[4], probe);
       for (const MaybeSign early : {stages::edgeFilter(s[0], j, k, &s[3], s[4], probe),
                                     stages::edgeMiddle(s[0], j, k, &s[3], s[4], probe),
-                                    stages::edgeWhole(s[0], j, k, &s[3], s[4], probe)}) {
+                                    stages::edgeFixed(s[0], j, k, &s[3], s[4], probe)}) {
         if (early.known) {
           ASSERT_EQ(early.sign == Sign::kPositive, exact == Sign::kPositive) << "run " << run;
         }

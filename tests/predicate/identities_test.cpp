@@ -169,8 +169,8 @@ TEST_F(Identities, HalfPlaneDirections) {
     const Integer dlx = -l.r * l.x - l.y * l.s, dly = -l.r * l.y + l.x * l.s;
     const Integer lengthK = k.x * k.x + k.y * k.y;
     ASSERT_EQ(dkx * dkx + dky * dky, lengthK * lengthK);
-    // The half-plane's normal n satisfies n . b_k + r_k = 0, as n = d_k / |b_k|^2 touches the pole
-    // and k alike.
+    // The half-plane's normal n satisfies n . b_k + r_k = 0, as n = d_k / |b_k|^2 touches the
+    // reference site and k alike.
     ASSERT_EQ(dkx * k.x + dky * k.y + k.r * lengthK, 0);
 
     const SpanForm<Integer> form({l.x, l.y, l.r, l.s * l.s}, {k.x, k.y, k.r, k.s * k.s});

@@ -181,7 +181,7 @@ TEST(NearZero, Distance) {
           const Sign exact = stages::distanceExact(x, p.y, a, b);
           expectSame(stages::distanceFilter(x, p.y, a, b), exact, "filter");
           expectSame(stages::distanceMiddle(x, p.y, a, b), exact, "middle");
-          expectSame(stages::distanceWhole(x, p.y, a, b), exact, "whole");
+          expectSame(stages::distanceFixed(x, p.y, a, b), exact, "fixed");
         });
   });
   EXPECT_GT(all, runs(1000));
@@ -209,7 +209,7 @@ TEST(NearZero, VertexConflict) {
           expectSame(stages::vertexOfPoints(i, &j, third, &at), exact, "of points");
           expectSame(stages::vertexFilter(i, &j, third, &at), exact, "filter");
           expectSame(stages::vertexMiddle(i, &j, third, &at), exact, "middle");
-          expectSame(stages::vertexWhole(i, &j, third, &at), exact, "whole");
+          expectSame(stages::vertexFixed(i, &j, third, &at), exact, "fixed");
         });
   });
   EXPECT_GT(all, runs(1000));
@@ -281,7 +281,7 @@ TEST(NearZero, EdgeConflict) {
       expectSameIn(stages::edgeCircleFilter(i, other, atK, atL, at, probe), "circles");
       expectSameIn(stages::edgeFilter(i, other, &k, &l, at, probe), "filter");
       expectSameIn(stages::edgeMiddle(i, other, &k, &l, at, probe), "middle");
-      expectSameIn(stages::edgeWhole(i, other, &k, &l, at, probe), "whole");
+      expectSameIn(stages::edgeFixed(i, other, &k, &l, at, probe), "fixed");
       if (other != nullptr && probe == stages::Probe::kOpposite &&
           isSurelyInConflictBetweenEnds(i, j, atK, atL, at)) {
         EXPECT_TRUE(isEntireEdgeInConflict(edge, at)) << "shortcut";
@@ -323,7 +323,7 @@ TEST(NearZero, Rays) {
             const Sign exact = stages::rayExact(x, p.y, i, &j, third, part);
             expectSame(stages::rayFilter(x, p.y, i, &j, third, part), exact, "filter");
             expectSame(stages::rayMiddle(x, p.y, i, &j, third, part), exact, "middle");
-            expectSame(stages::rayWhole(x, p.y, i, &j, third, part), exact, "whole");
+            expectSame(stages::rayFixed(x, p.y, i, &j, third, part), exact, "fixed");
             (void)bearingOf(x, p.y, circle, i, &j,
                             third);  // the shadow check looks at the cached circle's answer
           });

@@ -57,7 +57,7 @@ TEST(StageUse, SmallIntegersAreSettledInDoubles) {
 
 TEST(StageUse, CocircularPointsOfManyDigitsAreSettledByLongIntegers) {
   const stages::Counts counts = countsOfBuild(make("CocircularPoints", 200));
-  EXPECT_GT(counts.vertexWhole, 0u);
+  EXPECT_GT(counts.vertexFixed, 0u);
   EXPECT_EQ(counts.vertexExact, 0u);
   EXPECT_GT(counts.vertexDegenerate, 0u);
 }
@@ -66,10 +66,10 @@ TEST(StageUse, DecimalLatticeIsNotDegenerateEverywhere) {
   // 0.1 * i is rounded: the in-circle determinant of a cell of the lattice is tiny, mostly not
   // zero, and no double can tell.
   const stages::Counts counts = countsOfBuild(make("DecimalLattice", 400));
-  EXPECT_GT(counts.vertexWhole, 0u);
+  EXPECT_GT(counts.vertexFixed, 0u);
   EXPECT_EQ(counts.vertexExact, 0u);
   EXPECT_LT(counts.vertexDegenerate,
-            counts.vertexWhole + counts.vertexMiddle + counts.vertexFilter + counts.vertexOfPoints);
+            counts.vertexFixed + counts.vertexMiddle + counts.vertexFilter + counts.vertexOfPoints);
 }
 
 /// Numbers from end to end of the range, all digits in use: whatever the exact stage makes of them
@@ -85,7 +85,7 @@ TEST(StageUse, LongestNumbersFitTheExactStage) {
     std::array<Site, 5> s;
     for (Site& site : s) site = {number(), number(), number()};
     (void)stages::vertexExact(s[0], &s[1], &s[2], &s[3]);
-    (void)stages::isOppositeExact(s[0], &s[1], &s[2], &s[3], stages::FaceCorner::kPole);
+    (void)stages::isOppositeExact(s[0], &s[1], &s[2], &s[3], stages::FaceCorner::kReference);
     (void)stages::isOppositeExact(s[0], &s[1], nullptr, &s[3], stages::FaceCorner::kK);
     (void)stages::distanceExact(s[0].x, s[0].y, s[1], s[2]);
     for (const stages::RayPart part : {stages::RayPart::kLeftwards, stages::RayPart::kAlong}) {

@@ -112,11 +112,11 @@ TEST_P(VertexConflictOn, StagesAgreeAndScalingChangesNothing) {
     if (s.size() < 4) continue;
     Corner i = &s[0], j = &s[1], k = run % 4 == 0 ? nullptr : &s[2];
     const Site& q = s[3];
-    rotateToPole(i, j, k);
+    rotateToReference(i, j, k);
     const Sign exact = stages::vertexExact(*i, j, k, &q);
     for (const MaybeSign early :
          {stages::vertexOfPoints(*i, j, k, &q), stages::vertexFilter(*i, j, k, &q),
-          stages::vertexMiddle(*i, j, k, &q), stages::vertexWhole(*i, j, k, &q)}) {
+          stages::vertexMiddle(*i, j, k, &q), stages::vertexFixed(*i, j, k, &q)}) {
       if (early.known) {
         ASSERT_EQ(early.sign, exact) << "run " << run;
       }
@@ -212,7 +212,7 @@ TEST(VertexConflict, PointsOnGridsOfAnySize) {
     if (!areDistinct) continue;
     Corner i = &s[0], j = &s[1], k = random.integer(0, 3) == 0 ? nullptr : &s[2];
     const Corner q = k != nullptr && random.integer(0, 3) == 0 ? nullptr : &s[3];
-    rotateToPole(i, j, k);
+    rotateToReference(i, j, k);
     const Sign exact = stages::vertexExact(*i, j, k, q);
     const MaybeSign early = stages::vertexOfPoints(*i, j, k, q);
     if (early.known) {
@@ -228,15 +228,16 @@ TEST(VertexConflict, PointsOnGridsOfAnySize) {
                  : (Dyadic(a->x) - Dyadic(b->x)) * (Dyadic(a->x) - Dyadic(b->x)) +
                        (Dyadic(a->y) - Dyadic(b->y)) * (Dyadic(a->y) - Dyadic(b->y));
     };
-    const Dyadic withPole = product(i, q) * product(j, k), withJ = product(j, q) * product(i, k),
-                 withK = product(k, q) * product(i, j);
+    const Dyadic withReference = product(i, q) * product(j, k),
+                 withJ = product(j, q) * product(i, k), withK = product(k, q) * product(i, j);
     const auto isLargest = [](const Dyadic& a, const Dyadic& b, const Dyadic& c) {
       return (a - b).sign() == Sign::kPositive && (a - c).sign() == Sign::kPositive;
     };
     const bool expected = q == nullptr   ? true
-                          : j == nullptr ? isLargest(withJ, withPole, withK)
-                          : k == nullptr ? isLargest(withK, withPole, withJ)
-                                         : precedes(*i, *q) || isLargest(withPole, withJ, withK);
+                          : j == nullptr ? isLargest(withJ, withReference, withK)
+                          : k == nullptr
+                              ? isLargest(withK, withReference, withJ)
+                              : precedes(*i, *q) || isLargest(withReference, withJ, withK);
     ASSERT_EQ(stages::vertexDegenerate(*i, j, k, q), expected) << "run " << run;
   }
   EXPECT_GT(zeros, runs(40000) / 10);

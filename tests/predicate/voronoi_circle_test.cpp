@@ -75,11 +75,12 @@ TEST_P(VoronoiCircleOn, IsPreciseFromLongNumbers) {
     const double size = absolute(circle.x) + absolute(circle.y) + absolute(circle.s);
     if (!(size < 1e150)) continue;  // a bound is a float
     if (size < 1e37 && size > 1e-30) {
-      // The centre is the pole's and a way from there: both are rounded.
-      Corner pole = &s[0], second = &s[1], third = &s[2];
-      rotateToPole(pole, second, third);
-      const double poleSize = absolute(pole->x) + absolute(pole->y) + absolute(pole->r);
-      ASSERT_LE(circle.error, 0x1p-39 * size + 0x1p-44 * poleSize) << toText(insertAll(c));
+      // The centre is the reference site's and a way from there: both are rounded.
+      Corner reference = &s[0], second = &s[1], third = &s[2];
+      rotateToReference(reference, second, third);
+      const double referenceSize =
+          absolute(reference->x) + absolute(reference->y) + absolute(reference->r);
+      ASSERT_LE(circle.error, 0x1p-39 * size + 0x1p-44 * referenceSize) << toText(insertAll(c));
     }
     if (!(circle.error < 1e300)) continue;
     ASSERT_TRUE(

@@ -162,24 +162,25 @@ class Maker {
   }
 
   /// The circle of three, which may not exist: then a site comes of it all the same.
-  VoronoiCircle circleOfFormer(Corner& pole) {
+  VoronoiCircle circleOfFormer(Corner& reference) {
     const std::uint8_t which = next_();
     const std::size_t a = which % count_, b = (a + 1 + which / 8 % (count_ - 1)) % count_;
     std::size_t c = which / 64 % count_;
     while (c == a || c == b) c = (c + 1) % count_;
-    pole = &call_.sites[a];
-    return voronoiCircle(pole, &call_.sites[b], (which & 0x80) != 0 ? nullptr : &call_.sites[c]);
+    reference = &call_.sites[a];
+    return voronoiCircle(reference, &call_.sites[b],
+                         (which & 0x80) != 0 ? nullptr : &call_.sites[c]);
   }
 
   Site touchingTheCircle() {
-    Corner pole = nullptr;
-    const VoronoiCircle circle = circleOfFormer(pole);
+    Corner reference = nullptr;
+    const VoronoiCircle circle = circleOfFormer(reference);
     double length = 1;
     const Direction d = direction(length);
-    const double size = std::fabs(circle.s) + std::fabs(circle.s + pole->r);
+    const double size = std::fabs(circle.s) + std::fabs(circle.s + reference->r);
     if (circle.isHalfPlane()) {
       // a x + b y + r = c
-      const double x = pole->x + unit_ * small(), y = pole->y + unit_ * small();
+      const double x = reference->x + unit_ * small(), y = reference->y + unit_ * small();
       return nudged({x, y, circle.s - circle.x * x - circle.y * y});
     }
     const double way = share() * size / length;
@@ -189,25 +190,26 @@ class Maker {
   /// q with q p_j - j p_q parallel to the direction of a vertex, or nearly: p_q is chosen, then q,
   /// then its weight.
   Site shadowTowardsAVertex() {
-    Corner pole = nullptr;
-    const VoronoiCircle circle = circleOfFormer(pole);
+    Corner reference = nullptr;
+    const VoronoiCircle circle = circleOfFormer(reference);
     const Site& j = former();
-    const double jx = j.x - pole->x, jy = j.y - pole->y, jr = j.r - pole->r,
+    const double jx = j.x - reference->x, jy = j.y - reference->y, jr = j.r - reference->r,
                  pj = jx * jx + jy * jy - jr * jr;
-    const double dx = circle.isHalfPlane() ? circle.x : circle.x - pole->x;
-    const double dy = circle.isHalfPlane() ? circle.y : circle.y - pole->y;
+    const double dx = circle.isHalfPlane() ? circle.x : circle.x - reference->x;
+    const double dy = circle.isHalfPlane() ? circle.y : circle.y - reference->y;
     const double size = share(), along = (next_() & 1) != 0 ? -size : size;
     const double scale = circle.isHalfPlane() ? std::sqrt(jx * jx + jy * jy) : 1;
     const double pq = share() * pj;
     const double x = jx * (pq / pj) + along * scale * dx, y = jy * (pq / pj) + along * scale * dy;
     const double square = x * x + y * y - pq;
     const double r = square > 0 ? std::sqrt(square) : 0;
-    return nudged({pole->x + x, pole->y + y, pole->r + ((next_() & 1) != 0 ? r : -r)});
+    return nudged(
+        {reference->x + x, reference->y + y, reference->r + ((next_() & 1) != 0 ? r : -r)});
   }
 
   void setPoint() {
     const std::uint8_t kind = next_();
-    Corner pole = nullptr;
+    Corner reference = nullptr;
     double x = 0, y = 0;
     switch (kind % 6) {
       case 0:
@@ -219,13 +221,13 @@ class Maker {
         y = raw();
         break;
       default: {  // a vertex, or on the way to it from a site, or across
-        const VoronoiCircle circle = circleOfFormer(pole);
+        const VoronoiCircle circle = circleOfFormer(reference);
         const double t = kind % 6 < 4 ? 1 : share() - 1;
-        const double dx = circle.isHalfPlane() ? unit_ * circle.x : circle.x - pole->x;
-        const double dy = circle.isHalfPlane() ? unit_ * circle.y : circle.y - pole->y;
+        const double dx = circle.isHalfPlane() ? unit_ * circle.x : circle.x - reference->x;
+        const double dy = circle.isHalfPlane() ? unit_ * circle.y : circle.y - reference->y;
         const bool isAcross = kind % 6 == 5;
-        x = nudged(pole->x + t * (isAcross ? -dy : dx));
-        y = nudged(pole->y + t * (isAcross ? dx : dy));
+        x = nudged(reference->x + t * (isAcross ? -dy : dx));
+        y = nudged(reference->y + t * (isAcross ? dx : dy));
       }
     }
     call_.x = legal(x);

@@ -381,14 +381,14 @@ bool oracleCircleIsWithin(const Circle& i, const Circle& j, const Circle& k, con
   const auto exact = [&](const Circle& c) {
     return ExactSite{scaled(c.x, unit), scaled(c.y, unit), scaled(c.r, unit)};
   };
-  const ExactSite pole = exact(i);
+  const ExactSite reference = exact(i);
   TouchingCircle circle;
   const Verdict existence =
-      findCircle(relativeTo(pole, exact(j)), relativeTo(pole, exact(k)), circle);
+      findCircle(relativeTo(reference, exact(j)), relativeTo(reference, exact(k)), circle);
   if (existence != Verdict::kFree) return false;
   // The estimate's clearance s is rho - r_i.
-  const ExactSite e{scaled(estimate.x, unit) - pole.x, scaled(estimate.y, unit) - pole.y,
-                    scaled(estimate.r, unit) + pole.r};
+  const ExactSite e{scaled(estimate.x, unit) - reference.x, scaled(estimate.y, unit) - reference.y,
+                    scaled(estimate.r, unit) + reference.r};
   const Integer bound = scaled(error, unit);
   const auto within = [&](int l, int m, int n, const Integer& value) {
     return signAt(circle, l, m, n, -value - bound) <= 0 &&

@@ -27,15 +27,15 @@ StageChecks::StageChecks() {
   fan_.reserve(2);
   tallies_.resize(kCount);
   tallies_[kCovers] = {"covers", {{"filter"}, {"middle"}}};
-  tallies_[kDistance] = {"distance", {{"filter"}, {"middle"}, {"whole"}}};
+  tallies_[kDistance] = {"distance", {{"filter"}, {"middle"}, {"fixed"}}};
   tallies_[kCircle] = {"circle exists",
-                       {{"doubles"}, {"fan"}, {"points"}, {"filter"}, {"middle"}, {"whole"}}};
-  tallies_[kVertex] = {"vertex", {{"circle"}, {"fan circle"}, {"filter"}, {"middle"}, {"whole"}}};
+                       {{"doubles"}, {"fan"}, {"points"}, {"filter"}, {"middle"}, {"fixed"}}};
+  tallies_[kVertex] = {"vertex", {{"circle"}, {"fan circle"}, {"filter"}, {"middle"}, {"fixed"}}};
   tallies_[kPoints] = {"vertex, one weight",
-                       {{"circle"}, {"fan circle"}, {"points"}, {"filter"}, {"middle"}, {"whole"}}};
+                       {{"circle"}, {"fan circle"}, {"points"}, {"filter"}, {"middle"}, {"fixed"}}};
   tallies_[kRule] = {"degenerate rule", {{"doubles"}}};
-  tallies_[kEdge] = {"edge", {{"shortcut"}, {"circles"}, {"filter"}, {"middle"}, {"whole"}}};
-  tallies_[kRay] = {"ray", {{"circle"}, {"filter"}, {"middle"}, {"whole"}}};
+  tallies_[kEdge] = {"edge", {{"shortcut"}, {"circles"}, {"filter"}, {"middle"}, {"fixed"}}};
+  tallies_[kRay] = {"ray", {{"circle"}, {"filter"}, {"middle"}, {"fixed"}}};
   tallies_[kOrder] = {"order along an edge", {{"circles"}}};
   tallies_[kHull] = {"turn of the hull", {{"circles"}}};
   tallies_[kShadow] = {"turn between shadows", {{"filter"}}};
@@ -88,7 +88,7 @@ void StageChecks::askDistances() {
     const Sign exact = stages::distanceExact(x, y, a, b);
     compare(kDistance, exact,
             {stages::distanceFilter(x, y, a, b), stages::distanceMiddle(x, y, a, b),
-             stages::distanceWhole(x, y, a, b)});
+             stages::distanceFixed(x, y, a, b)});
     const bool isNearerExactly =
         exact == Sign::kPositive || (exact == Sign::kZero && precedes(a, b));
     expect(compareDistance(x, y, b, a) == -exact && isNearer(x, y, a, b) == isNearerExactly,
@@ -99,7 +99,7 @@ void StageChecks::askDistances() {
 bool StageChecks::exists(Corner i, Corner j, Corner k) {
   if (i == nullptr || j == nullptr || k == nullptr) return true;
   Corner a = i, b = j, c = k;
-  rotateToPole(a, b, c);
+  rotateToReference(a, b, c);
   const Sign beaten = stages::vertexExact(*a, b, c, nullptr);
   VoronoiCircle circle, fromFan;
   const bool isCertain = findCertainVoronoiCircle(i, j, k, circle);
@@ -112,7 +112,7 @@ bool StageChecks::exists(Corner i, Corner j, Corner k) {
            stages::vertexOfPoints(*a, b, c, nullptr),
            stages::vertexFilter(*a, b, c, nullptr),
            stages::vertexMiddle(*a, b, c, nullptr),
-           stages::vertexWhole(*a, b, c, nullptr)});
+           stages::vertexFixed(*a, b, c, nullptr)});
   const bool does = beaten == Sign::kNegative;
   expect(findVoronoiCircle(i, j, k, circle) == does && hasVoronoiCircle(*i, *j, *k) == does,
          "circle exists");
@@ -122,7 +122,7 @@ bool StageChecks::exists(Corner i, Corner j, Corner k) {
 /// REQUIRES: the face has a circle, none of its sites covers another or q.
 bool StageChecks::isInConflict(const Face& face, const Site& q) {
   Corner i = face.corners[0], j = face.corners[1], k = face.corners[2];
-  rotateToPole(i, j, k);
+  rotateToReference(i, j, k);
   const Sign exact = stages::vertexExact(*i, j, k, &q);
   bool yes = exact == Sign::kPositive;
   if (exact == Sign::kZero) {
@@ -130,8 +130,9 @@ bool StageChecks::isInConflict(const Face& face, const Site& q) {
     using stages::FaceCorner;
     const FaceCorner z = j == nullptr   ? FaceCorner::kJ
                          : k == nullptr ? FaceCorner::kK
-                                        : FaceCorner::kPole;
-    yes = (z == FaceCorner::kPole && precedes(*i, q)) || stages::isOppositeExact(*i, j, k, &q, z);
+                                        : FaceCorner::kReference;
+    yes = (z == FaceCorner::kReference && precedes(*i, q)) ||
+          stages::isOppositeExact(*i, j, k, &q, z);
     compare(kRule, yesOrNo(yes), {{yesOrNo(stages::vertexDegenerate(*i, j, k, &q)), true}});
   }
   // Circles settle the question itself, so they may say nothing of zeros that the rule turns.
@@ -151,13 +152,13 @@ bool StageChecks::isInConflict(const Face& face, const Site& q) {
   const MaybeSign byCircle = ofCircle(face.circle), byFan = ofCircle(fromFan);
   const MaybeSign filter = stages::vertexFilter(*i, j, k, &q),
                   middle = stages::vertexMiddle(*i, j, k, &q);
-  const MaybeSign whole = stages::vertexWhole(*i, j, k, &q),
+  const MaybeSign fixed = stages::vertexFixed(*i, j, k, &q),
                   points = stages::vertexOfPoints(*i, j, k, &q);
   if (areEqual) {
-    compare(kPoints, exact, {byCircle, byFan, points, filter, middle, whole});
+    compare(kPoints, exact, {byCircle, byFan, points, filter, middle, fixed});
   } else {
     expect(!points.known, "vertex of points");
-    compare(kVertex, exact, {byCircle, byFan, filter, middle, whole});
+    compare(kVertex, exact, {byCircle, byFan, filter, middle, fixed});
   }
   expect(
       isVertexInConflict(face.circle, face.corners[1], face.corners[2], face.corners[0], q) == yes,
@@ -183,7 +184,7 @@ void StageChecks::askRays(const Face& face) {
       sign = stages::rayExact(x, y, *i, j, k, part);
       compare(kRay, sign,
               {turn(d, directionOf(x, y, *i)), stages::rayFilter(x, y, *i, j, k, part),
-               stages::rayMiddle(x, y, *i, j, k, part), stages::rayWhole(x, y, *i, j, k, part)});
+               stages::rayMiddle(x, y, *i, j, k, part), stages::rayFixed(x, y, *i, j, k, part)});
     }
     const Bearing bearing = exact[0] == Sign::kPositive   ? Bearing::kLeft
                             : exact[0] == Sign::kNegative ? Bearing::kRight
@@ -231,7 +232,7 @@ const StageChecks::Face* StageChecks::faceOf(Corner i, Corner j, Corner k) const
 
 void StageChecks::askEdge(const EdgeCorners& given, const Site& q) {
   EdgeCorners e = given;
-  if (isBetterPole(e.j, e.i)) e = {e.j, e.i, e.l, e.k};
+  if (isBetterReference(e.j, e.i)) e = {e.j, e.i, e.l, e.k};
   const Face *atK = faceOf(e.i, e.j, e.k), *atL = faceOf(e.j, e.i, e.l);
   if (atK == nullptr || atL == nullptr) return;
 
@@ -270,7 +271,7 @@ void StageChecks::askEdge(const EdgeCorners& given, const Site& q) {
             {shortcut, positiveOrNot(circles),
              positiveOrNot(stages::edgeFilter(*e.i, e.j, e.k, e.l, q, probe)),
              positiveOrNot(stages::edgeMiddle(*e.i, e.j, e.k, e.l, q, probe)),
-             positiveOrNot(stages::edgeWhole(*e.i, e.j, e.k, e.l, q, probe))});
+             positiveOrNot(stages::edgeFixed(*e.i, e.j, e.k, e.l, q, probe))});
   }
 }
 
