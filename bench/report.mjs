@@ -57,20 +57,19 @@ export function report({ machine, mode, records, disagreements, seconds }) {
       ? [`## Table 1 of the paper, one by one in random order\n\n${tableOne(records)}`]
       : [];
   const goals = targetsTable(records);
-  return (
-    [
-      "# Benchmark results",
-      Object.entries(machine)
-        .map(([key, value]) => `- ${key}: ${value}`)
-        .join("\n"),
-      `Mode ${mode}, ${seconds.toFixed(0)} s. Median (fastest..slowest); * = cut off at the time limit and counted for what was done until then. ` +
-        "wasm is the packed package in Node, native the same C++ without it; delaunator, d3-delaunay and flatbush know points only.",
-      ...(disagreements.length > 0
-        ? [`**Contenders disagree**:\n${disagreements.map((text) => `- ${text}`).join("\n")}`]
-        : []),
-      ...(goals ? [`## Goals\n\n${goals}`] : []),
-      ...sections,
-      ...table,
-    ].join("\n\n") + "\n"
-  );
+  const parts = [
+    "# Benchmark results",
+    Object.entries(machine)
+      .map(([key, value]) => `- ${key}: ${value}`)
+      .join("\n"),
+    `Mode ${mode}, ${seconds.toFixed(0)} s. Median (fastest..slowest); * = cut off at the time limit and counted for what was done until then. ` +
+      "wasm is the packed package in Node, native the same C++ without it; delaunator, d3-delaunay and flatbush know points only.",
+    ...(disagreements.length > 0
+      ? [`**Contenders disagree**:\n${disagreements.map((text) => `- ${text}`).join("\n")}`]
+      : []),
+    ...(goals ? [`## Goals\n\n${goals}`] : []),
+    ...sections,
+    ...table,
+  ];
+  return `${parts.join("\n\n")}\n`;
 }

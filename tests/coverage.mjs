@@ -161,11 +161,9 @@ function table(files) {
     add("all", file);
   }
   for (const [name, [lines, allLines, outcomes, allOutcomes]] of rows) {
-    console.log(
-      `${name.padEnd(14)} lines ${percent(lines, allLines).padStart(8)} (${lines} of ${allLines})`.padEnd(
-        50,
-      ) + `branches ${percent(outcomes, allOutcomes).padStart(8)} (${outcomes} of ${allOutcomes})`,
-    );
+    const ofLines = `${percent(lines, allLines).padStart(8)} (${lines} of ${allLines})`;
+    const ofOutcomes = `${percent(outcomes, allOutcomes).padStart(8)} (${outcomes} of ${allOutcomes})`;
+    console.log(`${`${name.padEnd(14)} lines ${ofLines}`.padEnd(50)}branches ${ofOutcomes}`);
   }
 }
 

@@ -147,7 +147,7 @@ test("wasm/module.ts declares the functions that wasm/bindings.cpp exports, with
       ]),
     );
   const exported = found("wasm/bindings.cpp", /EMSCRIPTEN_KEEPALIVE [^(]*?(\w+)\(([^)]*)\)/g);
-  const declared = found("wasm/module.ts", /^  (\w+)\(([^)]*)\): \w+;$/gm);
+  const declared = found("wasm/module.ts", /^ {2}(\w+)\(([^)]*)\): \w+;$/gm);
   delete declared._initialize;
   expect(Object.keys(exported).length).toBeGreaterThan(30);
   expect(declared).toEqual(exported);

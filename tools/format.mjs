@@ -1,4 +1,4 @@
-// npm run format: lays out all C++ (.clang-format) and all TypeScript and JavaScript (.biome.json).
+// npm run format: lays out all C++ (.clang-format) and all TypeScript and JavaScript (.biome.jsonc).
 //
 //   node tools/format.mjs [--write]     without it only says which files are not laid out so
 import { readdirSync } from "node:fs";

@@ -28,7 +28,10 @@ async function start() {
     // Another screen has another density: no event tells but the end of this one.
     matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`).addEventListener(
       "change",
-      () => (resize(), watchDensity()),
+      () => {
+        resize();
+        watchDensity();
+      },
       { once: true },
     );
   };

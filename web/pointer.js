@@ -188,7 +188,7 @@ export function listenToPointer(element, app) {
     if (event.ctrlKey) event.preventDefault(); // Ctrl-click inserts
   });
 
-  let wheel = { time: -Infinity, resizes: false };
+  const wheel = { time: -Infinity, resizes: false };
   element.addEventListener(
     "wheel",
     (event) => {

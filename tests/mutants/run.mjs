@@ -152,12 +152,9 @@ for (const { number, file, line, becomes } of survivors)
   console.log(`NOT NOTICED ${number} ${file}: ${line}  ->  ${becomes}`);
 const counted = {};
 for (const mutant of chosen) {
-  const row = (counted[path.dirname(mutant.file)] ??= {
-    mutants: 0,
-    noticed: 0,
-    equivalent: 0,
-    "not noticed": 0,
-  });
+  const folder = path.dirname(mutant.file);
+  counted[folder] ??= { mutants: 0, noticed: 0, equivalent: 0, "not noticed": 0 };
+  const row = counted[folder];
   ++row.mutants;
   ++row[mutant.equivalent ? "equivalent" : report[keyOf(mutant)] ? "noticed" : "not noticed"];
 }

@@ -323,7 +323,7 @@ const callers = [
   ["findMany", (d, deed) => d.findMany(array(deed, 1, 2))],
   [
     "from",
-    (d, deed) =>
+    (_d, deed) =>
       Diagram.from(
         [
           [1, 2, 3],
@@ -334,7 +334,7 @@ const callers = [
   ],
   [
     "from, iterator",
-    (d, deed) =>
+    (_d, deed) =>
       Diagram.from({
         *[Symbol.iterator]() {
           yield [1, 2, 3];

@@ -97,7 +97,7 @@ test.each([
   ["a compiled module", `new WebAssembly.Module(${bytes})`],
   ["a response", `new Response(${bytes}, { headers: { "content-type": "application/wasm" } })`],
   ["a promise of a response of unknown type", `Promise.resolve(new Response(${bytes}))`],
-  ["an address", '"data:application/wasm;base64," + ' + bytes + '.toString("base64")'],
+  ["an address", `"data:application/wasm;base64," + ${bytes}.toString("base64")`],
 ])("the entry with a separate .wasm loads %s", (_, source) => {
   expect(
     runInNode(`

@@ -34,7 +34,10 @@ test("areas are the shares of random points that are nearest to each circle", ()
   const points = 400_000,
     xy = new Float64Array(2 * points);
   let state = 7;
-  const random = () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
+  const random = () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
   for (let k = 0; k < points; ++k) {
     xy[2 * k] = -900 + 1900 * random();
     xy[2 * k + 1] = -700 + 1500 * random();

@@ -379,7 +379,7 @@ describeInBrowser("the page", (open) => {
     test.each(["circles", "cells", "dual"])("the layer %s can be switched", async (layer) => {
       await page.click('[data-count="100"]');
       const on = () =>
-        page.evaluate(() => (app.painter.flush(), 0)).then(() => painted(page, "base"));
+        page.evaluate(() => void app.painter.flush()).then(() => painted(page, "base"));
       await page.setChecked(`[name=${layer}]`, true);
       const withLayer = await on();
       await page.setChecked(`[name=${layer}]`, false);

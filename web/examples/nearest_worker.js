@@ -3,7 +3,7 @@
 import { Diagram } from "apollonius-diagram";
 
 let diagram;
-onmessage = ({ data: { circles, points, question } }) => {
+self.onmessage = ({ data: { circles, points, question } }) => {
   if (circles) diagram = new Diagram(circles);
   if (!points) return;
   const distances = new Float64Array(points.length / 2);
