@@ -82,7 +82,7 @@ async function start() {
   await actions.cities(kFirstView);
 
   // A handle for tests and the curious; not an interface: it may change at any time.
-  window.app = app;
+  Object.assign(window, { app });
 }
 
 start().catch((error) => {

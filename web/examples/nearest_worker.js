@@ -8,5 +8,6 @@ self.onmessage = ({ data: { circles, points, question } }) => {
   if (!points) return;
   const distances = new Float64Array(points.length / 2);
   const ids = diagram.findMany(points, distances);
-  postMessage({ ids, distances, question }, [ids.buffer, distances.buffer]); // moved, not copied
+  const transfer = [ids.buffer, distances.buffer]; // moved, not copied
+  self.postMessage({ ids, distances, question }, { transfer });
 };
