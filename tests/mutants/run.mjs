@@ -78,7 +78,7 @@ function writeTree() {
   all.forEach((mutant, number) =>
     files.set(mutant.file, [...(files.get(mutant.file) ?? []), [mutant, number]]),
   );
-  for (const folder of ["tests", "wasm", "bench", "src"]) {
+  for (const folder of ["tests", "wasm", "bench", "cmake", "src"]) {
     for (const name of readdirSync(path.join(root, folder), { recursive: true })) {
       const file = path.join(folder, name);
       if (!statSync(path.join(root, file)).isFile()) continue;
@@ -89,7 +89,7 @@ function writeTree() {
       );
     }
   }
-  write("CMakeLists.txt", sourceOf("CMakeLists.txt"));
+  for (const name of ["CMakeLists.txt", "package.json"]) write(name, sourceOf(name));
   for (const name of ["switch.h", "switch.cpp"])
     write(`src/${name}`, sourceOf(`tests/mutants/${name}`));
 }
