@@ -1,4 +1,5 @@
-# `cmake --install`: the library, its public headers as <apollonius/...>, and what find_package needs:
+# `cmake --install`: the library, its public headers as <apollonius/...>, and what find_package
+# needs:
 #
 #   find_package(apollonius 0.1 REQUIRED)
 #   target_link_libraries(program PRIVATE apollonius::apollonius)

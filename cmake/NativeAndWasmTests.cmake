@@ -104,5 +104,6 @@ foreach(file IN LISTS fuzz_files)
   else()
     continue()
   endif()
-  target_link_libraries(${name} PRIVATE apollonius_test_support gtest)  # of which some helpers have macros
+  # Some helpers use macros of GoogleTest.
+  target_link_libraries(${name} PRIVATE apollonius_test_support gtest)
 endforeach()

@@ -5,7 +5,8 @@
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  execute_process(COMMAND ${ARGN}
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
     list(JOIN ARGN " " command)
     message(FATAL_ERROR "${command}: ${result}: ${output}")
@@ -72,8 +73,8 @@ endif()
 separate_arguments(command UNIX_COMMAND "${command}")
 list(REMOVE_ITEM command -o -c)
 list(FILTER command EXCLUDE REGEX "\\.o$")
-execute_process(COMMAND ${command} -fsyntax-only WORKING_DIRECTORY "${folder}" RESULT_VARIABLE result
-  OUTPUT_VARIABLE output ERROR_VARIABLE output)
+execute_process(COMMAND ${command} -fsyntax-only WORKING_DIRECTORY "${folder}"
+  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(NOT result EQUAL 0)
   message(SEND_ERROR "compiled as a part of another project: ${output}")
 endif()
