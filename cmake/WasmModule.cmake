@@ -1,5 +1,5 @@
-# wasm/bindings.cpp and the library as one wasm module, apollonius.wasm in the build folder. Not part
-# of `all`: the tests do not need it. Compiled from the sources once more, because only here
+# wasm/bindings.cpp and the library as one wasm module, apollonius.wasm in the build folder. Not
+# part of `all`: the tests do not need it. Compiled from the sources once more, because only here
 # link-time optimisation pays (the tests link faster without).
 #
 # No JavaScript comes with it: wasm/module.ts starts it in twenty lines, where Emscripten's were

@@ -76,8 +76,7 @@ export function runSteps(steps, wanted = process.argv.slice(2)) {
         process.exitCode = 1;
       }
     }
-    console.log(
-      `\n${report.join("\n")}\n${process.exitCode ? "FAILED" : "All passed"} in ${secondsSince(began)}`,
-    );
+    const result = process.exitCode ? "FAILED" : "All passed";
+    console.log(`\n${report.join("\n")}\n${result} in ${secondsSince(began)}`);
   });
 }

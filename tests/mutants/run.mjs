@@ -142,7 +142,8 @@ if (open.length > 0) {
     if (noticed !== null || longest === Infinity) report[key] = noticed;
     writeFileSync(reportFile, JSON.stringify(report, null, 1));
     console.log(
-      `${mutant.number}: ${noticed ?? "NOT NOTICED"}\n    ${mutant.file}: ${mutant.line}  ->  ${mutant.becomes}`,
+      `${mutant.number}: ${noticed ?? "NOT NOTICED"}\n` +
+        `    ${mutant.file}: ${mutant.line}  ->  ${mutant.becomes}`,
     );
   });
 }
@@ -160,6 +161,7 @@ for (const mutant of chosen) {
 }
 console.table(counted);
 console.log(
-  `${mutants.length - survivors.length} of ${mutants.length} mutants noticed, ${chosen.length - mutants.length} are equivalent`,
+  `${mutants.length - survivors.length} of ${mutants.length} mutants noticed, ` +
+    `${chosen.length - mutants.length} are equivalent`,
 );
 process.exitCode = survivors.length * 20 > mutants.length ? 1 : 0;

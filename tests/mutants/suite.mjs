@@ -57,14 +57,10 @@ function runTests({ program, tests, env, limitOf, passed }) {
     });
     child.on("close", (code, signal) => {
       clearTimeout(timer);
+      const end = signal ?? (code > 128 ? `signal ${code - 128}` : code);
       if (hangs) resolve(`${current ?? "the program"} hangs`);
       else if (failed !== null) resolve(failed);
-      else
-        resolve(
-          code === 0
-            ? null
-            : `${current ?? "the program"} ends with ${signal ?? (code > 128 ? `signal ${code - 128}` : code)}`,
-        );
+      else resolve(code === 0 ? null : `${current ?? "the program"} ends with ${end}`);
     });
   });
 }

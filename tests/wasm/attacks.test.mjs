@@ -410,7 +410,7 @@ test.each(callers)("%s, when the caller's code throws", (_, call) => {
   expect(diagram.validate()).toBeNull();
 });
 
-test("a drawing goes on where it was while the memory grows: what was asked for before is drawn", () => {
+test("a drawing goes on while the memory grows: what was asked for before is drawn", () => {
   const small = built(),
     recorder = new Recorder(),
     plain = new Recorder();

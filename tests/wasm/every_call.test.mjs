@@ -432,7 +432,8 @@ class Call {
     this.run_(all, Math.floor(this.which * all.length), this.values);
   }
   toString() {
-    return `${this.name}(diagram ${this.which.toFixed(2)}: ${this.values.map((value) => fc.stringify(value)).join(", ")})`;
+    const values = this.values.map((value) => fc.stringify(value)).join(", ");
+    return `${this.name}(diagram ${this.which.toFixed(2)}: ${values})`;
   }
 }
 
