@@ -62,7 +62,8 @@ async function runScene(scene, isThere, progress) {
         records.set(key, record);
         if (record.error) continue; // once too slow, always too slow
         progress(
-          `${scene.part}: ${scene.family} ${scene.n}, ${step.op}, ${contender}, round ${round + 1} of ${scene.rounds}`,
+          `${scene.part}: ${scene.family} ${scene.n}, ${step.op}, ${contender}, ` +
+            `round ${round + 1} of ${scene.rounds}`,
         );
         merge(record, await askStep(contender, step, set));
       }

@@ -78,12 +78,14 @@ function panel({ title, op }, records, index) {
   const parts = [`<text x="${kLeft}" y="20" class="title">${escaped(title)}</text>`];
   for (const us of ticks(range)) {
     parts.push(
-      `<path class="grid" d="M${kLeft},${y(us)}h${kWidth}"/><text x="${kLeft - 6}" y="${y(us) + 4}" text-anchor="end">${label(us)}</text>`,
+      `<path class="grid" d="M${kLeft},${y(us)}h${kWidth}"/>` +
+        `<text x="${kLeft - 6}" y="${y(us) + 4}" text-anchor="end">${label(us)}</text>`,
     );
   }
   for (const n of ticks(ns).filter((value) => /^10*$/.test(String(value)))) {
     parts.push(
-      `<path class="grid" d="M${x(n)},${kTop}v${kHeight}"/><text x="${x(n)}" y="${kTop + kHeight + 16}" text-anchor="middle">${label(n)}</text>`,
+      `<path class="grid" d="M${x(n)},${kTop}v${kHeight}"/>` +
+        `<text x="${x(n)}" y="${kTop + kHeight + 16}" text-anchor="middle">${label(n)}</text>`,
     );
   }
   for (const { points, colour } of drawn) {
@@ -92,7 +94,8 @@ function panel({ title, op }, records, index) {
     for (const { n, us, fastest, slowest } of points) {
       const [top, bottom] = [Math.min(slowest, range[1]), Math.max(fastest, range[0])].map(y);
       parts.push(
-        `<path d="M${x(n)},${top}V${bottom}" stroke="${colour}" opacity="0.4"/><circle cx="${x(n)}" cy="${y(us)}" r="3" fill="${colour}"/>`,
+        `<path d="M${x(n)},${top}V${bottom}" stroke="${colour}" opacity="0.4"/>` +
+          `<circle cx="${x(n)}" cy="${y(us)}" r="3" fill="${colour}"/>`,
       );
     }
   }
@@ -104,7 +107,10 @@ function legend(width) {
   return series
     .map(({ name, colour }, k) => {
       const [left, top] = [kLeft + (k % 3) * column, kTop + kHeight + 38 + Math.floor(k / 3) * 18];
-      return `<path d="M${round(left)},${top - 4}h18" stroke="${colour}" stroke-width="3"/><text x="${round(left + 24)}" y="${top}">${escaped(name)}</text>`;
+      return (
+        `<path d="M${round(left)},${top - 4}h18" stroke="${colour}" stroke-width="3"/>` +
+        `<text x="${round(left + 24)}" y="${top}">${escaped(name)}</text>`
+      );
     })
     .join("\n");
 }
@@ -113,7 +119,8 @@ function legend(width) {
 export function picture(records, caption) {
   const width = panels.length * (kWidth + kLeft + kGap);
   const height = kTop + kHeight + kLegend + 44;
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}" font-family="sans-serif" font-size="11" fill="#333">
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}"
+  width="${width}" height="${height}" font-family="sans-serif" font-size="11" fill="#333">
 <style>.title { font-size: 13px; font-weight: bold } .grid { stroke: #ddd; fill: none }</style>
 <rect width="${width}" height="${height}" fill="#fff"/>
 ${panels.map((each, k) => panel(each, records, k)).join("\n")}

@@ -9,7 +9,7 @@ const titles = {
   orders: "Sorted orders one by one, and sites that hide each other",
   moves: "10 000 moving sites (µs per site; `updateMany`: times 10 is ms per frame)",
   drawing:
-    "Drawing all edges (d3-delaunay: of the centres' cells), and the areas of all cells (µs per site)",
+    "Drawing all edges (d3-delaunay: of the centres' cells), areas of all cells (µs per site)",
   snapshots: "Snapshots (µs per site; threads: µs per point, all of them together)",
   border: "One call that does nothing else (µs)",
   memory: "Memory (µs per item; bytes below)",
@@ -18,20 +18,18 @@ const titles = {
 function memoryLines(records) {
   const megabytes = (bytes) => `${(bytes / 2 ** 20).toFixed(1)} MiB`;
   return records.flatMap((record) => {
+    const bytes = record.bytesPerSite?.toFixed(0);
     if (record.op === "memory" && record.bytesPerSite)
-      return [
-        `- ${record.n} sites at once: ${record.bytesPerSite.toFixed(0)} bytes of heap growth per site`,
-      ];
+      return [`- ${record.n} sites at once: ${bytes} bytes of heap growth per site`];
     if (record.op === "churn" && record.bytesAfterAll) {
       return [
-        `- heap with ${record.n} sites: ${megabytes(record.bytesAfterThousand)} after 1000 removals and insertions, ` +
+        `- heap with ${record.n} sites: ${megabytes(record.bytesAfterThousand)} after 1000 ` +
+          "removals and insertions, " +
           `${megabytes(record.bytesAfterAll)} after ${record.items + 1000}`,
       ];
     }
     if (record.part === "scaling" && record.op === "build" && record.bytesPerSite) {
-      return [
-        `- ${record.n} sites natively: ${record.bytesPerSite.toFixed(0)} bytes allocated per site (no unused heap)`,
-      ];
+      return [`- ${record.n} sites natively: ${bytes} bytes allocated per site (no unused heap)`];
     }
     return [];
   });
@@ -57,20 +55,20 @@ export function report({ machine, mode, records, disagreements, seconds }) {
       ? [`## Table 1 of the paper, one by one in random order\n\n${tableOne(records)}`]
       : [];
   const goals = targetsTable(records);
-  return (
-    [
-      "# Benchmark results",
-      Object.entries(machine)
-        .map(([key, value]) => `- ${key}: ${value}`)
-        .join("\n"),
-      `Mode ${mode}, ${seconds.toFixed(0)} s. Median (fastest..slowest); * = cut off at the time limit and counted for what was done until then. ` +
-        "wasm is the packed package in Node, native the same C++ without it; delaunator, d3-delaunay and flatbush know points only.",
-      ...(disagreements.length > 0
-        ? [`**Contenders disagree**:\n${disagreements.map((text) => `- ${text}`).join("\n")}`]
-        : []),
-      ...(goals ? [`## Goals\n\n${goals}`] : []),
-      ...sections,
-      ...table,
-    ].join("\n\n") + "\n"
-  );
+  const parts = [
+    "# Benchmark results",
+    Object.entries(machine)
+      .map(([key, value]) => `- ${key}: ${value}`)
+      .join("\n"),
+    `Mode ${mode}, ${seconds.toFixed(0)} s. Median (fastest..slowest); * = cut off at the time ` +
+      "limit and counted for what was done until then. wasm is the packed package in Node, " +
+      "native the same C++ without it; delaunator, d3-delaunay and flatbush know points only.",
+    ...(disagreements.length > 0
+      ? [`**Contenders disagree**:\n${disagreements.map((text) => `- ${text}`).join("\n")}`]
+      : []),
+    ...(goals ? [`## Goals\n\n${goals}`] : []),
+    ...sections,
+    ...table,
+  ];
+  return `${parts.join("\n\n")}\n`;
 }

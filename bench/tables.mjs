@@ -14,7 +14,8 @@ export function table(head, rows) {
   const widths = head.map((_, k) => Math.max(3, ...all.map((row) => [...(row[k] ?? "")].length)));
   const pad = (text = "", k) => (k === 0 ? text.padEnd(widths[k]) : text.padStart(widths[k]));
   const line = (row) => `| ${widths.map((_, k) => pad(row[k], k)).join(" | ")} |`;
-  const rule = `|${widths.map((width, k) => (k === 0 ? "-".repeat(width + 2) : `${"-".repeat(width + 1)}:`)).join("|")}|`;
+  const rules = widths.map((width, k) => `${"-".repeat(width + 1)}${k === 0 ? "-" : ":"}`);
+  const rule = `|${rules.join("|")}|`;
   return [line(all[0]), rule, ...all.slice(1).map(line)].join("\n");
 }
 

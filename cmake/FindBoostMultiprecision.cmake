@@ -1,8 +1,10 @@
-# Finds Boost's multiprecision headers (header-only, used without the rest of Boost) and puts their folder into
-# APOLLONIUS_BOOST_FOUND; that stays empty where the compiler finds them without any flag.
+# Finds Boost's multiprecision headers (header-only, used without the rest of Boost) and puts their
+# folder into APOLLONIUS_BOOST_FOUND; that stays empty where the compiler finds them without any
+# flag.
 #
-# Order: -DAPOLLONIUS_BOOST_INCLUDE, the project's own toolchain folder (tools/toolchain/setup.mjs fills it), the system.
-# A wasm build never looks at the system's: /usr/include must not be on its include path.
+# Order: -DAPOLLONIUS_BOOST_INCLUDE, the project's own toolchain folder (filled by
+# tools/toolchain/setup.mjs), the system. A wasm build never looks at the system's: /usr/include
+# must not be on its include path.
 
 # Compares BOOST_VERSION in a folder with the oldest one that has BOOST_MP_STANDALONE as we use it.
 function(apollonius_boost_usable folder result)
@@ -49,6 +51,7 @@ if(NOT usable)
   message(FATAL_ERROR
     "Boost's multiprecision headers (Boost 1.80 or newer) were not found in: ${candidates}"
     " nor in the system's include folders.\n"
-    "Run `node tools/toolchain/setup.mjs boost` (fetches them through apt into a private folder), or install"
-    " Boost >= 1.80 (Debian 12: apt-get install libboost1.81-dev), or pass -DAPOLLONIUS_BOOST_INCLUDE=<folder that holds boost/>.")
+    "Run `node tools/toolchain/setup.mjs boost` (fetches them through apt into a private folder),"
+    " or install Boost >= 1.80 (Debian 12: apt-get install libboost1.81-dev), or pass"
+    " -DAPOLLONIUS_BOOST_INCLUDE=<folder that holds boost/>.")
 endif()

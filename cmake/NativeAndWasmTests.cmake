@@ -1,48 +1,40 @@
-# GoogleTest executables from tests/: each folder that holds *_test.cpp files becomes one executable, `number_tests` for
-# tests/number and so on; files of tests/ itself become `core_tests`. The same sources are built natively and for wasm.
+# GoogleTest executables from tests/: each folder that holds *_test.cpp files becomes one
+# executable, `number_tests` for tests/number and so on; files of tests/ itself become `core_tests`.
+# The same sources are built natively and for wasm.
 #
-# Natively CTest lists every single test. As wasm it lists one entry an executable: a Node process for each test would cost
-# more than the tests.
+# Natively CTest lists every single test. As wasm it lists one entry an executable: a Node process
+# for each test would cost more than the tests.
 set(tests "${CMAKE_CURRENT_SOURCE_DIR}/tests")
 file(GLOB_RECURSE test_files CONFIGURE_DEPENDS "${tests}/*_test.cpp")
 file(GLOB_RECURSE support_files CONFIGURE_DEPENDS "${tests}/support/*.cpp")
 list(FILTER support_files EXCLUDE REGEX "_test\\.cpp$")
 
-if(NOT TARGET apollonius OR NOT (test_files OR APOLLONIUS_FUZZ))
-  message(STATUS "No C++ tests yet")
-  return()
-endif()
-
 set(APOLLONIUS_GOOGLETEST "/usr/src/googletest" CACHE PATH "GoogleTest's sources")
 if(NOT EXISTS "${APOLLONIUS_GOOGLETEST}/CMakeLists.txt")
-  message(FATAL_ERROR "GoogleTest's sources are not in ${APOLLONIUS_GOOGLETEST}. Install them (Debian, Ubuntu: apt-get install"
-    " libgtest-dev), pass -DAPOLLONIUS_GOOGLETEST=<folder>, or leave the tests out with -DAPOLLONIUS_TESTS=OFF.")
+  message(FATAL_ERROR "GoogleTest's sources are not in ${APOLLONIUS_GOOGLETEST}. Install them"
+    " (Debian, Ubuntu: apt-get install libgtest-dev), pass -DAPOLLONIUS_GOOGLETEST=<folder>,"
+    " or leave the tests out with -DAPOLLONIUS_TESTS=OFF.")
 endif()
 set(BUILD_GMOCK OFF CACHE BOOL "" FORCE)
 set(INSTALL_GTEST OFF CACHE BOOL "" FORCE)
 if(EMSCRIPTEN)
   set(gtest_disable_pthreads ON CACHE BOOL "" FORCE)
 endif()
-add_subdirectory("${APOLLONIUS_GOOGLETEST}" "${CMAKE_CURRENT_BINARY_DIR}/googletest" EXCLUDE_FROM_ALL SYSTEM)
+add_subdirectory("${APOLLONIUS_GOOGLETEST}" "${CMAKE_CURRENT_BINARY_DIR}/googletest"
+  EXCLUDE_FROM_ALL SYSTEM)
 
 # What all test executables share: generators, oracle, and where the data files are.
-if(support_files)
-  add_library(apollonius_test_support STATIC ${support_files})
-  set(support_scope PUBLIC)
-else()
-  add_library(apollonius_test_support INTERFACE)
-  set(support_scope INTERFACE)
-endif()
-target_include_directories(apollonius_test_support ${support_scope} "${CMAKE_CURRENT_SOURCE_DIR}" "${tests}")
-target_compile_definitions(apollonius_test_support ${support_scope} APOLLONIUS_TEST_DATA="${tests}/data")
-target_link_libraries(apollonius_test_support ${support_scope} apollonius)
+add_library(apollonius_test_support STATIC ${support_files})
+target_include_directories(apollonius_test_support PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}" "${tests}")
+target_compile_definitions(apollonius_test_support PUBLIC APOLLONIUS_TEST_DATA="${tests}/data")
+target_link_libraries(apollonius_test_support PUBLIC apollonius apollonius_flags)
 
 if(EMSCRIPTEN)
   # The programs are CommonJS; the repository's package.json says otherwise of .js files.
   file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/package.json" "{ \"type\": \"commonjs\" }\n")
   # Node's own file system, so that tests read tests/data as they do natively.
-  set(wasm_test_link_options -sENVIRONMENT=node -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sALLOW_MEMORY_GROWTH=1
-    -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB)
+  set(wasm_test_link_options -sENVIRONMENT=node -sNODERAWFS=1 -sEXIT_RUNTIME=1
+    -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB)
 endif()
 
 set(folders "")
@@ -71,13 +63,27 @@ foreach(folder IN LISTS folders)
   endif()
 endforeach()
 
-# The recorded hashes alone, for tests/check/determinism.mjs, which builds them with many compilers and flags.
-add_executable(determinism_tests EXCLUDE_FROM_ALL "${tests}/diagram/determinism_test.cpp" "${tests}/geometry/voronoi_test.cpp")
+# The recorded hashes alone, for tests/check/determinism.mjs, which builds them with many compilers
+# and flags.
+add_executable(determinism_tests EXCLUDE_FROM_ALL
+  "${tests}/diagram/determinism_test.cpp" "${tests}/geometry/voronoi_test.cpp")
 target_link_libraries(determinism_tests PRIVATE apollonius_test_support gtest_main)
 
 if(NOT EMSCRIPTEN)
-  add_test(NAME flags COMMAND "${CMAKE_COMMAND}" -DROOT=${CMAKE_CURRENT_SOURCE_DIR} -DWORK=${CMAKE_CURRENT_BINARY_DIR}/flags
-    -DCXX=${CMAKE_CXX_COMPILER} -DOBJDUMP=${CMAKE_OBJDUMP} -DLIBRARY=$<TARGET_FILE:apollonius> -P "${tests}/flags/check.cmake")
+  add_test(NAME flags COMMAND "${CMAKE_COMMAND}" -DROOT=${CMAKE_CURRENT_SOURCE_DIR}
+    -DWORK=${CMAKE_CURRENT_BINARY_DIR}/flags -DCXX=${CMAKE_CXX_COMPILER} -DOBJDUMP=${CMAKE_OBJDUMP}
+    -DLIBRARY=$<TARGET_FILE:apollonius> -P "${tests}/flags/check.cmake")
+  if(APOLLONIUS_INSTALL)
+    # What the library was built with and a program that links it needs as well.
+    set(flags ${CMAKE_CXX_FLAGS})
+    if(APOLLONIUS_SANITIZE)
+      list(APPEND flags -fsanitize=address,undefined)
+    endif()
+    list(JOIN flags " " flags)
+    add_test(NAME install COMMAND "${CMAKE_COMMAND}" -DROOT=${CMAKE_CURRENT_SOURCE_DIR}
+      -DBUILD=${CMAKE_CURRENT_BINARY_DIR} -DCONFIG=$<CONFIG> -DCXX=${CMAKE_CXX_COMPILER}
+      -DVERSION=${PROJECT_VERSION} "-DFLAGS=${flags}" -P "${tests}/install/check.cmake")
+  endif()
 endif()
 
 # Exactness at scale, by hand: see the top of the file.
@@ -98,5 +104,6 @@ foreach(file IN LISTS fuzz_files)
   else()
     continue()
   endif()
-  target_link_libraries(${name} PRIVATE apollonius_test_support gtest)  # of which some helpers have macros
+  # Some helpers use macros of GoogleTest.
+  target_link_libraries(${name} PRIVATE apollonius_test_support gtest)
 endforeach()

@@ -1,5 +1,5 @@
-// npm run check: what looks at the C++ code more closely than the tests do.     npm run check --
-// tidy cppcheck    runs some steps only
+// npm run check: what looks at the C++ code more closely than the tests do.
+// npm run check -- tidy cppcheck    runs some steps only
 //
 //   sanitizers   the native tests with AddressSanitizer and UndefinedBehaviorSanitizer (smaller
 //                sizes: tests/support/effort.h)
@@ -48,11 +48,14 @@ await runSteps({
       APOLLONIUS_SANITIZE: "ON",
       APOLLONIUS_WERROR: "ON",
     };
-    return ctest(await withBuildLock(() => buildWithCmake("sanitizers", settings)), {
-      ASAN_OPTIONS:
-        "detect_stack_use_after_return=1:strict_init_order=1:check_initialization_order=1:allocator_may_return_null=1",
-      UBSAN_OPTIONS: "print_stacktrace=1",
-    });
+    const address = [
+      "detect_stack_use_after_return=1",
+      "strict_init_order=1",
+      "check_initialization_order=1",
+      "allocator_may_return_null=1",
+    ];
+    const env = { ASAN_OPTIONS: address.join(":"), UBSAN_OPTIONS: "print_stacktrace=1" };
+    return ctest(await withBuildLock(() => buildWithCmake("sanitizers", settings)), { env });
   },
   async valgrind() {
     native();

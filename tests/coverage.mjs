@@ -161,11 +161,9 @@ function table(files) {
     add("all", file);
   }
   for (const [name, [lines, allLines, outcomes, allOutcomes]] of rows) {
-    console.log(
-      `${name.padEnd(14)} lines ${percent(lines, allLines).padStart(8)} (${lines} of ${allLines})`.padEnd(
-        50,
-      ) + `branches ${percent(outcomes, allOutcomes).padStart(8)} (${outcomes} of ${allOutcomes})`,
-    );
+    const ofLines = `${percent(lines, allLines).padStart(8)} (${lines} of ${allLines})`;
+    const ofBranches = `${percent(outcomes, allOutcomes)} (${outcomes} of ${allOutcomes})`;
+    console.log(`${name.padEnd(14)} lines ${ofLines.padEnd(29)}branches ${ofBranches}`);
   }
 }
 
@@ -186,7 +184,8 @@ function list(files) {
       reason ? ++explained : ++unexplained;
       if (!reason || options.all)
         console.log(
-          `${file.name}:${line}${column ? `:${column}` : ""}: ${what} | ${source}${reason ? `   # ${reason.why}` : ""}`,
+          `${file.name}:${line}${column ? `:${column}` : ""}: ${what} | ${source}` +
+            (reason ? `   # ${reason.why}` : ""),
         );
     }
   }
@@ -195,7 +194,8 @@ function list(files) {
   );
   for (const line of stale) console.log(`is covered, or is not there any more: ${line}`);
   console.log(
-    `${explained} uncovered with a reason (tests/check/uncovered.json), ${unexplained} without, ${stale.length} reasons for nothing`,
+    `${explained} uncovered with a reason (tests/check/uncovered.json), ${unexplained} without, ` +
+      `${stale.length} reasons for nothing`,
   );
   return stale.length;
 }

@@ -124,7 +124,7 @@ test("the patterns do read lines", () => {
   expect(dependencies("tests/layers.test.mjs")).toContain("node:fs");
 });
 
-test("heap views and addresses are in wasm/native.ts only, but for module.ts, which makes the views", () => {
+test("heap views are made in wasm/module.ts, and used in native.ts only", () => {
   const users = sources("wasm/")
     .filter((file) => file.endsWith(".ts"))
     .filter((file) =>
@@ -133,7 +133,7 @@ test("heap views and addresses are in wasm/native.ts only, but for module.ts, wh
   expect(users).toEqual(["wasm/module.ts", "wasm/native.ts"]);
 });
 
-test("wasm/module.ts declares the functions that wasm/bindings.cpp exports, with as many arguments", () => {
+test("wasm/module.ts declares what wasm/bindings.cpp exports, with as many arguments", () => {
   const found = (file, pattern) =>
     Object.fromEntries(
       [...readFileSync(path.join(root, file), "utf8").matchAll(pattern)].map(([, name, list]) => [
@@ -142,14 +142,14 @@ test("wasm/module.ts declares the functions that wasm/bindings.cpp exports, with
       ]),
     );
   const exported = found("wasm/bindings.cpp", /EMSCRIPTEN_KEEPALIVE [^(]*?(\w+)\(([^)]*)\)/g);
-  const declared = found("wasm/module.ts", /^  (\w+)\(([^)]*)\): \w+;$/gm);
+  const declared = found("wasm/module.ts", /^ {2}(\w+)\(([^)]*)\): \w+;$/gm);
   delete declared._initialize;
   expect(Object.keys(exported).length).toBeGreaterThan(30);
   expect(declared).toEqual(exported);
   expect(Math.max(...Object.values(declared))).toBe(9); // as many as wasm/module.ts passes on
 });
 
-test("exceptions are caught whatever they are, and no type is asked for at run time (wasm/lean_runtime.cpp)", () => {
+test("no type is asked for at run time, of exceptions neither (wasm/lean_runtime.cpp)", () => {
   const asking = ["src/", "wasm/"]
     .flatMap(sources)
     .filter((file) => /\.(cpp|h)$/.test(file))
@@ -165,6 +165,18 @@ test("no source file is longer than 600 lines", () => {
   const long = ["src/", "wasm/", "web/", "tests/", "bench/", "tools/"]
     .flatMap(sources)
     .filter((file) => readFileSync(path.join(root, file), "utf8").split("\n").length > 601);
+  expect(long).toEqual([]);
+});
+
+test("no line of a source file is longer than 100 columns", () => {
+  const named = /\.(cpp|h|js|mjs|ts|cmake|yml|sh)$|(^|\/)(CMakeLists\.txt|\.clang-tidy|run)$/;
+  const long = files
+    .filter((file) => named.test(file))
+    .flatMap((file) =>
+      readFileSync(path.join(root, file), "utf8")
+        .split("\n")
+        .flatMap((line, k) => ([...line].length > 100 ? [`${file}:${k + 1}`] : [])),
+    );
   expect(long).toEqual([]);
 });
 
@@ -192,7 +204,7 @@ test("top-level entries are the documented ones", () => {
   expect(others).toEqual([]);
 });
 
-test("no file names a package registry's host, and the lock file holds no download addresses", () => {
+test("no file names a package registry's host, nor the lock file download addresses", () => {
   // In pieces, so that this file does not name them either.
   const hosts = [
     ["npmjs", "org"],

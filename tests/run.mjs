@@ -1,13 +1,18 @@
-// npm test: sets up, builds, and runs everything.     npm test -- native wasm package web    runs
-// some steps only
+// npm test: sets up, builds, and runs everything.
+// npm test -- native wasm      runs some steps only
+// npm test -- native -t Ids    only tests with that in their names
 //
+//   lint      layout, rules and types of the sources, which need no build
 //   native    the C++ tests, natively, with every filtered predicate answer compared to the exact
 //             one
 //   wasm      the same C++ tests as WebAssembly under Node
-//   package  Jest on the package as `npm pack` makes it (in Node, in browsers, through bundlers),
-//            and on the rules about who may include whom
+//   package   Jest on the package as `npm pack` makes it (in Node, in browsers, through bundlers),
+//             and on the rules about who may include whom
 //   web       Jest on the page in a real browser
+import { readdirSync } from "node:fs";
+import path from "node:path";
 import { buildPackage } from "../tools/build.mjs";
+import { lint } from "../tools/lint.mjs";
 import { ensureChromium, ensureFirefox } from "../tools/toolchain/browser.mjs";
 import { ensureBoost } from "../tools/toolchain/boost.mjs";
 import { buildWasmTests, buildWithCmake } from "../tools/toolchain/cmake.mjs";
@@ -18,6 +23,11 @@ import { SetUpError } from "../tools/toolchain/process.mjs";
 import { ctest, runSteps, runTests } from "./steps.mjs";
 import { installPacked } from "./wasm/support/install_packed.mjs";
 
+const wanted = process.argv.slice(2);
+const at = wanted.indexOf("-t");
+/** What the names of the tests that are run have in them; undefined: all. */
+const name = at < 0 ? undefined : wanted.splice(at, 2)[1];
+
 function jest(projects, env = {}) {
   const args = [
     "--experimental-vm-modules",
@@ -26,6 +36,7 @@ function jest(projects, env = {}) {
     "tests/jest.config.mjs",
     "--selectProjects",
     ...projects,
+    ...(name === undefined ? [] : ["-t", name]),
   ];
   return runTests(process.execPath, args, {
     summary: /^Tests: /,
@@ -33,7 +44,23 @@ function jest(projects, env = {}) {
   });
 }
 
-await runSteps({
+/** The programs themselves: as wasm, CTest knows no single tests. */
+async function wasmTests(folder) {
+  if (name === undefined) return ctest(folder);
+  const programs = readdirSync(folder).filter((file) => file.endsWith("_tests.js"));
+  for (const program of programs) {
+    const args = [path.join(folder, program), `--gtest_filter=*${name}*`, "--gtest_brief=1"];
+    await runTests(process.execPath, args, { summary: /PASSED/, boring: /PASSED +. 0 tests/ });
+  }
+  return `${programs.length} programs without a failure`;
+}
+
+const steps = {
+  lint() {
+    if (name !== undefined) return "has no tests";
+    lint();
+    return "nothing to say";
+  },
   async native() {
     ensureNativeTools();
     ensureBoost();
@@ -42,13 +69,13 @@ await runSteps({
       APOLLONIUS_SHADOW_CHECK: "ON",
       APOLLONIUS_WERROR: "ON",
     };
-    return ctest(await withBuildLock(() => buildWithCmake("native", settings)));
+    return ctest(await withBuildLock(() => buildWithCmake("native", settings)), { name });
   },
   async wasm() {
     ensureNativeTools();
     const emscripten = ensureEmscripten();
     ensureBoost();
-    return ctest(await withBuildLock(() => buildWasmTests(emscripten)));
+    return wasmTests(await withBuildLock(() => buildWasmTests(emscripten)));
   },
   async package() {
     const browsers = { CHROMIUM: ensureChromium() ?? "", FIREFOX: ensureFirefox() ?? "" };
@@ -73,4 +100,5 @@ await runSteps({
       ? line
       : `${line}   WITHOUT A BROWSER: install Chromium, or set CHROMIUM to its path`;
   },
-});
+};
+await runSteps(steps, wanted);

@@ -14,8 +14,9 @@ const entries = [
 ];
 const preface = `# API reference
 
-Made by \`npm run docs\` from the comments in \`wasm/*.ts\`; edit those. Lengths are in the unit of the input, areas in its square; y points
-upwards, counter-clockwise is meant so. n is the number of sites, d the number of a site's neighbours. Every call that fails throws an
+Made by \`npm run docs\` from the comments in \`wasm/*.ts\`; edit those. Lengths are in the unit of
+the input, areas in its square; y points upwards, counter-clockwise is meant so. n is the number of
+sites, d the number of a site's neighbours. Every call that fails throws an
 [ApolloniusError](#class-apolloniuserror) with a \`code\` and changes nothing.
 `;
 

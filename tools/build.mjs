@@ -97,7 +97,9 @@ function byteOrderMark(file) {
 const scriptTag = {
   banner: { js: "(function(module){" },
   footer: {
-    js: '})(typeof module=="object"&&module.exports?module:{set exports(names){globalThis.apollonius=names}});',
+    js:
+      '})(typeof module=="object"&&module.exports?module:' +
+      "{set exports(names){globalThis.apollonius=names}});",
   },
 };
 

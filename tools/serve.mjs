@@ -48,7 +48,7 @@ function fileOf(url) {
 
 async function answer(request, response) {
   const refuse = (status, text) =>
-    response.writeHead(status, { "Content-Type": "text/plain" }).end(text + "\n");
+    response.writeHead(status, { "Content-Type": "text/plain" }).end(`${text}\n`);
   if (request.method !== "GET" && request.method !== "HEAD")
     return refuse(405, "Only GET and HEAD.");
   if (/^\/(web)?(\?.*)?$/.test(request.url))
@@ -91,7 +91,10 @@ export async function serve(port = 8080, attempts = 50) {
   }
   const url = `http://localhost:${server.address().port}/web/`;
   const close = () =>
-    new Promise((resolve) => (server.close(resolve), server.closeAllConnections()));
+    new Promise((resolve) => {
+      server.close(resolve);
+      server.closeAllConnections();
+    });
   return { url, close };
 }
 

@@ -87,7 +87,7 @@ export class PathString implements PathContext {
     this.#text += `L${this.#number(x)},${this.#number(y)}`;
   }
   bezierCurveTo(x1: number, y1: number, x2: number, y2: number, x: number, y: number): void {
-    this.#text += `C${this.#number(x1)},${this.#number(y1)},${this.#number(x2)},${this.#number(y2)},${this.#number(x)},${this.#number(y)}`;
+    this.#text += `C${[x1, y1, x2, y2, x, y].map((value) => this.#number(value)).join(",")}`;
   }
   closePath(): void {
     this.#text += "Z";

@@ -28,7 +28,8 @@ async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
     : source);
   if (!(response instanceof Response)) {
     throw new TypeError(
-      "apollonius-diagram/wasm: load() expects an address, a Response, the bytes or a WebAssembly.Module",
+      "apollonius-diagram/wasm: load() expects an address, a Response, the bytes " +
+        "or a WebAssembly.Module",
     );
   }
   if (!response.ok)

@@ -29,8 +29,10 @@ export class App extends EventTarget {
     super();
     this.painter = new Painter(canvases, this.scene, this.view);
     let before = null;
-    this.scene.addEventListener("before", ({ detail }) => (before = this.#region(detail.id)));
-    this.scene.addEventListener("change", ({ detail }) => {
+    this.scene.addEventListener("before", (/** @type {any} */ { detail }) => {
+      before = this.#region(detail.id);
+    });
+    this.scene.addEventListener("change", (/** @type {any} */ { detail }) => {
       if (detail.all) this.painter.redraw();
       if (before) this.painter.redrawBox(before);
       if (detail.id !== undefined && !detail.removed)

@@ -120,7 +120,10 @@ function drawNames(context, scene, view, box, theme) {
     const y = view.toScreenY(xyr[3 * id + 1]);
     if (x + r < box.left || x - r > box.right || y + r < box.top || y - r > box.bottom) continue;
     let width = widths.get(name);
-    if (width === undefined) widths.set(name, (width = context.measureText(name).width));
+    if (width === undefined) {
+      width = context.measureText(name).width;
+      widths.set(name, width);
+    }
     if (width < 2 * r - 2 && !isCrowded(scene, view, flags, id, x, y, width / 2 + 4))
       context.fillText(name, x, y);
   }

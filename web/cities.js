@@ -36,6 +36,7 @@ export async function loadCities() {
 }
 
 function ringBounds(ring) {
+  /** @type {import("./scene.js").Bounds} */
   const box = [Infinity, Infinity, -Infinity, -Infinity];
   let x = 0;
   let y = 0;

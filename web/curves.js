@@ -17,12 +17,14 @@ export const drawOptions = (view) => ({ tolerance: kTolerance / view.scale });
  * view is beyond what numbers resolve.
  */
 export function boundsOf(view, box, margin = 0) {
+  const rounded = (x) => (Math.abs(x) < 1e-90 ? 0 : x);
+  /** @type {import("./scene.js").Bounds} */
   const bounds = [
-    view.toWorldX(box.left - margin),
-    view.toWorldY(box.bottom + margin),
-    view.toWorldX(box.right + margin),
-    view.toWorldY(box.top - margin),
-  ].map((x) => (Math.abs(x) < 1e-90 ? 0 : x));
+    rounded(view.toWorldX(box.left - margin)),
+    rounded(view.toWorldY(box.bottom + margin)),
+    rounded(view.toWorldX(box.right + margin)),
+    rounded(view.toWorldY(box.top - margin)),
+  ];
   return bounds[0] < bounds[2] && bounds[1] < bounds[3] ? bounds : null;
 }
 

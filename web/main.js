@@ -28,7 +28,10 @@ async function start() {
     // Another screen has another density: no event tells but the end of this one.
     matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`).addEventListener(
       "change",
-      () => (resize(), watchDensity()),
+      () => {
+        resize();
+        watchDensity();
+      },
       { once: true },
     );
   };
@@ -79,7 +82,7 @@ async function start() {
   await actions.cities(kFirstView);
 
   // A handle for tests and the curious; not an interface: it may change at any time.
-  window.app = app;
+  Object.assign(window, { app });
 }
 
 start().catch((error) => {

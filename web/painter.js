@@ -23,6 +23,7 @@ export class Painter {
   hover = null;
   selected = -1;
   draft = null;
+  /** @type {Record<string, string>} */
   theme = {};
   /** What drawing cost, in ms, latest last: whole pictures, boxes, overlays. */
   costs = { full: [], box: [], overlay: [] };

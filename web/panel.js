@@ -52,9 +52,13 @@ export class Panel {
 
   #listen(actions) {
     const { app } = this;
-    const share = element("share");
-    share.addEventListener("input", () => (element("share-value").value = `${share.value} %`));
-    for (const button of document.querySelectorAll("[data-count]")) {
+    const share = /** @type {HTMLInputElement} */ (element("share"));
+    share.addEventListener("input", () => {
+      element("share-value").textContent = `${share.value} %`;
+    });
+    /** @type {NodeListOf<HTMLElement>} */
+    const counts = document.querySelectorAll("[data-count]");
+    for (const button of counts) {
       button.addEventListener("click", () =>
         actions.random(Number(button.dataset.count), Number(share.value) / 100),
       );
@@ -62,9 +66,10 @@ export class Panel {
     element("set-cities").addEventListener("click", () => actions.cities());
     element("clear").addEventListener("click", actions.clear);
     element("fit").addEventListener("click", actions.fit);
-    element("layers").addEventListener("change", ({ target }) =>
-      app.setLayer(target.name, target.checked),
-    );
+    element("layers").addEventListener("change", (event) => {
+      const { name, checked } = /** @type {HTMLInputElement} */ (event.target);
+      app.setLayer(name, checked);
+    });
     element("fold").addEventListener("click", () =>
       this.fold(!element("panel").classList.contains("folded")),
     );

@@ -1,10 +1,12 @@
 // Mouse, pen and touch on the canvas. Every gesture means one thing, decided where and how it
 // starts:
-//   click or tap on a circle selects it, with Shift deletes it; elsewhere it inserts one (Alt or
-//   Ctrl: also upon a circle) drag a circle moves it, drag the selected circle's handle resizes it;
-//   drag elsewhere moves the view drag with Alt or Ctrl draws a circle from its centre; two fingers
-//   move and zoom the view wheel over the selected circle or its handle resizes it; elsewhere it
-//   zooms (with Ctrl, as a pinch does, always)
+//   - click or tap on a circle selects it, with Shift deletes it; elsewhere it inserts one (Alt or
+//     Ctrl: also upon a circle)
+//   - drag a circle moves it, drag the selected circle's handle resizes it; drag elsewhere moves
+//     the view
+//   - drag with Alt or Ctrl draws a circle from its centre; two fingers move and zoom the view
+//   - wheel over the selected circle or its handle resizes it; elsewhere it zooms (with Ctrl, as a
+//     pinch does, always)
 import { handleOf, radiusForHandle } from "./overlay_layer.js";
 
 const kSlop = 4; // pixels that a click may move
@@ -18,8 +20,13 @@ export function listenToPointer(element, app) {
   /** Pointers that are down, by id. @type {Map<number, { x: number, y: number }>} */
   const down = new Map();
   /**
-   * @type {null | { kind: string, startX: number, startY: number, moved: boolean, id: number, dx:
-   * number, dy: number, event: PointerEvent }}
+   * What the pointers that are down do: a pinch has `last`, all others have the rest.
+   * @type {null | {
+   *   kind: "pan" | "draw" | "resize" | "move" | "pinch", moved: boolean,
+   *   startX?: number, startY?: number, lastX?: number, lastY?: number,
+   *   id?: number, dx?: number, dy?: number, event?: PointerEvent,
+   *   last?: null | { x: number, y: number, size: number },
+   * }}
    */
   let gesture = null;
 
@@ -42,6 +49,7 @@ export function listenToPointer(element, app) {
     const type = event.pointerType;
     const id = app.pick(x, y, kReach[type] ?? 5);
     const draws = event.altKey || event.ctrlKey || event.metaKey;
+    /** @type {"pan" | "draw" | "resize" | "move"} */
     let kind = "pan";
     if (draws) kind = "draw";
     else if (onHandle(x, y, type)) kind = "resize";
@@ -188,7 +196,7 @@ export function listenToPointer(element, app) {
     if (event.ctrlKey) event.preventDefault(); // Ctrl-click inserts
   });
 
-  let wheel = { time: -Infinity, resizes: false };
+  const wheel = { time: -Infinity, resizes: false };
   element.addEventListener(
     "wheel",
     (event) => {

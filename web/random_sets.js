@@ -74,7 +74,10 @@ export function randomCircles({ count, hiddenShare, seed, width, height }) {
   // Hidden circles sit in covers picked by area, so that large circles hold several.
   const reach = [];
   let sum = 0;
-  for (const { r } of visible) reach.push((sum += r * r));
+  for (const { r } of visible) {
+    sum += r * r;
+    reach.push(sum);
+  }
   const hidden = Array.from({ length: hiddenCount }, () => {
     const cover = visible[firstAtLeast(reach, random() * sum)];
     const r = cover.r * (0.08 + 0.3 * random());

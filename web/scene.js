@@ -5,6 +5,8 @@ import { Diagram } from "apollonius-diagram";
 /** @typedef {{ name: string, detail?: string }} Label */
 /** @typedef {{ operation: string, micros: number, count: number }} Timing */
 
+/** @typedef {[number, number, number, number]} Bounds xmin, ymin, xmax, ymax */
+
 export class Scene extends EventTarget {
   diagram = new Diagram();
   /** x, y, r by id; rows of ids that do not exist are stale. */
@@ -105,9 +107,10 @@ export class Scene extends EventTarget {
     return best;
   }
 
-  /** [xmin, ymin, xmax, ymax] of all circles, or null. */
+  /** Those of all circles, or null. */
   bounds() {
     if (this.ids.length === 0) return null;
+    /** @type {Bounds} */
     const box = [Infinity, Infinity, -Infinity, -Infinity];
     for (const id of this.ids) {
       const { x, y, r } = this.site(id);

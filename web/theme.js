@@ -23,7 +23,7 @@ const kNames = [
   "pointer",
 ];
 
-const property = (name) => "--" + name.replace(/[A-Z]/g, (letter) => "-" + letter.toLowerCase());
+const property = (name) => `--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
 
 /** @returns {Record<string, string>} */
 export function readTheme() {

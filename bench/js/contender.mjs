@@ -38,10 +38,8 @@ if (people.length > 0) {
       limit: 60,
       step: 0.01,
     });
-    const sorted = samples?.toSorted((a, b) => a - b);
-    const text =
-      error ??
-      `${sorted[sorted.length >> 1].toFixed(4)} us  (${sorted[0].toFixed(4)} .. ${sorted.at(-1).toFixed(4)})`;
+    const sorted = samples?.toSorted((a, b) => a - b).map((time) => time.toFixed(4));
+    const text = error ?? `${sorted[sorted.length >> 1]} us  (${sorted[0]} .. ${sorted.at(-1)})`;
     console.log(operation.padEnd(14), text, JSON.stringify(rest));
   }
 } else {

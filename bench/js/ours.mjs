@@ -249,7 +249,10 @@ function removed(request, atOnce) {
   const answer = sampled(request, ids.length, prepare, () => {
     const { diagram } = current;
     current.isWhole = false;
-    if (atOnce) return void (sink = diagram.removeMany(ids));
+    if (atOnce) {
+      sink = diagram.removeMany(ids);
+      return;
+    }
     return forEachUntil(request.limit, ids.length, (k) => {
       sink += diagram.remove(ids[k]);
     });
@@ -408,7 +411,10 @@ export const operations = {
 
 export function warmUp() {
   let state = 1;
-  const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
+  const random = () => {
+    state = (state * 48271) % 2147483647;
+    return state / 2147483647;
+  };
   forMilliseconds(700, () => {
     const sites = Float64Array.from(
       { length: 3 * 2000 },

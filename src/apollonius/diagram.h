@@ -25,6 +25,7 @@
 #include <span>
 #include <string>
 
+#include "apollonius/export.h"
 #include "apollonius/types.h"
 
 namespace apollonius {
@@ -53,7 +54,7 @@ struct Circle {
 
 class DiagramCore;
 
-class Diagram {
+class APOLLONIUS_EXPORT Diagram {
  public:
   /// The one call that can throw: std::bad_alloc.
   explicit Diagram(Location location = Location::kHierarchy);

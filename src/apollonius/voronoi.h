@@ -24,6 +24,7 @@
 #include <cstdint>
 
 #include "apollonius/diagram.h"
+#include "apollonius/export.h"
 #include "apollonius/path.h"
 
 namespace apollonius {
@@ -62,9 +63,9 @@ struct CellMeasures {
 };
 
 /// A tolerance for drawings in a window that is too small to be seen: 2^-13 of its diagonal.
-[[nodiscard]] double defaultTolerance(const Bounds& bounds);
+[[nodiscard]] APOLLONIUS_EXPORT double defaultTolerance(const Bounds& bounds);
 
-class Voronoi {
+class APOLLONIUS_EXPORT Voronoi {
  public:
   explicit Voronoi(const Diagram& diagram, const Bounds& bounds = {})
       : diagram_(diagram), bounds_(bounds) {}

@@ -1,10 +1,14 @@
-# What happens to flags that change arithmetic: a CTest script.   cmake -DROOT=… -DWORK=… -DCXX=… -P check.cmake
-# Configuring refuses them, in all the ways in which they reach us; the sources do where they are compiled without our CMake files; and what no
-# macro tells of is seen when the program runs.
+# What happens to flags that change arithmetic: a CTest script.
+#
+#   cmake -DROOT=… -DWORK=… -DCXX=… -P check.cmake
+#
+# Configuring refuses them, in all the ways in which they reach us; the sources do where they are
+# compiled without our CMake files; and what no macro tells of is seen when the program runs.
 cmake_minimum_required(VERSION 3.25)
 
 function(expect_failure what pattern)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+  execute_process(COMMAND ${ARGN}
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE errors)
   string(REGEX REPLACE "[ \n]+" " " text "${output} ${errors}")
   if(result EQUAL 0 OR NOT text MATCHES "${pattern}")
     message(SEND_ERROR "${what}: expected \"${pattern}\", got ${result}: ${text}")
@@ -12,7 +16,8 @@ function(expect_failure what pattern)
 endfunction()
 
 function(expect_success what)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+  execute_process(COMMAND ${ARGN}
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE errors)
   if(NOT result EQUAL 0)
     message(SEND_ERROR "${what}: ${result}: ${output} ${errors}")
   endif()
@@ -21,16 +26,21 @@ endfunction()
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
 
-# --- Configuring: the library by itself, and within a consumer's project ----------------------------------------------------------
+# --- Configuring: the library by itself, and within a consumer's project --------------------------
 set(configure "${CMAKE_COMMAND}" -DCMAKE_CXX_COMPILER=${CXX} -DAPOLLONIUS_TESTS=OFF)
-foreach(flags IN ITEMS -ffast-math -Ofast "-O2 -mfma -ffp-contract=fast" -funsafe-math-optimizations -fassociative-math)
-  expect_failure("CMAKE_CXX_FLAGS=${flags}" "changes arithmetic" ${configure} -S "${ROOT}" -B "${WORK}/own" --fresh "-DCMAKE_CXX_FLAGS=${flags}")
+set(own ${configure} -S "${ROOT}" -B "${WORK}/own" --fresh)
+foreach(flags IN ITEMS -ffast-math -Ofast "-O2 -mfma -ffp-contract=fast"
+    -funsafe-math-optimizations -fassociative-math)
+  expect_failure("CMAKE_CXX_FLAGS=${flags}" "changes arithmetic"
+    ${own} "-DCMAKE_CXX_FLAGS=${flags}")
 endforeach()
 expect_failure("CMAKE_CXX_FLAGS_RELEASE" "-Ofast changes arithmetic"
-  ${configure} -S "${ROOT}" -B "${WORK}/own" --fresh -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-Ofast -DNDEBUG")
+  ${own} -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-Ofast -DNDEBUG")
 expect_failure("CXXFLAGS" "-ffast-math changes arithmetic"
-  "${CMAKE_COMMAND}" -E env CXXFLAGS=-ffast-math ${configure} -S "${ROOT}" -B "${WORK}/own" --fresh)
-expect_success("flags of the machine" ${configure} -S "${ROOT}" -B "${WORK}/own" --fresh "-DCMAKE_CXX_FLAGS=-march=native -O3 -g")
+  "${CMAKE_COMMAND}" -E env CXXFLAGS=-ffast-math ${own})
+expect_failure("a shared library's linker" "-ffast-math changes arithmetic"
+  ${own} -DCMAKE_SHARED_LINKER_FLAGS=-ffast-math)
+expect_success("flags of the machine" ${own} "-DCMAKE_CXX_FLAGS=-march=native -O3 -g")
 
 file(WRITE "${WORK}/consumer/CMakeLists.txt" "cmake_minimum_required(VERSION 3.25)
 project(consumer CXX)
@@ -39,11 +49,13 @@ add_link_options(\${LINK_OPTIONS})
 add_subdirectory(${ROOT} apollonius)
 ")
 set(consumer ${configure} -S "${WORK}/consumer" -B "${WORK}/consumer/build" --fresh)
-expect_failure("a consumer's options" "-ffast-math changes arithmetic" ${consumer} "-DOPTIONS=SHELL:-O2 -ffast-math")
-expect_failure("a consumer's link options" "-Ofast changes arithmetic" ${consumer} -DLINK_OPTIONS=-Ofast)
+expect_failure("a consumer's options" "-ffast-math changes arithmetic"
+  ${consumer} "-DOPTIONS=SHELL:-O2 -ffast-math")
+expect_failure("a consumer's link options" "-Ofast changes arithmetic"
+  ${consumer} -DLINK_OPTIONS=-Ofast)
 expect_success("a consumer" ${consumer} -DOPTIONS=-O2)
 
-# --- Compiled by hand --------------------------------------------------------------------------------------------------------------
+# --- Compiled by hand -----------------------------------------------------------------------------
 file(WRITE "${WORK}/main.cpp" "#include <cstdio>
 #include \"number/fp.h\"
 int main() {
@@ -55,7 +67,8 @@ int main() {
 set(compile "${CXX}" -std=c++20 -O2 -I "${ROOT}/src")
 set(sources "${WORK}/main.cpp" "${ROOT}/src/number/fp.cpp" -o "${WORK}/main")
 foreach(flag IN ITEMS -ffast-math -Ofast -ffinite-math-only)
-  expect_failure("${flag} by hand" "fast-math breaks the error bounds" ${compile} ${flag} -fsyntax-only "${ROOT}/src/number/fp.cpp")
+  expect_failure("${flag} by hand" "fast-math breaks the error bounds"
+    ${compile} ${flag} -fsyntax-only "${ROOT}/src/number/fp.cpp")
 endforeach()
 expect_success("by hand" ${compile} ${sources})
 expect_success("runs" "${WORK}/main")
@@ -69,14 +82,17 @@ if(CMAKE_HOST_SYSTEM_PROCESSOR STREQUAL "x86_64" AND EXISTS /proc/cpuinfo)
   endif()
   expect_success("objects" ${compile} -c "${WORK}/main.cpp" -o "${WORK}/main.o")
   expect_success("objects" ${compile} -c "${ROOT}/src/number/fp.cpp" -o "${WORK}/fp.o")
-  expect_success("linked with fast-math" "${CXX}" -ffast-math "${WORK}/main.o" "${WORK}/fp.o" -o "${WORK}/main")
+  expect_success("linked with fast-math"
+    "${CXX}" -ffast-math "${WORK}/main.o" "${WORK}/fp.o" -o "${WORK}/main")
   expect_failure("linked with fast-math, run" "flushed to zero" "${WORK}/main")
 endif()
 
-# --- The library as it was built: no instruction that rounds once where the bounds count two roundings ----------------------------------
+# --- The library as it was built ------------------------------------------------------------------
+# No instruction rounds once where the bounds count two roundings.
 if(OBJDUMP AND LIBRARY)
+  set(pattern "vfn?m(add|sub)[a-z]*[0-9]|[[:space:]](fn?m(add|sub)|fml[as])[[:space:]]")
   execute_process(COMMAND "${OBJDUMP}" --disassemble --no-show-raw-insn "${LIBRARY}"
-    COMMAND grep -m1 -E "vfn?m(add|sub)[a-z]*[0-9]|[[:space:]](fn?m(add|sub)|fml[as])[[:space:]]" OUTPUT_VARIABLE fused)
+    COMMAND grep -m1 -E "${pattern}" OUTPUT_VARIABLE fused)
   if(fused)
     message(SEND_ERROR "the library has a fused instruction: ${fused}")
   endif()

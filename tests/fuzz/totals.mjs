@@ -24,8 +24,9 @@ export function digestOfSources() {
  */
 export function addToTotals(file, digest, target, { executions, seconds, coverage, findings }) {
   const totals = existsSync(file) ? JSON.parse(readFileSync(file, "utf8")) : {};
-  const all = (totals[digest] ??= {});
-  const sum = (all[target] ??= { executions: 0, seconds: 0, coverage: 0, findings: 0 });
+  totals[digest] ??= {};
+  totals[digest][target] ??= { executions: 0, seconds: 0, coverage: 0, findings: 0 };
+  const sum = totals[digest][target];
   sum.executions += executions;
   sum.seconds = Math.round((sum.seconds + seconds) * 10) / 10;
   sum.coverage = Math.max(sum.coverage, coverage);

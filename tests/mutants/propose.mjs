@@ -32,9 +32,9 @@ const changes = [
 ];
 
 const isCode = (line) =>
-  !/^(\/\/|#|\*|static_assert|namespace|using|template|inline constexpr|friend|case|return;|\[\[)/.test(
-    line,
-  ) && !/\btemplate\b|operator|include|std::fprintf|invariant\(/.test(line);
+  !/^(\/\/|#|\*|static_assert|namespace|using|template|inline constexpr)/.test(line) &&
+  !/^(friend|case|return;|\[\[)/.test(line) &&
+  !/\btemplate\b|operator|include|std::fprintf|invariant\(/.test(line);
 
 function mutantsOf(root, file) {
   const lines = readFileSync(path.join(root, file), "utf8")

@@ -78,7 +78,7 @@ function writeTree() {
   all.forEach((mutant, number) =>
     files.set(mutant.file, [...(files.get(mutant.file) ?? []), [mutant, number]]),
   );
-  for (const folder of ["tests", "wasm", "bench", "src"]) {
+  for (const folder of ["tests", "wasm", "bench", "cmake", "src"]) {
     for (const name of readdirSync(path.join(root, folder), { recursive: true })) {
       const file = path.join(folder, name);
       if (!statSync(path.join(root, file)).isFile()) continue;
@@ -89,7 +89,7 @@ function writeTree() {
       );
     }
   }
-  write("CMakeLists.txt", sourceOf("CMakeLists.txt"));
+  for (const name of ["CMakeLists.txt", "package.json"]) write(name, sourceOf(name));
   for (const name of ["switch.h", "switch.cpp"])
     write(`src/${name}`, sourceOf(`tests/mutants/${name}`));
 }
@@ -142,7 +142,8 @@ if (open.length > 0) {
     if (noticed !== null || longest === Infinity) report[key] = noticed;
     writeFileSync(reportFile, JSON.stringify(report, null, 1));
     console.log(
-      `${mutant.number}: ${noticed ?? "NOT NOTICED"}\n    ${mutant.file}: ${mutant.line}  ->  ${mutant.becomes}`,
+      `${mutant.number}: ${noticed ?? "NOT NOTICED"}\n` +
+        `    ${mutant.file}: ${mutant.line}  ->  ${mutant.becomes}`,
     );
   });
 }
@@ -152,17 +153,15 @@ for (const { number, file, line, becomes } of survivors)
   console.log(`NOT NOTICED ${number} ${file}: ${line}  ->  ${becomes}`);
 const counted = {};
 for (const mutant of chosen) {
-  const row = (counted[path.dirname(mutant.file)] ??= {
-    mutants: 0,
-    noticed: 0,
-    equivalent: 0,
-    "not noticed": 0,
-  });
+  const folder = path.dirname(mutant.file);
+  counted[folder] ??= { mutants: 0, noticed: 0, equivalent: 0, "not noticed": 0 };
+  const row = counted[folder];
   ++row.mutants;
   ++row[mutant.equivalent ? "equivalent" : report[keyOf(mutant)] ? "noticed" : "not noticed"];
 }
 console.table(counted);
 console.log(
-  `${mutants.length - survivors.length} of ${mutants.length} mutants noticed, ${chosen.length - mutants.length} are equivalent`,
+  `${mutants.length - survivors.length} of ${mutants.length} mutants noticed, ` +
+    `${chosen.length - mutants.length} are equivalent`,
 );
 process.exitCode = survivors.length * 20 > mutants.length ? 1 : 0;

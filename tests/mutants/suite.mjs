@@ -46,7 +46,10 @@ function runTests({ program, tests, env, limitOf, passed }) {
       const [, state, name, milliseconds] =
         /^\[ *(RUN|OK|FAILED|SKIPPED) *\] ([^ ,]+)(?:,.*)?(?: \((\d+) ms\))?/.exec(line) ?? [];
       if (state === undefined || !name.includes(".")) return;
-      if (state === "RUN") watch(limitOf((current = name)));
+      if (state === "RUN") {
+        current = name;
+        watch(limitOf(name));
+      }
       if (state === "FAILED") failed ??= name;
       if (state === "OK") passed?.(name, Number(milliseconds) / 1000);
       if (state === "SKIPPED") passed?.(name, null);
@@ -54,14 +57,10 @@ function runTests({ program, tests, env, limitOf, passed }) {
     });
     child.on("close", (code, signal) => {
       clearTimeout(timer);
+      const end = signal ?? (code > 128 ? `signal ${code - 128}` : code);
       if (hangs) resolve(`${current ?? "the program"} hangs`);
       else if (failed !== null) resolve(failed);
-      else
-        resolve(
-          code === 0
-            ? null
-            : `${current ?? "the program"} ends with ${signal ?? (code > 128 ? `signal ${code - 128}` : code)}`,
-        );
+      else resolve(code === 0 ? null : `${current ?? "the program"} ends with ${end}`);
     });
   });
 }
@@ -146,8 +145,10 @@ export class Suite {
       );
       save();
       for (const [test, { seconds, reaches }] of Object.entries(tests)) {
-        if (seconds === null) (skipped[name] ??= []).push(test);
-        else this.tests.push({ program, name: test, seconds, reaches: new Set(reaches) });
+        if (seconds === null) {
+          skipped[name] ??= [];
+          skipped[name].push(test);
+        } else this.tests.push({ program, name: test, seconds, reaches: new Set(reaches) });
       }
     }
     return skipped;

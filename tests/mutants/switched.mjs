@@ -77,14 +77,20 @@ function expressionAround(tokens, begin, end, { closed, open }) {
     if (depth === 0 && closed === 0 && (openers.has(text) || text === "}" || borders.has(text)))
       break;
     if (closers.has(text)) ++depth;
-    if (openers.has(text) && depth-- === 0) (depth = 0), --closed;
+    if (openers.has(text) && depth-- === 0) {
+      depth = 0;
+      --closed;
+    }
     --begin;
   }
   for (depth = 0; end < tokens.length; ++end) {
     const { text } = tokens[end];
     if (depth === 0 && open === 0 && (closers.has(text) || borders.has(text))) break;
     if (openers.has(text)) ++depth;
-    if (closers.has(text) && depth-- === 0) (depth = 0), --open;
+    if (closers.has(text) && depth-- === 0) {
+      depth = 0;
+      --open;
+    }
   }
   return [begin, end];
 }

@@ -2,7 +2,7 @@
 
 const token = new RegExp(
   [
-    /\/\/[^\n]*|\/\*[^]*?\*\//, // comments, which are left out
+    /\/\/[^\n]*|\/\*[\s\S]*?\*\//, // comments, which are left out
     /"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'/,
     /[A-Za-z_]\w*/,
     /\.?\d(?:[eEpP][+-]|'?[\w.])*/,

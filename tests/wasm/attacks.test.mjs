@@ -323,7 +323,7 @@ const callers = [
   ["findMany", (d, deed) => d.findMany(array(deed, 1, 2))],
   [
     "from",
-    (d, deed) =>
+    (_d, deed) =>
       Diagram.from(
         [
           [1, 2, 3],
@@ -334,7 +334,7 @@ const callers = [
   ],
   [
     "from, iterator",
-    (d, deed) =>
+    (_d, deed) =>
       Diagram.from({
         *[Symbol.iterator]() {
           yield [1, 2, 3];
@@ -410,7 +410,7 @@ test.each(callers)("%s, when the caller's code throws", (_, call) => {
   expect(diagram.validate()).toBeNull();
 });
 
-test("a drawing goes on where it was while the memory grows: what was asked for before is drawn", () => {
+test("a drawing goes on while the memory grows: what was asked for before is drawn", () => {
   const small = built(),
     recorder = new Recorder(),
     plain = new Recorder();

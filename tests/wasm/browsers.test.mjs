@@ -31,12 +31,18 @@ test.each(bundlers)("%s bundles the package without a warning, and the bundle ru
 const files = {
   "module.js": `import { Diagram } from "${dist}/esm/index.js"; ${use}`,
   "global.js": `const { Diagram } = apollonius; ${use}`,
-  "wasm.js": `import { Diagram, load } from "${dist}/esm/wasm.js"; await load("${dist}/apollonius.wasm"); ${use}`,
+  "wasm.js": `import { Diagram, load } from "${dist}/esm/wasm.js";
+    await load("${dist}/apollonius.wasm"); ${use}`,
   "ahead.js": `import { Diagram, load } from "${dist}/esm/index.js"; await load(); ${use}`,
-  "start_module_worker.js": `new Worker("/module_worker_inside.js", { type: "module" }).onmessage = ({ data }) => report(data);`,
-  "module_worker_inside.js": `const report = (found) => postMessage(found); import { Diagram } from "${dist}/esm/index.js"; ${use}`,
-  "start_classic_worker.js": `new Worker("/classic_worker_inside.js").onmessage = ({ data }) => report(data);`,
-  "classic_worker_inside.js": `const report = (found) => postMessage(found); importScripts("${dist}/cjs/index.js"); const { Diagram } = apollonius; ${use}`,
+  "start_module_worker.js": `
+    const worker = new Worker("/module_worker_inside.js", { type: "module" });
+    worker.onmessage = ({ data }) => report(data);`,
+  "module_worker_inside.js": `const report = (found) => postMessage(found);
+    import { Diagram } from "${dist}/esm/index.js"; ${use}`,
+  "start_classic_worker.js": `
+    new Worker("/classic_worker_inside.js").onmessage = ({ data }) => report(data);`,
+  "classic_worker_inside.js": `const report = (found) => postMessage(found);
+    importScripts("${dist}/cjs/index.js"); const { Diagram } = apollonius; ${use}`,
 };
 const module = (file) => ({ html: `<script type="module" src="${file}"></script>` });
 const cases = {

@@ -79,7 +79,7 @@ describe.each([0, 1, 250, -3])("all radii %d", (r) => {
     expectSameHull(circles, Delaunay.from(points));
   });
 
-  test("points in line: the hull goes there and back, neighbors are the ones beside; of two points and of one: all", () => {
+  test("points in line, two and one: the hull goes there and back, neighbors are beside", () => {
     for (const point of [
       (k) => [k, 0],
       (k) => [0, -k],

@@ -32,7 +32,9 @@ describeInBrowsers("the hash of all outputs", (browser) => {
     expect(browser).toBeDefined();
     const files = {
       "all_outputs.js": readFileSync(script, "utf8"),
-      "hash.js": `import { hashOfAllOutputs } from "/all_outputs.js"; import * as code from "${dist}/esm/index.js"; report(await hashOfAllOutputs(code));`,
+      "hash.js": `import { hashOfAllOutputs } from "/all_outputs.js";
+        import * as code from "${dist}/esm/index.js";
+        report(await hashOfAllOutputs(code));`,
     };
     const { hash } = await runPages(
       browser,

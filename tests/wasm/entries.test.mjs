@@ -43,7 +43,9 @@ test("import compiles nothing and is no promise", () => {
     runScriptInNode(`
     let compiled = 0;
     const Module = WebAssembly.Module;
-    WebAssembly.Module = new Proxy(Module, { construct(target, args) { ++compiled; return Reflect.construct(target, args); } });
+    WebAssembly.Module = new Proxy(Module, {
+      construct(target, args) { ++compiled; return Reflect.construct(target, args); },
+    });
     for (const name of ["compile", "instantiate", "compileStreaming", "instantiateStreaming"]) {
       const original = WebAssembly[name];
       WebAssembly[name] = (...args) => { ++compiled; return original(...args); };
@@ -97,7 +99,7 @@ test.each([
   ["a compiled module", `new WebAssembly.Module(${bytes})`],
   ["a response", `new Response(${bytes}, { headers: { "content-type": "application/wasm" } })`],
   ["a promise of a response of unknown type", `Promise.resolve(new Response(${bytes}))`],
-  ["an address", '"data:application/wasm;base64," + ' + bytes + '.toString("base64")'],
+  ["an address", `"data:application/wasm;base64," + ${bytes}.toString("base64")`],
 ])("the entry with a separate .wasm loads %s", (_, source) => {
   expect(
     runInNode(`
@@ -118,7 +120,8 @@ await0(load());
 declare function await0(promise: Promise<void>): void;
 interface City { lon: number; lat: number; people: number }
 const cities: City[] = [];
-const diagram: Diagram = Diagram.from(cities, (d) => d.lon, (d, i, all) => d.lat + i, (d) => Math.sqrt(d.people));
+const diagram: Diagram = Diagram.from(
+  cities, (d) => d.lon, (d, i, all) => d.lat + i, (d) => Math.sqrt(d.people));
 const site: Site = diagram.site(0);
 const nearest: { id: number; distance: number } | null = diagram.nearest(site.x, site.y);
 const ids: Int32Array = diagram.findMany(new Float64Array(4), new Float64Array(2));
@@ -131,7 +134,7 @@ diagram.insert("1", 2);
 export { nearest, ids, code, wrong };
 `;
 
-test("types work for ES modules and CommonJS, in NodeNext and Bundler resolution, and `using` compiles", () => {
+test("types: ES modules, CommonJS, NodeNext and Bundler resolution; `using` compiles", () => {
   const folder = path.join(packed, "types");
   mkdirSync(folder, { recursive: true });
   writeFileSync(path.join(folder, "esm.mts"), consumer);
@@ -139,7 +142,8 @@ test("types work for ES modules and CommonJS, in NodeNext and Bundler resolution
   writeFileSync(
     path.join(folder, "separate.mts"),
     'import { Diagram, load } from "apollonius-diagram/wasm";\n' +
-      'export const loading: Promise<void> = load(new URL("x:y"));\nexport const diagram = new Diagram();\n',
+      'export const loading: Promise<void> = load(new URL("x:y"));\n' +
+      "export const diagram = new Diagram();\n",
   );
   const options = {
     target: "ES2022",

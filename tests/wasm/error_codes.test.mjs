@@ -74,7 +74,7 @@ test.each(
   calls.flatMap(([name, { refuses }]) =>
     refuses.map(([code, call, message]) => [name, code, message, call]),
   ),
-)("%s: %s, %s", (name, code, message, call) => {
+)("%s: %s, %s", (_name, code, message, call) => {
   expectRefusal(() => call(diagram), code, message);
   expect(snapshot(diagram)).toBe(before);
 });
@@ -84,7 +84,7 @@ test("after all that the diagram is sound, and the free id still free", () => {
   expect(diagram.insert(0, 1, 2)).toBe(7);
 });
 
-test.each(calls)("%s works when it is given what it wants", (name, { use }) => {
+test.each(calls)("%s works when it is given what it wants", (_name, { use }) => {
   const copy = new Diagram(randomCircles(20, 23));
   expect(() => use(copy)).not.toThrow();
   expect(copy.validate()).toBeNull();

@@ -154,7 +154,7 @@ const changing = {
         ["out-of-range", (d) => d.render(null, { digits: 99 })],
       ),
     ],
-    (d, m, [code, call]) => {
+    (d, _m, [code, call]) => {
       const before = snapshot(d);
       refused(code, () => call(d));
       expect(snapshot(d)).toBe(before);
@@ -327,7 +327,7 @@ const asking = {
   ],
   render: [
     [fc.boolean()],
-    (d, m, withRays) =>
+    (d, _m, withRays) =>
       drawnAlike((context) => d.render(context, withRays ? { bounds: [-9, -9, 9, 9] } : {})),
   ],
   renderSites: [
@@ -432,7 +432,8 @@ class Call {
     this.run_(all, Math.floor(this.which * all.length), this.values);
   }
   toString() {
-    return `${this.name}(diagram ${this.which.toFixed(2)}: ${this.values.map((value) => fc.stringify(value)).join(", ")})`;
+    const values = this.values.map((value) => fc.stringify(value)).join(", ");
+    return `${this.name}(diagram ${this.which.toFixed(2)}: ${values})`;
   }
 }
 

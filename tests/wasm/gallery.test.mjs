@@ -97,15 +97,10 @@ function svg(xyr, bounds) {
     if (cell) parts.push(`<path class="cell" d="${cell}" fill="${colors[id % 8]}"/>`);
   }
   parts.push(`<path d="${diagram.renderSites(null, { digits: 4 })}" fill="#0002" stroke="#555"/>`);
-  parts.push(
-    `<path d="${voronoi.render(null, { digits: 4 })}" fill="none" stroke="#123" stroke-width="${1.6 * pixel}"/>`,
-  );
-  parts.push(
-    `<path d="${diagram.render(null, { bounds, digits: 4 })}" fill="none" stroke="#c22" stroke-width="${0.8 * pixel}"/>`,
-  );
-  parts.push(
-    `<path d="${diagram.renderHull(null, { digits: 4 })}" fill="none" stroke="#290" stroke-dasharray="${4 * pixel}"/>`,
-  );
+  const line = (path, style) => parts.push(`<path d="${path}" fill="none" ${style}/>`);
+  line(voronoi.render(null, { digits: 4 }), `stroke="#123" stroke-width="${1.6 * pixel}"`);
+  line(diagram.render(null, { bounds, digits: 4 }), `stroke="#c22" stroke-width="${0.8 * pixel}"`);
+  line(diagram.renderHull(null, { digits: 4 }), `stroke="#290" stroke-dasharray="${4 * pixel}"`);
   for (const id of diagram.ids()) {
     const centroid = voronoi.cellCentroid(id);
     if (centroid)
@@ -113,8 +108,10 @@ function svg(xyr, bounds) {
   }
   parts.push(`<path d="${voronoi.renderBounds()}" fill="none" stroke="#999"/>`);
   return (
-    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${xmin} ${-ymax} ${width} ${height}" width="480">` +
-    `<g transform="scale(1,-1)" stroke-width="${pixel}" stroke-linejoin="round">${parts.join("\n")}</g></svg>\n`
+    '<svg xmlns="http://www.w3.org/2000/svg" ' +
+    `viewBox="${xmin} ${-ymax} ${width} ${height}" width="480">` +
+    `<g transform="scale(1,-1)" stroke-width="${pixel}" stroke-linejoin="round">` +
+    `${parts.join("\n")}</g></svg>\n`
   );
 }
 
@@ -137,7 +134,10 @@ test("the page of all pictures", () => {
   writeFileSync(
     path.join(folder, "index.html"),
     `<!doctype html><meta charset="utf-8"><title>Gallery</title>
-<style>body { font: 14px sans-serif; display: grid; grid-template-columns: repeat(4, 490px) } figure { margin: 4px }</style>
+<style>
+body { font: 14px sans-serif; display: grid; grid-template-columns: repeat(4, 490px) }
+figure { margin: 4px }
+</style>
 ${figures.join("\n")}
 `,
   );

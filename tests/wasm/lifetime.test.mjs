@@ -102,7 +102,8 @@ test("`using` disposes at the end of the block, whatever ends it", () => {
       throw new Error("early");
     } catch {}
     try { seen[0].size; } catch (error) { console.log(error.code); }`;
-  const { code } = transformSync(source, { target: "es2022", format: "esm" }); // Node 20 does not know `using` yet
+  // Node 20 does not know `using` yet.
+  const { code } = transformSync(source, { target: "es2022", format: "esm" });
   expect(runInNode(code)).toBe("disposed");
 });
 
@@ -110,9 +111,13 @@ test("disposed memory is used again", () => {
   const output = runInNode(`
     let grown = 0;
     const grow = WebAssembly.Memory.prototype.grow;
-    WebAssembly.Memory.prototype.grow = function (pages) { ++grown; return grow.call(this, pages); };
+    WebAssembly.Memory.prototype.grow = function (pages) {
+      ++grown;
+      return grow.call(this, pages);
+    };
     const { Diagram } = await import("apollonius-diagram");
-    const xyr = Float64Array.from({ length: 120_000 }, (_, k) => (k % 3 === 2 ? 1 : Math.random() * 1e6));
+    const xyr = Float64Array.from(
+      { length: 120_000 }, (_, k) => (k % 3 === 2 ? 1 : Math.random() * 1e6));
     for (let k = 0; k < 3; ++k) new Diagram(xyr).dispose();
     const before = grown;
     for (let k = 0; k < 8; ++k) new Diagram(xyr).dispose();
@@ -125,7 +130,10 @@ test("disposed memory is used again", () => {
 const watchGrowth = `
     let pages = 0;
     const grow = WebAssembly.Memory.prototype.grow;
-    WebAssembly.Memory.prototype.grow = function (more) { pages += more; return grow.call(this, more); };
+    WebAssembly.Memory.prototype.grow = function (more) {
+      pages += more;
+      return grow.call(this, more);
+    };
     const { Diagram } = await import("apollonius-diagram");`;
 
 test("a million diagrams, made and disposed of, need the memory of a few", () => {
@@ -148,7 +156,8 @@ test("a million diagrams, made and disposed of, need the memory of a few", () =>
 test("forgotten diagrams give their memory back", () => {
   const output = runInNode(
     `${watchGrowth}
-    const xyr = Float64Array.from({ length: 900 }, (_, k) => (k % 3 === 2 ? 1 : (k * 7919) % 10007));
+    const xyr = Float64Array.from(
+      { length: 900 }, (_, k) => (k % 3 === 2 ? 1 : (k * 7919) % 10007));
     const rounds = [];
     for (let round = 0; round < 12; ++round) {
       for (let k = 0; k < 20; ++k) new Diagram(xyr).find(0, 0);
@@ -229,7 +238,8 @@ test("out of memory is an error, and the diagram is as it was", () => {
     WebAssembly.Memory.prototype.grow = grow;
     const broken = diagram.validate();
     diagram.insertMany(Float64Array.from({ length: 3e4 }, random));
-    console.log(JSON.stringify({ ...failures, broken, grew: diagram.size - full, isFull: full > 1000 }));
+    const grew = diagram.size - full;
+    console.log(JSON.stringify({ ...failures, broken, grew, isFull: full > 1000 }));
   `);
   expect(JSON.parse(output)).toEqual({ one: 3, many: 2, broken: null, grew: 10000, isFull: true });
 }, 120_000);

@@ -20,7 +20,8 @@ function instrumented(block) {
     },
   );
   const show =
-    "const show = (value) => console.log(JSON.stringify(ArrayBuffer.isView(value) ? [...value] : value));\n";
+    "const show = (value) =>\n" +
+    "  console.log(JSON.stringify(ArrayBuffer.isView(value) ? [...value] : value));\n";
   return { code: show + code, values };
 }
 
@@ -34,7 +35,8 @@ test("the first lines", () => {
 test("the lines about cells", () => {
   const block = blocks.find((text) => text.includes("cellPolygons"));
   const context =
-    "const calls = []; const context = new Proxy({}, { get: (_, name) => () => calls.push(name) });\n";
+    "const calls = [];\n" +
+    "const context = new Proxy({}, { get: (_, name) => () => calls.push(name) });\n";
   const output = runInNode(
     importLine +
       context +

@@ -23,7 +23,7 @@ test("docs/API.md is up to date (npm run docs)", () => {
 
 test.each(
   described.map(({ entry, exports }) => [entry, exports]),
-)("%s exports what is documented, as ES module and CommonJS, and in its types", (entry, exports) => {
+)("%s exports what is documented, as ES module and CommonJS, and in types", (entry, exports) => {
   const values = exports.filter((name) =>
     described
       .flatMap((other) => other.described)

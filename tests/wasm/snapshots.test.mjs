@@ -282,7 +282,7 @@ function callAll(diagram, codes) {
   for (const id of ids) attempt(() => [diagram.find(id, -id), diagram.remove(id)]);
 }
 
-test("forged bytes with a right checksum are refused, or they are the diagram of their sites", () => {
+test("forged bytes with a right checksum are refused, or are the diagram of their sites", () => {
   expect(signed(recorded.slice())).toEqual(recorded);
   fc.assert(
     fc.property(fc.constantFrom(...originals), changes, (original, some) => {
@@ -358,7 +358,8 @@ test("a refused snapshot leaves no diagram behind", () => {
 test("lack of memory is said, and changes nothing", () => {
   const output = runInNode(`
     import { Diagram } from "apollonius-diagram";
-    const circles = (n) => Float64Array.from({ length: 3 * n }, (_, k) => (k * 0.6180339887498949 % 1) * (k % 3 === 2 ? 1 : 1000));
+    const circles = (n) => Float64Array.from(
+      { length: 3 * n }, (_, k) => (k * 0.6180339887498949 % 1) * (k % 3 === 2 ? 1 : 1000));
     const diagram = new Diagram(circles(300_000));
     const large = diagram.toBytes(), small = new Diagram(circles(3000)).toBytes();
     WebAssembly.Memory.prototype.grow = () => { throw new RangeError("no more memory"); };
@@ -372,7 +373,8 @@ test("lack of memory is said, and changes nothing", () => {
     };
     const codes = [codeOf(() => Diagram.fromBytes(large)), codeOf(() => Diagram.fromBytes(small))];
     kept.forEach((one) => one.dispose());
-    console.log(JSON.stringify({ codes, broken: diagram.validate(), same: Buffer.compare(diagram.toBytes(), large) }));`);
+    const same = Buffer.compare(diagram.toBytes(), large);
+    console.log(JSON.stringify({ codes, broken: diagram.validate(), same }));`);
   expect(JSON.parse(output)).toEqual({
     codes: ["out-of-memory", "out-of-memory"],
     broken: null,
@@ -392,10 +394,15 @@ test("a snapshot moves to a worker thread", () => {
     const worker = new Worker(\`
       import { parentPort } from "node:worker_threads";
       import { Diagram } from "apollonius-diagram";
-      parentPort.once("message", (bytes) => parentPort.postMessage([...Diagram.fromBytes(bytes).findMany([8, 0, 5, 6])]));\`, { eval: true });
+      parentPort.once("message", (bytes) => {
+        parentPort.postMessage([...Diagram.fromBytes(bytes).findMany([8, 0, 5, 6])]);
+      });\`, { eval: true });
     const bytes = diagram.toBytes();
     worker.postMessage(bytes, [bytes.buffer]);
-    worker.once("message", (ids) => { console.log(ids.join(), bytes.length); worker.terminate(); });`),
+    worker.once("message", (ids) => {
+      console.log(ids.join(), bytes.length);
+      worker.terminate();
+    });`),
   ).toBe("1,2 0");
 });
 

@@ -42,16 +42,14 @@ test("holds what users need and no more", () => {
       "README.md",
     ]),
   );
-  expect(
-    files
-      .filter(
-        (file) =>
-          !/^dist\/(esm|cjs)\/\w+\.(js|d\.ts)$|^dist\/apollonius\.wasm$|^dist\/cjs\/package\.json$/.test(
-            file,
-          ),
-      )
-      .sort(),
-  ).toEqual(["LICENSE", "README.md", "package.json"]);
+  const others = files.filter((file) => !/^dist\/(esm|cjs)\/\w+\.(js|d\.ts)$/.test(file));
+  expect(others.sort()).toEqual([
+    "LICENSE",
+    "README.md",
+    "dist/apollonius.wasm",
+    "dist/cjs/package.json",
+    "package.json",
+  ]);
 });
 
 test("needs no other package and runs nothing when it is installed", () => {
@@ -73,7 +71,8 @@ test("sizes: the default entry at most 95 KB with brotli, all of it at most 1 MB
     code: brotli("dist/esm/wasm.js"),
   };
   process.stdout.write(
-    `bytes with brotli: ${JSON.stringify(sizes)}; unpacked ${unpacked}, packed ${statSync(tarball).size}\n`,
+    `bytes with brotli: ${JSON.stringify(sizes)}; unpacked ${unpacked}, ` +
+      `packed ${statSync(tarball).size}\n`,
   );
   expect(sizes.esm).toBeLessThanOrEqual(95_000);
   expect(sizes.script).toBeLessThanOrEqual(95_000); // the same with its wrapper
@@ -97,7 +96,7 @@ test("README says how large the entries are", () => {
   }
 });
 
-test("is ready to be published, with provenance: npm corrects nothing, and all addresses are of one repository", () => {
+test("is ready to be published: npm corrects nothing, all addresses are of one repository", () => {
   const { repository, homepage, bugs } = JSON.parse(
     readFileSync(path.join(installed, "package.json"), "utf8"),
   );
@@ -134,9 +133,12 @@ test("the types are not wrong, however they are resolved", () => {
       `
     import { readFileSync } from "node:fs";
     import { checkPackage, createPackageFromTarballData } from "@arethetypeswrong/core";
-    const { types, problems } = await checkPackage(createPackageFromTarballData(readFileSync(${JSON.stringify(tarball)})),
-                                                   { excludeEntrypoints: ["./apollonius.wasm"] });
-    console.log(JSON.stringify({ types: types.kind, problems: problems.filter(({ resolutionKind }) => resolutionKind !== "node10") }));`,
+    const { types, problems: all } = await checkPackage(
+      createPackageFromTarballData(readFileSync(${JSON.stringify(tarball)})),
+      { excludeEntrypoints: ["./apollonius.wasm"] },
+    );
+    const problems = all.filter(({ resolutionKind }) => resolutionKind !== "node10");
+    console.log(JSON.stringify({ types: types.kind, problems }));`,
     ],
     { cwd: root },
   );

@@ -47,7 +47,7 @@ describe("traps", () => {
   test("in a later portion of a drawing, and in a call of the context", () => {
     expect(found.nested).toEqual({
       inPortion: "broken",
-      then: "broken",
+      next: "broken",
       inNested: "none",
       inner: "broken",
       outer: null,

@@ -34,7 +34,10 @@ test("areas are the shares of random points that are nearest to each circle", ()
   const points = 400_000,
     xy = new Float64Array(2 * points);
   let state = 7;
-  const random = () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
+  const random = () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
   for (let k = 0; k < points; ++k) {
     xy[2 * k] = -900 + 1900 * random();
     xy[2 * k + 1] = -700 + 1500 * random();
@@ -99,7 +102,7 @@ test("the true nearest site's polygon holds a point, and no other does", () => {
   }
 });
 
-test("curves of cells and of edges are the same, and lie at equal distances from both sites", () => {
+test("curves of cells and of edges are the same, equally far from both sites", () => {
   const edges = voronoi.edgeCurves();
   const keys = new Set();
   for (let k = 0; k < edges.sites.length / 2; ++k) {
@@ -128,7 +131,7 @@ test("curves of cells and of edges are the same, and lie at equal distances from
   expect(inner).toBe(edges.sites.length);
 });
 
-test("places and tangents of curves: equally far from both sites, and at equal angles to the ways from them", () => {
+test("curves are equally far from both sites, at equal angles to the ways from them", () => {
   const { curves, sites } = voronoi.edgeCurves();
   for (let k = 0; k < sites.length / 2; ++k) {
     expect(curvePoint(curves, k, 0)).toEqual([...curves.subarray(7 * k, 7 * k + 2)]);

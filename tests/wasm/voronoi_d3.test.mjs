@@ -77,7 +77,7 @@ function areasByCircle(diagram, bounds) {
     .sort((a, b) => a[0] - b[0] || a[1] - b[1] || a[2] - b[2]);
 }
 
-test("any circles, any window: cells fill the window, polygons follow them, histories do not matter", () => {
+test("any circles and window: cells fill it, polygons follow, histories do not matter", () => {
   fc.assert(
     fc.property(
       fc.array(circle, { minLength: 1, maxLength: 14 }),

@@ -132,7 +132,7 @@ describeInBrowser("examples", (open) => {
     expect(found).toEqual({ count: 12, overlaps: 0, least: 3, descending: true });
   });
 
-  test("clearance_path: a disc of that radius passes along it, between the sides of the window", async () => {
+  test("clearance_path: a disc of that radius passes along it, from side to side", async () => {
     const found = await inExample("clearance_path", () => {
       const { circles, path, clearance } = window.example;
       const inside = path.every(

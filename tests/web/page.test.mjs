@@ -101,7 +101,7 @@ describeInBrowser("the page", (open) => {
       expect(await page.isVisible("#card")).toBe(false);
     });
 
-    test("a click on a circle selects it; Alt-click inserts upon it, hidden if it is covered", async () => {
+    test("a click on a circle selects it; Alt-click inserts upon it, or hidden", async () => {
       const id = await page.evaluate(() =>
         [...app.diagram.ids()].find((id) => app.scene.label(id).name === "Berlin"),
       );
@@ -191,7 +191,7 @@ describeInBrowser("the page", (open) => {
       expect(await stateOf(page)).toMatchObject({ size: before.size, selected: id, broken: null });
     });
 
-    test("the handle resizes; a circle that grows over others hides them, and shrinks back", async () => {
+    test("the handle resizes; a circle that grows hides others, and shrinks back", async () => {
       const id = await page.evaluate(() =>
         [...app.diagram.ids()].find((id) => app.scene.label(id).name === "Berlin"),
       );
@@ -209,7 +209,7 @@ describeInBrowser("the page", (open) => {
       expect(await stateOf(page)).toMatchObject({ visible: before.visible, hidden: before.hidden });
     });
 
-    test("moving highlights the nearest site, its neighbours and its distance: as brute force finds them", async () => {
+    test("moving highlights the nearest site and its neighbours, as brute force does", async () => {
       for (let k = 0; k < 30; k++) {
         await page.mouse.move(320 + ((k * 97) % 900), 30 + ((k * 61) % 740));
         const { hover, nearest, neighbors } = await page.evaluate(() => {
@@ -275,7 +275,7 @@ describeInBrowser("the page", (open) => {
   });
 
   describe("keyboard", () => {
-    test("Enter selects, arrows move, plus and minus resize, N walks to a neighbour, Delete deletes, I inserts", async () => {
+    test("keys: Enter selects, arrows move, + and - resize, N walks, I inserts", async () => {
       const { x, y } = await freeSpace(page);
       await page.mouse.move(x, y);
       await page.focus("#overlay");
@@ -331,7 +331,7 @@ describeInBrowser("the page", (open) => {
       expect(await page.isVisible("#credit")).toBe(false);
     });
 
-    test("Clear empties, down to nothing; a click inserts again; Cities brings them back", async () => {
+    test("Clear empties; a click inserts again; Cities brings them back", async () => {
       await page.click("#clear");
       expect(await stateOf(page)).toMatchObject({ size: 0, broken: null });
       await page.mouse.move(700, 400);
@@ -379,7 +379,7 @@ describeInBrowser("the page", (open) => {
     test.each(["circles", "cells", "dual"])("the layer %s can be switched", async (layer) => {
       await page.click('[data-count="100"]');
       const on = () =>
-        page.evaluate(() => (app.painter.flush(), 0)).then(() => painted(page, "base"));
+        page.evaluate(() => void app.painter.flush()).then(() => painted(page, "base"));
       await page.setChecked(`[name=${layer}]`, true);
       const withLayer = await on();
       await page.setChecked(`[name=${layer}]`, false);

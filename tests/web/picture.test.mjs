@@ -78,7 +78,7 @@ describeInBrowser("the picture", (open) => {
   test.each([
     false,
     true,
-  ])("boxes: after many changes the picture is the one drawn anew (dual graph: %s)", async (dual) => {
+  ])("boxes: after many changes the picture is as drawn anew (dual graph: %s)", async (dual) => {
     await page.click('[data-count="1000"]');
     await page.setChecked("[name=dual]", dual);
     const { changed, differing, boxes } = await page.evaluate(() => {

@@ -169,9 +169,11 @@ function throwAwayState(work, release) {
   writeFileSync(
     config,
     [
-      'Dir::Etc::SourceList "/dev/null"; Dir::Etc::Preferences "/dev/null"; Dir::Etc::PreferencesParts "/dev/null";',
-      `Dir::Etc::SourceParts "${work}/sources"; Dir::State::Lists "${work}/lists"; Dir::State::Status "${work}/status";`,
-      `Dir::Cache "${work}/cache"; APT::Sandbox::User "root"; Acquire::Languages "none"; Acquire::Retries "3";`,
+      'Dir::Etc::SourceList "/dev/null"; Dir::Etc::Preferences "/dev/null";',
+      'Dir::Etc::PreferencesParts "/dev/null";',
+      `Dir::Etc::SourceParts "${work}/sources"; Dir::State::Lists "${work}/lists";`,
+      `Dir::State::Status "${work}/status"; Dir::Cache "${work}/cache";`,
+      'APT::Sandbox::User "root"; Acquire::Languages "none"; Acquire::Retries "3";',
       "",
     ].join("\n"),
   );

@@ -121,7 +121,8 @@ function unpackBinaryen(work, file) {
     cpSync(path.join(programs, name), path.join(target, "programs", name), { dereference: true });
     script(
       path.join(target, "bin", name),
-      `exec '${target}/lib/${loader}' --library-path '${target}/lib' '${target}/programs/${name}' "$@"`,
+      `exec '${target}/lib/${loader}' --library-path '${target}/lib' ` +
+        `'${target}/programs/${name}' "$@"`,
     );
   }
 }

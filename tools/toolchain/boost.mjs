@@ -72,8 +72,9 @@ export function ensureBoost() {
   }
   if (!isUsable(boostInclude)) {
     throw new SetUpError(
-      "Boost's headers, 1.80 or newer, are needed: please install them (Debian's package libboost-dev, or your" +
-        " system's), so that /usr/include/boost or /usr/local/include/boost has them.",
+      "Boost's headers, 1.80 or newer, are needed: please install them (Debian's package" +
+        " libboost-dev, or your system's), so that /usr/include/boost or" +
+        " /usr/local/include/boost has them.",
     );
   }
 }

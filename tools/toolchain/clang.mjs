@@ -8,7 +8,8 @@ const versions = Array.from({ length: 30 }, (_, k) => 40 - k); // 40 … 11
 function hasRuntime(program) {
   return succeeds("sh", [
     "-c",
-    `echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' |` +
+    `echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long)` +
+      ` { return 0; }' |` +
       ` "$1" -x c++ - -fsanitize=fuzzer,address,undefined -o /dev/null`,
     "sh",
     program,

@@ -38,8 +38,9 @@ export function ensureEmscripten() {
     if (installed) return installed;
   }
   throw new SetUpError(
-    `Emscripten ${oldestEmscripten} or newer is needed and cannot be installed from here: please install the` +
-      " Emscripten SDK (emsdk), run its `emsdk_env.sh` so that `emcc` is on PATH, and try again.",
+    `Emscripten ${oldestEmscripten} or newer is needed and cannot be installed from here: please` +
+      " install the Emscripten SDK (emsdk), run its `emsdk_env.sh` so that `emcc` is on" +
+      " PATH, and try again.",
   );
 }
 

@@ -41,7 +41,8 @@ export function ensureCppcheck() {
 }
 
 export function ensureValgrind() {
-  return ensureTool("valgrind", ["valgrind", "libc6-dbg"], "valgrind"); // without libc's symbols it refuses to start
+  // Without libc's symbols it refuses to start.
+  return ensureTool("valgrind", ["valgrind", "libc6-dbg"], "valgrind");
 }
 
 /** What `g++ -m32` needs. */

@@ -77,7 +77,7 @@ function land() {
 
 function write(name, object) {
   const json = JSON.stringify(object).replaceAll("],[", "],\n["); // a city or a ring on each line
-  writeFileSync(new URL(name, import.meta.url), json + "\n");
+  writeFileSync(new URL(name, import.meta.url), `${json}\n`);
   console.log(`${name}: ${(json.length / 1024).toFixed(0)} KB`);
 }
 

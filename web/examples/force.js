@@ -47,7 +47,7 @@ export default function force(container) {
       context.lineTo(b.x, b.y);
     }
     context.stroke();
-    const nearest = mouse ? diagram.find(...mouse) : -1;
+    const nearest = mouse ? diagram.find(mouse[0], mouse[1]) : -1;
     const around = new Set(nearest < 0 ? [] : diagram.neighbors(nearest));
     nodes.forEach(({ x, y, r }, id) => {
       context.fillStyle = id === nearest ? "#e15759" : around.has(id) ? "#f28e2b" : "#4e79a7";

@@ -3,10 +3,11 @@
 import { Diagram } from "apollonius-diagram";
 
 let diagram;
-onmessage = ({ data: { circles, points, question } }) => {
+self.onmessage = ({ data: { circles, points, question } }) => {
   if (circles) diagram = new Diagram(circles);
   if (!points) return;
   const distances = new Float64Array(points.length / 2);
   const ids = diagram.findMany(points, distances);
-  postMessage({ ids, distances, question }, [ids.buffer, distances.buffer]); // moved, not copied
+  const transfer = [ids.buffer, distances.buffer]; // moved, not copied
+  self.postMessage({ ids, distances, question }, { transfer });
 };

@@ -37,7 +37,8 @@ if (isMainThread) {
   const alone = diagram.findMany(points);
   const wrong = answers.flatMap((ids) => [...ids]).filter((id, k) => id !== alone[k]).length;
   console.log(
-    `${threads} threads found the nearest of ${diagram.size} circles for ${alone.length} points; ${wrong} differ from one thread's`,
+    `${threads} threads found the nearest of ${diagram.size} circles for ${alone.length} points; ` +
+      `${wrong} differ from one thread's`,
   );
 } else {
   // nobody else has had them

@@ -33,7 +33,7 @@ export default async function worker(container) {
   const context = canvas.getContext("2d");
   const image = context.createImageData(width, height);
   ids.forEach((id, k) => {
-    const shade = distances[k] <= 0 ? 0.6 : 1 - 0.3 * (distances[k] % 12 < 1);
+    const shade = distances[k] <= 0 ? 0.6 : 1 - 0.3 * Number(distances[k] % 12 < 1);
     image.data.set(
       [90 + ((id * 67) % 150), 90 + ((id * 131) % 150), 90 + ((id * 29) % 150)]
         .map((c) => c * shade)

@@ -25,7 +25,8 @@ class Bytes {
   async hash() {
     const whole = new Uint8Array(await new Blob(this.#parts).arrayBuffer());
     const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", whole));
-    return `${whole.length} bytes ${Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("")}`;
+    const digits = Array.from(digest, (byte) => byte.toString(16).padStart(2, "0"));
+    return `${whole.length} bytes ${digits.join("")}`;
   }
 }
 

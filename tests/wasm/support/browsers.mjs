@@ -17,7 +17,8 @@ export function describeInBrowsers(what, define) {
     const browser = [given, usual].find((file) => file && existsSync(file));
     if (!browser && !process.env.CI) {
       process.stderr.write(
-        `SKIPPED: ${what} in ${name}, which is not installed. Set ${name.toUpperCase()} to its path.\n`,
+        `SKIPPED: ${what} in ${name}, which is not installed. ` +
+          `Set ${name.toUpperCase()} to its path.\n`,
       );
       test.skip("is installed", () => {});
       return;

@@ -8,7 +8,8 @@ import path from "node:path";
 import { packed } from "./install_packed.mjs";
 
 const use =
-  "const d = new Diagram([0, 0, 1, 9, 0, 2]); globalThis.report(`${d.find(8, 0)} ${d.size} ${d.validate()}`);\n";
+  "const d = new Diagram([0, 0, 1, 9, 0, 2]);\n" +
+  "globalThis.report(`${d.find(8, 0)} ${d.size} ${d.validate()}`);\n";
 const main = `import { Diagram } from "apollonius-diagram";\n${use}`;
 const streamed = (address) =>
   `import { Diagram, load } from "apollonius-diagram/wasm";\n${address}\nawait load(wasm);\n${use}`;
@@ -106,7 +107,8 @@ const bundlers = {
     const { build } = await import("esbuild");
     const { warnings } = await build({
       entryPoints: entries(
-        'import address from "apollonius-diagram/apollonius.wasm"; const wasm = new URL(address, import.meta.url);',
+        'import address from "apollonius-diagram/apollonius.wasm";\n' +
+          "const wasm = new URL(address, import.meta.url);",
       ),
       bundle: true,
       minify: true,

@@ -83,8 +83,8 @@ export const diagramCalls = {
   constructor: {
     use: () => new Diagram([1, 2, 3]),
     refuses: [
-      ...numbers("xyr", 3, (d, xyr) => new Diagram(xyr)),
-      ...tooMany("xyr", 3, (d, xyr) => new Diagram(xyr)),
+      ...numbers("xyr", 3, (_d, xyr) => new Diagram(xyr)),
+      ...tooMany("xyr", 3, (_d, xyr) => new Diagram(xyr)),
       [
         "bad-option",
         () => new Diagram([], { location: "grid" }),
@@ -96,11 +96,11 @@ export const diagramCalls = {
     use: () => Diagram.from([[1, 2, 3]]),
     refuses: [
       ...["x", "y", "r"].flatMap((name) =>
-        number(`${name} of item 1`, (d, value) =>
+        number(`${name} of item 1`, (_d, value) =>
           Diagram.from([[1, 2], { x: 1, y: 2, [name]: value }]),
         ),
       ),
-      ...tooMany("items", 1, (d, items) => Diagram.from(items)),
+      ...tooMany("items", 1, (_d, items) => Diagram.from(items)),
       ["bad-length", () => Diagram.from(7), "items is 7"],
       ["bad-option", () => Diagram.from([], 7), "x is 7"],
     ],

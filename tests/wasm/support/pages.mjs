@@ -9,15 +9,18 @@ import path from "node:path";
 import { packed } from "./install_packed.mjs";
 
 const policy =
-  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; worker-src 'self'; frame-src 'self'";
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; " +
+  "worker-src 'self'; frame-src 'self'";
 const types = { ".js": "text/javascript", ".wasm": "application/wasm", ".html": "text/html" };
 
 // What page and worker scripts find before their own first line runs.
 const report =
-  "globalThis.report ??= (found) => fetch(`/report${location.pathname}`, { method: 'POST', body: String(found) });\n" +
+  "globalThis.report ??= (found) =>\n" +
+  "  fetch(`/report${location.pathname}`, { method: 'POST', body: String(found) });\n" +
   "addEventListener('error', (event) => report(`error: ${event.message}`));\n" +
   "addEventListener('unhandledrejection', (event) => report(`error: ${event.reason}`));\n" +
-  "addEventListener('securitypolicyviolation', (event) => report(`policy: ${event.violatedDirective} ${event.blockedURI}`));\n";
+  "addEventListener('securitypolicyviolation', (event) =>\n" +
+  "  report(`policy: ${event.violatedDirective} ${event.blockedURI}`));\n";
 
 /**
  * Serves `cases` and waits until the browser has answered them all.

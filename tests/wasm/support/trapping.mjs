@@ -271,7 +271,7 @@ const inNested = codeOf(() =>
 );
 const nested = {
   inPortion,
-  then: codeOf(() => many.size),
+  next: codeOf(() => many.size),
   inNested,
   inner: codeOf(() => other.size),
   outer: drawing.validate(),

@@ -1,0 +1,27 @@
+# `cmake --install`: the library, its public headers as <apollonius/...>, and what find_package
+# needs:
+#
+#   find_package(apollonius 0.1 REQUIRED)
+#   target_link_libraries(program PRIVATE apollonius::apollonius)
+#
+# tests/install tries it.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(config_folder "${CMAKE_INSTALL_LIBDIR}/cmake/apollonius")
+install(TARGETS apollonius EXPORT apollonius INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/src/apollonius"
+  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.h")
+if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/src/memory/array.h")
+  # As long as the public headers include "memory/array.h", which is looked for beside them first.
+  install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/src/memory/array.h"
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/apollonius/memory")
+endif()
+
+# Nothing else is to be found for the library's users, so the exported targets are the package.
+install(EXPORT apollonius NAMESPACE apollonius:: FILE apolloniusConfig.cmake
+  DESTINATION "${config_folder}")
+# Before 1.0, what is new may not be compatible.
+write_basic_package_version_file(apolloniusConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/apolloniusConfigVersion.cmake"
+  DESTINATION "${config_folder}")

@@ -1,0 +1,4 @@
+// What the page imports and TypeScript finds no declarations of.
+declare module "d3-delaunay";
+declare module "d3-force";
+declare module "d3-selection";
