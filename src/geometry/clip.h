@@ -50,7 +50,8 @@ void forEachClippedPiece(const DelaunayGraph& base, const Window& window, Bits b
   for (const FaceId f : graph.faces()) {
     for (unsigned c = 0; c < 3; ++c) {
       const HalfedgeId h = halfedgeOf(f, c);
-      if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity || !startsAtReference(base, h))
+      if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity ||
+          !startsAtReference(base, h))
         continue;
       clipEdge(base, h, window, clipped, bits);
       for (int piece = 0; piece < clipped.count; ++piece)

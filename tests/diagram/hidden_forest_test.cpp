@@ -270,8 +270,8 @@ TEST(HiddenForest, NestedSitesHaveTwoChildrenAfterAnyHistory) {
   }
 }
 
-// The bound of hidden_forest.h with its constant: 2 log2 T light steps and as many paid by the potential,
-// two questions each.
+// The bound of hidden_forest.h with its constant: 2 log2 T light steps and as many paid by the
+// potential, two questions each.
 TEST(HiddenForest, NestedSitesAskLogarithmicallyManyQuestions) {
   for (const int order : {0, 1, 2, 3}) {
     for (const Node n : {1000u, 2000u, 16000u}) {
