@@ -118,8 +118,8 @@ Error Voronoi::edges(CurveArrays& edges) const {
   return guarded(1, [&](const Window& window, double) {
     edges = {};
     const DiagramCore& core = diagram_.core();
-    const Graph& graph = core.base().graph();
-    forEachClippedPiece(core.base(), window, Bits::kCanonical,
+    const Graph& graph = core.delaunay().graph();
+    forEachClippedPiece(core.delaunay(), window, Bits::kCanonical,
                         [&](HalfedgeId h, const ClippedPiece& piece) {
                           appendCurve(piece.curve, edges.curves);
                           edges.sites.push_back(core.siteOf(graph.origin(h)));

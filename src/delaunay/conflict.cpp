@@ -9,35 +9,35 @@
 
 namespace apollonius {
 
-void ConflictSearch::begin(const DelaunayGraph& diagram, const Site& q) {
+void ConflictSearch::begin(const DelaunayGraph& delaunay, const Site& q) {
   // Wiped before, not after: a call that ran out of memory leaves marks behind.
   for (const FaceId f : faces_) marks_[index(f) / kWord] = 0;
   faces_.clear();
   boundary_.clear();
   stack_.clear();
-  diagram_ = &diagram;
+  delaunay_ = &delaunay;
   q_ = &q;
-  const std::size_t words = (diagram.graph().faceSlots() + kWord - 1) / kWord;
+  const std::size_t words = (delaunay.graph().faceSlots() + kWord - 1) / kWord;
   if (marks_.size() < words) marks_.resize(words, 0);
 }
 
-void ConflictSearch::find(const DelaunayGraph& diagram, const Site& q, VertexId near,
+void ConflictSearch::find(const DelaunayGraph& delaunay, const Site& q, VertexId near,
                           HalfedgeId sector) {
-  begin(diagram, q);
+  begin(delaunay, q);
   if (sector == kNoHalfedge || !startInSector(sector)) startAround(near);
   expand();
 }
 
-bool ConflictSearch::findBeside(const DelaunayGraph& diagram, const Site& q, VertexId close) {
+bool ConflictSearch::findBeside(const DelaunayGraph& delaunay, const Site& q, VertexId close) {
   constexpr int kFewFaces = 8;
-  begin(diagram, q);
-  const Graph& graph = diagram.graph();
+  begin(delaunay, q);
+  const Graph& graph = delaunay.graph();
   int faces = 0;
   for (const HalfedgeId h : graph.star(close)) {
     if (++faces > kFewFaces) break;
     // The filter's word only: it means strictly nearer, while the exact rule counts the site of a
     // circle given twice as in conflict.
-    const MaybeSign filtered = circleFilter(diagram.circle(faceOf(h)), q);
+    const MaybeSign filtered = circleFilter(delaunay.circle(faceOf(h)), q);
     if (filtered.known && filtered.sign == Sign::kPositive) {
       startAtConflict(faceOf(h));
       expand();
@@ -49,7 +49,7 @@ bool ConflictSearch::findBeside(const DelaunayGraph& diagram, const Site& q, Ver
 
 /// Enters a face if it is in conflict; then the region is to be expanded from its sides.
 bool ConflictSearch::startAt(FaceId f) {
-  if (!diagram_->isFaceInConflict(f, *q_)) return false;
+  if (!delaunay_->isFaceInConflict(f, *q_)) return false;
   startAtConflict(f);
   return true;
 }
@@ -61,9 +61,9 @@ void ConflictSearch::startAtConflict(FaceId f) {
 
 /// Neither end of the edge is in conflict: is its interior? Then that is all of the region.
 bool ConflictSearch::startWithin(HalfedgeId h) {
-  const HalfedgeId twin = diagram_->graph().twin(h);
-  if (!isInteriorInConflict(diagram_->edge(h), diagram_->circle(faceOf(h)),
-                            diagram_->circle(faceOf(twin)), *q_))
+  const HalfedgeId twin = delaunay_->graph().twin(h);
+  if (!isInteriorInConflict(delaunay_->edge(h), delaunay_->circle(faceOf(h)),
+                            delaunay_->circle(faceOf(twin)), *q_))
     return false;
   boundary_.push_back(h);
   boundary_.push_back(twin);
@@ -73,20 +73,20 @@ bool ConflictSearch::startWithin(HalfedgeId h) {
 /// The edge across which the ray from the nearest site through q's centre leaves the cell is in
 /// conflict (paper, section 3.4).
 bool ConflictSearch::startInSector(HalfedgeId sector) {
-  return startAt(faceOf(sector)) || startAt(faceOf(diagram_->graph().twin(sector))) ||
+  return startAt(faceOf(sector)) || startAt(faceOf(delaunay_->graph().twin(sector))) ||
          startWithin(sector);
 }
 
 /// Some edge of the nearest site's cell is in conflict (paper, Lemma 2).
 void ConflictSearch::startAround(VertexId near) {
-  const Graph& graph = diagram_->graph();
+  const Graph& graph = delaunay_->graph();
   for (const HalfedgeId h : graph.star(near)) {
     if (startAt(faceOf(h))) return;
   }
   for (const HalfedgeId h : graph.star(near)) {
     if (startWithin(h)) return;
   }
-  diagram_->demand(
+  delaunay_->demand(
       false,
       "a site that is not covered is in conflict with an edge of its nearest site (Lemma 2)");
 }
@@ -95,14 +95,14 @@ void ConflictSearch::startAround(VertexId near) {
 /// on the stack and on the boundary, in order, always bound the region found so far; popping them
 /// counter-clockwise yields the boundary counter-clockwise.
 void ConflictSearch::expand() {
-  const Graph& graph = diagram_->graph();
+  const Graph& graph = delaunay_->graph();
   while (!stack_.empty()) {
     const HalfedgeId h = stack_.back();
     stack_.pop_back();
     const HalfedgeId across = graph.twin(h);
     const FaceId beyond = faceOf(across);
     const bool wasInRegion = isInRegion(beyond);
-    if ((!wasInRegion && !diagram_->isFaceInConflict(beyond, *q_)) ||
+    if ((!wasInRegion && !delaunay_->isFaceInConflict(beyond, *q_)) ||
         !isEntirelyInConflict(h, across)) {
       boundary_.push_back(h);  // q's cell ends on this edge; if both its ends are in conflict, its
                                // twin gets here too
@@ -124,23 +124,23 @@ inline void ConflictSearch::enter(FaceId f) {
 
 /// Both ends of the edge are in conflict.
 bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const {
-  const Graph& graph = diagram_->graph();
+  const Graph& graph = delaunay_->graph();
   const VertexId i = graph.origin(h), j = graph.origin(twin);
-  const VoronoiCircle &atK = diagram_->keptCircle(faceOf(h)),
-                      &atL = diagram_->keptCircle(faceOf(twin));
+  const VoronoiCircle &atK = delaunay_->keptCircle(faceOf(h)),
+                      &atL = delaunay_->keptCircle(faceOf(twin));
   if (i != kInfinity && j != kInfinity &&
-      isSurelyInConflictBetweenEnds(diagram_->site(i), diagram_->site(j), atK, atL, *q_)) {
+      isSurelyInConflictBetweenEnds(delaunay_->site(i), delaunay_->site(j), atK, atL, *q_)) {
     shadowCheck({Sign::kPositive, true}, [&] {
-      return isEntireEdgeInConflict(diagram_->edge(h), *q_) ? Sign::kPositive : Sign::kNegative;
+      return isEntireEdgeInConflict(delaunay_->edge(h), *q_) ? Sign::kPositive : Sign::kNegative;
     });
     return true;
   }
-  return isEntireEdgeInConflict(diagram_->edge(h), atK, atL, *q_);
+  return isEntireEdgeInConflict(delaunay_->edge(h), atK, atL, *q_);
 }
 
 bool ConflictSearch::isDisk() const {
   if (faces_.empty()) return true;  // an edge that is opened
-  const Graph& graph = diagram_->graph();
+  const Graph& graph = delaunay_->graph();
   FlatArray<Keyed> boundary(boundary_.size()), corners(boundary_.size());
   for (std::uint32_t k = 0; k < boundary.size(); ++k) {
     boundary[k] = {static_cast<std::uint32_t>(boundary_[k]), k};
@@ -169,7 +169,8 @@ bool ConflictSearch::isDisk() const {
   for (const FaceId f : faces_) {
     for (unsigned c = 0; c < 3; ++c) {
       const VertexId v = graph.origin(halfedgeOf(f, c));
-      if (!isAmong(corners, v) && (v == kInfinity || !covers(*q_, diagram_->site(v)))) return false;
+      if (!isAmong(corners, v) && (v == kInfinity || !covers(*q_, delaunay_->site(v))))
+        return false;
     }
   }
   return true;

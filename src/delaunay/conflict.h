@@ -20,12 +20,12 @@ class ConflictSearch {
   /// cover q; `sector` the half-edge there in whose range of directions q's centre lies, or
   /// kNoHalfedge. REQUIRES: at least two visible sites. Cost: O(size of the region), plus the
   /// degree of `near` without a sector.
-  void find(const DelaunayGraph& diagram, const Site& q, VertexId near, HalfedgeId sector);
+  void find(const DelaunayGraph& delaunay, const Site& q, VertexId near, HalfedgeId sector);
 
   /// The same without location: looks for a conflict at a few faces of a visible site close to q's
   /// centre. False, and nothing found, if there is none; else q is not covered. REQUIRES: at least
   /// two visible sites.
-  [[nodiscard]] bool findBeside(const DelaunayGraph& diagram, const Site& q, VertexId close);
+  [[nodiscard]] bool findBeside(const DelaunayGraph& delaunay, const Site& q, VertexId close);
 
   /// Room for a region of so many faces with a boundary of so many sides.
   void reserveRegion(std::size_t faces, std::size_t sides) {
@@ -48,7 +48,7 @@ class ConflictSearch {
   [[nodiscard]] std::span<const HalfedgeId> boundary() const { return boundary_; }
 
  private:
-  void begin(const DelaunayGraph& diagram, const Site& q);
+  void begin(const DelaunayGraph& delaunay, const Site& q);
   [[nodiscard]] bool isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const;
   [[nodiscard]] bool startAt(FaceId f);
   void startAtConflict(FaceId f);
@@ -66,7 +66,7 @@ class ConflictSearch {
 
   static constexpr std::uint32_t kWord = 32;
 
-  const DelaunayGraph* diagram_ = nullptr;  // during find only
+  const DelaunayGraph* delaunay_ = nullptr;  // during find only
   const Site* q_ = nullptr;
   FlatArray<std::uint32_t> marks_;  // one bit a face; of the faces in faces_
   FlatArray<HalfedgeId> stack_;

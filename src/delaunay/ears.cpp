@@ -4,8 +4,8 @@
 
 namespace apollonius {
 
-bool EarClipper::fill(const DelaunayGraph& diagram, VertexId v, std::span<const HalfedgeId> link) {
-  const Graph& graph = diagram.graph();
+bool EarClipper::fill(const DelaunayGraph& delaunay, VertexId v, std::span<const HalfedgeId> link) {
+  const Graph& graph = delaunay.graph();
   corners_.clear();
   patch_.clear();
   circles_.clear();
@@ -18,12 +18,12 @@ bool EarClipper::fill(const DelaunayGraph& diagram, VertexId v, std::span<const 
     corners_.push_back({vertex, Graph::kOutside | k});
   }
 
-  const Site& removed = diagram.site(v);
+  const Site& removed = delaunay.site(v);
   std::size_t b = 1, failures = 0;  // b: the middle corner of the ear that is tried
   VoronoiCircle circle;
   while (corners_.size() > 3) {
     const std::size_t n = corners_.size(), a = b > 0 ? b - 1 : n - 1, c = b + 1 < n ? b + 1 : 0;
-    if (!isEar(diagram, removed, a, b, c, circle)) {
+    if (!isEar(delaunay, removed, a, b, c, circle)) {
       if (++failures == n) return false;
       b = c;
       continue;
@@ -36,8 +36,8 @@ bool EarClipper::fill(const DelaunayGraph& diagram, VertexId v, std::span<const 
     // Next the end of the chord: its ear has a new side.
     b = b < corners_.size() ? b : 0;
   }
-  if (!findVoronoiCircle(diagram.corner(corners_[0].vertex), diagram.corner(corners_[1].vertex),
-                         diagram.corner(corners_[2].vertex), circle)) {
+  if (!findVoronoiCircle(delaunay.corner(corners_[0].vertex), delaunay.corner(corners_[1].vertex),
+                         delaunay.corner(corners_[2].vertex), circle)) {
     return false;
   }
   addFace(0, 1, 2, circle);
@@ -45,10 +45,10 @@ bool EarClipper::fill(const DelaunayGraph& diagram, VertexId v, std::span<const 
   return true;
 }
 
-bool EarClipper::isEar(const DelaunayGraph& diagram, const Site& removed, std::size_t a,
+bool EarClipper::isEar(const DelaunayGraph& delaunay, const Site& removed, std::size_t a,
                        std::size_t b, std::size_t c, VoronoiCircle& circle) const {
-  const Corner i = diagram.corner(corners_[a].vertex), j = diagram.corner(corners_[b].vertex),
-               k = diagram.corner(corners_[c].vertex);
+  const Corner i = delaunay.corner(corners_[a].vertex), j = delaunay.corner(corners_[b].vertex),
+               k = delaunay.corner(corners_[c].vertex);
   if (!findVoronoiCircle(i, j, k, circle)) return false;
   const auto isInConflict = [&](const Site& site) {
     const MaybeSign filtered = circleFilter(circle, site);
@@ -60,7 +60,7 @@ bool EarClipper::isEar(const DelaunayGraph& diagram, const Site& removed, std::s
   const std::size_t n = corners_.size();
   for (std::size_t step = 1; step + 2 < n; ++step) {
     const std::size_t other = c + step < n ? c + step : c + step - n;
-    const Corner corner = diagram.corner(corners_[other].vertex);
+    const Corner corner = delaunay.corner(corners_[other].vertex);
     if (corner != nullptr ? isInConflict(*corner) : false) return false;
   }
   return true;

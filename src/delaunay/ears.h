@@ -27,7 +27,7 @@ class EarClipper {
   /// Fills the hole of v, whose link is given (remove.h). False, if there is not a simple polygon:
   /// nothing is known then. REQUIRES: v hid no site that becomes visible; a link of at least 3.
   /// Throws std::bad_alloc.
-  [[nodiscard]] bool fill(const DelaunayGraph& diagram, VertexId v,
+  [[nodiscard]] bool fill(const DelaunayGraph& delaunay, VertexId v,
                           std::span<const HalfedgeId> link);
 
   /// Room for all that it can do.
@@ -46,7 +46,7 @@ class EarClipper {
     std::uint32_t side;  ///< what lies beyond the edge to the next corner, as in Graph::PatchFace
   };
 
-  [[nodiscard]] bool isEar(const DelaunayGraph& diagram, const Site& removed, std::size_t a,
+  [[nodiscard]] bool isEar(const DelaunayGraph& delaunay, const Site& removed, std::size_t a,
                            std::size_t b, std::size_t c, VoronoiCircle& circle) const;
   void addFace(std::size_t a, std::size_t b, std::size_t c, const VoronoiCircle& circle);
   void join(std::uint32_t halfedge, std::uint32_t side);

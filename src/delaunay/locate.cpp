@@ -44,14 +44,14 @@ constexpr int kFewNeighbors = 12;
 class Sectors {
  public:
   /// REQUIRES: (x, y) is not the reference site's centre.
-  Sectors(const DelaunayGraph& diagram, double x, double y, VertexId reference)
-      : diagram_(diagram), reference_(diagram.site(reference)), x_(x), y_(y) {}
+  Sectors(const DelaunayGraph& delaunay, double x, double y, VertexId reference)
+      : delaunay_(delaunay), reference_(delaunay.site(reference)), x_(x), y_(y) {}
 
   /// A half-edge around the reference site whose sector, its bounds included, holds the ray,
   /// rotating from `begin` towards it; or kNoHalfedge, if doubles cannot tell a sector of nearly a
   /// whole turn from one of nearly none.
   [[nodiscard]] HalfedgeId find(HalfedgeId begin) const {
-    const Graph& graph = diagram_.graph();
+    const Graph& graph = delaunay_.graph();
     HalfedgeId h = begin;
     Bearing first = bearing(graph.rotateCw(h)), last = bearing(h);
     const bool clockwise = first == Bearing::kRight;
@@ -69,14 +69,14 @@ class Sectors {
 
  private:
   [[nodiscard]] const VoronoiCircle& circle(HalfedgeId h) const {
-    return diagram_.circle(faceOf(h));
+    return delaunay_.circle(faceOf(h));
   }
 
   /// Along the direction of the face to the left of h, which starts at the reference site.
   [[nodiscard]] Bearing bearing(HalfedgeId h) const {
-    const Graph& graph = diagram_.graph();
-    return bearingOf(x_, y_, circle(h), reference_, diagram_.corner(graph.target(h)),
-                     diagram_.corner(graph.apex(h)));
+    const Graph& graph = delaunay_.graph();
+    return bearingOf(x_, y_, circle(h), reference_, delaunay_.corner(graph.target(h)),
+                     delaunay_.corner(graph.apex(h)));
   }
 
   /// Does the sector from the direction of h's right face counter-clockwise to that of its left
@@ -89,12 +89,12 @@ class Sectors {
     // On the same side of both, or opposite to both: within if the sector spans more than half a
     // turn.
     if (first == Bearing::kOpposite) return false;
-    const Arrow from = directionOf(circle(diagram_.graph().rotateCw(h)), reference_),
+    const Arrow from = directionOf(circle(delaunay_.graph().rotateCw(h)), reference_),
                 to = directionOf(circle(h), reference_);
     return turn(from, to).sign == Sign::kNegative;
   }
 
-  const DelaunayGraph& diagram_;
+  const DelaunayGraph& delaunay_;
   const Site& reference_;
   double x_, y_;
 };

@@ -29,14 +29,14 @@ bool turnedLessThanAQuarter(const VoronoiCircle& before, const Site& from, const
 
 }  // namespace
 
-std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& diagram, std::span<const Move> moves,
+std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& delaunay, std::span<const Move> moves,
                                                std::size_t mostLeft) {
-  diagram_ = &diagram;
+  delaunay_ = &delaunay;
   moves_ = moves;
-  reserveMoves(diagram);
+  reserveMoves(delaunay);
   isMade_.assign(moves.size(), 0);
   if (areHopeless(mostLeft)) return {isMade_.data(), moves.size()};
-  reserveFaces(diagram.graph());
+  reserveFaces(delaunay.graph());
   collectFaces();
   makeAll();
   // The new circles, then the checks; a face that fails makes a site go back, and the faces around
@@ -51,7 +51,7 @@ std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& diagram, std::span
   }
   if (left_ > mostLeft) takeBackAll();
   for (const ChangedFace& changed : changed_) {
-    if (changed.isActive) diagram.setCircle(changed.face, changed.circle);
+    if (changed.isActive) delaunay.setCircle(changed.face, changed.circle);
     positionOf_[index(changed.face)] = kNoIndex;
   }
   for (std::size_t k = 0; k < moves.size(); ++k) {
@@ -61,16 +61,16 @@ std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& diagram, std::span
   return {isMade_.data(), moves.size()};
 }
 
-void SiteMoves::takeBack(DelaunayGraph& diagram, std::span<const Move> moves) noexcept {
-  for (const Move& move : moves) diagram.setSite(move.vertex, move.to);
-  const Graph& graph = diagram.graph();
+void SiteMoves::takeBack(DelaunayGraph& delaunay, std::span<const Move> moves) noexcept {
+  for (const Move& move : moves) delaunay.setSite(move.vertex, move.to);
+  const Graph& graph = delaunay.graph();
   for (const Move& move : moves) {
-    for (const HalfedgeId h : graph.star(move.vertex)) diagram.computeCircle(faceOf(h));
+    for (const HalfedgeId h : graph.star(move.vertex)) delaunay.computeCircle(faceOf(h));
   }
 }
 
-void SiteMoves::reserveMoves(const DelaunayGraph& diagram) {
-  const std::size_t slots = diagram.graph().vertexSlots();
+void SiteMoves::reserveMoves(const DelaunayGraph& delaunay) {
+  const std::size_t slots = delaunay.graph().vertexSlots();
   before_.resize(moves_.size());
   isMade_.reserve(moves_.size());
   if (isMoved_.size() < slots) {
@@ -98,7 +98,7 @@ void SiteMoves::reserveFaces(const Graph& graph) {
 }
 
 void SiteMoves::collectFaces() {
-  const Graph& graph = diagram_->graph();
+  const Graph& graph = delaunay_->graph();
   for (const Move& move : moves_) {
     for (const HalfedgeId h : graph.star(move.vertex)) {
       std::uint32_t& position = positionOf_[index(faceOf(h))];
@@ -106,7 +106,7 @@ void SiteMoves::collectFaces() {
       position = static_cast<std::uint32_t>(changed_.size());
       changed_.push_back({faceOf(h), true, true, {}});
       // If it is missing, it is computed of the sites as they are now.
-      (void)diagram_->circle(faceOf(h));
+      (void)delaunay_->circle(faceOf(h));
     }
   }
 }
@@ -115,10 +115,10 @@ void SiteMoves::makeAll() {
   double longest = 0;
   for (std::uint32_t k = 0; k < moves_.size(); ++k) {
     const VertexId v = moves_[k].vertex;
-    const Site& from = before_[k] = diagram_->site(v);
+    const Site& from = before_[k] = delaunay_->site(v);
     const double dx = moves_[k].to.x - from.x, dy = moves_[k].to.y - from.y;
     longest = std::max(longest, dx * dx + dy * dy);
-    diagram_->setSite(v, moves_[k].to);
+    delaunay_->setSite(v, moves_[k].to);
     moveOf_[index(v)] = k;
     isMoved_[index(v)] = 1;
   }
@@ -133,7 +133,7 @@ bool SiteMoves::areHopeless(std::size_t mostLeft) {
   constexpr std::size_t kShare = 16, kMost = 256;
   const std::size_t sample = std::min(moves_.size() / kShare, kMost);
   if (moves_.size() <= mostLeft || sample < kShare) return false;
-  diagram_->computeMissingCircles();  // of the sites as they are now
+  delaunay_->computeMissingCircles();  // of the sites as they are now
   makeAll();
   std::size_t failing = 0;
   for (std::size_t k = 0; k < sample; ++k)
@@ -144,11 +144,11 @@ bool SiteMoves::areHopeless(std::size_t mostLeft) {
 
 /// Have all faces around it circles, and are their vertices in order along its edges?
 bool SiteMoves::keepsItsStar(VertexId v) const {
-  const Graph& graph = diagram_->graph();
+  const Graph& graph = delaunay_->graph();
   const HalfedgeId begin = graph.outgoing(v);
   VoronoiCircle first, before, now;
   for (const HalfedgeId h : graph.star(v)) {
-    const EdgeCorners e = diagram_->edge(h);
+    const EdgeCorners e = delaunay_->edge(h);
     if (!findCertainVoronoiCircle(e.i, e.j, e.k, now)) return false;
     if (h == begin) {
       first = now;
@@ -161,26 +161,26 @@ bool SiteMoves::keepsItsStar(VertexId v) const {
 }
 
 const Site& SiteMoves::siteBefore(VertexId v) const {
-  return isMoved(v) ? before_[moveOf_[index(v)]] : diagram_->site(v);
+  return isMoved(v) ? before_[moveOf_[index(v)]] : delaunay_->site(v);
 }
 
 bool SiteMoves::hasMovedCorner(FaceId f) const {
-  const Graph& graph = diagram_->graph();
+  const Graph& graph = delaunay_->graph();
   return isMoved(graph.origin(halfedgeOf(f, 0))) || isMoved(graph.origin(halfedgeOf(f, 1))) ||
          isMoved(graph.origin(halfedgeOf(f, 2)));
 }
 
 /// All faces have moved corners.
 void SiteMoves::computeCircles() {
-  const Graph& graph = diagram_->graph();
+  const Graph& graph = delaunay_->graph();
   CircleBatch batch(fan_, [this](std::uint32_t position, const VoronoiCircle& circle) {
     changed_[position].circle = circle;
     if (!(circle.error < std::numeric_limits<float>::infinity())) computeCircle(position);
   });
   for (std::uint32_t position = 0; position < changed_.size(); ++position) {
     const HalfedgeId h = halfedgeOf(changed_[position].face, 0);
-    const Corner i = diagram_->corner(graph.origin(h)), j = diagram_->corner(graph.target(h)),
-                 k = diagram_->corner(graph.apex(h));
+    const Corner i = delaunay_->corner(graph.origin(h)), j = delaunay_->corner(graph.target(h)),
+                 k = delaunay_->corner(graph.apex(h));
     if (i == nullptr || j == nullptr || k == nullptr) {
       computeCircle(position);
     } else {
@@ -194,7 +194,7 @@ void SiteMoves::computeCircle(std::uint32_t position) {
   ChangedFace& changed = changed_[position];
   changed.isActive = hasMovedCorner(changed.face);
   if (!changed.isActive) return;
-  const EdgeCorners e = diagram_->edge(halfedgeOf(changed.face, 0));
+  const EdgeCorners e = delaunay_->edge(halfedgeOf(changed.face, 0));
   if (!findCertainVoronoiCircle(e.i, e.j, e.k, changed.circle))
     changed.circle.error = std::numeric_limits<float>::infinity();
 }
@@ -206,17 +206,17 @@ void SiteMoves::check(std::uint32_t position) {
   changed.isQueued = false;
   const FaceId f = changed.face;
   if (!changed.isActive) return;
-  const VoronoiCircle &before = diagram_->circle(f), &now = changed.circle;
+  const VoronoiCircle &before = delaunay_->circle(f), &now = changed.circle;
   if (!(now.error < std::numeric_limits<float>::infinity())) {
     takeBackOneOf(f);
     return;
   }
-  const Graph& graph = diagram_->graph();
+  const Graph& graph = delaunay_->graph();
   if (!isFarFromItsSites(f, before, now)) {
     for (unsigned c = 0; c < 3; ++c) {
       const VertexId corner = graph.origin(halfedgeOf(f, c));
       if (corner != kInfinity &&
-          !turnedLessThanAQuarter(before, siteBefore(corner), now, diagram_->site(corner))) {
+          !turnedLessThanAQuarter(before, siteBefore(corner), now, delaunay_->site(corner))) {
         takeBackOneOf(f);
         return;
       }
@@ -227,7 +227,7 @@ void SiteMoves::check(std::uint32_t position) {
     const std::uint32_t other = positionOf_[index(faceOf(twin))];
     const bool isFixed = other == kNoIndex || !changed_[other].isActive;
     if (!isFixed && position > other) continue;  // asked from the other side
-    if (endsAreInOrder(h, now, isFixed ? diagram_->circle(faceOf(twin)) : changed_[other].circle))
+    if (endsAreInOrder(h, now, isFixed ? delaunay_->circle(faceOf(twin)) : changed_[other].circle))
       continue;
     if (const VertexId beyond = graph.apex(twin); isMoved(beyond)) {
       takeBack(beyond);
@@ -249,7 +249,7 @@ bool SiteMoves::isFarFromItsSites(FaceId f, const VoronoiCircle& before,
                        (1 + powerOfTwo(-20));
   bool isFar = true;
   for (unsigned c = 0; c < 3; ++c)
-    isFar &= moved < now.s + diagram_->site(diagram_->graph().origin(halfedgeOf(f, c))).r;
+    isFar &= moved < now.s + delaunay_->site(delaunay_->graph().origin(halfedgeOf(f, c))).r;
   return isFar;
 }
 
@@ -257,24 +257,24 @@ bool SiteMoves::isFarFromItsSites(FaceId f, const VoronoiCircle& before,
 /// order? See the top of the header.
 bool SiteMoves::endsAreInOrder(HalfedgeId h, const VoronoiCircle& left,
                                const VoronoiCircle& right) const {
-  const Graph& graph = diagram_->graph();
+  const Graph& graph = delaunay_->graph();
   const VertexId i = graph.origin(h), j = graph.target(h);
-  const bool isSwapped = isBetterReference(diagram_->corner(j), diagram_->corner(i));
+  const bool isSwapped = isBetterReference(delaunay_->corner(j), delaunay_->corner(i));
   const VertexId reference = isSwapped ? j : i;
   const auto turnFrom = [&](const VoronoiCircle& a, const VoronoiCircle& b, const Site& site) {
     const MaybeSign sign = turn(directionOf(a, site), directionOf(b, site));
     return sign.known ? sign.sign : Sign::kZero;
   };
-  const Sign now = turnFrom(right, left, diagram_->site(reference));
+  const Sign now = turnFrom(right, left, delaunay_->site(reference));
   if (i != kInfinity && j != kInfinity)
     return now == (isSwapped ? Sign::kNegative : Sign::kPositive);
-  return now != Sign::kZero && now == turnFrom(diagram_->circle(faceOf(graph.twin(h))),
-                                               diagram_->circle(faceOf(h)), siteBefore(reference));
+  return now != Sign::kZero && now == turnFrom(delaunay_->circle(faceOf(graph.twin(h))),
+                                               delaunay_->circle(faceOf(h)), siteBefore(reference));
 }
 
 /// A corner of an active face.
 void SiteMoves::takeBackOneOf(FaceId f) {
-  const Graph& graph = diagram_->graph();
+  const Graph& graph = delaunay_->graph();
   for (unsigned c = 0; c < 3; ++c) {
     const VertexId corner = graph.origin(halfedgeOf(f, c));
     if (isMoved(corner)) return takeBack(corner);
@@ -285,7 +285,7 @@ void SiteMoves::takeBackOneOf(FaceId f) {
 void SiteMoves::takeBackAll() noexcept {
   for (std::size_t k = 0; k < moves_.size(); ++k) {
     const VertexId v = moves_[k].vertex;
-    if (isMoved(v)) diagram_->setSite(v, before_[k]);
+    if (isMoved(v)) delaunay_->setSite(v, before_[k]);
     isMoved_[index(v)] = 0;
   }
   for (ChangedFace& changed : changed_) changed.isActive = false;
@@ -294,10 +294,10 @@ void SiteMoves::takeBackAll() noexcept {
 /// The site returns to where it was; the faces around it are computed anew, and they and the ones
 /// beyond are to be checked.
 void SiteMoves::takeBack(VertexId v) {
-  diagram_->setSite(v, before_[moveOf_[index(v)]]);
+  delaunay_->setSite(v, before_[moveOf_[index(v)]]);
   isMoved_[index(v)] = 0;
   ++left_;
-  const Graph& graph = diagram_->graph();
+  const Graph& graph = delaunay_->graph();
   for (const HalfedgeId h : graph.star(v)) {
     computeCircle(positionOf_[index(faceOf(h))]);
     for (unsigned c = 0; c < 3; ++c) queue(faceOf(graph.twin(halfedgeOf(faceOf(h), c))));

@@ -50,18 +50,18 @@ class SiteMoves {
   /// cases. REQUIRES: visible vertices, each at most once; no move is from a place to itself.
   /// Throws std::bad_alloc with the diagram unchanged. Cost: O(sum of the degrees).
   std::span<const std::uint8_t> apply(
-      DelaunayGraph& diagram, std::span<const Move> moves,
+      DelaunayGraph& delaunay, std::span<const Move> moves,
       std::size_t mostLeft = std::numeric_limits<std::size_t>::max());
 
   /// Puts sites back that moves in place have moved, `moves` telling where to. The graph is the one
   /// of these places. Cost: O(sum of the degrees).
-  static void takeBack(DelaunayGraph& diagram, std::span<const Move> moves) noexcept;
+  static void takeBack(DelaunayGraph& delaunay, std::span<const Move> moves) noexcept;
 
   /// Where the site of move k was before the last apply().
   [[nodiscard]] const Site& siteBefore(std::size_t k) const { return before_[k]; }
 
  private:
-  void reserveMoves(const DelaunayGraph& diagram);
+  void reserveMoves(const DelaunayGraph& delaunay);
   void reserveFaces(const Graph& graph);
   [[nodiscard]] bool areHopeless(std::size_t mostLeft);
   [[nodiscard]] bool keepsItsStar(VertexId v) const;
@@ -82,7 +82,7 @@ class SiteMoves {
   void takeBackAll() noexcept;
   void queue(FaceId f);
 
-  DelaunayGraph* diagram_ = nullptr;  // during apply only
+  DelaunayGraph* delaunay_ = nullptr;  // during apply only
   std::span<const Move> moves_;
   double longestMove_ = 0;
   std::size_t left_ = 0;                 // moves that have been taken back

@@ -13,8 +13,8 @@ namespace {
 
 class Proof {
  public:
-  Proof(const DelaunayGraph& diagram, FlatArray<VoronoiCircle>& circles)
-      : diagram_(diagram), graph_(diagram.graph()), circles_(circles) {}
+  Proof(const DelaunayGraph& delaunay, FlatArray<VoronoiCircle>& circles)
+      : delaunay_(delaunay), graph_(delaunay.graph()), circles_(circles) {}
 
   const char* run(std::uint32_t& where) {
     lookAtFaces();
@@ -44,7 +44,7 @@ class Proof {
     });
     for (std::uint32_t f = 0; f < graph_.faceSlots() && what_ == nullptr; ++f) {
       if (!graph_.isLive(FaceId{f})) continue;
-      const EdgeCorners e = diagram_.edge(halfedgeOf(FaceId{f}, 0));
+      const EdgeCorners e = delaunay_.edge(halfedgeOf(FaceId{f}, 0));
       if (e.i == nullptr || e.j == nullptr || e.k == nullptr) {
         lookAtFace(FaceId{f});
       } else {
@@ -57,11 +57,11 @@ class Proof {
   void lookAtFace(FaceId f) {
     for (unsigned c = 0; c < 3; ++c) {
       const HalfedgeId h = halfedgeOf(f, c);
-      const Corner i = diagram_.corner(graph_.origin(h)), j = diagram_.corner(graph_.target(h));
+      const Corner i = delaunay_.corner(graph_.origin(h)), j = delaunay_.corner(graph_.target(h));
       if (i == nullptr || j == nullptr || !(covers(*i, *j) || covers(*j, *i))) continue;
       return fail("a visible site is covered by a neighbour: half-edge", h);
     }
-    const EdgeCorners e = diagram_.edge(halfedgeOf(f, 0));
+    const EdgeCorners e = delaunay_.edge(halfedgeOf(f, 0));
     const bool exists = findVoronoiCircle(e.i, e.j, e.k, circles_[index(f)]);
     if (!exists) fail("a face has no Voronoi circle: half-edge", halfedgeOf(f, 0));
   }
@@ -70,7 +70,7 @@ class Proof {
     for (std::uint32_t i = 0; i < 3 * graph_.faceSlots() && what_ == nullptr; ++i) {
       const HalfedgeId h{i}, twin = graph_.twin(h);
       if (!graph_.isLive(faceOf(h)) || twin < h) continue;  // each edge once
-      if (isDelaunayEdge(diagram_.edge(h), circle(h), circle(twin))) continue;
+      if (isDelaunayEdge(delaunay_.edge(h), circle(h), circle(twin))) continue;
       fail("the faces of an edge contradict each other: half-edge", h);
     }
   }
@@ -83,8 +83,8 @@ class Proof {
     std::size_t turns = 0;
     do {
       const HalfedgeId twin = graph_.twin(h);
-      const Site& i = diagram_.site(graph_.origin(h));
-      const Site &k = diagram_.site(graph_.apex(h)), &l = diagram_.site(graph_.apex(twin));
+      const Site& i = delaunay_.site(graph_.origin(h));
+      const Site &k = delaunay_.site(graph_.apex(h)), &l = delaunay_.site(graph_.apex(twin));
       const bool startsUp = pointsUp(i, l, circle(twin)), endsUp = pointsUp(k, i, circle(h));
       const bool passes = startsUp == endsUp
                               ? turnOfHull(i, l, k, circle(twin), circle(h)) == Sign::kNegative
@@ -99,7 +99,7 @@ class Proof {
     return circles_[index(faceOf(h))];
   }
 
-  const DelaunayGraph& diagram_;
+  const DelaunayGraph& delaunay_;
   const Graph& graph_;
   FlatArray<VoronoiCircle>& circles_;
   const char* what_ = nullptr;
@@ -108,10 +108,10 @@ class Proof {
 
 }  // namespace
 
-const char* findContradiction(const DelaunayGraph& diagram, FlatArray<VoronoiCircle>& circles,
+const char* findContradiction(const DelaunayGraph& delaunay, FlatArray<VoronoiCircle>& circles,
                               std::uint32_t& where) {
-  circles.resize(diagram.graph().faceSlots());
-  return Proof(diagram, circles).run(where);
+  circles.resize(delaunay.graph().faceSlots());
+  return Proof(delaunay, circles).run(where);
 }
 
 }  // namespace apollonius

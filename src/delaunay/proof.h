@@ -24,7 +24,7 @@ class DelaunayGraph;
 ///   3. around infinity the normals of the half-planes make one turn.
 /// That they suffice: docs/ARCHITECTURE.md, "Checks". That the surface is connected, and a sphere,
 /// follows.
-[[nodiscard]] const char* findContradiction(const DelaunayGraph& diagram,
+[[nodiscard]] const char* findContradiction(const DelaunayGraph& delaunay,
                                             FlatArray<VoronoiCircle>& circles,
                                             std::uint32_t& where);
 

@@ -7,32 +7,32 @@
 
 namespace apollonius {
 
-std::span<const Remover::Outcome> Remover::remove(DelaunayGraph& diagram, VertexId v,
+std::span<const Remover::Outcome> Remover::remove(DelaunayGraph& delaunay, VertexId v,
                                                   std::span<const VertexId> hidden,
                                                   bool mayReturn) {
-  invariant(diagram.isVisible(v), "a site that is removed from a graph is there");
+  invariant(delaunay.isVisible(v), "a site that is removed from a graph is there");
   outcomes_.clear();
-  collectLink(diagram.graph(), v);
-  const std::size_t remaining = diagram.visibleCount() - 1;
-  diagram.demand(remaining == 0 || !link_.empty(), "a visible site has a place in the graph");
+  collectLink(delaunay.graph(), v);
+  const std::size_t remaining = delaunay.visibleCount() - 1;
+  delaunay.demand(remaining == 0 || !link_.empty(), "a visible site has a place in the graph");
 
   if (hidden.empty() && remaining < 2) {
-    diagram.becomeSingle(remaining == 0 ? kNoVertex
-                         : diagram.graph().origin(link_[0]) != kInfinity
-                             ? diagram.graph().origin(link_[0])
-                             : diagram.graph().target(link_[0]));
+    delaunay.becomeSingle(remaining == 0 ? kNoVertex
+                          : delaunay.graph().origin(link_[0]) != kInfinity
+                              ? delaunay.graph().origin(link_[0])
+                              : delaunay.graph().target(link_[0]));
     return outcomes_;
   }
   if (hidden.empty() && link_.size() == 2) {
-    diagram.replaceStar(v, link_, {}, {}, 0, mayReturn);  // the two edges opposite to v become one
+    delaunay.replaceStar(v, link_, {}, {}, 0, mayReturn);  // the two edges opposite to v become one
     return outcomes_;
   }
-  if (hidden.empty() && ears_.fill(diagram, v, link_)) {
-    diagram.replaceStar(v, link_, ears_.patch(), ears_.circles(), 0, mayReturn);
+  if (hidden.empty() && ears_.fill(delaunay, v, link_)) {
+    delaunay.replaceStar(v, link_, ears_.patch(), ears_.circles(), 0, mayReturn);
     return outcomes_;
   }
 
-  buildSmall(diagram, hidden);
+  buildSmall(delaunay, hidden);
   outcomes_.reserve(hidden.size());
   const auto firstHidden = static_cast<std::uint32_t>(global_.size() - hidden.size());
   for (const VertexId local : fallen_) {
@@ -45,13 +45,13 @@ std::span<const Remover::Outcome> Remover::remove(DelaunayGraph& diagram, Vertex
   }
 
   if (remaining + revived < 2) {
-    diagram.becomeSingle(small_.visibleCount() == 0 ? kNoVertex : global(small_.anyVisible()));
+    delaunay.becomeSingle(small_.visibleCount() == 0 ? kNoVertex : global(small_.anyVisible()));
     return outcomes_;
   }
-  if (!diagram.isProven())
-    diagram.demand(hasAllNeighbors(diagram.graph()), "no neighbour is covered");
-  findPatch(diagram, v);
-  diagram.replaceStar(v, link_, patch_, patchCircles_, revived, mayReturn);
+  if (!delaunay.isProven())
+    delaunay.demand(hasAllNeighbors(delaunay.graph()), "no neighbour is covered");
+  findPatch(delaunay, v);
+  delaunay.replaceStar(v, link_, patch_, patchCircles_, revived, mayReturn);
   return outcomes_;
 }
 
@@ -89,7 +89,7 @@ void Remover::collectLink(const Graph& graph, VertexId v) {
 /// earlier round: the walks stay short and the order has no bad cases that a sorted one has. A
 /// neighbour that occurs twice in the link is covered by its first occurrence and so falls out by
 /// itself.
-void Remover::buildSmall(const DelaunayGraph& diagram, std::span<const VertexId> hidden) {
+void Remover::buildSmall(const DelaunayGraph& delaunay, std::span<const VertexId> hidden) {
   const std::size_t d = link_.size();
   small_.clear();
   small_.reserve(d + hidden.size() + 1);
@@ -102,9 +102,9 @@ void Remover::buildSmall(const DelaunayGraph& diagram, std::span<const VertexId>
 
   order_.assign(d, kNoVertex);  // local vertex of link position, once it has entered
   const auto enter = [&](std::size_t position, std::size_t predecessor) {
-    const VertexId u = diagram.graph().origin(link_[position]);
+    const VertexId u = delaunay.graph().origin(link_[position]);
     VertexId start = predecessor < d ? order_[predecessor] : kNoVertex;
-    if (u != kInfinity) start = addLocal(diagram, u, start);
+    if (u != kInfinity) start = addLocal(delaunay, u, start);
     order_[position] = start;
   };
   std::size_t stride = 1;
@@ -114,15 +114,15 @@ void Remover::buildSmall(const DelaunayGraph& diagram, std::span<const VertexId>
     for (std::size_t position = stride; position < d; position += 2 * stride)
       enter(position, position - stride);
   }
-  for (const VertexId u : hidden) addLocal(diagram, u, kNoVertex);
+  for (const VertexId u : hidden) addLocal(delaunay, u, kNoVertex);
 }
 
 /// Adds a vertex of the diagram to the small one; returns the visible vertex at its place.
-VertexId Remover::addLocal(const DelaunayGraph& diagram, VertexId v, VertexId start) {
+VertexId Remover::addLocal(const DelaunayGraph& delaunay, VertexId v, VertexId start) {
   const VertexId local{static_cast<std::uint32_t>(global_.size())};
   global_.push_back(v);
   cover_.push_back(kNoVertex);
-  small_.setSite(local, diagram.site(v));
+  small_.setSite(local, delaunay.site(v));
   const DelaunayGraph::Insertion insertion = small_.insert(local, start);
   const auto fall = [&](VertexId fallen, VertexId cover) {
     cover_[index(fallen)] = cover;
@@ -136,30 +136,30 @@ VertexId Remover::addLocal(const DelaunayGraph& diagram, VertexId v, VertexId st
 /// The part of the small diagram that v would be in conflict with. Its boundary is v's link: both
 /// are v's neighbours in the diagram of the same sites, and the canonical rule makes them equal in
 /// degenerate position too.
-void Remover::findPatch(const DelaunayGraph& diagram, VertexId v) {
+void Remover::findPatch(const DelaunayGraph& delaunay, VertexId v) {
   patchFaces_.clear();
   const Graph& small = small_.graph();
   patchOf_.assign(small.faceSlots(), kNoIndex);
   linkOf_.assign(3 * small.faceSlots(), kNoIndex);
-  if (diagram.visibleCount() == 1) {
+  if (delaunay.visibleCount() == 1) {
     takeAllAsPatch();  // v's cell was the plane
   } else if (small_.visibleCount() > 1) {
-    const Site& q = diagram.site(v);
+    const Site& q = delaunay.site(v);
     const DelaunayGraph::Located near = small_.locate(q.x, q.y, small_.anyVisible());
-    if (!diagram.isProven()) {
+    if (!delaunay.isProven()) {
       const Site& nearest =
           small_.site(near.nearest);  // may be the same circle again, which had been hidden
-      diagram.demand(!covers(nearest, q) || covers(q, nearest),
-                     "no neighbour covers a visible site");
+      delaunay.demand(!covers(nearest, q) || covers(q, nearest),
+                      "no neighbour covers a visible site");
     }
     conflicts_.find(small_, q, near.nearest, near.sector);
     patchFaces_.assign(conflicts_.faces());
-    if (!patchFaces_.empty()) alignLink(diagram);
+    if (!patchFaces_.empty()) alignLink(delaunay);
   }
   // Else one neighbour and infinity, or a cell within one edge of the small diagram: degree 2, an
   // empty patch.
-  diagram.demand(!patchFaces_.empty() || link_.size() == 2,
-                 "an empty patch fits a site of degree 2 only");
+  delaunay.demand(!patchFaces_.empty() || link_.size() == 2,
+                  "an empty patch fits a site of degree 2 only");
   makePatch();
 }
 
@@ -178,20 +178,20 @@ void Remover::takeAllAsPatch() {
 
 /// Numbers the small diagram's boundary as the link. A pair (from, to) occurs in the link of v
 /// once: three sites in a given order have at most one Voronoi circle.
-void Remover::alignLink(const DelaunayGraph& diagram) {
-  const Graph& graph = diagram.graph();
+void Remover::alignLink(const DelaunayGraph& delaunay) {
+  const Graph& graph = delaunay.graph();
   const std::span<const HalfedgeId> boundary = conflicts_.boundary();
   const Graph& small = small_.graph();
   const auto fits = [&](HalfedgeId inner, HalfedgeId link) {
     return global(small.origin(inner)) == graph.origin(link) &&
            global(small.target(inner)) == graph.target(link);
   };
-  diagram.demand(boundary.size() == link_.size(), "the patch has as many sides as the star");
+  delaunay.demand(boundary.size() == link_.size(), "the patch has as many sides as the star");
   std::size_t shift = 0;
   while (shift < boundary.size() && !fits(boundary[shift], link_[0])) ++shift;
   for (std::size_t k = 0; k < boundary.size(); ++k) {
     const HalfedgeId inner = boundary[(k + shift) % boundary.size()];
-    diagram.demand(fits(inner, link_[k]), "the sides of the patch are those of the star");
+    delaunay.demand(fits(inner, link_[k]), "the sides of the patch are those of the star");
     linkOf_[index(inner)] = static_cast<std::uint32_t>(k);
   }
 }

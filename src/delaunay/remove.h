@@ -28,7 +28,7 @@ class Remover {
   /// that are covered, each before its cover if that is covered, too. Throws std::bad_alloc with
   /// the diagram unchanged. Cost: as building a diagram of its d neighbours and of `hidden`. With
   /// `mayReturn`, all room is made that the site needs to be inserted again.
-  std::span<const Outcome> remove(DelaunayGraph& diagram, VertexId v,
+  std::span<const Outcome> remove(DelaunayGraph& delaunay, VertexId v,
                                   std::span<const VertexId> hidden, bool mayReturn = false);
 
   /// All the room that it takes to remove a site whose neighbours and hidden sites are so many
@@ -42,12 +42,12 @@ class Remover {
 
  private:
   void collectLink(const Graph& graph, VertexId v);
-  void buildSmall(const DelaunayGraph& diagram, std::span<const VertexId> hidden);
-  VertexId addLocal(const DelaunayGraph& diagram, VertexId v, VertexId start);
-  void findPatch(const DelaunayGraph& diagram, VertexId v);
+  void buildSmall(const DelaunayGraph& delaunay, std::span<const VertexId> hidden);
+  VertexId addLocal(const DelaunayGraph& delaunay, VertexId v, VertexId start);
+  void findPatch(const DelaunayGraph& delaunay, VertexId v);
   [[nodiscard]] bool hasAllNeighbors(const Graph& graph) const;
   void takeAllAsPatch();
-  void alignLink(const DelaunayGraph& diagram);
+  void alignLink(const DelaunayGraph& delaunay);
   void makePatch();
   [[nodiscard]] VertexId global(VertexId local) const {
     return local == kInfinity ? kInfinity : global_[index(local)];

@@ -22,7 +22,7 @@ constexpr std::size_t kFewMoves = 16;  // are not worth new arrays
 struct Covers {
   const DelaunayGraph& graph;
   bool operator()(Slot a, Slot b) const {
-    return covers(graph.site(DiagramCore::vertexOf(a)), graph.site(DiagramCore::vertexOf(b)));
+    return covers(graph.site(vertexOf(a)), graph.site(vertexOf(b)));
   }
 };
 
@@ -31,12 +31,12 @@ struct Covers {
 void DiagramCore::reserve(std::size_t slots) {
   ids_.reserve(slots);
   hidden_.reserve(slots);
-  base_.reserve(slots + 1);  // last: who looks at its size finds room for all
+  delaunay_.reserve(slots + 1);  // last: who looks at its size finds room for all
 }
 
 VertexId DiagramCore::startFor(double x, double y) const {
   const Slot close = grid_.near(x, y);
-  if (close != kNoSlot && base_.isVisible(vertexOf(close)) && grid_.isClose(site(close), x, y))
+  if (close != kNoSlot && delaunay_.isVisible(vertexOf(close)) && grid_.isClose(site(close), x, y))
     return vertexOf(close);
   if (isHierarchyDue_ && !isUndoing_) buildHierarchy();
   const Slot start = hierarchy_.locate(x, y);
@@ -45,21 +45,21 @@ VertexId DiagramCore::startFor(double x, double y) const {
 
 Slot DiagramCore::nearest(double x, double y, Slot hint) const {
   const VertexId start = hint != kNoSlot ? vertexOf(hint) : startFor(x, y);
-  return slotOf(base_.locate(x, y, start, walk_).nearest);
+  return slotOf(delaunay_.locate(x, y, start, walk_).nearest);
 }
 
 SiteId DiagramCore::insert(const Site& site) {
   const Slot slot = ids_.next();
-  if (slot + std::size_t{2} > base_.graph().vertexSlots()) {
+  if (slot + std::size_t{2} > delaunay_.graph().vertexSlots()) {
     hidden_.reserve(slot + std::size_t{1});
-    base_.reserve(slot + std::size_t{2});  // last: see reserve
+    delaunay_.reserve(slot + std::size_t{2});  // last: see reserve
   }
   return ids_.take(place(slot, site, kNoVertex));
 }
 
 SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start, Undo undo) {
   const VertexId v = vertexOf(slot);
-  base_.setSite(v, normalized(site));
+  delaunay_.setSite(v, normalized(site));
   if (start == kNoVertex) start = startFor(site.x, site.y);
   struct Room final : InsertionObserver {
     HiddenForest& forest;
@@ -71,7 +71,7 @@ SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start, Undo u
       return remover != nullptr;
     }
   } room(hidden_, undo == Undo::kMaybe ? &remover_ : nullptr);
-  const DelaunayGraph::Insertion insertion = base_.insert(v, start, walk_, &room);
+  const DelaunayGraph::Insertion insertion = delaunay_.insert(v, start, walk_, &room);
   if (insertion.cover != kNoVertex) {
     hidden_.reserveChildren(1);
     hang(slot, slotOf(insertion.cover));
@@ -120,7 +120,7 @@ std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
 void DiagramCore::displace(Slot slot, Undo undo) {
   if (ids_.state(slot) == SiteState::kHidden) {
     invariant(hidden_.isChild(slot), "a hidden site hangs on another");
-    hidden_.dissolve(slot, Covers{base_});  // what it covered is covered by its parent, too
+    hidden_.dissolve(slot, Covers{delaunay_});  // what it covered is covered by its parent, too
   } else {
     displaceVisible(slot, undo);
   }
@@ -128,7 +128,7 @@ void DiagramCore::displace(Slot slot, Undo undo) {
 }
 
 void DiagramCore::hang(Slot child, Slot parent) noexcept {
-  hidden_.hang(child, parent, Covers{base_});
+  hidden_.hang(child, parent, Covers{delaunay_});
 }
 
 void DiagramCore::displaceVisible(Slot slot, Undo undo) {
@@ -137,7 +137,7 @@ void DiagramCore::displaceVisible(Slot slot, Undo undo) {
   const std::span<const Remover::Outcome> adopted(remover_.adoptedList().data(),
                                                   remover_.adoptedList().size());
   const std::span<const Remover::Outcome> outcomes =
-      remover_.remove(base_, vertexOf(slot), children, undo == Undo::kMaybe);
+      remover_.remove(delaunay_, vertexOf(slot), children, undo == Undo::kMaybe);
   // From here on nothing throws.
   for (const std::span<const Remover::Outcome> all : {adopted, outcomes}) {
     for (const Remover::Outcome& outcome : all) {
@@ -171,14 +171,14 @@ void DiagramCore::sortOutChildren(Slot slot) {
   }
   adopted.reserve(children.size());
   const auto isSmaller = [this](VertexId a, VertexId b) {
-    return precedes(base_.site(a), base_.site(b));
+    return precedes(delaunay_.site(a), delaunay_.site(b));
   };
   for (std::size_t done = 0; done + 1 < children.size(); ++done) {
     VertexId* const first = children.begin() + done;
     std::iter_swap(first, std::max_element(first, children.end(), isSmaller));
     const VertexId largest = *first;
     const auto isAdopted = [&](VertexId child) {
-      const bool isCovered = covers(base_.site(largest), base_.site(child));
+      const bool isCovered = covers(delaunay_.site(largest), delaunay_.site(child));
       if (isCovered) adopted.push_back({child, largest});
       return isCovered;
     };
@@ -200,8 +200,8 @@ void DiagramCore::orderForInsertion(FlatArray<VertexId>& vertices) const {
     FlatArray<double> centres;
     centres.reserve(2 * vertices.size());
     for (const VertexId v : vertices) {
-      centres.push_back(base_.site(v).x);
-      centres.push_back(base_.site(v).y);
+      centres.push_back(delaunay_.site(v).x);
+      centres.push_back(delaunay_.site(v).y);
     }
     const FlatArray<std::uint32_t> order = brioOrder(hilbertOrder({centres, 2}));
     FlatArray<VertexId> ordered;
@@ -234,10 +234,10 @@ void DiagramCore::buildHierarchy() const noexcept {
 }
 
 void DiagramCore::rebuildGrid() noexcept {
-  Site low = base_.site(base_.anyVisible()), high = low;
+  Site low = delaunay_.site(delaunay_.anyVisible()), high = low;
   const auto forEachVisible = [&](auto&& visit) {
     for (Slot slot = 0; slot < ids_.slots(); ++slot) {
-      if (base_.graph().hasVertex(vertexOf(slot))) visit(slot);
+      if (delaunay_.graph().hasVertex(vertexOf(slot))) visit(slot);
     }
   };
   forEachVisible([&](Slot slot) {
@@ -245,7 +245,7 @@ void DiagramCore::rebuildGrid() noexcept {
     low = {std::min(low.x, s.x), std::min(low.y, s.y), 0};
     high = {std::max(high.x, s.x), std::max(high.y, s.y), 0};
   });
-  grid_.rebuild(base_.visibleCount(), low, high);
+  grid_.rebuild(delaunay_.visibleCount(), low, high);
   forEachVisible([&](Slot slot) { grid_.insert(slot, site(slot)); });
   grid_.fillGaps();
 }
@@ -288,7 +288,7 @@ void DiagramCore::endUndo() noexcept {
 void DiagramCore::moveBack(Slot slot, const Site& from) noexcept {
   const SiteMoves::Move move{vertexOf(slot), from};
   if (ids_.state(slot) == SiteState::kVisible) grid_.move(slot, site(slot), from);
-  SiteMoves::takeBack(base_, {&move, 1});
+  SiteMoves::takeBack(delaunay_, {&move, 1});
 }
 
 /// A diagram of trusted bytes that lied may refuse to be set right; it is broken then, and left as
@@ -316,10 +316,10 @@ bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
   if (!coversChildren(slot, to)) return false;
   if (ids_.state(slot) == SiteState::kHidden) {
     if (!staysBelow(slot, to)) return false;
-    base_.setSite(vertexOf(slot), to);
+    delaunay_.setSite(vertexOf(slot), to);
     return true;
   }
-  if (!base_.graph().hasVertex(vertexOf(slot))) return false;  // the only visible one
+  if (!delaunay_.graph().hasVertex(vertexOf(slot))) return false;  // the only visible one
   moves_.assign(1, {vertexOf(slot), to});
   makeMoves(1);
   return !moves_.empty();
@@ -341,7 +341,7 @@ bool DiagramCore::staysBelow(Slot slot, const Site& to) const {
 }
 
 void DiagramCore::makeMoves(std::size_t mostLeft) {
-  const std::span<const std::uint8_t> isMade = siteMoves_.apply(base_, moves_, mostLeft);
+  const std::span<const std::uint8_t> isMade = siteMoves_.apply(delaunay_, moves_, mostLeft);
   std::size_t made = 0;
   for (std::size_t k = 0; k < moves_.size(); ++k) {
     if (isMade[k] == 0) continue;
@@ -364,7 +364,7 @@ std::size_t DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<
     const Site to = normalized({xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
     const Site& from = site(slot);
     if (from.x == to.x && from.y == to.y && from.r == to.r) continue;
-    if (base_.graph().hasVertex(vertexOf(slot)) && coversChildren(slot, to)) {
+    if (delaunay_.graph().hasVertex(vertexOf(slot)) && coversChildren(slot, to)) {
       moves_.push_back({vertexOf(slot), to});
     } else {
       left += ids_.state(slot) != SiteState::kHidden || !staysBelow(slot, to);
@@ -378,13 +378,13 @@ std::size_t DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<
 
 FlatArray<std::uint32_t> DiagramCore::stage(std::span<const double> xyr) {
   FlatArray<std::uint32_t> order = hilbertOrder({xyr, 3});
-  base_.reserveSites(slotsWith(order.size()) + 1);
+  delaunay_.reserveSites(slotsWith(order.size()) + 1);
   // What is close in the plane is close in memory. Nobody looks at sites of slots that are not in
   // use.
   Slot slot = ids_.nextSlot();
   for (const std::uint32_t k : order) {
     const double* circle = &xyr[3 * std::size_t{k}];
-    base_.setSite(vertexOf(slot), {circle[0], circle[1], circle[2]});
+    delaunay_.setSite(vertexOf(slot), {circle[0], circle[1], circle[2]});
     slot = ids_.nextSlotAfter(slot);
   }
   return order;
@@ -408,7 +408,7 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
   std::size_t done = 0;
   try {
     order = brioOrder(order);
-    if (isBulk) base_.reserveBulk(n);  // a few would be paid for by copying all
+    if (isBulk) delaunay_.reserveBulk(n);  // a few would be paid for by copying all
     for (; done < n; ++done) {
       const Slot slot = order[done];
       const Site circle = site(slot);
@@ -421,7 +421,7 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
     if (isBroken()) throw;
     beginUndo();
     if (n == ids_.size()) {
-      base_.clear();
+      delaunay_.clear();
       hidden_.clear();
       grid_.clear();
     } else {
@@ -436,18 +436,18 @@ void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId>
 }
 
 void DiagramCore::endBulk() noexcept {
-  if (isBulk_ && walk_ == Walk::kSectors && base_.visibleCount() > 0) rebuildGrid();
+  if (isBulk_ && walk_ == Walk::kSectors && delaunay_.visibleCount() > 0) rebuildGrid();
   isBulk_ = false;
 }
 
 VertexId DiagramCore::visibleBeside(Slot slot) const {
   constexpr Slot kReach = 4;
   for (Slot distance = 1; distance <= kReach; ++distance) {
-    if (slot >= distance && base_.isVisible(vertexOf(slot - distance)))
+    if (slot >= distance && delaunay_.isVisible(vertexOf(slot - distance)))
       return vertexOf(slot - distance);
-    if (base_.isVisible(vertexOf(slot + distance))) return vertexOf(slot + distance);
+    if (delaunay_.isVisible(vertexOf(slot + distance))) return vertexOf(slot + distance);
   }
-  return base_.anyVisible();
+  return delaunay_.anyVisible();
 }
 
 void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
@@ -484,7 +484,7 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
       moves_.push_back({vertexOf(slot), from});
       grid_.move(slot, to, from);
     }
-    SiteMoves::takeBack(base_, moves_);
+    SiteMoves::takeBack(delaunay_, moves_);
     endUndo();
     throw;
   }
@@ -506,7 +506,7 @@ FlatArray<std::uint32_t> DiagramCore::orderOfSlots(std::span<const SiteId> ids) 
 }
 
 void DiagramCore::clear() noexcept {
-  base_.clear();
+  delaunay_.clear();
   hidden_.clear();
   hierarchy_.clear();
   isHierarchyDue_ = false;

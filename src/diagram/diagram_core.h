@@ -49,9 +49,9 @@ class DiagramCore {
 
   [[nodiscard]] Location location() const { return location_; }
   [[nodiscard]] const IdPool& ids() const { return ids_; }
-  [[nodiscard]] std::size_t visibleCount() const { return base_.visibleCount(); }
-  [[nodiscard]] const Site& site(Slot slot) const { return base_.site(vertexOf(slot)); }
-  [[nodiscard]] const DelaunayGraph& base() const { return base_; }
+  [[nodiscard]] std::size_t visibleCount() const { return delaunay_.visibleCount(); }
+  [[nodiscard]] const Site& site(Slot slot) const { return delaunay_.site(vertexOf(slot)); }
+  [[nodiscard]] const DelaunayGraph& delaunay() const { return delaunay_; }
   [[nodiscard]] const HiddenForest& hidden() const { return hidden_; }
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
 
@@ -66,10 +66,8 @@ class DiagramCore {
   [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes, Source source);
   /// Has an operation found that trusted bytes were no diagram? Then this one is good for nothing
   /// but clear().
-  [[nodiscard]] bool isBroken() const { return base_.isBroken(); }
+  [[nodiscard]] bool isBroken() const { return delaunay_.isBroken(); }
 
-  [[nodiscard]] static VertexId vertexOf(Slot slot) { return VertexId{slot + 1}; }
-  [[nodiscard]] static Slot slotOf(VertexId v) { return static_cast<Slot>(v) - 1; }
   /// The public id of a vertex's site.
   [[nodiscard]] SiteId siteOf(VertexId v) const { return ids_.idOf(slotOf(v)); }
 
@@ -151,8 +149,8 @@ class DiagramCore {
   bool isUndoing_ = false;
   bool isBulk_ = false;  // many sites are being inserted; the grid is made afterwards
   IdPool ids_;
-  DelaunayGraph base_;   // vertex of slot s: s + 1
-  HiddenForest hidden_;  // node of slot s: s
+  DelaunayGraph delaunay_;  // vertex of slot s: s + 1
+  HiddenForest hidden_;     // node of slot s: s
   mutable Hierarchy hierarchy_;
   mutable bool isHierarchyDue_ = false;  // restored from a snapshot: the hierarchy is made when it
                                          // is asked first, and left alone until then

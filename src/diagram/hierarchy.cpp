@@ -12,13 +12,13 @@ Slot Hierarchy::chosen(Slot upper, unsigned level) {
 Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
   Slot slot = kNoSlot;
   for (std::size_t k = levelCount_; k > level; --k) {
-    const DelaunayGraph& graph = *levels_[k - 1];
-    if (graph.visibleCount() == 0) continue;
+    const DelaunayGraph& delaunay = *levels_[k - 1];
+    if (delaunay.visibleCount() == 0) continue;
     // A level lacks a site of the one above only if the diagram, which nobody has proved, shows one
     // that another covers.
-    const bool isThere = slot != kNoSlot && graph.graph().hasVertex(vertexOf(slot));
-    const VertexId start = isThere ? vertexOf(slot) : graph.anyVisible();
-    const VertexId end = stepDown(graph, graph.locate(x, y, start, walk_), x, y);
+    const bool isThere = slot != kNoSlot && delaunay.graph().hasVertex(vertexOf(slot));
+    const VertexId start = isThere ? vertexOf(slot) : delaunay.anyVisible();
+    const VertexId end = stepDown(delaunay, delaunay.locate(x, y, start, walk_), x, y);
     slot = below(slotOf(end), static_cast<unsigned>(k - 1));
   }
   return slot;
@@ -27,15 +27,15 @@ Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
 /// The nearest site; but a giant among small ones has a high degree below, and nobody knows where
 /// to start turning around it. The neighbour in whose sector the point lies leads there: it is
 /// taken if, seen from it, the giant's weight dwarfs the distance.
-VertexId Hierarchy::stepDown(const DelaunayGraph& graph, DelaunayGraph::Located located, double x,
-                             double y) {
+VertexId Hierarchy::stepDown(const DelaunayGraph& delaunay, DelaunayGraph::Located located,
+                             double x, double y) {
   if (located.sector == kNoHalfedge) return located.nearest;
-  const Graph& links = graph.graph();
+  const Graph& links = delaunay.graph();
   VertexId neighbor = links.target(located.sector);
   if (neighbor == kInfinity)
     neighbor =
         links.target(links.rotateCcw(located.sector));  // between two that stick out of the giant
-  const Site &giant = graph.site(located.nearest), &small = graph.site(neighbor);
+  const Site &giant = delaunay.site(located.nearest), &small = delaunay.site(neighbor);
   const double reach = (absolute(small.x - x) + absolute(small.y - y)) / 4;
   return giant.r - small.r > reach ? neighbor : located.nearest;
 }
@@ -45,9 +45,9 @@ void Hierarchy::reserveBulk(std::size_t slots) noexcept {
   if (isDropped_) return;
   try {
     for (unsigned level = 0; level < kMostLevels && (slots >>= kBits) > kFew; ++level) {
-      DelaunayGraph& graph = levelToFill(level);
-      graph.reserve(slots + 2);
-      graph.reserveBulk(slots + 1);
+      DelaunayGraph& delaunay = levelToFill(level);
+      delaunay.reserve(slots + 2);
+      delaunay.reserveBulk(slots + 1);
     }
   } catch (...) {
     // Nothing is lost: sites that enter ask again.
@@ -59,13 +59,13 @@ void Hierarchy::insert(Slot slot, const Site& site) noexcept {
   try {
     for (unsigned level = 0; level < kMostLevels && climbs(slot, level); ++level) {
       slot >>= kBits;
-      DelaunayGraph& graph = levelToFill(level);
-      graph.reserve(slot + std::size_t{2});
-      if (graph.isVisible(vertexOf(slot)))
+      DelaunayGraph& delaunay = levelToFill(level);
+      delaunay.reserve(slot + std::size_t{2});
+      if (delaunay.isVisible(vertexOf(slot)))
         return drop();  // never: a level with a site twice would be no graph
-      graph.setSite(vertexOf(slot), site);
+      delaunay.setSite(vertexOf(slot), site);
       const Slot above = locateOn(level + 1, site.x, site.y);
-      (void)graph.insert(vertexOf(slot), above == kNoSlot ? kNoVertex : vertexOf(above), walk_);
+      (void)delaunay.insert(vertexOf(slot), above == kNoSlot ? kNoVertex : vertexOf(above), walk_);
     }
   } catch (...) {
     drop();
@@ -105,20 +105,20 @@ void Hierarchy::move(std::span<const SiteMoves::Move> moves, Remover& remover) n
 /// Moves what can be moved in place on a level, and keeps in moves_ what goes on to the next one.
 /// The rest is left behind.
 void Hierarchy::followOn(unsigned level) {
-  DelaunayGraph& graph = *levels_[level];
+  DelaunayGraph& delaunay = *levels_[level];
   behind_.reserve(behind_.size() +
                   moves_.size());  // from here on only SiteMoves throws, and then nothing has moved
   const auto leave = [&](std::size_t k) { behind_.push_back({vertexOf(slots_[k]), moves_[k].to}); };
   std::size_t count = 0;
   for (std::size_t k = 0; k < moves_.size(); ++k) {
-    if (!graph.graph().hasVertex(moves_[k].vertex)) {  // the only one there
+    if (!delaunay.graph().hasVertex(moves_[k].vertex)) {  // the only one there
       leave(k);
       continue;
     }
     moves_[count] = moves_[k];
     slots_[count++] = slots_[k];
   }
-  const std::span<const std::uint8_t> isMade = siteMoves_.apply(graph, {moves_.data(), count});
+  const std::span<const std::uint8_t> isMade = siteMoves_.apply(delaunay, {moves_.data(), count});
   std::size_t kept = 0;
   for (std::size_t k = 0; k < count; ++k) {
     const Slot slot = slotOf(moves_[k].vertex);
@@ -137,21 +137,21 @@ void Hierarchy::remove(Slot slot, Remover& remover) noexcept {
   try {
     for (unsigned level = 0; level < levelCount_ && climbs(slot, level); ++level) {
       slot >>= kBits;
-      DelaunayGraph& graph = *levels_[level];
-      if (graph.isVisible(vertexOf(slot))) (void)remover.remove(graph, vertexOf(slot), {});
+      DelaunayGraph& delaunay = *levels_[level];
+      if (delaunay.isVisible(vertexOf(slot))) (void)remover.remove(delaunay, vertexOf(slot), {});
     }
   } catch (...) {
     drop();
   }
 }
 
-const char* Hierarchy::check(const DelaunayGraph& base, std::uint32_t& where,
+const char* Hierarchy::check(const DelaunayGraph& levelZero, std::uint32_t& where,
                              std::uint32_t& level) const {
-  const DelaunayGraph* lower = &base;
+  const DelaunayGraph* lower = &levelZero;
   for (unsigned below = 0; below < levelCount_; ++below) {
-    const DelaunayGraph& graph = *levels_[below];
+    const DelaunayGraph& delaunay = *levels_[below];
     level = below + 1;
-    if (const char* broken = graph.check(where)) return broken;
+    if (const char* broken = delaunay.check(where)) return broken;
     std::size_t expected = 0;
     for (std::size_t v = 1; v < lower->graph().vertexSlots(); ++v) {
       const VertexId vertex{static_cast<std::uint32_t>(v)};
@@ -160,15 +160,15 @@ const char* Hierarchy::check(const DelaunayGraph& base, std::uint32_t& where,
       ++expected;
       where = slot;
       const VertexId copy = vertexOf(slot >> kBits);
-      if (index(copy) >= graph.graph().vertexSlots() || !graph.isVisible(copy))
+      if (index(copy) >= delaunay.graph().vertexSlots() || !delaunay.isVisible(copy))
         return "it lacks a site: slot below";
-      const Site &a = graph.site(copy), &b = lower->site(vertex);
+      const Site &a = delaunay.site(copy), &b = lower->site(vertex);
       if (a.x != b.x || a.y != b.y || a.r != b.r) return "levels differ about a site: slot below";
     }
     where = static_cast<std::uint32_t>(expected);
-    if (expected != graph.visibleCount())
+    if (expected != delaunay.visibleCount())
       return "it holds sites that the level below does not: expected";
-    lower = &graph;
+    lower = &delaunay;
   }
   level = 0;
   return nullptr;

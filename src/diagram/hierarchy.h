@@ -55,8 +55,9 @@ class Hierarchy {
     isDropped_ = false;
   }
 
-  /// The first broken invariant or nullptr; `base` is level 0, whose vertex of slot s is s + 1.
-  [[nodiscard]] const char* check(const DelaunayGraph& base, std::uint32_t& where,
+  /// The first broken invariant or nullptr; `levelZero` is the diagram's own, whose vertex of slot
+  /// s is s + 1.
+  [[nodiscard]] const char* check(const DelaunayGraph& levelZero, std::uint32_t& where,
                                   std::uint32_t& level) const;
 
  private:
@@ -75,17 +76,14 @@ class Hierarchy {
     return upper << kBits | chosen(upper, level);
   }
   [[nodiscard]] static Slot chosen(Slot upper, unsigned level);
-  [[nodiscard]] static VertexId vertexOf(Slot s) { return VertexId{s + 1}; }
-  [[nodiscard]] static Slot slotOf(VertexId v) { return static_cast<Slot>(v) - 1; }
-
   void followOn(unsigned level);
 
   /// The slot on `level` to start from.
   [[nodiscard]] Slot locateOn(unsigned level, double x, double y) const;
 
   /// The vertex to go down with from where a search on one level ended.
-  [[nodiscard]] static VertexId stepDown(const DelaunayGraph& graph, DelaunayGraph::Located located,
-                                         double x, double y);
+  [[nodiscard]] static VertexId stepDown(const DelaunayGraph& delaunay,
+                                         DelaunayGraph::Located located, double x, double y);
 
   Walk walk_;
   void drop() noexcept {

@@ -13,6 +13,7 @@
 #include "apollonius/types.h"
 #include "memory/flat_array.h"
 #include "number/invariant.h"
+#include "topology/ids.h"
 #include "topology/words.h"
 
 namespace apollonius {
@@ -20,6 +21,9 @@ namespace apollonius {
 /// A site's place in the arrays; its vertex is the slot's number + 1.
 using Slot = std::uint32_t;
 inline constexpr Slot kNoSlot = 0xFFFFFFFFu;
+
+constexpr VertexId vertexOf(Slot slot) { return VertexId{slot + 1}; }
+constexpr Slot slotOf(VertexId v) { return static_cast<Slot>(v) - 1; }
 
 /// kPending: in use, but the site is in no structure at the moment; within operations of several
 /// steps only.

@@ -20,8 +20,8 @@ bool isBounded(const Graph& graph, FaceId f) {
 
 void listNeighbors(const DiagramCore& diagram, SiteId id, Array<SiteId>& neighbors) {
   neighbors.clear();
-  const Graph& graph = diagram.base().graph();
-  const VertexId v = DiagramCore::vertexOf(diagram.ids().slotOf(id));
+  const Graph& graph = diagram.delaunay().graph();
+  const VertexId v = vertexOf(diagram.ids().slotOf(id));
   if (!graph.hasVertex(v)) return;
   for (const HalfedgeId h : graph.star(v)) {
     if (graph.target(h) != kInfinity) neighbors.push_back(diagram.siteOf(graph.target(h)));
@@ -43,7 +43,7 @@ void listNeighbors(const DiagramCore& diagram, SiteId id, Array<SiteId>& neighbo
 
 void listFaces(const DiagramCore& diagram, Array<SiteId>& sites) {
   sites.clear();
-  const Graph& graph = diagram.base().graph();
+  const Graph& graph = diagram.delaunay().graph();
   for (const FaceId f : graph.faces()) {
     for (unsigned c = 0; c < 3; ++c) {
       const VertexId v = graph.origin(halfedgeOf(f, c));
@@ -56,10 +56,10 @@ void listVertices(const DiagramCore& diagram, VertexArrays& out) {
   out.coordinates.clear();
   out.clearance.clear();
   out.sites.clear();
-  const Graph& graph = diagram.base().graph();
+  const Graph& graph = diagram.delaunay().graph();
   for (const FaceId f : graph.faces()) {
     if (!isBounded(graph, f)) continue;
-    const VoronoiCircle circle = diagram.base().vertex(f);
+    const VoronoiCircle circle = diagram.delaunay().vertex(f);
     out.coordinates.push_back(circle.x);
     out.coordinates.push_back(circle.y);
     out.clearance.push_back(circle.s);
@@ -71,7 +71,7 @@ void listVertices(const DiagramCore& diagram, VertexArrays& out) {
 void listEdges(const DiagramCore& diagram, EdgeArrays& out) {
   out.sites.clear();
   out.vertices.clear();
-  const Graph& graph = diagram.base().graph();
+  const Graph& graph = diagram.delaunay().graph();
   FlatArray<std::int32_t> row(graph.faceSlots(), -1);  // of the faces in listVertices()
   std::int32_t rows = 0;
   for (const FaceId f : graph.faces()) {

@@ -125,7 +125,7 @@ void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most
   const Slot first = diagram.nearest(x, y);
   seen.insert(first);
   consider(first);
-  const Graph& graph = diagram.base().graph();
+  const Graph& graph = diagram.delaunay().graph();
   while (!queue.empty()) {
     const Slot slot = queue.pop();
     sites.push_back(diagram.ids().idOf(slot));
@@ -133,13 +133,13 @@ void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most
     for (Slot child = diagram.hidden().firstChild(slot); child != HiddenForest::kNone;
          child = diagram.hidden().nextSibling(child))
       consider(child);
-    const VertexId v = DiagramCore::vertexOf(slot);
+    const VertexId v = vertexOf(slot);
     if (!graph.hasVertex(v)) continue;  // hidden, or the only visible one
     candidates.clear();
     for (const HalfedgeId h : graph.star(v)) {
       const VertexId neighbor = graph.target(h);
-      if (neighbor != kInfinity && seen.insert(DiagramCore::slotOf(neighbor)))
-        candidates.push_back(DiagramCore::slotOf(neighbor));
+      if (neighbor != kInfinity && seen.insert(slotOf(neighbor)))
+        candidates.push_back(slotOf(neighbor));
     }
     // A loop of its own: sites are fetched from memory side by side.
     for (const Slot candidate : candidates) consider(candidate);

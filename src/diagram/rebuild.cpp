@@ -38,7 +38,7 @@ bool DiagramCore::rebuildWith(std::span<const SiteId> ids, std::span<const doubl
     return false;
   }
   std::swap(ids_, fresh.ids_);
-  std::swap(base_, fresh.base_);
+  std::swap(delaunay_, fresh.delaunay_);
   std::swap(hidden_, fresh.hidden_);
   std::swap(hierarchy_, fresh.hierarchy_);
   std::swap(grid_, fresh.grid_);

@@ -123,7 +123,7 @@ bool DelaunayGraph::restore(WordReader& in, std::size_t faceSlots) {
 // --- The diagram
 
 void DiagramCore::save(Array<std::uint8_t>& bytes) const {
-  const Graph& graph = base_.graph();
+  const Graph& graph = delaunay_.graph();
   const std::size_t slots = ids_.slots();
   const std::uint64_t words =
       wordsFor(slots, ids_.idLimit(), ids_.size(), ids_.hiddenCount(), graph.faceSlots());
@@ -142,7 +142,7 @@ void DiagramCore::save(Array<std::uint8_t>& bytes) const {
     for (const double number : {s.x, s.y, s.r}) out.number(number);
   }
   ids_.save(out);
-  base_.save(out, slots + 1);
+  delaunay_.save(out, slots + 1);
   saveHidden(out);
   WordWriter(std::span(bytes).last(4 * kChecksumWords)).longWord(checksumOf(content));
 }
@@ -190,28 +190,28 @@ bool DiagramCore::restore(std::span<const std::uint8_t> bytes, Source source) {
   for (Slot slot = 0; slot < slots; ++slot) {
     const double x = in.number(), y = in.number(), r = in.number();
     if (!isInRange(x) || !isInRange(y) || !isInRange(r)) return false;
-    base_.setSite(vertexOf(slot), normalized({x, y, r}));
+    delaunay_.setSite(vertexOf(slot), normalized({x, y, r}));
   }
   return ids_.restore(in, header.slots, header.idLimit, header.sites) &&
-         base_.restore(in, header.faceSlots) && restoreStates() &&
+         delaunay_.restore(in, header.faceSlots) && restoreStates() &&
          restoreHidden(in, header.hidden) && (words % 2 == 0 || in.word() == 0) &&
-         (source == Source::kTrusted || base_.prove());
+         (source == Source::kTrusted || delaunay_.prove());
 }
 
 /// What is in the graph is visible. False if it is a free slot.
 bool DiagramCore::restoreStates() {
   for (Slot slot = 0; slot < ids_.slots(); ++slot) {
-    if (!base_.isVisible(vertexOf(slot))) continue;
+    if (!delaunay_.isVisible(vertexOf(slot))) continue;
     if (ids_.state(slot) == SiteState::kFree) return false;
     ids_.setState(slot, SiteState::kVisible);
   }
   isHierarchyDue_ = usesHierarchy_;
-  if (walk_ == Walk::kSectors && base_.visibleCount() > 0) rebuildGrid();
+  if (walk_ == Walk::kSectors && delaunay_.visibleCount() > 0) rebuildGrid();
   return true;
 }
 
 bool DiagramCore::restoreHidden(WordReader& in, std::size_t count) {
-  if (base_.visibleCount() + count != ids_.size()) return false;
+  if (delaunay_.visibleCount() + count != ids_.size()) return false;
   hidden_.reserveChildren(count);
   for (std::size_t k = 0; k < count; ++k) {
     const Slot child = in.word(), parent = in.word();

@@ -39,16 +39,16 @@ Violation checkHidden(const DiagramCore& diagram) {
 
 Violation validate(const DiagramCore& diagram) {
   const IdPool& ids = diagram.ids();
-  const DelaunayGraph& base = diagram.base();
+  const DelaunayGraph& delaunay = diagram.delaunay();
   Violation violation;
-  if ((violation.what = base.check(violation.where)) != nullptr) return violation;
-  if ((violation.what = diagram.hierarchy().check(base, violation.where, violation.level)) !=
+  if ((violation.what = delaunay.check(violation.where)) != nullptr) return violation;
+  if ((violation.what = diagram.hierarchy().check(delaunay, violation.where, violation.level)) !=
       nullptr)
     return violation;
   std::uint32_t used = 0;
   for (Slot slot = 0; slot < ids.slots(); ++slot) {
     const auto found = [&](const char* what) { return Violation{what, ids.idOf(slot)}; };
-    if ((ids.state(slot) == SiteState::kVisible) != base.isVisible(DiagramCore::vertexOf(slot))) {
+    if ((ids.state(slot) == SiteState::kVisible) != delaunay.isVisible(vertexOf(slot))) {
       return found("the state of a site differs from its place in the graph: site");
     }
     if (ids.state(slot) == SiteState::kFree) continue;
@@ -56,7 +56,7 @@ Violation validate(const DiagramCore& diagram) {
     if (ids.slotOf(ids.idOf(slot)) != slot) return found("the place of an id is another: site");
   }
   if (used != ids.size()) return {"the count of sites is wrong: count", used};
-  if (used != ids.hiddenCount() + base.visibleCount())
+  if (used != ids.hiddenCount() + delaunay.visibleCount())
     return {"sites are neither visible nor hidden: count", used};
   return checkHidden(diagram);
 }

@@ -23,11 +23,10 @@ class AreaSum {
       : core_(core), window_(window), byId_(areas), areas_(core.ids().slots()) {}
 
   void run() {
-    const Graph& graph = core_.base().graph();
-    forEachClippedPiece(core_.base(), window_, Bits::kCached,
+    const Graph& graph = core_.delaunay().graph();
+    forEachClippedPiece(core_.delaunay(), window_, Bits::kCached,
                         [&](HalfedgeId h, const ClippedPiece& piece) {
-                          addPiece(piece, DiagramCore::slotOf(graph.origin(h)),
-                                   DiagramCore::slotOf(graph.target(h)));
+                          addPiece(piece, slotOf(graph.origin(h)), slotOf(graph.target(h)));
                         });
     addBorders();
     byId_.assign(core_.ids().idLimit(), 0);

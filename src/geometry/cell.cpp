@@ -33,20 +33,20 @@ const Cell& CellFinder::find(Slot site) {
 /// The parts of the cell's edges inside the window, counter-clockwise about the site.
 void CellFinder::clipEdges(Slot site) {
   pieces_.clear();
-  const DelaunayGraph& base = core_.base();
-  const Graph& graph = base.graph();
-  const VertexId v = DiagramCore::vertexOf(site);
+  const DelaunayGraph& delaunay = core_.delaunay();
+  const Graph& graph = delaunay.graph();
+  const VertexId v = vertexOf(site);
   if (!graph.hasVertex(v)) return;  // the only visible site
   ClippedEdge clipped;
   for (const HalfedgeId h : graph.star(v)) {
     if (graph.target(h) != kInfinity) {
       const SiteId neighbor = core_.siteOf(graph.target(h));
-      if (startsAtReference(base, h)) {
-        clipEdge(base, h, window_, clipped);
+      if (startsAtReference(delaunay, h)) {
+        clipEdge(delaunay, h, window_, clipped);
         for (int k = 0; k < clipped.count; ++k)
           pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)], neighbor});
       } else {
-        clipEdge(base, graph.twin(h), window_, clipped);
+        clipEdge(delaunay, graph.twin(h), window_, clipped);
         for (int k = clipped.count; k-- > 0;)
           pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)].reversed(), neighbor});
       }

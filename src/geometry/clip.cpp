@@ -137,14 +137,14 @@ bool isFarAway(const Site& reference, const VoronoiCircle& a, const VoronoiCircl
 
 }  // namespace
 
-void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, ClippedEdge& clipped,
-              Bits bits) {
+void clipEdge(const DelaunayGraph& delaunay, HalfedgeId h, const Window& window,
+              ClippedEdge& clipped, Bits bits) {
   clipped.count = 0;
-  const Graph& g = graph.graph();
-  if (isFarAway(graph.site(g.origin(h)), graph.circle(faceOf(g.twin(h))), graph.circle(faceOf(h)),
-                window))
+  const Graph& g = delaunay.graph();
+  if (isFarAway(delaunay.site(g.origin(h)), delaunay.circle(faceOf(g.twin(h))),
+                delaunay.circle(faceOf(h)), window))
     return;
-  const Edge edge(graph, h, bits);
+  const Edge edge(delaunay, h, bits);
   const Mark start{edge.e0, edge.from.point, kNoSide}, end{edge.e1, edge.to.point, kNoSide};
   if (edge.from.isFinite && edge.to.isFinite && window.holds(start.point) &&
       window.holds(end.point)) {

@@ -36,24 +36,24 @@ struct ClippedEdge {
 
 /// Clips the edge dual to h. Edges of one drawing or sum take the same bits, so that they meet.
 /// REQUIRES: startsAtReference.
-void clipEdge(const DelaunayGraph& graph, HalfedgeId h, const Window& window, ClippedEdge& clipped,
-              Bits bits = Bits::kCanonical);
+void clipEdge(const DelaunayGraph& delaunay, HalfedgeId h, const Window& window,
+              ClippedEdge& clipped, Bits bits = Bits::kCanonical);
 
 /// Clips all edges of the diagram; visit(h, piece) gets each piece that is left, with the half-edge
 /// that it is a part of.
 template <class Visit>
-void forEachClippedPiece(const DelaunayGraph& base, const Window& window, Bits bits,
+void forEachClippedPiece(const DelaunayGraph& delaunay, const Window& window, Bits bits,
                          Visit&& visit) {
-  const Graph& graph = base.graph();
-  base.computeMissingCircles();
+  const Graph& graph = delaunay.graph();
+  delaunay.computeMissingCircles();
   ClippedEdge clipped;
   for (const FaceId f : graph.faces()) {
     for (unsigned c = 0; c < 3; ++c) {
       const HalfedgeId h = halfedgeOf(f, c);
       if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity ||
-          !startsAtReference(base, h))
+          !startsAtReference(delaunay, h))
         continue;
-      clipEdge(base, h, window, clipped, bits);
+      clipEdge(delaunay, h, window, clipped, bits);
       for (int piece = 0; piece < clipped.count; ++piece)
         visit(h, clipped.pieces[static_cast<std::size_t>(piece)]);
     }

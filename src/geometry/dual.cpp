@@ -45,11 +45,12 @@ constexpr double kLargestWeight = powerOfTwo(48);
 
 }  // namespace
 
-DualEdge dualEdge(const DelaunayGraph& graph, HalfedgeId h) {
-  const Site &i = graph.site(graph.graph().origin(h)), &j = graph.site(graph.graph().target(h));
+DualEdge dualEdge(const DelaunayGraph& delaunay, HalfedgeId h) {
+  const Site &i = delaunay.site(delaunay.graph().origin(h)),
+             &j = delaunay.site(delaunay.graph().target(h));
   const Point pi{i.x, i.y}, pj{j.x, j.y};
-  const VoronoiCircle first = graph.vertex(faceOf(graph.graph().twin(h))),
-                      second = graph.vertex(faceOf(h));
+  const VoronoiCircle first = delaunay.vertex(faceOf(delaunay.graph().twin(h))),
+                      second = delaunay.vertex(faceOf(h));
   DualEdge edge;
   edge.curves[0] = Conic::segment(pi, pj);
   const Bisector bisector(i, j);
@@ -88,8 +89,8 @@ DualEdge dualEdge(const DelaunayGraph& graph, HalfedgeId h) {
   return edge;
 }
 
-Point dualRay(const DelaunayGraph& graph, HalfedgeId h) {
-  const HullTurn turn = hullTurnOf(graph, h);
+Point dualRay(const DelaunayGraph& delaunay, HalfedgeId h) {
+  const HullTurn turn = hullTurnOf(delaunay, h);
   const Point sum = turn.from + turn.to;
   if (dot(sum, sum) >= 1) return unit(turn.sign != Sign::kNegative ? sum : Point{-sum.x, -sum.y});
   // More than a third of a turn: at right angles to the difference, on the side of the range.

@@ -42,9 +42,9 @@ struct DualEdge {
 };
 
 /// The drawn edge of h. REQUIRES: startsAtReference (edge.h).
-[[nodiscard]] DualEdge dualEdge(const DelaunayGraph& graph, HalfedgeId h);
+[[nodiscard]] DualEdge dualEdge(const DelaunayGraph& delaunay, HalfedgeId h);
 
 /// Unit direction of the ray of an edge from a site to infinity. REQUIRES: h's target is infinity.
-[[nodiscard]] Point dualRay(const DelaunayGraph& graph, HalfedgeId h);
+[[nodiscard]] Point dualRay(const DelaunayGraph& delaunay, HalfedgeId h);
 
 }  // namespace apollonius

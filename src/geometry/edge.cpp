@@ -19,24 +19,25 @@ Point clippedToDoubles(Point p) {
 
 }  // namespace
 
-EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f, Bits bits) {
-  const VoronoiCircle& cached = graph.circle(f);
+EdgeEnd endAt(const DelaunayGraph& delaunay, FaceId f, Bits bits) {
+  const VoronoiCircle& cached = delaunay.circle(f);
   const VoronoiCircle circle =
-      bits == Bits::kCached && isPrecise(cached) ? cached : graph.vertex(f);
+      bits == Bits::kCached && isPrecise(cached) ? cached : delaunay.vertex(f);
   if (circle.isHalfPlane()) return {};
   return {{circle.x, circle.y}, true};
 }
 
-bool startsAtReference(const DelaunayGraph& graph, HalfedgeId h) {
-  const VertexId i = graph.graph().origin(h), j = graph.graph().target(h);
-  const Site &a = graph.site(i), &b = graph.site(j);
-  return precedes(b, a) || (!precedes(a, b) && h < graph.graph().twin(h));
+bool startsAtReference(const DelaunayGraph& delaunay, HalfedgeId h) {
+  const VertexId i = delaunay.graph().origin(h), j = delaunay.graph().target(h);
+  const Site &a = delaunay.site(i), &b = delaunay.site(j);
+  return precedes(b, a) || (!precedes(a, b) && h < delaunay.graph().twin(h));
 }
 
-Edge::Edge(const DelaunayGraph& graph, HalfedgeId h, Bits bits)
-    : bisector(graph.site(graph.graph().origin(h)), graph.site(graph.graph().target(h))),
-      from(vertexOf(graph, faceOf(graph.graph().twin(h)), bits)),
-      to(vertexOf(graph, faceOf(h), bits)),
+Edge::Edge(const DelaunayGraph& delaunay, HalfedgeId h, Bits bits)
+    : bisector(delaunay.site(delaunay.graph().origin(h)),
+               delaunay.site(delaunay.graph().target(h))),
+      from(endAt(delaunay, faceOf(delaunay.graph().twin(h)), bits)),
+      to(endAt(delaunay, faceOf(h), bits)),
       e0(0),
       e1(kInfinite) {
   const auto parameter = [&](EdgeEnd& end, double atInfinity) {

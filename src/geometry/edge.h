@@ -32,11 +32,11 @@ struct EdgeEnd {
 enum class Bits : unsigned char { kCanonical, kCached };
 
 /// The Voronoi vertex of a face.
-[[nodiscard]] EdgeEnd vertexOf(const DelaunayGraph& graph, FaceId f, Bits bits);
+[[nodiscard]] EdgeEnd endAt(const DelaunayGraph& delaunay, FaceId f, Bits bits);
 
 /// The half-edge of an edge whose origin is the reference site of its bisector: the larger one in
 /// the order of precedes(). REQUIRES: two finite sites.
-[[nodiscard]] bool startsAtReference(const DelaunayGraph& graph, HalfedgeId h);
+[[nodiscard]] bool startsAtReference(const DelaunayGraph& delaunay, HalfedgeId h);
 
 /// The edge dual to h, from E = e0 (the vertex of the face to the right of h) to e1 >= e0. Its ends
 /// are taken as they are, whatever their rounding: the edges that meet in a vertex have exactly
@@ -47,7 +47,7 @@ struct Edge {
   double e0, e1;
 
   /// REQUIRES: startsAtReference.
-  Edge(const DelaunayGraph& graph, HalfedgeId h, Bits bits = Bits::kCanonical);
+  Edge(const DelaunayGraph& delaunay, HalfedgeId h, Bits bits = Bits::kCanonical);
 };
 
 }  // namespace apollonius

@@ -35,35 +35,37 @@ void visitHull(const Graph& graph, Visit&& visit) {
 
 }  // namespace
 
-HullTurn hullTurnOf(const DelaunayGraph& base, HalfedgeId h) {
+HullTurn hullTurnOf(const DelaunayGraph& delaunay, HalfedgeId h) {
   // From the normal of the tangent on the right to that on the left.
-  const Graph& graph = base.graph();
-  const VoronoiCircle &right = base.circle(faceOf(graph.twin(h))), &left = base.circle(faceOf(h));
+  const Graph& graph = delaunay.graph();
+  const VoronoiCircle &right = delaunay.circle(faceOf(graph.twin(h))),
+                      &left = delaunay.circle(faceOf(h));
   const Point from{right.x, right.y}, to{left.x, left.y};
-  const Site &before = base.site(graph.apex(graph.twin(h))), &after = base.site(graph.apex(h));
-  return {from, to, turnOfHull(base.site(graph.origin(h)), before, after, right, left)};
+  const Site &before = delaunay.site(graph.apex(graph.twin(h))),
+             &after = delaunay.site(graph.apex(h));
+  return {from, to, turnOfHull(delaunay.site(graph.origin(h)), before, after, right, left)};
 }
 
 void hullSites(const DiagramCore& core, Array<SiteId>& sites) {
   sites.clear();
-  const DelaunayGraph& base = core.base();
-  if (base.visibleCount() == 1) sites.push_back(core.siteOf(base.anyVisible()));
-  visitHull(base.graph(),
-            [&](HalfedgeId h) { sites.push_back(core.siteOf(base.graph().origin(h))); });
+  const DelaunayGraph& delaunay = core.delaunay();
+  if (delaunay.visibleCount() == 1) sites.push_back(core.siteOf(delaunay.anyVisible()));
+  visitHull(delaunay.graph(),
+            [&](HalfedgeId h) { sites.push_back(core.siteOf(delaunay.graph().origin(h))); });
 }
 
 void drawHull(const DiagramCore& core, double tolerance, Path& path) {
-  const DelaunayGraph& base = core.base();
-  if (base.visibleCount() == 1) {
-    const Site& site = base.site(base.anyVisible());
+  const DelaunayGraph& delaunay = core.delaunay();
+  if (delaunay.visibleCount() == 1) {
+    const Site& site = delaunay.site(delaunay.anyVisible());
     if (site.r > 0) return drawCircle(site, tolerance, path);
     path.move(site.x, site.y);
     return path.close();
   }
   bool isFirst = true;
-  visitHull(base.graph(), [&](HalfedgeId h) {
-    const Site& site = base.site(base.graph().origin(h));
-    const HullTurn turn = hullTurnOf(base, h);  // the site's arc is where its cell is unbounded
+  visitHull(delaunay.graph(), [&](HalfedgeId h) {
+    const Site& site = delaunay.site(delaunay.graph().origin(h));
+    const HullTurn turn = hullTurnOf(delaunay, h);  // the site's arc is where its cell is unbounded
     const Point center{site.x, site.y};
     const Point start = center + site.r * turn.from;
     if (isFirst) {

@@ -25,7 +25,7 @@ struct HullTurn {
   Sign sign;
 };
 /// REQUIRES: h's target is infinity.
-[[nodiscard]] HullTurn hullTurnOf(const DelaunayGraph& base, HalfedgeId h);
+[[nodiscard]] HullTurn hullTurnOf(const DelaunayGraph& delaunay, HalfedgeId h);
 
 /// The circle of a site as a closed figure; nothing for a radius of 0 or less.
 void drawCircle(const Site& site, double tolerance, Path& path);

@@ -15,12 +15,12 @@ namespace {
 
 /// Goes over the half-edges, from the portion's cursor on.
 template <class Draw>
-bool visitEdges(const DelaunayGraph& base, Portion& portion, const Path& path, Draw&& draw) {
-  const std::size_t count = 3 * base.graph().faceSlots(), limit = portion.commands;
+bool visitEdges(const DelaunayGraph& delaunay, Portion& portion, const Path& path, Draw&& draw) {
+  const std::size_t count = 3 * delaunay.graph().faceSlots(), limit = portion.commands;
   for (; portion.cursor < count; ++portion.cursor) {
     if (path.commands.size() >= limit) return true;
     const HalfedgeId h{static_cast<std::uint32_t>(portion.cursor)};
-    if (base.graph().isLive(faceOf(h))) draw(h);
+    if (delaunay.graph().isLive(faceOf(h))) draw(h);
   }
   return false;
 }
@@ -95,9 +95,9 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
   // circles from memory, and many fetches overlap if there is little to do and nothing to guess
   // between them. (Half as long as one loop.)
   constexpr std::size_t kBlock = 256;
-  const DelaunayGraph& base = core.base();
-  const Graph& graph = base.graph();
-  base.computeMissingCircles();
+  const DelaunayGraph& delaunay = core.delaunay();
+  const Graph& graph = delaunay.graph();
+  delaunay.computeMissingCircles();
   const std::size_t count = 3 * graph.faceSlots();
   std::array<HalfedgeId, kBlock> edges;
   std::array<std::size_t, kBlock> others;  // those of `edges` that are not plain
@@ -119,16 +119,17 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
                    static_cast<std::size_t>(graph.target(h) != kInfinity);
     }
     for (std::size_t k = 0; k < edgeCount; ++k)
-      starts[k] = base.keptCircle(faceOf(graph.twin(edges[k])));
+      starts[k] = delaunay.keptCircle(faceOf(graph.twin(edges[k])));
     for (std::size_t k = 0; k < edgeCount; ++k) {
-      const Site &i = base.site(graph.origin(edges[k])), &j = base.site(graph.target(edges[k]));
+      const Site &i = delaunay.site(graph.origin(edges[k])),
+                 &j = delaunay.site(graph.target(edges[k]));
       const double dx = j.x - i.x, dy = j.y - i.y, dr = j.r - i.r;
       squares[k] = dx * dx + dy * dy - dr * dr;
       differences[k] = absolute(dr);
     }
     std::size_t plainCount = 0, otherCount = 0;
     for (std::size_t k = 0; k < edgeCount; ++k) {
-      const VoronoiCircle &from = starts[k], &to = base.keptCircle(faceOf(edges[k]));
+      const VoronoiCircle &from = starts[k], &to = delaunay.keptCircle(faceOf(edges[k]));
       const bool plain = isPlain(squares[k], differences[k], from, to, window, tolerance);
       double* const at = &ends[4 * plainCount];
       at[0] = from.x;
@@ -141,14 +142,15 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
     }
     path.segments(ends.data(), plainCount);
     for (std::size_t m = 0; m < otherCount; ++m) {
-      const HalfedgeId g = edges[others[m]], h = startsAtReference(base, g) ? g : graph.twin(g);
-      const VoronoiCircle &from = starts[others[m]], &to = base.keptCircle(faceOf(g));
+      const HalfedgeId g = edges[others[m]], h = startsAtReference(delaunay, g) ? g : graph.twin(g);
+      const VoronoiCircle &from = starts[others[m]], &to = delaunay.keptCircle(faceOf(g));
       if (isUsable(from, window) && isUsable(to, window) &&
-          drawQuickly(base.site(graph.origin(h)), base.site(graph.target(h)), squares[others[m]],
-                      {from.x, from.y}, {to.x, to.y}, window, tolerance, path)) {
+          drawQuickly(delaunay.site(graph.origin(h)), delaunay.site(graph.target(h)),
+                      squares[others[m]], {from.x, from.y}, {to.x, to.y}, window, tolerance,
+                      path)) {
         continue;
       }
-      clipEdge(base, h, window, clipped, Bits::kCached);
+      clipEdge(delaunay, h, window, clipped, Bits::kCached);
       for (int k = 0; k < clipped.count; ++k) {
         const Conic& curve = clipped.pieces[static_cast<std::size_t>(k)].curve;
         path.move(curve.p0.x, curve.p0.y);
@@ -161,22 +163,22 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
 
 bool drawDual(const DiagramCore& core, const Window* window, double tolerance, Portion& portion,
               Path& path) {
-  const DelaunayGraph& base = core.base();
-  const Graph& graph = base.graph();
-  return visitEdges(base, portion, path, [&](HalfedgeId h) {
+  const DelaunayGraph& delaunay = core.delaunay();
+  const Graph& graph = delaunay.graph();
+  return visitEdges(delaunay, portion, path, [&](HalfedgeId h) {
     const VertexId i = graph.origin(h), j = graph.target(h);
     if (i == kInfinity) return;
-    const Site& site = base.site(i);
+    const Site& site = delaunay.site(i);
     if (j != kInfinity) {
-      if (!startsAtReference(base, h)) return;
-      const DualEdge edge = dualEdge(base, h);
+      if (!startsAtReference(delaunay, h)) return;
+      const DualEdge edge = dualEdge(delaunay, h);
       path.move(site.x, site.y);
       for (int k = 0; k < edge.count; ++k) drawConic(edge.curves[k], tolerance, path);
       return;
     }
     if (window == nullptr || !window->holds({site.x, site.y})) return;
     // How far until the ray leaves: the nearest of the lines that it goes towards.
-    const Point ray = dualRay(base, h);
+    const Point ray = dualRay(delaunay, h);
     double far = std::numeric_limits<double>::infinity();
     for (int side = 0; side < 4; ++side) {
       const double speed = dot(Window::normal(side), ray);

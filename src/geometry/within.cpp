@@ -31,14 +31,14 @@ void addArc(Point center, double radius, Point from, Point to, FlatArray<Boundar
 
 /// The parts of a cell's edges within the radius, counter-clockwise about the site.
 void findSectors(const DiagramCore& core, Slot site, double radius, FlatArray<Sector>& sectors) {
-  const DelaunayGraph& base = core.base();
-  const Graph& graph = base.graph();
+  const DelaunayGraph& delaunay = core.delaunay();
+  const Graph& graph = delaunay.graph();
   const Point center{core.site(site).x, core.site(site).y};
-  const VertexId v = DiagramCore::vertexOf(site);
+  const VertexId v = vertexOf(site);
   const auto add = [&](HalfedgeId h) {
     if (graph.target(h) == kInfinity) return;
-    const bool isReference = startsAtReference(base, h);
-    const Edge edge(base, isReference ? h : graph.twin(h));
+    const bool isReference = startsAtReference(delaunay, h);
+    const Edge edge(delaunay, isReference ? h : graph.twin(h));
     const Bisector& bisector = edge.bisector;
     const double a = isReference ? -bisector.transverse() : bisector.transverse();
     const double largest = (radius + a) / (bisector.distance() / 2);

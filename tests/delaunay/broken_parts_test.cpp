@@ -55,7 +55,7 @@ class BrokenParts : public ::testing::Test {
       }
     }
     std::uint32_t where = 0;
-    EXPECT_EQ(core.base().check(where), nullptr);
+    EXPECT_EQ(core.delaunay().check(where), nullptr);
   }
 
   /// Some visible vertex of a level.
@@ -84,13 +84,13 @@ TEST_F(BrokenParts, ALevelLacksSitesOfTheOneAbove) {
 
 TEST_F(BrokenParts, LevelsHoldSitesThatAreNotVisibleBelow) {
   Remover remover;
-  DelaunayGraph& base = Breaker::base(core);
+  DelaunayGraph& base = Breaker::delaunay(core);
   // Behind the back of the diagram, which forgets a third of its sites.
   std::vector<Site> rest;
   std::vector<SiteId> restIds;
   for (std::size_t k = 0; k < sites.size(); ++k) {
     const Slot slot = core.ids().slotOf(ids[k]);
-    if (k % 3 == 0 && base.isVisible(DiagramCore::vertexOf(slot))) {
+    if (k % 3 == 0 && base.isVisible(vertexOf(slot))) {
       Breaker::forget(core, slot);
     } else {
       rest.push_back(sites[k]);
@@ -172,7 +172,7 @@ using BrokenPartsDeathTest = BrokenParts;
 
 TEST_F(BrokenPartsDeathTest, PartsThatContradictEachOtherAboutASite) {
   const Slot slot = core.ids().slotOf(ids[0]);
-  const Slot visible = DiagramCore::slotOf(core.base().anyVisible());
+  const Slot visible = slotOf(core.delaunay().anyVisible());
   EXPECT_DEATH(
       {
         Breaker::ids(core).setState(visible, SiteState::kHidden);
@@ -188,11 +188,11 @@ TEST_F(BrokenPartsDeathTest, PartsThatContradictEachOtherAboutASite) {
   EXPECT_DEATH(
       {
         Remover remover;
-        (void)remover.remove(Breaker::base(core), DiagramCore::vertexOf(visible), {});
+        (void)remover.remove(Breaker::delaunay(core), vertexOf(visible), {});
         core.remove(core.ids().idOf(visible));
       },
       "a site that is removed from a graph is there");
-  EXPECT_DEATH((void)Breaker::base(core).insert(DiagramCore::vertexOf(visible), kNoVertex),
+  EXPECT_DEATH((void)Breaker::delaunay(core).insert(vertexOf(visible), kNoVertex),
                "a site enters a graph once");
   EXPECT_DEATH(Breaker::ids(core).setState(Slot{1} << 29, SiteState::kHidden),
                "only a slot in use has a state");

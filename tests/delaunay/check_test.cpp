@@ -157,7 +157,7 @@ class DiagramCheck : public ::testing::Test {
 
 TEST_F(DiagramCheck, ChecksTheGraphFirst) {
   fill(9);
-  Breaker::visibleCount(Breaker::base(core)) = 3;
+  Breaker::visibleCount(Breaker::delaunay(core)) = 3;
   EXPECT_EQ(validate(core).text(), "the count of visible sites is wrong: count 3");
 }
 

@@ -25,7 +25,7 @@ class DiagramBreaker {
     }
   }
 
-  static DelaunayGraph& base(DiagramCore& core) { return core.base_; }
+  static DelaunayGraph& delaunay(DiagramCore& core) { return core.delaunay_; }
   static IdPool& ids(DiagramCore& core) { return core.ids_; }
   static HiddenForest& hidden(DiagramCore& core) { return core.hidden_; }
   static unsigned levelCount(DiagramCore& core) { return core.hierarchy_.levelCount_; }

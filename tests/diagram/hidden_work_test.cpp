@@ -36,7 +36,7 @@ void insertAll(DiagramCore& core, const Circles& circles) {
   for (const Circle& c : circles) core.insert({c.x, c.y, c.r});
 }
 
-SiteId anyVisible(const DiagramCore& core) { return core.siteOf(core.base().anyVisible()); }
+SiteId anyVisible(const DiagramCore& core) { return core.siteOf(core.delaunay().anyVisible()); }
 
 /// Most children of a site in the forest.
 std::size_t mostChildren(DiagramCore& core) {
@@ -149,7 +149,7 @@ TEST(HiddenWork, UpdatesOfTheVisibleDuplicate) {
   const Site home = core.site(0);
   const double work = questionsOf([&] {
     for (std::size_t k = 0; k < n; ++k) {
-      const SiteId id = core.siteOf(DiagramCore::vertexOf(core.nearest(home.x, home.y)));
+      const SiteId id = core.siteOf(vertexOf(core.nearest(home.x, home.y)));
       core.update(id, {home.x + 100, home.y, home.r});
       core.update(id, home);
     }
