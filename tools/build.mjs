@@ -2,8 +2,9 @@
 //
 //   dist/esm/{index,wasm}.js, *.d.ts    ES modules
 //   dist/cjs/{index,wasm}.js, *.d.ts    CommonJS, the same; index.js is also the file for a script
-//   tag, with the global `apollonius` dist/apollonius.wasm                for the entry
-//   `apollonius-diagram/wasm`; the default entry carries it as text
+//                                       tag, with the global `apollonius`
+//   dist/apollonius.wasm                for the entry `apollonius-diagram/wasm`; the default entry
+//                                       carries it as text
 import { createHash } from "node:crypto";
 import {
   chmodSync,

@@ -6,14 +6,13 @@
 // with the pole at the origin and the other centre at (D, 0), with A = (ra - rb)/2 >= 0, B = √p/2,
 // p = D² - (ra - rb)² (so that A² + B² = (D/2)²), it is
 //
-//     X = D/2 + A cosh t,   Y = B sinh t,      distance from the pole: (D/2) cosh t + A,   from the
-//     other: (D/2) cosh t - A
+//     X = D/2 + A cosh t,   Y = B sinh t
+//     distances: (D/2) cosh t + A from the pole, (D/2) cosh t - A from the other
 //
 // counter-clockwise about the pole as t grows. The parameter that is stored is E = e^t, from 0 to
-// infinity: with it, everything takes
-// + - * / and roots only (the same bits natively and as WebAssembly), an intersection with a line
-// is a quadratic equation, and the ends at infinity are ordinary values. A line has A = 0 and the
-// same parametrisation.
+// infinity: with it, everything takes additions, multiplications, divisions and roots only (the
+// same bits natively and as WebAssembly), an intersection with a line is a quadratic equation, and
+// the ends at infinity are ordinary values. A line has A = 0 and the same parametrisation.
 #pragma once
 
 #include "geometry/conic.h"

@@ -2,10 +2,11 @@
 // vertex 0 being the site at infinity. It knows no coordinates; which faces go and which come is
 // decided by the diagram.
 //
-//     halfedges[h].origin   vertex where half-edge h starts     next(h), previous(h): by index
-//     arithmetic (topology/ids.h) halfedges[h].twin     the other half of its edge          face =
-//     h / 3 outgoing[v]           one half-edge that starts at v, or kNoHalfedge if v has no place
-//     in the graph
+//     halfedges[h].origin   vertex where half-edge h starts
+//     halfedges[h].twin     the other half of its edge
+//     outgoing[v]           one half-edge that starts at v, or kNoHalfedge if v is not in the graph
+//
+// The face of h is h / 3; next(h) and previous(h) are index arithmetic (topology/ids.h).
 //
 // Two vertices can share several edges, a vertex can have degree 2, a face can meet the same
 // neighbour twice: an edge is a half-edge id, never a pair of vertices. With fewer than two visible
@@ -88,9 +89,8 @@ class Graph {
   ///
   ///         b ______ a             b ______ a
   ///          |      |               | \  / |         rim: a→b, b→c, c→d, d→a
-  ///          | hole |       =>      |  w   |         new face k = (rim k's origin, rim k's target,
-  ///          w)
-  ///          |______|               | /  \ |
+  ///          | hole |       =>      |  w   |
+  ///          |______|               | /  \ |         new face k = (origin and target of rim k, w)
   ///         c        d             c        d
   ///
   /// newFaces[k] receives the face of rim[k]. Vertices that were within the hole lose their place
