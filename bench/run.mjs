@@ -1,13 +1,15 @@
 // npm run bench: builds all contenders, measures, prints one report, and writes it with its
 // picture.
 //
-//   npm run bench                      about eight minutes        ->
-//   bench/results/latest.{json,md,svg} npm run bench -- --quick           under a minute
-//    -> build/bench-results/ npm run bench -- --full            all of it, up to 10 000 000 sites,
-//    hours -> bench/results/
+//   npm run bench                      about eight minutes
+//   npm run bench -- --quick           under a minute
+//   npm run bench -- --full            all of it, up to 10 000 000 sites, hours
 //   npm run bench -- --only families   one part: scaling, families, orders, table1, moves, drawing,
-//   snapshots, border -> build/bench-results/ npm run bench -- --without cgal    leaves a contender
-//   out (may be repeated)           -> build/bench-results/
+//                                      snapshots, border
+//   npm run bench -- --without cgal    leaves a contender out (may be repeated)
+//
+// The first goes to bench/results/latest.{json,md,svg}, --full to bench/results/ too, all others to
+// build/bench-results/.
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";

@@ -2,17 +2,17 @@
 // npm test -- native wasm      runs some steps only
 // npm test -- native -t Ids    only tests with that in their names
 //
-//   lint      layout, rules and types of the sources, which need no build
+//   lint      layout and rules of the sources, which need no build
 //   native    the C++ tests, natively, with every filtered predicate answer compared to the exact
 //             one
 //   wasm      the same C++ tests as WebAssembly under Node
 //   package   Jest on the package as `npm pack` makes it (in Node, in browsers, through bundlers),
 //             and on the rules about who may include whom
-//   web       Jest on the page in a real browser
+//   web       types of the page's JavaScript, and Jest on the page in a real browser
 import { readdirSync } from "node:fs";
 import path from "node:path";
 import { buildPackage } from "../tools/build.mjs";
-import { lint } from "../tools/lint.mjs";
+import { checkPage, lint } from "../tools/lint.mjs";
 import { ensureChromium, ensureFirefox } from "../tools/toolchain/browser.mjs";
 import { ensureBoost } from "../tools/toolchain/boost.mjs";
 import { buildWasmTests, buildWithCmake } from "../tools/toolchain/cmake.mjs";
@@ -95,6 +95,7 @@ const steps = {
       );
     }
     await buildPackage();
+    checkPage();
     const line = await jest(["web"], { CHROMIUM: chromium ?? "" });
     return chromium
       ? line

@@ -2,8 +2,12 @@
 //
 //   dist/esm/{index,wasm}.js, *.d.ts    ES modules
 //   dist/cjs/{index,wasm}.js, *.d.ts    CommonJS, the same; index.js is also the file for a script
-//   tag, with the global `apollonius` dist/apollonius.wasm                for the entry
-//   `apollonius-diagram/wasm`; the default entry carries it as text
+//                                       tag, with the global `apollonius`
+//   dist/apollonius.wasm                for the entry `apollonius-diagram/wasm`; the default entry
+//                                       carries it as text
+//
+//   npm run build -- --debug            the same in build/debug/dist, with assertions, names of the
+//                                       C++ functions, and a source map beside the wasm
 import { createHash } from "node:crypto";
 import {
   chmodSync,
@@ -26,7 +30,6 @@ import { run } from "./toolchain/process.mjs";
 import { ensureBuildTools, main } from "./toolchain/setup.mjs";
 
 const wasm = path.join(root, "wasm");
-const dist = path.join(root, "dist");
 const types = path.join(root, "build/types/wasm");
 const entries = ["index", "wasm"];
 
@@ -71,6 +74,9 @@ function wasmAsText(built) {
   return {
     name: "wasm-as-text",
     setup(build) {
+      build.onResolve({ filter: /^\.\.\/build\/wasm\// }, ({ path: file }) => ({
+        path: path.join(built, path.basename(file)),
+      }));
       build.onLoad({ filter: /\.wasm$/ }, () => ({
         contents: `export const text = ${placeholder}, swaps = [${swaps}];`,
         loader: "js",
@@ -153,7 +159,7 @@ function fingerprint(built) {
  * Makes dist/ beside itself and then puts it in place, so that a server or a test never sees half
  * of it.
  */
-async function makeDist(built) {
+async function makeDist(built, dist) {
   run(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", wasm]);
   const fresh = path.join(root, "build/dist");
   rmSync(fresh, { recursive: true, force: true });
@@ -167,21 +173,32 @@ async function makeDist(built) {
   writeFileSync(path.join(fresh, "cjs/package.json"), '{ "type": "commonjs" }\n');
   copyFileSync(path.join(built, "apollonius.wasm"), path.join(fresh, "apollonius.wasm"));
   chmodSync(path.join(fresh, "apollonius.wasm"), 0o644);
+  const map = path.join(built, "apollonius.wasm.map");
+  if (existsSync(map)) copyFileSync(map, path.join(fresh, "apollonius.wasm.map"));
   rmSync(dist, { recursive: true, force: true });
   renameSync(fresh, dist);
 }
 
 export async function buildPackage() {
   const emscripten = ensureBuildTools();
+  const dist = path.join(root, "dist");
   await withBuildLock(async () => {
     const built = buildWasmModule(emscripten);
     const stamp = path.join(root, "build/dist.fingerprint");
     const wanted = fingerprint(built);
     if (existsSync(dist) && existsSync(stamp) && readFileSync(stamp, "utf8") === wanted) return;
     rmSync(stamp, { force: true });
-    await makeDist(built);
+    await makeDist(built, dist);
     writeFileSync(stamp, wanted);
   });
 }
 
-if (import.meta.url === pathToFileURL(process.argv[1]).href) await main(buildPackage);
+async function buildDebug() {
+  const emscripten = ensureBuildTools();
+  await withBuildLock(() =>
+    makeDist(buildWasmModule(emscripten, { debug: true }), path.join(root, "build/debug/dist")),
+  );
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href)
+  await main(process.argv.includes("--debug") ? buildDebug : buildPackage);

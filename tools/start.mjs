@@ -1,5 +1,6 @@
-// npm start: sets up, builds the package, and serves the page until it is stopped.   npm start --
-// --port 8080
+// npm start: sets up, builds the package, and serves the page until it is stopped.
+//
+//   npm start -- --port 8080
 import { spawn } from "node:child_process";
 import path from "node:path";
 import { buildPackage } from "./build.mjs";

@@ -19,9 +19,10 @@ const describe = () => {
 };
 
 /**
- * @returns {Promise<{ xyr: Float64Array, labels: import("./scene.js").Label[], map:
- * import("./map_layer.js").WorldMap,
- *   bounds: [number, number, number, number] }>}
+ * @returns {Promise<{
+ *   xyr: Float64Array, labels: import("./scene.js").Label[],
+ *   map: import("./map_layer.js").WorldMap, bounds: import("./scene.js").Bounds,
+ * }>}
  */
 export async function loadCities() {
   const [{ cities }, land] = await Promise.all([fetchJson("cities.json"), fetchJson("land.json")]);

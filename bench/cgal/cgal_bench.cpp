@@ -4,7 +4,8 @@
 //
 //   build          range insert into the hierarchy (CGAL chooses the order)
 //   buildSorted    CGAL's best effort: spatially sorted centres into the plain graph, each inserted
-//   near the one before insert         one by one in the order of the file, into the hierarchy
+//                  near the one before
+//   insert         one by one in the order of the file, into the hierarchy
 //   find, findNear, remove     on the hierarchy
 #include <CGAL/Apollonius_graph_2.h>
 #include <CGAL/Apollonius_graph_filtered_traits_2.h>

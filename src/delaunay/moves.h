@@ -6,8 +6,7 @@
 //   1. all of them exist, and neighbours do not cover each other;
 //   2. along each edge of these faces its two ends come in the right order;
 //   3. each of the vertices moves, as seen from each of its three sites, by less than a quarter
-//   turn: surely if it is farther from them
-//      than the sites and it have moved together.
+//      turn: surely if it is farther from them than the sites and it have moved together.
 // Why. By 1 and 2 each cell is bounded by a closed curve that runs counter-clockwise around its
 // centre; by 3 it does so as often as before, once. Hence the cells, glued along their edges, cover
 // the sphere without branching; the graph is a sphere as well, and so (Riemann-Hurwitz) they cover

@@ -19,8 +19,7 @@ class DelaunayGraph;
 /// The conditions, all of them of one face, one edge, or the hull:
 ///   1. in a face no site covers another, and its Voronoi circle exists in that orientation;
 ///   2. along each edge its two ends come in their order, and where they coincide the canonical
-///   rule has chosen the
-///      diagonal;
+///      rule has chosen the diagonal;
 ///   3. around infinity the normals of the half-planes make one turn.
 /// That they suffice: docs/ARCHITECTURE.md, "Checks". That the surface is connected, and a sphere,
 /// follows.

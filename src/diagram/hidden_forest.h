@@ -12,12 +12,11 @@
 //
 // What holds after any history, T being the number of insertions since clear():
 //  1. Of a family in which of any two sites one covers the other (duplicates, concentric circles,
-//  circles that
-//     touch in one point from inside), no site has more than kFew children. For hang() puts a site
-//     beside kFew others only if it has compared it with one of them; dissolve() hangs the children
-//     of such a site anew; and of the children of a visible site that is removed, the largest gets
-//     the others (DiagramCore::displaceVisible). Not meant are sites that have been moved in place,
-//     which may change what they are to each other.
+//     circles that touch in one point from inside), no site has more than kFew children. For hang()
+//     puts a site beside kFew others only if it has compared it with one of them; dissolve() hangs
+//     the children of such a site anew; and of the children of a visible site that is removed, the
+//     largest gets the others (DiagramCore::displaceVisible). Not meant are sites that have been
+//     moved in place, which may change what they are to each other.
 //  2. hang() asks O(log T) questions amortised, whatever the family.
 //     Proof. Let each site weigh 1 when it comes, and a hidden one that is dissolved leave its
 //     weight to its parent. A tree weighs what its sites weigh; a child is heavy if its tree weighs

@@ -12,9 +12,8 @@
 // Both cancel for w near 1. With z = (w-1)/(w+1) = tanh²(u/2) they are power series that converge
 // for |z| < 1:
 //
-//     g = 2 (1+z)  Σ  -z^(k-1) / ((2k+1)(2k-1)(2k-3)),                       k >= 1;     g(1) = 2/3
-//     m = (1+z)²   Σ  -2 (k-1) z^(k-2) / ((2k+1)(2k-1)(2k-3)(2k-5)),         k >= 2;     m(1) =
-//     2/15
+//     g = 2 (1+z)  Σ  -z^(k-1) / ((2k+1)(2k-1)(2k-3)),                k >= 1;    g(1) = 2/3
+//     m = (1+z)²   Σ  -2 (k-1) z^(k-2) / ((2k+1)(2k-1)(2k-3)(2k-5)),  k >= 2;    m(1) = 2/15
 //
 // For larger z the arc is halved, in numbers only: with w' = √((1+w)/2),
 //

@@ -1,13 +1,16 @@
 // The window: an axis-parallel rectangle, its four sides and places on its border.
 //
-//            side 2                Sides are numbered counter-clockwise from the lower left corner;
-//            corner k is where side k starts.
-//      3 ─────────────── 2         A point on a side belongs to the border and counts as outside:
-//      what only touches the window is not │                 │         in it.
+//            side 2
+//      3 ─────────────── 2
+//      │                 │
 //  s 3 │                 │ side 1
 //      │                 │
 //      0 ─────────────── 1
 //            side 0
+//
+// Sides are numbered counter-clockwise from the lower left corner; corner k is where side k starts.
+// A point on a side belongs to the border and counts as outside: what only touches the window is
+// not in it.
 #pragma once
 
 #include <algorithm>

@@ -50,8 +50,8 @@ struct Approx {
   double value = 0;
   double magnitude = 0;
   constexpr Approx() = default;
-  constexpr Approx(int constant)
-      : value(constant), magnitude(constant < 0 ? -constant : constant) {}  // NOLINT
+  constexpr Approx(int constant)  // NOLINT: constants in formulas
+      : value(constant), magnitude(constant < 0 ? -constant : constant) {}
   constexpr explicit Approx(double input) : value(input), magnitude(absolute(input)) {}
   constexpr Approx(double v, double m) : value(v), magnitude(m) {}
   friend constexpr Approx operator+(Approx a, Approx b) {

@@ -148,8 +148,8 @@ struct ExactDouble {
   double value = 0;
   double magnitude = 0;
   constexpr ExactDouble() = default;
-  constexpr ExactDouble(int constant)
-      : value(constant), magnitude(absolute(value)) {}  // NOLINT: constants in formulas
+  constexpr ExactDouble(int constant)  // NOLINT: constants in formulas
+      : value(constant), magnitude(absolute(value)) {}
   /// An integer.
   constexpr explicit ExactDouble(double integer) : ExactDouble(integer, absolute(integer)) {}
   friend constexpr ExactDouble operator+(ExactDouble a, ExactDouble b) {

@@ -4,9 +4,10 @@
 //
 //   npm run fuzz -- --minutes 60                     all targets, for an hour in all
 //   npm run fuzz -- --minutes 5 --target geometry    those whose name has that in it (several: with
-//   commas) npm run fuzz -- --minutes 60 --jobs 2            two at a time
+//                                                    commas)
+//   npm run fuzz -- --minutes 60 --jobs 2            two at a time
 //   npm run fuzz -- --merge                          no run: makes tests/fuzz/corpus of all that
-//   was found, minimised
+//                                                    was found, minimised
 //
 // It can be stopped at any time; the table is printed then, too. A finding is an input that ends a
 // target; it is kept in build/fuzz/findings with the target's output, and the run ends with 1. What

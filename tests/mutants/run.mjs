@@ -4,8 +4,9 @@
 //   npm run mutants -- --from 20 --to 40   some of them
 //   npm run mutants -- --only predicate    those of files whose path has that in it
 //   npm run mutants -- --longest 1         with tests of a second at most: a first look, of which
-//   only what is noticed is kept npm run mutants -- --propose 150       prints so many new ones,
-//   spread over the files of src/: for a person to choose from
+//                                          only what is noticed is kept
+//   npm run mutants -- --propose 150       prints so many new ones, spread over the files of src/:
+//                                          for a person to choose from
 //
 // A mutant is a file, a piece of it (as tokens, whatever the layout), and what that piece becomes.
 // All are put into one copy of the sources, each behind a switch (switched.mjs), which is built

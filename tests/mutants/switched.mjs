@@ -1,10 +1,10 @@
 // Puts all mutants into the sources at once, each behind a switch of its own: one build serves all
 // of them, and the environment says which one is on (switch.h). What becomes
 //
-//     an expression   `a < b`    (mutants::isOn(17) ? (a <= b) : (a < b))      where the change is
-//     within one a statement     `f(x);`    { if (mutants::isOn(17)) { g(x); } else { f(x); } }
-//      where it is dropped, or more than an expression changes
+//     an expression   `a < b`    (mutants::isOn(17) ? (a <= b) : (a < b))
+//     a statement     `f(x);`    { if (mutants::isOn(17)) { g(x); } else { f(x); } }
 //
+// the second where the statement is dropped, or more than an expression changes.
 // An expression is what stands between brackets, commas, semicolons, assignments or `return`. What
 // must be known when it is compiled (constexpr variables, template arguments) cannot be switched:
 // no mutants of such lines.

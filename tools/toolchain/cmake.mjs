@@ -34,13 +34,14 @@ export function buildWithCmake(name, settings, { target = "all", env } = {}) {
  * The wasm module for the package. Warnings are errors only in CI: whoever has a newer Emscripten
  * shall be able to build.
  */
-export function buildWasmModule(emscripten) {
-  const strict = process.env.CI ? { APOLLONIUS_WERROR: "ON" } : {};
-  return buildWithCmake(
-    "wasm",
-    { CMAKE_TOOLCHAIN_FILE: cmakeToolchainFile(emscripten), APOLLONIUS_TESTS: "OFF", ...strict },
-    { target: "apollonius_wasm" },
-  );
+export function buildWasmModule(emscripten, { debug = false } = {}) {
+  const settings = {
+    CMAKE_TOOLCHAIN_FILE: cmakeToolchainFile(emscripten),
+    APOLLONIUS_TESTS: "OFF",
+    ...(process.env.CI && { APOLLONIUS_WERROR: "ON" }),
+    ...(debug && { CMAKE_BUILD_TYPE: "Debug" }),
+  };
+  return buildWithCmake(debug ? "debug/wasm" : "wasm", settings, { target: "apollonius_wasm" });
 }
 
 /** The C++ tests as wasm. */

@@ -1,7 +1,9 @@
-// Bundles a page that uses the packed package with one bundler, as its users would:  node
-// bundle.mjs vite|webpack|rollup|esbuild into build/packed/bundles/NAME/: main.js (default entry)
-// and, but for rollup, streamed.js (the entry with a .wasm of its own). Prints the warnings as a
-// JSON array.
+// Bundles a page that uses the packed package with one bundler, as its users would:
+//
+//   node bundle.mjs vite|webpack|rollup|esbuild
+//
+// into build/packed/bundles/NAME/: main.js (default entry) and, but for rollup, streamed.js (the
+// entry with a .wasm of its own). Prints the warnings as a JSON array.
 import { mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";

@@ -29,9 +29,8 @@ const executablePath = kCandidates.find((path) => path && existsSync(path));
  * failure.
  * @param {string} name
  * @param {(open: (options?: object) => Promise<import("playwright-core").Page>) => void} define
- * gets a function that opens the
- *   page; `page.errors` lists what went wrong in it: exceptions, console errors, refused or failed
- *   requests
+ *   gets a function that opens the page; `page.errors` lists what went wrong in it: exceptions,
+ *   console errors, refused or failed requests
  */
 export function describeInBrowser(name, define) {
   if (!executablePath) {
