@@ -5,6 +5,7 @@
 #include "delaunay/delaunay_graph.h"
 #include "delaunay/remove.h"
 #include "number/invariant.h"
+#include "predicate/compute_circle.h"
 
 namespace apollonius {
 

@@ -20,7 +20,7 @@
 
 #include "diagram/diagram_core.h"
 #include "memory/flat_array.h"
-#include "predicate/approx_distance.h"
+#include "predicate/distance.h"
 
 namespace apollonius {
 

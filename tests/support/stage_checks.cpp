@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "predicate/compute_circle.h"
 #include "predicate/direction.h"
-#include "predicate/edge_shortcut.h"
+#include "predicate/predicates.h"
 #include "predicate/reference_site.h"
-#include "predicate/stages.h"
 
 namespace apollonius::test {
 
