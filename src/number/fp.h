@@ -15,12 +15,10 @@ namespace apollonius {
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
     __FINITE_MATH_ONLY__
-#error \
-    "fast-math breaks the error bounds: compile without -ffast-math, -Ofast, -funsafe-math-optimizations and their parts"
+#error "fast-math breaks the error bounds: compile without -ffast-math, -Ofast and their parts"
 #endif
 #if FLT_EVAL_METHOD != 0
-#error \
-    "intermediate results of more than 53 bits break the error bounds: compile with -msse2 -mfpmath=sse"
+#error "results of more than 53 bits break the error bounds: compile with -msse2 -mfpmath=sse"
 #endif
 
 /// What is wrong with arithmetic as this program runs, in words, or null: contraction, which no

@@ -51,8 +51,8 @@ bool haveEqualWeights(const EdgeCorners& e) {
   return e.i->r == e.j->r && e.j->r == e.k->r && e.k->r == e.l->r;
 }
 
-/// Does the edge, both of whose ends are finite, have positive length? Known only if its ends are
-/// apart in doubles; negative: they come in the wrong order.
+/// The turn from the end at l to the end at k, both of them finite; known only if they are apart in
+/// doubles. Negative: they come in the wrong order.
 MaybeSign turnAlong(const EdgeCorners& e, const VoronoiCircle& atK, const VoronoiCircle& atL) {
   return turn(directionOf(atL, *e.i), directionOf(atK, *e.i));
 }

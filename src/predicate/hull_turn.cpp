@@ -10,8 +10,8 @@ namespace apollonius {
 
 namespace stages {
 
-/// The normal is (-r x + y √p, -r y - x √p) for the row of one site seen from the other: from j,
-/// with i on its left.
+/// Up to a positive factor the normal is (-r x - y √p, -r y + x √p), (x, y, r, p) being the row of
+/// j seen from i.
 bool normalIsUpExact(const Site& i, const Site& j) {
   const ExactKernel kernel(i, {&j});
   const Row<Dyadic>& t = kernel.row(0);

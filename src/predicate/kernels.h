@@ -6,7 +6,7 @@
 //     row(k)               the k-th corner
 //     hasEqualWeights()    of all finite sites
 //     sign(x, roundings)   of a formula's value; `roundings` are the formula's
-//     failed()             was any sign uncertain?
+//     failed()             was a sign uncertain, or are these sites beyond this kernel?
 #pragma once
 
 #include <algorithm>
