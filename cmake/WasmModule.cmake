@@ -9,12 +9,12 @@
 # and drawings of many sites run through (bench/README.md, "Size", has what each step costs and
 # gives).
 set(quick
-  predicate/circle_fan.cpp predicate/edge_circle_filter.cpp number/fixed_integer.cpp
+  predicate/circle_fan.cpp predicate/edge_conflict.cpp number/fixed_integer.cpp
   delaunay/conflict.cpp delaunay/locate.cpp delaunay/sort_by_key.cpp
-  geometry/render.cpp geometry/clip.cpp geometry/edge.cpp predicate/stages.cpp)
+  geometry/render.cpp geometry/clip.cpp geometry/edge.cpp predicate/vertex_conflict.cpp predicate/distance.cpp)
 set(compact
-  predicate/voronoi_circle.cpp delaunay/moves.cpp delaunay/insert.cpp
-  predicate/predicates.cpp geometry/bisector.cpp geometry/approximate.cpp)
+  predicate/compute_circle.cpp delaunay/moves.cpp delaunay/insert.cpp
+  predicate/covers.cpp predicate/bearing.cpp geometry/bisector.cpp geometry/approximate.cpp)
 list(TRANSFORM quick PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 list(TRANSFORM compact PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/")
 set(small ${APOLLONIUS_SOURCES})

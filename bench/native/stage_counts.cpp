@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "predicate/stages.h"
+#include "predicate/stage_counts.h"
 
 namespace apollonius::bench::stages {
 

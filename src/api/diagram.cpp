@@ -15,7 +15,7 @@
 #include "memory/flat_array.h"
 #include "number/fp.h"
 #include "number/invariant.h"
-#include "predicate/approx_distance.h"
+#include "predicate/distance.h"
 
 namespace apollonius {
 

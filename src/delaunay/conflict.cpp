@@ -4,7 +4,6 @@
 
 #include "delaunay/delaunay_graph.h"
 #include "delaunay/sort_by_key.h"
-#include "predicate/edge_shortcut.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {

@@ -7,6 +7,7 @@
 #include "delaunay/proof.h"
 #include "number/invariant.h"
 #include "predicate/circle_batch.h"
+#include "predicate/compute_circle.h"
 
 namespace apollonius {
 

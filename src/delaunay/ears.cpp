@@ -1,5 +1,6 @@
 #include "delaunay/ears.h"
 
+#include "predicate/compute_circle.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {

@@ -4,6 +4,7 @@
 
 #include "delaunay/delaunay_graph.h"
 #include "number/invariant.h"
+#include "predicate/compute_circle.h"
 
 namespace apollonius {
 

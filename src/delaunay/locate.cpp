@@ -1,8 +1,8 @@
 // Nearest neighbour location by walking: the paper's way (section 4), which asks all neighbours,
 // and the sector walk, which asks the one in the direction of the point.
 #include "delaunay/delaunay_graph.h"
-#include "predicate/approx_distance.h"
 #include "predicate/direction.h"
+#include "predicate/distance.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "predicate/circle_batch.h"
+#include "predicate/compute_circle.h"
 #include "predicate/direction.h"
 #include "predicate/reference_site.h"
 

@@ -5,6 +5,7 @@
 
 #include "delaunay/delaunay_graph.h"
 #include "predicate/circle_batch.h"
+#include "predicate/compute_circle.h"
 #include "predicate/predicates.h"
 
 namespace apollonius {

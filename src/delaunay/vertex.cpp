@@ -7,6 +7,8 @@
 // others becomes its neighbour. So they are consecutive around z, which is the reference site of
 // each, and whether a face has company is seen at two of its edges.
 #include "delaunay/delaunay_graph.h"
+#include "predicate/compute_circle.h"
+#include "predicate/precise_circle.h"
 #include "predicate/reference_site.h"
 
 namespace apollonius {

@@ -21,7 +21,7 @@
 #include <algorithm>
 
 #include "memory/flat_array.h"
-#include "predicate/approx_distance.h"
+#include "predicate/distance.h"
 
 namespace apollonius {
 

@@ -1,19 +1,19 @@
-// Approx: a double that knows the size of what it was made of, for error-bound filters; and
-// Roundings, which derives the constant of that bound from the formula itself, at compile time.
+// Approx: a double that knows the size of what it was made of, for error-bound filters; Roundings,
+// which counts the roundings of a formula at compile time; and the error factor that follows.
 //
 // Theorem (standard, e.g. Higham, Accuracy and Stability, chapter 3). Let a formula of + - * be
 // evaluated in doubles without overflow or underflow. Expand it into its monomials; each carries
 // one factor (1 + d), |d| <= u, for each rounding on its way to the root. If no monomial passes
 // more than D roundings, then
-//     |computed - exact| <= ((1+u)^D - 1) · M,      M = the same formula with every input replaced
-//     by its magnitude
-// and every - by +. Roundings counts D (a sum: the larger of its terms' + 1; a product: the sum of
-// its factors' + 1). M itself is computed in doubles and is at least (1-u)^D times its exact value,
-// hence
+//     |computed - exact| <= ((1+u)^D - 1) · M,
+// where M is the same formula with every input replaced by its magnitude and every - by +.
+// Roundings counts D: of a sum, the larger of its terms' and one more; of a product, those of its
+// factors together and one more. M itself is computed in doubles and is at least (1-u)^D times its
+// exact value, hence
 //     |computed - exact| <= D u (1 + 2^-40) · (computed M)         for D < 1000.
-// Underflow: with all inputs at most 2^33 in magnitude (see kLargestInput) and formulas of degree
-// at most 12, at most 2^8 products lose at most 2^-1075 each, which later factors enlarge by less
-// than 2^370: kUnderflow covers the sum.
+// Underflow: with all inputs at most 2^33 in magnitude (kLargestInput) and formulas of degree at
+// most 12, at most 2^8 products lose at most 2^-1075 each, which later factors enlarge by less than
+// 2^370: kUnderflow covers the sum.
 #pragma once
 
 #include <algorithm>
@@ -23,6 +23,8 @@
 
 namespace apollonius {
 
+/// How many roundings a monomial of a formula passes at most: the number that evaluating the
+/// formula over Roundings gives.
 struct Roundings {
   int count = 0;
   constexpr Roundings() = default;
@@ -71,7 +73,8 @@ inline constexpr double kLargestInput = powerOfTwo(33);
 /// Where kLargestInput is kept, underflow moves no formula by more than this.
 inline constexpr double kUnderflow = powerOfTwo(-690);
 
-/// The factor of the bound for a formula whose Roundings was computed with the formula itself.
+/// Of a formula with so many roundings: its error is at most this times the computed magnitude
+/// (Higham's γ, with room for the roundings of the magnitude).
 constexpr double errorFactor(Roundings roundings) {
   return roundings.count * kUnitRoundoff * (1 + powerOfTwo(-40));
 }

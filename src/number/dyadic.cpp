@@ -4,17 +4,17 @@
 #include <cstdint>
 #include <limits>
 
+#include "number/fp.h"
 #include "number/invariant.h"
 
 namespace apollonius {
 
 namespace {
-constexpr int kLimb =
-    std::numeric_limits<boost::multiprecision::limb_type>::digits;  // 64 where the compiler has
-                                                                    // 128-bit integers
-}
+/// 64 where the compiler has integers of 128 bits.
+constexpr int kLimb = std::numeric_limits<boost::multiprecision::limb_type>::digits;
+}  // namespace
 
-// All of them here: inlined, the place of an Integer being cleared would be everywhere.
+// None of these is inline: the code that clears the place of an Integer would be everywhere.
 
 Dyadic::Dyadic() noexcept = default;
 
@@ -30,13 +30,10 @@ Dyadic& Dyadic::operator=(const Dyadic& other) noexcept {
 
 Dyadic::Dyadic(double value) {
   if (value == 0) return;
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  const int biased = static_cast<int>((bits >> 52) & 0x7FF);
-  std::uint64_t digits = bits & ((std::uint64_t{1} << 52) - 1);
-  if (biased != 0) digits |= std::uint64_t{1} << 52;
-  const int zeros =
-      std::countr_zero(digits);  // short integers for round inputs (grids, small integers)
-  exponent_ = (biased != 0 ? biased : 1) - 1075 + zeros;
+  const auto [digits, exponent] = decompose(value);
+  // Short integers for round inputs (grids, small integers).
+  const int zeros = std::countr_zero(digits);
+  exponent_ = exponent + zeros;
   mantissa_ = digits >> zeros;
   if (value < 0) mantissa_.backend().negate();
 }
@@ -58,7 +55,7 @@ Dyadic::Rounded Dyadic::rounded() const {
           exponent_ + static_cast<int>(digits.size()) * kLimb - zeros - 63};
 }
 
-// Results are made in their place: an Integer is 1.5 KB, and each one made costs some 20 ns
+// Results are computed in their final place: an Integer is 1.5 KB, and making one costs some 20 ns
 // whatever it holds.
 
 Dyadic operator*(const Dyadic& a, const Dyadic& b) {

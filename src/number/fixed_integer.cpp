@@ -1,17 +1,14 @@
 #include "number/fixed_integer.h"
 
-#include <bit>
+#include "number/fp.h"
 
 namespace apollonius {
 
 FixedInteger FixedInteger::inUnits(double value, int unit) {
   FixedInteger result;
   if (value == 0) return result;
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  const int biased = static_cast<int>((bits >> 52) & 0x7FF);
-  std::uint64_t digits = bits & ((std::uint64_t{1} << 52) - 1);
-  if (biased != 0) digits |= std::uint64_t{1} << 52;
-  int shift = (biased != 0 ? biased : 1) - 1075 - unit;
+  auto [digits, exponent] = decompose(value);
+  int shift = exponent - unit;
   if (shift < 0) {  // the digits shifted out are zeros
     digits >>= -shift;
     shift = 0;

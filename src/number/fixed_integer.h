@@ -1,8 +1,7 @@
-// FixedInteger: integers of up to 2048 bits that are kept in place. The long numbers of the middle
-// stage: no heap, no exponents, and only the limbs in use are copied and multiplied, which makes it
-// several times as fast as Dyadic on the coordinates that people have. The same operations in
-// 32-bit limbs everywhere: WebAssembly multiplies 32 x 32 bits in one instruction, 64 x 64 in a
-// call.
+// FixedInteger: integers of up to 1500 bits that are kept in place, for the second middle stage. No
+// heap, no exponents, and only the limbs in use are copied and multiplied, which makes it several
+// times as fast as Dyadic on the coordinates that people have. The same operations on 32-bit limbs
+// everywhere: WebAssembly multiplies 32 x 32 bits in one instruction, 64 x 64 in a call.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +13,7 @@ namespace apollonius {
 
 class FixedInteger {
  public:
-  /// Bits of an input: formulas of degree 16 (spans) with up to 2^8 terms stay within the limbs.
+  /// Bits of an input: formulas of degree 12 with up to 2^8 terms stay within the limbs.
   static constexpr int kInputBits = 120;
 
   FixedInteger() = default;
@@ -51,8 +50,8 @@ class FixedInteger {
   }
 
  private:
-  static constexpr int kLimbs = 66;
-  static_assert(16 * kInputBits + 8 <= 32 * (kLimbs - 4));
+  static constexpr int kLimbs = 50;
+  static_assert(12 * kInputBits + 8 <= 32 * (kLimbs - 4));
 
   /// a + b, with the sign of b given.
   static FixedInteger sum(const FixedInteger& a, const FixedInteger& b, bool bIsNegative);

@@ -40,19 +40,29 @@ constexpr double powerOfTwo(int exponent) {
 /// underflows.
 inline constexpr double kUnitRoundoff = powerOfTwo(-53);
 
-/// floor(log2 |x|) of a normal number.
-constexpr int exponentOf(double x) {
-  return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52) & 0x7FF) - 1023;
+/// The magnitude of a finite double taken apart: digits · 2^exponent, with digits < 2^53.
+struct Decomposed {
+  std::uint64_t digits;
+  int exponent;
+};
+
+/// The only place that knows how a double keeps its digits.
+constexpr Decomposed decompose(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const int biased = static_cast<int>((bits >> 52) & 0x7FF);
+  const std::uint64_t digits = bits & ((std::uint64_t{1} << 52) - 1);
+  if (biased == 0) return {digits, 1 - 1075};  // subnormal
+  return {digits | std::uint64_t{1} << 52, biased - 1075};
 }
+
+/// floor(log2 |x|) of a normal number.
+constexpr int exponentOf(double x) { return decompose(x).exponent + 52; }
 
 /// Exponent of the lowest digit of a nonzero double: the largest e for which x is a multiple of
 /// 2^e.
 constexpr int lowestExponentOf(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  const int biased = static_cast<int>((bits >> 52) & 0x7FF);
-  const std::uint64_t digits =
-      (bits & ((std::uint64_t{1} << 52) - 1)) | (biased != 0 ? std::uint64_t{1} << 52 : 0);
-  return (biased != 0 ? biased : 1) - 1075 + std::countr_zero(digits);
+  const auto [digits, exponent] = decompose(x);
+  return exponent + std::countr_zero(digits);
 }
 
 constexpr double absolute(double x) { return __builtin_fabs(x); }

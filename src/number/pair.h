@@ -9,9 +9,10 @@
 
 namespace apollonius {
 
-using Pair __attribute__((vector_size(16))) = double;  // extensions that g++ and clang++ share
-using PairMask __attribute__((vector_size(16))) =
-    std::int64_t;  // what comparisons of Pairs yield: all bits or none
+// Vector types are an extension that g++ and clang++ share.
+using Pair __attribute__((vector_size(16))) = double;
+/// What comparisons of Pairs yield: all bits or none.
+using PairMask __attribute__((vector_size(16))) = std::int64_t;
 
 inline Pair pairOf(double x) { return Pair{x, x}; }
 inline Pair loadPair(const double* from) {

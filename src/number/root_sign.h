@@ -21,16 +21,11 @@ Sign signOfRoot(const Ring& a, const Ring& b, const Ring& c) {
   return signOfSum(signOf(a), signOf(b) * signOf(c), [&] { return signOf(a * a - b * b * c); });
 }
 
-/// sign(a + b √c + d √e + f √(c e)). REQUIRES c, e >= 0.
-/// It is P + Q √e with P = a + b √c and Q = d + f √c, and P² - e Q² has one root only.
+/// sign(a + √c - √e). REQUIRES c, e >= 0.
 template <class Ring>
-Sign signOfTwoRoots(const Ring& a, const Ring& b, const Ring& c, const Ring& d, const Ring& e,
-                    const Ring& f) {
-  const Sign p = signOfRoot(a, b, c);
-  const Sign q = signOfRoot(d, f, c) * signOf(e);
-  return signOfSum(p, q, [&] {
-    return signOfRoot(a * a + b * b * c - e * (d * d + f * f * c),
-                      (a * b - e * d * f) + (a * b - e * d * f), c);
+Sign signOfRootDifference(const Ring& a, const Ring& c, const Ring& e) {
+  return signOfSum(signOfRoot(a, Ring(1), c), -signOf(e), [&] {
+    return signOfRoot(a * a + c - e, a + a, c);  // (a + √c)² - e
   });
 }
 

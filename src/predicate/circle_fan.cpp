@@ -5,6 +5,7 @@
 
 #include "number/fp.h"
 #include "number/pair.h"
+#include "predicate/compute_circle.h"
 
 namespace apollonius {
 
@@ -39,11 +40,11 @@ enum Array : std::size_t {
 void CircleFan::reserve(std::size_t n) {
   if (corners_.size() >= n) return;
   const std::size_t room = std::max(n, std::size_t{16}) * 3 / 2;
-  const std::size_t stride =
-      room + 2;  // the first two corners follow the last, for the last pair of faces
+  // The first two corners follow the last, for the last pair of faces.
+  const std::size_t stride = room + 2;
   numbers_.resize(kArrays * stride);
   stride_ = stride;
-  corners_.resize(room);  // last: who looks at its size finds room in all
+  corners_.resize(room);  // last: its size tells that there is room in all
 }
 
 /// Row k: the site, seen from the reference site. Returns the largest difference.
@@ -123,7 +124,7 @@ void CircleFan::computeFaces(std::span<const std::array<Corner, 3>> faces,
 /// Circles of the faces of the reference site and rows k and `second` + k, for k < n (the last pair
 /// may read one more of each). Reference site k is at k & referenceMask.
 ///
-/// The formulas and the bound are those of boundedCircle (voronoi_circle.cpp, where they are
+/// The formulas and the bound are those of boundedCircle (compute_circle.cpp, where they are
 /// derived), with reference sites of any size. One division serves all quotients, 1/(D den): 1/den
 /// = D · that, 1/p_j = p_k p_jk · den · that. The computed D cancels, so f has five roundings more
 /// than the errors of p_j and den. Underflow: the last three conditions keep D, D den and a

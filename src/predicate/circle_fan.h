@@ -15,10 +15,10 @@ namespace apollonius {
 /// Room for the rows of a fan; grows as needed, and is used again.
 class CircleFan {
  public:
-  /// Room for a boundary of n corners. Throws std::bad_alloc.
+  /// Room for n corners around a site. Throws std::bad_alloc.
   void reserve(std::size_t n);
 
-  /// Corner k of the boundary, counter-clockwise around q.
+  /// Corner k, counter-clockwise around q.
   void setCorner(std::size_t k, Corner corner) { corners_[k] = corner; }
 
   /// circles[k] becomes the circle of the face (corner k, corner k+1, q), the last one's next being

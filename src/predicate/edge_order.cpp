@@ -1,14 +1,49 @@
-// What an edge and its two faces can tell of whether they belong to a Delaunay graph. Proofs:
-// docs/PREDICATES.md, "Order along an edge".
+#include "predicate/edge_order.h"
+
 #include <utility>
 
 #include "predicate/direction.h"
-#include "predicate/predicates.h"
+#include "predicate/kernels.h"
+#include "predicate/long_kernels.h"
 #include "predicate/reference_site.h"
 #include "predicate/shadow_check.h"
-#include "predicate/stages.h"
+#include "predicate/vertex_conflict.h"
 
 namespace apollonius {
+
+// --- The turn between shadows
+
+namespace stages {
+
+namespace {
+
+/// Rows 0, 1, 2 are j, l, k.
+constexpr auto kShadowTurnDecision = [](auto& kernel) {
+  const auto j = kernel.row(0);
+  return kernel.sign(EdgeForm(chordOf(j, kernel.row(1)), chordOf(j, kernel.row(2))).turn,
+                     roundings::kEdge.turn);
+};
+
+}  // namespace
+
+MaybeSign shadowTurnFilter(const Site& i, const Site& j, const Site& l, const Site& k) {
+  return decide<FilterKernel>(i, {&j, &l, &k}, kShadowTurnDecision);
+}
+
+Sign shadowTurnExact(const Site& i, const Site& j, const Site& l, const Site& k) {
+  // So seldom asked that shorter numbers would only be more code.
+  return decide<ExactKernel>(i, {&j, &l, &k}, kShadowTurnDecision).sign;
+}
+
+}  // namespace stages
+
+Sign turnBetweenShadows(const Site& i, const Site& j, const Site& l, const Site& k) {
+  const MaybeSign filtered = stages::shadowTurnFilter(i, j, l, k);
+  shadowCheck(filtered, [&] { return stages::shadowTurnExact(i, j, l, k); });
+  return filtered.known ? filtered.sign : stages::shadowTurnExact(i, j, l, k);
+}
+
+// --- The edge
 
 namespace {
 
@@ -16,8 +51,8 @@ bool haveEqualWeights(const EdgeCorners& e) {
   return e.i->r == e.j->r && e.j->r == e.k->r && e.k->r == e.l->r;
 }
 
-/// Does the edge, both of whose ends are finite, have positive length? Known only if its ends are
-/// apart in doubles; negative: they come in the wrong order.
+/// The turn from the end at l to the end at k, both of them finite; known only if they are apart in
+/// doubles. Negative: they come in the wrong order.
 MaybeSign turnAlong(const EdgeCorners& e, const VoronoiCircle& atK, const VoronoiCircle& atL) {
   return turn(directionOf(atL, *e.i), directionOf(atK, *e.i));
 }
@@ -48,12 +83,6 @@ bool isDelaunayEdgeAtInfinity(const EdgeCorners& e) {
 
 }  // namespace
 
-Sign turnBetweenShadows(const Site& i, const Site& j, const Site& l, const Site& k) {
-  const MaybeSign filtered = stages::shadowTurnFilter(i, j, l, k);
-  shadowCheck(filtered, [&] { return stages::shadowTurnExact(i, j, l, k); });
-  return filtered.known ? filtered.sign : stages::shadowTurnExact(i, j, l, k);
-}
-
 bool isDelaunayEdge(EdgeCorners e, const VoronoiCircle& circleAtK, const VoronoiCircle& circleAtL) {
   const VoronoiCircle *atK = &circleAtK, *atL = &circleAtL;
   if (isBetterReference(e.j, e.i)) {  // the same edge seen from its other side
@@ -78,26 +107,6 @@ bool isDelaunayEdge(EdgeCorners e, const VoronoiCircle& circleAtK, const Voronoi
     }
   }
   return isBoundedDelaunayEdge(e);
-}
-
-// --- The hull
-
-bool pointsUp(const Site& i, const Site& j, const VoronoiCircle& plane) {
-  MaybeSign filtered;
-  if (plane.y > plane.slope) filtered = {Sign::kPositive, true};
-  if (plane.y < -plane.slope) filtered = {Sign::kNegative, true};
-  const auto exact = [&] {
-    return stages::normalIsUpExact(i, j) ? Sign::kPositive : Sign::kNegative;
-  };
-  shadowCheck(filtered, exact);
-  return (filtered.known ? filtered.sign : exact()) == Sign::kPositive;
-}
-
-Sign turnOfHull(const Site& i, const Site& l, const Site& k, const VoronoiCircle& atL,
-                const VoronoiCircle& atK) {
-  const MaybeSign filtered = turn(directionOf(atL, i), directionOf(atK, i));
-  shadowCheck(filtered, [&] { return stages::spanExact(i, l, k); });
-  return filtered.known ? filtered.sign : stages::spanExact(i, l, k);
 }
 
 }  // namespace apollonius

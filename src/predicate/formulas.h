@@ -1,11 +1,14 @@
-// Every polynomial of the predicates, once, as a template over the number type: Approx (filter),
-// Roundings (the filter's error bound, at compile time), Dyadic (exact). Derivations:
-// docs/PREDICATES.md; degrees are in the input coordinates.
+// Every polynomial of the predicates, once, as a template over the number type. The kernels
+// (kernels.h, long_kernels.h) evaluate them over Approx, ExactDouble, FixedInteger and Dyadic, the
+// circles over double and Ball; over Roundings they give what the filters' error factors count, at
+// compile time. Derivations: docs/PREDICATES.md; degrees are in the input coordinates.
 //
-// All of them look at the diagram from one finite site, the reference site: other sites are rows of
-// differences to it. The site at infinity is the row (0, 0, 0, 1), which makes the same formulas
+// All of them look at the diagram from one finite site i, the reference site: other sites are rows
+// of differences to it. The site at infinity is the row (0, 0, 0, 1), which makes the same formulas
 // hold for unbounded faces and edges.
 #pragma once
+
+#include "number/approx.h"
 
 namespace apollonius {
 
@@ -41,9 +44,8 @@ constexpr T between(const Row<T>& a, const Row<T>& b) {
 }
 
 /// Where the bisectors of the reference site with `from` and with `to` meet: up to the positive
-/// factor from.p
-/// * to.p, the line a u + b v + w = 0 in the plane of directions (a, b) from the reference site
-/// (degree 3).
+/// factor from.p * to.p, the line a u + b v + w = 0 in the plane of directions (a, b) from the
+/// reference site (degree 3).
 template <class T>
 struct Chord {
   T u, v, w;
@@ -55,13 +57,13 @@ constexpr Chord<T> chordOf(const Row<T>& from, const Row<T>& to) {
           to.r * from.p - from.r * to.p};
 }
 
-/// Vertex conflict: rows j, k of a face (i, j, k) and q of the query. conflict = sign(x - xy
-/// √(p_jk p_j p_k)).
+/// Vertex conflict: rows j, k of a face (i, j, k) and q of the query.
+/// conflict = sign(x - xy √(p_jk p_j p_k)).
 template <class T>
 struct VertexForm {
-  T xr, yr,
-      xy;  // determinants of columns (x r p), (y r p), (x y p) over the rows j, k, q: degree 4
-  T x;     // degree 7
+  // Determinants of the columns (x r p), (y r p), (x y p) over the rows j, k, q: degree 4.
+  T xr, yr, xy;
+  T x;  // degree 7
 
   constexpr VertexForm(const Row<T>& j, const Row<T>& k, const Row<T>& q)
       : xr(determinant(j.x, j.r, j.p, k.x, k.r, k.p, q.x, q.r, q.p)),
@@ -84,9 +86,9 @@ struct VertexForm {
   }
 };
 
-/// Edge conflict: the turn between the direction of an end of the edge (chord `end`) and the middle
-/// of the query's shadow (chord `shadow`). turn = sign(±end.w * turn - √D * along), D = p_jt p_j
-/// p_t > 0.
+/// Edge conflict: the turn between the direction of an end of the edge (chord `end`, of j and t)
+/// and the middle of the query's shadow (chord `shadow`). turn = sign(±end.w * turn - √D * along),
+/// D = p_jt p_j p_t > 0.
 template <class T>
 struct EdgeForm {
   T turn;   // degree 6
@@ -102,19 +104,56 @@ struct EdgeForm {
   }
 };
 
-/// Span of an unbounded face's range of directions: cross product of the directions of the
-/// half-planes (l, i) and (i, k) = c0 + cl √p_l + ck √p_k + clk √(p_l p_k), up to a positive
-/// factor.
+/// Unbounded edges: from what the turn between the half-planes (l, i) and (i, k) is found (span.h).
 template <class T>
 struct SpanForm {
-  T c0, cl, ck, clk;
+  T cross, dot;  // of the centres: degree 2
+  T weights;     // r_l r_k: degree 2
+  T tangents;    // p_l p_k: degree 4
 
   constexpr SpanForm(const Row<T>& l, const Row<T>& k)
-      : SpanForm(l, k, l.x * k.y - l.y * k.x, l.x * k.x + l.y * k.y) {}
+      : cross(l.x * k.y - l.y * k.x),
+        dot(l.x * k.x + l.y * k.y),
+        weights(l.r * k.r),
+        tangents(l.p * k.p) {}
 
- private:
-  constexpr SpanForm(const Row<T>& l, const Row<T>& k, const T& cross, const T& dot)
-      : c0(l.r * k.r * cross), cl(k.r * dot), ck(l.r * dot), clk(T(0) - cross) {}
+  /// (r_l √p_k)² - (r_k √p_l)²: degree 4.
+  [[nodiscard]] static constexpr T squares(const Row<T>& l, const Row<T>& k) {
+    return l.r * l.r * k.p - k.r * k.r * l.p;
+  }
 };
+
+/// How many roundings the filter's bound has to count (number/approx.h): the formulas over
+/// Roundings.
+namespace roundings {
+
+inline constexpr Roundings kInput{Roundings::Input{}};
+inline constexpr Row<Roundings> kRow = rowOf(kInput, kInput, kInput);
+inline constexpr VertexForm<Roundings> kVertex{kRow, kRow, kRow};
+inline constexpr Chord<Roundings> kChord = chordOf(kRow, kRow);
+inline constexpr EdgeForm<Roundings> kEdge{kChord, kChord};
+inline constexpr SpanForm<Roundings> kSpan{kRow, kRow};
+/// An arrow from the reference site, as a chord; it has no w.
+inline constexpr Chord<Roundings> kRay{kInput, kInput, kInput};
+inline constexpr EdgeForm<Roundings> kRayForm{kChord, kRay};
+/// Difference of two products of the degenerate rule.
+inline constexpr Roundings kProducts = kRow.p * between(kRow, kRow) - kRow.p * between(kRow, kRow);
+
+static_assert(kRow.p.count == 5, "x² and y² 3 each, their sum 4, less r² 5");
+static_assert(kProducts.count == 14, "p of two rows 7, times p 13, difference 14");
+static_assert(kVertex.xy.count == 12, "minor 4, times p 10, two sums 12");
+static_assert(kVertex.x.count == 22);
+static_assert(kVertex.squares().count == 27);
+static_assert(kChord.w.count == 8, "product 7, difference 8");
+static_assert(kEdge.along.count == 18 && kEdge.turn.count == 18, "chord 8, product 17, sum 18");
+static_assert(EdgeForm<Roundings>::squares(kChord, kChord, kEdge.along).count == 38);
+static_assert(kRayForm.along.count == 11 && kRayForm.turn.count == 11,
+              "chord 8, product 10, sum 11");
+static_assert(EdgeForm<Roundings>::squares(kChord, kRay, kRayForm.along).count == 24);
+static_assert(kSpan.cross.count == 4 && kSpan.tangents.count == 11);
+static_assert(((kSpan.weights - kSpan.dot) * (kSpan.weights - kSpan.dot) - kSpan.tangents).count ==
+              12);
+
+}  // namespace roundings
 
 }  // namespace apollonius

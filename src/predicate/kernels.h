@@ -1,6 +1,12 @@
-// Rows of differences to a reference site in doubles, and what turns a number into a sign: the
-// parts by which the stages of one predicate differ. Everything else is one template (decisions.h).
-// Rows of longer numbers: long_rows.h.
+// Kernels: what the stages of one predicate differ by. A kernel holds the rows of differences to a
+// reference site in one kind of number, and turns a number into a sign; everything else is one
+// template in the predicate's file. Here those in doubles, and `decide`; those in longer numbers
+// are in long_kernels.h. Each has
+//     Number               what it computes with
+//     row(k)               the k-th corner
+//     hasEqualWeights()    of all finite sites
+//     sign(x, roundings)   of a formula's value; `roundings` are the formula's
+//     failed()             was a sign uncertain, or are these sites beyond this kernel?
 #pragma once
 
 #include <algorithm>
@@ -23,8 +29,7 @@ inline double inputScale(double largest) {
   return powerOfTwo(std::clamp(-exponentOf(largest), -1000, 1000));
 }
 
-/// Filter stage: Approx rows, scaled; signs with error bounds. `failed` becomes true when a sign
-/// was not certain.
+/// Filter stage: doubles with error bounds, scaled.
 class FilterKernel {
  public:
   using Number = Approx;
@@ -48,8 +53,7 @@ class FilterKernel {
     }
   }
 
-  /// Of all finite sites: their differences to the reference site's weight are zero, rounded or
-  /// not.
+  /// A difference of two doubles is zero only if they are equal, rounded or not.
   [[nodiscard]] bool hasEqualWeights() const {
     return std::all_of(differences_.begin(), differences_.end(),
                        [](const Difference& d) { return d.r == 0; });
@@ -85,8 +89,7 @@ class FilterKernel {
   bool failed_ = false;
 };
 
-/// Of all finite sites: their differences to the reference site's weight, which are exact or at
-/// least zero where they should be, are zero.
+/// Of rows that are exact.
 template <class T>
 bool haveEqualWeights(const std::array<Row<T>, 4>& rows) {
   return std::all_of(rows.begin(), rows.end(),
@@ -172,8 +175,8 @@ struct ExactDouble {
   constexpr ExactDouble(double v, double m) : value(v), magnitude(m < kLargest ? absolute(v) : m) {}
 };
 
-/// Middle stage: where the coordinates are small multiples of one power of two (grids, integers,
-/// quarters), doubles in that unit compute exactly, and zeros are known to be zeros.
+/// First middle stage: where the coordinates are small multiples of one power of two (grids,
+/// integers, quarters), doubles in that unit compute exactly, and zeros are known to be zeros.
 class UnitKernel {
  public:
   using Number = ExactDouble;
@@ -203,5 +206,16 @@ class UnitKernel {
   std::array<Row<ExactDouble>, 4> rows_;
   bool failed_ = false;
 };
+
+/// The answer of a stage: `decision` asks the kernel of the reference site and the corners for the
+/// signs that it needs.
+template <class Kernel, class Decision>
+MaybeSign decide(const Site& reference, std::initializer_list<Corner> corners,
+                 const Decision& decision) {
+  Kernel kernel(reference, corners);
+  if (kernel.failed()) return {};
+  const Sign sign = decision(kernel);
+  return {sign, !kernel.failed()};
+}
 
 }  // namespace apollonius

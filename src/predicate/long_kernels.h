@@ -1,5 +1,4 @@
-// Rows of differences to a reference site in long numbers: the last two stages of the predicates,
-// as rows.h has them for the first two.
+// The kernels (kernels.h) in long numbers: the second middle stage and the exact one.
 #pragma once
 
 #include <array>
@@ -11,8 +10,9 @@
 
 namespace apollonius {
 
-/// Middle stage for longer inputs (decimal fractions, integers of many digits): integers in the
-/// common unit. Fails only where the coordinates range over more than 2^117 units.
+/// Second middle stage, for longer inputs (decimal fractions, integers of many digits): integers of
+/// fixed width in the common unit. Fails only where the coordinates range over more than 2^117
+/// units.
 class FixedKernel {
  public:
   using Number = FixedInteger;
@@ -58,7 +58,7 @@ class FixedKernel {
   bool failed_ = false;
 };
 
-/// Exact stage: the same rows and signs over Dyadic.
+/// Exact stage: numbers as long as any input can ask for.
 class ExactKernel {
  public:
   using Number = Dyadic;
@@ -75,6 +75,7 @@ class ExactKernel {
   [[nodiscard]] bool hasEqualWeights() const { return haveEqualWeights(rows_); }
   [[nodiscard]] const Row<Dyadic>& row(std::size_t k) const { return rows_[k]; }
   [[nodiscard]] static Sign sign(const Dyadic& x, Roundings) { return x.sign(); }
+  [[nodiscard]] static bool failed() { return false; }
 
  private:
   std::array<Row<Dyadic>, 4> rows_;

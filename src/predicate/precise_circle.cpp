@@ -1,5 +1,5 @@
-// Coordinates of Voronoi vertices from long numbers: for nearly collinear triples and other cases
-// where doubles cancel.
+#include "predicate/precise_circle.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "number/root_sign.h"
+#include "predicate/compute_circle.h"
 #include "predicate/long_kernels.h"
 #include "predicate/reference_site.h"
-#include "predicate/voronoi_circle.h"
 
 namespace apollonius {
 
@@ -68,8 +68,8 @@ bool circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& ci
   const double jx = j.x - i.x, jy = j.y - i.y, kx = k.x - i.x, ky = k.y - i.y;
   const double largest = std::max({absolute(jx), absolute(jy), absolute(kx), absolute(ky)});
   if (!(largest > powerOfTwo(-200) && largest < powerOfTwo(200))) return false;
-  // Multiples of 2^(e-16), as in vertexOfPoints (stages.cpp). Differences are below 2^17 units, p
-  // below 2^35 and products below 2^52.
+  // Multiples of 2^(e-16), as in vertexOfPoints (vertex_conflict.cpp). Differences are below 2^17
+  // units, p below 2^35 and products below 2^52.
   const double shift = 1.5 * powerOfTwo(exponentOf(largest) - 16 + 53);
   for (const Site* s : {&i, &j, &k}) {
     if ((s->x + shift) - shift != s->x || (s->y + shift) - shift != s->y) return false;
@@ -90,7 +90,7 @@ bool circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& ci
 
 /// A face in long numbers. Its vertex is at (x, y) from the reference site, which is rho away, with
 /// 2c x = p a, 2c y = p b, 2c rho = p n, c > 0, and each of a, b, c of the form first + second √d
-/// (as in voronoiCircle()).
+/// (as in boundedCircle in compute_circle.cpp).
 struct LongFace {
   struct Number {
     Dyadic first, second;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "diagram/diagram_core.h"
+#include "predicate/compute_circle.h"
 
 namespace apollonius {
 

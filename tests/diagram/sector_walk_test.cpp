@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "predicate/stages.h"
+#include "predicate/stage_counts.h"
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/operations.h"

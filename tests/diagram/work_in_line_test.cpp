@@ -1,7 +1,7 @@
 // Sites in line on the hull, in sorted order and not: what an insertion or a removal changes, and
 // the questions that it asks, must not grow with the number of sites. Work is counted, not timed:
 // the faces that change (an insertion makes as many as the new site has neighbours, a removal takes
-// as many away) and the predicates' answers (stages.h).
+// as many away) and the predicates' answers (stage_counts.h).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 #include "diagram/diagram_core.h"
 #include "predicate/shadow_check.h"
-#include "predicate/stages.h"
+#include "predicate/stage_counts.h"
 #include "support/degree.h"
 #include "support/effort.h"
 #include "support/random.h"

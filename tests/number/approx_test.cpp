@@ -91,8 +91,11 @@ TEST(Approx, FormulasStayWithinTheirBounds) {
         EdgeForm<Dyadic>::squares(exactEnd, exactShadow, exactEdge.along));
     const SpanForm<Approx> span(approx[0], approx[2]);
     const SpanForm<Dyadic> exactSpan(exact[0], exact[2]);
-    expectWithinBound(span.c0, spanRoundings.c0, exactSpan.c0);
-    expectWithinBound(span.clk, spanRoundings.clk, exactSpan.clk);
+    expectWithinBound(span.cross, spanRoundings.cross, exactSpan.cross);
+    expectWithinBound(span.tangents, spanRoundings.tangents, exactSpan.tangents);
+    expectWithinBound(span.squares(approx[0], approx[2]),
+                      spanRoundings.squares(rowRoundings, rowRoundings),
+                      exactSpan.squares(exact[0], exact[2]));
     if (HasFailure()) {
       FAIL() << "run " << run;
     }

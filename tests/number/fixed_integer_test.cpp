@@ -86,7 +86,7 @@ TEST(FixedInteger, FormulasOfAllDegreesAgree) {
     for (int step = 0; step < 12; ++step) {
       const std::size_t i = random.below(numbers.size()), j = random.below(numbers.size());
       const Both &a = numbers[i], &b = numbers[j];
-      if (random.oneIn(2) && degrees[i] + degrees[j] <= 16) {
+      if (random.oneIn(2) && degrees[i] + degrees[j] <= 12) {
         numbers.push_back({a.fixed * b.fixed, a.integer * b.integer});
         degrees.push_back(degrees[i] + degrees[j]);
       } else if (random.oneIn(2)) {
@@ -117,7 +117,7 @@ TEST(FixedInteger, LargestProducts) {
       std::ldexp(static_cast<double>((std::uint64_t{1} << 53) - 1), FixedInteger::kInputBits - 53);
   FixedInteger product(1);
   cpp_int expected = 1, one = inUnits(largest, 0).integer;
-  for (int degree = 1; degree <= 16; ++degree) {
+  for (int degree = 1; degree <= 12; ++degree) {
     product = product * FixedInteger::inUnits(largest, 0);
     expected *= one;
   }

@@ -1,11 +1,13 @@
 // Bearings: where a ray from a site lies as seen along the direction of a face's vertex.
+#include "predicate/bearing.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "predicate/compute_circle.h"
 #include "predicate/direction.h"
 #include "predicate/samples.h"
-#include "predicate/stages.h"
 #include "support/corpus.h"
 #include "support/effort.h"
 

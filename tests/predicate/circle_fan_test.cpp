@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "predicate/compute_circle.h"
 #include "predicate/predicates.h"
 #include "predicate/samples.h"
 #include "support/corpus.h"

@@ -1,11 +1,12 @@
 // covers() and the order of sites: laws on all circles of a small grid, and against the oracle
 // everywhere.
+#include "predicate/covers.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "predicate/samples.h"
-#include "predicate/stages.h"
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/operations.h"

@@ -1,13 +1,14 @@
 // compareDistance() and isNearer() against the oracle, their laws, and their filter against their
 // exact stage.
+#include "predicate/distance.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "number/dyadic.h"
-#include "predicate/approx_distance.h"
 #include "predicate/samples.h"
-#include "predicate/stages.h"
+#include "predicate/stage_counts.h"
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/operations.h"

@@ -2,10 +2,13 @@
 // between two sites remain is known from the oracle's diagrams without and with it, and the answers
 // of the predicates predict that number: none (all of it is taken), one (none of it, or one end, or
 // both ends but not all), or two (the interior only).
+#include "predicate/edge_conflict.h"
+
 #include <gtest/gtest.h>
 
+#include "predicate/compute_circle.h"
 #include "predicate/samples.h"
-#include "predicate/stages.h"
+#include "predicate/stage_counts.h"
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/operations.h"

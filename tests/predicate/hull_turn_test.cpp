@@ -1,10 +1,13 @@
 // How far the outer normal turns at a site of the hull. Would catch a full turn taken for none, as
 // for a point on the rim of a circle.
+#include "predicate/hull_turn.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "predicate/predicates.h"
+#include "predicate/compute_circle.h"
+#include "predicate/covers.h"
 #include "support/effort.h"
 #include "support/generators.h"
 

@@ -1,6 +1,6 @@
 // The identities of docs/PREDICATES.md, written out here from the document (not from
 // src/predicate/formulas.h) and evaluated on random integers; and formulas.h against them. A
-// polynomial identity of degree 16 that holds at thousands of random points of 2^20 values per
+// polynomial identity of degree 18 that holds at thousands of random points of 2^20 values per
 // variable holds everywhere but for a negligible probability (Schwartz, Zippel).
 #include <gtest/gtest.h>
 
@@ -173,9 +173,16 @@ TEST_F(Identities, HalfPlaneDirections) {
     // reference site and k alike.
     ASSERT_EQ(dkx * k.x + dky * k.y + k.r * lengthK, 0);
 
-    const SpanForm<Integer> form({l.x, l.y, l.r, l.s * l.s}, {k.x, k.y, k.r, k.s * k.s});
-    ASSERT_EQ(form.c0 + form.cl * l.s + form.ck * k.s + form.clk * l.s * k.s,
-              dlx * dky - dly * dkx);
+    // cross · P + dot · Q, and the reduction of its squares.
+    const Row<Integer> rowL{l.x, l.y, l.r, l.s * l.s}, rowK{k.x, k.y, k.r, k.s * k.s};
+    const SpanForm<Integer> form(rowL, rowK);
+    const Integer P = form.weights - l.s * k.s, Q = l.r * k.s + k.r * l.s;
+    ASSERT_EQ(form.tangents, l.s * l.s * k.s * k.s);
+    ASSERT_EQ(form.squares(rowL, rowK), l.r * l.r * k.s * k.s - k.r * k.r * l.s * l.s);
+    const Integer first = form.cross * P, second = form.dot * Q;
+    ASSERT_EQ(first + second, dlx * dky - dly * dkx);
+    const Integer lengthL = l.x * l.x + l.y * l.y;
+    ASSERT_EQ(first * first - second * second, lengthK * lengthL * (P * P - form.dot * form.dot));
   }
 }
 

@@ -8,10 +8,9 @@
 
 #include "apollonius/types.h"
 #include "predicate/circle_fan.h"
-#include "predicate/edge_shortcut.h"
+#include "predicate/compute_circle.h"
 #include "predicate/predicates.h"
 #include "predicate/reference_site.h"
-#include "predicate/stages.h"
 #include "support/effort.h"
 #include "support/random.h"
 

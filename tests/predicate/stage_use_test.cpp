@@ -5,8 +5,9 @@
 
 #include <array>
 
+#include "predicate/predicates.h"
 #include "predicate/samples.h"
-#include "predicate/stages.h"
+#include "predicate/stage_counts.h"
 #include "support/corpus.h"
 #include "support/effort.h"
 

@@ -1,13 +1,16 @@
 // isVertexInConflict() and hasVoronoiCircle() against the oracle, which solves for the circles;
 // their laws; the filter and the cached circle against the exact stage.
+#include "predicate/vertex_conflict.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "number/dyadic.h"
+#include "predicate/compute_circle.h"
 #include "predicate/reference_site.h"
 #include "predicate/samples.h"
-#include "predicate/stages.h"
+#include "predicate/stage_counts.h"
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/operations.h"

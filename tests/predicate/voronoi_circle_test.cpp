@@ -1,8 +1,6 @@
 // The cached circle of a face: its stated error bounds against the exact circle, the same bits
 // whichever corner comes first, and no knowledge rather than wrong knowledge where doubles do not
 // suffice.
-#include "predicate/voronoi_circle.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,8 @@
 #include <bit>
 #include <cmath>
 
+#include "predicate/compute_circle.h"
+#include "predicate/precise_circle.h"
 #include "predicate/predicates.h"
 #include "predicate/reference_site.h"
 #include "predicate/samples.h"

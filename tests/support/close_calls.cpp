@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "apollonius/diagram.h"
-#include "predicate/voronoi_circle.h"
+#include "predicate/compute_circle.h"
 
 namespace apollonius::test {
 

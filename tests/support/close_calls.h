@@ -19,7 +19,7 @@ struct CloseCall {
   double x = 0, y = 0;  ///< a point
 };
 
-/// All numbers are in the range that the library's door lets in; sites may cover each other.
+/// All numbers are in the range that the library accepts; sites may cover each other.
 CloseCall closeCall(const std::function<std::uint8_t()>& nextByte);
 
 /// Hex floats, as tests/data/regressions has them; the point as a comment.

@@ -5,7 +5,7 @@
 #include <bit>
 #include <numeric>
 
-#include "predicate/stages.h"
+#include "predicate/stage_counts.h"
 
 namespace apollonius::test {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "predicate/voronoi_circle.h"
+#include "predicate/compute_circle.h"
 #include "support/corpus.h"
 
 namespace apollonius::test {

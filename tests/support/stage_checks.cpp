@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "predicate/compute_circle.h"
 #include "predicate/direction.h"
-#include "predicate/edge_shortcut.h"
+#include "predicate/predicates.h"
 #include "predicate/reference_site.h"
-#include "predicate/stages.h"
 
 namespace apollonius::test {
 
@@ -178,13 +178,12 @@ void StageChecks::askRays(const Face& face) {
     if (i == nullptr || (x == i->x && y == i->y)) continue;
     Sign exact[2] = {};
     for (const stages::RayPart part : {stages::RayPart::kLeftwards, stages::RayPart::kAlong}) {
-      Arrow d = directionOf(face.circle, *i);
-      if (part == stages::RayPart::kAlong) d = {d.y, -d.x, d.error};
       Sign& sign = exact[static_cast<std::size_t>(part)];
       sign = stages::rayExact(x, y, *i, j, k, part);
       compare(kRay, sign,
-              {turn(d, directionOf(x, y, *i)), stages::rayFilter(x, y, *i, j, k, part),
-               stages::rayMiddle(x, y, *i, j, k, part), stages::rayFixed(x, y, *i, j, k, part)});
+              {stages::rayCircleFilter(x, y, face.circle, *i, part),
+               stages::rayFilter(x, y, *i, j, k, part), stages::rayMiddle(x, y, *i, j, k, part),
+               stages::rayFixed(x, y, *i, j, k, part)});
     }
     const Bearing bearing = exact[0] == Sign::kPositive   ? Bearing::kLeft
                             : exact[0] == Sign::kNegative ? Bearing::kRight

@@ -1,4 +1,4 @@
-#include "predicate/voronoi_circle.h"
+#include "predicate/compute_circle.h"
 
 #include <algorithm>
 #include <limits>
@@ -6,8 +6,8 @@
 #include "number/ball.h"
 #include "predicate/formulas.h"
 #include "predicate/kernels.h"
-#include "predicate/predicates.h"
 #include "predicate/reference_site.h"
+#include "predicate/vertex_conflict.h"
 
 namespace apollonius {
 
@@ -33,22 +33,25 @@ enum class Existence : unsigned char { kYes, kNo, kUnknown };
 /// Circle of three finite sites, and a bound on its error. It exists exactly if the denominator
 /// below is positive.
 ///
-/// Direction of the vertex from the reference site: n (cos, sin) = (a, b) = (v √D - w u, -u √D - w
-/// v), with (u, v, w) = chordOf(j, k), n = u² + v² and D = p_jk p_j p_k = n - w²; distance rho = n
-/// f with f = p_j / (2 (a x_j + b y_j + n r_j)); docs/PREDICATES.md.
+/// Direction of the vertex from the reference site: n (cos, sin) = (a, b) with
+///     a = v √D - w u,  b = -u √D - w v,
+/// where (u, v, w) = chordOf(j, k), n = u² + v² and D = p_jk p_j p_k = n - w². Its distance from
+/// there is rho = n f with f = p_j / (2 den), den = a x_j + b y_j + n r_j; docs/PREDICATES.md.
 ///
-/// Bound, to first order in u (the unit roundoff), eX being the error of X and g = |u| + |v| >= √n
-/// >= |w|, √D:
-///     e_c    = 9 u (l_k m_j + l_j m_k)                               of u, v, w: depth 8; l the
-///     largest of |x|, |y|, |r|, m magnitude() e_root = √D (4u + 3u (m_jk/p_jk + m_j/p_j +
-///     m_k/p_k))          half the relative error of D, 5u m/p for each factor and 2u for
-///                                                                    the products, and the root's
-///                                                                    own u
-///     e_ab   = g (e_root + 3 e_c + 4u g)                             of a, of b
-///     e_n    = g (2 e_c + 3u g)
-///     e_den  = l (2 e_ab + e_n + 10u g²)                             l = l_j; |a|+|b|+n <= 2.42
-///     g², 4 roundings each e_f/f  = 5u m_j/p_j + e_den/den + 3u centre, each coordinate: f e_ab +
-///     rho (e_f/f + 2u) + u |x|     s: f e_n + rho (e_f/f + 2u) + u |s|
+/// Bound, to first order in u (here the unit roundoff), e_X being the error of X, l the largest of
+/// |x|, |y|, |r|, m magnitude(), and g = |u| + |v| >= √n >= |w|, √D:
+///
+///     e_c     = 9u (l_k m_j + l_j m_k)       of u, v, w: 8 roundings
+///     e_root  = √D (3u + 2.5u (m_jk/p_jk + m_j/p_j + m_k/p_k))
+///                                            half the relative error of D, which is 5u m/p for
+///                                            each factor and 2u for the products; and 2u
+///     e_ab    = g (e_root + 3 e_c + 4u g)    of a, of b
+///     e_n     = g (2 e_c + 3u g)
+///     e_den   = l_j (2 e_ab + e_n + 10u g²)  |a| + |b| + n <= 2.42 g², 4 roundings each
+///     e_f/f   = 5u m_j/p_j + e_den/den + 3u
+///     centre, each coordinate:               f e_ab + rho (e_f/f + 2u) + u |x|
+///     clearance:                             f e_n + rho (e_f/f + 2u) + u |s|
+///
 /// Products of errors are smaller than the terms above by the largest relative error, which is
 /// demanded to be at most 2^-10; the roundings in the bound itself are fewer than 2^6, a 2^-46th. A
 /// factor of 1 + 2^-5 covers both.

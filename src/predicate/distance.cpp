@@ -1,0 +1,62 @@
+#include "predicate/distance.h"
+
+#include "number/root_sign.h"
+#include "predicate/kernels.h"
+#include "predicate/long_kernels.h"
+#include "predicate/question.h"
+
+namespace apollonius {
+
+namespace stages {
+
+MaybeSign distanceFilter(double x, double y, const Site& a, const Site& b) {
+  const ApproxDistance da(x, y, a), db(x, y, b);
+  const double difference = da.value - db.value;
+  const double bound = da.bound + db.bound;
+  if (difference > bound) return {Sign::kPositive, true};
+  if (difference < -bound) return {Sign::kNegative, true};
+  return {};
+}
+
+MaybeSign distanceMiddle(double x, double y, const Site& a, const Site& b) {
+  if (a.r != b.r) return {};
+  // With the weight of the sites the point sees their squared distances as p.
+  return decide<UnitKernel>({x, y, a.r}, {&a, &b}, [](auto& kernel) {
+    return kernel.sign(kernel.row(0).p - kernel.row(1).p, roundings::kRow.p);
+  });
+}
+
+MaybeSign distanceFixed(double x, double y, const Site& a, const Site& b) {
+  return decide<FixedKernel>({x, y, 0}, {&a, &b}, [](auto& kernel) {
+    const auto &s = kernel.row(0), &t = kernel.row(1);
+    return signOfRootDifference(t.r - s.r, s.x * s.x + s.y * s.y, t.x * t.x + t.y * t.y);
+  });
+}
+
+Sign distanceExact(double x, double y, const Site& a, const Site& b) {
+  const Dyadic px(x), py(y);
+  const auto squaredTo = [&](const Site& s) {
+    const Dyadic dx = Dyadic(s.x) - px, dy = Dyadic(s.y) - py;
+    return dx * dx + dy * dy;
+  };
+  return signOfRootDifference(Dyadic(b.r) - Dyadic(a.r), squaredTo(a), squaredTo(b));
+}
+
+}  // namespace stages
+
+Sign compareDistance(double x, double y, const Site& a, const Site& b) {
+  using stages::counts;
+  Question question([&] { return stages::distanceExact(x, y, a, b); }, counts().distanceExact);
+  if (question.isSettledBy(stages::distanceFilter(x, y, a, b), counts().distanceFilter) ||
+      question.isSettledBy(stages::distanceMiddle(x, y, a, b), counts().distanceMiddle) ||
+      question.isSettledBy(stages::distanceFixed(x, y, a, b), counts().distanceFixed))
+    return question.settled();
+  return question.exact();
+}
+
+bool isNearer(double x, double y, const Site& a, const Site& b) {
+  const Sign sign = compareDistance(x, y, a, b);
+  return sign == Sign::kPositive || (sign == Sign::kZero && precedes(a, b));
+}
+
+}  // namespace apollonius
