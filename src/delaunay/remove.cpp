@@ -1,6 +1,7 @@
 #include "delaunay/remove.h"
 
 #include <algorithm>
+#include <new>
 
 #include "diagram/spatial_order.h"
 #include "number/invariant.h"
@@ -140,7 +141,7 @@ void Remover::addMany(const DelaunayGraph& diagram, std::span<const VertexId> hi
       centres.push_back(diagram.site(u).y);
     }
     order = inRandomizedRounds(hilbertOrder({centres, 2}));
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
     order = FlatArray<std::uint32_t>();
   }
   for (std::size_t k = 0; k < hidden.size(); ++k)

@@ -1,6 +1,7 @@
 #include "diagram/diagram_core.h"
 
 #include <algorithm>
+#include <new>
 
 #include "delaunay/sort_by_key.h"
 #include "diagram/spatial_order.h"
@@ -265,7 +266,7 @@ void DiagramCore::undoStep(Step step) noexcept {
   if (isBroken()) return;
   try {
     step();
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
     invariant(isBroken(), "there is room to undo");
   }
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "apollonius/types.h"
 #include "delaunay/delaunay_graph.h"
@@ -60,16 +61,16 @@ class DiagramCore {
   /// Sites in the order of their distance to (x, y), at most `most`, and none farther than
   /// `farthest` if that is given; ties as in nearest(). Replaces the contents of `sites`.
   void nearby(double x, double y, std::size_t most, const double* farthest,
-              Array<SiteId>& sites) const;
+              std::vector<SiteId>& sites) const;
 
   // Listings; each replaces the contents of its argument.
-  void neighbors(SiteId id, Array<SiteId>& neighbors) const;
+  void neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
   void vertices(VertexArrays& out) const;
   void edges(EdgeArrays& out) const;
-  void faces(Array<SiteId>& sites) const;
+  void faces(std::vector<SiteId>& sites) const;
 
   /// The diagram as a snapshot; replaces the contents of `bytes`.
-  void save(Array<std::uint8_t>& bytes) const;
+  void save(std::vector<std::uint8_t>& bytes) const;
   /// Becomes what was saved; false if the bytes are no snapshot. REQUIRES: a new diagram; after a
   /// failure it is good for nothing.
   [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes, Source source);

@@ -1,11 +1,13 @@
 // The diagram as arrays: neighbours of a site, Voronoi vertices, Voronoi edges.
+#include <vector>
+
 #include "delaunay/sort_by_key.h"
 #include "diagram/diagram_core.h"
 #include "memory/flat_array.h"
 
 namespace apollonius {
 
-void DiagramCore::neighbors(SiteId id, Array<SiteId>& neighbors) const {
+void DiagramCore::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
   neighbors.clear();
   const Graph& graph = base_.graph();
   const VertexId v = vertexOf(ids_.slotOf(id));
@@ -41,7 +43,7 @@ bool DiagramCore::isBounded(FaceId f) const {
   return true;
 }
 
-void DiagramCore::faces(Array<SiteId>& sites) const {
+void DiagramCore::faces(std::vector<SiteId>& sites) const {
   sites.clear();
   const Graph& graph = base_.graph();
   for (std::size_t i = 0; i < 3 * graph.faceSlots(); ++i) {

@@ -17,6 +17,7 @@
 // inequality again) and is larger, unless the two are identical. So s comes after its parent in the
 // forest, and joins the queue when the parent is reported.
 #include <algorithm>
+#include <vector>
 
 #include "diagram/diagram_core.h"
 #include "memory/flat_array.h"
@@ -109,7 +110,7 @@ class Queue {
 }  // namespace
 
 void DiagramCore::nearby(double x, double y, std::size_t most, const double* farthest,
-                         Array<SiteId>& sites) const {
+                         std::vector<SiteId>& sites) const {
   sites.clear();
   if (visibleCount() == 0 || most == 0) return;
   // The distance to a site with its centre at p is minus its weight.

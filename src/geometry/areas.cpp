@@ -1,6 +1,7 @@
 #include "geometry/areas.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "delaunay/sort_by_key.h"
 #include "geometry/border.h"
@@ -20,7 +21,7 @@ struct SiteContact {
 
 class AreaSum {
  public:
-  AreaSum(const DiagramCore& core, const Window& window, Array<double>& areas)
+  AreaSum(const DiagramCore& core, const Window& window, std::vector<double>& areas)
       : core_(core),
         window_(window),
         byId_(areas),
@@ -108,7 +109,7 @@ class AreaSum {
 
   const DiagramCore& core_;
   Window window_;
-  Array<double>& byId_;
+  std::vector<double>& byId_;
   FlatArray<double> areas_;  // by slot, as all below
   FlatArray<double> lost_;
   FlatArray<SiteContact> contacts_;
@@ -116,7 +117,7 @@ class AreaSum {
 
 }  // namespace
 
-void cellAreas(const DiagramCore& core, const Window& window, Array<double>& areas) {
+void cellAreas(const DiagramCore& core, const Window& window, std::vector<double>& areas) {
   AreaSum(core, window, areas).run();
 }
 

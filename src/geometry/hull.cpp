@@ -1,5 +1,7 @@
 #include "geometry/hull.h"
 
+#include <vector>
+
 #include "geometry/approximate.h"
 #include "number/fp.h"
 #include "predicate/predicates.h"
@@ -49,7 +51,7 @@ HullTurn hullTurnOf(const DelaunayGraph& base, HalfedgeId h) {
   return {from, to, turnOfHull(base.site(graph.origin(h)), before, after, right, left)};
 }
 
-void hullSites(const DiagramCore& core, Array<SiteId>& sites) {
+void hullSites(const DiagramCore& core, std::vector<SiteId>& sites) {
   sites.clear();
   const DelaunayGraph& base = core.base();
   if (base.visibleCount() == 1) sites.push_back(core.siteOf(base.anyVisible()));
