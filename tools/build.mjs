@@ -147,7 +147,7 @@ function fingerprint(built) {
       .filter((name) => /\.(ts|mjs|json)$/.test(name))
       .map((name) => path.join(wasm, name)),
     fileURLToPath(import.meta.url),
-    path.join(built, "apollonius.wasm"),
+    ...["wasm", "mjs", "d.mts"].map((kind) => path.join(built, `apollonius.${kind}`)),
     path.join(root, "package-lock.json"),
   ];
   const hash = createHash("sha256");

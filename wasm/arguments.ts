@@ -2,12 +2,12 @@
 // numbers (once, at its own door); this file checks what only JavaScript can get wrong, and finds
 // the culprit after the library has said no.
 import { ApolloniusError } from "./errors.js";
-import { kNoSite } from "./native.js";
 
 // The documented range of magnitudes and the most sites: as in src/apollonius/diagram.h.
 const kSmallestMagnitude = 1e-100;
 const kLargestMagnitude = 1e100;
 const kMostSites = 2 ** 29;
+const kNoSite = 0xffffffff; // not a valid id
 
 export function described(value: unknown): string {
   if (typeof value === "string") return `the string ${JSON.stringify(value)}`;
@@ -83,6 +83,11 @@ export function throwElementError(name: string, values: ArrayLike<number>): void
 
 export function isSiteId(id: unknown): id is number {
   return typeof id === "number" && id >>> 0 === id && id !== kNoSite;
+}
+
+/** Throws "unknown-site" for what cannot be an id. */
+export function checkSiteId(id: unknown): void {
+  if (!isSiteId(id)) throw unknownSite(id);
 }
 
 export function unknownSite(id: unknown): ApolloniusError {

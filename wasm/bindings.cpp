@@ -1,308 +1,259 @@
-// What JavaScript sees of the library: plain exported functions of numbers, no logic.
+// What JavaScript sees of the library, registered with Embind: no logic. Embind writes the
+// declarations that the TypeScript around it compiles against, build/wasm/apollonius.d.mts.
 //
-// A diagram is its address, the first argument of most. Every fallible call returns the error code
-// of apollonius/diagram.h as an integer. Scalar results are written to one block
-// (`resultsAddress`), arrays in come from one scratch block (`reserve`), arrays out stay here until
-// the next call or `release`. wasm/native.ts is the only other place that knows these blocks, and
-// wasm/module.ts declares the functions for TypeScript.
-//
-// Embind is not used: with functions of numbers nothing is left for it to convert
-// (docs/DECISIONS.md).
-#include <emscripten/em_macros.h>
+// A call that fails throws the number of its Error, which wasm/module.ts turns into an exception of
+// the package. Arrays are copied, in both directions: a view of the memory dies when that grows.
+// Records come in as numbers one by one, because Embind would leak one whose call throws.
+#include <emscripten/bind.h>
+#include <emscripten/em_js.h>
+#include <emscripten/val.h>
 
-#include <array>
 #include <cstdint>
-#include <memory>
 #include <new>
-#include <string_view>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "apollonius/diagram.h"
 #include "apollonius/voronoi.h"
 
-namespace {
-
 using apollonius::Bounds;
+using apollonius::Circle;
 using apollonius::Diagram;
 using apollonius::Error;
+using apollonius::Location;
 using apollonius::SiteId;
+using apollonius::Source;
 using apollonius::Voronoi;
+using emscripten::val;
 
-// The block of scalar results; wasm/native.ts repeats this order.
-struct Results {
-  double x, y, r, distance;
-  std::uint32_t id, flag;
-  std::array<std::uint32_t, 3> address, length;  // arrays out: first byte, number of elements
-};
-Results results;
+// --- Arrays
 
-// Arrays in, and arrays out whose length is known before the call.
-struct Scratch {
-  std::unique_ptr<double[]> data;
-  std::size_t bytes = 0;
-};
+EMSCRIPTEN_DECLARE_VAL_TYPE(Uint8Array)
+EMSCRIPTEN_DECLARE_VAL_TYPE(Int32Array)
+EMSCRIPTEN_DECLARE_VAL_TYPE(Uint32Array)
+EMSCRIPTEN_DECLARE_VAL_TYPE(Float64Array)
+EMSCRIPTEN_DECLARE_VAL_TYPE(NumbersIn)   // a typed array of any kind
+EMSCRIPTEN_DECLARE_VAL_TYPE(NumbersOut)  // a typed array that is filled, or null
 
-// What all diagrams share. Arrays out are kept alive until JavaScript has copied them.
-struct Blocks {
-  Scratch scratch;
-  apollonius::Array<SiteId> siteIds;
-  apollonius::VertexArrays vertexArrays;
-  apollonius::EdgeArrays edgeArrays;
-  apollonius::CurveArrays curveArrays;
-  apollonius::RingArrays ringArrays;
-  apollonius::Array<double> numbers;
-  apollonius::Array<std::uint8_t> snapshot;
-  apollonius::Path path;
-};
-Blocks blocks;
-auto& [scratch, siteIds, vertexArrays, edgeArrays, curveArrays, ringArrays, numbers, snapshot,
-       path] = blocks;
+// A copy of a view; nothing if JavaScript has no room for it, which is no trap.
+EM_JS_DEPS(apolloniusCopied, "$Emval")
+EM_JS(emscripten::EM_VAL, copied, (emscripten::EM_VAL view), {
+  try {
+    return Emval.toHandle(Emval.toValue(view).slice());
+  } catch (error) {
+    return 0;
+  }
+})
 
-int code(Error error) { return static_cast<int>(error); }
+namespace {
 
-template <class Container>
-void publish(std::size_t slot, const Container& container) {
-  results.address[slot] =
-      static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(container.data()));
-  results.length[slot] = static_cast<std::uint32_t>(container.size());
+[[noreturn]] void fail(Error error) { val(static_cast<int>(error)).throw_(); }
+
+void check(Error error) {
+  if (error != Error::kNone) fail(error);
 }
 
-int publishMeasures(Error error, const apollonius::CellMeasures& measures) {
-  results.x = measures.centroidX;
-  results.y = measures.centroidY;
-  results.r = measures.perimeter;
-  results.distance = measures.area;
-  results.flag = measures.isEmpty ? 0 : 1;
-  return code(error);
+/// What an operation returns that allocates; lack of memory is thrown as an Error.
+template <class Operation>
+auto allocating(Operation&& operation) {
+  try {
+    return operation();
+  } catch (const std::bad_alloc&) {
+  } catch (const std::length_error&) {
+  }
+  fail(Error::kOutOfMemory);
 }
 
-int publishPath(Error error) {
-  publish(0, path.coordinates);
-  publish(1, path.commands);
-  return code(error);
+template <class T>
+val viewOf(const std::vector<T>& values) {
+  return val(emscripten::typed_memory_view(values.size(), values.data()));
 }
 
-// What `diagramDraw` draws; wasm/native.ts repeats this order.
-enum class Drawing { kEdges, kSites, kDual, kDualWithRays, kHull };
+template <class T>
+std::vector<T> vectorOf(const val& array) {
+  auto values =
+      allocating([&] { return std::vector<T>(array["length"].template as<std::size_t>()); });
+  viewOf(values).template call<void>("set", array);
+  return values;
+}
+
+template <class T>
+struct TypedArrayOf;
+template <>
+struct TypedArrayOf<std::uint8_t> : std::type_identity<Uint8Array> {};
+template <>
+struct TypedArrayOf<std::int32_t> : std::type_identity<Int32Array> {};
+template <>
+struct TypedArrayOf<std::uint32_t> : std::type_identity<Uint32Array> {};
+template <>
+struct TypedArrayOf<double> : std::type_identity<Float64Array> {};
 
 }  // namespace
 
-extern "C" {
-
-// --- What the module asks of wasm/module.ts
-
-#define IMPORTED(name) __attribute__((import_module("env"), import_name(#name)))
-
-// number/invariant.h: wasm has no stderr, and C's input and output would be 2 % of what a page
-// loads.
-IMPORTED(report) void report(const char* name);
-void reportBrokenInvariant(const char* name) { report(name); }
-
-// Instead of Emscripten's own (the linker's --wrap), which grows by as little as is asked for:
-// malloc needs so many bytes; 1 if it has them.
-IMPORTED(grow) int grow(std::size_t bytes);
-int __wrap_emscripten_resize_heap(std::size_t bytes) { return grow(bytes); }
-
-// --- Blocks
-
-EMSCRIPTEN_KEEPALIVE const Results* resultsAddress() { return &results; }
-
-// At least that many bytes, aligned for doubles; 0 if memory ran out. What an earlier call reserved
-// is gone.
-EMSCRIPTEN_KEEPALIVE double* reserve(std::size_t bytes) {
-  if (bytes > scratch.bytes) {
-    scratch = {};
-    scratch.data.reset(new (std::nothrow) double[(bytes + sizeof(double) - 1) / sizeof(double)]);
-    scratch.bytes = scratch.data == nullptr ? 0 : bytes;
+/// A vector goes out as a typed array.
+namespace emscripten::internal {
+template <class T>
+struct TypeID<std::vector<T>> : TypeID<typename TypedArrayOf<T>::type> {};
+template <class T>
+struct BindingType<std::vector<T>> {
+  using WireType = BindingType<val>::WireType;
+  static WireType toWireType(const std::vector<T>& values, rvp::default_tag tag) {
+    const EM_VAL copy = copied(viewOf(values).as_handle());
+    if (copy == nullptr) fail(Error::kOutOfMemory);
+    return BindingType<val>::toWireType(val::take_ownership(copy), tag);
   }
-  return scratch.data.get();
-}
-
-// Gives all blocks back; JavaScript calls it when it has copied from large ones.
-EMSCRIPTEN_KEEPALIVE void release() { blocks = Blocks(); }
-
-// After a call that ended in its middle, when any block may be half-made: begins with new ones, and
-// gives none back.
-EMSCRIPTEN_KEEPALIVE void abandon() { new (&blocks) Blocks; }
-
-// --- Life time, and calls about many sites or points. Addresses are of the scratch block.
-
-// 0 if memory ran out.
-EMSCRIPTEN_KEEPALIVE Diagram* diagramCreate(bool hierarchy) {
-  try {
-    return new Diagram(hierarchy ? apollonius::Location::kHierarchy : apollonius::Location::kWalk);
-  } catch (...) {
-    return nullptr;
+  static std::vector<T> fromWireType(WireType array) {
+    return vectorOf<T>(BindingType<val>::fromWireType(array));
   }
+};
+}  // namespace emscripten::internal
+
+namespace {
+
+// --- Calls
+
+template <std::size_t k, class... Types>
+using Nth = std::tuple_element_t<k, std::tuple<Types...>>;
+
+/// `Error method(in..., Out& out)` of a class as a function of the object and `in` that returns
+/// `out`.
+template <auto method, class Class, class... Parameters, std::size_t... k>
+auto returning(Error (Class::*)(Parameters...), std::index_sequence<k...>) {
+  return +[](Class& object, Nth<k, Parameters...>... in) {
+    std::remove_reference_t<Nth<sizeof...(k), Parameters...>> out{};
+    check((object.*method)(in..., out));
+    return out;
+  };
+}
+template <auto method, class Class, class... Parameters, std::size_t... k>
+auto returning(Error (Class::*)(Parameters...) const, std::index_sequence<k...>) {
+  return +[](const Class& object, Nth<k, Parameters...>... in) {
+    std::remove_reference_t<Nth<sizeof...(k), Parameters...>> out{};
+    check((object.*method)(in..., out));
+    return out;
+  };
+}
+/// The same of a Voronoi, as a function of the diagram and the window.
+template <auto method, class... Parameters, std::size_t... k>
+auto returning(Error (Voronoi::*)(Parameters...) const, std::index_sequence<k...>) {
+  return +[](const Diagram& diagram, double xmin, double ymin, double xmax, double ymax,
+             Nth<k, Parameters...>... in) {
+    std::remove_reference_t<Nth<sizeof...(k), Parameters...>> out{};
+    check((Voronoi(diagram, {xmin, ymin, xmax, ymax}).*method)(in..., out));
+    return out;
+  };
+}
+template <class Class, class... Parameters>
+constexpr auto inputsOf(Error (Class::*)(Parameters...)) {
+  return std::make_index_sequence<sizeof...(Parameters) - 1>();
+}
+template <class Class, class... Parameters>
+constexpr auto inputsOf(Error (Class::*)(Parameters...) const) {
+  return std::make_index_sequence<sizeof...(Parameters) - 1>();
+}
+template <auto method>
+auto returning() {
+  return returning<method>(method, inputsOf(method));
 }
 
-EMSCRIPTEN_KEEPALIVE void diagramDestroy(Diagram* diagram) { delete diagram; }
-
-EMSCRIPTEN_KEEPALIVE void diagramClear(Diagram* diagram) { diagram->clear(); }
-
-// The triples are in the scratch block, which is given up.
-EMSCRIPTEN_KEEPALIVE int diagramInsertMany(Diagram* diagram, std::size_t count) {
-  const Error error = diagram->insertMany(std::move(scratch.data), count, siteIds);
-  scratch = {};
-  publish(0, siteIds);
-  return code(error);
+Diagram* create(Location location) {
+  return allocating([&] { return new Diagram(location); });
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramRemoveMany(Diagram* diagram, const SiteId* ids, std::size_t count) {
+/// -1 if there is none.
+std::int32_t asSigned(SiteId id) { return static_cast<std::int32_t>(id); }
+
+struct Nearest {
+  std::int32_t id = -1;
+  double distance = 0;
+};
+Nearest nearest(const Diagram& diagram, double x, double y) {
+  SiteId id = apollonius::kNoSite;
+  double distance = 0;
+  check(diagram.find(x, y, id, distance));
+  return {asSigned(id), distance};
+}
+std::int32_t find(const Diagram& diagram, double x, double y) { return nearest(diagram, x, y).id; }
+
+std::int32_t coverOf(const Diagram& diagram, SiteId id) {
+  SiteId cover = apollonius::kNoSite;
+  check(diagram.coverOf(id, cover));
+  return asSigned(cover);
+}
+
+void update(Diagram& diagram, SiteId id, double x, double y, double r) {
+  check(diagram.update(id, x, y, r));
+}
+
+/// The new ids go to an array that is there before, so that nothing can fail when all are in.
+void insertMany(Diagram& diagram, const NumbersIn& xyr, const NumbersOut& ids) {
+  std::vector<SiteId> inserted;
+  check(diagram.insertMany(vectorOf<double>(xyr), inserted));
+  ids.call<void>("set", viewOf(inserted));
+}
+
+std::size_t removeMany(Diagram& diagram, const NumbersIn& ids) {
   std::size_t removed = 0;
-  const Error error = diagram->removeMany({ids, count}, removed);
-  results.flag = static_cast<std::uint32_t>(removed);
-  return code(error);
+  check(diagram.removeMany(vectorOf<SiteId>(ids), removed));
+  return removed;
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramUpdateMany(Diagram* diagram, const SiteId* ids, const double* xyr,
-                                           std::size_t count) {
-  return code(diagram->updateMany({ids, count}, {xyr, 3 * count}));
+void updateMany(Diagram& diagram, const NumbersIn& ids, const NumbersIn& xyr) {
+  check(diagram.updateMany(vectorOf<SiteId>(ids), vectorOf<double>(xyr)));
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramFindMany(const Diagram* diagram, const double* xy, SiteId* ids,
-                                         double* distances, std::size_t count) {
-  return code(diagram->findMany({xy, 2 * count}, {ids, count},
-                                {distances, distances == nullptr ? 0 : count}));
+void findMany(const Diagram& diagram, const NumbersIn& xy, const NumbersOut& ids,
+              const NumbersOut& distances) {
+  const std::vector<double> points = vectorOf<double>(xy);
+  const std::size_t count = points.size() / 2;
+  auto found = allocating([&] { return std::vector<SiteId>(count); });
+  auto far = allocating([&] { return std::vector<double>(distances.isNull() ? 0 : count); });
+  check(diagram.findMany(points, found, far));
+  ids.call<void>("set", viewOf(found));
+  if (!distances.isNull()) distances.call<void>("set", viewOf(far));
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramIds(const Diagram* diagram) {
-  const Error error = diagram->ids(siteIds);
-  publish(0, siteIds);
-  return code(error);
+void fromBytes(Diagram& diagram, const NumbersIn& bytes, Source source) {
+  check(diagram.fromBytes(vectorOf<std::uint8_t>(bytes), source));
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramVertices(const Diagram* diagram) {
-  const Error error = diagram->vertices(vertexArrays);
-  publish(0, vertexArrays.coordinates);
-  publish(1, vertexArrays.clearance);
-  publish(2, vertexArrays.sites);
-  return code(error);
+/// A broken invariant; none if the text is empty.
+struct Found {
+  std::string what;
+  std::uint32_t where = 0;
+  std::uint32_t level = 0;
+};
+Found validate(const Diagram& diagram) {
+  apollonius::Defect defect;
+  check(diagram.validate(defect));
+  return {allocating([&] { return std::string(defect.isFound() ? defect.what : ""); }),
+          defect.where, defect.level};
 }
 
-EMSCRIPTEN_KEEPALIVE int diagramEdges(const Diagram* diagram) {
-  const Error error = diagram->edges(edgeArrays);
-  publish(0, edgeArrays.sites);
-  publish(1, edgeArrays.vertices);
-  return code(error);
-}
+// --- Drawings
 
-// What is broken is left as text; where, in results.id and, the hierarchy's level, in results.flag.
-EMSCRIPTEN_KEEPALIVE int diagramValidate(const Diagram* diagram) {
-  apollonius::Violation violation;
-  const Error error = diagram->validate(violation);
-  publish(0, violation.isFound() ? std::string_view(violation.what) : std::string_view());
-  results.id = violation.where;
-  results.flag = violation.level;
-  return code(error);
-}
+enum class Drawing : std::uint8_t { kEdges, kSites, kDual, kDualWithRays, kHull };
 
-EMSCRIPTEN_KEEPALIVE int diagramToBytes(const Diagram* diagram) {
-  const Error error = diagram->toBytes(snapshot);
-  publish(0, snapshot);
-  return code(error);
-}
+/// A part of a drawing, and where the next one begins.
+struct Portion {
+  std::vector<std::uint8_t> commands;
+  std::vector<double> coordinates;
+  std::size_t cursor = 0;
+  bool isDone = true;
+};
 
-EMSCRIPTEN_KEEPALIVE int diagramFromBytes(Diagram* diagram, const std::uint8_t* content,
-                                          std::size_t length, int isTrusted) {
-  const auto source = isTrusted != 0 ? apollonius::Source::kTrusted : apollonius::Source::kAnyone;
-  return code(diagram->fromBytes({content, length}, source));
-}
-
-// --- Calls about one site or point
-
-EMSCRIPTEN_KEEPALIVE int diagramInsert(Diagram* diagram, double x, double y, double r) {
-  return code(diagram->insert(x, y, r, results.id));
-}
-
-EMSCRIPTEN_KEEPALIVE int diagramRemove(Diagram* diagram, SiteId id) {
-  bool removed = false;
-  const Error error = diagram->remove(id, removed);
-  results.flag = removed ? 1 : 0;
-  return code(error);
-}
-
-EMSCRIPTEN_KEEPALIVE int diagramUpdate(Diagram* diagram, SiteId id, double x, double y, double r) {
-  return code(diagram->update(id, x, y, r));
-}
-
-EMSCRIPTEN_KEEPALIVE int diagramFind(const Diagram* diagram, double x, double y) {
-  return code(diagram->find(x, y, results.id, results.distance));
-}
-
-EMSCRIPTEN_KEEPALIVE int diagramKNearest(const Diagram* diagram, double x, double y,
-                                         std::uint32_t k) {
-  const Error error = diagram->kNearest(x, y, k, siteIds);
-  publish(0, siteIds);
-  return code(error);
-}
-
-EMSCRIPTEN_KEEPALIVE int diagramWithin(const Diagram* diagram, double x, double y,
-                                       double distance) {
-  const Error error = diagram->within(x, y, distance, siteIds);
-  publish(0, siteIds);
-  return code(error);
-}
-
-EMSCRIPTEN_KEEPALIVE int diagramHas(const Diagram* diagram, SiteId id) {
-  return diagram->has(id) ? 1 : 0;
-}
-
-EMSCRIPTEN_KEEPALIVE int diagramSite(const Diagram* diagram, SiteId id) {
-  apollonius::Circle circle{};
-  const Error error = diagram->site(id, circle);
-  results.x = circle.x;
-  results.y = circle.y;
-  results.r = circle.r;
-  return code(error);
-}
-
-EMSCRIPTEN_KEEPALIVE int diagramIsHidden(const Diagram* diagram, SiteId id) {
-  bool hidden = false;
-  const Error error = diagram->isHidden(id, hidden);
-  results.flag = hidden ? 1 : 0;
-  return code(error);
-}
-
-EMSCRIPTEN_KEEPALIVE int diagramCoverOf(const Diagram* diagram, SiteId id) {
-  return code(diagram->coverOf(id, results.id));
-}
-
-EMSCRIPTEN_KEEPALIVE int diagramNeighbors(const Diagram* diagram, SiteId id) {
-  const Error error = diagram->neighbors(id, siteIds);
-  publish(0, siteIds);
-  return code(error);
-}
-
-// --- Geometry: bounds are four numbers, xmin, ymin, xmax, ymax
-
-EMSCRIPTEN_KEEPALIVE double toleranceFor(double xmin, double ymin, double xmax, double ymax) {
-  return apollonius::defaultTolerance({xmin, ymin, xmax, ymax});
-}
-
-EMSCRIPTEN_KEEPALIVE void diagramExtent(const Diagram* diagram) {
-  const Bounds box = Voronoi::extentOf(*diagram);
-  results.x = box.xmin;
-  results.y = box.ymin;
-  results.r = box.xmax;
-  results.distance = box.ymax;
-}
-
-EMSCRIPTEN_KEEPALIVE int diagramHull(const Diagram* diagram) {
-  const Error error = Voronoi(*diagram).hull(siteIds);
-  publish(0, siteIds);
-  return code(error);
-}
-
-// Draws about `commands` commands from `cursor` on; then results.id is the next cursor and
-// results.flag tells whether that was all.
-EMSCRIPTEN_KEEPALIVE int diagramDraw(const Diagram* diagram, int what, double xmin, double ymin,
-                                     double xmax, double ymax, double tolerance,
-                                     std::uint32_t cursor, std::uint32_t commands) {
-  const Voronoi voronoi(*diagram, {xmin, ymin, xmax, ymax});
+/// About so many commands of a drawing, from the cursor on.
+Portion draw(const Diagram& diagram, Drawing what, double xmin, double ymin, double xmax,
+             double ymax, double tolerance, std::size_t cursor, std::size_t commands) {
+  const Voronoi voronoi(diagram, {xmin, ymin, xmax, ymax});
   Voronoi::Portion portion{cursor, commands};
-  const auto draw = [&] {
-    switch (static_cast<Drawing>(what)) {
+  apollonius::Path path;
+  const auto drawn = [&] {
+    switch (what) {
       case Drawing::kEdges:
         return voronoi.drawEdges(tolerance, portion, path);
       case Drawing::kSites:
@@ -317,68 +268,147 @@ EMSCRIPTEN_KEEPALIVE int diagramDraw(const Diagram* diagram, int what, double xm
     portion.isDone = true;
     return voronoi.drawHull(tolerance, path);
   };
-  const Error error = draw();
-  results.id = static_cast<std::uint32_t>(portion.cursor);
-  results.flag = portion.isDone ? 1 : 0;
-  return publishPath(error);
+  check(drawn());
+  return {std::move(path.commands), std::move(path.coordinates), portion.cursor, portion.isDone};
 }
 
-EMSCRIPTEN_KEEPALIVE int voronoiDrawCell(const Diagram* diagram, double xmin, double ymin,
-                                         double xmax, double ymax, SiteId id, double tolerance) {
-  return publishPath(Voronoi(*diagram, {xmin, ymin, xmax, ymax}).drawCell(id, tolerance, path));
+Portion drawCell(const Diagram& diagram, double xmin, double ymin, double xmax, double ymax,
+                 SiteId id, double tolerance) {
+  apollonius::Path path;
+  check(Voronoi(diagram, {xmin, ymin, xmax, ymax}).drawCell(id, tolerance, path));
+  return {std::move(path.commands), std::move(path.coordinates)};
 }
 
-EMSCRIPTEN_KEEPALIVE int voronoiPolygon(const Diagram* diagram, double xmin, double ymin,
-                                        double xmax, double ymax, SiteId id, double tolerance) {
-  const Error error =
-      Voronoi(*diagram, {xmin, ymin, xmax, ymax}).polygon(id, tolerance, ringArrays);
-  publish(0, ringArrays.coordinates);
-  publish(1, ringArrays.starts);
-  return code(error);
+double defaultTolerance(const Diagram&, double xmin, double ymin, double xmax, double ymax) {
+  return apollonius::defaultTolerance({xmin, ymin, xmax, ymax});
 }
 
-EMSCRIPTEN_KEEPALIVE int voronoiCell(const Diagram* diagram, double xmin, double ymin, double xmax,
-                                     double ymax, SiteId id) {
-  const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).cell(id, curveArrays);
-  publish(0, curveArrays.curves);
-  publish(1, curveArrays.sites);
-  publish(2, curveArrays.regions);
-  return code(error);
-}
-
-EMSCRIPTEN_KEEPALIVE int voronoiEdges(const Diagram* diagram, double xmin, double ymin, double xmax,
-                                      double ymax) {
-  const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).edges(curveArrays);
-  publish(0, curveArrays.curves);
-  publish(1, curveArrays.sites);
-  return code(error);
-}
-
-// results.distance is the area, r the perimeter, x and y the centroid; results.flag is 0 if there
-// is none of it.
-EMSCRIPTEN_KEEPALIVE int voronoiMeasures(const Diagram* diagram, double xmin, double ymin,
-                                         double xmax, double ymax, SiteId id) {
+apollonius::CellMeasures measuresWithin(const Diagram& diagram, SiteId id, double radius) {
   apollonius::CellMeasures measures;
-  const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).measures(id, measures);
-  return publishMeasures(error, measures);
+  check(Voronoi(diagram).measuresWithin(id, radius, measures));
+  return measures;
 }
 
-EMSCRIPTEN_KEEPALIVE int voronoiMeasuresWithin(const Diagram* diagram, SiteId id, double radius) {
-  apollonius::CellMeasures measures;
-  const Error error = Voronoi(*diagram).measuresWithin(id, radius, measures);
-  return publishMeasures(error, measures);
+std::vector<SiteId> hull(const Diagram& diagram) {
+  std::vector<SiteId> sites;
+  check(Voronoi(diagram).hull(sites));
+  return sites;
 }
 
-EMSCRIPTEN_KEEPALIVE int voronoiAreas(const Diagram* diagram, double xmin, double ymin, double xmax,
-                                      double ymax) {
-  const Error error = Voronoi(*diagram, {xmin, ymin, xmax, ymax}).areas(numbers);
-  publish(0, numbers);
-  return code(error);
-}
+}  // namespace
 
-EMSCRIPTEN_KEEPALIVE std::uint32_t diagramSize(const Diagram* diagram) { return diagram->size(); }
-EMSCRIPTEN_KEEPALIVE std::uint32_t diagramVisibleSize(const Diagram* diagram) {
-  return diagram->visibleSize();
-}
+EMSCRIPTEN_BINDINGS(apollonius) {
+  using namespace emscripten;
 
-}  // extern "C"
+  register_type<Uint8Array>("Uint8Array<ArrayBuffer>");
+  register_type<Int32Array>("Int32Array<ArrayBuffer>");
+  register_type<Uint32Array>("Uint32Array<ArrayBuffer>");
+  register_type<Float64Array>("Float64Array<ArrayBuffer>");
+  register_type<NumbersIn>("ArrayLike<number>");
+  register_type<NumbersOut>("Int32Array | Uint32Array | Float64Array | null");
+
+  enum_<Error>("Error")
+      .value("kNone", Error::kNone)
+      .value("kNotFinite", Error::kNotFinite)
+      .value("kOutOfRange", Error::kOutOfRange)
+      .value("kUnknownSite", Error::kUnknownSite)
+      .value("kBadLength", Error::kBadLength)
+      .value("kOutOfMemory", Error::kOutOfMemory)
+      .value("kTooLarge", Error::kTooLarge)
+      .value("kBadBounds", Error::kBadBounds)
+      .value("kCorruptSnapshot", Error::kCorruptSnapshot);
+  enum_<Location>("Location")
+      .value("walk", Location::kWalk)
+      .value("hierarchy", Location::kHierarchy);
+  enum_<Source>("Source").value("anyone", Source::kAnyone).value("trusted", Source::kTrusted);
+  enum_<Drawing>("Drawing")
+      .value("edges", Drawing::kEdges)
+      .value("sites", Drawing::kSites)
+      .value("dual", Drawing::kDual)
+      .value("dualWithRays", Drawing::kDualWithRays)
+      .value("hull", Drawing::kHull);
+
+  value_object<Circle>("Circle")
+      .field("x", &Circle::x)
+      .field("y", &Circle::y)
+      .field("r", &Circle::r);
+  value_object<Nearest>("Nearest").field("id", &Nearest::id).field("distance", &Nearest::distance);
+  value_object<Found>("Found")
+      .field("what", &Found::what)
+      .field("where", &Found::where)
+      .field("level", &Found::level);
+  value_object<Bounds>("Bounds")
+      .field("xmin", &Bounds::xmin)
+      .field("ymin", &Bounds::ymin)
+      .field("xmax", &Bounds::xmax)
+      .field("ymax", &Bounds::ymax);
+  value_object<apollonius::VertexArrays>("VertexArrays")
+      .field("coordinates", &apollonius::VertexArrays::coordinates)
+      .field("clearance", &apollonius::VertexArrays::clearance)
+      .field("sites", &apollonius::VertexArrays::sites);
+  value_object<apollonius::EdgeArrays>("EdgeArrays")
+      .field("sites", &apollonius::EdgeArrays::sites)
+      .field("vertices", &apollonius::EdgeArrays::vertices);
+  value_object<apollonius::CurveArrays>("CurveArrays")
+      .field("curves", &apollonius::CurveArrays::curves)
+      .field("sites", &apollonius::CurveArrays::sites)
+      .field("regions", &apollonius::CurveArrays::regions);
+  value_object<apollonius::RingArrays>("RingArrays")
+      .field("coordinates", &apollonius::RingArrays::coordinates)
+      .field("starts", &apollonius::RingArrays::starts);
+  value_object<apollonius::CellMeasures>("CellMeasures")
+      .field("area", &apollonius::CellMeasures::area)
+      .field("centroidX", &apollonius::CellMeasures::centroidX)
+      .field("centroidY", &apollonius::CellMeasures::centroidY)
+      .field("perimeter", &apollonius::CellMeasures::perimeter)
+      .field("isEmpty", &apollonius::CellMeasures::isEmpty);
+  value_object<Portion>("Portion")
+      .field("commands", &Portion::commands)
+      .field("coordinates", &Portion::coordinates)
+      .field("cursor", &Portion::cursor)
+      .field("isDone", &Portion::isDone);
+
+  const return_value_policy::take_ownership moved;  // not copied
+  class_<Diagram>("Diagram")
+      .constructor(&create, allow_raw_pointers())
+      // Sites
+      .function("insert", returning<&Diagram::insert>())
+      .function("insertMany", &insertMany)
+      .function("remove", returning<&Diagram::remove>())
+      .function("removeMany", &removeMany)
+      .function("update", &update)
+      .function("updateMany", &updateMany)
+      .function("clear", &Diagram::clear)
+      .function("size", &Diagram::size)
+      .function("visibleSize", &Diagram::visibleSize)
+      .function("has", &Diagram::has)
+      .function("site", returning<&Diagram::site>())
+      .function("ids", returning<&Diagram::ids>())
+      .function("isHidden", returning<&Diagram::isHidden>())
+      .function("coverOf", &coverOf)
+      // Queries
+      .function("find", &find)
+      .function("nearest", &nearest)
+      .function("findMany", &findMany)
+      .function("kNearest", returning<&Diagram::kNearest>())
+      .function("within", returning<&Diagram::within>())
+      .function("neighbors", returning<&Diagram::neighbors>())
+      .function("vertices", returning<&Diagram::vertices>(), moved)
+      .function("edges", returning<&Diagram::edges>(), moved)
+      // Snapshots
+      .function("toBytes", returning<&Diagram::toBytes>())
+      .function("fromBytes", &fromBytes)
+      .function("validate", &validate)
+      // Geometry
+      .function("defaultTolerance", &defaultTolerance)
+      .function("extent", &Voronoi::extentOf)
+      .function("hull", &hull)
+      .function("draw", &draw, moved)
+      .function("drawCell", &drawCell, moved)
+      .function("polygon", returning<&Voronoi::polygon>(), moved)
+      .function("cell", returning<&Voronoi::cell>(), moved)
+      .function("edgeCurves", returning<&Voronoi::edges>(), moved)
+      .function("measures", returning<&Voronoi::measures>())
+      .function("measuresWithin", &measuresWithin)
+      .function("areas", returning<&Voronoi::areas>());
+}

@@ -12,24 +12,18 @@ import {
   checkNumber,
   described,
   isDetached,
+  checkSiteId,
   isSiteId,
   plainView,
   typedArrayKind,
   unknownSite,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import {
-  check,
-  checkSite,
-  checkTypes,
-  kUnknownSite,
-  outOfMemory,
-  throwForElements,
-  throwForNumbers,
-} from "./failures.js";
-import { provideNative } from "./living.js";
-import { Drawing, NativeDiagram, type NativeBounds } from "./native.js";
-import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
+import { type Drawing, drawInto } from "./drawing.js";
+import { checkTypes, ofElements, ofNumbers, ofSite } from "./failures.js";
+import { createNative, destroy, provideNative } from "./living.js";
+import { type NativeDiagram, runningModule } from "./module.js";
+import { type DrawOptions, drawn, type PathContext } from "./path.js";
 import { type Bounds, Voronoi } from "./voronoi.js";
 
 /** A circle: centre and radius (weight), in the unit of the input. */
@@ -123,8 +117,7 @@ export class Diagram implements Disposable {
   constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
     const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
     const numbers = xyr === undefined ? undefined : checkedNewSites("xyr", xyr);
-    this.#native = NativeDiagram.create(this, location === "hierarchy");
-    if (this.#native === null) throw outOfMemory();
+    this.#native = createNative(this, location);
     if (numbers === undefined) return;
     try {
       this.#insertTriples(numbers);
@@ -164,8 +157,10 @@ export class Diagram implements Disposable {
     const trusted = checkedChoice("options.trusted", options?.trusted, [false, true]);
     const diagram = new Diagram(undefined, options);
     try {
+      const source = runningModule().Source[trusted ? "trusted" : "anyone"];
       // last: options may have getters
-      check(diagram.#living().fromBytes(checkedBytes("bytes", bytes), trusted));
+      const checked = checkedBytes("bytes", bytes);
+      diagram.#living().fromBytes(checked, source);
     } catch (error) {
       diagram.dispose();
       throw error;
@@ -183,9 +178,11 @@ export class Diagram implements Disposable {
   insert(x: number, y: number, r: number = 0): number {
     const native = this.#living();
     checkTypes(x, y, r);
-    const status = native.insert(x, y, r);
-    if (status !== 0) throwForNumbers(status, x, y, r);
-    return native.id;
+    try {
+      return native.insert(x, y, r);
+    } catch (error) {
+      throw ofNumbers(error, x, y, r);
+    }
   }
 
   /**
@@ -206,8 +203,7 @@ export class Diagram implements Disposable {
   remove(id: number): boolean {
     const native = this.#living();
     if (!isSiteId(id)) return false;
-    check(native.remove(id));
-    return native.count !== 0;
+    return native.remove(id);
   }
 
   /**
@@ -216,8 +212,7 @@ export class Diagram implements Disposable {
    */
   removeMany(ids: ArrayLike<number>): number {
     const native = this.#living();
-    check(native.removeMany(checkedIds("ids", ids)));
-    return native.count;
+    return native.removeMany(checkedIds("ids", ids));
   }
 
   /**
@@ -227,11 +222,13 @@ export class Diagram implements Disposable {
   update(id: number, x: number, y: number, r?: number): this {
     const native = this.#living();
     const weight = r === undefined ? this.site(id).r : r;
-    if (!isSiteId(id)) throw unknownSite(id);
+    checkSiteId(id);
     checkTypes(x, y, weight);
-    const status = native.update(id, x, y, weight);
-    if (status === kUnknownSite) throw unknownSite(id);
-    if (status !== 0) throwForNumbers(status, x, y, weight);
+    try {
+      native.update(id, x, y, weight);
+    } catch (error) {
+      throw ofNumbers(ofSite(error, id), x, y, weight);
+    }
     return this;
   }
 
@@ -250,12 +247,15 @@ export class Diagram implements Disposable {
         `expected ${3 * sites.length} values in xyr for ${sites.length} ids, got ${numbers.length}`,
       );
     }
-    const status = native.updateMany(sites, numbers);
-    if (status === kUnknownSite) {
-      const k = sites.findIndex((id) => !native.has(id));
-      throw new ApolloniusError("unknown-site", `ids[${k}]: ${unknownSite(ids[k]).message}`);
+    try {
+      native.updateMany(sites, numbers);
+    } catch (error) {
+      if (error instanceof ApolloniusError && error.code === "unknown-site") {
+        const k = sites.findIndex((id) => !native.has(id));
+        throw new ApolloniusError("unknown-site", `ids[${k}]: ${unknownSite(ids[k]).message}`);
+      }
+      throw ofElements(error, "xyr", numbers);
     }
-    if (status !== 0) throwForElements(status, "xyr", numbers);
     return this;
   }
 
@@ -267,12 +267,12 @@ export class Diagram implements Disposable {
 
   /** Number of sites, hidden ones too. O(1). */
   get size(): number {
-    return this.#living().size;
+    return this.#living().size();
   }
 
   /** Number of sites that have a cell. O(1). */
   get visibleSize(): number {
-    return this.#living().visibleSize;
+    return this.#living().visibleSize();
   }
 
   /**
@@ -281,7 +281,7 @@ export class Diagram implements Disposable {
    */
   get hiddenSize(): number {
     const native = this.#living();
-    return native.size - native.visibleSize;
+    return native.size() - native.visibleSize();
   }
 
   /** Whether a site has this id. O(1). */
@@ -293,22 +293,28 @@ export class Diagram implements Disposable {
   /** Centre and radius of a site, exactly as given. O(1). Throws "unknown-site". */
   site(id: number): Site {
     const native = this.#living();
-    checkSite(isSiteId(id) ? native.site(id) : kUnknownSite, id);
-    return { x: native.x, y: native.y, r: native.r };
+    checkSiteId(id);
+    try {
+      return native.site(id);
+    } catch (error) {
+      throw ofSite(error, id);
+    }
   }
 
   /** All ids, ascending. O(n). */
   ids(): Uint32Array {
-    const native = this.#living();
-    check(native.ids());
-    return this.#taken(native, () => native.takeWords(0));
+    return this.#living().ids();
   }
 
   /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
   isHidden(id: number): boolean {
     const native = this.#living();
-    checkSite(isSiteId(id) ? native.isHidden(id) : kUnknownSite, id);
-    return native.count !== 0;
+    checkSiteId(id);
+    try {
+      return native.isHidden(id);
+    } catch (error) {
+      throw ofSite(error, id);
+    }
   }
 
   /**
@@ -317,8 +323,12 @@ export class Diagram implements Disposable {
    */
   coverOf(id: number): number {
     const native = this.#living();
-    checkSite(isSiteId(id) ? native.coverOf(id) : kUnknownSite, id);
-    return native.id;
+    checkSiteId(id);
+    try {
+      return native.coverOf(id);
+    } catch (error) {
+      throw ofSite(error, id);
+    }
   }
 
   // --- Queries -----------------------------------------------------------------------------------
@@ -329,8 +339,12 @@ export class Diagram implements Disposable {
    */
   find(x: number, y: number): number {
     const native = this.#living();
-    this.#locate(native, x, y);
-    return native.id;
+    checkTypes(x, y);
+    try {
+      return native.find(x, y);
+    } catch (error) {
+      throw ofNumbers(error, x, y);
+    }
   }
 
   /**
@@ -339,9 +353,13 @@ export class Diagram implements Disposable {
    */
   nearest(x: number, y: number): { id: number; distance: number } | null {
     const native = this.#living();
-    this.#locate(native, x, y);
-    const id = native.id;
-    return id === -1 ? null : { id, distance: native.distance };
+    checkTypes(x, y);
+    try {
+      const nearest = native.nearest(x, y);
+      return nearest.id === -1 ? null : nearest;
+    } catch (error) {
+      throw ofNumbers(error, x, y);
+    }
   }
 
   /**
@@ -363,8 +381,11 @@ export class Diagram implements Disposable {
         `distances is ${described(out)}, expected Float64Array(${ids.length}), one element a point`,
       );
     }
-    const status = native.findMany(numbers, ids, out);
-    if (status !== 0) throwForElements(status, "xy", numbers);
+    try {
+      native.findMany(numbers, ids, out ?? null);
+    } catch (error) {
+      throw ofElements(error, "xy", numbers);
+    }
     return ids;
   }
 
@@ -378,9 +399,12 @@ export class Diagram implements Disposable {
   kNearest(x: number, y: number, k: number): Uint32Array {
     const native = this.#living();
     checkTypes(x, y);
-    const status = native.kNearest(x, y, checkedCount("k", k));
-    if (status !== 0) throwForNumbers(status, x, y);
-    return this.#taken(native, () => native.takeWords(0));
+    const count = checkedCount("k", k);
+    try {
+      return native.kNearest(x, y, count);
+    } catch (error) {
+      throw ofNumbers(error, x, y);
+    }
   }
 
   /**
@@ -393,9 +417,11 @@ export class Diagram implements Disposable {
     const native = this.#living();
     checkTypes(x, y);
     checkNumber("distance", distance);
-    const status = native.within(x, y, distance);
-    if (status !== 0) throwForNumbers(status, x, y);
-    return this.#taken(native, () => native.takeWords(0));
+    try {
+      return native.within(x, y, distance);
+    } catch (error) {
+      throw ofNumbers(error, x, y);
+    }
   }
 
   /**
@@ -405,18 +431,17 @@ export class Diagram implements Disposable {
    */
   neighbors(id: number): Uint32Array {
     const native = this.#living();
-    checkSite(isSiteId(id) ? native.neighbors(id) : kUnknownSite, id);
-    return this.#taken(native, () => native.takeWords(0));
+    checkSiteId(id);
+    try {
+      return native.neighbors(id);
+    } catch (error) {
+      throw ofSite(error, id);
+    }
   }
 
   /** All Voronoi edges. O(n). */
   edges(): Edges {
-    const native = this.#living();
-    check(native.edges());
-    return this.#taken(native, () => ({
-      sites: native.takeWords(0),
-      vertices: new Int32Array(native.takeWords(1).buffer),
-    }));
+    return this.#living().edges();
   }
 
   /**
@@ -424,13 +449,7 @@ export class Diagram implements Disposable {
    * O(n).
    */
   vertices(): Vertices {
-    const native = this.#living();
-    check(native.vertices());
-    return this.#taken(native, () => ({
-      coordinates: native.takeDoubles(0),
-      clearance: native.takeDoubles(1),
-      sites: native.takeWords(2),
-    }));
+    return this.#living().vertices();
   }
 
   // --- Geometry ----------------------------------------------------------------------------------
@@ -450,9 +469,7 @@ export class Diagram implements Disposable {
    * back). Circles in line on the hull are all listed. O(length).
    */
   hull(): Uint32Array {
-    const native = this.#living();
-    check(native.hull());
-    return this.#taken(native, () => native.takeWords(0));
+    return this.#living().hull();
   }
 
   /**
@@ -468,7 +485,7 @@ export class Diagram implements Disposable {
     options?: DrawOptions & { bounds?: Bounds | undefined },
   ): string | void {
     const bounds = options?.bounds === undefined ? undefined : checkedBounds(options.bounds);
-    return this.#draw(bounds ? Drawing.dualWithRays : Drawing.dual, bounds, context, options);
+    return this.#draw(bounds ? "dualWithRays" : "dual", bounds, context, options);
   }
 
   /**
@@ -478,7 +495,7 @@ export class Diagram implements Disposable {
   renderSites(context: PathContext, options?: DrawOptions): void;
   renderSites(context?: null, options?: DrawOptions): string;
   renderSites(context?: PathContext | null, options?: DrawOptions): string | void {
-    return this.#draw(Drawing.sites, undefined, context, options);
+    return this.#draw("sites", undefined, context, options);
   }
 
   /**
@@ -488,7 +505,7 @@ export class Diagram implements Disposable {
   renderHull(context: PathContext, options?: DrawOptions): void;
   renderHull(context?: null, options?: DrawOptions): string;
   renderHull(context?: PathContext | null, options?: DrawOptions): string | void {
-    return this.#draw(Drawing.hull, undefined, context, options);
+    return this.#draw("hull", undefined, context, options);
   }
 
   // --- Snapshots ---------------------------------------------------------------------------------
@@ -499,9 +516,7 @@ export class Diagram implements Disposable {
    * every platform; docs/SNAPSHOTS.md has the format. Cost: O(n), a fraction of building.
    */
   toBytes(): Uint8Array<ArrayBuffer> {
-    const native = this.#living();
-    check(native.toBytes());
-    return this.#taken(native, () => allocated(() => native.takeBytes(0)));
+    return this.#living().toBytes();
   }
 
   /**
@@ -509,11 +524,9 @@ export class Diagram implements Disposable {
    * constants: for tests.
    */
   validate(): string | null {
-    const native = this.#living();
-    check(native.validate());
-    const what = native.text();
+    const { what, where, level } = this.#living().validate();
     if (what === "") return null;
-    return `${native.count === 0 ? "" : `level ${native.count}: `}${what} ${native.id >>> 0}`;
+    return `${level === 0 ? "" : `level ${level}: `}${what} ${where}`;
   }
 
   // --- Life time ---------------------------------------------------------------------------------
@@ -523,7 +536,7 @@ export class Diagram implements Disposable {
    * A forgotten diagram is freed when it is collected. Cost: O(1).
    */
   dispose(): void {
-    this.#native?.destroy();
+    if (this.#native !== null) destroy(this.#native);
     this.#native = null;
   }
 
@@ -540,44 +553,35 @@ export class Diagram implements Disposable {
     return this.#native;
   }
 
-  /** What `take` copied out of the native arrays, whose memory is given back after. */
-  #taken<Result>(native: NativeDiagram, take: () => Result): Result {
-    try {
-      return take();
-    } finally {
-      native.finish();
-    }
-  }
-
   /** Without bounds, those of the circles say what tolerance cannot be seen. */
   #draw(
     what: Drawing,
-    bounds: NativeBounds | undefined,
+    bounds: Bounds | undefined,
     context: PathContext | null | undefined,
     options: DrawOptions | undefined,
   ): string | void {
     const native = this.#living();
-    const window = bounds ?? native.extent();
-    const tolerance = checkedTolerance(options?.tolerance, () => native.toleranceFor(window));
-    return drawn(context, options, (target) => {
-      check(
-        native.draw(what, window, tolerance, (commands, count, xy) =>
-          play(target, commands, count, xy),
-        ),
-      );
-    });
+    const window = bounds ?? extentOf(native);
+    const tolerance = checkedTolerance(options?.tolerance, () =>
+      native.defaultTolerance(...window),
+    );
+    return drawn(context, options, (target) => drawInto(target, native, what, window, tolerance));
   }
 
   #insertTriples(xyr: ArrayLike<number>): Uint32Array {
     const ids = allocated(() => new Uint32Array(xyr.length / 3));
-    const status = this.#living().insertMany(xyr, ids);
-    if (status !== 0) throwForElements(status, "xyr", xyr);
+    const native = this.#living();
+    try {
+      native.insertMany(xyr, ids);
+    } catch (error) {
+      throw ofElements(error, "xyr", xyr);
+    }
     return ids;
   }
+}
 
-  #locate(native: NativeDiagram, x: number, y: number): void {
-    checkTypes(x, y);
-    const status = native.find(x, y);
-    if (status !== 0) throwForNumbers(status, x, y);
-  }
+/** The box of all circles. */
+function extentOf(native: NativeDiagram): Bounds {
+  const { xmin, ymin, xmax, ymax } = native.extent();
+  return [xmin, ymin, xmax, ymax];
 }

@@ -1,54 +1,57 @@
-// From the library's status integers to thrown errors.
+// From the library's errors to exceptions that name the argument.
+import type { MainModule } from "../build/wasm/apollonius.mjs";
 import { numberError, throwElementError, unknownSite } from "./arguments.js";
 import { ApolloniusError, type ErrorCode } from "./errors.js";
-import type { Status } from "./native.js";
 
-export const kUnknownSite: Status = 3;
+type NativeErrors = MainModule["Error"]; // `Error` of src/apollonius/diagram.h
 
-// By status: the order of `Error` in src/apollonius/diagram.h. The message is the last resort; most
-// failures know a better one.
-const kFailures: readonly (readonly [ErrorCode, string] | null)[] = [
-  null,
-  ["not-finite", "a number is not finite"],
-  ["out-of-range", "a number is outside the documented range"],
-  ["unknown-site", "there is no such site"],
-  ["bad-length", "lengths of arrays do not fit each other"],
-  ["out-of-memory", "not enough memory"],
-  ["too-large", "more sites than one diagram can hold"],
-  ["bad-bounds", "the window is empty, inverted or out of range"],
-  ["corrupt-snapshot", "bytes are no snapshot of a diagram, or damaged, or of another version"],
-];
+// The message is the last resort; most failures know a better one.
+const kFailures: Record<Exclude<keyof NativeErrors, "kNone">, readonly [ErrorCode, string]> = {
+  kNotFinite: ["not-finite", "a number is not finite"],
+  kOutOfRange: ["out-of-range", "a number is outside the documented range"],
+  kUnknownSite: ["unknown-site", "there is no such site"],
+  kBadLength: ["bad-length", "lengths of arrays do not fit each other"],
+  kOutOfMemory: ["out-of-memory", "not enough memory"],
+  kTooLarge: ["too-large", "more sites than one diagram can hold"],
+  kBadBounds: ["bad-bounds", "the window is empty, inverted or out of range"],
+  kCorruptSnapshot: [
+    "corrupt-snapshot",
+    "bytes are no snapshot of a diagram, or damaged, or of another version",
+  ],
+};
 
-export function failure(status: Status): ApolloniusError {
-  const known = kFailures[status];
-  if (!known) throw new Error(`apollonius-diagram: unknown status ${status} from the wasm module`);
-  return new ApolloniusError(known[0], known[1]);
+/** What the number of an error stands for. */
+export function failure(errors: NativeErrors, number: number): ApolloniusError {
+  for (const name in kFailures) {
+    if (errors[name as keyof typeof kFailures].value === number)
+      return new ApolloniusError(...kFailures[name as keyof typeof kFailures]);
+  }
+  throw new Error(`apollonius-diagram: unknown error ${number} from the wasm module`);
 }
 
 export function outOfMemory(): ApolloniusError {
-  return failure(5);
+  return new ApolloniusError(...kFailures.kOutOfMemory);
 }
 
-/** Throws unless the status is success. */
-export function check(status: Status): void {
-  if (status !== 0) throw failure(status);
+function is(error: unknown, ...codes: ErrorCode[]): boolean {
+  return error instanceof ApolloniusError && codes.includes(error.code);
 }
 
-/** `check` for calls about one site, whose id the message names. */
-export function checkSite(status: Status, id: unknown): void {
-  if (status === kUnknownSite) throw unknownSite(id);
-  check(status);
+/** The error of a call about one site, whose id the message names. */
+export function ofSite(error: unknown, id: unknown): unknown {
+  return is(error, "unknown-site") ? unknownSite(id) : error;
 }
 
-/** Throws for a failed call with scalars, naming the first bad one. */
-export function throwForNumbers(status: Status, x: unknown, y: unknown, r: unknown = 0): never {
-  throw numberError("x", x) ?? numberError("y", y) ?? numberError("r", r) ?? failure(status);
+/** The error of a call with scalars, of which the message names the first bad one. */
+export function ofNumbers(error: unknown, x: unknown, y: unknown, r: unknown = 0): unknown {
+  if (!is(error, "not-finite", "out-of-range")) return error;
+  return numberError("x", x) ?? numberError("y", y) ?? numberError("r", r) ?? error;
 }
 
-/** Throws for a failed call with an array of numbers, naming the first bad element. */
-export function throwForElements(status: Status, name: string, values: ArrayLike<number>): never {
-  throwElementError(name, values);
-  throw failure(status);
+/** The error of a call with an array of numbers, of which the message names the first bad one. */
+export function ofElements(error: unknown, name: string, values: ArrayLike<number>): unknown {
+  if (is(error, "not-finite", "out-of-range")) throwElementError(name, values);
+  return error;
 }
 
 /**
@@ -56,5 +59,5 @@ export function throwForElements(status: Status, name: string, values: ArrayLike
  */
 export function checkTypes(x: unknown, y: unknown, r: unknown = 0): void {
   if (typeof x !== "number" || typeof y !== "number" || typeof r !== "number")
-    throwForNumbers(0, x, y, r);
+    throw numberError("x", x) ?? numberError("y", y) ?? numberError("r", r);
 }

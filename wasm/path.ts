@@ -33,14 +33,9 @@ const kMove = 0;
 const kLine = 1;
 const kCurve = 2;
 
-/** Plays `count` commands. */
-export function play(
-  context: PathContext,
-  commands: Uint8Array,
-  count: number,
-  xy: Float64Array,
-): void {
-  for (let i = 0, k = 0; i < count; ++i) {
+/** Plays commands and their coordinates. */
+export function play(context: PathContext, commands: Uint8Array, xy: Float64Array): void {
+  for (let i = 0, k = 0; i < commands.length; ++i) {
     const command = commands[i];
     if (command === kMove) {
       context.moveTo(xy[k] as number, xy[k + 1] as number);

@@ -1,9 +1,16 @@
-import { checkedBounds, checkedTolerance, checkNumber, isSiteId } from "./arguments.js";
+import {
+  checkedBounds,
+  checkedTolerance,
+  checkNumber,
+  isSiteId,
+  unknownSite,
+} from "./arguments.js";
+import type { CellMeasures } from "../build/wasm/apollonius.mjs";
 import type { Diagram } from "./diagram.js";
+import { drawInto } from "./drawing.js";
 import { ApolloniusError } from "./errors.js";
-import { check, checkSite, kUnknownSite } from "./failures.js";
 import { nativeOf } from "./living.js";
-import { Drawing, type NativeDiagram } from "./native.js";
+import type { NativeDiagram } from "./module.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
 
 /** A window, xmin < xmax and ymin < ymax, in the diagram's unit. */
@@ -110,13 +117,9 @@ export class Voronoi {
   render(context?: PathContext | null, options?: DrawOptions): string | void {
     const native = nativeOf(this.diagram);
     const tolerance = this.#tolerance(native, options);
-    return drawn(context, options, (target) => {
-      check(
-        native.draw(Drawing.edges, this.#bounds, tolerance, (commands, count, xy) =>
-          play(target, commands, count, xy),
-        ),
-      );
-    });
+    return drawn(context, options, (target) =>
+      drawInto(target, native, "edges", this.#bounds, tolerance),
+    );
   }
 
   /** Draws the window's border. Throws "out-of-range" (digits). */
@@ -140,11 +143,8 @@ export class Voronoi {
     const native = this.#nativeFor(id);
     const tolerance = this.#tolerance(native, options);
     return drawn(context, options, (target) => {
-      check(
-        native.drawCell(this.#bounds, id, tolerance, (commands, count, xy) =>
-          play(target, commands, count, xy),
-        ),
-      );
+      const { commands, coordinates } = native.drawCell(...this.#bounds, id, tolerance);
+      play(target, commands, coordinates);
     });
   }
 
@@ -169,10 +169,7 @@ export class Voronoi {
   cellRegions(id: number, options?: { tolerance?: number | undefined }): Float64Array[] | null {
     const native = this.#nativeFor(id);
     const tolerance = this.#tolerance(native, options);
-    check(native.polygon(this.#bounds, id, tolerance));
-    const coordinates = native.takeDoubles(0);
-    const starts = native.takeWords(1);
-    native.finish();
+    const { coordinates, starts } = native.polygon(...this.#bounds, id, tolerance);
     if (starts.length < 2) return null;
     if (starts.length === 2) return [coordinates];
     return Array.from(starts.subarray(1), (end, k) =>
@@ -194,14 +191,8 @@ export class Voronoi {
   /** The true boundary of a cell, as curves. */
   cellCurves(id: number): CellCurves | null {
     const native = this.#nativeFor(id);
-    check(native.cell(this.#bounds, id));
-    const boundary = {
-      curves: native.takeDoubles(0),
-      neighbors: new Int32Array(native.takeWords(1).buffer),
-      regions: native.takeWords(2),
-    };
-    native.finish();
-    return boundary.regions.length < 2 ? null : boundary;
+    const { curves, sites, regions } = native.cell(...this.#bounds, id);
+    return regions.length < 2 ? null : { curves, neighbors: new Int32Array(sites.buffer), regions };
   }
 
   /**
@@ -209,11 +200,8 @@ export class Voronoi {
    * O(n).
    */
   edgeCurves(): EdgeCurves {
-    const native = nativeOf(this.diagram);
-    check(native.edgeCurves(this.#bounds));
-    const edges = { curves: native.takeDoubles(0), sites: native.takeWords(1) };
-    native.finish();
-    return edges;
+    const { curves, sites } = nativeOf(this.diagram).edgeCurves(...this.#bounds);
+    return { curves, sites };
   }
 
   /**
@@ -283,10 +271,8 @@ export class Voronoi {
   /** Area, centroid and perimeter at once. */
   cellMeasures(id: number): Measures | null {
     const native = this.#nativeFor(id);
-    check(native.isHidden(id));
-    if (native.count !== 0) return null;
-    check(native.measures(this.#bounds, id));
-    return measuresOf(native);
+    if (native.isHidden(id)) return null;
+    return measuresOf(native.measures(...this.#bounds, id));
   }
 
   /**
@@ -299,10 +285,8 @@ export class Voronoi {
     checkNumber("radius", radius);
     if (radius < 0)
       throw new ApolloniusError("out-of-range", `radius is ${radius}, expected 0 or more`);
-    check(native.isHidden(id));
-    if (native.count !== 0) return null;
-    check(native.measuresWithin(id, radius));
-    return measuresOf(native);
+    if (native.isHidden(id)) return null;
+    return measuresOf(native.measuresWithin(id, radius));
   }
 
   /**
@@ -310,11 +294,7 @@ export class Voronoi {
    * window's. O(n), much faster than a loop.
    */
   cellAreas(): Float64Array {
-    const native = nativeOf(this.diagram);
-    check(native.areas(this.#bounds));
-    const areas = native.takeDoubles(0);
-    native.finish();
-    return areas;
+    return nativeOf(this.diagram).areas(...this.#bounds);
   }
 
   // --- Shared parts ------------------------------------------------------------------------------
@@ -325,7 +305,7 @@ export class Voronoi {
 
   #nativeFor(id: number): NativeDiagram {
     const native = nativeOf(this.diagram);
-    checkSite(isSiteId(id) && native.has(id) ? 0 : kUnknownSite, id);
+    if (!isSiteId(id) || !native.has(id)) throw unknownSite(id);
     return native;
   }
 
@@ -333,14 +313,11 @@ export class Voronoi {
     native: NativeDiagram,
     options: { tolerance?: number | undefined } | undefined,
   ): number {
-    return checkedTolerance(options?.tolerance, () => native.toleranceFor(this.#bounds));
+    return checkedTolerance(options?.tolerance, () => native.defaultTolerance(...this.#bounds));
   }
 }
 
-function measuresOf(native: NativeDiagram): Measures {
-  return {
-    area: native.distance,
-    centroid: native.count === 0 ? null : [native.x, native.y],
-    perimeter: native.r,
-  };
+function measuresOf(measures: CellMeasures): Measures {
+  const { area, centroidX, centroidY, perimeter, isEmpty } = measures;
+  return { area, centroid: isEmpty ? null : [centroidX, centroidY], perimeter };
 }

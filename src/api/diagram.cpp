@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "diagram/diagram_core.h"
 #include "diagram/listing.h"
@@ -38,17 +41,18 @@ Error checkCircle(double x, double y, double r) {
   return checkNumbers(values);
 }
 
-/// All that can be thrown is for want of memory (std::bad_alloc, a vector's std::length_error), so
-/// that types need not be told apart, which would cost the wasm module a kilobyte; or because
-/// trusted bytes were no diagram, which the diagram remembers.
+/// Lack of memory is thrown as std::bad_alloc, or by a vector as std::length_error. std::bad_alloc
+/// also ends a call that finds out that trusted bytes were no diagram, which the diagram remembers.
 template <class Operation>
 Error guarded(const DiagramCore& core, Operation&& operation) {
   if (core.isBroken()) return Error::kCorruptSnapshot;
   try {
     operation();
     return Error::kNone;
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
     return core.isBroken() ? Error::kCorruptSnapshot : Error::kOutOfMemory;
+  } catch (const std::length_error&) {
+    return Error::kOutOfMemory;
   }
 }
 
@@ -84,17 +88,18 @@ Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
   return guarded(*impl_, [&] { impl_->insertStaged(impl_->stage(xyr), ids); });
 }
 
-Error Diagram::insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count, Array<SiteId>& ids) {
-  const std::span<const double> numbers{xyr.get(), 3 * count};
-  if (const Error error = checkNumbers(numbers); error != Error::kNone) return error;
+Error Diagram::insertMany(std::vector<double>&& xyr, std::vector<SiteId>& ids) {
+  const std::size_t count = xyr.size() / 3;
+  if (xyr.size() != 3 * count) return Error::kBadLength;
+  if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
   if (count > kMostSites - size()) return Error::kTooLarge;
   if (count == 0) {
     ids.clear();
     return Error::kNone;
   }
   return guarded(*impl_, [&] {
-    FlatArray<std::uint32_t> order = impl_->stage(numbers);
-    xyr.reset();
+    FlatArray<std::uint32_t> order = impl_->stage(xyr);
+    std::vector<double>().swap(xyr);
     ids.resize(count);
     impl_->insertStaged(std::move(order), ids);
   });
@@ -138,7 +143,7 @@ Error Diagram::site(SiteId id, Circle& circle) const noexcept {
   return Error::kNone;
 }
 
-Error Diagram::ids(Array<SiteId>& ids) const {
+Error Diagram::ids(std::vector<SiteId>& ids) const {
   return guarded(*impl_, [&] {
     ids.clear();
     ids.reserve(size());
@@ -200,19 +205,19 @@ Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids,
   });
 }
 
-Error Diagram::kNearest(double x, double y, std::size_t k, Array<SiteId>& sites) const {
+Error Diagram::kNearest(double x, double y, std::size_t k, std::vector<SiteId>& sites) const {
   for (const double value : {x, y}) {
     if (const Error error = checkNumber(value); error != Error::kNone) return error;
   }
   return guarded(*impl_, [&] { listNearby(*impl_, x, y, k, nullptr, sites); });
 }
 
-Error Diagram::within(double x, double y, double distance, Array<SiteId>& sites) const {
+Error Diagram::within(double x, double y, double distance, std::vector<SiteId>& sites) const {
   if (const Error error = checkCircle(x, y, distance); error != Error::kNone) return error;
   return guarded(*impl_, [&] { listNearby(*impl_, x, y, size(), &distance, sites); });
 }
 
-Error Diagram::neighbors(SiteId id, Array<SiteId>& neighbors) const {
+Error Diagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
   if (!has(id)) return Error::kUnknownSite;
   return guarded(*impl_, [&] { listNeighbors(*impl_, id, neighbors); });
 }
@@ -225,11 +230,11 @@ Error Diagram::edges(EdgeArrays& edges) const {
   return guarded(*impl_, [&] { listEdges(*impl_, edges); });
 }
 
-Error Diagram::faces(Array<SiteId>& sites) const {
+Error Diagram::faces(std::vector<SiteId>& sites) const {
   return guarded(*impl_, [&] { listFaces(*impl_, sites); });
 }
 
-Error Diagram::toBytes(Array<std::uint8_t>& bytes) const {
+Error Diagram::toBytes(std::vector<std::uint8_t>& bytes) const {
   return guarded(*impl_, [&] { impl_->save(bytes); });
 }
 
@@ -239,7 +244,7 @@ Error Diagram::fromBytes(std::span<const std::uint8_t> bytes, Source source) {
     if (!restored->restore(bytes, source)) return Error::kCorruptSnapshot;
     impl_ = std::move(restored);
     return Error::kNone;
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
     return Error::kOutOfMemory;
   }
 }

@@ -3,9 +3,11 @@
 #include "apollonius/voronoi.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <new>
+#include <stdexcept>
+#include <vector>
 
 #include "geometry/approximate.h"
 #include "geometry/areas.h"
@@ -34,8 +36,8 @@ bool areGood(const Bounds& b) {
 
 constexpr double kDefaultShare = powerOfTwo(-13);
 
-void appendCurve(const Conic& c, Array<double>& curves) {
-  append(curves, std::array{c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.w, c.p2.x, c.p2.y});
+void appendCurve(const Conic& c, std::vector<double>& curves) {
+  curves.insert(curves.end(), {c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.w, c.p2.x, c.p2.y});
 }
 
 void measure(std::span<const BoundaryPiece> boundary, Point origin, Moments& moments,
@@ -102,7 +104,9 @@ Error Voronoi::guarded(double tolerance, Operation&& operation) const {
   try {
     operation(windowOf(bounds_), tolerance);
     return Error::kNone;
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
+    return Error::kOutOfMemory;
+  } catch (const std::length_error&) {  // of a vector
     return Error::kOutOfMemory;
   }
 }
@@ -190,12 +194,12 @@ Error Voronoi::measuresWithin(SiteId id, double radius, CellMeasures& measures) 
   });
 }
 
-Error Voronoi::areas(Array<double>& areas) const {
+Error Voronoi::areas(std::vector<double>& areas) const {
   return guarded(1,
                  [&](const Window& window, double) { cellAreas(diagram_.core(), window, areas); });
 }
 
-Error Voronoi::hull(Array<SiteId>& sites) const {
+Error Voronoi::hull(std::vector<SiteId>& sites) const {
   return guarded(1, [&](const Window&, double) { hullSites(diagram_.core(), sites); });
 }
 

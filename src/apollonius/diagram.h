@@ -22,8 +22,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "apollonius/export.h"
 #include "apollonius/types.h"
@@ -73,11 +75,10 @@ class APOLLONIUS_EXPORT Diagram {
   /// Errors: as insert; kBadLength unless xyr.size() == 3 * ids.size().
   [[nodiscard]] Error insertMany(std::span<const double> xyr, std::span<SiteId> ids);
 
-  /// The same for `count` triples in an array that is given up: it is freed as soon as they have
-  /// been copied, before the large arrays are made, so that memory never holds both. Replaces the
+  /// The same for triples in an array that is given up: it is freed as soon as they have been
+  /// copied, before the large arrays are made, so that memory never holds both. Replaces the
   /// contents of `ids`. (After an error the array may be there or not.)
-  [[nodiscard]] Error insertMany(std::unique_ptr<double[]>&& xyr, std::size_t count,
-                                 Array<SiteId>& ids);
+  [[nodiscard]] Error insertMany(std::vector<double>&& xyr, std::vector<SiteId>& ids);
 
   /// Removes a site; `removed` tells whether there was one. Sites that only it covered become
   /// visible again. Errors: kOutOfMemory. Cost: O(log n) amortised for a hidden site and for the
@@ -106,7 +107,8 @@ class APOLLONIUS_EXPORT Diagram {
       const noexcept;  ///< sites without one (the paper's trivial sites)
   [[nodiscard]] bool has(SiteId id) const noexcept;
   [[nodiscard]] Error site(SiteId id, Circle& circle) const noexcept;  ///< Errors: kUnknownSite
-  [[nodiscard]] Error ids(Array<SiteId>& ids) const;  ///< all ids, ascending; replaces the contents
+  [[nodiscard]] Error ids(
+      std::vector<SiteId>& ids) const;  ///< all ids, ascending; replaces the contents
   [[nodiscard]] Error isHidden(SiteId id, bool& hidden) const noexcept;  ///< Errors: kUnknownSite
 
   /// A visible site that covers this one (the nearest one to its centre); kNoSite for a visible
@@ -128,18 +130,18 @@ class APOLLONIUS_EXPORT Diagram {
   /// The k nearest sites of a point, hidden ones too, nearest first; ties as in find (identical
   /// circles in any order). All sites if there are fewer. Exact. Replaces the contents. Errors: as
   /// find. Cost: one location and O(m log m), m = the neighbours of the sites found.
-  [[nodiscard]] Error kNearest(double x, double y, std::size_t k, Array<SiteId>& sites) const;
+  [[nodiscard]] Error kNearest(double x, double y, std::size_t k, std::vector<SiteId>& sites) const;
 
   /// All sites at a distance of at most `distance` (which may be negative: that deep inside),
   /// nearest first, hidden ones too; 0 gives the circles that contain the point. Exact, boundary
   /// included. Replaces the contents. Errors, cost: as kNearest.
-  [[nodiscard]] Error within(double x, double y, double distance, Array<SiteId>& sites) const;
+  [[nodiscard]] Error within(double x, double y, double distance, std::vector<SiteId>& sites) const;
 
   /// The distinct sites whose cells share an edge with this one's, counter-clockwise (each at its
   /// first occurrence), edges of length zero included (degenerate position; the graph is
   /// triangulated canonically); none for a hidden site. Replaces the contents. Errors:
   /// kUnknownSite, kOutOfMemory. Cost: O(d).
-  [[nodiscard]] Error neighbors(SiteId id, Array<SiteId>& neighbors) const;
+  [[nodiscard]] Error neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
 
   /// The Voronoi vertices. Each coordinate and clearance is within 2^-39 (|x| + |y| + |clearance|)
   /// + 2^-48 (the largest number among its three sites) of the exact one, whatever the sites, and
@@ -152,13 +154,13 @@ class APOLLONIUS_EXPORT Diagram {
   /// the topology itself. Those without infinity are the rows of vertices(). A function of the set
   /// of sites, up to the order of the faces and which of several identical sites is visible.
   /// Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
-  [[nodiscard]] Error faces(Array<SiteId>& sites) const;
+  [[nodiscard]] Error faces(std::vector<SiteId>& sites) const;
 
   // --- Snapshots (docs/SNAPSHOTS.md)
 
   /// The diagram in bytes, the same on every platform; replaces the contents. Errors: kOutOfMemory.
   /// Cost: O(n), about 56 bytes a site.
-  [[nodiscard]] Error toBytes(Array<std::uint8_t>& bytes) const;
+  [[nodiscard]] Error toBytes(std::vector<std::uint8_t>& bytes) const;
 
   /// Becomes the diagram that was saved: sites, ids, those that are free, hidden sites, graph;
   /// location stays as it was chosen. Whoever made the bytes, the diagram is that of the sites in
@@ -183,7 +185,7 @@ class APOLLONIUS_EXPORT Diagram {
     if (error != Error::kNone) return error;
     try {
       broken = violation.text();
-    } catch (...) {
+    } catch (const std::bad_alloc&) {
       return Error::kOutOfMemory;
     }
     return Error::kNone;

@@ -5,8 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
-
-#include "memory/array.h"
+#include <vector>
 
 namespace apollonius {
 
@@ -18,8 +17,8 @@ enum class Command : std::uint8_t {
 };
 
 struct Path {
-  Array<std::uint8_t> commands;  ///< of Command
-  Array<double> coordinates;     ///< x, y of each point
+  std::vector<std::uint8_t> commands;  ///< of Command
+  std::vector<double> coordinates;     ///< x, y of each point
 
   void clear() {
     commands.clear();
@@ -27,7 +26,7 @@ struct Path {
   }
   /// Segments of their own, x0, y0, x1, y1 each.
   void segments(const double* ends, std::size_t count) {
-    append(coordinates, {ends, 4 * count});
+    coordinates.insert(coordinates.end(), ends, ends + 4 * count);
     std::size_t at = commands.size();
     commands.resize(at + 2 * count);
     for (; at < commands.size(); at += 2) {

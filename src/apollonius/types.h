@@ -5,8 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-
-#include "memory/array.h"
+#include <vector>
 
 namespace apollonius {
 
@@ -58,16 +57,17 @@ enum class Location : std::uint8_t {
 /// The Voronoi vertices in the plane; row k of each array belongs to vertex k. The rows' order
 /// depends on the history.
 struct VertexArrays {
-  Array<double> coordinates;   ///< x, y of each vertex
-  Array<double> clearance;     ///< common distance to its three sites
-  Array<std::uint32_t> sites;  ///< the three sites, counter-clockwise around the vertex's circle
+  std::vector<double> coordinates;  ///< x, y of each vertex
+  std::vector<double> clearance;    ///< common distance to its three sites
+  std::vector<std::uint32_t>
+      sites;  ///< the three sites, counter-clockwise around the vertex's circle
 };
 
 /// The Voronoi edges. Two sites can share several. Where more than three sites touch one circle,
 /// the canonical rule makes edges of length zero, and several vertices at one place.
 struct EdgeArrays {
-  Array<std::uint32_t> sites;  ///< two sites a, b of each edge
-  Array<std::int32_t>
+  std::vector<std::uint32_t> sites;  ///< two sites a, b of each edge
+  std::vector<std::int32_t>
       vertices;  ///< its two ends as rows of VertexArrays, -1 for an unbounded end; walking from
                  ///< the first to the second keeps a's cell on the left
 };

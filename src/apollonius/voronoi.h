@@ -22,6 +22,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "apollonius/diagram.h"
 #include "apollonius/export.h"
@@ -40,16 +41,16 @@ struct Bounds {
 /// Curves, seven numbers each, and the site on the right of each (kNoSite: the window's border; for
 /// edges(): two sites a curve, the first one on the left).
 struct CurveArrays {
-  Array<double> curves;
-  Array<std::uint32_t> sites;
-  Array<std::uint32_t>
+  std::vector<double> curves;
+  std::vector<std::uint32_t> sites;
+  std::vector<std::uint32_t>
       regions;  ///< of a cell: the first curve of each region, and the number of curves at the end
 };
 
 /// Closed rings (the first point is repeated at the end), one for each region.
 struct RingArrays {
-  Array<double> coordinates;  ///< x, y of each point
-  Array<std::uint32_t>
+  std::vector<double> coordinates;  ///< x, y of each point
+  std::vector<std::uint32_t>
       starts;  ///< the first point of each ring, and the number of points at the end
 };
 
@@ -91,14 +92,14 @@ class APOLLONIUS_EXPORT Voronoi {
   [[nodiscard]] Error measuresWithin(SiteId id, double radius, CellMeasures& measures) const;
   /// The area of every cell, by id; 0 for ids without one. They add up to the window's, to
   /// rounding: of the coordinates, too, where the window is only a few doubles wide. Cost: O(h)
-  [[nodiscard]] Error areas(Array<double>& areas) const;
+  [[nodiscard]] Error areas(std::vector<double>& areas) const;
 
   /// The box of all circles (of centres, where radii are below 0), a little larger if it would be
   /// empty: for drawings without a window.
   [[nodiscard]] static Bounds extentOf(const Diagram& diagram);
 
   /// Sites met by the convex hull of the circles, counter-clockwise; one can occur more than once.
-  [[nodiscard]] Error hull(Array<SiteId>& sites) const;
+  [[nodiscard]] Error hull(std::vector<SiteId>& sites) const;
 
   /// A drawing in portions: start with cursor 0 and go on until isDone. Each call draws about so
   /// many commands.

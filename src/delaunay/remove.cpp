@@ -1,6 +1,7 @@
 #include "delaunay/remove.h"
 
 #include <algorithm>
+#include <new>
 
 #include "number/invariant.h"
 #include "predicate/predicates.h"

@@ -1,6 +1,7 @@
 #include "diagram/diagram_core.h"
 
 #include <algorithm>
+#include <new>
 
 #include "delaunay/sort_by_key.h"
 #include "diagram/spatial_order.h"
@@ -208,7 +209,7 @@ void DiagramCore::orderForInsertion(FlatArray<VertexId>& vertices) const {
     ordered.reserve(vertices.size());
     for (const std::uint32_t k : order) ordered.push_back(vertices[k]);
     std::copy(ordered.begin(), ordered.end(), vertices.begin());
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
     return;
   }
 }
@@ -298,7 +299,7 @@ void DiagramCore::undoStep(Step step) noexcept {
   if (isBroken()) return;
   try {
     step();
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
     invariant(isBroken(), "there is room to undo");
   }
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "apollonius/types.h"
 #include "delaunay/delaunay_graph.h"
@@ -60,7 +61,7 @@ class DiagramCore {
   [[nodiscard]] Slot nearest(double x, double y, Slot hint = kNoSlot) const;
 
   /// The diagram as a snapshot; replaces the contents of `bytes`.
-  void save(Array<std::uint8_t>& bytes) const;
+  void save(std::vector<std::uint8_t>& bytes) const;
   /// Becomes what was saved; false if the bytes are no snapshot. REQUIRES: a new diagram; after a
   /// failure it is good for nothing.
   [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes, Source source);

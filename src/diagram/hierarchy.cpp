@@ -1,5 +1,7 @@
 #include "diagram/hierarchy.h"
 
+#include <new>
+
 namespace apollonius {
 
 Slot Hierarchy::chosen(Slot upper, unsigned level) {
@@ -49,7 +51,7 @@ void Hierarchy::reserveBulk(std::size_t slots) noexcept {
       delaunay.reserve(slots + 2);
       delaunay.reserveBulk(slots + 1);
     }
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
     // Nothing is lost: sites that enter ask again.
   }
 }
@@ -67,7 +69,7 @@ void Hierarchy::insert(Slot slot, const Site& site) noexcept {
       const Slot above = locateOn(level + 1, site.x, site.y);
       (void)delaunay.insert(vertexOf(slot), above == kNoSlot ? kNoVertex : vertexOf(above), walk_);
     }
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
     drop();
   }
 }
@@ -96,7 +98,7 @@ void Hierarchy::move(std::span<const SiteMoves::Move> moves, Remover& remover) n
       for (std::size_t k = before; k < behind_.size(); ++k)
         remove(slotOf(behind_[k].vertex), remover);
     }
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
     drop();
   }
   for (const SiteMoves::Move& move : behind_) insert(slotOf(move.vertex), move.to);
@@ -140,7 +142,7 @@ void Hierarchy::remove(Slot slot, Remover& remover) noexcept {
       DelaunayGraph& delaunay = *levels_[level];
       if (delaunay.isVisible(vertexOf(slot))) (void)remover.remove(delaunay, vertexOf(slot), {});
     }
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
     drop();
   }
 }

@@ -1,6 +1,7 @@
 #include "diagram/hint_grid.h"
 
 #include <cmath>
+#include <new>
 
 namespace apollonius {
 
@@ -13,7 +14,7 @@ void HintGrid::rebuild(std::size_t sites, const Site& low, const Site& high) noe
     scaleX_ = high.x > low.x ? cells / (high.x - low.x) : 0;
     scaleY_ = high.y > low.y ? cells / (high.y - low.y) : 0;
     noted_ = 0;
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
     clear();
   }
 }

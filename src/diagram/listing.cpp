@@ -18,7 +18,7 @@ bool isBounded(const Graph& graph, FaceId f) {
 
 }  // namespace
 
-void listNeighbors(const DiagramCore& diagram, SiteId id, Array<SiteId>& neighbors) {
+void listNeighbors(const DiagramCore& diagram, SiteId id, std::vector<SiteId>& neighbors) {
   neighbors.clear();
   const Graph& graph = diagram.delaunay().graph();
   const VertexId v = vertexOf(diagram.ids().slotOf(id));
@@ -41,7 +41,7 @@ void listNeighbors(const DiagramCore& diagram, SiteId id, Array<SiteId>& neighbo
   neighbors.resize(kept);
 }
 
-void listFaces(const DiagramCore& diagram, Array<SiteId>& sites) {
+void listFaces(const DiagramCore& diagram, std::vector<SiteId>& sites) {
   sites.clear();
   const Graph& graph = diagram.delaunay().graph();
   for (const FaceId f : graph.faces()) {

@@ -19,6 +19,7 @@
 #include "diagram/queries.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "memory/flat_array.h"
 #include "predicate/distance.h"
@@ -110,7 +111,7 @@ class Queue {
 }  // namespace
 
 void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most,
-                const double* farthest, Array<SiteId>& sites) {
+                const double* farthest, std::vector<SiteId>& sites) {
   sites.clear();
   if (diagram.visibleCount() == 0 || most == 0) return;
   // The distance to a site with its centre at p is minus its weight.

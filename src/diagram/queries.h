@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "apollonius/types.h"
 #include "diagram/diagram_core.h"
@@ -12,6 +13,6 @@ namespace apollonius {
 /// if that is given; ties as in DiagramCore::nearest(). Replaces the contents of `sites`. Throws
 /// std::bad_alloc. Cost: one location and O(m log m), m = the neighbours of the sites found.
 void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most,
-                const double* farthest, Array<SiteId>& sites);
+                const double* farthest, std::vector<SiteId>& sites);
 
 }  // namespace apollonius

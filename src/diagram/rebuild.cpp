@@ -2,6 +2,7 @@
 // there, which they then replace. Each moved on its own would cost a removal and an insertion, and
 // the slots would no longer lie in memory as the sites lie in the plane. Ids stay; slots do not.
 // Cost: that of building, O(n log n) on random sites, and the memory of both diagrams.
+#include <new>
 #include <utility>
 
 #include "diagram/diagram_core.h"
@@ -34,7 +35,7 @@ bool DiagramCore::rebuildWith(std::span<const SiteId> ids, std::span<const doubl
     FlatArray<SiteId> newIds(used.size());
     fresh.insertStaged(std::move(newOrder), newIds);
     fresh.ids_.rename(used, ids_);
-  } catch (...) {
+  } catch (const std::bad_alloc&) {
     return false;
   }
   std::swap(ids_, fresh.ids_);

@@ -9,6 +9,7 @@
 // grid answers most of what that one is asked.
 #include <limits>
 #include <new>
+#include <vector>
 
 #include "diagram/diagram_core.h"
 #include "memory/flat_array.h"
@@ -122,7 +123,7 @@ bool DelaunayGraph::restore(WordReader& in, std::size_t faceSlots) {
 
 // --- The diagram
 
-void DiagramCore::save(Array<std::uint8_t>& bytes) const {
+void DiagramCore::save(std::vector<std::uint8_t>& bytes) const {
   const Graph& graph = delaunay_.graph();
   const std::size_t slots = ids_.slots();
   const std::uint64_t words =

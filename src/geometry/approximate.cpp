@@ -1,6 +1,7 @@
 #include "geometry/approximate.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "geometry/turn.h"
 #include "number/fp.h"
@@ -57,7 +58,7 @@ bool turnsLeft(const Conic& conic, const Point* center) {
   return center == nullptr || turnOf(*center, conic.p0, conic.p2) == Sign::kPositive;
 }
 
-void flatten(const Conic& conic, double tolerance, Array<double>& points, const Point* center,
+void flatten(const Conic& conic, double tolerance, std::vector<double>& points, const Point* center,
              int depth) {
   const bool isNear = conic.isStraight() || conic.sagitta() <= tolerance;
   if (!conic.isStraight() && depth > 0 && !(isNear && turnsLeft(conic, center))) {
@@ -87,7 +88,7 @@ void drawConic(const Conic& conic, double tolerance, Path& path) {
   draw(conic, std::max(tolerance, finestFor(conic)), path, kMostHalvings);
 }
 
-void flattenConic(const Conic& conic, double tolerance, Array<double>& points,
+void flattenConic(const Conic& conic, double tolerance, std::vector<double>& points,
                   const Point* center) {
   flatten(conic, std::max(tolerance, finestFor(conic)), points, center, kMostHalvings);
 }

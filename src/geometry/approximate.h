@@ -1,6 +1,8 @@
 // Conics as cubic Bezier curves and as polylines, within a tolerance and with few pieces.
 #pragma once
 
+#include <vector>
+
 #include "apollonius/path.h"
 #include "geometry/conic.h"
 
@@ -13,7 +15,7 @@ void drawConic(const Conic& conic, double tolerance, Path& path);
 /// Appends points (x, y) of the conic, the last one conic.p2 and without conic.p0: a polyline no
 /// further from it than that. Around a `center`, about which the conic turns counter-clockwise, so
 /// does each of its segments, as far as doubles can show: less than half a turn each.
-void flattenConic(const Conic& conic, double tolerance, Array<double>& points,
+void flattenConic(const Conic& conic, double tolerance, std::vector<double>& points,
                   const Point* center = nullptr);
 
 }  // namespace apollonius

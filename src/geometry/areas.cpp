@@ -19,7 +19,7 @@ struct SiteContact {
 
 class AreaSum {
  public:
-  AreaSum(const DiagramCore& core, const Window& window, Array<double>& areas)
+  AreaSum(const DiagramCore& core, const Window& window, std::vector<double>& areas)
       : core_(core), window_(window), byId_(areas), areas_(core.ids().slots()) {}
 
   void run() {
@@ -98,14 +98,14 @@ class AreaSum {
 
   const DiagramCore& core_;
   Window window_;
-  Array<double>& byId_;
+  std::vector<double>& byId_;
   FlatArray<Sum> areas_;  // by slot
   FlatArray<SiteContact> contacts_;
 };
 
 }  // namespace
 
-void cellAreas(const DiagramCore& core, const Window& window, Array<double>& areas) {
+void cellAreas(const DiagramCore& core, const Window& window, std::vector<double>& areas) {
   AreaSum(core, window, areas).run();
 }
 

@@ -2,12 +2,14 @@
 // both sides.
 #pragma once
 
+#include <vector>
+
 #include "diagram/diagram_core.h"
 #include "geometry/window.h"
 
 namespace apollonius {
 
 /// By site id; 0 for ids without a cell.
-void cellAreas(const DiagramCore& core, const Window& window, Array<double>& areas);
+void cellAreas(const DiagramCore& core, const Window& window, std::vector<double>& areas);
 
 }  // namespace apollonius

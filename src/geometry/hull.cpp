@@ -1,5 +1,7 @@
 #include "geometry/hull.h"
 
+#include <vector>
+
 #include "geometry/approximate.h"
 #include "geometry/arcs.h"
 #include "number/fp.h"
@@ -46,7 +48,7 @@ HullTurn hullTurnOf(const DelaunayGraph& delaunay, HalfedgeId h) {
   return {from, to, turnOfHull(delaunay.site(graph.origin(h)), before, after, right, left)};
 }
 
-void hullSites(const DiagramCore& core, Array<SiteId>& sites) {
+void hullSites(const DiagramCore& core, std::vector<SiteId>& sites) {
   sites.clear();
   const DelaunayGraph& delaunay = core.delaunay();
   if (delaunay.visibleCount() == 1) sites.push_back(core.siteOf(delaunay.anyVisible()));

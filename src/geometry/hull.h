@@ -2,6 +2,8 @@
 // tangents between them.
 #pragma once
 
+#include <vector>
+
 #include "apollonius/path.h"
 #include "diagram/diagram_core.h"
 #include "geometry/point.h"
@@ -10,7 +12,7 @@ namespace apollonius {
 
 /// The sites that the hull touches, all of them, counter-clockwise; one can occur several times (a
 /// large circle with small ones sticking out; points in line, there and back).
-void hullSites(const DiagramCore& core, Array<SiteId>& sites);
+void hullSites(const DiagramCore& core, std::vector<SiteId>& sites);
 
 /// The hull as one closed figure. A radius below 0 shrinks the hull of the centres' other circles:
 /// meaningful up to a common offset.

@@ -1,5 +1,7 @@
 #include "geometry/ring.h"
 
+#include <vector>
+
 #include "geometry/approximate.h"
 #include "geometry/turn.h"
 #include "number/fp.h"
@@ -10,7 +12,7 @@ namespace {
 
 class Ring {
  public:
-  Ring(Point center, Array<double>& points)
+  Ring(Point center, std::vector<double>& points)
       : center_(center), points_(points), begin_(points.size()) {}
 
   void add(Point p) {
@@ -59,7 +61,7 @@ class Ring {
   }
 
   Point center_;
-  Array<double>& points_;
+  std::vector<double>& points_;
   std::size_t begin_;
 };
 
@@ -81,7 +83,7 @@ bool runsBackwards(const Window& window, const Conic& piece) {
 
 /// One try; false, with nothing appended, if it is no ring.
 bool tryRing(std::span<const BoundaryPiece> region, Point center, const Window& window,
-             double tolerance, Array<double>& points) {
+             double tolerance, std::vector<double>& points) {
   Ring ring(center, points);
   ring.add(region.front().curve.p0);
   std::size_t from = 0;  // the start of a chain of curves
@@ -107,7 +109,7 @@ constexpr double kFinestShare = powerOfTwo(-42);
 }  // namespace
 
 void appendRing(std::span<const BoundaryPiece> region, Point center, const Window& window,
-                double tolerance, Array<double>& points) {
+                double tolerance, std::vector<double>& points) {
   // Where a region is thinner than the tolerance, between a curve and the border, say, nothing may
   // be left of it: then finer.
   for (double share = 1; share >= kFinestShare; share *= powerOfTwo(-6)) {

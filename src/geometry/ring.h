@@ -10,9 +10,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "geometry/cell.h"
-#include "memory/array.h"
 
 namespace apollonius {
 
@@ -20,6 +20,6 @@ namespace apollonius {
 /// least three different ones. If there are none, because the region is as small as the distance of
 /// doubles, nothing is appended.
 void appendRing(std::span<const BoundaryPiece> region, Point center, const Window& window,
-                double tolerance, Array<double>& points);
+                double tolerance, std::vector<double>& points);
 
 }  // namespace apollonius

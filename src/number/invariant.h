@@ -6,9 +6,8 @@
 
 namespace apollonius {
 
-/// Tells whoever runs the program: on stderr, or on the console (wasm/bindings.cpp instead of
-/// invariant.cpp).
-extern "C" void reportBrokenInvariant(const char* name);
+/// Tells whoever runs the program: on stderr, or on JavaScript's console.
+void reportBrokenInvariant(const char* name);
 
 inline void invariant(bool holds, const char* name) {
   if (holds) return;

@@ -84,7 +84,6 @@ export function cppcheck() {
       "--template={file}:{line}: {id}: {message}",
       "src",
       "wasm/bindings.cpp",
-      "wasm/lean_runtime.cpp",
     ],
     { cwd: root },
   );

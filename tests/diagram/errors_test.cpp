@@ -151,12 +151,13 @@ TEST_F(Errors, WrongLengths) {
 
 TEST_F(Errors, ArraysThatAreGivenUp) {
   std::vector<SiteId> ids{7};
-  EXPECT_EQ(diagram_.insertMany(std::make_unique<double[]>(3), 0, ids), Error::kNone);
+  EXPECT_EQ(diagram_.insertMany(std::vector<double>(), ids), Error::kNone);
   EXPECT_TRUE(ids.empty());
   const std::size_t size = diagram_.size();
-  auto xyr = std::make_unique<double[]>(3);
+  EXPECT_EQ(diagram_.insertMany(std::vector<double>(4), ids), Error::kBadLength);
+  std::vector<double> xyr(3);
   xyr[1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(diagram_.insertMany(std::move(xyr), 1, ids), Error::kNotFinite);
+  EXPECT_EQ(diagram_.insertMany(std::move(xyr), ids), Error::kNotFinite);
   EXPECT_EQ(diagram_.size(), size);
 }
 

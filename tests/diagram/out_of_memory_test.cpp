@@ -211,10 +211,13 @@ std::vector<NamedOperation> changes(Random& random, std::size_t n) {
       {"insertMany of an array that is given up",
        [=](Diagram& d) {
          std::vector<SiteId> ids;
-         std::unique_ptr<double[]> given(new (std::nothrow) double[xyr.size()]);
-         if (!given) return Error::kOutOfMemory;
-         std::copy(xyr.begin(), xyr.end(), given.get());
-         return d.insertMany(std::move(given), n, ids);
+         std::vector<double> given;
+         try {
+           given = xyr;
+         } catch (const std::bad_alloc&) {
+           return Error::kOutOfMemory;
+         }
+         return d.insertMany(std::move(given), ids);
        }},
       {"updateMany", [=](Diagram& d) { return d.updateMany(half, halfXyr); }},
       {"removeMany",

@@ -246,14 +246,14 @@ TEST(NegativeZeros, AreZerosHoweverTheyCome) {
 TEST(GivenArrays, AreCheckedAsThoseOfOthers) {
   Diagram diagram;
   std::vector<SiteId> ids;
-  auto good = std::make_unique<double[]>(6);
+  std::vector<double> good(6);
   for (std::size_t k = 0; k < 6; ++k) good[k] = static_cast<double>(3 * k % 7);
-  ASSERT_EQ(diagram.insertMany(std::move(good), 2, ids), Error::kNone);
+  ASSERT_EQ(diagram.insertMany(std::move(good), ids), Error::kNone);
   EXPECT_EQ(diagram.size(), 2u);
   EXPECT_EQ(ids.size(), 2u);
-  auto bad = std::make_unique<double[]>(3);
+  std::vector<double> bad(3);
   bad[1] = std::nan("");
-  EXPECT_EQ(diagram.insertMany(std::move(bad), 1, ids), Error::kNotFinite);
+  EXPECT_EQ(diagram.insertMany(std::move(bad), ids), Error::kNotFinite);
   EXPECT_EQ(diagram.size(), 2u);
 }
 

@@ -1,7 +1,7 @@
 // A program: what is left after calls that end in their middle. The module's own functions are
 // wrapped before its first use, so that a chosen one really traps in WebAssembly, with the module's
-// stack used up to somewhere and its shared blocks in use. Prints what it found as JSON. A process
-// of its own, as it replaces WebAssembly.Instance.
+// stack used up to somewhere. Prints what it found as JSON. A process of its own, as it replaces
+// WebAssembly.Instance.
 import { Diagram } from "../../../build/packed/consumer.mjs";
 import { calls } from "./calls.mjs";
 import { snapshot } from "./graph.mjs";
@@ -89,30 +89,41 @@ const RealInstance = WebAssembly.Instance;
 WebAssembly.Instance = class {
   constructor(module, imports) {
     const { env } = imports;
-    const grow = (bytes) => {
-      if (!trapsInGrow) return env.grow(bytes);
-      trapsInGrow = false;
-      return trap(); // in the middle of malloc, in the middle of the call
+    const invokers = new Map(); // the functions that Embind calls, by their numbers in the table
+    const registering = (name, position, kind) => ({
+      [name](...values) {
+        invokers.set(values[position] >>> 0, kind);
+        env[name](...values);
+      },
+    });
+    const observed = {
+      ...env,
+      ...registering("_embind_register_class", 12, "destructor"),
+      ...registering("_embind_register_class_constructor", 4, "call"),
+      ...registering("_embind_register_class_function", 5, "call"),
+      emscripten_resize_heap(bytes) {
+        if (!trapsInGrow) return env.emscripten_resize_heap(bytes);
+        trapsInGrow = false;
+        return trap(); // in the middle of malloc, in the middle of the call
+      },
     };
-    const real = new RealInstance(module, { env: { ...env, grow } }).exports;
+    const real = new RealInstance(module, { ...imports, env: observed }).exports;
     started.push({ real, env });
-    this.exports = Object.fromEntries(
-      Object.entries(real).map(([name, member]) => [
-        name,
-        typeof member !== "function"
-          ? member
-          : (...values) => {
-              if (name === "diagramDestroy") destroyed.push(values[0]);
-              else if (/^(diagram|voronoi)/.test(name) && ++seen === trapAt) {
-                real.__stack_pointer.value -= 1000;
-                // so that the scratch block has been given up
-                if (name === "diagramInsertMany") member(...values);
-                trap();
-              }
-              return member(...values);
-            },
-      ]),
-    );
+    const table = real.__indirect_function_table;
+    const get = (number) => {
+      const plain = table.get(number);
+      const kind = invokers.get(number);
+      if (kind === undefined) return plain;
+      return (...values) => {
+        if (kind === "destructor") destroyed.push(values[0]);
+        else if (++seen === trapAt) {
+          real._emscripten_stack_restore(real.emscripten_stack_get_current() - 1000);
+          trap();
+        }
+        return plain(...values);
+      };
+    };
+    this.exports = { ...real, __indirect_function_table: { get } };
   }
 };
 
@@ -133,11 +144,11 @@ function codeOf(call) {
 
 const bystander = build();
 const before = snapshot(bystander);
-const top = started[0].real.__stack_pointer.value;
+const top = started[0].real.emscripten_stack_get_current();
 
 /** What is wrong with all the others, in words; "" if nothing is. */
 function harm() {
-  if (started.some(({ real }) => real.__stack_pointer.value !== top)) return "stack";
+  if (started.some(({ real }) => real.emscripten_stack_get_current() !== top)) return "stack";
   if (snapshot(bystander) !== before || bystander.validate() !== null) return "bystander";
   const id = bystander.insert(1, 2, 3);
   bystander.remove(id);
@@ -278,13 +289,17 @@ const nested = {
   harm: harm(),
 };
 
-// The console may throw, or call back.
+// The console may throw in the middle of a call.
 const print = console.error;
 console.error = () => {
   throw new Error("console");
 };
-const reported = codeOf(() => started.at(-1).env.report(8));
+const reporting = build();
+[seen, trapAt, trap] = [0, 1, () => started.at(-1).env.emscripten_console_error(8)];
+const reported = codeOf(() => reporting.find(0, 0));
+trapAt = 0;
 console.error = print;
+const afterReport = harm();
 
 // Many traps, large diagrams: what is leaked does not add up.
 const failures = new Set();
@@ -304,6 +319,7 @@ console.log(
     afterContext,
     nested,
     reported,
+    afterReport,
     failures: [...failures],
   }),
 );
