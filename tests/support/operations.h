@@ -3,11 +3,12 @@
 //
 //   # a comment: what broke
 //   insert x y r       adds a circle; the k-th insert of the history (from 0) is called k from here
-//   on remove k           removes the circle called k update k x y r     moves and resizes it
+//                      on
+//   remove k           removes the circle called k
+//   update k x y r     moves and resizes it
 //   restore            the diagram becomes what its snapshot gives
 //   and …              with insert, remove or update: in the same call as the line before, which is
-//   of the same kind: insertMany,
-//                      removeMany, updateMany
+//                      of the same kind: insertMany, removeMany, updateMany
 //
 // Numbers are decimal or C hex floats; printed ones are hex floats, so that no digit gets lost.
 #pragma once
