@@ -65,8 +65,8 @@ TEST(CircleFan, BoundsAreCloseWhereTheSitesAreOrdinary) {
     // Sites around q, some larger and some smaller.
     std::vector<Site> rim;
     for (std::size_t k = 0; k < n; ++k) {
-      const double t = (static_cast<double>(k) + 0.5) / static_cast<double>(n) * 4 -
-                       2;  // once around, by tangents of half angles
+      // Once around, by tangents of half angles.
+      const double t = (static_cast<double>(k) + 0.5) / static_cast<double>(n) * 4 - 2;
       const double half = t < -1 ? -1 / (t + 2) : t > 1 ? -1 / (t - 2) : t;
       rim.push_back({(1 - half * half) / (1 + half * half), 2 * half / (1 + half * half),
                      random.between(0, 0.3)});

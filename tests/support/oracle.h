@@ -26,8 +26,8 @@ using Triple = std::array<int, 3>;
 
 struct OracleDiagram {
   std::vector<bool> visible;  ///< per circle; of identical circles the first one is the visible one
-  std::vector<Triple>
-      triples;  ///< the faces of the Delaunay graph, those with infinity included, sorted
+  /// The faces of the Delaunay graph, those with infinity included, sorted.
+  std::vector<Triple> triples;
   /// The edges that run to infinity: i, j with i's cell on the left of the way outwards, sorted.
   /// Two cells can share two. Found without any perturbation; they are the triples with infinity
   /// (oracle_test).
