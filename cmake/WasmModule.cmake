@@ -55,5 +55,5 @@ target_link_options(apollonius_wasm PRIVATE
   -sMALLOC=emmalloc)
 if(CMAKE_BUILD_TYPE STREQUAL "Debug")
   # `npm run build -- --debug`
-  target_link_options(apollonius_wasm PRIVATE -O0 -g -gsource-map -sASSERTIONS)
+  target_link_options(apollonius_wasm PRIVATE -O0 -g -gsource-map)
 endif()
