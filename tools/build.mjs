@@ -6,8 +6,8 @@
 //   dist/apollonius.wasm                for the entry `apollonius-diagram/wasm`; the default entry
 //                                       carries it as text
 //
-//   npm run build -- --debug            the same in build/debug/dist, with assertions, names of the
-//                                       C++ functions, and a source map beside the wasm
+//   npm run build -- --debug            the same in build/debug/dist, with the names of the C++
+//                                       functions and a source map beside the wasm
 import { createHash } from "node:crypto";
 import {
   chmodSync,
