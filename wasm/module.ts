@@ -62,7 +62,16 @@ function started(compiled: WebAssembly.Module): NativeModule {
 
 type Exports = MainModule & { Diagram: { prototype: Record<string, Method> } };
 
+/**
+ * Throws a RangeError if little of the stack is left. Where it ends within Emscripten's own start, a
+ * promise that nobody sees is rejected, or V8 ends the process as it compiles a regular expression.
+ */
+function expectStack(frames = 1000): void {
+  if (frames > 0) expectStack(frames - 1);
+}
+
 function instantiated(compiled: WebAssembly.Module): Exports {
+  expectStack();
   let failed: { cause: unknown } | undefined;
   type Receive = (instance: WebAssembly.Instance) => object;
   const exports = createModule({
