@@ -12,11 +12,6 @@ set(config_folder "${CMAKE_INSTALL_LIBDIR}/cmake/apollonius")
 install(TARGETS apollonius EXPORT apollonius INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/src/apollonius"
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.h")
-if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/src/memory/array.h")
-  # As long as the public headers include "memory/array.h", which is looked for beside them first.
-  install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/src/memory/array.h"
-    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/apollonius/memory")
-endif()
 
 # Nothing else is to be found for the library's users, so the exported targets are the package.
 install(EXPORT apollonius NAMESPACE apollonius:: FILE apolloniusConfig.cmake

@@ -4,7 +4,7 @@
 #
 # The library is the very one that the tests link, at the same level.
 add_executable(apollonius_wasm EXCLUDE_FROM_ALL "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings.cpp")
-target_link_libraries(apollonius_wasm PRIVATE apollonius)
+target_link_libraries(apollonius_wasm PRIVATE apollonius apollonius_flags)
 set_target_properties(apollonius_wasm PROPERTIES OUTPUT_NAME apollonius SUFFIX .mjs)
 target_link_options(apollonius_wasm PRIVATE
   # -O3 and -Os shorten names, among which tests/wasm/support/trapping.mjs finds its way.
