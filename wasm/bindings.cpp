@@ -228,10 +228,10 @@ struct Found {
   std::uint32_t level = 0;
 };
 Found validate(const Diagram& diagram) {
-  apollonius::Defect defect;
-  check(diagram.validate(defect));
-  return {allocating([&] { return std::string(defect.isFound() ? defect.what : ""); }),
-          defect.where, defect.level};
+  apollonius::Violation violation;
+  check(diagram.validate(violation));
+  return {allocating([&] { return std::string(violation.isFound() ? violation.what : ""); }),
+          violation.where, violation.level};
 }
 
 // --- Drawings

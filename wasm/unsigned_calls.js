@@ -3,9 +3,9 @@
 // calls through two closures with lists of arguments, which is most of the cost of a small call
 // (docs/DECISIONS.md, "Embind").
 addToLibrary({
-  $getDynCaller__deps: ["$getWasmTableEntry"],
+  $getDynCaller__deps: ["$wasmTable"],
   $getDynCaller: (signature, number) => {
-    const plain = getWasmTableEntry(number);
+    const plain = wasmTable.get(number);
     if (signature[0] !== "p") return plain;
     // As many parameters as any has.
     return (a, b, c, d, e, f, g, h, i, j, k) => plain(a, b, c, d, e, f, g, h, i, j, k) >>> 0;
