@@ -59,11 +59,17 @@ test("import compiles nothing and is no promise", () => {
 });
 
 test("no code is made from strings", () => {
+  const more = `
+    try { d.insert(NaN, 0); } catch (error) { console.log(error.code); }
+    console.log(d.voronoi().render().length > 0, d.vertices().sites.length, d.validate());`;
+  const options = ["--disallow-code-generation-from-strings"];
+  const printed = "1 2\nnot-finite\ntrue 0 null";
+  expect(runInNode(`import { Diagram } from "apollonius-diagram"; ${use}${more}`, options)).toBe(
+    printed,
+  );
   expect(
-    runInNode(`import { Diagram } from "apollonius-diagram"; ${use}`, [
-      "--disallow-code-generation-from-strings",
-    ]),
-  ).toBe("1 2");
+    runScriptInNode(`const { Diagram } = require("apollonius-diagram"); ${use}${more}`, options),
+  ).toBe(printed);
 });
 
 test.each([
