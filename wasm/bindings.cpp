@@ -250,7 +250,7 @@ struct Portion {
 Portion draw(const Diagram& diagram, Drawing what, double xmin, double ymin, double xmax,
              double ymax, double tolerance, std::size_t cursor, std::size_t commands) {
   const Voronoi voronoi(diagram, {xmin, ymin, xmax, ymax});
-  Voronoi::Portion portion{cursor, commands};
+  apollonius::Portion portion{cursor, commands};
   apollonius::Path path;
   const auto drawn = [&] {
     switch (what) {
@@ -285,7 +285,7 @@ double defaultTolerance(const Diagram&, double xmin, double ymin, double xmax, d
 
 apollonius::CellMeasures measuresWithin(const Diagram& diagram, SiteId id, double radius) {
   apollonius::CellMeasures measures;
-  check(Voronoi(diagram).measuresWithin(id, radius, measures));
+  check(Voronoi(diagram).cellMeasuresWithin(id, radius, measures));
   return measures;
 }
 
@@ -405,10 +405,10 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("hull", &hull)
       .function("draw", &draw, moved)
       .function("drawCell", &drawCell, moved)
-      .function("polygon", returning<&Voronoi::polygon>(), moved)
-      .function("cell", returning<&Voronoi::cell>(), moved)
-      .function("edgeCurves", returning<&Voronoi::edges>(), moved)
-      .function("measures", returning<&Voronoi::measures>())
-      .function("measuresWithin", &measuresWithin)
-      .function("areas", returning<&Voronoi::areas>());
+      .function("cellPolygon", returning<&Voronoi::cellPolygon>(), moved)
+      .function("cellCurves", returning<&Voronoi::cellCurves>(), moved)
+      .function("edgeCurves", returning<&Voronoi::edgeCurves>(), moved)
+      .function("cellMeasures", returning<&Voronoi::cellMeasures>())
+      .function("cellMeasuresWithin", &measuresWithin)
+      .function("cellAreas", returning<&Voronoi::cellAreas>());
 }

@@ -20,7 +20,7 @@ import {
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import { type Drawing, drawInto } from "./drawing.js";
-import { checkTypes, ofElements, ofNumbers, ofSite } from "./failures.js";
+import { checkTypes, ofElements, ofNumbers, ofSite } from "./status.js";
 import { createNative, destroy, provideNative } from "./living.js";
 import { type NativeDiagram, runningModule } from "./module.js";
 import { type DrawOptions, drawn, type PathContext } from "./path.js";

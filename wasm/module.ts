@@ -2,7 +2,7 @@
 // After a call that ended in its middle, what is made later gets a new one.
 import createModule, { type Diagram, type MainModule } from "../build/wasm/apollonius.mjs";
 import { ApolloniusError } from "./errors.js";
-import { failure, outOfMemory } from "./failures.js";
+import { failure, outOfMemory } from "./status.js";
 
 /** A diagram in the module: wasm/bindings.cpp. Its calls throw an ApolloniusError. */
 export type NativeDiagram = Diagram;

@@ -169,7 +169,7 @@ export class Voronoi {
   cellRegions(id: number, options?: { tolerance?: number | undefined }): Float64Array[] | null {
     const native = this.#nativeFor(id);
     const tolerance = this.#tolerance(native, options);
-    const { coordinates, starts } = native.polygon(...this.#bounds, id, tolerance);
+    const { coordinates, starts } = native.cellPolygon(...this.#bounds, id, tolerance);
     if (starts.length < 2) return null;
     if (starts.length === 2) return [coordinates];
     return Array.from(starts.subarray(1), (end, k) =>
@@ -191,7 +191,7 @@ export class Voronoi {
   /** The true boundary of a cell, as curves. */
   cellCurves(id: number): CellCurves | null {
     const native = this.#nativeFor(id);
-    const { curves, sites, regions } = native.cell(...this.#bounds, id);
+    const { curves, sites, regions } = native.cellCurves(...this.#bounds, id);
     return regions.length < 2 ? null : { curves, neighbors: new Int32Array(sites.buffer), regions };
   }
 
@@ -272,7 +272,7 @@ export class Voronoi {
   cellMeasures(id: number): Measures | null {
     const native = this.#nativeFor(id);
     if (native.isHidden(id)) return null;
-    return measuresOf(native.measures(...this.#bounds, id));
+    return measuresOf(native.cellMeasures(...this.#bounds, id));
   }
 
   /**
@@ -286,7 +286,7 @@ export class Voronoi {
     if (radius < 0)
       throw new ApolloniusError("out-of-range", `radius is ${radius}, expected 0 or more`);
     if (native.isHidden(id)) return null;
-    return measuresOf(native.measuresWithin(id, radius));
+    return measuresOf(native.cellMeasuresWithin(id, radius));
   }
 
   /**
@@ -294,7 +294,7 @@ export class Voronoi {
    * window's. O(n), much faster than a loop.
    */
   cellAreas(): Float64Array {
-    return nativeOf(this.diagram).areas(...this.#bounds);
+    return nativeOf(this.diagram).cellAreas(...this.#bounds);
   }
 
   // --- Shared parts ------------------------------------------------------------------------------

@@ -6,10 +6,10 @@
 
 namespace apollonius::bench::stages {
 
-void reset() { apollonius::stages::counts() = {}; }
+void reset() { apollonius::internal::stages::counts() = {}; }
 
 std::string perItem(std::size_t items) {
-  const apollonius::stages::Counts& counts = apollonius::stages::counts();
+  const apollonius::internal::stages::Counts& counts = apollonius::internal::stages::counts();
   std::ostringstream text;
   text << ",\"stages\":{";
   const char* separator = "";

@@ -22,6 +22,8 @@
 
 namespace apollonius {
 
+using namespace internal;
+
 namespace {
 
 Error checkNumber(double value) {
@@ -58,26 +60,20 @@ Error guarded(const DiagramCore& core, Operation&& operation) {
 
 }  // namespace
 
-class Diagram::Impl : public DiagramCore {
- public:
-  using DiagramCore::DiagramCore;
-};
-
-Diagram::Diagram(Location location) : impl_(std::make_unique<Impl>(location)) {
+Diagram::Diagram(Location location) : core_(std::make_unique<DiagramCore>(location)) {
   const char* violation = arithmeticViolation();
   invariant(violation == nullptr, violation);
 }
 Diagram::~Diagram() = default;
 Diagram::Diagram(Diagram&&) noexcept = default;
 Diagram& Diagram::operator=(Diagram&&) noexcept = default;
-const DiagramCore& Diagram::core() const noexcept { return *impl_; }
 
 // --- Sites
 
 Error Diagram::insert(double x, double y, double r, SiteId& id) {
   if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
   if (size() == kMostSites) return Error::kTooLarge;
-  return guarded(*impl_, [&] { id = impl_->insert({x, y, r}); });
+  return guarded(*core_, [&] { id = core_->insert({x, y, r}); });
 }
 
 Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
@@ -85,7 +81,7 @@ Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
   if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
   if (ids.size() > kMostSites - size()) return Error::kTooLarge;
   if (ids.empty()) return Error::kNone;  // without making the room that any insertion needs
-  return guarded(*impl_, [&] { impl_->insertStaged(impl_->stage(xyr), ids); });
+  return guarded(*core_, [&] { core_->insertStaged(core_->stage(xyr), ids); });
 }
 
 Error Diagram::insertMany(std::vector<double>&& xyr, std::vector<SiteId>& ids) {
@@ -97,26 +93,26 @@ Error Diagram::insertMany(std::vector<double>&& xyr, std::vector<SiteId>& ids) {
     ids.clear();
     return Error::kNone;
   }
-  return guarded(*impl_, [&] {
-    FlatArray<std::uint32_t> order = impl_->stage(xyr);
+  return guarded(*core_, [&] {
+    FlatArray<std::uint32_t> order = core_->stage(xyr);
     std::vector<double>().swap(xyr);
     ids.resize(count);
-    impl_->insertStaged(std::move(order), ids);
+    core_->insertStaged(std::move(order), ids);
   });
 }
 
 Error Diagram::remove(SiteId id, bool& removed) {
-  return guarded(*impl_, [&] { removed = impl_->remove(id); });
+  return guarded(*core_, [&] { removed = core_->remove(id); });
 }
 
 Error Diagram::removeMany(std::span<const SiteId> ids, std::size_t& removed) {
-  return guarded(*impl_, [&] { removed = impl_->removeMany(ids); });
+  return guarded(*core_, [&] { removed = core_->removeMany(ids); });
 }
 
 Error Diagram::update(SiteId id, double x, double y, double r) {
   if (!has(id)) return Error::kUnknownSite;
   if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
-  return guarded(*impl_, [&] { impl_->update(id, {x, y, r}); });
+  return guarded(*core_, [&] { core_->update(id, {x, y, r}); });
 }
 
 Error Diagram::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
@@ -125,49 +121,49 @@ Error Diagram::updateMany(std::span<const SiteId> ids, std::span<const double> x
     if (!has(id)) return Error::kUnknownSite;
   }
   if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
-  return guarded(*impl_, [&] { impl_->updateMany(ids, xyr); });
+  return guarded(*core_, [&] { core_->updateMany(ids, xyr); });
 }
 
-void Diagram::clear() noexcept { impl_->clear(); }
+void Diagram::clear() noexcept { core_->clear(); }
 
-std::size_t Diagram::size() const noexcept { return impl_->ids().size(); }
-std::size_t Diagram::visibleSize() const noexcept { return impl_->visibleCount(); }
-std::size_t Diagram::hiddenSize() const noexcept { return impl_->ids().hiddenCount(); }
-bool Diagram::has(SiteId id) const noexcept { return impl_->ids().slotOf(id) != kNoSlot; }
+std::size_t Diagram::size() const noexcept { return core_->ids().size(); }
+std::size_t Diagram::visibleSize() const noexcept { return core_->visibleCount(); }
+std::size_t Diagram::hiddenSize() const noexcept { return core_->ids().hiddenCount(); }
+bool Diagram::has(SiteId id) const noexcept { return core_->ids().slotOf(id) != kNoSlot; }
 
 Error Diagram::site(SiteId id, Circle& circle) const noexcept {
-  const Slot slot = impl_->ids().slotOf(id);
+  const Slot slot = core_->ids().slotOf(id);
   if (slot == kNoSlot) return Error::kUnknownSite;
-  const Site& site = impl_->site(slot);
+  const Site& site = core_->site(slot);
   circle = {site.x, site.y, site.r};
   return Error::kNone;
 }
 
 Error Diagram::ids(std::vector<SiteId>& ids) const {
-  return guarded(*impl_, [&] {
+  return guarded(*core_, [&] {
     ids.clear();
     ids.reserve(size());
-    for (SiteId id = 0; id < impl_->ids().idLimit(); ++id) {
+    for (SiteId id = 0; id < core_->ids().idLimit(); ++id) {
       if (has(id)) ids.push_back(id);
     }
   });
 }
 
 Error Diagram::isHidden(SiteId id, bool& hidden) const noexcept {
-  const Slot slot = impl_->ids().slotOf(id);
+  const Slot slot = core_->ids().slotOf(id);
   if (slot == kNoSlot) return Error::kUnknownSite;
-  hidden = impl_->ids().state(slot) == SiteState::kHidden;
+  hidden = core_->ids().state(slot) == SiteState::kHidden;
   return Error::kNone;
 }
 
 Error Diagram::coverOf(SiteId id, SiteId& cover) const {
-  const Slot slot = impl_->ids().slotOf(id);
+  const Slot slot = core_->ids().slotOf(id);
   if (slot == kNoSlot) return Error::kUnknownSite;
-  return guarded(*impl_, [&] {
-    const Site& site = impl_->site(slot);
+  return guarded(*core_, [&] {
+    const Site& site = core_->site(slot);
     // Lemma 1 of the paper: the site nearest to its centre covers it.
-    cover = impl_->ids().state(slot) == SiteState::kHidden
-                ? impl_->ids().idOf(impl_->nearest(site.x, site.y))
+    cover = core_->ids().state(slot) == SiteState::kHidden
+                ? core_->ids().idOf(core_->nearest(site.x, site.y))
                 : kNoSite;
   });
 }
@@ -178,11 +174,11 @@ Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
   for (const double value : {x, y}) {
     if (const Error error = checkNumber(value); error != Error::kNone) return error;
   }
-  return guarded(*impl_, [&] {
-    const Slot near = visibleSize() == 0 ? kNoSlot : impl_->nearest(x, y);
-    id = near == kNoSlot ? kNoSite : impl_->ids().idOf(near);
+  return guarded(*core_, [&] {
+    const Slot near = visibleSize() == 0 ? kNoSlot : core_->nearest(x, y);
+    id = near == kNoSlot ? kNoSite : core_->ids().idOf(near);
     distance = near == kNoSlot ? std::numeric_limits<double>::infinity()
-                               : ApproxDistance(x, y, impl_->site(near)).value;
+                               : ApproxDistance(x, y, core_->site(near)).value;
   });
 }
 
@@ -191,16 +187,16 @@ Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids,
   if (xy.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size()))
     return Error::kBadLength;
   if (const Error error = checkNumbers(xy); error != Error::kNone) return error;
-  return guarded(*impl_, [&] {
+  return guarded(*core_, [&] {
     Slot near = kNoSlot;
     for (const std::uint32_t k :
          hilbertOrder({xy, 2})) {  // each walk starts where the one before ended
       const double x = xy[2 * std::size_t{k}], y = xy[2 * std::size_t{k} + 1];
-      if (visibleSize() > 0) near = impl_->nearest(x, y, near);
-      ids[k] = near == kNoSlot ? kNoSite : impl_->ids().idOf(near);
+      if (visibleSize() > 0) near = core_->nearest(x, y, near);
+      ids[k] = near == kNoSlot ? kNoSite : core_->ids().idOf(near);
       if (distances.empty()) continue;
       distances[k] = near == kNoSlot ? std::numeric_limits<double>::infinity()
-                                     : ApproxDistance(x, y, impl_->site(near)).value;
+                                     : ApproxDistance(x, y, core_->site(near)).value;
     }
   });
 }
@@ -209,40 +205,40 @@ Error Diagram::kNearest(double x, double y, std::size_t k, std::vector<SiteId>& 
   for (const double value : {x, y}) {
     if (const Error error = checkNumber(value); error != Error::kNone) return error;
   }
-  return guarded(*impl_, [&] { listNearby(*impl_, x, y, k, nullptr, sites); });
+  return guarded(*core_, [&] { listNearby(*core_, x, y, k, nullptr, sites); });
 }
 
 Error Diagram::within(double x, double y, double distance, std::vector<SiteId>& sites) const {
   if (const Error error = checkCircle(x, y, distance); error != Error::kNone) return error;
-  return guarded(*impl_, [&] { listNearby(*impl_, x, y, size(), &distance, sites); });
+  return guarded(*core_, [&] { listNearby(*core_, x, y, size(), &distance, sites); });
 }
 
 Error Diagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
   if (!has(id)) return Error::kUnknownSite;
-  return guarded(*impl_, [&] { listNeighbors(*impl_, id, neighbors); });
+  return guarded(*core_, [&] { listNeighbors(*core_, id, neighbors); });
 }
 
 Error Diagram::vertices(VertexArrays& vertices) const {
-  return guarded(*impl_, [&] { listVertices(*impl_, vertices); });
+  return guarded(*core_, [&] { listVertices(*core_, vertices); });
 }
 
 Error Diagram::edges(EdgeArrays& edges) const {
-  return guarded(*impl_, [&] { listEdges(*impl_, edges); });
+  return guarded(*core_, [&] { listEdges(*core_, edges); });
 }
 
 Error Diagram::faces(std::vector<SiteId>& sites) const {
-  return guarded(*impl_, [&] { listFaces(*impl_, sites); });
+  return guarded(*core_, [&] { listFaces(*core_, sites); });
 }
 
 Error Diagram::toBytes(std::vector<std::uint8_t>& bytes) const {
-  return guarded(*impl_, [&] { impl_->save(bytes); });
+  return guarded(*core_, [&] { core_->save(bytes); });
 }
 
 Error Diagram::fromBytes(std::span<const std::uint8_t> bytes, Source source) {
   try {
-    auto restored = std::make_unique<Impl>(impl_->location());
+    auto restored = std::make_unique<DiagramCore>(core_->location());
     if (!restored->restore(bytes, source)) return Error::kCorruptSnapshot;
-    impl_ = std::move(restored);
+    core_ = std::move(restored);
     return Error::kNone;
   } catch (const std::bad_alloc&) {
     return Error::kOutOfMemory;
@@ -250,7 +246,7 @@ Error Diagram::fromBytes(std::span<const std::uint8_t> bytes, Source source) {
 }
 
 Error Diagram::validate(Violation& violation) const {
-  return guarded(*impl_, [&] { violation = apollonius::validate(*impl_); });
+  return guarded(*core_, [&] { violation = internal::validate(*core_); });
 }
 
 }  // namespace apollonius

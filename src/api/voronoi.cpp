@@ -21,6 +21,8 @@
 
 namespace apollonius {
 
+using namespace internal;
+
 namespace {
 
 Window windowOf(const Bounds& b) { return {b.xmin, b.ymin, b.xmax, b.ymax}; }
@@ -59,7 +61,7 @@ void finish(const Moments& moments, Point origin, CellMeasures& measures) {
 }  // namespace
 
 Bounds Voronoi::extentOf(const Diagram& diagram) {
-  const DiagramCore& core = diagram.core();
+  const DiagramCore& core = *diagram.core_;
   constexpr double kNone = std::numeric_limits<double>::infinity();
   Bounds box{kNone, kNone, -kNone, -kNone};
   for (Slot slot = 0; slot < core.ids().slots(); ++slot) {
@@ -93,14 +95,14 @@ double defaultTolerance(const Bounds& bounds) {
   return kDefaultShare * windowOf(bounds).diagonal();
 }
 
-std::uint32_t Voronoi::slotOf(SiteId id) const { return diagram_.core().ids().slotOf(id); }
+std::uint32_t Voronoi::slotOf(SiteId id) const { return diagram_.core_->ids().slotOf(id); }
 
 template <class Operation>
 Error Voronoi::guarded(double tolerance, Operation&& operation) const {
   if (!areGood(bounds_)) return Error::kBadBounds;
   if (!std::isfinite(tolerance)) return Error::kNotFinite;
   if (!(tolerance > 0)) return Error::kOutOfRange;
-  if (diagram_.core().isBroken()) return Error::kCorruptSnapshot;
+  if (diagram_.core_->isBroken()) return Error::kCorruptSnapshot;
   try {
     operation(windowOf(bounds_), tolerance);
     return Error::kNone;
@@ -118,10 +120,10 @@ Error Voronoi::guardedFor(SiteId id, double tolerance, Operation&& operation) co
   return guarded(tolerance, operation);
 }
 
-Error Voronoi::edges(CurveArrays& edges) const {
+Error Voronoi::edgeCurves(CurveArrays& edges) const {
   return guarded(1, [&](const Window& window, double) {
     edges = {};
-    const DiagramCore& core = diagram_.core();
+    const DiagramCore& core = *diagram_.core_;
     const Graph& graph = core.delaunay().graph();
     forEachClippedPiece(core.delaunay(), window, Bits::kCanonical,
                         [&](HalfedgeId h, const ClippedPiece& piece) {
@@ -132,9 +134,9 @@ Error Voronoi::edges(CurveArrays& edges) const {
   });
 }
 
-Error Voronoi::cell(SiteId id, CurveArrays& boundary) const {
+Error Voronoi::cellCurves(SiteId id, CurveArrays& boundary) const {
   return guardedFor(id, 1, [&](const Window& window, double) {
-    CellFinder finder(diagram_.core(), window);
+    CellFinder finder(*diagram_.core_, window);
     const Cell& cell = finder.find(slotOf(id));
     boundary.curves.clear();
     boundary.sites.clear();
@@ -147,11 +149,11 @@ Error Voronoi::cell(SiteId id, CurveArrays& boundary) const {
   });
 }
 
-Error Voronoi::polygon(SiteId id, double tolerance, RingArrays& rings) const {
+Error Voronoi::cellPolygon(SiteId id, double tolerance, RingArrays& rings) const {
   return guardedFor(id, tolerance, [&](const Window& window, double allowed) {
-    CellFinder finder(diagram_.core(), window);
+    CellFinder finder(*diagram_.core_, window);
     const Cell& cell = finder.find(slotOf(id));
-    const Site& site = diagram_.core().site(slotOf(id));
+    const Site& site = diagram_.core_->site(slotOf(id));
     rings.coordinates.clear();
     rings.starts.assign(1, 0);
     for (std::size_t region = 0; region < cell.regionCount(); ++region) {
@@ -165,12 +167,12 @@ Error Voronoi::polygon(SiteId id, double tolerance, RingArrays& rings) const {
   });
 }
 
-Error Voronoi::measures(SiteId id, CellMeasures& measures) const {
+Error Voronoi::cellMeasures(SiteId id, CellMeasures& measures) const {
   return guardedFor(id, 1, [&](const Window& window, double) {
-    CellFinder finder(diagram_.core(), window);
+    CellFinder finder(*diagram_.core_, window);
     const Cell& cell = finder.find(slotOf(id));
     measures = {};
-    const Site& site = diagram_.core().site(slotOf(id));
+    const Site& site = diagram_.core_->site(slotOf(id));
     const Point origin = window.nearestTo({site.x, site.y});
     Moments moments;
     measure(cell.pieces, origin, moments, measures);
@@ -178,63 +180,57 @@ Error Voronoi::measures(SiteId id, CellMeasures& measures) const {
   });
 }
 
-Error Voronoi::measuresWithin(SiteId id, double radius, CellMeasures& measures) const {
+Error Voronoi::cellMeasuresWithin(SiteId id, double radius, CellMeasures& measures) const {
   if (!diagram_.has(id)) return Error::kUnknownSite;
   if (!std::isfinite(radius)) return Error::kNotFinite;
   if (radius < 0 || radius > kLargestMagnitude) return Error::kOutOfRange;
   const Voronoi anywhere(diagram_);
   return anywhere.guarded(1, [&](const Window&, double) {
     FlatArray<BoundaryPiece> boundary;
-    cellWithin(diagram_.core(), slotOf(id), radius, boundary);
+    cellWithin(*diagram_.core_, slotOf(id), radius, boundary);
     measures = {};
-    const Site& site = diagram_.core().site(slotOf(id));
+    const Site& site = diagram_.core_->site(slotOf(id));
     Moments moments;
     measure(boundary, {site.x, site.y}, moments, measures);
     finish(moments, {site.x, site.y}, measures);
   });
 }
 
-Error Voronoi::areas(std::vector<double>& areas) const {
-  return guarded(1,
-                 [&](const Window& window, double) { cellAreas(diagram_.core(), window, areas); });
+Error Voronoi::cellAreas(std::vector<double>& areas) const {
+  return guarded(1, [&](const Window& window, double) {
+    internal::cellAreas(*diagram_.core_, window, areas);
+  });
 }
 
 Error Voronoi::hull(std::vector<SiteId>& sites) const {
-  return guarded(1, [&](const Window&, double) { hullSites(diagram_.core(), sites); });
+  return guarded(1, [&](const Window&, double) { hullSites(*diagram_.core_, sites); });
 }
 
 Error Voronoi::drawEdges(double tolerance, Portion& portion, Path& path) const {
   return guarded(tolerance, [&](const Window& window, double allowed) {
     path.clear();
-    apollonius::Portion part{portion.cursor, portion.commands};
-    portion.isDone = !apollonius::drawEdges(diagram_.core(), window, allowed, part, path);
-    portion.cursor = part.cursor;
+    internal::drawEdges(*diagram_.core_, window, allowed, portion, path);
   });
 }
 
 Error Voronoi::drawSites(double tolerance, Portion& portion, Path& path) const {
   return guarded(tolerance, [&](const Window&, double allowed) {
     path.clear();
-    apollonius::Portion part{portion.cursor, portion.commands};
-    portion.isDone = !apollonius::drawSites(diagram_.core(), allowed, part, path);
-    portion.cursor = part.cursor;
+    internal::drawSites(*diagram_.core_, allowed, portion, path);
   });
 }
 
 Error Voronoi::drawDual(double tolerance, bool rays, Portion& portion, Path& path) const {
   return guarded(tolerance, [&](const Window& window, double allowed) {
     path.clear();
-    apollonius::Portion part{portion.cursor, portion.commands};
-    portion.isDone =
-        !apollonius::drawDual(diagram_.core(), rays ? &window : nullptr, allowed, part, path);
-    portion.cursor = part.cursor;
+    internal::drawDual(*diagram_.core_, rays ? &window : nullptr, allowed, portion, path);
   });
 }
 
 Error Voronoi::drawCell(SiteId id, double tolerance, Path& path) const {
   return guardedFor(id, tolerance, [&](const Window& window, double allowed) {
     path.clear();
-    CellFinder finder(diagram_.core(), window);
+    CellFinder finder(*diagram_.core_, window);
     const Cell& cell = finder.find(slotOf(id));
     for (std::size_t region = 0; region < cell.regionCount(); ++region) {
       const std::uint32_t end = cell.starts[region + 1];
@@ -253,7 +249,7 @@ Error Voronoi::drawCell(SiteId id, double tolerance, Path& path) const {
 Error Voronoi::drawHull(double tolerance, Path& path) const {
   return guarded(tolerance, [&](const Window&, double allowed) {
     path.clear();
-    apollonius::drawHull(diagram_.core(), allowed, path);
+    internal::drawHull(*diagram_.core_, allowed, path);
   });
 }
 

@@ -54,7 +54,9 @@ struct Circle {
   double r;
 };
 
+namespace internal {
 class DiagramCore;
+}
 
 class APOLLONIUS_EXPORT Diagram {
  public:
@@ -194,9 +196,7 @@ class APOLLONIUS_EXPORT Diagram {
  private:
   friend class Voronoi;  // its geometry: apollonius/voronoi.h
 
-  class Impl;
-  [[nodiscard]] const DiagramCore& core() const noexcept;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<internal::DiagramCore> core_;
 };
 
 }  // namespace apollonius

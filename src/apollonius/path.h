@@ -58,4 +58,12 @@ struct Path {
   }
 };
 
+/// A drawing in portions: start with cursor 0 and go on until isDone. Each call draws about so many
+/// commands.
+struct Portion {
+  std::size_t cursor = 0;
+  std::size_t commands = static_cast<std::size_t>(-1);
+  bool isDone = false;
+};
+
 }  // namespace apollonius

@@ -78,21 +78,21 @@ class APOLLONIUS_EXPORT Voronoi {
   // 0. Below 2^-36 of a curve's size it has no further effect.
 
   /// Each Voronoi edge inside the window, its pieces one by one.
-  [[nodiscard]] Error edges(CurveArrays& edges) const;
+  [[nodiscard]] Error edgeCurves(CurveArrays& edges) const;
   /// The boundary of a cell, counter-clockwise, region by region. Cost: O(d log d).
-  [[nodiscard]] Error cell(SiteId id, CurveArrays& boundary) const;
+  [[nodiscard]] Error cellCurves(SiteId id, CurveArrays& boundary) const;
   /// The same as polylines: rings of at least three different points that do not cross themselves,
   /// whatever the tolerance. (Where sites are as close as doubles are, rounding can have the last
   /// word.) A region about as small as the distance of doubles there has no ring.
-  [[nodiscard]] Error polygon(SiteId id, double tolerance, RingArrays& rings) const;
-  [[nodiscard]] Error measures(SiteId id, CellMeasures& measures) const;
+  [[nodiscard]] Error cellPolygon(SiteId id, double tolerance, RingArrays& rings) const;
+  [[nodiscard]] Error cellMeasures(SiteId id, CellMeasures& measures) const;
   /// Area, centroid and perimeter of the part of the (unclipped) cell within `radius` of the site's
   /// centre; bounds do not matter. The outline is good to about 2^-48 of the largest number of the
   /// site and its neighbors: a radius as small as that means little.
-  [[nodiscard]] Error measuresWithin(SiteId id, double radius, CellMeasures& measures) const;
+  [[nodiscard]] Error cellMeasuresWithin(SiteId id, double radius, CellMeasures& measures) const;
   /// The area of every cell, by id; 0 for ids without one. They add up to the window's, to
   /// rounding: of the coordinates, too, where the window is only a few doubles wide. Cost: O(h)
-  [[nodiscard]] Error areas(std::vector<double>& areas) const;
+  [[nodiscard]] Error cellAreas(std::vector<double>& areas) const;
 
   /// The box of all circles (of centres, where radii are below 0), a little larger if it would be
   /// empty: for drawings without a window.
@@ -101,13 +101,7 @@ class APOLLONIUS_EXPORT Voronoi {
   /// Sites met by the convex hull of the circles, counter-clockwise; one can occur more than once.
   [[nodiscard]] Error hull(std::vector<SiteId>& sites) const;
 
-  /// A drawing in portions: start with cursor 0 and go on until isDone. Each call draws about so
-  /// many commands.
-  struct Portion {
-    std::size_t cursor = 0;
-    std::size_t commands = static_cast<std::size_t>(-1);
-    bool isDone = false;
-  };
+  // Drawings in portions (apollonius/path.h).
   [[nodiscard]] Error drawEdges(double tolerance, Portion& portion, Path& path) const;
   [[nodiscard]] Error drawSites(double tolerance, Portion& portion, Path& path) const;
   /// The dual graph as the paper's Appendix A embeds it, not clipped; with `rays` also those to

@@ -5,7 +5,7 @@
 #include "delaunay/proof.h"
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -44,4 +44,4 @@ const char* DelaunayGraph::check(std::uint32_t& where) const {
   return nullptr;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -6,7 +6,7 @@
 #include "delaunay/sort_by_key.h"
 #include "predicate/predicates.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 void ConflictSearch::begin(const DelaunayGraph& delaunay, const Site& q) {
   // Wiped before, not after: a call that ran out of memory leaves marks behind.
@@ -175,4 +175,4 @@ bool ConflictSearch::isDisk() const {
   return true;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -10,7 +10,7 @@
 #include "predicate/site.h"
 #include "topology/ids.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class DelaunayGraph;
 
@@ -74,4 +74,4 @@ class ConflictSearch {
   FlatArray<HalfedgeId> boundary_;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -9,7 +9,7 @@
 #include "predicate/circle_batch.h"
 #include "predicate/compute_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 bool DelaunayGraph::isFaceInConflictByCorners(FaceId f, const Site& q) const {
   const Corner i = corner(graph_.origin(halfedgeOf(f, 0))),
@@ -138,4 +138,4 @@ bool DelaunayGraph::prove() {
   return isProven_;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -19,7 +19,7 @@
 #include "predicate/voronoi_circle.h"
 #include "topology/graph.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// How a walk to the nearest site looks for a nearer one: among all neighbours (paper, section 4,
 /// procedure NearestNeighbor), or only in the direction of the point.
@@ -197,4 +197,4 @@ class DelaunayGraph {
   std::size_t returnRoom_ = 0;   // of reserveReturn()
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

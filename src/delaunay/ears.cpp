@@ -3,7 +3,7 @@
 #include "predicate/compute_circle.h"
 #include "predicate/predicates.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 bool EarClipper::fill(const DelaunayGraph& delaunay, VertexId v, std::span<const HalfedgeId> link) {
   const Graph& graph = delaunay.graph();
@@ -82,4 +82,4 @@ void EarClipper::join(std::uint32_t halfedge, std::uint32_t side) {
   if ((side & Graph::kOutside) == 0) patch_[side / 3].across[side % 3] = halfedge;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -17,7 +17,7 @@
 #include "delaunay/delaunay_graph.h"
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class EarClipper {
  public:
@@ -56,4 +56,4 @@ class EarClipper {
   FlatArray<VoronoiCircle> circles_;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -6,7 +6,7 @@
 #include "number/invariant.h"
 #include "predicate/compute_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk walk,
                                                InsertionObserver* observer) {
@@ -81,4 +81,4 @@ DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v, InsertionObserver* 
   return {kNoVertex, covered_};
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -5,7 +5,7 @@
 #include "predicate/distance.h"
 #include "predicate/predicates.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -200,4 +200,4 @@ void DelaunayGraph::shadowCheckNearest(VertexId v, double x, double y) const {
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -9,7 +9,7 @@
 #include "predicate/direction.h"
 #include "predicate/reference_site.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -313,4 +313,4 @@ void SiteMoves::queue(FaceId f) {
   queue_.push_back(position);
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

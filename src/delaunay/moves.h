@@ -34,7 +34,7 @@
 #include "memory/flat_array.h"
 #include "predicate/circle_fan.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class SiteMoves {
  public:
@@ -103,4 +103,4 @@ class SiteMoves {
   CircleFan fan_;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

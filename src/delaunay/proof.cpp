@@ -8,7 +8,7 @@
 #include "predicate/compute_circle.h"
 #include "predicate/predicates.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -115,4 +115,4 @@ const char* findContradiction(const DelaunayGraph& delaunay, FlatArray<VoronoiCi
   return Proof(delaunay, circles).run(where);
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

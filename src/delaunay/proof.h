@@ -7,7 +7,7 @@
 #include "memory/flat_array.h"
 #include "predicate/voronoi_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class DelaunayGraph;
 
@@ -27,4 +27,4 @@ class DelaunayGraph;
                                             FlatArray<VoronoiCircle>& circles,
                                             std::uint32_t& where);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

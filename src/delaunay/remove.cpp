@@ -6,7 +6,7 @@
 #include "number/invariant.h"
 #include "predicate/predicates.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 std::span<const Remover::Outcome> Remover::remove(DelaunayGraph& delaunay, VertexId v,
                                                   std::span<const VertexId> hidden,
@@ -219,4 +219,4 @@ void Remover::makePatch() {
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -11,7 +11,7 @@
 #include "delaunay/ears.h"
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class Remover {
  public:
@@ -78,4 +78,4 @@ class Remover {
   FlatArray<Outcome> adopted_;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

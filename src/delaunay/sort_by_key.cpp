@@ -6,7 +6,7 @@
 
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -58,4 +58,4 @@ void sortByKey(FlatArray<Keyed>& entries) {
   if (sortByKey(entries, other).data() == other.data()) entries.swap(other);
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

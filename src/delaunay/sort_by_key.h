@@ -7,7 +7,7 @@
 
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// A key, and what it is the key of.
 struct Keyed {
@@ -22,4 +22,4 @@ struct Keyed {
 /// The same in place, with a second array of its own.
 void sortByKey(FlatArray<Keyed>& entries);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -11,7 +11,7 @@
 #include "predicate/precise_circle.h"
 #include "predicate/reference_site.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -53,4 +53,4 @@ VoronoiCircle DelaunayGraph::vertex(FaceId f) const {
   return isMultiple ? commonVoronoiCircle(*e.i, *e.j, *e.k) : preciseVoronoiCircle(e.i, e.j, e.k);
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -9,7 +9,7 @@
 #include "number/invariant.h"
 #include "predicate/predicates.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -515,4 +515,4 @@ void DiagramCore::clear() noexcept {
   ids_.clear();
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

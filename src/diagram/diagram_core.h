@@ -20,7 +20,7 @@
 #include "diagram/memory_reserve.h"
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class DiagramCore {
  public:
@@ -162,4 +162,4 @@ class DiagramCore {
   MemoryReserve memoryReserve_;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -52,7 +52,7 @@
 
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class HiddenForest {
  public:
@@ -251,4 +251,4 @@ inline void HiddenForest::clear() {
   children_ = 0;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

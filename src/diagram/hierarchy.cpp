@@ -2,7 +2,7 @@
 
 #include <new>
 
-namespace apollonius {
+namespace apollonius::internal {
 
 Slot Hierarchy::chosen(Slot upper, unsigned level) {
   // Multiplicative hashing; the upper bits are the good ones.
@@ -176,4 +176,4 @@ const char* Hierarchy::check(const DelaunayGraph& levelZero, std::uint32_t& wher
   return nullptr;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -28,7 +28,7 @@
 #include "diagram/id_pool.h"
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class Hierarchy {
  public:
@@ -111,4 +111,4 @@ class Hierarchy {
   bool isDropped_ = false;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

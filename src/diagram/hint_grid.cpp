@@ -3,7 +3,7 @@
 #include <cmath>
 #include <new>
 
-namespace apollonius {
+namespace apollonius::internal {
 
 void HintGrid::rebuild(std::size_t sites, const Site& low, const Site& high) noexcept {
   try {
@@ -35,4 +35,4 @@ void HintGrid::fillGaps() noexcept {
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

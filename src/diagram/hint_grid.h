@@ -14,7 +14,7 @@
 #include "memory/flat_array.h"
 #include "predicate/site.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class HintGrid {
  public:
@@ -100,4 +100,4 @@ class HintGrid {
   double scaleX_ = 0, scaleY_ = 0;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

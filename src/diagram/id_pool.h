@@ -16,7 +16,7 @@
 #include "topology/ids.h"
 #include "topology/words.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// A site's place in the arrays; its vertex is the slot's number + 1.
 using Slot = std::uint32_t;
@@ -191,4 +191,4 @@ class IdPool {
   std::size_t hiddenCount_ = 0;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

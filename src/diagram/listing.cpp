@@ -4,7 +4,7 @@
 #include "delaunay/sort_by_key.h"
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -88,4 +88,4 @@ void listEdges(const DiagramCore& diagram, EdgeArrays& out) {
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

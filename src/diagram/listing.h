@@ -7,7 +7,7 @@
 #include "apollonius/types.h"
 #include "diagram/diagram_core.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// The distinct sites whose cells share an edge with that of `id`, counter-clockwise, each at its
 /// first occurrence; none for a hidden site. REQUIRES: an id in use. Cost: O(d).
@@ -21,4 +21,4 @@ void listEdges(const DiagramCore& diagram, EdgeArrays& out);
 /// Three sites each, counter-clockwise, kNoSite for infinity.
 void listFaces(const DiagramCore& diagram, std::vector<SiteId>& sites);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

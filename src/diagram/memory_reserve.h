@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <memory>
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class MemoryReserve {
  public:
@@ -22,4 +22,4 @@ class MemoryReserve {
   std::unique_ptr<std::byte[]> memory_;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -24,7 +24,7 @@
 #include "memory/flat_array.h"
 #include "predicate/distance.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -147,4 +147,4 @@ void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -7,7 +7,7 @@
 #include "apollonius/types.h"
 #include "diagram/diagram_core.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Sites in the order of their distance to (x, y), at most `most`, and none farther than `farthest`
 /// if that is given; ties as in DiagramCore::nearest(). Replaces the contents of `sites`. Throws
@@ -15,4 +15,4 @@ namespace apollonius {
 void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most,
                 const double* farthest, std::vector<SiteId>& sites);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

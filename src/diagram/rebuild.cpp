@@ -7,7 +7,7 @@
 
 #include "diagram/diagram_core.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 bool DiagramCore::rebuildWith(std::span<const SiteId> ids, std::span<const double> xyr,
                               std::span<const std::uint32_t> order) noexcept {
@@ -47,4 +47,4 @@ bool DiagramCore::rebuildWith(std::span<const SiteId> ids, std::span<const doubl
   return true;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -16,7 +16,7 @@
 #include "predicate/predicates.h"
 #include "topology/words.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -226,4 +226,4 @@ bool DiagramCore::restoreHidden(WordReader& in, std::size_t count) {
   return true;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

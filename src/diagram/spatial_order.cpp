@@ -9,7 +9,7 @@
 #include "delaunay/sort_by_key.h"
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -99,4 +99,4 @@ FlatArray<std::uint32_t> brioOrder(std::span<const std::uint32_t> items) {
   return order;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -9,7 +9,7 @@
 
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Points as a strided array: x at [k * stride], y at [k * stride + 1].
 struct PointArray {
@@ -27,4 +27,4 @@ struct PointArray {
 /// the last round, a quarter in the one before, and so on. Seeded: the same on every platform.
 [[nodiscard]] FlatArray<std::uint32_t> brioOrder(std::span<const std::uint32_t> items);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

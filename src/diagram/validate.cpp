@@ -4,7 +4,7 @@
 #include "memory/flat_array.h"
 #include "predicate/predicates.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -61,4 +61,4 @@ Violation validate(const DiagramCore& diagram) {
   return checkHidden(diagram);
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -6,7 +6,7 @@
 #include "geometry/turn.h"
 #include "number/fp.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -24,7 +24,7 @@ bool isSplittable(const Conic& conic, Point m) {
 /// meets it at the middle of the arc, in units of the distance from the chord's middle to p1. As a
 /// function of z = (w-1)/(w+1) the distance is of order z² (the sixth order in the length of a
 /// piece) with a factor that grows from 0.0187 (z = 0) to 0.0725 (z = 1), and less for z < 0. Found
-/// by evaluation; tests/geometry/approximate_test.cpp holds it against the curves.
+/// by evaluation; tests/geometry/conic_test.cpp holds it against the curves.
 double cubicError(double w) {
   const double z = (w - 1) / (w + 1);
   return z * z * (0.02 + (z > 0 ? 0.054 * z : 0));
@@ -93,4 +93,4 @@ void flattenConic(const Conic& conic, double tolerance, std::vector<double>& poi
   flatten(conic, std::max(tolerance, finestFor(conic)), points, center, kMostHalvings);
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

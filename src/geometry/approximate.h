@@ -6,7 +6,7 @@
 #include "apollonius/path.h"
 #include "geometry/conic.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Continues a path that is at conic.p0 to conic.p2, by lines and cubic curves no further than
 /// `tolerance` from the conic.
@@ -18,4 +18,4 @@ void drawConic(const Conic& conic, double tolerance, Path& path);
 void flattenConic(const Conic& conic, double tolerance, std::vector<double>& points,
                   const Point* center = nullptr);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

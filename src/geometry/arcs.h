@@ -4,7 +4,7 @@
 
 #include "geometry/point.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Is the turn from one direction to another, counter-clockwise, a quarter at most? Of equal ones:
 /// none, rather than all.
@@ -25,4 +25,4 @@ void visitQuarters(Point from, Point to, bool isShort, Visit&& visit) {
   visit(from, to);
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

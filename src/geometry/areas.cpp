@@ -7,7 +7,7 @@
 #include "geometry/sum.h"
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -109,4 +109,4 @@ void cellAreas(const DiagramCore& core, const Window& window, std::vector<double
   AreaSum(core, window, areas).run();
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -7,9 +7,9 @@
 #include "diagram/diagram_core.h"
 #include "geometry/window.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// By site id; 0 for ids without a cell.
 void cellAreas(const DiagramCore& core, const Window& window, std::vector<double>& areas);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

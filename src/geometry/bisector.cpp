@@ -6,7 +6,7 @@
 #include "number/dyadic.h"
 #include "number/fp.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -152,4 +152,4 @@ bool LineForm::hasExcursion(int sign, double e0, double e1, double& at) const {
   return at > e0 && at < e1 && c + std::sqrt((p - q_) * (p + q_)) < 0;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -18,7 +18,7 @@
 #include "geometry/conic.h"
 #include "predicate/site.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// The place of a point on a bisector: cosh t and sinh t from E.
 struct Place {
@@ -87,4 +87,4 @@ class LineForm {
   double p_, q_, c_;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

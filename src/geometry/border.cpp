@@ -5,7 +5,7 @@
 
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -151,4 +151,4 @@ void matchBorder(const DiagramCore& core, Slot site, const Window& window,
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -15,7 +15,7 @@
 #include "geometry/window.h"
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// A point where a cell's boundary meets the window's border.
 struct BorderContact {
@@ -41,4 +41,4 @@ void matchBorder(const DiagramCore& core, Slot site, const Window& window,
 /// and its middle, or kNoSlot. REQUIRES: not empty.
 [[nodiscard]] Slot ownerOfWindow(const DiagramCore& core, const Window& window);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

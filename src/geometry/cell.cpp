@@ -2,7 +2,7 @@
 
 #include "geometry/measures.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 const Cell& CellFinder::find(Slot site) {
   cell_.pieces.clear();
@@ -119,4 +119,4 @@ void CellFinder::closeRegion() {
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -12,7 +12,7 @@
 #include "geometry/clip.h"
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// A piece of a cell's boundary, the cell on its left.
 struct BoundaryPiece {
@@ -64,4 +64,4 @@ class CellFinder {
   FlatArray<char> isUsed_;             // by piece
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -174,4 +174,4 @@ void clipEdge(const DelaunayGraph& delaunay, HalfedgeId h, const Window& window,
         pieceBetween(edge.bisector, from, end);
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

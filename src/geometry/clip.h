@@ -14,7 +14,7 @@
 #include "geometry/edge.h"
 #include "geometry/window.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Not on the border: an end of a piece that is a Voronoi vertex.
 inline constexpr signed char kNoSide = -1;
@@ -60,4 +60,4 @@ void forEachClippedPiece(const DelaunayGraph& delaunay, const Window& window, Bi
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -2,7 +2,7 @@
 
 #include "number/fp.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 Conic Conic::arc(Point center, double radius, Point from, Point to) {
   // With u = from + to, the tangents meet at center + radius 2u/|u|², and w is the cosine of half
@@ -54,4 +54,4 @@ double Conic::sagitta() const {
   return share * length(p1 - middle(p0, p2));
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

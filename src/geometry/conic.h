@@ -14,7 +14,7 @@
 
 #include "geometry/point.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 struct Conic {
   Point p0, p1;
@@ -40,4 +40,4 @@ struct Conic {
   [[nodiscard]] double sagitta() const;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

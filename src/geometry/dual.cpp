@@ -7,7 +7,7 @@
 #include "geometry/edge.h"
 #include "geometry/hull.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -98,4 +98,4 @@ Point dualRay(const DelaunayGraph& delaunay, HalfedgeId h) {
   return unit({difference.y, -difference.x});
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -34,7 +34,7 @@
 #include "delaunay/delaunay_graph.h"
 #include "geometry/conic.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 struct DualEdge {
   Conic curves[2];  ///< from the centre of h's origin to that of its target
@@ -47,4 +47,4 @@ struct DualEdge {
 /// Unit direction of the ray of an edge from a site to infinity. REQUIRES: h's target is infinity.
 [[nodiscard]] Point dualRay(const DelaunayGraph& delaunay, HalfedgeId h);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -5,7 +5,7 @@
 #include "number/fp.h"
 #include "predicate/reference_site.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -56,4 +56,4 @@ Edge::Edge(const DelaunayGraph& delaunay, HalfedgeId h, Bits bits)
   if (e1 < e0) e1 = e0;  // so short that rounding turned it
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -8,7 +8,7 @@
 #include "geometry/bisector.h"
 #include "number/fp.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// An end of an edge: a Voronoi vertex, or at infinity (also if it is further away than doubles
 /// reach).
@@ -50,4 +50,4 @@ struct Edge {
   Edge(const DelaunayGraph& delaunay, HalfedgeId h, Bits bits = Bits::kCanonical);
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -7,7 +7,7 @@
 #include "number/fp.h"
 #include "predicate/predicates.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -93,4 +93,4 @@ void drawCircle(const Site& site, double tolerance, Path& path) {
   path.close();
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

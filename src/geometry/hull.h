@@ -8,7 +8,7 @@
 #include "diagram/diagram_core.h"
 #include "geometry/point.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// The sites that the hull touches, all of them, counter-clockwise; one can occur several times (a
 /// large circle with small ones sticking out; points in line, there and back).
@@ -32,4 +32,4 @@ struct HullTurn {
 /// The circle of a site as a closed figure; nothing for a radius of 0 or less.
 void drawCircle(const Site& site, double tolerance, Path& path);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

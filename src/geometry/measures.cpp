@@ -7,7 +7,7 @@
 #include "geometry/sum.h"
 #include "number/fp.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -155,4 +155,4 @@ double lengthOf(const Conic& conic) {
   return halvedLength(shifted, powerOfTwo(-46) * (length(first.p2) + length(p2 - first.p2)));
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

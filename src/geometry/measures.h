@@ -24,7 +24,7 @@
 
 #include "geometry/conic.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 struct BoundaryPiece;
 
@@ -59,4 +59,4 @@ struct Moments {
 /// Length of a conic, to double precision: adaptive Gauss-Legendre quadrature.
 [[nodiscard]] double lengthOf(const Conic& conic);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

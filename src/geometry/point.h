@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace apollonius {
+namespace apollonius::internal {
 
 struct Point {
   double x = 0;
@@ -29,4 +29,4 @@ inline Point unit(Point a) {
   return {a.x / size, a.y / size};
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -9,20 +9,20 @@
 #include "geometry/dual.h"
 #include "geometry/hull.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
 /// Goes over the half-edges, from the portion's cursor on.
 template <class Draw>
-bool visitEdges(const DelaunayGraph& delaunay, Portion& portion, const Path& path, Draw&& draw) {
+void visitEdges(const DelaunayGraph& delaunay, Portion& portion, const Path& path, Draw&& draw) {
   const std::size_t count = 3 * delaunay.graph().faceSlots(), limit = portion.commands;
   for (; portion.cursor < count; ++portion.cursor) {
-    if (path.commands.size() >= limit) return true;
+    if (path.commands.size() >= limit) return;
     const HalfedgeId h{static_cast<std::uint32_t>(portion.cursor)};
     if (delaunay.graph().isLive(faceOf(h))) draw(h);
   }
-  return false;
+  portion.isDone = true;
 }
 
 /// Is it a precise vertex inside the window? All of this is easily guessed: mostly it is, or
@@ -89,7 +89,7 @@ bool drawQuickly(const Site& reference, const Site& other, double p, Point from,
 
 }  // namespace
 
-bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion,
+void drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion,
                Path& path) {
   // In blocks, each in several short loops without branches: the time is that of fetching sites and
   // circles from memory, and many fetches overlap if there is little to do and nothing to guess
@@ -106,7 +106,7 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
   std::array<double, 4 * kBlock> ends;
   ClippedEdge clipped;
   while (portion.cursor < count) {
-    if (path.commands.size() >= portion.commands) return true;
+    if (path.commands.size() >= portion.commands) return;
     const std::size_t end = std::min(portion.cursor + kBlock, count);
     std::size_t edgeCount = 0;
     for (; portion.cursor < end; ++portion.cursor) {
@@ -158,14 +158,14 @@ bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
       }
     }
   }
-  return false;
+  portion.isDone = true;
 }
 
-bool drawDual(const DiagramCore& core, const Window* window, double tolerance, Portion& portion,
+void drawDual(const DiagramCore& core, const Window* window, double tolerance, Portion& portion,
               Path& path) {
   const DelaunayGraph& delaunay = core.delaunay();
   const Graph& graph = delaunay.graph();
-  return visitEdges(delaunay, portion, path, [&](HalfedgeId h) {
+  visitEdges(delaunay, portion, path, [&](HalfedgeId h) {
     const VertexId i = graph.origin(h), j = graph.target(h);
     if (i == kInfinity) return;
     const Site& site = delaunay.site(i);
@@ -192,14 +192,14 @@ bool drawDual(const DiagramCore& core, const Window* window, double tolerance, P
   });
 }
 
-bool drawSites(const DiagramCore& core, double tolerance, Portion& portion, Path& path) {
+void drawSites(const DiagramCore& core, double tolerance, Portion& portion, Path& path) {
   const std::size_t limit = portion.commands;
   for (; portion.cursor < core.ids().slots(); ++portion.cursor) {
-    if (path.commands.size() >= limit) return true;
+    if (path.commands.size() >= limit) return;
     const auto slot = static_cast<Slot>(portion.cursor);
     if (core.ids().state(slot) != SiteState::kFree) drawCircle(core.site(slot), tolerance, path);
   }
-  return false;
+  portion.isDone = true;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

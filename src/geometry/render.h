@@ -1,6 +1,6 @@
 // Drawings of a whole diagram, in portions: each call continues at `cursor` (0 at first), adds to
-// the path until it has about as many commands as asked for, and returns false when everything has
-// been drawn.
+// the path until it has about as many commands as asked for, and says when everything has been
+// drawn.
 #pragma once
 
 #include <cstddef>
@@ -9,23 +9,18 @@
 #include "diagram/diagram_core.h"
 #include "geometry/window.h"
 
-namespace apollonius {
-
-struct Portion {
-  std::size_t cursor = 0;
-  std::size_t commands = static_cast<std::size_t>(-1);
-};
+namespace apollonius::internal {
 
 /// Each Voronoi edge inside the window once.
-bool drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion,
+void drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion,
                Path& path);
 
 /// The dual graph; with a window also the rays to infinity, cut where they leave it (none from
 /// sites outside).
-bool drawDual(const DiagramCore& core, const Window* window, double tolerance, Portion& portion,
+void drawDual(const DiagramCore& core, const Window* window, double tolerance, Portion& portion,
               Path& path);
 
 /// The circles of all sites, hidden ones too.
-bool drawSites(const DiagramCore& core, double tolerance, Portion& portion, Path& path);
+void drawSites(const DiagramCore& core, double tolerance, Portion& portion, Path& path);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

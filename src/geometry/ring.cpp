@@ -6,7 +6,7 @@
 #include "geometry/turn.h"
 #include "number/fp.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -117,4 +117,4 @@ void appendRing(std::span<const BoundaryPiece> region, Point center, const Windo
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -14,7 +14,7 @@
 
 #include "geometry/cell.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Appends the points of a region of the cell about `center`, the first one again at the end; at
 /// least three different ones. If there are none, because the region is as small as the distance of
@@ -22,4 +22,4 @@ namespace apollonius {
 void appendRing(std::span<const BoundaryPiece> region, Point center, const Window& window,
                 double tolerance, std::vector<double>& points);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -3,7 +3,7 @@
 
 #include "number/fp.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class Sum {
  public:
@@ -19,4 +19,4 @@ class Sum {
   double lost_ = 0;  // by rounding, so far
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

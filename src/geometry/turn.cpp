@@ -3,7 +3,7 @@
 #include "number/dyadic.h"
 #include "number/fp.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 Sign turnOf(Point from, Point a, Point b) {
   const double left = (a.x - from.x) * (b.y - from.y), right = (a.y - from.y) * (b.x - from.x);
@@ -17,4 +17,4 @@ Sign turnOf(Point from, Point a, Point b) {
       .sign();
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -4,10 +4,10 @@
 #include "geometry/point.h"
 #include "number/sign.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Positive if a, b is a turn to the left as seen from `from`: the sign of (a - from) × (b - from).
 /// Exact.
 [[nodiscard]] Sign turnOf(Point from, Point a, Point b);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -19,7 +19,7 @@
 #include "geometry/point.h"
 #include "number/fp.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 struct Window {
   double xmin, ymin, xmax, ymax;
@@ -79,4 +79,4 @@ struct Window {
   }
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -5,7 +5,7 @@
 #include "geometry/arcs.h"
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -97,4 +97,4 @@ void cellWithin(const DiagramCore& core, Slot site, double radius,
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -6,11 +6,11 @@
 #include "geometry/cell.h"
 #include "memory/flat_array.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Its boundary, counter-clockwise: pieces of the cell's edges and circular arcs (neighbor
 /// kNoSite). Empty for a hidden site or a radius of 0 or less.
 void cellWithin(const DiagramCore& core, Slot site, double radius,
                 FlatArray<BoundaryPiece>& boundary);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

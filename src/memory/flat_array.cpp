@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace apollonius {
+namespace apollonius::internal {
 
 void FlatBytes::swap(FlatBytes& other) noexcept {
   std::swap(data, other.data);
@@ -30,4 +30,4 @@ void FlatBytes::growTo(std::size_t n, std::size_t width) {
   if (n > room) setRoom(std::max(n, 2 * room), width);
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

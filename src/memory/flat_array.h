@@ -17,7 +17,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// The place of an array, in elements of a width that the caller knows.
 class FlatBytes {
@@ -131,4 +131,4 @@ class FlatArray {
   FlatBytes bytes_;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -21,7 +21,7 @@
 #include "number/fp.h"
 #include "number/sign.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// How many roundings a monomial of a formula passes at most: the number that evaluating the
 /// formula over Roundings gives.
@@ -94,4 +94,4 @@ inline MaybeSign filteredSign(Approx x, double factor) {
   return {};
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -14,7 +14,7 @@
 
 #include "number/fp.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 inline constexpr double kBallUnderflow = powerOfTwo(-1000);
 
@@ -61,4 +61,4 @@ class Ball {
   double error_ = 0;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -7,7 +7,7 @@
 #include "number/fp.h"
 #include "number/invariant.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 /// 64 where the compiler has integers of 128 bits.
@@ -96,4 +96,4 @@ Dyadic operator-(const Dyadic& a) {
   return negative;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -16,7 +16,7 @@
 
 #include "number/sign.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class Dyadic {
  public:
@@ -60,4 +60,4 @@ class Dyadic {
 
 inline Sign signOf(const Dyadic& x) { return x.sign(); }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

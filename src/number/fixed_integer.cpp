@@ -2,7 +2,7 @@
 
 #include "number/fp.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 FixedInteger FixedInteger::inUnits(double value, int unit) {
   FixedInteger result;
@@ -94,4 +94,4 @@ int FixedInteger::compareMagnitudes(const FixedInteger& a, const FixedInteger& b
   return 0;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

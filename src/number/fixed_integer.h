@@ -9,7 +9,7 @@
 
 #include "number/sign.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class FixedInteger {
  public:
@@ -69,4 +69,4 @@ class FixedInteger {
 
 inline Sign signOf(const FixedInteger& x) { return x.sign(); }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -3,7 +3,7 @@
 #ifndef __wasm__
 
 // The operands are volatile, or the compiler would compute all this itself, and rightly.
-const char* apollonius::arithmeticViolation() {
+const char* apollonius::internal::arithmeticViolation() {
   const volatile double one = 1;
   const volatile double little = powerOfTwo(-54), more = 3 * powerOfTwo(-54);
   if (one + little != 1 || -one - little != -1 || one + more == 1)

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace apollonius {
+namespace apollonius::internal {
 
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
@@ -67,4 +67,4 @@ constexpr int lowestExponentOf(double x) {
 
 constexpr double absolute(double x) { return __builtin_fabs(x); }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

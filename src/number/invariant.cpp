@@ -9,7 +9,7 @@
 #include <cstdio>
 #endif
 
-void apollonius::reportBrokenInvariant(const char* name) {
+void apollonius::internal::reportBrokenInvariant(const char* name) {
 #ifdef __EMSCRIPTEN__
   // C's output would be 2 % of what a page loads.
   std::array<char, 200> text{};

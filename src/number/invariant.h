@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Tells whoever runs the program: on stderr, or on JavaScript's console.
 void reportBrokenInvariant(const char* name);
@@ -15,4 +15,4 @@ inline void invariant(bool holds, const char* name) {
   std::abort();
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

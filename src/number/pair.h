@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace apollonius {
+namespace apollonius::internal {
 
 // Vector types are an extension that g++ and clang++ share.
 using Pair __attribute__((vector_size(16))) = double;
@@ -30,4 +30,4 @@ inline Pair absolute(Pair x) {
 }
 inline Pair root(Pair x) { return Pair{std::sqrt(x[0]), std::sqrt(x[1])}; }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

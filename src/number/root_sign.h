@@ -4,7 +4,7 @@
 
 #include "number/sign.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Sign of s + t where s and t are known by their signs and `squares` gives sign(s² - t²).
 /// Used lazily: the squares are only formed when s and t pull in opposite directions.
@@ -29,4 +29,4 @@ Sign signOfRootDifference(const Ring& a, const Ring& c, const Ring& e) {
   });
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -1,7 +1,7 @@
 // A sign: the only thing that a predicate passes on from the numbers to the topology.
 #pragma once
 
-namespace apollonius {
+namespace apollonius::internal {
 
 enum class Sign : signed char { kNegative = -1, kZero = 0, kPositive = 1 };
 
@@ -17,4 +17,4 @@ constexpr Sign signOf(Number x) {
   return x > 0 ? Sign::kPositive : x < 0 ? Sign::kNegative : Sign::kZero;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -6,7 +6,7 @@
 #include "predicate/long_kernels.h"
 #include "predicate/question.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace stages {
 
@@ -100,4 +100,4 @@ Bearing bearingOf(double x, double y, const VoronoiCircle& circle, const Site& i
   return along == Sign::kPositive ? Bearing::kAlong : Bearing::kOpposite;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

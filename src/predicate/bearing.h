@@ -6,7 +6,7 @@
 #include "predicate/site.h"
 #include "predicate/voronoi_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Where a ray lies as seen along a direction.
 enum class Bearing : signed char { kAlong, kLeft, kOpposite, kRight };
@@ -37,4 +37,4 @@ enum class RayPart : signed char { kLeftwards, kAlong };
 
 }  // namespace stages
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

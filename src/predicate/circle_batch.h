@@ -8,7 +8,7 @@
 
 #include "predicate/circle_fan.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 inline constexpr std::size_t kCircleBatch = 64;
 
@@ -44,4 +44,4 @@ class CircleBatch {
   std::size_t count_ = 0;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -7,7 +7,7 @@
 #include "number/pair.h"
 #include "predicate/compute_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -184,4 +184,4 @@ void CircleFan::computeBounded(std::size_t n, std::size_t second, std::size_t re
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -10,7 +10,7 @@
 #include "predicate/site.h"
 #include "predicate/voronoi_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Room for the rows of a fan; grows as needed, and is used again.
 class CircleFan {
@@ -46,4 +46,4 @@ class CircleFan {
   std::size_t stride_ = 0;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -9,7 +9,7 @@
 #include "predicate/reference_site.h"
 #include "predicate/vertex_conflict.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -162,4 +162,4 @@ bool findVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle) {
          (existence == Existence::kUnknown && hasVoronoiCircle(*i, *j, *k));
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -4,7 +4,7 @@
 #include "predicate/site.h"
 #include "predicate/voronoi_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// The circle of a counter-clockwise face with an existing circle. The same bits for the same three
 /// sites, whichever comes first and on whichever platform: the computation starts from the largest
@@ -19,4 +19,4 @@ namespace apollonius {
 [[nodiscard]] bool findCertainVoronoiCircle(Corner i, Corner j, Corner k,
                                             VoronoiCircle& circle) noexcept;
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -4,7 +4,7 @@
 #include "predicate/long_kernels.h"
 #include "predicate/question.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace stages {
 
@@ -35,4 +35,4 @@ bool covers(const Site& a, const Site& b) {
   return question.exact() != Sign::kPositive;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -5,7 +5,7 @@
 #include "number/sign.h"
 #include "predicate/site.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Does a cover b, that is, is disc b within disc a (touching from within included)?
 /// Laws: reflexive, transitive; both ways only for identical sites. Degree 2.
@@ -24,4 +24,4 @@ namespace stages {
 
 }  // namespace stages
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -9,7 +9,7 @@
 #include "predicate/site.h"
 #include "predicate/voronoi_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// A vector with a bound on the error of each component; infinite if nothing is known.
 struct Arrow {
@@ -57,4 +57,4 @@ inline MaybeSign turn(const Arrow& a, const Arrow& b) {
   return {};
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -5,7 +5,7 @@
 #include "predicate/long_kernels.h"
 #include "predicate/question.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace stages {
 
@@ -59,4 +59,4 @@ bool isNearer(double x, double y, const Site& a, const Site& b) {
   return sign == Sign::kPositive || (sign == Sign::kZero && precedes(a, b));
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -8,7 +8,7 @@
 #include "number/sign.h"
 #include "predicate/site.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// sign(d(p, a) - d(p, b)) for the point p = (x, y) and d(p, s) = |p - c_s| - r_s. Law:
 /// antisymmetric in a, b. Degree 4.
@@ -50,4 +50,4 @@ namespace stages {
 
 }  // namespace stages
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -12,7 +12,7 @@
 #include "predicate/reference_site.h"
 #include "predicate/span.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace stages {
 
@@ -169,4 +169,4 @@ bool isEntireEdgeInConflict(const EdgeCorners& edge, const VoronoiCircle& atK,
   return !probeIsInRange(edge, &atK, &atL, q, stages::Probe::kOpposite);
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -7,7 +7,7 @@
 #include "predicate/site.h"
 #include "predicate/voronoi_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// A Voronoi edge: the part of the bisector of i and j from its vertex (j, i, l) to its vertex
 /// (i, j, k), with i on its left. At most one of i, j, and at most one corner of each face, is
@@ -99,4 +99,4 @@ enum class Probe : signed char { kMiddle = 1, kOpposite = -1 };
 
 }  // namespace stages
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -9,7 +9,7 @@
 #include "predicate/shadow_check.h"
 #include "predicate/vertex_conflict.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 // --- The turn between shadows
 
@@ -109,4 +109,4 @@ bool isDelaunayEdge(EdgeCorners e, const VoronoiCircle& circleAtK, const Voronoi
   return isBoundedDelaunayEdge(e);
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

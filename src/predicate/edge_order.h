@@ -8,7 +8,7 @@
 #include "predicate/site.h"
 #include "predicate/voronoi_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Is the edge that of a Delaunay graph, as far as its two faces can tell: do its ends come in
 /// their order along the bisector, and where they coincide, has the canonical rule chosen this
@@ -32,4 +32,4 @@ namespace stages {
 
 }  // namespace stages
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

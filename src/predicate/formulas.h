@@ -10,7 +10,7 @@
 
 #include "number/approx.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// A site seen from the reference site: differences x, y, r and p = x² + y² - r² (degree 2), the
 /// squared length of the outer tangent.
@@ -156,4 +156,4 @@ static_assert(((kSpan.weights - kSpan.dot) * (kSpan.weights - kSpan.dot) - kSpan
 
 }  // namespace roundings
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -6,7 +6,7 @@
 #include "predicate/shadow_check.h"
 #include "predicate/span.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace stages {
 
@@ -48,4 +48,4 @@ Sign turnOfHull(const Site& i, const Site& l, const Site& k, const VoronoiCircle
   return filtered.known ? filtered.sign : stages::spanExact(i, l, k);
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -6,7 +6,7 @@
 #include "predicate/site.h"
 #include "predicate/voronoi_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Has the half-plane of the face (i, j, infinity), which is given, an outer normal of an angle in
 /// [0, pi)? Degree 6.
@@ -26,4 +26,4 @@ namespace stages {
 
 }  // namespace stages
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -19,7 +19,7 @@
 #include "predicate/formulas.h"
 #include "predicate/site.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Power of two that brings differences of at most `largest` below kLargestInput without making any
 /// of them subnormal; 1 for the magnitudes that people use.
@@ -218,4 +218,4 @@ MaybeSign decide(const Site& reference, std::initializer_list<Corner> corners,
   return {sign, !kernel.failed()};
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

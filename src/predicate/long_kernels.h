@@ -8,7 +8,7 @@
 #include "number/fixed_integer.h"
 #include "predicate/kernels.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Second middle stage, for longer inputs (decimal fractions, integers of many digits): integers of
 /// fixed width in the common unit. Fails only where the coordinates range over more than 2^117
@@ -81,4 +81,4 @@ class ExactKernel {
   std::array<Row<Dyadic>, 4> rows_;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

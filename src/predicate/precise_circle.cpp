@@ -12,7 +12,7 @@
 #include "predicate/long_kernels.h"
 #include "predicate/reference_site.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace {
 
@@ -207,4 +207,4 @@ VoronoiCircle commonVoronoiCircle(const Site& first, const Site& second, const S
   return circle;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

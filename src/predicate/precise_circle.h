@@ -5,7 +5,7 @@
 #include "predicate/site.h"
 #include "predicate/voronoi_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// The circle of a face with coordinates that are good whatever the sites: errors of a few units in
 /// the last place of the radius and of each coordinate. Takes long numbers where voronoiCircle's
@@ -19,4 +19,4 @@ namespace apollonius {
 [[nodiscard]] VoronoiCircle commonVoronoiCircle(const Site& first, const Site& second,
                                                 const Site& third);
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -7,7 +7,7 @@
 #include "predicate/shadow_check.h"
 #include "predicate/stage_counts.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// `Exact` is the exact stage, which is called only if it is asked for. `Meaning` maps signs that
 /// mean the same to one.
@@ -46,4 +46,4 @@ struct PositiveOrNot {
   Sign operator()(Sign s) const { return s == Sign::kPositive ? Sign::kPositive : Sign::kNegative; }
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -8,7 +8,7 @@
 
 #include "predicate/site.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Is `a` to be the reference site rather than b?
 inline bool isBetterReference(Corner a, Corner b) {
@@ -26,4 +26,4 @@ inline void rotateToReference(Corner& i, Corner& j, Corner& k) {
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -8,7 +8,7 @@
 #include "number/approx.h"
 #include "number/sign.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 #ifdef APOLLONIUS_SHADOW_CHECK
 inline constexpr bool kShadowCheck = true;
@@ -31,4 +31,4 @@ void shadowCheck(MaybeSign filtered, Exact&& exact, Normalise&& normalise = {}) 
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

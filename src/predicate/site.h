@@ -1,7 +1,7 @@
 // A site, and the total order of sites that settles every tie.
 #pragma once
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// A weighted point: centre (x, y) and weight r, in the user's unit. Finite, within the documented
 /// range.
@@ -26,4 +26,4 @@ constexpr bool precedes(const Site& a, const Site& b) {
   return a.y < b.y;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -5,7 +5,7 @@
 #include "number/sign.h"
 #include "predicate/formulas.h"
 
-namespace apollonius::stages {
+namespace apollonius::internal::stages {
 
 /// The sign of d_l × d_k, the outer normals of the half-planes (l, i) and (i, k) that touch the
 /// reference site i. Up to a positive factor it is cross · P + dot · Q with
@@ -38,4 +38,4 @@ Sign spanSign(Kernel& kernel, const Row<T>& l, const Row<T>& k) {
                    });
 }
 
-}  // namespace apollonius::stages
+}  // namespace apollonius::internal::stages

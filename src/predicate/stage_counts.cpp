@@ -1,6 +1,6 @@
 #include "predicate/stage_counts.h"
 
-apollonius::stages::Counts& apollonius::stages::counts() {
+apollonius::internal::stages::Counts& apollonius::internal::stages::counts() {
   thread_local Counts counts;
   return counts;
 }

@@ -1,7 +1,7 @@
 // How often each stage of the predicates has answered: for tests and the benchmark.
 #pragma once
 
-namespace apollonius::stages {
+namespace apollonius::internal::stages {
 
 /// Since the last reset, in this thread. `Cached` is the filter that takes the cached circles,
 /// `Fixed` the middle stage in integers of fixed width. Vertex conflicts and distances that are
@@ -33,4 +33,4 @@ struct Counts {
 };
 [[nodiscard]] Counts& counts();
 
-}  // namespace apollonius::stages
+}  // namespace apollonius::internal::stages

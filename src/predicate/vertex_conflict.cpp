@@ -10,7 +10,7 @@
 #include "predicate/question.h"
 #include "predicate/reference_site.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 namespace stages {
 
@@ -215,4 +215,4 @@ bool touchesCircle(const Site& i, const Site& j, const Site& k, const Site& q) {
   return vertexSign(*a, b, c, &q) == Sign::kZero;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

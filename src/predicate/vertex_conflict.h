@@ -7,7 +7,7 @@
 #include "predicate/site.h"
 #include "predicate/voronoi_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// Is q in conflict with the Voronoi vertex of the face (i, j, k), i.e. does the vertex belong to
 /// q's cell once q is added? REQUIRES: i, j, k counter-clockwise with an existing Voronoi circle,
@@ -83,4 +83,4 @@ enum class FaceCorner : unsigned char { kReference, kJ, kK };
 
 }  // namespace stages
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

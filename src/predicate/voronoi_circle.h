@@ -13,7 +13,7 @@
 
 #include "number/fp.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 struct VoronoiCircle {
   double x = 0;  ///< centre, or the normal's a
@@ -39,4 +39,4 @@ inline float roundedUp(double x) {
   return std::max(static_cast<float>(x * (1 + powerOfTwo(-22))), std::numeric_limits<float>::min());
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

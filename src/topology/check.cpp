@@ -3,7 +3,7 @@
 #include "memory/flat_array.h"
 #include "topology/graph.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 const char* Graph::check(std::uint32_t& where) const {
   const std::size_t halfedges = halfedges_.size();
@@ -88,4 +88,4 @@ const char* Graph::check(std::uint32_t& where) const {
   return nullptr;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace apollonius {
+namespace apollonius::internal {
 
 void Graph::reserveVertices(std::size_t slots) {
   if (outgoing_.size() < slots) outgoing_.resize(slots, kNoHalfedge);
@@ -191,4 +191,4 @@ void Graph::replaceStar(VertexId v, std::span<const HalfedgeId> link,
   }
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

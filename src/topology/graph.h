@@ -20,7 +20,7 @@
 #include "topology/ids.h"
 #include "topology/ranges.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class WordReader;
 class WordWriter;
@@ -188,4 +188,4 @@ class Graph {
   FlatArray<VertexId> lost_;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

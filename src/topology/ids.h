@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace apollonius {
+namespace apollonius::internal {
 
 enum class VertexId : std::uint32_t {};
 enum class HalfedgeId : std::uint32_t {};
@@ -38,4 +38,4 @@ constexpr HalfedgeId previous(HalfedgeId h) {
   return HalfedgeId{i % 3 == 0 ? i + 2 : i - 1};
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

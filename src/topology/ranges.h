@@ -7,7 +7,7 @@
 
 #include "topology/ids.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// The half-edges that start at one vertex, counter-clockwise: G is the graph.
 template <class G>
@@ -76,4 +76,4 @@ class Filtered {
   Predicate isOne_;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -4,7 +4,7 @@
 #include "topology/graph.h"
 #include "topology/words.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 void Graph::save(WordWriter& out, std::size_t vertexSlots) const {
   out.word(static_cast<std::uint32_t>(firstFree_));
@@ -63,4 +63,4 @@ bool Graph::restore(WordReader& in, std::size_t vertexSlots, std::size_t faceSlo
   return free == kNoHalfedge;
 }
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <span>
 
-namespace apollonius {
+namespace apollonius::internal {
 
 /// A word with its bytes in the order of the file, or one of the file in that of the machine.
 template <class Word>
@@ -64,4 +64,4 @@ class WordReader {
   const std::uint8_t* next_;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -11,7 +11,7 @@
 #include "delaunay/diagram_breaker.h"
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using Breaker = DiagramBreaker;
@@ -202,4 +202,4 @@ TEST_F(BrokenPartsDeathTest, PartsThatContradictEachOtherAboutASite) {
 #endif
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

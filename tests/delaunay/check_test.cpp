@@ -11,7 +11,7 @@
 #include "support/random.h"
 #include "topology/graph_breaker.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using Breaker = DiagramBreaker;
@@ -268,4 +268,4 @@ TEST_F(HierarchyCheck, SiteThatIsNotBelow) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -7,7 +7,7 @@
 #include "diagram/diagram_core.h"
 #include "predicate/compute_circle.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class DiagramBreaker {
  public:
@@ -50,4 +50,4 @@ class DiagramBreaker {
   static DelaunayGraph& level(DiagramCore& core, unsigned k) { return *core.hierarchy_.levels_[k]; }
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -14,7 +14,7 @@
 #include "support/effort.h"
 #include "topology/graph_breaker.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using test::Circles;
@@ -243,4 +243,4 @@ INSTANTIATE_TEST_SUITE_P(Proof, ProofOnCorpus, ::testing::ValuesIn(test::corpus(
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

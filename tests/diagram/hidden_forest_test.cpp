@@ -11,7 +11,7 @@
 
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using test::Random;
@@ -298,4 +298,4 @@ TEST(HiddenForest, NestedSitesAskLogarithmicallyManyQuestions) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -17,7 +17,7 @@
 #include "support/questions.h"
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using test::Circles;
@@ -277,4 +277,4 @@ TEST(HiddenWork, EquallyFarNestedSitesComeLargestFirst) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 TEST(HintGrid, GivesNothingBeforeItIsBuilt) {
@@ -88,4 +88,4 @@ TEST(HintGrid, GapsGetASiteFromBeside) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

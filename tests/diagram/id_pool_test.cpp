@@ -7,7 +7,7 @@
 
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using test::Random;
@@ -145,4 +145,4 @@ TEST(IdPool, RandomHistoriesAgreeWithTheModel) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

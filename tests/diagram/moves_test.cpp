@@ -7,7 +7,7 @@
 #include "support/corpus.h"
 #include "support/effort.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using namespace test;
@@ -152,4 +152,4 @@ TEST(Moves, HiddenSitesFollowTheirCover) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -101,27 +101,27 @@ inline std::vector<NamedOperation> shapes(std::size_t n) {
   return {
       {"curves of edges", asked([](const Voronoi& v) {
          CurveArrays curves;
-         return v.edges(curves);
+         return v.edgeCurves(curves);
        })},
       {"cells", ofEach([](const Voronoi& v, SiteId id) {
          CurveArrays curves;
-         return v.cell(id, curves);
+         return v.cellCurves(id, curves);
        })},
       {"polygons", ofEach([](const Voronoi& v, SiteId id) {
          RingArrays rings;
-         return v.polygon(id, 100, rings);
+         return v.cellPolygon(id, 100, rings);
        })},
       {"measures", ofEach([](const Voronoi& v, SiteId id) {
          CellMeasures measures;
-         return v.measures(id, measures);
+         return v.cellMeasures(id, measures);
        })},
       {"measures within", ofEach([](const Voronoi& v, SiteId id) {
          CellMeasures measures;
-         return v.measuresWithin(id, 1e5, measures);
+         return v.cellMeasuresWithin(id, 1e5, measures);
        })},
       {"areas", asked([](const Voronoi& v) {
          std::vector<double> areas;
-         return v.areas(areas);
+         return v.cellAreas(areas);
        })},
       {"hull", asked([](const Voronoi& v) {
          std::vector<SiteId> sites;
@@ -129,12 +129,12 @@ inline std::vector<NamedOperation> shapes(std::size_t n) {
        })},
       {"drawing of edges", asked([](const Voronoi& v) {
          Path path;
-         Voronoi::Portion portion;
+         Portion portion;
          return v.drawEdges(100, portion, path);
        })},
       {"drawing of the dual", asked([](const Voronoi& v) {
          Path path;
-         Voronoi::Portion portion;
+         Portion portion;
          return v.drawDual(100, true, portion, path);
        })},
       {"drawing of cells", ofEach([](const Voronoi& v, SiteId id) {

@@ -14,6 +14,8 @@
 #include "support/oracle.h"
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 bool isInDocumentedRange(double v) {

@@ -13,6 +13,8 @@
 #include "support/snapshots.h"
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;

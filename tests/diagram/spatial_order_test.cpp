@@ -9,7 +9,7 @@
 
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 std::vector<std::uint32_t> listed(const FlatArray<std::uint32_t>& order) {
@@ -134,4 +134,4 @@ TEST(RandomizedRounds, HaveDoublingSizes) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

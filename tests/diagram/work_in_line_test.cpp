@@ -15,7 +15,7 @@
 #include "support/effort.h"
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using namespace test;
@@ -154,4 +154,4 @@ INSTANTIATE_TEST_SUITE_P(Rows, WorkInLine, ::testing::ValuesIn(rows()),
                          [](const auto& parameter) { return parameter.param.name; });
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

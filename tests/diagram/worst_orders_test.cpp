@@ -17,7 +17,7 @@
 #include "support/effort.h"
 #include "support/questions.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using test::Circles;
@@ -158,4 +158,4 @@ INSTANTIATE_TEST_SUITE_P(Of, WorstOrders, ::testing::ValuesIn(generators()),
                          [](const auto& parameter) { return parameter.param.name; });
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

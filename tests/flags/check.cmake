@@ -59,7 +59,7 @@ expect_success("a consumer" ${consumer} -DOPTIONS=-O2)
 file(WRITE "${WORK}/main.cpp" "#include <cstdio>
 #include \"number/fp.h\"
 int main() {
-  const char* defect = apollonius::arithmeticDefect();
+  const char* defect = apollonius::internal::arithmeticViolation();
   std::puts(defect == nullptr ? \"as assumed\" : defect);
   return defect != nullptr;
 }

@@ -102,7 +102,7 @@ class Checker {
 
   void run() {
     std::vector<double> areas;
-    const Error error = voronoi_.areas(areas);
+    const Error error = voronoi_.cellAreas(areas);
     if (error == Error::kBadBounds) return;
     take(error);
     whole_ = areaOf(bounds_);
@@ -154,7 +154,7 @@ class Checker {
     double sum = 0;
     for (SiteId id = 0; id < areas.size(); ++id) {
       CellMeasures one;
-      take(voronoi_.measures(id, one));
+      take(voronoi_.cellMeasures(id, one));
       expect(areas[id] >= -rounding_ * whole_, "a negative area", id);
       expect(std::abs(one.area - areas[id]) <= rounding_ * whole_, "area of one cell and of all",
              id);
@@ -167,10 +167,10 @@ class Checker {
   void checkCells() {
     rings_.resize(circles_.size());
     for (SiteId id = 0; id < circles_.size(); ++id) {
-      take(voronoi_.polygon(id, tolerance_, rings_[id]));
+      take(voronoi_.cellPolygon(id, tolerance_, rings_[id]));
       checkRings(id, rings_[id]);
       CurveArrays cell;
-      take(voronoi_.cell(id, cell));
+      take(voronoi_.cellCurves(id, cell));
       for (std::size_t region = 0; region + 1 < cell.regions.size(); ++region) {
         const std::uint32_t begin = cell.regions[region], end = cell.regions[region + 1];
         expect(begin < end, "an empty region", id);
@@ -185,7 +185,7 @@ class Checker {
       CellMeasures within;
       const double radius = std::clamp(tolerance_ * std::ldexp(1.0, random_.below(30)),
                                        kSmallestMagnitude, kLargestMagnitude);
-      take(voronoi_.measuresWithin(id, radius, within));
+      take(voronoi_.cellMeasuresWithin(id, radius, within));
       // The outline is good to about 2^-48 of the largest number.
       const double seen = radius + 0x1p-45 * most_;
       expect(std::abs(within.area) <= 3.1415926536 * seen * seen * (1 + 1e-9), "more than a disk",
@@ -196,7 +196,7 @@ class Checker {
 
   void checkRings(SiteId id, const RingArrays& rings) {
     CellMeasures measures;
-    take(voronoi_.measures(id, measures));
+    take(voronoi_.cellMeasures(id, measures));
     if (rings.starts.size() < 2)
       expect(measures.area <= rounding_ * whole_, "no ring of a cell", id);
     for (std::size_t r = 0; r + 1 < rings.starts.size(); ++r) {
@@ -247,7 +247,7 @@ class Checker {
 
   void checkEdges() {
     CurveArrays edges;
-    take(voronoi_.edges(edges));
+    take(voronoi_.edgeCurves(edges));
     const double slack =
         16 * rounding_ * (bounds_.xmax - bounds_.xmin + bounds_.ymax - bounds_.ymin);
     for (std::size_t k = 0; k < edges.curves.size(); ++k) {
@@ -279,7 +279,7 @@ class Checker {
   template <class Draw>
   void checkPortions(Draw&& draw) {
     Path whole, part, joined;
-    Voronoi::Portion all, portion{0, 1 + random_.below(std::size_t{20})};
+    Portion all, portion{0, 1 + random_.below(std::size_t{20})};
     take(draw(all, whole));
     expect(all.isDone, "a drawing that does not end");
     expectFinite(whole);
@@ -296,7 +296,7 @@ class Checker {
   }
 
   void checkDrawings() {
-    using Portion = Voronoi::Portion;
+    using Portion = Portion;
     checkPortions([&](Portion& portion, Path& path) {
       return voronoi_.drawEdges(tolerance_, portion, path);
     });
@@ -340,11 +340,11 @@ class Checker {
       take(diagram_.isHidden(id, isHidden));
       take(reversed.isHidden(ids[id], isHiddenThere));
       CurveArrays cell, again;
-      take(voronoi_.cell(id, cell));
-      take(Voronoi(restored, bounds_).cell(id, again));
+      take(voronoi_.cellCurves(id, cell));
+      take(Voronoi(restored, bounds_).cellCurves(id, again));
       expect(curvesOf(cell) == curvesOf(again), "another cell after a restoration", id);
       if (isHidden != isHiddenThere) continue;  // of identical circles any may be the visible one
-      take(Voronoi(reversed, bounds_).cell(ids[id], again));
+      take(Voronoi(reversed, bounds_).cellCurves(ids[id], again));
       expect(curvesOf(cell) == curvesOf(again), "another cell after another history", id);
     }
   }

@@ -12,6 +12,8 @@
 #include "support/stage_checks.h"
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 void expect(bool holds, const char* what, const CloseCall& call) {

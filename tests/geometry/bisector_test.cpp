@@ -11,6 +11,8 @@
 #include "support/generators.h"
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 double distanceTo(const Site& s, Point p) { return length(p - Point{s.x, s.y}) - s.r; }

@@ -29,13 +29,13 @@ TEST_P(CellsOn, AreasAddUpToTheWindow) {
       if (!windowAround(circles, share, bounds)) continue;
       const Voronoi voronoi(diagram, bounds);
       std::vector<double> areas;
-      ASSERT_EQ(voronoi.areas(areas), Error::kNone);
+      ASSERT_EQ(voronoi.cellAreas(areas), Error::kNone);
       const double whole = areaOf(bounds);
       double sum = 0;
       for (SiteId id = 0; id < areas.size(); ++id) {
         sum += areas[id];
         CellMeasures one;
-        ASSERT_EQ(voronoi.measures(id, one), Error::kNone);
+        ASSERT_EQ(voronoi.cellMeasures(id, one), Error::kNone);
         ASSERT_NEAR(one.area / whole, areas[id] / whole, 1e-13)
             << "site " << id << " run " << run << " share " << share;
       }
@@ -58,7 +58,7 @@ TEST_P(CellsOn, RasterAgreesWithTheNearestSite) {
       std::vector<RingArrays> rings(circles.size());
       double sum = 0;
       for (SiteId id = 0; id < rings.size(); ++id) {
-        ASSERT_EQ(voronoi.polygon(id, tolerance, rings[id]), Error::kNone);
+        ASSERT_EQ(voronoi.cellPolygon(id, tolerance, rings[id]), Error::kNone);
         sum += areaOf(rings[id]);
       }
       ASSERT_NEAR(sum / areaOf(bounds), 1, 0.01);
@@ -97,7 +97,7 @@ TEST_P(CellsOn, BoundariesAreClosedAndShared) {
         seen;  // curves of cells, and of the cells beyond reversed: each must cancel
     for (SiteId id = 0; id < circles.size(); ++id) {
       CurveArrays cell;
-      ASSERT_EQ(voronoi.cell(id, cell), Error::kNone);
+      ASSERT_EQ(voronoi.cellCurves(id, cell), Error::kNone);
       for (std::size_t region = 0; region + 1 < cell.regions.size(); ++region) {
         const std::uint32_t begin = cell.regions[region], end = cell.regions[region + 1];
         for (std::uint32_t k = begin; k < end; ++k) {
@@ -157,14 +157,14 @@ TEST(Cells, MeasuresAgreeWithCounting) {
   }
   for (SiteId id = 0; id < circles.size(); ++id) {
     CellMeasures measures;
-    ASSERT_EQ(voronoi.measures(id, measures), Error::kNone);
+    ASSERT_EQ(voronoi.cellMeasures(id, measures), Error::kNone);
     EXPECT_NEAR(measures.area / areaOf(bounds), area[id] / areaOf(bounds), 1e-3);
     EXPECT_EQ(measures.isEmpty, measures.area == 0);
     if (measures.area < 0.01 * areaOf(bounds)) continue;
     EXPECT_NEAR(measures.centroidX, x[id] / area[id], 2e-3 * (bounds.xmax - bounds.xmin));
     EXPECT_NEAR(measures.centroidY, y[id] / area[id], 2e-3 * (bounds.xmax - bounds.xmin));
     RingArrays rings;
-    ASSERT_EQ(voronoi.polygon(id, 1e-7 * (bounds.xmax - bounds.xmin), rings), Error::kNone);
+    ASSERT_EQ(voronoi.cellPolygon(id, 1e-7 * (bounds.xmax - bounds.xmin), rings), Error::kNone);
     EXPECT_NEAR(areaOf(rings) / measures.area, 1, 1e-5);
     double perimeter = 0;
     for (std::size_t k = 0; k + 1 < rings.coordinates.size() / 2; ++k) {
@@ -182,7 +182,7 @@ std::vector<double> areasOf(const Circles& circles, const Bounds& bounds) {
   Diagram diagram;
   insertInto(diagram, circles);
   std::vector<double> areas;
-  EXPECT_EQ(Voronoi(diagram, bounds).areas(areas), Error::kNone);
+  EXPECT_EQ(Voronoi(diagram, bounds).cellAreas(areas), Error::kNone);
   return areas;
 }
 
@@ -222,7 +222,7 @@ TEST(Cells, ContactsThatAreNoCuts) {
   Diagram diagram;
   insertInto(diagram, grid);
   CurveArrays cell;
-  EXPECT_EQ(Voronoi(diagram, {0.5, 0.5, 3.5, 3.5}).cell(0, cell), Error::kNone);
+  EXPECT_EQ(Voronoi(diagram, {0.5, 0.5, 3.5, 3.5}).cellCurves(0, cell), Error::kNone);
   EXPECT_TRUE(cell.curves.empty()) << "a cell that only touches the window";
 }
 
@@ -248,15 +248,15 @@ TEST(Cells, IntegerCirclesInWindowsThatEndOnTheirEdgesAndVertices) {
     insertInto(diagram, circles);
     const Voronoi voronoi(diagram, bounds);
     std::vector<double> areas;
-    ASSERT_EQ(voronoi.areas(areas), Error::kNone);
+    ASSERT_EQ(voronoi.cellAreas(areas), Error::kNone);
     const double whole = areaOf(bounds), tolerance = 1e-3 * unit;
     double sum = 0;
     std::vector<RingArrays> rings(areas.size());
     for (SiteId id = 0; id < areas.size(); ++id) {
       CellMeasures measures;
-      ASSERT_EQ(voronoi.measures(id, measures), Error::kNone);
+      ASSERT_EQ(voronoi.cellMeasures(id, measures), Error::kNone);
       ASSERT_NEAR(measures.area / whole, areas[id] / whole, 1e-12) << "run " << run;
-      ASSERT_EQ(voronoi.polygon(id, tolerance, rings[id]), Error::kNone);
+      ASSERT_EQ(voronoi.cellPolygon(id, tolerance, rings[id]), Error::kNone);
       sum += areas[id];
     }
     ASSERT_NEAR(sum / whole, 1, 1e-12) << "run " << run;
@@ -281,7 +281,7 @@ TEST(Cells, IntegerCirclesInWindowsThatEndOnTheirEdgesAndVertices) {
 /// The curves of a cell in an order of their own.
 std::vector<std::vector<double>> sortedCurves(const Voronoi& voronoi, SiteId id) {
   CurveArrays cell;
-  EXPECT_EQ(voronoi.cell(id, cell), Error::kNone);
+  EXPECT_EQ(voronoi.cellCurves(id, cell), Error::kNone);
   std::vector<std::vector<double>> curves;
   for (std::size_t k = 0; k < cell.curves.size(); k += 7)
     curves.emplace_back(&cell.curves[k], &cell.curves[k] + 7);
@@ -329,14 +329,14 @@ TEST(Cells, SeveralRegionsOfOneCell) {
   insertInto(diagram, circles);
   const Voronoi voronoi(diagram, {30, 0, 100, 100});
   CurveArrays cell;
-  ASSERT_EQ(voronoi.cell(0, cell), Error::kNone);
+  ASSERT_EQ(voronoi.cellCurves(0, cell), Error::kNone);
   EXPECT_EQ(cell.regions.size(), 3u);
   RingArrays rings;
-  ASSERT_EQ(voronoi.polygon(0, 1e-3, rings), Error::kNone);
+  ASSERT_EQ(voronoi.cellPolygon(0, 1e-3, rings), Error::kNone);
   ASSERT_EQ(rings.starts.size(), 3u);
   CellMeasures large, small;
-  ASSERT_EQ(voronoi.measures(0, large), Error::kNone);
-  ASSERT_EQ(voronoi.measures(1, small), Error::kNone);
+  ASSERT_EQ(voronoi.cellMeasures(0, large), Error::kNone);
+  ASSERT_EQ(voronoi.cellMeasures(1, small), Error::kNone);
   EXPECT_NEAR(large.area + small.area, 7000, 1e-10);
   EXPECT_NEAR(areaOf(rings), large.area, 0.1);
   EXPECT_NEAR(large.centroidY, 50, 1e-9) << "symmetric";
@@ -349,7 +349,7 @@ TEST(Cells, WindowThatCutsAHyperbolaTwice) {
   Diagram diagram;
   insertInto(diagram, {{0, 0, 3}, {10, 0, 1}});
   CurveArrays edges;
-  ASSERT_EQ(Voronoi(diagram, {6.5, -20, 20, 20}).edges(edges), Error::kNone);
+  ASSERT_EQ(Voronoi(diagram, {6.5, -20, 20, 20}).edgeCurves(edges), Error::kNone);
   EXPECT_EQ(edges.sites.size(), 4u) << "two pieces of one edge";
 }
 
@@ -358,17 +358,17 @@ TEST(Cells, WithinARadius) {
   Diagram diagram;
   insertInto(diagram, {{0, 0, 1}, {10, 0, 1}, {200, 0, 1}});
   CellMeasures measures;
-  ASSERT_EQ(Voronoi(diagram).measuresWithin(0, 3, measures), Error::kNone);
+  ASSERT_EQ(Voronoi(diagram).cellMeasuresWithin(0, 3, measures), Error::kNone);
   EXPECT_NEAR(measures.area, 9 * pi, 1e-13);
   EXPECT_NEAR(measures.perimeter, 6 * pi, 1e-12);
-  ASSERT_EQ(Voronoi(diagram).measuresWithin(0, 7, measures), Error::kNone);
+  ASSERT_EQ(Voronoi(diagram).cellMeasuresWithin(0, 7, measures), Error::kNone);
   const double half = std::acos(5.0 / 7), segment = 49 * (half - std::sin(half) * std::cos(half));
   EXPECT_NEAR(measures.area, 49 * pi - segment, 1e-11);
   EXPECT_LT(measures.centroidX, 0);
   EXPECT_NEAR(measures.centroidY, 0, 1e-13);
-  EXPECT_EQ(Voronoi(diagram).measuresWithin(0, -1, measures), Error::kOutOfRange);
-  EXPECT_EQ(Voronoi(diagram).measuresWithin(9, 1, measures), Error::kUnknownSite);
-  ASSERT_EQ(Voronoi(diagram).measuresWithin(0, 0, measures), Error::kNone);
+  EXPECT_EQ(Voronoi(diagram).cellMeasuresWithin(0, -1, measures), Error::kOutOfRange);
+  EXPECT_EQ(Voronoi(diagram).cellMeasuresWithin(9, 1, measures), Error::kUnknownSite);
+  ASSERT_EQ(Voronoi(diagram).cellMeasuresWithin(0, 0, measures), Error::kNone);
   EXPECT_TRUE(measures.isEmpty);
 
   // Against clipping: a radius beyond a bounded cell gives the whole of it.
@@ -380,10 +380,10 @@ TEST(Cells, WithinARadius) {
   int whole = 0;
   for (SiteId id = 0; id < circles.size(); ++id) {
     CellMeasures cell, within;
-    ASSERT_EQ(wide.measures(id, cell), Error::kNone);
+    ASSERT_EQ(wide.cellMeasures(id, cell), Error::kNone);
     double before = 0;
     for (const double radius : {1e5, 3e5, 1e6, 5e6}) {
-      ASSERT_EQ(wide.measuresWithin(id, radius, within), Error::kNone);
+      ASSERT_EQ(wide.cellMeasuresWithin(id, radius, within), Error::kNone);
       ASSERT_GE(within.area, before * (1 - 1e-12));
       ASSERT_LE(within.area, std::min(cell.area, pi * radius * radius) * (1 + 1e-9));
       before = within.area;

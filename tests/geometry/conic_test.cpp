@@ -13,6 +13,8 @@
 #include "support/generators.h"
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 const double kWeights[] = {0, 1e-3, 0.3, 0.70710678, 0.99, 1, 1.0001, 1.2, 3, 50, 1e4, 1e9};
@@ -175,7 +177,7 @@ TEST(Measures, AreaMomentsAndLengthOfPiecesAgreeWithPolylines) {
       points.push_back(conic.p2);
       for (std::size_t k = 0; k + 1 < points.size(); ++k) {
         summed.add(Conic::segment(points[k], points[k + 1]), {1, 1});
-        length += apollonius::length(points[k + 1] - points[k]);
+        length += apollonius::internal::length(points[k + 1] - points[k]);
       }
       EXPECT_NEAR(exact.area, summed.area, 2e-5) << w;
       EXPECT_NEAR(exact.first.x, summed.first.x, 3e-4) << w;

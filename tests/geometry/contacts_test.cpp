@@ -11,6 +11,8 @@
 #include "support/operations.h"
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 const double kPi = std::acos(-1.0);
@@ -163,7 +165,7 @@ void checkDisk(const Circles& circles, SiteId site, double radius) {
   bool hidden = false;
   ASSERT_EQ(diagram.isHidden(site, hidden), Error::kNone);
   CellMeasures measures;
-  ASSERT_EQ(Voronoi(diagram).measuresWithin(site, radius, measures), Error::kNone);
+  ASSERT_EQ(Voronoi(diagram).cellMeasuresWithin(site, radius, measures), Error::kNone);
   const double share = hidden ? 0 : sampledShare(circles, site, radius);
   EXPECT_NEAR(measures.area / (kPi * radius * radius), share, 0.03)
       << "site " << site << " radius " << radius << "\n"
@@ -196,7 +198,7 @@ TEST(Contacts, HalfADiskOfAnyRadius) {
     Diagram diagram;
     insertInto(diagram, {{small, 0, small / 4}, {-small, 0, small / 4}, {0, 0.75 * small, 0}});
     CellMeasures measures;
-    ASSERT_EQ(Voronoi(diagram).measuresWithin(0, radius, measures), Error::kNone);
+    ASSERT_EQ(Voronoi(diagram).cellMeasuresWithin(0, radius, measures), Error::kNone);
     // The third site takes less than a quarter.
     EXPECT_GT(measures.area / radius / radius, kPi / 4) << exponent;
     EXPECT_LT(measures.area / radius / radius, kPi / 2 * (1 + 1e-9)) << exponent;
@@ -215,7 +217,7 @@ TEST(Contacts, ADiskSmallerThanTheDistanceOfDoublesIsFinite) {
         {{1e-79, 1e36, 0}, {1.0000000000000001e-79, 1e36, 0}, {2e-79, 1e36, 0}, {1e-79, 3e36, 0}});
     for (SiteId site = 0; site < 4; ++site) {
       CellMeasures measures;
-      ASSERT_EQ(Voronoi(diagram).measuresWithin(site, radius, measures), Error::kNone);
+      ASSERT_EQ(Voronoi(diagram).cellMeasuresWithin(site, radius, measures), Error::kNone);
       EXPECT_GE(measures.perimeter, 0) << radius;
       EXPECT_LE(measures.perimeter, 10 * (radius + 1e21)) << radius;
       EXPECT_LE(measures.area, 10 * (radius + 1e21) * (radius + 1e21)) << radius;
@@ -227,12 +229,12 @@ double sumOfAreas(const Circles& circles, const Bounds& bounds) {
   Diagram diagram;
   insertInto(diagram, circles);
   std::vector<double> areas;
-  EXPECT_EQ(Voronoi(diagram, bounds).areas(areas), Error::kNone);
+  EXPECT_EQ(Voronoi(diagram, bounds).cellAreas(areas), Error::kNone);
   double sum = 0, cells = 0;
   for (const double area : areas) sum += area;
   for (SiteId id = 0; id < circles.size(); ++id) {
     CellMeasures measures;
-    EXPECT_EQ(Voronoi(diagram, bounds).measures(id, measures), Error::kNone);
+    EXPECT_EQ(Voronoi(diagram, bounds).cellMeasures(id, measures), Error::kNone);
     cells += measures.area;
   }
   cells /= areaOf(bounds);

@@ -103,7 +103,7 @@ TEST_P(DualOn, NoTwoEdgesCross) {
     const Voronoi voronoi(diagram, bounds);
     const double size = bounds.xmax - bounds.xmin;
     Path path;
-    Voronoi::Portion portion;
+    Portion portion;
     ASSERT_EQ(voronoi.drawDual(size * 1e-7, true, portion, path), Error::kNone);
     ASSERT_TRUE(portion.isDone);
     for (const double number : path.coordinates) ASSERT_TRUE(std::isfinite(number));
@@ -123,7 +123,7 @@ TEST_P(DualOn, OneCurveForEachEdge) {
   EdgeArrays edges;
   ASSERT_EQ(diagram.edges(edges), Error::kNone);
   Path path;
-  Voronoi::Portion portion;
+  Portion portion;
   ASSERT_EQ(Voronoi(diagram).drawDual(1, false, portion, path), Error::kNone);
   const auto moves = std::count(path.commands.begin(), path.commands.end(),
                                 static_cast<std::uint8_t>(Command::kMove));
@@ -198,7 +198,7 @@ Path drawnDual(const Circles& circles, const Bounds& bounds, double tolerance) {
   Diagram diagram;
   insertInto(diagram, circles);
   Path path;
-  Voronoi::Portion portion;
+  Portion portion;
   EXPECT_EQ(Voronoi(diagram, bounds).drawDual(tolerance, true, portion, path), Error::kNone);
   return path;
 }

@@ -22,9 +22,9 @@ int checkRings(const Circles& circles, const Bounds& bounds, double tolerance) {
   int count = 0;
   for (SiteId id = 0; id < circles.size(); ++id) {
     RingArrays rings;
-    EXPECT_EQ(voronoi.polygon(id, tolerance, rings), Error::kNone);
+    EXPECT_EQ(voronoi.cellPolygon(id, tolerance, rings), Error::kNone);
     CellMeasures measures;
-    EXPECT_EQ(voronoi.measures(id, measures), Error::kNone);
+    EXPECT_EQ(voronoi.cellMeasures(id, measures), Error::kNone);
     if (rings.starts.size() < 2) {
       EXPECT_LT(measures.area, 1e-12 * areaOf(bounds)) << "site " << id << " has no ring";
     }

@@ -15,6 +15,8 @@
 
 namespace apollonius::test {
 
+using namespace internal;
+
 inline void insertInto(Diagram& diagram, const Circles& circles) {
   std::vector<double> xyr;
   for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});

@@ -10,7 +10,7 @@
 #include "support/effort.h"
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using test::Random;
@@ -35,4 +35,4 @@ TEST(TurnOf, IsExactForPointsAlmostInLine) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

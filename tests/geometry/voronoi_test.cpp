@@ -16,6 +16,8 @@
 #include "support/replay.h"
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 /// Hash of curves, measures and drawings of a fixed set of diagrams; native code and wasm must
@@ -37,26 +39,26 @@ TEST(VoronoiErrors, BadBoundsAndTolerances) {
     RingArrays rings;
     CellMeasures measures;
     Path path;
-    Voronoi::Portion portion;
-    EXPECT_EQ(voronoi.areas(areas), Error::kBadBounds);
-    EXPECT_EQ(voronoi.edges(curves), Error::kBadBounds);
-    EXPECT_EQ(voronoi.cell(0, curves), Error::kBadBounds);
-    EXPECT_EQ(voronoi.polygon(0, 1, rings), Error::kBadBounds);
-    EXPECT_EQ(voronoi.measures(0, measures), Error::kBadBounds);
+    Portion portion;
+    EXPECT_EQ(voronoi.cellAreas(areas), Error::kBadBounds);
+    EXPECT_EQ(voronoi.edgeCurves(curves), Error::kBadBounds);
+    EXPECT_EQ(voronoi.cellCurves(0, curves), Error::kBadBounds);
+    EXPECT_EQ(voronoi.cellPolygon(0, 1, rings), Error::kBadBounds);
+    EXPECT_EQ(voronoi.cellMeasures(0, measures), Error::kBadBounds);
     EXPECT_EQ(voronoi.drawEdges(1, portion, path), Error::kBadBounds);
     EXPECT_EQ(voronoi.drawCell(0, 1, path), Error::kBadBounds);
     EXPECT_EQ(areas, std::vector<double>{3}) << "unchanged";
   }
   const Voronoi voronoi(diagram);
   RingArrays rings;
-  EXPECT_EQ(voronoi.polygon(0, 0, rings), Error::kOutOfRange);
-  EXPECT_EQ(voronoi.polygon(0, -1, rings), Error::kOutOfRange);
-  EXPECT_EQ(voronoi.polygon(0, kNan, rings), Error::kNotFinite);
-  EXPECT_EQ(voronoi.polygon(0, kInf, rings), Error::kNotFinite);
-  EXPECT_EQ(voronoi.polygon(2, 1, rings), Error::kUnknownSite);
+  EXPECT_EQ(voronoi.cellPolygon(0, 0, rings), Error::kOutOfRange);
+  EXPECT_EQ(voronoi.cellPolygon(0, -1, rings), Error::kOutOfRange);
+  EXPECT_EQ(voronoi.cellPolygon(0, kNan, rings), Error::kNotFinite);
+  EXPECT_EQ(voronoi.cellPolygon(0, kInf, rings), Error::kNotFinite);
+  EXPECT_EQ(voronoi.cellPolygon(2, 1, rings), Error::kUnknownSite);
   CellMeasures measures;
-  EXPECT_EQ(voronoi.measures(kNoSite, measures), Error::kUnknownSite);
-  EXPECT_EQ(voronoi.polygon(0, 1e-300, rings), Error::kNone) << "as fine as it gets";
+  EXPECT_EQ(voronoi.cellMeasures(kNoSite, measures), Error::kUnknownSite);
+  EXPECT_EQ(voronoi.cellPolygon(0, 1e-300, rings), Error::kNone) << "as fine as it gets";
 }
 
 TEST(VoronoiErrors, HiddenSitesHaveNothing) {
@@ -67,14 +69,14 @@ TEST(VoronoiErrors, HiddenSitesHaveNothing) {
   RingArrays rings;
   CellMeasures measures;
   Path path;
-  ASSERT_EQ(voronoi.cell(1, curves), Error::kNone);
+  ASSERT_EQ(voronoi.cellCurves(1, curves), Error::kNone);
   EXPECT_TRUE(curves.curves.empty());
   EXPECT_EQ(curves.regions.size(), 1u);
-  ASSERT_EQ(voronoi.polygon(1, 1, rings), Error::kNone);
+  ASSERT_EQ(voronoi.cellPolygon(1, 1, rings), Error::kNone);
   EXPECT_TRUE(rings.coordinates.empty());
-  ASSERT_EQ(voronoi.measures(1, measures), Error::kNone);
+  ASSERT_EQ(voronoi.cellMeasures(1, measures), Error::kNone);
   EXPECT_TRUE(measures.isEmpty);
-  ASSERT_EQ(voronoi.measuresWithin(1, 10, measures), Error::kNone);
+  ASSERT_EQ(voronoi.cellMeasuresWithin(1, 10, measures), Error::kNone);
   EXPECT_TRUE(measures.isEmpty);
   ASSERT_EQ(voronoi.drawCell(1, 1, path), Error::kNone);
   EXPECT_TRUE(path.commands.empty());
@@ -89,10 +91,10 @@ TEST(Voronoi, PortionsMakeUpTheWhole) {
   ASSERT_TRUE(windowAround(circles, -0.2, bounds));
   const Voronoi voronoi(diagram, bounds);
   Path whole, part, joined;
-  Voronoi::Portion all;
+  Portion all;
   ASSERT_EQ(voronoi.drawEdges(100, all, whole), Error::kNone);
   EXPECT_TRUE(all.isDone);
-  Voronoi::Portion portion{0, 64};
+  Portion portion{0, 64};
   int portions = 0;
   while (!portion.isDone) {
     ASSERT_EQ(voronoi.drawEdges(100, portion, part), Error::kNone);
@@ -128,7 +130,7 @@ TEST(Voronoi, DrawingsAreOnTheCurves) {
       return second - first;
     };
     Path path;
-    Voronoi::Portion portion;
+    Portion portion;
     ASSERT_EQ(Voronoi(diagram, bounds).drawEdges(tolerance, portion, path), Error::kNone);
     double x = 0, y = 0;
     std::size_t at = 0, curves = 0;
@@ -167,7 +169,7 @@ TEST(Voronoi, DrawingsAreOnTheCurves) {
 void add(const Voronoi& voronoi, const std::vector<SiteId>& order, double tolerance, Hash& hash) {
   for (const SiteId id : order) {
     CurveArrays cell;
-    ASSERT_EQ(voronoi.cell(id, cell), Error::kNone);
+    ASSERT_EQ(voronoi.cellCurves(id, cell), Error::kNone);
     std::vector<std::vector<double>> curves;
     for (std::size_t k = 0; k + 6 < cell.curves.size(); k += 7)
       curves.emplace_back(&cell.curves[k], &cell.curves[k] + 7);
@@ -271,30 +273,30 @@ TEST(VoronoiDeterminism, RestoredDiagramsHaveTheSameShapes) {
     };
     onBoth([](const Voronoi& a, const Voronoi& b) {
       CurveArrays curves, same;
-      ASSERT_EQ(a.edges(curves), Error::kNone);
-      ASSERT_EQ(b.edges(same), Error::kNone);
+      ASSERT_EQ(a.edgeCurves(curves), Error::kNone);
+      ASSERT_EQ(b.edgeCurves(same), Error::kNone);
       EXPECT_EQ(curves.curves, same.curves);
       EXPECT_EQ(curves.sites, same.sites);
     });
     onBoth([&](const Voronoi& a, const Voronoi& b) {
       for (SiteId id = 0; id < circles.size(); ++id) {
         CurveArrays cell, same;
-        ASSERT_EQ(a.cell(id, cell), Error::kNone);
-        ASSERT_EQ(b.cell(id, same), Error::kNone);
+        ASSERT_EQ(a.cellCurves(id, cell), Error::kNone);
+        ASSERT_EQ(b.cellCurves(id, same), Error::kNone);
         EXPECT_EQ(cell.curves, same.curves);
       }
     });
     onBoth([&](const Voronoi& a, const Voronoi& b) {
       std::vector<double> areas, same;
-      ASSERT_EQ(a.areas(areas), Error::kNone);
-      ASSERT_EQ(b.areas(same), Error::kNone);
+      ASSERT_EQ(a.cellAreas(areas), Error::kNone);
+      ASSERT_EQ(b.cellAreas(same), Error::kNone);
       ASSERT_EQ(areas.size(), same.size());
       for (std::size_t k = 0; k < areas.size(); ++k)
         EXPECT_NEAR(areas[k], same[k], 1e-11 * size * largest);
     });
     onBoth([&](const Voronoi& a, const Voronoi& b) {
       Path path, same;
-      Voronoi::Portion portion, again;
+      Portion portion, again;
       ASSERT_EQ(a.drawEdges(tolerance, portion, path), Error::kNone);
       ASSERT_EQ(b.drawEdges(tolerance, again, same), Error::kNone);
       // Last bits decide in which of several ways an edge is drawn, and when.
@@ -303,7 +305,7 @@ TEST(VoronoiDeterminism, RestoredDiagramsHaveTheSameShapes) {
     });
     onBoth([&](const Voronoi& a, const Voronoi& b) {
       Path path, same;
-      Voronoi::Portion portion, again;
+      Portion portion, again;
       ASSERT_EQ(a.drawDual(tolerance, true, portion, path), Error::kNone);
       ASSERT_EQ(b.drawDual(tolerance, true, again, same), Error::kNone);
       EXPECT_EQ(path.commands, same.commands);
@@ -316,14 +318,14 @@ TEST(VoronoiErrors, BadRadii) {
   insertInto(diagram, {{1, 2, 1}});
   const Voronoi voronoi(diagram);
   CellMeasures measures;
-  EXPECT_EQ(voronoi.measuresWithin(1, 1, measures), Error::kUnknownSite);
-  EXPECT_EQ(voronoi.measuresWithin(0, std::numeric_limits<double>::quiet_NaN(), measures),
+  EXPECT_EQ(voronoi.cellMeasuresWithin(1, 1, measures), Error::kUnknownSite);
+  EXPECT_EQ(voronoi.cellMeasuresWithin(0, std::numeric_limits<double>::quiet_NaN(), measures),
             Error::kNotFinite);
-  EXPECT_EQ(voronoi.measuresWithin(0, std::numeric_limits<double>::infinity(), measures),
+  EXPECT_EQ(voronoi.cellMeasuresWithin(0, std::numeric_limits<double>::infinity(), measures),
             Error::kNotFinite);
-  EXPECT_EQ(voronoi.measuresWithin(0, -1, measures), Error::kOutOfRange);
-  EXPECT_EQ(voronoi.measuresWithin(0, 1e101, measures), Error::kOutOfRange);
-  EXPECT_EQ(voronoi.measuresWithin(0, 1e100, measures), Error::kNone);
+  EXPECT_EQ(voronoi.cellMeasuresWithin(0, -1, measures), Error::kOutOfRange);
+  EXPECT_EQ(voronoi.cellMeasuresWithin(0, 1e101, measures), Error::kOutOfRange);
+  EXPECT_EQ(voronoi.cellMeasuresWithin(0, 1e100, measures), Error::kNone);
 }
 
 TEST(VoronoiSites, AllCirclesAreDrawnHiddenOnesTooAndPointsAreNot) {
@@ -331,13 +333,13 @@ TEST(VoronoiSites, AllCirclesAreDrawnHiddenOnesTooAndPointsAreNot) {
   insertInto(diagram, {{3, 4, 2}, {10, 4, 0}, {3, 4, 1}});
   const Voronoi voronoi(diagram, {0, 0, 20, 20});
   Path whole;
-  Voronoi::Portion all;
+  Portion all;
   ASSERT_EQ(voronoi.drawSites(1e-3, all, whole), Error::kNone);
   EXPECT_TRUE(all.isDone);
   EXPECT_EQ(whole.commands.size(), 12u) << "twice: move, four quarters, close";
 
   Path path;
-  Voronoi::Portion portion;
+  Portion portion;
   portion.commands = 1;
   std::size_t commands = 0, calls = 0;
   for (; !portion.isDone; ++calls) {

@@ -19,7 +19,7 @@ int main() {
 
   CellMeasures measures;
   const Voronoi voronoi(diagram, {-10, -10, 20, 20});
-  if (voronoi.measures(nearest, measures) != Error::kNone) return 3;
+  if (voronoi.cellMeasures(nearest, measures) != Error::kNone) return 3;
   std::printf("site %u at %g, area %.3f\n", nearest, distance, measures.area);
   return 0;
 }

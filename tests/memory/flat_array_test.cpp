@@ -10,7 +10,7 @@
 #include "support/effort.h"
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using namespace test;
@@ -141,4 +141,4 @@ TEST(FlatArray, NoRoomIsTooLargeToBeRefused) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

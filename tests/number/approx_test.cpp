@@ -11,7 +11,7 @@
 #include "support/effort.h"
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using test::Random;
@@ -117,4 +117,4 @@ TEST(Approx, WhatUnderflowMayHaveLeftIsUnknown) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

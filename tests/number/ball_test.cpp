@@ -10,7 +10,7 @@
 #include "support/effort.h"
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using test::Random;
@@ -99,4 +99,4 @@ TEST(Ball, CertainlyPositiveMeansPositive) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -13,7 +13,7 @@
 #include "support/oracle_numbers.h"
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using test::Integer;
@@ -123,4 +123,4 @@ TEST(Dyadic, RoundedKeepsFiftyTwoBits) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -10,7 +10,7 @@
 #include "support/effort.h"
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using boost::multiprecision::cpp_int;
@@ -129,4 +129,4 @@ TEST(FixedInteger, LargestProducts) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -11,7 +11,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 TEST(Fp, PowersOfTwoAreExact) {
@@ -85,4 +85,4 @@ TEST(FpDeathTest, NoDiagramWithoutSubnormals) {
 #endif
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

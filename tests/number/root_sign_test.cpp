@@ -10,7 +10,7 @@
 #include "support/oracle_numbers.h"
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using test::Integer;
@@ -85,4 +85,4 @@ TEST(RootSign, NearlyEqualNumbers) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

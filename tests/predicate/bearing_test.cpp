@@ -11,7 +11,7 @@
 #include "support/corpus.h"
 #include "support/effort.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using namespace test;
@@ -120,4 +120,4 @@ INSTANTIATE_TEST_SUITE_P(Corpus, BearingOn, ::testing::ValuesIn(corpus()),
                          [](const auto& parameter) { return parameter.param.name; });
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -12,7 +12,7 @@
 #include "support/effort.h"
 #include "support/operations.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using namespace test;
@@ -114,4 +114,4 @@ TEST(CircleFan, FacesWithInfinityAreHalfPlanes) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

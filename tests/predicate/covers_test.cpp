@@ -11,7 +11,7 @@
 #include "support/effort.h"
 #include "support/operations.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using namespace test;
@@ -91,4 +91,4 @@ TEST(Precedes, IsAStrictTotalOrderByWeightThenXThenY) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -10,7 +10,7 @@
 #include "support/effort.h"
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using test::Random;
@@ -128,4 +128,4 @@ TEST(Direction, OfAPointStaysWithinItsBound) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -13,7 +13,7 @@
 #include "support/effort.h"
 #include "support/operations.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using namespace test;
@@ -123,4 +123,4 @@ TEST(Distance, EasyComparisonsAreAnsweredByTheFilter) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

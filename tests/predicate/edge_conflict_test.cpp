@@ -13,7 +13,7 @@
 #include "support/effort.h"
 #include "support/operations.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using namespace test;
@@ -168,4 +168,4 @@ TEST(EdgeConflict, EasyCasesAreAnsweredByTheFilter) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

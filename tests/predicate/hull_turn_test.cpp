@@ -12,6 +12,8 @@
 #include "support/generators.h"
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 Sign hullTurn(const Site& i, const Site& l, const Site& k) {

@@ -8,7 +8,7 @@
 #include "support/oracle_numbers.h"
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using test::Integer;
@@ -209,4 +209,4 @@ TEST_F(Identities, CaseyOnRationalCircles) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

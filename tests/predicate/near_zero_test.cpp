@@ -14,7 +14,7 @@
 #include "support/effort.h"
 #include "support/random.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using test::Random;
@@ -397,4 +397,4 @@ TEST(NearZero, Hull) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

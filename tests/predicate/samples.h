@@ -10,6 +10,8 @@
 
 namespace apollonius::test {
 
+using namespace internal;
+
 inline Site toSite(const Circle& c) { return {c.x, c.y, c.r}; }
 
 inline std::vector<Site> toSites(const Circles& circles) {

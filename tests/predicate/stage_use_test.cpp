@@ -11,7 +11,7 @@
 #include "support/corpus.h"
 #include "support/effort.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using namespace test;
@@ -100,4 +100,4 @@ TEST(StageUse, LongestNumbersFitTheExactStage) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

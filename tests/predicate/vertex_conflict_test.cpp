@@ -15,7 +15,7 @@
 #include "support/effort.h"
 #include "support/operations.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using namespace test;
@@ -282,4 +282,4 @@ TEST(VertexConflict, OneUlpFromDegenerate) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

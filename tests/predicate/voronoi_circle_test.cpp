@@ -17,7 +17,7 @@
 #include "support/effort.h"
 #include "support/operations.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 namespace {
 
 using namespace test;
@@ -234,4 +234,4 @@ TEST(VoronoiCircle, SimpleCases) {
 }
 
 }  // namespace
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -10,6 +10,8 @@
 
 namespace apollonius::test {
 
+using namespace internal;
+
 namespace {
 
 /// The nearest number in the range that stands for what a construction made; 0 for NaN.

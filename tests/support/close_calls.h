@@ -14,6 +14,8 @@
 
 namespace apollonius::test {
 
+using namespace internal;
+
 struct CloseCall {
   std::array<Site, 5> sites;
   double x = 0, y = 0;  ///< a point

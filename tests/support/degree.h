@@ -7,6 +7,8 @@
 
 namespace apollonius::test {
 
+using namespace internal;
+
 /// 0 without a place in the graph.
 inline std::size_t degree(const Graph& graph, VertexId v) {
   if (!graph.hasVertex(v)) return 0;

@@ -249,7 +249,7 @@ bool callEverything(Diagram& diagram, std::uint64_t seed) {
     const Bounds extent = Voronoi::extentOf(diagram);
     const Voronoi voronoi(diagram, random.oneIn(2) ? extent : Bounds{-100, -100, 100, 100});
     const double tolerance = defaultTolerance(extent);
-    Voronoi::Portion portion;
+    Portion portion;
     Violation violation;
     // Reading calls, and one that changes it after a while.
     switch (random.below(step < 20 ? 22u : 30u)) {
@@ -286,22 +286,22 @@ bool callEverything(Diagram& diagram, std::uint64_t seed) {
         take(diagram.toBytes(bytes));
         break;
       case 12:
-        take(voronoi.edges(curves));
+        take(voronoi.edgeCurves(curves));
         break;
       case 13:
-        take(voronoi.cell(anyId(), curves));
+        take(voronoi.cellCurves(anyId(), curves));
         break;
       case 14:
-        take(voronoi.polygon(anyId(), tolerance, rings));
+        take(voronoi.cellPolygon(anyId(), tolerance, rings));
         break;
       case 15:
-        take(voronoi.measures(anyId(), measures));
+        take(voronoi.cellMeasures(anyId(), measures));
         break;
       case 16:
-        take(voronoi.measuresWithin(anyId(), 1 + (r < 0 ? -r : r), measures));
+        take(voronoi.cellMeasuresWithin(anyId(), 1 + (r < 0 ? -r : r), measures));
         break;
       case 17:
-        take(voronoi.areas(areas));
+        take(voronoi.cellAreas(areas));
         break;
       case 18:
         take(voronoi.hull(some));

@@ -9,6 +9,8 @@
 
 namespace apollonius::test {
 
+using namespace internal;
+
 /// Questions to predicates so far, whichever stage answered. What filters settle within a walk,
 /// unasked, is not among them.
 inline double questions() {

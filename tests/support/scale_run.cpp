@@ -8,6 +8,8 @@
 
 namespace apollonius::test {
 
+using namespace internal;
+
 namespace {
 
 constexpr std::size_t kSetSize = 16, kCallsOfASet = 6;

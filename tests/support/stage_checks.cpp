@@ -12,6 +12,8 @@
 
 namespace apollonius::test {
 
+using namespace internal;
+
 namespace {
 
 constexpr Sign yesOrNo(bool yes) { return yes ? Sign::kPositive : Sign::kNegative; }
@@ -77,7 +79,7 @@ bool StageChecks::covers(const Site& a, const Site& b) {
     compare(kCovers, p, {stages::lorentzFilter(a, b), stages::lorentzMiddle(a, b)});
     exact = p != Sign::kPositive;
   }
-  expect(apollonius::covers(a, b) == exact, "covers");
+  expect(apollonius::internal::covers(a, b) == exact, "covers");
   return exact;
 }
 

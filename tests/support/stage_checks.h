@@ -18,6 +18,8 @@
 
 namespace apollonius::test {
 
+using namespace internal;
+
 class StageChecks {
  public:
   StageChecks();

@@ -3,6 +3,8 @@
 #include "topology/surface.h"
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 class GraphCheck : public ::testing::Test {

@@ -3,7 +3,7 @@
 
 #include "topology/graph.h"
 
-namespace apollonius {
+namespace apollonius::internal {
 
 class GraphBreaker {
  public:
@@ -28,4 +28,4 @@ class GraphBreaker {
   Graph& graph_;
 };
 
-}  // namespace apollonius
+}  // namespace apollonius::internal

@@ -2,6 +2,8 @@
 #include "topology/surface.h"
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 TEST(Ids, NextAndPreviousStayInTheFace) {

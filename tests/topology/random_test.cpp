@@ -9,6 +9,8 @@
 #include "topology/surface.h"
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 // std::mt19937_64 is the same everywhere (the distributions are not, and are not used).

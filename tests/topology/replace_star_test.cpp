@@ -2,6 +2,8 @@
 #include "topology/surface.h"
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 using Patch = std::vector<Graph::PatchFace>;

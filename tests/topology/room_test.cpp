@@ -22,6 +22,8 @@ std::size_t allocationCount = 0;
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 /// Allocations of an operation.

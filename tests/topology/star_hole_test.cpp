@@ -2,6 +2,8 @@
 #include "topology/surface.h"
 
 namespace apollonius::test {
+
+using namespace internal;
 namespace {
 
 /// Faces (1,2,0), (2,1,0); then 3 within the first: (1,2,3), (2,0,3), (0,1,3), (2,1,0).

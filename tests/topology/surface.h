@@ -14,6 +14,8 @@
 
 namespace apollonius::test {
 
+using namespace internal;
+
 /// A face as its corners, counter-clockwise, the smallest first.
 using Triple = std::array<std::uint32_t, 3>;
 
