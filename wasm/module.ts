@@ -63,8 +63,9 @@ function started(compiled: WebAssembly.Module): NativeModule {
 type Exports = MainModule & { Diagram: { prototype: Record<string, Method> } };
 
 /**
- * Throws a RangeError if little of the stack is left. Where it ends within Emscripten's own start, a
- * promise that nobody sees is rejected, or V8 ends the process as it compiles a regular expression.
+ * Throws a RangeError if little of the stack is left. Where it ends within Emscripten's own start,
+ * a promise that nobody sees is rejected, or V8 ends the process as it compiles a regular
+ * expression.
  */
 function expectStack(frames = 1000): void {
   if (frames > 0) expectStack(frames - 1);
