@@ -1,4 +1,4 @@
-// The public interface: checks arguments at the door, translates lack of memory into an error, and
+// The public interface: checks arguments, translates lack of memory into an error, and
 // leaves the work to the core.
 #include "apollonius/diagram.h"
 

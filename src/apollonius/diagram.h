@@ -10,9 +10,9 @@
 // whatever the coordinates are in; y points upwards and "counter-clockwise" is meant so. Costs: h =
 // number of visible sites, d = number of neighbours of the site in question.
 //
-// Errors: no call throws (but the constructor, std::bad_alloc). A call that fails returns its Error
-// and leaves the diagram as it was. Not thread-safe: one thread at a time, also for queries (they
-// share scratch memory).
+// Errors: no call throws, except the constructor (std::bad_alloc). A call that fails returns its
+// Error and leaves the diagram as it was. Not thread-safe: one thread at a time, also for queries
+// (they share scratch memory).
 //
 // Arithmetic has to be IEEE 754's, rounded to nearest, with subnormals: a program that is linked
 // with -ffast-math, for one, lacks them. The constructor looks, and ends the program with a message

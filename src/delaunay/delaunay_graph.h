@@ -133,9 +133,9 @@ class DelaunayGraph {
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
 
-  /// Snapshots (snapshot.cpp): everything but the sites, which are set before restore(). That
-  /// fails, and leaves what is good for nothing, if what is read is no surface; whether it is the
-  /// diagram of the sites is for prove() to say.
+  /// Snapshots (snapshot.cpp): everything but the sites, which are set before restore(). That fails
+  /// if what is read is no surface, and the graph is then unusable; prove() says whether it is the
+  /// diagram of the sites.
   void save(WordWriter& out, std::size_t vertexSlots) const;
   [[nodiscard]] bool restore(WordReader& in, std::size_t faceSlots);
   /// Is it the Delaunay graph of its sites (proof.h)? Computes the circles of all faces.
@@ -144,7 +144,7 @@ class DelaunayGraph {
   // A restored graph that has not been proved may be anything on a closed surface. Walks end and
   // stay in the arrays there; what would not is demanded before an operation commits.
   [[nodiscard]] bool isProven() const { return isProven_; }
-  /// Has the graph turned out to be none of its sites? Then it is good for nothing.
+  /// Has the graph turned out to be none of its sites? Then it is unusable until clear().
   [[nodiscard]] bool isBroken() const { return isBroken_; }
   /// What holds in a Delaunay graph. Where it does not, an unproven graph is broken, which throws;
   /// else the code is.

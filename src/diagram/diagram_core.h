@@ -62,11 +62,10 @@ class DiagramCore {
 
   /// The diagram as a snapshot; replaces the contents of `bytes`.
   void save(std::vector<std::uint8_t>& bytes) const;
-  /// Becomes what was saved; false if the bytes are no snapshot. REQUIRES: a new diagram; after a
-  /// failure it is good for nothing.
+  /// Becomes what was saved; false if the bytes are no snapshot. REQUIRES: a new diagram, which is
+  /// unusable after a failure.
   [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes, Source source);
-  /// Has an operation found that trusted bytes were no diagram? Then this one is good for nothing
-  /// but clear().
+  /// Has an operation found that trusted bytes were no diagram? Then only clear() may be called.
   [[nodiscard]] bool isBroken() const { return delaunay_.isBroken(); }
 
   /// The public id of a vertex's site.

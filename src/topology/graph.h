@@ -135,7 +135,7 @@ class Graph {
   void save(WordWriter& out, std::size_t vertexSlots) const;
   /// Reads what save() wrote for so many slots; false if it is no closed surface of Euler
   /// characteristic 2, or the free faces are not in a list. That it is connected is left to
-  /// geometry (delaunay/proof.h). REQUIRES: a new graph; after a failure it is good for nothing.
+  /// geometry (delaunay/proof.h). REQUIRES: a new graph, which is unusable after a failure.
   [[nodiscard]] bool restore(WordReader& in, std::size_t vertexSlots, std::size_t faceSlots);
 
   /// Checks all invariants of the surface and returns the first broken one, or nullptr. `where`
