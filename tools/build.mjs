@@ -47,21 +47,23 @@ function asTemplate(bytes) {
   // move up by 256.
   const unfit = [..."\r\\`$"].map((character) => character.charCodeAt(0));
   const low = codes
-    .slice(0, 128)
+    .slice(1, 128)
     .filter((code) => !unfit.includes(code))
     .sort((a, b) => counts[a] - counts[b]);
   const high = codes.slice(128).sort((a, b) => counts[b] - counts[a]);
-  const swaps = [];
+  // So does NUL, which HTML would read as U+FFFD, after it has changed places with the rarest: it is
+  // the most frequent byte of all.
+  const swaps = [[0, low.shift()]];
   // Not all that would make the file shorter: the order of the others means something, and helps
   // compression.
   for (let k = 0; counts[high[k]] > counts[low[k]] + bytes.length / 384; ++k)
     swaps.push([low[k], high[k]]);
   for (const [a, b] of swaps) [codes[a], codes[b]] = [b, a];
-  for (const code of unfit) codes[code] += 256;
-  return {
-    template: `\`${Array.from(bytes, (byte) => String.fromCharCode(codes[byte])).join("")}\``,
-    swaps: swaps.flat(),
-  };
+  for (const code of [...unfit, swaps[0][1]]) codes[code] += 256;
+  const characters = Array.from(bytes, (byte) => String.fromCharCode(codes[byte])).join("");
+  // A page may have the file between its script tags: none of those begins or ends in here.
+  const template = characters.replaceAll(/<(?=[!/])/g, "<\\");
+  return { template: `\`${template}\``, swaps: swaps.flat() };
 }
 
 /**
@@ -117,6 +119,7 @@ async function bundle(format, outdir, built) {
     format,
     bundle: true,
     minify: true,
+    lineLimit: 1000, // Node prints the line of an uncaught error
     target: "es2022",
     charset: "utf8",
     logLevel: "warning",

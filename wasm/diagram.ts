@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 import { type Accessor, triples } from "./accessors.js";
 import {
   allocated,
@@ -513,9 +514,10 @@ export class Diagram implements Disposable {
   /**
    * The diagram as bytes, about 56 a site: for files, and for other threads (`postMessage(bytes,
    * [bytes.buffer])` moves them). The same diagram with the same history gives the same bytes on
-   * every platform; docs/SNAPSHOTS.md has the format. Cost: O(n), a fraction of building.
+   * every platform; docs/SNAPSHOTS.md has the format. (The type is Uint8Array, of ArrayBuffer where
+   * TypeScript knows that.) Cost: O(n), a fraction of building.
    */
-  toBytes(): Uint8Array<ArrayBuffer> {
+  toBytes(): ReturnType<Uint8Array["slice"]> {
     return this.#living().toBytes();
   }
 

@@ -40,7 +40,7 @@ export class ApolloniusError extends Error {
   readonly code: ErrorCode;
 
   /** Made by the library; public for tests that imitate it. */
-  constructor(code: ErrorCode, message: string, options?: ErrorOptions) {
+  constructor(code: ErrorCode, message: string, options?: { cause?: unknown }) {
     super(message, options);
     this.code = code;
   }

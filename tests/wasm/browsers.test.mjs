@@ -1,9 +1,11 @@
 // The packed package in Chromium and Firefox, under a strict content security policy: as it is, in
 // workers, and as each bundler packs it.
+import { readFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "../../tools/toolchain/folders.mjs";
 import { capture } from "../../tools/toolchain/process.mjs";
 import { describeInBrowsers } from "./support/browsers.mjs";
+import { packed } from "./support/install_packed.mjs";
 import { runScriptInNode } from "./support/node.mjs";
 import { runPages } from "./support/pages.mjs";
 
@@ -28,6 +30,13 @@ test.each(bundlers)("%s bundles the package without a warning, and the bundle ru
   ).toBe(expected);
 });
 
+test("no file has characters that a page or a bundler would not take as they are", () => {
+  for (const file of ["esm/index.js", "cjs/index.js", "esm/wasm.js", "cjs/wasm.js"]) {
+    const text = readFileSync(path.join(packed, dist, file), "utf8");
+    expect(text).not.toMatch(/[\0\r\u{D800}-\u{DFFF}\u{FFFE}-\u{10FFFF}]|<!--|<\/script/u);
+  }
+});
+
 const files = {
   "module.js": `import { Diagram } from "${dist}/esm/index.js"; ${use}`,
   "global.js": `const { Diagram } = apollonius; ${use}`,
@@ -44,6 +53,7 @@ const files = {
   "classic_worker_inside.js": `const report = (found) => postMessage(found);
     importScripts("${dist}/cjs/index.js"); const { Diagram } = apollonius; ${use}`,
 };
+const scriptFile = readFileSync(path.join(packed, dist, "cjs/index.js"), "utf8");
 const module = (file) => ({ html: `<script type="module" src="${file}"></script>` });
 const cases = {
   module: module("/module.js"),
@@ -55,6 +65,10 @@ const cases = {
   "script-in-an-old-page": {
     charset: "windows-1252",
     html: `<script src="${dist}/cjs/index.js"></script><script src="/global.js"></script>`,
+  },
+  "within-a-page": {
+    hasInline: true,
+    html: `<script>${scriptFile}</script><script>${files["global.js"]}</script>`,
   },
   "module-worker": module("/start_module_worker.js"),
   "classic-worker": { html: '<script src="/start_classic_worker.js"></script>' },

@@ -25,8 +25,8 @@ const report =
 /**
  * Serves `cases` and waits until the browser has answered them all.
  * @param {string} browser path of the program
- * @param {Record<string, { charset?: string, html: string }>} cases pages by name, what follows the
- * script that defines report(found)
+ * @param {Record<string, { charset?: string, hasInline?: boolean, html: string }>} cases pages by
+ * name: what follows the script that defines report(found), and whether it has scripts within
  * @param {Record<string, string>} files scripts by name; anything else comes from the folder of the
  * packed package
  * @returns {Promise<Record<string, string>>} what each case reported first
@@ -37,11 +37,11 @@ export async function runPages(browser, cases, files, seconds = 60) {
   const finished = new Promise((resolve) => (finish = resolve));
   const server = createServer((request, response) => {
     const url = new URL(request.url, "http://localhost").pathname;
-    const answer = (type, body) =>
+    const answer = (type, body, allowed = policy) =>
       response
         .writeHead(200, {
           "content-type": type,
-          "content-security-policy": policy,
+          "content-security-policy": allowed,
           "x-content-type-options": "nosniff",
         })
         .end(body);
@@ -66,10 +66,11 @@ export async function runPages(browser, cases, files, seconds = 60) {
       );
     }
     if (name in cases) {
-      const { charset = "utf-8", html } = cases[name];
+      const { charset = "utf-8", hasInline = false, html } = cases[name];
       return answer(
         `text/html; charset=${charset}`,
         `<!doctype html><script src="/report.js"></script>${html}`,
+        hasInline ? policy.replace("'self'", "'self' 'unsafe-inline'") : policy,
       );
     }
     if (name === "report.js") return answer("text/javascript", report);
