@@ -27,5 +27,6 @@ set_property(TARGET apollonius_wasm APPEND PROPERTY
   LINK_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/wasm/unsigned_calls.js")
 if(CMAKE_BUILD_TYPE STREQUAL "Debug")
   # `npm run build -- --debug`
-  target_link_options(apollonius_wasm PRIVATE -O0 -g -gsource-map)
+  # Emscripten's own assertions know only the environment that it is told of above.
+  target_link_options(apollonius_wasm PRIVATE -O0 -g -gsource-map -sASSERTIONS=0)
 endif()
