@@ -1,13 +1,7 @@
 // What both entries of the package export.
 export type { Accessor } from "./accessors.js";
-export {
-  Diagram,
-  type DiagramOptions,
-  type Edges,
-  type Site,
-  type SnapshotOptions,
-  type Vertices,
-} from "./diagram.js";
+export { Diagram } from "./diagram.js";
+export type { DiagramOptions, Edges, Site, SnapshotOptions, Vertices } from "./types.js";
 export { ApolloniusError, type ErrorCode } from "./errors.js";
 export type { DrawOptions, PathContext } from "./path.js";
 export {

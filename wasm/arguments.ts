@@ -281,3 +281,18 @@ export function checkedTolerance(tolerance: unknown, usual: () => number): numbe
     );
   return tolerance;
 }
+
+/** The array that `findMany` fills with distances, one element a point; undefined for none. */
+export function checkedDistances(
+  distances: Float64Array | undefined,
+  count: number,
+): Float64Array | undefined {
+  const out = plainView(distances) as Float64Array | undefined;
+  if (out === undefined) return undefined;
+  if (typedArrayKind(out) === "Float64Array" && out.length === count && !isDetached(out))
+    return out;
+  throw new ApolloniusError(
+    "bad-length",
+    `distances is ${described(out)}, expected Float64Array(${count}), one element a point`,
+  );
+}

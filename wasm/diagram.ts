@@ -6,85 +6,23 @@ import {
   checkedBytes,
   checkedChoice,
   checkedCount,
+  checkedDistances,
   checkedIds,
   checkedNewSites,
   checkedNumbers,
-  checkedTolerance,
   checkNumber,
-  described,
-  isDetached,
   checkSiteId,
   isSiteId,
-  plainView,
-  typedArrayKind,
   unknownSite,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import { type Drawing, drawInto } from "./drawing.js";
+import { drawWhole } from "./drawing.js";
 import { checkTypes, ofElements, ofNumbers, ofSite } from "./status.js";
 import { createNative, destroy, provideNative } from "./living.js";
 import { type NativeDiagram, runningModule } from "./module.js";
-import { type DrawOptions, drawn, type PathContext } from "./path.js";
+import type { DrawOptions, PathContext } from "./path.js";
+import type { DiagramOptions, Edges, Site, SnapshotOptions, Vertices } from "./types.js";
 import { type Bounds, Voronoi } from "./voronoi.js";
-
-/** A circle: centre and radius (weight), in the unit of the input. */
-export interface Site {
-  /** Of the centre. */
-  x: number;
-  /** Of the centre; upwards. */
-  y: number;
-  /** Radius, or weight; may be negative, as only differences matter to the diagram. */
-  r: number;
-}
-
-/**
- * The Voronoi vertices in the plane; row k of each array belongs to vertex k. The order of the rows
- * depends on the history.
- */
-export interface Vertices {
-  /** x, y of each vertex. */
-  coordinates: Float64Array;
-  /**
-   * Common distance of each vertex to its three sites: the radius of the largest empty circle
-   * there.
-   */
-  clearance: Float64Array;
-  /** The three sites of each vertex, counter-clockwise. */
-  sites: Uint32Array;
-}
-
-/**
- * The Voronoi edges; row k of each array belongs to edge k. Two sites can share several edges.
- * Where more than three sites touch one circle, the canonical rule makes edges of length zero, and
- * several vertices at one place.
- */
-export interface Edges {
-  /** The two sites of each edge. */
-  sites: Uint32Array;
-  /**
-   * Its two ends as rows of `vertices()`, -1 for an unbounded end; the first site's cell is on the
-   * left on the way.
-   */
-  vertices: Int32Array;
-}
-
-/** Options of the constructor. */
-export interface DiagramOptions {
-  /**
-   * How the nearest site is located (paper, section 4): "hierarchy" (default), about log n; or
-   * "walk", from neighbour to neighbour, about sqrt(n), with less memory.
-   */
-  location?: "hierarchy" | "walk";
-}
-
-/** Options of `Diagram.fromBytes`. */
-export interface SnapshotOptions extends DiagramOptions {
-  /**
-   * true: the bytes are `toBytes`'s own and nobody has changed them, so that nothing is proved.
-   * Default: false.
-   */
-  trusted?: boolean;
-}
 
 /**
  * The additively weighted Voronoi diagram of circles: exact and fully dynamic.
@@ -372,16 +310,7 @@ export class Diagram implements Disposable {
     const native = this.#living();
     const numbers = checkedNumbers("xy", xy, 2);
     const ids = allocated(() => new Int32Array(numbers.length / 2));
-    const out = plainView(distances) as Float64Array | undefined;
-    if (
-      out !== undefined &&
-      !(typedArrayKind(out) === "Float64Array" && out.length === ids.length && !isDetached(out))
-    ) {
-      throw new ApolloniusError(
-        "bad-length",
-        `distances is ${described(out)}, expected Float64Array(${ids.length}), one element a point`,
-      );
-    }
+    const out = checkedDistances(distances, ids.length);
     try {
       native.findMany(numbers, ids, out ?? null);
     } catch (error) {
@@ -486,7 +415,7 @@ export class Diagram implements Disposable {
     options?: DrawOptions & { bounds?: Bounds | undefined },
   ): string | void {
     const bounds = options?.bounds === undefined ? undefined : checkedBounds(options.bounds);
-    return this.#draw(bounds ? "dualWithRays" : "dual", bounds, context, options);
+    return drawWhole(this.#living(), bounds ? "dualWithRays" : "dual", bounds, context, options);
   }
 
   /**
@@ -496,7 +425,7 @@ export class Diagram implements Disposable {
   renderSites(context: PathContext, options?: DrawOptions): void;
   renderSites(context?: null, options?: DrawOptions): string;
   renderSites(context?: PathContext | null, options?: DrawOptions): string | void {
-    return this.#draw("sites", undefined, context, options);
+    return drawWhole(this.#living(), "sites", undefined, context, options);
   }
 
   /**
@@ -506,7 +435,7 @@ export class Diagram implements Disposable {
   renderHull(context: PathContext, options?: DrawOptions): void;
   renderHull(context?: null, options?: DrawOptions): string;
   renderHull(context?: PathContext | null, options?: DrawOptions): string | void {
-    return this.#draw("hull", undefined, context, options);
+    return drawWhole(this.#living(), "hull", undefined, context, options);
   }
 
   // --- Snapshots ---------------------------------------------------------------------------------
@@ -555,21 +484,6 @@ export class Diagram implements Disposable {
     return this.#native;
   }
 
-  /** Without bounds, those of the circles say what tolerance cannot be seen. */
-  #draw(
-    what: Drawing,
-    bounds: Bounds | undefined,
-    context: PathContext | null | undefined,
-    options: DrawOptions | undefined,
-  ): string | void {
-    const native = this.#living();
-    const window = bounds ?? extentOf(native);
-    const tolerance = checkedTolerance(options?.tolerance, () =>
-      native.defaultTolerance(...window),
-    );
-    return drawn(context, options, (target) => drawInto(target, native, what, window, tolerance));
-  }
-
   #insertTriples(xyr: ArrayLike<number>): Uint32Array {
     const ids = allocated(() => new Uint32Array(xyr.length / 3));
     const native = this.#living();
@@ -580,10 +494,4 @@ export class Diagram implements Disposable {
     }
     return ids;
   }
-}
-
-/** The box of all circles. */
-function extentOf(native: NativeDiagram): Bounds {
-  const { xmin, ymin, xmax, ymax } = native.extent();
-  return [xmin, ymin, xmax, ymax];
 }

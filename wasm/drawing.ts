@@ -1,7 +1,9 @@
 // Drawings of the library's, played into whatever can draw.
 import type { MainModule } from "../build/wasm/apollonius.mjs";
+import { checkedTolerance } from "./arguments.js";
 import { type NativeDiagram, runningModule } from "./module.js";
-import { type PathContext, play } from "./path.js";
+import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
+import type { Bounds } from "./voronoi.js";
 
 /** What the library can draw. */
 export type Drawing = keyof MainModule["Drawing"];
@@ -23,4 +25,23 @@ export function drawInto(
     play(context, portion.commands, portion.coordinates);
     ({ cursor, isDone } = portion);
   }
+}
+
+/** A whole diagram. Without bounds, those of the circles say what tolerance cannot be seen. */
+export function drawWhole(
+  native: NativeDiagram,
+  what: Drawing,
+  bounds: Bounds | undefined,
+  context: PathContext | null | undefined,
+  options: DrawOptions | undefined,
+): string | void {
+  const window = bounds ?? extentOf(native);
+  const tolerance = checkedTolerance(options?.tolerance, () => native.defaultTolerance(...window));
+  return drawn(context, options, (target) => drawInto(target, native, what, window, tolerance));
+}
+
+/** The box of all circles. */
+function extentOf(native: NativeDiagram): Bounds {
+  const { xmin, ymin, xmax, ymax } = native.extent();
+  return [xmin, ymin, xmax, ymax];
 }

@@ -13,12 +13,6 @@ namespace apollonius::internal {
 
 namespace {
 
-// Moving a site on its own, which displaces and places it, costs ten to twenty times as much as it
-// costs in a bulk insertion, and certifying moves in place half as much: where more than this share
-// have to be moved on their own, building anew is cheaper.
-constexpr std::size_t kRebuildShare = 48;
-constexpr std::size_t kFewMoves = 16;  // are not worth new arrays
-
 /// Of slots.
 struct Covers {
   const DelaunayGraph& graph;
@@ -312,71 +306,6 @@ void DiagramCore::takeOut(Slot slot) noexcept {
   undoStep([&] { displace(slot); });
 }
 
-bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
-  const Site to = normalized(site);
-  if (!coversChildren(slot, to)) return false;
-  if (ids_.state(slot) == SiteState::kHidden) {
-    if (!staysBelow(slot, to)) return false;
-    delaunay_.setSite(vertexOf(slot), to);
-    return true;
-  }
-  if (!delaunay_.graph().hasVertex(vertexOf(slot))) return false;  // the only visible one
-  moves_.assign(1, {vertexOf(slot), to});
-  makeMoves(1);
-  return !moves_.empty();
-}
-
-bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
-  for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone;
-       child = hidden_.nextSibling(child)) {
-    if (!covers(to, site(child))) return false;
-  }
-  return true;
-}
-
-/// Of a hidden site: does its parent cover it there, too? No is also said where the parent is not
-/// to be found quickly.
-bool DiagramCore::staysBelow(Slot slot, const Site& to) const {
-  const Slot parent = hidden_.isChild(slot) ? hidden_.parentIfNear(slot) : HiddenForest::kNone;
-  return parent != HiddenForest::kNone && covers(site(parent), to);
-}
-
-void DiagramCore::makeMoves(std::size_t mostLeft) {
-  const std::span<const std::uint8_t> isMade = siteMoves_.apply(delaunay_, moves_, mostLeft);
-  std::size_t made = 0;
-  for (std::size_t k = 0; k < moves_.size(); ++k) {
-    if (isMade[k] == 0) continue;
-    moves_[made++] = moves_[k];
-    grid_.move(slotOf(moves_[k].vertex), siteMoves_.siteBefore(k), moves_[k].to);
-  }
-  moves_.resize(made, {});
-  if (!isHierarchyDue_) hierarchy_.move(moves_, remover_);
-  if (grid_.isOutgrown(ids_.slots())) rebuildGrid();
-}
-
-std::size_t DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr,
-                                         std::span<const std::uint32_t> order,
-                                         std::size_t mostLeft) {
-  moves_.clear();
-  moves_.reserve(ids.size());
-  std::size_t left = 0;
-  for (const std::size_t k : order) {
-    const Slot slot = ids_.slotOf(ids[k]);
-    const Site to = normalized({xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
-    const Site& from = site(slot);
-    if (from.x == to.x && from.y == to.y && from.r == to.r) continue;
-    if (delaunay_.graph().hasVertex(vertexOf(slot)) && coversChildren(slot, to)) {
-      moves_.push_back({vertexOf(slot), to});
-    } else {
-      left += ids_.state(slot) != SiteState::kHidden || !staysBelow(slot, to);
-    }
-  }
-  if (left > mostLeft) return left + moves_.size();
-  const std::size_t all = moves_.size();
-  makeMoves(mostLeft - left);
-  return left + all - moves_.size();
-}
-
 FlatArray<std::uint32_t> DiagramCore::stage(std::span<const double> xyr) {
   FlatArray<std::uint32_t> order = hilbertOrder({xyr, 3});
   delaunay_.reserveSites(slotsWith(order.size()) + 1);
@@ -449,61 +378,6 @@ VertexId DiagramCore::visibleBeside(Slot slot) const {
     if (delaunay_.isVisible(vertexOf(slot + distance))) return vertexOf(slot + distance);
   }
   return delaunay_.anyVisible();
-}
-
-void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
-  memoryReserve_.take();
-  const FlatArray<std::uint32_t> order = orderOfSlots(ids);
-  const std::size_t mostLeft = std::max(ids_.size() / kRebuildShare, kFewMoves);
-  FlatArray<Site> before(ids.size());
-  for (const std::size_t k : order) before[k] = site(ids_.slotOf(ids[k]));
-  FlatArray<Moved> moved(order.size());  // those that were moved one by one, and how
-  std::size_t done = 0;
-  try {
-    if (moveManyInPlace(ids, xyr, order, mostLeft) > mostLeft && rebuildWith(ids, xyr, order))
-      return;
-    for (; done < order.size(); ++done) {
-      const std::size_t k = order[done];
-      moved[done] = move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
-    }
-  } catch (...) {
-    if (isBroken()) throw;
-    beginUndo();
-    while (done-- > 0) {
-      const Slot slot = ids_.slotOf(ids[order[done]]);
-      if (moved[done] == Moved::kInPlace) moveBack(slot, before[order[done]]);
-      if (moved[done] != Moved::kAnew) continue;
-      takeOut(slot);
-      putBack(slot, before[order[done]]);
-    }
-    // What is not where it was now has moved together with others, and goes back so.
-    moves_.clear();
-    for (const std::size_t k : order) {
-      const Slot slot = ids_.slotOf(ids[k]);
-      const Site &from = before[k], &to = site(slot);
-      if (from.x == to.x && from.y == to.y && from.r == to.r) continue;
-      moves_.push_back({vertexOf(slot), from});
-      grid_.move(slot, to, from);
-    }
-    SiteMoves::takeBack(delaunay_, moves_);
-    endUndo();
-    throw;
-  }
-}
-
-/// Positions in `ids` in the order of the slots, which is one of places; of an id that is given
-/// several times, the last one only.
-FlatArray<std::uint32_t> DiagramCore::orderOfSlots(std::span<const SiteId> ids) const {
-  FlatArray<Keyed> entries(ids.size());
-  for (std::uint32_t k = 0; k < ids.size(); ++k) entries[k] = {ids_.slotOf(ids[k]), k};
-  sortByKey(entries);
-  FlatArray<std::uint32_t> order;
-  order.reserve(ids.size());
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    if (k + 1 == entries.size() || entries[k + 1].key != entries[k].key)
-      order.push_back(entries[k].value);
-  }
-  return order;
 }
 
 void DiagramCore::clear() noexcept {

@@ -1,0 +1,60 @@
+// The records that a diagram takes and gives.
+
+/** A circle: centre and radius (weight), in the unit of the input. */
+export interface Site {
+  /** Of the centre. */
+  x: number;
+  /** Of the centre; upwards. */
+  y: number;
+  /** Radius, or weight; may be negative, as only differences matter to the diagram. */
+  r: number;
+}
+
+/**
+ * The Voronoi vertices in the plane; row k of each array belongs to vertex k. The order of the rows
+ * depends on the history.
+ */
+export interface Vertices {
+  /** x, y of each vertex. */
+  coordinates: Float64Array;
+  /**
+   * Common distance of each vertex to its three sites: the radius of the largest empty circle
+   * there.
+   */
+  clearance: Float64Array;
+  /** The three sites of each vertex, counter-clockwise. */
+  sites: Uint32Array;
+}
+
+/**
+ * The Voronoi edges; row k of each array belongs to edge k. Two sites can share several edges.
+ * Where more than three sites touch one circle, the canonical rule makes edges of length zero, and
+ * several vertices at one place.
+ */
+export interface Edges {
+  /** The two sites of each edge. */
+  sites: Uint32Array;
+  /**
+   * Its two ends as rows of `vertices()`, -1 for an unbounded end; the first site's cell is on the
+   * left on the way.
+   */
+  vertices: Int32Array;
+}
+
+/** Options of the constructor. */
+export interface DiagramOptions {
+  /**
+   * How the nearest site is located (paper, section 4): "hierarchy" (default), about log n; or
+   * "walk", from neighbour to neighbour, about sqrt(n), with less memory.
+   */
+  location?: "hierarchy" | "walk";
+}
+
+/** Options of `Diagram.fromBytes`. */
+export interface SnapshotOptions extends DiagramOptions {
+  /**
+   * true: the bytes are `toBytes`'s own and nobody has changed them, so that nothing is proved.
+   * Default: false.
+   */
+  trusted?: boolean;
+}
