@@ -1,26 +1,13 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 import { type Accessor, triples } from "./accessors.js";
-import {
-  allocated,
-  checkedBounds,
-  checkedBytes,
-  checkedChoice,
-  checkedCount,
-  checkedDistances,
-  checkedIds,
-  checkedNewSites,
-  checkedNumbers,
-  checkNumber,
-  checkSiteId,
-  isSiteId,
-  unknownSite,
-} from "./arguments.js";
-import { ApolloniusError } from "./errors.js";
+import { checkedBounds, checkedBytes, checkedChoice, checkedNewSites } from "./arguments.js";
 import { drawWhole } from "./drawing.js";
-import { checkTypes, ofElements, ofNumbers, ofSite } from "./status.js";
+import * as edits from "./edits.js";
+import { ApolloniusError } from "./errors.js";
 import { createNative, destroy, provideNative } from "./living.js";
 import { type NativeDiagram, runningModule } from "./module.js";
 import type { DrawOptions, PathContext } from "./path.js";
+import * as queries from "./queries.js";
 import type { DiagramOptions, Edges, Site, SnapshotOptions, Vertices } from "./types.js";
 import { type Bounds, Voronoi } from "./voronoi.js";
 
@@ -59,7 +46,7 @@ export class Diagram implements Disposable {
     this.#native = createNative(this, location);
     if (numbers === undefined) return;
     try {
-      this.#insertTriples(numbers);
+      edits.insertMany(this.#native, numbers);
     } catch (error) {
       this.dispose();
       throw error;
@@ -115,13 +102,7 @@ export class Diagram implements Disposable {
    * one location and O(size of the change). Throws "not-finite", "out-of-range".
    */
   insert(x: number, y: number, r: number = 0): number {
-    const native = this.#living();
-    checkTypes(x, y, r);
-    try {
-      return native.insert(x, y, r);
-    } catch (error) {
-      throw ofNumbers(error, x, y, r);
-    }
+    return edits.insert(this.#living(), x, y, r);
   }
 
   /**
@@ -130,8 +111,8 @@ export class Diagram implements Disposable {
    * multiple of 3), "too-large" (more than 2^29 triples).
    */
   insertMany(xyr: ArrayLike<number>): Uint32Array {
-    this.#living();
-    return this.#insertTriples(checkedNewSites("xyr", xyr));
+    const native = this.#living();
+    return edits.insertMany(native, checkedNewSites("xyr", xyr));
   }
 
   /**
@@ -140,9 +121,7 @@ export class Diagram implements Disposable {
    * identical circles, else expected O(k log k) with k = d + the hidden sites directly below it.
    */
   remove(id: number): boolean {
-    const native = this.#living();
-    if (!isSiteId(id)) return false;
-    return native.remove(id);
+    return edits.remove(this.#living(), id);
   }
 
   /**
@@ -150,8 +129,7 @@ export class Diagram implements Disposable {
    * as `remove` for each. Throws "bad-length" if `ids` is no array.
    */
   removeMany(ids: ArrayLike<number>): number {
-    const native = this.#living();
-    return native.removeMany(checkedIds("ids", ids));
+    return edits.removeMany(this.#living(), ids);
   }
 
   /**
@@ -159,15 +137,7 @@ export class Diagram implements Disposable {
    * and insert. Throws "unknown-site", "not-finite", "out-of-range".
    */
   update(id: number, x: number, y: number, r?: number): this {
-    const native = this.#living();
-    const weight = r === undefined ? this.site(id).r : r;
-    checkSiteId(id);
-    checkTypes(x, y, weight);
-    try {
-      native.update(id, x, y, weight);
-    } catch (error) {
-      throw ofNumbers(ofSite(error, id), x, y, weight);
-    }
+    edits.update(this.#living(), id, x, y, r);
     return this;
   }
 
@@ -177,24 +147,7 @@ export class Diagram implements Disposable {
    * there is one triple an id.
    */
   updateMany(ids: ArrayLike<number>, xyr: ArrayLike<number>): this {
-    const native = this.#living();
-    const sites = checkedIds("ids", ids);
-    const numbers = checkedNumbers("xyr", xyr, 3);
-    if (numbers.length !== 3 * sites.length) {
-      throw new ApolloniusError(
-        "bad-length",
-        `expected ${3 * sites.length} values in xyr for ${sites.length} ids, got ${numbers.length}`,
-      );
-    }
-    try {
-      native.updateMany(sites, numbers);
-    } catch (error) {
-      if (error instanceof ApolloniusError && error.code === "unknown-site") {
-        const k = sites.findIndex((id) => !native.has(id));
-        throw new ApolloniusError("unknown-site", `ids[${k}]: ${unknownSite(ids[k]).message}`);
-      }
-      throw ofElements(error, "xyr", numbers);
-    }
+    edits.updateMany(this.#living(), ids, xyr);
     return this;
   }
 
@@ -225,19 +178,12 @@ export class Diagram implements Disposable {
 
   /** Whether a site has this id. O(1). */
   has(id: number): boolean {
-    const native = this.#living();
-    return isSiteId(id) && native.has(id);
+    return queries.has(this.#living(), id);
   }
 
   /** Centre and radius of a site, exactly as given. O(1). Throws "unknown-site". */
   site(id: number): Site {
-    const native = this.#living();
-    checkSiteId(id);
-    try {
-      return native.site(id);
-    } catch (error) {
-      throw ofSite(error, id);
-    }
+    return queries.site(this.#living(), id);
   }
 
   /** All ids, ascending. O(n). */
@@ -247,13 +193,7 @@ export class Diagram implements Disposable {
 
   /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
   isHidden(id: number): boolean {
-    const native = this.#living();
-    checkSiteId(id);
-    try {
-      return native.isHidden(id);
-    } catch (error) {
-      throw ofSite(error, id);
-    }
+    return queries.isHidden(this.#living(), id);
   }
 
   /**
@@ -261,13 +201,7 @@ export class Diagram implements Disposable {
    * "unknown-site".
    */
   coverOf(id: number): number {
-    const native = this.#living();
-    checkSiteId(id);
-    try {
-      return native.coverOf(id);
-    } catch (error) {
-      throw ofSite(error, id);
-    }
+    return queries.coverOf(this.#living(), id);
   }
 
   // --- Queries -----------------------------------------------------------------------------------
@@ -277,13 +211,7 @@ export class Diagram implements Disposable {
    * x, then y. Cost: one location (paper, section 4). Throws "not-finite", "out-of-range".
    */
   find(x: number, y: number): number {
-    const native = this.#living();
-    checkTypes(x, y);
-    try {
-      return native.find(x, y);
-    } catch (error) {
-      throw ofNumbers(error, x, y);
-    }
+    return queries.find(this.#living(), x, y);
   }
 
   /**
@@ -291,14 +219,7 @@ export class Diagram implements Disposable {
    * is empty. Cost, errors: as find.
    */
   nearest(x: number, y: number): { id: number; distance: number } | null {
-    const native = this.#living();
-    checkTypes(x, y);
-    try {
-      const nearest = native.nearest(x, y);
-      return nearest.id === -1 ? null : nearest;
-    } catch (error) {
-      throw ofNumbers(error, x, y);
-    }
+    return queries.nearest(this.#living(), x, y);
   }
 
   /**
@@ -307,16 +228,7 @@ export class Diagram implements Disposable {
    * and m locations. Throws as `find`, and "bad-length".
    */
   findMany(xy: ArrayLike<number>, distances?: Float64Array): Int32Array {
-    const native = this.#living();
-    const numbers = checkedNumbers("xy", xy, 2);
-    const ids = allocated(() => new Int32Array(numbers.length / 2));
-    const out = checkedDistances(distances, ids.length);
-    try {
-      native.findMany(numbers, ids, out ?? null);
-    } catch (error) {
-      throw ofElements(error, "xy", numbers);
-    }
-    return ids;
+    return queries.findMany(this.#living(), xy, distances);
   }
 
   /**
@@ -327,14 +239,7 @@ export class Diagram implements Disposable {
    * all).
    */
   kNearest(x: number, y: number, k: number): Uint32Array {
-    const native = this.#living();
-    checkTypes(x, y);
-    const count = checkedCount("k", k);
-    try {
-      return native.kNearest(x, y, count);
-    } catch (error) {
-      throw ofNumbers(error, x, y);
-    }
+    return queries.kNearest(this.#living(), x, y, k);
   }
 
   /**
@@ -344,14 +249,7 @@ export class Diagram implements Disposable {
    * "out-of-range".
    */
   within(x: number, y: number, distance: number): Uint32Array {
-    const native = this.#living();
-    checkTypes(x, y);
-    checkNumber("distance", distance);
-    try {
-      return native.within(x, y, distance);
-    } catch (error) {
-      throw ofNumbers(error, x, y);
-    }
+    return queries.within(this.#living(), x, y, distance);
   }
 
   /**
@@ -360,13 +258,7 @@ export class Diagram implements Disposable {
    * graph is triangulated canonically). O(d). Throws "unknown-site".
    */
   neighbors(id: number): Uint32Array {
-    const native = this.#living();
-    checkSiteId(id);
-    try {
-      return native.neighbors(id);
-    } catch (error) {
-      throw ofSite(error, id);
-    }
+    return queries.neighbors(this.#living(), id);
   }
 
   /** All Voronoi edges. O(n). */
@@ -482,16 +374,5 @@ export class Diagram implements Disposable {
     if (this.#native === null)
       throw new ApolloniusError("disposed", "the diagram has been disposed of");
     return this.#native;
-  }
-
-  #insertTriples(xyr: ArrayLike<number>): Uint32Array {
-    const ids = allocated(() => new Uint32Array(xyr.length / 3));
-    const native = this.#living();
-    try {
-      native.insertMany(xyr, ids);
-    } catch (error) {
-      throw ofElements(error, "xyr", xyr);
-    }
-    return ids;
   }
 }
