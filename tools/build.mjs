@@ -83,10 +83,11 @@ function wasmAsText(built) {
         contents: `export const text = ${placeholder}, swaps = [${swaps}];`,
         loader: "js",
       }));
-      build.onEnd(({ outputFiles }) => {
+      build.onEnd(async ({ outputFiles }) => {
         for (const { path: file, text } of outputFiles) {
+          const small = await minified(text);
           mkdirSync(path.dirname(file), { recursive: true });
-          writeFileSync(file, byteOrderMark(file) + text.split(placeholder).join(template));
+          writeFileSync(file, byteOrderMark(file) + small.replace(placeholder, () => template));
         }
       });
     },
@@ -99,6 +100,28 @@ function wasmAsText(built) {
  */
 function byteOrderMark(file) {
   return file.endsWith("cjs/index.js") ? "\uFEFF" : "";
+}
+
+const classes = ["ApolloniusError", "Diagram", "Voronoi"];
+const ownNames = new RegExp(`\\b_(${classes.join("|")})\\b`, "g");
+
+/**
+ * Minified, but for the names of the classes, which users see in debuggers and errors. Terser's
+ * result is 9 % smaller than esbuild's, with brotli.
+ */
+async function minified(text) {
+  const { minify } = await import("terser"); // not before `npm ci` may have installed it
+  // esbuild calls a class _Diagram where that is about itself.
+  const { code } = await minify(text.replaceAll(ownNames, "$1"), {
+    module: true,
+    ecma: 2022,
+    compress: { passes: 2 },
+    mangle: { reserved: classes },
+    format: { max_line_len: 1000 }, // Node prints the line of an uncaught error
+  });
+  // Where Node reads the names of a CommonJS module's exports; to others it is dead code.
+  const [names = ""] = /^0 && \(module\.exports = \{[^}]*\}\)/m.exec(text) ?? [];
+  return `${code}\n${names.replaceAll(/\s/g, "")}\n`;
 }
 
 // Where there is no CommonJS, what is exported becomes a global.
@@ -118,8 +141,6 @@ async function bundle(format, outdir, built) {
     outdir,
     format,
     bundle: true,
-    minify: true,
-    lineLimit: 1000, // Node prints the line of an uncaught error
     target: "es2022",
     charset: "utf8",
     logLevel: "warning",
