@@ -182,12 +182,20 @@ export function checkedBytes(name: string, bytes: unknown): Uint8Array {
   return checkedArray(name, bytes, "bytes") as Uint8Array;
 }
 
+export function outOfMemory(): ApolloniusError {
+  return new ApolloniusError(
+    "out-of-memory",
+    "not enough memory; dispose() or `using` gives back a diagram's at once, while forgotten ones " +
+      "wait for a turn of the event loop",
+  );
+}
+
 /** A new typed array; that there can be none of that length is a lack of memory. */
 export function allocated<Values>(make: () => Values): Values {
   try {
     return make();
   } catch {
-    throw new ApolloniusError("out-of-memory", "not enough memory");
+    throw outOfMemory();
   }
 }
 

@@ -1,6 +1,7 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 import { type Accessor, triples } from "./accessors.js";
 import { checkedBounds, checkedBytes, checkedChoice, checkedNewSites } from "./arguments.js";
+import { Ballast } from "./ballast.js";
 import { drawWhole } from "./drawing.js";
 import * as edits from "./edits.js";
 import { ApolloniusError } from "./errors.js";
@@ -30,6 +31,7 @@ import { type Bounds, Voronoi } from "./voronoi.js";
  */
 export class Diagram implements Disposable {
   #native: NativeDiagram | null;
+  readonly #ballast = new Ballast();
 
   static {
     provideNative((diagram) => (diagram as Diagram).#living());
@@ -42,11 +44,10 @@ export class Diagram implements Disposable {
    */
   constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
     const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
-    const numbers = xyr === undefined ? undefined : checkedNewSites("xyr", xyr);
     this.#native = createNative(this, location);
-    if (numbers === undefined) return;
+    if (xyr === undefined) return;
     try {
-      edits.insertMany(this.#native, numbers);
+      this.insertMany(xyr);
     } catch (error) {
       this.dispose();
       throw error;
@@ -86,7 +87,9 @@ export class Diagram implements Disposable {
       const source = runningModule().Source[trusted ? "trusted" : "anyone"];
       // last: options may have getters
       const checked = checkedBytes("bytes", bytes);
-      diagram.#living().fromBytes(checked, source);
+      const native = diagram.#living();
+      native.fromBytes(checked, source);
+      diagram.#ballast.carry(native.size());
     } catch (error) {
       diagram.dispose();
       throw error;
@@ -102,7 +105,9 @@ export class Diagram implements Disposable {
    * one location and O(size of the change). Throws "not-finite", "out-of-range".
    */
   insert(x: number, y: number, r: number = 0): number {
-    return edits.insert(this.#living(), x, y, r);
+    const id = edits.insert(this.#living(), x, y, r);
+    this.#ballast.carry(id + 1);
+    return id;
   }
 
   /**
@@ -112,7 +117,9 @@ export class Diagram implements Disposable {
    */
   insertMany(xyr: ArrayLike<number>): Uint32Array {
     const native = this.#living();
-    return edits.insertMany(native, checkedNewSites("xyr", xyr));
+    const ids = edits.insertMany(native, checkedNewSites("xyr", xyr));
+    this.#ballast.carry(native.size());
+    return ids;
   }
 
   /**
@@ -356,11 +363,14 @@ export class Diagram implements Disposable {
 
   /**
    * Frees the diagram's memory now; later calls throw "disposed", a second `dispose` does nothing.
-   * A forgotten diagram is freed when it is collected. Cost: O(1).
+   * A forgotten diagram is freed some time after it has been collected, in a turn of the event
+   * loop; a loop that makes many and never waits needs `dispose` or `using`. Cost: O(1).
    */
   dispose(): void {
-    if (this.#native !== null) destroy(this.#native);
+    if (this.#native === null) return;
+    destroy(this.#native);
     this.#native = null;
+    this.#ballast.drop();
   }
 
   /** `dispose`, for `using diagram = new Diagram()`. Cost: O(1). */

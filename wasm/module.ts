@@ -1,8 +1,9 @@
 // The instance of the wasm module that diagrams share: made at the first use, never at import.
 // After a call that ended in its middle, what is made later gets a new one.
 import createModule, { type Diagram, type MainModule } from "../build/wasm/apollonius.mjs";
+import { outOfMemory } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import { failure, outOfMemory } from "./status.js";
+import { failure } from "./status.js";
 
 /** A diagram in the module: wasm/bindings.cpp. Its calls throw an ApolloniusError. */
 export type NativeDiagram = Diagram;

@@ -1,17 +1,19 @@
 // From the library's errors to exceptions that name the argument.
 import type { MainModule } from "../build/wasm/apollonius.mjs";
-import { numberError, throwElementError, unknownSite } from "./arguments.js";
+import { numberError, outOfMemory, throwElementError, unknownSite } from "./arguments.js";
 import { ApolloniusError, type ErrorCode } from "./errors.js";
 
 type NativeErrors = MainModule["Error"]; // `Error` of src/apollonius/diagram.h
 
 // The message is the last resort; most failures know a better one.
-const kFailures: Record<Exclude<keyof NativeErrors, "kNone">, readonly [ErrorCode, string]> = {
+const kFailures: Record<
+  Exclude<keyof NativeErrors, "kNone" | "kOutOfMemory">,
+  readonly [ErrorCode, string]
+> = {
   kNotFinite: ["not-finite", "a number is not finite"],
   kOutOfRange: ["out-of-range", "a number is outside the documented range"],
   kUnknownSite: ["unknown-site", "there is no such site"],
   kBadLength: ["bad-length", "lengths of arrays do not fit each other"],
-  kOutOfMemory: ["out-of-memory", "not enough memory"],
   kTooLarge: ["too-large", "more sites than one diagram can hold"],
   kBadBounds: ["bad-bounds", "the window is empty, inverted or out of range"],
   kCorruptSnapshot: [
@@ -22,15 +24,12 @@ const kFailures: Record<Exclude<keyof NativeErrors, "kNone">, readonly [ErrorCod
 
 /** What the number of an error stands for. */
 export function failure(errors: NativeErrors, number: number): ApolloniusError {
+  if (errors.kOutOfMemory.value === number) return outOfMemory();
   for (const name in kFailures) {
     if (errors[name as keyof typeof kFailures].value === number)
       return new ApolloniusError(...kFailures[name as keyof typeof kFailures]);
   }
   throw new Error(`apollonius-diagram: unknown error ${number} from the wasm module`);
-}
-
-export function outOfMemory(): ApolloniusError {
-  return new ApolloniusError(...kFailures.kOutOfMemory);
 }
 
 function is(error: unknown, ...codes: ErrorCode[]): boolean {

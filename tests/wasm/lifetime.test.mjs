@@ -171,6 +171,40 @@ test("forgotten diagrams give their memory back", () => {
   expect(output).toBe("0");
 });
 
+// Without a call of gc(): the engine has to find out by itself how much there is to collect.
+test.each([
+  ["of 300 sites", 20_000, 300, "new Diagram(xyr)"],
+  ["of 3 sites", 200_000, 800, "new Diagram(xyr.subarray(0, 9))"],
+  [
+    "filled one by one",
+    60_000,
+    170,
+    "const d = new Diagram(); for (let k = 0; k < 300; k += 3) d.insert(xyr[k], xyr[k + 1], 1)",
+  ],
+])(
+  "the engine knows what forgotten diagrams weigh: %s",
+  (_, count, megabytes, make) => {
+    const output = runInNode(`${watchGrowth}
+    const xyr = Float64Array.from(
+      { length: 900 }, (_, k) => (k % 3 === 2 ? 1 : (k * 7919) % 10007));
+    for (let k = 0; k < ${count}; ++k) {
+      { ${make}; }
+      if (k % 20 === 0) await new Promise((resolve) => setImmediate(resolve));
+    }
+    console.log(pages / 16);`);
+    expect(Number(output)).toBeGreaterThan(0);
+    expect(Number(output)).toBeLessThan(megabytes); // without ballast it is twice as much
+  },
+  120_000,
+);
+
+test("out of memory, the message tells how diagrams are freed", () => {
+  const output = runInNode(`${watchGrowth}
+    WebAssembly.Memory.prototype.grow = () => { throw new RangeError("no more memory"); };
+    try { for (;;) new Diagram([0, 0, 1]); } catch (error) { console.log(error.code, error.message); }`);
+  expect(output).toMatch(/^out-of-memory not enough memory.*dispose\(\).*`using`/);
+});
+
 test("a forgotten diagram is collected", () => {
   const output = runInNode(
     `
