@@ -9,6 +9,7 @@
 #include <emscripten/val.h>
 
 #include <cstdint>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -18,6 +19,7 @@
 #include <vector>
 
 #include "apollonius/diagram.h"
+#include "apollonius/nearest_first.h"
 #include "apollonius/voronoi.h"
 
 using apollonius::Bounds;
@@ -25,8 +27,10 @@ using apollonius::Circle;
 using apollonius::Diagram;
 using apollonius::Error;
 using apollonius::Location;
+using apollonius::NearestFirst;
 using apollonius::SiteId;
 using apollonius::Source;
+using apollonius::Top;
 using apollonius::Voronoi;
 using emscripten::val;
 
@@ -179,6 +183,24 @@ Nearest nearest(const Diagram& diagram, double x, double y) {
 }
 std::int32_t find(const Diagram& diagram, double x, double y) { return nearest(diagram, x, y).id; }
 
+std::int32_t pick(const Diagram& diagram, double x, double y, double farthest, Top top) {
+  SiteId id = apollonius::kNoSite;
+  check(diagram.pick(x, y, farthest, top, id));
+  return asSigned(id);
+}
+
+/// The caller deletes it, before the diagram changes.
+NearestFirst* nearestFirst(const Diagram& diagram, double x, double y, double farthest) {
+  auto walk = allocating([&] { return std::make_unique<NearestFirst>(diagram); });
+  check(walk->start(x, y, farthest));
+  return walk.release();
+}
+std::int32_t next(NearestFirst& walk) {
+  SiteId id = apollonius::kNoSite;
+  check(walk.next(id));
+  return asSigned(id);
+}
+
 std::int32_t coverOf(const Diagram& diagram, SiteId id) {
   SiteId cover = apollonius::kNoSite;
   check(diagram.coverOf(id, cover));
@@ -321,6 +343,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .value("walk", Location::kWalk)
       .value("hierarchy", Location::kHierarchy);
   enum_<Source>("Source").value("anyone", Source::kAnyone).value("trusted", Source::kTrusted);
+  enum_<Top>("Top").value("smallest", Top::kSmallest).value("last", Top::kLast);
   enum_<Drawing>("Drawing")
       .value("edges", Drawing::kEdges)
       .value("sites", Drawing::kSites)
@@ -369,6 +392,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .field("isDone", &Portion::isDone);
 
   const return_value_policy::take_ownership moved;  // not copied
+  class_<NearestFirst>("NearestFirst").function("next", &next);
   class_<Diagram>("Diagram")
       .constructor(&create, allow_raw_pointers())
       // Sites
@@ -392,6 +416,9 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("findMany", &findMany)
       .function("kNearest", returning<&Diagram::kNearest>())
       .function("within", returning<&Diagram::within>())
+      .function("pick", &pick)
+      .function("search", returning<&Diagram::search>())
+      .function("nearestFirst", &nearestFirst, allow_raw_pointers(), moved)
       .function("neighbors", returning<&Diagram::neighbors>())
       .function("vertices", returning<&Diagram::vertices>(), moved)
       .function("edges", returning<&Diagram::edges>(), moved)

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <new>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "api/checks.h"
 #include "diagram/diagram_core.h"
 #include "diagram/listing.h"
 #include "diagram/queries.h"
@@ -26,11 +26,6 @@ using namespace internal;
 
 namespace {
 
-Error checkNumber(double value) {
-  if (!std::isfinite(value)) return Error::kNotFinite;
-  return isInRange(value) ? Error::kNone : Error::kOutOfRange;
-}
-
 Error checkNumbers(std::span<const double> values) {
   for (const double value : values) {
     if (const Error error = checkNumber(value); error != Error::kNone) return error;
@@ -41,21 +36,6 @@ Error checkNumbers(std::span<const double> values) {
 Error checkCircle(double x, double y, double r) {
   const double values[] = {x, y, r};
   return checkNumbers(values);
-}
-
-/// Lack of memory is thrown as std::bad_alloc, or by a vector as std::length_error. std::bad_alloc
-/// also ends a call that finds out that trusted bytes were no diagram, which the diagram remembers.
-template <class Operation>
-Error guarded(const DiagramCore& core, Operation&& operation) {
-  if (core.isBroken()) return Error::kCorruptSnapshot;
-  try {
-    operation();
-    return Error::kNone;
-  } catch (const std::bad_alloc&) {
-    return core.isBroken() ? Error::kCorruptSnapshot : Error::kOutOfMemory;
-  } catch (const std::length_error&) {
-    return Error::kOutOfMemory;
-  }
 }
 
 }  // namespace
@@ -205,12 +185,31 @@ Error Diagram::kNearest(double x, double y, std::size_t k, std::vector<SiteId>& 
   for (const double value : {x, y}) {
     if (const Error error = checkNumber(value); error != Error::kNone) return error;
   }
-  return guarded(*core_, [&] { listNearby(*core_, x, y, k, nullptr, sites); });
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+  return guarded(*core_, [&] { listNearby(*core_, x, y, k, kAnywhere, sites); });
 }
 
 Error Diagram::within(double x, double y, double distance, std::vector<SiteId>& sites) const {
   if (const Error error = checkCircle(x, y, distance); error != Error::kNone) return error;
-  return guarded(*core_, [&] { listNearby(*core_, x, y, size(), &distance, sites); });
+  return guarded(*core_, [&] { listNearby(*core_, x, y, size(), distance, sites); });
+}
+
+Error Diagram::pick(double x, double y, double farthest, Top top, SiteId& id) const {
+  for (const double value : {x, y}) {
+    if (const Error error = checkNumber(value); error != Error::kNone) return error;
+  }
+  if (const Error error = checkLimit(farthest); error != Error::kNone) return error;
+  if (farthest < 0) return Error::kOutOfRange;
+  return guarded(*core_, [&] { id = internal::pick(*core_, x, y, farthest, top); });
+}
+
+Error Diagram::search(double xmin, double ymin, double xmax, double ymax,
+                      std::vector<SiteId>& sites) const {
+  for (const double value : {xmin, ymin, xmax, ymax}) {
+    if (checkNumber(value) != Error::kNone) return Error::kBadBounds;
+  }
+  if (xmin > xmax || ymin > ymax) return Error::kBadBounds;
+  return guarded(*core_, [&] { listMeeting(*core_, xmin, ymin, xmax, ymax, sites); });
 }
 
 Error Diagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
-#include <stdexcept>
 #include <vector>
 
+#include "api/checks.h"
 #include "geometry/approximate.h"
 #include "geometry/areas.h"
 #include "geometry/cell.h"
@@ -102,15 +101,7 @@ Error Voronoi::guarded(double tolerance, Operation&& operation) const {
   if (!areGood(bounds_)) return Error::kBadBounds;
   if (!std::isfinite(tolerance)) return Error::kNotFinite;
   if (!(tolerance > 0)) return Error::kOutOfRange;
-  if (diagram_.core_->isBroken()) return Error::kCorruptSnapshot;
-  try {
-    operation(windowOf(bounds_), tolerance);
-    return Error::kNone;
-  } catch (const std::bad_alloc&) {
-    return Error::kOutOfMemory;
-  } catch (const std::length_error&) {  // of a vector
-    return Error::kOutOfMemory;
-  }
+  return internal::guarded(*diagram_.core_, [&] { operation(windowOf(bounds_), tolerance); });
 }
 
 template <class Operation>

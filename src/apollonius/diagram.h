@@ -139,6 +139,20 @@ class APOLLONIUS_EXPORT Diagram {
   /// included. Replaces the contents. Errors, cost: as kNearest.
   [[nodiscard]] Error within(double x, double y, double distance, std::vector<SiteId>& sites) const;
 
+  /// The circle under a pointer: of those that contain the point, rim included, the one on top;
+  /// else the nearest site, if it is not farther than `farthest` (>= 0; infinity: wherever it is);
+  /// else kNoSite. Exact. Errors: as find; kOutOfRange also if `farthest` is negative. Cost: as
+  /// kNearest, for the circles that contain the point and one more.
+  [[nodiscard]] Error pick(double x, double y, double farthest, Top top, SiteId& id) const;
+
+  /// All sites whose circles meet a rectangle, the rims and the border included, hidden ones too,
+  /// ascending; the rectangle may be a segment or a point, and circles of negative radius meet
+  /// none. Exact. Replaces the contents. Errors: kBadBounds (a number that is not finite or out of
+  /// range, or min > max), kOutOfMemory. Cost: on sites spread evenly O(m log m), m = the sites
+  /// found and those around the border.
+  [[nodiscard]] Error search(double xmin, double ymin, double xmax, double ymax,
+                             std::vector<SiteId>& sites) const;
+
   /// The distinct sites whose cells share an edge with this one's, counter-clockwise (each at its
   /// first occurrence), edges of length zero included (degenerate position; the graph is
   /// triangulated canonically); none for a hidden site. Replaces the contents. Errors:
@@ -194,7 +208,8 @@ class APOLLONIUS_EXPORT Diagram {
   }
 
  private:
-  friend class Voronoi;  // its geometry: apollonius/voronoi.h
+  friend class NearestFirst;  // the sites around a point, one by one: apollonius/nearest_first.h
+  friend class Voronoi;       // its geometry: apollonius/voronoi.h
 
   std::unique_ptr<internal::DiagramCore> core_;
 };

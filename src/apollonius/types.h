@@ -54,6 +54,11 @@ enum class Location : std::uint8_t {
                     ///< whatever the degrees
 };
 
+/// Which of several circles that contain a point is on top: the one with the smallest radius (of
+/// equal ones the last), as where large circles are drawn first; or the last, with the largest id,
+/// as where all are drawn in the order of their ids.
+enum class Top : std::uint8_t { kSmallest, kLast };
+
 /// The Voronoi vertices in the plane; row k of each array belongs to vertex k. The rows' order
 /// depends on the history.
 struct VertexArrays {

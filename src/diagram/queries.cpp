@@ -1,26 +1,11 @@
-// The sites around a point in the order of their distance: kNearest and within.
-//
-// Growing over the graph. Claim: in the order of (distance to p, ties to the larger site), each
-// visible site s but the first one has a Delaunay neighbour before it. So the next visible site is
-// always among the neighbours of those reported so far.
-//   Proof. Ties first: perturb the weights as the canonical rule does (docs/PREDICATES.md,
-//   "Degenerate position"), larger sites by infinitely larger amounts. The graph is that of the
-//   perturbed sites, the order is that of their distances, no two distances to p are equal, and two
-//   cells that meet in a point share an edge. Now walk from p straight to the centre of s. At a
-//   point x of the way d(x, s) = d(p, s) - |x - p|, and d(x, u) >= d(p, u) - |x - p| for any other
-//   site u (triangle inequality). The way ends in the cell of s, because d(c_s, u) <= d(c_s, s) =
-//   -r_s would mean that u covers s; and it does not start there, because s is not the first. Where
-//   it enters that cell for the last time, it comes from the cell of a neighbour u with d(x, u) =
-//   d(x, s), hence d(p, u) <= d(p, s), and not equal: u is before s.
-//
-// Hidden sites: a site that covers s, |c - c_s| <= r - r_s, is nowhere farther than s (triangle
-// inequality again) and is larger, unless the two are identical. So s comes after its parent in the
-// forest, and joins the queue when the parent is reported.
 #include "diagram/queries.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "delaunay/sort_by_key.h"
+#include "diagram/nearby_search.h"
 #include "memory/flat_array.h"
 #include "predicate/distance.h"
 
@@ -28,123 +13,145 @@ namespace apollonius::internal {
 
 namespace {
 
-/// A set of slots that costs what is put into it, however large the diagram is: open addressing, at
-/// most half full.
-class SlotSet {
+/// Is the point in the circle, or on its rim?
+bool isInCircle(double x, double y, const Site& site) {
+  return compareDistance(x, y, site, {x, y, 0}) != Sign::kPositive;
+}
+
+struct Rectangle {
+  double xmin, ymin, xmax, ymax;
+};
+
+/// The point of the rectangle that is closest to the centre has coordinates of theirs: so an exact
+/// question about that point decides.
+bool meets(const Site& site, const Rectangle& r) {
+  return isInCircle(std::clamp(site.x, r.xmin, r.xmax), std::clamp(site.y, r.ymin, r.ymax), site);
+}
+
+/// About in the middle, and a coordinate that a site might have.
+double between(double low, double high) {
+  const double middle = low + (high - low) / 2;
+  return isInRange(middle) ? middle : 0;  // where it is next to 0, they are on both sides of it
+}
+
+/// The window in pieces, of which each asks for the sites around its middle as far as its corners
+/// are, and takes those that meet the window. A piece that gets too many others is cut in two: so
+/// are long windows, down to pieces that are as small as what is around them. Where cutting does
+/// not help, because the same sites are next to the border in all pieces (circles that nearly touch
+/// it), soon more others are allowed.
+class WindowSearch {
  public:
-  /// Puts it in; was it not there yet?
-  bool insert(Slot slot) {
-    if (2 * ++size_ > slots_.size()) grow();
-    return place(slot);
+  WindowSearch(const DiagramCore& diagram, const Rectangle& window)
+      : diagram_(diagram), window_(window) {}
+
+  void list(std::vector<SiteId>& sites) {
+    pieces_.push_back({window_, kFew});
+    while (!pieces_.empty()) {
+      Piece piece = pieces_.back();
+      pieces_.pop_back();
+      if (!isDone(piece)) cut(piece);
+    }
+    sortByKey(meeting_);
+    sites.reserve(meeting_.size());
+    for (const Keyed& entry : meeting_) sites.push_back(entry.key);
   }
 
  private:
-  [[nodiscard]] bool place(Slot slot) {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t at = (slot * 0x9E3779B1u) >> 7 & mask;
-    for (; slots_[at] != kNoSlot; at = (at + 1) & mask) {
-      if (slots_[at] == slot) {
-        --size_;
+  static constexpr std::size_t kFew = 16;
+
+  struct Piece {
+    Rectangle r;
+    std::size_t allowed;  // of sites that do not meet the window, but for twice those that do
+
+    [[nodiscard]] double x() const { return between(r.xmin, r.xmax); }
+    [[nodiscard]] double y() const { return between(r.ymin, r.ymax); }
+    [[nodiscard]] bool isWide() const { return r.xmax - r.xmin >= r.ymax - r.ymin; }
+    [[nodiscard]] bool canBeCut() const {
+      return isWide() ? r.xmin < x() && x() < r.xmax : r.ymin < y() && y() < r.ymax;
+    }
+    /// At least the distance from the middle to each corner: five roundings.
+    [[nodiscard]] double reach() const {
+      const double width = std::max(x() - r.xmin, r.xmax - x());
+      const double height = std::max(y() - r.ymin, r.ymax - y());
+      const double length = std::sqrt(width * width + height * height) * (1 + 8 * kUnitRoundoff);
+      return length == 0 ? 0 : std::max(length, kSmallestMagnitude);
+    }
+  };
+
+  void cut(const Piece& piece) {
+    Piece first = piece, second = piece;
+    if (piece.isWide()) {
+      first.r.xmax = second.r.xmin = piece.x();
+    } else {
+      first.r.ymax = second.r.ymin = piece.y();
+    }
+    pieces_.push_back(second);
+    pieces_.push_back(first);
+  }
+
+  /// Adds what this piece finds, and tells whether that is all.
+  [[nodiscard]] bool isDone(Piece& piece) {
+    const bool isDivisible = piece.canBeCut();
+    if (isDivisible && piece.reach() > kLargestMagnitude) return false;
+    NearbySearch search(diagram_, piece.x(), piece.y(), std::min(piece.reach(), kLargestMagnitude));
+    std::size_t meeting = 0, others = 0, known = 0;
+    for (Slot slot = search.next(); slot != kNoSlot; slot = search.next()) {
+      if (meets(diagram_.site(slot), window_)) {
+        ++meeting;
+        if (seen_.insert(slot)) meeting_.push_back({diagram_.ids().idOf(slot), slot});
+        continue;
+      }
+      if (!seen_.insert(slot)) ++known;
+      if (++others > piece.allowed + 2 * meeting && isDivisible) {
+        if (2 * known > others) piece.allowed *= 4;
         return false;
       }
     }
-    slots_[at] = slot;
     return true;
   }
 
-  void grow() {
-    FlatArray<Slot> old(2 * slots_.size(), kNoSlot);
-    old.swap(slots_);
-    for (const Slot slot : old) {
-      if (slot != kNoSlot) static_cast<void>(place(slot));
-    }
-  }
-
-  FlatArray<Slot> slots_ = FlatArray<Slot>(256, kNoSlot);
-  std::size_t size_ = 0;
-};
-
-/// The sites that may come next, the nearest on top.
-class Queue {
- public:
-  Queue(const DiagramCore& diagram, double x, double y) : diagram_(diagram), x_(x), y_(y) {}
-
-  [[nodiscard]] bool empty() const { return heap_.empty(); }
-
-  void push(Slot slot) {
-    const ApproxDistance distance(x_, y_, diagram_.site(slot));
-    heap_.push_back({distance.value, distance.bound, slot});
-    std::push_heap(heap_.begin(), heap_.end(),
-                   [this](const Entry& a, const Entry& b) { return isAfter(a, b); });
-  }
-
-  Slot pop() {
-    std::pop_heap(heap_.begin(), heap_.end(),
-                  [this](const Entry& a, const Entry& b) { return isAfter(a, b); });
-    const Slot slot = heap_.back().slot;
-    heap_.pop_back();
-    return slot;
-  }
-
- private:
-  struct Entry {
-    double distance;
-    double bound;  // of its error
-    Slot slot;
-  };
-
-  [[nodiscard]] bool isAfter(const Entry& a, const Entry& b) const {
-    const double difference = a.distance - b.distance, bound = a.bound + b.bound;
-    if (difference > bound || difference < -bound) return difference > 0;
-    const Site &sa = diagram_.site(a.slot), &sb = diagram_.site(b.slot);
-    if (isNearer(x_, y_, sa, sb)) return true;
-    return !isNearer(x_, y_, sb, sa) &&
-           diagram_.ids().idOf(a.slot) >
-               diagram_.ids().idOf(b.slot);  // identical: any order will do
-  }
-
   const DiagramCore& diagram_;
-  double x_, y_;
-  FlatArray<Entry> heap_;
+  Rectangle window_;
+  FlatArray<Piece> pieces_;
+  FlatArray<Keyed> meeting_;  // by their ids
+  SlotSet seen_;              // also sites that do not meet the window
 };
 
 }  // namespace
 
-void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most,
-                const double* farthest, std::vector<SiteId>& sites) {
+void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most, double farthest,
+                std::vector<SiteId>& sites) {
   sites.clear();
-  if (diagram.visibleCount() == 0 || most == 0) return;
-  // The distance to a site with its centre at p is minus its weight.
-  const Site limit{x, y, farthest != nullptr ? -*farthest : 0};
-  Queue queue(diagram, x, y);
-  const auto consider = [&](Slot slot) {
-    if (farthest == nullptr || compareDistance(x, y, diagram.site(slot), limit) != Sign::kPositive)
-      queue.push(slot);
-  };
-  SlotSet seen;  // of visible sites: a hidden one has one parent
-  FlatArray<Slot> candidates;
-  const Slot first = diagram.nearest(x, y);
-  seen.insert(first);
-  consider(first);
-  const Graph& graph = diagram.delaunay().graph();
-  while (!queue.empty()) {
-    const Slot slot = queue.pop();
+  if (most == 0) return;
+  NearbySearch search(diagram, x, y, farthest);
+  for (Slot slot = search.next(); slot != kNoSlot; slot = search.next()) {
     sites.push_back(diagram.ids().idOf(slot));
     if (sites.size() == most) return;
-    for (Slot child = diagram.hidden().firstChild(slot); child != HiddenForest::kNone;
-         child = diagram.hidden().nextSibling(child))
-      consider(child);
-    const VertexId v = vertexOf(slot);
-    if (!graph.hasVertex(v)) continue;  // hidden, or the only visible one
-    candidates.clear();
-    for (const HalfedgeId h : graph.star(v)) {
-      const VertexId neighbor = graph.target(h);
-      if (neighbor != kInfinity && seen.insert(slotOf(neighbor)))
-        candidates.push_back(slotOf(neighbor));
-    }
-    // A loop of its own: sites are fetched from memory side by side.
-    for (const Slot candidate : candidates) consider(candidate);
   }
+}
+
+SiteId pick(const DiagramCore& diagram, double x, double y, double farthest, Top top) {
+  NearbySearch search(diagram, x, y, farthest);
+  Slot slot = search.next();
+  if (slot == kNoSlot) return kNoSite;
+  SiteId best = diagram.ids().idOf(slot);
+  if (!isInCircle(x, y, diagram.site(slot))) return best;
+  double smallest = diagram.site(slot).r;
+  while ((slot = search.next()) != kNoSlot && isInCircle(x, y, diagram.site(slot))) {
+    const SiteId id = diagram.ids().idOf(slot);
+    const double r = diagram.site(slot).r;
+    const bool isAbove = top == Top::kSmallest && r != smallest ? r < smallest : id > best;
+    if (!isAbove) continue;
+    best = id;
+    smallest = r;
+  }
+  return best;
+}
+
+void listMeeting(const DiagramCore& diagram, double xmin, double ymin, double xmax, double ymax,
+                 std::vector<SiteId>& sites) {
+  sites.clear();
+  WindowSearch(diagram, {xmin, ymin, xmax, ymax}).list(sites);
 }
 
 }  // namespace apollonius::internal

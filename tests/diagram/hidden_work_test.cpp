@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 #include "delaunay/diagram_breaker.h"
@@ -19,6 +20,8 @@
 
 namespace apollonius::internal {
 namespace {
+
+constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
 using test::Circles;
 using test::questions;
@@ -244,14 +247,14 @@ TEST(HiddenWork, AroundAPointInNestedSites) {
       insertAll(core, shuffled(made(family, n)));
       std::vector<SiteId> sites;
       // Left of where all touch, so that circles differ in their distance.
-      nearest[twice] = questionsOf([&] { listNearby(core, -7, 40, kAnswer, nullptr, sites); });
+      nearest[twice] = questionsOf([&] { listNearby(core, -7, 40, kAnswer, kAnywhere, sites); });
       EXPECT_EQ(sites.size(), kAnswer);
       const Site& last = core.site(core.ids().slotOf(sites.back()));
       const double distance =
           std::sqrt((last.x + 7) * (last.x + 7) + (last.y - 40) * (last.y - 40)) - last.r;
       // In `within` each site that is looked at is a question: at most two for each in the answer.
       if (family.circle(1).r == family.circle(2).r) continue;  // all are as far
-      within[twice] = questionsOf([&] { listNearby(core, -7, 40, n, &distance, sites); });
+      within[twice] = questionsOf([&] { listNearby(core, -7, 40, n, distance, sites); });
       EXPECT_GE(sites.size() + 1, kAnswer);
       EXPECT_LE(sites.size(), kAnswer + 2);
       EXPECT_LT(within[twice], 20 * kAnswer);
@@ -269,7 +272,7 @@ TEST(HiddenWork, EquallyFarNestedSitesComeLargestFirst) {
   insertAll(core, shuffled(made(nested()[2], n)));
   for (const double x : {0.0, -5.0}) {
     std::vector<SiteId> sites;
-    listNearby(core, x, 0, n, nullptr, sites);
+    listNearby(core, x, 0, n, kAnywhere, sites);
     ASSERT_EQ(sites.size(), n);
     for (std::size_t k = 0; k < n; ++k)
       EXPECT_EQ(core.site(core.ids().slotOf(sites[k])).r, static_cast<double>(n - k));

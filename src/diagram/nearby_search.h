@@ -1,0 +1,66 @@
+// The sites around a point one by one, in the order of their distance.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+
+#include "diagram/diagram_core.h"
+#include "memory/flat_array.h"
+#include "predicate/site.h"
+
+namespace apollonius::internal {
+
+/// A set of slots that costs what is put into it, however large the diagram is: open addressing, at
+/// most half full.
+class SlotSet {
+ public:
+  /// Puts it in; was it not there yet? Throws std::bad_alloc.
+  bool insert(Slot slot) {
+    if (2 * ++size_ > slots_.size()) grow();
+    return place(slot);
+  }
+
+ private:
+  [[nodiscard]] bool place(Slot slot);
+  void grow();
+
+  FlatArray<Slot> slots_ = FlatArray<Slot>(256, kNoSlot);
+  std::size_t size_ = 0;
+};
+
+/// All sites, hidden ones too, in the order of their distance to a point, or those that are not
+/// farther than a limit; ties as in DiagramCore::nearest(), identical circles in any order. The
+/// diagram must stay as it is. Cost: one location and O(m log m), m = the neighbours of the sites
+/// found. Calls throw std::bad_alloc, and are not to be repeated then.
+class NearbySearch {
+ public:
+  NearbySearch(const DiagramCore& diagram, double x, double y,
+               double farthest = std::numeric_limits<double>::infinity());
+
+  /// The next site, kNoSlot after the last.
+  [[nodiscard]] Slot next();
+
+ private:
+  /// A site that may come next.
+  struct Entry {
+    double distance;
+    double bound;  // of its error
+    Slot slot;
+  };
+
+  [[nodiscard]] bool isAfter(const Entry& a, const Entry& b) const;
+  void consider(Slot slot);
+  /// Considers those that may come directly after a site.
+  void follow(Slot slot);
+
+  const DiagramCore& diagram_;
+  double x_, y_;
+  bool isLimited_;
+  Site limit_;             // as far away as the farthest
+  Slot last_ = kNoSlot;    // returned last, not followed yet
+  FlatArray<Entry> heap_;  // the nearest on top
+  SlotSet seen_;           // of visible sites: a hidden one has one parent
+  FlatArray<Slot> candidates_;
+};
+
+}  // namespace apollonius::internal
