@@ -1,7 +1,17 @@
 // What both entries of the package export.
 export type { Accessor } from "./accessors.js";
 export { Diagram } from "./diagram.js";
-export type { DiagramOptions, Edges, Site, SnapshotOptions, Vertices } from "./types.js";
+export type {
+  DiagramOptions,
+  Edges,
+  FilterOptions,
+  NearbyFilter,
+  NearbyOptions,
+  PickOptions,
+  Site,
+  SnapshotOptions,
+  Vertices,
+} from "./types.js";
 export { ApolloniusError, type ErrorCode } from "./errors.js";
 export type { DrawOptions, PathContext } from "./path.js";
 export {

@@ -185,8 +185,8 @@ export function checkedBytes(name: string, bytes: unknown): Uint8Array {
 export function outOfMemory(): ApolloniusError {
   return new ApolloniusError(
     "out-of-memory",
-    "not enough memory; dispose() or `using` gives back a diagram's at once, while forgotten ones " +
-      "wait for a turn of the event loop",
+    "not enough memory; dispose() or `using` gives back a diagram's at once, while forgotten " +
+      "ones wait for a turn of the event loop",
   );
 }
 
@@ -253,28 +253,36 @@ export function checkedIds(name: string, ids: unknown): Uint32Array {
   return checked;
 }
 
+type Bounds = [number, number, number, number];
+
+/** Four numbers xmin, ymin, xmax, ymax; throws "bad-bounds". */
+export function checkedNumbersOfBounds(bounds: ArrayLike<unknown>): Bounds {
+  return ["xmin", "ymin", "xmax", "ymax"].map((name, k) => {
+    const value = bounds[k]; // read once: a getter may say something else the next time
+    const error = numberError(`${name} of bounds`, value);
+    if (error) throw new ApolloniusError("bad-bounds", error.message);
+    return value;
+  }) as Bounds;
+}
+
 /** A window [xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax; throws "bad-bounds". */
-export function checkedBounds(bounds: unknown): [number, number, number, number] {
+export function checkedBounds(bounds: unknown): Bounds {
   if (!isArrayLike(bounds) || bounds.length !== 4) {
     throw new ApolloniusError(
       "bad-bounds",
       `bounds is ${described(bounds)}, expected [xmin, ymin, xmax, ymax]`,
     );
   }
-  const names = ["xmin", "ymin", "xmax", "ymax"] as const;
-  const [xmin, ymin, xmax, ymax] = names.map((name, k) => {
-    const value = bounds[k]; // read once: a getter may say something else the next time
-    const error = numberError(`${name} of bounds`, value);
-    if (error) throw new ApolloniusError("bad-bounds", error.message);
-    return value as number;
-  }) as [number, number, number, number];
-  if (!(xmin < xmax && ymin < ymax)) {
-    throw new ApolloniusError(
-      "bad-bounds",
-      `bounds are [${xmin}, ${ymin}, ${xmax}, ${ymax}], expected xmin < xmax and ymin < ymax`,
-    );
-  }
-  return [xmin, ymin, xmax, ymax];
+  const checked = checkedNumbersOfBounds(bounds);
+  if (!(checked[0] < checked[2] && checked[1] < checked[3])) throw disorderedBounds(checked, "<");
+  return checked;
+}
+
+export function disorderedBounds(bounds: Bounds, order: "<" | "<="): ApolloniusError {
+  return new ApolloniusError(
+    "bad-bounds",
+    `bounds are [${bounds.join(", ")}], expected xmin ${order} xmax and ymin ${order} ymax`,
+  );
 }
 
 /** A positive number for which there is a default; throws "not-finite" or "out-of-range". */

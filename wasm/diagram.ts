@@ -9,7 +9,16 @@ import { createNative, destroy, provideNative } from "./living.js";
 import { type NativeDiagram, runningModule } from "./module.js";
 import type { DrawOptions, PathContext } from "./path.js";
 import * as queries from "./queries.js";
-import type { DiagramOptions, Edges, Site, SnapshotOptions, Vertices } from "./types.js";
+import type {
+  DiagramOptions,
+  Edges,
+  FilterOptions,
+  NearbyOptions,
+  PickOptions,
+  Site,
+  SnapshotOptions,
+  Vertices,
+} from "./types.js";
 import { type Bounds, Voronoi } from "./voronoi.js";
 
 /**
@@ -32,6 +41,7 @@ import { type Bounds, Voronoi } from "./voronoi.js";
 export class Diagram implements Disposable {
   #native: NativeDiagram | null;
   readonly #ballast = new Ballast();
+  readonly #filters: queries.Filters = { running: 0 };
 
   static {
     provideNative((diagram) => (diagram as Diagram).#living());
@@ -105,7 +115,7 @@ export class Diagram implements Disposable {
    * one location and O(size of the change). Throws "not-finite", "out-of-range".
    */
   insert(x: number, y: number, r: number = 0): number {
-    const id = edits.insert(this.#living(), x, y, r);
+    const id = edits.insert(this.#changing(), x, y, r);
     this.#ballast.carry(id + 1);
     return id;
   }
@@ -116,7 +126,7 @@ export class Diagram implements Disposable {
    * multiple of 3), "too-large" (more than 2^29 triples).
    */
   insertMany(xyr: ArrayLike<number>): Uint32Array {
-    const native = this.#living();
+    const native = this.#changing();
     const ids = edits.insertMany(native, checkedNewSites("xyr", xyr));
     this.#ballast.carry(native.size());
     return ids;
@@ -128,7 +138,7 @@ export class Diagram implements Disposable {
    * identical circles, else expected O(k log k) with k = d + the hidden sites directly below it.
    */
   remove(id: number): boolean {
-    return edits.remove(this.#living(), id);
+    return edits.remove(this.#changing(), id);
   }
 
   /**
@@ -136,7 +146,7 @@ export class Diagram implements Disposable {
    * as `remove` for each. Throws "bad-length" if `ids` is no array.
    */
   removeMany(ids: ArrayLike<number>): number {
-    return edits.removeMany(this.#living(), ids);
+    return edits.removeMany(this.#changing(), ids);
   }
 
   /**
@@ -144,7 +154,7 @@ export class Diagram implements Disposable {
    * and insert. Throws "unknown-site", "not-finite", "out-of-range".
    */
   update(id: number, x: number, y: number, r?: number): this {
-    edits.update(this.#living(), id, x, y, r);
+    edits.update(this.#changing(), id, x, y, r);
     return this;
   }
 
@@ -154,13 +164,13 @@ export class Diagram implements Disposable {
    * there is one triple an id.
    */
   updateMany(ids: ArrayLike<number>, xyr: ArrayLike<number>): this {
-    edits.updateMany(this.#living(), ids, xyr);
+    edits.updateMany(this.#changing(), ids, xyr);
     return this;
   }
 
   /** Removes all sites; ids start from 0 again. Cost: O(n). */
   clear(): this {
-    this.#living().clear();
+    this.#changing().clear();
     return this;
   }
 
@@ -240,23 +250,44 @@ export class Diagram implements Disposable {
 
   /**
    * The k nearest sites of a point, hidden ones too, nearest first; all sites if there are fewer.
-   * Exact; ties go to the larger r, then x, then y, identical circles come in any order. Cost: one
-   * location and O(m log m), m the number of neighbours of the sites found, whatever n is. Throws
-   * "not-finite", "out-of-range" (also for a k that is no whole number from 0 on; Infinity means
-   * all).
+   * `maxDistance` and `filter` leave some out. Exact; ties go to the larger r, then x, then y,
+   * identical circles come in any order. Cost: one location and O(m log m), m the number of
+   * neighbours of the sites looked at, whatever n is. Throws "not-finite", "out-of-range" (also for
+   * a k that is no whole number from 0 on; Infinity means all), "bad-option".
    */
-  kNearest(x: number, y: number, k: number): Uint32Array {
-    return queries.kNearest(this.#living(), x, y, k);
+  kNearest(x: number, y: number, k: number, options?: NearbyOptions): Uint32Array {
+    return queries.kNearest(this.#living(), this.#filters, x, y, k, options);
   }
 
   /**
    * All sites whose distance |p - c| - r to a point is at most `distance`, hidden ones too, nearest
    * first: with 0 every circle that contains the point, negative for circles that contain it that
-   * deep. Exact, sites at that very distance included. Cost: as kNearest. Throws "not-finite",
-   * "out-of-range".
+   * deep. `filter` leaves some out. Exact, sites at that very distance included. Cost: as kNearest.
+   * Throws "not-finite", "out-of-range", "bad-option".
    */
-  within(x: number, y: number, distance: number): Uint32Array {
-    return queries.within(this.#living(), x, y, distance);
+  within(x: number, y: number, distance: number, options?: FilterOptions): Uint32Array {
+    return queries.within(this.#living(), this.#filters, x, y, distance, options);
+  }
+
+  /**
+   * The circle under a pointer: of those that contain the point, rim included, the one on top,
+   * which is the smallest (of equal ones the last), or with `top: "last"` the one with the largest
+   * id; else the nearest site that is not farther than `maxDistance` (default: Infinity; 0 for
+   * none); else -1. Exact. Cost: one location and O(m log m), m the number of neighbours of the
+   * circles that contain the point. Throws "not-finite", "out-of-range", "bad-option".
+   */
+  pick(x: number, y: number, maxDistance?: number, options?: PickOptions): number {
+    return queries.pick(this.#living(), x, y, maxDistance, options);
+  }
+
+  /**
+   * All sites whose circles meet a rectangle, hidden ones too, ascending; rims and the border
+   * count. The rectangle may be a segment or a point; circles of negative r meet none. Exact. Cost:
+   * for sites spread evenly O(m log m), m the number of sites found and of those around the border.
+   * Throws "bad-bounds".
+   */
+  search(xmin: number, ymin: number, xmax: number, ymax: number): Uint32Array {
+    return queries.search(this.#living(), xmin, ymin, xmax, ymax);
   }
 
   /**
@@ -367,6 +398,7 @@ export class Diagram implements Disposable {
    * loop; a loop that makes many and never waits needs `dispose` or `using`. Cost: O(1).
    */
   dispose(): void {
+    this.#expectNoFilter();
     if (this.#native === null) return;
     destroy(this.#native);
     this.#native = null;
@@ -379,6 +411,17 @@ export class Diagram implements Disposable {
   }
 
   // --- Shared parts ------------------------------------------------------------------------------
+
+  #expectNoFilter(): void {
+    if (this.#filters.running > 0)
+      throw new ApolloniusError("busy", "a filter may not change the diagram that asks it");
+  }
+
+  /** For calls that change the diagram. */
+  #changing(): NativeDiagram {
+    this.#expectNoFilter();
+    return this.#living();
+  }
 
   #living(): NativeDiagram {
     if (this.#native === null)

@@ -9,6 +9,7 @@
  * - "bad-option": an option or accessor is none of what is documented
  * - "bad-bounds": bounds to clip at that are no box
  * - "disposed": the diagram has been disposed of
+ * - "busy": a filter tried to change the diagram that was asking it
  * - "out-of-memory": memory ran out, or was never enough
  * - "corrupt-snapshot": bytes that are no snapshot of a diagram
  * - "too-large": more than 2^29 sites at once (one by one, memory ends before)
@@ -24,6 +25,7 @@ export type ErrorCode =
   | "bad-option"
   | "bad-bounds"
   | "disposed"
+  | "busy"
   | "out-of-memory"
   | "corrupt-snapshot"
   | "too-large"

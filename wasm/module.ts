@@ -1,17 +1,23 @@
 // The instance of the wasm module that diagrams share: made at the first use, never at import.
 // After a call that ended in its middle, what is made later gets a new one.
-import createModule, { type Diagram, type MainModule } from "../build/wasm/apollonius.mjs";
+import createModule, {
+  type Diagram,
+  type MainModule,
+  type NearestFirst,
+} from "../build/wasm/apollonius.mjs";
 import { outOfMemory } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import { failure } from "./status.js";
 
 /** A diagram in the module: wasm/bindings.cpp. Its calls throw an ApolloniusError. */
 export type NativeDiagram = Diagram;
+export type { NearestFirst };
 
 interface NativeModule {
   create(location: keyof MainModule["Location"]): NativeDiagram;
   readonly Drawing: MainModule["Drawing"];
   readonly Source: MainModule["Source"];
+  readonly Top: MainModule["Top"];
 }
 
 /** Gives the compiled module synchronously, or throws if that entry of the package cannot. */
@@ -43,25 +49,29 @@ export function start(compiled: WebAssembly.Module): NativeModule {
 }
 
 function started(compiled: WebAssembly.Module): NativeModule {
-  const { Diagram, Location, Drawing, Source, ...rest } = instantiated(compiled);
+  const { Diagram, NearestFirst, Location, Drawing, Source, Top, ...rest } = instantiated(compiled);
   const guarded = guard(rest, () => {
     try {
       if (instance === module) instance = started(compiled);
     } catch {} // no memory for another: this one goes on
   });
-  const methods = Diagram.prototype;
-  for (const name of [...Object.getOwnPropertyNames(methods), "delete"])
-    if (name !== "constructor") methods[name] = guarded(methods[name] as Method, name === "delete");
+  for (const methods of [Diagram.prototype, NearestFirst.prototype]) {
+    for (const name of [...Object.getOwnPropertyNames(methods), "delete"])
+      if (name !== "constructor")
+        methods[name] = guarded(methods[name] as Method, name === "delete");
+  }
   const create = guarded((location: keyof typeof Location) => new Diagram(Location[location]));
   const module: NativeModule = {
     create: (location) => create.call(nobody, location as never) as NativeDiagram,
     Drawing,
     Source,
+    Top,
   };
   return module;
 }
 
-type Exports = MainModule & { Diagram: { prototype: Record<string, Method> } };
+type Class = { prototype: Record<string, Method> };
+type Exports = MainModule & { Diagram: Class; NearestFirst: Class };
 
 /**
  * Throws a RangeError if little of the stack is left. Where it ends within Emscripten's own start,

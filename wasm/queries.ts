@@ -1,16 +1,21 @@
 // The calls of Diagram that ask: what they are given is checked, and an error names the culprit.
 import {
   allocated,
+  checkedChoice,
   checkedCount,
   checkedDistances,
   checkedNumbers,
+  checkedNumbersOfBounds,
   checkNumber,
   checkSiteId,
+  described,
+  disorderedBounds,
   isSiteId,
 } from "./arguments.js";
-import type { NativeDiagram } from "./module.js";
+import { ApolloniusError } from "./errors.js";
+import { type NativeDiagram, type NearestFirst, runningModule } from "./module.js";
 import { checkTypes, ofElements, ofNumbers, ofSite } from "./status.js";
-import type { Site } from "./types.js";
+import type { FilterOptions, NearbyFilter, NearbyOptions, PickOptions, Site } from "./types.js";
 
 export function has(native: NativeDiagram, id: number): boolean {
   return isSiteId(id) && native.has(id);
@@ -81,14 +86,103 @@ export function findMany(
   return ids;
 }
 
-export function kNearest(native: NativeDiagram, x: number, y: number, k: number): Uint32Array {
-  checkTypes(x, y);
-  const count = checkedCount("k", k);
-  return atPoint(x, y, () => native.kNearest(x, y, count));
+/** Those that a diagram is asking: a filter may not change the diagram. */
+export interface Filters {
+  running: number;
 }
 
-export function within(native: NativeDiagram, x: number, y: number, distance: number): Uint32Array {
+/** The first `most` sites around a point that the options let through. */
+function nearestFirst(
+  native: NativeDiagram,
+  x: number,
+  y: number,
+  most: number,
+  farthest: number,
+  filter: NearbyFilter | undefined,
+  filters: Filters,
+): Uint32Array {
+  const walk = atPoint(x, y, () => native.nearestFirst(x, y, farthest)) as NearestFirst;
+  const found: number[] = [];
+  ++filters.running;
+  try {
+    while (found.length < most) {
+      const id = walk.next();
+      if (id === -1) break;
+      if (filter === undefined || filter(id)) found.push(id);
+    }
+  } finally {
+    --filters.running;
+    walk.delete();
+  }
+  return allocated(() => Uint32Array.from(found));
+}
+
+function checkedFilter(filter: unknown): NearbyFilter | undefined {
+  if (filter === undefined || typeof filter === "function") return filter as NearbyFilter;
+  throw new ApolloniusError(
+    "bad-option",
+    `options.filter is ${described(filter)}, expected a function of an id`,
+  );
+}
+
+function checkedMaxDistance(name: string, maxDistance: unknown = Infinity): number {
+  if (maxDistance !== Infinity) checkNumber(name, maxDistance);
+  return maxDistance as number;
+}
+
+export function kNearest(
+  native: NativeDiagram,
+  filters: Filters,
+  x: number,
+  y: number,
+  k: number,
+  options?: NearbyOptions,
+): Uint32Array {
+  checkTypes(x, y);
+  const most = checkedCount("k", k);
+  const farthest = checkedMaxDistance("options.maxDistance", options?.maxDistance);
+  const filter = checkedFilter(options?.filter);
+  return farthest === Infinity && filter === undefined
+    ? atPoint(x, y, () => native.kNearest(x, y, most))
+    : nearestFirst(native, x, y, most, farthest, filter, filters);
+}
+
+export function within(
+  native: NativeDiagram,
+  filters: Filters,
+  x: number,
+  y: number,
+  distance: number,
+  options?: FilterOptions,
+): Uint32Array {
   checkTypes(x, y);
   checkNumber("distance", distance);
-  return atPoint(x, y, () => native.within(x, y, distance));
+  const filter = checkedFilter(options?.filter);
+  return filter === undefined
+    ? atPoint(x, y, () => native.within(x, y, distance))
+    : nearestFirst(native, x, y, Infinity, distance, filter, filters);
+}
+
+export function pick(
+  native: NativeDiagram,
+  x: number,
+  y: number,
+  maxDistance?: number,
+  options?: PickOptions,
+): number {
+  checkTypes(x, y);
+  const farthest = checkedMaxDistance("maxDistance", maxDistance);
+  if (farthest < 0)
+    throw new ApolloniusError(
+      "out-of-range",
+      `maxDistance is ${farthest}, expected a distance from 0 on`,
+    );
+  const top = checkedChoice("options.top", options?.top, ["smallest", "last"]);
+  return atPoint(x, y, () => native.pick(x, y, farthest, runningModule().Top[top]));
+}
+
+export function search(native: NativeDiagram, ...bounds: unknown[]): Uint32Array {
+  const [xmin, ymin, xmax, ymax] = checkedNumbersOfBounds(bounds);
+  if (xmin > xmax || ymin > ymax) throw disorderedBounds([xmin, ymin, xmax, ymax], "<=");
+  return native.search(xmin, ymin, xmax, ymax);
 }

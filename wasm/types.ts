@@ -58,3 +58,31 @@ export interface SnapshotOptions extends DiagramOptions {
    */
   trusted?: boolean;
 }
+
+/** Tells whether the site of that id counts. It may throw; it may not change the diagram. */
+export type NearbyFilter = (id: number) => unknown;
+
+/** Options of `Diagram.within`. */
+export interface FilterOptions {
+  /**
+   * Called with ids, nearest first, for as many sites as are needed; those for which it returns
+   * nothing true are left out. A call in it that changes the diagram throws "busy".
+   */
+  filter?: NearbyFilter | undefined;
+}
+
+/** Options of `Diagram.kNearest`. */
+export interface NearbyOptions extends FilterOptions {
+  /** Sites that are farther are left out. Default: Infinity. */
+  maxDistance?: number | undefined;
+}
+
+/** Options of `Diagram.pick`. */
+export interface PickOptions {
+  /**
+   * Which of several circles that contain the point is on top: "smallest" (default), where large
+   * circles are drawn first; "last", the one with the largest id, where all are drawn in that
+   * order.
+   */
+  top?: "smallest" | "last" | undefined;
+}

@@ -1,8 +1,8 @@
-// Sequences of calls by their names, every public one of Diagram among them, on several diagrams at
-// once, against a brute-force model; fast-check shortens what fails. With APOLLONIUS_THOROUGH=1
-// twenty times as many.
+// Sequences of calls by their names, every public one of Diagram among them, on several diagrams,
+// against a brute-force model. With APOLLONIUS_THOROUGH=1 twenty times as many.
 import fc from "fast-check";
 import { Diagram } from "../../build/packed/consumer.mjs";
+import { circle, circles, fraction, fractions, point } from "./support/arbitraries.mjs";
 import { BruteForce, distanceTo } from "./support/brute_force.mjs";
 import { diagramCalls } from "./support/calls.mjs";
 import { graph, snapshot } from "./support/graph.mjs";
@@ -11,13 +11,6 @@ import { isInside, Recorder } from "./support/recorder.mjs";
 const runs = process.env.APOLLONIUS_THOROUGH ? 6000 : 300;
 const MOST_DIAGRAMS = 3;
 
-const coordinate = fc.integer({ min: -6, max: 6 });
-const circle = fc.tuple(coordinate, coordinate, fc.integer({ min: 0, max: 4 }));
-const circles = (minLength, maxLength) => fc.array(circle, { minLength, maxLength });
-const point = fc.tuple(coordinate, coordinate);
-/** A diagram or a site, as a fraction of those there are: shrinking keeps it meaningful. */
-const fraction = fc.double({ min: 0, max: 1, maxExcluded: true, noNaN: true });
-const fractions = (maxLength) => fc.array(fraction, { maxLength });
 const pick = (items, at) => items[Math.floor(at * items.length)];
 
 const circleOf = (diagram, id) => {
@@ -243,6 +236,20 @@ const asking = {
       const ids = [...d.within(x, y, distance)];
       expect(new Set(ids).size).toBe(ids.length);
       expect(ids.map((id) => m.circles.get(id))).toEqual(m.within(x, y, distance));
+    },
+  ],
+  pick: [
+    [point, fc.constantFrom(0, 3, Infinity), fc.constantFrom("smallest", "last")],
+    (d, m, [x, y], farthest, top) => {
+      const [id, expected] = [d.pick(x, y, farthest, { top }), m.pick(x, y, farthest, top)];
+      if (m.circles.get(expected) !== m.circles.get(id)) expect(id).toBe(expected);
+    },
+  ],
+  search: [
+    [point, point],
+    (d, m, [x, y], [width, height]) => {
+      const box = [x, y, x + Math.abs(width), y + Math.abs(height)];
+      expect([...d.search(...box)]).toEqual(m.search(...box));
     },
   ],
   neighbors: [

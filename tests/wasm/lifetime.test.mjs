@@ -201,7 +201,11 @@ test.each([
 test("out of memory, the message tells how diagrams are freed", () => {
   const output = runInNode(`${watchGrowth}
     WebAssembly.Memory.prototype.grow = () => { throw new RangeError("no more memory"); };
-    try { for (;;) new Diagram([0, 0, 1]); } catch (error) { console.log(error.code, error.message); }`);
+    try {
+      for (;;) new Diagram([0, 0, 1]);
+    } catch (error) {
+      console.log(error.code, error.message);
+    }`);
   expect(output).toMatch(/^out-of-memory not enough memory.*dispose\(\).*`using`/);
 });
 

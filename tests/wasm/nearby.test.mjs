@@ -52,6 +52,95 @@ test("after changes", () => {
   expect([...circles.kNearest(10, 20, 50)]).toEqual(expected.slice(0, 50));
 });
 
+test("kNearest and within with a filter, which is asked no more than needed", () => {
+  const [x, y] = points[0];
+  const expected = sorted(x, y);
+  const asked = [];
+  const odd = (id) => {
+    asked.push(id);
+    return id % 2;
+  };
+  const found = diagram.kNearest(x, y, 5, { filter: odd });
+  expect(found).toBeInstanceOf(Uint32Array);
+  expect([...found]).toEqual(expected.filter((id) => id % 2).slice(0, 5));
+  expect(asked).toEqual(expected.slice(0, asked.length));
+  expect(asked.at(-1)).toBe(found.at(-1));
+  const near = expected.filter((id) => distance(id, x, y) <= 200);
+  expect([...diagram.kNearest(x, y, Infinity, { maxDistance: 200 })]).toEqual(near);
+  expect([...diagram.kNearest(x, y, 3, { maxDistance: 200 })]).toEqual(near.slice(0, 3));
+  expect([...diagram.within(x, y, 200, { filter: odd })]).toEqual(near.filter((id) => id % 2));
+  expect([...diagram.kNearest(x, y, 3, { filter: () => false })]).toEqual([]);
+  expect([...diagram.kNearest(x, y, 3, { filter: undefined, maxDistance: undefined })]).toEqual(
+    expected.slice(0, 3),
+  );
+});
+
+test("a filter may throw, ask the diagram, and make others, but not change this one", () => {
+  const circles = new Diagram(xyr);
+  const error = new Error("own");
+  const failing = () => {
+    throw error;
+  };
+  expect(() => circles.kNearest(0, 0, 3, { filter: failing })).toThrow(error);
+  expect(() => circles.within(0, 0, 300, { filter: failing })).toThrow(error);
+  const inner = (id) =>
+    circles.kNearest(xyr[3 * id], xyr[3 * id + 1], 1, { filter: () => true })[0];
+  expect([...circles.kNearest(0, 0, 9, { filter: (id) => inner(id) === id })]).toEqual(
+    sorted(0, 0)
+      .filter((id) => inner(id) === id)
+      .slice(0, 9),
+  );
+  const changes = [
+    (id) => circles.remove(id),
+    (id) => circles.removeMany([id]),
+    () => circles.insert(0, 0, 1),
+    () => circles.insertMany([0, 0, 1]),
+    (id) => circles.update(id, 0, 0, 1),
+    (id) => circles.updateMany([id], [0, 0, 1]),
+    () => circles.clear(),
+    () => circles.dispose(),
+    () => circles[Symbol.dispose](),
+  ];
+  for (const change of changes)
+    expectRefusal(() => circles.within(0, 0, 300, { filter: change }), "busy", "a filter may not");
+  circles.within(0, 0, 300, { filter: () => new Diagram(xyr).clear().dispose() });
+  expect(circles.validate()).toBeNull();
+  expect(circles.size).toBe(1000);
+  circles.remove(0); // not busy any more
+  circles.dispose();
+});
+
+test("pick: the smallest under the pointer, else the nearest", () => {
+  const circles = new Diagram([0, 0, 5, 3, 0, 1, 20, 0, 5, 3, 0, 2]);
+  expect(circles.pick(3, 0)).toBe(1);
+  expect(circles.pick(3, 0, 0, { top: "last" })).toBe(3);
+  expect(circles.pick(0, 4)).toBe(0);
+  expect(circles.pick(11, 0)).toBe(2); // 4 away, the other one 6
+  expect(circles.pick(11, 0, 4)).toBe(2);
+  expect(circles.pick(11, 0, 3.9)).toBe(-1);
+  expect(circles.pick(11, 0, 0)).toBe(-1);
+  expect(new Diagram().pick(0, 0)).toBe(-1);
+});
+
+test("search: the circles that meet a rectangle", () => {
+  for (const [x, y] of points) {
+    for (const [width, height] of [
+      [0, 0],
+      [500, 300],
+      [3000, 0],
+      [1, 4000],
+      [9000, 9000],
+    ]) {
+      const clamped = (v, low, size) => Math.min(Math.max(v, low), low + size);
+      const expected = [...diagram.ids()].filter((id) => {
+        const [cx, cy, r] = xyr.subarray(3 * id);
+        return Math.hypot(cx - clamped(cx, x, width), cy - clamped(cy, y, height)) <= r;
+      });
+      expect([...diagram.search(x, y, x + width, y + height)]).toEqual(expected);
+    }
+  }
+});
+
 test("an empty diagram, and one site", () => {
   const circles = new Diagram();
   expect(circles.kNearest(0, 0, 3)).toEqual(new Uint32Array());

@@ -69,6 +69,8 @@ const places = {
   nearest: 2,
   kNearest: 3,
   within: 3,
+  pick: 3,
+  search: 4,
   neighbors: 1,
   insertMany: 1,
   removeMany: 1,

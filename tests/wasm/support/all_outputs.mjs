@@ -121,6 +121,9 @@ function outputs(diagram, bytes, random, curvePoint, curveTangent) {
       diagram.nearest(x, y),
       diagram.kNearest(x, y, 5),
       diagram.within(x, y, width / 10),
+      diagram.kNearest(x, y, 5, { maxDistance: width, filter: (id) => id % 2 === 0 }),
+      diagram.pick(x, y),
+      diagram.search(x, y, x + width / 10, y + width / 20),
     ]);
   }
 

@@ -64,6 +64,26 @@ export class BruteForce {
     return this.sortedAt(x, y).filter((circle) => distanceTo(circle, x, y) <= distance + EQUAL);
   }
 
+  /** The circle on top of those that contain a point; else the nearest, if it is near; else -1. */
+  pick(x, y, farthest, top) {
+    const under = this.search(x, y, x, y);
+    if (top === "smallest") under.sort((a, b) => this.circles.get(b)[2] - this.circles.get(a)[2]);
+    const [nearest] = under.length > 0 ? [] : this.within(x, y, farthest);
+    return under.at(-1) ?? this.ids.find((id) => this.circles.get(id) === nearest) ?? -1;
+  }
+
+  /** Ids of the circles that meet a rectangle, ascending. */
+  search(xmin, ymin, xmax, ymax) {
+    const clamped = (v, low, high) => Math.min(Math.max(v, low), high);
+    return this.ids
+      .filter((id) => {
+        const circle = this.circles.get(id);
+        const [x, y] = circle;
+        return distanceTo(circle, clamped(x, xmin, xmax), clamped(y, ymin, ymax)) <= EQUAL;
+      })
+      .sort((a, b) => a - b);
+  }
+
   /** How far the circles reach in a direction. */
   reach(ux, uy) {
     return Math.max(...[...this.circles.values()].map(([x, y, r]) => x * ux + y * uy + r));

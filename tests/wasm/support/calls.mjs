@@ -219,6 +219,8 @@ export const diagramCalls = {
       ...number("y", (d, y) => d.kNearest(0, y, 1)),
       ["not-finite", (d) => d.kNearest(0, 0), "k is undefined"],
       ["out-of-range", (d) => d.kNearest(0, 0, 0.5), "k is 0.5"],
+      ...number("options.maxDistance", (d, maxDistance) => d.kNearest(0, 0, 1, { maxDistance })),
+      ["bad-option", (d) => d.kNearest(0, 0, 1, { filter: 7 }), "options.filter is 7"],
     ],
   },
   within: {
@@ -227,6 +229,25 @@ export const diagramCalls = {
       ...number("x", (d, x) => d.within(x, 0, 1)),
       ...number("y", (d, y) => d.within(0, y, 1)),
       ...number("distance", (d, distance) => d.within(0, 0, distance)),
+      ["bad-option", (d) => d.within(0, 0, 1, { filter: [] }), "options.filter is an array of 0"],
+    ],
+  },
+  pick: {
+    use: (d) => d.pick(0, 0),
+    refuses: [
+      ...number("x", (d, x) => d.pick(x, 0)),
+      ...number("y", (d, y) => d.pick(0, y)),
+      ...number("maxDistance", (d, distance) => d.pick(0, 0, distance)),
+      ["out-of-range", (d) => d.pick(0, 0, -1), "maxDistance is -1"],
+      ["bad-option", (d) => d.pick(0, 0, 1, { top: "first" }), 'options.top is the string "first"'],
+    ],
+  },
+  search: {
+    use: (d) => d.search(0, 0, 1, 1),
+    refuses: [
+      ["bad-bounds", (d) => d.search(0, 0, 1), "ymax of bounds is undefined"],
+      ["bad-bounds", (d) => d.search(0, 0, Infinity, 1), "xmax of bounds is Infinity"],
+      ["bad-bounds", (d) => d.search(0, 2, 1, 1), "bounds are [0, 2, 1, 1], expected xmin <= xmax"],
     ],
   },
   neighbors: ofSite("neighbors"),
