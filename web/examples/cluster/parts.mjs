@@ -15,21 +15,19 @@ export const partFile = (folder, index) => path.join(folderOf(folder), nameOf(in
 /** A part that is missing, or is not what its job wrote. */
 export class BadPart extends Error {}
 
-function digest(sections) {
-  const hash = createHash("sha256");
-  for (const bytes of sections) hash.update(bytes);
+/** The sum of all that a part says and holds. */
+function digest({ run, index, sections }, bytes) {
+  const hash = createHash("sha256").update(JSON.stringify({ run, index, sections }));
+  for (const section of bytes) hash.update(section);
   return hash.digest("hex");
 }
 
 /** Writes the part of a job; `sections` are names with bytes, in the order in which they go out. */
 export async function writePart(folder, run, index, sections) {
   const bytes = Object.values(sections);
-  const header = JSON.stringify({
-    run,
-    index,
-    sections: Object.fromEntries(Object.entries(sections).map(([name, b]) => [name, b.byteLength])),
-    sha256: digest(bytes),
-  });
+  const lengths = Object.entries(sections).map(([name, section]) => [name, section.byteLength]);
+  const facts = { run, index, sections: Object.fromEntries(lengths) };
+  const header = JSON.stringify({ ...facts, sha256: digest(facts, bytes) });
   await mkdir(folderOf(folder), { recursive: true });
   const draft = `${partFile(folder, index)}.${randomUUID()}`;
   const file = await open(draft, "w");
@@ -78,7 +76,7 @@ export async function readPart(folder, run, index) {
     sections[name] = bytes.subarray(at, at + length);
     at += length;
   }
-  if (digest(Object.values(sections)) !== found.sha256)
+  if (digest(found, Object.values(sections)) !== found.sha256)
     throw new BadPart(`part ${index} is damaged`);
   return sections;
 }

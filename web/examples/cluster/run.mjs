@@ -103,7 +103,8 @@ function progressBar({ unit, jobs }) {
  * Redis under its hash, again if it is lost there.
  */
 export async function perform(folder, plan, { snapshot } = {}) {
-  if (plan.jobs.length === 0) throw new Error("there is nothing to do: the input or the window is empty");
+  if (plan.jobs.length === 0)
+    throw new Error("there is nothing to do: the input or the window is empty");
   await keepPlan(folder, plan);
   const { url, stop } = await openRedis(folder);
   const redis = new Redis(url, { maxRetriesPerRequest: null });

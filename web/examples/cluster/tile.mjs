@@ -19,8 +19,9 @@ const kRounding = 2 ** -34;
  *     largest          no other circle has a larger radius than this
  *
  * `halo` is how far around the window is looked at first; it grows until the certificate holds.
- * Resolves to {diagram, ids, halo, rounds}: ids[k] is the id, in `circles`, of site k. Cost: that
- * of building, as often as the halo has to grow (rounds).
+ * Resolves to {diagram, ids, halo, rounds}: ids[k] is the id, in `circles`, of site k; the smallest
+ * one if circles are identical, so that all tiles agree whose the cell is. Cost: that of building,
+ * as often as the halo has to grow (rounds).
  */
 export async function tile(circles, window, halo) {
   const [xmin, ymin, xmax, ymax] = window;
@@ -29,7 +30,9 @@ export async function tile(circles, window, halo) {
     const { xyr, ids, known } = await circles.within(around);
     const diagram = new Diagram(joined(circles.giants.xyr, xyr));
     const lack = lackOf(diagram, window, known, circles.largest);
-    if (lack < 0) return { diagram, ids: joined(circles.giants.ids, ids), halo, rounds };
+    if (lack < 0) {
+      return { diagram, ids: named(diagram, joined(circles.giants.ids, ids)), halo, rounds };
+    }
     diagram.dispose();
     // By what lacks it is enough for certain; but few circles make a large lack, and soon more are
     // known.
@@ -68,6 +71,17 @@ export function lackOf(diagram, window, known, largest) {
     }
   });
   return lack + kRounding * (sizeOf(window, largest) + reach);
+}
+
+/** Gives each visible site the smallest id of those that are the same circle. */
+function named(diagram, ids) {
+  for (let k = 0; k < ids.length; ++k) {
+    if (!diagram.isHidden(k)) continue;
+    const cover = diagram.coverOf(k); // no other one covers it, if there is a visible copy
+    const [a, b] = [diagram.site(k), diagram.site(cover)];
+    if (a.x === b.x && a.y === b.y && a.r === b.r) ids[cover] = Math.min(ids[cover], ids[k]);
+  }
+  return ids;
 }
 
 /** The distance of a point to the outside of a rectangle. */

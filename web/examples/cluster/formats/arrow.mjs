@@ -2,13 +2,20 @@
 // are whole record batches, which a file lets one read by their numbers.
 import { createWriteStream } from "node:fs";
 import { open } from "node:fs/promises";
+import { Readable } from "node:stream";
 import { pipeline } from "node:stream/promises";
 import {
   DataType,
-  makeVector,
+  Field,
+  Float64,
+  Int32,
+  makeData,
   Precision,
+  RecordBatch,
   RecordBatchFileWriter,
   RecordBatchReader,
+  Schema,
+  Struct,
   Table,
   tableFromIPC,
   tableToIPC,
@@ -66,9 +73,17 @@ export function read(file, { from, to, columns }) {
   });
 }
 
+const field = (name, type) => Field.new({ name, type, nullable: false });
+const fields = [field("id", new Int32()), field("distance", new Float64())];
+
+/** One batch. With its schema, as the library would guess another one for no rows. */
 export function encode(ids, distances) {
-  const columns = { id: makeVector(ids), ...(distances && { distance: makeVector(distances) }) };
-  return { arrow: tableToIPC(new Table(columns), "file") };
+  const columns = distances ? [ids, distances] : [ids];
+  const type = new Struct(fields.slice(0, columns.length));
+  const children = columns.map((data, k) => makeData({ type: fields[k].type, data, nullCount: 0 }));
+  const rows = makeData({ type, length: ids.length, nullCount: 0, children });
+  const batch = new RecordBatch(new Schema(type.children), rows);
+  return { arrow: tableToIPC(new Table([batch]), "file") };
 }
 
 export async function join(out, parts) {
@@ -76,7 +91,7 @@ export async function join(out, parts) {
     for await (const { arrow } of parts()) yield* tableFromIPC(arrow).batches;
   }
   const file = `${out}.arrow`;
-  const writer = RecordBatchFileWriter.writeAll(batches());
-  await pipeline(writer.toNodeStream(), createWriteStream(file));
+  const writer = RecordBatchFileWriter.throughNode();
+  await pipeline(Readable.from(batches()), writer, createWriteStream(file));
   return [file];
 }

@@ -59,7 +59,7 @@ export async function read(file, { from, to, at }) {
   } finally {
     await input.close();
   }
-  const { data, errors } = Papa.parse(bytes.toString("utf8"), { skipEmptyLines: "greedy" });
+  const { data, errors } = Papa.parse(bytes.toString("utf8"), { skipEmptyLines: true });
   const [error] = errors.filter(({ code }) => code !== "UndetectableDelimiter");
   if (error) throw new Error(`${file}, after byte ${from}, row ${error.row}: ${error.message}`);
   const xy = new Float64Array(2 * data.length);
