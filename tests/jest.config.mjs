@@ -10,6 +10,7 @@ export default {
   projects: [
     { ...common, displayName: "package", testMatch: ["<rootDir>/tests/wasm/**/*.test.mjs"] },
     { ...common, displayName: "layers", testMatch: ["<rootDir>/tests/*.test.mjs"] },
+    { ...common, displayName: "cluster", testMatch: ["<rootDir>/tests/cluster/**/*.test.mjs"] },
     { ...common, displayName: "web", testMatch: ["<rootDir>/tests/web/**/*.test.mjs"] },
   ],
 };

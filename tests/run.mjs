@@ -8,6 +8,7 @@
 //   wasm      the same C++ tests as WebAssembly under Node
 //   package   Jest on the package as `npm pack` makes it (in Node, in browsers, through bundlers),
 //             and on the rules about who may include whom
+//   cluster   Jest on web/examples/cluster, with a real Redis
 //   web       types of the page's JavaScript, and Jest on the page in a real browser
 import { readdirSync } from "node:fs";
 import path from "node:path";
@@ -20,6 +21,7 @@ import { ensureEmscripten } from "../tools/toolchain/emscripten.mjs";
 import { withBuildLock } from "../tools/toolchain/lock.mjs";
 import { ensureNativeTools } from "../tools/toolchain/native.mjs";
 import { SetUpError } from "../tools/toolchain/process.mjs";
+import { ensureRedis } from "../tools/toolchain/redis.mjs";
 import { ctest, runSteps, runTests } from "./steps.mjs";
 import { installPacked } from "./wasm/support/install_packed.mjs";
 
@@ -86,6 +88,15 @@ const steps = {
     return missing.length === 0
       ? line
       : `${line}   WITHOUT ${missing.join(" AND ")}: install it, or set that variable to its path`;
+  },
+  async cluster() {
+    const redis = ensureRedis();
+    if (redis === null && process.env.CI) {
+      throw new SetUpError("no redis-server, and apt has none that could be installed");
+    }
+    await buildPackage();
+    const line = await jest(["cluster"], { REDIS_SERVER: redis ?? "" });
+    return redis ? line : `${line}   WITHOUT REDIS: install redis-server`;
   },
   async web() {
     const chromium = ensureChromium();

@@ -1,6 +1,6 @@
 // Everything that a build needs, installed where it is missing: fast when nothing is.
 //
-//   node tools/toolchain/setup.mjs [boost | emscripten | native | browser | firefox | npm]...
+//   node tools/toolchain/setup.mjs [boost | emscripten | native | browser | firefox | redis | npm]...
 //   (all by default)
 import { pathToFileURL } from "node:url";
 import { ensureBoost } from "./boost.mjs";
@@ -9,6 +9,7 @@ import { ensureEmscripten } from "./emscripten.mjs";
 import { ensureCmake, ensureNativeTools } from "./native.mjs";
 import { ensureNpmPackages } from "./npm_packages.mjs";
 import { SetUpError } from "./process.mjs";
+import { ensureRedis } from "./redis.mjs";
 
 /** For building the package; returns Emscripten's folder. */
 export function ensureBuildTools() {
@@ -39,6 +40,7 @@ const parts = {
   boost: ensureBoost,
   browser: ensureChromium,
   firefox: ensureFirefox,
+  redis: ensureRedis,
 };
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {

@@ -1,0 +1,97 @@
+// Arrow IPC files: two columns of numbers come in, id (int32) and distance (float64) go out. Jobs
+// are whole record batches, which a file lets one read by their numbers.
+import { createWriteStream } from "node:fs";
+import { open } from "node:fs/promises";
+import { Readable } from "node:stream";
+import { pipeline } from "node:stream/promises";
+import {
+  DataType,
+  Field,
+  Float64,
+  Int32,
+  makeData,
+  Precision,
+  RecordBatch,
+  RecordBatchFileWriter,
+  RecordBatchReader,
+  Schema,
+  Struct,
+  Table,
+  tableFromIPC,
+  tableToIPC,
+} from "apache-arrow";
+
+export const unit = "points";
+
+const isNumeric = (type) =>
+  DataType.isInt(type) || (DataType.isFloat(type) && type.precision !== Precision.HALF);
+
+async function withReader(file, action) {
+  const input = await open(file);
+  try {
+    const reader = await RecordBatchReader.from(input);
+    return await action(await reader.open());
+  } finally {
+    await input.close().catch(() => {}); // the reader may have closed it
+  }
+}
+
+/** Runs of record batches for jobs of about so many points, as many as the first batch promises. */
+export function split(file, { perJob, columns = ["x", "y"] }) {
+  return withReader(file, async (reader) => {
+    const count = reader.numRecordBatches;
+    const inBatch = count > 0 ? (await reader.readRecordBatch(0)).numRows : 0;
+    const together = Math.max(1, Math.round(perJob / Math.max(1, inBatch)));
+    return Array.from({ length: Math.ceil(count / together) }, (_, k) => {
+      const from = k * together;
+      const to = Math.min(from + together, count);
+      return { from, to, columns, size: (to - from) * inBatch };
+    });
+  });
+}
+
+/** The points of some batches as flat x, y pairs. */
+export function read(file, { from, to, columns }) {
+  return withReader(file, async (reader) => {
+    const batches = [];
+    for (let k = from; k < to; ++k) batches.push(await reader.readRecordBatch(k));
+    const xy = new Float64Array(2 * batches.reduce((sum, batch) => sum + batch.numRows, 0));
+    columns.forEach((name, axis) => {
+      let at = axis;
+      for (const batch of batches) {
+        const column = batch.getChild(name);
+        if (column === null) throw new Error(`${file} has no column ${name}: see --columns`);
+        if (column.nullCount > 0) throw new Error(`${file}: nulls in column ${name}`);
+        if (!isNumeric(column.type)) throw new Error(`${file}: column ${name} is ${column.type}`);
+        for (const value of column.toArray()) {
+          xy[at] = Number(value);
+          at += 2;
+        }
+      }
+    });
+    return xy;
+  });
+}
+
+const field = (name, type) => Field.new({ name, type, nullable: false });
+const fields = [field("id", new Int32()), field("distance", new Float64())];
+
+/** One batch. With its schema, as the library would guess another one for no rows. */
+export function encode(ids, distances) {
+  const columns = distances ? [ids, distances] : [ids];
+  const type = new Struct(fields.slice(0, columns.length));
+  const children = columns.map((data, k) => makeData({ type: fields[k].type, data, nullCount: 0 }));
+  const rows = makeData({ type, length: ids.length, nullCount: 0, children });
+  const batch = new RecordBatch(new Schema(type.children), rows);
+  return { arrow: tableToIPC(new Table([batch]), "file") };
+}
+
+export async function join(out, parts) {
+  async function* batches() {
+    for await (const { arrow } of parts()) yield* tableFromIPC(arrow).batches;
+  }
+  const file = `${out}.arrow`;
+  const writer = RecordBatchFileWriter.throughNode();
+  await pipeline(Readable.from(batches()), writer, createWriteStream(file));
+  return [file];
+}

@@ -1,0 +1,120 @@
+// Sorts a file of circles by where they are, into the buckets of a grid, row after row: those of a
+// rectangle are then a few ranges of one file. Three passes over the input in pieces, so the memory
+// does not depend on its size; the largest circles go to a file of their own.
+import { mkdir, open, rename, stat, writeFile } from "node:fs/promises";
+import path from "node:path";
+import { CircleStore, kBytes, kRecord } from "./circle_store.mjs";
+import { Grid } from "./grid.mjs";
+
+const kInput = 3; // x, y, r as little-endian doubles
+const kPiece = 1 << 21; // circles at once
+const kBucketsInTile = 64;
+const kMostBuckets = 1 << 24;
+
+/** Makes the store in `home`, and opens it. `window` is inside the grid, wherever circles are. */
+export async function makeStore(home, file, { window, perTile }) {
+  if ((await stat(file)).size % (8 * kInput) !== 0)
+    throw new Error(`${file} is no whole number of x, y, r triples`);
+  await mkdir(home, { recursive: true });
+  const { bounds, count, mean, giants, largest } = await survey(file, perTile / 10, window);
+  if (count === 0) throw new Error(`${file} is empty`);
+  const buckets = Math.min(kMostBuckets, Math.ceil((kBucketsInTile * count) / perTile));
+  const layout = Grid.of(bounds, buckets);
+  const grid = new Grid(layout);
+
+  const isGiant = new Set(giants.map(({ id }) => id));
+  const starts = new Float64Array(grid.size + 1); // counts, one place further; then their sums
+  for await (const { xyr, first } of pieces(file))
+    for (let k = 0; k < xyr.length; k += kInput)
+      if (!isGiant.has(first + k / kInput)) ++starts[grid.bucket(xyr[k], xyr[k + 1]) + 1];
+  for (let k = 1; k < starts.length; ++k) starts[k] += starts[k - 1];
+  await sortInto(path.join(home, "circles.f64"), file, grid, starts, isGiant);
+
+  const doubles = (name, values) =>
+    writeFile(path.join(home, name), new Uint8Array(Float64Array.from(values).buffer));
+  await doubles("starts.f64", starts);
+  await doubles(
+    "giants.f64",
+    giants.flatMap(({ x, y, r, id }) => [x, y, r, id]),
+  );
+  const index = JSON.stringify({ grid: layout, count, mean, largest });
+  await writeFile(path.join(home, "index.new"), index);
+  await rename(path.join(home, "index.new"), path.join(home, "index.json")); // last: all is there
+  return new CircleStore(home);
+}
+
+async function* pieces(file) {
+  const input = await open(file);
+  try {
+    const all = (await input.stat()).size / (8 * kInput);
+    for (let first = 0; first < all; first += kPiece) {
+      const xyr = new Float64Array(kInput * Math.min(kPiece, all - first));
+      await input.read(new Uint8Array(xyr.buffer), 0, xyr.byteLength, 8 * kInput * first);
+      yield { xyr, first };
+    }
+  } finally {
+    await input.close();
+  }
+}
+
+/** How many circles, where, and how large; `largest` is the largest radius beside the giants. */
+async function survey(file, giantCount, window) {
+  let [xmin, ymin, xmax, ymax] = window ?? [Infinity, Infinity, -Infinity, -Infinity];
+  let count = 0,
+    sum = 0,
+    giants = [],
+    least = -Infinity; // what is not larger than this is no giant
+  const most = Math.floor(giantCount) + 1; // one more, which is the largest of the others
+  const prune = () => {
+    giants.sort((a, b) => b.r - a.r || a.id - b.id).splice(most);
+    if (giants.length === most) least = giants.at(-1).r;
+  };
+  for await (const { xyr, first } of pieces(file)) {
+    for (let k = 0; k < xyr.length; k += kInput) {
+      const [x, y, r] = [xyr[k], xyr[k + 1], xyr[k + 2]];
+      xmin = Math.min(xmin, x);
+      ymin = Math.min(ymin, y);
+      xmax = Math.max(xmax, x);
+      ymax = Math.max(ymax, y);
+      sum += r;
+      if (r > least) giants.push({ x, y, r, id: first + k / kInput });
+      if (giants.length > 2 * most) prune();
+    }
+    count += xyr.length / kInput;
+  }
+  prune();
+  const largest = giants.length === most ? giants.pop().r : undefined;
+  return { bounds: [xmin, ymin, xmax, ymax], count, mean: sum / count, giants, largest };
+}
+
+/** Sorts each piece by buckets, and writes each bucket's run to where that has got to. */
+async function sortInto(target, file, grid, starts, isGiant) {
+  const next = starts.slice(0, -1);
+  const output = await open(target, "w");
+  try {
+    for await (const { xyr, first } of pieces(file)) {
+      const order = new Float64Array(xyr.length / kInput); // bucket, then place in the piece
+      let count = 0;
+      for (let k = 0; k < order.length; ++k)
+        if (!isGiant.has(first + k))
+          order[count++] = grid.bucket(xyr[kInput * k], xyr[kInput * k + 1]) * kPiece + k;
+      order.subarray(0, count).sort();
+      const records = new Float64Array(kRecord * count);
+      for (let at = 0; at < count; ++at) {
+        const k = order[at] % kPiece;
+        records.set(xyr.subarray(kInput * k, kInput * k + kInput), kRecord * at);
+        records[kRecord * at + kInput] = first + k;
+      }
+      const bucketAt = (at) => Math.floor(order[at] / kPiece);
+      for (let from = 0, to = 0; from < count; from = to) {
+        const bucket = bucketAt(from);
+        while (to < count && bucketAt(to) === bucket) ++to;
+        const run = new Uint8Array(records.buffer, kBytes * from, kBytes * (to - from));
+        await output.write(run, 0, run.length, kBytes * next[bucket]);
+        next[bucket] += to - from;
+      }
+    }
+  } finally {
+    await output.close();
+  }
+}

@@ -1,0 +1,80 @@
+// Does jobs until it is stopped; start as many as there are processors, on any machines:
+//
+//   node worker.mjs --folder work       REDIS_URL, or the Redis that submit.mjs has started
+//
+// Ctrl-C ends it after the jobs that it is at. Nothing is lost if it dies: its locks expire after
+// `--lock` seconds, and others do its jobs again.
+import { parseArgs } from "node:util";
+import { DelayedError, Worker } from "bullmq";
+import { Redis } from "ioredis";
+import { assign } from "./assign.mjs";
+import { buildTile } from "./build_tile.mjs";
+import { hasPart, writePart } from "./parts.mjs";
+import { redisAddress } from "./redis.mjs";
+import { kQueue } from "./run.mjs";
+import { CurrentDiagram, NoSnapshot } from "./snapshots.mjs";
+
+const { values: options } = parseArgs({
+  options: {
+    folder: { type: "string" },
+    lock: { type: "string", default: "30" },
+    concurrency: { type: "string", default: "2" }, // one computes while another reads or writes
+  },
+});
+const { folder } = options;
+if (!folder) throw new Error("--folder is missing");
+
+const redis = new Redis(await redisAddress(folder), { maxRetriesPerRequest: null });
+const context = { folder, diagram: new CurrentDiagram(redis), seconds: 0, items: 0 };
+const kinds = { assign, tile: buildTile };
+const lock = 1000 * Number(options.lock);
+
+const worker = new Worker(
+  kQueue,
+  async (job, token) => {
+    const { run, index } = job.data;
+    if (await hasPart(folder, run, index)) return; // by someone whose lock had expired
+    try {
+      await writePart(folder, run, index, await kinds[job.name](job.data, context));
+    } catch (error) {
+      if (!(error instanceof NoSnapshot)) throw error;
+      // the one who submitted it will put it there (again)
+      await job.moveToDelayed(Date.now() + 1000, token);
+      throw new DelayedError();
+    }
+  },
+  {
+    connection: redis,
+    concurrency: Number(options.concurrency),
+    lockDuration: lock,
+    stalledInterval: lock,
+    maxStalledCount: 1000, // that its worker dies is no fault of the job
+  },
+);
+worker.on("failed", (job, error) => console.error(`job ${job?.id}: ${error.message}`));
+let isAway = false;
+for (const each of [worker, redis]) {
+  each.on("error", ({ message }) => {
+    if (!isAway) console.error(`Redis: ${message}; it is tried again`);
+    isAway = true;
+  });
+}
+redis.on("ready", () => (isAway = false));
+console.log("Waiting for jobs");
+
+const began = performance.now();
+async function end() {
+  if (!isAway) await worker.close(); // after what it is at; without Redis nobody would be told
+  const { seconds, items } = context;
+  const memory = process.resourceUsage().maxRSS / 1024;
+  console.log(
+    JSON.stringify({
+      items,
+      inFindMany: +seconds.toFixed(3), // seconds
+      running: +((performance.now() - began) / 1000).toFixed(3),
+      peakMegabytes: Math.round(memory),
+    }),
+  );
+  process.exit();
+}
+for (const signal of ["SIGINT", "SIGTERM"]) process.once(signal, end);
