@@ -52,7 +52,7 @@ function signature(declaration) {
   text = text
     .replace(/;$/, "")
     .replace(/^export (async )?/, "")
-    .replace(/^(override |public )+/, "");
+    .replace(/^(override |public |declare )+/, "");
   if (ts.isGetAccessor(declaration)) text = text.replace(/^get (\w+)\(\)/, "readonly $1");
   return text;
 }

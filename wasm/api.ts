@@ -8,7 +8,9 @@ export type {
   NearbyFilter,
   NearbyOptions,
   PickOptions,
+  ListedSite,
   Site,
+  Sites,
   SnapshotOptions,
   Vertices,
 } from "./types.js";

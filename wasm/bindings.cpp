@@ -365,6 +365,10 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .field("ymin", &Bounds::ymin)
       .field("xmax", &Bounds::xmax)
       .field("ymax", &Bounds::ymax);
+  value_object<apollonius::SiteArrays>("SiteArrays")
+      .field("ids", &apollonius::SiteArrays::ids)
+      .field("xyr", &apollonius::SiteArrays::xyr)
+      .field("hidden", &apollonius::SiteArrays::hidden);
   value_object<apollonius::VertexArrays>("VertexArrays")
       .field("coordinates", &apollonius::VertexArrays::coordinates)
       .field("clearance", &apollonius::VertexArrays::clearance)
@@ -408,6 +412,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("has", &Diagram::has)
       .function("site", returning<&Diagram::site>())
       .function("ids", returning<&Diagram::ids>())
+      .function("sites", returning<&Diagram::sites>(), moved)
       .function("isHidden", returning<&Diagram::isHidden>())
       .function("coverOf", &coverOf)
       // Queries

@@ -2,6 +2,7 @@
 import { type Accessor, triples } from "./accessors.js";
 import { checkedBounds, checkedBytes, checkedChoice, checkedNewSites } from "./arguments.js";
 import { Ballast } from "./ballast.js";
+import { kInspect, showContent, summary } from "./content.js";
 import { drawWhole } from "./drawing.js";
 import * as edits from "./edits.js";
 import { ApolloniusError } from "./errors.js";
@@ -15,7 +16,9 @@ import type {
   FilterOptions,
   NearbyOptions,
   PickOptions,
+  ListedSite,
   Site,
+  Sites,
   SnapshotOptions,
   Vertices,
 } from "./types.js";
@@ -35,6 +38,9 @@ import { type Bounds, Voronoi } from "./voronoi.js";
  * does every later one of that diagram, whose memory is not given back before all diagrams of its
  * time are gone. Arrays that are returned belong to the caller.
  *
+ * Diagrams are equal, to test frameworks and Node's `assert`, if the same ids have the same circles
+ * and the same ones are hidden. (These read `content`, a property that is for nobody else.)
+ *
  * Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the
  * paper).
  */
@@ -44,7 +50,11 @@ export class Diagram implements Disposable {
   readonly #filters: queries.Filters = { running: 0 };
 
   static {
-    provideNative((diagram) => (diagram as Diagram).#living());
+    provideNative((diagram) =>
+      typeof diagram === "object" && diagram !== null && #native in diagram
+        ? diagram.#living()
+        : null,
+    );
   }
 
   /**
@@ -55,6 +65,7 @@ export class Diagram implements Disposable {
   constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
     const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
     this.#native = createNative(this, location);
+    showContent(this);
     if (xyr === undefined) return;
     try {
       this.insertMany(xyr);
@@ -208,6 +219,26 @@ export class Diagram implements Disposable {
     return this.#living().ids();
   }
 
+  /**
+   * All sites, hidden ones too, as typed arrays: `diagram.updateMany(ids, xyr)` moves them all.
+   * O(n).
+   */
+  sites(): Sites {
+    return this.#living().sites();
+  }
+
+  /**
+   * `for (const { id, x, y, r, hidden } of diagram)`: all sites, ascending by id, as they are when
+   * the loop begins. O(n).
+   */
+  *[Symbol.iterator](): Generator<ListedSite, void> {
+    const { ids, xyr, hidden } = this.sites();
+    for (let k = 0; k < ids.length; ++k) {
+      const [x, y, r] = [xyr[3 * k]!, xyr[3 * k + 1]!, xyr[3 * k + 2]!];
+      yield { id: ids[k]!, x, y, r, hidden: hidden[k] === 1 };
+    }
+  }
+
   /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
   isHidden(id: number): boolean {
     return queries.isHidden(this.#living(), id);
@@ -319,8 +350,7 @@ export class Diagram implements Disposable {
    * d3-delaunay's, 960 x 500. Cost: O(1). Throws "bad-bounds".
    */
   voronoi(bounds: Bounds = [0, 0, 960, 500]): Voronoi {
-    this.#living();
-    return new Voronoi(this, bounds);
+    return Voronoi.of(this, bounds);
   }
 
   /**
@@ -374,10 +404,31 @@ export class Diagram implements Disposable {
    * The diagram as bytes, about 56 a site: for files, and for other threads (`postMessage(bytes,
    * [bytes.buffer])` moves them). The same diagram with the same history gives the same bytes on
    * every platform; docs/SNAPSHOTS.md has the format. (The type is Uint8Array, of ArrayBuffer where
-   * TypeScript knows that.) Cost: O(n), a fraction of building.
+   * TypeScript knows that.) `structuredClone` and `postMessage` of the diagram itself throw. Cost:
+   * O(n), a fraction of building.
    */
   toBytes(): ReturnType<Uint8Array["slice"]> {
     return this.#living().toBytes();
+  }
+
+  /** The sites, for JSON; `Diagram.from` reads them, with new ids. O(n). */
+  toJSON(): ListedSite[] {
+    return [...this];
+  }
+
+  /** "Diagram { size: 3, hidden: 1 }", as consoles of Node, Deno and Bun show it. O(1). */
+  toString(): string {
+    return summary(this);
+  }
+
+  /** @internal */
+  [kInspect](): string {
+    return summary(this);
+  }
+
+  /** "Diagram". O(1). */
+  get [Symbol.toStringTag](): string {
+    return "Diagram";
   }
 
   /**

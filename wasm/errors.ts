@@ -37,9 +37,18 @@ export type ErrorCode =
  */
 export class ApolloniusError extends Error {
   /** Always "ApolloniusError". */
-  override readonly name = "ApolloniusError";
+  declare readonly name: "ApolloniusError";
   /** What went wrong, for programs. */
   readonly code: ErrorCode;
+
+  static {
+    // of the prototype, where engines look for it when they write the first line of the stack
+    Object.defineProperty(ApolloniusError.prototype, "name", {
+      value: "ApolloniusError",
+      writable: true,
+      configurable: true,
+    });
+  }
 
   /** Made by the library; public for tests that imitate it. */
   constructor(code: ErrorCode, message: string, options?: { cause?: unknown }) {

@@ -1,17 +1,24 @@
 // The native diagram of a Diagram: how long it lives, and how Voronoi reaches it.
+import { described } from "./arguments.js";
+import { ApolloniusError } from "./errors.js";
 import { type NativeDiagram, runningModule } from "./module.js";
 
-let access: (diagram: object) => NativeDiagram;
+let access: (diagram: unknown) => NativeDiagram | null;
 let collector: FinalizationRegistry<NativeDiagram> | undefined;
 
 /** Called once by Diagram, which alone knows the native one and whether it still lives. */
-export function provideNative(accessor: (diagram: object) => NativeDiagram): void {
+export function provideNative(accessor: (diagram: unknown) => NativeDiagram | null): void {
   access = accessor;
 }
 
-/** The native diagram; throws "disposed" if there is none any more. */
-export function nativeOf(diagram: object): NativeDiagram {
-  return access(diagram);
+/** The native diagram; throws "disposed" if there is none any more, "bad-option" for no Diagram. */
+export function nativeOf(diagram: unknown): NativeDiagram {
+  const native = access(diagram);
+  if (native !== null) return native;
+  throw new ApolloniusError(
+    "bad-option",
+    `diagram is ${described(diagram)}, expected a Diagram: diagram.voronoi(bounds) makes a Voronoi`,
+  );
 }
 
 /** An empty diagram that lives until `destroy`, or until its owner is collected. */

@@ -10,6 +10,27 @@ export interface Site {
   r: number;
 }
 
+/** A site with its id, as `for (const site of diagram)` gives it. */
+export interface ListedSite extends Site {
+  /** Of the site. */
+  id: number;
+  /** Whether its cell is empty, because another site covers it. */
+  hidden: boolean;
+}
+
+/**
+ * All sites, ascending by id; row k of each array belongs to the k-th of them. `xyr` is what
+ * `new Diagram`, `insertMany` and `updateMany(ids, xyr)` take.
+ */
+export interface Sites {
+  /** The ids. */
+  ids: Uint32Array;
+  /** x, y, r of each site, exactly as given. */
+  xyr: Float64Array;
+  /** 1 for a hidden site, 0 for one with a cell. */
+  hidden: Uint8Array;
+}
+
 /**
  * The Voronoi vertices in the plane; row k of each array belongs to vertex k. The order of the rows
  * depends on the history.

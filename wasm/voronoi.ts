@@ -98,8 +98,9 @@ export class Voronoi {
   /** Upper border. */
   readonly ymax: number;
 
-  /** @internal Use `diagram.voronoi(bounds)`. */
-  constructor(diagram: Diagram, bounds: Bounds) {
+  /** `diagram.voronoi(bounds)` makes it. */
+  private constructor(diagram: Diagram, bounds: Bounds) {
+    nativeOf(diagram);
     const [xmin, ymin, xmax, ymax] = checkedBounds(bounds);
     this.diagram = diagram;
     this.xmin = xmin;
@@ -107,6 +108,16 @@ export class Voronoi {
     this.xmax = xmax;
     this.ymax = ymax;
     Object.freeze(this); // an object put there would be asked for its value in the middle of a call
+  }
+
+  /** @internal For `diagram.voronoi(bounds)`. */
+  static of(diagram: Diagram, bounds: Bounds): Voronoi {
+    return new Voronoi(diagram, bounds);
+  }
+
+  /** "Voronoi". */
+  get [Symbol.toStringTag](): string {
+    return "Voronoi";
   }
 
   // --- Drawing: into the context, or without one as an SVG path string ---------------------------

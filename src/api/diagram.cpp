@@ -129,6 +129,22 @@ Error Diagram::ids(std::vector<SiteId>& ids) const {
   });
 }
 
+Error Diagram::sites(SiteArrays& sites) const {
+  if (const Error error = ids(sites.ids); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    sites.xyr.resize(3 * size());
+    sites.hidden.resize(size());
+    for (std::size_t k = 0; k < size(); ++k) {
+      const Slot slot = core_->ids().slotOf(sites.ids[k]);
+      const Site& site = core_->site(slot);
+      sites.xyr[3 * k] = site.x;
+      sites.xyr[3 * k + 1] = site.y;
+      sites.xyr[3 * k + 2] = site.r;
+      sites.hidden[k] = core_->ids().state(slot) == SiteState::kHidden ? 1 : 0;
+    }
+  });
+}
+
 Error Diagram::isHidden(SiteId id, bool& hidden) const noexcept {
   const Slot slot = core_->ids().slotOf(id);
   if (slot == kNoSlot) return Error::kUnknownSite;

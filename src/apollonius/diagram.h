@@ -111,6 +111,8 @@ class APOLLONIUS_EXPORT Diagram {
   [[nodiscard]] Error site(SiteId id, Circle& circle) const noexcept;  ///< Errors: kUnknownSite
   [[nodiscard]] Error ids(
       std::vector<SiteId>& ids) const;  ///< all ids, ascending; replaces the contents
+  [[nodiscard]] Error sites(
+      SiteArrays& sites) const;  ///< Replaces the contents. Errors: kOutOfMemory. Cost: O(n)
   [[nodiscard]] Error isHidden(SiteId id, bool& hidden) const noexcept;  ///< Errors: kUnknownSite
 
   /// A visible site that covers this one (the nearest one to its centre); kNoSite for a visible

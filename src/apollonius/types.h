@@ -59,6 +59,13 @@ enum class Location : std::uint8_t {
 /// as where all are drawn in the order of their ids.
 enum class Top : std::uint8_t { kSmallest, kLast };
 
+/// All sites, hidden ones too; row k of each array belongs to the k-th of them, ascending by id.
+struct SiteArrays {
+  std::vector<SiteId> ids;
+  std::vector<double> xyr;           ///< x, y, r of each site, exactly as given
+  std::vector<std::uint8_t> hidden;  ///< 1 for a site without a cell, else 0
+};
+
 /// The Voronoi vertices in the plane; row k of each array belongs to vertex k. The rows' order
 /// depends on the history.
 struct VertexArrays {

@@ -19,9 +19,18 @@ void expectTable(const Diagram& diagram, const std::map<SiteId, Circle>& expecte
   std::vector<SiteId> ids{7};
   ASSERT_EQ(diagram.ids(ids), Error::kNone);
   ASSERT_EQ(ids.size(), expected.size());
+  SiteArrays sites{{7}, {7, 7, 7, 7}, {7}};
+  ASSERT_EQ(diagram.sites(sites), Error::kNone);
+  ASSERT_EQ(sites.ids, ids);
+  ASSERT_EQ(sites.xyr.size(), 3 * ids.size());
+  ASSERT_EQ(sites.hidden.size(), ids.size());
   std::size_t k = 0;
   for (const auto& [id, circle] : expected) {
-    ASSERT_EQ(ids[k++], id) << "ascending";
+    ASSERT_EQ(ids[k], id) << "ascending";
+    ASSERT_TRUE(same({sites.xyr[3 * k], sites.xyr[3 * k + 1], sites.xyr[3 * k + 2]}, circle));
+    bool isHidden = false;
+    ASSERT_EQ(diagram.isHidden(id, isHidden), Error::kNone);
+    ASSERT_EQ(sites.hidden[k++], isHidden ? 1 : 0);
     Circle got{};
     ASSERT_TRUE(diagram.has(id));
     ASSERT_EQ(diagram.site(id, got), Error::kNone);

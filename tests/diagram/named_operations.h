@@ -58,6 +58,11 @@ inline std::vector<NamedOperation> queries(std::size_t n) {
          std::vector<SiteId> ids;
          return d.ids(ids);
        }},
+      {"sites",
+       [](Diagram& d) {
+         SiteArrays sites;
+         return d.sites(sites);
+       }},
       {"vertices",
        [](Diagram& d) {
          VertexArrays vertices;

@@ -15,6 +15,7 @@ test.each(
   const view = diagram.voronoi();
   diagram.dispose();
   expectRefusal(() => use(diagram), "disposed", "the diagram has been disposed of");
+  expectRefusal(() => [...diagram], "disposed", "the diagram has been disposed of");
   if (name.startsWith("Voronoi."))
     expectRefusal(
       () => use({ voronoi: () => view }),

@@ -186,6 +186,7 @@ export const diagramCalls = {
   has: works((d) => d.has(0)),
   site: ofSite("site"),
   ids: works((d) => d.ids()),
+  sites: works((d) => d.sites()),
   isHidden: ofSite("isHidden"),
   coverOf: ofSite("coverOf"),
   find: {
@@ -265,6 +266,7 @@ export const diagramCalls = {
   renderSites: drawn("renderSites"),
   renderHull: drawn("renderHull"),
   toBytes: works((d) => d.toBytes()),
+  toJSON: works((d) => d.toJSON()),
   validate: works((d) => d.validate()),
 };
 

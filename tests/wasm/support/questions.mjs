@@ -1,0 +1,236 @@
+// Every public question that a diagram answers, and what a brute-force model says to it.
+import fc from "fast-check";
+import { fraction, pick, point } from "./arbitraries.mjs";
+import { distanceTo } from "./brute_force.mjs";
+import { isInside, Recorder } from "./recorder.mjs";
+
+const circleOf = (diagram, id) => {
+  const { x, y, r } = diagram.site(id);
+  return [x, y, r];
+};
+
+/**
+ * name → [arbitraries of the arguments, what is asked of a diagram, its model and the arguments].
+ */
+export const asking = {
+  size: [[], (d, m) => expect(d.size).toBe(m.size)],
+  visibleSize: [[], (d, m) => expect(d.visibleSize).toBe(m.visibleCircles.length)],
+  hiddenSize: [[], (d, m) => expect(d.hiddenSize).toBe(m.size - m.visibleCircles.length)],
+  has: [
+    [fraction],
+    (d, m, at) => {
+      for (const id of [pick(m.ids, at) ?? 0, Math.floor(at * 60), -1, 0.5])
+        expect(d.has(id)).toBe(m.circles.has(id));
+    },
+  ],
+  site: [[], (d, m) => m.circles.forEach((c, id) => expect(circleOf(d, id)).toEqual(c))],
+  ids: [[], (d, m) => expect([...d.ids()]).toEqual(m.ids)],
+  sites: [
+    [],
+    (d, m) => {
+      const { ids, xyr, hidden } = d.sites();
+      expect([...ids]).toEqual(m.ids);
+      expect([...xyr]).toEqual(m.ids.flatMap((id) => m.circles.get(id)));
+      expect([...hidden]).toEqual(m.ids.map((id) => Number(d.isHidden(id))));
+    },
+  ],
+  toJSON: [
+    [],
+    (d, m) =>
+      expect(d.toJSON()).toEqual(
+        m.ids.map((id) => ({ id, ...d.site(id), hidden: d.isHidden(id) })),
+      ),
+  ],
+  isHidden: [
+    [],
+    (d, m) => {
+      for (const id of m.ids) {
+        if (!m.isCandidate(id)) expect(d.isHidden(id)).toBe(true);
+        else expect(m.identicalTo(id).filter((same) => !d.isHidden(same)).length).toBe(1);
+      }
+    },
+  ],
+  coverOf: [
+    [],
+    (d, m) => {
+      for (const id of m.ids) {
+        const cover = d.coverOf(id);
+        expect(cover === -1).toBe(!d.isHidden(id));
+        if (cover === -1) continue;
+        expect(d.isHidden(cover)).toBe(false);
+        const [x, y, r] = m.circles.get(id);
+        expect(distanceTo(m.circles.get(cover), x, y)).toBeLessThanOrEqual(-r + 1e-9);
+      }
+    },
+  ],
+  find: [
+    [point],
+    (d, m, [x, y]) => {
+      const id = d.find(x, y);
+      expect(id === -1 ? undefined : m.circles.get(id)).toEqual(m.sortedAt(x, y)[0]);
+      if (id !== -1) expect(d.isHidden(id)).toBe(false);
+    },
+  ],
+  nearest: [
+    [point],
+    (d, m, [x, y]) => {
+      const found = d.nearest(x, y);
+      if (m.size === 0) return expect(found).toBeNull();
+      expect(m.circles.get(found.id)).toEqual(m.sortedAt(x, y)[0]);
+      expect(found.distance).toBeCloseTo(distanceTo(m.sortedAt(x, y)[0], x, y), 9);
+    },
+  ],
+  findMany: [
+    [fc.array(point, { maxLength: 8 }), fc.boolean()],
+    (d, m, points, withDistances) => {
+      const distances = new Float64Array(points.length);
+      const ids = withDistances ? d.findMany(points.flat(), distances) : d.findMany(points.flat());
+      expect(ids.length).toBe(points.length);
+      points.forEach(([x, y], k) => {
+        const nearest = m.sortedAt(x, y)[0];
+        expect(m.circles.get(ids[k])).toEqual(nearest);
+        if (withDistances && nearest)
+          expect(distances[k]).toBeCloseTo(distanceTo(nearest, x, y), 9);
+        if (withDistances && !nearest) expect(distances[k]).toBe(Infinity);
+      });
+    },
+  ],
+  kNearest: [
+    [point, fc.oneof(fc.integer({ min: 0, max: 12 }), fc.constant(Infinity))],
+    (d, m, [x, y], k) => {
+      const ids = [...d.kNearest(x, y, k)];
+      expect(new Set(ids).size).toBe(ids.length);
+      expect(ids.map((id) => m.circles.get(id))).toEqual(m.sortedAt(x, y).slice(0, k));
+    },
+  ],
+  within: [
+    [point, fc.integer({ min: -4, max: 9 })],
+    (d, m, [x, y], distance) => {
+      const ids = [...d.within(x, y, distance)];
+      expect(new Set(ids).size).toBe(ids.length);
+      expect(ids.map((id) => m.circles.get(id))).toEqual(m.within(x, y, distance));
+    },
+  ],
+  pick: [
+    [point, fc.constantFrom(0, 3, Infinity), fc.constantFrom("smallest", "last")],
+    (d, m, [x, y], farthest, top) => {
+      const [id, expected] = [d.pick(x, y, farthest, { top }), m.pick(x, y, farthest, top)];
+      if (m.circles.get(expected) !== m.circles.get(id)) expect(id).toBe(expected);
+    },
+  ],
+  search: [
+    [point, point],
+    (d, m, [x, y], [width, height]) => {
+      const box = [x, y, x + Math.abs(width), y + Math.abs(height)];
+      expect([...d.search(...box)]).toEqual(m.search(...box));
+    },
+  ],
+  neighbors: [
+    [],
+    (d) => {
+      const { sites } = d.edges();
+      const pairs = new Set();
+      for (let k = 0; k < sites.length; k += 2)
+        pairs.add(`${sites[k]} ${sites[k + 1]}`).add(`${sites[k + 1]} ${sites[k]}`);
+      const named = [...d.ids()].flatMap((id) =>
+        [...d.neighbors(id)].map((other) => `${id} ${other}`),
+      );
+      expect(named.sort()).toEqual([...pairs].sort());
+    },
+  ],
+  edges: [
+    [],
+    (d) => {
+      const { sites, vertices } = d.edges(),
+        { sites: corners } = d.vertices();
+      vertices.forEach((row, k) => {
+        if (row === -1) return;
+        const own = [...corners.slice(3 * row, 3 * row + 3)];
+        for (const site of sites.slice(k - (k % 2), k - (k % 2) + 2)) expect(own).toContain(site);
+      });
+      // Each vertex is an end of three edges.
+      const ends = new Array(corners.length / 3).fill(0);
+      for (const row of vertices) if (row !== -1) ++ends[row];
+      expect(ends.every((count) => count === 3)).toBe(true);
+    },
+  ],
+  vertices: [
+    [],
+    (d, m) => {
+      const { coordinates, clearance, sites } = d.vertices();
+      clearance.forEach((s, k) => {
+        const [x, y] = coordinates.slice(2 * k, 2 * k + 2),
+          size = 1e-9 * (Math.abs(x) + Math.abs(y) + Math.abs(s) + 1);
+        for (const site of sites.slice(3 * k, 3 * k + 3))
+          expect(Math.abs(distanceTo(m.circles.get(site), x, y) - s)).toBeLessThanOrEqual(size);
+        for (const c of m.circles.values())
+          expect(distanceTo(c, x, y)).toBeGreaterThanOrEqual(s - size);
+      });
+    },
+  ],
+  voronoi: [
+    [point, fc.integer({ min: 1, max: 20 })],
+    (d, m, [x, y], size) => {
+      const voronoi = d.voronoi([x - size, y - size, x + size, y + size + 1]);
+      const whole = 2 * size * (2 * size + 1);
+      if (m.size > 0)
+        expect(voronoi.cellAreas().reduce((sum, area) => sum + area, 0) / whole).toBeCloseTo(1, 9);
+      for (const id of m.ids) {
+        const isNearest =
+          !d.isHidden(id) && String(m.circles.get(id)) === String(m.sortedAt(x, y)[0]);
+        expect(voronoi.contains(id, x, y)).toBe(isNearest);
+      }
+      // The owner of a point that is clearly one site's.
+      const [px, py] = [x + 0.37, y - 0.29];
+      const [first, second] = m.visibleCircles
+        .map((c) => distanceTo(c, px, py))
+        .sort((a, b) => a - b);
+      if (first === undefined || second - first < 0.1 * size) return;
+      const cells = [...voronoi.cellPolygons()].filter((cell) => isInside(cell, px, py));
+      expect(cells.map((cell) => cell.index)).toEqual([d.find(px, py)]);
+    },
+  ],
+  hull: [
+    [],
+    (d, m) => {
+      const ids = [...d.hull()];
+      expect(ids.length === 0).toBe(m.size === 0);
+      for (const id of ids) expect(d.isHidden(id)).toBe(false);
+      for (let k = 0; k < 24 && m.size > 0; ++k) {
+        const [ux, uy] = [Math.cos(k * 0.2618), Math.sin(k * 0.2618)];
+        const most = Math.max(
+          ...ids.map((id) => m.circles.get(id)).map(([x, y, r]) => x * ux + y * uy + r),
+        );
+        expect(most).toBeCloseTo(m.reach(ux, uy), 9);
+      }
+    },
+  ],
+  render: [
+    [fc.boolean()],
+    (d, _m, withRays) =>
+      drawnAlike((context) => d.render(context, withRays ? { bounds: [-9, -9, 9, 9] } : {})),
+  ],
+  renderSites: [
+    [],
+    (d, m) => {
+      const context = drawnAlike((target) => d.renderSites(target));
+      expect(context.count("moveTo")).toBe(
+        [...m.circles.values()].filter(([, , r]) => r > 0).length,
+      );
+    },
+  ],
+  renderHull: [[], (d) => drawnAlike((context) => d.renderHull(context))],
+  validate: [[], (d) => expect(d.validate()).toBeNull()],
+};
+
+/** A path string and a context get the same commands, with finite numbers. */
+function drawnAlike(draw) {
+  const context = new Recorder();
+  draw(context);
+  const letters = { moveTo: "M", lineTo: "L", bezierCurveTo: "C", closePath: "Z" };
+  expect([...draw(null).matchAll(/[MLCZ]/g)].join("")).toBe(
+    context.calls.map(([name]) => letters[name]).join(""),
+  );
+  expect(context.calls.every(([, ...numbers]) => numbers.every(Number.isFinite))).toBe(true);
+  return context;
+}

@@ -1,0 +1,40 @@
+// What a diagram says to those who know nothing of diagrams: comparisons of objects, structured
+// cloning, consoles.
+import type { Diagram } from "./diagram.js";
+import { ApolloniusError, type ErrorCode } from "./errors.js";
+
+/** The name of the method by which Node, Deno and Bun describe an object. */
+export const kInspect: unique symbol = /* @__PURE__ */ Symbol.for("nodejs.util.inspect.custom");
+
+// Cannot be cloned; engines put its description into the error that the attempt throws.
+const kNoClone = /* @__PURE__ */ Symbol("A Diagram, which toBytes() and fromBytes() copy,");
+
+// A property of the object's own: of nothing else do `assert.deepStrictEqual` and `structuredClone`
+// take notice, for which all diagrams would be {}.
+const kContent: PropertyDescriptor = {
+  enumerable: true,
+  get(this: Diagram) {
+    return { clone: kNoClone, sites: unlessEnded(() => this.sites()) };
+  },
+};
+
+/** Gives a new diagram a property by which different ones differ, and which nobody can clone. */
+export function showContent(diagram: Diagram): void {
+  Object.defineProperty(diagram, "content", kContent);
+}
+
+/** A diagram in a few words; never throws. */
+export function summary(diagram: Diagram): string {
+  const numbers = () => `size: ${diagram.size}, hidden: ${diagram.hiddenSize}`;
+  return `Diagram { ${unlessEnded(numbers)} }`;
+}
+
+/** What `ask` gives, or "disposed" or "broken". */
+function unlessEnded<Answer>(ask: () => Answer): Answer | ErrorCode {
+  try {
+    return ask();
+  } catch (error) {
+    if (error instanceof ApolloniusError && /disposed|broken/.test(error.code)) return error.code;
+    throw error;
+  }
+}
