@@ -2,6 +2,7 @@
 export type { Accessor } from "./accessors.js";
 export { Diagram } from "./diagram.js";
 export type {
+  BuildOptions,
   DiagramOptions,
   Edges,
   FilterOptions,

@@ -18,11 +18,13 @@
 #include <utility>
 #include <vector>
 
+#include "apollonius/builder.h"
 #include "apollonius/diagram.h"
 #include "apollonius/nearest_first.h"
 #include "apollonius/voronoi.h"
 
 using apollonius::Bounds;
+using apollonius::Builder;
 using apollonius::Circle;
 using apollonius::Diagram;
 using apollonius::Error;
@@ -256,6 +258,26 @@ Found validate(const Diagram& diagram) {
           violation.where, violation.level};
 }
 
+// --- Building in steps. The calls are the diagram's, which a trap in one of them breaks.
+
+/// The caller deletes it, before the diagram.
+Builder* builder(Diagram& diagram, std::size_t count) {
+  auto made = allocating([&] { return std::make_unique<Builder>(diagram); });
+  check(made->reserve(count));
+  return made.release();
+}
+
+void addTo(Diagram&, Builder& builder, const NumbersIn& xyr) {
+  check(builder.add(vectorOf<double>(xyr)));
+}
+
+/// Is that all?
+bool advance(Diagram&, Builder& builder, std::size_t steps) {
+  bool isDone = false;
+  check(builder.advance(steps, isDone));
+  return isDone;
+}
+
 // --- Drawings
 
 enum class Drawing : std::uint8_t { kEdges, kSites, kDual, kDualWithRays, kHull };
@@ -396,6 +418,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .field("isDone", &Portion::isDone);
 
   const return_value_policy::take_ownership moved;  // not copied
+  class_<Builder>("Builder").function("progress", &Builder::progress);
   class_<NearestFirst>("NearestFirst").function("next", &next);
   class_<Diagram>("Diagram")
       .constructor(&create, allow_raw_pointers())
@@ -406,6 +429,9 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("removeMany", &removeMany)
       .function("update", &update)
       .function("updateMany", &updateMany)
+      .function("builder", &builder, allow_raw_pointers(), moved)
+      .function("addTo", &addTo)
+      .function("advance", &advance)
       .function("clear", &Diagram::clear)
       .function("size", &Diagram::size)
       .function("visibleSize", &Diagram::visibleSize)

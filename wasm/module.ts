@@ -11,7 +11,7 @@ import { failure } from "./status.js";
 
 /** A diagram in the module: wasm/bindings.cpp. Its calls throw an ApolloniusError. */
 export type NativeDiagram = Diagram;
-export type { NearestFirst };
+export type { Builder, NearestFirst };
 
 interface NativeModule {
   create(location: keyof MainModule["Location"]): NativeDiagram;
@@ -49,13 +49,14 @@ export function start(compiled: WebAssembly.Module): NativeModule {
 }
 
 function started(compiled: WebAssembly.Module): NativeModule {
-  const { Diagram, NearestFirst, Location, Drawing, Source, Top, ...rest } = instantiated(compiled);
+  const { Diagram, Builder, NearestFirst, ...rest } = instantiated(compiled);
+  const { Location, Drawing, Source, Top } = rest;
   const guarded = guard(rest, () => {
     try {
       if (instance === module) instance = started(compiled);
     } catch {} // no memory for another: this one goes on
   });
-  for (const methods of [Diagram.prototype, NearestFirst.prototype]) {
+  for (const { prototype: methods } of [Diagram, Builder, NearestFirst]) {
     for (const name of [...Object.getOwnPropertyNames(methods), "delete"])
       if (name !== "constructor")
         methods[name] = guarded(methods[name] as Method, name === "delete");
@@ -71,7 +72,7 @@ function started(compiled: WebAssembly.Module): NativeModule {
 }
 
 type Class = { prototype: Record<string, Method> };
-type Exports = MainModule & { Diagram: Class; NearestFirst: Class };
+type Exports = MainModule & Record<"Diagram" | "Builder" | "NearestFirst", Class>;
 
 /**
  * Throws a RangeError if little of the stack is left. Where it ends within Emscripten's own start,

@@ -71,6 +71,14 @@ export interface DiagramOptions {
   location?: "hierarchy" | "walk";
 }
 
+/** Options of `Diagram.fromAsync`. */
+export interface BuildOptions extends DiagramOptions {
+  /** Ends the building when it aborts; the promise is rejected with its reason. */
+  signal?: AbortSignal | undefined;
+  /** Called after each slice with how much is done, from 0 to 1; at last with 1. It may throw. */
+  onProgress?: ((done: number) => void) | undefined;
+}
+
 /** Options of `Diagram.fromBytes`. */
 export interface SnapshotOptions extends DiagramOptions {
   /**

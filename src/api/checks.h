@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <span>
 #include <stdexcept>
 
 #include "apollonius/diagram.h"
@@ -15,6 +16,13 @@ namespace apollonius::internal {
 inline Error checkNumber(double value) {
   if (!std::isfinite(value)) return Error::kNotFinite;
   return isInRange(value) ? Error::kNone : Error::kOutOfRange;
+}
+
+inline Error checkNumbers(std::span<const double> values) {
+  for (const double value : values) {
+    if (const Error error = checkNumber(value); error != Error::kNone) return error;
+  }
+  return Error::kNone;
 }
 
 /// Of a distance beyond which nothing is looked for; infinite if there is none.

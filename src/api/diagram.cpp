@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "api/checks.h"
+#include "diagram/bulk_insertion.h"
 #include "diagram/diagram_core.h"
 #include "diagram/listing.h"
 #include "diagram/queries.h"
@@ -25,13 +26,6 @@ namespace apollonius {
 using namespace internal;
 
 namespace {
-
-Error checkNumbers(std::span<const double> values) {
-  for (const double value : values) {
-    if (const Error error = checkNumber(value); error != Error::kNone) return error;
-  }
-  return Error::kNone;
-}
 
 Error checkCircle(double x, double y, double r) {
   const double values[] = {x, y, r};
@@ -61,7 +55,7 @@ Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
   if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
   if (ids.size() > kMostSites - size()) return Error::kTooLarge;
   if (ids.empty()) return Error::kNone;  // without making the room that any insertion needs
-  return guarded(*core_, [&] { core_->insertStaged(core_->stage(xyr), ids); });
+  return guarded(*core_, [&] { insertAll(*core_, xyr, ids); });
 }
 
 Error Diagram::insertMany(std::vector<double>&& xyr, std::vector<SiteId>& ids) {
@@ -74,10 +68,11 @@ Error Diagram::insertMany(std::vector<double>&& xyr, std::vector<SiteId>& ids) {
     return Error::kNone;
   }
   return guarded(*core_, [&] {
-    FlatArray<std::uint32_t> order = core_->stage(xyr);
+    BulkInsertion insertion(*core_);
+    insertion.stage(xyr);
     std::vector<double>().swap(xyr);
     ids.resize(count);
-    core_->insertStaged(std::move(order), ids);
+    insertion.insert(ids);
   });
 }
 

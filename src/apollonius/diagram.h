@@ -212,6 +212,7 @@ class APOLLONIUS_EXPORT Diagram {
   }
 
  private:
+  friend class Builder;       // in steps: apollonius/builder.h
   friend class NearestFirst;  // the sites around a point, one by one: apollonius/nearest_first.h
   friend class Voronoi;       // its geometry: apollonius/voronoi.h
 

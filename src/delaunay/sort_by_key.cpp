@@ -1,7 +1,6 @@
 #include "delaunay/sort_by_key.h"
 
-#include <array>
-#include <cstddef>
+#include <algorithm>
 #include <utility>
 
 #include "memory/flat_array.h"
@@ -12,7 +11,6 @@ namespace {
 
 constexpr std::size_t kFew =
     32;  // of which inserting is cheaper than summing up the counters of a radix sort
-constexpr unsigned kDigitBits = 8, kDigits = 32 / kDigitBits;
 
 void insertionSort(std::span<Keyed> entries) {
   for (std::size_t k = 1; k < entries.size(); ++k) {
@@ -23,39 +21,51 @@ void insertionSort(std::span<Keyed> entries) {
   }
 }
 
-unsigned digitOf(std::uint32_t key, unsigned digit) {
-  return key >> (digit * kDigitBits) & ((1u << kDigitBits) - 1);
-}
-
 }  // namespace
 
-std::span<Keyed> sortByKey(std::span<Keyed> entries, std::span<Keyed> other) {
-  if (entries.size() <= kFew) {
-    insertionSort(entries);
-    return entries;
-  }
-  std::array<std::array<std::uint32_t, 1u << kDigitBits>, kDigits> starts{};
-  for (const Keyed& entry : entries) {
-    for (unsigned d = 0; d < kDigits; ++d) ++starts[d][digitOf(entry.key, d)];
-  }
-  for (unsigned d = 0; d < kDigits; ++d) {  // the least significant digit first
-    if (starts[d][digitOf(entries[0].key, d)] == entries.size()) continue;  // the same in all
+void KeySort::beginPass(unsigned digit) {
+  at_ = 0;
+  digit_ = digit;
+  for (; digit_ < kDigits; ++digit_) {
+    auto& starts = starts_[digit_];
+    if (entries_.empty() || starts[digitOf(entries_[0].key, digit_)] == entries_.size()) continue;
     std::uint32_t sum = 0;
-    for (std::uint32_t& start : starts[d]) {
-      const std::uint32_t count = start;
-      start = sum;
-      sum += count;
-    }
-    for (const Keyed& entry : entries) other[starts[d][digitOf(entry.key, d)]++] = entry;
-    std::swap(entries, other);
+    for (std::uint32_t& start : starts) sum += std::exchange(start, sum);
+    return;
   }
-  return entries;
+}
+
+bool KeySort::advance(std::size_t most) {
+  if (entries_.size() <= kFew) {
+    insertionSort(entries_);
+    digit_ = kSorted;
+  }
+  if (digit_ == kSorted) return true;
+  const std::span<const Keyed> portion =
+      entries_.subspan(at_, std::min(most, entries_.size() - at_));
+  at_ += portion.size();
+  const bool isCounting = digit_ == kCounting;
+  if (isCounting) {
+    for (const Keyed& entry : portion) {
+      for (unsigned d = 0; d < kDigits; ++d) ++starts_[d][digitOf(entry.key, d)];
+    }
+  } else {
+    auto& starts = starts_[digit_];
+    for (const Keyed& entry : portion) other_[starts[digitOf(entry.key, digit_)]++] = entry;
+  }
+  if (at_ < entries_.size()) return false;
+  if (!isCounting) std::swap(entries_, other_);
+  beginPass(isCounting ? 0 : digit_ + 1);
+  return digit_ == kSorted;
 }
 
 void sortByKey(FlatArray<Keyed>& entries) {
   if (entries.size() <= kFew) return insertionSort(entries);
   FlatArray<Keyed> other(entries.size());
-  if (sortByKey(entries, other).data() == other.data()) entries.swap(other);
+  KeySort sort(entries, other);
+  while (!sort.advance(entries.size())) {
+  }
+  if (sort.sorted().data() == other.data()) entries.swap(other);
 }
 
 }  // namespace apollonius::internal

@@ -306,78 +306,9 @@ void DiagramCore::takeOut(Slot slot) noexcept {
   undoStep([&] { displace(slot); });
 }
 
-FlatArray<std::uint32_t> DiagramCore::stage(std::span<const double> xyr) {
-  FlatArray<std::uint32_t> order = hilbertOrder({xyr, 3});
-  delaunay_.reserveSites(slotsWith(order.size()) + 1);
-  // What is close in the plane is close in memory. Nobody looks at sites of slots that are not in
-  // use.
-  Slot slot = ids_.nextSlot();
-  for (const std::uint32_t k : order) {
-    const double* circle = &xyr[3 * std::size_t{k}];
-    delaunay_.setSite(vertexOf(slot), {circle[0], circle[1], circle[2]});
-    slot = ids_.nextSlotAfter(slot);
-  }
-  return order;
-}
-
-void DiagramCore::insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId> ids) {
-  const std::size_t n = ids.size();
-  memoryReserve_.take();
-  const std::size_t slots = slotsWith(n);
-  const bool isBulk = n > (ids_.size() + n) / 4;
-  reserve(slots);
-  // Levels that wait to be made are left alone until they are asked for.
-  if (isBulk && usesHierarchy_ && !isHierarchyDue_) hierarchy_.reserveBulk(slots);
-  // Ids are given in the order of the input, slots along the curve.
-  for (SiteId& id : ids) id = ids_.takeId();
-  for (std::uint32_t& k : order) k = ids_.takeSlot(ids[k], SiteState::kPending);
-  // Walks start beside, so the grid need not be kept while it changes a lot.
-  isBulk_ = isBulk;
-  const Undo undo =
-      n < ids_.size() ? Undo::kMaybe : Undo::kNever;  // a diagram that was empty is simply emptied
-  std::size_t done = 0;
-  try {
-    order = brioOrder(order);
-    if (isBulk) delaunay_.reserveBulk(n);  // a few would be paid for by copying all
-    for (; done < n; ++done) {
-      const Slot slot = order[done];
-      const Site circle = site(slot);
-      ids_.setState(slot, place(slot, circle, visibleBeside(slot), undo));
-    }
-    order = FlatArray<std::uint32_t>();  // the grid fits where it was
-    endBulk();
-  } catch (...) {
-    isBulk_ = false;
-    if (isBroken()) throw;
-    beginUndo();
-    if (n == ids_.size()) {
-      delaunay_.clear();
-      hidden_.clear();
-      grid_.clear();
-    } else {
-      for (std::size_t k = done; k-- > 0;) takeOut(order[k]);
-      if (isBulk && walk_ == Walk::kSectors) rebuildGrid();
-    }
-    endUndo();
-    for (std::size_t k = n; k-- > 0;)
-      ids_.release(ids_.slotOf(ids[k]));  // so that the next ids are given in the same order again
-    throw;
-  }
-}
-
 void DiagramCore::endBulk() noexcept {
   if (isBulk_ && walk_ == Walk::kSectors && delaunay_.visibleCount() > 0) rebuildGrid();
   isBulk_ = false;
-}
-
-VertexId DiagramCore::visibleBeside(Slot slot) const {
-  constexpr Slot kReach = 4;
-  for (Slot distance = 1; distance <= kReach; ++distance) {
-    if (slot >= distance && delaunay_.isVisible(vertexOf(slot - distance)))
-      return vertexOf(slot - distance);
-    if (delaunay_.isVisible(vertexOf(slot + distance))) return vertexOf(slot + distance);
-  }
-  return delaunay_.anyVisible();
 }
 
 void DiagramCore::clear() noexcept {

@@ -32,14 +32,6 @@ class DiagramCore {
 
   SiteId insert(const Site& site);
 
-  // Insertion of many in two steps, so that the caller can free the circles in between: at that
-  // time there is little else in memory.
-  /// Copies the circles to the slots that they will get, and returns their order there.
-  [[nodiscard]] FlatArray<std::uint32_t> stage(std::span<const double> xyr);
-  /// Inserts what was staged last; ids[k] becomes the id of circle k. REQUIRES: at least one, and
-  /// no change since then.
-  void insertStaged(FlatArray<std::uint32_t> order, std::span<SiteId> ids);
-
   /// False if the id is not in use.
   bool remove(SiteId id);
   /// How many of the ids were in use.
@@ -72,6 +64,7 @@ class DiagramCore {
   [[nodiscard]] SiteId siteOf(VertexId v) const { return ids_.idOf(slotOf(v)); }
 
  private:
+  friend class BulkInsertion;
   friend class DiagramBreaker;  // tests break a structure on purpose
 
   /// Room for everything that is kept per site, for so many slots.
@@ -87,8 +80,6 @@ class DiagramCore {
   /// scratch. May throw; else the returned state is what the slot is to get.
   [[nodiscard]] SiteState place(Slot slot, const Site& site, VertexId start,
                                 Undo undo = Undo::kNever);
-  /// A visible vertex close to a slot along the curve of a bulk insertion, or kNoVertex.
-  [[nodiscard]] VertexId visibleBeside(Slot slot) const;
   /// Takes a site out of all structures; its slot becomes pending.
   void displace(Slot slot, Undo undo = Undo::kNever);
   /// How a site got to its new place: not at all (it is there), nothing else having changed, or

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "diagram/bulk_insertion.h"
 #include "diagram/diagram_core.h"
 
 namespace apollonius::internal {
@@ -15,7 +16,7 @@ bool DiagramCore::rebuildWith(std::span<const SiteId> ids, std::span<const doubl
   try {
     FlatArray<SiteId> used;  // the ids, ascending: what the fresh diagram calls k is used[k]
     used.reserve(ids_.size());
-    FlatArray<std::uint32_t> newOrder;
+    BulkInsertion insertion(fresh);
     {
       FlatArray<std::uint32_t> moveOf(ids_.idLimit(), kNoIndex);
       for (const std::uint32_t k : order) moveOf[ids[k]] = k;
@@ -30,10 +31,10 @@ bool DiagramCore::rebuildWith(std::span<const SiteId> ids, std::span<const doubl
         used.push_back(id);
         for (const double number : {circle.x, circle.y, circle.r}) circles.push_back(number);
       }
-      newOrder = fresh.stage({circles.data(), circles.size()});
+      insertion.stage({circles.data(), circles.size()});
     }
     FlatArray<SiteId> newIds(used.size());
-    fresh.insertStaged(std::move(newOrder), newIds);
+    insertion.insert(newIds);
     fresh.ids_.rename(used, ids_);
   } catch (const std::bad_alloc&) {
     return false;

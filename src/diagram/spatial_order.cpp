@@ -6,7 +6,6 @@
 #include <limits>
 #include <memory>
 
-#include "delaunay/sort_by_key.h"
 #include "memory/flat_array.h"
 
 namespace apollonius::internal {
@@ -35,44 +34,79 @@ std::uint32_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
   return position;
 }
 
-/// Writes the position on the curve of each point.
-void fillEntries(PointArray points, std::span<Keyed> entries) {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  double lowX = kInfinite, lowY = kInfinite, highX = -kInfinite, highY = -kInfinite;
-  const std::size_t n = entries.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const double x = points.values[k * points.stride], y = points.values[k * points.stride + 1];
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+// Only two thirds are used: see the header.
+constexpr std::size_t kBytesOfSite = 24;
+static_assert(kBytesOfSite == 3 * sizeof(Keyed));
+
+}  // namespace
+
+HilbertSort::HilbertSort(PointArray points)
+    : points_(points),
+      room_(std::make_unique_for_overwrite<Keyed[]>(3 * (points.size() + 2))),
+      entries_(room_.get(), points.size()),
+      sort_(entries_, {room_.get() + points.size(), points.size()}),
+      lowX_(kInfinite),
+      lowY_(kInfinite),
+      highX_(-kInfinite),
+      highY_(-kInfinite) {}
+
+void HilbertSort::bound(std::size_t end) {
+  double lowX = lowX_, lowY = lowY_, highX = highX_, highY = highY_;
+  for (std::size_t k = at_; k < end; ++k) {
+    const double x = points_.values[k * points_.stride], y = points_.values[k * points_.stride + 1];
     lowX = std::min(lowX, x);
     highX = std::max(highX, x);
     lowY = std::min(lowY, y);
     highY = std::max(highY, y);
   }
-  const double extent = std::max(highX - lowX, highY - lowY);
+  lowX_ = lowX, lowY_ = lowY, highX_ = highX, highY_ = highY;
+}
+
+/// Writes the position on the curve of each point.
+void HilbertSort::place(std::size_t end) {
+  const double lowX = lowX_, lowY = lowY_;
+  const double extent = std::max(highX_ - lowX, highY_ - lowY);
   const double scale = extent > 0 ? (std::uint32_t{1} << kCurveBits) / extent : 0;
   constexpr double kLast = (std::uint32_t{1} << kCurveBits) - 1;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double x = (points.values[k * points.stride] - lowX) * scale;
-    const double y = (points.values[k * points.stride + 1] - lowY) * scale;
-    entries[k] = {hilbertIndex(static_cast<std::uint32_t>(std::min(x, kLast)),
-                               static_cast<std::uint32_t>(std::min(y, kLast))),
-                  static_cast<std::uint32_t>(k)};
+  for (std::size_t k = at_; k < end; ++k) {
+    const double x = (points_.values[k * points_.stride] - lowX) * scale;
+    const double y = (points_.values[k * points_.stride + 1] - lowY) * scale;
+    entries_[k] = {hilbertIndex(static_cast<std::uint32_t>(std::min(x, kLast)),
+                                static_cast<std::uint32_t>(std::min(y, kLast))),
+                   static_cast<std::uint32_t>(k)};
   }
 }
 
-}  // namespace
+bool HilbertSort::advance(std::size_t most) {
+  if (phase_ == Phase::kSorting) return sort_.advance(most);
+  const std::size_t end = at_ + std::min(most, entries_.size() - at_);
+  if (phase_ == Phase::kBounding) {
+    bound(end);
+  } else {
+    place(end);
+  }
+  at_ = end;
+  if (at_ == entries_.size()) {
+    phase_ = phase_ == Phase::kBounding ? Phase::kPlacing : Phase::kSorting;
+    at_ = 0;
+  }
+  return false;
+}
+
+FlatArray<std::uint32_t> HilbertSort::order() const {
+  const std::span<const Keyed> sorted = sort_.sorted();
+  FlatArray<std::uint32_t> order(sorted.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = sorted[k].value;
+  return order;
+}
 
 FlatArray<std::uint32_t> hilbertOrder(PointArray points) {
-  const std::size_t n = points.size();
-  // Only two thirds are used: see the header.
-  constexpr std::size_t kBytesOfSite = 24;
-  static_assert(kBytesOfSite == 3 * sizeof(Keyed));
-  const auto room = std::make_unique_for_overwrite<Keyed[]>(3 * (n + 2));
-  std::span<Keyed> entries{room.get(), n};
-  fillEntries(points, entries);
-  entries = sortByKey(entries, {room.get() + n, n});
-  FlatArray<std::uint32_t> order(n);
-  for (std::size_t k = 0; k < n; ++k) order[k] = entries[k].value;
-  return order;
+  HilbertSort sort(points);
+  while (!sort.advance(points.size())) {
+  }
+  return sort.order();
 }
 
 FlatArray<std::uint32_t> brioOrder(std::span<const std::uint32_t> items) {

@@ -5,8 +5,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 
+#include "delaunay/sort_by_key.h"
 #include "memory/flat_array.h"
 
 namespace apollonius::internal {
@@ -18,9 +20,36 @@ struct PointArray {
   [[nodiscard]] std::size_t size() const { return values.size() / stride; }
 };
 
-/// Indices of the points along a Hilbert curve over their bounding box; equal points in the order
-/// of the input. The same on every platform. Cost: O(n), a radix sort. Takes 24 bytes a point for a
-/// while: as much as a site, so that an array of sites that is made afterwards fits where that was.
+/// Sorts points along a Hilbert curve over their bounding box, in steps; equal points in the order
+/// of the input. The same on every platform. Cost: O(n), a radix sort. Takes 24 bytes a point for
+/// its time: as much as a site, so that an array of sites that is made afterwards fits where that
+/// was. The points must stay where they are. Throws std::bad_alloc when it is made, and in order().
+class HilbertSort {
+ public:
+  explicit HilbertSort(PointArray points);
+
+  /// Goes on by at most so many points, of which each is visited some times; are they sorted?
+  bool advance(std::size_t most);
+  /// Indices of the points along the curve. REQUIRES: sorted.
+  [[nodiscard]] FlatArray<std::uint32_t> order() const;
+
+ private:
+  /// What is done with the points from at_ on.
+  enum class Phase : std::uint8_t { kBounding, kPlacing, kSorting };
+
+  void bound(std::size_t end);
+  void place(std::size_t end);
+
+  PointArray points_;
+  std::unique_ptr<Keyed[]> room_;
+  std::span<Keyed> entries_;
+  KeySort sort_;
+  Phase phase_ = Phase::kBounding;
+  std::size_t at_ = 0;
+  double lowX_, lowY_, highX_, highY_;
+};
+
+/// The order that a HilbertSort gives.
 [[nodiscard]] FlatArray<std::uint32_t> hilbertOrder(PointArray points);
 
 /// The items in randomised rounds, each in the order in which they are given: about half of them in

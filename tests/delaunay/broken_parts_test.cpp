@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "delaunay/diagram_breaker.h"
+#include "diagram/bulk_insertion.h"
 #include "support/random.h"
 
 namespace apollonius::internal {
@@ -28,7 +29,7 @@ class BrokenParts : public ::testing::Test {
       xyr.insert(xyr.end(), {sites[k].x, sites[k].y, sites[k].r});
     }
     ids.resize(kSites);
-    core.insertStaged(core.stage(xyr), ids);
+    insertAll(core, xyr, ids);
     EXPECT_GE(Breaker::levelCount(core), 2u);
   }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <ostream>
 
+#include "diagram/bulk_insertion.h"
 #include "diagram/diagram_core.h"
 #include "predicate/shadow_check.h"
 #include "predicate/stage_counts.h"
@@ -109,7 +110,7 @@ TEST_P(WorkInLine, OfARemovalIsThatOfAFewFaces) {
   }
   DiagramCore core(Location::kHierarchy);
   std::vector<SiteId> ids(n);
-  core.insertStaged(core.stage(xyr), ids);
+  insertAll(core, xyr, ids);
   Random random(342);
   for (int k = 0; k < 1000; ++k) {
     const SiteId id = ids[random.below(n)];

@@ -1,0 +1,124 @@
+#include "diagram/bulk_insertion.h"
+
+#include <algorithm>
+
+namespace apollonius::internal {
+
+bool BulkInsertion::stage(std::span<const double> xyr, std::size_t most) {
+  if (!sort_ && order_.empty()) sort_.emplace(PointArray{xyr, 3});
+  if (sort_) {
+    bool isSorted = false;
+    do {
+      isSorted = sort_->advance(most);
+    } while (!isSorted && most == kAllAtOnce);
+    if (!isSorted) return false;
+    order_ = sort_->order();
+    sort_.reset();
+    diagram_.delaunay_.reserveSites(diagram_.slotsWith(order_.size()) + 1);
+    slot_ = diagram_.ids_.nextSlot();
+    if (most != kAllAtOnce) return false;
+  }
+  copyStaged(xyr, most);
+  return done_ == order_.size();
+}
+
+/// Nobody looks at sites of slots that are not in use.
+void BulkInsertion::copyStaged(std::span<const double> xyr, std::size_t most) {
+  const std::size_t end = done_ + std::min(most, order_.size() - done_);
+  for (; done_ < end; ++done_) {
+    const double* circle = &xyr[3 * std::size_t{order_[done_]}];
+    diagram_.delaunay_.setSite(vertexOf(slot_), {circle[0], circle[1], circle[2]});
+    slot_ = diagram_.ids_.nextSlotAfter(slot_);
+  }
+}
+
+/// Makes room, and gives ids and slots.
+void BulkInsertion::begin(std::span<SiteId> ids) {
+  DiagramCore& d = diagram_;
+  const std::size_t n = order_.size();
+  d.memoryReserve_.take();
+  const std::size_t slots = d.slotsWith(n);
+  const bool isBulk = n > (d.ids_.size() + n) / 4;
+  d.reserve(slots);
+  // Levels that wait to be made are left alone until they are asked for.
+  if (isBulk && d.usesHierarchy_ && !d.isHierarchyDue_) d.hierarchy_.reserveBulk(slots);
+  done_ = 0;
+  ids_ = ids;
+  // Ids are given in the order of the input, slots along the curve.
+  for (SiteId& id : ids) id = d.ids_.takeId();
+  for (std::uint32_t& k : order_) k = d.ids_.takeSlot(ids[k], SiteState::kPending);
+  // Walks start beside, so the grid need not be kept while it changes a lot.
+  d.isBulk_ = isBulk;
+  // A diagram that was empty is simply emptied.
+  undo_ = n < d.ids_.size() ? DiagramCore::Undo::kMaybe : DiagramCore::Undo::kNever;
+  order_ = brioOrder(order_);
+  if (isBulk) d.delaunay_.reserveBulk(n);  // a few would be paid for by copying all
+}
+
+bool BulkInsertion::insert(std::span<SiteId> ids, std::size_t most) {
+  try {
+    if (ids_.empty()) {
+      begin(ids);
+      if (most != kAllAtOnce) return false;
+    }
+    return place(most);
+  } catch (const std::bad_alloc&) {
+    undo();
+    throw;
+  }
+}
+
+bool BulkInsertion::place(std::size_t most) {
+  DiagramCore& d = diagram_;
+  const std::size_t end = done_ + std::min(most, order_.size() - done_);
+  for (; done_ < end; ++done_) {
+    const Slot slot = order_[done_];
+    const Site circle = d.site(slot);
+    d.ids_.setState(slot, d.place(slot, circle, visibleBeside(slot), undo_));
+  }
+  if (done_ < order_.size()) return false;
+  order_ = FlatArray<std::uint32_t>();  // the grid fits where it was
+  d.endBulk();
+  ids_ = {};
+  return true;
+}
+
+double BulkInsertion::progress() const {
+  if (order_.empty()) return ids_.empty() && done_ > 0 ? 1 : 0;
+  const double share = static_cast<double>(done_) / static_cast<double>(order_.size());
+  return ids_.empty() ? 0.05 + 0.05 * share : 0.1 + 0.9 * share;
+}
+
+void BulkInsertion::undo() noexcept {
+  if (ids_.empty()) return;
+  DiagramCore& d = diagram_;
+  const bool wasBulk = d.isBulk_;
+  d.isBulk_ = false;
+  if (d.isBroken()) return;
+  d.beginUndo();
+  if (ids_.size() == d.ids_.size()) {
+    d.delaunay_.clear();
+    d.hidden_.clear();
+    d.grid_.clear();
+  } else {
+    while (done_ > 0) d.takeOut(order_[--done_]);
+    if (wasBulk && d.walk_ == Walk::kSectors) d.rebuildGrid();
+  }
+  d.endUndo();
+  // So that the next ids are given in the same order again.
+  for (std::size_t k = ids_.size(); k-- > 0;) d.ids_.release(d.ids_.slotOf(ids_[k]));
+  ids_ = {};
+}
+
+VertexId BulkInsertion::visibleBeside(Slot slot) const {
+  const DelaunayGraph& delaunay = diagram_.delaunay_;
+  constexpr Slot kReach = 4;
+  for (Slot distance = 1; distance <= kReach; ++distance) {
+    if (slot >= distance && delaunay.isVisible(vertexOf(slot - distance)))
+      return vertexOf(slot - distance);
+    if (delaunay.isVisible(vertexOf(slot + distance))) return vertexOf(slot + distance);
+  }
+  return delaunay.anyVisible();
+}
+
+}  // namespace apollonius::internal

@@ -1,0 +1,66 @@
+// Insertion of many sites into a diagram, in one go or in steps.
+//
+// First the circles are staged: copied to the slots that they will get, along a Hilbert curve, so
+// that what is close in the plane is close in memory. The caller can then free its circles, when
+// there is little else in memory. Then the sites are inserted, in the order of brioOrder().
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "diagram/diagram_core.h"
+#include "diagram/spatial_order.h"
+#include "memory/flat_array.h"
+
+namespace apollonius::internal {
+
+/// All or none: what has not been finished when this ends, or when a step throws std::bad_alloc, is
+/// undone. That step is the last one. Nobody else may change the diagram in between.
+class BulkInsertion {
+ public:
+  static constexpr std::size_t kAllAtOnce = std::numeric_limits<std::size_t>::max();
+
+  explicit BulkInsertion(DiagramCore& diagram) : diagram_(diagram) {}
+  ~BulkInsertion() { undo(); }
+  BulkInsertion(const BulkInsertion&) = delete;
+  BulkInsertion& operator=(const BulkInsertion&) = delete;
+
+  /// Stages x, y, r triples, at least one, the same ones in all steps; by at most so many visits of
+  /// a site. Are all staged?
+  bool stage(std::span<const double> xyr, std::size_t most = kAllAtOnce);
+
+  /// Inserts at most so many of what has been staged; ids[k] becomes the id of circle k. Is that
+  /// all? `ids` are the same in all steps.
+  bool insert(std::span<SiteId> ids, std::size_t most = kAllAtOnce);
+
+  /// Of all that there is to do, 0 to 1, as far as time can be foreseen.
+  [[nodiscard]] double progress() const;
+
+ private:
+  void begin(std::span<SiteId> ids);
+  void copyStaged(std::span<const double> xyr, std::size_t most);
+  bool place(std::size_t most);
+  void undo() noexcept;
+  /// A visible vertex close to a slot along the curve, or kNoVertex.
+  [[nodiscard]] VertexId visibleBeside(Slot slot) const;
+
+  DiagramCore& diagram_;
+  std::optional<HilbertSort> sort_;
+  FlatArray<std::uint32_t> order_;  // of circles along the curve, then of slots
+  Slot slot_ = kNoSlot;             // that the next circle is copied to
+  std::span<SiteId> ids_;           // of the sites, once they have some
+  std::size_t done_ = 0;            // of those that are copied, or inserted
+  DiagramCore::Undo undo_ = DiagramCore::Undo::kNever;
+};
+
+/// Inserts all of at least one x, y, r triple; ids[k] becomes the id of triple k.
+inline void insertAll(DiagramCore& diagram, std::span<const double> xyr, std::span<SiteId> ids) {
+  BulkInsertion insertion(diagram);
+  insertion.stage(xyr);
+  insertion.insert(ids);
+}
+
+}  // namespace apollonius::internal

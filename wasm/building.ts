@@ -1,0 +1,87 @@
+// Building without blocking: in slices of some milliseconds, between which the event loop has a
+// turn.
+import type { ItemReader } from "./accessors.js";
+import { described } from "./arguments.js";
+import { ApolloniusError } from "./errors.js";
+import type { Builder, NativeDiagram } from "./module.js";
+import type { BuildOptions } from "./types.js";
+
+const kSlice = 8; // milliseconds
+const kItems = 256; // read, or inserted, between two looks at the clock
+const kReading = 0.1; // of the whole work, about
+
+/** Ends slices, and looks after who waits and who wants to end it all. */
+class Slices {
+  readonly #signal: AbortSignal | undefined;
+  readonly #onProgress: ((done: number) => void) | undefined;
+  // Unlike timers, messages wait for nothing but their turn.
+  readonly #channel = typeof MessageChannel === "function" ? new MessageChannel() : undefined;
+  #start = performance.now();
+
+  constructor({ signal, onProgress }: BuildOptions) {
+    if (signal !== undefined && typeof signal?.aborted !== "boolean")
+      throw badOption("signal", signal, "an AbortSignal");
+    if (onProgress !== undefined && typeof onProgress !== "function")
+      throw badOption("onProgress", onProgress, "a function of a number");
+    this.#signal = signal;
+    this.#onProgress = onProgress;
+    this.#expectNoAbort();
+  }
+
+  get isOver(): boolean {
+    return performance.now() - this.#start > kSlice;
+  }
+
+  async next(done: number): Promise<void> {
+    this.#onProgress?.(done);
+    await new Promise<void>((resolve) => {
+      if (this.#channel === undefined) {
+        setTimeout(resolve);
+        return;
+      }
+      this.#channel.port1.onmessage = () => resolve();
+      this.#channel.port2.postMessage(null);
+    });
+    this.#expectNoAbort();
+    this.#start = performance.now();
+  }
+
+  /** An open channel would keep Node from ending. */
+  close(): void {
+    this.#channel?.port1.close();
+  }
+
+  #expectNoAbort(): void {
+    if (this.#signal?.aborted) throw this.#signal.reason;
+  }
+}
+
+function badOption(name: string, value: unknown, expected: string): ApolloniusError {
+  return new ApolloniusError(
+    "bad-option",
+    `options.${name} is ${described(value)}, expected ${expected}`,
+  );
+}
+
+/** Fills a diagram that is empty, and stays so unless all goes well. */
+export async function build<T>(
+  native: NativeDiagram,
+  items: ItemReader<T>,
+  options: BuildOptions,
+): Promise<void> {
+  const slices = new Slices(options);
+  const builder = native.builder(items.count) as Builder;
+  try {
+    for (let from = 0; from < items.count; from += kItems) {
+      native.addTo(builder, items.triples(from, Math.min(from + kItems, items.count)));
+      if (slices.isOver) await slices.next((kReading * from) / items.count);
+    }
+    while (!native.advance(builder, kItems)) {
+      if (slices.isOver) await slices.next(kReading + (1 - kReading) * builder.progress());
+    }
+    await slices.next(1);
+  } finally {
+    builder.delete();
+    slices.close();
+  }
+}
