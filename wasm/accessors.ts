@@ -14,7 +14,31 @@ import { ApolloniusError } from "./errors.js";
  * Reads one number from an item; called with the item, its index and all items, as d3's accessors
  * are.
  */
-export type Accessor<T> = (item: T, index: number, items: Iterable<T> | ArrayLike<T>) => number;
+export type Accessor<T> = (item: T, index: number, items: Items<T>) => number;
+
+/** What `Diagram.from` takes. */
+export type Items<T> = Iterable<T> | ArrayLike<T>;
+
+/** Those of a diagram's items; `that` is their `this`. */
+export type Accessors<T> = [
+  x: Accessor<T>,
+  y: Accessor<T>,
+  r?: Accessor<T> | undefined,
+  that?: unknown,
+];
+
+/** The same; what is missing is read as from a `Circular`. */
+export type SomeAccessors<T> = [
+  x?: Accessor<T> | undefined,
+  y?: Accessor<T> | undefined,
+  r?: Accessor<T> | undefined,
+  that?: unknown,
+];
+
+/** What `Diagram.from` reads without accessors. */
+export type Circular =
+  | { readonly x: number; readonly y: number; readonly r?: number | undefined }
+  | ArrayLike<number>;
 
 type Fields = { readonly [name: string]: unknown } & ArrayLike<unknown>;
 
@@ -33,9 +57,26 @@ function notIterable(items: unknown): ApolloniusError {
   );
 }
 
+function missing(item: unknown, index: number): ApolloniusError {
+  return new ApolloniusError(
+    "not-finite",
+    `item ${index} is ${described(item)}, expected {x, y, r} or [x, y, r]`,
+  );
+}
+
+/** The radius of an item that has no r; one with a radius is refused, as nobody would read it. */
+function radiusWithoutR(item: unknown, index: number): 0 {
+  if (typeof item !== "object" || item === null || !("radius" in item)) return 0;
+  throw new ApolloniusError(
+    "bad-option",
+    `item ${index} has a radius and no r: Diagram.from(items, x, y, (d) => d.radius) reads it, ` +
+      "() => 0 does not",
+  );
+}
+
 /** Throws "not-finite" or "out-of-range", naming the item, for values that cannot be a site's. */
 export function triples<T>(
-  items: Iterable<T> | ArrayLike<T>,
+  items: Items<T>,
   x?: Accessor<T>,
   y?: Accessor<T>,
   r?: Accessor<T>,
@@ -58,7 +99,7 @@ export function triples<T>(
   const readX = x ?? field<T>("x", 0);
   const readY = y ?? field<T>("y", 1);
   const defaultR = field<T>("r", 2);
-  const readR = r ?? ((item: T) => defaultR(item) ?? 0);
+  const readR = r ?? ((item: T, k: number) => defaultR(item) ?? radiusWithoutR(item, k));
   if (isDetached(items)) throw detachedArray("items", "items");
   const list: ArrayLike<T> = "length" in items ? items : Array.from(items);
   if (!isArrayLike(list)) throw notIterable(items);
@@ -74,7 +115,7 @@ export function triples<T>(
     ];
     values.forEach((value, k) => {
       const error = numberError(`${"xyr"[k]} of item ${index}`, value);
-      if (error) throw error;
+      if (error) throw item === null || item === undefined ? missing(item, index) : error;
       xyr[3 * index + k] = value as number;
     });
   }

@@ -1,5 +1,5 @@
 // What both entries of the package export.
-export type { Accessor } from "./accessors.js";
+export type { Accessor, Accessors, Circular, Items, SomeAccessors } from "./accessors.js";
 export { Diagram } from "./diagram.js";
 export type {
   DiagramOptions,

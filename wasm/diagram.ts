@@ -1,5 +1,11 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import { type Accessor, triples } from "./accessors.js";
+import {
+  type Accessors,
+  type Circular,
+  type Items,
+  type SomeAccessors,
+  triples,
+} from "./accessors.js";
 import { checkedBounds, checkedBytes, checkedChoice, checkedNewSites } from "./arguments.js";
 import { Ballast } from "./ballast.js";
 import { kInspect, showContent, summary } from "./content.js";
@@ -9,6 +15,7 @@ import { ApolloniusError } from "./errors.js";
 import { createNative, destroy, provideNative } from "./living.js";
 import { type NativeDiagram, runningModule } from "./module.js";
 import type { DrawOptions, PathContext } from "./path.js";
+import { checkOptions } from "./options.js";
 import * as queries from "./queries.js";
 import type {
   DiagramOptions,
@@ -63,6 +70,7 @@ export class Diagram implements Disposable {
    * than 2^29 triples), "bad-option" (an unknown location).
    */
   constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
+    checkOptions(options, "location");
     const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
     this.#native = createNative(this, location);
     showContent(this);
@@ -79,15 +87,12 @@ export class Diagram implements Disposable {
    * A diagram of any items, read by accessors as in d3-delaunay (item, index, items). Without
    * accessors an item is an object {x, y, r} or an array [x, y, r]; a missing r is 0. Ids are 0, 1,
    * 2, … in input order. Throws as the constructor, naming the item; "bad-option" if an accessor is
-   * no function. Cost: expected O(n log n).
+   * no function, or an item has a `radius` and nothing that would be read. Cost: expected O(n log
+   * n).
    */
-  static from<T>(
-    items: Iterable<T> | ArrayLike<T>,
-    x?: Accessor<T>,
-    y?: Accessor<T>,
-    r?: Accessor<T>,
-    that?: unknown,
-  ): Diagram {
+  static from<T>(items: Items<T>, ...accessors: Accessors<T>): Diagram;
+  static from<T extends Circular>(items: Items<T>, ...accessors: SomeAccessors<T>): Diagram;
+  static from<T>(items: Items<T>, ...[x, y, r, that]: SomeAccessors<T>): Diagram {
     return new Diagram(triples(items, x, y, r, that));
   }
 
@@ -102,14 +107,13 @@ export class Diagram implements Disposable {
    * may throw "corrupt-snapshot" (docs/SNAPSHOTS.md).
    */
   static fromBytes(bytes: Uint8Array, options?: SnapshotOptions): Diagram {
+    checkOptions(options, "location", "trusted");
     const trusted = checkedChoice("options.trusted", options?.trusted, [false, true]);
-    const diagram = new Diagram(undefined, options);
+    const diagram = new Diagram(undefined, { location: options?.location });
     try {
-      const source = runningModule().Source[trusted ? "trusted" : "anyone"];
-      // last: options may have getters
-      const checked = checkedBytes("bytes", bytes);
       const native = diagram.#living();
-      native.fromBytes(checked, source);
+      const source = runningModule().Source[trusted ? "trusted" : "anyone"];
+      native.fromBytes(checkedBytes("bytes", bytes), source); // now: options may have getters
       diagram.#ballast.carry(native.size());
     } catch (error) {
       diagram.dispose();
@@ -366,7 +370,8 @@ export class Diagram implements Disposable {
    * Draws the dual graph as the paper's Appendix A embeds it: each Delaunay edge as a piece of a
    * hyperbola or parabola or as a segment between the two centres, such that no two cross. With
    * `bounds` also the rays of the sites on the hull, up to that window. Returns an SVG path string
-   * if there is no context. O(n). Throws "bad-bounds", "not-finite", "out-of-range" (options).
+   * if there is no context. O(n). Throws "bad-bounds", "not-finite", "out-of-range", "bad-option"
+   * (options, or a context that cannot draw).
    */
   render(context: PathContext, options?: DrawOptions & { bounds?: Bounds | undefined }): void;
   render(context?: null, options?: DrawOptions & { bounds?: Bounds | undefined }): string;
@@ -374,13 +379,15 @@ export class Diagram implements Disposable {
     context?: PathContext | null,
     options?: DrawOptions & { bounds?: Bounds | undefined },
   ): string | void {
-    const bounds = options?.bounds === undefined ? undefined : checkedBounds(options.bounds);
-    return drawWhole(this.#living(), bounds ? "dualWithRays" : "dual", bounds, context, options);
+    checkOptions(options, "tolerance", "digits", "bounds");
+    const { bounds: given, ...drawing } = options ?? {};
+    const bounds = given === undefined ? undefined : checkedBounds(given);
+    return drawWhole(this.#living(), bounds ? "dualWithRays" : "dual", bounds, context, drawing);
   }
 
   /**
    * Draws the circles of all sites, hidden ones too (none for radii of 0 or less). O(n). Throws
-   * "not-finite", "out-of-range" (options).
+   * "not-finite", "out-of-range", "bad-option" as `render`.
    */
   renderSites(context: PathContext, options?: DrawOptions): void;
   renderSites(context?: null, options?: DrawOptions): string;
@@ -390,7 +397,7 @@ export class Diagram implements Disposable {
 
   /**
    * Draws the convex hull of the circles, arcs and tangents, as one closed figure. O(length).
-   * Throws "not-finite", "out-of-range" (options).
+   * Throws "not-finite", "out-of-range", "bad-option" as `render`.
    */
   renderHull(context: PathContext, options?: DrawOptions): void;
   renderHull(context?: null, options?: DrawOptions): string;

@@ -1,5 +1,6 @@
 // The default entry: carries its wasm as text and compiles it synchronously at the first use.
 import { swaps, text } from "../build/wasm/apollonius.wasm";
+import { notCompiled } from "./loading.js";
 import { isRunning, setModuleSource, start } from "./module.js";
 
 export * from "./api.js";
@@ -17,12 +18,24 @@ function bytes(): Uint8Array<ArrayBuffer> {
   return decoded;
 }
 
-setModuleSource(() => new WebAssembly.Module(bytes()));
+setModuleSource(() => {
+  try {
+    return new WebAssembly.Module(bytes());
+  } catch (cause) {
+    throw notCompiled(cause);
+  }
+});
 
 /**
  * Compiles ahead of the first use and off the main thread. Optional: without it the first diagram
- * compiles synchronously, a few milliseconds.
+ * compiles synchronously, a few milliseconds. Throws "not-loaded" where nothing may be compiled, as
+ * that would.
  */
 export async function load(): Promise<void> {
-  if (!isRunning()) start(await WebAssembly.compile(bytes()));
+  if (isRunning()) return;
+  try {
+    start(await WebAssembly.compile(bytes()));
+  } catch (cause) {
+    throw notCompiled(cause);
+  }
 }

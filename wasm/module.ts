@@ -91,7 +91,8 @@ function instantiated(compiled: WebAssembly.Module): Exports {
       try {
         return receive(new WebAssembly.Instance(compiled, imports));
       } catch (cause) {
-        failed = { cause }; // Emscripten would turn it into a promise that nobody sees
+        // Emscripten would turn it into a promise that nobody sees. No stack is lacking here.
+        failed = { cause: cause instanceof RangeError ? outOfMemory() : cause };
         return {};
       }
     },

@@ -116,12 +116,60 @@ test.each([
   ).toBe("1 2");
   expect(
     runInNode(`import { Diagram } from "apollonius-diagram/wasm";
-    try { new Diagram(); } catch (error) { console.log(error.message); }`),
-  ).toContain("await load(source)");
+    try { new Diagram(); } catch (error) { console.log(error.code, error.message); }`),
+  ).toMatch(/^not-loaded .*await load\(source\)/);
+});
+
+test.each([
+  ["no address", '"nowhere:7"', /^not-loaded nowhere:7 cannot be fetched/],
+  ["another answer", 'new Response("", { status: 404 })', /^not-loaded .* answered 404/],
+  ["no wasm", "new Uint8Array(8)", /^not-loaded WebAssembly cannot be compiled here/],
+  ["nothing", "undefined", /^bad-option source is undefined, expected an address/],
+])("the entry with a separate .wasm refuses %s", (_, source, expected) => {
+  expect(
+    runInNode(`
+    import { ApolloniusError, load } from "apollonius-diagram/wasm";
+    await load(${source}).catch((error) =>
+      console.log(error instanceof ApolloniusError && error.code, error.message));`),
+  ).toMatch(expected);
+});
+
+test("where nothing may be compiled, the error says what to do; later, it works", () => {
+  expect(
+    runInNode(`
+    const { Module, compile } = WebAssembly;
+    const refuse = () => { throw new WebAssembly.CompileError("disallowed by embedder"); };
+    WebAssembly.Module = new Proxy(Module, { construct: refuse });
+    WebAssembly.compile = async () => refuse();
+    const { ApolloniusError, Diagram, load } = await import("apollonius-diagram");
+    const attempts = [() => new Diagram(), () => Diagram.from([[1, 2]]), load];
+    for (const attempt of attempts) {
+      try { await attempt(); } catch (error) {
+        console.log(error instanceof ApolloniusError, error.code, error.cause.name,
+          /disallowed by embedder.*'wasm-unsafe-eval'.*load\\(\\)/.test(error.message));
+      }
+    }
+    WebAssembly.Module = Module;
+    console.log(new Diagram([0, 0, 1]).size);`).split("\n"),
+  ).toEqual([...Array(3).fill("true not-loaded CompileError true"), "1"]);
+});
+
+test("no memory to begin with is a lack of memory", () => {
+  expect(
+    runInNode(`
+    const { Instance } = WebAssembly;
+    WebAssembly.Instance = new Proxy(Instance, {
+      construct() { throw new RangeError("could not allocate memory"); },
+    });
+    const { Diagram } = await import("apollonius-diagram");
+    try { new Diagram(); } catch (error) { console.log(error.code); }`),
+  ).toBe("out-of-memory");
 });
 
 const consumer = `
-import { ApolloniusError, Diagram, load, type ErrorCode, type Site } from "apollonius-diagram";
+import {
+  ApolloniusError, Diagram, Voronoi, load, type ErrorCode, type Site,
+} from "apollonius-diagram";
 await0(load());
 declare function await0(promise: Promise<void>): void;
 interface City { lon: number; lat: number; people: number }
@@ -136,6 +184,25 @@ const code: ErrorCode | undefined = new ApolloniusError("not-finite", "x").code;
 const wrong: ErrorCode = "wrong";
 // @ts-expect-error: numbers only
 diagram.insert("1", 2);
+// @ts-expect-error: cities have no x and y
+Diagram.from(cities);
+// @ts-expect-error: nor is one accessor enough
+Diagram.from(cities, (d) => d.lon);
+// @ts-expect-error: coordinates are numbers
+Diagram.from([{ x: "1", y: "2" }]);
+// @ts-expect-error: in arrays, too
+Diagram.from([["1", "2"]]);
+// @ts-expect-error: what an accessor gives is a number
+Diagram.from(cities, (d) => String(d.lon), (d) => d.lat);
+// @ts-expect-error: diagram.voronoi() makes it
+new Voronoi(diagram, [0, 0, 1, 1]);
+Diagram.from([{ x: 1, y: 2 }, { x: 1, y: 2, r: 3 }]);
+Diagram.from([[1, 2], [1, 2, 3]], undefined, undefined, (d, i) => i);
+Diagram.from(new Set([new Float32Array(2)]));
+Diagram.from(diagram);
+for (const { id, x, y, r, hidden } of diagram) diagram.update(id, x, y, hidden ? r : 2 * r);
+const { ids: all, xyr } = diagram.sites();
+diagram.updateMany(all, xyr);
 { using scoped = new Diagram([0, 0, 1]); scoped.size; }
 export { nearest, ids, code, wrong };
 `;
