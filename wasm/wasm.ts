@@ -23,7 +23,6 @@ setModuleSource(() => {
 });
 
 async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
-  if (source instanceof WebAssembly.Module) return source;
   if (source instanceof ArrayBuffer || ArrayBuffer.isView(source))
     return WebAssembly.compile(source as BufferSource);
   const isAddress = typeof source === "string" || source instanceof URL;
@@ -57,6 +56,7 @@ async function fetched(address: string | URL): Promise<Response> {
  */
 export async function load(source: WasmSource): Promise<void> {
   if (isRunning()) return;
+  if (source instanceof WebAssembly.Module) return setModuleSource(() => source);
   try {
     start(await compiled(source));
   } catch (error) {
