@@ -8,20 +8,26 @@
 //   cppcheck     cppcheck on src/, without what tests/check/cppcheck.txt leaves out
 //   thorough     whole sets of tens of thousands, lack of memory among thousands; without the
 //                shadow check
+//   strangers    the package in what is too large for every npm ci: other bundlers, other versions
+//                of TypeScript, an edge runtime, Vitest (tests/strangers)
 //   determinism  the recorded hashes with g++ and clang++, -O0 to -O3, 32 bits, the machine's own
 //                instructions
 //
 // APOLLONIUS_DETERMINISM=clang limits the builds of the last one to those whose name has that in
 // it.
 import path from "node:path";
+import { buildPackage } from "../tools/build.mjs";
+import { ensureChromium, ensureFirefox } from "../tools/toolchain/browser.mjs";
 import { ensureBoost } from "../tools/toolchain/boost.mjs";
 import { buildWithCmake } from "../tools/toolchain/cmake.mjs";
 import { withBuildLock } from "../tools/toolchain/lock.mjs";
 import { ensureNativeTools, ensureValgrind } from "../tools/toolchain/native.mjs";
+import { root } from "../tools/toolchain/folders.mjs";
 import { run } from "../tools/toolchain/process.mjs";
 import { cppcheck, tidy } from "./check/analyse.mjs";
 import { checkDeterminism } from "./check/determinism.mjs";
 import { ctest, runSteps, runTests } from "./steps.mjs";
+import { installPacked } from "./wasm/support/install_packed.mjs";
 
 /**
  * A few of each program: what runs here takes some thirty times as long as natively. None that
@@ -97,6 +103,24 @@ await runSteps({
     return tidy();
   },
   cppcheck,
+  async strangers() {
+    const browsers = { CHROMIUM: ensureChromium() ?? "", FIREFOX: ensureFirefox() ?? "" };
+    await buildPackage();
+    installPacked();
+    run("npm", ["install", "--prefix", path.join(root, "tests/strangers")]);
+    return runTests(
+      process.execPath,
+      [
+        "--experimental-vm-modules",
+        path.join(root, "node_modules/jest/bin/jest.js"),
+        "--config",
+        path.join(root, "tests/jest.config.mjs"),
+        "--selectProjects",
+        "strangers",
+      ],
+      { summary: /^Tests: /, env: { NODE_NO_WARNINGS: "1", ...browsers } },
+    );
+  },
   async determinism() {
     native();
     return withBuildLock(checkDeterminism);

@@ -73,7 +73,11 @@ const rules = [
     ],
   }, // and how much memory is in use
 
-  { of: /^wasm\/index\.ts$/, may: [/^\.\/[\w.]+$/, /^\.\.\/build\/wasm\/apollonius\.wasm$/] },
+  { of: /^wasm\/embedded\.ts$/, may: [/^\.\/[\w.]+$/, /^\.\.\/build\/wasm\/apollonius\.wasm$/] },
+  {
+    of: /^wasm\/edge\.ts$/,
+    may: [/^\.\/[\w.]+$/, /^\.\.\/build\/wasm\/apollonius\.wasm\?module$/],
+  },
   { of: /^wasm\/[\w.]+\.ts$/, may: [/^\.\/[\w.]+$/, /^\.\.\/build\/wasm\/apollonius\.mjs$/] },
   {
     of: /^web\/examples\/.*\.js$/,

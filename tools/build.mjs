@@ -1,6 +1,9 @@
 // npm run build: the package's dist/ from src/ and wasm/.
 //
-//   dist/esm/{index,wasm}.js, *.d.ts    ES modules
+//   dist/esm/{index,wasm}.js, *.d.ts    ES modules; index.js only names what is in embedded.js and
+//                                       errors.js, so that who needs no more gets no more
+//   dist/esm/edge.js                    the default entry for runtimes that compile nothing: it
+//                                       imports the compiled module
 //   dist/cjs/{index,wasm}.js, *.d.ts    CommonJS, the same; index.js is also the file for a script
 //                                       tag, with the global `apollonius`
 //   dist/apollonius.wasm                for the entry `apollonius-diagram/wasm`; the default entry
@@ -32,6 +35,7 @@ import { ensureBuildTools, main } from "./toolchain/setup.mjs";
 const wasm = path.join(root, "wasm");
 const types = path.join(root, "build/types/wasm");
 const entries = ["index", "wasm"];
+const inner = { esm: ["edge", "embedded", "errors"], cjs: [] };
 
 /**
  * The wasm as a template literal of one character a byte. In UTF-8, half of the characters up to
@@ -76,8 +80,12 @@ function wasmAsText(built) {
   return {
     name: "wasm-as-text",
     setup(build) {
-      build.onResolve({ filter: /^\.\.\/build\/wasm\// }, ({ path: file }) => ({
+      build.onResolve({ filter: /^\.\.\/build\/wasm\/[\w.]+$/ }, ({ path: file }) => ({
         path: path.join(built, path.basename(file)),
+      }));
+      build.onResolve({ filter: /\.wasm\?module$/ }, () => ({
+        path: "../apollonius.wasm?module",
+        external: true,
       }));
       build.onLoad({ filter: /\.wasm$/ }, () => ({
         contents: `export const text = ${placeholder}, swaps = [${swaps}];`,
@@ -134,10 +142,28 @@ const scriptTag = {
   },
 };
 
+/** Lets bundles import errors.js, once, and not hold it; index.js and edge.js hold no other, too. */
+const errorsApart = {
+  name: "errors-apart",
+  setup(build) {
+    const file = "./errors.js";
+    build.onResolve({ filter: /^\.\/errors\.js$/ }, ({ namespace }) =>
+      namespace === "errors" ? { path: file, external: true } : { path: file, namespace: "errors" },
+    );
+    build.onResolve({ filter: /^\.\/(embedded|wasm)\.js$/ }, ({ path: file }) => ({
+      path: file,
+      external: true,
+    }));
+    build.onLoad({ filter: /./, namespace: "errors" }, () => ({
+      contents: `export { ApolloniusError } from ${JSON.stringify(file)};`,
+    }));
+  },
+};
+
 async function bundle(format, outdir, built) {
   const { build } = await import("esbuild"); // not before `npm ci` may have installed it
   await build({
-    entryPoints: entries.map((entry) => path.join(wasm, `${entry}.ts`)),
+    entryPoints: [...entries, ...inner[format]].map((entry) => path.join(wasm, `${entry}.ts`)),
     outdir,
     format,
     bundle: true,
@@ -146,8 +172,9 @@ async function bundle(format, outdir, built) {
     logLevel: "warning",
     legalComments: "none",
     write: false,
-    plugins: [wasmAsText(built)],
-    ...(format === "cjs" ? { platform: "node", ...scriptTag } : {}),
+    ...(format === "cjs"
+      ? { platform: "node", ...scriptTag, plugins: [wasmAsText(built)] }
+      : { plugins: [wasmAsText(built), errorsApart] }),
   });
 }
 

@@ -9,12 +9,53 @@ import {
   numberError,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
+import type { BuildOptions } from "./types.js";
 
 /**
  * Reads one number from an item; called with the item, its index and all items, as d3's accessors
  * are.
  */
-export type Accessor<T> = (item: T, index: number, items: Iterable<T> | ArrayLike<T>) => number;
+export type Accessor<T> = (item: T, index: number, items: Items<T>) => number;
+
+/** What `Diagram.from` takes. */
+export type Items<T> = Iterable<T> | ArrayLike<T>;
+
+/** Those of a diagram's items; `that` is their `this`. */
+export type Accessors<T> = [
+  x: Accessor<T>,
+  y: Accessor<T>,
+  r?: Accessor<T> | undefined,
+  that?: unknown,
+];
+
+/** The same; what is missing is read as from a `Circular`. */
+export type SomeAccessors<T> = [
+  x?: Accessor<T> | undefined,
+  y?: Accessor<T> | undefined,
+  r?: Accessor<T> | undefined,
+  that?: unknown,
+];
+
+/** Those of `Diagram.fromAsync`, and its options. */
+export type AsyncAccessors<T> = [
+  x: Accessor<T>,
+  y: Accessor<T>,
+  r?: Accessor<T> | undefined,
+  options?: BuildOptions | undefined,
+];
+
+/** The same; what is missing is read as from a `Circular`. */
+export type SomeAsync<T> = [
+  x?: Accessor<T> | undefined,
+  y?: Accessor<T> | undefined,
+  r?: Accessor<T> | undefined,
+  options?: BuildOptions | undefined,
+];
+
+/** What `Diagram.from` reads without accessors. */
+export type Circular =
+  | { readonly x: number; readonly y: number; readonly r?: number | undefined }
+  | ArrayLike<number>;
 
 type Fields = { readonly [name: string]: unknown } & ArrayLike<unknown>;
 
@@ -33,20 +74,31 @@ function notIterable(items: unknown): ApolloniusError {
   );
 }
 
-/** Items that can be read one by one, whatever the accessors do to them. */
+function missing(item: unknown, index: number): ApolloniusError {
+  return new ApolloniusError(
+    "not-finite",
+    `item ${index} is ${described(item)}, expected {x, y, r} or [x, y, r]`,
+  );
+}
+
+/** The radius of an item that has no r; one with a radius is refused, as nobody would read it. */
+function radiusWithoutR(item: unknown, index: number): 0 {
+  if (typeof item !== "object" || item === null || !("radius" in item)) return 0;
+  throw new ApolloniusError(
+    "bad-option",
+    `item ${index} has a radius and no r: Diagram.from(items, x, y, (d) => d.radius) reads it, ` +
+      "() => 0 does not",
+  );
+}
+
+/** Items that are read in portions, whatever the accessors do to them. */
 export class ItemReader<T> {
   readonly count: number;
   readonly #list: ArrayLike<T>;
-  readonly #read: (item: T, index: number) => [unknown, unknown, unknown];
+  readonly #read: (item: T, index: number) => unknown[];
 
   /** Throws "bad-length", "bad-option" or "too-large". */
-  constructor(
-    items: Iterable<T> | ArrayLike<T>,
-    x?: Accessor<T>,
-    y?: Accessor<T>,
-    r?: Accessor<T>,
-    that?: unknown,
-  ) {
+  constructor(items: Items<T>, ...[x, y, r, that]: SomeAccessors<T>) {
     if (
       typeof items !== "object" ||
       items === null ||
@@ -64,7 +116,7 @@ export class ItemReader<T> {
     const readX = x ?? field<T>("x", 0);
     const readY = y ?? field<T>("y", 1);
     const defaultR = field<T>("r", 2);
-    const readR = r ?? ((item: T) => defaultR(item) ?? 0);
+    const readR = r ?? ((item: T, k: number) => defaultR(item) ?? radiusWithoutR(item, k));
     if (isDetached(items)) throw detachedArray("items", "items");
     const list: ArrayLike<T> = "length" in items ? items : Array.from(items);
     if (!isArrayLike(list)) throw notIterable(items);
@@ -85,9 +137,10 @@ export class ItemReader<T> {
   triples(from: number, to: number): Float64Array {
     const xyr = allocated(() => new Float64Array(3 * (to - from)));
     for (let index = from; index < to; ++index) {
-      this.#read(this.#list[index] as T, index).forEach((value, k) => {
+      const item = this.#list[index] as T;
+      this.#read(item, index).forEach((value, k) => {
         const error = numberError(`${"xyr"[k]} of item ${index}`, value);
-        if (error) throw error;
+        if (error) throw item === null || item === undefined ? missing(item, index) : error;
         xyr[3 * (index - from) + k] = value as number;
       });
     }
@@ -95,7 +148,7 @@ export class ItemReader<T> {
   }
 }
 
-export function triples<T>(...items: ConstructorParameters<typeof ItemReader<T>>): Float64Array {
-  const reader = new ItemReader<T>(...items);
+export function triples<T>(items: Items<T>, ...accessors: SomeAccessors<T>): Float64Array {
+  const reader = new ItemReader(items, ...accessors);
   return reader.triples(0, reader.count);
 }

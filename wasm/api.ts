@@ -1,5 +1,5 @@
 // What both entries of the package export.
-export type { Accessor } from "./accessors.js";
+export type { Accessor, Accessors, Circular, Items, SomeAccessors } from "./accessors.js";
 export { Diagram } from "./diagram.js";
 export type {
   BuildOptions,
@@ -16,7 +16,7 @@ export type {
   Vertices,
 } from "./types.js";
 export { ApolloniusError, type ErrorCode } from "./errors.js";
-export type { DrawOptions, PathContext } from "./path.js";
+export type { DrawOptions, DualOptions, PathContext } from "./path.js";
 export {
   type Bounds,
   type CellCurves,

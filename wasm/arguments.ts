@@ -93,7 +93,9 @@ export function checkSiteId(id: unknown): void {
 export function unknownSite(id: unknown): ApolloniusError {
   return new ApolloniusError(
     "unknown-site",
-    `site ${typeof id === "number" ? id : described(id)} does not exist`,
+    typeof id === "number"
+      ? `site ${id} does not exist`
+      : `site ${described(id)} does not exist: ids are whole numbers, not strings or objects`,
   );
 }
 
@@ -221,6 +223,7 @@ export function checkedNewSites(name: string, values: unknown): ArrayLike<number
 function counted(name: string, values: unknown, multipleOf: number): ArrayLike<unknown> {
   const array = checkedArray(name, values, "numbers");
   if (array.length % multipleOf !== 0) {
+    if (typeof array[0] === "object") throw elementError(name, 0, array[0]);
     throw new ApolloniusError(
       "bad-length",
       `expected a multiple of ${multipleOf} values in ${name}, got ${array.length}`,
@@ -229,13 +232,23 @@ function counted(name: string, values: unknown, multipleOf: number): ArrayLike<u
   return array;
 }
 
+/** The error of an element that is no number; rows of numbers are what Diagram.from takes. */
+function elementError(name: string, k: number, value: unknown): ApolloniusError {
+  const error = numberError(`${name}[${k}]`, value) as ApolloniusError;
+  if (typeof value !== "object" || value === null) return error;
+  return new ApolloniusError(
+    error.code,
+    `${error.message}: ${name} is flat, as in [x, y, r, x, y, r]; Diagram.from(rows) reads rows`,
+  );
+}
+
 function copied(name: string, array: ArrayLike<unknown>): ArrayLike<number> {
   const kind = typedArrayKind(array);
   if (kind !== undefined && !kind.startsWith("Big")) return array as ArrayLike<number>;
   const numbers = allocated(() => new Float64Array(array.length));
   for (let k = 0; k < numbers.length; ++k) {
     const value = array[k];
-    if (typeof value !== "number") throw numberError(`${name}[${k}]`, value) as ApolloniusError;
+    if (typeof value !== "number") throw elementError(name, k, value);
     numbers[k] = value;
   }
   return numbers;

@@ -2,6 +2,7 @@
 // cloning, consoles.
 import type { Diagram } from "./diagram.js";
 import { ApolloniusError, type ErrorCode } from "./errors.js";
+import type { ListedSite, Sites } from "./types.js";
 
 /** The name of the method by which Node, Deno and Bun describe an object. */
 export const kInspect: unique symbol = /* @__PURE__ */ Symbol.for("nodejs.util.inspect.custom");
@@ -21,6 +22,15 @@ const kContent: PropertyDescriptor = {
 /** Gives a new diagram a property by which different ones differ, and which nobody can clone. */
 export function showContent(diagram: Diagram): void {
   Object.defineProperty(diagram, "content", kContent);
+}
+
+/** The sites one by one, as they are when the first is asked for. */
+export function* listed(ask: () => Sites): Generator<ListedSite, void> {
+  const { ids, xyr, hidden } = ask();
+  for (let k = 0; k < ids.length; ++k) {
+    const [x, y, r] = [xyr[3 * k]!, xyr[3 * k + 1]!, xyr[3 * k + 2]!];
+    yield { id: ids[k]!, x, y, r, hidden: hidden[k] === 1 };
+  }
 }
 
 /** A diagram in a few words; never throws. */

@@ -1,18 +1,27 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import { type Accessor, ItemReader, triples } from "./accessors.js";
-import { checkedBounds, checkedBytes, checkedChoice, checkedNewSites } from "./arguments.js";
+import {
+  type Accessors,
+  type AsyncAccessors,
+  type Circular,
+  ItemReader,
+  type Items,
+  type SomeAccessors,
+  type SomeAsync,
+  triples,
+} from "./accessors.js";
+import { checkedBytes, checkedChoice, checkedNewSites } from "./arguments.js";
 import { Ballast } from "./ballast.js";
 import { build } from "./building.js";
-import { kInspect, showContent, summary } from "./content.js";
-import { drawWhole } from "./drawing.js";
+import { kInspect, listed, showContent, summary } from "./content.js";
+import { drawDual, drawWhole } from "./drawing.js";
 import * as edits from "./edits.js";
 import { ApolloniusError } from "./errors.js";
 import { createNative, destroy, provideNative } from "./living.js";
 import { type NativeDiagram, runningModule } from "./module.js";
-import type { DrawOptions, PathContext } from "./path.js";
+import type { DrawOptions, DualOptions, PathContext } from "./path.js";
+import { checkOptions } from "./options.js";
 import * as queries from "./queries.js";
 import type {
-  BuildOptions,
   DiagramOptions,
   Edges,
   FilterOptions,
@@ -65,6 +74,7 @@ export class Diagram implements Disposable {
    * than 2^29 triples), "bad-option" (an unknown location).
    */
   constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
+    checkOptions(options, "location");
     const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
     this.#native = createNative(this, location);
     showContent(this);
@@ -81,15 +91,12 @@ export class Diagram implements Disposable {
    * A diagram of any items, read by accessors as in d3-delaunay (item, index, items). Without
    * accessors an item is an object {x, y, r} or an array [x, y, r]; a missing r is 0. Ids are 0, 1,
    * 2, … in input order. Throws as the constructor, naming the item; "bad-option" if an accessor is
-   * no function. Cost: expected O(n log n).
+   * no function, or an item has a `radius` and nothing that would be read. Cost: expected O(n log
+   * n).
    */
-  static from<T>(
-    items: Iterable<T> | ArrayLike<T>,
-    x?: Accessor<T>,
-    y?: Accessor<T>,
-    r?: Accessor<T>,
-    that?: unknown,
-  ): Diagram {
+  static from<T>(items: Items<T>, ...accessors: Accessors<T>): Diagram;
+  static from<T extends Circular>(items: Items<T>, ...accessors: SomeAccessors<T>): Diagram;
+  static from<T>(items: Items<T>, ...[x, y, r, that]: SomeAccessors<T>): Diagram {
     return new Diagram(triples(items, x, y, r, that));
   }
 
@@ -99,15 +106,13 @@ export class Diagram implements Disposable {
    * `options.signal` once that aborts; with what accessors or `onProgress` throw; then there is no
    * diagram. Cost: about that of `from`.
    */
-  static async fromAsync<T>(
-    items: Iterable<T> | ArrayLike<T>,
-    x?: Accessor<T>,
-    y?: Accessor<T>,
-    r?: Accessor<T>,
-    options: BuildOptions = {},
-  ): Promise<Diagram> {
+  static fromAsync<T>(items: Items<T>, ...rest: AsyncAccessors<T>): Promise<Diagram>;
+  static fromAsync<T extends Circular>(items: Items<T>, ...rest: SomeAsync<T>): Promise<Diagram>;
+  static async fromAsync<T>(items: Items<T>, ...rest: SomeAsync<T>): Promise<Diagram> {
+    const [x, y, r, options = {}] = rest;
+    checkOptions(options, "location", "signal", "onProgress");
     const reader = new ItemReader<T>(items, x, y, r);
-    const diagram = new Diagram(undefined, options);
+    const diagram = new Diagram(undefined, { location: options.location });
     try {
       await build(diagram.#living(), reader, options);
       diagram.#ballast.carry(reader.count);
@@ -129,14 +134,13 @@ export class Diagram implements Disposable {
    * may throw "corrupt-snapshot" (docs/SNAPSHOTS.md).
    */
   static fromBytes(bytes: Uint8Array, options?: SnapshotOptions): Diagram {
+    checkOptions(options, "location", "trusted");
     const trusted = checkedChoice("options.trusted", options?.trusted, [false, true]);
-    const diagram = new Diagram(undefined, options);
+    const diagram = new Diagram(undefined, { location: options?.location });
     try {
-      const source = runningModule().Source[trusted ? "trusted" : "anyone"];
-      // last: options may have getters
-      const checked = checkedBytes("bytes", bytes);
       const native = diagram.#living();
-      native.fromBytes(checked, source);
+      const source = runningModule().Source[trusted ? "trusted" : "anyone"];
+      native.fromBytes(checkedBytes("bytes", bytes), source); // now: options may have getters
       diagram.#ballast.carry(native.size());
     } catch (error) {
       diagram.dispose();
@@ -227,8 +231,7 @@ export class Diagram implements Disposable {
    * O(1).
    */
   get hiddenSize(): number {
-    const native = this.#living();
-    return native.size() - native.visibleSize();
+    return this.size - this.visibleSize;
   }
 
   /** Whether a site has this id. O(1). */
@@ -258,12 +261,8 @@ export class Diagram implements Disposable {
    * `for (const { id, x, y, r, hidden } of diagram)`: all sites, ascending by id, as they are when
    * the loop begins. O(n).
    */
-  *[Symbol.iterator](): Generator<ListedSite, void> {
-    const { ids, xyr, hidden } = this.sites();
-    for (let k = 0; k < ids.length; ++k) {
-      const [x, y, r] = [xyr[3 * k]!, xyr[3 * k + 1]!, xyr[3 * k + 2]!];
-      yield { id: ids[k]!, x, y, r, hidden: hidden[k] === 1 };
-    }
+  [Symbol.iterator](): Generator<ListedSite, void> {
+    return listed(() => this.sites());
   }
 
   /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
@@ -393,21 +392,18 @@ export class Diagram implements Disposable {
    * Draws the dual graph as the paper's Appendix A embeds it: each Delaunay edge as a piece of a
    * hyperbola or parabola or as a segment between the two centres, such that no two cross. With
    * `bounds` also the rays of the sites on the hull, up to that window. Returns an SVG path string
-   * if there is no context. O(n). Throws "bad-bounds", "not-finite", "out-of-range" (options).
+   * if there is no context. O(n). Throws "bad-bounds", "not-finite", "out-of-range", "bad-option"
+   * (options, or a context that cannot draw).
    */
-  render(context: PathContext, options?: DrawOptions & { bounds?: Bounds | undefined }): void;
-  render(context?: null, options?: DrawOptions & { bounds?: Bounds | undefined }): string;
-  render(
-    context?: PathContext | null,
-    options?: DrawOptions & { bounds?: Bounds | undefined },
-  ): string | void {
-    const bounds = options?.bounds === undefined ? undefined : checkedBounds(options.bounds);
-    return drawWhole(this.#living(), bounds ? "dualWithRays" : "dual", bounds, context, options);
+  render(context: PathContext, options?: DualOptions): void;
+  render(context?: null, options?: DualOptions): string;
+  render(context?: PathContext | null, options?: DualOptions): string | void {
+    return drawDual(this.#living(), context, options);
   }
 
   /**
    * Draws the circles of all sites, hidden ones too (none for radii of 0 or less). O(n). Throws
-   * "not-finite", "out-of-range" (options).
+   * "not-finite", "out-of-range", "bad-option" as `render`.
    */
   renderSites(context: PathContext, options?: DrawOptions): void;
   renderSites(context?: null, options?: DrawOptions): string;
@@ -417,7 +413,7 @@ export class Diagram implements Disposable {
 
   /**
    * Draws the convex hull of the circles, arcs and tangents, as one closed figure. O(length).
-   * Throws "not-finite", "out-of-range" (options).
+   * Throws "not-finite", "out-of-range", "bad-option" as `render`.
    */
   renderHull(context: PathContext, options?: DrawOptions): void;
   renderHull(context?: null, options?: DrawOptions): string;
@@ -463,9 +459,7 @@ export class Diagram implements Disposable {
    * constants: for tests.
    */
   validate(): string | null {
-    const { what, where, level } = this.#living().validate();
-    if (what === "") return null;
-    return `${level === 0 ? "" : `level ${level}: `}${what} ${where}`;
+    return queries.validate(this.#living());
   }
 
   // --- Life time ---------------------------------------------------------------------------------
@@ -476,9 +470,8 @@ export class Diagram implements Disposable {
    * loop; a loop that makes many and never waits needs `dispose` or `using`. Cost: O(1).
    */
   dispose(): void {
-    this.#expectNoFilter();
     if (this.#native === null) return;
-    destroy(this.#native);
+    destroy(this.#changing());
     this.#native = null;
     this.#ballast.drop();
   }
@@ -490,14 +483,10 @@ export class Diagram implements Disposable {
 
   // --- Shared parts ------------------------------------------------------------------------------
 
-  #expectNoFilter(): void {
-    if (this.#filters.running > 0)
-      throw new ApolloniusError("busy", "a filter may not change the diagram that asks it");
-  }
-
   /** For calls that change the diagram. */
   #changing(): NativeDiagram {
-    this.#expectNoFilter();
+    if (this.#filters.running > 0)
+      throw new ApolloniusError("busy", "a filter may not change the diagram that asks it");
     return this.#living();
   }
 

@@ -1,8 +1,9 @@
 // Drawings of the library's, played into whatever can draw.
 import type { MainModule } from "../build/wasm/apollonius.mjs";
-import { checkedTolerance } from "./arguments.js";
+import { checkedBounds, checkedTolerance } from "./arguments.js";
 import { type NativeDiagram, runningModule } from "./module.js";
-import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
+import { checkOptions } from "./options.js";
+import { type DrawOptions, type DualOptions, drawn, type PathContext, play } from "./path.js";
 import type { Bounds } from "./voronoi.js";
 
 /** What the library can draw. */
@@ -38,6 +39,18 @@ export function drawWhole(
   const window = bounds ?? extentOf(native);
   const tolerance = checkedTolerance(options?.tolerance, () => native.defaultTolerance(...window));
   return drawn(context, options, (target) => drawInto(target, native, what, window, tolerance));
+}
+
+/** The dual graph of a whole diagram. */
+export function drawDual(
+  native: NativeDiagram,
+  context: PathContext | null | undefined,
+  options: DualOptions | undefined,
+): string | void {
+  checkOptions(options, "tolerance", "digits", "bounds");
+  const { bounds: given, ...drawing } = options ?? {};
+  const bounds = given === undefined ? undefined : checkedBounds(given);
+  return drawWhole(native, bounds ? "dualWithRays" : "dual", bounds, context, drawing);
 }
 
 /** The box of all circles. */

@@ -8,6 +8,8 @@
  *   buffer is detached or shrunk
  * - "bad-option": an option or accessor is none of what is documented
  * - "bad-bounds": bounds to clip at that are no box
+ * - "not-loaded": the WebAssembly module cannot be had: it is used before `load`, its address does
+ *   not answer, or nothing may be compiled here (a content security policy, an edge runtime)
  * - "disposed": the diagram has been disposed of
  * - "busy": a filter tried to change the diagram that was asking it
  * - "out-of-memory": memory ran out, or was never enough
@@ -24,6 +26,7 @@ export type ErrorCode =
   | "bad-length"
   | "bad-option"
   | "bad-bounds"
+  | "not-loaded"
   | "disposed"
   | "busy"
   | "out-of-memory"

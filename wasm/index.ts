@@ -1,28 +1,4 @@
-// The default entry: carries its wasm as text and compiles it synchronously at the first use.
-import { swaps, text } from "../build/wasm/apollonius.wasm";
-import { isRunning, setModuleSource, start } from "./module.js";
-
-export * from "./api.js";
-
-function bytes(): Uint8Array<ArrayBuffer> {
-  const byteOf = Uint8Array.from({ length: 256 }, (_, code) => code);
-  for (let k = 0; k < swaps.length; k += 2) {
-    const a = swaps[k] as number,
-      b = swaps[k + 1] as number;
-    byteOf[a] = b;
-    byteOf[b] = a;
-  }
-  const decoded = new Uint8Array(text.length);
-  for (let k = 0; k < decoded.length; ++k) decoded[k] = byteOf[text.charCodeAt(k) & 255] as number;
-  return decoded;
-}
-
-setModuleSource(() => new WebAssembly.Module(bytes()));
-
-/**
- * Compiles ahead of the first use and off the main thread. Optional: without it the first diagram
- * compiles synchronously, a few milliseconds.
- */
-export async function load(): Promise<void> {
-  if (!isRunning()) start(await WebAssembly.compile(bytes()));
-}
+// The default entry. As ES modules, these are files of their own, and this one has no code: who
+// imports nothing but ApolloniusError gets nothing else, from whatever bundler.
+export { ApolloniusError } from "./errors.js";
+export * from "./embedded.js";

@@ -24,8 +24,11 @@ export function nativeOf(diagram: unknown): NativeDiagram {
 /** An empty diagram that lives until `destroy`, or until its owner is collected. */
 export function createNative(owner: object, location: "hierarchy" | "walk"): NativeDiagram {
   const native = runningModule().create(location);
-  collector ??= new FinalizationRegistry((abandoned) => abandoned.delete());
-  collector.register(owner, native, native);
+  // Some runtimes at the edge have none: there, what is forgotten stays until the process ends.
+  if (typeof FinalizationRegistry !== "undefined") {
+    collector ??= new FinalizationRegistry((abandoned) => abandoned.delete());
+    collector.register(owner, native, native);
+  }
   return native;
 }
 

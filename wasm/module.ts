@@ -1,6 +1,7 @@
 // The instance of the wasm module that diagrams share: made at the first use, never at import.
 // After a call that ended in its middle, what is made later gets a new one.
 import createModule, {
+  type Builder,
   type Diagram,
   type MainModule,
   type NearestFirst,
@@ -92,7 +93,8 @@ function instantiated(compiled: WebAssembly.Module): Exports {
       try {
         return receive(new WebAssembly.Instance(compiled, imports));
       } catch (cause) {
-        failed = { cause }; // Emscripten would turn it into a promise that nobody sees
+        // Emscripten would turn it into a promise that nobody sees. No stack is lacking here.
+        failed = { cause: cause instanceof RangeError ? outOfMemory() : cause };
         return {};
       }
     },

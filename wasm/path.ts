@@ -1,6 +1,9 @@
 // Drawing: portions of commands from the library, played into anything that draws, or written as an
 // SVG path.
+import type { Bounds } from "./voronoi.js";
+import { described } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
+import { checkOptions } from "./options.js";
 
 /**
  * What can be drawn into: a canvas context, a Path2D, a d3-path, or anything else with these four
@@ -26,6 +29,12 @@ export interface DrawOptions {
   tolerance?: number | undefined;
   /** Decimal places of the numbers in a path string, 0 to 15; by default all that they have. */
   digits?: number | undefined;
+}
+
+/** Options of `Diagram.render`: with bounds also the rays of the sites on the hull. */
+export interface DualOptions extends DrawOptions {
+  /** How far the rays go; none without. */
+  bounds?: Bounds | undefined;
 }
 
 // `Command` of src/apollonius/path.h.
@@ -104,7 +113,17 @@ export function drawn(
   options: DrawOptions | undefined,
   draw: (context: PathContext) => void,
 ): string | void {
-  if (context !== null && context !== undefined) return draw(context);
+  checkOptions(options, "tolerance", "digits");
+  if (context !== null && context !== undefined) {
+    for (const name of ["moveTo", "lineTo", "bezierCurveTo", "closePath"] as const)
+      if (typeof context[name] !== "function")
+        throw new ApolloniusError(
+          "bad-option",
+          `context is ${described(context)} without ${name}(): options go behind it, as in ` +
+            "render(null, { digits: 2 })",
+        );
+    return draw(context);
+  }
   const text = new PathString(options?.digits);
   draw(text);
   return text.toString();

@@ -14,6 +14,7 @@ import {
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import { type NativeDiagram, type NearestFirst, runningModule } from "./module.js";
+import { checkOptions } from "./options.js";
 import { checkTypes, ofElements, ofNumbers, ofSite } from "./status.js";
 import type { FilterOptions, NearbyFilter, NearbyOptions, PickOptions, Site } from "./types.js";
 
@@ -140,6 +141,7 @@ export function kNearest(
 ): Uint32Array {
   checkTypes(x, y);
   const most = checkedCount("k", k);
+  checkOptions(options, "maxDistance", "filter");
   const farthest = checkedMaxDistance("options.maxDistance", options?.maxDistance);
   const filter = checkedFilter(options?.filter);
   return farthest === Infinity && filter === undefined
@@ -157,6 +159,7 @@ export function within(
 ): Uint32Array {
   checkTypes(x, y);
   checkNumber("distance", distance);
+  checkOptions(options, "filter");
   const filter = checkedFilter(options?.filter);
   return filter === undefined
     ? atPoint(x, y, () => native.within(x, y, distance))
@@ -177,6 +180,7 @@ export function pick(
       "out-of-range",
       `maxDistance is ${farthest}, expected a distance from 0 on`,
     );
+  checkOptions(options, "top");
   const top = checkedChoice("options.top", options?.top, ["smallest", "last"]);
   return atPoint(x, y, () => native.pick(x, y, farthest, runningModule().Top[top]));
 }
@@ -185,4 +189,11 @@ export function search(native: NativeDiagram, ...bounds: unknown[]): Uint32Array
   const [xmin, ymin, xmax, ymax] = checkedNumbersOfBounds(bounds);
   if (xmin > xmax || ymin > ymax) throw disorderedBounds([xmin, ymin, xmax, ymax], "<=");
   return native.search(xmin, ymin, xmax, ymax);
+}
+
+/** null, or the first broken invariant in words. */
+export function validate(native: NativeDiagram): string | null {
+  const { what, where, level } = native.validate();
+  if (what === "") return null;
+  return `${level === 0 ? "" : `level ${level}: `}${what} ${where}`;
 }

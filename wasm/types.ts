@@ -68,7 +68,7 @@ export interface DiagramOptions {
    * How the nearest site is located (paper, section 4): "hierarchy" (default), about log n; or
    * "walk", from neighbour to neighbour, about sqrt(n), with less memory.
    */
-  location?: "hierarchy" | "walk";
+  location?: "hierarchy" | "walk" | undefined;
 }
 
 /** Options of `Diagram.fromAsync`. */
@@ -85,7 +85,7 @@ export interface SnapshotOptions extends DiagramOptions {
    * true: the bytes are `toBytes`'s own and nobody has changed them, so that nothing is proved.
    * Default: false.
    */
-  trusted?: boolean;
+  trusted?: boolean | undefined;
 }
 
 /** Tells whether the site of that id counts. It may throw; it may not change the diagram. */

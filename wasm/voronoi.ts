@@ -11,6 +11,7 @@ import { drawInto } from "./drawing.js";
 import { ApolloniusError } from "./errors.js";
 import { nativeOf } from "./living.js";
 import type { NativeDiagram } from "./module.js";
+import { checkOptions } from "./options.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
 
 /** A window, xmin < xmax and ymin < ymax, in the diagram's unit. */
@@ -84,7 +85,8 @@ export interface CellsCollection {
  * Everywhere: an id without a site throws "unknown-site"; for a hidden site, which has no cell, and
  * for what a cell has no part of inside the window, there is nothing: null for arrays and objects,
  * nothing drawn. Measures are null for a hidden site, and 0 outside the window. Options throw
- * "not-finite" or "out-of-range". Names and meaning are d3-delaunay's where it has them.
+ * "not-finite" or "out-of-range", unknown ones "bad-option", as does a context that cannot draw.
+ * Names and meaning are d3-delaunay's where it has them.
  */
 export class Voronoi {
   /** The diagram that is looked at. */
@@ -133,7 +135,7 @@ export class Voronoi {
     );
   }
 
-  /** Draws the window's border. Throws "out-of-range" (digits). */
+  /** Draws the window's border. Throws "out-of-range" (digits), "bad-option". */
   renderBounds(context: PathContext, options?: DrawOptions): void;
   renderBounds(context?: null, options?: DrawOptions): string;
   renderBounds(context?: PathContext | null, options?: DrawOptions): string | void {
@@ -178,6 +180,7 @@ export class Voronoi {
 
   /** The regions of a cell as closed rings, counter-clockwise. As `cellPolygon`. */
   cellRegions(id: number, options?: { tolerance?: number | undefined }): Float64Array[] | null {
+    checkOptions(options, "tolerance");
     const native = this.#nativeFor(id);
     const tolerance = this.#tolerance(native, options);
     const { coordinates, starts } = native.cellPolygon(...this.#bounds, id, tolerance);

@@ -1,5 +1,8 @@
 // The entry `apollonius-diagram/wasm`: the same names, with the wasm kept in a file of its own
 // (`apollonius-diagram/apollonius.wasm`).
+import { described } from "./arguments.js";
+import { ApolloniusError } from "./errors.js";
+import { notCompiled, notLoaded } from "./loading.js";
 import { isRunning, setModuleSource, start } from "./module.js";
 
 export * from "./api.js";
@@ -16,31 +19,47 @@ export type WasmSource =
   | WebAssembly.Module;
 
 setModuleSource(() => {
-  throw new Error("apollonius-diagram/wasm: `await load(source)` before the first diagram");
+  throw notLoaded("apollonius-diagram/wasm: `await load(source)` before the first diagram");
 });
 
 async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
-  if (source instanceof WebAssembly.Module) return source;
   if (source instanceof ArrayBuffer || ArrayBuffer.isView(source))
     return WebAssembly.compile(source as BufferSource);
-  const response = await (typeof source === "string" || source instanceof URL
-    ? fetch(source)
-    : source);
+  const isAddress = typeof source === "string" || source instanceof URL;
+  const response = await (isAddress ? fetched(source) : source);
   if (!(response instanceof Response)) {
-    throw new TypeError(
-      "apollonius-diagram/wasm: load() expects an address, a Response, the bytes " +
+    throw new ApolloniusError(
+      "bad-option",
+      `source is ${described(response)}, expected an address, a Response, the bytes ` +
         "or a WebAssembly.Module",
     );
   }
-  if (!response.ok)
-    throw new Error(`apollonius-diagram/wasm: ${response.url} answered ${response.status}`);
+  if (!response.ok) throw notLoaded(`${response.url} answered ${response.status}`);
   const isWasm = response.headers.get("content-type")?.startsWith("application/wasm");
   return isWasm
     ? WebAssembly.compileStreaming(response)
     : WebAssembly.compile(await response.arrayBuffer());
 }
 
-/** Compiles the wasm; to be awaited before the first diagram. Later calls do nothing. */
+async function fetched(address: string | URL): Promise<Response> {
+  try {
+    return await fetch(address);
+  } catch (cause) {
+    throw notLoaded(`${address} cannot be fetched`, cause);
+  }
+}
+
+/**
+ * Compiles the wasm; to be awaited before the first diagram. Later calls do nothing. Throws
+ * "not-loaded" (no answer from the address, or what it gives cannot be compiled, or nothing can),
+ * "bad-option" (none of the sources).
+ */
 export async function load(source: WasmSource): Promise<void> {
-  if (!isRunning()) start(await compiled(source));
+  if (isRunning()) return;
+  if (source instanceof WebAssembly.Module) return setModuleSource(() => source);
+  try {
+    start(await compiled(source));
+  } catch (error) {
+    throw error instanceof ApolloniusError ? error : notCompiled(error);
+  }
 }

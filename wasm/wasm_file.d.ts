@@ -1,4 +1,8 @@
-// Imports of .wasm files (asTemplate in tools/build.mjs).
+// Imports of .wasm files (asTemplate in tools/build.mjs), and of compiled ones (edge.ts).
+declare module "*.wasm?module" {
+  const compiled: WebAssembly.Module;
+  export default compiled;
+}
 declare module "*.wasm" {
   /**
    * One character a byte, whose code's lower eight bits are the byte; of each pair in `swaps`, the

@@ -32,8 +32,48 @@ void BulkInsertion::copyStaged(std::span<const double> xyr, std::size_t most) {
   }
 }
 
-/// Makes room, and gives ids and slots.
-void BulkInsertion::begin(std::span<SiteId> ids) {
+bool BulkInsertion::insert(std::span<SiteId> ids, std::size_t most) {
+  try {
+    bool isDone = false;
+    do {
+      isDone = goOn(ids, most);
+    } while (!isDone && most == kAllAtOnce);
+    return isDone;
+  } catch (const std::bad_alloc&) {
+    undo();
+    throw;
+  }
+}
+
+bool BulkInsertion::goOn(std::span<SiteId> ids, std::size_t most) {
+  switch (step_) {
+    case Step::kMakeRoom:
+      makeRoom(ids);
+      step_ = Step::kName;
+      return false;
+    case Step::kName:
+      name(most);
+      if (done_ == order_.size()) step_ = Step::kOrder;
+      return false;
+    case Step::kOrder:
+      order_ = brioOrder(order_);
+      // A few would be paid for by copying all.
+      if (diagram_.isBulk_) diagram_.delaunay_.reserveBulk(order_.size());
+      done_ = 0;
+      step_ = Step::kPlace;
+      return false;
+    case Step::kPlace:
+      place(most);
+      if (done_ < order_.size()) return false;
+      order_ = FlatArray<std::uint32_t>();  // the grid fits where it was
+      diagram_.endBulk();
+      ids_ = {};
+      return true;
+  }
+  return true;
+}
+
+void BulkInsertion::makeRoom(std::span<SiteId> ids) {
   DiagramCore& d = diagram_;
   const std::size_t n = order_.size();
   d.memoryReserve_.take();
@@ -42,33 +82,25 @@ void BulkInsertion::begin(std::span<SiteId> ids) {
   d.reserve(slots);
   // Levels that wait to be made are left alone until they are asked for.
   if (isBulk && d.usesHierarchy_ && !d.isHierarchyDue_) d.hierarchy_.reserveBulk(slots);
-  done_ = 0;
+  // From here on there is something to undo. A diagram that was empty is simply emptied.
+  undo_ = d.ids_.size() > 0 ? DiagramCore::Undo::kMaybe : DiagramCore::Undo::kNever;
   ids_ = ids;
-  // Ids are given in the order of the input, slots along the curve.
   for (SiteId& id : ids) id = d.ids_.takeId();
-  for (std::uint32_t& k : order_) k = d.ids_.takeSlot(ids[k], SiteState::kPending);
+  done_ = 0;
   // Walks start beside, so the grid need not be kept while it changes a lot.
   d.isBulk_ = isBulk;
-  // A diagram that was empty is simply emptied.
-  undo_ = n < d.ids_.size() ? DiagramCore::Undo::kMaybe : DiagramCore::Undo::kNever;
-  order_ = brioOrder(order_);
-  if (isBulk) d.delaunay_.reserveBulk(n);  // a few would be paid for by copying all
 }
 
-bool BulkInsertion::insert(std::span<SiteId> ids, std::size_t most) {
-  try {
-    if (ids_.empty()) {
-      begin(ids);
-      if (most != kAllAtOnce) return false;
-    }
-    return place(most);
-  } catch (const std::bad_alloc&) {
-    undo();
-    throw;
+/// The ids are in the order of the input, slots are given along the curve.
+void BulkInsertion::name(std::size_t most) {
+  const std::size_t end = done_ + std::min(most, order_.size() - done_);
+  for (; done_ < end; ++done_) {
+    std::uint32_t& k = order_[done_];
+    k = diagram_.ids_.takeSlot(ids_[k], SiteState::kPending);
   }
 }
 
-bool BulkInsertion::place(std::size_t most) {
+void BulkInsertion::place(std::size_t most) {
   DiagramCore& d = diagram_;
   const std::size_t end = done_ + std::min(most, order_.size() - done_);
   for (; done_ < end; ++done_) {
@@ -76,22 +108,19 @@ bool BulkInsertion::place(std::size_t most) {
     const Site circle = d.site(slot);
     d.ids_.setState(slot, d.place(slot, circle, visibleBeside(slot), undo_));
   }
-  if (done_ < order_.size()) return false;
-  order_ = FlatArray<std::uint32_t>();  // the grid fits where it was
-  d.endBulk();
-  ids_ = {};
-  return true;
 }
 
 double BulkInsertion::progress() const {
-  if (order_.empty()) return ids_.empty() && done_ > 0 ? 1 : 0;
-  const double share = static_cast<double>(done_) / static_cast<double>(order_.size());
-  return ids_.empty() ? 0.05 + 0.05 * share : 0.1 + 0.9 * share;
+  if (order_.empty()) return done_ > 0 ? 1 : 0;
+  if (step_ != Step::kPlace) return ids_.empty() ? 0.04 : 0.08;
+  return 0.1 + 0.9 * static_cast<double>(done_) / static_cast<double>(order_.size());
 }
 
 void BulkInsertion::undo() noexcept {
   if (ids_.empty()) return;
   DiagramCore& d = diagram_;
+  if (step_ == Step::kName) name(kAllAtOnce);
+  if (step_ != Step::kPlace) done_ = 0;
   const bool wasBulk = d.isBulk_;
   d.isBulk_ = false;
   if (d.isBroken()) return;

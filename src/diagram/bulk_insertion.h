@@ -40,19 +40,25 @@ class BulkInsertion {
   [[nodiscard]] double progress() const;
 
  private:
-  void begin(std::span<SiteId> ids);
   void copyStaged(std::span<const double> xyr, std::size_t most);
-  bool place(std::size_t most);
+  /// A step of insert(), or as much of it as `most` allows; was it the end of the last one?
+  bool goOn(std::span<SiteId> ids, std::size_t most);
+  void makeRoom(std::span<SiteId> ids);
+  void name(std::size_t most);
+  void place(std::size_t most);
   void undo() noexcept;
   /// A visible vertex close to a slot along the curve, or kNoVertex.
   [[nodiscard]] VertexId visibleBeside(Slot slot) const;
 
+  enum class Step : std::uint8_t { kMakeRoom, kName, kOrder, kPlace };
+
   DiagramCore& diagram_;
+  Step step_ = Step::kMakeRoom;
   std::optional<HilbertSort> sort_;
   FlatArray<std::uint32_t> order_;  // of circles along the curve, then of slots
   Slot slot_ = kNoSlot;             // that the next circle is copied to
   std::span<SiteId> ids_;           // of the sites, once they have some
-  std::size_t done_ = 0;            // of those that are copied, or inserted
+  std::size_t done_ = 0;            // of those that are copied, named, or placed
   DiagramCore::Undo undo_ = DiagramCore::Undo::kNever;
 };
 

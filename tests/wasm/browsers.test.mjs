@@ -1,6 +1,6 @@
 // The packed package in Chromium and Firefox, under a strict content security policy: as it is, in
 // workers, and as each bundler packs it.
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync, statSync } from "node:fs";
 import path from "node:path";
 import { root } from "../../tools/toolchain/folders.mjs";
 import { capture } from "../../tools/toolchain/process.mjs";
@@ -30,9 +30,24 @@ test.each(bundlers)("%s bundles the package without a warning, and the bundle ru
   ).toBe(expected);
 });
 
+// A page that only tells our errors from others should not load the whole package.
+test.each(bundlers)("%s keeps of the package what is used", (name) => {
+  const folder = path.join(packed, "bundles", name);
+  const size = readdirSync(folder)
+    .filter((file) => /^error.*\.js$/.test(file))
+    .reduce((sum, file) => sum + statSync(path.join(folder, file)).size, 0);
+  expect(size).toBeGreaterThan(100);
+  expect(size).toBeLessThan(2000);
+  expect(
+    runScriptInNode(`globalThis.report = console.log; import("./bundles/${name}/error.js")`),
+  ).toBe("why");
+});
+
 test("no file has characters that a page or a bundler would not take as they are", () => {
-  for (const file of ["esm/index.js", "cjs/index.js", "esm/wasm.js", "cjs/wasm.js"]) {
-    const text = readFileSync(path.join(packed, dist, file), "utf8");
+  const folder = path.join(packed, dist);
+  for (const file of readdirSync(folder, { recursive: true })) {
+    if (!file.endsWith(".js")) continue;
+    const text = readFileSync(path.join(folder, file), "utf8");
     expect(text).not.toMatch(/[\0\r\u{D800}-\u{DFFF}\u{FFFE}-\u{10FFFF}]|<!--|<\/script/u);
   }
 });

@@ -1,11 +1,9 @@
 // The package as users load it: ES modules, CommonJS, the entry with a separate .wasm, workers, a
 // strict policy, types.
-import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "../../tools/toolchain/folders.mjs";
-import { capture } from "../../tools/toolchain/process.mjs";
-import { packed } from "./support/install_packed.mjs";
 import { runInNode, runScriptInNode } from "./support/node.mjs";
+import { compileUsers } from "./support/types.mjs";
 
 const use = "const d = new Diagram([0, 0, 1, 9, 0, 2]); console.log(d.find(8, 0), d.size);";
 
@@ -116,66 +114,56 @@ test.each([
   ).toBe("1 2");
   expect(
     runInNode(`import { Diagram } from "apollonius-diagram/wasm";
-    try { new Diagram(); } catch (error) { console.log(error.message); }`),
-  ).toContain("await load(source)");
+    try { new Diagram(); } catch (error) { console.log(error.code, error.message); }`),
+  ).toMatch(/^not-loaded .*await load\(source\)/);
 });
 
-const consumer = `
-import { ApolloniusError, Diagram, load, type ErrorCode, type Site } from "apollonius-diagram";
-await0(load());
-declare function await0(promise: Promise<void>): void;
-interface City { lon: number; lat: number; people: number }
-const cities: City[] = [];
-const diagram: Diagram = Diagram.from(
-  cities, (d) => d.lon, (d, i, all) => d.lat + i, (d) => Math.sqrt(d.people));
-const site: Site = diagram.site(0);
-const nearest: { id: number; distance: number } | null = diagram.nearest(site.x, site.y);
-const ids: Int32Array = diagram.findMany(new Float64Array(4), new Float64Array(2));
-const code: ErrorCode | undefined = new ApolloniusError("not-finite", "x").code;
-// @ts-expect-error: no such code
-const wrong: ErrorCode = "wrong";
-// @ts-expect-error: numbers only
-diagram.insert("1", 2);
-{ using scoped = new Diagram([0, 0, 1]); scoped.size; }
-export { nearest, ids, code, wrong };
-`;
-
-test("types: ES modules, CommonJS, NodeNext and Bundler resolution; `using` compiles", () => {
-  const folder = path.join(packed, "types");
-  mkdirSync(folder, { recursive: true });
-  writeFileSync(path.join(folder, "esm.mts"), consumer);
-  writeFileSync(path.join(folder, "cjs.cts"), consumer);
-  writeFileSync(
-    path.join(folder, "separate.mts"),
-    'import { Diagram, load } from "apollonius-diagram/wasm";\n' +
-      'export const loading: Promise<void> = load(new URL("x:y"));\n' +
-      "export const diagram = new Diagram();\n",
-  );
-  const options = {
-    target: "ES2022",
-    strict: true,
-    exactOptionalPropertyTypes: true,
-    noEmit: true,
-    types: [],
-    skipLibCheck: false,
-    lib: ["ES2023", "ESNext.Disposable", "DOM"],
-  };
-  const kinds = {
-    NodeNext: {
-      compilerOptions: { ...options, module: "NodeNext" },
-      files: ["esm.mts", "cjs.cts", "separate.mts"],
-    },
-    Bundler: {
-      compilerOptions: { ...options, module: "ESNext", moduleResolution: "Bundler" },
-      files: ["esm.mts", "separate.mts"],
-    },
-  };
-  for (const [name, config] of Object.entries(kinds)) {
-    writeFileSync(path.join(folder, `${name}.json`), JSON.stringify(config));
-    capture(process.execPath, [
-      path.join(root, "node_modules/typescript/bin/tsc"),
-      "-p",
-      path.join(folder, `${name}.json`),
-    ]);
-  }
+test.each([
+  ["no address", '"nowhere:7"', /^not-loaded nowhere:7 cannot be fetched/],
+  ["another answer", 'new Response("", { status: 404 })', /^not-loaded .* answered 404/],
+  ["no wasm", "new Uint8Array(8)", /^not-loaded WebAssembly cannot be compiled here/],
+  ["nothing", "undefined", /^bad-option source is undefined, expected an address/],
+])("the entry with a separate .wasm refuses %s", (_, source, expected) => {
+  expect(
+    runInNode(`
+    import { ApolloniusError, load } from "apollonius-diagram/wasm";
+    await load(${source}).catch((error) =>
+      console.log(error instanceof ApolloniusError && error.code, error.message));`),
+  ).toMatch(expected);
 });
+
+test("where nothing may be compiled, the error says what to do; later, it works", () => {
+  expect(
+    runInNode(`
+    const { Module, compile } = WebAssembly;
+    const refuse = () => { throw new WebAssembly.CompileError("disallowed by embedder"); };
+    WebAssembly.Module = new Proxy(Module, { construct: refuse });
+    WebAssembly.compile = async () => refuse();
+    const { ApolloniusError, Diagram, load } = await import("apollonius-diagram");
+    const attempts = [() => new Diagram(), () => Diagram.from([[1, 2]]), load];
+    for (const attempt of attempts) {
+      try { await attempt(); } catch (error) {
+        console.log(error instanceof ApolloniusError, error.code, error.cause.name,
+          /disallowed by embedder.*'wasm-unsafe-eval'.*load\\(\\)/.test(error.message));
+      }
+    }
+    WebAssembly.Module = Module;
+    console.log(new Diagram([0, 0, 1]).size);`).split("\n"),
+  ).toEqual([...Array(3).fill("true not-loaded CompileError true"), "1"]);
+});
+
+test("no memory to begin with is a lack of memory", () => {
+  expect(
+    runInNode(`
+    const { Instance } = WebAssembly;
+    WebAssembly.Instance = new Proxy(Instance, {
+      construct() { throw new RangeError("could not allocate memory"); },
+    });
+    const { Diagram } = await import("apollonius-diagram");
+    try { new Diagram(); } catch (error) { console.log(error.code); }`),
+  ).toBe("out-of-memory");
+});
+
+test("types: ES modules, CommonJS, NodeNext and Bundler resolution, old and new libraries", () => {
+  compileUsers(path.join(root, "node_modules/typescript/bin/tsc"));
+}, 120_000);

@@ -30,7 +30,7 @@ function documented(className, name) {
   if (className === "Voronoi") {
     if (/\bid: number/.test(code)) codes.add("unknown-site");
     if (/\boptions\?/.test(code) && !text.includes("Throws"))
-      codes.add("not-finite").add("out-of-range");
+      codes.add("not-finite").add("out-of-range").add("bad-option");
   }
   return [...codes].sort();
 }
@@ -38,7 +38,7 @@ function documented(className, name) {
 test("the comment of Voronoi says what holds for all its calls", () => {
   const { text } = described.find(({ name }) => name === "Voronoi");
   expect(text.replace(/\s+/g, " ")).toMatch(
-    /id without a site throws "unknown-site".*Options throw "not-finite" or "out-of-range"/,
+    /id without a site throws "unknown-site".*Options throw "not-finite".*unknown.* "bad-option"/,
   );
 });
 

@@ -91,7 +91,7 @@ test.each([
   [[{ x: 1, y: 2 }, { x: 1 }], "y of item 1 is undefined"],
   [[[1, 2, NaN]], "r of item 0 is NaN"],
   [[["1", 2]], 'x of item 0 is the string "1"'],
-  [[null], "x of item 0 is undefined"],
+  [[null], "item 0 is null, expected {x, y, r} or [x, y, r]"],
   [[{ x: 1, y: Infinity }], "y of item 0 is Infinity"],
 ])("%j is refused", (items, message) => {
   expect(() => Diagram.from(items)).toThrow(ApolloniusError);

@@ -48,8 +48,17 @@ test("holds what users need and no more", () => {
     "README.md",
     "dist/apollonius.wasm",
     "dist/cjs/package.json",
+    "docs/SNAPSHOTS.md",
     "package.json",
   ]);
+});
+
+test("holds the documents that comments of its types cite", () => {
+  const cited = files
+    .filter((file) => file.endsWith(".d.ts"))
+    .flatMap((file) => readFileSync(path.join(installed, file), "utf8").match(/docs\/\w+\.md/g));
+  expect([...new Set(cited)].filter((file) => file !== null && !files.includes(file))).toEqual([]);
+  expect(cited).toContain("docs/SNAPSHOTS.md");
 });
 
 test("needs no other package and runs nothing when it is installed", () => {
@@ -65,7 +74,10 @@ test("needs no other package and runs nothing when it is installed", () => {
 test("sizes: the default entry at most 95 KB with brotli, all of it at most 1 MB", () => {
   const unpacked = files.reduce((sum, file) => sum + statSync(path.join(installed, file)).size, 0);
   const sizes = {
-    esm: brotli("dist/esm/index.js"),
+    esm: ["index", "embedded", "errors"].reduce(
+      (sum, name) => sum + brotli(`dist/esm/${name}.js`),
+      0,
+    ),
     script: brotli("dist/cjs/index.js"),
     wasm: brotli("dist/apollonius.wasm"),
     code: brotli("dist/esm/wasm.js"),
@@ -88,7 +100,7 @@ test("README says how large the entries are", () => {
     /streamed.*\+ (\d+) KB/,
   ].map((pattern) => 1000 * Number(pattern.exec(readme)[1]));
   for (const [said, file] of [
-    [entry, "dist/esm/index.js"],
+    [entry, "dist/esm/embedded.js"],
     [code, "dist/esm/wasm.js"],
     [wasm, "dist/apollonius.wasm"],
   ]) {

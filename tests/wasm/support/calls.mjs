@@ -20,7 +20,7 @@ const number = (name, call) => [
 ];
 const id = (call) => [
   ["unknown-site", (d) => call(d, NONE), "site 1000 does not exist"],
-  ["unknown-site", (d) => call(d, "0"), 'site the string "0" does not exist'],
+  ["unknown-site", (d) => call(d, "0"), 'site the string "0" does not exist: ids are whole numb'],
 ];
 const numbers = (name, multiple, call) => [
   ["not-finite", (d) => call(d, [1, 2, 3, 4, NaN, 6]), `${name}[4] is NaN`],
@@ -63,7 +63,22 @@ const digits = (call) => [
   ["out-of-range", (d) => call(d, { digits: 16 }), "digits is 16"],
   ["out-of-range", (d) => call(d, { digits: "2" }), "digits is 2"],
 ];
-const drawing = (call) => [...tolerance(call), ...digits(call)];
+const unknownOption = (call) => [
+  ["bad-option", (d) => call(d, { tolerence: 1 }), "options.tolerence is unknown, expected {"],
+  ["bad-option", (d) => call(d, 0.5), "options is 0.5, expected {"],
+];
+/** Of calls that draw: with options, and with a context. */
+const drawing = (call, into) => [...tolerance(call), ...flat(call, into)];
+const flat = (call, into) => [
+  ...digits(call),
+  ...unknownOption(call),
+  [
+    "bad-option",
+    (d) => into(d, { digits: 2 }),
+    "context is an object without moveTo(): options go behind it, as in render(null, {",
+  ],
+  ["bad-option", (d) => into(d, "canvas"), 'context is the string "canvas" without moveTo()'],
+];
 
 const works = (use) => ({ use, refuses: [] });
 const ofSite = (name) => {
@@ -72,7 +87,7 @@ const ofSite = (name) => {
 };
 const drawn = (name) => {
   const use = (d, options) => d[name](null, options);
-  return { use, refuses: drawing(use) };
+  return { use, refuses: drawing(use, (d, context) => d[name](context)) };
 };
 const ofCell = (name, ...arguments_) => {
   const use = inWindow((v, site = 0) => v[name](site, ...arguments_));
@@ -90,6 +105,13 @@ export const diagramCalls = {
         () => new Diagram([], { location: "grid" }),
         'options.location is the string "grid"',
       ],
+      [
+        "bad-option",
+        () => new Diagram([], { radius: 5 }),
+        "options.radius is unknown, expected { location }",
+      ],
+      ["not-finite", () => new Diagram([[0, 0, 1]]), "Diagram.from(rows) reads rows"],
+      ["not-finite", () => new Diagram([{ x: 1 }, {}, {}]), "Diagram.from(rows) reads rows"],
     ],
   },
   from: {
@@ -103,6 +125,8 @@ export const diagramCalls = {
       ...tooMany("items", 1, (_d, items) => Diagram.from(items)),
       ["bad-length", () => Diagram.from(7), "items is 7"],
       ["bad-option", () => Diagram.from([], 7), "x is 7"],
+      ["bad-option", () => Diagram.from([{ x: 1, y: 2, radius: 5 }]), "(d) => d.radius"],
+      ["not-finite", () => Diagram.from([[1, 2], null]), "item 1 is null, expected {x, y, r}"],
     ],
   },
   fromBytes: {
@@ -259,7 +283,10 @@ export const diagramCalls = {
   render: {
     use: (d) => d.render(),
     refuses: [
-      ...drawing((d, options) => d.render(null, options)),
+      ...drawing(
+        (d, options) => d.render(null, options),
+        (d, context) => d.render(context),
+      ),
       ...window((d, box) => d.render(null, { bounds: box })),
     ],
   },
@@ -273,17 +300,26 @@ export const diagramCalls = {
 export const voronoiCalls = {
   render: {
     use: inWindow((v) => v.render()),
-    refuses: drawing(inWindow((v, options) => v.render(null, options))),
+    refuses: drawing(
+      inWindow((v, options) => v.render(null, options)),
+      inWindow((v, context) => v.render(context)),
+    ),
   },
   renderBounds: {
     use: inWindow((v) => v.renderBounds()),
-    refuses: digits(inWindow((v, options) => v.renderBounds(null, options))),
+    refuses: flat(
+      inWindow((v, options) => v.renderBounds(null, options)),
+      inWindow((v, context) => v.renderBounds(context)),
+    ),
   },
   renderCell: {
     use: inWindow((v) => v.renderCell(0)),
     refuses: [
       ...id(inWindow((v, site) => v.renderCell(site))),
-      ...drawing(inWindow((v, options) => v.renderCell(0, null, options))),
+      ...drawing(
+        inWindow((v, options) => v.renderCell(0, null, options)),
+        inWindow((v, context) => v.renderCell(0, context)),
+      ),
     ],
   },
   ...Object.fromEntries(
@@ -294,19 +330,24 @@ export const voronoiCalls = {
         refuses: [
           ...id(inWindow((v, site) => v[name](site))),
           ...tolerance(inWindow((v, options) => v[name](0, options))),
+          ...unknownOption(inWindow((v, options) => v[name](0, options))),
         ],
       },
     ]),
   ),
   cellPolygons: {
     use: inWindow((v) => [...v.cellPolygons()]),
-    refuses: tolerance(inWindow((v, options) => [...v.cellPolygons(options)])),
+    refuses: [tolerance, unknownOption].flatMap((wrong) =>
+      wrong(inWindow((v, options) => [...v.cellPolygons(options)])),
+    ),
   },
   cellCurves: ofCell("cellCurves"),
   edgeCurves: works(inWindow((v) => v.edgeCurves())),
   toGeoJSON: {
     use: inWindow((v) => v.toGeoJSON()),
-    refuses: tolerance(inWindow((v, options) => v.toGeoJSON(options))),
+    refuses: [tolerance, unknownOption].flatMap((wrong) =>
+      wrong(inWindow((v, options) => v.toGeoJSON(options))),
+    ),
   },
   contains: {
     use: inWindow((v) => v.contains(0, 0, 0)),

@@ -1,0 +1,119 @@
+// The packed package in Cloudflare's own runtime, which compiles no WebAssembly but what is
+// imported: bundled as wrangler does, with the conditions of such packages.
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { createInterface } from "node:readline";
+import { build } from "esbuild";
+import { root } from "../../tools/toolchain/folders.mjs";
+import { packed } from "../wasm/support/install_packed.mjs";
+
+const folder = path.join(packed, "edge");
+const installed = path.join(packed, "node_modules/apollonius-diagram");
+const example = path.join(root, "web/examples/cloudflare_worker.js");
+
+/** A worker of one module and the compiled module that it imports. */
+const config = `
+using Workerd = import "/workerd/workerd.capnp";
+const config :Workerd.Config = (
+  services = [(name = "main", worker = .worker)],
+  sockets = [(name = "http", address = "127.0.0.1:0", http = (), service = "main")],
+);
+const worker :Workerd.Worker = (
+  modules = [
+    (name = "worker.js", esModule = embed "worker.js"),
+    (name = "apollonius.wasm", wasm = embed "apollonius.wasm"),
+  ],
+  compatibilityDate = "2025-01-01",
+);
+`;
+
+async function bundled(source, conditions) {
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  await build({
+    stdin: { contents: source, resolveDir: packed, loader: "js" },
+    outfile: path.join(folder, "worker.js"),
+    bundle: true,
+    format: "esm",
+    conditions,
+    logLevel: "silent",
+    // As wrangler does: a module of its own, compiled.
+    plugins: [
+      {
+        name: "compiled-wasm",
+        setup({ onResolve }) {
+          onResolve({ filter: /\.wasm(\?module)?$/ }, () => ({
+            path: "./apollonius.wasm",
+            external: true,
+          }));
+        },
+      },
+    ],
+  });
+  cpSync(path.join(installed, "dist/apollonius.wasm"), path.join(folder, "apollonius.wasm"));
+  writeFileSync(path.join(folder, "config.capnp"), config);
+}
+
+/** What the worker answers to a request for each path. */
+async function answers(...paths) {
+  const program = path.join(root, "tests/strangers/node_modules/.bin/workerd");
+  const child = spawn(program, ["serve", "config.capnp", "--control-fd=3"], {
+    cwd: folder,
+    stdio: ["ignore", "inherit", "inherit", "pipe"],
+  });
+  try {
+    const lines = createInterface({ input: child.stdio[3] });
+    const [line] = await Promise.race([
+      once(lines, "line"),
+      once(child, "exit").then(([code]) => Promise.reject(new Error(`workerd ended: ${code}`))),
+    ]);
+    const { port } = JSON.parse(line);
+    const texts = [];
+    for (const name of paths) {
+      const response = await fetch(`http://127.0.0.1:${port}${name}`);
+      texts.push(await response.text());
+    }
+    return texts;
+  } finally {
+    child.kill();
+  }
+}
+
+const worker = (imports, body) =>
+  `${imports}\nexport default { async fetch(request) {\n` +
+  `try { ${body} } catch (error) { return new Response(\`\${error.code} \${error.message}\`); } } };`;
+const use = "const d = new Diagram([0, 0, 1, 9, 0, 2]); return new Response(String(d.find(8, 0)));";
+
+test("workerd: the default entry needs nothing but its condition", async () => {
+  await bundled(worker('import { Diagram } from "apollonius-diagram";', use), ["workerd"]);
+  expect(await answers("/", "/again")).toEqual(["1", "1"]);
+}, 60_000);
+
+test("edge-light: the same", async () => {
+  const source = 'import { Diagram, load } from "apollonius-diagram";';
+  await bundled(worker(source, `await load(); ${use}`), ["edge-light"]);
+  expect(await answers("/")).toEqual(["1"]);
+}, 60_000);
+
+test("the entry with a .wasm of its own loads the module that is imported", async () => {
+  const source =
+    'import { Diagram, load } from "apollonius-diagram/wasm";\n' +
+    'import compiled from "apollonius-diagram/apollonius.wasm";';
+  await bundled(worker(source, `await load(compiled); ${use}`), ["workerd"]);
+  expect(await answers("/")).toEqual(["1"]);
+}, 60_000);
+
+test("without the condition, the error says what to do", async () => {
+  await bundled(worker('import { Diagram } from "apollonius-diagram";', use), ["import"]);
+  const [answer] = await answers("/");
+  expect(answer).toMatch(/^not-loaded WebAssembly cannot be compiled here .* import the \.wasm/);
+}, 60_000);
+
+test("the example", async () => {
+  await bundled(readFileSync(example, "utf8"), ["workerd"]);
+  expect((await answers("/?x=155&y=88")).map((text) => JSON.parse(text))).toEqual([
+    { id: 0, distance: expect.closeTo(5.579, 3) },
+  ]);
+}, 60_000);

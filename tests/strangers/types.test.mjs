@@ -1,0 +1,8 @@
+// The types under other compilers than the one that made them.
+import path from "node:path";
+import { root } from "../../tools/toolchain/folders.mjs";
+import { compileUsers } from "../wasm/support/types.mjs";
+
+test.each(["5.2", "5.6", "7"])("TypeScript %s compiles users of the package", (version) => {
+  compileUsers(path.join(root, `tests/strangers/node_modules/typescript-${version}/bin/tsc`));
+}, 300_000);

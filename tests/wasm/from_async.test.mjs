@@ -1,0 +1,100 @@
+// Diagram.fromAsync: the diagram that `from` makes, while timers run; nothing when it is aborted.
+import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
+import { graph } from "./support/graph.mjs";
+import { randomCircles } from "./support/random.mjs";
+
+const xyr = randomCircles(30_000, 71, 30);
+const items = Array.from({ length: xyr.length / 3 }, (_, k) => ({
+  x: xyr[3 * k],
+  y: xyr[3 * k + 1],
+  r: xyr[3 * k + 2],
+}));
+const refused = async (promise) => {
+  const error = await promise.then(
+    () => undefined,
+    (thrown) => thrown,
+  );
+  expect(error).toBeInstanceOf(ApolloniusError);
+  return `${error.code}: ${error.message}`;
+};
+
+test("the same diagram as from, with the event loop's turns and progress between", async () => {
+  let turns = 0;
+  const timer = setInterval(() => ++turns, 0);
+  const progress = [];
+  const diagram = await Diagram.fromAsync(items, undefined, undefined, undefined, {
+    onProgress: (done) => progress.push(done),
+  });
+  clearInterval(timer);
+  expect(turns).toBeGreaterThan(2); // some tens of milliseconds, in slices of 8
+  expect(progress.length).toBeGreaterThan(2);
+  expect(progress).toEqual([...progress].sort((a, b) => a - b));
+  expect(progress.at(-1)).toBe(1);
+  expect(diagram.toBytes()).toEqual(Diagram.from(items).toBytes());
+  diagram.insert(1, 2, 3);
+  expect(diagram.size).toBe(items.length + 1);
+});
+
+test("accessors, iterables, options and small sets", async () => {
+  const built = async (...of) => graph(await Diagram.fromAsync(...of));
+  const few = items.slice(0, 100);
+  const expected = graph(Diagram.from(few));
+  expect(await built(new Set(few))).toEqual(expected);
+  expect(await built(few.map(({ x, y, r }) => [x, y, r]))).toEqual(expected);
+  const accessors = ["x", "y", "r"].map((name) => (_, index, all) => all[index][name]);
+  expect(await built(few, ...accessors, { location: "walk" })).toEqual(expected);
+  for (const count of [0, 1, 2])
+    expect(await built(few.slice(0, count))).toEqual(graph(Diagram.from(few.slice(0, count))));
+});
+
+test("aborted before and in the middle: the signal's reason", async () => {
+  const reason = new Error("enough");
+  await expect(
+    Diagram.fromAsync(items, undefined, undefined, undefined, {
+      signal: AbortSignal.abort(reason),
+    }),
+  ).rejects.toBe(reason);
+  for (const at of [0, 0.05, 0.3, 0.9]) {
+    const controller = new AbortController();
+    await expect(
+      Diagram.fromAsync(items, undefined, undefined, undefined, {
+        signal: controller.signal,
+        onProgress: (done) => done >= at && controller.abort(reason),
+      }),
+    ).rejects.toBe(reason);
+  }
+});
+
+test("what accessors and onProgress throw", async () => {
+  const error = new Error("own");
+  const fail = () => {
+    throw error;
+  };
+  await expect(Diagram.fromAsync(items, fail, fail)).rejects.toBe(error);
+  await expect(
+    Diagram.fromAsync(items, undefined, undefined, undefined, { onProgress: fail }),
+  ).rejects.toBe(error);
+});
+
+test("what is refused, named", async () => {
+  const options = (given) => Diagram.fromAsync(items, undefined, undefined, undefined, given);
+  expect(await refused(Diagram.fromAsync(7))).toMatch("bad-length: items is 7");
+  expect(await refused(Diagram.fromAsync(items, 7))).toMatch("bad-option: x is 7");
+  expect(await refused(options({ signal: 7 }))).toMatch("bad-option: options.signal is 7");
+  expect(await refused(options({ signal: null }))).toMatch("options.signal is null");
+  expect(await refused(options({ onProgress: 7 }))).toMatch("bad-option: options.onProgress is 7");
+  expect(await refused(options({ progress: 7 }))).toMatch(
+    "bad-option: options.progress is unknown",
+  );
+  expect(await refused(options({ location: "grid" }))).toMatch("bad-option: options.location");
+  const last = [...items.slice(0, 20_000), { x: 1, y: NaN, r: 1 }];
+  expect(await refused(Diagram.fromAsync(last))).toMatch("not-finite: y of item 20000 is NaN");
+});
+
+test("several at once", async () => {
+  const parts = [0, 1, 2].map((k) => items.slice(10_000 * k, 10_000 * (k + 1)));
+  const diagrams = await Promise.all(parts.map((part) => Diagram.fromAsync(part)));
+  diagrams.forEach((diagram, k) => {
+    expect(diagram.toBytes()).toEqual(Diagram.from(parts[k]).toBytes());
+  });
+});

@@ -1,0 +1,15 @@
+// Options as callers give them: what is none of them has a name that may be meant for another.
+import { described } from "./arguments.js";
+import { ApolloniusError } from "./errors.js";
+
+/** Throws "bad-option" unless these are options, or nothing, and have no other names than these. */
+export function checkOptions(options: unknown, ...names: string[]): void {
+  if (options === undefined || options === null) return;
+  const expected = `expected { ${names.join(", ")} }`;
+  const what = described(options);
+  if (what !== "an object")
+    throw new ApolloniusError("bad-option", `options is ${what}, ${expected}`);
+  for (const name in options as object)
+    if (!names.includes(name))
+      throw new ApolloniusError("bad-option", `options.${name} is unknown, ${expected}`);
+}
