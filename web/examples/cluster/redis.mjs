@@ -39,7 +39,7 @@ export async function openRedis(folder) {
   if (process.env.REDIS_URL) return { url: process.env.REDIS_URL, stop: async () => {} };
   const known = ownAddress(folder);
   const url = known && (await answers(known)) ? known : await startRedis({ folder, known });
-  return { url, stop: () => shutDown(url) };
+  return { url, stop: () => stopRedis(folder) };
 }
 
 /**
@@ -62,9 +62,10 @@ export async function startRedis({ folder, known, bind = "127.0.0.1" }) {
     'save ""',
     "maxmemory-policy noeviction", // BullMQ asks for that
   ];
-  const server = spawn("redis-server", ["-"], { stdio: ["pipe", "pipe", "inherit"] });
+  const server = spawn("redis-server", ["-"], { stdio: "pipe" });
   let log = "";
-  server.stdout.on("data", (text) => (log = (log + text).slice(-4000)));
+  for (const stream of [server.stdout, server.stderr])
+    stream.on("data", (text) => (log = (log + text).slice(-4000)));
   const ended = new Promise((_, reject) => {
     server.once("error", ({ code }) =>
       reject(new Error(code === "ENOENT" ? missing : `redis-server cannot be started: ${code}`)),
@@ -76,8 +77,7 @@ export async function startRedis({ folder, known, bind = "127.0.0.1" }) {
   server.stdin.end(`${settings.join("\n")}\n`);
   const url = `redis://:${password}@${bind}:${port}`;
   await Promise.race([ended, untilItAnswers(url)]);
-  server.unref();
-  server.stdout.unref();
+  for (const each of [server, server.stdout, server.stderr]) each.unref(); // it may outlive us
   writeFileSync(path.join(home, "url"), `${url}\n`, { mode: 0o600 });
   return url;
 }
@@ -104,7 +104,10 @@ async function answers(url) {
   }
 }
 
-async function shutDown(url) {
+/** Ends the folder's own Redis, if it runs. */
+export async function stopRedis(folder) {
+  const url = ownAddress(folder);
+  if (!url || !(await answers(url))) return;
   const client = new Redis(url, { retryStrategy: null });
   client.on("error", () => {});
   await client.shutdown().catch(() => {}); // the answer is that the connection ends
