@@ -8,20 +8,24 @@
 //   cppcheck     cppcheck on src/, without what tests/check/cppcheck.txt leaves out
 //   thorough     whole sets of tens of thousands, lack of memory among thousands; without the
 //                shadow check
+//   cluster      20 million points and a million circles by the workers of web/examples/cluster, a
+//                worker and Redis killed on the way
 //   determinism  the recorded hashes with g++ and clang++, -O0 to -O3, 32 bits, the machine's own
 //                instructions
 //
 // APOLLONIUS_DETERMINISM=clang limits the builds of the last one to those whose name has that in
 // it.
 import path from "node:path";
+import { buildPackage } from "../tools/build.mjs";
 import { ensureBoost } from "../tools/toolchain/boost.mjs";
 import { buildWithCmake } from "../tools/toolchain/cmake.mjs";
 import { withBuildLock } from "../tools/toolchain/lock.mjs";
 import { ensureNativeTools, ensureValgrind } from "../tools/toolchain/native.mjs";
-import { run } from "../tools/toolchain/process.mjs";
+import { run, SetUpError } from "../tools/toolchain/process.mjs";
+import { ensureRedis } from "../tools/toolchain/redis.mjs";
 import { cppcheck, tidy } from "./check/analyse.mjs";
 import { checkDeterminism } from "./check/determinism.mjs";
-import { ctest, runSteps, runTests } from "./steps.mjs";
+import { ctest, jest, runSteps, runTests } from "./steps.mjs";
 
 /**
  * A few of each program: what runs here takes some thirty times as long as natively. None that
@@ -91,6 +95,12 @@ await runSteps({
       ["--gtest_brief=1", "--gtest_filter=*WholeSets*:*OutOfMemory*"],
       { summary: /PASSED/, env: { APOLLONIUS_THOROUGH: "1" } },
     );
+  },
+  async cluster() {
+    const redis = ensureRedis();
+    if (redis === null) throw new SetUpError("no redis-server, and apt has none");
+    await buildPackage();
+    return jest(["cluster"], { env: { REDIS_SERVER: redis, APOLLONIUS_THOROUGH: "1" } });
   },
   async tidy() {
     native();
