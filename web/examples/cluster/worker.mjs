@@ -29,18 +29,28 @@ const context = { folder, diagram: new CurrentDiagram(redis), seconds: 0, items:
 const kinds = { assign, tile: buildTile };
 const lock = 1000 * Number(options.lock);
 
+async function perform(job, token) {
+  const { run, index } = job.data;
+  if (await hasPart(folder, run, index)) return; // by someone whose lock had expired
+  try {
+    await writePart(folder, run, index, await kinds[job.name](job.data, context));
+  } catch (error) {
+    if (!(error instanceof NoSnapshot)) throw error;
+    // the one who submitted it will put it there (again)
+    await job.moveToDelayed(Date.now() + 1000, token);
+    throw new DelayedError();
+  }
+}
+
+let since, last; // the first job began, the last one ended
 const worker = new Worker(
   kQueue,
   async (job, token) => {
-    const { run, index } = job.data;
-    if (await hasPart(folder, run, index)) return; // by someone whose lock had expired
+    since ??= performance.now();
     try {
-      await writePart(folder, run, index, await kinds[job.name](job.data, context));
-    } catch (error) {
-      if (!(error instanceof NoSnapshot)) throw error;
-      // the one who submitted it will put it there (again)
-      await job.moveToDelayed(Date.now() + 1000, token);
-      throw new DelayedError();
+      await perform(job, token);
+    } finally {
+      last = performance.now();
     }
   },
   {
@@ -62,7 +72,6 @@ for (const each of [worker, redis]) {
 redis.on("ready", () => (isAway = false));
 console.log("Waiting for jobs");
 
-const began = performance.now();
 async function end() {
   if (!isAway) await worker.close(); // after what it is at; without Redis nobody would be told
   const { seconds, items } = context;
@@ -71,7 +80,7 @@ async function end() {
     JSON.stringify({
       items,
       inFindMany: +seconds.toFixed(3), // seconds
-      running: +((performance.now() - began) / 1000).toFixed(3),
+      busy: +((last - since) / 1000 || 0).toFixed(3), // from the first job to the last
       peakMegabytes: Math.round(memory),
     }),
   );
