@@ -2,6 +2,7 @@
 // and with two, as a user starts them; each in turn, several times.
 //
 //   npm run bench -- cluster           about ten minutes; writes bench/results/cluster.md
+//   npm run bench -- cluster --rounds 1
 //   npm run bench -- cluster --quick   under a minute; writes build/bench-results/cluster.md
 import { spawn } from "node:child_process";
 import { mkdirSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
@@ -154,7 +155,7 @@ ${cpu}, ${cores} cores, ${memory}; ${system}; Node ${node}; commit ${commit}; ${
 
 ${mode.sites} circles and ${mode.points} points in jobs of ${mode.perJob}, with distances;
 ${mode.circles} circles in tiles of ${mode.perTile} at most, areas only. Medians and ranges of
-${mode.rounds} runs.
+${mode.rounds} rounds.
 
 ${table(["what", "median", "range", "goal"], rows)}
 `;
@@ -162,11 +163,15 @@ ${table(["what", "median", "range", "goal"], rows)}
 
 /** Measures and writes the report; `build: false` takes the dist/ that is there. */
 export async function measureCluster(args, { build = true } = {}) {
-  const { values } = parseArgs({ args, options: { quick: { type: "boolean" } } });
+  const { values } = parseArgs({
+    args,
+    options: { quick: { type: "boolean" }, rounds: { type: "string" } },
+  });
   if (ensureRedis() === null) throw new SetUpError("no redis-server: install it");
   if (build) await buildPackage();
   const facts = machine();
-  const mode = modes[values.quick ? "quick" : "default"];
+  const mode = { ...modes[values.quick ? "quick" : "default"] };
+  if (values.rounds) mode.rounds = Number(values.rounds);
   mkdirSync(home, { recursive: true });
   const points = await measurePoints(mode);
   const tiles = await measureTiles(mode);

@@ -117,7 +117,7 @@ describe.each(Object.keys(families))("%s", (family) => {
   });
 
   test("no point of the window lacks more than the places that are looked at", async () => {
-    // The lemma itself: points everywhere, against vertices, ends of clipped edges and corners.
+    // The lemma itself: points everywhere, against vertices and the border.
     const circles = source(family, 800, 3);
     const { random } = circles;
     for (const window of windows) {

@@ -3,10 +3,13 @@
 import { Diagram } from "apollonius-diagram";
 
 /**
- * What the results of `edgeCurves` may be off by (docs/API.md: 2^-39 of their size), and the sums
- * below, with room to spare.
+ * What coordinates of vertices may be off by (README: 2^-39 of their size, 2^-44 of a giant's), and
+ * the sums below, with room to spare.
  */
 const kRounding = 2 ** -34;
+
+/** Places at which each side of the window is looked at; what is between them is allowed for. */
+const kSteps = 1024;
 
 /**
  * The diagram of all circles in `window` ([xmin, ymin, xmax, ymax]): whatever is asked inside the
@@ -47,7 +50,7 @@ export async function tile(circles, window, halo) {
  *
  *     distance to the nearest known circle - (distance to the outside of `known` - largest)
  *
- * which is at one of: Voronoi vertices, ends of clipped edges, corners.
+ * which is at a Voronoi vertex or on the border of the window.
  */
 export function lackOf(diagram, window, known, largest) {
   const isAll = known.every((side) => !Number.isFinite(side));
@@ -58,19 +61,33 @@ export function lackOf(diagram, window, known, largest) {
   const consider = (x, y, distance) => {
     lack = Math.max(lack, distance + largest - inside(known, x, y));
   };
-  for (const x of [xmin, xmax])
-    for (const y of [ymin, ymax]) consider(x, y, diagram.nearest(x, y).distance);
-  const { curves, sites } = diagram.voronoi(window).edgeCurves();
+  const { coordinates, clearance } = diagram.vertices();
+  clearance.forEach((distance, k) => {
+    const [x, y] = [coordinates[2 * k], coordinates[2 * k + 1]];
+    if (x >= xmin && x <= xmax && y >= ymin && y <= ymax) consider(x, y, distance);
+  });
+  const border = borderOf(window);
+  const distances = new Float64Array(border.length / 2);
+  diagram.findMany(border, distances);
+  distances.forEach((distance, k) => consider(border[2 * k], border[2 * k + 1], distance));
+  // Both distances change by no more than the way does, which is half a step at most.
+  const between = spanOf(window) / kSteps;
   let reach = 0;
-  sites.forEach((id, k) => {
+  for (const id of diagram.ids()) {
     const { x, y, r } = diagram.site(id);
     reach = Math.max(reach, Math.abs(x) + Math.abs(y) + Math.abs(r));
-    for (const end of [7 * (k >> 1), 7 * (k >> 1) + 5]) {
-      const [px, py] = [curves[end], curves[end + 1]];
-      consider(px, py, Math.hypot(px - x, py - y) - r);
-    }
-  });
-  return lack + kRounding * (sizeOf(window, largest) + reach);
+  }
+  return lack + between + kRounding * (sizeOf(window, largest) + reach);
+}
+
+/** Points around a window, its corners among them. */
+function borderOf([xmin, ymin, xmax, ymax]) {
+  const xy = [];
+  for (let k = 0; k <= kSteps; ++k) {
+    const [x, y] = [xmin + (k / kSteps) * (xmax - xmin), ymin + (k / kSteps) * (ymax - ymin)];
+    xy.push(x, ymin, x, ymax, xmin, y, xmax, y);
+  }
+  return Float64Array.from(xy);
 }
 
 /** Gives each visible site the smallest id of those that are the same circle. */
