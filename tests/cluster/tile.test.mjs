@@ -94,7 +94,7 @@ describe.each(Object.keys(families))("%s", (family) => {
     const { whole, random } = circles;
     let wrong = 0;
     let right = 0;
-    for (let k = 0; k < 400; ++k) {
+    for (let k = 0; k < 200; ++k) {
       const size = 40 * 10 ** (-3 * random());
       const [x, y] = [random() * (side - size), random() * (side - size)];
       const window = [x, y, x + size, y + size];
@@ -112,8 +112,8 @@ describe.each(Object.keys(families))("%s", (family) => {
       right += isCertified;
       diagram.dispose();
     }
-    expect(wrong).toBeGreaterThan(20); // both are common, or this has tried nothing
-    expect(right).toBeGreaterThan(20);
+    expect(wrong).toBeGreaterThan(10); // both are common, or this has tried nothing
+    expect(right).toBeGreaterThan(10);
   });
 
   test("no point of the window lacks more than the places that are looked at", async () => {
