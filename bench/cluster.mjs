@@ -1,5 +1,5 @@
-// npm run bench -- cluster: points and tiles by the workers of web/examples/cluster, with one worker
-// and with two, as a user starts them; each in turn, several times.
+// npm run bench -- cluster: points and tiles by the workers of web/examples/cluster, with one
+// worker and with two, as a user starts them; each in turn, several times.
 //
 //   npm run bench -- cluster           about ten minutes; writes bench/results/cluster.md
 //   npm run bench -- cluster --rounds 1
@@ -10,7 +10,6 @@ import path from "node:path";
 import { setTimeout } from "node:timers/promises";
 import { parseArgs } from "node:util";
 import { Diagram } from "apollonius-diagram";
-import { buildPackage } from "../tools/build.mjs";
 import { run as execute, SetUpError } from "../tools/toolchain/process.mjs";
 import { ensureRedis } from "../tools/toolchain/redis.mjs";
 import { machine } from "./machine.mjs";
@@ -151,7 +150,8 @@ function report(mode, points, tiles, facts) {
   ];
   return `# Points and tiles by workers
 
-${cpu}, ${cores} cores, ${memory}; ${system}; Node ${node}; commit ${commit}; ${date}; load before: ${load}
+${cpu}, ${cores} cores, ${memory}; ${system}; Node ${node}; commit ${commit}; ${date};
+load before: ${load}
 
 ${mode.sites} circles and ${mode.points} points in jobs of ${mode.perJob}, with distances;
 ${mode.circles} circles in tiles of ${mode.perTile} at most, areas only. Medians and ranges of
@@ -168,7 +168,7 @@ export async function measureCluster(args, { build = true } = {}) {
     options: { quick: { type: "boolean" }, rounds: { type: "string" } },
   });
   if (ensureRedis() === null) throw new SetUpError("no redis-server: install it");
-  if (build) await buildPackage();
+  if (build) execute(process.execPath, [path.join(root, "tools/build.mjs")]);
   const facts = machine();
   const mode = { ...modes[values.quick ? "quick" : "default"] };
   if (values.rounds) mode.rounds = Number(values.rounds);

@@ -1,5 +1,6 @@
 // Two workers in network namespaces of their own: nothing but REDIS_URL and the folder connects
-// them with Redis, as on two machines. Where the machine allows no namespaces it is skipped, loudly.
+// them with Redis, as on two machines. Where the machine allows no namespaces it is skipped,
+// loudly.
 import { spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";

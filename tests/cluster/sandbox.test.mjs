@@ -19,7 +19,8 @@ test("the script builds, finds, saves and restores in an empty context", () => {
       try {
         diagram.insert(NaN, 0);
       } catch ({ code }) {
-        return [...diagram.findMany([0, 0, 4, 0]), diagram.voronoi([0, 0, 4, 4]).cellArea(0) > 0, code].join();
+        const area = diagram.voronoi([0, 0, 4, 4]).cellArea(0);
+        return [...diagram.findMany([0, 0, 4, 0]), area > 0, code].join();
       }
     })()`,
     context,

@@ -19,10 +19,12 @@ function separated(records, [xmin, ymin, xmax, ymax]) {
   const ids = new Float64Array(records.length / kRecord);
   let count = 0;
   for (let k = 0; k < records.length; k += kRecord) {
-    const [x, y, r, id] = records.subarray(k, k + kRecord);
+    const [x, y] = [records[k], records[k + 1]];
     if (x < xmin || y < ymin || x > xmax || y > ymax) continue;
-    xyr.set([x, y, r], 3 * count);
-    ids[count++] = id;
+    xyr[3 * count] = x;
+    xyr[3 * count + 1] = y;
+    xyr[3 * count + 2] = records[k + 2];
+    ids[count++] = records[k + 3];
   }
   return { xyr: xyr.slice(0, 3 * count), ids: ids.slice(0, count) };
 }
