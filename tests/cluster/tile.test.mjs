@@ -141,7 +141,7 @@ describe.each(Object.keys(families))("%s", (family) => {
   });
 });
 
-test("a circle far away that reaches in refutes a small halo, and a larger one has it", async () => {
+test("a circle far away that reaches in refutes small halos; a larger one has it", async () => {
   const small = (x, y) => [x, y, 0];
   const all = [small(0, 0), small(1, 0), small(0, 1), small(1, 1), [50, 0.5, 49]];
   const whole = new Diagram(all.flat());
