@@ -155,7 +155,7 @@ load before: ${load}
 
 ${mode.sites} circles and ${mode.points} points in jobs of ${mode.perJob}, with distances;
 ${mode.circles} circles in tiles of ${mode.perTile} at most, areas only. Medians and ranges of
-${mode.rounds} rounds.
+${mode.rounds} round(s).
 
 ${table(["what", "median", "range", "goal"], rows)}
 `;

@@ -43,6 +43,7 @@ async function perform(job, token) {
 }
 
 let since, last; // the first job began, the last one ended
+let memory = 0; // at the end of a job, at most; the system's own maximum counts our parent's
 const worker = new Worker(
   kQueue,
   async (job, token) => {
@@ -51,6 +52,7 @@ const worker = new Worker(
       await perform(job, token);
     } finally {
       last = performance.now();
+      memory = Math.max(memory, process.memoryUsage.rss());
     }
   },
   {
@@ -75,13 +77,12 @@ console.log("Waiting for jobs");
 async function end() {
   if (!isAway) await worker.close(); // after what it is at; without Redis nobody would be told
   const { seconds, items } = context;
-  const memory = process.resourceUsage().maxRSS / 1024;
   console.log(
     JSON.stringify({
       items,
       inFindMany: +seconds.toFixed(3), // seconds
       busy: +((last - since) / 1000 || 0).toFixed(3), // from the first job to the last
-      peakMegabytes: Math.round(memory),
+      peakMegabytes: Math.round(memory / 1e6),
     }),
   );
   process.exit();
