@@ -86,32 +86,29 @@ async function untilItAnswers(url) {
   while (!(await answers(url))) await setTimeout(50);
 }
 
-/** Whether a Redis is there and has read its append-only file. */
-async function answers(url) {
-  const client = new Redis(url, {
-    lazyConnect: true,
-    retryStrategy: null,
-    enableReadyCheck: false,
-  });
+/** What an action gives for a connection of its own; undefined if there is none, or it ends. */
+async function connected(url, action) {
+  const client = new Redis(url, { lazyConnect: true, retryStrategy: null });
   client.on("error", () => {});
   try {
     await client.connect();
-    return (await client.ping()) === "PONG";
+    return await action(client);
   } catch {
-    return false; // not there yet, or still loading
+    return undefined;
   } finally {
-    client.disconnect();
+    if (client.status !== "end") client.disconnect();
   }
+}
+
+/** Whether a Redis is there and has read its append-only file. */
+async function answers(url) {
+  return (await connected(url, (client) => client.ping())) === "PONG";
 }
 
 /** Ends the folder's own Redis, if it runs. */
 export async function stopRedis(folder) {
   const url = ownAddress(folder);
-  if (!url || !(await answers(url))) return;
-  const client = new Redis(url, { retryStrategy: null });
-  client.on("error", () => {});
-  await client.shutdown().catch(() => {}); // the answer is that the connection ends
-  client.disconnect();
+  if (url) await connected(url, (client) => client.shutdown());
 }
 
 /** A port that nobody listens on. */
