@@ -116,8 +116,8 @@ describe.each(Object.keys(families))("%s", (family) => {
     expect(right).toBeGreaterThan(10);
   });
 
-  test("no point of the window lacks more than the places that are looked at", async () => {
-    // The lemma itself: points everywhere, against vertices and the border.
+  test("no point of the window lacks more than its border", async () => {
+    // The lemma itself: points everywhere, against those on the border.
     const circles = source(family, 800, 3);
     const { random } = circles;
     for (const window of windows) {

@@ -2,14 +2,11 @@
 // from those near it and the largest of all. docs/SCALE.md has the proof.
 import { Diagram } from "apollonius-diagram";
 
-/**
- * What coordinates of vertices may be off by (README: 2^-39 of their size, 2^-44 of a giant's), and
- * the sums below, with room to spare.
- */
-const kRounding = 2 ** -34;
-
 /** Places at which each side of the window is looked at; what is between them is allowed for. */
 const kSteps = 1024;
+
+/** What rounding may do to the sums below, against the numbers in them, with room to spare. */
+const kRounding = 2 ** -40;
 
 /**
  * The diagram of all circles in `window` ([xmin, ymin, xmax, ymax]): whatever is asked inside the
@@ -50,33 +47,25 @@ export async function tile(circles, window, halo) {
  *
  *     distance to the nearest known circle - (distance to the outside of `known` - largest)
  *
- * which is at a Voronoi vertex or on the border of the window.
+ * which is on the border: going from a point straight to the nearest side of `known`, the second
+ * distance falls by as much as the way is long, and the first by no more.
  */
 export function lackOf(diagram, window, known, largest) {
   const isAll = known.every((side) => !Number.isFinite(side));
   if (isAll || largest === -Infinity) return -Infinity; // there are no others
   if (diagram.size === 0) return Infinity;
-  const [xmin, ymin, xmax, ymax] = window;
+  const xy = borderOf(window);
+  const distances = new Float64Array(xy.length / 2);
+  const nearest = diagram.findMany(xy, distances);
   let lack = -Infinity;
-  const consider = (x, y, distance) => {
-    lack = Math.max(lack, distance + largest - inside(known, x, y));
-  };
-  const { coordinates, clearance } = diagram.vertices();
-  clearance.forEach((distance, k) => {
-    const [x, y] = [coordinates[2 * k], coordinates[2 * k + 1]];
-    if (x >= xmin && x <= xmax && y >= ymin && y <= ymax) consider(x, y, distance);
-  });
-  const border = borderOf(window);
-  const distances = new Float64Array(border.length / 2);
-  diagram.findMany(border, distances);
-  distances.forEach((distance, k) => consider(border[2 * k], border[2 * k + 1], distance));
-  // Both distances change by no more than the way does, which is half a step at most.
-  const between = spanOf(window) / kSteps;
   let reach = 0;
-  for (const id of diagram.ids()) {
+  nearest.forEach((id, k) => {
+    lack = Math.max(lack, distances[k] + largest - inside(known, xy[2 * k], xy[2 * k + 1]));
     const { x, y, r } = diagram.site(id);
     reach = Math.max(reach, Math.abs(x) + Math.abs(y) + Math.abs(r));
-  }
+  });
+  // Neither distance changes by more than the way does, which is half a step at most.
+  const between = spanOf(window) / kSteps;
   return lack + between + kRounding * (sizeOf(window, largest) + reach);
 }
 
