@@ -159,6 +159,7 @@ withRedis(
     expect(sameFile(path.join(folder, "result.ids.i32"), ids)).toBe(true);
     expect(existsSync(path.join(folder, "result.distances.f64"))).toBe(false);
     worker.child.kill("SIGTERM");
+    expect(await worker.ended).toBe(0); // although Redis has gone with submit
 
     // The folder of one run is not another's.
     const other = start("submit.mjs", [...submission, "--distances"]);

@@ -75,7 +75,9 @@ redis.on("ready", () => (isAway = false));
 console.log("Waiting for jobs");
 
 async function end() {
-  if (!isAway) await worker.close(); // after what it is at; without Redis nobody would be told
+  // After what it is at; if Redis is gone, or goes meanwhile, there is nobody to tell.
+  const gone = new Promise((resolve) => redis.once("close", resolve));
+  if (redis.status === "ready") await Promise.race([worker.close(), gone]);
   const { seconds, items } = context;
   console.log(
     JSON.stringify({
