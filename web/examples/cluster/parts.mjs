@@ -85,6 +85,13 @@ export async function removePart(folder, index) {
   await rm(partFile(folder, index), { force: true });
 }
 
+/** Removes what workers that died had begun to write. */
+export async function removeDrafts(folder) {
+  const names = await readdir(folderOf(folder)).catch(() => []);
+  for (const name of names)
+    if (!name.endsWith(".part")) await rm(path.join(folderOf(folder), name), { force: true });
+}
+
 /** The jobs that have left a part, whatever it is worth. */
 export async function listParts(folder) {
   const names = await readdir(folderOf(folder)).catch(() => []);
