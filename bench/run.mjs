@@ -7,6 +7,8 @@
 //   npm run bench -- --only families   one part: scaling, families, orders, table1, moves, drawing,
 //                                      snapshots, border
 //   npm run bench -- --without cgal    leaves a contender out (may be repeated)
+//   npm run bench -- cluster           points and tiles by the workers of web/examples/cluster:
+//                                      bench/cluster.mjs
 //
 // The first goes to bench/results/latest.{json,md,svg}, --full to bench/results/ too, all others to
 // build/bench-results/.
@@ -15,6 +17,7 @@ import path from "node:path";
 import { parseArgs } from "node:util";
 import { SetUpError } from "../tools/toolchain/process.mjs";
 import { main } from "../tools/toolchain/setup.mjs";
+import { measureCluster } from "./cluster.mjs";
 import { names, stopAll } from "./contenders.mjs";
 import { machine } from "./machine.mjs";
 import { disagreements, runScenes } from "./measure.mjs";
@@ -47,7 +50,8 @@ function progress(share, text) {
     process.stderr.write(`\r\x1b[K${(100 * share).toFixed(0).padStart(3)} %  ${text}`);
 }
 
-await main(async () => {
+/** All contenders, in one report. */
+async function contenders() {
   const { mode, only, without } = options();
   const hasCgal = await buildContenders();
   const isThere = (name) => (name !== "cgal" || hasCgal) && !without.includes(name);
@@ -82,4 +86,7 @@ await main(async () => {
     picture(records, `${cpu}, ${cores} cores; Node ${node}; commit ${commit}; ${date}`),
   );
   console.log(`Written to ${path.relative(process.cwd(), folder)}/latest.{json,md,svg}`);
-});
+}
+
+const [part, ...rest] = process.argv.slice(2);
+await main(() => (part === "cluster" ? measureCluster(rest) : contenders()));

@@ -10,6 +10,8 @@
 //                shadow check
 //   strangers    the package in what is too large for every npm ci: other bundlers, other versions
 //                of TypeScript, an edge runtime, Vitest (tests/strangers)
+//   cluster      20 million points and a million circles by the workers of web/examples/cluster, a
+//                worker and Redis killed on the way
 //   determinism  the recorded hashes with g++ and clang++, -O0 to -O3, 32 bits, the machine's own
 //                instructions
 //
@@ -23,10 +25,11 @@ import { buildWithCmake } from "../tools/toolchain/cmake.mjs";
 import { withBuildLock } from "../tools/toolchain/lock.mjs";
 import { ensureNativeTools, ensureValgrind } from "../tools/toolchain/native.mjs";
 import { root } from "../tools/toolchain/folders.mjs";
-import { run } from "../tools/toolchain/process.mjs";
+import { run, SetUpError } from "../tools/toolchain/process.mjs";
+import { ensureRedis } from "../tools/toolchain/redis.mjs";
 import { cppcheck, tidy } from "./check/analyse.mjs";
 import { checkDeterminism } from "./check/determinism.mjs";
-import { ctest, runSteps, runTests } from "./steps.mjs";
+import { ctest, jest, runSteps, runTests } from "./steps.mjs";
 import { installPacked } from "./wasm/support/install_packed.mjs";
 
 /**
@@ -98,6 +101,12 @@ await runSteps({
       { summary: /PASSED/, env: { APOLLONIUS_THOROUGH: "1" } },
     );
   },
+  async cluster() {
+    const redis = ensureRedis();
+    if (redis === null) throw new SetUpError("no redis-server, and apt has none");
+    await buildPackage();
+    return jest(["cluster"], { env: { REDIS_SERVER: redis, APOLLONIUS_THOROUGH: "1" } });
+  },
   async tidy() {
     native();
     return tidy();
@@ -108,18 +117,7 @@ await runSteps({
     await buildPackage();
     installPacked();
     run("npm", ["install", "--prefix", path.join(root, "tests/strangers")]);
-    return runTests(
-      process.execPath,
-      [
-        "--experimental-vm-modules",
-        path.join(root, "node_modules/jest/bin/jest.js"),
-        "--config",
-        path.join(root, "tests/jest.config.mjs"),
-        "--selectProjects",
-        "strangers",
-      ],
-      { summary: /^Tests: /, env: { NODE_NO_WARNINGS: "1", ...browsers } },
-    );
+    return jest(["strangers"], { env: browsers });
   },
   async determinism() {
     native();

@@ -22,29 +22,13 @@ import { withBuildLock } from "../tools/toolchain/lock.mjs";
 import { ensureNativeTools } from "../tools/toolchain/native.mjs";
 import { SetUpError } from "../tools/toolchain/process.mjs";
 import { ensureRedis } from "../tools/toolchain/redis.mjs";
-import { ctest, runSteps, runTests } from "./steps.mjs";
+import { ctest, jest, runSteps, runTests } from "./steps.mjs";
 import { installPacked } from "./wasm/support/install_packed.mjs";
 
 const wanted = process.argv.slice(2);
 const at = wanted.indexOf("-t");
 /** What the names of the tests that are run have in them; undefined: all. */
 const name = at < 0 ? undefined : wanted.splice(at, 2)[1];
-
-function jest(projects, env = {}) {
-  const args = [
-    "--experimental-vm-modules",
-    "node_modules/jest/bin/jest.js",
-    "--config",
-    "tests/jest.config.mjs",
-    "--selectProjects",
-    ...projects,
-    ...(name === undefined ? [] : ["-t", name]),
-  ];
-  return runTests(process.execPath, args, {
-    summary: /^Tests: /,
-    env: { NODE_NO_WARNINGS: "1", ...env },
-  });
-}
 
 /** The programs themselves: as wasm, CTest knows no single tests. */
 async function wasmTests(folder) {
@@ -83,7 +67,7 @@ const steps = {
     const browsers = { CHROMIUM: ensureChromium() ?? "", FIREFOX: ensureFirefox() ?? "" };
     await buildPackage();
     installPacked();
-    const line = await jest(["package", "layers"], browsers);
+    const line = await jest(["package", "layers"], { name, env: browsers });
     const missing = Object.keys(browsers).filter((name) => browsers[name] === "");
     return missing.length === 0
       ? line
@@ -95,7 +79,7 @@ const steps = {
       throw new SetUpError("no redis-server, and apt has none that could be installed");
     }
     await buildPackage();
-    const line = await jest(["cluster"], { REDIS_SERVER: redis ?? "" });
+    const line = await jest(["cluster"], { name, env: { REDIS_SERVER: redis ?? "" } });
     return redis ? line : `${line}   WITHOUT REDIS: install redis-server`;
   },
   async web() {
@@ -107,7 +91,7 @@ const steps = {
     }
     await buildPackage();
     checkPage();
-    const line = await jest(["web"], { CHROMIUM: chromium ?? "" });
+    const line = await jest(["web"], { name, env: { CHROMIUM: chromium ?? "" } });
     return chromium
       ? line
       : `${line}   WITHOUT A BROWSER: install Chromium, or set CHROMIUM to its path`;

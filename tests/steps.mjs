@@ -47,6 +47,23 @@ export function ctest(folder, { env, name } = {}) {
   return runTests("ctest", args, { summary: /tests passed, \d+ tests? failed/, boring, env });
 }
 
+/** Projects of tests/jest.config.mjs, or their tests whose names match. */
+export function jest(projects, { env, name } = {}) {
+  const args = [
+    "--experimental-vm-modules",
+    "node_modules/jest/bin/jest.js",
+    "--config",
+    "tests/jest.config.mjs",
+    "--selectProjects",
+    ...projects,
+    ...(name === undefined ? [] : ["-t", name]),
+  ];
+  return runTests(process.execPath, args, {
+    summary: /^Tests: /,
+    env: { NODE_NO_WARNINGS: "1", ...env },
+  });
+}
+
 function secondsSince(start) {
   return `${((performance.now() - start) / 1000).toFixed(0)} s`;
 }

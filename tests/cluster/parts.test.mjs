@@ -1,5 +1,6 @@
 // Parts are whole, of their job and run, and unchanged, or they are not taken.
-import { readFileSync, truncateSync, writeFileSync } from "node:fs";
+import { readdirSync, readFileSync, truncateSync, writeFileSync } from "node:fs";
+import path from "node:path";
 import { beforeEach, expect, test } from "@jest/globals";
 import {
   BadPart,
@@ -7,6 +8,7 @@ import {
   listParts,
   partFile,
   readPart,
+  removeDrafts,
   removePart,
   writePart,
 } from "../../web/examples/cluster/parts.mjs";
@@ -32,6 +34,13 @@ test("doing a job twice gives the same file", async () => {
   const before = readFileSync(partFile(folder, 5));
   await writePart(folder, "run", 5, sections);
   expect(readFileSync(partFile(folder, 5)).equals(before)).toBe(true);
+});
+
+test("what a worker had only begun to write is no part, and can be removed", async () => {
+  writeFileSync(`${partFile(folder, 6)}.draft`, "{");
+  expect(await listParts(folder)).toEqual([5]);
+  await removeDrafts(folder);
+  expect(readdirSync(path.dirname(partFile(folder, 5)))).toHaveLength(1);
 });
 
 test("every changed byte is noticed, in the header and in the sections", async () => {

@@ -94,7 +94,7 @@ describe.each(Object.keys(families))("%s", (family) => {
     const { whole, random } = circles;
     let wrong = 0;
     let right = 0;
-    for (let k = 0; k < 400; ++k) {
+    for (let k = 0; k < 200; ++k) {
       const size = 40 * 10 ** (-3 * random());
       const [x, y] = [random() * (side - size), random() * (side - size)];
       const window = [x, y, x + size, y + size];
@@ -112,12 +112,12 @@ describe.each(Object.keys(families))("%s", (family) => {
       right += isCertified;
       diagram.dispose();
     }
-    expect(wrong).toBeGreaterThan(20); // both are common, or this has tried nothing
-    expect(right).toBeGreaterThan(20);
+    expect(wrong).toBeGreaterThan(10); // both are common, or this has tried nothing
+    expect(right).toBeGreaterThan(10);
   });
 
-  test("no point of the window lacks more than the places that are looked at", async () => {
-    // The lemma itself: points everywhere, against vertices, ends of clipped edges and corners.
+  test("no point of the window lacks more than its border", async () => {
+    // The lemma itself: points everywhere, against those on the border.
     const circles = source(family, 800, 3);
     const { random } = circles;
     for (const window of windows) {
@@ -141,7 +141,7 @@ describe.each(Object.keys(families))("%s", (family) => {
   });
 });
 
-test("a circle far away that reaches in refutes a small halo, and is found by a larger one", async () => {
+test("a circle far away that reaches in refutes small halos; a larger one has it", async () => {
   const small = (x, y) => [x, y, 0];
   const all = [small(0, 0), small(1, 0), small(0, 1), small(1, 1), [50, 0.5, 49]];
   const whole = new Diagram(all.flat());

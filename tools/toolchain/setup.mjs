@@ -1,7 +1,7 @@
 // Everything that a build needs, installed where it is missing: fast when nothing is.
 //
-//   node tools/toolchain/setup.mjs [boost | emscripten | native | browser | firefox | redis | npm]...
-//   (all by default)
+//   node tools/toolchain/setup.mjs [PART]...
+//   PART: boost, emscripten, native, browser, firefox, redis, npm (all by default)
 import { pathToFileURL } from "node:url";
 import { ensureBoost } from "./boost.mjs";
 import { ensureChromium, ensureFirefox } from "./browser.mjs";

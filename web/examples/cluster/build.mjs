@@ -8,7 +8,8 @@
 //
 //   --circles     little-endian float64 triples x, y, r; ids are 0, 1, 2, …
 //   --window      by default the smallest that has all centres
-//   --per-tile    circles of a tile at most, by default 100000: some 100 MB of a worker's memory
+//   --per-tile    circles of a tile at most, by default 100000: some 200 MB of a worker's memory,
+//                 600 with --geojson
 //   --geojson     the cells themselves, too
 import { existsSync, statSync } from "node:fs";
 import path from "node:path";

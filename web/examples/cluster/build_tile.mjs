@@ -17,8 +17,13 @@ export async function buildTile({ run, store, window, halo, tolerance, geojson }
   try {
     const voronoi = diagram.voronoi(window);
     const areas = voronoi.cellAreas();
-    const own = [...areas.keys()].filter((k) => areas[k] > 0);
-    const pairs = Float64Array.from(own.flatMap((k) => [ids[k], areas[k]]));
+    const own = [];
+    for (let k = 0; k < areas.length; ++k) if (areas[k] > 0) own.push(k);
+    const pairs = new Float64Array(2 * own.length);
+    own.forEach((k, at) => {
+      pairs[2 * at] = ids[k];
+      pairs[2 * at + 1] = areas[k];
+    });
     const features = geojson
       ? own.map((k) => feature(voronoi, k, ids[k], areas[k], tolerance))
       : [];

@@ -13,17 +13,23 @@ function readDoubles(file) {
   return new Float64Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
 }
 
-/** Records as the triples that diagrams take, and their ids. */
-function separated(records) {
-  const count = records.length / kRecord;
-  const xyr = new Float64Array(3 * count);
-  const ids = new Float64Array(count);
-  for (let k = 0; k < count; ++k) {
-    xyr.set(records.subarray(kRecord * k, kRecord * k + 3), 3 * k);
-    ids[k] = records[kRecord * k + 3];
+/** The records with centres in a rectangle, as the triples that diagrams take and their ids. */
+function separated(records, [xmin, ymin, xmax, ymax]) {
+  const xyr = new Float64Array((3 * records.length) / kRecord);
+  const ids = new Float64Array(records.length / kRecord);
+  let count = 0;
+  for (let k = 0; k < records.length; k += kRecord) {
+    const [x, y] = [records[k], records[k + 1]];
+    if (x < xmin || y < ymin || x > xmax || y > ymax) continue;
+    xyr[3 * count] = x;
+    xyr[3 * count + 1] = y;
+    xyr[3 * count + 2] = records[k + 2];
+    ids[count++] = records[k + 3];
   }
-  return { xyr, ids };
+  return { xyr: xyr.slice(0, 3 * count), ids: ids.slice(0, count) };
 }
+
+const kEverywhere = [-Infinity, -Infinity, Infinity, Infinity];
 
 export class CircleStore {
   #home;
@@ -37,10 +43,10 @@ export class CircleStore {
     this.mean = index.mean; // of the radii
     this.largest = index.largest ?? -Infinity; // radius beside the giants; there may be none
     this.starts = readDoubles(path.join(home, "starts.f64"));
-    this.giants = separated(readDoubles(path.join(home, "giants.f64")));
+    this.giants = separated(readDoubles(path.join(home, "giants.f64")), kEverywhere);
   }
 
-  /** All circles, but the giants, of the buckets that a rectangle meets. */
+  /** All circles, but the giants, with centres in a rectangle. */
   async within([xmin, ymin, xmax, ymax]) {
     const { x, y } = this.grid;
     const [left, right] = [x.bucket(xmin), x.bucket(xmax)];
@@ -62,13 +68,13 @@ export class CircleStore {
     } finally {
       await input.close();
     }
-    // no centre is outside the grid
+    const [least, lowest, most, highest] = this.bounds; // no centre is outside
     const known = [
-      left === 0 ? -Infinity : x.line(left),
-      bottom === 0 ? -Infinity : y.line(bottom),
-      right === x.count - 1 ? Infinity : x.line(right + 1),
-      top === y.count - 1 ? Infinity : y.line(top + 1),
+      xmin <= least ? -Infinity : xmin,
+      ymin <= lowest ? -Infinity : ymin,
+      xmax >= most ? Infinity : xmax,
+      ymax >= highest ? Infinity : ymax,
     ];
-    return { ...separated(records), known };
+    return { ...separated(records, known), known };
   }
 }

@@ -7,7 +7,7 @@
 import { rename, rm } from "node:fs/promises";
 import { parseArgs } from "node:util";
 import { formats } from "./formats/index.mjs";
-import { BadPart, listParts, readPart, removePart } from "./parts.mjs";
+import { BadPart, listParts, readPart, removeDrafts, removePart } from "./parts.mjs";
 import { readPlan } from "./run.mjs";
 import * as tiles from "./tiles.mjs";
 
@@ -19,6 +19,7 @@ const { folder, out } = options;
 
 const { kind, run, common, jobs } = readPlan(folder);
 const bad = new Set();
+const kMostNamed = 20;
 
 /** The sections of all parts in order; those of bad ones are left out, and counted. */
 async function* parts() {
@@ -40,9 +41,11 @@ const { join } = kind === "tile" ? tiles : formats[common.format];
 const drafts = await join(`${out}.draft`, parts, common);
 if (bad.size > 0) {
   for (const draft of drafts) await rm(draft);
-  console.error(`Missing or damaged: ${bad.size} of ${jobs.length} parts (${[...bad].join(", ")})`);
+  const some = [...bad].slice(0, kMostNamed).join(", ") + (bad.size > kMostNamed ? ", …" : "");
+  console.error(`Missing or damaged: ${bad.size} of ${jobs.length} parts (${some})`);
   process.exitCode = 1;
 } else {
+  await removeDrafts(folder);
   for (const draft of drafts) {
     const file = out + draft.slice(`${out}.draft`.length);
     await rename(draft, file);

@@ -1,5 +1,5 @@
-// A grid of buckets over a rectangle. Its lines are the same numbers for all who ask, and what is in
-// a bucket is between its lines, whatever divisions round to.
+// A grid of buckets over a rectangle. Its lines are the same numbers for all who ask, and what is
+// in a bucket is between its lines, whatever divisions round to.
 
 class Axis {
   constructor(low, high, count) {

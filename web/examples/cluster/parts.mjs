@@ -1,7 +1,7 @@
-// Parts: what a job leaves in the work folder, one file each. A line of JSON says which job of which
-// run it is, how long its sections are, and their SHA-256; then come the sections. A part is
-// written beside its place and moved there, so it is whole or not there, and whoever does a job
-// twice writes the same bytes.
+// Parts: what a job leaves in the work folder, one file each. A line of JSON says which job of
+// which run it is, how long its sections are, and the SHA-256 of all that; then come the
+// sections. A part is written beside its place and moved there, so it is whole or not there, and
+// whoever does a job twice writes the same bytes.
 import { createHash, randomUUID } from "node:crypto";
 import { mkdir, open, readdir, readFile, rename, rm } from "node:fs/promises";
 import path from "node:path";
@@ -83,6 +83,13 @@ export async function readPart(folder, run, index) {
 
 export async function removePart(folder, index) {
   await rm(partFile(folder, index), { force: true });
+}
+
+/** Removes what workers that died had begun to write. */
+export async function removeDrafts(folder) {
+  const names = await readdir(folderOf(folder)).catch(() => []);
+  for (const name of names)
+    if (!name.endsWith(".part")) await rm(path.join(folderOf(folder), name), { force: true });
 }
 
 /** The jobs that have left a part, whatever it is worth. */

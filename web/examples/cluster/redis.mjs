@@ -39,7 +39,7 @@ export async function openRedis(folder) {
   if (process.env.REDIS_URL) return { url: process.env.REDIS_URL, stop: async () => {} };
   const known = ownAddress(folder);
   const url = known && (await answers(known)) ? known : await startRedis({ folder, known });
-  return { url, stop: () => shutDown(url) };
+  return { url, stop: () => stopRedis(folder) };
 }
 
 /**
@@ -62,9 +62,10 @@ export async function startRedis({ folder, known, bind = "127.0.0.1" }) {
     'save ""',
     "maxmemory-policy noeviction", // BullMQ asks for that
   ];
-  const server = spawn("redis-server", ["-"], { stdio: ["pipe", "pipe", "inherit"] });
+  const server = spawn("redis-server", ["-"], { stdio: "pipe" });
   let log = "";
-  server.stdout.on("data", (text) => (log = (log + text).slice(-4000)));
+  for (const stream of [server.stdout, server.stderr])
+    stream.on("data", (text) => (log = (log + text).slice(-4000)));
   const ended = new Promise((_, reject) => {
     server.once("error", ({ code }) =>
       reject(new Error(code === "ENOENT" ? missing : `redis-server cannot be started: ${code}`)),
@@ -76,8 +77,7 @@ export async function startRedis({ folder, known, bind = "127.0.0.1" }) {
   server.stdin.end(`${settings.join("\n")}\n`);
   const url = `redis://:${password}@${bind}:${port}`;
   await Promise.race([ended, untilItAnswers(url)]);
-  server.unref();
-  server.stdout.unref();
+  for (const each of [server, server.stdout, server.stderr]) each.unref(); // it may outlive us
   writeFileSync(path.join(home, "url"), `${url}\n`, { mode: 0o600 });
   return url;
 }
@@ -86,29 +86,29 @@ async function untilItAnswers(url) {
   while (!(await answers(url))) await setTimeout(50);
 }
 
-/** Whether a Redis is there and has read its append-only file. */
-async function answers(url) {
-  const client = new Redis(url, {
-    lazyConnect: true,
-    retryStrategy: null,
-    enableReadyCheck: false,
-  });
+/** What an action gives for a connection of its own; undefined if there is none, or it ends. */
+async function connected(url, action) {
+  const client = new Redis(url, { lazyConnect: true, retryStrategy: null });
   client.on("error", () => {});
   try {
     await client.connect();
-    return (await client.ping()) === "PONG";
+    return await action(client);
   } catch {
-    return false; // not there yet, or still loading
+    return undefined;
   } finally {
-    client.disconnect();
+    if (client.status !== "end") client.disconnect();
   }
 }
 
-async function shutDown(url) {
-  const client = new Redis(url, { retryStrategy: null });
-  client.on("error", () => {});
-  await client.shutdown().catch(() => {}); // the answer is that the connection ends
-  client.disconnect();
+/** Whether a Redis is there and has read its append-only file. */
+async function answers(url) {
+  return (await connected(url, (client) => client.ping())) === "PONG";
+}
+
+/** Ends the folder's own Redis, if it runs. */
+export async function stopRedis(folder) {
+  const url = ownAddress(folder);
+  if (url) await connected(url, (client) => client.shutdown());
 }
 
 /** A port that nobody listens on. */

@@ -14,7 +14,7 @@ export function hashOf(bytes) {
   return createHash("sha256").update(bytes).digest("hex");
 }
 
-/** Puts a snapshot into Redis, for a week, unless it is there. The length comes last: it is whole. */
+/** Puts a snapshot into Redis, for a week, unless it is there; the length, of a whole one, last. */
 export async function putSnapshot(redis, hash, bytes) {
   const key = keyOf(hash);
   if (await redis.hexists(key, "length")) return;

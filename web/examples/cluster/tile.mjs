@@ -2,11 +2,11 @@
 // from those near it and the largest of all. docs/SCALE.md has the proof.
 import { Diagram } from "apollonius-diagram";
 
-/**
- * What the results of `edgeCurves` may be off by (docs/API.md: 2^-39 of their size), and the sums
- * below, with room to spare.
- */
-const kRounding = 2 ** -34;
+/** Places at which each side of the window is looked at; what is between them is allowed for. */
+const kSteps = 1024;
+
+/** What rounding may do to the sums below, against the numbers in them, with room to spare. */
+const kRounding = 2 ** -40;
 
 /**
  * The diagram of all circles in `window` ([xmin, ymin, xmax, ymax]): whatever is asked inside the
@@ -47,30 +47,36 @@ export async function tile(circles, window, halo) {
  *
  *     distance to the nearest known circle - (distance to the outside of `known` - largest)
  *
- * which is at one of: Voronoi vertices, ends of clipped edges, corners.
+ * which is on the border: going from a point straight to the nearest side of `known`, the second
+ * distance falls by as much as the way is long, and the first by no more.
  */
 export function lackOf(diagram, window, known, largest) {
   const isAll = known.every((side) => !Number.isFinite(side));
   if (isAll || largest === -Infinity) return -Infinity; // there are no others
   if (diagram.size === 0) return Infinity;
-  const [xmin, ymin, xmax, ymax] = window;
+  const xy = borderOf(window);
+  const distances = new Float64Array(xy.length / 2);
+  const nearest = diagram.findMany(xy, distances);
   let lack = -Infinity;
-  const consider = (x, y, distance) => {
-    lack = Math.max(lack, distance + largest - inside(known, x, y));
-  };
-  for (const x of [xmin, xmax])
-    for (const y of [ymin, ymax]) consider(x, y, diagram.nearest(x, y).distance);
-  const { curves, sites } = diagram.voronoi(window).edgeCurves();
   let reach = 0;
-  sites.forEach((id, k) => {
+  nearest.forEach((id, k) => {
+    lack = Math.max(lack, distances[k] + largest - inside(known, xy[2 * k], xy[2 * k + 1]));
     const { x, y, r } = diagram.site(id);
     reach = Math.max(reach, Math.abs(x) + Math.abs(y) + Math.abs(r));
-    for (const end of [7 * (k >> 1), 7 * (k >> 1) + 5]) {
-      const [px, py] = [curves[end], curves[end + 1]];
-      consider(px, py, Math.hypot(px - x, py - y) - r);
-    }
   });
-  return lack + kRounding * (sizeOf(window, largest) + reach);
+  // Neither distance changes by more than the way does, which is half a step at most.
+  const between = spanOf(window) / kSteps;
+  return lack + between + kRounding * (sizeOf(window, largest) + reach);
+}
+
+/** Points around a window, its corners among them. */
+function borderOf([xmin, ymin, xmax, ymax]) {
+  const xy = [];
+  for (let k = 0; k <= kSteps; ++k) {
+    const [x, y] = [xmin + (k / kSteps) * (xmax - xmin), ymin + (k / kSteps) * (ymax - ymin)];
+    xy.push(x, ymin, x, ymax, xmin, y, xmax, y);
+  }
+  return Float64Array.from(xy);
 }
 
 /** Gives each visible site the smallest id of those that are the same circle. */

@@ -1,12 +1,12 @@
-// The tiles of a store: rectangles of whole buckets, of about as many circles each however these are
-// spread; and their parts put together.
+// The tiles of a store: rectangles of whole buckets, of about as many circles each however these
+// are spread; and their parts put together.
 import { open } from "node:fs/promises";
 import { joinSections } from "./formats/join.mjs";
 
 const kSpacings = 4; // that are looked around a tile at first, beside the radii
 const kSlice = 1 << 26; // areas at once
 
-/** Tiles of at most so many circles (or one bucket), clipped to the window: {window, halo, size}. */
+/** Tiles {window, halo, size} of at most so many circles, or one bucket, inside the window. */
 export function planTiles({ grid, starts, largest, mean }, window, perTile) {
   const sums = summed(grid, starts);
   const counted = (left, bottom, right, top) =>

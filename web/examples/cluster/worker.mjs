@@ -29,18 +29,30 @@ const context = { folder, diagram: new CurrentDiagram(redis), seconds: 0, items:
 const kinds = { assign, tile: buildTile };
 const lock = 1000 * Number(options.lock);
 
+async function perform(job, token) {
+  const { run, index } = job.data;
+  if (await hasPart(folder, run, index)) return; // by someone whose lock had expired
+  try {
+    await writePart(folder, run, index, await kinds[job.name](job.data, context));
+  } catch (error) {
+    if (!(error instanceof NoSnapshot)) throw error;
+    // the one who submitted it will put it there (again)
+    await job.moveToDelayed(Date.now() + 1000, token);
+    throw new DelayedError();
+  }
+}
+
+let since, last; // the first job began, the last one ended
+let memory = 0; // at the end of a job, at most; the system's own maximum counts our parent's
 const worker = new Worker(
   kQueue,
   async (job, token) => {
-    const { run, index } = job.data;
-    if (await hasPart(folder, run, index)) return; // by someone whose lock had expired
+    since ??= performance.now();
     try {
-      await writePart(folder, run, index, await kinds[job.name](job.data, context));
-    } catch (error) {
-      if (!(error instanceof NoSnapshot)) throw error;
-      // the one who submitted it will put it there (again)
-      await job.moveToDelayed(Date.now() + 1000, token);
-      throw new DelayedError();
+      await perform(job, token);
+    } finally {
+      last = performance.now();
+      memory = Math.max(memory, process.memoryUsage.rss());
     }
   },
   {
@@ -62,17 +74,17 @@ for (const each of [worker, redis]) {
 redis.on("ready", () => (isAway = false));
 console.log("Waiting for jobs");
 
-const began = performance.now();
 async function end() {
-  if (!isAway) await worker.close(); // after what it is at; without Redis nobody would be told
+  // After what it is at; if Redis is gone, or goes meanwhile, there is nobody to tell.
+  const gone = new Promise((resolve) => redis.once("close", resolve));
+  if (redis.status === "ready") await Promise.race([worker.close(), gone]);
   const { seconds, items } = context;
-  const memory = process.resourceUsage().maxRSS / 1024;
   console.log(
     JSON.stringify({
       items,
       inFindMany: +seconds.toFixed(3), // seconds
-      running: +((performance.now() - began) / 1000).toFixed(3),
-      peakMegabytes: Math.round(memory),
+      busy: +((last - since) / 1000 || 0).toFixed(3), // from the first job to the last
+      peakMegabytes: Math.round(memory / 1e6),
     }),
   );
   process.exit();

@@ -40,7 +40,7 @@ async function lineAt(input, place) {
   return buffer.subarray(0, end < 0 ? bytesRead : end + 1);
 }
 
-/** Where x and y are in a line, and where the first point is: after the heading, if there is one. */
+/** Where x and y are in a line, and where the first point is: after the heading, if any. */
 function columnsOf(first, names) {
   const [cells = []] = Papa.parse(first.toString("utf8").trimEnd()).data;
   const at = names.map((name) => cells.findIndex((cell) => cell.trim() === name));

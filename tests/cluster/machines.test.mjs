@@ -1,0 +1,89 @@
+// Two workers in network namespaces of their own: nothing but REDIS_URL and the folder connects
+// them with Redis, as on two machines. Where the machine allows no namespaces it is skipped,
+// loudly.
+import { spawnSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { afterAll, expect, test } from "@jest/globals";
+import { Diagram } from "apollonius-diagram";
+import { listParts } from "../../web/examples/cluster/parts.mjs";
+import { startRedis, stopRedis } from "../../web/examples/cluster/redis.mjs";
+import { generator, randomCircles } from "../wasm/support/random.mjs";
+import { emptyFolder, writeArray } from "./support/files.mjs";
+import { finish, start, stopAll, until } from "./support/processes.mjs";
+
+const names = [1, 2].map((k) => `apollonius-${process.pid}-${k}`);
+const bridge = `ap${process.pid}`;
+const net = `10.${213 + (process.pid % 40)}.${process.pid % 251}`;
+
+const ip = (...words) => spawnSync("ip", words, { encoding: "utf8" });
+
+/** A bridge with an address, and two namespaces on it; false if that cannot be had. */
+function makeNetwork() {
+  const commands = [`link add ${bridge} type bridge`, `addr add ${net}.1/24 dev ${bridge}`];
+  commands.push(`link set ${bridge} up`);
+  names.forEach((name, k) => {
+    const [outer, inner] = [`${bridge}o${k}`, `${bridge}i${k}`];
+    commands.push(`netns add ${name}`, `link add ${outer} type veth peer name ${inner}`);
+    commands.push(`link set ${inner} netns ${name}`, `link set ${outer} master ${bridge} up`);
+    commands.push(`-n ${name} addr add ${net}.${k + 2}/24 dev ${inner}`);
+    commands.push(`-n ${name} link set ${inner} up`);
+  });
+  return commands.every((command) => ip(...command.split(" ")).status === 0);
+}
+
+function removeNetwork() {
+  for (const name of names) ip("netns", "del", name);
+  ip("link", "del", bridge);
+}
+
+const hasNetwork = process.env.REDIS_SERVER !== "" && makeNetwork();
+const withNetwork = hasNetwork ? test : test.skip;
+if (!hasNetwork) {
+  removeNetwork(); // what there is of it
+  console.warn("WITHOUT NETWORK NAMESPACES: they need Redis, `ip` and root");
+}
+
+const folder = emptyFolder("machines");
+const work = path.join(folder, "work");
+
+afterAll(async () => {
+  stopAll();
+  await stopRedis(work);
+  removeNetwork();
+});
+
+withNetwork(
+  "two workers in two network namespaces",
+  async () => {
+    const random = generator(9);
+    const diagram = new Diagram(randomCircles(5000, 1, 3));
+    const snapshot = path.join(folder, "snapshot.bin");
+    writeFileSync(snapshot, diagram.toBytes());
+    const xy = Float64Array.from({ length: 400_000 }, () => random() * 2000 - 1000);
+    const file = writeArray(path.join(folder, "points.f64"), xy);
+    const env = { REDIS_URL: await startRedis({ folder: work, bind: `${net}.1` }) };
+    // A namespace is none if it sees the loopback device of the machine.
+    const loopback = ip("-n", names[0], "-o", "link", "show", "up", "dev", "lo");
+    expect(loopback.stdout).toBe("");
+
+    const workers = names.map((name) => {
+      const before = ["ip", "netns", "exec", name];
+      return start("worker.mjs", ["--folder", work, "--concurrency", "1"], { env, before });
+    });
+    await until(() => workers.every(({ output }) => output().includes("Waiting for jobs")));
+    const submission = ["--folder", work, "--snapshot", snapshot, "--points", file];
+    await finish("submit.mjs", [...submission, "--per-job", "2000"], { env });
+    expect(await listParts(work)).toHaveLength(100);
+    await finish("collect.mjs", ["--folder", work, "--out", path.join(folder, "result")]);
+    const ids = diagram.findMany(xy);
+    expect(readFileSync(path.join(folder, "result.ids.i32")).equals(Buffer.from(ids.buffer))).toBe(
+      true,
+    );
+    for (const { child } of workers) child.kill("SIGTERM");
+    await Promise.all(workers.map(({ ended }) => ended));
+    for (const { output } of workers)
+      expect(Number(/"items":(\d+)/.exec(output())[1])).toBeGreaterThan(0);
+  },
+  60_000,
+);
