@@ -79,7 +79,10 @@ const rules = [
     of: /^web\/examples\/.*\.js$/,
     may: [/^\.\/random_circles\.js$/, /^apollonius-diagram$/, /^d3-[a-z]+$/],
   },
-  { of: /^web\/[^/]+\.js$/, may: [/^\.\/[\w./]+$/, /^apollonius-diagram$/] },
+  {
+    of: /^web\/([^/]+\/)?[^/]+\.js$/,
+    may: [/^\.{1,2}\/(\w+\/)?\w+\.js$/, /^apollonius-diagram$/, /^d3-dsv$/],
+  },
   { of: /^web\/.*\.mjs$/, may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z][\w-]*$/] },
   {
     of: /^bench\/.*\.m?js$/,
