@@ -16,6 +16,7 @@ import { makeShareMenu } from "./ui/share.js";
 import { makeSheet } from "./ui/sheet.js";
 import { makeShowMenu } from "./ui/show_menu.js";
 import { makeStatus } from "./ui/status.js";
+import { makeSteps } from "./ui/steps.js";
 import { makeTag } from "./ui/tag.js";
 import { makeToolbar } from "./ui/toolbar.js";
 
@@ -71,6 +72,7 @@ export async function start() {
   makeTag(app);
   makeInspector(app);
   makeStatus(app);
+  makeSteps(app);
   makeSetsMenu(app, navigation);
   makeShowMenu(app, motion);
   makeShareMenu(app, navigation.write);

@@ -1,10 +1,12 @@
 // The circles, visible and hidden, and names in them. Few are drawn as paths, many point by point.
+import { boundsOf } from "./curves.js";
 import { Shower } from "./shower.js";
 
 const kDot = 1.1; // pixels: smaller circles are drawn as dots of this size
 const kDashFrom = 5; // hidden circles at least this large (pixels) are dashed
 const kNameFrom = 15; // and visible ones may show their names
 const kMostPaths = 1500;
+const kManySites = 30_000; // from here on the diagram is asked for those in the window
 const kLargestPoints = 24; // device pixels: larger circles are paths anyway
 
 /** x, y, r in device pixels or CSS pixels, in an array that grows and is used again. */
@@ -62,7 +64,8 @@ export class CirclesLayer {
 
   /** What the window meets. */
   #collect(sites, view, box) {
-    const { xyr, weight, ids } = sites;
+    const { xyr, weight } = sites;
+    const ids = this.#candidates(sites, view, box);
     const isHiding = sites.diagram.hiddenSize > 0;
     this.#visible.clear();
     this.#hidden.clear();
@@ -79,6 +82,17 @@ export class CirclesLayer {
     const isAll = box.left <= 0 && box.top <= 0 && box.right >= view.width;
     if (isAll && box.bottom >= view.height)
       this.counts = { visible: this.#visible.size, hidden: this.#hidden.size };
+  }
+
+  /**
+   * The ids to look at: all, or where the window meets few of very many circles, those that the
+   * diagram finds there.
+   */
+  #candidates(sites, view, box) {
+    const { visible, hidden } = this.counts;
+    if (sites.size < kManySites || visible + hidden > sites.size / 8) return sites.ids;
+    const bounds = boundsOf(view, box, 3);
+    return bounds ? sites.diagram.search(...bounds) : sites.ids;
   }
 
   #drawMany(context, layers, theme, ratio) {

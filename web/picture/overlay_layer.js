@@ -10,9 +10,10 @@ import { addCell } from "./curves.js";
  */
 /**
  * @typedef {{
- *   hover: Hover | null, selected: readonly number[], draft: import("../model/sites.js").Circle |
- *   null, box: import("./view.js").Box | null, marks: ((context: CanvasRenderingContext2D) => void)
- *   | null,
+ *   hover: Hover | null, selected: readonly number[],
+ *   draft: import("../model/sites.js").Circle | null, box: import("./view.js").Box | null,
+ *   marks: ((context: CanvasRenderingContext2D, picture: import("./painter.js").Picture) => void)
+ *     | null,
  * }} Overlay `marks` draws what else there is
  */
 
@@ -44,14 +45,15 @@ export const radiusForHandle = (view, distance) => Math.max(0, distance - kRing)
  * @param {import("./painter.js").Picture} picture
  * @param {Overlay} overlay
  */
-export function drawOverlay(context, { sites, view, theme }, overlay) {
+export function drawOverlay(context, picture, overlay) {
+  const { sites, view, theme } = picture;
   context.lineJoin = "round";
   context.lineCap = "round";
   const { hover, selected, draft, box } = overlay;
   if (hover && hover.id >= 0) drawHover(context, sites, view, theme, hover);
   if (selected.length > 0) drawSelected(context, sites, view, theme, selected);
   if (draft) drawDraft(context, sites, view, theme, draft);
-  overlay.marks?.(context);
+  overlay.marks?.(context, picture);
   if (box) {
     context.fillStyle = theme.selectedFill;
     context.strokeStyle = theme.selected;
