@@ -48,7 +48,7 @@ export function makeNavigation(app, weights) {
       if (!isComingBack) history.pushState(null, "", location.href);
       weights.go(weights.target, { isAtOnce: true });
     }
-    if (!app.painter.isLive) writeLater();
+    if (!app.model.open) writeLater(); // else when it is done
   });
   addEventListener("beforeunload", () => writing && write());
   addEventListener("popstate", () => open().catch(sayWhatFailed("This could not be shown")));

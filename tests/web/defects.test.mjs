@@ -131,7 +131,6 @@ describeInBrowser("defects", (open) => {
     await page.mouse.click(x, y);
     const edited = await circlesOf(page);
     await page.goto("about:blank");
-    page.errors.length = 0; // what the page that was left had still asked for
     await page.goBack();
     await page.waitForFunction(() => window.app);
     expect((await circlesOf(page)).map((row) => row.slice(1))).toEqual(

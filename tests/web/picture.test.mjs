@@ -152,7 +152,8 @@ describeInBrowser("the picture", (open) => {
       };
       const canvas = () => new OffscreenCanvas(width, height).getContext("2d");
       const paths = canvas();
-      new CirclesLayer().draw(paths, picture, { left: 0, top: 0, right: width, bottom: height });
+      const box = { left: 0, top: 0, right: width, bottom: height };
+      new CirclesLayer().draw(paths, picture, box, true);
       const points = canvas();
       const shower = new Shower(width, height);
       const xyr = Float32Array.from(

@@ -42,19 +42,29 @@ export class CirclesLayer {
   /** @type {Shower | null} */ #shower = null;
   #size = "";
 
+  #isMany = false;
+  #countedScale = 1;
+  /** @type {import("../model/sites.js").Sites | null} */ #countedFor = null;
+
   /** How many circles of each kind the window met when all of it was drawn last. */
   counts = { visible: 0, hidden: 0 };
 
   /**
-   * @param {CanvasRenderingContext2D} context with CSS pixels as its unit
+   * @param {CanvasRenderingContext2D} context with CSS pixels as its unit, empty in the box
    * @param {import("./painter.js").Picture} picture
-   * @param {import("./view.js").Box} box
+   * @param {import("./view.js").Box} box the window, or in whole device pixels a part of it
+   * @param {boolean} isWhole whether it is the window
    */
-  draw(context, { sites, view, layers, theme, pixelRatio }, box) {
+  draw(context, { sites, view, layers, theme, pixelRatio }, box, isWhole) {
     this.#collect(sites, view, box);
     const { size } = this.#visible;
-    if (size + this.#hidden.size > kMostPaths) {
-      this.#drawMany(context, layers, theme, pixelRatio);
+    if (isWhole) {
+      this.counts = { visible: size, hidden: this.#hidden.size };
+      this.#countedScale = view.scale;
+      this.#isMany = size + this.#hidden.size > kMostPaths;
+    }
+    if (this.#isMany) {
+      this.#drawMany(context, layers, theme, pixelRatio, box);
       return;
     }
     if (layers.circles) drawPaths(context, this.#visible, theme.siteFill, theme.site);
@@ -79,27 +89,34 @@ export class CirclesLayer {
       if (y + reach < box.top || y - reach > box.bottom) continue;
       (isHiding && sites.isHidden(id) ? this.#hidden : this.#visible).push(x, y, r);
     }
-    const isAll = box.left <= 0 && box.top <= 0 && box.right >= view.width;
-    if (isAll && box.bottom >= view.height)
-      this.counts = { visible: this.#visible.size, hidden: this.#hidden.size };
   }
 
   /**
-   * The ids to look at: all, or where the window meets few of very many circles, those that the
-   * diagram finds there.
+   * The ids to look at: all, or where the box meets few of very many circles, as far as that can be
+   * foretold, those that the diagram finds there.
    */
   #candidates(sites, view, box) {
     const { visible, hidden } = this.counts;
-    if (sites.size < kManySites || visible + hidden > sites.size / 8) return sites.ids;
+    const zoom = (this.#countedScale / view.scale) ** 2;
+    const share = ((box.right - box.left) * (box.bottom - box.top)) / (view.width * view.height);
+    const expected = (visible + hidden) * zoom * share;
+    const isUnknown = this.#countedFor !== sites;
+    this.#countedFor = sites;
+    if (isUnknown || sites.size < kManySites || expected > sites.size / 100) return sites.ids;
     const bounds = boundsOf(view, box, 3);
     return bounds ? sites.diagram.search(...bounds) : sites.ids;
   }
 
-  #drawMany(context, layers, theme, ratio) {
+  #drawMany(context, layers, theme, ratio, box) {
     const { width, height } = context.canvas;
     if (this.#size !== `${width} ${height}`) this.#shower = new Shower(width, height);
     this.#size = `${width} ${height}`;
-    this.#shower.clear();
+    this.#shower.start({
+      left: Math.max(0, Math.round(box.left * ratio)),
+      top: Math.max(0, Math.round(box.top * ratio)),
+      right: Math.min(width, Math.round(box.right * ratio)),
+      bottom: Math.min(height, Math.round(box.bottom * ratio)),
+    });
     this.#large.clear();
     if (layers.circles) this.#shed(this.#visible, theme.siteFill, theme.site, ratio);
     if (layers.hidden) this.#shed(this.#hidden, theme.hiddenFill, theme.hidden, ratio);

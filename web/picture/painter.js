@@ -23,7 +23,7 @@ import { View } from "./view.js";
 
 const kSlice = 9; // ms of a frame that lines may take
 const kPatience = 14; // ms: what takes longer is not drawn anew for every step of a movement
-const kRest = 80; // ms without movement until it is
+const kRest = 160; // ms without movement until it is
 const kRemember = 512; // measured frames
 
 /** A canvas with what was drawn on it. */
@@ -273,13 +273,24 @@ export class Painter {
 
   #drawCircles(isMoving) {
     const plate = this.#plates.circles;
-    if (!plate.isStale && !this.#box) return;
-    if (plate.isStale && !this.#isDue(plate, isMoving)) return;
+    if (!this.#isDue(plate, isMoving)) {
+      if (!plate.isStale && this.#box) this.#drawCirclesIn(this.#box);
+      return;
+    }
     const start = performance.now();
-    this.#circles.draw(plate.start(this.#pixelRatio), this.#picture, this.#window);
+    this.#circles.draw(plate.start(this.#pixelRatio), this.#picture, this.#window, true);
     plate.finish(this.#view);
     plate.cost = performance.now() - start;
     this.#note("circles", start);
+  }
+
+  /** @param {Box} box */
+  #drawCirclesIn(box) {
+    const start = performance.now();
+    this.#inBox(this.#plates.circles, box, (context, inner) =>
+      this.#circles.draw(context, this.#picture, inner, false),
+    );
+    this.#note("box", start);
   }
 
   #drawLines(isMoving, slice) {
@@ -322,9 +333,16 @@ export class Painter {
   /** @param {Box} box */
   #drawBox(box) {
     const start = performance.now();
+    this.#inBox(this.#plates.lines, box, (context, inner) => {
+      for (const _ of drawLines(context, this.#picture, inner, strengthOf(this.cellSize)));
+    });
+    this.#note("box", start);
+  }
+
+  /** Draws a part of a plate anew. */
+  #inBox({ canvas, context }, box, draw) {
     // Whole device pixels, so that nothing is blended twice at the border.
     const ratio = this.#pixelRatio;
-    const { canvas, context } = this.#plates.lines;
     const left = Math.max(0, Math.floor(box.left * ratio));
     const top = Math.max(0, Math.floor(box.top * ratio));
     const right = Math.min(canvas.width, Math.ceil(box.right * ratio));
@@ -337,15 +355,13 @@ export class Painter {
     context.clip();
     context.clearRect(left, top, right - left, bottom - top);
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const inner = {
+    draw(context, {
       left: left / ratio,
       top: top / ratio,
       right: right / ratio,
       bottom: bottom / ratio,
-    };
-    for (const _ of drawLines(context, this.#picture, inner, strengthOf(this.cellSize)));
+    });
     context.restore();
-    this.#note("box", start);
   }
 
   #drawOverlay() {

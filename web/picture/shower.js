@@ -1,6 +1,8 @@
 // Very many circles, point by point into an image: a canvas takes too long for each path. Costs
 // what the area of the circles is, a few nanoseconds a pixel.
 
+/** @typedef {import("./view.js").Box} Box */
+
 /** "rgb(31, 86, 115)" or "#1f5673", as bytes in the order of an image's words. */
 function wordOf(color) {
   const context = new OffscreenCanvas(1, 1).getContext("2d");
@@ -12,27 +14,32 @@ function wordOf(color) {
 
 export class Shower {
   #width;
-  #height;
   #image;
   #words;
   #bytes;
+  /** @type {Box} */ #box;
 
   /** @param {number} width @param {number} height in device pixels */
   constructor(width, height) {
     this.#width = width;
-    this.#height = height;
     this.#image = new ImageData(width, height);
     this.#words = new Uint32Array(this.#image.data.buffer);
     this.#bytes = this.#image.data;
+    this.#box = { left: 0, top: 0, right: width, bottom: height };
   }
 
-  clear() {
-    this.#words.fill(0);
+  /** Empties a box; what is added then is cut to it. @param {Box} box in whole device pixels */
+  start(box) {
+    this.#box = box;
+    const { left, top, right, bottom } = box;
+    for (let row = top; row < bottom; row++)
+      this.#words.fill(0, row * this.#width + left, row * this.#width + right);
   }
 
-  /** @param {CanvasRenderingContext2D} context */
+  /** Puts the box onto a canvas. @param {CanvasRenderingContext2D} context */
   show(context) {
-    context.putImageData(this.#image, 0, 0);
+    const { left, top, right, bottom } = this.#box;
+    context.putImageData(this.#image, 0, 0, left, top, right - left, bottom - top);
   }
 
   /**
@@ -55,22 +62,24 @@ export class Shower {
   #dot(x, y, r, stroke, line) {
     const column = Math.floor(x);
     const row = Math.floor(y);
-    if (column < 0 || row < 0 || column >= this.#width || row >= this.#height) return;
+    const { left, top, right, bottom } = this.#box;
+    if (column < left || row < top || column >= right || row >= bottom) return;
     const alpha = stroke.alpha * Math.min(1, 0.3 + r / line) * 255;
     this.#blend(row * this.#width + column, stroke.word, alpha);
   }
 
   #disc(x, y, r, stroke, fill, half) {
     const outer = r + half + 0.5;
-    const top = Math.max(0, Math.floor(y - outer));
-    const bottom = Math.min(this.#height - 1, Math.floor(y + outer));
+    const box = this.#box;
+    const top = Math.max(box.top, Math.floor(y - outer));
+    const bottom = Math.min(box.bottom - 1, Math.floor(y + outer));
     for (let row = top; row <= bottom; row++) {
       const dy = row + 0.5 - y;
       const square = outer * outer - dy * dy;
       if (square <= 0) continue;
       const reach = Math.sqrt(square);
-      const left = Math.max(0, Math.floor(x - reach));
-      const right = Math.min(this.#width - 1, Math.floor(x + reach));
+      const left = Math.max(box.left, Math.floor(x - reach));
+      const right = Math.min(box.right - 1, Math.floor(x + reach));
       for (let column = left; column <= right; column++) {
         const dx = column + 0.5 - x;
         const inside = r - Math.sqrt(dx * dx + dy * dy);

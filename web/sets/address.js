@@ -14,29 +14,29 @@ const kMostEdits = 500;
 const kMostKept = 20_000; // circles
 const kDigits = 6; // of the view
 
+const differs = (a, b, at) => a[at] !== b[at] || a[at + 1] !== b[at + 1] || a[at + 2] !== b[at + 2];
+
 /**
  * What was changed in the set that these circles were: removed "12-", changed "12:x,y,r", new
  * "x,y,r,name", with "~" between them.
  * @param {Sites} sites
  */
 export function editsOf(sites) {
-  const { original, xyr, diagram } = sites;
+  const { original, xyr, ids } = sites;
   const count = original.length / 3;
   const edits = [];
+  const numbers = (id) => xyr.subarray(3 * id, 3 * id + 3).join();
+  let k = 0; // of the ids, which ascend
   for (let id = 0; id < count && edits.length <= kMostEdits; id++) {
-    if (!diagram.has(id)) edits.push(`${id}-`);
-    else if (
-      xyr[3 * id] !== original[3 * id] ||
-      xyr[3 * id + 1] !== original[3 * id + 1] ||
-      xyr[3 * id + 2] !== original[3 * id + 2]
-    )
-      edits.push(`${id}:${xyr.subarray(3 * id, 3 * id + 3).join()}`);
+    const isThere = ids[k] === id;
+    if (isThere) k++;
+    if (!isThere) edits.push(`${id}-`);
+    else if (differs(xyr, original, 3 * id)) edits.push(`${id}:${numbers(id)}`);
   }
-  const { ids } = sites;
-  for (let k = ids.length - 1; k >= 0 && ids[k] >= count && edits.length <= kMostEdits; k--) {
+  for (; k < ids.length && edits.length <= kMostEdits; k++) {
     const name = sites.labels.get(ids[k])?.name;
-    const numbers = xyr.subarray(3 * ids[k], 3 * ids[k] + 3).join();
-    edits.push(name ? `${numbers},${encodeURIComponent(name).replaceAll("~", "%7E")}` : numbers);
+    const said = name ? `,${encodeURIComponent(name).replaceAll("~", "%7E")}` : "";
+    edits.push(numbers(ids[k]) + said);
   }
   return edits.length > kMostEdits ? null : edits.join("~");
 }

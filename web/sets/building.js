@@ -7,6 +7,7 @@ import { randomCircles } from "./random_sets.js";
 const kMostHere = 100_000; // circles
 const kArea = 1_600_000; // units squared of a random set
 const kRatio = 1.6;
+const kTick = 100; // ms from one state of the progress to the next
 
 /** @param {import("./presets.js").RandomOptions} options */
 function circleOptions({ n, hidden, seed, tall }) {
@@ -18,11 +19,19 @@ function circleOptions({ n, hidden, seed, tall }) {
 /**
  * @param {import("./presets.js").RandomOptions} options
  * @param {import("../model/sites.js").SetInfo} info
- * @param {{ signal?: AbortSignal, progress?: (share: number, what: string) => void }} watch
+ * @param {{ signal?: AbortSignal, progress?: (share: number | undefined, what: string) => void }} watch
  */
 export async function build(options, info, { signal, progress }) {
   if (options.n <= kMostHere) return new Sites(randomCircles(circleOptions(options)), info);
   const worker = new Worker(new URL("./build_worker.js", import.meta.url), { type: "module" });
+  let ticking = 0;
+  const tell = ({ what, estimate }) => {
+    clearInterval(ticking);
+    const start = performance.now();
+    const share = () => Math.min(0.97, (performance.now() - start) / estimate);
+    progress?.(estimate ? 0 : undefined, what);
+    if (estimate) ticking = setInterval(() => progress?.(share(), what), kTick);
+  };
   try {
     return await new Promise((resolve, reject) => {
       signal?.addEventListener("abort", () => reject(signal.reason));
@@ -30,7 +39,7 @@ export async function build(options, info, { signal, progress }) {
       worker.onmessage = ({ data }) => {
         if (data.error) reject(new Error(data.error));
         else if (data.bytes) resolve(restored(data, info));
-        else progress?.(data.share, data.what);
+        else tell(data);
       };
       worker.postMessage({
         // import maps do not reach into workers
@@ -39,6 +48,7 @@ export async function build(options, info, { signal, progress }) {
       });
     });
   } finally {
+    clearInterval(ticking);
     worker.terminate();
   }
 }

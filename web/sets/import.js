@@ -102,7 +102,11 @@ function rowsOfJson(data) {
     const [x, y] = item?.geometry?.coordinates ?? [];
     const found = { x, y, ...item?.properties, ...item };
     const value = (name) =>
-      found[Object.keys(found).find((key) => kColumns[name].test(key) && key !== "id")];
+      found[
+        Object.keys(found).find(
+          (key) => kColumns[name].test(key) && key !== "id" && found[key] !== undefined,
+        )
+      ];
     const name = value("name");
     return {
       x: required(value("x")),

@@ -11,32 +11,48 @@ export function generator(seed) {
   };
 }
 
-/** Finds the circles near a point: buckets as large as the largest circle. */
-class Buckets {
-  #buckets = new Map();
+/** Circles that can be found near a point: lists in a grid as wide as the largest circle. */
+class Grid {
+  #columns;
+  #rows;
+  #first;
+  #next;
 
-  constructor(size) {
+  /** @param {Float64Array} xyr of the circles, by number */
+  constructor(xyr, size, width, height) {
+    this.xyr = xyr;
     this.size = size;
+    this.#columns = Math.floor(width / size) + 1;
+    this.#rows = Math.floor(height / size) + 1;
+    this.#first = new Int32Array(this.#columns * this.#rows).fill(-1);
+    this.#next = new Int32Array(xyr.length / 3);
   }
 
-  #key = (x, y) => Math.floor(x / this.size) * 65536 + Math.floor(y / this.size);
-
-  add(circle) {
-    const key = this.#key(circle.x, circle.y);
-    if (!this.#buckets.has(key)) this.#buckets.set(key, []);
-    this.#buckets.get(key).push(circle);
+  /** @param {number} k of the circle */
+  add(k) {
+    const column = Math.floor(this.xyr[3 * k] / this.size);
+    const row = Math.floor(this.xyr[3 * k + 1] / this.size);
+    const place = row * this.#columns + column;
+    this.#next[k] = this.#first[place];
+    this.#first[place] = k;
   }
 
-  *near(x, y) {
-    for (let dx = -1; dx <= 1; dx++) {
-      for (let dy = -1; dy <= 1; dy++) {
-        yield* this.#buckets.get(this.#key(x + dx * this.size, y + dy * this.size)) ?? [];
-      }
-    }
+  /** Whether some circle near a point is as asked. */
+  hasNear(x, y, isAsked) {
+    const column = Math.floor(x / this.size);
+    const row = Math.floor(y / this.size);
+    const lastRow = Math.min(row + 1, this.#rows - 1);
+    const lastColumn = Math.min(column + 1, this.#columns - 1);
+    for (let i = Math.max(row - 1, 0); i <= lastRow; i++)
+      for (let j = Math.max(column - 1, 0); j <= lastColumn; j++)
+        for (let k = this.#first[i * this.#columns + j]; k >= 0; k = this.#next[k])
+          if (isAsked(k)) return true;
+    return false;
   }
 }
 
-const covers = (a, b) => a.r >= b.r && Math.hypot(a.x - b.x, a.y - b.y) <= a.r - b.r;
+/** How far centres keep away from the larger circle, as a share of its radius. */
+const kDistance = 0.6;
 
 /**
  * Circles in a rectangle of the given width and height, x, y, r of each. Exactly round(count *
@@ -51,43 +67,39 @@ export function randomCircles({ count, hiddenShare, seed, width, height }) {
   const hiddenCount = Math.min(Math.round(count * hiddenShare), Math.max(count - 1, 0));
   const visibleCount = count - hiddenCount;
   const spacing = Math.sqrt((width * height) / Math.max(visibleCount, 1));
-  const buckets = new Buckets(spacing);
-  const visible = [];
-  while (visible.length < visibleCount) {
+  const xyr = new Float64Array(3 * count);
+  const grid = new Grid(xyr, spacing, width, height);
+  for (let n = 0; n < visibleCount; ) {
     // Many small circles, few large ones: up to 0.7 spacings in radius.
     const r = spacing * (0.04 + 0.66 * random() ** 4);
-    const circle = { x: random() * width, y: random() * height, r };
-    let free = true;
-    for (const other of buckets.near(circle.x, circle.y)) {
-      // Centres keep away from other circles, mostly: sets look better, and covering is impossible
-      // for equal centres.
-      const distance = Math.hypot(other.x - circle.x, other.y - circle.y);
-      if (covers(other, circle) || covers(circle, other) || distance < 0.6 * Math.max(other.r, r)) {
-        free = false;
-        break;
-      }
-    }
-    if (!free) continue;
-    buckets.add(circle);
-    visible.push(circle);
+    const x = random() * width;
+    const y = random() * height;
+    // None covers another; and centres keep away from other circles, which looks better.
+    const isTaken = grid.hasNear(x, y, (k) => {
+      const other = xyr[3 * k + 2];
+      const least = Math.max(kDistance * Math.max(other, r), Math.abs(other - r));
+      return Math.hypot(xyr[3 * k] - x, xyr[3 * k + 1] - y) <= least;
+    });
+    if (isTaken) continue;
+    xyr.set([x, y, r], 3 * n);
+    grid.add(n++);
   }
   // Hidden circles sit in covers picked by area, so that large circles hold several.
-  const reach = [];
+  const reach = new Float64Array(visibleCount);
   let sum = 0;
-  for (const { r } of visible) {
-    sum += r * r;
-    reach.push(sum);
+  for (let k = 0; k < visibleCount; k++) {
+    sum += xyr[3 * k + 2] ** 2;
+    reach[k] = sum;
   }
-  const hidden = Array.from({ length: hiddenCount }, () => {
-    const cover = visible[firstAtLeast(reach, random() * sum)];
-    const r = cover.r * (0.08 + 0.3 * random());
-    const distance = (cover.r - r) * 0.98 * Math.sqrt(random());
+  for (let n = visibleCount; n < count; n++) {
+    const cover = 3 * firstAtLeast(reach, random() * sum);
+    const r = xyr[cover + 2] * (0.08 + 0.3 * random());
+    const distance = (xyr[cover + 2] - r) * 0.98 * Math.sqrt(random());
     const angle = 2 * Math.PI * random();
-    return { x: cover.x + distance * Math.cos(angle), y: cover.y + distance * Math.sin(angle), r };
-  });
-  const circles = [...visible, ...hidden];
-  const xyr = new Float64Array(3 * circles.length);
-  circles.forEach(({ x, y, r }, k) => xyr.set([x, y, r], 3 * k));
+    xyr[3 * n] = xyr[cover] + distance * Math.cos(angle);
+    xyr[3 * n + 1] = xyr[cover + 1] + distance * Math.sin(angle);
+    xyr[3 * n + 2] = r;
+  }
   return xyr;
 }
 

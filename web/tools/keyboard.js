@@ -65,6 +65,7 @@ export function listenToKeyboard(element, app, gestures) {
     if (event.defaultPrevented) return;
     const at = /** @type {HTMLElement} */ (event.target);
     if (at.closest?.("input, select, textarea, dialog")) return;
+    if (event.key === "Escape" && document.querySelector(":popover-open")) return; // closes that
     if (anywhere(event)) event.preventDefault();
   });
 }

@@ -4,7 +4,7 @@ import { element } from "./dom.js";
 /**
  * Runs something that takes long, with its progress shown once there is any.
  * @template T
- * @param {(watch: { signal: AbortSignal, progress: (share: number, what: string) => void }) =>
+ * @param {(watch: { signal: AbortSignal, progress: (share: number | undefined, what: string) => void }) =>
  *   Promise<T>} run
  * @returns {Promise<T>}
  */
@@ -23,7 +23,9 @@ export async function withProgress(run) {
         if (signal.aborted) return;
         box.hidden = false;
         element("progress-text").textContent = `${what}…`;
-        element("progress-bar").value = share;
+        const bar = element("progress-bar");
+        if (share === undefined) bar.removeAttribute("value");
+        else bar.value = share;
       },
     });
   } finally {

@@ -99,7 +99,11 @@ async function openPage(browser, url, options = {}) {
   page.errors = [];
   page.on("console", (message) => message.type() === "error" && page.errors.push(message.text()));
   page.on("pageerror", (error) => page.errors.push(String(error)));
-  page.on("requestfailed", (request) => page.errors.push(`failed: ${request.url()}`));
+  page.on("requestfailed", (request) => {
+    // What a page that is left had asked for is no failure.
+    const isLeft = request.failure()?.errorText === "net::ERR_ABORTED";
+    if (!isLeft) page.errors.push(`failed: ${request.url()}`);
+  });
   page.on(
     "response",
     (response) =>
