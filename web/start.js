@@ -5,6 +5,7 @@ import { Motion } from "./motion/motion.js";
 import { letWander } from "./motion/wanderer.js";
 import { Weights } from "./motion/weights.js";
 import { makeNavigation } from "./navigation.js";
+import { fetchCities } from "./sets/cities.js";
 import { listenToPointer } from "./tools/gestures.js";
 import { listenToKeyboard } from "./tools/keyboard.js";
 import { makeCodeDialog } from "./ui/code.js";
@@ -41,6 +42,7 @@ function followWindow(app) {
     matchMedia(query).addEventListener("change", () => app.painter.readTheme());
 }
 
+const kIdle = 1500; // ms after the start
 const kFree = 12; // pixels below the introduction that need no margin
 
 /** What the bars cover, in pixels: all that lies along the upper or the lower border. */
@@ -96,6 +98,9 @@ export async function start() {
   ))
     input.checked = Number(input.value) === weights.target;
   if (isPlain) letWander(app);
+
+  // So that the page needs no network later; that it fails is said when the cities are asked for.
+  setTimeout(() => fetchCities().catch(() => {}), kIdle);
 
   // A handle for tests and the curious; not an interface: it may change at any time.
   Object.assign(window, { app: Object.assign(app, { navigation, motion, weights }) });

@@ -76,9 +76,9 @@ describeInBrowser("data", (open) => {
       await page.fill("#random [name=n]", String(n));
       await page.fill("#random [name=hidden]", String(hidden));
       await page.fill("#random [name=seed]", String(seed));
-      const before = await page.evaluate(() => (window.old = app.sites) && 0);
+      await page.evaluate(() => Object.assign(window, { old: app.sites }));
       await page.click("#random [type=submit]");
-      await page.waitForFunction((_) => app.sites !== window.old, before);
+      await page.waitForFunction(() => app.sites !== window.old);
       return numbers();
     };
     const first = await make(400, 20, 9);
@@ -179,7 +179,10 @@ describeInBrowser("data", (open) => {
   describe("the address", () => {
     /** The page that the address of this one opens. */
     const again = async () => {
-      const hash = await page.evaluate(() => (app.navigation.write(), location.hash));
+      const hash = await page.evaluate(() => {
+        app.navigation.write();
+        return location.hash;
+      });
       const other = await open({ path: hash });
       return [other, hash];
     };

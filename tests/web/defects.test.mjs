@@ -51,6 +51,17 @@ describeInBrowser("defects", (open) => {
       expect(await circlesOf(page)).toEqual(then);
     });
 
+    test("what was under the pointer is gone before the drag begins", async () => {
+      const [id] = await sitesInReach(page);
+      const { x, y } = await whereIs(page, id);
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.evaluate(() => app.clear());
+      await page.mouse.move(x + 50, y, { steps: 3 });
+      await page.mouse.up();
+      expect(await stateOf(page)).toMatchObject({ size: 0, selected: [] });
+    });
+
     test("N selects another circle, and the drag goes on with its own", async () => {
       const [id] = await sitesInReach(page);
       const { x, y } = await whereIs(page, id);

@@ -4,6 +4,11 @@ import { Diagram } from "apollonius-diagram";
 import { Sites } from "../model/sites.js";
 import { randomCircles } from "./random_sets.js";
 
+/**
+ * @typedef {{ signal?: AbortSignal, progress?: (share: number | undefined, what: string) => void }}
+ * Watch how far it is, if that is known, and the way to stop it
+ */
+
 const kMostHere = 100_000; // circles
 const kArea = 1_600_000; // units squared of a random set
 const kRatio = 1.6;
@@ -19,7 +24,7 @@ function circleOptions({ n, hidden, seed, tall }) {
 /**
  * @param {import("./presets.js").RandomOptions} options
  * @param {import("../model/sites.js").SetInfo} info
- * @param {{ signal?: AbortSignal, progress?: (share: number | undefined, what: string) => void }} watch
+ * @param {Watch} watch
  */
 export async function build(options, info, { signal, progress }) {
   if (options.n <= kMostHere) return new Sites(randomCircles(circleOptions(options)), info);

@@ -19,9 +19,20 @@ const describe = () => {
     `${regions.of(country) ?? country} · ${numbers.format(population)} people`;
 };
 
+/** @type {Promise<[any, any]> | null} */ let files = null;
+
+/** Asks for the files, once; again if that failed. */
+export function fetchCities() {
+  files ??= Promise.all([fetchJson("cities.json"), fetchJson("land.json")]);
+  files.catch(() => {
+    files = null;
+  });
+  return files;
+}
+
 /** @returns {Promise<Sites>} */
 export async function loadCities() {
-  const [{ cities }, land] = await Promise.all([fetchJson("cities.json"), fetchJson("land.json")]);
+  const [{ cities }, land] = await fetchCities();
   const detail = describe();
   const perRoot = kLargestRadius / Math.sqrt(cities[0][4]);
   const xyr = new Float64Array(3 * cities.length);

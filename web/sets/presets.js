@@ -154,7 +154,7 @@ const triplesOf = (circles) => Float64Array.from(circles.flat());
 /**
  * @param {string} key of a preset, "cities", "random", "empty"
  * @param {Record<string, string>} [params]
- * @param {{ signal?: AbortSignal, progress?: (share: number | undefined, what: string) => void }} [watch]
+ * @param {import("./building.js").Watch} [watch]
  * @returns {Promise<Sites>}
  */
 export async function loadSet(key, params = {}, watch = {}) {

@@ -31,20 +31,27 @@ export class SelectGesture {
   cursor = "default";
   /** @type {{ move(at: Touch): boolean, end(): void, cancel(): void } | null} */ #drag = null;
   #isLong = false;
+  #found;
 
   /** @param {App} app @param {Touch} at */
   constructor(app, at) {
     this.app = app;
     this.start = at;
-    this.found = app.at(at.x, at.y, kReach[at.type] ?? 5);
+    this.#found = app.at(at.x, at.y, kReach[at.type] ?? 5);
     this.isOnHandle = isOnHandle(app, at);
+  }
+
+  /** What was under the pointer when it went down, and is still there. */
+  get found() {
+    return this.#found.filter((id) => this.app.diagram.has(id));
   }
 
   /** A long touch is what Shift is to a mouse. */
   hold(at) {
     if (at.type !== "touch") return;
     this.#isLong = true;
-    if (this.found.length > 0) this.app.selection.toggle(this.found[0]);
+    const [id] = this.found;
+    if (id !== undefined) this.app.selection.toggle(id);
     else
       this.app.mark({ box: { left: at.x - 8, top: at.y - 8, right: at.x + 8, bottom: at.y + 8 } });
   }
@@ -86,9 +93,7 @@ export class SelectGesture {
   }
 
   #click(at) {
-    const { app, start } = this;
-    // What was under the pointer when it went down may be gone.
-    const found = this.found.filter((id) => app.diagram.has(id));
+    const { app, start, found } = this;
     if (found.length === 0) {
       if (!start.shiftKey && !this.isOnHandle) app.selection.clear();
     } else if (start.shiftKey) {

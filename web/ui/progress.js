@@ -4,8 +4,7 @@ import { element } from "./dom.js";
 /**
  * Runs something that takes long, with its progress shown once there is any.
  * @template T
- * @param {(watch: { signal: AbortSignal, progress: (share: number | undefined, what: string) => void }) =>
- *   Promise<T>} run
+ * @param {(watch: import("../sets/building.js").Watch) => Promise<T>} run
  * @returns {Promise<T>}
  */
 export async function withProgress(run) {
