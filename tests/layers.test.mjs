@@ -86,7 +86,13 @@ const rules = [
   { of: /^web\/.*\.mjs$/, may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z][\w-]*$/] },
   {
     of: /^bench\/.*\.m?js$/,
-    may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z@][\w./-]*$/, /^\.\.\/tools\/toolchain\//],
+    may: [
+      /^node:/,
+      /^\.\/[\w./]+$/,
+      /^[a-z@][\w./-]*$/,
+      /^\.\.\/tools\/(toolchain\/|build\.mjs$)/,
+      /^\.\.\/\.\.\/(tools\/serve|tests\/web\/support\/storm)\.mjs$/, // the page's
+    ],
   },
 ];
 

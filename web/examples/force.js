@@ -62,5 +62,10 @@ export default function force(container) {
       context.stroke();
     });
   }
-  return { diagram, nodes, simulation, picked: () => (mouse ? diagram.find(mouse[0], mouse[1]) : -1) };
+  return {
+    diagram,
+    nodes,
+    simulation,
+    picked: () => (mouse ? diagram.find(mouse[0], mouse[1]) : -1),
+  };
 }

@@ -21,7 +21,8 @@ import { View } from "./view.js";
  * }} Picture what the layers draw from
  */
 
-const kSlice = 9; // ms of a frame that lines may take
+const kSlice = 9; // ms of a frame that lines may take,
+const kLongSlice = 40; // and where nobody waits for an answer
 const kPatience = 14; // ms: what takes longer is not drawn anew for every step of a movement
 const kRest = 160; // ms without movement until it is
 const kRemember = 512; // measured frames
@@ -244,7 +245,9 @@ export class Painter {
     const isMoving = start - this.#moved < kRest;
     this.#drawMap(isMoving);
     this.#drawCircles(isMoving);
-    if (this.#plates.lines.isStale) this.#drawLines(isMoving, this.isLive ? Infinity : slice);
+    const isWaiting = isMoving || this.#plates.overlay.isStale;
+    const most = this.isLive ? Infinity : Math.max(slice, isWaiting ? 0 : kLongSlice);
+    if (this.#plates.lines.isStale) this.#drawLines(isMoving, most);
     else if (this.#box) this.#drawBox(this.#box);
     if (!this.#plates.lines.isStale) this.#box = null;
     if (this.#plates.overlay.isStale) this.#drawOverlay();
