@@ -6,6 +6,7 @@
 //   npm run bench -- --full            all of it, up to 10 000 000 sites, hours
 //   npm run bench -- --only families   one part: scaling, families, orders, table1, moves, drawing,
 //                                      snapshots, border
+//   npm run bench -- --only page       the page's frames in Chromium, printed (js/page.mjs)
 //   npm run bench -- --without cgal    leaves a contender out (may be repeated)
 //   npm run bench -- cluster           points and tiles by the workers of web/examples/cluster:
 //                                      bench/cluster.mjs
@@ -15,7 +16,9 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
-import { SetUpError } from "../tools/toolchain/process.mjs";
+import { fileURLToPath } from "node:url";
+import { run, SetUpError } from "../tools/toolchain/process.mjs";
+import { buildPackage } from "../tools/build.mjs";
 import { main } from "../tools/toolchain/setup.mjs";
 import { measureCluster } from "./cluster.mjs";
 import { names, stopAll } from "./contenders.mjs";
@@ -38,8 +41,8 @@ function options() {
   });
   const mode = modeNames.find((name) => values[name]) ?? "default";
   const { only, without = [] } = values;
-  if (only && !parts[only])
-    throw new SetUpError(`no part ${only}: there are ${Object.keys(parts).join(", ")}`);
+  if (only && only !== "page" && !parts[only])
+    throw new SetUpError(`no part ${only}: there are ${Object.keys(parts).join(", ")}, page`);
   const stranger = without.find((name) => !names.includes(name));
   if (stranger) throw new SetUpError(`no contender ${stranger}: there are ${names.join(", ")}`);
   return { mode, only, without };
@@ -53,6 +56,11 @@ function progress(share, text) {
 /** All contenders, in one report. */
 async function contenders() {
   const { mode, only, without } = options();
+  if (only === "page") {
+    await buildPackage();
+    run(process.execPath, [fileURLToPath(new URL("js/page.mjs", import.meta.url)), "--storms"]);
+    return;
+  }
   const hasCgal = await buildContenders();
   const isThere = (name) => (name !== "cgal" || hasCgal) && !without.includes(name);
   const facts = machine();

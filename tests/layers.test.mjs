@@ -83,11 +83,20 @@ const rules = [
     of: /^web\/examples\/.*\.js$/,
     may: [/^\.\/random_circles\.js$/, /^apollonius-diagram$/, /^d3-[a-z]+$/],
   },
-  { of: /^web\/[^/]+\.js$/, may: [/^\.\/[\w./]+$/, /^apollonius-diagram$/] },
+  {
+    of: /^web\/([^/]+\/)?[^/]+\.js$/,
+    may: [/^\.{1,2}\/(\w+\/)?\w+\.js$/, /^apollonius-diagram$/, /^d3-dsv$/],
+  },
   { of: /^web\/.*\.mjs$/, may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z][\w-]*$/] },
   {
     of: /^bench\/.*\.m?js$/,
-    may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z@][\w./-]*$/, /^\.\.\/tools\/toolchain\//],
+    may: [
+      /^node:/,
+      /^\.\/[\w./]+$/,
+      /^[a-z@][\w./-]*$/,
+      /^\.\.\/tools\/(toolchain\/|build\.mjs$)/,
+      /^\.\.\/\.\.\/(tools\/serve|tests\/web\/support\/storm)\.mjs$/, // the page's
+    ],
   },
 ];
 

@@ -1,5 +1,6 @@
-// A static server for the page: node tools/serve.mjs [--port N]. Serves this repository's web/ and
-// dist/ and the d3 modules of its examples on this machine only, and takes the next free port. The
+// A static server for the page: node tools/serve.mjs [--port N], or PORT=N in the environment.
+// Serves this repository's web/ and dist/ and the d3 modules of the page and its examples on this
+// machine only. Where the port is taken it says so, and takes the next free one. The
 // headers let the page measure microseconds (isolation) and show that the package runs under a
 // strict content security policy (which index.html states too).
 import { createReadStream } from "node:fs";
@@ -100,9 +101,9 @@ export async function serve(port = 8080, attempts = 50) {
 
 async function main(args) {
   const at = args.indexOf("--port");
-  const port = at < 0 ? 8080 : Number(args[at + 1]);
+  const port = Number(at < 0 ? process.env.PORT || 8080 : args[at + 1]);
   if (!Number.isInteger(port) || port < 0 || port > 65535) {
-    console.error("usage: node tools/serve.mjs [--port N]");
+    console.error("usage: node tools/serve.mjs [--port N], or PORT=N, from 0 to 65535");
     process.exit(2);
   }
   if (!(await stat(join(kRoot, "dist")).catch(() => null))) {
@@ -112,6 +113,7 @@ async function main(args) {
     process.exit(1);
   }
   const { url } = await serve(port);
+  if (port !== 0 && new URL(url).port !== String(port)) console.log(`Port ${port} is taken.`);
   console.log(`The page is at ${url}  (Ctrl-C ends it)`);
 }
 

@@ -1,6 +1,7 @@
 // npm start: sets up, builds the package, and serves the page until it is stopped.
 //
 //   npm start -- --port 8080
+//   PORT=8080 npm start
 import { spawn } from "node:child_process";
 import path from "node:path";
 import { buildPackage } from "./build.mjs";

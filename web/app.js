@@ -1,116 +1,200 @@
-// What the page can do, whoever asks for it: pointer, keyboard, buttons or a test. Keeps diagram,
+// What the page can do, whoever asks for it: pointer, keyboard, buttons or a test. Keeps model,
 // picture and selection together.
-import { Painter } from "./painter.js";
-import { regionOf } from "./regions.js";
-import { Scene } from "./scene.js";
-import { View } from "./view.js";
+import { Model } from "./model/model.js";
+import { Selection } from "./model/selection.js";
+import { Painter } from "./picture/painter.js";
+import { regionOf } from "./picture/regions.js";
+import { View } from "./picture/view.js";
 
-const kFirstRadius = 14; // pixels: a new circle, until the user has resized one
+/** @typedef {import("./model/sites.js").Sites} Sites */
+/** @typedef {{ x: number, y: number }} Point in pixels */
+/**
+ * @typedef {{ neighbors: boolean, empty: boolean, under: boolean, nearest: number }} Questions what
+ * is answered at the pointer: how many of the nearest
+ */
 
-const kQueries = 32; // pointer movements over which the time of a query is averaged
+const kFirstRadius = 16; // pixels: a new circle, until the user has resized one
+const kMostBoxes = 12; // circles that change at once and are redrawn in a box
+const kEdge = 24; // pixels from the border at which a circle moved by keys takes the view along
+const kNoInsets = { left: 0, top: 0, right: 0, bottom: 0 };
+const kNothing = new Uint32Array(0);
 
-/** Events: "hover", "select", "change" (of the diagram), "layers". */
+/** Events: "hover", "select", "change" (Change), "history", "layers", "tool", "view". */
 export class App extends EventTarget {
-  scene = new Scene();
+  model = new Model();
+  selection = new Selection(this.model);
   view = new View();
   /** @type {Painter} */ painter;
-  /**
-   * The pointer in pixels, or null while it is elsewhere. @type {{ x: number, y: number } | null}
-   */
+  /** The pointer in pixels, or null while it is elsewhere. @type {Point | null} */
   pointer = null;
-  /**
-   * Time of a nearest-site query: the mean over the latest few dozen movements of the pointer
-   * (single ones are too short).
-   */
-  query = { count: 0, micros: 0 };
-  #insertPixels = kFirstRadius;
+  /** @type {Questions} */
+  questions = { neighbors: true, empty: false, under: false, nearest: 0 };
+  /** What the pages's bars cover, in pixels. */
+  insets = () => kNoInsets;
+  /** @type {"select" | "draw" | "pan" | "delete"} */ #tool = "select";
+  #newPixels = kFirstRadius;
 
   constructor(canvases) {
     super();
-    this.painter = new Painter(canvases, this.scene, this.view);
-    let before = null;
-    this.scene.addEventListener("before", (/** @type {any} */ { detail }) => {
-      before = this.#region(detail.id);
-    });
-    this.scene.addEventListener("change", (/** @type {any} */ { detail }) => {
-      if (detail.all) this.painter.redraw();
-      if (before) this.painter.redrawBox(before);
-      if (detail.id !== undefined && !detail.removed)
-        this.painter.redrawBox(this.#region(detail.id));
-      before = null;
+    this.painter = new Painter(canvases, this.model, this.view);
+    this.model.addEventListener("before", (/** @type {any} */ { detail }) =>
+      this.#redrawAround(detail),
+    );
+    this.model.addEventListener("change", (/** @type {any} */ { detail }) => {
+      if (detail.isSet) this.painter.forget();
+      this.#redrawAround(detail);
       this.refreshHover();
-      this.dispatchEvent(new Event("change"));
+      this.dispatchEvent(new CustomEvent("change", { detail }));
+    });
+    this.model.addEventListener("history", () => this.dispatchEvent(new Event("history")));
+    this.selection.addEventListener("select", () => {
+      this.painter.overlay.selected = this.selection.ids;
+      this.painter.redrawOverlay();
+      this.dispatchEvent(new Event("select"));
     });
   }
 
   get diagram() {
-    return this.scene.diagram;
+    return this.model.diagram;
   }
 
-  get selected() {
-    return this.painter.selected;
+  get sites() {
+    return this.model.sites;
   }
 
   get hover() {
-    return this.painter.hover;
+    return this.painter.overlay.hover;
   }
 
-  #region(id) {
-    return regionOf(this.scene, this.view, id, this.painter.layers.dual);
+  get tool() {
+    return this.#tool;
   }
 
-  // --- Sites -------------------------------------------------------------------------------------
+  set tool(tool) {
+    this.#tool = tool;
+    this.dispatchEvent(new Event("tool"));
+  }
+
+  /** @param {import("./model/model.js").Change} change about to happen, or just happened */
+  #redrawAround({ ids }) {
+    const { dual, hull, vertices, centres } = this.painter.layers;
+    const isAround = hull || vertices || centres; // what is drawn changes elsewhere, too
+    if (ids === null || ids.length > kMostBoxes || isAround) {
+      this.painter.redraw();
+      return;
+    }
+    for (let k = 0; k < ids.length; k++)
+      if (this.diagram.has(ids[k]))
+        this.painter.redrawBox(regionOf(this.sites, this.view, ids[k], dual));
+  }
+
+  // --- Edits -------------------------------------------------------------------------------------
+
+  /** A number that says no more than a pixel shows. */
+  rounded(value) {
+    const digits = -Math.floor(Math.log10(0.2 / this.view.scale));
+    if (digits >= 0) return Number(value.toFixed(Math.min(digits, 100)));
+    const step = 10 ** -digits;
+    return Math.round(value / step) * step;
+  }
 
   /** Inserts a circle at a pixel and selects it. @param {number} [r] in the diagram's units */
-  insertAt(x, y, r = this.#insertPixels / this.view.scale) {
-    const id = this.scene.insert(this.view.toWorldX(x), this.view.toWorldY(y), r);
-    this.select(id);
+  insertAt(x, y, r = this.#newPixels / this.view.scale) {
+    return this.insertCircle({ x: this.view.toWorldX(x), y: this.view.toWorldY(y), r });
+  }
+
+  /** Inserts a circle and selects it. @param {import("./model/sites.js").Circle} circle */
+  insertCircle({ x, y, r }) {
+    const numbers = [this.rounded(x), this.rounded(y), this.rounded(r)];
+    const [id] = this.model.insert(Float64Array.from(numbers));
+    this.selection.set([id]);
     return id;
   }
 
-  move(id, x, y) {
-    this.scene.update(id, x, y, this.scene.site(id).r);
+  /** The circle that a click would insert. */
+  draftAt(x, y) {
+    return {
+      x: this.view.toWorldX(x),
+      y: this.view.toWorldY(y),
+      r: this.#newPixels / this.view.scale,
+    };
   }
 
-  resize(id, r) {
-    const site = this.scene.site(id);
-    const radius = Math.max(0, r);
-    this.scene.update(id, site.x, site.y, radius);
-    this.#insertPixels = Math.max(2, Math.min(60, radius * this.view.scale));
+  /** New circles are as large on the screen as this one. */
+  remember(id) {
+    this.#newPixels = Math.max(4, Math.min(60, this.sites.site(id).r * this.view.scale));
   }
 
-  remove(id) {
-    if (id === this.selected) this.select(-1);
-    this.scene.remove(id);
+  removeSelected() {
+    this.model.remove(this.selection.ids);
   }
 
-  /** Replaces all sites. */
-  replaceAll(xyr, labels) {
-    this.select(-1);
-    this.query = { count: 0, micros: 0 };
-    this.#insertPixels = kFirstRadius;
-    this.scene.replaceAll(xyr, labels);
+  /** Copies of the selected ones beside them, selected. */
+  duplicate() {
+    const { ids } = this.selection;
+    if (ids.length === 0) return;
+    const shift = this.rounded(24 / this.view.scale);
+    const xyr = this.sites.triples(ids).map((v, k) => [v + shift, v - shift, v][k % 3]);
+    const labels = ids.map((id) => this.sites.labels.get(id));
+    this.selection.set(this.model.insert(xyr, labels));
   }
 
-  /** @param {number} id -1 selects nothing */
-  select(id) {
-    if (id === this.painter.selected) return;
-    this.painter.selected = id;
-    this.painter.redrawOverlay();
-    this.dispatchEvent(new Event("select"));
+  /** Moves the selected ones by pixels and takes the view along. */
+  nudge(dx, dy) {
+    const { ids } = this.selection;
+    const { scale } = this.view;
+    const shift = [this.rounded(dx / scale), this.rounded(-dy / scale), 0];
+    this.model.update(
+      ids,
+      this.sites.triples(ids).map((v, k) => (k % 3 === 2 ? v : this.rounded(v + shift[k % 3]))),
+    );
+    this.show(this.selection.last);
   }
 
-  /** The circle under a pixel, or -1. */
-  pick(x, y, reach) {
-    const { circles, hidden } = this.painter.layers;
-    const { view } = this;
-    return this.scene.pick(view.toWorldX(x), view.toWorldY(y), reach / view.scale, {
-      visible: circles,
-      hidden,
-    });
+  /** Makes the selected ones larger or smaller. */
+  grow(factor) {
+    const { ids } = this.selection;
+    const least = 1 / this.view.scale;
+    this.model.update(
+      ids,
+      this.sites
+        .triples(ids)
+        .map((v, k) => (k % 3 === 2 ? this.rounded(Math.max(v, least) * factor) : v)),
+    );
+    if (ids.length === 1) this.remember(ids[0]);
+  }
+
+  clear() {
+    this.selection.set(this.sites.ids);
+    this.model.remove(this.sites.ids);
+  }
+
+  undo() {
+    this.#selectOf(this.model.undo());
+  }
+
+  redo() {
+    this.#selectOf(this.model.redo());
+  }
+
+  #selectOf(command) {
+    if (!command?.ids || command.ids.length > kMostBoxes) return;
+    this.selection.set(Array.from(command.ids).filter((id) => this.diagram.has(id)));
   }
 
   // --- Pointer -----------------------------------------------------------------------------------
+
+  /**
+   * The circles at a pixel, those that contain it and those that it misses by `reach` pixels: the
+   * nearest one first, which is what hovering highlights. Hidden ones only if they are shown.
+   * @returns {number[]}
+   */
+  at(x, y, reach) {
+    const { view, painter } = this;
+    const [wx, wy] = [view.toWorldX(x), view.toWorldY(y)];
+    const found = Array.from(this.diagram.within(wx, wy, reach / view.scale));
+    return painter.layers.hidden ? found : found.filter((id) => !this.sites.isHidden(id));
+  }
 
   /** Highlights the site nearest to a pixel; null: the pointer has left. */
   hoverAt(pointer) {
@@ -119,34 +203,69 @@ export class App extends EventTarget {
   }
 
   refreshHover() {
-    this.painter.hover = this.pointer ? this.#nearest(this.pointer) : null;
+    this.painter.overlay.hover = this.pointer ? this.#answers(this.pointer) : null;
     this.painter.redrawOverlay();
     this.dispatchEvent(new Event("hover"));
   }
 
-  #nearest({ x, y }) {
-    const wx = this.view.toWorldX(x);
-    const wy = this.view.toWorldY(y);
-    const start = performance.now();
-    const nearest = this.diagram.nearest(wx, wy);
-    const micros = (performance.now() - start) * 1000;
-    const weight = 1 / Math.min(++this.query.count, kQueries);
-    this.query.micros += (micros - this.query.micros) * weight;
+  /** @param {Point} pointer */
+  #answers({ x, y }) {
+    const { diagram, questions } = this;
+    const [wx, wy] = [this.view.toWorldX(x), this.view.toWorldY(y)];
+    const nearest = diagram.nearest(wx, wy);
     if (!nearest) return null;
+    const { id, distance } = nearest;
     return {
       x,
       y,
-      id: nearest.id,
-      distance: nearest.distance,
-      neighbors: this.diagram.neighbors(nearest.id),
+      id,
+      distance,
+      neighbors: questions.neighbors ? diagram.neighbors(id) : kNothing,
+      nearest: questions.nearest > 0 ? diagram.kNearest(wx, wy, questions.nearest) : kNothing,
+      under: questions.under ? diagram.within(wx, wy, 0) : kNothing,
+      empty: questions.empty ? this.#emptyNear(id, wx, wy) : null,
     };
+  }
+
+  /** The empty circle about the corner of this cell that is nearest to a point. */
+  #emptyNear(id, wx, wy) {
+    const { view, sites } = this;
+    const [left, right] = [view.toWorldX(-view.width), view.toWorldX(2 * view.width)];
+    const [bottom, top] = [view.toWorldY(2 * view.height), view.toWorldY(-view.height)];
+    const cell = this.diagram.voronoi([left, bottom, right, top]).cellCurves(id);
+    if (!cell) return null;
+    const site = sites.site(id);
+    let best = null;
+    let least = Infinity;
+    for (let k = 0; k < cell.neighbors.length; k++) {
+      const before = k === 0 ? cell.neighbors.length - 1 : k - 1;
+      if (cell.neighbors[k] < 0 || cell.neighbors[before] < 0) continue;
+      const [x, y] = cell.curves.subarray(7 * k, 7 * k + 2);
+      const distance = Math.hypot(x - wx, y - wy);
+      if (distance >= least) continue;
+      least = distance;
+      best = { x, y, r: Math.hypot(x - site.x, y - site.y) - sites.radius(id) };
+    }
+    return best;
+  }
+
+  /** What else is drawn over the picture. @param {Partial<Painter["overlay"]>} overlay */
+  mark(overlay) {
+    Object.assign(this.painter.overlay, overlay);
+    this.painter.redrawOverlay();
   }
 
   // --- View --------------------------------------------------------------------------------------
 
-  setLayer(name, shown) {
-    this.painter.layers[name] = shown;
+  setLayer(name, isShown) {
+    this.painter.layers[name] = isShown;
     this.painter.redraw();
+    this.dispatchEvent(new Event("layers"));
+  }
+
+  ask(questions) {
+    Object.assign(this.questions, questions);
+    this.refreshHover();
     this.dispatchEvent(new Event("layers"));
   }
 
@@ -155,19 +274,45 @@ export class App extends EventTarget {
     this.viewChanged();
   }
 
-  zoom(factor, x = this.view.width / 2, y = this.view.height / 2) {
+  zoom(factor, x = this.#middle.x, y = this.#middle.y) {
     this.view.zoom(factor, x, y);
     this.viewChanged();
   }
 
-  fit(bounds = this.scene.bounds(), insets = undefined, margin = undefined) {
-    if (!bounds) return;
-    this.view.fit(bounds, insets, margin);
+  /** Shows all circles beside the bars. */
+  fit(bounds = this.sites.bounds(), margin = undefined) {
+    this.view.fit(bounds ?? [0, 0, 1000, 600], this.insets(), margin);
     this.viewChanged();
+  }
+
+  /** Moves the view as little as it must to show a circle's centre. */
+  show(id) {
+    const { x, y } = this.sites.site(id);
+    const [px, py] = [this.view.toScreenX(x), this.view.toScreenY(y)];
+    const { left, top, right, bottom } = this.insets();
+    const into = (p, low, high) => Math.max(low - p, 0) + Math.min(high - p, 0);
+    const dx = into(px, left + kEdge, this.view.width - right - kEdge);
+    const dy = into(py, top + kEdge, this.view.height - bottom - kEdge);
+    if (dx !== 0 || dy !== 0) this.pan(dx, dy);
+  }
+
+  /** The middle of what the bars leave free. */
+  get #middle() {
+    const { left, top, right, bottom } = this.insets();
+    return {
+      x: (left + this.view.width - right) / 2,
+      y: (top + this.view.height - bottom) / 2,
+    };
+  }
+
+  /** Where keys act: under the pointer, else in the middle. */
+  get place() {
+    return this.pointer ?? this.#middle;
   }
 
   viewChanged() {
     this.painter.viewChanged();
     this.refreshHover();
+    this.dispatchEvent(new Event("view"));
   }
 }

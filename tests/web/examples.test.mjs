@@ -1,12 +1,15 @@
 // The examples of web/examples do what they say, in the browser.
 import { mkdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { fileURLToPath } from "node:url";
 import { expect, test } from "@jest/globals";
 import { describeInBrowser } from "./support/browser.mjs";
 
 const pictures = fileURLToPath(new URL("../../build/pictures/", import.meta.url));
-const index = readFileSync(new URL("../../web/examples/index.html", import.meta.url), "utf8");
-const names = [...index.matchAll(/^ {8}(\w+): "/gm)].map((match) => match[1]);
+const index = readFileSync(new URL("../../web/examples/gallery.js", import.meta.url), "utf8");
+const names = [...index.matchAll(/^ {2}(\w+): \[/gm)].map((match) => match[1]);
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
 describeInBrowser("examples", (open) => {
   /**
@@ -95,6 +98,72 @@ describeInBrowser("examples", (open) => {
       },
     );
     expect(found).toMatchObject({ size: 400, apart: 0, broken: null });
+  });
+
+  test("force: once it rests, the pointer is still answered", async () => {
+    const page = await open({ path: "examples/#force", ready: "example" });
+    await page.evaluate(() => window.example.simulation.stop());
+    const canvas = () =>
+      page.evaluate(() => document.querySelector("figure canvas").toDataURL().length);
+    const box = await (await page.$("figure canvas")).boundingBox();
+    const [x, y] = await page.evaluate(() => {
+      const { x, y } = window.example.nodes[7];
+      return [x, y];
+    });
+    const before = await canvas();
+    await page.mouse.move(box.x + (x * box.width) / 920, box.y + (y * box.height) / 480);
+    expect(await page.evaluate(() => window.example.picked())).toBe(7);
+    expect(await canvas()).not.toBe(before);
+    await page.context().close();
+  });
+
+  test("on a phone, where canvases are shown smaller, the pointer means the same", async () => {
+    const phone = { viewport: { width: 390, height: 700 } };
+    const page = await open({ path: "examples/#force", ready: "example", ...phone });
+    await page.evaluate(() => window.example.simulation.stop());
+    const box = await (await page.$("figure canvas")).boundingBox();
+    expect(box.width).toBeLessThan(380);
+    for (const id of [3, 50, 200]) {
+      const { x, y } = await page.evaluate((id) => window.example.nodes[id], id);
+      await page.mouse.move(box.x + (x * box.width) / 920, box.y + (y * box.height) / 480);
+      expect(await page.evaluate(() => window.example.picked())).toBe(id);
+    }
+    await page.context().close();
+  });
+
+  test.each(["light", "dark"])("cards: all of them, drawn, and clean by axe; %s", async (theme) => {
+    for (const width of [390, 1100]) {
+      const page = await open({
+        path: "examples/",
+        ready: null,
+        colorScheme: theme,
+        viewport: { width, height: 2600 },
+      });
+      const count = names.length;
+      await page.waitForFunction(
+        (count) => document.querySelectorAll(".picture > *").length === count,
+        count,
+      );
+      await page.waitForTimeout(300);
+      mkdirSync(pictures, { recursive: true });
+      await page.screenshot({ path: `${pictures}examples_${theme}_${width}.png` });
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(
+        width,
+      );
+      await page.evaluate(axe);
+      const { violations } = await page.evaluate(() => window.axe.run());
+      expect(violations.map(({ id }) => id)).toEqual([]);
+      await page.click(`a[href="#${names[0]}"]`);
+      await page.waitForFunction(() => window.example);
+      expect(await page.textContent("pre code")).toContain("export default function");
+      await page.evaluate(axe);
+      const again = await page.evaluate(() => window.axe.run());
+      expect(again.violations.map(({ id }) => id)).toEqual([]);
+      await page.click("#back");
+      await page.waitForSelector(".cards");
+      expect(page.errors).toEqual([]);
+      await page.context().close();
+    }
   });
 
   test("worker: every pixel has its circle", async () => {

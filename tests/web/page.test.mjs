@@ -1,27 +1,19 @@
-// The page as a visitor uses it: it opens on real data, and every way to change the diagram does
-// what it says. After each interaction the diagram's own exact check must find nothing.
+// The page as a visitor uses it: every way to change the diagram does what it says. After each test
+// the diagram's own exact check must find nothing.
 import { afterEach, beforeEach, describe, expect, test } from "@jest/globals";
 import {
+  circlesOf,
   describeInBrowser,
+  drag,
   freeSpace,
+  painted,
   settled,
+  show,
+  showCircles,
   sitesInReach,
   stateOf,
   whereIs,
 } from "./support/browser.mjs";
-
-/** How many pixels of a canvas are not transparent. */
-const painted = (page, name) =>
-  page.evaluate((name) => {
-    const canvas = app.painter.canvases[name];
-    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-    let count = 0;
-    for (let k = 3; k < data.length; k += 4) if (data[k] > 0) count++;
-    return count;
-  }, name);
-
-const texts = (page, ...ids) =>
-  page.evaluate((ids) => ids.map((id) => document.getElementById(id).textContent), ids);
 
 describeInBrowser("the page", (open) => {
   let page;
@@ -38,27 +30,36 @@ describeInBrowser("the page", (open) => {
     await page.context().close();
   });
 
+  const at = (id) => whereIs(page, id);
+
   describe("opens", () => {
-    test("on the cities of the world, drawn, counted and credited", async () => {
-      expect(before.size).toBe(1500);
-      expect(before.hidden).toBeGreaterThan(100);
-      // The first drawing waits for the canvas to get its size, which can take more than two frames
-      // while the machine is busy.
-      for (let k = 0; k < 300 && (await painted(page, "map")) === 0; ++k) await settled(page);
-      expect(await painted(page, "map")).toBeGreaterThan(100_000);
-      expect(await painted(page, "base")).toBeGreaterThan(50_000);
-      expect(await texts(page, "count-all", "count-visible", "count-hidden")).toEqual(
-        [before.size, before.visible, before.hidden].map((n) =>
-          n.toLocaleString("en").replace(",", "\u202f"),
-        ),
-      );
-      const credit = await page.textContent("#credit");
-      expect(credit).toMatch(/GeoNames/);
-      expect(credit).toMatch(/CC BY/);
-      expect(credit).toMatch(/Natural Earth/);
+    test("with composed circles, drawn and counted, and says what it is", async () => {
+      expect(before).toMatchObject({ size: 35, hidden: 2 });
+      expect(await painted(page, "lines")).toBeGreaterThan(10_000);
+      expect(await painted(page, "circles")).toBeGreaterThan(50_000);
+      await settled(page);
+      expect(await page.textContent("#count-all")).toBe("35");
+      expect(await page.textContent("#count-hidden")).toBe("2");
+      expect(await page.textContent(".headline")).toMatch(/nearest circle,\s+not the nearest cent/);
+      expect(await page.textContent("#install")).toBe("npm install apollonius-diagram");
     });
 
-    test("in the dark, on a small touch screen, and at high density", async () => {
+    test("with one circle on its way, until the visitor acts; that is no edit", async () => {
+      const moving = await open({ reducedMotion: "no-preference" });
+      const first = await circlesOf(moving);
+      await moving.waitForFunction(([, x]) => app.diagram.site(3).x !== x, first[3]);
+      await moving.focus("#overlay");
+      await moving.keyboard.press("Shift");
+      const then = await circlesOf(moving);
+      await moving.waitForTimeout(300);
+      expect(await circlesOf(moving)).toEqual(then);
+      expect(then.filter((row, k) => `${row}` !== `${first[k]}`)).toHaveLength(1);
+      expect(await moving.evaluate(() => app.model.history.canUndo)).toBe(false);
+      expect(moving.errors).toEqual([]);
+      await moving.context().close();
+    });
+
+    test("in the dark, and at high density", async () => {
       const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
       const light = await paper();
       await page.emulateMedia({ colorScheme: "dark" });
@@ -70,148 +71,207 @@ describeInBrowser("the page", (open) => {
         hasTouch: true,
         isMobile: true,
       });
-      expect(await phone.evaluate(() => [app.painter.canvases.base.width, app.view.width])).toEqual(
-        [1170, 390],
-      );
-      expect(await phone.isVisible("#controls")).toBe(false);
-      await phone.tap("#fold");
-      expect(await phone.isVisible("#controls")).toBe(true);
+      expect(
+        await phone.evaluate(() => [app.painter.canvas("circles").width, app.view.width]),
+      ).toEqual([1170, 390]);
+      // upright sets for an upright window
+      const [width, height] = await phone.evaluate(() => {
+        const [xmin, ymin, xmax, ymax] = app.sites.bounds();
+        return [xmax - xmin, ymax - ymin];
+      });
+      expect(height).toBeGreaterThan(width);
       expect(phone.errors).toEqual([]);
       await phone.context().close();
+    });
+
+    test("Circles and Centres: the same circles, plain cells; and back", async () => {
+      const circles = await circlesOf(page);
+      await page.check("[name=weight][value='0']", { force: true });
+      await page.waitForFunction(() => app.sites.weight === 0);
+      expect(await stateOf(page)).toMatchObject({ size: 35, hidden: 0, broken: null });
+      const radii = await page.evaluate(() =>
+        Array.from(app.diagram.ids(), (id) => app.diagram.site(id).r),
+      );
+      expect(new Set(radii)).toEqual(new Set([0]));
+      await page.check("[name=weight][value='1']", { force: true });
+      await page.waitForFunction(() => app.sites.weight === 1);
+      expect(await circlesOf(page)).toEqual(circles);
+    });
+
+    test("the morph passes through all between", async () => {
+      const moving = await open({ reducedMotion: "no-preference" });
+      await moving.evaluate(() => {
+        window.seen = new Set();
+        app.addEventListener("change", () => window.seen.add(app.sites.weight));
+      });
+      await moving.check("[name=weight][value='0']", { force: true });
+      await moving.waitForFunction(() => app.sites.weight === 0);
+      expect(await moving.evaluate(() => window.seen.size)).toBeGreaterThan(3);
+      expect(await moving.evaluate(() => app.diagram.validate())).toBeNull();
+      await moving.context().close();
     });
   });
 
   describe("pointer", () => {
-    test("a click in empty space inserts a circle there and selects it", async () => {
+    test("Draw: a click inserts a circle there and selects it; Delete removes it", async () => {
       const { x, y } = await freeSpace(page);
+      await page.keyboard.press("d");
       await page.mouse.click(x, y);
       const after = await stateOf(page);
-      expect(after).toMatchObject({
-        size: before.size + 1,
-        visible: before.visible + 1,
-        broken: null,
-      });
-      const at = await whereIs(page, after.selected);
-      expect([at.x, at.y]).toEqual([expect.closeTo(x, 6), expect.closeTo(y, 6)]);
+      expect(after).toMatchObject({ size: 36, visible: before.visible + 1 });
+      const there = await at(after.selected[0]);
+      expect(Math.hypot(there.x - x, there.y - y)).toBeLessThan(0.5);
       await settled(page);
-      expect(await page.isVisible("#card")).toBe(true);
-      await page.keyboard.press("Delete"); // the click has focused the canvas
+      expect(await page.isVisible("#inspector")).toBe(true);
+      await page.focus("#overlay");
+      await page.keyboard.press("Delete");
       expect(await stateOf(page)).toEqual(before);
       await settled(page);
-      expect(await page.isVisible("#card")).toBe(false);
+      expect(await page.isVisible("#inspector")).toBe(false);
     });
 
-    test("a click on a circle selects it; Alt-click inserts upon it, or hidden", async () => {
-      const id = await page.evaluate(() =>
-        [...app.diagram.ids()].find((id) => app.scene.label(id).name === "Berlin"),
-      );
-      const { x, y, r } = await whereIs(page, id);
-      expect(r).toBeGreaterThan(16);
-      await page.mouse.click(x, y);
-      expect(await stateOf(page)).toMatchObject({ size: before.size, selected: id });
-      await page.keyboard.down("Alt");
-      await page.mouse.click(x, y);
-      await page.keyboard.up("Alt");
-      const after = await stateOf(page);
-      expect(after).toMatchObject({ size: before.size + 1, hidden: before.hidden + 1 });
-      expect(await page.evaluate((id) => app.diagram.coverOf(id), after.selected)).toBe(id);
-      await settled(page);
-      expect(await page.textContent("#card-numbers")).toContain("hidden inside Berlin");
-    });
-
-    test("Shift-click deletes", async () => {
-      const [id] = await sitesInReach(page);
-      const { x, y } = await whereIs(page, id);
-      await page.keyboard.down("Shift");
-      await page.mouse.click(x, y);
-      await page.keyboard.up("Shift");
-      expect(await stateOf(page)).toMatchObject({ size: before.size - 1, broken: null });
-      expect(await page.evaluate((id) => app.diagram.has(id), id)).toBe(false);
-    });
-
-    test("a drag moves a circle, which keeps its id and size", async () => {
-      const [id] = await sitesInReach(page);
-      const from = await whereIs(page, id);
-      await page.mouse.move(from.x, from.y);
-      await page.mouse.down();
-      for (let k = 1; k <= 20; k++) await page.mouse.move(from.x + 4 * k, from.y + 2 * k);
-      await page.mouse.up();
-      const to = await whereIs(page, id);
-      expect([to.x - from.x, to.y - from.y, to.r]).toEqual(
-        [80, 40, from.r].map((n) => expect.closeTo(n, 6)),
-      );
-      expect(await stateOf(page)).toMatchObject({ size: before.size, selected: id, broken: null });
-    });
-
-    test("a drag of empty space moves the view, not the diagram", async () => {
+    test("Draw: a drag draws from the centre, and shows the cell to be on the way", async () => {
       const { x, y } = await freeSpace(page);
-      const [id] = await sitesInReach(page);
-      const from = await whereIs(page, id);
-      await page.mouse.move(x, y);
-      await page.mouse.down();
-      await page.mouse.move(x + 50, y - 30, { steps: 5 });
-      await page.mouse.up();
-      const to = await whereIs(page, id);
-      expect([to.x - from.x, to.y - from.y]).toEqual([
-        expect.closeTo(50, 6),
-        expect.closeTo(-30, 6),
-      ]);
-      expect(await stateOf(page)).toEqual(before);
-    });
-
-    test("Alt-drag draws a circle of that size", async () => {
-      const { x, y } = await freeSpace(page);
-      await page.keyboard.down("Alt");
+      await page.click("#tool-draw");
       await page.mouse.move(x, y);
       await page.mouse.down();
       await page.mouse.move(x + 40, y, { steps: 4 });
+      expect(await page.evaluate(() => app.painter.overlay.draft.r * app.view.scale)).toBeCloseTo(
+        40,
+        1,
+      );
+      expect(await painted(page, "overlay")).toBeGreaterThan(3000);
+      expect((await stateOf(page)).size).toBe(35); // not yet
       await page.mouse.up();
-      await page.keyboard.up("Alt");
-      const after = await stateOf(page);
-      expect(after.size).toBe(before.size + 1);
-      expect((await whereIs(page, after.selected)).r).toBeCloseTo(40, 6);
+      const { selected } = await stateOf(page);
+      expect((await at(selected[0])).r).toBeCloseTo(40, 0);
     });
 
-    test("the wheel resizes over the selected circle, and zooms elsewhere", async () => {
+    test("Alt-drag draws with any tool; Escape gives it up", async () => {
+      const { x, y } = await freeSpace(page);
+      await page.keyboard.down("Alt");
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x + 30, y, { steps: 4 });
+      await page.keyboard.up("Alt");
+      await page.keyboard.press("Escape");
+      await page.mouse.up();
+      expect(await stateOf(page)).toEqual(before);
+      expect(await page.evaluate(() => app.painter.overlay.draft)).toBeNull();
+    });
+
+    test("a second click in the same place selects what lies beneath, and so on", async () => {
+      await showCircles(page, [0, 0, 100, 5, 0, 60, -300, 0, 20, 6, 0, 20]);
+      const { x, y } = await at(3);
+      const seen = [];
+      for (let k = 0; k < 4; k++) {
+        await page.mouse.click(x, y);
+        seen.push((await stateOf(page)).selected);
+        await page.waitForTimeout(350); // no double click
+      }
+      expect(seen).toEqual([[0], [1], [3], [0]]);
+      await settled(page);
+      await page.mouse.click(x, y);
+      await settled(page);
+      expect(await page.textContent("#card-facts")).toContain("none: it is hidden");
+      await page.click("#card-facts button");
+      expect((await stateOf(page)).selected).toEqual([0]);
+    });
+
+    test("a double click inserts where there is room", async () => {
+      const { x, y } = await freeSpace(page);
+      await page.mouse.dblclick(x, y);
+      expect((await stateOf(page)).size).toBe(36);
+    });
+
+    test("Shift: a click adds, a drag selects by a box; all are moved together", async () => {
+      await showCircles(page, [0, 0, 10, 100, 0, 10, 200, 0, 10, 100, 150, 10]);
+      const places = await Promise.all([0, 1, 2, 3].map(at));
+      await page.mouse.click(places[0].x, places[0].y);
+      await page.keyboard.down("Shift");
+      await page.mouse.click(places[3].x, places[3].y);
+      expect((await stateOf(page)).selected).toEqual([0, 3]);
+      await page.mouse.click(places[3].x, places[3].y);
+      expect((await stateOf(page)).selected).toEqual([0]);
+      await drag(
+        page,
+        { x: places[1].x - 60, y: places[1].y - 60 },
+        { x: places[2].x + 40, y: places[2].y + 40 },
+      );
+      await page.keyboard.up("Shift");
+      expect((await stateOf(page)).selected).toEqual([0, 1, 2]);
+      await drag(page, places[1], { x: places[1].x + 50, y: places[1].y - 20 });
+      const moved = await Promise.all([0, 1, 2, 3].map(at));
+      expect(moved.map((p, k) => Math.round(p.x - places[k].x))).toEqual([50, 50, 50, 0]);
+      await page.keyboard.press("Control+z");
+      expect(await Promise.all([0, 1, 2, 3].map(at))).toEqual(places);
+    });
+
+    test("Pan moves the view, also upon circles; so do elsewhere a drag, and Space", async () => {
       const [id] = await sitesInReach(page);
-      const from = await whereIs(page, id);
+      const from = await at(id);
+      const space = await freeSpace(page);
+      const circles = await circlesOf(page);
+      await page.keyboard.press("h");
+      await drag(page, from, { x: from.x + 50, y: from.y - 30 });
+      expect((await at(id)).x - from.x).toBeCloseTo(50, 6);
+      await page.keyboard.press("v");
+      await drag(page, { x: space.x + 50, y: space.y - 30 }, space);
+      expect((await at(id)).x - from.x).toBeCloseTo(0, 6);
+      await page.focus("#overlay");
+      await page.keyboard.down(" ");
+      await drag(page, from, { x: from.x + 20, y: from.y });
+      await page.keyboard.up(" ");
+      expect((await at(id)).x - from.x).toBeCloseTo(20, 6);
+      expect(await circlesOf(page)).toEqual(circles);
+    });
+
+    test("Delete: a click, and a drag over several", async () => {
+      await showCircles(page, [0, 0, 10, 100, 0, 10, 200, 0, 10, 300, 100, 10]);
+      const places = await Promise.all([0, 1, 2, 3].map(at));
+      await page.click("#tool-delete");
+      await page.mouse.click(places[3].x, places[3].y);
+      expect((await stateOf(page)).size).toBe(3);
+      await drag(page, places[0], places[2], 60);
+      expect((await stateOf(page)).size).toBe(0);
+      for (let k = 0; k < 4; k++) await page.click("#tool-undo");
+      expect(await Promise.all([0, 1, 2, 3].map(at))).toEqual(places);
+    });
+
+    test("the wheel zooms about the pointer", async () => {
+      const [id] = await sitesInReach(page);
+      const from = await at(id);
       await page.mouse.move(from.x, from.y);
-      await page.mouse.wheel(0, -100); // not selected yet: zooms about the pointer
-      const zoomed = await whereIs(page, id);
+      await page.mouse.wheel(0, -100);
+      const zoomed = await at(id);
       // the browser rounds the wheel's position
-      expect(Math.abs(zoomed.x - from.x)).toBeLessThan(0.5);
+      expect(Math.hypot(zoomed.x - from.x, zoomed.y - from.y)).toBeLessThan(0.5);
       expect(zoomed.r / from.r).toBeCloseTo(Math.exp(0.16), 6);
-      await page.waitForTimeout(300); // another gesture
-      await page.mouse.click(from.x, from.y);
-      const scale = await page.evaluate(() => app.view.scale);
-      await page.mouse.wheel(0, -100);
-      await page.mouse.wheel(0, -100);
-      expect((await whereIs(page, id)).r / zoomed.r).toBeCloseTo(Math.exp(0.2), 6);
-      expect(await page.evaluate(() => app.view.scale)).toBe(scale);
-      expect(await stateOf(page)).toMatchObject({ size: before.size, selected: id, broken: null });
     });
 
     test("the handle resizes; a circle that grows hides others, and shrinks back", async () => {
-      const id = await page.evaluate(() =>
-        [...app.diagram.ids()].find((id) => app.scene.label(id).name === "Berlin"),
-      );
-      const { x, y, r } = await whereIs(page, id);
+      await show(page, "cities");
+      const cities = await stateOf(page);
+      const [id] = await sitesInReach(page);
+      const { x, y, r } = await at(id);
       await page.mouse.click(x, y);
-      await page.mouse.move(x + r + 5, y);
+      const handle = x + Math.max(r + 5, 11);
+      await page.mouse.move(handle, y);
       await page.mouse.down();
-      await page.mouse.move(x + r + 125, y, { steps: 6 });
-      expect((await whereIs(page, id)).r).toBeCloseTo(r + 120, 6);
+      await page.mouse.move(handle + 120, y, { steps: 6 });
       const grown = await stateOf(page);
-      expect(grown).toMatchObject({ size: before.size, broken: null });
-      expect(grown.hidden).toBeGreaterThan(before.hidden + 3);
-      await page.mouse.move(x + r + 5, y, { steps: 6 });
+      expect(grown).toMatchObject({ size: 1500, broken: null });
+      expect(grown.hidden).toBeGreaterThan(cities.hidden + 3);
+      await page.keyboard.press("Escape");
       await page.mouse.up();
-      expect(await stateOf(page)).toMatchObject({ visible: before.visible, hidden: before.hidden });
+      expect(await stateOf(page)).toMatchObject({ hidden: cities.hidden });
+      expect((await at(id)).r).toBe(r);
     });
 
     test("moving highlights the nearest site and its neighbours, as brute force does", async () => {
+      await show(page, "cities");
       for (let k = 0; k < 30; k++) {
-        await page.mouse.move(320 + ((k * 97) % 900), 30 + ((k * 61) % 740));
+        await page.mouse.move(320 + ((k * 97) % 640), 130 + ((k * 61) % 540));
         const { hover, nearest, neighbors } = await page.evaluate(() => {
           const { x, y, id, distance } = app.hover;
           const px = app.view.toWorldX(x);
@@ -230,160 +290,92 @@ describeInBrowser("the page", (open) => {
         expect(neighbors).not.toContain(hover.id);
       }
       await settled(page);
-      const label = await page.evaluate(() => app.scene.label(app.hover.id).name);
-      expect(await page.textContent("#nearest-name")).toBe(label);
-      expect(await painted(page, "overlay")).toBeGreaterThan(500);
-      await page.mouse.move(100, 300); // onto the panel
+      const label = await page.evaluate(() => app.sites.label(app.hover.id).name);
+      expect(await page.textContent("#tag")).toContain(label);
+      await page.mouse.move(400, 10); // onto the bar
       expect(await page.evaluate(() => app.hover)).toBeNull();
+      await settled(page);
+      expect(await page.isVisible("#tag")).toBe(false);
     });
   });
 
-  describe("touch", () => {
-    test("a tap inserts or selects, a drag moves, two fingers zoom", async () => {
-      const phone = await open({ viewport: { width: 800, height: 900 }, hasTouch: true });
-      const { x, y } = await freeSpace(phone);
-      await phone.touchscreen.tap(x, y);
-      const inserted = await stateOf(phone);
-      expect(inserted.size).toBe(1501);
-      const id = inserted.selected;
+  describe("inspector", () => {
+    test("numbers can be edited, and the edit undone; nonsense is refused", async () => {
+      const [id] = await sitesInReach(page);
+      const { x, y } = await at(id);
+      await page.mouse.click(x, y);
+      await settled(page);
+      const circles = await circlesOf(page);
+      await page.fill("#card-r", "33.5");
+      await page.press("#card-r", "Enter");
+      expect(await page.evaluate((id) => app.diagram.site(id).r, id)).toBe(33.5);
+      await page.fill("#card-x", "1e300");
+      await page.press("#card-x", "Enter");
+      expect(await page.evaluate((id) => app.diagram.site(id).r, id)).toBe(33.5);
+      expect(await page.$eval("#card-x", (field) => field.validity.customError)).toBe(true);
+      await page.click("#tool-undo");
+      expect(await circlesOf(page)).toEqual(circles);
+    });
 
-      const touch = await phone.context().newCDPSession(phone);
-      const send = (type, ...points) =>
-        touch.send("Input.dispatchTouchEvent", {
-          type,
-          touchPoints: points.map(([px, py], k) => ({ x: px, y: py, id: k })),
-        });
-      await send("touchStart", [x, y]);
-      for (let k = 1; k <= 10; k++) await send("touchMove", [x - 3 * k, y + 2 * k]);
-      await send("touchEnd");
-      const moved = await whereIs(phone, id);
-      expect([moved.x - x, moved.y - y]).toEqual([expect.closeTo(-30, 6), expect.closeTo(20, 6)]);
-
-      const scale = await phone.evaluate(() => app.view.scale);
-      await send("touchStart", [400, 400]);
-      await send("touchStart", [400, 400], [500, 400]);
-      await send("touchMove", [380, 400], [520, 400]);
-      await send("touchMove", [350, 400], [550, 400]);
-      await send("touchEnd");
-      expect((await phone.evaluate(() => app.view.scale)) / scale).toBeGreaterThan(1.3);
-      expect(await stateOf(phone)).toMatchObject({ size: 1501, broken: null });
-      await phone.tap("#card-delete");
-      expect(await stateOf(phone)).toMatchObject({ size: 1500, broken: null });
-      expect(phone.errors).toEqual([]);
-      await phone.context().close();
+    test("says area, neighbours and what is hidden; duplicates, resizes", async () => {
+      await showCircles(page, [0, 0, 50, 10, 0, 8, 300, 0, 10, -300, 0, 10, 0, 300, 9, 0, -300, 9]);
+      const { x, y } = await at(0);
+      await page.mouse.click(x + 40, y);
+      await settled(page);
+      const area = await page.evaluate(() =>
+        app.diagram.voronoi([-5000, -5000, 5000, 5000]).cellArea(0),
+      );
+      const facts = await page.textContent("#card-facts");
+      expect(Number(facts.match(/area([\d\u202f.]+)/)[1].replaceAll("\u202f", ""))).toBeCloseTo(
+        area,
+        -1,
+      );
+      expect(facts).toMatch(/neighbours4hides1/);
+      await page.click("#card-duplicate");
+      expect(await stateOf(page)).toMatchObject({ size: 7, selected: [6], broken: null });
+      await page.click("#card-larger");
+      expect((await page.evaluate(() => app.diagram.site(6).r)) / 50).toBeCloseTo(1.15, 2);
     });
   });
 
-  describe("keyboard", () => {
-    test("keys: Enter selects, arrows move, + and - resize, N walks, I inserts", async () => {
-      const { x, y } = await freeSpace(page);
-      await page.mouse.move(x, y);
-      await page.focus("#overlay");
-      await page.keyboard.press("Enter");
-      const { selected: id } = await stateOf(page);
-      expect(id).toBe(await page.evaluate(() => app.hover.id));
-      const from = await whereIs(page, id);
-      await page.keyboard.press("ArrowRight");
-      await page.keyboard.press("Shift+ArrowUp");
-      await page.keyboard.press("+");
-      const to = await whereIs(page, id);
-      expect([to.x - from.x, to.y - from.y]).toEqual([
-        expect.closeTo(4, 6),
-        expect.closeTo(-40, 6),
-      ]);
-      expect(to.r / from.r).toBeCloseTo(1.05, 6);
-      await page.keyboard.press("-");
-      expect((await whereIs(page, id)).r).toBeCloseTo(from.r, 6);
-      const neighbors = await page.evaluate((id) => [...app.diagram.neighbors(id)], id);
-      await page.keyboard.press("n");
-      expect(neighbors).toContain((await stateOf(page)).selected);
-      await page.keyboard.press("Delete");
-      expect(await stateOf(page)).toMatchObject({
-        size: before.size - 1,
-        selected: -1,
-        broken: null,
-      });
-      await page.keyboard.press("i");
-      expect(await stateOf(page)).toMatchObject({ size: before.size, broken: null });
+  describe("layers", () => {
+    const layers = ["circles", "cells", "distances", "dual", "centres", "vertices", "hull"];
+    test.each(layers)("%s can be switched", async (layer) => {
+      const canvas = layer === "circles" ? "circles" : "lines";
+      const set = async (isShown) => {
+        await page.evaluate(([layer, isShown]) => app.setLayer(layer, isShown), [layer, isShown]);
+        return painted(page, canvas);
+      };
+      for (const other of layers)
+        if (other !== layer && other !== "circles")
+          await page.evaluate((other) => app.setLayer(other, false), other);
+      expect(await set(true)).toBeGreaterThan((await set(false)) + 1000);
+    });
+
+    test("the menu switches them, and what is answered at the pointer", async () => {
+      await page.click("#open-show");
+      await page.uncheck("[name=cells]");
+      expect(await page.evaluate(() => app.painter.layers.cells)).toBe(false);
+      await page.check("[name=under]");
+      await page.check("[name=empty]");
+      await page.check("#questions [name=nearest]");
       await page.keyboard.press("Escape");
-      expect((await stateOf(page)).selected).toBe(-1);
-    });
-  });
-
-  describe("buttons", () => {
-    test.each([
-      ["100", 0],
-      ["1000", 20],
-      ["10000", 50],
-    ])("%s random circles, %i %% hidden", async (count, share) => {
-      await page.fill("#share", String(share));
-      await page.click(`[data-count="${count}"]`);
-      const hidden = (Number(count) * share) / 100;
-      expect(await stateOf(page)).toEqual({
-        size: Number(count),
-        visible: Number(count) - hidden,
-        hidden,
-        selected: -1,
-        broken: null,
-      });
+      const { x, y } = await at(1); // hidden in 0
+      await page.mouse.move(x, y);
       await settled(page);
-      expect(await painted(page, "base")).toBeGreaterThan(20_000);
-      expect(await page.isVisible("#credit")).toBe(false);
-    });
-
-    test("Clear empties; a click inserts again; Cities brings them back", async () => {
-      await page.click("#clear");
-      expect(await stateOf(page)).toMatchObject({ size: 0, broken: null });
-      await page.mouse.move(700, 400);
-      await settled(page);
-      expect(await painted(page, "base")).toBe(0);
-      for (const [x, y] of [
-        [700, 400],
-        [800, 400],
-        [900, 400],
-        [800, 500],
-      ]) {
-        await page.mouse.click(x, y);
-        await settled(page);
-        expect((await stateOf(page)).broken).toBeNull();
-      }
-      expect(await stateOf(page)).toMatchObject({ size: 4, visible: 4 });
-      for (let left = 3; left >= 0; left--) {
-        await page.evaluate(() => app.select(app.diagram.ids()[0]));
-        await page.focus("#overlay");
-        await page.keyboard.press("Delete");
-        expect(await stateOf(page)).toMatchObject({ size: left, broken: null });
-      }
-      await page.click("#set-cities");
-      expect(await stateOf(page)).toMatchObject({ size: 1500, broken: null });
-    });
-
-    test("hidden sites are shown in their own colour, and only while their layer is", async () => {
-      await page.fill("#share", "50");
-      await page.click('[data-count="100"]');
-      const reddish = () =>
-        page.evaluate(() => {
-          app.painter.flush();
-          const canvas = app.painter.canvases.base;
-          const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-          let count = 0;
-          for (let k = 0; k < data.length; k += 4)
-            if (data[k + 3] > 100 && data[k] > data[k + 2] + 60) count++;
-          return count;
-        });
-      expect(await reddish()).toBeGreaterThan(500);
-      await page.uncheck("[name=hidden]");
-      expect(await reddish()).toBe(0);
-    });
-
-    test.each(["circles", "cells", "dual"])("the layer %s can be switched", async (layer) => {
-      await page.click('[data-count="100"]');
-      const on = () =>
-        page.evaluate(() => void app.painter.flush()).then(() => painted(page, "base"));
-      await page.setChecked(`[name=${layer}]`, true);
-      const withLayer = await on();
-      await page.setChecked(`[name=${layer}]`, false);
-      expect(await on()).toBeLessThan(withLayer - 1000);
+      const { under, nearest, empty } = await page.evaluate(() => ({
+        under: [...app.hover.under],
+        nearest: [...app.hover.nearest],
+        empty: app.hover.empty,
+      }));
+      expect(under).toEqual([0, 1]);
+      expect(nearest).toHaveLength(5);
+      const gap = await page.evaluate(
+        ({ x, y, r }) => app.diagram.nearest(x, y).distance - r,
+        empty,
+      );
+      expect(gap).toBeCloseTo(0, 6);
+      expect(await page.textContent("#tag")).toContain("in Circle 0, Circle 1");
     });
   });
 });

@@ -1,8 +1,8 @@
 // What is drawn, against the diagram: cells hold exactly the points nearest to their site, at any
 // zoom; and a picture that was updated box by box equals one that was drawn anew.
 import { afterAll, beforeAll, expect, test } from "@jest/globals";
-import { describeInBrowser } from "./support/browser.mjs";
-import { generator } from "../../web/random_sets.js";
+import { describeInBrowser, show, showCircles } from "./support/browser.mjs";
+import { generator } from "../../web/sets/random_sets.js";
 
 const random = generator(11);
 const kSets = {
@@ -37,26 +37,26 @@ describeInBrowser("the picture", (open) => {
   });
 
   test.each(Object.entries(kSets))("cells: %s", async (_, xyr) => {
-    const { points, wrong } = await page.evaluate(async (xyr) => {
-      const { addCell } = await import("./curves.js");
+    await showCircles(page, xyr);
+    const { points, wrong } = await page.evaluate(async () => {
+      const { addCell } = await import("./picture/curves.js");
       const context = document.createElement("canvas").getContext("2d");
       const holds = (id, x, y) => {
         context.beginPath();
-        addCell(context, app.scene, app.view, id);
+        addCell(context, app.sites, app.view, id);
         return context.isPointInPath(x, y);
       };
-      app.replaceAll(Float64Array.from(xyr));
       const ids = [...app.diagram.ids()];
       const wrong = [];
       let points = 0;
       for (const zoom of [1, 0.1, 0.001, 5, 40, 1000]) {
-        app.fit(undefined, { left: 0, top: 0, right: 0, bottom: 0 });
+        app.fit();
         app.zoom(zoom, app.view.width * Math.random(), app.view.height * Math.random());
         for (let k = 0; k < 60; k++) {
           const x = app.view.width * Math.random();
           const y = app.view.height * Math.random();
           const far = (id) => {
-            const site = app.scene.site(id);
+            const site = app.sites.site(id);
             return (
               Math.hypot(app.view.toWorldX(x) - site.x, app.view.toWorldY(y) - site.y) - site.r
             );
@@ -70,24 +70,26 @@ describeInBrowser("the picture", (open) => {
         }
       }
       return { points, wrong: wrong.slice(0, 5) };
-    }, xyr);
+    });
     expect(wrong).toEqual([]);
     expect(points).toBeGreaterThan(50);
   });
 
   test.each([
-    false,
-    true,
-  ])("boxes: after many changes the picture is as drawn anew (dual graph: %s)", async (dual) => {
-    await page.click('[data-count="1000"]');
-    await page.setChecked("[name=dual]", dual);
-    const { changed, differing, boxes } = await page.evaluate(() => {
-      const canvas = app.painter.canvases.base;
+    ["cells", {}],
+    ["cells and dual graph", { dual: true }],
+    ["cells of many circles, found one by one", { isMany: true }],
+  ])("boxes: after many changes the picture is as drawn anew: %s", async (_, { dual, isMany }) => {
+    await show(page, "random", { n: isMany ? "2500" : "1000" });
+    const { changed, differing, boxes } = await page.evaluate((dual) => {
+      app.setLayer("dual", dual);
+      app.setLayer("distances", false);
+      const canvas = () => app.painter.canvas("lines");
       const pixels = () =>
-        canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+        canvas().getContext("2d").getImageData(0, 0, canvas().width, canvas().height).data;
       const count = (a, b) => {
         let differing = 0;
-        for (let k = 3; k < a.length; k += 4) if (Math.abs(a[k] - b[k]) > 64) differing++;
+        for (let k = 3; k < a.length; k += 4) if (Math.abs(a[k] - b[k]) > 110) differing++;
         return differing;
       };
       app.painter.flush();
@@ -96,10 +98,10 @@ describeInBrowser("the picture", (open) => {
       for (let k = 0; k < 60; k++) {
         const ids = app.diagram.ids();
         const id = ids[(k * 37) % ids.length];
-        const { x, y, r } = app.scene.site(id);
-        if (k % 4 === 0) app.move(id, x + 30, y - 20);
-        else if (k % 4 === 1) app.resize(id, 2.5 * r + 5);
-        else if (k % 4 === 2) app.remove(id);
+        const { x, y, r } = app.sites.site(id);
+        if (k % 4 === 0) app.model.update([id], Float64Array.of(x + 30, y - 20, r));
+        else if (k % 4 === 1) app.model.update([id], Float64Array.of(x, y, 2.5 * r + 5));
+        else if (k % 4 === 2) app.model.remove([id]);
         else app.insertAt(400 + ((k * 53) % 800), 100 + ((k * 31) % 600), 10);
         app.painter.flush();
       }
@@ -111,10 +113,70 @@ describeInBrowser("the picture", (open) => {
         differing: count(after, pixels()),
         boxes: app.painter.costs.box.length,
       };
-    });
+    }, dual ?? false);
     expect(changed).toBeGreaterThan(1000);
     expect(boxes).toBeGreaterThan(40);
     expect(differing).toBeLessThan(20); // anti-aliasing where paths were cut differently
     expect(await page.evaluate(() => app.diagram.validate())).toBeNull();
+  });
+
+  test("edges found from cell to cell are all edges", async () => {
+    await show(page, "random", { n: "3000", hidden: "20" });
+    const { found, all } = await page.evaluate(async () => {
+      const { drawEdges } = await import("./picture/edges.js");
+      const [xmin, ymin, xmax, ymax] = app.sites.bounds();
+      const bounds = [xmin, ymin, (2 * xmin + xmax) / 3, (ymin + ymax) / 2];
+      const edges = [];
+      const note = (x, y) => edges.push(`${x.toPrecision(9)} ${y.toPrecision(9)}`);
+      const target = { moveTo: note, lineTo() {}, bezierCurveTo() {} };
+      for (const _ of drawEdges(app.diagram, bounds, target));
+      const { curves } = app.diagram.voronoi(bounds).edgeCurves();
+      return { found: edges.length, all: curves.length / 7 };
+    });
+    expect(all).toBeGreaterThan(500);
+    expect(found).toBe(all);
+  });
+
+  test("many circles, point by point, look like the same circles as paths", async () => {
+    await show(page, "random", { n: "1400", hidden: "0" });
+    const { covered, differing } = await page.evaluate(async () => {
+      const { CirclesLayer } = await import("./picture/circles_layer.js");
+      const { Shower } = await import("./picture/shower.js");
+      const { width, height } = app.view;
+      const picture = {
+        sites: app.sites,
+        view: app.view,
+        layers: app.painter.layers,
+        theme: app.painter.theme,
+        pixelRatio: 1,
+      };
+      const canvas = () => new OffscreenCanvas(width, height).getContext("2d");
+      const paths = canvas();
+      const box = { left: 0, top: 0, right: width, bottom: height };
+      new CirclesLayer().draw(paths, picture, box, true);
+      const points = canvas();
+      const shower = new Shower(width, height);
+      const xyr = Float32Array.from(
+        Array.from(app.sites.ids).flatMap((id) => {
+          const { x, y, r } = app.sites.site(id);
+          return [app.view.toScreenX(x), app.view.toScreenY(y), r * app.view.scale];
+        }),
+      );
+      const { siteFill, site } = app.painter.theme;
+      shower.add(xyr, xyr.length, { fill: siteFill, stroke: site }, 1.25);
+      shower.show(points);
+      const [a, b] = [paths, points].map(
+        (context) => context.getImageData(0, 0, width, height).data,
+      );
+      let covered = 0;
+      let differing = 0;
+      for (let k = 3; k < a.length; k += 4) {
+        if (a[k] > 0) covered++;
+        if (Math.abs(a[k] - b[k]) > 90) differing++;
+      }
+      return { covered, differing };
+    });
+    expect(covered).toBeGreaterThan(50_000);
+    expect(differing / covered).toBeLessThan(0.06);
   });
 });

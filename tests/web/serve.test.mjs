@@ -1,8 +1,10 @@
 // The static server: types, refusals, the next free port; and the page's security policy fits its
 // import map.
+import { spawn } from "node:child_process";
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { createServer, request } from "node:http";
+import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, test } from "@jest/globals";
 import { serve } from "../../tools/serve.mjs";
 
@@ -63,6 +65,40 @@ test("a port in use is passed over", async () => {
   const second = await serve(port);
   expect(Number(new URL(second.url).port)).toBeGreaterThan(port);
   await second.close();
+  await new Promise((resolve) => taken.close(resolve));
+});
+
+/** What the program prints first, when it is started like this. */
+const started = (args, env) =>
+  new Promise((resolve, reject) => {
+    const program = fileURLToPath(new URL("../../tools/serve.mjs", import.meta.url));
+    const child = spawn(process.execPath, [program, ...args], {
+      env: { ...process.env, ...env },
+    });
+    let said = "";
+    const hear = (text) => {
+      said += text;
+      if (!/The page is at|usage/.test(said)) return;
+      child.kill();
+      resolve(said);
+    };
+    child.stdout.on("data", hear);
+    child.stderr.on("data", hear);
+    child.on("error", reject);
+  });
+
+test("the port comes from --port or PORT; a taken one is said, and the next one used", async () => {
+  const taken = createServer();
+  await new Promise((resolve) => taken.listen(0, "127.0.0.1", resolve));
+  const { port } = taken.address();
+  for (const said of await Promise.all([
+    started([], { PORT: String(port) }),
+    started(["--port", String(port)], {}),
+  ])) {
+    expect(said).toContain(`Port ${port} is taken.`);
+    expect(Number(said.match(/localhost:(\d+)/)[1])).toBeGreaterThan(port);
+  }
+  expect(await started([], { PORT: "none" })).toMatch(/usage/);
   await new Promise((resolve) => taken.close(resolve));
 });
 

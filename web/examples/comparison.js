@@ -79,7 +79,12 @@ export default function comparison(container) {
     }
     return sides.map(({ find }) => find(x, y));
   }
-  canvas.onpointermove = ({ offsetX, offsetY }) => draw(offsetX % (width + gap), offsetY);
+  canvas.onpointermove = ({ offsetX, offsetY }) => {
+    // The canvas may be shown smaller than it is.
+    const x = (offsetX * canvas.width) / canvas.clientWidth;
+    const y = (offsetY * canvas.height) / canvas.clientHeight;
+    draw(x % (width + gap), y);
+  };
   // To begin with, where the plain diagram errs most: deep inside one circle, and another one
   // picked.
   const error = (x, y) => {
@@ -95,5 +100,5 @@ export default function comparison(container) {
     for (let y = 5; y < height; y += 5) if (error(x, y) > error(...worst)) worst = [x, y];
   }
   const [plain, weighted] = draw(...worst);
-  return { bubbles, plain, weighted, worst };
+  return { bubbles, plain, weighted, worst, sides, canvas };
 }

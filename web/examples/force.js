@@ -19,7 +19,11 @@ export default function force(container) {
   );
   const context = canvas.getContext("2d");
   let mouse = null;
-  canvas.onpointermove = (event) => (mouse = [event.offsetX, event.offsetY]);
+  canvas.onpointermove = ({ offsetX, offsetY }) => {
+    // The canvas may be shown smaller than it is.
+    mouse = [(offsetX * width) / canvas.clientWidth, (offsetY * height) / canvas.clientHeight];
+    draw(); // the simulation may be at rest
+  };
 
   const simulation = forceSimulation(nodes)
     .force("x", forceX(width / 2).strength(0.03))
@@ -58,5 +62,10 @@ export default function force(container) {
       context.stroke();
     });
   }
-  return { diagram, nodes, simulation };
+  return {
+    diagram,
+    nodes,
+    simulation,
+    picked: () => (mouse ? diagram.find(mouse[0], mouse[1]) : -1),
+  };
 }

@@ -1,16 +1,18 @@
-// A browser for the page's tests: Chromium as installed, driven by playwright-core, against
-// tools/serve.mjs.
+// Browsers for the page's tests, against tools/serve.mjs: Chromium driven by playwright-core, and
+// Firefox by puppeteer-core.
 import { existsSync } from "node:fs";
 import { afterAll, beforeAll, describe, test } from "@jest/globals";
 import { chromium } from "playwright-core";
+import puppeteer from "puppeteer-core";
 import { serve } from "../../../tools/serve.mjs";
 
-const kCandidates = [
+const kChromium = [
   process.env.CHROMIUM,
   process.env.CHROME_PATH,
   "/usr/bin/chromium",
   "/usr/bin/google-chrome",
 ];
+const kFirefox = [process.env.FIREFOX, "/usr/bin/firefox-esr", "/usr/bin/firefox"];
 const kArguments = [
   "--no-sandbox",
   "--disable-gpu",
@@ -22,26 +24,22 @@ const kArguments = [
   "--disable-sync",
 ];
 
-const executablePath = kCandidates.find((path) => path && existsSync(path));
+const there = (paths) => paths.find((path) => path && existsSync(path));
 
 /**
  * A group of tests with a browser. Without one they are skipped, and say so; in CI that is a
  * failure.
- * @param {string} name
- * @param {(open: (options?: object) => Promise<import("playwright-core").Page>) => void} define
- *   gets a function that opens the page; `page.errors` lists what went wrong in it: exceptions,
- *   console errors, refused or failed requests
  */
-export function describeInBrowser(name, define) {
-  if (!executablePath) {
+function describeWith(browserName, path, name, start, define) {
+  if (!path) {
     if (process.env.CI) {
       test(`${name}: there is a browser`, () => {
-        throw new Error("no Chromium found: install it, or set CHROMIUM to its path");
+        throw new Error(`no ${browserName} found: install it, or set its path`);
       });
       return;
     }
     process.stderr.write(
-      `SKIPPED: ${name}. No Chromium found: install it, or set CHROMIUM to its path.\n`,
+      `SKIPPED: ${name}. No ${browserName} found: install it, or set its path.\n`,
     ); // Jest would hide console.warn
     describe.skip(name, () => define(async () => null));
     return;
@@ -51,42 +49,103 @@ export function describeInBrowser(name, define) {
     let server;
     beforeAll(async () => {
       server = await serve(0);
-      browser = await chromium.launch({ executablePath, args: kArguments });
+      browser = await start(path);
     });
     afterAll(async () => {
       await browser?.close();
       await server?.close();
     });
-    define((options) => openPage(browser, server.url, options));
+    define((options) => start.open(browser, server.url, options), {
+      url: () => server.url,
+      browser: () => browser,
+    });
   });
 }
 
+const startChromium = (executablePath) => chromium.launch({ executablePath, args: kArguments });
+const startFirefox = (executablePath) =>
+  puppeteer.launch({ browser: "firefox", executablePath, headless: true });
+startChromium.open = openPage;
+startFirefox.open = openInFirefox;
+
 /**
- * `path` is below the page's folder, `ready` the global that says that the page is; other options
- * are Playwright's.
+ * @param {string} name
+ * @param {(open: (options?: object) => Promise<import("playwright-core").Page>) => void} define
+ *   gets a function that opens the page; `page.errors` lists what went wrong in it: exceptions,
+ *   console errors, refused or failed requests
  */
-async function openPage(browser, url, { path = "", ready = "app", ...options } = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+export const describeInBrowser = (name, define) =>
+  describeWith("Chromium", there(kChromium), name, startChromium, define);
+
+/** The same in Firefox; pages are Puppeteer's. */
+export const describeInFirefox = (name, define) =>
+  describeWith("Firefox", there(kFirefox), name, startFirefox, define);
+
+const whenReady = (name) => window[name] !== undefined;
+
+/**
+ * `path` is below the page's folder, `ready` the global that says that the page is; `prepare` gets
+ * the page before it is opened; other options are Playwright's. Motion is reduced, so that nothing
+ * moves by itself, unless the options say otherwise.
+ */
+async function openPage(browser, url, options = {}) {
+  const { path = "", ready = "app", prepare, ...others } = options;
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 800 },
+    reducedMotion: "reduce",
+    ...others,
+  });
   const page = await context.newPage();
   page.errors = [];
   page.on("console", (message) => message.type() === "error" && page.errors.push(message.text()));
   page.on("pageerror", (error) => page.errors.push(String(error)));
-  page.on("requestfailed", (request) => page.errors.push(`failed: ${request.url()}`));
+  page.on("requestfailed", (request) => {
+    // What a page that is left had asked for is no failure.
+    const isLeft = request.failure()?.errorText === "net::ERR_ABORTED";
+    if (!isLeft) page.errors.push(`failed: ${request.url()}`);
+  });
   page.on(
     "response",
     (response) =>
       response.status() >= 400 && page.errors.push(`${response.status()}: ${response.url()}`),
   );
+  await prepare?.(page);
   await page.goto(url + path);
-  await page.waitForFunction((name) => window[name] !== undefined, ready, { timeout: 10_000 });
+  if (ready) await page.waitForFunction(whenReady, ready, { timeout: 20_000 });
   return page;
 }
 
-/** Two frames later: what was asked for has been drawn, and the panel shows it. */
+async function openInFirefox(browser, url, { path = "", width = 1280, height = 800 } = {}) {
+  const page = await browser.newPage();
+  page.errors = [];
+  page.on("console", (message) => message.type() === "error" && page.errors.push(message.text()));
+  page.on("pageerror", (error) => page.errors.push(String(error)));
+  await page.setViewport({ width, height });
+  await page.goto(url + path);
+  await page.waitForFunction(whenReady, { timeout: 20_000 }, "app");
+  return page;
+}
+
+/** Two frames later: what was asked for has been drawn, and the panels show it. */
 export const settled = (page) =>
   page.evaluate(
     () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
   );
+
+/** Another set is shown. */
+export async function show(page, key, params = {}) {
+  await page.evaluate(([key, params]) => app.navigation.load(key, params), [key, params]);
+  await settled(page);
+}
+
+/** Circles of the test's own, x, y, r of each, with no way back. */
+export const showCircles = (page, xyr) =>
+  page.evaluate(async (xyr) => {
+    const { Sites } = await import("./model/sites.js");
+    const info = { key: "data", title: "Test" };
+    app.model.replace(new Sites(Float64Array.from(xyr), info, { original: new Float64Array(0) }));
+    app.fit();
+  }, xyr);
 
 /** Pixel position and radius of a site. */
 export const whereIs = (page, id) =>
@@ -95,12 +154,13 @@ export const whereIs = (page, id) =>
     return { x: app.view.toScreenX(x), y: app.view.toScreenY(y), r: r * app.view.scale };
   }, id);
 
-/** The pixel right of the panel that is farthest from every circle. */
+/** The pixel between the bars that is farthest from every circle. */
 export const freeSpace = (page) =>
   page.evaluate(() => {
+    const { top, bottom } = app.insets();
     let best = { clearance: -Infinity };
-    for (let x = 340; x < innerWidth - 60; x += 15) {
-      for (let y = 60; y < innerHeight - 120; y += 15) {
+    for (let x = 330; x < innerWidth - 330; x += 15) {
+      for (let y = top + 30; y < innerHeight - bottom - 30; y += 15) {
         const { distance } = app.diagram.nearest(app.view.toWorldX(x), app.view.toWorldY(y)) ?? {
           distance: Infinity,
         };
@@ -111,16 +171,18 @@ export const freeSpace = (page) =>
     return best;
   });
 
-/** A visible site whose circle is in the open: a click on its centre hits it. */
+/** Visible sites whose circles are in the open: a click on the centre hits it. */
 export const sitesInReach = (page, count = 1) =>
   page.evaluate((count) => {
+    const { top, bottom } = app.insets();
     const found = [];
     for (const id of app.diagram.ids()) {
       const { x, y } = app.diagram.site(id);
       const px = app.view.toScreenX(x);
       const py = app.view.toScreenY(y);
-      const inWindow = px > 340 && px < innerWidth - 60 && py > 60 && py < innerHeight - 140;
-      if (inWindow && !app.diagram.isHidden(id) && app.pick(px, py, 5) === id) found.push(id);
+      const isInside = px > 330 && px < innerWidth - 330 && py > top + 10;
+      if (!isInside || py > innerHeight - bottom - 60) continue;
+      if (!app.diagram.isHidden(id) && app.at(px, py, 5)[0] === id) found.push(id);
       if (found.length === count) break;
     }
     return found;
@@ -132,6 +194,31 @@ export const stateOf = (page) =>
     size: app.diagram.size,
     visible: app.diagram.visibleSize,
     hidden: app.diagram.hiddenSize,
-    selected: app.selected,
+    selected: [...app.selection.ids],
     broken: app.diagram.validate(),
   }));
+
+/** All circles, by id: what two states are compared by. */
+export const circlesOf = (page) =>
+  page.evaluate(() =>
+    Array.from(app.diagram.ids(), (id) => [id, ...Object.values(app.diagram.site(id))]),
+  );
+
+/** How many pixels of a canvas are not transparent. */
+export const painted = (page, name) =>
+  page.evaluate((name) => {
+    app.painter.flush();
+    const canvas = app.painter.canvas(name);
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    let count = 0;
+    for (let k = 3; k < data.length; k += 4) if (data[k] > 0) count++;
+    return count;
+  }, name);
+
+/** Drags the mouse in steps. */
+export async function drag(page, from, to, steps = 8) {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y, { steps });
+  await page.mouse.up();
+}

@@ -1,6 +1,6 @@
 // From the package's drawings, in the diagram's units, to paths on the screen.
 
-/** @typedef {import("./scene.js").Scene} Scene */
+/** @typedef {import("../model/sites.js").Sites} Sites */
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Box} Box */
 
@@ -18,7 +18,7 @@ export const drawOptions = (view) => ({ tolerance: kTolerance / view.scale });
  */
 export function boundsOf(view, box, margin = 0) {
   const rounded = (x) => (Math.abs(x) < 1e-90 ? 0 : x);
-  /** @type {import("./scene.js").Bounds} */
+  /** @type {import("../model/sites.js").Bounds} */
   const bounds = [
     rounded(view.toWorldX(box.left - margin)),
     rounded(view.toWorldY(box.bottom + margin)),
@@ -63,6 +63,8 @@ class ScreenPath {
 export class ScreenStrokes {
   #x = 0;
   #y = 0;
+  #startX = 0;
+  #startY = 0;
   #isUp = true; // the path is elsewhere
   #pieces = 0;
 
@@ -76,12 +78,16 @@ export class ScreenStrokes {
 
   moveTo(x, y) {
     this.#goTo(this.view.toScreenX(x), this.view.toScreenY(y));
+    this.#startX = this.#x;
+    this.#startY = this.#y;
     this.#isUp = true;
   }
 
   lineTo(x, y) {
-    const sx = this.view.toScreenX(x);
-    const sy = this.view.toScreenY(y);
+    this.#lineTo(this.view.toScreenX(x), this.view.toScreenY(y));
+  }
+
+  #lineTo(sx, sy) {
     if (
       this.#meets(
         Math.min(this.#x, sx),
@@ -113,7 +119,9 @@ export class ScreenStrokes {
     this.#goTo(sx, sy);
   }
 
-  closePath() {}
+  closePath() {
+    this.#lineTo(this.#startX, this.#startY);
+  }
 
   /** The last call: strokes what has not been stroked yet. */
   finish() {
@@ -148,21 +156,21 @@ const windowOf = (view) => ({ left: 0, top: 0, right: view.width, bottom: view.h
 /**
  * Adds a site's cell as closed figures, correct inside the window; nothing for a hidden site. To be
  * filled or stroked.
- * @param {Scene} scene @param {View} view
+ * @param {Sites} sites @param {View} view
  */
-export function addCell(path, scene, view, id) {
+export function addCell(path, sites, view, id) {
   const bounds = boundsOf(view, windowOf(view), kMargin);
   if (bounds)
-    scene.diagram.voronoi(bounds).renderCell(id, new ScreenPath(path, view), drawOptions(view));
+    sites.diagram.voronoi(bounds).renderCell(id, new ScreenPath(path, view), drawOptions(view));
 }
 
 /**
  * The corners of the curves around a site's cell (ends and control points), inside and near the
  * window; null if there is no cell.
  */
-export function cellCorners(scene, view, id) {
+export function cellCorners(sites, view, id) {
   const bounds = boundsOf(view, windowOf(view), kMargin);
-  const cell = bounds && scene.diagram.voronoi(bounds).cellCurves(id);
+  const cell = bounds && sites.diagram.voronoi(bounds).cellCurves(id);
   if (!cell) return null;
   const corners = [];
   for (let k = 0; k < cell.curves.length; k += 7) {

@@ -20,26 +20,26 @@ function addPoint(box, view, x, y, r = 0) {
 /**
  * The box of a site's circle and cell. With the dual graph, whose edges stay inside the cells they
  * connect, the cells of the neighbours too.
- * @param {import("./scene.js").Scene} scene
+ * @param {import("../model/sites.js").Sites} sites
  * @param {import("./view.js").View} view
  * @param {boolean} neighbors
  * @returns {Box}
  */
-export function regionOf(scene, view, id, neighbors) {
-  const { x, y, r } = scene.site(id);
+export function regionOf(sites, view, id, neighbors) {
+  const { x, y } = sites.site(id);
   const box = { left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity };
-  addPoint(box, view, x, y, r);
-  addCell(box, scene, view, id);
+  addPoint(box, view, x, y, sites.radius(id));
+  addCell(box, sites, view, id);
   if (neighbors) {
-    for (const other of scene.diagram.neighbors(id)) {
-      const site = scene.site(other);
-      addPoint(box, view, site.x, site.y, site.r);
-      addCell(box, scene, view, other);
+    for (const other of sites.diagram.neighbors(id)) {
+      const site = sites.site(other);
+      addPoint(box, view, site.x, site.y, sites.radius(other));
+      addCell(box, sites, view, other);
     }
   }
   return box;
 }
 
-function addCell(box, scene, view, id) {
-  for (const [x, y] of cellCorners(scene, view, id) ?? []) addPoint(box, view, x, y);
+function addCell(box, sites, view, id) {
+  for (const [x, y] of cellCorners(sites, view, id) ?? []) addPoint(box, view, x, y);
 }

@@ -1,0 +1,197 @@
+// The page in Chromium: what frames take while the pointer hovers, zooms, pans and drags, at
+// 10 000, 100 000 and 1 000 000 circles, beside a page that draws the centres with d3-delaunay in
+// every frame; and how long it takes until a set is shown. With --storms also ten storms of 5 000
+// random events, after which the exact check must find nothing.
+//
+//   node bench/js/page.mjs [--storms] [--sizes 10000,100000]
+//
+// It needs dist/ (npm run build) and Chromium (CHROMIUM, or /usr/bin/chromium).
+import { parseArgs } from "node:util";
+import { chromium } from "playwright-core";
+import { storm } from "../../tests/web/support/storm.mjs";
+import { serve } from "../../tools/serve.mjs";
+
+const kArguments = ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"];
+const kViewport = { width: 1280, height: 800 };
+const kRest = 1500; // ms
+const kSteps = 60;
+const kStorms = 10;
+
+const { values } = parseArgs({
+  options: { storms: { type: "boolean" }, sizes: { type: "string" } },
+});
+const sizes = (values.sizes ?? "10000,100000,1000000").split(",").map(Number);
+
+/** The other page: all cells and centres anew in each frame. */
+const otherPage = `<!doctype html><style>body{margin:0}</style>
+<canvas id="c" width="${kViewport.width}" height="${kViewport.height}"></canvas>
+<script type="importmap">
+  { "imports": { "d3-delaunay": "/node_modules/d3-delaunay/dist/d3-delaunay.mjs" } }
+</script>
+<script type="module">
+  import { Delaunay } from "d3-delaunay";
+  import { randomCircles } from "/web/sets/random_sets.js";
+  const canvas = document.getElementById("c");
+  const context = canvas.getContext("2d");
+  const view = { x: 0, y: 0, scale: 0.8 };
+  let voronoi, delaunay, asked = false, hovered = -1;
+  window.make = (count) => {
+    const start = performance.now();
+    const xyr = randomCircles({ count, hiddenShare: 0.05, seed: 1, width: 1600, height: 1000 });
+    const made = performance.now();
+    delaunay = new Delaunay(xyr.filter((_, k) => k % 3 !== 2));
+    voronoi = delaunay.voronoi([0, 0, 1600, 1000]);
+    draw();
+    return { make: made - start, build: performance.now() - made };
+  };
+  function draw() {
+    asked = false;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    context.setTransform(view.scale, 0, 0, view.scale, view.x, view.y);
+    context.lineWidth = 1 / view.scale;
+    context.beginPath();
+    voronoi.render(context);
+    context.stroke();
+    context.beginPath();
+    delaunay.renderPoints(context, 1 / view.scale);
+    context.fill();
+    if (hovered >= 0) {
+      context.beginPath();
+      voronoi.renderCell(hovered, context);
+      context.fill();
+    }
+  }
+  const ask = () => {
+    if (!asked) requestAnimationFrame(draw);
+    asked = true;
+  };
+  canvas.onpointermove = (event) => {
+    if (event.buttons) { view.x += event.movementX; view.y += event.movementY; }
+    hovered = delaunay.find((event.x - view.x) / view.scale, (event.y - view.y) / view.scale);
+    ask();
+  };
+  canvas.onwheel = (event) => {
+    const f = Math.exp(-event.deltaY * 0.0016);
+    view.x = event.x + (view.x - event.x) * f;
+    view.y = event.y + (view.y - event.y) * f;
+    view.scale *= f;
+    ask();
+  };
+  window.app = true;
+</script>`;
+
+/** Times between frames while something is done, in ms. */
+async function framesOf(page, act) {
+  await page.evaluate(() => {
+    window.frames_ = [];
+    window.isCounting = true;
+    let last = performance.now();
+    requestAnimationFrame(function frame(now) {
+      window.frames_.push(now - last);
+      last = now;
+      if (window.isCounting) requestAnimationFrame(frame);
+    });
+  });
+  await act();
+  return page.evaluate(() => {
+    window.isCounting = false;
+    return window.frames_.slice(1).sort((a, b) => a - b);
+  });
+}
+
+const at = (sorted, share) =>
+  sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
+const summary = (sorted) =>
+  [0.5, 0.95, 1].map((share) => at(sorted, share).toFixed(0).padStart(6)).join("");
+
+/** The same movements on either page. */
+async function measure(page) {
+  const { mouse } = page;
+  const rows = {};
+  const rest = () => page.waitForTimeout(kRest);
+  rows.still = await framesOf(page, () => page.waitForTimeout(600));
+  rows.hover = await framesOf(page, async () => {
+    for (let k = 0; k < kSteps; k++) await mouse.move(300 + 8 * k, 250 + 4 * k);
+  });
+  rows["zoom in"] = await framesOf(page, async () => {
+    for (let k = 0; k < kSteps / 2; k++) await mouse.wheel(0, -60);
+  });
+  await rest();
+  rows.pan = await framesOf(page, async () => {
+    await mouse.down();
+    for (let k = 0; k < kSteps; k++) await mouse.move(700 - 6 * k, 480 - 3 * k);
+    await mouse.up();
+  });
+  await rest();
+  rows["zoom out"] = await framesOf(page, async () => {
+    for (let k = 0; k < kSteps / 2; k++) await mouse.wheel(0, 60);
+  });
+  return rows;
+}
+
+async function open(browser, url, isOther) {
+  const page = await browser.newPage({ viewport: kViewport, reducedMotion: "reduce" });
+  page.setDefaultTimeout(300_000);
+  page.on("pageerror", (error) => console.error(String(error)));
+  await page.route("**/web/other.html", (route) =>
+    route.fulfill({ contentType: "text/html", body: otherPage }),
+  );
+  await page.goto(url + (isOther ? "other.html" : ""));
+  await page.waitForFunction(() => window.app);
+  return page;
+}
+
+/** Loads random circles; times from the request on. */
+const load = (page, count) =>
+  page.evaluate(async (n) => {
+    const start = performance.now();
+    let replaced = 0;
+    app.addEventListener("change", ({ detail }) => {
+      if (detail.isSet) replaced = performance.now();
+    });
+    await app.navigation.load("random", { n: String(n), hidden: "5", seed: "1" });
+    const loaded = performance.now();
+    await new Promise((resolve) => {
+      const wait = () => (app.painter.isDone ? resolve(0) : setTimeout(wait, 5));
+      wait();
+    });
+    return {
+      all: performance.now() - start,
+      build: app.sites.buildTime,
+      shown: performance.now() - Math.min(replaced, loaded),
+    };
+  }, count);
+
+const server = await serve(0);
+const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const browser = await chromium.launch({ executablePath, args: kArguments });
+try {
+  console.log("ms between frames: median, 95 %, longest");
+  for (const size of sizes) {
+    const page = await open(browser, server.url, false);
+    const times = await load(page, size);
+    const said = Object.entries(times).map(([name, ms]) => `${name} ${ms.toFixed(0)} ms`);
+    console.log(`\n${size} circles: ${said.join(", ")}`);
+    for (const [name, frames] of Object.entries(await measure(page)))
+      console.log(`  page         ${name.padEnd(10)}${summary(frames)}`);
+    await page.close();
+    const other = await open(browser, server.url, true);
+    const { build } = await other.evaluate((n) => window.make(n), size);
+    console.log(`  d3-delaunay  built and drawn in ${build.toFixed(0)} ms`);
+    for (const [name, frames] of Object.entries(await measure(other)))
+      console.log(`  d3-delaunay  ${name.padEnd(10)}${summary(frames)}`);
+    await other.close();
+  }
+  for (let seed = 1; values.storms && seed <= kStorms; seed++) {
+    const page = await open(browser, server.url, false);
+    await storm(page, { seed, events: 5000 });
+    const broken = await page.evaluate(() => app.diagram.validate());
+    console.log(`storm ${seed}: ${broken ?? "sound"}`);
+    if (broken) process.exitCode = 1;
+    await page.close();
+  }
+} finally {
+  await browser.close();
+  await server.close();
+}

@@ -1,0 +1,270 @@
+// Circles in and out: presets, text, files, the page's address.
+import { readFileSync } from "node:fs";
+import { afterEach, beforeEach, describe, expect, test } from "@jest/globals";
+import {
+  circlesOf,
+  describeInBrowser,
+  settled,
+  show,
+  showCircles,
+  stateOf,
+} from "./support/browser.mjs";
+
+const kThree = [
+  [1, 2, 3],
+  [10, 20, 4.5],
+  [-7, 1e3, 0],
+];
+
+describeInBrowser("data", (open) => {
+  let page;
+  beforeEach(async () => {
+    page = await open();
+  });
+  afterEach(async () => {
+    expect((await stateOf(page)).broken).toBeNull();
+    expect(page.errors).toEqual([]);
+    await page.context().close();
+  });
+
+  const numbers = async () => (await circlesOf(page)).map(([, x, y, r]) => [x, y, r]);
+
+  test("every preset is there, is drawn, and says what it shows", async () => {
+    const keys = await page.$$eval("#presets button", (buttons) =>
+      buttons.map((button) => button.dataset.set),
+    );
+    expect(keys.length).toBeGreaterThan(10);
+    for (const key of keys) {
+      await page.click("#open-sets");
+      await page.click(`#presets [data-set=${key}]`);
+      await page.waitForFunction((key) => app.sites.info.key === key, key);
+      await settled(page);
+      expect((await stateOf(page)).broken).toBeNull();
+      expect((await page.textContent("#about")).length).toBeGreaterThan(20);
+    }
+    // Back through all of them.
+    for (let k = 0; k < keys.length; k++) await page.click("#tool-undo");
+    expect(await page.evaluate(() => app.sites.info.key)).toBe("opening");
+  });
+
+  test("what presets promise: one vertex, contacts, hidden circles", async () => {
+    await show(page, "cocircular");
+    const corners = await page.evaluate(() => {
+      const { coordinates, clearance } = app.diagram.vertices();
+      return Array.from(clearance, (r, k) => [coordinates[2 * k], coordinates[2 * k + 1], r]);
+    });
+    const inTheMiddle = corners.filter(([x, y]) => Math.hypot(x, y) < 1e-6);
+    expect(inTheMiddle).toHaveLength(14); // of sixteen sites
+    await show(page, "nesting");
+    expect((await stateOf(page)).hidden).toBe(3);
+    for (const [key, touching] of [
+      ["chain", 25],
+      ["gasket", 200],
+    ]) {
+      await show(page, key);
+      const circles = await numbers();
+      const gaps = circles.flatMap(([x, y, r], k) =>
+        circles.slice(k + 1).map(([u, v, s]) => Math.hypot(x - u, y - v) - r - s),
+      );
+      expect(gaps.filter((gap) => Math.abs(gap) < 1e-6).length).toBeGreaterThanOrEqual(touching);
+    }
+  });
+
+  test("random circles: how many, how many hidden, the same again by their seed", async () => {
+    const make = async (n, hidden, seed) => {
+      await page.click("#open-sets");
+      await page.fill("#random [name=n]", String(n));
+      await page.fill("#random [name=hidden]", String(hidden));
+      await page.fill("#random [name=seed]", String(seed));
+      await page.evaluate(() => Object.assign(window, { old: app.sites }));
+      await page.click("#random [type=submit]");
+      await page.waitForFunction(() => app.sites !== window.old);
+      return numbers();
+    };
+    const first = await make(400, 20, 9);
+    expect(await stateOf(page)).toMatchObject({ size: 400, hidden: 80 });
+    expect(await make(400, 20, 10)).not.toEqual(first);
+    expect(await make(400, 20, 9)).toEqual(first);
+  });
+
+  describe("text", () => {
+    test.each([
+      ["CSV with names", "x,y,r,name\n1,2,3,first\n10,20,4.5,\n-7,1000,0,third\n"],
+      ["CSV in other order", "name;radius;cy;cx\nfirst;3;2;1\n;4.5;20;10\nthird;0;1000;-7"],
+      ["TSV without names of columns", "1\t2\t3\tfirst\n10\t20\t4.5\n-7\t1e3\t0\n"],
+      ["rows of numbers", "[[1, 2, 3], [10, 20, 4.5], [-7, 1e3]]"],
+      ["flat numbers", "[1, 2, 3, 10, 20, 4.5, -7, 1000, 0]"],
+      ["objects", '[{"x":1,"y":2,"r":3},{"cx":10,"cy":20,"radius":4.5},{"x":-7,"y":1e3}]'],
+      [
+        "GeoJSON",
+        JSON.stringify({
+          type: "FeatureCollection",
+          features: kThree.map(([x, y, r]) => ({
+            type: "Feature",
+            geometry: { type: "Point", coordinates: [x, y] },
+            properties: { r },
+          })),
+        }),
+      ],
+    ])("%s", async (_, text) => {
+      await page.click("#open-sets");
+      await page.fill("#paste", text);
+      await page.click("#load-text");
+      await page.waitForFunction(() => app.diagram.size === 3);
+      expect(await numbers()).toEqual(kThree);
+    });
+
+    test.each([
+      ["", /no text/],
+      ["x,y\n1,two\n", /row 1: y/],
+      ["a,b\n1,2\n", /columns x and y/],
+      ["[[1,2,3],[4]]", /row 2: y/],
+      ["[1, 2", /JSON|array/],
+      ["[[1, 2, 1e300]]", /1e\+?300/],
+    ])("nonsense is refused with its reason, and nothing changes: %j", async (text, reason) => {
+      const before = await circlesOf(page);
+      await page.click("#open-sets");
+      await page.fill("#paste", text);
+      await page.click("#load-text");
+      await page.waitForSelector("#notice:not([hidden])");
+      expect(await page.textContent("#notice")).toMatch(reason);
+      expect(await circlesOf(page)).toEqual(before);
+      expect(await page.evaluate(() => app.model.history.canUndo)).toBe(false);
+    });
+
+    test("names are shown", async () => {
+      await page.evaluate(async () => {
+        const { sitesFromText } = await import("./sets/import.js");
+        app.navigation.show(sitesFromText('x,y,r,name\n0,0,5,"Berlin, Mitte"\n20,0,3,Other'));
+      });
+      expect(await page.evaluate(() => app.sites.label(0).name)).toBe("Berlin, Mitte");
+    });
+  });
+
+  describe("files", () => {
+    /** What is saved in this format. */
+    const saved = async (format) => {
+      await page.click("#open-share");
+      const [download] = await Promise.all([
+        page.waitForEvent("download"),
+        page.click(`[data-format=${format}]`),
+      ]);
+      await page.keyboard.press("Escape");
+      return readFileSync(await download.path());
+    };
+
+    test.each(["csv", "json", "bin"])("%s is read as it was written", async (format) => {
+      await show(page, "nesting");
+      await page.evaluate(() => app.model.remove([2]));
+      const before = await numbers();
+      const file = await saved(format);
+      await show(page, "two");
+      const buffer = Buffer.from(file);
+      await page.setInputFiles("#file", { name: `a.${format}`, mimeType: "", buffer });
+      await page.waitForFunction((size) => app.diagram.size === size, before.length);
+      expect(await numbers()).toEqual(before);
+    });
+
+    test("SVG and GeoJSON have every cell; PNG is a picture of the window", async () => {
+      const svg = (await saved("svg")).toString();
+      expect(svg.match(/<circle /g)).toHaveLength(35);
+      expect(svg).toMatch(/<path class="cells"[^>]* d="M[^"]{500,}"/);
+      const { features } = JSON.parse((await saved("geojson")).toString());
+      expect(features).toHaveLength(33);
+      const png = await saved("png");
+      expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual([1280, 800]);
+    });
+  });
+
+  describe("the address", () => {
+    /** The page that the address of this one opens. */
+    const again = async () => {
+      const hash = await page.evaluate(() => {
+        app.navigation.write();
+        return location.hash;
+      });
+      const other = await open({ path: hash });
+      return [other, hash];
+    };
+
+    test("holds set, edits, view, layers and Centres", async () => {
+      await show(page, "cities");
+      await page.evaluate(() => {
+        app.model.update([5], Float64Array.of(1, 2, 333.25));
+        app.model.remove([7, 8]);
+        app.insertCircle({ x: 12.5, y: -1000, r: 100 });
+        app.setLayer("dual", true);
+        app.zoom(3, 500, 300);
+      });
+      await page.check("[name=weight][value='0']", { force: true });
+      await page.waitForFunction(() => app.sites.weight === 0);
+      const [other, hash] = await again();
+      expect(hash.length).toBeLessThan(200);
+      const circles = (page) =>
+        page.evaluate(() => [...app.sites.triples(app.sites.ids)].map(String).sort());
+      expect(await circles(other)).toEqual(await circles(page));
+      const look = (page) =>
+        page.evaluate(() => [app.view.scale, app.sites.weight, app.painter.layers.dual]);
+      const [scale, weight, dual] = await look(other);
+      expect([weight, dual]).toEqual([0, true]);
+      expect(scale / (await look(page))[0]).toBeCloseTo(1, 4);
+      expect(await other.isChecked("[name=weight][value='0']")).toBe(true);
+      expect(other.errors).toEqual([]);
+      await other.context().close();
+    });
+
+    test("holds circles of the visitor's own, with their names", async () => {
+      await page.evaluate(async () => {
+        const { sitesFromText } = await import("./sets/import.js");
+        app.navigation.show(sitesFromText("x,y,r,name\n0,0,5,a~b&c=d\n20,0,3,\n"));
+      });
+      const [other] = await again();
+      expect((await circlesOf(other)).map((row) => row.slice(1))).toEqual(await numbers());
+      expect(await other.evaluate(() => app.sites.label(0).name)).toBe("a~b&c=d");
+      await other.context().close();
+    });
+
+    test("Back and Forward go from set to set, edits included", async () => {
+      await showCircles(page, kThree.flat());
+      await page.evaluate(() => app.model.remove([1]));
+      const edited = await numbers();
+      await show(page, "gasket");
+      const gasket = await numbers();
+      await page.goBack();
+      await page.waitForFunction(() => app.diagram.size === 2);
+      expect(await numbers()).toEqual(edited);
+      await page.goForward();
+      await page.waitForFunction((size) => app.diagram.size === size, gasket.length);
+    });
+
+    test("a reload keeps more edits than an address can hold", async () => {
+      await show(page, "random", { n: "700", hidden: "0" });
+      await page.evaluate(() => {
+        const { ids } = app.sites;
+        app.model.update(
+          ids,
+          app.sites.triples(ids).map((v, k) => (k % 3 === 0 ? v + 1 : v)),
+        );
+        app.navigation.write();
+      });
+      const edited = await numbers();
+      await page.reload();
+      await page.waitForFunction(() => window.app);
+      expect(await numbers()).toEqual(edited);
+    });
+  });
+
+  test("the code for this diagram runs and says what the page says", async () => {
+    await page.click("#open-code");
+    const code = await page.textContent("#code-text");
+    const body = code
+      .replace(/^import .*$/m, "")
+      .replace(/^(diagram\.find.*);/m, "const found = $1;")
+      .replace("const path =", "return [found, diagram.size, cells.render().length]; const path =");
+    const { Diagram } = await import("../../dist/esm/index.js");
+    const [found, size, length] = new Function("Diagram", body)(Diagram);
+    expect(size).toBe(35);
+    expect(length).toBeGreaterThan(1000);
+    expect(String(found)).toBe(code.match(/\/\/ (\d+): the nearest/)[1]);
+  });
+});

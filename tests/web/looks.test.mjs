@@ -1,0 +1,183 @@
+// Whether everybody can use the page: names, roles and contrasts by axe's rules, in both themes and
+// on a phone; targets of a finger's size; contrast of what is drawn; forced colours; no script but
+// the page's own.
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { describe, expect, test } from "@jest/globals";
+import { describeInBrowser, painted, settled, show } from "./support/browser.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const kPhone = { viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true };
+const kSideways = { viewport: { width: 780, height: 390 }, hasTouch: true, isMobile: true };
+
+/** axe's complaints about the page as it is. */
+async function complaints(page) {
+  await page.evaluate(axe); // by the debugger's way, which the policy does not concern
+  const { violations } = await page.evaluate(() => axe.run());
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map((n) => n.target).join(", ")}`);
+}
+
+/** Relative luminance of "rgb(…)" or "#…", as WCAG has it. */
+function luminance([r, g, b]) {
+  const linear = [r, g, b].map((c) => {
+    const share = c / 255;
+    return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
+  });
+  return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+}
+
+const contrast = (a, b) => {
+  const [light, dark] = [luminance(a), luminance(b)].sort((x, y) => y - x);
+  return (light + 0.05) / (dark + 0.05);
+};
+
+describeInBrowser("looks", (open) => {
+  describe.each(["light", "dark"])("%s", (colorScheme) => {
+    test.each([
+      ["desktop", {}],
+      ["phone", kPhone],
+    ])("axe finds nothing on a %s, with menus, card and dialogs open", async (_, kind) => {
+      const page = await open({ colorScheme, ...kind });
+      expect(await complaints(page)).toEqual([]);
+      await page.evaluate(() => app.selection.set([4]));
+      for (const id of ["open-sets", "open-show", "open-share"]) {
+        await page.click(`#${id}`);
+        await settled(page);
+        expect(await complaints(page)).toEqual([]);
+        await page.keyboard.press("Escape");
+      }
+      await page.evaluate(() => document.getElementById("open-code").click());
+      await settled(page);
+      expect(await complaints(page)).toEqual([]);
+      expect(page.errors).toEqual([]);
+      await page.context().close();
+    });
+
+    test("cell lines have a contrast of 3 on paper, land and sea", async () => {
+      const page = await open({ colorScheme });
+      const colors = await page.evaluate(() => {
+        const context = new OffscreenCanvas(1, 1).getContext("2d");
+        const bytes = (name) => {
+          context.clearRect(0, 0, 1, 1);
+          context.fillStyle = app.painter.theme[name];
+          context.fillRect(0, 0, 1, 1);
+          return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)];
+        };
+        return Object.fromEntries(
+          ["paper", "land", "sea", "cell", "site", "hidden", "accent", "selected"].map((name) => [
+            name,
+            bytes(name),
+          ]),
+        );
+      });
+      for (const line of ["cell", "site", "hidden", "accent", "selected"])
+        for (const ground of ["paper", "land", "sea"])
+          expect([line, ground, contrast(colors[line], colors[ground]) >= 3]).toEqual([
+            line,
+            ground,
+            true,
+          ]);
+      await page.context().close();
+    });
+  });
+
+  test.each([
+    ["upright", kPhone],
+    ["sideways", kSideways],
+  ])("phone, %s: everything can be hit, nothing lies over another", async (_, kind) => {
+    const page = await open(kind);
+    const targets = await page.$$eval("button, a, input, summary", (all) =>
+      all
+        .filter((target) => target.checkVisibility() && !target.closest("[popover], dialog"))
+        .map((target) => {
+          const box = (target.closest("label") ?? target).getBoundingClientRect();
+          return { id: target.id || target.textContent, ...box.toJSON() };
+        }),
+    );
+    const seen = targets.filter(({ top, bottom, left, right }) => {
+      return bottom > 0 && right > 0 && top < 1000 && left < 1000;
+    });
+    const tools = seen.filter(({ id }) => id.startsWith("tool-"));
+    expect(tools.length).toBe(7);
+    for (const { width, height } of tools) {
+      expect(width).toBeGreaterThanOrEqual(44);
+      expect(height).toBeGreaterThanOrEqual(44);
+    }
+    const [phoneWidth] = [kind.viewport.width];
+    for (const { left, right } of tools) {
+      expect(left).toBeGreaterThanOrEqual(0);
+      expect(right).toBeLessThanOrEqual(phoneWidth);
+    }
+    await page.context().close();
+  });
+
+  test("phone: the sheet opens and closes, with the card in it", async () => {
+    const page = await open(kPhone);
+    const height = () => page.$eval("#sheet", (sheet) => sheet.getBoundingClientRect().height);
+    const closed = await height();
+    await page.evaluate(() => app.selection.set([4]));
+    await page.tap("#grip");
+    await page.waitForFunction(
+      (closed) => document.getElementById("sheet").getBoundingClientRect().height > closed + 80,
+      closed,
+    );
+    expect(await page.isVisible("#card-delete")).toBe(true);
+    await page.tap("#card-delete");
+    expect(await page.evaluate(() => app.diagram.size)).toBe(34);
+    await page.tap("#grip");
+    await page.waitForFunction(
+      (closed) => document.getElementById("sheet").getBoundingClientRect().height <= closed + 1,
+      closed,
+    );
+    await page.context().close();
+  });
+
+  test("what the counts say never overlaps, whatever the numbers", async () => {
+    const page = await open({ viewport: { width: 800, height: 600 } });
+    await page.evaluate(() => {
+      document.getElementById("count-all").textContent = "1\u202f000\u202f000";
+      document.getElementById("count-hidden").textContent = "999\u202f999";
+      document.getElementById("timing").textContent = "built in 8.3 s, nearest in 0.7 µs";
+    });
+    const boxes = await page.evaluate(() =>
+      ["status", "install", "tools", "intro"].map((id) =>
+        document.getElementById(id).getBoundingClientRect().toJSON(),
+      ),
+    );
+    for (const a of boxes)
+      for (const b of boxes)
+        if (a !== b)
+          expect(
+            a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top,
+          ).toBe(true);
+    await page.context().close();
+  });
+
+  test("forced colours: the diagram is drawn in the system's", async () => {
+    const page = await open({ forcedColors: "active" });
+    expect(await painted(page, "lines")).toBeGreaterThan(3000);
+    expect(await painted(page, "circles")).toBeGreaterThan(1000);
+    expect(page.errors).toEqual([]);
+    await page.context().close();
+  });
+
+  test("works below another path, and without a network once it is loaded", async () => {
+    const page = await open();
+    await page.waitForTimeout(2500); // it fetches what it may need
+    await page.context().setOffline(true);
+    await show(page, "nesting");
+    await show(page, "cities");
+    await page.click("#open-code");
+    await page.keyboard.press("Escape");
+    const steps = await page.evaluate(async () => {
+      document.getElementById("step-insert").click();
+      return document.getElementById("steps").hidden;
+    });
+    expect(steps).toBe(false);
+    // The tab's icon is asked for again and again.
+    expect(page.errors.filter((error) => !/icon\.svg|DISCONNECTED/.test(error))).toEqual([]);
+    await page.context().close();
+    const html = readFileSync(new URL("../../web/index.html", import.meta.url), "utf8");
+    expect(html).not.toMatch(/(?:href|src)="\//); // nothing from the root of a server
+  });
+});

@@ -1,0 +1,102 @@
+// Cards of all examples, or the one that the address names, with its code.
+
+const kExamples = {
+  comparison: [
+    "Centres and circles",
+    "Left, the plain Voronoi diagram of the centres (d3-delaunay); right, the diagram of the " +
+      "circles. What the cross picks is red.",
+  ],
+  bubble_chart: [
+    "Bubble chart",
+    "The pointer picks the bubble whose rim is nearest, or the smallest one it is in.",
+  ],
+  force: [
+    "d3-force",
+    "400 circles move, the diagram moves with them (updateMany each tick) and knows who is next " +
+      "to whom.",
+  ],
+  worker: [
+    "In a worker",
+    "The nearest circle of each pixel, asked for in one call off the main thread.",
+  ],
+  empty_circles: ["Empty circles", "The largest empty circles of a packing, from vertices()."],
+  clearance_path: [
+    "Widest path",
+    "The path between discs whose narrowest passage is widest, along the curves of the edges.",
+  ],
+  facilities: [
+    "Who is there first",
+    "Facilities with start-up times, and how large their areas are. Stations in grey are " +
+      "nowhere first.",
+  ],
+};
+
+const kThumbnailTime = 1500; // ms until what moves in a card stands still
+
+const element = (id) => document.getElementById(id);
+const main = element("main");
+
+/** @param {string} tag @param {Record<string, any>} properties @param {(Node | string)[]} inside */
+function make(tag, properties, ...inside) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...inside);
+  return made;
+}
+
+const run = async (name, container) => (await import(`./${name}.js`)).default(container);
+
+function showCards() {
+  const cards = Object.entries(kExamples).map(([name, [title, about]]) => {
+    const picture = make("div", { className: "picture", inert: true });
+    picture.setAttribute("aria-hidden", "true");
+    const card = make(
+      "a",
+      { className: "card", href: `#${name}` },
+      picture,
+      make("h2", {}, title),
+      make("p", {}, about),
+    );
+    return { name, card, picture };
+  });
+  main.replaceChildren(make("div", { className: "cards" }, ...cards.map(({ card }) => card)));
+  // Each card is the example itself, once it is seen.
+  const pictures = new Map(cards.map(({ name, picture }) => [picture, name]));
+  const watch = new IntersectionObserver((entries) => {
+    for (const { target, isIntersecting } of entries) {
+      if (!isIntersecting) continue;
+      watch.unobserve(target);
+      run(pictures.get(/** @type {HTMLDivElement} */ (target)), target).then((example) =>
+        setTimeout(() => example.simulation?.stop(), kThumbnailTime),
+      );
+    }
+  });
+  for (const picture of pictures.keys()) watch.observe(picture);
+}
+
+/** @param {string} name */
+async function showExample(name) {
+  const [title, about] = kExamples[name];
+  document.title = `${title} · Apollonius diagram`;
+  element("back").textContent = "← Examples";
+  element("back").setAttribute("href", "./");
+  element("title").textContent = title;
+  element("about").textContent = about;
+  const figure = make("figure", {});
+  const code = make("code", {});
+  const copy = make("button", { type: "button" }, "Copy");
+  const text = make("pre", { tabIndex: 0 }, code);
+  main.replaceChildren(figure, make("div", { className: "code" }, text, copy));
+  copy.addEventListener("click", async () => {
+    await navigator.clipboard.writeText(code.textContent);
+    copy.textContent = "Copied";
+  });
+  const address = new URL(`./${name}.js`, import.meta.url);
+  code.textContent = await (await fetch(address)).text();
+  // For tests, and to play with in the console.
+  Object.assign(window, { example: await run(name, figure) });
+}
+
+const chosen = location.hash.slice(1);
+if (chosen in kExamples) await showExample(chosen);
+else showCards();
+addEventListener("hashchange", () => location.reload());

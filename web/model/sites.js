@@ -1,0 +1,184 @@
+// The circles of one set and their diagram, with what drawing needs beside it: a mirror of the
+// numbers, names, and which of them are hidden. Only commands (commands.js) change it.
+import { Diagram } from "apollonius-diagram";
+
+/** @typedef {{ name: string, detail?: string }} Label */
+/** @typedef {{ x: number, y: number, r: number }} Circle */
+/** @typedef {[number, number, number, number]} Bounds xmin, ymin, xmax, ymax */
+/**
+ * @typedef {{
+ *   key: string, title: string, about?: string, unit?: string, credit?: string,
+ *   params?: Record<string, unknown>,
+ *   map?: import("../picture/map_layer.js").WorldMap | null,
+ * }} SetInfo what the circles are: the preset's key is what the page's address says
+ */
+
+const kUnknown = 0;
+const kVisible = 1;
+const kHidden = 2;
+
+export class Sites {
+  /** The diagram, in which radii count by `weight`. @type {Diagram} */
+  diagram;
+  /** x, y, r by id, r as given; rows of ids that do not exist are stale. */
+  xyr;
+  /** The circles that the set came with, x, y, r by id: what edits are told from. */
+  original;
+  /** @type {Map<number, Label>} */
+  labels = new Map();
+  /** @type {SetInfo} */
+  info;
+  /** The share of the radii that counts: 1 for circles, 0 for their centres. */
+  weight = 1;
+  /** Milliseconds that building the diagram took. */
+  buildTime;
+  /** @type {Uint32Array | null} */ #ids = null;
+  #flags = new Uint8Array(0); // by id: kUnknown until asked for
+
+  /**
+   * @param {Float64Array} xyr ids are 0, 1, 2, … in this order
+   * @param {SetInfo} info
+   * @param {{ labels?: Label[], diagram?: Diagram, buildTime?: number, original?: Float64Array }}
+   * [more] a diagram that has been built already; what can be had again without these numbers
+   */
+  constructor(xyr, info, { labels = [], diagram, buildTime, original = xyr } = {}) {
+    const start = performance.now();
+    this.diagram = diagram ?? new Diagram(xyr);
+    this.buildTime = buildTime ?? performance.now() - start;
+    this.original = original;
+    this.xyr = xyr.slice();
+    this.info = info;
+    labels.forEach((label, id) => label && this.labels.set(id, label));
+  }
+
+  get size() {
+    return this.diagram.size;
+  }
+
+  /** All ids, ascending. */
+  get ids() {
+    this.#ids ??= this.diagram.ids();
+    return this.#ids;
+  }
+
+  /** @param {number} id @returns {Circle} */
+  site(id) {
+    return { x: this.xyr[3 * id], y: this.xyr[3 * id + 1], r: this.xyr[3 * id + 2] };
+  }
+
+  /** The radius that counts. */
+  radius(id) {
+    return this.xyr[3 * id + 2] * this.weight;
+  }
+
+  /** x, y, r of several. @param {ArrayLike<number>} ids */
+  triples(ids) {
+    const xyr = new Float64Array(3 * ids.length);
+    for (let k = 0; k < ids.length; k++)
+      xyr.set(this.xyr.subarray(3 * ids[k], 3 * ids[k] + 3), 3 * k);
+    return xyr;
+  }
+
+  /** @returns {Label} */
+  label(id) {
+    return this.labels.get(id) ?? { name: `Circle ${id}` };
+  }
+
+  isHidden(id) {
+    if (this.#flags[id] === kUnknown)
+      this.#flags[id] = this.diagram.isHidden(id) ? kHidden : kVisible;
+    return this.#flags[id] === kHidden;
+  }
+
+  /** Those of all circles, or null. */
+  bounds() {
+    if (this.size === 0) return null;
+    const { ids, xyr } = this;
+    let [xmin, ymin, xmax, ymax] = [Infinity, Infinity, -Infinity, -Infinity];
+    for (let k = 0; k < ids.length; k++) {
+      const at = 3 * ids[k];
+      const r = Math.max(xyr[at + 2], 0);
+      xmin = Math.min(xmin, xyr[at] - r);
+      ymin = Math.min(ymin, xyr[at + 1] - r);
+      xmax = Math.max(xmax, xyr[at] + r);
+      ymax = Math.max(ymax, xyr[at + 1] + r);
+    }
+    return /** @type {Bounds} */ ([xmin, ymin, xmax, ymax]);
+  }
+
+  // --- Changes -----------------------------------------------------------------------------------
+
+  /** @param {Float64Array} xyr @returns {Uint32Array} their ids */
+  insert(xyr) {
+    const ids = this.diagram.insertMany(this.#weighted(xyr));
+    this.#mirror(ids, xyr);
+    this.#changed(true);
+    return ids;
+  }
+
+  /** @param {ArrayLike<number>} ids */
+  remove(ids) {
+    this.diagram.removeMany(ids);
+    for (let k = 0; k < ids.length; k++) this.labels.delete(ids[k]);
+    this.#changed(true);
+  }
+
+  /** @param {ArrayLike<number>} ids @param {Float64Array} xyr */
+  update(ids, xyr) {
+    if (ids.length === 1) this.diagram.update(ids[0], xyr[0], xyr[1], xyr[2] * this.weight);
+    else this.diagram.updateMany(ids, this.#weighted(xyr));
+    this.#mirror(ids, xyr);
+    this.#changed(false);
+  }
+
+  /** Lets this share of the radii count. @param {number} weight */
+  weigh(weight) {
+    const { ids } = this;
+    const before = this.weight;
+    this.weight = weight;
+    try {
+      this.diagram.updateMany(ids, this.#weighted(this.triples(ids)));
+    } catch (error) {
+      this.weight = before;
+      throw error;
+    }
+    this.#changed(false);
+  }
+
+  /** What a circle's cell would be, drawn by a function that gets its id; nothing is changed. */
+  tryOut({ x, y, r }, draw) {
+    const id = this.diagram.insert(x, y, r * this.weight);
+    try {
+      return draw(id);
+    } finally {
+      this.diagram.remove(id);
+    }
+  }
+
+  dispose() {
+    this.diagram.dispose();
+  }
+
+  #weighted(xyr) {
+    if (this.weight === 1) return xyr;
+    return xyr.map((value, k) => (k % 3 === 2 ? value * this.weight : value));
+  }
+
+  #mirror(ids, xyr) {
+    let length = this.xyr.length;
+    for (let k = 0; k < ids.length; k++) length = Math.max(length, 3 * ids[k] + 3);
+    if (length > this.xyr.length) {
+      const larger = new Float64Array(Math.max(48, length, 2 * this.xyr.length));
+      larger.set(this.xyr);
+      this.xyr = larger;
+    }
+    for (let k = 0; k < ids.length; k++) this.xyr.set(xyr.subarray(3 * k, 3 * k + 3), 3 * ids[k]);
+  }
+
+  #changed(idsToo) {
+    if (idsToo) this.#ids = null;
+    const needed = this.xyr.length / 3;
+    if (this.#flags.length < needed) this.#flags = new Uint8Array(needed);
+    else this.#flags.fill(kUnknown);
+  }
+}

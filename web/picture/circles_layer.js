@@ -1,0 +1,213 @@
+// The circles, visible and hidden, and names in them. Few are drawn as paths, many point by point.
+import { boundsOf } from "./curves.js";
+import { Shower } from "./shower.js";
+
+const kDot = 1.1; // pixels: smaller circles are drawn as dots of this size
+const kDashFrom = 5; // hidden circles at least this large (pixels) are dashed
+const kNameFrom = 15; // and visible ones may show their names
+const kMostPaths = 1500;
+const kManySites = 30_000; // from here on the diagram is asked for those in the window
+const kLargestPoints = 24; // device pixels: larger circles are paths anyway
+
+/** x, y, r in device pixels or CSS pixels, in an array that grows and is used again. */
+class Triples {
+  xyr = new Float32Array(3 * 1024);
+  length = 0;
+
+  clear() {
+    this.length = 0;
+  }
+
+  push(x, y, r) {
+    if (this.length + 3 > this.xyr.length) {
+      const larger = new Float32Array(2 * this.xyr.length);
+      larger.set(this.xyr);
+      this.xyr = larger;
+    }
+    this.xyr[this.length++] = x;
+    this.xyr[this.length++] = y;
+    this.xyr[this.length++] = r;
+  }
+
+  get size() {
+    return this.length / 3;
+  }
+}
+
+export class CirclesLayer {
+  #visible = new Triples();
+  #hidden = new Triples();
+  #large = new Triples();
+  #widths = new Map(); // of names, in pixels
+  /** @type {Shower | null} */ #shower = null;
+  #size = "";
+
+  #isMany = false;
+  #countedScale = 1;
+  /** @type {import("../model/sites.js").Sites | null} */ #countedFor = null;
+
+  /** How many circles of each kind the window met when all of it was drawn last. */
+  counts = { visible: 0, hidden: 0 };
+
+  /**
+   * @param {CanvasRenderingContext2D} context with CSS pixels as its unit, empty in the box
+   * @param {import("./painter.js").Picture} picture
+   * @param {import("./view.js").Box} box the window, or in whole device pixels a part of it
+   * @param {boolean} isWhole whether it is the window
+   */
+  draw(context, { sites, view, layers, theme, pixelRatio }, box, isWhole) {
+    this.#collect(sites, view, box);
+    const { size } = this.#visible;
+    if (isWhole) {
+      this.counts = { visible: size, hidden: this.#hidden.size };
+      this.#countedScale = view.scale;
+      this.#isMany = size + this.#hidden.size > kMostPaths;
+    }
+    if (this.#isMany) {
+      this.#drawMany(context, layers, theme, pixelRatio, box);
+      return;
+    }
+    if (layers.circles) drawPaths(context, this.#visible, theme.siteFill, theme.site);
+    if (layers.hidden) drawHidden(context, this.#hidden, theme);
+    if (layers.circles) this.#drawNames(context, sites, view, box, theme);
+  }
+
+  /** What the window meets. */
+  #collect(sites, view, box) {
+    const { xyr, weight } = sites;
+    const ids = this.#candidates(sites, view, box);
+    const isHiding = sites.diagram.hiddenSize > 0;
+    this.#visible.clear();
+    this.#hidden.clear();
+    for (let k = 0; k < ids.length; k++) {
+      const id = ids[k];
+      const x = view.toScreenX(xyr[3 * id]);
+      const y = view.toScreenY(xyr[3 * id + 1]);
+      const r = Math.max(xyr[3 * id + 2] * weight * view.scale, 0);
+      const reach = r + 3;
+      if (x + reach < box.left || x - reach > box.right) continue;
+      if (y + reach < box.top || y - reach > box.bottom) continue;
+      (isHiding && sites.isHidden(id) ? this.#hidden : this.#visible).push(x, y, r);
+    }
+  }
+
+  /**
+   * The ids to look at: all, or where the box meets few of very many circles, as far as that can be
+   * foretold, those that the diagram finds there.
+   */
+  #candidates(sites, view, box) {
+    const { visible, hidden } = this.counts;
+    const zoom = (this.#countedScale / view.scale) ** 2;
+    const share = ((box.right - box.left) * (box.bottom - box.top)) / (view.width * view.height);
+    const expected = (visible + hidden) * zoom * share;
+    const isUnknown = this.#countedFor !== sites;
+    this.#countedFor = sites;
+    if (isUnknown || sites.size < kManySites || expected > sites.size / 100) return sites.ids;
+    const bounds = boundsOf(view, box, 3);
+    return bounds ? sites.diagram.search(...bounds) : sites.ids;
+  }
+
+  #drawMany(context, layers, theme, ratio, box) {
+    const { width, height } = context.canvas;
+    if (this.#size !== `${width} ${height}`) this.#shower = new Shower(width, height);
+    this.#size = `${width} ${height}`;
+    this.#shower.start({
+      left: Math.max(0, Math.round(box.left * ratio)),
+      top: Math.max(0, Math.round(box.top * ratio)),
+      right: Math.min(width, Math.round(box.right * ratio)),
+      bottom: Math.min(height, Math.round(box.bottom * ratio)),
+    });
+    this.#large.clear();
+    if (layers.circles) this.#shed(this.#visible, theme.siteFill, theme.site, ratio);
+    if (layers.hidden) this.#shed(this.#hidden, theme.hiddenFill, theme.hidden, ratio);
+    this.#shower.show(context);
+    if (layers.circles) drawPaths(context, this.#large, theme.siteFill, theme.site);
+  }
+
+  /** The small ones of these; the large ones go elsewhere. */
+  #shed(triples, fill, stroke, ratio) {
+    const { xyr } = triples;
+    let length = 0;
+    for (let k = 0; k < triples.length; k += 3) {
+      const r = xyr[k + 2] * ratio;
+      if (r > kLargestPoints) {
+        this.#large.push(xyr[k], xyr[k + 1], xyr[k + 2]);
+        continue;
+      }
+      xyr[length++] = xyr[k] * ratio;
+      xyr[length++] = xyr[k + 1] * ratio;
+      xyr[length++] = r;
+    }
+    this.#shower.add(xyr, length, { fill, stroke }, ratio);
+  }
+
+  /** Names of sites that have one, inside their circles. */
+  #drawNames(context, sites, view, box, theme) {
+    if (sites.labels.size === 0) return;
+    context.font = `500 11px ${theme.sans}`;
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillStyle = theme.name;
+    for (const [id, { name }] of sites.labels) {
+      const r = sites.radius(id) * view.scale;
+      if (r < kNameFrom || sites.isHidden(id)) continue;
+      const x = view.toScreenX(sites.xyr[3 * id]);
+      const y = view.toScreenY(sites.xyr[3 * id + 1]);
+      if (x + r < box.left || x - r > box.right || y + r < box.top || y - r > box.bottom) continue;
+      let width = this.#widths.get(name);
+      if (width === undefined) {
+        width = context.measureText(name).width;
+        this.#widths.set(name, width);
+      }
+      if (width < 2 * r - 2 && !this.#isCrowded(x, y, width / 2 + 4)) context.fillText(name, x, y);
+    }
+  }
+
+  /** Whether another visible circle has its centre where the name would be. */
+  #isCrowded(x, y, halfWidth) {
+    const { xyr, length } = this.#visible;
+    for (let k = 0; k < length; k += 3) {
+      const dx = Math.abs(xyr[k] - x);
+      if (dx > 0.01 && dx < halfWidth && Math.abs(xyr[k + 1] - y) < 9) return true;
+    }
+    return false;
+  }
+}
+
+function addCircles(context, { xyr, length }, smallest) {
+  context.beginPath();
+  for (let k = 0; k < length; k += 3) {
+    const r = Math.max(xyr[k + 2], smallest);
+    context.moveTo(xyr[k] + r, xyr[k + 1]);
+    context.arc(xyr[k], xyr[k + 1], r, 0, 2 * Math.PI);
+  }
+}
+
+function drawPaths(context, triples, fill, stroke) {
+  addCircles(context, triples, kDot);
+  context.fillStyle = fill;
+  context.fill();
+  context.lineWidth = 1.25;
+  context.strokeStyle = stroke;
+  context.stroke();
+}
+
+function drawHidden(context, triples, theme) {
+  const small = new Triples();
+  const large = new Triples();
+  for (let k = 0; k < triples.length; k += 3) {
+    const r = triples.xyr[k + 2];
+    (r < kDashFrom ? small : large).push(triples.xyr[k], triples.xyr[k + 1], r);
+  }
+  addCircles(context, triples, kDot);
+  context.fillStyle = theme.hiddenFill;
+  context.fill();
+  context.strokeStyle = theme.hidden;
+  context.lineWidth = 1.25;
+  addCircles(context, small, kDot);
+  context.stroke();
+  context.setLineDash([3, 3]);
+  addCircles(context, large, kDot);
+  context.stroke();
+  context.setLineDash([]);
+}

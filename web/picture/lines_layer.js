@@ -1,0 +1,165 @@
+// The lines of the diagram: cells, dual graph, hull, vertices with their circles, and the cells of
+// the centres alone. Drawn whole or inside a box only, in slices.
+import { Diagram } from "apollonius-diagram";
+import { addCell, boundsOf, cellCorners, drawOptions, ScreenStrokes } from "./curves.js";
+import { drawEdges } from "./edges.js";
+
+const kCellsGone = 4; // pixels: cells of this size show no lines,
+const kCellsWhole = 8; // and from this size on they are as strong as can be
+const kMostWhole = 1500; // visible sites: below, all edges are asked for in one call
+const kMostCompared = 20_000; // sites whose centres get a diagram of their own
+const kMostVertices = 4000;
+const kMostContoured = 160; // visible sites
+const kContour = 14; // pixels from one line of equal distance to the next
+
+/** How strong lines are between cells of this size in pixels. */
+export const strengthOf = (size) =>
+  Math.max(0, Math.min(1, (size - kCellsGone) / (kCellsWhole - kCellsGone)));
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {import("./painter.js").Picture} picture
+ * @param {import("./view.js").Box} box
+ * @param {number} strength of lines, from 0 to 1
+ */
+export function* drawLines(context, picture, box, strength) {
+  const { layers } = picture;
+  const near = {
+    left: box.left - 3,
+    top: box.top - 3,
+    right: box.right + 3,
+    bottom: box.bottom + 3,
+  };
+  context.lineJoin = "round";
+  context.lineCap = "round";
+  context.lineWidth = 1;
+  if (strength > 0) {
+    context.globalAlpha = strength;
+    if (layers.distances) drawDistances(context, picture, near);
+    if (layers.centres) yield* drawCentres(context, picture, near);
+    if (layers.dual) yield* drawDual(context, picture, near);
+    if (layers.cells) yield* drawCells(context, picture, near);
+    if (layers.vertices) drawVertices(context, picture, near);
+    context.globalAlpha = 1;
+  }
+  if (layers.hull) drawHull(context, picture, near);
+}
+
+function* drawCells(context, { sites, view, theme }, box) {
+  const bounds = boundsOf(view, box);
+  if (!bounds) return;
+  context.lineWidth = 1.25;
+  context.strokeStyle = theme.cell;
+  const strokes = new ScreenStrokes(context, view, box);
+  const { diagram } = sites;
+  if (diagram.visibleSize <= kMostWhole) diagram.voronoi(bounds).render(strokes, drawOptions(view));
+  else yield* drawEdges(diagram, bounds, strokes);
+  strokes.finish();
+}
+
+/** In each cell the lines of equal distance to its site, like heights on a map. */
+function drawDistances(context, { sites, view, theme }, box) {
+  const { diagram } = sites;
+  if (diagram.visibleSize > kMostContoured) return;
+  context.strokeStyle = theme.distance;
+  for (const id of sites.ids) {
+    if (sites.isHidden(id)) continue;
+    const cell = extentOf(sites, view, id, box);
+    if (!cell) continue;
+    context.save();
+    context.beginPath();
+    addCell(context, sites, view, id);
+    context.clip();
+    context.beginPath();
+    const rim = sites.radius(id) * view.scale;
+    for (let r = rim + kContour; r < cell.farthest; r += kContour) {
+      context.moveTo(cell.x + r, cell.y);
+      context.arc(cell.x, cell.y, r, 0, 2 * Math.PI);
+    }
+    context.stroke();
+    context.restore();
+  }
+}
+
+/** Where a cell's site is, and how far the cell reaches; null if it is not in the box. */
+function extentOf(sites, view, id, box) {
+  const corners = cellCorners(sites, view, id);
+  if (!corners) return null;
+  const site = sites.site(id);
+  const [x, y] = [view.toScreenX(site.x), view.toScreenY(site.y)];
+  const xs = corners.map((corner) => view.toScreenX(corner[0]));
+  const ys = corners.map((corner) => view.toScreenY(corner[1]));
+  const isOutside =
+    Math.max(...xs) < box.left ||
+    Math.min(...xs) > box.right ||
+    Math.max(...ys) < box.top ||
+    Math.min(...ys) > box.bottom;
+  if (isOutside) return null;
+  return { x, y, farthest: Math.max(...xs.map((cx, k) => Math.hypot(cx - x, ys[k] - y))) };
+}
+
+function* drawDual(context, { sites, view, theme }, box) {
+  context.lineWidth = 1;
+  context.strokeStyle = theme.dual;
+  const strokes = new ScreenStrokes(context, view, box);
+  const bounds = boundsOf(view, box);
+  sites.diagram.render(strokes, bounds ? { ...drawOptions(view), bounds } : drawOptions(view));
+  strokes.finish();
+  yield;
+}
+
+/** The point Voronoi diagram of the same centres. */
+function* drawCentres(context, { sites, view, theme }, box) {
+  const bounds = boundsOf(view, box);
+  if (!bounds || sites.size > kMostCompared) return;
+  const centres = new Diagram(sites.triples(sites.ids).map((v, k) => (k % 3 === 2 ? 0 : v)));
+  yield;
+  context.lineWidth = 1;
+  context.strokeStyle = theme.centres;
+  context.setLineDash([4, 4]);
+  const strokes = new ScreenStrokes(context, view, box);
+  centres.voronoi(bounds).render(strokes, drawOptions(view));
+  strokes.finish();
+  context.setLineDash([]);
+  centres.dispose();
+}
+
+function drawHull(context, { sites, view, theme }, box) {
+  context.lineWidth = 1.5;
+  context.strokeStyle = theme.hull;
+  const strokes = new ScreenStrokes(context, view, box);
+  sites.diagram.renderHull(strokes, drawOptions(view));
+  strokes.finish();
+}
+
+/** Vertices, and the empty circles about them, which touch three sites. */
+function drawVertices(context, { sites, view, theme }, box) {
+  if (sites.diagram.visibleSize > kMostVertices) return;
+  const { coordinates, clearance } = sites.diagram.vertices();
+  const found = [];
+  clearance.forEach((distance, k) => {
+    const x = view.toScreenX(coordinates[2 * k]);
+    const y = view.toScreenY(coordinates[2 * k + 1]);
+    const r = distance * view.scale;
+    const reach = Math.max(r, 3);
+    if (x + reach < box.left || x - reach > box.right) return;
+    if (y + reach < box.top || y - reach > box.bottom) return;
+    found.push([x, y, r]);
+  });
+  context.lineWidth = 1;
+  context.strokeStyle = theme.empty;
+  context.beginPath();
+  for (const [x, y, r] of found) {
+    if (r < 2) continue;
+    context.moveTo(x + r, y);
+    context.arc(x, y, r, 0, 2 * Math.PI);
+  }
+  context.stroke();
+  context.fillStyle = theme.vertex;
+  context.beginPath();
+  for (const [x, y] of found) {
+    context.moveTo(x + 2, y);
+    context.arc(x, y, 2, 0, 2 * Math.PI);
+  }
+  context.fill();
+}

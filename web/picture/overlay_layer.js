@@ -1,0 +1,223 @@
+// What follows the pointer: the nearest site, its cell and its neighbours, and the other answers;
+// the selected sites and the handle of one; a circle that is being drawn, with its cell to be.
+import { addCell } from "./curves.js";
+
+/**
+ * @typedef {{
+ *   x: number, y: number, id: number, distance: number, neighbors: Uint32Array,
+ *   nearest: Uint32Array, under: Uint32Array, empty: { x: number, y: number, r: number } | null,
+ * }} Hover pointer in pixels, all else in units; `nearest`, `under`, `empty` if they are asked for
+ */
+/**
+ * @typedef {{
+ *   hover: Hover | null, selected: readonly number[],
+ *   draft: import("../model/sites.js").Circle | null, box: import("./view.js").Box | null,
+ *   marks: ((context: CanvasRenderingContext2D, picture: import("./painter.js").Picture) => void)
+ *     | null,
+ * }} Overlay `marks` draws what else there is
+ */
+
+/**
+ * Space between a selected circle's rim and its ring, in pixels; the handle sits on the ring's
+ * east.
+ */
+const kRing = 5;
+const kSmallestRing = 11;
+const kMostRings = 3000;
+
+/** Where the selected circle's handle is, in pixels. */
+export function handleOf(view, sites, id) {
+  const radius = ringRadius(view, sites.radius(id));
+  const { x, y } = sites.site(id);
+  return { x: view.toScreenX(x) + radius, y: view.toScreenY(y), radius };
+}
+
+const ringRadius = (view, r) => Math.max(r * view.scale + kRing, kSmallestRing);
+
+/**
+ * The radius, in the diagram's units, that puts the handle at this distance (pixels) from the
+ * centre.
+ */
+export const radiusForHandle = (view, distance) => Math.max(0, distance - kRing) / view.scale;
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {import("./painter.js").Picture} picture
+ * @param {Overlay} overlay
+ */
+export function drawOverlay(context, picture, overlay) {
+  const { sites, view, theme } = picture;
+  context.lineJoin = "round";
+  context.lineCap = "round";
+  const { hover, selected, draft, box } = overlay;
+  if (hover && hover.id >= 0) drawHover(context, sites, view, theme, hover);
+  if (selected.length > 0) drawSelected(context, sites, view, theme, selected);
+  if (draft) drawDraft(context, sites, view, theme, draft);
+  overlay.marks?.(context, picture);
+  if (box) {
+    context.fillStyle = theme.selectedFill;
+    context.strokeStyle = theme.selected;
+    context.lineWidth = 1;
+    const { left, top, right, bottom } = box;
+    context.fillRect(left, top, right - left, bottom - top);
+    context.strokeRect(left + 0.5, top + 0.5, right - left, bottom - top);
+  }
+}
+
+function drawHover(context, sites, view, theme, hover) {
+  context.fillStyle = theme.neighborFill;
+  context.beginPath();
+  for (const id of hover.neighbors) addCell(context, sites, view, id);
+  context.fill();
+
+  context.fillStyle = theme.accentFill;
+  context.beginPath();
+  addCell(context, sites, view, hover.id);
+  context.fill();
+  context.strokeStyle = theme.accent;
+  context.lineWidth = 2;
+  context.stroke();
+
+  context.strokeStyle = theme.neighbor;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  for (const id of hover.neighbors) addCircle(context, sites, view, id);
+  context.stroke();
+
+  if (hover.under.length > 0) {
+    context.strokeStyle = theme.ink;
+    context.lineWidth = 2;
+    context.beginPath();
+    for (const id of hover.under) addCircle(context, sites, view, id);
+    context.stroke();
+  }
+
+  context.fillStyle = theme.accentSite;
+  context.strokeStyle = theme.accent;
+  context.lineWidth = 2.5;
+  context.beginPath();
+  addCircle(context, sites, view, hover.id);
+  context.fill();
+  context.stroke();
+  drawDistance(context, sites, view, theme, hover);
+  if (hover.empty) drawEmpty(context, view, theme, hover.empty);
+  if (hover.nearest.length > 0) drawRanks(context, sites, view, theme, hover);
+}
+
+/**
+ * The empty circle about the pointer, which touches the nearest site, and the way to the point
+ * where it does.
+ */
+function drawDistance(context, sites, view, theme, hover) {
+  const radius = hover.distance * view.scale;
+  const site = sites.site(hover.id);
+  if (!(radius > 3)) return;
+  const dx = view.toScreenX(site.x) - hover.x;
+  const dy = view.toScreenY(site.y) - hover.y;
+  const length = Math.hypot(dx, dy);
+  context.strokeStyle = theme.pointer;
+  context.lineWidth = 1;
+  context.beginPath();
+  context.moveTo(hover.x, hover.y);
+  context.lineTo(hover.x + (dx / length) * radius, hover.y + (dy / length) * radius);
+  context.stroke();
+  context.setLineDash([1, 4]);
+  context.beginPath();
+  context.arc(hover.x, hover.y, radius, 0, 2 * Math.PI);
+  context.stroke();
+  context.setLineDash([]);
+}
+
+/** The largest empty circle about the cell's corner that is nearest to the pointer. */
+function drawEmpty(context, view, theme, { x, y, r }) {
+  const [px, py] = [view.toScreenX(x), view.toScreenY(y)];
+  context.fillStyle = theme.emptyFill;
+  context.strokeStyle = theme.vertex;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.arc(px, py, Math.max(r * view.scale, 1), 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+  context.fillStyle = theme.vertex;
+  context.beginPath();
+  context.arc(px, py, 3, 0, 2 * Math.PI);
+  context.fill();
+}
+
+/** The nearest ones, numbered. */
+function drawRanks(context, sites, view, theme, hover) {
+  context.font = `600 11px ${theme.sans}`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  hover.nearest.forEach((id, k) => {
+    const { x, y } = sites.site(id);
+    const [px, py] = [view.toScreenX(x), view.toScreenY(y)];
+    context.beginPath();
+    context.arc(px, py, 9, 0, 2 * Math.PI);
+    context.fillStyle = theme.paper;
+    context.fill();
+    context.strokeStyle = k === 0 ? theme.accent : theme.ink;
+    context.lineWidth = 1.5;
+    context.stroke();
+    context.fillStyle = theme.ink;
+    context.fillText(String(k + 1), px, py + 0.5);
+  });
+}
+
+function drawSelected(context, sites, view, theme, selected) {
+  context.strokeStyle = theme.selected;
+  context.lineWidth = 2;
+  context.beginPath();
+  for (const id of selected.slice(0, kMostRings)) {
+    const { x, y } = sites.site(id);
+    const radius = ringRadius(view, sites.radius(id));
+    context.moveTo(view.toScreenX(x) + radius, view.toScreenY(y));
+    context.arc(view.toScreenX(x), view.toScreenY(y), radius, 0, 2 * Math.PI);
+  }
+  context.stroke();
+  if (selected.length > 1) return;
+  drawCover(context, sites, view, selected[0]);
+  const { x, y } = handleOf(view, sites, selected[0]);
+  context.fillStyle = theme.paper;
+  context.beginPath();
+  context.arc(x, y, 5.5, 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+}
+
+/** Of a hidden circle: the one that covers it. */
+function drawCover(context, sites, view, id) {
+  if (!sites.isHidden(id)) return;
+  context.setLineDash([6, 4]);
+  context.beginPath();
+  addCircle(context, sites, view, sites.diagram.coverOf(id));
+  context.stroke();
+  context.setLineDash([]);
+}
+
+/** A circle to be, and the cell that it would have. */
+function drawDraft(context, sites, view, theme, draft) {
+  context.strokeStyle = theme.selected;
+  context.fillStyle = theme.selectedFill;
+  context.lineWidth = 1.5;
+  context.setLineDash([5, 4]);
+  context.beginPath();
+  sites.tryOut(draft, (id) => addCell(context, sites, view, id));
+  context.fill();
+  context.stroke();
+  context.setLineDash([]);
+  const [x, y] = [view.toScreenX(draft.x), view.toScreenY(draft.y)];
+  context.beginPath();
+  context.arc(x, y, Math.max(draft.r * sites.weight * view.scale, 2), 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+}
+
+function addCircle(context, sites, view, id) {
+  const site = sites.site(id);
+  const x = view.toScreenX(site.x);
+  const y = view.toScreenY(site.y);
+  const r = Math.max(sites.radius(id) * view.scale, 2);
+  context.moveTo(x + r, y);
+  context.arc(x, y, r, 0, 2 * Math.PI);
+}

@@ -1,0 +1,387 @@
+// Canvases one above the other: the map, the lines of the diagram, the circles, and what follows
+// the pointer. Each is redrawn only when it must be. Lines can take long: they are drawn in slices
+// of a frame's time into a canvas that is not shown, and shown when they are complete; while the
+// view moves, what is there is moved and scaled as it is. A change of a few sites redraws a box.
+import { CirclesLayer } from "./circles_layer.js";
+import { drawLines, strengthOf } from "./lines_layer.js";
+import { drawMap } from "./map_layer.js";
+import { drawOverlay } from "./overlay_layer.js";
+import { readTheme } from "./theme.js";
+import { View } from "./view.js";
+
+/** @typedef {import("./view.js").Box} Box */
+/**
+ * @typedef {{ cells: boolean, distances: boolean, circles: boolean, hidden: boolean, map: boolean,
+ *   dual: boolean, centres: boolean, vertices: boolean, hull: boolean }} Layers what is shown
+ */
+/**
+ * @typedef {{
+ *   sites: import("../model/sites.js").Sites, view: View, layers: Layers,
+ *   theme: Record<string, string>, pixelRatio: number,
+ * }} Picture what the layers draw from
+ */
+
+const kSlice = 9; // ms of a frame that lines may take,
+const kLongSlice = 40; // and where nobody waits for an answer
+const kPatience = 14; // ms: what takes longer is not drawn anew for every step of a movement
+const kRest = 160; // ms without movement until it is
+const kRemember = 512; // measured frames
+
+/** A canvas with what was drawn on it. */
+class Plate {
+  /** @type {View | null} */ drawn = null;
+  isStale = true;
+  cost = 0; // ms of the last whole drawing
+
+  /** @param {HTMLCanvasElement} canvas */
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.context = canvas.getContext("2d");
+  }
+
+  resize(width, height, ratio) {
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.isStale = true;
+    this.drawn = null;
+  }
+
+  /** Empties it; CSS pixels are its unit from here on. */
+  start(ratio) {
+    const { context, canvas } = this;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.globalAlpha = 1;
+    context.setLineDash([]);
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    return context;
+  }
+
+  /** Says that it shows this view now. @param {View} view */
+  finish(view) {
+    this.canvas.style.transform = "";
+    this.drawn = view.copy();
+    this.isStale = false;
+  }
+
+  /** Shows what there is where it is now. @param {View} view */
+  follow(view) {
+    if (!this.drawn) return;
+    const f = view.scale / this.drawn.scale;
+    const dx = view.originX - this.drawn.originX * f;
+    const dy = view.originY - this.drawn.originY * f;
+    this.canvas.style.transform = `matrix(${f}, 0, 0, ${f}, ${dx}, ${dy})`;
+  }
+}
+
+export class Painter {
+  /** @type {Layers} */
+  layers = {
+    cells: true,
+    distances: true,
+    circles: true,
+    hidden: true,
+    map: true,
+    dual: false,
+    centres: false,
+    vertices: false,
+    hull: false,
+  };
+  /** @type {import("./overlay_layer.js").Overlay} */
+  overlay = { hover: null, selected: [], draft: null, box: null, marks: null };
+  /** @type {Record<string, string>} */
+  theme = {};
+  /** While something moves by itself, lines are drawn whole in every frame. */
+  isLive = false;
+  /** What drawing cost, in ms, latest last. */
+  costs = { circles: [], lines: [], box: [], overlay: [], frame: [] };
+
+  #model;
+  #view;
+  #circles = new CirclesLayer();
+  #plates;
+  #spare; // the plate of lines that is not shown
+  #pixelRatio = 1;
+  #frame = 0;
+  /** @type {Box | null} */ #box = null;
+  /** @type {Generator | null} */ #job = null;
+  #jobCost = 0;
+  #moved = -Infinity; // when the view last changed
+
+  /**
+   * @param {{ map: HTMLCanvasElement, lines: HTMLCanvasElement, spare: HTMLCanvasElement,
+   *   circles: HTMLCanvasElement, overlay: HTMLCanvasElement }} canvases
+   * @param {import("../model/model.js").Model} model
+   * @param {View} view
+   */
+  constructor({ map, lines, spare, circles, overlay }, model, view) {
+    this.#model = model;
+    this.#view = view;
+    this.#plates = {
+      map: new Plate(map),
+      lines: new Plate(lines),
+      circles: new Plate(circles),
+      overlay: new Plate(overlay),
+    };
+    this.#spare = new Plate(spare);
+    this.readTheme();
+  }
+
+  readTheme() {
+    this.theme = readTheme();
+    this.redraw();
+  }
+
+  /** Fits the canvases to the window. */
+  resize(width, height, pixelRatio) {
+    this.#pixelRatio = pixelRatio;
+    for (const plate of [...Object.values(this.#plates), this.#spare])
+      plate.resize(width, height, pixelRatio);
+    this.#view.resize(width, height);
+    this.redraw();
+  }
+
+  /** Everything is to be drawn anew. */
+  redraw() {
+    for (const plate of Object.values(this.#plates)) plate.isStale = true;
+    this.#job = null;
+    this.#request();
+  }
+
+  /** All circles have changed: what is shown of lines and circles is of no use. */
+  forget() {
+    for (const plate of [this.#plates.lines, this.#plates.circles]) {
+      plate.start(this.#pixelRatio);
+      plate.drawn = null;
+      plate.cost = 0;
+    }
+    this.redraw();
+  }
+
+  /** The view has moved. */
+  viewChanged() {
+    this.#moved = performance.now();
+    this.redraw();
+  }
+
+  /** The diagram has changed inside this box (pixels). @param {Box} box */
+  redrawBox(box) {
+    if (this.#plates.lines.isStale) this.#job = null; // it has begun with what was before
+    const old = this.#box;
+    this.#box = old
+      ? {
+          left: Math.min(old.left, box.left),
+          top: Math.min(old.top, box.top),
+          right: Math.max(old.right, box.right),
+          bottom: Math.max(old.bottom, box.bottom),
+        }
+      : box;
+    this.redrawOverlay();
+  }
+
+  redrawOverlay() {
+    this.#plates.overlay.isStale = true;
+    this.#request();
+  }
+
+  /** Whether the picture on the screen is what it should be. */
+  get isDone() {
+    return !this.#frame;
+  }
+
+  /** Draws at once what is to be drawn: for tests and pictures. */
+  flush() {
+    cancelAnimationFrame(this.#frame);
+    this.#moved = -Infinity;
+    this.#draw(Infinity);
+  }
+
+  /** The pictures one above the other, on the paper. */
+  toCanvas() {
+    this.flush();
+    const { canvas } = this.#plates.circles;
+    const all = Object.assign(document.createElement("canvas"), {
+      width: canvas.width,
+      height: canvas.height,
+    });
+    const context = all.getContext("2d");
+    context.fillStyle = this.theme.paper;
+    context.fillRect(0, 0, all.width, all.height);
+    for (const name of ["map", "lines", "circles"])
+      context.drawImage(this.#plates[name].canvas, 0, 0);
+    return all;
+  }
+
+  /** The canvas that shows this part. @param {"map" | "lines" | "circles" | "overlay"} name */
+  canvas(name) {
+    return this.#plates[name].canvas;
+  }
+
+  /** How large the cells in the window are, in pixels. */
+  get cellSize() {
+    const area = this.#view.width * this.#view.height;
+    return Math.sqrt(area / Math.max(this.#circles.counts.visible, 1));
+  }
+
+  #request() {
+    if (!this.#frame) this.#frame = requestAnimationFrame(() => this.#draw(kSlice));
+  }
+
+  /** @returns {Picture} */
+  get #picture() {
+    return {
+      sites: this.#model.sites,
+      view: this.#view,
+      layers: this.layers,
+      theme: this.theme,
+      pixelRatio: this.#pixelRatio,
+    };
+  }
+
+  /** @param {number} slice ms that lines may take */
+  #draw(slice) {
+    const start = performance.now();
+    this.#frame = 0;
+    const isMoving = start - this.#moved < kRest;
+    this.#drawMap(isMoving);
+    this.#drawCircles(isMoving);
+    const isWaiting = isMoving || this.#plates.overlay.isStale;
+    const most = this.isLive ? Infinity : Math.max(slice, isWaiting ? 0 : kLongSlice);
+    if (this.#plates.lines.isStale) this.#drawLines(isMoving, most);
+    else if (this.#box) this.#drawBox(this.#box);
+    if (!this.#plates.lines.isStale) this.#box = null;
+    if (this.#plates.overlay.isStale) this.#drawOverlay();
+    if (Object.values(this.#plates).some((plate) => plate.isStale)) this.#request();
+    this.#note("frame", start);
+  }
+
+  /** Whether a plate is to be drawn now; else it shows what it has, elsewhere. */
+  #isDue(plate, isMoving) {
+    if (!plate.isStale) return false;
+    if (!isMoving || plate.cost <= kPatience || !plate.drawn) return true;
+    plate.follow(this.#view);
+    return false;
+  }
+
+  #drawMap(isMoving) {
+    const plate = this.#plates.map;
+    if (!this.#isDue(plate, isMoving)) return;
+    const start = performance.now();
+    const context = plate.start(this.#pixelRatio);
+    const { map } = this.#model.sites.info;
+    if (map && this.layers.map) drawMap(context, this.#view, this.theme, map);
+    plate.finish(this.#view);
+    plate.cost = performance.now() - start;
+  }
+
+  #drawCircles(isMoving) {
+    const plate = this.#plates.circles;
+    if (!this.#isDue(plate, isMoving)) {
+      if (!plate.isStale && this.#box) this.#drawCirclesIn(this.#box);
+      return;
+    }
+    const start = performance.now();
+    this.#circles.draw(plate.start(this.#pixelRatio), this.#picture, this.#window, true);
+    plate.finish(this.#view);
+    plate.cost = performance.now() - start;
+    this.#note("circles", start);
+  }
+
+  /** @param {Box} box */
+  #drawCirclesIn(box) {
+    const start = performance.now();
+    this.#inBox(this.#plates.circles, box, (context, inner) =>
+      this.#circles.draw(context, this.#picture, inner, false),
+    );
+    this.#note("box", start);
+  }
+
+  #drawLines(isMoving, slice) {
+    const { lines } = this.#plates;
+    if (!this.#job && isMoving && lines.drawn && lines.cost > kPatience) {
+      lines.follow(this.#view);
+      return;
+    }
+    const start = performance.now();
+    if (!this.#job) {
+      const context = this.#spare.start(this.#pixelRatio);
+      const strength = strengthOf(this.cellSize);
+      this.#job = drawLines(context, this.#picture, this.#window, strength);
+      this.#jobCost = 0;
+    }
+    let isDone = false;
+    for (let k = 0; !isDone; k++) {
+      isDone = this.#job.next().done;
+      if (k % 16 === 15 && performance.now() - start > slice) break;
+    }
+    this.#jobCost += performance.now() - start;
+    this.#note("lines", start);
+    if (isDone) this.#showLines();
+    else lines.follow(this.#view);
+  }
+
+  /** Exchanges the lines that are shown for those that are complete. */
+  #showLines() {
+    const old = this.#plates.lines;
+    this.#plates.lines = this.#spare;
+    this.#spare = old;
+    this.#job = null;
+    const { lines } = this.#plates;
+    lines.cost = this.#jobCost;
+    lines.finish(this.#view);
+    lines.canvas.hidden = false;
+    old.canvas.hidden = true;
+  }
+
+  /** @param {Box} box */
+  #drawBox(box) {
+    const start = performance.now();
+    this.#inBox(this.#plates.lines, box, (context, inner) => {
+      for (const _ of drawLines(context, this.#picture, inner, strengthOf(this.cellSize)));
+    });
+    this.#note("box", start);
+  }
+
+  /** Draws a part of a plate anew. */
+  #inBox({ canvas, context }, box, draw) {
+    // Whole device pixels, so that nothing is blended twice at the border.
+    const ratio = this.#pixelRatio;
+    const left = Math.max(0, Math.floor(box.left * ratio));
+    const top = Math.max(0, Math.floor(box.top * ratio));
+    const right = Math.min(canvas.width, Math.ceil(box.right * ratio));
+    const bottom = Math.min(canvas.height, Math.ceil(box.bottom * ratio));
+    if (right <= left || bottom <= top) return;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.save();
+    context.beginPath();
+    context.rect(left, top, right - left, bottom - top);
+    context.clip();
+    context.clearRect(left, top, right - left, bottom - top);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    draw(context, {
+      left: left / ratio,
+      top: top / ratio,
+      right: right / ratio,
+      bottom: bottom / ratio,
+    });
+    context.restore();
+  }
+
+  #drawOverlay() {
+    const start = performance.now();
+    const plate = this.#plates.overlay;
+    drawOverlay(plate.start(this.#pixelRatio), this.#picture, this.overlay);
+    plate.isStale = false;
+    this.#note("overlay", start);
+  }
+
+  get #window() {
+    return { left: 0, top: 0, right: this.#view.width, bottom: this.#view.height };
+  }
+
+  #note(name, start) {
+    const list = this.costs[name];
+    list.push(performance.now() - start);
+    if (list.length > kRemember) list.shift();
+  }
+}

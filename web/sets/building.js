@@ -1,0 +1,64 @@
+// Makes random circles and their diagram: small sets at once, large ones in a worker, which says
+// how far it is and can be stopped.
+import { Diagram } from "apollonius-diagram";
+import { Sites } from "../model/sites.js";
+import { randomCircles } from "./random_sets.js";
+
+/**
+ * @typedef {{ signal?: AbortSignal, progress?: (share: number | undefined, what: string) => void }}
+ * Watch how far it is, if that is known, and the way to stop it
+ */
+
+const kMostHere = 100_000; // circles
+const kArea = 1_600_000; // units squared of a random set
+const kRatio = 1.6;
+const kTick = 100; // ms from one state of the progress to the next
+
+/** @param {import("./presets.js").RandomOptions} options */
+function circleOptions({ n, hidden, seed, tall }) {
+  const [long, short] = [Math.sqrt(kArea * kRatio), Math.sqrt(kArea / kRatio)];
+  const [width, height] = tall ? [short, long] : [long, short];
+  return { count: n, hiddenShare: hidden / 100, seed, width, height };
+}
+
+/**
+ * @param {import("./presets.js").RandomOptions} options
+ * @param {import("../model/sites.js").SetInfo} info
+ * @param {Watch} watch
+ */
+export async function build(options, info, { signal, progress }) {
+  if (options.n <= kMostHere) return new Sites(randomCircles(circleOptions(options)), info);
+  const worker = new Worker(new URL("./build_worker.js", import.meta.url), { type: "module" });
+  let ticking = 0;
+  const tell = ({ what, estimate }) => {
+    clearInterval(ticking);
+    const start = performance.now();
+    const share = () => Math.min(0.97, (performance.now() - start) / estimate);
+    progress?.(estimate ? 0 : undefined, what);
+    if (estimate) ticking = setInterval(() => progress?.(share(), what), kTick);
+  };
+  try {
+    return await new Promise((resolve, reject) => {
+      signal?.addEventListener("abort", () => reject(signal.reason));
+      worker.onerror = (event) => reject(new Error(event.message || "the worker failed"));
+      worker.onmessage = ({ data }) => {
+        if (data.error) reject(new Error(data.error));
+        else if (data.bytes) resolve(restored(data, info));
+        else tell(data);
+      };
+      worker.postMessage({
+        // import maps do not reach into workers
+        address: import.meta.resolve("apollonius-diagram"),
+        options: circleOptions(options),
+      });
+    });
+  } finally {
+    clearInterval(ticking);
+    worker.terminate();
+  }
+}
+
+function restored({ xyr, bytes, buildTime }, info) {
+  const diagram = Diagram.fromBytes(bytes, { trusted: true });
+  return new Sites(xyr, info, { diagram, buildTime });
+}

@@ -1,0 +1,107 @@
+// Puts the page together.
+import { load } from "apollonius-diagram";
+import { App } from "./app.js";
+import { Motion } from "./motion/motion.js";
+import { letWander } from "./motion/wanderer.js";
+import { Weights } from "./motion/weights.js";
+import { makeNavigation } from "./navigation.js";
+import { fetchCities } from "./sets/cities.js";
+import { listenToPointer } from "./tools/gestures.js";
+import { listenToKeyboard } from "./tools/keyboard.js";
+import { makeCodeDialog } from "./ui/code.js";
+import { element } from "./ui/dom.js";
+import { makeInspector } from "./ui/inspector.js";
+import { notify } from "./ui/notice.js";
+import { makeSetsMenu } from "./ui/sets_menu.js";
+import { makeShareMenu } from "./ui/share.js";
+import { makeSheet } from "./ui/sheet.js";
+import { makeShowMenu } from "./ui/show_menu.js";
+import { makeStatus } from "./ui/status.js";
+import { makeSteps } from "./ui/steps.js";
+import { makeTag } from "./ui/tag.js";
+import { makeToolbar } from "./ui/toolbar.js";
+
+/** Keeps the canvases as large as the window, on any screen. @param {App} app */
+function followWindow(app) {
+  const resize = () => app.painter.resize(innerWidth, innerHeight, devicePixelRatio || 1);
+  const watchDensity = () => {
+    // Another screen has another density: no event tells but the end of this one.
+    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener(
+      "change",
+      () => {
+        resize();
+        watchDensity();
+      },
+      { once: true },
+    );
+  };
+  resize();
+  watchDensity();
+  addEventListener("resize", resize);
+  for (const query of ["(prefers-color-scheme: dark)", "(forced-colors: active)"])
+    matchMedia(query).addEventListener("change", () => app.painter.readTheme());
+}
+
+const kIdle = 1500; // ms after the start
+const kFree = 12; // pixels below the introduction that need no margin
+
+/** What the bars cover, in pixels: all that lies along the upper or the lower border. */
+function insets() {
+  const top = element("intro").getBoundingClientRect().bottom - kFree;
+  const sheet = element("sheet").getBoundingClientRect();
+  const bottom = Math.min(
+    element("tools").getBoundingClientRect().top,
+    sheet.height > 0 ? sheet.top : innerHeight,
+  );
+  return { left: 0, top, right: 0, bottom: innerHeight - bottom };
+}
+
+/** Makes everything and shows what the address says. */
+export async function start() {
+  await load();
+  const canvases = Object.fromEntries(
+    ["map", "lines", "spare", "circles", "overlay"].map((id) => [id, element(id)]),
+  );
+  const app = new App(/** @type {any} */ (canvases));
+  app.insets = insets;
+  const weights = new Weights(app);
+  const motion = new Motion(app);
+  followWindow(app);
+  const gestures = listenToPointer(canvases.overlay, app);
+  listenToKeyboard(canvases.overlay, app, gestures);
+  const navigation = makeNavigation(app, weights);
+  makeToolbar(app);
+  makeTag(app);
+  makeInspector(app);
+  makeStatus(app);
+  makeSteps(app);
+  makeSetsMenu(app, navigation);
+  makeShowMenu(app, motion);
+  makeShareMenu(app, navigation.write);
+  makeCodeDialog(app);
+  makeSheet();
+  for (const input of document.querySelectorAll("[name=weight]"))
+    input.addEventListener("change", ({ target }) =>
+      weights.go(Number(/** @type {HTMLInputElement} */ (target).value)),
+    );
+
+  const isPlain = location.hash === "";
+  try {
+    await navigation.open({ isFirst: true });
+  } catch (error) {
+    notify(`The set of this link could not be shown: ${error.message}`);
+    history.replaceState(null, "", "#");
+    await navigation.open({ isFirst: true });
+  }
+  for (const input of /** @type {NodeListOf<HTMLInputElement>} */ (
+    document.querySelectorAll("[name=weight]")
+  ))
+    input.checked = Number(input.value) === weights.target;
+  if (isPlain) letWander(app);
+
+  // So that the page needs no network later; that it fails is said when the cities are asked for.
+  setTimeout(() => fetchCities().catch(() => {}), kIdle);
+
+  // A handle for tests and the curious; not an interface: it may change at any time.
+  Object.assign(window, { app: Object.assign(app, { navigation, motion, weights }) });
+}

@@ -1,0 +1,101 @@
+// One deletion in the steps of the paper (section 5): what is left open when a site goes is shared
+// out by the diagram of its neighbours and of the circles that it alone had covered.
+import { Diagram } from "apollonius-diagram";
+import { addCell, boundsOf, drawOptions, ScreenStrokes } from "../picture/curves.js";
+
+/** @typedef {import("../model/sites.js").Sites} Sites */
+
+const kMargin = 8;
+
+/** The circles that this one hides. @param {Sites} sites */
+function hiddenIn(sites, id) {
+  const { x, y } = sites.site(id);
+  const r = sites.radius(id);
+  return [...sites.diagram.within(x, y, r)].filter((other) => {
+    if (!sites.isHidden(other)) return false;
+    const site = sites.site(other);
+    return Math.hypot(site.x - x, site.y - y) + sites.radius(other) <= r;
+  });
+}
+
+/**
+ * @param {Sites} sites @param {number} id
+ * @returns {import("./insertion.js").Step[]}
+ */
+export function deletionSteps(sites, id) {
+  const { name } = sites.label(id);
+  if (sites.isHidden(id))
+    return [
+      {
+        title: "Nothing to do",
+        text: `${name} is hidden: the diagram does not change when it goes.`,
+        draw() {},
+      },
+    ];
+  const around = [...sites.diagram.neighbors(id)];
+  const revived = hiddenIn(sites, id);
+  return [
+    {
+      title: "The star",
+      text: `${name} has ${around.length} neighbours; their cells will share out its own.`,
+      draw(context, { view, theme }) {
+        context.strokeStyle = theme.dual;
+        context.lineWidth = 2;
+        context.beginPath();
+        const { x, y } = sites.site(id);
+        for (const other of around) {
+          const site = sites.site(other);
+          context.moveTo(view.toScreenX(x), view.toScreenY(y));
+          context.lineTo(view.toScreenX(site.x), view.toScreenY(site.y));
+        }
+        context.stroke();
+      },
+    },
+    {
+      title: "The hole",
+      text: "The site goes, and its cell with it.",
+      draw: (context, picture) => drawHole(context, picture, id),
+    },
+    {
+      title: revived.length > 0 ? "The small diagram, with what was hidden" : "The small diagram",
+      text:
+        revived.length > 0
+          ? `The diagram of the neighbours and of ${revived.length} circles that it covered.`
+          : "The diagram of the neighbours alone, inside the hole, is what fills it.",
+      draw(context, picture) {
+        drawHole(context, picture, id);
+        drawFilling(context, picture, id, [...around, ...revived]);
+      },
+    },
+  ];
+}
+
+function drawHole(context, { sites, view, theme }, id) {
+  context.beginPath();
+  addCell(context, sites, view, id);
+  context.fillStyle = theme.paper;
+  context.fill();
+  context.strokeStyle = theme.selected;
+  context.lineWidth = 2;
+  context.stroke();
+}
+
+/** The cells of these sites alone, inside the cell of one that goes. */
+function drawFilling(context, { sites, view, theme }, id, others) {
+  const window = { left: 0, top: 0, right: view.width, bottom: view.height };
+  const bounds = boundsOf(view, window, kMargin);
+  if (!bounds) return;
+  const weighted = sites.triples(others).map((v, k) => (k % 3 === 2 ? v * sites.weight : v));
+  const small = new Diagram(weighted);
+  context.save();
+  context.beginPath();
+  addCell(context, sites, view, id);
+  context.clip();
+  context.strokeStyle = theme.cell;
+  context.lineWidth = 2;
+  const strokes = new ScreenStrokes(context, view, window);
+  small.voronoi(bounds).render(strokes, drawOptions(view));
+  strokes.finish();
+  context.restore();
+  small.dispose();
+}

@@ -1,0 +1,53 @@
+// Elements by name, and numbers as text.
+
+/** @returns {any} the element of the page that has this id */
+export const element = (id) => document.getElementById(id);
+
+const thin = "\u202f";
+const whole = new Intl.NumberFormat("en", { maximumFractionDigits: 0 });
+
+/** @param {number} n */
+export const grouped = (n) => whole.format(n).replaceAll(",", thin);
+
+/** Three significant digits, without an exponent where that reads well. */
+export function short(value) {
+  const size = Math.abs(value);
+  if (size !== 0 && (size < 1e-3 || size >= 1e7))
+    return value.toExponential(2).replaceAll("-", "\u2212");
+  const digits = size >= 100 || size === 0 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
+  const [integer, fraction] = value.toFixed(digits).replace("-", "\u2212").split(".");
+  const head = integer.replace(/\B(?=(\d{3})+(?!\d))/g, thin);
+  return fraction ? `${head}.${fraction}` : head;
+}
+
+/** @param {number} ms */
+export function duration(ms) {
+  const micros = ms * 1000;
+  if (ms >= 1e4) return `${(ms / 1000).toFixed(0)} s`;
+  if (ms >= 1e3) return `${(ms / 1000).toFixed(1)} s`;
+  if (ms >= 10) return `${ms.toFixed(0)} ms`;
+  if (ms >= 1) return `${ms.toFixed(1)} ms`;
+  return `${micros.toFixed(micros < 10 ? 1 : 0)} µs`;
+}
+
+/** A distance in words. @param {number} distance @param {string} [unit] */
+export const away = (distance, unit = "") =>
+  `${short(Math.abs(distance))}${unit && ` ${unit}`} ${distance < 0 ? "inside" : "away"}`;
+
+/** Sets a text if it has changed: the browser lays out nothing else. */
+export function setText(node, text) {
+  if (node.textContent !== text) node.textContent = text;
+}
+
+/** Runs something once in the next frame, however often it is asked for. */
+export function oncePerFrame(run) {
+  let isAsked = false;
+  return () => {
+    if (isAsked) return;
+    isAsked = true;
+    requestAnimationFrame(() => {
+      isAsked = false;
+      run();
+    });
+  };
+}

@@ -1,0 +1,127 @@
+// What is selected: numbers that can be edited, and what the diagram knows about it.
+import { element, grouped, oncePerFrame, setText, short } from "./dom.js";
+
+const kGrow = 1.15;
+const kFar = 1e7; // windows for areas: this many times what the circles take
+
+/** @param {import("../app.js").App} app */
+export function makeInspector(app) {
+  const { selection } = app;
+  const card = element("inspector");
+  const fields = ["x", "y", "r"].map((name) => element(`card-${name}`));
+
+  const update = oncePerFrame(() => {
+    card.hidden = selection.size === 0;
+    element("sheet").classList.toggle("has-card", selection.size > 0);
+    if (selection.size === 0) return;
+    const id = selection.single;
+    element("card-numbers").hidden = id < 0;
+    if (id < 0) {
+      setText(element("card-name"), `${grouped(selection.size)} circles`);
+      setText(element("card-detail"), "Drag, resize or delete them together.");
+      showFacts([]);
+      return;
+    }
+    const { name, detail } = app.sites.label(id);
+    setText(element("card-name"), name);
+    setText(element("card-detail"), detail ?? "");
+    const { x, y, r } = app.sites.site(id);
+    [x, y, r].forEach((value, k) => {
+      if (document.activeElement !== fields[k]) fields[k].value = String(value);
+    });
+    showFacts(factsOf(app, id));
+  });
+
+  /** @param {[string, string, (() => void)?][]} facts */
+  function showFacts(facts) {
+    element("card-facts").replaceChildren(
+      ...facts.flatMap(([term, text, act]) => {
+        const dt = Object.assign(document.createElement("dt"), { textContent: term });
+        const dd = document.createElement("dd");
+        if (act) {
+          const button = Object.assign(document.createElement("button"), { textContent: text });
+          button.type = "button";
+          button.addEventListener("click", act);
+          dd.append(button);
+        } else dd.textContent = text;
+        return [dt, dd];
+      }),
+    );
+  }
+
+  fields.forEach((field, k) => {
+    field.addEventListener("change", () => {
+      const id = selection.single;
+      const value = field.valueAsNumber;
+      if (id < 0 || Number.isNaN(value)) return;
+      const { x, y, r } = app.sites.site(id);
+      const xyr = Float64Array.of(x, y, r);
+      xyr[k] = value;
+      try {
+        app.model.update([id], xyr);
+      } catch (error) {
+        field.setCustomValidity(error.message);
+        field.reportValidity();
+      }
+    });
+    field.addEventListener("input", () => field.setCustomValidity(""));
+    field.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") element("overlay").focus();
+    });
+  });
+  element("card-larger").addEventListener("click", () => app.grow(kGrow));
+  element("card-smaller").addEventListener("click", () => app.grow(1 / kGrow));
+  element("card-duplicate").addEventListener("click", () => app.duplicate());
+  element("card-delete").addEventListener("click", () => {
+    app.removeSelected();
+    element("overlay").focus(); // the button goes away
+  });
+  element("card-close").addEventListener("click", () => {
+    selection.clear();
+    element("overlay").focus();
+  });
+  app.addEventListener("select", update);
+  app.addEventListener("change", update);
+}
+
+/** @param {import("../app.js").App} app @returns {[string, string, (() => void)?][]} */
+function factsOf(app, id) {
+  const { diagram, sites, selection } = app;
+  const unit = sites.info.unit ? ` ${sites.info.unit}` : "";
+  if (diagram.isHidden(id)) {
+    const cover = diagram.coverOf(id);
+    return [
+      ["cell", "none: it is hidden"],
+      ["covered by", sites.label(cover).name, () => selection.set([cover])],
+    ];
+  }
+  const square = unit ? `${unit}²` : "";
+  return [
+    ["cell’s area", `${areaOf(app, id)}${square}`],
+    ["neighbours", String(diagram.neighbors(id).length)],
+    ["hides", hiddenBelow(app, id)],
+  ];
+}
+
+/** The whole cell's, if it ends somewhere. */
+function areaOf({ diagram, sites }, id) {
+  const { x, y, r } = sites.site(id);
+  const reach = kFar * Math.max(r, 1);
+  const window = diagram.voronoi([x - reach, y - reach, x + reach, y + reach]);
+  const isOpen = window.cellCurves(id)?.neighbors.includes(-1);
+  return isOpen ? "without end" : short(window.cellArea(id));
+}
+
+/** How many circles this one covers. */
+function hiddenBelow({ diagram, sites }, id) {
+  if (diagram.hiddenSize === 0) return "none";
+  const { x, y } = sites.site(id);
+  const r = sites.radius(id);
+  // What it covers contains no point farther away, and is deep inside it at its own centre.
+  const count = Array.from(diagram.within(x, y, r)).filter((other) => {
+    if (other === id || !sites.isHidden(other)) return false;
+    const site = sites.site(other);
+    return Math.hypot(site.x - x, site.y - y) + sites.radius(other) <= r;
+  }).length;
+  return count === 0 ? "none" : grouped(count);
+}

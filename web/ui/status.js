@@ -1,0 +1,98 @@
+// How many circles there are, how long things take, and what a screen reader is told. Times are of
+// many calls after a warm-up: a single one is shorter than the step of the browser's clock.
+import { Diagram } from "apollonius-diagram";
+import { duration, element, grouped, oncePerFrame, setText } from "./dom.js";
+
+const kAnnounceAfter = 400; // ms: a screen reader hears where a movement ended, not every step
+const kQuiet = 600; // ms from an edit to what is measured after it
+const kQueries = 500;
+const kMostRebuilt = 5000; // sites
+const kBatches = 4;
+const kLeast = 2; // ms that must have passed for a time to mean something
+
+/** @param {import("../app.js").App} app */
+export function makeStatus(app) {
+  let isMeasuring = false;
+  let times = "";
+  let announcing = 0;
+
+  const update = oncePerFrame(() => {
+    const { diagram, sites } = app;
+    setText(element("count-all"), grouped(diagram.size));
+    setText(element("count-hidden"), grouped(diagram.hiddenSize));
+    element("of-hidden").hidden = diagram.hiddenSize === 0;
+    setText(element("timing"), times);
+    element("credit").hidden = sites.info.credit !== "cities";
+    setText(element("about"), sites.info.about ?? "");
+    element("layer-map").hidden = !sites.info.map;
+  });
+
+  const measureLater = () => {
+    if (isMeasuring) return;
+    isMeasuring = true;
+    setTimeout(() => {
+      isMeasuring = false;
+      times = measure(app);
+      update();
+    }, kQuiet);
+  };
+  app.addEventListener("change", (/** @type {any} */ { detail }) => {
+    if (detail.isSet) times = "";
+    update();
+    measureLater();
+  });
+  app.addEventListener("select", () => announce(selectionText(app)));
+
+  function announce(text) {
+    clearTimeout(announcing);
+    announcing = setTimeout(() => setText(element("announcer"), text), kAnnounceAfter);
+  }
+  update();
+  return { announce };
+}
+
+/** Of building and of asking for the nearest site. */
+function measure({ diagram, sites, view, painter }) {
+  if (diagram.size === 0 || painter.isLive) return "";
+  const points = Array.from({ length: 256 }, () => [
+    view.toWorldX(view.width * Math.random()),
+    view.toWorldY(view.height * Math.random()),
+  ]);
+  const ask = () => {
+    for (let k = 0; k < kQueries; k++) diagram.find(points[k & 255][0], points[k & 255][1]);
+  };
+  const perQuery = timeOf(ask) / kQueries;
+  const xyr = sites.triples(sites.ids);
+  const buildTime =
+    sites.size <= kMostRebuilt && sites.weight === 1
+      ? timeOf(() => new Diagram(xyr).dispose())
+      : sites.buildTime;
+  return `built in ${duration(buildTime)}, nearest in ${duration(perQuery)}`;
+}
+
+/** Milliseconds a run takes: of the fastest batch, as others are interrupted. */
+function timeOf(run) {
+  run();
+  let least = Infinity;
+  for (let batch = 0; batch < kBatches; batch++) {
+    const start = performance.now();
+    let runs = 0;
+    do {
+      run();
+      runs++;
+    } while (performance.now() - start < kLeast);
+    least = Math.min(least, (performance.now() - start) / runs);
+  }
+  return least;
+}
+
+/** @param {import("../app.js").App} app */
+function selectionText({ selection, sites, diagram }) {
+  if (selection.size === 0) return "Nothing selected";
+  if (selection.size > 1) return `${grouped(selection.size)} circles selected`;
+  const id = selection.single;
+  const state = diagram.isHidden(id)
+    ? `hidden inside ${sites.label(diagram.coverOf(id)).name}`
+    : `${diagram.neighbors(id).length} neighbours`;
+  return `${sites.label(id).name} selected, ${state}`;
+}
