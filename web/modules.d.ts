@@ -2,3 +2,4 @@
 declare module "d3-delaunay";
 declare module "d3-force";
 declare module "d3-selection";
+declare module "leaflet";

@@ -55,7 +55,7 @@ export const report = [
       ...D.from(
         [{ a: 1 }],
         (d) => d.a,
-        (d, i) => i + 5,
+        (_d, i) => i + 5,
       ).points,
     ],
   ],
