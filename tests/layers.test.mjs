@@ -81,7 +81,13 @@ const rules = [
   { of: /^wasm\/[\w.]+\.ts$/, may: [/^\.\/[\w.]+$/, /^\.\.\/build\/wasm\/apollonius\.mjs$/] },
   {
     of: /^web\/examples\/.*\.js$/,
-    may: [/^\.\/random_circles\.js$/, /^apollonius-diagram$/, /^d3-[a-z]+$/],
+    may: [
+      /^\.\/random_circles\.js$/,
+      /^apollonius-diagram$/,
+      /^d3-[a-z]+$/,
+      /^@observablehq\/plot$/,
+      /^leaflet$/,
+    ],
   },
   {
     of: /^web\/([^/]+\/)?[^/]+\.js$/,

@@ -3,3 +3,4 @@ declare module "d3-delaunay";
 declare module "d3-force";
 declare module "d3-selection";
 declare module "d3-dsv";
+declare module "leaflet";

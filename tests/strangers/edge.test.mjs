@@ -83,7 +83,8 @@ async function answers(...paths) {
 
 const worker = (imports, body) =>
   `${imports}\nexport default { async fetch(request) {\n` +
-  `try { ${body} } catch (error) { return new Response(\`\${error.code} \${error.message}\`); } } };`;
+  `try { ${body} }\n` +
+  "catch (error) { return new Response(`${error.code} ${error.message}`); } } };";
 const use = "const d = new Diagram([0, 0, 1, 9, 0, 2]); return new Response(String(d.find(8, 0)));";
 
 test("workerd: the default entry needs nothing but its condition", async () => {

@@ -1,5 +1,6 @@
 // The package as users load it: ES modules, CommonJS, the entry with a separate .wasm, workers, a
 // strict policy, types.
+import { readFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "../../tools/toolchain/folders.mjs";
 import { runInNode, runScriptInNode } from "./support/node.mjs";
@@ -13,6 +14,11 @@ test("import", () => {
 
 test("require", () => {
   expect(runScriptInNode(`const { Diagram } = require("apollonius-diagram"); ${use}`)).toBe("1 2");
+});
+
+test("the example for CommonJS", () => {
+  const file = path.join(root, "web/examples/commonjs.cjs");
+  expect(runScriptInNode(readFileSync(file, "utf8"))).toBe("0 1");
 });
 
 test("load compiles ahead, once or often", () => {
