@@ -2,6 +2,7 @@
 #include "apollonius/region.h"
 
 #include <new>
+#include <stdexcept>
 #include <utility>
 
 #include "api/region_state.h"
@@ -61,6 +62,24 @@ Bounds Region::box() const noexcept {
   if (state_ == nullptr) return {};
   const Window& box = state_->outline.box;
   return {box.xmin, box.ymin, box.xmax, box.ymax};
+}
+
+Error Region::draw(Path& path) const {
+  path.clear();
+  if (state_ == nullptr) return Error::kNone;
+  const Outline& outline = state_->outline;
+  try {
+    for (std::size_t k = 0; k < outline.ringCount(); ++k) {
+      const auto ring = outline.ring(k);
+      path.move(ring[0].x, ring[0].y);
+      for (const Point p : ring.subspan(1)) path.line(p.x, p.y);
+      path.close();
+    }
+    return Error::kNone;
+  } catch (const std::bad_alloc&) {
+  } catch (const std::length_error&) {
+  }
+  return Error::kOutOfMemory;
 }
 
 double Region::area() const noexcept { return state_ == nullptr ? 0 : state_->area; }

@@ -8,6 +8,7 @@
 #include "apollonius/bounds.h"
 #include "apollonius/diagram.h"
 #include "apollonius/export.h"
+#include "apollonius/path.h"
 
 namespace apollonius {
 
@@ -37,6 +38,9 @@ class APOLLONIUS_EXPORT Region {
   /// The box of what is inside; the default Bounds for a region that has not been assigned.
   [[nodiscard]] Bounds box() const noexcept;
   [[nodiscard]] double area() const noexcept;
+  /// Draws its border: rings that do not cross, the inside on the left of each, so that any fill
+  /// rule fills it. Errors: kOutOfMemory.
+  [[nodiscard]] Error draw(Path& path) const;
 
  private:
   friend class Voronoi;

@@ -140,9 +140,11 @@ void PartFinder::addPiece(const Side& side, const Crossing* from, const Crossing
       low == nullptr || high == nullptr || (low->edge == side.edge && high->edge == side.edge);
   const Point a = low == nullptr ? edge.from.point : low->point,
               b = high == nullptr ? edge.to.point : high->point;
-  const Conic curve = isHere ? pieceOf(edge.bisector, low == nullptr ? edge.e0 : low->e,
-                                       high == nullptr ? edge.e1 : high->e, a, b)
-                             : Conic::segment(a, b);
+  const double e0 = low == nullptr ? edge.e0 : low->e, e1 = high == nullptr ? edge.e1 : high->e;
+  // Places that rounding has exchanged are gone between backwards.
+  const Conic curve = !isHere    ? Conic::segment(a, b)
+                      : e0 <= e1 ? pieceOf(edge.bisector, e0, e1, a, b)
+                                 : pieceOf(edge.bisector, e1, e0, b, a).reversed();
   if (!(a == b)) found_.pieces.push_back({isReference ? curve : curve.reversed(), side.neighbor});
 }
 
