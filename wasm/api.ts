@@ -21,9 +21,11 @@ export {
   type Bounds,
   type CellCurves,
   type CellPolygon,
+  type CellRegion,
   type CellsCollection,
   type EdgeCurves,
   type Measures,
   Voronoi,
 } from "./voronoi.js";
+export type { GeoJSONRegion, Region, Ring } from "./region.js";
 export { curvePoint, curveTangent } from "./curves.js";

@@ -30,6 +30,7 @@ using apollonius::Diagram;
 using apollonius::Error;
 using apollonius::Location;
 using apollonius::NearestFirst;
+using apollonius::Region;
 using apollonius::SiteId;
 using apollonius::Source;
 using apollonius::Top;
@@ -143,13 +144,18 @@ auto returning(Error (Class::*)(Parameters...) const, std::index_sequence<k...>)
     return out;
   };
 }
+/// The cells in a region, or in bounds where there is none.
+Voronoi voronoiIn(const Diagram& diagram, const Region* region, const Bounds& bounds) {
+  return region == nullptr ? Voronoi(diagram, bounds) : Voronoi(diagram, *region);
+}
+
 /// The same of a Voronoi, as a function of the diagram and the window.
 template <auto method, class... Parameters, std::size_t... k>
 auto returning(Error (Voronoi::*)(Parameters...) const, std::index_sequence<k...>) {
-  return +[](const Diagram& diagram, double xmin, double ymin, double xmax, double ymax,
-             Nth<k, Parameters...>... in) {
+  return +[](const Diagram& diagram, const Region* region, double xmin, double ymin, double xmax,
+             double ymax, Nth<k, Parameters...>... in) {
     std::remove_reference_t<Nth<sizeof...(k), Parameters...>> out{};
-    check((Voronoi(diagram, {xmin, ymin, xmax, ymax}).*method)(in..., out));
+    check((voronoiIn(diagram, region, {xmin, ymin, xmax, ymax}).*method)(in..., out));
     return out;
   };
 }
@@ -291,9 +297,10 @@ struct Portion {
 };
 
 /// About so many commands of a drawing, from the cursor on.
-Portion draw(const Diagram& diagram, Drawing what, double xmin, double ymin, double xmax,
-             double ymax, double tolerance, std::size_t cursor, std::size_t commands) {
-  const Voronoi voronoi(diagram, {xmin, ymin, xmax, ymax});
+Portion draw(const Diagram& diagram, const Region* region, double xmin, double ymin, double xmax,
+             double ymax, Drawing what, double tolerance, std::size_t cursor,
+             std::size_t commands) {
+  const Voronoi voronoi = voronoiIn(diagram, region, {xmin, ymin, xmax, ymax});
   apollonius::Portion portion{cursor, commands};
   apollonius::Path path;
   const auto drawn = [&] {
@@ -316,10 +323,23 @@ Portion draw(const Diagram& diagram, Drawing what, double xmin, double ymin, dou
   return {std::move(path.commands), std::move(path.coordinates), portion.cursor, portion.isDone};
 }
 
-Portion drawCell(const Diagram& diagram, double xmin, double ymin, double xmax, double ymax,
-                 SiteId id, double tolerance) {
+Portion drawCell(const Diagram& diagram, const Region* region, double xmin, double ymin,
+                 double xmax, double ymax, SiteId id, double tolerance) {
   apollonius::Path path;
-  check(Voronoi(diagram, {xmin, ymin, xmax, ymax}).drawCell(id, tolerance, path));
+  check(voronoiIn(diagram, region, {xmin, ymin, xmax, ymax}).drawCell(id, tolerance, path));
+  return {std::move(path.commands), std::move(path.coordinates)};
+}
+
+/// A region for windows on diagrams of this instance of the module.
+Region* makeRegion(const Diagram&, const NumbersIn& coordinates, const NumbersIn& starts) {
+  Region region;
+  check(region.assign(vectorOf<double>(coordinates), vectorOf<std::uint32_t>(starts)));
+  return allocating([&] { return new Region(std::move(region)); });
+}
+
+Portion drawRegion(const Diagram&, const Region& region) {
+  apollonius::Path path;
+  check(region.draw(path));
   return {std::move(path.commands), std::move(path.coordinates)};
 }
 
@@ -404,7 +424,8 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .field("regions", &apollonius::CurveArrays::regions);
   value_object<apollonius::RingArrays>("RingArrays")
       .field("coordinates", &apollonius::RingArrays::coordinates)
-      .field("starts", &apollonius::RingArrays::starts);
+      .field("starts", &apollonius::RingArrays::starts)
+      .field("parts", &apollonius::RingArrays::parts);
   value_object<apollonius::CellMeasures>("CellMeasures")
       .field("area", &apollonius::CellMeasures::area)
       .field("centroidX", &apollonius::CellMeasures::centroidX)
@@ -461,12 +482,17 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("defaultTolerance", &defaultTolerance)
       .function("extent", &Voronoi::extentOf)
       .function("hull", &hull)
-      .function("draw", &draw, moved)
-      .function("drawCell", &drawCell, moved)
-      .function("cellPolygon", returning<&Voronoi::cellPolygon>(), moved)
-      .function("cellCurves", returning<&Voronoi::cellCurves>(), moved)
-      .function("edgeCurves", returning<&Voronoi::edgeCurves>(), moved)
-      .function("cellMeasures", returning<&Voronoi::cellMeasures>())
+      .function("region", &makeRegion, allow_raw_pointers(), moved)
+      .function("drawRegion", &drawRegion, moved)
+      .function("draw", &draw, allow_raw_pointers(), moved)
+      .function("drawCell", &drawCell, allow_raw_pointers(), moved)
+      .function("cellPolygon", returning<&Voronoi::cellPolygon>(), allow_raw_pointers(), moved)
+      .function("cellCurves", returning<&Voronoi::cellCurves>(), allow_raw_pointers(), moved)
+      .function("edgeCurves", returning<&Voronoi::edgeCurves>(), allow_raw_pointers(), moved)
+      .function("cellMeasures", returning<&Voronoi::cellMeasures>(), allow_raw_pointers())
       .function("cellMeasuresWithin", &measuresWithin)
-      .function("cellAreas", returning<&Voronoi::cellAreas>());
+      .function("cellAreas", returning<&Voronoi::cellAreas>(), allow_raw_pointers())
+      .function("cellCentroids", returning<&Voronoi::cellCentroids>(), allow_raw_pointers())
+      .function("cellPerimeters", returning<&Voronoi::cellPerimeters>(), allow_raw_pointers());
+  class_<Region>("Region").function("box", &Region::box);
 }

@@ -21,6 +21,7 @@ import { type NativeDiagram, runningModule } from "./module.js";
 import type { DrawOptions, DualOptions, PathContext } from "./path.js";
 import { checkOptions } from "./options.js";
 import * as queries from "./queries.js";
+import type { Region } from "./region.js";
 import type {
   DiagramOptions,
   Edges,
@@ -373,10 +374,11 @@ export class Diagram implements Disposable {
 
   /**
    * The cells inside a window: a view, always of the diagram as it is now. The default window is
-   * d3-delaunay's, 960 x 500. Cost: O(1). Throws "bad-bounds".
+   * d3-delaunay's, 960 x 500. A window of any shape is rings or GeoJSON (`Region`). Cost: O(1), or
+   * O(m log m) for a region of m points. Throws "bad-bounds".
    */
-  voronoi(bounds: Bounds = [0, 0, 960, 500]): Voronoi {
-    return Voronoi.of(this, bounds);
+  voronoi(window: Bounds | Region = [0, 0, 960, 500]): Voronoi {
+    return Voronoi.of(this, window);
   }
 
   /**

@@ -1,13 +1,16 @@
 // Drawings of the library's, played into whatever can draw.
 import type { MainModule } from "../build/wasm/apollonius.mjs";
 import { checkedBounds, checkedTolerance } from "./arguments.js";
-import { type NativeDiagram, runningModule } from "./module.js";
+import { type NativeDiagram, type NativeRegion, runningModule } from "./module.js";
 import { checkOptions } from "./options.js";
 import { type DrawOptions, type DualOptions, drawn, type PathContext, play } from "./path.js";
 import type { Bounds } from "./voronoi.js";
 
 /** What the library can draw. */
 export type Drawing = keyof MainModule["Drawing"];
+
+/** A region, or null; and bounds, which count if there is none. */
+export type NativeWindow = readonly [NativeRegion | null, number, number, number, number];
 
 // Commands in one portion of a drawing: few enough to stay in the processor's cache.
 const kPortion = 4096;
@@ -17,12 +20,12 @@ export function drawInto(
   context: PathContext,
   native: NativeDiagram,
   what: Drawing,
-  bounds: readonly [number, number, number, number],
+  window: NativeWindow,
   tolerance: number,
 ): void {
   const drawing = runningModule().Drawing[what];
   for (let cursor = 0, isDone = false; !isDone; ) {
-    const portion = native.draw(drawing, ...bounds, tolerance, cursor, kPortion);
+    const portion = native.draw(...window, drawing, tolerance, cursor, kPortion);
     play(context, portion.commands, portion.coordinates);
     ({ cursor, isDone } = portion);
   }
@@ -38,7 +41,9 @@ export function drawWhole(
 ): string | void {
   const window = bounds ?? extentOf(native);
   const tolerance = checkedTolerance(options?.tolerance, () => native.defaultTolerance(...window));
-  return drawn(context, options, (target) => drawInto(target, native, what, window, tolerance));
+  return drawn(context, options, (target) =>
+    drawInto(target, native, what, [null, ...window], tolerance),
+  );
 }
 
 /** The dual graph of a whole diagram. */

@@ -1,10 +1,11 @@
-// The native diagram of a Diagram: how long it lives, and how Voronoi reaches it.
+// The native diagram of a Diagram, and the native region of a Voronoi: how long they live, and how
+// Voronoi reaches the diagram.
 import { described } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import { type NativeDiagram, runningModule } from "./module.js";
+import { type NativeDiagram, type NativeRegion, runningModule } from "./module.js";
 
 let access: (diagram: unknown) => NativeDiagram | null;
-let collector: FinalizationRegistry<NativeDiagram> | undefined;
+let collector: FinalizationRegistry<NativeDiagram | NativeRegion> | undefined;
 
 /** Called once by Diagram, which alone knows the native one and whether it still lives. */
 export function provideNative(accessor: (diagram: unknown) => NativeDiagram | null): void {
@@ -24,12 +25,27 @@ export function nativeOf(diagram: unknown): NativeDiagram {
 /** An empty diagram that lives until `destroy`, or until its owner is collected. */
 export function createNative(owner: object, location: "hierarchy" | "walk"): NativeDiagram {
   const native = runningModule().create(location);
-  // Some runtimes at the edge have none: there, what is forgotten stays until the process ends.
-  if (typeof FinalizationRegistry !== "undefined") {
-    collector ??= new FinalizationRegistry((abandoned) => abandoned.delete());
-    collector.register(owner, native, native);
-  }
+  keep(owner, native);
   return native;
+}
+
+/** A region in the diagram's instance of the module, that lives as long as its owner. */
+export function createRegion(
+  owner: object,
+  diagram: NativeDiagram,
+  coordinates: Float64Array,
+  starts: Uint32Array,
+): NativeRegion {
+  const native = diagram.region(coordinates, starts) as NativeRegion;
+  keep(owner, native);
+  return native;
+}
+
+function keep(owner: object, native: NativeDiagram | NativeRegion): void {
+  // Some runtimes at the edge have none: there, what is forgotten stays until the process ends.
+  if (typeof FinalizationRegistry === "undefined") return;
+  collector ??= new FinalizationRegistry((abandoned) => abandoned.delete());
+  collector.register(owner, native, native);
 }
 
 export function destroy(native: NativeDiagram): void {

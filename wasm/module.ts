@@ -5,6 +5,7 @@ import createModule, {
   type Diagram,
   type MainModule,
   type NearestFirst,
+  type Region,
 } from "../build/wasm/apollonius.mjs";
 import { outOfMemory } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
@@ -12,6 +13,8 @@ import { failure } from "./status.js";
 
 /** A diagram in the module: wasm/bindings.cpp. Its calls throw an ApolloniusError. */
 export type NativeDiagram = Diagram;
+/** A window of any shape there, for the diagrams of the same instance. */
+export type NativeRegion = Region;
 export type { Builder, NearestFirst };
 
 interface NativeModule {
@@ -50,14 +53,14 @@ export function start(compiled: WebAssembly.Module): NativeModule {
 }
 
 function started(compiled: WebAssembly.Module): NativeModule {
-  const { Diagram, Builder, NearestFirst, ...rest } = instantiated(compiled);
+  const { Diagram, Builder, NearestFirst, Region, ...rest } = instantiated(compiled);
   const { Location, Drawing, Source, Top } = rest;
   const guarded = guard(rest, () => {
     try {
       if (instance === module) instance = started(compiled);
     } catch {} // no memory for another: this one goes on
   });
-  for (const { prototype: methods } of [Diagram, Builder, NearestFirst]) {
+  for (const { prototype: methods } of [Diagram, Builder, NearestFirst, Region]) {
     for (const name of [...Object.getOwnPropertyNames(methods), "delete"])
       if (name !== "constructor")
         methods[name] = guarded(methods[name] as Method, name === "delete");
@@ -73,7 +76,7 @@ function started(compiled: WebAssembly.Module): NativeModule {
 }
 
 type Class = { prototype: Record<string, Method> };
-type Exports = MainModule & Record<"Diagram" | "Builder" | "NearestFirst", Class>;
+type Exports = MainModule & Record<"Diagram" | "Builder" | "NearestFirst" | "Region", Class>;
 
 /**
  * Throws a RangeError if little of the stack is left. Where it ends within Emscripten's own start,
@@ -161,6 +164,7 @@ function guard(
       f: Argument,
       g: Argument,
       h: Argument,
+      i: Argument,
     ): unknown {
       if (running !== undefined) settle(running);
       if (isAnyBroken && broken.has(this)) {
@@ -173,7 +177,7 @@ function guard(
       running = this;
       let error: unknown;
       try {
-        const result = plain.call(this, a, b, c, d, e, f, g, h);
+        const result = plain.call(this, a, b, c, d, e, f, g, h, i);
         running = undefined;
         return result;
       } catch (thrown) {

@@ -7,12 +7,13 @@ import {
 } from "./arguments.js";
 import type { CellMeasures } from "../build/wasm/apollonius.mjs";
 import type { Diagram } from "./diagram.js";
-import { drawInto } from "./drawing.js";
+import { drawInto, type NativeWindow } from "./drawing.js";
 import { ApolloniusError } from "./errors.js";
-import { nativeOf } from "./living.js";
-import type { NativeDiagram } from "./module.js";
+import { createRegion, nativeOf } from "./living.js";
+import type { NativeDiagram, NativeRegion } from "./module.js";
 import { checkOptions } from "./options.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
+import { checkedRings, isRegion, type Region } from "./region.js";
 
 /** A window, xmin < xmax and ymin < ymax, in the diagram's unit. */
 export type Bounds = readonly [xmin: number, ymin: number, xmax: number, ymax: number];
@@ -33,13 +34,16 @@ export interface EdgeCurves {
   sites: Uint32Array;
 }
 
-/** The boundary of a cell inside the window, counter-clockwise, region by region. */
+/**
+ * The boundary of a cell inside the window, ring by ring: counter-clockwise, and those of holes
+ * clockwise behind the one around them.
+ */
 export interface CellCurves {
   /** The curves, one after the other. */
   curves: Float64Array;
   /** The site on the other side of each curve; -1 along the border of the window. */
   neighbors: Int32Array;
-  /** The first curve of each region, and the number of curves at the end. */
+  /** The first curve of each ring, and the number of curves at the end. */
   regions: Uint32Array;
 }
 
@@ -55,6 +59,12 @@ export interface Measures {
 
 /** A closed ring x, y, …, its first point repeated at the end, with the id of its site. */
 export type CellPolygon = Float64Array & { index: number };
+
+/**
+ * A part of a cell: its outer ring x, y, …, counter-clockwise and closed, and those of its holes,
+ * clockwise. Only windows of other shapes than rectangles make holes.
+ */
+export type CellRegion = Float64Array & { holes: Float64Array[] };
 
 type Position = [number, number];
 
@@ -75,12 +85,17 @@ export interface CellsCollection {
 
 /**
  * The cells of a diagram inside a window, as shapes, measures and drawings:
- * `diagram.voronoi(bounds)`. A view: always of the diagram as it is now; do not change that while a
- * drawing calls the context.
+ * `diagram.voronoi(bounds)`, or with a window of any shape, `diagram.voronoi(region)`. A view:
+ * always of the diagram as it is now; do not change that while a drawing calls the context.
  *
  * Cells have curved edges, and everything is computed from these: drawings and polygons are within
  * a tolerance of them, measures are those of the curves. A clipped cell can be several *regions*
- * (if its site's centre is outside the window).
+ * (if its site's centre is outside the window), which have holes where the window does.
+ *
+ * In a window that is no rectangle, the first call after a change of the diagram finds out where
+ * the window's rings pass through the cells, which takes O(n + m + c), m being their points and c
+ * the degrees of the cells that they pass through; O(d) below is then O(d + what of the rings is in
+ * the cell). The window is prepared once, in O(m log m).
  *
  * Everywhere: an id without a site throws "unknown-site"; for a hidden site, which has no cell, and
  * for what a cell has no part of inside the window, there is nothing: null for arrays and objects,
@@ -99,11 +114,21 @@ export class Voronoi {
   readonly xmax: number;
   /** Upper border. */
   readonly ymax: number;
+  readonly #region: NativeRegion | null = null;
 
-  /** `diagram.voronoi(bounds)` makes it. */
-  private constructor(diagram: Diagram, bounds: Bounds) {
-    nativeOf(diagram);
-    const [xmin, ymin, xmax, ymax] = checkedBounds(bounds);
+  /** `diagram.voronoi(window)` makes it. */
+  private constructor(diagram: Diagram, window: Bounds | Region) {
+    const native = nativeOf(diagram);
+    let bounds: [number, number, number, number];
+    if (isRegion(window)) {
+      const { coordinates, starts } = checkedRings(window);
+      this.#region = createRegion(this, native, coordinates, starts);
+      const box = this.#region.box();
+      bounds = [box.xmin, box.ymin, box.xmax, box.ymax];
+    } else {
+      bounds = checkedBounds(window);
+    }
+    const [xmin, ymin, xmax, ymax] = bounds;
     this.diagram = diagram;
     this.xmin = xmin;
     this.ymin = ymin;
@@ -112,9 +137,9 @@ export class Voronoi {
     Object.freeze(this); // an object put there would be asked for its value in the middle of a call
   }
 
-  /** @internal For `diagram.voronoi(bounds)`. */
-  static of(diagram: Diagram, bounds: Bounds): Voronoi {
-    return new Voronoi(diagram, bounds);
+  /** @internal For `diagram.voronoi(window)`. */
+  static of(diagram: Diagram, window: Bounds | Region): Voronoi {
+    return new Voronoi(diagram, window);
   }
 
   /** "Voronoi". */
@@ -131,7 +156,7 @@ export class Voronoi {
     const native = nativeOf(this.diagram);
     const tolerance = this.#tolerance(native, options);
     return drawn(context, options, (target) =>
-      drawInto(target, native, "edges", this.#bounds, tolerance),
+      drawInto(target, native, "edges", this.#window, tolerance),
     );
   }
 
@@ -139,8 +164,13 @@ export class Voronoi {
   renderBounds(context: PathContext, options?: DrawOptions): void;
   renderBounds(context?: null, options?: DrawOptions): string;
   renderBounds(context?: PathContext | null, options?: DrawOptions): string | void {
-    nativeOf(this.diagram);
+    const native = nativeOf(this.diagram);
+    const region = this.#region;
     return drawn(context, options, (target) => {
+      if (region !== null) {
+        const { commands, coordinates } = native.drawRegion(region);
+        return play(target, commands, coordinates);
+      }
       target.moveTo(this.xmin, this.ymin);
       target.lineTo(this.xmax, this.ymin);
       target.lineTo(this.xmax, this.ymax);
@@ -156,7 +186,7 @@ export class Voronoi {
     const native = this.#nativeFor(id);
     const tolerance = this.#tolerance(native, options);
     return drawn(context, options, (target) => {
-      const { commands, coordinates } = native.drawCell(...this.#bounds, id, tolerance);
+      const { commands, coordinates } = native.drawCell(...this.#window, id, tolerance);
       play(target, commands, coordinates);
     });
   }
@@ -165,30 +195,41 @@ export class Voronoi {
 
   /**
    * A cell as one closed ring, counter-clockwise (y upwards), within the tolerance of the true one.
-   * Several regions are joined by doubled segments, which have no area; `cellRegions` keeps them
-   * apart. O(d log d).
+   * Several regions, and holes, are joined by doubled segments, which have no area; `cellRegions`
+   * keeps them apart. O(d log d).
    */
   cellPolygon(id: number, options?: { tolerance?: number | undefined }): Float64Array | null {
-    const rings = this.cellRegions(id, options);
-    if (rings === null || rings.length <= 1) return rings?.[0] ?? null;
+    const native = this.#nativeFor(id);
+    const tolerance = this.#tolerance(native, options);
+    const { coordinates, starts } = native.cellPolygon(...this.#window, id, tolerance);
+    if (starts.length <= 2) return starts.length === 2 ? coordinates : null;
     // To each further ring and around it, then back the same way.
-    const points = rings.flatMap((ring) => [...ring]);
-    for (const ring of rings.slice(0, -1).reverse())
-      points.push(ring[0] as number, ring[1] as number);
+    const points = [...coordinates];
+    for (const start of starts.subarray(0, -2).reverse())
+      points.push(coordinates[2 * start] as number, coordinates[2 * start + 1] as number);
     return Float64Array.from(points);
   }
 
-  /** The regions of a cell as closed rings, counter-clockwise. As `cellPolygon`. */
-  cellRegions(id: number, options?: { tolerance?: number | undefined }): Float64Array[] | null {
+  /**
+   * The regions of a cell as closed rings, counter-clockwise, each with those of its `holes`. As
+   * `cellPolygon`.
+   */
+  cellRegions(id: number, options?: { tolerance?: number | undefined }): CellRegion[] | null {
     checkOptions(options, "tolerance");
     const native = this.#nativeFor(id);
     const tolerance = this.#tolerance(native, options);
-    const { coordinates, starts } = native.cellPolygon(...this.#bounds, id, tolerance);
+    const { coordinates, starts, parts } = native.cellPolygon(...this.#window, id, tolerance);
     if (starts.length < 2) return null;
-    if (starts.length === 2) return [coordinates];
-    return Array.from(starts.subarray(1), (end, k) =>
-      coordinates.slice(2 * (starts[k] as number), 2 * end),
-    );
+    const rings =
+      starts.length === 2
+        ? [coordinates]
+        : Array.from(starts.subarray(1), (end, k) =>
+            coordinates.slice(2 * (starts[k] as number), 2 * end),
+          );
+    return Array.from(parts.subarray(1), (end, k) => {
+      const [outer, ...holes] = rings.slice(parts[k], end) as [Float64Array, ...Float64Array[]];
+      return Object.assign(outer, { holes });
+    });
   }
 
   /**
@@ -205,7 +246,7 @@ export class Voronoi {
   /** The true boundary of a cell, as curves. */
   cellCurves(id: number): CellCurves | null {
     const native = this.#nativeFor(id);
-    const { curves, sites, regions } = native.cellCurves(...this.#bounds, id);
+    const { curves, sites, regions } = native.cellCurves(...this.#window, id);
     return regions.length < 2 ? null : { curves, neighbors: new Int32Array(sites.buffer), regions };
   }
 
@@ -214,25 +255,20 @@ export class Voronoi {
    * O(n).
    */
   edgeCurves(): EdgeCurves {
-    const { curves, sites } = nativeOf(this.diagram).edgeCurves(...this.#bounds);
+    const { curves, sites } = nativeOf(this.diagram).edgeCurves(...this.#window);
     return { curves, sites };
   }
 
   /**
-   * All cells as GeoJSON, ascending by id: polygons, or multi-polygons where a cell is several
-   * regions.
+   * All cells as GeoJSON, ascending by id: polygons with their holes, or multi-polygons where a
+   * cell is several regions.
    */
   toGeoJSON(options?: { tolerance?: number | undefined }): CellsCollection {
     const features: CellsCollection["features"] = [];
     for (const id of this.diagram.ids()) {
       const rings = this.cellRegions(id, options);
       if (rings === null) continue;
-      const polygons = rings.map((ring) => [
-        Array.from(
-          { length: ring.length / 2 },
-          (_, k): Position => [ring[2 * k] as number, ring[2 * k + 1] as number],
-        ),
-      ]);
+      const polygons = rings.map((ring) => [positionsOf(ring), ...ring.holes.map(positionsOf)]);
       const geometry =
         polygons.length === 1
           ? { type: "Polygon" as const, coordinates: polygons[0] as Position[][] }
@@ -286,7 +322,7 @@ export class Voronoi {
   cellMeasures(id: number): Measures | null {
     const native = this.#nativeFor(id);
     if (native.isHidden(id)) return null;
-    return measuresOf(native.cellMeasures(...this.#bounds, id));
+    return measuresOf(native.cellMeasures(...this.#window, id));
   }
 
   /**
@@ -308,13 +344,30 @@ export class Voronoi {
    * window's. O(n), much faster than a loop.
    */
   cellAreas(): Float64Array {
-    return nativeOf(this.diagram).cellAreas(...this.#bounds);
+    return nativeOf(this.diagram).cellAreas(...this.#window);
+  }
+
+  /**
+   * The centroids of all cells inside the window: x at 2 id and y at 2 id + 1, NaN where there is
+   * none. O(n).
+   */
+  cellCentroids(): Float64Array {
+    return nativeOf(this.diagram).cellCentroids(...this.#window);
+  }
+
+  /** The perimeters of all cells inside the window, by id; 0 where there is none. O(n). */
+  cellPerimeters(): Float64Array {
+    return nativeOf(this.diagram).cellPerimeters(...this.#window);
   }
 
   // --- Shared parts ------------------------------------------------------------------------------
 
   get #bounds(): Bounds {
     return [this.xmin, this.ymin, this.xmax, this.ymax];
+  }
+
+  get #window(): NativeWindow {
+    return [this.#region, ...this.#bounds];
   }
 
   #nativeFor(id: number): NativeDiagram {
@@ -329,6 +382,13 @@ export class Voronoi {
   ): number {
     return checkedTolerance(options?.tolerance, () => native.defaultTolerance(...this.#bounds));
   }
+}
+
+function positionsOf(ring: Float64Array): Position[] {
+  return Array.from(
+    { length: ring.length / 2 },
+    (_, k): Position => [ring[2 * k] as number, ring[2 * k + 1] as number],
+  );
 }
 
 function measuresOf(measures: CellMeasures): Measures {

@@ -3,6 +3,7 @@
 #include "apollonius/diagram.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -37,6 +38,12 @@ Error checkCircle(double x, double y, double r) {
 Diagram::Diagram(Location location) : core_(std::make_unique<DiagramCore>(location)) {
   const char* violation = arithmeticViolation();
   invariant(violation == nullptr, violation);
+  change();
+}
+
+void Diagram::change() noexcept {
+  static std::atomic<std::uint64_t> states{0};
+  state_ = ++states;
 }
 Diagram::~Diagram() = default;
 Diagram::Diagram(Diagram&&) noexcept = default;
@@ -45,12 +52,14 @@ Diagram& Diagram::operator=(Diagram&&) noexcept = default;
 // --- Sites
 
 Error Diagram::insert(double x, double y, double r, SiteId& id) {
+  change();
   if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
   if (size() == kMostSites) return Error::kTooLarge;
   return guarded(*core_, [&] { id = core_->insert({x, y, r}); });
 }
 
 Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
+  change();
   if (xyr.size() != 3 * ids.size()) return Error::kBadLength;
   if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
   if (ids.size() > kMostSites - size()) return Error::kTooLarge;
@@ -59,6 +68,7 @@ Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
 }
 
 Error Diagram::insertMany(std::vector<double>&& xyr, std::vector<SiteId>& ids) {
+  change();
   const std::size_t count = xyr.size() / 3;
   if (xyr.size() != 3 * count) return Error::kBadLength;
   if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
@@ -77,20 +87,24 @@ Error Diagram::insertMany(std::vector<double>&& xyr, std::vector<SiteId>& ids) {
 }
 
 Error Diagram::remove(SiteId id, bool& removed) {
+  change();
   return guarded(*core_, [&] { removed = core_->remove(id); });
 }
 
 Error Diagram::removeMany(std::span<const SiteId> ids, std::size_t& removed) {
+  change();
   return guarded(*core_, [&] { removed = core_->removeMany(ids); });
 }
 
 Error Diagram::update(SiteId id, double x, double y, double r) {
+  change();
   if (!has(id)) return Error::kUnknownSite;
   if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
   return guarded(*core_, [&] { core_->update(id, {x, y, r}); });
 }
 
 Error Diagram::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
+  change();
   if (xyr.size() != 3 * ids.size()) return Error::kBadLength;
   for (const SiteId id : ids) {
     if (!has(id)) return Error::kUnknownSite;
@@ -99,7 +113,10 @@ Error Diagram::updateMany(std::span<const SiteId> ids, std::span<const double> x
   return guarded(*core_, [&] { core_->updateMany(ids, xyr); });
 }
 
-void Diagram::clear() noexcept { core_->clear(); }
+void Diagram::clear() noexcept {
+  change();
+  core_->clear();
+}
 
 std::size_t Diagram::size() const noexcept { return core_->ids().size(); }
 std::size_t Diagram::visibleSize() const noexcept { return core_->visibleCount(); }
@@ -245,6 +262,7 @@ Error Diagram::toBytes(std::vector<std::uint8_t>& bytes) const {
 }
 
 Error Diagram::fromBytes(std::span<const std::uint8_t> bytes, Source source) {
+  change();
   try {
     auto restored = std::make_unique<DiagramCore>(core_->location());
     if (!restored->restore(bytes, source)) return Error::kCorruptSnapshot;

@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "api/checks.h"
+#include "api/region_state.h"
 #include "geometry/approximate.h"
 #include "geometry/areas.h"
 #include "geometry/cell.h"
 #include "geometry/hull.h"
 #include "geometry/measures.h"
+#include "geometry/parts.h"
 #include "geometry/render.h"
 #include "geometry/ring.h"
 #include "geometry/within.h"
@@ -41,12 +43,23 @@ void appendCurve(const Conic& c, std::vector<double>& curves) {
   curves.insert(curves.end(), {c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.w, c.p2.x, c.p2.y});
 }
 
-void measure(std::span<const BoundaryPiece> boundary, Point origin, Moments& moments,
-             CellMeasures& measures) {
+void addUp(std::span<const BoundaryPiece> boundary, Point origin, Moments& moments,
+           CellMeasures& measures) {
   for (const BoundaryPiece& piece : boundary) {
     moments.add(piece.curve, origin);
     measures.perimeter += lengthOf(piece.curve);
   }
+}
+
+void drawClosed(std::span<const BoundaryPiece> ring, double tolerance, Path& path) {
+  const Point start = ring.front().curve.p0;
+  path.move(start.x, start.y);
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Conic& curve = ring[k].curve;
+    const bool isClosing = k + 1 == ring.size() && curve.isStraight();  // close() draws it
+    if (!isClosing && !(curve.p0 == curve.p2)) drawConic(curve, tolerance, path);
+  }
+  path.close();
 }
 
 void finish(const Moments& moments, Point origin, CellMeasures& measures) {
@@ -98,7 +111,7 @@ std::uint32_t Voronoi::slotOf(SiteId id) const { return diagram_.core_->ids().sl
 
 template <class Operation>
 Error Voronoi::guarded(double tolerance, Operation&& operation) const {
-  if (!areGood(bounds_)) return Error::kBadBounds;
+  if (region_ != nullptr ? region_->state_ == nullptr : !areGood(bounds_)) return Error::kBadBounds;
   if (!std::isfinite(tolerance)) return Error::kNotFinite;
   if (!(tolerance > 0)) return Error::kOutOfRange;
   return internal::guarded(*diagram_.core_, [&] { operation(windowOf(bounds_), tolerance); });
@@ -106,9 +119,27 @@ Error Voronoi::guarded(double tolerance, Operation&& operation) const {
 
 template <class Operation>
 Error Voronoi::guardedFor(SiteId id, double tolerance, Operation&& operation) const {
-  if (!areGood(bounds_)) return Error::kBadBounds;
+  if (region_ != nullptr ? region_->state_ == nullptr : !areGood(bounds_)) return Error::kBadBounds;
   if (!diagram_.has(id)) return Error::kUnknownSite;
   return guarded(tolerance, operation);
+}
+
+template <class Visit>
+void Voronoi::withCell(SiteId id, Visit&& visit) const {
+  const DiagramCore& core = *diagram_.core_;
+  const Slot slot = slotOf(id);
+  const Point center{core.site(slot).x, core.site(slot).y};
+  if (region_ == nullptr) {
+    CellFinder finder(core, windowOf(bounds_));
+    visit(finder.find(slot), center);
+  } else {
+    PartFinder finder(overlay());
+    visit(finder.find(slot), center);
+  }
+}
+
+const Overlay& Voronoi::overlay() const {
+  return region_->state_->overlayOn(*diagram_.core_, diagram_.state_);
 }
 
 Error Voronoi::edgeCurves(CurveArrays& edges) const {
@@ -116,58 +147,65 @@ Error Voronoi::edgeCurves(CurveArrays& edges) const {
     edges = {};
     const DiagramCore& core = *diagram_.core_;
     const Graph& graph = core.delaunay().graph();
-    forEachClippedPiece(core.delaunay(), window, Bits::kCanonical,
-                        [&](HalfedgeId h, const ClippedPiece& piece) {
-                          appendCurve(piece.curve, edges.curves);
-                          edges.sites.push_back(core.siteOf(graph.origin(h)));
-                          edges.sites.push_back(core.siteOf(graph.target(h)));
-                        });
+    const auto add = [&](HalfedgeId h, const Conic& curve) {
+      appendCurve(curve, edges.curves);
+      edges.sites.push_back(core.siteOf(graph.origin(h)));
+      edges.sites.push_back(core.siteOf(graph.target(h)));
+    };
+    if (region_ == nullptr) {
+      forEachClippedPiece(core.delaunay(), window, Bits::kCanonical,
+                          [&](HalfedgeId h, const ClippedPiece& piece) { add(h, piece.curve); });
+    } else {
+      overlay().visitEdges(Bits::kCanonical,
+                           [&](HalfedgeId h, const Conic& piece, int) { add(h, piece); });
+    }
   });
 }
 
 Error Voronoi::cellCurves(SiteId id, CurveArrays& boundary) const {
-  return guardedFor(id, 1, [&](const Window& window, double) {
-    CellFinder finder(*diagram_.core_, window);
-    const Cell& cell = finder.find(slotOf(id));
-    boundary.curves.clear();
-    boundary.sites.clear();
-    for (const BoundaryPiece& piece : cell.pieces) {
-      appendCurve(piece.curve, boundary.curves);
-      boundary.sites.push_back(piece.neighbor);
-    }
-    boundary.regions.clear();
-    for (const std::uint32_t start : cell.starts) boundary.regions.push_back(start);
+  return guardedFor(id, 1, [&](const Window&, double) {
+    withCell(id, [&](const Cell& cell, Point) {
+      boundary.curves.clear();
+      boundary.sites.clear();
+      for (const BoundaryPiece& piece : cell.pieces) {
+        appendCurve(piece.curve, boundary.curves);
+        boundary.sites.push_back(piece.neighbor);
+      }
+      boundary.regions.assign(cell.starts.begin(), cell.starts.end());
+    });
   });
 }
 
 Error Voronoi::cellPolygon(SiteId id, double tolerance, RingArrays& rings) const {
   return guardedFor(id, tolerance, [&](const Window& window, double allowed) {
-    CellFinder finder(*diagram_.core_, window);
-    const Cell& cell = finder.find(slotOf(id));
-    const Site& site = diagram_.core_->site(slotOf(id));
     rings.coordinates.clear();
     rings.starts.assign(1, 0);
-    for (std::size_t region = 0; region < cell.regionCount(); ++region) {
-      const std::uint32_t first = cell.starts[region], count = cell.starts[region + 1] - first;
-      const std::size_t size = rings.coordinates.size();
-      appendRing(std::span(cell.pieces).subspan(first, count), {site.x, site.y}, window, allowed,
-                 rings.coordinates);
-      if (rings.coordinates.size() == size) continue;
-      rings.starts.push_back(static_cast<std::uint32_t>(rings.coordinates.size() / 2));
-    }
+    rings.parts.assign(1, 0);
+    withCell(id, [&](const Cell& cell, Point center) {
+      for (std::size_t part = 0; part < cell.partCount(); ++part) {
+        for (std::uint32_t ring = cell.outers[part]; ring < cell.outers[part + 1]; ++ring) {
+          const bool isHole = ring > cell.outers[part];
+          if (isHole && rings.parts.back() + 1 == rings.starts.size()) break;  // in nothing
+          if (appendRing(cell.ring(ring), center, region_ == nullptr ? &window : nullptr, isHole,
+                         allowed, rings.coordinates))
+            rings.starts.push_back(static_cast<std::uint32_t>(rings.coordinates.size() / 2));
+        }
+        const auto count = static_cast<std::uint32_t>(rings.starts.size() - 1);
+        if (count > rings.parts.back()) rings.parts.push_back(count);
+      }
+    });
   });
 }
 
 Error Voronoi::cellMeasures(SiteId id, CellMeasures& measures) const {
   return guardedFor(id, 1, [&](const Window& window, double) {
-    CellFinder finder(*diagram_.core_, window);
-    const Cell& cell = finder.find(slotOf(id));
     measures = {};
-    const Site& site = diagram_.core_->site(slotOf(id));
-    const Point origin = window.nearestTo({site.x, site.y});
-    Moments moments;
-    measure(cell.pieces, origin, moments, measures);
-    finish(moments, origin, measures);
+    withCell(id, [&](const Cell& cell, Point center) {
+      const Point origin = window.nearestTo(center);
+      Moments moments;
+      addUp(cell.pieces, origin, moments, measures);
+      finish(moments, origin, measures);
+    });
   });
 }
 
@@ -182,15 +220,31 @@ Error Voronoi::cellMeasuresWithin(SiteId id, double radius, CellMeasures& measur
     measures = {};
     const Site& site = diagram_.core_->site(slotOf(id));
     Moments moments;
-    measure(boundary, {site.x, site.y}, moments, measures);
+    addUp(boundary, {site.x, site.y}, moments, measures);
     finish(moments, {site.x, site.y}, measures);
   });
 }
 
-Error Voronoi::cellAreas(std::vector<double>& areas) const {
+Error Voronoi::measureAll(internal::Measure what, std::vector<double>& measures) const {
   return guarded(1, [&](const Window& window, double) {
-    internal::cellAreas(*diagram_.core_, window, areas);
+    if (region_ == nullptr) {
+      measureCells(*diagram_.core_, window, what, measures);
+    } else {
+      measureCells(overlay(), what, measures);
+    }
   });
+}
+
+Error Voronoi::cellAreas(std::vector<double>& areas) const {
+  return measureAll(Measure::kAreas, areas);
+}
+
+Error Voronoi::cellCentroids(std::vector<double>& centroids) const {
+  return measureAll(Measure::kCentroids, centroids);
+}
+
+Error Voronoi::cellPerimeters(std::vector<double>& perimeters) const {
+  return measureAll(Measure::kPerimeters, perimeters);
 }
 
 Error Voronoi::hull(std::vector<SiteId>& sites) const {
@@ -200,7 +254,11 @@ Error Voronoi::hull(std::vector<SiteId>& sites) const {
 Error Voronoi::drawEdges(double tolerance, Portion& portion, Path& path) const {
   return guarded(tolerance, [&](const Window& window, double allowed) {
     path.clear();
-    internal::drawEdges(*diagram_.core_, window, allowed, portion, path);
+    if (region_ == nullptr) {
+      internal::drawEdges(*diagram_.core_, window, allowed, portion, path);
+    } else {
+      internal::drawEdges(overlay(), allowed, portion, path);
+    }
   });
 }
 
@@ -219,21 +277,12 @@ Error Voronoi::drawDual(double tolerance, bool rays, Portion& portion, Path& pat
 }
 
 Error Voronoi::drawCell(SiteId id, double tolerance, Path& path) const {
-  return guardedFor(id, tolerance, [&](const Window& window, double allowed) {
+  return guardedFor(id, tolerance, [&](const Window&, double allowed) {
     path.clear();
-    CellFinder finder(*diagram_.core_, window);
-    const Cell& cell = finder.find(slotOf(id));
-    for (std::size_t region = 0; region < cell.regionCount(); ++region) {
-      const std::uint32_t end = cell.starts[region + 1];
-      const Point start = cell.pieces[cell.starts[region]].curve.p0;
-      path.move(start.x, start.y);
-      for (std::uint32_t k = cell.starts[region]; k < end; ++k) {
-        const Conic& curve = cell.pieces[k].curve;
-        const bool isClosing = k + 1 == end && curve.isStraight();  // close() draws it
-        if (!isClosing && !(curve.p0 == curve.p2)) drawConic(curve, allowed, path);
-      }
-      path.close();
-    }
+    withCell(id, [&](const Cell& cell, Point) {
+      for (std::size_t ring = 0; ring < cell.ringCount(); ++ring)
+        drawClosed(cell.ring(ring), allowed, path);
+    });
   });
 }
 

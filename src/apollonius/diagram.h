@@ -216,7 +216,11 @@ class APOLLONIUS_EXPORT Diagram {
   friend class NearestFirst;  // the sites around a point, one by one: apollonius/nearest_first.h
   friend class Voronoi;       // its geometry: apollonius/voronoi.h
 
+  /// To be called before anything changes.
+  void change() noexcept;
+
   std::unique_ptr<internal::DiagramCore> core_;
+  std::uint64_t state_ = 0;  // a number of its own for each set of sites that a diagram has had
 };
 
 }  // namespace apollonius

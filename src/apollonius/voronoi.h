@@ -12,9 +12,10 @@
 // the same bits after any history, too; drawings and sums (areas, centroids, lengths) may differ in
 // the last places.
 //
-// The window is convex and a cell is star-shaped, so the clipped cell is a number of *regions*
-// without holes: one if its centre is in the window, perhaps several if not. What only touches the
-// window is not in it.
+// The window is a rectangle, or of any shape (apollonius/region.h). A rectangle is convex and a
+// cell is star-shaped, so the clipped cell is a number of *parts* without holes: one if its centre
+// is in the window, perhaps several if not. In other windows parts have holes. What only touches
+// the window is not in it.
 //
 // Like apollonius/diagram.h: no call throws or keeps anything; a failed one returns its Error. A
 // Voronoi is a view: it shows the diagram as it is at each call, and must not outlive it.
@@ -24,19 +25,18 @@
 #include <cstdint>
 #include <vector>
 
+#include "apollonius/bounds.h"
 #include "apollonius/diagram.h"
 #include "apollonius/export.h"
 #include "apollonius/path.h"
+#include "apollonius/region.h"
 
 namespace apollonius {
 
-/// An axis-parallel rectangle, in the unit of the coordinates.
-struct Bounds {
-  double xmin = 0;
-  double ymin = 0;
-  double xmax = 960;
-  double ymax = 500;
-};
+namespace internal {
+class Overlay;
+enum class Measure : unsigned char;
+}  // namespace internal
 
 /// Curves, seven numbers each, and the site on the right of each (kNoSite: the window's border; for
 /// edges(): two sites a curve, the first one on the left).
@@ -44,17 +44,20 @@ struct CurveArrays {
   std::vector<double> curves;
   std::vector<std::uint32_t> sites;
   std::vector<std::uint32_t>
-      regions;  ///< of a cell: the first curve of each region, and the number of curves at the end
+      regions;  ///< of a cell: the first curve of each ring, and the number of curves at the end
 };
 
-/// Closed rings (the first point is repeated at the end), one for each region.
+/// Closed rings (the first point is repeated at the end), counter-clockwise; those of holes are
+/// clockwise and follow the ring that they are in.
 struct RingArrays {
   std::vector<double> coordinates;  ///< x, y of each point
   std::vector<std::uint32_t>
       starts;  ///< the first point of each ring, and the number of points at the end
+  std::vector<std::uint32_t>
+      parts;  ///< the first ring of each part, and the number of rings at the end
 };
 
-/// Of a cell inside the window. Without regions, all are 0.
+/// Of a cell inside the window. Without parts, all are 0.
 struct CellMeasures {
   double area = 0;  ///< relative error a few units in the last place for cells of the window's size
   double centroidX = 0;
@@ -70,6 +73,10 @@ class APOLLONIUS_EXPORT Voronoi {
  public:
   explicit Voronoi(const Diagram& diagram, const Bounds& bounds = {})
       : diagram_(diagram), bounds_(bounds) {}
+  /// In a region, which must live as long. The first call after either has changed costs
+  /// O(h + points of the region + cells that its rings pass through, times their degrees).
+  Voronoi(const Diagram& diagram, const Region& region)
+      : diagram_(diagram), bounds_(region.box()), region_(&region) {}
 
   // Every call below can return kBadBounds (unless xmin < xmax, ymin < ymax, all within the range
   // of coordinates) and kOutOfMemory, and replaces the contents of its last argument. Those with a
@@ -79,11 +86,11 @@ class APOLLONIUS_EXPORT Voronoi {
 
   /// Each Voronoi edge inside the window, its pieces one by one.
   [[nodiscard]] Error edgeCurves(CurveArrays& edges) const;
-  /// The boundary of a cell, counter-clockwise, region by region. Cost: O(d log d).
+  /// The boundary of a cell, counter-clockwise, part by part. Cost: O(d log d).
   [[nodiscard]] Error cellCurves(SiteId id, CurveArrays& boundary) const;
   /// The same as polylines: rings of at least three different points that do not cross themselves,
   /// whatever the tolerance. (Where sites are as close as doubles are, rounding can have the last
-  /// word.) A region about as small as the distance of doubles there has no ring.
+  /// word.) A part about as small as the distance of doubles there has no ring.
   [[nodiscard]] Error cellPolygon(SiteId id, double tolerance, RingArrays& rings) const;
   [[nodiscard]] Error cellMeasures(SiteId id, CellMeasures& measures) const;
   /// Area, centroid and perimeter of the part of the (unclipped) cell within `radius` of the site's
@@ -93,6 +100,11 @@ class APOLLONIUS_EXPORT Voronoi {
   /// The area of every cell, by id; 0 for ids without one. They add up to the window's, to
   /// rounding: of the coordinates, too, where the window is only a few doubles wide. Cost: O(h)
   [[nodiscard]] Error cellAreas(std::vector<double>& areas) const;
+  /// The centroid of every cell, x and y by id; NaN for ids without a cell in the window. Cost:
+  /// O(h)
+  [[nodiscard]] Error cellCentroids(std::vector<double>& centroids) const;
+  /// The perimeter of every cell, by id; 0 for ids without one. Cost: O(h)
+  [[nodiscard]] Error cellPerimeters(std::vector<double>& perimeters) const;
 
   /// The box of all circles (of centres, where radii are below 0), a little larger if it would be
   /// empty: for drawings without a window.
@@ -107,7 +119,7 @@ class APOLLONIUS_EXPORT Voronoi {
   /// The dual graph as the paper's Appendix A embeds it, not clipped; with `rays` also those to
   /// infinity, cut at the window.
   [[nodiscard]] Error drawDual(double tolerance, bool rays, Portion& portion, Path& path) const;
-  /// A cell as closed figures, one for each region.
+  /// A cell as closed figures, one for each ring.
   [[nodiscard]] Error drawCell(SiteId id, double tolerance, Path& path) const;
   [[nodiscard]] Error drawHull(double tolerance, Path& path) const;
 
@@ -119,8 +131,15 @@ class APOLLONIUS_EXPORT Voronoi {
   template <class Operation>
   Error guardedFor(SiteId id, double tolerance, Operation&& operation) const;
 
+  /// visit(the site's cell in the window, its centre).
+  template <class Visit>
+  void withCell(SiteId id, Visit&& visit) const;
+  [[nodiscard]] const internal::Overlay& overlay() const;  // of the region
+  [[nodiscard]] Error measureAll(internal::Measure what, std::vector<double>& measures) const;
+
   const Diagram& diagram_;
-  Bounds bounds_;
+  Bounds bounds_;  // of the region, if there is one
+  const Region* region_ = nullptr;
 };
 
 }  // namespace apollonius

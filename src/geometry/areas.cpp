@@ -2,9 +2,9 @@
 
 #include "delaunay/sort_by_key.h"
 #include "geometry/border.h"
+#include "geometry/cell_sums.h"
 #include "geometry/clip.h"
-#include "geometry/measures.h"
-#include "geometry/sum.h"
+#include "geometry/parts.h"
 #include "memory/flat_array.h"
 
 namespace apollonius::internal {
@@ -17,42 +17,25 @@ struct SiteContact {
   BorderContact contact;
 };
 
-class AreaSum {
+class WindowSum {
  public:
-  AreaSum(const DiagramCore& core, const Window& window, std::vector<double>& areas)
-      : core_(core), window_(window), byId_(areas), areas_(core.ids().slots()) {}
+  WindowSum(const DiagramCore& core, const Window& window, Measure what)
+      : core_(core), window_(window), sums_(core, window, what) {}
 
-  void run() {
+  void run(std::vector<double>& measures) {
     const Graph& graph = core_.delaunay().graph();
     forEachClippedPiece(core_.delaunay(), window_, Bits::kCached,
                         [&](HalfedgeId h, const ClippedPiece& piece) {
                           addPiece(piece, slotOf(graph.origin(h)), slotOf(graph.target(h)));
                         });
     addBorders();
-    byId_.assign(core_.ids().idLimit(), 0);
-    for (Slot slot = 0; slot < areas_.size(); ++slot) {
-      if (const double area = areas_[slot].value(); area > 0) byId_[core_.ids().idOf(slot)] = area;
-    }
-    giveWhole();
+    sums_.list(measures);
   }
 
  private:
-  void giveWhole() {
-    // If no edge meets the window, one cell has all of it. (Edges can touch it, so contacts are no
-    // proof; the sum is all or nothing.)
-    double sum = 0;
-    for (const double area : byId_) sum += area;
-    const double whole = window_.width() * window_.height();
-    if (core_.visibleCount() == 0 || sum > whole / 2) return;
-    if (const Slot owner = ownerOfWindow(core_, window_); owner != kNoSlot)
-      byId_[core_.ids().idOf(owner)] = whole;
-  }
-
   void addPiece(const ClippedPiece& piece, Slot left, Slot right) {
     const Conic& curve = piece.curve;
-    const double beyond = areaBeyondChord(curve);
-    addChord(left, curve.p0, curve.p2, beyond);
-    addChord(right, curve.p2, curve.p0, -beyond);
+    sums_.addEdge(left, right, curve);
     if (piece.fromSide != kNoSide) addContact(left, right, piece.fromSide, curve.p0, false);
     if (piece.toSide != kNoSide) addContact(left, right, piece.toSide, curve.p2, true);
   }
@@ -61,15 +44,6 @@ class AreaSum {
     const double place = window_.placeOf(side, point);
     contacts_.push_back({left, {side, place, point, 0, leaves}});
     contacts_.push_back({right, {side, place, point, 0, !leaves}});
-  }
-
-  /// The triangle of a chord and the cell's origin: its centre, or the point of the window nearest
-  /// to it.
-  void addChord(Slot slot, Point from, Point to, double beyond) {
-    const Site& site = core_.site(slot);
-    const Point origin = window_.nearestTo({site.x, site.y});
-    const double term = cross(from - origin, to - origin) / 2 + beyond;
-    areas_[slot].add(term);
   }
 
   void addBorders() {
@@ -88,25 +62,86 @@ class AreaSum {
         Point at = own[arc.from].point;
         for (int k = 0; k < arc.cornerCount; ++k) {
           const Point corner = window_.corner((arc.firstCorner + k) % 4);
-          addChord(slot, at, corner, 0);
+          sums_.addBorder(slot, at, corner);
           at = corner;
         }
-        addChord(slot, at, own[arc.to].point, 0);
+        sums_.addBorder(slot, at, own[arc.to].point);
       }
     }
   }
 
   const DiagramCore& core_;
   Window window_;
-  std::vector<double>& byId_;
-  FlatArray<Sum> areas_;  // by slot
+  CellSums sums_;
   FlatArray<SiteContact> contacts_;
 };
 
+/// If no edge meets the window, one cell has all of it. (Edges can touch it, so contacts are no
+/// proof; the sum of areas is all or nothing.)
+Slot wholeOwner(const DiagramCore& core, const Window& window, const std::vector<double>& areas) {
+  double sum = 0;
+  for (const double area : areas) sum += area;
+  if (core.visibleCount() == 0 || sum > window.width() * window.height() / 2) return kNoSlot;
+  return ownerOfWindow(core, window);
+}
+
 }  // namespace
 
-void cellAreas(const DiagramCore& core, const Window& window, std::vector<double>& areas) {
-  AreaSum(core, window, areas).run();
+void measureCells(const DiagramCore& core, const Window& window, Measure what,
+                  std::vector<double>& measures) {
+  WindowSum(core, window, what).run(measures);
+  std::vector<double> areas;
+  if (what != Measure::kAreas) {
+    WindowSum(core, window, Measure::kAreas).run(areas);
+  }
+  const Slot owner = wholeOwner(core, window, what == Measure::kAreas ? measures : areas);
+  if (owner == kNoSlot) return;
+  const std::size_t id = core.ids().idOf(owner);
+  if (what == Measure::kCentroids) {
+    measures[2 * id] = window.center().x;
+    measures[2 * id + 1] = window.center().y;
+  } else {
+    measures[id] = what == Measure::kAreas ? window.width() * window.height()
+                                           : 2 * (window.width() + window.height());
+  }
+}
+
+void measureCells(const Overlay& overlay, Measure what, std::vector<double>& measures) {
+  const DiagramCore& core = overlay.core();
+  const Outline& outline = overlay.outline();
+  const Graph& graph = core.delaunay().graph();
+  CellSums sums(core, outline.box, what);
+  overlay.visitEdges(Bits::kCached, [&](HalfedgeId h, const Conic& piece, int times) {
+    sums.addEdge(slotOf(graph.origin(h)), slotOf(graph.target(h)), piece, times);
+  });
+  for (std::uint32_t k = 0; k < overlay.crossingCount(); ++k) {
+    const Crossing& crossing = overlay.crossing(k);
+    overlay.visitWay(crossing,
+                     [&](Point from, Point to) { sums.addBorder(crossing.to, from, to); });
+  }
+  for (const Keyed& lodger : overlay.lodgers()) {
+    const std::span<const Point> ring = outline.ring(lodger.value);
+    Point at = ring.back();
+    for (const Point p : ring) {
+      sums.addBorder(lodger.key, at, p);
+      at = p;
+    }
+  }
+  sums.list(measures);
+  if (what != Measure::kPerimeters) return;
+  // Where a ring runs along an edge, or nearly along itself, rounding can leave slivers, whose
+  // areas are none, but not their lengths. Whole parts are without.
+  PartFinder finder(overlay);
+  Slot last = kNoSlot;
+  const auto measureParts = [&](Slot slot) {
+    if (slot == last) return;
+    last = slot;
+    double sum = 0;
+    for (const BoundaryPiece& piece : finder.find(slot).pieces) sum += lengthOf(piece.curve);
+    measures[core.ids().idOf(slot)] = sum;
+  };
+  for (std::uint32_t k = 0; k < overlay.crossingCount(); ++k) measureParts(overlay.crossing(k).to);
+  for (const Keyed& lodger : overlay.lodgers()) measureParts(lodger.key);
 }
 
 }  // namespace apollonius::internal

@@ -1,15 +1,22 @@
-// The areas of all clipped cells at once: each edge is clipped once and counts for the cells on
-// both sides.
+// Measures of all clipped cells at once: each edge is clipped once and counts for the cells on both
+// sides.
 #pragma once
 
 #include <vector>
 
 #include "diagram/diagram_core.h"
+#include "geometry/overlay.h"
 #include "geometry/window.h"
 
 namespace apollonius::internal {
 
-/// By site id; 0 for ids without a cell.
-void cellAreas(const DiagramCore& core, const Window& window, std::vector<double>& areas);
+/// kAreas and kPerimeters: a number a site id, 0 for ids without a cell. kCentroids: two, NaN where
+/// there is no area.
+enum class Measure : unsigned char { kAreas, kCentroids, kPerimeters };
+
+/// Replaces the contents of `measures`.
+void measureCells(const DiagramCore& core, const Window& window, Measure what,
+                  std::vector<double>& measures);
+void measureCells(const Overlay& overlay, Measure what, std::vector<double>& measures);
 
 }  // namespace apollonius::internal

@@ -114,6 +114,12 @@ LineForm::LineForm(const Bisector& bisector, Point normal, double offset)
       c_((dot(normal, bisector.reference()) - offset) +
          dot(normal, bisector.axis()) * (bisector.distance() / 2)) {}
 
+LineForm::LineForm(const Bisector& bisector, Point normal, Point through)
+    : p_(dot(normal, bisector.axis()) * bisector.transverse()),
+      q_(cross(bisector.axis(), normal) * bisector.conjugate()),
+      c_(dot(normal, bisector.reference() - through) +
+         dot(normal, bisector.axis()) * (bisector.distance() / 2)) {}
+
 bool LineForm::isBeyond(double e) const {
   if (e > 0 && e < std::numeric_limits<double>::infinity())
     return ((p_ + q_) * e + (p_ - q_) / e) / 2 + c_ >= 0;
@@ -132,16 +138,27 @@ double LineForm::root() const {
 // slope there is that of (P+Q) E + c = ±√(c² - (P+Q)(P-Q)), so the sign of the root tells a rise
 // from a fall. Each is written so that nothing cancels.
 
-double LineForm::rise(double e0, double e1) const {
+double LineForm::rising() const {
   const double s = root();
-  const double e = c_ <= 0 ? (s - c_) / (p_ + q_) : (q_ - p_) / (c_ + s);
-  return between(e0, e, e1, e1);
+  return c_ <= 0 ? (s - c_) / (p_ + q_) : (q_ - p_) / (c_ + s);
 }
 
-double LineForm::fall(double e0, double e1) const {
+double LineForm::falling() const {
   const double s = root();
-  const double e = c_ >= 0 ? -(c_ + s) / (p_ + q_) : (p_ - q_) / (s - c_);
-  return between(e0, e, e1, e0);
+  return c_ >= 0 ? -(c_ + s) / (p_ + q_) : (p_ - q_) / (s - c_);
+}
+
+double LineForm::rise(double e0, double e1) const { return between(e0, rising(), e1, e1); }
+
+double LineForm::fall(double e0, double e1) const { return between(e0, falling(), e1, e0); }
+
+double LineForm::rise() const { return ifAny(rising()); }
+
+double LineForm::fall() const { return ifAny(falling()); }
+
+double LineForm::ifAny(double e) const {
+  const bool isAny = c_ * c_ >= (p_ - q_) * (p_ + q_) && e > 1 / kLargestParameter;
+  return isAny && e < kLargestParameter ? e : 0;
 }
 
 bool LineForm::hasExcursion(int sign, double e0, double e1, double& at) const {

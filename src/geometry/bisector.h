@@ -68,6 +68,8 @@ class Bisector {
 class LineForm {
  public:
   LineForm(const Bisector& bisector, Point normal, double offset);
+  /// Of the line through a point.
+  LineForm(const Bisector& bisector, Point normal, Point through);
 
   /// Is it positive or 0 at a place? Towards the ends at infinity (E = 0 and E = infinity): does it
   /// tend to that from above?
@@ -77,12 +79,18 @@ class LineForm {
   /// Clamped to [e0, e1].
   [[nodiscard]] double rise(double e0, double e1) const;
   [[nodiscard]] double fall(double e0, double e1) const;
+  /// The same on the whole bisector; 0 if there is no such place.
+  [[nodiscard]] double rise() const;
+  [[nodiscard]] double fall() const;
   /// Does it dip below 0 (for sign = 1), or rise above 0 (sign = -1), strictly between two places
   /// where it has that sign? `at` receives the place of the extremum.
   [[nodiscard]] bool hasExcursion(int sign, double e0, double e1, double& at) const;
 
  private:
   [[nodiscard]] double root() const;
+  [[nodiscard]] double rising() const;
+  [[nodiscard]] double falling() const;
+  [[nodiscard]] double ifAny(double e) const;
 
   double p_, q_, c_;
 };

@@ -7,6 +7,7 @@ namespace apollonius::internal {
 const Cell& CellFinder::find(Slot site) {
   cell_.pieces.clear();
   cell_.starts.assign(1, 0);
+  cell_.outers.assign(1, 0);
   if (core_.ids().state(site) != SiteState::kVisible) return cell_;
   clipEdges(site);
   contacts_.clear();
@@ -114,6 +115,7 @@ void CellFinder::closeRegion() {
   const Area area = areaOf(pieces, window_.nearestTo(origin));
   if (area.value > area.rounding) {
     cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
+    cell_.outers.push_back(static_cast<std::uint32_t>(cell_.ringCount()));
   } else {
     cell_.pieces.resize(start);
   }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "diagram/diagram_core.h"
 #include "geometry/border.h"
@@ -22,9 +23,16 @@ struct BoundaryPiece {
 
 struct Cell {
   FlatArray<BoundaryPiece> pieces;
-  FlatArray<std::uint32_t> starts;  ///< of each region, its first piece; and the number of pieces
+  FlatArray<std::uint32_t> starts;  ///< of each ring, its first piece; and the number of pieces
+  /// Of each region its first ring, which is around it; further ones are holes. And the number of
+  /// rings. (In a window regions have no holes.)
+  FlatArray<std::uint32_t> outers;
 
-  [[nodiscard]] std::size_t regionCount() const { return starts.size() - 1; }
+  [[nodiscard]] std::size_t ringCount() const { return starts.size() - 1; }
+  [[nodiscard]] std::span<const BoundaryPiece> ring(std::size_t k) const {
+    return std::span(pieces).subspan(starts[k], starts[k + 1] - starts[k]);
+  }
+  [[nodiscard]] std::size_t partCount() const { return outers.size() - 1; }
 };
 
 /// Finds cells; keeps its scratch memory from one to the next.

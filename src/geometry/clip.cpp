@@ -1,7 +1,6 @@
 #include "geometry/clip.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace apollonius::internal {
 
@@ -109,17 +108,8 @@ struct Mark {
   signed char side;
 };
 
-bool isUsable(Point p) {
-  return absolute(p.x) <= std::numeric_limits<double>::max() &&
-         absolute(p.y) <= std::numeric_limits<double>::max();
-}
-
 ClippedPiece pieceBetween(const Bisector& bisector, const Mark& from, const Mark& to) {
-  ClippedPiece piece{Conic::segment(from.point, to.point), from.side, to.side};
-  if (bisector.isLine() || !(to.e > from.e)) return piece;
-  const Conic curve = bisector.piece(from.e, to.e, from.point, to.point);
-  if (isUsable(curve.p1) && curve.w >= 1) piece.curve = curve;
-  return piece;
+  return {pieceOf(bisector, from.e, to.e, from.point, to.point), from.side, to.side};
 }
 
 /// Is the edge surely outside the window? Along an edge the distances from its sites, (D/2) cosh t

@@ -17,6 +17,11 @@ Point clippedToDoubles(Point p) {
   return {part(p.x), part(p.y)};
 }
 
+bool isUsable(Point p) {
+  return absolute(p.x) <= std::numeric_limits<double>::max() &&
+         absolute(p.y) <= std::numeric_limits<double>::max();
+}
+
 }  // namespace
 
 EdgeEnd endAt(const DelaunayGraph& delaunay, FaceId f, Bits bits) {
@@ -54,6 +59,14 @@ Edge::Edge(const DelaunayGraph& delaunay, HalfedgeId h, Bits bits)
   e0 = parameter(from, 0);
   e1 = parameter(to, kInfinite);
   if (e1 < e0) e1 = e0;  // so short that rounding turned it
+}
+
+Conic pieceOf(const Bisector& bisector, double e0, double e1, Point from, Point to) {
+  if (!bisector.isLine() && e1 > e0) {
+    const Conic curve = bisector.piece(e0, e1, from, to);
+    if (isUsable(curve.p1) && curve.w >= 1) return curve;
+  }
+  return Conic::segment(from, to);
 }
 
 }  // namespace apollonius::internal

@@ -50,4 +50,8 @@ struct Edge {
   Edge(const DelaunayGraph& delaunay, HalfedgeId h, Bits bits = Bits::kCanonical);
 };
 
+/// A piece of an edge between two places, with these ends. Straight where rounding has exchanged
+/// the two, or where doubles know no curve.
+[[nodiscard]] Conic pieceOf(const Bisector& bisector, double e0, double e1, Point from, Point to);
+
 }  // namespace apollonius::internal

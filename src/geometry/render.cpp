@@ -161,6 +161,17 @@ void drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
   portion.isDone = true;
 }
 
+void drawEdges(const Overlay& overlay, double tolerance, Portion& portion, Path& path) {
+  const DelaunayGraph& delaunay = overlay.core().delaunay();
+  delaunay.computeMissingCircles();
+  visitEdges(delaunay, portion, path, [&](HalfedgeId h) {
+    overlay.visitEdge(h, Bits::kCached, [&](HalfedgeId, const Conic& curve, int) {
+      path.move(curve.p0.x, curve.p0.y);
+      drawConic(curve, tolerance, path);
+    });
+  });
+}
+
 void drawDual(const DiagramCore& core, const Window* window, double tolerance, Portion& portion,
               Path& path) {
   const DelaunayGraph& delaunay = core.delaunay();

@@ -7,6 +7,7 @@
 
 #include "apollonius/path.h"
 #include "diagram/diagram_core.h"
+#include "geometry/overlay.h"
 #include "geometry/window.h"
 
 namespace apollonius::internal {
@@ -14,6 +15,9 @@ namespace apollonius::internal {
 /// Each Voronoi edge inside the window once.
 void drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion,
                Path& path);
+
+/// What of each edge is inside a region.
+void drawEdges(const Overlay& overlay, double tolerance, Portion& portion, Path& path);
 
 /// The dual graph; with a window also the rays to infinity, cut where they leave it (none from
 /// sites outside).

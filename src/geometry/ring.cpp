@@ -38,12 +38,12 @@ class Ring {
     return {points_[begin_ + 2 * k], points_[begin_ + 2 * k + 1]};
   }
 
-  /// Removes the ring if its area is not positive: it has less than three different points, or is
-  /// in the wrong order.
-  bool finish() {
+  /// Removes the ring if its area is not positive (a hole's negative): it has less than three
+  /// different points, or is in the wrong order.
+  bool finish(bool isHole) {
     double area = 0;
     for (std::size_t k = 1; k + 1 < count(); ++k) area += cross(at(k) - at(0), at(k + 1) - at(0));
-    if (area > 0) return true;
+    if (isHole ? area < 0 : area > 0) return true;
     points_.resize(begin_);
     return false;
   }
@@ -82,14 +82,14 @@ bool runsBackwards(const Window& window, const Conic& piece) {
 }
 
 /// One try; false, with nothing appended, if it is no ring.
-bool tryRing(std::span<const BoundaryPiece> region, Point center, const Window& window,
-             double tolerance, std::vector<double>& points) {
+bool tryRing(std::span<const BoundaryPiece> boundary, Point center, const Window* window,
+             bool isHole, double tolerance, std::vector<double>& points) {
   Ring ring(center, points);
-  ring.add(region.front().curve.p0);
+  ring.add(boundary.front().curve.p0);
   std::size_t from = 0;  // the start of a chain of curves
   bool isOnCurve = false;
-  for (const BoundaryPiece& piece : region) {
-    if (piece.neighbor == kNoSite && !runsBackwards(window, piece.curve)) {
+  for (const BoundaryPiece& piece : boundary) {
+    if (piece.neighbor == kNoSite && (window == nullptr || !runsBackwards(*window, piece.curve))) {
       if (isOnCurve) ring.straighten(from);
       isOnCurve = false;
       ring.add(piece.curve.p2);
@@ -100,7 +100,7 @@ bool tryRing(std::span<const BoundaryPiece> region, Point center, const Window& 
     flattenConic(piece.curve, tolerance, points, &center);
   }
   if (isOnCurve) ring.straighten(from);
-  return ring.finish();
+  return ring.finish(isHole);
 }
 
 /// Finer than this share of the tolerance is not tried.
@@ -108,13 +108,14 @@ constexpr double kFinestShare = powerOfTwo(-42);
 
 }  // namespace
 
-void appendRing(std::span<const BoundaryPiece> region, Point center, const Window& window,
-                double tolerance, std::vector<double>& points) {
-  // Where a region is thinner than the tolerance, between a curve and the border, say, nothing may
-  // be left of it: then finer.
+bool appendRing(std::span<const BoundaryPiece> boundary, Point center, const Window* window,
+                bool isHole, double tolerance, std::vector<double>& points) {
+  // Where a part is thinner than the tolerance, between a curve and the border, say, nothing may be
+  // left of it: then finer.
   for (double share = 1; share >= kFinestShare; share *= powerOfTwo(-6)) {
-    if (tryRing(region, center, window, share * tolerance, points)) return;
+    if (tryRing(boundary, center, window, isHole, share * tolerance, points)) return true;
   }
+  return false;
 }
 
 }  // namespace apollonius::internal

@@ -16,10 +16,10 @@
 
 namespace apollonius::internal {
 
-/// Appends the points of a region of the cell about `center`, the first one again at the end; at
-/// least three different ones. If there are none, because the region is as small as the distance of
-/// doubles, nothing is appended.
-void appendRing(std::span<const BoundaryPiece> region, Point center, const Window& window,
-                double tolerance, std::vector<double>& points);
+/// Appends the points of a ring of the cell about `center`, the first one again at the end; at
+/// least three different ones. If there are none, because what it bounds is as small as the
+/// distance of doubles, nothing is appended: false. `window` is null in regions that are none.
+bool appendRing(std::span<const BoundaryPiece> boundary, Point center, const Window* window,
+                bool isHole, double tolerance, std::vector<double>& points);
 
 }  // namespace apollonius::internal

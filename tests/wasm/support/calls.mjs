@@ -380,6 +380,8 @@ export const voronoiCalls = {
     ],
   },
   cellAreas: works(inWindow((v) => v.cellAreas())),
+  cellCentroids: works(inWindow((v) => v.cellCentroids())),
+  cellPerimeters: works(inWindow((v) => v.cellPerimeters())),
 };
 
 /** All of them: [name, { use, refuses }]. */

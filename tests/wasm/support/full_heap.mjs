@@ -70,6 +70,8 @@ const large = {
   "Voronoi.cellMeasures": () => view.cellMeasures(hub),
   "Voronoi.cellWithin": () => view.cellWithin(hub, 1e6),
   "Voronoi.cellAreas": () => view.cellAreas(),
+  "Voronoi.cellCentroids": () => view.cellCentroids(),
+  "Voronoi.cellPerimeters": () => view.cellPerimeters(),
 };
 const small = {
   "Diagram.size": () => diagram.size,

@@ -1,0 +1,87 @@
+// The door of regions: checks rings, and turns lack of memory into an error.
+#include "apollonius/region.h"
+
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include "api/region_state.h"
+#include "geometry/sum.h"
+
+namespace apollonius {
+
+using namespace internal;
+
+namespace {
+
+bool areGood(std::span<const double> coordinates, std::span<const std::uint32_t> starts) {
+  if (starts.empty() || starts.front() != 0 || coordinates.size() % 2 != 0 ||
+      coordinates.size() / 2 != starts.back())
+    return false;
+  for (std::size_t k = 1; k < starts.size(); ++k) {
+    if (starts[k] < starts[k - 1] || starts[k] - starts[k - 1] < 3) return false;
+  }
+  for (const double x : coordinates) {
+    if (!isInRange(x)) return false;
+  }
+  return true;
+}
+
+double areaOf(const Outline& outline) {
+  Sum sum;
+  for (std::size_t k = 0; k < outline.ringCount(); ++k) {
+    const auto ring = outline.ring(k);
+    for (std::size_t m = 1; m + 1 < ring.size(); ++m)
+      sum.add(cross(ring[m] - ring[0], ring[m + 1] - ring[0]) / 2);
+  }
+  return sum.value();
+}
+
+}  // namespace
+
+Region::Region() noexcept = default;
+Region::~Region() = default;
+Region::Region(Region&&) noexcept = default;
+Region& Region::operator=(Region&&) noexcept = default;
+
+Error Region::assign(std::span<const double> coordinates, std::span<const std::uint32_t> starts) {
+  if (!areGood(coordinates, starts)) return Error::kBadBounds;
+  try {
+    auto state = std::make_unique<RegionState>();
+    state->outline = makeOutline(coordinates, starts);
+    state->area = areaOf(state->outline);
+    if (!(state->area > 0)) return Error::kBadBounds;
+    state_ = std::move(state);
+    return Error::kNone;
+  } catch (const std::bad_alloc&) {
+    return Error::kOutOfMemory;
+  }
+}
+
+Bounds Region::box() const noexcept {
+  if (state_ == nullptr) return {};
+  const Window& box = state_->outline.box;
+  return {box.xmin, box.ymin, box.xmax, box.ymax};
+}
+
+Error Region::draw(Path& path) const {
+  path.clear();
+  if (state_ == nullptr) return Error::kNone;
+  const Outline& outline = state_->outline;
+  try {
+    for (std::size_t k = 0; k < outline.ringCount(); ++k) {
+      const auto ring = outline.ring(k);
+      path.move(ring[0].x, ring[0].y);
+      for (const Point p : ring.subspan(1)) path.line(p.x, p.y);
+      path.close();
+    }
+    return Error::kNone;
+  } catch (const std::bad_alloc&) {
+  } catch (const std::length_error&) {
+  }
+  return Error::kOutOfMemory;
+}
+
+double Region::area() const noexcept { return state_ == nullptr ? 0 : state_->area; }
+
+}  // namespace apollonius

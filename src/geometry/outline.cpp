@@ -1,0 +1,316 @@
+#include "geometry/outline.h"
+
+#include <algorithm>
+
+#include "delaunay/sort_by_key.h"
+#include "geometry/segment_grid.h"
+#include "geometry/turn.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// Rounds of splitting; two or three do, as more is only to do where crossings were rounded.
+constexpr int kMostRounds = 24;
+constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+/// From left to right, and upwards what is vertical: as if the plane were sheared a little, so that
+/// nothing is vertical.
+bool comesBefore(Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+bool areApart(Sign a, Sign b) { return a * b == Sign::kNegative; }
+
+class Linework {
+ public:
+  explicit Linework(const Window& box) : box_(box) {}
+
+  void addRing(std::span<const double> coordinates) {
+    const auto first = static_cast<std::uint32_t>(points_.size());
+    for (std::size_t k = 0; k + 1 < coordinates.size(); k += 2) {
+      const auto at = static_cast<std::uint32_t>(points_.size());
+      points_.push_back({coordinates[k] + 0.0, coordinates[k + 1] + 0.0});  // -0 becomes 0
+      segments_.push_back({at, at + 1});
+    }
+    segments_.back().to = first;
+  }
+
+  /// Steps 1 and 2.
+  void split() {
+    unify();
+    for (int round = 0; round < kMostRounds && findCuts(); ++round) {
+      cut();
+      unify();
+    }
+  }
+  void orient();
+  void link(Outline& outline);
+
+ private:
+  struct Cut {
+    std::uint32_t segment;
+    std::uint32_t point;
+  };
+
+  [[nodiscard]] Point from(const Segment& s) const { return points_[s.from]; }
+  [[nodiscard]] Point to(const Segment& s) const { return points_[s.to]; }
+  /// Is the point between the ends of a segment on whose line it is?
+  [[nodiscard]] bool isWithin(const Segment& s, Point p) const {
+    return comesBefore(from(s), p) && comesBefore(p, to(s));
+  }
+
+  void unify();
+  bool findCuts();
+  void cutBoth(std::uint32_t k, std::uint32_t m);
+  void cut();
+  void listEnds();
+  /// The other segments that have an end in common with this one's end are these, itself included.
+  [[nodiscard]] std::span<const Keyed> endsAt(std::uint32_t point) const {
+    return std::span(ends_).subspan(firstEnd_[point], firstEnd_[point + 1] - firstEnd_[point]);
+  }
+  [[nodiscard]] bool isInsideBelow(const SegmentGrid& grid, std::uint32_t segment);
+  [[nodiscard]] std::uint32_t next(std::uint32_t segment) const;
+
+  Window box_;
+  FlatArray<Point> points_;
+  FlatArray<Segment> segments_;  // after unify(): from comes before to, until orient()
+  FlatArray<Cut> cuts_;
+  FlatArray<Keyed> ends_;              // segments by their ends
+  FlatArray<std::uint32_t> firstEnd_;  // by point, of ends_; and their number
+  FlatArray<std::uint32_t> countedFor_;
+};
+
+/// Gives equal points one number, points all segments in one direction, and lets equal ones cancel.
+void Linework::unify() {
+  FlatArray<std::uint32_t> order(points_.size()), numbers(points_.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::partial_sort(order.begin(), order.end(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return comesBefore(points_[a], points_[b]);
+  });
+  FlatArray<Point> distinct;
+  for (const std::uint32_t k : order) {
+    if (distinct.empty() || !(distinct.back() == points_[k])) distinct.push_back(points_[k]);
+    numbers[k] = static_cast<std::uint32_t>(distinct.size() - 1);
+  }
+  points_.swap(distinct);
+
+  // By both ends: stable sorts, the less important end first. Numbers ascend with the points.
+  FlatArray<Keyed> byEnd;
+  for (std::uint32_t k = 0; k < segments_.size(); ++k) {
+    const std::uint32_t a = numbers[segments_[k].from], b = numbers[segments_[k].to];
+    segments_[k] = {std::min(a, b), std::max(a, b)};
+    if (a != b) byEnd.push_back({segments_[k].to, k});
+  }
+  sortByKey(byEnd);
+  for (Keyed& end : byEnd) end.key = segments_[end.value].from;
+  sortByKey(byEnd);
+  FlatArray<Segment> kept;
+  for (const Keyed& end : byEnd) {
+    const Segment s = segments_[end.value];
+    if (!kept.empty() && kept.back().from == s.from && kept.back().to == s.to) {
+      kept.pop_back();
+    } else {
+      kept.push_back(s);
+    }
+  }
+  segments_.swap(kept);
+}
+
+bool Linework::findCuts() {
+  cuts_.clear();
+  const SegmentGrid grid(points_, segments_, box_);
+  for (std::uint32_t row = 0; row < grid.rows(); ++row) {
+    for (std::uint32_t column = 0; column < grid.columns(); ++column) {
+      const auto here = grid.at(column, row);
+      for (std::size_t k = 0; k < here.size(); ++k) {
+        const Segment& a = segments_[here[k]];
+        for (std::size_t m = k + 1; m < here.size(); ++m) {
+          const Segment& b = segments_[here[m]];
+          // More than once where they share cells, which does no harm.
+          if (from(b).x <= to(a).x && from(a).x <= to(b).x &&
+              std::min(from(b).y, to(b).y) <= std::max(from(a).y, to(a).y) &&
+              std::min(from(a).y, to(a).y) <= std::max(from(b).y, to(b).y))
+            cutBoth(here[k], here[m]);
+        }
+      }
+    }
+  }
+  return !cuts_.empty();
+}
+
+void Linework::cutBoth(std::uint32_t k, std::uint32_t m) {
+  const Segment s = segments_[k], t = segments_[m];
+  const Point a = from(s), b = to(s), c = from(t), d = to(t);
+  const Sign sc = turnOf(a, b, c), sd = turnOf(a, b, d);
+  if (sc == sd && sc != Sign::kZero) return;
+  const Sign ta = turnOf(c, d, a), tb = turnOf(c, d, b);
+  if (areApart(sc, sd) && areApart(ta, tb)) {
+    const Point way = b - a, other = d - c;
+    const double along = cross(c - a, other) / cross(way, other);
+    const Point p = a + along * way;
+    // Where rounding leaves the box that both share, it goes back there.
+    const Point x{std::clamp(p.x, std::max(a.x, c.x), std::min(b.x, d.x)),
+                  std::clamp(p.y, std::max(std::min(a.y, b.y), std::min(c.y, d.y)),
+                             std::min(std::max(a.y, b.y), std::max(c.y, d.y)))};
+    points_.push_back(x);
+    const auto number = static_cast<std::uint32_t>(points_.size() - 1);
+    // Through it, even where rounding has put it beyond an end.
+    if (!(x == a || x == b)) cuts_.push_back({k, number});
+    if (!(x == c || x == d)) cuts_.push_back({m, number});
+    return;
+  }
+  if (sc == Sign::kZero && isWithin(s, c)) cuts_.push_back({k, t.from});
+  if (sd == Sign::kZero && isWithin(s, d)) cuts_.push_back({k, t.to});
+  if (ta == Sign::kZero && isWithin(t, a)) cuts_.push_back({m, s.from});
+  if (tb == Sign::kZero && isWithin(t, b)) cuts_.push_back({m, s.to});
+}
+
+void Linework::cut() {
+  std::partial_sort(cuts_.begin(), cuts_.end(), cuts_.end(), [&](const Cut& a, const Cut& b) {
+    return a.segment != b.segment ? a.segment < b.segment
+                                  : comesBefore(points_[a.point], points_[b.point]);
+  });
+  for (const Cut& cut : cuts_) {
+    Segment& rest = segments_[cut.segment];
+    segments_.push_back({rest.from, cut.point});
+    segments_[cut.segment].from = cut.point;
+  }
+}
+
+void Linework::listEnds() {
+  ends_.clear();
+  for (std::uint32_t k = 0; k < segments_.size(); ++k) {
+    ends_.push_back({segments_[k].from, k});
+    ends_.push_back({segments_[k].to, k});
+  }
+  sortByKey(ends_);
+  firstEnd_.assign(points_.size() + 1, 0);
+  for (const Keyed& end : ends_) ++firstEnd_[end.key + 1];
+  for (std::size_t k = 1; k < firstEnd_.size(); ++k) firstEnd_[k] += firstEnd_[k - 1];
+}
+
+/// Is the side below a segment inside: are there an odd number of segments below, a little to the
+/// right of its left end?
+bool Linework::isInsideBelow(const SegmentGrid& grid, std::uint32_t segment) {
+  const Segment& s = segments_[segment];
+  const Point p = from(s);
+  bool isInside = false;
+  const std::uint32_t column = grid.columnOf(p.x);
+  for (std::uint32_t row = grid.rowOf(p.y) + 1; row-- > 0;) {
+    for (const std::uint32_t k : grid.at(column, row)) {
+      if (countedFor_[k] == segment) continue;
+      countedFor_[k] = segment;
+      const Segment& t = segments_[k];
+      if (k == segment || comesBefore(p, from(t)) || !comesBefore(p, to(t))) continue;
+      Sign above = turnOf(from(t), to(t), p);
+      if (above == Sign::kZero) above = turnOf(p, to(t), to(s));
+      if (above == Sign::kPositive) isInside = !isInside;
+    }
+  }
+  return isInside;
+}
+
+/// Turns each segment so that the inside is on its left. Along a chain, where two segments meet and
+/// no more, one is asked.
+void Linework::orient() {
+  listEnds();
+  const SegmentGrid grid(points_, segments_, box_);
+  countedFor_.assign(segments_.size(), kNone);
+  FlatArray<char> isDone(segments_.size(), 0);
+  FlatArray<char> turns(segments_.size(), 0);
+  for (std::uint32_t first = 0; first < segments_.size(); ++first) {
+    if (isDone[first] != 0) continue;
+    // With the inside below, a segment runs to the left.
+    const bool runsLeft = isInsideBelow(grid, first);
+    isDone[first] = 1;
+    turns[first] = static_cast<char>(runsLeft);
+    for (const bool forwards : {true, false}) {
+      std::uint32_t at = first;
+      while (true) {
+        const bool endsAtTo = forwards != (turns[at] != 0);
+        const std::uint32_t point = endsAtTo ? segments_[at].to : segments_[at].from;
+        const auto ends = endsAt(point);
+        if (ends.size() != 2) break;
+        at = ends[0].value == at ? ends[1].value : ends[0].value;
+        if (isDone[at] != 0) break;
+        isDone[at] = 1;
+        turns[at] = static_cast<char>((segments_[at].from == point) != forwards);
+      }
+    }
+  }
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    if (turns[k] != 0) std::swap(segments_[k].from, segments_[k].to);
+  }
+}
+
+/// The segment that goes on where this one ends: of those that start there, the first one clockwise
+/// from where this one comes from, as what is between them is inside.
+std::uint32_t Linework::next(std::uint32_t segment) const {
+  const Point at = to(segments_[segment]), back = from(segments_[segment]);
+  const auto comesFirst = [&](Point a, Point b) {
+    const Sign sideA = turnOf(at, back, a), sideB = turnOf(at, back, b);
+    const bool isRightA = sideA != Sign::kPositive, isRightB = sideB != Sign::kPositive;
+    if (isRightA != isRightB) return isRightA;
+    return turnOf(at, a, b) == Sign::kNegative;
+  };
+  std::uint32_t best = kNone;
+  for (const Keyed& end : endsAt(segments_[segment].to)) {
+    const Segment& s = segments_[end.value];
+    if (s.from != end.key) continue;
+    if (best == kNone || comesFirst(to(s), to(segments_[best]))) best = end.value;
+  }
+  return best;
+}
+
+void Linework::link(Outline& outline) {
+  FlatArray<char> isLinked(segments_.size(), 0);
+  outline.starts.push_back(0);
+  for (std::uint32_t first = 0; first < segments_.size(); ++first) {
+    std::uint32_t at = first;
+    while (at != kNone && isLinked[at] == 0) {
+      isLinked[at] = 1;
+      outline.points.push_back(from(segments_[at]));
+      at = next(at);
+    }
+    // Less than three: what rounding has left of a crossing.
+    const std::uint32_t start = outline.starts.back();
+    if (outline.points.size() >= start + std::size_t{3}) {
+      outline.starts.push_back(static_cast<std::uint32_t>(outline.points.size()));
+    } else {
+      outline.points.resize(start);
+    }
+  }
+}
+
+Window boxOf(std::span<const Point> points) {
+  if (points.empty()) return {};
+  Window box{points[0].x, points[0].y, points[0].x, points[0].y};
+  for (const Point p : points)
+    box = {std::min(box.xmin, p.x), std::min(box.ymin, p.y), std::max(box.xmax, p.x),
+           std::max(box.ymax, p.y)};
+  return box;
+}
+
+}  // namespace
+
+Outline makeOutline(std::span<const double> coordinates, std::span<const std::uint32_t> starts) {
+  Outline outline;
+  FlatArray<Point> given;
+  for (std::size_t k = 0; k + 1 < coordinates.size(); k += 2)
+    given.push_back({coordinates[k], coordinates[k + 1]});
+  const Window box = boxOf(given);
+  if (!(box.width() > 0 && box.height() > 0)) {
+    outline.starts.assign(1, 0);
+    return outline;
+  }
+  Linework lines(box);
+  for (std::size_t k = 0; k + 1 < starts.size(); ++k)
+    lines.addRing(coordinates.subspan(2 * std::size_t{starts[k]},
+                                      2 * std::size_t{starts[k + 1] - starts[k]}));
+  lines.split();
+  lines.orient();
+  lines.link(outline);
+  outline.box = boxOf(outline.points);
+  return outline;
+}
+
+}  // namespace apollonius::internal

@@ -1,0 +1,91 @@
+#include "geometry/overlay.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "geometry/walk.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
+
+}  // namespace
+
+Overlay::Overlay(const DiagramCore& core, const Outline& outline) : core_(core), outline_(outline) {
+  if (core.visibleCount() == 0) return;
+  core.delaunay().computeMissingCircles();
+  walkRings(core, outline, crossings_, lodgers_);
+  sortByKey(lodgers_);
+  sortCrossings();
+  wind();
+}
+
+std::span<const Keyed> Overlay::lodgersOf(Slot cell) const {
+  const Keyed* const first =
+      std::lower_bound(lodgers_.begin(), lodgers_.end(), cell,
+                       [](const Keyed& lodger, Slot slot) { return lodger.key < slot; });
+  const Keyed* last = first;
+  while (last != lodgers_.end() && last->key == cell) ++last;
+  return {first, last};
+}
+
+void Overlay::sortCrossings() {
+  byEdge_.resize(crossings_.size());
+  for (std::uint32_t k = 0; k < byEdge_.size(); ++k) byEdge_[k] = k;
+  std::partial_sort(byEdge_.begin(), byEdge_.end(), byEdge_.end(),
+                    [&](std::uint32_t k, std::uint32_t m) {
+                      const Crossing &a = crossings_[k], &b = crossings_[m];
+                      return a.edge != b.edge ? a.edge < b.edge : a.e != b.e ? a.e < b.e : k < m;
+                    });
+  const Graph& graph = core_.delaunay().graph();
+  isCrossed_.assign(graph.faceSlots(), 0);
+  for (const Crossing& crossing : crossings_) {
+    isCrossed_[index(faceOf(crossing.edge))] = 1;
+    isCrossed_[index(faceOf(graph.twin(crossing.edge)))] = 1;
+  }
+}
+
+std::span<const std::uint32_t> Overlay::crossingsOf(HalfedgeId edge) const {
+  if (!isCrossed(edge)) return {};
+  const auto isBefore = [&](std::uint32_t k, HalfedgeId h) { return crossings_[k].edge < h; };
+  const std::uint32_t* const first =
+      std::lower_bound(byEdge_.begin(), byEdge_.end(), edge, isBefore);
+  const std::uint32_t* last = first;
+  while (last != byEdge_.end() && crossings_[*last].edge == edge) ++last;
+  return {first, last};
+}
+
+/// From the faces at infinity, where they are 0, over all edges.
+void Overlay::wind() {
+  const Graph& graph = core_.delaunay().graph();
+  windings_.assign(graph.faceSlots(), kUnknown);
+  if (graph.isEmpty()) return;
+  FlatArray<FaceId> found;
+  const FaceId outside = faceOf(graph.outgoing(kInfinity));
+  windings_[index(outside)] = 0;
+  found.push_back(outside);
+  while (!found.empty()) {
+    const FaceId f = found.back();
+    found.pop_back();
+    for (unsigned c = 0; c < 3; ++c) {
+      const HalfedgeId h = halfedgeOf(f, c), twin = graph.twin(h);
+      std::int32_t& next = windings_[index(faceOf(twin))];
+      if (next != kUnknown) continue;
+      int winding = windings_[index(f)];
+      // Crossings are kept with one half-edge of the two. With E, which grows from the vertex on
+      // its right to that on its left, they add; the other way they take away.
+      const auto sum = [&](HalfedgeId edge) {
+        int steps = 0;
+        for (const std::uint32_t k : crossingsOf(edge)) steps += crossings_[k].isForward ? 1 : -1;
+        return steps;
+      };
+      if (isCrossed(h)) winding += sum(twin) - sum(h);
+      next = winding;
+      found.push_back(faceOf(twin));
+    }
+  }
+}
+
+}  // namespace apollonius::internal

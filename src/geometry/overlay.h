@@ -1,0 +1,128 @@
+// A region laid over a diagram: where its rings go from cell to cell, and what of each Voronoi edge
+// is inside.
+//
+// Each ring is walked from cell to cell (walk.h). What comes of a walk is a closed way in the
+// Delaunay graph, whatever rounding does: it returns to the cell that it began in, and each of its
+// steps crosses one edge at one place. All else follows from these crossings alone, and so fits
+// together: *winding numbers* of Voronoi vertices (how often the region is wound around them: 0
+// outside, 1 inside, and something else at most within rounding of a place where two rings nearly
+// meet) are 0 at infinity, and change along an edge by one at each crossing. The boundary of a part
+// of a cell then closes by itself, and what is left of an edge belongs to both cells. No point is
+// ever asked on which side it is.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "delaunay/sort_by_key.h"
+#include "diagram/diagram_core.h"
+#include "geometry/edge.h"
+#include "geometry/outline.h"
+#include "memory/flat_array.h"
+
+namespace apollonius::internal {
+
+/// A place where a ring leaves a cell for another.
+struct Crossing {
+  HalfedgeId edge;  ///< that of the two that starts at the reference site
+  double e;         ///< where on it (bisector.h)
+  Point point;      ///< of the ring
+  Slot from, to;    ///< the cells
+  bool isForward;   ///< the ring goes from left to right of `edge`, and so the inside follows
+  std::uint32_t ring;
+  std::uint32_t next;                    ///< the ring's next crossing, where it leaves `to`
+  std::uint32_t firstPoint, pointCount;  ///< the ring's points on the way there, cyclically
+};
+
+class Overlay {
+ public:
+  /// REQUIRES: `outline` lives as long. Cost: O(h + crossings), and what walk.h says.
+  Overlay(const DiagramCore& core, const Outline& outline);
+
+  [[nodiscard]] const DiagramCore& core() const { return core_; }
+  [[nodiscard]] const Outline& outline() const { return outline_; }
+
+  [[nodiscard]] const Crossing& crossing(std::uint32_t k) const { return crossings_[k]; }
+  [[nodiscard]] std::uint32_t crossingCount() const {
+    return static_cast<std::uint32_t>(crossings_.size());
+  }
+  /// The crossings of an edge, given by its half-edge that starts at the reference site, in the
+  /// order of E.
+  [[nodiscard]] std::span<const std::uint32_t> crossingsOf(HalfedgeId edge) const;
+  /// Rings that are within one cell: the value of each, with the cell's slot for its key, in the
+  /// order of these.
+  [[nodiscard]] std::span<const Keyed> lodgers() const { return lodgers_; }
+  [[nodiscard]] std::span<const Keyed> lodgersOf(Slot cell) const;
+  /// Of a face's Voronoi vertex.
+  [[nodiscard]] int windingOf(FaceId f) const { return windings_[index(f)]; }
+
+  /// visit(from, to) for the segments of a ring from a crossing to its next one.
+  template <class Visit>
+  void visitWay(const Crossing& crossing, Visit&& visit) const {
+    const std::span<const Point> ring = outline_.ring(crossing.ring);
+    Point at = crossing.point;
+    std::size_t k = crossing.firstPoint;
+    for (std::uint32_t n = 0; n < crossing.pointCount; ++n) {
+      if (k >= ring.size()) k -= ring.size();
+      visit(at, ring[k]);
+      at = ring[k++];
+    }
+    visit(at, crossings_[crossing.next].point);
+  }
+
+  /// visit(h, piece, times) for what of each edge is inside, and how often.
+  template <class Visit>
+  void visitEdges(Bits bits, Visit&& visit) const {
+    const Graph& graph = core_.delaunay().graph();
+    core_.delaunay().computeMissingCircles();
+    for (const FaceId f : graph.faces()) {
+      for (unsigned c = 0; c < 3; ++c) visitEdge(halfedgeOf(f, c), bits, visit);
+    }
+  }
+
+  /// The same for one of the two half-edges of an edge, and nothing for the other.
+  template <class Visit>
+  void visitEdge(HalfedgeId h, Bits bits, Visit&& visit) const {
+    const DelaunayGraph& delaunay = core_.delaunay();
+    const Graph& graph = delaunay.graph();
+    int times = windingOf(faceOf(graph.twin(h)));
+    if ((times == 0 && !isCrossed(h)) || graph.origin(h) == kInfinity ||
+        graph.target(h) == kInfinity || !startsAtReference(delaunay, h))
+      return;
+    const std::span<const std::uint32_t> crossings = crossingsOf(h);
+    if (times == 0 && crossings.empty()) return;
+    const Edge edge(delaunay, h, bits);
+    double e = edge.e0;
+    Point at = edge.from.point;
+    bool isFinite = edge.from.isFinite;
+    const auto goTo = [&](double nextE, Point next, bool isNextFinite) {
+      if (times != 0 && isFinite && isNextFinite)
+        visit(h, pieceOf(edge.bisector, e, nextE, at, next), times);
+      e = nextE;
+      at = next;
+      isFinite = isNextFinite;
+    };
+    for (const std::uint32_t k : crossings) {
+      goTo(crossings_[k].e, crossings_[k].point, true);
+      times += crossings_[k].isForward ? 1 : -1;
+    }
+    goTo(edge.e1, edge.to.point, edge.to.isFinite);
+  }
+
+ private:
+  void sortCrossings();
+  void wind();
+  [[nodiscard]] bool isCrossed(HalfedgeId edge) const {
+    return isCrossed_[index(faceOf(edge))] != 0;
+  }
+
+  const DiagramCore& core_;
+  const Outline& outline_;
+  FlatArray<Crossing> crossings_;  // ring by ring, in their order
+  FlatArray<Keyed> lodgers_;
+  FlatArray<std::uint32_t> byEdge_;   // crossings by edge, then by E
+  FlatArray<char> isCrossed_;         // by face: has one of its half-edges a crossing?
+  FlatArray<std::int32_t> windings_;  // by face
+};
+
+}  // namespace apollonius::internal
