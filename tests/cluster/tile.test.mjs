@@ -94,7 +94,7 @@ describe.each(Object.keys(families))("%s", (family) => {
     const { whole, random } = circles;
     let wrong = 0;
     let right = 0;
-    for (let k = 0; k < 200; ++k) {
+    for (let k = 0; k < 100; ++k) {
       const size = 40 * 10 ** (-3 * random());
       const [x, y] = [random() * (side - size), random() * (side - size)];
       const window = [x, y, x + size, y + size];
@@ -112,8 +112,8 @@ describe.each(Object.keys(families))("%s", (family) => {
       right += isCertified;
       diagram.dispose();
     }
-    expect(wrong).toBeGreaterThan(10); // both are common, or this has tried nothing
-    expect(right).toBeGreaterThan(10);
+    expect(wrong).toBeGreaterThan(5); // both are common, or this has tried nothing
+    expect(right).toBeGreaterThan(5);
   });
 
   test("no point of the window lacks more than its border", async () => {
@@ -127,7 +127,7 @@ describe.each(Object.keys(families))("%s", (family) => {
       const { xyr, known } = await circles.within(around);
       const diagram = new Diagram([...circles.giants.xyr, ...xyr]);
       const most = lackOf(diagram, window, known, circles.largest);
-      const xy = places(window, random, 1000);
+      const xy = places(window, random, 200);
       const distances = new Float64Array(xy.length / 2);
       diagram.findMany(xy, distances);
       const lacks = distances.map((distance, k) => {

@@ -56,14 +56,17 @@ export function lackOf(diagram, window, known, largest) {
   if (diagram.size === 0) return Infinity;
   const xy = borderOf(window);
   const distances = new Float64Array(xy.length / 2);
-  const nearest = diagram.findMany(xy, distances);
-  let lack = -Infinity;
+  const nearest = new Set(diagram.findMany(xy, distances));
+  const lack = distances.reduce(
+    (most, distance, k) =>
+      Math.max(most, distance + largest - inside(known, xy[2 * k], xy[2 * k + 1])),
+    -Infinity,
+  );
   let reach = 0;
-  nearest.forEach((id, k) => {
-    lack = Math.max(lack, distances[k] + largest - inside(known, xy[2 * k], xy[2 * k + 1]));
+  for (const id of nearest) {
     const { x, y, r } = diagram.site(id);
     reach = Math.max(reach, Math.abs(x) + Math.abs(y) + Math.abs(r));
-  });
+  }
   // Neither distance changes by more than the way does, which is half a step at most.
   const between = spanOf(window) / kSteps;
   return lack + between + kRounding * (sizeOf(window, largest) + reach);
