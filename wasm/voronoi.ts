@@ -199,6 +199,7 @@ export class Voronoi {
    * keeps them apart. O(d log d).
    */
   cellPolygon(id: number, options?: { tolerance?: number | undefined }): Float64Array | null {
+    checkOptions(options, "tolerance");
     const native = this.#nativeFor(id);
     const tolerance = this.#tolerance(native, options);
     const { coordinates, starts } = native.cellPolygon(...this.#window, id, tolerance);
