@@ -44,7 +44,7 @@ describeInBrowser("recipes", (open) => {
     return found;
   }
 
-  test("React in StrictMode: each diagram is disposed of once, the shown one is alive", async () => {
+  test("React in StrictMode: each diagram is disposed of once, the shown one lives", async () => {
     await inPage(
       "react",
       `
