@@ -57,8 +57,7 @@ describeInBrowser("motion and steps", (open) => {
       });
     const before = await spread();
     await press("relax");
-    for (let k = 0; k < 100 && (await spread()) > 0.9 * before; k++)
-      await page.waitForTimeout(100);
+    for (let k = 0; k < 100 && (await spread()) > 0.9 * before; k++) await page.waitForTimeout(100);
     await page.evaluate(() => app.motion.stop());
     expect(await spread()).toBeLessThan(0.9 * before);
   });

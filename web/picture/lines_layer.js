@@ -6,7 +6,12 @@ import { drawEdges } from "./edges.js";
 
 const kCellsGone = 4; // pixels: cells of this size show no lines,
 const kCellsWhole = 8; // and from this size on they are as strong as can be
-const kMostWhole = 1500; // visible sites: below, all edges are asked for in one call
+// Asking for all edges in one call costs a fifteenth for each of what asking cell by cell does; but
+// it cannot be done in slices.
+const kAlwaysWhole = 1500; // visible sites
+const kMostWhole = 30_000;
+const kCheaper = 15;
+const kPlayed = 200; // pieces between pauses
 const kMostCompared = 20_000; // sites whose centres get a diagram of their own
 const kMostVertices = 4000;
 const kMostContoured = 160; // visible sites
@@ -21,8 +26,9 @@ export const strengthOf = (size) =>
  * @param {import("./painter.js").Picture} picture
  * @param {import("./view.js").Box} box
  * @param {number} strength of lines, from 0 to 1
+ * @param {number} expected how many cells meet the box, about
  */
-export function* drawLines(context, picture, box, strength) {
+export function* drawLines(context, picture, box, strength, expected) {
   const { layers } = picture;
   const near = {
     left: box.left - 3,
@@ -38,14 +44,14 @@ export function* drawLines(context, picture, box, strength) {
     if (layers.distances) drawDistances(context, picture, near);
     if (layers.centres) yield* drawCentres(context, picture, near);
     if (layers.dual) yield* drawDual(context, picture, near);
-    if (layers.cells) yield* drawCells(context, picture, near);
+    if (layers.cells) yield* drawCells(context, picture, near, expected);
     if (layers.vertices) drawVertices(context, picture, near);
     context.globalAlpha = 1;
   }
   if (layers.hull) drawHull(context, picture, near);
 }
 
-function* drawCells(context, { sites, view, theme }, box) {
+function* drawCells(context, { sites, view, theme }, box, expected) {
   const bounds = boundsOf(view, box);
   if (!bounds) return;
   context.lineWidth = 1.25;
