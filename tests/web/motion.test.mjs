@@ -1,5 +1,5 @@
 // What moves by itself, the steps of the algorithm, and touch.
-import { afterEach, beforeEach, describe, expect, test } from "@jest/globals";
+import { afterEach, beforeEach, expect, test } from "@jest/globals";
 import {
   circlesOf,
   describeInBrowser,

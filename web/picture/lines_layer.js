@@ -58,9 +58,55 @@ function* drawCells(context, { sites, view, theme }, box, expected) {
   context.strokeStyle = theme.cell;
   const strokes = new ScreenStrokes(context, view, box);
   const { diagram } = sites;
-  if (diagram.visibleSize <= kMostWhole) diagram.voronoi(bounds).render(strokes, drawOptions(view));
-  else yield* drawEdges(diagram, bounds, strokes);
+  const count = diagram.visibleSize;
+  const isDense = count <= kMostWhole && kCheaper * expected > count;
+  if (count <= kAlwaysWhole || isDense) {
+    const edges = new Recording();
+    diagram.voronoi(bounds).render(edges, drawOptions(view));
+    yield* edges.play(strokes);
+  } else yield* drawEdges(diagram, bounds, strokes);
   strokes.finish();
+}
+
+/** A drawing that is played later, in slices. */
+class Recording {
+  /** @type {number[]} */ #numbers = [];
+  /** @type {number[]} */ #lengths = []; // of the commands: 2 moves, 3 is a line, 6 a curve
+
+  moveTo(x, y) {
+    this.#lengths.push(2);
+    this.#numbers.push(x, y);
+  }
+
+  lineTo(x, y) {
+    this.#lengths.push(3);
+    this.#numbers.push(x, y);
+  }
+
+  bezierCurveTo(x1, y1, x2, y2, x, y) {
+    this.#lengths.push(6);
+    this.#numbers.push(x1, y1, x2, y2, x, y);
+  }
+
+  closePath() {}
+
+  *play(target) {
+    const numbers = this.#numbers;
+    let at = 0;
+    let played = 0;
+    for (const length of this.#lengths) {
+      const [x, y] = [numbers[at], numbers[at + 1]];
+      if (length === 2) target.moveTo(x, y);
+      else if (length === 3) target.lineTo(x, y);
+      else {
+        const end = at + 4;
+        const [x2, y2] = [numbers[at + 2], numbers[at + 3]];
+        target.bezierCurveTo(x, y, x2, y2, numbers[end], numbers[end + 1]);
+      }
+      at += length === 6 ? 6 : 2;
+      if (++played % kPlayed === 0) yield;
+    }
+  }
 }
 
 /** In each cell the lines of equal distance to its site, like heights on a map. */
