@@ -6,6 +6,7 @@
 //   node bench/js/page.mjs [--storms] [--sizes 10000,100000]
 //
 // It needs dist/ (npm run build) and Chromium (CHROMIUM, or /usr/bin/chromium).
+import { readFileSync } from "node:fs";
 import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
 import { storm } from "../../tests/web/support/storm.mjs";
@@ -23,63 +24,7 @@ const { values } = parseArgs({
 const sizes = (values.sizes ?? "10000,100000,1000000").split(",").map(Number);
 
 /** The other page: all cells and centres anew in each frame. */
-const otherPage = `<!doctype html><style>body{margin:0}</style>
-<canvas id="c" width="${kViewport.width}" height="${kViewport.height}"></canvas>
-<script type="importmap">
-  { "imports": { "d3-delaunay": "/node_modules/d3-delaunay/dist/d3-delaunay.mjs" } }
-</script>
-<script type="module">
-  import { Delaunay } from "d3-delaunay";
-  import { randomCircles } from "/web/sets/random_sets.js";
-  const canvas = document.getElementById("c");
-  const context = canvas.getContext("2d");
-  const view = { x: 0, y: 0, scale: 0.8 };
-  let voronoi, delaunay, asked = false, hovered = -1;
-  window.make = (count) => {
-    const start = performance.now();
-    const xyr = randomCircles({ count, hiddenShare: 0.05, seed: 1, width: 1600, height: 1000 });
-    const made = performance.now();
-    delaunay = new Delaunay(xyr.filter((_, k) => k % 3 !== 2));
-    voronoi = delaunay.voronoi([0, 0, 1600, 1000]);
-    draw();
-    return { make: made - start, build: performance.now() - made };
-  };
-  function draw() {
-    asked = false;
-    context.setTransform(1, 0, 0, 1, 0, 0);
-    context.clearRect(0, 0, canvas.width, canvas.height);
-    context.setTransform(view.scale, 0, 0, view.scale, view.x, view.y);
-    context.lineWidth = 1 / view.scale;
-    context.beginPath();
-    voronoi.render(context);
-    context.stroke();
-    context.beginPath();
-    delaunay.renderPoints(context, 1 / view.scale);
-    context.fill();
-    if (hovered >= 0) {
-      context.beginPath();
-      voronoi.renderCell(hovered, context);
-      context.fill();
-    }
-  }
-  const ask = () => {
-    if (!asked) requestAnimationFrame(draw);
-    asked = true;
-  };
-  canvas.onpointermove = (event) => {
-    if (event.buttons) { view.x += event.movementX; view.y += event.movementY; }
-    hovered = delaunay.find((event.x - view.x) / view.scale, (event.y - view.y) / view.scale);
-    ask();
-  };
-  canvas.onwheel = (event) => {
-    const f = Math.exp(-event.deltaY * 0.0016);
-    view.x = event.x + (view.x - event.x) * f;
-    view.y = event.y + (view.y - event.y) * f;
-    view.scale *= f;
-    ask();
-  };
-  window.app = true;
-</script>`;
+const otherPage = new URL("d3_page.html", import.meta.url);
 
 /** Times between frames while something is done, in ms. */
 async function framesOf(page, act) {
@@ -135,7 +80,7 @@ async function open(browser, url, isOther) {
   page.setDefaultTimeout(300_000);
   page.on("pageerror", (error) => console.error(String(error)));
   await page.route("**/web/other.html", (route) =>
-    route.fulfill({ contentType: "text/html", body: otherPage }),
+    route.fulfill({ contentType: "text/html", body: readFileSync(otherPage) }),
   );
   await page.goto(url + (isOther ? "other.html" : ""));
   await page.waitForFunction(() => window.app);

@@ -87,6 +87,30 @@ describeInBrowser("data", (open) => {
     expect(await make(400, 20, 9)).toEqual(first);
   });
 
+  test("more than 100 000 are made in a worker, which can be stopped", async () => {
+    const before = await circlesOf(page);
+    await page.evaluate(() => {
+      window.loading = app.navigation.load("random", { n: "1000000", hidden: "5" });
+    });
+    await page.waitForSelector("#progress:not([hidden])");
+    expect(await page.textContent("#progress-text")).toMatch(/Making circles|Building/);
+    await page.click("#progress-cancel");
+    await page.evaluate(() => window.loading);
+    expect(await page.isVisible("#progress")).toBe(false);
+    expect(await page.isVisible("#notice")).toBe(false);
+    expect(await circlesOf(page)).toEqual(before);
+
+    await page.evaluate(() => app.navigation.load("random", { n: "120000", hidden: "5" }));
+    expect(await page.evaluate(() => [app.diagram.size, app.diagram.hiddenSize])).toEqual([
+      120_000, 6000,
+    ]);
+    await page.evaluate(() => app.painter.flush());
+    await page.mouse.move(500, 400);
+    const { id } = await page.evaluate(() => app.hover);
+    expect(await page.evaluate((id) => app.diagram.isHidden(id), id)).toBe(false);
+    await page.click("#tool-undo"); // it is exact, but checking it takes long
+  });
+
   describe("text", () => {
     test.each([
       ["CSV with names", "x,y,r,name\n1,2,3,first\n10,20,4.5,\n-7,1000,0,third\n"],

@@ -299,6 +299,62 @@ describeInBrowser("the page", (open) => {
     });
   });
 
+  describe("keyboard", () => {
+    test("Ctrl with arrows selects the next circle in that direction", async () => {
+      await showCircles(
+        page,
+        [0, 1, 2].flatMap((row) => [0, 1, 2].flatMap((column) => [100 * column, 100 * row, 20])),
+      );
+      await page.evaluate(() => app.selection.set([4])); // the middle one; y points upwards
+      await page.focus("#overlay");
+      const reached = [];
+      for (const key of ["ArrowUp", "ArrowRight", "ArrowDown", "ArrowDown", "ArrowLeft"]) {
+        await page.keyboard.press(`Control+${key}`);
+        reached.push((await stateOf(page)).selected[0]);
+      }
+      expect(reached).toEqual([7, 8, 5, 2, 1]);
+      await page.keyboard.press("Control+ArrowDown"); // none is there
+      expect((await stateOf(page)).selected).toEqual([1]);
+    });
+
+    test("arrows, +, −, I, Ctrl D, Delete, Ctrl A, and undo of it all", async () => {
+      const circles = await circlesOf(page);
+      await page.focus("#overlay");
+      await page.keyboard.press("Enter");
+      const [id] = (await stateOf(page)).selected;
+      const from = await at(id);
+      await page.keyboard.press("ArrowRight");
+      await page.keyboard.press("Shift+ArrowUp");
+      await page.keyboard.press("+");
+      const to = await at(id);
+      expect(Math.hypot(to.x - from.x - 4, to.y - from.y + 40)).toBeLessThan(0.5);
+      expect(to.r / from.r).toBeCloseTo(1.05, 1);
+      await page.keyboard.press("i");
+      await page.keyboard.press("Control+d");
+      expect((await stateOf(page)).size).toBe(37);
+      await page.keyboard.press("Delete");
+      await page.keyboard.press("Control+a");
+      expect((await stateOf(page)).selected).toHaveLength(36);
+      await page.keyboard.press("Escape");
+      expect((await stateOf(page)).selected).toEqual([]);
+      for (let k = 0; k < 6; k++) await page.keyboard.press("Control+z");
+      expect(await circlesOf(page)).toEqual(circles);
+      expect(await page.evaluate(() => app.model.history.canUndo)).toBe(false);
+      for (let k = 0; k < 6; k++) await page.keyboard.press("Control+Shift+z");
+      expect((await stateOf(page)).size).toBe(36);
+    });
+
+    test("without a selection arrows move the view and +, − zoom", async () => {
+      await page.focus("#overlay");
+      const view = () => page.evaluate(() => [app.view.originX, app.view.scale]);
+      const [x, scale] = await view();
+      await page.keyboard.press("ArrowLeft");
+      expect((await view())[0]).toBe(x + 60);
+      await page.keyboard.press("+");
+      expect((await view())[1]).toBeCloseTo(1.25 * scale, 9);
+    });
+  });
+
   describe("inspector", () => {
     test("numbers can be edited, and the edit undone; nonsense is refused", async () => {
       const [id] = await sitesInReach(page);

@@ -6,7 +6,12 @@ import { drawEdges } from "./edges.js";
 
 const kCellsGone = 4; // pixels: cells of this size show no lines,
 const kCellsWhole = 8; // and from this size on they are as strong as can be
-const kMostWhole = 1500; // visible sites: below, all edges are asked for in one call
+// Asking for all edges in one call costs a fifteenth for each of what asking cell by cell does; but
+// it cannot be done in slices.
+const kAlwaysWhole = 1500; // visible sites
+const kMostWhole = 30_000;
+const kCheaper = 15;
+const kPlayed = 200; // pieces between pauses
 const kMostCompared = 20_000; // sites whose centres get a diagram of their own
 const kMostVertices = 4000;
 const kMostContoured = 160; // visible sites
@@ -21,8 +26,9 @@ export const strengthOf = (size) =>
  * @param {import("./painter.js").Picture} picture
  * @param {import("./view.js").Box} box
  * @param {number} strength of lines, from 0 to 1
+ * @param {number} expected how many cells meet the box, about
  */
-export function* drawLines(context, picture, box, strength) {
+export function* drawLines(context, picture, box, strength, expected) {
   const { layers } = picture;
   const near = {
     left: box.left - 3,
@@ -38,23 +44,69 @@ export function* drawLines(context, picture, box, strength) {
     if (layers.distances) drawDistances(context, picture, near);
     if (layers.centres) yield* drawCentres(context, picture, near);
     if (layers.dual) yield* drawDual(context, picture, near);
-    if (layers.cells) yield* drawCells(context, picture, near);
+    if (layers.cells) yield* drawCells(context, picture, near, expected);
     if (layers.vertices) drawVertices(context, picture, near);
     context.globalAlpha = 1;
   }
   if (layers.hull) drawHull(context, picture, near);
 }
 
-function* drawCells(context, { sites, view, theme }, box) {
+function* drawCells(context, { sites, view, theme }, box, expected) {
   const bounds = boundsOf(view, box);
   if (!bounds) return;
   context.lineWidth = 1.25;
   context.strokeStyle = theme.cell;
   const strokes = new ScreenStrokes(context, view, box);
   const { diagram } = sites;
-  if (diagram.visibleSize <= kMostWhole) diagram.voronoi(bounds).render(strokes, drawOptions(view));
-  else yield* drawEdges(diagram, bounds, strokes);
+  const count = diagram.visibleSize;
+  const isDense = count <= kMostWhole && kCheaper * expected > count;
+  if (count <= kAlwaysWhole || isDense) {
+    const edges = new Recording();
+    diagram.voronoi(bounds).render(edges, drawOptions(view));
+    yield* edges.play(strokes);
+  } else yield* drawEdges(diagram, bounds, strokes);
   strokes.finish();
+}
+
+/** A drawing that is played later, in slices. */
+class Recording {
+  /** @type {number[]} */ #numbers = [];
+  /** @type {number[]} */ #lengths = []; // of the commands: 2 moves, 3 is a line, 6 a curve
+
+  moveTo(x, y) {
+    this.#lengths.push(2);
+    this.#numbers.push(x, y);
+  }
+
+  lineTo(x, y) {
+    this.#lengths.push(3);
+    this.#numbers.push(x, y);
+  }
+
+  bezierCurveTo(x1, y1, x2, y2, x, y) {
+    this.#lengths.push(6);
+    this.#numbers.push(x1, y1, x2, y2, x, y);
+  }
+
+  closePath() {}
+
+  *play(target) {
+    const numbers = this.#numbers;
+    let at = 0;
+    let played = 0;
+    for (const length of this.#lengths) {
+      const [x, y] = [numbers[at], numbers[at + 1]];
+      if (length === 2) target.moveTo(x, y);
+      else if (length === 3) target.lineTo(x, y);
+      else {
+        const end = at + 4;
+        const [x2, y2] = [numbers[at + 2], numbers[at + 3]];
+        target.bezierCurveTo(x, y, x2, y2, numbers[end], numbers[end + 1]);
+      }
+      at += length === 6 ? 6 : 2;
+      if (++played % kPlayed === 0) yield;
+    }
+  }
 }
 
 /** In each cell the lines of equal distance to its site, like heights on a map. */

@@ -306,13 +306,14 @@ export class Painter {
     if (!this.#job) {
       const context = this.#spare.start(this.#pixelRatio);
       const strength = strengthOf(this.cellSize);
-      this.#job = drawLines(context, this.#picture, this.#window, strength);
+      const expected = this.#circles.counts.visible;
+      this.#job = drawLines(context, this.#picture, this.#window, strength, expected);
       this.#jobCost = 0;
     }
     let isDone = false;
     for (let k = 0; !isDone; k++) {
       isDone = this.#job.next().done;
-      if (k % 16 === 15 && performance.now() - start > slice) break;
+      if (k % 4 === 3 && performance.now() - start > slice) break;
     }
     this.#jobCost += performance.now() - start;
     this.#note("lines", start);
@@ -337,7 +338,11 @@ export class Painter {
   #drawBox(box) {
     const start = performance.now();
     this.#inBox(this.#plates.lines, box, (context, inner) => {
-      for (const _ of drawLines(context, this.#picture, inner, strengthOf(this.cellSize)));
+      const area = (inner.right - inner.left) * (inner.bottom - inner.top);
+      const expected =
+        (this.#circles.counts.visible * area) / (this.#view.width * this.#view.height);
+      const strength = strengthOf(this.cellSize);
+      for (const _ of drawLines(context, this.#picture, inner, strength, expected));
     });
     this.#note("box", start);
   }

@@ -170,7 +170,7 @@ export async function loadSet(key, params = {}, watch = {}) {
   if (!preset) return new Sites(new Float64Array(0), { key: "empty", title: "Empty" });
   const circles = preset.circles();
   const isTall = params.tall === "1";
-  const xyr = triplesOf(isTall ? circles.map(([x, y, r]) => [y, -x, r]) : circles);
+  const xyr = triplesOf(isTall ? circles.map(([x, y, r]) => [y, x, r]) : circles);
   const info = { key, title: preset.title, about: preset.about, params: isTall ? { tall: 1 } : {} };
   return new Sites(xyr, info);
 }

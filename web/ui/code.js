@@ -48,7 +48,7 @@ diagram.find(${x}, ${y});${found >= 0 && isRow ? ` // ${found}: the nearest circ
 diagram.nearest(${x}, ${y}); // and how far it is${distanceOf(diagram, x, y)}
 diagram.visibleSize; // ${diagram.visibleSize} of ${diagram.size}: the others are inside these
 const cells = diagram.voronoi([${window.join(", ")}]);
-const path = cells.render(); // for <path d="…">; or cells.render(context), of a canvas
+const path = cells.render(); // for SVG; cells.render(context) for a canvas
 `;
 }
 

@@ -111,7 +111,7 @@ async function openPage(browser, url, options = {}) {
   );
   await prepare?.(page);
   await page.goto(url + path);
-  if (ready) await page.waitForFunction(whenReady, ready, { timeout: 20_000 });
+  if (ready) await page.waitForFunction(whenReady, ready, { timeout: 40_000 });
   return page;
 }
 

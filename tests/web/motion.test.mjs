@@ -1,0 +1,224 @@
+// What moves by itself, the steps of the algorithm, and touch.
+import { afterEach, beforeEach, expect, test } from "@jest/globals";
+import {
+  circlesOf,
+  describeInBrowser,
+  freeSpace,
+  painted,
+  settled,
+  show,
+  showCircles,
+  sitesInReach,
+  stateOf,
+  whereIs,
+} from "./support/browser.mjs";
+
+describeInBrowser("motion and steps", (open) => {
+  let page;
+  beforeEach(async () => {
+    page = await open();
+  });
+  afterEach(async () => {
+    expect((await stateOf(page)).broken).toBeNull();
+    expect(page.errors).toEqual([]);
+    await page.context().close();
+  });
+
+  const press = async (id) => {
+    await page.click("#open-show");
+    await page.click(`#${id}`);
+  };
+
+  test.each(["drift", "relax"])("%s: all circles move, as one edit", async (name) => {
+    await show(page, "random", { n: "200", hidden: "5" });
+    const before = await circlesOf(page);
+    await press(name);
+    await page.waitForFunction(([, x]) => Math.abs(app.diagram.site(0).x - x) > 0.5, before[0], {
+      timeout: 20_000,
+    });
+    expect((await stateOf(page)).broken).toBeNull();
+    await page.evaluate((name) => document.getElementById(name).click(), name);
+    const after = await circlesOf(page);
+    await page.waitForTimeout(200);
+    expect(await circlesOf(page)).toEqual(after);
+    const moved = after.filter((row, k) => row[1] !== before[k][1]).length;
+    expect(moved).toBeGreaterThan(150);
+    await page.evaluate(() => app.undo());
+    expect(await circlesOf(page)).toEqual(before);
+  });
+
+  test("relaxation makes the cells more alike", async () => {
+    await show(page, "random", { n: "60", hidden: "0" });
+    const spread = () =>
+      page.evaluate(() => {
+        const areas = [...app.diagram.voronoi(app.sites.bounds()).cellAreas()];
+        const mean = areas.reduce((a, b) => a + b) / areas.length;
+        return Math.sqrt(areas.reduce((a, b) => a + (b - mean) ** 2, 0) / areas.length) / mean;
+      });
+    const before = await spread();
+    await press("relax");
+    for (let k = 0; k < 100 && (await spread()) > 0.9 * before; k++) await page.waitForTimeout(100);
+    await page.evaluate(() => app.motion.stop());
+    expect(await spread()).toBeLessThan(0.9 * before);
+  });
+
+  test("any other edit ends the motion", async () => {
+    await press("drift");
+    await page.waitForFunction(() => app.motion.isRunning);
+    await page.evaluate(() => app.insertCircle({ x: 500, y: 300, r: 5 }));
+    await page.waitForFunction(() => document.querySelector("#drift").ariaPressed === "false");
+    expect((await stateOf(page)).size).toBe(36);
+  });
+
+  test("the steps of an insertion end in what insertion does", async () => {
+    await press("step-insert");
+    const said = [];
+    for (;;) {
+      said.push(await page.textContent("#steps-title"));
+      expect(await painted(page, "overlay")).toBeGreaterThan(300);
+      const label = await page.textContent("#steps-next");
+      await page.click("#steps-next");
+      if (label === "Do it") break;
+    }
+    expect(said).toEqual(
+      expect.arrayContaining([
+        "The walk",
+        "The first conflict",
+        "The region, edge by edge",
+        "The hole",
+        "The star",
+      ]),
+    );
+    expect((await stateOf(page)).size).toBe(36);
+    expect(await page.isVisible("#steps")).toBe(false);
+  });
+
+  test("the vertices that the steps call lost are those that insertion removes", async () => {
+    const found = await page.evaluate(async () => {
+      const { insertionSteps } = await import("./steps/insertion.js");
+      const circle = { x: 560, y: 260, r: 18 };
+      const all = () => {
+        const { coordinates } = app.diagram.vertices();
+        const places = [];
+        for (let k = 0; k < coordinates.length; k += 2)
+          places.push(`${coordinates[k].toFixed(6)} ${coordinates[k + 1].toFixed(6)}`);
+        return places;
+      };
+      const steps = insertionSteps(app.sites, circle, 0);
+      const texts = steps.map(({ text }) => text.match(/: (\d+) are in conflict/)?.[1]);
+      const before = all();
+      app.model.insert(Float64Array.of(circle.x, circle.y, circle.r));
+      const after = new Set(all());
+      return {
+        said: Number(texts.filter(Boolean).at(-1)),
+        lost: before.filter((place) => !after.has(place)).length,
+      };
+    });
+    expect(found.lost).toBeGreaterThan(1);
+    expect(found.said).toBe(found.lost);
+  });
+
+  test("the steps of a deletion", async () => {
+    await page.evaluate(() => app.selection.set([0]));
+    await press("step-delete");
+    expect(await page.textContent("#steps-text")).toContain("Circle 0 has");
+    await page.click("#steps-next");
+    await page.click("#steps-next");
+    expect(await page.textContent("#steps-title")).toContain("with what was hidden");
+    await page.click("#steps-back");
+    await page.click("#steps-next");
+    await page.click("#steps-next");
+    expect(await stateOf(page)).toMatchObject({ size: 34, hidden: 1 });
+  });
+});
+
+describeInBrowser("touch", (open) => {
+  let page;
+  let send;
+  beforeEach(async () => {
+    page = await open({ viewport: { width: 800, height: 900 }, hasTouch: true });
+    const session = await page.context().newCDPSession(page);
+    send = (type, ...points) =>
+      session.send("Input.dispatchTouchEvent", {
+        type,
+        touchPoints: points.map(([x, y], id) => ({ x, y, id })),
+      });
+  });
+  afterEach(async () => {
+    expect((await stateOf(page)).broken).toBeNull();
+    expect(page.errors).toEqual([]);
+    await page.context().close();
+  });
+
+  const swipe = async (from, to, steps = 10) => {
+    await send("touchStart", from);
+    for (let k = 1; k <= steps; k++)
+      await send("touchMove", [
+        from[0] + ((to[0] - from[0]) * k) / steps,
+        from[1] + ((to[1] - from[1]) * k) / steps,
+      ]);
+    await send("touchEnd");
+  };
+
+  test("a tap selects, a drag moves, and elsewhere moves the view", async () => {
+    await showCircles(page, [0, 0, 20, 100, 0, 10, 100, 100, 10]);
+    const from = await whereIs(page, 0);
+    await page.touchscreen.tap(from.x, from.y);
+    expect((await stateOf(page)).selected).toEqual([0]);
+    await swipe([from.x, from.y], [from.x + 40, from.y + 30]);
+    const to = await whereIs(page, 0);
+    expect(Math.hypot(to.x - from.x - 40, to.y - from.y - 30)).toBeLessThan(1);
+    const space = [to.x, to.y - 250];
+    await swipe(space, [space[0] + 60, space[1]]);
+    expect((await whereIs(page, 0)).x - to.x).toBeCloseTo(60, 3);
+  });
+
+  test("two fingers zoom; what the first one had begun is given up", async () => {
+    const before = await circlesOf(page);
+    const [id] = await sitesInReach(page);
+    const { x, y } = await whereIs(page, id);
+    const scale = await page.evaluate(() => app.view.scale);
+    await send("touchStart", [x, y]);
+    await send("touchMove", [x + 20, y]);
+    await send("touchMove", [x + 30, y]);
+    // to the left: at the right is the card of what was begun with
+    await send("touchStart", [x + 30, y], [x - 70, y]);
+    await send("touchMove", [x + 50, y], [x - 90, y]);
+    await send("touchMove", [x + 80, y], [x - 120, y]);
+    await send("touchEnd");
+    expect((await page.evaluate(() => app.view.scale)) / scale).toBeGreaterThan(1.3);
+    expect(await circlesOf(page)).toEqual(before);
+  });
+
+  test("holding adds to the selection, or selects by a box", async () => {
+    await showCircles(page, [0, 0, 20, 100, 0, 10, 100, 100, 10]);
+    const [a, b, c] = await Promise.all([0, 1, 2].map((id) => whereIs(page, id)));
+    await page.touchscreen.tap(a.x, a.y);
+    await send("touchStart", [b.x, b.y]);
+    await page.waitForTimeout(700);
+    await send("touchEnd");
+    expect((await stateOf(page)).selected).toEqual([0, 1]);
+    const corner = [b.x - 60, b.y + 50];
+    await send("touchStart", corner);
+    await page.waitForTimeout(700);
+    for (let k = 1; k <= 8; k++)
+      await send("touchMove", [
+        corner[0] + (k * 120) / 8,
+        corner[1] + ((c.y - 40 - corner[1]) * k) / 8,
+      ]);
+    await send("touchEnd");
+    expect((await stateOf(page)).selected).toEqual([0, 1, 2]);
+  });
+
+  test("Draw: a tap inserts, a drag draws", async () => {
+    const { x, y } = await freeSpace(page);
+    await page.tap("#tool-draw");
+    await page.touchscreen.tap(x, y);
+    expect((await stateOf(page)).size).toBe(36);
+    await page.tap("#tool-undo");
+    await swipe([x, y], [x + 50, y]);
+    const { selected } = await stateOf(page);
+    expect((await whereIs(page, selected[0])).r).toBeCloseTo(50, 0);
+    await settled(page);
+  });
+});
