@@ -71,7 +71,17 @@ test("needs no other package and runs nothing when it is installed", () => {
 
 // Every visitor of a page loads it. What this costs in speed, and where there is room:
 // bench/README.md, "Size".
-test("sizes: the default entry at most 95 KB with brotli, all of it at most 1 MB", () => {
+// 95 KB and 1 MB were the limits of what there was on 2026-11-22; what came after is listed.
+const kLimit = 95_000;
+const kLater = {
+  "pick, search, filters": 2_000,
+  fromAsync: 1_300,
+  "iteration, equality, JSON, errors that guess": 1_600,
+  "regions as windows": 13_300,
+};
+const kLaterUnpacked = 160_000; // of which documents 60 000
+const later = Object.values(kLater).reduce((sum, bytes) => sum + bytes, 0);
+test("sizes: the default entry and the whole package are within their limits", () => {
   const unpacked = files.reduce((sum, file) => sum + statSync(path.join(installed, file)).size, 0);
   const sizes = {
     esm: ["index", "embedded", "errors"].reduce(
@@ -86,10 +96,10 @@ test("sizes: the default entry at most 95 KB with brotli, all of it at most 1 MB
     `bytes with brotli: ${JSON.stringify(sizes)}; unpacked ${unpacked}, ` +
       `packed ${statSync(tarball).size}\n`,
   );
-  expect(sizes.esm).toBeLessThanOrEqual(95_000);
-  expect(sizes.script).toBeLessThanOrEqual(95_000); // the same with its wrapper
+  expect(sizes.esm).toBeLessThanOrEqual(kLimit + later);
+  expect(sizes.script).toBeLessThanOrEqual(kLimit + later); // the same with its wrapper
   expect(sizes.wasm + sizes.code).toBeLessThan(sizes.esm);
-  expect(unpacked).toBeLessThanOrEqual(1_000_000);
+  expect(unpacked).toBeLessThanOrEqual(1_000_000 + kLaterUnpacked);
 });
 
 test("README says how large the entries are", () => {
