@@ -48,6 +48,7 @@ const lengths = {
   snapshot_fuzz: 4096,
   predicates_fuzz: 256,
   geometry_fuzz: 256,
+  queries_fuzz: 256,
 };
 
 const names = () =>
