@@ -16,15 +16,16 @@ export type {
   Vertices,
 } from "./types.js";
 export { ApolloniusError, type ErrorCode } from "./errors.js";
+export type { CellsCollection, GeoJSONOptions, Position } from "./geojson.js";
 export type { DrawOptions, DualOptions, PathContext } from "./path.js";
 export {
   type Bounds,
   type CellCurves,
   type CellPolygon,
   type CellRegion,
-  type CellsCollection,
   type EdgeCurves,
   type Measures,
+  type PolygonOptions,
   Voronoi,
 } from "./voronoi.js";
 export type { GeoJSONRegion, Region, Ring } from "./region.js";

@@ -1,5 +1,6 @@
 import {
   checkedBounds,
+  checkedChoice,
   checkedTolerance,
   checkNumber,
   isSiteId,
@@ -9,6 +10,13 @@ import type { CellMeasures } from "../build/wasm/apollonius.mjs";
 import type { Diagram } from "./diagram.js";
 import { drawInto, type NativeWindow } from "./drawing.js";
 import { ApolloniusError } from "./errors.js";
+import {
+  type CellsCollection,
+  collectionOf,
+  type GeoJSONOptions,
+  type Position,
+  positionsOf,
+} from "./geojson.js";
 import { createRegion, nativeOf } from "./living.js";
 import type { NativeDiagram, NativeRegion } from "./module.js";
 import { checkOptions } from "./options.js";
@@ -66,22 +74,15 @@ export type CellPolygon = Float64Array & { index: number };
  */
 export type CellRegion = Float64Array & { holes: Float64Array[] };
 
-type Position = [number, number];
-
-/** GeoJSON (RFC 7946) of cells; the id of each feature is its site's. */
-export interface CellsCollection {
-  /** GeoJSON's name of it. */
-  type: "FeatureCollection";
-  /** One feature a cell. */
-  features: {
-    type: "Feature";
-    id: number;
-    properties: { site: number };
-    geometry:
-      | { type: "Polygon"; coordinates: Position[][] }
-      | { type: "MultiPolygon"; coordinates: Position[][][] };
-  }[];
+/** Options of `cellPolygon` and `cellPolygons`. */
+export interface PolygonOptions {
+  /** As of a drawing: `DrawOptions`. */
+  tolerance?: number | undefined;
+  /** true: [x, y], …, as d3-delaunay has it. Default: false, x, y, … in one Float64Array. */
+  nested?: boolean | undefined;
 }
+type Nested = PolygonOptions & { nested: true };
+type Flat = PolygonOptions & { nested?: false | undefined };
 
 /**
  * The cells of a diagram inside a window, as shapes, measures and drawings:
@@ -196,19 +197,22 @@ export class Voronoi {
   /**
    * A cell as one closed ring, counter-clockwise (y upwards), within the tolerance of the true one.
    * Several regions, and holes, are joined by doubled segments, which have no area; `cellRegions`
-   * keeps them apart. O(d log d).
+   * keeps them apart. O(d log d). Throws "not-finite", "out-of-range", "bad-option" (options).
    */
-  cellPolygon(id: number, options?: { tolerance?: number | undefined }): Float64Array | null {
-    checkOptions(options, "tolerance");
+  cellPolygon(id: number, options: Nested): Position[] | null;
+  cellPolygon(id: number, options?: Flat): Float64Array | null;
+  cellPolygon(id: number, options?: PolygonOptions): Float64Array | Position[] | null {
+    checkOptions(options, "tolerance", "nested");
+    const nested = checkedChoice("options.nested", options?.nested, [false, true]);
     const native = this.#nativeFor(id);
     const tolerance = this.#tolerance(native, options);
     const { coordinates, starts } = native.cellPolygon(...this.#window, id, tolerance);
-    if (starts.length <= 2) return starts.length === 2 ? coordinates : null;
+    if (starts.length < 2) return null;
     // To each further ring and around it, then back the same way.
-    const points = [...coordinates];
-    for (const start of starts.subarray(0, -2).reverse())
-      points.push(coordinates[2 * start] as number, coordinates[2 * start + 1] as number);
-    return Float64Array.from(points);
+    const ends = [...starts.subarray(0, -2).reverse()];
+    const back = ends.flatMap((at) => [coordinates[2 * at]!, coordinates[2 * at + 1]!]);
+    const ring = back.length === 0 ? coordinates : Float64Array.from([...coordinates, ...back]);
+    return nested ? positionsOf(ring) : ring;
   }
 
   /**
@@ -237,9 +241,11 @@ export class Voronoi {
    * The polygons of all cells that have a part in the window, ascending by id, which is their
    * `index`.
    */
-  *cellPolygons(options?: { tolerance?: number | undefined }): Generator<CellPolygon, void> {
+  cellPolygons(options: Nested): Generator<Position[] & { index: number }, void>;
+  cellPolygons(options?: Flat): Generator<CellPolygon, void>;
+  *cellPolygons(options?: PolygonOptions): Generator<unknown, void> {
     for (const id of this.diagram.ids()) {
-      const ring = this.cellPolygon(id, options);
+      const ring = this.cellPolygon(id, options as Flat);
       if (ring !== null) yield Object.assign(ring, { index: id });
     }
   }
@@ -261,22 +267,14 @@ export class Voronoi {
   }
 
   /**
-   * All cells as GeoJSON, ascending by id: polygons with their holes, or multi-polygons where a
-   * cell is several regions.
+   * All cells as GeoJSON (RFC 7946), ascending by id: polygons with their holes, or multi-polygons
+   * where a cell is several regions. Coordinates are the diagram's own: for a map, build it of
+   * projected places, and take the positions back. `options.properties` may throw.
    */
-  toGeoJSON(options?: { tolerance?: number | undefined }): CellsCollection {
-    const features: CellsCollection["features"] = [];
-    for (const id of this.diagram.ids()) {
-      const rings = this.cellRegions(id, options);
-      if (rings === null) continue;
-      const polygons = rings.map((ring) => [positionsOf(ring), ...ring.holes.map(positionsOf)]);
-      const geometry =
-        polygons.length === 1
-          ? { type: "Polygon" as const, coordinates: polygons[0] as Position[][] }
-          : { type: "MultiPolygon" as const, coordinates: polygons };
-      features.push({ type: "Feature", id, properties: { site: id }, geometry });
-    }
-    return { type: "FeatureCollection", features };
+  toGeoJSON<Properties = { site: number }>(
+    options?: GeoJSONOptions<Properties>,
+  ): CellsCollection<Properties> {
+    return collectionOf(this, options);
   }
 
   // --- Questions ---------------------------------------------------------------------------------
@@ -383,13 +381,6 @@ export class Voronoi {
   ): number {
     return checkedTolerance(options?.tolerance, () => native.defaultTolerance(...this.#bounds));
   }
-}
-
-function positionsOf(ring: Float64Array): Position[] {
-  return Array.from(
-    { length: ring.length / 2 },
-    (_, k): Position => [ring[2 * k] as number, ring[2 * k + 1] as number],
-  );
 }
 
 function measuresOf(measures: CellMeasures): Measures {

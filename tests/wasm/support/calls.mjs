@@ -345,9 +345,21 @@ export const voronoiCalls = {
   edgeCurves: works(inWindow((v) => v.edgeCurves())),
   toGeoJSON: {
     use: inWindow((v) => v.toGeoJSON()),
-    refuses: [tolerance, unknownOption].flatMap((wrong) =>
-      wrong(inWindow((v, options) => v.toGeoJSON(options))),
-    ),
+    refuses: [
+      ...[tolerance, unknownOption].flatMap((wrong) =>
+        wrong(inWindow((v, options) => v.toGeoJSON(options))),
+      ),
+      [
+        "bad-option",
+        inWindow((v) => v.toGeoJSON({ properties: { a: 1 } })),
+        "options.properties is an object, expected a function of an id",
+      ],
+      [
+        "bad-option",
+        inWindow((v) => v.toGeoJSON({ winding: "cw" })),
+        'options.winding is the string "cw", expected "counter-clockwise" or "clockwise"',
+      ],
+    ],
   },
   contains: {
     use: inWindow((v) => v.contains(0, 0, 0)),

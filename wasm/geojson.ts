@@ -1,0 +1,75 @@
+// Cells as GeoJSON (RFC 7946).
+import { checkedChoice, described } from "./arguments.js";
+import { ApolloniusError } from "./errors.js";
+import { checkOptions } from "./options.js";
+import type { Voronoi } from "./voronoi.js";
+
+/** x, y. */
+export type Position = [x: number, y: number];
+
+/** Options of `toGeoJSON`. */
+export interface GeoJSONOptions<Properties> {
+  /** As of a drawing: `DrawOptions`. */
+  tolerance?: number | undefined;
+  /** Gives the properties of a site's feature; by default they are { site: id }. */
+  properties?: ((id: number) => Properties) | undefined;
+  /**
+   * How outer rings run, y upwards, and holes the other way round: "counter-clockwise" (default),
+   * as RFC 7946 has it; "clockwise" for tools that think on the sphere, as d3-geo does, to which a
+   * ring the other way round is all but the cell.
+   */
+  winding?: "counter-clockwise" | "clockwise" | undefined;
+}
+
+/** GeoJSON (RFC 7946) of cells; the id of each feature is its site's. */
+export interface CellsCollection<Properties = { site: number }> {
+  /** GeoJSON's name of it. */
+  type: "FeatureCollection";
+  /** One feature a cell. */
+  features: {
+    type: "Feature";
+    id: number;
+    properties: Properties;
+    geometry:
+      | { type: "Polygon"; coordinates: Position[][] }
+      | { type: "MultiPolygon"; coordinates: Position[][][] };
+  }[];
+}
+
+/** Pairs of a flat ring. */
+export function positionsOf(ring: Float64Array): Position[] {
+  return Array.from(
+    { length: ring.length / 2 },
+    (_, k): Position => [ring[2 * k] as number, ring[2 * k + 1] as number],
+  );
+}
+
+export function collectionOf<Properties>(
+  voronoi: Voronoi,
+  options: GeoJSONOptions<Properties> | undefined,
+): CellsCollection<Properties> {
+  checkOptions(options, "tolerance", "properties", "winding");
+  const { tolerance, properties = (id: number) => ({ site: id }) as Properties } = options ?? {};
+  if (typeof properties !== "function")
+    throw new ApolloniusError(
+      "bad-option",
+      `options.properties is ${described(properties)}, expected a function of an id`,
+    );
+  const winding = checkedChoice("options.winding", options?.winding, [
+    "counter-clockwise",
+    "clockwise",
+  ]);
+  const features: CellsCollection<Properties>["features"] = [];
+  for (const id of voronoi.diagram.ids()) {
+    const rings = voronoi.cellRegions(id, { tolerance });
+    if (rings === null) continue;
+    const polygons = rings.map((ring) => [ring, ...ring.holes].map(positionsOf));
+    if (winding === "clockwise") for (const ring of polygons.flat()) ring.reverse();
+    const geometry =
+      polygons.length === 1
+        ? { type: "Polygon" as const, coordinates: polygons[0] as Position[][] }
+        : { type: "MultiPolygon" as const, coordinates: polygons };
+    features.push({ type: "Feature", id, properties: properties(id), geometry });
+  }
+  return { type: "FeatureCollection", features };
+}
