@@ -32,7 +32,7 @@ async function bundled(program) {
 describeInBrowser("recipes", (open) => {
   /** Runs a program on an empty page; keeps a picture for people to look at. */
   async function inPage(name, program, act) {
-    const page = await open({ path: "examples/", ready: "example" });
+    const page = await open({ path: "examples/#comparison", ready: "example" });
     const style = "width: 700px; height: 420px";
     await page.setContent(`<div id="container" style="${style}"></div>`);
     await page.addScriptTag({ content: await bundled(program) });

@@ -31,6 +31,17 @@ const kExamples = {
   ],
 };
 
+/** What needs a bundler, or no browser. */
+const kFiles = {
+  "react.jsx": "React",
+  "plot_mark.js": "Observable Plot",
+  "leaflet.js": "Leaflet",
+  "threads.mjs": "threads in Node",
+  "commonjs.cjs": "CommonJS",
+  "cloudflare_worker.js": "Cloudflare Workers",
+};
+const kSource = "https://github.com/OWNER/apollonius-diagram/blob/main/web/examples";
+
 const kThumbnailTime = 1500; // ms until what moves in a card stands still
 
 const element = (id) => document.getElementById(id);
@@ -58,7 +69,14 @@ function showCards() {
     );
     return { name, card, picture };
   });
-  main.replaceChildren(make("div", { className: "cards" }, ...cards.map(({ card }) => card)));
+  const files = Object.entries(kFiles).flatMap(([file, title], k) => [
+    k === 0 ? "" : ", ",
+    make("a", { href: `${kSource}/${file}`, target: "_blank", rel: "noopener" }, title),
+  ]);
+  main.replaceChildren(
+    make("div", { className: "cards" }, ...cards.map(({ card }) => card)),
+    make("p", { className: "files" }, "For frameworks and servers: ", ...files, "."),
+  );
   // Each card is the example itself, once it is seen.
   const pictures = new Map(cards.map(({ name, picture }) => [picture, name]));
   const watch = new IntersectionObserver((entries) => {

@@ -5,6 +5,9 @@ import { Shower } from "./shower.js";
 const kDot = 1.1; // pixels: smaller circles are drawn as dots of this size
 const kDashFrom = 5; // hidden circles at least this large (pixels) are dashed
 const kNameFrom = 15; // and visible ones may show their names
+const kThinBelow = 6; // pixels: smaller circles have thin rims
+const kThinLine = 0.8;
+const kLine = 1.25;
 const kMostPaths = 1500;
 const kManySites = 30_000; // from here on the diagram is asked for those in the window
 const kLargestPoints = 24; // device pixels: larger circles are paths anyway
@@ -183,29 +186,39 @@ function addCircles(context, { xyr, length }, smallest) {
   }
 }
 
+/** Small and large ones, whose rims are drawn differently: small ones would be all rim. */
+function split({ xyr, length }, size) {
+  const small = new Triples();
+  const large = new Triples();
+  for (let k = 0; k < length; k += 3)
+    (xyr[k + 2] < size ? small : large).push(xyr[k], xyr[k + 1], xyr[k + 2]);
+  return [small, large];
+}
+
 function drawPaths(context, triples, fill, stroke) {
   addCircles(context, triples, kDot);
   context.fillStyle = fill;
   context.fill();
-  context.lineWidth = 1.25;
   context.strokeStyle = stroke;
+  const [small, large] = split(triples, kThinBelow);
+  context.lineWidth = kThinLine;
+  addCircles(context, small, kDot);
+  context.stroke();
+  context.lineWidth = kLine;
+  addCircles(context, large, kDot);
   context.stroke();
 }
 
 function drawHidden(context, triples, theme) {
-  const small = new Triples();
-  const large = new Triples();
-  for (let k = 0; k < triples.length; k += 3) {
-    const r = triples.xyr[k + 2];
-    (r < kDashFrom ? small : large).push(triples.xyr[k], triples.xyr[k + 1], r);
-  }
   addCircles(context, triples, kDot);
   context.fillStyle = theme.hiddenFill;
   context.fill();
   context.strokeStyle = theme.hidden;
-  context.lineWidth = 1.25;
+  const [small, large] = split(triples, kDashFrom);
+  context.lineWidth = kThinLine;
   addCircles(context, small, kDot);
   context.stroke();
+  context.lineWidth = kLine;
   context.setLineDash([3, 3]);
   addCircles(context, large, kDot);
   context.stroke();
