@@ -27,5 +27,6 @@ export {
   type Measures,
   Voronoi,
 } from "./voronoi.js";
+export type { FitOptions, FitProgress, FittedAreas } from "./fit.js";
 export type { GeoJSONRegion, Region, Ring } from "./region.js";
 export { curvePoint, curveTangent } from "./curves.js";
