@@ -45,13 +45,20 @@ export function makeNavigation(app, weights) {
   app.addEventListener("layers", writeLater);
   app.addEventListener("change", (/** @type {any} */ { detail }) => {
     if (detail.isSet) {
-      if (!isComingBack) history.pushState(null, "", location.href);
+      if (!isComingBack) {
+        history.pushState(null, "", location.href);
+        write();
+      }
       weights.go(weights.target, { isAtOnce: true });
     }
     if (!app.model.open) writeLater(); // else when it is done
   });
   addEventListener("beforeunload", () => writing && write());
-  addEventListener("popstate", () => open().catch(sayWhatFailed("This could not be shown")));
+  addEventListener("popstate", () => {
+    clearTimeout(writing); // it was about the entry that has been left
+    writing = 0;
+    open().catch(sayWhatFailed("This could not be shown"));
+  });
 
   /** Shows what the address says. */
   async function open({ isFirst = false } = {}) {

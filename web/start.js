@@ -56,6 +56,18 @@ function insets() {
   return { left: 0, top, right: 0, bottom: innerHeight - bottom };
 }
 
+/** Circles | Centres. @param {Weights} weights */
+function makeSwitch(weights) {
+  /** @type {NodeListOf<HTMLInputElement>} */
+  const inputs = document.querySelectorAll("[name=weight]");
+  for (const input of inputs) {
+    input.addEventListener("change", () => weights.go(Number(input.value)));
+    weights.addEventListener("target", () => {
+      input.checked = Number(input.value) === weights.target;
+    });
+  }
+}
+
 /** Makes everything and shows what the address says. */
 export async function start() {
   await load();
@@ -80,10 +92,7 @@ export async function start() {
   makeShareMenu(app, navigation.write);
   makeCodeDialog(app);
   makeSheet();
-  for (const input of document.querySelectorAll("[name=weight]"))
-    input.addEventListener("change", ({ target }) =>
-      weights.go(Number(/** @type {HTMLInputElement} */ (target).value)),
-    );
+  makeSwitch(weights);
 
   const isPlain = location.hash === "";
   try {
@@ -93,10 +102,6 @@ export async function start() {
     history.replaceState(null, "", "#");
     await navigation.open({ isFirst: true });
   }
-  for (const input of /** @type {NodeListOf<HTMLInputElement>} */ (
-    document.querySelectorAll("[name=weight]")
-  ))
-    input.checked = Number(input.value) === weights.target;
   if (isPlain) letWander(app);
 
   // So that the page needs no network later; that it fails is said when the cities are asked for.

@@ -259,6 +259,12 @@ describeInBrowser("data", (open) => {
       expect(await numbers()).toEqual(edited);
       await page.goForward();
       await page.waitForFunction((size) => app.diagram.size === size, gasket.length);
+      await page.check("[name=weight][value='0']", { force: true });
+      await page.waitForFunction(() => location.hash.includes("to=centres"));
+      await page.goBack();
+      await page.waitForFunction(() => app.diagram.size === 2);
+      expect(await page.isChecked("[name=weight][value='1']")).toBe(true);
+      expect(await page.evaluate(() => app.sites.weight)).toBe(1);
     });
 
     test("a reload keeps more edits than an address can hold", async () => {

@@ -6,13 +6,15 @@ const kMostMoving = 20_000; // circles
 
 const eased = (t) => t * t * (3 - 2 * t);
 
-export class Weights {
+/** Events: "target". */
+export class Weights extends EventTarget {
   #frame = 0;
   /** Where it is going. */
   target = 1;
 
   /** @param {import("../app.js").App} app */
   constructor(app) {
+    super();
     this.app = app;
   }
 
@@ -20,6 +22,7 @@ export class Weights {
   go(target, { isAtOnce = false } = {}) {
     cancelAnimationFrame(this.#frame);
     this.target = target;
+    this.dispatchEvent(new Event("target"));
     const { app } = this;
     const from = app.sites.weight;
     const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;

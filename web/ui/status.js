@@ -7,8 +7,8 @@ const kAnnounceAfter = 400; // ms: a screen reader hears where a movement ended,
 const kQuiet = 600; // ms from an edit to what is measured after it
 const kQueries = 500;
 const kMostRebuilt = 5000; // sites
-const kBatches = 4;
-const kLeast = 2; // ms that must have passed for a time to mean something
+const kBatches = 3;
+const kLeast = 8; // ms that must have passed for a time to mean something
 
 /** @param {import("../app.js").App} app */
 export function makeStatus(app) {
@@ -32,7 +32,9 @@ export function makeStatus(app) {
     isMeasuring = true;
     setTimeout(() => {
       isMeasuring = false;
-      times = measure(app);
+      // A drag is not to stutter for it.
+      if (app.model.open && times !== "") measureLater();
+      else times = measure(app);
       update();
     }, kQuiet);
   };
