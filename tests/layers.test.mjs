@@ -59,7 +59,10 @@ const rules = [
       /^"(memory|number|predicate|topology|delaunay|diagram|geometry|api)\//,
     ],
   },
-  { of: /^wasm\/\w+\.cpp$/, may: [std, /^<emscripten\//, /^"apollonius\//] },
+  {
+    of: /^wasm\/\w+\.(cpp|h)$/,
+    may: [std, /^<emscripten\//, /^"apollonius\//, /^"arrays\.h"$/],
+  },
   {
     of: /^bench\/.*\.(cpp|h)$/,
     may: [

@@ -28,5 +28,6 @@ export {
   type PolygonOptions,
   Voronoi,
 } from "./voronoi.js";
+export type { FitOptions, FitProgress, FittedAreas } from "./fit.js";
 export type { GeoJSONRegion, Region, Ring } from "./region.js";
 export { curvePoint, curveTangent } from "./curves.js";

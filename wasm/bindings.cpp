@@ -5,24 +5,23 @@
 // the package. Arrays are copied, in both directions: a view of the memory dies when that grows.
 // Records come in as numbers one by one, because Embind would leak one whose call throws.
 #include <emscripten/bind.h>
-#include <emscripten/em_js.h>
-#include <emscripten/val.h>
 
 #include <cstdint>
 #include <memory>
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "apollonius/area_fit.h"
 #include "apollonius/builder.h"
 #include "apollonius/diagram.h"
 #include "apollonius/nearest_first.h"
 #include "apollonius/voronoi.h"
+#include "arrays.h"
 
+using apollonius::AreaFit;
 using apollonius::Bounds;
 using apollonius::Builder;
 using apollonius::Circle;
@@ -36,88 +35,6 @@ using apollonius::Source;
 using apollonius::Top;
 using apollonius::Voronoi;
 using emscripten::val;
-
-// --- Arrays
-
-EMSCRIPTEN_DECLARE_VAL_TYPE(Uint8Array)
-EMSCRIPTEN_DECLARE_VAL_TYPE(Int32Array)
-EMSCRIPTEN_DECLARE_VAL_TYPE(Uint32Array)
-EMSCRIPTEN_DECLARE_VAL_TYPE(Float64Array)
-EMSCRIPTEN_DECLARE_VAL_TYPE(NumbersIn)   // a typed array of any kind
-EMSCRIPTEN_DECLARE_VAL_TYPE(NumbersOut)  // a typed array that is filled, or null
-
-// A copy of a view; nothing if JavaScript has no room for it, which is no trap.
-EM_JS_DEPS(apolloniusCopied, "$Emval")
-EM_JS(emscripten::EM_VAL, copied, (emscripten::EM_VAL view), {
-  try {
-    return Emval.toHandle(Emval.toValue(view).slice());
-  } catch (error) {
-    return 0;
-  }
-})
-
-namespace {
-
-[[noreturn]] void fail(Error error) { val(static_cast<int>(error)).throw_(); }
-
-void check(Error error) {
-  if (error != Error::kNone) fail(error);
-}
-
-/// What an operation returns that allocates; lack of memory is thrown as an Error.
-template <class Operation>
-auto allocating(Operation&& operation) {
-  try {
-    return operation();
-  } catch (const std::bad_alloc&) {
-  } catch (const std::length_error&) {
-  }
-  fail(Error::kOutOfMemory);
-}
-
-template <class T>
-val viewOf(const std::vector<T>& values) {
-  return val(emscripten::typed_memory_view(values.size(), values.data()));
-}
-
-template <class T>
-std::vector<T> vectorOf(const val& array) {
-  auto values =
-      allocating([&] { return std::vector<T>(array["length"].template as<std::size_t>()); });
-  viewOf(values).template call<void>("set", array);
-  return values;
-}
-
-template <class T>
-struct TypedArrayOf;
-template <>
-struct TypedArrayOf<std::uint8_t> : std::type_identity<Uint8Array> {};
-template <>
-struct TypedArrayOf<std::int32_t> : std::type_identity<Int32Array> {};
-template <>
-struct TypedArrayOf<std::uint32_t> : std::type_identity<Uint32Array> {};
-template <>
-struct TypedArrayOf<double> : std::type_identity<Float64Array> {};
-
-}  // namespace
-
-/// A vector goes out as a typed array.
-namespace emscripten::internal {
-template <class T>
-struct TypeID<std::vector<T>> : TypeID<typename TypedArrayOf<T>::type> {};
-template <class T>
-struct BindingType<std::vector<T>> {
-  using WireType = BindingType<val>::WireType;
-  static WireType toWireType(const std::vector<T>& values, rvp::default_tag tag) {
-    const EM_VAL copy = copied(viewOf(values).as_handle());
-    if (copy == nullptr) fail(Error::kOutOfMemory);
-    return BindingType<val>::toWireType(val::take_ownership(copy), tag);
-  }
-  static std::vector<T> fromWireType(WireType array) {
-    return vectorOf<T>(BindingType<val>::fromWireType(array));
-  }
-};
-}  // namespace emscripten::internal
 
 namespace {
 
@@ -347,6 +264,37 @@ double defaultTolerance(const Diagram&, double xmin, double ymin, double xmax, d
   return apollonius::defaultTolerance({xmin, ymin, xmax, ymax});
 }
 
+/// With the region, where that is made for bounds.
+struct Fitting {
+  Region box;
+  AreaFit fit;
+};
+
+/// The caller deletes it. If a target is bad, it has the site.
+Fitting* fitAreas(const Diagram& diagram, const Region* region, double xmin, double ymin,
+                  double xmax, double ymax, const NumbersIn& targets, const NumbersIn& start) {
+  auto fitting = allocating([&] { return std::make_unique<Fitting>(); });
+  if (region == nullptr) {
+    const double ring[] = {xmin, ymin, xmax, ymin, xmax, ymax, xmin, ymax};
+    const std::uint32_t starts[] = {0, 4};
+    check(fitting->box.assign(ring, starts));
+    region = &fitting->box;
+  }
+  const Error error =
+      fitting->fit.begin(diagram, *region, vectorOf<double>(targets), vectorOf<double>(start));
+  if (error != Error::kBadTarget) check(error);
+  return fitting.release();
+}
+void stepFit(Fitting& fitting) { check(fitting.fit.step()); }
+double fitError(const Fitting& fitting) { return fitting.fit.error(); }
+std::int32_t badSite(const Fitting& fitting) { return asSigned(fitting.fit.badSite()); }
+std::vector<double> fitWeights(const Fitting& fitting) {
+  std::vector<double> weights;
+  check(fitting.fit.weights(weights));
+  return weights;
+}
+void finishFit(Diagram& diagram, const Fitting& fitting) { check(fitting.fit.finish(diagram)); }
+
 apollonius::CellMeasures measuresWithin(const Diagram& diagram, SiteId id, double radius) {
   apollonius::CellMeasures measures;
   check(Voronoi(diagram).cellMeasuresWithin(id, radius, measures));
@@ -380,7 +328,10 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .value("kOutOfMemory", Error::kOutOfMemory)
       .value("kTooLarge", Error::kTooLarge)
       .value("kBadBounds", Error::kBadBounds)
-      .value("kCorruptSnapshot", Error::kCorruptSnapshot);
+      .value("kCorruptSnapshot", Error::kCorruptSnapshot)
+      .value("kBadTarget", Error::kBadTarget)
+      .value("kNoConvergence", Error::kNoConvergence)
+      .value("kBusy", Error::kBusy);
   enum_<Location>("Location")
       .value("walk", Location::kWalk)
       .value("hierarchy", Location::kHierarchy);
@@ -484,6 +435,8 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("hull", &hull)
       .function("region", &makeRegion, allow_raw_pointers(), moved)
       .function("drawRegion", &drawRegion, moved)
+      .function("fitAreas", &fitAreas, allow_raw_pointers(), moved)
+      .function("finishFit", &finishFit)
       .function("draw", &draw, allow_raw_pointers(), moved)
       .function("drawCell", &drawCell, allow_raw_pointers(), moved)
       .function("cellPolygon", returning<&Voronoi::cellPolygon>(), allow_raw_pointers(), moved)
@@ -495,4 +448,9 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("cellCentroids", returning<&Voronoi::cellCentroids>(), allow_raw_pointers())
       .function("cellPerimeters", returning<&Voronoi::cellPerimeters>(), allow_raw_pointers());
   class_<Region>("Region").function("box", &Region::box);
+  class_<Fitting>("Fitting")
+      .function("step", &stepFit)
+      .function("error", &fitError)
+      .function("badSite", &badSite)
+      .function("weights", &fitWeights);
 }

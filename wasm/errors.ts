@@ -7,11 +7,15 @@
  * - "bad-length": no array (of numbers, ids or items), an array of a wrong length, or one whose
  *   buffer is detached or shrunk
  * - "bad-option": an option or accessor is none of what is documented
- * - "bad-bounds": bounds to clip at that are no box
+ * - "bad-bounds": bounds to clip at that are no box, or a region with a ring that is none, or
+ *   without an inside
+ * - "bad-target": an area that no cell can have, or a site whose cell can have none
+ * - "no-convergence": weights for the given areas were not found
  * - "not-loaded": the WebAssembly module cannot be had: it is used before `load`, its address does
  *   not answer, or nothing may be compiled here (a content security policy, an edge runtime)
  * - "disposed": the diagram has been disposed of
- * - "busy": a filter tried to change the diagram that was asking it
+ * - "busy": a filter tried to change the diagram that was asking it, or the diagram has changed
+ *   while `fitAreas` was under way
  * - "out-of-memory": memory ran out, or was never enough
  * - "corrupt-snapshot": bytes that are no snapshot of a diagram
  * - "too-large": more than 2^29 sites at once (one by one, memory ends before)
@@ -26,6 +30,8 @@ export type ErrorCode =
   | "bad-length"
   | "bad-option"
   | "bad-bounds"
+  | "bad-target"
+  | "no-convergence"
   | "not-loaded"
   | "disposed"
   | "busy"

@@ -3,6 +3,7 @@
 import createModule, {
   type Builder,
   type Diagram,
+  type Fitting,
   type MainModule,
   type NearestFirst,
   type Region,
@@ -15,7 +16,7 @@ import { failure } from "./status.js";
 export type NativeDiagram = Diagram;
 /** A window of any shape there, for the diagrams of the same instance. */
 export type NativeRegion = Region;
-export type { Builder, NearestFirst };
+export type { Builder, Fitting, NearestFirst };
 
 interface NativeModule {
   create(location: keyof MainModule["Location"]): NativeDiagram;
@@ -53,14 +54,14 @@ export function start(compiled: WebAssembly.Module): NativeModule {
 }
 
 function started(compiled: WebAssembly.Module): NativeModule {
-  const { Diagram, Builder, NearestFirst, Region, ...rest } = instantiated(compiled);
+  const { Diagram, Builder, Fitting, NearestFirst, Region, ...rest } = instantiated(compiled);
   const { Location, Drawing, Source, Top } = rest;
   const guarded = guard(rest, () => {
     try {
       if (instance === module) instance = started(compiled);
     } catch {} // no memory for another: this one goes on
   });
-  for (const { prototype: methods } of [Diagram, Builder, NearestFirst, Region]) {
+  for (const { prototype: methods } of [Diagram, Builder, Fitting, NearestFirst, Region]) {
     for (const name of [...Object.getOwnPropertyNames(methods), "delete"])
       if (name !== "constructor")
         methods[name] = guarded(methods[name] as Method, name === "delete");
@@ -76,7 +77,8 @@ function started(compiled: WebAssembly.Module): NativeModule {
 }
 
 type Class = { prototype: Record<string, Method> };
-type Exports = MainModule & Record<"Diagram" | "Builder" | "NearestFirst" | "Region", Class>;
+type Exports = MainModule &
+  Record<"Diagram" | "Builder" | "Fitting" | "NearestFirst" | "Region", Class>;
 
 /**
  * Throws a RangeError if little of the stack is left. Where it ends within Emscripten's own start,

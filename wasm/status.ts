@@ -16,6 +16,9 @@ const kFailures: Record<
   kBadLength: ["bad-length", "lengths of arrays do not fit each other"],
   kTooLarge: ["too-large", "more sites than one diagram can hold"],
   kBadBounds: ["bad-bounds", "the window is empty, inverted or out of range"],
+  kBadTarget: ["bad-target", "an area that no cell can have"],
+  kNoConvergence: ["no-convergence", "no weights come closer to the areas"],
+  kBusy: ["busy", "the diagram has changed meanwhile"],
   kCorruptSnapshot: [
     "corrupt-snapshot",
     "bytes are no snapshot of a diagram, or damaged, or of another version",

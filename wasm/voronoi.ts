@@ -10,6 +10,7 @@ import type { CellMeasures } from "../build/wasm/apollonius.mjs";
 import type { Diagram } from "./diagram.js";
 import { drawInto, type NativeWindow } from "./drawing.js";
 import { ApolloniusError } from "./errors.js";
+import { type FitOptions, fitAreas, type FittedAreas } from "./fit.js";
 import {
   type CellsCollection,
   collectionOf,
@@ -357,6 +358,24 @@ export class Voronoi {
   /** The perimeters of all cells inside the window, by id; 0 where there is none. O(n). */
   cellPerimeters(): Float64Array {
     return nativeOf(this.diagram).cellPerimeters(...this.#window);
+  }
+
+  // --- Prescribed areas --------------------------------------------------------------------------
+
+  /**
+   * Changes the weights of all sites so that the areas of their cells inside the window are in
+   * proportion to targets (by id, above 0; those of ids without a site are ignored). Centres stay,
+   * and hidden sites get a cell, too. null if `onIteration` has stopped it.
+   *
+   * No two sites may have one centre, and with equal weights each must have a cell in the window,
+   * as it has if its centre is there. All or nothing: the diagram changes at the end, and only if
+   * the tolerance is met. Throws "bad-length", "bad-target", "bad-option", "not-finite",
+   * "out-of-range", "busy", and "no-convergence", which says what was reached. Cost: for each of
+   * some 20 steps (several times that, where targets differ by orders of magnitude) about that of
+   * building the diagram and of `cellAreas`.
+   */
+  fitAreas(targets: ArrayLike<number>, options?: FitOptions): FittedAreas | null {
+    return fitAreas(nativeOf(this.diagram), this.#window, targets, options);
   }
 
   // --- Shared parts ------------------------------------------------------------------------------

@@ -28,7 +28,9 @@ struct Builder::Work {
   BulkInsertion insertion;  // last: it is undone while the ids are there
 };
 
-Builder::Builder(Diagram& diagram) : work_(std::make_unique<Work>(*diagram.core_)) {}
+Builder::Builder(Diagram& diagram) : work_(std::make_unique<Work>(*diagram.core_)) {
+  diagram.change();
+}
 Builder::~Builder() = default;
 Builder::Builder(Builder&&) noexcept = default;
 

@@ -157,7 +157,7 @@ Error Voronoi::edgeCurves(CurveArrays& edges) const {
                           [&](HalfedgeId h, const ClippedPiece& piece) { add(h, piece.curve); });
     } else {
       overlay().visitEdges(Bits::kCanonical,
-                           [&](HalfedgeId h, const Conic& piece, int) { add(h, piece); });
+                           [&](HalfedgeId h, const InnerPiece& piece) { add(h, piece.curve()); });
     }
   });
 }

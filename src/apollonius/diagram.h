@@ -44,6 +44,10 @@ enum class Error : std::uint8_t {
                  ///< (apollonius/voronoi.h)
   kCorruptSnapshot,  ///< bytes that are no snapshot, or none of a version that is known, or a
                      ///< damaged or forged one; also of calls that find out that trusted bytes were
+  kBadTarget,        ///< an area that no cell can have, or a cell that can have none
+                     ///< (apollonius/area_fit.h)
+  kNoConvergence,    ///< weights for given areas were not found (apollonius/area_fit.h)
+  kBusy,             ///< the diagram has changed meanwhile (apollonius/area_fit.h)
 };
 
 /// A circle: centre and weight (radius). Negative weights are legal: only differences of weights
@@ -212,6 +216,7 @@ class APOLLONIUS_EXPORT Diagram {
   }
 
  private:
+  friend class AreaFit;       // apollonius/area_fit.h
   friend class Builder;       // in steps: apollonius/builder.h
   friend class NearestFirst;  // the sites around a point, one by one: apollonius/nearest_first.h
   friend class Voronoi;       // its geometry: apollonius/voronoi.h

@@ -43,6 +43,7 @@ class APOLLONIUS_EXPORT Region {
   [[nodiscard]] Error draw(Path& path) const;
 
  private:
+  friend class AreaFit;
   friend class Voronoi;
 
   std::unique_ptr<internal::RegionState> state_;

@@ -106,27 +106,31 @@ void measureCells(const DiagramCore& core, const Window& window, Measure what,
   }
 }
 
-void measureCells(const Overlay& overlay, Measure what, std::vector<double>& measures) {
-  const DiagramCore& core = overlay.core();
-  const Outline& outline = overlay.outline();
-  const Graph& graph = core.delaunay().graph();
-  CellSums sums(core, outline.box, what);
-  overlay.visitEdges(Bits::kCached, [&](HalfedgeId h, const Conic& piece, int times) {
-    sums.addEdge(slotOf(graph.origin(h)), slotOf(graph.target(h)), piece, times);
-  });
+void addBorders(const Overlay& overlay, CellSums& sums) {
   for (std::uint32_t k = 0; k < overlay.crossingCount(); ++k) {
     const Crossing& crossing = overlay.crossing(k);
     overlay.visitWay(crossing,
                      [&](Point from, Point to) { sums.addBorder(crossing.to, from, to); });
   }
   for (const Keyed& lodger : overlay.lodgers()) {
-    const std::span<const Point> ring = outline.ring(lodger.value);
+    const std::span<const Point> ring = overlay.outline().ring(lodger.value);
     Point at = ring.back();
     for (const Point p : ring) {
       sums.addBorder(lodger.key, at, p);
       at = p;
     }
   }
+}
+
+void measureCells(const Overlay& overlay, Measure what, std::vector<double>& measures) {
+  const DiagramCore& core = overlay.core();
+  const Outline& outline = overlay.outline();
+  const Graph& graph = core.delaunay().graph();
+  CellSums sums(core, outline.box, what);
+  overlay.visitEdges(Bits::kCached, [&](HalfedgeId h, const InnerPiece& piece) {
+    sums.addEdge(slotOf(graph.origin(h)), slotOf(graph.target(h)), piece.curve(), piece.times);
+  });
+  addBorders(overlay, sums);
   sums.list(measures);
   if (what != Measure::kPerimeters) return;
   // Where a ring runs along an edge, or nearly along itself, rounding can leave slivers, whose

@@ -19,4 +19,8 @@ void measureCells(const DiagramCore& core, const Window& window, Measure what,
                   std::vector<double>& measures);
 void measureCells(const Overlay& overlay, Measure what, std::vector<double>& measures);
 
+class CellSums;
+/// Adds what the cells have of the region's border.
+void addBorders(const Overlay& overlay, CellSums& sums);
+
 }  // namespace apollonius::internal

@@ -34,6 +34,16 @@ struct Crossing {
   std::uint32_t firstPoint, pointCount;  ///< the ring's points on the way there, cyclically
 };
 
+/// A part of an edge inside: from E = e0 to e1, which rounding can have exchanged.
+struct InnerPiece {
+  const Bisector& bisector;
+  double e0, e1;
+  Point from, to;
+  int times;  ///< how often it is inside: once, but for rounding
+
+  [[nodiscard]] Conic curve() const { return pieceOf(bisector, e0, e1, from, to); }
+};
+
 class Overlay {
  public:
   /// REQUIRES: `outline` lives as long. Cost: O(h + crossings), and what walk.h says.
@@ -70,7 +80,7 @@ class Overlay {
     visit(at, crossings_[crossing.next].point);
   }
 
-  /// visit(h, piece, times) for what of each edge is inside, and how often.
+  /// visit(h, InnerPiece) for what of each edge is inside.
   template <class Visit>
   void visitEdges(Bits bits, Visit&& visit) const {
     const Graph& graph = core_.delaunay().graph();
@@ -97,7 +107,7 @@ class Overlay {
     bool isFinite = edge.from.isFinite;
     const auto goTo = [&](double nextE, Point next, bool isNextFinite) {
       if (times != 0 && isFinite && isNextFinite)
-        visit(h, pieceOf(edge.bisector, e, nextE, at, next), times);
+        visit(h, InnerPiece{edge.bisector, e, nextE, at, next, times});
       e = nextE;
       at = next;
       isFinite = isNextFinite;

@@ -165,7 +165,8 @@ void drawEdges(const Overlay& overlay, double tolerance, Portion& portion, Path&
   const DelaunayGraph& delaunay = overlay.core().delaunay();
   delaunay.computeMissingCircles();
   visitEdges(delaunay, portion, path, [&](HalfedgeId h) {
-    overlay.visitEdge(h, Bits::kCached, [&](HalfedgeId, const Conic& curve, int) {
+    overlay.visitEdge(h, Bits::kCached, [&](HalfedgeId, const InnerPiece& piece) {
+      const Conic curve = piece.curve();
       path.move(curve.p0.x, curve.p0.y);
       drawConic(curve, tolerance, path);
     });

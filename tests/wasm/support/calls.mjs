@@ -10,6 +10,11 @@ const inWindow =
   (d, ...values) =>
     use(d.voronoi(bounds), ...values);
 
+const equal = (d) => new Array(d.voronoi(bounds).cellAreas().length).fill(1);
+/** In a window that holds all centres. */
+const fitted = (d, { targets = equal(d).map((_, k) => 1 + (k % 2)), ...options } = {}) =>
+  d.voronoi([-1e4, -1e4, 1e4, 1e4]).fitAreas(targets, options);
+
 // Each takes a call with one argument left open, and returns refusals: [code, call, text in the
 // message].
 const number = (name, call) => [
@@ -392,6 +397,20 @@ export const voronoiCalls = {
     ],
   },
   cellAreas: works(inWindow((v) => v.cellAreas())),
+  fitAreas: {
+    use: (d) => fitted(d),
+    refuses: [
+      ["bad-length", (d) => fitted(d, { targets: [1] }), "lengths of arrays do not fit"],
+      ["bad-length", (d) => fitted(d, { start: 7 }), "start is 7"],
+      ["bad-target", (d) => fitted(d, { targets: equal(d).fill(0) }), "] is 0, expected"],
+      ["not-finite", (d) => fitted(d, { start: equal(d).fill(NaN) }), "start[0] is NaN"],
+      ["out-of-range", (d) => fitted(d, { start: equal(d).fill(1e200) }), "start[0] is 1e+200"],
+      ["bad-option", (d) => fitted(d, { onIteration: 7 }), "onIteration is 7"],
+      ["no-convergence", (d) => fitted(d, { maxIterations: 1 }), "after 1 steps areas are off by"],
+      ["busy", (d) => fitted(d, { onIteration: () => d.removeMany([]) }), "changed meanwhile"],
+      ...tolerance((d, options) => fitted(d, options)),
+    ],
+  },
   cellCentroids: works(inWindow((v) => v.cellCentroids())),
   cellPerimeters: works(inWindow((v) => v.cellPerimeters())),
 };

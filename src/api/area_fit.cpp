@@ -1,0 +1,109 @@
+// The door of area_fit.h: checks targets, translates ids to places and lack of memory to an error.
+#include "apollonius/area_fit.h"
+
+#include <cmath>
+#include <limits>
+
+#include "api/checks.h"
+#include "api/region_state.h"
+#include "geometry/fit.h"
+
+namespace apollonius {
+
+using namespace internal;
+
+struct internal::AreaFitState {
+  Fit fit;
+  std::size_t idLimit;
+  std::uint64_t diagram;  // its state
+  SiteId badSite = kNoSite;
+};
+
+AreaFit::AreaFit() noexcept = default;
+AreaFit::~AreaFit() = default;
+AreaFit::AreaFit(AreaFit&&) noexcept = default;
+AreaFit& AreaFit::operator=(AreaFit&&) noexcept = default;
+
+Error AreaFit::begin(const Diagram& diagram, const Region& region, std::span<const double> targets,
+                     std::span<const double> start) {
+  state_ = nullptr;
+  const DiagramCore& core = *diagram.core_;
+  if (region.state_ == nullptr) return Error::kBadBounds;
+  const std::size_t idLimit = core.ids().idLimit();
+  if (targets.size() != idLimit || (!start.empty() && start.size() != idLimit))
+    return Error::kBadLength;
+  Error error = Error::kNone;
+  const Error failed = guarded(core, [&] {
+    state_ = std::make_unique<AreaFitState>(
+        AreaFitState{Fit(core, region.state_->outline), idLimit, diagram.state_, kNoSite});
+    const std::span<const SiteId> ids = state_->fit.ids();
+    FlatArray<double> wanted, from;
+    const auto refuse = [&](SiteId id) {
+      error = Error::kBadTarget;
+      state_->badSite = id;
+    };
+    for (const SiteId id : ids) {
+      if (!isInRange(targets[id]) || !(targets[id] > 0)) return refuse(id);
+      wanted.push_back(targets[id]);
+      if (start.empty()) continue;
+      error = checkNumber(start[id]);
+      if (error != Error::kNone) return;
+      from.push_back(start[id]);
+    }
+    const std::uint32_t empty = state_->fit.begin(wanted, from);
+    if (empty != Fit::kNone) refuse(ids[empty]);
+  });
+  return failed != Error::kNone ? failed : error;
+}
+
+Error AreaFit::step() {
+  if (state_ == nullptr) return Error::kNoConvergence;
+  try {
+    return state_->fit.step() ? Error::kNone : Error::kNoConvergence;
+  } catch (const std::bad_alloc&) {
+  } catch (const std::length_error&) {
+  }
+  return Error::kOutOfMemory;
+}
+
+double AreaFit::error() const noexcept {
+  return state_ == nullptr ? std::numeric_limits<double>::infinity() : state_->fit.error();
+}
+
+SiteId AreaFit::badSite() const noexcept { return state_ == nullptr ? kNoSite : state_->badSite; }
+
+Error AreaFit::weights(std::vector<double>& weights) const {
+  try {
+    weights.assign(state_ == nullptr ? 0 : state_->idLimit,
+                   std::numeric_limits<double>::quiet_NaN());
+  } catch (const std::bad_alloc&) {
+    return Error::kOutOfMemory;
+  } catch (const std::length_error&) {
+    return Error::kOutOfMemory;
+  }
+  if (state_ == nullptr) return Error::kNone;
+  const Fit& fit = state_->fit;
+  for (std::size_t k = 0; k < fit.ids().size(); ++k) weights[fit.ids()[k]] = fit.weightOf(k);
+  return Error::kNone;
+}
+
+Error AreaFit::finish(Diagram& diagram) const {
+  if (state_ == nullptr) return Error::kNone;
+  if (state_->diagram != diagram.state_) return Error::kBusy;
+  const Fit& fit = state_->fit;
+  std::vector<double> xyr;
+  try {
+    for (std::size_t k = 0; k < fit.ids().size(); ++k) {
+      Circle now{};
+      if (const Error error = diagram.site(fit.ids()[k], now); error != Error::kNone) return error;
+      xyr.insert(xyr.end(), {now.x, now.y, fit.weightOf(k)});
+    }
+  } catch (const std::bad_alloc&) {
+    return Error::kOutOfMemory;
+  } catch (const std::length_error&) {
+    return Error::kOutOfMemory;
+  }
+  return diagram.updateMany(fit.ids(), xyr);
+}
+
+}  // namespace apollonius

@@ -1,0 +1,268 @@
+#include "geometry/fit.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "diagram/bulk_insertion.h"
+#include "geometry/areas.h"
+#include "geometry/cell_sums.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// A stage is over when areas are so near its aims: the next one's are as far away.
+constexpr double kNearEnough = 0.3;
+/// So much of the way to where one site covers another.
+constexpr double kShareOfWay = 0.9;
+/// Of how much less than the residual an equation's may be: in stages, and near the end.
+constexpr double kCoarse = 0.01;
+constexpr double kMedium = 1e-4;
+constexpr double kFine = 1e-7;
+constexpr int kMostHalvings = 30;
+
+/// log r of r >= 1, with + - * / and roots only: 2 artanh((r-1)/(r+1)), of roots near 1.
+double logarithm(double r) {
+  double scale = 2;
+  for (; r > 1.5; scale *= 2) r = std::sqrt(r);
+  const double z = (r - 1) / (r + 1), square = z * z;  // at most 0.2
+  double sum = 0;
+  for (int k = 23; k > 0; k -= 2) sum = sum * square + 1.0 / k;
+  return scale * z * sum;
+}
+
+/// a^(1-s) b^s of positive numbers, for multiples s of 2^-10 from 0 to 1: by roots.
+double meanOf(double a, double b, double s) {
+  if (s >= 1) return b;
+  double root = b / a, mean = a;
+  for (int bit = 0; bit < 10; ++bit) {
+    root = std::sqrt(root);
+    s *= 2;
+    if (s >= 1) {
+      mean *= root;
+      s -= 1;
+    }
+  }
+  return mean;
+}
+
+double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
+
+double sumOf(std::span<const double> values) {
+  Sum sum;
+  for (const double value : values) sum.add(value);
+  return sum.value();
+}
+
+double smallestOf(std::span<const double> values) {
+  return *std::min_element(values.begin(), values.end());
+}
+
+void scaleTo(FlatArray<double>& values, double whole) {
+  const double factor = whole / sumOf(values);
+  for (double& value : values) value *= factor;
+}
+
+}  // namespace
+
+double pressureOf(const Bisector& bisector, double e0, double e1) {
+  if (!(e1 > e0)) return 0;
+  const double f = bisector.distance() / 2, b = bisector.conjugate();
+  // sinh 2μ1 - sinh 2μ0 = 2 cosh(μ1 + μ0) sinh(μ1 - μ0).
+  const double ratio = e1 / e0, product = e0 * e1;
+  const double way = logarithm(ratio);
+  const double wave = (product + 1 / product) / 2 * ((ratio - 1 / ratio) / 2);
+  return f * f / (4 * b) * (wave - way) + b / 2 * way;
+}
+
+Fit::Fit(const DiagramCore& core, const Outline& outline)
+    : outline_(outline), core_(core.location()) {
+  for (Slot slot = 0; slot < core.ids().slots(); ++slot) {
+    if (core.ids().state(slot) == SiteState::kFree) continue;
+    ids_.push_back(core.ids().idOf(slot));
+    sites_.push_back(core.site(slot));
+  }
+}
+
+double Fit::weightOf(std::size_t place) const { return inRange(best_.weights[place]); }
+
+std::uint32_t Fit::begin(std::span<const double> targets, std::span<const double> start) {
+  const std::size_t count = sites_.size();
+  targets_.assign(targets);
+  best_.weights.resize(count);
+  for (std::size_t k = 0; k < count; ++k) best_.weights[k] = sites_[k].r;
+  const double mean = count == 0 ? 0 : sumOf(best_.weights) / static_cast<double>(count);
+  if (start.empty()) {
+    best_.weights.assign(count, mean);
+  } else {
+    best_.weights.assign(start);
+  }
+  std::vector<double> xyr;
+  for (std::size_t k = 0; k < count; ++k)
+    xyr.insert(xyr.end(), {sites_[k].x, sites_[k].y, inRange(best_.weights[k])});
+  FlatArray<SiteId> places(count);
+  if (count > 0) insertAll(core_, xyr, places);
+  measure(best_);
+  if (count == 0) return kNone;
+  if (!start.empty() && !(smallestOf(best_.areas) > 0)) {
+    best_.weights.assign(count, mean);
+    measure(best_);
+  }
+  const double* const empty = std::min_element(best_.areas.begin(), best_.areas.end());
+  if (!(*empty > 0)) return static_cast<std::uint32_t>(empty - best_.areas.begin());
+  scaleTo(targets_, sumOf(best_.areas));
+  smallest_ = std::min(smallestOf(best_.areas), smallestOf(targets_)) / 2;
+  firstAreas_ = best_.areas;
+  aim();
+  return kNone;
+}
+
+/// Areas and couplings for the state's weights.
+void Fit::measure(State& state) {
+  const std::size_t count = sites_.size();
+  std::vector<double> xyr;
+  xyr.reserve(3 * count);
+  FlatArray<SiteId> places(count);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    places[k] = k;
+    xyr.insert(xyr.end(), {sites_[k].x, sites_[k].y, inRange(state.weights[k])});
+  }
+  core_.updateMany(places, xyr);
+
+  const Overlay overlay(core_, outline_);
+  CellSums sums(core_, outline_.box, Measure::kAreas);
+  state.couplings.clear();
+  const Graph& graph = core_.delaunay().graph();
+  // At the end the areas of small cells count more than the last places of cached vertices.
+  const Bits bits = isNear_ ? Bits::kCanonical : Bits::kCached;
+  overlay.visitEdges(bits, [&](HalfedgeId h, const InnerPiece& piece) {
+    const VertexId i = graph.origin(h), j = graph.target(h);
+    sums.addEdge(slotOf(i), slotOf(j), piece.curve(), piece.times);
+    const double pressure = piece.times * pressureOf(piece.bisector, piece.e0, piece.e1);
+    if (pressure > 0 && pressure < kLargestMagnitude)
+      state.couplings.push_back({core_.siteOf(i), core_.siteOf(j), pressure});
+  });
+  addBorders(overlay, sums);
+  state.areas.assign(count, 0);
+  for (Slot slot = 0; slot < core_.ids().slots(); ++slot)
+    state.areas[core_.ids().idOf(slot)] = sums.sumOf(slot);
+}
+
+/// The next stage.
+void Fit::aim() {
+  constexpr double kGrain = powerOfTwo(-10);
+  // After few steps the next stage is further away, after many it is nearer.
+  if (stage_ > 0 && steps_ <= 2) stride_ *= 1.5;
+  if (stage_ > 0 && steps_ > 4) stride_ /= 1.5;
+  const double grains = std::max(1.0, static_cast<double>(static_cast<int>(stride_ / kGrain)));
+  stage_ = std::min(1.0, stage_ + grains * kGrain);
+  steps_ = 0;
+  aims_.resize(targets_.size());
+  for (std::size_t k = 0; k < aims_.size(); ++k)
+    aims_[k] = meanOf(firstAreas_[k], targets_[k], stage_);
+  scaleTo(aims_, sumOf(targets_));
+}
+
+double Fit::deviation(const FlatArray<double>& targets) const {
+  double largest = 0;
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    largest = std::max(largest, absolute(best_.areas[k] - targets[k]) / targets[k]);
+  return largest;
+}
+
+/// The sum of squares.
+double Fit::residualOf(const State& state) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < aims_.size(); ++k) {
+    const double rest = aims_[k] - state.areas[k];
+    sum += rest * rest;
+  }
+  return sum;
+}
+
+bool Fit::step() {
+  while (stage_ < 1 && deviation(aims_) < kNearEnough) aim();
+  ++steps_;
+  const double far = deviation(aims_);
+  isNear_ = stage_ >= 1 && far < kCoarse;
+  // Where steps have become short, none must be wrong about a small cell.
+  solve(far < kCoarse ? kFine : last_ < 0.25 ? kMedium : kCoarse);
+  const double limit = kShareOfWay * longestStep(), before = residualOf(best_);
+  double share = std::min({1.0, 4 * last_, limit});
+  tried_.weights.resize(direction_.size());
+  for (int halvings = 0; halvings < kMostHalvings; ++halvings, share /= 2) {
+    bool isInRange = true;
+    for (std::size_t k = 0; k < direction_.size(); ++k) {
+      tried_.weights[k] = best_.weights[k] + share * direction_[k];
+      isInRange = isInRange && absolute(tried_.weights[k]) <= kLargestMagnitude;
+    }
+    if (!isInRange) continue;
+    measure(tried_);
+    const double wanted = 1 - share / 2;
+    if (!(smallestOf(tried_.areas) >= smallest_) ||
+        !(residualOf(tried_) <= wanted * wanted * before))
+      continue;
+    std::swap(best_, tried_);
+    last_ = share;
+    return true;
+  }
+  return false;
+}
+
+/// How often the direction can be taken until a site covers a neighbour.
+double Fit::longestStep() const {
+  double longest = kLargestMagnitude;
+  for (const Coupling& c : best_.couplings) {
+    const double apart = length({sites_[c.i].x - sites_[c.j].x, sites_[c.i].y - sites_[c.j].y});
+    const double difference = best_.weights[c.i] - best_.weights[c.j];
+    const double speed = direction_[c.i] - direction_[c.j];
+    if (speed > 0) longest = std::min(longest, (apart - difference) / speed);
+    if (speed < 0) longest = std::min(longest, (apart + difference) / -speed);
+  }
+  return longest;
+}
+
+/// The direction in which, to first order, areas become the aims: conjugate gradients. What all
+/// weights have in common changes nothing; its mean is left as it is.
+void Fit::solve(double tolerance) {
+  const std::size_t count = aims_.size();
+  FlatArray<double> diagonal(count, 0), rest(count), scaled(count), way(count), image(count);
+  for (const Coupling& c : best_.couplings) {
+    diagonal[c.i] += c.pressure;
+    diagonal[c.j] += c.pressure;
+  }
+  direction_.assign(count, 0);
+  double product = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    rest[k] = aims_[k] - best_.areas[k];
+    if (!(diagonal[k] > 0)) diagonal[k] = 1;
+    way[k] = rest[k] / diagonal[k];
+    product += rest[k] * way[k];
+  }
+  const double enough = tolerance * tolerance * product;
+  for (std::size_t step = 0; step < 10 * count + 100 && product > enough; ++step) {
+    for (std::size_t k = 0; k < count; ++k) image[k] = diagonal[k] * way[k];
+    for (const Coupling& c : best_.couplings) {
+      image[c.i] -= c.pressure * way[c.j];
+      image[c.j] -= c.pressure * way[c.i];
+    }
+    double energy = 0;
+    for (std::size_t k = 0; k < count; ++k) energy += way[k] * image[k];
+    if (!(energy > 0)) break;
+    const double share = product / energy;
+    double next = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      direction_[k] += share * way[k];
+      rest[k] -= share * image[k];
+      scaled[k] = rest[k] / diagonal[k];
+      next += rest[k] * scaled[k];
+    }
+    const double turn = next / product;
+    product = next;
+    for (std::size_t k = 0; k < count; ++k) way[k] = scaled[k] + turn * way[k];
+  }
+  const double mean = sumOf(direction_) / static_cast<double>(count);
+  for (double& value : direction_) value -= mean;
+}
+
+}  // namespace apollonius::internal

@@ -1,0 +1,91 @@
+// Weights for which the cells inside a region have prescribed areas.
+//
+// With the distance |p - c| - w, this is semi-discrete optimal transport with Euclidean cost: the
+// weights are where a concave function of them is largest, whose gradient is targets less areas
+// (Geiß, Klein, Penninger and Rote, "Optimally solving a transportation problem using Voronoi
+// diagrams", 2012; Hartmann and Schuhmacher, "Semi-discrete optimal transport: a solution procedure
+// for the unsquared Euclidean distance case", 2020). It is found by Newton's method, whose second
+// derivatives are integrals along the edges (pressureOf). What makes it converge:
+//
+//   - A step ends before two neighbours' weights differ by as much as their centres are apart,
+//     where one covers the other. That needs no diagram, and nearly all steps then are good ones.
+//   - It is halved until no cell is smaller than half of the smallest one at the beginning and
+//     target, and the residual has shrunk (Kitagawa, Mérigot and Thibert, "Convergence of a Newton
+//     algorithm for semi-discrete optimal transport", 2019).
+//   - Targets are approached in stages, each a geometric mean of them and the first areas.
+//
+// Equations are solved by conjugate gradients with the diagonal for a preconditioner. All of it
+// happens in a diagram of its own, so that the one in question is as it was until it is done.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "diagram/diagram_core.h"
+#include "geometry/overlay.h"
+#include "memory/flat_array.h"
+
+namespace apollonius::internal {
+
+/// The integral of 1 / |∇d_i - ∇d_j| along the piece of a bisector from E = e0 to e1: by so much
+/// the area of i grows, and that of j falls, for each unit of weight that i gains. On the hyperbola
+/// (A cosh μ, B sinh μ) with its foci f from the middle it is F(μ1) - F(μ0), with
+///
+///     F(μ) = f²/(2B) (sinh(2μ)/4 - μ/2 + μ B²/f²).
+[[nodiscard]] double pressureOf(const Bisector& bisector, double e0, double e1);
+
+class Fit {
+ public:
+  /// Of the sites of a diagram as they are now, hidden ones too: their places here are 0, 1, 2, …
+  /// in the order of their slots. REQUIRES: `outline` lives as long.
+  Fit(const DiagramCore& core, const Outline& outline);
+
+  [[nodiscard]] std::span<const SiteId> ids() const { return ids_; }
+  /// As a site can have it.
+  [[nodiscard]] double weightOf(std::size_t place) const;
+
+  /// Targets and weights to start from, by place; if with these some cell is empty, or there are
+  /// none, equal ones. kNone, or a place whose cell is empty with equal weights.
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+  [[nodiscard]] std::uint32_t begin(std::span<const double> targets, std::span<const double> start);
+  /// One step; false if none comes closer.
+  [[nodiscard]] bool step();
+  /// The largest deviation of an area from its target, as a share of that.
+  [[nodiscard]] double error() const { return deviation(targets_); }
+
+ private:
+  struct Coupling {
+    std::uint32_t i, j;
+    double pressure;
+  };
+  /// Weights, and what they lead to.
+  struct State {
+    FlatArray<double> weights, areas;
+    FlatArray<Coupling> couplings;
+  };
+
+  void measure(State& state);
+  void aim();
+  void solve(double tolerance);
+  [[nodiscard]] double deviation(const FlatArray<double>& targets) const;
+  [[nodiscard]] double residualOf(const State& state) const;
+  [[nodiscard]] double longestStep() const;
+
+  const Outline& outline_;
+  DiagramCore core_;  // its ids are places
+  FlatArray<SiteId> ids_;
+  FlatArray<Site> sites_;
+  FlatArray<double> targets_;
+  FlatArray<double> firstAreas_;
+  FlatArray<double> aims_;  // of this stage
+  State best_, tried_;
+  FlatArray<double> direction_;  // of the next step
+  double smallest_ = 0;          // area that a cell may have
+  double stage_ = 0;             // from 0, the first areas, to 1, the targets
+  double stride_ = 0.25;         // of the next stage
+  int steps_ = 0;                // in this stage
+  double last_ = 1;              // share of the last step that was taken
+  bool isNear_ = false;          // the end
+};
+
+}  // namespace apollonius::internal

@@ -1,0 +1,228 @@
+// Prescribed areas: the derivative against differences, areas that are reached as an independent
+// sum says, in rectangles and in regions with holes, from random and from degenerate centres.
+#include "geometry/fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "apollonius/area_fit.h"
+#include "geometry/shapes.h"
+#include "support/effort.h"
+
+namespace apollonius::test {
+namespace {
+
+Region regionOf(const std::vector<double>& coordinates, const std::vector<std::uint32_t>& starts) {
+  Region region;
+  EXPECT_EQ(region.assign(coordinates, starts), Error::kNone);
+  return region;
+}
+
+Region square(double size) { return regionOf({0, 0, size, 0, size, size, 0, size}, {0, 4}); }
+
+/// With a hole, and a part that holds no others' neighbours.
+Region holed() {
+  return regionOf({0, 0, 1000, 0, 900, 1000, 500, 500, 0, 1000, 300, 200, 500, 200, 400, 400},
+                  {0, 5, 8});
+}
+
+Circles centresIn(const Region& region, Random& random, std::size_t count) {
+  Circles circles;
+  Diagram one;
+  insertInto(one, {{1, 1, 0}});
+  while (circles.size() < count) {
+    const double x = random.between(0, 1000), y = random.between(0, 1000);
+    // Inside, if a small square around it is.
+    const double r = 1e-3;
+    const std::vector<double> ring{x - r, y - r, x + r, y - r, x + r, y + r, x - r, y + r};
+    Diagram probe;
+    insertInto(
+        probe,
+        {{x, y, 0}, {x, y + 2 * r, 0}, {x, y - 2 * r, 0}, {x + 2 * r, y, 0}, {x - 2 * r, y, 0}});
+    CellMeasures measures;
+    EXPECT_EQ(Voronoi(probe, region).cellMeasures(0, measures), Error::kNone);
+    if (measures.area > 3.9 * r * r) circles.push_back({x, y, 0});
+  }
+  return circles;
+}
+
+/// Steps until the tolerance is met; how many there were, or -1.
+int fit(Diagram& diagram, const Region& region, const std::vector<double>& targets,
+        double tolerance = 1e-6, int most = 100, const std::vector<double>& start = {}) {
+  AreaFit fitting;
+  EXPECT_EQ(fitting.begin(diagram, region, targets, start), Error::kNone);
+  int steps = 0;
+  while (fitting.error() > tolerance) {
+    if (steps++ == most || fitting.step() != Error::kNone) return -1;
+  }
+  EXPECT_EQ(fitting.finish(diagram), Error::kNone);
+  return steps;
+}
+
+/// By the areas of polygons, one by one, within a tolerance of theirs.
+void expectAreas(const Diagram& diagram, const Region& region, const std::vector<double>& targets,
+                 double tolerance) {
+  double sum = 0;
+  for (const double target : targets) sum += target;
+  const Voronoi voronoi(diagram, region);
+  for (SiteId id = 0; id < targets.size(); ++id) {
+    RingArrays rings;
+    ASSERT_EQ(voronoi.cellPolygon(id, 1e-5, rings), Error::kNone);
+    const double expected = targets[id] / sum * region.area();
+    ASSERT_NEAR(areaOf(rings) / expected, 1, tolerance) << "site " << id;
+  }
+}
+
+TEST(Fit, PressureIsTheDerivativeOfAreas) {
+  Random random(901);
+  for (int run = 0; run < runs(20); ++run) {
+    Circles circles;
+    for (int k = 0; k < 12; ++k)
+      circles.push_back({random.between(0, 1000), random.between(0, 1000), random.between(0, 120)});
+    const Region region = holed();
+    const auto areasOf = [&](const Circles& of) {
+      Diagram diagram;
+      insertInto(diagram, of);
+      std::vector<double> areas;
+      EXPECT_EQ(Voronoi(diagram, region).cellAreas(areas), Error::kNone);
+      return areas;
+    };
+    // Sum of the pressures between all pairs.
+    DiagramCore core(Location::kHierarchy);
+    for (const Circle& c : circles) (void)core.insert({c.x, c.y, c.r});
+    const std::vector<double> rings{0, 0,    1000, 0,   900, 1000, 500, 500,
+                                    0, 1000, 300,  200, 500, 200,  400, 400};
+    const std::vector<std::uint32_t> starts{0, 5, 8};
+    const Outline outline = makeOutline(rings, starts);
+    const Overlay overlay(core, outline);
+    std::vector<double> pressures(144, 0);
+    overlay.visitEdges(Bits::kCanonical, [&](HalfedgeId h, const InnerPiece& piece) {
+      const SiteId i = core.siteOf(core.delaunay().graph().origin(h)),
+                   j = core.siteOf(core.delaunay().graph().target(h));
+      const double pressure = pressureOf(piece.bisector, piece.e0, piece.e1);
+      pressures[12 * i + j] += pressure;
+      pressures[12 * j + i] += pressure;
+    });
+    const double step = 1e-4;
+    for (std::size_t j = 0; j < circles.size(); ++j) {
+      Circles more = circles, less = circles;
+      more[j].r += step;
+      less[j].r -= step;
+      const std::vector<double> above = areasOf(more), below = areasOf(less);
+      for (std::size_t i = 0; i < circles.size(); ++i) {
+        if (i == j) continue;
+        const double difference = (above[i] - below[i]) / (2 * step);
+        ASSERT_NEAR(difference, -pressures[12 * i + j], 1e-3 * (1 + std::abs(difference)))
+            << "run " << run << " sites " << i << " " << j;
+      }
+    }
+  }
+}
+
+TEST(Fit, ReachesRandomTargetsInASquare) {
+  Random random(902);
+  for (const std::size_t count : {1u, 2u, 3u, 10u, 100u, 1000u}) {
+    Circles circles;
+    std::vector<double> targets;
+    for (std::size_t k = 0; k < count; ++k) {
+      circles.push_back({random.between(0, 1000), random.between(0, 1000), random.between(0, 30)});
+      targets.push_back(random.between(0.5, 1.5));
+    }
+    const Region region = square(1000);
+    Diagram diagram;
+    insertInto(diagram, circles);
+    const int steps = fit(diagram, region, targets);
+    ASSERT_GE(steps, 0) << count;
+    EXPECT_LE(steps, 40) << count;
+    EXPECT_EQ(diagram.hiddenSize(), 0u);
+    expectAreas(diagram, region, targets, 2e-6 + 1e-4);
+    std::vector<double> areas;
+    ASSERT_EQ(Voronoi(diagram, region).cellAreas(areas), Error::kNone);
+    // From where it is, no step is to be taken, and nothing changes.
+    std::vector<double> weights;
+    for (SiteId id = 0; id < count; ++id) {
+      Circle circle{};
+      ASSERT_EQ(diagram.site(id, circle), Error::kNone);
+      weights.push_back(circle.r);
+    }
+    EXPECT_EQ(fit(diagram, region, targets, 2e-6, 100, weights), 0) << count;
+  }
+}
+
+TEST(Fit, ReachesHeavyTailsInARegionWithAHole) {
+  Random random(903);
+  const Region region = holed();
+  Circles circles = centresIn(region, random, 300);
+  std::vector<double> targets;
+  for (std::size_t k = 0; k < circles.size(); ++k) {
+    double sum = 0;  // nearly a normal deviate
+    for (int n = 0; n < 12; ++n) sum += random.between(-0.5, 0.5);
+    targets.push_back(std::exp(1.5 * sum));
+  }
+  Diagram diagram;
+  insertInto(diagram, circles);
+  ASSERT_GE(fit(diagram, region, targets, 1e-6, 400), 0);
+  expectAreas(diagram, region, targets, 1e-3);
+}
+
+TEST(Fit, EqualTargetsOnASymmetricSetGiveEqualWeights) {
+  Circles circles;
+  for (int k = 0; k < 36; ++k) circles.push_back({k % 6 + 0.5, k / 6 + 0.5, 0});
+  Diagram diagram;
+  insertInto(diagram, circles);
+  EXPECT_EQ(fit(diagram, square(6), std::vector<double>(36, 7)), 0);
+  circles[14].r = 0.3;  // weights of the diagram are none to start from
+  Diagram other;
+  insertInto(other, circles);
+  ASSERT_GE(fit(other, square(6), std::vector<double>(36, 7)), 0);
+  for (SiteId id = 1; id < 36; ++id) {
+    Circle first{}, circle{};
+    ASSERT_EQ(other.site(0, first), Error::kNone);
+    ASSERT_EQ(other.site(id, circle), Error::kNone);
+    EXPECT_NEAR(first.r, circle.r, 1e-9);
+  }
+}
+
+TEST(Fit, DegenerateCentres) {
+  // A grid, a line, a circle: four and more sites touch one circle, all the way.
+  Random random(904);
+  for (int kind = 0; kind < 3; ++kind) {
+    Circles circles;
+    for (int k = 0; k < 25; ++k) {
+      if (kind == 0) circles.push_back({100.0 + 200 * (k % 5), 100.0 + 200 * (k / 5), 0});
+      if (kind == 1) circles.push_back({20.0 + 40 * k, 500, 0});
+      if (kind == 2) {
+        const Direction d = randomDirection(random);
+        circles.push_back({500 + 300 * d.x, 500 + 300 * d.y, 0});
+      }
+    }
+    std::vector<double> targets;
+    for (int k = 0; k < 25; ++k) targets.push_back(1 + k % 3);
+    Diagram diagram;
+    insertInto(diagram, circles);
+    const Region region = square(1000);
+    ASSERT_GE(fit(diagram, region, targets), 0) << kind;
+    expectAreas(diagram, region, targets, 1e-4);
+  }
+}
+
+TEST(Fit, Refusals) {
+  Diagram diagram;
+  insertInto(diagram, {{1, 1, 2}, {5, 5, 1}, {100, 100, 1}});
+  const Region region = square(10);
+  AreaFit fitting;
+  EXPECT_EQ(fitting.step(), Error::kNoConvergence);
+  EXPECT_EQ(fitting.begin(diagram, region, std::vector<double>{1, 1}), Error::kBadLength);
+  EXPECT_EQ(fitting.begin(diagram, region, std::vector<double>{1, 0, 1}), Error::kBadTarget);
+  EXPECT_EQ(fitting.badSite(), 1u);
+  EXPECT_EQ(fitting.begin(diagram, region, std::vector<double>{1, 1, 1}), Error::kBadTarget);
+  EXPECT_EQ(fitting.badSite(), 2u) << "its cell does not reach the region";
+  EXPECT_EQ(fitting.begin(diagram, Region(), std::vector<double>{1, 1, 1}), Error::kBadBounds);
+  Circle circle{};
+  ASSERT_EQ(diagram.site(0, circle), Error::kNone);
+  EXPECT_EQ(circle.r, 2) << "nothing has changed";
+}
+
+}  // namespace
+}  // namespace apollonius::test
