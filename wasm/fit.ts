@@ -49,11 +49,11 @@ export function fitAreas(
   native: NativeDiagram,
   window: NativeWindow,
   targets: ArrayLike<number>,
-  options: FitOptions = {},
+  options?: FitOptions | null,
 ): FittedAreas | null {
   checkOptions(options, "tolerance", "maxIterations", "start", "onIteration");
-  const { maxIterations = 300, start = [], onIteration } = options;
-  const tolerance = checkedTolerance(options.tolerance, () => 1e-6);
+  const { maxIterations = 300, start = [], onIteration } = options ?? {};
+  const tolerance = checkedTolerance(options?.tolerance, () => 1e-6);
   const most = checkedCount("maxIterations", maxIterations);
   if (onIteration !== undefined && typeof onIteration !== "function")
     throw new ApolloniusError(

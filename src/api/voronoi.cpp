@@ -156,8 +156,9 @@ Error Voronoi::edgeCurves(CurveArrays& edges) const {
       forEachClippedPiece(core.delaunay(), window, Bits::kCanonical,
                           [&](HalfedgeId h, const ClippedPiece& piece) { add(h, piece.curve); });
     } else {
-      overlay().visitEdges(Bits::kCanonical,
-                           [&](HalfedgeId h, const InnerPiece& piece) { add(h, piece.curve()); });
+      overlay().visitEdges(
+          Bits::kCanonical,
+          [&](HalfedgeId h, const Edge& edge, const InnerPiece& piece) { add(h, piece.on(edge)); });
     }
   });
 }

@@ -135,10 +135,10 @@ void Fit::measure(State& state) {
   const Graph& graph = core_.delaunay().graph();
   // At the end the areas of small cells count more than the last places of cached vertices.
   const Bits bits = isNear_ ? Bits::kCanonical : Bits::kCached;
-  overlay.visitEdges(bits, [&](HalfedgeId h, const InnerPiece& piece) {
+  overlay.visitEdges(bits, [&](HalfedgeId h, const Edge& edge, const InnerPiece& piece) {
     const VertexId i = graph.origin(h), j = graph.target(h);
-    sums.addEdge(slotOf(i), slotOf(j), piece.curve(), piece.times);
-    const double pressure = piece.times * pressureOf(piece.bisector, piece.e0, piece.e1);
+    sums.addEdge(slotOf(i), slotOf(j), piece.on(edge), piece.times);
+    const double pressure = piece.times * pressureOf(edge.bisector, piece.e0, piece.e1);
     if (pressure > 0 && pressure < kLargestMagnitude)
       state.couplings.push_back({core_.siteOf(i), core_.siteOf(j), pressure});
   });

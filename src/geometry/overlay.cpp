@@ -57,6 +57,38 @@ std::span<const std::uint32_t> Overlay::crossingsOf(HalfedgeId edge) const {
   return {first, last};
 }
 
+bool Overlay::isAnyInside(HalfedgeId h) const {
+  const DelaunayGraph& delaunay = core_.delaunay();
+  const Graph& graph = delaunay.graph();
+  const bool isInside = windingOf(faceOf(graph.twin(h))) != 0;
+  if ((!isInside && !isCrossed(h)) || graph.origin(h) == kInfinity ||
+      graph.target(h) == kInfinity || !startsAtReference(delaunay, h))
+    return false;
+  return isInside || !crossingsOf(h).empty();
+}
+
+Edge Overlay::edgeInside(HalfedgeId h, Bits bits, FlatArray<InnerPiece>& pieces) const {
+  const DelaunayGraph& delaunay = core_.delaunay();
+  const Edge edge(delaunay, h, bits);
+  pieces.clear();
+  int times = windingOf(faceOf(delaunay.graph().twin(h)));
+  double e = edge.e0;
+  Point at = edge.from.point;
+  bool isFinite = edge.from.isFinite;
+  const auto goTo = [&](double nextE, Point next, bool isNextFinite) {
+    if (times != 0 && isFinite && isNextFinite) pieces.push_back({e, nextE, at, next, times});
+    e = nextE;
+    at = next;
+    isFinite = isNextFinite;
+  };
+  for (const std::uint32_t k : crossingsOf(h)) {
+    goTo(crossings_[k].e, crossings_[k].point, true);
+    times += crossings_[k].isForward ? 1 : -1;
+  }
+  goTo(edge.e1, edge.to.point, edge.to.isFinite);
+  return edge;
+}
+
 /// From the faces at infinity, where they are 0, over all edges.
 void Overlay::wind() {
   const Graph& graph = core_.delaunay().graph();

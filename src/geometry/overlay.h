@@ -34,14 +34,15 @@ struct Crossing {
   std::uint32_t firstPoint, pointCount;  ///< the ring's points on the way there, cyclically
 };
 
-/// A part of an edge inside: from E = e0 to e1, which rounding can have exchanged.
+/// A part of an edge inside, from E = e0 to e1, which rounding can have exchanged.
 struct InnerPiece {
-  const Bisector& bisector;
   double e0, e1;
   Point from, to;
   int times;  ///< how often it is inside: once, but for rounding
 
-  [[nodiscard]] Conic curve() const { return pieceOf(bisector, e0, e1, from, to); }
+  [[nodiscard]] Conic on(const Edge& edge) const {
+    return pieceOf(edge.bisector, e0, e1, from, to);
+  }
 };
 
 class Overlay {
@@ -80,43 +81,21 @@ class Overlay {
     visit(at, crossings_[crossing.next].point);
   }
 
-  /// visit(h, InnerPiece) for what of each edge is inside.
+  /// Is any of an edge inside? False for one of its two half-edges, too.
+  [[nodiscard]] bool isAnyInside(HalfedgeId h) const;
+  /// The edge, and what of it is inside, in the order of E. REQUIRES: isAnyInside().
+  [[nodiscard]] Edge edgeInside(HalfedgeId h, Bits bits, FlatArray<InnerPiece>& pieces) const;
+  /// visit(h, edge, piece) for what of all edges is inside.
   template <class Visit>
   void visitEdges(Bits bits, Visit&& visit) const {
-    const Graph& graph = core_.delaunay().graph();
-    core_.delaunay().computeMissingCircles();
-    for (const FaceId f : graph.faces()) {
-      for (unsigned c = 0; c < 3; ++c) visitEdge(halfedgeOf(f, c), bits, visit);
+    const auto count = static_cast<std::uint32_t>(3 * core_.delaunay().graph().faceSlots());
+    FlatArray<InnerPiece> pieces;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const HalfedgeId h{k};
+      if (!core_.delaunay().graph().isLive(faceOf(h)) || !isAnyInside(h)) continue;
+      const Edge edge = edgeInside(h, bits, pieces);
+      for (const InnerPiece& piece : pieces) visit(h, edge, piece);
     }
-  }
-
-  /// The same for one of the two half-edges of an edge, and nothing for the other.
-  template <class Visit>
-  void visitEdge(HalfedgeId h, Bits bits, Visit&& visit) const {
-    const DelaunayGraph& delaunay = core_.delaunay();
-    const Graph& graph = delaunay.graph();
-    int times = windingOf(faceOf(graph.twin(h)));
-    if ((times == 0 && !isCrossed(h)) || graph.origin(h) == kInfinity ||
-        graph.target(h) == kInfinity || !startsAtReference(delaunay, h))
-      return;
-    const std::span<const std::uint32_t> crossings = crossingsOf(h);
-    if (times == 0 && crossings.empty()) return;
-    const Edge edge(delaunay, h, bits);
-    double e = edge.e0;
-    Point at = edge.from.point;
-    bool isFinite = edge.from.isFinite;
-    const auto goTo = [&](double nextE, Point next, bool isNextFinite) {
-      if (times != 0 && isFinite && isNextFinite)
-        visit(h, InnerPiece{edge.bisector, e, nextE, at, next, times});
-      e = nextE;
-      at = next;
-      isFinite = isNextFinite;
-    };
-    for (const std::uint32_t k : crossings) {
-      goTo(crossings_[k].e, crossings_[k].point, true);
-      times += crossings_[k].isForward ? 1 : -1;
-    }
-    goTo(edge.e1, edge.to.point, edge.to.isFinite);
   }
 
  private:

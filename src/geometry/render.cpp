@@ -163,13 +163,14 @@ void drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
 
 void drawEdges(const Overlay& overlay, double tolerance, Portion& portion, Path& path) {
   const DelaunayGraph& delaunay = overlay.core().delaunay();
-  delaunay.computeMissingCircles();
+  FlatArray<InnerPiece> pieces;
   visitEdges(delaunay, portion, path, [&](HalfedgeId h) {
-    overlay.visitEdge(h, Bits::kCached, [&](HalfedgeId, const InnerPiece& piece) {
-      const Conic curve = piece.curve();
-      path.move(curve.p0.x, curve.p0.y);
-      drawConic(curve, tolerance, path);
-    });
+    if (!overlay.isAnyInside(h)) return;
+    const Edge edge = overlay.edgeInside(h, Bits::kCached, pieces);
+    for (const InnerPiece& piece : pieces) {
+      path.move(piece.from.x, piece.from.y);
+      drawConic(piece.on(edge), tolerance, path);
+    }
   });
 }
 

@@ -97,13 +97,14 @@ TEST(Fit, PressureIsTheDerivativeOfAreas) {
     const Outline outline = makeOutline(rings, starts);
     const Overlay overlay(core, outline);
     std::vector<double> pressures(144, 0);
-    overlay.visitEdges(Bits::kCanonical, [&](HalfedgeId h, const InnerPiece& piece) {
-      const SiteId i = core.siteOf(core.delaunay().graph().origin(h)),
-                   j = core.siteOf(core.delaunay().graph().target(h));
-      const double pressure = pressureOf(piece.bisector, piece.e0, piece.e1);
-      pressures[12 * i + j] += pressure;
-      pressures[12 * j + i] += pressure;
-    });
+    overlay.visitEdges(Bits::kCanonical,
+                       [&](HalfedgeId h, const Edge& edge, const InnerPiece& piece) {
+                         const SiteId i = core.siteOf(core.delaunay().graph().origin(h)),
+                                      j = core.siteOf(core.delaunay().graph().target(h));
+                         const double pressure = pressureOf(edge.bisector, piece.e0, piece.e1);
+                         pressures[12 * i + j] += pressure;
+                         pressures[12 * j + i] += pressure;
+                       });
     const double step = 1e-4;
     for (std::size_t j = 0; j < circles.size(); ++j) {
       Circles more = circles, less = circles;
