@@ -6,6 +6,9 @@ export type {
   DiagramOptions,
   Edges,
   FilterOptions,
+  FitOptions,
+  FitProgress,
+  FittedAreas,
   NearbyFilter,
   NearbyOptions,
   PickOptions,
@@ -28,6 +31,5 @@ export {
   type PolygonOptions,
   Voronoi,
 } from "./voronoi.js";
-export type { FitOptions, FitProgress, FittedAreas } from "./fit.js";
 export type { GeoJSONRegion, Region, Ring } from "./region.js";
 export { curvePoint, curveTangent } from "./curves.js";

@@ -11,38 +11,7 @@ import { ApolloniusError } from "./errors.js";
 import type { Fitting, NativeDiagram } from "./module.js";
 import { checkOptions } from "./options.js";
 import { ofElements } from "./status.js";
-
-/** How far `fitAreas` has come. */
-export interface FitProgress {
-  /** Steps so far. */
-  iterations: number;
-  /** The largest deviation of an area from what it is to be, as a share of that. */
-  error: number;
-}
-
-/** What `fitAreas` has reached. */
-export interface FittedAreas extends FitProgress {
-  /** The new weights, by id; NaN for ids without a site. */
-  weights: Float64Array;
-}
-
-/** Options of `fitAreas`. */
-export interface FitOptions {
-  /** The largest `error` that is good enough, > 0. Default: 1e-6. */
-  tolerance?: number | undefined;
-  /** Most steps. Default: 300. */
-  maxIterations?: number | undefined;
-  /**
-   * Weights to start from, by id; default: equal ones. From those of nearly the same targets or
-   * centres it takes two or three steps. If some cell is empty with them, they are left aside.
-   */
-  start?: ArrayLike<number> | undefined;
-  /**
-   * Called after each step; `false` stops, and the diagram stays as it is. It may not change the
-   * diagram.
-   */
-  onIteration?: ((progress: FitProgress) => unknown) | undefined;
-}
+import type { FitOptions, FitProgress, FittedAreas } from "./types.js";
 
 /** The weights are the diagram's then; null if stopped. */
 export function fitAreas(

@@ -115,3 +115,35 @@ export interface PickOptions {
    */
   top?: "smallest" | "last" | undefined;
 }
+
+/** How far `fitAreas` has come. */
+export interface FitProgress {
+  /** Steps so far. */
+  iterations: number;
+  /** The largest deviation of an area from what it is to be, as a share of that. */
+  error: number;
+}
+
+/** What `fitAreas` has reached. */
+export interface FittedAreas extends FitProgress {
+  /** The new weights, by id; NaN for ids without a site. */
+  weights: Float64Array;
+}
+
+/** Options of `fitAreas`. */
+export interface FitOptions {
+  /** The largest `error` that is good enough, > 0. Default: 1e-6. */
+  tolerance?: number | undefined;
+  /** Most steps. Default: 300. */
+  maxIterations?: number | undefined;
+  /**
+   * Weights to start from, by id; default: equal ones. From those of nearly the same targets or
+   * centres it takes two or three steps. If some cell is empty with them, they are left aside.
+   */
+  start?: ArrayLike<number> | undefined;
+  /**
+   * Called after each step; `false` stops, and the diagram stays as it is. It may not change the
+   * diagram.
+   */
+  onIteration?: ((progress: FitProgress) => unknown) | undefined;
+}

@@ -10,7 +10,7 @@ import type { CellMeasures } from "../build/wasm/apollonius.mjs";
 import type { Diagram } from "./diagram.js";
 import { drawInto, type NativeWindow } from "./drawing.js";
 import { ApolloniusError } from "./errors.js";
-import { type FitOptions, fitAreas, type FittedAreas } from "./fit.js";
+import { fitAreas } from "./fit.js";
 import {
   type CellsCollection,
   collectionOf,
@@ -23,6 +23,7 @@ import type { NativeDiagram, NativeRegion } from "./module.js";
 import { checkOptions } from "./options.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
 import { checkedRings, isRegion, type Region } from "./region.js";
+import type { FitOptions, FittedAreas } from "./types.js";
 
 /** A window, xmin < xmax and ymin < ymax, in the diagram's unit. */
 export type Bounds = readonly [xmin: number, ymin: number, xmax: number, ymax: number];

@@ -78,8 +78,9 @@ const kLater = {
   fromAsync: 1_300,
   "iteration, equality, JSON, errors that guess": 1_600,
   "regions as windows": 13_300,
+  fitAreas: 4_900,
 };
-const kLaterUnpacked = 160_000; // of which documents 60 000
+const kLaterUnpacked = 220_000; // of which documents 60 000
 const later = Object.values(kLater).reduce((sum, bytes) => sum + bytes, 0);
 test("sizes: the default entry and the whole package are within their limits", () => {
   const unpacked = files.reduce((sum, file) => sum + statSync(path.join(installed, file)).size, 0);
