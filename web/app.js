@@ -2,6 +2,7 @@
 // picture and selection together.
 import { Model } from "./model/model.js";
 import { Selection } from "./model/selection.js";
+import { emptySites } from "./model/sites.js";
 import { Painter } from "./picture/painter.js";
 import { regionOf } from "./picture/regions.js";
 import { View } from "./picture/view.js";
@@ -164,9 +165,9 @@ export class App extends EventTarget {
     if (ids.length === 1) this.remember(ids[0]);
   }
 
+  /** An empty set in place of this one: the way back costs nothing, however many there are. */
   clear() {
-    this.selection.set(this.sites.ids);
-    this.model.remove(this.sites.ids);
+    this.model.replace(emptySites());
   }
 
   undo() {

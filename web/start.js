@@ -5,6 +5,7 @@ import { Motion } from "./motion/motion.js";
 import { letWander } from "./motion/wanderer.js";
 import { Weights } from "./motion/weights.js";
 import { makeNavigation } from "./navigation.js";
+import { showRevivals } from "./revivals.js";
 import { fetchCities } from "./sets/cities.js";
 import { listenToPointer } from "./tools/gestures.js";
 import { listenToKeyboard } from "./tools/keyboard.js";
@@ -82,6 +83,7 @@ export async function start() {
   const gestures = listenToPointer(canvases.overlay, app);
   listenToKeyboard(canvases.overlay, app, gestures);
   const navigation = makeNavigation(app, weights);
+  showRevivals(app);
   makeToolbar(app);
   makeTag(app);
   makeInspector(app);

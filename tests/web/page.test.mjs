@@ -394,6 +394,20 @@ describeInBrowser("the page", (open) => {
     });
   });
 
+  test("a hidden circle is seen to come to light when its cover goes", async () => {
+    await page.evaluate(() => app.setLayer("hidden", true));
+    expect(await page.evaluate(() => app.sites.isHidden(1))).toBe(true);
+    const isShown = await page.evaluate(async () => {
+      app.model.remove([0]);
+      await new Promise(requestAnimationFrame);
+      await new Promise(requestAnimationFrame);
+      return app.painter.overlay.revived !== null;
+    });
+    expect(isShown).toBe(true);
+    expect(await page.evaluate(() => app.sites.isHidden(1))).toBe(false);
+    await page.waitForFunction(() => app.painter.overlay.revived === null);
+  });
+
   describe("layers", () => {
     const layers = ["circles", "cells", "distances", "dual", "centres", "vertices", "hull"];
     test.each(layers)("%s can be switched", async (layer) => {

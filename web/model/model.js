@@ -2,7 +2,9 @@
 // be undone.
 import { insertion, movement, removal, replacement } from "./commands.js";
 import { History } from "./history.js";
-import { Sites } from "./sites.js";
+import { emptySites } from "./sites.js";
+
+/** @typedef {import("./sites.js").Sites} Sites */
 
 /** @typedef {import("./commands.js").Command} Command */
 /**
@@ -58,7 +60,7 @@ class OpenChange {
 
 /** Events: "before" and "change", with a Change; "history". */
 export class Model extends EventTarget {
-  sites = new Sites(new Float64Array(0), { key: "empty", title: "Nothing yet" });
+  sites = emptySites();
   history = new History();
   /** @type {OpenChange | null} */ open = null;
 

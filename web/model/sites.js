@@ -182,3 +182,6 @@ export class Sites {
     else this.#flags.fill(kUnknown);
   }
 }
+
+export const emptySites = () =>
+  new Sites(new Float64Array(0), { key: "empty", title: "Nothing yet" });

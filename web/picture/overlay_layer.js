@@ -9,12 +9,15 @@ import { addCell } from "./curves.js";
  * }} Hover pointer in pixels, all else in units; `nearest`, `under`, `empty` if they are asked for
  */
 /**
+ * @typedef {(context: CanvasRenderingContext2D, picture: import("./painter.js").Picture) => void}
+ * Draw
+ */
+/**
  * @typedef {{
  *   hover: Hover | null, selected: readonly number[],
  *   draft: import("../model/sites.js").Circle | null, box: import("./view.js").Box | null,
- *   marks: ((context: CanvasRenderingContext2D, picture: import("./painter.js").Picture) => void)
- *     | null,
- * }} Overlay `marks` draws what else there is
+ *   revived: Draw | null, marks: Draw | null,
+ * }} Overlay `revived` draws circles that come to light, `marks` what else there is
  */
 
 /**
@@ -53,6 +56,7 @@ export function drawOverlay(context, picture, overlay) {
   if (hover && hover.id >= 0) drawHover(context, sites, view, theme, hover);
   if (selected.length > 0) drawSelected(context, sites, view, theme, selected);
   if (draft) drawDraft(context, sites, view, theme, draft);
+  overlay.revived?.(context, picture);
   overlay.marks?.(context, picture);
   if (box) {
     context.fillStyle = theme.selectedFill;

@@ -88,7 +88,7 @@ export class Painter {
     hull: false,
   };
   /** @type {import("./overlay_layer.js").Overlay} */
-  overlay = { hover: null, selected: [], draft: null, box: null, marks: null };
+  overlay = { hover: null, selected: [], draft: null, box: null, revived: null, marks: null };
   /** @type {Record<string, string>} */
   theme = {};
   /** While something moves by itself, lines are drawn whole in every frame. */

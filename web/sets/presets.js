@@ -1,5 +1,5 @@
 // The sets to start from, each of which shows something.
-import { Sites } from "../model/sites.js";
+import { emptySites, Sites } from "../model/sites.js";
 import { build } from "./building.js";
 import { loadCities } from "./cities.js";
 import { gasket } from "./gasket.js";
@@ -167,7 +167,7 @@ export async function loadSet(key, params = {}, watch = {}) {
     return build(options, info, watch);
   }
   const preset = kPresets[key];
-  if (!preset) return new Sites(new Float64Array(0), { key: "empty", title: "Empty" });
+  if (!preset) return emptySites();
   const circles = preset.circles();
   const isTall = params.tall === "1";
   const xyr = triplesOf(isTall ? circles.map(([x, y, r]) => [y, x, r]) : circles);

@@ -1,0 +1,67 @@
+// Hidden circles that come to light because what covered them has gone are seen to do so: a ring
+// spreads from each for a moment.
+
+const kTime = 900; // ms
+const kReach = 26; // pixels that a ring spreads
+const kMostChanged = 12; // circles that change at once
+const kMostSites = 20_000; // a large circle among very many has too many around it
+
+/** @param {import("./app.js").App} app */
+export function showRevivals(app) {
+  /** @type {number[]} */ let covered = [];
+  /** When each was revived. @type {Map<number, number>} */ const revived = new Map();
+  let isRunning = false;
+
+  /** The circles that come near one's centre by its radius: what it covers is among them. */
+  const around = (id) => {
+    const { x, y } = app.sites.site(id);
+    return Array.from(app.diagram.within(x, y, app.sites.radius(id)));
+  };
+
+  app.model.addEventListener("before", (/** @type {any} */ { detail: { ids, isSet } }) => {
+    covered = [];
+    const { size, hiddenSize } = app.diagram;
+    if (isSet || !ids || ids.length > kMostChanged) return;
+    if (hiddenSize === 0 || size > kMostSites) return;
+    const there = Array.from(ids).filter((id) => app.diagram.has(id));
+    covered = [...new Set(there.flatMap(around))].filter((id) => app.sites.isHidden(id));
+  });
+  app.model.addEventListener("change", () => {
+    const now = performance.now();
+    for (const id of covered)
+      if (app.diagram.has(id) && !app.sites.isHidden(id)) revived.set(id, now);
+    covered = [];
+    if (revived.size === 0 || isRunning) return;
+    isRunning = true;
+    requestAnimationFrame(frame);
+  });
+
+  const frame = () => {
+    const now = performance.now();
+    for (const [id, start] of revived)
+      if (now - start > kTime || !app.diagram.has(id)) revived.delete(id);
+    isRunning = revived.size > 0;
+    app.mark({ revived: isRunning ? draw : null });
+    if (isRunning) requestAnimationFrame(frame);
+  };
+
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {import("./picture/painter.js").Picture} picture
+   */
+  const draw = (context, { sites, view, theme }) => {
+    context.strokeStyle = theme.site;
+    for (const [id, start] of revived) {
+      if (!sites.diagram.has(id)) continue;
+      const t = Math.min(1, (performance.now() - start) / kTime);
+      const { x, y } = sites.site(id);
+      const r = sites.radius(id) * view.scale + kReach * t;
+      context.globalAlpha = 1 - t;
+      context.lineWidth = 3;
+      context.beginPath();
+      context.arc(view.toScreenX(x), view.toScreenY(y), r, 0, 2 * Math.PI);
+      context.stroke();
+    }
+    context.globalAlpha = 1;
+  };
+}
