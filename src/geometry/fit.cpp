@@ -181,6 +181,7 @@ double Fit::residualOf(const State& state) const {
 }
 
 bool Fit::step() {
+  if (sites_.empty()) return false;
   while (stage_ < 1 && deviation(aims_) < kNearEnough) aim();
   ++steps_;
   const double far = deviation(aims_);

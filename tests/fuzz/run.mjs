@@ -49,6 +49,7 @@ const lengths = {
   predicates_fuzz: 256,
   geometry_fuzz: 256,
   queries_fuzz: 256,
+  regions_fuzz: 320,
 };
 
 const names = () =>

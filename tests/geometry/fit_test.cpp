@@ -214,6 +214,9 @@ TEST(Fit, Refusals) {
   const Region region = square(10);
   AreaFit fitting;
   EXPECT_EQ(fitting.step(), Error::kNoConvergence);
+  ASSERT_EQ(fitting.begin(Diagram(), region, {}), Error::kNone);
+  EXPECT_EQ(fitting.error(), 0);
+  EXPECT_EQ(fitting.step(), Error::kNoConvergence) << "of no sites";
   EXPECT_EQ(fitting.begin(diagram, region, std::vector<double>{1, 1}), Error::kBadLength);
   EXPECT_EQ(fitting.begin(diagram, region, std::vector<double>{1, 0, 1}), Error::kBadTarget);
   EXPECT_EQ(fitting.badSite(), 1u);

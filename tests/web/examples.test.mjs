@@ -234,6 +234,26 @@ describeInBrowser("examples", (open) => {
     expect(found.to).toBeGreaterThan(770);
   });
 
+  test("capacities: each hospital has its share of the land", async () => {
+    const found = await inExample("capacities", () => {
+      const { hospitals, areas, error } = window.example;
+      const all = areas.cellAreas();
+      const [land, beds] = [
+        all.reduce((sum, area) => sum + area, 0),
+        hospitals.reduce((sum, one) => sum + one.beds, 0),
+      ];
+      const shares = hospitals.map((one, id) => all[id] / land / (one.beds / beds));
+      return {
+        error,
+        count: hospitals.length,
+        off: Math.max(...shares.map((share) => Math.abs(share - 1))),
+      };
+    });
+    expect(found.count).toBeGreaterThan(20);
+    expect(found.error).toBeLessThan(1e-6);
+    expect(found.off).toBeLessThan(2e-6);
+  });
+
   test("facilities: the areas fill the window", async () => {
     const found = await inExample("facilities", () => {
       const { diagram, stations, areas } = window.example;
@@ -254,7 +274,7 @@ describeInBrowser("examples", (open) => {
 
   test("each example is tested here", () => {
     const text = readFileSync(fileURLToPath(import.meta.url), "utf8");
-    expect(names.length).toBe(7);
+    expect(names.length).toBe(8);
     for (const name of names) expect(text).toMatch(new RegExp(`inExample\\(\\s*"${name}"`));
   });
 });

@@ -29,6 +29,11 @@ const kExamples = {
     "Facilities with start-up times, and how large their areas are. Stations in grey are " +
       "nowhere first.",
   ],
+  capacities: [
+    "Capacities",
+    "Hospitals on an island with a lake: each gets as much of its area as it has of all beds " +
+      "(fitAreas).",
+  ],
 };
 
 /** What needs a bundler, or no browser. */
