@@ -19,6 +19,7 @@ const many = 20_000;
 const points = new Float64Array(2 * many).map((_, k) => k % 1009);
 const sites = new Float64Array(3 * many).map((_, k) => (k % 3 === 2 ? 1 : (k * 7919) % 100_003));
 const ids = new Uint32Array(many).fill(hub);
+const targets = new Float64Array(kRing + 1).fill(1);
 const bytes = diagram.toBytes();
 const ink = { moveTo() {}, lineTo() {}, bezierCurveTo() {}, closePath() {} };
 
@@ -70,6 +71,7 @@ const large = {
   "Voronoi.cellMeasures": () => view.cellMeasures(hub),
   "Voronoi.cellWithin": () => view.cellWithin(hub, 1e6),
   "Voronoi.cellAreas": () => view.cellAreas(),
+  "Voronoi.fitAreas": () => view.fitAreas(targets),
   "Voronoi.cellCentroids": () => view.cellCentroids(),
   "Voronoi.cellPerimeters": () => view.cellPerimeters(),
 };
