@@ -53,8 +53,9 @@ export function drawDual(
   options: DualOptions | undefined,
 ): string | void {
   checkOptions(options, "tolerance", "digits", "bounds");
-  const { bounds: given, ...drawing } = options ?? {};
+  const { bounds: given, tolerance, digits } = options ?? {};
   const bounds = given === undefined ? undefined : checkedBounds(given);
+  const drawing = { tolerance, digits };
   return drawWhole(native, bounds ? "dualWithRays" : "dual", bounds, context, drawing);
 }
 

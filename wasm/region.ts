@@ -29,6 +29,12 @@ export interface FlatRings {
   starts: Uint32Array;
 }
 
+/** What may be bounds with its elements as they are now: getters may say something else later. */
+export function readOnce<Window>(window: Window): Window | unknown[] {
+  if (!isArrayLike(window) || window.length !== 4) return window;
+  return [0, 1, 2, 3].map((k) => window[k]);
+}
+
 /** Is it to be read as a window of any shape, rather than as bounds? */
 export function isRegion(window: unknown): boolean {
   if (isArrayLike(window))

@@ -22,7 +22,7 @@ import { createRegion, nativeOf } from "./living.js";
 import type { NativeDiagram, NativeRegion } from "./module.js";
 import { checkOptions } from "./options.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
-import { checkedRings, isRegion, type Region } from "./region.js";
+import { checkedRings, isRegion, readOnce, type Region } from "./region.js";
 import type { FitOptions, FittedAreas } from "./types.js";
 
 /** A window, xmin < xmax and ymin < ymax, in the diagram's unit. */
@@ -120,8 +120,9 @@ export class Voronoi {
   readonly #region: NativeRegion | null = null;
 
   /** `diagram.voronoi(window)` makes it. */
-  private constructor(diagram: Diagram, window: Bounds | Region) {
+  private constructor(diagram: Diagram, given: Bounds | Region) {
     const native = nativeOf(diagram);
+    const window = readOnce(given);
     let bounds: [number, number, number, number];
     if (isRegion(window)) {
       const { coordinates, starts } = checkedRings(window);

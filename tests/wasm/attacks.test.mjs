@@ -148,7 +148,7 @@ test("a list that grows or shrinks while accessors read it", () => {
         return item ? 1 : undefined;
       }),
     "not-finite",
-    "x of item 1",
+    "item 1 is undefined",
   );
 });
 
