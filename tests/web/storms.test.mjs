@@ -6,7 +6,7 @@ import { describeInBrowser, describeInFirefox } from "./support/browser.mjs";
 import { storm } from "./support/storm.mjs";
 
 const seeds = [1, 2, 3];
-const kEvents = 5000;
+const kEvents = 2000; // 5 000 in the benchmark; npm test is to end within twenty minutes
 
 const soundness = (page) =>
   page.evaluate(() => {
@@ -42,7 +42,7 @@ describeInBrowser("storms", (open) => {
 describeInFirefox("storms in Firefox", (open) => {
   test("seed 4", async () => {
     const page = await open({ width: 900, height: 700 });
-    await storm(page, { seed: 4, events: 2000 });
+    await storm(page, { seed: 4, events: 1000 });
     expect(await soundness(page)).toEqual(kSound);
     expect(page.errors).toEqual([]);
     await page.close();
