@@ -84,7 +84,8 @@ double Bisector::parameterOf(Point p) const {
   if (a_ * absolute(sinh) > b_ * cosh) {
     const double fromReference = (length(way) - a_) / (d_ / 2);
     cosh = fromReference > 1 ? fromReference : 1;
-    sinh = std::sqrt((cosh - 1) * (cosh + 1));
+    // The square overflows where the centres are very close; there the two are the same.
+    sinh = cosh < powerOfTwo(300) ? std::sqrt((cosh - 1) * (cosh + 1)) : cosh;
     if (y < 0) sinh = -sinh;
   }
   if (absolute(sinh) < kLargestParameter) return sinh >= 0 ? cosh + sinh : 1 / (cosh - sinh);

@@ -10,8 +10,11 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Rounds of splitting; two or three do, as more is only to do where crossings were rounded.
+/// Rounds of splitting. Two or three do, as more is only to do where crossings were rounded; should
+/// it not end, the region is refused.
 constexpr int kMostRounds = 24;
+/// A crossing is rounded by less than this share of the numbers it comes of.
+constexpr double kRounding = powerOfTwo(-46);
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
 /// From left to right, and upwards what is vertical: as if the plane were sheared a little, so that
@@ -34,13 +37,15 @@ class Linework {
     segments_.back().to = first;
   }
 
-  /// Steps 1 and 2.
-  void split() {
+  /// Steps 1 and 2. False if they do not end.
+  [[nodiscard]] bool split() {
     unify();
-    for (int round = 0; round < kMostRounds && findCuts(); ++round) {
+    for (int round = 0; findCuts(); ++round) {
+      if (round == kMostRounds) return false;
       cut();
       unify();
     }
+    return true;
   }
   void orient();
   void link(Outline& outline);
@@ -61,6 +66,7 @@ class Linework {
   void unify();
   bool findCuts();
   void cutBoth(std::uint32_t k, std::uint32_t m);
+  std::uint32_t crossingOf(const Segment& s, const Segment& t);
   void cut();
   void listEnds();
   /// The other segments that have an end in common with this one's end are these, itself included.
@@ -137,6 +143,30 @@ bool Linework::findCuts() {
   return !cuts_.empty();
 }
 
+/// The point where two segments cross, rounded. If that is as close to one of their ends as
+/// rounding can take it, it is that end: else what crosses at a small angle could be cut again at
+/// every double between.
+std::uint32_t Linework::crossingOf(const Segment& s, const Segment& t) {
+  const Point a = from(s), b = to(s), c = from(t), d = to(t);
+  const Point way = b - a, other = d - c;
+  // Where rounding takes them for parallel, they are as close together at any place they share.
+  const double turn = cross(way, other);
+  const double along = turn != 0 ? cross(c - a, other) / turn : dot(c - a, way) / dot(way, way);
+  const Point p = a + along * way;
+  // Where rounding leaves the box that both share, it goes back there.
+  const Point x{std::clamp(p.x, std::max(a.x, c.x), std::min(b.x, d.x)),
+                std::clamp(p.y, std::max(std::min(a.y, b.y), std::min(c.y, d.y)),
+                           std::min(std::max(a.y, b.y), std::max(c.y, d.y)))};
+  double size = 0;
+  for (const Point q : {a, b, c, d}) size = std::max({size, absolute(q.x), absolute(q.y)});
+  for (const std::uint32_t end : {s.from, s.to, t.from, t.to}) {
+    const Point q = points_[end];
+    if (absolute(q.x - x.x) + absolute(q.y - x.y) <= kRounding * size) return end;
+  }
+  points_.push_back(x);
+  return static_cast<std::uint32_t>(points_.size() - 1);
+}
+
 void Linework::cutBoth(std::uint32_t k, std::uint32_t m) {
   const Segment s = segments_[k], t = segments_[m];
   const Point a = from(s), b = to(s), c = from(t), d = to(t);
@@ -144,16 +174,8 @@ void Linework::cutBoth(std::uint32_t k, std::uint32_t m) {
   if (sc == sd && sc != Sign::kZero) return;
   const Sign ta = turnOf(c, d, a), tb = turnOf(c, d, b);
   if (areApart(sc, sd) && areApart(ta, tb)) {
-    const Point way = b - a, other = d - c;
-    const double along = cross(c - a, other) / cross(way, other);
-    const Point p = a + along * way;
-    // Where rounding leaves the box that both share, it goes back there.
-    const Point x{std::clamp(p.x, std::max(a.x, c.x), std::min(b.x, d.x)),
-                  std::clamp(p.y, std::max(std::min(a.y, b.y), std::min(c.y, d.y)),
-                             std::min(std::max(a.y, b.y), std::max(c.y, d.y)))};
-    points_.push_back(x);
-    const auto number = static_cast<std::uint32_t>(points_.size() - 1);
-    // Through it, even where rounding has put it beyond an end.
+    const std::uint32_t number = crossingOf(s, t);
+    const Point x = points_[number];
     if (!(x == a || x == b)) cuts_.push_back({k, number});
     if (!(x == c || x == d)) cuts_.push_back({m, number});
     return;
@@ -298,15 +320,14 @@ Outline makeOutline(std::span<const double> coordinates, std::span<const std::ui
   for (std::size_t k = 0; k + 1 < coordinates.size(); k += 2)
     given.push_back({coordinates[k], coordinates[k + 1]});
   const Window box = boxOf(given);
-  if (!(box.width() > 0 && box.height() > 0)) {
-    outline.starts.assign(1, 0);
-    return outline;
-  }
   Linework lines(box);
   for (std::size_t k = 0; k + 1 < starts.size(); ++k)
     lines.addRing(coordinates.subspan(2 * std::size_t{starts[k]},
                                       2 * std::size_t{starts[k + 1] - starts[k]}));
-  lines.split();
+  if (!(box.width() > 0 && box.height() > 0) || !lines.split()) {
+    outline.starts.assign(1, 0);
+    return outline;
+  }
   lines.orient();
   lines.link(outline);
   outline.box = boxOf(outline.points);

@@ -33,7 +33,7 @@ struct Outline {
 };
 
 /// Of rings x, y, …; starts[k] is the first point of ring k, and the last entry the number of
-/// points. Without rings if nothing is inside.
+/// points. Without rings if nothing is inside (or if step 1 does not end, which was never seen).
 [[nodiscard]] Outline makeOutline(std::span<const double> coordinates,
                                   std::span<const std::uint32_t> starts);
 

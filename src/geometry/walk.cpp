@@ -16,16 +16,24 @@ double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
 
 /// The line of a segment, and how far along it the walk is.
 struct Line {
-  Point from, direction, normal;
+  Point from, to, direction, normal;
   double length;
   double at = 0;
 
   Line(Point a, Point b)
       : from(a),
+        to(b),
         direction(unit(b - a)),
         normal(leftOf(direction)),
         length(internal::length(b - a)) {}
-  [[nodiscard]] Point point() const { return from + at * direction; }
+  /// Of the segment, whatever rounding says.
+  [[nodiscard]] Point pointAt(double place) const {
+    if (place >= length) return to;
+    const Point p = from + place * direction;
+    return {std::clamp(p.x, std::min(from.x, to.x), std::max(from.x, to.x)),
+            std::clamp(p.y, std::min(from.y, to.y), std::max(from.y, to.y))};
+  }
+  [[nodiscard]] Point point() const { return pointAt(at); }
   [[nodiscard]] double placeOf(Point p) const { return dot(direction, p - from); }
 };
 
@@ -83,10 +91,7 @@ class Walker {
         crossed_.clear();
       }
       crossed_.push_back(exit.edge);
-      const Point p = line.point();
-      cross(exit.halfedge, exit.edge, exit.e,
-            {std::clamp(p.x, std::min(from.x, to.x), std::max(from.x, to.x)),
-             std::clamp(p.y, std::min(from.y, to.y), std::max(from.y, to.y))});
+      cross(exit.halfedge, exit.edge, exit.e, line.point());
     }
   }
 
@@ -136,19 +141,17 @@ class Walker {
     for (const HalfedgeId h : graph_.star(cell_)) {
       if (graph_.target(h) == kInfinity || h == best.halfedge) continue;
       const Site &own = delaunay.site(cell_), &other = delaunay.site(graph_.target(h));
-      if (!isNearer(other, own, line.from + end * line.direction)) continue;
+      if (!isNearer(other, own, line.pointAt(end))) continue;
       double low = line.at, high = end;
       for (int step = 0; step < 60 && low < high; ++step) {
         const double at = low / 2 + high / 2;
-        (isNearer(other, own, line.from + at * line.direction) ? high : low) = at;
+        (isNearer(other, own, line.pointAt(at)) ? high : low) = at;
       }
       if (low <= line.at && isCrossed(h)) continue;
-      const HalfedgeId edge = startsAtReference(delaunay, h) ? h : graph_.twin(h);
-      const Edge whole(delaunay, edge, Bits::kCached);
-      const Point p = line.from + low * line.direction;
-      const double e = clampedTo(whole, whole.bisector.parameterOf(p));
-      const double score = low + length(whole.bisector.at(e) - p);
-      if (score < best.score && e > 0 && e < kInfinite) best = {h, edge, e, low, score};
+      const EdgePlace place = placeOn(h, line.pointAt(low));
+      const double score = low + place.away;
+      if (score < best.score && place.e > 0 && place.e < kInfinite)
+        best = {h, place.edge, place.e, low, score};
     }
   }
 
@@ -165,8 +168,20 @@ class Walker {
            powerOfTwo(-48) * (apart + absolute(weights)) + moved * std::min(2.0, 4 * apart / sum);
   }
 
-  static double clampedTo(const Edge& edge, double e) {
-    return std::clamp(e > 0 ? e : 0, edge.e0, edge.e1);
+  /// The place of an edge that a point is at, and how far away that is.
+  struct EdgePlace {
+    HalfedgeId edge;  // the one of the two at the reference site
+    double e, away;
+  };
+  [[nodiscard]] EdgePlace placeOn(HalfedgeId h, Point p) const {
+    const DelaunayGraph& delaunay = core_.delaunay();
+    const HalfedgeId edge = startsAtReference(delaunay, h) ? h : graph_.twin(h);
+    const Edge whole(delaunay, edge, Bits::kCached);
+    return placeOn(edge, whole, whole.bisector.parameterOf(p), p);
+  }
+  static EdgePlace placeOn(HalfedgeId edge, const Edge& whole, double e, Point p) {
+    const double clamped = std::clamp(e > 0 ? e : 0, whole.e0, whole.e1);
+    return {edge, clamped, length(whole.bisector.at(clamped) - p)};
   }
 
   /// Has the edge been crossed where the walk is now?
@@ -189,18 +204,20 @@ class Walker {
     if (!(e > 0)) return;
     const double at = line.placeOf(bisector.at(e));
     if (!(at < line.length) || (at <= line.at && isCrossed(h))) return;
-    if (back > 0) {
-      const double return_ = line.placeOf(bisector.at(back));
-      if (at == return_) return;                                    // they touch
-      if (at < return_ && line.at >= at / 2 + return_ / 2) return;  // it is behind
+    if (isReference && back > 0) {
+      // The other cell is the convex side, so a line that leaves the reference site's for it comes
+      // back further on: if rounding says otherwise, the two touch.
+      const double comesBack = line.placeOf(bisector.at(back));
+      if (at >= comesBack || line.at >= at / 2 + comesBack / 2) return;
     }
-    Exit exit{h, edge, e, std::max(at, line.at), 0};
-    if (!(exit.at < best.score)) return;
+    const double place = std::max(at, line.at);  // if it is behind, it is so by rounding
+    if (!(place < best.score)) return;
     const Edge whole(delaunay, edge, Bits::kCached);
-    exit.e = std::clamp(e, whole.e0, whole.e1);
-    exit.score = exit.at;
-    if (exit.e != e) exit.score += length(bisector.at(exit.e) - bisector.at(e));
-    if (exit.score < best.score && exit.e > 0 && exit.e < kInfinite) best = exit;
+    const Point here = line.point();
+    const EdgePlace on = at < line.at ? placeOn(edge, whole, bisector.parameterOf(here), here)
+                                      : placeOn(edge, whole, e, bisector.at(e));
+    const double score = place + on.away;
+    if (score < best.score && on.e > 0 && on.e < kInfinite) best = {h, edge, on.e, place, score};
   }
 
   /// Does the segment run along a straight edge, as far as there are both? Then the cell on the
@@ -225,17 +242,18 @@ class Walker {
     if (!whole.to.isFinite) to = isUpwards ? kInfinite : -kInfinite;
     if (from > to) std::swap(from, to);
     const double begin = std::max(from, line.at), end = std::min(to, line.length);
-    if (!(begin < end) || !isOn(line.from + end * line.direction)) return false;
+    if (!(begin < end)) return isOn(line.to);  // not this edge
+    if (!isOn(line.pointAt(end))) return false;
     // Upwards, the reference site is on the left.
     const bool isOnLeft = isUpwards == (h == edge);
-    const double e = bisector.parameterOf(line.from + begin * line.direction);
+    const double e = bisector.parameterOf(line.pointAt(begin));
     if (isOnLeft || isCrossed(h) || !(begin < best.score) || !(e > 0 && e < kInfinite)) return true;
     best = {h, edge, e, begin, begin};
     return true;
   }
 
   /// Goes to another cell in which, up to rounding, p is as well: over cells of which the same is
-  /// true.
+  /// true, and edges on which it is. (Two cells can have several edges in common.)
   void goTo(VertexId goal, Point p) {
     const DelaunayGraph& delaunay = core_.delaunay();
     const double distance = distanceOf(delaunay.site(goal), p);
@@ -254,7 +272,8 @@ class Walker {
         for (const HalfedgeId h : graph_.star(steps[k].cell)) {
           const VertexId next = graph_.target(h);
           if (next == kInfinity || isSeen[index(next)] != 0) continue;
-          if (!(distanceOf(delaunay.site(next), p) <= distance + slack) && slack < kInfinite)
+          if (slack < kInfinite && !(distanceOf(delaunay.site(next), p) <= distance + slack &&
+                                     placeOn(h, p).away <= slack))
             continue;
           isSeen[index(next)] = 1;
           steps.push_back({next, h, k});
@@ -267,11 +286,9 @@ class Walker {
       FlatArray<HalfedgeId> way;
       for (; k != 0; k = steps[k].before) way.push_back(steps[k].halfedge);
       while (!way.empty()) {
-        const HalfedgeId h = way.back();
+        const EdgePlace place = placeOn(way.back(), p);
+        cross(way.back(), place.edge, place.e, p);
         way.pop_back();
-        const HalfedgeId edge = startsAtReference(delaunay, h) ? h : graph_.twin(h);
-        const Edge whole(delaunay, edge, Bits::kCached);
-        cross(h, edge, clampedTo(whole, whole.bisector.parameterOf(p)), p);
       }
       return;
     }

@@ -6,7 +6,8 @@
 // any answer is right within rounding. Three rules see to it that rounding stays as small as it is:
 //
 //   - Which of two places on a bisector is ahead is told by the middle between them. A cell that
-//     has been entered is not left for having been entered late.
+//     has been entered is not left for having been entered late. In which order they come is no
+//     question of rounding: the cell of the smaller weight is on the convex side.
 //   - Where two neighbours come next at nearly the same place, the one is taken whose edge it is:
 //     the place is held to be as far ahead as it is away from the edge.
 //   - A ring that ends in another cell than it began in goes there over cells as near to its first

@@ -393,5 +393,24 @@ TEST(Cells, WithinARadius) {
   EXPECT_GT(whole, 20);
 }
 
+TEST(Cells, OfClustersSeenFromFarAwayFillTheWindow) {
+  // Vertices at 1e163 times the distance of their sites: the square of that is no double.
+  const Circles circles{{6.6935695045504091e-76, -8.0265294509859347e-76, 2.83230295111918e-76},
+                        {2.9843267206500499e+75, -3.0241321295159993e+75, 4.8575612909689714e+74},
+                        {6.6935695045504091e-76, -8.0265294505698252e-76, 2.83230295111918e-76},
+                        {2.9843267206500499e+75, -3.0241321295159993e+75, 4.8575612909689714e+74},
+                        {6.6935695045503588e-76, -8.0265294509848228e-76, 2.8323029511200127e-76},
+                        {2.9865148506127249e+75, -3.0241321294748356e+75, 4.8575675083845455e+74}};
+  Diagram diagram;
+  insertInto(diagram, circles);
+  Bounds bounds;
+  ASSERT_TRUE(windowAround(circles, 3, bounds));
+  std::vector<double> areas;
+  ASSERT_EQ(Voronoi(diagram, bounds).cellAreas(areas), Error::kNone);
+  double sum = 0;
+  for (const double area : areas) sum += area;
+  EXPECT_NEAR(sum / areaOf(bounds), 1, 1e-12);
+}
+
 }  // namespace
 }  // namespace apollonius::test
