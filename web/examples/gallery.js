@@ -34,6 +34,21 @@ const kExamples = {
     "Hospitals on an island with a lake: each gets as much of its area as it has of all beds " +
       "(fitAreas).",
   ],
+  treemap: [
+    "Voronoi treemap",
+    "The world's economies by region and country, curved cells in curved cells: each has exactly " +
+      "its share of the area. Data: Gapminder, CC BY.",
+  ],
+  cities: [
+    "As far as the coast",
+    "What is nearest to each of the 1500 largest cities, on the world's land. Data: GeoNames, " +
+      "CC BY; Natural Earth.",
+  ],
+  relax: [
+    "Relaxation",
+    "Sites move to the centroids of their cells and areas are fitted again, round by round: " +
+      "orange cells are eight times as large as blue ones, all the time.",
+  ],
 };
 
 /** What needs a bundler, or no browser. */
