@@ -2,6 +2,7 @@
 import { load } from "apollonius-diagram";
 import { App } from "./app.js";
 import { Motion } from "./motion/motion.js";
+import { SameAreas } from "./motion/same_areas.js";
 import { letWander } from "./motion/wanderer.js";
 import { Weights } from "./motion/weights.js";
 import { makeNavigation } from "./navigation.js";
@@ -13,6 +14,7 @@ import { makeCodeDialog } from "./ui/code.js";
 import { element } from "./ui/dom.js";
 import { makeInspector } from "./ui/inspector.js";
 import { notify } from "./ui/notice.js";
+import { makeSameAreasSwitch } from "./ui/same_areas.js";
 import { makeSetsMenu } from "./ui/sets_menu.js";
 import { makeShareMenu } from "./ui/share.js";
 import { makeSheet } from "./ui/sheet.js";
@@ -91,6 +93,7 @@ export async function start() {
   makeSteps(app);
   makeSetsMenu(app, navigation);
   makeShowMenu(app, motion);
+  makeSameAreasSwitch(app, new SameAreas(app, motion, weights));
   makeShareMenu(app, navigation.write);
   makeCodeDialog(app);
   makeSheet();

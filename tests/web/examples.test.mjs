@@ -306,7 +306,7 @@ describeInBrowser("examples", (open) => {
     expect(found.paths).toBe(1500);
   });
 
-  test("relax: areas stay as they are to be, cells become rounder; it can be stopped", async () => {
+  test("relax: areas stay, cells become rounder, and it stops if told to", async () => {
     const page = await open({ path: "examples/#relax", ready: "example" });
     const look = () =>
       page.evaluate(() => {

@@ -5,6 +5,7 @@ import { Diagram } from "apollonius-diagram";
 /** @typedef {{ name: string, detail?: string }} Label */
 /** @typedef {{ x: number, y: number, r: number }} Circle */
 /** @typedef {[number, number, number, number]} Bounds xmin, ymin, xmax, ymax */
+/** @typedef {Bounds | number[][]} Window where cells end: bounds, or rings x, y, … */
 /**
  * @typedef {{
  *   key: string, title: string, about?: string, unit?: string, credit?: string,
@@ -34,6 +35,8 @@ export class Sites {
   buildTime;
   /** @type {Uint32Array | null} */ #ids = null;
   #flags = new Uint8Array(0); // by id: kUnknown until asked for
+  /** @type {{ window: Window, cells: import("apollonius-diagram").Voronoi } | null} */ #cells =
+    null;
 
   /**
    * @param {Float64Array} xyr ids are 0, 1, 2, … in this order
@@ -88,6 +91,13 @@ export class Sites {
     if (this.#flags[id] === kUnknown)
       this.#flags[id] = this.diagram.isHidden(id) ? kHidden : kVisible;
     return this.#flags[id] === kHidden;
+  }
+
+  /** The cells in a window. The last one is kept: it is prepared once. @param {Window} window */
+  cellsIn(window) {
+    if (this.#cells?.window !== window)
+      this.#cells = { window, cells: this.diagram.voronoi(window) };
+    return this.#cells.cells;
   }
 
   /** Those of all circles, or null. */

@@ -157,11 +157,12 @@ const windowOf = (view) => ({ left: 0, top: 0, right: view.width, bottom: view.h
  * Adds a site's cell as closed figures, correct inside the window; nothing for a hidden site. To be
  * filled or stroked.
  * @param {Sites} sites @param {View} view
+ * @param {import("apollonius-diagram").Voronoi | null} ends the cells, if they end elsewhere
  */
-export function addCell(path, sites, view, id) {
+export function addCell(path, sites, view, id, ends = null) {
   const bounds = boundsOf(view, windowOf(view), kMargin);
-  if (bounds)
-    sites.diagram.voronoi(bounds).renderCell(id, new ScreenPath(path, view), drawOptions(view));
+  const cells = ends ?? (bounds && sites.diagram.voronoi(bounds));
+  cells?.renderCell(id, new ScreenPath(path, view), drawOptions(view));
 }
 
 /**

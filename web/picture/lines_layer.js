@@ -51,7 +51,7 @@ export function* drawLines(context, picture, box, strength, expected) {
   if (layers.hull) drawHull(context, picture, near);
 }
 
-function* drawCells(context, { sites, view, theme }, box, expected) {
+function* drawCells(context, { sites, view, layers, theme, ends }, box, expected) {
   const bounds = boundsOf(view, box);
   if (!bounds) return;
   context.lineWidth = 1.25;
@@ -60,9 +60,11 @@ function* drawCells(context, { sites, view, theme }, box, expected) {
   const { diagram } = sites;
   const count = diagram.visibleSize;
   const isDense = count <= kMostWhole && kCheaper * expected > count;
-  if (count <= kAlwaysWhole || isDense) {
+  if (ends || count <= kAlwaysWhole || isDense) {
     const edges = new Recording();
-    diagram.voronoi(bounds).render(edges, drawOptions(view));
+    (ends ?? diagram.voronoi(bounds)).render(edges, drawOptions(view));
+    const isOnMap = sites.info.map && layers.map; // which has a coast
+    if (ends && !isOnMap) ends.renderBounds(edges);
     yield* edges.play(strokes);
   } else yield* drawEdges(diagram, bounds, strokes);
   strokes.finish();
@@ -72,10 +74,14 @@ function* drawCells(context, { sites, view, theme }, box, expected) {
 class Recording {
   /** @type {number[]} */ #numbers = [];
   /** @type {number[]} */ #lengths = []; // of the commands: 2 moves, 3 is a line, 6 a curve
+  #startX = 0;
+  #startY = 0;
 
   moveTo(x, y) {
     this.#lengths.push(2);
     this.#numbers.push(x, y);
+    this.#startX = x;
+    this.#startY = y;
   }
 
   lineTo(x, y) {
@@ -88,7 +94,9 @@ class Recording {
     this.#numbers.push(x1, y1, x2, y2, x, y);
   }
 
-  closePath() {}
+  closePath() {
+    this.lineTo(this.#startX, this.#startY);
+  }
 
   *play(target) {
     const numbers = this.#numbers;
@@ -110,7 +118,7 @@ class Recording {
 }
 
 /** In each cell the lines of equal distance to its site, like heights on a map. */
-function drawDistances(context, { sites, view, theme }, box) {
+function drawDistances(context, { sites, view, theme, ends }, box) {
   const { diagram } = sites;
   if (diagram.visibleSize > kMostContoured) return;
   context.strokeStyle = theme.distance;
@@ -120,11 +128,13 @@ function drawDistances(context, { sites, view, theme }, box) {
     if (!cell) continue;
     context.save();
     context.beginPath();
-    addCell(context, sites, view, id);
+    addCell(context, sites, view, id, ends);
     context.clip();
     context.beginPath();
     const rim = sites.radius(id) * view.scale;
-    for (let r = rim + kContour; r < cell.farthest; r += kContour) {
+    // Of a circle of less than nothing the first ones are not there.
+    const first = rim < 0 ? rim - kContour * Math.floor(rim / kContour) : rim + kContour;
+    for (let r = first; r < cell.farthest; r += kContour) {
       context.moveTo(cell.x + r, cell.y);
       context.arc(cell.x, cell.y, r, 0, 2 * Math.PI);
     }

@@ -1,29 +1,33 @@
 // The land under the cities: one path in the diagram's coordinates, filled under the view's
-// transform.
+// transform; and the same rings as windows that cells end at.
 
-/** @typedef {{ land: Path2D, outline: Path2D }} WorldMap */
+/** @typedef {{ shape: Path2D, rings: number[][] }} Part rings x, y, … */
+/** @typedef {{ land: Part, outline: Part }} WorldMap */
 
-/** Rings are whole numbers: x, y, then differences from point to point. */
-function addRing(path, ring) {
-  let x = ring[0];
-  let y = ring[1];
-  path.moveTo(x, y);
-  for (let k = 2; k < ring.length; k += 2) {
-    x += ring[k];
-    y += ring[k + 1];
-    path.lineTo(x, y);
+/** The file has whole numbers: x, y, then differences from point to point. */
+function ringOf(steps) {
+  const ring = [];
+  for (let k = 0; k < steps.length; k++) ring[k] = steps[k] + (k < 2 ? 0 : ring[k - 2]);
+  return ring;
+}
+
+/** @param {number[][]} steps @returns {Part} */
+function makePart(steps) {
+  const rings = steps.map(ringOf);
+  const shape = new Path2D();
+  for (const ring of rings) {
+    shape.moveTo(ring[0], ring[1]);
+    for (let k = 2; k < ring.length; k += 2) shape.lineTo(ring[k], ring[k + 1]);
+    shape.closePath();
   }
-  path.closePath();
+  return { shape, rings };
 }
 
 /** @param {{ outline: number[], land: number[][] }} data @returns {WorldMap} */
-export function makeMap(data) {
-  const land = new Path2D();
-  for (const ring of data.land) addRing(land, ring);
-  const outline = new Path2D();
-  addRing(outline, data.outline);
-  return { land, outline };
-}
+export const makeMap = ({ outline, land }) => ({
+  land: makePart(land),
+  outline: makePart([outline]),
+});
 
 /**
  * @param {CanvasRenderingContext2D} context
@@ -36,11 +40,11 @@ export function drawMap(context, view, theme, map) {
   context.transform(view.scale, 0, 0, -view.scale, view.originX, view.originY);
   context.lineWidth = 1 / view.scale;
   context.fillStyle = theme.sea;
-  context.fill(map.outline);
+  context.fill(map.outline.shape);
   context.strokeStyle = theme.coast;
-  context.stroke(map.outline);
+  context.stroke(map.outline.shape);
   context.fillStyle = theme.land;
-  context.fill(map.land);
-  context.stroke(map.land);
+  context.fill(map.land.shape);
+  context.stroke(map.land.shape);
   context.restore();
 }

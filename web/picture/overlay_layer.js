@@ -53,9 +53,9 @@ export function drawOverlay(context, picture, overlay) {
   context.lineJoin = "round";
   context.lineCap = "round";
   const { hover, selected, draft, box } = overlay;
-  if (hover && hover.id >= 0) drawHover(context, sites, view, theme, hover);
+  if (hover && hover.id >= 0) drawHover(context, picture, hover);
   if (selected.length > 0) drawSelected(context, sites, view, theme, selected);
-  if (draft) drawDraft(context, sites, view, theme, draft);
+  if (draft) drawDraft(context, picture, draft);
   overlay.revived?.(context, picture);
   overlay.marks?.(context, picture);
   if (box) {
@@ -68,15 +68,15 @@ export function drawOverlay(context, picture, overlay) {
   }
 }
 
-function drawHover(context, sites, view, theme, hover) {
+function drawHover(context, { sites, view, theme, ends }, hover) {
   context.fillStyle = theme.neighborFill;
   context.beginPath();
-  for (const id of hover.neighbors) addCell(context, sites, view, id);
+  for (const id of hover.neighbors) addCell(context, sites, view, id, ends);
   context.fill();
 
   context.fillStyle = theme.accentFill;
   context.beginPath();
-  addCell(context, sites, view, hover.id);
+  addCell(context, sites, view, hover.id, ends);
   context.fill();
   context.strokeStyle = theme.accent;
   context.lineWidth = 2;
@@ -200,13 +200,13 @@ function drawCover(context, sites, view, id) {
 }
 
 /** A circle to be, and the cell that it would have. */
-function drawDraft(context, sites, view, theme, draft) {
+function drawDraft(context, { sites, view, theme, ends }, draft) {
   context.strokeStyle = theme.selected;
   context.fillStyle = theme.selectedFill;
   context.lineWidth = 1.5;
   context.setLineDash([5, 4]);
   context.beginPath();
-  sites.tryOut(draft, (id) => addCell(context, sites, view, id));
+  sites.tryOut(draft, (id) => addCell(context, sites, view, id, ends));
   context.fill();
   context.stroke();
   context.setLineDash([]);

@@ -10,15 +10,18 @@ import { readTheme } from "./theme.js";
 import { View } from "./view.js";
 
 /** @typedef {import("./view.js").Box} Box */
+/** @typedef {import("../model/sites.js").Window} Window */
 /**
  * @typedef {{ cells: boolean, distances: boolean, circles: boolean, hidden: boolean, map: boolean,
- *   dual: boolean, centres: boolean, vertices: boolean, hull: boolean }} Layers what is shown
+ *   coast: boolean, dual: boolean, centres: boolean, vertices: boolean, hull: boolean }} Layers
+ *   what is shown
  */
 /**
  * @typedef {{
  *   sites: import("../model/sites.js").Sites, view: View, layers: Layers,
  *   theme: Record<string, string>, pixelRatio: number,
- * }} Picture what the layers draw from
+ *   ends: import("apollonius-diagram").Voronoi | null,
+ * }} Picture what the layers draw from; `ends`: the cells, if they end before the window's border
  */
 
 const kSlice = 9; // ms of a frame that lines may take,
@@ -82,6 +85,7 @@ export class Painter {
     circles: true,
     hidden: true,
     map: true,
+    coast: false,
     dual: false,
     centres: false,
     vertices: false,
@@ -91,6 +95,8 @@ export class Painter {
   overlay = { hover: null, selected: [], draft: null, box: null, revived: null, marks: null };
   /** @type {Record<string, string>} */
   theme = {};
+  /** Where cells end, if not at the window's border. @type {Window | null} */
+  frame = null;
   /** While something moves by itself, lines are drawn whole in every frame. */
   isLive = false;
   /** What drawing cost, in ms, latest last. */
@@ -235,7 +241,16 @@ export class Painter {
       layers: this.layers,
       theme: this.theme,
       pixelRatio: this.#pixelRatio,
+      ends: this.ends,
     };
+  }
+
+  /** The cells, if they end at the coast or at a frame. */
+  get ends() {
+    const { sites } = this.#model;
+    const { map } = sites.info;
+    const window = map && this.layers.coast ? map.land.rings : this.frame;
+    return window && sites.cellsIn(window);
   }
 
   /** @param {number} slice ms that lines may take */

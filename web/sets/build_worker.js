@@ -20,9 +20,10 @@ self.onmessage = async ({ data: { address, options } }) => {
     });
     self.postMessage({ what: "Handing it over" });
     const bytes = diagram.toBytes();
-    self.postMessage({ xyr, bytes, buildTime }, { transfer: [xyr.buffer, bytes.buffer] });
+    const result = { xyr, bytes, buildTime };
+    self.postMessage({ result }, { transfer: [xyr.buffer, bytes.buffer] });
   } catch (error) {
-    self.postMessage({ error: String(error?.message ?? error) });
+    self.postMessage({ failure: String(error?.message ?? error) });
   }
 };
 

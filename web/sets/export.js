@@ -22,6 +22,9 @@ const windowOf = ({ view }) =>
     view.toWorldY(0),
   ]);
 
+/** The cells as far as they are shown. @param {App} app */
+const cellsOf = (app) => app.painter.ends ?? app.diagram.voronoi(windowOf(app));
+
 const rounded = (value) => Number(value.toFixed(kDigits));
 
 /** What the window shows, in pixels. @param {App} app */
@@ -47,9 +50,7 @@ export function toSvg(app) {
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${view.width} ${view.height}">`,
     `<rect width="100%" height="100%" fill="${theme.paper}"/>`,
     layers.dual ? lines("dual", diagram.render(null, { digits }), theme.dual) : "",
-    layers.cells
-      ? lines("cells", diagram.voronoi(windowOf(app)).render(null, { digits }), theme.cell)
-      : "",
+    layers.cells ? lines("cells", cellsOf(app).render(null, { digits }), theme.cell) : "",
     layers.circles ? group("circles", visible, theme.siteFill, theme.site) : "",
     layers.hidden ? group("hidden", hidden, theme.hiddenFill, theme.hidden) : "",
     "</svg>",
@@ -69,11 +70,9 @@ export const toCsv = (app) =>
     ...rowsOf(app).map(({ x, y, r, name }) => [String(x), String(y), String(r), name ?? ""]),
   ]);
 
-/** The cells in the window. @param {App} app */
+/** The cells as far as they are shown. @param {App} app */
 export const toGeoJson = (app) =>
-  JSON.stringify(
-    app.diagram.voronoi(windowOf(app)).toGeoJSON({ tolerance: 0.25 / app.view.scale }),
-  );
+  JSON.stringify(cellsOf(app).toGeoJSON({ tolerance: 0.25 / app.view.scale }));
 
 /** @type {Record<string, { type: string, make: (app: App) => Promise<Blob> | Blob }>} */
 const kFormats = {

@@ -104,7 +104,8 @@ function factsOf(app, id) {
 }
 
 /** The whole cell's, if it ends somewhere. */
-function areaOf({ diagram, sites }, id) {
+function areaOf({ diagram, sites, painter }, id) {
+  if (painter.ends) return short(painter.ends.cellArea(id));
   const { x, y, r } = sites.site(id);
   const reach = kFar * Math.max(r, 1);
   const window = diagram.voronoi([x - reach, y - reach, x + reach, y + reach]);

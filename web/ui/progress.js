@@ -33,3 +33,13 @@ export async function withProgress(run) {
 }
 
 let latest = new AbortController();
+
+document.addEventListener(
+  "keydown",
+  (event) => {
+    if (event.key !== "Escape" || element("progress").hidden) return;
+    element("progress-cancel").click();
+    event.preventDefault(); // it has been heard
+  },
+  true,
+);

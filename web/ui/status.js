@@ -24,7 +24,7 @@ export function makeStatus(app) {
     setText(element("timing"), times);
     element("credit").hidden = sites.info.credit !== "cities";
     setText(element("about"), sites.info.about ?? "");
-    element("layer-map").hidden = !sites.info.map;
+    for (const name of ["map", "coast"]) element(`layer-${name}`).hidden = !sites.info.map;
   });
 
   const measureLater = () => {

@@ -1,0 +1,30 @@
+// Runs in a worker: the radii with which all cells in a window have the same area. Only their
+// differences count, so they are made as large as they can be without overlaps; some may be
+// negative then.
+
+self.onmessage = async ({ data: { address, xyr, window } }) => {
+  try {
+    /** @type {typeof import("apollonius-diagram")} */
+    const { Diagram } = await import(address);
+    const diagram = new Diagram(xyr);
+    const targets = new Uint8Array(xyr.length / 3).fill(1);
+    const { weights } = diagram.voronoi(window).fitAreas(targets, {
+      onIteration: (progress) => self.postMessage(progress),
+    });
+    const gap = leastGap(diagram.edges().sites, xyr, weights);
+    self.postMessage({ result: weights.map((weight) => weight + gap / 2) });
+  } catch (error) {
+    self.postMessage({ failure: String(error?.message ?? error), code: error?.code });
+  }
+};
+
+/** Between the rims of neighbours: less than nothing if they overlap. */
+function leastGap(pairs, xyr, radii) {
+  let least = Infinity;
+  for (let k = 0; k < pairs.length; k += 2) {
+    const [i, j] = [pairs[k], pairs[k + 1]];
+    const apart = Math.hypot(xyr[3 * i] - xyr[3 * j], xyr[3 * i + 1] - xyr[3 * j + 1]);
+    least = Math.min(least, apart - radii[i] - radii[j]);
+  }
+  return least;
+}

@@ -1,0 +1,144 @@
+// The same area for all: radii with which all cells are equally large, found in a worker, and let
+// in little by little. That is one edit, and back again another.
+import { inWorker } from "../sets/in_worker.js";
+
+/** @typedef {import("../model/sites.js").Window} Window */
+/**
+ * @typedef {{ sites: import("../model/sites.js").Sites, ids: Uint32Array, before: Float64Array,
+ *   after: Float64Array, window: Window }} Found x, y, r of all circles
+ */
+
+const kMostFitted = 10_000; // circles
+const kTime = 1.2; // seconds that circles take to grow or shrink
+const kMargin = 0.03; // of the frame around circles
+const kTolerance = 1e-6; // fitAreas's own
+
+const eased = (t) => t * t * (3 - 2 * t);
+
+/** Events: "change", when `isOn` has changed. */
+export class SameAreas extends EventTarget {
+  /** @type {Found | null} */ #found = null;
+  #isComing = false; // the circles are on their way
+
+  /**
+   * @param {import("../app.js").App} app
+   * @param {import("./motion.js").Motion} motion
+   * @param {import("./weights.js").Weights} weights
+   */
+  constructor(app, motion, weights) {
+    super();
+    this.app = app;
+    this.motion = motion;
+    this.weights = weights;
+    for (const type of ["change", "layers"]) app.addEventListener(type, () => this.#look());
+  }
+
+  /** Whether the circles are those that were found, or about to be; cells end at a frame then. */
+  get isOn() {
+    return this.app.painter.frame !== null;
+  }
+
+  /** Why it cannot be had; "" if it can. */
+  get hindrance() {
+    const { size } = this.app.sites;
+    if (size > kMostFitted) return `For up to ${kMostFitted.toLocaleString("en")} circles`;
+    return size < 2 ? "For two circles or more" : "";
+  }
+
+  /** @param {import("../sets/building.js").Watch} watch */
+  async turnOn({ signal, progress }) {
+    const { app } = this;
+    this.motion.stop();
+    this.weights.go(1, { isAtOnce: true });
+    const { sites } = app;
+    const before = sites.triples(sites.ids);
+    const window = windowOf(app);
+    const radii = await this.#radii({ xyr: before, window }, signal, progress);
+    const after = before.map((value, k) => (k % 3 === 2 ? radii[(k - 2) / 3] : value));
+    this.#found = { sites, ids: sites.ids, before, after, window };
+    this.#isComing = true;
+    this.#move(this.#found.before, after);
+  }
+
+  /** Back to the radii from before. */
+  turnOff() {
+    this.motion.stop();
+    const { ids, before } = this.#found;
+    this.#move(this.app.sites.triples(ids), before);
+  }
+
+  /** Asks the worker; whatever changes the circles meanwhile stops it. */
+  async #radii(request, signal, progress) {
+    const controller = new AbortController();
+    const stop = () => controller.abort(new DOMException("they have changed", "AbortError"));
+    this.app.addEventListener("change", stop);
+    signal?.addEventListener("abort", stop);
+    let worst = 0; // error, in the beginning
+    const tell = ({ iterations, error }) => {
+      worst ||= error;
+      const share = Math.log(worst / error) / Math.log(worst / kTolerance);
+      const off = error > 0.1 ? `${Math.round(100 * error)} %` : error.toExponential(0);
+      progress?.(Math.min(1, Math.max(0, share)), `Step ${iterations}, areas are off by ${off}`);
+    };
+    try {
+      progress?.(undefined, "Looking for the radii");
+      const script = new URL("./fit_worker.js", import.meta.url);
+      return await inWorker(script, request, tell, controller.signal);
+    } finally {
+      this.app.removeEventListener("change", stop);
+    }
+  }
+
+  #move(from, to) {
+    const { ids } = this.#found;
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      this.app.model.update(ids, to);
+      this.#hasCome();
+      return;
+    }
+    let t = 0;
+    const step = (seconds) => {
+      t += seconds / kTime;
+      if (t < 1) return from.map((value, k) => value + (to[k] - value) * eased(t));
+      queueMicrotask(() => this.motion.stop());
+      return to;
+    };
+    this.motion.start(ids, step, () => this.#hasCome());
+  }
+
+  #hasCome() {
+    this.#isComing = false;
+    this.#look();
+  }
+
+  /** Shows the frame if the circles are what was found, whoever has made them so. */
+  #look() {
+    const { painter } = this.app;
+    const frame = this.#isComing || this.#isThere() ? this.#found.window : null;
+    if (painter.frame === frame) return;
+    painter.frame = frame;
+    painter.redraw();
+    this.dispatchEvent(new Event("change"));
+  }
+
+  #isThere() {
+    const { sites } = this.app;
+    if (this.#found?.sites !== sites || sites.weight !== 1) return false;
+    const { ids, after, window } = this.#found;
+    return (
+      (!sites.info.map || window === windowOf(this.app)) &&
+      sites.size === ids.length &&
+      sites.ids.every((id, k) => id === ids[k]) &&
+      sites.triples(ids).every((value, k) => value === after[k])
+    );
+  }
+}
+
+/** What is to be shared out: the land, the map, or a frame around the circles. */
+function windowOf({ sites, painter }) {
+  const { map } = sites.info;
+  if (map) return painter.layers.coast ? map.land.rings : map.outline.rings;
+  const [xmin, ymin, xmax, ymax] = sites.bounds();
+  const margin = kMargin * Math.hypot(xmax - xmin, ymax - ymin) || 1;
+  return [xmin - margin, ymin - margin, xmax + margin, ymax + margin];
+}
