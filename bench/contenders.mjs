@@ -6,7 +6,15 @@ import { createInterface } from "node:readline";
 import { native, packed, root } from "./places.mjs";
 
 /** In the order of the report's columns. */
-export const names = ["wasm", "native", "cgal", "delaunator", "d3-delaunay", "flatbush"];
+export const names = [
+  "wasm",
+  "native",
+  "cgal",
+  "delaunator",
+  "d3-delaunay",
+  "d3-voronoi-map",
+  "flatbush",
+];
 
 const node = (module) => ({
   program: process.execPath,
@@ -18,6 +26,7 @@ const commands = {
   cgal: { program: path.join(native, "cgal_bench"), args: [] },
   delaunator: node("delaunator"),
   "d3-delaunay": node("d3_delaunay"),
+  "d3-voronoi-map": node("d3_voronoi_map"),
   flatbush: node("flatbush"),
 };
 

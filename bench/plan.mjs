@@ -237,6 +237,52 @@ function orders({ rounds, seconds, limit, family: n }) {
   ];
 }
 
+/**
+ * Areas that are prescribed, against d3-voronoi-map, which takes seconds for 1000 sites; time and
+ * what is reached.
+ */
+function fit({ rounds, seconds, limit, sizes }) {
+  const common = { seconds, limit, rounds: Math.min(rounds, 2) };
+  const kinds = ["fitAreas", "fitTailed"];
+  const inHoles = ["fitInHoles", "fitTailedInHoles"];
+  return [100, 1e3, 1e4]
+    .filter((n) => n <= Math.max(...sizes))
+    .map((n) => ({
+      part: "fit",
+      family: "random0",
+      n,
+      rounds: common.rounds,
+      steps: [
+        ...kinds.map((op) => ({
+          op,
+          who: n <= 1e3 ? ["wasm", "d3-voronoi-map"] : ["wasm"],
+          ...common,
+        })),
+        ...(n >= 1e3 ? inHoles : []).map((op) => ({ op, who: ["wasm"], ...common })),
+      ],
+    }));
+}
+
+/** All areas in the outline of the world's land, and in a thousand segments, against bounds. */
+function windows({ rounds, seconds, sizes }) {
+  const most = Math.max(...sizes);
+  const scene = (family, n, ...ops) => ({
+    part: "windows",
+    family,
+    n,
+    rounds: Math.min(rounds, 3),
+    steps: ops.map((op) => ({ op, who: ["wasm"], seconds })),
+  });
+  const hundred = Math.min(1e5, most);
+  const land = ["boxAreas", "landAreas", "landAreasAnew"];
+  const segments = ["boxAreas", "segmentAreas", "segmentAreasAnew"];
+  return [
+    scene("cities", Math.min(hundred, countCities()), ...land),
+    scene("random5", hundred, ...land),
+    scene("random5", Math.min(1e6, most), ...segments),
+  ];
+}
+
 /** Snapshots against building, and `findMany` on threads that restored one. */
 function snapshots({ rounds, seconds, limit, sizes }) {
   const cores = availableParallelism();
@@ -302,6 +348,8 @@ export const parts = {
   table1: tableOne,
   moves,
   drawing,
+  windows,
+  fit,
   snapshots,
   border,
 };

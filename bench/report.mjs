@@ -1,4 +1,5 @@
 // The whole report: one Markdown text, which is also what the run prints.
+import { fitTable } from "./fit_table.mjs";
 import { stagesTable, timesTable, visibleTable } from "./tables.mjs";
 import { tableOne } from "./table_one.mjs";
 import { targetsTable } from "./targets.mjs";
@@ -10,6 +11,7 @@ const titles = {
   moves: "10 000 moving sites (µs per site; `updateMany`: times 10 is ms per frame)",
   drawing:
     "Drawing all edges (d3-delaunay: of the centres' cells), areas of all cells (µs per site)",
+  windows: "All areas in windows of other shapes (µs per site; *Anew*: the window is given anew)",
   snapshots: "Snapshots (µs per site; threads: µs per point, all of them together)",
   border: "One call that does nothing else (µs)",
   memory: "Memory (µs per item; bytes below)",
@@ -54,6 +56,7 @@ export function report({ machine, mode, records, disagreements, seconds }) {
     of("table1").length > 0
       ? [`## Table 1 of the paper, one by one in random order\n\n${tableOne(records)}`]
       : [];
+  const fits = of("fit").length > 0 ? [`## Prescribed areas\n\n${fitTable(of("fit"))}`] : [];
   const goals = targetsTable(records);
   const parts = [
     "# Benchmark results",
@@ -68,6 +71,7 @@ export function report({ machine, mode, records, disagreements, seconds }) {
       : []),
     ...(goals ? [`## Goals\n\n${goals}`] : []),
     ...sections,
+    ...fits,
     ...table,
   ];
   return `${parts.join("\n\n")}\n`;

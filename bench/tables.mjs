@@ -19,7 +19,7 @@ export function table(head, rows) {
   return [line(all[0]), rule, ...all.slice(1).map(line)].join("\n");
 }
 
-const thousands = (n) => String(n).replace(/\B(?=(\d{3})+$)/g, " ");
+export const thousands = (n) => String(n).replace(/\B(?=(\d{3})+$)/g, " ");
 
 function cell(record) {
   if (!record) return "";

@@ -47,6 +47,7 @@ function goals(records, member) {
   const drawing = (name, op, contender = "wasm") =>
     us(`drawing ${name} ${drawn} ${op} ${contender}`);
   const ordered = (name, op) => us(`orders ${name} ${family} ${op} wasm`);
+  const crossed = largestSize(records, "windows", 1e6);
   const memory = records.find(({ op }) => op === "memory");
   const churn = records.find(({ op }) => op === "churn");
   const megabytes = (bytes) => bytes / 2 ** 20;
@@ -171,6 +172,26 @@ function goals(records, member) {
         most(1),
       ],
     ]),
+    ...["cities", "random5"].flatMap((name) => {
+      const record = records.find(({ part, family }) => part === "windows" && family === name);
+      const areas = (op) => us(`windows ${name} ${record?.n} ${op} wasm`);
+      return [
+        ["landAreas", most(3)],
+        ["landAreasAnew", information],
+      ].map(([op, goal]) => [
+        `${op} / in bounds, ${name} ${record?.n}`,
+        areas(op) / areas("boxAreas"),
+        goal,
+      ]);
+    }),
+    [
+      `areas in 1000 segments / in bounds, ${crossed}`,
+      us(`windows random5 ${crossed} segmentAreas wasm`) /
+        us(`windows random5 ${crossed} boxAreas wasm`),
+      most(3),
+    ],
+    ["fitAreas, 1000 sites, s", us("fit random0 1000 fitAreas wasm") / 1e3, most(0.1)],
+    ["fitAreas, 10 000 sites, s", us("fit random0 10000 fitAreas wasm") / 1e2, most(3)],
     [
       `issue 2: insert one by one, ${hundred}, wasm, µs`,
       scaling(hundred, "insert", "wasm"),

@@ -13,6 +13,7 @@ import {
   Sum,
 } from "./sampling.mjs";
 import { startFinders } from "./threads.mjs";
+import { windowOperations } from "./windows.mjs";
 
 // The package does not show its heap, so the instance's memory is caught when it is made.
 let memory;
@@ -407,6 +408,7 @@ export const operations = {
   callSize: (request) => calls(request, (diagram) => diagram.size),
   callHas: (request) => calls(request, (diagram, k) => diagram.has(k)),
   memory: memoryOfBuild,
+  ...windowOperations(Diagram),
 };
 
 export function warmUp() {

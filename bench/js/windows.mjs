@@ -1,0 +1,87 @@
+// The package's operations in windows: all areas in rings against the same in bounds, and areas
+// that are prescribed.
+import { holedRings, landRings, landRingsIn, thousandSegments } from "./land.mjs";
+import { boxOf, readDoubles, sampled } from "./sampling.mjs";
+import { deviationOf, sharesOf } from "./shares.mjs";
+
+/** Of the land, which has its place among real cities. */
+const landFor = ({ set }, box) => (/\bcities-/.test(set) ? landRings() : landRingsIn(box));
+
+/** @param {typeof import("apollonius-diagram").Diagram} Diagram */
+export function windowOperations(Diagram) {
+  const kept = { set: "" };
+
+  /** The diagram of a set, made once, as several operations in a row are on it. */
+  function load({ set }) {
+    if (kept.set === set) return kept;
+    kept.diagram?.dispose();
+    const sites = readDoubles(`${set}.sites`);
+    Object.assign(kept, { set, sites, box: boxOf(sites, 3), diagram: new Diagram(sites) });
+    return kept;
+  }
+
+  /**
+   * All areas, of a diagram that has changed, as a drag does it. `isFresh`: in a window that is
+   * given anew each time.
+   */
+  function areasIn(windowOf, isFresh) {
+    return (request) => {
+      const { diagram, sites, box } = load(request);
+      const window = windowOf(request, box);
+      const known = diagram.voronoi(window);
+      let isAside = false;
+      let sum = 0;
+      const move = () => {
+        isAside = !isAside;
+        diagram.update(0, sites[0] + (isAside ? 1e-6 * (box[2] - box[0]) : 0), sites[1], sites[2]);
+      };
+      const answer = sampled(request, sites.length / 3, move, () => {
+        const cells = isFresh ? diagram.voronoi(window) : known;
+        sum = cells.cellAreas().reduce((a, b) => a + b, 0);
+      });
+      if (isAside) move();
+      return { ...answer, sum, visible: diagram.visibleSize };
+    };
+  }
+
+  /** From equal weights to shares, to the default tolerance. */
+  function fitted(windowOf, isTailed) {
+    return (request) => {
+      const sites = readDoubles(`${request.set}.sites`).map((v, k) => (k % 3 === 2 ? 0 : v));
+      const window = windowOf(request, boxOf(sites, 3));
+      let diagram;
+      let found;
+      // What has no part of a window with equal weights cannot get one.
+      const start = new Diagram(sites);
+      const areas = start.voronoi(window).cellAreas();
+      const inside = sites.filter((_, k) => areas[Math.floor(k / 3)] > 0);
+      const shares = sharesOf(inside.length / 3, isTailed);
+      start.dispose();
+      const prepare = () => {
+        diagram?.dispose();
+        diagram = new Diagram(inside);
+      };
+      const answer = sampled(request, shares.length, prepare, () => {
+        found = diagram.voronoi(window).fitAreas(shares);
+      });
+      const deviation = deviationOf(diagram.voronoi(window).cellAreas(), shares);
+      diagram.dispose();
+      return { ...answer, deviation, steps: found.iterations };
+    };
+  }
+
+  const box = (_, given) => given;
+  const holes = (_, given) => holedRings(given);
+  const segments = (_, given) => thousandSegments(given);
+  return {
+    fitAreas: fitted(box, false),
+    fitTailed: fitted(box, true),
+    fitInHoles: fitted(holes, false),
+    fitTailedInHoles: fitted(holes, true),
+    boxAreas: areasIn(box, false),
+    landAreas: areasIn(landFor, false),
+    landAreasAnew: areasIn(landFor, true),
+    segmentAreas: areasIn(segments, false),
+    segmentAreasAnew: areasIn(segments, true),
+  };
+}
