@@ -244,12 +244,21 @@ describeInBrowser("the same area for all", (open) => {
     expect(await page.textContent("#same-areas-hindrance")).toBe("For two circles or more");
   });
 
-  test("what cannot be done is said, and changes nothing", async () => {
-    await showCircles(page, [0, 0, 20, 0, 0, 10, 100, 100, 10]);
+  test.each([
+    ["one centre for two", [0, 0, 20, 0, 0, 10, 100, 100, 10], "its centre is another's, too"],
+    [
+      "centres so close that numbers cannot divide what is around them",
+      [100, 50, 5, 100 + 1e-12, 50, 5, 130, 20, 5, 20, 90, 5],
+      "no radii were found; areas are still off by up to",
+    ],
+  ])("what cannot be done is said, and changes nothing: %s", async (_, xyr, why) => {
+    await showCircles(page, xyr);
     const before = await circlesOf(page);
     await press();
     await page.waitForSelector("#notice:not([hidden])");
-    expect(await page.textContent("#notice")).toContain("The areas cannot be the same");
+    const said = await page.textContent("#notice");
+    expect(said).toContain("The areas cannot be the same");
+    expect(said).toContain(why);
     expect(await isOn()).toBe(false);
     expect(await circlesOf(page)).toEqual(before);
   });

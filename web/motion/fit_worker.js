@@ -2,6 +2,8 @@
 // differences count, so they are made as large as they can be without overlaps; some may be
 // negative then.
 
+const kMostSteps = 100; // what has not come near by then (cities, which crowd) hardly ever does
+
 self.onmessage = async ({ data: { address, xyr, window } }) => {
   try {
     /** @type {typeof import("apollonius-diagram")} */
@@ -9,6 +11,7 @@ self.onmessage = async ({ data: { address, xyr, window } }) => {
     const diagram = new Diagram(xyr);
     const targets = new Uint8Array(xyr.length / 3).fill(1);
     const { weights } = diagram.voronoi(window).fitAreas(targets, {
+      maxIterations: kMostSteps,
       onIteration: (progress) => self.postMessage(progress),
     });
     const gap = leastGap(diagram.edges().sites, xyr, weights);

@@ -74,16 +74,20 @@ export class SameAreas extends EventTarget {
     this.app.addEventListener("change", stop);
     signal?.addEventListener("abort", stop);
     let worst = 0; // error, in the beginning
+    let off = "";
     const tell = ({ iterations, error }) => {
       worst ||= error;
       const share = Math.log(worst / error) / Math.log(worst / kTolerance);
-      const off = error > 0.1 ? `${Math.round(100 * error)} %` : error.toExponential(0);
+      off = `${Number((100 * error).toPrecision(2))} %`;
       progress?.(Math.min(1, Math.max(0, share)), `Step ${iterations}, areas are off by ${off}`);
     };
     try {
       progress?.(undefined, "Looking for the radii");
       const script = new URL("./fit_worker.js", import.meta.url);
       return await inWorker(script, request, tell, controller.signal);
+    } catch (error) {
+      if (error.code !== "no-convergence") throw error;
+      throw new Error(`no radii were found; areas are still off by up to ${off}`);
     } finally {
       this.app.removeEventListener("change", stop);
     }

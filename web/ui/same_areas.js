@@ -1,6 +1,6 @@
 // The switch "Same area for all".
 import { element, oncePerFrame } from "./dom.js";
-import { notify, sayWhatFailed } from "./notice.js";
+import { sayWhatFailed } from "./notice.js";
 import { withProgress } from "./progress.js";
 
 /**
@@ -31,9 +31,7 @@ export function makeSameAreasSwitch(app, areas) {
     try {
       await withProgress((watch) => areas.turnOn(watch));
     } catch (error) {
-      if (error.code === "no-convergence")
-        notify(`No radii were found that do it: ${error.message}.`);
-      else sayWhatFailed("The areas cannot be the same")(error);
+      sayWhatFailed("The areas cannot be the same")(error);
     }
     show();
   });
