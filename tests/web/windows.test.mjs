@@ -178,7 +178,7 @@ describeInBrowser("the same area for all", (open) => {
     expect(await page.evaluate(() => app.painter.frame)).toBeNull();
   });
 
-  test("circles overlap nowhere, and lines of equal distance bear radii below nothing", async () => {
+  test("circles overlap nowhere, and radii below nothing are drawn", async () => {
     await press();
     await whenOn();
     const least = await page.evaluate(() => {
