@@ -1,6 +1,6 @@
 // The same area for all: radii with which all cells are equally large, found in a worker, and let
 // in little by little. That is one edit, and back again another.
-import { inWorker } from "../sets/in_worker.js";
+import { inWorker } from "./in_worker.js";
 
 /** @typedef {import("../model/sites.js").Window} Window */
 /**

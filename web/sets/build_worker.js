@@ -20,10 +20,9 @@ self.onmessage = async ({ data: { address, options } }) => {
     });
     self.postMessage({ what: "Handing it over" });
     const bytes = diagram.toBytes();
-    const result = { xyr, bytes, buildTime };
-    self.postMessage({ result }, { transfer: [xyr.buffer, bytes.buffer] });
+    self.postMessage({ xyr, bytes, buildTime }, { transfer: [xyr.buffer, bytes.buffer] });
   } catch (error) {
-    self.postMessage({ failure: String(error?.message ?? error) });
+    self.postMessage({ error: String(error?.message ?? error) });
   }
 };
 

@@ -2,7 +2,6 @@
 // how far it is and can be stopped.
 import { Diagram } from "apollonius-diagram";
 import { Sites } from "../model/sites.js";
-import { inWorker } from "./in_worker.js";
 import { randomCircles } from "./random_sets.js";
 
 /**
@@ -29,6 +28,7 @@ function circleOptions({ n, hidden, seed, tall }) {
  */
 export async function build(options, info, { signal, progress }) {
   if (options.n <= kMostHere) return new Sites(randomCircles(circleOptions(options)), info);
+  const worker = new Worker(new URL("./build_worker.js", import.meta.url), { type: "module" });
   let ticking = 0;
   const tell = ({ what, estimate }) => {
     clearInterval(ticking);
@@ -38,11 +38,23 @@ export async function build(options, info, { signal, progress }) {
     if (estimate) ticking = setInterval(() => progress?.(share(), what), kTick);
   };
   try {
-    const script = new URL("./build_worker.js", import.meta.url);
-    const built = await inWorker(script, { options: circleOptions(options) }, tell, signal);
-    return restored(built, info);
+    return await new Promise((resolve, reject) => {
+      signal?.addEventListener("abort", () => reject(signal.reason));
+      worker.onerror = (event) => reject(new Error(event.message || "the worker failed"));
+      worker.onmessage = ({ data }) => {
+        if (data.error) reject(new Error(data.error));
+        else if (data.bytes) resolve(restored(data, info));
+        else tell(data);
+      };
+      worker.postMessage({
+        // import maps do not reach into workers
+        address: import.meta.resolve("apollonius-diagram"),
+        options: circleOptions(options),
+      });
+    });
   } finally {
     clearInterval(ticking);
+    worker.terminate();
   }
 }
 
