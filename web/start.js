@@ -6,6 +6,7 @@ import { letWander } from "./motion/wanderer.js";
 import { Weights } from "./motion/weights.js";
 import { makeNavigation } from "./navigation.js";
 import { showRevivals } from "./revivals.js";
+import { prepareToBuild } from "./sets/building.js";
 import { fetchCities } from "./sets/cities.js";
 import { listenToPointer } from "./tools/gestures.js";
 import { listenToKeyboard } from "./tools/keyboard.js";
@@ -106,8 +107,11 @@ export async function start() {
   }
   if (isPlain) letWander(app);
 
-  // So that the page needs no network later; that it fails is said when the cities are asked for.
-  setTimeout(() => fetchCities().catch(() => {}), kIdle);
+  // So that the page needs no network later; that it fails is said when these are asked for.
+  setTimeout(() => {
+    fetchCities().catch(() => {});
+    prepareToBuild();
+  }, kIdle);
 
   // A handle for tests and the curious; not an interface: it may change at any time.
   Object.assign(window, { app: Object.assign(app, { navigation, motion, weights }) });

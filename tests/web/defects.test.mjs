@@ -1,8 +1,9 @@
 // What once broke on the page, or misled. Each of these failed before it was mended.
-import { afterEach, beforeEach, describe, expect, test } from "@jest/globals";
+import { describe, expect, test } from "@jest/globals";
 import {
   circlesOf,
   describeInBrowser,
+  forEachPage,
   drag,
   freeSpace,
   settled,
@@ -14,13 +15,8 @@ import {
 
 describeInBrowser("defects", (open) => {
   let page;
-  beforeEach(async () => {
-    page = await open();
-  });
-  afterEach(async () => {
-    expect((await stateOf(page)).broken).toBeNull();
-    expect(page.errors).toEqual([]);
-    await page.context().close();
+  forEachPage(open, (opened) => {
+    page = opened;
   });
 
   describe("during a drag", () => {

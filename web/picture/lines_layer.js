@@ -3,6 +3,7 @@
 import { Diagram } from "apollonius-diagram";
 import { addCell, boundsOf, cellCorners, drawOptions, ScreenStrokes } from "./curves.js";
 import { drawEdges } from "./edges.js";
+import { drawLevels } from "./levels_layer.js";
 
 const kCellsGone = 4; // pixels: cells of this size show no lines,
 const kCellsWhole = 8; // and from this size on they are as strong as can be
@@ -48,6 +49,7 @@ export function* drawLines(context, picture, box, strength, expected) {
     if (layers.vertices) drawVertices(context, picture, near);
     context.globalAlpha = 1;
   }
+  if (layers.levels) yield* drawLevels(context, picture, near);
   if (layers.hull) drawHull(context, picture, near);
 }
 

@@ -12,7 +12,8 @@ import { View } from "./view.js";
 /** @typedef {import("./view.js").Box} Box */
 /**
  * @typedef {{ cells: boolean, distances: boolean, circles: boolean, hidden: boolean, map: boolean,
- *   dual: boolean, centres: boolean, vertices: boolean, hull: boolean }} Layers what is shown
+ *   dual: boolean, centres: boolean, vertices: boolean, levels: boolean, hull: boolean }} Layers
+ * what is shown
  */
 /**
  * @typedef {{
@@ -85,6 +86,7 @@ export class Painter {
     dual: false,
     centres: false,
     vertices: false,
+    levels: false,
     hull: false,
   };
   /** @type {import("./overlay_layer.js").Overlay} */
