@@ -50,11 +50,9 @@ const kFree = 12; // pixels below the introduction that need no margin
 /** What the bars cover, in pixels: all that lies along the upper or the lower border. */
 function insets() {
   const top = element("intro").getBoundingClientRect().bottom - kFree;
-  const sheet = element("sheet").getBoundingClientRect();
-  const bottom = Math.min(
-    element("tools").getBoundingClientRect().top,
-    sheet.height > 0 ? sheet.top : innerHeight,
-  );
+  const bottom = ["tools", "sheet", "status", "library"]
+    .map((id) => element(id).getBoundingClientRect())
+    .reduce((least, box) => (box.height > 0 ? Math.min(least, box.top) : least), innerHeight);
   return { left: 0, top, right: 0, bottom: innerHeight - bottom };
 }
 

@@ -52,8 +52,8 @@ export function askedByDeletion({ diagram }, id) {
 export const stepOfQuestions = (asked, draw) => ({
   title: "The questions",
   text:
-    "How often each was settled by the filter, in doubles with a bound on the error; by the middle " +
-    `stage, which rounds nothing; or in integers of any length.${tiesIn(asked)}`,
+    "How often each was settled by the filter, in doubles with a bound on the error; by the " +
+    `middle stage, which rounds nothing; or in integers of any length.${tiesIn(asked)}`,
   questions: asked,
   draw,
 });
