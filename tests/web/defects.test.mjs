@@ -180,7 +180,7 @@ describeInBrowser("defects", (open) => {
     await page.evaluate(() => app.insertCircle({ x: 30_000, y: 4000, r: 500 }));
     await page.click("#tool-fit");
     const outside = await page.evaluate(() => {
-      const bars = [".bar", "#tools"].map((name) =>
+      const bars = [".bar", "#tools", "#status", "#library"].map((name) =>
         document.querySelector(name).getBoundingClientRect(),
       );
       return Array.from(app.diagram.ids()).filter((id) => {
