@@ -217,6 +217,22 @@ describeInBrowser("touch", (open) => {
     expect((await whereIs(page, 0)).x - to.x).toBeCloseTo(60, 3);
   });
 
+  test("the handle resizes, the Delete tool deletes, the card duplicates", async () => {
+    await showCircles(page, [0, 0, 20, 100, 0, 10, 100, 100, 10]);
+    const { x, y, r } = await whereIs(page, 0);
+    await page.touchscreen.tap(x, y);
+    await swipe([x + r + 5, y], [x + r + 45, y]);
+    expect((await whereIs(page, 0)).r - r).toBeCloseTo(40, 0);
+    await page.tap("#card-duplicate");
+    expect((await stateOf(page)).size).toBe(4);
+    await page.tap("#tool-undo");
+    await page.evaluate(() => app.selection.clear());
+    await page.tap("#tool-delete");
+    const other = await whereIs(page, 2);
+    await page.touchscreen.tap(other.x, other.y);
+    expect((await stateOf(page)).size).toBe(2);
+  });
+
   test("two fingers zoom; what the first one had begun is given up", async () => {
     const before = await circlesOf(page);
     const [id] = await sitesInReach(page);
