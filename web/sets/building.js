@@ -37,9 +37,11 @@ function newWorker() {
 
 /** Gets the worker ready, so that building needs no network later. */
 export function prepareToBuild() {
-  spare ??= newWorker();
-  spare.catch(() => {
-    spare = null; // there is another try when it is needed
+  if (spare) return;
+  const starting = newWorker();
+  spare = starting;
+  starting.catch(() => {
+    if (spare === starting) spare = null; // there is another try when it is needed
   });
 }
 
@@ -54,7 +56,7 @@ export async function build(options, info, { signal, progress }) {
   spare = null; // it can be busy for long: another one takes what comes meanwhile
   const worker = await starting;
   let ticking = 0;
-  let isIdle = false;
+  let isIdle = true;
   const tell = ({ what, estimate }) => {
     clearInterval(ticking);
     const start = performance.now();
@@ -74,6 +76,7 @@ export async function build(options, info, { signal, progress }) {
         else tell(data);
       };
       worker.postMessage({ options: circleOptions(options) });
+      isIdle = false;
     });
   } finally {
     clearInterval(ticking);
