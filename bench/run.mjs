@@ -73,21 +73,21 @@ async function contenders() {
   }
   progress(1, "\n");
   const seconds = (performance.now() - start) / 1000;
-  const run = {
+  const result = {
     machine: facts,
     mode,
     seconds: Math.round(seconds),
     records,
     disagreements: disagreements(records),
   };
-  const text = report({ ...run, seconds });
+  const text = report({ ...result, seconds });
   console.log(text);
 
   const isWhole = mode !== "quick" && !only && without.length === 0;
   const folder = isWhole ? results : drafts;
   mkdirSync(folder, { recursive: true });
   const { cpu, cores, node, commit, date } = facts;
-  writeFileSync(path.join(folder, "latest.json"), `${JSON.stringify(run, null, 1)}\n`);
+  writeFileSync(path.join(folder, "latest.json"), `${JSON.stringify(result, null, 1)}\n`);
   writeFileSync(path.join(folder, "latest.md"), text);
   writeFileSync(
     path.join(folder, "latest.svg"),

@@ -12,12 +12,15 @@ export type {
   NearbyFilter,
   NearbyOptions,
   PickOptions,
+  PredicateCounts,
   ListedSite,
   Site,
   Sites,
   SnapshotOptions,
+  StageCounts,
   Vertices,
 } from "./types.js";
+export { predicateCounts } from "./predicate_counts.js";
 export { ApolloniusError, type ErrorCode } from "./errors.js";
 export type { CellsCollection, GeoJSONOptions, Position } from "./geojson.js";
 export type { DrawOptions, DualOptions, PathContext } from "./path.js";

@@ -18,6 +18,7 @@
 #include "apollonius/builder.h"
 #include "apollonius/diagram.h"
 #include "apollonius/nearest_first.h"
+#include "apollonius/predicate_counts.h"
 #include "apollonius/voronoi.h"
 #include "arrays.h"
 
@@ -389,6 +390,19 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .field("cursor", &Portion::cursor)
       .field("isDone", &Portion::isDone);
 
+  value_object<apollonius::StageCounts>("StageCounts")
+      .field("filter", &apollonius::StageCounts::filter)
+      .field("middle", &apollonius::StageCounts::middle)
+      .field("exact", &apollonius::StageCounts::exact);
+  value_object<apollonius::PredicateCounts>("PredicateCounts")
+      .field("covers", &apollonius::PredicateCounts::covers)
+      .field("distance", &apollonius::PredicateCounts::distance)
+      .field("bearing", &apollonius::PredicateCounts::bearing)
+      .field("vertexConflict", &apollonius::PredicateCounts::vertexConflict)
+      .field("edgeConflict", &apollonius::PredicateCounts::edgeConflict)
+      .field("ties", &apollonius::PredicateCounts::ties);
+  function("predicateCounts", &apollonius::predicateCounts);
+
   const return_value_policy::take_ownership moved;  // not copied
   class_<Builder>("Builder").function("progress", &Builder::progress);
   class_<NearestFirst>("NearestFirst").function("next", &next);
@@ -425,6 +439,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("neighbors", returning<&Diagram::neighbors>())
       .function("vertices", returning<&Diagram::vertices>(), moved)
       .function("edges", returning<&Diagram::edges>(), moved)
+      .function("levels", returning<&Diagram::levels>())
       // Snapshots
       .function("toBytes", returning<&Diagram::toBytes>())
       .function("fromBytes", &fromBytes)

@@ -16,7 +16,7 @@ import { kInspect, listed, showContent, summary } from "./content.js";
 import { drawDual, drawWhole } from "./drawing.js";
 import * as edits from "./edits.js";
 import { ApolloniusError } from "./errors.js";
-import { createNative, destroy, provideNative } from "./living.js";
+import { createNative, destroy, fillOrDispose, provideNative } from "./living.js";
 import { type NativeDiagram, runningModule } from "./module.js";
 import type { DrawOptions, DualOptions, PathContext } from "./path.js";
 import { checkOptions } from "./options.js";
@@ -79,13 +79,7 @@ export class Diagram implements Disposable {
     const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
     this.#native = createNative(this, location);
     showContent(this);
-    if (xyr === undefined) return;
-    try {
-      this.insertMany(xyr);
-    } catch (error) {
-      this.dispose();
-      throw error;
-    }
+    if (xyr !== undefined) fillOrDispose(this, () => this.insertMany(xyr));
   }
 
   /**
@@ -138,15 +132,12 @@ export class Diagram implements Disposable {
     checkOptions(options, "location", "trusted");
     const trusted = checkedChoice("options.trusted", options?.trusted, [false, true]);
     const diagram = new Diagram(undefined, { location: options?.location });
-    try {
+    fillOrDispose(diagram, () => {
       const native = diagram.#living();
       const source = runningModule().Source[trusted ? "trusted" : "anyone"];
       native.fromBytes(checkedBytes("bytes", bytes), source); // now: options may have getters
       diagram.#ballast.carry(native.size());
-    } catch (error) {
-      diagram.dispose();
-      throw error;
-    }
+    });
     return diagram;
   }
 
@@ -368,6 +359,15 @@ export class Diagram implements Disposable {
    */
   vertices(): Vertices {
     return this.#living().vertices();
+  }
+
+  /**
+   * How many levels of the hierarchy hold each site, by id (paper, section 4; level 0 is the
+   * diagram itself): 1 for most, 2 or more for about one in 32, and so on; 0 for hidden sites and
+   * for ids not in use. O(n).
+   */
+  levels(): Uint8Array {
+    return this.#living().levels();
   }
 
   // --- Geometry ----------------------------------------------------------------------------------

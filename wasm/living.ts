@@ -48,6 +48,16 @@ function keep(owner: object, native: NativeDiagram | NativeRegion): void {
   collector.register(owner, native, native);
 }
 
+/** Fills a new diagram; one that cannot be filled is disposed of. */
+export function fillOrDispose(diagram: { dispose(): void }, fill: () => unknown): void {
+  try {
+    fill();
+  } catch (error) {
+    diagram.dispose();
+    throw error;
+  }
+}
+
 export function destroy(native: NativeDiagram): void {
   collector?.unregister(native);
   native.delete();

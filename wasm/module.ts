@@ -6,6 +6,7 @@ import createModule, {
   type Fitting,
   type MainModule,
   type NearestFirst,
+  type PredicateCounts,
   type Region,
 } from "../build/wasm/apollonius.mjs";
 import { outOfMemory } from "./arguments.js";
@@ -20,6 +21,7 @@ export type { Builder, Fitting, NearestFirst };
 
 interface NativeModule {
   create(location: keyof MainModule["Location"]): NativeDiagram;
+  predicateCounts(): PredicateCounts;
   readonly Drawing: MainModule["Drawing"];
   readonly Source: MainModule["Source"];
   readonly Top: MainModule["Top"];
@@ -66,9 +68,11 @@ function started(compiled: WebAssembly.Module): NativeModule {
       if (name !== "constructor")
         methods[name] = guarded(methods[name] as Method, name === "delete");
   }
+  const predicateCounts = guarded(rest.predicateCounts);
   const create = guarded((location: keyof typeof Location) => new Diagram(Location[location]));
   const module: NativeModule = {
     create: (location) => create.call(nobody, location as never) as NativeDiagram,
+    predicateCounts: () => predicateCounts.call(nobody) as PredicateCounts,
     Drawing,
     Source,
     Top,

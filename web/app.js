@@ -78,8 +78,8 @@ export class App extends EventTarget {
 
   /** @param {import("./model/model.js").Change} change about to happen, or just happened */
   #redrawAround({ ids }) {
-    const { dual, hull, vertices, centres } = this.painter.layers;
-    const isAround = hull || vertices || centres; // what is drawn changes elsewhere, too
+    const { dual, hull, vertices, levels, centres } = this.painter.layers;
+    const isAround = hull || vertices || levels || centres; // what is drawn changes elsewhere, too
     if (ids === null || ids.length > kMostBoxes || isAround) {
       this.painter.redraw();
       return;

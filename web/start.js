@@ -7,6 +7,7 @@ import { letWander } from "./motion/wanderer.js";
 import { Weights } from "./motion/weights.js";
 import { makeNavigation } from "./navigation.js";
 import { showRevivals } from "./revivals.js";
+import { prepareToBuild } from "./sets/building.js";
 import { fetchCities } from "./sets/cities.js";
 import { listenToPointer } from "./tools/gestures.js";
 import { listenToKeyboard } from "./tools/keyboard.js";
@@ -51,11 +52,9 @@ const kFree = 12; // pixels below the introduction that need no margin
 /** What the bars cover, in pixels: all that lies along the upper or the lower border. */
 function insets() {
   const top = element("intro").getBoundingClientRect().bottom - kFree;
-  const sheet = element("sheet").getBoundingClientRect();
-  const bottom = Math.min(
-    element("tools").getBoundingClientRect().top,
-    sheet.height > 0 ? sheet.top : innerHeight,
-  );
+  const bottom = ["tools", "sheet", "status", "library"]
+    .map((id) => element(id).getBoundingClientRect())
+    .reduce((least, box) => (box.height > 0 ? Math.min(least, box.top) : least), innerHeight);
   return { left: 0, top, right: 0, bottom: innerHeight - bottom };
 }
 
@@ -109,8 +108,11 @@ export async function start() {
   }
   if (isPlain) letWander(app);
 
-  // So that the page needs no network later; that it fails is said when the cities are asked for.
-  setTimeout(() => fetchCities().catch(() => {}), kIdle);
+  // So that the page needs no network later; that it fails is said when these are asked for.
+  setTimeout(() => {
+    fetchCities().catch(() => {});
+    prepareToBuild();
+  }, kIdle);
 
   // A handle for tests and the curious; not an interface: it may change at any time.
   Object.assign(window, { app: Object.assign(app, { navigation, motion, weights }) });

@@ -257,6 +257,10 @@ Error Diagram::faces(std::vector<SiteId>& sites) const {
   return guarded(*core_, [&] { listFaces(*core_, sites); });
 }
 
+Error Diagram::levels(std::vector<std::uint8_t>& levels) const {
+  return guarded(*core_, [&] { listLevels(*core_, levels); });
+}
+
 Error Diagram::toBytes(std::vector<std::uint8_t>& bytes) const {
   return guarded(*core_, [&] { core_->save(bytes); });
 }

@@ -180,6 +180,12 @@ class APOLLONIUS_EXPORT Diagram {
   /// Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
   [[nodiscard]] Error faces(std::vector<SiteId>& sites) const;
 
+  /// On how many levels of the hierarchy each site is (paper, section 4), by id: the site at
+  /// levels[id] = k is on levels 0, the diagram itself, to k - 1; 0 for a hidden site and for an id
+  /// that is not in use. All visible sites have 1 where Location::kWalk was chosen. Replaces the
+  /// contents. Errors: kOutOfMemory. Cost: O(n)
+  [[nodiscard]] Error levels(std::vector<std::uint8_t>& levels) const;
+
   // --- Snapshots (docs/SNAPSHOTS.md)
 
   /// The diagram in bytes, the same on every platform; replaces the contents. Errors: kOutOfMemory.

@@ -5,6 +5,7 @@
 #include "delaunay/delaunay_graph.h"
 #include "delaunay/sort_by_key.h"
 #include "predicate/predicates.h"
+#include "predicate/stage_counts.h"
 
 namespace apollonius::internal {
 
@@ -37,6 +38,7 @@ bool ConflictSearch::findBeside(const DelaunayGraph& delaunay, const Site& q, Ve
     // The filter's word only: it means strictly nearer, while the exact rule counts the site of a
     // circle given twice as in conflict.
     const MaybeSign filtered = circleFilter(delaunay.circle(faceOf(h)), q);
+    stages::counts().vertexAtOnce += filtered.known;
     if (filtered.known && filtered.sign == Sign::kPositive) {
       startAtConflict(faceOf(h));
       expand();
@@ -129,6 +131,7 @@ bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const {
                       &atL = delaunay_->keptCircle(faceOf(twin));
   if (i != kInfinity && j != kInfinity &&
       isSurelyInConflictBetweenEnds(delaunay_->site(i), delaunay_->site(j), atK, atL, *q_)) {
+    ++stages::counts().edgeAtOnce;
     shadowCheck({Sign::kPositive, true}, [&] {
       return isEntireEdgeInConflict(delaunay_->edge(h), *q_) ? Sign::kPositive : Sign::kNegative;
     });

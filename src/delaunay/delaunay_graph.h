@@ -16,6 +16,7 @@
 #include "predicate/predicates.h"
 #include "predicate/shadow_check.h"
 #include "predicate/site.h"
+#include "predicate/stage_counts.h"
 #include "predicate/voronoi_circle.h"
 #include "topology/graph.h"
 
@@ -72,6 +73,7 @@ class DelaunayGraph {
   [[nodiscard]] bool isFaceInConflict(FaceId f, const Site& q) const {
     const MaybeSign filtered =
         circleFilter(keptCircle(f), q);  // settles nearly all; no corner is looked up
+    stages::counts().vertexAtOnce += filtered.known;
     return filtered.known && !kShadowCheck ? filtered.sign == Sign::kPositive
                                            : isFaceInConflictByCorners(f, q);
   }

@@ -2,6 +2,7 @@
 
 #include "predicate/compute_circle.h"
 #include "predicate/predicates.h"
+#include "predicate/stage_counts.h"
 
 namespace apollonius::internal {
 
@@ -53,6 +54,7 @@ bool EarClipper::isEar(const DelaunayGraph& delaunay, const Site& removed, std::
   if (!findVoronoiCircle(i, j, k, circle)) return false;
   const auto isInConflict = [&](const Site& site) {
     const MaybeSign filtered = circleFilter(circle, site);
+    stages::counts().vertexAtOnce += filtered.known;
     return filtered.known && !kShadowCheck ? filtered.sign == Sign::kPositive
                                            : isVertexInConflict(circle, i, j, k, site);
   };

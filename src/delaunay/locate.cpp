@@ -4,6 +4,7 @@
 #include "predicate/direction.h"
 #include "predicate/distance.h"
 #include "predicate/predicates.h"
+#include "predicate/stage_counts.h"
 
 namespace apollonius::internal {
 
@@ -16,13 +17,18 @@ class Nearest {
  public:
   Nearest(double x, double y, const Site& first)
       : x_(x), y_(y), site_(&first), distance_(x, y, first) {}
+  Nearest(const Nearest&) = delete;
+  Nearest& operator=(const Nearest&) = delete;
+  ~Nearest() { stages::counts().distanceAtOnce += settled_; }
 
   /// Takes the candidate's place if it is nearer.
   bool improve(const Site& candidate) {
     const ApproxDistance distance(x_, y_, candidate);
     const double gain = distance_.value - distance.value;
     const double bound = distance_.bound + distance.bound;
-    if (gain < -bound || (!(gain > bound) && !isNearer(x_, y_, *site_, candidate))) return false;
+    const bool isSettled = gain < -bound || gain > bound;
+    settled_ += isSettled;
+    if (gain < -bound || (!isSettled && !isNearer(x_, y_, *site_, candidate))) return false;
     site_ = &candidate;
     distance_ = distance;
     return true;
@@ -32,6 +38,7 @@ class Nearest {
   double x_, y_;
   const Site* site_;
   ApproxDistance distance_;
+  unsigned settled_ = 0;
 };
 
 /// Up to this many neighbours are asked one after the other, which is cheaper than finding out

@@ -47,6 +47,11 @@ class DiagramCore {
   [[nodiscard]] const DelaunayGraph& delaunay() const { return delaunay_; }
   [[nodiscard]] const HiddenForest& hidden() const { return hidden_; }
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
+  /// The same with its levels, also right after a snapshot was read or something was undone.
+  [[nodiscard]] const Hierarchy& filledHierarchy() const {
+    if (isHierarchyDue_) buildHierarchy();
+    return hierarchy_;
+  }
 
   /// The nearest site; `hint` is a visible site close to the point, or kNoSlot. REQUIRES: not
   /// empty.

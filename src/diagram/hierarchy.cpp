@@ -26,6 +26,15 @@ Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
   return slot;
 }
 
+unsigned Hierarchy::levelsOf(Slot slot) const {
+  unsigned level = 0;
+  for (; level < levelCount_ && climbs(slot, level); ++level) {
+    slot >>= kBits;
+    if (!levels_[level]->isVisible(vertexOf(slot))) break;
+  }
+  return level + 1;
+}
+
 /// The nearest site; but a giant among small ones has a high degree below, and nobody knows where
 /// to start turning around it. The neighbour in whose sector the point lies leads there: it is
 /// taken if, seen from it, the giant's weight dwarfs the distance.

@@ -37,6 +37,9 @@ class Hierarchy {
   /// The slot of the site to start from on level 0 for (x, y), or kNoSlot if the levels are empty.
   [[nodiscard]] Slot locate(double x, double y) const { return locateOn(0, x, y); }
 
+  /// On how many levels a site is that is visible on level 0, which counts.
+  [[nodiscard]] unsigned levelsOf(Slot slot) const;
+
   /// Room on the levels for the visible ones of so many slots, in one piece, if there is memory.
   void reserveBulk(std::size_t slots) noexcept;
 

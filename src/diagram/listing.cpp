@@ -88,4 +88,15 @@ void listEdges(const DiagramCore& diagram, EdgeArrays& out) {
   }
 }
 
+void listLevels(const DiagramCore& diagram, std::vector<std::uint8_t>& levels) {
+  const IdPool& ids = diagram.ids();
+  const Hierarchy& hierarchy = diagram.filledHierarchy();
+  levels.assign(ids.idLimit(), 0);
+  for (SiteId id = 0; id < ids.idLimit(); ++id) {
+    const Slot slot = ids.slotOf(id);
+    if (slot != kNoSlot && ids.state(slot) == SiteState::kVisible)
+      levels[id] = static_cast<std::uint8_t>(hierarchy.levelsOf(slot));
+  }
+}
+
 }  // namespace apollonius::internal

@@ -1,7 +1,9 @@
 // The diagram as arrays: a site's neighbours, the Voronoi vertices and edges, the faces of the
-// Delaunay graph. Each replaces the contents of its last argument and throws std::bad_alloc.
+// Delaunay graph, the levels of the hierarchy. Each replaces the contents of its last argument and
+// throws std::bad_alloc.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "apollonius/types.h"
@@ -20,5 +22,8 @@ void listEdges(const DiagramCore& diagram, EdgeArrays& out);
 
 /// Three sites each, counter-clockwise, kNoSite for infinity.
 void listFaces(const DiagramCore& diagram, std::vector<SiteId>& sites);
+
+/// By id: on how many levels of the hierarchy each site is; 0 for hidden ones and ids not in use.
+void listLevels(const DiagramCore& diagram, std::vector<std::uint8_t>& levels);
 
 }  // namespace apollonius::internal

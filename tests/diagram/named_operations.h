@@ -78,6 +78,11 @@ inline std::vector<NamedOperation> queries(std::size_t n) {
          std::vector<SiteId> sites;
          return d.faces(sites);
        }},
+      {"levels",
+       [](Diagram& d) {
+         std::vector<std::uint8_t> levels;
+         return d.levels(levels);
+       }},
       {"toBytes",
        [](Diagram& d) {
          std::vector<std::uint8_t> bytes;

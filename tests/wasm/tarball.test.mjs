@@ -79,8 +79,10 @@ const kLater = {
   "iteration, equality, JSON, errors that guess": 1_600,
   "regions as windows": 13_300,
   fitAreas: 4_900,
+  "levels, counts of predicates": 900,
 };
-const kLaterUnpacked = 220_000; // of which documents 60 000
+// of which documents 60 000, levels and counts of predicates 14 000
+const kLaterUnpacked = 234_000;
 const later = Object.values(kLater).reduce((sum, bytes) => sum + bytes, 0);
 test("sizes: the default entry and the whole package are within their limits", () => {
   const unpacked = files.reduce((sum, file) => sum + statSync(path.join(installed, file)).size, 0);

@@ -1,9 +1,10 @@
 // Circles in and out: presets, text, files, the page's address.
 import { readFileSync } from "node:fs";
-import { afterEach, beforeEach, describe, expect, test } from "@jest/globals";
+import { describe, expect, test } from "@jest/globals";
 import {
   circlesOf,
   describeInBrowser,
+  forEachPage,
   settled,
   show,
   showCircles,
@@ -18,13 +19,8 @@ const kThree = [
 
 describeInBrowser("data", (open) => {
   let page;
-  beforeEach(async () => {
-    page = await open();
-  });
-  afterEach(async () => {
-    expect((await stateOf(page)).broken).toBeNull();
-    expect(page.errors).toEqual([]);
-    await page.context().close();
+  forEachPage(open, (opened) => {
+    page = opened;
   });
 
   const numbers = async () => (await circlesOf(page)).map(([, x, y, r]) => [x, y, r]);

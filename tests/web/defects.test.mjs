@@ -1,8 +1,9 @@
 // What once broke on the page, or misled. Each of these failed before it was mended.
-import { afterEach, beforeEach, describe, expect, test } from "@jest/globals";
+import { describe, expect, test } from "@jest/globals";
 import {
   circlesOf,
   describeInBrowser,
+  forEachPage,
   drag,
   freeSpace,
   settled,
@@ -14,13 +15,8 @@ import {
 
 describeInBrowser("defects", (open) => {
   let page;
-  beforeEach(async () => {
-    page = await open();
-  });
-  afterEach(async () => {
-    expect((await stateOf(page)).broken).toBeNull();
-    expect(page.errors).toEqual([]);
-    await page.context().close();
+  forEachPage(open, (opened) => {
+    page = opened;
   });
 
   describe("during a drag", () => {
@@ -184,7 +180,7 @@ describeInBrowser("defects", (open) => {
     await page.evaluate(() => app.insertCircle({ x: 30_000, y: 4000, r: 500 }));
     await page.click("#tool-fit");
     const outside = await page.evaluate(() => {
-      const bars = [".bar", "#tools"].map((name) =>
+      const bars = [".bar", "#tools", "#status", "#library"].map((name) =>
         document.querySelector(name).getBoundingClientRect(),
       );
       return Array.from(app.diagram.ids()).filter((id) => {

@@ -167,6 +167,10 @@ describeInBrowser("looks", (open) => {
     await page.context().setOffline(true);
     await show(page, "nesting");
     await show(page, "cities");
+    for (const n of ["100001", "100002"]) await show(page, "random", { n, hidden: "5" });
+    expect(await page.evaluate(() => app.diagram.size)).toBe(100_002);
+    await page.click("#tool-undo");
+    await page.click("#tool-undo");
     await page.click("#open-code");
     await page.keyboard.press("Escape");
     const steps = await page.evaluate(async () => {

@@ -1,8 +1,9 @@
 // What moves by itself, the steps of the algorithm, and touch.
-import { afterEach, beforeEach, expect, test } from "@jest/globals";
+import { expect, test } from "@jest/globals";
 import {
   circlesOf,
   describeInBrowser,
+  forEachPage,
   freeSpace,
   painted,
   settled,
@@ -15,13 +16,8 @@ import {
 
 describeInBrowser("motion and steps", (open) => {
   let page;
-  beforeEach(async () => {
-    page = await open();
-  });
-  afterEach(async () => {
-    expect((await stateOf(page)).broken).toBeNull();
-    expect(page.errors).toEqual([]);
-    await page.context().close();
+  forEachPage(open, (opened) => {
+    page = opened;
   });
 
   const press = async (id) => {
@@ -93,6 +89,56 @@ describeInBrowser("motion and steps", (open) => {
     expect(await page.isVisible("#steps")).toBe(false);
   });
 
+  test("the walk goes down the levels, and what was asked is counted by stage", async () => {
+    await show(page, "cities");
+    await press("step-insert");
+    const said = [];
+    for (let label = ""; label !== "Do it"; ) {
+      said.push(await page.textContent("#steps-title"));
+      label = await page.textContent("#steps-next");
+      if (label !== "Do it") await page.click("#steps-next");
+    }
+    expect(said.slice(1, 4)).toEqual([
+      "The walk",
+      "Level 1 of the hierarchy",
+      "Level 0, the diagram itself",
+    ]);
+    expect(said.at(-1)).toBe("The questions");
+    const counts = await page.$$eval("#steps-counts td", (cells) =>
+      cells.map((cell) => Number(cell.textContent)),
+    );
+    expect(counts.length % 3).toBe(0);
+    expect(counts.reduce((a, b) => a + b)).toBeGreaterThan(0);
+    await page.click("#steps-back");
+    expect(await page.isVisible("#steps-questions")).toBe(false);
+  });
+
+  test("walks end at the nearest circle, with levels and without", async () => {
+    await show(page, "random", { n: "3000", hidden: "20" });
+    const ends = await page.evaluate(async () => {
+      const { descent, walk } = await import("./steps/walk.js");
+      const [xmin, ymin, xmax, ymax] = app.sites.bounds();
+      return Array.from({ length: 40 }, (_, k) => {
+        const point = {
+          x: xmin + ((k * 37) % 100) * 0.01 * (xmax - xmin),
+          y: ymin + ((k * 61) % 100) * 0.01 * (ymax - ymin),
+        };
+        const stages = descent(app.sites, point);
+        const start = app.diagram.neighbors(app.diagram.find(xmin, ymin))[0];
+        return [
+          app.diagram.find(point.x, point.y),
+          stages.at(-1).path.at(-1),
+          walk(app.diagram, point, start).at(-1),
+          stages.map(({ level }) => level).join(),
+        ];
+      });
+    });
+    for (const [nearest, down, along, levels] of ends) {
+      expect([down, along]).toEqual([nearest, nearest]);
+      expect(levels).toBe("2,1,0");
+    }
+  });
+
   test("the vertices that the steps call lost are those that insertion removes", async () => {
     const found = await page.evaluate(async () => {
       const { insertionSteps } = await import("./steps/insertion.js");
@@ -128,6 +174,8 @@ describeInBrowser("motion and steps", (open) => {
     await page.click("#steps-back");
     await page.click("#steps-next");
     await page.click("#steps-next");
+    expect(await page.isVisible("#steps-questions")).toBe(true);
+    await page.click("#steps-next");
     expect(await stateOf(page)).toMatchObject({ size: 34, hidden: 1 });
   });
 });
@@ -135,20 +183,16 @@ describeInBrowser("motion and steps", (open) => {
 describeInBrowser("touch", (open) => {
   let page;
   let send;
-  beforeEach(async () => {
-    page = await open({ viewport: { width: 800, height: 900 }, hasTouch: true });
+  const use = async (opened) => {
+    page = opened;
     const session = await page.context().newCDPSession(page);
     send = (type, ...points) =>
       session.send("Input.dispatchTouchEvent", {
         type,
         touchPoints: points.map(([x, y], id) => ({ x, y, id })),
       });
-  });
-  afterEach(async () => {
-    expect((await stateOf(page)).broken).toBeNull();
-    expect(page.errors).toEqual([]);
-    await page.context().close();
-  });
+  };
+  forEachPage(open, use, { viewport: { width: 800, height: 900 }, hasTouch: true });
 
   const swipe = async (from, to, steps = 10) => {
     await send("touchStart", from);
@@ -171,6 +215,22 @@ describeInBrowser("touch", (open) => {
     const space = [to.x, to.y - 250];
     await swipe(space, [space[0] + 60, space[1]]);
     expect((await whereIs(page, 0)).x - to.x).toBeCloseTo(60, 3);
+  });
+
+  test("the handle resizes, the Delete tool deletes, the card duplicates", async () => {
+    await showCircles(page, [0, 0, 20, 100, 0, 10, 100, 100, 10]);
+    const { x, y, r } = await whereIs(page, 0);
+    await page.touchscreen.tap(x, y);
+    await swipe([x + r + 5, y], [x + r + 45, y]);
+    expect((await whereIs(page, 0)).r - r).toBeCloseTo(40, 0);
+    await page.tap("#card-duplicate");
+    expect((await stateOf(page)).size).toBe(4);
+    await page.tap("#tool-undo");
+    await page.evaluate(() => app.selection.clear());
+    await page.tap("#tool-delete");
+    const other = await whereIs(page, 2);
+    await page.touchscreen.tap(other.x, other.y);
+    expect((await stateOf(page)).size).toBe(2);
   });
 
   test("two fingers zoom; what the first one had begun is given up", async () => {

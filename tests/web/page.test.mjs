@@ -1,10 +1,11 @@
 // The page as a visitor uses it: every way to change the diagram does what it says. After each test
 // the diagram's own exact check must find nothing.
-import { afterEach, beforeEach, describe, expect, test } from "@jest/globals";
+import { describe, expect, test } from "@jest/globals";
 import {
   circlesOf,
   describeInBrowser,
   drag,
+  forEachPage,
   freeSpace,
   painted,
   settled,
@@ -19,15 +20,9 @@ describeInBrowser("the page", (open) => {
   let page;
   let before;
 
-  beforeEach(async () => {
-    page = await open();
+  forEachPage(open, async (opened) => {
+    page = opened;
     before = await stateOf(page);
-  });
-
-  afterEach(async () => {
-    expect((await stateOf(page)).broken).toBeNull();
-    expect(page.errors).toEqual([]);
-    await page.context().close();
   });
 
   const at = (id) => whereIs(page, id);
@@ -409,9 +404,19 @@ describeInBrowser("the page", (open) => {
   });
 
   describe("layers", () => {
-    const layers = ["circles", "cells", "distances", "dual", "centres", "vertices", "hull"];
+    const layers = [
+      "circles",
+      "cells",
+      "distances",
+      "dual",
+      "centres",
+      "vertices",
+      "levels",
+      "hull",
+    ];
     test.each(layers)("%s can be switched", async (layer) => {
       const canvas = layer === "circles" ? "circles" : "lines";
+      if (layer === "levels") await show(page, "cities"); // few circles have few on levels
       const set = async (isShown) => {
         await page.evaluate(([layer, isShown]) => app.setLayer(layer, isShown), [layer, isShown]);
         return painted(page, canvas);

@@ -6,7 +6,7 @@ import { describeInBrowser, describeInFirefox } from "./support/browser.mjs";
 import { storm } from "./support/storm.mjs";
 
 const seeds = [1, 2, 3];
-const kEvents = 2000; // 5 000 in the benchmark; npm test is to end within twenty minutes
+const kEvents = 5000;
 
 const soundness = (page) =>
   page.evaluate(() => {
@@ -23,20 +23,25 @@ const soundness = (page) =>
 const kSound = { broken: null, mirror: [], gone: [] };
 
 describeInBrowser("storms", (open) => {
-  test.each(seeds)("seed %i", async (seed) => {
+  /** All that is wrong after a storm, and after the way back to its beginning and here again. */
+  async function weather(seed) {
     const page = await open({ viewport: { width: 900, height: 700 } });
     await storm(page, { seed, events: kEvents });
-    expect(await soundness(page)).toEqual(kSound);
-    const end = await page.evaluate(() => {
+    const after = await soundness(page);
+    await page.evaluate(() => {
       while (app.model.history.canUndo) app.undo();
       while (app.model.history.canRedo) app.redo();
-      return app.diagram.validate();
     });
-    expect(end).toBeNull();
-    expect(await soundness(page)).toEqual(kSound);
-    expect(page.errors).toEqual([]);
+    const again = await soundness(page);
     await page.context().close();
-  }, 300_000);
+    return { seed, after, again, errors: page.errors };
+  }
+
+  // Side by side, as events mostly wait for the next frame.
+  test(`seeds ${seeds}`, async () => {
+    const sound = (seed) => ({ seed, after: kSound, again: kSound, errors: [] });
+    expect(await Promise.all(seeds.map(weather))).toEqual(seeds.map(sound));
+  }, 900_000);
 });
 
 describeInFirefox("storms in Firefox", (open) => {

@@ -82,6 +82,11 @@ export class Sites {
     return xyr;
   }
 
+  /** x, y, r of several, r as it counts. @param {ArrayLike<number>} ids */
+  countingTriples(ids) {
+    return this.#weighted(this.triples(ids));
+  }
+
   /** @returns {Label} */
   label(id) {
     return this.labels.get(id) ?? { name: `Circle ${id}` };

@@ -151,7 +151,8 @@ export class ScreenStrokes {
   }
 }
 
-const windowOf = (view) => ({ left: 0, top: 0, right: view.width, bottom: view.height });
+/** All of it, in pixels. @param {View} view */
+export const windowOf = (view) => ({ left: 0, top: 0, right: view.width, bottom: view.height });
 
 /**
  * Adds a site's cell as closed figures, correct inside the window; nothing for a hidden site. To be

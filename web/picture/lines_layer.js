@@ -3,9 +3,12 @@
 import { Diagram } from "apollonius-diagram";
 import { addCell, boundsOf, cellCorners, drawOptions, ScreenStrokes } from "./curves.js";
 import { drawEdges } from "./edges.js";
+import { drawLevels } from "./levels_layer.js";
 
 const kCellsGone = 4; // pixels: cells of this size show no lines,
 const kCellsWhole = 8; // and from this size on they are as strong as can be
+// Of smaller cells lines are one pixel wide, without round ends: that is stroked ten times as fast.
+const kFineBelow = 16;
 // Asking for all edges in one call costs a fifteenth for each of what asking cell by cell does; but
 // it cannot be done in slices.
 const kAlwaysWhole = 1500; // visible sites
@@ -18,17 +21,17 @@ const kMostContoured = 160; // visible sites
 const kContour = 14; // pixels from one line of equal distance to the next
 
 /** How strong lines are between cells of this size in pixels. */
-export const strengthOf = (size) =>
+const strengthOf = (size) =>
   Math.max(0, Math.min(1, (size - kCellsGone) / (kCellsWhole - kCellsGone)));
 
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {import("./painter.js").Picture} picture
  * @param {import("./view.js").Box} box
- * @param {number} strength of lines, from 0 to 1
+ * @param {number} size of the cells in the window, in pixels
  * @param {number} expected how many cells meet the box, about
  */
-export function* drawLines(context, picture, box, strength, expected) {
+export function* drawLines(context, picture, box, size, expected) {
   const { layers } = picture;
   const near = {
     left: box.left - 3,
@@ -36,35 +39,43 @@ export function* drawLines(context, picture, box, strength, expected) {
     right: box.right + 3,
     bottom: box.bottom + 3,
   };
+  const strength = strengthOf(size);
   context.lineJoin = "round";
-  context.lineCap = "round";
+  context.lineCap = size < kFineBelow ? "butt" : "round";
   context.lineWidth = 1;
   if (strength > 0) {
     context.globalAlpha = strength;
     if (layers.distances) drawDistances(context, picture, near);
     if (layers.centres) yield* drawCentres(context, picture, near);
     if (layers.dual) yield* drawDual(context, picture, near);
-    if (layers.cells) yield* drawCells(context, picture, near, expected);
+    if (layers.cells) yield* drawCells(context, picture, near, size, expected);
     if (layers.vertices) drawVertices(context, picture, near);
     context.globalAlpha = 1;
   }
+  if (layers.levels) yield* drawLevels(context, picture, near);
   if (layers.hull) drawHull(context, picture, near);
 }
 
-function* drawCells(context, { sites, view, layers, theme, ends }, box, expected) {
+function* drawCells(context, picture, box, size, expected) {
+  const { sites, view, layers, theme, ends, isLive } = picture;
   const bounds = boundsOf(view, box);
   if (!bounds) return;
-  context.lineWidth = 1.25;
+  context.lineWidth = size < kFineBelow ? 1 : 1.25;
   context.strokeStyle = theme.cell;
   const strokes = new ScreenStrokes(context, view, box);
   const { diagram } = sites;
   const count = diagram.visibleSize;
   const isDense = count <= kMostWhole && kCheaper * expected > count;
-  if (ends || count <= kAlwaysWhole || isDense) {
-    const edges = new Recording();
-    (ends ?? diagram.voronoi(bounds)).render(edges, drawOptions(view));
+  const drawWhole = (target) => {
+    (ends ?? diagram.voronoi(bounds)).render(target, drawOptions(view));
     const isOnMap = sites.info.map && layers.map; // which has a coast
-    if (ends && !isOnMap) ends.renderBounds(edges);
+    if (ends && !isOnMap) ends.renderBounds(target);
+  };
+  if (isLive) {
+    drawWhole(strokes);
+  } else if (ends || count <= kAlwaysWhole || isDense) {
+    const edges = new Recording();
+    drawWhole(edges);
     yield* edges.play(strokes);
   } else yield* drawEdges(diagram, bounds, strokes);
   strokes.finish();

@@ -3,7 +3,7 @@
 // of a frame's time into a canvas that is not shown, and shown when they are complete; while the
 // view moves, what is there is moved and scaled as it is. A change of a few sites redraws a box.
 import { CirclesLayer } from "./circles_layer.js";
-import { drawLines, strengthOf } from "./lines_layer.js";
+import { drawLines } from "./lines_layer.js";
 import { drawMap } from "./map_layer.js";
 import { drawOverlay } from "./overlay_layer.js";
 import { readTheme } from "./theme.js";
@@ -13,15 +13,16 @@ import { View } from "./view.js";
 /** @typedef {import("../model/sites.js").Window} Window */
 /**
  * @typedef {{ cells: boolean, distances: boolean, circles: boolean, hidden: boolean, map: boolean,
- *   coast: boolean, dual: boolean, centres: boolean, vertices: boolean, hull: boolean }} Layers
- *   what is shown
+ *   coast: boolean, dual: boolean, centres: boolean, vertices: boolean, levels: boolean,
+ *   hull: boolean }} Layers what is shown
  */
 /**
  * @typedef {{
  *   sites: import("../model/sites.js").Sites, view: View, layers: Layers,
- *   theme: Record<string, string>, pixelRatio: number,
+ *   theme: Record<string, string>, pixelRatio: number, isLive: boolean,
  *   ends: import("apollonius-diagram").Voronoi | null,
- * }} Picture what the layers draw from; `ends`: the cells, if they end before the window's border
+ * }} Picture what the layers draw from; `isLive`: in one go; `ends`: the cells, if they end before
+ * the window's border
  */
 
 const kSlice = 9; // ms of a frame that lines may take,
@@ -89,6 +90,7 @@ export class Painter {
     dual: false,
     centres: false,
     vertices: false,
+    levels: false,
     hull: false,
   };
   /** @type {import("./overlay_layer.js").Overlay} */
@@ -241,6 +243,7 @@ export class Painter {
       layers: this.layers,
       theme: this.theme,
       pixelRatio: this.#pixelRatio,
+      isLive: this.isLive,
       ends: this.ends,
     };
   }
@@ -320,9 +323,8 @@ export class Painter {
     const start = performance.now();
     if (!this.#job) {
       const context = this.#spare.start(this.#pixelRatio);
-      const strength = strengthOf(this.cellSize);
       const expected = this.#circles.counts.visible;
-      this.#job = drawLines(context, this.#picture, this.#window, strength, expected);
+      this.#job = drawLines(context, this.#picture, this.#window, this.cellSize, expected);
       this.#jobCost = 0;
     }
     let isDone = false;
@@ -356,8 +358,7 @@ export class Painter {
       const area = (inner.right - inner.left) * (inner.bottom - inner.top);
       const expected =
         (this.#circles.counts.visible * area) / (this.#view.width * this.#view.height);
-      const strength = strengthOf(this.cellSize);
-      for (const _ of drawLines(context, this.#picture, inner, strength, expected));
+      for (const _ of drawLines(context, this.#picture, inner, this.cellSize, expected));
     });
     this.#note("box", start);
   }

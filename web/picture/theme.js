@@ -20,6 +20,7 @@ const kNames = [
   "emptyFill",
   "centres",
   "hull",
+  "level",
   "vertex",
   "empty",
   "selected",

@@ -21,6 +21,30 @@ function circleOptions({ n, hidden, seed, tall }) {
   return { count: n, hiddenShare: hidden / 100, seed, width, height };
 }
 
+/** A worker that has loaded its code. @returns {Promise<Worker>} */
+function newWorker() {
+  const worker = new Worker(new URL("./build_worker.js", import.meta.url), { type: "module" });
+  return new Promise((resolve, reject) => {
+    worker.onerror = (event) => reject(new Error(event.message || "its code cannot be loaded"));
+    worker.onmessage = ({ data }) =>
+      data.isReady ? resolve(worker) : reject(new Error(data.error));
+    // import maps do not reach into workers
+    worker.postMessage({ address: import.meta.resolve("apollonius-diagram") });
+  });
+}
+
+/** @type {Promise<Worker> | null} */ let spare = null;
+
+/** Gets the worker ready, so that building needs no network later. */
+export function prepareToBuild() {
+  if (spare) return;
+  const starting = newWorker();
+  spare = starting;
+  starting.catch(() => {
+    if (spare === starting) spare = null; // there is another try when it is needed
+  });
+}
+
 /**
  * @param {import("./presets.js").RandomOptions} options
  * @param {import("../model/sites.js").SetInfo} info
@@ -28,8 +52,11 @@ function circleOptions({ n, hidden, seed, tall }) {
  */
 export async function build(options, info, { signal, progress }) {
   if (options.n <= kMostHere) return new Sites(randomCircles(circleOptions(options)), info);
-  const worker = new Worker(new URL("./build_worker.js", import.meta.url), { type: "module" });
+  const starting = spare ?? newWorker();
+  spare = null; // it can be busy for long: another one takes what comes meanwhile
+  const worker = await starting;
   let ticking = 0;
+  let isIdle = true;
   const tell = ({ what, estimate }) => {
     clearInterval(ticking);
     const start = performance.now();
@@ -38,24 +65,36 @@ export async function build(options, info, { signal, progress }) {
     if (estimate) ticking = setInterval(() => progress?.(share(), what), kTick);
   };
   try {
+    signal?.throwIfAborted();
     return await new Promise((resolve, reject) => {
       signal?.addEventListener("abort", () => reject(signal.reason));
       worker.onerror = (event) => reject(new Error(event.message || "the worker failed"));
       worker.onmessage = ({ data }) => {
+        isIdle = Boolean(data.error || data.bytes);
         if (data.error) reject(new Error(data.error));
         else if (data.bytes) resolve(restored(data, info));
         else tell(data);
       };
-      worker.postMessage({
-        // import maps do not reach into workers
-        address: import.meta.resolve("apollonius-diagram"),
-        options: circleOptions(options),
-      });
+      worker.postMessage({ options: circleOptions(options) });
+      isIdle = false;
     });
   } finally {
     clearInterval(ticking);
-    worker.terminate();
+    release(worker, isIdle);
   }
+}
+
+/** Gives back the worker's memory, and gets another one ready. */
+function release(worker, isIdle) {
+  if (navigator.onLine) {
+    worker.terminate();
+    prepareToBuild();
+  } else if (isIdle)
+    spare = Promise.resolve(worker); // there is no way to another one
+  else
+    worker.onmessage = ({ data }) => {
+      if (data.bytes || data.error) spare = Promise.resolve(worker);
+    };
 }
 
 function restored({ xyr, bytes, buildTime }, info) {

@@ -1,11 +1,10 @@
 // One deletion in the steps of the paper (section 5): what is left open when a site goes is shared
 // out by the diagram of its neighbours and of the circles that it alone had covered.
-import { Diagram } from "apollonius-diagram";
-import { addCell, boundsOf, drawOptions, ScreenStrokes } from "../picture/curves.js";
+import { addCell, windowOf } from "../picture/curves.js";
+import { strokePartial } from "../picture/partial.js";
+import { askedByDeletion, stepOfQuestions } from "./questions.js";
 
 /** @typedef {import("../model/sites.js").Sites} Sites */
-
-const kMargin = 8;
 
 /** The circles that this one hides. @param {Sites} sites */
 function hiddenIn(sites, id) {
@@ -34,6 +33,10 @@ export function deletionSteps(sites, id) {
     ];
   const around = [...sites.diagram.neighbors(id)];
   const revived = hiddenIn(sites, id);
+  const drawPatch = (context, picture) => {
+    drawHole(context, picture, id);
+    drawFilling(context, picture, id, [...around, ...revived]);
+  };
   return [
     {
       title: "The star",
@@ -62,11 +65,9 @@ export function deletionSteps(sites, id) {
         revived.length > 0
           ? `The diagram of the neighbours and of ${revived.length} circles that it covered.`
           : "The diagram of the neighbours alone, inside the hole, is what fills it.",
-      draw(context, picture) {
-        drawHole(context, picture, id);
-        drawFilling(context, picture, id, [...around, ...revived]);
-      },
+      draw: drawPatch,
     },
+    stepOfQuestions(askedByDeletion(sites, id), drawPatch),
   ];
 }
 
@@ -81,21 +82,14 @@ function drawHole(context, { sites, view, theme }, id) {
 }
 
 /** The cells of these sites alone, inside the cell of one that goes. */
-function drawFilling(context, { sites, view, theme }, id, others) {
-  const window = { left: 0, top: 0, right: view.width, bottom: view.height };
-  const bounds = boundsOf(view, window, kMargin);
-  if (!bounds) return;
-  const weighted = sites.triples(others).map((v, k) => (k % 3 === 2 ? v * sites.weight : v));
-  const small = new Diagram(weighted);
+function drawFilling(context, picture, id, others) {
+  const { sites, view, theme } = picture;
   context.save();
   context.beginPath();
   addCell(context, sites, view, id);
   context.clip();
   context.strokeStyle = theme.cell;
   context.lineWidth = 2;
-  const strokes = new ScreenStrokes(context, view, window);
-  small.voronoi(bounds).render(strokes, drawOptions(view));
-  strokes.finish();
+  strokePartial(context, picture, windowOf(view), others);
   context.restore();
-  small.dispose();
 }

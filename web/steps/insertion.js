@@ -1,33 +1,20 @@
 // One insertion in the steps of the paper (sections 3 and 4), told by what the package's calls say:
 // the walk to the nearest site, the first vertex in conflict, the region that is lost, the hole and
 // the new star. Every step draws over the picture.
-import { addCell } from "../picture/curves.js";
+import { addCell, windowOf } from "../picture/curves.js";
+import { strokePartial } from "../picture/partial.js";
+import { askedByInsertion, stepOfQuestions } from "./questions.js";
+import { descent, walk } from "./walk.js";
 
 /** @typedef {import("../model/sites.js").Sites} Sites */
 /** @typedef {import("../model/sites.js").Circle} Circle */
 /** @typedef {import("../picture/painter.js").Picture} Picture */
 /**
- * @typedef {{ title: string, text: string,
+ * @typedef {{ title: string, text: string, questions?: import("./questions.js").Questions,
  *   draw: (context: CanvasRenderingContext2D, picture: Picture) => void }} Step
  */
 
 const kMostSingly = 8; // vertices of the region that get a step each
-
-/** From site to neighbour, as long as one is nearer. @param {Sites} sites */
-function walk(sites, { x, y }, start) {
-  const { diagram } = sites;
-  const distance = (id) => {
-    const site = diagram.site(id);
-    return Math.hypot(site.x - x, site.y - y) - site.r;
-  };
-  const path = [start];
-  for (;;) {
-    const at = path.at(-1);
-    const nearer = [...diagram.neighbors(at)].filter((id) => distance(id) < distance(at));
-    if (nearer.length === 0) return path;
-    path.push(nearer.reduce((a, b) => (distance(b) < distance(a) ? b : a)));
-  }
-}
 
 /** The vertices that the new circle takes, in the order in which they are found. */
 function conflictRegion(sites, circle, nearest) {
@@ -90,7 +77,8 @@ function drawNew(context, { view, theme, sites }, circle) {
  * @returns {Step[]}
  */
 export function insertionSteps(sites, circle, start) {
-  const path = walk(sites, circle, start);
+  const path = walk(sites.diagram, circle, start);
+  const stages = descent(sites, circle);
   const nearest = path.at(-1);
   const name = (id) => sites.label(id).name;
   /** @type {Step[]} */
@@ -104,14 +92,16 @@ export function insertionSteps(sites, circle, start) {
       title: "The walk",
       text:
         `From ${name(start)} to a nearer neighbour, again and again: ${path.length - 1} steps. ` +
-        `${name(nearest)} has none, so it is the nearest. (With many circles a hierarchy of ` +
-        "smaller diagrams shortens the walk.)",
+        `${name(nearest)} has none, so it is the nearest.` +
+        (stages.length > 0 ? "" : " (With more circles, smaller diagrams shorten the walk.)"),
       draw(context, picture) {
         drawNew(context, picture, circle);
         drawWalk(context, picture, path);
       },
     },
+    ...stages.map((stage) => stepDown(stage, sites, circle, path.length - 1)),
   ];
+  const asked = askedByInsertion(sites, circle);
   const site = sites.site(nearest);
   const gap = Math.hypot(site.x - circle.x, site.y - circle.y) - sites.radius(nearest);
   if (gap <= -circle.r * sites.weight)
@@ -122,6 +112,7 @@ export function insertionSteps(sites, circle, start) {
         text: `It lies inside ${name(nearest)}, so it is nowhere the nearest: no cell.`,
         draw: (context, picture) => drawNew(context, picture, circle),
       },
+      stepOfQuestions(asked, (context, picture) => drawNew(context, picture, circle)),
     ];
 
   const region = conflictRegion(sites, circle, nearest);
@@ -145,6 +136,11 @@ export function insertionSteps(sites, circle, start) {
       text: "The new cell lies along one edge, or far outside: no vertex is lost.",
       draw: (context, picture) => drawNew(context, picture, circle),
     });
+  const drawFilled = (context, picture) => {
+    drawHole(context, picture, circle);
+    drawStar(context, picture, circle);
+    drawNew(context, picture, circle);
+  };
   steps.push(
     {
       title: "The hole",
@@ -157,14 +153,35 @@ export function insertionSteps(sites, circle, start) {
     {
       title: "The star",
       text: "The new site is joined to the sites around the hole, and has its cell.",
-      draw(context, picture) {
-        drawHole(context, picture, circle);
-        drawStar(context, picture, circle);
-        drawNew(context, picture, circle);
-      },
+      draw: drawFilled,
     },
+    stepOfQuestions(asked, drawFilled),
   );
   return steps;
+}
+
+/** The walk on one level of the hierarchy; `most` is how long it is without levels. */
+function stepDown({ level, ids, path }, sites, circle, most) {
+  const steps = path.length - 1;
+  const long = steps === 1 ? "one step" : `${steps} steps`;
+  return {
+    title: level > 0 ? `Level ${level} of the hierarchy` : "Level 0, the diagram itself",
+    text:
+      level > 0
+        ? `The same among ${ids.length} of the circles, which have a diagram of their own: ${long}.`
+        : `From where the walk above ended: ${long} instead of ${most}.`,
+    draw(context, picture) {
+      const { view, theme } = picture;
+      drawNew(context, picture, circle);
+      if (level > 0) {
+        context.strokeStyle = theme.level;
+        context.lineWidth = 2;
+        strokePartial(context, picture, windowOf(view), ids);
+        for (const id of Array.from(ids)) drawDot(context, view, sites.site(id), theme.level);
+      }
+      drawWalk(context, picture, path);
+    },
+  };
 }
 
 function drawWalk(context, { sites, view, theme }, path) {

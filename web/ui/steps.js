@@ -1,7 +1,7 @@
 // Steps through one insertion or one deletion; the last one does it.
 import { deletionSteps } from "../steps/deletion.js";
 import { insertionSteps } from "../steps/insertion.js";
-import { element } from "./dom.js";
+import { element, grouped } from "./dom.js";
 import { notify } from "./notice.js";
 
 const kMostShown = 20_000; // circles: all vertices are looked at
@@ -20,6 +20,7 @@ export function makeSteps(app) {
     element("steps-text").textContent = step.text;
     element("steps-back").disabled = at === 0;
     element("steps-next").textContent = at === steps.length - 1 ? "Do it" : "Next";
+    showQuestions(step.questions);
     app.mark({ marks: step.draw });
   }
 
@@ -67,6 +68,24 @@ export function makeSteps(app) {
     if (isTooMuch(app) || id < 0) return;
     begin(deletionSteps(app.sites, id), () => app.model.remove([id]));
   });
+}
+
+/** @param {import("../steps/questions.js").Questions} [questions] */
+function showQuestions(questions) {
+  element("steps-questions").hidden = !questions;
+  if (!questions) return;
+  const rows = questions.rows.filter(({ stages }) => stages.some((count) => count > 0));
+  element("steps-counts").replaceChildren(
+    ...rows.map(({ question, stages }) => {
+      const row = document.createElement("tr");
+      const head = document.createElement("th");
+      head.scope = "row";
+      head.textContent = question;
+      row.append(head);
+      for (const count of stages) row.insertCell().textContent = grouped(count);
+      return row;
+    }),
+  );
 }
 
 function isTooMuch(app) {

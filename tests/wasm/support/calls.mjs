@@ -283,6 +283,7 @@ export const diagramCalls = {
   neighbors: ofSite("neighbors"),
   edges: works((d) => d.edges()),
   vertices: works((d) => d.vertices()),
+  levels: works((d) => d.levels()),
   voronoi: { use: (d) => d.voronoi(), refuses: window((d, box) => d.voronoi(box)) },
   hull: works((d) => d.hull()),
   render: {

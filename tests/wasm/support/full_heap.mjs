@@ -51,6 +51,7 @@ const large = {
   "Diagram.neighbors": () => diagram.neighbors(hub),
   "Diagram.edges": () => diagram.edges(),
   "Diagram.vertices": () => diagram.vertices(),
+  "Diagram.levels": () => diagram.levels(),
   "Diagram.hull": () => diagram.hull(),
   "Diagram.render": () => diagram.render(ink),
   "Diagram.renderSites": () => diagram.renderSites(ink),

@@ -192,6 +192,14 @@ export const asking = {
       expect(cells.map((cell) => cell.index)).toEqual([d.find(px, py)]);
     },
   ],
+  levels: [
+    [],
+    (d, m) => {
+      const levels = d.levels();
+      for (const id of m.ids) expect(levels[id] > 0).toBe(!d.isHidden(id));
+      expect(levels.filter((count) => count > 0)).toHaveLength(d.visibleSize);
+    },
+  ],
   hull: [
     [],
     (d, m) => {

@@ -1,7 +1,7 @@
 // Browsers for the page's tests, against tools/serve.mjs: Chromium driven by playwright-core, and
 // Firefox by puppeteer-core.
 import { existsSync } from "node:fs";
-import { afterAll, beforeAll, describe, test } from "@jest/globals";
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from "@jest/globals";
 import { chromium } from "playwright-core";
 import puppeteer from "puppeteer-core";
 import { serve } from "../../../tools/serve.mjs";
@@ -64,7 +64,12 @@ function describeWith(browserName, path, name, start, define) {
 
 const startChromium = (executablePath) => chromium.launch({ executablePath, args: kArguments });
 const startFirefox = (executablePath) =>
-  puppeteer.launch({ browser: "firefox", executablePath, headless: true });
+  puppeteer.launch({
+    browser: "firefox",
+    executablePath,
+    headless: true,
+    extraPrefsFirefox: { "ui.prefersReducedMotion": 1 }, // as in openPage
+  });
 startChromium.open = openPage;
 startFirefox.open = openInFirefox;
 
@@ -125,6 +130,27 @@ async function openInFirefox(browser, url, { path = "", width = 1280, height = 8
   await page.waitForFunction(whenReady, { timeout: 20_000 }, "app");
   return page;
 }
+
+/**
+ * For each test of a group a page of its own, which `use` gets; afterwards its diagram is sound and
+ * nothing has gone wrong in it.
+ * @param {(options?: object) => Promise<any>} open what `define` gets
+ */
+export function forEachPage(open, use, options = {}) {
+  let page;
+  beforeEach(async () => {
+    page = await open(options);
+    await use(page);
+  });
+  afterEach(async () => {
+    expect((await stateOf(page)).broken).toBeNull();
+    expect(page.errors).toEqual([]);
+    await closePage(page);
+  });
+}
+
+/** @param {any} page Playwright's, with its context, or Puppeteer's */
+export const closePage = (page) => (page.context ? page.context() : page).close();
 
 /** Two frames later: what was asked for has been drawn, and the panels show it. */
 export const settled = (page) =>
@@ -214,6 +240,8 @@ export const painted = (page, name) =>
     for (let k = 3; k < data.length; k += 4) if (data[k] > 0) count++;
     return count;
   }, name);
+
+export { press } from "./keys.mjs";
 
 /** Drags the mouse in steps. */
 export async function drag(page, from, to, steps = 8) {

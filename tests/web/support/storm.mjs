@@ -1,6 +1,7 @@
 // Random events by real mouse and keyboard, weighted as visitors use them; the same ones for the
 // same seed. Pages are Playwright's or Puppeteer's.
 import { generator } from "../../../web/sets/random_sets.js";
+import { press } from "./keys.mjs";
 
 const kKeys = [
   ..."vdhx0nip+-".split(""),
@@ -47,14 +48,6 @@ export async function storm(page, { seed, events }) {
   }
   if (isDown) await page.mouse.up();
   await page.evaluate(() => app.weights.go(1, { isAtOnce: true }));
-}
-
-/** Puppeteer has no "Control+z". */
-async function press(page, keys) {
-  const parts = keys.length > 1 ? keys.split("+") : [keys];
-  for (const key of parts.slice(0, -1)) await page.keyboard.down(key);
-  await page.keyboard.press(parts.at(-1));
-  for (const key of parts.slice(0, -1).reverse()) await page.keyboard.up(key);
 }
 
 /** Playwright's takes numbers, Puppeteer's an object. */

@@ -1,0 +1,124 @@
+// What levels() says of the hierarchy, after any history; and predicateCounts().
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "apollonius/predicate_counts.h"
+#include "support/corpus.h"
+#include "support/effort.h"
+#include "support/replay.h"
+
+namespace apollonius::test {
+namespace {
+
+std::vector<std::uint8_t> levelsOf(const Diagram& diagram) {
+  std::vector<std::uint8_t> levels{99};  // to be replaced
+  EXPECT_EQ(diagram.levels(levels), Error::kNone);
+  return levels;
+}
+
+Circles randomCircles(std::size_t n) {
+  for (const NamedGenerator& generator : corpus()) {
+    Random random(1901);
+    if (generator.name == std::string("Hidden20Percent")) return generator.make(random, n);
+  }
+  ADD_FAILURE();
+  return {};
+}
+
+std::vector<SiteId> insertMany(Diagram& diagram, const Circles& circles) {
+  std::vector<double> xyr;
+  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
+  std::vector<SiteId> ids(circles.size());
+  EXPECT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
+  return ids;
+}
+
+/// 0 for hidden sites and free ids, else at least 1.
+void expectVisibleOnesOnly(const Diagram& diagram, const std::vector<std::uint8_t>& levels) {
+  std::size_t visible = 0;
+  for (SiteId id = 0; id < levels.size(); ++id) {
+    bool hidden = true;
+    if (diagram.has(id)) {
+      ASSERT_EQ(diagram.isHidden(id, hidden), Error::kNone);
+    }
+    ASSERT_EQ(levels[id] > 0, !hidden) << id;
+    visible += hidden ? 0 : 1;
+  }
+  EXPECT_EQ(visible, diagram.visibleSize());
+}
+
+TEST(Levels, OneInThirtyTwoGoesUp) {
+  Diagram diagram;
+  const std::vector<SiteId> ids = insertMany(diagram, randomCircles(20'000));
+  const std::vector<std::uint8_t> levels = levelsOf(diagram);
+  ASSERT_EQ(levels.size(), ids.size());
+  expectVisibleOnesOnly(diagram, levels);
+  const auto above = [&](int level) {
+    return std::count_if(levels.begin(), levels.end(), [=](int k) { return k > level; });
+  };
+  EXPECT_EQ(above(0), static_cast<std::ptrdiff_t>(diagram.visibleSize()));
+  EXPECT_NEAR(static_cast<double>(above(1)), static_cast<double>(above(0)) / 32, 40);
+  EXPECT_NEAR(static_cast<double>(above(2)), static_cast<double>(above(0)) / 1024, 8);
+  EXPECT_GT(above(2), 0);
+}
+
+TEST(Levels, FollowRemovalsMovesAndSnapshots) {
+  Diagram diagram;
+  const std::vector<SiteId> ids = insertMany(diagram, randomCircles(3000));
+  Random random(1902);
+  for (int run = 0; run < runs(200); ++run) {
+    const SiteId id = ids[random.below(ids.size())];
+    bool removed = false;
+    if (run % 2 == 0) {
+      ASSERT_EQ(diagram.remove(id, removed), Error::kNone);
+    } else if (diagram.has(id)) {
+      ASSERT_EQ(diagram.update(id, random.between(0, 1), random.between(0, 1), 0), Error::kNone);
+    }
+  }
+  expectVisibleOnesOnly(diagram, levelsOf(diagram));
+
+  // A diagram that was read makes its levels when it is asked: that is now.
+  std::vector<std::uint8_t> bytes;
+  ASSERT_EQ(diagram.toBytes(bytes), Error::kNone);
+  Diagram restored;
+  ASSERT_EQ(restored.fromBytes(bytes), Error::kNone);
+  EXPECT_EQ(levelsOf(restored), levelsOf(diagram));
+  Diagram walking(Location::kWalk);
+  ASSERT_EQ(walking.fromBytes(bytes), Error::kNone);
+  const std::vector<std::uint8_t> plain = levelsOf(walking);
+  EXPECT_EQ(*std::max_element(plain.begin(), plain.end()), 1);
+  expectVisibleOnesOnly(walking, plain);
+}
+
+TEST(Levels, OfFewSites) {
+  Diagram diagram;
+  EXPECT_TRUE(levelsOf(diagram).empty());
+  insertMany(diagram, {{0, 0, 5}, {0, 0, 1}});
+  EXPECT_EQ(levelsOf(diagram)[1], 0);
+  EXPECT_GE(levelsOf(diagram)[0], 1);
+}
+
+double sum(const StageCounts& stages) { return stages.filter + stages.middle + stages.exact; }
+
+TEST(PredicateCounts, CountWhatWasAskedByStage) {
+  const PredicateCounts before = predicateCounts();
+  Diagram diagram;
+  insertMany(diagram, randomCircles(500));
+  const PredicateCounts random = predicateCounts();
+  EXPECT_GT(sum(random.edgeConflict), sum(before.edgeConflict));
+  EXPECT_GT(random.covers.filter, before.covers.filter);
+  EXPECT_EQ(random.vertexConflict.exact, before.vertexConflict.exact) << "doubles suffice";
+  EXPECT_EQ(random.ties, before.ties);
+
+  Circles grid;
+  for (int k = 0; k < 64; ++k) grid.push_back({k % 8 * 1.0, k / 8 * 1.0, 0});
+  Diagram lattice;
+  insertMany(lattice, grid);
+  const PredicateCounts ties = predicateCounts();
+  EXPECT_GT(ties.vertexConflict.middle, random.vertexConflict.middle) << "exact in doubles";
+  EXPECT_GT(ties.ties, random.ties) << "four points on one circle, again and again";
+}
+
+}  // namespace
+}  // namespace apollonius::test
