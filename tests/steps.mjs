@@ -54,6 +54,8 @@ export function jest(projects, { env, name } = {}) {
     "node_modules/jest/bin/jest.js",
     "--config",
     "tests/jest.config.mjs",
+    "--maxWorkers",
+    jobs, // Jest itself would leave one processor alone
     "--selectProjects",
     ...projects,
     ...(name === undefined ? [] : ["-t", name]),

@@ -11,11 +11,15 @@ namespace apollonius::internal {
 
 namespace {
 
-/// A stage is over when areas are so near its aims: the next one's are as far away.
-constexpr double kNearEnough = 0.3;
 /// So much of the way to where one site covers another.
 constexpr double kShareOfWay = 0.9;
-/// Of how much less than the residual an equation's may be: in stages, and near the end.
+/// More than this much of it makes a coupling stiffer, by a little more than would do.
+constexpr double kShareOfRoom = 0.7;
+constexpr double kMoreThanEnough = 1.5;
+constexpr int kStiffenings = 3;
+/// A cell has nearly vanished when it is this share of what it was or should be.
+constexpr double kVanished = 1e-4;
+/// Of how much less than the residual an equation's may be: far away, and near the end.
 constexpr double kCoarse = 0.01;
 constexpr double kMedium = 1e-4;
 constexpr double kFine = 1e-7;
@@ -29,21 +33,6 @@ double logarithm(double r) {
   double sum = 0;
   for (int k = 23; k > 0; k -= 2) sum = sum * square + 1.0 / k;
   return scale * z * sum;
-}
-
-/// a^(1-s) b^s of positive numbers, for multiples s of 2^-10 from 0 to 1: by roots.
-double meanOf(double a, double b, double s) {
-  if (s >= 1) return b;
-  double root = b / a, mean = a;
-  for (int bit = 0; bit < 10; ++bit) {
-    root = std::sqrt(root);
-    s *= 2;
-    if (s >= 1) {
-      mean *= root;
-      s -= 1;
-    }
-  }
-  return mean;
 }
 
 double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
@@ -111,9 +100,6 @@ std::uint32_t Fit::begin(std::span<const double> targets, std::span<const double
   const double* const empty = std::min_element(best_.areas.begin(), best_.areas.end());
   if (!(*empty > 0)) return static_cast<std::uint32_t>(empty - best_.areas.begin());
   scaleTo(targets_, sumOf(best_.areas));
-  smallest_ = std::min(smallestOf(best_.areas), smallestOf(targets_)) / 2;
-  firstAreas_ = best_.areas;
-  aim();
   return kNone;
 }
 
@@ -148,61 +134,38 @@ void Fit::measure(State& state) {
     state.areas[core_.ids().idOf(slot)] = sums.sumOf(slot);
 }
 
-/// The next stage.
-void Fit::aim() {
-  constexpr double kGrain = powerOfTwo(-10);
-  // After few steps the next stage is further away, after many it is nearer.
-  if (stage_ > 0 && steps_ <= 2) stride_ *= 1.5;
-  if (stage_ > 0 && steps_ > 4) stride_ /= 1.5;
-  const double grains = std::max(1.0, static_cast<double>(static_cast<int>(stride_ / kGrain)));
-  stage_ = std::min(1.0, stage_ + grains * kGrain);
-  steps_ = 0;
-  aims_.resize(targets_.size());
-  for (std::size_t k = 0; k < aims_.size(); ++k)
-    aims_[k] = meanOf(firstAreas_[k], targets_[k], stage_);
-  scaleTo(aims_, sumOf(targets_));
-}
-
-double Fit::deviation(const FlatArray<double>& targets) const {
+double Fit::error() const {
   double largest = 0;
-  for (std::size_t k = 0; k < targets.size(); ++k)
-    largest = std::max(largest, absolute(best_.areas[k] - targets[k]) / targets[k]);
+  for (std::size_t k = 0; k < targets_.size(); ++k)
+    largest = std::max(largest, absolute(best_.areas[k] - targets_[k]) / targets_[k]);
   return largest;
 }
 
-/// The sum of squares.
-double Fit::residualOf(const State& state) const {
-  double sum = 0;
-  for (std::size_t k = 0; k < aims_.size(); ++k) {
-    const double rest = aims_[k] - state.areas[k];
-    sum += rest * rest;
-  }
-  return sum;
+/// By how much the difference of two weights can still change, the way it does in the direction.
+double Fit::roomFor(const Coupling& c) const {
+  const double apart = length({sites_[c.i].x - sites_[c.j].x, sites_[c.i].y - sites_[c.j].y});
+  const double difference = best_.weights[c.i] - best_.weights[c.j];
+  return direction_[c.i] > direction_[c.j] ? apart - difference : apart + difference;
+}
+
+/// Of the concave function, in the direction.
+double Fit::slopeAt(const State& state) const {
+  double slope = 0;
+  for (std::size_t k = 0; k < targets_.size(); ++k)
+    slope += (targets_[k] - state.areas[k]) * direction_[k];
+  return slope;
 }
 
 bool Fit::step() {
   if (sites_.empty()) return false;
-  while (stage_ < 1 && deviation(aims_) < kNearEnough) aim();
-  ++steps_;
-  const double far = deviation(aims_);
-  isNear_ = stage_ >= 1 && far < kCoarse;
+  const double far = error();
+  isNear_ = far < kCoarse;
   // Where steps have become short, none must be wrong about a small cell.
-  solve(far < kCoarse ? kFine : last_ < 0.25 ? kMedium : kCoarse);
-  const double limit = kShareOfWay * longestStep(), before = residualOf(best_);
-  double share = std::min({1.0, 4 * last_, limit});
-  tried_.weights.resize(direction_.size());
+  const double tolerance = isNear_ ? kFine : last_ < 0.25 ? kMedium : kCoarse;
+  findDirection(tolerance);
+  double share = longestShare();
   for (int halvings = 0; halvings < kMostHalvings; ++halvings, share /= 2) {
-    bool isInRange = true;
-    for (std::size_t k = 0; k < direction_.size(); ++k) {
-      tried_.weights[k] = best_.weights[k] + share * direction_[k];
-      isInRange = isInRange && absolute(tried_.weights[k]) <= kLargestMagnitude;
-    }
-    if (!isInRange) continue;
-    measure(tried_);
-    const double wanted = 1 - share / 2;
-    if (!(smallestOf(tried_.areas) >= smallest_) ||
-        !(residualOf(tried_) <= wanted * wanted * before))
-      continue;
+    if (!tryStep(share) || !(slopeAt(tried_) >= -slopeAt(best_) / 2)) continue;
     std::swap(best_, tried_);
     last_ = share;
     return true;
@@ -210,32 +173,61 @@ bool Fit::step() {
   return false;
 }
 
-/// How often the direction can be taken until a site covers a neighbour.
-double Fit::longestStep() const {
-  double longest = kLargestMagnitude;
-  for (const Coupling& c : best_.couplings) {
-    const double apart = length({sites_[c.i].x - sites_[c.j].x, sites_[c.i].y - sites_[c.j].y});
-    const double difference = best_.weights[c.i] - best_.weights[c.j];
-    const double speed = direction_[c.i] - direction_[c.j];
-    if (speed > 0) longest = std::min(longest, (apart - difference) / speed);
-    if (speed < 0) longest = std::min(longest, (apart + difference) / -speed);
+/// What comes of so much of the direction; false if a cell nearly vanishes.
+bool Fit::tryStep(double share) {
+  tried_.weights.resize(direction_.size());
+  for (std::size_t k = 0; k < direction_.size(); ++k) {
+    tried_.weights[k] = best_.weights[k] + share * direction_[k];
+    if (!(absolute(tried_.weights[k]) <= kLargestMagnitude)) return false;
   }
-  return longest;
+  measure(tried_);
+  for (std::size_t k = 0; k < targets_.size(); ++k) {
+    if (!(tried_.areas[k] >= kVanished * std::min(best_.areas[k], targets_[k]))) return false;
+  }
+  return true;
 }
 
-/// The direction in which, to first order, areas become the aims: conjugate gradients. What all
+/// How much of the direction can be taken at most.
+double Fit::longestShare() const {
+  double share = 1;
+  for (const Coupling& c : best_.couplings) {
+    const double change = absolute(direction_[c.i] - direction_[c.j]);
+    if (share * change > kShareOfWay * roomFor(c)) share = kShareOfWay * roomFor(c) / change;
+  }
+  return share;
+}
+
+/// Newton's direction, with couplings stiffened until it has room.
+void Fit::findDirection(double tolerance) {
+  couplings_ = best_.couplings;
+  solve(tolerance);
+  for (int k = 0; k < kStiffenings; ++k) {
+    bool hasRoom = true;
+    for (Coupling& c : couplings_) {
+      const double change = absolute(direction_[c.i] - direction_[c.j]);
+      const double room = kShareOfRoom * roomFor(c);
+      if (change <= room) continue;
+      hasRoom = false;
+      c.pressure *= kMoreThanEnough * change / room;
+    }
+    if (hasRoom) return;
+    solve(tolerance);
+  }
+}
+
+/// The direction in which, to first order, areas become the targets: conjugate gradients. What all
 /// weights have in common changes nothing; its mean is left as it is.
 void Fit::solve(double tolerance) {
-  const std::size_t count = aims_.size();
+  const std::size_t count = targets_.size();
   FlatArray<double> diagonal(count, 0), rest(count), scaled(count), way(count), image(count);
-  for (const Coupling& c : best_.couplings) {
+  for (const Coupling& c : couplings_) {
     diagonal[c.i] += c.pressure;
     diagonal[c.j] += c.pressure;
   }
   direction_.assign(count, 0);
   double product = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    rest[k] = aims_[k] - best_.areas[k];
+    rest[k] = targets_[k] - best_.areas[k];
     if (!(diagonal[k] > 0)) diagonal[k] = 1;
     way[k] = rest[k] / diagonal[k];
     product += rest[k] * way[k];
@@ -243,7 +235,7 @@ void Fit::solve(double tolerance) {
   const double enough = tolerance * tolerance * product;
   for (std::size_t step = 0; step < 10 * count + 100 && product > enough; ++step) {
     for (std::size_t k = 0; k < count; ++k) image[k] = diagonal[k] * way[k];
-    for (const Coupling& c : best_.couplings) {
+    for (const Coupling& c : couplings_) {
       image[c.i] -= c.pressure * way[c.j];
       image[c.j] -= c.pressure * way[c.i];
     }

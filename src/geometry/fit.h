@@ -7,12 +7,13 @@
 // for the unsquared Euclidean distance case", 2020). It is found by Newton's method, whose second
 // derivatives are integrals along the edges (pressureOf). What makes it converge:
 //
-//   - A step ends before two neighbours' weights differ by as much as their centres are apart,
-//     where one covers the other. That needs no diagram, and nearly all steps then are good ones.
-//   - It is halved until no cell is smaller than half of the smallest one at the beginning and
-//     target, and the residual has shrunk (Kitagawa, Mérigot and Thibert, "Convergence of a Newton
-//     algorithm for semi-discrete optimal transport", 2019).
-//   - Targets are approached in stages, each a geometric mean of them and the first areas.
+//   - Where a step would take the weights of two neighbours nearly as far apart as their centres,
+//     where one covers the other, their coupling is made stiffer and the equations are solved anew.
+//     That needs no diagram. Their matrix stays positive definite, so that the step goes uphill.
+//   - A step is halved until the slope of the function at its end is not much less than none (it is
+//     concave: before its maximum the slope is positive), and no cell has nearly vanished. (As all
+//     cells have an area, the second derivatives stay regular: Kitagawa, Mérigot and Thibert,
+//     "Convergence of a Newton algorithm for semi-discrete optimal transport", 2019.)
 //
 // Equations are solved by conjugate gradients with the diagonal for a preconditioner. All of it
 // happens in a diagram of its own, so that the one in question is as it was until it is done.
@@ -51,7 +52,7 @@ class Fit {
   /// One step; false if none comes closer.
   [[nodiscard]] bool step();
   /// The largest deviation of an area from its target, as a share of that.
-  [[nodiscard]] double error() const { return deviation(targets_); }
+  [[nodiscard]] double error() const;
 
  private:
   struct Coupling {
@@ -65,27 +66,23 @@ class Fit {
   };
 
   void measure(State& state);
-  void aim();
+  void findDirection(double tolerance);
+  [[nodiscard]] bool tryStep(double share);
+  [[nodiscard]] double longestShare() const;
   void solve(double tolerance);
-  [[nodiscard]] double deviation(const FlatArray<double>& targets) const;
-  [[nodiscard]] double residualOf(const State& state) const;
-  [[nodiscard]] double longestStep() const;
+  [[nodiscard]] double roomFor(const Coupling& coupling) const;
+  [[nodiscard]] double slopeAt(const State& state) const;
 
   const Outline& outline_;
   DiagramCore core_;  // its ids are places
   FlatArray<SiteId> ids_;
   FlatArray<Site> sites_;
   FlatArray<double> targets_;
-  FlatArray<double> firstAreas_;
-  FlatArray<double> aims_;  // of this stage
   State best_, tried_;
-  FlatArray<double> direction_;  // of the next step
-  double smallest_ = 0;          // area that a cell may have
-  double stage_ = 0;             // from 0, the first areas, to 1, the targets
-  double stride_ = 0.25;         // of the next stage
-  int steps_ = 0;                // in this stage
-  double last_ = 1;              // share of the last step that was taken
-  bool isNear_ = false;          // the end
+  FlatArray<Coupling> couplings_;  // the best state's, some of them stiffer
+  FlatArray<double> direction_;    // of the next step
+  double last_ = 1;                // share of the last step that was taken
+  bool isNear_ = false;            // the end
 };
 
 }  // namespace apollonius::internal
