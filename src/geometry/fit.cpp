@@ -11,6 +11,8 @@ namespace apollonius::internal {
 
 namespace {
 
+/// A stage is over when areas are so near its aims: the next one's are as far away.
+constexpr double kNearEnough = 0.3;
 /// So much of the way to where one site covers another.
 constexpr double kShareOfWay = 0.9;
 /// More than this much of it makes a coupling stiffer, by a little more than would do.
@@ -33,6 +35,21 @@ double logarithm(double r) {
   double sum = 0;
   for (int k = 23; k > 0; k -= 2) sum = sum * square + 1.0 / k;
   return scale * z * sum;
+}
+
+/// a^(1-s) b^s of positive numbers, for multiples s of 2^-10 from 0 to 1: by roots.
+double meanOf(double a, double b, double s) {
+  if (s >= 1) return b;
+  double root = b / a, mean = a;
+  for (int bit = 0; bit < 10; ++bit) {
+    root = std::sqrt(root);
+    s *= 2;
+    if (s >= 1) {
+      mean *= root;
+      s -= 1;
+    }
+  }
+  return mean;
 }
 
 double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
@@ -100,6 +117,8 @@ std::uint32_t Fit::begin(std::span<const double> targets, std::span<const double
   const double* const empty = std::min_element(best_.areas.begin(), best_.areas.end());
   if (!(*empty > 0)) return static_cast<std::uint32_t>(empty - best_.areas.begin());
   scaleTo(targets_, sumOf(best_.areas));
+  aims_ = targets_;
+  first_ = best_;
   return kNone;
 }
 
@@ -134,11 +153,36 @@ void Fit::measure(State& state) {
     state.areas[core_.ids().idOf(slot)] = sums.sumOf(slot);
 }
 
-double Fit::error() const {
+/// The next stage.
+void Fit::aim() {
+  constexpr double kGrain = powerOfTwo(-10);
+  // After few steps the next stage is further away, after many it is nearer.
+  if (stage_ > 0 && steps_ <= 2) stride_ *= 1.5;
+  if (stage_ > 0 && steps_ > 4) stride_ /= 1.5;
+  const double grains = std::max(1.0, static_cast<double>(static_cast<int>(stride_ / kGrain)));
+  stage_ = std::min(1.0, stage_ + grains * kGrain);
+  steps_ = 0;
+  aims_.resize(targets_.size());
+  for (std::size_t k = 0; k < aims_.size(); ++k)
+    aims_[k] = meanOf(first_.areas[k], targets_[k], stage_);
+  scaleTo(aims_, sumOf(targets_));
+}
+
+double Fit::deviation(const FlatArray<double>& targets) const {
   double largest = 0;
-  for (std::size_t k = 0; k < targets_.size(); ++k)
-    largest = std::max(largest, absolute(best_.areas[k] - targets_[k]) / targets_[k]);
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    largest = std::max(largest, absolute(best_.areas[k] - targets[k]) / targets[k]);
   return largest;
+}
+
+/// The sum of squares.
+double Fit::residualOf(const State& state) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < aims_.size(); ++k) {
+    const double rest = aims_[k] - state.areas[k];
+    sum += rest * rest;
+  }
+  return sum;
 }
 
 /// By how much the difference of two weights can still change, the way it does in the direction.
@@ -152,25 +196,46 @@ double Fit::roomFor(const Coupling& c) const {
 double Fit::slopeAt(const State& state) const {
   double slope = 0;
   for (std::size_t k = 0; k < targets_.size(); ++k)
-    slope += (targets_[k] - state.areas[k]) * direction_[k];
+    slope += (aims_[k] - state.areas[k]) * direction_[k];
   return slope;
 }
 
 bool Fit::step() {
   if (sites_.empty()) return false;
-  const double far = error();
-  isNear_ = far < kCoarse;
+  while (stage_ < 1 && deviation(aims_) < kNearEnough) aim();
+  ++steps_;
+  const double far = deviation(aims_);
+  isNear_ = stage_ >= 1 && far < kCoarse;
   // Where steps have become short, none must be wrong about a small cell.
-  const double tolerance = isNear_ ? kFine : last_ < 0.25 ? kMedium : kCoarse;
-  findDirection(tolerance);
+  findDirection(far < kCoarse ? kFine : last_ < 0.25 ? kMedium : kCoarse);
   double share = longestShare();
+  if (isCareful_) share = std::min(share, 4 * last_);
   for (int halvings = 0; halvings < kMostHalvings; ++halvings, share /= 2) {
-    if (!tryStep(share) || !(slopeAt(tried_) >= -slopeAt(best_) / 2)) continue;
+    if (!tryStep(share) || !isBetter(share)) continue;
     std::swap(best_, tried_);
     last_ = share;
     return true;
   }
-  return false;
+  if (isCareful_) return false;
+  beginAnew();
+  return step();
+}
+
+/// In stages, with shorter steps.
+void Fit::beginAnew() {
+  best_ = first_;
+  isCareful_ = true;
+  last_ = 1;
+  stage_ = 0;
+  smallest_ = std::min(smallestOf(first_.areas), smallestOf(targets_)) / 2;
+  aim();
+}
+
+/// Is a state that was tried, without vanished cells, to be the next one?
+bool Fit::isBetter(double share) const {
+  if (!isCareful_) return slopeAt(tried_) >= -slopeAt(best_) / 2;
+  const double wanted = 1 - share / 2;
+  return residualOf(tried_) <= wanted * wanted * residualOf(best_);
 }
 
 /// What comes of so much of the direction; false if a cell nearly vanishes.
@@ -182,7 +247,8 @@ bool Fit::tryStep(double share) {
   }
   measure(tried_);
   for (std::size_t k = 0; k < targets_.size(); ++k) {
-    if (!(tried_.areas[k] >= kVanished * std::min(best_.areas[k], targets_[k]))) return false;
+    const double least = isCareful_ ? smallest_ : kVanished * std::min(best_.areas[k], targets_[k]);
+    if (!(tried_.areas[k] >= least)) return false;
   }
   return true;
 }
@@ -201,7 +267,7 @@ double Fit::longestShare() const {
 void Fit::findDirection(double tolerance) {
   couplings_ = best_.couplings;
   solve(tolerance);
-  for (int k = 0; k < kStiffenings; ++k) {
+  for (int k = 0; k < kStiffenings && !isCareful_; ++k) {
     bool hasRoom = true;
     for (Coupling& c : couplings_) {
       const double change = absolute(direction_[c.i] - direction_[c.j]);
@@ -227,7 +293,7 @@ void Fit::solve(double tolerance) {
   direction_.assign(count, 0);
   double product = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    rest[k] = targets_[k] - best_.areas[k];
+    rest[k] = aims_[k] - best_.areas[k];
     if (!(diagonal[k] > 0)) diagonal[k] = 1;
     way[k] = rest[k] / diagonal[k];
     product += rest[k] * way[k];

