@@ -146,7 +146,10 @@ export interface PickOptions {
 export interface FitProgress {
   /** Steps so far. */
   iterations: number;
-  /** The largest deviation of an area from what it is to be, as a share of that. */
+  /**
+   * The largest deviation of an area from what it is to be, as a share of that. Need not fall with
+   * each step: where long steps lead nowhere, shorter ones are taken from the beginning, once.
+   */
   error: number;
 }
 

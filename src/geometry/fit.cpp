@@ -19,7 +19,8 @@ constexpr double kShareOfWay = 0.9;
 constexpr double kShareOfRoom = 0.7;
 constexpr double kMoreThanEnough = 1.5;
 constexpr int kStiffenings = 3;
-/// A cell has nearly vanished when it is this share of what it was or should be.
+/// A cell has nearly vanished when it is this share of what it was or should be. (Begun anew, Fit
+/// has a limit for all of them.)
 constexpr double kVanished = 1e-4;
 /// Of how much less than the residual an equation's may be: far away, and near the end.
 constexpr double kCoarse = 0.01;
@@ -238,7 +239,8 @@ bool Fit::isBetter(double share) const {
   return residualOf(tried_) <= wanted * wanted * residualOf(best_);
 }
 
-/// What comes of so much of the direction; false if a cell nearly vanishes.
+/// What comes of so much of the direction; false if a weight leaves the range, or a cell nearly
+/// vanishes.
 bool Fit::tryStep(double share) {
   tried_.weights.resize(direction_.size());
   for (std::size_t k = 0; k < direction_.size(); ++k) {

@@ -4,7 +4,8 @@
 // meet in common points only, with the inside on the left of each.
 //
 //   1. Segments are split where they cross, and where the end of one is on another, until there is
-//      no such place (a crossing is rounded to doubles, so its parts can cross others anew).
+//      no such place (a crossing is rounded to doubles, so its parts can cross others anew; next to
+//      an end, it is that end).
 //   2. Of segments that are the same, any two cancel: on both sides of them is the same.
 //   3. Which side of a segment is inside is counted: the segments below one of its ends.
 //   4. Segments are linked, each with the next one clockwise around their common point, so that

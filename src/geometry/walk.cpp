@@ -202,7 +202,8 @@ class Walker {
     const double e = isReference ? form.rise() : form.fall();
     const double back = isReference ? form.fall() : form.rise();
     if (!(e > 0)) return;
-    const double at = line.placeOf(bisector.at(e));
+    const Point crossing = bisector.at(e);
+    const double at = line.placeOf(crossing);
     if (!(at < line.length) || (at <= line.at && isCrossed(h))) return;
     if (isReference && back > 0) {
       // The other cell is the convex side, so a line that leaves the reference site's for it comes
@@ -215,7 +216,7 @@ class Walker {
     const Edge whole(delaunay, edge, Bits::kCached);
     const Point here = line.point();
     const EdgePlace on = at < line.at ? placeOn(edge, whole, bisector.parameterOf(here), here)
-                                      : placeOn(edge, whole, e, bisector.at(e));
+                                      : placeOn(edge, whole, e, crossing);
     const double score = place + on.away;
     if (score < best.score && on.e > 0 && on.e < kInfinite) best = {h, edge, on.e, place, score};
   }

@@ -11,7 +11,7 @@
 //   - Where two neighbours come next at nearly the same place, the one is taken whose edge it is:
 //     the place is held to be as far ahead as it is away from the edge.
 //   - A ring that ends in another cell than it began in goes there over cells as near to its first
-//     point.
+//     point, and edges that pass there.
 //
 // Cost: the degrees of the cells that are crossed. Segments as near to a place as the boundary of
 // its cell is far from there cost no more than that.

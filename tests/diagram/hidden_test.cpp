@@ -6,20 +6,13 @@
 
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/insert_into.h"
 #include "support/replay.h"
 
 namespace apollonius::test {
 namespace {
 
 bool same(const Circle& a, const Circle& b) { return a.x == b.x && a.y == b.y && a.r == b.r; }
-
-std::vector<SiteId> insertMany(Diagram& diagram, const Circles& circles) {
-  std::vector<double> xyr;
-  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-  std::vector<SiteId> ids(circles.size());
-  EXPECT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
-  return ids;
-}
 
 bool hidden(const Diagram& diagram, SiteId id) {
   bool result = false;
@@ -76,7 +69,7 @@ TEST_P(HiddenOn, FlagsAndCovers) {
   Random random(241);
   const Circles circles = GetParam().make(random, GetParam().large ? 60 : 12);
   Diagram diagram;
-  const std::vector<SiteId> ids = insertMany(diagram, circles);
+  const std::vector<SiteId> ids = insertInto(diagram, circles);
   expectRightCovers(diagram, circles, ids);
 }
 
@@ -118,7 +111,7 @@ TEST(Hidden, ASiteThatCoversEverythingLeavesOneVisible) {
     std::string broken;
     const Canonical before = freshBuild(circles, Build::kBulk, Location::kHierarchy, broken);
     Diagram diagram;
-    (void)insertMany(diagram, circles);
+    (void)insertInto(diagram, circles);
     SiteId giant = kNoSite;
     ASSERT_EQ(diagram.insert(0, 0, 1e9, giant), Error::kNone);
     ASSERT_EQ(validated(diagram), "");
@@ -156,8 +149,8 @@ TEST(Hidden, NestedCirclesReviveOneByOne) {
 
 TEST(Hidden, DuplicatesAreSitesOfTheirOwn) {
   Diagram diagram;
-  std::vector<SiteId> identical = insertMany(diagram, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}});
-  (void)insertMany(diagram, {{10, 0, 1}});
+  std::vector<SiteId> identical = insertInto(diagram, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}});
+  (void)insertInto(diagram, {{10, 0, 1}});
   EXPECT_EQ(diagram.size(), 4u);
   // Whichever is visible: when it is removed, another identical one takes its place.
   while (!identical.empty()) {

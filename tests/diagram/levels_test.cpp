@@ -6,6 +6,7 @@
 #include "apollonius/predicate_counts.h"
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/insert_into.h"
 #include "support/replay.h"
 
 namespace apollonius::test {
@@ -26,14 +27,6 @@ Circles randomCircles(std::size_t n) {
   return {};
 }
 
-std::vector<SiteId> insertMany(Diagram& diagram, const Circles& circles) {
-  std::vector<double> xyr;
-  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-  std::vector<SiteId> ids(circles.size());
-  EXPECT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
-  return ids;
-}
-
 /// 0 for hidden sites and free ids, else at least 1.
 void expectVisibleOnesOnly(const Diagram& diagram, const std::vector<std::uint8_t>& levels) {
   std::size_t visible = 0;
@@ -50,7 +43,7 @@ void expectVisibleOnesOnly(const Diagram& diagram, const std::vector<std::uint8_
 
 TEST(Levels, OneInThirtyTwoGoesUp) {
   Diagram diagram;
-  const std::vector<SiteId> ids = insertMany(diagram, randomCircles(20'000));
+  const std::vector<SiteId> ids = insertInto(diagram, randomCircles(20'000));
   const std::vector<std::uint8_t> levels = levelsOf(diagram);
   ASSERT_EQ(levels.size(), ids.size());
   expectVisibleOnesOnly(diagram, levels);
@@ -65,7 +58,7 @@ TEST(Levels, OneInThirtyTwoGoesUp) {
 
 TEST(Levels, FollowRemovalsMovesAndSnapshots) {
   Diagram diagram;
-  const std::vector<SiteId> ids = insertMany(diagram, randomCircles(3000));
+  const std::vector<SiteId> ids = insertInto(diagram, randomCircles(3000));
   Random random(1902);
   for (int run = 0; run < runs(200); ++run) {
     const SiteId id = ids[random.below(ids.size())];
@@ -94,7 +87,7 @@ TEST(Levels, FollowRemovalsMovesAndSnapshots) {
 TEST(Levels, OfFewSites) {
   Diagram diagram;
   EXPECT_TRUE(levelsOf(diagram).empty());
-  insertMany(diagram, {{0, 0, 5}, {0, 0, 1}});
+  insertInto(diagram, {{0, 0, 5}, {0, 0, 1}});
   EXPECT_EQ(levelsOf(diagram)[1], 0);
   EXPECT_GE(levelsOf(diagram)[0], 1);
 }
@@ -104,7 +97,7 @@ double sum(const StageCounts& stages) { return stages.filter + stages.middle + s
 TEST(PredicateCounts, CountWhatWasAskedByStage) {
   const PredicateCounts before = predicateCounts();
   Diagram diagram;
-  insertMany(diagram, randomCircles(500));
+  insertInto(diagram, randomCircles(500));
   const PredicateCounts random = predicateCounts();
   EXPECT_GT(sum(random.edgeConflict), sum(before.edgeConflict));
   EXPECT_GT(random.covers.filter, before.covers.filter);
@@ -114,7 +107,7 @@ TEST(PredicateCounts, CountWhatWasAskedByStage) {
   Circles grid;
   for (int k = 0; k < 64; ++k) grid.push_back({k % 8 * 1.0, k / 8 * 1.0, 0});
   Diagram lattice;
-  insertMany(lattice, grid);
+  insertInto(lattice, grid);
   const PredicateCounts ties = predicateCounts();
   EXPECT_GT(ties.vertexConflict.middle, random.vertexConflict.middle) << "exact in doubles";
   EXPECT_GT(ties.ties, random.ties) << "four points on one circle, again and again";

@@ -1,4 +1,4 @@
-// What the geometry tests share: building diagrams, windows around sets of circles, and plain
+// What the geometry tests share: windows around sets of circles, and plain
 // geometry of polygons.
 #pragma once
 
@@ -12,17 +12,11 @@
 #include "apollonius/voronoi.h"
 #include "geometry/turn.h"
 #include "support/generators.h"
+#include "support/insert_into.h"
 
 namespace apollonius::test {
 
 using namespace internal;
-
-inline void insertInto(Diagram& diagram, const Circles& circles) {
-  std::vector<double> xyr;
-  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-  std::vector<SiteId> ids(circles.size());
-  ASSERT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
-}
 
 /// The box of the centres, enlarged on all sides by this share of its size and moved a little off
 /// centre; false if it cannot be one.
