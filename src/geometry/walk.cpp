@@ -218,7 +218,15 @@ class Walker {
     const EdgePlace on = at < line.at ? placeOn(edge, whole, bisector.parameterOf(here), here)
                                       : placeOn(edge, whole, e, crossing);
     const double score = place + on.away;
-    if (score < best.score && on.e > 0 && on.e < kInfinite) best = {h, edge, on.e, place, score};
+    if (!(score < best.score) || !(on.e > 0 && on.e < kInfinite)) return;
+    // An edge that is further from there than the segment's end is left alone, unless the end is
+    // nearer to its other cell by more than rounding.
+    const auto isRounding = [&] {
+      const Site &own = delaunay.site(cell_), &other = delaunay.site(graph_.target(h));
+      return !isNearer(other, own, line.to);
+    };
+    if (score > line.length && isRounding()) return;
+    best = {h, edge, on.e, place, score};
   }
 
   /// Does the segment run along a straight edge, as far as there are both? Then the cell on the

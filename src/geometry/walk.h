@@ -9,7 +9,8 @@
 //     has been entered is not left for having been entered late. In which order they come is no
 //     question of rounding: the cell of the smaller weight is on the convex side.
 //   - Where two neighbours come next at nearly the same place, the one is taken whose edge it is:
-//     the place is held to be as far ahead as it is away from the edge.
+//     the place is held to be as far ahead as it is away from the edge; beyond the segment's end,
+//     it is taken only if that is in the other cell by more than rounding.
 //   - A ring that ends in another cell than it began in goes there over cells as near to its first
 //     point, and edges that pass there.
 //

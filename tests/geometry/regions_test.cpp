@@ -317,5 +317,35 @@ TEST(Regions, SidesTouchCurvedEdgesWithoutCrossingThem) {
   }
 }
 
+TEST(Regions, CornersWhereManyCellsMeet) {
+  // All circles are as far from one point, exactly, and much further than the rings are wide, which
+  // have a corner there. (Found by regions_fuzz: with the side's end just behind the vertex, the
+  // walk left for a cell whose edge is ten thousand times as far away as the ring is wide.)
+  constexpr double kTriples[][3] = {{3, 4, 5},    {4, 3, 5},    {5, 12, 13},  {12, 5, 13},
+                                    {8, 15, 17},  {15, 8, 17},  {7, 24, 25},  {24, 7, 25},
+                                    {20, 21, 29}, {21, 20, 29}, {12, 35, 37}, {9, 40, 41}};
+  Random random(815);
+  const auto integer = [&](int low, int high) {
+    return static_cast<double>(random.integer(low, high));
+  };
+  for (int run = 0; run < runs(300); ++run) {
+    const double distance = integer(0, 3) * 1000;
+    Circles circles;
+    for (int more = static_cast<int>(random.integer(3, 12)); more > 0; --more) {
+      const double* const t = kTriples[random.below(std::size(kTriples))];
+      const double k = integer(1, random.oneIn(3) ? 9 : 9000);
+      circles.push_back({k * (random.oneIn(2) ? t[0] : -t[0]), k * (random.oneIn(2) ? t[1] : -t[1]),
+                         k * t[2] - distance});
+    }
+    std::vector<double> ring{0, 0};
+    for (int c = static_cast<int>(random.integer(2, 6)); c > 0; --c)
+      ring.insert(ring.end(), {integer(-3, 3), integer(-3, 3)});
+    Diagram diagram;
+    insertInto(diagram, circles);
+    check(diagram, circles, Rings().add(ring), random, "run " + std::to_string(run), 1e-9);
+    if (HasFatalFailure()) return;
+  }
+}
+
 }  // namespace
 }  // namespace apollonius::test
