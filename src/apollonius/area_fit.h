@@ -41,7 +41,7 @@ class APOLLONIUS_EXPORT AreaFit {
   /// building the diagram, and of the areas of its cells.
   [[nodiscard]] Error step();
   /// The largest deviation of an area from what it is to be, as a share of that. Need not fall with
-  /// each step: where long steps lead nowhere, shorter ones are taken from the beginning, once.
+  /// each step.
   [[nodiscard]] double error() const noexcept;
   /// After kBadTarget: the site whose target that is, or whose cell is empty.
   [[nodiscard]] SiteId badSite() const noexcept;

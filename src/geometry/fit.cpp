@@ -11,16 +11,22 @@ namespace apollonius::internal {
 
 namespace {
 
-/// A stage is over when areas are so near its aims: the next one's are as far away.
+/// The density of the ground at first, that of the region being 1.
+constexpr double kFirstGround = 1e-4;
+/// By so much it falls when areas are so near their targets; less of it in all than this share of
+/// the smallest target is as good as none.
+constexpr double kNextGround = 0.1;
 constexpr double kNearEnough = 0.3;
+constexpr double kLeastGround = 1e-3;
+/// A region is all of its box if this share of it is less.
+constexpr double kLeastOutside = 1e-3;
 /// So much of the way to where one site covers another.
 constexpr double kShareOfWay = 0.9;
 /// More than this much of it makes a coupling stiffer, by a little more than would do.
 constexpr double kShareOfRoom = 0.7;
 constexpr double kMoreThanEnough = 1.5;
 constexpr int kStiffenings = 3;
-/// A cell has nearly vanished when it is this share of what it was or should be. (Begun anew, Fit
-/// has a limit for all of them.)
+/// A cell has nearly vanished when it is this share of what it was or should be.
 constexpr double kVanished = 1e-4;
 /// Of how much less than the residual an equation's may be: far away, and near the end.
 constexpr double kCoarse = 0.01;
@@ -36,21 +42,6 @@ double logarithm(double r) {
   double sum = 0;
   for (int k = 23; k > 0; k -= 2) sum = sum * square + 1.0 / k;
   return scale * z * sum;
-}
-
-/// a^(1-s) b^s of positive numbers, for multiples s of 2^-10 from 0 to 1: by roots.
-double meanOf(double a, double b, double s) {
-  if (s >= 1) return b;
-  double root = b / a, mean = a;
-  for (int bit = 0; bit < 10; ++bit) {
-    root = std::sqrt(root);
-    s *= 2;
-    if (s >= 1) {
-      mean *= root;
-      s -= 1;
-    }
-  }
-  return mean;
 }
 
 double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
@@ -95,10 +86,12 @@ double Fit::weightOf(std::size_t place) const { return inRange(best_.weights[pla
 
 std::uint32_t Fit::begin(std::span<const double> targets, std::span<const double> start) {
   const std::size_t count = sites_.size();
-  targets_.assign(targets);
+  if (count == 0) return kNone;
+  shares_.assign(targets);
+  scaleTo(shares_, 1);
   best_.weights.resize(count);
   for (std::size_t k = 0; k < count; ++k) best_.weights[k] = sites_[k].r;
-  const double mean = count == 0 ? 0 : sumOf(best_.weights) / static_cast<double>(count);
+  const double mean = sumOf(best_.weights) / static_cast<double>(count);
   if (start.empty()) {
     best_.weights.assign(count, mean);
   } else {
@@ -108,19 +101,31 @@ std::uint32_t Fit::begin(std::span<const double> targets, std::span<const double
   for (std::size_t k = 0; k < count; ++k)
     xyr.insert(xyr.end(), {sites_[k].x, sites_[k].y, inRange(best_.weights[k])});
   FlatArray<SiteId> places(count);
-  if (count > 0) insertAll(core_, xyr, places);
-  measure(best_);
-  if (count == 0) return kNone;
+  insertAll(core_, xyr, places);
+  setGround(0);
   if (!start.empty() && !(smallestOf(best_.areas) > 0)) {
     best_.weights.assign(count, mean);
-    measure(best_);
+    setGround(0);
   }
   const double* const empty = std::min_element(best_.areas.begin(), best_.areas.end());
   if (!(*empty > 0)) return static_cast<std::uint32_t>(empty - best_.areas.begin());
-  scaleTo(targets_, sumOf(best_.areas));
-  aims_ = targets_;
-  first_ = best_;
+  const Window& b = outline_.box;
+  const double inside = sumOf(best_.areas), outside = b.width() * b.height() - inside;
+  if (outside > kLeastOutside * inside && error() > kNearEnough) {
+    const double corners[] = {b.xmin, b.ymin, b.xmax, b.ymin, b.xmax, b.ymax, b.xmin, b.ymax};
+    const std::uint32_t starts[] = {0, 4};
+    box_ = makeOutline(corners, starts);
+    setGround(kFirstGround);
+  }
   return kNone;
+}
+
+/// Measures the best state with so much of it.
+void Fit::setGround(double density) {
+  ground_ = density;
+  measure(best_);
+  targets_ = shares_;
+  scaleTo(targets_, sumOf(best_.areas));
 }
 
 /// Areas and couplings for the state's weights.
@@ -135,55 +140,40 @@ void Fit::measure(State& state) {
   }
   core_.updateMany(places, xyr);
 
-  const Overlay overlay(core_, outline_);
-  CellSums sums(core_, outline_.box, Measure::kAreas);
   state.couplings.clear();
+  state.areas.assign(count, 0);
+  addIn(outline_, 1, state);
+  state.inside = state.areas;
+  if (ground_ > 0) addIn(box_, ground_, state);
+}
+
+/// Adds areas and couplings in a region of this density.
+void Fit::addIn(const Outline& outline, double density, State& state) {
+  const Overlay overlay(core_, outline);
+  CellSums sums(core_, outline.box, Measure::kAreas);
   const Graph& graph = core_.delaunay().graph();
   // At the end the areas of small cells count more than the last places of cached vertices.
   const Bits bits = isNear_ ? Bits::kCanonical : Bits::kCached;
   overlay.visitEdges(bits, [&](HalfedgeId h, const Edge& edge, const InnerPiece& piece) {
     const VertexId i = graph.origin(h), j = graph.target(h);
     sums.addEdge(slotOf(i), slotOf(j), piece.on(edge), piece.times);
-    const double pressure = piece.times * pressureOf(edge.bisector, piece.e0, piece.e1);
+    const double pressure = density * piece.times * pressureOf(edge.bisector, piece.e0, piece.e1);
     if (pressure > 0 && pressure < kLargestMagnitude)
       state.couplings.push_back({core_.siteOf(i), core_.siteOf(j), pressure});
   });
   addBorders(overlay, sums);
-  state.areas.assign(count, 0);
   for (Slot slot = 0; slot < core_.ids().slots(); ++slot)
-    state.areas[core_.ids().idOf(slot)] = sums.sumOf(slot);
+    state.areas[core_.ids().idOf(slot)] += density * sums.sumOf(slot);
 }
 
-/// The next stage.
-void Fit::aim() {
-  constexpr double kGrain = powerOfTwo(-10);
-  // After few steps the next stage is further away, after many it is nearer.
-  if (stage_ > 0 && steps_ <= 2) stride_ *= 1.5;
-  if (stage_ > 0 && steps_ > 4) stride_ /= 1.5;
-  const double grains = std::max(1.0, static_cast<double>(static_cast<int>(stride_ / kGrain)));
-  stage_ = std::min(1.0, stage_ + grains * kGrain);
-  steps_ = 0;
-  aims_.resize(targets_.size());
-  for (std::size_t k = 0; k < aims_.size(); ++k)
-    aims_[k] = meanOf(first_.areas[k], targets_[k], stage_);
-  scaleTo(aims_, sumOf(targets_));
-}
-
-double Fit::deviation(const FlatArray<double>& targets) const {
+double Fit::deviationOf(std::span<const double> areas) const {
+  const double whole = sumOf(areas);
   double largest = 0;
-  for (std::size_t k = 0; k < targets.size(); ++k)
-    largest = std::max(largest, absolute(best_.areas[k] - targets[k]) / targets[k]);
-  return largest;
-}
-
-/// The sum of squares.
-double Fit::residualOf(const State& state) const {
-  double sum = 0;
-  for (std::size_t k = 0; k < aims_.size(); ++k) {
-    const double rest = aims_[k] - state.areas[k];
-    sum += rest * rest;
+  for (std::size_t k = 0; k < areas.size(); ++k) {
+    const double target = whole * shares_[k];
+    largest = std::max(largest, absolute(areas[k] - target) / target);
   }
-  return sum;
+  return largest;
 }
 
 /// By how much the difference of two weights can still change, the way it does in the direction.
@@ -197,46 +187,30 @@ double Fit::roomFor(const Coupling& c) const {
 double Fit::slopeAt(const State& state) const {
   double slope = 0;
   for (std::size_t k = 0; k < targets_.size(); ++k)
-    slope += (aims_[k] - state.areas[k]) * direction_[k];
+    slope += (targets_[k] - state.areas[k]) * direction_[k];
   return slope;
 }
 
 bool Fit::step() {
   if (sites_.empty()) return false;
-  while (stage_ < 1 && deviation(aims_) < kNearEnough) aim();
-  ++steps_;
-  const double far = deviation(aims_);
-  isNear_ = stage_ >= 1 && far < kCoarse;
+  double far = deviationOf(best_.areas);
+  for (; ground_ > 0 && far < kNearEnough; far = deviationOf(best_.areas)) {
+    const double all = outline_.box.width() * outline_.box.height();
+    const double less = kNextGround * ground_;
+    setGround(less * all < kLeastGround * smallestOf(targets_) ? 0 : less);
+  }
+  isNear_ = ground_ == 0 && far < kCoarse;
   // Where steps have become short, none must be wrong about a small cell.
   findDirection(far < kCoarse ? kFine : last_ < 0.25 ? kMedium : kCoarse);
   double share = longestShare();
-  if (isCareful_) share = std::min(share, 4 * last_);
   for (int halvings = 0; halvings < kMostHalvings; ++halvings, share /= 2) {
-    if (!tryStep(share) || !isBetter(share)) continue;
+    // The function is concave: a slope that has hardly turned is not far behind the maximum.
+    if (!tryStep(share) || !(slopeAt(tried_) >= -slopeAt(best_) / 2)) continue;
     std::swap(best_, tried_);
     last_ = share;
     return true;
   }
-  if (isCareful_) return false;
-  beginAnew();
-  return step();
-}
-
-/// In stages, with shorter steps.
-void Fit::beginAnew() {
-  best_ = first_;
-  isCareful_ = true;
-  last_ = 1;
-  stage_ = 0;
-  smallest_ = std::min(smallestOf(first_.areas), smallestOf(targets_)) / 2;
-  aim();
-}
-
-/// Is a state that was tried, without vanished cells, to be the next one?
-bool Fit::isBetter(double share) const {
-  if (!isCareful_) return slopeAt(tried_) >= -slopeAt(best_) / 2;
-  const double wanted = 1 - share / 2;
-  return residualOf(tried_) <= wanted * wanted * residualOf(best_);
+  return false;
 }
 
 /// What comes of so much of the direction; false if a weight leaves the range, or a cell nearly
@@ -249,8 +223,7 @@ bool Fit::tryStep(double share) {
   }
   measure(tried_);
   for (std::size_t k = 0; k < targets_.size(); ++k) {
-    const double least = isCareful_ ? smallest_ : kVanished * std::min(best_.areas[k], targets_[k]);
-    if (!(tried_.areas[k] >= least)) return false;
+    if (!(tried_.areas[k] >= kVanished * std::min(best_.areas[k], targets_[k]))) return false;
   }
   return true;
 }
@@ -269,7 +242,7 @@ double Fit::longestShare() const {
 void Fit::findDirection(double tolerance) {
   couplings_ = best_.couplings;
   solve(tolerance);
-  for (int k = 0; k < kStiffenings && !isCareful_; ++k) {
+  for (int k = 0; k < kStiffenings; ++k) {
     bool hasRoom = true;
     for (Coupling& c : couplings_) {
       const double change = absolute(direction_[c.i] - direction_[c.j]);
@@ -293,9 +266,12 @@ void Fit::solve(double tolerance) {
     diagonal[c.j] += c.pressure;
   }
   direction_.assign(count, 0);
+  for (std::size_t k = 0; k < count; ++k) rest[k] = targets_[k] - best_.areas[k];
+  // Zero in all but rounding, without which there is no solution.
+  const double surplus = sumOf(rest) / static_cast<double>(count);
   double product = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    rest[k] = aims_[k] - best_.areas[k];
+    rest[k] -= surplus;
     if (!(diagonal[k] > 0)) diagonal[k] = 1;
     way[k] = rest[k] / diagonal[k];
     product += rest[k] * way[k];

@@ -14,11 +14,9 @@
 //     concave: before its maximum the slope is positive), and no cell has nearly vanished. (As all
 //     cells have an area, the second derivatives stay regular: Kitagawa, Mérigot and Thibert,
 //     "Convergence of a Newton algorithm for semi-discrete optimal transport", 2019.)
-//   - Where that ends too early (with holes, a cell's part can be covered by one that is no
-//   neighbour
-//     within the region), all begins anew in stages, whose targets are geometric means of the first
-//     areas and the last ones; no cell then becomes smaller than half the smallest one, and the
-//     residual shrinks with each step.
+//   - In a region that is not all of its box, cells vanish into holes and covers come from across
+//     them. So the box counts too at first, a little: *ground*, of which less and less is left as
+//     areas come near their targets, and none at the end.
 //
 // Equations are solved by conjugate gradients with the diagonal for a preconditioner. All of it
 // happens in a diagram of its own, so that the one in question is as it was until it is done.
@@ -57,7 +55,7 @@ class Fit {
   /// One step; false if none comes closer.
   [[nodiscard]] bool step();
   /// The largest deviation of an area from its target, as a share of that.
-  [[nodiscard]] double error() const { return deviation(targets_); }
+  [[nodiscard]] double error() const { return deviationOf(best_.inside); }
 
  private:
   struct Coupling {
@@ -66,39 +64,35 @@ class Fit {
   };
   /// Weights, and what they lead to.
   struct State {
-    FlatArray<double> weights, areas;
+    FlatArray<double> weights, inside;
+    FlatArray<double> areas;  // with their share of the ground
     FlatArray<Coupling> couplings;
   };
 
   void measure(State& state);
-  void beginAnew();
-  void aim();
+  void addIn(const Outline& outline, double density, State& state);
+  void setGround(double density);
   void findDirection(double tolerance);
   [[nodiscard]] bool tryStep(double share);
-  [[nodiscard]] bool isBetter(double share) const;
   [[nodiscard]] double longestShare() const;
   void solve(double tolerance);
   [[nodiscard]] double roomFor(const Coupling& coupling) const;
-  [[nodiscard]] double deviation(const FlatArray<double>& targets) const;
-  [[nodiscard]] double residualOf(const State& state) const;
+  [[nodiscard]] double deviationOf(std::span<const double> areas) const;
   [[nodiscard]] double slopeAt(const State& state) const;
 
   const Outline& outline_;
+  Outline box_;       // of the region
   DiagramCore core_;  // its ids are places
   FlatArray<SiteId> ids_;
   FlatArray<Site> sites_;
-  FlatArray<double> targets_;
-  FlatArray<double> aims_;  // of this stage
-  State first_, best_, tried_;
+  FlatArray<double> shares_;   // of the region's area
+  FlatArray<double> targets_;  // with their share of the ground
+  State best_, tried_;
   FlatArray<Coupling> couplings_;  // the best state's, some of them stiffer
   FlatArray<double> direction_;    // of the next step
   double last_ = 1;                // share of the last step that was taken
+  double ground_ = 0;              // its density
   bool isNear_ = false;            // the end
-  bool isCareful_ = false;         // begun anew, in stages
-  double smallest_ = 0;            // area that a cell may have then
-  double stage_ = 1;               // from 0, the first areas, to 1, the targets
-  double stride_ = 0.25;           // of the next stage
-  int steps_ = 0;                  // in this stage
 };
 
 }  // namespace apollonius::internal
