@@ -9,7 +9,7 @@
 //   thorough     whole sets of tens of thousands, lack of memory among thousands; without the
 //                shadow check
 //   strangers    the package in what is too large for every npm ci: other bundlers, other versions
-//                of TypeScript, an edge runtime, Vitest (tests/strangers)
+//                of TypeScript, edge runtimes, Deno, Vitest (tests/strangers)
 //   cluster      20 million points and a million circles by the workers of web/examples/cluster, a
 //                worker and Redis killed on the way
 //   determinism  the recorded hashes with g++ and clang++, -O0 to -O3, 32 bits, the machine's own

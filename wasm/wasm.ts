@@ -22,12 +22,21 @@ setModuleSource(() => {
   throw notLoaded("apollonius-diagram/wasm: `await load(source)` before the first diagram");
 });
 
+/**
+ * What it is, whichever realm it comes from: sandboxes as Next's for edge functions compile the
+ * module outside.
+ */
+const kindOf = (source: unknown): string => Object.prototype.toString.call(source).slice(8, -1);
+const isModule = (source: unknown): source is WebAssembly.Module =>
+  kindOf(source) === "WebAssembly.Module";
+const isResponse = (source: unknown): source is Response => kindOf(source) === "Response";
+
 async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
-  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source))
+  if (kindOf(source) === "ArrayBuffer" || ArrayBuffer.isView(source))
     return WebAssembly.compile(source as BufferSource);
-  const isAddress = typeof source === "string" || source instanceof URL;
-  const response = await (isAddress ? fetched(source) : source);
-  if (!(response instanceof Response)) {
+  const isAddress = typeof source === "string" || kindOf(source) === "URL";
+  const response = await (isAddress ? fetched(source as string | URL) : source);
+  if (!isResponse(response)) {
     throw new ApolloniusError(
       "bad-option",
       `source is ${described(response)}, expected an address, a Response, the bytes ` +
@@ -56,7 +65,7 @@ async function fetched(address: string | URL): Promise<Response> {
  */
 export async function load(source: WasmSource): Promise<void> {
   if (isRunning()) return;
-  if (source instanceof WebAssembly.Module) return setModuleSource(() => source);
+  if (isModule(source)) return setModuleSource(() => source);
   try {
     start(await compiled(source));
   } catch (error) {

@@ -1,6 +1,7 @@
-// The packed package in Cloudflare's own runtime, which compiles no WebAssembly but what is
-// imported: bundled as wrangler does, with the conditions of such packages.
-import { spawn } from "node:child_process";
+// The packed package in Cloudflare's own runtime and in Vercel's, which compile no WebAssembly but
+// what is imported: bundled as wrangler and Next do, with the conditions of such packages; and in
+// Deno.
+import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -92,10 +93,55 @@ test("workerd: the default entry needs nothing but its condition", async () => {
   expect(await answers("/", "/again")).toEqual(["1", "1"]);
 }, 60_000);
 
-test("edge-light: the same", async () => {
-  const source = 'import { Diagram, load } from "apollonius-diagram";';
-  await bundled(worker(source, `await load(); ${use}`), ["edge-light"]);
-  expect(await answers("/")).toEqual(["1"]);
+/** What Vercel's edge runtime, given the compiled module from outside, answers. */
+async function answerOfVercel(source) {
+  const { EdgeRuntime } = await import("edge-runtime");
+  const { outputFiles } = await build({
+    stdin: { contents: source, resolveDir: packed, loader: "js" },
+    bundle: true,
+    write: false,
+    conditions: ["edge-light"],
+    logLevel: "silent",
+    plugins: [
+      {
+        name: "compiled-wasm",
+        setup({ onResolve, onLoad }) {
+          const namespace = "outside";
+          onResolve({ filter: /\.wasm\?module$/ }, () => ({ path: "wasm", namespace }));
+          onLoad({ filter: /.*/, namespace }, () => ({
+            contents: "export default compiledModule",
+          }));
+        },
+      },
+    ],
+  });
+  const wasm = readFileSync(path.join(installed, "dist/apollonius.wasm"));
+  const runtime = new EdgeRuntime({
+    initialCode: outputFiles[0].text,
+    extend: (context) => Object.assign(context, { compiledModule: new WebAssembly.Module(wasm) }),
+  });
+  return (await runtime.dispatchFetch("https://example.com/")).text();
+}
+
+test("edge-light: the same, with a module of another realm", async () => {
+  const imported = 'import { Diagram, load } from "apollonius-diagram";';
+  const answer = `load().then(() => { ${use} })`;
+  const source = `${imported} addEventListener("fetch", (e) => e.respondWith(${answer}));`;
+  expect(await answerOfVercel(source)).toBe("1");
+}, 60_000);
+
+test("Deno, without any permission but to read", () => {
+  const source =
+    'import { Diagram } from "apollonius-diagram"; {' +
+    "using d = new Diagram([0, 0, 1, 9, 0, 2]);" +
+    "console.log(d.find(8, 0), Deno.inspect(d), Diagram.fromBytes(d.toBytes()).size); }";
+  writeFileSync(path.join(packed, "deno.mjs"), source);
+  const program = path.join(root, "tests/strangers/node_modules/.bin/deno");
+  const args = ["run", "--no-remote", "--no-prompt", `--allow-read=${packed}`, "deno.mjs"];
+  expect(spawnSync(program, args, { cwd: packed, encoding: "utf8" })).toMatchObject({
+    stdout: "1 Diagram { size: 2, hidden: 0 } 2\n",
+    stderr: "",
+  });
 }, 60_000);
 
 test("the entry with a .wasm of its own loads the module that is imported", async () => {

@@ -104,9 +104,12 @@ test("two copies of the package in one process do not disturb each other", () =>
 });
 
 const bytes = 'readFileSync("node_modules/apollonius-diagram/dist/apollonius.wasm")';
+const elsewhere = `((code) => runInNewContext(code)(${bytes}))`;
 test.each([
   ["bytes", bytes],
   ["a compiled module", `new WebAssembly.Module(${bytes})`],
+  ["one of another realm", `${elsewhere}("(data) => new WebAssembly.Module(data)")`],
+  ["bytes of another realm", `${elsewhere}("(data) => new Uint8Array(data).buffer")`],
   ["a response", `new Response(${bytes}, { headers: { "content-type": "application/wasm" } })`],
   ["a promise of a response of unknown type", `Promise.resolve(new Response(${bytes}))`],
   ["an address", `"data:application/wasm;base64," + ${bytes}.toString("base64")`],
@@ -114,6 +117,7 @@ test.each([
   expect(
     runInNode(`
     import { readFileSync } from "node:fs";
+    import { runInNewContext } from "node:vm";
     import { Diagram, load } from "apollonius-diagram/wasm";
     await load(${source});
     ${use}`),
