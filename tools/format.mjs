@@ -15,7 +15,7 @@ export function format({ write }) {
   ensureNpmPackages();
   const cpp = ["src", "wasm", "bench", "tests"].flatMap((folder) =>
     readdirSync(path.join(root, folder), { recursive: true })
-      .filter((name) => /\.(cpp|h)$/.test(name))
+      .filter((name) => /^(?!.*node_modules).*\.(cpp|h)$/.test(name)) // tests/strangers has one
       .map((name) => path.join(folder, name)),
   );
   const layout = write ? ["-i"] : ["--dry-run", "--Werror"];
