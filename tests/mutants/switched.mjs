@@ -119,14 +119,13 @@ function change(mutant, number, source, tokens) {
     closed: Math.max(gone.closed, come.closed),
     open: Math.max(gone.open, come.open),
   };
-  let [begin, end] = expressionAround(tokens, first + same, last - sameAtEnd, outside);
-  if (hasComma(tokens.slice(begin, end))) {
-    // several arguments: take the call
-    [begin, end] = expressionAround(tokens, first + same, last - sameAtEnd, {
-      closed: outside.closed + 1,
-      open: outside.open + 1,
-    });
-  }
+  let begin, end;
+  do {
+    [begin, end] = expressionAround(tokens, first + same, last - sameAtEnd, outside);
+    // several arguments, or a list of them: take the call
+    ++outside.closed;
+    ++outside.open;
+  } while (hasComma(tokens.slice(begin, end)) || tokens[begin]?.text === "{");
   const isStatement =
     mutant.becomes === ";" ||
     (mutant.becomes.endsWith(";") && sameAtEnd === 0) ||

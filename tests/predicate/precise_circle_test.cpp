@@ -1,0 +1,218 @@
+// Vertices as everybody gets them: the nearest doubles, at every scale, and where a quotient is
+// next to the middle of two of them.
+#include "predicate/precise_circle.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "number/dyadic.h"
+#include "predicate/compute_circle.h"
+#include "predicate/predicates.h"
+#include "support/effort.h"
+#include "support/random.h"
+
+namespace apollonius::internal {
+namespace {
+
+using test::Random;
+
+Dyadic magnitude(const Dyadic& x) { return x.sign() == Sign::kNegative ? -x : x; }
+
+struct Triangle {
+  std::array<Site, 3> sites;
+
+  /// Twice the turn, and what the centre's coordinates are as quotients by that: exactly.
+  struct Exact {
+    Dyadic x, y, twice;
+  };
+  [[nodiscard]] Exact exact() const {
+    std::array<Dyadic, 3> x, y;
+    for (std::size_t k = 0; k < 3; ++k) x[k] = Dyadic(sites[k].x), y[k] = Dyadic(sites[k].y);
+    const Dyadic turn = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+    Exact result{Dyadic(0), Dyadic(0), turn + turn};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
+      const Dyadic squares = x[k] * x[k] + y[k] * y[k];
+      result.x = result.x + squares * (y[next] - y[last]);
+      result.y = result.y + squares * (x[last] - x[next]);
+    }
+    return result;
+  }
+  [[nodiscard]] VoronoiCircle circle() const {
+    return commonVoronoiCircle(sites[0], sites[1], sites[2]);
+  }
+};
+
+/// Is no other double nearer to over / under, and of two the one of even mantissa taken?
+void expectNearest(double value, const Dyadic& over, const Dyadic& under) {
+  const auto off = [&](double v) { return magnitude(over - Dyadic(v) * under); };
+  for (const double other : {std::nextafter(value, HUGE_VAL), std::nextafter(value, -HUGE_VAL)}) {
+    const Sign further = (off(other) - off(value)).sign();
+    EXPECT_NE(further, Sign::kNegative) << value << ", but " << other << " is nearer";
+    if (further == Sign::kZero && value != 0) {
+      EXPECT_GT(lowestExponentOf(value), lowestExponentOf(other)) << value << " is odd";
+    }
+  }
+}
+
+void expectNearest(const Triangle& triangle) {
+  const Triangle::Exact exact = triangle.exact();
+  ASSERT_EQ(exact.twice.sign(), Sign::kPositive);
+  const VoronoiCircle circle = triangle.circle();
+  expectNearest(circle.x, exact.x, exact.twice);
+  expectNearest(circle.y, exact.y, exact.twice);
+}
+
+/// Integers too long for the formulas in doubles, most of them in flat triangles.
+TEST(PreciseCircle, OfLongIntegersHasTheNearestDoubles) {
+  Random random(171);
+  int count = 0;
+  for (int run = 0; run < test::runs(2000); ++run) {
+    const std::int64_t most = std::int64_t{1} << (18 + run % 30);
+    const auto number = [&] { return static_cast<double>(random.integer(-most, most)); };
+    Triangle t{{Site{number(), number(), 0}, {number(), number(), 0}, {number(), number(), 0}}};
+    if (run % 2 == 0) {  // nearly in line
+      auto& [a, b, c] = t.sites;
+      const double dx = b.x - a.x, dy = b.y - a.y;
+      c.x = a.x + 2 * dx + static_cast<double>(random.integer(-2, 2));
+      c.y = a.y + 2 * dy + static_cast<double>(random.integer(-2, 2));
+    }
+    if (t.exact().twice.sign() != Sign::kPositive) continue;
+    ++count;
+    expectNearest(t);
+    if (::testing::Test::HasFailure()) FAIL() << "run " << run;
+  }
+  EXPECT_GT(count, test::runs(500));
+}
+
+/// Far from the origin doubles are as far apart as integers: quotients are ties, or next to one.
+TEST(PreciseCircle, TiesGoToTheEvenDouble) {
+  constexpr double kFar = 0x1p52;
+  for (double first = kFar + 1; first < kFar + 9; ++first) {
+    for (double width = 1; width < 8; ++width) {
+      expectNearest(Triangle{{Site{first, 0, 0}, {first + width, 0, 0}, {first, 4, 0}}});
+      expectNearest(Triangle{{Site{0, first, 0}, {4, first, 0}, {0, first + width, 0}}});
+      expectNearest(Triangle{{Site{-first, 0, 0}, {-first, -4, 0}, {width - first, 0, 0}}});
+    }
+  }
+}
+
+TEST(PreciseCircle, NextToATieTheNearerDoubleIsTaken) {
+  constexpr double kFar = 0x1p52;
+  Random random(172);
+  int close = 0;
+  for (int run = 0; run < test::runs(4000000); ++run) {
+    const auto number = [&] { return random.integer(-2000, 2000); };
+    const std::int64_t jx = number(), jy = number(), kx = number(), ky = number();
+    const std::int64_t twice = 2 * (jx * ky - jy * kx);
+    if (twice < (1 << 21)) continue;
+    const std::int64_t pj = jx * jx + jy * jy, pk = kx * kx + ky * ky;
+    const std::int64_t rest = ((pj * ky - pk * jy) % twice + twice) % twice;
+    if (std::abs(2 * rest - twice) > twice >> 19) continue;  // of twice the share of a double
+    ++close;
+    const auto at = [&](std::int64_t x, std::int64_t y) {
+      return Site{kFar + 5000 + static_cast<double>(x), static_cast<double>(y), 0};
+    };
+    expectNearest(Triangle{{at(0, 0), at(jx, jy), at(kx, ky)}});
+    if (::testing::Test::HasFailure()) FAIL() << "run " << run;
+  }
+  EXPECT_GT(close, 0);
+}
+
+/// About the origin, from far away: the estimate to begin with has no right digit.
+TEST(PreciseCircle, NextToTheOriginHasTheNearestDoubles) {
+  Random random(174);
+  for (int run = 0; run < test::runs(300); ++run) {
+    const double radius = std::ldexp(1.0, 20 + run % 31);
+    Triangle t;
+    for (std::size_t k = 0; k < 3; ++k) {  // in thirds of the circle
+      const double half = random.between(0.1, 0.5), norm = 1 + half * half;
+      const double x = radius * (1 - half * half) / norm, y = radius * 2 * half / norm;
+      t.sites[k] = k == 0 ? Site{x, y, 0} : k == 1 ? Site{-x, y, 0} : Site{y, -x, 0};
+    }
+    expectNearest(t);
+    if (::testing::Test::HasFailure()) FAIL() << "run " << run;
+  }
+}
+
+/// Next to the smallest numbers that there are, products of differences are none; next to the
+/// largest, they are as elsewhere.
+TEST(PreciseCircle, IsTheSameAtEveryScale) {
+  Random random(173);
+  for (int run = 0; run < test::runs(300); ++run) {
+    const auto number = [&] { return 0x1p52 + static_cast<double>(random.integer(0, 40)); };
+    const Triangle t{
+        {Site{number(), number(), 0}, {number(), number(), 0}, {number(), number(), 0}}};
+    if (t.exact().twice.sign() != Sign::kPositive) continue;
+    const VoronoiCircle one = t.circle();
+    for (const int exponent : {-384, -300, -100, 100, 270}) {
+      const double unit = powerOfTwo(exponent);
+      Triangle scaled = t;
+      for (Site& site : scaled.sites) site.x *= unit, site.y *= unit;
+      const VoronoiCircle circle = scaled.circle();
+      EXPECT_EQ(circle.x, unit * one.x) << exponent;
+      EXPECT_EQ(circle.y, unit * one.y) << exponent;
+      EXPECT_NEAR(circle.s / unit, one.s, 1e-13 * one.s) << exponent;
+    }
+    if (::testing::Test::HasFailure()) FAIL() << "run " << run;
+  }
+}
+
+/// Numbers of all sizes are too long for an exact quotient, which is not tried then.
+TEST(PreciseCircle, OfNumbersFromEndToEndOfTheRange) {
+  for (const double tiny : {1e-100, 1e-60}) {
+    for (const double large : {1e100, 1e60}) {
+      const Site a{-large, 0, tiny}, b{0, -tiny, 0}, c{large, tiny, tiny / 3}, d{tiny, large, 1};
+      for (const auto& [i, j, k] :
+           {std::array<const Site*, 3>{&a, &b, &c}, {&a, &c, &d}, {&a, &b, &d}, {&b, &c, &d}}) {
+        if (!hasVoronoiCircle(*i, *j, *k)) continue;
+        const VoronoiCircle circle = commonVoronoiCircle(*i, *j, *k);
+        const VoronoiCircle same = preciseVoronoiCircle(i, j, k);
+        const double size = absolute(same.x) + absolute(same.y) + absolute(same.s);
+        EXPECT_LE(absolute(circle.x - same.x), 1e-12 * size);
+        EXPECT_LE(absolute(circle.s - same.s), 1e-12 * size);
+      }
+    }
+  }
+}
+
+TEST(PreciseCircle, OfRandomNumbersOfAllSizes) {
+  Random random(175);
+  for (int run = 0; run < test::runs(3000); ++run) {
+    const auto number = [&] {
+      return std::ldexp(random.between(0.5, 1), static_cast<int>(random.integer(-330, 330))) *
+             (random.oneIn(2) ? 1 : -1);
+    };
+    const Site i{number(), number(), 0}, j{number(), number(), 0}, k{number(), number(), 0};
+    if (!hasVoronoiCircle(i, j, k)) continue;
+    const VoronoiCircle circle = commonVoronoiCircle(i, j, k),
+                        same = preciseVoronoiCircle(&i, &j, &k);
+    const double size = absolute(same.x) + absolute(same.y) + absolute(same.s);
+    if (!(size < 1e290)) continue;
+    EXPECT_LE(absolute(circle.x - same.x), 1e-12 * size) << "run " << run;
+    EXPECT_LE(absolute(circle.y - same.y), 1e-12 * size) << "run " << run;
+  }
+}
+
+/// The cached circle too is as good at every scale: differences are brought to an ordinary size.
+TEST(VoronoiCircle, HasTheSameBoundAtEveryScale) {
+  const Site a{0, 0, 0.5}, b{3, 1, 0.25}, c{1, 4, 0};
+  const VoronoiCircle one = voronoiCircle(&a, &b, &c);
+  for (const int exponent : {-330, -100, -40, 40, 100, 330}) {
+    const double unit = powerOfTwo(exponent);
+    const auto scaled = [&](const Site& s) { return Site{s.x * unit, s.y * unit, s.r * unit}; };
+    const Site i = scaled(a), j = scaled(b), k = scaled(c);
+    const VoronoiCircle circle = voronoiCircle(&i, &j, &k);
+    EXPECT_EQ(circle.x, one.x * unit) << exponent;
+    EXPECT_EQ(circle.y, one.y * unit) << exponent;
+    if (exponent > -90 && exponent <= 100) {  // the bound is a float
+      EXPECT_NEAR(circle.error / unit, one.error, 0.01 * one.error) << exponent;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace apollonius::internal
