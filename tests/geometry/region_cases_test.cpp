@@ -1,0 +1,120 @@
+// Regions made so that one decision counts: a side along an edge, a segment that leaves a cell that
+// is not convex between two places within it, rings within rings that begin at one point.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "apollonius/region.h"
+#include "geometry/shapes.h"
+#include "support/effort.h"
+
+namespace apollonius::test {
+namespace {
+
+using Ring = std::vector<double>;
+
+Region regionOf(const std::vector<Ring>& rings) {
+  std::vector<double> coordinates;
+  std::vector<std::uint32_t> starts{0};
+  for (const Ring& ring : rings) {
+    coordinates.insert(coordinates.end(), ring.begin(), ring.end());
+    starts.push_back(static_cast<std::uint32_t>(coordinates.size() / 2));
+  }
+  Region region;
+  EXPECT_EQ(region.assign(coordinates, starts), Error::kNone);
+  return region;
+}
+
+/// A side that runs along an edge is the border of the cell inside, and no business of the one
+/// beyond.
+TEST(RegionCases, ASideAlongAnEdgeBelongsToTheCellInside) {
+  for (const double sign : {1.0, -1.0}) {
+    for (const bool isTurned : {false, true}) {
+      const auto at = [&](double x, double y) {
+        return isTurned ? Ring{y, sign * x} : Ring{sign * x, y};
+      };
+      const auto ringOf = [&](std::initializer_list<Ring> points) {
+        Ring ring;
+        for (const Ring& p : points) ring.insert(ring.end(), p.begin(), p.end());
+        return ring;
+      };
+      const Ring a = at(0, 0), b = at(2, 0);
+      Diagram diagram;
+      insertInto(diagram, {{a[0], a[1], 0}, {b[0], b[1], 0}});
+      const Region region = regionOf({ringOf({at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)})});
+      const Voronoi voronoi(diagram, region);
+      CurveArrays inside, beyond;
+      ASSERT_EQ(voronoi.cellCurves(0, inside), Error::kNone);
+      ASSERT_EQ(voronoi.cellCurves(1, beyond), Error::kNone);
+      EXPECT_EQ(inside.sites, std::vector<SiteId>(4, kNoSite));
+      EXPECT_TRUE(beyond.sites.empty());
+    }
+  }
+}
+
+/// The large circle's cell goes around the small one's. From the first corner to the second the way
+/// is free, and the third is close to the first; the way to it is not free.
+TEST(RegionCases, ASegmentCrossesAnotherCellBetweenTwoPlacesOfOne) {
+  Diagram diagram;
+  insertInto(diagram, {{0, 0, 3}, {5, 0, 0}});
+  const Region region = regionOf({{3, 4, 4.05, -4.2, 4.15, 4}});
+  std::vector<double> areas;
+  ASSERT_EQ(Voronoi(diagram, region).cellAreas(areas), Error::kNone);
+  EXPECT_NEAR(areas[0] + areas[1], region.area(), 1e-12);
+  EXPECT_GT(areas[1], 0.01);
+}
+
+/// A hole is cut out of the smallest part around it, whichever ring is found first.
+TEST(RegionCases, AHoleOfAnIslandInAHole) {
+  Diagram diagram;
+  insertInto(diagram, {{3, 1, 0}});
+  const Region region = regionOf({{0, 0, 10, -10, 20, 0, 10, 10},
+                                  {0, 0, 6, -4, 12, 0, 6, 4},
+                                  {0, 0, 3, -1.5, 6, 0, 3, 1.5},
+                                  {2.5, 0, 3, -0.5, 3.5, 0, 3, 0.5}});
+  RingArrays rings;
+  ASSERT_EQ(Voronoi(diagram, region).cellPolygon(0, 1e-3, rings), Error::kNone);
+  std::vector<double> areas;
+  for (std::size_t part = 0; part + 1 < rings.parts.size(); ++part) {
+    RingArrays one;
+    one.coordinates = rings.coordinates;
+    one.starts.assign(rings.starts.begin() + rings.parts[part],
+                      rings.starts.begin() + rings.parts[part + 1] + 1);
+    areas.push_back(areaOf(one));
+  }
+  std::sort(areas.begin(), areas.end());
+  ASSERT_EQ(areas.size(), 2u);
+  EXPECT_NEAR(areas[0], 9 - 0.5, 1e-12);
+  EXPECT_NEAR(areas[1], 200 - 48, 1e-12);
+}
+
+/// What is left of a drawing of a cell is closed by a straight line only where its border is one:
+/// the last point of a curve is there.
+TEST(RegionCases, DrawnCellsEndWithTheirLastCurve) {
+  Random random(221);
+  for (int run = 0; run < runs(60); ++run) {
+    Circles circles;
+    for (int k = 0; k < 12; ++k)
+      circles.push_back({random.between(0, 10), random.between(0, 10), random.between(0, 2)});
+    Diagram diagram;
+    insertInto(diagram, circles);
+    const Voronoi voronoi(diagram, Bounds{-5, -5, 15, 15});
+    for (SiteId id = 0; id < circles.size(); ++id) {
+      CurveArrays cell;
+      Path path;
+      ASSERT_EQ(voronoi.cellCurves(id, cell), Error::kNone);
+      ASSERT_EQ(voronoi.drawCell(id, 1e-3, path), Error::kNone);
+      if (cell.sites.size() < 2 || cell.regions.size() != 2) continue;
+      const double* const last = &cell.curves[7 * (cell.sites.size() - 1)];
+      if (last[4] <= 1.0001) continue;  // straight, or nearly
+      ASSERT_GE(path.coordinates.size(), 4u);
+      EXPECT_EQ(path.coordinates[path.coordinates.size() - 2], path.coordinates[0]) << run;
+      EXPECT_EQ(path.coordinates.back(), path.coordinates[1]) << run;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace apollonius::test
