@@ -282,5 +282,50 @@ TEST(Fit, Refusals) {
   EXPECT_EQ(circle.r, 2) << "nothing has changed";
 }
 
+// What all weights have in common changes no cell: it stays what it was.
+TEST(Fit, LeavesTheMeanOfTheWeights) {
+  Random random(911);
+  const Region region = square(1000);
+  Circles circles = centresIn(region, random, 20);
+  double before = 0, after = 0;
+  for (Circle& c : circles) before += c.r = random.between(0, 30);
+  Diagram diagram;
+  insertInto(diagram, circles);
+  std::vector<double> targets;
+  for (std::size_t k = 0; k < circles.size(); ++k) targets.push_back(random.between(1, 3));
+  ASSERT_GE(fit(diagram, region, targets), 0);
+  for (SiteId id = 0; id < circles.size(); ++id) {
+    Circle now{};
+    ASSERT_EQ(diagram.site(id, now), Error::kNone);
+    after += now.r;
+  }
+  EXPECT_NEAR(after / before, 1, 1e-9);
+}
+
+// Weights to start from that hide a site are of no use, and no fault of the targets.
+TEST(Fit, StartsFromEqualWeightsWhereSomeWouldHideACell) {
+  Random random(912);
+  const Region region = square(1000);
+  const Circles circles = centresIn(region, random, 12);
+  Diagram diagram;
+  insertInto(diagram, circles);
+  const std::vector<double> targets(circles.size(), 1);
+  std::vector<double> start(circles.size(), 0);
+  start[3] = 1e5;
+  EXPECT_GE(fit(diagram, region, targets, 1e-6, 100, start), 0);
+  expectAreas(diagram, region, targets, 1e-4);
+}
+
+TEST(Fit, FinishesOnTheDiagramThatItBeganWith) {
+  Random random(913);
+  const Region region = square(1000);
+  Diagram diagram;
+  insertInto(diagram, centresIn(region, random, 5));
+  AreaFit fitting;
+  ASSERT_EQ(fitting.begin(diagram, region, std::vector<double>(5, 1), {}), Error::kNone);
+  ASSERT_EQ(diagram.update(0, 500, 500, 0), Error::kNone);
+  EXPECT_EQ(fitting.finish(diagram), Error::kBusy);
+}
+
 }  // namespace
 }  // namespace apollonius::test
