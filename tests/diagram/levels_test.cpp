@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "apollonius/predicate_counts.h"
+#include "predicate/stage_counts.h"
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/insert_into.h"
@@ -58,7 +59,7 @@ TEST(Levels, OneInThirtyTwoGoesUp) {
 
 TEST(Levels, FollowRemovalsMovesAndSnapshots) {
   Diagram diagram;
-  const std::vector<SiteId> ids = insertInto(diagram, randomCircles(3000));
+  const std::vector<SiteId> ids = insertInto(diagram, randomCircles(1500));
   Random random(1902);
   for (int run = 0; run < runs(200); ++run) {
     const SiteId id = ids[random.below(ids.size())];
@@ -111,6 +112,35 @@ TEST(PredicateCounts, CountWhatWasAskedByStage) {
   const PredicateCounts ties = predicateCounts();
   EXPECT_GT(ties.vertexConflict.middle, random.vertexConflict.middle) << "exact in doubles";
   EXPECT_GT(ties.ties, random.ties) << "four points on one circle, again and again";
+}
+
+TEST(PredicateCounts, HoldEachStageOnce) {
+  const PredicateCounts before = predicateCounts();
+  const internal::stages::Counts raw = internal::stages::counts();
+  Diagram diagram;
+  insertInto(diagram, randomCircles(1500));
+  SiteId id = kNoSite;
+  double distance = 0;
+  for (int k = 0; k < 100; ++k)
+    ASSERT_EQ(diagram.find(0.3 * k, 100 - 0.7 * k, id, distance), Error::kNone);
+  const PredicateCounts after = predicateCounts();
+  const internal::stages::Counts& now = internal::stages::counts();
+  ASSERT_GT(now.edgeAtOnce, raw.edgeAtOnce);
+  ASSERT_GT(now.vertexAtOnce, raw.vertexAtOnce);
+  ASSERT_GT(now.distanceAtOnce, raw.distanceAtOnce);
+  const auto total = [](const PredicateCounts& c) {
+    return sum(c.covers) + sum(c.distance) + sum(c.bearing) + sum(c.vertexConflict) +
+           sum(c.edgeConflict);
+  };
+  const auto totalOf = [](const internal::stages::Counts& c) {
+    return static_cast<double>(
+        c.lorentzFilter + c.lorentzMiddle + c.lorentzExact + c.distanceAtOnce + c.distanceFilter +
+        c.distanceMiddle + c.distanceFixed + c.distanceExact + c.vertexAtOnce + c.vertexOfPoints +
+        c.vertexFilter + c.vertexMiddle + c.vertexFixed + c.vertexExact + c.edgeAtOnce +
+        c.edgeCached + c.edgeFilter + c.edgeMiddle + c.edgeFixed + c.edgeExact + c.rayCached +
+        c.rayFilter + c.rayMiddle + c.rayFixed + c.rayExact);
+  };
+  EXPECT_EQ(total(after) - total(before), totalOf(now) - totalOf(raw));
 }
 
 }  // namespace
