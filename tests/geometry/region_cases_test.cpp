@@ -54,6 +54,59 @@ TEST(RegionCases, ASideAlongAnEdgeBelongsToTheCellInside) {
   }
 }
 
+/// With decimals the side is next to the edge: what is left between them is nothing.
+TEST(RegionCases, ASideNextToAnEdgeLeavesNoSlivers) {
+  for (int a = -7; a < 7; ++a) {
+    for (int c = a + 1; c < 9; ++c) {
+      const double x = 0.05 * (a + c), y = 0.1 * (c - 3);
+      Diagram diagram;
+      insertInto(diagram, {{0.1 * a, y, 0}, {0.1 * c, y, 0}});
+      const Region region = regionOf({{x - 1, y - 0.7, x, y - 0.7, x, y + 0.9, x - 1, y + 0.9}});
+      const Voronoi voronoi(diagram, region);
+      CurveArrays inside, beyond;
+      ASSERT_EQ(voronoi.cellCurves(0, inside), Error::kNone);
+      ASSERT_EQ(voronoi.cellCurves(1, beyond), Error::kNone);
+      EXPECT_EQ(inside.regions.size(), 2u) << a << " " << c;
+      EXPECT_TRUE(beyond.sites.empty()) << a << " " << c;
+    }
+  }
+}
+
+TEST(RegionCases, ASlantedSideNextToAnEdgeLeavesNoSlivers) {
+  Random random(222);
+  for (int run = 0; run < runs(300); ++run) {
+    const double ax = 0.1 * random.below(20), ay = 0.1 * random.below(20),
+                 bx = ax + 0.1 * (1 + random.below(9)), by = ay + 0.1 * (random.below(19) - 9);
+    Diagram diagram;
+    insertInto(diagram, {{ax, ay, 0}, {bx, by, 0}});
+    // Along the bisector, and to the side of the first site.
+    const double mx = (ax + bx) / 2, my = (ay + by) / 2, dx = bx - ax, dy = by - ay,
+                 down = random.between(0.1, 2), up = random.between(0.1, 2);
+    const Region region = regionOf(
+        {{mx + down * dy, my - down * dx, mx - up * dy, my + up * dx, mx - up * dy - 3 * dx,
+          my + up * dx - 3 * dy, mx + down * dy - 3 * dx, my - down * dx - 3 * dy}});
+    const Voronoi voronoi(diagram, region);
+    CurveArrays inside, beyond;
+    ASSERT_EQ(voronoi.cellCurves(0, inside), Error::kNone);
+    ASSERT_EQ(voronoi.cellCurves(1, beyond), Error::kNone);
+    EXPECT_EQ(inside.regions.size(), 2u) << run;
+    EXPECT_TRUE(beyond.sites.empty()) << run;
+  }
+}
+
+/// Holes between the chords and the curves of two parts of a cell: each is one of its own part.
+TEST(RegionCases, HolesBetweenChordAndCurve) {
+  Diagram diagram;
+  insertInto(diagram, {{0, 0, 3}, {5, 0, 0}});
+  const Region region = regionOf({{3, 0, 12, 0, 12, 7.25, 3, 7.25},
+                                  {3, -7.5, 12, -7.5, 12, -0.25, 3, -0.25},
+                                  {4.91, 2.45, 4.94, 2.46, 4.92, 2.48},
+                                  {5.05, -2.71, 5.08, -2.7, 5.06, -2.68}});
+  RingArrays rings;
+  ASSERT_EQ(Voronoi(diagram, region).cellPolygon(1, 1e-4, rings), Error::kNone);
+  EXPECT_EQ(rings.parts, (std::vector<std::uint32_t>{0, 2, 4}));
+}
+
 /// The large circle's cell goes around the small one's. From the first corner to the second the way
 /// is free, and the third is close to the first; the way to it is not free.
 TEST(RegionCases, ASegmentCrossesAnotherCellBetweenTwoPlacesOfOne) {

@@ -1,0 +1,70 @@
+// What has reserved room allocates nothing: so an operation can be undone where memory ran out.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include "delaunay/ears.h"
+#include "delaunay/remove.h"
+
+namespace {
+std::size_t allocationCount = 0;
+}
+
+// Of the whole test program, as in tests/topology/room_test.cpp.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocationCount;
+  if (void* memory = std::malloc(size != 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace apollonius::internal {
+namespace {
+
+VertexId vertex(std::size_t k) { return VertexId{static_cast<std::uint32_t>(k + 1)}; }
+
+/// A site, and others around it on a circle but for their weights.
+DelaunayGraph wheel(std::size_t spokes) {
+  DelaunayGraph graph;
+  graph.reserve(spokes + 2);
+  graph.setSite(vertex(0), {0, 0, 0});
+  (void)graph.insert(vertex(0), kNoVertex);
+  for (std::size_t k = 0; k < spokes; ++k) {
+    // Once around, by tangents of half angles.
+    const double t = (static_cast<double>(k) + 0.5) / static_cast<double>(spokes) * 4 - 2;
+    const double half = t < -1 ? -1 / (t + 2) : t > 1 ? -1 / (t - 2) : t, norm = 1 + half * half;
+    graph.setSite(vertex(k + 1), {(1 - half * half) / norm, 2 * half / norm, 1e-6 * t});
+    (void)graph.insert(vertex(k + 1), kNoVertex);
+  }
+  return graph;
+}
+
+TEST(Room, EarsOfAnyHoleThatTheyFillAllocateNothing) {
+  const DelaunayGraph graph = wheel(EarClipper::kMostCorners);
+  std::vector<HalfedgeId> link;
+  for (const HalfedgeId h : graph.graph().star(vertex(0))) link.push_back(next(h));
+  ASSERT_EQ(link.size(), EarClipper::kMostCorners);
+  EarClipper ears;
+  ears.reserve();
+  const std::size_t before = allocationCount;
+  ASSERT_TRUE(ears.fill(graph, vertex(0), link));
+  EXPECT_EQ(allocationCount, before);
+}
+
+/// However many neighbours it has: when these came, they took little room each.
+TEST(Room, ASiteThatMayReturnReturnsWithoutAllocating) {
+  DelaunayGraph graph = wheel(150);
+  Remover remover;
+  (void)remover.remove(graph, vertex(0), {}, true);
+  const std::size_t before = allocationCount;
+  (void)graph.insert(vertex(0), kNoVertex);
+  EXPECT_EQ(allocationCount, before);
+  EXPECT_EQ(graph.visibleCount(), 151u);
+}
+
+}  // namespace
+}  // namespace apollonius::internal
