@@ -89,8 +89,7 @@ TEST(CircleTwins, HaveTheSameBound) {
   EXPECT_GT(certain, test::runs(5000));
 }
 
-/// A bound that is not known is infinite: from where on is said once more here, with a factor of
-/// two between yes and no.
+/// From where on nothing is certain is the same for both, but for numbers next to a limit.
 TEST(CircleTwins, AreCertainOfTheSame) {
   Random random(162);
   int certain = 0, uncertain = 0, different = 0;
