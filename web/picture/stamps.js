@@ -4,7 +4,9 @@
 const kPlaces = 4; // in each direction of a pixel
 const kRadii = 8; // a pixel
 
-/** @typedef {{ fill: number, stroke: number, line: number }} Ink alphas up to 255, the rim's width */
+/**
+ * @typedef {{ fill: number, stroke: number, line: number }} Ink alphas up to 255, the rim's width
+ */
 
 /** How far a circle with its rim reaches. */
 export const outerOf = (r, /** @type {Ink} */ { line }) => r + line / 2 + 0.5;
