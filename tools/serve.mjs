@@ -25,7 +25,6 @@ const kTypes = {
   ".wasm": "application/wasm",
 };
 const kHeaders = {
-  "Cache-Control": "no-cache",
   "Cross-Origin-Opener-Policy": "same-origin",
   "Cross-Origin-Embedder-Policy": "require-corp",
   "X-Content-Type-Options": "nosniff",
@@ -47,7 +46,7 @@ function fileOf(url) {
   return join(kRoot, ...parts, path.endsWith(sep) ? "index.html" : "");
 }
 
-async function answer(request, response) {
+async function answer(request, response, caching) {
   const refuse = (status, text) =>
     response.writeHead(status, { "Content-Type": "text/plain" }).end(`${text}\n`);
   if (request.method !== "GET" && request.method !== "HEAD")
@@ -59,6 +58,7 @@ async function answer(request, response) {
   if (!found?.isFile()) return refuse(404, "Not found.");
   response.writeHead(200, {
     ...kHeaders,
+    "Cache-Control": caching,
     "Content-Type": kTypes[extname(file)] ?? "application/octet-stream",
     "Content-Length": found.size,
   });
@@ -70,11 +70,13 @@ async function answer(request, response) {
 
 /**
  * Starts the server on the first free port from `port` on (0: any).
+ * @param {{ attempts?: number, caching?: string }} [options] what browsers are told to keep: by
+ * default nothing unasked, as files change
  * @returns {Promise<{ url: string, close(): Promise<void> }>}
  */
-export async function serve(port = 8080, attempts = 50) {
+export async function serve(port = 8080, { attempts = 50, caching = "no-cache" } = {}) {
   const server = createServer((request, response) => {
-    answer(request, response).catch(() => response.destroy());
+    answer(request, response, caching).catch(() => response.destroy());
   });
   for (let k = 0; ; k++) {
     try {

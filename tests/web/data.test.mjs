@@ -3,6 +3,7 @@ import { readFileSync } from "node:fs";
 import { describe, expect, test } from "@jest/globals";
 import {
   circlesOf,
+  closePage,
   describeInBrowser,
   forEachPage,
   settled,
@@ -230,7 +231,7 @@ describeInBrowser("data", (open) => {
       expect(scale / (await look(page))[0]).toBeCloseTo(1, 4);
       expect(await other.isChecked("[name=weight][value='0']")).toBe(true);
       expect(other.errors).toEqual([]);
-      await other.context().close();
+      await closePage(other);
     });
 
     test("holds circles of the visitor's own, with their names", async () => {
@@ -241,7 +242,7 @@ describeInBrowser("data", (open) => {
       const [other] = await again();
       expect((await circlesOf(other)).map((row) => row.slice(1))).toEqual(await numbers());
       expect(await other.evaluate(() => app.sites.label(0).name)).toBe("a~b&c=d");
-      await other.context().close();
+      await closePage(other);
     });
 
     test("Back and Forward go from set to set, edits included", async () => {

@@ -2,9 +2,10 @@
 import { describe, expect, test } from "@jest/globals";
 import {
   circlesOf,
+  closePage,
   describeInBrowser,
-  forEachPage,
   drag,
+  forEachPage,
   freeSpace,
   settled,
   show,
@@ -270,7 +271,7 @@ describeInBrowser("what fails to load", (open) => {
     await page.click("#tool-draw");
     await page.mouse.click(x, y);
     expect(await stateOf(page)).toMatchObject({ size: 36, broken: null });
-    await page.context().close();
+    await closePage(page);
   });
 
   test("the package: the page says what is missing", async () => {
@@ -280,14 +281,14 @@ describeInBrowser("what fails to load", (open) => {
     });
     await page.waitForSelector("#notice:not([hidden])");
     expect(await page.textContent("#notice")).toMatch(/dist/);
-    await page.context().close();
+    await closePage(page);
   });
 
   test("a link with nonsense in it: the page says so, and opens", async () => {
     const page = await open({ path: "#set=random&n=50&edits=1:2,x,nonsense" });
     expect(await page.textContent("#notice")).toMatch(/could not be shown/);
     expect((await stateOf(page)).size).toBe(35);
-    await page.context().close();
+    await closePage(page);
   });
 });
 
@@ -303,6 +304,6 @@ describeInBrowser("drags", (open) => {
     await page.keyboard.press("Control+z");
     expect(await whereIs(page, id)).toEqual(from);
     expect(await page.evaluate(() => app.model.history.canUndo)).toBe(false);
-    await page.context().close();
+    await closePage(page);
   });
 });

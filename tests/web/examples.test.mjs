@@ -3,7 +3,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { fileURLToPath } from "node:url";
 import { expect, test } from "@jest/globals";
-import { describeInBrowser } from "./support/browser.mjs";
+import { closePage, describeInBrowser } from "./support/browser.mjs";
 
 const pictures = fileURLToPath(new URL("../../build/pictures/", import.meta.url));
 const index = readFileSync(new URL("../../web/examples/gallery.js", import.meta.url), "utf8");
@@ -27,7 +27,7 @@ describeInBrowser("examples", (open) => {
     mkdirSync(pictures, { recursive: true });
     await page.screenshot({ path: `${pictures}example_${name}.png` });
     expect(page.errors).toEqual([]);
-    await page.context().close();
+    await closePage(page);
     return found;
   }
 
@@ -114,7 +114,7 @@ describeInBrowser("examples", (open) => {
     await page.mouse.move(box.x + (x * box.width) / 920, box.y + (y * box.height) / 480);
     expect(await page.evaluate(() => window.example.picked())).toBe(7);
     expect(await canvas()).not.toBe(before);
-    await page.context().close();
+    await closePage(page);
   });
 
   test("on a phone, where canvases are shown smaller, the pointer means the same", async () => {
@@ -128,7 +128,7 @@ describeInBrowser("examples", (open) => {
       await page.mouse.move(box.x + (x * box.width) / 920, box.y + (y * box.height) / 480);
       expect(await page.evaluate(() => window.example.picked())).toBe(id);
     }
-    await page.context().close();
+    await closePage(page);
   });
 
   test.each(["light", "dark"])("cards: all of them, drawn, and clean by axe; %s", async (theme) => {
@@ -162,7 +162,7 @@ describeInBrowser("examples", (open) => {
       await page.click("#back");
       await page.waitForSelector(".cards");
       expect(page.errors).toEqual([]);
-      await page.context().close();
+      await closePage(page);
     }
   });
 
@@ -339,7 +339,7 @@ describeInBrowser("examples", (open) => {
     expect(after.round).toBeGreaterThan(before.round);
     expect(await look()).toEqual(after);
     expect(page.errors).toEqual([]);
-    await page.context().close();
+    await closePage(page);
     await inExample(
       "relax",
       () => window.example.diagram.validate(),

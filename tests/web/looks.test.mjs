@@ -4,7 +4,8 @@
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { describe, expect, test } from "@jest/globals";
-import { describeInBrowser, painted, settled, show } from "./support/browser.mjs";
+import { closePage, describeInBrowser, painted, settled, show } from "./support/browser.mjs";
+import { serve } from "../../tools/serve.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const kPhone = { viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true };
@@ -50,7 +51,7 @@ describeInBrowser("looks", (open) => {
       await settled(page);
       expect(await complaints(page)).toEqual([]);
       expect(page.errors).toEqual([]);
-      await page.context().close();
+      await closePage(page);
     });
 
     test("cell lines have a contrast of 3 on paper, land and sea", async () => {
@@ -77,7 +78,7 @@ describeInBrowser("looks", (open) => {
             ground,
             true,
           ]);
-      await page.context().close();
+      await closePage(page);
     });
   });
 
@@ -108,7 +109,7 @@ describeInBrowser("looks", (open) => {
       expect(left).toBeGreaterThanOrEqual(0);
       expect(right).toBeLessThanOrEqual(phoneWidth);
     }
-    await page.context().close();
+    await closePage(page);
   });
 
   test("phone: the sheet opens and closes, with the card in it", async () => {
@@ -129,7 +130,7 @@ describeInBrowser("looks", (open) => {
       (closed) => document.getElementById("sheet").getBoundingClientRect().height <= closed + 1,
       closed,
     );
-    await page.context().close();
+    await closePage(page);
   });
 
   test("what the counts say never overlaps, whatever the numbers", async () => {
@@ -150,23 +151,40 @@ describeInBrowser("looks", (open) => {
           expect(
             a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top,
           ).toBe(true);
-    await page.context().close();
+    await closePage(page);
   });
 
   test("forced colours: the diagram is drawn in the system's", async () => {
     const page = await open({ forcedColors: "active" });
     expect(await painted(page, "lines")).toBeGreaterThan(3000);
     expect(await painted(page, "circles")).toBeGreaterThan(1000);
+    // On a ground of the page's own choice the browser would put text on another one.
+    const pressed = ["#open-share", "#tool-select", ".switch input:checked + span"];
+    for (const selector of pressed) {
+      const style = await page.$eval(selector, (node) => {
+        const { forcedColorAdjust, color, backgroundColor } = getComputedStyle(node);
+        const bytes = (value) => value.match(/\d+/g).slice(0, 3).map(Number);
+        return { forcedColorAdjust, color: bytes(color), ground: bytes(backgroundColor) };
+      });
+      expect([selector, style.forcedColorAdjust]).toEqual([selector, "none"]);
+      expect(contrast(style.color, style.ground)).toBeGreaterThan(4.5);
+    }
     expect(page.errors).toEqual([]);
-    await page.context().close();
+    await closePage(page);
   });
 
   test("works below another path, and without a network once it is loaded", async () => {
-    const page = await open();
+    const server = await serve(0); // of which nothing is kept
+    const page = await open({ site: server.url });
     await page.waitForTimeout(2500); // it fetches what it may need
     await page.context().setOffline(true);
     await show(page, "nesting");
     await show(page, "cities");
+    // One worker is there, and no way to another: it is free again when a building is given up.
+    const givenUp = page.evaluate(() => app.navigation.load("random", { n: "500000" }));
+    await page.waitForFunction(() => document.getElementById("progress-bar").value > 0.05);
+    await page.click("#progress-cancel");
+    await givenUp;
     for (const n of ["100001", "100002"]) await show(page, "random", { n, hidden: "5" });
     expect(await page.evaluate(() => app.diagram.size)).toBe(100_002);
     await page.click("#tool-undo");
@@ -180,7 +198,8 @@ describeInBrowser("looks", (open) => {
     expect(steps).toBe(false);
     // The tab's icon is asked for again and again.
     expect(page.errors.filter((error) => !/icon\.svg|DISCONNECTED/.test(error))).toEqual([]);
-    await page.context().close();
+    await closePage(page);
+    await server.close();
     const html = readFileSync(new URL("../../web/index.html", import.meta.url), "utf8");
     expect(html).not.toMatch(/(?:href|src)="\//); // nothing from the root of a server
   });

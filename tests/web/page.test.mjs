@@ -3,6 +3,7 @@
 import { describe, expect, test } from "@jest/globals";
 import {
   circlesOf,
+  closePage,
   describeInBrowser,
   drag,
   forEachPage,
@@ -51,7 +52,7 @@ describeInBrowser("the page", (open) => {
       expect(then.filter((row, k) => `${row}` !== `${first[k]}`)).toHaveLength(1);
       expect(await moving.evaluate(() => app.model.history.canUndo)).toBe(false);
       expect(moving.errors).toEqual([]);
-      await moving.context().close();
+      await closePage(moving);
     });
 
     test("in the dark, and at high density", async () => {
@@ -76,7 +77,7 @@ describeInBrowser("the page", (open) => {
       });
       expect(height).toBeGreaterThan(width);
       expect(phone.errors).toEqual([]);
-      await phone.context().close();
+      await closePage(phone);
     });
 
     test("Circles and Centres: the same circles, plain cells; and back", async () => {
@@ -103,7 +104,7 @@ describeInBrowser("the page", (open) => {
       await moving.waitForFunction(() => app.sites.weight === 0);
       expect(await moving.evaluate(() => window.seen.size)).toBeGreaterThan(3);
       expect(await moving.evaluate(() => app.diagram.validate())).toBeNull();
-      await moving.context().close();
+      await closePage(moving);
     });
   });
 
@@ -351,6 +352,29 @@ describeInBrowser("the page", (open) => {
   });
 
   describe("inspector", () => {
+    test("the card never lies on the circle that it is about", async () => {
+      const covered = async (id) => {
+        const { x, y } = await at(id);
+        await page.mouse.click(x, y);
+        expect((await stateOf(page)).selected).toEqual([id]);
+        await settled(page);
+        return page.$eval(
+          "#inspector",
+          (card, [x, y]) => {
+            const { left, right, top, bottom } = card.getBoundingClientRect();
+            return x > left && x < right && y > top && y < bottom;
+          },
+          [x, y],
+        );
+      };
+      await showCircles(page, [0, 0, 10, 600, 0, 10, 600, 300, 10, 0, 300, 10]);
+      for (const id of [0, 1, 2, 3]) {
+        expect([id, await covered(id)]).toEqual([id, false]);
+        await page.keyboard.press("Escape"); // it may lie on the next one
+        await settled(page);
+      }
+    });
+
     test("numbers can be edited, and the edit undone; nonsense is refused", async () => {
       const [id] = await sitesInReach(page);
       const { x, y } = await at(id);

@@ -4,7 +4,7 @@ import path from "node:path";
 import { expect, test } from "@jest/globals";
 import { build } from "esbuild";
 import { root } from "../../tools/toolchain/folders.mjs";
-import { describeInBrowser } from "./support/browser.mjs";
+import { closePage, describeInBrowser } from "./support/browser.mjs";
 
 const pictures = path.join(root, "build/pictures");
 const bubbles = [
@@ -40,7 +40,7 @@ describeInBrowser("recipes", (open) => {
     mkdirSync(pictures, { recursive: true });
     await page.screenshot({ path: path.join(pictures, `recipe_${name}.png`) });
     expect(page.errors).toEqual([]);
-    await page.context().close();
+    await closePage(page);
     return found;
   }
 

@@ -3,6 +3,7 @@ import { readFileSync } from "node:fs";
 import { afterEach, beforeEach, expect, test } from "@jest/globals";
 import {
   circlesOf,
+  closePage,
   describeInBrowser,
   painted,
   settled,
@@ -28,7 +29,7 @@ describeInBrowser("the coast", (open) => {
   });
   afterEach(async () => {
     expect(page.errors).toEqual([]);
-    await page.context().close();
+    await closePage(page);
   });
 
   /** How many lines there are in a box about a pixel. */
@@ -62,7 +63,7 @@ describeInBrowser("the coast", (open) => {
     expect(await other.evaluate(() => app.painter.ends)).toBeNull();
     await other.click("#open-show");
     expect(await other.isVisible("#layer-coast")).toBe(false);
-    await other.context().close();
+    await closePage(other);
   });
 
   test("what is pointed at is lit on land only, and the card says how much that is", async () => {
@@ -127,7 +128,7 @@ describeInBrowser("the same area for all", (open) => {
   afterEach(async () => {
     expect((await stateOf(page)).broken).toBeNull();
     expect(page.errors).toEqual([]);
-    await page.context().close();
+    await closePage(page);
   });
 
   const press = async () => {
@@ -278,6 +279,6 @@ describeInBrowser("the same area for all", (open) => {
     await moving.keyboard.press("Control+z");
     expect(await r()).toBe(before);
     expect(moving.errors).toEqual([]);
-    await moving.context().close();
+    await closePage(moving);
   });
 });

@@ -41,10 +41,18 @@ export default async function capacities(container) {
   city.append("circle").attr("r", 4).attr("fill", "#123");
   city
     .append("text")
-    .attr("dy", -9)
+    .attr("dy", (_, k) => (isCrowded(cities, k) ? 24 : -9))
     .attr("text-anchor", "middle")
     .attr("font-size", 19)
     .attr("fill", "#123")
     .text(({ name }) => name);
   return { cities, areas, error };
 }
+
+/** Whether its name would meet that of a larger city beside it. */
+const isCrowded = (cities, k) =>
+  cities.slice(0, k).some(({ name, place: [x, y] }) => {
+    const [x_, y_] = cities[k].place;
+    const apart = 5 * (name.length + cities[k].name.length); // km, of letters
+    return Math.abs(x - x_) < apart + 5 && Math.abs(y - y_) < 20;
+  });

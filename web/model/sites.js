@@ -187,7 +187,12 @@ export class Sites {
       larger.set(this.xyr);
       this.xyr = larger;
     }
-    for (let k = 0; k < ids.length; k++) this.xyr.set(xyr.subarray(3 * k, 3 * k + 3), 3 * ids[k]);
+    for (let k = 0, n = 0; k < ids.length; k++) {
+      const at = 3 * ids[k];
+      this.xyr[at] = xyr[n++];
+      this.xyr[at + 1] = xyr[n++];
+      this.xyr[at + 2] = xyr[n++];
+    }
   }
 
   #changed(idsToo) {

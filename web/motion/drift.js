@@ -14,17 +14,17 @@ export function drift(sites) {
   const random = generator(1);
   const fastest = Math.hypot(xmax - xmin, ymax - ymin) / kCrossing;
   const speed = Float64Array.from({ length: 2 * ids.length }, () => fastest * (2 * random() - 1));
-  return (seconds) => {
-    for (let k = 0; k < ids.length; k++) {
-      for (const [axis, low, high] of [
-        [0, xmin, xmax],
-        [1, ymin, ymax],
-      ]) {
-        const next = xyr[3 * k + axis] + speed[2 * k + axis] * seconds;
-        if (next < low || next > high) speed[2 * k + axis] *= -1;
-        else xyr[3 * k + axis] = next;
-      }
+  /** One coordinate of all of them: the axis'th. */
+  const go = (axis, low, high, seconds) => {
+    for (let k = axis, n = axis; k < xyr.length; k += 3, n += 2) {
+      const next = xyr[k] + speed[n] * seconds;
+      if (next < low || next > high) speed[n] *= -1;
+      else xyr[k] = next;
     }
-    return xyr.slice();
+  };
+  return (seconds) => {
+    go(0, xmin, xmax, seconds);
+    go(1, ymin, ymax, seconds);
+    return xyr;
   };
 }

@@ -1,7 +1,10 @@
 // Circles that move by themselves: one edit, from the start to the stop. Whatever else the visitor
 // does ends it.
 
-/** @typedef {(seconds: number) => Float64Array} Step x, y, r of the circles that move */
+/**
+ * @typedef {(seconds: number) => Float64Array} Step x, y, r of the circles that move; it may be the
+ * same array each time
+ */
 
 const kLongest = 1 / 20; // seconds: a slow frame is no reason to jump
 

@@ -19,6 +19,6 @@ export function relax(sites) {
       xyr[3 * k] += (centroid[0] - xyr[3 * k]) * share;
       xyr[3 * k + 1] += (centroid[1] - xyr[3 * k + 1]) * share;
     }
-    return xyr.slice();
+    return xyr;
   };
 }

@@ -4,13 +4,16 @@
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Box} Box */
 
-const kTolerance = 0.2; // pixels between a drawn curve and the true one
+const kTolerance = 0.2; // pixels between a drawn curve and the true one,
+const kLiveTolerance = 0.7; // and while all of them move
 // pixels by which cells are drawn larger than the window, so that its border is not seen
 const kMargin = 8;
 const kMostInPath = 2000; // pieces in one path: very long paths are slow to stroke
 
-/** The options for drawings at this scale. @param {View} view */
-export const drawOptions = (view) => ({ tolerance: kTolerance / view.scale });
+/** The options for drawings at this scale. @param {View} view @param {boolean} [isLive] */
+export const drawOptions = (view, isLive = false) => ({
+  tolerance: (isLive ? kLiveTolerance : kTolerance) / view.scale,
+});
 
 /**
  * A box of the window, enlarged by some pixels, as bounds in the diagram's units; null where the

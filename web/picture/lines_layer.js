@@ -60,14 +60,15 @@ function* drawCells(context, picture, box, size, expected) {
   const { sites, view, layers, theme, ends, isLive } = picture;
   const bounds = boundsOf(view, box);
   if (!bounds) return;
-  context.lineWidth = size < kFineBelow ? 1 : 1.25;
+  const isFine = size < kFineBelow;
+  context.lineWidth = isFine ? 1 : 1.25;
   context.strokeStyle = theme.cell;
   const strokes = new ScreenStrokes(context, view, box);
   const { diagram } = sites;
   const count = diagram.visibleSize;
   const isDense = count <= kMostWhole && kCheaper * expected > count;
   const drawWhole = (target) => {
-    (ends ?? diagram.voronoi(bounds)).render(target, drawOptions(view));
+    (ends ?? diagram.voronoi(bounds)).render(target, drawOptions(view, isLive && isFine));
     const isOnMap = sites.info.map && layers.map; // which has a coast
     if (ends && !isOnMap) ends.renderBounds(target);
   };

@@ -27,7 +27,9 @@ import { View } from "./view.js";
 
 const kSlice = 9; // ms of a frame that lines may take,
 const kLongSlice = 40; // and where nobody waits for an answer
-const kPatience = 14; // ms: what takes longer is not drawn anew for every step of a movement
+// ms for map, lines and circles together: what takes longer is not drawn anew for every step of a
+// movement. Filling the pixels comes on top and takes about as long.
+const kPatience = 8;
 const kRest = 160; // ms without movement until it is
 const kRemember = 512; // measured frames
 
@@ -108,7 +110,8 @@ export class Painter {
   #view;
   #circles = new CirclesLayer();
   #plates;
-  #spare; // the plate of lines that is not shown
+  #spare; // the plate of lines that is not shown,
+  #drawn; // and the one of both that is drawn on
   #pixelRatio = 1;
   #frame = 0;
   /** @type {Box | null} */ #box = null;
@@ -132,6 +135,7 @@ export class Painter {
       overlay: new Plate(overlay),
     };
     this.#spare = new Plate(spare);
+    this.#drawn = this.#spare;
     this.readTheme();
   }
 
@@ -276,9 +280,15 @@ export class Painter {
   /** Whether a plate is to be drawn now; else it shows what it has, elsewhere. */
   #isDue(plate, isMoving) {
     if (!plate.isStale) return false;
-    if (!isMoving || plate.cost <= kPatience || !plate.drawn) return true;
+    if (!isMoving || this.#cost <= kPatience || !plate.drawn) return true;
     plate.follow(this.#view);
     return false;
+  }
+
+  /** ms that drawing it all took last. */
+  get #cost() {
+    const { map, lines, circles } = this.#plates;
+    return map.cost + lines.cost + circles.cost;
   }
 
   #drawMap(isMoving) {
@@ -316,13 +326,15 @@ export class Painter {
 
   #drawLines(isMoving, slice) {
     const { lines } = this.#plates;
-    if (!this.#job && isMoving && lines.drawn && lines.cost > kPatience) {
+    if (!this.#job && isMoving && lines.drawn && this.#cost > kPatience) {
       lines.follow(this.#view);
       return;
     }
     const start = performance.now();
     if (!this.#job) {
-      const context = this.#spare.start(this.#pixelRatio);
+      // What is drawn in one go needs no canvas that is not shown.
+      this.#drawn = slice === Infinity ? lines : this.#spare;
+      const context = this.#drawn.start(this.#pixelRatio);
       const expected = this.#circles.counts.visible;
       this.#job = drawLines(context, this.#picture, this.#window, this.cellSize, expected);
       this.#jobCost = 0;
@@ -338,17 +350,17 @@ export class Painter {
     else lines.follow(this.#view);
   }
 
-  /** Exchanges the lines that are shown for those that are complete. */
+  /** Shows the lines that are complete now, in place of those that are shown. */
   #showLines() {
-    const old = this.#plates.lines;
-    this.#plates.lines = this.#spare;
-    this.#spare = old;
+    const lines = this.#drawn;
     this.#job = null;
-    const { lines } = this.#plates;
     lines.cost = this.#jobCost;
     lines.finish(this.#view);
+    if (lines !== this.#spare) return;
+    this.#spare = this.#plates.lines;
+    this.#plates.lines = lines;
     lines.canvas.hidden = false;
-    old.canvas.hidden = true;
+    this.#spare.canvas.hidden = true;
   }
 
   /** @param {Box} box */

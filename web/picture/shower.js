@@ -1,10 +1,18 @@
 // Very many circles, point by point into an image: a canvas takes too long for each path. Costs
-// what the area of the circles is, a few nanoseconds a pixel.
+// what the area of the circles is, a few nanoseconds a pixel; small ones are stamped.
+import { alphaAt, outerOf, Stamps } from "./stamps.js";
 
 /** @typedef {import("./view.js").Box} Box */
 
+/** @type {Map<string, { word: number, alpha: number }>} */ const knownWords = new Map();
+
 /** "rgb(31, 86, 115)" or "#1f5673", as bytes in the order of an image's words. */
 function wordOf(color) {
+  if (!knownWords.has(color)) knownWords.set(color, newWordOf(color));
+  return knownWords.get(color);
+}
+
+function newWordOf(color) {
   const context = new OffscreenCanvas(1, 1).getContext("2d");
   context.fillStyle = color;
   context.fillRect(0, 0, 1, 1);
@@ -12,11 +20,13 @@ function wordOf(color) {
   return { word: (b << 16) | (g << 8) | r, alpha: a / 255 };
 }
 
+const kLargestStamp = 12; // device pixels: larger circles are not often alike
+
 export class Shower {
+  /** By style. @type {Map<string, Stamps>} */ #stamps = new Map();
   #width;
   #image;
   #words;
-  #bytes;
   /** @type {Box} */ #box;
 
   /** @param {number} width @param {number} height in device pixels */
@@ -24,7 +34,6 @@ export class Shower {
     this.#width = width;
     this.#image = new ImageData(width, height);
     this.#words = new Uint32Array(this.#image.data.buffer);
-    this.#bytes = this.#image.data;
     this.#box = { left: 0, top: 0, right: width, bottom: height };
   }
 
@@ -50,12 +59,22 @@ export class Shower {
    */
   add(xyr, length, style, line) {
     const stroke = wordOf(style.stroke);
-    const fill = wordOf(style.fill).alpha * 255;
+    const stamps = this.#stampsOf(style, line);
     for (let k = 0; k < length; k += 3) {
       const r = xyr[k + 2];
       if (r < 0.75 * line) this.#dot(xyr[k], xyr[k + 1], r, stroke, line);
-      else this.#disc(xyr[k], xyr[k + 1], r, stroke, fill, line / 2);
+      else if (r < kLargestStamp) this.#stamp(xyr[k], xyr[k + 1], r, stroke.word, stamps);
+      else this.#disc(xyr[k], xyr[k + 1], r, stroke.word, stamps.ink);
     }
+  }
+
+  #stampsOf({ fill, stroke }, line) {
+    const key = `${fill} ${stroke} ${line}`;
+    if (!this.#stamps.has(key)) {
+      const ink = { fill: 255 * wordOf(fill).alpha, stroke: 255 * wordOf(stroke).alpha, line };
+      this.#stamps.set(key, new Stamps(ink));
+    }
+    return this.#stamps.get(key);
   }
 
   /** A circle of about a pixel or less: its weight on one pixel, at least visible. */
@@ -68,8 +87,30 @@ export class Shower {
     this.#blend(row * this.#width + column, stroke.word, alpha);
   }
 
-  #disc(x, y, r, stroke, fill, half) {
-    const outer = r + half + 0.5;
+  #stamp(x, y, r, word, stamps) {
+    const { reach, alphas } = stamps.of(x, y, r);
+    const { left, top, right, bottom } = this.#box;
+    const column = Math.floor(x) - reach;
+    const row = Math.floor(y) - reach;
+    const size = 2 * reach + 1;
+    const firstRow = Math.max(0, top - row);
+    const lastRow = Math.min(size, bottom - row);
+    const firstColumn = Math.max(0, left - column);
+    const lastColumn = Math.min(size, right - column);
+    const words = this.#words;
+    for (let i = firstRow; i < lastRow; i++) {
+      const at = (row + i) * this.#width + column;
+      for (let j = firstColumn; j < lastColumn; j++) {
+        const alpha = alphas[i * size + j];
+        if (alpha === 0) continue;
+        const below = words[at + j] >>> 24;
+        words[at + j] = (coverOf(below, alpha) << 24) | word;
+      }
+    }
+  }
+
+  #disc(x, y, r, word, ink) {
+    const outer = outerOf(r, ink);
     const box = this.#box;
     const top = Math.max(box.top, Math.floor(y - outer));
     const bottom = Math.min(box.bottom - 1, Math.floor(y + outer));
@@ -81,23 +122,17 @@ export class Shower {
       const left = Math.max(box.left, Math.floor(x - reach));
       const right = Math.min(box.right - 1, Math.floor(x + reach));
       for (let column = left; column <= right; column++) {
-        const dx = column + 0.5 - x;
-        const inside = r - Math.sqrt(dx * dx + dy * dy);
-        const rim = half + 0.5 - Math.abs(inside);
-        let alpha = inside > 0.5 ? fill : inside > -0.5 ? fill * (inside + 0.5) : 0;
-        if (rim > 0) {
-          const line = Math.min(rim, 2 * half, 1) * stroke.alpha * 255;
-          alpha += line - (alpha * line) / 255;
-        }
-        if (alpha >= 1) this.#blend(row * this.#width + column, stroke.word, alpha);
+        const alpha = alphaAt(column + 0.5 - x, dy, r, ink);
+        if (alpha >= 1) this.#blend(row * this.#width + column, word, alpha);
       }
     }
   }
 
   /** The colour of what is on top, and the cover of both. */
   #blend(at, word, alpha) {
-    const below = this.#bytes[4 * at + 3];
-    const cover = below + alpha - (below * alpha) / 255;
-    this.#words[at] = ((cover & 255) << 24) | word;
+    const words = this.#words;
+    words[at] = (coverOf(words[at] >>> 24, alpha) << 24) | word;
   }
 }
+
+const coverOf = (below, alpha) => (below === 0 ? alpha : below + alpha - (below * alpha) / 255);

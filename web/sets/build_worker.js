@@ -1,53 +1,45 @@
-// Runs in a worker: random circles and their diagram, as a snapshot. Building is one call, as that
-// is by far the fastest; how long it takes is estimated from a part of the circles. The first
-// message has the package's address, each other one what to make.
+// Runs in a worker: random circles and their diagram, as a snapshot. The first message has the
+// package's address, each other one what to make, or nothing: then what is being made is given up.
+// The diagram is built in slices, between which that is heard.
 import { randomCircles } from "./random_sets.js";
 
-const kPart = 0.02;
-const kSlower = 1.3; // all of them take longer for each than a part does
+let building = new AbortController();
 
 self.onmessage = async ({ data: { address } }) => {
   try {
     /** @type {typeof import("apollonius-diagram")} */
     const { Diagram } = await import(address);
-    self.onmessage = ({ data: { options } }) => told(() => make(Diagram, options));
+    self.onmessage = ({ data: { job, options } }) => {
+      building.abort();
+      building = new AbortController();
+      const tell = (message, rest) => self.postMessage({ ...message, job }, rest);
+      if (options) make(Diagram, options, building.signal, tell).catch((error) => tell(why(error)));
+    };
     self.postMessage({ isReady: true });
   } catch (error) {
-    tellError(error);
+    self.postMessage(why(error));
   }
 };
 
 /** @param {typeof import("apollonius-diagram").Diagram} Diagram */
-function make(Diagram, options) {
-  self.postMessage({ what: "Making circles" });
+async function make(Diagram, options, signal, tell) {
+  tell({ what: "Making circles" });
   const xyr = randomCircles(options);
-  const partTime = timeOf(() => new Diagram(xyr.subarray(0, 3 * partOf(xyr))).dispose());
-  const estimate = (partTime * kSlower) / kPart;
-  self.postMessage({ what: "Building the diagram", estimate });
-  /** @type {import("apollonius-diagram").Diagram} */ let diagram;
-  const buildTime = timeOf(() => {
-    diagram = new Diagram(xyr);
-  });
-  self.postMessage({ what: "Handing it over" });
+  const onProgress = (share) => tell({ what: "Building the diagram", share });
+  onProgress(0);
+  const start = performance.now();
+  const diagram = await Diagram.fromAsync(
+    { length: options.count },
+    (_, k) => xyr[3 * k],
+    (_, k) => xyr[3 * k + 1],
+    (_, k) => xyr[3 * k + 2],
+    { signal, onProgress },
+  );
+  const buildTime = performance.now() - start;
+  tell({ what: "Handing it over" });
   const bytes = diagram.toBytes();
   diagram.dispose();
-  self.postMessage({ xyr, bytes, buildTime }, { transfer: [xyr.buffer, bytes.buffer] });
+  tell({ xyr, bytes, buildTime }, { transfer: [xyr.buffer, bytes.buffer] });
 }
 
-const tellError = (error) => self.postMessage({ error: String(error?.message ?? error) });
-
-function told(run) {
-  try {
-    run();
-  } catch (error) {
-    tellError(error);
-  }
-}
-
-const partOf = (xyr) => Math.ceil((kPart * xyr.length) / 3);
-
-function timeOf(run) {
-  const start = performance.now();
-  run();
-  return performance.now() - start;
-}
+const why = (error) => ({ error: String(error?.message ?? error) });

@@ -12,7 +12,6 @@ import { randomCircles } from "./random_sets.js";
 const kMostHere = 100_000; // circles
 const kArea = 1_600_000; // units squared of a random set
 const kRatio = 1.6;
-const kTick = 100; // ms from one state of the progress to the next
 
 /** @param {import("./presets.js").RandomOptions} options */
 function circleOptions({ n, hidden, seed, tall }) {
@@ -34,6 +33,7 @@ function newWorker() {
 }
 
 /** @type {Promise<Worker> | null} */ let spare = null;
+let jobs = 0;
 
 /** Gets the worker ready, so that building needs no network later. */
 export function prepareToBuild() {
@@ -55,46 +55,34 @@ export async function build(options, info, { signal, progress }) {
   const starting = spare ?? newWorker();
   spare = null; // it can be busy for long: another one takes what comes meanwhile
   const worker = await starting;
-  let ticking = 0;
-  let isIdle = true;
-  const tell = ({ what, estimate }) => {
-    clearInterval(ticking);
-    const start = performance.now();
-    const share = () => Math.min(0.97, (performance.now() - start) / estimate);
-    progress?.(estimate ? 0 : undefined, what);
-    if (estimate) ticking = setInterval(() => progress?.(share(), what), kTick);
-  };
+  const job = ++jobs;
   try {
     signal?.throwIfAborted();
     return await new Promise((resolve, reject) => {
       signal?.addEventListener("abort", () => reject(signal.reason));
       worker.onerror = (event) => reject(new Error(event.message || "the worker failed"));
       worker.onmessage = ({ data }) => {
-        isIdle = Boolean(data.error || data.bytes);
+        if (data.job !== job) return; // of one that was given up
         if (data.error) reject(new Error(data.error));
         else if (data.bytes) resolve(restored(data, info));
-        else tell(data);
+        else progress?.(data.share, data.what);
       };
-      worker.postMessage({ options: circleOptions(options) });
-      isIdle = false;
+      worker.postMessage({ job, options: circleOptions(options) });
     });
   } finally {
-    clearInterval(ticking);
-    release(worker, isIdle);
+    release(worker);
   }
 }
 
-/** Gives back the worker's memory, and gets another one ready. */
-function release(worker, isIdle) {
+/** Gives back the worker's memory, and gets another one ready, if there is a way to one. */
+function release(worker) {
   if (navigator.onLine) {
     worker.terminate();
     prepareToBuild();
-  } else if (isIdle)
-    spare = Promise.resolve(worker); // there is no way to another one
-  else
-    worker.onmessage = ({ data }) => {
-      if (data.bytes || data.error) spare = Promise.resolve(worker);
-    };
+  } else {
+    worker.postMessage({}); // so that it gives up what it does
+    spare = Promise.resolve(worker);
+  }
 }
 
 function restored({ xyr, bytes, buildTime }, info) {

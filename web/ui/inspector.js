@@ -2,6 +2,8 @@
 import { element, grouped, oncePerFrame, setText, short } from "./dom.js";
 
 const kGrow = 1.15;
+const kFree = 24; // pixels that the card leaves free around the circle that it is about
+const kTallest = 340; // and how tall it can be
 const kFar = 1e7; // windows for areas: this many times what the circles take
 
 /** @param {import("../app.js").App} app */
@@ -9,12 +11,18 @@ export function makeInspector(app) {
   const { selection } = app;
   const card = element("inspector");
   const fields = ["x", "y", "r"].map((name) => element(`card-${name}`));
+  let shown = -1; // the circle that the card is about
 
   const update = oncePerFrame(() => {
     card.hidden = selection.size === 0;
     element("sheet").classList.toggle("has-card", selection.size > 0);
-    if (selection.size === 0) return;
+    if (selection.size === 0) {
+      shown = -1;
+      return;
+    }
     const id = selection.single;
+    if (id !== shown) leaveFree(id);
+    shown = id;
     element("card-numbers").hidden = id < 0;
     if (id < 0) {
       setText(element("card-name"), `${grouped(selection.size)} circles`);
@@ -31,6 +39,17 @@ export function makeInspector(app) {
     });
     showFacts(factsOf(app, id));
   });
+
+  /** The card goes to the other side if it would lie on the circle that it is about. */
+  function leaveFree(id) {
+    card.classList.remove("aside");
+    if (id < 0) return;
+    const { x, y } = app.sites.site(id);
+    const [px, py] = [app.view.toScreenX(x), app.view.toScreenY(y)];
+    const { left, right, top } = card.getBoundingClientRect();
+    const isBelow = px > left - kFree && px < right + kFree && py > top && py < top + kTallest;
+    card.classList.toggle("aside", isBelow);
+  }
 
   /** @param {[string, string, (() => void)?][]} facts */
   function showFacts(facts) {

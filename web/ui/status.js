@@ -4,15 +4,15 @@ import { Diagram } from "apollonius-diagram";
 import { duration, element, grouped, oncePerFrame, setText } from "./dom.js";
 
 const kAnnounceAfter = 400; // ms: a screen reader hears where a movement ended, not every step
-const kQuiet = 600; // ms from an edit to what is measured after it
+const kQuiet = 600; // ms from the last edit to what is measured after it
 const kQueries = 500;
 const kMostRebuilt = 5000; // sites
 const kBatches = 3;
-const kLeast = 8; // ms that must have passed for a time to mean something
+const kLeast = 4; // ms that must have passed for a time to mean something
 
 /** @param {import("../app.js").App} app */
 export function makeStatus(app) {
-  let isMeasuring = false;
+  let measuring = 0;
   let times = "";
   let announcing = 0;
 
@@ -27,14 +27,13 @@ export function makeStatus(app) {
     for (const name of ["map", "coast"]) element(`layer-${name}`).hidden = !sites.info.map;
   });
 
+  /** Anew once nothing has changed for a while: whoever edits is not to feel it. */
   const measureLater = () => {
-    if (isMeasuring) return;
-    isMeasuring = true;
-    setTimeout(() => {
-      isMeasuring = false;
-      // A drag is not to stutter for it.
-      if (app.model.open && times !== "") measureLater();
-      else times = measure(app);
+    if (measuring && times === "") return;
+    clearTimeout(measuring);
+    measuring = setTimeout(() => {
+      measuring = 0;
+      times = measure(app);
       update();
     }, kQuiet);
   };

@@ -22,6 +22,7 @@ const kArguments = [
   "--disable-background-networking",
   "--disable-component-update",
   "--disable-sync",
+  "--process-per-site", // with what it has loaded already
 ];
 
 const there = (paths) => paths.find((path) => path && existsSync(path));
@@ -48,7 +49,7 @@ function describeWith(browserName, path, name, start, define) {
     let browser;
     let server;
     beforeAll(async () => {
-      server = await serve(0);
+      server = await serve(0, { caching: "max-age=3600" });
       browser = await start(path);
     });
     afterAll(async () => {
@@ -88,19 +89,38 @@ export const describeInFirefox = (name, define) =>
 
 const whenReady = (name) => window[name] !== undefined;
 
+const kViewport = { width: 1280, height: 800 };
+const newContext = (browser, options) =>
+  browser.newContext({ viewport: kViewport, reducedMotion: "reduce", ...options });
+
+/** By browser, the context of all pages that need none of their own. */
+const sharedContexts = new WeakMap();
+
+async function sharedContext(browser, url) {
+  if (!sharedContexts.has(browser)) {
+    const context = await newContext(browser);
+    sharedContexts.set(browser, context);
+    const keeper = await context.newPage(); // of the process, from page to page
+    await keeper.goto(`${url}icon.svg`);
+  }
+  return sharedContexts.get(browser);
+}
+
 /**
- * `path` is below the page's folder, `ready` the global that says that the page is; `prepare` gets
- * the page before it is opened; other options are Playwright's. Motion is reduced, so that nothing
- * moves by itself, unless the options say otherwise.
+ * `path` is below the page's folder, `ready` the global that says that the page is; `site` is
+ * another server's; `prepare` gets the page before it is opened; `isAlone`: in a process of its
+ * own; other options are Playwright's. Motion is reduced, so that nothing moves by itself, unless
+ * the options say otherwise.
  */
 async function openPage(browser, url, options = {}) {
-  const { path = "", ready = "app", prepare, ...others } = options;
-  const context = await browser.newContext({
-    viewport: { width: 1280, height: 800 },
-    reducedMotion: "reduce",
-    ...others,
-  });
+  const { path = "", ready = "app", site = url, viewport = kViewport, ...more } = options;
+  const { prepare, isAlone, ...others } = more;
+  const isOwn = isAlone || prepare || site !== url || Object.keys(others).length > 0;
+  const context = isOwn
+    ? await newContext(browser, { viewport, ...others })
+    : await sharedContext(browser, url);
   const page = await context.newPage();
+  if (!isOwn) await page.setViewportSize(viewport);
   page.errors = [];
   page.on("console", (message) => message.type() === "error" && page.errors.push(message.text()));
   page.on("pageerror", (error) => page.errors.push(String(error)));
@@ -115,7 +135,7 @@ async function openPage(browser, url, options = {}) {
       response.status() >= 400 && page.errors.push(`${response.status()}: ${response.url()}`),
   );
   await prepare?.(page);
-  await page.goto(url + path);
+  await page.goto(site + path);
   if (ready) await page.waitForFunction(whenReady, ready, { timeout: 40_000 });
   return page;
 }
@@ -149,8 +169,12 @@ export function forEachPage(open, use, options = {}) {
   });
 }
 
-/** @param {any} page Playwright's, with its context, or Puppeteer's */
-export const closePage = (page) => (page.context ? page.context() : page).close();
+/** @param {any} page Playwright's, with its context if that is its own, or Puppeteer's */
+export function closePage(page) {
+  const context = page.context?.();
+  const isShared = context && sharedContexts.get(context.browser()) === context;
+  return (context && !isShared ? context : page).close();
+}
 
 /** Two frames later: what was asked for has been drawn, and the panels show it. */
 export const settled = (page) =>

@@ -1,7 +1,10 @@
-/** Presses "Control+z" and the like, which Puppeteer does not know, on pages of either kind. */
-export async function press(page, keys) {
+/**
+ * Presses "Control+z" and the like, which Puppeteer does not know, on pages of either kind. The
+ * events are sent in this order without waiting for one another.
+ */
+export async function press({ keyboard }, keys) {
   const parts = keys.length > 1 ? keys.split("+") : [keys];
-  for (const key of parts.slice(0, -1)) await page.keyboard.down(key);
-  await page.keyboard.press(parts.at(-1));
-  for (const key of parts.slice(0, -1).reverse()) await page.keyboard.up(key);
+  const events = parts.map((key) => keyboard.down(key));
+  for (const key of parts.reverse()) events.push(keyboard.up(key));
+  await Promise.all(events);
 }

@@ -3,6 +3,9 @@
 import { generator } from "../../../web/sets/random_sets.js";
 import { press } from "./keys.mjs";
 
+/** As the tests have them; the window is small, as drawing costs most of the time. */
+export const kStorm = { events: 5000, window: { width: 720, height: 540 } };
+
 const kKeys = [
   ..."vdhx0nip+-".split(""),
   "ArrowLeft",
@@ -21,31 +24,69 @@ const kKeys = [
 ];
 const kSets = ["opening", "nesting", "two", "gasket", "cocircular", "empty"];
 
+/**
+ * Sends events one after another without waiting for each: most wait for the next frame. But of
+ * movements in one frame the browser would show the page the last one only.
+ */
+class Sender {
+  /** @type {Promise<void>[]} */ #sent = [];
+  #isFrameTaken = false;
+
+  /** @param {() => Promise<void>} send */
+  now(send) {
+    this.#isFrameTaken = false; // what comes before it is shown at once
+    this.#sent.push(send());
+  }
+
+  /** @param {() => Promise<void>} send */
+  async inNextFrame(send) {
+    if (this.#isFrameTaken) await this.arrived();
+    this.#isFrameTaken = true;
+    this.#sent.push(send());
+  }
+
+  async arrived() {
+    await Promise.all(this.#sent.splice(0));
+    this.#isFrameTaken = false;
+  }
+}
+
 /** @param {{ seed: number, events: number }} options */
 export async function storm(page, { seed, events }) {
   const random = generator(seed);
   const below = (n) => Math.floor(n * random());
   const { width, height } = await page.evaluate(() => app.view);
-  const place = () => [below(width), 60 + below(height - 150)];
+  const sender = new Sender();
+  /** The page itself is asked to do something, which comes another way than events. */
+  const call = async (run, given) => {
+    await sender.arrived();
+    await page.evaluate(run, given);
+  };
   let isDown = false;
   await page.evaluate(() => document.getElementById("overlay").focus());
   for (let k = 0; k < events; k++) {
     const kind = random();
-    if (kind < 0.55) await page.mouse.move(...place());
-    else if (kind < 0.75) {
-      await (isDown ? page.mouse.up() : page.mouse.down());
+    if (kind < 0.55) {
+      const [x, y] = [below(width), 60 + below(height - 150)];
+      await sender.inNextFrame(() => page.mouse.move(x, y));
+    } else if (kind < 0.75) {
+      sender.now(() => (isDown ? page.mouse.up() : page.mouse.down()));
       isDown = !isDown;
-    } else if (kind < 0.93) await press(page, kKeys[below(kKeys.length)]);
-    else if (kind < 0.96) await wheel(page, below(240) - 120);
-    else if (kind < 0.97) {
-      const key = kSets[below(kSets.length)];
-      await page.evaluate((key) => app.navigation.load(key), key);
-    } else if (kind < 0.98) await page.evaluate(() => app.clear());
-    else if (kind < 0.99) await page.evaluate(() => app.fit());
-    else await page.evaluate((weight) => app.weights.go(weight), below(2));
+    } else if (kind < 0.93) {
+      const keys = kKeys[below(kKeys.length)];
+      sender.now(() => press(page, keys));
+    } else if (kind < 0.96) {
+      const deltaY = below(240) - 120;
+      await sender.inNextFrame(() => wheel(page, deltaY));
+    } else if (kind < 0.97)
+      await call((key) => app.navigation.load(key), kSets[below(kSets.length)]);
+    else if (kind < 0.98) await call(() => app.clear());
+    else if (kind < 0.99) await call(() => app.fit());
+    else await call((weight) => app.weights.go(weight), below(2));
     // Few circles stay sound trivially, many are slow to check.
-    if (k % 500 === 499) await page.evaluate(() => app.navigation.load("opening"));
+    if (k % 500 === 499) await call(() => app.navigation.load("opening"));
   }
+  await sender.arrived();
   if (isDown) await page.mouse.up();
   await page.evaluate(() => app.weights.go(1, { isAtOnce: true }));
 }
@@ -53,3 +94,18 @@ export async function storm(page, { seed, events }) {
 /** Playwright's takes numbers, Puppeteer's an object. */
 const wheel = (page, deltaY) =>
   page.mouse.wheel.length > 1 ? page.mouse.wheel(0, deltaY) : page.mouse.wheel({ deltaY });
+
+/** What is wrong with the diagram, with the page's copy of it, and with the selection. */
+export const soundness = (page) =>
+  page.evaluate(() => {
+    const broken = app.diagram.validate();
+    const mirror = Array.from(app.diagram.ids()).filter((id) => {
+      const a = app.diagram.site(id);
+      const b = app.sites.site(id);
+      return a.x !== b.x || a.y !== b.y || a.r !== b.r * app.sites.weight;
+    });
+    const gone = app.selection.ids.filter((id) => !app.diagram.has(id));
+    return { broken, mirror, gone };
+  });
+
+export const kSound = { broken: null, mirror: [], gone: [] };
