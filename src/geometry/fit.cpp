@@ -11,14 +11,14 @@ namespace apollonius::internal {
 
 namespace {
 
-/// The density of the ground at first, that of the region being 1.
+/// All of the ground at first, as a share of the region's area.
 constexpr double kFirstGround = 1e-4;
-/// By so much it falls when areas are so near their targets; less of it in all than this share of
-/// the smallest target is as good as none.
+/// To so much of it it falls when areas are so near their targets; less of it in all than this
+/// share of the smallest target is as good as none.
 constexpr double kNextGround = 0.1;
 constexpr double kNearEnough = 0.3;
 constexpr double kLeastGround = 1e-3;
-/// A region is all of its box if this share of it is less.
+/// Around a region is nothing if it is less than this share of it.
 constexpr double kLeastOutside = 1e-3;
 /// So much of the way to where one site covers another.
 constexpr double kShareOfWay = 0.9;
@@ -109,13 +109,20 @@ std::uint32_t Fit::begin(std::span<const double> targets, std::span<const double
   }
   const double* const empty = std::min_element(best_.areas.begin(), best_.areas.end());
   if (!(*empty > 0)) return static_cast<std::uint32_t>(empty - best_.areas.begin());
-  const Window& b = outline_.box;
-  const double inside = sumOf(best_.areas), outside = b.width() * b.height() - inside;
-  if (outside > kLeastOutside * inside && error() > kNearEnough) {
-    const double corners[] = {b.xmin, b.ymin, b.xmax, b.ymin, b.xmax, b.ymax, b.xmin, b.ymax};
+  Window around = outline_.box;
+  for (const Site& site : sites_) {
+    around.xmin = std::min(around.xmin, site.x);
+    around.ymin = std::min(around.ymin, site.y);
+    around.xmax = std::max(around.xmax, site.x);
+    around.ymax = std::max(around.ymax, site.y);
+  }
+  const double inside = sumOf(best_.areas), all = around.width() * around.height();
+  if (all - inside > kLeastOutside * inside && error() > kNearEnough) {
+    const double corners[] = {around.xmin, around.ymin, around.xmax, around.ymin,
+                              around.xmax, around.ymax, around.xmin, around.ymax};
     const std::uint32_t starts[] = {0, 4};
-    box_ = makeOutline(corners, starts);
-    setGround(kFirstGround);
+    around_ = makeOutline(corners, starts);
+    setGround(kFirstGround * (inside / all));
   }
   return kNone;
 }
@@ -144,7 +151,7 @@ void Fit::measure(State& state) {
   state.areas.assign(count, 0);
   addIn(outline_, 1, state);
   state.inside = state.areas;
-  if (ground_ > 0) addIn(box_, ground_, state);
+  if (ground_ > 0) addIn(around_, ground_, state);
 }
 
 /// Adds areas and couplings in a region of this density.
@@ -195,9 +202,9 @@ bool Fit::step() {
   if (sites_.empty()) return false;
   double far = deviationOf(best_.areas);
   for (; ground_ > 0 && far < kNearEnough; far = deviationOf(best_.areas)) {
-    const double all = outline_.box.width() * outline_.box.height();
     const double less = kNextGround * ground_;
-    setGround(less * all < kLeastGround * smallestOf(targets_) ? 0 : less);
+    const double area = less * around_.box.width() * around_.box.height();
+    setGround(area < kLeastGround * smallestOf(targets_) ? 0 : less);
   }
   isNear_ = ground_ == 0 && far < kCoarse;
   // Where steps have become short, none must be wrong about a small cell.

@@ -14,9 +14,9 @@
 //     concave: before its maximum the slope is positive), and no cell has nearly vanished. (As all
 //     cells have an area, the second derivatives stay regular: Kitagawa, Mérigot and Thibert,
 //     "Convergence of a Newton algorithm for semi-discrete optimal transport", 2019.)
-//   - In a region that is not all of its box, cells vanish into holes and covers come from across
-//     them. So the box counts too at first, a little: *ground*, of which less and less is left as
-//     areas come near their targets, and none at the end.
+//   - Around a region and in its holes cells vanish, and covers come from across. So the box of the
+//     region and all sites counts too at first, a little: *ground*, of which less and less is left
+//     as areas come near their targets, and none at the end.
 //
 // Equations are solved by conjugate gradients with the diagonal for a preconditioner. All of it
 // happens in a diagram of its own, so that the one in question is as it was until it is done.
@@ -81,7 +81,7 @@ class Fit {
   [[nodiscard]] double slopeAt(const State& state) const;
 
   const Outline& outline_;
-  Outline box_;       // of the region
+  Outline around_;    // region and sites
   DiagramCore core_;  // its ids are places
   FlatArray<SiteId> ids_;
   FlatArray<Site> sites_;

@@ -203,6 +203,32 @@ TEST(Fit, ReachesTargetsAcrossHolesAndSeas) {
   }
 }
 
+TEST(Fit, CellsOfSitesOutsideDoNotVanishThere) {
+  // (With ground up to the region's box only, one did, and no step could be taken any more.)
+  Random random(907);
+  for (int run = 0; run < runs(4); ++run) {
+    const Region region = run % 2 == 0 ? regionOf({300, 300, 700, 320, 690, 700, 310, 650}, {0, 4})
+                                       : regionOf({300, 300, 700, 300, 500, 700}, {0, 3});
+    Circles all;
+    for (int k = 0; k < 600; ++k)
+      all.push_back({random.between(250, 750), random.between(250, 750), 0});
+    Diagram diagram;
+    insertInto(diagram, all);
+    std::vector<double> areas, targets;
+    ASSERT_EQ(Voronoi(diagram, region).cellAreas(areas), Error::kNone);
+    Circles circles;
+    for (SiteId id = 0; id < areas.size(); ++id) {
+      if (!(areas[id] > 0)) continue;
+      circles.push_back(all[id]);
+      targets.push_back(std::exp(1.5 * normal(random)));
+    }
+    Diagram those;
+    insertInto(those, circles);
+    ASSERT_GE(fit(those, region, targets, 1e-5, 200), 0) << "run " << run;
+    expectAreas(those, region, targets, 1e-3);
+  }
+}
+
 TEST(Fit, ReachesEqualSharesOfCrowdedCentres) {
   // As cities are: close together in a few places, with cells from a few units to hundreds of
   // thousands. Most of the way, couplings are stiffer than the second derivatives say.
