@@ -148,7 +148,7 @@ export interface FitProgress {
   iterations: number;
   /**
    * The largest deviation of an area from what it is to be, as a share of that. Need not fall with
-   * each step: where long steps lead nowhere, shorter ones are taken from the beginning, once.
+   * each step.
    */
   error: number;
 }

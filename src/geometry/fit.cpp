@@ -1,7 +1,6 @@
 #include "geometry/fit.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "diagram/bulk_insertion.h"
 #include "geometry/areas.h"
@@ -97,11 +96,8 @@ std::uint32_t Fit::begin(std::span<const double> targets, std::span<const double
   } else {
     best_.weights.assign(start);
   }
-  std::vector<double> xyr;
-  for (std::size_t k = 0; k < count; ++k)
-    xyr.insert(xyr.end(), {sites_[k].x, sites_[k].y, inRange(best_.weights[k])});
   FlatArray<SiteId> places(count);
-  insertAll(core_, xyr, places);
+  insertAll(core_, circlesOf(best_), places);
   setGround(0);
   if (!start.empty() && !(smallestOf(best_.areas) > 0)) {
     best_.weights.assign(count, mean);
@@ -127,7 +123,16 @@ std::uint32_t Fit::begin(std::span<const double> targets, std::span<const double
   return kNone;
 }
 
-/// Measures the best state with so much of it.
+/// x, y, r by place.
+std::vector<double> Fit::circlesOf(const State& state) const {
+  std::vector<double> xyr;
+  xyr.reserve(3 * sites_.size());
+  for (std::size_t k = 0; k < sites_.size(); ++k)
+    xyr.insert(xyr.end(), {sites_[k].x, sites_[k].y, inRange(state.weights[k])});
+  return xyr;
+}
+
+/// Measures the best state with ground of this density.
 void Fit::setGround(double density) {
   ground_ = density;
   measure(best_);
@@ -138,14 +143,9 @@ void Fit::setGround(double density) {
 /// Areas and couplings for the state's weights.
 void Fit::measure(State& state) {
   const std::size_t count = sites_.size();
-  std::vector<double> xyr;
-  xyr.reserve(3 * count);
   FlatArray<SiteId> places(count);
-  for (std::uint32_t k = 0; k < count; ++k) {
-    places[k] = k;
-    xyr.insert(xyr.end(), {sites_[k].x, sites_[k].y, inRange(state.weights[k])});
-  }
-  core_.updateMany(places, xyr);
+  for (std::uint32_t k = 0; k < count; ++k) places[k] = k;
+  core_.updateMany(places, circlesOf(state));
 
   state.couplings.clear();
   state.areas.assign(count, 0);

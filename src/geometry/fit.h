@@ -24,6 +24,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "diagram/diagram_core.h"
 #include "geometry/overlay.h"
@@ -69,6 +70,7 @@ class Fit {
     FlatArray<Coupling> couplings;
   };
 
+  [[nodiscard]] std::vector<double> circlesOf(const State& state) const;
   void measure(State& state);
   void addIn(const Outline& outline, double density, State& state);
   void setGround(double density);

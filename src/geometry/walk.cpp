@@ -221,11 +221,8 @@ class Walker {
     if (!(score < best.score) || !(on.e > 0 && on.e < kInfinite)) return;
     // An edge that is further from there than the segment's end is left alone, unless the end is
     // nearer to its other cell by more than rounding.
-    const auto isRounding = [&] {
-      const Site &own = delaunay.site(cell_), &other = delaunay.site(graph_.target(h));
-      return !isNearer(other, own, line.to);
-    };
-    if (score > line.length && isRounding()) return;
+    const Site &own = delaunay.site(cell_), &other = delaunay.site(graph_.target(h));
+    if (score > line.length && !isNearer(other, own, line.to)) return;
     best = {h, edge, on.e, place, score};
   }
 

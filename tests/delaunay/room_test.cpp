@@ -2,25 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 #include <vector>
 
 #include "delaunay/ears.h"
 #include "delaunay/remove.h"
-
-namespace {
-std::size_t allocationCount = 0;
-}
-
-// Of the whole test program, as in tests/topology/room_test.cpp.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocationCount;
-  if (void* memory = std::malloc(size != 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "support/allocation_count.h"
 
 namespace apollonius::internal {
 namespace {

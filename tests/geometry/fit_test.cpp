@@ -171,6 +171,19 @@ TEST(Fit, ReachesHeavyTailsInARegionWithAHole) {
   expectAreas(diagram, region, targets, 1e-3);
 }
 
+/// Those that have a part of the region when all are there.
+Circles withCellsIn(const Region& region, const Circles& all) {
+  Diagram diagram;
+  insertInto(diagram, all);
+  std::vector<double> areas;
+  EXPECT_EQ(Voronoi(diagram, region).cellAreas(areas), Error::kNone);
+  Circles circles;
+  for (SiteId id = 0; id < areas.size(); ++id) {
+    if (areas[id] > 0) circles.push_back(all[id]);
+  }
+  return circles;
+}
+
 TEST(Fit, ReachesTargetsAcrossHolesAndSeas) {
   // Cells vanish into what is not of the region, and are covered from across it. Without ground
   // (fit.h) the first of these, and others, ended too early.
@@ -185,14 +198,7 @@ TEST(Fit, ReachesTargetsAcrossHolesAndSeas) {
     Circles all;
     for (int k = 0; k < (run % 3 == 0 ? 40 : 250); ++k)
       all.push_back({500 + 100 * normal(random), 500 + 100 * normal(random), 0});
-    Diagram diagram;
-    insertInto(diagram, all);
-    std::vector<double> areas;
-    ASSERT_EQ(Voronoi(diagram, region).cellAreas(areas), Error::kNone);
-    Circles circles;
-    for (SiteId id = 0; id < areas.size(); ++id) {
-      if (areas[id] > 0) circles.push_back(all[id]);
-    }
+    const Circles circles = withCellsIn(region, all);
     std::vector<double> targets;
     for (std::size_t k = 0; k < circles.size(); ++k)
       targets.push_back(run % 4 < 2 ? 1 : std::exp(1.5 * normal(random)));
@@ -212,16 +218,10 @@ TEST(Fit, CellsOfSitesOutsideDoNotVanishThere) {
     Circles all;
     for (int k = 0; k < 600; ++k)
       all.push_back({random.between(250, 750), random.between(250, 750), 0});
-    Diagram diagram;
-    insertInto(diagram, all);
-    std::vector<double> areas, targets;
-    ASSERT_EQ(Voronoi(diagram, region).cellAreas(areas), Error::kNone);
-    Circles circles;
-    for (SiteId id = 0; id < areas.size(); ++id) {
-      if (!(areas[id] > 0)) continue;
-      circles.push_back(all[id]);
+    const Circles circles = withCellsIn(region, all);
+    std::vector<double> targets;
+    for (std::size_t k = 0; k < circles.size(); ++k)
       targets.push_back(std::exp(1.5 * normal(random)));
-    }
     Diagram those;
     insertInto(those, circles);
     ASSERT_GE(fit(those, region, targets, 1e-5, 200), 0) << "run " << run;

@@ -1,25 +1,8 @@
 // Room and reuse: the operations allocate nothing once room is made, and freed faces are used
 // again.
-#include <cstdlib>
-#include <new>
 
+#include "support/allocation_count.h"
 #include "topology/surface.h"
-
-namespace {
-
-std::size_t allocationCount = 0;
-
-}  // namespace
-
-// Replaced for the whole test program; array and nothrow forms end here, too. Not inlined, or g++
-// takes malloc and free for a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocationCount;
-  if (void* memory = std::malloc(size != 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace apollonius::test {
 
