@@ -13,11 +13,12 @@ const Cell& CellFinder::find(Slot site) {
   contacts_.clear();
   for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
     const ClippedPiece& piece = pieces_[k].clipped;
-    const auto add = [&](int side, Point p, bool leaves) {
-      if (side != kNoSide) contacts_.push_back({side, window_.placeOf(side, p), p, k, leaves});
+    const auto add = [&](int side, Point p, Point inner, bool leaves) {
+      if (side != kNoSide)
+        contacts_.push_back({side, window_.placeOf(side, p), p, k, leaves, inner});
     };
-    add(piece.fromSide, piece.curve.p0, false);
-    add(piece.toSide, piece.curve.p2, true);
+    add(piece.fromSide, piece.curve.p0, piece.curve.p2, false);
+    add(piece.toSide, piece.curve.p2, piece.curve.p0, true);
   }
   if (!contacts_.empty()) {
     link(site);

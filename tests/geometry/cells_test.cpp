@@ -289,6 +289,23 @@ std::vector<std::vector<double>> sortedCurves(const Voronoi& voronoi, SiteId id)
   return curves;
 }
 
+/// Compares the cells of circles inserted in their order and in the opposite one.
+void expectSameCells(const Circles& circles, const Bounds& bounds, int run) {
+  Diagram forwards, backwards;
+  insertInto(forwards, circles);
+  insertInto(backwards, Circles(circles.rbegin(), circles.rend()));
+  for (SiteId id = 0; id < circles.size(); ++id) {
+    const auto there = static_cast<SiteId>(circles.size() - 1 - id);
+    bool isHidden = false, isHiddenThere = false;
+    ASSERT_EQ(forwards.isHidden(id, isHidden), Error::kNone);
+    ASSERT_EQ(backwards.isHidden(there, isHiddenThere), Error::kNone);
+    if (isHidden != isHiddenThere) continue;  // of identical circles any may be the visible one
+    ASSERT_EQ(sortedCurves(Voronoi(forwards, bounds), id),
+              sortedCurves(Voronoi(backwards, bounds), there))
+        << "run " << run << " site " << id;
+  }
+}
+
 TEST(Cells, AtACornerOfAnImmenseWindowAreTheSameAfterAnyHistory) {
   // Found by geometry_fuzz: contacts near a corner are at one place there, seen from the other end
   // of the side. Their order, and whether the corner is between them, were left to where the
@@ -305,19 +322,26 @@ TEST(Cells, AtACornerOfAnImmenseWindowAreTheSameAfterAnyHistory) {
                               {x, -size, size + 6, y}};
     const Bounds bounds = corners[run % 4];
     if (!(bounds.xmin < bounds.xmax && bounds.ymin < bounds.ymax)) continue;
-    Diagram forwards, backwards;
-    insertInto(forwards, circles);
-    insertInto(backwards, Circles(circles.rbegin(), circles.rend()));
-    for (SiteId id = 0; id < circles.size(); ++id) {
-      const auto there = static_cast<SiteId>(circles.size() - 1 - id);
-      bool isHidden = false, isHiddenThere = false;
-      ASSERT_EQ(forwards.isHidden(id, isHidden), Error::kNone);
-      ASSERT_EQ(backwards.isHidden(there, isHiddenThere), Error::kNone);
-      if (isHidden != isHiddenThere) continue;  // of identical circles any may be the visible one
-      ASSERT_EQ(sortedCurves(Voronoi(forwards, bounds), id),
-                sortedCurves(Voronoi(backwards, bounds), there))
-          << "run " << run << " site " << id;
-    }
+    expectSameCells(circles, bounds, run);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(Cells, ThatMeetTheBorderTwiceInOnePointAreTheSameAfterAnyHistory) {
+  // Found by geometry_fuzz: seen from as far away as these sites are, vertices between the small
+  // ones are one point of the border. Which of the pieces that start there follows one that ends
+  // there was left to where the boundary of the cell was begun.
+  Random random(528);
+  for (int run = 0; run < runs(2000); ++run) {
+    Circles circles = tinyGrid(random, 5, 4, 1);
+    const double far = std::ldexp(1.0, static_cast<int>(random.integer(50, 300)));
+    for (int k = 0; k < 3; ++k)
+      circles.push_back({far * random.between(0.5, 1), far * random.between(0.5, 1),
+                         far * random.between(0, 0.2)});
+    const auto x = static_cast<double>(random.integer(0, 4)),
+               y = static_cast<double>(random.integer(0, 4));
+    expectSameCells(circles, {x, y, far, far}, run);
+    if (HasFatalFailure()) return;
   }
 }
 
