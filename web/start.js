@@ -49,13 +49,20 @@ function followWindow(app) {
 const kIdle = 1500; // ms after the start
 const kFree = 12; // pixels below the introduction that need no margin
 
-/** What the bars cover, in pixels: all that lies along the upper or the lower border. */
+/**
+ * What the bars cover, in pixels: all that lies along the upper or the lower border, or the open
+ * sheet of a phone that is held sideways.
+ */
 function insets() {
   const top = element("intro").getBoundingClientRect().bottom - kFree;
+  const sheet = element("sheet");
+  const { right, width } = sheet.getBoundingClientRect();
+  const isBeside = sheet.classList.contains("open") && width > 0 && width < innerWidth / 2;
   const bottom = ["tools", "sheet", "status", "library"]
+    .filter((id) => !(isBeside && sheet.contains(element(id))))
     .map((id) => element(id).getBoundingClientRect())
     .reduce((least, box) => (box.height > 0 ? Math.min(least, box.top) : least), innerHeight);
-  return { left: 0, top, right: 0, bottom: innerHeight - bottom };
+  return { left: isBeside ? right : 0, top, right: 0, bottom: innerHeight - bottom };
 }
 
 /** Circles | Centres. @param {Weights} weights */
@@ -95,7 +102,7 @@ export async function start() {
   makeSameAreasSwitch(app, new SameAreas(app, motion, weights));
   makeShareMenu(app, navigation.write);
   makeCodeDialog(app);
-  makeSheet();
+  makeSheet(app);
   makeSwitch(weights);
 
   const isPlain = location.hash === "";

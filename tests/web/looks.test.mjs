@@ -112,6 +112,38 @@ describeInBrowser("looks", (open) => {
     await closePage(page);
   });
 
+  test.each([
+    ["upright", kPhone],
+    ["sideways", kSideways],
+  ])("phone, %s: what is selected comes out from under the open sheet", async (_, kind) => {
+    const page = await open({ ...kind, path: "#set=random" });
+    const { width, height } = kind.viewport;
+    const selected = () =>
+      page.evaluate(() => {
+        const { x, y } = app.sites.site(app.selection.last);
+        return [app.view.toScreenX(x), app.view.toScreenY(y)];
+      });
+    await page.evaluate(
+      ([x, y]) => app.selection.set([app.diagram.find(app.view.toWorldX(x), app.view.toWorldY(y))]),
+      [width / 4, height * 0.7],
+    );
+    const at = await selected();
+    await page.touchscreen.tap(...at);
+    await page.tap("#grip");
+    const isUnder = ([x, y]) =>
+      page.evaluate(([x, y]) => document.elementFromPoint(x, y).closest(".sheet") !== null, [x, y]);
+    await page.waitForFunction(() => document.getElementById("sheet").clientHeight > 200);
+    expect(await isUnder(at)).toBe(true);
+    await page.waitForFunction(() => {
+      const { x, y } = app.sites.site(app.selection.last);
+      const [px, py] = [app.view.toScreenX(x), app.view.toScreenY(y)];
+      return document.elementFromPoint(px, py).id === "overlay";
+    });
+    expect(await isUnder(await selected())).toBe(false);
+    expect(await page.evaluate(() => app.hover.id === app.selection.last)).toBe(true);
+    await closePage(page);
+  });
+
   test("phone: the sheet opens and closes, with the card in it", async () => {
     const page = await open(kPhone);
     const height = () => page.$eval("#sheet", (sheet) => sheet.getBoundingClientRect().height);

@@ -1,10 +1,11 @@
 // On a phone: one sheet at the bottom with two stops. A tap on its grip or a drag goes from one to
-// the other.
+// the other. What is selected stays in sight.
 import { element } from "./dom.js";
 
 const kDrag = 18; // pixels
 
-export function makeSheet() {
+/** @param {import("../app.js").App} app */
+export function makeSheet(app) {
   const sheet = element("sheet");
   const grip = element("grip");
   const open = (isOpen) => {
@@ -29,4 +30,12 @@ export function makeSheet() {
     wasDragged = false;
   });
   element("answer").addEventListener("click", () => open(true));
+  // From under the open sheet, and the place that was touched with it.
+  new ResizeObserver(() => {
+    if (!sheet.classList.contains("open") || app.selection.size === 0) return;
+    const { originX, originY } = app.view;
+    app.show(app.selection.last);
+    const [dx, dy] = [app.view.originX - originX, app.view.originY - originY];
+    if (app.pointer) app.hoverAt({ x: app.pointer.x + dx, y: app.pointer.y + dy });
+  }).observe(sheet);
 }
