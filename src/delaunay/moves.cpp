@@ -1,7 +1,6 @@
 #include "delaunay/moves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "predicate/circle_batch.h"
@@ -13,20 +12,8 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Has the direction from a site to the vertex certainly turned by less than a quarter? Where the
-/// circles' errors are far below the distances, |v| and |w| (sums of components), v·w is off by
-/// less than 2^-8 |v||w|.
-bool turnedLessThanAQuarter(const VoronoiCircle& before, const Site& from, const VoronoiCircle& now,
-                            const Site& to) {
-  const double vx = before.x - from.x, vy = before.y - from.y, wx = now.x - to.x, wy = now.y - to.y;
-  const double v = absolute(vx) + absolute(vy), w = absolute(wx) + absolute(wy), size = v * w;
-  if (!now.isHalfPlane() && before.error <= powerOfTwo(-10) * v &&
-      now.error <= powerOfTwo(-10) * w && size > powerOfTwo(-900) &&
-      vx * wx + vy * wy > powerOfTwo(-8) * size) {
-    return true;
-  }
-  return differByLessThanAQuarter(directionOf(before, from), directionOf(now, to));
-}
+/// Of a half-plane.
+Arrow normalOf(const VoronoiCircle& circle) { return {circle.x, circle.y, circle.slope}; }
 
 }  // namespace
 
@@ -113,17 +100,13 @@ void SiteMoves::collectFaces() {
 }
 
 void SiteMoves::makeAll() {
-  double longest = 0;
   for (std::uint32_t k = 0; k < moves_.size(); ++k) {
     const VertexId v = moves_[k].vertex;
-    const Site& from = before_[k] = delaunay_->site(v);
-    const double dx = moves_[k].to.x - from.x, dy = moves_[k].to.y - from.y;
-    longest = std::max(longest, dx * dx + dy * dy);
+    before_[k] = delaunay_->site(v);
     delaunay_->setSite(v, moves_[k].to);
     moveOf_[index(v)] = k;
     isMoved_[index(v)] = 1;
   }
-  longestMove_ = std::sqrt(longest);
   left_ = 0;
 }
 
@@ -200,29 +183,20 @@ void SiteMoves::computeCircle(std::uint32_t position) {
     changed.circle.error = std::numeric_limits<float>::infinity();
 }
 
-/// The conditions for one face: its circle exists, its vertex has turned by less than a quarter as
-/// seen from each corner, and comes in order along its edges.
+/// The conditions for one face: its circle exists, its vertex comes in order along its edges, and
+/// if it is at infinity, its normal has turned by less than a quarter.
 void SiteMoves::check(std::uint32_t position) {
   ChangedFace& changed = changed_[position];
   changed.isQueued = false;
   const FaceId f = changed.face;
   if (!changed.isActive) return;
   const VoronoiCircle &before = delaunay_->circle(f), &now = changed.circle;
-  if (!(now.error < std::numeric_limits<float>::infinity())) {
+  if (!(now.error < std::numeric_limits<float>::infinity()) ||
+      (now.isHalfPlane() && !differByLessThanAQuarter(normalOf(before), normalOf(now)))) {
     takeBackOneOf(f);
     return;
   }
   const Graph& graph = delaunay_->graph();
-  if (!isFarFromItsSites(f, before, now)) {
-    for (unsigned c = 0; c < 3; ++c) {
-      const VertexId corner = graph.origin(halfedgeOf(f, c));
-      if (corner != kInfinity &&
-          !turnedLessThanAQuarter(before, siteBefore(corner), now, delaunay_->site(corner))) {
-        takeBackOneOf(f);
-        return;
-      }
-    }
-  }
   for (unsigned c = 0; c < 3; ++c) {
     const HalfedgeId h = halfedgeOf(f, c), twin = graph.twin(h);
     const std::uint32_t other = positionOf_[index(faceOf(twin))];
@@ -237,21 +211,6 @@ void SiteMoves::check(std::uint32_t position) {
     }
     return;
   }
-}
-
-/// Is the vertex farther from its sites than all of them and it together have moved? Then it has
-/// turned by less than a quarter as seen from each: two vectors make an acute angle if their
-/// difference is shorter than one of them. Its distance to a site is clearance + weight.
-bool SiteMoves::isFarFromItsSites(FaceId f, const VoronoiCircle& before,
-                                  const VoronoiCircle& now) const {
-  if (now.isHalfPlane()) return false;
-  const double dx = now.x - before.x, dy = now.y - before.y;
-  const double moved = (std::sqrt(dx * dx + dy * dy) + longestMove_ + before.error + now.error) *
-                       (1 + powerOfTwo(-20));
-  bool isFar = true;
-  for (unsigned c = 0; c < 3; ++c)
-    isFar &= moved < now.s + delaunay_->site(delaunay_->graph().origin(halfedgeOf(f, c))).r;
-  return isFar;
 }
 
 /// Of the edge dual to h, from the vertex on its right to that on its left: do they come in this

@@ -5,25 +5,22 @@
 // the new diagram if
 //   1. all of them exist, and neighbours do not cover each other;
 //   2. along each edge of these faces its two ends come in the right order;
-//   3. each of the vertices moves, as seen from each of its three sites, by less than a quarter
-//      turn: surely if it is farther from them than the sites and it have moved together.
-// Why. By 1 and 2 each cell is bounded by a closed curve that runs counter-clockwise around its
-// centre; by 3 it does so as often as before, once. Hence the cells, glued along their edges, cover
-// the sphere without branching; the graph is a sphere as well, and so (Riemann-Hurwitz) they cover
-// it once: they tile the plane. Now let p be in the cell of i, and suppose j nearer to it. From p
-// straight to c_j the distance to j falls as fast as any can, so j stays strictly nearer than the
-// tile's site, down to c_j itself; but c_j is in the tile of j. So the tiles are the Voronoi cells.
+//   3. the normal of each face at infinity turns by less than a quarter.
+// Why. By 1 and 2, all that proves the graph (proof.h) is there but for the hull: around infinity
+// the normals are to make one turn. They did before, so the angles from each to the next summed up
+// to it; each angle changes by what its two normals turn more than one another, and these
+// differences sum up to nothing.
 //
 // On 2. Seen from the larger of its sites, a bounded edge spans at most half a turn
 // (docs/PREDICATES.md), so the turn from one end to the other tells. An unbounded one may span
 // more: its turn must have the sign that it had. As by 3 each end has turned by less than a
 // quarter, a span of less than half a turn cannot have become one of more than half a turn then,
-// nor the reverse, nor less than none or more than a whole one. (That the corner beyond an edge is
-// in no conflict with a face, seen from either side, would not do: a small site that has jumped
-// over the vertex at the edge's other end is in none.)
+// nor the reverse, nor less than none or more than a whole one: it is the angle above. (That the
+// corner beyond an edge is in no conflict with a face, seen from either side, would not do: a small
+// site that has jumped over the vertex at the edge's other end is in none.)
 //
 // Everything is asked of the filters; what they do not know counts as no, and the sites concerned
-// stay where they are. A face at infinity has a direction for a vertex, its half-plane's normal.
+// stay where they are.
 #pragma once
 
 #include <cstdint>
@@ -72,8 +69,6 @@ class SiteMoves {
   void computeCircles();
   void computeCircle(std::uint32_t position);
   void check(std::uint32_t position);
-  [[nodiscard]] bool isFarFromItsSites(FaceId f, const VoronoiCircle& before,
-                                       const VoronoiCircle& now) const;
   [[nodiscard]] bool endsAreInOrder(HalfedgeId h, const VoronoiCircle& left,
                                     const VoronoiCircle& right) const;
   void takeBack(VertexId v);
@@ -83,7 +78,6 @@ class SiteMoves {
 
   DelaunayGraph* delaunay_ = nullptr;  // during apply only
   std::span<const Move> moves_;
-  double longestMove_ = 0;
   std::size_t left_ = 0;                 // moves that have been taken back
   FlatArray<Site> before_;               // by move
   FlatArray<std::uint8_t> isMade_;       // by move
