@@ -355,7 +355,7 @@ export class Diagram implements Disposable {
 
   /**
    * All Voronoi vertices: centres of circles that touch three sites and contain no part of another.
-   * O(n).
+   * The nearest doubles where sites have small integer coordinates and radii. O(n).
    */
   vertices(): Vertices {
     return this.#living().vertices();

@@ -167,9 +167,9 @@ class APOLLONIUS_EXPORT Diagram {
 
   /// The Voronoi vertices. Each coordinate and clearance is within 2^-39 (|x| + |y| + |clearance|)
   /// + 2^-48 (the largest number among its three sites) of the exact one, whatever the sites, and
-  /// the same bits after any history; that of three sites of equal weights whose coordinates are
-  /// multiples of one unit, up to 2^17 of them, is the nearest double. Replaces the contents.
-  /// Errors: kOutOfMemory. Cost: O(h)
+  /// the same bits after any history; of three sites whose coordinates and weights are multiples of
+  /// one unit, no further apart than 2^17 of them, the coordinates are the nearest doubles.
+  /// Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
   [[nodiscard]] Error vertices(VertexArrays& vertices) const;
   [[nodiscard]] Error edges(
       EdgeArrays& edges) const;  ///< Replaces the contents. Errors: kOutOfMemory. Cost: O(h)

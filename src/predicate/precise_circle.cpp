@@ -9,6 +9,7 @@
 
 #include "number/root_sign.h"
 #include "predicate/compute_circle.h"
+#include "predicate/grid_circle.h"
 #include "predicate/long_kernels.h"
 #include "predicate/reference_site.h"
 
@@ -56,58 +57,6 @@ Rounded withRoot(const Dyadic& a, const Dyadic& b, const Dyadic& d) {
 /// a b / (2 c), rounded: with the errors of a, b and c, and 2 more.
 double halfQuotient(const Rounded& a, const Rounded& b, const Rounded& c) {
   return scaled(a.mantissa / c.mantissa * b.mantissa, a.exponent + b.exponent - c.exponent - 1);
-}
-
-/// What a computation on a grid gives.
-enum class OnGrid : unsigned char { kNo, kYes, kYesRounded };
-
-/// (x t + n) / t; correctly rounded, and then true, if x t + n is a double. Neither it nor the
-/// parts of x t are subnormal.
-bool divided(double x, double n, double t, double& quotient) {
-  // What is lost of a product (Dekker 1971), of the two halves of each factor; and of a sum
-  // (Knuth).
-  const auto upper = [](double v) {
-    const double shifted = v * (powerOfTwo(27) + 1);
-    return shifted - (shifted - v);
-  };
-  const double product = x * t, x1 = upper(x), t1 = upper(t), x2 = x - x1, t2 = t - t1;
-  const double lostOfProduct = x2 * t2 - (((product - x1 * t1) - x2 * t1) - x1 * t2);
-  const double sum = product + n, added = sum - product;
-  const double lostOfSum = (product - (sum - added)) + (n - added);
-  const bool isExact = lostOfProduct == 0 && lostOfSum == 0;
-  quotient = isExact ? sum / t : x + n / t;
-  return isExact;
-}
-
-/// The circle of three sites of equal weights whose coordinates are multiples of one unit, no
-/// further apart than 2^17 of them. Then the centre is off the reference site by quotients of two
-/// integers. If their sums with its coordinates are fractions of doubles, as where all coordinates
-/// are small multiples of a unit, the centre is correctly rounded; else these sums have two
-/// roundings. The reference site comes first.
-OnGrid circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& circle) {
-  if (i.r != j.r || i.r != k.r) return OnGrid::kNo;
-  const double jx = j.x - i.x, jy = j.y - i.y, kx = k.x - i.x, ky = k.y - i.y;
-  const double largest = std::max({absolute(jx), absolute(jy), absolute(kx), absolute(ky)});
-  if (!(largest > powerOfTwo(-200) && largest < powerOfTwo(200))) return OnGrid::kNo;
-  // Multiples of 2^(e-16), as in vertexOfPoints (vertex_conflict.cpp). Differences are below 2^17
-  // units, p below 2^35 and products below 2^52.
-  const double shift = 1.5 * powerOfTwo(exponentOf(largest) - 16 + 53);
-  for (const Site* s : {&i, &j, &k}) {
-    if ((s->x + shift) - shift != s->x || (s->y + shift) - shift != s->y) return OnGrid::kNo;
-  }
-  const double pj = jx * jx + jy * jy, pk = kx * kx + ky * ky;
-  const double twice = 2 * (jx * ky - jy * kx);
-  if (!(twice > 0)) return OnGrid::kNo;
-  const double overX = pj * ky - pk * jy, overY = pk * jx - pj * kx;
-  const double x = overX / twice, y = overY / twice;
-  const double rho = std::sqrt(x * x + y * y);
-  const bool isXRounded = divided(i.x, overX, twice, circle.x);
-  const bool isYRounded = divided(i.y, overY, twice, circle.y);
-  circle.s = rho - i.r;
-  circle.slope = -1;
-  circle.error = roundedUp(
-      kUnitRoundoff * (4 * rho + absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
-  return isXRounded && isYRounded ? OnGrid::kYesRounded : OnGrid::kYes;
 }
 
 /// A face in long numbers. Its vertex is at (x, y) from the reference site, which is rho away, with
@@ -179,13 +128,8 @@ bool haveFewDigits(std::initializer_list<const Site*> sites) {
   return range.highest - range.lowest < 500;
 }
 
-}  // namespace
-
-VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k) {
-  rotateToReference(i, j, k);
-  VoronoiCircle onGrid;
-  if (j != nullptr && k != nullptr && circleOnGrid(*i, *j, *k, onGrid) != OnGrid::kNo)
-    return onGrid;
+/// With errors of a few units in the last place. i is the reference site.
+VoronoiCircle closeCircle(Corner i, Corner j, Corner k) {
   const VoronoiCircle quick = voronoiCircle(i, j, k);
   const double size = absolute(quick.x) + absolute(quick.y) + absolute(quick.s);
   const bool isKnown = quick.error < std::numeric_limits<float>::infinity();
@@ -212,28 +156,43 @@ VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k) {
   return circle;
 }
 
-VoronoiCircle commonVoronoiCircle(const Site& first, const Site& second, const Site& third) {
-  Corner i = &first, j = &second, k = &third;
-  rotateToReference(i, j, k);
-  VoronoiCircle circle;
-  const OnGrid onGrid = circleOnGrid(*i, *j, *k, circle);
-  if (onGrid == OnGrid::kYesRounded) return circle;
-  if (onGrid == OnGrid::kNo) circle = preciseVoronoiCircle(i, j, k);
-  const double rho = circle.s + i->r;
+/// With the centre, and its distance from i, rounded correctly, unless the sites have too many
+/// digits. i is the reference site.
+VoronoiCircle correctCircle(const Site& i, const Site& j, const Site& k) {
+  VoronoiCircle circle = closeCircle(&i, &j, &k);
+  const double rho = circle.s + i.r;
   const bool isFinite = absolute(circle.x) + absolute(circle.y) + rho < kInfinite;
-  if (!isFinite || !haveFewDigits({i, j, k})) return circle;
-  const LongFace face(*i, *j, *k);
+  if (!isFinite || !haveFewDigits({&i, &j, &k})) return circle;
+  const LongFace face(i, j, k);
   // t + p `number` / (2c), as a number over 2c.
   const auto offBy = [&](const LongFace::Number& number, double t) {
     const Dyadic twice(2 * t);
     return LongFace::Number{number.first * face.row.p + face.c.first * twice,
                             number.second * face.row.p + face.c.second * twice};
   };
-  circle.x = correctQuotient(face, offBy(face.a, i->x), circle.x);
-  circle.y = correctQuotient(face, offBy(face.b, i->y), circle.y);
-  if (onGrid == OnGrid::kNo)
-    circle.s = correctQuotient(face, offBy({face.n, Dyadic(0)}, 0), rho) - i->r;
+  circle.x = correctQuotient(face, offBy(face.a, i.x), circle.x);
+  circle.y = correctQuotient(face, offBy(face.b, i.y), circle.y);
+  circle.s = correctQuotient(face, offBy({face.n, Dyadic(0)}, 0), rho) - i.r;
   return circle;
+}
+
+VoronoiCircle circleOf(Corner i, Corner j, Corner k, bool isShared) {
+  rotateToReference(i, j, k);
+  VoronoiCircle circle;
+  const OnGrid onGrid =
+      j == nullptr || k == nullptr ? OnGrid::kNo : circleOnGrid(*i, *j, *k, circle);
+  if (onGrid == OnGrid::kYesRounded) return circle;
+  return isShared || onGrid == OnGrid::kYes ? correctCircle(*i, *j, *k) : closeCircle(i, j, k);
+}
+
+}  // namespace
+
+VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k) {
+  return circleOf(i, j, k, false);
+}
+
+VoronoiCircle commonVoronoiCircle(const Site& first, const Site& second, const Site& third) {
+  return circleOf(&first, &second, &third, true);
 }
 
 }  // namespace apollonius::internal

@@ -9,9 +9,9 @@ namespace apollonius::internal {
 
 /// The circle of a face with coordinates that are good whatever the sites: errors of a few units in
 /// the last place of the radius and of each coordinate. The centre is correctly rounded for sites
-/// of equal weights whose coordinates are multiples of one unit, up to 2^17 of them. Takes long
-/// numbers where voronoiCircle's doubles do not suffice. Coordinates beyond the range of doubles
-/// are infinite.
+/// whose coordinates and weights are multiples of one unit, no further apart than 2^17 of them.
+/// Takes long numbers where voronoiCircle's doubles do not suffice. Coordinates beyond the range of
+/// doubles are infinite.
 [[nodiscard]] VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k);
 
 /// The same for a circle that more than three sites touch, with the same bits whichever three of

@@ -9,8 +9,11 @@
 #include <cstdint>
 
 #include "number/dyadic.h"
+#include "number/root_sign.h"
 #include "predicate/compute_circle.h"
+#include "predicate/long_kernels.h"
 #include "predicate/predicates.h"
+#include "predicate/reference_site.h"
 #include "support/effort.h"
 #include "support/random.h"
 
@@ -64,6 +67,104 @@ void expectNearest(const Triangle& triangle) {
   const VoronoiCircle circle = triangle.circle();
   expectNearest(circle.x, exact.x, exact.twice);
   expectNearest(circle.y, exact.y, exact.twice);
+}
+
+/// Sites at integer distances from an integer point that touch a circle of integer radius there.
+TEST(PreciseCircle, OfIntegersIsOfIntegersWhereItCanBe) {
+  constexpr std::array<std::array<double, 3>, 8> kTriples{{{3, 4, 5},
+                                                           {-5, 12, 13},
+                                                           {-15, -8, 17},
+                                                           {7, -24, 25},
+                                                           {20, 21, 29},
+                                                           {1, 0, 1},
+                                                           {0, -1, 1},
+                                                           {-12, 35, 37}}};
+  Random random(176);
+  int count = 0;
+  for (int run = 0; run < test::runs(20000); ++run) {
+    const auto x = static_cast<double>(random.integer(-300, 300)),
+               y = static_cast<double>(random.integer(-300, 300)),
+               s = static_cast<double>(random.integer(-20, 100));
+    std::array<Site, 3> sites;
+    for (Site& site : sites) {
+      const auto& [dx, dy, length] = kTriples[random.below(kTriples.size())];
+      const auto times = static_cast<double>(random.integer(1, 8));
+      site = {x + times * dx, y + times * dy, times * length - s};
+    }
+    const auto& [a, b, c] = sites;
+    const bool areInLine = (b.x - a.x) * (c.y - a.y) == (b.y - a.y) * (c.x - a.x);
+    if (areInLine || !hasVoronoiCircle(a, b, c)) continue;
+    const VoronoiCircle circle = preciseVoronoiCircle(&a, &b, &c);
+    if (circle.s != s) continue;  // of the two that the three touch, the other one
+    ++count;
+    EXPECT_EQ(circle.x, x) << run;
+    EXPECT_EQ(circle.y, y) << run;
+  }
+  EXPECT_GT(count, test::runs(2000));
+}
+
+/// A face's vertex in exact numbers: its coordinates are those of the reference site and
+/// p (first + second √d) / 2c, as in PREDICATES.md, section 3.
+class ExactCenter {
+ public:
+  ExactCenter(Corner i, Corner j, Corner k) {
+    rotateToReference(i, j, k);
+    x_ = Dyadic(i->x), y_ = Dyadic(i->y);
+    const ExactKernel kernel(*i, {j, k});
+    const Row<Dyadic> a = kernel.row(0), b = kernel.row(1);
+    const auto [u, v, w] = chordOf(a, b);
+    p_ = a.p;
+    n_ = u * u + v * v;
+    d_ = n_ - w * w;
+    alongX_ = {-(w * u), v};
+    alongY_ = {-(w * v), -u};
+    c_ = {n_ * a.r - w * (u * a.x + v * a.y), v * a.x - u * a.y};
+  }
+  void expectNearest(const VoronoiCircle& circle, int run) const {
+    expectBetween(alongX_, x_, circle.x, "x", run);
+    expectBetween(alongY_, y_, circle.y, "y", run);
+  }
+
+ private:
+  struct Number {
+    Dyadic first, second;
+  };
+
+  /// Is the coordinate between the middles of `value` and the doubles beside it?
+  void expectBetween(const Number& number, const Dyadic& beside, double value, const char* what,
+                     int run) const {
+    for (const double end : {-HUGE_VAL, HUGE_VAL}) {
+      const Dyadic middle =
+          (Dyadic(value) + Dyadic(std::nextafter(value, end))) * Dyadic(0.5) - beside;
+      const Dyadic twice = middle + middle;
+      const Sign sign = signOfRoot(number.first * p_ - c_.first * twice,
+                                   number.second * p_ - c_.second * twice, d_);
+      EXPECT_NE(sign, end > 0 ? Sign::kPositive : Sign::kNegative) << what << ", run " << run;
+    }
+  }
+
+  Dyadic x_, y_, p_, n_, d_;
+  Number alongX_, alongY_, c_;
+};
+
+TEST(PreciseCircle, OfIntegersHasTheNearestDoublesWhateverTheWeights) {
+  Random random(177);
+  int count = 0;
+  for (int run = 0; run < test::runs(20000); ++run) {
+    const std::int64_t most = std::int64_t{1} << (3 + run % 14);
+    const double far = run % 3 == 0 ? std::ldexp(1.0, 20 + run % 31) : 0;
+    const auto number = [&] { return static_cast<double>(random.integer(-most, most)); };
+    std::array<Site, 3> s;
+    for (Site& site : s)
+      site = {far + number(), number() - far, static_cast<double>(random.integer(0, most / 2))};
+    if (covers(s[0], s[1]) || covers(s[1], s[0]) || covers(s[1], s[2]) || covers(s[2], s[1]) ||
+        covers(s[0], s[2]) || covers(s[2], s[0]) || !hasVoronoiCircle(s[0], s[1], s[2]))
+      continue;
+    ++count;
+    ExactCenter(&s[0], &s[1], &s[2]).expectNearest(preciseVoronoiCircle(&s[0], &s[1], &s[2]), run);
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(count, test::runs(2000));
 }
 
 /// Integers too long for the formulas in doubles, most of them in flat triangles.

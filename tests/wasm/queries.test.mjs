@@ -98,6 +98,13 @@ test("vertices are equally far from their three sites and from no site nearer", 
   }
 });
 
+test("vertices of integer circles are integers where they can be", () => {
+  const d = new Diagram([154, 103, 2, 147, 96, 2, 138, 105, 10]); // 3 from (150, 100)
+  const { coordinates, clearance } = d.vertices();
+  expect([...coordinates]).toEqual([150, 100]);
+  expect([...clearance]).toEqual([3]);
+});
+
 test("an edge's ends are vertices of both of its sites, and Euler's formula holds", () => {
   const { sites, vertices } = diagram.edges();
   const corners = diagram.vertices().sites;

@@ -81,8 +81,9 @@ const kLater = {
   fitAreas: 5_600,
   "levels, counts of predicates": 900,
 };
-// of which documents 60 000, levels and counts of predicates 14 000
-const kLaterUnpacked = 234_000;
+// of which documents 60 000, levels and counts of predicates 14 000, and vertices of circles on a
+// grid 4 000: 1 218 bytes of wasm in three files
+const kLaterUnpacked = 238_000;
 const later = Object.values(kLater).reduce((sum, bytes) => sum + bytes, 0);
 test("sizes: the default entry and the whole package are within their limits", () => {
   const unpacked = files.reduce((sum, file) => sum + statSync(path.join(installed, file)).size, 0);

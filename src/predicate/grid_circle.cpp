@@ -1,0 +1,110 @@
+#include "predicate/grid_circle.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "number/twofold.h"
+#include "predicate/formulas.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+constexpr double u2 = kTwofoldRoundoff;
+
+/// A number and how far off it is at most.
+struct Bounded {
+  Twofold number;
+  double error;
+
+  /// Is its first double certainly the one nearest to what it stands for?
+  [[nodiscard]] bool isRounded() const {
+    const double value = number.value;
+    return value + (number.rest + error) == value && value + (number.rest - error) == value;
+  }
+};
+
+/// The centre and its distance from the reference site, in units: x, y, rho.
+using Center = std::array<Bounded, 3>;
+
+/// Of equal weights: quotients of integers. With rows j and k, `over` and `twice` are those of the
+/// centre seen from the reference site at (x, y), below 2^53 each.
+Center centerOfPoints(double x, double y, const Row<double>& j, const Row<double>& k) {
+  const double twice = 2 * (j.x * k.y - j.y * k.x);
+  const double overX = j.p * k.y - k.p * j.y, overY = k.p * j.x - j.p * k.x;
+  const auto quotient = [&](const Twofold& over) -> Bounded {
+    const Twofold result = over / twice;
+    return {result, 4 * u2 * absolute(result.value)};
+  };
+  return {quotient(productOf(x, twice) + overX), quotient(productOf(y, twice) + overY),
+          quotient(root(productOf(overX, overX) + productOf(overY, overY)))};
+}
+
+/// Of any weights: as boundedCircle in compute_circle.cpp, of which everything up to the chord is
+/// an integer below 2^53. The bounds count what each term has of roundings; where terms cancel,
+/// what is left has more.
+Center centerOfCircles(double x, double y, const Row<double>& j, const Row<double>& k) {
+  const auto [u, v, w] = chordOf(j, k);
+  const Twofold rooted = root(productOf(j.p, k.p) * between(j, k));        // 2
+  const Twofold n = productOf(u, u) + productOf(v, v);                     // 1
+  const Twofold first = n * j.r;                                           // 2
+  const Twofold second = (productOf(u, j.x) + productOf(v, j.y)) * w;      // 2
+  const Twofold third = (productOf(v, j.x) - productOf(u, j.y)) * rooted;  // 4
+  const Twofold c = first - second + third;
+  const double ofC = 6 * u2 *
+                     (absolute(first.value) + absolute(second.value) + absolute(third.value)) /
+                     absolute(c.value);
+  // p number / (2c), whose own relative error is given, beside a coordinate of the reference site.
+  const auto quotient = [&](const Twofold& number, double ofNumber, double beside) -> Bounded {
+    const Twofold part = number * j.p / (c + c), result = part + beside;
+    const double relative = (ofC + ofNumber + 4 * u2) * (1 + powerOfTwo(-10));
+    return {result, relative < powerOfTwo(-20)
+                        ? relative * absolute(part.value) + u2 * absolute(result.value)
+                        : HUGE_VAL};
+  };
+  const auto ofSum = [](const Twofold& a, const Twofold& b, const Twofold& sum) {
+    return 5 * u2 * (absolute(a.value) + absolute(b.value)) / absolute(sum.value);
+  };
+  const Twofold wu = productOf(w, u), wv = productOf(w, v), vRoot = rooted * v, uRoot = rooted * u;
+  const Twofold a = vRoot - wu, b = -(uRoot + wv);
+  return {quotient(a, ofSum(vRoot, wu, a), x), quotient(b, ofSum(uRoot, wv, b), y),
+          quotient(n, u2, 0)};
+}
+
+}  // namespace
+
+OnGrid circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& circle) {
+  const double jx = j.x - i.x, jy = j.y - i.y, jr = j.r - i.r;
+  const double kx = k.x - i.x, ky = k.y - i.y, kr = k.r - i.r;
+  const double largest = std::max(
+      {absolute(jx), absolute(jy), absolute(jr), absolute(kx), absolute(ky), absolute(kr)});
+  if (!(largest > powerOfTwo(-200) && largest < powerOfTwo(200))) return OnGrid::kNo;
+  // Multiples of 2^(e-16). Differences are below 2^17 of them, p below 2^35, that of the other two
+  // sites below 2^37, and products below 2^52.
+  const int unit = exponentOf(largest) - 16;
+  const double shift = 1.5 * powerOfTwo(unit + 52);  // its doubles are that far apart
+  const auto isMultiple = [shift](double v) { return (v + shift) - shift == v; };
+  for (const Site* s : {&i, &j, &k}) {
+    if (!isMultiple(s->x) || !isMultiple(s->y) || !isMultiple(s->r)) return OnGrid::kNo;
+  }
+  const double scale = powerOfTwo(-unit);
+  const Row<double> rowJ = rowOf(jx * scale, jy * scale, jr * scale),
+                    rowK = rowOf(kx * scale, ky * scale, kr * scale);
+  const bool areEqual = jr == 0 && kr == 0;
+  const Center center = areEqual ? centerOfPoints(i.x * scale, i.y * scale, rowJ, rowK)
+                                 : centerOfCircles(i.x * scale, i.y * scale, rowJ, rowK);
+  for (const Bounded& number : center) {
+    if (!number.isRounded()) return OnGrid::kYes;
+  }
+  const double rho = center[2].number.value / scale;
+  circle.x = center[0].number.value / scale;
+  circle.y = center[1].number.value / scale;
+  circle.s = rho - i.r;
+  circle.slope = -1;
+  circle.error = roundedUp(
+      kUnitRoundoff * (4 * rho + absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
+  return OnGrid::kYesRounded;
+}
+
+}  // namespace apollonius::internal
