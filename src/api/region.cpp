@@ -1,6 +1,7 @@
 // The door of regions: checks rings, and turns lack of memory into an error.
 #include "apollonius/region.h"
 
+#include <algorithm>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -21,10 +22,7 @@ bool areGood(std::span<const double> coordinates, std::span<const std::uint32_t>
   for (std::size_t k = 1; k < starts.size(); ++k) {
     if (starts[k] < starts[k - 1] || starts[k] - starts[k - 1] < 3) return false;
   }
-  for (const double x : coordinates) {
-    if (!isInRange(x)) return false;
-  }
-  return true;
+  return std::all_of(coordinates.begin(), coordinates.end(), isInRange);
 }
 
 double areaOf(const Outline& outline) {

@@ -56,7 +56,7 @@ SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start, Undo u
   const VertexId v = vertexOf(slot);
   delaunay_.setSite(v, normalized(site));
   if (start == kNoVertex) start = startFor(site.x, site.y);
-  struct Room final : InsertionObserver {
+  struct Room final : InsertionObserver {  // NOLINT: nobody deletes it by its base
     HiddenForest& forest;
     Remover* remover;  // if the insertion may have to be undone
     Room(HiddenForest& f, Remover* r) : forest(f), remover(r) {}

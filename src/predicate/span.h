@@ -27,7 +27,7 @@ Sign spanSign(Kernel& kernel, const Row<T>& l, const Row<T>& k) {
   };
   const Sign p = signLessRoot(form.weights, kSpan.weights);
   const Sign q = signOfSum(kernel.sign(l.r, kRow.r), kernel.sign(k.r, kRow.r), [&] {
-    return kernel.sign(form.squares(l, k), kSpan.squares(kRow, kRow));
+    return kernel.sign(SpanForm<T>::squares(l, k), SpanForm<Roundings>::squares(kRow, kRow));
   });
   return signOfSum(kernel.sign(form.cross, kSpan.cross) * p, kernel.sign(form.dot, kSpan.dot) * q,
                    [&] {
