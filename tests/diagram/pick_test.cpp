@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "apollonius/nearest_first.h"
 #include "support/corpus.h"
@@ -226,10 +227,25 @@ TEST(Pick, BadNumbersAreErrors) {
   EXPECT_EQ(diagram.search(0, 0, nan, 1, sites), Error::kBadBounds);
   EXPECT_EQ(diagram.search(-kAnywhere, 0, 1, 1, sites), Error::kBadBounds);
   EXPECT_EQ(diagram.search(0, 2, 1, 1, sites), Error::kBadBounds);
+  EXPECT_EQ(diagram.search(2, 0, 1, 1, sites), Error::kBadBounds);
   EXPECT_EQ(diagram.search(0, 0, 1, 1e101, sites), Error::kBadBounds);
   NearestFirst walk(diagram);
   EXPECT_EQ(walk.start(nan, 0), Error::kNotFinite);
   EXPECT_EQ(walk.start(0, 0, 1e-101), Error::kOutOfRange);
+}
+
+TEST(NearestFirst, MovedGoesOnWhereItWas) {
+  Diagram diagram;
+  SiteId id = kNoSite;
+  for (const double x : {1, 2, 3}) ASSERT_EQ(diagram.insert(x, 0, 0, id), Error::kNone);
+  NearestFirst walk(diagram);
+  ASSERT_EQ(walk.start(0, 0), Error::kNone);
+  ASSERT_EQ(walk.next(id), Error::kNone);
+  NearestFirst moved(std::move(walk));
+  for (const SiteId expected : {SiteId{1}, SiteId{2}, kNoSite}) {
+    ASSERT_EQ(moved.next(id), Error::kNone);
+    EXPECT_EQ(id, expected);
+  }
 }
 
 TEST(Pick, EmptyDiagram) {

@@ -169,14 +169,5 @@ TEST(RegionCases, DrawnCellsEndWithTheirLastCurve) {
   }
 }
 
-TEST(RegionCases, RingsOfLessThanThreePointsAreRefused) {
-  Region region;
-  EXPECT_EQ(region.assign(std::vector<double>{0, 0, 4, 0, 0, 4, 1, 1, 2, 1},
-                          std::vector<std::uint32_t>{0, 3, 5}),
-            Error::kBadBounds);
-  EXPECT_EQ(region.assign(std::vector<double>{0, 0, 4, 0, 0, 4}, std::vector<std::uint32_t>{0, 3}),
-            Error::kNone);
-}
-
 }  // namespace
 }  // namespace apollonius::test
