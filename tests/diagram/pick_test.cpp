@@ -215,6 +215,26 @@ TEST(Search, EndsWhereManyAreNextToTheWindowEverywhere) {
   picking.checkSearch({-1e-100, -1e-100, 1e-100, 1e-100});
 }
 
+/// Windows that have no middle, as there is no double between their sides, or none in the range.
+TEST(Search, InWindowsThatCannotBeCut) {
+  const double ulp = 0x1p-52;
+  Circles circles;
+  // Many next to the window, at the same place, and as near as its middle is to its corners.
+  for (int k = 0; k < 50; ++k) circles.push_back({1 - ulp / 2, 1, 0});
+  for (int k = 0; k < 50; ++k) circles.push_back({1, 1 - ulp / 2, 0});
+  for (const double x : {1.0, 1 + ulp, 1 + 2 * ulp, 1e-100, -1e-100, 1.5e-100})
+    for (const double y : {1.0, 1 + ulp, 1 + 2 * ulp, 1e-100, -1e-100, 1.5e-100})
+      circles.push_back({x, y, 0});
+  Picking picking(circles);
+  for (const double low : {1.0, 1 + ulp}) {
+    picking.checkSearch({low, 1, low + ulp, 1});
+    picking.checkSearch({1, low, 1, low + ulp});
+    picking.checkSearch({low, low, low + ulp, low + ulp});
+  }
+  picking.checkSearch({-1e-100, -1e-100, 1.2e-100, 1.2e-100});
+  picking.checkSearch({-1e-100, 0, 1.2e-100, 1e-100});
+}
+
 TEST(Pick, BadNumbersAreErrors) {
   Diagram diagram;
   SiteId id = kNoSite;

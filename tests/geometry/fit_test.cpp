@@ -302,6 +302,10 @@ TEST(Fit, Refusals) {
   EXPECT_EQ(fitting.badSite(), 1u);
   EXPECT_EQ(fitting.begin(diagram, region, std::vector<double>{1, 1, 1}), Error::kBadTarget);
   EXPECT_EQ(fitting.badSite(), 2u) << "its cell does not reach the region";
+  for (const double none : {std::nan(""), 1e101, 1e-101}) {
+    EXPECT_EQ(fitting.begin(diagram, region, std::vector<double>{1, 1, none}), Error::kBadTarget);
+    EXPECT_EQ(fitting.badSite(), 2u) << none;
+  }
   EXPECT_EQ(fitting.begin(diagram, Region(), std::vector<double>{1, 1, 1}), Error::kBadBounds);
   Circle circle{};
   ASSERT_EQ(diagram.site(0, circle), Error::kNone);
