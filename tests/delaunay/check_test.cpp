@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include "delaunay/diagram_breaker.h"
@@ -186,6 +187,24 @@ TEST_F(DiagramCheck, SiteOfNoState) {
             "sites are neither visible nor hidden: count " + std::to_string(ids.size()));
 }
 
+TEST_F(DiagramCheck, HiddenSiteThatIsForgotten) {
+  fill(9);
+  IdPool& ids = Breaker::ids(core);
+  ids.setState(lastHidden, SiteState::kFree);
+  EXPECT_EQ(validate(core).text(),
+            "the count of sites is wrong: count " + std::to_string(ids.size() - 1));
+}
+
+TEST_F(DiagramCheck, TwoSitesOfOneId) {
+  fill(9);
+  IdPool& ids = Breaker::ids(core);
+  std::vector<SiteId> names(ids.size());
+  std::iota(names.begin(), names.end(), SiteId{0});
+  names[2] = 5;
+  ids.rename(names, ids);
+  EXPECT_EQ(validate(core).text(), "the place of an id is another: site 5");
+}
+
 TEST_F(DiagramCheck, VisibleSiteInTheForest) {
   fill(9);
   Breaker::hidden(core).attach(last, 0);
@@ -213,6 +232,14 @@ TEST_F(DiagramCheck, HiddenSiteOnNothing) {
   expectBroken("hidden sites hang on nothing: reached");
 }
 
+TEST(Violation, SaysWhatIsBrokenWhere) {
+  EXPECT_FALSE(Violation().isFound());
+  EXPECT_EQ(Violation().text(), "");
+  EXPECT_TRUE((Violation{"a loop: half-edge", 3}.isFound()));
+  EXPECT_EQ((Violation{"a loop: half-edge", 3}.text()), "a loop: half-edge 3");
+  EXPECT_EQ((Violation{"a loop: half-edge", 3, 2}.text()), "level 2: a loop: half-edge 3");
+}
+
 // --- The hierarchy
 
 class HierarchyCheck : public DiagramCheck {
@@ -236,6 +263,11 @@ TEST_F(HierarchyCheck, SiteThatALevelLacks) {
   expectBroken("level 1: it lacks a site: slot below");
 }
 
+TEST_F(HierarchyCheck, SitesBeyondAllSlotsOfALevel) {
+  level() = DelaunayGraph();
+  expectBroken("level 1: it lacks a site: slot below");
+}
+
 TEST_F(HierarchyCheck, SiteThatDiffers) {
   // Not one on the hull: those are in line, and one that grows takes over a face.
   const Graph& graph = level().graph();
@@ -252,11 +284,14 @@ TEST_F(HierarchyCheck, SiteThatDiffers) {
     if (!isOnHull) v = vertex(k);
   }
   ASSERT_NE(v, kNoVertex);
-  Site site = level().site(v);
-  site.r += 1e-6;
-  level().setSite(v, site);
-  Breaker::computeCircles(level());
-  expectBroken("level 1: levels differ about a site: slot below");
+  const Site site = level().site(v);
+  for (const Site& other :
+       {Site{site.x + 1e-6, site.y, site.r}, Site{site.x, site.y + 1e-6, site.r},
+        Site{site.x, site.y, site.r + 1e-6}}) {
+    level().setSite(v, other);
+    Breaker::computeCircles(level());
+    expectBroken("level 1: levels differ about a site: slot below");
+  }
 }
 
 TEST_F(HierarchyCheck, SiteThatIsNotBelow) {

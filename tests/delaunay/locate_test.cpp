@@ -73,5 +73,35 @@ TEST(SectorWalk, AlongDirectionsOfSeveralVertices) {
   }
 }
 
+TEST(SectorWalk, ToAVertexWhoseLargestSiteIsBesideTheSector) {
+  // At 5 in front of the middle's centre four sites are equally near: a larger one behind the
+  // point, and two smaller ones, whose edges the ray may be found to leave by. The edge between the
+  // middle and the largest has length zero.
+  std::vector<Site> around;
+  for (int k = 0; k < 40; ++k) {
+    const double t = static_cast<double>(k - 20) / 10;  // a half-angle's tangent
+    around.push_back({-9 * (1 - t * t / 5) / (1 + t * t / 5), 9 * t / (1 + t * t / 5), 0});
+  }
+  Random random(193);
+  for (int run = 0; run < runs(200); ++run) {
+    const double signX = (run & 2) != 0 ? -1 : 1, signY = (run & 4) != 0 ? -1 : 1;
+    const auto at = [&](const Site& s) {
+      return (run & 1) != 0 ? Site{signY * s.y, signX * s.x, s.r}
+                            : Site{signX * s.x, signY * s.y, s.r};
+    };
+    std::vector<Site> sites{at({0, 0, 0}), at({5, 4, -1}), at({5, -4, -1}), at({11, 0, 1})};
+    for (const Site& s : around) sites.push_back(at(s));
+    random.shuffle(sites);
+    const Site p = at({5, 0, 0});
+    const DelaunayGraph graph = graphOf(sites);
+    const VertexId expected = vertex(1 + nearestOf(sites, p.x, p.y));
+    ASSERT_EQ(graph.site(expected).r, 1);
+    for (std::size_t start = 1; start <= sites.size(); ++start) {
+      ASSERT_EQ(graph.locate(p.x, p.y, vertex(start), Walk::kSectors).nearest, expected)
+          << "run " << run << ", start " << start;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace apollonius::internal

@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "support/canonical.h"
 #include "support/corpus.h"
@@ -102,6 +103,21 @@ TEST(Builder, StepsAreShort) {
   const std::vector<double> xyr = triples(randomCircles(random, 5000, Hidden::kNone));
   Diagram diagram;
   EXPECT_GE(build(diagram, xyr, 5000, 50), 100);
+}
+
+TEST(Builder, MovedGoesOnWhereItWas) {
+  Random random(464);
+  const std::vector<double> xyr = triples(randomCircles(random, 300, Hidden::k20Percent));
+  Diagram whole, diagram;
+  std::vector<SiteId> ids(300);
+  ASSERT_EQ(whole.insertMany(xyr, ids), Error::kNone);
+  bool isDone = false;
+  Builder first(diagram);
+  ASSERT_EQ(first.add(xyr), Error::kNone);
+  for (int k = 0; k < 40; ++k) ASSERT_EQ(first.advance(5, isDone), Error::kNone);
+  Builder second(std::move(first));
+  while (!isDone) ASSERT_EQ(second.advance(5, isDone), Error::kNone);
+  EXPECT_EQ(bytesOf(diagram), bytesOf(whole));
 }
 
 TEST(Builder, RefusesWhatIsNoCircle) {

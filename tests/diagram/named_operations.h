@@ -39,6 +39,16 @@ inline std::vector<NamedOperation> queries(std::size_t n) {
          std::vector<SiteId> sites;
          return d.within(3.5, 2.25, 1e6, sites);
        }},
+      {"pick",
+       [](Diagram& d) {
+         SiteId id = kNoSite;
+         return d.pick(3.5, 2.25, 1e6, Top::kSmallest, id);
+       }},
+      {"search",
+       [](Diagram& d) {
+         std::vector<SiteId> sites;
+         return d.search(-1e5, -1e5, 2e5, 3e5, sites);
+       }},
       {"neighbors",
        [=](Diagram& d) {
          std::vector<SiteId> sites;
@@ -133,6 +143,14 @@ inline std::vector<NamedOperation> shapes(std::size_t n) {
          std::vector<double> areas;
          return v.cellAreas(areas);
        })},
+      {"centroids", asked([](const Voronoi& v) {
+         std::vector<double> centroids;
+         return v.cellCentroids(centroids);
+       })},
+      {"perimeters", asked([](const Voronoi& v) {
+         std::vector<double> perimeters;
+         return v.cellPerimeters(perimeters);
+       })},
       {"hull", asked([](const Voronoi& v) {
          std::vector<SiteId> sites;
          return v.hull(sites);
@@ -141,6 +159,11 @@ inline std::vector<NamedOperation> shapes(std::size_t n) {
          Path path;
          Portion portion;
          return v.drawEdges(100, portion, path);
+       })},
+      {"drawing of sites", asked([](const Voronoi& v) {
+         Path path;
+         Portion portion;
+         return v.drawSites(100, portion, path);
        })},
       {"drawing of the dual", asked([](const Voronoi& v) {
          Path path;

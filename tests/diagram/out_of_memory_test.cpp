@@ -1,91 +1,26 @@
 // Lack of memory: every public operation, made to fail at each of its allocations in turn, must
 // report kOutOfMemory, leave the diagram as it was, and leave it in a state from which everything
 // works.
-//
-// operator new is replaced for the whole test program. Two ways to fail: the k-th allocation only,
-// as if others had freed memory in between; and a budget of bytes, as on a heap that is full (what
-// the operation itself frees, it may use again).
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdlib>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <memory>
-#include <new>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "apollonius/diagram.h"
 #include "diagram/named_operations.h"
+#include "predicate/shadow_check.h"
 #include "support/effort.h"
+#include "support/failing_heap.h"
 #include "support/generators.h"
-
-namespace {
-
-constexpr std::size_t kHeader = alignof(std::max_align_t);  // holds the size of the block behind it
-
-struct Heap {
-  std::size_t live = 0;   // bytes
-  std::size_t count = 0;  // allocations since the last arming
-  std::size_t failures = 0;
-  std::size_t wanted = 0;  // bytes that would have been live if the first failure had not been one
-  std::optional<std::size_t> failAt;  // the allocation that fails, counted from 0
-  std::optional<std::size_t> limit;   // bytes
-
-  bool refuses(std::size_t size) {
-    const bool refused = (failAt && count == *failAt) || (limit && live + size > *limit);
-    ++count;
-    if (refused && failures++ == 0) wanted = live + size;
-    return refused;
-  }
-  void disarm() {
-    failAt.reset();
-    limit.reset();
-  }
-  void arm() {
-    count = failures = wanted = 0;
-    disarm();
-  }
-};
-
-Heap heap;
-
-}  // namespace
-
-// All forms but the aligned ones, which nobody here uses: sanitizers have their own array and
-// nothrow forms. Not inlined, or g++ takes malloc and free for a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  if (heap.refuses(size)) return nullptr;
-  void* block = std::malloc(kHeader + size);
-  if (block == nullptr) return nullptr;
-  *static_cast<std::size_t*>(block) = size;
-  heap.live += size;
-  return static_cast<std::byte*>(block) + kHeader;
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  if (memory == nullptr) return;
-  void* block = static_cast<std::byte*>(memory) - kHeader;
-  heap.live -= *static_cast<std::size_t*>(block);
-  std::free(block);
-}
-void* operator new(std::size_t size) {
-  if (void* memory = operator new(size, std::nothrow)) return memory;
-  throw std::bad_alloc();
-}
-void* operator new[](std::size_t size) { return operator new(size); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
-  return operator new(size, std::nothrow);
-}
-void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { operator delete(memory); }
-void operator delete[](void* memory) noexcept { operator delete(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { operator delete(memory); }
-void operator delete[](void* memory, const std::nothrow_t&) noexcept { operator delete(memory); }
 
 namespace apollonius::test {
 namespace {
@@ -208,6 +143,12 @@ std::vector<NamedOperation> changes(Random& random, std::size_t n) {
       {"update over all", [=](Diagram& d) { return d.update(other, 0, 0, 1e8); }},
       {"insertMany",
        [=, ids = std::vector<SiteId>(n)](Diagram& d) mutable { return d.insertMany(xyr, ids); }},
+      {"insertMany of one",
+       [=](Diagram& d) {
+         SiteId id = kNoSite;
+         const double one[] = {c.x, c.y, c.r};
+         return d.insertMany(one, {&id, 1});
+       }},
       {"insertMany of an array that is given up",
        [=](Diagram& d) {
          std::vector<SiteId> ids;
@@ -233,15 +174,18 @@ std::vector<NamedOperation> changes(Random& random, std::size_t n) {
 
 enum class Failure { kOnce, kBudget };
 
-/// Whether the diagram comes from a snapshot, which leaves circles and hierarchy for later.
-enum class Origin { kBuilt, kRestored };
+/// Whether the diagram comes from a snapshot, which leaves circles and hierarchy for later; or has
+/// no hierarchy at all.
+enum class Origin { kBuilt, kRestored, kWithoutHierarchy };
 
-void make(Diagram& diagram, const Circles& circles, Origin origin) {
+Diagram make(const Circles& circles, Origin origin) {
+  Diagram diagram(origin == Origin::kWithoutHierarchy ? Location::kWalk : Location::kHierarchy);
   if (origin == Origin::kRestored) {
-    ASSERT_EQ(diagram.fromBytes(snapshotOf(circles), Source::kTrusted), Error::kNone);
+    EXPECT_EQ(diagram.fromBytes(snapshotOf(circles), Source::kTrusted), Error::kNone);
   } else {
     build(diagram, circles);
   }
+  return diagram;
 }
 
 /// What became of a diagram on which an operation ran while the heap refused something; empty if
@@ -260,11 +204,15 @@ std::string verdict(Diagram& diagram, const std::function<Error(Diagram&)>& run,
   const State now(diagram);
   if (!now.broken.empty()) return "left a broken diagram: " + now.broken;
   if (!(now == after)) return "left another diagram than without any refusal";
-  for (int k = 0; k < 70; ++k) {
+  for (int k = 0; k < 20; ++k) {
     SiteId id = kNoSite;
     if (diagram.insert(3e8 + k % 9 * 5, k / 9 * 5, 2, id) != Error::kNone)
       return "left a diagram that cannot grow";
   }
+  std::vector<double> more;
+  for (int k = 0; k < 70; ++k) more.insert(more.end(), {-3e8 + k % 9 * 5, k / 9 * 5.0, 2});
+  std::vector<SiteId> ids(70);
+  if (diagram.insertMany(more, ids) != Error::kNone) return "left a diagram that cannot grow";
   const State grown(diagram);
   return grown.broken.empty() ? std::string()
                               : "left a diagram that breaks as it grows: " + grown.broken;
@@ -282,8 +230,7 @@ std::string failEverywhere(const Circles& circles, Origin origin, const NamedOpe
   const State before(untouched), after(changed);
   std::size_t at = 0;
   for (;;) {
-    Diagram diagram;
-    make(diagram, circles, origin);
+    Diagram diagram = make(circles, origin);
     const std::function<Error(Diagram&)> run =
         operation.run;  // a fresh copy: no memory of an earlier run
     heap.arm();
@@ -394,6 +341,8 @@ std::vector<NamedOperation> changesOfAll(const Circles& circles, const Circle& g
   return {
       {"updateMany, all a little",
        updateTo([](std::size_t k, Circle& c) { c.x += static_cast<double>(k % 7); })},
+      {"updateMany, all a little upwards",
+       updateTo([](std::size_t k, Circle& c) { c.y += static_cast<double>(k % 7); })},
       {"updateMany, all grow",
        updateTo([](std::size_t k, Circle& c) { c.r += k % 3 == 0 ? 3e5 : 1e5; })},
       {"updateMany, all elsewhere",
@@ -469,6 +418,54 @@ TEST_P(OutOfMemory, RestoredDiagramsAreNoExceptions) {
     failAll(circles, queries(n), Origin::kRestored);
   }
   EXPECT_GT(failed_, 100);
+}
+
+TEST_P(OutOfMemory, DiagramsWithoutAHierarchyAreNoExceptions) {
+  for (const std::size_t n : {2u, 9u, 16u}) {
+    Random random(n);
+    const Circles circles = mixed(random, n);
+    failAll(circles, changes(random, n), Origin::kWithoutHierarchy);
+  }
+  EXPECT_GT(failed_, 100);
+}
+
+/// Levels, too, are made room for, which can be done without.
+TEST_P(OutOfMemory, AThousandSitesAtOnce) {
+  if (kEffortDivisor > 1) GTEST_SKIP() << "two thousand sites";
+  Random random(9);
+  const Circles circles = randomCircles(random, 1100, Hidden::kNone);
+  const std::vector<double> xyr = flat(randomCircles(random, 1100, Hidden::kNone));
+  failAll(circles, {{"insertMany of as many as there are",
+                     [=, ids = std::vector<SiteId>(1100)](Diagram& d) mutable {
+                       return d.insertMany(xyr, ids);
+                     }}});
+  EXPECT_GT(failed_, 5);
+}
+
+/// The words for what is broken are the only memory that validate() needs where something is.
+TEST_P(OutOfMemory, WordsForWhatIsBroken) {
+  if (internal::kShadowCheck) GTEST_SKIP() << "of bytes that lie a filter may say something else";
+  std::ifstream file(APOLLONIUS_TEST_DATA "/snapshots/forged_find_out_of_bounds.bin",
+                     std::ios::binary);
+  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+  Diagram diagram;
+  ASSERT_EQ(diagram.fromBytes(bytes, Source::kTrusted), Error::kNone);
+  std::string expected;
+  ASSERT_EQ(diagram.validate(expected), Error::kNone);
+  ASSERT_NE(expected, "");
+  for (std::size_t at = 0;; ++at) {
+    std::string broken;
+    heap.arm();
+    heap.failAt = at;
+    const Error error = diagram.validate(broken);
+    heap.disarm();
+    if (heap.failures == 0) break;
+    ++failed_;
+    EXPECT_EQ(error, Error::kOutOfMemory);
+    EXPECT_EQ(diagram.validate(broken), Error::kNone);
+    EXPECT_EQ(broken, expected);
+  }
+  EXPECT_GT(failed_, 0);
 }
 
 TEST_P(OutOfMemory, ShapesSaySo) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "apollonius/nearest_first.h"
 #include "support/corpus.h"
@@ -214,6 +215,26 @@ TEST(Search, EndsWhereManyAreNextToTheWindowEverywhere) {
   picking.checkSearch({-1e-100, -1e-100, 1e-100, 1e-100});
 }
 
+/// Windows that have no middle, as there is no double between their sides, or none in the range.
+TEST(Search, InWindowsThatCannotBeCut) {
+  const double ulp = 0x1p-52;
+  Circles circles;
+  // Many next to the window, at the same place, and as near as its middle is to its corners.
+  for (int k = 0; k < 50; ++k) circles.push_back({1 - ulp / 2, 1, 0});
+  for (int k = 0; k < 50; ++k) circles.push_back({1, 1 - ulp / 2, 0});
+  for (const double x : {1.0, 1 + ulp, 1 + 2 * ulp, 1e-100, -1e-100, 1.5e-100})
+    for (const double y : {1.0, 1 + ulp, 1 + 2 * ulp, 1e-100, -1e-100, 1.5e-100})
+      circles.push_back({x, y, 0});
+  Picking picking(circles);
+  for (const double low : {1.0, 1 + ulp}) {
+    picking.checkSearch({low, 1, low + ulp, 1});
+    picking.checkSearch({1, low, 1, low + ulp});
+    picking.checkSearch({low, low, low + ulp, low + ulp});
+  }
+  picking.checkSearch({-1e-100, -1e-100, 1.2e-100, 1.2e-100});
+  picking.checkSearch({-1e-100, 0, 1.2e-100, 1e-100});
+}
+
 TEST(Pick, BadNumbersAreErrors) {
   Diagram diagram;
   SiteId id = kNoSite;
@@ -226,10 +247,25 @@ TEST(Pick, BadNumbersAreErrors) {
   EXPECT_EQ(diagram.search(0, 0, nan, 1, sites), Error::kBadBounds);
   EXPECT_EQ(diagram.search(-kAnywhere, 0, 1, 1, sites), Error::kBadBounds);
   EXPECT_EQ(diagram.search(0, 2, 1, 1, sites), Error::kBadBounds);
+  EXPECT_EQ(diagram.search(2, 0, 1, 1, sites), Error::kBadBounds);
   EXPECT_EQ(diagram.search(0, 0, 1, 1e101, sites), Error::kBadBounds);
   NearestFirst walk(diagram);
   EXPECT_EQ(walk.start(nan, 0), Error::kNotFinite);
   EXPECT_EQ(walk.start(0, 0, 1e-101), Error::kOutOfRange);
+}
+
+TEST(NearestFirst, MovedGoesOnWhereItWas) {
+  Diagram diagram;
+  SiteId id = kNoSite;
+  for (const double x : {1, 2, 3}) ASSERT_EQ(diagram.insert(x, 0, 0, id), Error::kNone);
+  NearestFirst walk(diagram);
+  ASSERT_EQ(walk.start(0, 0), Error::kNone);
+  ASSERT_EQ(walk.next(id), Error::kNone);
+  NearestFirst moved(std::move(walk));
+  for (const SiteId expected : {SiteId{1}, SiteId{2}, kNoSite}) {
+    ASSERT_EQ(moved.next(id), Error::kNone);
+    EXPECT_EQ(id, expected);
+  }
 }
 
 TEST(Pick, EmptyDiagram) {

@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "apollonius/voronoi.h"
 #include "diagram/bulk_insertion.h"
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/insert_into.h"
 
 namespace apollonius::internal {
 namespace {
@@ -41,6 +45,26 @@ TEST_P(EdgesOn, EndInTheOrderOfTheirParameters) {
 
 INSTANTIATE_TEST_SUITE_P(Corpus, EdgesOn, ::testing::ValuesIn(test::corpus()),
                          [](const auto& parameter) { return parameter.param.name; });
+
+/// Three sites in line up to one double: their circle is larger than any double, straight above or
+/// beside them.
+TEST(Edges, ToVerticesBeyondAllDoubles) {
+  const double low = 1e-100, high = std::nextafter(low, 1);
+  for (const bool isUpright : {false, true}) {
+    const auto at = [&](double x, double y) {
+      return isUpright ? Circle{y, x, 0} : Circle{x, y, 0};
+    };
+    Diagram diagram;
+    test::insertInto(diagram, {at(-1e100, low), at(0, high), at(1e100, low)});
+    std::vector<double> areas;
+    ASSERT_EQ(Voronoi(diagram, Bounds{-10, -10, 10, 10}).cellAreas(areas), Error::kNone);
+    EXPECT_EQ(areas, (std::vector<double>{0, 400, 0}));
+    CurveArrays edges;
+    ASSERT_EQ(Voronoi(diagram, Bounds{-9e99, -9e99, 9e99, 9e99}).edgeCurves(edges), Error::kNone);
+    EXPECT_EQ(edges.curves.size(), 14u);
+    for (const double number : edges.curves) EXPECT_TRUE(std::isfinite(number));
+  }
+}
 
 }  // namespace
 }  // namespace apollonius::internal

@@ -302,6 +302,10 @@ TEST(Fit, Refusals) {
   EXPECT_EQ(fitting.badSite(), 1u);
   EXPECT_EQ(fitting.begin(diagram, region, std::vector<double>{1, 1, 1}), Error::kBadTarget);
   EXPECT_EQ(fitting.badSite(), 2u) << "its cell does not reach the region";
+  for (const double none : {std::nan(""), 1e101, 1e-101}) {
+    EXPECT_EQ(fitting.begin(diagram, region, std::vector<double>{1, 1, none}), Error::kBadTarget);
+    EXPECT_EQ(fitting.badSite(), 2u) << none;
+  }
   EXPECT_EQ(fitting.begin(diagram, Region(), std::vector<double>{1, 1, 1}), Error::kBadBounds);
   Circle circle{};
   ASSERT_EQ(diagram.site(0, circle), Error::kNone);
@@ -351,6 +355,61 @@ TEST(Fit, FinishesOnTheDiagramThatItBeganWith) {
   ASSERT_EQ(fitting.begin(diagram, region, std::vector<double>(5, 1), {}), Error::kNone);
   ASSERT_EQ(diagram.update(0, 500, 500, 0), Error::kNone);
   EXPECT_EQ(fitting.finish(diagram), Error::kBusy);
+}
+
+TEST(Fit, WeightsToStartFromAreChecked) {
+  Diagram diagram;
+  insertInto(diagram, {{1, 1, 0}, {5, 5, 0}});
+  const Region region = square(10);
+  const std::vector<double> targets{1, 1};
+  AreaFit fitting;
+  for (const auto& [start, error] : {std::pair{std::vector<double>{1}, Error::kBadLength},
+                                     {{1, 2, 3}, Error::kBadLength},
+                                     {{1, std::nan("")}, Error::kNotFinite},
+                                     {{1e101, 1}, Error::kOutOfRange}})
+    EXPECT_EQ(fitting.begin(diagram, region, targets, start), error);
+}
+
+TEST(Fit, NotBegunChangesNothing) {
+  Diagram diagram;
+  insertInto(diagram, {{1, 1, 2}});
+  const AreaFit fitting;
+  std::vector<double> weights{3};
+  EXPECT_EQ(fitting.error(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(fitting.badSite(), kNoSite);
+  EXPECT_EQ(fitting.weights(weights), Error::kNone);
+  EXPECT_TRUE(weights.empty());
+  EXPECT_EQ(fitting.finish(diagram), Error::kNone);
+  Circle circle{};
+  ASSERT_EQ(diagram.site(0, circle), Error::kNone);
+  EXPECT_EQ(circle.r, 2);
+}
+
+TEST(Fit, WeightsAreThoseThatTheDiagramGets) {
+  Random random(914);
+  const Region region = square(1000);
+  Diagram diagram;
+  insertInto(diagram, centresIn(region, random, 9));
+  bool removed = false;
+  ASSERT_EQ(diagram.remove(4, removed), Error::kNone);
+  AreaFit fitting;
+  ASSERT_EQ(fitting.begin(diagram, region, std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}),
+            Error::kNone);
+  ASSERT_EQ(fitting.step(), Error::kNone);
+  AreaFit moved(std::move(fitting)), last;
+  last = std::move(moved);
+  std::vector<double> weights;
+  ASSERT_EQ(last.weights(weights), Error::kNone);
+  ASSERT_EQ(last.finish(diagram), Error::kNone);
+  ASSERT_EQ(weights.size(), 9u);
+  for (SiteId id = 0; id < 9; ++id) {
+    Circle circle{};
+    if (diagram.site(id, circle) == Error::kNone) {
+      EXPECT_EQ(weights[id], circle.r) << id;
+    } else {
+      EXPECT_TRUE(id == 4 && std::isnan(weights[id])) << id;
+    }
+  }
 }
 
 }  // namespace

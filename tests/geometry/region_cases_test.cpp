@@ -169,13 +169,27 @@ TEST(RegionCases, DrawnCellsEndWithTheirLastCurve) {
   }
 }
 
-TEST(RegionCases, RingsOfLessThanThreePointsAreRefused) {
-  Region region;
-  EXPECT_EQ(region.assign(std::vector<double>{0, 0, 4, 0, 0, 4, 1, 1, 2, 1},
-                          std::vector<std::uint32_t>{0, 3, 5}),
-            Error::kBadBounds);
-  EXPECT_EQ(region.assign(std::vector<double>{0, 0, 4, 0, 0, 4}, std::vector<std::uint32_t>{0, 3}),
-            Error::kNone);
+/// Between the curve and where its tangents meet is inside, if the part is on the curve's outer
+/// side.
+TEST(RegionCases, AHoleBeforeTheApexOfACurve) {
+  Diagram diagram;
+  insertInto(diagram, {{0, 0, 3}, {5, 0, 0}});
+  const Region region = regionOf(
+      {{-9, -7, 9, -7, 9, 7, -9, 7}, {3.9, 0, 3.95, 0.02, 3.9, 0.04}, {8, 0, 8.5, 0, 8, 1}});
+  RingArrays rings;
+  for (const SiteId id : {0u, 1u}) {
+    ASSERT_EQ(Voronoi(diagram, region).cellPolygon(id, 1e-4, rings), Error::kNone);
+    EXPECT_EQ(rings.parts, (std::vector<std::uint32_t>{0, 2})) << id;
+  }
+}
+
+/// Sides that cross although their directions are parallel for doubles: integers of 31 bits.
+TEST(RegionCases, SidesThatCrossAtOnePartInTwoToTheSixtieth) {
+  const double b = 0x1p30, a = b + 1;
+  const Region region = regionOf({{0, 0, a, b, a, -a}, {1, 1, b, b - 1, 0, 2 * a}});
+  const double below = (a * a + a * b) / 2;
+  const double above = std::abs(cross(Point{b - 1, b - 2}, Point{-1, 2 * a - 1})) / 2;
+  EXPECT_NEAR(region.area() / (below + above), 1, 1e-9);
 }
 
 }  // namespace

@@ -351,6 +351,49 @@ TEST(VoronoiSites, AllCirclesAreDrawnHiddenOnesTooAndPointsAreNot) {
   EXPECT_GE(calls, 2u);
 }
 
+TEST(VoronoiSites, RemovedOnesAreNotDrawn) {
+  Diagram diagram;
+  insertInto(diagram, {{3, 4, 2}, {10, 4, 2}});
+  const Voronoi voronoi(diagram, {0, 0, 20, 20});
+  bool removed = false;
+  ASSERT_EQ(diagram.remove(0, removed), Error::kNone);
+  Path path;
+  Portion portion;
+  ASSERT_EQ(voronoi.drawSites(1e-3, portion, path), Error::kNone);
+  EXPECT_EQ(path.commands.size(), 6u);
+}
+
+/// The weights of curves as short as these are 1 but for rounding, which can take them below.
+TEST(Voronoi, ShortEdgesAreDrawnFromEndToEnd) {
+  Random random(545);
+  Circles circles;
+  const auto jitter = [&] { return random.between(-1e-9, 1e-9); };
+  for (int k = 0; k < 400; ++k)
+    circles.push_back({k % 20 + jitter(), k / 20 + jitter(), 1e-9 + jitter()});
+  Diagram diagram;
+  insertInto(diagram, circles);
+  Bounds bounds;
+  ASSERT_TRUE(windowAround(circles, 0.1, bounds));
+  const Voronoi voronoi(diagram, bounds);
+  const auto lengthAt = [&](double tolerance) {
+    Path path;
+    Portion portion;
+    EXPECT_EQ(voronoi.drawEdges(tolerance, portion, path), Error::kNone);
+    double sum = 0;
+    Point last{};
+    std::size_t at = 0;
+    for (const std::uint8_t code : path.commands) {
+      at += static_cast<Command>(code) == Command::kCurve ? 6 : 2;
+      const Point next{path.coordinates[at - 2], path.coordinates[at - 1]};
+      if (static_cast<Command>(code) != Command::kMove) sum += length(next - last);
+      last = next;
+    }
+    return sum;
+  };
+  const double expected = lengthAt(1);
+  EXPECT_NEAR(lengthAt(1e-300), expected, 1e-9 * expected);
+}
+
 TEST(VoronoiDeterminism, HashOfGeometry) {
   Hash hash;
   for (const NamedGenerator& generator : corpus()) {

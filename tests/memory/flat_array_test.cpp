@@ -140,5 +140,14 @@ TEST(FlatArray, NoRoomIsTooLargeToBeRefused) {
   expectSame(array, std::vector<Pair>(3));
 }
 
+TEST(FlatBytes, WithRoomEnoughStayWhereTheyAre) {
+  FlatBytes bytes;
+  bytes.growTo(10, 8);
+  void* const place = bytes.data;
+  bytes.growTo(10, 8);
+  EXPECT_EQ(bytes.data, place);
+  EXPECT_EQ(bytes.room, 10u);
+}
+
 }  // namespace
 }  // namespace apollonius::internal

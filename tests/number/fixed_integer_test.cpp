@@ -128,5 +128,12 @@ TEST(FixedInteger, LargestProducts) {
   EXPECT_EQ(sum.sign(), Sign::kZero);
 }
 
+TEST(FixedInteger, IsAssignedToItself) {
+  FixedInteger x = FixedInteger::inUnits(-3 * 0x1p80, 0);
+  const FixedInteger& same = x;
+  x = same;
+  EXPECT_EQ((x + FixedInteger::inUnits(3 * 0x1p80, 0)).sign(), Sign::kZero);
+}
+
 }  // namespace
 }  // namespace apollonius::internal

@@ -305,5 +305,16 @@ TEST(VoronoiCircle, HasTheSameBoundAtEveryScale) {
   }
 }
 
+TEST(PreciseCircle, AtInfinityIsTheHalfPlane) {
+  const Site i{0, 0, 1}, j{5, 0, 2};
+  for (const std::array<Corner, 3>& corners :
+       {std::array<Corner, 3>{&i, &j, nullptr}, {&i, nullptr, &j}, {nullptr, &i, &j}}) {
+    const VoronoiCircle plane = voronoiCircle(corners[0], corners[1], corners[2]),
+                        precise = preciseVoronoiCircle(corners[0], corners[1], corners[2]);
+    EXPECT_TRUE(precise.isHalfPlane());
+    EXPECT_TRUE(precise.x == plane.x && precise.y == plane.y && precise.s == plane.s);
+  }
+}
+
 }  // namespace
 }  // namespace apollonius::internal

@@ -268,5 +268,18 @@ TEST(VoronoiCircle, SimpleCases) {
   EXPECT_NEAR(inner.s, -2, 1e-14);
 }
 
+/// Of products that underflow nothing is known: the chord's square is far below the smallest
+/// double.
+TEST(VoronoiCircle, IsNotCertainWhereOneSiteIsNextToAnother) {
+  const Site i{0, 0, 0}, j{-1, 0, 0}, k{0, -1e-100, 0};  // the first is the reference
+  VoronoiCircle circle;
+  EXPECT_FALSE(findCertainVoronoiCircle(&i, &j, &k, circle));
+  EXPECT_EQ(circle.error, std::numeric_limits<float>::infinity());
+  EXPECT_TRUE(findVoronoiCircle(&i, &j, &k, circle));
+  const VoronoiCircle precise = preciseVoronoiCircle(&i, &j, &k);
+  EXPECT_EQ(precise.x, -0.5);
+  EXPECT_EQ(precise.y, -0.5e-100);
+}
+
 }  // namespace
 }  // namespace apollonius::internal

@@ -5,7 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
+#include <initializer_list>
 
+#include "apollonius/area_fit.h"
+#include "apollonius/nearest_first.h"
 #include "apollonius/voronoi.h"
 #include "support/canonical.h"
 #include "support/replay.h"
@@ -209,6 +213,72 @@ std::string whatIsWrong(const Diagram& diagram, Random& random) {
   return {};
 }
 
+namespace {
+
+/// All calls in a region with corners at circles; the first error that there is.
+Error callInRegion(const Diagram& diagram, SiteId id, const Circles& corners) {
+  std::vector<double> ring;
+  for (const Circle& c : corners) ring.insert(ring.end(), {c.x, c.y});
+  const std::vector<std::uint32_t> starts{0, static_cast<std::uint32_t>(corners.size())};
+  std::vector<SiteId> ids;
+  Region region;
+  if (region.assign(ring, starts) != Error::kNone) return diagram.ids(ids);  // nothing is inside
+  const Voronoi voronoi(diagram, region);
+  const double tolerance = defaultTolerance(region.box());
+  CurveArrays curves;
+  RingArrays rings;
+  CellMeasures measures;
+  std::vector<double> all;
+  Path path;
+  Portion portion;
+  Error first = Error::kNone;
+  for (const auto& call : std::initializer_list<std::function<Error()>>{
+           [&] { return voronoi.edgeCurves(curves); },
+           [&] { return voronoi.cellCurves(id, curves); },
+           [&] { return voronoi.cellPolygon(id, tolerance, rings); },
+           [&] { return voronoi.cellMeasures(id, measures); },
+           [&] { return voronoi.cellAreas(all); }, [&] { return voronoi.cellCentroids(all); },
+           [&] { return voronoi.cellPerimeters(all); },
+           [&] { return voronoi.drawEdges(tolerance, portion, path); },
+           [&] { return voronoi.drawCell(id, tolerance, path); }}) {
+    const Error error = call();
+    if (first == Error::kNone) first = error;
+  }
+  return first;
+}
+
+/// The next ones of a walk, and what is at a place and around it.
+Error callQueries(const Diagram& diagram, const Circle& a, const Circle& b, bool isSmallest) {
+  SiteId id = kNoSite;
+  std::vector<SiteId> some;
+  NearestFirst walk(diagram);
+  Error error = walk.start(a.x, b.y);
+  for (int k = 0; k < 20 && error == Error::kNone; ++k) error = walk.next(id);
+  if (error == Error::kNone)
+    error = diagram.pick(a.x, b.y, 1e9, isSmallest ? Top::kSmallest : Top::kLast, id);
+  if (error != Error::kNone) return error;
+  return diagram.search(std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x),
+                        std::max(a.y, b.y), some);
+}
+
+/// Two steps, in the box of two circles. (Most boxes are none for these sites.)
+Error callFit(const Diagram& diagram, const Circle& a, const Circle& b) {
+  Region region;
+  const std::vector<double> ring{a.x, a.y, b.x, a.y, b.x, b.y, a.x, b.y};
+  std::vector<std::uint8_t> levels;
+  Error error = diagram.levels(levels);  // one for each id
+  if (error != Error::kNone || region.assign(ring, std::vector<std::uint32_t>{0, 4}) != error)
+    return error;
+  AreaFit fit;
+  error = fit.begin(diagram, region, std::vector<double>(levels.size(), 1));
+  if (error != Error::kNone) return error;
+  static_cast<void>(fit.step());
+  static_cast<void>(fit.step());
+  return Error::kNone;
+}
+
+}  // namespace
+
 bool callEverything(Diagram& diagram, std::uint64_t seed) {
   Random random(seed);
   bool isBroken = false;
@@ -252,7 +322,7 @@ bool callEverything(Diagram& diagram, std::uint64_t seed) {
     Portion portion;
     Violation violation;
     // Reading calls, and one that changes it after a while.
-    switch (random.below(step < 20 ? 22u : 30u)) {
+    switch (random.below(step < 20 ? 26u : 34u)) {
       case 0:
       case 1:
       case 2:
@@ -316,18 +386,33 @@ bool callEverything(Diagram& diagram, std::uint64_t seed) {
         take(voronoi.drawHull(tolerance, path)), take(voronoi.drawCell(anyId(), tolerance, path));
         break;
       case 22:
-      case 23:
-      case 24:
-        take(diagram.insert(x, y, r, id));
+        take(voronoi.cellCentroids(areas)), take(voronoi.cellPerimeters(areas));
         break;
+      case 23:
+        take(callQueries(diagram, a, b, random.oneIn(2)));
+        break;
+      case 24: {
+        Circles corners{a, b, any(), {x, y, 0}};
+        if (random.oneIn(2)) corners.insert(corners.begin() + 1, {a.x, b.y, 0});
+        take(callInRegion(diagram, anyId(), corners));
+        break;
+      }
       case 25:
-        take(diagram.remove(anyId(), flag));
+        take(callFit(diagram, a, b));
         break;
       case 26:
       case 27:
+      case 28:
+        take(diagram.insert(x, y, r, id));
+        break;
+      case 29:
+        take(diagram.remove(anyId(), flag));
+        break;
+      case 30:
+      case 31:
         take(diagram.update(anyId(), x, y, r));
         break;
-      case 28: {
+      case 32: {
         const std::vector<SiteId> two{anyId(), anyId()};
         const std::vector<double> triples{x, y, r, y, x, r};
         take(diagram.updateMany(two, triples));

@@ -207,6 +207,13 @@ TEST_F(GraphCheck, WrongCountOfFreeFaces) {
   expectBroken("free faces are lost: listed");
 }
 
+TEST_F(GraphCheck, FreeFaceThatTheListHasLost) {
+  freeTwoFaces();
+  breaker.twin(breaker.firstFree()) = kNoHalfedge;
+  --breaker.freeFaces();
+  expectBroken("free faces are lost: listed", 1);
+}
+
 TEST(GraphCheckEmpty, AVertexOfNoFaceIsNamed) {
   // No message of its own: the half-edge that such a vertex names does not exist, or is free.
   Graph graph;
