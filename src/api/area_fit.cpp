@@ -17,6 +17,7 @@ struct internal::AreaFitState {
   std::size_t idLimit;
   std::uint64_t diagram;  // its state
   SiteId badSite = kNoSite;
+  bool isBegun = false;
 };
 
 AreaFit::AreaFit() noexcept = default;
@@ -35,7 +36,7 @@ Error AreaFit::begin(const Diagram& diagram, const Region& region, std::span<con
   Error error = Error::kNone;
   const Error failed = guarded(core, [&] {
     state_ = std::make_unique<AreaFitState>(
-        AreaFitState{Fit(core, region.state_->outline), idLimit, diagram.state_, kNoSite});
+        AreaFitState{Fit(core, region.state_->outline), idLimit, diagram.state_});
     const std::span<const SiteId> ids = state_->fit.ids();
     FlatArray<double> wanted, from;
     const auto refuse = [&](SiteId id) {
@@ -51,59 +52,56 @@ Error AreaFit::begin(const Diagram& diagram, const Region& region, std::span<con
       from.push_back(start[id]);
     }
     const std::uint32_t empty = state_->fit.begin(wanted, from);
-    if (empty != Fit::kNone) refuse(ids[empty]);
+    if (empty != Fit::kNone) return refuse(ids[empty]);
+    state_->isBegun = true;
   });
   return failed != Error::kNone ? failed : error;
 }
 
+bool AreaFit::isBegun() const noexcept { return state_ != nullptr && state_->isBegun; }
+
 Error AreaFit::step() {
-  if (state_ == nullptr) return Error::kNoConvergence;
+  if (!isBegun()) return Error::kNoConvergence;
   try {
     return state_->fit.step() ? Error::kNone : Error::kNoConvergence;
+  } catch (const std::bad_alloc&) {
+    return Error::kOutOfMemory;
+  }
+}
+
+double AreaFit::error() const noexcept {
+  return isBegun() ? state_->fit.error() : std::numeric_limits<double>::infinity();
+}
+
+SiteId AreaFit::badSite() const noexcept { return state_ == nullptr ? kNoSite : state_->badSite; }
+
+Error AreaFit::weights(std::vector<double>& weights) const {
+  weights.clear();
+  if (!isBegun()) return Error::kNone;
+  const Fit& fit = state_->fit;
+  try {
+    weights.assign(state_->idLimit, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t k = 0; k < fit.ids().size(); ++k) weights[fit.ids()[k]] = fit.weightOf(k);
+    return Error::kNone;
   } catch (const std::bad_alloc&) {
   } catch (const std::length_error&) {
   }
   return Error::kOutOfMemory;
 }
 
-double AreaFit::error() const noexcept {
-  return state_ == nullptr ? std::numeric_limits<double>::infinity() : state_->fit.error();
-}
-
-SiteId AreaFit::badSite() const noexcept { return state_ == nullptr ? kNoSite : state_->badSite; }
-
-Error AreaFit::weights(std::vector<double>& weights) const {
-  try {
-    weights.assign(state_ == nullptr ? 0 : state_->idLimit,
-                   std::numeric_limits<double>::quiet_NaN());
-  } catch (const std::bad_alloc&) {
-    return Error::kOutOfMemory;
-  } catch (const std::length_error&) {
-    return Error::kOutOfMemory;
-  }
-  if (state_ == nullptr) return Error::kNone;
-  const Fit& fit = state_->fit;
-  for (std::size_t k = 0; k < fit.ids().size(); ++k) weights[fit.ids()[k]] = fit.weightOf(k);
-  return Error::kNone;
-}
-
 Error AreaFit::finish(Diagram& diagram) const {
-  if (state_ == nullptr) return Error::kNone;
+  if (!isBegun()) return Error::kNone;
   if (state_->diagram != diagram.state_) return Error::kBusy;
-  const Fit& fit = state_->fit;
-  std::vector<double> xyr;
+  FlatArray<double> xyr;
   try {
-    for (std::size_t k = 0; k < fit.ids().size(); ++k) {
-      Circle now{};
-      if (const Error error = diagram.site(fit.ids()[k], now); error != Error::kNone) return error;
-      xyr.insert(xyr.end(), {now.x, now.y, fit.weightOf(k)});
-    }
+    xyr = state_->fit.circles();
   } catch (const std::bad_alloc&) {
     return Error::kOutOfMemory;
-  } catch (const std::length_error&) {
-    return Error::kOutOfMemory;
   }
-  return diagram.updateMany(fit.ids(), xyr);
+  const Error error = diagram.updateMany(state_->fit.ids(), xyr);
+  // The same sites have another number then, as whatever is known of their places does not hold.
+  if (error != Error::kNone) state_->diagram = diagram.state_;
+  return error;
 }
 
 }  // namespace apollonius

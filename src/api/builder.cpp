@@ -25,7 +25,8 @@ struct Builder::Work {
   std::vector<double> xyr;
   std::vector<SiteId> ids;
   bool isStaged = false;
-  BulkInsertion insertion;  // last: it is undone while the ids are there
+  Error error = Error::kNone;  // that ended the work
+  BulkInsertion insertion;     // last: it is undone while the ids are there
 };
 
 Builder::Builder(Diagram& diagram) : work_(std::make_unique<Work>(*diagram.core_)) {
@@ -49,17 +50,19 @@ Error Builder::add(std::span<const double> xyr) {
 
 Error Builder::advance(std::size_t steps, bool& isDone) {
   Work& work = *work_;
-  isDone = work.xyr.empty() && work.ids.empty();
-  if (isDone) return Error::kNone;
-  return guarded(work.core, [&] {
+  isDone = work.error == Error::kNone && work.xyr.empty() && work.ids.empty();
+  if (isDone || work.error != Error::kNone) return work.error;
+  work.error = guarded(work.core, [&] {
     if (work.isStaged) {
       isDone = work.insertion.insert(work.ids, steps);
+      if (isDone) work.ids.clear();
     } else if (work.insertion.stage(work.xyr, kVisitsOfStep * steps)) {
       work.isStaged = true;
       work.ids.resize(work.xyr.size() / 3);
       std::vector<double>().swap(work.xyr);
     }
   });
+  return work.error;
 }
 
 double Builder::progress() const noexcept { return work_->insertion.progress(); }

@@ -34,14 +34,14 @@ class APOLLONIUS_EXPORT AreaFit {
   /// Targets by id, in any unit, those of ids without a site being ignored; so are the weights to
   /// start from, of which there may be none (then equal ones). The region must live as long.
   /// Errors: kBadLength unless there are as many as ids, kBadTarget, kNotFinite and kOutOfRange
-  /// (start), kBadBounds, kOutOfMemory.
+  /// (start), kBadBounds, kOutOfMemory. Then nothing has been begun.
   [[nodiscard]] Error begin(const Diagram& diagram, const Region& region,
                             std::span<const double> targets, std::span<const double> start = {});
-  /// One step. Errors: kNoConvergence if none comes closer, kOutOfMemory. Cost: about that of
-  /// building the diagram, and of the areas of its cells.
+  /// One step. Errors: kNoConvergence if none comes closer, kOutOfMemory; the fit is as it was
+  /// then. Cost: about that of building the diagram, and of the areas of its cells.
   [[nodiscard]] Error step();
-  /// The largest deviation of an area from what it is to be, as a share of that. Need not fall with
-  /// each step.
+  /// The largest deviation of an area from what it is to be, as a share of that; infinite if
+  /// nothing has been begun. Need not fall with each step.
   [[nodiscard]] double error() const noexcept;
   /// After kBadTarget: the site whose target that is, or whose cell is empty.
   [[nodiscard]] SiteId badSite() const noexcept;
@@ -52,6 +52,8 @@ class APOLLONIUS_EXPORT AreaFit {
   [[nodiscard]] Error finish(Diagram& diagram) const;
 
  private:
+  [[nodiscard]] bool isBegun() const noexcept;
+
   std::unique_ptr<internal::AreaFitState> state_;
 };
 

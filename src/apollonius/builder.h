@@ -30,7 +30,7 @@ class APOLLONIUS_EXPORT Builder {
   [[nodiscard]] Error add(std::span<const double> xyr);
 
   /// Goes on by about so many steps, each of about a microsecond; `isDone` tells whether that was
-  /// all. Errors: kOutOfMemory; nothing more can be done then.
+  /// all. Errors: kOutOfMemory, and then again, whatever memory there is.
   [[nodiscard]] Error advance(std::size_t steps, bool& isDone);
 
   /// How much of the work is done, from 0 to 1.

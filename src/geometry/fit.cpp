@@ -124,38 +124,43 @@ std::uint32_t Fit::begin(std::span<const double> targets, std::span<const double
 }
 
 /// x, y, r by place.
-std::vector<double> Fit::circlesOf(const State& state) const {
-  std::vector<double> xyr;
-  xyr.reserve(3 * sites_.size());
-  for (std::size_t k = 0; k < sites_.size(); ++k)
-    xyr.insert(xyr.end(), {sites_[k].x, sites_[k].y, inRange(state.weights[k])});
+FlatArray<double> Fit::circlesOf(const State& state) const {
+  FlatArray<double> xyr;
+  for (std::size_t k = 0; k < sites_.size(); ++k) {
+    for (const double number : {sites_[k].x, sites_[k].y, inRange(state.weights[k])})
+      xyr.push_back(number);
+  }
   return xyr;
 }
 
-/// Measures the best state with ground of this density.
+/// Measures the best weights with ground of this density, beside what they are measured with.
 void Fit::setGround(double density) {
-  ground_ = density;
-  measure(best_);
+  tried_.weights = best_.weights;
+  measureTried(density);
   targets_ = shares_;
-  scaleTo(targets_, sumOf(best_.areas));
+  scaleTo(targets_, sumOf(tried_.areas));
+  takeTried();
+  ground_ = density;
 }
 
-/// Areas and couplings for the state's weights.
-void Fit::measure(State& state) {
+void Fit::takeTried() noexcept { std::swap(best_, tried_); }
+
+/// Areas and couplings for the tried weights, with ground of this density.
+void Fit::measureTried(double ground) {
   const std::size_t count = sites_.size();
   FlatArray<SiteId> places(count);
   for (std::uint32_t k = 0; k < count; ++k) places[k] = k;
-  core_.updateMany(places, circlesOf(state));
+  core_.updateMany(places, circlesOf(tried_));
 
-  state.couplings.clear();
-  state.areas.assign(count, 0);
-  addIn(outline_, 1, state);
-  state.inside = state.areas;
-  if (ground_ > 0) addIn(around_, ground_, state);
+  tried_.couplings.clear();
+  tried_.areas.assign(count, 0);
+  addIn(outline_, 1);
+  tried_.inside = tried_.areas;
+  if (ground > 0) addIn(around_, ground);
 }
 
 /// Adds areas and couplings in a region of this density.
-void Fit::addIn(const Outline& outline, double density, State& state) {
+void Fit::addIn(const Outline& outline, double density) {
   const Overlay overlay(core_, outline);
   CellSums sums(core_, outline.box, Measure::kAreas);
   const Graph& graph = core_.delaunay().graph();
@@ -166,11 +171,11 @@ void Fit::addIn(const Outline& outline, double density, State& state) {
     sums.addEdge(slotOf(i), slotOf(j), piece.on(edge), piece.times);
     const double pressure = density * piece.times * pressureOf(edge.bisector, piece.e0, piece.e1);
     if (pressure > 0 && pressure < kLargestMagnitude)
-      state.couplings.push_back({core_.siteOf(i), core_.siteOf(j), pressure});
+      tried_.couplings.push_back({core_.siteOf(i), core_.siteOf(j), pressure});
   });
   addBorders(overlay, sums);
   for (Slot slot = 0; slot < core_.ids().slots(); ++slot)
-    state.areas[core_.ids().idOf(slot)] += density * sums.sumOf(slot);
+    tried_.areas[core_.ids().idOf(slot)] += density * sums.sumOf(slot);
 }
 
 double Fit::deviationOf(std::span<const double> areas) const {
@@ -213,7 +218,7 @@ bool Fit::step() {
   for (int halvings = 0; halvings < kMostHalvings; ++halvings, share /= 2) {
     // The function is concave: a slope that has hardly turned is not far behind the maximum.
     if (!tryStep(share) || !(slopeAt(tried_) >= -slopeAt(best_) / 2)) continue;
-    std::swap(best_, tried_);
+    takeTried();
     last_ = share;
     return true;
   }
@@ -228,7 +233,7 @@ bool Fit::tryStep(double share) {
     tried_.weights[k] = best_.weights[k] + share * direction_[k];
     if (!(absolute(tried_.weights[k]) <= kLargestMagnitude)) return false;
   }
-  measure(tried_);
+  measureTried(ground_);
   for (std::size_t k = 0; k < targets_.size(); ++k) {
     if (!(tried_.areas[k] >= kVanished * std::min(best_.areas[k], targets_[k]))) return false;
   }

@@ -24,7 +24,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "diagram/diagram_core.h"
 #include "geometry/overlay.h"
@@ -46,6 +45,8 @@ class Fit {
   Fit(const DiagramCore& core, const Outline& outline);
 
   [[nodiscard]] std::span<const SiteId> ids() const { return ids_; }
+  /// x, y, r by place, with the weights that have been reached.
+  [[nodiscard]] FlatArray<double> circles() const { return circlesOf(best_); }
   /// As a site can have it.
   [[nodiscard]] double weightOf(std::size_t place) const;
 
@@ -53,7 +54,7 @@ class Fit {
   /// none, equal ones. kNone, or a place whose cell is empty with equal weights.
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   [[nodiscard]] std::uint32_t begin(std::span<const double> targets, std::span<const double> start);
-  /// One step; false if none comes closer.
+  /// One step; false if none comes closer. Throws std::bad_alloc; the same step can be taken again.
   [[nodiscard]] bool step();
   /// The largest deviation of an area from its target, as a share of that.
   [[nodiscard]] double error() const { return deviationOf(best_.inside); }
@@ -70,9 +71,10 @@ class Fit {
     FlatArray<Coupling> couplings;
   };
 
-  [[nodiscard]] std::vector<double> circlesOf(const State& state) const;
-  void measure(State& state);
-  void addIn(const Outline& outline, double density, State& state);
+  [[nodiscard]] FlatArray<double> circlesOf(const State& state) const;
+  void measureTried(double ground);
+  void addIn(const Outline& outline, double density);
+  void takeTried() noexcept;
   void setGround(double density);
   void findDirection(double tolerance);
   [[nodiscard]] bool tryStep(double share);

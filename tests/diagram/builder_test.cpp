@@ -120,6 +120,26 @@ TEST(Builder, MovedGoesOnWhereItWas) {
   EXPECT_EQ(bytesOf(diagram), bytesOf(whole));
 }
 
+// (Places were read that are no more.)
+TEST(Builder, IsDoneOnce) {
+  Random random(465);
+  const std::vector<double> xyr = triples(randomCircles(random, 100, Hidden::kNone));
+  Diagram diagram;
+  Builder builder(diagram);
+  ASSERT_EQ(builder.add(xyr), Error::kNone);
+  bool isDone = false;
+  while (!isDone) {
+    ASSERT_EQ(builder.advance(20, isDone), Error::kNone);
+  }
+  const std::vector<std::uint8_t> bytes = bytesOf(diagram);
+  for (int again = 0; again < 3; ++again) {
+    ASSERT_EQ(builder.advance(20, isDone), Error::kNone);
+    EXPECT_TRUE(isDone);
+    EXPECT_EQ(builder.progress(), 1);
+  }
+  EXPECT_EQ(bytesOf(diagram), bytes);
+}
+
 TEST(Builder, RefusesWhatIsNoCircle) {
   Diagram diagram;
   Builder builder(diagram);

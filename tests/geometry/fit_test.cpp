@@ -412,5 +412,30 @@ TEST(Fit, WeightsAreThoseThatTheDiagramGets) {
   }
 }
 
+// After an error there is nothing to step or to finish. (A fit that was refused, or that had run
+// out of memory, said that it was done, and read what was not there.)
+TEST(Fit, RefusedIsNone) {
+  Diagram diagram;
+  insertInto(diagram, {{1, 1, 2}, {5, 5, 1}});
+  const Region region = square(10);
+  for (const std::vector<double>& targets : {std::vector<double>{1, 0}, {1, 1}}) {
+    AreaFit fitting;
+    const bool isRefused = targets[1] == 0;
+    EXPECT_EQ(
+        fitting.begin(diagram, region, targets, std::vector<double>{1, isRefused ? 1 : 1e101}),
+        isRefused ? Error::kBadTarget : Error::kOutOfRange);
+    EXPECT_EQ(fitting.badSite(), isRefused ? 1 : kNoSite);
+    EXPECT_EQ(fitting.error(), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(fitting.step(), Error::kNoConvergence);
+    std::vector<double> weights{3};
+    EXPECT_EQ(fitting.weights(weights), Error::kNone);
+    EXPECT_TRUE(weights.empty());
+    EXPECT_EQ(fitting.finish(diagram), Error::kNone);
+  }
+  Circle circle{};
+  ASSERT_EQ(diagram.site(0, circle), Error::kNone);
+  EXPECT_EQ(circle.r, 2);
+}
+
 }  // namespace
 }  // namespace apollonius::test

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -332,6 +333,89 @@ TEST_F(GeometryOutOfMemory, FitsLeaveTheDiagramAsItWasAndCanBeBegunAgain) {
     }
   }
   EXPECT_GT(failed_, 100);
+}
+
+// A step that runs out of memory is taken again by the next one. (One that ran out where the ground
+// becomes less went on from areas that were none.) So is finish(), which said that the diagram had
+// changed.
+TEST_F(GeometryOutOfMemory, FitsGoOnAfterwards) {
+  Random random(8);
+  circles_ = centres(random);
+  constexpr double kTargets[kFitted] = {1, 2, 3, 4, 4, 3, 2, 1};
+  constexpr double kEnough = 1e-9;
+  constexpr int kMost = 40;
+  // With lack of memory at one allocation, should there be so many.
+  const auto fitAll = [&](Subject& s, std::optional<std::size_t> failAt) {
+    AreaFit fit;
+    EXPECT_EQ(fit.begin(s.diagram, s.region, kTargets), Error::kNone);
+    const auto expectOnlyLackOf = [&](Error error) {
+      failed_ += error == Error::kOutOfMemory;
+      EXPECT_TRUE(error == Error::kNone || error == Error::kOutOfMemory);
+    };
+    heap.arm();
+    heap.failAt = failAt;
+    int steps = 0;
+    while (fit.error() > kEnough && steps < kMost) {
+      const double before = fit.error();
+      const Error error = fit.step();
+      expectOnlyLackOf(error);
+      if (error == Error::kNone) ++steps;
+      if (error != Error::kNone) {
+        EXPECT_EQ(fit.error(), before);
+      }
+    }
+    Error error = fit.finish(s.diagram);
+    expectOnlyLackOf(error);
+    if (error != Error::kNone) error = fit.finish(s.diagram);
+    EXPECT_EQ(error, Error::kNone);
+    heap.disarm();
+    return steps;
+  };
+  Subject calm = make(false);
+  const int expected = fitAll(calm, std::nullopt);
+  EXPECT_LT(expected, kMost);
+  for (std::size_t at = 0;; ++at) {
+    SCOPED_TRACE("allocation " + std::to_string(at));
+    Subject subject = make(false);
+    ASSERT_EQ(fitAll(subject, at), expected) << "steps";
+    const bool isRefused = heap.failures > 0;
+    expectWeights(subject.diagram, calm.diagram, 1e-3);
+    if (HasFailure() || !isRefused) break;
+  }
+  EXPECT_GT(failed_, 100);
+}
+
+// A builder that ran out of memory says so again, and changes nothing. (Places were filled that it
+// did not have any more.)
+TEST_F(GeometryOutOfMemory, BuildersSaySoAgain) {
+  Random random(9);
+  std::vector<double> xyr;
+  for (const Circle& c : randomCircles(random, 60, Hidden::k20Percent))
+    xyr.insert(xyr.end(), {c.x, c.y, c.r});
+  for (std::size_t at = 0;; ++at) {
+    SCOPED_TRACE("allocation " + std::to_string(at));
+    Diagram diagram;
+    Builder builder(diagram);
+    ASSERT_EQ(builder.add(xyr), Error::kNone);
+    bool isDone = false;
+    Error error = Error::kNone;
+    heap.arm();
+    heap.failAt = at;
+    while (error == Error::kNone && !isDone) error = builder.advance(3, isDone);
+    heap.disarm();
+    if (heap.failures == 0) break;
+    if (error == Error::kNone) continue;  // the hierarchy can be done without
+    ++failed_;
+    for (int again = 0; again < 3; ++again) {
+      ASSERT_EQ(builder.advance(30, isDone), Error::kOutOfMemory);
+      ASSERT_FALSE(isDone);
+    }
+    ASSERT_EQ(diagram.size(), 0u);
+    std::string broken;
+    ASSERT_EQ(diagram.validate(broken), Error::kNone);
+    ASSERT_EQ(broken, "");
+  }
+  EXPECT_GT(failed_, 5);
 }
 
 }  // namespace
