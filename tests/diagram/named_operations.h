@@ -1,4 +1,4 @@
-// Every query and every shape as an operation by name, for tests that run all of them.
+// Every query as an operation by name, for tests that run all of them.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "apollonius/diagram.h"
-#include "apollonius/voronoi.h"
 
 namespace apollonius::test {
 
@@ -103,81 +102,6 @@ inline std::vector<NamedOperation> queries(std::size_t n) {
          std::string broken;
          return d.validate(broken);
        }},
-  };
-}
-
-/// Everything that has a shape, for n sites.
-inline std::vector<NamedOperation> shapes(std::size_t n) {
-  const auto asked = [](auto ask) {
-    return [=](Diagram& d) { return ask(Voronoi(d, Bounds{-2e5, -1e5, 3e5, 2e5})); };
-  };
-  const auto ofEach = [=](auto ask) {
-    return asked([=](const Voronoi& v) {
-      Error error = Error::kNone;
-      for (SiteId id = 0; id < n && error == Error::kNone; ++id) error = ask(v, id);
-      return error;
-    });
-  };
-  return {
-      {"curves of edges", asked([](const Voronoi& v) {
-         CurveArrays curves;
-         return v.edgeCurves(curves);
-       })},
-      {"cells", ofEach([](const Voronoi& v, SiteId id) {
-         CurveArrays curves;
-         return v.cellCurves(id, curves);
-       })},
-      {"polygons", ofEach([](const Voronoi& v, SiteId id) {
-         RingArrays rings;
-         return v.cellPolygon(id, 100, rings);
-       })},
-      {"measures", ofEach([](const Voronoi& v, SiteId id) {
-         CellMeasures measures;
-         return v.cellMeasures(id, measures);
-       })},
-      {"measures within", ofEach([](const Voronoi& v, SiteId id) {
-         CellMeasures measures;
-         return v.cellMeasuresWithin(id, 1e5, measures);
-       })},
-      {"areas", asked([](const Voronoi& v) {
-         std::vector<double> areas;
-         return v.cellAreas(areas);
-       })},
-      {"centroids", asked([](const Voronoi& v) {
-         std::vector<double> centroids;
-         return v.cellCentroids(centroids);
-       })},
-      {"perimeters", asked([](const Voronoi& v) {
-         std::vector<double> perimeters;
-         return v.cellPerimeters(perimeters);
-       })},
-      {"hull", asked([](const Voronoi& v) {
-         std::vector<SiteId> sites;
-         return v.hull(sites);
-       })},
-      {"drawing of edges", asked([](const Voronoi& v) {
-         Path path;
-         Portion portion;
-         return v.drawEdges(100, portion, path);
-       })},
-      {"drawing of sites", asked([](const Voronoi& v) {
-         Path path;
-         Portion portion;
-         return v.drawSites(100, portion, path);
-       })},
-      {"drawing of the dual", asked([](const Voronoi& v) {
-         Path path;
-         Portion portion;
-         return v.drawDual(100, true, portion, path);
-       })},
-      {"drawing of cells", ofEach([](const Voronoi& v, SiteId id) {
-         Path path;
-         return v.drawCell(id, 100, path);
-       })},
-      {"drawing of the hull", asked([](const Voronoi& v) {
-         Path path;
-         return v.drawHull(100, path);
-       })},
   };
 }
 

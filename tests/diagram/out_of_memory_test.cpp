@@ -1,6 +1,6 @@
 // Lack of memory: every public operation, made to fail at each of its allocations in turn, must
 // report kOutOfMemory, leave the diagram as it was, and leave it in a state from which everything
-// works.
+// works. Shapes: tests/geometry/out_of_memory_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -466,16 +466,6 @@ TEST_P(OutOfMemory, WordsForWhatIsBroken) {
     EXPECT_EQ(broken, expected);
   }
   EXPECT_GT(failed_, 0);
-}
-
-TEST_P(OutOfMemory, ShapesSaySo) {
-  for (const std::size_t n : {1u, 2u, 9u, 16u}) {
-    Random random(n);
-    const Circles circles = mixed(random, n);
-    for (const Origin origin : {Origin::kBuilt, Origin::kRestored})
-      failAll(circles, shapes(n), origin);
-  }
-  EXPECT_GT(failed_, 50);
 }
 
 INSTANTIATE_TEST_SUITE_P(By, OutOfMemory, ::testing::Values(Failure::kOnce, Failure::kBudget),
