@@ -82,6 +82,7 @@ function writeTree() {
   for (const folder of ["tests", "wasm", "bench", "cmake", "src"]) {
     for (const name of readdirSync(path.join(root, folder), { recursive: true })) {
       const file = path.join(folder, name);
+      if (name.includes("node_modules")) continue; // of tests/strangers
       if (!statSync(path.join(root, file)).isFile()) continue;
       const mutants = files.get(file);
       write(
