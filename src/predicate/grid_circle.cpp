@@ -79,7 +79,6 @@ OnGrid circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& 
   const double kx = k.x - i.x, ky = k.y - i.y, kr = k.r - i.r;
   const double largest = std::max(
       {absolute(jx), absolute(jy), absolute(jr), absolute(kx), absolute(ky), absolute(kr)});
-  if (!(largest > powerOfTwo(-200) && largest < powerOfTwo(200))) return OnGrid::kNo;
   // Multiples of 2^(e-16). Differences are below 2^17 of them, p below 2^35, that of the other two
   // sites below 2^37, and products below 2^52.
   const int unit = exponentOf(largest) - 16;

@@ -304,7 +304,7 @@ TEST(NearZero, EdgeConflict) {
       expectRight(close);
     }
   });
-  EXPECT_GT(all, runs(1000));
+  EXPECT_GT(all, runs(900));
 }
 
 TEST(NearZero, Rays) {

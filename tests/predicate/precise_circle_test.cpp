@@ -103,6 +103,23 @@ TEST(PreciseCircle, OfIntegersIsOfIntegersWhereItCanBe) {
   EXPECT_GT(count, test::runs(2000));
 }
 
+/// A coordinate that is zero while nothing else is short: what sums of two doubles leave of it.
+TEST(PreciseCircle, OnAnAxisOfSymmetryIsThere) {
+  Random random(178);
+  int count = 0;
+  for (int run = 0; run < test::runs(3000); ++run) {
+    const auto number = [&] { return static_cast<double>(random.integer(1, 1000)); };
+    const double x = number(), y = number(), r = number();
+    const Site left{-x, y, r}, right{x, y, r}, low{0, -number(), number()};
+    if (covers(left, right) || covers(left, low) || covers(low, left) ||
+        !hasVoronoiCircle(left, low, right))
+      continue;
+    ++count;
+    EXPECT_EQ(preciseVoronoiCircle(&left, &low, &right).x, 0) << run;
+  }
+  EXPECT_GT(count, test::runs(1000));
+}
+
 /// A face's vertex in exact numbers: its coordinates are those of the reference site and
 /// p (first + second √d) / 2c, as in PREDICATES.md, section 3.
 class ExactCenter {
