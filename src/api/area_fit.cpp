@@ -99,7 +99,7 @@ Error AreaFit::finish(Diagram& diagram) const {
     return Error::kOutOfMemory;
   }
   const Error error = diagram.updateMany(state_->fit.ids(), xyr);
-  // The same sites have another number then, as whatever is known of their places does not hold.
+  // What failed has been undone: the same sites, but the number of another state.
   if (error != Error::kNone) state_->diagram = diagram.state_;
   return error;
 }

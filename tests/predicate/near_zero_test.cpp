@@ -240,7 +240,7 @@ TEST(NearZero, Existence) {
 }
 
 TEST(NearZero, EdgeConflict) {
-  const int all = askFamilies(135, 20000, [](const Family& family, Random& random, int& asked) {
+  const int all = askFamilies(135, 24000, [](const Family& family, Random& random, int& asked) {
     Site i, j, k;
     if (!takeFace(family, random, i, j, k)) return;
     const Site l = family.site(random);
@@ -304,7 +304,7 @@ TEST(NearZero, EdgeConflict) {
       expectRight(close);
     }
   });
-  EXPECT_GT(all, runs(900));
+  EXPECT_GT(all, runs(1000));
 }
 
 TEST(NearZero, Rays) {
