@@ -32,9 +32,9 @@ class APOLLONIUS_EXPORT AreaFit {
   AreaFit& operator=(AreaFit&&) noexcept;
 
   /// Targets by id, in any unit, those of ids without a site being ignored; so are the weights to
-  /// start from, of which there may be none (then equal ones). The region must live as long.
-  /// Errors: kBadLength unless there are as many as ids, kBadTarget, kNotFinite and kOutOfRange
-  /// (start), kBadBounds, kOutOfMemory. Then nothing has been begun.
+  /// start from, of which there may be none (then equal ones). The region must stay as it is as
+  /// long. Errors: kBadLength unless there are as many as ids, kBadTarget, kNotFinite and
+  /// kOutOfRange (start), kBadBounds, kOutOfMemory. Then nothing has been begun.
   [[nodiscard]] Error begin(const Diagram& diagram, const Region& region,
                             std::span<const double> targets, std::span<const double> start = {});
   /// One step. Errors: kNoConvergence if none comes closer, kOutOfMemory; the fit is as it was

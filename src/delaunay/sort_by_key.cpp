@@ -28,7 +28,7 @@ void KeySort::beginPass(unsigned digit) {
   digit_ = digit;
   for (; digit_ < kDigits; ++digit_) {
     auto& starts = starts_[digit_];
-    if (entries_.empty() || starts[digitOf(entries_[0].key, digit_)] == entries_.size()) continue;
+    if (starts[digitOf(entries_[0].key, digit_)] == entries_.size()) continue;
     std::uint32_t sum = 0;
     for (std::uint32_t& start : starts) sum += std::exchange(start, sum);
     return;

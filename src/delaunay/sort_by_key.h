@@ -34,7 +34,7 @@ class KeySort {
   [[nodiscard]] static unsigned digitOf(std::uint32_t key, unsigned digit) {
     return key >> (digit * kDigitBits) & ((1u << kDigitBits) - 1);
   }
-  /// Passes that would move nothing are left out.
+  /// Passes that would move nothing are left out. REQUIRES: some entries.
   void beginPass(unsigned digit);
 
   std::span<Keyed> entries_, other_;

@@ -27,7 +27,8 @@ bool areApart(const VoronoiCircle& a, const VoronoiCircle& b) {
 
 /// Do the faces on both sides of an edge, which starts at the largest site of h's face, have one
 /// circle? Or do they have the same three sites, in both orders, and circles that are one as far as
-/// doubles can tell: then they are to be rounded as well as if they were.
+/// doubles can tell: then they are to be rounded as well as if they were. REQUIRES: h's face has no
+/// corner at infinity.
 bool DelaunayGraph::isSameVertex(HalfedgeId h) const {
   const FaceId f = faceOf(h), g = faceOf(graph_.twin(h));
   const VertexId beyond = graph_.apex(graph_.twin(h));
@@ -37,7 +38,7 @@ bool DelaunayGraph::isSameVertex(HalfedgeId h) const {
     return !areApart(voronoiCircle(e.i, e.j, e.k),
                      voronoiCircle(e.j, e.i, e.l));  // not the cached: see above
   const VoronoiCircle &a = circle(f), &b = circle(g);
-  return !b.isHalfPlane() && !areApart(a, b) && touchesCircle(*e.i, *e.j, *e.k, *e.l);
+  return !areApart(a, b) && touchesCircle(*e.i, *e.j, *e.k, *e.l);
 }
 
 VoronoiCircle DelaunayGraph::vertex(FaceId f) const {

@@ -33,7 +33,7 @@ VertexId DiagramCore::startFor(double x, double y) const {
   const Slot close = grid_.near(x, y);
   if (close != kNoSlot && delaunay_.isVisible(vertexOf(close)) && grid_.isClose(site(close), x, y))
     return vertexOf(close);
-  if (isHierarchyDue_ && !isUndoing_) buildHierarchy();
+  if (isHierarchyDue_) buildHierarchy();
   const Slot start = hierarchy_.locate(x, y);
   return start == kNoSlot ? kNoVertex : vertexOf(start);
 }

@@ -26,7 +26,7 @@ const Cell& CellFinder::find(Slot site) {
     for (const Piece& piece : pieces_)
       cell_.pieces.push_back({piece.clipped.curve, piece.neighbor});
     closeRegion();
-  } else if (wholeOwner() == site) {
+  } else if (ownerOfWindow(core_, window_) == site) {
     wholeWindow();
   }
   return cell_;
@@ -88,12 +88,6 @@ void CellFinder::addBorder(const BorderArc& arc) {
   };
   for (int k = 0; k < arc.cornerCount; ++k) lineTo(window_.corner((arc.firstCorner + k) % 4));
   lineTo(contacts_[arc.to].point);
-}
-
-Slot CellFinder::wholeOwner() {
-  if (!isOwnerKnown_) owner_ = ownerOfWindow(core_, window_);
-  isOwnerKnown_ = true;
-  return owner_;
 }
 
 void CellFinder::wholeWindow() {

@@ -52,8 +52,6 @@ class CellFinder {
 
   void clipEdges(Slot site);
   void link(Slot site);
-  /// ownerOfWindow, found once.
-  Slot wholeOwner();
   void wholeWindow();
   void addBorder(const BorderArc& arc);
   /// Ends a region; takes it back if its area is 0 up to rounding, as when a cell only touches the
@@ -63,8 +61,6 @@ class CellFinder {
   const DiagramCore& core_;
   Window window_;
   Cell cell_;
-  Slot owner_ = kNoSlot;
-  bool isOwnerKnown_ = false;
   FlatArray<Piece> pieces_;
   FlatArray<BorderContact> contacts_;
   FlatArray<BorderArc> arcs_;
