@@ -3,6 +3,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { switched } from "./mutants/switched.mjs";
 
 const root = fileURLToPath(new URL("..", import.meta.url));
 
@@ -203,6 +204,20 @@ test("no line of a source file is longer than 100 columns", () => {
         .flatMap((line, k) => ([...line].length > 100 ? [`${file}:${k + 1}`] : [])),
     );
   expect(long).toEqual([]);
+});
+
+test("each mutant, and each line that no test comes by, has its place in the sources", () => {
+  const read = (file) => readFileSync(path.join(root, file), "utf8");
+  for (const [k, mutant] of JSON.parse(read("tests/mutants/mutants.json")).entries())
+    expect(() => switched(read(mutant.file), [[mutant, k]])).not.toThrow();
+  for (const { file, lines } of JSON.parse(read("tests/check/uncovered.json"))) {
+    const there = new Set(
+      read(file)
+        .split("\n")
+        .map((line) => line.trim()),
+    );
+    for (const line of lines) expect(there).toContain(line);
+  }
 });
 
 test("top-level entries are the documented ones", () => {
