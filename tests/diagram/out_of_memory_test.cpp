@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <functional>
@@ -371,6 +372,39 @@ TEST_P(OutOfMemory, ChangesOfWholeSetsLeaveThemAsTheyWere) {
   circles[1] = {-5e5, 5e5, 6e5};                           // a giant that leaves
   failAll(circles, changesOfAll(circles, overAQuarter));
   EXPECT_GT(failed_, 50);
+}
+
+/// The first goes away, which lets the second move in place to where it was not possible before,
+/// and the third has no memory: going back, the second must be first.
+TEST_P(OutOfMemory, MovesInPlaceGoBackInTheirOrder) {
+  Random random(9);
+  const std::size_t n = 60;
+  const Circles circles = randomCircles(random, n, Hidden::kNone);
+  std::vector<NamedOperation> operations;
+  for (int run = 0; run < 12; ++run) {
+    const auto first = static_cast<SiteId>(random.below(n - 2));
+    const auto apart = [&](SiteId id) {
+      return std::hypot(circles[id].x - circles[first].x, circles[id].y - circles[first].y);
+    };
+    SiteId second = first + 1;
+    for (SiteId id = second; id + 1 < n; ++id) second = apart(id) < apart(second) ? id : second;
+    const Circle &from = circles[second], &towards = circles[first];
+    const double way = random.between(0, 0.7);
+    const std::vector<double> xyr{9e6,
+                                  9e6,
+                                  0,
+                                  from.x + way * (towards.x - from.x),
+                                  from.y + way * (towards.y - from.y),
+                                  from.r,
+                                  0,
+                                  0,
+                                  1e8};
+    operations.push_back({"updateMany, run " + std::to_string(run),
+                          [=, ids = std::vector<SiteId>{first, second, static_cast<SiteId>(n - 1)}](
+                              Diagram& d) { return d.updateMany(ids, xyr); }});
+  }
+  failAll(circles, operations);
+  EXPECT_GT(failed_, 12);
 }
 
 /// A giant leaves more room free among the faces than memory is held back; taking it out again has

@@ -80,12 +80,20 @@ TEST(CircleFilter, KnowsOnlyWhatHoldsForAllCirclesWithinTheError) {
   EXPECT_GT(known, test::runs(5000));
 }
 
-/// Found by a search: with half as much room for the roundings of the squares it would be wrong.
+/// Found by searches: without room for the roundings of the squares, and once with half of it, it
+/// would be wrong.
 TEST(CircleFilter, KnowsNothingWhereAllRoundingsAddUp) {
-  const VoronoiCircle circle{0x1.4c9a6f0ed0966p-2, 0, 0x1.c961e4785257ap-2, 0x1p-126F, -1};
-  const Site q{-0x1.5af3f942b1036p-1, -0x1.776d7e90a4b66p-26, 0x1.1c903e8df022ep-1};
-  ASSERT_EQ(exactConflict(within(circle, 0)[0], q), Sign::kNegative);
-  EXPECT_FALSE(circleFilter(circle, q).known);
+  const auto expectUnknown = [](double x, double y, double s, const Site& q, Sign exact) {
+    const VoronoiCircle circle{x, y, s, 0x1p-126F, -1};
+    ASSERT_EQ(exactConflict(within(circle, 0)[0], q), exact);
+    EXPECT_FALSE(circleFilter(circle, q).known);
+  };
+  expectUnknown(0x1.4c9a6f0ed0966p-2, 0, 0x1.c961e4785257ap-2,
+                {-0x1.5af3f942b1036p-1, -0x1.776d7e90a4b66p-26, 0x1.1c903e8df022ep-1},
+                Sign::kNegative);
+  expectUnknown(0x1.8af43a3dd2d31p-10, 0x1.131a3c81bb23p-6, 0x1.358389b70518ep-1,
+                {-0x1.0669da85843f8p-1, -0x1.0143fd86b2124p-1, 0x1.025602506a8aap-3},
+                Sign::kPositive);
 }
 
 TEST(CircleFilter, AClearanceThatMayBeNegativeHidesNothing) {

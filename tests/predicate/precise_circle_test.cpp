@@ -230,6 +230,13 @@ TEST(PreciseCircle, NextToATieTheNearerDoubleIsTaken) {
   }
 }
 
+/// With (1 + e, 1/2) for the third site the centre is at 1/4 + e + e², and e is chosen so that e²
+/// ends a little before or behind the middle of two doubles; on no grid of few digits.
+TEST(PreciseCircle, NextToATieOffTheGridTheNearerDoubleIsTaken) {
+  for (const double m : {4490139.0, 6766411.0, 10573681.0, 12412817.0, 13838057.0, 16777213.0})
+    expectNearest(Triangle{{Site{0, 0, 0}, {1, 0, 0}, {1 + m * 0x1p-40, 0.5, 0}}});
+}
+
 /// About the origin, from far away: the estimate to begin with has no right digit.
 TEST(PreciseCircle, NextToTheOriginHasTheNearestDoubles) {
   Random random(174);
@@ -284,6 +291,19 @@ TEST(PreciseCircle, OfNumbersFromEndToEndOfTheRange) {
         EXPECT_LE(absolute(circle.s - same.s), 1e-12 * size);
       }
     }
+  }
+}
+
+/// A coordinate smaller than any of those given, and than what one power of two can scale.
+TEST(PreciseCircle, NextToAnAxisOfImmenseSitesIsOffItByNextToNothing) {
+  const double large = 5e99, tiny = 1e-100;
+  const Triangle t{{Site{large, 0, 0}, {tiny, large, 0}, {0, -large, 0}}};
+  const Triangle::Exact exact = t.exact();
+  for (const VoronoiCircle& circle :
+       {t.circle(), preciseVoronoiCircle(&t.sites[0], &t.sites[1], &t.sites[2])}) {
+    const Dyadic off = exact.y - Dyadic(circle.y) * exact.twice;
+    EXPECT_EQ((magnitude(off) - magnitude(exact.y) * Dyadic(1e-14)).sign(), Sign::kNegative)
+        << circle.y;
   }
 }
 
