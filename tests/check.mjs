@@ -34,12 +34,13 @@ import { installPacked } from "./wasm/support/install_packed.mjs";
 
 /**
  * A few of each program: what runs here takes some thirty times as long as natively. None that
- * counts calls of operator new, which valgrind puts its own in the place of.
+ * counts calls of operator new, which valgrind puts its own in the place of; none that changes how
+ * the processor rounds, which valgrind does as it always does.
  */
 const underValgrind = {
   memory_tests: "*",
   topology_tests: "-Room*",
-  number_tests: "*",
+  number_tests: "-Fp.*Seen:FpDeathTest*",
   diagram_tests: "Errors*:Ids*:IdPool*:HiddenForest*:Regressions*:Snapshot.*",
   geometry_tests: "Contacts*:Rings*:VoronoiErrors*",
 };
@@ -82,6 +83,8 @@ await runSteps({
         "--error-exitcode=1",
         "--leak-check=full",
         "--errors-for-leak-kinds=definite,possible",
+        // Where a program brings operators of its own, its new is replaced and its delete is not.
+        "--show-mismatched-frees=no",
         path.join(folder, program),
         "--gtest_brief=1",
         `--gtest_filter=${filter}`,
