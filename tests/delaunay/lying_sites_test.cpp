@@ -50,8 +50,10 @@ Bytes lie(Random& random, int family) {
   honest.save(bytes);
   const auto slots = static_cast<std::size_t>(honest.ids().slots());
   const bool isAll = random.oneIn(4);
-  for (std::size_t k = isAll ? slots : 1 + random.below(4u); k-- > 0;)
-    setSite(bytes, isAll ? k : random.below(slots), someSite(random, family));
+  for (std::size_t k = isAll ? slots : 1 + random.below(4u); k-- > 0;) {
+    const Site site = someSite(random, family);
+    setSite(bytes, isAll ? k : random.below(slots), site);
+  }
   return test::withChecksum(bytes);
 }
 
