@@ -436,5 +436,38 @@ TEST(Cells, OfClustersSeenFromFarAwayFillTheWindow) {
   EXPECT_NEAR(sum / areaOf(bounds), 1, 1e-12);
 }
 
+/// A cell whose contacts with the border are all in pairs, at corners: between them, along two
+/// whole sides, are cells that are thinner than what a double can tell at the window's size.
+TEST(Cells, BehindCellsMuchThinnerThanTheWindowDoNotTakeItAll) {
+  const auto expectWhole = [](const Bounds& bounds, const Circles& circles) {
+    Diagram diagram;
+    insertInto(diagram, circles);
+    std::vector<double> areas;
+    ASSERT_EQ(Voronoi(diagram, bounds).cellAreas(areas), Error::kNone);
+    double sum = 0;
+    for (const double area : areas) {
+      EXPECT_LE(area / areaOf(bounds), 0.5 + 1e-12);
+      sum += area;
+    }
+    EXPECT_NEAR(sum / areaOf(bounds), 1, 1e-12);
+  };
+  const double far = 0x1.3c3c3c3c3c3c3p+61, near = 0x1.9303338383331p-156;
+  expectWhole({-far, -far, near, near}, {{-far, -far, 0},
+                                         {0x1.030305a5adafcp-252, 0x1.030303030303p-252, 0},
+                                         {0x1.030303030303p-252, 0x1.030303030303p-252, 0},
+                                         {0x1.030303030303p-252, near, 0}});
+  const double most = 0x1.e7e7e7e7e7e81p+275, less = 0x1.e7e7e7e7e7e7ep+275,
+               least = 0x1.e7e7e7e7e7e7dp+275;
+  expectWhole({7, 0, most, most}, {{less, less, 0},
+                                   {most, most, 0x1.f800000000003p+25},
+                                   {least, less, -0x1.5cp+27},
+                                   {most, most, -0x1.dc00000000006p+25},
+                                   {least, most, 0x1.f7fffffffffffp+25},
+                                   {0, 0, 0},
+                                   {7, 21, 4},
+                                   {0x1.c2p+2, 0x1.4fffffffffffcp+4, 0x1.fcp+1},
+                                   {0x1.7fffffffffffcp+1, 0, -0x1.0000000000004p+1}});
+}
+
 }  // namespace
 }  // namespace apollonius::test
