@@ -59,49 +59,35 @@ double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
 
 Slot nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x), inRange(p.y)); }
 
-/// A point inside of the window, next to one on its border: one double away, or farther than an
-/// edge along the border can be rounded.
-Point barelyInside(const Window& window, Point p) {
-  const Point c = window.center();
-  return {std::nextafter(p.x, c.x), std::nextafter(p.y, c.y)};
-}
-Point wellInside(const Window& window, Point p) {
-  return p + powerOfTwo(-20) * (window.center() - p);
-}
-
 /// Does the site own the border around the middle of a gap between contacts? Asked inside of the
-/// window, because the border itself may be an edge of the diagram; and at five places, because any
-/// one may be too close to an edge.
-template <class Inside>
+/// window, because the border itself may be an edge of the diagram: one double inside, or farther
+/// than an edge along the border can be rounded. And at five places, because any one may be too
+/// close to an edge.
 bool ownsGap(const DiagramCore& core, Slot site, const Window& window, double middlePlace,
-             double gap, Inside inside) {
+             double gap, bool isBarelyInside) {
+  const Point center = window.center();
   int votes = 0;
   for (const double part : {0.0, -0.21, 0.17, -0.34, 0.38}) {
     double place = middlePlace + part * gap;
     place += place < 0 ? 4 : place >= 4 ? -4 : 0;
-    votes += nearest(core, inside(window, window.at(place))) == site ? 1 : -1;
+    const Point p = window.at(place);
+    const Point inside = isBarelyInside
+                             ? Point{std::nextafter(p.x, center.x), std::nextafter(p.y, center.y)}
+                             : p + powerOfTwo(-20) * (center - p);
+    votes += nearest(core, inside) == site ? 1 : -1;
   }
   return votes > 0;
 }
 
-/// Leaves and enters in turns, as they are sorted?
-bool alternate(const FlatArray<BorderContact>& contacts) {
-  for (std::size_t k = 1; k < contacts.size(); ++k) {
-    if (contacts[k].leaves == contacts[k - 1].leaves) return false;
-  }
-  return true;
-}
-
 /// Of contacts that are all in pairs, so that the site owns next to nothing of the border or all
-/// but that: does it own the middle of the largest gap? What is behind an edge along the border,
-/// nearer to it than the edge is rounded, owns it barely inside only; so does a cell along the
-/// border that is as thin as that, in a window many times as wide. Of the latter the contacts know:
-/// they come in their order.
+/// but that: does it own the middle of the largest gap, before the first contact? What is behind an
+/// edge along the border, nearer to it than the edge is rounded, owns it barely inside only; so
+/// does a cell along the border that is as thin as that, in a window many times as wide. Of the
+/// latter the contacts know: the first one tells.
 bool ownsLargestGap(const DiagramCore& core, Slot site, const Window& window,
-                    const FlatArray<BorderContact>& contacts, double middlePlace, double gap) {
-  const bool well = ownsGap(core, site, window, middlePlace, gap, wellInside);
-  if (well == ownsGap(core, site, window, middlePlace, gap, barelyInside)) return well;
-  return alternate(contacts) ? !contacts[0].leaves : well;
+                    const BorderContact& first, double middlePlace, double gap) {
+  const bool owns = ownsGap(core, site, window, middlePlace, gap, false);
+  return owns == ownsGap(core, site, window, middlePlace, gap, true) ? owns : !first.leaves;
 }
 
 /// Two ways of matching whose disorders differ by less than this, in sides, are taken for equally
@@ -167,7 +153,7 @@ void matchBorder(const DiagramCore& core, Slot site, const Window& window,
                inside = disorder(enterPlaces, leavePlaces);
   const bool isClear = absolute(outside - inside) > noDifference(window);
   const bool holdsReference =
-      isClear ? inside < outside : ownsLargestGap(core, site, window, contacts, reference, gap);
+      isClear ? inside < outside : ownsLargestGap(core, site, window, contacts[0], reference, gap);
 
   for (std::size_t k = 0; k < count; ++k) {
     const bool isWrapped = holdsReference && k + 1 == count;
