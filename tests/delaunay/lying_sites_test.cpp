@@ -2,7 +2,6 @@
 // and removed, an operation finds out and gives the diagram up, or leaves a surface again.
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cstdint>
 #include <new>
 #include <vector>
@@ -29,16 +28,11 @@ Site someSite(Random& random, int family) {
   return {x, y, r * r * r * r * r * r};
 }
 
-/// The numbers of site `slot` (docs/SNAPSHOTS.md).
 void setSite(Bytes& bytes, std::size_t slot, const Site& site) {
-  std::size_t at = 32 + 24 * slot;
-  for (const double number : {site.x, site.y, site.r}) {
-    auto bits = std::bit_cast<std::uint64_t>(number);
-    for (int byte = 0; byte < 8; ++byte) {
-      bytes[at++] = static_cast<std::uint8_t>(bits);
-      bits >>= 8;
-    }
-  }
+  const std::size_t at = test::kNumbersAt + 6 * slot;
+  test::setNumber(bytes, at, site.x);
+  test::setNumber(bytes, at + 2, site.y);
+  test::setNumber(bytes, at + 4, site.r);
 }
 
 /// A snapshot of up to 35 sites, of which one to four, or all, are elsewhere.

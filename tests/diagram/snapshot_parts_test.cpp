@@ -1,7 +1,6 @@
 // Snapshots of which one part lies, with a right checksum: each is refused for that part alone.
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -36,20 +35,10 @@ class SnapshotParts : public ::testing::Test {
     ASSERT_TRUE(isAccepted());
   }
 
-  [[nodiscard]] std::uint32_t word(std::size_t k) const {
-    std::uint32_t value = 0;
-    for (std::size_t byte = 4; byte-- > 0;) value = value << 8 | bytes_[4 * k + byte];
-    return value;
-  }
-  void set(std::size_t k, std::uint32_t value) {
-    for (std::size_t byte = 0; byte < 4; ++byte, value >>= 8) {
-      bytes_[4 * k + byte] = static_cast<std::uint8_t>(value);
-    }
-  }
+  [[nodiscard]] std::uint32_t word(std::size_t k) const { return wordAt(bytes_, k); }
+  void set(std::size_t k, std::uint32_t value) { setWord(bytes_, k, value); }
   void setNumber(std::size_t k, double value) {
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    set(8 + 2 * k, static_cast<std::uint32_t>(bits));
-    set(9 + 2 * k, static_cast<std::uint32_t>(bits >> 32));
+    test::setNumber(bytes_, kNumbersAt + 2 * k, value);
   }
   [[nodiscard]] bool isAccepted(Source source = Source::kAnyone) const {
     Diagram restored;

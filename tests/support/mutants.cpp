@@ -25,40 +25,15 @@ struct Layout {
   std::size_t numbersAt, idsAt, twinsAt, verticesAt, forestAt;
 
   explicit Layout(const std::vector<std::uint8_t>& bytes) {
-    const auto word = [&](std::size_t k) {
-      std::uint32_t value = 0;
-      for (std::size_t byte = 4; byte-- > 0;) value = value << 8 | bytes[4 * k + byte];
-      return std::size_t{value};
-    };
-    slots = word(3), ids = word(4), sites = word(5), hidden = word(6), faces = word(7);
-    numbersAt = 8;
+    slots = wordAt(bytes, 3), ids = wordAt(bytes, 4), sites = wordAt(bytes, 5);
+    hidden = wordAt(bytes, 6), faces = wordAt(bytes, 7);
+    numbersAt = kNumbersAt;
     idsAt = numbersAt + 6 * slots;
     twinsAt = idsAt + slots + (slots - sites) + (ids - sites) + 2;
     verticesAt = twinsAt + 3 * faces;
     forestAt = verticesAt + slots + 1;
   }
 };
-
-std::uint32_t wordAt(const std::vector<std::uint8_t>& bytes, std::size_t k) {
-  std::uint32_t value = 0;
-  for (std::size_t byte = 4; byte-- > 0;) value = value << 8 | bytes[4 * k + byte];
-  return value;
-}
-
-void setWord(std::vector<std::uint8_t>& bytes, std::size_t k, std::uint32_t value) {
-  for (std::size_t byte = 0; byte < 4; ++byte, value >>= 8)
-    bytes[4 * k + byte] = static_cast<std::uint8_t>(value);
-}
-
-double numberAt(const std::vector<std::uint8_t>& bytes, std::size_t k) {
-  return std::bit_cast<double>(std::uint64_t{wordAt(bytes, k + 1)} << 32 | wordAt(bytes, k));
-}
-
-void setNumber(std::vector<std::uint8_t>& bytes, std::size_t k, double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  setWord(bytes, k, static_cast<std::uint32_t>(bits));
-  setWord(bytes, k + 1, static_cast<std::uint32_t>(bits >> 32));
-}
 
 void changeNumber(std::vector<std::uint8_t>& bytes, const Layout& at, Random& random) {
   const auto any = [&] {
