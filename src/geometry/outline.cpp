@@ -10,11 +10,13 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Rounds of splitting. Two or three do, as more is only to do where crossings were rounded; should
-/// it not end, the region is refused.
+/// Rounds of splitting in which nothing is moved. Most end with these, as more is only to do where
+/// crossings were rounded; what goes on after them is put on a grid.
+constexpr int kFreeRounds = 2;
+/// On the grid, the widths and the heights of a segment's parts add up to its own, so that nothing
+/// is split for ever; but for crossings that are rounded to a place beside the nearest one. Should
+/// these not end, the region is refused.
 constexpr int kMostRounds = 24;
-/// A crossing is rounded by less than this share of the numbers it comes of.
-constexpr double kRounding = powerOfTwo(-46);
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
 /// From left to right, and upwards what is vertical: as if the plane were sheared a little, so that
@@ -40,9 +42,10 @@ class Linework {
   /// Steps 1 and 2. False if they do not end.
   [[nodiscard]] bool split() {
     unify();
-    for (int round = 0; findCuts(); ++round) {
+    for (int round = 1; findCuts(); ++round) {
       if (round == kMostRounds) return false;
       cut();
+      if (round == kFreeRounds) snap();
       unify();
     }
     return true;
@@ -58,15 +61,21 @@ class Linework {
 
   [[nodiscard]] Point from(const Segment& s) const { return points_[s.from]; }
   [[nodiscard]] Point to(const Segment& s) const { return points_[s.to]; }
-  /// Is the point between the ends of a segment on whose line it is?
-  [[nodiscard]] bool isWithin(const Segment& s, Point p) const {
-    return comesBefore(from(s), p) && comesBefore(p, to(s));
+  /// On the grid, if there is one: to add what is so much larger leaves no digits for parts of a
+  /// unit.
+  [[nodiscard]] Point rounded(Point p) const {
+    const Point big = 3 * powerOfTwo(51) * unit_;
+    return p + big - big;
   }
+  [[nodiscard]] bool rises(const Segment& s) const { return from(s).y <= to(s).y; }
+  [[nodiscard]] bool passes(const Segment& s, std::uint32_t point) const;
 
   void unify();
+  void snap();
   bool findCuts();
+  bool cutAt(std::uint32_t segment, std::uint32_t point);
   void cutBoth(std::uint32_t k, std::uint32_t m);
-  std::uint32_t crossingOf(const Segment& s, const Segment& t);
+  [[nodiscard]] Point crossingOf(const Segment& s, const Segment& t) const;
   void cut();
   void listEnds();
   /// The other segments that have an end in common with this one's end are these, itself included.
@@ -77,6 +86,7 @@ class Linework {
   [[nodiscard]] std::uint32_t next(std::uint32_t segment) const;
 
   Window box_;
+  Point unit_;  // of the grid that all points are on; 0: of none
   FlatArray<Point> points_;
   FlatArray<Segment> segments_;  // after unify(): from comes before to, until orient()
   FlatArray<Cut> cuts_;
@@ -121,75 +131,96 @@ void Linework::unify() {
   segments_.swap(kept);
 }
 
+/// Rounds all points to a grid of some 2^49 by 2^49, or of neighbouring doubles if these are
+/// farther apart.
+void Linework::snap() {
+  const auto unitOf = [](double low, double high) {
+    const double most = std::max(absolute(low), absolute(high));
+    return powerOfTwo(std::max(exponentOf(high - low) - 48, exponentOf(most) - 50));
+  };
+  unit_ = {unitOf(box_.xmin, box_.xmax), unitOf(box_.ymin, box_.ymax)};
+  for (Point& p : points_) p = rounded(p);
+}
+
 bool Linework::findCuts() {
   cuts_.clear();
   const SegmentGrid grid(points_, segments_, box_);
-  for (std::uint32_t row = 0; row < grid.rows(); ++row) {
-    for (std::uint32_t column = 0; column < grid.columns(); ++column) {
-      const auto here = grid.at(column, row);
-      for (std::size_t k = 0; k < here.size(); ++k) {
-        const Segment& a = segments_[here[k]];
-        for (std::size_t m = k + 1; m < here.size(); ++m) {
-          const Segment& b = segments_[here[m]];
-          // More than once where they share cells, which does no harm.
-          if (from(b).x <= to(a).x && from(a).x <= to(b).x &&
-              std::min(from(b).y, to(b).y) <= std::max(from(a).y, to(a).y) &&
-              std::min(from(a).y, to(a).y) <= std::max(from(b).y, to(b).y))
-            cutBoth(here[k], here[m]);
-        }
+  countedFor_.assign(segments_.size(), kNone);
+  for (std::uint32_t k = 0; k < segments_.size(); ++k) {
+    const Point a = from(segments_[k]), b = to(segments_[k]);
+    grid.visitCells(a, b, [&](std::size_t cell) {
+      for (const std::uint32_t m : grid.at(cell)) {
+        if (m >= k) break;
+        if (countedFor_[m] == k) continue;
+        countedFor_[m] = k;
+        const Point c = from(segments_[m]), d = to(segments_[m]);
+        // It begins no further right: unify() has sorted them.
+        if (a.x <= d.x && std::min(c.y, d.y) <= std::max(a.y, b.y) &&
+            std::min(a.y, b.y) <= std::max(c.y, d.y))
+          cutBoth(k, m);
       }
-    }
+    });
   }
   return !cuts_.empty();
 }
 
-/// The point where two segments cross, rounded. If that is as close to one of their ends as
-/// rounding can take it, it is that end: else what crosses at a small angle could be cut again at
-/// every double between.
-std::uint32_t Linework::crossingOf(const Segment& s, const Segment& t) {
+/// Does a segment go through a point that is not its end; or, with points on a grid, through the
+/// rectangle of all that would be rounded to it (with its lower side, without its upper one)?
+/// Snap rounding: segments that are bent into the middles of all such rectangles that they go
+/// through do not cross (Hobby, Practical segment intersection with finite precision output, 1999).
+bool Linework::passes(const Segment& s, std::uint32_t point) const {
+  const Point a = from(s), b = to(s), p = points_[point];
+  if (point == s.from || point == s.to || p.x < a.x || p.x > b.x || p.y < std::min(a.y, b.y) ||
+      p.y > std::max(a.y, b.y))
+    return false;
+  if (unit_.x == 0) return turnOf(a, b, p) == Sign::kZero;
+  // Of its corners those farthest to either side.
+  const Point way = 0.5 * Point{rises(s) ? -unit_.x : unit_.x, unit_.y};
+  return turnOf(a, b, p + way) == Sign::kPositive && turnOf(a, b, p - way) != Sign::kPositive;
+}
+
+bool Linework::cutAt(std::uint32_t segment, std::uint32_t point) {
+  if (!passes(segments_[segment], point)) return false;
+  cuts_.push_back({segment, point});
+  return true;
+}
+
+/// The point where two segments cross, rounded.
+Point Linework::crossingOf(const Segment& s, const Segment& t) const {
   const Point a = from(s), b = to(s), c = from(t), d = to(t);
   const Point way = b - a, other = d - c;
   // Where rounding takes them for parallel, they are as close together at any place they share.
   const double turn = cross(way, other);
   const double along = turn != 0 ? cross(c - a, other) / turn : dot(c - a, way) / dot(way, way);
-  const Point p = a + along * way;
+  const Point p = rounded(a + along * way);
   // Where rounding leaves the box that both share, it goes back there.
-  const Point x{std::clamp(p.x, std::max(a.x, c.x), std::min(b.x, d.x)),
-                std::clamp(p.y, std::max(std::min(a.y, b.y), std::min(c.y, d.y)),
-                           std::min(std::max(a.y, b.y), std::max(c.y, d.y)))};
-  double size = 0;
-  for (const Point q : {a, b, c, d}) size = std::max({size, absolute(q.x), absolute(q.y)});
-  for (const std::uint32_t end : {s.from, s.to, t.from, t.to}) {
-    const Point q = points_[end];
-    if (absolute(q.x - x.x) + absolute(q.y - x.y) <= kRounding * size) return end;
-  }
-  points_.push_back(x);
-  return static_cast<std::uint32_t>(points_.size() - 1);
+  return {std::clamp(p.x, std::max(a.x, c.x), std::min(b.x, d.x)),
+          std::clamp(p.y, std::max(std::min(a.y, b.y), std::min(c.y, d.y)),
+                     std::min(std::max(a.y, b.y), std::max(c.y, d.y)))};
 }
 
 void Linework::cutBoth(std::uint32_t k, std::uint32_t m) {
   const Segment s = segments_[k], t = segments_[m];
+  bool touches = cutAt(k, t.from);
+  touches |= cutAt(k, t.to);
+  touches |= cutAt(m, s.from);
+  touches |= cutAt(m, s.to);
+  if (touches) return;
   const Point a = from(s), b = to(s), c = from(t), d = to(t);
-  const Sign sc = turnOf(a, b, c), sd = turnOf(a, b, d);
-  if (sc == sd && sc != Sign::kZero) return;
-  const Sign ta = turnOf(c, d, a), tb = turnOf(c, d, b);
-  if (areApart(sc, sd) && areApart(ta, tb)) {
-    const std::uint32_t number = crossingOf(s, t);
-    const Point x = points_[number];
-    if (!(x == a || x == b)) cuts_.push_back({k, number});
-    if (!(x == c || x == d)) cuts_.push_back({m, number});
+  if (!areApart(turnOf(a, b, c), turnOf(a, b, d)) || !areApart(turnOf(c, d, a), turnOf(c, d, b)))
     return;
-  }
-  if (sc == Sign::kZero && isWithin(s, c)) cuts_.push_back({k, t.from});
-  if (sd == Sign::kZero && isWithin(s, d)) cuts_.push_back({k, t.to});
-  if (ta == Sign::kZero && isWithin(t, a)) cuts_.push_back({m, s.from});
-  if (tb == Sign::kZero && isWithin(t, b)) cuts_.push_back({m, s.to});
+  const auto number = static_cast<std::uint32_t>(points_.size());
+  const Point x = crossingOf(s, t);
+  points_.push_back(x);
+  if (!(x == a || x == b)) cuts_.push_back({k, number});
+  if (!(x == c || x == d)) cuts_.push_back({m, number});
 }
 
 void Linework::cut() {
   std::partial_sort(cuts_.begin(), cuts_.end(), cuts_.end(), [&](const Cut& a, const Cut& b) {
-    return a.segment != b.segment ? a.segment < b.segment
-                                  : comesBefore(points_[a.point], points_[b.point]);
+    if (a.segment != b.segment) return a.segment < b.segment;
+    const Point p = points_[a.point], q = points_[b.point];
+    return p.x != q.x ? p.x < q.x : rises(segments_[a.segment]) ? p.y < q.y : p.y > q.y;
   });
   for (const Cut& cut : cuts_) {
     Segment& rest = segments_[cut.segment];
@@ -218,7 +249,7 @@ bool Linework::isInsideBelow(const SegmentGrid& grid, std::uint32_t segment) {
   bool isInside = false;
   const std::uint32_t column = grid.columnOf(p.x);
   for (std::uint32_t row = grid.rowOf(p.y) + 1; row-- > 0;) {
-    for (const std::uint32_t k : grid.at(column, row)) {
+    for (const std::uint32_t k : grid.at(grid.cellOf(column, row))) {
       if (countedFor_[k] == segment) continue;
       countedFor_[k] = segment;
       const Segment& t = segments_[k];

@@ -73,7 +73,7 @@ Edge Overlay::edgeInside(HalfedgeId h, Bits bits, FlatArray<InnerPiece>& pieces)
   pieces.clear();
   int times = windingOf(faceOf(delaunay.graph().twin(h)));
   double e = edge.e0;
-  Point at = edge.from.point;
+  Point at = insideOf(edge.from.point);
   bool isFinite = edge.from.isFinite;
   const auto goTo = [&](double nextE, Point next, bool isNextFinite) {
     if (times != 0 && isFinite && isNextFinite) pieces.push_back({e, nextE, at, next, times});
@@ -85,7 +85,7 @@ Edge Overlay::edgeInside(HalfedgeId h, Bits bits, FlatArray<InnerPiece>& pieces)
     goTo(crossings_[k].e, crossings_[k].point, true);
     times += crossings_[k].isForward ? 1 : -1;
   }
-  goTo(edge.e1, edge.to.point, edge.to.isFinite);
+  goTo(edge.e1, insideOf(edge.to.point), edge.to.isFinite);
   return edge;
 }
 

@@ -67,6 +67,11 @@ class Overlay {
   /// Of a face's Voronoi vertex.
   [[nodiscard]] int windingOf(FaceId f) const { return windings_[index(f)]; }
 
+  /// Where a Voronoi vertex is taken to be that is inside: in the region's box. One that rounding
+  /// alone takes for inside can be farther away than the box is wide by any factor, and with it
+  /// would be areas.
+  [[nodiscard]] Point insideOf(Point vertex) const { return outline_.box.nearestTo(vertex); }
+
   /// visit(from, to) for the segments of a ring from a crossing to its next one.
   template <class Visit>
   void visitWay(const Crossing& crossing, Visit&& visit) const {

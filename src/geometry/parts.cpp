@@ -138,8 +138,8 @@ void PartFinder::addPiece(const Side& side, const Crossing* from, const Crossing
   if ((low == nullptr && !edge.from.isFinite) || (high == nullptr && !edge.to.isFinite)) return;
   const bool isHere =
       low == nullptr || high == nullptr || (low->edge == side.edge && high->edge == side.edge);
-  const Point a = low == nullptr ? edge.from.point : low->point,
-              b = high == nullptr ? edge.to.point : high->point;
+  const Point a = low == nullptr ? overlay_.insideOf(edge.from.point) : low->point,
+              b = high == nullptr ? overlay_.insideOf(edge.to.point) : high->point;
   const double e0 = low == nullptr ? edge.e0 : low->e, e1 = high == nullptr ? edge.e1 : high->e;
   // Places that rounding has exchanged are gone between backwards.
   const Conic curve = !isHere    ? Conic::segment(a, b)

@@ -192,5 +192,64 @@ TEST(RegionCases, SidesThatCrossAtOnePartInTwoToTheSixtieth) {
   EXPECT_NEAR(region.area() / (below + above), 1, 1e-9);
 }
 
+/// The ring becomes a region, and cells' areas add up to its own.
+void expectRegion(const Ring& ring, const Circles& circles, const std::string& where) {
+  Region region;
+  const std::vector<std::uint32_t> starts{0, static_cast<std::uint32_t>(ring.size() / 2)};
+  ASSERT_EQ(region.assign(ring, starts), Error::kNone) << where;
+  Diagram diagram;
+  insertInto(diagram, circles);
+  std::vector<double> areas;
+  ASSERT_EQ(Voronoi(diagram, region).cellAreas(areas), Error::kNone);
+  double sum = 0;
+  for (const double area : areas) sum += area;
+  EXPECT_NEAR(sum / areaOf(region.box()), region.area() / areaOf(region.box()), 1e-9) << where;
+}
+
+/// Needles between points a thousand times closer together than the doubles at their far ends are:
+/// crossings, once rounded, are crossed again and again, and 16 segments became 90 000.
+TEST(RegionCases, NeedlesWhoseRoundedCrossingsCrossAgain) {
+  Random random(1123);
+  for (int run = 0; run < runs(40); ++run) {
+    Ring ring;
+    for (int k = 0; k < 30; ++k) {
+      double x = random.between(-200, 200), y = random.between(-200, 200);
+      if (k % 2 != 0) {
+        const auto aside = static_cast<double>(random.integer(0, 3));
+        x = -410706247680.99976 - aside * 0x1p-14;
+        y = -470600908800.99976 + aside * 0x1p-14;
+      }
+      ring.insert(ring.end(), {x, y});
+    }
+    expectRegion(ring, {{0, 0, 1}, {-3, 200, 0}, {50, -60, 20}}, std::to_string(run));
+  }
+}
+
+/// All of a ring's sides within some doubles of one line.
+TEST(RegionCases, SidesThatDoublesHardlyTellApart) {
+  Random random(1124);
+  for (int run = 0; run < runs(40); ++run) {
+    Ring ring;
+    for (int k = 0; k < 24; ++k) {
+      const double x = random.between(0.5, 1);
+      const auto aside = static_cast<double>(random.integer(-20, 20));
+      ring.insert(ring.end(), {x, 1.1 * x + aside * 0x1p-52});
+    }
+    expectRegion(ring, {{0.6, 0.7, 0.1}, {0.9, 1, 0}}, std::to_string(run));
+  }
+}
+
+/// Two sides 10^97 long that are 10^80 apart at most: whether a vertex 10^152 away is between them
+/// is rounding, and areas are within the region's box nevertheless.
+TEST(RegionCases, VerticesOutsideThatRoundingTakesForInside) {
+  const double x = -5.8638425437254018e-48, top = 8.8601677203229403e+79;
+  expectRegion({-8.2733791088789846e+96, -6.1316084347919886e+96, x, top, 3059.2000000000016,
+                -2370.3999999999996},
+               {{-5.8638425437254005e-48, top, 0},
+                {-5.863842543725403e-48, 8.8601677203229351e+79, 0},
+                {7471104, -1441792, 0}},
+               "");
+}
+
 }  // namespace
 }  // namespace apollonius::test
