@@ -59,6 +59,7 @@ class SegmentGrid {
     const double at = along / whole * count;
     return at > 0 ? std::min(static_cast<std::uint32_t>(std::min(at, 1e9)), count - 1) : 0;
   }
+
   Window box_;
   std::uint32_t columns_ = 1, rows_ = 1;
   FlatArray<std::uint32_t> starts_;   // by cell, of entries_; and their number
