@@ -156,9 +156,8 @@ Error Voronoi::edgeCurves(CurveArrays& edges) const {
       forEachClippedPiece(core.delaunay(), window, Bits::kCanonical,
                           [&](HalfedgeId h, const ClippedPiece& piece) { add(h, piece.curve); });
     } else {
-      overlay().visitEdges(
-          Bits::kCanonical,
-          [&](HalfedgeId h, const Edge& edge, const InnerPiece& piece) { add(h, piece.on(edge)); });
+      overlay().visitEdges(Bits::kCanonical, [&](HalfedgeId h, const Edge&,
+                                                 const InnerPiece& piece) { add(h, piece.curve); });
     }
   });
 }

@@ -127,8 +127,8 @@ void measureCells(const Overlay& overlay, Measure what, std::vector<double>& mea
   const Outline& outline = overlay.outline();
   const Graph& graph = core.delaunay().graph();
   CellSums sums(core, outline.box, what);
-  overlay.visitEdges(Bits::kCached, [&](HalfedgeId h, const Edge& edge, const InnerPiece& piece) {
-    sums.addEdge(slotOf(graph.origin(h)), slotOf(graph.target(h)), piece.on(edge), piece.times);
+  overlay.visitEdges(Bits::kCached, [&](HalfedgeId h, const Edge&, const InnerPiece& piece) {
+    sums.addEdge(slotOf(graph.origin(h)), slotOf(graph.target(h)), piece.curve, piece.times);
   });
   addBorders(overlay, sums);
   sums.list(measures);

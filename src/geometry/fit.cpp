@@ -168,7 +168,7 @@ void Fit::addIn(const Outline& outline, double density) {
   const Bits bits = isNear_ ? Bits::kCanonical : Bits::kCached;
   overlay.visitEdges(bits, [&](HalfedgeId h, const Edge& edge, const InnerPiece& piece) {
     const VertexId i = graph.origin(h), j = graph.target(h);
-    sums.addEdge(slotOf(i), slotOf(j), piece.on(edge), piece.times);
+    sums.addEdge(slotOf(i), slotOf(j), piece.curve, piece.times);
     const double pressure = density * piece.times * pressureOf(edge.bisector, piece.e0, piece.e1);
     if (pressure > 0 && pressure < kLargestMagnitude)
       tried_.couplings.push_back({core_.siteOf(i), core_.siteOf(j), pressure});

@@ -73,10 +73,11 @@ Edge Overlay::edgeInside(HalfedgeId h, Bits bits, FlatArray<InnerPiece>& pieces)
   pieces.clear();
   int times = windingOf(faceOf(delaunay.graph().twin(h)));
   double e = edge.e0;
-  Point at = insideOf(edge.from.point);
+  Point at = edge.from.point;
   bool isFinite = edge.from.isFinite;
   const auto goTo = [&](double nextE, Point next, bool isNextFinite) {
-    if (times != 0 && isFinite && isNextFinite) pieces.push_back({e, nextE, at, next, times});
+    if (times != 0 && isFinite && isNextFinite)
+      pieces.push_back({e, nextE, pieceInside(edge, e, nextE, at, next), times});
     e = nextE;
     at = next;
     isFinite = isNextFinite;
@@ -85,8 +86,18 @@ Edge Overlay::edgeInside(HalfedgeId h, Bits bits, FlatArray<InnerPiece>& pieces)
     goTo(crossings_[k].e, crossings_[k].point, true);
     times += crossings_[k].isForward ? 1 : -1;
   }
-  goTo(edge.e1, insideOf(edge.to.point), edge.to.isFinite);
+  goTo(edge.e1, edge.to.point, edge.to.isFinite);
   return edge;
+}
+
+Conic Overlay::pieceInside(const Edge& edge, double e0, double e1, Point from, Point to) const {
+  const Window& box = outline_.box;
+  const Conic curve = pieceOf(edge.bisector, e0, e1, box.nearestTo(from), box.nearestTo(to));
+  // The middle of a curve inside is in the box, like that of its chord, and is at least half way
+  // from there to p1, as w >= 1: so p1 is at most twice the box away. Rounding may make it more.
+  const Point way = curve.p1 - middle(curve.p0, curve.p2);
+  const bool isNear = absolute(way.x) <= 4 * box.width() && absolute(way.y) <= 4 * box.height();
+  return isNear ? curve : Conic::segment(curve.p0, curve.p2);
 }
 
 /// From the faces at infinity, where they are 0, over all edges.

@@ -37,12 +37,8 @@ struct Crossing {
 /// A part of an edge inside, from E = e0 to e1, which rounding can have exchanged.
 struct InnerPiece {
   double e0, e1;
-  Point from, to;
+  Conic curve;
   int times;  ///< how often it is inside: once, but for rounding
-
-  [[nodiscard]] Conic on(const Edge& edge) const {
-    return pieceOf(edge.bisector, e0, e1, from, to);
-  }
 };
 
 class Overlay {
@@ -67,10 +63,11 @@ class Overlay {
   /// Of a face's Voronoi vertex.
   [[nodiscard]] int windingOf(FaceId f) const { return windings_[index(f)]; }
 
-  /// Where a Voronoi vertex is taken to be that is inside: in the region's box. One that rounding
-  /// alone takes for inside can be farther away than the box is wide by any factor, and with it
-  /// would be areas.
-  [[nodiscard]] Point insideOf(Point vertex) const { return outline_.box.nearestTo(vertex); }
+  /// A piece inside of an edge, from E = e0 to e1, with these ends: crossings or Voronoi vertices.
+  /// A vertex that rounding alone takes for inside can be farther away than the box is wide by any
+  /// factor, and with it would be areas; so nothing of a piece is far from the box.
+  [[nodiscard]] Conic pieceInside(const Edge& edge, double e0, double e1, Point from,
+                                  Point to) const;
 
   /// visit(from, to) for the segments of a ring from a crossing to its next one.
   template <class Visit>
@@ -89,7 +86,7 @@ class Overlay {
   /// Is any of an edge inside? False for one of its two half-edges, too.
   [[nodiscard]] bool isAnyInside(HalfedgeId h) const;
   /// The edge, and what of it is inside, in the order of E. REQUIRES: isAnyInside().
-  [[nodiscard]] Edge edgeInside(HalfedgeId h, Bits bits, FlatArray<InnerPiece>& pieces) const;
+  Edge edgeInside(HalfedgeId h, Bits bits, FlatArray<InnerPiece>& pieces) const;
   /// visit(h, edge, piece) for what of all edges is inside.
   template <class Visit>
   void visitEdges(Bits bits, Visit&& visit) const {

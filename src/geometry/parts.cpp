@@ -138,14 +138,15 @@ void PartFinder::addPiece(const Side& side, const Crossing* from, const Crossing
   if ((low == nullptr && !edge.from.isFinite) || (high == nullptr && !edge.to.isFinite)) return;
   const bool isHere =
       low == nullptr || high == nullptr || (low->edge == side.edge && high->edge == side.edge);
-  const Point a = low == nullptr ? overlay_.insideOf(edge.from.point) : low->point,
-              b = high == nullptr ? overlay_.insideOf(edge.to.point) : high->point;
+  const Point a = low == nullptr ? edge.from.point : low->point,
+              b = high == nullptr ? edge.to.point : high->point;
   const double e0 = low == nullptr ? edge.e0 : low->e, e1 = high == nullptr ? edge.e1 : high->e;
   // Places that rounding has exchanged are gone between backwards.
   const Conic curve = !isHere    ? Conic::segment(a, b)
-                      : e0 <= e1 ? pieceOf(edge.bisector, e0, e1, a, b)
-                                 : pieceOf(edge.bisector, e1, e0, b, a).reversed();
-  if (!(a == b)) found_.pieces.push_back({isReference ? curve : curve.reversed(), side.neighbor});
+                      : e0 <= e1 ? overlay_.pieceInside(edge, e0, e1, a, b)
+                                 : overlay_.pieceInside(edge, e1, e0, b, a).reversed();
+  if (!(curve.p0 == curve.p2))
+    found_.pieces.push_back({isReference ? curve : curve.reversed(), side.neighbor});
 }
 
 void PartFinder::addLodgers(Slot site) {

@@ -166,10 +166,10 @@ void drawEdges(const Overlay& overlay, double tolerance, Portion& portion, Path&
   FlatArray<InnerPiece> pieces;
   visitEdges(delaunay, portion, path, [&](HalfedgeId h) {
     if (!overlay.isAnyInside(h)) return;
-    const Edge edge = overlay.edgeInside(h, Bits::kCached, pieces);
+    overlay.edgeInside(h, Bits::kCached, pieces);
     for (const InnerPiece& piece : pieces) {
-      path.move(piece.from.x, piece.from.y);
-      drawConic(piece.on(edge), tolerance, path);
+      path.move(piece.curve.p0.x, piece.curve.p0.y);
+      drawConic(piece.curve, tolerance, path);
     }
   });
 }

@@ -250,5 +250,16 @@ TEST(RegionCases, VerticesOutsideThatRoundingTakesForInside) {
                "");
 }
 
+/// A needle 10^98 long and 10^-66 wide, and circles 10^76 apart: the vertex put into the box keeps
+/// its place on the edge's curve, whose tangents meet 10^124 away.
+TEST(RegionCases, CurvesOfVerticesThatRoundingTakesForInside) {
+  expectRegion({0, 0, 0, 9e-67, 6.1000000000000022e+98, -4.9000000000000004e+98},
+               {{-3.3e76, 0, 9.5999999999999992e28},
+                {-7.8e76, 0, 2.3000000000000001e29},
+                {3.0000000000000002e65, 0, 0},
+                {0, 0, 0}},
+               "");
+}
+
 }  // namespace
 }  // namespace apollonius::test
