@@ -8,9 +8,10 @@
 //     P(t) = ((1-t)² P0 + 2 w t (1-t) P1 + t² P2) / ((1-t)² + 2 w t (1-t) + t²),   0 <= t <= 1,
 //
 // w > 1 for a hyperbola; w = 0 for a straight segment. Where two cells meet, both have the same
-// curve, bit for bit; and all numbers are the same bits natively and as WebAssembly. Curves have
-// the same bits after any history, too; drawings and sums (areas, centroids, lengths) may differ in
-// the last places.
+// curve, bit for bit; and all numbers are the same bits natively and as WebAssembly. In a
+// rectangle, curves have the same bits after any history, too, and a cell has them in the same
+// order; in other windows they do but where a ring passes through a Voronoi vertex. Drawings and
+// sums (areas, centroids, lengths) may differ in the last places.
 //
 // The window is a rectangle, or of any shape (apollonius/region.h). A rectangle is convex and a
 // cell is star-shaped, so the clipped cell is a number of *parts* without holes: one if its centre

@@ -17,8 +17,8 @@ double after(double place, double reference) {
 }
 
 /// Before, counter-clockwise from corner 0. Places are rounded to a share of the side, coordinates
-/// are not; and of pieces that meet the border in one point, as far as doubles can tell, the other
-/// ends say which comes first: the order does not depend on where the boundary was begun.
+/// are not. Which is first of several in one point, as far as doubles can tell, is any rule's to
+/// say that knows no history.
 bool comesBefore(const BorderContact& a, const BorderContact& b) {
   if (a.place != b.place) return a.place < b.place;
   if (a.side != b.side) return a.side < b.side;
@@ -29,8 +29,7 @@ bool comesBefore(const BorderContact& a, const BorderContact& b) {
                          : -c.point.y;
   };
   if (along(a) != along(b)) return along(a) < along(b);
-  if (a.inner.x != b.inner.x) return a.inner.x < b.inner.x;
-  return a.inner.y != b.inner.y ? a.inner.y < b.inner.y : a.piece < b.piece;
+  return a.leaves != b.leaves ? a.leaves : a.piece < b.piece;
 }
 
 /// The number of corners on the way between two contacts, of which rounded places count `seen`. One

@@ -24,7 +24,6 @@ struct BorderContact {
   Point point;
   std::uint32_t piece;  ///< the piece of the boundary that ends here (leaves) or starts here
   bool leaves;
-  Point inner{};  ///< the other end of that piece; only where it matters which piece it is
 };
 
 /// A part of the border, counter-clockwise from where a piece left to where a piece enters, over so

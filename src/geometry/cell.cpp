@@ -4,6 +4,30 @@
 
 namespace apollonius::internal {
 
+namespace {
+
+/// Where the star of a vertex begins after any history: at the half-edge whose target, and then the
+/// next one's, is least in the order of precedes(), infinity before all. No two neighbours follow
+/// each other twice, a b … a b: around a vertex of a planar graph, none alternate.
+HalfedgeId firstOfStar(const DelaunayGraph& delaunay, VertexId v) {
+  const Graph& graph = delaunay.graph();
+  const auto isLess = [&](VertexId a, VertexId b) {
+    if (a == kInfinity || b == kInfinity) return a == kInfinity && b != kInfinity;
+    return precedes(delaunay.site(a), delaunay.site(b));
+  };
+  HalfedgeId first = graph.outgoing(v);
+  for (const HalfedgeId h : graph.star(v)) {
+    const VertexId a = graph.target(h), b = graph.target(first);
+    const bool comesFirst =
+        a != b ? isLess(a, b)
+               : isLess(graph.target(graph.rotateCcw(h)), graph.target(graph.rotateCcw(first)));
+    if (comesFirst) first = h;
+  }
+  return first;
+}
+
+}  // namespace
+
 const Cell& CellFinder::find(Slot site) {
   cell_.pieces.clear();
   cell_.starts.assign(1, 0);
@@ -13,12 +37,11 @@ const Cell& CellFinder::find(Slot site) {
   contacts_.clear();
   for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
     const ClippedPiece& piece = pieces_[k].clipped;
-    const auto add = [&](int side, Point p, Point inner, bool leaves) {
-      if (side != kNoSide)
-        contacts_.push_back({side, window_.placeOf(side, p), p, k, leaves, inner});
+    const auto add = [&](int side, Point p, bool leaves) {
+      if (side != kNoSide) contacts_.push_back({side, window_.placeOf(side, p), p, k, leaves});
     };
-    add(piece.fromSide, piece.curve.p0, piece.curve.p2, false);
-    add(piece.toSide, piece.curve.p2, piece.curve.p0, true);
+    add(piece.fromSide, piece.curve.p0, false);
+    add(piece.toSide, piece.curve.p2, true);
   }
   if (!contacts_.empty()) {
     link(site);
@@ -40,7 +63,7 @@ void CellFinder::clipEdges(Slot site) {
   const VertexId v = vertexOf(site);
   if (!graph.hasVertex(v)) return;  // the only visible site
   ClippedEdge clipped;
-  for (const HalfedgeId h : graph.star(v)) {
+  for (const HalfedgeId h : Star<Graph>(graph, firstOfStar(delaunay, v))) {
     if (graph.target(h) != kInfinity) {
       const SiteId neighbor = core_.siteOf(graph.target(h));
       if (startsAtReference(delaunay, h)) {

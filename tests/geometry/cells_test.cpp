@@ -278,31 +278,26 @@ TEST(Cells, IntegerCirclesInWindowsThatEndOnTheirEdgesAndVertices) {
   }
 }
 
-/// The curves of a cell in an order of their own.
-std::vector<std::vector<double>> sortedCurves(const Voronoi& voronoi, SiteId id) {
-  CurveArrays cell;
-  EXPECT_EQ(voronoi.cellCurves(id, cell), Error::kNone);
-  std::vector<std::vector<double>> curves;
-  for (std::size_t k = 0; k < cell.curves.size(); k += 7)
-    curves.emplace_back(&cell.curves[k], &cell.curves[k] + 7);
-  std::sort(curves.begin(), curves.end());
-  return curves;
-}
-
-/// Compares the cells of circles inserted in their order and in the opposite one.
+/// Compares the cells of circles inserted one by one in their order and in the opposite one.
 void expectSameCells(const Circles& circles, const Bounds& bounds, int run) {
   Diagram forwards, backwards;
-  insertInto(forwards, circles);
-  insertInto(backwards, Circles(circles.rbegin(), circles.rend()));
+  SiteId ignored = kNoSite;
+  for (std::size_t k = 0; k < circles.size(); ++k) {
+    const Circle &c = circles[k], &last = circles[circles.size() - 1 - k];
+    ASSERT_EQ(forwards.insert(c.x, c.y, c.r, ignored), Error::kNone);
+    ASSERT_EQ(backwards.insert(last.x, last.y, last.r, ignored), Error::kNone);
+  }
   for (SiteId id = 0; id < circles.size(); ++id) {
     const auto there = static_cast<SiteId>(circles.size() - 1 - id);
     bool isHidden = false, isHiddenThere = false;
     ASSERT_EQ(forwards.isHidden(id, isHidden), Error::kNone);
     ASSERT_EQ(backwards.isHidden(there, isHiddenThere), Error::kNone);
     if (isHidden != isHiddenThere) continue;  // of identical circles any may be the visible one
-    ASSERT_EQ(sortedCurves(Voronoi(forwards, bounds), id),
-              sortedCurves(Voronoi(backwards, bounds), there))
-        << "run " << run << " site " << id;
+    CurveArrays cell, cellThere;
+    ASSERT_EQ(Voronoi(forwards, bounds).cellCurves(id, cell), Error::kNone);
+    ASSERT_EQ(Voronoi(backwards, bounds).cellCurves(there, cellThere), Error::kNone);
+    ASSERT_EQ(cell.regions, cellThere.regions) << "run " << run << " site " << id;
+    ASSERT_EQ(cell.curves, cellThere.curves) << "run " << run << " site " << id;
   }
 }
 
@@ -341,6 +336,33 @@ TEST(Cells, ThatMeetTheBorderTwiceInOnePointAreTheSameAfterAnyHistory) {
     const auto x = static_cast<double>(random.integer(0, 4)),
                y = static_cast<double>(random.integer(0, 4));
     expectSameCells(circles, {x, y, far, far}, run);
+    if (HasFatalFailure()) return;
+  }
+}
+
+/// Found by geometry_fuzz: of a circle so large that its vertices are 256 apart, two pairs of edges
+/// leave and enter the window in one point, all with the same other end.
+TEST(Cells, ThatMeetTheBorderTwiceWithTheSamePieceAreTheSameAfterAnyHistory) {
+  const Circles circles{{-66, 0, 0},
+                        {-0x1.eb74e2647dc7ep+60, -0x1.1366287107727p+62, 0x1.2d902028a833fp+62},
+                        {-128, -40, 9},
+                        {-0x1.98014p+6, -37, 9},
+                        {0, 0, 8}};
+  expectSameCells(circles, {-0x1p285, -0x1p285, 256, 256}, 0);
+}
+
+/// Also if the neighbour that comes first has two edges, on both sides of a small cell before it.
+TEST(Cells, BeginAtTheSameEdgeAfterAnyHistory) {
+  Random random(529);
+  for (int run = 0; run < runs(100); ++run) {
+    Circles circles{{0, 0, 10}, {0, 11.1, 0.5}, {0, 18, 0.2}};
+    for (int k = 0; k < 12; ++k) {
+      const double x = random.between(-40, 40);
+      circles.push_back({x, k % 2 == 0 ? -std::sqrt(2500 - x * x) : 70, 1});
+    }
+    for (int k = 0; k < 8; ++k) circles.push_back({k % 2 == 0 ? -60.0 : 60.0, 10.0 * k - 30, 1});
+    random.shuffle(circles);
+    expectSameCells(circles, {-400, -400, 400, 400}, run);
     if (HasFatalFailure()) return;
   }
 }
