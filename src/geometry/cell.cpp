@@ -1,27 +1,24 @@
 #include "geometry/cell.h"
 
 #include "geometry/measures.h"
+#include "predicate/reference_site.h"
 
 namespace apollonius::internal {
 
 namespace {
 
 /// Where the star of a vertex begins after any history: at the half-edge whose target, and then the
-/// next one's, is least in the order of precedes(), infinity before all. No two neighbours follow
-/// each other twice, a b … a b: around a vertex of a planar graph, none alternate.
+/// next one's, is largest in the order of precedes(). No two neighbours follow each other twice,
+/// a b … a b: around a vertex of a planar graph, none alternate.
 HalfedgeId firstOfStar(const DelaunayGraph& delaunay, VertexId v) {
   const Graph& graph = delaunay.graph();
-  const auto isLess = [&](VertexId a, VertexId b) {
-    if (a == kInfinity || b == kInfinity) return a == kInfinity && b != kInfinity;
-    return precedes(delaunay.site(a), delaunay.site(b));
-  };
+  const auto target = [&](HalfedgeId h) { return delaunay.corner(graph.target(h)); };
   HalfedgeId first = graph.outgoing(v);
   for (const HalfedgeId h : graph.star(v)) {
-    const VertexId a = graph.target(h), b = graph.target(first);
-    const bool comesFirst =
-        a != b ? isLess(a, b)
-               : isLess(graph.target(graph.rotateCcw(h)), graph.target(graph.rotateCcw(first)));
-    if (comesFirst) first = h;
+    const Corner a = target(h), b = target(first);
+    if (a != b ? isBetterReference(a, b)
+               : isBetterReference(target(graph.rotateCcw(h)), target(graph.rotateCcw(first))))
+      first = h;
   }
   return first;
 }

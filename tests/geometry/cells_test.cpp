@@ -355,12 +355,12 @@ TEST(Cells, ThatMeetTheBorderTwiceWithTheSamePieceAreTheSameAfterAnyHistory) {
 TEST(Cells, BeginAtTheSameEdgeAfterAnyHistory) {
   Random random(529);
   for (int run = 0; run < runs(100); ++run) {
-    Circles circles{{0, 0, 10}, {0, 11.1, 0.5}, {0, 18, 0.2}};
+    Circles circles{{0, 0, 10}, {0, 11.1, 0.5}, {0, 18, 0.6}};
     for (int k = 0; k < 12; ++k) {
       const double x = random.between(-40, 40);
-      circles.push_back({x, k % 2 == 0 ? -std::sqrt(2500 - x * x) : 70, 1});
+      circles.push_back({x, k % 2 == 0 ? -std::sqrt(2500 - x * x) : 70, 0});
     }
-    for (int k = 0; k < 8; ++k) circles.push_back({k % 2 == 0 ? -60.0 : 60.0, 10.0 * k - 30, 1});
+    for (int k = 0; k < 8; ++k) circles.push_back({k % 2 == 0 ? -60.0 : 60.0, 10.0 * k - 30, 0});
     random.shuffle(circles);
     expectSameCells(circles, {-400, -400, 400, 400}, run);
     if (HasFatalFailure()) return;
