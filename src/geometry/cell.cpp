@@ -14,11 +14,15 @@ HalfedgeId firstOfStar(const DelaunayGraph& delaunay, VertexId v) {
   const Graph& graph = delaunay.graph();
   const auto target = [&](HalfedgeId h) { return delaunay.corner(graph.target(h)); };
   HalfedgeId first = graph.outgoing(v);
+  Corner largest = target(first);
   for (const HalfedgeId h : graph.star(v)) {
-    const Corner a = target(h), b = target(first);
-    if (a != b ? isBetterReference(a, b)
-               : isBetterReference(target(graph.rotateCcw(h)), target(graph.rotateCcw(first))))
-      first = h;
+    const Corner a = target(h);
+    if (a == largest
+            ? !isBetterReference(target(graph.rotateCcw(h)), target(graph.rotateCcw(first)))
+            : !isBetterReference(a, largest))
+      continue;
+    first = h;
+    largest = a;
   }
   return first;
 }
