@@ -17,8 +17,8 @@ double after(double place, double reference) {
 }
 
 /// Before, counter-clockwise from corner 0. Places are rounded to a share of the side, coordinates
-/// are not. Which is first of several in one point, as far as doubles can tell, is any rule's to
-/// say that knows no history.
+/// are not. Which is first of several in one point, as far as doubles can tell, their numbers say:
+/// CellFinder counts pieces from one edge on after any history, and sums do not ask which it is.
 bool comesBefore(const BorderContact& a, const BorderContact& b) {
   if (a.place != b.place) return a.place < b.place;
   if (a.side != b.side) return a.side < b.side;

@@ -56,7 +56,8 @@ const Cell& CellFinder::find(Slot site) {
   return cell_;
 }
 
-/// The parts of the cell's edges inside the window, counter-clockwise about the site.
+/// The parts of the cell's edges inside the window, counter-clockwise about the site, from one edge
+/// on after any history.
 void CellFinder::clipEdges(Slot site) {
   pieces_.clear();
   const DelaunayGraph& delaunay = core_.delaunay();
