@@ -125,14 +125,9 @@ void CellFinder::wholeWindow() {
 void CellFinder::closeRegion() {
   const std::uint32_t start = cell_.starts.back();
   const auto pieces = std::span(cell_.pieces).subspan(start);
-  // Of one and the same point, wherever the boundary was begun: a sliver is there after any
-  // history, or after none.
-  Point origin = pieces.front().curve.p0;
-  for (const BoundaryPiece& piece : pieces) {
-    const Point p = piece.curve.p0;
-    if (p.x < origin.x || (p.x == origin.x && p.y < origin.y)) origin = p;
-  }
-  const Area area = areaOf(pieces, window_.nearestTo(origin));
+  // Of its own first point, which is the same after any history: a sliver is there after all of
+  // them, or after none.
+  const Area area = areaOf(pieces, window_.nearestTo(pieces.front().curve.p0));
   if (area.value > area.rounding) {
     cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
     cell_.outers.push_back(static_cast<std::uint32_t>(cell_.ringCount()));
