@@ -58,45 +58,45 @@ double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
 
 Slot nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x), inRange(p.y)); }
 
-/// Does the site own the border around the middle of a gap between contacts? Asked inside of the
-/// window, because the border itself may be an edge of the diagram: one double inside, or farther
-/// than an edge along the border can be rounded. And at five places, because any one may be too
-/// close to an edge.
-bool ownsGap(const DiagramCore& core, Slot site, const Window& window, double middlePlace,
-             double gap, bool isBarelyInside) {
-  const Point center = window.center();
-  int votes = 0;
-  for (const double part : {0.0, -0.21, 0.17, -0.34, 0.38}) {
-    double place = middlePlace + part * gap;
-    place += place < 0 ? 4 : place >= 4 ? -4 : 0;
-    const Point p = window.at(place);
-    const Point inside = isBarelyInside
-                             ? Point{std::nextafter(p.x, center.x), std::nextafter(p.y, center.y)}
-                             : p + powerOfTwo(-20) * (center - p);
-    votes += nearest(core, inside) == site ? 1 : -1;
+/// Does the site own the border there? Asked inside of the window, because the border itself may be
+/// an edge of the diagram: one double inside, or farther than an edge along the border can be
+/// rounded.
+bool ownsAt(const DiagramCore& core, Slot site, const Window& window, double place,
+            bool isBarelyInside) {
+  const Point p = window.at(place - 4 * std::floor(place / 4)), center = window.center();
+  return nearest(core, isBarelyInside
+                           ? Point{std::nextafter(p.x, center.x), std::nextafter(p.y, center.y)}
+                           : p + powerOfTwo(-20) * (center - p)) == site;
+}
+
+/// Does the site own the gap before the first contact, as the contacts tell, for sure or not? In a
+/// window many times as large as what is in it rounding moves contacts along whole sides, and they
+/// tell what is not so. So all gaps are asked, and if one contradicts, or it is not sure, at five
+/// places each, because any one may be too close to an edge: it is what is right along most of the
+/// border. But of what is behind an edge along the border, nearer to it than the edge is rounded,
+/// and of a cell along the border that is as thin as that, contacts alone know: who owns it barely
+/// inside is not who owns it farther in, and such a place says nothing.
+bool ownsFirstGap(const DiagramCore& core, Slot site, const Window& window,
+                  const FlatArray<BorderContact>& contacts, double reference, bool isTold,
+                  bool isSure) {
+  double balance = 0;
+  for (const double part : {0.5, 0.29, 0.67, 0.16, 0.88}) {
+    int times = 0;  // how often it owns a gap if it does not own the first: 0, 1, or by rounding
+    double begin = after(contacts.back().place, reference) - 4;
+    for (const BorderContact& contact : contacts) {
+      const double end = after(contact.place, reference);
+      const double place = reference + begin + part * (end - begin);
+      const bool owns = ownsAt(core, site, window, place, false);
+      const bool isAsTold = owns == (times + (isTold ? 1 : 0) > 0);
+      if (isAsTold || owns == ownsAt(core, site, window, place, true))
+        balance += times >= (owns ? 1 : 0) ? begin - end : end - begin;
+      isSure = isSure && isAsTold;
+      times += contact.leaves ? 1 : -1;
+      begin = end;
+    }
+    if (isSure) return isTold;
   }
-  return votes > 0;
-}
-
-/// Of contacts that are all in pairs, so that the site owns next to nothing of the border or all
-/// but that: does it own the middle of the largest gap, before the first contact? What is behind an
-/// edge along the border, nearer to it than the edge is rounded, owns it barely inside only; so
-/// does a cell along the border that is as thin as that, in a window many times as wide. Of the
-/// latter the contacts know: the first one tells.
-bool ownsLargestGap(const DiagramCore& core, Slot site, const Window& window,
-                    const BorderContact& first, double middlePlace, double gap) {
-  const bool owns = ownsGap(core, site, window, middlePlace, gap, false);
-  return owns == ownsGap(core, site, window, middlePlace, gap, true) ? owns : !first.leaves;
-}
-
-/// Two ways of matching whose disorders differ by less than this, in sides, are taken for equally
-/// good. Rounding of the curves moves a crossing that is not tangent by far less than 2^-24, and a
-/// tangent one by its root, 2^-26 at most. Vertices are rounded to doubles, besides, which is more
-/// than that in a window of few doubles: one of their distances.
-double noDifference(const Window& window) {
-  const double largest = std::max(
-      {absolute(window.xmin), absolute(window.ymin), absolute(window.xmax), absolute(window.ymax)});
-  return powerOfTwo(-24) + powerOfTwo(-52) * largest / std::min(window.width(), window.height());
+  return balance == 0 ? isTold : balance > 0;
 }
 
 }  // namespace
@@ -150,9 +150,8 @@ void matchBorder(const DiagramCore& core, Slot site, const Window& window,
   enterPlaces.resize(count);
   const double outside = disorder(leavePlaces, enterPlaces),
                inside = disorder(enterPlaces, leavePlaces);
-  const bool isClear = absolute(outside - inside) > noDifference(window);
   const bool holdsReference =
-      isClear ? inside < outside : ownsLargestGap(core, site, window, contacts[0], reference, gap);
+      ownsFirstGap(core, site, window, contacts, reference, inside < outside, inside != outside);
 
   for (std::size_t k = 0; k < count; ++k) {
     const bool isWrapped = holdsReference && k + 1 == count;

@@ -1,6 +1,7 @@
 #include "geometry/fit.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "diagram/bulk_insertion.h"
 #include "geometry/areas.h"
@@ -33,7 +34,8 @@ constexpr double kMedium = 1e-4;
 constexpr double kFine = 1e-7;
 constexpr int kMostHalvings = 30;
 
-/// log r of r >= 1, with + - * / and roots only: 2 artanh((r-1)/(r+1)), of roots near 1.
+/// log r of r >= 1 that is finite, with + - * / and roots only: 2 artanh((r-1)/(r+1)), of roots
+/// near 1.
 double logarithm(double r) {
   double scale = 2;
   for (; r > 1.5; scale *= 2) r = std::sqrt(r);
@@ -67,6 +69,7 @@ double pressureOf(const Bisector& bisector, double e0, double e1) {
   const double f = bisector.distance() / 2, b = bisector.conjugate();
   // sinh 2μ1 - sinh 2μ0 = 2 cosh(μ1 + μ0) sinh(μ1 - μ0).
   const double ratio = e1 / e0, product = e0 * e1;
+  if (ratio > std::numeric_limits<double>::max()) return ratio;
   const double way = logarithm(ratio);
   const double wave = (product + 1 / product) / 2 * ((ratio - 1 / ratio) / 2);
   return f * f / (4 * b) * (wave - way) + b / 2 * way;

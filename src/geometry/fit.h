@@ -36,6 +36,9 @@ namespace apollonius::internal {
 /// (A cosh μ, B sinh μ) with its foci f from the middle it is F(μ1) - F(μ0), with
 ///
 ///     F(μ) = f²/(2B) (sinh(2μ)/4 - μ/2 + μ B²/f²).
+///
+/// It is infinite if e1 / e0 is beyond doubles: then it is f/8 times as much at least, which is far
+/// more than kLargestMagnitude, however near each other two sites are.
 [[nodiscard]] double pressureOf(const Bisector& bisector, double e0, double e1);
 
 class Fit {

@@ -121,6 +121,21 @@ TEST(Fit, PressureIsTheDerivativeOfAreas) {
   }
 }
 
+/// Parameters of the ends of the edge are then further apart than doubles can say.
+TEST(Fit, EndsWhereSitesAreMuchNearerThanTheRegionIsWide) {
+  const double far = 1e99;
+  const Region region = regionOf({-far, -far, far, -far, far, far, -far, far}, {0, 4});
+  for (const double near : {1e-50, 1e-60, 1e-99}) {
+    Diagram diagram;
+    insertInto(diagram, {{0, 0, 0}, {near, 0, 0}});
+    AreaFit fitting;
+    ASSERT_EQ(fitting.begin(diagram, region, std::vector<double>{1, 3}), Error::kNone);
+    for (int steps = 0; steps < 10 && fitting.step() == Error::kNone; ++steps) {
+    }
+    EXPECT_LE(fitting.error(), 1) << near;
+  }
+}
+
 TEST(Fit, ReachesRandomTargetsInASquare) {
   Random random(902);
   for (const std::size_t count : {1u, 2u, 3u, 10u, 100u, 1000u}) {
