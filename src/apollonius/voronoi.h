@@ -90,8 +90,9 @@ class APOLLONIUS_EXPORT Voronoi {
   /// The boundary of a cell, counter-clockwise, part by part. Cost: O(d log d).
   [[nodiscard]] Error cellCurves(SiteId id, CurveArrays& boundary) const;
   /// The same as polylines: rings of at least three different points that do not cross themselves,
-  /// whatever the tolerance. (Where sites are as close as doubles are, rounding can have the last
-  /// word.) A part about as small as the distance of doubles there has no ring.
+  /// whatever the tolerance. (Where sites are as close as doubles are, or one is as close to
+  /// covering another, rounding can have the last word.) A part about as small as the distance of
+  /// doubles there has no ring.
   [[nodiscard]] Error cellPolygon(SiteId id, double tolerance, RingArrays& rings) const;
   [[nodiscard]] Error cellMeasures(SiteId id, CellMeasures& measures) const;
   /// Area, centroid and perimeter of the part of the (unclipped) cell within `radius` of the site's

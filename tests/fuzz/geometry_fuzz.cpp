@@ -83,16 +83,21 @@ class Checker {
   }
   void take(Error error) { expect(error == Error::kNone, "an error"); }
 
-  /// Are sites, and sides of the window, further apart than doubles of that size? Where they are
-  /// not, rounding has the last word about rings (apollonius/voronoi.h).
+  /// Are sites, and sides of the window, further apart than doubles of that size, and no cells
+  /// needles as thin as that, as where a site all but covers another? Where they are not, rounding
+  /// has the last word about rings (apollonius/voronoi.h).
   [[nodiscard]] bool areApart(double narrow) const {
     const double least = 0x1p-36 * most_;
     for (std::size_t k = 0; k < circles_.size(); ++k) {
       for (std::size_t j = 0; j < k; ++j) {
         const Circle &a = circles_[j], &b = circles_[k];
-        const double apart =
-            std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.r - b.r)});
+        const double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y), dr = std::abs(a.r - b.r);
+        const double apart = std::max({dx, dy, dr}), along = std::max(dx, dy),
+                     across = std::min(dx, dy);
         if (apart > 0 && apart < least) return false;
+        // The conjugate axis of their bisector, squared.
+        const double conjugate = across * across + (along - dr) * (along + dr);
+        if (conjugate > 0 && conjugate < least * least) return false;
       }
     }
     return narrow >= least;
