@@ -58,24 +58,13 @@ double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
 
 Slot nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x), inRange(p.y)); }
 
-/// Does the site own the border there? Asked inside of the window, because the border itself may be
-/// an edge of the diagram: one double inside, or farther than an edge along the border can be
-/// rounded.
-bool ownsAt(const DiagramCore& core, Slot site, const Window& window, double place,
-            bool isBarelyInside) {
-  const Point p = window.at(place - 4 * std::floor(place / 4)), center = window.center();
-  return nearest(core, isBarelyInside
-                           ? Point{std::nextafter(p.x, center.x), std::nextafter(p.y, center.y)}
-                           : p + powerOfTwo(-20) * (center - p)) == site;
-}
-
 /// Does the site own the gap before the first contact, as the contacts tell, for sure or not? In a
 /// window many times as large as what is in it rounding moves contacts along whole sides, and they
 /// tell what is not so. So all gaps are asked, and if one contradicts, or it is not sure, at five
 /// places each, because any one may be too close to an edge: it is what is right along most of the
-/// border. But of what is behind an edge along the border, nearer to it than the edge is rounded,
-/// and of a cell along the border that is as thin as that, contacts alone know: who owns it barely
-/// inside is not who owns it farther in, and such a place says nothing.
+/// border. Asked on the border itself, as a cell along it may be thinner than doubles can tell.
+/// Where the border is an edge the site that is first in nearest()'s order has it: of the four
+/// sides of a window one site loses two at most so.
 bool ownsFirstGap(const DiagramCore& core, Slot site, const Window& window,
                   const FlatArray<BorderContact>& contacts, double reference, bool isTold,
                   bool isSure) {
@@ -86,11 +75,9 @@ bool ownsFirstGap(const DiagramCore& core, Slot site, const Window& window,
     for (const BorderContact& contact : contacts) {
       const double end = after(contact.place, reference);
       const double place = reference + begin + part * (end - begin);
-      const bool owns = ownsAt(core, site, window, place, false);
-      const bool isAsTold = owns == (times + (isTold ? 1 : 0) > 0);
-      if (isAsTold || owns == ownsAt(core, site, window, place, true))
-        balance += times >= (owns ? 1 : 0) ? begin - end : end - begin;
-      isSure = isSure && isAsTold;
+      const bool owns = nearest(core, window.at(place - 4 * std::floor(place / 4))) == site;
+      balance += times >= (owns ? 1 : 0) ? begin - end : end - begin;
+      isSure = isSure && owns == (times + (isTold ? 1 : 0) > 0);
       times += contact.leaves ? 1 : -1;
       begin = end;
     }

@@ -147,6 +147,37 @@ TEST(Cells, BehindCellsMuchThinnerThanTheWindowDoNotTakeItAll) {
                                    {7, 21, 4},
                                    {0x1.c2p+2, 0x1.4fffffffffffcp+4, 0x1.fcp+1},
                                    {0x1.7fffffffffffcp+1, 0, -0x1.0000000000004p+1}});
+  // Of two circles a double apart in all their numbers one is along two sides, and no double is
+  // between its edge and them.
+  const double low = 0x1.f8p+55;
+  const Bounds bounds{low, 0, 0x1.f800001400001p+55, 0x1.f800000400001p+55};
+  Diagram diagram;
+  insertInto(diagram, {{low, low, low},
+                       {0x1.f8000014p+55, 0x1.f8000004p+55, 0x1.f8000014p+55},
+                       {bounds.xmax, bounds.ymax, bounds.xmax}});
+  std::vector<double> areas;
+  ASSERT_EQ(Voronoi(diagram, bounds).cellAreas(areas), Error::kNone);
+  EXPECT_NEAR((areas[0] + areas[1] + areas[2]) / areaOf(bounds), 1, 1e-9);
+}
+
+/// Sides of the window are edges of the diagram, up to three of the same cell.
+TEST(Cells, WhoseEdgesAreTheBorder) {
+  Random random(530);
+  Circles circles;
+  for (int k = 0; k < 25; ++k) circles.push_back({2.0 * (k % 5 - 2), 2.0 * (k / 5 - 2), 0});
+  const double past = 1 + 0x1p-30;
+  for (const Bounds& bounds :
+       {Bounds{-1, -1, 1, 1.5}, Bounds{-1, -1, 1, past}, Bounds{-1, -1, past, 1},
+        Bounds{-past, -1, 1, 1}, Bounds{-1, -past, 1, 1}, Bounds{-1, -1, past, past}}) {
+    random.shuffle(circles);
+    Diagram diagram;
+    insertInto(diagram, circles);
+    std::vector<double> areas;
+    ASSERT_EQ(Voronoi(diagram, bounds).cellAreas(areas), Error::kNone);
+    double sum = 0;
+    for (const double area : areas) sum += area;
+    EXPECT_NEAR(sum / areaOf(bounds), 1, 1e-12);
+  }
 }
 
 /// The needle of a point on a circle, as far as doubles can tell, meets the window's border in two
