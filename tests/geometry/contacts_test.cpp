@@ -225,23 +225,6 @@ TEST(Contacts, ADiskSmallerThanTheDistanceOfDoublesIsFinite) {
   }
 }
 
-double sumOfAreas(const Circles& circles, const Bounds& bounds) {
-  Diagram diagram;
-  insertInto(diagram, circles);
-  std::vector<double> areas;
-  EXPECT_EQ(Voronoi(diagram, bounds).cellAreas(areas), Error::kNone);
-  double sum = 0, cells = 0;
-  for (const double area : areas) sum += area;
-  for (SiteId id = 0; id < circles.size(); ++id) {
-    CellMeasures measures;
-    EXPECT_EQ(Voronoi(diagram, bounds).cellMeasures(id, measures), Error::kNone);
-    cells += measures.area;
-  }
-  cells /= areaOf(bounds);
-  sum /= areaOf(bounds);
-  return std::abs(cells - 1) > std::abs(sum - 1) ? cells : sum;
-}
-
 TEST(Areas, AddUpWhereSitesAreOneOrTwoDoublesApart) {
   Random random(613);
   for (int run = 0; run < runs(4000); ++run) {

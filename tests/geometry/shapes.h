@@ -38,6 +38,25 @@ inline bool windowAround(const Circles& circles, double share, Bounds& bounds) {
 
 inline double areaOf(const Bounds& b) { return (b.xmax - b.xmin) * (b.ymax - b.ymin); }
 
+/// The areas of all cells in units of the window's: together, or one by one if that is further
+/// off 1.
+inline double sumOfAreas(const Circles& circles, const Bounds& bounds) {
+  Diagram diagram;
+  insertInto(diagram, circles);
+  std::vector<double> areas;
+  EXPECT_EQ(Voronoi(diagram, bounds).cellAreas(areas), Error::kNone);
+  double sum = 0, cells = 0;
+  for (const double area : areas) sum += area;
+  for (SiteId id = 0; id < circles.size(); ++id) {
+    CellMeasures measures;
+    EXPECT_EQ(Voronoi(diagram, bounds).cellMeasures(id, measures), Error::kNone);
+    cells += measures.area;
+  }
+  cells /= areaOf(bounds);
+  sum /= areaOf(bounds);
+  return std::abs(cells - 1) > std::abs(sum - 1) ? cells : sum;
+}
+
 /// How often rings wind around a point (even-odd is enough: they do not overlap).
 inline bool isInside(const RingArrays& rings, double x, double y) {
   bool inside = false;
