@@ -19,8 +19,6 @@ class SegmentGrid {
   /// About one cell a segment. REQUIRES: `box` holds all points and has an area.
   SegmentGrid(std::span<const Point> points, std::span<const Segment> segments, const Window& box);
 
-  [[nodiscard]] std::uint32_t columns() const { return columns_; }
-  [[nodiscard]] std::uint32_t rows() const { return rows_; }
   /// Monotonic.
   [[nodiscard]] std::uint32_t columnOf(double x) const {
     return place(x - box_.xmin, box_.width(), columns_);
