@@ -9,7 +9,6 @@ import { mkdirSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs
 import path from "node:path";
 import { setTimeout } from "node:timers/promises";
 import { parseArgs } from "node:util";
-import { Diagram } from "apollonius-diagram";
 import { run as execute, SetUpError } from "../tools/toolchain/process.mjs";
 import { ensureRedis } from "../tools/toolchain/redis.mjs";
 import { machine } from "./machine.mjs";
@@ -88,6 +87,7 @@ async function alone(diagram, points, perJob) {
 }
 
 async function measurePoints({ rounds, sites, points: count, perJob }) {
+  const { Diagram } = await import("apollonius-diagram"); // not before it has been built
   const diagram = new Diagram(circles(sites));
   const snapshot = write("snapshot.bin", diagram.toBytes());
   const random = generator(2);

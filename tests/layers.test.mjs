@@ -111,16 +111,16 @@ const rules = [
   },
 ];
 
+const included = [/^\s*#\s*include\s*([<"][^>"]+[>"])/gm];
+const importedFirst = [
+  /^\s*(?:import|export)\b[^;"']*?\bfrom\s*["']([^"']+)["']/gm,
+  /^\s*import\s*["']([^"']+)["']/gm,
+];
+const imported = [...importedFirst, /\bawait import\(\s*["']([^"']+)["']/g];
+
 /** What a file includes or imports, in the words of its own lines. */
-function dependencies(file) {
+function dependencies(file, patterns = /\.(cpp|h)$/.test(file) ? included : imported) {
   const text = readFileSync(path.join(root, file), "utf8");
-  const patterns = /\.(cpp|h)$/.test(file)
-    ? [/^\s*#\s*include\s*([<"][^>"]+[>"])/gm]
-    : [
-        /^\s*(?:import|export)\b[^;"']*?\bfrom\s*["']([^"']+)["']/gm,
-        /^\s*import\s*["']([^"']+)["']/gm,
-        /\bawait import\(\s*["']([^"']+)["']/g,
-      ];
   return patterns.flatMap((pattern) => [...text.matchAll(pattern)].map((match) => match[1]));
 }
 
@@ -171,6 +171,21 @@ test("only wasm/module.ts starts the module or imports more of it than types", (
       ),
     );
   expect(importing).toEqual(["wasm/module.ts"]);
+});
+
+test("commands start on a fresh clone: before their first line they import no package", () => {
+  const { scripts } = JSON.parse(readFileSync(path.join(root, "package.json"), "utf8"));
+  const ofNode = Object.values(scripts).map((script) => /^node (\S+)/.exec(script)?.[1]);
+  const reached = new Set(ofNode.filter((file) => file !== undefined));
+  const strangers = [];
+  for (const file of reached) {
+    for (const name of dependencies(file, importedFirst)) {
+      if (name.startsWith(".")) reached.add(path.posix.join(path.posix.dirname(file), name));
+      else if (!name.startsWith("node:")) strangers.push(`${file}: ${name}`);
+    }
+  }
+  expect(reached.size).toBeGreaterThan(10);
+  expect(strangers).toEqual([]);
 });
 
 test("lack of memory is caught by its type; `catch (...)` only sets right and throws on", () => {

@@ -3,8 +3,11 @@
 import { writeFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
-import ts from "typescript";
 import { root } from "./toolchain/folders.mjs";
+import { ensureNpmPackages } from "./toolchain/npm_packages.mjs";
+
+ensureNpmPackages();
+const { default: ts } = await import("typescript"); // not before `npm ci` may have installed it
 
 export const referenceFile = path.join(root, "docs/API.md");
 

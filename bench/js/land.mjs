@@ -1,7 +1,9 @@
 // The outline of the world's land (Natural Earth 1:50 million, through world-atlas) on an
 // equal-area map, and other windows of odd shapes.
 import { createRequire } from "node:module";
-import { feature } from "topojson-client";
+
+// Asked for when it is needed: bench/run.mjs is read before `npm ci` may have installed it.
+const require = createRequire(import.meta.url);
 
 const kEarthRadius = 6371; // km
 
@@ -13,7 +15,8 @@ export const equalArea = (longitude, latitude) => [
 
 /** Rings of points. */
 export function landRings() {
-  const topology = createRequire(import.meta.url)("world-atlas/land-50m.json");
+  const { feature } = require("topojson-client");
+  const topology = require("world-atlas/land-50m.json");
   const { features } = feature(topology, topology.objects.land);
   return features
     .flatMap(({ geometry }) => geometry.coordinates.flat())
