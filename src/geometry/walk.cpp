@@ -171,7 +171,9 @@ class Walker {
   /// The place of an edge that a point is at, and how far away that is.
   struct EdgePlace {
     HalfedgeId edge;  // the one of the two at the reference site
-    double e, away;
+    double e;
+    Point point;
+    double away;
   };
   [[nodiscard]] EdgePlace placeOn(HalfedgeId h, Point p) const {
     const DelaunayGraph& delaunay = core_.delaunay();
@@ -181,7 +183,8 @@ class Walker {
   }
   static EdgePlace placeOn(HalfedgeId edge, const Edge& whole, double e, Point p) {
     const double clamped = std::clamp(e > 0 ? e : 0, whole.e0, whole.e1);
-    return {edge, clamped, length(whole.bisector.at(clamped) - p)};
+    const Point point = whole.bisector.at(clamped);
+    return {edge, clamped, point, length(point - p)};
   }
 
   /// Has the edge been crossed where the walk is now?
@@ -223,7 +226,10 @@ class Walker {
     // nearer to its other cell by more than rounding.
     const Site &own = delaunay.site(cell_), &other = delaunay.site(graph_.target(h));
     if (score > line.length && !isNearer(other, own, line.to)) return;
-    best = {h, edge, on.e, place, score};
+    // If the line meets the bisector beyond the edge's end or behind, the cell ends where the line
+    // passes that end most closely.
+    const double out = on.e == e ? place : std::clamp(line.placeOf(on.point), line.at, line.length);
+    best = {h, edge, on.e, out, score};
   }
 
   /// Does the segment run along a straight edge, as far as there are both? Then the cell on the

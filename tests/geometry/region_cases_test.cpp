@@ -192,7 +192,7 @@ TEST(RegionCases, SidesThatCrossAtOnePartInTwoToTheSixtieth) {
   EXPECT_NEAR(region.area() / (below + above), 1, 1e-9);
 }
 
-/// The ring becomes a region, and cells' areas add up to its own.
+/// The ring becomes a region, and cells' areas add up to its own; that of each is that of one.
 void expectRegion(const Ring& ring, const Circles& circles, const std::string& where) {
   SCOPED_TRACE(where);
   const Region region = regionOf({ring});
@@ -202,7 +202,13 @@ void expectRegion(const Ring& ring, const Circles& circles, const std::string& w
   ASSERT_EQ(Voronoi(diagram, region).cellAreas(areas), Error::kNone);
   double sum = 0;
   for (const double area : areas) sum += area;
-  EXPECT_NEAR(sum / areaOf(region.box()), region.area() / areaOf(region.box()), 1e-9);
+  const double whole = areaOf(region.box());
+  EXPECT_NEAR(sum / whole, region.area() / whole, 1e-9);
+  for (SiteId id = 0; id < areas.size(); ++id) {
+    CellMeasures measures;
+    ASSERT_EQ(Voronoi(diagram, region).cellMeasures(id, measures), Error::kNone);
+    EXPECT_NEAR(measures.area / whole, areas[id] / whole, 1e-9) << "site " << id;
+  }
 }
 
 /// Needles 6 · 10^11 long, with one end in a square and the other at places a double apart:
@@ -259,6 +265,18 @@ TEST(RegionCases, CurvesOfVerticesThatRoundingTakesForInside) {
                 {3.0000000000000002e65, 0, 0},
                 {0, 0, 0}},
                "");
+}
+
+/// 10^97 away the circle at 10^78 is as near to the walk as rounding, and takes it in; there is no
+/// way out of its cell but over the end of an edge that is 10^97 further on.
+TEST(RegionCases, EdgesFarAheadAreCrossedWhereTheyAre) {
+  Circles circles(17, {0, 0, 0});  // many, for the order in which they are inserted
+  circles[1] = {3e78, 0, 0};
+  circles[6] = {0, 0, 4e-5};
+  circles[12] = {0, -3e97, 0};
+  circles[13] = {-12, 4, 0};
+  circles[16] = {-10, 0, 0};
+  expectRegion({0, -3e97, -2e97, 0, 0, 0}, circles, "");
 }
 
 }  // namespace
