@@ -21,13 +21,18 @@ class Ring {
   }
 
   /// Of a chain of curves, which began at place `from`, drops the points that come before their
-  /// predecessors by rounding. Its ends stay: points of the border, or the ring's start.
+  /// predecessors by rounding. Its ends stay: points of the border, or the ring's start. Rounding
+  /// can put points on the center itself, which from there is in no direction: what comes after
+  /// them is compared with what came before.
   void straighten(std::size_t from) {
     std::size_t kept = from;
+    const auto isLate = [&](Point p) {
+      return isBefore(p, at(kept > from && at(kept) == center_ ? kept - 1 : kept));
+    };
     for (std::size_t k = from + 1; k < count(); ++k) {
       const bool isFixed = k + 1 == count();
-      while (isFixed && kept > from && isBefore(at(k), at(kept))) --kept;
-      if (at(k) == at(kept) || (!isFixed && isBefore(at(k), at(kept)))) continue;
+      while (isFixed && kept > from && isLate(at(k))) --kept;
+      if (at(k) == at(kept) || (!isFixed && isLate(at(k)))) continue;
       put(++kept, at(k));
     }
     points_.resize(begin_ + 2 * (kept + 1));

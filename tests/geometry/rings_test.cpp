@@ -131,6 +131,24 @@ TEST(Rings, OfSmallCirclesNearlyTouchingLargeOnes) {
   }
 }
 
+TEST(Rings, ThroughTheirOwnCentre) {
+  // Circles that touch from within, but for rounding: cells that begin within a double of their
+  // centre, so that points of the ring are on it.
+  int needles = 0;
+  for (int x = -70; x <= 70; x += 5) {
+    for (int r = 1; r <= 15; ++r) {
+      for (int way = 1; way <= 6; ++way) {
+        const double left = x / 10.0, right = (x + way) / 10.0;
+        const Circles circles{{left, -2.6, (r + way) / 10.0}, {right, -2.6, r / 10.0}};
+        const Bounds bounds{-11, -11, 12.1, 12.1};
+        needles += checkRings(circles, bounds, defaultTolerance(bounds)) == 2 ? 1 : 0;
+        if (HasFailure()) FAIL() << "x " << x << " r " << r << " way " << way;
+      }
+    }
+  }
+  EXPECT_GT(needles, 100);
+}
+
 TEST(Rings, OfACellSmallerThanTheTolerance) {
   const Circles circles{{6, 2, 2}, {8, 0, 2}, {7, 1, 1}};
   const Bounds bounds{-600, -600, 600, 600};
