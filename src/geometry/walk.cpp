@@ -124,7 +124,7 @@ class Walker {
       const double more = distanceOf(other, here) - distance - rounding;
       gap = std::min(gap, more);
       if (more > ahead) continue;
-      considerExit(h, line, best);
+      considerExit(h, line, rounding, best);
     }
     findMissing(line, best);
     clearing_ = here;
@@ -171,9 +171,7 @@ class Walker {
   /// The place of an edge that a point is at, and how far away that is.
   struct EdgePlace {
     HalfedgeId edge;  // the one of the two at the reference site
-    double e;
-    Point point;
-    double away;
+    double e, away;
   };
   [[nodiscard]] EdgePlace placeOn(HalfedgeId h, Point p) const {
     const DelaunayGraph& delaunay = core_.delaunay();
@@ -183,8 +181,7 @@ class Walker {
   }
   static EdgePlace placeOn(HalfedgeId edge, const Edge& whole, double e, Point p) {
     const double clamped = std::clamp(e > 0 ? e : 0, whole.e0, whole.e1);
-    const Point point = whole.bisector.at(clamped);
-    return {edge, clamped, point, length(point - p)};
+    return {edge, clamped, length(whole.bisector.at(clamped) - p)};
   }
 
   /// Has the edge been crossed where the walk is now?
@@ -193,7 +190,7 @@ class Walker {
                        [&](HalfedgeId edge) { return edge == h || edge == graph_.twin(h); });
   }
 
-  void considerExit(HalfedgeId h, const Line& line, Exit& best) const {
+  void considerExit(HalfedgeId h, const Line& line, double rounding, Exit& best) const {
     const DelaunayGraph& delaunay = core_.delaunay();
     const bool isReference = startsAtReference(delaunay, h);
     const HalfedgeId edge = isReference ? h : graph_.twin(h);
@@ -214,22 +211,21 @@ class Walker {
       const double comesBack = line.placeOf(bisector.at(back));
       if (at >= comesBack || line.at >= at / 2 + comesBack / 2) return;
     }
-    const double place = std::max(at, line.at);  // if it is behind, it is so by rounding
+    const bool isBehind = at < line.at;  // by rounding: then the edge is here
+    const double place = isBehind ? line.at : at;
     if (!(place < best.score)) return;
     const Edge whole(delaunay, edge, Bits::kCached);
     const Point here = line.point();
-    const EdgePlace on = at < line.at ? placeOn(edge, whole, bisector.parameterOf(here), here)
-                                      : placeOn(edge, whole, e, crossing);
+    const EdgePlace on = isBehind ? placeOn(edge, whole, bisector.parameterOf(here), here)
+                                  : placeOn(edge, whole, e, crossing);
+    if (isBehind && on.away > rounding) return;
     const double score = place + on.away;
     if (!(score < best.score) || !(on.e > 0 && on.e < kInfinite)) return;
     // An edge that is further from there than the segment's end is left alone, unless the end is
     // nearer to its other cell by more than rounding.
     const Site &own = delaunay.site(cell_), &other = delaunay.site(graph_.target(h));
     if (score > line.length && !isNearer(other, own, line.to)) return;
-    // If the line meets the bisector beyond the edge's end or behind, the cell ends where the line
-    // passes that end most closely.
-    const double out = on.e == e ? place : std::clamp(line.placeOf(on.point), line.at, line.length);
-    best = {h, edge, on.e, out, score};
+    best = {h, edge, on.e, place, score};
   }
 
   /// Does the segment run along a straight edge, as far as there are both? Then the cell on the

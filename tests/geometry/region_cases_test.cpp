@@ -267,9 +267,9 @@ TEST(RegionCases, CurvesOfVerticesThatRoundingTakesForInside) {
                "");
 }
 
-/// 10^97 away the circle at 10^78 is as near to the walk as rounding, and takes it in; there is no
-/// way out of its cell but over the end of an edge that is 10^97 further on.
-TEST(RegionCases, EdgesFarAheadAreCrossedWhereTheyAre) {
+/// 10^97 away the circle at 10^78 is as near to the walk as rounding, and takes it in. Behind,
+/// where the line would leave its cell, there is an edge's bisector, but not the edge.
+TEST(RegionCases, EdgesBehindAreCrossedOnlyWhereTheyAre) {
   Circles circles(17, {0, 0, 0});  // many, for the order in which they are inserted
   circles[1] = {3e78, 0, 0};
   circles[6] = {0, 0, 4e-5};
