@@ -5,7 +5,7 @@
 //   npm run fuzz -- --minutes 60                     all targets, for an hour in all
 //   npm run fuzz -- --minutes 5 --target geometry    those whose name has that in it (several: with
 //                                                    commas)
-//   npm run fuzz -- --minutes 60 --jobs 2            two at a time
+//   npm run fuzz -- --minutes 60 --jobs 2            two at a time, if need be of one target
 //   npm run fuzz -- --merge                          no run: makes tests/fuzz/corpus of all that
 //                                                    was found, minimised
 //
@@ -147,7 +147,7 @@ let isStopped = false;
 
 /**
  * Keeps `jobs` slices running until the time is over, always of the target that has had the least
- * time.
+ * time. (Several of one target find what the others have put into the corpus when they begin.)
  */
 async function fuzz(folder, targets, minutes, jobs) {
   mkdirSync(findings, { recursive: true });
@@ -155,20 +155,18 @@ async function fuzz(folder, targets, minutes, jobs) {
   const done = Object.fromEntries(
     targets.map((target) => [target, { executions: 0, seconds: 0, coverage: 0, findings: [] }]),
   );
-  const busy = new Set();
+  const busy = Object.fromEntries(targets.map((target) => [target, 0])); // slices
   const longest = Math.max(5, Math.min(sliceSeconds, (minutes * 60 * jobs) / targets.length));
+  const timeOf = (target) => done[target].seconds + busy[target] * longest;
   const digest = digestOfSources();
   const work = async () => {
     for (;;) {
       const left = (end - performance.now()) / 1000;
-      const free = targets
-        .filter((target) => !busy.has(target))
-        .sort((a, b) => done[a].seconds - done[b].seconds);
-      if (isStopped || left < 2 || free.length === 0) return;
-      const [target] = free;
-      busy.add(target);
+      if (isStopped || left < 2) return;
+      const [target] = [...targets].sort((a, b) => timeOf(a) - timeOf(b));
+      ++busy[target];
       const result = await slice(folder, target, Math.ceil(Math.min(longest, left)));
-      busy.delete(target);
+      --busy[target];
       addToTotals(path.join(home, "totals.json"), digest, target, result);
       const sum = done[target];
       sum.executions += result.executions;
@@ -178,7 +176,7 @@ async function fuzz(folder, targets, minutes, jobs) {
       for (const finding of result.findings) console.log(`FINDING: ${finding}`);
     }
   };
-  await Promise.all(Array.from({ length: Math.min(jobs, targets.length) }, work));
+  await Promise.all(Array.from({ length: jobs }, work));
   return done;
 }
 
