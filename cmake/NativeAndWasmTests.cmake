@@ -55,7 +55,7 @@ foreach(folder IN LISTS folders)
   set(target ${folder}_tests)
   add_executable(${target} ${sources_of_${folder}})
   target_link_libraries(${target} PRIVATE apollonius_test_support gtest_main)
-  # Compiling these files is most of a whole run; what takes long in them is in the libraries.
+  # Compiling is two thirds of these steps of a whole run; what runs long is in the libraries.
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   if(EMSCRIPTEN)
     target_link_options(${target} PRIVATE ${wasm_test_link_options})

@@ -7,7 +7,8 @@
 //
 //   - Which of two places on a bisector is ahead is told by the middle between them. A cell that
 //     has been entered is not left for having been entered late. In which order they come is no
-//     question of rounding: the cell of the smaller weight is on the convex side.
+//     question of rounding: the cell of the smaller weight is on the convex side. A place that
+//     rounding has put behind is taken only if its edge is here.
 //   - Where two neighbours come next at nearly the same place, the one is taken whose edge it is:
 //     the place is held to be as far ahead as it is away from the edge; beyond the segment's end,
 //     it is taken only if that is in the other cell by more than rounding.
