@@ -9,27 +9,28 @@ import { say, SetUpError } from "../../tools/toolchain/process.mjs";
 
 const levels = ["-O0", "-O1", "-O2", "-O3"];
 
-/** Name, compiler and flags of each build; `only` chooses among the names. */
+/** Name, compiler, flags and emulator of each build; `only` chooses among the names. */
 function configurations(only) {
   const clang = ensureClang();
-  ensureThirtyTwoBits();
+  const emulator = ensureThirtyTwoBits();
   return [
     ...levels.map((level) => ["g++", level]),
     ...levels.map((level) => [clang, level]),
-    ["g++", "-O2 -m32"],
+    ["g++", "-O2 -m32", emulator],
     ["g++", "-O2 -march=native"],
     [clang, "-O2 -march=native"],
   ]
-    .map(([compiler, flags]) => ({
+    .map(([compiler, flags, emulator = []]) => ({
       name: `${path.basename(compiler)}${flags.replace(/ /g, "")}`,
       compiler,
       flags,
+      emulator,
     }))
     .filter(({ name }) => !only || name.includes(only));
 }
 
 /** What a build's tests print: the hashes in one line. */
-function hashes({ name, compiler, flags }) {
+function hashes({ name, compiler, flags, emulator }) {
   say(`--- ${name}`);
   // Of no named type, so that no flags come in but those that are asked for.
   const folder = buildWithCmake(
@@ -42,11 +43,12 @@ function hashes({ name, compiler, flags }) {
     },
     { target: "determinism_tests" },
   );
-  const { stdout, status, error } = spawnSync(
+  const [program, ...args] = [
+    ...emulator,
     path.join(folder, "determinism_tests"),
-    ["--gtest_filter=*Determinism*"],
-    { encoding: "utf8" },
-  );
+    "--gtest_filter=*Determinism*",
+  ];
+  const { stdout, status, error } = spawnSync(program, args, { encoding: "utf8" });
   if (error) throw new SetUpError(`${name}: ${error.message}`);
   if (status !== 0) process.stdout.write(stdout);
   const found = stdout

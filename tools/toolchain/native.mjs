@@ -1,4 +1,5 @@
 // What the native build needs: a C++20 compiler, CMake, GoogleTest's sources.
+import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { ensureInstalled } from "./apt.mjs";
 import { which } from "./process.mjs";
@@ -45,7 +46,10 @@ export function ensureValgrind() {
   return ensureTool("valgrind", ["valgrind", "libc6-dbg"], "valgrind");
 }
 
-/** What `g++ -m32` needs. */
+/**
+ * What `g++ -m32` needs. Returns what to run its programs with: nothing, or an emulator where the
+ * kernel does not run such programs (glibc's loader is one, and tells).
+ */
 export function ensureThirtyTwoBits() {
   if (
     !existsSync("/usr/include/gnu/stubs-32.h") &&
@@ -53,6 +57,8 @@ export function ensureThirtyTwoBits() {
   ) {
     ensureInstalled(["g++-multilib"], "32-bit builds");
   }
+  if (spawnSync("/lib/ld-linux.so.2", ["--version"]).status === 0) return [];
+  return [ensureTool("qemu-i386", ["qemu-user"], "32-bit programs")];
 }
 
 export function ensureNativeTools() {
