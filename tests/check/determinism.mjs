@@ -12,11 +12,11 @@ const levels = ["-O0", "-O1", "-O2", "-O3"];
 /** Name, compiler, flags and emulator of each build; `only` chooses among the names. */
 function configurations(only) {
   const clang = ensureClang();
-  const emulator = ensureThirtyTwoBits();
+  const forThirtyTwoBits = ensureThirtyTwoBits();
   return [
     ...levels.map((level) => ["g++", level]),
     ...levels.map((level) => [clang, level]),
-    ["g++", "-O2 -m32", emulator],
+    ["g++", "-O2 -m32", forThirtyTwoBits],
     ["g++", "-O2 -march=native"],
     [clang, "-O2 -march=native"],
   ]
@@ -62,12 +62,13 @@ export function checkDeterminism() {
   const results = configurations(process.env.APOLLONIUS_DETERMINISM).map(hashes);
   for (const { name, status, line } of results)
     console.log(`${name.padEnd(24)} ${line}${status === 0 ? "" : "   FAILED"}`);
+  const failed = results.filter(
+    ({ status, line }) => status !== 0 || line.split("  ").length !== 3,
+  );
+  if (failed.length > 0)
+    throw new SetUpError(`${failed.length} of ${results.length} builds failed`);
   const different = new Set(results.map(({ line }) => line)).size;
-  if (
-    different !== 1 ||
-    results.some(({ status, line }) => status !== 0 || line.split("  ").length !== 3)
-  ) {
+  if (different !== 1)
     throw new SetUpError(`${different} different answers of ${results.length} builds`);
-  }
   return `the same hashes from ${results.length} builds`;
 }
