@@ -119,6 +119,25 @@ TEST(RegionCases, ASegmentCrossesAnotherCellBetweenTwoPlacesOfOne) {
   EXPECT_GT(areas[1], 0.01);
 }
 
+/// Where a side begins, the small circle is farther than the large one by more than the side is
+/// long, though by less than twice that. The side dips into the small one's cell and comes back.
+TEST(RegionCases, ASideDipsIntoACellThatIsFarWhereItBegins) {
+  const Circles circles{{-1.3125, 1, 2.14}, {0.6, 0, 0}};
+  const auto farther = [&](double x) {
+    return distanceTo(circles[1], x, 0) - distanceTo(circles[0], x, 0);
+  };
+  ASSERT_GT(farther(0), 1);
+  ASSERT_LT(farther(0.6), -0.01);
+  ASSERT_GT(farther(1), 0.01);
+  Diagram diagram;
+  insertInto(diagram, circles);
+  const Region region = regionOf({{0, 0, 1, 0, 1, 1, 0, 1}});
+  std::vector<double> areas;
+  ASSERT_EQ(Voronoi(diagram, region).cellAreas(areas), Error::kNone);
+  EXPECT_NEAR(areas[0] + areas[1], 1, 1e-12);
+  EXPECT_NEAR(areas[1], 0.0023952, 1e-7);  // by the midpoint rule
+}
+
 /// A hole is cut out of the smallest part around it, whichever ring is found first.
 TEST(RegionCases, AHoleOfAnIslandInAHole) {
   Diagram diagram;
