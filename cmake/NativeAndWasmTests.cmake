@@ -1,6 +1,7 @@
 # GoogleTest executables from tests/: each folder that holds *_test.cpp files becomes one
 # executable, `number_tests` for tests/number and so on; files of tests/ itself become `core_tests`.
-# The same sources are built natively and for wasm.
+# The same sources are built natively and for wasm: there those named in WasmTests.cmake, or all
+# with -DAPOLLONIUS_ALL_WASM_TESTS=ON (`npm run check -- wasm`).
 #
 # Natively CTest lists every single test. As wasm it lists one entry an executable: a Node process
 # for each test would cost more than the tests.
@@ -8,6 +9,10 @@ set(tests "${CMAKE_CURRENT_SOURCE_DIR}/tests")
 file(GLOB_RECURSE test_files CONFIGURE_DEPENDS "${tests}/*_test.cpp")
 file(GLOB_RECURSE support_files CONFIGURE_DEPENDS "${tests}/support/*.cpp")
 list(FILTER support_files EXCLUDE REGEX "_test\\.cpp$")
+option(APOLLONIUS_ALL_WASM_TESTS "As wasm, build all tests instead of those that differ there" OFF)
+if(EMSCRIPTEN AND NOT APOLLONIUS_ALL_WASM_TESTS)
+  include(WasmTests)
+endif()
 
 set(APOLLONIUS_GOOGLETEST "/usr/src/googletest" CACHE PATH "GoogleTest's sources")
 if(NOT EXISTS "${APOLLONIUS_GOOGLETEST}/CMakeLists.txt")
@@ -35,6 +40,11 @@ if(EMSCRIPTEN)
   # Node's own file system, so that tests read tests/data as they do natively.
   set(wasm_test_link_options -sENVIRONMENT=node -sNODERAWFS=1 -sEXIT_RUNTIME=1
     -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB)
+  if(NOT APOLLONIUS_ALL_WASM_TESTS)
+    # Without Binaryen's passes, which take longer than most programs run. The package's module has
+    # them, and all tests do in `npm run check -- wasm`.
+    list(APPEND wasm_test_link_options -O1)
+  endif()
 endif()
 
 set(folders "")

@@ -1,4 +1,5 @@
-// npm run check: what looks at the C++ code more closely than the tests do.
+// npm run check: what looks more closely, or longer, than `npm test` does. A workflow runs it every
+// night (.github/workflows/nightly.yml).
 // npm run check -- tidy cppcheck    runs some steps only
 //
 //   sanitizers   the native tests with AddressSanitizer and UndefinedBehaviorSanitizer (smaller
@@ -6,8 +7,11 @@
 //   valgrind     a few of the native tests under memcheck, which knows of uninitialised memory, too
 //   tidy         clang-tidy on src/ and wasm/, with the checks of .clang-tidy
 //   cppcheck     cppcheck on src/, without what tests/check/cppcheck.txt leaves out
-//   thorough     whole sets of tens of thousands, lack of memory among thousands; without the
-//                shadow check
+//   thorough     the native tests in their long forms (`sized` in tests/support/effort.h), without
+//                the shadow check: whole sets of tens of thousands, lack of memory among thousands
+//   wasm         all C++ tests as WebAssembly; `npm test` runs those of cmake/WasmTests.cmake
+//   page         the page's tests in their long forms: storms of 5000 events, axe in each theme on
+//                each screen
 //   strangers    the package in what is too large for every npm ci: other bundlers, other versions
 //                of TypeScript, edge runtimes, Deno, Vitest (tests/strangers)
 //   cluster      20 million points and a million circles by the workers of web/examples/cluster, a
@@ -21,7 +25,8 @@ import path from "node:path";
 import { buildPackage } from "../tools/build.mjs";
 import { ensureChromium, ensureFirefox } from "../tools/toolchain/browser.mjs";
 import { ensureBoost } from "../tools/toolchain/boost.mjs";
-import { buildWithCmake } from "../tools/toolchain/cmake.mjs";
+import { buildWasmTests, buildWithCmake } from "../tools/toolchain/cmake.mjs";
+import { ensureEmscripten } from "../tools/toolchain/emscripten.mjs";
 import { withBuildLock } from "../tools/toolchain/lock.mjs";
 import { ensureNativeTools, ensureValgrind } from "../tools/toolchain/native.mjs";
 import { root } from "../tools/toolchain/folders.mjs";
@@ -29,7 +34,8 @@ import { run, SetUpError } from "../tools/toolchain/process.mjs";
 import { ensureRedis } from "../tools/toolchain/redis.mjs";
 import { cppcheck, tidy } from "./check/analyse.mjs";
 import { checkDeterminism } from "./check/determinism.mjs";
-import { ctest, jest, runSteps, runTests } from "./steps.mjs";
+import { runAllPrograms } from "./programs.mjs";
+import { ctest, jest, runSteps } from "./steps.mjs";
 import { installPacked } from "./wasm/support/install_packed.mjs";
 
 /**
@@ -95,14 +101,18 @@ await runSteps({
   async thorough() {
     native();
     const settings = { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_WERROR: "ON" };
-    const folder = await withBuildLock(() =>
-      buildWithCmake("release", settings, { target: "diagram_tests" }),
-    );
-    return runTests(
-      path.join(folder, "diagram_tests"),
-      ["--gtest_brief=1", "--gtest_filter=*WholeSets*:*OutOfMemory*"],
-      { summary: /PASSED/, env: { APOLLONIUS_THOROUGH: "1" } },
-    );
+    const folder = await withBuildLock(() => buildWithCmake("release", settings));
+    return runAllPrograms(folder, () => ({ APOLLONIUS_THOROUGH: "1" }));
+  },
+  async wasm() {
+    native();
+    const emscripten = ensureEmscripten();
+    return ctest(await withBuildLock(() => buildWasmTests(emscripten, { allTests: true })));
+  },
+  async page() {
+    const browsers = { CHROMIUM: ensureChromium() ?? "", FIREFOX: ensureFirefox() ?? "" };
+    await buildPackage();
+    return jest(["web"], { env: { ...browsers, APOLLONIUS_THOROUGH: "1" } });
   },
   async cluster() {
     const redis = ensureRedis();

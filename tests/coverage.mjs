@@ -13,55 +13,29 @@
 //
 //   npm run coverage -- --all      prints what has a reason, too
 //   npm run coverage -- --reuse    looks again at the counts of the last run
-import { spawn } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { ensureBoost } from "../tools/toolchain/boost.mjs";
-import { buildWithCmake, jobs } from "../tools/toolchain/cmake.mjs";
+import { buildWithCmake } from "../tools/toolchain/cmake.mjs";
 import { root } from "../tools/toolchain/folders.mjs";
 import { withBuildLock } from "../tools/toolchain/lock.mjs";
 import { ensureClang, ensureCoverageTools, ensureNativeTools } from "../tools/toolchain/native.mjs";
-import { capture, say, SetUpError } from "../tools/toolchain/process.mjs";
+import { capture } from "../tools/toolchain/process.mjs";
 import { main } from "../tools/toolchain/setup.mjs";
+import { programsIn, runAllPrograms } from "./programs.mjs";
 
 const { values: options } = parseArgs({
   options: { all: { type: "boolean" }, reuse: { type: "boolean" } },
 });
 
-/**
- * Runs all test programs, each in as many parts as there are processors. Throws if one fails: what
- * it did not run would be said to be uncovered.
- */
-async function runPrograms(folder, programs, profiles) {
+/** Runs all test programs. Throws if a test fails: what it did not run would be uncovered. */
+async function runAll(folder, profiles) {
   rmSync(profiles, { recursive: true, force: true });
   mkdirSync(profiles, { recursive: true });
-  const queue = programs.flatMap((program) =>
-    Array.from({ length: Number(jobs) }, (_, part) => ({ program, part })),
-  );
-  const worker = async () => {
-    for (let next = queue.shift(); next !== undefined; next = queue.shift()) {
-      const { program, part } = next;
-      say(`${program}, part ${part}`);
-      const env = {
-        ...process.env,
-        GTEST_TOTAL_SHARDS: jobs,
-        GTEST_SHARD_INDEX: String(part),
-        LLVM_PROFILE_FILE: path.join(profiles, `${program}.${part}.profraw`),
-      };
-      const code = await new Promise((resolve, reject) => {
-        spawn(path.join(folder, program), ["--gtest_brief=1"], {
-          cwd: root,
-          env,
-          stdio: ["ignore", "inherit", "inherit"],
-        })
-          .on("error", reject)
-          .on("close", resolve);
-      });
-      if (code !== 0) throw new SetUpError(`${program} failed`);
-    }
-  };
-  await Promise.all(Array.from({ length: Number(jobs) }, worker));
+  await runAllPrograms(folder, (program, part) => ({
+    LLVM_PROFILE_FILE: path.join(profiles, `${program}.${part}.profraw`),
+  }));
 }
 
 /** Line numbers with their counts, by file, from an lcov report. */
@@ -212,11 +186,9 @@ await main(async () => {
   const folder = options.reuse
     ? path.join(root, "build/coverage")
     : await withBuildLock(() => buildWithCmake("coverage", settings));
-  const programs = readdirSync(folder).filter(
-    (name) => name.endsWith("_tests") && name !== "determinism_tests",
-  );
+  const programs = programsIn(folder);
   const profiles = path.join(folder, "profiles");
-  if (!options.reuse) await runPrograms(folder, programs, profiles);
+  if (!options.reuse) await runAll(folder, profiles);
   const files = measure(folder, programs, profiles);
   const staleReasons = list(files);
   table(files);

@@ -1,15 +1,16 @@
-// npm test: sets up, builds, and runs everything.
+// npm test: sets up, builds, and runs everything, in lanes side by side (side_by_side.mjs).
 // npm test -- native wasm      runs some steps only
 // npm test -- native -t Ids    only tests with that in their names
 //
 //   lint      layout and rules of the sources, which need no build
 //   native    the C++ tests, natively, with every filtered predicate answer compared to the exact
 //             one
-//   wasm      the same C++ tests as WebAssembly under Node
+//   wasm      those of them whose answer may differ there as WebAssembly under Node
+//             (cmake/WasmTests.cmake)
 //   package   Jest on the package as `npm pack` makes it (in Node, in browsers, through bundlers),
 //             and on the rules about who may include whom
 //   cluster   Jest on web/examples/cluster, with a real Redis
-//   web       types of the page's JavaScript, and Jest on the page in a real browser
+//   web       types of the page's JavaScript, and Jest on the page in real browsers
 import { readdirSync } from "node:fs";
 import path from "node:path";
 import { buildPackage } from "../tools/build.mjs";
@@ -22,7 +23,10 @@ import { withBuildLock } from "../tools/toolchain/lock.mjs";
 import { ensureNativeTools } from "../tools/toolchain/native.mjs";
 import { SetUpError } from "../tools/toolchain/process.mjs";
 import { ensureRedis } from "../tools/toolchain/redis.mjs";
-import { ctest, jest, runSteps, runTests } from "./steps.mjs";
+import { main } from "../tools/toolchain/setup.mjs";
+import { runAllPrograms } from "./programs.mjs";
+import { runSideBySide } from "./side_by_side.mjs";
+import { checkNames, ctest, jest, runLanes, runTests } from "./steps.mjs";
 import { installPacked } from "./wasm/support/install_packed.mjs";
 
 const wanted = process.argv.slice(2);
@@ -55,7 +59,11 @@ const steps = {
       APOLLONIUS_SHADOW_CHECK: "ON",
       APOLLONIUS_WERROR: "ON",
     };
-    return ctest(await withBuildLock(() => buildWithCmake("native", settings)), { name });
+    const folder = await withBuildLock(() => buildWithCmake("native", settings));
+    if (name !== undefined) return ctest(folder, { name });
+    const line = await runAllPrograms(folder);
+    await ctest(folder, { name: "^(flags|install|fuzz/)" }); // what is in no program
+    return `${line}; flags, install and fuzz corpora passed`;
   },
   async wasm() {
     ensureNativeTools();
@@ -84,6 +92,7 @@ const steps = {
   },
   async web() {
     const chromium = ensureChromium();
+    const firefox = ensureFirefox();
     if (chromium === null && process.env.CI) {
       throw new SetUpError(
         "no browser: none is installed, and apt has no package `chromium` that could be installed",
@@ -91,10 +100,16 @@ const steps = {
     }
     await buildPackage();
     checkPage();
-    const line = await jest(["web"], { name, env: { CHROMIUM: chromium ?? "" } });
+    const env = { CHROMIUM: chromium ?? "", FIREFOX: firefox ?? "" };
+    const line = await jest(["web"], { name, env });
     return chromium
       ? line
       : `${line}   WITHOUT A BROWSER: install Chromium, or set CHROMIUM to its path`;
   },
 };
-await runSteps(steps, wanted);
+await main(async () => {
+  checkNames(steps, wanted);
+  const names = wanted.length > 0 ? wanted : Object.keys(steps);
+  if (names.length > 1) await runSideBySide(names, name === undefined ? [] : ["-t", name]);
+  else await runLanes([[[names[0], steps[names[0]]]]]);
+});

@@ -1,5 +1,6 @@
-// Commands of named steps: `npm test`, `npm run check`. All steps run, also after one that failed;
-// a table at the end says what came of each.
+// What the commands of named steps share (`npm test`, `npm run check`): running test programs, and
+// steps one after another. All steps run, also after one that failed; a table at the end says what
+// came of each.
 import { spawn } from "node:child_process";
 import { createInterface } from "node:readline";
 import { jobs } from "../tools/toolchain/cmake.mjs";
@@ -47,8 +48,8 @@ export function ctest(folder, { env, name } = {}) {
   return runTests("ctest", args, { summary: /tests passed, \d+ tests? failed/, boring, env });
 }
 
-/** Projects of tests/jest.config.mjs, or their tests whose names match. */
-export function jest(projects, { env, name } = {}) {
+/** Projects of tests/jest.config.mjs, or their tests whose names match; `more` goes to Jest. */
+export function jest(projects, { env, name, more = [] } = {}) {
   const args = [
     "--experimental-vm-modules",
     "node_modules/jest/bin/jest.js",
@@ -59,6 +60,7 @@ export function jest(projects, { env, name } = {}) {
     "--selectProjects",
     ...projects,
     ...(name === undefined ? [] : ["-t", name]),
+    ...more,
   ];
   return runTests(process.execPath, args, {
     summary: /^Tests: /,
@@ -66,36 +68,64 @@ export function jest(projects, { env, name } = {}) {
   });
 }
 
-function secondsSince(start) {
-  return `${((performance.now() - start) / 1000).toFixed(0)} s`;
+const secondsSince = (start) => `${((performance.now() - start) / 1000).toFixed(0)} s`;
+
+/** Runs a step; resolves to whether it passed, and its line of the table. */
+async function outcomeOf(name, step) {
+  const start = performance.now();
+  let text,
+    passed = true;
+  try {
+    text = await step();
+  } catch (error) {
+    if (!(error instanceof SetUpError)) console.error(error);
+    text = error.message;
+    passed = false;
+  }
+  process.send?.(text); // to tests/side_by_side.mjs
+  const result = passed ? text : `FAILED: ${text}`;
+  return { passed, line: `${name.padEnd(12)} ${result}   (${secondsSince(start)})` };
+}
+
+/** Refuses names that no step has. */
+export function checkNames(steps, wanted) {
+  const unknown = wanted.find((name) => !(name in steps));
+  if (unknown)
+    throw new SetUpError(`unknown step ${unknown}: expected ${Object.keys(steps).join(", ")}`);
 }
 
 /**
- * Runs the steps that are named on the command line, or all.
- * @param {Record<string, () => Promise<string> | string>} steps each returns its line of the table,
- * or throws
+ * Runs steps one after another, or lanes of them side by side; prints the table, and sets the exit
+ * code.
+ * @param {[name: string, step: () => Promise<string> | string][][]} lanes each step returns its
+ * line of the table, or throws
+ */
+export async function runLanes(lanes) {
+  const began = performance.now();
+  const outcomes = [];
+  await Promise.all(
+    lanes.map(async (lane) => {
+      for (const [name, step] of lane) {
+        say(`=== ${name}`);
+        outcomes.push(await outcomeOf(name, step));
+      }
+    }),
+  );
+  const passed = outcomes.every((outcome) => outcome.passed);
+  const table = outcomes.map(({ line }) => line).join("\n");
+  console.log(`\n${table}\n${passed ? "All passed" : "FAILED"} in ${secondsSince(began)}`);
+  if (!passed) process.exitCode = 1;
+}
+
+/**
+ * Runs the steps that are named on the command line, or all, one after another.
+ * @param {Record<string, () => Promise<string> | string>} steps
  * @param {string[]} wanted
  */
 export function runSteps(steps, wanted = process.argv.slice(2)) {
   return main(async () => {
-    const unknown = wanted.find((name) => !(name in steps));
-    if (unknown)
-      throw new SetUpError(`unknown step ${unknown}: expected ${Object.keys(steps).join(", ")}`);
-    const width = Math.max(...Object.keys(steps).map((name) => name.length));
-    const began = performance.now();
-    const report = [];
-    for (const name of wanted.length > 0 ? wanted : Object.keys(steps)) {
-      say(`=== ${name}`);
-      const start = performance.now();
-      try {
-        report.push(`${name.padEnd(width)} ${await steps[name]()}   (${secondsSince(start)})`);
-      } catch (error) {
-        if (!(error instanceof SetUpError)) console.error(error);
-        report.push(`${name.padEnd(width)} FAILED: ${error.message}   (${secondsSince(start)})`);
-        process.exitCode = 1;
-      }
-    }
-    const result = process.exitCode ? "FAILED" : "All passed";
-    console.log(`\n${report.join("\n")}\n${result} in ${secondsSince(began)}`);
+    checkNames(steps, wanted);
+    const names = wanted.length > 0 ? wanted : Object.keys(steps);
+    await runLanes([names.map((name) => [name, steps[name]])]);
   });
 }

@@ -9,6 +9,7 @@ import { makeNavigation } from "./navigation.js";
 import { showRevivals } from "./revivals.js";
 import { prepareToBuild } from "./sets/building.js";
 import { fetchCities } from "./sets/cities.js";
+import { whenShown } from "./shown.js";
 import { listenToPointer } from "./tools/gestures.js";
 import { listenToKeyboard } from "./tools/keyboard.js";
 import { makeCodeDialog } from "./ui/code.js";
@@ -115,12 +116,16 @@ export async function start() {
   }
   if (isPlain) letWander(app);
 
-  // So that the page needs no network later; that it fails is said when these are asked for.
-  setTimeout(() => {
-    fetchCities().catch(() => {});
-    prepareToBuild();
-  }, kIdle);
-
   // A handle for tests and the curious; not an interface: it may change at any time.
-  Object.assign(window, { app: Object.assign(app, { navigation, motion, weights }) });
+  const handle = { navigation, motion, weights, whenShown: () => whenShown(app) };
+  Object.assign(window, { app: Object.assign(app, { ...handle, whenFetched: fetchAhead() }) });
+}
+
+/**
+ * Fetches, once the page is at rest, what it may need later, so that it then needs no network. A
+ * failure is reported when the thing is asked for.
+ */
+async function fetchAhead() {
+  await new Promise((resolve) => setTimeout(resolve, kIdle));
+  await Promise.allSettled([fetchCities(), prepareToBuild()]);
 }

@@ -20,6 +20,7 @@ namespace {
 using test::Circles;
 using test::Random;
 using test::runs;
+using test::sized;
 
 VertexId vertex(std::size_t v) { return VertexId{static_cast<std::uint32_t>(v)}; }
 
@@ -163,7 +164,8 @@ void judgeAround(const std::vector<Site>& some, Random& random,
 
 TEST(Proof, SurfacesOfSmallGrids) {
   Tally tally;
-  for (int run = 0; run < runs(6000); ++run) {
+  const int count = runs(sized(2500, 6000));
+  for (int run = 0; run < count; ++run) {
     SCOPED_TRACE(run);
     Random random(static_cast<std::uint64_t>(run) + 100);
     const int extent = 1 + static_cast<int>(random.below(5u)),
@@ -177,15 +179,16 @@ TEST(Proof, SurfacesOfSmallGrids) {
                 tally);
     ASSERT_FALSE(HasFailure());
   }
-  EXPECT_GT(tally.right, runs(8000));
-  EXPECT_GT(tally.wrong, runs(40000));
+  EXPECT_GT(tally.right, count);
+  EXPECT_GT(tally.wrong, 6 * count);
 }
 
 // One or two giants and small ones at their boundaries and between: several edges between two
 // sites, sites of degree 2.
 TEST(Proof, SurfacesWithMultipleEdges) {
   Tally tally;
-  for (int run = 0; run < runs(6000); ++run) {
+  const int count = runs(sized(2500, 6000));
+  for (int run = 0; run < count; ++run) {
     SCOPED_TRACE(run);
     Random random(static_cast<std::uint64_t>(run) + 100000);
     const bool onGrid = random.oneIn(2);
@@ -204,15 +207,15 @@ TEST(Proof, SurfacesWithMultipleEdges) {
     judgeAround(sites, random, another, tally);
     ASSERT_FALSE(HasFailure());
   }
-  EXPECT_GT(tally.right, runs(6000));
-  EXPECT_GT(tally.wrong, runs(30000));
+  EXPECT_GT(tally.right, count);
+  EXPECT_GT(tally.wrong, 5 * count);
 }
 
 class ProofOnCorpus : public ::testing::TestWithParam<test::NamedGenerator> {};
 
 TEST_P(ProofOnCorpus, SurfacesOfFewSites) {
   Tally tally;
-  for (int run = 0; run < runs(40); ++run) {
+  for (int run = 0; run < runs(sized(15, 40)); ++run) {
     SCOPED_TRACE(run);
     Random random(static_cast<std::uint64_t>(run) + 5000);
     const std::vector<Site> pool = sitesOf(GetParam().make(random, 40));

@@ -77,7 +77,7 @@ class BatchesOn : public ::testing::TestWithParam<NamedGenerator> {};
 
 TEST_P(BatchesOn, EndInAFreshBuild) {
   Random random(301);
-  for (int run = 0; run < runs(4); ++run) {
+  for (int run = 0; run < runs(sized(2, 4)); ++run) {
     const std::size_t size = GetParam().large ? 30 : 5;
     const Circles pool = GetParam().make(random, 6 * size);
     const auto draw = [&](std::size_t count) {

@@ -52,7 +52,8 @@ class BuilderOn : public ::testing::TestWithParam<NamedGenerator> {};
 
 TEST_P(BuilderOn, MakesTheSameDiagramInSteps) {
   Random random(461);
-  const std::vector<double> xyr = triples(GetParam().make(random, GetParam().large ? 3000 : 15));
+  const std::vector<double> xyr =
+      triples(GetParam().make(random, GetParam().large ? sized(1000, 3000) : 15));
   Diagram whole;
   std::vector<SiteId> ids(xyr.size() / 3);
   ASSERT_EQ(whole.insertMany(xyr, ids), Error::kNone);

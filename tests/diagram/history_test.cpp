@@ -14,7 +14,7 @@ namespace {
 
 TEST(History, ShortOnesOnTinyGrids) {
   Random random(221);
-  for (int run = 0; run < runs(20000); ++run) {
+  for (int run = 0; run < runs(sized(8000, 20000)); ++run) {
     const int side = static_cast<int>(random.integer(1, 6));
     const int heaviest = random.below(5);
     const std::size_t poolSize = 6 + random.below(std::size_t{20});

@@ -24,7 +24,7 @@ TEST_P(LargeSetOf, BulkOneByOneAndRemovalOfHalf) {
   Circles circles;
   for (const NamedGenerator& generator : corpus()) {
     if (generator.name == GetParam().generator)
-      circles = generator.make(random, static_cast<std::size_t>(runs(GetParam().n)));
+      circles = generator.make(random, static_cast<std::size_t>(runs(GetParam().n / sized(4, 1))));
   }
   ASSERT_FALSE(circles.empty());
   std::string broken;
@@ -80,7 +80,7 @@ TEST(LargeHistory, DriftingSites) {
     std::vector<SiteId> ids;
     Circles circles;
     const std::size_t most =
-        static_cast<std::size_t>(runs(location == Location::kWalk ? 800 : 4000));
+        static_cast<std::size_t>(runs((location == Location::kWalk ? 800 : 4000) / sized(3, 1)));
     for (const double scale : {1.0, 1e-6, 1e4, 1e60, 1e-60, 1.0}) {
       const double centre = scale * random.between(-3, 3);
       const auto draw = [&] {

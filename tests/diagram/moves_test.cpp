@@ -47,7 +47,7 @@ TEST_P(MovesOn, LeaveTheDiagramOfTheNewSites) {
     const double reach = step * extentOf(circles);
     std::vector<SiteId> ids;
     Diagram diagram = diagramOf(circles, ids);
-    for (int run = 0; run < runs(8); ++run) {
+    for (int run = 0; run < runs(sized(4, 8)); ++run) {
       if (random.oneIn(3)) diagram = restored(diagram);
       for (std::size_t k = 0; k < circles.size(); ++k) {
         if (random.oneIn(4)) continue;
@@ -85,7 +85,7 @@ TEST_P(MovesOn, ManyAtOnceLeaveTheDiagramOfTheNewSites) {
     for (Circle& v : velocities)
       v = {random.between(-reach, reach), random.between(-reach, reach),
            random.oneIn(3) ? random.between(-reach, reach) : 0};
-    for (int run = 0; run < runs(12); ++run) {
+    for (int run = 0; run < runs(sized(4, 12)); ++run) {
       if (random.oneIn(3)) diagram = restored(diagram);
       Circles next = circles;
       std::vector<double> xyr;

@@ -22,7 +22,7 @@ void expectOraclesDiagram(const Circles& circles, Location location) {
 
 TEST(DiagramAndOracle, AgreeOnTinyGrids) {
   Random random(201);
-  for (int run = 0; run < runs(30000); ++run) {
+  for (int run = 0; run < runs(sized(12000, 30000)); ++run) {
     const int side = static_cast<int>(random.integer(1, 6));
     const int heaviest = static_cast<int>(random.integer(0, 4));
     const std::size_t n = random.below(std::size_t{9});

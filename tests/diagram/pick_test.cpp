@@ -190,7 +190,7 @@ TEST(Pick, TheSmallestOrTheLast) {
 TEST(Search, LongAndLargeWindowsOfManySites) {
   Random random(453);
   for (const Hidden hidden : {Hidden::kNone, Hidden::k20Percent, Hidden::k95Percent}) {
-    const Circles circles = randomCircles(random, 2000, hidden);
+    const Circles circles = randomCircles(random, sized(800u, 2000u), hidden);
     Picking picking(circles);
     for (int k = 0; k < runs(3); ++k) {
       const double x = random.between(-1e6, 1e6), y = random.between(-1e6, 1e6);

@@ -18,7 +18,7 @@ class CellsOn : public ::testing::TestWithParam<NamedGenerator> {};
 
 TEST_P(CellsOn, AreasAddUpToTheWindow) {
   Random random(521);
-  for (int run = 0; run < runs(12); ++run) {
+  for (int run = 0; run < runs(sized(5, 12)); ++run) {
     const Circles circles =
         GetParam().make(random, GetParam().large ? 5 + 25 * static_cast<std::size_t>(run)
                                                  : 4 + static_cast<std::size_t>(run % 6));

@@ -1,5 +1,5 @@
-// How much the randomised tests do: one constant, smaller where the same code runs slower
-// (WebAssembly, sanitizers), so that every suite stays within a few minutes.
+// How much the randomised tests do: less where the same code runs slower (WebAssembly, sanitizers),
+// and in every `npm test` less than in a thorough run, so that a whole run stays within minutes.
 #pragma once
 
 #include <cstdlib>
@@ -23,8 +23,14 @@ inline constexpr int kEffortDivisor = 1;
 /// How many runs to make of a test that makes `native` of them natively.
 constexpr int runs(int native) { return native / kEffortDivisor + 1; }
 
-/// Shall tests run that take minutes each? Set APOLLONIUS_THOROUGH=1, best with a build without the
-/// shadow check.
+/// Whether tests run in their long forms, which take minutes: with APOLLONIUS_THOROUGH=1, as in
+/// `npm run check -- thorough`; best with a build without the shadow check.
 inline bool isThorough() { return std::getenv("APOLLONIUS_THOROUGH") != nullptr; }
+
+/// A size or a number of runs: as in every `npm test`, and in a thorough run.
+template <class Number>
+Number sized(Number usual, Number thorough) {
+  return isThorough() ? thorough : usual;
+}
 
 }  // namespace apollonius::test

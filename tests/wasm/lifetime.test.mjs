@@ -282,10 +282,11 @@ test("out of memory is an error, and the diagram is as it was", () => {
   expect(JSON.parse(output)).toEqual({ one: 3, many: 2, broken: null, grew: 10000, isFull: true });
 }, 120_000);
 
-test("a million small diagrams come and go", () => {
-  for (let k = 0; k < 1_000_000; ++k) {
+test("many small diagrams come and go", () => {
+  const count = process.env.APOLLONIUS_THOROUGH ? 1_000_000 : 100_000;
+  for (let k = 0; k < count; ++k) {
     const diagram = new Diagram([0, 0, 1, 5, k % 7, 2, 9, 1, 1]);
-    if (k % 100_000 === 0) expect(diagram.find(5, 1)).toBe(1);
+    if (k % 10_000 === 0) expect(diagram.find(5, 1)).toBe(1);
     diagram.dispose();
   }
 }, 120_000);

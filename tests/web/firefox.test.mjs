@@ -16,6 +16,7 @@ import {
   stateOf,
   whereIs,
 } from "./support/browser.mjs";
+import { kSound, kStorm, soundness, storm } from "./support/storm.mjs";
 
 describeInFirefox("the page in Firefox", (open) => {
   let page;
@@ -226,6 +227,12 @@ describeInFirefox("the page in Firefox", (open) => {
       await page.waitForFunction(() => window.app?.diagram.size === 35);
     });
   });
+
+  test("a storm of random events leaves the diagram sound", async () => {
+    await page.setViewport(kStorm.window);
+    await storm(page, { seed: 4, events: kStorm.events });
+    expect(await soundness(page)).toEqual(kSound);
+  }, 900_000);
 
   test("drift moves all, the steps of an insertion end in it", async () => {
     await page.click("#open-show");

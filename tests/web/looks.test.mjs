@@ -5,6 +5,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { describe, expect, test } from "@jest/globals";
 import { closePage, describeInBrowser, painted, settled, show } from "./support/browser.mjs";
+import { isThorough } from "./support/effort.mjs";
 import { serve } from "../../tools/serve.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -34,10 +35,14 @@ const contrast = (a, b) => {
 
 describeInBrowser("looks", (open) => {
   describe.each(["light", "dark"])("%s", (colorScheme) => {
-    test.each([
+    const screens = [
       ["desktop", {}],
       ["phone", kPhone],
-    ])("axe finds nothing on a %s, with menus, card and dialogs open", async (_, kind) => {
+    ];
+    // Names and roles do not depend on the colours: each screen in one of them will do.
+    const chosen = isThorough ? screens : [screens[colorScheme === "light" ? 0 : 1]];
+    const title = "axe finds nothing on a %s, with menus, card and dialogs open";
+    test.each(chosen)(title, async (_, kind) => {
       const page = await open({ colorScheme, ...kind });
       expect(await complaints(page)).toEqual([]);
       await page.evaluate(() => app.selection.set([4]));
@@ -208,7 +213,7 @@ describeInBrowser("looks", (open) => {
   test("works below another path, and without a network once it is loaded", async () => {
     const server = await serve(0); // of which nothing is kept
     const page = await open({ site: server.url });
-    await page.waitForTimeout(2500); // it fetches what it may need
+    await page.evaluate(() => app.whenFetched);
     await page.context().setOffline(true);
     await show(page, "nesting");
     await show(page, "cities");

@@ -4,6 +4,7 @@ import {
   circlesOf,
   describeInBrowser,
   forEachPage,
+  frames,
   freeSpace,
   painted,
   settled,
@@ -35,7 +36,7 @@ describeInBrowser("motion and steps", (open) => {
     expect((await stateOf(page)).broken).toBeNull();
     await page.evaluate((name) => document.getElementById(name).click(), name);
     const after = await circlesOf(page);
-    await page.waitForTimeout(200);
+    await frames(page, 10);
     expect(await circlesOf(page)).toEqual(after);
     const moved = after.filter((row, k) => row[1] !== before[k][1]).length;
     expect(moved).toBeGreaterThan(150);
@@ -53,7 +54,7 @@ describeInBrowser("motion and steps", (open) => {
       });
     const before = await spread();
     await press("relax");
-    for (let k = 0; k < 100 && (await spread()) > 0.9 * before; k++) await page.waitForTimeout(100);
+    while ((await spread()) > 0.9 * before) await frames(page, 5);
     await page.evaluate(() => app.motion.stop());
     expect(await spread()).toBeLessThan(0.9 * before);
   });
@@ -255,12 +256,12 @@ describeInBrowser("touch", (open) => {
     const [a, b, c] = await Promise.all([0, 1, 2].map((id) => whereIs(page, id)));
     await page.touchscreen.tap(a.x, a.y);
     await send("touchStart", [b.x, b.y]);
-    await page.waitForTimeout(700);
+    await page.waitForFunction(() => app.selection.size === 2);
     await send("touchEnd");
     expect((await stateOf(page)).selected).toEqual([0, 1]);
     const corner = [b.x - 60, b.y + 50];
     await send("touchStart", corner);
-    await page.waitForTimeout(700);
+    await page.waitForFunction(() => app.painter.overlay.box !== null);
     for (let k = 1; k <= 8; k++)
       await send("touchMove", [
         corner[0] + (k * 120) / 8,

@@ -7,6 +7,7 @@ import {
   describeInBrowser,
   drag,
   forEachPage,
+  frames,
   freeSpace,
   painted,
   settled,
@@ -47,7 +48,7 @@ describeInBrowser("the page", (open) => {
       await moving.focus("#overlay");
       await moving.keyboard.press("Shift");
       const then = await circlesOf(moving);
-      await moving.waitForTimeout(300);
+      await frames(moving, 15);
       expect(await circlesOf(moving)).toEqual(then);
       expect(then.filter((row, k) => `${row}` !== `${first[k]}`)).toHaveLength(1);
       expect(await moving.evaluate(() => app.model.history.canUndo)).toBe(false);
@@ -97,12 +98,15 @@ describeInBrowser("the page", (open) => {
     test("the morph passes through all between", async () => {
       const moving = await open({ reducedMotion: "no-preference" });
       await moving.evaluate(() => {
-        window.seen = new Set();
-        app.addEventListener("change", () => window.seen.add(app.sites.weight));
+        window.seen = [];
+        app.addEventListener("change", () => window.seen.push(app.sites.weight));
       });
       await moving.check("[name=weight][value='0']", { force: true });
       await moving.waitForFunction(() => app.sites.weight === 0);
-      expect(await moving.evaluate(() => window.seen.size)).toBeGreaterThan(3);
+      const seen = await moving.evaluate(() => window.seen);
+      expect(seen).toEqual([...seen].sort((a, b) => b - a));
+      // How many depends on how fast the machine draws.
+      expect(seen.filter((weight) => weight > 0 && weight < 1)).not.toEqual([]);
       expect(await moving.evaluate(() => app.diagram.validate())).toBeNull();
       await closePage(moving);
     });
@@ -163,7 +167,6 @@ describeInBrowser("the page", (open) => {
       for (let k = 0; k < 4; k++) {
         await page.mouse.click(x, y);
         seen.push((await stateOf(page)).selected);
-        await page.waitForTimeout(350); // no double click
       }
       expect(seen).toEqual([[0], [1], [3], [0]]);
       await settled(page);
@@ -416,13 +419,12 @@ describeInBrowser("the page", (open) => {
   test("a hidden circle is seen to come to light when its cover goes", async () => {
     await page.evaluate(() => app.setLayer("hidden", true));
     expect(await page.evaluate(() => app.sites.isHidden(1))).toBe(true);
-    const isShown = await page.evaluate(async () => {
+    const isMarked = await page.evaluate(async () => {
       app.model.remove([0]);
-      await new Promise(requestAnimationFrame);
-      await new Promise(requestAnimationFrame);
+      await new Promise(requestAnimationFrame); // in which the marks are made, just before
       return app.painter.overlay.revived !== null;
     });
-    expect(isShown).toBe(true);
+    expect(isMarked).toBe(true);
     expect(await page.evaluate(() => app.sites.isHidden(1))).toBe(false);
     await page.waitForFunction(() => app.painter.overlay.revived === null);
   });

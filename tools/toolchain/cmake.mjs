@@ -34,20 +34,22 @@ export function buildWithCmake(name, settings, { target = "all", env } = {}) {
  * The module and the C++ tests as wasm are built in one folder, of the same objects. Warnings are
  * errors only in CI: whoever has a newer Emscripten shall be able to build.
  */
-function buildWasm(emscripten, target, { debug = false } = {}) {
+function buildWasm(emscripten, target, { debug = false, allTests = false } = {}) {
   const hasGoogleTest = existsSync("/usr/src/googletest/CMakeLists.txt"); // `npm test` installs it
   const settings = {
     CMAKE_TOOLCHAIN_FILE: cmakeToolchainFile(emscripten),
     APOLLONIUS_TESTS: hasGoogleTest && !debug ? "ON" : "OFF",
     ...(process.env.CI && { APOLLONIUS_WERROR: "ON" }),
     ...(debug && { CMAKE_BUILD_TYPE: "Debug" }),
+    ...(allTests && { APOLLONIUS_ALL_WASM_TESTS: "ON" }),
   };
-  return buildWithCmake(debug ? "debug/wasm" : "wasm", settings, { target });
+  const folder = debug ? "debug/wasm" : allTests ? "all-wasm" : "wasm";
+  return buildWithCmake(folder, settings, { target });
 }
 
 /** The wasm module for the package. */
 export const buildWasmModule = (emscripten, options) =>
   buildWasm(emscripten, "apollonius_wasm", options);
 
-/** The C++ tests as wasm. */
-export const buildWasmTests = (emscripten) => buildWasm(emscripten, "all");
+/** The C++ tests as wasm: those of cmake/WasmTests.cmake, or `allTests`. */
+export const buildWasmTests = (emscripten, options) => buildWasm(emscripten, "all", options);

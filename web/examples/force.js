@@ -19,6 +19,7 @@ export default function force(container) {
   );
   const context = canvas.getContext("2d");
   let mouse = null;
+  let lit = -1; // the circle that is drawn as the one pointed at
   canvas.onpointermove = ({ offsetX, offsetY }) => {
     // The canvas may be shown smaller than it is.
     mouse = [(offsetX * width) / canvas.clientWidth, (offsetY * height) / canvas.clientHeight];
@@ -51,10 +52,10 @@ export default function force(container) {
       context.lineTo(b.x, b.y);
     }
     context.stroke();
-    const nearest = mouse ? diagram.find(mouse[0], mouse[1]) : -1;
-    const around = new Set(nearest < 0 ? [] : diagram.neighbors(nearest));
+    lit = mouse ? diagram.find(mouse[0], mouse[1]) : -1;
+    const around = new Set(lit < 0 ? [] : diagram.neighbors(lit));
     nodes.forEach(({ x, y, r }, id) => {
-      context.fillStyle = id === nearest ? "#e15759" : around.has(id) ? "#f28e2b" : "#4e79a7";
+      context.fillStyle = id === lit ? "#e15759" : around.has(id) ? "#f28e2b" : "#4e79a7";
       context.beginPath();
       context.arc(x, y, r, 0, 2 * Math.PI);
       context.fill();
@@ -62,10 +63,5 @@ export default function force(container) {
       context.stroke();
     });
   }
-  return {
-    diagram,
-    nodes,
-    simulation,
-    picked: () => (mouse ? diagram.find(mouse[0], mouse[1]) : -1),
-  };
+  return { diagram, nodes, simulation, lit: () => lit };
 }

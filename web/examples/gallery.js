@@ -103,12 +103,17 @@ function showCards() {
     for (const { target, isIntersecting } of entries) {
       if (!isIntersecting) continue;
       watch.unobserve(target);
-      run(pictures.get(/** @type {HTMLDivElement} */ (target)), target).then((example) =>
-        setTimeout(() => example.simulation?.stop(), kThumbnailTime),
-      );
+      showCard(pictures.get(/** @type {HTMLDivElement} */ (target)), target);
     }
   });
   for (const picture of pictures.keys()) watch.observe(picture);
+}
+
+/** @param {string} name @param {Element} picture */
+async function showCard(name, picture) {
+  const { simulation } = await run(name, picture);
+  picture.closest(".card").toggleAttribute("data-shown", true); // for tests
+  setTimeout(() => simulation?.stop(), kThumbnailTime);
 }
 
 /** @param {string} name */

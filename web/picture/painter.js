@@ -196,7 +196,7 @@ export class Painter {
     this.#request();
   }
 
-  /** Whether the picture on the screen is what it should be. */
+  /** Whether the canvases show what they were last asked to show. */
   get isDone() {
     return !this.#frame;
   }

@@ -35,14 +35,15 @@ function newWorker() {
 /** @type {Promise<Worker> | null} */ let spare = null;
 let jobs = 0;
 
-/** Gets the worker ready, so that building needs no network later. */
-export function prepareToBuild() {
-  if (spare) return;
-  const starting = newWorker();
-  spare = starting;
-  starting.catch(() => {
+/** Gets the worker ready, so that building needs no network later. Resolves when it is. */
+export async function prepareToBuild() {
+  spare ??= newWorker();
+  const starting = spare;
+  try {
+    await starting;
+  } catch {
     if (spare === starting) spare = null; // there is another try when it is needed
-  });
+  }
 }
 
 /**

@@ -39,15 +39,22 @@ export function setText(node, text) {
   if (node.textContent !== text) node.textContent = text;
 }
 
+let waiting = 0; // updates that come with the next frame
+
 /** Runs something once in the next frame, however often it is asked for. */
 export function oncePerFrame(run) {
   let isAsked = false;
   return () => {
     if (isAsked) return;
     isAsked = true;
+    waiting++;
     requestAnimationFrame(() => {
       isAsked = false;
+      waiting--;
       run();
     });
   };
 }
+
+/** Whether all that `oncePerFrame` was asked for has run. */
+export const isUpToDate = () => waiting === 0;

@@ -176,11 +176,14 @@ export function closePage(page) {
   return (context && !isShared ? context : page).close();
 }
 
-/** Two frames later: what was asked for has been drawn, and the panels show it. */
-export const settled = (page) =>
-  page.evaluate(
-    () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
-  );
+/** Resolves when the page says that its canvases and panels show what was asked for. */
+export const settled = (page) => page.evaluate(() => app.whenShown());
+
+/** Lets the page have some frames, in which something would happen that is not to. */
+export const frames = (page, count) =>
+  page.evaluate(async (count) => {
+    for (let k = 0; k < count; k++) await new Promise(requestAnimationFrame);
+  }, count);
 
 /** Another set is shown. */
 export async function show(page, key, params = {}) {

@@ -1,10 +1,11 @@
 // Random events by real mouse and keyboard, weighted as visitors use them; the same ones for the
 // same seed. Pages are Playwright's or Puppeteer's.
 import { generator } from "../../../web/sets/random_sets.js";
+import { isThorough } from "./effort.mjs";
 import { press } from "./keys.mjs";
 
-/** As the tests have them; the window is small, as drawing costs most of the time. */
-export const kStorm = { events: 5000, window: { width: 720, height: 540 } };
+/** The window is small, as drawing costs most of the time. */
+export const kStorm = { events: isThorough ? 5000 : 1000, window: { width: 720, height: 540 } };
 
 const kKeys = [
   ..."vdhx0nip+-".split(""),

@@ -1,0 +1,28 @@
+# The tests that also run as WebAssembly in every `npm test`: those whose answer may differ there.
+# What computes (other instructions for the same doubles, vectors of two), what needs memory (32-bit
+# sizes, another allocator), what is counted without the shadow check of the native build, and one
+# history of each structure. `npm run check -- wasm` runs all.
+set(wasm_tests
+  # Numbers and predicates
+  number/approx number/ball number/dyadic number/fixed_integer number/fp number/root_sign
+  number/twofold
+  predicate/circle_fan predicate/near_zero predicate/precise_circle predicate/scale
+  predicate/stage_use predicate/vertex_conflict
+  # Memory
+  memory/flat_array diagram/out_of_memory geometry/out_of_memory topology/room
+  # Counted work, and snapshots that the shadow check would stop
+  delaunay/lying_sites diagram/snapshot_mutants diagram/work_in_line diagram/worst_orders
+  # Recorded hashes, and one history of each structure
+  diagram/determinism diagram/hidden_forest diagram/hint_grid diagram/id_pool diagram/levels
+  diagram/moves diagram/oracle diagram/regressions diagram/snapshot
+  geometry/fit geometry/regions geometry/voronoi
+  topology/random)
+set(all_files "${test_files}")
+set(test_files "")
+foreach(name IN LISTS wasm_tests)
+  set(file "${tests}/${name}_test.cpp")
+  if(NOT file IN_LIST all_files)
+    message(FATAL_ERROR "cmake/WasmTests.cmake names ${name}, but there is no ${file}")
+  endif()
+  list(APPEND test_files "${file}")
+endforeach()

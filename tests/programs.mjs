@@ -1,0 +1,66 @@
+// Runs the native test programs of a build folder by themselves, each in parts side by side: CTest
+// would start a process for each of two thousand tests, most of which take a millisecond.
+import { spawn } from "node:child_process";
+import { readdirSync } from "node:fs";
+import path from "node:path";
+import { jobs } from "../tools/toolchain/cmake.mjs";
+import { root } from "../tools/toolchain/folders.mjs";
+import { SetUpError } from "../tools/toolchain/process.mjs";
+
+const kParts = 8; // of a program: enough that no processor waits long for the last one
+
+export const programsIn = (folder) =>
+  readdirSync(folder).filter((file) => file.endsWith("_tests") && file !== "determinism_tests");
+
+/** Runs a program; resolves to its exit code and what it has printed. */
+function run(program, env) {
+  return new Promise((resolve, reject) => {
+    let output = "";
+    const child = spawn(program, ["--gtest_brief=1"], {
+      cwd: root,
+      env: { ...process.env, ...env },
+      stdio: ["ignore", "pipe", "pipe"],
+    });
+    for (const stream of [child.stdout, child.stderr])
+      stream.on("data", (data) => (output += data));
+    child.on("error", reject);
+    child.on("close", (code, signal) => resolve({ code: code ?? signal, output }));
+  });
+}
+
+/**
+ * Runs all programs, and prints the output of those that fail. Returns how many tests passed and
+ * were skipped; throws if one failed or a program crashed.
+ * @param {string} folder
+ * @param {(program: string, part: number) => object} [envOf] more of the environment
+ */
+export async function runAllPrograms(folder, envOf = () => ({})) {
+  const queue = programsIn(folder).flatMap((program) =>
+    Array.from({ length: kParts }, (_, part) => ({ program, part })),
+  );
+  const sum = { passed: 0, failed: 0, skipped: 0 };
+  const ended = []; // parts of programs that crashed
+  const worker = async () => {
+    for (let next = queue.shift(); next !== undefined; next = queue.shift()) {
+      const { program, part } = next;
+      const { code, output } = await run(path.join(folder, program), {
+        GTEST_TOTAL_SHARDS: String(kParts),
+        GTEST_SHARD_INDEX: String(part),
+        ...envOf(program, part),
+      });
+      const count = (what) =>
+        Number(new RegExp(`^\\[  ${what.padEnd(8)}\\] (\\d+) test`, "m").exec(output)?.[1] ?? 0);
+      const failed = count("FAILED");
+      sum.passed += count("PASSED");
+      sum.skipped += count("SKIPPED");
+      sum.failed += failed;
+      if (code === 0) continue;
+      console.log(output);
+      if (failed === 0) ended.push(`${program}, part ${part}, ended with ${code}`);
+    }
+  };
+  await Promise.all(Array.from({ length: Number(jobs) }, worker));
+  const line = `${sum.passed} passed, ${sum.failed} failed, ${sum.skipped} skipped`;
+  if (sum.failed > 0 || ended.length > 0) throw new SetUpError([line, ...ended].join("; "));
+  return line;
+}
