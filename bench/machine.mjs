@@ -2,6 +2,7 @@
 import { readFileSync } from "node:fs";
 import { cpus, loadavg, release, totalmem } from "node:os";
 import path from "node:path";
+import { measuredCommit } from "../tools/figures.mjs";
 import { ensureEmscripten } from "../tools/toolchain/emscripten.mjs";
 import { capture } from "../tools/toolchain/process.mjs";
 import { hasCgal } from "./prepare.mjs";
@@ -24,15 +25,6 @@ function distribution() {
 function compiler() {
   const cache = readFileSync(path.join(root, "build/bench/CMakeCache.txt"), "utf8");
   return firstLine(capture(/^CMAKE_CXX_COMPILER:\w+=(.*)$/m.exec(cache)[1], ["--version"]));
-}
-
-function commit() {
-  const hash = capture("git", ["rev-parse", "--short", "HEAD"], { cwd: root }).trim();
-  const isChanged =
-    capture("git", ["status", "--porcelain", "--", "src", "wasm", "bench", "package.json"], {
-      cwd: root,
-    }).trim() !== "";
-  return hash + (isChanged ? " and uncommitted changes" : "");
 }
 
 const installed = (name) =>
@@ -61,7 +53,7 @@ export function machine() {
     delaunator: attempt(() => installed("delaunator")),
     "d3-delaunay": attempt(() => installed("d3-delaunay")),
     flatbush: attempt(() => installed("flatbush")),
-    commit: attempt(commit),
+    commit: attempt(measuredCommit),
     date: new Date().toISOString().slice(0, 10),
     load: loadavg()[0].toFixed(2), // of other programs, before the run
   };

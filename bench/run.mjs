@@ -11,17 +11,19 @@
 //   npm run bench -- cluster           points and tiles by the workers of web/examples/cluster:
 //                                      bench/cluster.mjs
 //
-// The first goes to bench/results/latest.{json,md,svg}, --full to bench/results/ too, all others to
-// build/bench-results/.
+// The first goes to bench/results/latest.{json,md,svg}, and what documents quote of it to
+// docs/figures.json; --full too. All others go to build/bench-results/.
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { fileURLToPath } from "node:url";
 import { run, SetUpError } from "../tools/toolchain/process.mjs";
 import { buildPackage } from "../tools/build.mjs";
+import { recordFigures } from "../tools/figures.mjs";
 import { main } from "../tools/toolchain/setup.mjs";
 import { measureCluster } from "./cluster.mjs";
 import { names, stopAll } from "./contenders.mjs";
+import { figuresOf } from "./figures.mjs";
 import { machine } from "./machine.mjs";
 import { disagreements, runScenes } from "./measure.mjs";
 import { picture } from "./picture.mjs";
@@ -93,6 +95,7 @@ async function contenders() {
     path.join(folder, "latest.svg"),
     picture(records, `${cpu}, ${cores} cores; Node ${node}; commit ${commit}; ${date}`),
   );
+  if (isWhole) recordFigures("bench", figuresOf(result)); // what the documents quote
   console.log(`Written to ${path.relative(process.cwd(), folder)}/latest.{json,md,svg}`);
 }
 

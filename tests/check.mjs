@@ -34,7 +34,7 @@ import { run, SetUpError } from "../tools/toolchain/process.mjs";
 import { ensureRedis } from "../tools/toolchain/redis.mjs";
 import { cppcheck, tidy } from "./check/analyse.mjs";
 import { checkDeterminism } from "./check/determinism.mjs";
-import { runAllPrograms } from "./programs.mjs";
+import { runPrograms } from "./programs.mjs";
 import { ctest, jest, runSteps } from "./steps.mjs";
 import { installPacked } from "./wasm/support/install_packed.mjs";
 
@@ -102,7 +102,7 @@ await runSteps({
     native();
     const settings = { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_WERROR: "ON" };
     const folder = await withBuildLock(() => buildWithCmake("release", settings));
-    return runAllPrograms(folder, () => ({ APOLLONIUS_THOROUGH: "1" }));
+    return runPrograms(folder, { envOf: () => ({ APOLLONIUS_THOROUGH: "1" }) });
   },
   async wasm() {
     native();

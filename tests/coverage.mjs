@@ -9,13 +9,14 @@
 // A branch is one outcome of one condition; what several instances of a template run is added up.
 // What stays uncovered has its reason in tests/check/uncovered.json, found by its text; what has
 // none is printed. A reason that is no longer needed makes the command fail. The tests themselves
-// do not count.
+// do not count. A run writes docs/figures.json.
 //
 //   npm run coverage -- --all      prints what has a reason, too
 //   npm run coverage -- --reuse    looks again at the counts of the last run
 import { mkdirSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
+import { recordFigures } from "../tools/figures.mjs";
 import { ensureBoost } from "../tools/toolchain/boost.mjs";
 import { buildWithCmake } from "../tools/toolchain/cmake.mjs";
 import { root } from "../tools/toolchain/folders.mjs";
@@ -23,7 +24,7 @@ import { withBuildLock } from "../tools/toolchain/lock.mjs";
 import { ensureClang, ensureCoverageTools, ensureNativeTools } from "../tools/toolchain/native.mjs";
 import { capture } from "../tools/toolchain/process.mjs";
 import { main } from "../tools/toolchain/setup.mjs";
-import { programsIn, runAllPrograms } from "./programs.mjs";
+import { programsIn, runPrograms } from "./programs.mjs";
 
 const { values: options } = parseArgs({
   options: { all: { type: "boolean" }, reuse: { type: "boolean" } },
@@ -33,9 +34,11 @@ const { values: options } = parseArgs({
 async function runAll(folder, profiles) {
   rmSync(profiles, { recursive: true, force: true });
   mkdirSync(profiles, { recursive: true });
-  await runAllPrograms(folder, (program, part) => ({
-    LLVM_PROFILE_FILE: path.join(profiles, `${program}.${part}.profraw`),
-  }));
+  await runPrograms(folder, {
+    envOf: (program, part) => ({
+      LLVM_PROFILE_FILE: path.join(profiles, `${program}.${part}.profraw`),
+    }),
+  });
 }
 
 /** Line numbers with their counts, by file, from an lcov report. */
@@ -121,6 +124,7 @@ function uncoveredOf({ lines, conditions }) {
 
 const percent = (part, whole) => (whole === 0 ? "–" : `${((100 * part) / whole).toFixed(2)} %`);
 
+/** Prints shares by folder; returns them, in percent. */
 function table(files) {
   const rows = new Map();
   const add = (key, { lines, conditions }) => {
@@ -134,14 +138,20 @@ function table(files) {
     add(file.name.split("/").length > 2 ? path.dirname(file.name) : "src", file);
     add("all", file);
   }
+  const figures = {};
   for (const [name, [lines, allLines, outcomes, allOutcomes]] of rows) {
+    figures[path.basename(name)] = {
+      lines: (100 * lines) / allLines,
+      branches: allOutcomes === 0 ? 100 : (100 * outcomes) / allOutcomes,
+    };
     const ofLines = `${percent(lines, allLines).padStart(8)} (${lines} of ${allLines})`;
     const ofBranches = `${percent(outcomes, allOutcomes)} (${outcomes} of ${allOutcomes})`;
     console.log(`${name.padEnd(14)} lines ${ofLines.padEnd(29)}branches ${ofBranches}`);
   }
+  return figures;
 }
 
-/** Prints what is uncovered; returns how many reasons are for nothing. */
+/** Prints what is uncovered; returns how many places are, and how many reasons are for nothing. */
 function list(files) {
   const reasons = JSON.parse(readFileSync(path.join(root, "tests/check/uncovered.json"), "utf8"));
   const used = new Set();
@@ -171,7 +181,7 @@ function list(files) {
     `${explained} uncovered with a reason (tests/check/uncovered.json), ${unexplained} without, ` +
       `${stale.length} reasons for nothing`,
   );
-  return stale.length;
+  return { explained, unexplained, stale: stale.length };
 }
 
 await main(async () => {
@@ -190,7 +200,8 @@ await main(async () => {
   const profiles = path.join(folder, "profiles");
   if (!options.reuse) await runAll(folder, profiles);
   const files = measure(folder, programs, profiles);
-  const staleReasons = list(files);
-  table(files);
-  if (staleReasons > 0) process.exitCode = 1;
+  const { explained, unexplained, stale } = list(files);
+  const byFolder = table(files);
+  if (!options.reuse) recordFigures("coverage", { ...byFolder, explained, unexplained });
+  if (stale > 0) process.exitCode = 1;
 });

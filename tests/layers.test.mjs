@@ -104,7 +104,7 @@ const rules = [
       /^node:/,
       /^\.\/[\w./]+$/,
       /^[a-z@][\w./-]*$/,
-      /^\.\.\/tools\/(toolchain\/|build\.mjs$)/,
+      /^\.\.\/tools\/(toolchain\/|(build|figures)\.mjs$)/,
       /^\.\.\/\.\.\/(tools\/serve|tests\/web\/support\/storm)\.mjs$/, // the page's
       /^\/web\/sets\/random_sets\.js$/, // in a page that is made
     ],

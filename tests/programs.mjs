@@ -13,10 +13,10 @@ export const programsIn = (folder) =>
   readdirSync(folder).filter((file) => file.endsWith("_tests") && file !== "determinism_tests");
 
 /** Runs a program; resolves to its exit code and what it has printed. */
-function run(program, env) {
+function run(program, filter, env) {
   return new Promise((resolve, reject) => {
     let output = "";
-    const child = spawn(program, ["--gtest_brief=1"], {
+    const child = spawn(program, ["--gtest_brief=1", `--gtest_filter=${filter}`], {
       cwd: root,
       env: { ...process.env, ...env },
       stdio: ["ignore", "pipe", "pipe"],
@@ -29,21 +29,24 @@ function run(program, env) {
 }
 
 /**
- * Runs all programs, and prints the output of those that fail. Returns how many tests passed and
- * were skipped; throws if one failed or a program crashed.
+ * Runs programs, all tests of all of them unless `filters` says otherwise, and prints the output of
+ * those that fail. Returns how many tests passed and were skipped; throws if one failed or a
+ * program crashed.
  * @param {string} folder
- * @param {(program: string, part: number) => object} [envOf] more of the environment
+ * @param {{ filters?: Map<string, string>, envOf?: (program: string, part: number) => object }}
+ *   [options] GoogleTest's filter by program; more of the environment
  */
-export async function runAllPrograms(folder, envOf = () => ({})) {
-  const queue = programsIn(folder).flatMap((program) =>
-    Array.from({ length: kParts }, (_, part) => ({ program, part })),
+export async function runPrograms(folder, { filters, envOf = () => ({}) } = {}) {
+  filters ??= new Map(programsIn(folder).map((program) => [program, "*"]));
+  const queue = [...filters].flatMap(([program, filter]) =>
+    Array.from({ length: kParts }, (_, part) => ({ program, filter, part })),
   );
   const sum = { passed: 0, failed: 0, skipped: 0 };
   const ended = []; // parts of programs that crashed
   const worker = async () => {
     for (let next = queue.shift(); next !== undefined; next = queue.shift()) {
-      const { program, part } = next;
-      const { code, output } = await run(path.join(folder, program), {
+      const { program, filter, part } = next;
+      const { code, output } = await run(path.join(folder, program), filter, {
         GTEST_TOTAL_SHARDS: String(kParts),
         GTEST_SHARD_INDEX: String(part),
         ...envOf(program, part),

@@ -1,6 +1,7 @@
 // npm test: sets up, builds, and runs everything, in lanes side by side (side_by_side.mjs).
 // npm test -- native wasm      runs some steps only
 // npm test -- native -t Ids    only tests with that in their names
+// npm test -- changed          the tests nearest to what has changed since HEAD (changed.mjs)
 //
 //   lint      layout and rules of the sources, which need no build
 //   native    the C++ tests, natively, with every filtered predicate answer compared to the exact
@@ -24,7 +25,8 @@ import { ensureNativeTools } from "../tools/toolchain/native.mjs";
 import { SetUpError } from "../tools/toolchain/process.mjs";
 import { ensureRedis } from "../tools/toolchain/redis.mjs";
 import { main } from "../tools/toolchain/setup.mjs";
-import { runAllPrograms } from "./programs.mjs";
+import { changedFiles, clusterPlan, nativePlan, packagePlan, pagePlan } from "./changed.mjs";
+import { runPrograms } from "./programs.mjs";
 import { runSideBySide } from "./side_by_side.mjs";
 import { checkNames, ctest, jest, runLanes, runTests } from "./steps.mjs";
 import { installPacked } from "./wasm/support/install_packed.mjs";
@@ -45,6 +47,61 @@ async function wasmTests(folder) {
   return `${programs.length} programs without a failure`;
 }
 
+/** The programs with the shadow check, or a target of them; returns their folder. */
+function buildNative(target) {
+  ensureNativeTools();
+  ensureBoost();
+  const settings = {
+    CMAKE_BUILD_TYPE: "Release",
+    APOLLONIUS_SHADOW_CHECK: "ON",
+    APOLLONIUS_WERROR: "ON",
+  };
+  return withBuildLock(() => buildWithCmake("native", settings, { target }));
+}
+
+async function somePrograms(filters) {
+  const folder = await buildNative([...filters.keys()]);
+  return runPrograms(folder, { filters });
+}
+
+async function packageTests(projects, more) {
+  const browsers = { CHROMIUM: ensureChromium() ?? "", FIREFOX: ensureFirefox() ?? "" };
+  await buildPackage();
+  installPacked();
+  const line = await jest(projects, { name, env: browsers, more });
+  const missing = Object.keys(browsers).filter((browser) => browsers[browser] === "");
+  return missing.length === 0
+    ? line
+    : `${line}   WITHOUT ${missing.join(" AND ")}: install it, or set that variable to its path`;
+}
+
+async function clusterTests() {
+  const redis = ensureRedis();
+  if (redis === null && process.env.CI) {
+    throw new SetUpError("no redis-server, and apt has none that could be installed");
+  }
+  await buildPackage();
+  const line = await jest(["cluster"], { name, env: { REDIS_SERVER: redis ?? "" } });
+  return redis ? line : `${line}   WITHOUT REDIS: install redis-server`;
+}
+
+async function pageTests(more) {
+  const chromium = ensureChromium();
+  const firefox = ensureFirefox();
+  if (chromium === null && process.env.CI) {
+    throw new SetUpError(
+      "no browser: none is installed, and apt has no package `chromium` that could be installed",
+    );
+  }
+  await buildPackage();
+  checkPage();
+  const env = { CHROMIUM: chromium ?? "", FIREFOX: firefox ?? "" };
+  const line = await jest(["web"], { name, env, more });
+  return chromium
+    ? line
+    : `${line}   WITHOUT A BROWSER: install Chromium, or set CHROMIUM to its path`;
+}
+
 const steps = {
   lint() {
     if (name !== undefined) return "has no tests";
@@ -52,16 +109,9 @@ const steps = {
     return "nothing to say";
   },
   async native() {
-    ensureNativeTools();
-    ensureBoost();
-    const settings = {
-      CMAKE_BUILD_TYPE: "Release",
-      APOLLONIUS_SHADOW_CHECK: "ON",
-      APOLLONIUS_WERROR: "ON",
-    };
-    const folder = await withBuildLock(() => buildWithCmake("native", settings));
+    const folder = await buildNative("all");
     if (name !== undefined) return ctest(folder, { name });
-    const line = await runAllPrograms(folder);
+    const line = await runPrograms(folder);
     await ctest(folder, { name: "^(flags|install|fuzz/)" }); // what is in no program
     return `${line}; flags, install and fuzz corpora passed`;
   },
@@ -71,45 +121,30 @@ const steps = {
     ensureBoost();
     return wasmTests(await withBuildLock(() => buildWasmTests(emscripten)));
   },
-  async package() {
-    const browsers = { CHROMIUM: ensureChromium() ?? "", FIREFOX: ensureFirefox() ?? "" };
-    await buildPackage();
-    installPacked();
-    const line = await jest(["package", "layers"], { name, env: browsers });
-    const missing = Object.keys(browsers).filter((name) => browsers[name] === "");
-    return missing.length === 0
-      ? line
-      : `${line}   WITHOUT ${missing.join(" AND ")}: install it, or set that variable to its path`;
-  },
-  async cluster() {
-    const redis = ensureRedis();
-    if (redis === null && process.env.CI) {
-      throw new SetUpError("no redis-server, and apt has none that could be installed");
-    }
-    await buildPackage();
-    const line = await jest(["cluster"], { name, env: { REDIS_SERVER: redis ?? "" } });
-    return redis ? line : `${line}   WITHOUT REDIS: install redis-server`;
-  },
-  async web() {
-    const chromium = ensureChromium();
-    const firefox = ensureFirefox();
-    if (chromium === null && process.env.CI) {
-      throw new SetUpError(
-        "no browser: none is installed, and apt has no package `chromium` that could be installed",
-      );
-    }
-    await buildPackage();
-    checkPage();
-    const env = { CHROMIUM: chromium ?? "", FIREFOX: firefox ?? "" };
-    const line = await jest(["web"], { name, env });
-    return chromium
-      ? line
-      : `${line}   WITHOUT A BROWSER: install Chromium, or set CHROMIUM to its path`;
-  },
+  package: () => packageTests(["package", "layers"]),
+  cluster: clusterTests,
+  web: () => pageTests(),
 };
+
+/** The steps for what has changed, each with what it leaves out. */
+function stepsOfChange() {
+  const files = changedFiles();
+  const programs = nativePlan(files);
+  const ofPackage = packagePlan(files);
+  const page = pagePlan(files);
+  return [
+    ["lint", steps.lint],
+    ...(programs.size > 0 ? [["native", () => somePrograms(programs)]] : []),
+    ...(ofPackage ? [["package", () => packageTests(["package", "layers"], ofPackage)]] : []),
+    ...(clusterPlan(files) ? [["cluster", clusterTests]] : []),
+    ...(page.length > 0 ? [["web", () => pageTests(["--testPathPatterns", ...page])]] : []),
+  ];
+}
+
 await main(async () => {
+  if (wanted[0] === "changed") return runLanes([stepsOfChange()]);
   checkNames(steps, wanted);
   const names = wanted.length > 0 ? wanted : Object.keys(steps);
-  if (names.length > 1) await runSideBySide(names, name === undefined ? [] : ["-t", name]);
-  else await runLanes([[[names[0], steps[names[0]]]]]);
+  if (names.length > 1) return runSideBySide(names, name === undefined ? [] : ["-t", name]);
+  return runLanes([[[names[0], steps[names[0]]]]]);
 });

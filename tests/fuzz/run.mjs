@@ -11,7 +11,8 @@
 //
 // It can be stopped at any time; the table is printed then, too. A finding is an input that ends a
 // target; it is kept in build/fuzz/findings with the target's output, and the run ends with 1. What
-// has been run is added up in build/fuzz/totals.json, by a digest of src/.
+// is run is added to docs/figures.json, over all states of src/: a finding, once it is mended, is a
+// test, and no reason to begin anew.
 import { spawn } from "node:child_process";
 import { createHash } from "node:crypto";
 import {
@@ -34,7 +35,7 @@ import { withBuildLock } from "../../tools/toolchain/lock.mjs";
 import { ensureNativeTools } from "../../tools/toolchain/native.mjs";
 import { SetUpError } from "../../tools/toolchain/process.mjs";
 import { main } from "../../tools/toolchain/setup.mjs";
-import { digestOfSources, printTable, addToTotals } from "./totals.mjs";
+import { addToFigures, printTable } from "./totals.mjs";
 
 const home = path.join(root, "build", "fuzz");
 const findings = path.join(home, "findings");
@@ -158,7 +159,6 @@ async function fuzz(folder, targets, minutes, jobs) {
   const busy = Object.fromEntries(targets.map((target) => [target, 0])); // slices
   const longest = Math.max(5, Math.min(sliceSeconds, (minutes * 60 * jobs) / targets.length));
   const timeOf = (target) => done[target].seconds + busy[target] * longest;
-  const digest = digestOfSources();
   const work = async () => {
     for (;;) {
       const left = (end - performance.now()) / 1000;
@@ -167,7 +167,7 @@ async function fuzz(folder, targets, minutes, jobs) {
       ++busy[target];
       const result = await slice(folder, target, Math.ceil(Math.min(longest, left)));
       --busy[target];
-      addToTotals(path.join(home, "totals.json"), digest, target, result);
+      addToFigures(target, result);
       const sum = done[target];
       sum.executions += result.executions;
       sum.seconds += result.seconds;

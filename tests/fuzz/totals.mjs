@@ -1,39 +1,26 @@
-// What fuzzing has run, added up over runs and by the state of src/.
-import { createHash } from "node:crypto";
-import { existsSync, readdirSync, readFileSync, renameSync, writeFileSync } from "node:fs";
-import path from "node:path";
-import { root } from "../../tools/toolchain/folders.mjs";
+// What fuzzing has run, added up over all runs.
+import { recordFigures } from "../../tools/figures.mjs";
 
-/** Of all files of src/, in an order of their own. */
-export function digestOfSources() {
-  const hash = createHash("sha256");
-  const folder = path.join(root, "src");
-  for (const file of readdirSync(folder, { recursive: true }).map(String).sort()) {
-    if (/\.(cpp|h)$/.test(file))
-      hash
-        .update(file)
-        .update("\0")
-        .update(readFileSync(path.join(folder, file)));
-  }
-  return hash.digest("hex").slice(0, 16);
-}
-
-/**
- * Adds a slice: { executions, seconds, coverage, findings }. Read and written at once, as another
- * run may do so too.
- */
-export function addToTotals(file, digest, target, { executions, seconds, coverage, findings }) {
-  const totals = existsSync(file) ? JSON.parse(readFileSync(file, "utf8")) : {};
-  totals[digest] ??= {};
-  totals[digest][target] ??= { executions: 0, seconds: 0, coverage: 0, findings: 0 };
-  const sum = totals[digest][target];
-  sum.executions += executions;
-  sum.seconds = Math.round((sum.seconds + seconds) * 10) / 10;
-  sum.coverage = Math.max(sum.coverage, coverage);
-  sum.findings += findings.length;
-  sum.last = new Date().toISOString();
-  writeFileSync(`${file}.new`, `${JSON.stringify(totals, null, 2)}\n`);
-  renameSync(`${file}.new`, file);
+/** Adds a slice to docs/figures.json: { executions, seconds, findings }. */
+export function addToFigures(target, { executions, seconds, findings }) {
+  recordFigures("fuzz", (before) => {
+    const sum = before.targets[target] ?? { executions: 0, minutes: 0, findings: 0 };
+    const own = {
+      executions: sum.executions + executions,
+      minutes: Math.round((sum.minutes + seconds / 60) * 10) / 10,
+      findings: sum.findings + findings.length,
+    };
+    const targets = { ...before.targets, [target]: own };
+    const total = (what) => Object.values(targets).reduce((all, one) => all + one[what], 0);
+    const { earlier } = before; // runs whose time was not kept by target
+    return {
+      hours: Math.round(10 * earlier.hours + total("minutes") / 6) / 10,
+      executions: total("executions"),
+      findings: earlier.findings + total("findings"),
+      earlier,
+      targets,
+    };
+  });
 }
 
 /** `done` maps targets to sums with their findings listed. */

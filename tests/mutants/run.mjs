@@ -14,7 +14,7 @@
 // and which mutants it comes by; then the tests that come by a mutant are run with it, quick ones
 // first, until one fails, ends or hangs. A mutant with an `equivalent` (why no test can notice it)
 // is not run. The report goes to build/mutants/report.json after each mutant; what has been noticed
-// is kept for as long as mutant and file do not change.
+// is kept for as long as mutant and file do not change. A run of all writes docs/figures.json.
 import { spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
@@ -22,6 +22,7 @@ import { availableParallelism } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
+import { recordFigures } from "../../tools/figures.mjs";
 import { proposals } from "./propose.mjs";
 import { inParallel, Suite } from "./suite.mjs";
 import { switched } from "./switched.mjs";
@@ -42,6 +43,7 @@ const { values: options } = parseArgs({
     propose: { type: "string" },
   },
 });
+const began = performance.now();
 const jobs = Number(options.jobs),
   longest = Number(options.longest);
 
@@ -166,4 +168,14 @@ console.log(
   `${mutants.length - survivors.length} of ${mutants.length} mutants noticed, ` +
     `${chosen.length - mutants.length} are equivalent`,
 );
+if (chosen.length === all.length && longest === Infinity) {
+  recordFigures("mutants", {
+    all: all.length,
+    run: mutants.length,
+    noticed: mutants.length - survivors.length,
+    percent: (100 * (mutants.length - survivors.length)) / mutants.length,
+    equivalent: chosen.length - mutants.length,
+    minutes: Math.round((performance.now() - began) / 60_000),
+  });
+}
 process.exitCode = survivors.length * 20 > mutants.length ? 1 : 0;

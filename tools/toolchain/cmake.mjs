@@ -23,10 +23,10 @@ export function configureWithCmake(name, settings, { env } = {}) {
   return folder;
 }
 
-/** Configures, then builds; returns the folder. */
+/** Configures, then builds a target, or several; returns the folder. */
 export function buildWithCmake(name, settings, { target = "all", env } = {}) {
   const folder = configureWithCmake(name, settings, { env });
-  run("cmake", ["--build", folder, "--target", target, "--parallel", jobs], { env });
+  run("cmake", ["--build", folder, "--parallel", jobs, "--target", ...[target].flat()], { env });
   return folder;
 }
 

@@ -1,0 +1,124 @@
+// What `npm test -- changed` runs: the tests nearest to what has changed since HEAD, so that a
+// change is tried in a minute. `npm test` says whether it is right.
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import path from "node:path";
+import { root } from "../tools/toolchain/folders.mjs";
+import { capture } from "../tools/toolchain/process.mjs";
+
+/** Files that differ from HEAD, and those that git does not know. */
+export function changedFiles() {
+  const lines = (args) => capture("git", args, { cwd: root }).split("\n").filter(Boolean);
+  return [
+    ...lines(["diff", "--name-only", "HEAD"]),
+    ...lines(["ls-files", "--others", "--exclude-standard"]),
+  ];
+}
+
+const programFolders = readdirSync(path.join(root, "tests"), { withFileTypes: true })
+  .filter((entry) => entry.isDirectory())
+  .map(({ name }) => name)
+  .filter((name) => testFilesIn(name).length > 0);
+
+function testFilesIn(folder) {
+  return readdirSync(path.join(root, "tests", folder)).filter((name) => /_test\.cpp$/.test(name));
+}
+
+/** GoogleTest's filter for the tests of a file, whatever instantiates them. */
+function filterOf(file) {
+  const text = readFileSync(path.join(root, file), "utf8");
+  const suites = [...text.matchAll(/^TEST(?:_F|_P)?\(\s*(\w+)/gm)].map(([, suite]) => suite);
+  return [...new Set(suites)].flatMap((suite) => [`${suite}.*`, `*/${suite}.*`]).join(":");
+}
+
+// What takes half of the time of all of them, and changes with few files.
+const kAllButSlow = "-*OutOfMemory*:*BuilderOn*:*LargeSetOf*";
+
+/** The folder of tests that src/api and src/apollonius belong to, by the name of the file. */
+const folderOfApi = (stem) =>
+  /^(voronoi|region|region_state|area_fit|path|bounds)$/.test(stem) ? "geometry" : "diagram";
+
+/** The native programs to run, each with a filter: of a changed test, or of a changed source. */
+export function nativePlan(files) {
+  const filters = new Map(); // by program
+  const add = (folder, filter) => {
+    if (programFolders.includes(folder))
+      filters.set(folder, [...(filters.get(folder) ?? []), filter]);
+  };
+  for (const file of files) {
+    if (!existsSync(path.join(root, file)) || !/\.(cpp|h)$/.test(file)) continue;
+    const [top, folder] = file.split("/");
+    const stem = path.basename(file).replace(/\.(cpp|h)$/, "");
+    if (top === "src") {
+      const own = /^(api|apollonius)$/.test(folder) ? folderOfApi(stem) : folder;
+      const named = programFolders.includes(own) ? testFilesIn(own) : [];
+      const about = named.filter((name) => name.startsWith(stem));
+      if (about.length === 0) add(own, kAllButSlow);
+      for (const name of about) add(own, filterOf(`tests/${own}/${name}`));
+    } else if (top === "tests" && folder === "support" && !file.endsWith("_test.cpp")) {
+      for (const each of programFolders) add(each, kAllButSlow);
+    } else if (top === "tests") {
+      add(folder, file.endsWith("_test.cpp") ? filterOf(file) : kAllButSlow);
+    }
+  }
+  // A filter has one list of what is left out, at its end.
+  return new Map(
+    [...filters].map(([folder, list]) => [
+      `${folder}_tests`,
+      list.includes(kAllButSlow) ? `*${kAllButSlow}` : [...new Set(list)].join(":"),
+    ]),
+  );
+}
+
+/** Files of tests/web that are about a folder of web/ ("" is web/ itself). */
+export const kTestsOfPage = {
+  "": ["page", "data"],
+  data: ["data", "windows"],
+  examples: ["examples", "recipes"],
+  model: ["page", "defects"],
+  motion: ["motion", "windows"],
+  picture: ["picture", "windows"],
+  sets: ["data", "random_sets"],
+  steps: ["motion"],
+  tools: ["page", "motion"],
+  ui: ["looks", "windows"],
+};
+
+/** Test files of the page to run, as patterns; empty: none. */
+export function pagePlan(files) {
+  const names = files.flatMap((file) => {
+    if (/^tests\/web\/support\//.test(file)) return [""];
+    const test = /^tests\/web\/(\w+\.test\.mjs)$/.exec(file)?.[1];
+    if (test) return [test];
+    const [, folder = ""] = /^web\/(?:(\w+)\/)?/.exec(file) ?? [];
+    const isOfPage = file.startsWith("web/") && !file.startsWith("web/examples/cluster/");
+    return isOfPage ? (kTestsOfPage[folder] ?? [""]).map((name) => `${name}.test.mjs`) : [];
+  });
+  return [...new Set(names)].map((name) => `tests/web/${name}`);
+}
+
+// They start browsers, bundlers, compilers or many processes.
+const kSlowOfPackage = [
+  "attacks",
+  "browsers",
+  "determinism",
+  "entries",
+  "every_call",
+  "lifetime",
+  "out_of_memory",
+  "snapshots",
+  "tarball",
+  "traps",
+];
+
+/** Arguments of Jest for the package's tests; null: none. */
+export function packagePlan(files) {
+  if (files.some((file) => /^wasm\//.test(file)))
+    return ["--testPathIgnorePatterns", ...kSlowOfPackage.map((name) => `/wasm/${name}\\.test`)];
+  if (files.includes("README.md")) return ["--testPathPatterns", "readme"];
+  const isOne = (file) => /^tests\/(wasm\/.*|[^/]*)\.mjs$/.test(file);
+  return files.some(isOne) ? ["--onlyChanged"] : null;
+}
+
+/** Whether the tests of the cluster example are to run. */
+export const clusterPlan = (files) =>
+  files.some((file) => /^(web\/examples|tests)\/cluster\//.test(file));

@@ -1,0 +1,54 @@
+// `npm test -- changed` finds the tests of what has changed, and its tables name what is there.
+import { existsSync, readdirSync } from "node:fs";
+import path from "node:path";
+import { root } from "../tools/toolchain/folders.mjs";
+import { clusterPlan, kTestsOfPage, nativePlan, packagePlan, pagePlan } from "./changed.mjs";
+
+const plan = (...files) => Object.fromEntries(nativePlan(files));
+
+test("a test of C++ runs by its suites, a source by the tests that have its name", () => {
+  expect(plan("tests/diagram/hint_grid_test.cpp")).toEqual({
+    diagram_tests: "HintGrid.*:*/HintGrid.*",
+  });
+  expect(plan("src/diagram/hint_grid.cpp")).toEqual(plan("tests/diagram/hint_grid_test.cpp"));
+  expect(plan("src/memory/flat_array.h").memory_tests).toMatch(/^FlatArray/);
+});
+
+test("a source without a test of its name runs its folder's program, but what is slow", () => {
+  expect(plan("src/diagram/updates.cpp").diagram_tests).toMatch(/^\*-.*OutOfMemory/);
+  expect(Object.keys(plan("src/api/diagram.cpp", "src/apollonius/voronoi.h"))).toEqual([
+    "diagram_tests",
+    "geometry_tests",
+  ]);
+  expect(Object.keys(plan("tests/support/oracle.cpp"))).toContain("predicate_tests");
+  expect(plan("src/predicate/gone.cpp", "README.md", "web/app.js")).toEqual({});
+});
+
+test("the page's tests are those of the folder", () => {
+  expect(pagePlan(["web/picture/view.js"])).toEqual([
+    "tests/web/picture.test.mjs",
+    "tests/web/windows.test.mjs",
+  ]);
+  expect(pagePlan(["web/app.js"])).toContain("tests/web/page.test.mjs");
+  expect(pagePlan(["tests/web/looks.test.mjs"])).toEqual(["tests/web/looks.test.mjs"]);
+  expect(pagePlan(["tests/web/support/browser.mjs"])).toEqual(["tests/web/"]);
+  expect(pagePlan(["web/examples/cluster/run.mjs", "src/api/diagram.cpp"])).toEqual([]);
+});
+
+test("each folder of the page has its tests, and they are there", () => {
+  const folders = readdirSync(path.join(root, "web"), { withFileTypes: true })
+    .filter((entry) => entry.isDirectory())
+    .map(({ name }) => name);
+  expect(Object.keys(kTestsOfPage).filter(Boolean).sort()).toEqual(folders.sort());
+  for (const name of Object.values(kTestsOfPage).flat())
+    expect([name, existsSync(path.join(root, `tests/web/${name}.test.mjs`))]).toEqual([name, true]);
+});
+
+test("the package and the cluster example", () => {
+  expect(packagePlan(["wasm/diagram.ts"])[0]).toBe("--testPathIgnorePatterns");
+  expect(packagePlan(["tests/wasm/queries.test.mjs"])).toEqual(["--onlyChanged"]);
+  expect(packagePlan(["README.md"])).toEqual(["--testPathPatterns", "readme"]);
+  expect(packagePlan(["src/api/diagram.cpp"])).toBeNull();
+  expect(clusterPlan(["tests/cluster/tile.test.mjs"])).toBe(true);
+  expect(clusterPlan(["web/app.js"])).toBe(false);
+});
