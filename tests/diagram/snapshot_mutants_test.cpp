@@ -149,7 +149,7 @@ TEST_P(Forged, IsRefusedAndDoesNoHarmIfTrusted) {
   Diagram diagram;
   EXPECT_EQ(diagram.fromBytes(bytes), Error::kCorruptSnapshot);
   if (kShadowCheck) return;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (std::uint64_t seed = 0; seed < sized(40u, 200u); ++seed) {
     Diagram trusted(seed % 3 == 0 ? Location::kWalk : Location::kHierarchy);
     ASSERT_EQ(restored(trusted, bytes, Source::kTrusted), Error::kNone);
     (void)callEverything(trusted, seed);
