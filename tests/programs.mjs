@@ -42,7 +42,7 @@ export async function runPrograms(folder, { filters, envOf = () => ({}) } = {}) 
     Array.from({ length: kParts }, (_, part) => ({ program, filter, part })),
   );
   const sum = { passed: 0, failed: 0, skipped: 0 };
-  const ended = []; // parts of programs that crashed
+  const failures = new Set(); // names of tests, and parts of programs that crashed
   const worker = async () => {
     for (let next = queue.shift(); next !== undefined; next = queue.shift()) {
       const { program, filter, part } = next;
@@ -59,11 +59,13 @@ export async function runPrograms(folder, { filters, envOf = () => ({}) } = {}) 
       sum.failed += failed;
       if (code === 0) continue;
       console.log(output);
-      if (failed === 0) ended.push(`${program}, part ${part}, ended with ${code}`);
+      for (const [, test] of output.matchAll(/^\[ {2}FAILED {2}\] (\w+\.[^ \n]+)/gm))
+        failures.add(test);
+      if (failed === 0) failures.add(`${program}, part ${part}, ended with ${code}`);
     }
   };
   await Promise.all(Array.from({ length: Number(jobs) }, worker));
   const line = `${sum.passed} passed, ${sum.failed} failed, ${sum.skipped} skipped`;
-  if (sum.failed > 0 || ended.length > 0) throw new SetUpError([line, ...ended].join("; "));
+  if (failures.size > 0) throw new SetUpError([line, ...failures].join("\n"));
   return line;
 }

@@ -110,7 +110,7 @@ const steps = {
   },
   async native() {
     const folder = await buildNative("all");
-    if (name !== undefined) return ctest(folder, { name });
+    if (name !== undefined) return ctest(folder, { name, orNone: true });
     const line = await runPrograms(folder);
     await ctest(folder, { name: "^(flags|install|fuzz/)" }); // what is in no program
     return `${line}; flags, install and fuzz corpora passed`;

@@ -8,9 +8,16 @@ import { root } from "../tools/toolchain/folders.mjs";
 import { say, SetUpError } from "../tools/toolchain/process.mjs";
 import { main } from "../tools/toolchain/setup.mjs";
 
+/** A line with which Jest, CTest or GoogleTest names a test that failed. */
+const failure = /^\s*● .+ › |\*\*\*(Failed|Timeout|Exception)|^\[ {2}FAILED {2}\] \w+\.\w+/;
+/** So many lines, from the name on, say why; and so many are kept in all. */
+const linesOfFailure = 8;
+const linesOfFailures = 80;
+
 /**
  * Runs a program with its output shown, but for lines that match `boring`; returns the last line
- * that matches `summary`. Throws if it fails.
+ * that matches `summary`. Throws if it fails, with that line and what failed: whoever sees only the
+ * end of a long output (of CI, say) reads it there.
  */
 export function runTests(program, args, { summary, boring, env }) {
   return new Promise((resolve, reject) => {
@@ -20,6 +27,8 @@ export function runTests(program, args, { summary, boring, env }) {
       stdio: ["ignore", "pipe", "pipe"],
     });
     let last = "no summary";
+    const failures = [];
+    let listing = 0; // lines that still belong to the last failure
     for (const [stream, sink] of [
       [child.stdout, process.stdout],
       [child.stderr, process.stderr],
@@ -27,20 +36,26 @@ export function runTests(program, args, { summary, boring, env }) {
       createInterface({ input: stream }).on("line", (line) => {
         if (summary.test(line)) last = line.trim();
         if (!boring?.test(line)) sink.write(`${line}\n`);
+        if (failure.test(line)) listing = linesOfFailure;
+        if (listing-- > 0 && failures.length < linesOfFailures) failures.push(line);
       });
     }
     child.on("error", reject);
-    child.on("close", (code) => (code === 0 ? resolve(last) : reject(new SetUpError(last))));
+    child.on("close", (code) => {
+      if (code === 0) resolve(last);
+      else reject(new SetUpError([last, ...failures].join("\n")));
+    });
   });
 }
 
-/** All tests of a build folder, or those whose name matches. */
-export function ctest(folder, { env, name } = {}) {
+/** All tests of a build folder, or those whose name matches; refused if there is none. */
+export function ctest(folder, { env, name, orNone = false } = {}) {
   const args = [
     "--test-dir",
     folder,
     "--output-on-failure",
-    ...(name === undefined ? ["--no-tests=error"] : ["--no-tests=ignore", "-R", name]),
+    `--no-tests=${orNone ? "ignore" : "error"}`,
+    ...(name === undefined ? [] : ["-R", name]),
     "--parallel",
     jobs,
   ];
@@ -84,7 +99,7 @@ async function outcomeOf(name, step) {
   }
   process.send?.(text); // to tests/side_by_side.mjs
   const result = passed ? text : `FAILED: ${text}`;
-  return { passed, line: `${name.padEnd(12)} ${result}   (${secondsSince(start)})` };
+  return { passed, line: `${name.padEnd(12)} ${secondsSince(start).padStart(5)}   ${result}` };
 }
 
 /** Refuses names that no step has. */
