@@ -42,7 +42,7 @@ export async function runPrograms(folder, { filters, envOf = () => ({}) } = {}) 
     Array.from({ length: kParts }, (_, part) => ({ program, filter, part })),
   );
   const sum = { passed: 0, failed: 0, skipped: 0 };
-  const failures = new Set(); // names of tests, and parts of programs that crashed
+  const failures = []; // names of tests, and parts of programs that crashed
   const worker = async () => {
     for (let next = queue.shift(); next !== undefined; next = queue.shift()) {
       const { program, filter, part } = next;
@@ -53,19 +53,20 @@ export async function runPrograms(folder, { filters, envOf = () => ({}) } = {}) 
       });
       const count = (what) =>
         Number(new RegExp(`^\\[  ${what.padEnd(8)}\\] (\\d+) test`, "m").exec(output)?.[1] ?? 0);
-      const failed = count("FAILED");
       sum.passed += count("PASSED");
       sum.skipped += count("SKIPPED");
-      sum.failed += failed;
       if (code === 0) continue;
       console.log(output);
-      for (const [, test] of output.matchAll(/^\[ {2}FAILED {2}\] (\w+\.[^ \n]+)/gm))
-        failures.add(test);
-      if (failed === 0) failures.add(`${program}, part ${part}, ended with ${code}`);
+      const failed = [...output.matchAll(/^\[ {2}FAILED {2}\] (\w\S*\.\S+)/gm)].map(
+        ([, test]) => test,
+      );
+      sum.failed += new Set(failed).size;
+      failures.push(...new Set(failed));
+      if (failed.length === 0) failures.push(`${program}, part ${part}, ended with ${code}`);
     }
   };
   await Promise.all(Array.from({ length: Number(jobs) }, worker));
   const line = `${sum.passed} passed, ${sum.failed} failed, ${sum.skipped} skipped`;
-  if (failures.size > 0) throw new SetUpError([line, ...failures].join("\n"));
+  if (failures.length > 0) throw new SetUpError([line, ...failures].join("\n"));
   return line;
 }
