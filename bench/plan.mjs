@@ -17,6 +17,9 @@ export const families = [
   "powerlaw",
   "planet",
   "cities",
+  "outlier",
+  "towns",
+  "scales",
 ];
 
 /** Hidden sites in percent (the families random0 ...) for the paper's h/n. */

@@ -138,6 +138,11 @@ constexpr Family kFamilies[] = {
     // not.
     {"planet",
      [](Random& numbers, std::size_t n) { return SiteSet{test::giantDisk(numbers, n - 1), 1000}; }},
+    {"outlier",
+     [](Random& numbers, std::size_t n) { return SiteSet{test::outlier(numbers, n, 1e5), 1000}; }},
+    {"towns", [](Random& numbers, std::size_t n) { return SiteSet{test::towns(numbers, n), 1}; }},
+    {"scales",
+     [](Random& numbers, std::size_t n) { return SiteSet{test::everyScale(numbers, n), 1}; }},
     // Orders: the same points sorted and in random order.
     {"line", [](Random&, std::size_t n) { return rowByRow(n, 1); }},
     {"line-shuffled",

@@ -15,7 +15,6 @@
 #include "diagram/diagram_core.h"
 #include "diagram/listing.h"
 #include "diagram/queries.h"
-#include "diagram/spatial_order.h"
 #include "diagram/validate.h"
 #include "memory/flat_array.h"
 #include "number/fp.h"
@@ -184,9 +183,8 @@ Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
   }
   return guarded(*core_, [&] {
     const Slot near = visibleSize() == 0 ? kNoSlot : core_->nearest(x, y);
-    id = near == kNoSlot ? kNoSite : core_->ids().idOf(near);
-    distance = near == kNoSlot ? std::numeric_limits<double>::infinity()
-                               : ApproxDistance(x, y, core_->site(near)).value;
+    id = idOrNone(*core_, near);
+    distance = distanceTo(*core_, near, x, y);
   });
 }
 
@@ -195,18 +193,7 @@ Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids,
   if (xy.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size()))
     return Error::kBadLength;
   if (const Error error = checkNumbers(xy); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
-    Slot near = kNoSlot;
-    for (const std::uint32_t k :
-         hilbertOrder({xy, 2})) {  // each walk starts where the one before ended
-      const double x = xy[2 * std::size_t{k}], y = xy[2 * std::size_t{k} + 1];
-      if (visibleSize() > 0) near = core_->nearest(x, y, near);
-      ids[k] = near == kNoSlot ? kNoSite : core_->ids().idOf(near);
-      if (distances.empty()) continue;
-      distances[k] = near == kNoSlot ? std::numeric_limits<double>::infinity()
-                                     : ApproxDistance(x, y, core_->site(near)).value;
-    }
-  });
+  return guarded(*core_, [&] { listNearest(*core_, xy, ids, distances); });
 }
 
 Error Diagram::kNearest(double x, double y, std::size_t k, std::vector<SiteId>& sites) const {

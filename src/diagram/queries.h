@@ -4,12 +4,31 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "apollonius/types.h"
 #include "diagram/diagram_core.h"
+#include "predicate/distance.h"
 
 namespace apollonius::internal {
+
+/// The id of a slot; kNoSite for kNoSlot.
+[[nodiscard]] inline SiteId idOrNone(const DiagramCore& diagram, Slot slot) {
+  return slot == kNoSlot ? kNoSite : diagram.ids().idOf(slot);
+}
+/// From (x, y) to a site, as a double; infinite for kNoSlot.
+[[nodiscard]] inline double distanceTo(const DiagramCore& diagram, Slot slot, double x, double y) {
+  return slot == kNoSlot ? std::numeric_limits<double>::infinity()
+                         : ApproxDistance(x, y, diagram.site(slot)).value;
+}
+
+/// The nearest site of each of the points x, y, or kNoSite in an empty diagram, and its distance
+/// unless `distances` is empty. Throws std::bad_alloc. Cost: O(1) a point where sites are spread
+/// evenly, O(log n) else, both expected; many points are visited along a curve, so that what a walk
+/// reads is still in the cache.
+void listNearest(const DiagramCore& diagram, std::span<const double> xy, std::span<SiteId> ids,
+                 std::span<double> distances);
 
 /// The first `most` sites of a NearbySearch. Replaces the contents of `sites`. Throws
 /// std::bad_alloc.

@@ -113,7 +113,7 @@ TEST(Hidden, ASiteThatCoversEverythingLeavesOneVisible) {
     Diagram diagram;
     (void)insertInto(diagram, circles);
     SiteId giant = kNoSite;
-    ASSERT_EQ(diagram.insert(0, 0, 1e9, giant), Error::kNone);
+    ASSERT_EQ(diagram.insert(0, 0, 1e14, giant), Error::kNone);
     ASSERT_EQ(validated(diagram), "");
     EXPECT_EQ(diagram.visibleSize(), 1u);
     EXPECT_EQ(diagram.hiddenSize(), circles.size());

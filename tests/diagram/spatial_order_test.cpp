@@ -65,6 +65,72 @@ TEST(HilbertOrder, ConsecutivePointsAreClose) {
   EXPECT_LT(length, 2 * std::sqrt(4.0 * kPoints));
 }
 
+TEST(HilbertOrder, AnOutlierLeavesTheOthersInTheirOrder) {
+  Random random(5);
+  constexpr std::uint32_t kPoints = 3000;
+  std::vector<double> values = randomPoints(random, kPoints, 2);
+  const std::vector<std::uint32_t> without = hilbertOf({values, 2});
+  for (const double far : {1e6, 1e50, -1e99}) {
+    std::vector<double> all = values;
+    all.insert(all.end(), {far, far});
+    std::vector<std::uint32_t> order = hilbertOf({all, 2});
+    std::erase(order, kPoints);
+    EXPECT_EQ(order, without) << far;
+  }
+}
+
+/// Towns of towns of towns …: each has its points together, in the order that it has alone.
+TEST(HilbertOrder, ATownIsOrderedAsItIsAlone) {
+  Random random(6);
+  constexpr std::uint32_t kPoints = 500, kTowns = 20;
+  std::vector<double> values;
+  double scale = 1;
+  for (std::uint32_t town = 0; town < kTowns; ++town, scale /= 1e9) {
+    for (std::uint32_t k = 0; k < 2 * kPoints; ++k)
+      values.push_back(scale * random.between(1, 1 + 1e-6));
+  }
+  const std::vector<std::uint32_t> order = hilbertOf({values, 2});
+  ASSERT_TRUE(isPermutation(order));
+  for (std::uint32_t town = 0; town < kTowns; ++town) {
+    const auto isHere = [town](std::uint32_t k) { return k / kPoints == town; };
+    const auto first = std::find_if(order.begin(), order.end(), isHere);
+    ASSERT_TRUE(std::all_of(first, first + kPoints, isHere)) << town;
+    std::vector<std::uint32_t> alone =
+        hilbertOf({std::span(values).subspan(2 * std::size_t{town} * kPoints, 2 * kPoints), 2});
+    for (std::uint32_t& k : alone) k += town * kPoints;
+    EXPECT_TRUE(std::equal(alone.begin(), alone.end(), first)) << town;
+  }
+}
+
+/// As many levels of cells as numbers allow, with more points on each than are left as they are.
+TEST(HilbertOrder, EndsAtTheSmallestDifferences) {
+  std::vector<double> values;
+  double x = 1e100;
+  for (; x > 1e-99; x = std::ldexp(x, -16)) {
+    for (const double sign : {-1.0, 1.0}) values.insert(values.end(), {sign * x, x});
+  }
+  for (double last = x, k = 0; k < 20; ++k, last = std::nextafter(last, 1))
+    values.insert(values.end(), {last, -x});
+  EXPECT_TRUE(isPermutation(hilbertOf({values, 2})));
+}
+
+TEST(HilbertOrder, IsTheSameInSteps) {
+  Random random(7);
+  std::vector<double> values = randomPoints(random, 400, 2);
+  for (int k = 0; k < 400; ++k) {
+    const double scale = std::ldexp(1.0, static_cast<int>(random.integer(-100, 100)));
+    const double place = scale * random.between(-1, 1);
+    values.insert(values.end(), {place, random.oneIn(3) ? place : scale});
+  }
+  const std::vector<std::uint32_t> expected = hilbertOf({values, 2});
+  for (const std::size_t most : {std::size_t{1}, std::size_t{7}, std::size_t{500}}) {
+    HilbertSort sort({values, 2});
+    while (!sort.advance(most)) {
+    }
+    EXPECT_EQ(listed(sort.order()), expected) << most;
+  }
+}
+
 TEST(HilbertOrder, ReadsWithAStride) {
   Random random(2);
   const std::vector<double> triples = randomPoints(random, 100, 3);
@@ -98,7 +164,7 @@ TEST(HilbertOrder, TiesKeepTheOrderOfTheInput) {
 }
 
 TEST(HilbertOrder, ManyPointsAreOrderedAsFew) {
-  // From 513 points on a radix sort orders them; a subset that spans the same box must keep its
+  // From 33 points on a radix sort orders them; a subset that spans the same box must keep its
   // order.
   Random random(4);
   std::vector<double> values = randomPoints(random, 5000, 2);
@@ -110,26 +176,34 @@ TEST(HilbertOrder, ManyPointsAreOrderedAsFew) {
   EXPECT_EQ(few, hilbertOf({std::span(values).subspan(2 * 4800), 2}));
 }
 
-TEST(RandomizedRounds, HaveDoublingSizes) {
+TEST(RandomizedRounds, HaveGrowingSizes) {
   const auto roundsOf = [](std::size_t n) {
     std::vector<std::uint32_t> numbers(n);
     std::iota(numbers.begin(), numbers.end(), 0u);
     return listed(brioOrder(numbers));
   };
   for (const std::size_t n : {0u, 1u, 2u, 3u, 10u}) EXPECT_TRUE(isPermutation(roundsOf(n))) << n;
-  constexpr std::size_t kNumbers = 1 << 14;
-  const std::vector<std::uint32_t> order = roundsOf(kNumbers);
-  ASSERT_TRUE(isPermutation(order));
-  // In a round numbers rise; where they fall, another begins.
-  std::vector<std::size_t> rounds{1};
-  for (std::size_t k = 1; k < kNumbers; ++k) {
-    if (order[k] < order[k - 1]) rounds.push_back(0);
-    ++rounds.back();
-  }
-  EXPECT_LE(rounds.size(), 18u);
-  for (std::size_t k = rounds.size(); k-- > rounds.size() - 5;) {
-    const double expected = std::ldexp(kNumbers, -static_cast<int>(rounds.size() - k));
-    EXPECT_NEAR(static_cast<double>(rounds[k]), expected, 0.2 * expected) << "round " << k;
+  struct Case {
+    std::size_t numbers;
+    double growth;        ///< of the sites, by a round
+    std::size_t checked;  ///< rounds, from the last on; earlier ones are small
+  };
+  for (const auto& [numbers, growth, checked] : {Case{8000, 2, 5}, Case{1 << 16, 8, 3}}) {
+    const std::vector<std::uint32_t> order = roundsOf(numbers);
+    ASSERT_TRUE(isPermutation(order));
+    // In a round numbers rise; where they fall, another begins.
+    std::vector<double> rounds{1};
+    for (std::size_t k = 1; k < numbers; ++k) {
+      if (order[k] < order[k - 1]) rounds.push_back(0);
+      ++rounds.back();
+    }
+    ASSERT_LE(rounds.size(), 18u);
+    double left = static_cast<double>(numbers);
+    for (std::size_t k = 0; k < checked; ++k) {
+      const double expected = left * (1 - 1 / growth);
+      EXPECT_NEAR(rounds[rounds.size() - 1 - k], expected, 0.2 * expected) << "round " << k;
+      left -= expected;
+    }
   }
 }
 

@@ -83,6 +83,46 @@ Circles randomCircles(Random& random, std::size_t n, Hidden hidden) {
   return circles;
 }
 
+Circles outlier(Random& random, std::size_t n, double spacings) {
+  Circles circles = randomCircles(random, n, Hidden::k5Percent);
+  const double spacing = 2 * kHalfSide / std::sqrt(static_cast<double>(n) + (n == 0));
+  if (n > 0) circles[random.below(n)] = {spacings * spacing, spacings * spacing, spacing};
+  return circles;
+}
+
+Circles towns(Random& random, std::size_t n) {
+  constexpr double kContinent = 8e7, kWidth = 100;
+  std::array<Circle, 8> centres;
+  for (Circle& centre : centres) {
+    centre.x = random.between(0, kContinent);
+    centre.y = random.between(0, kContinent);
+  }
+  const double spacing = kWidth / std::sqrt(static_cast<double>(n) / centres.size() + 1);
+  Circles circles;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Circle& centre = centres[random.below(centres.size())];
+    const double x = centre.x + random.between(0, kWidth);
+    const double y = centre.y + random.between(0, kWidth);
+    circles.push_back({x, y, spacing * random.unit() / 2});
+  }
+  return circles;
+}
+
+Circles everyScale(Random& random, std::size_t n) {
+  constexpr int kPowers = 40;
+  // Between two powers there are n / 81 circles.
+  const double spacing = std::sqrt((2 * kPowers + 1) / (static_cast<double>(n) + 1));
+  Circles circles;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double distance =
+        std::ldexp(random.between(1, 2), static_cast<int>(random.integer(-kPowers, kPowers)));
+    const Direction direction = randomDirection(random);
+    circles.push_back(
+        {distance * direction.x, distance * direction.y, distance * spacing * random.unit()});
+  }
+  return circles;
+}
+
 Circles powerLaw(Random& random, std::size_t n) {
   // 10^(-6u) without libm: u in binary, the factor of bit k being 10^(-6 / 2^k), by repeated square
   // roots.

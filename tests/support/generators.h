@@ -39,6 +39,19 @@ Circles powerLaw(Random& random, std::size_t n);
 /// A circle of radius 1e6 and n small ones with centres close to its rim.
 Circles giantDisk(Random& random, std::size_t n);
 
+// --- Natural data
+
+/// randomCircles with 5 percent hidden, of which one is so many times the mean spacing away: a
+/// fault of a receiver, or a number that stands for "unknown".
+Circles outlier(Random& random, std::size_t n, double spacings);
+
+/// Eight towns, 100 m wide, on a continent of 8e7 m; circles that hardly overlap.
+Circles towns(Random& random, std::size_t n);
+
+/// Circles at distances from the origin between 2^-40 and 2^40, every power of two as often, in all
+/// directions; radii up to the spacing there.
+Circles everyScale(Random& random, std::size_t n);
+
 // --- Degenerate position
 
 /// Integers: coordinates in 0..maxCoordinate, radii in 0..maxRadius; duplicates and covered circles
