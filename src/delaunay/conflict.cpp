@@ -17,6 +17,7 @@ void ConflictSearch::begin(const DelaunayGraph& delaunay, const Site& q) {
   stack_.clear();
   delaunay_ = &delaunay;
   q_ = &q;
+  mayHaveSlits_ = false;
   const std::size_t words = (delaunay.graph().faceSlots() + kWord - 1) / kWord;
   if (marks_.size() < words) marks_.resize(words, 0);
 }
@@ -68,6 +69,7 @@ bool ConflictSearch::startWithin(HalfedgeId h) {
     return false;
   boundary_.push_back(h);
   boundary_.push_back(twin);
+  mayHaveSlits_ = true;
   return true;
 }
 
@@ -92,52 +94,96 @@ void ConflictSearch::startAround(VertexId near) {
       "a site that is not covered is in conflict with an edge of its nearest site (Lemma 2)");
 }
 
-/// The paper's depth-first search with a stack of half-edges instead of recursion. The half-edges
-/// on the stack and on the boundary, in order, always bound the region found so far; popping them
-/// counter-clockwise yields the boundary counter-clockwise.
-void ConflictSearch::expand() {
-  const Graph& graph = delaunay_->graph();
-  while (!stack_.empty()) {
-    const HalfedgeId h = stack_.back();
-    stack_.pop_back();
-    const HalfedgeId across = graph.twin(h);
-    const FaceId beyond = faceOf(across);
-    const bool wasInRegion = isInRegion(beyond);
-    if ((!wasInRegion && !delaunay_->isFaceInConflict(beyond, *q_)) ||
-        !isEntirelyInConflict(h, across)) {
-      boundary_.push_back(h);  // q's cell ends on this edge; if both its ends are in conflict, its
-                               // twin gets here too
-      continue;
-    }
-    // An edge between two faces of the region closes a cycle around a site that q covers: no
-    // boundary (its twin is dropped too).
-    if (wasInRegion) continue;
-    enter(beyond);
-    stack_.push_back(previous(across));
-    stack_.push_back(next(across));
-  }
-}
-
-inline void ConflictSearch::enter(FaceId f) {
-  faces_.push_back(f);  // first: a mark that is not listed would stay
-  marks_[index(f) / kWord] |= mark(f);
-}
-
-/// Both ends of the edge are in conflict.
-bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const {
+/// Both ends of the edge are in conflict. Quick answers are counted.
+inline bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin, const Site& q,
+                                                 unsigned& atOnce) const {
   const Graph& graph = delaunay_->graph();
   const VertexId i = graph.origin(h), j = graph.origin(twin);
   const VoronoiCircle &atK = delaunay_->keptCircle(faceOf(h)),
                       &atL = delaunay_->keptCircle(faceOf(twin));
   if (i != kInfinity && j != kInfinity &&
-      isSurelyInConflictBetweenEnds(delaunay_->site(i), delaunay_->site(j), atK, atL, *q_)) {
-    ++stages::counts().edgeAtOnce;
+      isSurelyInConflictBetweenEnds(delaunay_->site(i), delaunay_->site(j), atK, atL, q)) {
+    ++atOnce;
     shadowCheck({Sign::kPositive, true}, [&] {
       return isEntireEdgeInConflict(delaunay_->edge(h), *q_) ? Sign::kPositive : Sign::kNegative;
     });
     return true;
   }
   return isEntireEdgeInConflict(delaunay_->edge(h), atK, atL, *q_);
+}
+
+/// The paper's depth-first search with a stack of half-edges instead of recursion. The half-edges
+/// on the stack and on the boundary, in order, always bound the region found so far; popping them
+/// counter-clockwise yields the boundary counter-clockwise.
+///
+/// An insertion spends a third of its time here, so there is one check of room a face, and what the
+/// loop writes is reached by local pointers: f faces that hang together have at most f + 2 sides,
+/// on the stack and on the boundary together.
+void ConflictSearch::expand() {
+  if (faces_.empty()) return;
+  const Graph& graph = delaunay_->graph();
+  const Site q = *q_;
+  constexpr std::size_t kUsual = 16;  // faces
+  makeRoom(kUsual);
+  HalfedgeId *stack = stack_.data(), *boundary = boundary_.data();
+  std::size_t onStack = stack_.size(), sides = 0;
+  std::uint32_t* const marks = marks_.data();
+  unsigned verticesAtOnce = 0, edgesAtOnce = 0;
+  while (onStack > 0) {
+    const HalfedgeId h = stack[--onStack];
+    const HalfedgeId across = graph.twin(h);
+    const FaceId beyond = faceOf(across);
+    const std::uint32_t bit = mark(beyond);
+    std::uint32_t& word = marks[index(beyond) / kWord];
+    const bool wasInRegion = (word & bit) != 0;
+    if (!wasInRegion) {
+      const MaybeSign filtered = circleFilter(delaunay_->keptCircle(beyond), q);
+      verticesAtOnce += filtered.known;
+      const bool isInConflict = filtered.known && !kShadowCheck
+                                    ? filtered.sign == Sign::kPositive
+                                    : delaunay_->isFaceInConflict(beyond, *q_);
+      if (!isInConflict) {
+        boundary[sides++] = h;  // q's cell ends on this edge
+        continue;
+      }
+    }
+    if (!isEntirelyInConflict(h, across, q, edgesAtOnce)) {
+      boundary[sides++] = h;  // it does so too; as both ends are in conflict, the twin gets here
+      mayHaveSlits_ = true;
+      continue;
+    }
+    // An edge between two faces of the region closes a cycle around a site that q covers: no
+    // boundary (its twin is dropped too).
+    if (wasInRegion) continue;
+    if (faces_.size() == faces_.capacity()) {
+      stack_.setSize(onStack);
+      boundary_.setSize(sides);
+      makeRoom(2 * faces_.capacity());
+      stack = stack_.data();
+      boundary = boundary_.data();
+    }
+    faces_.push_back(beyond);  // first: a mark that is not listed would stay
+    word |= bit;
+    stack[onStack++] = previous(across);
+    stack[onStack++] = next(across);
+  }
+  stack_.clear();
+  boundary_.setSize(sides);
+  stages::counts().vertexAtOnce += verticesAtOnce;
+  stages::counts().edgeAtOnce += edgesAtOnce;
+}
+
+/// For so many faces, and what goes with them: a face that enters takes one half-edge from the
+/// stack and puts two there; the first puts three.
+void ConflictSearch::makeRoom(std::size_t faces) {
+  faces_.reserve(faces);
+  stack_.reserve(faces_.capacity() + 3);
+  boundary_.reserve(faces_.capacity() + 3);
+}
+
+inline void ConflictSearch::enter(FaceId f) {
+  faces_.push_back(f);  // first: a mark that is not listed would stay
+  marks_[index(f) / kWord] |= mark(f);
 }
 
 bool ConflictSearch::isDisk() const {

@@ -3,6 +3,7 @@
 // changes the graph.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -28,12 +29,7 @@ class ConflictSearch {
   [[nodiscard]] bool findBeside(const DelaunayGraph& delaunay, const Site& q, VertexId close);
 
   /// Room for a region of so many faces with a boundary of so many sides.
-  void reserveRegion(std::size_t faces, std::size_t sides) {
-    faces_.reserve(faces);
-    boundary_.reserve(sides);
-    stack_.reserve(faces + 3);  // a face that enters takes one half-edge from it and puts two
-                                // there; the first puts three
-  }
+  void reserveRegion(std::size_t faces, std::size_t sides) { makeRoom(std::max(faces, sides)); }
 
   /// Are the faces a disk, with the boundary around them and no vertex within but those that q
   /// covers? Of a Delaunay graph they are. Throws std::bad_alloc.
@@ -46,16 +42,20 @@ class ConflictSearch {
   /// The hole's boundary from inside, counter-clockwise, as Graph::starHole wants it; empty if q
   /// covers every site.
   [[nodiscard]] std::span<const HalfedgeId> boundary() const { return boundary_; }
+  /// May the boundary have both halves of an edge (a slit, Graph::starHole)?
+  [[nodiscard]] bool mayHaveSlits() const { return mayHaveSlits_; }
 
  private:
   void begin(const DelaunayGraph& delaunay, const Site& q);
-  [[nodiscard]] bool isEntirelyInConflict(HalfedgeId h, HalfedgeId twin) const;
+  [[nodiscard]] inline bool isEntirelyInConflict(HalfedgeId h, HalfedgeId twin, const Site& q,
+                                                 unsigned& atOnce) const;
   [[nodiscard]] bool startAt(FaceId f);
   void startAtConflict(FaceId f);
   [[nodiscard]] bool startWithin(HalfedgeId h);
   [[nodiscard]] bool startInSector(HalfedgeId sector);
   void startAround(VertexId near);
   void expand();
+  void makeRoom(std::size_t faces);
   inline void enter(FaceId f);
   [[nodiscard]] bool isInRegion(FaceId f) const {
     return (marks_[index(f) / kWord] & mark(f)) != 0;
@@ -68,6 +68,7 @@ class ConflictSearch {
 
   const DelaunayGraph* delaunay_ = nullptr;  // during find only
   const Site* q_ = nullptr;
+  bool mayHaveSlits_ = false;
   FlatArray<std::uint32_t> marks_;  // one bit a face; of the faces in faces_
   FlatArray<HalfedgeId> stack_;
   FlatArray<FaceId> faces_;

@@ -109,9 +109,7 @@ void DelaunayGraph::computeCircle(FaceId f) const {
 
 void DelaunayGraph::computeMissingCircles() const {
   if (!mayMissCircles_) return;
-  CircleFan fan;
-  reserveForBatch(fan);
-  CircleBatch batch(fan, [this](std::uint32_t f, const VoronoiCircle& circle) {
+  CircleBatch batch([this](std::uint32_t f, const VoronoiCircle& circle) {
     if (circle.error < std::numeric_limits<float>::infinity()) {
       circles_[f] = circle;
     } else {

@@ -32,16 +32,16 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk 
   const std::size_t removed = conflicts_.faces().size();
   const std::size_t created = conflicts_.boundary().size();
   reserveFaces(removed, created);
-  for (std::size_t k = 0; k < created; ++k)
-    fan_.setCorner(k, corner(graph_.origin(conflicts_.boundary()[k])));
+  const std::span<const HalfedgeId> boundary = conflicts_.boundary();
+  for (std::size_t k = 0; k < created; ++k) fan_.setCorner(k, corner(graph_.origin(boundary[k])));
   fan_.compute(q, {newCircles_.data(), created});
   // As many as the region has cycles: f faces that hang together by e edges have e - f + 1, and 3 f
   // - 2 e sides.
   const std::size_t covered = removed + 2 > created ? (removed + 2 - created) / 2 : 0;
   if (observer != nullptr && observer->makeRoom(created, covered))
     reserveReturn(std::max(created, removed));
-  const std::span<const VertexId> lost =
-      graph_.starHole(v, conflicts_.faces(), conflicts_.boundary(), newFaces(created));
+  const std::span<const VertexId> lost = graph_.starHole(
+      v, conflicts_.faces(), conflicts_.boundary(), newFaces(created), conflicts_.mayHaveSlits());
   takeCircles(created);
   visibleCount_ += 1 - lost.size();
   recent_ = v;

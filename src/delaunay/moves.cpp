@@ -82,7 +82,6 @@ void SiteMoves::reserveFaces(const Graph& graph) {
   changed_.reserve(faces);
   queue_.clear();
   queue_.reserve(faces);  // a face is in the queue once
-  reserveForBatch(fan_);
 }
 
 void SiteMoves::collectFaces() {
@@ -157,7 +156,7 @@ bool SiteMoves::hasMovedCorner(FaceId f) const {
 /// All faces have moved corners.
 void SiteMoves::computeCircles() {
   const Graph& graph = delaunay_->graph();
-  CircleBatch batch(fan_, [this](std::uint32_t position, const VoronoiCircle& circle) {
+  CircleBatch batch([this](std::uint32_t position, const VoronoiCircle& circle) {
     changed_[position].circle = circle;
     if (!(circle.error < std::numeric_limits<float>::infinity())) computeCircle(position);
   });

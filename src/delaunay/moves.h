@@ -94,7 +94,6 @@ class SiteMoves {
   };
   FlatArray<ChangedFace> changed_;
   FlatArray<std::uint32_t> queue_;  // positions of faces to check (again)
-  CircleFan fan_;
 };
 
 }  // namespace apollonius::internal

@@ -37,9 +37,7 @@ class Proof {
   /// Filters first: a certain circle proves that it exists and that none of its sites covers
   /// another.
   void lookAtFaces() {
-    CircleFan fan;
-    reserveForBatch(fan);
-    CircleBatch batch(fan, [this](std::uint32_t f, const VoronoiCircle& circle) {
+    CircleBatch batch([this](std::uint32_t f, const VoronoiCircle& circle) {
       circles_[f] = circle;
       if (!(circle.error < std::numeric_limits<float>::infinity())) lookAtFace(FaceId{f});
     });

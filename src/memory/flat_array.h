@@ -82,6 +82,11 @@ class FlatArray {
     assert(!empty());
     --bytes_.size;
   }
+  /// Of elements that have been written at data(). REQUIRES: n <= capacity().
+  void setSize(std::size_t n) {
+    assert(n <= capacity());
+    bytes_.size = n;
+  }
   void swap(FlatArray& other) noexcept { bytes_.swap(other.bytes_); }
 
   // All below throw std::bad_alloc, and then nothing has changed.

@@ -3,6 +3,7 @@
 // one by one.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -21,13 +22,46 @@ inline Pair loadPair(const double* from) {
   return pair;
 }
 inline void storePair(double* to, Pair pair) { std::memcpy(to, &pair, sizeof pair); }
+/// Of four numbers, two in each: the first and the third, the second and the last, the two in the
+/// middle.
+inline Pair firsts(Pair a, Pair b) { return __builtin_shufflevector(a, b, 0, 2); }
+inline Pair seconds(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 3); }
+inline Pair middles(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 2); }
+
+inline Pair larger(Pair a, Pair b) { return a > b ? a : b; }
+inline bool areBoth(PairMask mask) {
+#ifdef __wasm__
+  return __builtin_wasm_all_true_i64x2(mask);
+#else
+  return (mask[0] & mask[1]) != 0;
+#endif
+}
+
+// Where there is a builtin, WebAssembly gets one instruction for it.
 inline Pair absolute(Pair x) {
+#if __has_builtin(__builtin_elementwise_abs)
+  return __builtin_elementwise_abs(x);
+#else
   PairMask bits;
   std::memcpy(&bits, &x, sizeof bits);
   bits &= PairMask{INT64_MAX, INT64_MAX};
   std::memcpy(&x, &bits, sizeof bits);
   return x;
+#endif
 }
-inline Pair root(Pair x) { return Pair{std::sqrt(x[0]), std::sqrt(x[1])}; }
+inline Pair root(Pair x) {
+#if __has_builtin(__builtin_elementwise_sqrt)
+  return __builtin_elementwise_sqrt(x);
+#else
+  return Pair{std::sqrt(x[0]), std::sqrt(x[1])};
+#endif
+}
+
+/// Each as a float, which is infinite beyond their range, with `other` as another one behind it.
+inline Pair floatsBefore(Pair x, float other) {
+  using Floats __attribute__((vector_size(8))) = float;
+  return std::bit_cast<Pair>(__builtin_shufflevector(__builtin_convertvector(x, Floats),
+                                                     Floats{other, other}, 0, 2, 1, 3));
+}
 
 }  // namespace apollonius::internal

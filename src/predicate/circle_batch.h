@@ -12,17 +12,14 @@ namespace apollonius::internal {
 
 inline constexpr std::size_t kCircleBatch = 64;
 
-/// Room for a batch. Throws std::bad_alloc.
-inline void reserveForBatch(CircleFan& fan) { fan.reserve(2 * kCircleBatch); }
-
 /// `take(face, circle)` is called for each face added, in their order, at the latest by finish().
 /// `face` is whatever the caller knows it by; the circle is as of CircleFan::computeFaces.
 template <class Take>
 class CircleBatch {
  public:
-  CircleBatch(CircleFan& fan, Take take) : fan_(fan), take_(take) {}
+  explicit CircleBatch(Take take) : take_(take) {}
 
-  /// Of three finite sites. REQUIRES: reserveForBatch.
+  /// Of three finite sites.
   void add(std::uint32_t face, const std::array<Corner, 3>& corners) {
     faces_[count_] = face;
     corners_[count_] = corners;
@@ -30,13 +27,12 @@ class CircleBatch {
   }
 
   void finish() {
-    fan_.computeFaces({corners_.data(), count_}, circles_);
+    CircleFan::computeFaces({corners_.data(), count_}, circles_);
     for (std::size_t k = 0; k < count_; ++k) take_(faces_[k], circles_[k]);
     count_ = 0;
   }
 
  private:
-  CircleFan& fan_;
   Take take_;
   std::array<std::uint32_t, kCircleBatch> faces_;
   std::array<std::array<Corner, 3>, kCircleBatch> corners_;

@@ -12,7 +12,7 @@
 
 namespace apollonius::internal {
 
-/// Room for the rows of a fan; grows as needed, and is used again.
+/// Room for the corners of a fan; grows as needed, and is used again.
 class CircleFan {
  public:
   /// Room for n corners around a site. Throws std::bad_alloc.
@@ -28,22 +28,15 @@ class CircleFan {
   void compute(const Site& q, std::span<VoronoiCircle> circles);
 
   /// Circles of counter-clockwise faces of three finite sites, none of which covers another; an
-  /// infinite error where it is not certain that there is one. REQUIRES: reserve(2 * faces.size()).
-  void computeFaces(std::span<const std::array<Corner, 3>> faces, std::span<VoronoiCircle> circles);
+  /// infinite error where it is not certain that there is one.
+  static void computeFaces(std::span<const std::array<Corner, 3>> faces,
+                           std::span<VoronoiCircle> circles);
 
  private:
-  /// Computes the arrays; false if the numbers are beyond the range of the formulas.
-  bool computeAll(const Site& q, std::size_t n);
-  double setRow(std::size_t k, const Site& reference, const Site& site);
-  void setReference(std::size_t k, const Site& reference);
-  void computeBounded(std::size_t n, std::size_t second, std::size_t referenceMask);
-  [[nodiscard]] VoronoiCircle circle(std::size_t k) const;
+  static constexpr std::size_t kRepeated = 3;  // the first corners follow the last, for the last
+                                               // pair of faces
 
   FlatArray<Corner> corners_;
-  // Arrays of stride_ numbers, one for each quantity of a corner or a face (circle_fan.cpp), so
-  // that two faces are computed at once.
-  FlatArray<double> numbers_;
-  std::size_t stride_ = 0;
 };
 
 }  // namespace apollonius::internal

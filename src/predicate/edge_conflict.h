@@ -3,6 +3,7 @@
 
 #include "number/approx.h"
 #include "number/fp.h"
+#include "number/pair.h"
 #include "number/sign.h"
 #include "predicate/site.h"
 #include "predicate/voronoi_circle.h"
@@ -59,17 +60,16 @@ inline bool isSurelyInConflictBetweenEnds(const Site& i, const Site& j, const Vo
                lj = absolute(jx) + absolute(jy) + absolute(jr);
   const double e = 9 * u1 * (lq * (jxy + jrr) + lj * (qxy + qrr));
   const double m = absolute(mx) + absolute(my);
-  const auto isAhead = [&](const VoronoiCircle& circle) {
-    const double x = circle.x - reference.x, y = circle.y - reference.y;
-    const double size = absolute(x) + absolute(y);
-    const double bound =
-        (m * (circle.error + 4 * u1 * size) + e * (size + 2 * circle.error)) * (1 + 32 * u1);
-    return x * mx + y * my > bound;
-  };
   // Underflow: the scalar products are above it, or the answer is false; what smaller products lose
   // is then below the bound.
-  return !atK.isHalfPlane() && !atL.isHalfPlane() && m * u1 > powerOfTwo(-900) && isAhead(atK) &&
-         isAhead(atL);
+  if (atK.isHalfPlane() || atL.isHalfPlane() || !(m * u1 > powerOfTwo(-900))) return false;
+  const Pair centreK = loadPair(&atK.x), centreL = loadPair(&atL.x);
+  const Pair x = firsts(centreK, centreL) - reference.x,
+             y = seconds(centreK, centreL) - reference.y;
+  const Pair error{static_cast<double>(atK.error), static_cast<double>(atL.error)};
+  const Pair size = absolute(x) + absolute(y);
+  const Pair bound = (m * (error + 4 * u1 * size) + e * (size + 2 * error)) * (1 + 32 * u1);
+  return areBoth(x * mx + y * my > bound);
 }
 
 namespace stages {

@@ -84,49 +84,56 @@ void Graph::makePair(VertexId u, VertexId v, std::span<FaceId> faces) {
   sew(halfedgeOf(faces[0], 2), halfedgeOf(faces[1], 1));  // infinity → u
 }
 
-std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> hole,
-                                          std::span<const HalfedgeId> boundary,
-                                          std::span<FaceId> newFaces) {
-  const std::size_t n = boundary.size();
-  // Faces of the hole are used again, so everything is read before anything is written.
-  boundary_.clear();
-  for (const HalfedgeId h : boundary) boundary_.push_back({origin(h), twin(h)});
-  lost_.clear();
-  // f faces that hang together by f - 1 edges, as a tree, have f + 2 sides and no vertex within. So
-  // it is nearly always.
-  const bool mayLose = n != hole.size() + 2;
-  if (mayLose) collectCorners(hole);
+/// An outer side within the hole is on the boundary itself and is replaced, too: says so in
+/// boundary_, with what replaces it.
+void Graph::replaceSlits(std::span<const FaceId> hole, std::span<const HalfedgeId> boundary,
+                         std::span<const FaceId> newFaces) {
   for (const FaceId f : hole) halfedges_[index(halfedgeOf(f, 0))].origin = kNoVertex;
-  for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < hole.size() ? hole[k] : takeFace();
-
-  // An outer side within the hole is on the boundary itself and is replaced too: leave word there
-  // of what replaces it.
   const auto isInHole = [&](HalfedgeId h) { return !isLive(faceOf(h)); };
-  for (std::size_t k = 0; k < n; ++k) {
+  for (std::size_t k = 0; k < boundary.size(); ++k) {
     if (isInHole(boundary[k])) halfedges_[index(boundary[k])].twin = halfedgeOf(newFaces[k], 0);
   }
   for (BoundaryEdge& edge : boundary_) {
     if (isInHole(edge.outer)) edge.outer = twin(edge.outer);
   }
+}
 
+std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> hole,
+                                          std::span<const HalfedgeId> boundary,
+                                          std::span<FaceId> newFaces, bool mayHaveSlits) {
+  const std::size_t n = boundary.size();
+  // Faces of the hole are used again, so everything is read before anything is written.
+  boundary_.setSize(n);
+  BoundaryEdge* const edges = boundary_.data();
+  for (std::size_t k = 0; k < n; ++k) edges[k] = {origin(boundary[k]), twin(boundary[k])};
+  lost_.clear();
+  // f faces that hang together by f - 1 edges, as a tree, have f + 2 sides and no vertex within. So
+  // it is nearly always.
+  const bool mayLose = n != hole.size() + 2;
+  if (mayLose) collectCorners(hole);
+  for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < hole.size() ? hole[k] : takeFace();
+  if (mayHaveSlits) replaceSlits(hole, boundary, newFaces);
+
+  // Local pointers: the compiler cannot know that what is written leaves the arrays where they are.
+  Halfedge* const halfedges = halfedges_.data();
+  HalfedgeId* const outgoing = outgoing_.data();
   HalfedgeId spoke = halfedgeOf(newFaces[n - 1], 1);  // to w, of the face before
   for (std::size_t k = 0; k < n; ++k) {
-    const HalfedgeId side = halfedgeOf(newFaces[k], 0),
-                     toNew = HalfedgeId{static_cast<std::uint32_t>(side) + 1};
-    const HalfedgeId fromNew{static_cast<std::uint32_t>(side) + 2};
-    const VertexId from = boundary_[k].from;
-    halfedges_[index(side)] = {from, boundary_[k].outer};
-    halfedges_[index(boundary_[k].outer)].twin = side;
-    halfedges_[index(toNew)].origin = boundary_[k + 1 < n ? k + 1 : 0].from;
-    halfedges_[index(fromNew)] = {w, spoke};
-    halfedges_[index(spoke)].twin = fromNew;
-    outgoing_[index(from)] = side;
+    const HalfedgeId side = halfedgeOf(newFaces[k], 0), toNew = halfedgeOf(newFaces[k], 1),
+                     fromNew = halfedgeOf(newFaces[k], 2);
+    const VertexId from = edges[k].from;
+    halfedges[index(side)] = {from, edges[k].outer};
+    halfedges[index(edges[k].outer)].twin = side;
+    halfedges[index(toNew)].origin = edges[k + 1 < n ? k + 1 : 0].from;
+    halfedges[index(fromNew)] = {w, spoke};
+    halfedges[index(spoke)].twin = fromNew;
+    outgoing[index(from)] = side;
     spoke = toNew;
   }
   outgoing_[index(w)] = halfedgeOf(newFaces[0], 2);
   for (std::size_t k = n; k < hole.size(); ++k) freeFace(hole[k]);
   if (mayLose) {
-    const auto hasPlace = [&](VertexId v) { return outgoing(v) != kNoHalfedge; };
+    const auto hasPlace = [&](VertexId v) { return outgoing[index(v)] != kNoHalfedge; };
     lost_.resize(static_cast<std::size_t>(std::remove_if(lost_.begin(), lost_.end(), hasPlace) -
                                           lost_.begin()));
   }

@@ -95,7 +95,8 @@ class Graph {
   /// Puts vertex w into a hole: the faces `hole` go, and each half-edge of `boundary` gets a new
   /// face with w at its left. The boundary lists, counter-clockwise, the half-edges that bound the
   /// hole from inside; a boundary half-edge whose twin is on the boundary too is an edge with the
-  /// hole on both sides (or, with no face in the hole, the one edge that is opened).
+  /// hole on both sides, a slit (or, with no face in the hole, the one edge that is opened). Who
+  /// knows that there is no slit says so, which saves looking for them.
   ///
   ///         b ______ a             b ______ a
   ///          |      |               | \  / |         boundary: a→b, b→c, c→d, d→a
@@ -109,7 +110,7 @@ class Graph {
   /// boundary.size() >= 2.
   std::span<const VertexId> starHole(VertexId w, std::span<const FaceId> hole,
                                      std::span<const HalfedgeId> boundary,
-                                     std::span<FaceId> newFaces);
+                                     std::span<FaceId> newFaces, bool mayHaveSlits = true);
 
   /// A face of a patch: three vertices and, for each of its half-edges, what lies on the other
   /// side.
@@ -180,6 +181,9 @@ class Graph {
   std::size_t freeFaces_ = 0;
 
   // Scratch of starHole and replaceStar.
+  void replaceSlits(std::span<const FaceId> hole, std::span<const HalfedgeId> boundary,
+                    std::span<const FaceId> newFaces);
+
   struct BoundaryEdge {
     VertexId from;
     HalfedgeId outer;

@@ -38,8 +38,7 @@ TEST_P(CircleFanOn, IsWithinItsErrorBound) {
     const std::array<Corner, 3> faces[] = {
         {&s[0], &s[1], &s[2]}, {&s[1], &s[2], &s[0]}, {&s[2], &s[0], &s[1]}};
     VoronoiCircle separate[3];
-    fan.reserve(6);
-    fan.computeFaces(faces, separate);
+    CircleFan::computeFaces(faces, separate);
     for (std::size_t q = 0; q < 3; ++q) expectWithinBound(separate[q], q);
     for (std::size_t q = 0; q < 3; ++q) {
       const Site &j = s[(q + 1) % 3], &k = s[(q + 2) % 3];
@@ -84,7 +83,7 @@ TEST(CircleFan, BoundsAreCloseWhereTheSitesAreOrdinary) {
       EXPECT_LT(circles[k].error, 1e-7);
       const std::array<Corner, 3> face{&a, &b, &q};
       VoronoiCircle alone;
-      fan.computeFaces({&face, 1}, {&alone, 1});
+      CircleFan::computeFaces({&face, 1}, {&alone, 1});
       EXPECT_LT(alone.error, 1e-7);
       EXPECT_NEAR(alone.x, one.x, 2 * (double{one.error} + double{alone.error}));
       EXPECT_NEAR(alone.s, one.s, 2 * (double{one.error} + double{alone.error}));

@@ -29,10 +29,8 @@ struct Twins {
   Twins(Corner i, Corner j, Corner k) {
     rotateToReference(i, j, k);
     isCertain = findCertainVoronoiCircle(i, j, k, alone);
-    CircleFan fan;
-    fan.reserve(2);
     const std::array<Corner, 3> face{i, j, k};
-    fan.computeFaces({&face, 1}, {&fromFan, 1});
+    CircleFan::computeFaces({&face, 1}, {&fromFan, 1});
   }
 };
 

@@ -119,11 +119,9 @@ VoronoiCircle someCircle(Corner i, Corner j, Corner k, Random& random) {
   if (way == 0) return voronoiCircle(i, j, k);
   for (std::uint64_t turn = 0; turn < way || i == nullptr; ++turn) std::swap(i, j), std::swap(j, k);
   if (j != nullptr && k != nullptr && random.oneIn(2)) {
-    CircleFan fan;
-    fan.reserve(1);
     const std::array<Corner, 3> face{i, j, k};
     VoronoiCircle circle;
-    fan.computeFaces({&face, 1}, {&circle, 1});
+    CircleFan::computeFaces({&face, 1}, {&circle, 1});
     return circle;
   }
   CircleFan fan;
@@ -229,10 +227,8 @@ TEST(NearZero, Existence) {
           VoronoiCircle circle;
           EXPECT_EQ(findVoronoiCircle(&i, &j, &at, circle), exists);
           EXPECT_TRUE(!findCertainVoronoiCircle(&i, &j, &at, circle) || exists);
-          CircleFan fan;
-          fan.reserve(1);
           const std::array<Corner, 3> face{&i, &j, &at};
-          fan.computeFaces({&face, 1}, {&circle, 1});
+          CircleFan::computeFaces({&face, 1}, {&circle, 1});
           EXPECT_TRUE(!(circle.error < HUGE_VALF) || exists);
         });
   });

@@ -26,7 +26,6 @@ MaybeSign positiveOrNot(MaybeSign sign) {
 }  // namespace
 
 StageChecks::StageChecks() {
-  fan_.reserve(2);
   tallies_.resize(kCount);
   tallies_[kCovers] = {"covers", {{"filter"}, {"middle"}}};
   tallies_[kDistance] = {"distance", {{"filter"}, {"middle"}, {"fixed"}}};
@@ -106,7 +105,7 @@ bool StageChecks::exists(Corner i, Corner j, Corner k) {
   VoronoiCircle circle, fromFan;
   const bool isCertain = findCertainVoronoiCircle(i, j, k, circle);
   const std::array<Corner, 3> face{i, j, k};
-  fan_.computeFaces({&face, 1}, {&fromFan, 1});
+  CircleFan::computeFaces({&face, 1}, {&fromFan, 1});
   const bool isCertainOfFan = fromFan.error < std::numeric_limits<float>::infinity();
   compare(kCircle, beaten,
           {{Sign::kNegative, isCertain},
@@ -147,7 +146,7 @@ bool StageChecks::isInConflict(const Face& face, const Site& q) {
   if (k != nullptr && j != nullptr) {
     // Seen from another of its sites.
     const std::array<Corner, 3> turned{j, k, i};
-    fan_.computeFaces({&turned, 1}, {&fromFan, 1});
+    CircleFan::computeFaces({&turned, 1}, {&fromFan, 1});
   }
   const bool areEqual =
       (j == nullptr || j->r == i->r) && (k == nullptr || k->r == i->r) && q.r == i->r;

@@ -93,7 +93,6 @@ class StageChecks {
   std::string report_;
   const CloseCall* call_ = nullptr;
   std::vector<const Site*> visible_;
-  CircleFan fan_;
   std::vector<Face> faces_;  // those with a circle, of the sites in hand
 };
 
