@@ -12,6 +12,7 @@ import {
   showCircles,
   sitesInReach,
   stateOf,
+  tapOn,
   whereIs,
 } from "./support/browser.mjs";
 
@@ -224,11 +225,11 @@ describeInBrowser("touch", (open) => {
     await page.touchscreen.tap(x, y);
     await swipe([x + r + 5, y], [x + r + 45, y]);
     expect((await whereIs(page, 0)).r - r).toBeCloseTo(40, 0);
-    await page.tap("#card-duplicate");
+    await tapOn(page, "#card-duplicate");
     expect((await stateOf(page)).size).toBe(4);
-    await page.tap("#tool-undo");
+    await tapOn(page, "#tool-undo");
     await page.evaluate(() => app.selection.clear());
-    await page.tap("#tool-delete");
+    await tapOn(page, "#tool-delete");
     const other = await whereIs(page, 2);
     await page.touchscreen.tap(other.x, other.y);
     expect((await stateOf(page)).size).toBe(2);
@@ -273,10 +274,10 @@ describeInBrowser("touch", (open) => {
 
   test("Draw: a tap inserts, a drag draws", async () => {
     const { x, y } = await freeSpace(page);
-    await page.tap("#tool-draw");
+    await tapOn(page, "#tool-draw");
     await page.touchscreen.tap(x, y);
     expect((await stateOf(page)).size).toBe(36);
-    await page.tap("#tool-undo");
+    await tapOn(page, "#tool-undo");
     await swipe([x, y], [x + 50, y]);
     const { selected } = await stateOf(page);
     expect((await whereIs(page, selected[0])).r).toBeCloseTo(50, 0);
