@@ -8,7 +8,7 @@ target_link_libraries(apollonius_wasm PRIVATE apollonius apollonius_flags)
 set_target_properties(apollonius_wasm PROPERTIES OUTPUT_NAME apollonius SUFFIX .mjs)
 target_link_options(apollonius_wasm PRIVATE
   # -O3 and -Os shorten names, among which tests/wasm/support/trapping.mjs finds its way.
-  -lembind -O2
+  -lembind -O2 -sBINARYEN_EXTRA_PASSES=-O3,--converge
   -sEMBIND_AOT -sDYNAMIC_EXECUTION=0   # no code made from strings, which a strict policy forbids
   --emit-tsd=apollonius.d.mts
   -sMODULARIZE -sEXPORT_ES6

@@ -37,45 +37,44 @@ const types = path.join(root, "build/types/wasm");
 const entries = ["index", "wasm"];
 const inner = { esm: ["edge", "embedded", "errors"], cjs: [] };
 
+/** Characters that a string literal cannot have as they are; NUL, HTML would read as U+FFFD. */
+const escapes = { 0: "\\x00", 10: "\\n", 13: "\\r", 34: '\\"', 92: "\\\\" };
+
 /**
- * The wasm as a template literal of one character a byte. In UTF-8, half of the characters up to
- * 255 are one byte each and half are two with few first ones, so that a server's compression sees
- * the wasm itself: 2 % more than the file alone, where base64 costs 38 %. The most frequent bytes
- * of the second half change places with the rarest of the first.
+ * The wasm as a string literal of one character a byte. In UTF-8, half of the characters up to 255
+ * are one byte each and half are two with few first ones, so that a server's compression sees the
+ * wasm itself: 2 % more than the file alone, where base64 costs 38 %. As no character is beyond 255,
+ * engines keep one byte for each. The most frequent bytes of the second half, and those that would
+ * have to be escaped, change places with the rarest of the first.
  */
-function asTemplate(bytes) {
+function asString(bytes) {
   const counts = new Uint32Array(256);
   for (const byte of bytes) ++counts[byte];
   const codes = [...counts.keys()];
-  // What a template would have escaped, and the carriage return, which it reads as a line feed,
-  // move up by 256.
-  const unfit = [..."\r\\`$"].map((character) => character.charCodeAt(0));
+  const unfit = Object.keys(escapes).map(Number);
   const low = codes
-    .slice(1, 128)
+    .slice(0, 128)
     .filter((code) => !unfit.includes(code))
     .sort((a, b) => counts[a] - counts[b]);
   const high = codes.slice(128).sort((a, b) => counts[b] - counts[a]);
-  // So does NUL, which HTML would read as U+FFFD, after it has changed places with the rarest: it is
-  // the most frequent byte of all.
-  const swaps = [[0, low.shift()]];
+  const swaps = unfit.map((code) => [code, low.shift()]);
   // Not all that would make the file shorter: the order of the others means something, and helps
   // compression.
   for (let k = 0; counts[high[k]] > counts[low[k]] + bytes.length / 384; ++k)
     swaps.push([low[k], high[k]]);
   for (const [a, b] of swaps) [codes[a], codes[b]] = [b, a];
-  for (const code of [...unfit, swaps[0][1]]) codes[code] += 256;
-  const characters = Array.from(bytes, (byte) => String.fromCharCode(codes[byte])).join("");
+  const texts = codes.map((code) => escapes[code] ?? String.fromCharCode(code));
+  const characters = Array.from(bytes, (byte) => texts[byte]).join("");
   // A page may have the file between its script tags: none of those begins or ends in here.
-  const template = characters.replaceAll(/<(?=[!/])/g, "<\\");
-  return { template: `\`${template}\``, swaps: swaps.flat() };
+  return { literal: `"${characters.replaceAll(/<(?=[!/])/g, "<\\")}"`, swaps: swaps.flat() };
 }
 
 /**
- * Lets a bundle import the wasm as `asTemplate` has it. esbuild would print its own loaders'
+ * Lets a bundle import the wasm as `asString` has it. esbuild would print its own loaders'
  * strings full of escapes.
  */
 function wasmAsText(built) {
-  const { template, swaps } = asTemplate(readFileSync(path.join(built, "apollonius.wasm")));
+  const { literal, swaps } = asString(readFileSync(path.join(built, "apollonius.wasm")));
   const placeholder = "__APOLLONIUS_WASM__";
   return {
     name: "wasm-as-text",
@@ -95,7 +94,7 @@ function wasmAsText(built) {
         for (const { path: file, text } of outputFiles) {
           const small = await minified(text);
           mkdirSync(path.dirname(file), { recursive: true });
-          writeFileSync(file, byteOrderMark(file) + small.replace(placeholder, () => template));
+          writeFileSync(file, byteOrderMark(file) + small.replace(placeholder, () => literal));
         }
       });
     },

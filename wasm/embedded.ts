@@ -15,7 +15,7 @@ function bytes(): Uint8Array<ArrayBuffer> {
     byteOf[b] = a;
   }
   const decoded = new Uint8Array(text.length);
-  for (let k = 0; k < decoded.length; ++k) decoded[k] = byteOf[text.charCodeAt(k) & 255] as number;
+  for (let k = 0; k < decoded.length; ++k) decoded[k] = byteOf[text.charCodeAt(k)] as number;
   return decoded;
 }
 

@@ -1,12 +1,12 @@
-// Imports of .wasm files (asTemplate in tools/build.mjs), and of compiled ones (edge.ts).
+// Imports of .wasm files (asString in tools/build.mjs), and of compiled ones (edge.ts).
 declare module "*.wasm?module" {
   const compiled: WebAssembly.Module;
   export default compiled;
 }
 declare module "*.wasm" {
   /**
-   * One character a byte, whose code's lower eight bits are the byte; of each pair in `swaps`, the
-   * bytes have changed places.
+   * One character a byte, whose code is the byte; but the bytes of each pair in `swaps` have changed
+   * places.
    */
   export const text: string;
   /** a, b, a, b, … */

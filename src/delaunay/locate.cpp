@@ -152,24 +152,27 @@ DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId s
     return better != kNoHalfedge;
   };
   HalfedgeId begin = graph_.outgoing(start);
+  (void)ask(begin);
   for (;;) {
-    better = kNoHalfedge;
-    HalfedgeId h = begin;
-    int asked = 0;
-    do {
-      h = graph_.rotateCcw(h);
-      ++asked;
-    } while (!ask(h) && h != begin && asked < kFewNeighbors);
-    if (better == kNoHalfedge && h == begin) return {graph_.origin(h), kNoHalfedge};
-
-    HalfedgeId sector = kNoHalfedge;
+    // Around the site in both directions at once, until they meet: what is read in one direction
+    // does not wait for what is read in the other.
+    HalfedgeId ccw = begin, cw = begin;
+    for (int asked = 1; better == kNoHalfedge && asked < kFewNeighbors; asked += 2) {
+      ccw = graph_.rotateCcw(ccw);
+      if (ccw == cw) return {graph_.origin(begin), kNoHalfedge};
+      if (ask(ccw)) break;
+      cw = graph_.rotateCw(cw);
+      if (cw == ccw) return {graph_.origin(begin), kNoHalfedge};
+      (void)ask(cw);
+    }
     if (better == kNoHalfedge) {
-      const VertexId reference = graph_.origin(h);
+      const VertexId reference = graph_.origin(begin);
       if (site(reference).x == x && site(reference).y == y)
         return {reference, kNoHalfedge};  // no other covers it, so none is as near
       const Sectors sectors(*this, x, y, reference);
-      sector = sectors.find(begin);
+      const HalfedgeId sector = sectors.find(begin);
       if (sector == kNoHalfedge) {
+        HalfedgeId h = begin;
         do {
           h = graph_.rotateCcw(h);
         } while (!ask(h) && h != begin);
@@ -188,9 +191,8 @@ DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId s
         return {reference, sector};
       }
     }
-    // The edge back, whose other end is not nearer, and the one after it, whose other end was
-    // probably asked before, come last.
-    begin = graph_.rotateCcw(graph_.twin(better));
+    begin = graph_.twin(better);  // the edge back, whose other end is not nearer
+    better = kNoHalfedge;
   }
 }
 

@@ -1,12 +1,14 @@
 #include "diagram/diagram_core.h"
 
 #include <algorithm>
+#include <limits>
 #include <new>
 
 #include "delaunay/sort_by_key.h"
 #include "diagram/spatial_order.h"
 #include "memory/flat_array.h"
 #include "number/invariant.h"
+#include "predicate/distance.h"
 #include "predicate/predicates.h"
 
 namespace apollonius::internal {
@@ -30,9 +32,17 @@ void DiagramCore::reserve(std::size_t slots) {
 }
 
 VertexId DiagramCore::startFor(double x, double y) const {
-  const Slot close = grid_.near(x, y);
-  if (close != kNoSlot && delaunay_.isVisible(vertexOf(close)) && grid_.isClose(site(close), x, y))
-    return vertexOf(close);
+  VertexId best = kNoVertex;
+  double least = std::numeric_limits<double>::infinity();
+  grid_.forEachNear(x, y, [&](Slot slot) {
+    const VertexId v = vertexOf(slot);
+    if (!delaunay_.isVisible(v)) return;
+    const double distance = ApproxDistance(x, y, delaunay_.site(v)).value;
+    if (distance >= least) return;
+    best = v;
+    least = distance;
+  });
+  if (best != kNoVertex && grid_.isClose(delaunay_.site(best), x, y)) return best;
   if (isHierarchyDue_) buildHierarchy();
   const Slot start = hierarchy_.locate(x, y);
   return start == kNoSlot ? kNoVertex : vertexOf(start);

@@ -1,7 +1,7 @@
 // A grid of places to start from: for each cell of a square grid over the sites, some site with its
-// centre there. Where sites are spread evenly, a walk from there has a step or two, and one look
-// replaces the descent through the hierarchy. Cells that hold many sites give no answer: there the
-// hierarchy is better.
+// centre there. Where sites are spread evenly, the nearest of those of the four closest cells is
+// mostly the nearest of all, and a look there replaces the descent through the hierarchy. Cells
+// that hold many sites give no answer: there the hierarchy is better.
 //
 // The grid is a hint and nothing else. Entries go stale when sites leave or move, and their slots
 // go to sites elsewhere; whoever asks checks that the site is visible, and still close: walks from
@@ -18,14 +18,23 @@ namespace apollonius::internal {
 
 class HintGrid {
  public:
-  /// The slot of a site whose centre was in the cell of (x, y) or beside it, or kNoSlot.
-  [[nodiscard]] Slot near(double x, double y) const {
-    if (cells_.empty()) return kNoSlot;
-    const Cell& cell = cells_[cellOf(x, y)];
-    return cell.count <= kFew && cell.site != kNoSite ? cell.site : kNoSlot;
+  /// Visits the slots of sites whose centres were in the four cells closest to (x, y), one of each
+  /// cell or of one beside it; none where the cell of (x, y) holds many. Reading four cells takes
+  /// hardly longer than one: no address waits for what is at another.
+  template <class Visit>
+  void forEachNear(double x, double y, Visit visit) const {
+    if (cells_.empty()) return;
+    const Pieces column = piecesOf((x - low_.x) * scaleX_), row = piecesOf((y - low_.y) * scaleY_);
+    const Cell* const rows[] = {&cells_[row.own * side_], &cells_[row.beside * side_]};
+    if (rows[0][column.own].count > kFew) return;
+    for (const Cell* cells : rows) {
+      for (const std::size_t k : {column.own, column.beside}) {
+        if (cells[k].count <= kFew && cells[k].site != kNoSite) visit(Slot{cells[k].site});
+      }
+    }
   }
 
-  /// Is the site's centre in the cell of (x, y) or beside it? REQUIRES: near() has named it.
+  /// Is the site's centre in the cell of (x, y) or beside it? REQUIRES: forEachNear() has named it.
   [[nodiscard]] bool isClose(const Site& site, double x, double y) const {
     const auto differ = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
     return differ(columnOf(site.x), columnOf(x)) <= 1 && differ(rowOf(site.y), rowOf(y)) <= 1;
@@ -82,6 +91,17 @@ class HintGrid {
     std::uint32_t count : 3 = 0;  // of sites inserted; stays at kFew + 1 once it got there
   };
 
+  /// Of a row or a column of cells: the one at a position, and the one on the side of it that is
+  /// closer, or the same at the border.
+  struct Pieces {
+    std::size_t own, beside;
+  };
+  [[nodiscard]] Pieces piecesOf(double position) const {
+    const std::size_t own = clamped(position);
+    const bool isLow = position - static_cast<double>(own) < 0.5;
+    if (isLow) return {own, own > 0 ? own - 1 : own};
+    return {own, own + 1 < side_ ? own + 1 : own};
+  }
   [[nodiscard]] std::size_t columnOf(double x) const { return clamped((x - low_.x) * scaleX_); }
   [[nodiscard]] std::size_t rowOf(double y) const { return clamped((y - low_.y) * scaleY_); }
   [[nodiscard]] std::size_t cellOf(double x, double y) const {

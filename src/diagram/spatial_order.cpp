@@ -18,17 +18,18 @@ constexpr unsigned kCurveBits = 16;  // cells a side: 2^16
 // How the curve lies in a square: as it is, or with the axes swapped, or turned around, or both.
 constexpr unsigned kSwapped = 1, kTurned = 2, kWays = 4;
 
-/// Tables of four bits of each coordinate at once: four look-ups a point.
-constexpr unsigned kStepBits = 4, kStepCells = 1u << kStepBits;
+/// So many bits of each coordinate are looked up at once: with more, the table would be a kilobyte
+/// of the wasm module.
+constexpr unsigned kStepBits = 2, kStepCells = 1u << kStepBits;
 
 constexpr unsigned stepOf(unsigned way, unsigned x, unsigned y) {
   return (way << kStepBits | x) << kStepBits | y;
 }
 
-/// For a way, and a cell of 16 x 16 in a square: the position of the cell along the curve in that
-/// square, shifted by two bits, and the way of the curve in the cell.
+/// For a way, and a cell of the kStepCells x kStepCells in a square: the position of the cell along
+/// the curve in that square, times kWays, and the way of the curve in the cell.
 constexpr auto kSteps = [] {
-  std::array<std::uint16_t, std::size_t{kWays} * kStepCells * kStepCells> steps{};
+  std::array<std::uint8_t, std::size_t{kWays} * kStepCells * kStepCells> steps{};
   for (unsigned first = 0; first < kWays; ++first) {
     for (unsigned x = 0; x < kStepCells; ++x) {
       for (unsigned y = 0; y < kStepCells; ++y) {
@@ -43,7 +44,7 @@ constexpr auto kSteps = [] {
           // swapped, and in the right one of them turned around as well.
           if (upper == 0) way ^= right != 0 ? kSwapped | kTurned : kSwapped;
         }
-        steps[stepOf(first, x, y)] = static_cast<std::uint16_t>(position << 2 | way);
+        steps[stepOf(first, x, y)] = static_cast<std::uint8_t>(position * kWays + way);
       }
     }
   }
@@ -58,8 +59,8 @@ std::uint32_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
     shift -= kStepBits;
     const unsigned step =
         kSteps[stepOf(way, x >> shift & (kStepCells - 1), y >> shift & (kStepCells - 1))];
-    position = position << (2 * kStepBits) | step >> 2;
-    way = step & (kWays - 1);
+    position = position << (2 * kStepBits) | step / kWays;
+    way = step % kWays;
   }
   return position;
 }
