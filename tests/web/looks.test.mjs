@@ -4,7 +4,7 @@
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { describe, expect, test } from "@jest/globals";
-import { closePage, describeInBrowser, painted, settled, show, tapOn } from "./support/browser.mjs";
+import { closePage, describeInBrowser, painted, settled, show } from "./support/browser.mjs";
 import { isThorough } from "./support/effort.mjs";
 import { serve } from "../../tools/serve.mjs";
 
@@ -134,7 +134,7 @@ describeInBrowser("looks", (open) => {
     );
     const at = await selected();
     await page.touchscreen.tap(...at);
-    await tapOn(page, "#grip");
+    await page.click("#grip");
     const isUnder = ([x, y]) =>
       page.evaluate(([x, y]) => document.elementFromPoint(x, y).closest(".sheet") !== null, [x, y]);
     await page.waitForFunction(() => document.getElementById("sheet").clientHeight > 200);
@@ -154,15 +154,15 @@ describeInBrowser("looks", (open) => {
     const height = () => page.$eval("#sheet", (sheet) => sheet.getBoundingClientRect().height);
     const closed = await height();
     await page.evaluate(() => app.selection.set([4]));
-    await tapOn(page, "#grip");
+    await page.click("#grip");
     await page.waitForFunction(
       (closed) => document.getElementById("sheet").getBoundingClientRect().height > closed + 80,
       closed,
     );
     expect(await page.isVisible("#card-delete")).toBe(true);
-    await tapOn(page, "#card-delete");
+    await page.click("#card-delete");
     expect(await page.evaluate(() => app.diagram.size)).toBe(34);
-    await tapOn(page, "#grip");
+    await page.click("#grip");
     await page.waitForFunction(
       (closed) => document.getElementById("sheet").getBoundingClientRect().height <= closed + 1,
       closed,

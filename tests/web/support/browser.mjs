@@ -185,17 +185,6 @@ export const frames = (page, count) =>
     for (let k = 0; k < count; k++) await new Promise(requestAnimationFrame);
   }, count);
 
-/** Taps on a button, and waits for the click that comes of it: Chromium makes it after the tap. */
-export async function tapOn(page, selector) {
-  const clicked = page.$eval(
-    selector,
-    (button) =>
-      new Promise((resolve) => button.addEventListener("click", () => resolve(), { once: true })),
-  );
-  await page.tap(selector);
-  await clicked;
-}
-
 /** Another set is shown. */
 export async function show(page, key, params = {}) {
   await page.evaluate(([key, params]) => app.navigation.load(key, params), [key, params]);
