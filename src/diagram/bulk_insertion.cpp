@@ -16,6 +16,7 @@ bool BulkInsertion::stage(std::span<const double> xyr, std::size_t most) {
     sort_.reset();
     diagram_.delaunay_.reserveSites(diagram_.slotsWith(order_.size()) + 1);
     slot_ = diagram_.ids_.nextSlot();
+    firstNew_ = static_cast<Slot>(diagram_.ids_.slots());
     if (most != kAllAtOnce) return false;
   }
   copyStaged(xyr, most);
@@ -106,7 +107,7 @@ void BulkInsertion::place(std::size_t most) {
   for (; done_ < end; ++done_) {
     const Slot slot = order_[done_];
     const Site circle = d.site(slot);
-    d.ids_.setState(slot, d.place(slot, circle, visibleBeside(slot), undo_));
+    d.ids_.setState(slot, d.place(slot, circle, startFor(slot), undo_));
   }
 }
 
@@ -139,15 +140,19 @@ void BulkInsertion::undo() noexcept {
   ids_ = {};
 }
 
-VertexId BulkInsertion::visibleBeside(Slot slot) const {
+VertexId BulkInsertion::startFor(Slot slot) const {
+  // Few sites among many are far from each other.
+  if (!diagram_.isBulk_) return kNoVertex;
   const DelaunayGraph& delaunay = diagram_.delaunay_;
   constexpr Slot kReach = 4;
-  for (Slot distance = 1; distance <= kReach; ++distance) {
-    if (slot >= distance && delaunay.isVisible(vertexOf(slot - distance)))
-      return vertexOf(slot - distance);
-    if (delaunay.isVisible(vertexOf(slot + distance))) return vertexOf(slot + distance);
+  if (slot >= firstNew_) {
+    for (Slot distance = 1; distance <= kReach; ++distance) {
+      if (slot >= firstNew_ + distance && delaunay.isVisible(vertexOf(slot - distance)))
+        return vertexOf(slot - distance);
+      if (delaunay.isVisible(vertexOf(slot + distance))) return vertexOf(slot + distance);
+    }
   }
-  return delaunay.anyVisible();
+  return delaunay.anyVisible();  // the one before in this round
 }
 
 }  // namespace apollonius::internal

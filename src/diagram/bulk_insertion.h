@@ -47,8 +47,8 @@ class BulkInsertion {
   void name(std::size_t most);
   void place(std::size_t most);
   void undo() noexcept;
-  /// A visible vertex close to a slot along the curve, or kNoVertex.
-  [[nodiscard]] VertexId visibleBeside(Slot slot) const;
+  /// Where the walk of a staged site starts; kNoVertex: as that of a single insertion.
+  [[nodiscard]] VertexId startFor(Slot slot) const;
 
   enum class Step : std::uint8_t { kMakeRoom, kName, kOrder, kPlace };
 
@@ -57,8 +57,9 @@ class BulkInsertion {
   std::optional<HilbertSort> sort_;
   FlatArray<std::uint32_t> order_;  // of circles along the curve, then of slots
   Slot slot_ = kNoSlot;             // that the next circle is copied to
-  std::span<SiteId> ids_;           // of the sites, once they have some
-  std::size_t done_ = 0;            // of those that are copied, named, or placed
+  Slot firstNew_ = 0;      // from there on slots follow the curve; below, they are free ones
+  std::span<SiteId> ids_;  // of the sites, once they have some
+  std::size_t done_ = 0;   // of those that are copied, named, or placed
   DiagramCore::Undo undo_ = DiagramCore::Undo::kNever;
 };
 

@@ -64,7 +64,7 @@ Sites sitesOf(const Circles& circles) {
 }
 
 struct Work {
-  double building, asking, moving, removing;
+  double building, asking, moving, removing, returning;
 };
 
 /// Questions a site.
@@ -85,7 +85,10 @@ Work workOf(const Circles& circles) {
   std::vector<SiteId> others(ids.begin() + 1, ids.end());
   others.push_back(ids.front());
   work.moving = asked([&] { core.updateMany(others, sites.xyr); });
+  // Half of them go and come back, to slots that are free here and there.
   work.removing = asked([&] { core.removeMany({ids.data(), n / 2}); });
+  work.returning =
+      asked([&] { insertAll(core, {sites.xyr.data(), 3 * (n / 2)}, {ids.data(), n / 2}); });
   return work;
 }
 
@@ -102,6 +105,7 @@ TEST_P(WorkOfBatches, IsThatOnPointsSpreadEvenly) {
   EXPECT_LE(work.asking, most * even.asking);
   EXPECT_LE(work.moving, most * even.moving);
   EXPECT_LE(work.removing, most * even.removing);
+  EXPECT_LE(work.returning, most * even.returning);
 }
 
 INSTANTIATE_TEST_SUITE_P(Distributions, WorkOfBatches, ::testing::ValuesIn(distributions()),
