@@ -5,8 +5,8 @@ declare module "*.wasm?module" {
 }
 declare module "*.wasm" {
   /**
-   * One character a byte, whose code is the byte; but the bytes of each pair in `swaps` have changed
-   * places.
+   * One character a byte, whose code is the byte; but the bytes of each pair in `swaps` have
+   * changed places.
    */
   export const text: string;
   /** a, b, a, b, … */

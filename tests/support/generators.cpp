@@ -114,8 +114,8 @@ Circles everyScale(Random& random, std::size_t n) {
   const double spacing = std::sqrt((2 * kPowers + 1) / (static_cast<double>(n) + 1));
   Circles circles;
   for (std::size_t k = 0; k < n; ++k) {
-    const double distance =
-        std::ldexp(random.between(1, 2), static_cast<int>(random.integer(-kPowers, kPowers)));
+    const int power = static_cast<int>(random.integer(-kPowers, kPowers));
+    const double distance = std::ldexp(random.between(1, 2), power);
     const Direction direction = randomDirection(random);
     circles.push_back(
         {distance * direction.x, distance * direction.y, distance * spacing * random.unit()});
