@@ -134,7 +134,7 @@ describeInBrowser("looks", (open) => {
     );
     const at = await selected();
     await page.touchscreen.tap(...at);
-    await page.click("#grip");
+    await page.tap("#grip");
     const isUnder = ([x, y]) =>
       page.evaluate(([x, y]) => document.elementFromPoint(x, y).closest(".sheet") !== null, [x, y]);
     await page.waitForFunction(() => document.getElementById("sheet").clientHeight > 200);
@@ -154,15 +154,15 @@ describeInBrowser("looks", (open) => {
     const height = () => page.$eval("#sheet", (sheet) => sheet.getBoundingClientRect().height);
     const closed = await height();
     await page.evaluate(() => app.selection.set([4]));
-    await page.click("#grip");
+    await page.tap("#grip");
     await page.waitForFunction(
       (closed) => document.getElementById("sheet").getBoundingClientRect().height > closed + 80,
       closed,
     );
     expect(await page.isVisible("#card-delete")).toBe(true);
-    await page.click("#card-delete");
+    await page.tap("#card-delete");
     expect(await page.evaluate(() => app.diagram.size)).toBe(34);
-    await page.click("#grip");
+    await page.tap("#grip");
     await page.waitForFunction(
       (closed) => document.getElementById("sheet").getBoundingClientRect().height <= closed + 1,
       closed,
