@@ -76,8 +76,8 @@ endif()
 # Options that must reach GoogleTest too, because object files with and without them do not mix.
 string(REPLACE "-O2" "-O3" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
 if(EMSCRIPTEN)
-  # One level for the package's module and the tests: -O2 and -O3 do not fit what a page may load
-  # (bench/README.md, "Size").
+  # One level for the package's module and the tests, but for a few files (CMakeLists.txt): -O2 and
+  # -O3 do not fit what a page may load (bench/README.md, "Size").
   string(REPLACE "-O3" "-Os" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
   # SIMD is the youngest that is asked of a browser (2021; Safari 2023): what came with it or before
   # may be used too.

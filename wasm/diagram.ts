@@ -289,9 +289,9 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * `find` for flat x, y pairs, much faster than a loop. With `distances` (one element a point) it
-   * also fills in the distances, Infinity if the diagram is empty. Cost: O(m log m) for m points,
-   * and m locations. Throws as `find`, and "bad-length".
+   * `find` for flat x, y pairs; many of them much faster than in a loop. With `distances` (one
+   * element a point) it also fills in the distances, Infinity if the diagram is empty. Cost: m
+   * locations for m points. Throws as `find`, and "bad-length".
    */
   findMany(xy: ArrayLike<number>, distances?: Float64Array): Int32Array {
     return queries.findMany(this.#living(), xy, distances);

@@ -94,31 +94,32 @@ void ConflictSearch::startAround(VertexId near) {
       "a site that is not covered is in conflict with an edge of its nearest site (Lemma 2)");
 }
 
-/// Both ends of the edge are in conflict. Quick answers are counted.
-inline bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin, const Site& q,
-                                                 unsigned& atOnce) const {
+/// Both ends of the edge are in conflict.
+inline bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin,
+                                                 const Site& q) const {
   const Graph& graph = delaunay_->graph();
   const VertexId i = graph.origin(h), j = graph.origin(twin);
   const VoronoiCircle &atK = delaunay_->keptCircle(faceOf(h)),
                       &atL = delaunay_->keptCircle(faceOf(twin));
   if (i != kInfinity && j != kInfinity &&
       isSurelyInConflictBetweenEnds(delaunay_->site(i), delaunay_->site(j), atK, atL, q)) {
-    ++atOnce;
+    ++stages::counts().edgeAtOnce;
     shadowCheck({Sign::kPositive, true}, [&] {
-      return isEntireEdgeInConflict(delaunay_->edge(h), *q_) ? Sign::kPositive : Sign::kNegative;
+      return isEntireEdgeInConflict(delaunay_->edge(h), q) ? Sign::kPositive : Sign::kNegative;
     });
     return true;
   }
-  return isEntireEdgeInConflict(delaunay_->edge(h), atK, atL, *q_);
+  return isEntireEdgeInConflict(delaunay_->edge(h), atK, atL, q);
 }
 
 /// The paper's depth-first search with a stack of half-edges instead of recursion. The half-edges
 /// on the stack and on the boundary, in order, always bound the region found so far; popping them
 /// counter-clockwise yields the boundary counter-clockwise.
 ///
-/// An insertion spends a third of its time here, so there is one check of room a face, and what the
-/// loop writes is reached by local pointers: f faces that hang together have at most f + 2 sides,
-/// on the stack and on the boundary together.
+/// Insertions spend much of their time here, so there is one check of room a face (f faces that
+/// hang together have at most f + 2 sides, on the stack and on the boundary together), and q and
+/// the arrays are local: the compiler cannot know that what is written leaves the members as they
+/// are.
 void ConflictSearch::expand() {
   if (faces_.empty()) return;
   const Graph& graph = delaunay_->graph();
@@ -127,27 +128,16 @@ void ConflictSearch::expand() {
   makeRoom(kUsual);
   HalfedgeId *stack = stack_.data(), *boundary = boundary_.data();
   std::size_t onStack = stack_.size(), sides = 0;
-  std::uint32_t* const marks = marks_.data();
-  unsigned verticesAtOnce = 0, edgesAtOnce = 0;
   while (onStack > 0) {
     const HalfedgeId h = stack[--onStack];
     const HalfedgeId across = graph.twin(h);
     const FaceId beyond = faceOf(across);
-    const std::uint32_t bit = mark(beyond);
-    std::uint32_t& word = marks[index(beyond) / kWord];
-    const bool wasInRegion = (word & bit) != 0;
-    if (!wasInRegion) {
-      const MaybeSign filtered = circleFilter(delaunay_->keptCircle(beyond), q);
-      verticesAtOnce += filtered.known;
-      const bool isInConflict = filtered.known && !kShadowCheck
-                                    ? filtered.sign == Sign::kPositive
-                                    : delaunay_->isFaceInConflict(beyond, *q_);
-      if (!isInConflict) {
-        boundary[sides++] = h;  // q's cell ends on this edge
-        continue;
-      }
+    const bool wasInRegion = isInRegion(beyond);
+    if (!wasInRegion && !delaunay_->isFaceInConflict(beyond, q)) {
+      boundary[sides++] = h;  // q's cell ends on this edge
+      continue;
     }
-    if (!isEntirelyInConflict(h, across, q, edgesAtOnce)) {
+    if (!isEntirelyInConflict(h, across, q)) {
       boundary[sides++] = h;  // it does so too; as both ends are in conflict, the twin gets here
       mayHaveSlits_ = true;
       continue;
@@ -162,15 +152,12 @@ void ConflictSearch::expand() {
       stack = stack_.data();
       boundary = boundary_.data();
     }
-    faces_.push_back(beyond);  // first: a mark that is not listed would stay
-    word |= bit;
+    enter(beyond);
     stack[onStack++] = previous(across);
     stack[onStack++] = next(across);
   }
   stack_.clear();
   boundary_.setSize(sides);
-  stages::counts().vertexAtOnce += verticesAtOnce;
-  stages::counts().edgeAtOnce += edgesAtOnce;
 }
 
 /// For so many faces, and what goes with them: a face that enters takes one half-edge from the

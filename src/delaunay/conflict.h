@@ -47,8 +47,8 @@ class ConflictSearch {
 
  private:
   void begin(const DelaunayGraph& delaunay, const Site& q);
-  [[nodiscard]] inline bool isEntirelyInConflict(HalfedgeId h, HalfedgeId twin, const Site& q,
-                                                 unsigned& atOnce) const;
+  [[nodiscard]] inline bool isEntirelyInConflict(HalfedgeId h, HalfedgeId twin,
+                                                 const Site& q) const;
   [[nodiscard]] bool startAt(FaceId f);
   void startAtConflict(FaceId f);
   [[nodiscard]] bool startWithin(HalfedgeId h);

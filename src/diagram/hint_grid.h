@@ -24,7 +24,8 @@ class HintGrid {
   template <class Visit>
   void forEachNear(double x, double y, Visit visit) const {
     if (cells_.empty()) return;
-    const Pieces column = piecesOf((x - low_.x) * scaleX_), row = piecesOf((y - low_.y) * scaleY_);
+    const Closest column = closestTo((x - low_.x) * scaleX_),
+                  row = closestTo((y - low_.y) * scaleY_);
     const Cell* const rows[] = {&cells_[row.own * side_], &cells_[row.beside * side_]};
     if (rows[0][column.own].count > kFew) return;
     for (const Cell* cells : rows) {
@@ -91,12 +92,12 @@ class HintGrid {
     std::uint32_t count : 3 = 0;  // of sites inserted; stays at kFew + 1 once it got there
   };
 
-  /// Of a row or a column of cells: the one at a position, and the one on the side of it that is
-  /// closer, or the same at the border.
-  struct Pieces {
+  /// The row or column of cells at a position, and the one beside it that is closer to the
+  /// position; the same at the border.
+  struct Closest {
     std::size_t own, beside;
   };
-  [[nodiscard]] Pieces piecesOf(double position) const {
+  [[nodiscard]] Closest closestTo(double position) const {
     const std::size_t own = clamped(position);
     const bool isLow = position - static_cast<double>(own) < 0.5;
     if (isLow) return {own, own > 0 ? own - 1 : own};

@@ -142,8 +142,8 @@ void listNearest(const DiagramCore& diagram, std::span<const double> xy, std::sp
     for (std::size_t k = 0; k < queries; ++k) answer(k, kNoSlot);
     return;
   }
-  // In portions, as points that are in the cache are sorted faster; but a portion has as many
-  // points as there are sites, so that a walk from one to the next is short.
+  // In portions, as points that are in the cache are sorted faster; but a portion has more points
+  // than there are sites, so that a walk from one to the next is short.
   const std::size_t portion = std::max(std::size_t{1} << 14, 4 * sites);
   for (std::size_t begin = 0; begin < queries; begin += portion) {
     const std::size_t count = std::min(portion, queries - begin);

@@ -82,12 +82,11 @@ HilbertSort::HilbertSort(PointArray points)
       entries_(room_.get(), points.size()),
       other_(room_.get() + points.size(), points.size()) {
   ends_[0] = points.size();
-  beginCell(0, points.size());
+  beginCell();
 }
 
-void HilbertSort::beginCell(std::size_t begin, std::size_t end) {
-  begin_ = at_ = begin;
-  end_ = end;
+void HilbertSort::beginCell() {
+  at_ = begin_;
   box_ = {kInfinite, kInfinite, -kInfinite, -kInfinite};
   phase_ = Phase::kBounding;
 }
@@ -120,7 +119,8 @@ void HilbertSort::place(std::size_t end) {
   }
 }
 
-/// The entries of the cell go back to entries_; all of them are left where they are.
+/// The sort may have left the entries in the other array. Those of a cell are copied back; for
+/// those of all points the arrays change their names.
 void HilbertSort::endSorting() {
   const std::span<const Keyed> sorted = sort_->sorted();
   if (!sorted.empty() && sorted.data() != &entries_[begin_]) {
@@ -153,7 +153,7 @@ void HilbertSort::look(std::size_t most) {
     if (at_ - begin_ > kFew) {
       assert(level_ + 1 < kMostLevels);
       ends_[++level_] = at_;
-      beginCell(begin_, at_);
+      beginCell();
       return;
     }
     begin_ = at_;
@@ -161,13 +161,13 @@ void HilbertSort::look(std::size_t most) {
 }
 
 bool HilbertSort::advance(std::size_t most) {
-  const std::size_t end = at_ + std::min(most, end_ - at_);
+  const std::size_t end = ends_[level_];
   switch (phase_) {
     case Phase::kBounding:
-      bound(end);
-      if (at_ < end_) break;
+      bound(at_ + std::min(most, end - at_));
+      if (at_ < end) break;
       if (level_ > 0 && box_.lowX == box_.highX && box_.lowY == box_.highY) {
-        begin_ = end_;  // the same point many times
+        begin_ = end;  // the same point many times
         phase_ = Phase::kLooking;
         break;
       }
@@ -175,9 +175,9 @@ bool HilbertSort::advance(std::size_t most) {
       phase_ = Phase::kPlacing;
       break;
     case Phase::kPlacing:
-      place(end);
-      if (at_ < end_) break;
-      sort_.emplace(entries_.subspan(begin_, end_ - begin_), other_.subspan(begin_, end_ - begin_));
+      place(at_ + std::min(most, end - at_));
+      if (at_ < end) break;
+      sort_.emplace(entries_.subspan(begin_, end - begin_), other_.subspan(begin_, end - begin_));
       phase_ = Phase::kSorting;
       break;
     case Phase::kSorting:

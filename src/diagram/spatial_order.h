@@ -56,7 +56,7 @@ class HilbertSort {
   /// coordinates, 2^-333 · 2^-52: 49 levels.
   static constexpr std::size_t kMostLevels = 49;
 
-  void beginCell(std::size_t begin, std::size_t end);
+  void beginCell();
   void bound(std::size_t end);
   void place(std::size_t end);
   void endSorting();
@@ -73,10 +73,11 @@ class HilbertSort {
   std::span<Keyed> entries_, other_;
   std::optional<KeySort> sort_;
   Phase phase_ = Phase::kBounding;
-  std::size_t begin_ = 0, end_ = 0;  // of the cell at hand, in entries_
+  std::size_t begin_ = 0;  // of the cell at hand, in entries_
   std::size_t at_ = 0;
   std::size_t level_ = 0;                        // of the cell at hand
-  std::array<std::size_t, kMostLevels> ends_{};  // of the cells of each level that it is in
+  std::array<std::size_t, kMostLevels> ends_{};  // of the cell at hand and those that it is in, by
+                                                 // level
   Box box_{};
 };
 

@@ -21,7 +21,7 @@ inline Pair loadPair(const double* from) {
   std::memcpy(&pair, from, sizeof pair);
   return pair;
 }
-inline void storePair(double* to, Pair pair) { std::memcpy(to, &pair, sizeof pair); }
+
 /// Of four numbers, two in each: the first and the third, the second and the last, the two in the
 /// middle.
 inline Pair firsts(Pair a, Pair b) { return __builtin_shufflevector(a, b, 0, 2); }
