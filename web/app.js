@@ -126,8 +126,10 @@ export class App extends EventTarget {
     this.#newPixels = Math.max(4, Math.min(60, this.sites.site(id).r * this.view.scale));
   }
 
+  /** Also ends drawing: the next click would insert what has just been deleted. */
   removeSelected() {
     this.model.remove(this.selection.ids);
+    if (this.tool === "draw") this.tool = "select";
   }
 
   /** Copies of the selected ones beside them, selected. */

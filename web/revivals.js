@@ -1,5 +1,6 @@
 // Hidden circles that come to light because what covered them has gone are seen to do so: a ring
 // spreads from each for a moment.
+import { addRim } from "./picture/discs.js";
 
 const kTime = 900; // ms
 const kReach = 26; // pixels that a ring spreads
@@ -59,7 +60,7 @@ export function showRevivals(app) {
       context.globalAlpha = 1 - t;
       context.lineWidth = 3;
       context.beginPath();
-      context.arc(view.toScreenX(x), view.toScreenY(y), r, 0, 2 * Math.PI);
+      addRim(context, view, view.toScreenX(x), view.toScreenY(y), r);
       context.stroke();
     }
     context.globalAlpha = 1;

@@ -284,10 +284,123 @@ describeInBrowser("what fails to load", (open) => {
     await closePage(page);
   });
 
+  test("on a phone, what went wrong in a menu is said beside it", async () => {
+    const page = await open({ viewport: { width: 390, height: 780 }, hasTouch: true });
+    await page.evaluate(() => document.querySelector("#sets").showPopover());
+    await page.fill("#paste", "nonsense");
+    await page.click("#load-text");
+    await page.waitForSelector("#notice:not([hidden])");
+    const isOnTop = await page.evaluate(() => {
+      const { left, top, width, height } = document
+        .querySelector("#notice")
+        .getBoundingClientRect();
+      return document.elementFromPoint(left + width / 2, top + height / 2)?.id;
+    });
+    expect(isOnTop).toBe("notice");
+    await closePage(page);
+  });
+
   test("a link with nonsense in it: the page says so, and opens", async () => {
     const page = await open({ path: "#set=random&n=50&edits=1:2,x,nonsense" });
     expect(await page.textContent("#notice")).toMatch(/could not be shown/);
     expect((await stateOf(page)).size).toBe(35);
+    await closePage(page);
+  });
+});
+
+describeInBrowser("drawing", (open) => {
+  let page;
+  forEachPage(open, (opened) => {
+    page = opened;
+  });
+
+  const draw = async () => {
+    const { x, y } = await freeSpace(page);
+    await page.click("#tool-draw");
+    await drag(page, { x, y }, { x: x + 30, y });
+    return { x, y };
+  };
+
+  test("Delete takes the circle that was drawn, and the next click inserts none", async () => {
+    const { x, y } = await draw();
+    expect((await stateOf(page)).size).toBe(36);
+    await page.click("#tool-delete");
+    await page.mouse.click(x, y);
+    expect((await stateOf(page)).size).toBe(35);
+  });
+
+  test("the handle of the circle that was drawn resizes it", async () => {
+    const { x, y } = await draw();
+    const [id] = (await stateOf(page)).selected;
+    const before = await whereIs(page, id);
+    await drag(page, { x: x + before.r + 5, y }, { x: x + before.r + 25, y });
+    expect((await stateOf(page)).size).toBe(36);
+    expect((await whereIs(page, id)).r).toBeCloseTo(before.r + 20, 0);
+  });
+});
+
+describeInBrowser("deep zoom", (open) => {
+  // Whole rims, millions of pixels long, were stroked and dashed: frames took seconds, then the tab
+  // crashed. What is drawn now is no longer than the window.
+  test("sixty steps in and out: the page goes on, and draws the same", async () => {
+    const page = await open({ isAlone: true });
+    const [id] = await sitesInReach(page);
+    const { x, y, r } = await whereIs(page, id);
+    const at = { x: x + r + 6, y };
+    await page.mouse.move(at.x, at.y);
+    for (const wheel of [-120, 120]) {
+      for (let step = 0; step < 60; ++step) {
+        await page.mouse.wheel(0, wheel);
+        if (step % 10 === 9) await settled(page);
+      }
+      await settled(page);
+      expect((await stateOf(page)).broken).toBeNull();
+    }
+    expect((await whereIs(page, id)).r).toBeCloseTo(r, 3);
+    await closePage(page);
+  });
+
+  test("of a circle as large as can be seen, paths have what is in the window", async () => {
+    const page = await open();
+    const found = await page.evaluate(async () => {
+      const { addDisc, addRim } = await import("./picture/discs.js");
+      const view = { width: 800, height: 600 };
+      const record = (add, ...circle) => {
+        const points = [];
+        const path = new Proxy(
+          {},
+          {
+            get:
+              (_, name) =>
+              (...xy) =>
+                points.push([name, ...xy]),
+          },
+        );
+        add(path, view, ...circle);
+        return points;
+      };
+      const onRim = (points, x, y, r) =>
+        points
+          .filter(([name]) => name !== "closePath" && name !== "rect")
+          .map((point) => Math.abs(Math.hypot(point.at(-2) - x, point.at(-1) - y) - r));
+      const half = [400, 300 + 1e9, 1e9]; // its rim crosses the middle of the window
+      return {
+        whole: record(addRim, 100, 100, 50).map(([name]) => name),
+        rim: Math.max(...onRim(record(addRim, ...half), ...half)),
+        reach: Math.max(...record(addDisc, ...half).flatMap(([, ...xy]) => xy.map(Math.abs))),
+        corners: record(addDisc, ...half).filter(([name]) => name === "lineTo").length,
+        covered: record(addDisc, 400, 300, 1e9).map(([name]) => name),
+        rimOfCovered: record(addRim, 400, 300, 1e9),
+        elsewhere: record(addDisc, 1e9, 300, 1e8),
+      };
+    });
+    expect(found.whole).toEqual(["moveTo", "arc"]);
+    expect(found.rim).toBeLessThan(1e-3);
+    expect(found.reach).toBeLessThan(2000);
+    expect(found.corners).toBe(2);
+    expect(found.covered).toEqual(["rect"]);
+    expect(found.rimOfCovered).toEqual([]);
+    expect(found.elsewhere).toEqual([]);
     await closePage(page);
   });
 });

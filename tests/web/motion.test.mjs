@@ -67,6 +67,22 @@ describeInBrowser("motion and steps", (open) => {
     expect((await stateOf(page)).size).toBe(36);
   });
 
+  test.each([
+    ["Stop, which can be seen", (page) => page.click("#stop-motion")],
+    ["Escape", (page) => page.keyboard.press("Escape")],
+    [
+      "a click",
+      async (page) => page.mouse.click(...Object.values(await freeSpace(page)).slice(0, 2)),
+    ],
+  ])("%s ends the motion", async (_, act) => {
+    await press("drift");
+    await page.waitForFunction(() => app.motion.isRunning);
+    await act(page);
+    await page.waitForFunction(() => !app.motion.isRunning);
+    expect(await page.isVisible("#stop-motion")).toBe(false);
+    expect(await page.getAttribute("#drift", "aria-pressed")).toBe("false");
+  });
+
   test("the steps of an insertion end in what insertion does", async () => {
     await press("step-insert");
     const said = [];

@@ -55,6 +55,14 @@ describeInBrowser("the coast", (open) => {
     expect(await linesAt(...sea)).toBeGreaterThan(50);
   });
 
+  test("distances have no unit: those of the map are not the Earth's", async () => {
+    const { x, y } = await whereIs(page, idOf("Honolulu"));
+    await page.mouse.move(x + 40, y);
+    await settled(page);
+    expect(await page.textContent("#tag")).toMatch(/away/);
+    expect(await page.textContent("#tag")).not.toMatch(/km/);
+  });
+
   test("a link with it opens with it, and the switch says so", async () => {
     const other = await open({ path: "#set=cities&show=coast" });
     expect(await other.isChecked("#layer-coast input")).toBe(true);

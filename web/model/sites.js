@@ -8,7 +8,7 @@ import { Diagram } from "apollonius-diagram";
 /** @typedef {Bounds | number[][]} Window where cells end: bounds, or rings x, y, … */
 /**
  * @typedef {{
- *   key: string, title: string, about?: string, unit?: string, credit?: string,
+ *   key: string, title: string, about?: string, areaUnit?: string, credit?: string,
  *   params?: Record<string, unknown>,
  *   map?: import("../picture/map_layer.js").WorldMap | null,
  * }} SetInfo what the circles are: the preset's key is what the page's address says

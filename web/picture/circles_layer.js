@@ -1,5 +1,6 @@
 // The circles, visible and hidden, and names in them. Few are drawn as paths, many point by point.
 import { boundsOf } from "./curves.js";
+import { addDisc, addRim } from "./discs.js";
 import { Shower } from "./shower.js";
 
 const kDot = 1.1; // pixels: smaller circles are drawn as dots of this size
@@ -14,7 +15,7 @@ const kLargestPoints = 24; // device pixels: larger circles are paths anyway
 
 /** x, y, r in device pixels or CSS pixels, in an array that grows and is used again. */
 class Triples {
-  xyr = new Float32Array(3 * 1024);
+  xyr = new Float64Array(3 * 1024);
   length = 0;
 
   clear() {
@@ -23,7 +24,7 @@ class Triples {
 
   push(x, y, r) {
     if (this.length + 3 > this.xyr.length) {
-      const larger = new Float32Array(2 * this.xyr.length);
+      const larger = new Float64Array(2 * this.xyr.length);
       larger.set(this.xyr);
       this.xyr = larger;
     }
@@ -67,11 +68,11 @@ export class CirclesLayer {
       this.#isMany = size + this.#hidden.size > kMostPaths;
     }
     if (this.#isMany) {
-      this.#drawMany(context, layers, theme, pixelRatio, box);
+      this.#drawMany(context, view, layers, theme, pixelRatio, box);
       return;
     }
-    if (layers.circles) drawPaths(context, this.#visible, theme.siteFill, theme.site);
-    if (layers.hidden) drawHidden(context, this.#hidden, theme);
+    if (layers.circles) drawPaths(context, view, this.#visible, theme.siteFill, theme.site);
+    if (layers.hidden) drawHidden(context, view, this.#hidden, theme);
     if (layers.circles) this.#drawNames(context, sites, view, box, theme);
   }
 
@@ -110,7 +111,7 @@ export class CirclesLayer {
     return bounds ? sites.diagram.search(...bounds) : sites.ids;
   }
 
-  #drawMany(context, layers, theme, ratio, box) {
+  #drawMany(context, view, layers, theme, ratio, box) {
     const { width, height } = context.canvas;
     if (this.#size !== `${width} ${height}`) this.#shower = new Shower(width, height);
     this.#size = `${width} ${height}`;
@@ -124,7 +125,7 @@ export class CirclesLayer {
     if (layers.circles) this.#shed(this.#visible, theme.siteFill, theme.site, ratio);
     if (layers.hidden) this.#shed(this.#hidden, theme.hiddenFill, theme.hidden, ratio);
     this.#shower.show(context);
-    if (layers.circles) drawPaths(context, this.#large, theme.siteFill, theme.site);
+    if (layers.circles) drawPaths(context, view, this.#large, theme.siteFill, theme.site);
   }
 
   /** The small ones of these; the large ones go elsewhere. */
@@ -177,13 +178,10 @@ export class CirclesLayer {
   }
 }
 
-function addCircles(context, { xyr, length }, smallest) {
+function addCircles(context, view, { xyr, length }, add) {
   context.beginPath();
-  for (let k = 0; k < length; k += 3) {
-    const r = Math.max(xyr[k + 2], smallest);
-    context.moveTo(xyr[k] + r, xyr[k + 1]);
-    context.arc(xyr[k], xyr[k + 1], r, 0, 2 * Math.PI);
-  }
+  for (let k = 0; k < length; k += 3)
+    add(context, view, xyr[k], xyr[k + 1], Math.max(xyr[k + 2], kDot));
 }
 
 /** Small and large ones, whose rims are drawn differently: small ones would be all rim. */
@@ -195,32 +193,32 @@ function split({ xyr, length }, size) {
   return [small, large];
 }
 
-function drawPaths(context, triples, fill, stroke) {
-  addCircles(context, triples, kDot);
+function drawPaths(context, view, triples, fill, stroke) {
+  addCircles(context, view, triples, addDisc);
   context.fillStyle = fill;
   context.fill();
   context.strokeStyle = stroke;
   const [small, large] = split(triples, kThinBelow);
   context.lineWidth = kThinLine;
-  addCircles(context, small, kDot);
+  addCircles(context, view, small, addRim);
   context.stroke();
   context.lineWidth = kLine;
-  addCircles(context, large, kDot);
+  addCircles(context, view, large, addRim);
   context.stroke();
 }
 
-function drawHidden(context, triples, theme) {
-  addCircles(context, triples, kDot);
+function drawHidden(context, view, triples, theme) {
+  addCircles(context, view, triples, addDisc);
   context.fillStyle = theme.hiddenFill;
   context.fill();
   context.strokeStyle = theme.hidden;
   const [small, large] = split(triples, kDashFrom);
   context.lineWidth = kThinLine;
-  addCircles(context, small, kDot);
+  addCircles(context, view, small, addRim);
   context.stroke();
   context.lineWidth = kLine;
   context.setLineDash([3, 3]);
-  addCircles(context, large, kDot);
+  addCircles(context, view, large, addRim);
   context.stroke();
   context.setLineDash([]);
 }

@@ -1,6 +1,7 @@
 // The hierarchy that finds the nearest site: a ring for each level that a site is on beside the
 // diagram itself, and the cells of level 1, which is a diagram of its own.
 import { upperLevels } from "../model/levels.js";
+import { addRim } from "./discs.js";
 import { strokePartial } from "./partial.js";
 
 const kMostCells = 5000; // sites of level 1 whose cells are drawn
@@ -41,8 +42,7 @@ function drawMarks(context, { sites, view }, box, ids, level) {
       context.rect(x - level, y - level, 2 * level, 2 * level);
       continue;
     }
-    context.moveTo(x + r, y);
-    context.arc(x, y, r, 0, 2 * Math.PI);
+    addRim(context, view, x, y, r);
   }
   if (found.length > kMostRings) context.fill();
   else context.stroke();

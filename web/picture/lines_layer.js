@@ -2,6 +2,7 @@
 // the centres alone. Drawn whole or inside a box only, in slices.
 import { Diagram } from "apollonius-diagram";
 import { addCell, boundsOf, cellCorners, drawOptions, ScreenStrokes } from "./curves.js";
+import { addRim } from "./discs.js";
 import { drawEdges } from "./edges.js";
 import { drawLevels } from "./levels_layer.js";
 
@@ -146,16 +147,15 @@ function drawDistances(context, { sites, view, theme, ends }, box) {
     const rim = sites.radius(id) * view.scale;
     // Of a circle of less than nothing the first ones are not there.
     const first = rim < 0 ? rim - kContour * Math.floor(rim / kContour) : rim + kContour;
-    for (let r = first; r < cell.farthest; r += kContour) {
-      context.moveTo(cell.x + r, cell.y);
-      context.arc(cell.x, cell.y, r, 0, 2 * Math.PI);
-    }
+    const passed = Math.max(0, Math.floor((cell.nearest - first) / kContour));
+    for (let r = first + passed * kContour; r < cell.farthest; r += kContour)
+      addRim(context, view, cell.x, cell.y, r);
     context.stroke();
     context.restore();
   }
 }
 
-/** Where a cell's site is, and how far the cell reaches; null if it is not in the box. */
+/** Where a cell's site is, and from where to where the cell reaches; null outside of the box. */
 function extentOf(sites, view, id, box) {
   const corners = cellCorners(sites, view, id);
   if (!corners) return null;
@@ -169,7 +169,16 @@ function extentOf(sites, view, id, box) {
     Math.max(...ys) < box.top ||
     Math.min(...ys) > box.bottom;
   if (isOutside) return null;
-  return { x, y, farthest: Math.max(...xs.map((cx, k) => Math.hypot(cx - x, ys[k] - y))) };
+  const [toBoxX, toBoxY] = [
+    Math.max(box.left - x, x - box.right, 0),
+    Math.max(box.top - y, y - box.bottom, 0),
+  ];
+  return {
+    x,
+    y,
+    nearest: Math.hypot(toBoxX, toBoxY),
+    farthest: Math.max(...xs.map((cx, k) => Math.hypot(cx - x, ys[k] - y))),
+  };
 }
 
 function* drawDual(context, { sites, view, theme }, box) {
@@ -224,9 +233,7 @@ function drawVertices(context, { sites, view, theme }, box) {
   context.strokeStyle = theme.empty;
   context.beginPath();
   for (const [x, y, r] of found) {
-    if (r < 2) continue;
-    context.moveTo(x + r, y);
-    context.arc(x, y, r, 0, 2 * Math.PI);
+    if (r >= 2) addRim(context, view, x, y, r);
   }
   context.stroke();
   context.fillStyle = theme.vertex;

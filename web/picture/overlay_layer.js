@@ -1,6 +1,7 @@
 // What follows the pointer: the nearest site, its cell and its neighbours, and the other answers;
 // the selected sites and the handle of one; a circle that is being drawn, with its cell to be.
 import { addCell } from "./curves.js";
+import { addDisc, addRim } from "./discs.js";
 
 /**
  * @typedef {{
@@ -100,8 +101,10 @@ function drawHover(context, { sites, view, theme, ends }, hover) {
   context.strokeStyle = theme.accent;
   context.lineWidth = 2.5;
   context.beginPath();
-  addCircle(context, sites, view, hover.id);
+  addCircle(context, sites, view, hover.id, addDisc);
   context.fill();
+  context.beginPath();
+  addCircle(context, sites, view, hover.id);
   context.stroke();
   drawDistance(context, sites, view, theme, hover);
   if (hover.empty) drawEmpty(context, view, theme, hover.empty);
@@ -127,7 +130,7 @@ function drawDistance(context, sites, view, theme, hover) {
   context.stroke();
   context.setLineDash([1, 4]);
   context.beginPath();
-  context.arc(hover.x, hover.y, radius, 0, 2 * Math.PI);
+  addRim(context, view, hover.x, hover.y, radius);
   context.stroke();
   context.setLineDash([]);
 }
@@ -138,10 +141,7 @@ function drawEmpty(context, view, theme, { x, y, r }) {
   context.fillStyle = theme.emptyFill;
   context.strokeStyle = theme.vertex;
   context.lineWidth = 1.5;
-  context.beginPath();
-  context.arc(px, py, Math.max(r * view.scale, 1), 0, 2 * Math.PI);
-  context.fill();
-  context.stroke();
+  fillAndStroke(context, view, px, py, Math.max(r * view.scale, 1));
   context.fillStyle = theme.vertex;
   context.beginPath();
   context.arc(px, py, 3, 0, 2 * Math.PI);
@@ -175,8 +175,7 @@ function drawSelected(context, sites, view, theme, selected) {
   for (const id of selected.slice(0, kMostRings)) {
     const { x, y } = sites.site(id);
     const radius = ringRadius(view, sites.radius(id));
-    context.moveTo(view.toScreenX(x) + radius, view.toScreenY(y));
-    context.arc(view.toScreenX(x), view.toScreenY(y), radius, 0, 2 * Math.PI);
+    addRim(context, view, view.toScreenX(x), view.toScreenY(y), radius);
   }
   context.stroke();
   if (selected.length > 1) return;
@@ -211,17 +210,20 @@ function drawDraft(context, { sites, view, theme, ends }, draft) {
   context.stroke();
   context.setLineDash([]);
   const [x, y] = [view.toScreenX(draft.x), view.toScreenY(draft.y)];
+  fillAndStroke(context, view, x, y, Math.max(draft.r * sites.weight * view.scale, 2));
+}
+
+function fillAndStroke(context, view, x, y, r) {
   context.beginPath();
-  context.arc(x, y, Math.max(draft.r * sites.weight * view.scale, 2), 0, 2 * Math.PI);
+  addDisc(context, view, x, y, r);
   context.fill();
+  context.beginPath();
+  addRim(context, view, x, y, r);
   context.stroke();
 }
 
-function addCircle(context, sites, view, id) {
+function addCircle(context, sites, view, id, add = addRim) {
   const site = sites.site(id);
-  const x = view.toScreenX(site.x);
-  const y = view.toScreenY(site.y);
   const r = Math.max(sites.radius(id) * view.scale, 2);
-  context.moveTo(x + r, y);
-  context.arc(x, y, r, 0, 2 * Math.PI);
+  add(context, view, view.toScreenX(site.x), view.toScreenY(site.y), r);
 }

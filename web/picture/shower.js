@@ -53,7 +53,7 @@ export class Shower {
 
   /**
    * Adds circles.
-   * @param {Float32Array} xyr in device pixels @param {number} length of the part that counts
+   * @param {Float64Array} xyr in device pixels @param {number} length of the part that counts
    * @param {{ fill: string, stroke: string }} style
    * @param {number} line width of the rim
    */

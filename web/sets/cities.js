@@ -44,7 +44,7 @@ export async function loadCities() {
     key: "cities",
     title: "Cities of the world",
     about: "The 1 500 largest, areas of circles by population, on an equal-area map.",
-    unit: "km",
+    areaUnit: "km²", // a map of equal areas; its distances are not those on the Earth
     map: makeMap(land),
     credit: "cities",
   };

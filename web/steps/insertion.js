@@ -2,6 +2,7 @@
 // the walk to the nearest site, the first vertex in conflict, the region that is lost, the hole and
 // the new star. Every step draws over the picture.
 import { addCell, windowOf } from "../picture/curves.js";
+import { addDisc, addRim } from "../picture/discs.js";
 import { strokePartial } from "../picture/partial.js";
 import { askedByInsertion, stepOfQuestions } from "./questions.js";
 import { descent, walk } from "./walk.js";
@@ -46,14 +47,17 @@ function conflictRegion(sites, circle, nearest) {
 }
 
 function drawCircle(context, view, { x, y, r }, stroke, fill = null) {
-  context.beginPath();
-  context.arc(view.toScreenX(x), view.toScreenY(y), Math.max(r * view.scale, 2), 0, 2 * Math.PI);
+  const [px, py, reach] = [view.toScreenX(x), view.toScreenY(y), Math.max(r * view.scale, 2)];
   context.strokeStyle = stroke;
   context.lineWidth = 2;
   if (fill) {
     context.fillStyle = fill;
+    context.beginPath();
+    addDisc(context, view, px, py, reach);
     context.fill();
   }
+  context.beginPath();
+  addRim(context, view, px, py, reach);
   context.stroke();
 }
 

@@ -5,7 +5,7 @@
 import { DeleteGesture } from "./delete_tool.js";
 import { DrawGesture } from "./draw_tool.js";
 import { PanGesture } from "./pan_tool.js";
-import { SelectGesture, cursorOfSelect } from "./select_tool.js";
+import { SelectGesture, cursorOfSelect, isOnHandle } from "./select_tool.js";
 
 /**
  * @typedef {{ x: number, y: number, type: string, shiftKey: boolean, altKey: boolean, time: number
@@ -49,7 +49,8 @@ export function listenToPointer(element, app) {
   /** @param {Touch} at @returns {Gesture} */
   function begin(at, button) {
     if (button === 1 || isSpaceDown || app.tool === "pan") return new PanGesture(app, at);
-    if (app.tool === "draw" || at.altKey) return new DrawGesture(app, at);
+    const draws = app.tool === "draw" && !isOnHandle(app, at); // which resizes what was drawn
+    if (draws || at.altKey) return new DrawGesture(app, at);
     if (app.tool === "delete") return new DeleteGesture(app, at);
     return new SelectGesture(app, at);
   }
@@ -78,6 +79,7 @@ export function listenToPointer(element, app) {
       gesture?.cursor ??
       (isSpaceDown || app.tool === "pan" ? "grab" : null) ??
       (app.tool === "select" ? cursorOfSelect(app, at) : null) ??
+      (app.tool === "draw" && isOnHandle(app, at) ? "ew-resize" : null) ??
       (app.tool === "delete" && app.at(at.x, at.y, kReach.mouse).length > 0
         ? "pointer"
         : "crosshair");
@@ -110,7 +112,8 @@ export function listenToPointer(element, app) {
     const at = touchOf(event);
     if (!down.has(event.pointerId)) {
       app.hoverAt({ x: at.x, y: at.y });
-      if (app.tool === "draw") app.mark({ draft: app.draftAt(at.x, at.y) });
+      if (app.tool === "draw")
+        app.mark({ draft: isOnHandle(app, at) ? null : app.draftAt(at.x, at.y) });
       showCursor(at);
       return;
     }

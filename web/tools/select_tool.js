@@ -11,7 +11,7 @@ const kHandleReach = { mouse: 9, pen: 12, touch: 24 };
 const kSamePlace = 4; // pixels between clicks that mean the same place
 
 /** @param {App} app @param {Touch} at */
-function isOnHandle(app, { x, y, type }) {
+export function isOnHandle(app, { x, y, type }) {
   const id = app.selection.single;
   if (id < 0) return false;
   const handle = handleOf(app.view, app.sites, id);

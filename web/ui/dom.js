@@ -30,9 +30,9 @@ export function duration(ms) {
   return `${micros.toFixed(micros < 10 ? 1 : 0)} µs`;
 }
 
-/** A distance in words. @param {number} distance @param {string} [unit] */
-export const away = (distance, unit = "") =>
-  `${short(Math.abs(distance))}${unit && ` ${unit}`} ${distance < 0 ? "inside" : "away"}`;
+/** A distance in words. @param {number} distance */
+export const away = (distance) =>
+  `${short(Math.abs(distance))} ${distance < 0 ? "inside" : "away"}`;
 
 /** Sets a text if it has changed: the browser lays out nothing else. */
 export function setText(node, text) {

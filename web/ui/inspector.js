@@ -106,7 +106,6 @@ export function makeInspector(app) {
 /** @param {import("../app.js").App} app @returns {[string, string, (() => void)?][]} */
 function factsOf(app, id) {
   const { diagram, sites, selection } = app;
-  const unit = sites.info.unit ? ` ${sites.info.unit}` : "";
   if (diagram.isHidden(id)) {
     const cover = diagram.coverOf(id);
     return [
@@ -114,9 +113,9 @@ function factsOf(app, id) {
       ["covered by", sites.label(cover).name, () => selection.set([cover])],
     ];
   }
-  const square = unit ? `${unit}²` : "";
+  const { areaUnit } = sites.info;
   return [
-    ["cell’s area", `${areaOf(app, id)}${square}`],
+    ["cell’s area", areaUnit ? `${areaOf(app, id)} ${areaUnit}` : areaOf(app, id)],
     ["neighbours", String(diagram.neighbors(id).length)],
     ["hides", hiddenBelow(app, id)],
   ];

@@ -29,6 +29,21 @@ export function makeShowMenu(app, motion) {
       layers.querySelector(`[name=${name}]`).checked = isShown;
   });
 
+  let isMoving = false;
+  const stop = () => isMoving && motion.stop();
+  element("stop-motion").addEventListener("click", stop);
+  element("overlay").addEventListener("click", stop);
+  const onKey = (/** @type {KeyboardEvent} */ event) => {
+    if (event.key !== "Escape" || !isMoving) return;
+    event.preventDefault(); // one thing after another: the selection stays
+    motion.stop();
+  };
+  document.addEventListener("keydown", onKey, { capture: true });
+  const showMotion = (/** @type {boolean} */ isShown) => {
+    isMoving = isShown;
+    element("stop-motion").hidden = !isShown;
+  };
+
   for (const [name, make] of /** @type {const} */ ([
     ["drift", drift],
     ["relax", relax],
@@ -44,8 +59,12 @@ export function makeShowMenu(app, motion) {
         notify(`This moves up to ${kMostMoving[name].toLocaleString("en")} circles.`);
         return;
       }
-      motion.start(sites.ids, make(sites), () => press(false));
+      motion.start(sites.ids, make(sites), () => {
+        press(false);
+        showMotion(false);
+      });
       press(true);
+      showMotion(true);
       element("show").hidePopover();
     });
   }

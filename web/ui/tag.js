@@ -35,7 +35,7 @@ export function makeTag(app) {
 /** @returns {[string, string]} the nearest site, and the rest */
 function textOf({ sites, questions, diagram }, hover) {
   const { name } = sites.label(hover.id);
-  const said = [away(hover.distance, sites.info.unit)];
+  const said = [away(hover.distance)];
   if (questions.neighbors) {
     const count = hover.neighbors.length;
     said.push(`${count} neighbour${count === 1 ? "" : "s"}`);

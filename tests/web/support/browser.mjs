@@ -1,6 +1,7 @@
 // Browsers for the page's tests, against tools/serve.mjs: Chromium driven by playwright-core, and
 // Firefox by puppeteer-core.
 import { existsSync } from "node:fs";
+import { setTimeout as timeout } from "node:timers/promises";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from "@jest/globals";
 import { chromium } from "playwright-core";
 import puppeteer from "puppeteer-core";
@@ -89,6 +90,20 @@ export const describeInFirefox = (name, define) =>
 
 const whenReady = (name) => window[name] !== undefined;
 
+/**
+ * Asked by the clock: by default Playwright asks with each frame, and a page that a busy machine
+ * has not shown yet gets none. If it fails, it says what the page was doing.
+ */
+async function becomeReady(page, ready) {
+  try {
+    await page.waitForFunction(whenReady, ready, { timeout: 40_000, polling: 100 });
+  } catch (cause) {
+    const state = () => [location.href, document.readyState, document.visibilityState];
+    const seen = await Promise.race([page.evaluate(state), timeout(5_000, ["no answer"])]);
+    throw new Error(`not ready: ${[...seen, ...page.errors].join(", ")}`, { cause });
+  }
+}
+
 const kViewport = { width: 1280, height: 800 };
 const newContext = (browser, options) =>
   browser.newContext({ viewport: kViewport, reducedMotion: "reduce", ...options });
@@ -136,7 +151,7 @@ async function openPage(browser, url, options = {}) {
   );
   await prepare?.(page);
   await page.goto(site + path);
-  if (ready) await page.waitForFunction(whenReady, ready, { timeout: 40_000 });
+  if (ready) await becomeReady(page, ready);
   return page;
 }
 
