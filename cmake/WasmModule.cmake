@@ -19,12 +19,12 @@ target_link_options(apollonius_wasm PRIVATE
   --no-entry                           # a library: no `main`
   # wasm/module.ts puts the stack back after a call that left the module in its middle.
   -sEXPORTED_FUNCTIONS=_emscripten_stack_get_current,__emscripten_stack_restore
-  "SHELL:--js-library ${CMAKE_CURRENT_SOURCE_DIR}/wasm/unsigned_calls.js"
+  "SHELL:--js-library ${CMAKE_CURRENT_SOURCE_DIR}/wasm/embind_parts.js"
   -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB
   # 6 KB smaller than the default and as fast here: a diagram is a few large arrays.
   -sMALLOC=emmalloc)
 set_property(TARGET apollonius_wasm APPEND PROPERTY
-  LINK_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/wasm/unsigned_calls.js")
+  LINK_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/wasm/embind_parts.js")
 if(CMAKE_BUILD_TYPE STREQUAL "Debug")
   # `npm run build -- --debug`
   # Emscripten's own assertions know only the environment that it is told of above.

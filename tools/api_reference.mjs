@@ -97,11 +97,21 @@ export function describePackage() {
   return entries.map(([entry, file]) => {
     const all = exportsOf(checker, program, file);
     const fresh = all.filter(({ declaration }) => !seen.has(declaration) && seen.add(declaration));
-    return { entry, exports: all.map(({ name }) => name), described: fresh.map(describe) };
+    return {
+      entry,
+      exports: all.map(({ name }) => name),
+      described: fresh.map((one) => describe(one, checker)),
+    };
   });
 }
 
-function describe({ name, declaration }) {
+/** The interfaces that one extends, as declarations. */
+function basesOf(declaration, checker) {
+  const types = (declaration.heritageClauses ?? []).flatMap((clause) => clause.types);
+  return types.map((type) => checker.getTypeAtLocation(type).symbol.declarations[0]);
+}
+
+function describe({ name, declaration }, checker) {
   const kind = ts.isClassDeclaration(declaration)
     ? "class"
     : ts.isInterfaceDeclaration(declaration)
@@ -112,9 +122,10 @@ function describe({ name, declaration }) {
           ? "function"
           : "const";
   const members = [];
-  for (const member of (kind === "class" || kind === "interface" ? declaration.members : []).filter(
-    isPublic,
-  )) {
+  const inherited =
+    kind === "interface" ? basesOf(declaration, checker).flatMap((base) => [...base.members]) : [];
+  const own = kind === "class" || kind === "interface" ? [...declaration.members] : [];
+  for (const member of [...inherited, ...own].filter(isPublic)) {
     if (ts.isClassStaticBlockDeclaration(member) || ts.isSemicolonClassElement(member)) continue;
     const described = {
       name: memberName(member),
@@ -129,9 +140,11 @@ function describe({ name, declaration }) {
     // the one with the body is not public
     else if (!member.body) overloaded.code += `\n${described.code}`;
   }
+  const parameters = (declaration.typeParameters ?? []).map((parameter) => parameter.getText());
   return {
     name,
     kind,
+    title: parameters.length > 0 ? `${name}<${parameters.join(", ")}>` : name,
     text: comment(declaration),
     code: members.length > 0 ? null : signature(declaration),
     members,
@@ -140,8 +153,9 @@ function describe({ name, declaration }) {
 
 const fenced = (code) => `\`\`\`ts\n${code}\n\`\`\`\n`;
 
-function markdownOf({ name, kind, text, code, members }) {
-  const parts = [`## ${kind} ${name}\n`, `${text}\n`];
+function markdownOf({ name, kind, title: heading, text, code, members }) {
+  const parts = [`## ${kind} ${heading.replaceAll("<", "\\<")}\n`, `${text}\n`];
+  const instance = `${name[0].toLowerCase()}${name.slice(1)}`;
   if (code !== null) parts.push(fenced(code));
   if (kind === "interface") {
     parts.push(
@@ -160,7 +174,9 @@ function markdownOf({ name, kind, text, code, members }) {
           ? `new ${name}`
           : member.isStatic
             ? `${name}.${member.name}`
-            : member.name;
+            : member.name.startsWith("Symbol.")
+              ? `${instance}[${member.name}]`
+              : `${instance}.${member.name}`;
       parts.push(
         `### ${title}\n`,
         fenced(member.code),

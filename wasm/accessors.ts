@@ -52,6 +52,13 @@ export type SomeAsync<T> = [
   options?: BuildOptions | undefined,
 ];
 
+/** Accessors and options, of which the latter may come alone. */
+export function asyncAccessors<T>(rest: SomeAsync<T> | [options: BuildOptions]): SomeAsync<T> {
+  const [first] = rest;
+  const isAlone = rest.length === 1 && typeof first === "object" && first !== null;
+  return isAlone ? [undefined, undefined, undefined, first] : (rest as SomeAsync<T>);
+}
+
 /** What `Diagram.from` reads without accessors. */
 export type Circular =
   | { readonly x: number; readonly y: number; readonly r?: number | undefined }
@@ -81,13 +88,18 @@ function missing(item: unknown, index: number): ApolloniusError {
   );
 }
 
+/** Names of what may be meant for the radius of an item that has no r. */
+const kOtherNames = ["radius", "size", "weight"];
+
 /** The radius of an item that has no r; one with a radius is refused, as nobody would read it. */
 function radiusWithoutR(item: unknown, index: number): 0 {
-  if (typeof item !== "object" || item === null || !("radius" in item)) return 0;
+  if (typeof item !== "object" || item === null) return 0;
+  const name = kOtherNames.find((other) => other in item);
+  if (name === undefined) return 0;
   throw new ApolloniusError(
     "bad-option",
-    `item ${index} has a radius and no r: Diagram.from(items, x, y, (d) => d.radius) reads it, ` +
-      "() => 0 does not",
+    `item ${index} has a ${name} and no r: Diagram.from(items, x, y, (d) => d.${name}) reads it, ` +
+      "Diagram.from(items, x, y) takes points",
   );
 }
 
@@ -116,7 +128,13 @@ export class ItemReader<T> {
     const readX = x ?? field<T>("x", 0);
     const readY = y ?? field<T>("y", 1);
     const defaultR = field<T>("r", 2);
-    const readR = r ?? ((item: T, k: number) => defaultR(item) ?? radiusWithoutR(item, k));
+    // With two accessors, as d3-delaunay has them, items are points.
+    const arePoints = typeof x === "function" && typeof y === "function";
+    const usualR = (item: T, k: number) => {
+      const given = defaultR(item);
+      return given === undefined ? radiusWithoutR(item, k) : given;
+    };
+    const readR = r ?? (arePoints ? () => 0 : usualR);
     if (isDetached(items)) throw detachedArray("items", "items");
     const list: ArrayLike<T> = "length" in items ? items : Array.from(items);
     if (!isArrayLike(list)) throw notIterable(items);

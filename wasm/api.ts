@@ -1,7 +1,17 @@
 // What both entries of the package export.
-export type { Accessor, Accessors, Circular, Items, SomeAccessors } from "./accessors.js";
+export type {
+  Accessor,
+  Accessors,
+  AsyncAccessors,
+  Circular,
+  Items,
+  SomeAccessors,
+  SomeAsync,
+} from "./accessors.js";
 export { Diagram } from "./diagram.js";
 export type {
+  AreaTargets,
+  AsyncFitOptions,
   BuildOptions,
   DiagramOptions,
   Edges,
@@ -29,8 +39,11 @@ export {
   type CellCurves,
   type CellPolygon,
   type CellRegion,
+  type CellRing,
   type EdgeCurves,
+  type FlatOptions,
   type Measures,
+  type NestedOptions,
   type PolygonOptions,
   Voronoi,
 } from "./voronoi.js";

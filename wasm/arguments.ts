@@ -32,7 +32,8 @@ export function numberError(name: string, value: unknown): ApolloniusError | nul
   if (magnitude !== 0 && (magnitude < kSmallestMagnitude || magnitude > kLargestMagnitude)) {
     return new ApolloniusError(
       "out-of-range",
-      `${name} is ${value}, expected 0 or a magnitude from 1e-100 to 1e100`,
+      `${name} is ${value}, expected 0 or a magnitude from 1e-100 to 1e100, where answers are ` +
+        "exact",
     );
   }
   return null;
@@ -90,10 +91,15 @@ export function checkSiteId(id: unknown): void {
   if (!isSiteId(id)) throw unknownSite(id);
 }
 
+/** Throws "unknown-site" for what is no id, rather than one that no site has, as -1 is. */
+export function checkWholeNumber(id: unknown): void {
+  if (!Number.isInteger(id)) throw unknownSite(id);
+}
+
 export function unknownSite(id: unknown): ApolloniusError {
   return new ApolloniusError(
     "unknown-site",
-    typeof id === "number"
+    Number.isInteger(id)
       ? `site ${id} does not exist`
       : `site ${described(id)} does not exist: ids are whole numbers, not strings or objects`,
   );
@@ -236,10 +242,13 @@ function counted(name: string, values: unknown, multipleOf: number): ArrayLike<u
 function elementError(name: string, k: number, value: unknown): ApolloniusError {
   const error = numberError(`${name}[${k}]`, value) as ApolloniusError;
   if (typeof value !== "object" || value === null) return error;
-  return new ApolloniusError(
-    error.code,
-    `${error.message}: ${name} is flat, as in [x, y, r, x, y, r]; Diagram.from(rows) reads rows`,
-  );
+  const hint =
+    name === "xyr"
+      ? "[x, y, r, x, y, r]; Diagram.from(rows) reads rows"
+      : name === "xy"
+        ? "[x, y, x, y]; points.flat() makes it of rows"
+        : "[1, 2, 3]";
+  return new ApolloniusError(error.code, `${error.message}: ${name} is flat, as in ${hint}`);
 }
 
 function copied(name: string, array: ArrayLike<unknown>): ArrayLike<number> {
@@ -254,13 +263,18 @@ function copied(name: string, array: ArrayLike<unknown>): ArrayLike<number> {
   return numbers;
 }
 
-/** Site ids for the heap; what cannot be an id becomes kNoSite, which no site has. */
+/**
+ * Site ids for the heap; those that no site can have become kNoSite. Throws "unknown-site" for what
+ * is no id.
+ */
 export function checkedIds(name: string, ids: unknown): Uint32Array {
   const array = checkedArray(name, ids, "site ids");
   if (typedArrayKind(array) === "Uint32Array") return array as Uint32Array;
   const checked = allocated(() => new Uint32Array(array.length));
   for (let k = 0; k < checked.length; ++k) {
     const id = array[k];
+    if (!Number.isInteger(id))
+      throw new ApolloniusError("unknown-site", `${name}[${k}]: ${unknownSite(id).message}`);
     checked[k] = isSiteId(id) ? id : kNoSite;
   }
   return checked;

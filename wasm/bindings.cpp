@@ -107,7 +107,11 @@ Nearest nearest(const Diagram& diagram, double x, double y) {
   check(diagram.find(x, y, id, distance));
   return {asSigned(id), distance};
 }
-std::int32_t find(const Diagram& diagram, double x, double y) { return nearest(diagram, x, y).id; }
+std::int32_t find(const Diagram& diagram, double x, double y) {
+  SiteId id = apollonius::kNoSite;
+  check(diagram.find(x, y, id));
+  return asSigned(id);
+}
 
 std::int32_t pick(const Diagram& diagram, double x, double y, double farthest, Top top) {
   SiteId id = apollonius::kNoSite;
@@ -287,6 +291,7 @@ Fitting* fitAreas(const Diagram& diagram, const Region* region, double xmin, dou
   return fitting.release();
 }
 void stepFit(Fitting& fitting) { check(fitting.fit.step()); }
+bool isAtTheEndOfDoubles(const Fitting& fitting) { return fitting.fit.isAtTheEndOfDoubles(); }
 double fitError(const Fitting& fitting) { return fitting.fit.error(); }
 std::int32_t badSite(const Fitting& fitting) { return asSigned(fitting.fit.badSite()); }
 std::vector<double> fitWeights(const Fitting& fitting) {
@@ -378,6 +383,12 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .field("coordinates", &apollonius::RingArrays::coordinates)
       .field("starts", &apollonius::RingArrays::starts)
       .field("parts", &apollonius::RingArrays::parts);
+  value_object<apollonius::CoverageArrays>("CoverageArrays")
+      .field("coordinates", &apollonius::CoverageArrays::coordinates)
+      .field("starts", &apollonius::CoverageArrays::starts)
+      .field("parts", &apollonius::CoverageArrays::parts)
+      .field("sites", &apollonius::CoverageArrays::sites)
+      .field("cells", &apollonius::CoverageArrays::cells);
   value_object<apollonius::CellMeasures>("CellMeasures")
       .field("area", &apollonius::CellMeasures::area)
       .field("centroidX", &apollonius::CellMeasures::centroidX)
@@ -455,6 +466,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("draw", &draw, allow_raw_pointers(), moved)
       .function("drawCell", &drawCell, allow_raw_pointers(), moved)
       .function("cellPolygon", returning<&Voronoi::cellPolygon>(), allow_raw_pointers(), moved)
+      .function("cellPolygons", returning<&Voronoi::cellPolygons>(), allow_raw_pointers(), moved)
       .function("cellCurves", returning<&Voronoi::cellCurves>(), allow_raw_pointers(), moved)
       .function("edgeCurves", returning<&Voronoi::edgeCurves>(), allow_raw_pointers(), moved)
       .function("cellMeasures", returning<&Voronoi::cellMeasures>(), allow_raw_pointers())
@@ -465,6 +477,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
   class_<Region>("Region").function("box", &Region::box);
   class_<Fitting>("Fitting")
       .function("step", &stepFit)
+      .function("isAtTheEndOfDoubles", &isAtTheEndOfDoubles)
       .function("error", &fitError)
       .function("badSite", &badSite)
       .function("weights", &fitWeights);

@@ -29,7 +29,7 @@ function turn(): Promise<void> {
 }
 
 /** Ends slices, and looks after who waits and who wants to end it all. */
-class Slices {
+export class Slices {
   readonly #signal: AbortSignal | undefined;
   readonly #onProgress: ((done: number) => void) | undefined;
   #start = performance.now();
@@ -41,7 +41,7 @@ class Slices {
       throw badOption("onProgress", onProgress, "a function of a number");
     this.#signal = signal;
     this.#onProgress = onProgress;
-    this.#expectNoAbort();
+    this.expectNoAbort();
   }
 
   get isOver(): boolean {
@@ -51,11 +51,12 @@ class Slices {
   async next(done: number): Promise<void> {
     this.#onProgress?.(done);
     await turn();
-    this.#expectNoAbort();
+    this.expectNoAbort();
     this.#start = performance.now();
   }
 
-  #expectNoAbort(): void {
+  /** Throws the signal's reason if it has aborted. */
+  expectNoAbort(): void {
     if (this.#signal?.aborted) throw this.#signal.reason;
   }
 }

@@ -1,9 +1,12 @@
 // Curves in numbers: places and directions on the rational quadratic curves of `edgeCurves` and
 // `cellCurves`.
+import { described } from "./arguments.js";
+import { ApolloniusError } from "./errors.js";
 
 /**
  * The point of curve `k` at a parameter from 0 (its start) to 1. Along a straight segment (w = 0),
- * as along any curve, the parameter does not run evenly.
+ * as along any curve, the parameter does not run evenly. Throws "out-of-range" if there is no such
+ * curve.
  */
 export function curvePoint(
   curves: ArrayLike<number>,
@@ -17,7 +20,7 @@ export function curvePoint(
   return [(a * x0 + b * x1 + c * x2) / sum, (a * y0 + b * y1 + c * y2) / sum];
 }
 
-/** The unit tangent of curve `k` at a parameter, forwards. */
+/** The unit tangent of curve `k` at a parameter, forwards. Throws as `curvePoint`. */
 export function curveTangent(
   curves: ArrayLike<number>,
   k: number,
@@ -41,5 +44,11 @@ export function curveTangent(
 type Seven = [x0: number, y0: number, x1: number, y1: number, w: number, x2: number, y2: number];
 
 function sevenOf(curves: ArrayLike<number>, k: number): Seven {
+  const count = Math.floor(curves.length / 7);
+  if (!(Number.isInteger(k) && k >= 0 && k < count))
+    throw new ApolloniusError(
+      "out-of-range",
+      `k is ${described(k)}, expected the number of one of ${count} curves`,
+    );
   return Array.from({ length: 7 }, (_, n) => curves[7 * k + n] as number) as Seven;
 }

@@ -6,6 +6,7 @@ import {
   ItemReader,
   type Items,
   type SomeAccessors,
+  asyncAccessors,
   type SomeAsync,
   triples,
 } from "./accessors.js";
@@ -23,6 +24,7 @@ import { checkOptions } from "./options.js";
 import * as queries from "./queries.js";
 import type { Region } from "./region.js";
 import type {
+  BuildOptions,
   DiagramOptions,
   Edges,
   FilterOptions,
@@ -62,11 +64,10 @@ export class Diagram implements Disposable {
   readonly #filters: queries.Filters = { running: 0 };
 
   static {
-    provideNative((diagram) =>
-      typeof diagram === "object" && diagram !== null && #native in diagram
-        ? diagram.#living()
-        : null,
-    );
+    provideNative((diagram, changes) => {
+      if (typeof diagram !== "object" || diagram === null || !(#native in diagram)) return null;
+      return changes ? diagram.#changing() : diagram.#living();
+    });
   }
 
   /**
@@ -83,11 +84,11 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * A diagram of any items, read by accessors as in d3-delaunay (item, index, items). Without
-   * accessors an item is an object {x, y, r} or an array [x, y, r]; a missing r is 0. Ids are 0, 1,
-   * 2, … in input order. Throws as the constructor, naming the item; "bad-option" if an accessor is
-   * no function, or an item has a `radius` and nothing that would be read. Cost: expected O(n log
-   * n).
+   * A diagram of any items, read by accessors as in d3-delaunay (item, index, items); with two of
+   * them, for x and y, of points. Without accessors an item is an object {x, y, r} or an array
+   * [x, y, r]; a missing r is 0. Ids are 0, 1, 2, … in input order. Throws as the constructor,
+   * naming the item; "bad-option" if an accessor is no function, or an item without r has a
+   * `radius`, `size` or `weight`, which nothing would read. Cost: expected O(n log n).
    */
   static from<T>(items: Items<T>, ...accessors: Accessors<T>): Diagram;
   static from<T extends Circular>(items: Items<T>, ...accessors: SomeAccessors<T>): Diagram;
@@ -101,10 +102,14 @@ export class Diagram implements Disposable {
    * `options.signal` once that aborts; with what accessors or `onProgress` throw; then there is no
    * diagram. Cost: about that of `from`.
    */
+  static fromAsync<T extends Circular>(items: Items<T>, options: BuildOptions): Promise<Diagram>;
   static fromAsync<T>(items: Items<T>, ...rest: AsyncAccessors<T>): Promise<Diagram>;
   static fromAsync<T extends Circular>(items: Items<T>, ...rest: SomeAsync<T>): Promise<Diagram>;
-  static async fromAsync<T>(items: Items<T>, ...rest: SomeAsync<T>): Promise<Diagram> {
-    const [x, y, r, options = {}] = rest;
+  static async fromAsync<T>(
+    items: Items<T>,
+    ...rest: SomeAsync<T> | [options: BuildOptions]
+  ): Promise<Diagram> {
+    const [x, y, r, options = {}] = asyncAccessors(rest);
     checkOptions(options, "location", "signal", "onProgress");
     const reader = new ItemReader<T>(items, x, y, r);
     const diagram = new Diagram(undefined, { location: options.location });
@@ -170,6 +175,7 @@ export class Diagram implements Disposable {
    * Removes a site (paper, section 5); false if there is no such site. Sites that only it covered
    * become visible. Cost: O(log n) amortised for a hidden site and for the visible one of nested or
    * identical circles, else expected O(k log k) with k = d + the hidden sites directly below it.
+   * Throws "unknown-site" for what is no whole number.
    */
   remove(id: number): boolean {
     return edits.remove(this.#changing(), id);
@@ -177,7 +183,7 @@ export class Diagram implements Disposable {
 
   /**
    * Removes several sites; returns how many there were. Unknown and repeated ids are skipped. Cost:
-   * as `remove` for each. Throws "bad-length" if `ids` is no array.
+   * as `remove` for each. Throws as `remove`, and "bad-length" if `ids` is no array.
    */
   removeMany(ids: ArrayLike<number>): number {
     return edits.removeMany(this.#changing(), ids);
@@ -218,15 +224,12 @@ export class Diagram implements Disposable {
     return this.#living().visibleSize();
   }
 
-  /**
-   * Number of sites that have none, because another site covers them (the paper's trivial sites).
-   * O(1).
-   */
+  /** Number of sites that have none: another covers them (the paper's trivial sites). O(1). */
   get hiddenSize(): number {
     return this.size - this.visibleSize;
   }
 
-  /** Whether a site has this id. O(1). */
+  /** Whether a site has this id. O(1). Throws "unknown-site" for what is no whole number. */
   has(id: number): boolean {
     return queries.has(this.#living(), id);
   }
@@ -241,18 +244,12 @@ export class Diagram implements Disposable {
     return this.#living().ids();
   }
 
-  /**
-   * All sites, hidden ones too, as typed arrays: `diagram.updateMany(ids, xyr)` moves them all.
-   * O(n).
-   */
+  /** All sites, hidden ones too, as typed arrays: `updateMany(ids, xyr)` moves them all. O(n). */
   sites(): Sites {
     return this.#living().sites();
   }
 
-  /**
-   * `for (const { id, x, y, r, hidden } of diagram)`: all sites, ascending by id, as they are when
-   * the loop begins. O(n).
-   */
+  /** All sites, { id, x, y, r, hidden }, ascending by id, as the loop finds them. O(n). */
   [Symbol.iterator](): Generator<ListedSite, void> {
     return listed(() => this.sites());
   }
@@ -399,6 +396,7 @@ export class Diagram implements Disposable {
    */
   render(context: PathContext, options?: DualOptions): void;
   render(context?: null, options?: DualOptions): string;
+  render(context?: PathContext | null, options?: DualOptions): string | void;
   render(context?: PathContext | null, options?: DualOptions): string | void {
     return drawDual(this.#living(), context, options);
   }
@@ -409,6 +407,7 @@ export class Diagram implements Disposable {
    */
   renderSites(context: PathContext, options?: DrawOptions): void;
   renderSites(context?: null, options?: DrawOptions): string;
+  renderSites(context?: PathContext | null, options?: DrawOptions): string | void;
   renderSites(context?: PathContext | null, options?: DrawOptions): string | void {
     return drawWhole(this.#living(), "sites", undefined, context, options);
   }
@@ -419,6 +418,7 @@ export class Diagram implements Disposable {
    */
   renderHull(context: PathContext, options?: DrawOptions): void;
   renderHull(context?: null, options?: DrawOptions): string;
+  renderHull(context?: PathContext | null, options?: DrawOptions): string | void;
   renderHull(context?: PathContext | null, options?: DrawOptions): string | void {
     return drawWhole(this.#living(), "hull", undefined, context, options);
   }

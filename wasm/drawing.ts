@@ -15,17 +15,20 @@ export type NativeWindow = readonly [NativeRegion | null, number, number, number
 // Commands in one portion of a drawing: few enough to stay in the processor's cache.
 const kPortion = 4096;
 
-/** Draws portion by portion, between which the context may do anything: even change the diagram. */
+/**
+ * Draws portion by portion, between which the context may do anything: even change the diagram, or
+ * dispose of the view, whose `windowNow` throws then.
+ */
 export function drawInto(
   context: PathContext,
   native: NativeDiagram,
   what: Drawing,
-  window: NativeWindow,
+  windowNow: () => NativeWindow,
   tolerance: number,
 ): void {
   const drawing = runningModule().Drawing[what];
   for (let cursor = 0, isDone = false; !isDone; ) {
-    const portion = native.draw(...window, drawing, tolerance, cursor, kPortion);
+    const portion = native.draw(...windowNow(), drawing, tolerance, cursor, kPortion);
     play(context, portion.commands, portion.coordinates);
     ({ cursor, isDone } = portion);
   }
@@ -42,7 +45,7 @@ export function drawWhole(
   const window = bounds ?? extentOf(native);
   const tolerance = checkedTolerance(options?.tolerance, () => native.defaultTolerance(...window));
   return drawn(context, options, (target) =>
-    drawInto(target, native, what, [null, ...window], tolerance),
+    drawInto(target, native, what, () => [null, ...window], tolerance),
   );
 }
 

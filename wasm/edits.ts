@@ -5,6 +5,7 @@ import {
   checkedIds,
   checkedNumbers,
   checkSiteId,
+  checkWholeNumber,
   isSiteId,
   unknownSite,
 } from "./arguments.js";
@@ -33,6 +34,7 @@ export function insertMany(native: NativeDiagram, xyr: ArrayLike<number>): Uint3
 }
 
 export function remove(native: NativeDiagram, id: number): boolean {
+  checkWholeNumber(id);
   return isSiteId(id) && native.remove(id);
 }
 

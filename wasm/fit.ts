@@ -1,66 +1,162 @@
 // `fitAreas`: the library's steps, one by one, and what is asked and told between them.
 import {
   checkedCount,
+  checkedChoice,
   checkedNumbers,
   checkedTolerance,
   described,
+  isArrayLike,
+  isSiteId,
   numberError,
+  unknownSite,
 } from "./arguments.js";
+import { Slices } from "./building.js";
 import type { NativeWindow } from "./drawing.js";
 import { ApolloniusError } from "./errors.js";
 import type { Fitting, NativeDiagram } from "./module.js";
 import { checkOptions } from "./options.js";
 import { ofElements } from "./status.js";
-import type { FitOptions, FitProgress, FittedAreas } from "./types.js";
+import type {
+  AreaTargets,
+  AsyncFitOptions,
+  FitOptions,
+  FitProgress,
+  FittedAreas,
+} from "./types.js";
+
+const kOptions = ["tolerance", "maxIterations", "strict", "start", "onIteration"];
 
 /** The weights are the diagram's then; null if stopped. */
 export function fitAreas(
   native: NativeDiagram,
-  window: NativeWindow,
-  targets: ArrayLike<number>,
-  options?: FitOptions | null,
+  windowNow: () => NativeWindow,
+  targets: AreaTargets,
+  options: FitOptions | undefined,
 ): FittedAreas | null {
-  checkOptions(options, "tolerance", "maxIterations", "start", "onIteration");
-  const { maxIterations = 300, start = [], onIteration } = options ?? {};
-  const tolerance = checkedTolerance(options?.tolerance, () => 1e-6);
-  const most = checkedCount("maxIterations", maxIterations);
-  if (onIteration !== undefined && typeof onIteration !== "function")
-    throw new ApolloniusError(
-      "bad-option",
-      `onIteration is ${described(onIteration)}, expected a function`,
-    );
-  const fitting = begin(native, window, checkedNumbers("targets", targets, 1), start);
+  checkOptions(options, ...kOptions);
+  const search = new Search(native, windowNow, targets, options);
   try {
-    let progress = { iterations: 0, error: fitting.error() };
-    while (progress.error > tolerance) {
-      if (progress.iterations === most) throw notReached(progress, "more are not allowed");
-      try {
-        fitting.step();
-      } catch (error) {
-        if (!(error instanceof ApolloniusError && error.code === "no-convergence")) throw error;
-        throw notReached(progress, "no step comes closer");
-      }
-      progress = { iterations: progress.iterations + 1, error: fitting.error() };
-      if (onIteration?.({ ...progress }) === false) return null;
-    }
-    const weights = fitting.weights();
-    if (weights.length > 0) native.finishFit(fitting);
-    return { ...progress, weights };
+    while (search.advance());
+    return search.finish();
   } finally {
-    fitting.delete();
+    search.end();
+  }
+}
+
+/** The same, with a turn of the event loop between steps. */
+export async function fitAreasAsync(
+  native: NativeDiagram,
+  windowNow: () => NativeWindow,
+  targets: AreaTargets,
+  options: AsyncFitOptions | undefined,
+): Promise<FittedAreas | null> {
+  checkOptions(options, ...kOptions, "signal");
+  const slices = new Slices({ signal: options?.signal });
+  const search = new Search(native, windowNow, targets, options);
+  try {
+    do {
+      if (slices.isOver) await slices.next(0);
+    } while (search.advance());
+    slices.expectNoAbort();
+    return search.finish();
+  } finally {
+    search.end();
+  }
+}
+
+/** For weights, step by step, in a diagram of its own. */
+class Search {
+  readonly #native: NativeDiagram;
+  readonly #tolerance: number;
+  readonly #most: number;
+  readonly #isStrict: boolean;
+  readonly #onIteration: FitOptions["onIteration"];
+  readonly #fitting: Fitting;
+  #progress: FitProgress;
+  #isStopped = false;
+  #reason: string | undefined;
+
+  constructor(
+    native: NativeDiagram,
+    windowNow: () => NativeWindow,
+    targets: AreaTargets,
+    options: FitOptions | undefined,
+  ) {
+    const { maxIterations = 300, start = [], onIteration } = options ?? {};
+    this.#native = native;
+    this.#tolerance = checkedTolerance(options?.tolerance, () => 1e-6);
+    this.#most = checkedCount("maxIterations", maxIterations);
+    this.#isStrict = checkedChoice("options.strict", options?.strict, [false, true]);
+    if (onIteration !== undefined && typeof onIteration !== "function")
+      throw new ApolloniusError(
+        "bad-option",
+        `onIteration is ${described(onIteration)}, expected a function`,
+      );
+    this.#onIteration = onIteration;
+    this.#fitting = begin(native, windowNow, targets, start);
+    this.#progress = { iterations: 0, error: this.#fitting.error() };
+  }
+
+  /** One step; false if there are no more to take. */
+  advance(): boolean {
+    const { iterations, error } = this.#progress;
+    if (!(error > this.#tolerance)) return false;
+    if (iterations === this.#most) throw this.#notReached("more are not allowed");
+    try {
+      this.#fitting.step();
+    } catch (failure) {
+      if (!(failure instanceof ApolloniusError && failure.code === "no-convergence")) throw failure;
+      const isAtTheEnd = this.#fitting.isAtTheEndOfDoubles();
+      const why = isAtTheEnd
+        ? "the last places of weights and vertices do not allow less"
+        : "no step comes closer";
+      if (!isAtTheEnd || this.#isStrict) throw this.#notReached(why);
+      this.#reason = why;
+      return false;
+    }
+    this.#progress = { iterations: iterations + 1, error: this.#fitting.error() };
+    this.#isStopped = this.#onIteration?.({ ...this.#progress }) === false;
+    return !this.#isStopped;
+  }
+
+  /** Gives the weights to the diagram. */
+  finish(): FittedAreas | null {
+    if (this.#isStopped) return null;
+    const weights = this.#fitting.weights();
+    if (weights.length > 0) this.#native.finishFit(this.#fitting);
+    const reason = this.#reason;
+    return reason === undefined
+      ? { ...this.#progress, converged: true, weights }
+      : { ...this.#progress, converged: false, reason, weights };
+  }
+
+  end(): void {
+    this.#fitting.delete();
+  }
+
+  #notReached(why: string): ApolloniusError {
+    const { iterations, error } = this.#progress;
+    return new ApolloniusError(
+      "no-convergence",
+      `after ${iterations} steps areas are off by up to ${error} of what they are to be, more ` +
+        `than the tolerance of ${this.#tolerance}; ${why}`,
+    );
   }
 }
 
 function begin(
   native: NativeDiagram,
-  window: NativeWindow,
-  targets: ArrayLike<number>,
+  windowNow: () => NativeWindow,
+  given: AreaTargets,
   start: ArrayLike<number>,
 ): Fitting {
+  const targets = byId(native, given);
   const weights = checkedNumbers("start", start, 1);
+  checkLength(native, "targets", targets, "; a Map or an object by id takes those of the sites");
+  if (weights.length > 0) checkLength(native, "start", weights, "");
   let fitting: Fitting;
   try {
-    fitting = native.fitAreas(...window, targets, weights) as Fitting;
+    fitting = native.fitAreas(...windowNow(), targets, weights) as Fitting;
   } catch (error) {
     throw ofElements(error, "start", weights);
   }
@@ -78,9 +174,40 @@ function begin(
   );
 }
 
-function notReached({ iterations, error }: FitProgress, why: string): ApolloniusError {
-  return new ApolloniusError(
-    "no-convergence",
-    `after ${iterations} steps areas are off by up to ${error} of what they are to be; ${why}`,
+/** How many ids were ever used; what an array by id has that many elements of. */
+const idLimitOf = (native: NativeDiagram): number => native.levels().length;
+
+function checkLength(
+  native: NativeDiagram,
+  name: string,
+  values: ArrayLike<number>,
+  hint: string,
+): void {
+  const expected = idLimitOf(native);
+  if (values.length === expected) return;
+  throw new ApolloniusError(
+    "bad-length",
+    `${name} has ${values.length} elements, expected ${expected}: one for each id that was ever ` +
+      `used${hint}`,
   );
+}
+
+/** Targets as an array by id: as given, or of the entries of a Map or an object. */
+function byId(native: NativeDiagram, targets: AreaTargets): ArrayLike<number> {
+  if (isArrayLike(targets) || typeof targets !== "object" || targets === null)
+    return checkedNumbers("targets", targets, 1);
+  const values = new Float64Array(idLimitOf(native));
+  const given = new Uint8Array(values.length);
+  // A Map of any realm is what can be iterated.
+  const entries = Symbol.iterator in targets ? targets : Object.entries(targets);
+  for (const [key, value] of entries as Iterable<[unknown, number]>) {
+    const id = typeof key === "string" && String(Number(key)) === key ? Number(key) : key;
+    if (!isSiteId(id) || !native.has(id)) throw unknownSite(id);
+    if (typeof value !== "number") throw numberError(`targets[${id}]`, value);
+    values[id] = value;
+    given[id] = 1;
+  }
+  for (const id of native.ids())
+    if (given[id] === 0) throw new ApolloniusError("bad-target", `targets has none for site ${id}`);
+  return values;
 }

@@ -1,8 +1,8 @@
 // Cells as GeoJSON (RFC 7946).
+import type { CoverageArrays } from "../build/wasm/apollonius.mjs";
 import { checkedChoice, described } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import { checkOptions } from "./options.js";
-import type { Voronoi } from "./voronoi.js";
 
 /** x, y. */
 export type Position = [x: number, y: number];
@@ -44,8 +44,9 @@ export function positionsOf(ring: Float64Array): Position[] {
   );
 }
 
+/** @internal `polygonsOf` gives those of all cells, within a tolerance. */
 export function collectionOf<Properties>(
-  voronoi: Voronoi,
+  polygonsOf: (tolerance: number | undefined) => CoverageArrays,
   options: GeoJSONOptions<Properties> | undefined,
 ): CellsCollection<Properties> {
   checkOptions(options, "tolerance", "properties", "winding");
@@ -59,17 +60,22 @@ export function collectionOf<Properties>(
     "counter-clockwise",
     "clockwise",
   ]);
-  const features: CellsCollection<Properties>["features"] = [];
-  for (const id of voronoi.diagram.ids()) {
-    const rings = voronoi.cellRegions(id, { tolerance });
-    if (rings === null) continue;
-    const polygons = rings.map((ring) => [ring, ...ring.holes].map(positionsOf));
-    if (winding === "clockwise") for (const ring of polygons.flat()) ring.reverse();
+  const { coordinates, starts, parts, sites, cells } = polygonsOf(tolerance);
+  const ringAt = (k: number) => {
+    const ring = positionsOf(coordinates.subarray(2 * starts[k]!, 2 * starts[k + 1]!));
+    return winding === "clockwise" ? ring.reverse() : ring;
+  };
+  const partAt = (k: number) =>
+    Array.from({ length: parts[k + 1]! - parts[k]! }, (_, n) => ringAt(parts[k]! + n));
+  const features = Array.from(sites, (id, k) => {
+    const polygons = Array.from({ length: cells[k + 1]! - cells[k]! }, (_, n) =>
+      partAt(cells[k]! + n),
+    );
     const geometry =
       polygons.length === 1
         ? { type: "Polygon" as const, coordinates: polygons[0] as Position[][] }
         : { type: "MultiPolygon" as const, coordinates: polygons };
-    features.push({ type: "Feature", id, properties: properties(id), geometry });
-  }
+    return { type: "Feature" as const, id, properties: properties(id), geometry };
+  });
   return { type: "FeatureCollection", features };
 }

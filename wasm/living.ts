@@ -4,17 +4,22 @@ import { described } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import { type NativeDiagram, type NativeRegion, runningModule } from "./module.js";
 
-let access: (diagram: unknown) => NativeDiagram | null;
+type Access = (diagram: unknown, changes: boolean) => NativeDiagram | null;
+
+let access: Access;
 let collector: FinalizationRegistry<NativeDiagram | NativeRegion> | undefined;
 
 /** Called once by Diagram, which alone knows the native one and whether it still lives. */
-export function provideNative(accessor: (diagram: unknown) => NativeDiagram | null): void {
+export function provideNative(accessor: Access): void {
   access = accessor;
 }
 
-/** The native diagram; throws "disposed" if there is none any more, "bad-option" for no Diagram. */
-export function nativeOf(diagram: unknown): NativeDiagram {
-  const native = access(diagram);
+/**
+ * The native diagram; throws "disposed" if there is none any more, "bad-option" for no Diagram, and
+ * "busy" for a call that `changes` it, from within a filter.
+ */
+export function nativeOf(diagram: unknown, changes = false): NativeDiagram {
+  const native = access(diagram, changes);
   if (native !== null) return native;
   throw new ApolloniusError(
     "bad-option",
@@ -36,7 +41,16 @@ export function createRegion(
   coordinates: Float64Array,
   starts: Uint32Array,
 ): NativeRegion {
-  const native = diagram.region(coordinates, starts) as NativeRegion;
+  let native: NativeRegion;
+  try {
+    native = diagram.region(coordinates, starts) as NativeRegion;
+  } catch (error) {
+    if (!(error instanceof ApolloniusError && error.code === "bad-bounds")) throw error;
+    throw new ApolloniusError(
+      "bad-bounds",
+      "the region has no area: its points are in line, or its rings cancel each other",
+    );
+  }
   keep(owner, native);
   return native;
 }
@@ -58,7 +72,7 @@ export function fillOrDispose(diagram: { dispose(): void }, fill: () => unknown)
   }
 }
 
-export function destroy(native: NativeDiagram): void {
+export function destroy(native: NativeDiagram | NativeRegion): void {
   collector?.unregister(native);
   native.delete();
 }

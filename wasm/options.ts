@@ -9,7 +9,7 @@ export function checkOptions(options: unknown, ...names: string[]): void {
   const what = described(options);
   if (what !== "an object")
     throw new ApolloniusError("bad-option", `options is ${what}, ${expected}`);
-  for (const name in options as object)
+  for (const name of Object.keys(options))
     if (!names.includes(name))
       throw new ApolloniusError("bad-option", `options.${name} is unknown, ${expected}`);
 }

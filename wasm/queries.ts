@@ -8,6 +8,7 @@ import {
   checkedNumbersOfBounds,
   checkNumber,
   checkSiteId,
+  checkWholeNumber,
   described,
   disorderedBounds,
   isSiteId,
@@ -19,6 +20,7 @@ import { checkTypes, ofElements, ofNumbers, ofSite } from "./status.js";
 import type { FilterOptions, NearbyFilter, NearbyOptions, PickOptions, Site } from "./types.js";
 
 export function has(native: NativeDiagram, id: number): boolean {
+  checkWholeNumber(id);
   return isSiteId(id) && native.has(id);
 }
 
@@ -71,6 +73,9 @@ export function nearest(
   return found.id === -1 ? null : found;
 }
 
+/** So few points are asked one by one sooner than their arrays are copied to the heap and back. */
+const kFew = 16;
+
 export function findMany(
   native: NativeDiagram,
   xy: ArrayLike<number>,
@@ -80,7 +85,10 @@ export function findMany(
   const ids = allocated(() => new Int32Array(numbers.length / 2));
   const out = checkedDistances(distances, ids.length);
   try {
-    native.findMany(numbers, ids, out ?? null);
+    if (out === undefined && ids.length <= kFew)
+      for (let k = 0; k < ids.length; ++k)
+        ids[k] = native.find(numbers[2 * k] as number, numbers[2 * k + 1] as number);
+    else native.findMany(numbers, ids, out ?? null);
   } catch (error) {
     throw ofElements(error, "xy", numbers);
   }
@@ -126,7 +134,9 @@ function checkedFilter(filter: unknown): NearbyFilter | undefined {
   );
 }
 
-function checkedMaxDistance(name: string, maxDistance: unknown = Infinity): number {
+const orInfinity = (given: unknown): unknown => (given === undefined ? Infinity : given);
+
+function checkedMaxDistance(name: string, maxDistance: unknown): number {
   if (maxDistance !== Infinity) checkNumber(name, maxDistance);
   return maxDistance as number;
 }
@@ -142,7 +152,7 @@ export function kNearest(
   checkTypes(x, y);
   const most = checkedCount("k", k);
   checkOptions(options, "maxDistance", "filter");
-  const farthest = checkedMaxDistance("options.maxDistance", options?.maxDistance);
+  const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
   const filter = checkedFilter(options?.filter);
   return farthest === Infinity && filter === undefined
     ? atPoint(x, y, () => native.kNearest(x, y, most))
@@ -158,12 +168,15 @@ export function within(
   options?: FilterOptions,
 ): Uint32Array {
   checkTypes(x, y);
-  checkNumber("distance", distance);
+  checkedMaxDistance("distance", distance);
   checkOptions(options, "filter");
   const filter = checkedFilter(options?.filter);
-  return filter === undefined
-    ? atPoint(x, y, () => native.within(x, y, distance))
-    : nearestFirst(native, x, y, Infinity, distance, filter, filters);
+  if (filter !== undefined) return nearestFirst(native, x, y, Infinity, distance, filter, filters);
+  return atPoint(x, y, () =>
+    distance === Infinity
+      ? native.kNearest(x, y, checkedCount("k", Infinity))
+      : native.within(x, y, distance),
+  );
 }
 
 export function pick(
@@ -174,7 +187,7 @@ export function pick(
   options?: PickOptions,
 ): number {
   checkTypes(x, y);
-  const farthest = checkedMaxDistance("maxDistance", maxDistance);
+  const farthest = checkedMaxDistance("maxDistance", orInfinity(maxDistance));
   if (farthest < 0)
     throw new ApolloniusError(
       "out-of-range",
@@ -186,7 +199,11 @@ export function pick(
 }
 
 export function search(native: NativeDiagram, ...bounds: unknown[]): Uint32Array {
-  const [xmin, ymin, xmax, ymax] = checkedNumbersOfBounds(bounds);
+  // A half-plane or a strip: no site is farther than that.
+  const within = bounds.map((value, k) =>
+    value === (k < 2 ? -Infinity : Infinity) ? (k < 2 ? -1e100 : 1e100) : value,
+  );
+  const [xmin, ymin, xmax, ymax] = checkedNumbersOfBounds(within);
   if (xmin > xmax || ymin > ymax) throw disorderedBounds([xmin, ymin, xmax, ymax], "<=");
   return native.search(xmin, ymin, xmax, ymax);
 }

@@ -1,5 +1,5 @@
 // Windows of any shape, as callers give them: rings of points, flat rings, GeoJSON.
-import { isArrayLike, numberError, plainView } from "./arguments.js";
+import { described, isArrayLike, numberError, plainView } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 
 /** A point; further numbers (heights) are ignored. */
@@ -11,11 +11,16 @@ export type Ring = ArrayLike<Point> | ArrayLike<number>;
 export type GeoJSONRegion =
   | { readonly type: "Polygon"; readonly coordinates: ArrayLike<Ring> }
   | { readonly type: "MultiPolygon"; readonly coordinates: ArrayLike<ArrayLike<Ring>> }
-  | { readonly type: "Feature"; readonly geometry: GeoJSONRegion | null };
+  | {
+      readonly type: "Feature";
+      readonly geometry: GeoJSONRegion | { readonly type: string } | null;
+    }
+  | { readonly type: "FeatureCollection"; readonly features: ArrayLike<GeoJSONRegion> };
 
 /**
- * A window of any shape: a ring, several rings, or GeoJSON (a Polygon, a MultiPolygon, or a Feature
- * of either; coordinates are taken as plane ones).
+ * A window of any shape: a ring, several rings, or GeoJSON (a Polygon, a MultiPolygon, a Feature of
+ * either, or a FeatureCollection of these; coordinates are taken as plane ones). What
+ * `cellPolygon`, `cellRegions` and `toGeoJSON` return is one, too.
  *
  * Inside is where a line to infinity crosses the rings an odd number of times (even-odd rule),
  * whatever their directions: holes and islands need no more than to be rings. Rings may cross and
@@ -32,7 +37,11 @@ export interface FlatRings {
 /** What may be bounds with its elements as they are now: getters may say something else later. */
 export function readOnce<Window>(window: Window): Window | unknown[] {
   if (!isArrayLike(window) || window.length !== 4) return window;
-  return [0, 1, 2, 3].map((k) => window[k]);
+  const { holes } = window as { holes?: unknown }; // of a ring of four points
+  return Object.assign(
+    [0, 1, 2, 3].map((k) => window[k]),
+    holes === undefined ? {} : { holes },
+  );
 }
 
 /** Is it to be read as a window of any shape, rather than as bounds? */
@@ -46,7 +55,7 @@ export function isRegion(window: unknown): boolean {
 export function checkedRings(region: unknown): FlatRings {
   const coordinates: number[] = [];
   const starts = [0];
-  addRings(ringsOf(region), coordinates, starts);
+  addRings(ringsOf(region), coordinates, starts, 0);
   if (starts.length === 1) throw bad("the region has no rings");
   return { coordinates: Float64Array.from(coordinates), starts: Uint32Array.from(starts) };
 }
@@ -55,19 +64,36 @@ function bad(message: string): ApolloniusError {
   return new ApolloniusError("bad-bounds", message);
 }
 
-/** What is in a GeoJSON object, or the thing itself. */
-function ringsOf(region: unknown): unknown {
+/** GeoJSON's types that make a window; each may hold those behind it. */
+const kTypes = ["FeatureCollection", "Feature", "Polygon", "MultiPolygon"];
+
+/** What is in a GeoJSON object of one of the types, or the thing itself. */
+function ringsOf(region: unknown, types = kTypes): unknown {
   if (isArrayLike(region)) return region;
-  const { type, geometry, coordinates } = (region ?? {}) as Record<string, unknown>;
-  if (type === "Feature") return ringsOf(geometry);
-  if (type === "Polygon" || type === "MultiPolygon") return coordinates;
+  const { type, geometry, features, coordinates } = (region ?? {}) as Record<string, unknown>;
+  const at = types.indexOf(type as string);
+  const inner = (item: unknown) => ringsOf(item, kTypes.slice(kTypes.indexOf(type as string) + 1));
+  if (at >= 0 && type === "FeatureCollection" && isArrayLike(features))
+    return Array.from(features, inner);
+  if (at >= 0 && type === "Feature" && geometry !== null) return inner(geometry);
+  if (at >= 0 && (type === "Polygon" || type === "MultiPolygon")) return coordinates;
+  const what =
+    type === "Feature" && geometry === null
+      ? "a Feature without geometry"
+      : `an object of type ${typeof type === "string" ? type : described(type)}`;
   throw bad(
-    `the region is an object of type ${String(type)}, expected rings, or GeoJSON of type ` +
-      "Polygon, MultiPolygon or Feature",
+    `the region is ${what}, expected rings, or GeoJSON of type ${types.slice(0, -1).join(", ")} ` +
+      `or ${types.at(-1)}`,
   );
 }
 
-function addRings(given: unknown, coordinates: number[], starts: number[]): void {
+// Collections hold multi-polygons, these polygons, these rings.
+const kDeepest = 3;
+
+function addRings(given: unknown, coordinates: number[], starts: number[], depth: number): void {
+  if (depth > kDeepest) throw bad(`ring ${starts.length - 1} of the region is nested too deep`);
+  // What cellRegions gives: a ring with those of its holes.
+  const { holes } = (given ?? {}) as { holes?: unknown };
   const rings = plainView(given);
   if (!isArrayLike(rings)) throw bad(`ring ${starts.length - 1} of the region is no array`);
   if (rings.length === 0) return;
@@ -75,8 +101,9 @@ function addRings(given: unknown, coordinates: number[], starts: number[]): void
   const isOfPoints = isArrayLike(first) && typeof first[0] === "number" && first.length <= 3;
   if (isOfPoints || !isArrayLike(first)) {
     addRing(rings, isOfPoints, coordinates, starts);
+    if (isArrayLike(holes)) addRings(holes, coordinates, starts, depth + 1);
   } else {
-    for (let k = 0; k < rings.length; ++k) addRings(rings[k], coordinates, starts);
+    for (let k = 0; k < rings.length; ++k) addRings(rings[k], coordinates, starts, depth + 1);
   }
 }
 

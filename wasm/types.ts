@@ -153,8 +153,24 @@ export interface FitProgress {
   error: number;
 }
 
+/**
+ * The areas of all cells, in any unit, each above 0: an array by id, with one element for each id
+ * that was ever used (those without a site are ignored); or a Map, or an object, of the sites' ids.
+ */
+export type AreaTargets =
+  | ArrayLike<number>
+  | ReadonlyMap<number, number>
+  | { readonly [id: number]: number };
+
 /** What `fitAreas` has reached. */
 export interface FittedAreas extends FitProgress {
+  /**
+   * Whether `error` is within the tolerance. If it is not, the weights are those looked for all the
+   * same, up to their last places, and `error` is what rounding leaves.
+   */
+  converged: boolean;
+  /** Why it has not converged. */
+  reason?: string;
   /** The new weights, by id; NaN for ids without a site. */
   weights: Float64Array;
 }
@@ -166,6 +182,11 @@ export interface FitOptions {
   /** Most steps. Default: 300. */
   maxIterations?: number | undefined;
   /**
+   * true: throw "no-convergence" where only rounding keeps `error` above the tolerance. Default:
+   * false.
+   */
+  strict?: boolean | undefined;
+  /**
    * Weights to start from, by id; default: equal ones. From those of nearly the same targets or
    * centres it takes two or three steps. If some cell is empty with them, they are left aside.
    */
@@ -175,4 +196,10 @@ export interface FitOptions {
    * diagram.
    */
   onIteration?: ((progress: FitProgress) => unknown) | undefined;
+}
+
+/** Options of `fitAreasAsync`. */
+export interface AsyncFitOptions extends FitOptions {
+  /** Ends the search when it aborts; the promise is rejected with its reason. */
+  signal?: AbortSignal | undefined;
 }

@@ -7,10 +7,11 @@ import {
   unknownSite,
 } from "./arguments.js";
 import type { CellMeasures } from "../build/wasm/apollonius.mjs";
+import { Ballast } from "./ballast.js";
 import type { Diagram } from "./diagram.js";
 import { drawInto, type NativeWindow } from "./drawing.js";
 import { ApolloniusError } from "./errors.js";
-import { fitAreas } from "./fit.js";
+import { fitAreas, fitAreasAsync } from "./fit.js";
 import {
   type CellsCollection,
   collectionOf,
@@ -18,12 +19,12 @@ import {
   type Position,
   positionsOf,
 } from "./geojson.js";
-import { createRegion, nativeOf } from "./living.js";
+import { createRegion, destroy, nativeOf } from "./living.js";
 import type { NativeDiagram, NativeRegion } from "./module.js";
 import { checkOptions } from "./options.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
 import { checkedRings, isRegion, readOnce, type Region } from "./region.js";
-import type { FitOptions, FittedAreas } from "./types.js";
+import type { AreaTargets, AsyncFitOptions, FitOptions, FittedAreas } from "./types.js";
 
 /** A window, xmin < xmax and ymin < ymax, in the diagram's unit. */
 export type Bounds = readonly [xmin: number, ymin: number, xmax: number, ymax: number];
@@ -67,24 +68,35 @@ export interface Measures {
   perimeter: number;
 }
 
-/** A closed ring x, y, …, its first point repeated at the end, with the id of its site. */
-export type CellPolygon = Float64Array & { index: number };
+/** A closed ring [x, y], …, its first point repeated at the end; or flat x, y, …. */
+export type CellRing = Position[] | Float64Array;
+
+/** The polygon of a cell, with the id of its site. */
+export type CellPolygon<Points extends CellRing = Position[]> = Points & { index: number };
 
 /**
- * A part of a cell: its outer ring x, y, …, counter-clockwise and closed, and those of its holes,
- * clockwise. Only windows of other shapes than rectangles make holes.
+ * A part of a cell: its outer ring, counter-clockwise, and those of its holes, clockwise. Only
+ * windows of other shapes than rectangles make holes.
  */
-export type CellRegion = Float64Array & { holes: Float64Array[] };
+export type CellRegion<Points extends CellRing = Position[]> = Points & { holes: Points[] };
 
-/** Options of `cellPolygon` and `cellPolygons`. */
+/** Options of `cellPolygon`, `cellPolygons` and `cellRegions`. */
 export interface PolygonOptions {
   /** As of a drawing: `DrawOptions`. */
   tolerance?: number | undefined;
-  /** true: [x, y], …, as d3-delaunay has it. Default: false, x, y, … in one Float64Array. */
-  nested?: boolean | undefined;
+  /**
+   * true: rings are x, y, … in one Float64Array, which is faster. Default: false, [x, y], …, as
+   * d3-delaunay has it.
+   */
+  flat?: boolean | undefined;
 }
-type Nested = PolygonOptions & { nested: true };
-type Flat = PolygonOptions & { nested?: false | undefined };
+// Ten bytes a site, where Ballast counts 165.
+const kRegionsOfSite = 16;
+
+/** Those of flat rings. */
+export type FlatOptions = PolygonOptions & { flat: true };
+/** Those of rings of pairs. */
+export type NestedOptions = PolygonOptions & { flat?: false | undefined };
 
 /**
  * The cells of a diagram inside a window, as shapes, measures and drawings:
@@ -106,7 +118,7 @@ type Flat = PolygonOptions & { nested?: false | undefined };
  * "not-finite" or "out-of-range", unknown ones "bad-option", as does a context that cannot draw.
  * Names and meaning are d3-delaunay's where it has them.
  */
-export class Voronoi {
+export class Voronoi implements Disposable {
   /** The diagram that is looked at. */
   readonly diagram: Diagram;
   /** Left border of the window. */
@@ -118,6 +130,8 @@ export class Voronoi {
   /** Upper border. */
   readonly ymax: number;
   readonly #region: NativeRegion | null = null;
+  readonly #ballast: Ballast | null = null;
+  #isDisposed = false;
 
   /** `diagram.voronoi(window)` makes it. */
   private constructor(diagram: Diagram, given: Bounds | Region) {
@@ -127,6 +141,9 @@ export class Voronoi {
     if (isRegion(window)) {
       const { coordinates, starts } = checkedRings(window);
       this.#region = createRegion(this, native, coordinates, starts);
+      // Laid over the diagram, a region has a note for each of its faces.
+      this.#ballast = new Ballast();
+      this.#ballast.carry(native.size() / kRegionsOfSite);
       const box = this.#region.box();
       bounds = [box.xmin, box.ymin, box.xmax, box.ymax];
     } else {
@@ -156,22 +173,25 @@ export class Voronoi {
   /** Draws all edges inside the window, each once. O(n). */
   render(context: PathContext, options?: DrawOptions): void;
   render(context?: null, options?: DrawOptions): string;
+  render(context?: PathContext | null, options?: DrawOptions): string | void;
   render(context?: PathContext | null, options?: DrawOptions): string | void {
-    const native = nativeOf(this.diagram);
+    const native = this.#living();
     const tolerance = this.#tolerance(native, options);
     return drawn(context, options, (target) =>
-      drawInto(target, native, "edges", this.#window, tolerance),
+      drawInto(target, native, "edges", () => this.#window, tolerance),
     );
   }
 
   /** Draws the window's border. Throws "out-of-range" (digits), "bad-option". */
   renderBounds(context: PathContext, options?: DrawOptions): void;
   renderBounds(context?: null, options?: DrawOptions): string;
+  renderBounds(context?: PathContext | null, options?: DrawOptions): string | void;
   renderBounds(context?: PathContext | null, options?: DrawOptions): string | void {
-    const native = nativeOf(this.diagram);
+    const native = this.#living();
     const region = this.#region;
     return drawn(context, options, (target) => {
       if (region !== null) {
+        this.#living(); // the options' getters may have disposed of it
         const { commands, coordinates } = native.drawRegion(region);
         return play(target, commands, coordinates);
       }
@@ -186,6 +206,7 @@ export class Voronoi {
   /** Draws a cell as closed figures, one for each region. O(d log d). */
   renderCell(id: number, context: PathContext, options?: DrawOptions): void;
   renderCell(id: number, context?: null, options?: DrawOptions): string;
+  renderCell(id: number, context?: PathContext | null, options?: DrawOptions): string | void;
   renderCell(id: number, context?: PathContext | null, options?: DrawOptions): string | void {
     const native = this.#nativeFor(id);
     const tolerance = this.#tolerance(native, options);
@@ -202,40 +223,35 @@ export class Voronoi {
    * Several regions, and holes, are joined by doubled segments, which have no area; `cellRegions`
    * keeps them apart. O(d log d). Throws "not-finite", "out-of-range", "bad-option" (options).
    */
-  cellPolygon(id: number, options: Nested): Position[] | null;
-  cellPolygon(id: number, options?: Flat): Float64Array | null;
-  cellPolygon(id: number, options?: PolygonOptions): Float64Array | Position[] | null {
-    checkOptions(options, "tolerance", "nested");
-    const nested = checkedChoice("options.nested", options?.nested, [false, true]);
-    const native = this.#nativeFor(id);
-    const tolerance = this.#tolerance(native, options);
-    const { coordinates, starts } = native.cellPolygon(...this.#window, id, tolerance);
+  cellPolygon(id: number, options: FlatOptions): Float64Array | null;
+  cellPolygon(id: number, options?: NestedOptions): Position[] | null;
+  cellPolygon(id: number, options?: PolygonOptions): CellRing | null;
+  cellPolygon(id: number, options?: PolygonOptions): CellRing | null {
+    const { isFlat, coordinates, starts } = this.#rings(id, options);
     if (starts.length < 2) return null;
     // To each further ring and around it, then back the same way.
     const ends = [...starts.subarray(0, -2).reverse()];
     const back = ends.flatMap((at) => [coordinates[2 * at]!, coordinates[2 * at + 1]!]);
     const ring = back.length === 0 ? coordinates : Float64Array.from([...coordinates, ...back]);
-    return nested ? positionsOf(ring) : ring;
+    return isFlat ? ring : positionsOf(ring);
   }
 
   /**
    * The regions of a cell as closed rings, counter-clockwise, each with those of its `holes`. As
    * `cellPolygon`.
    */
-  cellRegions(id: number, options?: { tolerance?: number | undefined }): CellRegion[] | null {
-    checkOptions(options, "tolerance");
-    const native = this.#nativeFor(id);
-    const tolerance = this.#tolerance(native, options);
-    const { coordinates, starts, parts } = native.cellPolygon(...this.#window, id, tolerance);
+  cellRegions(id: number, options: FlatOptions): CellRegion<Float64Array>[] | null;
+  cellRegions(id: number, options?: NestedOptions): CellRegion[] | null;
+  cellRegions(id: number, options?: PolygonOptions): CellRegion<CellRing>[] | null;
+  cellRegions(id: number, options?: PolygonOptions): CellRegion<CellRing>[] | null {
+    const { isFlat, coordinates, starts, parts } = this.#rings(id, options);
     if (starts.length < 2) return null;
-    const rings =
-      starts.length === 2
-        ? [coordinates]
-        : Array.from(starts.subarray(1), (end, k) =>
-            coordinates.slice(2 * (starts[k] as number), 2 * end),
-          );
+    const rings = Array.from(starts.subarray(1), (end, k): CellRing => {
+      const ring = coordinates.slice(2 * (starts[k] as number), 2 * end);
+      return isFlat ? ring : positionsOf(ring);
+    });
     return Array.from(parts.subarray(1), (end, k) => {
-      const [outer, ...holes] = rings.slice(parts[k], end) as [Float64Array, ...Float64Array[]];
+      const [outer, ...holes] = rings.slice(parts[k], end) as [CellRing, ...CellRing[]];
       return Object.assign(outer, { holes });
     });
   }
@@ -244,11 +260,12 @@ export class Voronoi {
    * The polygons of all cells that have a part in the window, ascending by id, which is their
    * `index`.
    */
-  cellPolygons(options: Nested): Generator<Position[] & { index: number }, void>;
-  cellPolygons(options?: Flat): Generator<CellPolygon, void>;
-  *cellPolygons(options?: PolygonOptions): Generator<unknown, void> {
+  cellPolygons(options: FlatOptions): Generator<CellPolygon<Float64Array>, void>;
+  cellPolygons(options?: NestedOptions): Generator<CellPolygon, void>;
+  cellPolygons(options?: PolygonOptions): Generator<CellPolygon<CellRing>, void>;
+  *cellPolygons(options?: PolygonOptions): Generator<CellPolygon<CellRing>, void> {
     for (const id of this.diagram.ids()) {
-      const ring = this.cellPolygon(id, options as Flat);
+      const ring = this.cellPolygon(id, options);
       if (ring !== null) yield Object.assign(ring, { index: id });
     }
   }
@@ -265,7 +282,7 @@ export class Voronoi {
    * O(n).
    */
   edgeCurves(): EdgeCurves {
-    const { curves, sites } = nativeOf(this.diagram).edgeCurves(...this.#window);
+    const { curves, sites } = this.#living().edgeCurves(...this.#window);
     return { curves, sites };
   }
 
@@ -277,7 +294,11 @@ export class Voronoi {
   toGeoJSON<Properties = { site: number }>(
     options?: GeoJSONOptions<Properties>,
   ): CellsCollection<Properties> {
-    return collectionOf(this, options);
+    const native = this.#living();
+    return collectionOf(
+      (tolerance) => native.cellPolygons(...this.#window, this.#tolerance(native, { tolerance })),
+      options,
+    );
   }
 
   // --- Questions ---------------------------------------------------------------------------------
@@ -329,12 +350,13 @@ export class Voronoi {
 
   /**
    * Area, centroid and perimeter of the part of a cell within `radius` of its site's centre: what a
-   * site covers at most. The window does not matter. null for a hidden site. Throws "unknown-site",
-   * "not-finite", "out-of-range" (a radius below 0).
+   * site covers at most; with Infinity of all of it, where area and perimeter of a cell without end
+   * are Infinity and its centroid null. The window does not matter. null for a hidden site. Throws
+   * "unknown-site", "not-finite", "out-of-range" (a radius below 0).
    */
   cellWithin(id: number, radius: number): Measures | null {
     const native = this.#nativeFor(id);
-    checkNumber("radius", radius);
+    if (radius !== Infinity) checkNumber("radius", radius);
     if (radius < 0)
       throw new ApolloniusError("out-of-range", `radius is ${radius}, expected 0 or more`);
     if (native.isHidden(id)) return null;
@@ -343,10 +365,11 @@ export class Voronoi {
 
   /**
    * The areas of all cells inside the window, by id; 0 where there is none. They add up to the
-   * window's. O(n), much faster than a loop.
+   * window's. O(n), much faster than a loop. Their last places depend on the diagram's history, as
+   * do those of the next two and of `render`; those of `cellArea` and of all else do not.
    */
   cellAreas(): Float64Array {
-    return nativeOf(this.diagram).cellAreas(...this.#window);
+    return this.#living().cellAreas(...this.#window);
   }
 
   /**
@@ -354,30 +377,63 @@ export class Voronoi {
    * none. O(n).
    */
   cellCentroids(): Float64Array {
-    return nativeOf(this.diagram).cellCentroids(...this.#window);
+    return this.#living().cellCentroids(...this.#window);
   }
 
   /** The perimeters of all cells inside the window, by id; 0 where there is none. O(n). */
   cellPerimeters(): Float64Array {
-    return nativeOf(this.diagram).cellPerimeters(...this.#window);
+    return this.#living().cellPerimeters(...this.#window);
   }
 
   // --- Prescribed areas --------------------------------------------------------------------------
 
   /**
    * Changes the weights of all sites so that the areas of their cells inside the window are in
-   * proportion to targets (by id, above 0; those of ids without a site are ignored). Centres stay,
-   * and hidden sites get a cell, too. null if `onIteration` has stopped it.
+   * proportion to targets. Centres stay, and hidden sites get a cell, too. null if `onIteration`
+   * has stopped it.
    *
    * No two sites may have one centre, and with equal weights each must have a cell in the window,
    * as it has if its centre is there. All or nothing: the diagram changes at the end, and only if
-   * the tolerance is met. Throws "bad-length", "bad-target", "bad-option", "not-finite",
-   * "out-of-range", "busy", and "no-convergence", which says what was reached. Cost: for each of
+   * the tolerance is met, or nothing but rounding is above it (`converged` is false then). Throws
+   * "bad-length", "unknown-site", "bad-target", "bad-option", "not-finite", "out-of-range", "busy",
+   * and "no-convergence", which says what was reached. Cost: for each of
    * some 20 steps (several times that, where targets differ by orders of magnitude) about that of
    * building the diagram and of `cellAreas`.
    */
-  fitAreas(targets: ArrayLike<number>, options?: FitOptions): FittedAreas | null {
-    return fitAreas(nativeOf(this.diagram), this.#window, targets, options);
+  fitAreas(targets: AreaTargets, options?: FitOptions): FittedAreas | null {
+    return fitAreas(this.#living(true), () => this.#window, targets, options);
+  }
+
+  /**
+   * `fitAreas` with a turn of the event loop between its steps, each of which takes as long as
+   * there. Rejects as that throws; with the reason of `options.signal` once that aborts; with
+   * "busy" if the diagram has changed meanwhile.
+   */
+  async fitAreasAsync(
+    targets: AreaTargets,
+    options?: AsyncFitOptions,
+  ): Promise<FittedAreas | null> {
+    // awaited here, so that this view, and so the diagram, is not collected meanwhile
+    return await fitAreasAsync(this.#living(true), () => this.#window, targets, options);
+  }
+
+  // --- Life time ---------------------------------------------------------------------------------
+
+  /**
+   * Gives back the memory of a window that is no rectangle (10 bytes for each of the diagram's
+   * sites, and what of it the window meets); later calls throw "disposed". A forgotten view is
+   * freed as a forgotten diagram is. The diagram lives on. O(1).
+   */
+  dispose(): void {
+    if (this.#isDisposed) return;
+    this.#isDisposed = true;
+    if (this.#region !== null) destroy(this.#region);
+    this.#ballast?.drop();
+  }
+
+  /** `dispose`, for `using view = diagram.voronoi(region)`. O(1). */
+  [Symbol.dispose](): void {
+    this.dispose();
   }
 
   // --- Shared parts ------------------------------------------------------------------------------
@@ -386,14 +442,31 @@ export class Voronoi {
     return [this.xmin, this.ymin, this.xmax, this.ymax];
   }
 
+  /** As a call takes it; read last, as the caller's code can dispose of the view before. */
   get #window(): NativeWindow {
+    this.#living();
     return [this.#region, ...this.#bounds];
   }
 
+  /** Of calls that change the diagram: "busy" within a filter. */
+  #living(changes = false): NativeDiagram {
+    if (this.#isDisposed) throw new ApolloniusError("disposed", "the view has been disposed of");
+    return nativeOf(this.diagram, changes);
+  }
+
   #nativeFor(id: number): NativeDiagram {
-    const native = nativeOf(this.diagram);
+    const native = this.#living();
     if (!isSiteId(id) || !native.has(id)) throw unknownSite(id);
     return native;
+  }
+
+  /** The rings of a cell, one after the other. */
+  #rings(id: number, options: PolygonOptions | undefined) {
+    checkOptions(options, "tolerance", "flat");
+    const isFlat = checkedChoice("options.flat", options?.flat, [false, true]);
+    const native = this.#nativeFor(id);
+    const tolerance = this.#tolerance(native, options);
+    return { isFlat, ...native.cellPolygon(...this.#window, id, tolerance) };
   }
 
   #tolerance(

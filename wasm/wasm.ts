@@ -33,7 +33,7 @@ const isResponse = (source: unknown): source is Response => kindOf(source) === "
 
 async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
   if (kindOf(source) === "ArrayBuffer" || ArrayBuffer.isView(source))
-    return WebAssembly.compile(source as BufferSource);
+    return compiledBytes(source as BufferSource, "source");
   const isAddress = typeof source === "string" || kindOf(source) === "URL";
   const response = await (isAddress ? fetched(source as string | URL) : source);
   if (!isResponse(response)) {
@@ -44,17 +44,41 @@ async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
     );
   }
   if (!response.ok) throw notLoaded(`${response.url} answered ${response.status}`);
-  const isWasm = response.headers.get("content-type")?.startsWith("application/wasm");
-  return isWasm
-    ? WebAssembly.compileStreaming(response)
-    : WebAssembly.compile(await response.arrayBuffer());
+  const type = response.headers.get("content-type");
+  const copy = response.clone();
+  try {
+    if (type?.startsWith("application/wasm")) return await WebAssembly.compileStreaming(response);
+  } catch {} // of other bytes: these are looked at below
+  const name = (response.url || "the response") + (type === null ? "" : ` (${type})`);
+  return compiledBytes(await copy.arrayBuffer(), name);
 }
+
+/** Compiles bytes; throws "not-loaded", with the first of them, if they are something else. */
+function compiledBytes(source: BufferSource, name: string): Promise<WebAssembly.Module> {
+  const { buffer, byteOffset, byteLength } = ArrayBuffer.isView(source)
+    ? source
+    : { buffer: source, byteOffset: 0, byteLength: source.byteLength };
+  const first = new Uint8Array(buffer, byteOffset, Math.min(byteLength, 40));
+  if (first.length < 4 || !kMagic.every((byte, k) => byte === first[k])) {
+    const text = new TextDecoder().decode(first);
+    throw notLoaded(
+      `${name} is no WebAssembly: it begins with ${JSON.stringify(text)}. The file is ` +
+        "apollonius.wasm of this package; servers give a page of theirs where there is none",
+    );
+  }
+  return WebAssembly.compile(source);
+}
+
+/** What all WebAssembly begins with: NUL, "asm". */
+const kMagic = [0, 0x61, 0x73, 0x6d];
 
 async function fetched(address: string | URL): Promise<Response> {
   try {
     return await fetch(address);
   } catch (cause) {
-    throw notLoaded(`${address} cannot be fetched`, cause);
+    const isFile = String(address).startsWith("file:");
+    const hint = isFile ? ": of a file give the bytes, load(await readFile(new URL(…)))" : "";
+    throw notLoaded(`${address} cannot be fetched${hint}`, cause);
   }
 }
 

@@ -13,11 +13,15 @@ namespace apollonius {
 using namespace internal;
 
 struct internal::AreaFitState {
+  Outline outline;  // of its own: the region may go
   Fit fit;
   std::size_t idLimit;
   std::uint64_t diagram;  // its state
   SiteId badSite = kNoSite;
   bool isBegun = false;
+
+  AreaFitState(const DiagramCore& core, const Outline& region, std::uint64_t state)
+      : outline(region), fit(core, outline), idLimit(core.ids().idLimit()), diagram(state) {}
 };
 
 AreaFit::AreaFit() noexcept = default;
@@ -35,8 +39,7 @@ Error AreaFit::begin(const Diagram& diagram, const Region& region, std::span<con
     return Error::kBadLength;
   Error error = Error::kNone;
   const Error failed = guarded(core, [&] {
-    state_ = std::make_unique<AreaFitState>(
-        AreaFitState{Fit(core, region.state_->outline), idLimit, diagram.state_});
+    state_ = std::make_unique<AreaFitState>(core, region.state_->outline, diagram.state_);
     const std::span<const SiteId> ids = state_->fit.ids();
     FlatArray<double> wanted, from;
     const auto refuse = [&](SiteId id) {
@@ -67,6 +70,10 @@ Error AreaFit::step() {
   } catch (const std::bad_alloc&) {
     return Error::kOutOfMemory;
   }
+}
+
+bool AreaFit::isAtTheEndOfDoubles() const noexcept {
+  return isBegun() && state_->fit.isAtTheEndOfDoubles();
 }
 
 double AreaFit::error() const noexcept {

@@ -177,15 +177,18 @@ Error Diagram::coverOf(SiteId id, SiteId& cover) const {
 
 // --- Queries
 
-Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
+Error Diagram::find(double x, double y, SiteId& id) const {
   for (const double value : {x, y}) {
     if (const Error error = checkNumber(value); error != Error::kNone) return error;
   }
-  return guarded(*core_, [&] {
-    const Slot near = visibleSize() == 0 ? kNoSlot : core_->nearest(x, y);
-    id = idOrNone(*core_, near);
-    distance = distanceTo(*core_, near, x, y);
-  });
+  return guarded(
+      *core_, [&] { id = idOrNone(*core_, visibleSize() == 0 ? kNoSlot : core_->nearest(x, y)); });
+}
+
+Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
+  if (const Error error = find(x, y, id); error != Error::kNone) return error;
+  distance = distanceTo(*core_, core_->ids().slotOf(id), x, y);
+  return Error::kNone;
 }
 
 Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "geometry/outline_grid.h"
 #include "geometry/overlay.h"
 
 namespace apollonius::internal {
@@ -23,7 +24,14 @@ struct RegionState {
     return *overlay_;
   }
 
+  /// Made at its first use. Throws std::bad_alloc.
+  [[nodiscard]] const OutlineGrid& outlineGrid() {
+    if (grid_ == nullptr) grid_ = std::make_unique<OutlineGrid>(outline);
+    return *grid_;
+  }
+
  private:
+  std::unique_ptr<OutlineGrid> grid_;
   std::unique_ptr<Overlay> overlay_;
   std::uint64_t state_ = 0;
 };

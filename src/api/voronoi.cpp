@@ -12,11 +12,12 @@
 #include "geometry/approximate.h"
 #include "geometry/areas.h"
 #include "geometry/cell.h"
+#include "geometry/coverage.h"
 #include "geometry/hull.h"
 #include "geometry/measures.h"
 #include "geometry/parts.h"
+#include "geometry/polygons.h"
 #include "geometry/render.h"
-#include "geometry/ring.h"
 #include "geometry/within.h"
 #include "memory/flat_array.h"
 
@@ -60,6 +61,14 @@ void drawClosed(std::span<const BoundaryPiece> ring, double tolerance, Path& pat
     if (!isClosing && !(curve.p0 == curve.p2)) drawConic(curve, tolerance, path);
   }
   path.close();
+}
+
+/// To RingArrays or CoverageArrays.
+template <class Arrays>
+void assign(Arrays& arrays, const Rings& rings) {
+  arrays.coordinates.assign(rings.coordinates.begin(), rings.coordinates.end());
+  arrays.starts.assign(rings.starts.begin(), rings.starts.end());
+  arrays.parts.assign(rings.parts.begin(), rings.parts.end());
 }
 
 void finish(const Moments& moments, Point origin, CellMeasures& measures) {
@@ -176,24 +185,26 @@ Error Voronoi::cellCurves(SiteId id, CurveArrays& boundary) const {
   });
 }
 
+PolygonWindow Voronoi::polygonWindow() const {
+  if (region_ == nullptr) return {windowOf(bounds_)};
+  return {windowOf(bounds_), &overlay(), &region_->state_->outlineGrid()};
+}
+
 Error Voronoi::cellPolygon(SiteId id, double tolerance, RingArrays& rings) const {
-  return guardedFor(id, tolerance, [&](const Window& window, double allowed) {
-    rings.coordinates.clear();
-    rings.starts.assign(1, 0);
-    rings.parts.assign(1, 0);
-    withCell(id, [&](const Cell& cell, Point center) {
-      for (std::size_t part = 0; part < cell.partCount(); ++part) {
-        for (std::uint32_t ring = cell.outers[part]; ring < cell.outers[part + 1]; ++ring) {
-          const bool isHole = ring > cell.outers[part];
-          if (isHole && rings.parts.back() + 1 == rings.starts.size()) break;  // in nothing
-          if (appendRing(cell.ring(ring), center, region_ == nullptr ? &window : nullptr, isHole,
-                         allowed, rings.coordinates))
-            rings.starts.push_back(static_cast<std::uint32_t>(rings.coordinates.size() / 2));
-        }
-        const auto count = static_cast<std::uint32_t>(rings.starts.size() - 1);
-        if (count > rings.parts.back()) rings.parts.push_back(count);
-      }
-    });
+  return guardedFor(id, tolerance, [&](const Window&, double allowed) {
+    Rings found;
+    PolygonFinder(*diagram_.core_, polygonWindow(), allowed).find(slotOf(id), found);
+    assign(rings, found);
+  });
+}
+
+Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
+  return guarded(tolerance, [&](const Window&, double allowed) {
+    Coverage found;
+    coverWindow(*diagram_.core_, polygonWindow(), allowed, found);
+    assign(coverage, found.rings);
+    coverage.sites.assign(found.sites.begin(), found.sites.end());
+    coverage.cells.assign(found.cells.begin(), found.cells.end());
   });
 }
 
@@ -211,13 +222,20 @@ Error Voronoi::cellMeasures(SiteId id, CellMeasures& measures) const {
 
 Error Voronoi::cellMeasuresWithin(SiteId id, double radius, CellMeasures& measures) const {
   if (!diagram_.has(id)) return Error::kUnknownSite;
-  if (!std::isfinite(radius)) return Error::kNotFinite;
-  if (radius < 0 || radius > kLargestMagnitude) return Error::kOutOfRange;
+  const bool isUnlimited = radius == std::numeric_limits<double>::infinity();
+  if (!std::isfinite(radius) && !isUnlimited) return Error::kNotFinite;
+  if (radius < 0 || (radius > kLargestMagnitude && !isUnlimited)) return Error::kOutOfRange;
   const Voronoi anywhere(diagram_);
   return anywhere.guarded(1, [&](const Window&, double) {
     FlatArray<BoundaryPiece> boundary;
-    cellWithin(*diagram_.core_, slotOf(id), radius, boundary);
+    cellWithin(*diagram_.core_, slotOf(id), std::min(radius, kLargestMagnitude), boundary);
     measures = {};
+    const auto isArc = [](const BoundaryPiece& piece) { return piece.neighbor == kNoSite; };
+    if (isUnlimited && std::any_of(boundary.begin(), boundary.end(), isArc)) {
+      measures.area = measures.perimeter = radius;
+      measures.isEmpty = true;  // without a centroid
+      return;
+    }
     const Site& site = diagram_.core_->site(slotOf(id));
     Moments moments;
     addUp(boundary, {site.x, site.y}, moments, measures);

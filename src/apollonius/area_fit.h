@@ -32,14 +32,17 @@ class APOLLONIUS_EXPORT AreaFit {
   AreaFit& operator=(AreaFit&&) noexcept;
 
   /// Targets by id, in any unit, those of ids without a site being ignored; so are the weights to
-  /// start from, of which there may be none (then equal ones). The region must stay as it is as
-  /// long. Errors: kBadLength unless there are as many as ids, kBadTarget, kNotFinite and
-  /// kOutOfRange (start), kBadBounds, kOutOfMemory. Then nothing has been begun.
+  /// start from, of which there may be none (then equal ones). Errors: kBadLength unless there are
+  /// as many as ids, kBadTarget, kNotFinite and kOutOfRange (start), kBadBounds, kOutOfMemory. Then
+  /// nothing has been begun.
   [[nodiscard]] Error begin(const Diagram& diagram, const Region& region,
                             std::span<const double> targets, std::span<const double> start = {});
   /// One step. Errors: kNoConvergence if none comes closer, kOutOfMemory; the fit is as it was
   /// then. Cost: about that of building the diagram, and of the areas of its cells.
   [[nodiscard]] Error step();
+  /// After kNoConvergence: are the weights those looked for, up to their last places? Then they can
+  /// be taken, and error() says what rounding has left.
+  [[nodiscard]] bool isAtTheEndOfDoubles() const noexcept;
   /// The largest deviation of an area from what it is to be, as a share of that; infinite if
   /// nothing has been begun. Need not fall with each step.
   [[nodiscard]] double error() const noexcept;

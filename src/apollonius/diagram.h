@@ -128,6 +128,8 @@ class APOLLONIUS_EXPORT Diagram {
   /// The nearest site of a point and its distance; ties go to the larger r, then x, then y. kNoSite
   /// and +infinity if empty. Exact choice; the distance is rounded. Errors: kNotFinite,
   /// kOutOfRange, kOutOfMemory.
+  [[nodiscard]] Error find(double x, double y, SiteId& id) const;
+  /// With the distance |p - c| - r, off by less than one unit in the last place.
   [[nodiscard]] Error find(double x, double y, SiteId& id, double& distance) const;
 
   /// find for xy.size()/2 points. `distances` may be empty, else it has one element a point.

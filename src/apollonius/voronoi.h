@@ -36,6 +36,7 @@ namespace apollonius {
 
 namespace internal {
 class Overlay;
+struct PolygonWindow;
 enum class Measure : unsigned char;
 }  // namespace internal
 
@@ -56,6 +57,16 @@ struct RingArrays {
       starts;  ///< the first point of each ring, and the number of points at the end
   std::vector<std::uint32_t>
       parts;  ///< the first ring of each part, and the number of rings at the end
+};
+
+/// Such rings of all cells, one after the other.
+struct CoverageArrays {
+  std::vector<double> coordinates;    ///< as in RingArrays
+  std::vector<std::uint32_t> starts;  ///< as in RingArrays
+  std::vector<std::uint32_t> parts;   ///< as in RingArrays
+  std::vector<std::uint32_t> sites;   ///< those that have a part, ascending
+  std::vector<std::uint32_t>
+      cells;  ///< the first part of each of these, and the number of parts at the end
 };
 
 /// Of a cell inside the window. Without parts, all are 0.
@@ -89,15 +100,21 @@ class APOLLONIUS_EXPORT Voronoi {
   [[nodiscard]] Error edgeCurves(CurveArrays& edges) const;
   /// The boundary of a cell, counter-clockwise, part by part. Cost: O(d log d).
   [[nodiscard]] Error cellCurves(SiteId id, CurveArrays& boundary) const;
-  /// The same as polylines: rings of at least three different points that do not cross themselves,
-  /// whatever the tolerance. (Where sites are as close as doubles are, or one is as close to
-  /// covering another, rounding can have the last word.) A part about as small as the distance of
-  /// doubles there has no ring.
+  /// The same as polygons that are valid in the sense of OGC's Simple Features, whatever the
+  /// tolerance: rings do not cross, and come to no point twice. Neighbours have the points of their
+  /// edge in common, but for some where rounding has put them out of order. A part about as small
+  /// as the distance of doubles there has no ring.
   [[nodiscard]] Error cellPolygon(SiteId id, double tolerance, RingArrays& rings) const;
+  /// The polygons of all cells. They tile the window: each segment stands once, and its reverse
+  /// once in the cell beside it, or it lies on the border; and no two segments meet but in common
+  /// ends, which is proved. Cost: O(n) for sites spread evenly, twice the time of a loop of
+  /// cellPolygon.
+  [[nodiscard]] Error cellPolygons(double tolerance, CoverageArrays& coverage) const;
   [[nodiscard]] Error cellMeasures(SiteId id, CellMeasures& measures) const;
   /// Area, centroid and perimeter of the part of the (unclipped) cell within `radius` of the site's
   /// centre; bounds do not matter. The outline is good to about 2^-48 of the largest number of the
-  /// site and its neighbors: a radius as small as that means little.
+  /// site and its neighbors: a radius as small as that means little. Infinity: all of it; the area
+  /// and the perimeter of an unbounded cell are infinite, and it has no centroid (isEmpty).
   [[nodiscard]] Error cellMeasuresWithin(SiteId id, double radius, CellMeasures& measures) const;
   /// The area of every cell, by id; 0 for ids without one. They add up to the window's, to
   /// rounding: of the coordinates, too, where the window is only a few doubles wide. Cost: O(h)
@@ -136,7 +153,8 @@ class APOLLONIUS_EXPORT Voronoi {
   /// visit(the site's cell in the window, its centre).
   template <class Visit>
   void withCell(SiteId id, Visit&& visit) const;
-  [[nodiscard]] const internal::Overlay& overlay() const;  // of the region
+  [[nodiscard]] const internal::Overlay& overlay() const;
+  [[nodiscard]] internal::PolygonWindow polygonWindow() const;  // of the region
   [[nodiscard]] Error measureAll(internal::Measure what, std::vector<double>& measures) const;
 
   const Diagram& diagram_;

@@ -20,7 +20,7 @@ namespace apollonius::internal {
 /// From (x, y) to a site, as a double; infinite for kNoSlot.
 [[nodiscard]] inline double distanceTo(const DiagramCore& diagram, Slot slot, double x, double y) {
   return slot == kNoSlot ? std::numeric_limits<double>::infinity()
-                         : ApproxDistance(x, y, diagram.site(slot)).value;
+                         : roundedDistance(x, y, diagram.site(slot));
 }
 
 /// The nearest site of each of the points x, y, or kNoSite in an empty diagram, and its distance

@@ -10,15 +10,6 @@ namespace apollonius::internal {
 
 namespace {
 
-/// x 2^exponent of a Rounded; the mantissa is near 2^63.
-double toDouble(const Dyadic::Rounded& x) {
-  double value = x.mantissa;
-  int exponent = x.exponent;
-  for (; exponent > 1000; exponent -= 1000) value *= powerOfTwo(1000);
-  for (; exponent < -1000; exponent += 1000) value *= powerOfTwo(-1000);
-  return value * powerOfTwo(exponent);
-}
-
 /// p = x² + y² - r² of two sites. In doubles the error is at most 5u (x² + y² + r²)
 /// (number/approx.h); where that is more than a 2^-40th of p, as when one circle nearly covers the
 /// other, it is computed exactly and rounded once.
@@ -28,7 +19,7 @@ double squaredTangent(const Site& a, const Site& b) {
   if (p > powerOfTwo(-10) * (squares + r * r)) return p;
   const Dyadic dx = Dyadic(b.x) - Dyadic(a.x), dy = Dyadic(b.y) - Dyadic(a.y),
                dr = Dyadic(b.r) - Dyadic(a.r);
-  return toDouble((dx * dx + dy * dy - dr * dr).rounded());
+  return (dx * dx + dy * dy - dr * dr).rounded().value();
 }
 
 /// Parameters beyond these are as good as infinite: B e^t would leave the doubles.

@@ -128,7 +128,7 @@ void CellFinder::closeRegion() {
   // Of its own first point, which is the same after any history: a sliver is there after all of
   // them, or after none.
   const Area area = areaOf(pieces, window_.nearestTo(pieces.front().curve.p0));
-  if (area.value > area.rounding) {
+  if (area.value > area.rounding || keepsThin_) {
     cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
     cell_.outers.push_back(static_cast<std::uint32_t>(cell_.ringCount()));
   } else {

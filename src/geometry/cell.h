@@ -11,6 +11,7 @@
 #include "diagram/diagram_core.h"
 #include "geometry/border.h"
 #include "geometry/clip.h"
+#include "geometry/outline.h"
 #include "memory/flat_array.h"
 
 namespace apollonius::internal {
@@ -19,6 +20,8 @@ namespace apollonius::internal {
 struct BoundaryPiece {
   Conic curve;
   SiteId neighbor = kNoSite;  ///< whose cell is on the right; kNoSite along the window's border
+  /// Of an edge's piece in a region: the segments of its outline that it starts and ends on.
+  std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;
 };
 
 struct Cell {
@@ -38,7 +41,9 @@ struct Cell {
 /// Finds cells; keeps its scratch memory from one to the next.
 class CellFinder {
  public:
-  CellFinder(const DiagramCore& core, const Window& window) : core_(core), window_(window) {}
+  /// `keepsThin`: regions without area up to rounding, too, so that each curve is there twice.
+  CellFinder(const DiagramCore& core, const Window& window, bool keepsThin = false)
+      : core_(core), window_(window), keepsThin_(keepsThin) {}
 
   /// The cell of a site, without regions if it is hidden or does not meet the window. Valid until
   /// the next call. Cost: O(d log d).
@@ -60,6 +65,7 @@ class CellFinder {
 
   const DiagramCore& core_;
   Window window_;
+  bool keepsThin_;
   Cell cell_;
   FlatArray<Piece> pieces_;
   FlatArray<BorderContact> contacts_;

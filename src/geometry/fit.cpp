@@ -33,6 +33,8 @@ constexpr double kCoarse = 0.01;
 constexpr double kMedium = 1e-4;
 constexpr double kFine = 1e-7;
 constexpr int kMostHalvings = 30;
+/// Two units in the last place of a double, as a share of it.
+constexpr double kLastPlaces = powerOfTwo(-51);
 
 /// log r of r >= 1 that is finite, with + - * / and roots only: 2 artanh((r-1)/(r+1)), of roots
 /// near 1.
@@ -214,18 +216,39 @@ bool Fit::step() {
     const double area = less * around_.box.width() * around_.box.height();
     setGround(area < kLeastGround * smallestOf(targets_) ? 0 : less);
   }
-  isNear_ = ground_ == 0 && far < kCoarse;
+  isNear_ = isNear_ || (ground_ == 0 && far < kCoarse);
   // Where steps have become short, none must be wrong about a small cell.
   findDirection(far < kCoarse ? kFine : last_ < 0.25 ? kMedium : kCoarse);
+  const bool isLast = ground_ == 0 && isWithinRounding();
+  if (isLast && !isNear_) {  // of areas off by the last places of cached vertices, perhaps
+    isNear_ = true;
+    setGround(0);
+    return true;
+  }
+  const double before = error();
   double share = longestShare();
   for (int halvings = 0; halvings < kMostHalvings; ++halvings, share /= 2) {
     // The function is concave: a slope that has hardly turned is not far behind the maximum.
     if (!tryStep(share) || !(slopeAt(tried_) >= -slopeAt(best_) / 2)) continue;
     takeTried();
     last_ = share;
-    return true;
+    if (!isLast || error() < before) return true;
+    takeTried();  // back
+    break;
   }
+  isAtTheEndOfDoubles_ = isLast;
   return false;
+}
+
+/// Does the direction change nothing but last places: of weights, or of the numbers that vertices
+/// come of?
+bool Fit::isWithinRounding() const {
+  for (std::size_t k = 0; k < direction_.size(); ++k) {
+    const Site& site = sites_[k];
+    const double size = std::max({absolute(best_.weights[k]), absolute(site.x), absolute(site.y)});
+    if (absolute(direction_[k]) > kLastPlaces * size) return false;
+  }
+  return true;
 }
 
 /// What comes of so much of the direction; false if a weight leaves the range, or a cell nearly

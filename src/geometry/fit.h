@@ -59,6 +59,9 @@ class Fit {
   [[nodiscard]] std::uint32_t begin(std::span<const double> targets, std::span<const double> start);
   /// One step; false if none comes closer. Throws std::bad_alloc; the same step can be taken again.
   [[nodiscard]] bool step();
+  /// Is that because the weights are those looked for, up to their last places? What areas still
+  /// are off by is rounding: of weights, and of Voronoi vertices.
+  [[nodiscard]] bool isAtTheEndOfDoubles() const { return isAtTheEndOfDoubles_; }
   /// The largest deviation of an area from its target, as a share of that.
   [[nodiscard]] double error() const { return deviationOf(best_.inside); }
 
@@ -83,6 +86,7 @@ class Fit {
   [[nodiscard]] bool tryStep(double share);
   [[nodiscard]] double longestShare() const;
   void solve(double tolerance);
+  [[nodiscard]] bool isWithinRounding() const;
   [[nodiscard]] double roomFor(const Coupling& coupling) const;
   [[nodiscard]] double deviationOf(std::span<const double> areas) const;
   [[nodiscard]] double slopeAt(const State& state) const;
@@ -100,6 +104,7 @@ class Fit {
   double last_ = 1;                // share of the last step that was taken
   double ground_ = 0;              // its density
   bool isNear_ = false;            // the end
+  bool isAtTheEndOfDoubles_ = false;
 };
 
 }  // namespace apollonius::internal

@@ -299,17 +299,12 @@ void Linework::orient() {
 /// from where this one comes from, as what is between them is inside.
 std::uint32_t Linework::next(std::uint32_t segment) const {
   const Point at = to(segments_[segment]), back = from(segments_[segment]);
-  const auto comesFirst = [&](Point a, Point b) {
-    const Sign sideA = turnOf(at, back, a), sideB = turnOf(at, back, b);
-    const bool isRightA = sideA != Sign::kPositive, isRightB = sideB != Sign::kPositive;
-    if (isRightA != isRightB) return isRightA;
-    return turnOf(at, a, b) == Sign::kNegative;
-  };
   std::uint32_t best = kNone;
   for (const Keyed& end : endsAt(segments_[segment].to)) {
     const Segment& s = segments_[end.value];
     if (s.from != end.key) continue;
-    if (best == kNone || comesFirst(to(s), to(segments_[best]))) best = end.value;
+    if (best == kNone || comesFirstClockwise(at, back, to(s), to(segments_[best])))
+      best = end.value;
   }
   return best;
 }

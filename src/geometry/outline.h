@@ -23,6 +23,9 @@
 
 namespace apollonius::internal {
 
+/// No segment of an outline. Others are numbered as the points that they start at.
+inline constexpr std::uint32_t kNoSegment = 0xFFFFFFFFu;
+
 struct Outline {
   FlatArray<Point> points;  ///< of all rings, at least three a ring, none repeated at its end
   FlatArray<std::uint32_t> starts;  ///< of each ring its first point; and the number of points

@@ -34,8 +34,8 @@ bool isInside(std::span<const BoundaryPiece> boundary, Point p) {
 
 }  // namespace
 
-PartFinder::PartFinder(const Overlay& overlay)
-    : overlay_(overlay), rankOf_(overlay.crossingCount(), 0) {}
+PartFinder::PartFinder(const Overlay& overlay, bool keepsThin)
+    : overlay_(overlay), keepsThin_(keepsThin), rankOf_(overlay.crossingCount(), 0) {}
 
 const Cell& PartFinder::find(Slot site) {
   for (Cell* const cell : {&cell_, &found_}) {
@@ -44,6 +44,7 @@ const Cell& PartFinder::find(Slot site) {
   }
   cell_.outers.assign(1, 0);
   areas_.clear();
+  boxes_.clear();
   const DiagramCore& core = overlay_.core();
   if (core.ids().state(site) != SiteState::kVisible) return cell_;
   const Graph& graph = core.delaunay().graph();
@@ -146,7 +147,14 @@ void PartFinder::addPiece(const Side& side, const Crossing* from, const Crossing
                       : e0 <= e1 ? overlay_.pieceInside(edge, e0, e1, a, b)
                                  : overlay_.pieceInside(edge, e1, e0, b, a).reversed();
   if (!(curve.p0 == curve.p2))
-    found_.pieces.push_back({isReference ? curve : curve.reversed(), side.neighbor});
+    found_.pieces.push_back(
+        {isReference ? curve : curve.reversed(), side.neighbor, segmentOf(from), segmentOf(to)});
+}
+
+/// Of the outline, on which a crossing is.
+std::uint32_t PartFinder::segmentOf(const Crossing* crossing) const {
+  if (crossing == nullptr) return kNoSegment;
+  return overlay_.outline().starts[crossing->ring] + crossing->firstPoint - 1;
 }
 
 void PartFinder::addLodgers(Slot site) {
@@ -166,15 +174,22 @@ void PartFinder::closeRing() {
   const auto pieces = std::span(found_.pieces).subspan(start);
   if (pieces.empty()) return;
   double reach = 0, size = 0;
+  const Point first = pieces.front().curve.p0;
+  Window box{first.x, first.y, first.x, first.y};
   for (const BoundaryPiece& piece : pieces) {
-    const Point p = piece.curve.p0;
-    reach += length(piece.curve.p2 - p);
-    size = std::max({size, absolute(p.x), absolute(p.y)});
+    const Point from = piece.curve.p0;
+    reach += length(piece.curve.p2 - from);
+    size = std::max({size, absolute(from.x), absolute(from.y)});
+    for (const Point p : {piece.curve.p1, piece.curve.p2})
+      box = {std::min(box.xmin, p.x), std::min(box.ymin, p.y), std::max(box.xmax, p.x),
+             std::max(box.ymax, p.y)};
   }
   const Area area = areaOf(pieces, pieces.front().curve.p0);
-  if (absolute(area.value) > std::max(area.rounding, kThinnest * size * reach)) {
+  const double thinnest = std::max(area.rounding, kThinnest * size * reach);
+  if (absolute(area.value) > thinnest || keepsThin_) {
     found_.starts.push_back(static_cast<std::uint32_t>(found_.pieces.size()));
     areas_.push_back(area.value);
+    boxes_.push_back(box);
   } else {
     found_.pieces.resize(start);
   }
@@ -186,24 +201,35 @@ void PartFinder::sortHoles() {
     cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
   };
   const std::size_t count = areas_.size();
-  FlatArray<std::uint32_t> around(count, 0);  // of a hole: the smallest ring around it
-  for (std::size_t hole = 0; hole < count; ++hole) {
+  if (keepsThin_) {  // what is a hole of what is not known
+    for (std::uint32_t k = 0; k < count; ++k) take(k);
+    if (count > 0) cell_.outers.push_back(static_cast<std::uint32_t>(count));
+    return;
+  }
+  FlatArray<Keyed> holes;  // by the smallest ring around each
+  for (std::uint32_t hole = 0; hole < count; ++hole) {
     if (areas_[hole] > 0) continue;
+    std::uint32_t around = 0;
     const Conic& first = found_.ring(hole).front().curve;
     double smallest = 0;
     for (std::uint32_t k = 0; k < count; ++k) {
       if (!(areas_[k] > -areas_[hole]) || (smallest > 0 && areas_[k] >= smallest)) continue;
-      if (!isInside(found_.ring(k), middle(first.p0, first.p2))) continue;
-      around[hole] = k;
+      const Point p = middle(first.p0, first.p2);
+      if (!boxes_[k].holds(p) || !isInside(found_.ring(k), p)) continue;
+      around = k;
       smallest = areas_[k];
     }
+    holes.push_back({around, hole});
   }
+  sortByKey(holes);
+  std::size_t next = 0;
   for (std::uint32_t k = 0; k < count; ++k) {
-    if (!(areas_[k] > 0)) continue;
-    take(k);
-    for (std::size_t hole = 0; hole < count; ++hole) {
-      if (!(areas_[hole] > 0) && around[hole] == k) take(hole);
+    const bool isOuter = areas_[k] > 0;
+    if (isOuter) take(k);
+    for (; next < holes.size() && holes[next].key == k; ++next) {
+      if (isOuter) take(holes[next].value);
     }
+    if (!isOuter) continue;
     cell_.outers.push_back(static_cast<std::uint32_t>(cell_.ringCount()));
   }
 }

@@ -10,7 +10,8 @@ namespace apollonius::internal {
 /// Finds the parts of cells; keeps its scratch memory from one to the next.
 class PartFinder {
  public:
-  explicit PartFinder(const Overlay& overlay);
+  /// `keepsThin`: as CellFinder.
+  explicit PartFinder(const Overlay& overlay, bool keepsThin = false);
 
   /// The cell of a site, without regions if it is hidden or has no part inside. Valid until the
   /// next call. Cost: O(d + crossings of the cell + points of the region within it), and holes
@@ -33,6 +34,7 @@ class PartFinder {
   void addWay(const Crossing& entry);
   void addBoundary(const Event& from, const Event& to, std::size_t sides);
   void addPiece(const Side& side, const Crossing* from, const Crossing* to);
+  [[nodiscard]] std::uint32_t segmentOf(const Crossing* crossing) const;
   void addSegment(Point from, Point to, SiteId neighbor);
   void addLodgers(Slot site);
   /// Ends a ring; takes it back if it has no area up to rounding.
@@ -41,9 +43,11 @@ class PartFinder {
   void sortHoles();
 
   const Overlay& overlay_;
+  bool keepsThin_;
   Cell cell_;
   Cell found_;  // the rings in the order in which they are found
   FlatArray<double> areas_;
+  FlatArray<Window> boxes_;  // of the rings
   FlatArray<Side> sides_;
   FlatArray<Event> exits_, entries_;
   FlatArray<std::uint32_t> rankOf_;  // by crossing: of exits_

@@ -1,7 +1,10 @@
 // Segments by the cells of a grid that they meet, so that those near each other are found.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <initializer_list>
+#include <limits>
 #include <span>
 
 #include "geometry/window.h"
@@ -16,7 +19,8 @@ struct Segment {
 
 class SegmentGrid {
  public:
-  /// About one cell a segment. REQUIRES: `box` holds all points and has an area.
+  /// About one cell a segment, in as many rows and columns as make these meet the fewest cells:
+  /// what runs upwards is in many columns. REQUIRES: `box` holds all points and has an area.
   SegmentGrid(std::span<const Point> points, std::span<const Segment> segments, const Window& box);
 
   /// Monotonic.
@@ -33,26 +37,59 @@ class SegmentGrid {
   [[nodiscard]] std::span<const std::uint32_t> at(std::size_t cell) const {
     return std::span(entries_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
   }
-  /// visit(cell) for the cells that have a segment, given by its ends: those of its box, without
-  /// those that its line certainly passes by.
+  /// visit(cell) for the cells that a segment meets, and perhaps others beside them. Cost: these,
+  /// and the rows between.
   template <class Visit>
   void visitCells(Point a, Point b, Visit&& visit) const {
-    const std::uint32_t left = columnOf(std::min(a.x, b.x)), right = columnOf(std::max(a.x, b.x)),
-                        low = rowOf(std::min(a.y, b.y)), high = rowOf(std::max(a.y, b.y));
-    const Point way = b - a;
+    (void)isAnyCell({a, b}, [&](std::size_t cell) {
+      visit(cell);
+      return false;
+    });
+  }
+  /// Does `ask(cell)` say yes for any of the cells that a convex shape meets, and perhaps others
+  /// beside them? It ends with the first. The shape's corners in order: two are a segment.
+  template <class Ask>
+  [[nodiscard]] bool isAnyCell(std::initializer_list<Point> corners, Ask&& ask) const {
     const double width = box_.width() / columns_, height = box_.height() / rows_;
-    // From a cell's middle, to half a cell and a little more, in units of |way|.
-    const double reach = 0.51 * (absolute(way.x) * height + absolute(way.y) * width);
-    for (std::uint32_t row = low; row <= high; ++row) {
-      for (std::uint32_t column = left; column <= right; ++column) {
-        const Point center{box_.xmin + (column + 0.5) * width, box_.ymin + (row + 0.5) * height};
-        if (left < right && low < high && absolute(cross(way, center - a)) > reach) continue;
-        visit(cellOf(column, row));
+    double low = corners.begin()->y, high = low;
+    for (const Point p : corners) {
+      low = std::min(low, p.y);
+      high = std::max(high, p.y);
+    }
+    const std::uint32_t last = rowOf(high + kMargin * height);
+    for (std::uint32_t row = rowOf(low - kMargin * height); row <= last; ++row) {
+      const double bottom = box_.ymin + (row - kMargin) * height,
+                   top = box_.ymin + (row + 1 + kMargin) * height;
+      double left = std::numeric_limits<double>::infinity(), right = -left;
+      Point p = *(corners.end() - 1);
+      for (const Point q : corners) {
+        include(p, q, bottom, top, left, right);
+        p = q;
+      }
+      if (left > right) continue;
+      const std::uint32_t end = columnOf(right + kMargin * width);
+      for (std::uint32_t column = columnOf(left - kMargin * width); column <= end; ++column) {
+        if (ask(cellOf(column, row))) return true;
       }
     }
+    return false;
   }
 
  private:
+  /// Widens a range of x by that of a segment between two heights.
+  static void include(Point p, Point q, double bottom, double top, double& left, double& right) {
+    if (std::max(p.y, q.y) < bottom || std::min(p.y, q.y) > top) return;
+    for (const Point end : {p, q}) {
+      const double y = std::clamp(end.y, bottom, top);
+      const double x = y == end.y ? end.x : p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x);
+      left = std::min(left, x);
+      right = std::max(right, x);
+    }
+  }
+
+  /// Of a cell: more than rounding.
+  static constexpr double kMargin = 0.01;
+
   [[nodiscard]] static std::uint32_t place(double along, double whole, std::uint32_t count) {
     const double at = along / whole * count;
     return at > 0 ? std::min(static_cast<std::uint32_t>(std::min(at, 1e9)), count - 1) : 0;

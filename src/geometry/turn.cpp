@@ -17,4 +17,11 @@ Sign turnOf(Point from, Point a, Point b) {
       .sign();
 }
 
+bool comesFirstClockwise(Point around, Point back, Point a, Point b) {
+  const bool isRightA = turnOf(around, back, a) != Sign::kPositive,
+             isRightB = turnOf(around, back, b) != Sign::kPositive;
+  if (isRightA != isRightB) return isRightA;
+  return turnOf(around, a, b) == Sign::kNegative;
+}
+
 }  // namespace apollonius::internal

@@ -10,4 +10,8 @@ namespace apollonius::internal {
 /// Exact.
 [[nodiscard]] Sign turnOf(Point from, Point a, Point b);
 
+/// Around a point, clockwise from the direction of `back`: does that of a come before that of b?
+/// Exact.
+[[nodiscard]] bool comesFirstClockwise(Point around, Point back, Point a, Point b);
+
 }  // namespace apollonius::internal

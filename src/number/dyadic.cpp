@@ -96,4 +96,12 @@ Dyadic operator-(const Dyadic& a) {
   return negative;
 }
 
+double Dyadic::Rounded::value() const {
+  double value = mantissa;
+  int rest = exponent;
+  for (; rest > 1000; rest -= 1000) value *= powerOfTwo(1000);
+  for (; rest < -1000; rest += 1000) value *= powerOfTwo(-1000);
+  return value * powerOfTwo(rest);
+}
+
 }  // namespace apollonius::internal

@@ -37,6 +37,8 @@ class Dyadic {
   struct Rounded {
     double mantissa = 0;
     int exponent = 0;
+    /// Infinite or 0 where that is beyond doubles.
+    [[nodiscard]] double value() const;
   };
   [[nodiscard]] Rounded rounded() const;
 

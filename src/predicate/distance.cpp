@@ -1,6 +1,7 @@
 #include "predicate/distance.h"
 
 #include "number/root_sign.h"
+#include "number/twofold.h"
 #include "predicate/kernels.h"
 #include "predicate/long_kernels.h"
 #include "predicate/question.h"
@@ -52,6 +53,22 @@ Sign compareDistance(double x, double y, const Site& a, const Site& b) {
       question.isSettledBy(stages::distanceFixed(x, y, a, b), counts().distanceFixed))
     return question.settled();
   return question.exact();
+}
+
+double roundedDistance(double x, double y, const Site& s) {
+  const Twofold dx = Twofold(s.x) - x, dy = Twofold(s.y) - y;
+  const Twofold square = dx * dx + dy * dy;
+  if (square.value == 0) return 0 - s.r;
+  const Twofold length = root(square), distance = length - s.r;
+  // A few dozen kTwofoldRoundoff of the length: less than half a unit in the last place of this.
+  if (absolute(distance.value) > powerOfTwo(-44) * length.value) return distance.value;
+  // Next to the circle, where the two cancel: (|p - c|² - r²) / (|p - c| + r), with an exact
+  // numerator, rounded to two doubles.
+  const Dyadic ex = Dyadic(s.x) - Dyadic(x), ey = Dyadic(s.y) - Dyadic(y), r(s.r);
+  const Dyadic over = ex * ex + ey * ey - r * r;
+  const double value = over.rounded().value();
+  const Twofold rounded(value, (over - Dyadic(value)).rounded().value());
+  return (rounded / (length + s.r)).value;
 }
 
 bool isNearer(double x, double y, const Site& a, const Site& b) {

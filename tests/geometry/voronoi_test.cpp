@@ -321,7 +321,7 @@ TEST(VoronoiErrors, BadRadii) {
   EXPECT_EQ(voronoi.cellMeasuresWithin(1, 1, measures), Error::kUnknownSite);
   EXPECT_EQ(voronoi.cellMeasuresWithin(0, std::numeric_limits<double>::quiet_NaN(), measures),
             Error::kNotFinite);
-  EXPECT_EQ(voronoi.cellMeasuresWithin(0, std::numeric_limits<double>::infinity(), measures),
+  EXPECT_EQ(voronoi.cellMeasuresWithin(0, -std::numeric_limits<double>::infinity(), measures),
             Error::kNotFinite);
   EXPECT_EQ(voronoi.cellMeasuresWithin(0, -1, measures), Error::kOutOfRange);
   EXPECT_EQ(voronoi.cellMeasuresWithin(0, 1e101, measures), Error::kOutOfRange);

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 #include "number/dyadic.h"
 #include "predicate/samples.h"
@@ -66,6 +68,58 @@ TEST(Distance, AgreesWithTheOracleOnEveryGenerator) {
       const double x = run % 3 == 0 ? p.x : run % 3 == 1 ? (a.x + b.x) / 2 : a.x;
       const double y = run % 3 == 0 ? p.y : run % 3 == 1 ? (a.y + b.y) / 2 : b.y;
       expectSameAsOracle(x, y, a, b);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+/// The sign of |p - c| - r - t, exactly.
+Sign signOfDistanceLess(double t, double x, double y, const Site& s) {
+  const Dyadic dx = Dyadic(s.x) - Dyadic(x), dy = Dyadic(s.y) - Dyadic(y),
+               reach = Dyadic(t) + Dyadic(s.r), square = dx * dx + dy * dy;
+  if (reach.sign() == Sign::kNegative) return Sign::kPositive;
+  return (square - reach * reach).sign();
+}
+
+void expectRounded(double x, double y, const Site& s) {
+  const double distance = roundedDistance(x, y, s);
+  const auto describe = [&] {
+    std::ostringstream text;
+    text.precision(17);
+    text << distance << " from " << x << " " << y << " to " << s.x << " " << s.y << " " << s.r;
+    return text.str();
+  };
+  ASSERT_EQ(signOf(distance), signOfDistanceLess(0, x, y, s)) << describe();
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (distance == 0) return;
+  ASSERT_EQ(signOfDistanceLess(std::nextafter(distance, infinity), x, y, s), Sign::kNegative)
+      << describe();
+  ASSERT_EQ(signOfDistanceLess(std::nextafter(distance, -infinity), x, y, s), Sign::kPositive)
+      << describe();
+}
+
+TEST(Distance, IsRoundedWithinOneUnitInTheLastPlace) {
+  expectRounded(0, 0, {3e15, 4e15 + 1, 5e15});
+  expectRounded(0, 0, {3, 4, 5});
+  expectRounded(1, 1, {1, 1, 0});
+  expectRounded(1, 1, {1, 1, -3});
+  Random random(73);
+  for (const NamedGenerator& generator : corpus()) {
+    SCOPED_TRACE(generator.name);
+    const Circles circles = generator.make(random, 20);
+    for (int run = 0; run < runs(200); ++run) {
+      const Circle& a = circles[random.below(circles.size())];
+      const Circle& b = circles[random.below(circles.size())];
+      // On the rim of a, up to rounding, towards b; a few doubles beside it; and at b's centre.
+      const double way = std::hypot(b.x - a.x, b.y - a.y);
+      double x = b.x, y = b.y;
+      if (run % 4 != 0 && way > 0) {
+        x = a.x + a.r * ((b.x - a.x) / way);
+        y = a.y + a.r * ((b.y - a.y) / way);
+        for (int step = random.below(5); step > 0; --step) x = std::nextafter(x, b.x);
+      }
+      if (!isInRange(x) || !isInRange(y)) continue;
+      expectRounded(x, y, toSite(a));
       if (HasFatalFailure()) return;
     }
   }

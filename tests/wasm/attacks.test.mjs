@@ -60,9 +60,9 @@ test("ids and distances that lie", () => {
   const diagram = built();
   expect(diagram.removeMany(lying(new Uint32Array([1, 2]), 100_000))).toBe(2);
   expect(diagram.removeMany(lying(new Uint32Array([3, 4]), 1))).toBe(2);
-  expect(
-    diagram.removeMany(Object.setPrototypeOf(new Float64Array([5, 6.5]), Uint32Array.prototype)),
-  ).toBe(1);
+  const posing = (...ids) => Object.setPrototypeOf(new Float64Array(ids), Uint32Array.prototype);
+  expect(diagram.removeMany(posing(5, 2 ** 32 + 6))).toBe(1);
+  expectRefusal(() => diagram.removeMany(posing(7, 6.5)), "unknown-site", "ids[1]: site 6.5");
   expectRefusal(
     () => diagram.updateMany(lying(new Uint32Array(100_000), 1), [1, 2, 3]),
     "bad-length",
@@ -367,7 +367,18 @@ const callers = [
     (d, deed) => d.voronoi().renderCell(4, null, option(deed, "tolerance", 1)),
   ],
   ["cellPolygon, tolerance", (d, deed) => d.voronoi().cellPolygon(4, option(deed, "tolerance", 1))],
+  ["cellPolygon, flat", (d, deed) => d.voronoi().cellPolygon(4, option(deed, "flat", true))],
   ["toGeoJSON, tolerance", (d, deed) => d.voronoi().toGeoJSON(option(deed, "tolerance", 1))],
+  [
+    "toGeoJSON, properties",
+    (d, deed) =>
+      d.voronoi().toGeoJSON({
+        properties: (id) => {
+          deed();
+          return { id };
+        },
+      }),
+  ],
   [
     "cellPolygons, between",
     (d, deed) => {
@@ -408,6 +419,56 @@ test.each(callers)("%s, when the caller's code throws", (_, call) => {
   expect(() => call(diagram, throwOwn)).toThrow(own);
   expect(snapshot(diagram)).toBe(expected);
   expect(diagram.validate()).toBeNull();
+});
+
+const ones = new Array(50).fill(1);
+test.each(
+  [
+    ["targets", (fitTo, act) => fitTo(array(act, ...ones))],
+    [
+      "targets by id",
+      (fitTo, act) => fitTo(Object.defineProperty({ ...ones }, 1, { get: once(act, 1) })),
+    ],
+    [
+      "a Map of targets",
+      (fitTo, act) =>
+        fitTo(
+          Object.assign(new Map(), {
+            *[Symbol.iterator]() {
+              yield* ones.entries();
+              act();
+            },
+          }),
+        ),
+    ],
+    ["start", (fitTo, act) => fitTo(ones, { start: array(act, ...ones) })],
+    ["onIteration", (fitTo, act) => fitTo(ones, { onIteration: once(act) })],
+  ].flatMap(([name, call]) =>
+    deeds.map(([what, deed, isUsable = true]) => [name, what, call, deed, isUsable]),
+  ),
+)("fitAreas, %s, while the caller's code %s", (_, what, call, deed, isUsable) => {
+  const diagram = built();
+  const voronoi = diagram.voronoi([-1e3, -1e3, 1e3, 1e3]);
+  let count = 0;
+  try {
+    call(
+      (...values) => voronoi.fitAreas(...values),
+      () => {
+        if (count++ === 0) deed(diagram);
+      },
+    );
+  } catch (error) {
+    expect(error).toBeInstanceOf(ApolloniusError);
+    const codes = ["unknown-site", "bad-length", "busy", "disposed"];
+    expect(codes).toContain(error.code);
+  }
+  expect(count).toBe(1);
+  if (!isUsable) expectRefusal(() => diagram.size, "disposed", "");
+  else
+    expect(what === "inserts 100 000" ? diagram.size >= 100_000 : diagram.validate() === null).toBe(
+      true,
+    );
+  diagram.dispose();
 });
 
 test("a drawing goes on while the memory grows: what was asked for before is drawn", () => {

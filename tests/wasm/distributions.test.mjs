@@ -156,7 +156,9 @@ describe.each(sets)("%s", (_, xyr) => {
     const few = xyr.slice(0, 3 * 50);
     const own = new Diagram(few);
     try {
-      const { error } = own.voronoi(boxOf(few)).fitAreas(new Float64Array(50).fill(1));
+      const { error } = own
+        .voronoi(boxOf(few))
+        .fitAreas(new Float64Array(50).fill(1), { strict: true });
       expect(error).toBeLessThan(0.01);
     } catch (error) {
       if (!(error instanceof ApolloniusError)) throw error;

@@ -128,10 +128,56 @@ test.each([
   ).toMatch(/^not-loaded .*await load\(source\)/);
 });
 
+const page = "<!doctype html><title>Home</title>";
 test.each([
   ["no address", '"nowhere:7"', /^not-loaded nowhere:7 cannot be fetched/],
   ["another answer", 'new Response("", { status: 404 })', /^not-loaded .* answered 404/],
-  ["no wasm", "new Uint8Array(8)", /^not-loaded WebAssembly cannot be compiled here/],
+  [
+    "a file",
+    '"file:///nowhere/7"',
+    /^not-loaded file:\/\/\/nowhere\/7 cannot be fetched: of a file/,
+  ],
+  [
+    "a file's URL",
+    'new URL("file:///nowhere/7")',
+    /cannot be fetched: of a file give the bytes, load\(await readFile\(new URL\(…\)\)\)$/,
+  ],
+  [
+    "no wasm",
+    "new Uint8Array(8)",
+    /^not-loaded source is no WebAssembly: it begins with "(\\u0000){8}"\./,
+  ],
+  ["no bytes", "new ArrayBuffer(0)", /^not-loaded source is no WebAssembly: it begins with ""\./],
+  [
+    "a view of something else",
+    `new TextEncoder().encode("__${page}").subarray(2)`,
+    /^not-loaded source is no WebAssembly: it begins with "<!doctype html><title>Home<\/title>"/,
+  ],
+  [
+    "a page instead of it",
+    `new Response("${page}", { headers: { "content-type": "text/html; charset=utf-8" } })`,
+    /^not-loaded the response \(text\/html; charset=utf-8\) is no WebAssembly: it begins with "</,
+  ],
+  [
+    "a page's address",
+    `"data:text/html,${page}"`,
+    /^not-loaded data:text\/html,.* \(text\/html\) is no WebAssembly: it begins with "</,
+  ],
+  [
+    "much of something else, of which it says the beginning",
+    'new TextEncoder().encode("<".repeat(1e6))',
+    /^not-loaded source is no WebAssembly: it begins with "<{40}"\. The file is apollonius\.wasm/,
+  ],
+  [
+    "what has only the beginning of wasm",
+    "Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 77)",
+    /^not-loaded WebAssembly cannot be compiled here/,
+  ],
+  [
+    "a page that says it is wasm",
+    `new Response("${page}", { headers: { "content-type": "application/wasm" } })`,
+    /^not-loaded .*is no WebAssembly: it begins with/,
+  ],
   ["nothing", "undefined", /^bad-option source is undefined, expected an address/],
 ])("the entry with a separate .wasm refuses %s", (_, source, expected) => {
   expect(

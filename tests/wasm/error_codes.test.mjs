@@ -6,7 +6,7 @@ import { describePackage } from "../../tools/api_reference.mjs";
 import { calls } from "./support/calls.mjs";
 import { snapshot } from "./support/graph.mjs";
 import { randomCircles } from "./support/random.mjs";
-import { expectRefusal } from "./support/refusal.mjs";
+import { expectRefusal, expectRejection } from "./support/refusal.mjs";
 
 const described = describePackage()[0].described;
 const codesOf = (text) =>
@@ -18,15 +18,17 @@ const known = new Set(
 );
 
 /**
- * What its comment says that a member throws: codes, "throws as ...", and what the comment of
- * Voronoi says of all its calls.
+ * What its comment says that a member throws: codes, "throws as ...", "rejects as that throws" of
+ * the call that it begins with, and what the comment of Voronoi says of all its calls.
  */
 function documented(className, name) {
   const { members } = described.find((one) => one.name === className);
   const { text, code } = members.find((member) => member.name === name);
   const codes = new Set(codesOf(text));
   const other = /(?:[Tt]hrows|errors:) as (?:the )?`?(\w+)/.exec(text)?.[1];
-  if (other) documented(className, other).forEach((inherited) => codes.add(inherited));
+  const that = /^`(\w+)`.*Rejects as that throws/s.exec(text)?.[1];
+  for (const one of [other, that])
+    if (one) documented(className, one).forEach((inherited) => codes.add(inherited));
   if (className === "Voronoi") {
     if (/\bid: number/.test(code)) codes.add("unknown-site");
     if (/\boptions\?/.test(code) && !text.includes("Throws"))
@@ -71,11 +73,11 @@ diagram.remove(7); // leaves a gap in the ids
 const before = snapshot(diagram);
 
 test.each(
-  calls.flatMap(([name, { refuses }]) =>
-    refuses.map(([code, call, message]) => [name, code, message, call]),
+  calls.flatMap(([name, { refuses, isAsync }]) =>
+    refuses.map(([code, call, message]) => [name, code, message, call, isAsync]),
   ),
-)("%s: %s, %s", (_name, code, message, call) => {
-  expectRefusal(() => call(diagram), code, message);
+)("%s: %s, %s", async (_name, code, message, call, isAsync) => {
+  await (isAsync ? expectRejection : expectRefusal)(() => call(diagram), code, message);
   expect(snapshot(diagram)).toBe(before);
 });
 
@@ -84,8 +86,8 @@ test("after all that the diagram is sound, and the free id still free", () => {
   expect(diagram.insert(0, 1, 2)).toBe(7);
 });
 
-test.each(calls)("%s works when it is given what it wants", (_name, { use }) => {
+test.each(calls)("%s works when it is given what it wants", async (_name, { use }) => {
   const copy = new Diagram(randomCircles(20, 23));
-  expect(() => use(copy)).not.toThrow();
+  await use(copy);
   expect(copy.validate()).toBeNull();
 });

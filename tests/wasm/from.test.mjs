@@ -83,6 +83,55 @@ test("accessors get item, index, all items, and this", () => {
   ]);
 });
 
+test("two accessors read points, as d3-delaunay has it, whatever else the items have", () => {
+  const x = (d) => d.x ?? d[0];
+  const y = (d) => d.y ?? d[1];
+  const items = [
+    { x: 1, y: 2, r: 3, radius: 3, size: 3, weight: 3 },
+    { x: 40, y: 5, r: null, size: "large" },
+    [7, 8, 9],
+    new Float64Array([3, 4, NaN]),
+  ];
+  const points = [
+    { x: 1, y: 2, r: 0 },
+    { x: 40, y: 5, r: 0 },
+    { x: 7, y: 8, r: 0 },
+    { x: 3, y: 4, r: 0 },
+  ];
+  expect(sites(Diagram.from(items, x, y))).toEqual(points);
+  expect(sites(Diagram.from(items, x, y, undefined))).toEqual(points);
+  expect(sites(Diagram.from(items, x, y, null, {}))).toEqual(points);
+  const radii = sites(Diagram.from(items, x, y, (_, k) => k));
+  expect(radii.map(({ r }) => r)).toEqual([0, 1, 2, 3]);
+  // With one of them they are circles, as without.
+  const circles = [{ x: 1, y: 2, r: 3 }];
+  expect(sites(Diagram.from(circles, x))).toEqual(circles);
+  expect(sites(Diagram.from(circles, undefined, y))).toEqual(circles);
+  expect(sites(Diagram.from(circles, undefined, undefined, (d) => 2 * d.r))[0].r).toBe(6);
+});
+
+test.each(["radius", "size", "weight"])("an item with a %s and no r is refused", (name) => {
+  const item = { x: 1, y: 2, [name]: 5 };
+  const refused = expect.objectContaining({
+    code: "bad-option",
+    message:
+      `item 1 has a ${name} and no r: Diagram.from(items, x, y, (d) => d.${name}) reads it, ` +
+      "Diagram.from(items, x, y) takes points",
+  });
+  for (const one of [
+    item,
+    { ...item, r: undefined },
+    { x: 1, y: 2, [name]: undefined },
+    Object.create(item), // of a class that has it as a property
+  ]) {
+    expect(() => Diagram.from([[0, 0], one])).toThrow(refused);
+    expect(() => Diagram.from([[0, 0], one], (d) => d.x ?? d[0])).toThrow(refused);
+  }
+  expect(sites(Diagram.from([{ ...item, r: 4 }]))).toEqual([{ x: 1, y: 2, r: 4 }]);
+  const [site] = sites(Diagram.from([item], undefined, undefined, (d) => d[name]));
+  expect(site).toEqual({ x: 1, y: 2, r: 5 });
+});
+
 test("no items", () => {
   expect(Diagram.from([]).size).toBe(0);
 });
@@ -90,6 +139,9 @@ test("no items", () => {
 test.each([
   [[{ x: 1, y: 2 }, { x: 1 }], "y of item 1 is undefined"],
   [[[1, 2, NaN]], "r of item 0 is NaN"],
+  [[[1, 2, null]], "r of item 0 is null"],
+  [[{ x: 1, y: 2, r: null }], "r of item 0 is null"],
+  [[{ x: 1, y: 2, r: null, radius: 5 }], "r of item 0 is null"],
   [[["1", 2]], 'x of item 0 is the string "1"'],
   [[null], "item 0 is null, expected {x, y, r} or [x, y, r]"],
   [[{ x: 1, y: Infinity }], "y of item 0 is Infinity"],

@@ -47,6 +47,36 @@ test("accessors, iterables, options and small sets", async () => {
     expect(await built(few.slice(0, count))).toEqual(graph(Diagram.from(few.slice(0, count))));
 });
 
+test("options may come second, as items are read without accessors", async () => {
+  const few = items.slice(0, 100);
+  const expected = graph(Diagram.from(few));
+  const progress = [];
+  const options = { location: "walk", onProgress: (done) => progress.push(done) };
+  expect(graph(await Diagram.fromAsync(few, options))).toEqual(expected);
+  expect(progress.at(-1)).toBe(1);
+  for (const none of [{}, undefined])
+    expect(graph(await Diagram.fromAsync(few, none))).toEqual(expected);
+  const reason = new Error("enough");
+  const controller = new AbortController();
+  const { signal } = controller;
+  await expect(Diagram.fromAsync(items, { signal: AbortSignal.abort(reason) })).rejects.toBe(
+    reason,
+  );
+  const onProgress = (done) => done >= 0.3 && controller.abort(reason);
+  await expect(Diagram.fromAsync(items, { signal, onProgress })).rejects.toBe(reason);
+});
+
+test("with two accessors, points", async () => {
+  const accessors = [(d) => d.x, (d) => d.y];
+  const diagram = await Diagram.fromAsync(items, ...accessors);
+  expect(diagram.toBytes()).toEqual(Diagram.from(items, ...accessors).toBytes());
+  expect(diagram.site(7)).toEqual({ ...items[7], r: 0 });
+  const none = [undefined, { location: "walk" }];
+  expect(graph(await Diagram.fromAsync(items.slice(0, 50), ...accessors, ...none))).toEqual(
+    graph(Diagram.from(items.slice(0, 50), ...accessors)),
+  );
+});
+
 test("aborted before and in the middle: the signal's reason", async () => {
   const reason = new Error("enough");
   await expect(
@@ -80,6 +110,12 @@ test("what is refused, named", async () => {
   const options = (given) => Diagram.fromAsync(items, undefined, undefined, undefined, given);
   expect(await refused(Diagram.fromAsync(7))).toMatch("bad-length: items is 7");
   expect(await refused(Diagram.fromAsync(items, 7))).toMatch("bad-option: x is 7");
+  expect(await refused(Diagram.fromAsync(items, { signal: 7 }))).toMatch("options.signal is 7");
+  expect(await refused(Diagram.fromAsync(items, { sinal: 7 }))).toMatch("options.sinal is unknown");
+  expect(await refused(Diagram.fromAsync(items, { location: 7 }))).toMatch("options.location is 7");
+  // Where an accessor is to be, they are none.
+  expect(await refused(Diagram.fromAsync(items, {}, undefined))).toMatch("x is an object, expect");
+  expect(await refused(Diagram.fromAsync(items, undefined, {}))).toMatch("y is an object, expect");
   expect(await refused(options({ signal: 7 }))).toMatch("bad-option: options.signal is 7");
   expect(await refused(options({ signal: null }))).toMatch("options.signal is null");
   expect(await refused(options({ onProgress: 7 }))).toMatch("bad-option: options.onProgress is 7");

@@ -1,27 +1,28 @@
 // Life time: dispose, collection, and memory running out.
 import { fileURLToPath } from "node:url";
 import { transformSync } from "esbuild";
-import { capture } from "../../tools/toolchain/process.mjs";
 import { Diagram } from "../../build/packed/consumer.mjs";
+import { capture } from "../../tools/toolchain/process.mjs";
 import { calls } from "./support/calls.mjs";
 import { runInNode } from "./support/node.mjs";
 import { randomCircles } from "./support/random.mjs";
-import { expectRefusal } from "./support/refusal.mjs";
+import { expectRefusal, expectRejection } from "./support/refusal.mjs";
 
 test.each(
   calls.filter(([name]) => !/\.(constructor|from|fromBytes)$/.test(name)),
-)("%s after dispose is an error", (name, { use }) => {
-  const diagram = new Diagram([0, 0, 1]);
-  const view = diagram.voronoi();
-  diagram.dispose();
-  expectRefusal(() => use(diagram), "disposed", "the diagram has been disposed of");
-  expectRefusal(() => [...diagram], "disposed", "the diagram has been disposed of");
-  if (name.startsWith("Voronoi."))
-    expectRefusal(
-      () => use({ voronoi: () => view }),
+)("%s after dispose is an error", async (name, { use, isAsync }) => {
+  const expectDisposed = (call) =>
+    (isAsync ? expectRejection : expectRefusal)(
+      call,
       "disposed",
       "the diagram has been disposed of",
     );
+  const diagram = new Diagram([0, 0, 1]);
+  const view = diagram.voronoi();
+  diagram.dispose();
+  await expectDisposed(() => use(diagram));
+  expectRefusal(() => [...diagram], "disposed", "the diagram has been disposed of");
+  if (name.startsWith("Voronoi.")) await expectDisposed(() => use({ voronoi: () => view }));
 });
 
 test("a second dispose does nothing, and other diagrams live on", () => {
@@ -80,11 +81,82 @@ test.each([
     [`renderCell, ${name}`, (d) => d.voronoi().renderCell(0, null, option(d, name))],
   ]),
   ["cellPolygon", (d) => d.voronoi().cellPolygon(0, option(d, "tolerance"))],
+  ["cellPolygon, flat", (d) => d.voronoi().cellPolygon(0, option(d, "flat"))],
   ["toGeoJSON", (d) => d.voronoi().toGeoJSON(option(d, "tolerance"))],
+  ["fitAreas, targets", (d) => d.voronoi().fitAreas(dispose(d, 1))],
+  [
+    "fitAreas, targets by id",
+    (d) =>
+      d.voronoi().fitAreas({
+        get 0() {
+          d.dispose();
+          return 1;
+        },
+        1: 1,
+      }),
+  ],
+  ["fitAreas, tolerance", (d) => d.voronoi().fitAreas([1, 2], option(d, "tolerance"))],
 ])("disposed of during the call: %s", (_, call) => {
   const other = new Diagram(randomCircles(20, 32));
   expectRefusal(() => call(new Diagram([0, 0, 1, 5, 5, 1])), "disposed", "disposed of");
   expect(other.validate()).toBeNull();
+});
+
+const windows = [
+  ["a rectangle", [0, 0, 90, 90]],
+  ["a region", [0, 0, 90, 0, 95, 90, 0, 80]],
+];
+describe.each(
+  windows,
+)("a view of %s that is disposed of, while its diagram lives on", (_, window) => {
+  test.each(calls.filter(([name]) => name.startsWith("Voronoi.")))("%s", async (__, call) => {
+    const diagram = new Diagram([0, 0, 1, 50, 60, 2]);
+    const [view, other] = [diagram.voronoi(window), diagram.voronoi(window)];
+    view.dispose();
+    view.dispose();
+    await (call.isAsync ? expectRejection : expectRefusal)(
+      () => call.use({ voronoi: () => view }),
+      "disposed",
+      "the view has been disposed of",
+    );
+    expect(other.cellArea(1)).toBeGreaterThan(0);
+    expect(diagram.validate()).toBeNull();
+  });
+
+  // By an option or a callback: what comes of the call, and never a broken diagram.
+  test.each([
+    ["render", (v) => v.render(null, option(v, "tolerance"))],
+    ["renderBounds", (v) => v.renderBounds(null, option(v, "digits"))],
+    ["renderCell", (v) => v.renderCell(0, null, option(v, "tolerance"))],
+    ["cellPolygon", (v) => v.cellPolygon(0, option(v, "tolerance"))],
+    ["cellPolygons", (v) => [...v.cellPolygons()].forEach(() => v.dispose())],
+    ["toGeoJSON", (v) => v.toGeoJSON(option(v, "tolerance"))],
+    ["toGeoJSON, properties", (v) => v.toGeoJSON({ properties: () => v.dispose() })],
+    ["fitAreas, targets", (v) => v.fitAreas(Object.assign(dispose(v, 1), { length: 2 }))],
+    ["fitAreas, tolerance", (v) => v.fitAreas([1, 2], option(v, "tolerance"))],
+    ["fitAreas, onIteration", (v) => v.fitAreas([1, 2], { onIteration: () => v.dispose() })],
+  ])("during %s", (__, call) => {
+    const diagram = new Diagram([0, 0, 1, 50, 60, 2]);
+    try {
+      call(diagram.voronoi(window));
+    } catch (error) {
+      expectRefusal(
+        () => {
+          throw error;
+        },
+        "disposed",
+        "disposed of",
+      );
+    }
+    expect(diagram.validate()).toBeNull();
+    expect(diagram.voronoi(window).cellArea(1)).toBeGreaterThan(0);
+  });
+
+  test("by Symbol.dispose, too", () => {
+    const view = new Diagram([0, 0, 1]).voronoi(window);
+    view[Symbol.dispose]();
+    expectRefusal(() => view.cellAreas(), "disposed", "the view has been disposed of");
+  });
 });
 
 test("Symbol.dispose disposes", () => {

@@ -63,7 +63,7 @@ function apply(operation, diagram, model) {
       model.set(id, operation.insertMany[k]);
     });
   } else if (operation.remove !== undefined) {
-    const id = idOf(operation.remove);
+    const id = idOf(operation.remove) ?? 77;
     expect(diagram.remove(id)).toBe(model.delete(id));
   } else if (operation.removeMany) {
     const chosen = operation.removeMany.map((fraction) => idOf(fraction) ?? 77);

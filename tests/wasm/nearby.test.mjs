@@ -1,8 +1,9 @@
 // kNearest and within, against sorting everything. (The exact comparison with the oracle is
 // tests/diagram/queries_test.cpp.)
 import { Diagram } from "../../build/packed/consumer.mjs";
+import { calls } from "./support/calls.mjs";
 import { generator, randomCircles } from "./support/random.mjs";
-import { expectRefusal } from "./support/refusal.mjs";
+import { expectRefusal, expectRejection } from "./support/refusal.mjs";
 
 const xyr = randomCircles(1000, 41, 120); // about a third hidden
 const diagram = new Diagram(xyr);
@@ -28,6 +29,9 @@ test.each(points)("kNearest and within around %f, %f", (x, y) => {
       expected.filter((id) => distance(id, x, y) <= limit),
     );
   }
+  expect(diagram.within(x, y, Infinity)).toEqual(Uint32Array.from(expected));
+  const even = { filter: (id) => id % 2 === 0 };
+  expect([...diagram.within(x, y, Infinity, even)]).toEqual(expected.filter(even.filter));
 });
 
 test("within 0 is every circle under the pointer, with the rim", () => {
@@ -100,14 +104,46 @@ test("a filter may throw, ask the diagram, and make others, but not change this 
     () => circles.clear(),
     () => circles.dispose(),
     () => circles[Symbol.dispose](),
+    () => circles.voronoi([-1e4, -1e4, 1e4, 1e4]).fitAreas(new Array(1000).fill(1)),
   ];
   for (const change of changes)
     expectRefusal(() => circles.within(0, 0, 300, { filter: change }), "busy", "a filter may not");
+  for (const change of changes)
+    expectRefusal(() => circles.kNearest(0, 0, 3, { filter: change }), "busy", "a filter may not");
   circles.within(0, 0, 300, { filter: () => new Diagram(xyr).clear().dispose() });
   expect(circles.validate()).toBeNull();
   expect(circles.size).toBe(1000);
   circles.remove(0); // not busy any more
   circles.dispose();
+});
+
+// Not by a list: which calls change a diagram is found by what they do.
+test.each(calls)("in a filter, %s is busy if it would change the diagram", async (_, call) => {
+  const make = () => new Diagram([0, 0, 5, 3, 0, 1, 20, 0, 5, 40, 9, 2]);
+  const stateOf = (one) => {
+    try {
+      return one.toBytes();
+    } catch (error) {
+      return error.code;
+    }
+  };
+  const attempt = (one) => {
+    try {
+      return call.use(one);
+    } catch (error) {
+      return Promise.reject(error);
+    }
+  };
+  const free = make();
+  await Promise.allSettled([attempt(free)]);
+  const changes = String(stateOf(free)) !== String(stateOf(make()));
+
+  const asking = make();
+  const results = [];
+  asking.within(0, 0, 1, { filter: () => results.push(attempt(asking)) });
+  const [outcome] = await Promise.allSettled(results);
+  expect(String(stateOf(asking))).toBe(String(stateOf(make())));
+  expect(outcome.reason?.code === "busy").toBe(changes);
 });
 
 test("pick: the smallest under the pointer, else the nearest", () => {
@@ -120,6 +156,17 @@ test("pick: the smallest under the pointer, else the nearest", () => {
   expect(circles.pick(11, 0, 3.9)).toBe(-1);
   expect(circles.pick(11, 0, 0)).toBe(-1);
   expect(new Diagram().pick(0, 0)).toBe(-1);
+});
+
+test("fitAreasAsync in a filter is busy, too, and after it all goes on", async () => {
+  const pair = new Diagram([0, 0, 1, 10, 0, 2]);
+  const voronoi = pair.voronoi([-20, -20, 20, 20]);
+  const started = [];
+  const filter = () => started.push(voronoi.fitAreasAsync([1, 1])) > 0;
+  expect([...pair.kNearest(0, 0, 1, { filter })]).toEqual([0]);
+  await expectRejection(() => started[0], "busy", "a filter may not change the diagram");
+  expect(pair.sites().xyr).toEqual(Float64Array.of(0, 0, 1, 10, 0, 2));
+  expect((await voronoi.fitAreasAsync([1, 1])).converged).toBe(true);
 });
 
 test("search: the circles that meet a rectangle", () => {
@@ -141,8 +188,39 @@ test("search: the circles that meet a rectangle", () => {
   }
 });
 
+test("search without a limit on some sides: half-planes, quadrants, strips, everything", () => {
+  const [x, y] = [-120, 80];
+  const meets = (id, box) => {
+    const [cx, cy, r] = xyr.subarray(3 * id);
+    const clamped = (v, low, high) => Math.min(Math.max(v, low), high);
+    return Math.hypot(cx - clamped(cx, box[0], box[2]), cy - clamped(cy, box[1], box[3])) <= r;
+  };
+  for (let open = 0; open < 16; ++open) {
+    const box = [x, y, x + 300, y + 100].map((value, side) =>
+      open & (1 << side) ? (side < 2 ? -Infinity : Infinity) : value,
+    );
+    const expected = [...diagram.ids()].filter((id) => meets(id, box));
+    expect(expected.length).toBeGreaterThan(10);
+    expect([...diagram.search(...box)]).toEqual(expected);
+  }
+  expect(diagram.search(-Infinity, -Infinity, Infinity, Infinity)).toEqual(diagram.ids());
+});
+
+test("without a limit the farthest are found, too; circles of negative r meet nothing", () => {
+  const far = new Diagram([1e100, -1e100, 1, -1e100, 0, 1e100, 0, 0, -1, 3, 4, 0]);
+  expect([...far.search(-Infinity, -Infinity, Infinity, Infinity)]).toEqual([0, 1, 3]);
+  expect([...far.search(1e100, -Infinity, Infinity, Infinity)]).toEqual([0]);
+  expect([...far.search(-Infinity, -Infinity, -1e100, Infinity)]).toEqual([1]);
+  expect([...far.search(0, 0, 3, Infinity)]).toEqual([1, 3]); // the large one by its rim
+  expect([...far.search(0, 1, 3, Infinity)]).toEqual([3]);
+  expect([...far.within(3, 4, Infinity)]).toEqual([...far.kNearest(3, 4, Infinity)]);
+  expect(far.within(3, 4, Infinity).length).toBe(4);
+});
+
 test("an empty diagram, and one site", () => {
   const circles = new Diagram();
+  expect(circles.within(0, 0, Infinity)).toEqual(new Uint32Array());
+  expect(circles.search(-Infinity, 0, 1, Infinity)).toEqual(new Uint32Array());
   expect(circles.kNearest(0, 0, 3)).toEqual(new Uint32Array());
   expect(circles.within(0, 0, 3)).toEqual(new Uint32Array());
   circles.insert(1, 1, 1);
@@ -180,7 +258,17 @@ test.each([
   [(d) => d.within(0, null, 1), "not-finite", "y is null"],
   [(d) => d.within(1e-101, 0, 1), "out-of-range", "x is 1e-101"],
   [(d) => d.within(0, 0), "not-finite", "distance is undefined"],
-  [(d) => d.within(0, 0, Infinity), "not-finite", "distance is Infinity"],
+  [(d) => d.within(0, 0, -Infinity), "not-finite", "distance is -Infinity"],
+  [(d) => d.within(0, 0, NaN), "not-finite", "distance is NaN"],
+  [(d) => d.within(0, 0, null), "not-finite", "distance is null"],
+  [(d) => d.within(0, 0, undefined, { filter: () => true }), "not-finite", "distance is undefined"],
+  [(d) => d.within(0, 0, "Infinity"), "not-finite", 'distance is the string "Infinity"'],
+  [(d) => d.within(Infinity, 0, Infinity), "not-finite", "x is Infinity"],
+  [(d) => d.within(0, 1e101, Infinity), "out-of-range", "y is 1e+101"],
+  [(d) => d.search(Infinity, 0, Infinity, 1), "bad-bounds", "xmin of bounds is Infinity"],
+  [(d) => d.search(0, 0, 1, -Infinity), "bad-bounds", "ymax of bounds is -Infinity"],
+  [(d) => d.search(-Infinity, NaN, Infinity, 1), "bad-bounds", "ymin of bounds is NaN"],
+  [(d) => d.search(-Infinity, 2, Infinity, 1), "bad-bounds", "expected xmin <= xmax and ymin"],
   [(d) => d.within(0, 0, "1"), "not-finite", 'distance is the string "1"'],
   [(d) => d.within(0, 0, 1e200), "out-of-range", "distance is 1e+200"],
 ])("%p", (call, code, message) => {

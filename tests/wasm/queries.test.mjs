@@ -1,6 +1,7 @@
 // Queries, against distances computed here.
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { generator, randomCircles } from "./support/random.mjs";
+import { expectRefusal } from "./support/refusal.mjs";
 
 const count = 400;
 const xyr = randomCircles(count, 11);
@@ -34,6 +35,107 @@ test("find, nearest and findMany agree with all distances", () => {
     expect(answer.distance).toBeCloseTo(distance(expected, x, y), 9);
     expect(distances[k]).toBe(answer.distance);
   }
+});
+
+test("findMany of few points, which are asked one by one, and of more: the answers of find", () => {
+  const random = generator(13);
+  for (const points of [0, 1, 2, 15, 16, 17, 40]) {
+    const xy = Float64Array.from({ length: 2 * points }, () => random() * 3000 - 1500);
+    const expected = Int32Array.from({ length: points }, (_, k) =>
+      diagram.find(xy[2 * k], xy[2 * k + 1]),
+    );
+    const floats = Float32Array.from(xy);
+    expect(diagram.findMany(xy)).toEqual(expected);
+    expect(diagram.findMany([...xy])).toEqual(expected);
+    expect(diagram.findMany(xy, new Float64Array(points))).toEqual(expected);
+    expect(diagram.findMany(floats)).toEqual(diagram.findMany([...floats]));
+    expect(new Diagram().findMany(xy)).toEqual(new Int32Array(points).fill(-1));
+    if (points === 0) continue;
+    for (const [value, code, said] of [
+      [NaN, "not-finite", "NaN"],
+      [1e200, "out-of-range", "1e+200"],
+    ]) {
+      const bad = xy.with(2 * points - 1, value); // the last one
+      const message = `xy[${2 * points - 1}] is ${said}`;
+      expectRefusal(() => diagram.findMany(bad), code, message);
+      expectRefusal(() => diagram.findMany([...bad]), code, message);
+    }
+  }
+});
+
+/** A double times 2^200, and its last place times that; it must be a multiple of 2^-200. */
+function scaled(value) {
+  const bits = new DataView(new ArrayBuffer(8));
+  bits.setFloat64(0, Math.abs(value));
+  const exponent = bits.getBigUint64(0) >> 52n;
+  const mantissa = 2n ** 52n + (bits.getBigUint64(0) & (2n ** 52n - 1n));
+  const lastPlace = 1n << (exponent - 1075n + 200n); // throws if it is smaller
+  return { whole: (value < 0 ? -1n : 1n) * mantissa * lastPlace, lastPlace };
+}
+
+/** The largest whole number whose square is not larger. */
+function squareRoot(square) {
+  if (square < 2n) return square;
+  let root = 1n << BigInt((square.toString(2).length + 1) >> 1);
+  for (;;) {
+    const next = (root + square / root) >> 1n;
+    if (next >= root) return root;
+    root = next;
+  }
+}
+
+/** Is this |p - c| - r of whole numbers, within one unit in the last place? By whole numbers. */
+function expectExact(distance, [x, y, r], px, py) {
+  const [dx, dy] = [BigInt(px) - BigInt(x), BigInt(py) - BigInt(y)];
+  const square = dx * dx + dy * dy;
+  const exact = squareRoot(square << 400n) - (BigInt(r) << 200n); // times 2^200, rounded down
+  const [sign, expected] = [Math.sign(distance), r < 0 ? 1n : square - BigInt(r) ** 2n];
+  expect(sign).toBe(expected > 0n ? 1 : expected < 0n ? -1 : 0);
+  if (distance === 0) return;
+  const { whole, lastPlace } = scaled(distance);
+  const off = whole - exact;
+  expect(off <= lastPlace && off >= -lastPlace).toBe(true);
+}
+
+test("distances are right to the last place, and of the right sign, where digits cancel", () => {
+  const random = generator(14);
+  const whole = (size) =>
+    Math.floor(random() * 2 ** 21) * 2 ** (size - 21) + Math.floor(random() * 2 ** (size - 21));
+  const cases = [
+    [[3e15, 4e15 + 1, 5e15], 0, 0],
+    [[3e15, 4e15 - 1, 5e15], 0, 0],
+    [[3e15, 4e15, 5e15], 0, 0],
+    [[3, 4, -5], 0, 0],
+    [[2 ** 52, 1, 2 ** 52], 0, 0],
+    [[0, 0, 0], 0, 0],
+  ];
+  for (let k = 0; k < 1000; ++k) {
+    const size = 22 + (k % 31);
+    const [x, y, px, py] = Array.from({ length: 4 }, () => whole(size));
+    const far = Math.hypot(px - x, py - y);
+    for (const r of [Math.round(far), Math.floor(far) - 1, whole(size), -whole(size)])
+      if (Number.isSafeInteger(r)) cases.push([[x, y, r], px, py]);
+  }
+  expect(cases.length).toBeGreaterThan(3000);
+  for (const [circle, px, py] of cases) {
+    const one = new Diagram(circle);
+    const { distance } = one.nearest(px, py);
+    expectExact(distance, circle, px, py);
+    const distances = new Float64Array(20);
+    one.findMany(new Array(20).fill([px, py]).flat(), distances);
+    expect(distances).toEqual(new Float64Array(20).fill(distance));
+    one.dispose();
+  }
+});
+
+test("distances that hypot cannot give", () => {
+  const distanceTo = (circle, x, y) => new Diagram(circle).nearest(x, y).distance;
+  expect(distanceTo([3e15, 4e15 + 1, 5e15], 0, 0)).toBe(0.8);
+  expect(distanceTo([3e15, 4e15, 5e15], 0, 0)).toBe(0);
+  expect(distanceTo([1e100, 0, 1e100], 1e-100, 0)).toBe(-1e-100);
+  expect(distanceTo([1e100, 0, 1e100], -1e-100, 0)).toBe(1e-100);
+  expect(distanceTo([1e100, 1e100, 0], 0, 0) / 1e100).toBeCloseTo(Math.SQRT2, 15);
+  expect(distanceTo([1e-100, 1e-100, 0], 0, 0) / 1e-100).toBeCloseTo(Math.SQRT2, 15);
 });
 
 test("distance is negative inside a circle", () => {

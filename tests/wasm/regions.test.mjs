@@ -28,7 +28,16 @@ const island = [
 ];
 const closed = (ring) => [...ring, ring[0]];
 const shape = { type: "Polygon", coordinates: [closed(outer), closed(hole)] };
+const multi = (...rings) => ({
+  type: "MultiPolygon",
+  coordinates: rings.map((ring) => [closed(ring)]),
+});
+const collection = (...geometries) => ({
+  type: "FeatureCollection",
+  features: geometries.map((geometry) => ({ type: "Feature", properties: null, geometry })),
+});
 const areaOf = (points) => Math.abs(ringArea(closed(points).flat()));
+const flatOf = (ring) => ring.flat?.() ?? ring;
 const total = (values) => values.reduce((sum, value) => sum + value, 0);
 
 test("rings of points, flat rings, nested lists and GeoJSON are one region", () => {
@@ -43,6 +52,9 @@ test("rings of points, flat rings, nested lists and GeoJSON are one region", () 
     [[...outer].reverse(), hole],
     { type: "MultiPolygon", coordinates: [shape.coordinates] },
     { type: "Feature", properties: {}, geometry: shape },
+    collection(shape),
+    // an island of its own, which cancels where the hole is
+    collection({ type: "Polygon", coordinates: [closed(outer)] }, multi(hole)),
   ];
   for (const form of forms) {
     const areas = diagram.voronoi(form).cellAreas();
@@ -50,6 +62,84 @@ test("rings of points, flat rings, nested lists and GeoJSON are one region", () 
   }
   expect(total(diagram.voronoi(outer.flat()).cellAreas())).toBeCloseTo(areaOf(outer), 6);
   expect(total(diagram.voronoi(outer).cellAreas())).toBeCloseTo(areaOf(outer), 6);
+});
+
+test("what cellRegions, cellPolygon and toGeoJSON give is a window, with its holes", () => {
+  const alone = Diagram.from([[0, 0, 5]]);
+  const around = alone.voronoi([outer, hole, island]);
+  const whole = areaOf(outer) - areaOf(hole) + areaOf(island);
+  expect(around.cellArea(0)).toBeCloseTo(whole, 6);
+  for (const flat of [false, true]) {
+    const regions = around.cellRegions(0, { flat });
+    expect(regions.map(({ holes }) => holes.length).sort()).toEqual([0, 1]);
+    expect(alone.voronoi(regions).cellArea(0)).toBeCloseTo(whole, 6);
+    for (const region of regions) {
+      const area = total([region, ...region.holes].map((ring) => ringArea(flatOf(ring))));
+      expect(alone.voronoi(region).cellArea(0)).toBeCloseTo(area, 6);
+      expect(alone.voronoi([region]).cellArea(0)).toBeCloseTo(area, 6);
+    }
+    expect(alone.voronoi(around.cellPolygon(0, { flat })).cellArea(0)).toBeCloseTo(whole, 6);
+  }
+  expect(alone.voronoi(around.toGeoJSON()).cellArea(0)).toBeCloseTo(whole, 6);
+  expect(alone.voronoi(around.toGeoJSON().features[0]).cellArea(0)).toBeCloseTo(whole, 6);
+});
+
+test.each([
+  [
+    "a triangle, closed",
+    [
+      [0, 0],
+      [90, 0],
+      [0, 90],
+      [0, 0],
+    ],
+  ], // as many points as bounds have numbers
+  [
+    "a triangle",
+    [
+      [0, 0],
+      [90, 0],
+      [0, 90],
+    ],
+  ],
+  [
+    "a rectangle",
+    [
+      [0, 0],
+      [90, 0],
+      [90, 45],
+      [0, 45],
+    ],
+  ],
+  [
+    "a pentagon",
+    [
+      [0, 0],
+      [90, 0],
+      [90, 30],
+      [30, 60],
+      [0, 30],
+    ],
+  ],
+])("a ring with holes, alone and in a list: %s", (_, ring) => {
+  const hole = [
+    [10, 10],
+    [10, 20],
+    [20, 10],
+    [10, 10],
+  ];
+  const expected = areaOf(ring) - 50;
+  const nested = Object.assign([...ring], { holes: [hole] });
+  const flat = Object.assign(Float64Array.from(ring.flat()), { holes: [hole.flat()] });
+  for (const region of [nested, [nested], flat, [flat]])
+    expect(total(diagram.voronoi(region).cellAreas())).toBeCloseTo(expected, 9);
+});
+
+test("all cells together are the window again", () => {
+  const voronoi = diagram.voronoi([outer, hole, island]);
+  const expected = areaOf(outer) - areaOf(hole) + areaOf(island);
+  const cells = voronoi.toGeoJSON();
+  expect(total(diagram.voronoi(cells).cellAreas()) / expected).toBeCloseTo(1, 9);
 });
 
 test("the box is where the region is", () => {
@@ -96,7 +186,9 @@ test("rings, holes and parts: polygons hold the points that are nearest and in t
   const random = generator(5);
   const inRegion = (x, y) =>
     [outer, hole, island].filter((ring) => isInside(closed(ring).flat(), x, y)).length % 2 === 1;
-  const regions = new Map([...diagram.ids()].map((id) => [id, voronoi.cellRegions(id) ?? []]));
+  const regions = new Map(
+    [...diagram.ids()].map((id) => [id, voronoi.cellRegions(id, { flat: true }) ?? []]),
+  );
   const isIn = (id, x, y) =>
     regions
       .get(id)
@@ -136,7 +228,7 @@ test("one cell around a hole and two islands: GeoJSON says so", () => {
   expect([area, perimeter]).toEqual([400 - 100 + 16 + 4, 80 + 40 + 16 + 8]);
   expect(centroid[0]).toBeCloseTo((16 * 1 + 4 * 20) / 320, 12);
   expect(centroid[1]).toBeCloseTo(0, 12);
-  expect(ringArea(voronoi.cellPolygon(0))).toBe(320);
+  expect(ringArea(voronoi.cellPolygon(0, { flat: true }))).toBe(320);
   const drawn = new Recorder();
   voronoi.renderCell(0, drawn);
   expect(drawn.count("closePath")).toBe(4);
@@ -249,7 +341,7 @@ test.each([
       [1, 0],
       [2, 0],
     ],
-    "the window is empty",
+    "the region has no area",
   ],
   [
     [
@@ -258,12 +350,49 @@ test.each([
       [1, 1],
       [1, 0],
     ],
-    "the window is empty",
+    "the region has no area",
   ],
   [[[]], "the region has no rings"],
-  [{ type: "Point", coordinates: [0, 0] }, "of type Point"],
-  [{ type: "Feature", geometry: null }, "the region is"],
+  [{ type: "Point", coordinates: [0, 0] }, "the region is an object of type Point, expected rings"],
+  [{ type: 7, coordinates: [0, 0] }, "the region is an object of type 7, expected rings, or Geo"],
+  [{ type: Object.create(null) }, "the region is an object of type an object, expected rings"],
+  [{ type: "Feature", geometry: null }, "the region is a Feature without geometry, expected"],
+  [
+    { type: "Feature", geometry: { type: "LineString" } },
+    "the region is an object of type LineString, expected",
+  ],
   [{ type: "Polygon" }, "ring 0 of the region is no array"],
+  [collection(shape, null), "the region is a Feature without geometry"],
+  [collection(shape, { type: "Polygon" }), "ring 2 of the region is no array"],
+  [collection(), "the region has no rings"],
+  [{ type: "FeatureCollection" }, "the region is an object of type FeatureCollection, expected"],
+  [{ type: "FeatureCollection", features: [null] }, "the region is"],
+  [[[[[outer]]]], "ring 0 of the region is nested too deep"],
+  [[outer, [[[[hole]]]]], "ring 1 of the region is nested too deep"],
+  [Object.assign([...outer], { holes: [[[0, 0]]] }), "ring 1 of the region has 1 points"],
+  [Object.assign([...outer], { holes: [7] }), "ring 1 of the region"],
 ])("%j is refused: %s", (region, message) => {
   expectRefusal(() => diagram.voronoi(region), "bad-bounds", message);
+});
+
+/** What is made is given to `put`, which makes it a part of itself. */
+const looped = (made, put) => {
+  put(made);
+  return made;
+};
+test.each([
+  ["a list", () => looped([], (list) => list.push(list))],
+  ["a list behind a ring", () => looped([outer], (list) => list.push(list))],
+  [
+    "a ring among its holes",
+    () => looped([...outer], (ring) => Object.assign(ring, { holes: [ring] })),
+  ],
+  [
+    "a ring that is its holes",
+    () => looped([...outer], (ring) => Object.assign(ring, { holes: ring })),
+  ],
+  ["a Feature", () => looped({ type: "Feature" }, (it) => Object.assign(it, { geometry: it }))],
+  ["a FeatureCollection", () => looped(collection(), (it) => it.features.push(it))],
+])("what is nested in itself is refused: %s", (_, make) => {
+  expectRefusal(() => diagram.voronoi(make()), "bad-bounds", "");
 });

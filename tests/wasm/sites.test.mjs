@@ -2,6 +2,7 @@
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { graph } from "./support/graph.mjs";
 import { randomCircles } from "./support/random.mjs";
+import { expectRefusal } from "./support/refusal.mjs";
 
 test("an empty diagram answers", () => {
   const diagram = new Diagram();
@@ -85,22 +86,41 @@ test("remove tells whether there was a site, and ids are used again", () => {
 
 test.each([
   [-1],
-  [0.5],
-  [NaN],
-  [Infinity],
   [2 ** 32],
+  [2 ** 32 + 1],
   [2 ** 32 - 1],
+  [-(2 ** 60)],
   [3],
-  ["0"],
-  [null],
-  [undefined],
-  [{}],
 ])("%p is no site's id", (id) => {
   const diagram = new Diagram([0, 0, 1, 10, 0, 1, 0, 10, 1]);
   expect(diagram.has(id)).toBe(false);
   expect(diagram.remove(id)).toBe(false);
   expect(diagram.removeMany([id])).toBe(0);
   expect(diagram.size).toBe(3);
+});
+
+// "0" of a form, or the NaN of a lost index, is an error sooner than a site that is not there.
+test.each([
+  [0.5],
+  [NaN],
+  [Infinity],
+  ["0"],
+  [null],
+  [undefined],
+  [{}],
+  [[0]],
+  [0n],
+  [true],
+])("%p is no id, and refused", (id) => {
+  const diagram = new Diagram([0, 0, 1, 10, 0, 1, 0, 10, 1]);
+  const wrong = "does not exist: ids are whole numbers, not strings or objects";
+  expectRefusal(() => diagram.has(id), "unknown-site", wrong);
+  expectRefusal(() => diagram.remove(id), "unknown-site", wrong);
+  const many = () => diagram.removeMany([0, id, 1]);
+  expect(expectRefusal(many, "unknown-site", wrong).message).toMatch(/^ids\[1\]: site /);
+  const update = () => diagram.updateMany([0, id], [1, 1, 1, 2, 2, 2]);
+  expect(expectRefusal(update, "unknown-site", wrong).message).toMatch(/^ids\[1\]: site /);
+  expect(diagram.sites().xyr).toEqual(Float64Array.of(0, 0, 1, 10, 0, 1, 0, 10, 1));
 });
 
 test("removeMany counts what was there", () => {

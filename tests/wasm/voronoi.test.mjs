@@ -8,6 +8,7 @@ import {
 } from "../../build/packed/consumer.mjs";
 import { randomCircles } from "./support/random.mjs";
 import { isInside, ringArea } from "./support/recorder.mjs";
+import { expectRefusal } from "./support/refusal.mjs";
 
 const bounds = [-900, -700, 1000, 800];
 const whole = 1900 * 1500;
@@ -67,7 +68,7 @@ test("areas add up to the window, one by one and all at once", () => {
 
 test("polygons are closed, counter-clockwise, and as large as the cells", () => {
   let sum = 0;
-  for (const ring of voronoi.cellPolygons({ tolerance: 0.01 })) {
+  for (const ring of voronoi.cellPolygons({ tolerance: 0.01, flat: true })) {
     expect(ring.slice(-2)).toEqual(ring.slice(0, 2));
     const area = ringArea(ring);
     expect(area).toBeGreaterThan(0);
@@ -81,12 +82,15 @@ test("polygons are closed, counter-clockwise, and as large as the cells", () => 
 
 test("a smaller tolerance takes more points", () => {
   const length = (tolerance) =>
-    [...voronoi.cellPolygons({ tolerance })].reduce((sum, ring) => sum + ring.length, 0);
+    [...voronoi.cellPolygons({ tolerance, flat: true })].reduce(
+      (sum, ring) => sum + ring.length,
+      0,
+    );
   expect(length(0.001)).toBeGreaterThan(1.5 * length(1));
 });
 
 test("the true nearest site's polygon holds a point, and no other does", () => {
-  const rings = [...voronoi.cellPolygons({ tolerance: 1e-3 })];
+  const rings = [...voronoi.cellPolygons({ tolerance: 1e-3, flat: true })];
   for (let k = 0; k < 400; ++k) {
     const [x, y] = [
       bounds[0] + 1900 * ((k * 0.6180339887) % 1),
@@ -160,6 +164,20 @@ test("curves are equally far from both sites, at equal angles to the ways from t
   }
 });
 
+test("a curve that is not there is an error", () => {
+  const { curves } = voronoi.edgeCurves();
+  const count = curves.length / 7;
+  const few = curves.slice(0, 20); // two, and some numbers more
+  for (const at of [curvePoint, curveTangent]) {
+    expect(at(curves, count - 1, 0.5)).toEqual([expect.any(Number), expect.any(Number)]);
+    expect(at([...few], 1, 0.5)).toEqual(at(curves, 1, 0.5));
+    for (const k of [-1, count, 0.5, NaN, Infinity, 2 ** 32, "0", 0n, null, undefined, [0]])
+      expectRefusal(() => at(curves, k, 0.5), "out-of-range", `one of ${count} curves`);
+    expectRefusal(() => at(few, 2, 0.5), "out-of-range", "k is 2, expected the number of one of 2");
+    expectRefusal(() => at([], 0, 0.5), "out-of-range", "k is 0, expected the number of one of 0");
+  }
+});
+
 test("neighbors in the window are neighbors", () => {
   for (const id of diagram.ids()) {
     const all = new Set(diagram.neighbors(id));
@@ -182,9 +200,9 @@ test("a view shows the diagram as it is now", () => {
 
 test("one site has the window, several regions are several rings", () => {
   const corners = new Diagram([-60, 50, 58, 50, 50, 0]).voronoi([30, 0, 100, 100]);
-  const regions = corners.cellRegions(0);
+  const regions = corners.cellRegions(0, { flat: true });
   expect(regions.length).toBe(2);
-  const joined = corners.cellPolygon(0);
+  const joined = corners.cellPolygon(0, { flat: true });
   expect(ringArea(joined)).toBeCloseTo(ringArea(regions[0]) + ringArea(regions[1]), 9);
   expect(joined.slice(-2)).toEqual(joined.slice(0, 2));
   expect(corners.cellCentroid(0)[1]).toBeCloseTo(50, 9);
@@ -192,9 +210,9 @@ test("one site has the window, several regions are several rings", () => {
     "MultiPolygon",
     "Polygon",
   ]);
-  expect([...new Diagram([7, 7, 1]).voronoi([0, 0, 10, 10]).cellPolygon(0)]).toEqual([
-    0, 0, 10, 0, 10, 10, 0, 10, 0, 0,
-  ]);
+  expect([
+    ...new Diagram([7, 7, 1]).voronoi([0, 0, 10, 10]).cellPolygon(0, { flat: true }),
+  ]).toEqual([0, 0, 10, 0, 10, 10, 0, 10, 0, 0]);
 });
 
 test("GeoJSON: closed rings, right-handed, one feature a cell", () => {
@@ -226,6 +244,36 @@ test("within a radius", () => {
   expect(codeOf(() => pair.cellWithin(5, 1))).toBe("unknown-site");
 });
 
+test("within any radius: the whole cell, endless if its site is on the hull", () => {
+  const wide = diagram.voronoi([-1e7, -1e7, 1e7, 1e7]); // has all that ends of any cell
+  const hull = new Set(diagram.hull());
+  expect(hull.size).toBeGreaterThan(5);
+  let ending = 0;
+  for (const id of diagram.ids()) {
+    const all = voronoi.cellWithin(id, Infinity);
+    expect(wide.cellWithin(id, Infinity)).toEqual(all); // the window does not matter
+    if (diagram.isHidden(id)) expect(all).toBeNull();
+    else if (hull.has(id))
+      expect(all).toEqual({ area: Infinity, centroid: null, perimeter: Infinity });
+    else {
+      const { area, centroid, perimeter } = wide.cellMeasures(id);
+      expect(all.area / area).toBeCloseTo(1, 9);
+      expect(all.perimeter / perimeter).toBeCloseTo(1, 9);
+      const off = Math.hypot(all.centroid[0] - centroid[0], all.centroid[1] - centroid[1]);
+      expect(off / perimeter).toBeLessThan(1e-9);
+      ++ending;
+    }
+  }
+  expect(ending).toBeGreaterThan(100);
+  const endless = { area: Infinity, centroid: null, perimeter: Infinity };
+  expect(new Diagram([7, 7, 1]).voronoi().cellWithin(0, Infinity)).toEqual(endless);
+  const pair = new Diagram([0, 0, 1, 10, 0, 1]).voronoi();
+  expect(pair.cellWithin(1, Infinity)).toEqual(endless);
+  expect(codeOf(() => pair.cellWithin(0, -Infinity))).toBe("not-finite");
+  expect(codeOf(() => pair.cellWithin(0, 1e101))).toBe("out-of-range");
+  expect(codeOf(() => pair.cellWithin(5, Infinity))).toBe("unknown-site");
+});
+
 test("bad bounds", () => {
   const bad = [
     [0, 0, 0, 1],
@@ -255,6 +303,7 @@ test("bad tolerances and digits", () => {
   const uses = [
     (options) => voronoi.cellPolygon(0, options),
     (options) => voronoi.cellRegions(0, options),
+    (options) => [...voronoi.cellPolygons(options)],
     (options) => voronoi.render(null, options),
     (options) => voronoi.renderCell(0, null, options),
     (options) => voronoi.toGeoJSON(options),

@@ -38,7 +38,7 @@ test.each([0, 5])("equal weights %p: the polygons of d3-delaunay", (r) => {
     const ours = new Diagram(points.flatMap(([x, y]) => [x, y, r])).voronoi(bounds);
     for (let id = 0; id < count; ++id) {
       const expected = theirs.cellPolygon(id);
-      const ring = ours.cellPolygon(id);
+      const ring = ours.cellPolygon(id, { flat: true });
       const area = expected ? Math.abs(ringArea(expected.flat())) : 0;
       expect(ours.cellArea(id)).toBeCloseTo(area, 6);
       if (area < 1e-6) continue;
@@ -99,7 +99,7 @@ test("any circles and window: cells fill it, polygons follow, histories do not m
           }
           const measures = voronoi.cellMeasures(id);
           expect(Math.abs(measures.area - areas[id])).toBeLessThanOrEqual(1e-12 * whole);
-          const regions = voronoi.cellRegions(id) ?? [];
+          const regions = voronoi.cellRegions(id, { flat: true }) ?? [];
           for (const ring of regions) sum += ringArea(ring);
           if (measures.centroid !== null && measures.area > 1e-6 * whole) {
             expect(measures.centroid[0]).toBeGreaterThanOrEqual(bounds[0]);

@@ -1,7 +1,7 @@
 // Values of types that TypeScript refuses and JavaScript lets through: accepted and right, or an
 // error with a code.
-import { Diagram } from "../../build/packed/consumer.mjs";
 import { runInNewContext } from "node:vm";
+import { Diagram } from "../../build/packed/consumer.mjs";
 import { expectRefusal } from "./support/refusal.mjs";
 
 const values = [0, 0, 1, 10, 0, 2];
@@ -209,7 +209,12 @@ const cases = [
     "not-finite",
     "xyr[0] is the bigint 0n",
   ],
-  ["updateMany ids", (d) => d.updateMany([1n], [1, 2, 3]), "unknown-site", "ids[0]"],
+  [
+    "updateMany ids",
+    (d) => d.updateMany([1n], [1, 2, 3]),
+    "unknown-site",
+    "ids[0]: site the bigint 1n does not exist: ids are whole numbers",
+  ],
   ["findMany", (d) => d.findMany(new BigInt64Array(2)), "not-finite", "xy[0] is the bigint 0n"],
   ["nearest", (d) => d.nearest(0n, 0), "not-finite", "x is the bigint 0n"],
   ["site", (d) => d.site(1n), "unknown-site", "site the bigint 1n does not exist"],
@@ -248,6 +253,7 @@ const cases = [
   // Lengths that no memory holds
   ["findMany", (d) => d.findMany({ length: 2 ** 50 }), "out-of-memory", "memory"],
   ["removeMany", (d) => d.removeMany({ length: 2 ** 50 }), "out-of-memory", "memory"],
+  ["removeMany", (d) => d.removeMany({ length: 1 }), "unknown-site", "ids[0]: site undefined"],
   ["updateMany ids", (d) => d.updateMany({ length: 2 ** 50 }, []), "out-of-memory", "memory"],
   ["updateMany", (d) => d.updateMany([], { length: 3 * 2 ** 50 }), "out-of-memory", "memory"],
   ["insertMany", (d) => d.insertMany({ length: 2 ** 53 }), "bad-length", "xyr is an object"],
@@ -285,12 +291,16 @@ const cases = [
   ],
 ];
 
-test("removeMany skips what is no id, of whatever type", () => {
+test("removeMany skips whole numbers that no site has, and refuses what is no id", () => {
   const diagram = new Diagram(values);
-  expect(
-    diagram.removeMany(["0", 0n, -1, 0.5, NaN, null, undefined, , {}, 2 ** 32, 2 ** 32 - 1, 7]),
-  ).toBe(0);
-  expect(diagram.removeMany([1, 1, "0"])).toBe(1);
+  expect(diagram.removeMany([-1, 2 ** 32, 2 ** 32 - 1, 7])).toBe(0);
+  expect(diagram.removeMany(new Int8Array([-1, 7]))).toBe(0);
+  for (const id of ["0", 0n, 0.5, NaN, null, undefined, {}, Symbol("0"), () => 0])
+    expectRefusal(() => diagram.removeMany([1, id]), "unknown-site", "ids[1]: site ");
+  expectRefusal(() => diagram.removeMany([1, , 0]), "unknown-site", "ids[1]: site undefined");
+  expectRefusal(() => diagram.removeMany(new BigUint64Array(1)), "unknown-site", "the bigint 0n");
+  expect([...diagram.ids()]).toEqual([0, 1]);
+  expect(diagram.removeMany([1, 1, 7])).toBe(1);
   expect([...diagram.ids()]).toEqual([0]);
 });
 

@@ -25,12 +25,7 @@ export default function bubbleChart(container) {
     .attr("stroke", "#4e79a7");
 
   /** The smallest bubble under the pointer; if there is none, the one whose rim is nearest. */
-  function pick(x, y) {
-    const under = [...diagram.within(x, y, 0)]; // hidden bubbles too
-    return under.length > 0
-      ? under.reduce((a, b) => (bubbles[b].r < bubbles[a].r ? b : a))
-      : diagram.find(x, y);
-  }
+  const pick = (x, y) => diagram.pick(x, y);
 
   svg.on("pointermove", (event) => {
     const picked = pick(...pointer(event));

@@ -1,5 +1,6 @@
-// Where is the most room between circles? The largest circles that touch none have their centres at
-// vertices of the diagram.
+// Where is the most room between circles? A largest circle that touches none has its centre at a
+// vertex of the diagram, or, where centres have to be in a window, where an edge meets its border,
+// or in a corner: along an edge, and along the border of a cell, the room is largest at an end.
 import { Diagram } from "apollonius-diagram";
 import { select } from "d3-selection";
 import { randomCircles } from "./random_circles.js";
@@ -14,16 +15,17 @@ const width = 920,
 export function largestEmptyCircles(circles, width, height, count) {
   const diagram = Diagram.from(circles);
   const found = [];
+  const corners = [0, 0, width, 0, width, height, 0, height];
   while (found.length < count) {
-    const { coordinates, clearance } = diagram.vertices();
-    let best = -1;
-    clearance.forEach((r, k) => {
-      const [x, y] = [coordinates[2 * k], coordinates[2 * k + 1]];
-      if (x >= 0 && y >= 0 && x <= width && y <= height && (best < 0 || r > clearance[best]))
-        best = k;
-    });
-    if (best < 0) break;
-    const circle = { x: coordinates[2 * best], y: coordinates[2 * best + 1], r: clearance[best] };
+    const { curves } = diagram.voronoi([0, 0, width, height]).edgeCurves();
+    const ends = [...corners];
+    for (let k = 0; k < curves.length; k += 7)
+      ends.push(curves[k], curves[k + 1], curves[k + 5], curves[k + 6]);
+    const room = new Float64Array(ends.length / 2);
+    diagram.findMany(ends, room);
+    const best = room.indexOf(Math.max(...room));
+    if (!(room[best] > 0)) break;
+    const circle = { x: ends[2 * best], y: ends[2 * best + 1], r: room[best] };
     found.push(circle);
     diagram.insert(circle.x, circle.y, circle.r); // the next one has to stay clear of this one, too
   }

@@ -63,5 +63,6 @@ export default function force(container) {
       context.stroke();
     });
   }
+  draw(); // before the first tick
   return { diagram, nodes, simulation, lit: () => lit };
 }

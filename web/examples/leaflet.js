@@ -24,9 +24,7 @@ export default function cellsOnMap(container, places) {
   const cells = L.layerGroup().addTo(map);
   const polygons = new Map();
   for (const ring of diagram.voronoi([xmin, ymin, xmax, ymax]).cellPolygons({ tolerance: 0.5 })) {
-    const corners = Array.from({ length: ring.length / 2 }, (_, k) =>
-      map.unproject([ring[2 * k], ring[2 * k + 1]], zoom),
-    );
+    const corners = ring.map((corner) => map.unproject(corner, zoom));
     polygons.set(ring.index, L.polygon(corners, { weight: 1, fillOpacity: 0.1 }).addTo(cells));
   }
   map.on("mousemove", ({ latlng }) => {

@@ -12,6 +12,7 @@ self.onmessage = async ({ data: { address, xyr, window } }) => {
     const targets = new Uint8Array(xyr.length / 3).fill(1);
     const { weights } = diagram.voronoi(window).fitAreas(targets, {
       maxIterations: kMostSteps,
+      strict: true,
       onIteration: (progress) => self.postMessage(progress),
     });
     const gap = leastGap(diagram.edges().sites, xyr, weights);

@@ -84,9 +84,29 @@ export async function hashOfAllOutputs({ Diagram, curvePoint, curveTangent }) {
     bytes.add(snapshot);
     bytes.add(Diagram.fromBytes(snapshot).toBytes());
     bytes.add(String(diagram.validate()));
+    bytes.add(await fitted(Diagram.fromBytes(snapshot)));
     diagram.dispose();
   }
   return bytes.hash();
+}
+
+/** The weights found, and areas with them; or the code of why there are none. */
+async function fitted(diagram) {
+  const { ids, xyr } = diagram.sites();
+  const [xs, ys] = [0, 1].map((at) => xyr.filter((_, k) => k % 3 === at));
+  const margin = Math.max(...xs) - Math.min(...xs);
+  const voronoi = diagram.voronoi([
+    Math.min(...xs) - margin,
+    Math.min(...ys) - margin,
+    Math.max(...xs) + margin,
+    Math.max(...ys) + margin,
+  ]);
+  try {
+    const targets = new Map(Array.from(ids, (id) => [id, 1 + (id % 3)]));
+    return [await voronoi.fitAreasAsync(targets, { tolerance: 1e-13 }), voronoi.cellAreas()];
+  } catch ({ code }) {
+    return code;
+  }
 }
 
 function outputs(diagram, bytes, random, curvePoint, curveTangent) {
@@ -114,6 +134,9 @@ function outputs(diagram, bytes, random, curvePoint, curveTangent) {
   const points = Float64Array.from(Array.from({ length: 100 }, somewhere).flat());
   const distances = new Float64Array(100);
   bytes.add([diagram.findMany(points, distances), distances]);
+  bytes.add([diagram.findMany(points), diagram.findMany(points.subarray(0, 20))]);
+  const [x0, y0] = somewhere();
+  bytes.add([diagram.within(x0, y0, Infinity), diagram.search(-Infinity, y0, x0, Infinity)]);
   for (let k = 0; k < 20; ++k) {
     const [x, y] = somewhere();
     bytes.add([
@@ -132,17 +155,21 @@ function outputs(diagram, bytes, random, curvePoint, curveTangent) {
     cells: voronoi.cellAreas(),
     edges: voronoi.edgeCurves(),
     polygons: [...voronoi.cellPolygons({ tolerance })],
+    flat: [...voronoi.cellPolygons({ tolerance, flat: true })],
     geo: voronoi.toGeoJSON({ tolerance }),
   });
   for (const id of ids.slice(0, 60)) {
     bytes.add([
       voronoi.cellPolygon(id),
       voronoi.cellRegions(id),
+      voronoi.cellPolygon(id, { flat: true }),
+      voronoi.cellRegions(id, { flat: true }),
       voronoi.cellArea(id),
       voronoi.cellCentroid(id),
       voronoi.cellPerimeter(id),
       voronoi.cellMeasures(id),
       voronoi.cellWithin(id, width / 20),
+      voronoi.cellWithin(id, Infinity),
       voronoi.neighbors(id),
       voronoi.contains(id, ...somewhere()),
     ]);

@@ -12,8 +12,10 @@ const inWindow =
 
 const equal = (d) => new Array(d.voronoi(bounds).cellAreas().length).fill(1);
 /** In a window that holds all centres. */
-const fitted = (d, { targets = equal(d).map((_, k) => 1 + (k % 2)), ...options } = {}) =>
-  d.voronoi([-1e4, -1e4, 1e4, 1e4]).fitAreas(targets, options);
+const fitBy =
+  (name) =>
+  (d, { targets = equal(d).map((_, k) => 1 + (k % 2)), ...options } = {}) =>
+    d.voronoi([-1e4, -1e4, 1e4, 1e4])[name](targets, options);
 
 // Each takes a call with one argument left open, and returns refusals: [code, call, text in the
 // message].
@@ -23,9 +25,15 @@ const number = (name, call) => [
   ["out-of-range", (d) => call(d, -1e101), `${name} is -1e+101`],
   ["out-of-range", (d) => call(d, 1e-101), `${name} is 1e-101`],
 ];
+/** Of calls that let whole numbers be that no site has. */
+const wholeNumber = (call) => [
+  ["unknown-site", (d) => call(d, "0"), 'site the string "0" does not exist: ids are whole numb'],
+  ["unknown-site", (d) => call(d, 0.5), "site 0.5 does not exist: ids are whole numbers, not"],
+  ["unknown-site", (d) => call(d, null), "site null does not exist: ids are whole numbers, not"],
+];
 const id = (call) => [
   ["unknown-site", (d) => call(d, NONE), "site 1000 does not exist"],
-  ["unknown-site", (d) => call(d, "0"), 'site the string "0" does not exist: ids are whole numb'],
+  ...wholeNumber(call),
 ];
 const numbers = (name, multiple, call) => [
   ["not-finite", (d) => call(d, [1, 2, 3, 4, NaN, 6]), `${name}[4] is NaN`],
@@ -71,6 +79,32 @@ const digits = (call) => [
 const unknownOption = (call) => [
   ["bad-option", (d) => call(d, { tolerence: 1 }), "options.tolerence is unknown, expected {"],
   ["bad-option", (d) => call(d, 0.5), "options is 0.5, expected {"],
+];
+/** Of calls that give polygons. */
+const polygons = (call) => [
+  ...tolerance(call),
+  ...unknownOption(call),
+  ["bad-option", (d) => call(d, { flat: 1 }), "options.flat is 1, expected false or true"],
+  ["bad-option", (d) => call(d, { nested: true }), "options.nested is unknown, expected { tol"],
+];
+/** Of calls that look for weights. */
+const fitting = (call) => [
+  ["bad-length", (d) => call(d, { targets: [1] }), "targets has 1 elements, expected "],
+  ["bad-length", (d) => call(d, { targets: null }), "targets is null, expected an array of num"],
+  ["bad-length", (d) => call(d, { start: [1] }), "start has 1 elements, expected "],
+  ["bad-length", (d) => call(d, { start: 7 }), "start is 7"],
+  ["unknown-site", (d) => call(d, { targets: new Map([[NONE, 1]]) }), "site 1000 does not exist"],
+  ["bad-target", (d) => call(d, { targets: equal(d).fill(0) }), "] is 0, expected"],
+  ["bad-target", (d) => call(d, { targets: {} }), "targets has none for site"],
+  ["not-finite", (d) => call(d, { targets: { 0: "1" } }), 'targets[0] is the string "1"'],
+  ["not-finite", (d) => call(d, { start: equal(d).fill(NaN) }), "start[0] is NaN"],
+  ["out-of-range", (d) => call(d, { start: equal(d).fill(1e200) }), "start[0] is 1e+200"],
+  ["bad-option", (d) => call(d, { onIteration: 7 }), "onIteration is 7"],
+  ["bad-option", (d) => call(d, { strict: 1 }), "options.strict is 1, expected false or true"],
+  ["bad-option", (d) => call(d, { signals: 1 }), "options.signals is unknown, expected {"],
+  ["no-convergence", (d) => call(d, { maxIterations: 1 }), "after 1 steps areas are off by"],
+  ["busy", (d) => call(d, { onIteration: () => d.removeMany([]) }), "changed meanwhile"],
+  ...tolerance(call),
 ];
 /** Of calls that draw: with options, and with a context. */
 const drawing = (call, into) => [...tolerance(call), ...flat(call, into)];
@@ -131,6 +165,9 @@ export const diagramCalls = {
       ["bad-length", () => Diagram.from(7), "items is 7"],
       ["bad-option", () => Diagram.from([], 7), "x is 7"],
       ["bad-option", () => Diagram.from([{ x: 1, y: 2, radius: 5 }]), "(d) => d.radius"],
+      ["bad-option", () => Diagram.from([{ x: 1, y: 2, size: 5 }]), "(d) => d.size"],
+      ["bad-option", () => Diagram.from([{ x: 1, y: 2, weight: 5 }]), "(d) => d.weight"],
+      ["not-finite", () => Diagram.from([{ x: 1, y: 2, r: null }]), "r of item 0 is null"],
       ["not-finite", () => Diagram.from([[1, 2], null]), "item 1 is null, expected {x, y, r}"],
     ],
   },
@@ -176,10 +213,14 @@ export const diagramCalls = {
       ...tooMany("xyr", 3, (d, xyr) => d.insertMany(xyr)),
     ],
   },
-  remove: works((d) => d.remove(0)),
+  remove: { use: (d) => d.remove(0), refuses: wholeNumber((d, site) => d.remove(site)) },
   removeMany: {
     use: (d) => d.removeMany([0]),
-    refuses: [["bad-length", (d) => d.removeMany(7), "ids is 7"]],
+    refuses: [
+      ["bad-length", (d) => d.removeMany(7), "ids is 7"],
+      ["unknown-site", (d) => d.removeMany([0, "1"]), 'ids[1]: site the string "1" does not'],
+      ...wholeNumber((d, site) => d.removeMany([0, site])),
+    ],
   },
   update: {
     use: (d) => d.update(0, 1, 2, 3),
@@ -206,13 +247,14 @@ export const diagramCalls = {
         (d) => d.updateMany([0, NONE], [1, 2, 3, 4, 5, 6]),
         "ids[1]: site 1000 does not exist",
       ],
+      ...wholeNumber((d, site) => d.updateMany([0, site], [1, 2, 3, 4, 5, 6])),
     ],
   },
   clear: works((d) => d.clear()),
   size: works((d) => d.size),
   visibleSize: works((d) => d.visibleSize),
   hiddenSize: works((d) => d.hiddenSize),
-  has: works((d) => d.has(0)),
+  has: { use: (d) => d.has(0), refuses: wholeNumber((d, site) => d.has(site)) },
   site: ofSite("site"),
   ids: works((d) => d.ids()),
   sites: works((d) => d.sites()),
@@ -259,6 +301,7 @@ export const diagramCalls = {
       ...number("x", (d, x) => d.within(x, 0, 1)),
       ...number("y", (d, y) => d.within(0, y, 1)),
       ...number("distance", (d, distance) => d.within(0, 0, distance)),
+      ["not-finite", (d) => d.within(0, 0, -Infinity), "distance is -Infinity"],
       ["bad-option", (d) => d.within(0, 0, 1, { filter: [] }), "options.filter is an array of 0"],
     ],
   },
@@ -276,7 +319,11 @@ export const diagramCalls = {
     use: (d) => d.search(0, 0, 1, 1),
     refuses: [
       ["bad-bounds", (d) => d.search(0, 0, 1), "ymax of bounds is undefined"],
-      ["bad-bounds", (d) => d.search(0, 0, Infinity, 1), "xmax of bounds is Infinity"],
+      // without a limit on the wrong side
+      ["bad-bounds", (d) => d.search(Infinity, 0, Infinity, 1), "xmin of bounds is Infinity"],
+      ["bad-bounds", (d) => d.search(0, Infinity, 1, Infinity), "ymin of bounds is Infinity"],
+      ["bad-bounds", (d) => d.search(-Infinity, 0, -Infinity, 1), "xmax of bounds is -Infinity"],
+      ["bad-bounds", (d) => d.search(0, -Infinity, 1, -Infinity), "ymax of bounds is -Infinity"],
       ["bad-bounds", (d) => d.search(0, 2, 1, 1), "bounds are [0, 2, 1, 1], expected xmin <= xmax"],
     ],
   },
@@ -335,17 +382,14 @@ export const voronoiCalls = {
         use: inWindow((v) => v[name](0)),
         refuses: [
           ...id(inWindow((v, site) => v[name](site))),
-          ...tolerance(inWindow((v, options) => v[name](0, options))),
-          ...unknownOption(inWindow((v, options) => v[name](0, options))),
+          ...polygons(inWindow((v, options) => v[name](0, options))),
         ],
       },
     ]),
   ),
   cellPolygons: {
     use: inWindow((v) => [...v.cellPolygons()]),
-    refuses: [tolerance, unknownOption].flatMap((wrong) =>
-      wrong(inWindow((v, options) => [...v.cellPolygons(options)])),
-    ),
+    refuses: polygons(inWindow((v, options) => [...v.cellPolygons(options)])),
   },
   cellCurves: ofCell("cellCurves"),
   edgeCurves: works(inWindow((v) => v.edgeCurves())),
@@ -395,28 +439,38 @@ export const voronoiCalls = {
         inWindow((v, radius) => v.cellWithin(0, radius)),
       ),
       ["out-of-range", inWindow((v) => v.cellWithin(0, -1)), "radius is -1"],
+      ["not-finite", inWindow((v) => v.cellWithin(0, -Infinity)), "radius is -Infinity"],
     ],
   },
   cellAreas: works(inWindow((v) => v.cellAreas())),
   fitAreas: {
-    use: (d) => fitted(d),
+    use: (d) => fitBy("fitAreas")(d),
     refuses: [
-      ["bad-length", (d) => fitted(d, { targets: [1] }), "lengths of arrays do not fit"],
-      ["bad-length", (d) => fitted(d, { start: 7 }), "start is 7"],
-      ["bad-target", (d) => fitted(d, { targets: equal(d).fill(0) }), "] is 0, expected"],
-      ["not-finite", (d) => fitted(d, { start: equal(d).fill(NaN) }), "start[0] is NaN"],
-      ["out-of-range", (d) => fitted(d, { start: equal(d).fill(1e200) }), "start[0] is 1e+200"],
-      ["bad-option", (d) => fitted(d, { onIteration: 7 }), "onIteration is 7"],
-      ["no-convergence", (d) => fitted(d, { maxIterations: 1 }), "after 1 steps areas are off by"],
-      ["busy", (d) => fitted(d, { onIteration: () => d.removeMany([]) }), "changed meanwhile"],
-      ...tolerance((d, options) => fitted(d, options)),
+      ...fitting(fitBy("fitAreas")),
+      [
+        "bad-option",
+        (d) => fitBy("fitAreas")(d, { signal: AbortSignal.abort() }),
+        "options.signal is unknown, expected {",
+      ],
+    ],
+  },
+  fitAreasAsync: {
+    isAsync: true,
+    use: async (d) => fitBy("fitAreasAsync")(d),
+    refuses: [
+      ...fitting(fitBy("fitAreasAsync")),
+      [
+        "bad-option",
+        (d) => fitBy("fitAreasAsync")(d, { signal: 7 }),
+        "options.signal is 7, expected",
+      ],
     ],
   },
   cellCentroids: works(inWindow((v) => v.cellCentroids())),
   cellPerimeters: works(inWindow((v) => v.cellPerimeters())),
 };
 
-/** All of them: [name, { use, refuses }]. */
+/** All of them: [name, { use, refuses, isAsync }]; those that are give promises. */
 export const calls = [
   ...Object.entries(diagramCalls).map(([name, call]) => [`Diagram.${name}`, call]),
   ...Object.entries(voronoiCalls).map(([name, call]) => [`Voronoi.${name}`, call]),

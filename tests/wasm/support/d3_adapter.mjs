@@ -93,10 +93,7 @@ class Voronoi {
     return this.view.renderCell(i, context);
   }
   cellPolygon(i) {
-    const ring = this.view.cellPolygon(i);
-    return (
-      ring && Array.from({ length: ring.length / 2 }, (_, k) => [ring[2 * k], ring[2 * k + 1]])
-    );
+    return this.view.cellPolygon(i);
   }
   *cellPolygons() {
     for (const i of this.delaunay.diagram.ids()) {

@@ -24,6 +24,7 @@ const uses = {
   vertices: (d) => d.vertices(),
   render: (d) => d.render(),
   cellPolygon: (d) => d.voronoi().cellPolygon(d.find(30, 30)),
+  toGeoJSON: (d) => d.voronoi().toGeoJSON(),
   constructor: () => new Diagram(randomCircles(300, 62)),
 };
 

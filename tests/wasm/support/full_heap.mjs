@@ -73,6 +73,7 @@ const large = {
   "Voronoi.cellWithin": () => view.cellWithin(hub, 1e6),
   "Voronoi.cellAreas": () => view.cellAreas(),
   "Voronoi.fitAreas": () => view.fitAreas(targets),
+  "Voronoi.fitAreasAsync": () => view.fitAreasAsync(targets),
   "Voronoi.cellCentroids": () => view.cellCentroids(),
   "Voronoi.cellPerimeters": () => view.cellPerimeters(),
 };
@@ -132,12 +133,12 @@ function state() {
   return sum;
 }
 
-function attempt(call) {
+async function attempt(call) {
   const before = state();
   const fillers = filled();
   let code = "none";
   try {
-    call();
+    await call();
   } catch (error) {
     code = error.code ?? String(error);
   }
@@ -145,10 +146,7 @@ function attempt(call) {
   return { code, isSame: state() === before };
 }
 
-const results = Object.fromEntries(
-  Object.entries({ ...large, ...small }).map(([name, call]) => [
-    name,
-    { isLarge: name in large, ...attempt(call) },
-  ]),
-);
+const results = {};
+for (const [name, call] of Object.entries({ ...large, ...small }))
+  results[name] = { isLarge: name in large, ...(await attempt(call)) };
 console.log(JSON.stringify({ results, afterClear: diagram.size }));

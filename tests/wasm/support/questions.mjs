@@ -19,7 +19,7 @@ export const asking = {
   has: [
     [fraction],
     (d, m, at) => {
-      for (const id of [pick(m.ids, at) ?? 0, Math.floor(at * 60), -1, 0.5])
+      for (const id of [pick(m.ids, at) ?? 0, Math.floor(at * 60), -1, 2 ** 32])
         expect(d.has(id)).toBe(m.circles.has(id));
     },
   ],
@@ -104,7 +104,7 @@ export const asking = {
     },
   ],
   within: [
-    [point, fc.integer({ min: -4, max: 9 })],
+    [point, fc.oneof(fc.integer({ min: -4, max: 9 }), fc.constant(Infinity))],
     (d, m, [x, y], distance) => {
       const ids = [...d.within(x, y, distance)];
       expect(new Set(ids).size).toBe(ids.length);
@@ -121,9 +121,10 @@ export const asking = {
     },
   ],
   search: [
-    [point, point],
-    (d, m, [x, y], [width, height]) => {
+    [point, point, fc.array(fc.integer({ min: 0, max: 3 }), { maxLength: 4 })],
+    (d, m, [x, y], [width, height], open) => {
       const box = [x, y, x + Math.abs(width), y + Math.abs(height)];
+      for (const side of open) box[side] = side < 2 ? -Infinity : Infinity;
       expect([...d.search(...box)]).toEqual(m.search(...box));
     },
   ],
@@ -188,7 +189,9 @@ export const asking = {
         .map((c) => distanceTo(c, px, py))
         .sort((a, b) => a - b);
       if (first === undefined || second - first < 0.1 * size) return;
-      const cells = [...voronoi.cellPolygons()].filter((cell) => isInside(cell, px, py));
+      const cells = [...voronoi.cellPolygons({ flat: true })].filter((cell) =>
+        isInside(cell, px, py),
+      );
       expect(cells.map((cell) => cell.index)).toEqual([d.find(px, py)]);
     },
   ],

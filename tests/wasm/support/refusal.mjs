@@ -9,6 +9,19 @@ export function expectRefusal(call, code, message) {
   } catch (thrown) {
     error = thrown;
   }
+  return expectTyped(error, code, message);
+}
+
+/** The same of a call that gives a promise, which is rejected; the call itself throws nothing. */
+export async function expectRejection(call, code, message) {
+  const error = await call().then(
+    () => undefined,
+    (thrown) => thrown,
+  );
+  return expectTyped(error, code, message);
+}
+
+function expectTyped(error, code, message) {
   expect(error).toBeInstanceOf(ApolloniusError);
   expect({ code: error.code, message: error.message }).toEqual({
     code,

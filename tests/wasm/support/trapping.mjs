@@ -142,6 +142,15 @@ function codeOf(call) {
   }
 }
 
+/** What a call throws, or its promise is rejected with; undefined for none. */
+async function errorOf(call) {
+  try {
+    await call();
+  } catch (error) {
+    return error;
+  }
+}
+
 const bystander = build();
 const before = snapshot(bystander);
 const top = started[0].real.emscripten_stack_get_current();
@@ -161,61 +170,50 @@ function harm() {
 const isMaking = (name) => /\.(constructor|from|fromBytes)$/.test(name);
 
 /** What the calls of a diagram throw that has been broken. */
-function codesAfter(diagram, view) {
-  return [
-    ...new Set(
-      calls
-        .filter(([name]) => !isMaking(name))
-        .map(([name, { use }]) =>
-          name.startsWith("Diagram.")
-            ? name === "Diagram.voronoi"
-              ? "broken"
-              : codeOf(() => use(diagram))
-            : codeOf(() => use({ voronoi: () => view })),
-        ),
-    ),
-  ].sort();
+async function codesAfter(diagram, view) {
+  const codes = new Set();
+  for (const [name, { use }] of calls) {
+    if (isMaking(name) || name === "Diagram.voronoi") continue;
+    const it = name.startsWith("Diagram.") ? diagram : { voronoi: () => view };
+    const error = await errorOf(() => use(it));
+    codes.add(error === undefined ? "none" : (error.code ?? String(error)));
+  }
+  return [...codes].sort();
 }
 
-const perCall = Object.fromEntries(
-  calls.map(([name, { use }]) => {
-    const copy = build();
-    seen = 0;
-    use(copy);
-    const steps = seen;
-    copy.dispose();
-    const found = [];
-    for (const kind in traps) {
-      for (const step of new Set([1, 2, steps].filter((step) => step >= 1 && step <= steps))) {
-        const diagram = build(),
-          view = diagram.voronoi();
-        [seen, trapAt, trap] = [0, step, traps[kind]];
-        let error;
-        try {
-          use(diagram);
-        } catch (thrown) {
-          error = thrown;
-        }
-        trapAt = 0;
-        const after = isMaking(name) ? null : codesAfter(diagram, view);
-        const destructions = destroyed.length;
-        diagram.dispose();
-        const destructed = isMaking(name) ? 0 : destroyed.length - destructions;
-        found.push({
-          kind,
-          step,
-          code: error?.code,
-          cause: error?.cause?.name,
-          after,
-          destructed,
-          disposed: codeOf(() => diagram.size),
-          harm: harm(),
-        });
-      }
+const perCall = {};
+for (const [name, { use }] of calls) {
+  const copy = build();
+  seen = 0;
+  await use(copy);
+  const steps = seen;
+  copy.dispose();
+  const found = [];
+  for (const kind in traps) {
+    for (const step of new Set([1, 2, steps].filter((step) => step >= 1 && step <= steps))) {
+      const diagram = build(),
+        view = diagram.voronoi();
+      [seen, trapAt, trap] = [0, step, traps[kind]];
+      const error = await errorOf(() => use(diagram));
+      trapAt = 0;
+      const after = isMaking(name) ? null : await codesAfter(diagram, view);
+      const destructions = destroyed.length;
+      diagram.dispose();
+      const destructed = isMaking(name) ? 0 : destroyed.length - destructions;
+      found.push({
+        kind,
+        step,
+        code: error?.code,
+        cause: error?.cause?.name,
+        after,
+        destructed,
+        disposed: codeOf(() => diagram.size),
+        harm: harm(),
+      });
     }
-    return [name, found];
-  }),
-);
+  }
+  perCall[name] = found;
+}
 
 // In the middle of real calls, where the memory has to grow.
 const large = randomCircles(30_000, 52);

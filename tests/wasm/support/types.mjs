@@ -6,7 +6,9 @@ import { packed } from "./install_packed.mjs";
 
 const consumer = `
 import {
-  ApolloniusError, Diagram, Voronoi, load, type ErrorCode, type Site,
+  ApolloniusError, Diagram, Voronoi, curvePoint, load,
+  type AreaTargets, type CellPolygon, type CellRegion, type CellRing, type ErrorCode,
+  type FittedAreas, type PolygonOptions, type Region, type Site,
 } from "apollonius-diagram";
 await0(load());
 declare function await0(promise: Promise<void>): void;
@@ -41,7 +43,58 @@ Diagram.from(diagram);
 for (const { id, x, y, r, hidden } of diagram) diagram.update(id, x, y, hidden ? r : 2 * r);
 const { ids: all, xyr } = diagram.sites();
 diagram.updateMany(all, xyr);
-export { nearest, ids, code, wrong };
+// @ts-expect-error: ids are numbers
+diagram.remove("0");
+diagram.within(0, 0, Infinity);
+
+const { signal } = new AbortController();
+const early: Promise<Diagram> = Diagram.fromAsync([[1, 2]], { signal });
+Diagram.fromAsync(cities, (d) => d.lon, (d) => d.lat, undefined, { signal });
+Diagram.from(cities, (d) => d.lon, (d) => d.lat);
+// @ts-expect-error: cities have no x and y
+Diagram.fromAsync(cities, { signal });
+// @ts-expect-error: no such option
+Diagram.fromAsync([[1, 2]], { sinal: signal });
+
+const polygon = { type: "Polygon" as const, coordinates: [[[0, 0], [1, 0], [1, 1]]] };
+const feature = { type: "Feature" as const, properties: null, geometry: polygon };
+const collection = { type: "FeatureCollection" as const, features: [feature] };
+const view = diagram.voronoi(collection);
+diagram.voronoi({ type: "Feature", geometry: { type: "Polygon", coordinates: [[[0, 0]]] } });
+const ring: [number, number][] | null = view.cellPolygon(0);
+const flat: Float64Array | null = view.cellPolygon(0, { tolerance: 1, flat: true });
+// @ts-expect-error: not without flat
+const notFlat: Float64Array | null = view.cellPolygon(0, { tolerance: 1 });
+// @ts-expect-error: rings are nested by default
+view.cellPolygon(0, { nested: true });
+const options: PolygonOptions = {};
+const either: CellRing | null = view.cellPolygon(0, options);
+for (const cell of view.cellPolygons()) cell.map(([x, y]) => x + y + cell.index);
+for (const cell of view.cellPolygons({ flat: true })) cell.subarray(cell.index);
+const firstCell: CellPolygon | undefined = [...view.cellPolygons({ flat: false })][0];
+const regions: CellRegion[] = view.cellRegions(0) ?? [];
+const holes: Float64Array[] = (view.cellRegions(0, { flat: true }) ?? []).flatMap(
+  (region) => region.holes);
+const windows: Region[] = [
+  polygon, feature, regions, regions[0]!, holes, view.toGeoJSON(), ring ?? [],
+];
+for (const window of windows) diagram.voronoi(window);
+
+const targets: AreaTargets[] = [[1], new Float64Array(1), new Map([[0, 1]]), { 0: 1 }];
+const fitted: FittedAreas | null = view.fitAreas(targets[0]!, { strict: true });
+const outcome: [boolean, string | undefined] | undefined =
+  fitted === null ? undefined : [fitted.converged, fitted.reason];
+const later: Promise<FittedAreas | null> = view.fitAreasAsync(new Map([[0, 1]]), { signal });
+// @ts-expect-error: that one cannot be aborted
+view.fitAreas([1], { signal });
+// @ts-expect-error: targets are numbers
+view.fitAreas({ 0: "1" });
+const point: [number, number] = curvePoint(view.edgeCurves().curves, 0, 0.5);
+declare const context: CanvasRenderingContext2D | null | undefined;
+const path: string | void = view.render(context);
+const sides: string = view.renderBounds(null, { digits: 2 });
+export { nearest, ids, code, wrong, early, flat, notFlat, either, firstCell, outcome, later };
+export { path, point, sides };
 `;
 // needs TypeScript 5.2 and its library
 const using = "{ using scoped = new Diagram([0, 0, 1]); scoped.size; }\n";

@@ -1,0 +1,107 @@
+#include "geometry/chords.h"
+
+#include <algorithm>
+
+#include "geometry/turn.h"
+#include "number/fp.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// Halvings at worst, as in approximate.cpp.
+constexpr int kMostHalvings = 640;
+/// Below this share of a piece's size, its border and the tolerance are no reason to halve: at most
+/// 2^18 points.
+constexpr double kFinestShare = powerOfTwo(-36);
+/// Voronoi vertices can be off by this share of their numbers (edge.h).
+constexpr double kMostOff = powerOfTwo(-38);
+
+/// Not where coordinates are none, either: trusted snapshots may lie.
+bool isSplittable(const Conic& conic, Point m) {
+  return dot(m, m) >= 0 && !(m == conic.p0 || m == conic.p2);
+}
+
+}  // namespace
+
+std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
+  const Conic& curve = piece.curve;
+  left_ = piece.left;
+  right_ = piece.right;
+  finest_ = kFinestShare * (length(curve.p1 - curve.p0) + length(curve.p2 - curve.p1));
+  allowed_ = std::max(tolerance_, finest_);
+  points_.clear();
+  points_.push_back(curve.p0);
+  halve(curve, piece.fromSegment, piece.toSegment, kMostHalvings);
+  straighten();
+  return points_;
+}
+
+void ChordFinder::halve(const Conic& curve, std::uint32_t fromSegment, std::uint32_t toSegment,
+                        int depth) {
+  const double sagitta = curve.sagitta();
+  const auto isGood = [&] {
+    if (curve.isStraight() || depth == 0) return true;
+    if (sagitta > allowed_) return false;
+    return sagitta > finest_
+               ? turnsLittle(curve.p0, curve.p2) && !isBorderNear(curve, fromSegment, toSegment)
+               : turns(curve.p0, curve.p2);
+  };
+  if (!isGood()) {
+    Conic first, second;
+    curve.halve(first, second);
+    // Of the halves of a curve that turns, one chord does at least. If none does, rounding hides
+    // it, and halving on will not help.
+    if (isSplittable(curve, first.p2) &&
+        (sagitta > finest_ || turns(first.p0, first.p2) || turns(second.p0, second.p2))) {
+      halve(first, fromSegment, kNoSegment, depth - 1);
+      halve(second, kNoSegment, toSegment, depth - 1);
+      return;
+    }
+  }
+  points_.push_back(curve.p2);
+}
+
+/// A rectangle is convex: its border is near only where a curve begins and ends on one side.
+bool ChordFinder::isBorderNear(const Conic& curve, std::uint32_t fromSegment,
+                               std::uint32_t toSegment) const {
+  if (outline_ != nullptr) return outline_->meetsTriangle(curve, fromSegment, toSegment);
+  const auto areOn = [](double side, double a, double b) { return a == side && b == side; };
+  const Point a = curve.p0, b = curve.p2;
+  return areOn(box_.xmin, a.x, b.x) || areOn(box_.xmax, a.x, b.x) || areOn(box_.ymin, a.y, b.y) ||
+         areOn(box_.ymax, a.y, b.y);
+}
+
+/// Does a chord turn counter-clockwise about the site on its left, and clockwise about the other?
+bool ChordFinder::turns(Point from, Point to) const {
+  return turnOf(left_, from, to) == Sign::kPositive && turnOf(right_, from, to) == Sign::kNegative;
+}
+
+/// By less than a quarter turn?
+bool ChordFinder::turnsLittle(Point from, Point to) const {
+  return dot(from - left_, to - left_) > 0 && dot(from - right_, to - right_) > 0 &&
+         turns(from, to);
+}
+
+/// Has rounding put p before `from`, seen from one of the sites?
+bool ChordFinder::isLate(Point from, Point p) const {
+  const double size =
+      absolute(p.x) + absolute(p.y) + std::max(length(p - left_), length(p - right_));
+  return length(p - from) <= kMostOff * size &&
+         (turnOf(left_, from, p) == Sign::kNegative || turnOf(right_, from, p) == Sign::kPositive);
+}
+
+/// Drops the inner points that come before their predecessors by rounding.
+void ChordFinder::straighten() {
+  std::size_t kept = 0;
+  for (std::size_t k = 1; k < points_.size(); ++k) {
+    const bool isEnd = k + 1 == points_.size();
+    const Point p = points_[k];
+    while (isEnd && kept > 0 && (p == points_[kept] || isLate(points_[kept], p))) --kept;
+    if (!isEnd && (p == points_[kept] || isLate(points_[kept], p))) continue;
+    points_[++kept] = p;
+  }
+  points_.resize(kept + 1);
+}
+
+}  // namespace apollonius::internal

@@ -1,0 +1,49 @@
+// Parts of Embind's JavaScript in which ours differs from Emscripten's.
+addToLibrary({
+  // How a function of the module is called by its number. With 4 GB of memory there are addresses
+  // beyond 2^31, which come out negative; Emscripten's own version calls through two closures with
+  // lists of arguments, which is most of the cost of a small call (docs/DECISIONS.md, "Embind").
+  $getDynCaller__deps: ["$wasmTable"],
+  $getDynCaller: (signature, number) => {
+    const plain = wasmTable.get(number);
+    if (signature[0] !== "p") return plain;
+    // As many parameters as any has.
+    return (a, b, c, d, e, f, g, h, i, j, k) => plain(a, b, c, d, e, f, g, h, i, j, k) >>> 0;
+  },
+});
+
+/** Not while Embind writes the types, with other parts. */
+const isEmbind = "$readPointer" in LibraryManager.library;
+const records = {
+  // How a record comes out of the module. Emscripten's own version goes over its fields by
+  // `for in`, which also meets what a page has put on Object.prototype. None of ours go in.
+  _embind_finalize_value_object__deps: [
+    "$structRegistrations",
+    "$readPointer",
+    "$whenDependentTypesAreResolved",
+    "$GenericWireTypeSize",
+  ],
+  _embind_finalize_value_object: (type) => {
+    const { name, rawDestructor, fields } = structRegistrations[type];
+    delete structRegistrations[type];
+    const types = fields.map(({ getterReturnType }) => getterReturnType);
+    whenDependentTypesAreResolved([type], types, (converters) => [
+      {
+        name,
+        fromWireType: (pointer) => {
+          const record = {};
+          for (let k = 0; k < fields.length; ++k) {
+            const { fieldName, getter, getterContext } = fields[k];
+            record[fieldName] = converters[k].fromWireType(getter(getterContext, pointer));
+          }
+          rawDestructor(pointer);
+          return record;
+        },
+        argPackAdvance: GenericWireTypeSize,
+        readValueFromPointer: readPointer,
+        destructorFunction: rawDestructor,
+      },
+    ]);
+  },
+};
+if (isEmbind) addToLibrary(records);
