@@ -86,8 +86,8 @@ const kLater = {
   "fits beside the page, distances to the last place": 1_900,
 };
 // of which documents 60 000, levels and counts of predicates 14 000, vertices of circles on a grid
-// 4 000 (1 218 bytes of wasm in three files), snap rounding 4 500 (1 352), and polygons that tile the
-// window, with what came beside them, 87 000 (17 000)
+// 4 000 (1 218 bytes of wasm in three files), snap rounding 4 500 (1 352), and polygons that tile
+// the window, with what came beside them, 87 000 (17 000)
 const kLaterUnpacked = 330_000;
 const later = Object.values(kLater).reduce((sum, bytes) => sum + bytes, 0);
 test("sizes: the default entry and the whole package are within their limits", () => {
