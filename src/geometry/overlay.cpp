@@ -10,6 +10,8 @@ namespace apollonius::internal {
 namespace {
 
 constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
+/// If so few of the faces are inside, one in this many, they are listed.
+constexpr std::size_t kFew = 16;
 
 }  // namespace
 
@@ -40,10 +42,10 @@ void Overlay::sortCrossings() {
                       return a.edge != b.edge ? a.edge < b.edge : a.e != b.e ? a.e < b.e : k < m;
                     });
   const Graph& graph = core_.delaunay().graph();
-  isCrossed_.assign(graph.faceSlots(), 0);
+  touched_.assign(graph.faceSlots() / 8 + 1, 0);
   for (const Crossing& crossing : crossings_) {
-    isCrossed_[index(faceOf(crossing.edge))] = 1;
-    isCrossed_[index(faceOf(graph.twin(crossing.edge)))] = 1;
+    touch(faceOf(crossing.edge));
+    touch(faceOf(graph.twin(crossing.edge)));
   }
 }
 
@@ -129,6 +131,28 @@ void Overlay::wind() {
       found.push_back(faceOf(twin));
     }
   }
+  thinOut();
+}
+
+void Overlay::thinOut() {
+  const auto isInside = [&](std::size_t f) {
+    return windings_[f] != 0 && windings_[f] != kUnknown;
+  };
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < windings_.size(); ++f) count += isInside(f) ? 1 : 0;
+  if (count > windings_.size() / kFew) return;
+  for (std::uint32_t f = 0; f < windings_.size(); ++f) {
+    if (!isInside(f)) continue;
+    inside_.push_back({f, static_cast<std::uint32_t>(windings_[f])});
+    touch(FaceId{f});
+  }
+  windings_ = FlatArray<std::int32_t>();
+}
+
+int Overlay::sparseWindingOf(FaceId f) const {
+  const auto isBefore = [](const Keyed& entry, std::uint32_t face) { return entry.key < face; };
+  const Keyed* const at = std::lower_bound(inside_.begin(), inside_.end(), index(f), isBefore);
+  return at != inside_.end() && at->key == index(f) ? static_cast<std::int32_t>(at->value) : 0;
 }
 
 }  // namespace apollonius::internal

@@ -61,7 +61,10 @@ class Overlay {
   [[nodiscard]] std::span<const Keyed> lodgers() const { return lodgers_; }
   [[nodiscard]] std::span<const Keyed> lodgersOf(Slot cell) const;
   /// Of a face's Voronoi vertex.
-  [[nodiscard]] int windingOf(FaceId f) const { return windings_[index(f)]; }
+  [[nodiscard]] int windingOf(FaceId f) const {
+    if (!isDense()) return isTouched(f) ? sparseWindingOf(f) : 0;
+    return windings_[index(f)];
+  }
 
   /// A piece inside of an edge, from E = e0 to e1, with these ends: crossings or Voronoi vertices.
   /// A vertex that rounding alone takes for inside can be farther away than the box is wide by any
@@ -103,17 +106,26 @@ class Overlay {
  private:
   void sortCrossings();
   void wind();
-  [[nodiscard]] bool isCrossed(HalfedgeId edge) const {
-    return isCrossed_[index(faceOf(edge))] != 0;
+  [[nodiscard]] bool isCrossed(HalfedgeId edge) const { return isTouched(faceOf(edge)); }
+  /// Is it perhaps inside, or has one of its half-edges a crossing?
+  [[nodiscard]] bool isTouched(FaceId f) const {
+    return (touched_[index(f) / 8] >> (index(f) % 8) & 1) != 0;
   }
+  void touch(FaceId f) { touched_[index(f) / 8] |= static_cast<unsigned char>(1 << index(f) % 8); }
+  [[nodiscard]] bool isDense() const { return !windings_.empty(); }
+  [[nodiscard]] int sparseWindingOf(FaceId f) const;
+  void thinOut();
 
   const DiagramCore& core_;
   const Outline& outline_;
   FlatArray<Crossing> crossings_;  // ring by ring, in their order
   FlatArray<Keyed> lodgers_;
   FlatArray<std::uint32_t> byEdge_;   // crossings by edge, then by E
-  FlatArray<char> isCrossed_;         // by face: has one of its half-edges a crossing?
-  FlatArray<std::int32_t> windings_;  // by face
+  FlatArray<unsigned char> touched_;  // by face, a bit each
+  // A view of a small region is not to hold much for each site: windings by face, or, where few
+  // faces are inside, of these alone (Keyed: the face, the winding), ascending.
+  FlatArray<std::int32_t> windings_;
+  FlatArray<Keyed> inside_;
 };
 
 }  // namespace apollonius::internal
