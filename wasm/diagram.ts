@@ -17,7 +17,7 @@ import { kInspect, listed, showContent, summary } from "./content.js";
 import { drawDual, drawWhole } from "./drawing.js";
 import * as edits from "./edits.js";
 import { ApolloniusError } from "./errors.js";
-import { createNative, destroy, fillOrDispose, provideNative } from "./living.js";
+import { createNative, destroy, fillOrDispose, nativeOf, provideNative } from "./living.js";
 import { type NativeDiagram, runningModule } from "./module.js";
 import type { DrawOptions, DualOptions, PathContext } from "./path.js";
 import { checkOptions } from "./options.js";
@@ -154,7 +154,7 @@ export class Diagram implements Disposable {
    * one location and O(size of the change). Throws "not-finite", "out-of-range".
    */
   insert(x: number, y: number, r: number = 0): number {
-    const id = edits.insert(this.#changing(), x, y, r);
+    const id = edits.insert(nativeOf(this, true), x, y, r);
     this.#ballast.carry(id + 1);
     return id;
   }
@@ -165,7 +165,7 @@ export class Diagram implements Disposable {
    * multiple of 3), "too-large" (more than 2^29 triples).
    */
   insertMany(xyr: ArrayLike<number>): Uint32Array {
-    const native = this.#changing();
+    const native = nativeOf(this, true);
     const ids = edits.insertMany(native, checkedNewSites("xyr", xyr));
     this.#ballast.carry(native.size());
     return ids;
@@ -178,7 +178,7 @@ export class Diagram implements Disposable {
    * Throws "unknown-site" for what is no whole number.
    */
   remove(id: number): boolean {
-    return edits.remove(this.#changing(), id);
+    return edits.remove(nativeOf(this, true), id);
   }
 
   /**
@@ -186,7 +186,7 @@ export class Diagram implements Disposable {
    * as `remove` for each. Throws as `remove`, and "bad-length" if `ids` is no array.
    */
   removeMany(ids: ArrayLike<number>): number {
-    return edits.removeMany(this.#changing(), ids);
+    return edits.removeMany(nativeOf(this, true), ids);
   }
 
   /**
@@ -194,7 +194,7 @@ export class Diagram implements Disposable {
    * and insert. Throws "unknown-site", "not-finite", "out-of-range".
    */
   update(id: number, x: number, y: number, r?: number): this {
-    edits.update(this.#changing(), id, x, y, r);
+    edits.update(nativeOf(this, true), id, x, y, r);
     return this;
   }
 
@@ -204,24 +204,24 @@ export class Diagram implements Disposable {
    * there is one triple an id.
    */
   updateMany(ids: ArrayLike<number>, xyr: ArrayLike<number>): this {
-    edits.updateMany(this.#changing(), ids, xyr);
+    edits.updateMany(nativeOf(this, true), ids, xyr);
     return this;
   }
 
   /** Removes all sites; ids start from 0 again. Cost: O(n). */
   clear(): this {
-    this.#changing().clear();
+    nativeOf(this, true).clear();
     return this;
   }
 
   /** Number of sites, hidden ones too. O(1). */
   get size(): number {
-    return this.#living().size();
+    return nativeOf(this).size();
   }
 
   /** Number of sites that have a cell. O(1). */
   get visibleSize(): number {
-    return this.#living().visibleSize();
+    return nativeOf(this).visibleSize();
   }
 
   /** Number of sites that have none: another covers them (the paper's trivial sites). O(1). */
@@ -231,22 +231,22 @@ export class Diagram implements Disposable {
 
   /** Whether a site has this id. O(1). Throws "unknown-site" for what is no whole number. */
   has(id: number): boolean {
-    return queries.has(this.#living(), id);
+    return queries.has(nativeOf(this), id);
   }
 
   /** Centre and radius of a site, exactly as given. O(1). Throws "unknown-site". */
   site(id: number): Site {
-    return queries.site(this.#living(), id);
+    return queries.site(nativeOf(this), id);
   }
 
   /** All ids, ascending. O(n). */
   ids(): Uint32Array {
-    return this.#living().ids();
+    return nativeOf(this).ids();
   }
 
   /** All sites, hidden ones too, as typed arrays: `updateMany(ids, xyr)` moves them all. O(n). */
   sites(): Sites {
-    return this.#living().sites();
+    return nativeOf(this).sites();
   }
 
   /** All sites, { id, x, y, r, hidden }, ascending by id, as the loop finds them. O(n). */
@@ -256,7 +256,7 @@ export class Diagram implements Disposable {
 
   /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
   isHidden(id: number): boolean {
-    return queries.isHidden(this.#living(), id);
+    return queries.isHidden(nativeOf(this), id);
   }
 
   /**
@@ -264,7 +264,7 @@ export class Diagram implements Disposable {
    * "unknown-site".
    */
   coverOf(id: number): number {
-    return queries.coverOf(this.#living(), id);
+    return queries.coverOf(nativeOf(this), id);
   }
 
   // --- Queries -----------------------------------------------------------------------------------
@@ -274,7 +274,7 @@ export class Diagram implements Disposable {
    * x, then y. Cost: one location (paper, section 4). Throws "not-finite", "out-of-range".
    */
   find(x: number, y: number): number {
-    return queries.find(this.#living(), x, y);
+    return queries.find(nativeOf(this), x, y);
   }
 
   /**
@@ -282,7 +282,7 @@ export class Diagram implements Disposable {
    * is empty. Cost, errors: as find.
    */
   nearest(x: number, y: number): { id: number; distance: number } | null {
-    return queries.nearest(this.#living(), x, y);
+    return queries.nearest(nativeOf(this), x, y);
   }
 
   /**
@@ -291,7 +291,7 @@ export class Diagram implements Disposable {
    * locations for m points. Throws as `find`, and "bad-length".
    */
   findMany(xy: ArrayLike<number>, distances?: Float64Array): Int32Array {
-    return queries.findMany(this.#living(), xy, distances);
+    return queries.findMany(nativeOf(this), xy, distances);
   }
 
   /**
@@ -302,7 +302,7 @@ export class Diagram implements Disposable {
    * a k that is no whole number from 0 on; Infinity means all), "bad-option".
    */
   kNearest(x: number, y: number, k: number, options?: NearbyOptions): Uint32Array {
-    return queries.kNearest(this.#living(), this.#filters, x, y, k, options);
+    return queries.kNearest(nativeOf(this), this.#filters, x, y, k, options);
   }
 
   /**
@@ -312,7 +312,7 @@ export class Diagram implements Disposable {
    * Throws "not-finite", "out-of-range", "bad-option".
    */
   within(x: number, y: number, distance: number, options?: FilterOptions): Uint32Array {
-    return queries.within(this.#living(), this.#filters, x, y, distance, options);
+    return queries.within(nativeOf(this), this.#filters, x, y, distance, options);
   }
 
   /**
@@ -323,7 +323,7 @@ export class Diagram implements Disposable {
    * circles that contain the point. Throws "not-finite", "out-of-range", "bad-option".
    */
   pick(x: number, y: number, maxDistance?: number, options?: PickOptions): number {
-    return queries.pick(this.#living(), x, y, maxDistance, options);
+    return queries.pick(nativeOf(this), x, y, maxDistance, options);
   }
 
   /**
@@ -333,7 +333,7 @@ export class Diagram implements Disposable {
    * Throws "bad-bounds".
    */
   search(xmin: number, ymin: number, xmax: number, ymax: number): Uint32Array {
-    return queries.search(this.#living(), xmin, ymin, xmax, ymax);
+    return queries.search(nativeOf(this), xmin, ymin, xmax, ymax);
   }
 
   /**
@@ -342,12 +342,12 @@ export class Diagram implements Disposable {
    * graph is triangulated canonically). O(d). Throws "unknown-site".
    */
   neighbors(id: number): Uint32Array {
-    return queries.neighbors(this.#living(), id);
+    return queries.neighbors(nativeOf(this), id);
   }
 
   /** All Voronoi edges. O(n). */
   edges(): Edges {
-    return this.#living().edges();
+    return nativeOf(this).edges();
   }
 
   /**
@@ -355,7 +355,7 @@ export class Diagram implements Disposable {
    * The nearest doubles where sites have small integer coordinates and radii. O(n).
    */
   vertices(): Vertices {
-    return this.#living().vertices();
+    return nativeOf(this).vertices();
   }
 
   /**
@@ -364,7 +364,7 @@ export class Diagram implements Disposable {
    * for ids not in use. O(n).
    */
   levels(): Uint8Array {
-    return this.#living().levels();
+    return nativeOf(this).levels();
   }
 
   // --- Geometry ----------------------------------------------------------------------------------
@@ -384,7 +384,7 @@ export class Diagram implements Disposable {
    * back). Circles in line on the hull are all listed. O(length).
    */
   hull(): Uint32Array {
-    return this.#living().hull();
+    return nativeOf(this).hull();
   }
 
   /**
@@ -398,7 +398,7 @@ export class Diagram implements Disposable {
   render(context?: null, options?: DualOptions): string;
   render(context?: PathContext | null, options?: DualOptions): string | void;
   render(context?: PathContext | null, options?: DualOptions): string | void {
-    return drawDual(this.#living(), context, options);
+    return drawDual(nativeOf(this), context, options);
   }
 
   /**
@@ -409,7 +409,7 @@ export class Diagram implements Disposable {
   renderSites(context?: null, options?: DrawOptions): string;
   renderSites(context?: PathContext | null, options?: DrawOptions): string | void;
   renderSites(context?: PathContext | null, options?: DrawOptions): string | void {
-    return drawWhole(this.#living(), "sites", undefined, context, options);
+    return drawWhole(nativeOf(this), "sites", undefined, context, options);
   }
 
   /**
@@ -420,7 +420,7 @@ export class Diagram implements Disposable {
   renderHull(context?: null, options?: DrawOptions): string;
   renderHull(context?: PathContext | null, options?: DrawOptions): string | void;
   renderHull(context?: PathContext | null, options?: DrawOptions): string | void {
-    return drawWhole(this.#living(), "hull", undefined, context, options);
+    return drawWhole(nativeOf(this), "hull", undefined, context, options);
   }
 
   // --- Snapshots ---------------------------------------------------------------------------------
@@ -433,7 +433,7 @@ export class Diagram implements Disposable {
    * O(n), a fraction of building.
    */
   toBytes(): ReturnType<Uint8Array["slice"]> {
-    return this.#living().toBytes();
+    return nativeOf(this).toBytes();
   }
 
   /** The sites, for JSON; `Diagram.from` reads them, with new ids. O(n). */
@@ -461,7 +461,7 @@ export class Diagram implements Disposable {
    * constants: for tests.
    */
   validate(): string | null {
-    return queries.validate(this.#living());
+    return queries.validate(nativeOf(this));
   }
 
   // --- Life time ---------------------------------------------------------------------------------
@@ -473,7 +473,7 @@ export class Diagram implements Disposable {
    */
   dispose(): void {
     if (this.#native === null) return;
-    destroy(this.#changing());
+    destroy(nativeOf(this, true));
     this.#native = null;
     this.#ballast.drop();
   }

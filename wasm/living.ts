@@ -21,9 +21,15 @@ export function provideNative(accessor: Access): void {
 export function nativeOf(diagram: unknown, changes = false): NativeDiagram {
   const native = access(diagram, changes);
   if (native !== null) return native;
-  throw new ApolloniusError(
+  throw notItsOwn(diagram);
+}
+
+/** The error of a method that was taken off its object, or called on another. */
+export function notItsOwn(receiver: unknown): ApolloniusError {
+  return new ApolloniusError(
     "bad-option",
-    `diagram is ${described(diagram)}, expected a Diagram: diagram.voronoi(bounds) makes a Voronoi`,
+    `a method was called on ${described(receiver)}: it is one of a Diagram, or of what ` +
+      "diagram.voronoi(bounds) makes, as in diagram.find(x, y)",
   );
 }
 

@@ -19,7 +19,7 @@ import {
   type Position,
   positionsOf,
 } from "./geojson.js";
-import { createRegion, destroy, nativeOf } from "./living.js";
+import { createRegion, destroy, nativeOf, notItsOwn } from "./living.js";
 import type { NativeDiagram, NativeRegion } from "./module.js";
 import { checkOptions } from "./options.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
@@ -176,7 +176,7 @@ export class Voronoi implements Disposable {
   render(context?: null, options?: DrawOptions): string;
   render(context?: PathContext | null, options?: DrawOptions): string | void;
   render(context?: PathContext | null, options?: DrawOptions): string | void {
-    const native = this.#living();
+    const native = Voronoi.#living(this);
     const tolerance = this.#tolerance(native, options);
     return drawn(context, options, (target) =>
       drawInto(target, native, "edges", () => this.#window, tolerance),
@@ -188,11 +188,11 @@ export class Voronoi implements Disposable {
   renderBounds(context?: null, options?: DrawOptions): string;
   renderBounds(context?: PathContext | null, options?: DrawOptions): string | void;
   renderBounds(context?: PathContext | null, options?: DrawOptions): string | void {
-    const native = this.#living();
+    const native = Voronoi.#living(this);
     const region = this.#region;
     return drawn(context, options, (target) => {
       if (region !== null) {
-        this.#living(); // the options' getters may have disposed of it
+        Voronoi.#living(this); // the options' getters may have disposed of it
         const { commands, coordinates } = native.drawRegion(region);
         return play(target, commands, coordinates);
       }
@@ -209,7 +209,7 @@ export class Voronoi implements Disposable {
   renderCell(id: number, context?: null, options?: DrawOptions): string;
   renderCell(id: number, context?: PathContext | null, options?: DrawOptions): string | void;
   renderCell(id: number, context?: PathContext | null, options?: DrawOptions): string | void {
-    const native = this.#nativeFor(id);
+    const native = Voronoi.#nativeFor(this, id);
     const tolerance = this.#tolerance(native, options);
     return drawn(context, options, (target) => {
       const { commands, coordinates } = native.drawCell(...this.#window, id, tolerance);
@@ -273,7 +273,7 @@ export class Voronoi implements Disposable {
 
   /** The true boundary of a cell, as curves. */
   cellCurves(id: number): CellCurves | null {
-    const native = this.#nativeFor(id);
+    const native = Voronoi.#nativeFor(this, id);
     const { curves, sites, regions } = native.cellCurves(...this.#window, id);
     return regions.length < 2 ? null : { curves, neighbors: new Int32Array(sites.buffer), regions };
   }
@@ -283,7 +283,7 @@ export class Voronoi implements Disposable {
    * O(n).
    */
   edgeCurves(): EdgeCurves {
-    const { curves, sites } = this.#living().edgeCurves(...this.#window);
+    const { curves, sites } = Voronoi.#living(this).edgeCurves(...this.#window);
     return { curves, sites };
   }
 
@@ -295,7 +295,7 @@ export class Voronoi implements Disposable {
   toGeoJSON<Properties = { site: number }>(
     options?: GeoJSONOptions<Properties>,
   ): CellsCollection<Properties> {
-    const native = this.#living();
+    const native = Voronoi.#living(this);
     return collectionOf(
       (tolerance) => native.cellPolygons(...this.#window, this.#tolerance(native, { tolerance })),
       options,
@@ -309,7 +309,7 @@ export class Voronoi implements Disposable {
    * not matter. false for a hidden site. Throws "unknown-site", "not-finite", "out-of-range".
    */
   contains(id: number, x: number, y: number): boolean {
-    this.#nativeFor(id);
+    Voronoi.#nativeFor(this, id);
     return this.diagram.find(x, y) === id;
   }
 
@@ -344,7 +344,7 @@ export class Voronoi implements Disposable {
 
   /** Area, centroid and perimeter at once. */
   cellMeasures(id: number): Measures | null {
-    const native = this.#nativeFor(id);
+    const native = Voronoi.#nativeFor(this, id);
     if (native.isHidden(id)) return null;
     return measuresOf(native.cellMeasures(...this.#window, id));
   }
@@ -356,7 +356,7 @@ export class Voronoi implements Disposable {
    * "unknown-site", "not-finite", "out-of-range" (a radius below 0).
    */
   cellWithin(id: number, radius: number): Measures | null {
-    const native = this.#nativeFor(id);
+    const native = Voronoi.#nativeFor(this, id);
     if (radius !== Infinity) checkNumber("radius", radius);
     if (radius < 0)
       throw new ApolloniusError("out-of-range", `radius is ${radius}, expected 0 or more`);
@@ -370,7 +370,7 @@ export class Voronoi implements Disposable {
    * do those of the next two and of `render`; those of `cellArea` and of all else do not.
    */
   cellAreas(): Float64Array {
-    return this.#living().cellAreas(...this.#window);
+    return Voronoi.#living(this).cellAreas(...this.#window);
   }
 
   /**
@@ -378,12 +378,12 @@ export class Voronoi implements Disposable {
    * none. O(n).
    */
   cellCentroids(): Float64Array {
-    return this.#living().cellCentroids(...this.#window);
+    return Voronoi.#living(this).cellCentroids(...this.#window);
   }
 
   /** The perimeters of all cells inside the window, by id; 0 where there is none. O(n). */
   cellPerimeters(): Float64Array {
-    return this.#living().cellPerimeters(...this.#window);
+    return Voronoi.#living(this).cellPerimeters(...this.#window);
   }
 
   // --- Prescribed areas --------------------------------------------------------------------------
@@ -402,7 +402,7 @@ export class Voronoi implements Disposable {
    * building the diagram and of `cellAreas`.
    */
   fitAreas(targets: AreaTargets, options?: FitOptions): FittedAreas | null {
-    return fitAreas(this.#living(true), () => this.#window, targets, options);
+    return fitAreas(Voronoi.#living(this, true), () => this.#window, targets, options);
   }
 
   /**
@@ -415,7 +415,7 @@ export class Voronoi implements Disposable {
     options?: AsyncFitOptions,
   ): Promise<FittedAreas | null> {
     // awaited here, so that this view, and so the diagram, is not collected meanwhile
-    return await fitAreasAsync(this.#living(true), () => this.#window, targets, options);
+    return await fitAreasAsync(Voronoi.#living(this, true), () => this.#window, targets, options);
   }
 
   // --- Life time ---------------------------------------------------------------------------------
@@ -445,18 +445,19 @@ export class Voronoi implements Disposable {
 
   /** As a call takes it; read last, as the caller's code can dispose of the view before. */
   get #window(): NativeWindow {
-    this.#living();
+    Voronoi.#living(this);
     return [this.#region, ...this.#bounds];
   }
 
   /** Of calls that change the diagram: "busy" within a filter. */
-  #living(changes = false): NativeDiagram {
-    if (this.#isDisposed) throw new ApolloniusError("disposed", "the view has been disposed of");
-    return nativeOf(this.diagram, changes);
+  static #living(view: Voronoi, changes = false): NativeDiagram {
+    if (typeof view !== "object" || view === null || !(#isDisposed in view)) throw notItsOwn(view);
+    if (view.#isDisposed) throw new ApolloniusError("disposed", "the view has been disposed of");
+    return nativeOf(view.diagram, changes);
   }
 
-  #nativeFor(id: number): NativeDiagram {
-    const native = this.#living();
+  static #nativeFor(view: Voronoi, id: number): NativeDiagram {
+    const native = Voronoi.#living(view);
     if (!isSiteId(id) || !native.has(id)) throw unknownSite(id);
     return native;
   }
@@ -465,7 +466,7 @@ export class Voronoi implements Disposable {
   #rings(id: number, options: PolygonOptions | undefined) {
     checkOptions(options, "tolerance", "flat");
     const isFlat = checkedChoice("options.flat", options?.flat, [false, true]);
-    const native = this.#nativeFor(id);
+    const native = Voronoi.#nativeFor(this, id);
     const tolerance = this.#tolerance(native, options);
     return { isFlat, ...native.cellPolygon(...this.#window, id, tolerance) };
   }

@@ -7,6 +7,7 @@
 
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/insert_into.h"
 #include "support/replay.h"
 
 namespace apollonius::test {
@@ -151,6 +152,24 @@ TEST(Nearest, DistancesMayBeLeftOut) {
   std::vector<SiteId> ids(2);
   EXPECT_EQ(diagram.findMany(xy, ids, {}), Error::kNone);
   EXPECT_EQ(ids, (std::vector<SiteId>{id, id}));
+}
+
+TEST(FindMany, OfMorePointsThanAreSortedAtOnce) {
+  Random random(77);
+  Diagram diagram;
+  insertInto(diagram, {{0, 0, 1}, {90, 10, 5}, {40, 80, 2}, {50, 50, 0}, {10, 90, 3}});
+  std::vector<double> xy;
+  for (int k = 0; k < 2 * 40'000; ++k) xy.push_back(random.between(-20, 120));
+  std::vector<SiteId> ids(xy.size() / 2);
+  std::vector<double> distances(ids.size());
+  ASSERT_EQ(diagram.findMany(xy, ids, distances), Error::kNone);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    SiteId id = kNoSite;
+    double distance = 0;
+    ASSERT_EQ(diagram.find(xy[2 * k], xy[2 * k + 1], id, distance), Error::kNone);
+    ASSERT_EQ(ids[k], id) << k;
+    ASSERT_EQ(distances[k], distance) << k;
+  }
 }
 
 }  // namespace
