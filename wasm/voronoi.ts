@@ -110,8 +110,8 @@ export type NestedOptions = PolygonOptions & { flat?: false | undefined };
  * In a window that is no rectangle, the first call after a change of the diagram finds out where
  * the window's rings pass through the cells, which takes O(n + m + c), m being their points and c
  * the degrees of the cells, for each side that passes through one or comes near its boundary; O(d)
- * below is then O(d + what of the rings is in the cell). The window is prepared once: in O(m log m),
- * and for r rings around each other in O(r²). `dispose` gives the memory back.
+ * below is then O(d + what of the rings is in the cell). The window is prepared once, in
+ * O(m log m). `dispose` gives the memory back.
  *
  * Everywhere: an id without a site throws "unknown-site"; for a hidden site, which has no cell, and
  * for what a cell has no part of inside the window, there is nothing: null for arrays and objects,
@@ -421,9 +421,9 @@ export class Voronoi implements Disposable {
   // --- Life time ---------------------------------------------------------------------------------
 
   /**
-   * Gives back the memory of a window that is no rectangle (up to 10 bytes for each of the diagram's
-   * sites, and what of it the window meets); later calls throw "disposed". A forgotten view is
-   * freed as a forgotten diagram is. The diagram lives on. O(1).
+   * Gives back the memory of a window that is no rectangle: what it meets, and up to 10 bytes for
+   * each of the diagram's sites. Later calls throw "disposed". A forgotten view is freed as a
+   * forgotten diagram is. The diagram lives on. O(1).
    */
   dispose(): void {
     if (this.#isDisposed) return;

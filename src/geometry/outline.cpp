@@ -82,7 +82,10 @@ class Linework {
   [[nodiscard]] std::span<const Keyed> endsAt(std::uint32_t point) const {
     return std::span(ends_).subspan(firstEnd_[point], firstEnd_[point + 1] - firstEnd_[point]);
   }
-  [[nodiscard]] bool isInsideBelow(const SegmentGrid& grid, std::uint32_t segment);
+  [[nodiscard]] bool isHigher(const Segment& s, const Segment& t) const;
+  [[nodiscard]] double heightAt(const Segment& s, double x) const;
+  [[nodiscard]] bool isInsideBelow(const SegmentGrid& grid, std::uint32_t segment,
+                                   std::span<const char> turns);
   [[nodiscard]] std::uint32_t next(std::uint32_t segment) const;
 
   Window box_;
@@ -241,12 +244,23 @@ void Linework::listEnds() {
   for (std::size_t k = 1; k < firstEnd_.size(); ++k) firstEnd_[k] += firstEnd_[k - 1];
 }
 
-/// Is the side below a segment inside: are there an odd number of segments below, a little to the
-/// right of its left end?
-bool Linework::isInsideBelow(const SegmentGrid& grid, std::uint32_t segment) {
+/// Of two segments below a point, which do not cross: is the second one nearer to it?
+bool Linework::isHigher(const Segment& s, const Segment& t) const {
+  if (comesBefore(from(t), from(s))) return !isHigher(t, s);
+  Sign side = turnOf(from(s), to(s), from(t));
+  if (side == Sign::kZero) side = turnOf(from(s), to(s), to(t));
+  return side == Sign::kPositive;
+}
+
+/// Is the side below a segment inside, a little to the right of its left end? Below it are others
+/// that start there, each of which has the inside on one side; and below these the nearest segment
+/// that begins further left: it has been asked before, as segments are asked from left to right.
+bool Linework::isInsideBelow(const SegmentGrid& grid, std::uint32_t segment,
+                             std::span<const char> turns) {
   const Segment& s = segments_[segment];
   const Point p = from(s);
-  bool isInside = false;
+  std::uint32_t nearest = kNone;
+  bool isOdd = false;
   const std::uint32_t column = grid.columnOf(p.x);
   for (std::uint32_t row = grid.rowOf(p.y) + 1; row-- > 0;) {
     for (const std::uint32_t k : grid.at(grid.cellOf(column, row))) {
@@ -256,10 +270,24 @@ bool Linework::isInsideBelow(const SegmentGrid& grid, std::uint32_t segment) {
       if (k == segment || comesBefore(p, from(t)) || !comesBefore(p, to(t))) continue;
       Sign above = turnOf(from(t), to(t), p);
       if (above == Sign::kZero) above = turnOf(p, to(t), to(s));
-      if (above == Sign::kPositive) isInside = !isInside;
+      if (above != Sign::kPositive) continue;
+      if (t.from == s.from) {
+        isOdd = !isOdd;
+        continue;
+      }
+      if (nearest == kNone || isHigher(segments_[nearest], t)) nearest = k;
     }
+    // What is nearer would be in a cell that has been looked at.
+    if (nearest != kNone && heightAt(segments_[nearest], p.x) > grid.bottomOf(row)) break;
   }
-  return isInside;
+  const bool isInsideAbove = nearest != kNone && turns[nearest] == 0;
+  return isInsideAbove != isOdd;
+}
+
+/// Rounded; where it is vertical, the lower end.
+double Linework::heightAt(const Segment& s, double x) const {
+  const Point a = from(s), b = to(s);
+  return a.x < b.x ? a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y) : a.y;
 }
 
 /// Turns each segment so that the inside is on its left. Along a chain, where two segments meet and
@@ -273,7 +301,7 @@ void Linework::orient() {
   for (std::uint32_t first = 0; first < segments_.size(); ++first) {
     if (isDone[first] != 0) continue;
     // With the inside below, a segment runs to the left.
-    const bool runsLeft = isInsideBelow(grid, first);
+    const bool runsLeft = isInsideBelow(grid, first, turns);
     isDone[first] = 1;
     turns[first] = static_cast<char>(runsLeft);
     for (const bool forwards : {true, false}) {

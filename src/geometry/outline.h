@@ -8,7 +8,7 @@
 //      that goes on, all points are rounded to a grid, and segments are bent into those that they
 //      pass closely.
 //   2. Of segments that are the same, any two cancel: on both sides of them is the same.
-//   3. Which side of a segment is inside is counted: the segments below one of its ends.
+//   3. Which side of a segment is inside follows from the nearest segment below its left end.
 //   4. Segments are linked, each with the next one clockwise around their common point, so that
 //      what only touches itself there falls into several rings.
 //

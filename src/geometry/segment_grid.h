@@ -33,6 +33,10 @@ class SegmentGrid {
   [[nodiscard]] std::size_t cellOf(std::uint32_t column, std::uint32_t row) const {
     return std::size_t{row} * columns_ + column;
   }
+  /// Of a row, and a little more: what is above has its cells in this row or above.
+  [[nodiscard]] double bottomOf(std::uint32_t row) const {
+    return box_.ymin + (row + kMargin) * (box_.height() / rows_);
+  }
   /// The segments that meet a cell, and perhaps others beside it; ascending.
   [[nodiscard]] std::span<const std::uint32_t> at(std::size_t cell) const {
     return std::span(entries_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);

@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
+#include "geometry/coverage_judge.h"
 #include "geometry/shapes.h"
 #include "support/circles_of_bytes.h"
 #include "support/operations.h"
@@ -65,6 +67,7 @@ class Checker {
     areApart_ = areApart(narrow);
     checkAreas(areas);
     checkCells();
+    checkCoverage();
     checkPoints();
     checkEdges();
     checkHull();
@@ -115,6 +118,15 @@ class Checker {
     }
     if (!circles_.empty() && whole_ > 1e-290)
       expect(std::abs(sum - 1) <= rounding_, "areas do not add up");
+  }
+
+  void checkCoverage() {
+    CoverageArrays coverage;
+    take(voronoi_.cellPolygons(tolerance_, coverage));
+    if (!areApart_ || coverage.coordinates.size() > 2000) return;
+    const std::string faults = faultsOf(coverage, bounds_);
+    if (!faults.empty()) std::fprintf(stderr, "%s\n", faults.c_str());
+    expect(faults.empty(), "polygons do not tile the window");
   }
 
   void checkCells() {

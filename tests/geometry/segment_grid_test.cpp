@@ -71,8 +71,7 @@ TEST(SegmentGrid, CombsAreInAsManyCellsAsTheyHaveTeeth) {
       if (k > 0) segments.push_back({k - 1, k});
     }
     const double length = 2 * teeth;
-    const Window box =
-        isUpright ? Window{0, 0, length, 1000} : Window{0, 0, 1000, length};
+    const Window box = isUpright ? Window{0, 0, length, 1000} : Window{0, 0, 1000, length};
     const SegmentGrid grid(points, segments, box);
     std::size_t visits = 0;
     for (const Segment& s : segments)
