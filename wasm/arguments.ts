@@ -3,7 +3,7 @@
 // the culprit after the library has said no.
 import { ApolloniusError } from "./errors.js";
 
-// The documented range of magnitudes and the most sites: as in src/apollonius/diagram.h.
+// The documented range of magnitudes and the most sites: as in src/apollonius/types.h.
 const kSmallestMagnitude = 1e-100;
 const kLargestMagnitude = 1e100;
 const kMostSites = 2 ** 29;

@@ -1,5 +1,6 @@
-// What JavaScript sees of the library, registered with Embind: no logic. Embind writes the
-// declarations that the TypeScript around it compiles against, build/wasm/apollonius.d.mts.
+// What JavaScript sees of the library, registered with Embind, and the functions that adapt it.
+// Embind writes the declarations that the TypeScript around it compiles against,
+// build/wasm/apollonius.d.mts.
 //
 // A call that fails throws the number of its Error, which wasm/module.ts turns into an exception of
 // the package. Arrays are copied, in both directions: a view of the memory dies when that grows.
@@ -67,7 +68,7 @@ Voronoi voronoiIn(const Diagram& diagram, const Region* region, const Bounds& bo
   return region == nullptr ? Voronoi(diagram, bounds) : Voronoi(diagram, *region);
 }
 
-/// The same of a Voronoi, as a function of the diagram and the window.
+/// Overload for methods of Voronoi: a function of the diagram and the window.
 template <auto method, class... Parameters, std::size_t... k>
 auto returning(Error (Voronoi::*)(Parameters...) const, std::index_sequence<k...>) {
   return +[](const Diagram& diagram, const Region* region, double xmin, double ymin, double xmax,

@@ -28,7 +28,7 @@ function turn(): Promise<void> {
   });
 }
 
-/** Ends slices, and looks after who waits and who wants to end it all. */
+/** Yields to the event loop, reports progress, and handles abort signals. */
 export class Slices {
   readonly #signal: AbortSignal | undefined;
   readonly #onProgress: ((done: number) => void) | undefined;

@@ -1,4 +1,4 @@
-// What to do where the module cannot be had.
+// The errors of a module that cannot be loaded.
 import { ApolloniusError } from "./errors.js";
 
 export function notLoaded(message: string, cause?: unknown): ApolloniusError {

@@ -1,4 +1,4 @@
-// Options as callers give them: what is none of them has a name that may be meant for another.
+// Options as callers give them: an unknown name is probably misspelt.
 import { described } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 

@@ -95,7 +95,7 @@ export function findMany(
   return ids;
 }
 
-/** Those that a diagram is asking: a filter may not change the diagram. */
+/** How many filter callbacks are running: none may change the diagram. */
 export interface Filters {
   running: number;
 }

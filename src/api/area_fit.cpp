@@ -1,4 +1,5 @@
-// The door of area_fit.h: checks targets, translates ids to places and lack of memory to an error.
+// AreaFit: checks arguments, translates site ids to indices, and turns lack of memory into an
+// error.
 #include "apollonius/area_fit.h"
 
 #include <cmath>

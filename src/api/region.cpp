@@ -1,4 +1,4 @@
-// The door of regions: checks rings, and turns lack of memory into an error.
+// Region: checks rings, and turns lack of memory into an error.
 #include "apollonius/region.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The geometry's door: checks bounds, ids and tolerances, turns lack of memory into an error, and
-// leaves the work to src/geometry.
+// Voronoi: checks bounds, ids and tolerances, turns lack of memory into an error, and leaves the
+// work to src/geometry.
 #include "apollonius/voronoi.h"
 
 #include <algorithm>

@@ -18,7 +18,8 @@
 // is in the window, perhaps several if not. In other windows parts have holes. What only touches
 // the window is not in it.
 //
-// Like apollonius/diagram.h: no call throws or keeps anything; a failed one returns its Error. A
+// Like apollonius/diagram.h: no call throws; a failed one returns its Error. A Region keeps how it
+// lies on the diagram that it was last used with. A
 // Voronoi is a view: it shows the diagram as it is at each call, and must not outlive it.
 #pragma once
 

@@ -36,7 +36,7 @@ bool ConflictSearch::findBeside(const DelaunayGraph& delaunay, const Site& q, Ve
   int faces = 0;
   for (const HalfedgeId h : graph.star(close)) {
     if (++faces > kFewFaces) break;
-    // The filter's word only: it means strictly nearer, while the exact rule counts the site of a
+    // Use the filter only: it means strictly nearer, while the exact rule counts the site of a
     // circle given twice as in conflict.
     const MaybeSign filtered = circleFilter(delaunay.circle(faceOf(h)), q);
     stages::counts().vertexAtOnce += filtered.known;

@@ -25,7 +25,7 @@ bool DelaunayGraph::isFaceInConflictByCorners(FaceId f, const Site& q) const {
 
 void DelaunayGraph::reserve(std::size_t slots) {
   reserveSites(slots);
-  graph_.reserveVertices(slots);  // last: who looks at its size finds room for all
+  graph_.reserveVertices(slots);  // last: its size tells whether there is room
 }
 
 void DelaunayGraph::reserveFaces(std::size_t removed, std::size_t created) {

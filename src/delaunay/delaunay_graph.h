@@ -135,9 +135,9 @@ class DelaunayGraph {
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
 
-  /// Snapshots (snapshot.cpp): everything but the sites, which are set before restore(). That fails
-  /// if what is read is no surface, and the graph is then unusable; prove() says whether it is the
-  /// diagram of the sites.
+  /// Snapshots (src/diagram/snapshot.cpp): everything but the sites, which are set before
+  /// restore(). That fails if what is read is no surface, and the graph is then unusable; prove()
+  /// says whether it is the diagram of the sites.
   void save(WordWriter& out, std::size_t vertexSlots) const;
   [[nodiscard]] bool restore(WordReader& in, std::size_t faceSlots);
   /// Is it the Delaunay graph of its sites (proof.h)? Computes the circles of all faces.

@@ -87,9 +87,9 @@ class Sectors {
   }
 
   /// Does the sector from the direction of h's right face counter-clockwise to that of its left
-  /// face hold the ray, which lies so as seen along them? The ray is turned from the last direction
-  /// by as much as from the first, less the span of the sector: by more means that a whole turn was
-  /// added, so the ray is within. Bearings are listed in the order of such turns.
+  /// face contain the ray, given its bearings from the two directions? The ray is turned from the
+  /// last direction by as much as from the first, less the span of the sector: by more means that a
+  /// whole turn was added, so the ray is within. Bearings are listed in the order of such turns.
   [[nodiscard]] bool holds(HalfedgeId h, Bearing first, Bearing last) const {
     if (first == Bearing::kAlong || last == Bearing::kAlong) return true;
     if (first != last) return last > first;

@@ -87,7 +87,7 @@ void Remover::collectLink(const Graph& graph, VertexId v) {
 }
 
 /// The neighbours enter in rounds of halved strides along the link, each from its predecessor of an
-/// earlier round: the walks stay short and the order has no bad cases that a sorted one has. A
+/// earlier round: the walks stay short, and sorted input is no worst case. A
 /// neighbour that occurs twice in the link is covered by its first occurrence and so falls out by
 /// itself.
 void Remover::buildSmall(const DelaunayGraph& delaunay, std::span<const VertexId> hidden) {

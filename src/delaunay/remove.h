@@ -23,11 +23,11 @@ class Remover {
   };
 
   /// Removes v from the diagram. `hidden` are the vertices that it covered and that may become
-  /// visible (their sites are set), in the order in which they are tried: many had better be in
-  /// that of a bulk insertion. Returns their outcomes, valid until the next call: first those
-  /// that are covered, each before its cover if that is covered, too. Throws std::bad_alloc with
-  /// the diagram unchanged. Cost: as building a diagram of its d neighbours and of `hidden`. With
-  /// `mayReturn`, all room is made that the site needs to be inserted again.
+  /// visible (their sites are set), in the order in which they are tried: for many, pass
+  /// them in the order of a bulk insertion. Returns their outcomes, valid until the next call:
+  /// first those that are covered, each before its cover if that is covered, too. Throws
+  /// std::bad_alloc with the diagram unchanged. Cost: as building a diagram of its d neighbours and
+  /// of `hidden`. With `mayReturn`, all room is made that the site needs to be inserted again.
   std::span<const Outcome> remove(DelaunayGraph& delaunay, VertexId v,
                                   std::span<const VertexId> hidden, bool mayReturn = false);
 

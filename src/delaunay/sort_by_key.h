@@ -11,7 +11,7 @@
 
 namespace apollonius::internal {
 
-/// A key, and what it is the key of.
+/// A key-value pair.
 struct Keyed {
   std::uint32_t key;
   std::uint32_t value;

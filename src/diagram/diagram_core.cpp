@@ -28,7 +28,7 @@ struct Covers {
 void DiagramCore::reserve(std::size_t slots) {
   ids_.reserve(slots);
   hidden_.reserve(slots);
-  delaunay_.reserve(slots + 1);  // last: who looks at its size finds room for all
+  delaunay_.reserve(slots + 1);  // last: its size tells whether there is room
 }
 
 VertexId DiagramCore::startFor(double x, double y) const {
@@ -296,8 +296,8 @@ void DiagramCore::moveBack(Slot slot, const Site& from) noexcept {
   SiteMoves::takeBack(delaunay_, {&move, 1});
 }
 
-/// A diagram of trusted bytes that lied may refuse to be set right; it is broken then, and left as
-/// it is.
+/// Where invalid trusted bytes made the diagram, going back can fail: it is broken then, and left
+/// as it is.
 template <class Step>
 void DiagramCore::undoStep(Step step) noexcept {
   if (isBroken()) return;

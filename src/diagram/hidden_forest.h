@@ -74,8 +74,8 @@ class HiddenForest {
   /// Does it hang on another?
   [[nodiscard]] bool isChild(Node n) const { return hasRecord(n) && links(n).before != kNone; }
 
-  /// Of a node that is not a root; or kNone, for it is known at the end of a list of siblings only,
-  /// and that may be far.
+  /// The parent of a node that is not a root, or kNone if it is not found within 16 siblings: the
+  /// last sibling knows it.
   [[nodiscard]] Node parentIfNear(Node n) const {
     for (int k = 0; k < 16; ++k, n = links(n).after) {
       if (isEnd(links(n).after)) return links(n).after & ~kEnd;

@@ -16,7 +16,7 @@ Slot Hierarchy::locateOn(unsigned level, double x, double y) const {
   for (std::size_t k = levelCount_; k > level; --k) {
     const DelaunayGraph& delaunay = *levels_[k - 1];
     if (delaunay.visibleCount() == 0) continue;
-    // A level lacks a site of the one above only if the diagram, which nobody has proved, shows one
+    // A level lacks a site of the one above only in an unverified diagram, if that shows a site
     // that another covers.
     const bool isThere = slot != kNoSlot && delaunay.graph().hasVertex(vertexOf(slot));
     const VertexId start = isThere ? vertexOf(slot) : delaunay.anyVisible();

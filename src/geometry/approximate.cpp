@@ -15,7 +15,7 @@ namespace {
 // that coincide in doubles end it sooner.
 constexpr int kMostHalvings = 640;
 
-/// Not where coordinates are none, either: trusted snapshots may lie.
+/// No if a coordinate is not finite: a trusted snapshot can have invalid vertices.
 bool isSplittable(const Conic& conic, Point m) {
   return dot(m, m) >= 0 && !(m == conic.p0 || m == conic.p2);
 }

@@ -133,8 +133,8 @@ void measureCells(const Overlay& overlay, Measure what, std::vector<double>& mea
   addBorders(overlay, sums);
   sums.list(measures);
   if (what != Measure::kPerimeters) return;
-  // Where a ring runs along an edge, or nearly along itself, rounding can leave slivers, whose
-  // areas are none, but not their lengths. Whole parts are without.
+  // Where a ring runs along an edge, or nearly along itself, rounding can leave slivers, which have
+  // length but no area. Complete parts contain none.
   PartFinder finder(overlay);
   Slot last = kNoSlot;
   const auto measureParts = [&](Slot slot) {

@@ -1,5 +1,5 @@
-// Measures of all clipped cells at once: each edge is clipped once and counts for the cells on both
-// sides.
+// Measures of all clipped cells at once: each edge is clipped for both of its cells at once. (For
+// centroids and perimeters a second pass finds the owner of a window that no edge meets.)
 #pragma once
 
 #include <vector>

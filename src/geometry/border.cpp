@@ -63,8 +63,8 @@ Slot nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x
 /// tell what is not so. So all gaps are asked, and if one contradicts, or it is not sure, at five
 /// places each, because any one may be too close to an edge: it is what is right along most of the
 /// border. Asked on the border itself, as a cell along it may be thinner than doubles can tell.
-/// Where the border is an edge the site that is first in nearest()'s order has it: of the four
-/// sides of a window one site loses two at most so.
+/// Where the border lies on an edge, the tie rule of nearest() picks the owner; so one site loses
+/// at most two of a window's four sides.
 bool ownsFirstGap(const DiagramCore& core, Slot site, const Window& window,
                   const FlatArray<BorderContact>& contacts, double reference, bool isTold,
                   bool isSure) {
@@ -103,7 +103,7 @@ Slot ownerOfWindow(const DiagramCore& core, const Window& window) {
 void matchBorder(const DiagramCore& core, Slot site, const Window& window,
                  FlatArray<BorderContact>& contacts, FlatArray<BorderArc>& arcs) {
   arcs.clear();
-  // Edges that are none (trusted snapshots may lie) leave the border nowhere.
+  // Invalid edges, which a trusted snapshot can have, give places outside of the border.
   const auto isOnBorder = [](const BorderContact& c) { return c.place >= 0 && c.place <= 4; };
   if (contacts.empty() || !std::all_of(contacts.begin(), contacts.end(), isOnBorder)) return;
   // All of them: a heap sort, which is a tenth of std::sort's code.

@@ -11,13 +11,14 @@ namespace {
 
 /// Halvings at worst, as in approximate.cpp.
 constexpr int kMostHalvings = 640;
-/// Below this share of a piece's size, its border and the tolerance are no reason to halve: at most
-/// 2^18 points.
+/// Below this share of a piece's size the tolerance has no further effect: at most 2^18 points.
 constexpr double kFinestShare = powerOfTwo(-36);
+/// And the border none: where it runs along an edge, at most 2^10 points.
+constexpr double kFinestAtBorder = powerOfTwo(-20);
 /// Voronoi vertices can be off by this share of their numbers (edge.h).
 constexpr double kMostOff = powerOfTwo(-38);
 
-/// Not where coordinates are none, either: trusted snapshots may lie.
+/// No if a coordinate is not finite: a trusted snapshot can have invalid vertices.
 bool isSplittable(const Conic& conic, Point m) {
   return dot(m, m) >= 0 && !(m == conic.p0 || m == conic.p2);
 }
@@ -28,8 +29,9 @@ std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
   const Conic& curve = piece.curve;
   left_ = piece.left;
   right_ = piece.right;
-  finest_ = kFinestShare * (length(curve.p1 - curve.p0) + length(curve.p2 - curve.p1));
-  allowed_ = std::max(tolerance_, finest_);
+  const double size = length(curve.p1 - curve.p0) + length(curve.p2 - curve.p1);
+  allowed_ = std::max(tolerance_, kFinestShare * size);
+  finestAtBorder_ = kFinestAtBorder * size;
   points_.clear();
   points_.push_back(curve.p0);
   halve(curve, piece.fromSegment, piece.toSegment, kMostHalvings);
@@ -39,27 +41,28 @@ std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
 
 void ChordFinder::halve(const Conic& curve, std::uint32_t fromSegment, std::uint32_t toSegment,
                         int depth) {
-  const double sagitta = curve.sagitta();
-  const auto isGood = [&] {
-    if (curve.isStraight() || depth == 0) return true;
-    if (sagitta > allowed_) return false;
-    return sagitta > finest_
-               ? turnsLittle(curve.p0, curve.p2) && !isBorderNear(curve, fromSegment, toSegment)
-               : turns(curve.p0, curve.p2);
-  };
-  if (!isGood()) {
-    Conic first, second;
+  Conic first, second;
+  if (!curve.isStraight() && depth > 0) {
     curve.halve(first, second);
-    // Of the halves of a curve that turns, one chord does at least. If none does, rounding hides
-    // it, and halving on will not help.
-    if (isSplittable(curve, first.p2) &&
-        (sagitta > finest_ || turns(first.p0, first.p2) || turns(second.p0, second.p2))) {
+    if (isSplittable(curve, first.p2) && isHalved(curve, first, second, fromSegment, toSegment)) {
       halve(first, fromSegment, kNoSegment, depth - 1);
       halve(second, kNoSegment, toSegment, depth - 1);
       return;
     }
   }
   points_.push_back(curve.p2);
+}
+
+/// Is the chord of a curve not good enough?
+bool ChordFinder::isHalved(const Conic& curve, const Conic& first, const Conic& second,
+                           std::uint32_t fromSegment, std::uint32_t toSegment) const {
+  const double sagitta = curve.sagitta();
+  if (sagitta > allowed_) return true;
+  // Of the halves of a curve that turns, one chord does at least. If none does, rounding hides it,
+  // and halving on will not help.
+  if (!turns(curve.p0, curve.p2)) return turns(first.p0, first.p2) || turns(second.p0, second.p2);
+  return !spansLittle(curve.p0, curve.p2) ||
+         (sagitta > finestAtBorder_ && isBorderNear(curve, fromSegment, toSegment));
 }
 
 /// A rectangle is convex: its border is near only where a curve begins and ends on one side.
@@ -77,10 +80,9 @@ bool ChordFinder::turns(Point from, Point to) const {
   return turnOf(left_, from, to) == Sign::kPositive && turnOf(right_, from, to) == Sign::kNegative;
 }
 
-/// By less than a quarter turn?
-bool ChordFinder::turnsLittle(Point from, Point to) const {
-  return dot(from - left_, to - left_) > 0 && dot(from - right_, to - right_) > 0 &&
-         turns(from, to);
+/// Does a chord that turns span less than a quarter turn, seen from both sites?
+bool ChordFinder::spansLittle(Point from, Point to) const {
+  return dot(from - left_, to - left_) > 0 && dot(from - right_, to - right_) > 0;
 }
 
 /// Has rounding put p before `from`, seen from one of the sites?

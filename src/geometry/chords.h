@@ -43,10 +43,12 @@ class ChordFinder {
 
  private:
   void halve(const Conic& curve, std::uint32_t fromSegment, std::uint32_t toSegment, int depth);
+  [[nodiscard]] bool isHalved(const Conic& curve, const Conic& first, const Conic& second,
+                              std::uint32_t fromSegment, std::uint32_t toSegment) const;
   [[nodiscard]] bool isBorderNear(const Conic& curve, std::uint32_t fromSegment,
                                   std::uint32_t toSegment) const;
   [[nodiscard]] bool turns(Point from, Point to) const;
-  [[nodiscard]] bool turnsLittle(Point from, Point to) const;
+  [[nodiscard]] bool spansLittle(Point from, Point to) const;
   [[nodiscard]] bool isLate(Point from, Point p) const;
   void straighten();
 
@@ -54,7 +56,7 @@ class ChordFinder {
   const OutlineGrid* const outline_;
   const double tolerance_;
   Point left_, right_;
-  double allowed_ = 0, finest_ = 0;
+  double allowed_ = 0, finestAtBorder_ = 0;
   FlatArray<Point> points_;
 };
 

@@ -10,9 +10,9 @@
 //   - Where a step would take the weights of two neighbours nearly as far apart as their centres,
 //     where one covers the other, their coupling is made stiffer and the equations are solved anew.
 //     That needs no diagram. Their matrix stays positive definite, so that the step goes uphill.
-//   - A step is halved until the slope of the function at its end is not much less than none (it is
-//     concave: before its maximum the slope is positive), and no cell has nearly vanished. (As all
-//     cells have an area, the second derivatives stay regular: Kitagawa, Mérigot and Thibert,
+//   - A step is halved until the slope of the function at its end is at most slightly negative (it
+//     is concave: before its maximum the slope is positive), and no cell has nearly vanished. (As
+//     all cells have an area, the second derivatives stay regular: Kitagawa, Mérigot and Thibert,
 //     "Convergence of a Newton algorithm for semi-discrete optimal transport", 2019.)
 //   - Around a region and in its holes cells vanish, and covers come from across. So the box of the
 //     region and all sites counts too at first, a little: *ground*, of which less and less is left
@@ -43,8 +43,8 @@ namespace apollonius::internal {
 
 class Fit {
  public:
-  /// Of the sites of a diagram as they are now, hidden ones too: their places here are 0, 1, 2, …
-  /// in the order of their slots. REQUIRES: `outline` lives as long.
+  /// Of the sites of a diagram as they are now, hidden ones too, with the indices 0, 1, 2, … in the
+  /// order of their slots. REQUIRES: `outline` lives as long.
   Fit(const DiagramCore& core, const Outline& outline);
 
   [[nodiscard]] std::span<const SiteId> ids() const { return ids_; }

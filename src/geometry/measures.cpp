@@ -45,8 +45,8 @@ double series(const std::array<double, kTerms>& c, double z) {
 
 }  // namespace
 
-// Conditions are written so that NaN, of an edge that is none (trusted snapshots may lie), ends the
-// recursion.
+// Conditions are written so that NaN ends the recursion: an invalid edge, which a trusted snapshot
+// can have, gives it.
 
 ArcFactors arcFactors(double w) {
   const double z = (w - 1) / (w + 1), next = 1 + z;

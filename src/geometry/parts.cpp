@@ -8,8 +8,8 @@ namespace apollonius::internal {
 
 namespace {
 
-/// What a region's boundary is moved by at most where it meets an edge, in units of the numbers
-/// there: parts thinner than that are none.
+/// How far rounding moves a region's boundary at most where it meets an edge, in units of the
+/// numbers there. Thinner parts are discarded.
 constexpr double kThinnest = powerOfTwo(-46);
 
 /// Is a point on the left of an odd number of pieces of a closed boundary?

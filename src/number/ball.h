@@ -30,7 +30,6 @@ class Ball {
   [[nodiscard]] double value() const { return value_; }
   /// |exact - value()| is at most this; NaN or infinite if nothing is known.
   [[nodiscard]] double bound() const { return error_ * (1 + powerOfTwo(-40)); }
-  [[nodiscard]] bool certainlyPositive() const { return value_ > bound(); }
 
   friend Ball operator+(Ball a, Ball b) { return result(a.value_ + b.value_, a.error_ + b.error_); }
   friend Ball operator-(Ball a, Ball b) { return result(a.value_ - b.value_, a.error_ + b.error_); }

@@ -55,8 +55,8 @@ class Graph {
 
   /// Live and free ones.
   [[nodiscard]] std::size_t faceSlots() const { return halfedges_.size() / 3; }
-  /// As many as that will be after an operation that takes `removed` faces away and brings
-  /// `created` new ones.
+  /// Their number after an operation that takes `removed` faces away and brings `created` new
+  /// ones.
   [[nodiscard]] std::size_t faceSlotsAfter(std::size_t removed, std::size_t created) const {
     return faceSlots() + (created > removed + freeFaces_ ? created - removed - freeFaces_ : 0);
   }

@@ -77,7 +77,7 @@ export function ensureInstalled(names, why) {
     );
   if (rootPrefix() === null) {
     throw new SetUpError(
-      `Needed for ${why}: ${list}. Neither root nor sudo is to be had here; please run as root:\n` +
+      `Needed for ${why}: ${list}. Root access is required; please run as root:\n` +
         `  apt-get install --no-install-recommends ${list}`,
     );
   }

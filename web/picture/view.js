@@ -84,14 +84,4 @@ export class View {
   copy() {
     return Object.assign(new View(), this);
   }
-
-  sameAs(other) {
-    return (
-      this.width === other.width &&
-      this.height === other.height &&
-      this.scale === other.scale &&
-      this.originX === other.originX &&
-      this.originY === other.originY
-    );
-  }
 }
