@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "geometry/turn.h"
 #include "number/fp.h"
 
 namespace apollonius::internal {
@@ -53,23 +52,13 @@ void draw(const Conic& conic, double tolerance, Path& path, int depth) {
   draw(second, tolerance, path, depth - 1);
 }
 
-/// Does the chord turn counter-clockwise about a center, if there is one?
-bool turnsLeft(const Conic& conic, const Point* center) {
-  return center == nullptr || turnOf(*center, conic.p0, conic.p2) == Sign::kPositive;
-}
-
-void flatten(const Conic& conic, double tolerance, std::vector<double>& points, const Point* center,
-             int depth) {
-  const bool isNear = conic.isStraight() || conic.sagitta() <= tolerance;
-  if (!conic.isStraight() && depth > 0 && !(isNear && turnsLeft(conic, center))) {
+void flatten(const Conic& conic, double tolerance, std::vector<double>& points, int depth) {
+  if (!conic.isStraight() && depth > 0 && conic.sagitta() > tolerance) {
     Conic first, second;
     conic.halve(first, second);
-    // Of the halves of a curve that turns left, one chord does at least. If none does, rounding
-    // hides it, and halving on will not help.
-    if (isSplittable(conic, first.p2) &&
-        (!isNear || turnsLeft(first, center) || turnsLeft(second, center))) {
-      flatten(first, tolerance, points, center, depth - 1);
-      flatten(second, tolerance, points, center, depth - 1);
+    if (isSplittable(conic, first.p2)) {
+      flatten(first, tolerance, points, depth - 1);
+      flatten(second, tolerance, points, depth - 1);
       return;
     }
   }
@@ -88,9 +77,8 @@ void drawConic(const Conic& conic, double tolerance, Path& path) {
   draw(conic, std::max(tolerance, finestFor(conic)), path, kMostHalvings);
 }
 
-void flattenConic(const Conic& conic, double tolerance, std::vector<double>& points,
-                  const Point* center) {
-  flatten(conic, std::max(tolerance, finestFor(conic)), points, center, kMostHalvings);
+void flattenConic(const Conic& conic, double tolerance, std::vector<double>& points) {
+  flatten(conic, std::max(tolerance, finestFor(conic)), points, kMostHalvings);
 }
 
 }  // namespace apollonius::internal

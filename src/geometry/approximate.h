@@ -13,9 +13,7 @@ namespace apollonius::internal {
 void drawConic(const Conic& conic, double tolerance, Path& path);
 
 /// Appends points (x, y) of the conic, the last one conic.p2 and without conic.p0: a polyline no
-/// further from it than that. Around a `center`, about which the conic turns counter-clockwise, so
-/// does each of its segments, as far as doubles can show: less than half a turn each.
-void flattenConic(const Conic& conic, double tolerance, std::vector<double>& points,
-                  const Point* center = nullptr);
+/// further from it than that.
+void flattenConic(const Conic& conic, double tolerance, std::vector<double>& points);
 
 }  // namespace apollonius::internal

@@ -323,6 +323,16 @@ TEST(Cells, WithinARadius) {
   EXPECT_NEAR(measures.area, 49 * pi - segment, 1e-11);
   EXPECT_LT(measures.centroidX, 0);
   EXPECT_NEAR(measures.centroidY, 0, 1e-13);
+  const double infinity = std::numeric_limits<double>::infinity();
+  ASSERT_EQ(Voronoi(diagram).cellMeasuresWithin(0, infinity, measures), Error::kNone);
+  EXPECT_EQ(measures.area, infinity) << "an unbounded cell";
+  EXPECT_EQ(measures.perimeter, infinity);
+  EXPECT_TRUE(measures.isEmpty) << "without a centroid";
+  Diagram cross;
+  insertInto(cross, {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {-2, 0, 0}, {0, -2, 0}});
+  ASSERT_EQ(Voronoi(cross).cellMeasuresWithin(0, infinity, measures), Error::kNone);
+  EXPECT_NEAR(measures.area, 4, 1e-13) << "a bounded cell, all of it";
+  EXPECT_EQ(Voronoi(cross).cellMeasuresWithin(0, 1e101, measures), Error::kOutOfRange);
   EXPECT_EQ(Voronoi(diagram).cellMeasuresWithin(0, -1, measures), Error::kOutOfRange);
   EXPECT_EQ(Voronoi(diagram).cellMeasuresWithin(9, 1, measures), Error::kUnknownSite);
   ASSERT_EQ(Voronoi(diagram).cellMeasuresWithin(0, 0, measures), Error::kNone);

@@ -434,6 +434,28 @@ TEST(Fit, WeightsAreThoseThatTheDiagramGets) {
 
 // After an error there is nothing to step or to finish. (A fit that was refused, or that had run
 // out of memory, said that it was done, and read what was not there.)
+TEST(Fit, EndsWhereOnlyLastPlacesWouldChange) {
+  // Needles: the last bit of a weight moves the smallest cell by more than any tolerance.
+  for (const std::vector<double>& targets :
+       {std::vector<double>{8, 2, 114226}, std::vector<double>{1e-6, 1, 1e6}}) {
+    Diagram diagram;
+    insertInto(diagram, {{1, 9, 0}, {74, 81, 0}, {81, 89, 0}});
+    Region region;
+    const double ring[] = {-1, -1, 101, -1, 101, 91, -1, 91};
+    const std::uint32_t starts[] = {0, 4};
+    ASSERT_EQ(region.assign(ring, starts), Error::kNone);
+    AreaFit fit;
+    EXPECT_FALSE(fit.isAtTheEndOfDoubles());
+    ASSERT_EQ(fit.begin(diagram, region, targets), Error::kNone);
+    int steps = 0;
+    Error error = Error::kNone;
+    while (error == Error::kNone && fit.error() > 1e-15 && ++steps < 200) error = fit.step();
+    EXPECT_EQ(error, Error::kNoConvergence);
+    EXPECT_TRUE(fit.isAtTheEndOfDoubles());
+    EXPECT_LT(steps, 100);
+  }
+}
+
 TEST(Fit, RefusedIsNone) {
   Diagram diagram;
   insertInto(diagram, {{1, 1, 2}, {5, 5, 1}});
