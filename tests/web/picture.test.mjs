@@ -49,12 +49,17 @@ describeInBrowser("the picture", (open) => {
       const ids = [...app.diagram.ids()];
       const wrong = [];
       let points = 0;
+      let seed = 7; // the same places each time: how many are far from a boundary is not luck
+      const random = () => {
+        seed = (seed * 48271) % 2147483647;
+        return seed / 2147483647;
+      };
       for (const zoom of [1, 0.1, 0.001, 5, 40, 1000]) {
         app.fit();
-        app.zoom(zoom, app.view.width * Math.random(), app.view.height * Math.random());
+        app.zoom(zoom, app.view.width * random(), app.view.height * random());
         for (let k = 0; k < 60; k++) {
-          const x = app.view.width * Math.random();
-          const y = app.view.height * Math.random();
+          const x = app.view.width * random();
+          const y = app.view.height * random();
           const far = (id) => {
             const site = app.sites.site(id);
             return (
