@@ -15,21 +15,21 @@ export function provideNative(accessor: Access): void {
 }
 
 /**
- * The native diagram; throws "disposed" if there is none any more, "bad-option" for no Diagram, and
- * "busy" for a call that `changes` it, from within a filter.
+ * The native diagram; throws "disposed" after dispose(), "bad-option" if it is no Diagram, and
+ * "busy" for a call that `changes` it while a filter runs.
  */
 export function nativeOf(diagram: unknown, changes = false): NativeDiagram {
   const native = access(diagram, changes);
   if (native !== null) return native;
-  throw notItsOwn(diagram);
+  throw wrongReceiver(diagram);
 }
 
 /** The error of a method that was taken off its object, or called on another. */
-export function notItsOwn(receiver: unknown): ApolloniusError {
+export function wrongReceiver(receiver: unknown): ApolloniusError {
   return new ApolloniusError(
     "bad-option",
-    `a method was called on ${described(receiver)}: it is one of a Diagram, or of what ` +
-      "diagram.voronoi(bounds) makes, as in diagram.find(x, y)",
+    `a method was called on ${described(receiver)}, expected a Diagram or a Voronoi: call it as ` +
+      "diagram.find(x, y) or diagram.voronoi(bounds).cellArea(id)",
   );
 }
 

@@ -199,11 +199,12 @@ export function pick(
 }
 
 export function search(native: NativeDiagram, ...bounds: unknown[]): Uint32Array {
-  // A half-plane or a strip: no site is farther than that.
-  const within = bounds.map((value, k) =>
-    value === (k < 2 ? -Infinity : Infinity) ? (k < 2 ? -1e100 : 1e100) : value,
+  // Infinity means no limit on that side: no centre is farther than 1e100.
+  const limits = [-Infinity, -Infinity, Infinity, Infinity];
+  const finite = bounds.map((value, k) =>
+    value === limits[k] ? Math.sign(Number(value)) * 1e100 : value,
   );
-  const [xmin, ymin, xmax, ymax] = checkedNumbersOfBounds(within);
+  const [xmin, ymin, xmax, ymax] = checkedNumbersOfBounds(finite);
   if (xmin > xmax || ymin > ymax) throw disorderedBounds([xmin, ymin, xmax, ymax], "<=");
   return native.search(xmin, ymin, xmax, ymax);
 }

@@ -19,7 +19,7 @@ import {
   type Position,
   positionsOf,
 } from "./geojson.js";
-import { createRegion, destroy, nativeOf, notItsOwn } from "./living.js";
+import { createRegion, destroy, nativeOf, wrongReceiver } from "./living.js";
 import type { NativeDiagram, NativeRegion } from "./module.js";
 import { checkOptions } from "./options.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
@@ -238,8 +238,9 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * The regions of a cell as closed rings, counter-clockwise, each with those of its `holes`. As
-   * `cellPolygon`.
+   * The regions of a cell as closed rings, counter-clockwise, each with those of its `holes`: valid
+   * polygons, no two of whose segments cross. Errors and cost as `cellPolygon`. Cells asked one by
+   * one may differ from their neighbours by rounding; `toGeoJSON` is proved to tile the window.
    */
   cellRegions(id: number, options: FlatOptions): CellRegion<Float64Array>[] | null;
   cellRegions(id: number, options?: NestedOptions): CellRegion[] | null;
@@ -289,8 +290,10 @@ export class Voronoi implements Disposable {
 
   /**
    * All cells as GeoJSON (RFC 7946), ascending by id: polygons with their holes, or multi-polygons
-   * where a cell is several regions. Coordinates are the diagram's own: for a map, build it of
-   * projected places, and take the positions back. `options.properties` may throw.
+   * where a cell is several regions. Polygons are valid and tile the window: neighbours have the
+   * points of their common boundary in common, whatever the tolerance. Coordinates are the
+   * diagram's own: for a map, build it of projected places, and take the positions back.
+   * `options.properties` may throw. O(n log n).
    */
   toGeoJSON<Properties = { site: number }>(
     options?: GeoJSONOptions<Properties>,
@@ -451,7 +454,8 @@ export class Voronoi implements Disposable {
 
   /** Of calls that change the diagram: "busy" within a filter. */
   static #living(view: Voronoi, changes = false): NativeDiagram {
-    if (typeof view !== "object" || view === null || !(#isDisposed in view)) throw notItsOwn(view);
+    if (typeof view !== "object" || view === null || !(#isDisposed in view))
+      throw wrongReceiver(view);
     if (view.#isDisposed) throw new ApolloniusError("disposed", "the view has been disposed of");
     return nativeOf(view.diagram, changes);
   }

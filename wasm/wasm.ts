@@ -63,7 +63,7 @@ function compiledBytes(source: BufferSource, name: string): Promise<WebAssembly.
     const text = new TextDecoder().decode(first);
     throw notLoaded(
       `${name} is no WebAssembly: it begins with ${JSON.stringify(text)}. The file is ` +
-        "apollonius.wasm of this package; servers give a page of theirs where there is none",
+        "apollonius.wasm of this package; many servers answer a missing file with an HTML page",
     );
   }
   return WebAssembly.compile(source);

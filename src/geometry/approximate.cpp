@@ -1,23 +1,12 @@
 #include "geometry/approximate.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "number/fp.h"
 
 namespace apollonius::internal {
 
 namespace {
-
-// Halving a piece of weight w gives two of weight √((1+w)/2): w is 1 up to rounding after 600
-// halvings at worst (w near 2^1023) and the sagitta falls to a quarter or less with each. Points
-// that coincide in doubles end it sooner.
-constexpr int kMostHalvings = 640;
-
-/// No if a coordinate is not finite: a trusted snapshot can have invalid vertices.
-bool isSplittable(const Conic& conic, Point m) {
-  return dot(m, m) >= 0 && !(m == conic.p0 || m == conic.p2);
-}
 
 /// Bound on the distance between a conic and the cubic with the same ends and end tangents that
 /// meets it at the middle of the arc, in units of the distance from the chord's middle to p1. As a
@@ -47,26 +36,12 @@ void draw(const Conic& conic, double tolerance, Path& path, int depth) {
     return drawCubic(conic, path);
   Conic first, second;
   conic.halve(first, second);
-  if (!isSplittable(conic, first.p2)) return drawCubic(conic, path);
+  if (!conic.isSplitBy(first.p2)) return drawCubic(conic, path);
   draw(first, tolerance, path, depth - 1);
   draw(second, tolerance, path, depth - 1);
 }
 
-void flatten(const Conic& conic, double tolerance, std::vector<double>& points, int depth) {
-  if (!conic.isStraight() && depth > 0 && conic.sagitta() > tolerance) {
-    Conic first, second;
-    conic.halve(first, second);
-    if (isSplittable(conic, first.p2)) {
-      flatten(first, tolerance, points, depth - 1);
-      flatten(second, tolerance, points, depth - 1);
-      return;
-    }
-  }
-  points.push_back(conic.p2.x);
-  points.push_back(conic.p2.y);
-}
-
-/// No finer than this share of the curve's size: 2^18 points or about 64 cubic curves at worst.
+/// No finer than this share of the curve's size: about 64 cubic curves at worst.
 double finestFor(const Conic& conic) {
   return powerOfTwo(-36) * (length(conic.p1 - conic.p0) + length(conic.p2 - conic.p1));
 }
@@ -74,11 +49,7 @@ double finestFor(const Conic& conic) {
 }  // namespace
 
 void drawConic(const Conic& conic, double tolerance, Path& path) {
-  draw(conic, std::max(tolerance, finestFor(conic)), path, kMostHalvings);
-}
-
-void flattenConic(const Conic& conic, double tolerance, std::vector<double>& points) {
-  flatten(conic, std::max(tolerance, finestFor(conic)), points, kMostHalvings);
+  draw(conic, std::max(tolerance, finestFor(conic)), path, Conic::kMostHalvings);
 }
 
 }  // namespace apollonius::internal

@@ -9,19 +9,12 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Halvings at worst, as in approximate.cpp.
-constexpr int kMostHalvings = 640;
 /// Below this share of a piece's size the tolerance has no further effect: at most 2^18 points.
 constexpr double kFinestShare = powerOfTwo(-36);
 /// And the border none: where it runs along an edge, at most 2^10 points.
 constexpr double kFinestAtBorder = powerOfTwo(-20);
 /// Voronoi vertices can be off by this share of their numbers (edge.h).
 constexpr double kMostOff = powerOfTwo(-38);
-
-/// No if a coordinate is not finite: a trusted snapshot can have invalid vertices.
-bool isSplittable(const Conic& conic, Point m) {
-  return dot(m, m) >= 0 && !(m == conic.p0 || m == conic.p2);
-}
 
 }  // namespace
 
@@ -34,7 +27,7 @@ std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
   finestAtBorder_ = kFinestAtBorder * size;
   points_.clear();
   points_.push_back(curve.p0);
-  halve(curve, piece.fromSegment, piece.toSegment, kMostHalvings);
+  halve(curve, piece.fromSegment, piece.toSegment, Conic::kMostHalvings);
   straighten();
   return points_;
 }
@@ -44,7 +37,7 @@ void ChordFinder::halve(const Conic& curve, std::uint32_t fromSegment, std::uint
   Conic first, second;
   if (!curve.isStraight() && depth > 0) {
     curve.halve(first, second);
-    if (isSplittable(curve, first.p2) && isHalved(curve, first, second, fromSegment, toSegment)) {
+    if (curve.isSplitBy(first.p2) && isHalved(curve, first, second, fromSegment, toSegment)) {
       halve(first, fromSegment, kNoSegment, depth - 1);
       halve(second, kNoSegment, toSegment, depth - 1);
       return;

@@ -43,10 +43,12 @@ void Conic::halve(Conic& first, Conic& second) const {
   }
 }
 
+bool Conic::isSplitBy(Point m) const { return dot(m, m) >= 0 && !(m == p0 || m == p2); }
+
 double Conic::sagitta() const {
   if (isStraight()) return 0;
   // From left to right: in both directions the same bits, so that neighbours decide alike.
-  if (p2.x < p0.x || (p2.x == p0.x && p2.y < p0.y)) return reversed().sagitta();
+  if (isLeftOf(p2, p0)) return reversed().sagitta();
   const Point chord = p2 - p0, way = p1 - p0;
   const double share = w / (1 + w), square = dot(chord, chord), along = dot(way, chord);
   // The tangent at the middle of the arc is parallel to the chord, so that is where the distance

@@ -36,6 +36,13 @@ struct Conic {
   [[nodiscard]] Point tangent(double t) const;
   /// Cuts at t = 1/2.
   void halve(Conic& first, Conic& second) const;
+  /// Halving a piece of weight w gives two of weight √((1+w)/2): w is 1 up to rounding after 600
+  /// halvings at worst (w near 2^1023), and the sagitta falls to a quarter or less with each.
+  /// Points that coincide in doubles end it sooner.
+  static constexpr int kMostHalvings = 640;
+  /// Is m, the middle that halve() found, different from both ends? No if a coordinate is not
+  /// finite: a trusted snapshot can have invalid vertices.
+  [[nodiscard]] bool isSplitBy(Point m) const;
   /// Largest distance of the curve from its chord.
   [[nodiscard]] double sagitta() const;
 };

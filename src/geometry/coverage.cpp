@@ -12,8 +12,9 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Should points still meet after so many rounds, which was never seen, they stay as they are then.
-constexpr int kMostRounds = 64;
+/// After so many rounds, more than were ever seen, segments make no detours any more: each further
+/// round unites points, so that there is a last round.
+constexpr int kDetourRounds = 32;
 /// Points that are off by rounding are closer than this share of their numbers.
 constexpr double kRounding = powerOfTwo(-38);
 
@@ -42,10 +43,10 @@ class Mesh {
   [[nodiscard]] Point at(std::uint32_t number) const { return numbers_.points()[number]; }
   [[nodiscard]] bool isOnBorder(std::uint32_t point) const { return isOnBorder_[point] != 0; }
   void listSegments();
-  [[nodiscard]] bool findMeetings();
-  bool uniteTurned();
+  void mendMeetings(bool mayDetour);
+  void uniteTurned();
   [[nodiscard]] bool doMeet(const Segment& s, const Segment& t) const;
-  void mend(const Segment& s, const Segment& t);
+  void mend(const Segment& s, const Segment& t, bool mayDetour);
   [[nodiscard]] std::uint32_t representative(std::uint32_t point);
   void unite(std::uint32_t a, std::uint32_t b);
   [[nodiscard]] const Detour* detourOf(std::uint32_t a, std::uint32_t b,
@@ -58,8 +59,9 @@ class Mesh {
   FlatArray<std::uint32_t> corners_;  // points of the rings, not repeated at their ends
   FlatArray<Ring> rings_;
   FlatArray<CellRings> cells_;
-  FlatArray<Segment> segments_;  // each once
-  FlatArray<std::uint32_t> united_;
+  FlatArray<Segment> segments_;      // each once
+  FlatArray<std::uint32_t> united_;  // by point: itself or one that it became, in this round
+  bool isUnited_ = false;            // any in this round
   FlatArray<Detour> detours_;
 };
 
@@ -95,15 +97,16 @@ Mesh::Mesh(const DiagramCore& core, const PolygonWindow& window, double toleranc
 }
 
 void Mesh::part() {
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0;; ++round) {
     listSegments();
-    const bool isMeeting = findMeetings();
-    if (!uniteTurned() && !isMeeting) return;
+    mendMeetings(round < kDetourRounds);
+    uniteTurned();
+    if (!isUnited_ && detours_.empty()) return;
     replacePoints();
   }
 }
 
-/// Of the two directions of a segment one; of those on the border that there is.
+/// Lists each segment once: in one direction where two cells have it, as it is on the border.
 void Mesh::listSegments() {
   segments_.clear();
   for (const Ring& ring : rings_) {
@@ -115,12 +118,12 @@ void Mesh::listSegments() {
   }
 }
 
-bool Mesh::findMeetings() {
+void Mesh::mendMeetings(bool mayDetour) {
   const FlatArray<Point>& points = numbers_.points();
   united_.resize(points.size());
   for (std::uint32_t k = 0; k < united_.size(); ++k) united_[k] = k;
+  isUnited_ = false;
   detours_.clear();
-  bool isAny = false;
   const SegmentGrid grid(points, segments_, box_);
   FlatArray<std::uint32_t> countedFor(segments_.size(), 0xFFFFFFFFu);
   for (std::uint32_t k = 0; k < segments_.size(); ++k) {
@@ -130,13 +133,10 @@ bool Mesh::findMeetings() {
         if (m >= k) break;
         if (countedFor[m] == k) continue;
         countedFor[m] = k;
-        if (!doMeet(s, segments_[m])) continue;
-        isAny = true;
-        mend(s, segments_[m]);
+        if (doMeet(s, segments_[m])) mend(s, segments_[m], mayDetour);
       }
     });
   }
-  return isAny;
 }
 
 /// Do two segments meet in more than a common end?
@@ -156,9 +156,9 @@ bool Mesh::doMeet(const Segment& s, const Segment& t) const {
          !areOnOneSide(turnOf(c, d, a), turnOf(c, d, b));
 }
 
-/// Unites the two ends of segments that meet which are closest, if that is rounding; or sends one
-/// segment through the end of the other that is closest to it.
-void Mesh::mend(const Segment& s, const Segment& t) {
+/// Of two segments that meet: unites the two ends that are closest, if they are apart by rounding;
+/// or sends one segment through the end of the other that is closest to it.
+void Mesh::mend(const Segment& s, const Segment& t, bool mayDetour) {
   std::pair<std::uint32_t, std::uint32_t> closest{s.from, t.from};
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t p : {s.from, s.to}) {
@@ -171,8 +171,8 @@ void Mesh::mend(const Segment& s, const Segment& t) {
   }
   const Point place = at(closest.first);
   const bool isCommon = s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to;
-  if (least <= kRounding * (absolute(place.x) + absolute(place.y)) && !isCommon)
-    return unite(closest.first, closest.second);
+  const bool isRounding = least <= kRounding * (absolute(place.x) + absolute(place.y));
+  if (!mayDetour || (isRounding && !isCommon)) return unite(closest.first, closest.second);
   const Segment* passing = nullptr;
   std::uint32_t through = 0;
   least = std::numeric_limits<double>::infinity();
@@ -194,8 +194,7 @@ void Mesh::mend(const Segment& s, const Segment& t) {
 }
 
 /// Of a cell that rounding has turned around, unites the two points that are closest.
-bool Mesh::uniteTurned() {
-  bool isAny = false;
+void Mesh::uniteTurned() {
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const Ring& ring = rings_[cells_[c].firstRing];  // the others are at the border
     if (ring.count < 3) continue;
@@ -213,9 +212,7 @@ bool Mesh::uniteTurned() {
     }
     if (area > 0 || least > kRounding * (absolute(first.x) + absolute(first.y))) continue;
     unite(closest.first, closest.second);
-    isAny = true;
   }
-  return isAny;
 }
 
 std::uint32_t Mesh::representative(std::uint32_t point) {
@@ -223,18 +220,17 @@ std::uint32_t Mesh::representative(std::uint32_t point) {
   return point;
 }
 
-/// A point of the border stays; of others the first from left to right.
+/// A point of the border is kept; of others, the left one.
 void Mesh::unite(std::uint32_t a, std::uint32_t b) {
   a = representative(a);
   b = representative(b);
   if (a == b) return;
-  const Point p = at(a), q = at(b);
-  const bool isFirst =
-      isOnBorder(a) != isOnBorder(b) ? isOnBorder(a) : p.x < q.x || (p.x == q.x && p.y <= q.y);
+  const bool isFirst = isOnBorder(a) != isOnBorder(b) ? isOnBorder(a) : isLeftOf(at(a), at(b));
   united_[isFirst ? b : a] = isFirst ? a : b;
+  isUnited_ = true;
 }
 
-/// The detour of a segment, in either direction; null if there is none.
+/// The detour of a segment, in either direction, or null.
 const Mesh::Detour* Mesh::detourOf(std::uint32_t a, std::uint32_t b,
                                    std::span<const Keyed> byEnd) const {
   const auto isBefore = [](const Keyed& entry, std::uint32_t key) { return entry.key < key; };

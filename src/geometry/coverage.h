@@ -6,7 +6,8 @@
 // point that is off by its last place can be beyond a segment that it should be next to. So it is
 // proved, by exact signs for all pairs of segments in a cell of a grid. Where two meet, the ends of
 // them that are as close as rounding become one point, in all cells; or the segment that passes a
-// point goes through it. This is repeated until nothing meets.
+// point goes through it. This is repeated until nothing meets. It ends: after some rounds, points
+// are only united, and there are fewer of them each time.
 #pragma once
 
 #include "geometry/polygons.h"

@@ -19,10 +19,6 @@ constexpr int kFreeRounds = 2;
 constexpr int kMostRounds = 24;
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
-/// From left to right, and upwards what is vertical: as if the plane were sheared a little, so that
-/// nothing is vertical.
-bool comesBefore(Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
-
 bool areApart(Sign a, Sign b) { return a * b == Sign::kNegative; }
 
 class Linework {
@@ -103,7 +99,7 @@ void Linework::unify() {
   FlatArray<std::uint32_t> order(points_.size()), numbers(points_.size());
   for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
   std::partial_sort(order.begin(), order.end(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return comesBefore(points_[a], points_[b]);
+    return isLeftOf(points_[a], points_[b]);
   });
   FlatArray<Point> distinct;
   for (const std::uint32_t k : order) {
@@ -246,7 +242,7 @@ void Linework::listEnds() {
 
 /// Of two segments below a point, which do not cross: is the second one nearer to it?
 bool Linework::isHigher(const Segment& s, const Segment& t) const {
-  if (comesBefore(from(t), from(s))) return !isHigher(t, s);
+  if (isLeftOf(from(t), from(s))) return !isHigher(t, s);
   Sign side = turnOf(from(s), to(s), from(t));
   if (side == Sign::kZero) side = turnOf(from(s), to(s), to(t));
   return side == Sign::kPositive;
@@ -267,7 +263,7 @@ bool Linework::isInsideBelow(const SegmentGrid& grid, std::uint32_t segment,
       if (countedFor_[k] == segment) continue;
       countedFor_[k] = segment;
       const Segment& t = segments_[k];
-      if (k == segment || comesBefore(p, from(t)) || !comesBefore(p, to(t))) continue;
+      if (k == segment || isLeftOf(p, from(t)) || !isLeftOf(p, to(t))) continue;
       Sign above = turnOf(from(t), to(t), p);
       if (above == Sign::kZero) above = turnOf(p, to(t), to(s));
       if (above != Sign::kPositive) continue;
@@ -360,9 +356,7 @@ void Linework::link(Outline& outline) {
 Window boxOf(std::span<const Point> points) {
   if (points.empty()) return {};
   Window box{points[0].x, points[0].y, points[0].x, points[0].y};
-  for (const Point p : points)
-    box = {std::min(box.xmin, p.x), std::min(box.ymin, p.y), std::max(box.xmax, p.x),
-           std::max(box.ymax, p.y)};
+  for (const Point p : points) box.include(p);
   return box;
 }
 

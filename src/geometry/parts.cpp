@@ -180,9 +180,7 @@ void PartFinder::closeRing() {
     const Point from = piece.curve.p0;
     reach += length(piece.curve.p2 - from);
     size = std::max({size, absolute(from.x), absolute(from.y)});
-    for (const Point p : {piece.curve.p1, piece.curve.p2})
-      box = {std::min(box.xmin, p.x), std::min(box.ymin, p.y), std::max(box.xmax, p.x),
-             std::max(box.ymax, p.y)};
+    for (const Point p : {piece.curve.p1, piece.curve.p2}) box.include(p);
   }
   const Area area = areaOf(pieces, pieces.front().curve.p0);
   const double thinnest = std::max(area.rounding, kThinnest * size * reach);

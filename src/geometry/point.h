@@ -18,6 +18,8 @@ struct Point {
 constexpr double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 /// Positive if b is to the left of a.
 constexpr double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+/// From left to right, and upwards where the two are in a vertical line.
+constexpr bool isLeftOf(Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 constexpr Point middle(Point a, Point b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2}; }
 /// Turned by a quarter, counter-clockwise.
 constexpr Point leftOf(Point a) { return {-a.y, a.x}; }

@@ -95,14 +95,12 @@ void Tracer::cut(std::uint32_t point) {
             {}};
   double reach = 0;
   Point last = at(way_.back());
-  Window& box = loop.box;
-  box = {last.x, last.y, last.x, last.y};
+  loop.box = {last.x, last.y, last.x, last.y};
   for (std::size_t k = begin; k < way_.size(); ++k) {
     const Point p = at(way_[k]);
     traced_.push_back(p);
     placeOnWay_[way_[k]] = kNone;
-    box = {std::min(box.xmin, p.x), std::min(box.ymin, p.y), std::max(box.xmax, p.x),
-           std::max(box.ymax, p.y)};
+    loop.box.include(p);
     reach += length(p - last);
     last = p;
   }

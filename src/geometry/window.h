@@ -31,6 +31,12 @@ struct Window {
   [[nodiscard]] bool holds(Point p) const {
     return p.x > xmin && p.x < xmax && p.y > ymin && p.y < ymax;
   }
+  void include(Point p) {
+    xmin = std::min(xmin, p.x);
+    ymin = std::min(ymin, p.y);
+    xmax = std::max(xmax, p.x);
+    ymax = std::max(ymax, p.y);
+  }
   [[nodiscard]] Point nearestTo(Point p) const {
     return {std::clamp(p.x, xmin, xmax), std::clamp(p.y, ymin, ymax)};
   }

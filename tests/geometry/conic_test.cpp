@@ -9,6 +9,7 @@
 #include "geometry/approximate.h"
 #include "geometry/cell.h"
 #include "geometry/measures.h"
+#include "geometry/shapes.h"
 #include "support/effort.h"
 #include "support/generators.h"
 
@@ -79,10 +80,7 @@ TEST(Conic, ApproximationsAreWithinTheTolerance) {
     for (const double w : kWeights) {
       for (const double tolerance : {1.0, 0.1, 1e-3}) {
         const Conic conic = randomConic(random, w);
-        std::vector<double> flat{conic.p0.x, conic.p0.y};
-        flattenConic(conic, tolerance, flat);
-        std::vector<Point> polyline;
-        for (std::size_t k = 0; k < flat.size(); k += 2) polyline.push_back({flat[k], flat[k + 1]});
+        const std::vector<Point> polyline = chordsOf(conic, tolerance);
         ASSERT_TRUE(polyline.back() == conic.p2);
 
         Path path;
@@ -126,9 +124,7 @@ TEST(Conic, OfAFewDoublesIsNotHalvedWithoutEnd) {
     Path path;
     drawConic(conic, 1e-30, path);
     EXPECT_LE(path.commands.size(), 4u);
-    std::vector<double> points;
-    flattenConic(conic, 1e-30, points);
-    EXPECT_LE(points.size(), 8u);
+    EXPECT_LE(chordsOf(conic, 1e-30).size(), 5u);
   }
 }
 

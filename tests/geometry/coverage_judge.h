@@ -83,7 +83,7 @@ class CoverageJudge {
               (q.first - origin.first) * (p.second - origin.second);
     }
     if (points.size() < 3 || at(first) != at(end - 1))
-      complain() << "site " << site << " has a ring that is none";
+      complain() << "site " << site << " has an invalid ring";
     if (isHole ? area > 0 : area < 0) complain() << "site " << site << " has a ring that is turned";
     sum_ += area / 2;
   }

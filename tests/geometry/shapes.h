@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apollonius/voronoi.h"
+#include "geometry/chords.h"
 #include "geometry/turn.h"
 #include "support/generators.h"
 #include "support/insert_into.h"
@@ -37,6 +38,15 @@ inline bool windowAround(const Circles& circles, double share, Bounds& bounds) {
 }
 
 inline double areaOf(const Bounds& b) { return (b.xmax - b.xmin) * (b.ymax - b.ymin); }
+
+/// Points of a conic within a tolerance, both ends included, as chords.h chooses them between sites
+/// far on both sides of it.
+inline std::vector<Point> chordsOf(const Conic& conic, double tolerance) {
+  const Point away = 10 * leftOf(conic.p2 - conic.p0), center = middle(conic.p0, conic.p2);
+  ChordFinder finder({-1e300, -1e300, 1e300, 1e300}, nullptr, tolerance);
+  const auto points = finder.find({conic, center + away, center - away});
+  return {points.begin(), points.end()};
+}
 
 /// The areas of all cells in units of the window's: together, or one by one if that is further
 /// off 1.
