@@ -226,6 +226,12 @@ Portion draw(const Diagram& diagram, const Region* region, double xmin, double y
   const Voronoi voronoi = voronoiIn(diagram, region, {xmin, ymin, xmax, ymax});
   apollonius::Portion portion{cursor, commands};
   apollonius::Path path;
+  allocating([&] {
+    // The last edges go beyond that number. Most are segments, of two commands and two points.
+    const std::size_t room = commands + commands / 4;
+    path.commands.reserve(room);
+    path.coordinates.reserve(3 * room);
+  });
   const auto drawn = [&] {
     switch (what) {
       case Drawing::kEdges:
