@@ -270,6 +270,27 @@ test.each([
   120_000,
 );
 
+test("views of small regions weigh little beside the diagram, and nothing when disposed of", () => {
+  const output = runInNode(`${watchGrowth}
+    const n = 200_000;
+    const xyr = Float64Array.from(
+      { length: 3 * n }, (_, k) => (k % 3 === 2 ? 1 : (k * 7919 * (k % 3 + 1)) % 1_000_003));
+    const diagram = new Diagram(xyr);
+    const triangle = (k) => diagram.voronoi([[k, k], [k + 9, k], [k, k + 9]]);
+    triangle(0).cellAreas();
+    const megabytes = () => { const grown = pages / 16; pages = 0; return grown; };
+    megabytes();
+    const views = Array.from({ length: 400 }, (_, k) => { const v = triangle(k); v.cellAreas(); return v; });
+    const held = megabytes();
+    for (const view of views) view.dispose();
+    for (let k = 0; k < 400; ++k) { const v = triangle(k); v.cellAreas(); v.dispose(); }
+    console.log(held, megabytes(), views.length);`);
+  const [held, later] = output.split(" ").map(Number);
+  // a bit for each face, of which there are two for each site; it was 10 bytes for each site
+  expect(held).toBeLessThan((400 * 200_000 * 0.4) / 2 ** 20);
+  expect(later).toBe(0);
+}, 120_000);
+
 test("out of memory, the message tells how diagrams are freed", () => {
   const output = runInNode(`${watchGrowth}
     WebAssembly.Memory.prototype.grow = () => { throw new RangeError("no more memory"); };
