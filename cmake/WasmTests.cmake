@@ -9,7 +9,7 @@ set(wasm_tests
   predicate/circle_fan predicate/near_zero predicate/precise_circle predicate/scale
   predicate/stage_use predicate/vertex_conflict
   # Memory
-  memory/flat_array diagram/out_of_memory geometry/out_of_memory topology/room
+  base/flat_array diagram/out_of_memory geometry/out_of_memory topology/room
   # Counted work, and snapshots that the shadow check would stop
   delaunay/lying_sites diagram/snapshot_mutants diagram/work_in_line diagram/work_of_batches
   diagram/worst_orders

@@ -11,7 +11,7 @@ test("a test of C++ runs by its suites, a source by the tests that have its name
     diagram_tests: "HintGrid.*:*/HintGrid.*",
   });
   expect(plan("src/diagram/hint_grid.cpp")).toEqual(plan("tests/diagram/hint_grid_test.cpp"));
-  expect(plan("src/memory/flat_array.h").memory_tests).toMatch(/^FlatArray/);
+  expect(plan("src/base/flat_array.h").base_tests).toMatch(/^FlatArray/);
 });
 
 test("a source without a test of its name runs its folder's program, but what is slow", () => {

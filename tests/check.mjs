@@ -44,7 +44,7 @@ import { installPacked } from "./wasm/support/install_packed.mjs";
  * the processor rounds, which valgrind does as it always does.
  */
 const underValgrind = {
-  memory_tests: "*",
+  base_tests: "*",
   topology_tests: "-Room*",
   number_tests: "-Fp.*Seen:FpDeathTest*",
   diagram_tests: "Errors*:Ids*:IdPool*:HiddenForest*:Regressions*:Snapshot.*",

@@ -21,43 +21,55 @@ function filesIn(folder) {
 const files = filesIn("");
 
 const std = /^<[a-z_]+>$/;
+/** The rules of the folders of src/geometry, each with the others that it may include. */
+function geometry(folders) {
+  return Object.entries(folders).map(([folder, others]) => ({
+    of: new RegExp(`^src/geometry/${folder}/`),
+    may: [
+      std,
+      /^"apollonius\/(path|types)\.h"$/,
+      /^"(base|number|predicate|topology|delaunay|diagram)\//,
+      new RegExp(`^"geometry/(${others ? `${others}|` : ""}${folder})/`),
+    ],
+  }));
+}
+
 const rules = [
   // Public headers, installed as they are: nothing but the standard library and each other.
   { of: /^src\/apollonius\//, may: [std, /^"apollonius\//] },
-  { of: /^src\/memory\//, may: [std, /^"memory\//] },
+  { of: /^src\/base\//, may: [std, /^"base\//] },
   {
     of: /^src\/number\//,
     may: [std, /^<boost\/multiprecision\//, /^<emscripten\/console\.h>$/, /^"number\//],
   },
-  { of: /^src\/predicate\//, may: [std, /^"(memory|number|predicate)\//] },
-  { of: /^src\/topology\//, may: [std, /^"(memory|topology)\//] },
+  { of: /^src\/predicate\//, may: [std, /^"(base|number|predicate)\//] },
+  { of: /^src\/topology\//, may: [std, /^"(base|topology)\//] },
   {
     of: /^src\/delaunay\//,
-    may: [std, /^"(memory|topology|predicate|delaunay)\//, /^"number\/(sign|invariant)\.h"$/],
+    may: [std, /^"(base|topology|predicate|delaunay)\//, /^"number\/(sign|invariant)\.h"$/],
   },
   {
     of: /^src\/diagram\//,
     may: [
       std,
       /^"apollonius\/types\.h"$/,
-      /^"(memory|topology|predicate|delaunay|diagram)\//,
+      /^"(base|topology|predicate|delaunay|diagram)\//,
       /^"number\/(sign|invariant)\.h"$/,
     ],
   },
-  {
-    of: /^src\/geometry\//,
-    may: [
-      std,
-      /^"apollonius\/path\.h"$/,
-      /^"(memory|number|predicate|topology|delaunay|diagram|geometry)\//,
-    ],
-  },
+  ...geometry({
+    curve: "",
+    window: "curve",
+    cell: "curve|window",
+    polygons: "curve|window|cell",
+    draw: "curve|window",
+  }),
   {
     of: /^src\/api\//,
     may: [
       std,
       /^"apollonius\//,
-      /^"(memory|number|predicate|topology|delaunay|diagram|geometry|api)\//,
+      /^"(base|number|predicate|topology|delaunay|diagram|geometry|api)\//,
     ],
   },
   {
@@ -143,6 +155,38 @@ test.each(
       .map((name) => `${file}: ${name}`),
   );
   expect(forbidden).toEqual([]);
+});
+
+/** The classes that a .cpp file defines methods of. */
+function classesOfMethods(file) {
+  const text = readFileSync(path.join(root, file), "utf8");
+  return [...text.matchAll(/^(?! )[\w:<>*& ,]*?\b([A-Z]\w+)::~?\w+\(/gm)].map(([, name]) => name);
+}
+
+test("the methods of a class are defined in the folder of its header", () => {
+  const headers = sources("src/").filter((file) => file.endsWith(".h"));
+  const folderOf = new Map();
+  for (const file of headers) {
+    const text = readFileSync(path.join(root, file), "utf8");
+    for (const [, name] of text.matchAll(
+      /^(?:class|struct) (?:APOLLONIUS_EXPORT )?(\w+)[^;]*? \{/gm,
+    ))
+      folderOf.set(name, [...(folderOf.get(name) ?? []), path.dirname(file)]);
+  }
+  expect(folderOf.get("DelaunayGraph")).toEqual(["src/delaunay"]);
+  const strays = sources("src/")
+    .filter((file) => file.endsWith(".cpp"))
+    .flatMap((file) =>
+      classesOfMethods(file)
+        .filter((name) => folderOf.has(name) && !folderOf.get(name).includes(path.dirname(file)))
+        // The public classes' implementation.
+        .filter(
+          (name) => !(file.startsWith("src/api/") && folderOf.get(name).includes("src/apollonius")),
+        )
+        .map((name) => `${file}: ${name}`),
+    );
+  expect(classesOfMethods("src/delaunay/snapshot.cpp")).toContain("DelaunayGraph");
+  expect(strays).toEqual([]);
 });
 
 test("the patterns do read lines", () => {

@@ -7,7 +7,7 @@
 
 #include "api/checks.h"
 #include "api/region_state.h"
-#include "geometry/fit.h"
+#include "geometry/cell/area_fitter.h"
 
 namespace apollonius {
 

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "api/checks.h"
+#include "base/flat_array.h"
 #include "diagram/bulk_insertion.h"
 #include "diagram/diagram_core.h"
 #include "diagram/listing.h"
 #include "diagram/queries.h"
 #include "diagram/validate.h"
-#include "memory/flat_array.h"
 #include "number/fp.h"
 #include "number/invariant.h"
 #include "predicate/distance.h"

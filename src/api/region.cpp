@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "api/region_state.h"
-#include "geometry/sum.h"
+#include "number/sum.h"
 
 namespace apollonius {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "geometry/outline_grid.h"
-#include "geometry/overlay.h"
+#include "geometry/window/polygon_clip.h"
+#include "geometry/window/polygon_grid.h"
 
 namespace apollonius::internal {
 

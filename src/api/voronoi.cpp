@@ -9,17 +9,17 @@
 
 #include "api/checks.h"
 #include "api/region_state.h"
-#include "geometry/approximate.h"
-#include "geometry/areas.h"
-#include "geometry/cell.h"
-#include "geometry/coverage.h"
-#include "geometry/hull.h"
-#include "geometry/measures.h"
-#include "geometry/parts.h"
-#include "geometry/polygons.h"
-#include "geometry/render.h"
-#include "geometry/within.h"
-#include "memory/flat_array.h"
+#include "base/flat_array.h"
+#include "geometry/cell/cell_measures.h"
+#include "geometry/cell/disc_cell.h"
+#include "geometry/cell/polygon_cell.h"
+#include "geometry/cell/rectangle_cell.h"
+#include "geometry/curve/moments.h"
+#include "geometry/draw/cubics.h"
+#include "geometry/draw/hull.h"
+#include "geometry/draw/render.h"
+#include "geometry/polygons/cell_polygon.h"
+#include "geometry/polygons/coverage.h"
 
 namespace apollonius {
 

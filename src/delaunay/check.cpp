@@ -1,9 +1,9 @@
 // The invariants of a Delaunay graph, exactly checked; the first broken one is named with its ids.
 #include <cmath>
 
+#include "base/flat_array.h"
 #include "delaunay/delaunay_graph.h"
 #include "delaunay/proof.h"
-#include "memory/flat_array.h"
 
 namespace apollonius::internal {
 

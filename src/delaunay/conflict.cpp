@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/radix_sort.h"
 #include "delaunay/delaunay_graph.h"
-#include "delaunay/sort_by_key.h"
 #include "predicate/predicates.h"
 #include "predicate/stage_counts.h"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "memory/flat_array.h"
+#include "base/flat_array.h"
 #include "predicate/site.h"
 #include "topology/ids.h"
 

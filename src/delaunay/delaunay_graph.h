@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <span>
 
+#include "base/flat_array.h"
 #include "delaunay/conflict.h"
-#include "memory/flat_array.h"
 #include "predicate/circle_fan.h"
 #include "predicate/predicates.h"
 #include "predicate/shadow_check.h"

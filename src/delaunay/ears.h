@@ -14,8 +14,8 @@
 #include <cstdint>
 #include <span>
 
+#include "base/flat_array.h"
 #include "delaunay/delaunay_graph.h"
-#include "memory/flat_array.h"
 
 namespace apollonius::internal {
 

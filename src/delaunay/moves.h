@@ -27,8 +27,8 @@
 #include <limits>
 #include <span>
 
+#include "base/flat_array.h"
 #include "delaunay/delaunay_graph.h"
-#include "memory/flat_array.h"
 #include "predicate/circle_fan.h"
 
 namespace apollonius::internal {

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "memory/flat_array.h"
+#include "base/flat_array.h"
 #include "predicate/voronoi_circle.h"
 
 namespace apollonius::internal {

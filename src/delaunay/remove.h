@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <span>
 
+#include "base/flat_array.h"
 #include "delaunay/delaunay_graph.h"
 #include "delaunay/ears.h"
-#include "memory/flat_array.h"
 
 namespace apollonius::internal {
 

@@ -11,9 +11,9 @@
 #include <optional>
 #include <span>
 
+#include "base/flat_array.h"
 #include "diagram/diagram_core.h"
 #include "diagram/spatial_order.h"
-#include "memory/flat_array.h"
 
 namespace apollonius::internal {
 

@@ -4,9 +4,9 @@
 #include <limits>
 #include <new>
 
-#include "delaunay/sort_by_key.h"
+#include "base/flat_array.h"
+#include "base/radix_sort.h"
 #include "diagram/spatial_order.h"
-#include "memory/flat_array.h"
 #include "number/invariant.h"
 #include "predicate/distance.h"
 #include "predicate/predicates.h"

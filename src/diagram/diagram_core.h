@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apollonius/types.h"
+#include "base/flat_array.h"
 #include "delaunay/delaunay_graph.h"
 #include "delaunay/moves.h"
 #include "delaunay/remove.h"
@@ -18,7 +19,6 @@
 #include "diagram/hint_grid.h"
 #include "diagram/id_pool.h"
 #include "diagram/memory_reserve.h"
-#include "memory/flat_array.h"
 
 namespace apollonius::internal {
 

@@ -50,7 +50,7 @@
 #include <memory>
 #include <vector>
 
-#include "memory/flat_array.h"
+#include "base/flat_array.h"
 
 namespace apollonius::internal {
 

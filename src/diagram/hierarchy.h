@@ -22,11 +22,11 @@
 #include <memory>
 #include <span>
 
+#include "base/flat_array.h"
 #include "delaunay/delaunay_graph.h"
 #include "delaunay/moves.h"
 #include "delaunay/remove.h"
 #include "diagram/id_pool.h"
-#include "memory/flat_array.h"
 
 namespace apollonius::internal {
 

@@ -10,8 +10,8 @@
 
 #include <cstdint>
 
+#include "base/flat_array.h"
 #include "diagram/id_pool.h"
-#include "memory/flat_array.h"
 #include "predicate/site.h"
 
 namespace apollonius::internal {

@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "apollonius/types.h"
-#include "memory/flat_array.h"
+#include "base/byte_stream.h"
+#include "base/flat_array.h"
 #include "number/invariant.h"
 #include "topology/ids.h"
-#include "topology/words.h"
 
 namespace apollonius::internal {
 

@@ -1,8 +1,8 @@
 // The diagram as arrays: neighbours of a site, Voronoi vertices, Voronoi edges.
 #include "diagram/listing.h"
 
-#include "delaunay/sort_by_key.h"
-#include "memory/flat_array.h"
+#include "base/flat_array.h"
+#include "base/radix_sort.h"
 
 namespace apollonius::internal {
 

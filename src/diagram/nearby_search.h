@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "base/flat_array.h"
 #include "diagram/diagram_core.h"
-#include "memory/flat_array.h"
 #include "predicate/site.h"
 
 namespace apollonius::internal {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "delaunay/sort_by_key.h"
+#include "base/flat_array.h"
+#include "base/radix_sort.h"
 #include "diagram/nearby_search.h"
 #include "diagram/spatial_order.h"
-#include "memory/flat_array.h"
 #include "predicate/distance.h"
 
 namespace apollonius::internal {

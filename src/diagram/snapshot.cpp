@@ -11,10 +11,10 @@
 #include <new>
 #include <vector>
 
+#include "base/byte_stream.h"
+#include "base/flat_array.h"
 #include "diagram/diagram_core.h"
-#include "memory/flat_array.h"
 #include "predicate/predicates.h"
-#include "topology/words.h"
 
 namespace apollonius::internal {
 
@@ -60,68 +60,6 @@ std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
 }
 
 }  // namespace
-
-// --- Ids
-
-bool IdPool::restore(WordReader& in, std::size_t slots, std::size_t idLimit, std::size_t size) {
-  ids_.assign(idLimit, kNoSlot);
-  slots_.assign(slots, kNotListed);
-  freeSlots_ = slots;
-  for (Slot slot = 0; slot < slots; ++slot) {
-    const SiteId id = in.word();
-    if (id == kNoSite) continue;
-    if (id >= idLimit || ids_[id] != kNoSlot) return false;
-    ids_[id] = slot;
-    slots_[slot] = word(SiteState::kPending, id);
-    --freeSlots_;
-  }
-  if (this->size() != size) return false;
-  std::uint32_t* last = &firstFreeSlot_;
-  for (std::size_t k = 0; k < freeSlots_; ++k) {
-    const Slot slot = in.word();
-    if (slot >= slots || slots_[slot] != kNotListed) return false;
-    *last = slot;
-    last = &slots_[slot];
-    *last = kEnd;
-  }
-  std::uint32_t freeId = 0;  // marks ids in the list
-  last = &firstFreeId_;
-  for (std::size_t k = size; k < idLimit; ++k) {
-    const SiteId id = in.word();
-    if (id >= idLimit || ids_[id] != kNoSlot) return false;
-    *last = freeId | id;
-    freeId = kFreeId;
-    last = &ids_[id];
-    *last = kFreeId | kEnd;
-  }
-  return true;
-}
-
-// --- The Delaunay graph
-
-void DelaunayGraph::save(WordWriter& out, std::size_t vertexSlots) const {
-  out.word(static_cast<std::uint32_t>(recent_));
-  graph_.save(out, vertexSlots);
-}
-
-bool DelaunayGraph::restore(WordReader& in, std::size_t faceSlots) {
-  recent_ = VertexId{in.word()};
-  if (!graph_.restore(in, sites_.size(), faceSlots)) return false;
-  if (recent_ != kNoVertex && (recent_ == kInfinity || index(recent_) >= sites_.size()))
-    return false;
-  if (graph_.isEmpty()) {
-    visibleCount_ = recent_ != kNoVertex;
-    return true;
-  }
-  if (!graph_.hasVertex(recent_)) return false;  // also if there is none
-  isProven_ = false;
-  visibleCount_ = graph_.faceCount() / 2 + 1;  // Euler, without infinity
-  circles_.resize(faceSlots, kMissingCircle);
-  mayMissCircles_ = true;
-  return true;
-}
-
-// --- The diagram
 
 void DiagramCore::save(std::vector<std::uint8_t>& bytes) const {
   const Graph& graph = delaunay_.graph();

@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 
-#include "memory/flat_array.h"
+#include "base/flat_array.h"
 
 namespace apollonius::internal {
 

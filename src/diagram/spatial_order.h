@@ -10,8 +10,8 @@
 #include <optional>
 #include <span>
 
-#include "delaunay/sort_by_key.h"
-#include "memory/flat_array.h"
+#include "base/flat_array.h"
+#include "base/radix_sort.h"
 
 namespace apollonius::internal {
 

@@ -2,9 +2,9 @@
 // goes, else one by one, or all anew (rebuild.cpp).
 #include <algorithm>
 
-#include "delaunay/sort_by_key.h"
+#include "base/flat_array.h"
+#include "base/radix_sort.h"
 #include "diagram/diagram_core.h"
-#include "memory/flat_array.h"
 #include "predicate/predicates.h"
 
 namespace apollonius::internal {

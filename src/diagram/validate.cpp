@@ -1,7 +1,7 @@
 // The invariants of a diagram, exactly checked; the first broken one is named with its ids.
 #include "diagram/validate.h"
 
-#include "memory/flat_array.h"
+#include "base/flat_array.h"
 #include "predicate/predicates.h"
 
 namespace apollonius::internal {

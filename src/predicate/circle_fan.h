@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "memory/flat_array.h"
+#include "base/flat_array.h"
 #include "predicate/site.h"
 #include "predicate/voronoi_circle.h"
 

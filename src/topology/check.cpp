@@ -1,6 +1,6 @@
 // Graph::check: the invariants of the surface, one after the other, trusting nothing that has not
 // been checked before.
-#include "memory/flat_array.h"
+#include "base/flat_array.h"
 #include "topology/graph.h"
 
 namespace apollonius::internal {

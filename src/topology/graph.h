@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <span>
 
-#include "memory/flat_array.h"
+#include "base/flat_array.h"
 #include "topology/ids.h"
 #include "topology/ranges.h"
 

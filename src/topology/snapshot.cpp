@@ -1,8 +1,8 @@
 // The surface in a snapshot: the twins, and one half-edge of each vertex. The origins follow: they
 // are the stars that the twins turn around. Giving each half-edge its origin that way checks nearly
 // all there is to check.
+#include "base/byte_stream.h"
 #include "topology/graph.h"
-#include "topology/words.h"
 
 namespace apollonius::internal {
 

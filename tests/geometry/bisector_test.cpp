@@ -1,7 +1,7 @@
 // Bisectors against their definition: equal distances. Would catch a wrong frame, a wrong sign of
 // the branch, a control point or weight that is not the curve's, and loss of digits where circles
 // nearly touch from within.
-#include "geometry/bisector.h"
+#include "geometry/curve/bisector.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The points of an edge in polygons: as many as are needed, whatever rounding does.
-#include "geometry/chords.h"
+#include "geometry/polygons/chords.h"
 
 #include <gtest/gtest.h>
 

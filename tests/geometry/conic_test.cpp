@@ -1,14 +1,14 @@
 // Conics, their approximations within a tolerance, and their measures, against sampling.
-#include "geometry/conic.h"
+#include "geometry/curve/conic.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "geometry/approximate.h"
-#include "geometry/cell.h"
-#include "geometry/measures.h"
+#include "geometry/cell/rectangle_cell.h"
+#include "geometry/curve/moments.h"
+#include "geometry/draw/cubics.h"
 #include "geometry/shapes.h"
 #include "support/effort.h"
 #include "support/generators.h"

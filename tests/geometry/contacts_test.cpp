@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "geometry/measures.h"
+#include "geometry/curve/moments.h"
 #include "geometry/shapes.h"
 #include "support/effort.h"
 #include "support/operations.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "apollonius/voronoi.h"
-#include "geometry/turn.h"
+#include "predicate/orientation.h"
 
 namespace apollonius::test {
 
@@ -52,7 +52,7 @@ class CoverageJudge {
             std::max(c.first, d.first) < std::min(a.first, b.first))
           continue;
         const auto turn = [](Place p, Place q, Place r) {
-          return internal::turnOf({p.first, p.second}, {q.first, q.second}, {r.first, r.second});
+          return internal::orient2d({p.first, p.second}, {q.first, q.second}, {r.first, r.second});
         };
         const auto areApart = [](internal::Sign s, internal::Sign t) {
           return s * t == internal::Sign::kNegative;

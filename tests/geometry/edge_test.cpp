@@ -1,6 +1,6 @@
 // Edges as curves: their ends come in their order along the bisector, also where four decimals are
 // on one circle but for rounding, and the edge between them is shorter than that.
-#include "geometry/edge.h"
+#include "geometry/curve/edge.h"
 
 #include <gtest/gtest.h>
 

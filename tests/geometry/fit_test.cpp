@@ -1,12 +1,11 @@
 // Prescribed areas: the derivative against differences, areas that are reached as an independent
 // sum says, in rectangles and in regions with holes, from random and from degenerate centres.
-#include "geometry/fit.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "apollonius/area_fit.h"
+#include "geometry/cell/area_fitter.h"
 #include "geometry/shapes.h"
 #include "support/effort.h"
 
@@ -201,7 +200,7 @@ Circles withCellsIn(const Region& region, const Circles& all) {
 
 TEST(Fit, ReachesTargetsAcrossHolesAndSeas) {
   // Cells vanish into what is not of the region, and are covered from across it. Without ground
-  // (fit.h) the first of these, and others, ended too early.
+  // (area_fitter.h) the first of these, and others, ended too early.
   const std::vector<double> islands{0,   0,   300, 0,   300, 300, 0,    300, 600,  500, 1000,
                                     500, 800, 900, 100, 800, 250, 1000, 100, 1000, 50,  900};
   const std::vector<double> moat{0,   0,  1000, 0,   1000, 1000, 0,  1000,

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "apollonius/region.h"
-#include "geometry/measures.h"
+#include "geometry/curve/moments.h"
 #include "geometry/shapes.h"
 #include "support/effort.h"
 

@@ -1,12 +1,12 @@
 // The grid of segments: those that meet have a cell in common, and combs do not fill it.
-#include "geometry/segment_grid.h"
+#include "geometry/window/segment_grid.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <vector>
 
-#include "geometry/turn.h"
+#include "predicate/orientation.h"
 #include "support/effort.h"
 #include "support/random.h"
 
@@ -17,7 +17,8 @@ using namespace internal;
 
 bool doCross(Point a, Point b, Point c, Point d) {
   const auto areApart = [](Sign s, Sign t) { return s * t == Sign::kNegative; };
-  return areApart(turnOf(a, b, c), turnOf(a, b, d)) && areApart(turnOf(c, d, a), turnOf(c, d, b));
+  return areApart(orient2d(a, b, c), orient2d(a, b, d)) &&
+         areApart(orient2d(c, d, a), orient2d(c, d, b));
 }
 
 std::set<std::size_t> cellsOf(const SegmentGrid& grid, Point a, Point b) {

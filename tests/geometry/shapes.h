@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "apollonius/voronoi.h"
-#include "geometry/chords.h"
-#include "geometry/turn.h"
+#include "geometry/polygons/chords.h"
+#include "predicate/orientation.h"
 #include "support/generators.h"
 #include "support/insert_into.h"
 
@@ -105,7 +105,8 @@ inline bool crossesItself(const std::vector<Point>& p) {
       if (std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y))
         continue;
       const auto apart = [](Sign s, Sign t) { return s * t == Sign::kNegative; };
-      if (apart(turnOf(a, b, c), turnOf(a, b, d)) && apart(turnOf(c, d, a), turnOf(c, d, b)))
+      if (apart(orient2d(a, b, c), orient2d(a, b, d)) &&
+          apart(orient2d(c, d, a), orient2d(c, d, b)))
         return true;
     }
   }

@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "geometry/approximate.h"
-#include "geometry/measures.h"
+#include "geometry/curve/moments.h"
+#include "geometry/draw/cubics.h"
 #include "geometry/shapes.h"
 #include "support/corpus.h"
 #include "support/hash.h"

@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <vector>
 
+#include "base/byte_stream.h"
 #include "topology/graph.h"
-#include "topology/words.h"
 
 namespace apollonius::internal {
 namespace {

@@ -1,0 +1,343 @@
+#include "geometry/cell/area_fitter.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "diagram/bulk_insertion.h"
+#include "geometry/cell/cell_measures.h"
+#include "geometry/cell/cell_sums.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// All of the ground at first, as a share of the region's area.
+constexpr double kFirstGround = 1e-4;
+/// To so much of it it falls when areas are so near their targets; less of it in all than this
+/// share of the smallest target is as good as none.
+constexpr double kNextGround = 0.1;
+constexpr double kNearEnough = 0.3;
+constexpr double kLeastGround = 1e-3;
+/// Around a region is nothing if it is less than this share of it.
+constexpr double kLeastOutside = 1e-3;
+/// So much of the way to where one site covers another.
+constexpr double kShareOfWay = 0.9;
+/// More than this much of it makes a coupling stiffer, by a little more than would do.
+constexpr double kShareOfRoom = 0.7;
+constexpr double kMoreThanEnough = 1.5;
+constexpr int kStiffenings = 3;
+/// A cell has nearly vanished when it is this share of what it was or should be.
+constexpr double kVanished = 1e-4;
+/// Of how much less than the residual an equation's may be: far away, and near the end.
+constexpr double kCoarse = 0.01;
+constexpr double kMedium = 1e-4;
+constexpr double kFine = 1e-7;
+constexpr int kMostHalvings = 30;
+/// Two units in the last place of a double, as a share of it.
+constexpr double kLastPlaces = powerOfTwo(-51);
+
+/// log r of r >= 1 that is finite, with + - * / and roots only: 2 artanh((r-1)/(r+1)), of roots
+/// near 1.
+double logarithm(double r) {
+  double scale = 2;
+  for (; r > 1.5; scale *= 2) r = std::sqrt(r);
+  const double z = (r - 1) / (r + 1), square = z * z;  // at most 0.2
+  double sum = 0;
+  for (int k = 23; k > 0; k -= 2) sum = sum * square + 1.0 / k;
+  return scale * z * sum;
+}
+
+double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
+
+double sumOf(std::span<const double> values) {
+  Sum sum;
+  for (const double value : values) sum.add(value);
+  return sum.value();
+}
+
+double smallestOf(std::span<const double> values) {
+  return *std::min_element(values.begin(), values.end());
+}
+
+void scaleTo(FlatArray<double>& values, double whole) {
+  const double factor = whole / sumOf(values);
+  for (double& value : values) value *= factor;
+}
+
+}  // namespace
+
+double pressureOf(const Bisector& bisector, double e0, double e1) {
+  if (!(e1 > e0)) return 0;
+  const double f = bisector.distance() / 2, b = bisector.conjugate();
+  // sinh 2μ1 - sinh 2μ0 = 2 cosh(μ1 + μ0) sinh(μ1 - μ0).
+  const double ratio = e1 / e0, product = e0 * e1;
+  if (ratio > std::numeric_limits<double>::max()) return ratio;
+  const double way = logarithm(ratio);
+  const double wave = (product + 1 / product) / 2 * ((ratio - 1 / ratio) / 2);
+  return f * f / (4 * b) * (wave - way) + b / 2 * way;
+}
+
+Fit::Fit(const DiagramCore& core, const Outline& outline)
+    : outline_(outline), core_(core.location()) {
+  for (Slot slot = 0; slot < core.ids().slots(); ++slot) {
+    if (core.ids().state(slot) == SiteState::kFree) continue;
+    ids_.push_back(core.ids().idOf(slot));
+    sites_.push_back(core.site(slot));
+  }
+}
+
+double Fit::weightOf(std::size_t place) const { return inRange(best_.weights[place]); }
+
+std::uint32_t Fit::begin(std::span<const double> targets, std::span<const double> start) {
+  const std::size_t count = sites_.size();
+  if (count == 0) return kNone;
+  shares_.assign(targets);
+  scaleTo(shares_, 1);
+  best_.weights.resize(count);
+  for (std::size_t k = 0; k < count; ++k) best_.weights[k] = sites_[k].r;
+  const double mean = sumOf(best_.weights) / static_cast<double>(count);
+  if (start.empty()) {
+    best_.weights.assign(count, mean);
+  } else {
+    best_.weights.assign(start);
+  }
+  FlatArray<SiteId> places(count);
+  insertAll(core_, circlesOf(best_), places);
+  setGround(0);
+  if (!start.empty() && !(smallestOf(best_.areas) > 0)) {
+    best_.weights.assign(count, mean);
+    setGround(0);
+  }
+  const double* const empty = std::min_element(best_.areas.begin(), best_.areas.end());
+  if (!(*empty > 0)) return static_cast<std::uint32_t>(empty - best_.areas.begin());
+  Window around = outline_.box;
+  for (const Site& site : sites_) {
+    around.xmin = std::min(around.xmin, site.x);
+    around.ymin = std::min(around.ymin, site.y);
+    around.xmax = std::max(around.xmax, site.x);
+    around.ymax = std::max(around.ymax, site.y);
+  }
+  const double inside = sumOf(best_.areas), all = around.width() * around.height();
+  if (all - inside > kLeastOutside * inside && error() > kNearEnough) {
+    const double corners[] = {around.xmin, around.ymin, around.xmax, around.ymin,
+                              around.xmax, around.ymax, around.xmin, around.ymax};
+    const std::uint32_t starts[] = {0, 4};
+    around_ = makeOutline(corners, starts);
+    setGround(kFirstGround * (inside / all));
+  }
+  return kNone;
+}
+
+/// x, y, r by place.
+FlatArray<double> Fit::circlesOf(const State& state) const {
+  FlatArray<double> xyr;
+  for (std::size_t k = 0; k < sites_.size(); ++k) {
+    for (const double number : {sites_[k].x, sites_[k].y, inRange(state.weights[k])})
+      xyr.push_back(number);
+  }
+  return xyr;
+}
+
+/// Measures the best weights with ground of this density, beside what they are measured with.
+void Fit::setGround(double density) {
+  tried_.weights = best_.weights;
+  measureTried(density);
+  targets_ = shares_;
+  scaleTo(targets_, sumOf(tried_.areas));
+  takeTried();
+  ground_ = density;
+}
+
+void Fit::takeTried() noexcept { std::swap(best_, tried_); }
+
+/// Areas and couplings for the tried weights, with ground of this density.
+void Fit::measureTried(double ground) {
+  const std::size_t count = sites_.size();
+  FlatArray<SiteId> places(count);
+  for (std::uint32_t k = 0; k < count; ++k) places[k] = k;
+  core_.updateMany(places, circlesOf(tried_));
+
+  tried_.couplings.clear();
+  tried_.areas.assign(count, 0);
+  addIn(outline_, 1);
+  tried_.inside = tried_.areas;
+  if (ground > 0) addIn(around_, ground);
+}
+
+/// Adds areas and couplings in a region of this density.
+void Fit::addIn(const Outline& outline, double density) {
+  const Overlay overlay(core_, outline);
+  CellSums sums(core_, outline.box, Measure::kAreas);
+  const Graph& graph = core_.delaunay().graph();
+  // At the end the areas of small cells count more than the last places of cached vertices.
+  const Bits bits = isNear_ ? Bits::kCanonical : Bits::kCached;
+  overlay.visitEdges(bits, [&](HalfedgeId h, const Edge& edge, const InnerPiece& piece) {
+    const VertexId i = graph.origin(h), j = graph.target(h);
+    sums.addEdge(slotOf(i), slotOf(j), piece.curve, piece.times);
+    const double pressure = density * piece.times * pressureOf(edge.bisector, piece.e0, piece.e1);
+    if (pressure > 0 && pressure < kLargestMagnitude)
+      tried_.couplings.push_back({core_.siteOf(i), core_.siteOf(j), pressure});
+  });
+  addBorders(overlay, sums);
+  for (Slot slot = 0; slot < core_.ids().slots(); ++slot)
+    tried_.areas[core_.ids().idOf(slot)] += density * sums.sumOf(slot);
+}
+
+double Fit::deviationOf(std::span<const double> areas) const {
+  const double whole = sumOf(areas);
+  double largest = 0;
+  for (std::size_t k = 0; k < areas.size(); ++k) {
+    const double target = whole * shares_[k];
+    largest = std::max(largest, absolute(areas[k] - target) / target);
+  }
+  return largest;
+}
+
+/// By how much the difference of two weights can still change, the way it does in the direction.
+double Fit::roomFor(const Coupling& c) const {
+  const double apart = length({sites_[c.i].x - sites_[c.j].x, sites_[c.i].y - sites_[c.j].y});
+  const double difference = best_.weights[c.i] - best_.weights[c.j];
+  return direction_[c.i] > direction_[c.j] ? apart - difference : apart + difference;
+}
+
+/// Of the concave function, in the direction.
+double Fit::slopeAt(const State& state) const {
+  double slope = 0;
+  for (std::size_t k = 0; k < targets_.size(); ++k)
+    slope += (targets_[k] - state.areas[k]) * direction_[k];
+  return slope;
+}
+
+bool Fit::step() {
+  if (sites_.empty()) return false;
+  double far = deviationOf(best_.areas);
+  for (; ground_ > 0 && far < kNearEnough; far = deviationOf(best_.areas)) {
+    const double less = kNextGround * ground_;
+    const double area = less * around_.box.width() * around_.box.height();
+    setGround(area < kLeastGround * smallestOf(targets_) ? 0 : less);
+  }
+  isNear_ = isNear_ || (ground_ == 0 && far < kCoarse);
+  // Where steps have become short, none must be wrong about a small cell.
+  findDirection(far < kCoarse ? kFine : last_ < 0.25 ? kMedium : kCoarse);
+  const bool isLast = ground_ == 0 && isWithinRounding();
+  if (isLast && !isNear_) {  // of areas off by the last places of cached vertices, perhaps
+    isNear_ = true;
+    setGround(0);
+    return true;
+  }
+  const double before = error();
+  double share = longestShare();
+  for (int halvings = 0; halvings < kMostHalvings; ++halvings, share /= 2) {
+    // The function is concave: a slope that has hardly turned is not far behind the maximum.
+    if (!tryStep(share) || !(slopeAt(tried_) >= -slopeAt(best_) / 2)) continue;
+    takeTried();
+    last_ = share;
+    if (!isLast || error() < before) return true;
+    takeTried();  // back
+    break;
+  }
+  isAtTheEndOfDoubles_ = isLast;
+  return false;
+}
+
+/// Does the direction change nothing but last places: of weights, or of the numbers that vertices
+/// come of?
+bool Fit::isWithinRounding() const {
+  for (std::size_t k = 0; k < direction_.size(); ++k) {
+    const Site& site = sites_[k];
+    const double size = std::max({absolute(best_.weights[k]), absolute(site.x), absolute(site.y)});
+    if (absolute(direction_[k]) > kLastPlaces * size) return false;
+  }
+  return true;
+}
+
+/// What comes of so much of the direction; false if a weight leaves the range, or a cell nearly
+/// vanishes.
+bool Fit::tryStep(double share) {
+  tried_.weights.resize(direction_.size());
+  for (std::size_t k = 0; k < direction_.size(); ++k) {
+    tried_.weights[k] = best_.weights[k] + share * direction_[k];
+    if (!(absolute(tried_.weights[k]) <= kLargestMagnitude)) return false;
+  }
+  measureTried(ground_);
+  for (std::size_t k = 0; k < targets_.size(); ++k) {
+    if (!(tried_.areas[k] >= kVanished * std::min(best_.areas[k], targets_[k]))) return false;
+  }
+  return true;
+}
+
+/// How much of the direction can be taken at most.
+double Fit::longestShare() const {
+  double share = 1;
+  for (const Coupling& c : best_.couplings) {
+    const double change = absolute(direction_[c.i] - direction_[c.j]);
+    if (share * change > kShareOfWay * roomFor(c)) share = kShareOfWay * roomFor(c) / change;
+  }
+  return share;
+}
+
+/// Newton's direction, with couplings stiffened until it has room.
+void Fit::findDirection(double tolerance) {
+  couplings_ = best_.couplings;
+  solve(tolerance);
+  for (int k = 0; k < kStiffenings; ++k) {
+    bool hasRoom = true;
+    for (Coupling& c : couplings_) {
+      const double change = absolute(direction_[c.i] - direction_[c.j]);
+      const double room = kShareOfRoom * roomFor(c);
+      if (change <= room) continue;
+      hasRoom = false;
+      c.pressure *= kMoreThanEnough * change / room;
+    }
+    if (hasRoom) return;
+    solve(tolerance);
+  }
+}
+
+/// The direction in which, to first order, areas become the targets: conjugate gradients. What all
+/// weights have in common changes nothing; its mean is left as it is.
+void Fit::solve(double tolerance) {
+  const std::size_t count = targets_.size();
+  FlatArray<double> diagonal(count, 0), rest(count), scaled(count), way(count), image(count);
+  for (const Coupling& c : couplings_) {
+    diagonal[c.i] += c.pressure;
+    diagonal[c.j] += c.pressure;
+  }
+  direction_.assign(count, 0);
+  for (std::size_t k = 0; k < count; ++k) rest[k] = targets_[k] - best_.areas[k];
+  // Zero in all but rounding, without which there is no solution.
+  const double surplus = sumOf(rest) / static_cast<double>(count);
+  double product = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    rest[k] -= surplus;
+    if (!(diagonal[k] > 0)) diagonal[k] = 1;
+    way[k] = rest[k] / diagonal[k];
+    product += rest[k] * way[k];
+  }
+  const double enough = tolerance * tolerance * product;
+  for (std::size_t step = 0; step < 10 * count + 100 && product > enough; ++step) {
+    for (std::size_t k = 0; k < count; ++k) image[k] = diagonal[k] * way[k];
+    for (const Coupling& c : couplings_) {
+      image[c.i] -= c.pressure * way[c.j];
+      image[c.j] -= c.pressure * way[c.i];
+    }
+    double energy = 0;
+    for (std::size_t k = 0; k < count; ++k) energy += way[k] * image[k];
+    if (!(energy > 0)) break;
+    const double share = product / energy;
+    double next = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      direction_[k] += share * way[k];
+      rest[k] -= share * image[k];
+      scaled[k] = rest[k] / diagonal[k];
+      next += rest[k] * scaled[k];
+    }
+    const double turn = next / product;
+    product = next;
+    for (std::size_t k = 0; k < count; ++k) way[k] = scaled[k] + turn * way[k];
+  }
+  const double mean = sumOf(direction_) / static_cast<double>(count);
+  for (double& value : direction_) value -= mean;
+}
+
+}  // namespace apollonius::internal

@@ -1,0 +1,110 @@
+// Weights for which the cells inside a region have prescribed areas.
+//
+// With the distance |p - c| - w, this is semi-discrete optimal transport with Euclidean cost: the
+// weights are where a concave function of them is largest, whose gradient is targets less areas
+// (Geiß, Klein, Penninger and Rote, "Optimally solving a transportation problem using Voronoi
+// diagrams", 2012; Hartmann and Schuhmacher, "Semi-discrete optimal transport: a solution procedure
+// for the unsquared Euclidean distance case", 2020). It is found by Newton's method, whose second
+// derivatives are integrals along the edges (pressureOf). What makes it converge:
+//
+//   - Where a step would take the weights of two neighbours nearly as far apart as their centres,
+//     where one covers the other, their coupling is made stiffer and the equations are solved anew.
+//     That needs no diagram. Their matrix stays positive definite, so that the step goes uphill.
+//   - A step is halved until the slope of the function at its end is at most slightly negative (it
+//     is concave: before its maximum the slope is positive), and no cell has nearly vanished. (As
+//     all cells have an area, the second derivatives stay regular: Kitagawa, Mérigot and Thibert,
+//     "Convergence of a Newton algorithm for semi-discrete optimal transport", 2019.)
+//   - Around a region and in its holes cells vanish, and covers come from across. So the box of the
+//     region and all sites counts too at first, a little: *ground*, of which less and less is left
+//     as areas come near their targets, and none at the end.
+//
+// Equations are solved by conjugate gradients with the diagonal for a preconditioner. All of it
+// happens in a diagram of its own, so that the one in question is as it was until it is done.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/flat_array.h"
+#include "diagram/diagram_core.h"
+#include "geometry/window/polygon_clip.h"
+
+namespace apollonius::internal {
+
+/// The integral of 1 / |∇d_i - ∇d_j| along the piece of a bisector from E = e0 to e1: by so much
+/// the area of i grows, and that of j falls, for each unit of weight that i gains. On the hyperbola
+/// (A cosh μ, B sinh μ) with its foci f from the middle it is F(μ1) - F(μ0), with
+///
+///     F(μ) = f²/(2B) (sinh(2μ)/4 - μ/2 + μ B²/f²).
+///
+/// It is infinite if e1 / e0 is beyond doubles: then it is f/8 times as much at least, which is far
+/// more than kLargestMagnitude, however near each other two sites are.
+[[nodiscard]] double pressureOf(const Bisector& bisector, double e0, double e1);
+
+class Fit {
+ public:
+  /// Of the sites of a diagram as they are now, hidden ones too, with the indices 0, 1, 2, … in the
+  /// order of their slots. REQUIRES: `outline` lives as long.
+  Fit(const DiagramCore& core, const Outline& outline);
+
+  [[nodiscard]] std::span<const SiteId> ids() const { return ids_; }
+  /// x, y, r by place, with the weights that have been reached.
+  [[nodiscard]] FlatArray<double> circles() const { return circlesOf(best_); }
+  /// As a site can have it.
+  [[nodiscard]] double weightOf(std::size_t place) const;
+
+  /// Targets and weights to start from, by place; if with these some cell is empty, or there are
+  /// none, equal ones. kNone, or a place whose cell is empty with equal weights.
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+  [[nodiscard]] std::uint32_t begin(std::span<const double> targets, std::span<const double> start);
+  /// One step; false if none comes closer. Throws std::bad_alloc; the same step can be taken again.
+  [[nodiscard]] bool step();
+  /// Is that because the weights are those looked for, up to their last places? What areas still
+  /// are off by is rounding: of weights, and of Voronoi vertices.
+  [[nodiscard]] bool isAtTheEndOfDoubles() const { return isAtTheEndOfDoubles_; }
+  /// The largest deviation of an area from its target, as a share of that.
+  [[nodiscard]] double error() const { return deviationOf(best_.inside); }
+
+ private:
+  struct Coupling {
+    std::uint32_t i, j;
+    double pressure;
+  };
+  /// Weights, and what they lead to.
+  struct State {
+    FlatArray<double> weights, inside;
+    FlatArray<double> areas;  // with their share of the ground
+    FlatArray<Coupling> couplings;
+  };
+
+  [[nodiscard]] FlatArray<double> circlesOf(const State& state) const;
+  void measureTried(double ground);
+  void addIn(const Outline& outline, double density);
+  void takeTried() noexcept;
+  void setGround(double density);
+  void findDirection(double tolerance);
+  [[nodiscard]] bool tryStep(double share);
+  [[nodiscard]] double longestShare() const;
+  void solve(double tolerance);
+  [[nodiscard]] bool isWithinRounding() const;
+  [[nodiscard]] double roomFor(const Coupling& coupling) const;
+  [[nodiscard]] double deviationOf(std::span<const double> areas) const;
+  [[nodiscard]] double slopeAt(const State& state) const;
+
+  const Outline& outline_;
+  Outline around_;    // region and sites
+  DiagramCore core_;  // its ids are places
+  FlatArray<SiteId> ids_;
+  FlatArray<Site> sites_;
+  FlatArray<double> shares_;   // of the region's area
+  FlatArray<double> targets_;  // with their share of the ground
+  State best_, tried_;
+  FlatArray<Coupling> couplings_;  // the best state's, some of them stiffer
+  FlatArray<double> direction_;    // of the next step
+  double last_ = 1;                // share of the last step that was taken
+  double ground_ = 0;              // its density
+  bool isNear_ = false;            // the end
+  bool isAtTheEndOfDoubles_ = false;
+};
+
+}  // namespace apollonius::internal

@@ -1,0 +1,45 @@
+// The boundary of a cell inside a window: closed rings of conic pieces, counter-clockwise, and
+// clockwise around holes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "apollonius/types.h"
+#include "base/flat_array.h"
+#include "geometry/curve/conic.h"
+#include "geometry/window/polygon.h"
+
+namespace apollonius::internal {
+
+/// A piece of a cell's boundary, the cell on its left.
+struct BoundaryPiece {
+  Conic curve;
+  SiteId neighbor = kNoSite;  ///< whose cell is on the right; kNoSite along the window's border
+  /// Of an edge's piece in a region: the segments of its outline that it starts and ends on.
+  std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;
+};
+
+struct Cell {
+  FlatArray<BoundaryPiece> pieces;
+  FlatArray<std::uint32_t> starts;  ///< of each ring, its first piece; and the number of pieces
+  /// Of each region its first ring, which is around it; further ones are holes. And the number of
+  /// rings. (In a window regions have no holes.)
+  FlatArray<std::uint32_t> outers;
+
+  [[nodiscard]] std::size_t ringCount() const { return starts.size() - 1; }
+  [[nodiscard]] std::span<const BoundaryPiece> ring(std::size_t k) const {
+    return std::span(pieces).subspan(starts[k], starts[k + 1] - starts[k]);
+  }
+  [[nodiscard]] std::size_t partCount() const { return outers.size() - 1; }
+};
+
+/// An area, and a bound of what the roundings in its computation (not those of the curves) can be.
+struct Area {
+  double value = 0;
+  double rounding = 0;
+};
+/// Of a closed counter-clockwise boundary. `origin` should be near it.
+[[nodiscard]] Area areaOf(std::span<const BoundaryPiece> boundary, Point origin);
+
+}  // namespace apollonius::internal

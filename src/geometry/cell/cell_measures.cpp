@@ -1,0 +1,151 @@
+#include "geometry/cell/cell_measures.h"
+
+#include "base/flat_array.h"
+#include "base/radix_sort.h"
+#include "geometry/cell/cell_sums.h"
+#include "geometry/cell/polygon_cell.h"
+#include "geometry/window/rectangle_border.h"
+#include "geometry/window/rectangle_clip.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// A border contact of some cell, to be sorted by cell.
+struct SiteContact {
+  Slot site;
+  BorderContact contact;
+};
+
+class WindowSum {
+ public:
+  WindowSum(const DiagramCore& core, const Window& window, Measure what)
+      : core_(core), window_(window), sums_(core, window, what) {}
+
+  void run(std::vector<double>& measures) {
+    const Graph& graph = core_.delaunay().graph();
+    forEachClippedPiece(core_.delaunay(), window_, Bits::kCached,
+                        [&](HalfedgeId h, const ClippedPiece& piece) {
+                          addPiece(piece, slotOf(graph.origin(h)), slotOf(graph.target(h)));
+                        });
+    addBorders();
+    sums_.list(measures);
+  }
+
+ private:
+  void addPiece(const ClippedPiece& piece, Slot left, Slot right) {
+    const Conic& curve = piece.curve;
+    sums_.addEdge(left, right, curve);
+    if (piece.fromSide != kNoSide) addContact(left, right, piece.fromSide, curve.p0, false);
+    if (piece.toSide != kNoSide) addContact(left, right, piece.toSide, curve.p2, true);
+  }
+
+  void addContact(Slot left, Slot right, int side, Point point, bool leaves) {
+    const double place = window_.placeOf(side, point);
+    contacts_.push_back({left, {side, place, point, 0, leaves}});
+    contacts_.push_back({right, {side, place, point, 0, !leaves}});
+  }
+
+  void addBorders() {
+    FlatArray<Keyed> bySite(contacts_.size());
+    for (std::uint32_t k = 0; k < bySite.size(); ++k) bySite[k] = {contacts_[k].site, k};
+    sortByKey(bySite);
+    FlatArray<BorderContact> own;
+    FlatArray<BorderArc> arcs;
+    for (std::size_t begin = 0; begin < bySite.size();) {
+      const Slot slot = bySite[begin].key;
+      own.clear();
+      for (; begin < bySite.size() && bySite[begin].key == slot; ++begin)
+        own.push_back(contacts_[bySite[begin].value].contact);
+      matchBorder(core_, slot, window_, own, arcs);
+      for (const BorderArc& arc : arcs) {
+        Point at = own[arc.from].point;
+        for (int k = 0; k < arc.cornerCount; ++k) {
+          const Point corner = window_.corner((arc.firstCorner + k) % 4);
+          sums_.addBorder(slot, at, corner);
+          at = corner;
+        }
+        sums_.addBorder(slot, at, own[arc.to].point);
+      }
+    }
+  }
+
+  const DiagramCore& core_;
+  Window window_;
+  CellSums sums_;
+  FlatArray<SiteContact> contacts_;
+};
+
+/// If no edge meets the window, one cell has all of it. (Edges can touch it, so contacts are no
+/// proof; the sum of areas is all or nothing.)
+Slot wholeOwner(const DiagramCore& core, const Window& window, const std::vector<double>& areas) {
+  double sum = 0;
+  for (const double area : areas) sum += area;
+  if (core.visibleCount() == 0 || sum > window.width() * window.height() / 2) return kNoSlot;
+  return ownerOfWindow(core, window);
+}
+
+}  // namespace
+
+void measureCells(const DiagramCore& core, const Window& window, Measure what,
+                  std::vector<double>& measures) {
+  WindowSum(core, window, what).run(measures);
+  std::vector<double> areas;
+  if (what != Measure::kAreas) {
+    WindowSum(core, window, Measure::kAreas).run(areas);
+  }
+  const Slot owner = wholeOwner(core, window, what == Measure::kAreas ? measures : areas);
+  if (owner == kNoSlot) return;
+  const std::size_t id = core.ids().idOf(owner);
+  if (what == Measure::kCentroids) {
+    measures[2 * id] = window.center().x;
+    measures[2 * id + 1] = window.center().y;
+  } else {
+    measures[id] = what == Measure::kAreas ? window.width() * window.height()
+                                           : 2 * (window.width() + window.height());
+  }
+}
+
+void addBorders(const Overlay& overlay, CellSums& sums) {
+  for (std::uint32_t k = 0; k < overlay.crossingCount(); ++k) {
+    const Crossing& crossing = overlay.crossing(k);
+    overlay.visitWay(crossing,
+                     [&](Point from, Point to) { sums.addBorder(crossing.to, from, to); });
+  }
+  for (const Keyed& lodger : overlay.lodgers()) {
+    const std::span<const Point> ring = overlay.outline().ring(lodger.value);
+    Point at = ring.back();
+    for (const Point p : ring) {
+      sums.addBorder(lodger.key, at, p);
+      at = p;
+    }
+  }
+}
+
+void measureCells(const Overlay& overlay, Measure what, std::vector<double>& measures) {
+  const DiagramCore& core = overlay.core();
+  const Outline& outline = overlay.outline();
+  const Graph& graph = core.delaunay().graph();
+  CellSums sums(core, outline.box, what);
+  overlay.visitEdges(Bits::kCached, [&](HalfedgeId h, const Edge&, const InnerPiece& piece) {
+    sums.addEdge(slotOf(graph.origin(h)), slotOf(graph.target(h)), piece.curve, piece.times);
+  });
+  addBorders(overlay, sums);
+  sums.list(measures);
+  if (what != Measure::kPerimeters) return;
+  // Where a ring runs along an edge, or nearly along itself, rounding can leave slivers, which have
+  // length but no area. Complete parts contain none.
+  PartFinder finder(overlay);
+  Slot last = kNoSlot;
+  const auto measureParts = [&](Slot slot) {
+    if (slot == last) return;
+    last = slot;
+    double sum = 0;
+    for (const BoundaryPiece& piece : finder.find(slot).pieces) sum += lengthOf(piece.curve);
+    measures[core.ids().idOf(slot)] = sum;
+  };
+  for (std::uint32_t k = 0; k < overlay.crossingCount(); ++k) measureParts(overlay.crossing(k).to);
+  for (const Keyed& lodger : overlay.lodgers()) measureParts(lodger.key);
+}
+
+}  // namespace apollonius::internal

@@ -1,0 +1,26 @@
+// Measures of all clipped cells at once: each edge is clipped for both of its cells at once. (For
+// centroids and perimeters a second pass finds the owner of a window that no edge meets.)
+#pragma once
+
+#include <vector>
+
+#include "diagram/diagram_core.h"
+#include "geometry/window/polygon_clip.h"
+#include "geometry/window/rectangle.h"
+
+namespace apollonius::internal {
+
+/// kAreas and kPerimeters: a number a site id, 0 for ids without a cell. kCentroids: two, NaN where
+/// there is no area.
+enum class Measure : unsigned char { kAreas, kCentroids, kPerimeters };
+
+/// Replaces the contents of `measures`.
+void measureCells(const DiagramCore& core, const Window& window, Measure what,
+                  std::vector<double>& measures);
+void measureCells(const Overlay& overlay, Measure what, std::vector<double>& measures);
+
+class CellSums;
+/// Adds what the cells have of the region's border.
+void addBorders(const Overlay& overlay, CellSums& sums);
+
+}  // namespace apollonius::internal

@@ -1,0 +1,41 @@
+// Sums over the boundaries of all cells, piece by piece in any order.
+#pragma once
+
+#include <vector>
+
+#include "geometry/cell/cell_measures.h"
+#include "geometry/curve/moments.h"
+#include "number/sum.h"
+
+namespace apollonius::internal {
+
+class CellSums {
+ public:
+  /// `box` holds all that is summed; cells are measured from its point nearest to their centres.
+  CellSums(const DiagramCore& core, const Window& box, Measure what);
+
+  /// A piece between two cells, counted so many times for the one on its left.
+  void addEdge(Slot left, Slot right, const Conic& piece, int times = 1);
+  /// A piece of the border with a cell on its left.
+  void addBorder(Slot left, Point from, Point to);
+
+  /// What a cell has in it, by slot: area or length.
+  [[nodiscard]] double sumOf(Slot slot) const { return sums_[slot].value(); }
+  /// By id, as Measure says.
+  void list(std::vector<double>& measures) const;
+
+ private:
+  [[nodiscard]] Point originOf(Slot slot) const {
+    const Site& site = core_.site(slot);
+    return box_.nearestTo({site.x, site.y});
+  }
+  void addPiece(Slot slot, const Conic& piece, double beyond, int times);
+
+  const DiagramCore& core_;
+  Window box_;
+  Measure what_;
+  FlatArray<Sum> sums_;         // by slot: areas or lengths
+  FlatArray<Moments> moments_;  // by slot
+};
+
+}  // namespace apollonius::internal

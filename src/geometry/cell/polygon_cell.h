@@ -1,0 +1,57 @@
+// The parts of a cell inside a region, as closed boundaries of conic pieces: outer ones run
+// counter-clockwise, each followed by those of its holes, which run clockwise.
+#pragma once
+
+#include "geometry/cell/rectangle_cell.h"
+#include "geometry/window/polygon_clip.h"
+
+namespace apollonius::internal {
+
+/// Finds the parts of cells; keeps its scratch memory from one to the next.
+class PartFinder {
+ public:
+  /// `keepsThin`: as CellFinder.
+  explicit PartFinder(const Overlay& overlay, bool keepsThin = false);
+
+  /// The cell of a site, without regions if it is hidden or has no part inside. Valid until the
+  /// next call. Cost: O(d + crossings of the cell + points of the region within it), and holes
+  /// times parts.
+  const Cell& find(Slot site);
+
+ private:
+  /// A crossing on the cell's boundary, in counter-clockwise order from its first half-edge.
+  struct Event {
+    std::uint32_t crossing;
+    std::uint32_t edge;  // of edges_
+  };
+  /// A Voronoi edge of the cell, counter-clockwise.
+  struct Side {
+    HalfedgeId halfedge, edge;  // of the cell; the one of the two at the reference site
+    SiteId neighbor;
+  };
+
+  void listSides(VertexId v);
+  void addWay(const Crossing& entry);
+  void addBoundary(const Event& from, const Event& to, std::size_t sides);
+  void addPiece(const Side& side, const Crossing* from, const Crossing* to);
+  [[nodiscard]] std::uint32_t segmentOf(const Crossing* crossing) const;
+  void addSegment(Point from, Point to, SiteId neighbor);
+  void addLodgers(Slot site);
+  /// Ends a ring; takes it back if it has no area up to rounding.
+  void closeRing();
+  /// Puts each hole behind the outer ring around it.
+  void sortHoles();
+
+  const Overlay& overlay_;
+  bool keepsThin_;
+  Cell cell_;
+  Cell found_;  // the rings in the order in which they are found
+  FlatArray<double> areas_;
+  FlatArray<Window> boxes_;  // of the rings
+  FlatArray<Side> sides_;
+  FlatArray<Event> exits_, entries_;
+  FlatArray<std::uint32_t> rankOf_;  // by crossing: of exits_
+  FlatArray<char> isUsed_;           // by entry
+};
+
+}  // namespace apollonius::internal

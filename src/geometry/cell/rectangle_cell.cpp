@@ -1,0 +1,139 @@
+#include "geometry/cell/rectangle_cell.h"
+
+#include "geometry/curve/moments.h"
+#include "predicate/reference_site.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// Where the star of a vertex begins after any history: at the half-edge whose target, and then the
+/// next one's, is largest in the order of precedes(). No two neighbours follow each other twice,
+/// a b … a b: around a vertex of a planar graph, none alternate.
+HalfedgeId firstOfStar(const DelaunayGraph& delaunay, VertexId v) {
+  const Graph& graph = delaunay.graph();
+  const auto target = [&](HalfedgeId h) { return delaunay.corner(graph.target(h)); };
+  HalfedgeId first = graph.outgoing(v);
+  Corner largest = target(first);
+  for (const HalfedgeId h : graph.star(v)) {
+    const Corner a = target(h);
+    if (a == largest
+            ? !isBetterReference(target(graph.rotateCcw(h)), target(graph.rotateCcw(first)))
+            : !isBetterReference(a, largest))
+      continue;
+    first = h;
+    largest = a;
+  }
+  return first;
+}
+
+}  // namespace
+
+const Cell& CellFinder::find(Slot site) {
+  cell_.pieces.clear();
+  cell_.starts.assign(1, 0);
+  cell_.outers.assign(1, 0);
+  if (core_.ids().state(site) != SiteState::kVisible) return cell_;
+  clipEdges(site);
+  contacts_.clear();
+  for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
+    const ClippedPiece& piece = pieces_[k].clipped;
+    const auto add = [&](int side, Point p, bool leaves) {
+      if (side != kNoSide) contacts_.push_back({side, window_.placeOf(side, p), p, k, leaves});
+    };
+    add(piece.fromSide, piece.curve.p0, false);
+    add(piece.toSide, piece.curve.p2, true);
+  }
+  if (!contacts_.empty()) {
+    link(site);
+  } else if (!pieces_.empty()) {
+    for (const Piece& piece : pieces_)
+      cell_.pieces.push_back({piece.clipped.curve, piece.neighbor});
+    closeRegion();
+  } else if (ownerOfWindow(core_, window_) == site) {
+    wholeWindow();
+  }
+  return cell_;
+}
+
+/// The parts of the cell's edges inside the window, counter-clockwise about the site, from one edge
+/// on after any history.
+void CellFinder::clipEdges(Slot site) {
+  pieces_.clear();
+  const DelaunayGraph& delaunay = core_.delaunay();
+  const Graph& graph = delaunay.graph();
+  const VertexId v = vertexOf(site);
+  if (!graph.hasVertex(v)) return;  // the only visible site
+  ClippedEdge clipped;
+  for (const HalfedgeId h : Star<Graph>(graph, firstOfStar(delaunay, v))) {
+    if (graph.target(h) != kInfinity) {
+      const SiteId neighbor = core_.siteOf(graph.target(h));
+      if (startsAtReference(delaunay, h)) {
+        clipEdge(delaunay, h, window_, clipped);
+        for (int k = 0; k < clipped.count; ++k)
+          pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)], neighbor});
+      } else {
+        clipEdge(delaunay, graph.twin(h), window_, clipped);
+        for (int k = clipped.count; k-- > 0;)
+          pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)].reversed(), neighbor});
+      }
+    }
+  }
+}
+
+/// Joins the pieces, which leave and enter the window, along its border.
+void CellFinder::link(Slot site) {
+  matchBorder(core_, site, window_, contacts_, arcs_);
+  arcAfter_.assign(pieces_.size(), 0);
+  isUsed_.assign(pieces_.size(), 0);
+  for (std::uint32_t k = 0; k < arcs_.size(); ++k) arcAfter_[contacts_[arcs_[k].from].piece] = k;
+  for (const BorderArc& first : arcs_) {
+    std::uint32_t k = contacts_[first.to].piece;
+    if (isUsed_[k] != 0) continue;
+    while (isUsed_[k] == 0) {
+      isUsed_[k] = 1;
+      cell_.pieces.push_back({pieces_[k].clipped.curve, pieces_[k].neighbor});
+      if (pieces_[k].clipped.toSide == kNoSide) {
+        k = (k + 1) % static_cast<std::uint32_t>(pieces_.size());
+        continue;
+      }
+      const BorderArc& arc = arcs_[arcAfter_[k]];
+      addBorder(arc);
+      k = contacts_[arc.to].piece;
+    }
+    closeRegion();
+  }
+}
+
+void CellFinder::addBorder(const BorderArc& arc) {
+  Point at = contacts_[arc.from].point;
+  const auto lineTo = [&](Point p) {
+    if (!(p == at)) cell_.pieces.push_back({Conic::segment(at, p), kNoSite});
+    at = p;
+  };
+  for (int k = 0; k < arc.cornerCount; ++k) lineTo(window_.corner((arc.firstCorner + k) % 4));
+  lineTo(contacts_[arc.to].point);
+}
+
+void CellFinder::wholeWindow() {
+  for (int k = 0; k < 4; ++k)
+    cell_.pieces.push_back(
+        {Conic::segment(window_.corner(k), window_.corner((k + 1) % 4)), kNoSite});
+  closeRegion();
+}
+
+void CellFinder::closeRegion() {
+  const std::uint32_t start = cell_.starts.back();
+  const auto pieces = std::span(cell_.pieces).subspan(start);
+  // Of its own first point, which is the same after any history: a sliver is there after all of
+  // them, or after none.
+  const Area area = areaOf(pieces, window_.nearestTo(pieces.front().curve.p0));
+  if (area.value > area.rounding || keepsThin_) {
+    cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
+    cell_.outers.push_back(static_cast<std::uint32_t>(cell_.ringCount()));
+  } else {
+    cell_.pieces.resize(start);
+  }
+}
+
+}  // namespace apollonius::internal

@@ -1,0 +1,55 @@
+// The cell of a site inside the window, as closed boundaries of conic pieces: counter-clockwise,
+// and clockwise around the holes that only windows of other shapes than rectangles make.
+//
+// A cell is star-shaped about its site's centre (docs/PREDICATES.md, section 2) and so in one
+// piece, without holes; the window is convex, so a clipped cell is any number of *regions*, each
+// without holes, that meet the window's border.
+#pragma once
+
+#include <cstdint>
+
+#include "base/flat_array.h"
+#include "diagram/diagram_core.h"
+#include "geometry/cell/boundary_piece.h"
+#include "geometry/window/rectangle_border.h"
+#include "geometry/window/rectangle_clip.h"
+
+namespace apollonius::internal {
+
+/// Finds cells; keeps its scratch memory from one to the next.
+class CellFinder {
+ public:
+  /// `keepsThin`: regions without area up to rounding, too, so that each curve is there twice.
+  CellFinder(const DiagramCore& core, const Window& window, bool keepsThin = false)
+      : core_(core), window_(window), keepsThin_(keepsThin) {}
+
+  /// The cell of a site, without regions if it is hidden or does not meet the window. Valid until
+  /// the next call. Cost: O(d log d).
+  const Cell& find(Slot site);
+
+ private:
+  struct Piece {
+    ClippedPiece clipped;
+    SiteId neighbor;
+  };
+
+  void clipEdges(Slot site);
+  void link(Slot site);
+  void wholeWindow();
+  void addBorder(const BorderArc& arc);
+  /// Ends a region; takes it back if its area is 0 up to rounding, as when a cell only touches the
+  /// window.
+  void closeRegion();
+
+  const DiagramCore& core_;
+  Window window_;
+  bool keepsThin_;
+  Cell cell_;
+  FlatArray<Piece> pieces_;
+  FlatArray<BorderContact> contacts_;
+  FlatArray<BorderArc> arcs_;
+  FlatArray<std::uint32_t> arcAfter_;  // by piece: the border arc that follows it
+  FlatArray<char> isUsed_;             // by piece
+};
+
+}  // namespace apollonius::internal

@@ -1,0 +1,72 @@
+#include "geometry/curve/edge.h"
+
+#include <limits>
+
+#include "number/fp.h"
+#include "predicate/reference_site.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// Where a vertex lies that is too far away for doubles: at which end of the bisector.
+Point clippedToDoubles(Point p) {
+  const auto part = [](double x) { return x == kInfinite ? 1.0 : x == -kInfinite ? -1.0 : 0.0; };
+  return {part(p.x), part(p.y)};
+}
+
+bool isUsable(Point p) {
+  return absolute(p.x) <= std::numeric_limits<double>::max() &&
+         absolute(p.y) <= std::numeric_limits<double>::max();
+}
+
+}  // namespace
+
+EdgeEnd endAt(const DelaunayGraph& delaunay, FaceId f, Bits bits) {
+  const VoronoiCircle& cached = delaunay.circle(f);
+  const VoronoiCircle circle =
+      bits == Bits::kCached && isPrecise(cached) ? cached : delaunay.vertex(f);
+  if (circle.isHalfPlane()) return {};
+  return {{circle.x, circle.y}, true};
+}
+
+bool startsAtReference(const DelaunayGraph& delaunay, HalfedgeId h) {
+  const VertexId i = delaunay.graph().origin(h), j = delaunay.graph().target(h);
+  const Site &a = delaunay.site(i), &b = delaunay.site(j);
+  return precedes(b, a) || (!precedes(a, b) && h < delaunay.graph().twin(h));
+}
+
+Edge::Edge(const DelaunayGraph& delaunay, HalfedgeId h, Bits bits)
+    : bisector(delaunay.site(delaunay.graph().origin(h)),
+               delaunay.site(delaunay.graph().target(h))),
+      from(endAt(delaunay, faceOf(delaunay.graph().twin(h)), bits)),
+      to(endAt(delaunay, faceOf(h), bits)),
+      e0(0),
+      e1(kInfinite) {
+  const auto parameter = [&](EdgeEnd& end, double atInfinity) {
+    if (!end.isFinite) return atInfinity;
+    if (absolute(end.point.x) < kInfinite && absolute(end.point.y) < kInfinite) {
+      const double e = bisector.parameterOf(end.point);
+      if (e > 0 && e < kInfinite) return e;
+      end.isFinite = false;
+      return e;
+    }
+    end.isFinite = false;
+    return cross(bisector.axis(), clippedToDoubles(end.point)) < 0 ? 0 : kInfinite;
+  };
+  e0 = parameter(from, 0);
+  e1 = parameter(to, kInfinite);
+  if (e1 < e0) e1 = e0;  // so short that rounding turned it
+}
+
+Conic pieceOf(const Bisector& bisector, double e0, double e1, Point from, Point to) {
+  if (!bisector.isLine() && e1 > e0) {
+    const Conic curve = bisector.piece(e0, e1, from, to);
+    if (isUsable(curve.p1) && curve.w >= 1) return curve;
+  }
+  return Conic::segment(from, to);
+}
+
+}  // namespace apollonius::internal

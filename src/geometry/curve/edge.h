@@ -1,0 +1,57 @@
+// A Voronoi edge as a curve: what it is a piece of, and where it ends. Taken from the Delaunay
+// graph and the circles of its faces.
+#pragma once
+
+#include <limits>
+
+#include "delaunay/delaunay_graph.h"
+#include "geometry/curve/bisector.h"
+#include "number/fp.h"
+
+namespace apollonius::internal {
+
+/// An end of an edge: a Voronoi vertex, or at infinity (also if it is further away than doubles
+/// reach).
+struct EdgeEnd {
+  Point point;
+  bool isFinite = false;
+};
+
+/// Is a face's cached circle as good as preciseVoronoiCircle's: a half-plane, or with an error
+/// bound of at most 2^-40 of its numbers? For drawings and quick tests; its last bits depend on the
+/// history.
+[[nodiscard]] inline bool isPrecise(const VoronoiCircle& circle) {
+  return circle.isHalfPlane() ||
+         (circle.error < std::numeric_limits<float>::infinity() &&
+          circle.error <=
+              powerOfTwo(-40) * (absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
+}
+
+/// Which bits a vertex gets: the same after any history (DelaunayGraph::vertex), or those of the
+/// cached circle if it is precise, which is quicker and differs in the last places.
+enum class Bits : unsigned char { kCanonical, kCached };
+
+/// The Voronoi vertex of a face.
+[[nodiscard]] EdgeEnd endAt(const DelaunayGraph& delaunay, FaceId f, Bits bits);
+
+/// The half-edge of an edge whose origin is the reference site of its bisector: the larger one in
+/// the order of precedes(). REQUIRES: two finite sites.
+[[nodiscard]] bool startsAtReference(const DelaunayGraph& delaunay, HalfedgeId h);
+
+/// The edge dual to h, from E = e0 (the vertex of the face to the right of h) to e1 >= e0. Its ends
+/// are taken as they are, whatever their rounding: the edges that meet in a vertex have exactly
+/// that point in common.
+struct Edge {
+  Bisector bisector;
+  EdgeEnd from, to;
+  double e0, e1;
+
+  /// REQUIRES: startsAtReference.
+  Edge(const DelaunayGraph& delaunay, HalfedgeId h, Bits bits = Bits::kCanonical);
+};
+
+/// A piece of an edge between two places, with these ends. Straight where rounding has exchanged
+/// the two, or where doubles know no curve.
+[[nodiscard]] Conic pieceOf(const Bisector& bisector, double e0, double e1, Point from, Point to);
+
+}  // namespace apollonius::internal

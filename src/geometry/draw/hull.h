@@ -1,0 +1,35 @@
+// The convex hull of the circles: arcs of the sites that have an edge to infinity, and common
+// tangents between them.
+#pragma once
+
+#include <vector>
+
+#include "apollonius/path.h"
+#include "diagram/diagram_core.h"
+#include "predicate/point.h"
+
+namespace apollonius::internal {
+
+/// The sites that the hull touches, all of them, counter-clockwise; one can occur several times (a
+/// large circle with small ones sticking out; points in line, there and back).
+void hullSites(const DiagramCore& core, std::vector<SiteId>& sites);
+
+/// The hull as one closed figure. A radius below 0 shrinks the hull of the centres' other circles:
+/// meaningful up to a common offset.
+void drawHull(const DiagramCore& core, double tolerance, Path& path);
+
+/// The directions in which the cell of a site of the hull is unbounded, counter-clockwise between
+/// two unit vectors. Less than half a turn if `sign` is positive, more if it is negative, as a
+/// large site has between two that hardly stick out of it; if it is zero, none at all or half a
+/// turn. The sign is exact, since "none" and "all" cannot be told apart by two rounded vectors.
+struct HullTurn {
+  Point from, to;
+  Sign sign;
+};
+/// REQUIRES: h's target is infinity.
+[[nodiscard]] HullTurn hullTurnOf(const DelaunayGraph& delaunay, HalfedgeId h);
+
+/// The circle of a site as a closed figure; nothing for a radius of 0 or less.
+void drawCircle(const Site& site, double tolerance, Path& path);
+
+}  // namespace apollonius::internal

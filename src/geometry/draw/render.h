@@ -1,0 +1,30 @@
+// Drawings of a whole diagram, in portions: each call continues at `cursor` (0 at first), adds to
+// the path until it has about as many commands as asked for, and says when everything has been
+// drawn.
+#pragma once
+
+#include <cstddef>
+
+#include "apollonius/path.h"
+#include "diagram/diagram_core.h"
+#include "geometry/window/polygon_clip.h"
+#include "geometry/window/rectangle.h"
+
+namespace apollonius::internal {
+
+/// Each Voronoi edge inside the window once.
+void drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion,
+               Path& path);
+
+/// What of each edge is inside a region.
+void drawEdges(const Overlay& overlay, double tolerance, Portion& portion, Path& path);
+
+/// The dual graph; with a window also the rays to infinity, cut where they leave it (none from
+/// sites outside).
+void drawDual(const DiagramCore& core, const Window* window, double tolerance, Portion& portion,
+              Path& path);
+
+/// The circles of all sites, hidden ones too.
+void drawSites(const DiagramCore& core, double tolerance, Portion& portion, Path& path);
+
+}  // namespace apollonius::internal

@@ -1,0 +1,139 @@
+#include "geometry/polygons/cell_polygon.h"
+
+#include <algorithm>
+
+#include "number/fp.h"
+#include "predicate/orientation.h"
+#include "predicate/reference_site.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// What rounding makes where segments cross that should not is thinner than this share of its
+/// numbers.
+constexpr double kThinnest = powerOfTwo(-46);
+
+Point centerOf(const Site& site) { return {site.x, site.y}; }
+
+/// Is the area of a ring positive, or a hole's negative? Otherwise it has less than three different
+/// points.
+bool hasArea(std::span<const double> ring, bool isHole) {
+  const auto at = [&](std::size_t k) { return Point{ring[2 * k], ring[2 * k + 1]}; };
+  double area = 0;
+  for (std::size_t k = 1; 2 * k + 2 < ring.size(); ++k)
+    area += cross(at(k) - at(0), at(k + 1) - at(0));
+  return isHole ? area < 0 : area > 0;
+}
+
+/// Does a piece of a rectangle's border run counter-clockwise along one side? Not where rounding
+/// has exchanged two contacts (rectangle_border.h).
+bool runsForwards(const Window& box, Point a, Point b) {
+  const auto areOn = [](double side, double p, double q) { return p == side && q == side; };
+  return (areOn(box.ymin, a.y, b.y) && b.x >= a.x) || (areOn(box.xmax, a.x, b.x) && b.y >= a.y) ||
+         (areOn(box.ymax, a.y, b.y) && b.x <= a.x) || (areOn(box.xmin, a.x, b.x) && b.y <= a.y);
+}
+
+}  // namespace
+
+PolygonFinder::PolygonFinder(const DiagramCore& core, const PolygonWindow& window, double tolerance,
+                             bool keepsThin)
+    : core_(core),
+      box_(window.box),
+      keepsThin_(keepsThin),
+      chords_(window.box, window.grid, tolerance) {
+  if (window.overlay == nullptr) {
+    cells_.emplace(core, window.box, keepsThin);
+  } else {
+    parts_.emplace(*window.overlay, keepsThin);
+  }
+}
+
+void PolygonFinder::find(Slot site, Rings& rings) {
+  const Soundness soundness = findRaw(site, rings);
+  if (soundness == Soundness::kSure || rings.ringCount() == 0) return;
+  if (soundness == Soundness::kUnsure) {
+    // Split where they cross, as the rings of a window are.
+    const Outline outline = makeOutline(rings.coordinates, rings.starts);
+    rings.clear();
+    for (std::size_t k = 0; k < outline.ringCount(); ++k) {
+      for (const Point p : outline.ring(k)) rings.add(p);
+      rings.add(outline.ring(k)[0]);
+      rings.endRing();
+    }
+  }
+  tracer_.clear();
+  for (std::size_t k = 0; k < rings.ringCount(); ++k) tracer_.addRing(rings.ring(k));
+  if (soundness == Soundness::kUnsure || tracer_.hasTouch()) tracer_.trace(rings, kThinnest);
+}
+
+PolygonFinder::Soundness PolygonFinder::findRaw(Slot site, Rings& rings,
+                                                FlatArray<char>* isBorder) {
+  rings.clear();
+  if (isBorder != nullptr) isBorder->clear();
+  site_ = core_.site(site);
+  soundness_ = Soundness::kSure;
+  const Cell& cell = cells_ ? cells_->find(site) : parts_->find(site);
+  for (std::size_t part = 0; part < cell.partCount(); ++part) {
+    for (std::uint32_t ring = cell.outers[part]; ring < cell.outers[part + 1]; ++ring) {
+      const bool isHole = ring > cell.outers[part];
+      if (appendRing(cell.ring(ring), isHole, rings, isBorder)) rings.endRing();
+    }
+    if (rings.ringCount() > rings.parts.back()) rings.endPart();
+  }
+  return soundness_;
+}
+
+bool PolygonFinder::appendRing(std::span<const BoundaryPiece> boundary, bool isHole, Rings& rings,
+                               FlatArray<char>* isBorder) {
+  const std::size_t begin = rings.coordinates.size();
+  const auto atLeast = [&](Soundness found) { soundness_ = std::max(soundness_, found); };
+  const Point center = centerOf(site_);
+  Point last = boundary.front().curve.p0;
+  append(last, rings, isBorder);
+  const auto goTo = [&](Point p, bool isOnBorder) {
+    if (p == last) return;
+    if (isBorder != nullptr) isBorder->back() = static_cast<char>(isOnBorder);
+    append(p, rings, isBorder);
+    last = p;
+  };
+  const auto goAlong = [&](Point p) {
+    if (!(p == last) && orient2d(center, last, p) != Sign::kPositive) atLeast(Soundness::kUnsure);
+    goTo(p, false);
+  };
+  for (const BoundaryPiece& piece : boundary) {
+    if (piece.neighbor == kNoSite) {
+      // A region's border may come back to a point, or pass by as close as doubles are.
+      atLeast(cells_ && runsForwards(box_, last, piece.curve.p2) ? Soundness::kTouches
+                                                                 : Soundness::kUnsure);
+      goTo(piece.curve.p2, true);
+      continue;
+    }
+    const Site& other = core_.site(core_.ids().slotOf(piece.neighbor));
+    // In one direction, whichever of the two cells it is found for.
+    if (!precedes(site_, other)) {
+      for (const Point p :
+           chords_.find({piece.curve, center, centerOf(other), piece.fromSegment, piece.toSegment}))
+        goAlong(p);
+    } else {
+      const std::span<const Point> chords = chords_.find(
+          {piece.curve.reversed(), centerOf(other), center, piece.toSegment, piece.fromSegment});
+      for (std::size_t k = chords.size(); k-- > 0;) goAlong(chords[k]);
+    }
+  }
+  if (hasArea(std::span(rings.coordinates).subspan(begin), isHole)) return true;
+  if (keepsThin_ && rings.coordinates.size() > begin + 4) {
+    soundness_ = Soundness::kUnsure;
+    return true;
+  }
+  if (isBorder != nullptr) isBorder->resize(begin / 2);
+  rings.coordinates.resize(begin);
+  return false;
+}
+
+void PolygonFinder::append(Point p, Rings& rings, FlatArray<char>* isBorder) {
+  rings.add(p);
+  if (isBorder != nullptr) isBorder->push_back(0);
+}
+
+}  // namespace apollonius::internal

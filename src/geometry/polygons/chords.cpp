@@ -1,0 +1,103 @@
+#include "geometry/polygons/chords.h"
+
+#include <algorithm>
+
+#include "number/fp.h"
+#include "predicate/orientation.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// Below this share of a piece's size the tolerance has no further effect: at most 2^18 points.
+constexpr double kFinestShare = powerOfTwo(-36);
+/// And the border none: where it runs along an edge, at most 2^10 points.
+constexpr double kFinestAtBorder = powerOfTwo(-20);
+/// Voronoi vertices can be off by this share of their numbers (edge.h).
+constexpr double kMostOff = powerOfTwo(-38);
+
+}  // namespace
+
+std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
+  const Conic& curve = piece.curve;
+  left_ = piece.left;
+  right_ = piece.right;
+  const double size = length(curve.p1 - curve.p0) + length(curve.p2 - curve.p1);
+  allowed_ = std::max(tolerance_, kFinestShare * size);
+  finestAtBorder_ = kFinestAtBorder * size;
+  points_.clear();
+  points_.push_back(curve.p0);
+  halve(curve, piece.fromSegment, piece.toSegment, Conic::kMostHalvings);
+  straighten();
+  return points_;
+}
+
+void ChordFinder::halve(const Conic& curve, std::uint32_t fromSegment, std::uint32_t toSegment,
+                        int depth) {
+  Conic first, second;
+  if (!curve.isStraight() && depth > 0) {
+    curve.halve(first, second);
+    if (curve.isSplitBy(first.p2) && isHalved(curve, first, second, fromSegment, toSegment)) {
+      halve(first, fromSegment, kNoSegment, depth - 1);
+      halve(second, kNoSegment, toSegment, depth - 1);
+      return;
+    }
+  }
+  points_.push_back(curve.p2);
+}
+
+/// Is the chord of a curve not good enough?
+bool ChordFinder::isHalved(const Conic& curve, const Conic& first, const Conic& second,
+                           std::uint32_t fromSegment, std::uint32_t toSegment) const {
+  const double sagitta = curve.sagitta();
+  if (sagitta > allowed_) return true;
+  // Of the halves of a curve that turns, one chord does at least. If none does, rounding hides it,
+  // and halving on will not help.
+  if (!turns(curve.p0, curve.p2)) return turns(first.p0, first.p2) || turns(second.p0, second.p2);
+  return !spansLittle(curve.p0, curve.p2) ||
+         (sagitta > finestAtBorder_ && isBorderNear(curve, fromSegment, toSegment));
+}
+
+/// A rectangle is convex: its border is near only where a curve begins and ends on one side.
+bool ChordFinder::isBorderNear(const Conic& curve, std::uint32_t fromSegment,
+                               std::uint32_t toSegment) const {
+  if (outline_ != nullptr) return outline_->meetsTriangle(curve, fromSegment, toSegment);
+  const auto areOn = [](double side, double a, double b) { return a == side && b == side; };
+  const Point a = curve.p0, b = curve.p2;
+  return areOn(box_.xmin, a.x, b.x) || areOn(box_.xmax, a.x, b.x) || areOn(box_.ymin, a.y, b.y) ||
+         areOn(box_.ymax, a.y, b.y);
+}
+
+/// Does a chord turn counter-clockwise about the site on its left, and clockwise about the other?
+bool ChordFinder::turns(Point from, Point to) const {
+  return orient2d(left_, from, to) == Sign::kPositive &&
+         orient2d(right_, from, to) == Sign::kNegative;
+}
+
+/// Does a chord that turns span less than a quarter turn, seen from both sites?
+bool ChordFinder::spansLittle(Point from, Point to) const {
+  return dot(from - left_, to - left_) > 0 && dot(from - right_, to - right_) > 0;
+}
+
+/// Has rounding put p before `from`, seen from one of the sites?
+bool ChordFinder::isLate(Point from, Point p) const {
+  const double size =
+      absolute(p.x) + absolute(p.y) + std::max(length(p - left_), length(p - right_));
+  return length(p - from) <= kMostOff * size && (orient2d(left_, from, p) == Sign::kNegative ||
+                                                 orient2d(right_, from, p) == Sign::kPositive);
+}
+
+/// Drops the inner points that come before their predecessors by rounding.
+void ChordFinder::straighten() {
+  std::size_t kept = 0;
+  for (std::size_t k = 1; k < points_.size(); ++k) {
+    const bool isEnd = k + 1 == points_.size();
+    const Point p = points_[k];
+    while (isEnd && kept > 0 && (p == points_[kept] || isLate(points_[kept], p))) --kept;
+    if (!isEnd && (p == points_[kept] || isLate(points_[kept], p))) continue;
+    points_[++kept] = p;
+  }
+  points_.resize(kept + 1);
+}
+
+}  // namespace apollonius::internal

@@ -1,0 +1,63 @@
+// The chords that stand for a Voronoi edge in polygons: chosen once, for the cells on both sides.
+//
+// Polygons are true to each other, whatever the tolerance: neighbours have all points of their edge
+// in common, no two chords cross, and the polygons tile what the cells tile. For that each chord
+//
+//   - spans less than a quarter turn seen from both sites, counter-clockwise about the one on its
+//     left. A cell is star-shaped about its site's centre, so its chords then lie around that one
+//     after the other, in wedges of their own; and triangles between centres and chords are where
+//     those between centres and curves are.
+//   - lies on the same side of the window's border as its curve: the triangle of the curve's ends
+//     and its control point, which holds both, has nothing of the border in it.
+//
+// A piece of an edge is halved until its chord is like that and within the tolerance. What rounding
+// has put out of order, where points are as close as doubles, is left out, for both sides as well.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/flat_array.h"
+#include "geometry/curve/conic.h"
+#include "geometry/window/polygon_grid.h"
+#include "geometry/window/rectangle.h"
+
+namespace apollonius::internal {
+
+/// A piece of an edge, and where it meets the border.
+struct EdgePiece {
+  Conic curve;
+  Point left, right;  ///< the centres of the sites on its sides
+  std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;  ///< of the outline
+};
+
+class ChordFinder {
+ public:
+  /// In a rectangle (`outline` is null) or in a region, which must live as long.
+  ChordFinder(const Window& box, const OutlineGrid* outline, double tolerance)
+      : box_(box), outline_(outline), tolerance_(tolerance) {}
+
+  /// The points of a piece, both ends included. Valid until the next call. The same for both sides
+  /// only if both give the piece in the same direction.
+  [[nodiscard]] std::span<const Point> find(const EdgePiece& piece);
+
+ private:
+  void halve(const Conic& curve, std::uint32_t fromSegment, std::uint32_t toSegment, int depth);
+  [[nodiscard]] bool isHalved(const Conic& curve, const Conic& first, const Conic& second,
+                              std::uint32_t fromSegment, std::uint32_t toSegment) const;
+  [[nodiscard]] bool isBorderNear(const Conic& curve, std::uint32_t fromSegment,
+                                  std::uint32_t toSegment) const;
+  [[nodiscard]] bool turns(Point from, Point to) const;
+  [[nodiscard]] bool spansLittle(Point from, Point to) const;
+  [[nodiscard]] bool isLate(Point from, Point p) const;
+  void straighten();
+
+  const Window box_;
+  const OutlineGrid* const outline_;
+  const double tolerance_;
+  Point left_, right_;
+  double allowed_ = 0, finestAtBorder_ = 0;
+  FlatArray<Point> points_;
+};
+
+}  // namespace apollonius::internal

@@ -1,0 +1,324 @@
+#include "geometry/polygons/coverage.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/radix_sort.h"
+#include "number/fp.h"
+#include "predicate/orientation.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// After so many rounds, more than were ever seen, segments make no detours any more: each further
+/// round unites points, so that there is a last round.
+constexpr int kDetourRounds = 32;
+/// Points that are off by rounding are closer than this share of their numbers.
+constexpr double kRounding = powerOfTwo(-38);
+
+class Mesh {
+ public:
+  Mesh(const DiagramCore& core, const PolygonWindow& window, double tolerance);
+
+  /// Ends with no two segments that meet.
+  void part();
+  void list(Coverage& coverage);
+
+ private:
+  struct Ring {
+    std::uint32_t first, count;  // of corners_
+  };
+  struct CellRings {
+    SiteId site;
+    std::uint32_t firstRing;
+    bool isTraced;  // what has changed, or may touch
+  };
+  /// A segment goes through a point.
+  struct Detour {
+    std::uint32_t from, to, through;
+  };
+
+  [[nodiscard]] Point at(std::uint32_t number) const { return numbers_.points()[number]; }
+  [[nodiscard]] bool isOnBorder(std::uint32_t point) const { return isOnBorder_[point] != 0; }
+  void listSegments();
+  void mendMeetings(bool mayDetour);
+  void uniteTurned();
+  [[nodiscard]] bool doMeet(const Segment& s, const Segment& t) const;
+  void mend(const Segment& s, const Segment& t, bool mayDetour);
+  [[nodiscard]] std::uint32_t representative(std::uint32_t point);
+  void unite(std::uint32_t a, std::uint32_t b);
+  [[nodiscard]] const Detour* detourOf(std::uint32_t a, std::uint32_t b,
+                                       std::span<const Keyed> byEnd) const;
+  void replacePoints();
+
+  Window box_;
+  PointNumbers numbers_;
+  FlatArray<char> isOnBorder_;        // by point
+  FlatArray<std::uint32_t> corners_;  // points of the rings, not repeated at their ends
+  FlatArray<Ring> rings_;
+  FlatArray<CellRings> cells_;
+  FlatArray<Segment> segments_;      // each once
+  FlatArray<std::uint32_t> united_;  // by point: itself or one that it became, in this round
+  bool isUnited_ = false;            // any in this round
+  FlatArray<Detour> detours_;
+};
+
+Mesh::Mesh(const DiagramCore& core, const PolygonWindow& window, double tolerance)
+    : box_(window.box) {
+  PolygonFinder finder(core, window, tolerance, true);
+  Rings rings;
+  FlatArray<char> isBorder;
+  for (SiteId id = 0; id < core.ids().idLimit(); ++id) {
+    const Slot slot = core.ids().slotOf(id);
+    if (slot == kNoSlot) continue;
+    const auto soundness = finder.findRaw(slot, rings, &isBorder);
+    if (rings.ringCount() == 0) continue;
+    cells_.push_back({id, static_cast<std::uint32_t>(rings_.size()),
+                      soundness != PolygonFinder::Soundness::kSure});
+    for (std::size_t k = 0; k < rings.ringCount(); ++k) {
+      const std::span<const double> ring = rings.ring(k);
+      const auto count = static_cast<std::uint32_t>(ring.size() / 2 - 1);
+      rings_.push_back({static_cast<std::uint32_t>(corners_.size()), count});
+      for (std::uint32_t m = 0; m < count; ++m)
+        corners_.push_back(numbers_.add({ring[2 * m], ring[2 * m + 1]}));
+    }
+    isOnBorder_.resize(numbers_.points().size(), 0);
+    for (std::size_t k = 0; k < rings.ringCount(); ++k) {
+      const Ring& ring = rings_[cells_.back().firstRing + k];
+      for (std::uint32_t m = 0; m < ring.count; ++m) {
+        if (isBorder[rings.starts[k] + m] == 0) continue;
+        isOnBorder_[corners_[ring.first + m]] = 1;
+        isOnBorder_[corners_[ring.first + (m + 1) % ring.count]] = 1;
+      }
+    }
+  }
+}
+
+void Mesh::part() {
+  for (int round = 0;; ++round) {
+    listSegments();
+    mendMeetings(round < kDetourRounds);
+    uniteTurned();
+    if (!isUnited_ && detours_.empty()) return;
+    replacePoints();
+  }
+}
+
+/// Lists each segment once: in one direction where two cells have it, as it is on the border.
+void Mesh::listSegments() {
+  segments_.clear();
+  for (const Ring& ring : rings_) {
+    for (std::uint32_t k = 0; k < ring.count; ++k) {
+      const std::uint32_t a = corners_[ring.first + k],
+                          b = corners_[ring.first + (k + 1) % ring.count];
+      if (a < b || (isOnBorder(a) && isOnBorder(b))) segments_.push_back({a, b});
+    }
+  }
+}
+
+void Mesh::mendMeetings(bool mayDetour) {
+  const FlatArray<Point>& points = numbers_.points();
+  united_.resize(points.size());
+  for (std::uint32_t k = 0; k < united_.size(); ++k) united_[k] = k;
+  isUnited_ = false;
+  detours_.clear();
+  const SegmentGrid grid(points, segments_, box_);
+  FlatArray<std::uint32_t> countedFor(segments_.size(), 0xFFFFFFFFu);
+  for (std::uint32_t k = 0; k < segments_.size(); ++k) {
+    const Segment& s = segments_[k];
+    grid.visitCells(at(s.from), at(s.to), [&](std::size_t cell) {
+      for (const std::uint32_t m : grid.at(cell)) {
+        if (m >= k) break;
+        if (countedFor[m] == k) continue;
+        countedFor[m] = k;
+        if (doMeet(s, segments_[m])) mend(s, segments_[m], mayDetour);
+      }
+    });
+  }
+}
+
+/// Do two segments meet in more than a common end?
+bool Mesh::doMeet(const Segment& s, const Segment& t) const {
+  const Point a = at(s.from), b = at(s.to), c = at(t.from), d = at(t.to);
+  if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
+      std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y))
+    return false;
+  const bool isFrom = s.from == t.from || s.from == t.to, isTo = s.to == t.from || s.to == t.to;
+  if (isFrom && isTo) return false;  // the other direction
+  if (isFrom || isTo) {
+    const Point common = isFrom ? a : b, p = isFrom ? b : a, q = common == c ? d : c;
+    return dot(p - common, q - common) > 0 && orient2d(common, p, q) == Sign::kZero;
+  }
+  const auto areOnOneSide = [](Sign p, Sign q) { return p * q == Sign::kPositive; };
+  return !areOnOneSide(orient2d(a, b, c), orient2d(a, b, d)) &&
+         !areOnOneSide(orient2d(c, d, a), orient2d(c, d, b));
+}
+
+/// Of two segments that meet: unites the two ends that are closest, if they are apart by rounding;
+/// or sends one segment through the end of the other that is closest to it.
+void Mesh::mend(const Segment& s, const Segment& t, bool mayDetour) {
+  std::pair<std::uint32_t, std::uint32_t> closest{s.from, t.from};
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t p : {s.from, s.to}) {
+    for (const std::uint32_t q : {t.from, t.to}) {
+      const double distance = length(at(p) - at(q));
+      if (p == q || !(distance < least)) continue;
+      least = distance;
+      closest = {p, q};
+    }
+  }
+  const Point place = at(closest.first);
+  const bool isCommon = s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to;
+  const bool isRounding = least <= kRounding * (absolute(place.x) + absolute(place.y));
+  if (!mayDetour || (isRounding && !isCommon)) return unite(closest.first, closest.second);
+  const Segment* passing = nullptr;
+  std::uint32_t through = 0;
+  least = std::numeric_limits<double>::infinity();
+  const auto consider = [&](const Segment& segment, std::uint32_t p) {
+    if (p == segment.from || p == segment.to) return;
+    const Point from = at(segment.from), way = at(segment.to) - from;
+    const double along = dot(at(p) - from, way), square = dot(way, way);
+    if (!(along > 0 && along < square)) return;
+    const double distance = absolute(cross(way, at(p) - from)) / std::sqrt(square);
+    if (!(distance < least)) return;
+    least = distance;
+    passing = &segment;
+    through = p;
+  };
+  for (const std::uint32_t p : {t.from, t.to}) consider(s, p);
+  for (const std::uint32_t p : {s.from, s.to}) consider(t, p);
+  if (passing == nullptr) return unite(closest.first, closest.second);
+  detours_.push_back({passing->from, passing->to, through});
+}
+
+/// Of a cell that rounding has turned around, unites the two points that are closest.
+void Mesh::uniteTurned() {
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const Ring& ring = rings_[cells_[c].firstRing];  // the others are at the border
+    if (ring.count < 3) continue;
+    const Point first = at(corners_[ring.first]);
+    std::uint32_t a = corners_[ring.first + ring.count - 1];
+    std::pair<std::uint32_t, std::uint32_t> closest;
+    double area = 0, least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t k = 0; k < ring.count; ++k) {
+      const std::uint32_t b = corners_[ring.first + k];
+      area += cross(at(a) - first, at(b) - first);
+      const double distance = length(at(b) - at(a));
+      if (distance < least) closest = {a, b};
+      least = std::min(least, distance);
+      a = b;
+    }
+    if (area > 0 || least > kRounding * (absolute(first.x) + absolute(first.y))) continue;
+    unite(closest.first, closest.second);
+  }
+}
+
+std::uint32_t Mesh::representative(std::uint32_t point) {
+  while (united_[point] != point) point = united_[point] = united_[united_[point]];
+  return point;
+}
+
+/// A point of the border is kept; of others, the left one.
+void Mesh::unite(std::uint32_t a, std::uint32_t b) {
+  a = representative(a);
+  b = representative(b);
+  if (a == b) return;
+  const bool isFirst = isOnBorder(a) != isOnBorder(b) ? isOnBorder(a) : isLeftOf(at(a), at(b));
+  united_[isFirst ? b : a] = isFirst ? a : b;
+  isUnited_ = true;
+}
+
+/// The detour of a segment, in either direction, or null.
+const Mesh::Detour* Mesh::detourOf(std::uint32_t a, std::uint32_t b,
+                                   std::span<const Keyed> byEnd) const {
+  const auto isBefore = [](const Keyed& entry, std::uint32_t key) { return entry.key < key; };
+  auto at = std::lower_bound(byEnd.begin(), byEnd.end(), std::min(a, b), isBefore);
+  for (; at != byEnd.end() && at->key == std::min(a, b); ++at) {
+    const Detour& detour = detours_[at->value];
+    if (std::max(detour.from, detour.to) == std::max(a, b)) return &detour;
+  }
+  return nullptr;
+}
+
+void Mesh::replacePoints() {
+  FlatArray<Keyed> byEnd;  // detours by the smaller end
+  for (std::uint32_t k = 0; k < detours_.size(); ++k)
+    byEnd.push_back({std::min(detours_[k].from, detours_[k].to), k});
+  sortByKey(byEnd);
+  FlatArray<std::uint32_t> corners;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const std::size_t end = c + 1 < cells_.size() ? cells_[c + 1].firstRing : rings_.size();
+    for (std::size_t r = cells_[c].firstRing; r < end; ++r) {
+      Ring& ring = rings_[r];
+      const auto first = static_cast<std::uint32_t>(corners.size());
+      const auto add = [&](std::uint32_t point) {
+        const std::uint32_t kept = representative(point);
+        if (kept != point) cells_[c].isTraced = true;
+        if (corners.size() == first || corners.back() != kept) corners.push_back(kept);
+      };
+      for (std::uint32_t k = 0; k < ring.count; ++k) {
+        const std::uint32_t a = corners_[ring.first + k],
+                            b = corners_[ring.first + (k + 1) % ring.count];
+        add(a);
+        const Detour* const detour = detourOf(a, b, byEnd);
+        if (detour == nullptr) continue;
+        cells_[c].isTraced = true;
+        if (isOnBorder(a) && isOnBorder(b)) isOnBorder_[detour->through] = 1;
+        add(detour->through);
+      }
+      while (corners.size() > first + 1 && corners.back() == corners[first]) corners.pop_back();
+      ring = {first, static_cast<std::uint32_t>(corners.size()) - first};
+    }
+  }
+  corners_.swap(corners);
+}
+
+void Mesh::list(Coverage& coverage) {
+  Rings& all = coverage.rings;
+  all.clear();
+  coverage.sites.clear();
+  coverage.cells.assign(1, 0);
+  Tracer tracer;
+  Rings rings;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const std::size_t end = c + 1 < cells_.size() ? cells_[c + 1].firstRing : rings_.size();
+    rings.clear();
+    for (std::size_t r = cells_[c].firstRing; r < end; ++r) {
+      const Ring& ring = rings_[r];
+      for (std::uint32_t k = 0; k <= ring.count && ring.count > 0; ++k) {
+        rings.add(at(corners_[ring.first + k % ring.count]));
+      }
+      if (ring.count > 0) rings.endRing();
+    }
+    if (cells_[c].isTraced) {
+      tracer.clear();
+      for (std::size_t k = 0; k < rings.ringCount(); ++k) tracer.addRing(rings.ring(k));
+      tracer.trace(rings);
+    } else {
+      rings.endPart();  // inside the window a cell is one ring
+    }
+    if (rings.ringCount() == 0) continue;
+    coverage.sites.push_back(cells_[c].site);
+    const auto firstRing = static_cast<std::uint32_t>(all.ringCount());
+    const auto firstPoint = static_cast<std::uint32_t>(all.coordinates.size() / 2);
+    all.coordinates.append(rings.coordinates);
+    for (std::size_t k = 1; k < rings.starts.size(); ++k)
+      all.starts.push_back(firstPoint + rings.starts[k]);
+    for (std::size_t k = 1; k < rings.parts.size(); ++k)
+      all.parts.push_back(firstRing + rings.parts[k]);
+    coverage.cells.push_back(static_cast<std::uint32_t>(all.parts.size() - 1));
+  }
+}
+
+}  // namespace
+
+void coverWindow(const DiagramCore& core, const PolygonWindow& window, double tolerance,
+                 Coverage& coverage) {
+  Mesh mesh(core, window, tolerance);
+  mesh.part();
+  mesh.list(coverage);
+}
+
+}  // namespace apollonius::internal

@@ -1,0 +1,48 @@
+#include "geometry/polygons/point_numbers.h"
+
+#include <bit>
+
+namespace apollonius::internal {
+
+namespace {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+constexpr std::size_t kFirst = 64;
+
+std::uint64_t mixed(double x) {
+  auto bits = std::bit_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u;
+  return bits ^ (bits >> 29);
+}
+
+}  // namespace
+
+std::size_t PointNumbers::placeOf(Point p) const {
+  const std::size_t mask = table_.size() - 1;
+  const std::uint64_t hash = (mixed(p.x) ^ std::rotl(mixed(p.y), 31)) * 0x9E3779B97F4A7C15u;
+  std::size_t place = static_cast<std::size_t>(hash >> 32) & mask;
+  while (table_[place] != kNone && !(points_[table_[place]] == p)) place = (place + 1) & mask;
+  return place;
+}
+
+std::uint32_t PointNumbers::add(Point p) {
+  if (2 * points_.size() >= table_.size()) grow();
+  p = p + Point{};  // -0 becomes 0
+  const std::size_t place = placeOf(p);
+  if (table_[place] == kNone) {
+    table_[place] = static_cast<std::uint32_t>(points_.size());
+    points_.push_back(p);
+  }
+  return table_[place];
+}
+
+void PointNumbers::clear() {
+  points_.clear();
+  table_.assign(table_.size(), kNone);
+}
+
+void PointNumbers::grow() {
+  table_.assign(table_.empty() ? kFirst : 2 * table_.size(), kNone);
+  for (std::uint32_t k = 0; k < points_.size(); ++k) table_[placeOf(points_[k])] = k;
+}
+
+}  // namespace apollonius::internal

@@ -1,0 +1,178 @@
+#include "geometry/polygons/ring_tracer.h"
+
+#include <algorithm>
+
+#include "base/radix_sort.h"
+#include "number/fp.h"
+#include "predicate/orientation.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+double areaOf(std::span<const Point> ring) {
+  double area = 0;
+  for (std::size_t k = 1; k + 1 < ring.size(); ++k)
+    area += cross(ring[k] - ring[0], ring[k + 1] - ring[0]);
+  return area;
+}
+
+/// Is a point inside a ring that it is not on?
+bool holds(std::span<const Point> ring, Point p) {
+  bool isInside = false;
+  Point a = ring.back();
+  for (const Point b : ring) {
+    if ((a.y > p.y) != (b.y > p.y) && (orient2d(a, b, p) == Sign::kPositive) == (b.y > a.y))
+      isInside = !isInside;
+    a = b;
+  }
+  return isInside;
+}
+
+}  // namespace
+
+void Tracer::clear() {
+  numbers_.clear();
+  segments_.clear();
+}
+
+void Tracer::addRing(std::span<const double> ring) {
+  std::uint32_t last = numbers_.add({ring[0], ring[1]});
+  for (std::size_t k = 2; k + 1 < ring.size(); k += 2) {
+    const std::uint32_t next = numbers_.add({ring[k], ring[k + 1]});
+    if (next != last) segments_.push_back({last, next, false});
+    last = next;
+  }
+}
+
+/// By their starts.
+void Tracer::sortSegments() {
+  firstFrom_.assign(numbers_.points().size() + 1, 0);
+  for (const Segment& s : segments_) ++firstFrom_[s.from];
+  std::uint32_t sum = 0;
+  for (std::uint32_t& first : firstFrom_) sum = first += sum;
+  FlatArray<Segment> sorted(segments_.size());
+  for (std::size_t k = segments_.size(); k-- > 0;)
+    sorted[--firstFrom_[segments_[k].from]] = segments_[k];
+  segments_.swap(sorted);
+}
+
+/// Takes away what goes along a segment and back.
+void Tracer::cancel() {
+  sortSegments();
+  for (Segment& s : segments_) {
+    if (s.isDone) continue;
+    for (std::uint32_t k = firstFrom_[s.to]; k < firstFrom_[s.to + 1]; ++k) {
+      Segment& back = segments_[k];
+      if (back.to != s.from || back.isDone) continue;
+      s.isDone = back.isDone = true;
+      break;
+    }
+  }
+}
+
+/// The segment that goes on where this one ends.
+std::uint32_t Tracer::next(std::uint32_t segment) const {
+  const Segment& s = segments_[segment];
+  std::uint32_t best = kNone;
+  for (std::uint32_t k = firstFrom_[s.to]; k < firstFrom_[s.to + 1]; ++k) {
+    if (segments_[k].isDone) continue;
+    if (best == kNone ||
+        comesFirstClockwise(at(s.to), at(s.from), at(segments_[k].to), at(segments_[best].to)))
+      best = k;
+  }
+  return best;
+}
+
+/// Ends a loop where the way comes to a point that it has been at.
+void Tracer::cut(std::uint32_t point) {
+  const std::uint32_t begin = placeOnWay_[point];
+  Loop loop{static_cast<std::uint32_t>(traced_.size()),
+            static_cast<std::uint32_t>(way_.size()) - begin,
+            0,
+            {}};
+  double reach = 0;
+  Point last = at(way_.back());
+  loop.box = {last.x, last.y, last.x, last.y};
+  for (std::size_t k = begin; k < way_.size(); ++k) {
+    const Point p = at(way_[k]);
+    traced_.push_back(p);
+    placeOnWay_[way_[k]] = kNone;
+    loop.box.include(p);
+    reach += length(p - last);
+    last = p;
+  }
+  way_.resize(begin);
+  loop.area = areaOf(ringOf(loop));
+  if (absolute(loop.area) > width_ * reach) {
+    loops_.push_back(loop);
+  } else {
+    traced_.resize(loop.first);
+  }
+}
+
+void Tracer::link() {
+  cancel();
+  traced_.clear();
+  loops_.clear();
+  placeOnWay_.assign(numbers_.points().size(), kNone);
+  for (std::uint32_t first = 0; first < segments_.size(); ++first) {
+    way_.clear();
+    for (std::uint32_t k = first; k != kNone && !segments_[k].isDone; k = next(k)) {
+      const std::uint32_t from = segments_[k].from;
+      segments_[k].isDone = true;
+      if (placeOnWay_[from] != kNone) cut(from);
+      placeOnWay_[from] = static_cast<std::uint32_t>(way_.size());
+      way_.push_back(from);
+    }
+    // Back where it began: at each point as many segments end as start.
+    if (!way_.empty()) cut(way_[0]);
+  }
+}
+
+/// The smallest outer loop around a hole.
+std::uint32_t Tracer::outerOf(const Loop& hole) const {
+  std::uint32_t best = kNone;
+  for (std::uint32_t k = 0; k < loops_.size(); ++k) {
+    const Loop& loop = loops_[k];
+    if (!(loop.area > -hole.area) || (best != kNone && loops_[best].area <= loop.area) ||
+        !loop.box.holds(hole.box.center()))
+      continue;
+    const std::span<const Point> ring = ringOf(loop);
+    for (const Point p : ringOf(hole)) {
+      if (std::find(ring.begin(), ring.end(), p) != ring.end()) continue;  // on the ring
+      if (holds(ring, p)) best = k;
+      break;
+    }
+  }
+  return best;
+}
+
+void Tracer::trace(Rings& rings, double thinnest) {
+  double size = 0;
+  for (const Point p : numbers_.points()) size = std::max({size, absolute(p.x), absolute(p.y)});
+  width_ = thinnest * size;
+  link();
+  rings.clear();
+  const auto add = [&](const Loop& loop) {
+    for (const Point p : ringOf(loop)) rings.add(p);
+    rings.add(traced_[loop.first]);
+    rings.endRing();
+  };
+  FlatArray<Keyed> holes;  // by the loop around each
+  for (std::uint32_t k = 0; k < loops_.size(); ++k) {
+    if (loops_[k].area < 0) holes.push_back({outerOf(loops_[k]), k});
+  }
+  sortByKey(holes);
+  std::size_t next = 0;
+  for (std::uint32_t k = 0; k < loops_.size(); ++k) {
+    if (loops_[k].area < 0) continue;
+    add(loops_[k]);
+    for (; next < holes.size() && holes[next].key <= k; ++next) add(loops_[holes[next].value]);
+    rings.endPart();
+  }
+}
+
+}  // namespace apollonius::internal

@@ -1,0 +1,59 @@
+// From the segments around a cell to its polygons, in the sense of OGC's Simple Features and RFC
+// 7946: rings that come to no point twice, each outer one with its holes.
+//
+// Segments are linked so that nothing but the inside is between one and the next. What is linked is
+// cut where it comes to a point again: a hole that touches the ring around it in one point is a
+// ring of its own then; where it touches in two, the ring falls into two. What goes along a segment
+// and back goes.
+#pragma once
+
+#include "geometry/polygons/point_numbers.h"
+#include "geometry/polygons/rings.h"
+#include "geometry/window/rectangle.h"
+
+namespace apollonius::internal {
+
+class Tracer {
+ public:
+  void clear();
+  /// Adds a closed ring, the inside on its left. REQUIRES: rings do not cross.
+  void addRing(std::span<const double> ring);
+  /// Does any point occur twice?
+  [[nodiscard]] bool hasTouch() const { return numbers_.points().size() < segments_.size(); }
+  /// The polygons of all that has been added, without loops that are thinner than this share of
+  /// the largest coordinate. Replaces the contents. Cost: O(m log m) for m points; and holes times
+  /// m.
+  void trace(Rings& rings, double thinnest = 0);
+
+ private:
+  struct Segment {
+    std::uint32_t from, to;
+    bool isDone;
+  };
+  struct Loop {
+    std::uint32_t first, count;
+    double area;
+    Window box;
+  };
+
+  [[nodiscard]] Point at(std::uint32_t number) const { return numbers_.points()[number]; }
+  void sortSegments();
+  void cancel();
+  [[nodiscard]] std::uint32_t next(std::uint32_t segment) const;
+  void cut(std::uint32_t point);
+  void link();
+  [[nodiscard]] std::span<const Point> ringOf(const Loop& loop) const {
+    return std::span(traced_).subspan(loop.first, loop.count);
+  }
+  [[nodiscard]] std::uint32_t outerOf(const Loop& hole) const;
+
+  PointNumbers numbers_;
+  FlatArray<Segment> segments_;
+  FlatArray<std::uint32_t> firstFrom_;  // by point, of segments_ by their starts; and their number
+  FlatArray<std::uint32_t> way_, placeOnWay_;
+  FlatArray<Point> traced_;  // the loops' points
+  FlatArray<Loop> loops_;
+  double width_ = 0;  // loops that are thinner are none
+};
+
+}  // namespace apollonius::internal

@@ -1,0 +1,47 @@
+// A window of any shape: closed rings, of which the inside is where a line to infinity crosses them
+// an odd number of times (even-odd rule). However they are given (in either direction, crossing
+// themselves and each other, touching, overlapping, with points repeated), they become rings that
+// meet in common points only, with the inside on the left of each.
+//
+//   1. Segments are split where they cross, and where the end of one is on another, until there is
+//      no such place. A crossing is rounded to doubles, so its parts can cross others anew; where
+//      that goes on, all points are rounded to a grid, and segments are bent into those that they
+//      pass closely.
+//   2. Of segments that are the same, any two cancel: on both sides of them is the same.
+//   3. Which side of a segment is inside follows from the nearest segment below its left end.
+//   4. Segments are linked, each with the next one clockwise around their common point, so that
+//      what only touches itself there falls into several rings.
+//
+// All decisions are exact signs for the doubles that there are then.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/flat_array.h"
+#include "geometry/window/rectangle.h"
+
+namespace apollonius::internal {
+
+/// No segment of an outline. Others are numbered as the points that they start at.
+inline constexpr std::uint32_t kNoSegment = 0xFFFFFFFFu;
+
+struct Outline {
+  FlatArray<Point> points;  ///< of all rings, at least three a ring, none repeated at its end
+  FlatArray<std::uint32_t> starts;  ///< of each ring its first point; and the number of points
+  Window box{};                     ///< that holds them closely
+
+  [[nodiscard]] std::size_t ringCount() const { return starts.size() - 1; }
+  [[nodiscard]] std::span<const Point> ring(std::size_t k) const {
+    return std::span(points).subspan(starts[k], starts[k + 1] - starts[k]);
+  }
+};
+
+/// Of rings x, y, …; starts[k] is the first point of ring k, and the last entry the number of
+/// points. Without rings if nothing is inside (or if step 1 does not end, which was never seen).
+/// Cost: O(n log n + pairs of segments in one cell of a grid), n = points and crossings; and as
+/// many parts as points times crossings where all segments are a few doubles apart.
+[[nodiscard]] Outline makeOutline(std::span<const double> coordinates,
+                                  std::span<const std::uint32_t> starts);
+
+}  // namespace apollonius::internal

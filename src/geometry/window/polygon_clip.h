@@ -1,0 +1,131 @@
+// A region laid over a diagram: where its rings go from cell to cell, and what of each Voronoi edge
+// is inside.
+//
+// Each ring is walked from cell to cell (boundary_walk.h). What comes of a walk is a closed way in
+// the Delaunay graph, whatever rounding does: it returns to the cell that it began in, and each of
+// its steps crosses one edge at one place. All else follows from these crossings alone, and so fits
+// together: *winding numbers* of Voronoi vertices (how often the region is wound around them: 0
+// outside, 1 inside, and something else at most within rounding of a place where two rings nearly
+// meet) are 0 at infinity, and change along an edge by one at each crossing. The boundary of a part
+// of a cell then closes by itself, and what is left of an edge belongs to both cells. No point is
+// ever asked on which side it is.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/flat_array.h"
+#include "base/radix_sort.h"
+#include "diagram/diagram_core.h"
+#include "geometry/curve/edge.h"
+#include "geometry/window/polygon.h"
+
+namespace apollonius::internal {
+
+/// A place where a ring leaves a cell for another.
+struct Crossing {
+  HalfedgeId edge;  ///< that of the two that starts at the reference site
+  double e;         ///< where on it (bisector.h)
+  Point point;      ///< of the ring
+  Slot from, to;    ///< the cells
+  bool isForward;   ///< the ring goes from left to right of `edge`, and so the inside follows
+  std::uint32_t ring;
+  std::uint32_t next;                    ///< the ring's next crossing, where it leaves `to`
+  std::uint32_t firstPoint, pointCount;  ///< the ring's points on the way there, cyclically
+};
+
+/// A part of an edge inside, from E = e0 to e1, which rounding can have exchanged.
+struct InnerPiece {
+  double e0, e1;
+  Conic curve;
+  int times;  ///< how often it is inside: once, but for rounding
+};
+
+class Overlay {
+ public:
+  /// REQUIRES: `outline` lives as long. Cost: O(h + crossings), and what boundary_walk.h says.
+  Overlay(const DiagramCore& core, const Outline& outline);
+
+  [[nodiscard]] const DiagramCore& core() const { return core_; }
+  [[nodiscard]] const Outline& outline() const { return outline_; }
+
+  [[nodiscard]] const Crossing& crossing(std::uint32_t k) const { return crossings_[k]; }
+  [[nodiscard]] std::uint32_t crossingCount() const {
+    return static_cast<std::uint32_t>(crossings_.size());
+  }
+  /// The crossings of an edge, given by its half-edge that starts at the reference site, in the
+  /// order of E.
+  [[nodiscard]] std::span<const std::uint32_t> crossingsOf(HalfedgeId edge) const;
+  /// Rings that are within one cell: the value of each, with the cell's slot for its key, in the
+  /// order of these.
+  [[nodiscard]] std::span<const Keyed> lodgers() const { return lodgers_; }
+  [[nodiscard]] std::span<const Keyed> lodgersOf(Slot cell) const;
+  /// Of a face's Voronoi vertex.
+  [[nodiscard]] int windingOf(FaceId f) const {
+    if (!isDense()) return isTouched(f) ? sparseWindingOf(f) : 0;
+    return windings_[index(f)];
+  }
+
+  /// A piece inside of an edge, from E = e0 to e1, with these ends: crossings or Voronoi vertices.
+  /// A vertex that rounding alone takes for inside can be farther away than the box is wide by any
+  /// factor, and with it would be areas; so nothing of a piece is far from the box.
+  [[nodiscard]] Conic pieceInside(const Edge& edge, double e0, double e1, Point from,
+                                  Point to) const;
+
+  /// visit(from, to) for the segments of a ring from a crossing to its next one.
+  template <class Visit>
+  void visitWay(const Crossing& crossing, Visit&& visit) const {
+    const std::span<const Point> ring = outline_.ring(crossing.ring);
+    Point at = crossing.point;
+    std::size_t k = crossing.firstPoint;
+    for (std::uint32_t n = 0; n < crossing.pointCount; ++n) {
+      if (k >= ring.size()) k -= ring.size();
+      visit(at, ring[k]);
+      at = ring[k++];
+    }
+    visit(at, crossings_[crossing.next].point);
+  }
+
+  /// Is any of an edge inside? False for one of its two half-edges, too.
+  [[nodiscard]] bool isAnyInside(HalfedgeId h) const;
+  /// The edge, and what of it is inside, in the order of E. REQUIRES: isAnyInside().
+  Edge edgeInside(HalfedgeId h, Bits bits, FlatArray<InnerPiece>& pieces) const;
+  /// visit(h, edge, piece) for what of all edges is inside.
+  template <class Visit>
+  void visitEdges(Bits bits, Visit&& visit) const {
+    const auto count = static_cast<std::uint32_t>(3 * core_.delaunay().graph().faceSlots());
+    FlatArray<InnerPiece> pieces;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const HalfedgeId h{k};
+      if (!core_.delaunay().graph().isLive(faceOf(h)) || !isAnyInside(h)) continue;
+      const Edge edge = edgeInside(h, bits, pieces);
+      for (const InnerPiece& piece : pieces) visit(h, edge, piece);
+    }
+  }
+
+ private:
+  void sortCrossings();
+  void wind();
+  [[nodiscard]] bool isCrossed(HalfedgeId edge) const { return isTouched(faceOf(edge)); }
+  /// Is it perhaps inside, or has one of its half-edges a crossing?
+  [[nodiscard]] bool isTouched(FaceId f) const {
+    return (touched_[index(f) / 8] >> (index(f) % 8) & 1) != 0;
+  }
+  void touch(FaceId f) { touched_[index(f) / 8] |= static_cast<unsigned char>(1 << index(f) % 8); }
+  [[nodiscard]] bool isDense() const { return !windings_.empty(); }
+  [[nodiscard]] int sparseWindingOf(FaceId f) const;
+  void thinOut();
+
+  const DiagramCore& core_;
+  const Outline& outline_;
+  FlatArray<Crossing> crossings_;  // ring by ring, in their order
+  FlatArray<Keyed> lodgers_;
+  FlatArray<std::uint32_t> byEdge_;   // crossings by edge, then by E
+  FlatArray<unsigned char> touched_;  // by face, a bit each
+  // A view of a small region is not to hold much for each site: windings by face, or, where few
+  // faces are inside, of these alone (Keyed: the face, the winding), ascending.
+  FlatArray<std::int32_t> windings_;
+  FlatArray<Keyed> inside_;
+};
+
+}  // namespace apollonius::internal

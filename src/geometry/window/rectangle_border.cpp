@@ -1,0 +1,159 @@
+#include "geometry/window/rectangle_border.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "base/flat_array.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// Places from a reference on: 0 to 4.
+double after(double place, double reference) {
+  const double d = place - reference;
+  return d >= 0 ? d : d + 4;
+}
+
+/// Before, counter-clockwise from corner 0. Places are rounded to a share of the side, coordinates
+/// are not. Which is first of several in one point, as far as doubles can tell, their numbers say:
+/// CellFinder counts pieces from one edge on after any history, and sums do not ask which it is.
+bool comesBefore(const BorderContact& a, const BorderContact& b) {
+  if (a.place != b.place) return a.place < b.place;
+  if (a.side != b.side) return a.side < b.side;
+  const auto along = [](const BorderContact& c) {
+    return c.side == 0   ? c.point.x
+           : c.side == 1 ? c.point.y
+           : c.side == 2 ? -c.point.x
+                         : -c.point.y;
+  };
+  if (along(a) != along(b)) return along(a) < along(b);
+  return a.leaves != b.leaves ? a.leaves : a.piece < b.piece;
+}
+
+/// The number of corners on the way between two contacts, of which rounded places count `seen`. One
+/// at each end may be missing there, none is too many; and none is on the way if rounding has
+/// exchanged the two.
+int cornersBetween(const BorderContact& from, const BorderContact& to, int seen) {
+  int count = (to.side - from.side + 4) % 4;
+  while (count < seen) count += 4;
+  if (count - seen > 2) count -= 4;
+  return std::clamp(count, 0, 4);
+}
+
+/// Disorder of two sorted lists that should alternate, one[0] first: the sum of what they overlap.
+double disorder(const FlatArray<double>& one, const FlatArray<double>& two) {
+  double sum = 0;
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    sum += std::max(0.0, one[k] - two[k]);
+    if (k + 1 < one.size()) sum += std::max(0.0, two[k] - one[k + 1]);
+  }
+  return sum;
+}
+
+/// Coordinates whose magnitude is below the documented range, which means nothing but rounding,
+/// become 0.
+double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
+
+Slot nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x), inRange(p.y)); }
+
+/// Does the site own the gap before the first contact, as the contacts tell, for sure or not? In a
+/// window many times as large as what is in it rounding moves contacts along whole sides, and they
+/// tell what is not so. So all gaps are asked, and if one contradicts, or it is not sure, at five
+/// places each, because any one may be too close to an edge: it is what is right along most of the
+/// border. Asked on the border itself, as a cell along it may be thinner than doubles can tell.
+/// Where the border lies on an edge, the tie rule of nearest() picks the owner; so one site loses
+/// at most two of a window's four sides.
+bool ownsFirstGap(const DiagramCore& core, Slot site, const Window& window,
+                  const FlatArray<BorderContact>& contacts, double reference, bool isTold,
+                  bool isSure) {
+  double balance = 0;
+  for (const double part : {0.5, 0.29, 0.67, 0.16, 0.88}) {
+    int times = 0;  // how often it owns a gap if it does not own the first: 0, 1, or by rounding
+    double begin = after(contacts.back().place, reference) - 4;
+    for (const BorderContact& contact : contacts) {
+      const double end = after(contact.place, reference);
+      const double place = reference + begin + part * (end - begin);
+      const bool owns = nearest(core, window.at(place - 4 * std::floor(place / 4))) == site;
+      balance += times >= (owns ? 1 : 0) ? begin - end : end - begin;
+      isSure = isSure && owns == (times + (isTold ? 1 : 0) > 0);
+      times += contact.leaves ? 1 : -1;
+      begin = end;
+    }
+    if (isSure) return isTold;
+  }
+  return balance == 0 ? isTold : balance > 0;
+}
+
+}  // namespace
+
+Slot ownerOfWindow(const DiagramCore& core, const Window& window) {
+  // A sliver of a cell, lost to rounding, can own the middle; but hardly the corners, too, which
+  // are asked just inside.
+  const Slot middle = nearest(core, window.center());
+  int votes = 1;
+  for (int k = 0; k < 4; ++k) {
+    const Point corner = window.corner(k);
+    votes += nearest(core, corner + powerOfTwo(-20) * (window.center() - corner)) == middle ? 1 : 0;
+  }
+  return votes >= 3 ? middle : kNoSlot;
+}
+
+void matchBorder(const DiagramCore& core, Slot site, const Window& window,
+                 FlatArray<BorderContact>& contacts, FlatArray<BorderArc>& arcs) {
+  arcs.clear();
+  // Invalid edges, which a trusted snapshot can have, give places outside of the border.
+  const auto isOnBorder = [](const BorderContact& c) { return c.place >= 0 && c.place <= 4; };
+  if (contacts.empty() || !std::all_of(contacts.begin(), contacts.end(), isOnBorder)) return;
+  // All of them: a heap sort, which is a tenth of std::sort's code.
+  std::partial_sort(contacts.begin(), contacts.end(), contacts.end(), comesBefore);
+  // The reference is the middle of the largest gap.
+  double reference = 0, gap = -1;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const double next = k + 1 < contacts.size() ? contacts[k + 1].place : contacts[0].place + 4;
+    if (next - contacts[k].place > gap) {
+      gap = next - contacts[k].place;
+      reference = contacts[k].place + gap / 2;
+    }
+  }
+  if (reference >= 4) reference -= 4;
+  std::rotate(contacts.begin(),
+              std::find_if(contacts.begin(), contacts.end(),
+                           [&](const BorderContact& c) { return c.place > reference; }),
+              contacts.end());
+
+  FlatArray<std::uint32_t> leaves, enters;
+  FlatArray<double> leavePlaces, enterPlaces;
+  for (std::uint32_t k = 0; k < contacts.size(); ++k) {
+    const bool isLeave = contacts[k].leaves;
+    (isLeave ? leaves : enters).push_back(k);
+    (isLeave ? leavePlaces : enterPlaces).push_back(after(contacts[k].place, reference));
+  }
+  const std::size_t count =
+      std::min(leaves.size(), enters.size());  // they are equally many, if the edges are some
+  if (count == 0) return;
+  leavePlaces.resize(count);
+  enterPlaces.resize(count);
+  const double outside = disorder(leavePlaces, enterPlaces),
+               inside = disorder(enterPlaces, leavePlaces);
+  const bool holdsReference =
+      ownsFirstGap(core, site, window, contacts, reference, inside < outside, inside != outside);
+
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool isWrapped = holdsReference && k + 1 == count;
+    const std::size_t m = holdsReference ? (k + 1) % count : k;
+    BorderArc arc{leaves[k], enters[m]};
+    const double from = leavePlaces[k], to = enterPlaces[m] + (isWrapped ? 4 : 0);
+    int seen = 0;
+    for (int step = 0; step < 8; ++step) {  // corners once around from the reference, and once more
+      const double at = static_cast<int>(reference) + 1 - reference + step;
+      seen += at > from && at < to;
+    }
+    arc.firstCorner = (contacts[arc.from].side + 1) % 4;
+    arc.cornerCount = cornersBetween(contacts[arc.from], contacts[arc.to], seen);
+    arcs.push_back(arc);
+  }
+}
+
+}  // namespace apollonius::internal

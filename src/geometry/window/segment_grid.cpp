@@ -1,0 +1,41 @@
+#include "geometry/window/segment_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace apollonius::internal {
+
+SegmentGrid::SegmentGrid(std::span<const Point> points, std::span<const Segment> segments,
+                         const Window& box)
+    : box_(box) {
+  const auto count = static_cast<double>(std::max<std::size_t>(segments.size(), 1));
+  // Together they cross `across` columns of one, and `up` rows. Of cells that are as many as
+  // segments, across columns + up rows is least where both are equal.
+  double across = 1, up = 1;
+  for (const Segment& s : segments) {
+    across += absolute(points[s.to].x - points[s.from].x) / box.width();
+    up += absolute(points[s.to].y - points[s.from].y) / box.height();
+  }
+  // A cell is at least 2^12 doubles wide and high, so that its margin is more than rounding.
+  const auto most = [](double low, double high) {
+    return powerOfTwo(40) * (high - low) / std::max(absolute(low), absolute(high));
+  };
+  const double columns =
+      std::min({std::sqrt(count * (up / across)), count, most(box.xmin, box.xmax)});
+  const double rows = std::min(count / std::max(columns, 1.0), most(box.ymin, box.ymax));
+  columns_ = static_cast<std::uint32_t>(std::max(columns, 1.0));
+  rows_ = static_cast<std::uint32_t>(std::max(rows, 1.0));
+  starts_.assign(std::size_t{columns_} * rows_ + 1, 0);
+  // Count, add up, fill from the ends.
+  for (const Segment& s : segments)
+    visitCells(points[s.from], points[s.to], [&](std::size_t cell) { ++starts_[cell]; });
+  std::uint32_t sum = 0;
+  for (std::uint32_t& start : starts_) sum = start += sum;
+  entries_.resize(sum);
+  for (auto k = static_cast<std::uint32_t>(segments.size()); k-- > 0;) {
+    visitCells(points[segments[k].from], points[segments[k].to],
+               [&](std::size_t cell) { entries_[--starts_[cell]] = k; });
+  }
+}
+
+}  // namespace apollonius::internal

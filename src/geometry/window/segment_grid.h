@@ -1,0 +1,108 @@
+// Segments by the cells of a grid that they meet, so that those near each other are found.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+#include <span>
+
+#include "base/flat_array.h"
+#include "geometry/window/rectangle.h"
+
+namespace apollonius::internal {
+
+/// From one point to another, as indices of an array of points.
+struct Segment {
+  std::uint32_t from, to;
+};
+
+class SegmentGrid {
+ public:
+  /// About one cell a segment, in as many rows and columns as make these meet the fewest cells:
+  /// what runs upwards is in many columns. REQUIRES: `box` holds all points and has an area.
+  SegmentGrid(std::span<const Point> points, std::span<const Segment> segments, const Window& box);
+
+  /// Monotonic.
+  [[nodiscard]] std::uint32_t columnOf(double x) const {
+    return place(x - box_.xmin, box_.width(), columns_);
+  }
+  [[nodiscard]] std::uint32_t rowOf(double y) const {
+    return place(y - box_.ymin, box_.height(), rows_);
+  }
+  [[nodiscard]] std::size_t cellOf(std::uint32_t column, std::uint32_t row) const {
+    return std::size_t{row} * columns_ + column;
+  }
+  /// Of a row, and a little more: what is above has its cells in this row or above.
+  [[nodiscard]] double bottomOf(std::uint32_t row) const {
+    return box_.ymin + (row + kMargin) * (box_.height() / rows_);
+  }
+  /// The segments that meet a cell, and perhaps others beside it; ascending.
+  [[nodiscard]] std::span<const std::uint32_t> at(std::size_t cell) const {
+    return std::span(entries_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
+  }
+  /// visit(cell) for the cells that a segment meets, and perhaps others beside them. Cost: these,
+  /// and the rows between.
+  template <class Visit>
+  void visitCells(Point a, Point b, Visit&& visit) const {
+    (void)isAnyCell({a, b}, [&](std::size_t cell) {
+      visit(cell);
+      return false;
+    });
+  }
+  /// Does `ask(cell)` say yes for any of the cells that a convex shape meets, and perhaps others
+  /// beside them? It ends with the first. The shape's corners in order: two are a segment.
+  template <class Ask>
+  [[nodiscard]] bool isAnyCell(std::initializer_list<Point> corners, Ask&& ask) const {
+    const double width = box_.width() / columns_, height = box_.height() / rows_;
+    double low = corners.begin()->y, high = low;
+    for (const Point p : corners) {
+      low = std::min(low, p.y);
+      high = std::max(high, p.y);
+    }
+    const std::uint32_t last = rowOf(high + kMargin * height);
+    for (std::uint32_t row = rowOf(low - kMargin * height); row <= last; ++row) {
+      const double bottom = box_.ymin + (row - kMargin) * height,
+                   top = box_.ymin + (row + 1 + kMargin) * height;
+      double left = std::numeric_limits<double>::infinity(), right = -left;
+      Point p = *(corners.end() - 1);
+      for (const Point q : corners) {
+        include(p, q, bottom, top, left, right);
+        p = q;
+      }
+      if (left > right) continue;
+      const std::uint32_t end = columnOf(right + kMargin * width);
+      for (std::uint32_t column = columnOf(left - kMargin * width); column <= end; ++column) {
+        if (ask(cellOf(column, row))) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  /// Widens a range of x by that of a segment between two heights.
+  static void include(Point p, Point q, double bottom, double top, double& left, double& right) {
+    if (std::max(p.y, q.y) < bottom || std::min(p.y, q.y) > top) return;
+    for (const Point end : {p, q}) {
+      const double y = std::clamp(end.y, bottom, top);
+      const double x = y == end.y ? end.x : p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x);
+      left = std::min(left, x);
+      right = std::max(right, x);
+    }
+  }
+
+  /// Of a cell: more than rounding.
+  static constexpr double kMargin = 0.01;
+
+  [[nodiscard]] static std::uint32_t place(double along, double whole, std::uint32_t count) {
+    const double at = along / whole * count;
+    return at > 0 ? std::min(static_cast<std::uint32_t>(std::min(at, 1e9)), count - 1) : 0;
+  }
+
+  Window box_;
+  std::uint32_t columns_ = 1, rows_ = 1;
+  FlatArray<std::uint32_t> starts_;   // by cell, of entries_; and their number
+  FlatArray<std::uint32_t> entries_;  // segments
+};
+
+}  // namespace apollonius::internal
