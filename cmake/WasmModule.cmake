@@ -1,9 +1,10 @@
-# wasm/bindings.cpp and the library as a wasm module: in the build folder apollonius.mjs, which is
+# wasm/bindings/ and the library as a wasm module: in the build folder apollonius.mjs, which is
 # Emscripten's JavaScript, apollonius.wasm, and apollonius.d.mts, which Embind writes and the
 # package's TypeScript compiles against. Not part of `all`.
 #
 # The library is the very one that the tests link, at the same level.
-add_executable(apollonius_wasm EXCLUDE_FROM_ALL "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings.cpp")
+set(bindings "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings")
+add_executable(apollonius_wasm EXCLUDE_FROM_ALL "${bindings}/bindings.cpp")
 target_link_libraries(apollonius_wasm PRIVATE apollonius apollonius_flags)
 set_target_properties(apollonius_wasm PROPERTIES OUTPUT_NAME apollonius SUFFIX .mjs)
 target_link_options(apollonius_wasm PRIVATE
@@ -17,14 +18,14 @@ target_link_options(apollonius_wasm PRIVATE
   # workers, Node and edge runtimes.
   -sENVIRONMENT=web -sUSE_ES6_IMPORT_META=0 -sINCOMING_MODULE_JS_API=instantiateWasm -sSTRICT
   --no-entry                           # a library: no `main`
-  # wasm/module.ts puts the stack back after a call that left the module in its middle.
+  # wasm/package/module.ts puts the stack back after a call that left the module in its middle.
   -sEXPORTED_FUNCTIONS=_emscripten_stack_get_current,__emscripten_stack_restore
-  "SHELL:--js-library ${CMAKE_CURRENT_SOURCE_DIR}/wasm/embind_parts.js"
+  "SHELL:--js-library ${bindings}/embind_parts.js"
   -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB
   # 6 KB smaller than the default and as fast here: a diagram is a few large arrays.
   -sMALLOC=emmalloc)
 set_property(TARGET apollonius_wasm APPEND PROPERTY
-  LINK_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/wasm/embind_parts.js")
+  LINK_DEPENDS "${bindings}/embind_parts.js")
 if(CMAKE_BUILD_TYPE STREQUAL "Debug")
   # `npm run build -- --debug`
   # Emscripten's own assertions know only the environment that it is told of above.

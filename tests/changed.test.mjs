@@ -45,7 +45,7 @@ test("each folder of the page has its tests, and they are there", () => {
 });
 
 test("the package and the cluster example", () => {
-  expect(packagePlan(["wasm/diagram.ts"])[0]).toBe("--testPathIgnorePatterns");
+  expect(packagePlan(["wasm/package/diagram.ts"])[0]).toBe("--testPathIgnorePatterns");
   expect(packagePlan(["tests/wasm/queries.test.mjs"])).toEqual(["--onlyChanged"]);
   expect(packagePlan(["README.md"])).toEqual(["--testPathPatterns", "readme"]);
   expect(packagePlan(["src/api/diagram.cpp"])).toBeNull();

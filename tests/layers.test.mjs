@@ -73,7 +73,7 @@ const rules = [
     ],
   },
   {
-    of: /^wasm\/\w+\.(cpp|h)$/,
+    of: /^wasm\/bindings\/\w+\.(cpp|h)$/,
     may: [std, /^<emscripten\//, /^"apollonius\//, /^"arrays\.h"$/],
   },
   {
@@ -89,12 +89,18 @@ const rules = [
     ],
   }, // and how much memory is in use
 
-  { of: /^wasm\/embedded\.ts$/, may: [/^\.\/[\w.]+$/, /^\.\.\/build\/wasm\/apollonius\.wasm$/] },
   {
-    of: /^wasm\/edge\.ts$/,
-    may: [/^\.\/[\w.]+$/, /^\.\.\/build\/wasm\/apollonius\.wasm\?module$/],
+    of: /^wasm\/package\/embedded\.ts$/,
+    may: [/^\.\/[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/apollonius\.wasm$/],
   },
-  { of: /^wasm\/[\w.]+\.ts$/, may: [/^\.\/[\w.]+$/, /^\.\.\/build\/wasm\/apollonius\.mjs$/] },
+  {
+    of: /^wasm\/package\/edge\.ts$/,
+    may: [/^\.\/[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/apollonius\.wasm\?module$/],
+  },
+  {
+    of: /^wasm\/package\/[\w.]+\.ts$/,
+    may: [/^\.\/[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/],
+  },
   {
     of: /^web\/examples\/.*\.js$/,
     may: [
@@ -190,8 +196,8 @@ test("the methods of a class are defined in the folder of its header", () => {
 });
 
 test("the patterns do read lines", () => {
-  expect(dependencies("wasm/bindings.cpp")).toContain('"apollonius/diagram.h"');
-  expect(dependencies("wasm/diagram.ts")).toContain("./module.js");
+  expect(dependencies("wasm/bindings/bindings.cpp")).toContain('"apollonius/diagram.h"');
+  expect(dependencies("wasm/package/diagram.ts")).toContain("./module.js");
   expect(dependencies("tests/layers.test.mjs")).toContain("node:fs");
 });
 
@@ -206,7 +212,7 @@ test("the package reaches the module through Embind only, not its memory or inne
   expect(users).toEqual([]);
 });
 
-test("only wasm/module.ts starts the module or imports more of it than types", () => {
+test("only wasm/package/module.ts starts the module or imports more of it than types", () => {
   const importing = sources("wasm/")
     .filter((file) => file.endsWith(".ts"))
     .filter((file) =>
@@ -214,7 +220,7 @@ test("only wasm/module.ts starts the module or imports more of it than types", (
         readFileSync(path.join(root, file), "utf8"),
       ),
     );
-  expect(importing).toEqual(["wasm/module.ts"]);
+  expect(importing).toEqual(["wasm/package/module.ts"]);
 });
 
 test("commands start on a fresh clone: before their first line they import no package", () => {

@@ -1,5 +1,5 @@
-// npm run docs: docs/API.md from the comments and types of wasm/*.ts. tests/wasm/reference.test.mjs
-// fails where the two disagree.
+// npm run docs: docs/API.md from the comments and types of wasm/package.
+// tests/wasm/reference.test.mjs fails where the two disagree.
 import { writeFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
@@ -17,15 +17,15 @@ const entries = [
 ];
 const preface = `# API reference
 
-Made by \`npm run docs\` from the comments in \`wasm/*.ts\`; edit those. Lengths are in the unit of
-the input, areas in its square; y points upwards, counter-clockwise is meant so. n is the number of
-sites, d the number of a site's neighbours. Every call that fails throws an
+Made by \`npm run docs\` from the comments in \`wasm/package\`; edit those. Lengths are in the unit
+of the input, areas in its square; y points upwards, and counter-clockwise is meant so. n is the
+number of sites, d the number of a site's neighbours. Every call that fails throws an
 [ApolloniusError](#class-apolloniuserror) with a \`code\` and changes nothing.
 `;
 
 /** The exports of an entry by name, in the order of the files. */
 function exportsOf(checker, program, file) {
-  const source = program.getSourceFile(path.join(root, "wasm", file));
+  const source = program.getSourceFile(path.join(root, "wasm/package", file));
   return checker.getExportsOfModule(checker.getSymbolAtLocation(source)).map((symbol) => {
     const target = symbol.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(symbol) : symbol;
     return { name: symbol.name, declaration: target.declarations[0] };
@@ -82,13 +82,16 @@ function memberName(member) {
  * out.
  */
 export function describePackage() {
-  const config = ts.readConfigFile(path.join(root, "wasm/tsconfig.json"), ts.sys.readFile).config;
+  const config = ts.readConfigFile(
+    path.join(root, "wasm/package/tsconfig.json"),
+    ts.sys.readFile,
+  ).config;
   const { options } = ts.convertCompilerOptionsFromJson(
     config.compilerOptions,
-    path.join(root, "wasm"),
+    path.join(root, "wasm/package"),
   );
-  const files = entries.map(([, file]) => path.join(root, "wasm", file));
-  const program = ts.createProgram([...files, path.join(root, "wasm/wasm_file.d.ts")], {
+  const files = entries.map(([, file]) => path.join(root, "wasm/package", file));
+  const program = ts.createProgram([...files, path.join(root, "wasm/package/wasm_file.d.ts")], {
     ...options,
     noEmit: true,
   });

@@ -32,8 +32,8 @@ import { withBuildLock } from "./toolchain/lock.mjs";
 import { run } from "./toolchain/process.mjs";
 import { ensureBuildTools, main } from "./toolchain/setup.mjs";
 
-const wasm = path.join(root, "wasm");
-const types = path.join(root, "build/types/wasm");
+const sources = path.join(root, "wasm/package");
+const types = path.join(root, "build/types/wasm/package");
 const entries = ["index", "wasm"];
 const inner = { esm: ["edge", "embedded", "errors"], cjs: [] };
 
@@ -79,7 +79,7 @@ function wasmAsText(built) {
   return {
     name: "wasm-as-text",
     setup(build) {
-      build.onResolve({ filter: /^\.\.\/build\/wasm\/[\w.]+$/ }, ({ path: file }) => ({
+      build.onResolve({ filter: /^\.\.\/\.\.\/build\/wasm\/[\w.]+$/ }, ({ path: file }) => ({
         path: path.join(built, path.basename(file)),
       }));
       build.onResolve({ filter: /\.wasm\?module$/ }, () => ({
@@ -162,7 +162,7 @@ const errorsApart = {
 async function bundle(format, outdir, built) {
   const { build } = await import("esbuild"); // not before `npm ci` may have installed it
   await build({
-    entryPoints: [...entries, ...inner[format]].map((entry) => path.join(wasm, `${entry}.ts`)),
+    entryPoints: [...entries, ...inner[format]].map((entry) => path.join(sources, `${entry}.ts`)),
     outdir,
     format,
     bundle: true,
@@ -193,9 +193,9 @@ function publicDeclarations() {
 /** A fingerprint of all that dist/ is made from. */
 function fingerprint(built) {
   const inputs = [
-    ...readdirSync(wasm)
+    ...readdirSync(sources)
       .filter((name) => /\.(ts|mjs|json)$/.test(name))
-      .map((name) => path.join(wasm, name)),
+      .map((name) => path.join(sources, name)),
     fileURLToPath(import.meta.url),
     ...["wasm", "mjs", "d.mts"].map((kind) => path.join(built, `apollonius.${kind}`)),
     path.join(root, "package-lock.json"),
@@ -210,7 +210,7 @@ function fingerprint(built) {
  * of it.
  */
 async function makeDist(built, dist) {
-  run(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", wasm]);
+  run(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", sources]);
   const fresh = path.join(root, "build/dist");
   rmSync(fresh, { recursive: true, force: true });
   const declarations = publicDeclarations();

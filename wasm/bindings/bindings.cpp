@@ -2,9 +2,10 @@
 // Embind writes the declarations that the TypeScript around it compiles against,
 // build/wasm/apollonius.d.mts.
 //
-// A call that fails throws the number of its Error, which wasm/module.ts turns into an exception of
-// the package. Arrays are copied, in both directions: a view of the memory dies when that grows.
-// Records come in as numbers one by one, because Embind would leak one whose call throws.
+// A call that fails throws the number of its Error, which wasm/package/module.ts turns into an
+// exception of the package. Arrays are copied, in both directions: a view of the memory dies when
+// that grows. Records come in as numbers one by one, because Embind would leak one whose call
+// throws.
 #include <emscripten/bind.h>
 
 #include <cstdint>

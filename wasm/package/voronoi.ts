@@ -6,7 +6,7 @@ import {
   isSiteId,
   unknownSite,
 } from "./arguments.js";
-import type { CellMeasures } from "../build/wasm/apollonius.mjs";
+import type { CellMeasures } from "../../build/wasm/apollonius.mjs";
 import { Ballast } from "./ballast.js";
 import type { Diagram } from "./diagram.js";
 import { drawInto, type NativeWindow } from "./drawing.js";

@@ -8,12 +8,12 @@ import createModule, {
   type NearestFirst,
   type PredicateCounts,
   type Region,
-} from "../build/wasm/apollonius.mjs";
+} from "../../build/wasm/apollonius.mjs";
 import { outOfMemory } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import { failure } from "./status.js";
 
-/** A diagram in the module: wasm/bindings.cpp. Its calls throw an ApolloniusError. */
+/** A diagram in the module: wasm/bindings/bindings.cpp. Its calls throw an ApolloniusError. */
 export type NativeDiagram = Diagram;
 /** A window of any shape there, for the diagrams of the same instance. */
 export type NativeRegion = Region;

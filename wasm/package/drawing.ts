@@ -1,5 +1,5 @@
 // Drawings of the library's, played into whatever can draw.
-import type { MainModule } from "../build/wasm/apollonius.mjs";
+import type { MainModule } from "../../build/wasm/apollonius.mjs";
 import { checkedBounds, checkedTolerance } from "./arguments.js";
 import { type NativeDiagram, type NativeRegion, runningModule } from "./module.js";
 import { checkOptions } from "./options.js";

@@ -1,5 +1,5 @@
 // From the library's errors to exceptions that name the argument.
-import type { MainModule } from "../build/wasm/apollonius.mjs";
+import type { MainModule } from "../../build/wasm/apollonius.mjs";
 import { numberError, outOfMemory, throwElementError, unknownSite } from "./arguments.js";
 import { ApolloniusError, type ErrorCode } from "./errors.js";
 

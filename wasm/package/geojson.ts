@@ -1,5 +1,5 @@
 // Cells as GeoJSON (RFC 7946).
-import type { CoverageArrays } from "../build/wasm/apollonius.mjs";
+import type { CoverageArrays } from "../../build/wasm/apollonius.mjs";
 import { checkedChoice, described } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import { checkOptions } from "./options.js";
