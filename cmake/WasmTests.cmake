@@ -11,7 +11,7 @@ set(wasm_tests
   # Memory
   base/flat_array diagram/out_of_memory geometry/out_of_memory topology/room
   # Counted work, and snapshots that the shadow check would stop
-  delaunay/lying_sites diagram/snapshot_mutants diagram/work_in_line diagram/work_of_batches
+  delaunay/unproved_graph diagram/snapshot_mutants diagram/work_in_line diagram/work_of_batches
   diagram/worst_orders
   # Recorded hashes, and one history of each structure
   diagram/determinism diagram/hidden_forest diagram/hint_grid diagram/id_pool diagram/levels

@@ -10,7 +10,7 @@ import { main } from "../tools/toolchain/setup.mjs";
 
 /** A line with which Jest, CTest or GoogleTest names a test that failed. */
 const failure = /^\s*● .+ › |\*\*\*(Failed|Timeout|Exception)|^\[ {2}FAILED {2}\] \w+\.\w+/;
-/** So many lines, from the name on, say why; and so many are kept in all. */
+/** This many lines, from the name on, say why; and this many are kept in all. */
 const linesOfFailure = 8;
 const linesOfFailures = 80;
 

@@ -2,6 +2,7 @@
 //
 //   - the layout (tools/format.mjs; `npm run format` mends it)
 //   - Biome's rules for JavaScript and TypeScript (.biome.jsonc)
+//   - words that readers have to guess (tools/words.mjs)
 //   - the types of the page's JavaScript, which its comments give (web/tsconfig.json), if dist/ is
 //     there; `npm test -- web` checks them with a new one
 import { existsSync } from "node:fs";
@@ -12,6 +13,7 @@ import { root } from "./toolchain/folders.mjs";
 import { ensureNpmPackages } from "./toolchain/npm_packages.mjs";
 import { run, say } from "./toolchain/process.mjs";
 import { main } from "./toolchain/setup.mjs";
+import { avoidedWords } from "./words.mjs";
 
 const modules = path.join(root, "node_modules");
 
@@ -20,6 +22,8 @@ export function lint() {
   ensureNpmPackages();
   format({ write: false });
   run(path.join(modules, ".bin/biome"), ["lint", "--error-on-warnings", "."], { cwd: root });
+  const places = avoidedWords();
+  if (places.length > 0) throw new Error(`words to replace:\n  ${places.join("\n  ")}`);
 }
 
 /** The page's types, with the package's from dist/. */

@@ -17,7 +17,7 @@ function answerOf(worker) {
   });
 }
 
-/** Starts so many threads and gives each the snapshot; resolves when all have restored it. */
+/** Starts this many threads and gives each the snapshot; resolves when all have restored it. */
 export async function startFinders(threads, bytes) {
   const workers = Array.from({ length: threads }, () => new Worker(new URL(import.meta.url)));
   const ask = (worker, message, moved) => {

@@ -14,15 +14,15 @@ namespace apollonius {
 using namespace internal;
 
 struct internal::AreaFitState {
-  Outline outline;  // of its own: the region may go
-  Fit fit;
+  NormalizedPolygon polygon;  // of its own: the region may go
+  AreaFitter fit;
   std::size_t idLimit;
   std::uint64_t diagram;  // its state
   SiteId badSite = kNoSite;
   bool isBegun = false;
 
-  AreaFitState(const DiagramCore& core, const Outline& region, std::uint64_t state)
-      : outline(region), fit(core, outline), idLimit(core.ids().idLimit()), diagram(state) {}
+  AreaFitState(const DiagramCore& core, const NormalizedPolygon& region, std::uint64_t state)
+      : polygon(region), fit(core, polygon), idLimit(core.ids().idLimit()), diagram(state) {}
 };
 
 AreaFit::AreaFit() noexcept = default;
@@ -40,7 +40,7 @@ Error AreaFit::begin(const Diagram& diagram, const Region& region, std::span<con
     return Error::kBadLength;
   Error error = Error::kNone;
   const Error failed = guarded(core, [&] {
-    state_ = std::make_unique<AreaFitState>(core, region.state_->outline, diagram.state_);
+    state_ = std::make_unique<AreaFitState>(core, region.state_->polygon, diagram.state_);
     const std::span<const SiteId> ids = state_->fit.ids();
     FlatArray<double> wanted, from;
     const auto refuse = [&](SiteId id) {
@@ -56,7 +56,7 @@ Error AreaFit::begin(const Diagram& diagram, const Region& region, std::span<con
       from.push_back(start[id]);
     }
     const std::uint32_t empty = state_->fit.begin(wanted, from);
-    if (empty != Fit::kNone) return refuse(ids[empty]);
+    if (empty != AreaFitter::kNone) return refuse(ids[empty]);
     state_->isBegun = true;
   });
   return failed != Error::kNone ? failed : error;
@@ -86,7 +86,7 @@ SiteId AreaFit::badSite() const noexcept { return state_ == nullptr ? kNoSite : 
 Error AreaFit::weights(std::vector<double>& weights) const {
   weights.clear();
   if (!isBegun()) return Error::kNone;
-  const Fit& fit = state_->fit;
+  const AreaFitter& fit = state_->fit;
   try {
     weights.assign(state_->idLimit, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t k = 0; k < fit.ids().size(); ++k) weights[fit.ids()[k]] = fit.weightOf(k);

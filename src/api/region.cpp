@@ -25,10 +25,10 @@ bool areGood(std::span<const double> coordinates, std::span<const std::uint32_t>
   return std::all_of(coordinates.begin(), coordinates.end(), isInRange);
 }
 
-double areaOf(const Outline& outline) {
+double areaOf(const NormalizedPolygon& polygon) {
   Sum sum;
-  for (std::size_t k = 0; k < outline.ringCount(); ++k) {
-    const auto ring = outline.ring(k);
+  for (std::size_t k = 0; k < polygon.ringCount(); ++k) {
+    const auto ring = polygon.ring(k);
     for (std::size_t m = 1; m + 1 < ring.size(); ++m)
       sum.add(cross(ring[m] - ring[0], ring[m + 1] - ring[0]) / 2);
   }
@@ -46,8 +46,8 @@ Error Region::assign(std::span<const double> coordinates, std::span<const std::u
   if (!areGood(coordinates, starts)) return Error::kBadBounds;
   try {
     auto state = std::make_unique<RegionState>();
-    state->outline = makeOutline(coordinates, starts);
-    state->area = areaOf(state->outline);
+    state->polygon = normalizePolygon(coordinates, starts);
+    state->area = areaOf(state->polygon);
     if (!(state->area > 0)) return Error::kBadBounds;
     state_ = std::move(state);
     return Error::kNone;
@@ -58,17 +58,17 @@ Error Region::assign(std::span<const double> coordinates, std::span<const std::u
 
 Bounds Region::box() const noexcept {
   if (state_ == nullptr) return {};
-  const Window& box = state_->outline.box;
+  const Rectangle& box = state_->polygon.box;
   return {box.xmin, box.ymin, box.xmax, box.ymax};
 }
 
 Error Region::draw(Path& path) const {
   path.clear();
   if (state_ == nullptr) return Error::kNone;
-  const Outline& outline = state_->outline;
+  const NormalizedPolygon& polygon = state_->polygon;
   try {
-    for (std::size_t k = 0; k < outline.ringCount(); ++k) {
-      const auto ring = outline.ring(k);
+    for (std::size_t k = 0; k < polygon.ringCount(); ++k) {
+      const auto ring = polygon.ring(k);
       path.move(ring[0].x, ring[0].y);
       for (const Point p : ring.subspan(1)) path.line(p.x, p.y);
       path.close();

@@ -1,4 +1,4 @@
-// What a Region holds: its outline, and how that lies on the diagram that it was last used with.
+// What a Region holds: its polygon, and how that lies on the diagram that it was last used with.
 #pragma once
 
 #include <cstdint>
@@ -10,29 +10,29 @@
 namespace apollonius::internal {
 
 struct RegionState {
-  Outline outline;
+  NormalizedPolygon polygon;
   double area = 0;
 
   /// Laid over a diagram whose state has this number; anew only if it is not the last one. Throws
   /// std::bad_alloc.
-  [[nodiscard]] const Overlay& overlayOn(const DiagramCore& core, std::uint64_t state) {
-    if (overlay_ == nullptr || state_ != state) {
-      overlay_.reset();
-      overlay_ = std::make_unique<Overlay>(core, outline);
+  [[nodiscard]] const ClippedDiagram& clippedOn(const DiagramCore& core, std::uint64_t state) {
+    if (clippedDiagram_ == nullptr || state_ != state) {
+      clippedDiagram_.reset();
+      clippedDiagram_ = std::make_unique<ClippedDiagram>(core, polygon);
       state_ = state;
     }
-    return *overlay_;
+    return *clippedDiagram_;
   }
 
   /// Made at its first use. Throws std::bad_alloc.
-  [[nodiscard]] const OutlineGrid& outlineGrid() {
-    if (grid_ == nullptr) grid_ = std::make_unique<OutlineGrid>(outline);
+  [[nodiscard]] const PolygonGrid& polygonGrid() {
+    if (grid_ == nullptr) grid_ = std::make_unique<PolygonGrid>(polygon);
     return *grid_;
   }
 
  private:
-  std::unique_ptr<OutlineGrid> grid_;
-  std::unique_ptr<Overlay> overlay_;
+  std::unique_ptr<PolygonGrid> grid_;
+  std::unique_ptr<ClippedDiagram> clippedDiagram_;
   std::uint64_t state_ = 0;
 };
 

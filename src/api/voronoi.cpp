@@ -27,7 +27,7 @@ using namespace internal;
 
 namespace {
 
-Window windowOf(const Bounds& b) { return {b.xmin, b.ymin, b.xmax, b.ymax}; }
+Rectangle windowOf(const Bounds& b) { return {b.xmin, b.ymin, b.xmax, b.ymax}; }
 
 bool areGood(const Bounds& b) {
   for (const double x : {b.xmin, b.ymin, b.xmax, b.ymax}) {
@@ -139,20 +139,20 @@ void Voronoi::withCell(SiteId id, Visit&& visit) const {
   const Slot slot = slotOf(id);
   const Point center{core.site(slot).x, core.site(slot).y};
   if (region_ == nullptr) {
-    CellFinder finder(core, windowOf(bounds_));
+    RectangleCellClipper finder(core, windowOf(bounds_));
     visit(finder.find(slot), center);
   } else {
-    PartFinder finder(overlay());
+    PolygonCellClipper finder(clippedDiagram());
     visit(finder.find(slot), center);
   }
 }
 
-const Overlay& Voronoi::overlay() const {
-  return region_->state_->overlayOn(*diagram_.core_, diagram_.state_);
+const ClippedDiagram& Voronoi::clippedDiagram() const {
+  return region_->state_->clippedOn(*diagram_.core_, diagram_.state_);
 }
 
 Error Voronoi::edgeCurves(CurveArrays& edges) const {
-  return guarded(1, [&](const Window& window, double) {
+  return guarded(1, [&](const Rectangle& window, double) {
     edges = {};
     const DiagramCore& core = *diagram_.core_;
     const Graph& graph = core.delaunay().graph();
@@ -162,17 +162,18 @@ Error Voronoi::edgeCurves(CurveArrays& edges) const {
       edges.sites.push_back(core.siteOf(graph.target(h)));
     };
     if (region_ == nullptr) {
-      forEachClippedPiece(core.delaunay(), window, Bits::kCanonical,
+      forEachClippedPiece(core.delaunay(), window, VertexPrecision::kReproducible,
                           [&](HalfedgeId h, const ClippedPiece& piece) { add(h, piece.curve); });
     } else {
-      overlay().visitEdges(Bits::kCanonical, [&](HalfedgeId h, const Edge&,
-                                                 const InnerPiece& piece) { add(h, piece.curve); });
+      clippedDiagram().visitEdges(
+          VertexPrecision::kReproducible,
+          [&](HalfedgeId h, const Edge&, const InsideInterval& piece) { add(h, piece.curve); });
     }
   });
 }
 
 Error Voronoi::cellCurves(SiteId id, CurveArrays& boundary) const {
-  return guardedFor(id, 1, [&](const Window&, double) {
+  return guardedFor(id, 1, [&](const Rectangle&, double) {
     withCell(id, [&](const Cell& cell, Point) {
       boundary.curves.clear();
       boundary.sites.clear();
@@ -180,18 +181,18 @@ Error Voronoi::cellCurves(SiteId id, CurveArrays& boundary) const {
         appendCurve(piece.curve, boundary.curves);
         boundary.sites.push_back(piece.neighbor);
       }
-      boundary.regions.assign(cell.starts.begin(), cell.starts.end());
+      boundary.starts.assign(cell.starts.begin(), cell.starts.end());
     });
   });
 }
 
 PolygonWindow Voronoi::polygonWindow() const {
   if (region_ == nullptr) return {windowOf(bounds_)};
-  return {windowOf(bounds_), &overlay(), &region_->state_->outlineGrid()};
+  return {windowOf(bounds_), &clippedDiagram(), &region_->state_->polygonGrid()};
 }
 
 Error Voronoi::cellPolygon(SiteId id, double tolerance, RingArrays& rings) const {
-  return guardedFor(id, tolerance, [&](const Window&, double allowed) {
+  return guardedFor(id, tolerance, [&](const Rectangle&, double allowed) {
     Rings found;
     PolygonFinder(*diagram_.core_, polygonWindow(), allowed).find(slotOf(id), found);
     assign(rings, found);
@@ -199,7 +200,7 @@ Error Voronoi::cellPolygon(SiteId id, double tolerance, RingArrays& rings) const
 }
 
 Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
-  return guarded(tolerance, [&](const Window&, double allowed) {
+  return guarded(tolerance, [&](const Rectangle&, double allowed) {
     Coverage found;
     coverWindow(*diagram_.core_, polygonWindow(), allowed, found);
     assign(coverage, found.rings);
@@ -209,7 +210,7 @@ Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
 }
 
 Error Voronoi::cellMeasures(SiteId id, CellMeasures& measures) const {
-  return guardedFor(id, 1, [&](const Window& window, double) {
+  return guardedFor(id, 1, [&](const Rectangle& window, double) {
     measures = {};
     withCell(id, [&](const Cell& cell, Point center) {
       const Point origin = window.nearestTo(center);
@@ -226,7 +227,7 @@ Error Voronoi::cellMeasuresWithin(SiteId id, double radius, CellMeasures& measur
   if (!std::isfinite(radius) && !isUnlimited) return Error::kNotFinite;
   if (radius < 0 || (radius > kLargestMagnitude && !isUnlimited)) return Error::kOutOfRange;
   const Voronoi anywhere(diagram_);
-  return anywhere.guarded(1, [&](const Window&, double) {
+  return anywhere.guarded(1, [&](const Rectangle&, double) {
     FlatArray<BoundaryPiece> boundary;
     cellWithin(*diagram_.core_, slotOf(id), std::min(radius, kLargestMagnitude), boundary);
     measures = {};
@@ -244,11 +245,11 @@ Error Voronoi::cellMeasuresWithin(SiteId id, double radius, CellMeasures& measur
 }
 
 Error Voronoi::measureAll(internal::Measure what, std::vector<double>& measures) const {
-  return guarded(1, [&](const Window& window, double) {
+  return guarded(1, [&](const Rectangle& window, double) {
     if (region_ == nullptr) {
       measureCells(*diagram_.core_, window, what, measures);
     } else {
-      measureCells(overlay(), what, measures);
+      measureCells(clippedDiagram(), what, measures);
     }
   });
 }
@@ -266,36 +267,36 @@ Error Voronoi::cellPerimeters(std::vector<double>& perimeters) const {
 }
 
 Error Voronoi::hull(std::vector<SiteId>& sites) const {
-  return guarded(1, [&](const Window&, double) { hullSites(*diagram_.core_, sites); });
+  return guarded(1, [&](const Rectangle&, double) { hullSites(*diagram_.core_, sites); });
 }
 
 Error Voronoi::drawEdges(double tolerance, Portion& portion, Path& path) const {
-  return guarded(tolerance, [&](const Window& window, double allowed) {
+  return guarded(tolerance, [&](const Rectangle& window, double allowed) {
     path.clear();
     if (region_ == nullptr) {
       internal::drawEdges(*diagram_.core_, window, allowed, portion, path);
     } else {
-      internal::drawEdges(overlay(), allowed, portion, path);
+      internal::drawEdges(clippedDiagram(), allowed, portion, path);
     }
   });
 }
 
 Error Voronoi::drawSites(double tolerance, Portion& portion, Path& path) const {
-  return guarded(tolerance, [&](const Window&, double allowed) {
+  return guarded(tolerance, [&](const Rectangle&, double allowed) {
     path.clear();
     internal::drawSites(*diagram_.core_, allowed, portion, path);
   });
 }
 
 Error Voronoi::drawDual(double tolerance, bool rays, Portion& portion, Path& path) const {
-  return guarded(tolerance, [&](const Window& window, double allowed) {
+  return guarded(tolerance, [&](const Rectangle& window, double allowed) {
     path.clear();
     internal::drawDual(*diagram_.core_, rays ? &window : nullptr, allowed, portion, path);
   });
 }
 
 Error Voronoi::drawCell(SiteId id, double tolerance, Path& path) const {
-  return guardedFor(id, tolerance, [&](const Window&, double allowed) {
+  return guardedFor(id, tolerance, [&](const Rectangle&, double allowed) {
     path.clear();
     withCell(id, [&](const Cell& cell, Point) {
       for (std::size_t ring = 0; ring < cell.ringCount(); ++ring)
@@ -305,7 +306,7 @@ Error Voronoi::drawCell(SiteId id, double tolerance, Path& path) const {
 }
 
 Error Voronoi::drawHull(double tolerance, Path& path) const {
-  return guarded(tolerance, [&](const Window&, double allowed) {
+  return guarded(tolerance, [&](const Rectangle&, double allowed) {
     path.clear();
     internal::drawHull(*diagram_.core_, allowed, path);
   });

@@ -46,7 +46,7 @@ class APOLLONIUS_EXPORT AreaFit {
   /// The largest deviation of an area from what it is to be, as a share of that; infinite if
   /// nothing has been begun. Need not fall with each step.
   [[nodiscard]] double error() const noexcept;
-  /// After kBadTarget: the site whose target that is, or whose cell is empty.
+  /// After kBadTarget: the site with that target, or with an empty cell.
   [[nodiscard]] SiteId badSite() const noexcept;
   /// By id; NaN for ids without a site. Replaces the contents. Errors: kOutOfMemory.
   [[nodiscard]] Error weights(std::vector<double>& weights) const;

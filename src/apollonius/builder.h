@@ -21,7 +21,7 @@ class APOLLONIUS_EXPORT Builder {
   ~Builder();
   Builder(Builder&&) noexcept;
 
-  /// Room for so many circles that will be added. Errors: kOutOfMemory, kTooLarge.
+  /// Room for this many circles that will be added. Errors: kOutOfMemory, kTooLarge.
   [[nodiscard]] Error reserve(std::size_t count);
 
   /// Adds x, y, r triples. Errors: kNotFinite, kOutOfRange, kBadLength (no multiple of 3),
@@ -29,7 +29,7 @@ class APOLLONIUS_EXPORT Builder {
   /// called.
   [[nodiscard]] Error add(std::span<const double> xyr);
 
-  /// Goes on by about so many steps, each of about a microsecond; `isDone` tells whether that was
+  /// Goes on by about this many steps, each of about a microsecond; `isDone` tells whether that was
   /// all. Errors: kOutOfMemory, and then again, whatever memory there is.
   [[nodiscard]] Error advance(std::size_t steps, bool& isDone);
 

@@ -201,9 +201,9 @@ class APOLLONIUS_EXPORT Diagram {
   ///
   /// Source::kTrusted leaves the proof out, for bytes that toBytes() wrote and nobody else has had:
   /// several times as fast; the Voronoi circles of faces are then computed when later calls first
-  /// need them. If the bytes lie, answers may be wrong, and a call that finds out returns
-  /// kCorruptSnapshot, as all calls with an Error but fromBytes() do then until clear(); every call
-  /// ends and stays in its memory.
+  /// need them. If the bytes are something else, answers may be wrong, and a call that finds out
+  /// returns kCorruptSnapshot, as all calls with an Error but fromBytes() do then until clear();
+  /// every call ends and stays in its memory.
   [[nodiscard]] Error fromBytes(std::span<const std::uint8_t> bytes,
                                 Source source = Source::kAnyone);
 

@@ -58,8 +58,8 @@ struct Path {
   }
 };
 
-/// A drawing in portions: start with cursor 0 and go on until isDone. Each call draws about so many
-/// commands.
+/// A drawing in portions: start with cursor 0 and go on until isDone. Each call draws about this
+/// many commands.
 struct Portion {
   std::size_t cursor = 0;
   std::size_t commands = static_cast<std::size_t>(-1);

@@ -36,7 +36,7 @@
 namespace apollonius {
 
 namespace internal {
-class Overlay;
+class ClippedDiagram;
 struct PolygonWindow;
 enum class Measure : unsigned char;
 }  // namespace internal
@@ -47,7 +47,7 @@ struct CurveArrays {
   std::vector<double> curves;
   std::vector<std::uint32_t> sites;
   std::vector<std::uint32_t>
-      regions;  ///< of a cell: the first curve of each ring, and the number of curves at the end
+      starts;  ///< of a cell: the first curve of each ring, and the number of curves at the end
 };
 
 /// Closed rings (the first point is repeated at the end), counter-clockwise; those of holes are
@@ -154,7 +154,7 @@ class APOLLONIUS_EXPORT Voronoi {
   /// visit(the site's cell in the window, its centre).
   template <class Visit>
   void withCell(SiteId id, Visit&& visit) const;
-  [[nodiscard]] const internal::Overlay& overlay() const;
+  [[nodiscard]] const internal::ClippedDiagram& clippedDiagram() const;
   [[nodiscard]] internal::PolygonWindow polygonWindow() const;  // of the region
   [[nodiscard]] Error measureAll(internal::Measure what, std::vector<double>& measures) const;
 

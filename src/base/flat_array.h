@@ -28,10 +28,10 @@ class FlatBytes {
   ~FlatBytes() { ::operator delete(data); }
 
   void swap(FlatBytes& other) noexcept;
-  /// Room for exactly so many elements, the first `size` of which stay. REQUIRES: n >= size. Throws
-  /// std::bad_alloc, and then nothing has changed.
+  /// Room for exactly this many elements, the first `size` of which stay. REQUIRES: n >= size.
+  /// Throws std::bad_alloc, and then nothing has changed.
   void setRoom(std::size_t n, std::size_t width);
-  /// Room for at least so many, twice as many as before if it has to be more.
+  /// Room for at least this many, twice as many as before if it has to be more.
   void growTo(std::size_t n, std::size_t width);
 
   void* data = nullptr;

@@ -22,7 +22,7 @@ class KeySort {
  public:
   KeySort(std::span<Keyed> entries, std::span<Keyed> other) : entries_(entries), other_(other) {}
 
-  /// Goes on by at most so many entries, of which each is visited some times; are they sorted?
+  /// Goes on by at most this many entries, of which each is visited some times; are they sorted?
   bool advance(std::size_t most);
   /// The entries, which are in one of the two arrays. REQUIRES: sorted.
   [[nodiscard]] std::span<Keyed> sorted() const { return entries_; }

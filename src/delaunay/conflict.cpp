@@ -89,7 +89,7 @@ void ConflictSearch::startAround(VertexId near) {
   for (const HalfedgeId h : graph.star(near)) {
     if (startWithin(h)) return;
   }
-  delaunay_->demand(
+  delaunay_->requireConsistent(
       false,
       "a site that is not covered is in conflict with an edge of its nearest site (Lemma 2)");
 }
@@ -99,8 +99,8 @@ inline bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin,
                                                  const Site& q) const {
   const Graph& graph = delaunay_->graph();
   const VertexId i = graph.origin(h), j = graph.origin(twin);
-  const VoronoiCircle &atK = delaunay_->keptCircle(faceOf(h)),
-                      &atL = delaunay_->keptCircle(faceOf(twin));
+  const VoronoiCircle &atK = delaunay_->cachedCircle(faceOf(h)),
+                      &atL = delaunay_->cachedCircle(faceOf(twin));
   if (i != kInfinity && j != kInfinity &&
       isSurelyInConflictBetweenEnds(delaunay_->site(i), delaunay_->site(j), atK, atL, q)) {
     ++stages::counts().edgeAtOnce;
@@ -160,7 +160,7 @@ void ConflictSearch::expand() {
   boundary_.setSize(sides);
 }
 
-/// For so many faces, and what goes with them: a face that enters takes one half-edge from the
+/// For this many faces, and what goes with them: a face that enters takes one half-edge from the
 /// stack and puts two there; the first puts three.
 void ConflictSearch::makeRoom(std::size_t faces) {
   faces_.reserve(faces);

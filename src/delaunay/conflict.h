@@ -28,7 +28,7 @@ class ConflictSearch {
   /// two visible sites.
   [[nodiscard]] bool findBeside(const DelaunayGraph& delaunay, const Site& q, VertexId close);
 
-  /// Room for a region of so many faces with a boundary of so many sides.
+  /// Room for a region of this many faces with a boundary of this many sides.
   void reserveRegion(std::size_t faces, std::size_t sides) { makeRoom(std::max(faces, sides)); }
 
   /// Are the faces a disk, with the boundary around them and no vertex within but those that q

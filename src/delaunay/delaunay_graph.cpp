@@ -15,7 +15,7 @@ bool DelaunayGraph::isFaceInConflictByCorners(FaceId f, const Site& q) const {
   const Corner i = corner(graph_.origin(halfedgeOf(f, 0))),
                j = corner(graph_.origin(halfedgeOf(f, 1))),
                k = corner(graph_.origin(halfedgeOf(f, 2)));
-  if (keptCircle(f).isMissing()) {
+  if (cachedCircle(f).isMissing()) {
     computeCircle(f);
     return isFaceInConflict(f, q);
   }
@@ -65,7 +65,7 @@ void DelaunayGraph::replaceStar(VertexId v, std::span<const HalfedgeId> link,
                                 bool mayReturn) {
   // Two sides of each other would be the sides of a whole sphere.
   const bool isSphere = patch.empty() && graph_.twin(link[0]) == link[1];
-  demand(!isSphere, "the star of a site is not all there is");
+  requireConsistent(!isSphere, "the star of a site is not all there is");
   reserveFaces(link.size(), patch.size());
   if (mayReturn) reserveReturn(std::max(link.size(), patch.size()));
   // Some visible neighbour, should v be the vertex that walks start from.
@@ -96,7 +96,7 @@ void DelaunayGraph::clear() noexcept {
 }
 
 /// Within operations that would end as if memory had run out: nothing has been changed.
-void DelaunayGraph::refuse(const char* name) const {
+void DelaunayGraph::markCorrupt(const char* name) const {
   invariant(!isProven_, name);
   isBroken_ = true;
   throw std::bad_alloc();
@@ -117,7 +117,7 @@ void DelaunayGraph::computeMissingCircles() const {
     }
   });
   for (const FaceId f : graph_.faces()) {
-    if (!keptCircle(f).isMissing()) continue;
+    if (!cachedCircle(f).isMissing()) continue;
     const EdgeCorners corners = edge(halfedgeOf(f, 0));
     if (corners.i == nullptr || corners.j == nullptr || corners.k == nullptr) {
       computeCircle(f);

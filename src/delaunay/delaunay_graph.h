@@ -29,7 +29,7 @@ enum class Walk : unsigned char { kAllNeighbors, kSectors };
 /// Whoever keeps something beside a graph that insertions change, too.
 class InsertionObserver {
  public:
-  /// A site of this degree is about to enter, which covers at most so many others; nothing has
+  /// A site of this degree is about to enter, which covers at most this many others; nothing has
   /// changed yet, and throwing std::bad_alloc here leaves it at that. Returns whether the graph is
   /// to make all room, too, that it takes to remove the site again.
   virtual bool makeRoom(std::size_t degree, std::size_t covered) = 0;
@@ -54,11 +54,11 @@ class DelaunayGraph {
   /// Of a face. After restore() all are missing. Each is computed when it is first asked for, of
   /// the sites as they are then: who moves visible sites asks for the circles around them before.
   [[nodiscard]] const VoronoiCircle& circle(FaceId f) const {
-    if (keptCircle(f).isMissing()) computeCircle(f);
-    return keptCircle(f);
+    if (cachedCircle(f).isMissing()) computeCircle(f);
+    return cachedCircle(f);
   }
   /// The same, or kMissingCircle: for filters, and for loops behind computeMissingCircles().
-  [[nodiscard]] const VoronoiCircle& keptCircle(FaceId f) const { return circles_[index(f)]; }
+  [[nodiscard]] const VoronoiCircle& cachedCircle(FaceId f) const { return circles_[index(f)]; }
   /// All that are missing, two by two, which is faster than one by one. Throws std::bad_alloc.
   void computeMissingCircles() const;
   /// The Voronoi edge dual to h, with h's origin on its left.
@@ -69,10 +69,10 @@ class DelaunayGraph {
   /// Its vertex for output: precise, the same bits after any history, and the same for all faces of
   /// which it is the vertex, where more than three sites touch one circle. A half-plane as circle()
   /// has it.
-  [[nodiscard]] VoronoiCircle vertex(FaceId f) const;
+  [[nodiscard]] VoronoiCircle voronoiVertex(FaceId f) const;
   [[nodiscard]] bool isFaceInConflict(FaceId f, const Site& q) const {
     const MaybeSign filtered =
-        circleFilter(keptCircle(f), q);  // settles nearly all; no corner is looked up
+        circleFilter(cachedCircle(f), q);  // settles nearly all; no corner is looked up
     stages::counts().vertexAtOnce += filtered.known;
     return filtered.known && !kShadowCheck ? filtered.sign == Sign::kPositive
                                            : isFaceInConflictByCorners(f, q);
@@ -96,7 +96,7 @@ class DelaunayGraph {
   void reserveSites(std::size_t slots) {
     if (sites_.size() < slots) sites_.resize(slots);
   }
-  /// Room for the faces of so many more visible sites, in one piece.
+  /// Room for the faces of this many more visible sites, in one piece.
   void reserveBulk(std::size_t sites);
 
   /// Writes the site of a vertex that is not visible, so that remove() can consider it. REQUIRES:
@@ -128,14 +128,14 @@ class DelaunayGraph {
   void setCircle(FaceId f, const VoronoiCircle& circle) { circles_[index(f)] = circle; }
   void computeCircle(FaceId f) const;
 
-  /// Room for searches and changes of so many faces and sides that need none for new faces, as they
-  /// undo others.
+  /// Room for searches and changes of this many faces and sides that need none for new faces, as
+  /// they undo others.
   void reserveReturn(std::size_t facesAndSides);
 
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
 
-  /// Snapshots (src/diagram/snapshot.cpp): everything but the sites, which are set before
+  /// Snapshots (snapshot.cpp): everything but the sites, which are set before
   /// restore(). That fails if what is read is no surface, and the graph is then unusable; prove()
   /// says whether it is the diagram of the sites.
   void save(WordWriter& out, std::size_t vertexSlots) const;
@@ -146,12 +146,12 @@ class DelaunayGraph {
   // A restored graph that has not been proved may be anything on a closed surface. Walks end and
   // stay in the arrays there; what would not is demanded before an operation commits.
   [[nodiscard]] bool isProven() const { return isProven_; }
-  /// Has the graph turned out to be none of its sites? Then it is unusable until clear().
+  /// Has the graph turned out not to be that of its sites? Then it is unusable until clear().
   [[nodiscard]] bool isBroken() const { return isBroken_; }
   /// What holds in a Delaunay graph. Where it does not, an unproven graph is broken, which throws;
   /// else the code is.
-  void demand(bool holds, const char* name) const {
-    if (!holds) refuse(name);
+  void requireConsistent(bool holds, const char* name) const {
+    if (!holds) markCorrupt(name);
   }
 
   /// The first broken invariant, exactly checked, or nullptr; `where` receives an id that it names.
@@ -170,7 +170,7 @@ class DelaunayGraph {
   [[nodiscard]] Insertion insertBesideOne(VertexId v, InsertionObserver* observer);
   [[nodiscard]] Insertion coverAll(VertexId v, InsertionObserver* observer);
   [[nodiscard]] bool isSameVertex(HalfedgeId h) const;
-  void refuse(const char* name) const;
+  void markCorrupt(const char* name) const;
   /// Room for an operation on the graph, newFaces_ and newCircles_ included.
   void reserveFaces(std::size_t removed, std::size_t created);
   [[nodiscard]] std::span<FaceId> newFaces(std::size_t created) {

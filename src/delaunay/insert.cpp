@@ -27,7 +27,7 @@ DelaunayGraph::Insertion DelaunayGraph::insert(VertexId v, VertexId start, Walk 
     conflicts_.find(*this, q, near.nearest, near.sector);
   }
   if (conflicts_.boundary().empty()) return coverAll(v, observer);
-  if (!isProven_) demand(conflicts_.isDisk(), "the conflict region is a disk");
+  if (!isProven_) requireConsistent(conflicts_.isDisk(), "the conflict region is a disk");
 
   const std::size_t removed = conflicts_.faces().size();
   const std::size_t created = conflicts_.boundary().size();
@@ -71,7 +71,7 @@ DelaunayGraph::Insertion DelaunayGraph::coverAll(VertexId v, InsertionObserver* 
     graph_.listVertices(covered_);
   }
   for (std::size_t k = 0; !isProven_ && k < covered_.size(); ++k) {
-    demand(covers(site(v), site(covered_[k])), "what has no boundary covers all");
+    requireConsistent(covers(site(v), site(covered_[k])), "what has no boundary covers all");
   }
   if (observer != nullptr && observer->makeRoom(0, covered_.size()))
     reserveReturn(2 * covered_.size());

@@ -15,7 +15,8 @@ std::span<const Remover::Outcome> Remover::remove(DelaunayGraph& delaunay, Verte
   outcomes_.clear();
   collectLink(delaunay.graph(), v);
   const std::size_t remaining = delaunay.visibleCount() - 1;
-  delaunay.demand(remaining == 0 || !link_.empty(), "a visible site has a place in the graph");
+  delaunay.requireConsistent(remaining == 0 || !link_.empty(),
+                             "a visible site has a place in the graph");
 
   if (hidden.empty() && remaining < 2) {
     delaunay.becomeSingle(remaining == 0 ? kNoVertex
@@ -50,7 +51,7 @@ std::span<const Remover::Outcome> Remover::remove(DelaunayGraph& delaunay, Verte
     return outcomes_;
   }
   if (!delaunay.isProven())
-    delaunay.demand(hasAllNeighbors(delaunay.graph()), "no neighbour is covered");
+    delaunay.requireConsistent(hasAllNeighbors(delaunay.graph()), "no neighbour is covered");
   findPatch(delaunay, v);
   delaunay.replaceStar(v, link_, patch_, patchCircles_, revived, mayReturn);
   return outcomes_;
@@ -150,8 +151,8 @@ void Remover::findPatch(const DelaunayGraph& delaunay, VertexId v) {
     if (!delaunay.isProven()) {
       const Site& nearest =
           small_.site(near.nearest);  // may be the same circle again, which had been hidden
-      delaunay.demand(!covers(nearest, q) || covers(q, nearest),
-                      "no neighbour covers a visible site");
+      delaunay.requireConsistent(!covers(nearest, q) || covers(q, nearest),
+                                 "no neighbour covers a visible site");
     }
     conflicts_.find(small_, q, near.nearest, near.sector);
     patchFaces_.assign(conflicts_.faces());
@@ -159,8 +160,8 @@ void Remover::findPatch(const DelaunayGraph& delaunay, VertexId v) {
   }
   // Else one neighbour and infinity, or a cell within one edge of the small diagram: degree 2, an
   // empty patch.
-  delaunay.demand(!patchFaces_.empty() || link_.size() == 2,
-                  "an empty patch fits a site of degree 2 only");
+  delaunay.requireConsistent(!patchFaces_.empty() || link_.size() == 2,
+                             "an empty patch fits a site of degree 2 only");
   makePatch();
 }
 
@@ -187,12 +188,14 @@ void Remover::alignLink(const DelaunayGraph& delaunay) {
     return global(small.origin(inner)) == graph.origin(link) &&
            global(small.target(inner)) == graph.target(link);
   };
-  delaunay.demand(boundary.size() == link_.size(), "the patch has as many sides as the star");
+  delaunay.requireConsistent(boundary.size() == link_.size(),
+                             "the patch has as many sides as the star");
   std::size_t shift = 0;
   while (shift < boundary.size() && !fits(boundary[shift], link_[0])) ++shift;
   for (std::size_t k = 0; k < boundary.size(); ++k) {
     const HalfedgeId inner = boundary[(k + shift) % boundary.size()];
-    delaunay.demand(fits(inner, link_[k]), "the sides of the patch are those of the star");
+    delaunay.requireConsistent(fits(inner, link_[k]),
+                               "the sides of the patch are those of the star");
     linkOf_[index(inner)] = static_cast<std::uint32_t>(k);
   }
 }

@@ -31,7 +31,7 @@ class Remover {
   std::span<const Outcome> remove(DelaunayGraph& delaunay, VertexId v,
                                   std::span<const VertexId> hidden, bool mayReturn = false);
 
-  /// All the room that it takes to remove a site whose neighbours and hidden sites are so many
+  /// All the room that it takes to remove a site whose neighbours and hidden sites are this many
   /// together.
   void reserve(std::size_t sites);
 

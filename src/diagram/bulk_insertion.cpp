@@ -131,7 +131,7 @@ void BulkInsertion::undo() noexcept {
     d.hidden_.clear();
     d.grid_.clear();
   } else {
-    while (done_ > 0) d.takeOut(order_[--done_]);
+    while (done_ > 0) d.rollbackInsertion(order_[--done_]);
     if (wasBulk && d.walk_ == Walk::kSectors) d.rebuildGrid();
   }
   d.endUndo();

@@ -28,11 +28,11 @@ class BulkInsertion {
   BulkInsertion(const BulkInsertion&) = delete;
   BulkInsertion& operator=(const BulkInsertion&) = delete;
 
-  /// Stages x, y, r triples, at least one, the same ones in all steps; by at most so many visits of
-  /// a site. Are all staged?
+  /// Stages x, y, r triples, at least one, the same ones in all steps; by at most this many visits
+  /// of a site. Are all staged?
   bool stage(std::span<const double> xyr, std::size_t most = kAllAtOnce);
 
-  /// Inserts at most so many of what has been staged; ids[k] becomes the id of circle k. Is that
+  /// Inserts at most this many of what has been staged; ids[k] becomes the id of circle k. Is that
   /// all? `ids` are the same in all steps.
   bool insert(std::span<SiteId> ids, std::size_t most = kAllAtOnce);
 

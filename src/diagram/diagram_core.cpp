@@ -79,7 +79,7 @@ SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start, Undo u
   const DelaunayGraph::Insertion insertion = delaunay_.insert(v, start, walk_, &room);
   if (insertion.cover != kNoVertex) {
     hidden_.reserveChildren(1);
-    hang(slot, slotOf(insertion.cover));
+    link(slot, slotOf(insertion.cover));
     return SiteState::kHidden;
   }
   // From here on nothing throws. None of these covers another: they were visible.
@@ -95,7 +95,7 @@ SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start, Undo u
 bool DiagramCore::remove(SiteId id) {
   const Slot slot = ids_.slotOf(id);
   if (slot == kNoSlot) return false;
-  displace(slot);
+  detachSite(slot);
   ids_.release(slot);
   return true;
 }
@@ -109,12 +109,12 @@ std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
       const Slot slot = ids_.slotOf(id);
       if (slot == kNoSlot || ids_.state(slot) == SiteState::kPending)
         continue;  // pending: repeated
-      displace(slot, Undo::kMaybe);
+      detachSite(slot, Undo::kMaybe);
       gone.push_back(slot);
     }
   } catch (...) {
     beginUndo();
-    for (std::size_t k = gone.size(); k-- > 0;) putBack(gone[k], site(gone[k]));
+    for (std::size_t k = gone.size(); k-- > 0;) rollbackRemoval(gone[k], site(gone[k]));
     endUndo();
     throw;
   }
@@ -122,22 +122,22 @@ std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
   return gone.size();
 }
 
-void DiagramCore::displace(Slot slot, Undo undo) {
+void DiagramCore::detachSite(Slot slot, Undo undo) {
   if (ids_.state(slot) == SiteState::kHidden) {
     invariant(hidden_.isChild(slot), "a hidden site hangs on another");
     hidden_.dissolve(slot, Covers{delaunay_});  // what it covered is covered by its parent, too
   } else {
-    displaceVisible(slot, undo);
+    detachVisible(slot, undo);
   }
   ids_.setState(slot, SiteState::kPending);
 }
 
-void DiagramCore::hang(Slot child, Slot parent) noexcept {
-  hidden_.hang(child, parent, Covers{delaunay_});
+void DiagramCore::link(Slot child, Slot parent) noexcept {
+  hidden_.link(child, parent, Covers{delaunay_});
 }
 
-void DiagramCore::displaceVisible(Slot slot, Undo undo) {
-  sortOutChildren(slot);
+void DiagramCore::detachVisible(Slot slot, Undo undo) {
+  reparentNestedChildren(slot);
   const FlatArray<VertexId>& children = remover_.hiddenList();
   const std::span<const Remover::Outcome> adopted(remover_.adoptedList().data(),
                                                   remover_.adoptedList().size());
@@ -151,7 +151,7 @@ void DiagramCore::displaceVisible(Slot slot, Undo undo) {
       if (outcome.cover == kNoVertex) {
         ids_.setState(child, SiteState::kVisible);
       } else {
-        hang(child, slotOf(outcome.cover));
+        link(child, slotOf(outcome.cover));
       }
     }
   }
@@ -165,7 +165,7 @@ void DiagramCore::displaceVisible(Slot slot, Undo undo) {
 /// The largest adopts all children that it covers: a question each, while the remover has to find a
 /// place for each that it gets. That goes on with the largest of the rest as long as a quarter of
 /// them is adopted: at most four questions a child.
-void DiagramCore::sortOutChildren(Slot slot) {
+void DiagramCore::reparentNestedChildren(Slot slot) {
   FlatArray<VertexId>& children = remover_.hiddenList();
   FlatArray<Remover::Outcome>& adopted = remover_.adoptedList();
   children.clear();
@@ -264,12 +264,12 @@ DiagramCore::Moved DiagramCore::move(Slot slot, const Site& site) {
   const Site old = this->site(slot);
   if (old.x == site.x && old.y == site.y && old.r == site.r) return Moved::kNot;
   if (moveInPlace(slot, site)) return Moved::kInPlace;
-  displace(slot, Undo::kMaybe);
+  detachSite(slot, Undo::kMaybe);
   try {
     ids_.setState(slot, place(slot, site, kNoVertex, Undo::kMaybe));
   } catch (...) {
     beginUndo();
-    putBack(slot, old);
+    rollbackRemoval(slot, old);
     endUndo();
     throw;
   }
@@ -308,12 +308,12 @@ void DiagramCore::undoStep(Step step) noexcept {
   }
 }
 
-void DiagramCore::putBack(Slot slot, const Site& site) noexcept {
+void DiagramCore::rollbackRemoval(Slot slot, const Site& site) noexcept {
   undoStep([&] { ids_.setState(slot, place(slot, site, kNoVertex)); });
 }
 
-void DiagramCore::takeOut(Slot slot) noexcept {
-  undoStep([&] { displace(slot); });
+void DiagramCore::rollbackInsertion(Slot slot) noexcept {
+  undoStep([&] { detachSite(slot); });
 }
 
 void DiagramCore::endBulk() noexcept {

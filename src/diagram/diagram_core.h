@@ -72,9 +72,9 @@ class DiagramCore {
   friend class BulkInsertion;
   friend class DiagramBreaker;  // tests break a structure on purpose
 
-  /// Room for everything that is kept per site, for so many slots.
+  /// Room for everything that is kept per site, for this many slots.
   void reserve(std::size_t slots);
-  /// Slots in use and free ones, once there are so many more sites.
+  /// Slots in use and free ones, once there are this many more sites.
   [[nodiscard]] std::size_t slotsWith(std::size_t more) const {
     return std::max(ids_.slots(), ids_.size() + more);
   }
@@ -86,7 +86,7 @@ class DiagramCore {
   [[nodiscard]] SiteState place(Slot slot, const Site& site, VertexId start,
                                 Undo undo = Undo::kNever);
   /// Takes a site out of all structures; its slot becomes pending.
-  void displace(Slot slot, Undo undo = Undo::kNever);
+  void detachSite(Slot slot, Undo undo = Undo::kNever);
   /// How a site got to its new place: not at all (it is there), nothing else having changed, or
   /// displaced and placed.
   enum class Moved : std::uint8_t { kNot, kInPlace, kAnew };
@@ -115,18 +115,18 @@ class DiagramCore {
   void endUndo() noexcept;
   template <class Step>
   void undoStep(Step step) noexcept;
-  void putBack(Slot slot, const Site& site) noexcept;
-  void takeOut(Slot slot) noexcept;
+  void rollbackRemoval(Slot slot, const Site& site) noexcept;
+  void rollbackInsertion(Slot slot) noexcept;
   /// A site that has moved in place.
   void moveBack(Slot slot, const Site& from) noexcept;
-  void displaceVisible(Slot slot, Undo undo);
+  void detachVisible(Slot slot, Undo undo);
   /// Into the remover's lists, hiddenList() what hangs on a visible site and may become visible,
   /// adoptedList() the rest of what hangs on it.
-  void sortOutChildren(Slot slot);
+  void reparentNestedChildren(Slot slot);
   void orderForInsertion(FlatArray<VertexId>& vertices) const;
   /// Hangs a site of no other structure on one that covers it, or below. There is room; nothing
   /// throws.
-  void hang(Slot child, Slot parent) noexcept;
+  void link(Slot child, Slot parent) noexcept;
   /// What location needs to know of a site that became visible, and of one that is visible no more.
   void enterLocation(Slot slot) noexcept;
   void leaveLocation(Slot slot) noexcept;

@@ -12,16 +12,16 @@
 //
 // What holds after any history, T being the number of insertions since clear():
 //  1. Of a family in which of any two sites one covers the other (duplicates, concentric circles,
-//     circles that touch in one point from inside), no site has more than kFew children. For hang()
+//     circles that touch in one point from inside), no site has more than kFew children. For link()
 //     puts a site beside kFew others only if it has compared it with one of them; dissolve() hangs
 //     the children of such a site anew; and of the children of a visible site that is removed, the
-//     largest gets the others (DiagramCore::displaceVisible). Not meant are sites that have been
+//     largest gets the others (DiagramCore::detachVisible). Not meant are sites that have been
 //     moved in place, which may change what they are to each other.
-//  2. hang() asks O(log T) questions amortised, whatever the family.
+//  2. link() asks O(log T) questions amortised, whatever the family.
 //     Proof. Let each site weigh 1 when it comes, and a hidden one that is dissolved leave its
 //     weight to its parent. A tree weighs what its sites weigh; a child is heavy if its tree weighs
 //     more than half of its parent's. The potential is the number of sites whose last child is
-//     heavy. hang() goes down two trees, that of the parent and that of the new site, always to a
+//     heavy. link() goes down two trees, that of the parent and that of the new site, always to a
 //     last child. Each step asks about the last child of one site, which then is the first child,
 //     or has been replaced by the first. If it was heavy, the last one is not heavy now, as the
 //     others weigh less than half together and the whole has not become lighter: the potential has
@@ -62,7 +62,7 @@ class HiddenForest {
   void reserve(std::size_t nodes) {
     if (records_.size() < nodes) records_.resize(nodes, kNone);
   }
-  /// Room for so many more children than there are.
+  /// Room for this many more children than there are.
   void reserveChildren(std::size_t more);
 
   [[nodiscard]] Node firstChild(Node n) const { return hasRecord(n) ? links(n).firstChild : kNone; }
@@ -91,7 +91,7 @@ class HiddenForest {
   /// above. covers(a, b): may b hang on a? A partial order, but for identical sites, and it must
   /// not throw. REQUIRES: covers(parent, child), and room.
   template <class Covers>
-  void hang(Node child, Node parent, Covers covers);
+  void link(Node child, Node parent, Covers covers);
 
   /// Takes a child off its parent, with all that hangs on it.
   void detach(Node child) {
@@ -190,7 +190,7 @@ inline void HiddenForest::insertBefore(Node sibling, Node child, Node parent) {
 }
 
 template <class Covers>
-void HiddenForest::hang(Node child, Node parent, Covers covers) {
+void HiddenForest::link(Node child, Node parent, Covers covers) {
   while (!hasFew(parent, kFew - 1)) {
     const Node last = links(parent).lastChild;
     if (covers(child, last)) {  // identical sites, too: one question less for the next
@@ -216,7 +216,7 @@ void HiddenForest::dissolve(Node child, Covers covers) {
     detach(child);
     for (Node first = firstChild(child); first != kNone; first = firstChild(child)) {
       detach(first);
-      hang(first, parent, covers);
+      link(first, parent, covers);
     }
     return;
   }

@@ -40,7 +40,7 @@ class Hierarchy {
   /// On how many levels a site is that is visible on level 0, which counts.
   [[nodiscard]] unsigned levelsOf(Slot slot) const;
 
-  /// Room on the levels for the visible ones of so many slots, in one piece, if there is memory.
+  /// Room on the levels for the visible ones of this many slots, in one piece, if there is memory.
   void reserveBulk(std::size_t slots) noexcept;
 
   /// Enters a site that is visible on level 0 and is not on its levels yet.

@@ -30,7 +30,7 @@ class HintGrid {
     if (rows[0][column.own].count > kFew) return;
     for (const Cell* cells : rows) {
       for (const std::size_t k : {column.own, column.beside}) {
-        if (cells[k].count <= kFew && cells[k].site != kNoSite) visit(Slot{cells[k].site});
+        if (cells[k].count <= kFew && cells[k].site != kEmptySlot) visit(Slot{cells[k].site});
       }
     }
   }
@@ -45,7 +45,7 @@ class HintGrid {
     ++noted_;
     if (cells_.empty()) return;
     Cell& cell = cells_[cellOf(site.x, site.y)];
-    cell.site = slot & kNoSite;
+    cell.site = slot & kEmptySlot;
     if (cell.count <= kFew) ++cell.count;
   }
   void remove(const Site& site) {
@@ -60,8 +60,8 @@ class HintGrid {
     insert(slot, to);
   }
 
-  /// Has so much been inserted since the last rebuild that another one pays, which looks at so many
-  /// slots? Few of them may be those of visible sites.
+  /// Has so much been inserted since the last rebuild that another one pays, which looks at this
+  /// many slots? Few of them may be those of visible sites.
   [[nodiscard]] bool isOutgrown(std::size_t slots) const {
     return noted_ > kLeast && noted_ > 2 * cells_.size() && noted_ > slots / 64;
   }
@@ -83,12 +83,12 @@ class HintGrid {
   static constexpr std::uint32_t kFew = 6;
 
   static constexpr unsigned kSiteBits = 29;
-  static constexpr Slot kNoSite = (Slot{1} << kSiteBits) - 1;
+  static constexpr Slot kEmptySlot = (Slot{1} << kSiteBits) - 1;
   static_assert(kMostSites == std::size_t{1} << kSiteBits);  // the last slot is lost for the grid,
                                                              // which is no more than a hint
 
   struct Cell {
-    Slot site : kSiteBits = kNoSite;
+    Slot site : kSiteBits = kEmptySlot;
     std::uint32_t count : 3 = 0;  // of sites inserted; stays at kFew + 1 once it got there
   };
 

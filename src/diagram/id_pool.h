@@ -139,7 +139,7 @@ class IdPool {
     }
   }
 
-  /// Room for so many sites in all.
+  /// Room for this many sites in all.
   void reserve(std::size_t sites) {
     for (auto* array : {&ids_, &slots_}) {
       if (array->capacity() < sites)

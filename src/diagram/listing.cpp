@@ -59,7 +59,7 @@ void listVertices(const DiagramCore& diagram, VertexArrays& out) {
   const Graph& graph = diagram.delaunay().graph();
   for (const FaceId f : graph.faces()) {
     if (!isBounded(graph, f)) continue;
-    const VoronoiCircle circle = diagram.delaunay().vertex(f);
+    const VoronoiCircle circle = diagram.delaunay().voronoiVertex(f);
     out.coordinates.push_back(circle.x);
     out.coordinates.push_back(circle.y);
     out.clearance.push_back(circle.s);

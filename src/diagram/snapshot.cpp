@@ -2,7 +2,7 @@
 // checked as they are read. Then it is proved that the graph is the Delaunay graph of these sites
 // (proof.h), or, of trusted bytes, believed: whatever they are, nothing outside of the arrays is
 // ever touched, and an operation that would damage the surface finds out before it does
-// (DelaunayGraph::demand).
+// (DelaunayGraph::requireConsistent).
 //
 // Circles, hierarchy and grid are made anew: they follow from the sites and the graph. The proof
 // needs the circles; without it each waits until it is asked for. So does the hierarchy, as the

@@ -18,7 +18,7 @@ constexpr unsigned kCurveBits = 16;  // cells a side: 2^16
 // How the curve lies in a square: as it is, or with the axes swapped, or turned around, or both.
 constexpr unsigned kSwapped = 1, kTurned = 2, kWays = 4;
 
-/// So many bits of each coordinate are looked up at once: with more, the table would be a kilobyte
+/// How many bits of each coordinate are looked up at once: with more, the table would be a kilobyte
 /// of the wasm module.
 constexpr unsigned kStepBits = 2, kStepCells = 1u << kStepBits;
 

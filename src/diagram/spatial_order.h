@@ -38,7 +38,7 @@ class HilbertSort {
  public:
   explicit HilbertSort(PointArray points);
 
-  /// Goes on by about so many points, of which each is visited some times; are they sorted?
+  /// Goes on by about this many points, of which each is visited some times; are they sorted?
   bool advance(std::size_t most);
   /// Indices of the points along the curve. REQUIRES: sorted.
   [[nodiscard]] FlatArray<std::uint32_t> order() const;

@@ -106,8 +106,8 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
       const Slot slot = ids_.slotOf(ids[order[done]]);
       if (moved[done] == Moved::kInPlace) moveBack(slot, before[order[done]]);
       if (moved[done] != Moved::kAnew) continue;
-      takeOut(slot);
-      putBack(slot, before[order[done]]);
+      rollbackInsertion(slot);
+      rollbackRemoval(slot, before[order[done]]);
     }
     // What is not where it was now has moved together with others, and goes back so.
     moves_.clear();

@@ -1,4 +1,4 @@
-// Approx: a double that knows the size of what it was made of, for error-bound filters; Roundings,
+// Approx: a double with the size of what it was made of, for error-bound filters; Roundings,
 // which counts the roundings of a formula at compile time; and the error factor that follows.
 //
 // Theorem (standard, e.g. Higham, Accuracy and Stability, chapter 3). Let a formula of + - * be
@@ -73,7 +73,7 @@ inline constexpr double kLargestInput = powerOfTwo(33);
 /// Where kLargestInput is kept, underflow moves no formula by more than this.
 inline constexpr double kUnderflow = powerOfTwo(-690);
 
-/// Of a formula with so many roundings: its error is at most this times the computed magnitude
+/// Of a formula with this many roundings: its error is at most this times the computed magnitude
 /// (Higham's γ, with room for the roundings of the magnitude).
 constexpr double errorFactor(Roundings roundings) {
   return roundings.count * kUnitRoundoff * (1 + powerOfTwo(-40));

@@ -1,4 +1,4 @@
-// Where does a ray from a site lie, seen along the direction of a Voronoi vertex?
+// On which side is a ray from a site, seen along the direction of a Voronoi vertex?
 #pragma once
 
 #include "number/approx.h"

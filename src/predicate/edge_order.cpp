@@ -97,7 +97,7 @@ bool isDelaunayEdge(EdgeCorners e, const VoronoiCircle& circleAtK, const Voronoi
   if (e.k != nullptr && e.l != nullptr && e.k != e.l) {
     const MaybeSign order = turnAlong(e, *atK, *atL);
     if (order.known) {
-      // (Of a right order, the other way may know a conflict that is elsewhere found to be none of
+      // (Of a right order, the other way may know a conflict that does not belong to
       // a Delaunay graph.)
       const bool isRight = order.sign == Sign::kPositive;
       if (!isRight)

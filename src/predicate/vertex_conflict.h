@@ -22,8 +22,8 @@ namespace apollonius::internal {
                                       const Site& q);
 
 /// Is there a circle that touches i, j, k from outside (or from inside) in counter-clockwise order?
-/// The sites are finite and none covers another. A common tangent line is none: infinity takes it
-/// over. Degree 5.
+/// The sites are finite and none covers another. A common tangent line is no conflict: infinity
+/// takes it over. Degree 5.
 [[nodiscard]] bool hasVoronoiCircle(const Site& i, const Site& j, const Site& k);
 
 /// Does q touch the Voronoi circle of the face (i, j, k), so that their vertices are one point?

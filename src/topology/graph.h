@@ -75,8 +75,8 @@ class Graph {
   void reserveVertices(std::size_t slots);  ///< room for vertices of index < slots
   /// Room for an operation that takes `removed` faces away and brings `created` new ones.
   void reserveFaces(std::size_t removed, std::size_t created);
-  /// Room for so many faces in all, in one piece; operations still make room for what they need at
-  /// a time.
+  /// Room for this many faces in all, in one piece; operations still make room for what they need
+  /// at a time.
   void reserveFacesInAll(std::size_t faces) { halfedges_.reserve(3 * faces); }
 
   // --- Operations
@@ -134,7 +134,7 @@ class Graph {
 
   /// Writes 1 + 3 * faceSlots() + vertexSlots words. Vertices from vertexSlots on have no place.
   void save(WordWriter& out, std::size_t vertexSlots) const;
-  /// Reads what save() wrote for so many slots; false if it is no closed surface of Euler
+  /// Reads what save() wrote for this many slots; false if it is no closed surface of Euler
   /// characteristic 2, or the free faces are not in a list. That it is connected is left to
   /// geometry (delaunay/proof.h). REQUIRES: a new graph, which is unusable after a failure.
   [[nodiscard]] bool restore(WordReader& in, std::size_t vertexSlots, std::size_t faceSlots);

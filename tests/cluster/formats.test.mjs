@@ -27,7 +27,7 @@ function lines(end, row = (x, y) => `${x},${y}`) {
   return Array.from({ length: 1000 }, (_, k) => row(xy[2 * k], xy[2 * k + 1], k) + end).join("");
 }
 
-/** An Arrow file of columns, in batches of so many rows. */
+/** An Arrow file of columns, in batches of this many rows. */
 function arrowFile(name, columns, rows) {
   const table = new Arrow.Table(columns);
   const batches = [];

@@ -35,7 +35,7 @@ class DiagramBreaker {
   template <class Give>
   static void fillGrid(DiagramCore& core, Give&& slot) {
     for (std::size_t k = 0; k < core.grid_.cells_.size(); ++k) {
-      core.grid_.cells_[k].site = slot() & HintGrid::kNoSite;
+      core.grid_.cells_[k].site = slot() & HintGrid::kEmptySlot;
       core.grid_.cells_[k].count = 1;
     }
   }
@@ -43,7 +43,7 @@ class DiagramBreaker {
   static void forget(DiagramCore& core, Slot slot) {
     Hierarchy levels = std::move(core.hierarchy_);
     core.hierarchy_ = Hierarchy(core.walk_);
-    core.displace(slot);
+    core.detachSite(slot);
     core.ids_.release(slot);
     core.hierarchy_ = std::move(levels);
   }

@@ -181,7 +181,7 @@ class Chain {
       }
       top_ = n;
     } else {
-      hang(n, top_);
+      link(n, top_);
       hidden_.push_back(n);
     }
     values_.insert(value);
@@ -195,7 +195,7 @@ class Chain {
     if (!heirs.empty())
       std::iter_swap(heirs.begin(), std::max_element(heirs.begin(), heirs.end(), isSmaller));
     for (const Node heir : heirs) forest_.detach(heir);
-    for (std::size_t k = 1; k < heirs.size(); ++k) hang(heirs[k], heirs[0]);
+    for (std::size_t k = 1; k < heirs.size(); ++k) link(heirs[k], heirs[0]);
     free_.push_back(top_);
     top_ = heirs.empty() ? kNone : heirs[0];
     hidden_.erase(std::remove(hidden_.begin(), hidden_.end(), top_), hidden_.end());
@@ -235,9 +235,9 @@ class Chain {
     ++questions_;
     return value_[a] >= value_[b];
   }
-  void hang(Node n, Node parent) {
+  void link(Node n, Node parent) {
     ++hung_;
-    forest_.hang(n, parent, [this](Node a, Node b) { return covers(a, b); });
+    forest_.link(n, parent, [this](Node a, Node b) { return covers(a, b); });
   }
 
   HiddenForest forest_;

@@ -18,7 +18,7 @@ struct Vector {
   double x, y;
 };
 
-/// So many turns in steps of less than half a turn each.
+/// This many turns in steps of less than half a turn each.
 std::vector<double> angles(Random& random, std::size_t count, double turns) {
   constexpr double kTurn = 6.283185307179586;
   for (;;) {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
-struct Window {
+struct Rectangle {
   double xmin, ymin, xmax, ymax;
 };
 
@@ -67,7 +67,7 @@ class Picking {
     }
   }
 
-  void checkSearch(const Window& w) {
+  void checkSearch(const Rectangle& w) {
     std::vector<SiteId> found, expected;
     ASSERT_EQ(diagram_.search(w.xmin, w.ymin, w.xmax, w.ymax, found), Error::kNone);
     for (SiteId id = 0; id < circles_.size(); ++id) {
@@ -127,7 +127,7 @@ double hardNumber(Random& random, const Circles& circles, bool isX) {
   }
 }
 
-Window hardWindow(Random& random, const Circles& circles) {
+Rectangle hardWindow(Random& random, const Circles& circles) {
   const double a = hardNumber(random, circles, true), b = hardNumber(random, circles, true);
   const double c = hardNumber(random, circles, false), d = hardNumber(random, circles, false);
   const bool isSegment = random.below(4) == 0;
@@ -194,9 +194,10 @@ TEST(Search, LongAndLargeWindowsOfManySites) {
     Picking picking(circles);
     for (int k = 0; k < runs(3); ++k) {
       const double x = random.between(-1e6, 1e6), y = random.between(-1e6, 1e6);
-      for (const Window& w : {Window{-1e6, y, 1e6, y}, Window{x, -1e100, x, 1e100},
-                              Window{x, y, x + 3e5, y + 2e5}, Window{x, y, x + 1e6, y + 10},
-                              Window{-1e100, -1e100, 1e100, 1e100}, Window{1e7, y, 1e9, 1e9}}) {
+      for (const Rectangle& w :
+           {Rectangle{-1e6, y, 1e6, y}, Rectangle{x, -1e100, x, 1e100},
+            Rectangle{x, y, x + 3e5, y + 2e5}, Rectangle{x, y, x + 1e6, y + 10},
+            Rectangle{-1e100, -1e100, 1e100, 1e100}, Rectangle{1e7, y, 1e9, 1e9}}) {
         picking.checkSearch(w);
         if (HasFatalFailure()) return;
       }

@@ -1,4 +1,4 @@
-// Snapshots that lie, with a right checksum. As anyone's bytes they are refused, or they are the
+// Wrong snapshots, with a right checksum. As anyone's bytes they are refused, or they are the
 // diagram of the sites that they hold, by fresh builds and brute force. As trusted bytes they do no
 // harm: every call ends (under the sanitizers: within its memory).
 #include <gtest/gtest.h>
@@ -99,7 +99,7 @@ TEST(SnapshotMutants, ValidateAndFromBytesAgree) {
 }
 
 TEST(SnapshotMutants, TrustedDoNoHarm) {
-  // Of a graph that is none, a filter may say something else than the exact stage.
+  // On an invalid graph a filter may contradict the exact stage.
   if (kShadowCheck) GTEST_SKIP() << "with the shadow check";
   const std::vector<Bytes> all = originals();
   int found = 0, accepted = 0;

@@ -205,7 +205,7 @@ TEST(SnapshotPadding, IsZero) {
   EXPECT_GT(padded, 0);
 }
 
-// --- The same zero at the other doors
+// --- The same zero by the other calls
 
 TEST(NegativeZeros, AreZerosHoweverTheyCome) {
   SiteId id = kNoSite;

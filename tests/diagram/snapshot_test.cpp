@@ -1,6 +1,6 @@
 // Snapshots: what comes back is what was saved, on every platform; and whatever bytes are given,
-// nothing comes of them but a valid diagram or kCorruptSnapshot. (Bytes that lie more cleverly:
-// snapshot_mutants_test.cpp.)
+// nothing comes of them but a valid diagram or kCorruptSnapshot. (Bytes that are wrong more
+// cleverly: snapshot_mutants_test.cpp.)
 #include <gtest/gtest.h>
 
 #include <cstdint>

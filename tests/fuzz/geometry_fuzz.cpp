@@ -136,8 +136,8 @@ class Checker {
       checkRings(id, rings_[id]);
       CurveArrays cell;
       take(voronoi_.cellCurves(id, cell));
-      for (std::size_t region = 0; region + 1 < cell.regions.size(); ++region) {
-        const std::uint32_t begin = cell.regions[region], end = cell.regions[region + 1];
+      for (std::size_t region = 0; region + 1 < cell.starts.size(); ++region) {
+        const std::uint32_t begin = cell.starts[region], end = cell.starts[region + 1];
         expect(begin < end, "an empty region", id);
         for (std::uint32_t k = begin; k < end; ++k) {
           const double *c = &cell.curves[7 * k],
@@ -151,7 +151,7 @@ class Checker {
       const double radius = std::clamp(tolerance_ * std::ldexp(1.0, random_.below(30)),
                                        kSmallestMagnitude, kLargestMagnitude);
       take(voronoi_.cellMeasuresWithin(id, radius, within));
-      // The outline is good to about 2^-48 of the largest number.
+      // The polygon is good to about 2^-48 of the largest number.
       const double seen = radius + 0x1p-45 * most_;
       expect(std::abs(within.area) <= 3.1415926536 * seen * seen * (1 + 1e-9), "more than a disk",
              id);
@@ -173,7 +173,7 @@ class Checker {
         expect(isInside || !areApart_, "a ring outside", id);
         ring.push_back(p);
       }
-      expect(ring.size() >= 4 && ring.front() == ring.back(), "a ring that is none", id);
+      expect(ring.size() >= 4 && ring.front() == ring.back(), "an invalid ring", id);
       std::vector<std::pair<double, double>> different;
       for (const Point p : ring) different.emplace_back(p.x, p.y);
       std::sort(different.begin(), different.end());
@@ -298,11 +298,11 @@ class Checker {
       CurveArrays cell, again;
       take(voronoi_.cellCurves(id, cell));
       take(Voronoi(restored, bounds_).cellCurves(id, again));
-      expect(cell.curves == again.curves && cell.regions == again.regions,
+      expect(cell.curves == again.curves && cell.starts == again.starts,
              "another cell after a restoration", id);
       if (isHidden != isHiddenThere) continue;  // of identical circles any may be the visible one
       take(Voronoi(reversed, bounds_).cellCurves(ids[id], again));
-      expect(cell.curves == again.curves && cell.regions == again.regions,
+      expect(cell.curves == again.curves && cell.starts == again.starts,
              "another cell after another history", id);
     }
   }

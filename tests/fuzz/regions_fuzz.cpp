@@ -54,8 +54,8 @@ void checkCells(const Voronoi& voronoi, const std::vector<double>& areas, double
     expect(std::isfinite(measures.perimeter) && std::isfinite(measures.centroidX), "infinite", id);
     CurveArrays cell;
     take(voronoi.cellCurves(id, cell));
-    for (std::size_t ring = 0; ring + 1 < cell.regions.size(); ++ring) {
-      const std::uint32_t begin = cell.regions[ring], end = cell.regions[ring + 1];
+    for (std::size_t ring = 0; ring + 1 < cell.starts.size(); ++ring) {
+      const std::uint32_t begin = cell.starts[ring], end = cell.starts[ring + 1];
       for (std::uint32_t k = begin; k < end; ++k) {
         const double *c = &cell.curves[7 * k],
                      *next = &cell.curves[7 * (k + 1 < end ? k + 1 : begin)];

@@ -83,7 +83,7 @@ function corpora(target) {
 
 const running = new Set();
 
-/** Runs a program, its output in a string; interrupts it after so many seconds. */
+/** Runs a program, its output in a string; interrupts it after this many seconds. */
 function run(program, args, { seconds } = {}) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, { stdio: ["ignore", "pipe", "pipe"] });

@@ -29,7 +29,7 @@ void run(const std::vector<std::uint8_t>& input) {
       std::abort();
     }
   }
-  // Of a graph that is none, a filter may say something else than the exact stage.
+  // On an invalid graph a filter may contradict the exact stage.
   if (diagram.fromBytes(bytes, Source::kTrusted) == Error::kNone && !internal::kShadowCheck)
     (void)callEverything(diagram, seed);
 }

@@ -98,8 +98,8 @@ TEST_P(CellsOn, BoundariesAreClosedAndShared) {
     for (SiteId id = 0; id < circles.size(); ++id) {
       CurveArrays cell;
       ASSERT_EQ(voronoi.cellCurves(id, cell), Error::kNone);
-      for (std::size_t region = 0; region + 1 < cell.regions.size(); ++region) {
-        const std::uint32_t begin = cell.regions[region], end = cell.regions[region + 1];
+      for (std::size_t region = 0; region + 1 < cell.starts.size(); ++region) {
+        const std::uint32_t begin = cell.starts[region], end = cell.starts[region + 1];
         for (std::uint32_t k = begin; k < end; ++k) {
           const double *c = &cell.curves[7 * k],
                        *following = &cell.curves[7 * (k + 1 < end ? k + 1 : begin)];
@@ -287,7 +287,7 @@ TEST(Cells, SeveralRegionsOfOneCell) {
   const Voronoi voronoi(diagram, {30, 0, 100, 100});
   CurveArrays cell;
   ASSERT_EQ(voronoi.cellCurves(0, cell), Error::kNone);
-  EXPECT_EQ(cell.regions.size(), 3u);
+  EXPECT_EQ(cell.starts.size(), 3u);
   RingArrays rings;
   ASSERT_EQ(voronoi.cellPolygon(0, 1e-3, rings), Error::kNone);
   ASSERT_EQ(rings.starts.size(), 3u);

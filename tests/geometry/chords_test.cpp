@@ -10,7 +10,7 @@ namespace {
 
 using namespace internal;
 
-std::size_t countOf(const Conic& curve, Point left, Point right, const OutlineGrid* grid,
+std::size_t countOf(const Conic& curve, Point left, Point right, const PolygonGrid* grid,
                     double tolerance) {
   ChordFinder finder({-10, -10, 10, 10}, grid, tolerance);
   return finder.find({curve, left, right}).size();
@@ -32,8 +32,8 @@ TEST(Chords, AlongTheBorderAreNoMoreThanTwoToTheTenth) {
   // Found by regions_fuzz: 2^18 points, seconds of exact signs.
   const double ring[] = {-1, -1, 2, -1, 2, 1e-13, -1, 1e-13};
   const std::uint32_t starts[] = {0, 4};
-  const Outline outline = makeOutline(ring, starts);
-  const OutlineGrid grid(outline);
+  const NormalizedPolygon polygon = normalizePolygon(ring, starts);
+  const PolygonGrid grid(polygon);
   const Conic curve{{0, 0}, {0.5, 1e-3}, 1, {1, 0}};
   EXPECT_LE(countOf(curve, {0.5, 1e3}, {0.5, -1e3}, &grid, 100), 1100u);
   EXPECT_GE(countOf(curve, {0.5, 1e3}, {0.5, -1e3}, &grid, 100), 3u);

@@ -148,7 +148,7 @@ TEST_P(DualOn, HullHoldsAllCirclesAndTouchesIt) {
     const double size = bounds.xmax - bounds.xmin + largest, tolerance = size * 1e-6;
     ASSERT_EQ(Voronoi(diagram, bounds).drawHull(tolerance, path), Error::kNone);
     ASSERT_FALSE(path.commands.empty());
-    std::vector<Segment> outline = segmentsOf(path);
+    std::vector<Segment> polygon = segmentsOf(path);
     for (int k = 0; k < 64; ++k) {
       // The support function: the furthest point in a direction, of all circles, of the listed
       // sites, and of what is drawn.
@@ -157,9 +157,9 @@ TEST_P(DualOn, HullHoldsAllCirclesAndTouchesIt) {
       for (const Circle& c : circles) all = std::max(all, c.x * d.x + c.y * d.y + c.r);
       for (const SiteId id : sites)
         listed = std::max(listed, circles[id].x * d.x + circles[id].y * d.y + circles[id].r);
-      for (const Segment& s : outline)
+      for (const Segment& s : polygon)
         drawn = std::max({drawn, s.ax * d.x + s.ay * d.y, s.bx * d.x + s.by * d.y});
-      if (outline.empty()) drawn = path.coordinates[0] * d.x + path.coordinates[1] * d.y;
+      if (polygon.empty()) drawn = path.coordinates[0] * d.x + path.coordinates[1] * d.y;
       ASSERT_NEAR(all, listed, 1e-13 * size) << "run " << run;
       ASSERT_NEAR(all, drawn, 4e-3 * largest + 4 * tolerance)
           << "run " << run;  // arcs are sampled every few degrees
@@ -167,7 +167,7 @@ TEST_P(DualOn, HullHoldsAllCirclesAndTouchesIt) {
     }
     // Convex and counter-clockwise: it turns left everywhere, up to the tolerance.
     double area = 0;
-    for (const Segment& s : outline)
+    for (const Segment& s : polygon)
       area +=
           (s.ax - bounds.xmin) * (s.by - bounds.ymin) - (s.bx - bounds.xmin) * (s.ay - bounds.ymin);
     ASSERT_GE(area, -size * tolerance);

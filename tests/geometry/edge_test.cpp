@@ -34,8 +34,9 @@ TEST_P(EdgesOn, EndInTheOrderOfTheirParameters) {
         if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity ||
             !startsAtReference(delaunay, h))
           continue;
-        for (const Bits bits : {Bits::kCached, Bits::kCanonical}) {
-          const Edge edge(delaunay, h, bits);
+        for (const VertexPrecision precision :
+             {VertexPrecision::kFast, VertexPrecision::kReproducible}) {
+          const Edge edge(delaunay, h, precision);
           ASSERT_LE(edge.e0, edge.e1) << "run " << run;
         }
       }

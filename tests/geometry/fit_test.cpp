@@ -93,17 +93,17 @@ TEST(Fit, PressureIsTheDerivativeOfAreas) {
     const std::vector<double> rings{0, 0,    1000, 0,   900, 1000, 500, 500,
                                     0, 1000, 300,  200, 500, 200,  400, 400};
     const std::vector<std::uint32_t> starts{0, 5, 8};
-    const Outline outline = makeOutline(rings, starts);
-    const Overlay overlay(core, outline);
+    const NormalizedPolygon polygon = normalizePolygon(rings, starts);
+    const ClippedDiagram clippedDiagram(core, polygon);
     std::vector<double> pressures(144, 0);
-    overlay.visitEdges(Bits::kCanonical,
-                       [&](HalfedgeId h, const Edge& edge, const InnerPiece& piece) {
-                         const SiteId i = core.siteOf(core.delaunay().graph().origin(h)),
-                                      j = core.siteOf(core.delaunay().graph().target(h));
-                         const double pressure = pressureOf(edge.bisector, piece.e0, piece.e1);
-                         pressures[12 * i + j] += pressure;
-                         pressures[12 * j + i] += pressure;
-                       });
+    clippedDiagram.visitEdges(VertexPrecision::kReproducible, [&](HalfedgeId h, const Edge& edge,
+                                                                  const InsideInterval& piece) {
+      const SiteId i = core.siteOf(core.delaunay().graph().origin(h)),
+                   j = core.siteOf(core.delaunay().graph().target(h));
+      const double derivative = areaDerivative(edge.bisector, piece.e0, piece.e1);
+      pressures[12 * i + j] += derivative;
+      pressures[12 * j + i] += derivative;
+    });
     const double step = 1e-4;
     for (std::size_t j = 0; j < circles.size(); ++j) {
       Circles more = circles, less = circles;
@@ -199,8 +199,8 @@ Circles withCellsIn(const Region& region, const Circles& all) {
 }
 
 TEST(Fit, ReachesTargetsAcrossHolesAndSeas) {
-  // Cells vanish into what is not of the region, and are covered from across it. Without ground
-  // (area_fitter.h) the first of these, and others, ended too early.
+  // Cells vanish into what is not of the region, and are covered from across it. Without
+  // regularization (area_fitter.h) the first of these, and others, ended too early.
   const std::vector<double> islands{0,   0,   300, 0,   300, 300, 0,    300, 600,  500, 1000,
                                     500, 800, 900, 100, 800, 250, 1000, 100, 1000, 50,  900};
   const std::vector<double> moat{0,   0,  1000, 0,   1000, 1000, 0,  1000,
@@ -224,7 +224,8 @@ TEST(Fit, ReachesTargetsAcrossHolesAndSeas) {
 }
 
 TEST(Fit, CellsOfSitesOutsideDoNotVanishThere) {
-  // (With ground up to the region's box only, one did, and no step could be taken any more.)
+  // (With regularization up to the region's box only, one did, and no step could be taken any
+  // more.)
   Random random(907);
   for (int run = 0; run < runs(4); ++run) {
     const Region region = run % 2 == 0 ? regionOf({300, 300, 700, 320, 690, 700, 310, 650}, {0, 4})
@@ -267,7 +268,7 @@ TEST(Fit, EqualTargetsOnASymmetricSetGiveEqualWeights) {
   Diagram diagram;
   insertInto(diagram, circles);
   EXPECT_EQ(fit(diagram, square(6), std::vector<double>(36, 7)), 0);
-  circles[14].r = 0.3;  // weights of the diagram are none to start from
+  circles[14].r = 0.3;  // the diagram's weights cannot be started from
   Diagram other;
   insertInto(other, circles);
   ASSERT_GE(fit(other, square(6), std::vector<double>(36, 7)), 0);

@@ -39,7 +39,7 @@ struct Call {
 void add(Hash& hash, const CurveArrays& curves) {
   hash.addAll(curves.curves);
   hash.addAll(curves.sites);
-  hash.addAll(curves.regions);
+  hash.addAll(curves.starts);
 }
 void add(Hash& hash, const RingArrays& rings) {
   hash.addAll(rings.coordinates);

@@ -190,7 +190,7 @@ TEST(RegionCalls, DrawnEdgesAreTheListedOnesInPortionsOfAnySize) {
   }
 }
 
-// In rectangles that cut many cells, and in those within one, whose edges are none of its own.
+// In rectangles that cut many cells, and in those within one, that has no edge inside.
 TEST(VoronoiCalls, MeasuresOfAllCellsAreThoseOfEach) {
   Random random(923);
   for (int run = 0; run < runs(60); ++run) {

@@ -66,7 +66,7 @@ TEST(RegionCases, ASideNextToAnEdgeLeavesNoSlivers) {
       CurveArrays inside, beyond;
       ASSERT_EQ(voronoi.cellCurves(0, inside), Error::kNone);
       ASSERT_EQ(voronoi.cellCurves(1, beyond), Error::kNone);
-      EXPECT_EQ(inside.regions.size(), 2u) << a << " " << c;
+      EXPECT_EQ(inside.starts.size(), 2u) << a << " " << c;
       EXPECT_TRUE(beyond.sites.empty()) << a << " " << c;
     }
   }
@@ -89,7 +89,7 @@ TEST(RegionCases, ASlantedSideNextToAnEdgeLeavesNoSlivers) {
     CurveArrays inside, beyond;
     ASSERT_EQ(voronoi.cellCurves(0, inside), Error::kNone);
     ASSERT_EQ(voronoi.cellCurves(1, beyond), Error::kNone);
-    EXPECT_EQ(inside.regions.size(), 2u) << run;
+    EXPECT_EQ(inside.starts.size(), 2u) << run;
     EXPECT_TRUE(beyond.sites.empty()) << run;
   }
 }
@@ -178,7 +178,7 @@ TEST(RegionCases, DrawnCellsEndWithTheirLastCurve) {
       Path path;
       ASSERT_EQ(voronoi.cellCurves(id, cell), Error::kNone);
       ASSERT_EQ(voronoi.drawCell(id, 1e-3, path), Error::kNone);
-      if (cell.sites.size() < 2 || cell.regions.size() != 2) continue;
+      if (cell.sites.size() < 2 || cell.starts.size() != 2) continue;
       const double* const last = &cell.curves[7 * (cell.sites.size() - 1)];
       if (last[4] <= 1.0001) continue;  // straight, or nearly
       ASSERT_GE(path.coordinates.size(), 4u);

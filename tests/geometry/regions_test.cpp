@@ -89,8 +89,8 @@ void check(const Diagram& diagram, const Circles& circles, const Rings& rings, R
     ASSERT_EQ(voronoi.cellPolygon(id, tolerance, polygons[id]), Error::kNone);
     CurveArrays cell;
     ASSERT_EQ(voronoi.cellCurves(id, cell), Error::kNone);
-    for (std::size_t ring = 0; ring + 1 < cell.regions.size(); ++ring) {
-      const std::uint32_t begin = cell.regions[ring], end = cell.regions[ring + 1];
+    for (std::size_t ring = 0; ring + 1 < cell.starts.size(); ++ring) {
+      const std::uint32_t begin = cell.starts[ring], end = cell.starts[ring + 1];
       for (std::uint32_t k = begin; k < end; ++k) {
         const double *c = &cell.curves[7 * k],
                      *next = &cell.curves[7 * (k + 1 < end ? k + 1 : begin)];

@@ -34,7 +34,7 @@ TEST(SegmentGrid, SegmentsThatCrossShareACell) {
     // Boxes of all shapes, some far from the origin for their size.
     const double width = random.oneIn(3) ? 1e6 : 1, height = random.oneIn(3) ? 1e-6 : 1;
     const double x0 = random.oneIn(3) ? 1e9 : 0, y0 = random.oneIn(3) ? -1e5 : 0;
-    const Window box{x0, y0, x0 + width, y0 + height};
+    const Rectangle box{x0, y0, x0 + width, y0 + height};
     std::vector<Point> points;
     std::vector<Segment> segments;
     for (std::uint32_t k = 0; k < 40; ++k) {
@@ -72,7 +72,7 @@ TEST(SegmentGrid, CombsAreInAsManyCellsAsTheyHaveTeeth) {
       if (k > 0) segments.push_back({k - 1, k});
     }
     const double length = 2 * teeth;
-    const Window box = isUpright ? Window{0, 0, length, 1000} : Window{0, 0, 1000, length};
+    const Rectangle box = isUpright ? Rectangle{0, 0, length, 1000} : Rectangle{0, 0, 1000, length};
     const SegmentGrid grid(points, segments, box);
     std::size_t visits = 0;
     for (const Segment& s : segments)

@@ -71,7 +71,7 @@ TEST(VoronoiErrors, HiddenSitesHaveNothing) {
   Path path;
   ASSERT_EQ(voronoi.cellCurves(1, curves), Error::kNone);
   EXPECT_TRUE(curves.curves.empty());
-  EXPECT_EQ(curves.regions.size(), 1u);
+  EXPECT_EQ(curves.starts.size(), 1u);
   ASSERT_EQ(voronoi.cellPolygon(1, 1, rings), Error::kNone);
   EXPECT_TRUE(rings.coordinates.empty());
   ASSERT_EQ(voronoi.cellMeasures(1, measures), Error::kNone);

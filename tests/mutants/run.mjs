@@ -5,7 +5,7 @@
 //   npm run mutants -- --only predicate    those of files whose path has that in it
 //   npm run mutants -- --longest 1         with tests of a second at most: a first look, of which
 //                                          only what is noticed is kept
-//   npm run mutants -- --propose 150       prints so many new ones, spread over the files of src/:
+//   npm run mutants -- --propose 150       prints as many new ones, spread over the files of src/:
 //                                          for a person to choose from
 //
 // A mutant is a file, a piece of it (as tokens, whatever the layout), and what that piece becomes.

@@ -7,7 +7,7 @@ import path from "node:path";
 import { createInterface } from "node:readline";
 
 const kLeastSeconds = 20,
-  kPatience = 10; // a test hangs after so many seconds and times its own time
+  kPatience = 10; // a test hangs after this many seconds and times its own time
 const kMemory = 4 << 20; // kilobytes: a mutant must not take the machine's
 // seconds: quick tests are tried first, each class in one process a program
 const kClasses = [0.1, 1, 10];

@@ -49,7 +49,7 @@ TEST(Opposite, CornersOfThinRectangles) {
   }
 }
 
-/// Where products of squares are subnormal, margins of a few units in the last place are none.
+/// Where products of squares are subnormal, margins of a few units in the last place mean nothing.
 TEST(Opposite, CornersOfTinyRectangles) {
   Random random(182);
   for (int run = 0; run < test::runs(10000); ++run) {

@@ -253,7 +253,7 @@ TEST(PreciseCircle, NextToTheOriginHasTheNearestDoubles) {
   }
 }
 
-/// Next to the smallest numbers that there are, products of differences are none; next to the
+/// Next to the smallest numbers that there are, products of differences underflow; next to the
 /// largest, they are as elsewhere.
 TEST(PreciseCircle, IsTheSameAtEveryScale) {
   Random random(173);

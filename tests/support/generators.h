@@ -41,7 +41,7 @@ Circles giantDisk(Random& random, std::size_t n);
 
 // --- Natural data
 
-/// randomCircles with 5 percent hidden, of which one is so many times the mean spacing away: a
+/// randomCircles with 5 percent hidden, of which one is this many times the mean spacing away: a
 /// fault of a receiver, or a number that stands for "unknown".
 Circles outlier(Random& random, std::size_t n, double spacings);
 

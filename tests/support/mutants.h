@@ -1,4 +1,4 @@
-// Snapshots that lie: with a right checksum and, here or there, something else than what was saved;
+// Wrong snapshots: with a right checksum and, here or there, something else than what was saved;
 // and everything that can be asked of the diagram that comes of one.
 #pragma once
 

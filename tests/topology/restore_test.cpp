@@ -1,4 +1,4 @@
-// Surfaces in bytes that are none: twins are mutual and stars close, but all together it is not one
+// Bytes of no closed surface: twins are mutual and stars close, but all together it is not one
 // triangulated sphere.
 #include <gtest/gtest.h>
 

@@ -14,9 +14,9 @@ const throwOwn = () => {
   throw own;
 };
 
-// --- Lengths that lie ----------------------------------------------------------------------------
+// --- Wrong lengths -------------------------------------------------------------------------------
 
-const lying = (array, length) => Object.defineProperty(array, "length", { value: length });
+const withLength = (array, length) => Object.defineProperty(array, "length", { value: length });
 function changing(array, ...lengths) {
   return Object.defineProperty(array, "length", {
     get: () => (lengths.length > 1 ? lengths.shift() : lengths[0]),
@@ -30,12 +30,12 @@ class Longer extends Float64Array {
 }
 
 test.each([
-  ["shorter", (bytes) => lying(bytes, 8)],
-  ["longer", (bytes) => lying(bytes, 1 << 20)],
+  ["shorter", (bytes) => withLength(bytes, 8)],
+  ["longer", (bytes) => withLength(bytes, 1 << 20)],
   ["now and then", (bytes) => changing(bytes, 0, 8, 1 << 20)],
-])("bytes that say they are %s do not reach beyond their place in the heap", (_, lie) => {
+])("bytes that say they are %s do not reach beyond their place in the heap", (_, change) => {
   const neighbours = Array.from({ length: 5 }, built);
-  expect(graph(Diagram.fromBytes(lie(built().toBytes())))).toEqual(graph(built()));
+  expect(graph(Diagram.fromBytes(change(built().toBytes())))).toEqual(graph(built()));
   for (const diagram of neighbours) {
     expect(diagram.validate()).toBeNull();
     expect(snapshot(diagram)).toBe(expected);
@@ -43,12 +43,12 @@ test.each([
 });
 
 test.each([
-  ["shorter", lying(randomCircles(10, 72), 3)],
-  ["longer", lying(randomCircles(10, 72), 3000)],
+  ["shorter", withLength(randomCircles(10, 72), 3)],
+  ["longer", withLength(randomCircles(10, 72), 3000)],
   ["now and then", changing(randomCircles(10, 72), 3, 0, 1 << 20)],
   ["by their class", new Longer(randomCircles(10, 72))],
   ["of another kind", pretending(randomCircles(10, 72), "Uint8Array")],
-])("typed arrays that lie about their length or kind are taken as what they are: %s", (_, xyr) => {
+])("typed arrays with a wrong length or kind are taken as what they are: %s", (_, xyr) => {
   const diagram = new Diagram(xyr);
   expect(snapshot(diagram)).toBe(snapshot(new Diagram(randomCircles(10, 72))));
   expect(diagram.insertMany(xyr).length).toBe(10);
@@ -56,20 +56,20 @@ test.each([
   expect(diagram.validate()).toBeNull();
 });
 
-test("ids and distances that lie", () => {
+test("ids and distances with a wrong length", () => {
   const diagram = built();
-  expect(diagram.removeMany(lying(new Uint32Array([1, 2]), 100_000))).toBe(2);
-  expect(diagram.removeMany(lying(new Uint32Array([3, 4]), 1))).toBe(2);
+  expect(diagram.removeMany(withLength(new Uint32Array([1, 2]), 100_000))).toBe(2);
+  expect(diagram.removeMany(withLength(new Uint32Array([3, 4]), 1))).toBe(2);
   const posing = (...ids) => Object.setPrototypeOf(new Float64Array(ids), Uint32Array.prototype);
   expect(diagram.removeMany(posing(5, 2 ** 32 + 6))).toBe(1);
   expectRefusal(() => diagram.removeMany(posing(7, 6.5)), "unknown-site", "ids[1]: site 6.5");
   expectRefusal(
-    () => diagram.updateMany(lying(new Uint32Array(100_000), 1), [1, 2, 3]),
+    () => diagram.updateMany(withLength(new Uint32Array(100_000), 1), [1, 2, 3]),
     "bad-length",
     "expected 300000 values",
   );
   expectRefusal(
-    () => diagram.findMany([1, 2, 3, 4], lying(new Float64Array(1), 2)),
+    () => diagram.findMany([1, 2, 3, 4], withLength(new Float64Array(1), 2)),
     "bad-length",
     "distances is Float64Array(1)",
   );
@@ -92,7 +92,7 @@ test.each([
   { valueOf: () => 3 },
   3n,
   Symbol("3"),
-])("array-likes of length %p are none", (length) => {
+])("array-likes of length %p are refused", (length) => {
   const diagram = built();
   const values = { length, 0: 1, 1: 2, 2: 3 };
   for (const call of [

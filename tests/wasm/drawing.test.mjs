@@ -55,7 +55,7 @@ test("edges are drawn once, cells and circles are closed", () => {
   expect(count(drawings.renderHull, "closePath")).toBe(1);
   const id = diagram.find(0, 0);
   expect(count((context) => voronoi.renderCell(id, context), "closePath")).toBe(
-    voronoi.cellRegions(id).length,
+    voronoi.cellParts(id).length,
   );
 });
 

@@ -113,7 +113,7 @@ test("what is refused, named", async () => {
   expect(await refused(Diagram.fromAsync(items, { signal: 7 }))).toMatch("options.signal is 7");
   expect(await refused(Diagram.fromAsync(items, { sinal: 7 }))).toMatch("options.sinal is unknown");
   expect(await refused(Diagram.fromAsync(items, { location: 7 }))).toMatch("options.location is 7");
-  // Where an accessor is to be, they are none.
+  // In the place of an accessor they are refused.
   expect(await refused(Diagram.fromAsync(items, {}, undefined))).toMatch("x is an object, expect");
   expect(await refused(Diagram.fromAsync(items, undefined, {}))).toMatch("y is an object, expect");
   expect(await refused(options({ signal: 7 }))).toMatch("bad-option: options.signal is 7");

@@ -54,9 +54,9 @@ test("nested polygons are the flat ones, pair by pair", () => {
 test("regions, too: nested ones are the flat ones, with their holes, pair by pair", () => {
   for (const [, view] of views) {
     for (const id of view.diagram.ids()) {
-      const nested = view.cellRegions(id, { tolerance: 0.5 });
-      const flat = view.cellRegions(id, { flat: true, tolerance: 0.5 });
-      expect(view.cellRegions(id, { flat: false, tolerance: 0.5 })).toEqual(nested);
+      const nested = view.cellParts(id, { tolerance: 0.5 });
+      const flat = view.cellParts(id, { flat: true, tolerance: 0.5 });
+      expect(view.cellParts(id, { flat: false, tolerance: 0.5 })).toEqual(nested);
       if (flat === null) {
         expect(nested).toBeNull();
         continue;
@@ -76,17 +76,17 @@ test("regions, too: nested ones are the flat ones, with their holes, pair by pai
       });
     }
   }
-  expect(framed.cellRegions(0)[0].holes.length).toBe(1);
-  expect(corners.cellRegions(0).length).toBeGreaterThan(0);
+  expect(framed.cellParts(0)[0].holes.length).toBe(1);
+  expect(corners.cellParts(0).length).toBeGreaterThan(0);
 });
 
 test("rings are the caller's: none is another's, or the heap's", () => {
-  const [first, second] = [1, 2].map(() => framed.cellRegions(0, { flat: true })[0]);
+  const [first, second] = [1, 2].map(() => framed.cellParts(0, { flat: true })[0]);
   const before = [...second];
   first.fill(7);
   first.holes[0].fill(7);
   expect([...second]).toEqual(before);
-  expect(framed.cellRegions(0, { flat: true })[0]).toEqual(second);
+  expect(framed.cellParts(0, { flat: true })[0]).toEqual(second);
   const ring = framed.cellPolygon(0);
   ring[0][0] = 7;
   expect(ring.at(-1)[0]).not.toBe(7); // the repeated point is another one
@@ -101,7 +101,7 @@ test.each([
 ])("polygons with %j are refused", (options, message) => {
   for (const call of [
     () => voronoi.cellPolygon(0, options),
-    () => voronoi.cellRegions(0, options),
+    () => voronoi.cellParts(0, options),
     () => [...voronoi.cellPolygons(options)],
   ])
     expectRefusal(call, "bad-option", message);
@@ -144,7 +144,7 @@ test.each(views)("GeoJSON: the polygons of a cell are its regions: %s", (_, view
     [...view.cellPolygons({ tolerance })].map(({ index }) => index),
   );
   for (const feature of features) {
-    const regions = view.cellRegions(feature.id, { tolerance });
+    const regions = view.cellParts(feature.id, { tolerance });
     const expected = areas(regions.map((ring) => [ring, ...ring.holes]));
     const found = areas(polygonsOf(feature));
     expect(found.length).toBe(expected.length);

@@ -64,13 +64,13 @@ test("rings of points, flat rings, nested lists and GeoJSON are one region", () 
   expect(total(diagram.voronoi(outer).cellAreas())).toBeCloseTo(areaOf(outer), 6);
 });
 
-test("what cellRegions, cellPolygon and toGeoJSON give is a window, with its holes", () => {
+test("what cellParts, cellPolygon and toGeoJSON give is a window, with its holes", () => {
   const alone = Diagram.from([[0, 0, 5]]);
   const around = alone.voronoi([outer, hole, island]);
   const whole = areaOf(outer) - areaOf(hole) + areaOf(island);
   expect(around.cellArea(0)).toBeCloseTo(whole, 6);
   for (const flat of [false, true]) {
-    const regions = around.cellRegions(0, { flat });
+    const regions = around.cellParts(0, { flat });
     expect(regions.map(({ holes }) => holes.length).sort()).toEqual([0, 1]);
     expect(alone.voronoi(regions).cellArea(0)).toBeCloseTo(whole, 6);
     for (const region of regions) {
@@ -187,7 +187,7 @@ test("rings, holes and parts: polygons hold the points that are nearest and in t
   const inRegion = (x, y) =>
     [outer, hole, island].filter((ring) => isInside(closed(ring).flat(), x, y)).length % 2 === 1;
   const regions = new Map(
-    [...diagram.ids()].map((id) => [id, voronoi.cellRegions(id, { flat: true }) ?? []]),
+    [...diagram.ids()].map((id) => [id, voronoi.cellParts(id, { flat: true }) ?? []]),
   );
   const isIn = (id, x, y) =>
     regions
@@ -232,7 +232,7 @@ test("one cell around a hole and two islands: GeoJSON says so", () => {
   const drawn = new Recorder();
   voronoi.renderCell(0, drawn);
   expect(drawn.count("closePath")).toBe(4);
-  expect(voronoi.cellCurves(0).regions.length).toBe(5);
+  expect(voronoi.cellCurves(0).starts.length).toBe(5);
 });
 
 test("equal weights in a convex region: the cells of d3-delaunay, clipped", () => {

@@ -122,7 +122,7 @@ describe.each(Object.entries(windows))("in %s", (_, rings) => {
     for (const tolerance of tolerances)
       expect(faultsIn(voronoi.toGeoJSON({ tolerance }), rings)).toEqual([]);
     for (const index of voronoi.diagram.ids()) {
-      const parts = voronoi.cellRegions(index) ?? [];
+      const parts = voronoi.cellParts(index) ?? [];
       const geometry = {
         type: "MultiPolygon",
         coordinates: parts.map((ring) => [ring, ...ring.holes]),
@@ -188,8 +188,8 @@ test("what is returned is a window: its holes stay holes", () => {
   const expected = voronoi.cellArea(0);
   expect(expected).toBeLessThan(6000);
   for (const window of [
-    voronoi.cellRegions(0),
-    voronoi.cellRegions(0, { flat: true }),
+    voronoi.cellParts(0),
+    voronoi.cellParts(0, { flat: true }),
     voronoi.toGeoJSON(),
     voronoi.toGeoJSON().features[0],
     voronoi.cellPolygon(0),

@@ -266,7 +266,7 @@ function callAll(diagram, codes) {
     attempt(() => [
       diagram.neighbors(id),
       diagram.coverOf(id),
-      voronoi.cellRegions(id),
+      voronoi.cellParts(id),
       voronoi.cellWithin(id, 3),
     ]);
     attempt(() => voronoi.cellMeasures(id));
@@ -301,7 +301,7 @@ test("forged bytes with a right checksum are refused, or are the diagram of thei
   );
 });
 
-test("trusted bytes that lie do no harm to anything else", () => {
+test("wrong trusted bytes do no harm to anything else", () => {
   const other = built(),
     before = snapshot(other);
   let accepted = 0;

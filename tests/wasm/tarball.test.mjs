@@ -84,6 +84,7 @@ const kLater = {
   "pieces of edges stay near their region, cells begin at one edge": 200,
   "polygons that tile the window": 6_500,
   "fits beside the page, distances to the last place, views": 2_400,
+  "drawing compiled for speed": 300,
 };
 // of which documents 60 000, levels and counts of predicates 14 000, vertices of circles on a grid
 // 4 000 (1 218 bytes of wasm in three files), snap rounding 4 500 (1 352), and polygons that tile

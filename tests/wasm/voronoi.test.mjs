@@ -123,8 +123,8 @@ test("curves of cells and of edges are the same, equally far from both sites", (
   for (const id of diagram.ids()) {
     const cell = voronoi.cellCurves(id);
     if (cell === null) continue;
-    expect(cell.regions[0]).toBe(0);
-    expect(cell.regions.at(-1)).toBe(cell.neighbors.length);
+    expect(cell.starts[0]).toBe(0);
+    expect(cell.starts.at(-1)).toBe(cell.neighbors.length);
     cell.neighbors.forEach((other, k) => {
       if (other === -1) return;
       const [x0, y0, , , , x2, y2] = cell.curves.subarray(7 * k, 7 * k + 7);
@@ -200,7 +200,7 @@ test("a view shows the diagram as it is now", () => {
 
 test("one site has the window, several regions are several rings", () => {
   const corners = new Diagram([-60, 50, 58, 50, 50, 0]).voronoi([30, 0, 100, 100]);
-  const regions = corners.cellRegions(0, { flat: true });
+  const regions = corners.cellParts(0, { flat: true });
   expect(regions.length).toBe(2);
   const joined = corners.cellPolygon(0, { flat: true });
   expect(ringArea(joined)).toBeCloseTo(ringArea(regions[0]) + ringArea(regions[1]), 9);
@@ -302,7 +302,7 @@ test("bad bounds", () => {
 test("bad tolerances and digits", () => {
   const uses = [
     (options) => voronoi.cellPolygon(0, options),
-    (options) => voronoi.cellRegions(0, options),
+    (options) => voronoi.cellParts(0, options),
     (options) => [...voronoi.cellPolygons(options)],
     (options) => voronoi.render(null, options),
     (options) => voronoi.renderCell(0, null, options),
@@ -328,7 +328,7 @@ test("hidden sites have nothing, unknown ones are errors, everywhere the same wa
   const uses = {
     renderCell: (id) => view.renderCell(id),
     cellPolygon: (id) => view.cellPolygon(id),
-    cellRegions: (id) => view.cellRegions(id),
+    cellParts: (id) => view.cellParts(id),
     cellCurves: (id) => view.cellCurves(id),
     cellMeasures: (id) => view.cellMeasures(id),
     cellArea: (id) => view.cellArea(id),
@@ -342,7 +342,7 @@ test("hidden sites have nothing, unknown ones are errors, everywhere the same wa
   expect(hidden).toEqual({
     renderCell: "",
     cellPolygon: null,
-    cellRegions: null,
+    cellParts: null,
     cellCurves: null,
     cellMeasures: null,
     cellArea: null,

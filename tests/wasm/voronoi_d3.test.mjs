@@ -99,7 +99,7 @@ test("any circles and window: cells fill it, polygons follow, histories do not m
           }
           const measures = voronoi.cellMeasures(id);
           expect(Math.abs(measures.area - areas[id])).toBeLessThanOrEqual(1e-12 * whole);
-          const regions = voronoi.cellRegions(id, { flat: true }) ?? [];
+          const regions = voronoi.cellParts(id, { flat: true }) ?? [];
           for (const ring of regions) sum += ringArea(ring);
           if (measures.centroid !== null && measures.area > 1e-6 * whole) {
             expect(measures.centroid[0]).toBeGreaterThanOrEqual(bounds[0]);

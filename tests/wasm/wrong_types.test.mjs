@@ -218,7 +218,7 @@ const cases = [
   ["findMany", (d) => d.findMany(new BigInt64Array(2)), "not-finite", "xy[0] is the bigint 0n"],
   ["nearest", (d) => d.nearest(0n, 0), "not-finite", "x is the bigint 0n"],
   ["site", (d) => d.site(1n), "unknown-site", "site the bigint 1n does not exist"],
-  // Sparse arrays, and things that are none
+  // Sparse arrays, and things that are no arrays
   ["constructor", () => new Diagram(new Array(3)), "not-finite", "xyr[0] is undefined"],
   ["updateMany", (d) => d.updateMany([0], [1, , 3]), "not-finite", "xyr[1] is undefined"],
   ["updateMany ids", (d) => d.updateMany([, 1], values), "unknown-site", "ids[0]"],

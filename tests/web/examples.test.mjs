@@ -323,7 +323,7 @@ describeInBrowser("examples", (open) => {
       };
       return {
         share: areas.reduce((a, b) => a + b) / Math.abs(land.map(areaOf).reduce((a, b) => a + b)),
-        parts: cells.cellRegions(1).length,
+        parts: cells.cellParts(1).length,
         paths: document.querySelectorAll("path.city").length,
       };
     });

@@ -64,7 +64,7 @@ auto returning(Error (Class::*)(Parameters...) const, std::index_sequence<k...>)
     return out;
   };
 }
-/// The cells in a region, or in bounds where there is none.
+/// The cells in a region, or in bounds if `region` is null.
 Voronoi voronoiIn(const Diagram& diagram, const Region* region, const Bounds& bounds) {
   return region == nullptr ? Voronoi(diagram, bounds) : Voronoi(diagram, *region);
 }
@@ -220,7 +220,7 @@ struct Portion {
   bool isDone = true;
 };
 
-/// About so many commands of a drawing, from the cursor on.
+/// About this many commands of a drawing, from the cursor on.
 Portion draw(const Diagram& diagram, const Region* region, double xmin, double ymin, double xmax,
              double ymax, Drawing what, double tolerance, std::size_t cursor,
              std::size_t commands) {
@@ -386,7 +386,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
   value_object<apollonius::CurveArrays>("CurveArrays")
       .field("curves", &apollonius::CurveArrays::curves)
       .field("sites", &apollonius::CurveArrays::sites)
-      .field("regions", &apollonius::CurveArrays::regions);
+      .field("starts", &apollonius::CurveArrays::starts);
   value_object<apollonius::RingArrays>("RingArrays")
       .field("coordinates", &apollonius::RingArrays::coordinates)
       .field("starts", &apollonius::RingArrays::starts)

@@ -38,7 +38,7 @@ export {
   type Bounds,
   type CellCurves,
   type CellPolygon,
-  type CellRegion,
+  type CellPart,
   type CellRing,
   type EdgeCurves,
   type FlatOptions,

@@ -1,5 +1,5 @@
 // Argument checks, and the words for what is wrong with an argument. The library itself checks
-// numbers (once, at its own door); this file checks what only JavaScript can get wrong, and finds
+// numbers (once, in src/api); this file checks what only JavaScript can get wrong, and finds
 // the culprit after the library has said no.
 import { ApolloniusError } from "./errors.js";
 

@@ -16,7 +16,7 @@ export class Ballast {
   #sites = 0; // that have been counted
   #buffers: ArrayBuffer[] = [];
 
-  /** Tells that a diagram has so many sites now, or once had. */
+  /** Tells that a diagram has this many sites now, or once had. */
   carry(sites: number): void {
     if (sites <= this.#sites) return;
     const counted = Math.ceil(sites / kStep) * kStep;

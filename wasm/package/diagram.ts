@@ -130,8 +130,8 @@ export class Diagram implements Disposable {
    * damaged, or not the diagram of their sites, or of another version of the format), "bad-length"
    * (no Uint8Array), "bad-option". Cost: O(n), without any search; for degenerate input (grids)
    * about that of building. With `trusted`, for bytes of your own, the proof is left out, which is
-   * several times as fast; should such bytes lie, answers may be wrong, and calls on this diagram
-   * may throw "corrupt-snapshot" (docs/SNAPSHOTS.md).
+   * several times as fast; if they are something else, answers may be wrong, and calls on this
+   * diagram may throw "corrupt-snapshot" (docs/SNAPSHOTS.md).
    */
   static fromBytes(bytes: Uint8Array, options?: SnapshotOptions): Diagram {
     checkOptions(options, "location", "trusted");

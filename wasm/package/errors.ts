@@ -6,8 +6,8 @@
  * - "unknown-site": no site has this id
  * - "bad-length": no array (of numbers, ids or items), an array of a wrong length, or one whose
  *   buffer is detached or shrunk
- * - "bad-option": an option or accessor is none of what is documented
- * - "bad-bounds": bounds to clip at that are no box, or a region with a ring that is none, or
+ * - "bad-option": an option or accessor is not documented
+ * - "bad-bounds": bounds to clip at that are no box, or a region with an invalid ring, or
  *   without an inside
  * - "bad-target": an area that no cell can have, or a site whose cell can have none
  * - "no-convergence": weights for the given areas were not found

@@ -117,7 +117,7 @@ type Method = (...list: Argument[]) => unknown;
 interface Handle {
   isDeleted(): boolean;
 }
-/** Whose calls are about no diagram. */
+/** Stands for the diagram in calls that have none. */
 const nobody: Handle = { isDeleted: () => false };
 
 /**
@@ -137,7 +137,7 @@ function guard(
   const top = native._emscripten_stack_get_current();
   const broken = new WeakSet<Handle>();
   let isAnyBroken = false;
-  let running: Handle | undefined; // whose call is under way
+  let running: Handle | undefined; // the diagram of the call under way
 
   /**
    * Sets things right after a call that ended in its middle. At the end of the stack this may fail

@@ -20,7 +20,7 @@ export type GeoJSONRegion =
 /**
  * A window of any shape: a ring, several rings, or GeoJSON (a Polygon, a MultiPolygon, a Feature of
  * either, or a FeatureCollection of these; coordinates are taken as plane ones). What
- * `cellPolygon`, `cellRegions` and `toGeoJSON` return is one, too.
+ * `cellPolygon`, `cellParts` and `toGeoJSON` return is one, too.
  *
  * Inside is where a line to infinity crosses the rings an odd number of times (even-odd rule),
  * whatever their directions: holes and islands need no more than to be rings. Rings may cross and
@@ -92,7 +92,7 @@ const kDeepest = 3;
 
 function addRings(given: unknown, coordinates: number[], starts: number[], depth: number): void {
   if (depth > kDeepest) throw bad(`ring ${starts.length - 1} of the region is nested too deep`);
-  // What cellRegions gives: a ring with those of its holes.
+  // What cellParts gives: a ring with those of its holes.
   const { holes } = (given ?? {}) as { holes?: unknown };
   const rings = plainView(given);
   if (!isArrayLike(rings)) throw bad(`ring ${starts.length - 1} of the region is no array`);

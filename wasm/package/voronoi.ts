@@ -55,7 +55,7 @@ export interface CellCurves {
   /** The site on the other side of each curve; -1 along the border of the window. */
   neighbors: Int32Array;
   /** The first curve of each ring, and the number of curves at the end. */
-  regions: Uint32Array;
+  starts: Uint32Array;
 }
 
 /** Measures of a true curved cell, in the diagram's unit. */
@@ -78,9 +78,9 @@ export type CellPolygon<Points extends CellRing = Position[]> = Points & { index
  * A part of a cell: its outer ring, counter-clockwise, and those of its holes, clockwise. Only
  * windows of other shapes than rectangles make holes.
  */
-export type CellRegion<Points extends CellRing = Position[]> = Points & { holes: Points[] };
+export type CellPart<Points extends CellRing = Position[]> = Points & { holes: Points[] };
 
-/** Options of `cellPolygon`, `cellPolygons` and `cellRegions`. */
+/** Options of `cellPolygon`, `cellPolygons` and `cellParts`. */
 export interface PolygonOptions {
   /** As of a drawing: `DrawOptions`. */
   tolerance?: number | undefined;
@@ -104,7 +104,7 @@ export type NestedOptions = PolygonOptions & { flat?: false | undefined };
  * always of the diagram as it is now; do not change that while a drawing calls the context.
  *
  * Cells have curved edges, and everything is computed from these: drawings and polygons are within
- * a tolerance of them, measures are those of the curves. A clipped cell can be several *regions*
+ * a tolerance of them, measures are those of the curves. A clipped cell can be several *parts*
  * (if its site's centre is outside the window), which have holes where the window does.
  *
  * In a window that is no rectangle, the first call after a change of the diagram finds out where
@@ -221,7 +221,7 @@ export class Voronoi implements Disposable {
 
   /**
    * A cell as one closed ring, counter-clockwise (y upwards), within the tolerance of the true one.
-   * Several regions, and holes, are joined by doubled segments, which have no area; `cellRegions`
+   * Several parts, and holes, are joined by doubled segments, which have no area; `cellParts`
    * keeps them apart. O(d log d). Throws "not-finite", "out-of-range", "bad-option" (options).
    */
   cellPolygon(id: number, options: FlatOptions): Float64Array | null;
@@ -238,14 +238,14 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * The regions of a cell as closed rings, counter-clockwise, each with those of its `holes`: valid
+   * The parts of a cell as closed rings, counter-clockwise, each with those of its `holes`: valid
    * polygons, no two of whose segments cross. Errors and cost as `cellPolygon`. Cells asked one by
    * one may differ from their neighbours by rounding; `toGeoJSON` is proved to tile the window.
    */
-  cellRegions(id: number, options: FlatOptions): CellRegion<Float64Array>[] | null;
-  cellRegions(id: number, options?: NestedOptions): CellRegion[] | null;
-  cellRegions(id: number, options?: PolygonOptions): CellRegion<CellRing>[] | null;
-  cellRegions(id: number, options?: PolygonOptions): CellRegion<CellRing>[] | null {
+  cellParts(id: number, options: FlatOptions): CellPart<Float64Array>[] | null;
+  cellParts(id: number, options?: NestedOptions): CellPart[] | null;
+  cellParts(id: number, options?: PolygonOptions): CellPart<CellRing>[] | null;
+  cellParts(id: number, options?: PolygonOptions): CellPart<CellRing>[] | null {
     const { isFlat, coordinates, starts, parts } = this.#rings(id, options);
     if (starts.length < 2) return null;
     const rings = Array.from(starts.subarray(1), (end, k): CellRing => {
@@ -275,8 +275,8 @@ export class Voronoi implements Disposable {
   /** The true boundary of a cell, as curves. */
   cellCurves(id: number): CellCurves | null {
     const native = Voronoi.#nativeFor(this, id);
-    const { curves, sites, regions } = native.cellCurves(...this.#window, id);
-    return regions.length < 2 ? null : { curves, neighbors: new Int32Array(sites.buffer), regions };
+    const { curves, sites, starts } = native.cellCurves(...this.#window, id);
+    return starts.length < 2 ? null : { curves, neighbors: new Int32Array(sites.buffer), starts };
   }
 
   /**
@@ -290,7 +290,7 @@ export class Voronoi implements Disposable {
 
   /**
    * All cells as GeoJSON (RFC 7946), ascending by id: polygons with their holes, or multi-polygons
-   * where a cell is several regions. Polygons are valid and tile the window: neighbours have the
+   * where a cell has several parts. Polygons are valid and tile the window: neighbours have the
    * points of their common boundary in common, whatever the tolerance. Coordinates are the
    * diagram's own: for a map, build it of projected places, and take the positions back.
    * `options.properties` may throw. O(n log n).

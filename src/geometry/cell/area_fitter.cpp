@@ -11,7 +11,7 @@ namespace apollonius::internal {
 
 namespace {
 
-/// All of the ground at first, as a share of the region's area.
+/// All of the regularization at first, as a share of the region's area.
 constexpr double kFirstGround = 1e-4;
 /// To so much of it it falls when areas are so near their targets; less of it in all than this
 /// share of the smallest target is as good as none.
@@ -66,7 +66,7 @@ void scaleTo(FlatArray<double>& values, double whole) {
 
 }  // namespace
 
-double pressureOf(const Bisector& bisector, double e0, double e1) {
+double areaDerivative(const Bisector& bisector, double e0, double e1) {
   if (!(e1 > e0)) return 0;
   const double f = bisector.distance() / 2, b = bisector.conjugate();
   // sinh 2μ1 - sinh 2μ0 = 2 cosh(μ1 + μ0) sinh(μ1 - μ0).
@@ -77,8 +77,8 @@ double pressureOf(const Bisector& bisector, double e0, double e1) {
   return f * f / (4 * b) * (wave - way) + b / 2 * way;
 }
 
-Fit::Fit(const DiagramCore& core, const Outline& outline)
-    : outline_(outline), core_(core.location()) {
+AreaFitter::AreaFitter(const DiagramCore& core, const NormalizedPolygon& polygon)
+    : polygon_(polygon), core_(core.location()) {
   for (Slot slot = 0; slot < core.ids().slots(); ++slot) {
     if (core.ids().state(slot) == SiteState::kFree) continue;
     ids_.push_back(core.ids().idOf(slot));
@@ -86,9 +86,9 @@ Fit::Fit(const DiagramCore& core, const Outline& outline)
   }
 }
 
-double Fit::weightOf(std::size_t place) const { return inRange(best_.weights[place]); }
+double AreaFitter::weightOf(std::size_t index) const { return inRange(best_.weights[index]); }
 
-std::uint32_t Fit::begin(std::span<const double> targets, std::span<const double> start) {
+std::uint32_t AreaFitter::begin(std::span<const double> targets, std::span<const double> start) {
   const std::size_t count = sites_.size();
   if (count == 0) return kNone;
   shares_.assign(targets);
@@ -103,14 +103,14 @@ std::uint32_t Fit::begin(std::span<const double> targets, std::span<const double
   }
   FlatArray<SiteId> places(count);
   insertAll(core_, circlesOf(best_), places);
-  setGround(0);
+  setRegularization(0);
   if (!start.empty() && !(smallestOf(best_.areas) > 0)) {
     best_.weights.assign(count, mean);
-    setGround(0);
+    setRegularization(0);
   }
   const double* const empty = std::min_element(best_.areas.begin(), best_.areas.end());
   if (!(*empty > 0)) return static_cast<std::uint32_t>(empty - best_.areas.begin());
-  Window around = outline_.box;
+  Rectangle around = polygon_.box;
   for (const Site& site : sites_) {
     around.xmin = std::min(around.xmin, site.x);
     around.ymin = std::min(around.ymin, site.y);
@@ -122,14 +122,14 @@ std::uint32_t Fit::begin(std::span<const double> targets, std::span<const double
     const double corners[] = {around.xmin, around.ymin, around.xmax, around.ymin,
                               around.xmax, around.ymax, around.xmin, around.ymax};
     const std::uint32_t starts[] = {0, 4};
-    around_ = makeOutline(corners, starts);
-    setGround(kFirstGround * (inside / all));
+    around_ = normalizePolygon(corners, starts);
+    setRegularization(kFirstGround * (inside / all));
   }
   return kNone;
 }
 
-/// x, y, r by place.
-FlatArray<double> Fit::circlesOf(const State& state) const {
+/// x, y, r by index.
+FlatArray<double> AreaFitter::circlesOf(const State& state) const {
   FlatArray<double> xyr;
   for (std::size_t k = 0; k < sites_.size(); ++k) {
     for (const double number : {sites_[k].x, sites_[k].y, inRange(state.weights[k])})
@@ -138,20 +138,21 @@ FlatArray<double> Fit::circlesOf(const State& state) const {
   return xyr;
 }
 
-/// Measures the best weights with ground of this density, beside what they are measured with.
-void Fit::setGround(double density) {
+/// Measures the best weights with regularization of this density, beside what they are measured
+/// with.
+void AreaFitter::setRegularization(double density) {
   tried_.weights = best_.weights;
   measureTried(density);
   targets_ = shares_;
   scaleTo(targets_, sumOf(tried_.areas));
   takeTried();
-  ground_ = density;
+  regularization_ = density;
 }
 
-void Fit::takeTried() noexcept { std::swap(best_, tried_); }
+void AreaFitter::takeTried() noexcept { std::swap(best_, tried_); }
 
-/// Areas and couplings for the tried weights, with ground of this density.
-void Fit::measureTried(double ground) {
+/// Areas and couplings for the tried weights, with regularization of this density.
+void AreaFitter::measureTried(double regularization) {
   const std::size_t count = sites_.size();
   FlatArray<SiteId> places(count);
   for (std::uint32_t k = 0; k < count; ++k) places[k] = k;
@@ -159,31 +160,34 @@ void Fit::measureTried(double ground) {
 
   tried_.couplings.clear();
   tried_.areas.assign(count, 0);
-  addIn(outline_, 1);
+  addIn(polygon_, 1);
   tried_.inside = tried_.areas;
-  if (ground > 0) addIn(around_, ground);
+  if (regularization > 0) addIn(around_, regularization);
 }
 
 /// Adds areas and couplings in a region of this density.
-void Fit::addIn(const Outline& outline, double density) {
-  const Overlay overlay(core_, outline);
-  CellSums sums(core_, outline.box, Measure::kAreas);
+void AreaFitter::addIn(const NormalizedPolygon& polygon, double density) {
+  const ClippedDiagram clippedDiagram(core_, polygon);
+  CellSums sums(core_, polygon.box, Measure::kAreas);
   const Graph& graph = core_.delaunay().graph();
   // At the end the areas of small cells count more than the last places of cached vertices.
-  const Bits bits = isNear_ ? Bits::kCanonical : Bits::kCached;
-  overlay.visitEdges(bits, [&](HalfedgeId h, const Edge& edge, const InnerPiece& piece) {
-    const VertexId i = graph.origin(h), j = graph.target(h);
-    sums.addEdge(slotOf(i), slotOf(j), piece.curve, piece.times);
-    const double pressure = density * piece.times * pressureOf(edge.bisector, piece.e0, piece.e1);
-    if (pressure > 0 && pressure < kLargestMagnitude)
-      tried_.couplings.push_back({core_.siteOf(i), core_.siteOf(j), pressure});
-  });
-  addBorders(overlay, sums);
+  const VertexPrecision precision =
+      isNear_ ? VertexPrecision::kReproducible : VertexPrecision::kFast;
+  clippedDiagram.visitEdges(
+      precision, [&](HalfedgeId h, const Edge& edge, const InsideInterval& piece) {
+        const VertexId i = graph.origin(h), j = graph.target(h);
+        sums.addEdge(slotOf(i), slotOf(j), piece.curve, piece.multiplicity);
+        const double derivative =
+            density * piece.multiplicity * areaDerivative(edge.bisector, piece.e0, piece.e1);
+        if (derivative > 0 && derivative < kLargestMagnitude)
+          tried_.couplings.push_back({core_.siteOf(i), core_.siteOf(j), derivative});
+      });
+  addBorders(clippedDiagram, sums);
   for (Slot slot = 0; slot < core_.ids().slots(); ++slot)
     tried_.areas[core_.ids().idOf(slot)] += density * sums.sumOf(slot);
 }
 
-double Fit::deviationOf(std::span<const double> areas) const {
+double AreaFitter::deviationOf(std::span<const double> areas) const {
   const double whole = sumOf(areas);
   double largest = 0;
   for (std::size_t k = 0; k < areas.size(); ++k) {
@@ -194,35 +198,35 @@ double Fit::deviationOf(std::span<const double> areas) const {
 }
 
 /// By how much the difference of two weights can still change, the way it does in the direction.
-double Fit::roomFor(const Coupling& c) const {
+double AreaFitter::roomFor(const Coupling& c) const {
   const double apart = length({sites_[c.i].x - sites_[c.j].x, sites_[c.i].y - sites_[c.j].y});
   const double difference = best_.weights[c.i] - best_.weights[c.j];
   return direction_[c.i] > direction_[c.j] ? apart - difference : apart + difference;
 }
 
 /// Of the concave function, in the direction.
-double Fit::slopeAt(const State& state) const {
+double AreaFitter::slopeAt(const State& state) const {
   double slope = 0;
   for (std::size_t k = 0; k < targets_.size(); ++k)
     slope += (targets_[k] - state.areas[k]) * direction_[k];
   return slope;
 }
 
-bool Fit::step() {
+bool AreaFitter::step() {
   if (sites_.empty()) return false;
   double far = deviationOf(best_.areas);
-  for (; ground_ > 0 && far < kNearEnough; far = deviationOf(best_.areas)) {
-    const double less = kNextGround * ground_;
+  for (; regularization_ > 0 && far < kNearEnough; far = deviationOf(best_.areas)) {
+    const double less = kNextGround * regularization_;
     const double area = less * around_.box.width() * around_.box.height();
-    setGround(area < kLeastGround * smallestOf(targets_) ? 0 : less);
+    setRegularization(area < kLeastGround * smallestOf(targets_) ? 0 : less);
   }
-  isNear_ = isNear_ || (ground_ == 0 && far < kCoarse);
+  isNear_ = isNear_ || (regularization_ == 0 && far < kCoarse);
   // Where steps have become short, none must be wrong about a small cell.
   findDirection(far < kCoarse ? kFine : last_ < 0.25 ? kMedium : kCoarse);
-  const bool isLast = ground_ == 0 && isWithinRounding();
+  const bool isLast = regularization_ == 0 && isWithinRounding();
   if (isLast && !isNear_) {  // of areas off by the last places of cached vertices, perhaps
     isNear_ = true;
-    setGround(0);
+    setRegularization(0);
     return true;
   }
   const double before = error();
@@ -242,7 +246,7 @@ bool Fit::step() {
 
 /// Does the direction change nothing but last places: of weights, or of the numbers that vertices
 /// come of?
-bool Fit::isWithinRounding() const {
+bool AreaFitter::isWithinRounding() const {
   for (std::size_t k = 0; k < direction_.size(); ++k) {
     const Site& site = sites_[k];
     const double size = std::max({absolute(best_.weights[k]), absolute(site.x), absolute(site.y)});
@@ -253,13 +257,13 @@ bool Fit::isWithinRounding() const {
 
 /// What comes of so much of the direction; false if a weight leaves the range, or a cell nearly
 /// vanishes.
-bool Fit::tryStep(double share) {
+bool AreaFitter::tryStep(double share) {
   tried_.weights.resize(direction_.size());
   for (std::size_t k = 0; k < direction_.size(); ++k) {
     tried_.weights[k] = best_.weights[k] + share * direction_[k];
     if (!(absolute(tried_.weights[k]) <= kLargestMagnitude)) return false;
   }
-  measureTried(ground_);
+  measureTried(regularization_);
   for (std::size_t k = 0; k < targets_.size(); ++k) {
     if (!(tried_.areas[k] >= kVanished * std::min(best_.areas[k], targets_[k]))) return false;
   }
@@ -267,7 +271,7 @@ bool Fit::tryStep(double share) {
 }
 
 /// How much of the direction can be taken at most.
-double Fit::longestShare() const {
+double AreaFitter::longestShare() const {
   double share = 1;
   for (const Coupling& c : best_.couplings) {
     const double change = absolute(direction_[c.i] - direction_[c.j]);
@@ -277,7 +281,7 @@ double Fit::longestShare() const {
 }
 
 /// Newton's direction, with couplings stiffened until it has room.
-void Fit::findDirection(double tolerance) {
+void AreaFitter::findDirection(double tolerance) {
   couplings_ = best_.couplings;
   solve(tolerance);
   for (int k = 0; k < kStiffenings; ++k) {
@@ -287,7 +291,7 @@ void Fit::findDirection(double tolerance) {
       const double room = kShareOfRoom * roomFor(c);
       if (change <= room) continue;
       hasRoom = false;
-      c.pressure *= kMoreThanEnough * change / room;
+      c.derivative *= kMoreThanEnough * change / room;
     }
     if (hasRoom) return;
     solve(tolerance);
@@ -296,12 +300,12 @@ void Fit::findDirection(double tolerance) {
 
 /// The direction in which, to first order, areas become the targets: conjugate gradients. What all
 /// weights have in common changes nothing; its mean is left as it is.
-void Fit::solve(double tolerance) {
+void AreaFitter::solve(double tolerance) {
   const std::size_t count = targets_.size();
   FlatArray<double> diagonal(count, 0), rest(count), scaled(count), way(count), image(count);
   for (const Coupling& c : couplings_) {
-    diagonal[c.i] += c.pressure;
-    diagonal[c.j] += c.pressure;
+    diagonal[c.i] += c.derivative;
+    diagonal[c.j] += c.derivative;
   }
   direction_.assign(count, 0);
   for (std::size_t k = 0; k < count; ++k) rest[k] = targets_[k] - best_.areas[k];
@@ -318,8 +322,8 @@ void Fit::solve(double tolerance) {
   for (std::size_t step = 0; step < 10 * count + 100 && product > enough; ++step) {
     for (std::size_t k = 0; k < count; ++k) image[k] = diagonal[k] * way[k];
     for (const Coupling& c : couplings_) {
-      image[c.i] -= c.pressure * way[c.j];
-      image[c.j] -= c.pressure * way[c.i];
+      image[c.i] -= c.derivative * way[c.j];
+      image[c.j] -= c.derivative * way[c.i];
     }
     double energy = 0;
     for (std::size_t k = 0; k < count; ++k) energy += way[k] * image[k];

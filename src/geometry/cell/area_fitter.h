@@ -5,7 +5,7 @@
 // (Geiß, Klein, Penninger and Rote, "Optimally solving a transportation problem using Voronoi
 // diagrams", 2012; Hartmann and Schuhmacher, "Semi-discrete optimal transport: a solution procedure
 // for the unsquared Euclidean distance case", 2020). It is found by Newton's method, whose second
-// derivatives are integrals along the edges (pressureOf). What makes it converge:
+// derivatives are integrals along the edges (areaDerivative). What makes it converge:
 //
 //   - Where a step would take the weights of two neighbours nearly as far apart as their centres,
 //     where one covers the other, their coupling is made stiffer and the equations are solved anew.
@@ -15,8 +15,8 @@
 //     all cells have an area, the second derivatives stay regular: Kitagawa, Mérigot and Thibert,
 //     "Convergence of a Newton algorithm for semi-discrete optimal transport", 2019.)
 //   - Around a region and in its holes cells vanish, and covers come from across. So the box of the
-//     region and all sites counts too at first, a little: *ground*, of which less and less is left
-//     as areas come near their targets, and none at the end.
+//     region and all sites counts too at first, a little: *regularization*, of which less and less
+//     is left as areas come near their targets, and none at the end.
 //
 // Equations are solved by conjugate gradients with the diagonal for a preconditioner. All of it
 // happens in a diagram of its own, so that the one in question is as it was until it is done.
@@ -39,22 +39,22 @@ namespace apollonius::internal {
 ///
 /// It is infinite if e1 / e0 is beyond doubles: then it is f/8 times as much at least, which is far
 /// more than kLargestMagnitude, however near each other two sites are.
-[[nodiscard]] double pressureOf(const Bisector& bisector, double e0, double e1);
+[[nodiscard]] double areaDerivative(const Bisector& bisector, double e0, double e1);
 
-class Fit {
+class AreaFitter {
  public:
   /// Of the sites of a diagram as they are now, hidden ones too, with the indices 0, 1, 2, … in the
-  /// order of their slots. REQUIRES: `outline` lives as long.
-  Fit(const DiagramCore& core, const Outline& outline);
+  /// order of their slots. REQUIRES: `polygon` lives as long.
+  AreaFitter(const DiagramCore& core, const NormalizedPolygon& polygon);
 
   [[nodiscard]] std::span<const SiteId> ids() const { return ids_; }
-  /// x, y, r by place, with the weights that have been reached.
+  /// x, y, r by index, with the weights that have been reached.
   [[nodiscard]] FlatArray<double> circles() const { return circlesOf(best_); }
   /// As a site can have it.
-  [[nodiscard]] double weightOf(std::size_t place) const;
+  [[nodiscard]] double weightOf(std::size_t index) const;
 
-  /// Targets and weights to start from, by place; if with these some cell is empty, or there are
-  /// none, equal ones. kNone, or a place whose cell is empty with equal weights.
+  /// Targets and weights to start from, by index; if with these some cell is empty, or there are
+  /// none, equal ones. kNone, or the index of a cell that is empty with equal weights.
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   [[nodiscard]] std::uint32_t begin(std::span<const double> targets, std::span<const double> start);
   /// One step; false if none comes closer. Throws std::bad_alloc; the same step can be taken again.
@@ -68,20 +68,20 @@ class Fit {
  private:
   struct Coupling {
     std::uint32_t i, j;
-    double pressure;
+    double derivative;
   };
   /// Weights, and what they lead to.
   struct State {
     FlatArray<double> weights, inside;
-    FlatArray<double> areas;  // with their share of the ground
+    FlatArray<double> areas;  // with their share of the regularization
     FlatArray<Coupling> couplings;
   };
 
   [[nodiscard]] FlatArray<double> circlesOf(const State& state) const;
-  void measureTried(double ground);
-  void addIn(const Outline& outline, double density);
+  void measureTried(double regularization);
+  void addIn(const NormalizedPolygon& polygon, double density);
   void takeTried() noexcept;
-  void setGround(double density);
+  void setRegularization(double density);
   void findDirection(double tolerance);
   [[nodiscard]] bool tryStep(double share);
   [[nodiscard]] double longestShare() const;
@@ -91,18 +91,18 @@ class Fit {
   [[nodiscard]] double deviationOf(std::span<const double> areas) const;
   [[nodiscard]] double slopeAt(const State& state) const;
 
-  const Outline& outline_;
-  Outline around_;    // region and sites
-  DiagramCore core_;  // its ids are places
+  const NormalizedPolygon& polygon_;
+  NormalizedPolygon around_;  // region and sites
+  DiagramCore core_;          // its ids are indices
   FlatArray<SiteId> ids_;
   FlatArray<Site> sites_;
   FlatArray<double> shares_;   // of the region's area
-  FlatArray<double> targets_;  // with their share of the ground
+  FlatArray<double> targets_;  // with their share of the regularization
   State best_, tried_;
   FlatArray<Coupling> couplings_;  // the best state's, some of them stiffer
   FlatArray<double> direction_;    // of the next step
   double last_ = 1;                // share of the last step that was taken
-  double ground_ = 0;              // its density
+  double regularization_ = 0;      // its density
   bool isNear_ = false;            // the end
   bool isAtTheEndOfDoubles_ = false;
 };

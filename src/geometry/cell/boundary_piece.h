@@ -16,7 +16,7 @@ namespace apollonius::internal {
 struct BoundaryPiece {
   Conic curve;
   SiteId neighbor = kNoSite;  ///< whose cell is on the right; kNoSite along the window's border
-  /// Of an edge's piece in a region: the segments of its outline that it starts and ends on.
+  /// Of an edge's piece in a region: the segments of its polygon that it starts and ends on.
   std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;
 };
 

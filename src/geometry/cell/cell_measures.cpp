@@ -17,14 +17,14 @@ struct SiteContact {
   BorderContact contact;
 };
 
-class WindowSum {
+class RectangleSum {
  public:
-  WindowSum(const DiagramCore& core, const Window& window, Measure what)
+  RectangleSum(const DiagramCore& core, const Rectangle& window, Measure what)
       : core_(core), window_(window), sums_(core, window, what) {}
 
   void run(std::vector<double>& measures) {
     const Graph& graph = core_.delaunay().graph();
-    forEachClippedPiece(core_.delaunay(), window_, Bits::kCached,
+    forEachClippedPiece(core_.delaunay(), window_, VertexPrecision::kFast,
                         [&](HalfedgeId h, const ClippedPiece& piece) {
                           addPiece(piece, slotOf(graph.origin(h)), slotOf(graph.target(h)));
                         });
@@ -41,9 +41,9 @@ class WindowSum {
   }
 
   void addContact(Slot left, Slot right, int side, Point point, bool leaves) {
-    const double place = window_.placeOf(side, point);
-    contacts_.push_back({left, {side, place, point, 0, leaves}});
-    contacts_.push_back({right, {side, place, point, 0, !leaves}});
+    const double position = window_.positionOf(side, point);
+    contacts_.push_back({left, {side, position, point, 0, leaves}});
+    contacts_.push_back({right, {side, position, point, 0, !leaves}});
   }
 
   void addBorders() {
@@ -57,7 +57,7 @@ class WindowSum {
       own.clear();
       for (; begin < bySite.size() && bySite[begin].key == slot; ++begin)
         own.push_back(contacts_[bySite[begin].value].contact);
-      matchBorder(core_, slot, window_, own, arcs);
+      linkBorderArcs(core_, slot, window_, own, arcs);
       for (const BorderArc& arc : arcs) {
         Point at = own[arc.from].point;
         for (int k = 0; k < arc.cornerCount; ++k) {
@@ -71,14 +71,15 @@ class WindowSum {
   }
 
   const DiagramCore& core_;
-  Window window_;
+  Rectangle window_;
   CellSums sums_;
   FlatArray<SiteContact> contacts_;
 };
 
 /// If no edge meets the window, one cell has all of it. (Edges can touch it, so contacts are no
 /// proof; the sum of areas is all or nothing.)
-Slot wholeOwner(const DiagramCore& core, const Window& window, const std::vector<double>& areas) {
+Slot wholeOwner(const DiagramCore& core, const Rectangle& window,
+                const std::vector<double>& areas) {
   double sum = 0;
   for (const double area : areas) sum += area;
   if (core.visibleCount() == 0 || sum > window.width() * window.height() / 2) return kNoSlot;
@@ -87,12 +88,12 @@ Slot wholeOwner(const DiagramCore& core, const Window& window, const std::vector
 
 }  // namespace
 
-void measureCells(const DiagramCore& core, const Window& window, Measure what,
+void measureCells(const DiagramCore& core, const Rectangle& window, Measure what,
                   std::vector<double>& measures) {
-  WindowSum(core, window, what).run(measures);
+  RectangleSum(core, window, what).run(measures);
   std::vector<double> areas;
   if (what != Measure::kAreas) {
-    WindowSum(core, window, Measure::kAreas).run(areas);
+    RectangleSum(core, window, Measure::kAreas).run(areas);
   }
   const Slot owner = wholeOwner(core, window, what == Measure::kAreas ? measures : areas);
   if (owner == kNoSlot) return;
@@ -106,36 +107,38 @@ void measureCells(const DiagramCore& core, const Window& window, Measure what,
   }
 }
 
-void addBorders(const Overlay& overlay, CellSums& sums) {
-  for (std::uint32_t k = 0; k < overlay.crossingCount(); ++k) {
-    const Crossing& crossing = overlay.crossing(k);
-    overlay.visitWay(crossing,
-                     [&](Point from, Point to) { sums.addBorder(crossing.to, from, to); });
+void addBorders(const ClippedDiagram& clippedDiagram, CellSums& sums) {
+  for (std::uint32_t k = 0; k < clippedDiagram.crossingCount(); ++k) {
+    const Crossing& crossing = clippedDiagram.crossing(k);
+    clippedDiagram.visitBoundaryChain(
+        crossing, [&](Point from, Point to) { sums.addBorder(crossing.to, from, to); });
   }
-  for (const Keyed& lodger : overlay.lodgers()) {
-    const std::span<const Point> ring = overlay.outline().ring(lodger.value);
+  for (const Keyed& interiorRing : clippedDiagram.interiorRings()) {
+    const std::span<const Point> ring = clippedDiagram.polygon().ring(interiorRing.value);
     Point at = ring.back();
     for (const Point p : ring) {
-      sums.addBorder(lodger.key, at, p);
+      sums.addBorder(interiorRing.key, at, p);
       at = p;
     }
   }
 }
 
-void measureCells(const Overlay& overlay, Measure what, std::vector<double>& measures) {
-  const DiagramCore& core = overlay.core();
-  const Outline& outline = overlay.outline();
+void measureCells(const ClippedDiagram& clippedDiagram, Measure what,
+                  std::vector<double>& measures) {
+  const DiagramCore& core = clippedDiagram.core();
+  const NormalizedPolygon& polygon = clippedDiagram.polygon();
   const Graph& graph = core.delaunay().graph();
-  CellSums sums(core, outline.box, what);
-  overlay.visitEdges(Bits::kCached, [&](HalfedgeId h, const Edge&, const InnerPiece& piece) {
-    sums.addEdge(slotOf(graph.origin(h)), slotOf(graph.target(h)), piece.curve, piece.times);
+  CellSums sums(core, polygon.box, what);
+  clippedDiagram.visitEdges(VertexPrecision::kFast, [&](HalfedgeId h, const Edge&,
+                                                        const InsideInterval& piece) {
+    sums.addEdge(slotOf(graph.origin(h)), slotOf(graph.target(h)), piece.curve, piece.multiplicity);
   });
-  addBorders(overlay, sums);
+  addBorders(clippedDiagram, sums);
   sums.list(measures);
   if (what != Measure::kPerimeters) return;
   // Where a ring runs along an edge, or nearly along itself, rounding can leave slivers, which have
   // length but no area. Complete parts contain none.
-  PartFinder finder(overlay);
+  PolygonCellClipper finder(clippedDiagram);
   Slot last = kNoSlot;
   const auto measureParts = [&](Slot slot) {
     if (slot == last) return;
@@ -144,8 +147,9 @@ void measureCells(const Overlay& overlay, Measure what, std::vector<double>& mea
     for (const BoundaryPiece& piece : finder.find(slot).pieces) sum += lengthOf(piece.curve);
     measures[core.ids().idOf(slot)] = sum;
   };
-  for (std::uint32_t k = 0; k < overlay.crossingCount(); ++k) measureParts(overlay.crossing(k).to);
-  for (const Keyed& lodger : overlay.lodgers()) measureParts(lodger.key);
+  for (std::uint32_t k = 0; k < clippedDiagram.crossingCount(); ++k)
+    measureParts(clippedDiagram.crossing(k).to);
+  for (const Keyed& interiorRing : clippedDiagram.interiorRings()) measureParts(interiorRing.key);
 }
 
 }  // namespace apollonius::internal

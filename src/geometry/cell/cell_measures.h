@@ -15,12 +15,13 @@ namespace apollonius::internal {
 enum class Measure : unsigned char { kAreas, kCentroids, kPerimeters };
 
 /// Replaces the contents of `measures`.
-void measureCells(const DiagramCore& core, const Window& window, Measure what,
+void measureCells(const DiagramCore& core, const Rectangle& window, Measure what,
                   std::vector<double>& measures);
-void measureCells(const Overlay& overlay, Measure what, std::vector<double>& measures);
+void measureCells(const ClippedDiagram& clippedDiagram, Measure what,
+                  std::vector<double>& measures);
 
 class CellSums;
 /// Adds what the cells have of the region's border.
-void addBorders(const Overlay& overlay, CellSums& sums);
+void addBorders(const ClippedDiagram& clippedDiagram, CellSums& sums);
 
 }  // namespace apollonius::internal

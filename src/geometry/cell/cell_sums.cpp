@@ -4,7 +4,7 @@
 
 namespace apollonius::internal {
 
-CellSums::CellSums(const DiagramCore& core, const Window& box, Measure what)
+CellSums::CellSums(const DiagramCore& core, const Rectangle& box, Measure what)
     : core_(core), box_(box), what_(what) {
   if (what == Measure::kCentroids) {
     moments_.resize(core.ids().slots());
@@ -13,16 +13,17 @@ CellSums::CellSums(const DiagramCore& core, const Window& box, Measure what)
   }
 }
 
-void CellSums::addEdge(Slot left, Slot right, const Conic& piece, int times) {
+void CellSums::addEdge(Slot left, Slot right, const Conic& piece, int multiplicity) {
   if (what_ == Measure::kPerimeters) {
-    const double length = times < 0 ? -times * lengthOf(piece) : times * lengthOf(piece);
+    const double length =
+        multiplicity < 0 ? -multiplicity * lengthOf(piece) : multiplicity * lengthOf(piece);
     sums_[left].add(length);
     sums_[right].add(length);
     return;
   }
   const double beyond = what_ == Measure::kAreas ? areaBeyondChord(piece) : 0;
-  addPiece(left, piece, beyond, times);
-  addPiece(right, piece.reversed(), -beyond, times);
+  addPiece(left, piece, beyond, multiplicity);
+  addPiece(right, piece.reversed(), -beyond, multiplicity);
 }
 
 void CellSums::addBorder(Slot left, Point from, Point to) {
@@ -33,17 +34,17 @@ void CellSums::addBorder(Slot left, Point from, Point to) {
   }
 }
 
-void CellSums::addPiece(Slot slot, const Conic& piece, double beyond, int times) {
+void CellSums::addPiece(Slot slot, const Conic& piece, double beyond, int multiplicity) {
   const Point origin = originOf(slot);
   if (what_ == Measure::kAreas) {
     const double term = cross(piece.p0 - origin, piece.p2 - origin) / 2 + beyond;
-    sums_[slot].add(times * term);
+    sums_[slot].add(multiplicity * term);
     return;
   }
   Moments one;
   one.add(piece, origin);
-  moments_[slot].area += times * one.area;
-  moments_[slot].first = moments_[slot].first + static_cast<double>(times) * one.first;
+  moments_[slot].area += multiplicity * one.area;
+  moments_[slot].first = moments_[slot].first + static_cast<double>(multiplicity) * one.first;
 }
 
 void CellSums::list(std::vector<double>& measures) const {

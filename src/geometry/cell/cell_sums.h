@@ -12,10 +12,10 @@ namespace apollonius::internal {
 class CellSums {
  public:
   /// `box` holds all that is summed; cells are measured from its point nearest to their centres.
-  CellSums(const DiagramCore& core, const Window& box, Measure what);
+  CellSums(const DiagramCore& core, const Rectangle& box, Measure what);
 
-  /// A piece between two cells, counted so many times for the one on its left.
-  void addEdge(Slot left, Slot right, const Conic& piece, int times = 1);
+  /// A piece between two cells, counted `multiplicity` times for the one on its left.
+  void addEdge(Slot left, Slot right, const Conic& piece, int multiplicity = 1);
   /// A piece of the border with a cell on its left.
   void addBorder(Slot left, Point from, Point to);
 
@@ -29,10 +29,10 @@ class CellSums {
     const Site& site = core_.site(slot);
     return box_.nearestTo({site.x, site.y});
   }
-  void addPiece(Slot slot, const Conic& piece, double beyond, int times);
+  void addPiece(Slot slot, const Conic& piece, double beyond, int multiplicity);
 
   const DiagramCore& core_;
-  Window box_;
+  Rectangle box_;
   Measure what_;
   FlatArray<Sum> sums_;         // by slot: areas or lengths
   FlatArray<Moments> moments_;  // by slot

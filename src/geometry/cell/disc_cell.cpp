@@ -78,8 +78,8 @@ void cellWithin(const DiagramCore& core, Slot site, double radius,
   findSectors(core, site, radius, sectors);
   if (sectors.empty()) return addArc(center, radius, {1, 0}, {1, 0}, boundary);
 
-  // All sectors and the arcs between them are one turn. So an arc between equal directions is none,
-  // unless nothing else turns: then one of them is all of it.
+  // All sectors and the arcs between them are one turn. So an arc between equal directions is
+  // empty, unless nothing else turns: then one of them is all of it.
   const auto hasArc = [&](std::size_t k) {
     return sectors[k].endsOnCircle || sectors[(k + 1) % sectors.size()].startsOnCircle;
   };

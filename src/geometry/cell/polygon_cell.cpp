@@ -34,10 +34,12 @@ bool isInside(std::span<const BoundaryPiece> boundary, Point p) {
 
 }  // namespace
 
-PartFinder::PartFinder(const Overlay& overlay, bool keepsThin)
-    : overlay_(overlay), keepsThin_(keepsThin), rankOf_(overlay.crossingCount(), 0) {}
+PolygonCellClipper::PolygonCellClipper(const ClippedDiagram& clippedDiagram, bool keepsThin)
+    : clippedDiagram_(clippedDiagram),
+      keepsThin_(keepsThin),
+      rankOf_(clippedDiagram.crossingCount(), 0) {}
 
-const Cell& PartFinder::find(Slot site) {
+const Cell& PolygonCellClipper::find(Slot site) {
   for (Cell* const cell : {&cell_, &found_}) {
     cell->pieces.clear();
     cell->starts.assign(1, 0);
@@ -45,13 +47,13 @@ const Cell& PartFinder::find(Slot site) {
   cell_.outers.assign(1, 0);
   areas_.clear();
   boxes_.clear();
-  const DiagramCore& core = overlay_.core();
+  const DiagramCore& core = clippedDiagram_.core();
   if (core.ids().state(site) != SiteState::kVisible) return cell_;
   const Graph& graph = core.delaunay().graph();
   const VertexId v = vertexOf(site);
   if (graph.hasVertex(v)) {
     listSides(v);
-    const int winding = overlay_.windingOf(faceOf(graph.twin(graph.outgoing(v))));
+    const int winding = clippedDiagram_.windingOf(faceOf(graph.twin(graph.outgoing(v))));
     const auto count = static_cast<std::int64_t>(std::min(exits_.size(), entries_.size()));
     if (count == 0 && winding > 0) {
       for (const Side& side : sides_) addPiece(side, nullptr, nullptr);
@@ -59,7 +61,7 @@ const Cell& PartFinder::find(Slot site) {
     }
     for (std::uint32_t k = 0; k < exits_.size(); ++k) rankOf_[exits_[k].crossing] = k;
     isUsed_.assign(entries_.size(), 0);
-    // Between the cell's first edge and an exit, so many rings have entered more often than left
+    // Between the cell's first edge and an exit, this many more rings have entered than left
     // as the winding number at the first edge's start says; so that many entries further on is the
     // exit's. What rounding has exchanged is in its place again after sorting.
     for (std::size_t first = 0; first < isUsed_.size(); ++first) {
@@ -67,8 +69,8 @@ const Cell& PartFinder::find(Slot site) {
       if (isUsed_[k] != 0) continue;
       while (isUsed_[k] == 0) {
         isUsed_[k] = 1;
-        const Crossing& entry = overlay_.crossing(entries_[k].crossing);
-        addWay(entry);
+        const Crossing& entry = clippedDiagram_.crossing(entries_[k].crossing);
+        addBoundaryChain(entry);
         const std::int64_t exit = rankOf_[entry.next], place = exit + winding;
         const std::int64_t turns = place >= 0 ? place / count : -((count - 1 - place) / count);
         k = static_cast<std::size_t>(place - turns * count);
@@ -86,8 +88,8 @@ const Cell& PartFinder::find(Slot site) {
 }
 
 /// The cell's edges, and the crossings on them.
-void PartFinder::listSides(VertexId v) {
-  const DiagramCore& core = overlay_.core();
+void PolygonCellClipper::listSides(VertexId v) {
+  const DiagramCore& core = clippedDiagram_.core();
   const Graph& graph = core.delaunay().graph();
   sides_.clear();
   exits_.clear();
@@ -101,27 +103,29 @@ void PartFinder::listSides(VertexId v) {
     const bool isReference = startsAtReference(core.delaunay(), h);
     const HalfedgeId edge = isReference ? h : graph.twin(h);
     sides_.push_back({h, edge, core.siteOf(graph.target(h))});
-    const std::span<const std::uint32_t> crossings = overlay_.crossingsOf(edge);
+    const std::span<const std::uint32_t> crossings = clippedDiagram_.crossingsOf(edge);
     for (std::size_t k = 0; k < crossings.size(); ++k) {
       const std::uint32_t c = crossings[isReference ? k : crossings.size() - 1 - k];
-      const bool isExit = overlay_.crossing(c).isForward == isReference;
+      const bool isExit = clippedDiagram_.crossing(c).isForward == isReference;
       (isExit ? exits_ : entries_).push_back({c, number});
     }
   }
 }
 
-void PartFinder::addSegment(Point from, Point to, SiteId neighbor) {
+void PolygonCellClipper::addSegment(Point from, Point to, SiteId neighbor) {
   if (!(from == to)) found_.pieces.push_back({Conic::segment(from, to), neighbor});
 }
 
 /// The region's boundary through the cell.
-void PartFinder::addWay(const Crossing& entry) {
-  overlay_.visitWay(entry, [&](Point from, Point to) { addSegment(from, to, kNoSite); });
+void PolygonCellClipper::addBoundaryChain(const Crossing& entry) {
+  clippedDiagram_.visitBoundaryChain(entry,
+                                     [&](Point from, Point to) { addSegment(from, to, kNoSite); });
 }
 
-/// The cell's boundary from one crossing to another, so many sides further on.
-void PartFinder::addBoundary(const Event& from, const Event& to, std::size_t sides) {
-  const Crossing &start = overlay_.crossing(from.crossing), &end = overlay_.crossing(to.crossing);
+/// The cell's boundary from one crossing to another, this many sides further on.
+void PolygonCellClipper::addBoundary(const Event& from, const Event& to, std::size_t sides) {
+  const Crossing &start = clippedDiagram_.crossing(from.crossing),
+                 &end = clippedDiagram_.crossing(to.crossing);
   if (sides == 0) return addPiece(sides_[from.edge], &start, &end);
   addPiece(sides_[from.edge], &start, nullptr);
   for (std::size_t k = 1; k < sides; ++k)
@@ -130,9 +134,9 @@ void PartFinder::addBoundary(const Event& from, const Event& to, std::size_t sid
 }
 
 /// A piece of an edge, counter-clockwise; from its start and to its end, where none is given.
-void PartFinder::addPiece(const Side& side, const Crossing* from, const Crossing* to) {
+void PolygonCellClipper::addPiece(const Side& side, const Crossing* from, const Crossing* to) {
   if (side.edge == kNoHalfedge) return;
-  const Edge edge(overlay_.core().delaunay(), side.edge);
+  const Edge edge(clippedDiagram_.core().delaunay(), side.edge);
   const bool isReference = side.edge == side.halfedge;
   const Crossing* const low = isReference ? from : to;
   const Crossing* const high = isReference ? to : from;
@@ -144,22 +148,22 @@ void PartFinder::addPiece(const Side& side, const Crossing* from, const Crossing
   const double e0 = low == nullptr ? edge.e0 : low->e, e1 = high == nullptr ? edge.e1 : high->e;
   // Places that rounding has exchanged are gone between backwards.
   const Conic curve = !isHere    ? Conic::segment(a, b)
-                      : e0 <= e1 ? overlay_.pieceInside(edge, e0, e1, a, b)
-                                 : overlay_.pieceInside(edge, e1, e0, b, a).reversed();
+                      : e0 <= e1 ? clippedDiagram_.pieceInside(edge, e0, e1, a, b)
+                                 : clippedDiagram_.pieceInside(edge, e1, e0, b, a).reversed();
   if (!(curve.p0 == curve.p2))
     found_.pieces.push_back(
         {isReference ? curve : curve.reversed(), side.neighbor, segmentOf(from), segmentOf(to)});
 }
 
-/// Of the outline, on which a crossing is.
-std::uint32_t PartFinder::segmentOf(const Crossing* crossing) const {
+/// Of the polygon, on which a crossing is.
+std::uint32_t PolygonCellClipper::segmentOf(const Crossing* crossing) const {
   if (crossing == nullptr) return kNoSegment;
-  return overlay_.outline().starts[crossing->ring] + crossing->firstPoint - 1;
+  return clippedDiagram_.polygon().starts[crossing->ring] + crossing->firstPoint - 1;
 }
 
-void PartFinder::addLodgers(Slot site) {
-  for (const Keyed& lodger : overlay_.lodgersOf(site)) {
-    const std::span<const Point> ring = overlay_.outline().ring(lodger.value);
+void PolygonCellClipper::addLodgers(Slot site) {
+  for (const Keyed& interiorRing : clippedDiagram_.interiorRingsOf(site)) {
+    const std::span<const Point> ring = clippedDiagram_.polygon().ring(interiorRing.value);
     Point at = ring.back();
     for (const Point p : ring) {
       addSegment(at, p, kNoSite);
@@ -169,13 +173,13 @@ void PartFinder::addLodgers(Slot site) {
   }
 }
 
-void PartFinder::closeRing() {
+void PolygonCellClipper::closeRing() {
   const std::uint32_t start = found_.starts.back();
   const auto pieces = std::span(found_.pieces).subspan(start);
   if (pieces.empty()) return;
   double reach = 0, size = 0;
   const Point first = pieces.front().curve.p0;
-  Window box{first.x, first.y, first.x, first.y};
+  Rectangle box{first.x, first.y, first.x, first.y};
   for (const BoundaryPiece& piece : pieces) {
     const Point from = piece.curve.p0;
     reach += length(piece.curve.p2 - from);
@@ -193,7 +197,7 @@ void PartFinder::closeRing() {
   }
 }
 
-void PartFinder::sortHoles() {
+void PolygonCellClipper::sortHoles() {
   const auto take = [&](std::size_t k) {
     cell_.pieces.append(found_.ring(k));
     cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));

@@ -8,10 +8,10 @@
 namespace apollonius::internal {
 
 /// Finds the parts of cells; keeps its scratch memory from one to the next.
-class PartFinder {
+class PolygonCellClipper {
  public:
-  /// `keepsThin`: as CellFinder.
-  explicit PartFinder(const Overlay& overlay, bool keepsThin = false);
+  /// `keepsThin`: as RectangleCellClipper.
+  explicit PolygonCellClipper(const ClippedDiagram& clippedDiagram, bool keepsThin = false);
 
   /// The cell of a site, without regions if it is hidden or has no part inside. Valid until the
   /// next call. Cost: O(d + crossings of the cell + points of the region within it), and holes
@@ -31,7 +31,7 @@ class PartFinder {
   };
 
   void listSides(VertexId v);
-  void addWay(const Crossing& entry);
+  void addBoundaryChain(const Crossing& entry);
   void addBoundary(const Event& from, const Event& to, std::size_t sides);
   void addPiece(const Side& side, const Crossing* from, const Crossing* to);
   [[nodiscard]] std::uint32_t segmentOf(const Crossing* crossing) const;
@@ -42,12 +42,12 @@ class PartFinder {
   /// Puts each hole behind the outer ring around it.
   void sortHoles();
 
-  const Overlay& overlay_;
+  const ClippedDiagram& clippedDiagram_;
   bool keepsThin_;
   Cell cell_;
   Cell found_;  // the rings in the order in which they are found
   FlatArray<double> areas_;
-  FlatArray<Window> boxes_;  // of the rings
+  FlatArray<Rectangle> boxes_;  // of the rings
   FlatArray<Side> sides_;
   FlatArray<Event> exits_, entries_;
   FlatArray<std::uint32_t> rankOf_;  // by crossing: of exits_

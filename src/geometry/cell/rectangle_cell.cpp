@@ -29,7 +29,7 @@ HalfedgeId firstOfStar(const DelaunayGraph& delaunay, VertexId v) {
 
 }  // namespace
 
-const Cell& CellFinder::find(Slot site) {
+const Cell& RectangleCellClipper::find(Slot site) {
   cell_.pieces.clear();
   cell_.starts.assign(1, 0);
   cell_.outers.assign(1, 0);
@@ -39,7 +39,7 @@ const Cell& CellFinder::find(Slot site) {
   for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
     const ClippedPiece& piece = pieces_[k].clipped;
     const auto add = [&](int side, Point p, bool leaves) {
-      if (side != kNoSide) contacts_.push_back({side, window_.placeOf(side, p), p, k, leaves});
+      if (side != kNoSide) contacts_.push_back({side, window_.positionOf(side, p), p, k, leaves});
     };
     add(piece.fromSide, piece.curve.p0, false);
     add(piece.toSide, piece.curve.p2, true);
@@ -58,7 +58,7 @@ const Cell& CellFinder::find(Slot site) {
 
 /// The parts of the cell's edges inside the window, counter-clockwise about the site, from one edge
 /// on after any history.
-void CellFinder::clipEdges(Slot site) {
+void RectangleCellClipper::clipEdges(Slot site) {
   pieces_.clear();
   const DelaunayGraph& delaunay = core_.delaunay();
   const Graph& graph = delaunay.graph();
@@ -82,8 +82,8 @@ void CellFinder::clipEdges(Slot site) {
 }
 
 /// Joins the pieces, which leave and enter the window, along its border.
-void CellFinder::link(Slot site) {
-  matchBorder(core_, site, window_, contacts_, arcs_);
+void RectangleCellClipper::link(Slot site) {
+  linkBorderArcs(core_, site, window_, contacts_, arcs_);
   arcAfter_.assign(pieces_.size(), 0);
   isUsed_.assign(pieces_.size(), 0);
   for (std::uint32_t k = 0; k < arcs_.size(); ++k) arcAfter_[contacts_[arcs_[k].from].piece] = k;
@@ -105,7 +105,7 @@ void CellFinder::link(Slot site) {
   }
 }
 
-void CellFinder::addBorder(const BorderArc& arc) {
+void RectangleCellClipper::addBorder(const BorderArc& arc) {
   Point at = contacts_[arc.from].point;
   const auto lineTo = [&](Point p) {
     if (!(p == at)) cell_.pieces.push_back({Conic::segment(at, p), kNoSite});
@@ -115,14 +115,14 @@ void CellFinder::addBorder(const BorderArc& arc) {
   lineTo(contacts_[arc.to].point);
 }
 
-void CellFinder::wholeWindow() {
+void RectangleCellClipper::wholeWindow() {
   for (int k = 0; k < 4; ++k)
     cell_.pieces.push_back(
         {Conic::segment(window_.corner(k), window_.corner((k + 1) % 4)), kNoSite});
   closeRegion();
 }
 
-void CellFinder::closeRegion() {
+void RectangleCellClipper::closeRegion() {
   const std::uint32_t start = cell_.starts.back();
   const auto pieces = std::span(cell_.pieces).subspan(start);
   // Of its own first point, which is the same after any history: a sliver is there after all of

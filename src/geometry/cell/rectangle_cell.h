@@ -17,10 +17,10 @@
 namespace apollonius::internal {
 
 /// Finds cells; keeps its scratch memory from one to the next.
-class CellFinder {
+class RectangleCellClipper {
  public:
   /// `keepsThin`: regions without area up to rounding, too, so that each curve is there twice.
-  CellFinder(const DiagramCore& core, const Window& window, bool keepsThin = false)
+  RectangleCellClipper(const DiagramCore& core, const Rectangle& window, bool keepsThin = false)
       : core_(core), window_(window), keepsThin_(keepsThin) {}
 
   /// The cell of a site, without regions if it is hidden or does not meet the window. Valid until
@@ -42,7 +42,7 @@ class CellFinder {
   void closeRegion();
 
   const DiagramCore& core_;
-  Window window_;
+  Rectangle window_;
   bool keepsThin_;
   Cell cell_;
   FlatArray<Piece> pieces_;

@@ -48,13 +48,13 @@ Bisector::Bisector(const Site& reference, const Site& other)
 }
 
 Point Bisector::at(double e) const {
-  const Place place(e);
+  const HyperbolicCoordinates place(e);
   const double x = d_ / 2 + a_ * place.cosh, y = b_ * place.sinh;
   return {reference_.x + (axis_.x * x - axis_.y * y), reference_.y + (axis_.y * x + axis_.x * y)};
 }
 
 Point Bisector::tangent(double e) const {
-  const Place place(e);
+  const HyperbolicCoordinates place(e);
   const double x = a_ * place.sinh, y = b_ * place.cosh, size = std::sqrt(x * x + y * y);
   return {(axis_.x * x - axis_.y * y) / size, (axis_.y * x + axis_.x * y) / size};
 }
@@ -90,7 +90,7 @@ Conic Bisector::piece(double e0, double e1, Point from, Point to) const {
   // (2 cosh² u).
   const double h = std::sqrt(e1) / std::sqrt(e0);
   const double w = (h + 1 / h) / 2;
-  const Place first(e0), second(e1);
+  const HyperbolicCoordinates first(e0), second(e1);
   const double scale = 1 / (2 * w * w);
   const double x = d_ / 2 + a_ * ((first.cosh + second.cosh) * scale),
                y = b_ * ((first.sinh + second.sinh) * scale);

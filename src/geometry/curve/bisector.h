@@ -21,9 +21,9 @@
 namespace apollonius::internal {
 
 /// The place of a point on a bisector: cosh t and sinh t from E.
-struct Place {
+struct HyperbolicCoordinates {
   double cosh, sinh;
-  explicit Place(double e) : cosh((e + 1 / e) / 2), sinh((e - 1 / e) / 2) {}
+  explicit HyperbolicCoordinates(double e) : cosh((e + 1 / e) / 2), sinh((e - 1 / e) / 2) {}
 };
 
 class Bisector {

@@ -24,10 +24,10 @@ bool isUsable(Point p) {
 
 }  // namespace
 
-EdgeEnd endAt(const DelaunayGraph& delaunay, FaceId f, Bits bits) {
+EdgeEnd endAt(const DelaunayGraph& delaunay, FaceId f, VertexPrecision precision) {
   const VoronoiCircle& cached = delaunay.circle(f);
   const VoronoiCircle circle =
-      bits == Bits::kCached && isPrecise(cached) ? cached : delaunay.vertex(f);
+      precision == VertexPrecision::kFast && isPrecise(cached) ? cached : delaunay.voronoiVertex(f);
   if (circle.isHalfPlane()) return {};
   return {{circle.x, circle.y}, true};
 }
@@ -38,11 +38,11 @@ bool startsAtReference(const DelaunayGraph& delaunay, HalfedgeId h) {
   return precedes(b, a) || (!precedes(a, b) && h < delaunay.graph().twin(h));
 }
 
-Edge::Edge(const DelaunayGraph& delaunay, HalfedgeId h, Bits bits)
+Edge::Edge(const DelaunayGraph& delaunay, HalfedgeId h, VertexPrecision precision)
     : bisector(delaunay.site(delaunay.graph().origin(h)),
                delaunay.site(delaunay.graph().target(h))),
-      from(endAt(delaunay, faceOf(delaunay.graph().twin(h)), bits)),
-      to(endAt(delaunay, faceOf(h), bits)),
+      from(endAt(delaunay, faceOf(delaunay.graph().twin(h)), precision)),
+      to(endAt(delaunay, faceOf(h), precision)),
       e0(0),
       e1(kInfinite) {
   const auto parameter = [&](EdgeEnd& end, double atInfinity) {

@@ -27,12 +27,12 @@ struct EdgeEnd {
               powerOfTwo(-40) * (absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
 }
 
-/// Which bits a vertex gets: the same after any history (DelaunayGraph::vertex), or those of the
-/// cached circle if it is precise, which is quicker and differs in the last places.
-enum class Bits : unsigned char { kCanonical, kCached };
+/// Which bits a vertex gets: the same after any history (DelaunayGraph::voronoiVertex), or those of
+/// the cached circle if it is precise, which is quicker and differs in the last places.
+enum class VertexPrecision : unsigned char { kReproducible, kFast };
 
 /// The Voronoi vertex of a face.
-[[nodiscard]] EdgeEnd endAt(const DelaunayGraph& delaunay, FaceId f, Bits bits);
+[[nodiscard]] EdgeEnd endAt(const DelaunayGraph& delaunay, FaceId f, VertexPrecision precision);
 
 /// The half-edge of an edge whose origin is the reference site of its bisector: the larger one in
 /// the order of precedes(). REQUIRES: two finite sites.
@@ -47,7 +47,8 @@ struct Edge {
   double e0, e1;
 
   /// REQUIRES: startsAtReference.
-  Edge(const DelaunayGraph& delaunay, HalfedgeId h, Bits bits = Bits::kCanonical);
+  Edge(const DelaunayGraph& delaunay, HalfedgeId h,
+       VertexPrecision precision = VertexPrecision::kReproducible);
 };
 
 /// A piece of an edge between two places, with these ends. Straight where rounding has exchanged

@@ -49,8 +49,8 @@ DualEdge dualEdge(const DelaunayGraph& delaunay, HalfedgeId h) {
   const Site &i = delaunay.site(delaunay.graph().origin(h)),
              &j = delaunay.site(delaunay.graph().target(h));
   const Point pi{i.x, i.y}, pj{j.x, j.y};
-  const VoronoiCircle first = delaunay.vertex(faceOf(delaunay.graph().twin(h))),
-                      second = delaunay.vertex(faceOf(h));
+  const VoronoiCircle first = delaunay.voronoiVertex(faceOf(delaunay.graph().twin(h))),
+                      second = delaunay.voronoiVertex(faceOf(h));
   DualEdge edge;
   edge.curves[0] = Conic::segment(pi, pj);
   const Bisector bisector(i, j);

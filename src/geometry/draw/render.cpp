@@ -27,7 +27,7 @@ void visitEdges(const DelaunayGraph& delaunay, Portion& portion, const Path& pat
 
 /// Is it a precise vertex inside the window? All of this is easily guessed: mostly it is, or
 /// (zoomed in) mostly it is not.
-bool isUsable(const VoronoiCircle& c, const Window& window) {
+bool isUsable(const VoronoiCircle& c, const Rectangle& window) {
   return window.holds({c.x, c.y}) && !c.isHalfPlane() &&
          c.error <= powerOfTwo(-40) * (absolute(c.x) + absolute(c.y) + absolute(c.s));
 }
@@ -38,7 +38,7 @@ bool isUsable(const VoronoiCircle& c, const Window& window) {
 /// away from its chord (a circle's: l² c / 8 (1 + …), at c l = 1 a 7.46th). No branch on that:
 /// which edges pass cannot be guessed.
 bool isPlain(double p, double r, const VoronoiCircle& from, const VoronoiCircle& to,
-             const Window& window, double tolerance) {
+             const Rectangle& window, double tolerance) {
   if (!isUsable(from, window) || !isUsable(to, window)) return false;
   const double lx = to.x - from.x, ly = to.y - from.y, l2 = lx * lx + ly * ly;
   return (static_cast<int>(2 * r * l2 <= 7 * p * tolerance) &
@@ -55,7 +55,7 @@ bool isPlain(double p, double r, const VoronoiCircle& from, const VoronoiCircle&
 /// the tangents meet, at t n with t = p / (2 (c · n + r s)), s = rho_a rho_b + a · b, and the
 /// weight is 1 / (t √(2s)).
 bool drawQuickly(const Site& reference, const Site& other, double p, Point from, Point to,
-                 const Window& window, double tolerance, Path& path) {
+                 const Rectangle& window, double tolerance, Path& path) {
   const Point center{reference.x, reference.y}, c{other.x - reference.x, other.y - reference.y},
       a = from - center, b = to - center;
   const double r = other.r - reference.r, ra = length(a), rb = length(b);
@@ -89,7 +89,7 @@ bool drawQuickly(const Site& reference, const Site& other, double p, Point from,
 
 }  // namespace
 
-void drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion,
+void drawEdges(const DiagramCore& core, const Rectangle& window, double tolerance, Portion& portion,
                Path& path) {
   // In blocks, each in several short loops without branches: the time is that of fetching sites and
   // circles from memory, and many fetches overlap if there is little to do and nothing to guess
@@ -119,7 +119,7 @@ void drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
                    static_cast<std::size_t>(graph.target(h) != kInfinity);
     }
     for (std::size_t k = 0; k < edgeCount; ++k)
-      starts[k] = delaunay.keptCircle(faceOf(graph.twin(edges[k])));
+      starts[k] = delaunay.cachedCircle(faceOf(graph.twin(edges[k])));
     for (std::size_t k = 0; k < edgeCount; ++k) {
       const Site &i = delaunay.site(graph.origin(edges[k])),
                  &j = delaunay.site(graph.target(edges[k]));
@@ -129,7 +129,7 @@ void drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
     }
     std::size_t plainCount = 0, otherCount = 0;
     for (std::size_t k = 0; k < edgeCount; ++k) {
-      const VoronoiCircle &from = starts[k], &to = delaunay.keptCircle(faceOf(edges[k]));
+      const VoronoiCircle &from = starts[k], &to = delaunay.cachedCircle(faceOf(edges[k]));
       const bool plain = isPlain(squares[k], differences[k], from, to, window, tolerance);
       double* const at = &ends[4 * plainCount];
       at[0] = from.x;
@@ -143,14 +143,14 @@ void drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
     path.segments(ends.data(), plainCount);
     for (std::size_t m = 0; m < otherCount; ++m) {
       const HalfedgeId g = edges[others[m]], h = startsAtReference(delaunay, g) ? g : graph.twin(g);
-      const VoronoiCircle &from = starts[others[m]], &to = delaunay.keptCircle(faceOf(g));
+      const VoronoiCircle &from = starts[others[m]], &to = delaunay.cachedCircle(faceOf(g));
       if (isUsable(from, window) && isUsable(to, window) &&
           drawQuickly(delaunay.site(graph.origin(h)), delaunay.site(graph.target(h)),
                       squares[others[m]], {from.x, from.y}, {to.x, to.y}, window, tolerance,
                       path)) {
         continue;
       }
-      clipEdge(delaunay, h, window, clipped, Bits::kCached);
+      clipEdge(delaunay, h, window, clipped, VertexPrecision::kFast);
       for (int k = 0; k < clipped.count; ++k) {
         const Conic& curve = clipped.pieces[static_cast<std::size_t>(k)].curve;
         path.move(curve.p0.x, curve.p0.y);
@@ -161,20 +161,21 @@ void drawEdges(const DiagramCore& core, const Window& window, double tolerance, 
   portion.isDone = true;
 }
 
-void drawEdges(const Overlay& overlay, double tolerance, Portion& portion, Path& path) {
-  const DelaunayGraph& delaunay = overlay.core().delaunay();
-  FlatArray<InnerPiece> pieces;
+void drawEdges(const ClippedDiagram& clippedDiagram, double tolerance, Portion& portion,
+               Path& path) {
+  const DelaunayGraph& delaunay = clippedDiagram.core().delaunay();
+  FlatArray<InsideInterval> pieces;
   visitEdges(delaunay, portion, path, [&](HalfedgeId h) {
-    if (!overlay.isAnyInside(h)) return;
-    overlay.edgeInside(h, Bits::kCached, pieces);
-    for (const InnerPiece& piece : pieces) {
+    if (!clippedDiagram.isAnyInside(h)) return;
+    clippedDiagram.edgeInside(h, VertexPrecision::kFast, pieces);
+    for (const InsideInterval& piece : pieces) {
       path.move(piece.curve.p0.x, piece.curve.p0.y);
       drawConic(piece.curve, tolerance, path);
     }
   });
 }
 
-void drawDual(const DiagramCore& core, const Window* window, double tolerance, Portion& portion,
+void drawDual(const DiagramCore& core, const Rectangle* window, double tolerance, Portion& portion,
               Path& path) {
   const DelaunayGraph& delaunay = core.delaunay();
   const Graph& graph = delaunay.graph();
@@ -194,10 +195,10 @@ void drawDual(const DiagramCore& core, const Window* window, double tolerance, P
     const Point ray = dualRay(delaunay, h);
     double far = std::numeric_limits<double>::infinity();
     for (int side = 0; side < 4; ++side) {
-      const double speed = dot(Window::normal(side), ray);
+      const double speed = dot(Rectangle::normal(side), ray);
       if (speed > 0)
         far = std::min(
-            far, (window->offset(side) - dot(Window::normal(side), {site.x, site.y})) / speed);
+            far, (window->offset(side) - dot(Rectangle::normal(side), {site.x, site.y})) / speed);
     }
     const Point end = window->nearestTo(Point{site.x, site.y} + far * ray);
     path.move(site.x, site.y);

@@ -13,15 +13,16 @@
 namespace apollonius::internal {
 
 /// Each Voronoi edge inside the window once.
-void drawEdges(const DiagramCore& core, const Window& window, double tolerance, Portion& portion,
+void drawEdges(const DiagramCore& core, const Rectangle& window, double tolerance, Portion& portion,
                Path& path);
 
 /// What of each edge is inside a region.
-void drawEdges(const Overlay& overlay, double tolerance, Portion& portion, Path& path);
+void drawEdges(const ClippedDiagram& clippedDiagram, double tolerance, Portion& portion,
+               Path& path);
 
 /// The dual graph; with a window also the rays to infinity, cut where they leave it (none from
 /// sites outside).
-void drawDual(const DiagramCore& core, const Window* window, double tolerance, Portion& portion,
+void drawDual(const DiagramCore& core, const Rectangle* window, double tolerance, Portion& portion,
               Path& path);
 
 /// The circles of all sites, hidden ones too.

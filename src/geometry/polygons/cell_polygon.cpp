@@ -28,7 +28,7 @@ bool hasArea(std::span<const double> ring, bool isHole) {
 
 /// Does a piece of a rectangle's border run counter-clockwise along one side? Not where rounding
 /// has exchanged two contacts (rectangle_border.h).
-bool runsForwards(const Window& box, Point a, Point b) {
+bool runsForwards(const Rectangle& box, Point a, Point b) {
   const auto areOn = [](double side, double p, double q) { return p == side && q == side; };
   return (areOn(box.ymin, a.y, b.y) && b.x >= a.x) || (areOn(box.xmax, a.x, b.x) && b.y >= a.y) ||
          (areOn(box.ymax, a.y, b.y) && b.x <= a.x) || (areOn(box.xmin, a.x, b.x) && b.y <= a.y);
@@ -42,10 +42,10 @@ PolygonFinder::PolygonFinder(const DiagramCore& core, const PolygonWindow& windo
       box_(window.box),
       keepsThin_(keepsThin),
       chords_(window.box, window.grid, tolerance) {
-  if (window.overlay == nullptr) {
+  if (window.clippedDiagram == nullptr) {
     cells_.emplace(core, window.box, keepsThin);
   } else {
-    parts_.emplace(*window.overlay, keepsThin);
+    parts_.emplace(*window.clippedDiagram, keepsThin);
   }
 }
 
@@ -54,11 +54,11 @@ void PolygonFinder::find(Slot site, Rings& rings) {
   if (soundness == Soundness::kSure || rings.ringCount() == 0) return;
   if (soundness == Soundness::kUnsure) {
     // Split where they cross, as the rings of a window are.
-    const Outline outline = makeOutline(rings.coordinates, rings.starts);
+    const NormalizedPolygon polygon = normalizePolygon(rings.coordinates, rings.starts);
     rings.clear();
-    for (std::size_t k = 0; k < outline.ringCount(); ++k) {
-      for (const Point p : outline.ring(k)) rings.add(p);
-      rings.add(outline.ring(k)[0]);
+    for (std::size_t k = 0; k < polygon.ringCount(); ++k) {
+      for (const Point p : polygon.ring(k)) rings.add(p);
+      rings.add(polygon.ring(k)[0]);
       rings.endRing();
     }
   }

@@ -13,9 +13,9 @@ namespace apollonius::internal {
 
 /// What polygons end at: a rectangle, or a region, laid over the diagram.
 struct PolygonWindow {
-  Window box;
-  const Overlay* overlay = nullptr;
-  const OutlineGrid* grid = nullptr;
+  Rectangle box;
+  const ClippedDiagram* clippedDiagram = nullptr;
+  const PolygonGrid* grid = nullptr;
 };
 
 /// Finds polygons of cells; keeps its scratch memory from one to the next.
@@ -44,10 +44,10 @@ class PolygonFinder {
   static void append(Point p, Rings& rings, FlatArray<char>* isBorder);
 
   const DiagramCore& core_;
-  const Window box_;
+  const Rectangle box_;
   const bool keepsThin_;
-  std::optional<CellFinder> cells_;  // in a rectangle
-  std::optional<PartFinder> parts_;  // in a region
+  std::optional<RectangleCellClipper> cells_;  // in a rectangle
+  std::optional<PolygonCellClipper> parts_;    // in a region
   ChordFinder chords_;
   Tracer tracer_;
   Site site_{};

@@ -61,7 +61,7 @@ bool ChordFinder::isHalved(const Conic& curve, const Conic& first, const Conic& 
 /// A rectangle is convex: its border is near only where a curve begins and ends on one side.
 bool ChordFinder::isBorderNear(const Conic& curve, std::uint32_t fromSegment,
                                std::uint32_t toSegment) const {
-  if (outline_ != nullptr) return outline_->meetsTriangle(curve, fromSegment, toSegment);
+  if (polygon_ != nullptr) return polygon_->meetsTriangle(curve, fromSegment, toSegment);
   const auto areOn = [](double side, double a, double b) { return a == side && b == side; };
   const Point a = curve.p0, b = curve.p2;
   return areOn(box_.xmin, a.x, b.x) || areOn(box_.xmax, a.x, b.x) || areOn(box_.ymin, a.y, b.y) ||

@@ -28,14 +28,14 @@ namespace apollonius::internal {
 struct EdgePiece {
   Conic curve;
   Point left, right;  ///< the centres of the sites on its sides
-  std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;  ///< of the outline
+  std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;  ///< of the polygon
 };
 
 class ChordFinder {
  public:
-  /// In a rectangle (`outline` is null) or in a region, which must live as long.
-  ChordFinder(const Window& box, const OutlineGrid* outline, double tolerance)
-      : box_(box), outline_(outline), tolerance_(tolerance) {}
+  /// In a rectangle (`polygon` is null) or in a region, which must live as long.
+  ChordFinder(const Rectangle& box, const PolygonGrid* polygon, double tolerance)
+      : box_(box), polygon_(polygon), tolerance_(tolerance) {}
 
   /// The points of a piece, both ends included. Valid until the next call. The same for both sides
   /// only if both give the piece in the same direction.
@@ -52,8 +52,8 @@ class ChordFinder {
   [[nodiscard]] bool isLate(Point from, Point p) const;
   void straighten();
 
-  const Window box_;
-  const OutlineGrid* const outline_;
+  const Rectangle box_;
+  const PolygonGrid* const polygon_;
   const double tolerance_;
   Point left_, right_;
   double allowed_ = 0, finestAtBorder_ = 0;

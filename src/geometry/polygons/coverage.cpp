@@ -12,8 +12,8 @@ namespace apollonius::internal {
 
 namespace {
 
-/// After so many rounds, more than were ever seen, segments make no detours any more: each further
-/// round unites points, so that there is a last round.
+/// After this many rounds, more than were ever seen, segments make no detours any more: each
+/// further round unites points, so that there is a last round.
 constexpr int kDetourRounds = 32;
 /// Points that are off by rounding are closer than this share of their numbers.
 constexpr double kRounding = powerOfTwo(-38);
@@ -53,7 +53,7 @@ class Mesh {
                                        std::span<const Keyed> byEnd) const;
   void replacePoints();
 
-  Window box_;
+  Rectangle box_;
   PointNumbers numbers_;
   FlatArray<char> isOnBorder_;        // by point
   FlatArray<std::uint32_t> corners_;  // points of the rings, not repeated at their ends

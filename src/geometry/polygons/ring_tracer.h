@@ -33,7 +33,7 @@ class Tracer {
   struct Loop {
     std::uint32_t first, count;
     double area;
-    Window box;
+    Rectangle box;
   };
 
   [[nodiscard]] Point at(std::uint32_t number) const { return numbers_.points()[number]; }
@@ -53,7 +53,7 @@ class Tracer {
   FlatArray<std::uint32_t> way_, placeOnWay_;
   FlatArray<Point> traced_;  // the loops' points
   FlatArray<Loop> loops_;
-  double width_ = 0;  // loops that are thinner are none
+  double width_ = 0;  // thinner loops are dropped
 };
 
 }  // namespace apollonius::internal

@@ -46,9 +46,9 @@ struct Exit {
   double score = kInfinite;  // the least is the next one
 };
 
-class Walker {
+class BoundaryWalker {
  public:
-  Walker(const DiagramCore& core, FlatArray<Crossing>& crossings)
+  BoundaryWalker(const DiagramCore& core, FlatArray<Crossing>& crossings)
       : core_(core), graph_(core.delaunay().graph()), crossings_(crossings) {}
 
   /// Walks a ring; its only cell if it stays in one.
@@ -176,7 +176,7 @@ class Walker {
   [[nodiscard]] EdgePlace placeOn(HalfedgeId h, Point p) const {
     const DelaunayGraph& delaunay = core_.delaunay();
     const HalfedgeId edge = startsAtReference(delaunay, h) ? h : graph_.twin(h);
-    const Edge whole(delaunay, edge, Bits::kCached);
+    const Edge whole(delaunay, edge, VertexPrecision::kFast);
     return placeOn(edge, whole, whole.bisector.parameterOf(p), p);
   }
   static EdgePlace placeOn(HalfedgeId edge, const Edge& whole, double e, Point p) {
@@ -214,7 +214,7 @@ class Walker {
     const bool isBehind = at < line.at;  // by rounding: then the edge is here
     const double place = isBehind ? line.at : at;
     if (!(place < best.score)) return;
-    const Edge whole(delaunay, edge, Bits::kCached);
+    const Edge whole(delaunay, edge, VertexPrecision::kFast);
     const Point here = line.point();
     const EdgePlace on = isBehind ? placeOn(edge, whole, bisector.parameterOf(here), here)
                                   : placeOn(edge, whole, e, crossing);
@@ -243,7 +243,7 @@ class Walker {
       return absolute(dot(bisector.axis(), p - center) - half) <= rounding;
     };
     if (!isOn(line.point())) return false;
-    const Edge whole(core_.delaunay(), edge, Bits::kCached);
+    const Edge whole(core_.delaunay(), edge, VertexPrecision::kFast);
     double from = line.placeOf(whole.from.point), to = line.placeOf(whole.to.point);
     const bool isUpwards = dot(line.direction, leftOf(bisector.axis())) > 0;
     if (!whole.from.isFinite) from = isUpwards ? -kInfinite : kInfinite;
@@ -288,7 +288,7 @@ class Walker {
         }
       }
       if (isSeen[index(goal)] == 0 && slack < kInfinite) continue;
-      delaunay.demand(isSeen[index(goal)] != 0, "all visible sites are connected");
+      delaunay.requireConsistent(isSeen[index(goal)] != 0, "all visible sites are connected");
       std::uint32_t k = 0;
       while (steps[k].cell != goal) ++k;
       FlatArray<HalfedgeId> way;
@@ -319,12 +319,12 @@ class Walker {
 
 }  // namespace
 
-void walkRings(const DiagramCore& core, const Outline& outline, FlatArray<Crossing>& crossings,
-               FlatArray<Keyed>& lodgers) {
-  Walker walker(core, crossings);
-  for (std::uint32_t k = 0; k < outline.ringCount(); ++k) {
-    const Slot only = walker.walk(outline.ring(k), k);
-    if (only != kNoSlot) lodgers.push_back({only, k});
+void walkRings(const DiagramCore& core, const NormalizedPolygon& polygon,
+               FlatArray<Crossing>& crossings, FlatArray<Keyed>& interiorRings) {
+  BoundaryWalker walker(core, crossings);
+  for (std::uint32_t k = 0; k < polygon.ringCount(); ++k) {
+    const Slot only = walker.walk(polygon.ring(k), k);
+    if (only != kNoSlot) interiorRings.push_back({only, k});
   }
 }
 

@@ -9,7 +9,8 @@
 //     has been entered is not left for having been entered late. In which order they come is no
 //     question of rounding: the cell of the smaller weight is on the convex side. A place that
 //     rounding has put behind is taken only if its edge is here.
-//   - Where two neighbours come next at nearly the same place, the one is taken whose edge it is:
+//   - Where two neighbours come next at nearly the same place, the neighbour across the nearer edge
+//   is taken:
 //     the place is held to be as far ahead as it is away from the edge; beyond the segment's end,
 //     it is taken only if that is in the other cell by more than rounding.
 //   - A ring that ends in another cell than it began in goes there over cells as near to its first
@@ -25,7 +26,7 @@ namespace apollonius::internal {
 
 /// Appends the crossings of all rings; and rings without any, behind the slot of the cell that each
 /// is within. REQUIRES: a visible site.
-void walkRings(const DiagramCore& core, const Outline& outline, FlatArray<Crossing>& crossings,
-               FlatArray<Keyed>& lodgers);
+void walkRings(const DiagramCore& core, const NormalizedPolygon& polygon,
+               FlatArray<Crossing>& crossings, FlatArray<Keyed>& interiorRings);
 
 }  // namespace apollonius::internal

@@ -21,9 +21,9 @@ constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
 bool areApart(Sign a, Sign b) { return a * b == Sign::kNegative; }
 
-class Linework {
+class Arrangement {
  public:
-  explicit Linework(const Window& box) : box_(box) {}
+  explicit Arrangement(const Rectangle& box) : box_(box) {}
 
   void addRing(std::span<const double> coordinates) {
     const auto first = static_cast<std::uint32_t>(points_.size());
@@ -47,7 +47,7 @@ class Linework {
     return true;
   }
   void orient();
-  void link(Outline& outline);
+  void link(NormalizedPolygon& polygon);
 
  private:
   struct Cut {
@@ -84,7 +84,7 @@ class Linework {
                                    std::span<const char> turns);
   [[nodiscard]] std::uint32_t next(std::uint32_t segment) const;
 
-  Window box_;
+  Rectangle box_;
   Point unit_;  // of the grid that all points are on; 0: of none
   FlatArray<Point> points_;
   FlatArray<Segment> segments_;  // after unify(): from comes before to, until orient()
@@ -95,7 +95,7 @@ class Linework {
 };
 
 /// Gives equal points one number, points all segments in one direction, and lets equal ones cancel.
-void Linework::unify() {
+void Arrangement::unify() {
   FlatArray<std::uint32_t> order(points_.size()), numbers(points_.size());
   for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
   std::partial_sort(order.begin(), order.end(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -132,7 +132,7 @@ void Linework::unify() {
 
 /// Rounds all points to a grid of some 2^49 by 2^49, or of neighbouring doubles if these are
 /// farther apart.
-void Linework::snap() {
+void Arrangement::snap() {
   const auto unitOf = [](double low, double high) {
     const double most = std::max(absolute(low), absolute(high));
     return powerOfTwo(std::max(exponentOf(high - low) - 48, exponentOf(most) - 50));
@@ -141,7 +141,7 @@ void Linework::snap() {
   for (Point& p : points_) p = rounded(p);
 }
 
-bool Linework::findCuts() {
+bool Arrangement::findCuts() {
   cuts_.clear();
   const SegmentGrid grid(points_, segments_, box_);
   countedFor_.assign(segments_.size(), kNone);
@@ -167,7 +167,7 @@ bool Linework::findCuts() {
 /// rectangle of all that would be rounded to it (with its lower side, without its upper one)?
 /// Snap rounding: segments that are bent into the middles of all such rectangles that they go
 /// through do not cross (Hobby, Practical segment intersection with finite precision output, 1999).
-bool Linework::passes(const Segment& s, std::uint32_t point) const {
+bool Arrangement::passes(const Segment& s, std::uint32_t point) const {
   const Point a = from(s), b = to(s), p = points_[point];
   if (point == s.from || point == s.to || p.x < a.x || p.x > b.x || p.y < std::min(a.y, b.y) ||
       p.y > std::max(a.y, b.y))
@@ -178,14 +178,14 @@ bool Linework::passes(const Segment& s, std::uint32_t point) const {
   return orient2d(a, b, p + way) == Sign::kPositive && orient2d(a, b, p - way) != Sign::kPositive;
 }
 
-bool Linework::cutAt(std::uint32_t segment, std::uint32_t point) {
+bool Arrangement::cutAt(std::uint32_t segment, std::uint32_t point) {
   if (!passes(segments_[segment], point)) return false;
   cuts_.push_back({segment, point});
   return true;
 }
 
 /// The point where two segments cross, rounded.
-Point Linework::crossingOf(const Segment& s, const Segment& t) const {
+Point Arrangement::crossingOf(const Segment& s, const Segment& t) const {
   const Point a = from(s), b = to(s), c = from(t), d = to(t);
   const Point way = b - a, other = d - c;
   // Where rounding takes them for parallel, they are as close together at any place they share.
@@ -198,7 +198,7 @@ Point Linework::crossingOf(const Segment& s, const Segment& t) const {
                      std::min(std::max(a.y, b.y), std::max(c.y, d.y)))};
 }
 
-void Linework::cutBoth(std::uint32_t k, std::uint32_t m) {
+void Arrangement::cutBoth(std::uint32_t k, std::uint32_t m) {
   const Segment s = segments_[k], t = segments_[m];
   bool touches = cutAt(k, t.from);
   touches |= cutAt(k, t.to);
@@ -216,7 +216,7 @@ void Linework::cutBoth(std::uint32_t k, std::uint32_t m) {
   if (!(x == c || x == d)) cuts_.push_back({m, number});
 }
 
-void Linework::cut() {
+void Arrangement::cut() {
   std::partial_sort(cuts_.begin(), cuts_.end(), cuts_.end(), [&](const Cut& a, const Cut& b) {
     if (a.segment != b.segment) return a.segment < b.segment;
     const Point p = points_[a.point], q = points_[b.point];
@@ -229,7 +229,7 @@ void Linework::cut() {
   }
 }
 
-void Linework::listEnds() {
+void Arrangement::listEnds() {
   ends_.clear();
   for (std::uint32_t k = 0; k < segments_.size(); ++k) {
     ends_.push_back({segments_[k].from, k});
@@ -242,7 +242,7 @@ void Linework::listEnds() {
 }
 
 /// Of two segments below a point, which do not cross: is the second one nearer to it?
-bool Linework::isHigher(const Segment& s, const Segment& t) const {
+bool Arrangement::isHigher(const Segment& s, const Segment& t) const {
   if (isLeftOf(from(t), from(s))) return !isHigher(t, s);
   Sign side = orient2d(from(s), to(s), from(t));
   if (side == Sign::kZero) side = orient2d(from(s), to(s), to(t));
@@ -252,8 +252,8 @@ bool Linework::isHigher(const Segment& s, const Segment& t) const {
 /// Is the side below a segment inside, a little to the right of its left end? Below it are others
 /// that start there, each of which has the inside on one side; and below these the nearest segment
 /// that begins further left: it has been asked before, as segments are asked from left to right.
-bool Linework::isInsideBelow(const SegmentGrid& grid, std::uint32_t segment,
-                             std::span<const char> turns) {
+bool Arrangement::isInsideBelow(const SegmentGrid& grid, std::uint32_t segment,
+                                std::span<const char> turns) {
   const Segment& s = segments_[segment];
   const Point p = from(s);
   std::uint32_t nearest = kNone;
@@ -282,14 +282,14 @@ bool Linework::isInsideBelow(const SegmentGrid& grid, std::uint32_t segment,
 }
 
 /// Rounded; where it is vertical, the lower end.
-double Linework::heightAt(const Segment& s, double x) const {
+double Arrangement::heightAt(const Segment& s, double x) const {
   const Point a = from(s), b = to(s);
   return a.x < b.x ? a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y) : a.y;
 }
 
 /// Turns each segment so that the inside is on its left. Along a chain, where two segments meet and
 /// no more, one is asked.
-void Linework::orient() {
+void Arrangement::orient() {
   listEnds();
   const SegmentGrid grid(points_, segments_, box_);
   countedFor_.assign(segments_.size(), kNone);
@@ -322,7 +322,7 @@ void Linework::orient() {
 
 /// The segment that goes on where this one ends: of those that start there, the first one clockwise
 /// from where this one comes from, as what is between them is inside.
-std::uint32_t Linework::next(std::uint32_t segment) const {
+std::uint32_t Arrangement::next(std::uint32_t segment) const {
   const Point at = to(segments_[segment]), back = from(segments_[segment]);
   std::uint32_t best = kNone;
   for (const Keyed& end : endsAt(segments_[segment].to)) {
@@ -334,53 +334,54 @@ std::uint32_t Linework::next(std::uint32_t segment) const {
   return best;
 }
 
-void Linework::link(Outline& outline) {
+void Arrangement::link(NormalizedPolygon& polygon) {
   FlatArray<char> isLinked(segments_.size(), 0);
-  outline.starts.push_back(0);
+  polygon.starts.push_back(0);
   for (std::uint32_t first = 0; first < segments_.size(); ++first) {
     std::uint32_t at = first;
     while (at != kNone && isLinked[at] == 0) {
       isLinked[at] = 1;
-      outline.points.push_back(from(segments_[at]));
+      polygon.points.push_back(from(segments_[at]));
       at = next(at);
     }
     // Less than three: what rounding has left of a crossing.
-    const std::uint32_t start = outline.starts.back();
-    if (outline.points.size() >= start + std::size_t{3}) {
-      outline.starts.push_back(static_cast<std::uint32_t>(outline.points.size()));
+    const std::uint32_t start = polygon.starts.back();
+    if (polygon.points.size() >= start + std::size_t{3}) {
+      polygon.starts.push_back(static_cast<std::uint32_t>(polygon.points.size()));
     } else {
-      outline.points.resize(start);
+      polygon.points.resize(start);
     }
   }
 }
 
-Window boxOf(std::span<const Point> points) {
+Rectangle boxOf(std::span<const Point> points) {
   if (points.empty()) return {};
-  Window box{points[0].x, points[0].y, points[0].x, points[0].y};
+  Rectangle box{points[0].x, points[0].y, points[0].x, points[0].y};
   for (const Point p : points) box.include(p);
   return box;
 }
 
 }  // namespace
 
-Outline makeOutline(std::span<const double> coordinates, std::span<const std::uint32_t> starts) {
-  Outline outline;
+NormalizedPolygon normalizePolygon(std::span<const double> coordinates,
+                                   std::span<const std::uint32_t> starts) {
+  NormalizedPolygon polygon;
   FlatArray<Point> given;
   for (std::size_t k = 0; k + 1 < coordinates.size(); k += 2)
     given.push_back({coordinates[k], coordinates[k + 1]});
-  const Window box = boxOf(given);
-  Linework lines(box);
+  const Rectangle box = boxOf(given);
+  Arrangement lines(box);
   for (std::size_t k = 0; k + 1 < starts.size(); ++k)
     lines.addRing(coordinates.subspan(2 * std::size_t{starts[k]},
                                       2 * std::size_t{starts[k + 1] - starts[k]}));
   if (!(box.width() > 0 && box.height() > 0) || !lines.split()) {
-    outline.starts.assign(1, 0);
-    return outline;
+    polygon.starts.assign(1, 0);
+    return polygon;
   }
   lines.orient();
-  lines.link(outline);
-  outline.box = boxOf(outline.points);
-  return outline;
+  lines.link(polygon);
+  polygon.box = boxOf(polygon.points);
+  return polygon;
 }
 
 }  // namespace apollonius::internal

@@ -23,13 +23,13 @@
 
 namespace apollonius::internal {
 
-/// No segment of an outline. Others are numbered as the points that they start at.
+/// No segment of a polygon. Others are numbered as the points that they start at.
 inline constexpr std::uint32_t kNoSegment = 0xFFFFFFFFu;
 
-struct Outline {
+struct NormalizedPolygon {
   FlatArray<Point> points;  ///< of all rings, at least three a ring, none repeated at its end
   FlatArray<std::uint32_t> starts;  ///< of each ring its first point; and the number of points
-  Window box{};                     ///< that holds them closely
+  Rectangle box{};                  ///< that holds them closely
 
   [[nodiscard]] std::size_t ringCount() const { return starts.size() - 1; }
   [[nodiscard]] std::span<const Point> ring(std::size_t k) const {
@@ -41,7 +41,7 @@ struct Outline {
 /// points. Without rings if nothing is inside (or if step 1 does not end, which was never seen).
 /// Cost: O(n log n + pairs of segments in one cell of a grid), n = points and crossings; and as
 /// many parts as points times crossings where all segments are a few doubles apart.
-[[nodiscard]] Outline makeOutline(std::span<const double> coordinates,
-                                  std::span<const std::uint32_t> starts);
+[[nodiscard]] NormalizedPolygon normalizePolygon(std::span<const double> coordinates,
+                                                 std::span<const std::uint32_t> starts);
 
 }  // namespace apollonius::internal

@@ -15,25 +15,26 @@ constexpr std::size_t kFew = 16;
 
 }  // namespace
 
-Overlay::Overlay(const DiagramCore& core, const Outline& outline) : core_(core), outline_(outline) {
+ClippedDiagram::ClippedDiagram(const DiagramCore& core, const NormalizedPolygon& polygon)
+    : core_(core), polygon_(polygon) {
   if (core.visibleCount() == 0) return;
   core.delaunay().computeMissingCircles();
-  walkRings(core, outline, crossings_, lodgers_);
-  sortByKey(lodgers_);
+  walkRings(core, polygon, crossings_, interiorRings_);
+  sortByKey(interiorRings_);
   sortCrossings();
   wind();
 }
 
-std::span<const Keyed> Overlay::lodgersOf(Slot cell) const {
-  const Keyed* const first =
-      std::lower_bound(lodgers_.begin(), lodgers_.end(), cell,
-                       [](const Keyed& lodger, Slot slot) { return lodger.key < slot; });
+std::span<const Keyed> ClippedDiagram::interiorRingsOf(Slot cell) const {
+  const Keyed* const first = std::lower_bound(
+      interiorRings_.begin(), interiorRings_.end(), cell,
+      [](const Keyed& interiorRing, Slot slot) { return interiorRing.key < slot; });
   const Keyed* last = first;
-  while (last != lodgers_.end() && last->key == cell) ++last;
+  while (last != interiorRings_.end() && last->key == cell) ++last;
   return {first, last};
 }
 
-void Overlay::sortCrossings() {
+void ClippedDiagram::sortCrossings() {
   byEdge_.resize(crossings_.size());
   for (std::uint32_t k = 0; k < byEdge_.size(); ++k) byEdge_[k] = k;
   std::partial_sort(byEdge_.begin(), byEdge_.end(), byEdge_.end(),
@@ -49,7 +50,7 @@ void Overlay::sortCrossings() {
   }
 }
 
-std::span<const std::uint32_t> Overlay::crossingsOf(HalfedgeId edge) const {
+std::span<const std::uint32_t> ClippedDiagram::crossingsOf(HalfedgeId edge) const {
   if (!isCrossed(edge)) return {};
   const auto isBefore = [&](std::uint32_t k, HalfedgeId h) { return crossings_[k].edge < h; };
   const std::uint32_t* const first =
@@ -59,7 +60,7 @@ std::span<const std::uint32_t> Overlay::crossingsOf(HalfedgeId edge) const {
   return {first, last};
 }
 
-bool Overlay::isAnyInside(HalfedgeId h) const {
+bool ClippedDiagram::isAnyInside(HalfedgeId h) const {
   const DelaunayGraph& delaunay = core_.delaunay();
   const Graph& graph = delaunay.graph();
   const bool isInside = windingOf(faceOf(graph.twin(h))) != 0;
@@ -69,31 +70,33 @@ bool Overlay::isAnyInside(HalfedgeId h) const {
   return isInside || !crossingsOf(h).empty();
 }
 
-Edge Overlay::edgeInside(HalfedgeId h, Bits bits, FlatArray<InnerPiece>& pieces) const {
+Edge ClippedDiagram::edgeInside(HalfedgeId h, VertexPrecision precision,
+                                FlatArray<InsideInterval>& pieces) const {
   const DelaunayGraph& delaunay = core_.delaunay();
-  const Edge edge(delaunay, h, bits);
+  const Edge edge(delaunay, h, precision);
   pieces.clear();
-  int times = windingOf(faceOf(delaunay.graph().twin(h)));
+  int multiplicity = windingOf(faceOf(delaunay.graph().twin(h)));
   double e = edge.e0;
   Point at = edge.from.point;
   bool isFinite = edge.from.isFinite;
   const auto goTo = [&](double nextE, Point next, bool isNextFinite) {
-    if (times != 0 && isFinite && isNextFinite)
-      pieces.push_back({e, nextE, pieceInside(edge, e, nextE, at, next), times});
+    if (multiplicity != 0 && isFinite && isNextFinite)
+      pieces.push_back({e, nextE, pieceInside(edge, e, nextE, at, next), multiplicity});
     e = nextE;
     at = next;
     isFinite = isNextFinite;
   };
   for (const std::uint32_t k : crossingsOf(h)) {
     goTo(crossings_[k].e, crossings_[k].point, true);
-    times += crossings_[k].isForward ? 1 : -1;
+    multiplicity += crossings_[k].isForward ? 1 : -1;
   }
   goTo(edge.e1, edge.to.point, edge.to.isFinite);
   return edge;
 }
 
-Conic Overlay::pieceInside(const Edge& edge, double e0, double e1, Point from, Point to) const {
-  const Window& box = outline_.box;
+Conic ClippedDiagram::pieceInside(const Edge& edge, double e0, double e1, Point from,
+                                  Point to) const {
+  const Rectangle& box = polygon_.box;
   const Conic curve = pieceOf(edge.bisector, e0, e1, box.nearestTo(from), box.nearestTo(to));
   // The middle of a curve inside is in the box, like that of its chord, and is at least half way
   // from there to p1, as w >= 1: so p1 is at most twice the box away. Rounding may make it more.
@@ -103,7 +106,7 @@ Conic Overlay::pieceInside(const Edge& edge, double e0, double e1, Point from, P
 }
 
 /// From the faces at infinity, where they are 0, over all edges.
-void Overlay::wind() {
+void ClippedDiagram::wind() {
   const Graph& graph = core_.delaunay().graph();
   windings_.assign(graph.faceSlots(), kUnknown);
   if (graph.isEmpty()) return;
@@ -134,7 +137,7 @@ void Overlay::wind() {
   thinOut();
 }
 
-void Overlay::thinOut() {
+void ClippedDiagram::thinOut() {
   const auto isInside = [&](std::size_t f) {
     return windings_[f] != 0 && windings_[f] != kUnknown;
   };
@@ -149,7 +152,7 @@ void Overlay::thinOut() {
   windings_ = FlatArray<std::int32_t>();
 }
 
-int Overlay::sparseWindingOf(FaceId f) const {
+int ClippedDiagram::sparseWindingOf(FaceId f) const {
   const auto isBefore = [](const Keyed& entry, std::uint32_t face) { return entry.key < face; };
   const Keyed* const at = std::lower_bound(inside_.begin(), inside_.end(), index(f), isBefore);
   return at != inside_.end() && at->key == index(f) ? static_cast<std::int32_t>(at->value) : 0;

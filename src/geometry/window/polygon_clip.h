@@ -35,19 +35,19 @@ struct Crossing {
 };
 
 /// A part of an edge inside, from E = e0 to e1, which rounding can have exchanged.
-struct InnerPiece {
+struct InsideInterval {
   double e0, e1;
   Conic curve;
-  int times;  ///< how often it is inside: once, but for rounding
+  int multiplicity;  ///< how often it is inside: once, but for rounding
 };
 
-class Overlay {
+class ClippedDiagram {
  public:
-  /// REQUIRES: `outline` lives as long. Cost: O(h + crossings), and what boundary_walk.h says.
-  Overlay(const DiagramCore& core, const Outline& outline);
+  /// REQUIRES: `polygon` lives as long. Cost: O(h + crossings), and what boundary_walk.h says.
+  ClippedDiagram(const DiagramCore& core, const NormalizedPolygon& polygon);
 
   [[nodiscard]] const DiagramCore& core() const { return core_; }
-  [[nodiscard]] const Outline& outline() const { return outline_; }
+  [[nodiscard]] const NormalizedPolygon& polygon() const { return polygon_; }
 
   [[nodiscard]] const Crossing& crossing(std::uint32_t k) const { return crossings_[k]; }
   [[nodiscard]] std::uint32_t crossingCount() const {
@@ -58,8 +58,8 @@ class Overlay {
   [[nodiscard]] std::span<const std::uint32_t> crossingsOf(HalfedgeId edge) const;
   /// Rings that are within one cell: the value of each, with the cell's slot for its key, in the
   /// order of these.
-  [[nodiscard]] std::span<const Keyed> lodgers() const { return lodgers_; }
-  [[nodiscard]] std::span<const Keyed> lodgersOf(Slot cell) const;
+  [[nodiscard]] std::span<const Keyed> interiorRings() const { return interiorRings_; }
+  [[nodiscard]] std::span<const Keyed> interiorRingsOf(Slot cell) const;
   /// Of a face's Voronoi vertex.
   [[nodiscard]] int windingOf(FaceId f) const {
     if (!isDense()) return isTouched(f) ? sparseWindingOf(f) : 0;
@@ -74,8 +74,8 @@ class Overlay {
 
   /// visit(from, to) for the segments of a ring from a crossing to its next one.
   template <class Visit>
-  void visitWay(const Crossing& crossing, Visit&& visit) const {
-    const std::span<const Point> ring = outline_.ring(crossing.ring);
+  void visitBoundaryChain(const Crossing& crossing, Visit&& visit) const {
+    const std::span<const Point> ring = polygon_.ring(crossing.ring);
     Point at = crossing.point;
     std::size_t k = crossing.firstPoint;
     for (std::uint32_t n = 0; n < crossing.pointCount; ++n) {
@@ -89,17 +89,17 @@ class Overlay {
   /// Is any of an edge inside? False for one of its two half-edges, too.
   [[nodiscard]] bool isAnyInside(HalfedgeId h) const;
   /// The edge, and what of it is inside, in the order of E. REQUIRES: isAnyInside().
-  Edge edgeInside(HalfedgeId h, Bits bits, FlatArray<InnerPiece>& pieces) const;
+  Edge edgeInside(HalfedgeId h, VertexPrecision precision, FlatArray<InsideInterval>& pieces) const;
   /// visit(h, edge, piece) for what of all edges is inside.
   template <class Visit>
-  void visitEdges(Bits bits, Visit&& visit) const {
+  void visitEdges(VertexPrecision precision, Visit&& visit) const {
     const auto count = static_cast<std::uint32_t>(3 * core_.delaunay().graph().faceSlots());
-    FlatArray<InnerPiece> pieces;
+    FlatArray<InsideInterval> pieces;
     for (std::uint32_t k = 0; k < count; ++k) {
       const HalfedgeId h{k};
       if (!core_.delaunay().graph().isLive(faceOf(h)) || !isAnyInside(h)) continue;
-      const Edge edge = edgeInside(h, bits, pieces);
-      for (const InnerPiece& piece : pieces) visit(h, edge, piece);
+      const Edge edge = edgeInside(h, precision, pieces);
+      for (const InsideInterval& piece : pieces) visit(h, edge, piece);
     }
   }
 
@@ -117,9 +117,9 @@ class Overlay {
   void thinOut();
 
   const DiagramCore& core_;
-  const Outline& outline_;
+  const NormalizedPolygon& polygon_;
   FlatArray<Crossing> crossings_;  // ring by ring, in their order
-  FlatArray<Keyed> lodgers_;
+  FlatArray<Keyed> interiorRings_;
   FlatArray<std::uint32_t> byEdge_;   // crossings by edge, then by E
   FlatArray<unsigned char> touched_;  // by face, a bit each
   // A view of a small region is not to hold much for each site: windings by face, or, where few

@@ -8,11 +8,11 @@ namespace apollonius::internal {
 
 namespace {
 
-FlatArray<Segment> segmentsOf(const Outline& outline) {
+FlatArray<Segment> segmentsOf(const NormalizedPolygon& polygon) {
   FlatArray<Segment> segments;
-  for (std::size_t k = 0; k < outline.ringCount(); ++k) {
-    for (std::uint32_t at = outline.starts[k]; at < outline.starts[k + 1]; ++at)
-      segments.push_back({at, at + 1 < outline.starts[k + 1] ? at + 1 : outline.starts[k]});
+  for (std::size_t k = 0; k < polygon.ringCount(); ++k) {
+    for (std::uint32_t at = polygon.starts[k]; at < polygon.starts[k + 1]; ++at)
+      segments.push_back({at, at + 1 < polygon.starts[k + 1] ? at + 1 : polygon.starts[k]});
   }
   return segments;
 }
@@ -41,12 +41,12 @@ bool leaves(Point at, Point next, Point last, Point p) {
 
 }  // namespace
 
-OutlineGrid::OutlineGrid(const Outline& outline)
-    : outline_(outline),
-      segments_(segmentsOf(outline)),
-      grid_(outline.points, segments_, outline.box) {}
+PolygonGrid::PolygonGrid(const NormalizedPolygon& polygon)
+    : polygon_(polygon),
+      segments_(segmentsOf(polygon)),
+      grid_(polygon.points, segments_, polygon.box) {}
 
-bool OutlineGrid::meetsTriangle(const Conic& curve, std::uint32_t fromSegment,
+bool PolygonGrid::meetsTriangle(const Conic& curve, std::uint32_t fromSegment,
                                 std::uint32_t toSegment) const {
   if (fromSegment == toSegment && fromSegment != kNoSegment) return true;
   const Sign turn = orient2d(curve.p0, curve.p1, curve.p2);
@@ -54,8 +54,8 @@ bool OutlineGrid::meetsTriangle(const Conic& curve, std::uint32_t fromSegment,
   const bool isLeft = turn == Sign::kPositive;
   const Triangle triangle{curve.p0, isLeft ? curve.p1 : curve.p2, isLeft ? curve.p2 : curve.p1};
   const auto isMet = [&](std::uint32_t number) {
-    const Point p = outline_.points[segments_[number].from],
-                q = outline_.points[segments_[number].to];
+    const Point p = polygon_.points[segments_[number].from],
+                q = polygon_.points[segments_[number].to];
     const bool startsOnIt = number == fromSegment || p == curve.p0 || q == curve.p0;
     const bool endsOnIt = number == toSegment || p == curve.p2 || q == curve.p2;
     if (startsOnIt && endsOnIt) return true;

@@ -1,4 +1,4 @@
-// The segments of a region's outline by the cells of a grid: does its border come near a curve?
+// The segments of a region's polygon by the cells of a grid: does its border come near a curve?
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace apollonius::internal {
 
-class OutlineGrid {
+class PolygonGrid {
  public:
-  /// REQUIRES: `outline` lives as long.
-  explicit OutlineGrid(const Outline& outline);
+  /// REQUIRES: `polygon` lives as long.
+  explicit PolygonGrid(const NormalizedPolygon& polygon);
 
   /// Has the triangle of a curve's ends and its control point anything of the border in it or on
   /// it, but for the curve's own ends? These are on segments, where that is not kNoSegment, up to
@@ -22,7 +22,7 @@ class OutlineGrid {
                                    std::uint32_t toSegment) const;
 
  private:
-  const Outline& outline_;
+  const NormalizedPolygon& polygon_;
   FlatArray<Segment> segments_;
   SegmentGrid grid_;
 };

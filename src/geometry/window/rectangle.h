@@ -21,7 +21,7 @@
 
 namespace apollonius::internal {
 
-struct Window {
+struct Rectangle {
   double xmin, ymin, xmax, ymax;
 
   [[nodiscard]] double width() const { return xmax - xmin; }
@@ -69,18 +69,19 @@ struct Window {
     if (side % 2 == 0) return {clamped(p.x, xmin, xmax), a.y};
     return {b.x, clamped(p.y, ymin, ymax)};
   }
-  /// The place of a border point: from 0 (corner 0) to 4, counter-clockwise, a side for each unit.
-  [[nodiscard]] double placeOf(int side, Point p) const {
+  /// The position of a border point: from 0 (corner 0) to 4, counter-clockwise, a side for each
+  /// unit.
+  [[nodiscard]] double positionOf(int side, Point p) const {
     const Point a = corner(side);
     const double part =
         side % 2 == 0 ? absolute(p.x - a.x) / width() : absolute(p.y - a.y) / height();
     return side + std::min(part, 1.0);
   }
-  /// The point at a place from 0 to 4.
-  [[nodiscard]] Point at(double place) const {
-    const int side = std::min(static_cast<int>(place), 3);
+  /// The point at a position from 0 to 4.
+  [[nodiscard]] Point at(double position) const {
+    const int side = std::min(static_cast<int>(position), 3);
     const Point a = corner(side), b = corner((side + 1) % 4);
-    const double t = place - side;
+    const double t = position - side;
     return onSide(side, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
   }
 };

@@ -11,16 +11,17 @@ namespace apollonius::internal {
 namespace {
 
 /// Places from a reference on: 0 to 4.
-double after(double place, double reference) {
-  const double d = place - reference;
+double after(double position, double reference) {
+  const double d = position - reference;
   return d >= 0 ? d : d + 4;
 }
 
 /// Before, counter-clockwise from corner 0. Places are rounded to a share of the side, coordinates
 /// are not. Which is first of several in one point, as far as doubles can tell, their numbers say:
-/// CellFinder counts pieces from one edge on after any history, and sums do not ask which it is.
+/// RectangleCellClipper counts pieces from one edge on after any history, and sums do not ask which
+/// it is.
 bool comesBefore(const BorderContact& a, const BorderContact& b) {
-  if (a.place != b.place) return a.place < b.place;
+  if (a.position != b.position) return a.position < b.position;
   if (a.side != b.side) return a.side < b.side;
   const auto along = [](const BorderContact& c) {
     return c.side == 0   ? c.point.x
@@ -65,20 +66,21 @@ Slot nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x
 /// border. Asked on the border itself, as a cell along it may be thinner than doubles can tell.
 /// Where the border lies on an edge, the tie rule of nearest() picks the owner; so one site loses
 /// at most two of a window's four sides.
-bool ownsFirstGap(const DiagramCore& core, Slot site, const Window& window,
+bool ownsFirstGap(const DiagramCore& core, Slot site, const Rectangle& window,
                   const FlatArray<BorderContact>& contacts, double reference, bool isTold,
                   bool isSure) {
   double balance = 0;
   for (const double part : {0.5, 0.29, 0.67, 0.16, 0.88}) {
-    int times = 0;  // how often it owns a gap if it does not own the first: 0, 1, or by rounding
-    double begin = after(contacts.back().place, reference) - 4;
+    // How often it owns a gap if it does not own the first: 0, 1, or another number by rounding.
+    int multiplicity = 0;
+    double begin = after(contacts.back().position, reference) - 4;
     for (const BorderContact& contact : contacts) {
-      const double end = after(contact.place, reference);
-      const double place = reference + begin + part * (end - begin);
-      const bool owns = nearest(core, window.at(place - 4 * std::floor(place / 4))) == site;
-      balance += times >= (owns ? 1 : 0) ? begin - end : end - begin;
-      isSure = isSure && owns == (times + (isTold ? 1 : 0) > 0);
-      times += contact.leaves ? 1 : -1;
+      const double end = after(contact.position, reference);
+      const double position = reference + begin + part * (end - begin);
+      const bool owns = nearest(core, window.at(position - 4 * std::floor(position / 4))) == site;
+      balance += multiplicity >= (owns ? 1 : 0) ? begin - end : end - begin;
+      isSure = isSure && owns == (multiplicity + (isTold ? 1 : 0) > 0);
+      multiplicity += contact.leaves ? 1 : -1;
       begin = end;
     }
     if (isSure) return isTold;
@@ -88,7 +90,7 @@ bool ownsFirstGap(const DiagramCore& core, Slot site, const Window& window,
 
 }  // namespace
 
-Slot ownerOfWindow(const DiagramCore& core, const Window& window) {
+Slot ownerOfWindow(const DiagramCore& core, const Rectangle& window) {
   // A sliver of a cell, lost to rounding, can own the middle; but hardly the corners, too, which
   // are asked just inside.
   const Slot middle = nearest(core, window.center());
@@ -100,43 +102,44 @@ Slot ownerOfWindow(const DiagramCore& core, const Window& window) {
   return votes >= 3 ? middle : kNoSlot;
 }
 
-void matchBorder(const DiagramCore& core, Slot site, const Window& window,
-                 FlatArray<BorderContact>& contacts, FlatArray<BorderArc>& arcs) {
+void linkBorderArcs(const DiagramCore& core, Slot site, const Rectangle& window,
+                    FlatArray<BorderContact>& contacts, FlatArray<BorderArc>& arcs) {
   arcs.clear();
   // Invalid edges, which a trusted snapshot can have, give places outside of the border.
-  const auto isOnBorder = [](const BorderContact& c) { return c.place >= 0 && c.place <= 4; };
+  const auto isOnBorder = [](const BorderContact& c) { return c.position >= 0 && c.position <= 4; };
   if (contacts.empty() || !std::all_of(contacts.begin(), contacts.end(), isOnBorder)) return;
   // All of them: a heap sort, which is a tenth of std::sort's code.
   std::partial_sort(contacts.begin(), contacts.end(), contacts.end(), comesBefore);
   // The reference is the middle of the largest gap.
   double reference = 0, gap = -1;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const double next = k + 1 < contacts.size() ? contacts[k + 1].place : contacts[0].place + 4;
-    if (next - contacts[k].place > gap) {
-      gap = next - contacts[k].place;
-      reference = contacts[k].place + gap / 2;
+    const double next =
+        k + 1 < contacts.size() ? contacts[k + 1].position : contacts[0].position + 4;
+    if (next - contacts[k].position > gap) {
+      gap = next - contacts[k].position;
+      reference = contacts[k].position + gap / 2;
     }
   }
   if (reference >= 4) reference -= 4;
   std::rotate(contacts.begin(),
               std::find_if(contacts.begin(), contacts.end(),
-                           [&](const BorderContact& c) { return c.place > reference; }),
+                           [&](const BorderContact& c) { return c.position > reference; }),
               contacts.end());
 
   FlatArray<std::uint32_t> leaves, enters;
-  FlatArray<double> leavePlaces, enterPlaces;
+  FlatArray<double> leavePositions, enterPositions;
   for (std::uint32_t k = 0; k < contacts.size(); ++k) {
     const bool isLeave = contacts[k].leaves;
     (isLeave ? leaves : enters).push_back(k);
-    (isLeave ? leavePlaces : enterPlaces).push_back(after(contacts[k].place, reference));
+    (isLeave ? leavePositions : enterPositions).push_back(after(contacts[k].position, reference));
   }
   const std::size_t count =
       std::min(leaves.size(), enters.size());  // they are equally many, if the edges are some
   if (count == 0) return;
-  leavePlaces.resize(count);
-  enterPlaces.resize(count);
-  const double outside = disorder(leavePlaces, enterPlaces),
-               inside = disorder(enterPlaces, leavePlaces);
+  leavePositions.resize(count);
+  enterPositions.resize(count);
+  const double outside = disorder(leavePositions, enterPositions),
+               inside = disorder(enterPositions, leavePositions);
   const bool holdsReference =
       ownsFirstGap(core, site, window, contacts, reference, inside < outside, inside != outside);
 
@@ -144,7 +147,7 @@ void matchBorder(const DiagramCore& core, Slot site, const Window& window,
     const bool isWrapped = holdsReference && k + 1 == count;
     const std::size_t m = holdsReference ? (k + 1) % count : k;
     BorderArc arc{leaves[k], enters[m]};
-    const double from = leavePlaces[k], to = enterPlaces[m] + (isWrapped ? 4 : 0);
+    const double from = leavePositions[k], to = enterPositions[m] + (isWrapped ? 4 : 0);
     int seen = 0;
     for (int step = 0; step < 8; ++step) {  // corners once around from the reference, and once more
       const double at = static_cast<int>(reference) + 1 - reference + step;

@@ -20,7 +20,7 @@ namespace apollonius::internal {
 /// A point where a cell's boundary meets the window's border.
 struct BorderContact {
   int side;
-  double place;  ///< Window::placeOf
+  double position;  ///< Rectangle::positionOf
   Point point;
   std::uint32_t piece;  ///< the piece of the boundary that ends here (leaves) or starts here
   bool leaves;
@@ -33,12 +33,12 @@ struct BorderArc {
   int firstCorner = 0, cornerCount = 0;
 };
 
-/// Matches the contacts of a cell, of which as many leave as enter; sorts them by place.
-void matchBorder(const DiagramCore& core, Slot site, const Window& window,
-                 FlatArray<BorderContact>& contacts, FlatArray<BorderArc>& arcs);
+/// Matches the contacts of a cell, of which as many leave as enter; sorts them by position.
+void linkBorderArcs(const DiagramCore& core, Slot site, const Rectangle& window,
+                    FlatArray<BorderContact>& contacts, FlatArray<BorderArc>& arcs);
 
 /// The site that owns the whole window if no edge meets it: the one nearest to most of its corners
 /// and its middle, or kNoSlot. REQUIRES: not empty.
-[[nodiscard]] Slot ownerOfWindow(const DiagramCore& core, const Window& window);
+[[nodiscard]] Slot ownerOfWindow(const DiagramCore& core, const Rectangle& window);
 
 }  // namespace apollonius::internal

@@ -16,9 +16,9 @@ struct Crossing {
 /// start is beyond.
 class Crossings {
  public:
-  Crossings(const Edge& edge, const Window& window) {
+  Crossings(const Edge& edge, const Rectangle& window) {
     const auto form = [&](int side) {
-      return LineForm(edge.bisector, Window::normal(side), window.offset(side));
+      return LineForm(edge.bisector, Rectangle::normal(side), window.offset(side));
     };
     const std::array<LineForm, 4> forms{form(0), form(1), form(2), form(3)};
     const std::array<bool, 4> from = sidesBeyond(forms, edge.from, edge.e0, window),
@@ -57,7 +57,7 @@ class Crossings {
   /// is the edge's own affair, and what the curve says: the coordinates of a vertex far away can be
   /// off by more than the window.
   static std::array<bool, 4> sidesBeyond(const std::array<LineForm, 4>& forms, const EdgeEnd& end,
-                                         double e, const Window& window) {
+                                         double e, const Rectangle& window) {
     std::array<bool, 4> beyond{};
     if (end.isFinite && window.holds(end.point)) return beyond;
     bool any = false;
@@ -116,7 +116,7 @@ ClippedPiece pieceBetween(const Bisector& bisector, const Mark& from, const Mark
 /// ± A, are largest at an end; so all of it is within weight + clearance of the reference site.
 /// Enlarged by 2^-20, far more than rounding.
 bool isFarAway(const Site& reference, const VoronoiCircle& a, const VoronoiCircle& b,
-               const Window& window) {
+               const Rectangle& window) {
   if (a.isHalfPlane() || b.isHalfPlane() || !isPrecise(a) || !isPrecise(b)) return false;
   const double size = absolute(reference.r) + absolute(a.s) + absolute(b.s);
   const double reach = reference.r + std::max(a.s, b.s) + powerOfTwo(-20) * size;
@@ -127,14 +127,14 @@ bool isFarAway(const Site& reference, const VoronoiCircle& a, const VoronoiCircl
 
 }  // namespace
 
-void clipEdge(const DelaunayGraph& delaunay, HalfedgeId h, const Window& window,
-              ClippedEdge& clipped, Bits bits) {
+void clipEdge(const DelaunayGraph& delaunay, HalfedgeId h, const Rectangle& window,
+              ClippedEdge& clipped, VertexPrecision precision) {
   clipped.count = 0;
   const Graph& g = delaunay.graph();
   if (isFarAway(delaunay.site(g.origin(h)), delaunay.circle(faceOf(g.twin(h))),
                 delaunay.circle(faceOf(h)), window))
     return;
-  const Edge edge(delaunay, h, bits);
+  const Edge edge(delaunay, h, precision);
   const Mark start{edge.e0, edge.from.point, kNoSide}, end{edge.e1, edge.to.point, kNoSide};
   if (edge.from.isFinite && edge.to.isFinite && window.holds(start.point) &&
       window.holds(end.point)) {

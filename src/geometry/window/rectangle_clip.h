@@ -36,14 +36,14 @@ struct ClippedEdge {
 
 /// Clips the edge dual to h. Edges of one drawing or sum take the same bits, so that they meet.
 /// REQUIRES: startsAtReference.
-void clipEdge(const DelaunayGraph& delaunay, HalfedgeId h, const Window& window,
-              ClippedEdge& clipped, Bits bits = Bits::kCanonical);
+void clipEdge(const DelaunayGraph& delaunay, HalfedgeId h, const Rectangle& window,
+              ClippedEdge& clipped, VertexPrecision precision = VertexPrecision::kReproducible);
 
 /// Clips all edges of the diagram; visit(h, piece) gets each piece that is left, with the half-edge
 /// that it is a part of.
 template <class Visit>
-void forEachClippedPiece(const DelaunayGraph& delaunay, const Window& window, Bits bits,
-                         Visit&& visit) {
+void forEachClippedPiece(const DelaunayGraph& delaunay, const Rectangle& window,
+                         VertexPrecision precision, Visit&& visit) {
   const Graph& graph = delaunay.graph();
   delaunay.computeMissingCircles();
   ClippedEdge clipped;
@@ -53,7 +53,7 @@ void forEachClippedPiece(const DelaunayGraph& delaunay, const Window& window, Bi
       if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity ||
           !startsAtReference(delaunay, h))
         continue;
-      clipEdge(delaunay, h, window, clipped, bits);
+      clipEdge(delaunay, h, window, clipped, precision);
       for (int piece = 0; piece < clipped.count; ++piece)
         visit(h, clipped.pieces[static_cast<std::size_t>(piece)]);
     }

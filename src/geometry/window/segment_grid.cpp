@@ -6,7 +6,7 @@
 namespace apollonius::internal {
 
 SegmentGrid::SegmentGrid(std::span<const Point> points, std::span<const Segment> segments,
-                         const Window& box)
+                         const Rectangle& box)
     : box_(box) {
   const auto count = static_cast<double>(std::max<std::size_t>(segments.size(), 1));
   // Together they cross `across` columns of one, and `up` rows. Of cells that are as many as

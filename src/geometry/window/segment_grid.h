@@ -21,7 +21,8 @@ class SegmentGrid {
  public:
   /// About one cell a segment, in as many rows and columns as make these meet the fewest cells:
   /// what runs upwards is in many columns. REQUIRES: `box` holds all points and has an area.
-  SegmentGrid(std::span<const Point> points, std::span<const Segment> segments, const Window& box);
+  SegmentGrid(std::span<const Point> points, std::span<const Segment> segments,
+              const Rectangle& box);
 
   /// Monotonic.
   [[nodiscard]] std::uint32_t columnOf(double x) const {
@@ -99,7 +100,7 @@ class SegmentGrid {
     return at > 0 ? std::min(static_cast<std::uint32_t>(std::min(at, 1e9)), count - 1) : 0;
   }
 
-  Window box_;
+  Rectangle box_;
   std::uint32_t columns_ = 1, rows_ = 1;
   FlatArray<std::uint32_t> starts_;   // by cell, of entries_; and their number
   FlatArray<std::uint32_t> entries_;  // segments

@@ -161,9 +161,9 @@ function outputs(diagram, bytes, random, curvePoint, curveTangent) {
   for (const id of ids.slice(0, 60)) {
     bytes.add([
       voronoi.cellPolygon(id),
-      voronoi.cellRegions(id),
+      voronoi.cellParts(id),
       voronoi.cellPolygon(id, { flat: true }),
-      voronoi.cellRegions(id, { flat: true }),
+      voronoi.cellParts(id, { flat: true }),
       voronoi.cellArea(id),
       voronoi.cellCentroid(id),
       voronoi.cellPerimeter(id),

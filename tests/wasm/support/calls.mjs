@@ -376,7 +376,7 @@ export const voronoiCalls = {
     ],
   },
   ...Object.fromEntries(
-    ["cellPolygon", "cellRegions"].map((name) => [
+    ["cellPolygon", "cellParts"].map((name) => [
       name,
       {
         use: inWindow((v) => v[name](0)),

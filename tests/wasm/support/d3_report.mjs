@@ -158,7 +158,7 @@ export const report = [
     ["NaN", [NaN, 0, 1, 1]],
     ["too few", [0, 0, 1]],
   ].map(([what, bounds]) => [
-    `bounds that are none (${what}) throw`,
+    `invalid bounds (${what}) throw`,
     (D) => {
       try {
         D.from(triangle).voronoi(bounds);

@@ -61,7 +61,7 @@ const large = {
   "Voronoi.renderCell": () => view.renderCell(hub, ink),
   "Voronoi.cellPolygon": () => view.cellPolygon(hub),
   "Voronoi.cellPolygons": () => [...view.cellPolygons()],
-  "Voronoi.cellRegions": () => view.cellRegions(hub),
+  "Voronoi.cellParts": () => view.cellParts(hub),
   "Voronoi.cellCurves": () => view.cellCurves(hub),
   "Voronoi.edgeCurves": () => view.edgeCurves(),
   "Voronoi.toGeoJSON": () => view.toGeoJSON(),
@@ -100,7 +100,7 @@ const grow = WebAssembly.Memory.prototype.grow;
  * cannot grow.
  */
 function filled() {
-  // after calls about so many the library gives back the blocks that it keeps for the next one
+  // after calls about as many points, the library gives back the blocks that it keeps for the next
   diagram.findMany(points);
   WebAssembly.Memory.prototype.grow = () => {
     throw new RangeError("no more memory");

@@ -7,7 +7,7 @@ import { packed } from "./install_packed.mjs";
 const consumer = `
 import {
   ApolloniusError, Diagram, Voronoi, curvePoint, load,
-  type AreaTargets, type CellPolygon, type CellRegion, type CellRing, type ErrorCode,
+  type AreaTargets, type CellPolygon, type CellPart, type CellRing, type ErrorCode,
   type FittedAreas, type PolygonOptions, type Region, type Site,
 } from "apollonius-diagram";
 await0(load());
@@ -72,8 +72,8 @@ const either: CellRing | null = view.cellPolygon(0, options);
 for (const cell of view.cellPolygons()) cell.map(([x, y]) => x + y + cell.index);
 for (const cell of view.cellPolygons({ flat: true })) cell.subarray(cell.index);
 const firstCell: CellPolygon | undefined = [...view.cellPolygons({ flat: false })][0];
-const regions: CellRegion[] = view.cellRegions(0) ?? [];
-const holes: Float64Array[] = (view.cellRegions(0, { flat: true }) ?? []).flatMap(
+const regions: CellPart[] = view.cellParts(0) ?? [];
+const holes: Float64Array[] = (view.cellParts(0, { flat: true }) ?? []).flatMap(
   (region) => region.holes);
 const windows: Region[] = [
   polygon, feature, regions, regions[0]!, holes, view.toGeoJSON(), ring ?? [],

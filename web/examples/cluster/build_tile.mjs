@@ -36,7 +36,7 @@ export async function buildTile({ run, store, window, halo, tolerance, geojson }
 
 /** The part of a cell in the tile; whoever wants whole cells joins the parts of an id. */
 function feature(voronoi, k, id, area, tolerance) {
-  const polygons = (voronoi.cellRegions(k, { tolerance }) ?? []).map((ring) => [ring]);
+  const polygons = (voronoi.cellParts(k, { tolerance }) ?? []).map((ring) => [ring]);
   const geometry =
     polygons.length === 1
       ? { type: "Polygon", coordinates: polygons[0] }

@@ -26,7 +26,7 @@ export class Grid {
     this.y = new Axis(ymin, ymax, rows);
   }
 
-  /** About so many buckets, about as wide as high. */
+  /** About this many buckets, about as wide as high. */
   static of(bounds, buckets) {
     const [xmin, ymin, xmax, ymax] = bounds;
     const columns = Math.sqrt((buckets * (xmax - xmin)) / (ymax - ymin)) || 1;

@@ -6,7 +6,7 @@ import { joinSections } from "./formats/join.mjs";
 const kSpacings = 4; // that are looked around a tile at first, beside the radii
 const kSlice = 1 << 26; // areas at once
 
-/** Tiles {window, halo, size} of at most so many circles, or one bucket, inside the window. */
+/** Tiles {window, halo, size} of at most this many circles, or one bucket, inside the window. */
 export function planTiles({ grid, starts, largest, mean }, window, perTile) {
   const sums = summed(grid, starts);
   const counted = (left, bottom, right, top) =>

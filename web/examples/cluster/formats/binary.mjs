@@ -6,7 +6,7 @@ import { joinSections } from "./join.mjs";
 export const unit = "points";
 const kPair = 16; // bytes
 
-/** Ranges of a file for jobs of so many points. */
+/** Ranges of a file for jobs of this many points. */
 export async function split(file, { perJob }) {
   const { size } = await stat(file);
   if (size % kPair !== 0) throw new Error(`${file} has ${size} bytes, no whole number of pairs`);

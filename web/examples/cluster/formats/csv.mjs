@@ -8,7 +8,7 @@ export const unit = "MB";
 const kTypicalLine = 32; // bytes, to guess how many lines a job gets
 const kLongestLine = 1 << 16;
 
-/** Ranges of whole lines for jobs of about so many points; the heading is in none. */
+/** Ranges of whole lines for jobs of about this many points; the heading is in none. */
 export async function split(file, { perJob, columns = ["x", "y"] }) {
   const { size } = await stat(file);
   const input = await open(file);

@@ -41,7 +41,7 @@ bool DelaunayGraph::isSameVertex(HalfedgeId h) const {
   return !areApart(a, b) && touchesCircle(*e.i, *e.j, *e.k, *e.l);
 }
 
-VoronoiCircle DelaunayGraph::vertex(FaceId f) const {
+VoronoiCircle DelaunayGraph::voronoiVertex(FaceId f) const {
   if (circle(f).isHalfPlane()) return circle(f);
   HalfedgeId h = halfedgeOf(f, 0);
   for (unsigned c = 1; c < 3; ++c) {

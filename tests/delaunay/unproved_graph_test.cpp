@@ -36,7 +36,7 @@ void setSite(Bytes& bytes, std::size_t slot, const Site& site) {
 }
 
 /// A snapshot of up to 35 sites, of which one to four, or all, are elsewhere.
-Bytes lie(Random& random, int family) {
+Bytes withWrongSites(Random& random, int family) {
   DiagramCore honest(Location::kWalk);
   for (std::uint64_t n = 6 + random.below(30u); n > 0; --n)
     (void)honest.insert(someSite(random, family));
@@ -56,7 +56,7 @@ enum class End { kRefused, kFoundOut, kSurface, kNoSurface };
 End play(std::uint64_t seed) {
   Random random(seed);
   const int family = static_cast<int>(random.below(4u));
-  const Bytes bytes = lie(random, family);
+  const Bytes bytes = withWrongSites(random, family);
   DiagramCore core(Location::kWalk);
   if (!core.restore(bytes, Source::kTrusted)) return End::kRefused;
   for (int step = 0; step < 20; ++step) {
@@ -84,8 +84,8 @@ End play(std::uint64_t seed) {
   return End::kSurface;
 }
 
-TEST(LyingSites, LeaveASurfaceOrAreFoundOut) {
-  // Of a graph that is none, a filter may say something else than the exact stage.
+TEST(UnprovedGraph, LeaveASurfaceOrAreFoundOut) {
+  // On an invalid graph a filter may contradict the exact stage.
   if (kShadowCheck) GTEST_SKIP() << "with the shadow check";
   int foundOut = 0, surfaces = 0;
   for (int seed = 0; seed < test::runs(20000); ++seed) {
@@ -99,7 +99,7 @@ TEST(LyingSites, LeaveASurfaceOrAreFoundOut) {
 }
 
 /// Found by a search: an insertion's region is a disk but for the order of its boundary.
-TEST(LyingSites, WithARegionThatWindsAreFoundOut) {
+TEST(UnprovedGraph, WithARegionThatWindsAreFoundOut) {
   if (kShadowCheck) GTEST_SKIP() << "with the shadow check";
   for (const std::uint64_t seed : {92509u, 109882u, 139353u})
     EXPECT_EQ(play(seed), End::kFoundOut) << "seed " << seed;
