@@ -36,7 +36,7 @@ async function withReader(file, action) {
   }
 }
 
-/** Runs of record batches for jobs of about `perJob` points, as many as the first batch promises. */
+/** Runs of record batches of about `perJob` points, as many as the first batch promises. */
 export function split(file, { perJob, columns = ["x", "y"] }) {
   return withReader(file, async (reader) => {
     const count = reader.numRecordBatches;
