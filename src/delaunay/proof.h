@@ -21,8 +21,8 @@ class DelaunayGraph;
 ///   2. along each edge its two ends come in their order, and where they coincide the canonical
 ///      rule has chosen the diagonal;
 ///   3. around infinity the normals of the half-planes make one turn.
-/// That they suffice: docs/ARCHITECTURE.md, "Checks". That the surface is connected, and a sphere,
-/// follows.
+/// That they suffice: docs/PROOFS.md, "Delaunay graph". That the surface is connected, and a
+/// sphere, follows.
 [[nodiscard]] const char* findContradiction(const DelaunayGraph& delaunay,
                                             FlatArray<VoronoiCircle>& circles,
                                             std::uint32_t& where);

@@ -3,7 +3,7 @@
 // full. Here a diagram holds buffers as long as what it takes there. Engines count them; nobody
 // writes to them, so that they are addresses only.
 
-const kBytesOfSite = 162; // docs/ARCHITECTURE.md, "What a site costs"
+const kBytesOfSite = 162; // docs/PROOFS.md, "What a site costs"
 const kStep = 64; // sites: so much is taken by a diagram of few, too
 // Making a buffer takes some 0.1 ms, as long as making a diagram of 100 sites. So it is made when
 // that much has come together, of many small diagrams, too.

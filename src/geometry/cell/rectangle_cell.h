@@ -1,7 +1,7 @@
 // The cell of a site inside the window, as closed boundaries of conic pieces: counter-clockwise,
 // and clockwise around the holes that only windows of other shapes than rectangles make.
 //
-// A cell is star-shaped about its site's centre (docs/PREDICATES.md, section 2) and so in one
+// A cell is star-shaped about its site's centre (docs/PREDICATES.md, "Cones") and so in one
 // piece, without holes; the window is convex, so a clipped cell is any number of *regions*, each
 // without holes, that meet the window's border.
 #pragma once
