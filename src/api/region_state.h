@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "geometry/window/polygon_clip.h"
-#include "geometry/window/polygon_grid.h"
+#include "geometry/clipping/polygon_clipping.h"
 
 namespace apollonius::internal {
 
@@ -13,26 +12,19 @@ struct RegionState {
   NormalizedPolygon polygon;
   double area = 0;
 
-  /// Laid over a diagram whose state has this number; anew only if it is not the last one. Throws
+  /// For a diagram whose state has this number; made anew only if it is not the last one. Throws
   /// std::bad_alloc.
-  [[nodiscard]] const ClippedDiagram& clippedOn(const DiagramCore& core, std::uint64_t state) {
-    if (clippedDiagram_ == nullptr || state_ != state) {
-      clippedDiagram_.reset();
-      clippedDiagram_ = std::make_unique<ClippedDiagram>(core, polygon);
+  [[nodiscard]] const Clipping& clippingOf(const DiagramCore& core, std::uint64_t state) {
+    if (clipping_ == nullptr || state_ != state) {
+      clipping_.reset();
+      clipping_ = std::make_unique<PolygonClipping>(core, polygon);
       state_ = state;
     }
-    return *clippedDiagram_;
-  }
-
-  /// Made at its first use. Throws std::bad_alloc.
-  [[nodiscard]] const PolygonGrid& polygonGrid() {
-    if (grid_ == nullptr) grid_ = std::make_unique<PolygonGrid>(polygon);
-    return *grid_;
+    return *clipping_;
   }
 
  private:
-  std::unique_ptr<PolygonGrid> grid_;
-  std::unique_ptr<ClippedDiagram> clippedDiagram_;
+  std::unique_ptr<PolygonClipping> clipping_;
   std::uint64_t state_ = 0;
 };
 

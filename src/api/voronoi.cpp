@@ -9,11 +9,8 @@
 
 #include "api/checks.h"
 #include "api/region_state.h"
-#include "base/flat_array.h"
-#include "geometry/cell/cell_measures.h"
 #include "geometry/cell/disc_cell.h"
-#include "geometry/cell/polygon_cell.h"
-#include "geometry/cell/rectangle_cell.h"
+#include "geometry/clipping/rectangle_clipping.h"
 #include "geometry/curve/moments.h"
 #include "geometry/draw/cubics.h"
 #include "geometry/draw/hull.h"
@@ -30,12 +27,8 @@ namespace {
 Rectangle windowOf(const Bounds& b) { return {b.xmin, b.ymin, b.xmax, b.ymax}; }
 
 bool areGood(const Bounds& b) {
-  for (const double x : {b.xmin, b.ymin, b.xmax, b.ymax}) {
-    const double magnitude = std::abs(x);
-    if (!(magnitude == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude)))
-      return false;
-  }
-  return b.xmin < b.xmax && b.ymin < b.ymax;
+  return isInRange(b.xmin) && isInRange(b.ymin) && isInRange(b.xmax) && isInRange(b.ymax) &&
+         b.xmin < b.xmax && b.ymin < b.ymax;
 }
 
 constexpr double kDefaultShare = powerOfTwo(-13);
@@ -44,12 +37,39 @@ void appendCurve(const Conic& c, std::vector<double>& curves) {
   curves.insert(curves.end(), {c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.w, c.p2.x, c.p2.y});
 }
 
-void addUp(std::span<const BoundaryPiece> boundary, Point origin, Moments& moments,
-           CellMeasures& measures) {
-  for (const BoundaryPiece& piece : boundary) {
-    moments.add(piece.curve, origin);
-    measures.perimeter += lengthOf(piece.curve);
+class EdgeLister final : public EdgeVisitor {
+ public:
+  EdgeLister(const DiagramCore& core, CurveArrays& edges) : core_(core), edges_(edges) {}
+  void visit(HalfedgeId h, const Conic& curve) override {
+    const Graph& graph = core_.delaunay().graph();
+    appendCurve(curve, edges_.curves);
+    edges_.sites.push_back(core_.siteOf(graph.origin(h)));
+    edges_.sites.push_back(core_.siteOf(graph.target(h)));
   }
+
+ private:
+  const DiagramCore& core_;
+  CurveArrays& edges_;
+};
+
+/// Of a closed boundary; `origin` should be near it.
+CellMoments momentsOf(std::span<const BoundaryPiece> boundary, Point origin) {
+  Moments sum;
+  for (const BoundaryPiece& piece : boundary) sum.add(piece.curve, origin);
+  CellMoments moments;
+  moments.area = std::max(0.0, sum.area);
+  moments.isEmpty = !(sum.area > 0);
+  if (moments.isEmpty) return moments;
+  moments.centroidX = origin.x + sum.first.x / sum.area;
+  moments.centroidY = origin.y + sum.first.y / sum.area;
+  return moments;
+}
+
+CellMeasures measuresOf(std::span<const BoundaryPiece> boundary, Point origin) {
+  CellMeasures measures;
+  static_cast<CellMoments&>(measures) = momentsOf(boundary, origin);
+  for (const BoundaryPiece& piece : boundary) measures.perimeter += lengthOf(piece.curve);
+  return measures;
 }
 
 void drawClosed(std::span<const BoundaryPiece> ring, double tolerance, Path& path) {
@@ -71,12 +91,18 @@ void assign(Arrays& arrays, const Rings& rings) {
   arrays.parts.assign(rings.parts.begin(), rings.parts.end());
 }
 
-void finish(const Moments& moments, Point origin, CellMeasures& measures) {
-  measures.isEmpty = !(moments.area > 0);
-  measures.area = std::max(0.0, moments.area);
-  if (measures.isEmpty) return;
-  measures.centroidX = origin.x + moments.first.x / moments.area;
-  measures.centroidY = origin.y + moments.first.y / moments.area;
+Point centerOf(const DiagramCore& core, Slot slot) {
+  return {core.site(slot).x, core.site(slot).y};
+}
+
+/// kNone, or the first that is not.
+Error firstOf(Error a, Error b, Error c = Error::kNone) {
+  return a != Error::kNone ? a : b != Error::kNone ? b : c;
+}
+
+Error toleranceError(double tolerance) {
+  if (!std::isfinite(tolerance)) return Error::kNotFinite;
+  return tolerance > 0 ? Error::kNone : Error::kOutOfRange;
 }
 
 }  // namespace
@@ -118,140 +144,119 @@ double defaultTolerance(const Bounds& bounds) {
 
 std::uint32_t Voronoi::slotOf(SiteId id) const { return diagram_.core_->ids().slotOf(id); }
 
-template <class Operation>
-Error Voronoi::guarded(double tolerance, Operation&& operation) const {
-  if (region_ != nullptr ? region_->state_ == nullptr : !areGood(bounds_)) return Error::kBadBounds;
-  if (!std::isfinite(tolerance)) return Error::kNotFinite;
-  if (!(tolerance > 0)) return Error::kOutOfRange;
-  return internal::guarded(*diagram_.core_, [&] { operation(windowOf(bounds_), tolerance); });
+Error Voronoi::windowError() const {
+  const bool isGood = region_ != nullptr ? region_->state_ != nullptr : areGood(bounds_);
+  return isGood ? Error::kNone : Error::kBadBounds;
+}
+
+Error Voronoi::siteError(SiteId id) const {
+  return diagram_.has(id) ? Error::kNone : Error::kUnknownSite;
 }
 
 template <class Operation>
-Error Voronoi::guardedFor(SiteId id, double tolerance, Operation&& operation) const {
-  if (region_ != nullptr ? region_->state_ == nullptr : !areGood(bounds_)) return Error::kBadBounds;
-  if (!diagram_.has(id)) return Error::kUnknownSite;
-  return guarded(tolerance, operation);
+Error Voronoi::guarded(Error before, Operation&& operation) const {
+  if (before != Error::kNone) return before;
+  return internal::guarded(*diagram_.core_, operation);
 }
 
-template <class Visit>
-void Voronoi::withCell(SiteId id, Visit&& visit) const {
-  const DiagramCore& core = *diagram_.core_;
-  const Slot slot = slotOf(id);
-  const Point center{core.site(slot).x, core.site(slot).y};
-  if (region_ == nullptr) {
-    RectangleCellClipper finder(core, windowOf(bounds_));
-    visit(finder.find(slot), center);
-  } else {
-    PolygonCellClipper finder(clippedDiagram());
-    visit(finder.find(slot), center);
-  }
-}
-
-const ClippedDiagram& Voronoi::clippedDiagram() const {
-  return region_->state_->clippedOn(*diagram_.core_, diagram_.state_);
-}
-
-Error Voronoi::edgeCurves(CurveArrays& edges) const {
-  return guarded(1, [&](const Rectangle& window, double) {
-    edges = {};
+template <class Operation>
+Error Voronoi::clipped(Error before, Operation&& operation) const {
+  return guarded(before, [&] {
     const DiagramCore& core = *diagram_.core_;
-    const Graph& graph = core.delaunay().graph();
-    const auto add = [&](HalfedgeId h, const Conic& curve) {
-      appendCurve(curve, edges.curves);
-      edges.sites.push_back(core.siteOf(graph.origin(h)));
-      edges.sites.push_back(core.siteOf(graph.target(h)));
-    };
     if (region_ == nullptr) {
-      forEachClippedPiece(core.delaunay(), window, VertexPrecision::kReproducible,
-                          [&](HalfedgeId h, const ClippedPiece& piece) { add(h, piece.curve); });
+      const RectangleClipping clipping(core, windowOf(bounds_));
+      operation(static_cast<const Clipping&>(clipping));
     } else {
-      clippedDiagram().visitEdges(
-          VertexPrecision::kReproducible,
-          [&](HalfedgeId h, const Edge&, const InsideInterval& piece) { add(h, piece.curve); });
+      operation(region_->state_->clippingOf(core, diagram_.state_));
     }
   });
 }
 
-Error Voronoi::cellCurves(SiteId id, CurveArrays& boundary) const {
-  return guardedFor(id, 1, [&](const Rectangle&, double) {
-    withCell(id, [&](const Cell& cell, Point) {
-      boundary.curves.clear();
-      boundary.sites.clear();
-      for (const BoundaryPiece& piece : cell.pieces) {
-        appendCurve(piece.curve, boundary.curves);
-        boundary.sites.push_back(piece.neighbor);
-      }
-      boundary.starts.assign(cell.starts.begin(), cell.starts.end());
-    });
+Error Voronoi::edgeCurves(CurveArrays& edges) const {
+  return clipped(windowError(), [&](const Clipping& clipping) {
+    edges = {};
+    EdgeLister lister(*diagram_.core_, edges);
+    clipping.visitEdges(lister);
   });
 }
 
-PolygonWindow Voronoi::polygonWindow() const {
-  if (region_ == nullptr) return {windowOf(bounds_)};
-  return {windowOf(bounds_), &clippedDiagram(), &region_->state_->polygonGrid()};
+Error Voronoi::cellCurves(SiteId id, CurveArrays& boundary) const {
+  return clipped(firstOf(windowError(), siteError(id)), [&](const Clipping& clipping) {
+    const auto cells = clipping.cells(Parts::kWithArea);
+    const Cell& cell = cells->find(slotOf(id));
+    boundary.curves.clear();
+    boundary.sites.clear();
+    for (const BoundaryPiece& piece : cell.pieces) {
+      appendCurve(piece.curve, boundary.curves);
+      boundary.sites.push_back(piece.neighbor);
+    }
+    boundary.starts.assign(cell.starts.begin(), cell.starts.end());
+  });
 }
 
 Error Voronoi::cellPolygon(SiteId id, double tolerance, RingArrays& rings) const {
-  return guardedFor(id, tolerance, [&](const Rectangle&, double allowed) {
+  const Error error = firstOf(windowError(), siteError(id), toleranceError(tolerance));
+  return clipped(error, [&](const Clipping& clipping) {
+    const auto cells = clipping.cells(Parts::kWithArea);
+    PolygonFinder finder(*diagram_.core_, *cells, Parts::kWithArea, clipping.border(), tolerance);
     Rings found;
-    PolygonFinder(*diagram_.core_, polygonWindow(), allowed).find(slotOf(id), found);
+    finder.find(slotOf(id), found);
     assign(rings, found);
   });
 }
 
 Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
-  return guarded(tolerance, [&](const Rectangle&, double allowed) {
+  const Error error = firstOf(windowError(), toleranceError(tolerance));
+  return clipped(error, [&](const Clipping& clipping) {
+    const auto cells = clipping.cells(Parts::kThinToo);
+    PolygonFinder finder(*diagram_.core_, *cells, Parts::kThinToo, clipping.border(), tolerance);
     Coverage found;
-    coverWindow(*diagram_.core_, polygonWindow(), allowed, found);
+    coverWindow(*diagram_.core_, finder, clipping.box(), found);
     assign(coverage, found.rings);
     coverage.sites.assign(found.sites.begin(), found.sites.end());
     coverage.cells.assign(found.cells.begin(), found.cells.end());
   });
 }
 
+Error Voronoi::cellMoments(SiteId id, CellMoments& moments) const {
+  return clipped(firstOf(windowError(), siteError(id)), [&](const Clipping& clipping) {
+    const auto cells = clipping.cells(Parts::kWithArea);
+    const Cell& cell = cells->find(slotOf(id));
+    moments =
+        momentsOf(cell.pieces, clipping.box().nearestTo(centerOf(*diagram_.core_, slotOf(id))));
+  });
+}
+
 Error Voronoi::cellMeasures(SiteId id, CellMeasures& measures) const {
-  return guardedFor(id, 1, [&](const Rectangle& window, double) {
-    measures = {};
-    withCell(id, [&](const Cell& cell, Point center) {
-      const Point origin = window.nearestTo(center);
-      Moments moments;
-      addUp(cell.pieces, origin, moments, measures);
-      finish(moments, origin, measures);
-    });
+  return clipped(firstOf(windowError(), siteError(id)), [&](const Clipping& clipping) {
+    const auto cells = clipping.cells(Parts::kWithArea);
+    const Cell& cell = cells->find(slotOf(id));
+    measures =
+        measuresOf(cell.pieces, clipping.box().nearestTo(centerOf(*diagram_.core_, slotOf(id))));
   });
 }
 
 Error Voronoi::cellMeasuresWithin(SiteId id, double radius, CellMeasures& measures) const {
-  if (!diagram_.has(id)) return Error::kUnknownSite;
   const bool isUnlimited = radius == std::numeric_limits<double>::infinity();
+  if (!diagram_.has(id)) return Error::kUnknownSite;
   if (!std::isfinite(radius) && !isUnlimited) return Error::kNotFinite;
   if (radius < 0 || (radius > kLargestMagnitude && !isUnlimited)) return Error::kOutOfRange;
-  const Voronoi anywhere(diagram_);
-  return anywhere.guarded(1, [&](const Rectangle&, double) {
-    FlatArray<BoundaryPiece> boundary;
-    cellWithin(*diagram_.core_, slotOf(id), std::min(radius, kLargestMagnitude), boundary);
-    measures = {};
+  return guarded(Error::kNone, [&] {
+    DiscCellClipper cells(*diagram_.core_, std::min(radius, kLargestMagnitude));
+    const Cell& cell = cells.find(slotOf(id));
     const auto isArc = [](const BoundaryPiece& piece) { return piece.neighbor == kNoSite; };
-    if (isUnlimited && std::any_of(boundary.begin(), boundary.end(), isArc)) {
+    if (isUnlimited && std::any_of(cell.pieces.begin(), cell.pieces.end(), isArc)) {
+      measures = {};  // without a centroid
       measures.area = measures.perimeter = radius;
-      measures.isEmpty = true;  // without a centroid
       return;
     }
-    const Site& site = diagram_.core_->site(slotOf(id));
-    Moments moments;
-    addUp(boundary, {site.x, site.y}, moments, measures);
-    finish(moments, {site.x, site.y}, measures);
+    measures = measuresOf(cell.pieces, centerOf(*diagram_.core_, slotOf(id)));
   });
 }
 
 Error Voronoi::measureAll(internal::Measure what, std::vector<double>& measures) const {
-  return guarded(1, [&](const Rectangle& window, double) {
-    if (region_ == nullptr) {
-      measureCells(*diagram_.core_, window, what, measures);
-    } else {
-      measureCells(clippedDiagram(), what, measures);
-    }
-  });
+  return clipped(windowError(),
+                 [&](const Clipping& clipping) { clipping.measureCells(what, measures); });
 }
 
 Error Voronoi::cellAreas(std::vector<double>& areas) const {
@@ -267,48 +272,47 @@ Error Voronoi::cellPerimeters(std::vector<double>& perimeters) const {
 }
 
 Error Voronoi::hull(std::vector<SiteId>& sites) const {
-  return guarded(1, [&](const Rectangle&, double) { hullSites(*diagram_.core_, sites); });
+  return guarded(windowError(), [&] { hullSites(*diagram_.core_, sites); });
 }
 
 Error Voronoi::drawEdges(double tolerance, Portion& portion, Path& path) const {
-  return guarded(tolerance, [&](const Rectangle& window, double allowed) {
+  const Error error = firstOf(windowError(), toleranceError(tolerance));
+  return clipped(error, [&](const Clipping& clipping) {
     path.clear();
-    if (region_ == nullptr) {
-      internal::drawEdges(*diagram_.core_, window, allowed, portion, path);
-    } else {
-      internal::drawEdges(clippedDiagram(), allowed, portion, path);
-    }
+    clipping.drawEdges(tolerance, portion, path);
   });
 }
 
 Error Voronoi::drawSites(double tolerance, Portion& portion, Path& path) const {
-  return guarded(tolerance, [&](const Rectangle&, double allowed) {
+  return guarded(firstOf(windowError(), toleranceError(tolerance)), [&] {
     path.clear();
-    internal::drawSites(*diagram_.core_, allowed, portion, path);
+    internal::drawSites(*diagram_.core_, tolerance, portion, path);
   });
 }
 
 Error Voronoi::drawDual(double tolerance, bool rays, Portion& portion, Path& path) const {
-  return guarded(tolerance, [&](const Rectangle& window, double allowed) {
+  return guarded(firstOf(windowError(), toleranceError(tolerance)), [&] {
     path.clear();
-    internal::drawDual(*diagram_.core_, rays ? &window : nullptr, allowed, portion, path);
+    const Rectangle window = windowOf(bounds_);
+    internal::drawDual(*diagram_.core_, rays ? &window : nullptr, tolerance, portion, path);
   });
 }
 
 Error Voronoi::drawCell(SiteId id, double tolerance, Path& path) const {
-  return guardedFor(id, tolerance, [&](const Rectangle&, double allowed) {
+  const Error error = firstOf(windowError(), siteError(id), toleranceError(tolerance));
+  return clipped(error, [&](const Clipping& clipping) {
     path.clear();
-    withCell(id, [&](const Cell& cell, Point) {
-      for (std::size_t ring = 0; ring < cell.ringCount(); ++ring)
-        drawClosed(cell.ring(ring), allowed, path);
-    });
+    const auto cells = clipping.cells(Parts::kWithArea);
+    const Cell& cell = cells->find(slotOf(id));
+    for (std::size_t ring = 0; ring < cell.ringCount(); ++ring)
+      drawClosed(cell.ring(ring), tolerance, path);
   });
 }
 
 Error Voronoi::drawHull(double tolerance, Path& path) const {
-  return guarded(tolerance, [&](const Rectangle&, double allowed) {
+  return guarded(firstOf(windowError(), toleranceError(tolerance)), [&] {
     path.clear();
-    internal::drawHull(*diagram_.core_, allowed, path);
+    internal::drawHull(*diagram_.core_, tolerance, path);
   });
 }
 

@@ -36,8 +36,7 @@
 namespace apollonius {
 
 namespace internal {
-class ClippedDiagram;
-struct PolygonWindow;
+class Clipping;
 enum class Measure : unsigned char;
 }  // namespace internal
 
@@ -71,12 +70,14 @@ struct CoverageArrays {
 };
 
 /// Of a cell inside the window. Without parts, all are 0.
-struct CellMeasures {
+struct CellMoments {
   double area = 0;  ///< relative error a few units in the last place for cells of the window's size
   double centroidX = 0;
   double centroidY = 0;
-  double perimeter = 0;
   bool isEmpty = true;  ///< no part of it is in the window, or the site is hidden
+};
+struct CellMeasures : CellMoments {
+  double perimeter = 0;  ///< the window's border included
 };
 
 /// A tolerance for drawings in a window that is too small to be seen: 2^-13 of its diagonal.
@@ -111,6 +112,8 @@ class APOLLONIUS_EXPORT Voronoi {
   /// ends, which is proved. Cost: O(n) for sites spread evenly, twice the time of a loop of
   /// cellPolygon.
   [[nodiscard]] Error cellPolygons(double tolerance, CoverageArrays& coverage) const;
+  /// Area and centroid; cellMeasures() takes several times as long, for the perimeter.
+  [[nodiscard]] Error cellMoments(SiteId id, CellMoments& moments) const;
   [[nodiscard]] Error cellMeasures(SiteId id, CellMeasures& measures) const;
   /// Area, centroid and perimeter of the part of the (unclipped) cell within `radius` of the site's
   /// centre; bounds do not matter. The outline is good to about 2^-48 of the largest number of the
@@ -145,17 +148,14 @@ class APOLLONIUS_EXPORT Voronoi {
 
  private:
   [[nodiscard]] std::uint32_t slotOf(SiteId id) const;  // where the core has it
-  /// Checks bounds and tolerance, then runs and turns lack of memory into an error.
+  [[nodiscard]] Error windowError() const;
+  [[nodiscard]] Error siteError(SiteId id) const;
+  /// Runs unless there is an error before; turns lack of memory into an error.
   template <class Operation>
-  Error guarded(double tolerance, Operation&& operation) const;
+  [[nodiscard]] Error guarded(Error before, Operation&& operation) const;
+  /// The same for operation(const internal::Clipping&).
   template <class Operation>
-  Error guardedFor(SiteId id, double tolerance, Operation&& operation) const;
-
-  /// visit(the site's cell in the window, its centre).
-  template <class Visit>
-  void withCell(SiteId id, Visit&& visit) const;
-  [[nodiscard]] const internal::ClippedDiagram& clippedDiagram() const;
-  [[nodiscard]] internal::PolygonWindow polygonWindow() const;  // of the region
+  [[nodiscard]] Error clipped(Error before, Operation&& operation) const;
   [[nodiscard]] Error measureAll(internal::Measure what, std::vector<double>& measures) const;
 
   const Diagram& diagram_;

@@ -5,27 +5,29 @@
 
 #include <vector>
 
+#include "geometry/window/polygon_grid.h"
+#include "geometry/window/rectangle_sides.h"
+
 namespace apollonius::test {
 namespace {
 
 using namespace internal;
 
-std::size_t countOf(const Conic& curve, Point left, Point right, const PolygonGrid* grid,
-                    double tolerance) {
-  ChordFinder finder({-10, -10, 10, 10}, grid, tolerance);
-  return finder.find({curve, left, right}).size();
+std::size_t countOf(const Conic& curve, Point left, Point right, double tolerance,
+                    const Border& border = RectangleSides({-10, -10, 10, 10})) {
+  return ChordFinder(border, tolerance).find({curve, left, right}).size();
 }
 
 TEST(Chords, SpanLessThanAQuarterTurnHoweverCoarse) {
   // Half a turn about the left site.
   const Conic first = Conic::arc({0, 0}, 1, {1, 0}, {0, 1});
-  EXPECT_GE(countOf(first, {0, 0}, {5, 5}, nullptr, 100), 3u);
-  EXPECT_EQ(countOf(first, {-50, -50}, {50, 50}, nullptr, 100), 2u);
+  EXPECT_GE(countOf(first, {0, 0}, {5, 5}, 100), 3u);
+  EXPECT_EQ(countOf(first, {-50, -50}, {50, 50}, 100), 2u);
 }
 
 TEST(Chords, InARectangleLeaveTheSideOnWhichTheyBeginAndEnd) {
   const Conic bulge{{-1, -10}, {0, -9}, 1.5, {1, -10}};
-  EXPECT_GE(countOf(bulge, {0, 40}, {0, -40}, nullptr, 100), 3u);
+  EXPECT_GE(countOf(bulge, {0, 40}, {0, -40}, 100), 3u);
 }
 
 TEST(Chords, AlongTheBorderAreNoMoreThanTwoToTheTenth) {
@@ -35,15 +37,15 @@ TEST(Chords, AlongTheBorderAreNoMoreThanTwoToTheTenth) {
   const NormalizedPolygon polygon = normalizePolygon(ring, starts);
   const PolygonGrid grid(polygon);
   const Conic curve{{0, 0}, {0.5, 1e-3}, 1, {1, 0}};
-  EXPECT_LE(countOf(curve, {0.5, 1e3}, {0.5, -1e3}, &grid, 100), 1100u);
-  EXPECT_GE(countOf(curve, {0.5, 1e3}, {0.5, -1e3}, &grid, 100), 3u);
+  EXPECT_LE(countOf(curve, {0.5, 1e3}, {0.5, -1e3}, 100, grid), 1100u);
+  EXPECT_GE(countOf(curve, {0.5, 1e3}, {0.5, -1e3}, 100, grid), 3u);
 }
 
 TEST(Chords, ThatRoundingKeepsFromTurningAreFew) {
   // The sites are on the line of the chord: no chord turns, nor do those of its halves.
   const Conic curve{{1e6, 1e6}, {1e6 + 50, 1e6 + 50 + 0x1p-30}, 1.0000001, {1e6 + 100, 1e6 + 100}};
-  EXPECT_LE(countOf(curve, {0, 0}, {3e6, 3e6}, nullptr, 1e-30), 40'000u);
-  EXPECT_LE(countOf(curve, {0, 0}, {3e6, 3e6}, nullptr, 1), 4u);
+  EXPECT_LE(countOf(curve, {0, 0}, {3e6, 3e6}, 1e-30), 40'000u);
+  EXPECT_LE(countOf(curve, {0, 0}, {3e6, 3e6}, 1), 4u);
 }
 
 }  // namespace

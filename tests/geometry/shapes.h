@@ -11,6 +11,7 @@
 
 #include "apollonius/voronoi.h"
 #include "geometry/polygons/chords.h"
+#include "geometry/window/rectangle_sides.h"
 #include "predicate/orientation.h"
 #include "support/generators.h"
 #include "support/insert_into.h"
@@ -43,7 +44,8 @@ inline double areaOf(const Bounds& b) { return (b.xmax - b.xmin) * (b.ymax - b.y
 /// far on both sides of it.
 inline std::vector<Point> chordsOf(const Conic& conic, double tolerance) {
   const Point away = 10 * leftOf(conic.p2 - conic.p0), center = middle(conic.p0, conic.p2);
-  ChordFinder finder({-1e300, -1e300, 1e300, 1e300}, nullptr, tolerance);
+  const RectangleSides everywhere({-1e300, -1e300, 1e300, 1e300});
+  ChordFinder finder(everywhere, tolerance);
   const auto points = finder.find({conic, center + away, center - away});
   return {points.begin(), points.end()};
 }

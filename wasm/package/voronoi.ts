@@ -6,7 +6,7 @@ import {
   isSiteId,
   unknownSite,
 } from "./arguments.js";
-import type { CellMeasures } from "../../build/wasm/apollonius.mjs";
+import type { CellMeasures, CellMoments } from "../../build/wasm/apollonius.mjs";
 import { Ballast } from "./ballast.js";
 import type { Diagram } from "./diagram.js";
 import { drawInto, type NativeWindow } from "./drawing.js";
@@ -24,6 +24,7 @@ import type { NativeDiagram, NativeRegion } from "./module.js";
 import { checkOptions } from "./options.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
 import { checkedRings, isRegion, readOnce, type Region } from "./region.js";
+import { ofSite } from "./status.js";
 import type { AreaTargets, AsyncFitOptions, FitOptions, FittedAreas } from "./types.js";
 
 /** A window, xmin < xmax and ymin < ymax, in the diagram's unit. */
@@ -329,12 +330,13 @@ export class Voronoi implements Disposable {
 
   /** Area of a cell inside the window; null for a hidden site. */
   cellArea(id: number): number | null {
-    return this.cellMeasures(id)?.area ?? null;
+    return this.#moments(id)?.area ?? null;
   }
 
   /** Centroid of a cell inside the window; null if no part of it is. */
   cellCentroid(id: number): [number, number] | null {
-    return this.cellMeasures(id)?.centroid ?? null;
+    const { centroidX, centroidY, isEmpty } = this.#moments(id) ?? { isEmpty: true };
+    return isEmpty ? null : [centroidX as number, centroidY as number];
   }
 
   /**
@@ -347,9 +349,8 @@ export class Voronoi implements Disposable {
 
   /** Area, centroid and perimeter at once. */
   cellMeasures(id: number): Measures | null {
-    const native = Voronoi.#nativeFor(this, id);
-    if (native.isHidden(id)) return null;
-    return measuresOf(native.cellMeasures(...this.#window, id));
+    const measures = this.#ofCell(id, (native) => native.cellMeasures(...this.#window, id));
+    return measures && measuresOf(measures);
   }
 
   /**
@@ -359,12 +360,13 @@ export class Voronoi implements Disposable {
    * "unknown-site", "not-finite", "out-of-range" (a radius below 0).
    */
   cellWithin(id: number, radius: number): Measures | null {
-    const native = Voronoi.#nativeFor(this, id);
-    if (radius !== Infinity) checkNumber("radius", radius);
-    if (radius < 0)
-      throw new ApolloniusError("out-of-range", `radius is ${radius}, expected 0 or more`);
-    if (native.isHidden(id)) return null;
-    return measuresOf(native.cellMeasuresWithin(id, radius));
+    const measures = this.#ofCell(id, (native) => {
+      if (radius !== Infinity) checkNumber("radius", radius);
+      if (radius < 0)
+        throw new ApolloniusError("out-of-range", `radius is ${radius}, expected 0 or more`);
+      return native.cellMeasuresWithin(id, radius);
+    });
+    return measures && measuresOf(measures);
   }
 
   /**
@@ -464,6 +466,25 @@ export class Voronoi implements Disposable {
     const native = Voronoi.#living(view);
     if (!isSiteId(id) || !native.has(id)) throw unknownSite(id);
     return native;
+  }
+
+  #moments(id: number): CellMoments | null {
+    return this.#ofCell(id, (native) => native.cellMoments(...this.#window, id));
+  }
+
+  /** What a call says of a cell; null for a hidden site. One call, but of empty cells. */
+  #ofCell<Moments extends CellMoments>(
+    id: number,
+    call: (native: NativeDiagram) => Moments,
+  ): Moments | null {
+    const native = Voronoi.#living(this);
+    if (!isSiteId(id)) throw unknownSite(id);
+    try {
+      const moments = call(native);
+      return moments.isEmpty && native.isHidden(id) ? null : moments;
+    } catch (error) {
+      throw ofSite(error, id);
+    }
   }
 
   /** The rings of a cell, one after the other. */

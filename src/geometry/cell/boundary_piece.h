@@ -15,7 +15,7 @@ namespace apollonius::internal {
 /// A piece of a cell's boundary, the cell on its left.
 struct BoundaryPiece {
   Conic curve;
-  SiteId neighbor = kNoSite;  ///< whose cell is on the right; kNoSite along the window's border
+  SiteId neighbor = kNoSite;  ///< with the cell on the right; kNoSite along the window's border
   /// Of an edge's piece in a region: the segments of its polygon that it starts and ends on.
   std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;
 };
@@ -23,8 +23,8 @@ struct BoundaryPiece {
 struct Cell {
   FlatArray<BoundaryPiece> pieces;
   FlatArray<std::uint32_t> starts;  ///< of each ring, its first piece; and the number of pieces
-  /// Of each region its first ring, which is around it; further ones are holes. And the number of
-  /// rings. (In a window regions have no holes.)
+  /// Of each part its first ring, which is around it; further ones are holes. And the number of
+  /// rings. (In a rectangle, parts have no holes.)
   FlatArray<std::uint32_t> outers;
 
   [[nodiscard]] std::size_t ringCount() const { return starts.size() - 1; }

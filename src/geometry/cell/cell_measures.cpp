@@ -32,6 +32,10 @@ class RectangleSum {
     sums_.list(measures);
   }
 
+  /// Does no cell have any of the border? Then one cell has all of the window. (Edges can touch it,
+  /// so contacts are no proof; what all cells have of the border is all or nothing.)
+  [[nodiscard]] bool isUntouched() const { return onBorder_ < window_.width() + window_.height(); }
+
  private:
   void addPiece(const ClippedPiece& piece, Slot left, Slot right) {
     const Conic& curve = piece.curve;
@@ -62,41 +66,34 @@ class RectangleSum {
         Point at = own[arc.from].point;
         for (int k = 0; k < arc.cornerCount; ++k) {
           const Point corner = window_.corner((arc.firstCorner + k) % 4);
-          sums_.addBorder(slot, at, corner);
+          addBorder(slot, at, corner);
           at = corner;
         }
-        sums_.addBorder(slot, at, own[arc.to].point);
+        addBorder(slot, at, own[arc.to].point);
       }
     }
+  }
+
+  void addBorder(Slot slot, Point from, Point to) {
+    sums_.addBorder(slot, from, to);
+    onBorder_ += length(to - from);
   }
 
   const DiagramCore& core_;
   Rectangle window_;
   CellSums sums_;
   FlatArray<SiteContact> contacts_;
+  double onBorder_ = 0;  // length that cells have of it
 };
-
-/// If no edge meets the window, one cell has all of it. (Edges can touch it, so contacts are no
-/// proof; the sum of areas is all or nothing.)
-Slot wholeOwner(const DiagramCore& core, const Rectangle& window,
-                const std::vector<double>& areas) {
-  double sum = 0;
-  for (const double area : areas) sum += area;
-  if (core.visibleCount() == 0 || sum > window.width() * window.height() / 2) return kNoSlot;
-  return ownerOfWindow(core, window);
-}
 
 }  // namespace
 
 void measureCells(const DiagramCore& core, const Rectangle& window, Measure what,
                   std::vector<double>& measures) {
-  RectangleSum(core, window, what).run(measures);
-  std::vector<double> areas;
-  if (what != Measure::kAreas) {
-    RectangleSum(core, window, Measure::kAreas).run(areas);
-  }
-  const Slot owner = wholeOwner(core, window, what == Measure::kAreas ? measures : areas);
-  if (owner == kNoSlot) return;
+  RectangleSum sum(core, window, what);
+  sum.run(measures);
+  if (core.visibleCount() == 0 || !sum.isUntouched()) return;
+  const Slot owner = ownerOfWindow(core, window);
   const std::size_t id = core.ids().idOf(owner);
   if (what == Measure::kCentroids) {
     measures[2 * id] = window.center().x;
@@ -138,7 +135,7 @@ void measureCells(const ClippedDiagram& clippedDiagram, Measure what,
   if (what != Measure::kPerimeters) return;
   // Where a ring runs along an edge, or nearly along itself, rounding can leave slivers, which have
   // length but no area. Complete parts contain none.
-  PolygonCellClipper finder(clippedDiagram);
+  PolygonCellClipper finder(clippedDiagram, Parts::kWithArea);
   Slot last = kNoSlot;
   const auto measureParts = [&](Slot slot) {
     if (slot == last) return;

@@ -1,5 +1,4 @@
-// Measures of all clipped cells at once: each edge is clipped for both of its cells at once. (For
-// centroids and perimeters a second pass finds the owner of a window that no edge meets.)
+// Measures of all clipped cells at once: each edge is clipped once, for both of its cells.
 #pragma once
 
 #include <vector>

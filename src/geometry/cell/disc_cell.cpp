@@ -67,12 +67,8 @@ void findSectors(const DiagramCore& core, Slot site, double radius, FlatArray<Se
   for (const HalfedgeId h : graph.star(v)) add(h);
 }
 
-}  // namespace
-
-void cellWithin(const DiagramCore& core, Slot site, double radius,
-                FlatArray<BoundaryPiece>& boundary) {
-  boundary.clear();
-  if (core.ids().state(site) != SiteState::kVisible || !(radius > 0)) return;
+void findBoundary(const DiagramCore& core, Slot site, double radius,
+                  FlatArray<BoundaryPiece>& boundary) {
   const Point center{core.site(site).x, core.site(site).y};
   FlatArray<Sector> sectors;
   findSectors(core, site, radius, sectors);
@@ -96,6 +92,19 @@ void cellWithin(const DiagramCore& core, Slot site, double radius,
     addArc(center, radius, from, to, boundary);
     isTurnFound = true;
   }
+}
+
+}  // namespace
+
+const Cell& DiscCellClipper::find(Slot site) {
+  cell_.pieces.clear();
+  cell_.starts.assign(1, 0);
+  cell_.outers.assign(1, 0);
+  if (core_.ids().state(site) != SiteState::kVisible || !(radius_ > 0)) return cell_;
+  findBoundary(core_, site, radius_, cell_.pieces);
+  cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
+  cell_.outers.push_back(1);
+  return cell_;
 }
 
 }  // namespace apollonius::internal

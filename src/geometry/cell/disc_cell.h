@@ -3,15 +3,24 @@
 // distance from the centre is (D/2) cosh t + A, or - A (bisector.h): no equation is to be solved.
 #pragma once
 
-#include "base/flat_array.h"
 #include "diagram/diagram_core.h"
-#include "geometry/cell/boundary_piece.h"
+#include "geometry/cell/cell_clipper.h"
 
 namespace apollonius::internal {
 
-/// Its boundary, counter-clockwise: pieces of the cell's edges and circular arcs (neighbor
-/// kNoSite). Empty for a hidden site or a radius of 0 or less.
-void cellWithin(const DiagramCore& core, Slot site, double radius,
-                FlatArray<BoundaryPiece>& boundary);
+class DiscCellClipper final : public CellClipper {
+ public:
+  /// Of this radius about the centre of each site.
+  DiscCellClipper(const DiagramCore& core, double radius) : core_(core), radius_(radius) {}
+
+  /// Pieces of the cell's edges and circular arcs, of which the neighbor is kNoSite. Without parts
+  /// for a radius of 0 or less, too. Cost: O(d).
+  const Cell& find(Slot site) override;
+
+ private:
+  const DiagramCore& core_;
+  double radius_;
+  Cell cell_;
+};
 
 }  // namespace apollonius::internal

@@ -34,10 +34,8 @@ bool isInside(std::span<const BoundaryPiece> boundary, Point p) {
 
 }  // namespace
 
-PolygonCellClipper::PolygonCellClipper(const ClippedDiagram& clippedDiagram, bool keepsThin)
-    : clippedDiagram_(clippedDiagram),
-      keepsThin_(keepsThin),
-      rankOf_(clippedDiagram.crossingCount(), 0) {}
+PolygonCellClipper::PolygonCellClipper(const ClippedDiagram& clippedDiagram, Parts parts)
+    : clippedDiagram_(clippedDiagram), parts_(parts), rankOf_(clippedDiagram.crossingCount(), 0) {}
 
 const Cell& PolygonCellClipper::find(Slot site) {
   for (Cell* const cell : {&cell_, &found_}) {
@@ -82,7 +80,7 @@ const Cell& PolygonCellClipper::find(Slot site) {
       closeRing();
     }
   }
-  addLodgers(site);
+  addInteriorRings(site);
   sortHoles();
   return cell_;
 }
@@ -161,7 +159,7 @@ std::uint32_t PolygonCellClipper::segmentOf(const Crossing* crossing) const {
   return clippedDiagram_.polygon().starts[crossing->ring] + crossing->firstPoint - 1;
 }
 
-void PolygonCellClipper::addLodgers(Slot site) {
+void PolygonCellClipper::addInteriorRings(Slot site) {
   for (const Keyed& interiorRing : clippedDiagram_.interiorRingsOf(site)) {
     const std::span<const Point> ring = clippedDiagram_.polygon().ring(interiorRing.value);
     Point at = ring.back();
@@ -188,7 +186,7 @@ void PolygonCellClipper::closeRing() {
   }
   const Area area = areaOf(pieces, pieces.front().curve.p0);
   const double thinnest = std::max(area.rounding, kThinnest * size * reach);
-  if (absolute(area.value) > thinnest || keepsThin_) {
+  if (absolute(area.value) > thinnest || parts_ == Parts::kThinToo) {
     found_.starts.push_back(static_cast<std::uint32_t>(found_.pieces.size()));
     areas_.push_back(area.value);
     boxes_.push_back(box);
@@ -203,7 +201,7 @@ void PolygonCellClipper::sortHoles() {
     cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
   };
   const std::size_t count = areas_.size();
-  if (keepsThin_) {  // what is a hole of what is not known
+  if (parts_ == Parts::kThinToo) {  // what is a hole of what is not known
     for (std::uint32_t k = 0; k < count; ++k) take(k);
     if (count > 0) cell_.outers.push_back(static_cast<std::uint32_t>(count));
     return;

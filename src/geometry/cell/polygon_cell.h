@@ -2,21 +2,17 @@
 // counter-clockwise, each followed by those of its holes, which run clockwise.
 #pragma once
 
-#include "geometry/cell/rectangle_cell.h"
+#include "geometry/cell/cell_clipper.h"
 #include "geometry/window/polygon_clip.h"
 
 namespace apollonius::internal {
 
-/// Finds the parts of cells; keeps its scratch memory from one to the next.
-class PolygonCellClipper {
+class PolygonCellClipper final : public CellClipper {
  public:
-  /// `keepsThin`: as RectangleCellClipper.
-  explicit PolygonCellClipper(const ClippedDiagram& clippedDiagram, bool keepsThin = false);
+  PolygonCellClipper(const ClippedDiagram& clippedDiagram, Parts parts);
 
-  /// The cell of a site, without regions if it is hidden or has no part inside. Valid until the
-  /// next call. Cost: O(d + crossings of the cell + points of the region within it), and holes
-  /// times parts.
-  const Cell& find(Slot site);
+  /// Cost: O(d + crossings of the cell + points of the region within it), and holes times parts.
+  const Cell& find(Slot site) override;
 
  private:
   /// A crossing on the cell's boundary, in counter-clockwise order from its first half-edge.
@@ -36,14 +32,14 @@ class PolygonCellClipper {
   void addPiece(const Side& side, const Crossing* from, const Crossing* to);
   [[nodiscard]] std::uint32_t segmentOf(const Crossing* crossing) const;
   void addSegment(Point from, Point to, SiteId neighbor);
-  void addLodgers(Slot site);
+  void addInteriorRings(Slot site);
   /// Ends a ring; takes it back if it has no area up to rounding.
   void closeRing();
   /// Puts each hole behind the outer ring around it.
   void sortHoles();
 
   const ClippedDiagram& clippedDiagram_;
-  bool keepsThin_;
+  Parts parts_;
   Cell cell_;
   Cell found_;  // the rings in the order in which they are found
   FlatArray<double> areas_;

@@ -49,7 +49,7 @@ const Cell& RectangleCellClipper::find(Slot site) {
   } else if (!pieces_.empty()) {
     for (const Piece& piece : pieces_)
       cell_.pieces.push_back({piece.clipped.curve, piece.neighbor});
-    closeRegion();
+    closePart();
   } else if (ownerOfWindow(core_, window_) == site) {
     wholeWindow();
   }
@@ -101,7 +101,7 @@ void RectangleCellClipper::link(Slot site) {
       addBorder(arc);
       k = contacts_[arc.to].piece;
     }
-    closeRegion();
+    closePart();
   }
 }
 
@@ -119,16 +119,16 @@ void RectangleCellClipper::wholeWindow() {
   for (int k = 0; k < 4; ++k)
     cell_.pieces.push_back(
         {Conic::segment(window_.corner(k), window_.corner((k + 1) % 4)), kNoSite});
-  closeRegion();
+  closePart();
 }
 
-void RectangleCellClipper::closeRegion() {
+void RectangleCellClipper::closePart() {
   const std::uint32_t start = cell_.starts.back();
   const auto pieces = std::span(cell_.pieces).subspan(start);
   // Of its own first point, which is the same after any history: a sliver is there after all of
   // them, or after none.
   const Area area = areaOf(pieces, window_.nearestTo(pieces.front().curve.p0));
-  if (area.value > area.rounding || keepsThin_) {
+  if (area.value > area.rounding || parts_ == Parts::kThinToo) {
     cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
     cell_.outers.push_back(static_cast<std::uint32_t>(cell_.ringCount()));
   } else {

@@ -2,7 +2,7 @@
 // and clockwise around the holes that only windows of other shapes than rectangles make.
 //
 // A cell is star-shaped about its site's centre (docs/PREDICATES.md, "Cones") and so in one
-// piece, without holes; the window is convex, so a clipped cell is any number of *regions*, each
+// piece, without holes; the window is convex, so a clipped cell is any number of parts, each
 // without holes, that meet the window's border.
 #pragma once
 
@@ -10,22 +10,19 @@
 
 #include "base/flat_array.h"
 #include "diagram/diagram_core.h"
-#include "geometry/cell/boundary_piece.h"
+#include "geometry/cell/cell_clipper.h"
 #include "geometry/window/rectangle_border.h"
 #include "geometry/window/rectangle_clip.h"
 
 namespace apollonius::internal {
 
-/// Finds cells; keeps its scratch memory from one to the next.
-class RectangleCellClipper {
+class RectangleCellClipper final : public CellClipper {
  public:
-  /// `keepsThin`: regions without area up to rounding, too, so that each curve is there twice.
-  RectangleCellClipper(const DiagramCore& core, const Rectangle& window, bool keepsThin = false)
-      : core_(core), window_(window), keepsThin_(keepsThin) {}
+  RectangleCellClipper(const DiagramCore& core, const Rectangle& window, Parts parts)
+      : core_(core), window_(window), parts_(parts) {}
 
-  /// The cell of a site, without regions if it is hidden or does not meet the window. Valid until
-  /// the next call. Cost: O(d log d).
-  const Cell& find(Slot site);
+  /// Cost: O(d log d).
+  const Cell& find(Slot site) override;
 
  private:
   struct Piece {
@@ -37,13 +34,13 @@ class RectangleCellClipper {
   void link(Slot site);
   void wholeWindow();
   void addBorder(const BorderArc& arc);
-  /// Ends a region; takes it back if its area is 0 up to rounding, as when a cell only touches the
+  /// Ends a part; takes it back if its area is 0 up to rounding, as when a cell only touches the
   /// window.
-  void closeRegion();
+  void closePart();
 
   const DiagramCore& core_;
   Rectangle window_;
-  bool keepsThin_;
+  Parts parts_;
   Cell cell_;
   FlatArray<Piece> pieces_;
   FlatArray<BorderContact> contacts_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/window/polygon.h"
 #include "number/fp.h"
 #include "predicate/orientation.h"
 #include "predicate/reference_site.h"
@@ -26,28 +27,11 @@ bool hasArea(std::span<const double> ring, bool isHole) {
   return isHole ? area < 0 : area > 0;
 }
 
-/// Does a piece of a rectangle's border run counter-clockwise along one side? Not where rounding
-/// has exchanged two contacts (rectangle_border.h).
-bool runsForwards(const Rectangle& box, Point a, Point b) {
-  const auto areOn = [](double side, double p, double q) { return p == side && q == side; };
-  return (areOn(box.ymin, a.y, b.y) && b.x >= a.x) || (areOn(box.xmax, a.x, b.x) && b.y >= a.y) ||
-         (areOn(box.ymax, a.y, b.y) && b.x <= a.x) || (areOn(box.xmin, a.x, b.x) && b.y <= a.y);
-}
-
 }  // namespace
 
-PolygonFinder::PolygonFinder(const DiagramCore& core, const PolygonWindow& window, double tolerance,
-                             bool keepsThin)
-    : core_(core),
-      box_(window.box),
-      keepsThin_(keepsThin),
-      chords_(window.box, window.grid, tolerance) {
-  if (window.clippedDiagram == nullptr) {
-    cells_.emplace(core, window.box, keepsThin);
-  } else {
-    parts_.emplace(*window.clippedDiagram, keepsThin);
-  }
-}
+PolygonFinder::PolygonFinder(const DiagramCore& core, CellClipper& cells, Parts parts,
+                             const Border& border, double tolerance)
+    : core_(core), cells_(cells), parts_(parts), border_(border), chords_(border, tolerance) {}
 
 void PolygonFinder::find(Slot site, Rings& rings) {
   const Soundness soundness = findRaw(site, rings);
@@ -73,7 +57,7 @@ PolygonFinder::Soundness PolygonFinder::findRaw(Slot site, Rings& rings,
   if (isBorder != nullptr) isBorder->clear();
   site_ = core_.site(site);
   soundness_ = Soundness::kSure;
-  const Cell& cell = cells_ ? cells_->find(site) : parts_->find(site);
+  const Cell& cell = cells_.find(site);
   for (std::size_t part = 0; part < cell.partCount(); ++part) {
     for (std::uint32_t ring = cell.outers[part]; ring < cell.outers[part + 1]; ++ring) {
       const bool isHole = ring > cell.outers[part];
@@ -103,9 +87,7 @@ bool PolygonFinder::appendRing(std::span<const BoundaryPiece> boundary, bool isH
   };
   for (const BoundaryPiece& piece : boundary) {
     if (piece.neighbor == kNoSite) {
-      // A region's border may come back to a point, or pass by as close as doubles are.
-      atLeast(cells_ && runsForwards(box_, last, piece.curve.p2) ? Soundness::kTouches
-                                                                 : Soundness::kUnsure);
+      atLeast(border_.isSimple(last, piece.curve.p2) ? Soundness::kTouches : Soundness::kUnsure);
       goTo(piece.curve.p2, true);
       continue;
     }
@@ -122,7 +104,7 @@ bool PolygonFinder::appendRing(std::span<const BoundaryPiece> boundary, bool isH
     }
   }
   if (hasArea(std::span(rings.coordinates).subspan(begin), isHole)) return true;
-  if (keepsThin_ && rings.coordinates.size() > begin + 4) {
+  if (parts_ == Parts::kThinToo && rings.coordinates.size() > begin + 4) {
     soundness_ = Soundness::kUnsure;
     return true;
   }

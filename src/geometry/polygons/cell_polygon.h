@@ -1,29 +1,21 @@
 // A cell as polygons: the points of its edges (chords.h), and those of the border between them.
 #pragma once
 
-#include <optional>
-
-#include "geometry/cell/polygon_cell.h"
-#include "geometry/cell/rectangle_cell.h"
+#include "diagram/diagram_core.h"
+#include "geometry/cell/cell_clipper.h"
 #include "geometry/polygons/chords.h"
 #include "geometry/polygons/ring_tracer.h"
 #include "geometry/polygons/rings.h"
+#include "geometry/window/border.h"
 
 namespace apollonius::internal {
-
-/// What polygons end at: a rectangle, or a region, laid over the diagram.
-struct PolygonWindow {
-  Rectangle box;
-  const ClippedDiagram* clippedDiagram = nullptr;
-  const PolygonGrid* grid = nullptr;
-};
 
 /// Finds polygons of cells; keeps its scratch memory from one to the next.
 class PolygonFinder {
  public:
-  /// `keepsThin`: rings without area, too, so that each segment is there twice.
-  PolygonFinder(const DiagramCore& core, const PolygonWindow& window, double tolerance,
-                bool keepsThin = false);
+  /// Of cells as `cells` clips them, with these parts, at this border. REQUIRES: both live as long.
+  PolygonFinder(const DiagramCore& core, CellClipper& cells, Parts parts, const Border& border,
+                double tolerance);
 
   /// The polygons of a site's cell; none if what it bounds is as small as the distance of doubles.
   void find(Slot site, Rings& rings);
@@ -44,10 +36,9 @@ class PolygonFinder {
   static void append(Point p, Rings& rings, FlatArray<char>* isBorder);
 
   const DiagramCore& core_;
-  const Rectangle box_;
-  const bool keepsThin_;
-  std::optional<RectangleCellClipper> cells_;  // in a rectangle
-  std::optional<PolygonCellClipper> parts_;    // in a region
+  CellClipper& cells_;
+  const Parts parts_;
+  const Border& border_;
   ChordFinder chords_;
   Tracer tracer_;
   Site site_{};

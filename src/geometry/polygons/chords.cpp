@@ -55,17 +55,7 @@ bool ChordFinder::isHalved(const Conic& curve, const Conic& first, const Conic& 
   // and halving on will not help.
   if (!turns(curve.p0, curve.p2)) return turns(first.p0, first.p2) || turns(second.p0, second.p2);
   return !spansLittle(curve.p0, curve.p2) ||
-         (sagitta > finestAtBorder_ && isBorderNear(curve, fromSegment, toSegment));
-}
-
-/// A rectangle is convex: its border is near only where a curve begins and ends on one side.
-bool ChordFinder::isBorderNear(const Conic& curve, std::uint32_t fromSegment,
-                               std::uint32_t toSegment) const {
-  if (polygon_ != nullptr) return polygon_->meetsTriangle(curve, fromSegment, toSegment);
-  const auto areOn = [](double side, double a, double b) { return a == side && b == side; };
-  const Point a = curve.p0, b = curve.p2;
-  return areOn(box_.xmin, a.x, b.x) || areOn(box_.xmax, a.x, b.x) || areOn(box_.ymin, a.y, b.y) ||
-         areOn(box_.ymax, a.y, b.y);
+         (sagitta > finestAtBorder_ && border_.isNear(curve, fromSegment, toSegment));
 }
 
 /// Does a chord turn counter-clockwise about the site on its left, and clockwise about the other?

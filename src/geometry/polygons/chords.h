@@ -19,8 +19,8 @@
 
 #include "base/flat_array.h"
 #include "geometry/curve/conic.h"
-#include "geometry/window/polygon_grid.h"
-#include "geometry/window/rectangle.h"
+#include "geometry/window/border.h"
+#include "geometry/window/polygon.h"
 
 namespace apollonius::internal {
 
@@ -33,9 +33,8 @@ struct EdgePiece {
 
 class ChordFinder {
  public:
-  /// In a rectangle (`polygon` is null) or in a region, which must live as long.
-  ChordFinder(const Rectangle& box, const PolygonGrid* polygon, double tolerance)
-      : box_(box), polygon_(polygon), tolerance_(tolerance) {}
+  /// REQUIRES: `border` lives as long.
+  ChordFinder(const Border& border, double tolerance) : border_(border), tolerance_(tolerance) {}
 
   /// The points of a piece, both ends included. Valid until the next call. The same for both sides
   /// only if both give the piece in the same direction.
@@ -45,15 +44,12 @@ class ChordFinder {
   void halve(const Conic& curve, std::uint32_t fromSegment, std::uint32_t toSegment, int depth);
   [[nodiscard]] bool isHalved(const Conic& curve, const Conic& first, const Conic& second,
                               std::uint32_t fromSegment, std::uint32_t toSegment) const;
-  [[nodiscard]] bool isBorderNear(const Conic& curve, std::uint32_t fromSegment,
-                                  std::uint32_t toSegment) const;
   [[nodiscard]] bool turns(Point from, Point to) const;
   [[nodiscard]] bool spansLittle(Point from, Point to) const;
   [[nodiscard]] bool isLate(Point from, Point p) const;
   void straighten();
 
-  const Rectangle box_;
-  const PolygonGrid* const polygon_;
+  const Border& border_;
   const double tolerance_;
   Point left_, right_;
   double allowed_ = 0, finestAtBorder_ = 0;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/radix_sort.h"
+#include "geometry/window/segment_grid.h"
 #include "number/fp.h"
 #include "predicate/orientation.h"
 
@@ -20,7 +21,7 @@ constexpr double kRounding = powerOfTwo(-38);
 
 class Mesh {
  public:
-  Mesh(const DiagramCore& core, const PolygonWindow& window, double tolerance);
+  Mesh(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box);
 
   /// Ends with no two segments that meet.
   void part();
@@ -65,9 +66,7 @@ class Mesh {
   FlatArray<Detour> detours_;
 };
 
-Mesh::Mesh(const DiagramCore& core, const PolygonWindow& window, double tolerance)
-    : box_(window.box) {
-  PolygonFinder finder(core, window, tolerance, true);
+Mesh::Mesh(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box) : box_(box) {
   Rings rings;
   FlatArray<char> isBorder;
   for (SiteId id = 0; id < core.ids().idLimit(); ++id) {
@@ -314,9 +313,9 @@ void Mesh::list(Coverage& coverage) {
 
 }  // namespace
 
-void coverWindow(const DiagramCore& core, const PolygonWindow& window, double tolerance,
+void coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box,
                  Coverage& coverage) {
-  Mesh mesh(core, window, tolerance);
+  Mesh mesh(core, finder, box);
   mesh.part();
   mesh.list(coverage);
 }

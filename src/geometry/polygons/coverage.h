@@ -11,6 +11,7 @@
 #pragma once
 
 #include "geometry/polygons/cell_polygon.h"
+#include "geometry/window/rectangle.h"
 
 namespace apollonius::internal {
 
@@ -20,9 +21,10 @@ struct Coverage {
   FlatArray<std::uint32_t> cells;  ///< of each its first part; and the number of parts
 };
 
-/// Replaces the contents. Cost: that of the polygons one by one, and of a grid of their segments;
-/// as often again as rounding has to be undone, which is seldom.
-void coverWindow(const DiagramCore& core, const PolygonWindow& window, double tolerance,
+/// Replaces the contents. `finder` is of parts that are kThinToo, and `box` holds the window. Cost:
+/// that of the polygons one by one, and of a grid of their segments; as often again as rounding has
+/// to be undone, which is seldom.
+void coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box,
                  Coverage& coverage);
 
 }  // namespace apollonius::internal

@@ -46,8 +46,8 @@ PolygonGrid::PolygonGrid(const NormalizedPolygon& polygon)
       segments_(segmentsOf(polygon)),
       grid_(polygon.points, segments_, polygon.box) {}
 
-bool PolygonGrid::meetsTriangle(const Conic& curve, std::uint32_t fromSegment,
-                                std::uint32_t toSegment) const {
+bool PolygonGrid::isNear(const Conic& curve, std::uint32_t fromSegment,
+                         std::uint32_t toSegment) const {
   if (fromSegment == toSegment && fromSegment != kNoSegment) return true;
   const Sign turn = orient2d(curve.p0, curve.p1, curve.p2);
   if (turn == Sign::kZero) return false;  // as straight as doubles can tell

@@ -1,15 +1,15 @@
-// The segments of a region's polygon by the cells of a grid: does its border come near a curve?
+// The segments of a region's polygon by the cells of a grid: the border of that window.
 #pragma once
 
 #include <cstdint>
 
-#include "geometry/curve/conic.h"
+#include "geometry/window/border.h"
 #include "geometry/window/polygon.h"
 #include "geometry/window/segment_grid.h"
 
 namespace apollonius::internal {
 
-class PolygonGrid {
+class PolygonGrid final : public Border {
  public:
   /// REQUIRES: `polygon` lives as long.
   explicit PolygonGrid(const NormalizedPolygon& polygon);
@@ -18,8 +18,10 @@ class PolygonGrid {
   /// it, but for the curve's own ends? These are on segments, where that is not kNoSegment, up to
   /// rounding. Exact for the doubles there are. Cost: the grid's cells that the triangle meets, and
   /// the segments there.
-  [[nodiscard]] bool meetsTriangle(const Conic& curve, std::uint32_t fromSegment,
-                                   std::uint32_t toSegment) const;
+  [[nodiscard]] bool isNear(const Conic& curve, std::uint32_t fromSegment,
+                            std::uint32_t toSegment) const override;
+  /// Never sure: the border may come back to a point, or pass by as close as doubles are.
+  [[nodiscard]] bool isSimple(Point /*from*/, Point /*to*/) const override { return false; }
 
  private:
   const NormalizedPolygon& polygon_;

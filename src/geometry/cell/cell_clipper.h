@@ -1,0 +1,27 @@
+// Clips the cells of a diagram to a window, one by one. Each kind of window has its own clipper: a
+// rectangle (rectangle_cell.h), a polygon (polygon_cell.h), a disc about the site (disc_cell.h).
+#pragma once
+
+#include "diagram/id_pool.h"
+#include "geometry/cell/boundary_piece.h"
+
+namespace apollonius::internal {
+
+/// Which parts of a cell are found. kThinToo: those without area up to rounding as well, so that
+/// the curve of an edge is in both of its cells.
+enum class Parts : bool { kWithArea, kThinToo };
+
+/// Keeps its scratch memory from one cell to the next.
+class CellClipper {
+ public:
+  CellClipper() = default;
+  CellClipper(const CellClipper&) = delete;
+  CellClipper& operator=(const CellClipper&) = delete;
+  virtual ~CellClipper() = default;
+
+  /// The cell of a site, without parts if the site is hidden or nothing of the cell is inside.
+  /// Valid until the next call. Throws std::bad_alloc.
+  virtual const Cell& find(Slot site) = 0;
+};
+
+}  // namespace apollonius::internal

@@ -1,0 +1,47 @@
+// What is inside a window: of edges, of cells, and sums over all cells. Each kind of window
+// implements this interface: RectangleClipping, PolygonClipping. All that works on a window
+// (src/api) knows the interface only.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "apollonius/path.h"
+#include "diagram/diagram_core.h"
+#include "geometry/cell/cell_clipper.h"
+#include "geometry/cell/cell_measures.h"
+#include "geometry/window/border.h"
+#include "geometry/window/rectangle.h"
+
+namespace apollonius::internal {
+
+/// Takes the curves of edges, one by one.
+class EdgeVisitor {
+ public:
+  /// The curve is a piece of the edge of h.
+  virtual void visit(HalfedgeId h, const Conic& curve) = 0;
+
+ protected:
+  ~EdgeVisitor() = default;
+};
+
+/// All of it throws std::bad_alloc.
+class Clipping {
+ public:
+  Clipping() = default;
+  Clipping(const Clipping&) = delete;
+  Clipping& operator=(const Clipping&) = delete;
+  virtual ~Clipping() = default;
+
+  /// A rectangle that holds the window.
+  [[nodiscard]] virtual const Rectangle& box() const = 0;
+  [[nodiscard]] virtual const Border& border() const = 0;
+  [[nodiscard]] virtual std::unique_ptr<CellClipper> cells(Parts parts) const = 0;
+  /// Each piece of an edge inside, with the same bits after any history.
+  virtual void visitEdges(EdgeVisitor& visitor) const = 0;
+  virtual void measureCells(Measure what, std::vector<double>& measures) const = 0;
+  /// Each edge inside once; render.h says how portions work.
+  virtual void drawEdges(double tolerance, Portion& portion, Path& path) const = 0;
+};
+
+}  // namespace apollonius::internal

@@ -1,0 +1,32 @@
+#include "geometry/clipping/polygon_clipping.h"
+
+#include "geometry/cell/polygon_cell.h"
+#include "geometry/draw/render.h"
+
+namespace apollonius::internal {
+
+const Border& PolygonClipping::border() const {
+  if (grid_ == nullptr) grid_ = std::make_unique<PolygonGrid>(clippedDiagram_.polygon());
+  return *grid_;
+}
+
+std::unique_ptr<CellClipper> PolygonClipping::cells(Parts parts) const {
+  return std::make_unique<PolygonCellClipper>(clippedDiagram_, parts);
+}
+
+void PolygonClipping::visitEdges(EdgeVisitor& visitor) const {
+  clippedDiagram_.visitEdges(VertexPrecision::kReproducible,
+                             [&](HalfedgeId h, const Edge&, const InsideInterval& piece) {
+                               visitor.visit(h, piece.curve);
+                             });
+}
+
+void PolygonClipping::measureCells(Measure what, std::vector<double>& measures) const {
+  internal::measureCells(clippedDiagram_, what, measures);
+}
+
+void PolygonClipping::drawEdges(double tolerance, Portion& portion, Path& path) const {
+  internal::drawEdges(clippedDiagram_, tolerance, portion, path);
+}
+
+}  // namespace apollonius::internal

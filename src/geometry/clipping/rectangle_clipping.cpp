@@ -1,0 +1,27 @@
+#include "geometry/clipping/rectangle_clipping.h"
+
+#include "geometry/cell/rectangle_cell.h"
+#include "geometry/draw/render.h"
+#include "geometry/window/rectangle_clip.h"
+
+namespace apollonius::internal {
+
+std::unique_ptr<CellClipper> RectangleClipping::cells(Parts parts) const {
+  return std::make_unique<RectangleCellClipper>(core_, box_, parts);
+}
+
+void RectangleClipping::visitEdges(EdgeVisitor& visitor) const {
+  forEachClippedPiece(
+      core_.delaunay(), box_, VertexPrecision::kReproducible,
+      [&](HalfedgeId h, const ClippedPiece& piece) { visitor.visit(h, piece.curve); });
+}
+
+void RectangleClipping::measureCells(Measure what, std::vector<double>& measures) const {
+  internal::measureCells(core_, box_, what, measures);
+}
+
+void RectangleClipping::drawEdges(double tolerance, Portion& portion, Path& path) const {
+  internal::drawEdges(core_, box_, tolerance, portion, path);
+}
+
+}  // namespace apollonius::internal

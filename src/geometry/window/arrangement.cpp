@@ -1,0 +1,295 @@
+#include "geometry/window/arrangement.h"
+
+#include <algorithm>
+
+#include "predicate/orientation.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// Rounds of splitting in which nothing is moved. Most end with these, as more is only to do where
+/// crossings were rounded; what goes on after them is put on a grid.
+constexpr int kFreeRounds = 2;
+/// On the grid, the widths and the heights of a segment's parts add up to its own, so that nothing
+/// is split for ever; but for crossings that are rounded to a place beside the nearest one. Should
+/// these not end, the region is refused.
+constexpr int kMostRounds = 24;
+constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+bool areApart(Sign a, Sign b) { return a * b == Sign::kNegative; }
+
+}  // namespace
+
+bool Arrangement::split() {
+  unify();
+  for (int round = 1; findCuts(); ++round) {
+    if (round == kMostRounds) return false;
+    cut();
+    if (round == kFreeRounds) snap();
+    unify();
+  }
+  return true;
+}
+
+/// Gives equal points one number, points all segments in one direction, and lets equal ones cancel.
+void Arrangement::unify() {
+  FlatArray<std::uint32_t> order(points_.size()), numbers(points_.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::partial_sort(order.begin(), order.end(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return isLeftOf(points_[a], points_[b]);
+  });
+  FlatArray<Point> distinct;
+  for (const std::uint32_t k : order) {
+    if (distinct.empty() || !(distinct.back() == points_[k])) distinct.push_back(points_[k]);
+    numbers[k] = static_cast<std::uint32_t>(distinct.size() - 1);
+  }
+  points_.swap(distinct);
+
+  // By both ends: stable sorts, the less important end first. Numbers ascend with the points.
+  FlatArray<Keyed> byEnd;
+  for (std::uint32_t k = 0; k < segments_.size(); ++k) {
+    const std::uint32_t a = numbers[segments_[k].from], b = numbers[segments_[k].to];
+    segments_[k] = {std::min(a, b), std::max(a, b)};
+    if (a != b) byEnd.push_back({segments_[k].to, k});
+  }
+  sortByKey(byEnd);
+  for (Keyed& end : byEnd) end.key = segments_[end.value].from;
+  sortByKey(byEnd);
+  FlatArray<Segment> kept;
+  for (const Keyed& end : byEnd) {
+    const Segment s = segments_[end.value];
+    if (!kept.empty() && kept.back().from == s.from && kept.back().to == s.to) {
+      kept.pop_back();
+    } else {
+      kept.push_back(s);
+    }
+  }
+  segments_.swap(kept);
+}
+
+/// Rounds all points to a grid of some 2^49 by 2^49, or of neighbouring doubles if these are
+/// farther apart.
+void Arrangement::snap() {
+  const auto unitOf = [](double low, double high) {
+    const double most = std::max(absolute(low), absolute(high));
+    return powerOfTwo(std::max(exponentOf(high - low) - 48, exponentOf(most) - 50));
+  };
+  unit_ = {unitOf(box_.xmin, box_.xmax), unitOf(box_.ymin, box_.ymax)};
+  for (Point& p : points_) p = rounded(p);
+}
+
+bool Arrangement::findCuts() {
+  cuts_.clear();
+  const SegmentGrid grid(points_, segments_, box_);
+  countedFor_.assign(segments_.size(), kNone);
+  for (std::uint32_t k = 0; k < segments_.size(); ++k) {
+    const Point a = from(segments_[k]), b = to(segments_[k]);
+    grid.visitCells(a, b, [&](std::size_t cell) {
+      for (const std::uint32_t m : grid.at(cell)) {
+        if (m >= k) break;
+        if (countedFor_[m] == k) continue;
+        countedFor_[m] = k;
+        const Point c = from(segments_[m]), d = to(segments_[m]);
+        // It begins no further right: unify() has sorted them.
+        if (a.x <= d.x && std::min(c.y, d.y) <= std::max(a.y, b.y) &&
+            std::min(a.y, b.y) <= std::max(c.y, d.y))
+          cutBoth(k, m);
+      }
+    });
+  }
+  return !cuts_.empty();
+}
+
+/// Does a segment go through a point that is not its end; or, with points on a grid, through the
+/// rectangle of all that would be rounded to it (with its lower side, without its upper one)?
+/// Snap rounding: segments that are bent into the middles of all such rectangles that they go
+/// through do not cross (Hobby, Practical segment intersection with finite precision output, 1999).
+bool Arrangement::passes(const Segment& s, std::uint32_t point) const {
+  const Point a = from(s), b = to(s), p = points_[point];
+  if (point == s.from || point == s.to || p.x < a.x || p.x > b.x || p.y < std::min(a.y, b.y) ||
+      p.y > std::max(a.y, b.y))
+    return false;
+  if (unit_.x == 0) return orient2d(a, b, p) == Sign::kZero;
+  // Of its corners those farthest to either side.
+  const Point way = 0.5 * Point{rises(s) ? -unit_.x : unit_.x, unit_.y};
+  return orient2d(a, b, p + way) == Sign::kPositive && orient2d(a, b, p - way) != Sign::kPositive;
+}
+
+bool Arrangement::cutAt(std::uint32_t segment, std::uint32_t point) {
+  if (!passes(segments_[segment], point)) return false;
+  cuts_.push_back({segment, point});
+  return true;
+}
+
+/// The point where two segments cross, rounded.
+Point Arrangement::crossingOf(const Segment& s, const Segment& t) const {
+  const Point a = from(s), b = to(s), c = from(t), d = to(t);
+  const Point way = b - a, other = d - c;
+  // Where rounding takes them for parallel, they are as close together at any place they share.
+  const double turn = cross(way, other);
+  const double along = turn != 0 ? cross(c - a, other) / turn : dot(c - a, way) / dot(way, way);
+  const Point p = rounded(a + along * way);
+  // Where rounding leaves the box that both share, it goes back there.
+  return {std::clamp(p.x, std::max(a.x, c.x), std::min(b.x, d.x)),
+          std::clamp(p.y, std::max(std::min(a.y, b.y), std::min(c.y, d.y)),
+                     std::min(std::max(a.y, b.y), std::max(c.y, d.y)))};
+}
+
+void Arrangement::cutBoth(std::uint32_t k, std::uint32_t m) {
+  const Segment s = segments_[k], t = segments_[m];
+  bool touches = cutAt(k, t.from);
+  touches |= cutAt(k, t.to);
+  touches |= cutAt(m, s.from);
+  touches |= cutAt(m, s.to);
+  if (touches) return;
+  const Point a = from(s), b = to(s), c = from(t), d = to(t);
+  if (!areApart(orient2d(a, b, c), orient2d(a, b, d)) ||
+      !areApart(orient2d(c, d, a), orient2d(c, d, b)))
+    return;
+  const auto number = static_cast<std::uint32_t>(points_.size());
+  const Point x = crossingOf(s, t);
+  points_.push_back(x);
+  if (!(x == a || x == b)) cuts_.push_back({k, number});
+  if (!(x == c || x == d)) cuts_.push_back({m, number});
+}
+
+void Arrangement::cut() {
+  std::partial_sort(cuts_.begin(), cuts_.end(), cuts_.end(), [&](const Cut& a, const Cut& b) {
+    if (a.segment != b.segment) return a.segment < b.segment;
+    const Point p = points_[a.point], q = points_[b.point];
+    return p.x != q.x ? p.x < q.x : rises(segments_[a.segment]) ? p.y < q.y : p.y > q.y;
+  });
+  for (const Cut& cut : cuts_) {
+    Segment& rest = segments_[cut.segment];
+    segments_.push_back({rest.from, cut.point});
+    segments_[cut.segment].from = cut.point;
+  }
+}
+
+void Arrangement::listEnds() {
+  ends_.clear();
+  for (std::uint32_t k = 0; k < segments_.size(); ++k) {
+    ends_.push_back({segments_[k].from, k});
+    ends_.push_back({segments_[k].to, k});
+  }
+  sortByKey(ends_);
+  firstEnd_.assign(points_.size() + 1, 0);
+  for (const Keyed& end : ends_) ++firstEnd_[end.key + 1];
+  for (std::size_t k = 1; k < firstEnd_.size(); ++k) firstEnd_[k] += firstEnd_[k - 1];
+}
+
+/// Of two segments below a point, which do not cross: is the second one nearer to it?
+bool Arrangement::isHigher(const Segment& s, const Segment& t) const {
+  if (isLeftOf(from(t), from(s))) return !isHigher(t, s);
+  Sign side = orient2d(from(s), to(s), from(t));
+  if (side == Sign::kZero) side = orient2d(from(s), to(s), to(t));
+  return side == Sign::kPositive;
+}
+
+/// Is the side below a segment inside, a little to the right of its left end? Below it are others
+/// that start there, each of which has the inside on one side; and below these the nearest segment
+/// that begins further left: it has been asked before, as segments are asked from left to right.
+bool Arrangement::isInsideBelow(const SegmentGrid& grid, std::uint32_t segment,
+                                std::span<const char> turns) {
+  const Segment& s = segments_[segment];
+  const Point p = from(s);
+  std::uint32_t nearest = kNone;
+  bool isOdd = false;
+  const std::uint32_t column = grid.columnOf(p.x);
+  for (std::uint32_t row = grid.rowOf(p.y) + 1; row-- > 0;) {
+    for (const std::uint32_t k : grid.at(grid.cellOf(column, row))) {
+      if (countedFor_[k] == segment) continue;
+      countedFor_[k] = segment;
+      const Segment& t = segments_[k];
+      if (k == segment || isLeftOf(p, from(t)) || !isLeftOf(p, to(t))) continue;
+      Sign above = orient2d(from(t), to(t), p);
+      if (above == Sign::kZero) above = orient2d(p, to(t), to(s));
+      if (above != Sign::kPositive) continue;
+      if (t.from == s.from) {
+        isOdd = !isOdd;
+        continue;
+      }
+      if (nearest == kNone || isHigher(segments_[nearest], t)) nearest = k;
+    }
+    // What is nearer would be in a cell that has been looked at.
+    if (nearest != kNone && heightAt(segments_[nearest], p.x) > grid.bottomOf(row)) break;
+  }
+  const bool isInsideAbove = nearest != kNone && turns[nearest] == 0;
+  return isInsideAbove != isOdd;
+}
+
+/// Rounded; where it is vertical, the lower end.
+double Arrangement::heightAt(const Segment& s, double x) const {
+  const Point a = from(s), b = to(s);
+  return a.x < b.x ? a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y) : a.y;
+}
+
+/// Turns each segment so that the inside is on its left. Along a chain, where two segments meet and
+/// no more, one is asked.
+void Arrangement::orient() {
+  listEnds();
+  const SegmentGrid grid(points_, segments_, box_);
+  countedFor_.assign(segments_.size(), kNone);
+  FlatArray<char> isDone(segments_.size(), 0);
+  FlatArray<char> turns(segments_.size(), 0);
+  for (std::uint32_t first = 0; first < segments_.size(); ++first) {
+    if (isDone[first] != 0) continue;
+    // With the inside below, a segment runs to the left.
+    const bool runsLeft = isInsideBelow(grid, first, turns);
+    isDone[first] = 1;
+    turns[first] = static_cast<char>(runsLeft);
+    for (const bool forwards : {true, false}) {
+      std::uint32_t at = first;
+      while (true) {
+        const bool endsAtTo = forwards != (turns[at] != 0);
+        const std::uint32_t point = endsAtTo ? segments_[at].to : segments_[at].from;
+        const auto ends = endsAt(point);
+        if (ends.size() != 2) break;
+        at = ends[0].value == at ? ends[1].value : ends[0].value;
+        if (isDone[at] != 0) break;
+        isDone[at] = 1;
+        turns[at] = static_cast<char>((segments_[at].from == point) != forwards);
+      }
+    }
+  }
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    if (turns[k] != 0) std::swap(segments_[k].from, segments_[k].to);
+  }
+}
+
+/// The segment that goes on where this one ends: of those that start there, the first one clockwise
+/// from where this one comes from, as what is between them is inside.
+std::uint32_t Arrangement::next(std::uint32_t segment) const {
+  const Point at = to(segments_[segment]), back = from(segments_[segment]);
+  std::uint32_t best = kNone;
+  for (const Keyed& end : endsAt(segments_[segment].to)) {
+    const Segment& s = segments_[end.value];
+    if (s.from != end.key) continue;
+    if (best == kNone || comesFirstClockwise(at, back, to(s), to(segments_[best])))
+      best = end.value;
+  }
+  return best;
+}
+
+void Arrangement::link(NormalizedPolygon& polygon) {
+  FlatArray<char> isLinked(segments_.size(), 0);
+  polygon.starts.push_back(0);
+  for (std::uint32_t first = 0; first < segments_.size(); ++first) {
+    std::uint32_t at = first;
+    while (at != kNone && isLinked[at] == 0) {
+      isLinked[at] = 1;
+      polygon.points.push_back(from(segments_[at]));
+      at = next(at);
+    }
+    // Less than three: what rounding has left of a crossing.
+    const std::uint32_t start = polygon.starts.back();
+    if (polygon.points.size() >= start + std::size_t{3}) {
+      polygon.starts.push_back(static_cast<std::uint32_t>(polygon.points.size()));
+    } else {
+      polygon.points.resize(start);
+    }
+  }
+}
+
+}  // namespace apollonius::internal

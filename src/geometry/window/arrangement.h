@@ -1,0 +1,83 @@
+// The segments of all rings of a polygon, split where they meet; polygon.h says by which steps they
+// become rings that do not cross.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/flat_array.h"
+#include "base/radix_sort.h"
+#include "geometry/window/polygon.h"
+#include "geometry/window/rectangle.h"
+#include "geometry/window/segment_grid.h"
+
+namespace apollonius::internal {
+
+class Arrangement {
+ public:
+  explicit Arrangement(const Rectangle& box) : box_(box) {}
+
+  /// Closed by itself.
+  void addRing(std::span<const double> coordinates) {
+    const auto first = static_cast<std::uint32_t>(points_.size());
+    for (std::size_t k = 0; k + 1 < coordinates.size(); k += 2) {
+      const auto at = static_cast<std::uint32_t>(points_.size());
+      points_.push_back({coordinates[k] + 0.0, coordinates[k + 1] + 0.0});  // -0 becomes 0
+      segments_.push_back({at, at + 1});
+    }
+    segments_.back().to = first;
+  }
+
+  /// Steps 1 and 2. False if they do not end.
+  [[nodiscard]] bool split();
+  /// Step 3. REQUIRES: split().
+  void orient();
+  /// Step 4: the rings, into an empty polygon. REQUIRES: orient().
+  void link(NormalizedPolygon& polygon);
+
+ private:
+  struct Cut {
+    std::uint32_t segment;
+    std::uint32_t point;
+  };
+
+  [[nodiscard]] Point from(const Segment& s) const { return points_[s.from]; }
+  [[nodiscard]] Point to(const Segment& s) const { return points_[s.to]; }
+  /// On the grid, if there is one: to add what is so much larger leaves no digits for parts of a
+  /// unit.
+  [[nodiscard]] Point rounded(Point p) const {
+    const Point big = 3 * powerOfTwo(51) * unit_;
+    return p + big - big;
+  }
+  [[nodiscard]] bool rises(const Segment& s) const { return from(s).y <= to(s).y; }
+  [[nodiscard]] bool passes(const Segment& s, std::uint32_t point) const;
+
+  void unify();
+  void snap();
+  bool findCuts();
+  bool cutAt(std::uint32_t segment, std::uint32_t point);
+  void cutBoth(std::uint32_t k, std::uint32_t m);
+  [[nodiscard]] Point crossingOf(const Segment& s, const Segment& t) const;
+  void cut();
+  void listEnds();
+  /// The other segments that have an end in common with this one's end are these, itself included.
+  [[nodiscard]] std::span<const Keyed> endsAt(std::uint32_t point) const {
+    return std::span(ends_).subspan(firstEnd_[point], firstEnd_[point + 1] - firstEnd_[point]);
+  }
+  [[nodiscard]] bool isHigher(const Segment& s, const Segment& t) const;
+  [[nodiscard]] double heightAt(const Segment& s, double x) const;
+  [[nodiscard]] bool isInsideBelow(const SegmentGrid& grid, std::uint32_t segment,
+                                   std::span<const char> turns);
+  [[nodiscard]] std::uint32_t next(std::uint32_t segment) const;
+
+  Rectangle box_;
+  Point unit_;  // of the grid that all points are on; 0: of none
+  FlatArray<Point> points_;
+  FlatArray<Segment> segments_;  // after unify(): from comes before to, until orient()
+  FlatArray<Cut> cuts_;
+  FlatArray<Keyed> ends_;              // segments by their ends
+  FlatArray<std::uint32_t> firstEnd_;  // by point, of ends_; and their number
+  FlatArray<std::uint32_t> countedFor_;
+};
+
+}  // namespace apollonius::internal

@@ -1,0 +1,27 @@
+// The border of a window, for polygons of cells: where must an edge be approximated more closely
+// than the tolerance asks for, and where may a ring of points cross itself? Each kind of window has
+// its own: RectangleSides (rectangle_sides.h) and PolygonGrid (polygon_grid.h).
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/curve/conic.h"
+
+namespace apollonius::internal {
+
+class Border {
+ public:
+  Border() = default;
+  Border(const Border&) = delete;
+  Border& operator=(const Border&) = delete;
+  virtual ~Border() = default;
+
+  /// May the chord of a curve inside the window cross the border, where the curve does not? The
+  /// curve's ends are on these segments of a polygon, up to rounding, unless they are kNoSegment.
+  [[nodiscard]] virtual bool isNear(const Conic& curve, std::uint32_t fromSegment,
+                                    std::uint32_t toSegment) const = 0;
+  /// Does a piece of the border surely not cross another one of the same cell?
+  [[nodiscard]] virtual bool isSimple(Point from, Point to) const = 0;
+};
+
+}  // namespace apollonius::internal
