@@ -26,18 +26,6 @@ namespace apollonius::internal {
 /// procedure NearestNeighbor), or only in the direction of the point.
 enum class Walk : unsigned char { kAllNeighbors, kSectors };
 
-/// Whoever keeps something beside a graph that insertions change, too.
-class InsertionObserver {
- public:
-  /// A site of this degree is about to enter, which covers at most this many others; nothing has
-  /// changed yet, and throwing std::bad_alloc here leaves it at that. Returns whether the graph is
-  /// to make all room, too, that it takes to remove the site again.
-  virtual bool makeRoom(std::size_t degree, std::size_t covered) = 0;
-
- protected:
-  ~InsertionObserver() = default;
-};
-
 class DelaunayGraph {
  public:
   // --- Reading
@@ -103,17 +91,25 @@ class DelaunayGraph {
   /// reserve or reserveSites.
   void setSite(VertexId v, const Site& site) { sites_[index(v)] = site; }
 
+  /// What inserting a site will do.
   struct Insertion {
-    VertexId
-        cover;  ///< the visible site that covers the new one, which then got no place; or kNoVertex
-    std::span<const VertexId> covered;  ///< vertices that lost their place because the new one
-                                        ///< covers them; valid until the next change
+    VertexId cover;           ///< the visible site that covers it, and then nothing; or kNoVertex
+    std::size_t degree;       ///< of the site
+    std::size_t mostCovered;  ///< of the visible ones, which it hides
+    std::size_t returnRoom;   ///< to reserve (reserveReturn) if it may have to be removed again
   };
-  /// Inserts the site of v (setSite), walking to its place from `start`, or from some visible
-  /// vertex if that is not one: starts are hints, kept by others (grid, levels). Paper, section 3.
-  /// REQUIRES: v is not visible.
-  [[nodiscard]] Insertion insert(VertexId v, VertexId start, Walk walk = Walk::kSectors,
-                                 InsertionObserver* observer = nullptr);
+  /// Finds where the site of v (setSite) belongs, and makes all room that inserting it takes. Walks
+  /// there from `start`, or from some visible vertex if that is not one: starts are hints, kept by
+  /// others (diagram/location_index.h). Paper, section 3. REQUIRES: v is not visible.
+  [[nodiscard]] Insertion prepareInsertion(VertexId v, VertexId start, Walk walk = Walk::kSectors);
+  /// Inserts it. Returns the vertices that are visible no more, as the site covers them; valid
+  /// until the next change. REQUIRES: prepareInsertion() of v was the last call, and found no
+  /// cover.
+  std::span<const VertexId> insertPrepared(VertexId v) noexcept;
+  /// Both, for who has nothing to do in between.
+  void insert(VertexId v, VertexId start, Walk walk = Walk::kSectors) {
+    if (prepareInsertion(v, start, walk).cover == kNoVertex) (void)insertPrepared(v);
+  }
 
   /// Takes v out and fills its star with a patch, whose faces have these circles and in which so
   /// many new sites are (Graph::replaceStar has the rest). With `mayReturn`, all room is made that
@@ -167,8 +163,8 @@ class DelaunayGraph {
   [[nodiscard]] Located walkSectors(double x, double y, VertexId start) const;
   void shadowCheckNearest(VertexId v, double x, double y) const;
   [[nodiscard]] bool isFaceInConflictByCorners(FaceId f, const Site& q) const;
-  [[nodiscard]] Insertion insertBesideOne(VertexId v, InsertionObserver* observer);
-  [[nodiscard]] Insertion coverAll(VertexId v, InsertionObserver* observer);
+  [[nodiscard]] Insertion prepareBesideOne(VertexId v);
+  [[nodiscard]] Insertion prepareCoveringAll(VertexId v);
   [[nodiscard]] bool isSameVertex(HalfedgeId h) const;
   void markCorrupt(const char* name) const;
   /// Room for an operation on the graph, newFaces_ and newCircles_ included.
@@ -190,6 +186,10 @@ class DelaunayGraph {
   std::size_t visibleCount_ = 0;
   VertexId recent_ = kNoVertex;  // visible; the only one if visibleCount_ is 1
 
+  /// How the prepared site enters: as the only one, beside another, in the hole of its conflict
+  /// region, or in the place of all.
+  enum class Entry : unsigned char { kAlone, kBesideOne, kInHole, kCoveringAll };
+  Entry entry_ = Entry::kAlone;
   ConflictSearch conflicts_;
   CircleFan fan_;
   FlatArray<FaceId> newFaces_;  // scratch

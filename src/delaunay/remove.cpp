@@ -125,14 +125,17 @@ VertexId Remover::addLocal(const DelaunayGraph& delaunay, VertexId v, VertexId s
   global_.push_back(v);
   cover_.push_back(kNoVertex);
   small_.setSite(local, delaunay.site(v));
-  const DelaunayGraph::Insertion insertion = small_.insert(local, start);
+  const DelaunayGraph::Insertion insertion = small_.prepareInsertion(local, start);
   const auto fall = [&](VertexId fallen, VertexId cover) {
     cover_[index(fallen)] = cover;
     fallen_.push_back(fallen);
   };
-  if (insertion.cover != kNoVertex) fall(local, insertion.cover);
-  for (const VertexId covered : insertion.covered) fall(covered, local);
-  return insertion.cover == kNoVertex ? local : insertion.cover;
+  if (insertion.cover != kNoVertex) {
+    fall(local, insertion.cover);
+    return insertion.cover;
+  }
+  for (const VertexId covered : small_.insertPrepared(local)) fall(covered, local);
+  return local;
 }
 
 /// The part of the small diagram that v would be in conflict with. Its boundary is v's link: both

@@ -59,7 +59,7 @@ bool BulkInsertion::goOn(std::span<SiteId> ids, std::size_t most) {
     case Step::kOrder:
       order_ = brioOrder(order_);
       // A few would be paid for by copying all.
-      if (diagram_.isBulk_) diagram_.delaunay_.reserveBulk(order_.size());
+      if (diagram_.index_.isBulk()) diagram_.delaunay_.reserveBulk(order_.size());
       done_ = 0;
       step_ = Step::kPlace;
       return false;
@@ -67,7 +67,7 @@ bool BulkInsertion::goOn(std::span<SiteId> ids, std::size_t most) {
       place(most);
       if (done_ < order_.size()) return false;
       order_ = FlatArray<std::uint32_t>();  // the grid fits where it was
-      diagram_.endBulk();
+      diagram_.index_.endBulk(diagram_.delaunay_);
       ids_ = {};
       return true;
   }
@@ -77,19 +77,17 @@ bool BulkInsertion::goOn(std::span<SiteId> ids, std::size_t most) {
 void BulkInsertion::makeRoom(std::span<SiteId> ids) {
   DiagramCore& d = diagram_;
   const std::size_t n = order_.size();
-  d.memoryReserve_.take();
+  d.transaction_.begin();
   const std::size_t slots = d.slotsWith(n);
   const bool isBulk = n > (d.ids_.size() + n) / 4;
   d.reserve(slots);
-  // Levels that wait to be made are left alone until they are asked for.
-  if (isBulk && d.usesHierarchy_ && !d.isHierarchyDue_) d.hierarchy_.reserveBulk(slots);
+  if (isBulk) d.index_.reserveBulk(slots);
   // From here on there is something to undo. A diagram that was empty is simply emptied.
   undo_ = d.ids_.size() > 0 ? DiagramCore::Undo::kMaybe : DiagramCore::Undo::kNever;
   ids_ = ids;
   for (SiteId& id : ids) id = d.ids_.takeId();
   done_ = 0;
-  // Walks start beside, so the grid need not be kept while it changes a lot.
-  d.isBulk_ = isBulk;
+  if (isBulk) d.index_.beginBulk();
 }
 
 /// The ids are in the order of the input, slots are given along the curve.
@@ -122,19 +120,17 @@ void BulkInsertion::undo() noexcept {
   DiagramCore& d = diagram_;
   if (step_ == Step::kName) name(kAllAtOnce);
   if (step_ != Step::kPlace) done_ = 0;
-  const bool wasBulk = d.isBulk_;
-  d.isBulk_ = false;
-  if (d.isBroken()) return;
-  d.beginUndo();
-  if (ids_.size() == d.ids_.size()) {
-    d.delaunay_.clear();
-    d.hidden_.clear();
-    d.grid_.clear();
-  } else {
-    while (done_ > 0) d.rollbackInsertion(order_[--done_]);
-    if (wasBulk && d.walk_ == Walk::kSectors) d.rebuildGrid();
-  }
-  d.endUndo();
+  if (d.isBroken()) return d.index_.clear();
+  d.transaction_.undo(d.index_, [&] {
+    if (ids_.size() == d.ids_.size()) {
+      d.delaunay_.clear();
+      d.hidden_.clear();
+      d.index_.clear();
+    } else {
+      while (done_ > 0) d.rollbackInsertion(order_[--done_]);
+    }
+    d.index_.endBulk(d.delaunay_);
+  });
   // So that the next ids are given in the same order again.
   for (std::size_t k = ids_.size(); k-- > 0;) d.ids_.release(d.ids_.slotOf(ids_[k]));
   ids_ = {};
@@ -142,7 +138,7 @@ void BulkInsertion::undo() noexcept {
 
 VertexId BulkInsertion::startFor(Slot slot) const {
   // Few sites among many are far from each other.
-  if (!diagram_.isBulk_) return kNoVertex;
+  if (!diagram_.index_.isBulk()) return kNoVertex;
   const DelaunayGraph& delaunay = diagram_.delaunay_;
   constexpr Slot kReach = 4;
   if (slot >= firstNew_) {

@@ -1,14 +1,12 @@
 #include "diagram/diagram_core.h"
 
 #include <algorithm>
-#include <limits>
 #include <new>
 
 #include "base/flat_array.h"
 #include "base/radix_sort.h"
 #include "diagram/spatial_order.h"
 #include "number/invariant.h"
-#include "predicate/distance.h"
 #include "predicate/predicates.h"
 
 namespace apollonius::internal {
@@ -31,26 +29,9 @@ void DiagramCore::reserve(std::size_t slots) {
   delaunay_.reserve(slots + 1);  // last: its size tells whether there is room
 }
 
-VertexId DiagramCore::startFor(double x, double y) const {
-  VertexId best = kNoVertex;
-  double least = std::numeric_limits<double>::infinity();
-  grid_.forEachNear(x, y, [&](Slot slot) {
-    const VertexId v = vertexOf(slot);
-    if (!delaunay_.isVisible(v)) return;
-    const double distance = ApproxDistance(x, y, delaunay_.site(v)).value;
-    if (distance >= least) return;
-    best = v;
-    least = distance;
-  });
-  if (best != kNoVertex && grid_.isClose(delaunay_.site(best), x, y)) return best;
-  if (isHierarchyDue_) buildHierarchy();
-  const Slot start = hierarchy_.locate(x, y);
-  return start == kNoSlot ? kNoVertex : vertexOf(start);
-}
-
 Slot DiagramCore::nearest(double x, double y, Slot hint) const {
-  const VertexId start = hint != kNoSlot ? vertexOf(hint) : startFor(x, y);
-  return slotOf(delaunay_.locate(x, y, start, walk_).nearest);
+  const VertexId start = hint != kNoSlot ? vertexOf(hint) : index_.startFor(delaunay_, x, y);
+  return slotOf(delaunay_.locate(x, y, start, index_.walk()).nearest);
 }
 
 SiteId DiagramCore::insert(const Site& site) {
@@ -65,30 +46,25 @@ SiteId DiagramCore::insert(const Site& site) {
 SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start, Undo undo) {
   const VertexId v = vertexOf(slot);
   delaunay_.setSite(v, normalized(site));
-  if (start == kNoVertex) start = startFor(site.x, site.y);
-  struct Room final : InsertionObserver {  // NOLINT: nobody deletes it by its base
-    HiddenForest& forest;
-    Remover* remover;  // if the insertion may have to be undone
-    Room(HiddenForest& f, Remover* r) : forest(f), remover(r) {}
-    bool makeRoom(std::size_t degree, std::size_t covered) override {
-      forest.reserveChildren(covered);
-      if (remover != nullptr) remover->reserve(degree + covered);
-      return remover != nullptr;
-    }
-  } room(hidden_, undo == Undo::kMaybe ? &remover_ : nullptr);
-  const DelaunayGraph::Insertion insertion = delaunay_.insert(v, start, walk_, &room);
+  if (start == kNoVertex) start = index_.startFor(delaunay_, site.x, site.y);
+  const DelaunayGraph::Insertion insertion = delaunay_.prepareInsertion(v, start, index_.walk());
   if (insertion.cover != kNoVertex) {
     hidden_.reserveChildren(1);
     link(slot, slotOf(insertion.cover));
     return SiteState::kHidden;
   }
+  hidden_.reserveChildren(insertion.mostCovered);
+  if (undo == Undo::kMaybe) {
+    remover_.reserve(insertion.degree + insertion.mostCovered);
+    delaunay_.reserveReturn(insertion.returnRoom);
+  }
   // From here on nothing throws. None of these covers another: they were visible.
-  for (const VertexId covered : insertion.covered) {
+  for (const VertexId covered : delaunay_.insertPrepared(v)) {
     hidden_.attach(slotOf(covered), slot);
     ids_.setState(slotOf(covered), SiteState::kHidden);
-    leaveLocation(slotOf(covered));
+    index_.left(slotOf(covered), delaunay_.site(covered), remover_);
   }
-  enterLocation(slot);
+  index_.entered(delaunay_, slot);
   return SiteState::kVisible;
 }
 
@@ -101,23 +77,22 @@ bool DiagramCore::remove(SiteId id) {
 }
 
 std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
-  memoryReserve_.take();
   FlatArray<Slot> gone;
-  gone.reserve(ids.size());
-  try {
-    for (const SiteId id : ids) {
-      const Slot slot = ids_.slotOf(id);
-      if (slot == kNoSlot || ids_.state(slot) == SiteState::kPending)
-        continue;  // pending: repeated
-      detachSite(slot, Undo::kMaybe);
-      gone.push_back(slot);
-    }
-  } catch (...) {
-    beginUndo();
-    for (std::size_t k = gone.size(); k-- > 0;) rollbackRemoval(gone[k], site(gone[k]));
-    endUndo();
-    throw;
-  }
+  transaction_.run(
+      index_,
+      [&] {
+        gone.reserve(ids.size());
+        for (const SiteId id : ids) {
+          const Slot slot = ids_.slotOf(id);
+          if (slot == kNoSlot || ids_.state(slot) == SiteState::kPending)
+            continue;  // pending: repeated
+          detachSite(slot, Undo::kMaybe);
+          gone.push_back(slot);
+        }
+      },
+      [&] {
+        for (std::size_t k = gone.size(); k-- > 0;) rollbackRemoval(gone[k], site(gone[k]));
+      });
   for (const Slot slot : gone) ids_.release(slot);
   return gone.size();
 }
@@ -155,10 +130,10 @@ void DiagramCore::detachVisible(Slot slot, Undo undo) {
       }
     }
   }
-  leaveLocation(slot);
+  index_.left(slot, site(slot), remover_);
   // The outcomes were the remover's scratch, which the line above may have used.
   for (const VertexId child : children) {
-    if (ids_.state(slotOf(child)) == SiteState::kVisible) enterLocation(slotOf(child));
+    if (ids_.state(slotOf(child)) == SiteState::kVisible) index_.entered(delaunay_, slotOf(child));
   }
 }
 
@@ -218,81 +193,23 @@ void DiagramCore::orderForInsertion(FlatArray<VertexId>& vertices) const {
   }
 }
 
-void DiagramCore::enterLocation(Slot slot) noexcept {
-  if (!usesHierarchy_) return;
-  if (!isHierarchyDue_ && !isUndoing_) hierarchy_.insert(slot, site(slot));
-  if (walk_ != Walk::kSectors || isBulk_) return;
-  grid_.insert(slot, site(slot));
-  if (grid_.isOutgrown(ids_.slots())) rebuildGrid();
-}
-
-void DiagramCore::leaveLocation(Slot slot) noexcept {
-  if (!isHierarchyDue_) hierarchy_.remove(slot, remover_);
-  grid_.remove(site(slot));
-}
-
-void DiagramCore::buildHierarchy() const noexcept {
-  isHierarchyDue_ = false;
-  for (Slot slot = 0; slot < ids_.slots(); ++slot) {
-    if (ids_.state(slot) == SiteState::kVisible) hierarchy_.insert(slot, site(slot));
-  }
-}
-
-void DiagramCore::rebuildGrid() noexcept {
-  Site low = delaunay_.site(delaunay_.anyVisible()), high = low;
-  const auto forEachVisible = [&](auto&& visit) {
-    for (Slot slot = 0; slot < ids_.slots(); ++slot) {
-      if (delaunay_.graph().hasVertex(vertexOf(slot))) visit(slot);
-    }
-  };
-  forEachVisible([&](Slot slot) {
-    const Site& s = site(slot);
-    low = {std::min(low.x, s.x), std::min(low.y, s.y), 0};
-    high = {std::max(high.x, s.x), std::max(high.y, s.y), 0};
-  });
-  grid_.rebuild(delaunay_.visibleCount(), low, high);
-  forEachVisible([&](Slot slot) { grid_.insert(slot, site(slot)); });
-  grid_.fillGaps();
-}
-
-void DiagramCore::update(SiteId id, const Site& site) {
-  memoryReserve_.take();
-  move(ids_.slotOf(id), site);
-}
+void DiagramCore::update(SiteId id, const Site& site) { move(ids_.slotOf(id), site); }
 
 DiagramCore::Moved DiagramCore::move(Slot slot, const Site& site) {
   const Site old = this->site(slot);
   if (old.x == site.x && old.y == site.y && old.r == site.r) return Moved::kNot;
+  transaction_.begin();
   if (moveInPlace(slot, site)) return Moved::kInPlace;
   detachSite(slot, Undo::kMaybe);
-  try {
-    ids_.setState(slot, place(slot, site, kNoVertex, Undo::kMaybe));
-  } catch (...) {
-    beginUndo();
-    rollbackRemoval(slot, old);
-    endUndo();
-    throw;
-  }
+  transaction_.run(
+      index_, [&] { ids_.setState(slot, place(slot, site, kNoVertex, Undo::kMaybe)); },
+      [&] { rollbackRemoval(slot, old); });
   return Moved::kAnew;
-}
-
-/// The levels would need room of their own; they go, which makes some, and are made anew when they
-/// are asked for.
-void DiagramCore::beginUndo() noexcept {
-  memoryReserve_.giveBack();
-  hierarchy_.clear();
-  isHierarchyDue_ = false;
-  isUndoing_ = true;
-}
-
-void DiagramCore::endUndo() noexcept {
-  isUndoing_ = false;
-  isHierarchyDue_ = usesHierarchy_;
 }
 
 void DiagramCore::moveBack(Slot slot, const Site& from) noexcept {
   const SiteMoves::Move move{vertexOf(slot), from};
-  if (ids_.state(slot) == SiteState::kVisible) grid_.move(slot, site(slot), from);
+  if (ids_.state(slot) == SiteState::kVisible) index_.moved(slot, site(slot), from);
   SiteMoves::takeBack(delaunay_, {&move, 1});
 }
 
@@ -316,17 +233,10 @@ void DiagramCore::rollbackInsertion(Slot slot) noexcept {
   undoStep([&] { detachSite(slot); });
 }
 
-void DiagramCore::endBulk() noexcept {
-  if (isBulk_ && walk_ == Walk::kSectors && delaunay_.visibleCount() > 0) rebuildGrid();
-  isBulk_ = false;
-}
-
 void DiagramCore::clear() noexcept {
   delaunay_.clear();
   hidden_.clear();
-  hierarchy_.clear();
-  isHierarchyDue_ = false;
-  grid_.clear();
+  index_.clear();
   ids_.clear();
 }
 

@@ -1,5 +1,5 @@
 // The dynamic diagram: the Delaunay graph of the visible sites, the forest of the hidden ones, the
-// hierarchy and the grid for location, and the ids that hold them together. Arguments have been
+// index for location, and the ids that hold them together. Arguments have been
 // checked by the caller (src/api); lack of memory is thrown as std::bad_alloc with the
 // diagram as it was before the call.
 #pragma once
@@ -15,20 +15,15 @@
 #include "delaunay/moves.h"
 #include "delaunay/remove.h"
 #include "diagram/hidden_forest.h"
-#include "diagram/hierarchy.h"
-#include "diagram/hint_grid.h"
 #include "diagram/id_pool.h"
-#include "diagram/memory_reserve.h"
+#include "diagram/location_index.h"
+#include "diagram/transaction.h"
 
 namespace apollonius::internal {
 
 class DiagramCore {
  public:
-  explicit DiagramCore(Location location)
-      : location_(location),
-        usesHierarchy_(location != Location::kWalk),
-        walk_(location == Location::kHierarchy ? Walk::kSectors : Walk::kAllNeighbors),
-        hierarchy_(walk_) {}
+  explicit DiagramCore(Location location) : index_(location) {}
 
   SiteId insert(const Site& site);
 
@@ -40,18 +35,13 @@ class DiagramCore {
   void updateMany(std::span<const SiteId> ids, std::span<const double> xyr);
   void clear() noexcept;
 
-  [[nodiscard]] Location location() const { return location_; }
+  [[nodiscard]] Location location() const { return index_.location(); }
   [[nodiscard]] const IdPool& ids() const { return ids_; }
   [[nodiscard]] std::size_t visibleCount() const { return delaunay_.visibleCount(); }
   [[nodiscard]] const Site& site(Slot slot) const { return delaunay_.site(vertexOf(slot)); }
   [[nodiscard]] const DelaunayGraph& delaunay() const { return delaunay_; }
   [[nodiscard]] const HiddenForest& hidden() const { return hidden_; }
-  [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
-  /// The same with its levels, also right after a snapshot was read or something was undone.
-  [[nodiscard]] const Hierarchy& filledHierarchy() const {
-    if (isHierarchyDue_) buildHierarchy();
-    return hierarchy_;
-  }
+  [[nodiscard]] const LocationIndex& locationIndex() const { return index_; }
 
   /// The nearest site; `hint` is a visible site close to the point, or kNoSlot. REQUIRES: not
   /// empty.
@@ -109,10 +99,7 @@ class DiagramCore {
   [[nodiscard]] bool rebuildWith(std::span<const SiteId> ids, std::span<const double> xyr,
                                  std::span<const std::uint32_t> order) noexcept;
   [[nodiscard]] FlatArray<std::uint32_t> orderOfSlots(std::span<const SiteId> ids) const;
-  // Undoing, step by step in reverse order, each from what it had led to: so it needs what was
-  // needed then, and there is room for that.
-  void beginUndo() noexcept;
-  void endUndo() noexcept;
+  // Undoing, step by step (transaction.h).
   template <class Step>
   void undoStep(Step step) noexcept;
   void rollbackRemoval(Slot slot, const Site& site) noexcept;
@@ -127,34 +114,18 @@ class DiagramCore {
   /// Hangs a site of no other structure on one that covers it, or below. There is room; nothing
   /// throws.
   void link(Slot child, Slot parent) noexcept;
-  /// What location needs to know of a site that became visible, and of one that is visible no more.
-  void enterLocation(Slot slot) noexcept;
-  void leaveLocation(Slot slot) noexcept;
-  void rebuildGrid() noexcept;
-  void buildHierarchy() const noexcept;
-  void endBulk() noexcept;
-  [[nodiscard]] VertexId startFor(double x, double y) const;
-
   void saveHidden(WordWriter& out) const;
   [[nodiscard]] bool restoreStates();
   [[nodiscard]] bool restoreHidden(WordReader& in, std::size_t count);
 
-  Location location_;
-  bool usesHierarchy_;
-  Walk walk_;
-  bool isUndoing_ = false;
-  bool isBulk_ = false;  // many sites are being inserted; the grid is made afterwards
   IdPool ids_;
   DelaunayGraph delaunay_;  // vertex of slot s: s + 1
   HiddenForest hidden_;     // node of slot s: s
-  mutable Hierarchy hierarchy_;
-  mutable bool isHierarchyDue_ = false;  // restored from a snapshot: the hierarchy is made when it
-                                         // is asked first, and left alone until then
-  HintGrid grid_;                        // with Walk::kSectors only
+  LocationIndex index_;
   Remover remover_;
   SiteMoves siteMoves_;
   FlatArray<SiteMoves::Move> moves_;  // scratch of moves in place
-  MemoryReserve memoryReserve_;
+  Transaction transaction_;
 };
 
 }  // namespace apollonius::internal

@@ -76,7 +76,7 @@ void Hierarchy::insert(Slot slot, const Site& site) noexcept {
         return drop();  // never: a level with a site twice would be no graph
       delaunay.setSite(vertexOf(slot), site);
       const Slot above = locateOn(level + 1, site.x, site.y);
-      (void)delaunay.insert(vertexOf(slot), above == kNoSlot ? kNoVertex : vertexOf(above), walk_);
+      delaunay.insert(vertexOf(slot), above == kNoSlot ? kNoVertex : vertexOf(above), walk_);
     }
   } catch (const std::bad_alloc&) {
     drop();

@@ -90,7 +90,7 @@ void listEdges(const DiagramCore& diagram, EdgeArrays& out) {
 
 void listLevels(const DiagramCore& diagram, std::vector<std::uint8_t>& levels) {
   const IdPool& ids = diagram.ids();
-  const Hierarchy& hierarchy = diagram.filledHierarchy();
+  const Hierarchy& hierarchy = diagram.locationIndex().filledLevels(diagram.delaunay());
   levels.assign(ids.idLimit(), 0);
   for (SiteId id = 0; id < ids.idLimit(); ++id) {
     const Slot slot = ids.slotOf(id);

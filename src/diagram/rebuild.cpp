@@ -12,7 +12,7 @@ namespace apollonius::internal {
 
 bool DiagramCore::rebuildWith(std::span<const SiteId> ids, std::span<const double> xyr,
                               std::span<const std::uint32_t> order) noexcept {
-  DiagramCore fresh(location_);
+  DiagramCore fresh(location());
   try {
     FlatArray<SiteId> used;  // the ids, ascending: what the fresh diagram calls k is used[k]
     used.reserve(ids_.size());
@@ -42,9 +42,7 @@ bool DiagramCore::rebuildWith(std::span<const SiteId> ids, std::span<const doubl
   std::swap(ids_, fresh.ids_);
   std::swap(delaunay_, fresh.delaunay_);
   std::swap(hidden_, fresh.hidden_);
-  std::swap(hierarchy_, fresh.hierarchy_);
-  std::swap(grid_, fresh.grid_);
-  isHierarchyDue_ = false;
+  std::swap(index_, fresh.index_);
   return true;
 }
 

@@ -144,8 +144,7 @@ bool DiagramCore::restoreStates() {
     if (ids_.state(slot) == SiteState::kFree) return false;
     ids_.setState(slot, SiteState::kVisible);
   }
-  isHierarchyDue_ = usesHierarchy_;
-  if (walk_ == Walk::kSectors && delaunay_.visibleCount() > 0) rebuildGrid();
+  index_.rebuild(delaunay_);
   return true;
 }
 

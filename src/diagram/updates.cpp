@@ -54,11 +54,10 @@ void DiagramCore::makeMoves(std::size_t mostLeft) {
   for (std::size_t k = 0; k < moves_.size(); ++k) {
     if (isMade[k] == 0) continue;
     moves_[made++] = moves_[k];
-    grid_.move(slotOf(moves_[k].vertex), siteMoves_.siteBefore(k), moves_[k].to);
+    index_.moved(slotOf(moves_[k].vertex), siteMoves_.siteBefore(k), moves_[k].to);
   }
   moves_.resize(made, {});
-  if (!isHierarchyDue_) hierarchy_.move(moves_, remover_);
-  if (grid_.isOutgrown(ids_.slots())) rebuildGrid();
+  index_.followMoves(delaunay_, moves_, remover_);
 }
 
 std::size_t DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr,
@@ -85,23 +84,23 @@ std::size_t DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<
 }
 
 void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
-  memoryReserve_.take();
+  transaction_.begin();
   const FlatArray<std::uint32_t> order = orderOfSlots(ids);
   const std::size_t mostLeft = std::max(ids_.size() / kRebuildShare, kFewMoves);
   FlatArray<Site> before(ids.size());
   for (const std::size_t k : order) before[k] = site(ids_.slotOf(ids[k]));
   FlatArray<Moved> moved(order.size());  // those that were moved one by one, and how
   std::size_t done = 0;
-  try {
+  const auto steps = [&] {
     if (moveManyInPlace(ids, xyr, order, mostLeft) > mostLeft && rebuildWith(ids, xyr, order))
       return;
     for (; done < order.size(); ++done) {
       const std::size_t k = order[done];
       moved[done] = move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
     }
-  } catch (...) {
-    if (isBroken()) throw;
-    beginUndo();
+  };
+  const auto wayBack = [&] {
+    if (isBroken()) return;
     while (done-- > 0) {
       const Slot slot = ids_.slotOf(ids[order[done]]);
       if (moved[done] == Moved::kInPlace) moveBack(slot, before[order[done]]);
@@ -116,12 +115,11 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
       const Site &from = before[k], &to = site(slot);
       if (from.x == to.x && from.y == to.y && from.r == to.r) continue;
       moves_.push_back({vertexOf(slot), from});
-      grid_.move(slot, to, from);
+      index_.moved(slot, to, from);
     }
     SiteMoves::takeBack(delaunay_, moves_);
-    endUndo();
-    throw;
-  }
+  };
+  transaction_.run(index_, steps, wayBack);
 }
 
 /// Positions in `ids` in the order of the slots, which is one of places; of an id that is given

@@ -42,8 +42,8 @@ Violation validate(const DiagramCore& diagram) {
   const DelaunayGraph& delaunay = diagram.delaunay();
   Violation violation;
   if ((violation.what = delaunay.check(violation.where)) != nullptr) return violation;
-  if ((violation.what = diagram.hierarchy().check(delaunay, violation.where, violation.level)) !=
-      nullptr)
+  if ((violation.what = diagram.locationIndex().levels().check(delaunay, violation.where,
+                                                               violation.level)) != nullptr)
     return violation;
   std::uint32_t used = 0;
   for (Slot slot = 0; slot < ids.slots(); ++slot) {

@@ -110,7 +110,7 @@ TEST_F(BrokenParts, ALevelHoldsSitesBeyondAllSlots) {
   level.reserve(many + 1);
   for (std::uint32_t v = many; v > many - 40; --v) {
     level.setSite(VertexId{v}, {random.between(-100, 100), random.between(-100, 100), 0.5});
-    (void)level.insert(VertexId{v}, kNoVertex);
+    level.insert(VertexId{v}, kNoVertex);
   }
   Breaker::dropGrid(core);
   expectRightAnswers();
@@ -126,7 +126,7 @@ TEST_F(BrokenParts, LevelsHaveTheirSitesElsewhere) {
       (void)remover.remove(level, v, {});
       level.setSite(v, {random.between(-100, 100), random.between(-100, 100),
                         random.between(0, 30)});  // covers others, too
-      (void)level.insert(v, kNoVertex);
+      level.insert(v, kNoVertex);
     }
   }
   Breaker::dropGrid(core);
@@ -147,7 +147,7 @@ TEST_F(BrokenParts, ALevelHoldsASiteThatEnters) {
   ids.erase(ids.begin() + at);
   ASSERT_TRUE(core.remove(id));
   level.setSite(copy, site);
-  (void)level.insert(copy, kNoVertex);
+  level.insert(copy, kNoVertex);
   ids.push_back(core.insert({1, 2, 0.25}));
   sites.push_back({1, 2, 0.25});
   EXPECT_EQ(core.ids().slotOf(ids.back()), slot);
@@ -193,7 +193,7 @@ TEST_F(BrokenPartsDeathTest, PartsThatContradictEachOtherAboutASite) {
         core.remove(core.ids().idOf(visible));
       },
       "a site that is removed from a graph is there");
-  EXPECT_DEATH((void)Breaker::delaunay(core).insert(vertexOf(visible), kNoVertex),
+  EXPECT_DEATH(Breaker::delaunay(core).insert(vertexOf(visible), kNoVertex),
                "a site enters a graph once");
   EXPECT_DEATH(Breaker::ids(core).setState(Slot{1} << 29, SiteState::kHidden),
                "only a slot in use has a state");

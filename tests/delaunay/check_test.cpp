@@ -35,7 +35,7 @@ DelaunayGraph graphOf(const std::vector<Site>& sites) {
   diagram.reserve(sites.size() + 1);
   for (std::uint32_t k = 0; k < sites.size(); ++k) {
     diagram.setSite(vertex(k + 1), sites[k]);
-    (void)diagram.insert(vertex(k + 1), kNoVertex);
+    diagram.insert(vertex(k + 1), kNoVertex);
   }
   return diagram;
 }
@@ -298,7 +298,7 @@ TEST_F(HierarchyCheck, SiteThatIsNotBelow) {
   const auto v = vertex(static_cast<std::uint32_t>(level().graph().vertexSlots()));
   level().reserve(index(v) + 1);
   level().setSite(v, {-1000, -1000, 1});
-  (void)level().insert(v, kNoVertex);
+  level().insert(v, kNoVertex);
   expectBroken("level 1: it holds sites that the level below does not: expected");
 }
 

@@ -29,25 +29,27 @@ class DiagramBreaker {
   static DelaunayGraph& delaunay(DiagramCore& core) { return core.delaunay_; }
   static IdPool& ids(DiagramCore& core) { return core.ids_; }
   static HiddenForest& hidden(DiagramCore& core) { return core.hidden_; }
-  static unsigned levelCount(DiagramCore& core) { return core.hierarchy_.levelCount_; }
-  static void dropGrid(DiagramCore& core) { core.grid_.clear(); }
+  static unsigned levelCount(DiagramCore& core) { return core.index_.levels_.levelCount_; }
+  static void dropGrid(DiagramCore& core) { core.index_.grid_.clear(); }
   /// Lets each cell of the grid name what `slot` gives.
   template <class Give>
   static void fillGrid(DiagramCore& core, Give&& slot) {
-    for (std::size_t k = 0; k < core.grid_.cells_.size(); ++k) {
-      core.grid_.cells_[k].site = slot() & HintGrid::kEmptySlot;
-      core.grid_.cells_[k].count = 1;
+    for (std::size_t k = 0; k < core.index_.grid_.cells_.size(); ++k) {
+      core.index_.grid_.cells_[k].site = slot() & HintGrid::kEmptySlot;
+      core.index_.grid_.cells_[k].count = 1;
     }
   }
   /// Removes a site from everything but the levels and the grid.
   static void forget(DiagramCore& core, Slot slot) {
-    Hierarchy levels = std::move(core.hierarchy_);
-    core.hierarchy_ = Hierarchy(core.walk_);
+    Hierarchy levels = std::move(core.index_.levels_);
+    core.index_.levels_ = Hierarchy(core.index_.walk_);
     core.detachSite(slot);
     core.ids_.release(slot);
-    core.hierarchy_ = std::move(levels);
+    core.index_.levels_ = std::move(levels);
   }
-  static DelaunayGraph& level(DiagramCore& core, unsigned k) { return *core.hierarchy_.levels_[k]; }
+  static DelaunayGraph& level(DiagramCore& core, unsigned k) {
+    return *core.index_.levels_.levels_[k];
+  }
 };
 
 }  // namespace apollonius::internal

@@ -24,7 +24,7 @@ DelaunayGraph graphOf(const std::vector<Site>& sites) {
   graph.reserve(sites.size() + 1);
   for (std::size_t k = 0; k < sites.size(); ++k) {
     graph.setSite(vertex(k + 1), sites[k]);
-    (void)graph.insert(vertex(k + 1), kNoVertex);
+    graph.insert(vertex(k + 1), kNoVertex);
   }
   return graph;
 }

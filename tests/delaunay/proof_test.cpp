@@ -36,7 +36,7 @@ DelaunayGraph graphOf(const std::vector<Site>& sites) {
   diagram.reserve(sites.size() + 1);
   for (std::size_t k = 0; k < sites.size(); ++k) {
     diagram.setSite(vertex(k + 1), sites[k]);
-    (void)diagram.insert(vertex(k + 1), kNoVertex);
+    diagram.insert(vertex(k + 1), kNoVertex);
   }
   return diagram;
 }

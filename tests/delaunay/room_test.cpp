@@ -18,13 +18,13 @@ DelaunayGraph wheel(std::size_t spokes) {
   DelaunayGraph graph;
   graph.reserve(spokes + 2);
   graph.setSite(vertex(0), {0, 0, 0});
-  (void)graph.insert(vertex(0), kNoVertex);
+  graph.insert(vertex(0), kNoVertex);
   for (std::size_t k = 0; k < spokes; ++k) {
     // Once around, by tangents of half angles.
     const double t = (static_cast<double>(k) + 0.5) / static_cast<double>(spokes) * 4 - 2;
     const double half = t < -1 ? -1 / (t + 2) : t > 1 ? -1 / (t - 2) : t, norm = 1 + half * half;
     graph.setSite(vertex(k + 1), {(1 - half * half) / norm, 2 * half / norm, 1e-6 * t});
-    (void)graph.insert(vertex(k + 1), kNoVertex);
+    graph.insert(vertex(k + 1), kNoVertex);
   }
   return graph;
 }
@@ -47,7 +47,7 @@ TEST(Room, ASiteThatMayReturnReturnsWithoutAllocating) {
   Remover remover;
   (void)remover.remove(graph, vertex(0), {}, true);
   const std::size_t before = allocationCount;
-  (void)graph.insert(vertex(0), kNoVertex);
+  graph.insert(vertex(0), kNoVertex);
   EXPECT_EQ(allocationCount, before);
   EXPECT_EQ(graph.visibleCount(), 151u);
 }

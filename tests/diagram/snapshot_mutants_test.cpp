@@ -158,7 +158,7 @@ TEST_P(Forged, IsRefusedAndDoesNoHarmIfTrusted) {
 
 INSTANTIATE_TEST_SUITE_P(Snapshots, Forged,
                          ::testing::Values("hang", "find_out_of_bounds",
-                                           "validate_clean_find_wrong"),
+                                           "validate_clean_find_wrong", "area_of_no_cell"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

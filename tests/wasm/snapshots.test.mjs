@@ -324,6 +324,7 @@ test.each([
   "hang",
   "find_out_of_bounds",
   "validate_clean_find_wrong",
+  "area_of_no_cell",
 ])("tests/data/snapshots/forged_%s.bin", (name) => {
   const bytes = new Uint8Array(
     readFileSync(path.join(root, `tests/data/snapshots/forged_${name}.bin`)),

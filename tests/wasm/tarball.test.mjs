@@ -90,8 +90,8 @@ const kLater = {
 // of which documents 60 000, levels and counts of predicates 14 000, vertices of circles on a grid
 // 4 000 (1 218 bytes of wasm in three files), snap rounding 4 500 (1 352), and polygons that tile
 // the window, with what came beside them, 91 000 (17 000), drawing for speed 3 400 (1 111),
-// one interface for windows 10 000 (3 058)
-const kLaterUnpacked = 347_400;
+// one interface for windows 10 000 (3 058), transactions 3 000 (900)
+const kLaterUnpacked = 350_400;
 const later = Object.values(kLater).reduce((sum, bytes) => sum + bytes, 0);
 test("sizes: the default entry and the whole package are within their limits", () => {
   const unpacked = files.reduce((sum, file) => sum + statSync(path.join(installed, file)).size, 0);

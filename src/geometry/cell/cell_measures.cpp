@@ -94,6 +94,7 @@ void measureCells(const DiagramCore& core, const Rectangle& window, Measure what
   sum.run(measures);
   if (core.visibleCount() == 0 || !sum.isUntouched()) return;
   const Slot owner = ownerOfWindow(core, window);
+  if (owner == kNoSlot) return;
   const std::size_t id = core.ids().idOf(owner);
   if (what == Measure::kCentroids) {
     measures[2 * id] = window.center().x;

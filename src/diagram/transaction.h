@@ -1,0 +1,45 @@
+// Operations of several steps that either succeed or change nothing: should a step lack memory,
+// those before are undone, last one first, each from what it had led to. So undoing needs what was
+// needed then. Room for the large things, which grow with a site's neighbours, is made step by step
+// (DiagramCore::Undo). For the small ones, memory is held back, which is given back first.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "diagram/location_index.h"
+
+namespace apollonius::internal {
+
+class Transaction {
+ public:
+  /// Before the first step. Throws std::bad_alloc.
+  void begin() {
+    if (!reserve_) reserve_ = std::make_unique_for_overwrite<std::byte[]>(kReserve);
+  }
+  /// Undoes the steps by wayBack().
+  template <class WayBack>
+  void undo(LocationIndex& index, WayBack&& wayBack) noexcept {
+    reserve_.reset();
+    index.beginUndo();
+    wayBack();
+    index.endUndo();
+  }
+  /// Runs steps(). If that throws, wayBack() undoes what has been done, and it is thrown on.
+  template <class Steps, class WayBack>
+  void run(LocationIndex& index, Steps&& steps, WayBack&& wayBack) {
+    begin();
+    try {
+      steps();
+    } catch (...) {
+      undo(index, wayBack);
+      throw;
+    }
+  }
+
+ private:
+  static constexpr std::size_t kReserve = std::size_t{64} * 1024;
+  std::unique_ptr<std::byte[]> reserve_;
+};
+
+}  // namespace apollonius::internal
