@@ -339,3 +339,17 @@ export function checkedDistances(
     `distances is ${described(out)}, expected Float64Array(${count}), one element a point`,
   );
 }
+
+// --- Options as callers give them: an unknown name is probably misspelt --------------------------
+
+/** Throws "bad-option" unless these are options, or nothing, and have no other names than these. */
+export function checkOptions(options: unknown, ...names: string[]): void {
+  if (options === undefined || options === null) return;
+  const expected = `expected { ${names.join(", ")} }`;
+  const what = described(options);
+  if (what !== "an object")
+    throw new ApolloniusError("bad-option", `options is ${what}, ${expected}`);
+  for (const name of Object.keys(options))
+    if (!names.includes(name))
+      throw new ApolloniusError("bad-option", `options.${name} is unknown, ${expected}`);
+}

@@ -10,17 +10,22 @@ import {
   type SomeAsync,
   triples,
 } from "./accessors.js";
-import { checkedBytes, checkedChoice, checkedNewSites } from "./arguments.js";
-import { Ballast } from "./ballast.js";
+import { checkedBytes, checkedChoice, checkedNewSites, checkOptions } from "./arguments.js";
+import {
+  Ballast,
+  createNative,
+  destroy,
+  fillOrDispose,
+  nativeOf,
+  provideNative,
+} from "./lifetime.js";
 import { build } from "./building.js";
-import { kInspect, listed, showContent, summary } from "./content.js";
+import { kInspect, listed, showContent, summary } from "./inspection.js";
 import { drawDual, drawWhole } from "./drawing.js";
 import * as edits from "./edits.js";
 import { ApolloniusError } from "./errors.js";
-import { createNative, destroy, fillOrDispose, nativeOf, provideNative } from "./living.js";
 import { type NativeDiagram, runningModule } from "./module.js";
 import type { DrawOptions, DualOptions, PathContext } from "./path.js";
-import { checkOptions } from "./options.js";
 import * as queries from "./queries.js";
 import type { Region } from "./region.js";
 import type {
@@ -35,8 +40,9 @@ import type {
   Sites,
   SnapshotOptions,
   Vertices,
+  Bounds,
 } from "./types.js";
-import { type Bounds, Voronoi } from "./voronoi.js";
+import { Voronoi } from "./voronoi.js";
 
 /**
  * The additively weighted Voronoi diagram of circles: exact and fully dynamic.

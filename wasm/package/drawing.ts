@@ -1,10 +1,9 @@
 // Drawings of the library's, played into whatever can draw.
 import type { MainModule } from "../../build/wasm/apollonius.mjs";
-import { checkedBounds, checkedTolerance } from "./arguments.js";
+import { checkedBounds, checkedTolerance, checkOptions } from "./arguments.js";
 import { type NativeDiagram, type NativeRegion, runningModule } from "./module.js";
-import { checkOptions } from "./options.js";
 import { type DrawOptions, type DualOptions, drawn, type PathContext, play } from "./path.js";
-import type { Bounds } from "./voronoi.js";
+import type { Bounds } from "./types.js";
 
 /** What the library can draw. */
 export type Drawing = keyof MainModule["Drawing"];

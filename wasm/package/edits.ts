@@ -11,7 +11,7 @@ import {
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import type { NativeDiagram } from "./module.js";
-import { checkTypes, ofElements, ofNumbers, ofSite } from "./status.js";
+import { checkTypes, ofElements, ofNumbers, ofSite } from "./native_errors.js";
 
 export function insert(native: NativeDiagram, x: number, y: number, r: number): number {
   checkTypes(x, y, r);

@@ -1,8 +1,7 @@
 // All of the default entry: carries its wasm as text and compiles it synchronously at the first
 // use.
 import { swaps, text } from "../../build/wasm/apollonius.wasm";
-import { notCompiled } from "./loading.js";
-import { isRunning, setModuleSource, start } from "./module.js";
+import { notCompiled, isRunning, setModuleSource, start } from "./module.js";
 
 export * from "./api.js";
 

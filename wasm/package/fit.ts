@@ -9,13 +9,13 @@ import {
   isSiteId,
   numberError,
   unknownSite,
+  checkOptions,
 } from "./arguments.js";
 import { Slices } from "./building.js";
 import type { NativeWindow } from "./drawing.js";
 import { ApolloniusError } from "./errors.js";
 import type { Fitting, NativeDiagram } from "./module.js";
-import { checkOptions } from "./options.js";
-import { ofElements } from "./status.js";
+import { ofElements } from "./native_errors.js";
 import type {
   AreaTargets,
   AsyncFitOptions,

@@ -1,11 +1,8 @@
 // Cells as GeoJSON (RFC 7946).
 import type { CoverageArrays } from "../../build/wasm/apollonius.mjs";
-import { checkedChoice, described } from "./arguments.js";
+import { checkedChoice, described, checkOptions } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import { checkOptions } from "./options.js";
-
-/** x, y. */
-export type Position = [x: number, y: number];
+import type { Position } from "./types.js";
 
 /** Options of `toGeoJSON`. */
 export interface GeoJSONOptions<Properties> {

@@ -11,7 +11,7 @@ import createModule, {
 } from "../../build/wasm/apollonius.mjs";
 import { outOfMemory } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import { failure } from "./status.js";
+import { failure } from "./native_errors.js";
 
 /** A diagram in the module: wasm/bindings/bindings.cpp. Its calls throw an ApolloniusError. */
 export type NativeDiagram = Diagram;
@@ -204,4 +204,22 @@ function guard(
 function isCppException(error: unknown): boolean {
   const { Exception } = WebAssembly as unknown as { Exception?: new () => unknown };
   return Exception !== undefined && error instanceof Exception;
+}
+
+// --- The errors of a module that cannot be loaded ------------------------------------------------
+
+export function notLoaded(message: string, cause?: unknown): ApolloniusError {
+  return new ApolloniusError("not-loaded", message, { cause });
+}
+
+/** What an engine says when it does not compile or start a module. */
+export function notCompiled(cause: unknown): unknown {
+  if (cause instanceof RangeError) return cause; // the end of the stack
+  const why = cause instanceof Error ? cause.message : String(cause);
+  return notLoaded(
+    `WebAssembly cannot be compiled here (${why}). A content security policy has to have ` +
+      "script-src 'wasm-unsafe-eval'; where nothing may be compiled, as on some servers at the " +
+      "edge, import the .wasm and give that module to load() of apollonius-diagram/wasm",
+    cause,
+  );
 }

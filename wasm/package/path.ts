@@ -1,9 +1,8 @@
 // Drawing: portions of commands from the library, played into anything that draws, or written as an
 // SVG path.
-import type { Bounds } from "./voronoi.js";
-import { described } from "./arguments.js";
+import type { Bounds } from "./types.js";
+import { described, checkOptions } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import { checkOptions } from "./options.js";
 
 /**
  * What can be drawn into: a canvas context, a Path2D, a d3-path, or anything else with these four

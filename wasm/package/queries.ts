@@ -12,11 +12,11 @@ import {
   described,
   disorderedBounds,
   isSiteId,
+  checkOptions,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import { type NativeDiagram, type NearestFirst, runningModule } from "./module.js";
-import { checkOptions } from "./options.js";
-import { checkTypes, ofElements, ofNumbers, ofSite } from "./status.js";
+import { checkTypes, ofElements, ofNumbers, ofSite } from "./native_errors.js";
 import type { FilterOptions, NearbyFilter, NearbyOptions, PickOptions, Site } from "./types.js";
 
 export function has(native: NativeDiagram, id: number): boolean {

@@ -203,3 +203,78 @@ export interface AsyncFitOptions extends FitOptions {
   /** Ends the search when it aborts; the promise is rejected with its reason. */
   signal?: AbortSignal | undefined;
 }
+
+// --- Windows and shapes --------------------------------------------------------------------------
+
+/** x, y. */
+export type Position = [x: number, y: number];
+
+/** A window, xmin < xmax and ymin < ymax, in the diagram's unit. */
+export type Bounds = readonly [xmin: number, ymin: number, xmax: number, ymax: number];
+
+/**
+ * Curves as they are: each a rational quadratic Bezier curve, seven numbers x0, y0, x1, y1, w, x2,
+ * y2 for
+ *
+ *     P(t) = ((1-t)² P0 + 2 w t (1-t) P1 + t² P2) / ((1-t)² + 2 w t (1-t) + t²),   0 <= t <= 1
+ *
+ * A piece of a hyperbola (w > 1) is exactly that; w is 0 for a straight segment, of which P1 is the
+ * middle. P1 is where the tangents at P0 and P2 meet.
+ */
+export interface EdgeCurves {
+  /** The curves, one after the other. */
+  curves: Float64Array;
+  /** The two sites of each curve; the first one's cell is on the left from P0 to P2. */
+  sites: Uint32Array;
+}
+
+/**
+ * The boundary of a cell inside the window, ring by ring: counter-clockwise, and those of holes
+ * clockwise behind the one around them.
+ */
+export interface CellCurves {
+  /** The curves, one after the other. */
+  curves: Float64Array;
+  /** The site on the other side of each curve; -1 along the border of the window. */
+  neighbors: Int32Array;
+  /** The first curve of each ring, and the number of curves at the end. */
+  starts: Uint32Array;
+}
+
+/** Measures of a true curved cell, in the diagram's unit. */
+export interface Measures {
+  /** Area; 0 if no part of the cell is inside. */
+  area: number;
+  /** null if the area is 0. */
+  centroid: [number, number] | null;
+  /** Length of the boundary, the window's parts included. */
+  perimeter: number;
+}
+
+/** A closed ring [x, y], …, its first point repeated at the end; or flat x, y, …. */
+export type CellRing = Position[] | Float64Array;
+
+/** The polygon of a cell, with the id of its site. */
+export type CellPolygon<Points extends CellRing = Position[]> = Points & { index: number };
+
+/**
+ * A part of a cell: its outer ring, counter-clockwise, and those of its holes, clockwise. Only
+ * windows of other shapes than rectangles make holes.
+ */
+export type CellPart<Points extends CellRing = Position[]> = Points & { holes: Points[] };
+
+/** Options of `cellPolygon`, `cellPolygons` and `cellParts`. */
+export interface PolygonOptions {
+  /** As of a drawing: `DrawOptions`. */
+  tolerance?: number | undefined;
+  /**
+   * true: rings are x, y, … in one Float64Array, which is faster. Default: false, [x, y], …, as
+   * d3-delaunay has it.
+   */
+  flat?: boolean | undefined;
+}
+
+/** Those of flat rings. */
+export type FlatOptions = PolygonOptions & { flat: true };
+/** Those of rings of pairs. */
+export type NestedOptions = PolygonOptions & { flat?: false | undefined };

@@ -5,99 +5,39 @@ import {
   checkNumber,
   isSiteId,
   unknownSite,
+  checkOptions,
 } from "./arguments.js";
 import type { CellMeasures, CellMoments } from "../../build/wasm/apollonius.mjs";
-import { Ballast } from "./ballast.js";
+import { Ballast, createRegion, destroy, nativeOf, wrongReceiver } from "./lifetime.js";
 import type { Diagram } from "./diagram.js";
 import { drawInto, type NativeWindow } from "./drawing.js";
 import { ApolloniusError } from "./errors.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
-import {
-  type CellsCollection,
-  collectionOf,
-  type GeoJSONOptions,
-  type Position,
-  positionsOf,
-} from "./geojson.js";
-import { createRegion, destroy, nativeOf, wrongReceiver } from "./living.js";
+import { type CellsCollection, collectionOf, type GeoJSONOptions, positionsOf } from "./geojson.js";
 import type { NativeDiagram, NativeRegion } from "./module.js";
-import { checkOptions } from "./options.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
 import { checkedRings, isRegion, readOnce, type Region } from "./region.js";
-import { ofSite } from "./status.js";
-import type { AreaTargets, AsyncFitOptions, FitOptions, FittedAreas } from "./types.js";
+import { ofSite } from "./native_errors.js";
+import type {
+  AreaTargets,
+  AsyncFitOptions,
+  Bounds,
+  CellCurves,
+  CellPart,
+  CellPolygon,
+  CellRing,
+  EdgeCurves,
+  FitOptions,
+  FittedAreas,
+  FlatOptions,
+  Measures,
+  NestedOptions,
+  PolygonOptions,
+  Position,
+} from "./types.js";
 
-/** A window, xmin < xmax and ymin < ymax, in the diagram's unit. */
-export type Bounds = readonly [xmin: number, ymin: number, xmax: number, ymax: number];
-
-/**
- * Curves as they are: each a rational quadratic Bezier curve, seven numbers x0, y0, x1, y1, w, x2,
- * y2 for
- *
- *     P(t) = ((1-t)² P0 + 2 w t (1-t) P1 + t² P2) / ((1-t)² + 2 w t (1-t) + t²),   0 <= t <= 1
- *
- * A piece of a hyperbola (w > 1) is exactly that; w is 0 for a straight segment, of which P1 is the
- * middle. P1 is where the tangents at P0 and P2 meet.
- */
-export interface EdgeCurves {
-  /** The curves, one after the other. */
-  curves: Float64Array;
-  /** The two sites of each curve; the first one's cell is on the left from P0 to P2. */
-  sites: Uint32Array;
-}
-
-/**
- * The boundary of a cell inside the window, ring by ring: counter-clockwise, and those of holes
- * clockwise behind the one around them.
- */
-export interface CellCurves {
-  /** The curves, one after the other. */
-  curves: Float64Array;
-  /** The site on the other side of each curve; -1 along the border of the window. */
-  neighbors: Int32Array;
-  /** The first curve of each ring, and the number of curves at the end. */
-  starts: Uint32Array;
-}
-
-/** Measures of a true curved cell, in the diagram's unit. */
-export interface Measures {
-  /** Area; 0 if no part of the cell is inside. */
-  area: number;
-  /** null if the area is 0. */
-  centroid: [number, number] | null;
-  /** Length of the boundary, the window's parts included. */
-  perimeter: number;
-}
-
-/** A closed ring [x, y], …, its first point repeated at the end; or flat x, y, …. */
-export type CellRing = Position[] | Float64Array;
-
-/** The polygon of a cell, with the id of its site. */
-export type CellPolygon<Points extends CellRing = Position[]> = Points & { index: number };
-
-/**
- * A part of a cell: its outer ring, counter-clockwise, and those of its holes, clockwise. Only
- * windows of other shapes than rectangles make holes.
- */
-export type CellPart<Points extends CellRing = Position[]> = Points & { holes: Points[] };
-
-/** Options of `cellPolygon`, `cellPolygons` and `cellParts`. */
-export interface PolygonOptions {
-  /** As of a drawing: `DrawOptions`. */
-  tolerance?: number | undefined;
-  /**
-   * true: rings are x, y, … in one Float64Array, which is faster. Default: false, [x, y], …, as
-   * d3-delaunay has it.
-   */
-  flat?: boolean | undefined;
-}
-// Ten bytes a site, where Ballast counts 162.
+// A region has a note for each face of the diagram: ten bytes a site, where Ballast counts 162.
 const kRegionsOfSite = 16;
-
-/** Those of flat rings. */
-export type FlatOptions = PolygonOptions & { flat: true };
-/** Those of rings of pairs. */
-export type NestedOptions = PolygonOptions & { flat?: false | undefined };
 
 /**
  * The cells of a diagram inside a window, as shapes, measures and drawings:

@@ -2,8 +2,7 @@
 // (`apollonius-diagram/apollonius.wasm`).
 import { described } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import { notCompiled, notLoaded } from "./loading.js";
-import { isRunning, setModuleSource, start } from "./module.js";
+import { notCompiled, notLoaded, isRunning, setModuleSource, start } from "./module.js";
 
 export * from "./api.js";
 
