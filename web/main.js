@@ -1,14 +1,15 @@
-// Loads the page's scripts and the package. If one of them is missing nothing else could say so.
-import { notify } from "./ui/notice.js";
-
+// Loads the page's scripts and the package. If one of them is missing nothing else could say so:
+// this one needs no other.
 try {
   const { start } = await import("./start.js");
   await start();
 } catch (error) {
   console.error(error);
-  notify(
+  const notice = document.getElementById("notice");
+  notice.textContent =
     `The diagram could not be started: ${error.message} ` +
-      "(If dist/ is missing, the package has not been built: npm run build.)",
-    { stays: true },
-  );
+    "(If files are missing, the page has not been built: npm start.)";
+  notice.hidden = false;
 }
+
+export {}; // a module, which may wait

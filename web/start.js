@@ -6,6 +6,7 @@ import { SameAreas } from "./motion/same_areas.js";
 import { letWander } from "./motion/wanderer.js";
 import { Weights } from "./motion/weights.js";
 import { makeNavigation } from "./navigation.js";
+import { parts } from "./parts.js";
 import { showRevivals } from "./revivals.js";
 import { prepareToBuild } from "./sets/building.js";
 import { fetchCities } from "./sets/cities.js";
@@ -117,7 +118,7 @@ export async function start() {
   if (isPlain) letWander(app);
 
   // A handle for tests and the curious; not an interface: it may change at any time.
-  const handle = { navigation, motion, weights, whenShown: () => whenShown(app) };
+  const handle = { navigation, motion, weights, parts, whenShown: () => whenShown(app) };
   Object.assign(window, { app: Object.assign(app, { ...handle, whenFetched: fetchAhead() }) });
 }
 

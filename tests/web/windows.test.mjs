@@ -112,8 +112,8 @@ describeInBrowser("the coast", (open) => {
   });
 
   test("exports end there, too", async () => {
-    const found = await page.evaluate(async () => {
-      const { toGeoJson, toSvg } = await import("./sets/export.js");
+    const found = await page.evaluate(() => {
+      const { toGeoJson, toSvg } = app.parts;
       const { features } = JSON.parse(toGeoJson(app));
       const svg = new DOMParser().parseFromString(toSvg(app), "image/svg+xml");
       return {

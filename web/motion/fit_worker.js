@@ -1,13 +1,12 @@
 // Runs in a worker: the radii with which all cells in a window have the same area. Only their
 // differences count, so they are made as large as they can be without overlaps; some may be
 // negative then.
+import { Diagram } from "apollonius-diagram";
 
 const kMostSteps = 300; // cities, which crowd, take 100 to 150
 
-self.onmessage = async ({ data: { address, xyr, window } }) => {
+self.onmessage = ({ data: { xyr, window } }) => {
   try {
-    /** @type {typeof import("apollonius-diagram")} */
-    const { Diagram } = await import(address);
     const diagram = new Diagram(xyr);
     const targets = new Uint8Array(xyr.length / 3).fill(1);
     const { weights } = diagram.voronoi(window).fitAreas(targets, {

@@ -1,8 +1,8 @@
 // Something long in a worker of its own, which can be stopped.
 
 /**
- * @param {URL} script gets the request and the package's address (import maps do not reach into
- *   workers); posts what there is to tell, and in the end { result } or { failure }
+ * @param {string} script gets the request; posts what there is to tell, and in the end { result }
+ *   or { failure }
  * @param {object} request
  * @param {(told: any) => void} tell
  * @param {AbortSignal} [signal]
@@ -19,7 +19,7 @@ export async function inWorker(script, request, tell, signal) {
         else if (data.result) resolve(data.result);
         else tell(data);
       };
-      worker.postMessage({ ...request, address: import.meta.resolve("apollonius-diagram") });
+      worker.postMessage(request);
     });
   } finally {
     worker.terminate();

@@ -83,8 +83,7 @@ export class SameAreas extends EventTarget {
     };
     try {
       progress?.(undefined, "Looking for the radii");
-      const script = new URL("./fit_worker.js", import.meta.url);
-      return await inWorker(script, request, tell, controller.signal);
+      return await inWorker("motion/fit_worker.js", request, tell, controller.signal);
     } catch (error) {
       if (error.code !== "no-convergence") throw error;
       throw new Error(`no radii were found; areas are still off by up to ${off}`);

@@ -1,28 +1,20 @@
-// Runs in a worker: random circles and their diagram, as a snapshot. The first message has the
-// package's address, each other one what to make, or nothing: then what is being made is given up.
-// The diagram is built in slices, between which that is heard.
+// Runs in a worker: random circles and their diagram, as a snapshot. Says that it is there; then
+// each message has what to make, or nothing: then what is being made is given up. The diagram is
+// built in slices, between which that is heard.
+import { Diagram } from "apollonius-diagram";
 import { randomCircles } from "./random_sets.js";
 
 let building = new AbortController();
 
-self.onmessage = async ({ data: { address } }) => {
-  try {
-    /** @type {typeof import("apollonius-diagram")} */
-    const { Diagram } = await import(address);
-    self.onmessage = ({ data: { job, options } }) => {
-      building.abort();
-      building = new AbortController();
-      const tell = (message, rest) => self.postMessage({ ...message, job }, rest);
-      if (options) make(Diagram, options, building.signal, tell).catch((error) => tell(why(error)));
-    };
-    self.postMessage({ isReady: true });
-  } catch (error) {
-    self.postMessage(why(error));
-  }
+self.onmessage = ({ data: { job, options } }) => {
+  building.abort();
+  building = new AbortController();
+  const tell = (message, rest) => self.postMessage({ ...message, job }, rest);
+  if (options) make(options, building.signal, tell).catch((error) => tell(why(error)));
 };
+self.postMessage({ isReady: true });
 
-/** @param {typeof import("apollonius-diagram").Diagram} Diagram */
-async function make(Diagram, options, signal, tell) {
+async function make(options, signal, tell) {
   tell({ what: "Making circles" });
   const xyr = randomCircles(options);
   const onProgress = (share) => tell({ what: "Building the diagram", share });

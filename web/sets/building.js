@@ -22,13 +22,10 @@ function circleOptions({ n, hidden, seed, tall }) {
 
 /** A worker that has loaded its code. @returns {Promise<Worker>} */
 function newWorker() {
-  const worker = new Worker(new URL("./build_worker.js", import.meta.url), { type: "module" });
+  const worker = new Worker("sets/build_worker.js", { type: "module" });
   return new Promise((resolve, reject) => {
     worker.onerror = (event) => reject(new Error(event.message || "its code cannot be loaded"));
-    worker.onmessage = ({ data }) =>
-      data.isReady ? resolve(worker) : reject(new Error(data.error));
-    // import maps do not reach into workers
-    worker.postMessage({ address: import.meta.resolve("apollonius-diagram") });
+    worker.onmessage = () => resolve(worker); // the first thing that it says
   });
 }
 

@@ -7,7 +7,7 @@ import { Sites } from "../model/sites.js";
 const kLargestRadius = 330; // km, of the largest city's circle
 
 async function fetchJson(name) {
-  const response = await fetch(new URL(`../data/${name}`, import.meta.url));
+  const response = await fetch(`data/${name}`);
   if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}`);
   return response.json();
 }
