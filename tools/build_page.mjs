@@ -24,7 +24,7 @@ const copied = ["index.html", "style.css", "icon.svg", "data/cities.json", "data
 const packageEntry = path.join(root, "dist/esm/index.js");
 
 const settings = {
-  entryPoints: entries.map((entry) => path.join(source, `${entry}.js`)),
+  entryPoints: entries.map((entry) => path.join(source, `${entry}.ts`)),
   outbase: source,
   outdir: builtPage,
   alias: { "apollonius-diagram": packageEntry },

@@ -41,6 +41,15 @@ describeInBrowser("the page", (open) => {
       expect(await page.textContent("#install")).toBe("npm install apollonius-diagram");
     });
 
+    test("with every element that its code asks for, of the right kind", async () => {
+      const found = await page.evaluate(() => {
+        const { element, kElementIds } = app.parts;
+        return kElementIds.map((id) => element(id).id === id);
+      });
+      expect(found.length).toBeGreaterThan(80);
+      expect(new Set(found)).toEqual(new Set([true]));
+    });
+
     test("with one circle on its way, until the visitor acts; that is no edit", async () => {
       const moving = await open({ reducedMotion: "no-preference" });
       const first = await circlesOf(moving);
