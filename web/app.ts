@@ -9,8 +9,8 @@ import type { Hover, Overlay } from "./picture/overlay_layer.js";
 import { type Canvases, type Layers, Painter } from "./picture/painter.js";
 import { regionOf } from "./picture/regions.js";
 import { View } from "./picture/view.js";
+import type { ToolId } from "./tools/registry.js";
 
-export type Tool = "select" | "draw" | "pan" | "delete";
 /** A place in pixels. */
 export type Point = { x: number; y: number };
 /** What is answered at the pointer: how many of the nearest. */
@@ -43,7 +43,7 @@ export class App extends Emitter<AppEvents> {
   questions: Questions = { neighbors: true, empty: false, under: false, nearest: 0 };
   /** What the pages's bars cover, in pixels. */
   insets = () => kNoInsets;
-  #tool: Tool = "select";
+  #tool: ToolId = "select";
   #newPixels = kFirstRadius;
 
   constructor(canvases: Canvases) {
@@ -80,7 +80,7 @@ export class App extends Emitter<AppEvents> {
     return this.#tool;
   }
 
-  set tool(tool: Tool) {
+  set tool(tool: ToolId) {
     this.#tool = tool;
     this.emit("tool");
   }

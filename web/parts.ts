@@ -9,6 +9,7 @@ import { save, toGeoJson, toSvg } from "./sets/export.js";
 import { sitesFromText } from "./sets/import.js";
 import { insertionSteps } from "./steps/insertion.js";
 import { descent, walk } from "./steps/walk.js";
+import { kTools } from "./tools/registry.js";
 import { element, kElementIds } from "./ui/elements.js";
 
 export const parts = {
@@ -28,4 +29,5 @@ export const parts = {
   walk,
   element,
   kElementIds,
+  kTools,
 };

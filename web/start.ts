@@ -16,6 +16,7 @@ import { listenToPointer } from "./tools/gestures.js";
 import { listenToKeyboard } from "./tools/keyboard.js";
 import { makeCodeDialog } from "./ui/code.js";
 import { element } from "./ui/elements.js";
+import { makeHelp } from "./ui/help.js";
 import { makeInspector } from "./ui/inspector.js";
 import { notify } from "./ui/notice.js";
 import { makeSameAreasSwitch } from "./ui/same_areas.js";
@@ -99,6 +100,7 @@ export async function start() {
   const navigation = makeNavigation(app, weights);
   showRevivals(app);
   makeToolbar(app);
+  makeHelp();
   makeTag(app);
   makeInspector(app);
   makeStatus(app);

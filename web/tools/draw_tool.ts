@@ -1,9 +1,10 @@
 // Draw: the pointer goes down at the centre and is dragged to the rim; a click inserts a circle of
 // the size of the last one. The cell that it will have is shown.
 import type { App, Point } from "../app.js";
-import type { Touch } from "./gestures.js";
+import { isOnHandle, SelectGesture } from "./select_tool.js";
+import type { Gesture, Tool, Touch } from "./tool.js";
 
-export class DrawGesture {
+export class DrawGesture implements Gesture {
   readonly cursor = "crosshair";
   readonly #centre: Point;
   #hasMoved = false;
@@ -42,3 +43,21 @@ export class DrawGesture {
     return { ...this.#centre, r };
   }
 }
+
+export const drawTool = {
+  id: "draw",
+  key: "d",
+  label: "Draw",
+  icon: [
+    ["circle", { cx: "11", cy: "13", r: "7" }],
+    ["path", { d: "M11 10v6M8 13h6" }],
+  ],
+  help: { fine: ["*Alt-drag* draws."] },
+  cursor: (app: App, at: Touch): string => (isOnHandle(app, at) ? "ew-resize" : "crosshair"),
+  /** The handle resizes what was drawn. */
+  gesture: (app: App, at: Touch): Gesture =>
+    isOnHandle(app, at) && !at.altKey ? new SelectGesture(app, at) : new DrawGesture(app, at),
+  hover(app: App, at: Touch) {
+    app.mark({ draft: isOnHandle(app, at) ? null : app.draftAt(at.x, at.y) });
+  },
+} as const satisfies Tool;

@@ -3,37 +3,16 @@
 // it a pinch, which moves and zooms the view. The middle button and the space bar pan with any
 // tool; the wheel zooms.
 import type { App } from "../app.js";
-import { DeleteGesture } from "./delete_tool.js";
-import { DrawGesture } from "./draw_tool.js";
-import { PanGesture } from "./pan_tool.js";
-import { cursorOfSelect, isOnHandle, SelectGesture } from "./select_tool.js";
-
-export type PointerKind = "mouse" | "pen" | "touch";
-/** Where the pointer is, in pixels. */
-export type Touch = {
-  x: number;
-  y: number;
-  type: PointerKind;
-  shiftKey: boolean;
-  altKey: boolean;
-  time: number;
-};
-/** `move` comes once the pointer has left where it went down; `hold` if it stays there. */
-export type Gesture = {
-  cursor: string;
-  move(at: Touch): void;
-  end(at: Touch): void;
-  cancel(): void;
-  hold?(at: Touch): void;
-};
+import { drawTool } from "./draw_tool.js";
+import { panTool } from "./pan_tool.js";
+import { toolOf } from "./registry.js";
+import type { Gesture, PointerKind, Touch } from "./tool.js";
 
 /** What a browser does not name is like a mouse. */
 const kindOf = (type: string): PointerKind => (type === "pen" || type === "touch" ? type : "mouse");
 
 const kSlop = { mouse: 4, pen: 6, touch: 10 }; // pixels that a click may move
 const kHold = 500; // ms
-/** Pixels around a point or a small circle that count as hit. */
-export const kReach = { mouse: 5, pen: 8, touch: 16 };
 
 export function listenToPointer(element: HTMLElement, app: App) {
   /** Pointers that are down, by id. */
@@ -57,11 +36,9 @@ export function listenToPointer(element: HTMLElement, app: App) {
   };
 
   function begin(at: Touch, button: number): Gesture {
-    if (button === 1 || isSpaceDown || app.tool === "pan") return new PanGesture(app, at);
-    const draws = app.tool === "draw" && !isOnHandle(app, at); // which resizes what was drawn
-    if (draws || at.altKey) return new DrawGesture(app, at);
-    if (app.tool === "delete") return new DeleteGesture(app, at);
-    return new SelectGesture(app, at);
+    if (button === 1 || isSpaceDown) return panTool.gesture(app, at);
+    const tool = toolOf(app.tool);
+    return (at.altKey && !tool.ignoresAlt ? drawTool : tool).gesture(app, at);
   }
 
   function cancel() {
@@ -84,14 +61,8 @@ export function listenToPointer(element: HTMLElement, app: App) {
   }
 
   function showCursor(at: Touch) {
-    element.style.cursor =
-      gesture?.cursor ??
-      (isSpaceDown || app.tool === "pan" ? "grab" : null) ??
-      (app.tool === "select" ? cursorOfSelect(app, at) : null) ??
-      (app.tool === "draw" && isOnHandle(app, at) ? "ew-resize" : null) ??
-      (app.tool === "delete" && app.at(at.x, at.y, kReach.mouse).length > 0
-        ? "pointer"
-        : "crosshair");
+    const idle = isSpaceDown ? panTool : toolOf(app.tool);
+    element.style.cursor = gesture?.cursor ?? idle.cursor(app, at);
   }
 
   element.addEventListener("pointerdown", (event) => {
@@ -121,8 +92,7 @@ export function listenToPointer(element: HTMLElement, app: App) {
     const at = touchOf(event);
     if (!down.has(event.pointerId)) {
       app.hoverAt({ x: at.x, y: at.y });
-      if (app.tool === "draw")
-        app.mark({ draft: isOnHandle(app, at) ? null : app.draftAt(at.x, at.y) });
+      toolOf(app.tool).hover?.(app, at);
       showCursor(at);
       return;
     }
@@ -161,10 +131,8 @@ export function listenToPointer(element: HTMLElement, app: App) {
     app.hoverAt(null);
   });
   element.addEventListener("dblclick", (event) => {
-    if (app.tool !== "select") return;
     const box = element.getBoundingClientRect();
-    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
-    if (app.at(x, y, kReach.mouse).length === 0) app.insertAt(x, y);
+    toolOf(app.tool).doubleClick?.(app, event.clientX - box.left, event.clientY - box.top);
   });
   element.addEventListener("contextmenu", (event) => {
     // A long touch, and Ctrl-click on a Mac, mean something here.

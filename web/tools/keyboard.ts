@@ -1,7 +1,8 @@
 // Keys, while the canvas has the focus. With selected circles they act on them, without on the
 // view. Undo, redo and the tools work everywhere but in fields.
-import type { App, Tool } from "../app.js";
+import type { App } from "../app.js";
 import { isIn } from "../ui/targets.js";
+import { toolOfKey } from "./registry.js";
 
 const kStep = 4; // pixels an arrow key moves a circle; with Shift ten times as far
 const kPan = 60;
@@ -15,12 +16,6 @@ const kArrows = new Map<string, Direction>([
   ["ArrowRight", [1, 0]],
   ["ArrowUp", [0, -1]],
   ["ArrowDown", [0, 1]],
-]);
-const kTools = new Map<string, Tool>([
-  ["v", "select"],
-  ["d", "draw"],
-  ["h", "pan"],
-  ["x", "delete"],
 ]);
 
 export function listenToKeyboard(element: HTMLElement, app: App, gestures: { cancel(): boolean }) {
@@ -49,7 +44,7 @@ export function listenToKeyboard(element: HTMLElement, app: App, gestures: { can
   const anywhere = (event: KeyboardEvent) => {
     const key = event.key.toLowerCase();
     const command = event.ctrlKey || event.metaKey;
-    const tool = kTools.get(key);
+    const tool = toolOfKey(key);
     if (command && key === "z") event.shiftKey ? app.redo() : app.undo();
     else if (command && key === "y") app.redo();
     else if (command && key === "d") app.duplicate();

@@ -4,9 +4,8 @@
 import type { App } from "../app.js";
 import { handleOf, radiusForHandle } from "../picture/overlay_layer.js";
 import type { Box } from "../picture/view.js";
-import type { Touch } from "./gestures.js";
 import type { OpenChange } from "../model/model.js";
-import { kReach } from "./gestures.js";
+import { type Gesture, kReach, type Tool, type Touch } from "./tool.js";
 
 const kHandleReach = { mouse: 9, pen: 12, touch: 24 };
 const kSamePlace = 4; // pixels between clicks that mean the same place
@@ -21,12 +20,12 @@ export function isOnHandle(app: App, { x, y, type }: Touch) {
   return distance <= kHandleReach[type] && distance < fromCentre;
 }
 
-export function cursorOfSelect(app: App, at: Touch) {
+function cursorOfSelect(app: App, at: Touch): string {
   if (isOnHandle(app, at)) return "ew-resize";
   return app.at(at.x, at.y, kReach.mouse).length > 0 ? "move" : "default";
 }
 
-export class SelectGesture {
+export class SelectGesture implements Gesture {
   cursor = "default";
   #drag: { move(at: Touch): boolean; end(): void; cancel(): void } | null = null;
   #isLong = false;
@@ -253,3 +252,28 @@ function centresIn({ view, sites, painter }: App, box: Box) {
     return painter.layers.hidden || !sites.isHidden(id);
   });
 }
+
+export const selectTool = {
+  id: "select",
+  key: "v",
+  label: "Select",
+  icon: [["path", { d: "M5 3l13 9-6 1 3 6-2.5 1.200-3-6L5 18z" }]],
+  help: {
+    fine: [
+      "*Click* selects, again what lies beneath; with Shift adds.",
+      "*Double-click* inserts.",
+      "*Drag* moves a circle, its handle resizes it; elsewhere moves the view, with Shift selects" +
+        " by a box.",
+    ],
+    coarse: [
+      "*Tap* selects, again what lies beneath.",
+      "*Drag* moves a circle, its handle resizes it; elsewhere moves the view.",
+      "*Hold* adds to the selection, *hold and drag* selects by a box.",
+    ],
+  },
+  cursor: cursorOfSelect,
+  gesture: (app: App, at: Touch): Gesture => new SelectGesture(app, at),
+  doubleClick(app: App, x: number, y: number) {
+    if (app.at(x, y, kReach.mouse).length === 0) app.insertAt(x, y);
+  },
+} as const satisfies Tool;

@@ -1,23 +1,25 @@
-// The bar of tools.
+// The bar of tools: a button for each that is registered, and those that do something at once.
 import type { App } from "../app.js";
+import { kTools } from "../tools/registry.js";
+import type { Tool } from "../tools/tool.js";
 import { element } from "./elements.js";
 
-const kTools = ["select", "draw", "pan", "delete"] as const;
 const kZoom = 1.5;
+const kSvg = "http://www.w3.org/2000/svg";
 
 export function makeToolbar(app: App) {
+  const buttons = new Map(kTools.map((tool) => [tool, buttonOf(tool)]));
+  element("tools").prepend(...buttons.values());
+  for (const [tool, button] of buttons)
+    button.addEventListener("click", () => {
+      if (!tool.press?.(app)) app.tool = tool.id;
+    });
   const show = () => {
-    for (const tool of kTools)
-      element(`tool-${tool}`).setAttribute("aria-pressed", String(app.tool === tool));
+    for (const [tool, button] of buttons)
+      button.setAttribute("aria-pressed", String(app.tool === tool.id));
     element("tool-undo").disabled = !app.model.history.canUndo;
     element("tool-redo").disabled = !app.model.history.canRedo;
   };
-  for (const tool of kTools)
-    element(`tool-${tool}`).addEventListener("click", () => {
-      // With something selected, "Delete" is what it says.
-      if (tool === "delete" && app.selection.size > 0) app.removeSelected();
-      else app.tool = tool;
-    });
   element("tool-undo").addEventListener("click", () => app.undo());
   element("tool-redo").addEventListener("click", () => app.redo());
   element("tool-out").addEventListener("click", () => app.zoom(1 / kZoom));
@@ -26,4 +28,29 @@ export function makeToolbar(app: App) {
   app.on("tool", show);
   app.on("history", show);
   show();
+}
+
+function buttonOf({ id, key, label, icon }: Tool) {
+  const name = Object.assign(document.createElement("span"), { textContent: label });
+  const shortcut = Object.assign(document.createElement("kbd"), { textContent: key.toUpperCase() });
+  shortcut.setAttribute("aria-hidden", "true");
+  const button = Object.assign(document.createElement("button"), {
+    type: "button",
+    id: `tool-${id}`,
+  });
+  button.setAttribute("aria-keyshortcuts", key.toUpperCase());
+  button.append(pictureOf(icon), name, shortcut);
+  return button;
+}
+
+function pictureOf(icon: Tool["icon"]) {
+  const svg = document.createElementNS(kSvg, "svg");
+  svg.setAttribute("viewBox", "0 0 24 24");
+  svg.setAttribute("aria-hidden", "true");
+  for (const [kind, attributes] of icon) {
+    const shape = document.createElementNS(kSvg, kind);
+    for (const [name, value] of Object.entries(attributes)) shape.setAttribute(name, value);
+    svg.append(shape);
+  }
+  return svg;
 }
