@@ -113,7 +113,12 @@ const rules = [
   },
   {
     of: /^web\/([^/]+\/)?[^/]+\.ts$/,
-    may: [/^\.{1,2}\/(\w+\/)?\w+\.js$/, /^apollonius-diagram$/, /^d3-dsv$/],
+    may: [
+      /^\.{1,2}\/(\w+\/)?\w+\.js$/,
+      /^apollonius-diagram$/,
+      /^d3-dsv$/,
+      /^@preact\/signals-core$/,
+    ],
   },
   { of: /^web\/.*\.mjs$/, may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z][\w-]*$/] },
   {

@@ -1,9 +1,9 @@
 // What the page can do, whoever asks for it: pointer, keyboard, buttons or a test. Keeps model,
 // picture and selection together.
-import { Emitter } from "./model/emitter.js";
 import type { Command } from "./model/commands.js";
 import { type Change, Model } from "./model/model.js";
 import { Selection } from "./model/selection.js";
+import { effect, signal } from "./model/signals.js";
 import { type Circle, emptySites } from "./model/sites.js";
 import type { Hover, Overlay } from "./picture/overlay_layer.js";
 import { type Canvases, type Layers, Painter } from "./picture/painter.js";
@@ -22,45 +22,37 @@ const kEdge = 24; // pixels from the border at which a circle moved by keys take
 const kNoInsets = { left: 0, top: 0, right: 0, bottom: 0 };
 const kNothing = new Uint32Array(0);
 
-/** What is told when it has changed: "change" is about the circles. */
-export type AppEvents = {
-  hover: undefined;
-  select: undefined;
-  change: Change;
-  history: undefined;
-  layers: undefined;
-  tool: undefined;
-  view: undefined;
-};
-
-export class App extends Emitter<AppEvents> {
+export class App {
   model = new Model();
   selection = new Selection(this.model);
   view = new View();
   painter: Painter;
   /** The pointer in pixels, or null while it is elsewhere. */
   pointer: Point | null = null;
-  questions: Questions = { neighbors: true, empty: false, under: false, nearest: 0 };
   /** What the pages's bars cover, in pixels. */
   insets = () => kNoInsets;
-  #tool: ToolId = "select";
+  readonly #questions = signal<Questions>({
+    neighbors: true,
+    empty: false,
+    under: false,
+    nearest: 0,
+  });
+  readonly #hover = signal<Hover | null>(null);
+  readonly #tool = signal<{ id: ToolId }>({ id: "select" });
+  readonly #looks = signal(0);
   #newPixels = kFirstRadius;
 
   constructor(canvases: Canvases) {
-    super();
     this.painter = new Painter(canvases, this.model, this.view);
     this.model.on("before", (change) => this.#redrawAround(change));
     this.model.on("change", (change) => {
       if (change.isSet) this.painter.forget();
       this.#redrawAround(change);
       this.refreshHover();
-      this.emit("change", change);
     });
-    this.model.on("history", () => this.emit("history"));
-    this.selection.on("select", () => {
+    effect(() => {
       this.painter.overlay.selected = this.selection.ids;
       this.painter.redrawOverlay();
-      this.emit("select");
     });
   }
 
@@ -72,17 +64,27 @@ export class App extends Emitter<AppEvents> {
     return this.model.sites;
   }
 
+  /** What is answered at the pointer. */
   get hover() {
-    return this.painter.overlay.hover;
+    return this.#hover.value;
+  }
+
+  get questions() {
+    return this.#questions.value;
   }
 
   get tool() {
-    return this.#tool;
+    return this.#tool.value.id;
   }
 
-  set tool(tool: ToolId) {
-    this.#tool = tool;
-    this.emit("tool");
+  /** Choosing the same one again counts, too: it ends what is under way. */
+  set tool(id: ToolId) {
+    this.#tool.value = { id };
+  }
+
+  /** How often the view has changed. */
+  get looks() {
+    return this.#looks.value;
   }
 
   /** @param change about to happen, or just happened */
@@ -214,9 +216,10 @@ export class App extends Emitter<AppEvents> {
   }
 
   refreshHover() {
-    this.painter.overlay.hover = this.pointer ? this.#answers(this.pointer) : null;
+    const hover = this.pointer ? this.#answers(this.pointer) : null;
+    this.painter.overlay.hover = hover;
     this.painter.redrawOverlay();
-    this.emit("hover");
+    this.#hover.value = hover;
   }
 
   #answers({ x, y }: Point): Hover | null {
@@ -268,15 +271,12 @@ export class App extends Emitter<AppEvents> {
   // --- View --------------------------------------------------------------------------------------
 
   setLayer(name: keyof Layers, isShown: boolean) {
-    this.painter.layers[name] = isShown;
-    this.painter.redraw();
-    this.emit("layers");
+    this.painter.setLayer(name, isShown);
   }
 
   ask(questions: Partial<Questions>) {
-    Object.assign(this.questions, questions);
+    this.#questions.value = { ...this.questions, ...questions };
     this.refreshHover();
-    this.emit("layers");
   }
 
   pan(dx: number, dy: number) {
@@ -324,6 +324,6 @@ export class App extends Emitter<AppEvents> {
   viewChanged() {
     this.painter.viewChanged();
     this.refreshHover();
-    this.emit("view");
+    this.#looks.value = this.#looks.peek() + 1;
   }
 }

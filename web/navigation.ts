@@ -1,5 +1,6 @@
 // Keeps the page's address and what is shown together, in both directions.
 import type { App } from "./app.js";
+import { whenever } from "./model/signals.js";
 import type { Sites } from "./model/sites.js";
 import type { Weights } from "./motion/weights.js";
 import { isLayer } from "./picture/painter.js";
@@ -37,14 +38,14 @@ export function makeNavigation(app: App, weights: Weights) {
 
   // An edit is written at once, unless they come fast: whoever leaves then loses nothing.
   let edited = -kPause;
-  app.on("history", () => {
+  const writeEdit = () => {
     if (performance.now() - edited < kPause) return;
     edited = performance.now();
     write();
-  });
-  app.on("view", writeLater);
-  app.on("layers", writeLater);
-  app.on("change", ({ isSet }) => {
+  };
+  whenever(() => app.model.edits, writeEdit);
+  whenever(() => [app.looks, app.painter.layers, app.questions], writeLater);
+  app.model.on("change", ({ isSet }) => {
     if (isSet) {
       if (!isComingBack) {
         history.pushState(null, "", location.href);

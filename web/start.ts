@@ -2,6 +2,7 @@
 import { load } from "apollonius-diagram";
 import { App } from "./app.js";
 import { messageOf } from "./errors.js";
+import { effect } from "./model/signals.js";
 import { Motion } from "./motion/motion.js";
 import { SameAreas } from "./motion/same_areas.js";
 import { letWander } from "./motion/wanderer.js";
@@ -74,7 +75,7 @@ function makeSwitch(weights: Weights) {
   const inputs: NodeListOf<HTMLInputElement> = document.querySelectorAll("[name=weight]");
   for (const input of inputs) {
     input.addEventListener("change", () => weights.go(Number(input.value)));
-    weights.on("target", () => {
+    effect(() => {
       input.checked = Number(input.value) === weights.target;
     });
   }

@@ -108,7 +108,7 @@ describeInBrowser("the page", (open) => {
       const moving = await open({ reducedMotion: "no-preference" });
       await moving.evaluate(() => {
         window.seen = [];
-        app.addEventListener("change", () => window.seen.push(app.sites.weight));
+        app.model.addEventListener("change", () => window.seen.push(app.sites.weight));
       });
       await moving.check("[name=weight][value='0']", { force: true });
       await moving.waitForFunction(() => app.sites.weight === 0);

@@ -278,7 +278,7 @@ describeInBrowser("the same area for all", (open) => {
     const before = await r();
     await moving.evaluate(() => {
       window.seen = [];
-      app.addEventListener("change", () => {
+      app.model.addEventListener("change", () => {
         if (app.motion.isRunning) window.seen.push(app.diagram.site(0).r);
       });
     });

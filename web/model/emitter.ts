@@ -1,6 +1,6 @@
 // Events with types: what happens, by name, and what there is to tell about it.
 
-/** `Details`: by the event's name, what its listeners get; undefined for nothing. */
+/** `Details`: by the event's name, what its listeners get. */
 export class Emitter<Details> extends EventTarget {
   on<Type extends keyof Details & string>(
     type: Type,
@@ -12,10 +12,7 @@ export class Emitter<Details> extends EventTarget {
     this.addEventListener(type, heard, options);
   }
 
-  protected emit<Type extends keyof Details & string>(
-    type: Type,
-    ...[detail]: Details[Type] extends undefined ? [] : [detail: Details[Type]]
-  ) {
+  protected emit<Type extends keyof Details & string>(type: Type, detail: Details[Type]) {
     this.dispatchEvent(new CustomEvent(type, { detail }));
   }
 }

@@ -3,6 +3,7 @@
 import { type Command, insertion, movement, removal, replacement } from "./commands.js";
 import { Emitter } from "./emitter.js";
 import { History } from "./history.js";
+import { signal } from "./signals.js";
 import { emptySites, type Label, type Sites } from "./sites.js";
 
 /** The circles that are about to change or have changed (null: all); whether it is another set. */
@@ -56,13 +57,28 @@ export class OpenChange {
   }
 }
 
-/** "before" and after each change; "history" when something can be undone, or no more. */
-export type ModelEvents = { before: Change; change: Change; history: undefined };
+/** "before" and after each change. */
+export type ModelEvents = { before: Change; change: Change };
 
 export class Model extends Emitter<ModelEvents> {
   sites = emptySites();
   history = new History();
   open: OpenChange | null = null;
+
+  readonly #edits = signal(0);
+
+  /** How often something was done, undone or done again. */
+  get edits() {
+    return this.#edits.value;
+  }
+
+  get canUndo() {
+    return this.edits > 0 && this.history.canUndo;
+  }
+
+  get canRedo() {
+    return this.edits > 0 && this.history.canRedo;
+  }
 
   get diagram() {
     return this.sites.diagram;
@@ -132,7 +148,7 @@ export class Model extends Emitter<ModelEvents> {
   /** @param command that has been done */
   record(command: Command) {
     this.history.push(command);
-    this.emit("history");
+    this.#edits.value = this.#edits.peek() + 1;
   }
 
   #do(command: Command) {
@@ -152,7 +168,7 @@ export class Model extends Emitter<ModelEvents> {
     const command = this.history[direction]();
     if (command && this.sites.weight !== weight) this.sites.weigh(weight);
     this.#tell("change", null, command?.ids === null);
-    this.emit("history");
+    this.#edits.value = this.#edits.peek() + 1;
     return command;
   }
 

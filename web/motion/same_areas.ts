@@ -2,7 +2,7 @@
 // in little by little. That is one edit, and back again another.
 import type { FitProgress } from "apollonius-diagram";
 import type { App } from "../app.js";
-import { Emitter } from "../model/emitter.js";
+import { signal, whenever } from "../model/signals.js";
 import type { Sites, Window } from "../model/sites.js";
 import type { Watch } from "../sets/building.js";
 import type { FitRequest } from "./fit_worker.js";
@@ -26,9 +26,9 @@ const kTolerance = 1e-6; // fitAreas's own
 
 const eased = (t: number) => t * t * (3 - 2 * t);
 
-/** "change": `isOn` has changed. */
-export class SameAreas extends Emitter<{ change: undefined }> {
+export class SameAreas {
   #found: Found | null = null;
+  readonly #isOn = signal(false);
   #isComing = false; // the circles are on their way
 
   constructor(
@@ -36,13 +36,16 @@ export class SameAreas extends Emitter<{ change: undefined }> {
     readonly motion: Motion,
     readonly weights: Weights,
   ) {
-    super();
-    for (const type of ["change", "layers"] as const) app.on(type, () => this.#look());
+    app.model.on("change", () => this.#look());
+    whenever(
+      () => app.painter.layers,
+      () => this.#look(),
+    );
   }
 
   /** Whether the circles are those that were found, or about to be; cells end at a frame then. */
   get isOn() {
-    return this.app.painter.frame !== null;
+    return this.#isOn.value;
   }
 
   /** Why it cannot be had; "" if it can. */
@@ -79,7 +82,7 @@ export class SameAreas extends Emitter<{ change: undefined }> {
     const controller = new AbortController();
     const stop = () => controller.abort(new DOMException("they have changed", "AbortError"));
     const listening = new AbortController();
-    this.app.on("change", stop, { signal: listening.signal });
+    this.app.model.on("change", stop, { signal: listening.signal });
     signal?.addEventListener("abort", stop);
     let worst = 0; // error, in the beginning
     let off = "";
@@ -128,7 +131,7 @@ export class SameAreas extends Emitter<{ change: undefined }> {
     if (painter.frame === frame) return;
     painter.frame = frame;
     painter.redraw();
-    this.emit("change");
+    this.#isOn.value = frame !== null;
   }
 
   #isThere() {

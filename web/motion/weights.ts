@@ -1,28 +1,28 @@
 // Circles | Centres: lets the radii count less and less, or more and more, so that one sees what
 // they do to the cells.
 import type { App } from "../app.js";
-import { Emitter } from "../model/emitter.js";
+import { signal } from "../model/signals.js";
 
 const kTime = 800; // ms
 const kMostMoving = 20_000; // circles
 
 const eased = (t: number) => t * t * (3 - 2 * t);
 
-/** "target": it goes somewhere else. */
-export class Weights extends Emitter<{ target: undefined }> {
+export class Weights {
   #frame = 0;
-  /** Where it is going. */
-  target = 1;
+  readonly #target = signal(1);
 
-  constructor(readonly app: App) {
-    super();
+  constructor(readonly app: App) {}
+
+  /** Where it is going. */
+  get target() {
+    return this.#target.value;
   }
 
   /** @param target 1 for circles, 0 for centres */
   go(target: number, { isAtOnce = false } = {}) {
     cancelAnimationFrame(this.#frame);
-    this.target = target;
-    this.emit("target");
+    this.#target.value = target;
     const { app } = this;
     const from = app.sites.weight;
     const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;

@@ -4,6 +4,7 @@
 // view moves, what is there is moved and scaled as it is. A change of a few sites redraws a box.
 import type { Voronoi } from "apollonius-diagram";
 import type { Model } from "../model/model.js";
+import { signal } from "../model/signals.js";
 import type { Sites, Window } from "../model/sites.js";
 import { CirclesLayer } from "./circles_layer.js";
 import { contextOf } from "./context.js";
@@ -106,7 +107,7 @@ export const isLayer = (layers: Layers, name: string): name is keyof Layers =>
 export type Canvases = Record<"map" | "lines" | "spare" | "circles" | "overlay", HTMLCanvasElement>;
 
 export class Painter {
-  layers: Layers = {
+  readonly #layers = signal<Layers>({
     cells: true,
     distances: true,
     circles: true,
@@ -118,7 +119,7 @@ export class Painter {
     vertices: false,
     levels: false,
     hull: false,
-  };
+  });
   overlay: Overlay = {
     hover: null,
     selected: [],
@@ -160,6 +161,16 @@ export class Painter {
     this.#spare = new Plate(spare);
     this.#drawn = this.#spare;
     this.readTheme();
+  }
+
+  /** What is shown. */
+  get layers() {
+    return this.#layers.value;
+  }
+
+  setLayer(name: keyof Layers, isShown: boolean) {
+    this.#layers.value = { ...this.layers, [name]: isShown };
+    this.redraw();
   }
 
   readTheme() {

@@ -3,6 +3,7 @@
 // it a pinch, which moves and zooms the view. The middle button and the space bar pan with any
 // tool; the wheel zooms.
 import type { App } from "../app.js";
+import { whenever } from "../model/signals.js";
 import { drawTool } from "./draw_tool.js";
 import { panTool } from "./pan_tool.js";
 import { toolOf } from "./registry.js";
@@ -139,12 +140,13 @@ export function listenToPointer(element: HTMLElement, app: App) {
     if (event.ctrlKey || gesture) event.preventDefault();
   });
 
-  app.on("tool", () => {
+  const changeTool = () => {
     cancel();
     app.mark({ draft: null });
     element.style.cursor = "";
-  });
-  app.on("change", ({ isSet }) => {
+  };
+  whenever(() => app.tool, changeTool);
+  app.model.on("change", ({ isSet }) => {
     if (isSet) cancel();
   });
 

@@ -2,9 +2,9 @@
 // elsewhere it selects nothing. A drag of a circle moves it, of the handle resizes it; elsewhere it
 // moves the view, or with Shift or after a long touch selects what a box holds.
 import type { App } from "../app.js";
+import type { OpenChange } from "../model/model.js";
 import { handleOf, radiusForHandle } from "../picture/overlay_layer.js";
 import type { Box } from "../picture/view.js";
-import type { OpenChange } from "../model/model.js";
 import { type Gesture, kReach, type Tool, type Touch } from "./tool.js";
 
 const kHandleReach = { mouse: 9, pen: 12, touch: 24 };

@@ -1,6 +1,7 @@
 // What is selected: numbers that can be edited, and what the diagram knows about it.
 import type { App } from "../app.js";
 import { messageOf } from "../errors.js";
+import { whenever } from "../model/signals.js";
 import { grouped, oncePerFrame, setText, short } from "./dom.js";
 import { element } from "./elements.js";
 
@@ -100,8 +101,8 @@ export function makeInspector(app: App) {
     selection.clear();
     element("overlay").focus();
   });
-  app.on("select", update);
-  app.on("change", update);
+  whenever(() => selection.ids, update);
+  app.model.on("change", update);
 }
 
 function factsOf(app: App, id: number): [string, string, (() => void)?][] {

@@ -1,5 +1,7 @@
 // The switch "Same area for all".
+
 import type { App } from "../app.js";
+import { effect } from "../model/signals.js";
 import type { SameAreas } from "../motion/same_areas.js";
 import { oncePerFrame } from "./dom.js";
 import { element } from "./elements.js";
@@ -17,8 +19,8 @@ export function makeSameAreasSwitch(app: App, areas: SameAreas) {
   const show = () => {
     input.checked = areas.isOn;
   };
-  areas.on("change", show);
-  app.on("change", update);
+  effect(show);
+  app.model.on("change", update);
   update();
 
   input.addEventListener("change", async () => {

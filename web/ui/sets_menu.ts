@@ -36,7 +36,7 @@ export function makeSetsMenu(app: App, actions: Actions) {
     return button;
   });
   element("presets").append(...buttons);
-  app.on("change", ({ isSet }) => {
+  app.model.on("change", ({ isSet }) => {
     if (!isSet) return;
     for (const button of buttons)
       button.setAttribute("aria-current", String(button.dataset.set === app.sites.info.key));

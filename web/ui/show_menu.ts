@@ -1,5 +1,6 @@
 // The menu of what is shown and answered, of motion, and of the steps of the algorithm.
 import type { App, Questions } from "../app.js";
+import { effect } from "../model/signals.js";
 import { drift } from "../motion/drift.js";
 import type { Motion } from "../motion/motion.js";
 import { relax } from "../motion/relax.js";
@@ -33,7 +34,7 @@ export function makeShowMenu(app: App, motion: Motion) {
       nearest: isAsked("nearest") ? element("nearest-count").valueAsNumber || 0 : 0,
     });
   });
-  app.on("layers", () => {
+  effect(() => {
     for (const [name, isShown] of Object.entries(app.painter.layers))
       boxIn(layers, name).checked = isShown;
   });

@@ -1,7 +1,9 @@
 // How many circles there are, how long things take, and what a screen reader is told. Times are of
 // many calls after a warm-up: a single one is shorter than the step of the browser's clock.
+
 import { Diagram } from "apollonius-diagram";
 import type { App } from "../app.js";
+import { whenever } from "../model/signals.js";
 import { duration, grouped, oncePerFrame, setText } from "./dom.js";
 import { element } from "./elements.js";
 
@@ -38,12 +40,15 @@ export function makeStatus(app: App) {
       update();
     }, kQuiet);
   };
-  app.on("change", ({ isSet }) => {
+  app.model.on("change", ({ isSet }) => {
     if (isSet) times = "";
     update();
     measureLater();
   });
-  app.on("select", () => announce(selectionText(app)));
+  whenever(
+    () => app.selection.ids,
+    () => announce(selectionText(app)),
+  );
 
   function announce(text: string) {
     clearTimeout(announcing);

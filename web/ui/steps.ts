@@ -56,7 +56,7 @@ export function makeSteps(app: App) {
     show();
   });
   element("steps-end").addEventListener("click", end);
-  app.on("change", () => {
+  app.model.on("change", () => {
     if (!box.hidden) end(); // they tell of a diagram that is no more
   });
 

@@ -1,6 +1,7 @@
 // The tag at the pointer: which site is nearest, how far it is, and what else was asked. On a phone
 // the sheet says it.
 import type { App, Point } from "../app.js";
+import { whenever } from "../model/signals.js";
 import type { Sites } from "../model/sites.js";
 import type { Hover } from "../picture/overlay_layer.js";
 import type { View } from "../picture/view.js";
@@ -31,8 +32,8 @@ export function makeTag(app: App) {
       rest.textContent = app.sites.size === 0 ? "Draw a circle" : "Touch the diagram";
     }
   });
-  app.on("hover", update);
-  app.on("change", update);
+  whenever(() => app.hover, update);
+  app.model.on("change", update);
   update();
 }
 

@@ -1,5 +1,6 @@
 // The bar of tools: a button for each that is registered, and those that do something at once.
 import type { App } from "../app.js";
+import { effect } from "../model/signals.js";
 import { kTools } from "../tools/registry.js";
 import type { Tool } from "../tools/tool.js";
 import { element } from "./elements.js";
@@ -14,20 +15,19 @@ export function makeToolbar(app: App) {
     button.addEventListener("click", () => {
       if (!tool.press?.(app)) app.tool = tool.id;
     });
-  const show = () => {
+  effect(() => {
     for (const [tool, button] of buttons)
       button.setAttribute("aria-pressed", String(app.tool === tool.id));
-    element("tool-undo").disabled = !app.model.history.canUndo;
-    element("tool-redo").disabled = !app.model.history.canRedo;
-  };
+  });
+  effect(() => {
+    element("tool-undo").disabled = !app.model.canUndo;
+    element("tool-redo").disabled = !app.model.canRedo;
+  });
   element("tool-undo").addEventListener("click", () => app.undo());
   element("tool-redo").addEventListener("click", () => app.redo());
   element("tool-out").addEventListener("click", () => app.zoom(1 / kZoom));
   element("tool-in").addEventListener("click", () => app.zoom(kZoom));
   element("tool-fit").addEventListener("click", () => app.fit());
-  app.on("tool", show);
-  app.on("history", show);
-  show();
 }
 
 function buttonOf({ id, key, label, icon }: Tool) {
