@@ -79,7 +79,7 @@ export const kTestsOfPage = {
   picture: ["picture", "windows"],
   sets: ["data", "random_sets"],
   steps: ["motion"],
-  tools: ["page", "motion"],
+  tools: ["page", "motion", "tools"],
   ui: ["looks", "windows"],
 };
 

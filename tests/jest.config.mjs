@@ -12,6 +12,11 @@ export default {
     { ...common, displayName: "layers", testMatch: ["<rootDir>/tests/*.test.mjs"] },
     { ...common, displayName: "cluster", testMatch: ["<rootDir>/tests/cluster/**/*.test.mjs"] },
     { ...common, displayName: "strangers", testMatch: ["<rootDir>/tests/strangers/*.test.mjs"] },
-    { ...common, displayName: "web", testMatch: ["<rootDir>/tests/web/**/*.test.mjs"] },
+    {
+      ...common,
+      displayName: "web",
+      testMatch: ["<rootDir>/tests/web/**/*.test.mjs"],
+      globalSetup: "<rootDir>/tests/web/support/build.mjs",
+    },
   ],
 };

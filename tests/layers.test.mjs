@@ -113,8 +113,13 @@ const rules = [
     ],
   },
   {
-    of: /^web\/([^/]+\/)?[^/]+\.js$/,
-    may: [/^\.{1,2}\/(\w+\/)?\w+\.js$/, /^apollonius-diagram$/, /^d3-dsv$/],
+    of: /^web\/([^/]+\/)?[^/]+\.ts$/,
+    may: [
+      /^\.{1,2}\/(\w+\/)?\w+\.js$/,
+      /^apollonius-diagram$/,
+      /^d3-dsv$/,
+      /^@preact\/signals-core$/,
+    ],
   },
   { of: /^web\/.*\.mjs$/, may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z][\w-]*$/] },
   {

@@ -11,7 +11,7 @@
 //   package   Jest on the package as `npm pack` makes it (in Node, in browsers, through bundlers),
 //             and on the rules about who may include whom
 //   cluster   Jest on web/examples/cluster, with a real Redis
-//   web       types of the page's JavaScript, and Jest on the page in real browsers
+//   web       types of the page and of the examples, and Jest on the page in real browsers
 import { readdirSync } from "node:fs";
 import path from "node:path";
 import { buildPackage } from "../tools/build.mjs";

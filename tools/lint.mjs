@@ -3,8 +3,9 @@
 //   - the layout (tools/format.mjs; `npm run format` mends it)
 //   - Biome's rules for JavaScript and TypeScript (.biome.jsonc)
 //   - words that readers have to guess (tools/words.mjs)
-//   - the types of the page's JavaScript, which its comments give (web/tsconfig.json), if dist/ is
-//     there; `npm test -- web` checks them with a new one
+//   - the types of the page (web/tsconfig.json), and of the examples' JavaScript, which its
+//     comments give (web/examples/tsconfig.json), if dist/ is there; `npm test -- web` checks them
+//     with a new one
 import { existsSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
@@ -26,9 +27,11 @@ export function lint() {
   if (places.length > 0) throw new Error(`words to replace:\n  ${places.join("\n  ")}`);
 }
 
-/** The page's types, with the package's from dist/. */
+/** The types of the page and of the examples, with the package's from dist/. */
 export function checkPage() {
-  run(process.execPath, [path.join(modules, "typescript/bin/tsc"), "-p", path.join(root, "web")]);
+  const compiler = path.join(modules, "typescript/bin/tsc");
+  for (const folder of ["web", "web/examples"])
+    run(process.execPath, [compiler, "-p", path.join(root, folder)]);
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {

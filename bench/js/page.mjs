@@ -114,7 +114,7 @@ const load = (page, count) =>
   page.evaluate(async (n) => {
     const start = performance.now();
     let replaced = 0;
-    app.addEventListener("change", ({ detail }) => {
+    app.model.addEventListener("change", ({ detail }) => {
       if (detail.isSet) replaced = performance.now();
     });
     await app.navigation.load("random", { n: String(n), hidden: "5", seed: "1" });

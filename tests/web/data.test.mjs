@@ -154,8 +154,8 @@ describeInBrowser("data", (open) => {
     });
 
     test("names are shown", async () => {
-      await page.evaluate(async () => {
-        const { sitesFromText } = await import("./sets/import.js");
+      await page.evaluate(() => {
+        const { sitesFromText } = app.parts;
         app.navigation.show(sitesFromText('x,y,r,name\n0,0,5,"Berlin, Mitte"\n20,0,3,Other'));
       });
       expect(await page.evaluate(() => app.sites.label(0).name)).toBe("Berlin, Mitte");
@@ -235,8 +235,8 @@ describeInBrowser("data", (open) => {
     });
 
     test("holds circles of the visitor's own, with their names", async () => {
-      await page.evaluate(async () => {
-        const { sitesFromText } = await import("./sets/import.js");
+      await page.evaluate(() => {
+        const { sitesFromText } = app.parts;
         app.navigation.show(sitesFromText("x,y,r,name\n0,0,5,a~b&c=d\n20,0,3,\n"));
       });
       const [other] = await again();

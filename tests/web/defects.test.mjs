@@ -274,13 +274,13 @@ describeInBrowser("what fails to load", (open) => {
     await closePage(page);
   });
 
-  test("the package: the page says what is missing", async () => {
+  test("scripts or the package: the page says what is missing", async () => {
     const page = await open({
       ready: null,
-      prepare: (page) => page.route("**/dist/**", (route) => route.abort()),
+      prepare: (page) => page.route("**/start-*.js", (route) => route.abort()),
     });
     await page.waitForSelector("#notice:not([hidden])");
-    expect(await page.textContent("#notice")).toMatch(/dist/);
+    expect(await page.textContent("#notice")).toMatch(/could not be started.*start-\w+\.js/);
     await closePage(page);
   });
 
@@ -362,8 +362,8 @@ describeInBrowser("deep zoom", (open) => {
 
   test("of a circle as large as can be seen, paths have what is in the window", async () => {
     const page = await open();
-    const found = await page.evaluate(async () => {
-      const { addDisc, addRim } = await import("./picture/discs.js");
+    const found = await page.evaluate(() => {
+      const { addDisc, addRim } = app.parts;
       const view = { width: 800, height: 600 };
       const record = (add, ...circle) => {
         const points = [];

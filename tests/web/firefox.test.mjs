@@ -169,7 +169,7 @@ describeInFirefox("the page in Firefox", (open) => {
     /** What would be saved in this format; nothing is. */
     const saved = (format) =>
       page.evaluate(async (format) => {
-        const { save } = await import("./sets/export.js");
+        const { save } = app.parts;
         const { createObjectURL } = URL;
         const { click } = HTMLAnchorElement.prototype;
         let kept;

@@ -132,8 +132,8 @@ describeInBrowser("motion and steps", (open) => {
 
   test("walks end at the nearest circle, with levels and without", async () => {
     await show(page, "random", { n: "3000", hidden: "20" });
-    const ends = await page.evaluate(async () => {
-      const { descent, walk } = await import("./steps/walk.js");
+    const ends = await page.evaluate(() => {
+      const { descent, walk } = app.parts;
       const [xmin, ymin, xmax, ymax] = app.sites.bounds();
       return Array.from({ length: 40 }, (_, k) => {
         const point = {
@@ -157,8 +157,8 @@ describeInBrowser("motion and steps", (open) => {
   });
 
   test("the vertices that the steps call lost are those that insertion removes", async () => {
-    const found = await page.evaluate(async () => {
-      const { insertionSteps } = await import("./steps/insertion.js");
+    const found = await page.evaluate(() => {
+      const { insertionSteps } = app.parts;
       const circle = { x: 560, y: 260, r: 18 };
       const all = () => {
         const { coordinates } = app.diagram.vertices();

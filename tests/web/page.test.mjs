@@ -41,6 +41,15 @@ describeInBrowser("the page", (open) => {
       expect(await page.textContent("#install")).toBe("npm install apollonius-diagram");
     });
 
+    test("with every element that its code asks for, of the right kind", async () => {
+      const found = await page.evaluate(() => {
+        const { element, kElementIds } = app.parts;
+        return kElementIds.map((id) => element(id).id === id);
+      });
+      expect(found.length).toBeGreaterThan(80);
+      expect(new Set(found)).toEqual(new Set([true]));
+    });
+
     test("with one circle on its way, until the visitor acts; that is no edit", async () => {
       const moving = await open({ reducedMotion: "no-preference" });
       const first = await circlesOf(moving);
@@ -99,7 +108,7 @@ describeInBrowser("the page", (open) => {
       const moving = await open({ reducedMotion: "no-preference" });
       await moving.evaluate(() => {
         window.seen = [];
-        app.addEventListener("change", () => window.seen.push(app.sites.weight));
+        app.model.addEventListener("change", () => window.seen.push(app.sites.weight));
       });
       await moving.check("[name=weight][value='0']", { force: true });
       await moving.waitForFunction(() => app.sites.weight === 0);

@@ -2,7 +2,7 @@
 // zoom; and a picture that was updated box by box equals one that was drawn anew.
 import { afterAll, beforeAll, expect, test } from "@jest/globals";
 import { describeInBrowser, show, showCircles } from "./support/browser.mjs";
-import { generator } from "../../web/sets/random_sets.js";
+import { generator } from "../../build/web/sets/random_sets.js";
 
 const random = generator(11);
 const kSets = {
@@ -38,8 +38,8 @@ describeInBrowser("the picture", (open) => {
 
   test.each(Object.entries(kSets))("cells: %s", async (_, xyr) => {
     await showCircles(page, xyr);
-    const { points, wrong } = await page.evaluate(async () => {
-      const { addCell } = await import("./picture/curves.js");
+    const { points, wrong } = await page.evaluate(() => {
+      const { addCell } = app.parts;
       const context = document.createElement("canvas").getContext("2d");
       const holds = (id, x, y) => {
         context.beginPath();
@@ -135,8 +135,8 @@ describeInBrowser("the picture", (open) => {
 
   test("edges found from cell to cell are all edges", async () => {
     await show(page, "random", { n: "3000", hidden: "20" });
-    const { found, all } = await page.evaluate(async () => {
-      const { drawEdges } = await import("./picture/edges.js");
+    const { found, all } = await page.evaluate(() => {
+      const { drawEdges } = app.parts;
       const [xmin, ymin, xmax, ymax] = app.sites.bounds();
       const bounds = [xmin, ymin, (2 * xmin + xmax) / 3, (ymin + ymax) / 2];
       const edges = [];
@@ -152,9 +152,9 @@ describeInBrowser("the picture", (open) => {
 
   test("many circles, point by point, look like the same circles as paths", async () => {
     await show(page, "random", { n: "1400", hidden: "0" });
-    const { covered, differing } = await page.evaluate(async () => {
-      const { CirclesLayer } = await import("./picture/circles_layer.js");
-      const { Shower } = await import("./picture/shower.js");
+    const { covered, differing } = await page.evaluate(() => {
+      const { CirclesLayer } = app.parts;
+      const { Shower } = app.parts;
       const { width, height } = app.view;
       const picture = {
         sites: app.sites,

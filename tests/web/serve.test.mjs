@@ -1,12 +1,13 @@
-// The static server: types, refusals, the next free port; and the page's security policy fits its
-// import map.
+// The static server: types, refusals, the next free port; what the page is made of when it is
+// served, and its security policy.
 import { spawn } from "node:child_process";
-import { createHash } from "node:crypto";
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { createServer, request } from "node:http";
 import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, test } from "@jest/globals";
+import { builtPage } from "../../tools/build_page.mjs";
 import { serve } from "../../tools/serve.mjs";
+import { closePage, describeInBrowser } from "./support/browser.mjs";
 
 let server;
 beforeAll(async () => (server = await serve(0)));
@@ -28,7 +29,13 @@ test.each([
   ["/web/", "text/html"],
   ["/web/main.js", "text/javascript"],
   ["/web/style.css", "text/css"],
+  ["/web/main.js.map", "application/json"],
+  ["/web/sets/build_worker.js", "text/javascript"],
+  ["/web/motion/fit_worker.js", "text/javascript"],
   ["/web/data/cities.json", "application/json"],
+  ["/web/data/country.json", "application/json"],
+  ["/web/examples/", "text/html"],
+  ["/web/examples/gallery.js", "text/javascript"],
   ["/dist/apollonius.wasm", "application/wasm"],
 ])("%s is %s, isolated", async (path, type) => {
   const { status, headers } = await get(path);
@@ -45,6 +52,12 @@ test.each([
   "/web/%2e%2e%2fpackage.json",
   "/.git/config",
   "/web/none.js",
+  "/web/app.js",
+  "/web/sets/presets.js",
+  "/web/tsconfig.json",
+  "/web/examples",
+  "/build/web/main.js",
+  "/node_modules/jest/package.json",
   "/web/data",
   "/web/%ff",
   "/web/%00",
@@ -102,18 +115,34 @@ test("the port comes from --port or PORT; a taken one is said, and the next one 
   await new Promise((resolve) => taken.close(resolve));
 });
 
-test("the security policy allows the import map, and no other inline script", () => {
+test("the security policy allows no inline script, and there is none", () => {
   const html = readFileSync(new URL("../../web/index.html", import.meta.url), "utf8");
-  const [, map] = html.match(/<script type="importmap">([\s\S]*?)<\/script>/);
   const policy = html.match(/content="(default-src[^"]*)"/)[1];
-  expect(policy).toContain(`'sha256-${createHash("sha256").update(map).digest("base64")}'`);
+  expect(policy).toMatch(/script-src 'self' 'wasm-unsafe-eval';/);
   expect(policy).not.toMatch(/unsafe-(inline|eval|hashes)(?<!wasm-unsafe-eval)/);
-  expect(html.match(/<script/g)).toHaveLength(2); // the map, and main.js
-  const { imports } = JSON.parse(map);
-  const { exports } = JSON.parse(
-    readFileSync(new URL("../../package.json", import.meta.url), "utf8"),
-  );
-  expect(imports["apollonius-diagram"]).toBe(
-    `.${exports["."].import.default}`.replace("./.", "../").replace("//", "/"),
-  );
+  expect(html.match(/<script[^>]*>[^<]*/g)).toEqual(['<script type="module" src="main.js">']);
+});
+
+describeInBrowser("the page as it is served", (open) => {
+  test("comes with at most eight requests, all below its own folder", async () => {
+    const asked = [];
+    const page = await open({
+      prepare: (page) => page.on("request", (request) => asked.push(request.url())),
+    });
+    const folder = new URL(".", page.url()).href;
+    expect(asked.filter((url) => !url.startsWith(folder))).toEqual([]);
+    expect(asked).toContain(`${folder}main.js`);
+    expect(asked.length).toBeLessThanOrEqual(8);
+    // Later: cities, land, and a worker with what it shares with the page.
+    await page.evaluate(() => app.whenFetched);
+    expect(asked.filter((url) => !/\.json$|_worker\.js$|chunk-/.test(url)).length).toBeLessThan(8);
+    expect(page.errors).toEqual([]);
+    await closePage(page);
+  });
+});
+
+test("the built page has no file of an earlier build, and none that only the examples need", () => {
+  const built = readdirSync(builtPage, { recursive: true }).map((name) => name.replace(/\\/g, "/"));
+  expect(built.filter((name) => /^(examples|.*\.tmp$)/.test(name))).toEqual([]);
+  expect(built.filter((name) => /^start-\w+\.js$/.test(name))).toHaveLength(1);
 });

@@ -112,8 +112,8 @@ describeInBrowser("the coast", (open) => {
   });
 
   test("exports end there, too", async () => {
-    const found = await page.evaluate(async () => {
-      const { toGeoJson, toSvg } = await import("./sets/export.js");
+    const found = await page.evaluate(() => {
+      const { toGeoJson, toSvg } = app.parts;
       const { features } = JSON.parse(toGeoJson(app));
       const svg = new DOMParser().parseFromString(toSvg(app), "image/svg+xml");
       return {
@@ -278,7 +278,7 @@ describeInBrowser("the same area for all", (open) => {
     const before = await r();
     await moving.evaluate(() => {
       window.seen = [];
-      app.addEventListener("change", () => {
+      app.model.addEventListener("change", () => {
         if (app.motion.isRunning) window.seen.push(app.diagram.site(0).r);
       });
     });

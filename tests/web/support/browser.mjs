@@ -208,8 +208,8 @@ export async function show(page, key, params = {}) {
 
 /** Circles of the test's own, x, y, r of each, with no way back. */
 export const showCircles = (page, xyr) =>
-  page.evaluate(async (xyr) => {
-    const { Sites } = await import("./model/sites.js");
+  page.evaluate((xyr) => {
+    const { Sites } = app.parts;
     const info = { key: "data", title: "Test" };
     app.model.replace(new Sites(Float64Array.from(xyr), info, { original: new Float64Array(0) }));
     app.fit();

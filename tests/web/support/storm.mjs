@@ -1,6 +1,5 @@
 // Random events by real mouse and keyboard, weighted as visitors use them; the same ones for the
 // same seed. Pages are Playwright's or Puppeteer's.
-import { generator } from "../../../web/sets/random_sets.js";
 import { isThorough } from "./effort.mjs";
 import { press } from "./keys.mjs";
 
@@ -54,6 +53,8 @@ class Sender {
 
 /** @param {{ seed: number, events: number }} options */
 export async function storm(page, { seed, events }) {
+  // Not before whoever serves the page has built it.
+  const { generator } = await import("../../../build/web/sets/random_sets.js");
   const random = generator(seed);
   const below = (n) => Math.floor(n * random());
   const { width, height } = await page.evaluate(() => app.view);

@@ -1,0 +1,220 @@
+// The circles of one set and their diagram, with what drawing needs beside it: a mirror of the
+// numbers, names, and which of them are hidden. Only commands (commands.js) change it.
+import { Diagram, type Voronoi } from "apollonius-diagram";
+import type { WorldMap } from "../picture/map_layer.js";
+
+export type Label = { name: string; detail?: string };
+/** A circle as the numbers x, y, r. */
+export type Triple = [number, number, number];
+export type Circle = { x: number; y: number; r: number };
+/** The numbers xmin, ymin, xmax, ymax. */
+export type Bounds = [number, number, number, number];
+/** Where cells end: bounds, or rings x, y, …. */
+export type Window = Bounds | number[][];
+/** What the circles are: the preset's key is what the page's address says. */
+export type SetInfo = {
+  key: string;
+  title: string;
+  about?: string;
+  areaUnit?: string;
+  credit?: string;
+  params?: Record<string, unknown>;
+  map?: WorldMap | null;
+};
+
+const kUnknown = 0;
+const kVisible = 1;
+const kHidden = 2;
+
+export class Sites {
+  /** The diagram, in which radii count by `weight`. */
+  diagram: Diagram;
+  /** x, y, r by id, r as given; rows of ids that do not exist are stale. */
+  xyr: Float64Array;
+  /** The circles that the set came with, x, y, r by id: what edits are told from. */
+  original: Float64Array;
+  labels = new Map<number, Label>();
+  info: SetInfo;
+  /** The share of the radii that counts: 1 for circles, 0 for their centres. */
+  weight = 1;
+  /** Milliseconds that building the diagram took. */
+  buildTime: number;
+  #ids: Uint32Array | null = null;
+  #flags = new Uint8Array(0); // by id: kUnknown until asked for
+  #cells: { window: Window; cells: Voronoi } | null = null;
+
+  /**
+   * @param xyr ids are 0, 1, 2, … in this order
+   * @param more a diagram that has been built already; what can be had again without these numbers
+   */
+  constructor(
+    xyr: Float64Array,
+    info: SetInfo,
+    {
+      labels = [],
+      diagram,
+      buildTime,
+      original = xyr,
+    }: {
+      labels?: readonly (Label | undefined)[];
+      diagram?: Diagram;
+      buildTime?: number;
+      original?: Float64Array;
+    } = {},
+  ) {
+    const start = performance.now();
+    this.diagram = diagram ?? new Diagram(xyr);
+    this.buildTime = buildTime ?? performance.now() - start;
+    this.original = original;
+    this.xyr = xyr.slice();
+    this.info = info;
+    labels.forEach((label, id) => label && this.labels.set(id, label));
+  }
+
+  get size() {
+    return this.diagram.size;
+  }
+
+  /** All ids, ascending. */
+  get ids() {
+    this.#ids ??= this.diagram.ids();
+    return this.#ids;
+  }
+
+  site(id: number): Circle {
+    return { x: this.xyr[3 * id], y: this.xyr[3 * id + 1], r: this.xyr[3 * id + 2] };
+  }
+
+  /** The radius that counts. */
+  radius(id: number) {
+    return this.xyr[3 * id + 2] * this.weight;
+  }
+
+  /** x, y, r of several. */
+  triples(ids: ArrayLike<number>) {
+    const xyr = new Float64Array(3 * ids.length);
+    for (let k = 0; k < ids.length; k++)
+      xyr.set(this.xyr.subarray(3 * ids[k], 3 * ids[k] + 3), 3 * k);
+    return xyr;
+  }
+
+  /** x, y, r of several, r as it counts. */
+  countingTriples(ids: ArrayLike<number>) {
+    return this.#weighted(this.triples(ids));
+  }
+
+  label(id: number): Label {
+    return this.labels.get(id) ?? { name: `Circle ${id}` };
+  }
+
+  isHidden(id: number) {
+    if (this.#flags[id] === kUnknown)
+      this.#flags[id] = this.diagram.isHidden(id) ? kHidden : kVisible;
+    return this.#flags[id] === kHidden;
+  }
+
+  /** The cells in a window. The last one is kept: it is prepared once. */
+  cellsIn(window: Window) {
+    if (this.#cells?.window !== window)
+      this.#cells = { window, cells: this.diagram.voronoi(window) };
+    return this.#cells.cells;
+  }
+
+  /** Those of all circles, or null. */
+  bounds() {
+    if (this.size === 0) return null;
+    const { ids, xyr } = this;
+    let [xmin, ymin, xmax, ymax] = [Infinity, Infinity, -Infinity, -Infinity];
+    for (let k = 0; k < ids.length; k++) {
+      const at = 3 * ids[k];
+      const r = Math.max(xyr[at + 2], 0);
+      xmin = Math.min(xmin, xyr[at] - r);
+      ymin = Math.min(ymin, xyr[at + 1] - r);
+      xmax = Math.max(xmax, xyr[at] + r);
+      ymax = Math.max(ymax, xyr[at + 1] + r);
+    }
+    return [xmin, ymin, xmax, ymax] as Bounds;
+  }
+
+  // --- Changes -----------------------------------------------------------------------------------
+
+  /** @returns their ids */
+  insert(xyr: Float64Array): Uint32Array {
+    const ids = this.diagram.insertMany(this.#weighted(xyr));
+    this.#mirror(ids, xyr);
+    this.#changed(true);
+    return ids;
+  }
+
+  remove(ids: ArrayLike<number>) {
+    this.diagram.removeMany(ids);
+    for (let k = 0; k < ids.length; k++) this.labels.delete(ids[k]);
+    this.#changed(true);
+  }
+
+  update(ids: ArrayLike<number>, xyr: Float64Array) {
+    if (ids.length === 1) this.diagram.update(ids[0], xyr[0], xyr[1], xyr[2] * this.weight);
+    else this.diagram.updateMany(ids, this.#weighted(xyr));
+    this.#mirror(ids, xyr);
+    this.#changed(false);
+  }
+
+  /** Lets this share of the radii count. */
+  weigh(weight: number) {
+    const { ids } = this;
+    const before = this.weight;
+    this.weight = weight;
+    try {
+      this.diagram.updateMany(ids, this.#weighted(this.triples(ids)));
+    } catch (error) {
+      this.weight = before;
+      throw error;
+    }
+    this.#changed(false);
+  }
+
+  /** What a circle's cell would be, drawn by a function that gets its id; nothing is changed. */
+  tryOut<Drawn>({ x, y, r }: Circle, draw: (id: number) => Drawn): Drawn {
+    const id = this.diagram.insert(x, y, r * this.weight);
+    try {
+      return draw(id);
+    } finally {
+      this.diagram.remove(id);
+    }
+  }
+
+  dispose() {
+    this.diagram.dispose();
+  }
+
+  #weighted(xyr: Float64Array) {
+    if (this.weight === 1) return xyr;
+    return xyr.map((value, k) => (k % 3 === 2 ? value * this.weight : value));
+  }
+
+  #mirror(ids: ArrayLike<number>, xyr: Float64Array) {
+    let length = this.xyr.length;
+    for (let k = 0; k < ids.length; k++) length = Math.max(length, 3 * ids[k] + 3);
+    if (length > this.xyr.length) {
+      const larger = new Float64Array(Math.max(48, length, 2 * this.xyr.length));
+      larger.set(this.xyr);
+      this.xyr = larger;
+    }
+    for (let k = 0, n = 0; k < ids.length; k++) {
+      const at = 3 * ids[k];
+      this.xyr[at] = xyr[n++];
+      this.xyr[at + 1] = xyr[n++];
+      this.xyr[at + 2] = xyr[n++];
+    }
+  }
+
+  #changed(idsToo: boolean) {
+    if (idsToo) this.#ids = null;
+    const needed = this.xyr.length / 3;
+    if (this.#flags.length < needed) this.#flags = new Uint8Array(needed);
+    else this.#flags.fill(kUnknown);
+  }
+}
+
+export const emptySites = () =>
+  new Sites(new Float64Array(0), { key: "empty", title: "Nothing yet" });

@@ -1,0 +1,52 @@
+// Circles that move by themselves: one edit, from the start to the stop. Whatever else the visitor
+// does ends it.
+import type { App } from "../app.js";
+import type { OpenChange } from "../model/model.js";
+
+/** Gives x, y, r of the circles that move; it may be the same array each time. */
+export type Step = (seconds: number) => Float64Array;
+
+const kLongest = 1 / 20; // seconds: a slow frame is no reason to jump
+
+export class Motion {
+  #change: OpenChange | null = null;
+  #frame = 0;
+  #ended = () => {};
+
+  constructor(readonly app: App) {}
+
+  get isRunning() {
+    return this.#change?.isOpen ?? false;
+  }
+
+  start(ids: ArrayLike<number>, step: Step, ended: () => void = () => {}) {
+    this.stop();
+    const change = this.app.model.begin(ids);
+    this.#change = change;
+    this.#ended = ended;
+    this.app.painter.isLive = ids.length > 1;
+    let last = performance.now();
+    const frame = (now: number) => {
+      if (!this.isRunning) {
+        this.stop();
+        return;
+      }
+      const seconds = Math.min(kLongest, Math.max(0, now - last) / 1000);
+      last = now;
+      change.to(step(seconds));
+      this.#frame = requestAnimationFrame(frame);
+    };
+    this.#frame = requestAnimationFrame(frame);
+  }
+
+  stop() {
+    if (!this.#change) return;
+    cancelAnimationFrame(this.#frame);
+    const change = this.#change;
+    this.#change = null;
+    change.commit();
+    this.app.painter.isLive = false;
+    this.app.painter.redraw();
+    this.#ended();
+  }
+}

@@ -1,0 +1,33 @@
+// Parts of the page for its tests, which try them by themselves: those that run, not copies.
+import { Sites } from "./model/sites.js";
+import { CirclesLayer } from "./picture/circles_layer.js";
+import { addCell } from "./picture/curves.js";
+import { addDisc, addRim } from "./picture/discs.js";
+import { drawEdges } from "./picture/edges.js";
+import { Shower } from "./picture/shower.js";
+import { save, toGeoJson, toSvg } from "./sets/export.js";
+import { sitesFromText } from "./sets/import.js";
+import { insertionSteps } from "./steps/insertion.js";
+import { descent, walk } from "./steps/walk.js";
+import { kTools } from "./tools/registry.js";
+import { element, kElementIds } from "./ui/elements.js";
+
+export const parts = {
+  Sites,
+  CirclesLayer,
+  addCell,
+  addDisc,
+  addRim,
+  drawEdges,
+  Shower,
+  save,
+  toGeoJson,
+  toSvg,
+  sitesFromText,
+  insertionSteps,
+  descent,
+  walk,
+  element,
+  kElementIds,
+  kTools,
+};

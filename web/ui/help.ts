@@ -1,0 +1,18 @@
+// What the tools' gestures do, as the tools say it.
+import { kTools } from "../tools/registry.js";
+import { element } from "./elements.js";
+
+export function makeHelp() {
+  for (const kind of ["fine", "coarse"] as const) {
+    const sentences = kTools.flatMap(({ help }) => help?.[kind] ?? []);
+    element(`help-${kind}`).append(...partsOf(sentences.join(" ")));
+  }
+}
+
+/** Text, and what is between asterisks in bold. */
+const partsOf = (text: string) =>
+  text
+    .split("*")
+    .map((part, k) =>
+      k % 2 === 0 ? part : Object.assign(document.createElement("b"), { textContent: part }),
+    );

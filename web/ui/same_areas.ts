@@ -1,0 +1,39 @@
+// The switch "Same area for all".
+
+import type { App } from "../app.js";
+import { effect } from "../model/signals.js";
+import type { SameAreas } from "../motion/same_areas.js";
+import { oncePerFrame } from "./dom.js";
+import { element } from "./elements.js";
+import { sayWhatFailed } from "./notice.js";
+import { withProgress } from "./progress.js";
+
+export function makeSameAreasSwitch(app: App, areas: SameAreas) {
+  const input = element("same-areas");
+  const update = oncePerFrame(() => {
+    const { hindrance } = areas;
+    input.disabled = hindrance !== "";
+    element("same-areas-hindrance").textContent = hindrance;
+    element("same-areas-hindrance").hidden = hindrance === "";
+  });
+  const show = () => {
+    input.checked = areas.isOn;
+  };
+  effect(show);
+  app.model.on("change", update);
+  update();
+
+  input.addEventListener("change", async () => {
+    element("show").hidePopover();
+    if (!input.checked) {
+      areas.turnOff();
+      return;
+    }
+    try {
+      await withProgress((watch) => areas.turnOn(watch));
+    } catch (error) {
+      sayWhatFailed("The areas cannot be the same")(error);
+    }
+    show();
+  });
+}

@@ -1,0 +1,149 @@
+// The menu of sets: presets with a small picture of each, random circles, the visitor's own data.
+import type { App } from "../app.js";
+import type { Sites, Triple } from "../model/sites.js";
+import { sitesFromFile, sitesFromText } from "../sets/import.js";
+import { kPresets, type Params } from "../sets/presets.js";
+import { element } from "./elements.js";
+import { sayWhatFailed } from "./notice.js";
+import { isIn } from "./targets.js";
+
+const kPicture = 60; // circles in one
+
+/** What the menu asks for: `load` a set by its name, `show` the visitor's own. */
+type Actions = {
+  load(key: string, params?: Params): Promise<void>;
+  show(sites: Sites): void;
+};
+
+export function makeSetsMenu(app: App, actions: Actions) {
+  const menu = element("sets");
+  const buttons = [
+    ...Object.entries(kPresets).map(([key, { title, circles }]) => ({
+      key,
+      title,
+      picture: pictureOf(circles()),
+    })),
+    { key: "cities", title: "Cities of the world", picture: null },
+  ].map(({ key, title, picture }) => {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.dataset.set = key;
+    button.append(picture ?? worldPicture(), title);
+    button.addEventListener("click", () => {
+      menu.hidePopover();
+      actions.load(key);
+    });
+    return button;
+  });
+  element("presets").append(...buttons);
+  app.model.on("change", ({ isSet }) => {
+    if (!isSet) return;
+    for (const button of buttons)
+      button.setAttribute("aria-current", String(button.dataset.set === app.sites.info.key));
+  });
+
+  element("random").addEventListener("submit", (event) => {
+    event.preventDefault();
+    const fields = new FormData(element("random"));
+    const asked = Object.fromEntries(Array.from(fields, ([name, value]) => [name, String(value)]));
+    menu.hidePopover();
+    actions.load("random", asked);
+  });
+  element("clear").addEventListener("click", () => {
+    menu.hidePopover();
+    app.clear();
+    element("overlay").focus();
+  });
+  listenToData(actions, () => menu.hidePopover());
+}
+
+function listenToData({ show }: Actions, close: () => void) {
+  const read = async (make: () => Sites | Promise<Sites>) => {
+    try {
+      show(await make());
+      close();
+    } catch (error) {
+      sayWhatFailed("These circles could not be read")(error);
+    }
+  };
+  const file = element("file");
+  element("load-text").addEventListener("click", () =>
+    read(() => sitesFromText(element("paste").value)),
+  );
+  element("load-file").addEventListener("click", () => file.click());
+  file.addEventListener("change", () => {
+    const [chosen] = file.files ?? [];
+    if (chosen) read(() => sitesFromFile(chosen));
+    file.value = "";
+  });
+
+  // Dropped anywhere; without this the browser would leave the page for the file.
+  const drop = element("drop");
+  addEventListener("dragover", (event) => {
+    event.preventDefault();
+    drop.hidden = false;
+  });
+  addEventListener("dragleave", (event) => {
+    if (event.relatedTarget === null) drop.hidden = true;
+  });
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    drop.hidden = true;
+    const [dropped] = event.dataTransfer?.files ?? [];
+    const text = event.dataTransfer?.getData("text/plain");
+    if (dropped) read(() => sitesFromFile(dropped));
+    else if (text) read(() => sitesFromText(text));
+  });
+  addEventListener("paste", (event) => {
+    if (isIn(event.target, "input, textarea")) return;
+    const text = event.clipboardData?.getData("text/plain") ?? "";
+    if (text.trim() !== "") read(() => sitesFromText(text));
+  });
+}
+
+const kSvg = "http://www.w3.org/2000/svg";
+
+/** Some of the circles, the largest ones. */
+function pictureOf(circles: Triple[]) {
+  const svg = document.createElementNS(kSvg, "svg");
+  const boxes = circles.map(([x, y, r]) => [x - r, y - r, x + r, y + r]);
+  const low = [0, 1].map((axis) => Math.min(...boxes.map((box) => box[axis])));
+  const high = [2, 3].map((axis) => Math.max(...boxes.map((box) => box[axis])));
+  const size = [0, 1].map((axis) => high[axis] - low[axis]);
+  const pad = 0.06 * Math.max(...size);
+  svg.setAttribute(
+    "viewBox",
+    [low[0] - pad, -high[1] - pad, size[0] + 2 * pad, size[1] + 2 * pad].join(" "),
+  );
+  svg.setAttribute("aria-hidden", "true");
+  for (const [x, y, r] of circles.toSorted((a, b) => b[2] - a[2]).slice(0, kPicture)) {
+    const circle = document.createElementNS(kSvg, "circle");
+    circle.setAttribute("cx", String(x));
+    circle.setAttribute("cy", String(-y));
+    circle.setAttribute("r", String(Math.max(r, size[0] / 60)));
+    svg.append(circle);
+  }
+  return svg;
+}
+
+/** A few cities stand for all. */
+const worldPicture = () =>
+  pictureOf([
+    [-99, 19, 9],
+    [-74, 41, 8],
+    [-58, -34, 8],
+    [-47, -23, 9],
+    [0, 51, 6],
+    [37, 55, 8],
+    [29, 41, 9],
+    [31, 30, 7],
+    [3, 6, 7],
+    [67, 24, 9],
+    [77, 28, 9],
+    [73, 19, 9],
+    [121, 31, 12],
+    [116, 40, 9],
+    [140, 36, 8],
+    [107, -6, 8],
+    [151, -34, 5],
+  ]);

@@ -1,0 +1,105 @@
+// The menu of what is shown and answered, of motion, and of the steps of the algorithm.
+import type { App, Questions } from "../app.js";
+import { effect } from "../model/signals.js";
+import { drift } from "../motion/drift.js";
+import type { Motion } from "../motion/motion.js";
+import { relax } from "../motion/relax.js";
+import { isLayer } from "../picture/painter.js";
+import { element } from "./elements.js";
+import { notify } from "./notice.js";
+
+const kMostMoving = { drift: 20_000, relax: 5000 }; // circles
+const kRateTime = 500; // ms over which frames are counted
+
+/** The box of a name in a list of them. */
+function boxIn(list: HTMLElement, name: string): HTMLInputElement {
+  const found = list.querySelector(`[name=${name}]`);
+  if (!(found instanceof HTMLInputElement)) throw new Error(`the page has no box named ${name}`);
+  return found;
+}
+
+export function makeShowMenu(app: App, motion: Motion) {
+  const layers = element("layers");
+  layers.addEventListener("change", ({ target }) => {
+    if (!(target instanceof HTMLInputElement) || !isLayer(app.painter.layers, target.name)) return;
+    app.setLayer(target.name, target.checked);
+  });
+  const questions = element("questions");
+  questions.addEventListener("change", () => {
+    const isAsked = (name: keyof Questions) => boxIn(questions, name).checked;
+    app.ask({
+      neighbors: isAsked("neighbors"),
+      under: isAsked("under"),
+      empty: isAsked("empty"),
+      nearest: isAsked("nearest") ? element("nearest-count").valueAsNumber || 0 : 0,
+    });
+  });
+  effect(() => {
+    for (const [name, isShown] of Object.entries(app.painter.layers))
+      boxIn(layers, name).checked = isShown;
+  });
+
+  let isMoving = false;
+  const stop = () => isMoving && motion.stop();
+  element("stop-motion").addEventListener("click", stop);
+  element("overlay").addEventListener("click", stop);
+  const onKey = (event: KeyboardEvent) => {
+    if (event.key !== "Escape" || !isMoving) return;
+    event.preventDefault(); // one thing after another: the selection stays
+    motion.stop();
+  };
+  document.addEventListener("keydown", onKey, { capture: true });
+  const showMotion = (isShown: boolean) => {
+    isMoving = isShown;
+    element("stop-motion").hidden = !isShown;
+  };
+
+  for (const [name, make] of [
+    ["drift", drift],
+    ["relax", relax],
+  ] as const) {
+    const button = element(name);
+    const press = (isPressed: boolean) => button.setAttribute("aria-pressed", String(isPressed));
+    button.addEventListener("click", () => {
+      const wasPressed = button.getAttribute("aria-pressed") === "true";
+      motion.stop();
+      if (wasPressed) return;
+      const { sites } = app;
+      if (sites.size === 0 || sites.size > kMostMoving[name]) {
+        notify(`This moves up to ${kMostMoving[name].toLocaleString("en")} circles.`);
+        return;
+      }
+      motion.start(sites.ids, make(sites), () => {
+        press(false);
+        showMotion(false);
+      });
+      press(true);
+      showMotion(true);
+      element("show").hidePopover();
+    });
+  }
+  const rate = element("show-rate");
+  rate.addEventListener("change", () => showRate(rate.checked));
+}
+
+let rateFrame = 0;
+
+/** Frames a second. */
+function showRate(isShown: boolean) {
+  const rate = element("rate");
+  rate.hidden = !isShown;
+  cancelAnimationFrame(rateFrame);
+  if (!isShown) return;
+  let frames = 0;
+  let since = performance.now();
+  const frame = (now: number) => {
+    frames++;
+    if (now - since >= kRateTime) {
+      rate.textContent = `${Math.round((1000 * frames) / (now - since))} frames/s`;
+      frames = 0;
+      since = now;
+    }
+    rateFrame = requestAnimationFrame(frame);
+  };
+  rateFrame = requestAnimationFrame(frame);
+}

@@ -1,0 +1,73 @@
+// The tag at the pointer: which site is nearest, how far it is, and what else was asked. On a phone
+// the sheet says it.
+import type { App, Point } from "../app.js";
+import { whenever } from "../model/signals.js";
+import type { Sites } from "../model/sites.js";
+import type { Hover } from "../picture/overlay_layer.js";
+import type { View } from "../picture/view.js";
+import { away, grouped, oncePerFrame } from "./dom.js";
+import { element } from "./elements.js";
+
+const kGap = 16; // pixels between pointer and tag
+const kMostNames = 4;
+
+export function makeTag(app: App) {
+  const tag = element("tag");
+  const answer = element("answer");
+
+  const update = oncePerFrame(() => {
+    const { hover } = app;
+    tag.hidden = hover === null;
+    const [name, detail] = hover ? textOf(app, hover) : ["", ""];
+    const [strong, rest] = partsOf(hover ? tag : answer);
+    if (hover) {
+      strong.textContent = name;
+      rest.textContent = ` ${detail}`;
+      place(tag, hover, app.view);
+      const [sheetName, sheetDetail] = partsOf(answer);
+      sheetName.textContent = name;
+      sheetDetail.textContent = ` ${detail}`;
+    } else {
+      strong.textContent = "";
+      rest.textContent = app.sites.size === 0 ? "Draw a circle" : "Touch the diagram";
+    }
+  });
+  whenever(() => app.hover, update);
+  app.model.on("change", update);
+  update();
+}
+
+/** @returns the nearest site, and the rest */
+function textOf({ sites, questions, diagram }: App, hover: Hover): [string, string] {
+  const { name } = sites.label(hover.id);
+  const said = [away(hover.distance)];
+  if (questions.neighbors) {
+    const count = hover.neighbors.length;
+    said.push(`${count} neighbour${count === 1 ? "" : "s"}`);
+  }
+  if (questions.under) said.push(`in ${namesOf(sites, hover.under)}`);
+  if (hover.empty) said.push(`empty circle of ${away(hover.empty.r).replace(" away", "")}`);
+  if (sites.weight === 0 && diagram.size > 0) said[0] = said[0].replace("away", "to its centre");
+  return [name, said.join(" · ")];
+}
+
+function namesOf(sites: Sites, ids: ArrayLike<number>) {
+  if (ids.length === 0) return "no circle";
+  if (ids.length > kMostNames) return `${grouped(ids.length)} circles`;
+  return Array.from(ids, (id) => sites.label(id).name).join(", ");
+}
+
+function partsOf(node: HTMLElement): [name: Element, rest: Element] {
+  if (node.children.length === 0)
+    node.append(document.createElement("b"), document.createElement("span"));
+  const [name, rest] = node.children;
+  return [name, rest];
+}
+
+/** Beside the pointer, where there is room. */
+function place(tag: HTMLElement, { x, y }: Point, view: View) {
+  const { offsetWidth: width, offsetHeight: height } = tag;
+  const left = x + kGap + width < view.width - 8 ? x + kGap : x - kGap - width;
+  const top = y + kGap + height < view.height - 8 ? y + kGap : y - kGap - height;
+  tag.style.transform = `translate(${Math.round(Math.max(left, 4))}px, ${Math.round(top)}px)`;
+}
