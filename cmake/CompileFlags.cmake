@@ -82,7 +82,8 @@ if(EMSCRIPTEN)
   # SIMD is the youngest that is asked of a browser (2021; Safari 2023): what came with it or before
   # may be used too.
   add_compile_options(-fwasm-exceptions -msimd128 -mbulk-memory -mnontrapping-fptoint -msign-ext)
-  add_link_options(-fwasm-exceptions -mbulk-memory)
+  add_link_options(-fwasm-exceptions -mbulk-memory
+    -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB)
 endif()
 if(APOLLONIUS_SANITIZE)
   # With assertions, and those of the standard library: AddressSanitizer does not see an index that

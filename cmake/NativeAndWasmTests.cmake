@@ -38,8 +38,7 @@ if(EMSCRIPTEN)
   # The programs are CommonJS; the repository's package.json says otherwise of .js files.
   file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/package.json" "{ \"type\": \"commonjs\" }\n")
   # Node's own file system, so that tests read tests/data as they do natively.
-  set(wasm_test_link_options -sENVIRONMENT=node -sNODERAWFS=1 -sEXIT_RUNTIME=1
-    -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB)
+  set(wasm_test_link_options -sENVIRONMENT=node -sNODERAWFS=1 -sEXIT_RUNTIME=1)
   if(NOT APOLLONIUS_ALL_WASM_TESTS)
     # Without Binaryen's passes, which take longer than most programs run. The package's module has
     # them, and all tests do in `npm run check -- wasm`.

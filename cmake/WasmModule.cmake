@@ -21,7 +21,6 @@ target_link_options(apollonius_wasm PRIVATE
   # wasm/package/module.ts puts the stack back after a call that left the module in its middle.
   -sEXPORTED_FUNCTIONS=_emscripten_stack_get_current,__emscripten_stack_restore
   "SHELL:--js-library ${bindings}/embind_parts.js"
-  -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB
   # 6 KB smaller than the default and as fast here: a diagram is a few large arrays.
   -sMALLOC=emmalloc)
 set_property(TARGET apollonius_wasm APPEND PROPERTY
