@@ -72,7 +72,7 @@ function insets() {
 
 /** Circles | Centres. */
 function makeSwitch(weights: Weights) {
-  const inputs: NodeListOf<HTMLInputElement> = document.querySelectorAll("[name=weight]");
+  const inputs = document.querySelectorAll<HTMLInputElement>("input[name=weight]");
   for (const input of inputs) {
     input.addEventListener("change", () => weights.go(Number(input.value)));
     effect(() => {

@@ -121,7 +121,7 @@ export class Sites {
   }
 
   /** Those of all circles, or null. */
-  bounds() {
+  bounds(): Bounds | null {
     if (this.size === 0) return null;
     const { ids, xyr } = this;
     let [xmin, ymin, xmax, ymax] = [Infinity, Infinity, -Infinity, -Infinity];
@@ -133,7 +133,7 @@ export class Sites {
       xmax = Math.max(xmax, xyr[at] + r);
       ymax = Math.max(ymax, xyr[at + 1] + r);
     }
-    return [xmin, ymin, xmax, ymax] as Bounds;
+    return [xmin, ymin, xmax, ymax];
   }
 
   // --- Changes -----------------------------------------------------------------------------------
