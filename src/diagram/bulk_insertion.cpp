@@ -105,7 +105,7 @@ void BulkInsertion::place(std::size_t most) {
   for (; done_ < end; ++done_) {
     const Slot slot = order_[done_];
     const Site circle = d.site(slot);
-    d.ids_.setState(slot, d.place(slot, circle, startFor(slot), undo_));
+    d.ids_.setState(slot, d.attachSite(slot, circle, startFor(slot), undo_));
   }
 }
 

@@ -40,10 +40,10 @@ SiteId DiagramCore::insert(const Site& site) {
     hidden_.reserve(slot + std::size_t{1});
     delaunay_.reserve(slot + std::size_t{2});  // last: see reserve
   }
-  return ids_.take(place(slot, site, kNoVertex));
+  return ids_.take(attachSite(slot, site, kNoVertex));
 }
 
-SiteState DiagramCore::place(Slot slot, const Site& site, VertexId start, Undo undo) {
+SiteState DiagramCore::attachSite(Slot slot, const Site& site, VertexId start, Undo undo) {
   const VertexId v = vertexOf(slot);
   delaunay_.setSite(v, normalized(site));
   if (start == kNoVertex) start = index_.startFor(delaunay_, site.x, site.y);
@@ -202,7 +202,7 @@ DiagramCore::Moved DiagramCore::move(Slot slot, const Site& site) {
   if (moveInPlace(slot, site)) return Moved::kInPlace;
   detachSite(slot, Undo::kMaybe);
   transaction_.run(
-      index_, [&] { ids_.setState(slot, place(slot, site, kNoVertex, Undo::kMaybe)); },
+      index_, [&] { ids_.setState(slot, attachSite(slot, site, kNoVertex, Undo::kMaybe)); },
       [&] { rollbackRemoval(slot, old); });
   return Moved::kAnew;
 }
@@ -226,7 +226,7 @@ void DiagramCore::undoStep(Step step) noexcept {
 }
 
 void DiagramCore::rollbackRemoval(Slot slot, const Site& site) noexcept {
-  undoStep([&] { ids_.setState(slot, place(slot, site, kNoVertex)); });
+  undoStep([&] { ids_.setState(slot, attachSite(slot, site, kNoVertex)); });
 }
 
 void DiagramCore::rollbackInsertion(Slot slot) noexcept {

@@ -71,14 +71,14 @@ class DiagramCore {
   /// May an operation have to be undone? Then it first makes the room that takes: undoing needs no
   /// memory, and the levels are left out of it.
   enum class Undo : bool { kNever, kMaybe };
-  /// Places a site whose slot is in no structure; `start` is visible, or kNoVertex to locate from
+  /// Enters a site whose slot is in no structure; `start` is visible, or kNoVertex to locate from
   /// scratch. May throw; else the returned state is what the slot is to get.
-  [[nodiscard]] SiteState place(Slot slot, const Site& site, VertexId start,
-                                Undo undo = Undo::kNever);
+  [[nodiscard]] SiteState attachSite(Slot slot, const Site& site, VertexId start,
+                                     Undo undo = Undo::kNever);
   /// Takes a site out of all structures; its slot becomes pending.
   void detachSite(Slot slot, Undo undo = Undo::kNever);
   /// How a site got to its new place: not at all (it is there), nothing else having changed, or
-  /// displaced and placed.
+  /// detached and attached.
   enum class Moved : std::uint8_t { kNot, kInPlace, kAnew };
   /// A site that cannot be placed returns to where it was.
   Moved move(Slot slot, const Site& site);

@@ -11,7 +11,7 @@ namespace apollonius::internal {
 
 namespace {
 
-// Moving a site on its own, which displaces and places it, costs ten to twenty times as much as it
+// Moving a site on its own, which detaches and attaches it, costs ten to twenty times as much as it
 // costs in a bulk insertion, and certifying moves in place half as much: where more than this share
 // have to be moved on their own, building anew is cheaper.
 constexpr std::size_t kRebuildShare = 48;
