@@ -12,7 +12,7 @@ const avoided = [
     /\b(bytes?|snapshots?|lengths?|data|graphs?) (that |which )?(lie|lies|lied|lying)\b(?! in)/i,
     "say wrong or invalid",
   ],
-  [/\b(its|the|own|other|three) doors?\b/i, "say interface, or which file"],
+  [/\bdoors?\b/i, "name the interface or the file"],
   [/\blodgers?\b/i, "say ring within a cell"],
   [/\bhad better\b/i, "say what to do"],
   [/\bso many (?!that)\w+/i, "say `this many`, or name the number"],

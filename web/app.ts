@@ -29,7 +29,7 @@ export class App {
   painter: Painter;
   /** The pointer in pixels, or null while it is elsewhere. */
   pointer: Point | null = null;
-  /** What the pages's bars cover, in pixels. */
+  /** What the page's bars cover, in pixels. */
   insets = () => kNoInsets;
   readonly #questions = signal<Questions>({
     neighbors: true,

@@ -1,4 +1,5 @@
-// What a Region holds: its polygon, and how that lies on the diagram that it was last used with.
+// What a Region holds: its polygon, and the clipping to it of the diagram that it was last used
+// with.
 #pragma once
 
 #include <cstdint>

@@ -164,11 +164,20 @@ Error Voronoi::clipped(Error before, Operation&& operation) const {
   return guarded(before, [&] {
     const DiagramCore& core = *diagram_.core_;
     if (region_ == nullptr) {
-      const RectangleClipping clipping(core, windowOf(bounds_));
-      operation(static_cast<const Clipping&>(clipping));
+      operation(RectangleClipping(core, windowOf(bounds_)));
     } else {
       operation(region_->state_->clippingOf(core, diagram_.state_));
     }
+  });
+}
+
+template <class Operation>
+Error Voronoi::withCell(SiteId id, Error tolerance, Operation&& operation) const {
+  return clipped(firstOf(windowError(), siteError(id), tolerance), [&](const Clipping& clipping) {
+    const auto cells = clipping.cells(Parts::kWithArea);
+    const Slot slot = slotOf(id);
+    const Cell& cell = cells->find(slot);
+    operation(cell, clipping.box().nearestTo(centerOf(*diagram_.core_, slot)));
   });
 }
 
@@ -181,9 +190,7 @@ Error Voronoi::edgeCurves(CurveArrays& edges) const {
 }
 
 Error Voronoi::cellCurves(SiteId id, CurveArrays& boundary) const {
-  return clipped(firstOf(windowError(), siteError(id)), [&](const Clipping& clipping) {
-    const auto cells = clipping.cells(Parts::kWithArea);
-    const Cell& cell = cells->find(slotOf(id));
+  return withCell(id, Error::kNone, [&](const Cell& cell, Point) {
     boundary.curves.clear();
     boundary.sites.clear();
     for (const BoundaryPiece& piece : cell.pieces) {
@@ -198,7 +205,7 @@ Error Voronoi::cellPolygon(SiteId id, double tolerance, RingArrays& rings) const
   const Error error = firstOf(windowError(), siteError(id), toleranceError(tolerance));
   return clipped(error, [&](const Clipping& clipping) {
     const auto cells = clipping.cells(Parts::kWithArea);
-    PolygonFinder finder(*diagram_.core_, *cells, Parts::kWithArea, clipping.border(), tolerance);
+    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(), tolerance);
     Rings found;
     finder.find(slotOf(id), found);
     assign(rings, found);
@@ -209,7 +216,7 @@ Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
   const Error error = firstOf(windowError(), toleranceError(tolerance));
   return clipped(error, [&](const Clipping& clipping) {
     const auto cells = clipping.cells(Parts::kThinToo);
-    PolygonFinder finder(*diagram_.core_, *cells, Parts::kThinToo, clipping.border(), tolerance);
+    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(), tolerance);
     Coverage found;
     coverWindow(*diagram_.core_, finder, clipping.box(), found);
     assign(coverage, found.rings);
@@ -219,20 +226,14 @@ Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
 }
 
 Error Voronoi::cellMoments(SiteId id, CellMoments& moments) const {
-  return clipped(firstOf(windowError(), siteError(id)), [&](const Clipping& clipping) {
-    const auto cells = clipping.cells(Parts::kWithArea);
-    const Cell& cell = cells->find(slotOf(id));
-    moments =
-        momentsOf(cell.pieces, clipping.box().nearestTo(centerOf(*diagram_.core_, slotOf(id))));
+  return withCell(id, Error::kNone, [&](const Cell& cell, Point origin) {
+    moments = momentsOf(cell.pieces, origin);
   });
 }
 
 Error Voronoi::cellMeasures(SiteId id, CellMeasures& measures) const {
-  return clipped(firstOf(windowError(), siteError(id)), [&](const Clipping& clipping) {
-    const auto cells = clipping.cells(Parts::kWithArea);
-    const Cell& cell = cells->find(slotOf(id));
-    measures =
-        measuresOf(cell.pieces, clipping.box().nearestTo(centerOf(*diagram_.core_, slotOf(id))));
+  return withCell(id, Error::kNone, [&](const Cell& cell, Point origin) {
+    measures = measuresOf(cell.pieces, origin);
   });
 }
 
@@ -299,11 +300,8 @@ Error Voronoi::drawDual(double tolerance, bool rays, Portion& portion, Path& pat
 }
 
 Error Voronoi::drawCell(SiteId id, double tolerance, Path& path) const {
-  const Error error = firstOf(windowError(), siteError(id), toleranceError(tolerance));
-  return clipped(error, [&](const Clipping& clipping) {
+  return withCell(id, toleranceError(tolerance), [&](const Cell& cell, Point) {
     path.clear();
-    const auto cells = clipping.cells(Parts::kWithArea);
-    const Cell& cell = cells->find(slotOf(id));
     for (std::size_t ring = 0; ring < cell.ringCount(); ++ring)
       drawClosed(cell.ring(ring), tolerance, path);
   });

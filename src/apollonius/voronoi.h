@@ -18,9 +18,9 @@
 // is in the window, perhaps several if not. In other windows parts have holes. What only touches
 // the window is not in it.
 //
-// Like apollonius/diagram.h: no call throws; a failed one returns its Error. A Region keeps how it
-// lies on the diagram that it was last used with. A
-// Voronoi is a view: it shows the diagram as it is at each call, and must not outlive it.
+// Like apollonius/diagram.h: no call throws; a failed one returns its Error. A Region keeps what it
+// has found out about the diagram that it was last used with. A Voronoi is a view: it shows the
+// diagram as it is at each call, and must not outlive it.
 #pragma once
 
 #include <cstddef>
@@ -156,6 +156,10 @@ class APOLLONIUS_EXPORT Voronoi {
   /// The same for operation(const internal::Clipping&).
   template <class Operation>
   [[nodiscard]] Error clipped(Error before, Operation&& operation) const;
+  /// operation(the site's cell, the point of the window's box nearest to its centre), unless there
+  /// is an error of the window, the site or the tolerance.
+  template <class Operation>
+  [[nodiscard]] Error withCell(SiteId id, Error tolerance, Operation&& operation) const;
   [[nodiscard]] Error measureAll(internal::Measure what, std::vector<double>& measures) const;
 
   const Diagram& diagram_;

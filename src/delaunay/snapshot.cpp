@@ -18,7 +18,7 @@ bool DelaunayGraph::restore(WordReader& in, std::size_t faceSlots) {
     visibleCount_ = recent_ != kNoVertex;
     return true;
   }
-  if (!graph_.hasVertex(recent_)) return false;  // also if there is none
+  if (!graph_.hasVertex(recent_)) return false;  // kNoVertex has none, either
   isProven_ = false;
   visibleCount_ = graph_.faceCount() / 2 + 1;  // Euler, without infinity
   circles_.resize(faceSlots, kMissingCircle);

@@ -77,11 +77,12 @@ bool DiagramCore::remove(SiteId id) {
 }
 
 std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
+  transaction_.begin();
   FlatArray<Slot> gone;
+  gone.reserve(ids.size());
   transaction_.run(
       index_,
       [&] {
-        gone.reserve(ids.size());
         for (const SiteId id : ids) {
           const Slot slot = ids_.slotOf(id);
           if (slot == kNoSlot || ids_.state(slot) == SiteState::kPending)

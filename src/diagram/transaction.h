@@ -13,7 +13,7 @@ namespace apollonius::internal {
 
 class Transaction {
  public:
-  /// Before the first step. Throws std::bad_alloc.
+  /// Before the first step: holds the memory back. Throws std::bad_alloc.
   void begin() {
     if (!reserve_) reserve_ = std::make_unique_for_overwrite<std::byte[]>(kReserve);
   }
@@ -26,9 +26,9 @@ class Transaction {
     index.endUndo();
   }
   /// Runs steps(). If that throws, wayBack() undoes what has been done, and it is thrown on.
+  /// REQUIRES: begin().
   template <class Steps, class WayBack>
   void run(LocationIndex& index, Steps&& steps, WayBack&& wayBack) {
-    begin();
     try {
       steps();
     } catch (...) {

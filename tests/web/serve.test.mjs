@@ -115,7 +115,7 @@ test("the port comes from --port or PORT; a taken one is said, and the next one 
   await new Promise((resolve) => taken.close(resolve));
 });
 
-test("the security policy allows no inline script, and there is none", () => {
+test("the security policy allows no inline script, and the page contains no such script", () => {
   const html = readFileSync(new URL("../../web/index.html", import.meta.url), "utf8");
   const policy = html.match(/content="(default-src[^"]*)"/)[1];
   expect(policy).toMatch(/script-src 'self' 'wasm-unsafe-eval';/);

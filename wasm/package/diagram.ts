@@ -1,15 +1,13 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import {
-  type Accessors,
-  type AsyncAccessors,
-  type Circular,
-  ItemReader,
-  type Items,
-  type SomeAccessors,
-  asyncAccessors,
-  type SomeAsync,
-  triples,
+import type {
+  Accessors,
+  AsyncAccessors,
+  Circular,
+  Items,
+  SomeAccessors,
+  SomeAsync,
 } from "./accessors.js";
+import { asyncAccessors, ItemReader, triples } from "./accessors.js";
 import { checkedBytes, checkedChoice, checkedNewSites, checkOptions } from "./arguments.js";
 import {
   Ballast,
@@ -29,6 +27,7 @@ import type { DrawOptions, DualOptions, PathContext } from "./path.js";
 import * as queries from "./queries.js";
 import type { Region } from "./region.js";
 import type {
+  Bounds,
   BuildOptions,
   DiagramOptions,
   Edges,
@@ -40,7 +39,6 @@ import type {
   Sites,
   SnapshotOptions,
   Vertices,
-  Bounds,
 } from "./types.js";
 import { Voronoi } from "./voronoi.js";
 
@@ -72,7 +70,7 @@ export class Diagram implements Disposable {
   static {
     provideNative((diagram, changes) => {
       if (typeof diagram !== "object" || diagram === null || !(#native in diagram)) return null;
-      return changes ? diagram.#changing() : diagram.#living();
+      return diagram.#living(changes);
     });
   }
 
@@ -133,11 +131,11 @@ export class Diagram implements Disposable {
    * The diagram that `toBytes` saved, with its ids (the free ones are used again in the same
    * order); `location` may be another. Whoever made the bytes: the result is the exact diagram of
    * the sites in them, which is proved. Throws "corrupt-snapshot" (bytes that are no snapshot, or
-   * damaged, or not the diagram of their sites, or of another version of the format), "bad-length"
-   * (no Uint8Array), "bad-option". Cost: O(n), without any search; for degenerate input (grids)
-   * about that of building. With `trusted`, for bytes of your own, the proof is left out, which is
-   * several times as fast; if they are something else, answers may be wrong, and calls on this
-   * diagram may throw "corrupt-snapshot" (docs/SNAPSHOTS.md).
+   * damaged, or not the diagram of their sites, or of another version), "bad-length" (no
+   * Uint8Array), "bad-option". Cost: O(n); for degenerate input (grids) about that of building.
+   * `trusted` leaves out the proof, for bytes of your own: several times as fast. If they are
+   * something else, answers may be wrong, and calls may throw "corrupt-snapshot"
+   * (docs/SNAPSHOTS.md).
    */
   static fromBytes(bytes: Uint8Array, options?: SnapshotOptions): Diagram {
     checkOptions(options, "location", "trusted");
@@ -491,14 +489,9 @@ export class Diagram implements Disposable {
 
   // --- Shared parts ------------------------------------------------------------------------------
 
-  /** For calls that change the diagram. */
-  #changing(): NativeDiagram {
-    if (this.#filters.running > 0)
+  #living(changes = false): NativeDiagram {
+    if (changes && this.#filters.running > 0)
       throw new ApolloniusError("busy", "a filter may not change the diagram that asks it");
-    return this.#living();
-  }
-
-  #living(): NativeDiagram {
     if (this.#native === null)
       throw new ApolloniusError("disposed", "the diagram has been disposed of");
     return this.#native;

@@ -119,3 +119,19 @@ function cornerOf(box: Box, place: number): [number, number] {
   const k = place % 4;
   return [k === 1 || k === 2 ? box.right : box.left, k >= 2 ? box.bottom : box.top];
 }
+
+/** A disc with its rim, in the context's styles; where and how large in pixels. */
+export function fillAndStroke(
+  context: CanvasRenderingContext2D,
+  view: View,
+  x: number,
+  y: number,
+  r: number,
+) {
+  context.beginPath();
+  addDisc(context, view, x, y, r);
+  context.fill();
+  context.beginPath();
+  addRim(context, view, x, y, r);
+  context.stroke();
+}

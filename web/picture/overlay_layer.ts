@@ -2,7 +2,7 @@
 // the selected sites and the handle of one; a circle that is being drawn, with its cell to be.
 import type { Circle, Sites } from "../model/sites.js";
 import { addCell } from "./curves.js";
-import { addDisc, addRim } from "./discs.js";
+import { addDisc, addRim, fillAndStroke } from "./discs.js";
 import type { Picture } from "./painter.js";
 import type { Theme } from "./theme.js";
 import type { Box, View } from "./view.js";
@@ -246,21 +246,6 @@ function drawDraft(
   context.setLineDash([]);
   const [x, y] = [view.toScreenX(draft.x), view.toScreenY(draft.y)];
   fillAndStroke(context, view, x, y, Math.max(draft.r * sites.weight * view.scale, 2));
-}
-
-function fillAndStroke(
-  context: CanvasRenderingContext2D,
-  view: View,
-  x: number,
-  y: number,
-  r: number,
-) {
-  context.beginPath();
-  addDisc(context, view, x, y, r);
-  context.fill();
-  context.beginPath();
-  addRim(context, view, x, y, r);
-  context.stroke();
 }
 
 function addCircle(

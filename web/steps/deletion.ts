@@ -4,6 +4,7 @@ import type { Sites } from "../model/sites.js";
 import { addCell, windowOf } from "../picture/curves.js";
 import type { Picture } from "../picture/painter.js";
 import { strokePartial } from "../picture/partial.js";
+import { drawHole } from "./hole.js";
 import type { Step } from "./insertion.js";
 import { askedByDeletion, stepOfQuestions } from "./questions.js";
 
@@ -30,8 +31,10 @@ export function deletionSteps(sites: Sites, id: number): Step[] {
     ];
   const around = [...sites.diagram.neighbors(id)];
   const revived = hiddenIn(sites, id);
+  const drawOpen = (context: CanvasRenderingContext2D, picture: Picture) =>
+    drawHole(context, picture, () => addCell(context, picture.sites, picture.view, id));
   const drawPatch = (context: CanvasRenderingContext2D, picture: Picture) => {
-    drawHole(context, picture, id);
+    drawOpen(context, picture);
     drawFilling(context, picture, id, [...around, ...revived]);
   };
   return [
@@ -54,7 +57,7 @@ export function deletionSteps(sites: Sites, id: number): Step[] {
     {
       title: "The hole",
       text: "The site goes, and its cell with it.",
-      draw: (context: CanvasRenderingContext2D, picture: Picture) => drawHole(context, picture, id),
+      draw: drawOpen,
     },
     {
       title: revived.length > 0 ? "The small diagram, with what was hidden" : "The small diagram",
@@ -66,16 +69,6 @@ export function deletionSteps(sites: Sites, id: number): Step[] {
     },
     stepOfQuestions(askedByDeletion(sites, id), drawPatch),
   ];
-}
-
-function drawHole(context: CanvasRenderingContext2D, { sites, view, theme }: Picture, id: number) {
-  context.beginPath();
-  addCell(context, sites, view, id);
-  context.fillStyle = theme.paper;
-  context.fill();
-  context.strokeStyle = theme.selected;
-  context.lineWidth = 2;
-  context.stroke();
 }
 
 /** The cells of these sites alone, inside the cell of one that goes. */

@@ -4,10 +4,11 @@
 import type { Point } from "../app.js";
 import type { Circle, Sites } from "../model/sites.js";
 import { addCell, windowOf } from "../picture/curves.js";
-import { addDisc, addRim } from "../picture/discs.js";
+import { addRim, fillAndStroke } from "../picture/discs.js";
 import type { Picture } from "../picture/painter.js";
 import { strokePartial } from "../picture/partial.js";
 import type { View } from "../picture/view.js";
+import { drawHole } from "./hole.js";
 import { askedByInsertion, type Questions, stepOfQuestions } from "./questions.js";
 import { descent, type Stage, walk } from "./walk.js";
 
@@ -67,9 +68,7 @@ function drawCircle(
   context.lineWidth = 2;
   if (fill) {
     context.fillStyle = fill;
-    context.beginPath();
-    addDisc(context, view, px, py, reach);
-    context.fill();
+    return fillAndStroke(context, view, px, py, reach);
   }
   context.beginPath();
   addRim(context, view, px, py, reach);
@@ -161,7 +160,7 @@ export function insertionSteps(sites: Sites, circle: Circle, start: number): Ste
         drawNew(context, picture, circle),
     });
   const drawFilled = (context: CanvasRenderingContext2D, picture: Picture) => {
-    drawHole(context, picture, circle);
+    drawCellToBe(context, picture, circle);
     drawStar(context, picture, circle);
     drawNew(context, picture, circle);
   };
@@ -170,7 +169,7 @@ export function insertionSteps(sites: Sites, circle: Circle, start: number): Ste
       title: "The hole",
       text: "What is between these vertices is removed: the edges that remain end in the open.",
       draw(context: CanvasRenderingContext2D, picture: Picture) {
-        drawHole(context, picture, circle);
+        drawCellToBe(context, picture, circle);
         drawNew(context, picture, circle);
       },
     },
@@ -248,18 +247,9 @@ function drawRegion(
 }
 
 /** The cell to be, empty. */
-function drawHole(
-  context: CanvasRenderingContext2D,
-  { sites, view, theme }: Picture,
-  circle: Circle,
-) {
-  context.beginPath();
-  sites.tryOut(circle, (id) => addCell(context, sites, view, id));
-  context.fillStyle = theme.paper;
-  context.fill();
-  context.strokeStyle = theme.selected;
-  context.lineWidth = 2;
-  context.stroke();
+function drawCellToBe(context: CanvasRenderingContext2D, picture: Picture, circle: Circle) {
+  const { sites, view } = picture;
+  drawHole(context, picture, () => sites.tryOut(circle, (id) => addCell(context, sites, view, id)));
 }
 
 /** The dual edges of the new site, as straight lines. */

@@ -6,6 +6,7 @@
 #include "diagram/bulk_insertion.h"
 #include "geometry/cell/cell_measures.h"
 #include "geometry/cell/cell_sums.h"
+#include "geometry/curve/in_range.h"
 
 namespace apollonius::internal {
 
@@ -46,8 +47,6 @@ double logarithm(double r) {
   for (int k = 23; k > 0; k -= 2) sum = sum * square + 1.0 / k;
   return scale * z * sum;
 }
-
-double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
 
 double sumOf(std::span<const double> values) {
   Sum sum;

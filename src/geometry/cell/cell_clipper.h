@@ -14,7 +14,7 @@ enum class Parts : bool { kWithArea, kThinToo };
 /// Keeps its scratch memory from one cell to the next.
 class CellClipper {
  public:
-  CellClipper() = default;
+  explicit CellClipper(Parts parts) : parts_(parts) {}
   CellClipper(const CellClipper&) = delete;
   CellClipper& operator=(const CellClipper&) = delete;
   virtual ~CellClipper() = default;
@@ -22,6 +22,10 @@ class CellClipper {
   /// The cell of a site, without parts if the site is hidden or nothing of the cell is inside.
   /// Valid until the next call. Throws std::bad_alloc.
   virtual const Cell& find(Slot site) = 0;
+  [[nodiscard]] Parts parts() const { return parts_; }
+
+ private:
+  Parts parts_;
 };
 
 }  // namespace apollonius::internal

@@ -11,7 +11,8 @@ namespace apollonius::internal {
 class DiscCellClipper final : public CellClipper {
  public:
   /// Of this radius about the centre of each site.
-  DiscCellClipper(const DiagramCore& core, double radius) : core_(core), radius_(radius) {}
+  DiscCellClipper(const DiagramCore& core, double radius)
+      : CellClipper(Parts::kWithArea), core_(core), radius_(radius) {}
 
   /// Pieces of the cell's edges and circular arcs, of which the neighbor is kNoSite. Without parts
   /// for a radius of 0 or less, too. Cost: O(d).

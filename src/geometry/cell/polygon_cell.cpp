@@ -35,7 +35,9 @@ bool isInside(std::span<const BoundaryPiece> boundary, Point p) {
 }  // namespace
 
 PolygonCellClipper::PolygonCellClipper(const ClippedDiagram& clippedDiagram, Parts parts)
-    : clippedDiagram_(clippedDiagram), parts_(parts), rankOf_(clippedDiagram.crossingCount(), 0) {}
+    : CellClipper(parts),
+      clippedDiagram_(clippedDiagram),
+      rankOf_(clippedDiagram.crossingCount(), 0) {}
 
 const Cell& PolygonCellClipper::find(Slot site) {
   for (Cell* const cell : {&cell_, &found_}) {
@@ -186,7 +188,7 @@ void PolygonCellClipper::closeRing() {
   }
   const Area area = areaOf(pieces, pieces.front().curve.p0);
   const double thinnest = std::max(area.rounding, kThinnest * size * reach);
-  if (absolute(area.value) > thinnest || parts_ == Parts::kThinToo) {
+  if (absolute(area.value) > thinnest || parts() == Parts::kThinToo) {
     found_.starts.push_back(static_cast<std::uint32_t>(found_.pieces.size()));
     areas_.push_back(area.value);
     boxes_.push_back(box);
@@ -201,7 +203,7 @@ void PolygonCellClipper::sortHoles() {
     cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
   };
   const std::size_t count = areas_.size();
-  if (parts_ == Parts::kThinToo) {  // what is a hole of what is not known
+  if (parts() == Parts::kThinToo) {  // what is a hole of what is not known
     for (std::uint32_t k = 0; k < count; ++k) take(k);
     if (count > 0) cell_.outers.push_back(static_cast<std::uint32_t>(count));
     return;

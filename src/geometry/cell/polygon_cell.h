@@ -39,7 +39,6 @@ class PolygonCellClipper final : public CellClipper {
   void sortHoles();
 
   const ClippedDiagram& clippedDiagram_;
-  Parts parts_;
   Cell cell_;
   Cell found_;  // the rings in the order in which they are found
   FlatArray<double> areas_;

@@ -128,7 +128,7 @@ void RectangleCellClipper::closePart() {
   // Of its own first point, which is the same after any history: a sliver is there after all of
   // them, or after none.
   const Area area = areaOf(pieces, window_.nearestTo(pieces.front().curve.p0));
-  if (area.value > area.rounding || parts_ == Parts::kThinToo) {
+  if (area.value > area.rounding || parts() == Parts::kThinToo) {
     cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
     cell_.outers.push_back(static_cast<std::uint32_t>(cell_.ringCount()));
   } else {

@@ -19,7 +19,7 @@ namespace apollonius::internal {
 class RectangleCellClipper final : public CellClipper {
  public:
   RectangleCellClipper(const DiagramCore& core, const Rectangle& window, Parts parts)
-      : core_(core), window_(window), parts_(parts) {}
+      : CellClipper(parts), core_(core), window_(window) {}
 
   /// Cost: O(d log d).
   const Cell& find(Slot site) override;
@@ -40,7 +40,6 @@ class RectangleCellClipper final : public CellClipper {
 
   const DiagramCore& core_;
   Rectangle window_;
-  Parts parts_;
   Cell cell_;
   FlatArray<Piece> pieces_;
   FlatArray<BorderContact> contacts_;

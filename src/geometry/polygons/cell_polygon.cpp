@@ -29,9 +29,9 @@ bool hasArea(std::span<const double> ring, bool isHole) {
 
 }  // namespace
 
-PolygonFinder::PolygonFinder(const DiagramCore& core, CellClipper& cells, Parts parts,
-                             const Border& border, double tolerance)
-    : core_(core), cells_(cells), parts_(parts), border_(border), chords_(border, tolerance) {}
+PolygonFinder::PolygonFinder(const DiagramCore& core, CellClipper& cells, const Border& border,
+                             double tolerance)
+    : core_(core), cells_(cells), border_(border), chords_(border, tolerance) {}
 
 void PolygonFinder::find(Slot site, Rings& rings) {
   const Soundness soundness = findRaw(site, rings);
@@ -104,7 +104,7 @@ bool PolygonFinder::appendRing(std::span<const BoundaryPiece> boundary, bool isH
     }
   }
   if (hasArea(std::span(rings.coordinates).subspan(begin), isHole)) return true;
-  if (parts_ == Parts::kThinToo && rings.coordinates.size() > begin + 4) {
+  if (cells_.parts() == Parts::kThinToo && rings.coordinates.size() > begin + 4) {
     soundness_ = Soundness::kUnsure;
     return true;
   }

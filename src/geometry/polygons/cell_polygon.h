@@ -13,8 +13,8 @@ namespace apollonius::internal {
 /// Finds polygons of cells; keeps its scratch memory from one to the next.
 class PolygonFinder {
  public:
-  /// Of cells as `cells` clips them, with these parts, at this border. REQUIRES: both live as long.
-  PolygonFinder(const DiagramCore& core, CellClipper& cells, Parts parts, const Border& border,
+  /// Of cells as `cells` clips them at this border. REQUIRES: both live as long.
+  PolygonFinder(const DiagramCore& core, CellClipper& cells, const Border& border,
                 double tolerance);
 
   /// The polygons of a site's cell; none if what it bounds is as small as the distance of doubles.
@@ -37,7 +37,6 @@ class PolygonFinder {
 
   const DiagramCore& core_;
   CellClipper& cells_;
-  const Parts parts_;
   const Border& border_;
   ChordFinder chords_;
   Tracer tracer_;

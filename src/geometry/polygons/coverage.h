@@ -21,9 +21,9 @@ struct Coverage {
   FlatArray<std::uint32_t> cells;  ///< of each its first part; and the number of parts
 };
 
-/// Replaces the contents. `finder` is of parts that are kThinToo, and `box` holds the window. Cost:
-/// that of the polygons one by one, and of a grid of their segments; as often again as rounding has
-/// to be undone, which is seldom.
+/// Replaces the contents. `finder` finds thin parts, too (Parts::kThinToo), and `box` holds the
+/// window. Cost: that of the polygons one by one, and of a grid of their segments; as often again
+/// as rounding has to be undone, which is seldom.
 void coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box,
                  Coverage& coverage);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/curve/in_range.h"
+
 namespace apollonius::internal {
 
 namespace {
@@ -10,9 +12,6 @@ namespace {
 /// Distances below this share of the numbers that they come of are rounding.
 constexpr double kNegligible = powerOfTwo(-46);
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-/// Coordinates below the range, as rounding leaves them where rings cross, count as 0.
-double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
 
 /// The line of a segment, and how far along it the walk is.
 struct Line {

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "base/flat_array.h"
+#include "geometry/curve/in_range.h"
 
 namespace apollonius::internal {
 
@@ -52,10 +53,6 @@ double disorder(const FlatArray<double>& one, const FlatArray<double>& two) {
   }
   return sum;
 }
-
-/// Coordinates whose magnitude is below the documented range, which means nothing but rounding,
-/// become 0.
-double inRange(double x) { return absolute(x) < kSmallestMagnitude ? 0 : x; }
 
 Slot nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x), inRange(p.y)); }
 
