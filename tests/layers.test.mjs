@@ -57,6 +57,10 @@ const rules = [
       /^"number\/(sign|invariant)\.h"$/,
     ],
   },
+  {
+    of: /^src\/sphere\//,
+    may: [std, /^"apollonius\/types\.h"$/, /^"(base|topology|predicate|delaunay|diagram|sphere)\//],
+  },
   ...geometry({
     curve: "",
     window: "curve",
@@ -70,7 +74,7 @@ const rules = [
     may: [
       std,
       /^"apollonius\//,
-      /^"(base|number|predicate|topology|delaunay|diagram|geometry|api)\//,
+      /^"(base|number|predicate|topology|delaunay|diagram|geometry|sphere|api)\//,
     ],
   },
   {

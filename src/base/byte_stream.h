@@ -64,4 +64,22 @@ class WordReader {
   const std::uint8_t* next_;
 };
 
+/// Of a multiple of eight bytes. Every step is a bijection, so bytes that differ in one group of
+/// eight differ in their checksum. Two sums, as each waits for its product.
+inline std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
+  const auto add = [](std::uint64_t& sum, std::uint64_t word) {
+    sum = (sum ^ word) * 0x9E3779B97F4A7C15u;
+    sum ^= sum >> 29;
+  };
+  WordReader in(bytes);
+  std::uint64_t sum = 0, other = 0;
+  for (std::size_t k = 0; k < bytes.size() / 16; ++k) {
+    add(sum, in.longWord());
+    add(other, in.longWord());
+  }
+  if (bytes.size() % 16 != 0) add(sum, in.longWord());
+  add(sum, other);
+  return sum;
+}
+
 }  // namespace apollonius::internal

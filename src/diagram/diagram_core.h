@@ -42,6 +42,9 @@ class DiagramCore {
   [[nodiscard]] const DelaunayGraph& delaunay() const { return delaunay_; }
   [[nodiscard]] const HiddenForest& hidden() const { return hidden_; }
   [[nodiscard]] const LocationIndex& locationIndex() const { return index_; }
+  /// Slots are kept while sites stay, but updateMany() may build the diagram anew, and then this
+  /// number changes.
+  [[nodiscard]] std::uint32_t layout() const { return layout_; }
 
   /// The nearest site; `hint` is a visible site close to the point, or kNoSlot. REQUIRES: not
   /// empty.
@@ -126,6 +129,7 @@ class DiagramCore {
   SiteMoves siteMoves_;
   FlatArray<SiteMoves::Move> moves_;  // scratch of moves in place
   Transaction transaction_;
+  std::uint32_t layout_ = 0;
 };
 
 }  // namespace apollonius::internal

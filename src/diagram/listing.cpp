@@ -26,8 +26,11 @@ void listNeighbors(const DiagramCore& diagram, SiteId id, std::vector<SiteId>& n
   for (const HalfedgeId h : graph.star(v)) {
     if (graph.target(h) != kInfinity) neighbors.push_back(diagram.siteOf(graph.target(h)));
   }
+  keepFirstOccurrences(neighbors);
+}
 
-  // Keep the first occurrence of each: sort positions by site, mark the later ones, drop them.
+void keepFirstOccurrences(std::vector<SiteId>& neighbors) {
+  // Sort positions by site, mark the later ones, drop them.
   FlatArray<Keyed> positions(neighbors.size());
   for (std::uint32_t k = 0; k < positions.size(); ++k) positions[k] = {neighbors[k], k};
   sortByKey(positions);

@@ -1,6 +1,6 @@
 // The diagram as arrays: a site's neighbours, the Voronoi vertices and edges, the faces of the
-// Delaunay graph, the levels of the hierarchy. Each replaces the contents of its last argument and
-// throws std::bad_alloc.
+// Delaunay graph, the levels of the hierarchy. Each `list` replaces the contents of its last
+// argument; all throw std::bad_alloc.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,9 @@ namespace apollonius::internal {
 /// The distinct sites whose cells share an edge with that of `id`, counter-clockwise, each at its
 /// first occurrence; none for a hidden site. REQUIRES: an id in use. Cost: O(d).
 void listNeighbors(const DiagramCore& diagram, SiteId id, std::vector<SiteId>& neighbors);
+
+/// Of a list in which sites may be repeated, keeps each where it is first. Cost: O(d).
+void keepFirstOccurrences(std::vector<SiteId>& neighbors);
 
 void listVertices(const DiagramCore& diagram, VertexArrays& out);
 

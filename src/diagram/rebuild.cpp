@@ -43,6 +43,7 @@ bool DiagramCore::rebuildWith(std::span<const SiteId> ids, std::span<const doubl
   std::swap(delaunay_, fresh.delaunay_);
   std::swap(hidden_, fresh.hidden_);
   std::swap(index_, fresh.index_);
+  ++layout_;
   return true;
 }
 

@@ -1,0 +1,358 @@
+#include "apollonius/spherical_diagram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "api/checks.h"
+#include "number/fp.h"
+#include "number/invariant.h"
+#include "sphere/listing.h"
+#include "sphere/measures.h"
+#include "sphere/nearby.h"
+#include "sphere/nearest.h"
+#include "sphere/polygons.h"
+#include "sphere/spherical_core.h"
+
+namespace apollonius {
+
+using namespace internal;
+
+namespace {
+
+constexpr double kFinestTolerance = 1e-9;
+
+Error checkPoint(double lon, double lat) {
+  if (!std::isfinite(lon) || !std::isfinite(lat)) return Error::kNotFinite;
+  return lat >= -90 && lat <= 90 ? Error::kNone : Error::kOutOfRange;
+}
+
+Error checkPoints(std::span<const double> lonLat) {
+  for (std::size_t k = 0; k < lonLat.size(); k += 2) {
+    if (const Error error = checkPoint(lonLat[k], lonLat[k + 1]); error != Error::kNone)
+      return error;
+  }
+  return Error::kNone;
+}
+
+Error checkSites(std::span<const double> sites, double radius) {
+  for (std::size_t k = 0; k < sites.size(); k += 3) {
+    if (const Error error = checkPoint(sites[k], sites[k + 1]); error != Error::kNone) return error;
+    if (!std::isfinite(sites[k + 2])) return Error::kNotFinite;
+    if (!(std::abs(sites[k + 2]) / radius < std::numbers::pi)) return Error::kOutOfRange;
+  }
+  return Error::kNone;
+}
+
+Error checkTolerance(double tolerance) {
+  if (!std::isfinite(tolerance)) return Error::kNotFinite;
+  return tolerance >= kFinestTolerance ? Error::kNone : Error::kOutOfRange;
+}
+
+template <class Operation>
+Error guarded(const SphericalCore& core, Operation&& operation) {
+  return internal::guarded(core.projected().plane(), operation);
+}
+
+}  // namespace
+
+SphericalDiagram::SphericalDiagram(double radius) : core_(std::make_unique<SphericalCore>(radius)) {
+  const char* violation = arithmeticViolation();
+  invariant(violation == nullptr, violation);
+}
+SphericalDiagram::~SphericalDiagram() = default;
+SphericalDiagram::SphericalDiagram(SphericalDiagram&&) noexcept = default;
+SphericalDiagram& SphericalDiagram::operator=(SphericalDiagram&&) noexcept = default;
+
+bool SphericalDiagram::isRadius(double radius) noexcept { return radius > 0 && isInRange(radius); }
+double SphericalDiagram::radius() const noexcept { return core_->sites().radius(); }
+
+// --- Sites
+
+Error SphericalDiagram::insert(double lon, double lat, double r, SiteId& id) {
+  const double numbers[] = {lon, lat, r};
+  return insertMany(numbers, {&id, 1});
+}
+
+Error SphericalDiagram::insertMany(std::span<const double> sites, std::span<SiteId> ids) {
+  if (sites.size() != 3 * ids.size()) return Error::kBadLength;
+  if (const Error error = checkSites(sites, radius()); error != Error::kNone) return error;
+  if (ids.size() > kMostSites - size()) return Error::kTooLarge;
+  return guarded(*core_, [&] { core_->insertMany(sites, ids); });
+}
+
+Error SphericalDiagram::remove(SiteId id, bool& removed) {
+  return guarded(*core_, [&] { removed = core_->removeMany({&id, 1}) == 1; });
+}
+
+Error SphericalDiagram::removeMany(std::span<const SiteId> ids, std::size_t& removed) {
+  return guarded(*core_, [&] { removed = core_->removeMany(ids); });
+}
+
+Error SphericalDiagram::update(SiteId id, double lon, double lat, double r) {
+  const double numbers[] = {lon, lat, r};
+  return updateMany({&id, 1}, numbers);
+}
+
+Error SphericalDiagram::updateMany(std::span<const SiteId> ids, std::span<const double> sites) {
+  if (sites.size() != 3 * ids.size()) return Error::kBadLength;
+  for (const SiteId id : ids) {
+    if (!has(id)) return Error::kUnknownSite;
+  }
+  if (const Error error = checkSites(sites, radius()); error != Error::kNone) return error;
+  return guarded(*core_, [&] { core_->updateMany(ids, sites); });
+}
+
+void SphericalDiagram::clear() noexcept { core_->clear(); }
+
+std::size_t SphericalDiagram::size() const noexcept { return core_->sites().size(); }
+std::size_t SphericalDiagram::visibleSize() const noexcept {
+  return core_->projected().visibleCount();
+}
+bool SphericalDiagram::has(SiteId id) const noexcept { return core_->sites().has(id); }
+
+Error SphericalDiagram::site(SiteId id, SphericalCircle& circle) const noexcept {
+  if (!has(id)) return Error::kUnknownSite;
+  const SphericalSite& site = core_->sites()[id];
+  circle = {site.centre.lon, site.centre.lat, site.r};
+  return Error::kNone;
+}
+
+Error SphericalDiagram::ids(std::vector<SiteId>& ids) const {
+  return guarded(*core_, [&] {
+    ids.clear();
+    ids.reserve(size());
+    for (SiteId id = 0; id < core_->sites().idLimit(); ++id) {
+      if (has(id)) ids.push_back(id);
+    }
+  });
+}
+
+Error SphericalDiagram::sites(SiteArrays& sites) const {
+  if (const Error error = ids(sites.ids); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    sites.xyr.resize(3 * size());
+    sites.hidden.resize(size());
+    for (std::size_t k = 0; k < size(); ++k) {
+      const SphericalSite& site = core_->sites()[sites.ids[k]];
+      sites.xyr[3 * k] = site.centre.lon;
+      sites.xyr[3 * k + 1] = site.centre.lat;
+      sites.xyr[3 * k + 2] = site.r;
+      sites.hidden[k] = core_->projected().isHidden(sites.ids[k]) ? 1 : 0;
+    }
+  });
+}
+
+Error SphericalDiagram::isHidden(SiteId id, bool& hidden) const noexcept {
+  if (!has(id)) return Error::kUnknownSite;
+  hidden = core_->projected().isHidden(id);
+  return Error::kNone;
+}
+
+Error SphericalDiagram::coverOf(SiteId id, SiteId& cover) const {
+  if (!has(id)) return Error::kUnknownSite;
+  return guarded(*core_, [&] {
+    const ProjectedDiagram& diagram = core_->projected();
+    // As in the plane, the site nearest to its centre covers it.
+    cover = diagram.isHidden(id)
+                ? diagram.siteOf(nearestNode(diagram, directionOf(core_->sites()[id].centre)))
+                : kNoSite;
+  });
+}
+
+// --- Queries
+
+Error SphericalDiagram::find(double lon, double lat, SiteId& id) const {
+  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    const ProjectedDiagram& diagram = core_->projected();
+    id =
+        diagram.isEmpty() ? kNoSite : diagram.siteOf(nearestNode(diagram, directionOf({lon, lat})));
+  });
+}
+
+Error SphericalDiagram::find(double lon, double lat, SiteId& id, double& distance) const {
+  if (const Error error = find(lon, lat, id); error != Error::kNone) return error;
+  distance = id == kNoSite ? std::numeric_limits<double>::infinity()
+                           : distanceTo(core_->sites(), id, directionOf({lon, lat}));
+  return Error::kNone;
+}
+
+Error SphericalDiagram::findMany(std::span<const double> lonLat, std::span<SiteId> ids,
+                                 std::span<double> distances) const {
+  if (lonLat.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size()))
+    return Error::kBadLength;
+  if (const Error error = checkPoints(lonLat); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    listNearest(core_->projected(), lonLat, ids);
+    for (std::size_t k = 0; k < distances.size(); ++k)
+      distances[k] =
+          ids[k] == kNoSite
+              ? std::numeric_limits<double>::infinity()
+              : distanceTo(core_->sites(), ids[k], directionOf({lonLat[2 * k], lonLat[2 * k + 1]}));
+  });
+}
+
+Error SphericalDiagram::kNearest(double lon, double lat, std::size_t k, double farthest,
+                                 std::vector<SiteId>& sites) const {
+  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
+  if (std::isnan(farthest)) return Error::kNotFinite;
+  return guarded(*core_, [&] {
+    sites.clear();
+    if (k == 0) return;
+    SphericalSearch search(core_->projected(), core_->sites(), directionOf({lon, lat}), farthest);
+    for (SiteId id = search.next(); id != kNoSite; id = search.next()) {
+      sites.push_back(id);
+      if (sites.size() == k) return;
+    }
+  });
+}
+
+Error SphericalDiagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
+  if (!has(id)) return Error::kUnknownSite;
+  return guarded(*core_, [&] { listNeighbors(core_->projected(), id, neighbors); });
+}
+
+Error SphericalDiagram::vertices(VertexArrays& vertices) const {
+  return guarded(*core_, [&] { listVertices(core_->projected(), radius(), vertices); });
+}
+
+Error SphericalDiagram::edges(EdgeArrays& edges) const {
+  return guarded(*core_, [&] { listEdges(core_->projected(), edges); });
+}
+
+// --- Cells
+
+Error SphericalDiagram::contains(SiteId id, double lon, double lat, bool& inside) const {
+  if (!has(id)) return Error::kUnknownSite;
+  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    const ProjectedDiagram& diagram = core_->projected();
+    const Direction point = directionOf({lon, lat});
+    inside = !diagram.isHidden(id) && !(distance(point, diagram.cap(nearestNode(diagram, point))) <
+                                        distance(point, diagram.cap(diagram.nodeOf(id))));
+  });
+}
+
+Error SphericalDiagram::cellArea(SiteId id, double& area) const {
+  if (!has(id)) return Error::kUnknownSite;
+  return guarded(*core_, [&] {
+    const ProjectedDiagram& diagram = core_->projected();
+    area = 0;
+    if (diagram.isHidden(id)) return;
+    const VertexId node = diagram.nodeOf(id);
+    SphericalVertices vertices(diagram);
+    FlatArray<Sector> sectors;
+    listSectors(diagram, node, vertices, sectors);
+    area = areaOfCell(diagram.cap(node), sectors) * radius() * radius();
+  });
+}
+
+Error SphericalDiagram::cellAreas(std::vector<double>& areas) const {
+  return guarded(*core_, [&] {
+    listAreas(core_->projected(), core_->sites(), areas);
+    for (double& area : areas) area *= radius() * radius();
+  });
+}
+
+Error SphericalDiagram::cellCentroid(SiteId id, SphericalPoint& centroid) const {
+  if (!has(id)) return Error::kUnknownSite;
+  return guarded(*core_, [&] {
+    const ProjectedDiagram& diagram = core_->projected();
+    if (diagram.isHidden(id)) return;
+    const VertexId node = diagram.nodeOf(id);
+    SphericalVertices vertices(diagram);
+    FlatArray<Sector> sectors;
+    listSectors(diagram, node, vertices, sectors);
+    Direction moment;
+    const double area = areaOfCell(diagram.cap(node), sectors, &moment);
+    // Of a cell that is symmetric about the centre of the sphere, only rounding is left.
+    const bool hasDirection = lengthOf(moment) > 0x1p-40 * area;
+    const LonLat point = lonLatOf(hasDirection ? moment : diagram.cap(node).centre);
+    centroid = {point.lon, point.lat};
+  });
+}
+
+Error SphericalDiagram::cellPolygon(SiteId id, double tolerance, bool isCut,
+                                    RingArrays& rings) const {
+  if (!has(id)) return Error::kUnknownSite;
+  if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    rings.coordinates.clear();
+    rings.starts.assign(1, 0);
+    rings.parts.assign(1, 0);
+    const ProjectedDiagram& diagram = core_->projected();
+    if (diagram.isHidden(id)) return;
+    CellPolygons(diagram, tolerance, isCut)
+        .append(diagram.nodeOf(id), {rings.coordinates, rings.starts, rings.parts});
+  });
+}
+
+Error SphericalDiagram::cellPolygons(double tolerance, bool isCut, CoverageArrays& polygons) const {
+  if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    polygons.coordinates.clear();
+    polygons.starts.assign(1, 0);
+    polygons.parts.assign(1, 0);
+    polygons.sites.clear();
+    polygons.cells.assign(1, 0);
+    const ProjectedDiagram& diagram = core_->projected();
+    CellPolygons cells(diagram, tolerance, isCut);
+    for (SiteId id = 0; id < core_->sites().idLimit(); ++id) {
+      if (!has(id) || diagram.isHidden(id)) continue;
+      cells.append(diagram.nodeOf(id), {polygons.coordinates, polygons.starts, polygons.parts});
+      polygons.sites.push_back(id);
+      polygons.cells.push_back(static_cast<std::uint32_t>(polygons.parts.size() - 1));
+    }
+  });
+}
+
+// --- Snapshots
+
+Error SphericalDiagram::toBytes(std::vector<std::uint8_t>& bytes) const {
+  return guarded(*core_, [&] { core_->save(bytes); });
+}
+
+Error SphericalDiagram::fromBytes(std::span<const std::uint8_t> bytes) {
+  try {
+    auto restored = std::make_unique<SphericalCore>(1);
+    if (!restored->restore(bytes)) return Error::kCorruptSnapshot;
+    core_ = std::move(restored);
+    return Error::kNone;
+  } catch (const std::bad_alloc&) {
+    return Error::kOutOfMemory;
+  } catch (const std::length_error&) {
+    return Error::kOutOfMemory;
+  }
+}
+
+Error SphericalDiagram::validate(Violation& violation) const {
+  return guarded(*core_, [&] { violation = core_->validate(); });
+}
+
+// --- One by one
+
+SphericalNearestFirst::SphericalNearestFirst(const SphericalDiagram& diagram) noexcept
+    : diagram_(&diagram) {}
+SphericalNearestFirst::~SphericalNearestFirst() = default;
+SphericalNearestFirst::SphericalNearestFirst(SphericalNearestFirst&&) noexcept = default;
+
+Error SphericalNearestFirst::start(double lon, double lat, double farthest) {
+  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
+  if (std::isnan(farthest)) return Error::kNotFinite;
+  const SphericalCore& core = *diagram_->core_;
+  return guarded(core, [&] {
+    search_ = std::make_unique<SphericalSearch>(core.projected(), core.sites(),
+                                                directionOf({lon, lat}), farthest);
+  });
+}
+
+Error SphericalNearestFirst::next(SiteId& id) {
+  id = kNoSite;
+  if (search_ == nullptr) return Error::kNone;
+  const Error error = guarded(*diagram_->core_, [&] { id = search_->next(); });
+  if (error != Error::kNone) search_.reset();
+  return error;
+}
+
+}  // namespace apollonius

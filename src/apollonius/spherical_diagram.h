@@ -1,0 +1,190 @@
+// The additively weighted Voronoi diagram on the sphere, fully dynamic: for maps.
+//
+// A site is a centre in degrees of longitude and latitude, and a weight r in the unit of the
+// sphere's radius. The distance of a point to it is the way along a great circle minus r. A
+// positive weight is the radius of a cap, or a head start; only differences of weights matter.
+//
+// The diagram is computed by that of the plane, which is exact, after a stereographic projection
+// from one of the sites (docs/PROOFS.md, "The sphere"). Directions and projected circles are
+// rounded to doubles. So the graph is the exact one of sites that are within some 10^-15 radians of
+// the given ones (6 nanometres on the Earth), or up to 10^-13 beside a site that nearly hides
+// another, and which edges without length it has in degenerate position depends on the rounding.
+//
+// Errors, costs and threads: as apollonius/diagram.h.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "apollonius/diagram.h"
+#include "apollonius/export.h"
+#include "apollonius/types.h"
+#include "apollonius/voronoi.h"
+
+namespace apollonius {
+
+/// Centre in degrees and weight in the unit of the sphere's radius.
+struct SphericalCircle {
+  double lon;
+  double lat;
+  double r;
+};
+
+/// A point in degrees.
+struct SphericalPoint {
+  double lon;
+  double lat;
+};
+
+namespace internal {
+class SphericalCore;
+}
+
+class APOLLONIUS_EXPORT SphericalDiagram {
+ public:
+  /// On a sphere of this radius, in the unit of weights, distances and the root of areas; 1 gives
+  /// radians, 6371.0088 kilometres on the Earth. Throws std::bad_alloc. REQUIRES:
+  /// isRadius(radius).
+  explicit SphericalDiagram(double radius = 1);
+  ~SphericalDiagram();
+  SphericalDiagram(SphericalDiagram&&) noexcept;
+  SphericalDiagram& operator=(SphericalDiagram&&) noexcept;
+
+  /// Can a sphere have it: a number in the range of weights, above 0?
+  [[nodiscard]] static bool isRadius(double radius) noexcept;
+  [[nodiscard]] double radius() const noexcept;
+
+  // --- Sites
+
+  /// Adds a site; any longitude. Duplicates and covered sites are legal (they become hidden sites).
+  /// Errors: kNotFinite, kOutOfRange (a latitude outside [-90, 90], a weight of half a great circle
+  /// or more), kOutOfMemory, kTooLarge. Cost: as in the plane; when the number of sites has
+  /// doubled, and when the new site hides one that the diagram is projected from (one in h), that
+  /// of building.
+  [[nodiscard]] Error insert(double lon, double lat, double r, SiteId& id);
+
+  /// Adds lon, lat, r triples; ids[k] becomes the id of triple k. All or nothing. Errors: as
+  /// insert; kBadLength unless there is one triple an id.
+  [[nodiscard]] Error insertMany(std::span<const double> sites, std::span<SiteId> ids);
+
+  /// As Diagram::remove. Cost: that of building for one in h sites.
+  [[nodiscard]] Error remove(SiteId id, bool& removed);
+  [[nodiscard]] Error removeMany(std::span<const SiteId> ids, std::size_t& removed);
+
+  /// As Diagram::update and updateMany. Cost: that of building for one in h sites, and for many.
+  [[nodiscard]] Error update(SiteId id, double lon, double lat, double r);
+  [[nodiscard]] Error updateMany(std::span<const SiteId> ids, std::span<const double> sites);
+
+  /// Removes all sites; ids start from 0 again.
+  void clear() noexcept;
+
+  [[nodiscard]] std::size_t size() const noexcept;         ///< sites, hidden ones too
+  [[nodiscard]] std::size_t visibleSize() const noexcept;  ///< sites with a cell
+  [[nodiscard]] bool has(SiteId id) const noexcept;
+  /// Exactly as given. Errors: kUnknownSite.
+  [[nodiscard]] Error site(SiteId id, SphericalCircle& circle) const noexcept;
+  /// All ids, ascending; replaces the contents. Errors: kOutOfMemory.
+  [[nodiscard]] Error ids(std::vector<SiteId>& ids) const;
+  /// `xyr` has lon, lat, r. Replaces the contents. Errors: kOutOfMemory. Cost: O(n)
+  [[nodiscard]] Error sites(SiteArrays& sites) const;
+  [[nodiscard]] Error isHidden(SiteId id, bool& hidden) const noexcept;  ///< Errors: kUnknownSite
+  /// A visible site that covers this one; kNoSite for a visible site. Errors: kUnknownSite. Cost:
+  /// one location.
+  [[nodiscard]] Error coverOf(SiteId id, SiteId& cover) const;
+
+  // --- Queries. Errors: kNotFinite, kOutOfRange (a latitude), kOutOfMemory
+
+  /// The nearest site of a point, to within 4 units of 2^-53 radians; of equally near ones, any.
+  /// kNoSite and infinity if empty. Cost: one location.
+  [[nodiscard]] Error find(double lon, double lat, SiteId& id) const;
+  [[nodiscard]] Error find(double lon, double lat, SiteId& id, double& distance) const;
+  /// find for lonLat.size()/2 points. `distances` may be empty, else it has one element a point.
+  /// Errors: also kBadLength.
+  [[nodiscard]] Error findMany(std::span<const double> lonLat, std::span<SiteId> ids,
+                               std::span<double> distances) const;
+  /// The k nearest sites, hidden ones too, nearest first, of those that are not farther than
+  /// `farthest`, in the order of rounded distances. Replaces the contents. Cost: one location and
+  /// O(m log m), m = the neighbours of the sites found.
+  [[nodiscard]] Error kNearest(double lon, double lat, std::size_t k, double farthest,
+                               std::vector<SiteId>& sites) const;
+  /// As Diagram::neighbors.
+  [[nodiscard]] Error neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
+  /// All Voronoi vertices: longitude and latitude, the distance to their three sites. Replaces the
+  /// contents. Errors: kOutOfMemory. Cost: O(h)
+  [[nodiscard]] Error vertices(VertexArrays& vertices) const;
+  /// All Voronoi edges, between rows of vertices(); -1 for the closed edge of two sites. Replaces
+  /// the contents. Errors: kOutOfMemory. Cost: O(h)
+  [[nodiscard]] Error edges(EdgeArrays& edges) const;
+
+  // --- Cells. Errors: kUnknownSite, kOutOfMemory
+
+  /// Is the point in the closed cell? False for a hidden site. Errors: also as find.
+  [[nodiscard]] Error contains(SiteId id, double lon, double lat, bool& inside) const;
+  /// In the square of the radius' unit; 0 for a hidden site. Cost: O(d)
+  [[nodiscard]] Error cellArea(SiteId id, double& area) const;
+  /// By id, 0 for hidden sites and ids that are not in use; they add up to 4 pi radius². Replaces
+  /// the contents. Cost: O(h)
+  [[nodiscard]] Error cellAreas(std::vector<double>& areas) const;
+  /// The direction of the mean of the cell's points in space, and the site's centre where there is
+  /// none. REQUIRES: a visible site. Cost: O(d)
+  [[nodiscard]] Error cellCentroid(SiteId id, SphericalPoint& centroid) const;
+  /// Rings of longitude and latitude, counter-clockwise as seen from outside of the sphere, closed;
+  /// none for a hidden site. Joined by arcs of great circles, a cell is one ring, or none if it is
+  /// the whole sphere; cut, it is one part or more of the rectangle [-180, 180] x [-90, 90], within
+  /// which points are joined by straight lines. `tolerance` is in radians, at least
+  /// kFinestTolerance. Replaces the contents. Errors: also kNotFinite, kOutOfRange (the tolerance).
+  /// Cost: O(d + points)
+  [[nodiscard]] Error cellPolygon(SiteId id, double tolerance, bool isCut, RingArrays& rings) const;
+  /// Those of all visible sites, which have the points of their common edges in common. Replaces
+  /// the contents. Cost: O(h + points)
+  [[nodiscard]] Error cellPolygons(double tolerance, bool isCut, CoverageArrays& polygons) const;
+
+  // --- Snapshots
+
+  /// The sites and ids in bytes; the restored diagram gives the same answers, and the same ids to
+  /// new sites. Replaces the contents. Errors: kOutOfMemory. Cost: O(n), 28 bytes a site.
+  [[nodiscard]] Error toBytes(std::vector<std::uint8_t>& bytes) const;
+  /// Becomes the diagram that was saved, with its radius. Whoever made the bytes, the diagram is
+  /// that of the sites in them. Errors: kCorruptSnapshot, kOutOfMemory. Cost: that of building.
+  [[nodiscard]] Error fromBytes(std::span<const std::uint8_t> bytes);
+
+  /// Checks every invariant and tells the first broken one. Errors: kOutOfMemory. Cost: O(n), slow:
+  /// for tests.
+  [[nodiscard]] Error validate(Violation& violation) const;
+
+ private:
+  friend class SphericalNearestFirst;
+
+  std::unique_ptr<internal::SphericalCore> core_;
+};
+
+namespace internal {
+class SphericalSearch;
+}
+
+/// The sites around a point one by one, as NearestFirst in the plane. The diagram must neither
+/// change nor end before it.
+class APOLLONIUS_EXPORT SphericalNearestFirst {
+ public:
+  /// Nothing is found before start().
+  explicit SphericalNearestFirst(const SphericalDiagram& diagram) noexcept;
+  ~SphericalNearestFirst();
+  SphericalNearestFirst(SphericalNearestFirst&&) noexcept;
+
+  /// From now on next() gives the sites that are not farther than `farthest`. Errors: as
+  /// SphericalDiagram::kNearest.
+  [[nodiscard]] Error start(double lon, double lat,
+                            double farthest = std::numeric_limits<double>::infinity());
+  /// The next site; kNoSite after the last. Errors: kOutOfMemory; the walk ends with it.
+  [[nodiscard]] Error next(SiteId& id);
+
+ private:
+  const SphericalDiagram* diagram_;
+  std::unique_ptr<internal::SphericalSearch> search_;
+};
+
+}  // namespace apollonius

@@ -1,0 +1,194 @@
+// The ring is taken apart into arcs that run inside of the rectangle from border to border. The
+// cell is at the left of each, so along the border, counter-clockwise, it reaches from the end of
+// an arc to the next beginning of one. A pole is a side of the rectangle: a ring that comes to it
+// on one longitude ends there, and begins again on another.
+#include "sphere/antimeridian.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace apollonius::internal {
+
+namespace {
+
+bool isPole(const Direction& p) { return p.x == 0 && p.y == 0; }
+bool isOnBorder(const Direction& p) { return p.y == 0 && p.x <= 0; }
+
+/// A point of the border as the end of a chord whose other end is not there.
+LonLat borderPoint(const Direction& p, const Direction& other) {
+  if (isPole(p)) return {lonLatOf(other).lon, lonLatOf(p).lat};
+  return {other.y < 0 ? -180.0 : 180.0, lonLatOf(p).lat};
+}
+
+/// Does a chord between two points that are not on the border cross it? Then `latitude` receives
+/// where: the same bits in both directions.
+bool crossesBorder(const Direction& a, const Direction& b, double& latitude) {
+  if ((a.y < 0) == (b.y < 0)) return false;
+  const Direction &east = a.y < 0 ? b : a, &west = a.y < 0 ? a : b;
+  // Where y is 0, times the difference of the two y, which is positive.
+  const double x = west.x * east.y - east.x * west.y;
+  if (!(x < 0)) return false;
+  latitude = lonLatOf({x, 0, west.z * east.y - east.z * west.y}).lat;
+  return true;
+}
+
+// Positions on the border: degrees from the lower left corner, counter-clockwise.
+constexpr double kRight = 360, kTop = 540, kLeft = 900, kWhole = 1080;
+
+double positionOf(const LonLat& p) {
+  if (p.lat <= -90) return p.lon + 180;
+  if (p.lat >= 90) return kTop + 180 - p.lon;
+  return p.lon > 0 ? kRight + 90 + p.lat : kLeft + 90 - p.lat;
+}
+
+/// Twice the area, positive for a counter-clockwise ring.
+double signedArea(const FlatArray<LonLat>& ring) {
+  double sum = 0;
+  const LonLat *before = &ring.back(), origin = ring[0];
+  for (const LonLat& p : ring) {
+    sum += (before->lon - origin.lon) * (p.lat - origin.lat) -
+           (p.lon - origin.lon) * (before->lat - origin.lat);
+    before = &p;
+  }
+  return sum;
+}
+
+bool areSame(const LonLat& a, const LonLat& b) { return a.lon == b.lon && a.lat == b.lat; }
+
+}  // namespace
+
+Direction snappedToBorder(const Direction& p) {
+  constexpr double kNear = 1e-12;
+  if (p.x * p.x + p.y * p.y < kNear * kNear) return {0, 0, p.z > 0 ? 1.0 : -1.0};
+  if (p.x < 0 && std::abs(p.y) < kNear) return {p.x, 0, p.z};
+  return p;
+}
+
+void AntimeridianCutter::beginArc(const LonLat& point) {
+  arcs_.push_back({points_.size(), points_.size(), positionOf(point), 0, false});
+  points_.push_back(point);
+}
+
+void AntimeridianCutter::endArc(const LonLat& point) {
+  points_.push_back(point);
+  arcs_.back().end = points_.size();
+  arcs_.back().to = positionOf(point);
+}
+
+void AntimeridianCutter::followChords(std::span<const Direction> ring, std::size_t first) {
+  for (std::size_t k = 0; k <= ring.size(); ++k) {
+    // The first chord crosses the border, or begins there; before that, it comes again at the end.
+    const bool isAgain = k == ring.size();
+    const Direction& a = ring[(first + k) % ring.size()];
+    const Direction& b = ring[(first + k + 1) % ring.size()];
+    double latitude = 0;
+    if (isOnBorder(a)) {
+      if (isAgain) return;
+      if (isOnBorder(b)) continue;
+      beginArc(borderPoint(a, b));
+    } else if (k > 0) {
+      points_.push_back(lonLatOf(a));
+    }
+    if (isOnBorder(b)) {
+      endArc(borderPoint(b, a));
+    } else if (!isOnBorder(a) && crossesBorder(a, b, latitude)) {
+      if (k > 0) endArc({a.y < 0 ? -180.0 : 180.0, latitude});
+      if (isAgain) return;
+      beginArc({b.y < 0 ? -180.0 : 180.0, latitude});
+    }
+  }
+}
+
+void AntimeridianCutter::cut(std::span<const Direction> ring, bool hasNorthPole, Output output) {
+  points_.clear();
+  arcs_.clear();
+  ring_.clear();
+  const auto addRectangle = [&] { addBorder(-1, kWhole); };
+  if (ring.empty()) {
+    addRectangle();
+    emitRing(output);
+    output.parts.push_back(static_cast<std::uint32_t>(output.starts.size() - 1));
+    return;
+  }
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Direction &a = ring[k], &b = ring[(k + 1) % ring.size()];
+    double latitude = 0;
+    if (!isOnBorder(a) && (isOnBorder(b) || !crossesBorder(a, b, latitude))) continue;
+    followChords(ring, k);
+    joinArcs(output);
+    return;
+  }
+  for (const Direction& p : ring) ring_.push_back(lonLatOf(p));
+  if (hasNorthPole) {
+    const FlatArray<LonLat> hole = ring_;
+    ring_.clear();
+    addRectangle();
+    emitRing(output);
+    ring_ = hole;
+  }
+  emitRing(output);
+  output.parts.push_back(static_cast<std::uint32_t>(output.starts.size() - 1));
+}
+
+std::size_t AntimeridianCutter::arcAfter(double position) const {
+  std::size_t best = arcs_.size();
+  double least = 0;
+  for (std::size_t k = 0; k < arcs_.size(); ++k) {
+    if (arcs_[k].isJoined) continue;
+    const double way = arcs_[k].from - position + (arcs_[k].from < position ? kWhole : 0);
+    if (best == arcs_.size() || way < least) {
+      best = k;
+      least = way;
+    }
+  }
+  return best;
+}
+
+void AntimeridianCutter::joinArcs(Output output) {
+  for (std::size_t first = 0; first < arcs_.size(); ++first) {
+    if (arcs_[first].isJoined) continue;
+    ring_.clear();
+    for (std::size_t k = first;;) {
+      const Arc& arc = arcs_[k];
+      ring_.append({points_.data() + arc.begin, arc.end - arc.begin});
+      // The first arc is free until the ring comes back to it.
+      const std::size_t next = arcAfter(arc.to);
+      addBorder(arc.to, arcs_[next].from);
+      arcs_[next].isJoined = true;
+      if (next == first) break;
+      k = next;
+    }
+    const bool isFlat = std::ranges::all_of(
+        ring_, [&](const LonLat& p) { return p.lon == ring_[0].lon || p.lat == ring_[0].lat; });
+    if (isFlat && signedArea(ring_) == 0) continue;  // of arcs along the border
+    emitRing(output);
+    output.parts.push_back(static_cast<std::uint32_t>(output.starts.size() - 1));
+  }
+}
+
+void AntimeridianCutter::addBorder(double from, double to) {
+  if (to < from) to += kWhole;
+  constexpr LonLat kCorners[] = {{-180, -90}, {180, -90}, {180, 90}, {-180, 90}};
+  constexpr double kPositions[] = {0, kRight, kTop, kLeft};
+  for (unsigned k = 0; k < 8; ++k) {
+    const double position = kPositions[k % 4] + (k < 4 ? 0 : kWhole);
+    if (position > from && position < to) ring_.push_back(kCorners[k % 4]);
+  }
+}
+
+void AntimeridianCutter::emitRing(Output output) {
+  // Closed, and no point twice in a row.
+  std::size_t kept = 0;
+  for (const LonLat& p : ring_) {
+    if (kept == 0 || !areSame(p, ring_[kept - 1])) ring_[kept++] = p;
+  }
+  while (kept > 1 && areSame(ring_[kept - 1], ring_[0])) --kept;
+  for (std::size_t k = 0; k <= kept; ++k) {
+    const LonLat& p = ring_[k == kept ? 0 : k];
+    output.coordinates.push_back(p.lon);
+    output.coordinates.push_back(p.lat);
+  }
+  output.starts.push_back(static_cast<std::uint32_t>(output.coordinates.size() / 2));
+}
+
+}  // namespace apollonius::internal

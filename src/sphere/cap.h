@@ -1,0 +1,105 @@
+// Sites on the unit sphere: directions, caps, and the distance between them.
+//
+// A site is a cap: a direction u and a weight w, the cap's radius as an angle. The distance of a
+// point p to it is the angle between p and u, minus w. Distances are compared as sines and cosines
+// of their halves, which the chords |p - u| and |p + u| give without trigonometry.
+#pragma once
+
+#include <cmath>
+
+namespace apollonius::internal {
+
+/// A unit vector, or a vector that belongs to one. Coordinates of sites and points are multiples of
+/// 2^-60 (toGrid), so that no projected number leaves the range in which the plane is exact.
+struct Direction {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+};
+
+constexpr Direction operator+(const Direction& a, const Direction& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+constexpr Direction operator-(const Direction& a, const Direction& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+constexpr Direction operator*(double factor, const Direction& a) {
+  return {factor * a.x, factor * a.y, factor * a.z};
+}
+constexpr double dot(const Direction& a, const Direction& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+constexpr Direction cross(const Direction& a, const Direction& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double lengthOf(const Direction& a) { return std::sqrt(dot(a, a)); }
+/// REQUIRES: not 0.
+inline Direction normalized(const Direction& a) { return (1 / lengthOf(a)) * a; }
+/// The nearest multiple of 2^-60: 10^-18, far below the rounding of a direction.
+inline double toGrid(double value) { return std::nearbyint(value * 0x1p60) * 0x1p-60; }
+
+/// Longitude and latitude in degrees.
+struct LonLat {
+  double lon = 0;
+  double lat = 0;
+};
+
+/// Exact at multiples of 90 degrees; any longitude. REQUIRES: latitude in [-90, 90].
+[[nodiscard]] Direction directionOf(const LonLat& point);
+/// Longitude in [-180, 180]; 0 at the poles.
+[[nodiscard]] LonLat lonLatOf(const Direction& point);
+
+/// Two directions at right angles to a third, and to each other: `first` to `second` is
+/// counter-clockwise as seen from outside of the sphere.
+struct Frame {
+  explicit Frame(const Direction& up);
+  /// Of a point, counter-clockwise from `first`, in [-pi, pi].
+  [[nodiscard]] double bearing(const Direction& point) const {
+    return std::atan2(dot(point, second), dot(point, first));
+  }
+
+  Direction first, second;
+};
+
+/// An angle by sine and cosine of its half. Angles are in (-2 pi, 2 pi), and those that are
+/// compared are less than 2 pi apart.
+struct HalfAngle {
+  double sine = 0;
+  double cosine = 1;
+
+  [[nodiscard]] double angle() const { return 2 * std::atan2(sine, cosine); }
+};
+constexpr HalfAngle operator+(const HalfAngle& a, const HalfAngle& b) {
+  return {a.sine * b.cosine + a.cosine * b.sine, a.cosine * b.cosine - a.sine * b.sine};
+}
+constexpr HalfAngle operator-(const HalfAngle& a, const HalfAngle& b) {
+  return {a.sine * b.cosine - a.cosine * b.sine, a.cosine * b.cosine + a.sine * b.sine};
+}
+/// Right but for angles that differ by less than 4 units of 2^-53.
+constexpr bool operator<(const HalfAngle& a, const HalfAngle& b) {
+  return a.sine * b.cosine < a.cosine * b.sine;
+}
+
+/// Between two directions, 0 to pi; its relative error is a few units in the last place.
+inline HalfAngle angleBetween(const Direction& a, const Direction& b) {
+  return {lengthOf(a - b) / 2, lengthOf(a + b) / 2};
+}
+
+/// A site of the sphere.
+struct Cap {
+  Direction centre;
+  HalfAngle radius;   ///< the weight, on the grid of directions
+  double weight = 0;  ///< the same in radians
+};
+
+[[nodiscard]] Cap capOf(const LonLat& centre, double weight);
+
+inline HalfAngle distance(const Direction& point, const Cap& cap) {
+  return angleBetween(point, cap.centre) - cap.radius;
+}
+/// In radians, rounded.
+inline double distanceInRadians(const Direction& point, const Cap& cap) {
+  return angleBetween(point, cap.centre).angle() - cap.weight;
+}
+
+}  // namespace apollonius::internal

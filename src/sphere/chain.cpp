@@ -1,0 +1,142 @@
+#include "sphere/chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <tuple>
+
+#include "sphere/antimeridian.h"
+#include "sphere/bisector.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// Less than a quarter turn about a site: the arcs between a cell's points are in sectors of their
+/// own then, and never meet.
+bool isLessThanQuarter(const Direction& up, const Direction& a, const Direction& b) {
+  return dot(a, b) - dot(a, up) * dot(b, up) > 0;
+}
+
+/// From a point to the great circle through two others.
+double toGreatCircle(const Direction& a, const Direction& point, const Direction& b) {
+  const Direction normal = cross(a, b);
+  const double length = lengthOf(normal);
+  return length == 0 ? lengthOf(point - a) : std::abs(dot(normal, point)) / length;
+}
+
+/// A segment of the plane of longitude and latitude, in degrees, and how far a point of its curve
+/// is from it.
+struct Deviation {
+  double distance, length;
+};
+
+/// The plane is unrolled about the point.
+Deviation fromSegment(const Direction& from, const Direction& point, const Direction& to) {
+  const LonLat at = lonLatOf(point);
+  const auto unrolled = [&](const Direction& end) {
+    const LonLat there = lonLatOf(end);
+    // A pole has any longitude.
+    const bool isPole = end.x == 0 && end.y == 0;
+    return LonLat{isPole ? 0 : std::remainder(there.lon - at.lon, 360), there.lat - at.lat};
+  };
+  const LonLat a = unrolled(from), b = unrolled(to);
+  const double x = b.lon - a.lon, y = b.lat - a.lat;
+  const double square = x * x + y * y;
+  const double along = square == 0 ? 0 : std::clamp(-(a.lon * x + a.lat * y) / square, 0.0, 1.0);
+  return {std::hypot(a.lon + along * x, a.lat + along * y), std::sqrt(square)};
+}
+
+}  // namespace
+
+bool ChainMaker::isFollowedFrom(VertexId node, VertexId neighbor) const {
+  const auto key = [](const Cap& cap) {
+    return std::tuple(cap.weight, cap.centre.x, cap.centre.y, cap.centre.z);
+  };
+  return key(diagram_.cap(node)) > key(diagram_.cap(neighbor));
+}
+
+Direction ChainMaker::shown(const Direction& point) const {
+  return joint_ == Joint::kGreatArc ? point : snappedToBorder(point);
+}
+
+bool ChainMaker::isFine(const Direction& a, const Direction& middle, const Direction& b) const {
+  // Lines of the plane that deviate from their curves by more than a small part of their length
+  // could cross others.
+  constexpr double kLongest = 45, kFlat = 1.0 / 32;
+  if (joint_ == Joint::kGreatArc) return toGreatCircle(a, middle, b) <= tolerance_;
+  const Deviation line = fromSegment(a, middle, b);
+  return line.length <= kLongest &&
+         line.distance <= std::min(tolerance_ * (180 / std::numbers::pi), kFlat * line.length);
+}
+
+void ChainMaker::follow(VertexId node, VertexId neighbor, const Sector& sector,
+                        const Direction& first, const Direction& last,
+                        FlatArray<Direction>& points) const {
+  // Beside a pole, pieces become as short as the distance within which points are moved there.
+  constexpr int kDeepest = 45;
+  const Direction centre = diagram_.cap(node).centre, other = diagram_.cap(neighbor).centre;
+  const Frame frame(centre);
+  const auto pointAt = [&](double bearing) {
+    return shown(sector.bisector.at(bearing).point(centre, frame));
+  };
+  points.push_back(first);
+  const bool isClosed = lengthOf(last - first) == 0;
+  if (isClosed && sector.width < std::numbers::pi) return;  // without length
+  Direction a = first;
+  // The piece under way is the one with this number of 2^depth.
+  std::uint64_t number = 0;
+  for (int depth = 0; number < std::uint64_t{1} << depth;) {
+    const std::uint64_t pieces = std::uint64_t{1} << depth;
+    const double width = sector.width / static_cast<double>(pieces);
+    const double from = sector.from + width * static_cast<double>(number);
+    const Direction b = number + 1 == pieces ? last : pointAt(from + width);
+    const bool isDone =
+        depth == kDeepest || (width < std::numbers::pi / 2 && isLessThanQuarter(other, a, b) &&
+                              isFine(a, pointAt(from + width / 2), b));
+    if (!isDone) {
+      ++depth;
+      number *= 2;
+      continue;
+    }
+    if (number + 1 < pieces) points.push_back(b);
+    a = b;
+    for (++number; depth > 0 && number % 2 == 0; --depth) number /= 2;
+  }
+}
+
+void ChainMaker::append(HalfedgeId h, FlatArray<Direction>& points) {
+  const Graph& graph = diagram_.graph();
+  const HalfedgeId twin = graph.twin(h);
+  const VertexId node = graph.origin(h), neighbor = graph.target(h);
+  const Direction first = shown(vertices_[faceOf(twin)].point);
+  const Direction last = shown(vertices_[faceOf(h)].point);
+  if (isFollowedFrom(node, neighbor)) {
+    follow(node, neighbor, sectorOf(diagram_, h, vertices_), first, last, points);
+    return;
+  }
+  // The other site has the edge from `last` to `first`.
+  const std::size_t begin = points.size();
+  follow(neighbor, node, sectorOf(diagram_, twin, vertices_), last, first, points);
+  points.push_back(first);
+  std::reverse(points.begin() + begin, points.end());
+  points.pop_back();
+}
+
+void ChainMaker::appendClosed(VertexId node, FlatArray<Direction>& points) {
+  const VertexId other = otherOfTwo(diagram_, node);
+  const bool isOwn = isFollowedFrom(node, other);
+  const VertexId from = isOwn ? node : other, to = isOwn ? other : node;
+  FlatArray<Sector> sectors;
+  listSectors(diagram_, from, vertices_, sectors);
+  Sector& sector = sectors[0];
+  sector.from = sector.bisector.middle();
+  const std::size_t begin = points.size();
+  const Direction centre = diagram_.cap(from).centre;
+  const Direction start = shown(sector.bisector.at(sector.from).point(centre, Frame(centre)));
+  follow(from, to, sector, start, start, points);
+  if (!isOwn) std::reverse(points.begin() + begin + 1, points.end());
+}
+
+}  // namespace apollonius::internal

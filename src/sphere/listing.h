@@ -1,0 +1,19 @@
+// The diagram of the sphere as arrays: neighbours of a site, Voronoi vertices, Voronoi edges. In
+// contrast to the plane's (diagram/listing.h), every face has a vertex.
+#pragma once
+
+#include <vector>
+
+#include "apollonius/types.h"
+#include "sphere/projected_diagram.h"
+
+namespace apollonius::internal {
+
+/// All replace the contents and throw std::bad_alloc.
+
+void listNeighbors(const ProjectedDiagram& diagram, SiteId id, std::vector<SiteId>& neighbors);
+/// Clearances in the unit of the sphere's radius.
+void listVertices(const ProjectedDiagram& diagram, double radius, VertexArrays& vertices);
+void listEdges(const ProjectedDiagram& diagram, EdgeArrays& edges);
+
+}  // namespace apollonius::internal

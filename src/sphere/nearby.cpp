@@ -1,0 +1,59 @@
+#include "sphere/nearby.h"
+
+#include <algorithm>
+
+#include "sphere/nearest.h"
+
+namespace apollonius::internal {
+
+SphericalSearch::SphericalSearch(const ProjectedDiagram& diagram, const SiteTable& sites,
+                                 const Direction& point, double farthest)
+    : diagram_(diagram), sites_(sites), point_(point), farthest_(farthest) {
+  if (diagram.isEmpty()) return;
+  const SiteId first = diagram.siteOf(nearestNode(diagram, point));
+  seen_.insert(first);
+  consider(first);
+}
+
+void SphericalSearch::consider(SiteId site) {
+  const double distance = distanceTo(sites_, site, point_);
+  if (distance > farthest_) return;
+  heap_.push_back({distance, site});
+  std::push_heap(heap_.begin(), heap_.end());
+}
+
+void SphericalSearch::follow(SiteId site) {
+  const VertexId node = diagram_.nodeOf(site);
+  if (node == kNoVertex) return;
+  const DiagramCore& plane = diagram_.plane();
+  if (node == kInfinity) {
+    for (const SiteId hidden : diagram_.belowPole()) consider(hidden);
+    // Without edges: the pole and at most one other visible site.
+    const VertexId other = plane.delaunay().anyVisible();
+    if (diagram_.graph().isEmpty() && other != kNoVertex && seen_.insert(diagram_.siteOf(other)))
+      consider(diagram_.siteOf(other));
+  } else {
+    const HiddenForest& hidden = plane.hidden();
+    for (Slot child = hidden.firstChild(slotOf(node)); child != HiddenForest::kNone;
+         child = hidden.nextSibling(child))
+      consider(diagram_.siteOf(vertexOf(child)));
+    if (diagram_.graph().isEmpty() && seen_.insert(diagram_.pole())) consider(diagram_.pole());
+  }
+  if (!diagram_.graph().hasVertex(node)) return;
+  for (const HalfedgeId h : diagram_.graph().star(node)) {
+    const SiteId neighbor = diagram_.siteOf(diagram_.graph().target(h));
+    if (seen_.insert(neighbor)) consider(neighbor);
+  }
+}
+
+SiteId SphericalSearch::next() {
+  if (last_ != kNoSite) follow(last_);
+  last_ = kNoSite;
+  if (heap_.empty()) return kNoSite;
+  std::pop_heap(heap_.begin(), heap_.end());
+  last_ = heap_.back().site;
+  heap_.pop_back();
+  return last_;
+}
+
+}  // namespace apollonius::internal

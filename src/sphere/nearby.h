@@ -1,0 +1,55 @@
+// The sites around a point of the sphere one by one, in the order of their distance.
+#pragma once
+
+#include <limits>
+
+#include "base/flat_array.h"
+#include "diagram/nearby_search.h"
+#include "sphere/projected_diagram.h"
+
+namespace apollonius::internal {
+
+/// All sites, hidden ones too, in the order of their distance to a point, or those that are not
+/// farther than a limit, in the unit of the sphere's radius. The diagram must stay as it is. Cost:
+/// one location and O(m log m), m = the neighbours of the sites found. Calls throw std::bad_alloc,
+/// and are not to be repeated then.
+///
+/// Works as NearbySearch does in the plane, and for the same reasons, which are the triangle
+/// inequality and straight ways.
+class SphericalSearch {
+ public:
+  SphericalSearch(const ProjectedDiagram& diagram, const SiteTable& sites, const Direction& point,
+                  double farthest = std::numeric_limits<double>::infinity());
+
+  /// The next site, kNoSite after the last.
+  [[nodiscard]] SiteId next();
+
+ private:
+  struct Entry {
+    double distance;
+    SiteId site;
+    bool operator<(const Entry& other) const {  // the nearest on top of a heap
+      return distance != other.distance ? distance > other.distance : site > other.site;
+    }
+  };
+
+  void consider(SiteId site);
+  /// Considers those that may come directly after a site.
+  void follow(SiteId site);
+
+  const ProjectedDiagram& diagram_;
+  const SiteTable& sites_;
+  Direction point_;
+  double farthest_;
+  SiteId last_ = kNoSite;  // returned last, not followed yet
+  FlatArray<Entry> heap_;
+  SlotSet seen_;  // visible sites: a hidden one has one parent
+};
+
+/// From a point to a site in the unit of the sphere's radius, rounded.
+[[nodiscard]] inline double distanceTo(const SiteTable& sites, SiteId id, const Direction& point) {
+  const double angle = angleBetween(point, directionOf(sites[id].centre)).angle();
+  return angle * sites.radius() - sites[id].r;
+}
+
+}  // namespace apollonius::internal

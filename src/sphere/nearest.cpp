@@ -1,0 +1,129 @@
+// A walk from the plane's nearest site, which is nearly always the sphere's, to neighbours that are
+// nearer on the sphere. It ends at the nearest site, as cells are star-shaped about their sites
+// along geodesics: the way from a site to a point that is not in its cell leaves the cell into that
+// of a neighbour, which is nearer from there on.
+//
+// A site with many neighbours does not ask all of them. Let its distance from the point p be d. The
+// cap about p with radius d touches it; a nearer site would overlap that cap. In the plane the cap
+// is a circle that touches the site's circle, and its centre, c, is in the cell of the site exactly
+// if no other circle overlaps it. So the plane's nearest site of c, which the plane's walk finds in
+// about log h steps, is this one if it is the nearest, and is nearer otherwise.
+#include "sphere/nearest.h"
+
+#include "base/flat_array.h"
+#include "diagram/queries.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+constexpr int kManyNeighbors = 24;
+
+class SphericalWalk {
+ public:
+  SphericalWalk(const ProjectedDiagram& diagram, const Direction& point)
+      : diagram_(diagram), point_(point) {
+    // The pole has no circle that the plane could find.
+    (void)moveTo(kInfinity);
+  }
+
+  /// Goes to a node if that is nearer.
+  bool moveTo(VertexId node) {
+    const HalfAngle there = distance(point_, diagram_.cap(node));
+    if (node_ != kNoVertex && !(there < toNode_)) return false;
+    node_ = node;
+    toNode_ = there;
+    return true;
+  }
+
+  VertexId run() {
+    if (!diagram_.graph().isEmpty()) {
+      while (step()) {
+      }
+    }
+    return node_;
+  }
+
+ private:
+  bool step() {
+    const Graph& graph = diagram_.graph();
+    const VertexId from = node_;
+    int asked = 0;
+    for (const HalfedgeId h : graph.star(from)) {
+      if (++asked > kManyNeighbors && from != kInfinity) return node_ != from || jump();
+      (void)moveTo(graph.target(h));
+    }
+    return node_ != from;
+  }
+
+  bool jump() {
+    const Projection::Image circle =
+        diagram_.projection().image(point_, toNode_);  // reduced by the pole's weight, as sites are
+    const VertexId from = node_;
+    if (circle.kind != Projection::Kind::kCircle || circle.loss > kUsualLoss) {
+      // The cap nearly touches the pole, and its circle is inaccurate.
+      for (const HalfedgeId h : diagram_.graph().star(from))
+        (void)moveTo(diagram_.graph().target(h));
+      return node_ != from;
+    }
+    const DelaunayGraph::Located found =
+        diagram_.plane().delaunay().locate(circle.circle.x, circle.circle.y, from);
+    if (found.nearest != from) return moveTo(found.nearest);
+    if (found.sector != kNoHalfedge) {
+      // The centre was rounded, and may be on the wrong side of an edge close by.
+      const Graph& graph = diagram_.graph();
+      for (const HalfedgeId h :
+           {graph.rotateCw(found.sector), found.sector, graph.rotateCcw(found.sector)})
+        (void)moveTo(graph.target(h));
+    }
+    return node_ != from;
+  }
+
+  const ProjectedDiagram& diagram_;
+  Direction point_;
+  VertexId node_ = kNoVertex;
+  HalfAngle toNode_;
+};
+
+/// A point is a cap of the pole's weight: its circle is a point, too.
+Projection::Image imageOf(const ProjectedDiagram& diagram, const Direction& point) {
+  return diagram.projection().image(point, diagram.cap(kInfinity).radius);
+}
+
+}  // namespace
+
+VertexId nearestNode(const ProjectedDiagram& diagram, const Direction& point) {
+  SphericalWalk walk(diagram, point);
+  const DiagramCore& plane = diagram.plane();
+  if (plane.visibleCount() > 0) {
+    const Projection::Image image = imageOf(diagram, point);
+    if (image.kind != Projection::Kind::kCircle) return kInfinity;  // at the pole, which is visible
+    (void)walk.moveTo(vertexOf(plane.nearest(image.circle.x, image.circle.y)));
+  }
+  return walk.run();
+}
+
+void listNearest(const ProjectedDiagram& diagram, std::span<const double> lonLat,
+                 std::span<SiteId> ids) {
+  const std::size_t count = ids.size();
+  if (diagram.isEmpty()) {
+    std::ranges::fill(ids, kNoSite);
+    return;
+  }
+  FlatArray<Direction> points(count);
+  FlatArray<double> images(2 * count);
+  for (std::size_t k = 0; k < count; ++k) {
+    points[k] = directionOf({lonLat[2 * k], lonLat[2 * k + 1]});
+    const Projection::Image image = imageOf(diagram, points[k]);
+    images[2 * k] = image.circle.x;  // 0 at the pole, where the walk starts anyway
+    images[2 * k + 1] = image.circle.y;
+  }
+  internal::listNearest(diagram.plane(), {images.data(), images.size()}, ids, {});
+  for (std::size_t k = 0; k < count; ++k) {
+    SphericalWalk walk(diagram, points[k]);
+    if (ids[k] != kNoSite) (void)walk.moveTo(vertexOf(diagram.plane().ids().slotOf(ids[k])));
+    ids[k] = diagram.siteOf(walk.run());
+  }
+}
+
+}  // namespace apollonius::internal

@@ -1,0 +1,19 @@
+// Which site the others are projected from.
+#pragma once
+
+#include <cstdint>
+
+#include "sphere/site_table.h"
+
+namespace apollonius::internal {
+
+/// A visible site from which circles lose little accuracy: of a few that are drawn at random, the
+/// first from which the loss (Projection::Image) is usual, else the best. Advances `seed`.
+/// REQUIRES: at least one site. Throws std::bad_alloc. Cost: O(n).
+[[nodiscard]] SiteId choosePole(const SiteTable& sites, std::uint64_t& seed);
+
+/// Is a site visible, as far as the projection from it can tell: does no other one hide it? Cost:
+/// O(n).
+[[nodiscard]] bool isVisible(const SiteTable& sites, SiteId id);
+
+}  // namespace apollonius::internal

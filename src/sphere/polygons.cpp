@@ -1,0 +1,43 @@
+#include "sphere/polygons.h"
+
+#include "sphere/nearest.h"
+
+namespace apollonius::internal {
+
+CellPolygons::CellPolygons(const ProjectedDiagram& diagram, double tolerance, bool isCut)
+    : diagram_(diagram),
+      chains_(diagram, tolerance, isCut ? Joint::kLonLatLine : Joint::kGreatArc),
+      isCut_(isCut),
+      atNorthPole_(diagram.isEmpty() ? kNoVertex : nearestNode(diagram, {0, 0, 1})) {}
+
+void CellPolygons::append(VertexId node, const SphericalRings& rings) {
+  const Graph& graph = diagram_.graph();
+  points_.clear();
+  if (!graph.isEmpty()) {
+    for (const HalfedgeId h : graph.star(node)) chains_.append(h, points_);
+  } else if (diagram_.visibleCount() == 2) {
+    chains_.appendClosed(node, points_);
+  }
+  // Edges without length repeat points.
+  std::size_t kept = 0;
+  for (const Direction& p : points_) {
+    if (kept == 0 || lengthOf(p - points_[kept - 1]) > 0) points_[kept++] = p;
+  }
+  while (kept > 1 && !(lengthOf(points_[kept - 1] - points_[0]) > 0)) --kept;
+  points_.resize(kept);
+  if (isCut_) {
+    cutter_.cut({points_.data(), points_.size()}, node == atNorthPole_,
+                {rings.coordinates, rings.starts, rings.parts});
+    return;
+  }
+  if (points_.empty()) return;
+  for (std::size_t k = 0; k <= kept; ++k) {
+    const LonLat p = lonLatOf(points_[k == kept ? 0 : k]);
+    rings.coordinates.push_back(p.lon);
+    rings.coordinates.push_back(p.lat);
+  }
+  rings.starts.push_back(static_cast<std::uint32_t>(rings.coordinates.size() / 2));
+  rings.parts.push_back(static_cast<std::uint32_t>(rings.starts.size() - 1));
+}
+
+}  // namespace apollonius::internal

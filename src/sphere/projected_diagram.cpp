@@ -1,0 +1,243 @@
+#include "sphere/projected_diagram.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "diagram/bulk_insertion.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+using Kind = Projection::Kind;
+
+void append(FlatArray<double>& circles, const Site& circle) {
+  for (const double number : {circle.x, circle.y, circle.r}) circles.push_back(number);
+}
+
+}  // namespace
+
+ProjectedDiagram::ProjectedDiagram(const SiteTable& sites, SiteId pole)
+    : pole_(pole), poleCap_(sites.cap(pole)), projection_(poleCap_), plane_(Location::kHierarchy) {
+  FlatArray<SiteId> all;
+  all.reserve(sites.size());
+  for (SiteId id = 0; id < sites.idLimit(); ++id) {
+    if (sites.has(id) && id != pole) all.push_back(id);
+  }
+  FlatArray<double> circles;
+  circles.reserve(3 * all.size());
+  reserve(sites.idLimit(), all.size());
+  std::size_t images = 0;
+  for (const SiteId id : all) {
+    const Projection::Image image = projection_.image(sites.cap(id));
+    if (image.kind != Kind::kCircle) {
+      enterBelowPole(id);
+      continue;
+    }
+    loss_ = std::max(loss_, image.loss);
+    append(circles, image.circle);
+    all[images++] = id;
+  }
+  all.resize(images);
+  if (images == 0) return;
+  FlatArray<SiteId> planeIds(images);
+  {
+    BulkInsertion insertion(plane_);
+    insertion.stage({circles.data(), circles.size()});
+    FlatArray<double>().swap(circles);
+    insertion.insert({planeIds.data(), images});
+  }
+  for (std::size_t k = 0; k < images; ++k) enter(all[k], planeIds[k], sites.cap(all[k]));
+}
+
+bool ProjectedDiagram::isTooRough(double loss) const {
+  return loss > 16 * std::max(kUsualLoss, loss_);
+}
+
+void ProjectedDiagram::reserve(std::size_t idLimit, std::size_t circles) {
+  if (places_.size() < idLimit) places_.resize(idLimit, 0);
+  if (belowPole_.capacity() < idLimit) belowPole_.reserve(idLimit + idLimit / 2);
+  const std::size_t slots = plane_.ids().slots() + circles;
+  if (caps_.size() < slots) caps_.resize(slots);
+  const std::size_t names = plane_.ids().idLimit() + circles;
+  if (siteOfPlane_.size() < names) siteOfPlane_.resize(names, kNoSite);
+}
+
+void ProjectedDiagram::enter(SiteId id, SiteId plane, const Cap& cap) noexcept {
+  places_[id] = plane;
+  siteOfPlane_[plane] = id;
+  setCap(plane, cap);
+}
+
+void ProjectedDiagram::enterBelowPole(SiteId id) noexcept {
+  places_[id] = kBelowPole | static_cast<std::uint32_t>(belowPole_.size());
+  belowPole_.push_back(id);
+}
+
+void ProjectedDiagram::leaveBelowPole(SiteId id) noexcept {
+  const std::uint32_t place = places_[id] & ~kBelowPole;
+  const SiteId last = belowPole_.back();
+  belowPole_[place] = last;
+  places_[last] = kBelowPole | place;
+  belowPole_.pop_back();
+}
+
+bool ProjectedDiagram::insertOne(const SiteTable& sites, SiteId id) {
+  const Cap cap = sites.cap(id);
+  const Projection::Image image = projection_.image(cap);
+  if (image.kind == Kind::kCoversPole) return false;
+  if (image.kind == Kind::kBelowPole) {
+    reserve(sites.idLimit(), 0);
+    enterBelowPole(id);
+    return true;
+  }
+  if (isTooRough(image.loss)) return false;
+  reserve(sites.idLimit(), 1);
+  enter(id, plane_.insert(image.circle), cap);
+  loss_ = std::max(loss_, image.loss);
+  return true;
+}
+
+bool ProjectedDiagram::insert(const SiteTable& sites, std::span<const SiteId> ids) {
+  if (isEmpty()) return false;
+  if (ids.size() == 1) return insertOne(sites, ids[0]);
+  FlatArray<double> circles;
+  circles.reserve(3 * ids.size());
+  double loss = loss_;
+  for (const SiteId id : ids) {
+    const Projection::Image image = projection_.image(sites.cap(id));
+    if (image.kind == Kind::kCoversPole) return false;
+    if (image.kind == Kind::kBelowPole) continue;
+    if (isTooRough(image.loss)) return false;
+    loss = std::max(loss, image.loss);
+    append(circles, image.circle);
+  }
+  const std::size_t images = circles.size() / 3;
+  reserve(sites.idLimit(), images);
+  FlatArray<SiteId> planeIds(images);
+  if (images > 0) insertAll(plane_, {circles.data(), circles.size()}, {planeIds.data(), images});
+  loss_ = loss;
+  std::size_t next = 0;
+  for (const SiteId id : ids) {
+    const Cap cap = sites.cap(id);
+    if (projection_.image(cap).kind == Kind::kCircle)
+      enter(id, planeIds[next++], cap);
+    else
+      enterBelowPole(id);
+  }
+  return true;
+}
+
+bool ProjectedDiagram::removeOne(SiteId id) {
+  if (id == pole_) return false;
+  if (isBelowPole(id))
+    leaveBelowPole(id);
+  else
+    (void)plane_.remove(places_[id]);
+  return true;
+}
+
+bool ProjectedDiagram::remove(std::span<const SiteId> ids) {
+  if (ids.size() == 1) return removeOne(ids[0]);
+  FlatArray<SiteId> planeIds;
+  planeIds.reserve(ids.size());
+  for (const SiteId id : ids) {
+    if (id == pole_) return false;
+    if (!isBelowPole(id)) planeIds.push_back(places_[id]);
+  }
+  (void)plane_.removeMany({planeIds.data(), planeIds.size()});
+  for (const SiteId id : ids) {
+    if (isBelowPole(id)) leaveBelowPole(id);
+  }
+  return true;
+}
+
+bool ProjectedDiagram::updateOne(const SiteTable& sites, SiteId id) {
+  const Cap cap = sites.cap(id);
+  const Projection::Image image = projection_.image(cap);
+  const bool wasBelowPole = isBelowPole(id);
+  if (image.kind == Kind::kCoversPole) return false;
+  if (image.kind == Kind::kBelowPole) {
+    if (!wasBelowPole) {
+      reserve(sites.idLimit(), 0);
+      (void)plane_.remove(places_[id]);
+      enterBelowPole(id);
+    }
+    return true;
+  }
+  if (isTooRough(image.loss)) return false;
+  if (wasBelowPole) {
+    reserve(sites.idLimit(), 1);
+    const SiteId plane = plane_.insert(image.circle);
+    leaveBelowPole(id);
+    enter(id, plane, cap);
+  } else {
+    plane_.update(places_[id], image.circle);
+    setCap(places_[id], cap);
+  }
+  loss_ = std::max(loss_, image.loss);
+  return true;
+}
+
+bool ProjectedDiagram::update(const SiteTable& sites, std::span<const SiteId> ids) {
+  if (std::ranges::find(ids, pole_) != ids.end()) return false;
+  if (ids.size() == 1) return updateOne(sites, ids[0]);
+  FlatArray<double> circles;
+  circles.reserve(3 * ids.size());
+  FlatArray<SiteId> planeIds;
+  planeIds.reserve(ids.size());
+  double loss = loss_;
+  for (const SiteId id : ids) {
+    const Projection::Image image = projection_.image(sites.cap(id));
+    if (image.kind != Kind::kCircle || isBelowPole(id) || isTooRough(image.loss)) return false;
+    loss = std::max(loss, image.loss);
+    append(circles, image.circle);
+    planeIds.push_back(places_[id]);
+  }
+  const std::uint32_t layout = plane_.layout();
+  plane_.updateMany({planeIds.data(), planeIds.size()}, {circles.data(), circles.size()});
+  loss_ = loss;
+  if (plane_.layout() == layout) {
+    for (const SiteId id : ids) setCap(places_[id], sites.cap(id));
+  } else {
+    for (SiteId id = 0; id < sites.idLimit(); ++id) {
+      if (sites.has(id) && id != pole_ && !isBelowPole(id)) setCap(places_[id], sites.cap(id));
+    }
+  }
+  return true;
+}
+
+const char* ProjectedDiagram::check(const SiteTable& sites, std::uint32_t& where) const {
+  std::size_t found = 0;
+  for (SiteId id = 0; id < sites.idLimit(); ++id) {
+    if (!sites.has(id)) continue;
+    where = id;
+    ++found;
+    if (id == pole_) continue;
+    const Projection::Image image = projection_.image(sites.cap(id));
+    if (isBelowPole(id)) {
+      const std::uint32_t place = places_[id] & ~kBelowPole;
+      if (place >= belowPole_.size() || belowPole_[place] != id)
+        return "is not in the list of sites that the pole covers: site";
+      if (image.kind != Kind::kBelowPole) return "is not covered by the pole: site";
+      continue;
+    }
+    const Slot slot = plane_.ids().slotOf(places_[id]);
+    if (slot == kNoSlot || siteOfPlane_[places_[id]] != id)
+      return "is not that of its circle: site";
+    const Site& circle = plane_.site(slot);
+    if (image.kind != Kind::kCircle || image.circle.x != circle.x || image.circle.y != circle.y ||
+        image.circle.r != circle.r)
+      return "has another circle than its image: site";
+    const Cap &cap = caps_[slot], expected = sites.cap(id);
+    if (cap.centre.x != expected.centre.x || cap.centre.y != expected.centre.y ||
+        cap.centre.z != expected.centre.z || cap.weight != expected.weight)
+      return "has another cap in the graph: site";
+  }
+  where = static_cast<std::uint32_t>(found);
+  if (found != sites.size() || plane_.ids().size() + belowPole_.size() + !isEmpty() != found)
+    return "sites are not counted right:";
+  return nullptr;
+}
+
+}  // namespace apollonius::internal

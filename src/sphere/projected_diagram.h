@@ -1,0 +1,106 @@
+// The sites of the sphere as circles of the plane, as seen from one visible site, the pole: where
+// each site is, and the plane's diagram. (projection.h)
+//
+// Nodes are the plane's vertices, and its vertex at infinity is the pole. Sites that the pole
+// covers have no circle and are listed beside.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "apollonius/types.h"
+#include "base/flat_array.h"
+#include "diagram/diagram_core.h"
+#include "sphere/projection.h"
+#include "sphere/site_table.h"
+
+namespace apollonius::internal {
+
+class ProjectedDiagram {
+ public:
+  /// Without sites.
+  ProjectedDiagram() : plane_(Location::kHierarchy) {}
+  /// Of all sites of the table, seen from `pole`. Throws std::bad_alloc. REQUIRES: the pole is
+  /// visible. Cost: that of building a diagram of the plane.
+  ProjectedDiagram(const SiteTable& sites, SiteId pole);
+
+  // --- Reading. Sites are those of the table, nodes are vertices of the plane's graph.
+
+  [[nodiscard]] bool isEmpty() const { return pole_ == kNoSite; }
+  [[nodiscard]] SiteId pole() const { return pole_; }
+  [[nodiscard]] const DiagramCore& plane() const { return plane_; }
+  [[nodiscard]] const Graph& graph() const { return plane_.delaunay().graph(); }
+  [[nodiscard]] const Projection& projection() const { return projection_; }
+  [[nodiscard]] std::size_t visibleCount() const {
+    return isEmpty() ? 0 : plane_.visibleCount() + 1;
+  }
+  /// The largest loss of a circle's accuracy (Projection::Image).
+  [[nodiscard]] double loss() const { return loss_; }
+
+  [[nodiscard]] const Cap& cap(VertexId node) const {
+    return node == kInfinity ? poleCap_ : caps_[slotOf(node)];
+  }
+  [[nodiscard]] SiteId siteOf(VertexId node) const {
+    return node == kInfinity ? pole_ : siteOfPlane_[plane_.siteOf(node)];
+  }
+  /// kNoVertex for a site that the pole covers.
+  [[nodiscard]] VertexId nodeOf(SiteId id) const {
+    if (id == pole_) return kInfinity;
+    return isBelowPole(id) ? kNoVertex : vertexOf(plane_.ids().slotOf(places_[id]));
+  }
+  [[nodiscard]] bool isHidden(SiteId id) const {
+    return isBelowPole(id) ||
+           (id != pole_ && plane_.ids().state(slotOf(nodeOf(id))) == SiteState::kHidden);
+  }
+  /// Those that the pole covers.
+  [[nodiscard]] std::span<const SiteId> belowPole() const {
+    return {belowPole_.data(), belowPole_.size()};
+  }
+
+  // --- Changing. What returns false has changed nothing, and all is to be projected from another
+  // pole: because the pole is concerned or gets hidden, or a circle would lose too much accuracy.
+  // All throw std::bad_alloc and have changed nothing then.
+
+  /// Sites that have come into the table.
+  [[nodiscard]] bool insert(const SiteTable& sites, std::span<const SiteId> ids);
+  /// Sites that are about to leave it, each once.
+  [[nodiscard]] bool remove(std::span<const SiteId> ids);
+  /// Sites that have moved in the table. The last of several entries of one site counts, as there.
+  [[nodiscard]] bool update(const SiteTable& sites, std::span<const SiteId> ids);
+
+  /// A broken invariant of what is kept beside the plane's diagram, or nullptr; `where` receives a
+  /// site.
+  [[nodiscard]] const char* check(const SiteTable& sites, std::uint32_t& where) const;
+
+ private:
+  // A place of a site: its id in the plane, or with the top bit set where it is in belowPole_.
+  static constexpr std::uint32_t kBelowPole = 0x80000000u;
+
+  [[nodiscard]] bool isBelowPole(SiteId id) const {
+    return id != pole_ && (places_[id] & kBelowPole) != 0;
+  }
+  [[nodiscard]] bool isTooRough(double loss) const;
+  void reserve(std::size_t idLimit, std::size_t circles);
+  void setCap(SiteId plane, const Cap& cap) { caps_[plane_.ids().slotOf(plane)] = cap; }
+  /// A site with this id in the plane. There is room.
+  void enter(SiteId id, SiteId plane, const Cap& cap) noexcept;
+  void enterBelowPole(SiteId id) noexcept;
+  void leaveBelowPole(SiteId id) noexcept;
+  // Without arrays of what is done.
+  [[nodiscard]] bool insertOne(const SiteTable& sites, SiteId id);
+  [[nodiscard]] bool removeOne(SiteId id);
+  [[nodiscard]] bool updateOne(const SiteTable& sites, SiteId id);
+
+  SiteId pole_ = kNoSite;
+  Cap poleCap_;
+  Projection projection_;
+  DiagramCore plane_;
+  FlatArray<Cap> caps_;              // by slot of the plane
+  FlatArray<SiteId> siteOfPlane_;    // by id of the plane
+  FlatArray<std::uint32_t> places_;  // by site
+  FlatArray<SiteId> belowPole_;
+  double loss_ = 1;
+};
+
+}  // namespace apollonius::internal

@@ -1,0 +1,64 @@
+// The stereographic projection from a visible site, the pole, which turns the diagram of the sphere
+// into one of the plane.
+//
+// Subtract the pole's weight from all weights, so that the pole is a point. Caps become circles
+// whose radii have the sign of the reduced weights. Moebius maps keep oriented tangency and
+// oriented containment, so a site covers another on the sphere exactly if its circle does in the
+// plane, and a cap that touches three sites from outside and is empty becomes such a circle, or a
+// half-plane if it touches the pole. Hence the Delaunay graph of the circles, with its vertex at
+// infinity, is the Delaunay graph of the sphere, with the pole. (docs/PROOFS.md, "The sphere".)
+//
+// Nearest sites are not kept, as centres of circles are not images of centres of caps.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "predicate/site.h"
+#include "sphere/cap.h"
+
+namespace apollonius::internal {
+
+/// With a loss of accuracy up to this, a circle is within 10^-13 radians of its cap.
+inline constexpr double kUsualLoss = 1024;
+
+class Projection {
+ public:
+  explicit Projection(const Cap& pole = {});
+
+  /// The image of a cap. A cap that the pole covers has none, and the pole is hidden if a cap
+  /// covers it.
+  enum class Kind : std::uint8_t { kCircle, kBelowPole, kCoversPole };
+  struct Image {
+    Kind kind = Kind::kBelowPole;
+    Site circle = {};
+    /// A rounding of the circle is up to this many times a rounding of the cap: large where the cap
+    /// is nearly tangent to the pole from inside.
+    double loss = std::numeric_limits<double>::infinity();
+  };
+  [[nodiscard]] Image image(const Direction& centre, const HalfAngle& radius) const;
+  [[nodiscard]] Image image(const Cap& cap) const { return image(cap.centre, cap.radius); }
+
+  /// An empty cap that touches sites from outside: its centre, and its radius as an angle, which is
+  /// the distance to the sites.
+  struct EmptyCap {
+    Direction centre;
+    double radius = 0;
+  };
+  /// That of a circle with centre (x, y) and radius s, which touches another.
+  [[nodiscard]] EmptyCap fromCircle(double x, double y, double s, const Site& touched) const;
+  /// That of the half-plane a x + b y >= c.
+  [[nodiscard]] EmptyCap fromHalfPlane(double a, double b, double c) const;
+
+ private:
+  /// At an angle from the antipode of the pole, in the direction of the plane's (x, y), a unit
+  /// vector.
+  [[nodiscard]] Direction pointAt(double angle, double x, double y) const;
+
+  Cap pole_;
+  // The axes of the plane. Seen from outside of the sphere at the antipode of the pole, x to y is
+  // counter-clockwise, so that the projection keeps the orientation.
+  Direction x_, y_;
+};
+
+}  // namespace apollonius::internal

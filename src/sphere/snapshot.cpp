@@ -1,0 +1,105 @@
+// Snapshots of the sphere: docs/SNAPSHOTS.md has the format. They hold what the diagram is built
+// from, the sites and the pole, and no graph: the same circles give the same graph, as the plane's
+// is canonical, so nothing has to be proved.
+#include <cmath>
+#include <limits>
+#include <new>
+#include <numbers>
+
+#include "base/byte_stream.h"
+#include "sphere/pole_choice.h"
+#include "sphere/spherical_core.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+constexpr std::uint64_t kMagic = 0x0A1A0A0D73706F41u;  // "Aops", and line ends as in the plane's
+constexpr std::uint32_t kVersion = 1;
+constexpr std::size_t kHeaderBytes = 48, kChecksumBytes = 8;
+
+std::uint64_t bytesFor(std::uint64_t idLimit, std::uint64_t sites) {
+  const std::uint64_t ids = 4 * idLimit;  // and 4 bytes more where their number is odd
+  return kHeaderBytes + 24 * sites + ids + ids % 8 + kChecksumBytes;
+}
+
+bool isSite(const SphericalSite& site, double radius) {
+  return std::isfinite(site.centre.lon) && std::abs(site.centre.lat) <= 90 &&
+         std::abs(site.r) / radius < std::numbers::pi;
+}
+
+}  // namespace
+
+void SphericalCore::save(std::vector<std::uint8_t>& bytes) const {
+  const std::uint64_t size = bytesFor(sites_.idLimit(), sites_.size());
+  if (size > std::numeric_limits<std::size_t>::max() / 2) throw std::bad_alloc();
+  bytes.assign(static_cast<std::size_t>(size), 0);
+  WordWriter out(bytes);
+  out.longWord(kMagic);
+  out.word(kVersion);
+  out.word(sites_.idLimit());
+  out.word(static_cast<std::uint32_t>(sites_.size()));
+  out.word(projected_.pole());
+  out.longWord(sizeAtChoice_);
+  out.longWord(seed_);
+  out.number(sites_.radius());
+  for (SiteId id = 0; id < sites_.idLimit(); ++id) {
+    if (!sites_.has(id)) continue;
+    const SphericalSite& site = sites_[id];
+    for (const double number : {site.centre.lon, site.centre.lat, site.r}) out.number(number);
+  }
+  for (SiteId id = 0; id < sites_.idLimit(); ++id) {
+    if (sites_.has(id)) out.word(id);
+  }
+  sites_.visitFree([&](SiteId id) { out.word(id); });
+  const std::span<const std::uint8_t> content(bytes.data(), bytes.size() - kChecksumBytes);
+  WordWriter(std::span(bytes).last(kChecksumBytes)).longWord(checksumOf(content));
+}
+
+bool SphericalCore::restore(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < kHeaderBytes + kChecksumBytes) return false;
+  WordReader in(bytes);
+  if (in.longWord() != kMagic || in.word() != kVersion) return false;
+  const std::uint32_t idLimit = in.word(), size = in.word();
+  const SiteId pole = in.word();
+  const std::uint64_t sizeAtChoice = in.longWord();
+  const std::uint64_t seed = in.longWord();
+  const double radius = in.number();
+  if (size > idLimit || idLimit > kMostSites || bytes.size() != bytesFor(idLimit, size) ||
+      sizeAtChoice > kMostSites || !(radius > 0) || !isInRange(radius))
+    return false;
+  const auto content = bytes.first(bytes.size() - kChecksumBytes);
+  if (WordReader(bytes.last(kChecksumBytes)).longWord() != checksumOf(content)) return false;
+
+  FlatArray<SphericalSite> rows;
+  rows.reserve(size);
+  for (std::uint32_t k = 0; k < size; ++k) {
+    const double lon = in.number(), lat = in.number(), r = in.number();
+    if (!isSite({{lon, lat}, r}, radius)) return false;
+    rows.push_back({{lon, lat}, r});
+  }
+  sites_ = SiteTable(radius);
+  sites_.reserve(idLimit);
+  for (SiteId id = 0; id < idLimit; ++id) (void)sites_.take({});
+  FlatArray<bool> isListed(idLimit, false);
+  FlatArray<SiteId> ids;
+  ids.reserve(idLimit);
+  for (std::uint32_t k = 0; k < idLimit; ++k) {
+    const SiteId id = in.word();
+    // Used ones ascend.
+    if (id >= idLimit || isListed[id] || (k > 0 && k < size && id < ids.back())) return false;
+    isListed[id] = true;
+    ids.push_back(id);
+  }
+  for (std::uint32_t k = 0; k < size; ++k) sites_.set(ids[k], rows[k]);
+  // The one that is used first is freed last.
+  for (std::uint32_t k = idLimit; k-- > size;) sites_.release(ids[k]);
+  if (size == 0) return pole == kNoSite;
+  if (!sites_.has(pole) || !isVisible(sites_, pole)) return false;
+  projected_ = ProjectedDiagram(sites_, pole);
+  sizeAtChoice_ = static_cast<std::size_t>(sizeAtChoice);
+  seed_ = seed;
+  return true;
+}
+
+}  // namespace apollonius::internal

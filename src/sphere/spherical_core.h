@@ -1,0 +1,60 @@
+// The dynamic diagram of the sphere: the sites by id, their projection, and when that is made anew.
+// Arguments have been checked by the caller (src/api); lack of memory is thrown as std::bad_alloc
+// with the diagram as it was before the call.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "apollonius/types.h"
+#include "base/flat_array.h"
+#include "sphere/projected_diagram.h"
+#include "sphere/site_table.h"
+
+namespace apollonius::internal {
+
+class SphericalCore {
+ public:
+  explicit SphericalCore(double radius) : sites_(radius) {}
+
+  SiteId insert(const SphericalSite& site);
+  /// Longitude, latitude and weight of each; ids[k] becomes the id of triple k.
+  void insertMany(std::span<const double> sites, std::span<SiteId> ids);
+  /// False if the id is not in use.
+  bool remove(SiteId id);
+  /// How many of the ids were in use.
+  std::size_t removeMany(std::span<const SiteId> ids);
+  void update(SiteId id, const SphericalSite& site);
+  void updateMany(std::span<const SiteId> ids, std::span<const double> sites);
+  void clear() noexcept;
+
+  [[nodiscard]] const SiteTable& sites() const { return sites_; }
+  [[nodiscard]] const ProjectedDiagram& projected() const { return projected_; }
+
+  /// The sites, the free ids and the pole, from which restore() builds the diagram; replaces the
+  /// contents of `bytes`.
+  void save(std::vector<std::uint8_t>& bytes) const;
+  /// False if the bytes are no snapshot. REQUIRES: a new diagram, which is unusable after a
+  /// failure; the sphere gets the radius that was saved.
+  [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes);
+
+  /// The first broken invariant. Throws std::bad_alloc. Cost: O(n), slow: for tests.
+  [[nodiscard]] Violation validate() const;
+
+ private:
+  /// Projects all sites of the table from a pole that is chosen now.
+  void project();
+  /// Sites that are in the table and in no projection yet.
+  void enter(std::span<const SiteId> ids);
+
+  SiteTable sites_;
+  ProjectedDiagram projected_;
+  std::size_t sizeAtChoice_ = 0;  // of the table, when the pole was chosen
+  std::uint64_t seed_ = 1;
+  FlatArray<SiteId> removed_;        // scratch
+  FlatArray<SphericalSite> before_;  // scratch
+};
+
+}  // namespace apollonius::internal

@@ -1,0 +1,136 @@
+// The circle that the plane knows of a face, taken back to the sphere, has been rounded there, and
+// is inaccurate where it is large. So it is the start of Newton's method for the three equations
+//
+//     angle(v, u_i) - w_i = clearance
+//
+// in the two coordinates of v beside its first approximation and the clearance.
+#include "sphere/vertices.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace apollonius::internal {
+
+namespace {
+
+/// How far the three equations are from being met.
+struct Residuals {
+  Residuals(const SphericalVertex& vertex, const std::array<const Cap*, 3>& caps) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      of[k] = distanceInRadians(vertex.point, *caps[k]) - vertex.clearance;
+      largest = std::max(largest, std::abs(of[k]));
+    }
+  }
+  std::array<double, 3> of;
+  double largest = 0;
+};
+
+}  // namespace
+
+SphericalVertex refined(const SphericalVertex& start, const std::array<const Cap*, 3>& caps) {
+  constexpr int kSteps = 4;
+  SphericalVertex vertex = start;
+  Residuals residuals(vertex, caps);
+  for (int step = 0; step < kSteps && residuals.largest > 0x1p-52; ++step) {
+    const Frame frame(vertex.point);
+    // Going from v by (a, b) changes the distance to site i by -(a, b)·towards[i].
+    std::array<std::array<double, 2>, 3> towards;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double x = dot(caps[k]->centre, frame.first), y = dot(caps[k]->centre, frame.second);
+      const double length = std::hypot(x, y);
+      if (length == 0) return vertex;  // at a centre, or opposite: no direction
+      towards[k] = {x / length, y / length};
+    }
+    const double x1 = towards[1][0] - towards[0][0], y1 = towards[1][1] - towards[0][1];
+    const double x2 = towards[2][0] - towards[0][0], y2 = towards[2][1] - towards[0][1];
+    const double determinant = x1 * y2 - x2 * y1;
+    if (determinant == 0) return vertex;
+    const double f1 = residuals.of[1] - residuals.of[0], f2 = residuals.of[2] - residuals.of[0];
+    const double a = (f1 * y2 - f2 * y1) / determinant, b = (x1 * f2 - x2 * f1) / determinant;
+    if (!(std::abs(a) + std::abs(b) < 0.5)) return vertex;
+    const SphericalVertex next = {
+        normalized(vertex.point + a * frame.first + b * frame.second),
+        vertex.clearance + residuals.of[0] - a * towards[0][0] - b * towards[0][1]};
+    const Residuals after(next, caps);
+    if (!(after.largest < residuals.largest)) return vertex;
+    vertex = next;
+    residuals = after;
+  }
+  return vertex;
+}
+
+SphericalVertex SphericalVertices::computed(FaceId face) const {
+  const DelaunayGraph& plane = diagram_.plane().delaunay();
+  const Graph& graph = plane.graph();
+  std::array<const Cap*, 3> caps;
+  const Site* touched = nullptr;
+  for (unsigned corner = 0; corner < 3; ++corner) {
+    const VertexId node = graph.origin(halfedgeOf(face, corner));
+    caps[corner] = &diagram_.cap(node);
+    if (node != kInfinity) touched = &plane.site(node);
+  }
+  const VoronoiCircle circle = plane.voronoiVertex(face);
+  const Projection& projection = diagram_.projection();
+  const Projection::EmptyCap cap =
+      circle.isHalfPlane() ? projection.fromHalfPlane(circle.x, circle.y, circle.s)
+                           : projection.fromCircle(circle.x, circle.y, circle.s, *touched);
+  // Weights were reduced by the pole's.
+  return refined({cap.centre, cap.radius - diagram_.cap(kInfinity).weight}, caps);
+}
+
+std::size_t SphericalVertices::placeOf(FaceId face) const {
+  const std::size_t mask = entries_.size() - 1;
+  std::size_t at = (index(face) * 0x9E3779B1u) >> 7 & mask;
+  while (entries_[at].face != kNoFace && entries_[at].face != face) at = (at + 1) & mask;
+  return at;
+}
+
+void SphericalVertices::grow() {
+  FlatArray<Entry> old(2 * entries_.size());
+  old.swap(entries_);
+  for (const Entry& entry : old) {
+    if (entry.face != kNoFace) entries_[placeOf(entry.face)] = entry;
+  }
+}
+
+SphericalVertices::Entry& SphericalVertices::entryOf(FaceId face) {
+  if (2 * used_ >= entries_.size()) grow();
+  Entry& entry = entries_[placeOf(face)];
+  if (entry.face == kNoFace) {
+    entry = {face, kNoFace, computed(face)};
+    ++used_;
+  }
+  return entry;
+}
+
+/// All faces that are reached across short edges get the vertex of the first one of them by number.
+void SphericalVertices::findSame(FaceId face) {
+  constexpr double kShort = 0x1p-42;
+  const Graph& graph = diagram_.graph();
+  reached_.assign(1, face);
+  entryOf(face).same = face;  // reached, until all are known
+  FaceId first = face;
+  for (std::size_t k = 0; k < reached_.size(); ++k) {
+    const Direction point = entryOf(reached_[k]).vertex.point;
+    for (unsigned corner = 0; corner < 3; ++corner) {
+      const FaceId beyond = faceOf(graph.twin(halfedgeOf(reached_[k], corner)));
+      Entry& entry = entryOf(beyond);
+      if (entry.same != kNoFace || lengthOf(entry.vertex.point - point) > kShort) continue;
+      entry.same = face;
+      reached_.push_back(beyond);
+      if (index(beyond) < index(first)) first = beyond;
+    }
+  }
+  for (const FaceId one : reached_) entryOf(one).same = first;
+}
+
+const SphericalVertex& SphericalVertices::operator[](FaceId face) {
+  FaceId same = entryOf(face).same;
+  if (same == kNoFace) {
+    findSame(face);
+    same = entryOf(face).same;
+  }
+  return entries_[placeOf(same)].vertex;
+}
+
+}  // namespace apollonius::internal

@@ -1,0 +1,53 @@
+// Voronoi vertices of the sphere.
+#pragma once
+
+#include <array>
+
+#include "base/flat_array.h"
+#include "sphere/projected_diagram.h"
+
+namespace apollonius::internal {
+
+/// The centre of an empty cap that touches three sites, and its radius, the common distance.
+struct SphericalVertex {
+  Direction point;
+  double clearance = 0;  ///< in radians
+};
+
+/// The three equations of a vertex solved from an approximation. Accurate to some 10^-15 radians
+/// where the sites determine it that well.
+[[nodiscard]] SphericalVertex refined(const SphericalVertex& start,
+                                      const std::array<const Cap*, 3>& caps);
+
+/// The vertices of faces, each computed when it is first asked for. Vertices at the ends of an edge
+/// shorter than 2^-42 radians are the same: where more than three sites touch one cap, the faces of
+/// that cap have one vertex.
+class SphericalVertices {
+ public:
+  /// The diagram must stay as it is.
+  explicit SphericalVertices(const ProjectedDiagram& diagram) : diagram_(diagram) {}
+
+  /// Throws std::bad_alloc.
+  [[nodiscard]] const SphericalVertex& operator[](FaceId face);
+
+ private:
+  // A table by face, at most half full, so that one cell costs what it has of them.
+  struct Entry {
+    FaceId face = kNoFace;
+    FaceId same = kNoFace;  // whose vertex this face has; kNoFace if that is not known yet
+    SphericalVertex vertex = {};
+  };
+  [[nodiscard]] std::size_t placeOf(FaceId face) const;
+  /// With the vertex of this face alone.
+  [[nodiscard]] Entry& entryOf(FaceId face);
+  void grow();
+  [[nodiscard]] SphericalVertex computed(FaceId face) const;
+  void findSame(FaceId face);
+
+  const ProjectedDiagram& diagram_;
+  FlatArray<Entry> entries_ = FlatArray<Entry>(64);
+  std::size_t used_ = 0;
+  FlatArray<FaceId> reached_;  // scratch
+};
+
+}  // namespace apollonius::internal

@@ -1,0 +1,89 @@
+// Polygons of the sphere's cells: cut ones are a coverage of the plane of longitude and latitude,
+// others have the area of the cell.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "geometry/coverage_judge.h"
+#include "sphere/sphere_sets.h"
+
+namespace apollonius::test {
+namespace {
+
+constexpr double kTolerances[] = {1e-5, 1e-3, 0.1};
+
+TEST(SphericalPolygons, CutOnesCoverTheRectangleOnce) {
+  Random random(11);
+  for (int round = 0; round < 6; ++round) {
+    for (const NamedSites& set : namedSets(random, 4 + 9 * static_cast<std::size_t>(round))) {
+      const SphericalDiagram diagram = diagramOf(set.sites);
+      for (const double tolerance : kTolerances) {
+        SCOPED_TRACE(set.name + ", round " + std::to_string(round) + ", tolerance " +
+                     std::to_string(tolerance));
+        CoverageArrays polygons;
+        ASSERT_EQ(diagram.cellPolygons(tolerance, true, polygons), Error::kNone);
+        CoverageJudge judge(polygons, 360.0 * 180);
+        judge.expectPairs([](const Place& a, const Place& b) {
+          return (std::abs(a.first) == 180 && a.first == b.first) ||
+                 (std::abs(a.second) == 90 && a.second == b.second);
+        });
+        if (polygons.coordinates.size() < 2000) judge.expectNoCrossings();
+        EXPECT_EQ(judge.complaints(), "");
+        RingArrays single;
+        ASSERT_EQ(diagram.cellPolygon(polygons.sites[0], tolerance, true, single), Error::kNone);
+        EXPECT_TRUE(std::equal(single.coordinates.begin(), single.coordinates.end(),
+                               polygons.coordinates.begin()));
+      }
+    }
+  }
+}
+
+/// Of a ring of arcs of great circles that has less than a hemisphere at its left: by the triangles
+/// of its sides with a point (Oosterom and Strackee).
+double areaOfRing(const std::vector<double>& coordinates, const SphericalCircle& site) {
+  const LongVector u = longDirection(site.lon, site.lat);
+  double area = 0;
+  for (std::size_t k = 0; k + 3 < coordinates.size(); k += 2) {
+    const LongVector a = longDirection(coordinates[k], coordinates[k + 1]),
+                     b = longDirection(coordinates[k + 2], coordinates[k + 3]);
+    const auto dot = [](const LongVector& p, const LongVector& q) {
+      return p.x * q.x + p.y * q.y + p.z * q.z;
+    };
+    const long double volume = u.x * (a.y * b.z - a.z * b.y) - u.y * (a.x * b.z - a.z * b.x) +
+                               u.z * (a.x * b.y - a.y * b.x);
+    area += static_cast<double>(2 * std::atan2(volume, 1 + dot(u, a) + dot(a, b) + dot(b, u)));
+  }
+  return area;
+}
+
+TEST(SphericalPolygons, HaveTheAreasOfTheCells) {
+  Random random(12);
+  for (const NamedSites& set : namedSets(random, 40)) {
+    SCOPED_TRACE(set.name);
+    const SphericalDiagram diagram = diagramOf(set.sites);
+    CoverageArrays polygons;
+    ASSERT_EQ(diagram.cellPolygons(1e-5, false, polygons), Error::kNone);
+    std::vector<double> areas;
+    ASSERT_EQ(diagram.cellAreas(areas), Error::kNone);
+    EXPECT_EQ(polygons.sites.size(), diagram.visibleSize());
+    for (std::size_t k = 0; k < polygons.sites.size(); ++k) {
+      const SiteId id = polygons.sites[k];
+      if (diagram.visibleSize() == 1) {
+        EXPECT_TRUE(polygons.coordinates.empty());
+        continue;
+      }
+      ASSERT_EQ(polygons.cells[k + 1], polygons.cells[k] + 1);
+      const std::size_t part = polygons.cells[k];
+      ASSERT_EQ(polygons.parts[part + 1], polygons.parts[part] + 1);
+      const std::size_t ring = polygons.parts[part];
+      const std::vector<double> coordinates(
+          polygons.coordinates.begin() + 2 * polygons.starts[ring],
+          polygons.coordinates.begin() + 2 * polygons.starts[ring + 1]);
+      EXPECT_NEAR(areaOfRing(coordinates, set.sites[id]), areas[id], 2e-4) << id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace apollonius::test
