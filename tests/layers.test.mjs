@@ -79,7 +79,7 @@ const rules = [
   },
   {
     of: /^wasm\/bindings\/\w+\.(cpp|h)$/,
-    may: [std, /^<emscripten\//, /^"apollonius\//, /^"(arrays|adapters)\.h"$/],
+    may: [std, /^<emscripten\//, /^"apollonius\//, /^"(arrays|adapters|spherical_adapters)\.h"$/],
   },
   {
     of: /^bench\/.*\.(cpp|h)$/,

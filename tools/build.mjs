@@ -6,6 +6,8 @@
 //                                       imports the compiled module
 //   dist/cjs/{index,wasm}.js, *.d.ts    CommonJS, the same; index.js is also the file for a script
 //                                       tag, with the global `apollonius`
+//   dist/{esm,cjs}/sphere.js, *.d.ts    the diagram of the sphere, in the module of the default entry,
+//                                       which it imports by the package's name
 //   dist/apollonius.wasm                for the entry `apollonius-diagram/wasm`; the default entry
 //                                       carries it as text
 //
@@ -35,6 +37,7 @@ import { ensureBuildTools, main } from "./toolchain/setup.mjs";
 const sources = path.join(root, "wasm/package");
 const types = path.join(root, "build/types/wasm/package");
 const entries = ["index", "wasm"];
+const sphere = "sphere"; // an entry that is bundled by itself
 const inner = { esm: ["edge", "embedded", "errors"], cjs: [] };
 
 /** Characters that a string literal cannot have as they are; NUL, HTML would read as U+FFFD. */
@@ -109,7 +112,7 @@ function byteOrderMark(file) {
   return file.endsWith("cjs/index.js") ? "\uFEFF" : "";
 }
 
-const classes = ["ApolloniusError", "Diagram", "Voronoi"];
+const classes = ["ApolloniusError", "Diagram", "SphericalDiagram", "Voronoi"];
 const ownNames = new RegExp(`\\b_(${classes.join("|")})\\b`, "g");
 
 /**
@@ -159,6 +162,29 @@ const errorsApart = {
   },
 };
 
+/** Lets sphere.js take the running module and the class of errors from the default entry. */
+const moduleOfDefaultEntry = {
+  name: "module-of-default-entry",
+  setup(build) {
+    build.onResolve({ filter: /^\.\/(errors|module)\.js$/ }, ({ path: file }) => ({
+      path: file,
+      namespace: "default-entry",
+    }));
+    build.onResolve({ filter: /^apollonius-diagram$/ }, ({ path: name }) => ({
+      path: name,
+      external: true,
+    }));
+    build.onLoad({ filter: /errors/, namespace: "default-entry" }, () => ({
+      contents: `export { ApolloniusError } from "apollonius-diagram";`,
+    }));
+    build.onLoad({ filter: /module/, namespace: "default-entry" }, () => ({
+      contents:
+        `import { Diagram } from "apollonius-diagram";` +
+        `export const runningModule = Diagram[Symbol.for("apollonius-diagram.module")];`,
+    }));
+  },
+};
+
 async function bundle(format, outdir, built) {
   const { build } = await import("esbuild"); // not before `npm ci` may have installed it
   await build({
@@ -175,6 +201,19 @@ async function bundle(format, outdir, built) {
       ? { platform: "node", ...scriptTag, plugins: [wasmAsText(built)] }
       : { plugins: [wasmAsText(built), errorsApart] }),
   });
+  await build({
+    entryPoints: [path.join(sources, `${sphere}.ts`)],
+    outdir,
+    format,
+    bundle: true,
+    target: "es2022",
+    charset: "utf8",
+    logLevel: "warning",
+    legalComments: "none",
+    write: false,
+    ...(format === "cjs" && { platform: "node" }),
+    plugins: [wasmAsText(built), moduleOfDefaultEntry],
+  });
 }
 
 /** The declaration files that the entries reach; those of inner files stay out of the package. */
@@ -186,7 +225,7 @@ function publicDeclarations() {
     const text = readFileSync(path.join(types, name), "utf8");
     for (const [, module] of text.matchAll(/from "\.\/(.*?)\.js"/g)) visit(`${module}.d.ts`);
   };
-  for (const entry of entries) visit(`${entry}.d.ts`);
+  for (const entry of [...entries, sphere]) visit(`${entry}.d.ts`);
   return [...reached];
 }
 

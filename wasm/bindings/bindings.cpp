@@ -5,6 +5,7 @@
 // exception of the package. Arrays are copied, in both directions: a view of the memory dies when
 // that grows.
 #include "adapters.h"
+#include "spherical_adapters.h"
 
 EMSCRIPTEN_BINDINGS(apollonius) {
   using namespace emscripten;
@@ -171,6 +172,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("cellAreas", returning<&Voronoi::cellAreas>(), allow_raw_pointers())
       .function("cellCentroids", returning<&Voronoi::cellCentroids>(), allow_raw_pointers())
       .function("cellPerimeters", returning<&Voronoi::cellPerimeters>(), allow_raw_pointers());
+  registerSphere();
   class_<Region>("Region").function("box", &Region::box);
   class_<Fitting>("Fitting")
       .function("step", &stepFit)

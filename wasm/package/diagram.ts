@@ -22,7 +22,7 @@ import { kInspect, listed, showContent, summary } from "./inspection.js";
 import { drawDual, drawWhole } from "./drawing.js";
 import * as edits from "./edits.js";
 import { ApolloniusError } from "./errors.js";
-import { type NativeDiagram, runningModule } from "./module.js";
+import { kModule, type NativeDiagram, runningModule } from "./module.js";
 import type { DrawOptions, DualOptions, PathContext } from "./path.js";
 import * as queries from "./queries.js";
 import type { Region } from "./region.js";
@@ -63,6 +63,9 @@ import { Voronoi } from "./voronoi.js";
  * paper).
  */
 export class Diagram implements Disposable {
+  /** @internal */
+  static readonly [kModule] = runningModule;
+
   #native: NativeDiagram | null;
   readonly #ballast = new Ballast();
   readonly #filters: queries.Filters = { running: 0 };
@@ -447,12 +450,12 @@ export class Diagram implements Disposable {
 
   /** "Diagram { size: 3, hidden: 1 }", as consoles of Node, Deno and Bun show it. O(1). */
   toString(): string {
-    return summary(this);
+    return summary(this, "Diagram");
   }
 
   /** @internal */
   [kInspect](): string {
-    return summary(this);
+    return summary(this, "Diagram");
   }
 
   /** "Diagram". O(1). */

@@ -15,7 +15,7 @@ export interface GeoJSONOptions<Properties> {
    * as RFC 7946 has it; "clockwise" for tools that think on the sphere, as d3-geo does, to which a
    * ring the other way round is all but the cell.
    */
-  winding?: "counter-clockwise" | "clockwise" | undefined;
+  winding?: Winding | undefined;
 }
 
 /** GeoJSON (RFC 7946) of cells; the id of each feature is its site's. */
@@ -41,23 +41,41 @@ export function positionsOf(ring: Float64Array): Position[] {
   );
 }
 
+/** How rings run. */
+export type Winding = "counter-clockwise" | "clockwise";
+
+/** Throws "bad-option". */
+export function checkedProperties<Properties>(
+  properties: unknown = (id: number) => ({ site: id }),
+): (id: number) => Properties {
+  if (typeof properties === "function") return properties as (id: number) => Properties;
+  throw new ApolloniusError(
+    "bad-option",
+    `options.properties is ${described(properties)}, expected a function of an id`,
+  );
+}
+
+export function checkedWinding(winding: unknown): Winding {
+  return checkedChoice("options.winding", winding, ["counter-clockwise", "clockwise"]);
+}
+
 /** @internal `polygonsOf` gives those of all cells, within a tolerance. */
 export function collectionOf<Properties>(
   polygonsOf: (tolerance: number | undefined) => CoverageArrays,
   options: GeoJSONOptions<Properties> | undefined,
 ): CellsCollection<Properties> {
   checkOptions(options, "tolerance", "properties", "winding");
-  const { tolerance, properties = (id: number) => ({ site: id }) as Properties } = options ?? {};
-  if (typeof properties !== "function")
-    throw new ApolloniusError(
-      "bad-option",
-      `options.properties is ${described(properties)}, expected a function of an id`,
-    );
-  const winding = checkedChoice("options.winding", options?.winding, [
-    "counter-clockwise",
-    "clockwise",
-  ]);
-  const { coordinates, starts, parts, sites, cells } = polygonsOf(tolerance);
+  const properties = checkedProperties<Properties>(options?.properties);
+  const winding = checkedWinding(options?.winding);
+  return featuresOf(polygonsOf(options?.tolerance), properties, winding);
+}
+
+/** @internal One feature a cell. */
+export function featuresOf<Properties>(
+  { coordinates, starts, parts, sites, cells }: CoverageArrays,
+  properties: (id: number) => Properties,
+  winding: Winding,
+): CellsCollection<Properties> {
   const ringAt = (k: number) => {
     const ring = positionsOf(coordinates.subarray(2 * starts[k]!, 2 * starts[k + 1]!));
     return winding === "clockwise" ? ring.reverse() : ring;

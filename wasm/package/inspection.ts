@@ -1,6 +1,5 @@
 // What a diagram says to those who know nothing of diagrams: comparisons of objects, structured
 // cloning, consoles.
-import type { Diagram } from "./diagram.js";
 import { ApolloniusError, type ErrorCode } from "./errors.js";
 import type { ListedSite, Sites } from "./types.js";
 
@@ -10,17 +9,24 @@ export const kInspect: unique symbol = /* @__PURE__ */ Symbol.for("nodejs.util.i
 // Cannot be cloned; engines put its description into the error that the attempt throws.
 const kNoClone = /* @__PURE__ */ Symbol("A Diagram, which toBytes() and fromBytes() copy,");
 
+/** A diagram, of the plane or of the sphere. */
+interface Inspected {
+  readonly size: number;
+  readonly hiddenSize: number;
+  sites(): unknown;
+}
+
 // A property of the object's own: of nothing else do `assert.deepStrictEqual` and `structuredClone`
 // take notice, for which all diagrams would be {}.
 const kContent: PropertyDescriptor = {
   enumerable: true,
-  get(this: Diagram) {
+  get(this: Inspected) {
     return { clone: kNoClone, sites: unlessEnded(() => this.sites()) };
   },
 };
 
 /** Gives a new diagram a property by which different ones differ, and which nobody can clone. */
-export function showContent(diagram: Diagram): void {
+export function showContent(diagram: Inspected): void {
   Object.defineProperty(diagram, "content", kContent);
 }
 
@@ -34,9 +40,9 @@ export function* listed(ask: () => Sites): Generator<ListedSite, void> {
 }
 
 /** A diagram in a few words; never throws. */
-export function summary(diagram: Diagram): string {
+export function summary(diagram: Inspected, name: string): string {
   const numbers = () => `size: ${diagram.size}, hidden: ${diagram.hiddenSize}`;
-  return `Diagram { ${unlessEnded(numbers)} }`;
+  return `${name} { ${unlessEnded(numbers)} }`;
 }
 
 /** What `ask` gives, or "disposed" or "broken". */

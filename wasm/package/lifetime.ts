@@ -2,12 +2,19 @@
 // Voronoi reaches the diagram.
 import { described } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import { type NativeDiagram, type NativeRegion, runningModule } from "./module.js";
+import {
+  type NativeDiagram,
+  type NativeRegion,
+  type NativeSphericalDiagram,
+  runningModule,
+} from "./module.js";
 
 type Access = (diagram: unknown, changes: boolean) => NativeDiagram | null;
 
+type Native = NativeDiagram | NativeRegion | NativeSphericalDiagram;
+
 let access: Access;
-let collector: FinalizationRegistry<NativeDiagram | NativeRegion> | undefined;
+let collector: FinalizationRegistry<Native> | undefined;
 
 /** Called once by Diagram, which alone knows the native one and whether it still lives. */
 export function provideNative(accessor: Access): void {
@@ -28,7 +35,7 @@ export function nativeOf(diagram: unknown, changes = false): NativeDiagram {
 export function wrongReceiver(receiver: unknown): ApolloniusError {
   return new ApolloniusError(
     "bad-option",
-    `a method was called on ${described(receiver)}, expected a Diagram or a Voronoi: call it as ` +
+    `a method was called on ${described(receiver)}, expected a diagram or a Voronoi: call it as ` +
       "diagram.find(x, y) or diagram.voronoi(bounds).cellArea(id)",
   );
 }
@@ -61,7 +68,14 @@ export function createRegion(
   return native;
 }
 
-function keep(owner: object, native: NativeDiagram | NativeRegion): void {
+/** An empty diagram of a sphere, as `createNative`. */
+export function createSpherical(owner: object, radius: number): NativeSphericalDiagram {
+  const native = runningModule().createSpherical(radius);
+  keep(owner, native);
+  return native;
+}
+
+function keep(owner: object, native: Native): void {
   // Some runtimes at the edge have none: there, what is forgotten stays until the process ends.
   if (typeof FinalizationRegistry === "undefined") return;
   collector ??= new FinalizationRegistry((abandoned) => abandoned.delete());
@@ -78,7 +92,7 @@ export function fillOrDispose(diagram: { dispose(): void }, fill: () => unknown)
   }
 }
 
-export function destroy(native: NativeDiagram | NativeRegion): void {
+export function destroy(native: Native): void {
   collector?.unregister(native);
   native.delete();
 }

@@ -8,6 +8,8 @@ import createModule, {
   type NearestFirst,
   type PredicateCounts,
   type Region,
+  type SphericalDiagram,
+  type SphericalNearestFirst,
 } from "../../build/wasm/apollonius.mjs";
 import { outOfMemory } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
@@ -17,10 +19,13 @@ import { failure } from "./native_errors.js";
 export type NativeDiagram = Diagram;
 /** A window of any shape there, for the diagrams of the same instance. */
 export type NativeRegion = Region;
-export type { Builder, Fitting, NearestFirst };
+/** A diagram of the sphere: wasm/bindings/spherical_adapters.h. */
+export type NativeSphericalDiagram = SphericalDiagram;
+export type { Builder, Fitting, NearestFirst, SphericalNearestFirst };
 
 interface NativeModule {
   create(location: keyof MainModule["Location"]): NativeDiagram;
+  createSpherical(radius: number): NativeSphericalDiagram;
   predicateCounts(): PredicateCounts;
   readonly Drawing: MainModule["Drawing"];
   readonly Source: MainModule["Source"];
@@ -41,6 +46,9 @@ export function setModuleSource(moduleSource: ModuleSource): void {
   source = moduleSource;
 }
 
+/** Where `apollonius-diagram/sphere` finds the running module: a property of the class Diagram. */
+export const kModule: unique symbol = /* @__PURE__ */ Symbol.for("apollonius-diagram.module");
+
 /** The running module; compiled and started now if this is the first use. */
 export function runningModule(): NativeModule {
   return instance ?? start((source as ModuleSource)());
@@ -56,22 +64,35 @@ export function start(compiled: WebAssembly.Module): NativeModule {
 }
 
 function started(compiled: WebAssembly.Module): NativeModule {
-  const { Diagram, Builder, Fitting, NearestFirst, Region, ...rest } = instantiated(compiled);
+  const { Diagram, Builder, Fitting, NearestFirst, Region, ...others } = instantiated(compiled);
+  const { SphericalDiagram, SphericalNearestFirst, ...rest } = others;
   const { Location, Drawing, Source, Top } = rest;
   const guarded = guard(rest, () => {
     try {
       if (instance === module) instance = started(compiled);
     } catch {} // no memory for another: this one goes on
   });
-  for (const { prototype: methods } of [Diagram, Builder, Fitting, NearestFirst, Region]) {
+  const classes = [
+    Diagram,
+    Builder,
+    Fitting,
+    NearestFirst,
+    Region,
+    SphericalDiagram,
+    SphericalNearestFirst,
+  ];
+  for (const { prototype: methods } of classes) {
     for (const name of [...Object.getOwnPropertyNames(methods), "delete"])
       if (name !== "constructor")
         methods[name] = guarded(methods[name] as Method, name === "delete");
   }
   const predicateCounts = guarded(rest.predicateCounts);
   const create = guarded((location: keyof typeof Location) => new Diagram(Location[location]));
+  const createSpherical = guarded((radius: number) => new SphericalDiagram(radius));
   const module: NativeModule = {
     create: (location) => create.call(nobody, location as never) as NativeDiagram,
+    createSpherical: (radius) =>
+      createSpherical.call(nobody, radius as never) as NativeSphericalDiagram,
     predicateCounts: () => predicateCounts.call(nobody) as PredicateCounts,
     Drawing,
     Source,
@@ -82,7 +103,16 @@ function started(compiled: WebAssembly.Module): NativeModule {
 
 type Class = { prototype: Record<string, Method> };
 type Exports = MainModule &
-  Record<"Diagram" | "Builder" | "Fitting" | "NearestFirst" | "Region", Class>;
+  Record<
+    | "Diagram"
+    | "Builder"
+    | "Fitting"
+    | "NearestFirst"
+    | "Region"
+    | "SphericalDiagram"
+    | "SphericalNearestFirst",
+    Class
+  >;
 
 /**
  * Throws a RangeError if little of the stack is left. Where it ends within Emscripten's own start,

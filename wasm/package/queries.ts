@@ -15,7 +15,12 @@ import {
   checkOptions,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import { type NativeDiagram, type NearestFirst, runningModule } from "./module.js";
+import {
+  type NativeDiagram,
+  type NearestFirst,
+  runningModule,
+  type SphericalNearestFirst,
+} from "./module.js";
 import { checkTypes, ofElements, ofNumbers, ofSite } from "./native_errors.js";
 import type { FilterOptions, NearbyFilter, NearbyOptions, PickOptions, Site } from "./types.js";
 
@@ -100,17 +105,13 @@ export interface Filters {
   running: number;
 }
 
-/** The first `most` sites around a point that the options let through. */
-function nearestFirst(
-  native: NativeDiagram,
-  x: number,
-  y: number,
+/** The first `most` sites of a walk that the filter lets through. Ends the walk. */
+export function firstOf(
+  walk: NearestFirst | SphericalNearestFirst,
   most: number,
-  farthest: number,
   filter: NearbyFilter | undefined,
   filters: Filters,
 ): Uint32Array {
-  const walk = atPoint(x, y, () => native.nearestFirst(x, y, farthest)) as NearestFirst;
   const found: number[] = [];
   ++filters.running;
   try {
@@ -126,7 +127,7 @@ function nearestFirst(
   return allocated(() => Uint32Array.from(found));
 }
 
-function checkedFilter(filter: unknown): NearbyFilter | undefined {
+export function checkedFilter(filter: unknown): NearbyFilter | undefined {
   if (filter === undefined || typeof filter === "function") return filter as NearbyFilter;
   throw new ApolloniusError(
     "bad-option",
@@ -134,9 +135,13 @@ function checkedFilter(filter: unknown): NearbyFilter | undefined {
   );
 }
 
-const orInfinity = (given: unknown): unknown => (given === undefined ? Infinity : given);
+function walkFrom(native: NativeDiagram, x: number, y: number, farthest: number): NearestFirst {
+  return atPoint(x, y, () => native.nearestFirst(x, y, farthest)) as NearestFirst;
+}
 
-function checkedMaxDistance(name: string, maxDistance: unknown): number {
+export const orInfinity = (given: unknown): unknown => (given === undefined ? Infinity : given);
+
+export function checkedMaxDistance(name: string, maxDistance: unknown): number {
   if (maxDistance !== Infinity) checkNumber(name, maxDistance);
   return maxDistance as number;
 }
@@ -156,7 +161,7 @@ export function kNearest(
   const filter = checkedFilter(options?.filter);
   return farthest === Infinity && filter === undefined
     ? atPoint(x, y, () => native.kNearest(x, y, most))
-    : nearestFirst(native, x, y, most, farthest, filter, filters);
+    : firstOf(walkFrom(native, x, y, farthest), most, filter, filters);
 }
 
 export function within(
@@ -171,7 +176,8 @@ export function within(
   checkedMaxDistance("distance", distance);
   checkOptions(options, "filter");
   const filter = checkedFilter(options?.filter);
-  if (filter !== undefined) return nearestFirst(native, x, y, Infinity, distance, filter, filters);
+  if (filter !== undefined)
+    return firstOf(walkFrom(native, x, y, distance), Infinity, filter, filters);
   return atPoint(x, y, () =>
     distance === Infinity
       ? native.kNearest(x, y, checkedCount("k", Infinity))
@@ -210,7 +216,7 @@ export function search(native: NativeDiagram, ...bounds: unknown[]): Uint32Array
 }
 
 /** null, or the first broken invariant in words. */
-export function validate(native: NativeDiagram): string | null {
+export function validate(native: Pick<NativeDiagram, "validate">): string | null {
   const { what, where, level } = native.validate();
   if (what === "") return null;
   return `${level === 0 ? "" : `level ${level}: `}${what} ${where}`;

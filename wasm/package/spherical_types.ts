@@ -1,0 +1,107 @@
+// The types of apollonius-diagram/sphere that users see.
+import type { CellsCollection } from "./geojson.js";
+
+/** A site of the sphere: its centre in degrees, its weight in the unit of the radius. */
+export interface SphericalSite {
+  /** Longitude of the centre, as given. */
+  lon: number;
+  /** Latitude of the centre. */
+  lat: number;
+  /** Weight: how far from the centre the distance is 0; a head start. */
+  r: number;
+}
+
+/** A site as a loop over the diagram finds it. */
+export interface ListedSphericalSite extends SphericalSite {
+  /** Of the site. */
+  id: number;
+  /** Whether its cell is empty, because another site covers it. */
+  hidden: boolean;
+}
+
+/**
+ * All sites, ascending by id; row k of each array belongs to the k-th of them. `lonLatR` is what
+ * `new SphericalDiagram`, `insertMany` and `updateMany(ids, lonLatR)` take.
+ */
+export interface SphericalSites {
+  /** The ids. */
+  ids: Uint32Array;
+  /** Longitude, latitude, r of each site, exactly as given. */
+  lonLatR: Float64Array;
+  /** 1 for a hidden site, 0 for one with a cell. */
+  hidden: Uint8Array;
+}
+
+/** The Voronoi vertices of the sphere; row k of each array belongs to vertex k. */
+export interface SphericalVertices {
+  /** Longitude, latitude of each vertex, in degrees. */
+  lonLat: Float64Array;
+  /** Common distance to its three sites. */
+  clearance: Float64Array;
+  /** The three sites, counter-clockwise as seen from outside. */
+  sites: Uint32Array;
+}
+
+/** Options of `SphericalDiagram`. */
+export interface SphericalOptions {
+  /**
+   * The radius of the sphere, > 0, in the unit of weights and distances. Default: 1, which makes
+   * them radians; 6371.0088 makes them kilometres on the Earth.
+   */
+  radius?: number | undefined;
+}
+
+/** What `SphericalDiagram.from` reads without accessors; of GeoJSON, points. */
+export type Spherical =
+  | { readonly lon: number; readonly lat: number; readonly r?: number | undefined }
+  | GeoJSONPoint
+  | ArrayLike<number>;
+
+/** A point of GeoJSON, or a feature that has one. */
+export type GeoJSONPoint =
+  | { readonly type: "Point"; readonly coordinates: readonly number[] }
+  | {
+      readonly type: "Feature";
+      readonly geometry: { readonly type: "Point"; readonly coordinates: readonly number[] };
+    };
+
+/** Options of `SphericalDiagram.cellPolygon` and `cellPolygons`. */
+export interface SphericalPolygonOptions {
+  /**
+   * How far a polygon may be from its cell, in radians, whatever the sphere's radius; at least 1e-9.
+   * Default: 1e-4, on the Earth 640 m.
+   */
+  tolerance?: number | undefined;
+  /**
+   * How a ring runs, as seen from outside: "counter-clockwise" (default), or "clockwise", as d3-geo
+   * has it.
+   */
+  winding?: "counter-clockwise" | "clockwise" | undefined;
+}
+
+/** Options of `SphericalDiagram.toGeoJSON`. */
+export interface SphericalGeoJSONOptions<Properties> extends SphericalPolygonOptions {
+  /** Gives the properties of a site's feature; by default they are { site: id }. */
+  properties?: ((id: number) => Properties) | undefined;
+  /**
+   * "cut": cells are cut at the meridian of 180° and closed along it and the poles, as RFC 7946 has
+   * it, for tools that take longitude and latitude for a plane; points are joined by straight lines
+   * there. "keep": one ring each, joined by arcs of great circles, for tools that know the sphere.
+   * Default: "cut", or for winding "clockwise" "keep".
+   */
+  antimeridian?: "cut" | "keep" | undefined;
+}
+
+/**
+ * GeoJSON of cells. A cell that is the whole sphere is, unless it is cut, d3-geo's `{ type: "Sphere"
+ * }`.
+ */
+export interface SphericalCollection<Properties = { site: number }> {
+  /** GeoJSON's name of it. */
+  type: "FeatureCollection";
+  /** One feature a cell. */
+  features: (
+    | CellsCollection<Properties>["features"][number]
+    | { type: "Feature"; id: number; properties: Properties; geometry: { type: "Sphere" } }
+  )[];
+}
