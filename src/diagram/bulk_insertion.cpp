@@ -92,10 +92,10 @@ bool BulkInsertion::goOn(std::span<SiteId> ids, std::size_t most) {
       order_ = brioOrder(order_);
       diagram_.reserveAttached(order_.size());
       done_ = 0;
-      step_ = Step::kPlace;
+      step_ = Step::kAttach;
       return false;
-    case Step::kPlace:
-      place(most);
+    case Step::kAttach:
+      attach(most);
       if (done_ < order_.size()) return false;
       order_ = FlatArray<std::uint32_t>();  // the grid fits where it was
       diagram_.endBulk();
@@ -114,7 +114,7 @@ void BulkInsertion::name(std::size_t most) {
   }
 }
 
-void BulkInsertion::place(std::size_t most) {
+void BulkInsertion::attach(std::size_t most) {
   const std::size_t end = done_ + std::min(most, order_.size() - done_);
   for (; done_ < end; ++done_) {
     const Slot slot = order_[done_];
@@ -124,14 +124,14 @@ void BulkInsertion::place(std::size_t most) {
 
 double BulkInsertion::progress() const {
   if (order_.empty()) return done_ > 0 ? 1 : 0;
-  if (step_ != Step::kPlace) return ids_.empty() ? 0.04 : 0.08;
+  if (step_ != Step::kAttach) return ids_.empty() ? 0.04 : 0.08;
   return 0.1 + 0.9 * static_cast<double>(done_) / static_cast<double>(order_.size());
 }
 
 void BulkInsertion::undo() noexcept {
   if (ids_.empty()) return;
   if (step_ == Step::kName) name(kAllAtOnce);
-  diagram_.rollbackBulk(ids_, {order_.data(), step_ == Step::kPlace ? done_ : 0});
+  diagram_.rollbackBulk(ids_, {order_.data(), step_ == Step::kAttach ? done_ : 0});
   ids_ = {};
 }
 

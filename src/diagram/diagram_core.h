@@ -101,7 +101,7 @@ class DiagramCore {
   /// How a site got to its new place: not at all (it is there), nothing else having changed, or
   /// detached and attached.
   enum class Moved : std::uint8_t { kNot, kInPlace, kAnew };
-  /// A site that cannot be placed returns to where it was.
+  /// A site that cannot be attached anew returns to where it was.
   Moved move(Slot slot, const Site& site);
   /// Moves a site if nothing else changes by that; else false.
   [[nodiscard]] bool moveInPlace(Slot slot, const Site& site);
