@@ -43,14 +43,21 @@ namespace {
 template <std::size_t k, class... Types>
 using Nth = std::tuple_element_t<k, std::tuple<Types...>>;
 
+/// -1 if there is none.
+std::int32_t asSigned(SiteId id) { return static_cast<std::int32_t>(id); }
+
 /// `Error method(in..., Out& out)` of a class as a function of the object and `in` that returns
-/// `out`.
+/// `out`, an id as asSigned() does.
 template <auto method, class Class, class... Parameters, std::size_t... k>
 auto returning(Error (Class::*)(Parameters...), std::index_sequence<k...>) {
   return +[](Class& object, Nth<k, Parameters...>... in) {
     std::remove_reference_t<Nth<sizeof...(k), Parameters...>> out{};
     check((object.*method)(in..., out));
-    return out;
+    if constexpr (std::is_same_v<decltype(out), SiteId>) {
+      return asSigned(out);
+    } else {
+      return out;
+    }
   };
 }
 template <auto method, class Class, class... Parameters, std::size_t... k>
@@ -58,7 +65,11 @@ auto returning(Error (Class::*)(Parameters...) const, std::index_sequence<k...>)
   return +[](const Class& object, Nth<k, Parameters...>... in) {
     std::remove_reference_t<Nth<sizeof...(k), Parameters...>> out{};
     check((object.*method)(in..., out));
-    return out;
+    if constexpr (std::is_same_v<decltype(out), SiteId>) {
+      return asSigned(out);
+    } else {
+      return out;
+    }
   };
 }
 /// The cells in a region, or in bounds if `region` is null.
@@ -93,9 +104,6 @@ Diagram* create(Location location) {
   return allocating([&] { return new Diagram(location); });
 }
 
-/// -1 if there is none.
-std::int32_t asSigned(SiteId id) { return static_cast<std::int32_t>(id); }
-
 struct Nearest {
   std::int32_t id = -1;
   double distance = 0;
@@ -112,28 +120,11 @@ std::int32_t find(const Diagram& diagram, double x, double y) {
   return asSigned(id);
 }
 
-std::int32_t pick(const Diagram& diagram, double x, double y, double farthest, Top top) {
-  SiteId id = apollonius::kNoSite;
-  check(diagram.pick(x, y, farthest, top, id));
-  return asSigned(id);
-}
-
 /// The caller deletes it, before the diagram changes.
 NearestFirst* nearestFirst(const Diagram& diagram, double x, double y, double farthest) {
   auto walk = allocating([&] { return std::make_unique<NearestFirst>(diagram); });
   check(walk->start(x, y, farthest));
   return walk.release();
-}
-std::int32_t next(NearestFirst& walk) {
-  SiteId id = apollonius::kNoSite;
-  check(walk.next(id));
-  return asSigned(id);
-}
-
-std::int32_t coverOf(const Diagram& diagram, SiteId id) {
-  SiteId cover = apollonius::kNoSite;
-  check(diagram.coverOf(id, cover));
-  return asSigned(cover);
 }
 
 void update(Diagram& diagram, SiteId id, double x, double y, double r) {

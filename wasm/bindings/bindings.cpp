@@ -112,7 +112,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
 
   const return_value_policy::take_ownership moved;  // not copied
   class_<Builder>("Builder").function("progress", &Builder::progress);
-  class_<NearestFirst>("NearestFirst").function("next", &next);
+  class_<NearestFirst>("NearestFirst").function("next", returning<&NearestFirst::next>());
   class_<Diagram>("Diagram")
       .constructor(&create, allow_raw_pointers())
       // Sites
@@ -133,14 +133,14 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("ids", returning<&Diagram::ids>())
       .function("sites", returning<&Diagram::sites>(), moved)
       .function("isHidden", returning<&Diagram::isHidden>())
-      .function("coverOf", &coverOf)
+      .function("coverOf", returning<&Diagram::coverOf>())
       // Queries
       .function("find", &find)
       .function("nearest", &nearest)
       .function("findMany", &findMany)
       .function("kNearest", returning<&Diagram::kNearest>())
       .function("within", returning<&Diagram::within>())
-      .function("pick", &pick)
+      .function("pick", returning<&Diagram::pick>())
       .function("search", returning<&Diagram::search>())
       .function("nearestFirst", &nearestFirst, allow_raw_pointers(), moved)
       .function("neighbors", returning<&Diagram::neighbors>())

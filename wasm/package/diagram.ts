@@ -240,7 +240,7 @@ export class Diagram implements Disposable {
 
   /** Centre and radius of a site, exactly as given. O(1). Throws "unknown-site". */
   site(id: number): Site {
-    return queries.site(nativeOf(this), id);
+    return queries.ofOne(nativeOf(this), id, (native) => native.site(id));
   }
 
   /** All ids, ascending. O(n). */
@@ -260,7 +260,7 @@ export class Diagram implements Disposable {
 
   /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
   isHidden(id: number): boolean {
-    return queries.isHidden(nativeOf(this), id);
+    return queries.ofOne(nativeOf(this), id, (native) => native.isHidden(id));
   }
 
   /**
@@ -268,7 +268,7 @@ export class Diagram implements Disposable {
    * "unknown-site".
    */
   coverOf(id: number): number {
-    return queries.coverOf(nativeOf(this), id);
+    return queries.ofOne(nativeOf(this), id, (native) => native.coverOf(id));
   }
 
   // --- Queries -----------------------------------------------------------------------------------
@@ -278,7 +278,7 @@ export class Diagram implements Disposable {
    * x, then y. Cost: one location (paper, section 4). Throws "not-finite", "out-of-range".
    */
   find(x: number, y: number): number {
-    return queries.find(nativeOf(this), x, y);
+    return queries.atPoint(nativeOf(this), x, y, (native) => native.find(x, y));
   }
 
   /**
@@ -346,7 +346,7 @@ export class Diagram implements Disposable {
    * graph is triangulated canonically). O(d). Throws "unknown-site".
    */
   neighbors(id: number): Uint32Array {
-    return queries.neighbors(nativeOf(this), id);
+    return queries.ofOne(nativeOf(this), id, (native) => native.neighbors(id));
   }
 
   /** All Voronoi edges. O(n). */

@@ -17,51 +17,40 @@ import {
 import { ApolloniusError } from "./errors.js";
 import { type NativeDiagram, type NearestFirst, runningModule } from "./module.js";
 import { checkTypes, ofElements, ofNumbers, ofSite } from "./native_errors.js";
-import type { FilterOptions, NearbyFilter, NearbyOptions, PickOptions, Site } from "./types.js";
+import type { FilterOptions, NearbyFilter, NearbyOptions, PickOptions } from "./types.js";
 
 export function has(native: NativeDiagram, id: number): boolean {
   checkWholeNumber(id);
   return isSiteId(id) && native.has(id);
 }
 
-/** What `ask` says of a site. */
-function ofOne<Answer>(id: number, ask: () => Answer): Answer {
+/** What `ask` says of a site; errors name it. */
+export function ofOne<Answer>(
+  native: NativeDiagram,
+  id: number,
+  ask: (native: NativeDiagram) => Answer,
+): Answer {
   checkSiteId(id);
   try {
-    return ask();
+    return ask(native);
   } catch (error) {
     throw ofSite(error, id);
   }
 }
 
-export function site(native: NativeDiagram, id: number): Site {
-  return ofOne(id, () => native.site(id));
-}
-
-export function isHidden(native: NativeDiagram, id: number): boolean {
-  return ofOne(id, () => native.isHidden(id));
-}
-
-export function coverOf(native: NativeDiagram, id: number): number {
-  return ofOne(id, () => native.coverOf(id));
-}
-
-export function neighbors(native: NativeDiagram, id: number): Uint32Array {
-  return ofOne(id, () => native.neighbors(id));
-}
-
-/** What `ask` says of a point. */
-function atPoint<Answer>(x: number, y: number, ask: () => Answer): Answer {
+/** What `ask` says of a point; errors name the coordinate. */
+export function atPoint<Answer>(
+  native: NativeDiagram,
+  x: number,
+  y: number,
+  ask: (native: NativeDiagram) => Answer,
+): Answer {
   checkTypes(x, y);
   try {
-    return ask();
+    return ask(native);
   } catch (error) {
     throw ofNumbers(error, x, y);
   }
-}
-
-export function find(native: NativeDiagram, x: number, y: number): number {
-  return atPoint(x, y, () => native.find(x, y));
 }
 
 export function nearest(
@@ -69,7 +58,7 @@ export function nearest(
   x: number,
   y: number,
 ): { id: number; distance: number } | null {
-  const found = atPoint(x, y, () => native.nearest(x, y));
+  const found = atPoint(native, x, y, () => native.nearest(x, y));
   return found.id === -1 ? null : found;
 }
 
@@ -110,7 +99,7 @@ function nearestFirst(
   filter: NearbyFilter | undefined,
   filters: Filters,
 ): Uint32Array {
-  const walk = atPoint(x, y, () => native.nearestFirst(x, y, farthest)) as NearestFirst;
+  const walk = atPoint(native, x, y, () => native.nearestFirst(x, y, farthest)) as NearestFirst;
   const found: number[] = [];
   ++filters.running;
   try {
@@ -155,7 +144,7 @@ export function kNearest(
   const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
   const filter = checkedFilter(options?.filter);
   return farthest === Infinity && filter === undefined
-    ? atPoint(x, y, () => native.kNearest(x, y, most))
+    ? atPoint(native, x, y, () => native.kNearest(x, y, most))
     : nearestFirst(native, x, y, most, farthest, filter, filters);
 }
 
@@ -172,7 +161,7 @@ export function within(
   checkOptions(options, "filter");
   const filter = checkedFilter(options?.filter);
   if (filter !== undefined) return nearestFirst(native, x, y, Infinity, distance, filter, filters);
-  return atPoint(x, y, () =>
+  return atPoint(native, x, y, () =>
     distance === Infinity
       ? native.kNearest(x, y, checkedCount("k", Infinity))
       : native.within(x, y, distance),
@@ -195,7 +184,7 @@ export function pick(
     );
   checkOptions(options, "top");
   const top = checkedChoice("options.top", options?.top, ["smallest", "last"]);
-  return atPoint(x, y, () => native.pick(x, y, farthest, runningModule().Top[top]));
+  return atPoint(native, x, y, () => native.pick(x, y, farthest, runningModule().Top[top]));
 }
 
 export function search(native: NativeDiagram, ...bounds: unknown[]): Uint32Array {
