@@ -70,7 +70,11 @@ export class Diagram implements Disposable {
   static {
     provideNative((diagram, changes) => {
       if (typeof diagram !== "object" || diagram === null || !(#native in diagram)) return null;
-      return diagram.#living(changes);
+      if (changes && diagram.#filters.running > 0)
+        throw new ApolloniusError("busy", "a filter may not change the diagram that asks it");
+      const native = diagram.#native;
+      if (native !== null) return native;
+      throw new ApolloniusError("disposed", "the diagram has been disposed of");
     });
   }
 
@@ -118,7 +122,7 @@ export class Diagram implements Disposable {
     const reader = new ItemReader<T>(items, x, y, r);
     const diagram = new Diagram(undefined, { location: options.location });
     try {
-      await build(diagram.#living(), reader, options);
+      await build(nativeOf(diagram), reader, options);
       diagram.#ballast.carry(reader.count);
     } catch (error) {
       diagram.dispose();
@@ -142,7 +146,7 @@ export class Diagram implements Disposable {
     const trusted = checkedChoice("options.trusted", options?.trusted, [false, true]);
     const diagram = new Diagram(undefined, { location: options?.location });
     fillOrDispose(diagram, () => {
-      const native = diagram.#living();
+      const native = nativeOf(diagram);
       const source = runningModule().Source[trusted ? "trusted" : "anyone"];
       native.fromBytes(checkedBytes("bytes", bytes), source); // now: options may have getters
       diagram.#ballast.carry(native.size());
@@ -485,15 +489,5 @@ export class Diagram implements Disposable {
   /** `dispose`, for `using diagram = new Diagram()`. Cost: O(1). */
   [Symbol.dispose](): void {
     this.dispose();
-  }
-
-  // --- Shared parts ------------------------------------------------------------------------------
-
-  #living(changes = false): NativeDiagram {
-    if (changes && this.#filters.running > 0)
-      throw new ApolloniusError("busy", "a filter may not change the diagram that asks it");
-    if (this.#native === null)
-      throw new ApolloniusError("disposed", "the diagram has been disposed of");
-    return this.#native;
   }
 }
