@@ -19,10 +19,10 @@ FlatBytes& FlatBytes::operator=(FlatBytes&& other) noexcept {
 
 void FlatBytes::setRoom(std::size_t n, std::size_t width) {
   if (n > PTRDIFF_MAX / width) throw std::bad_alloc();
-  void* const place = ::operator new(n * width);
-  if (size > 0) std::memcpy(place, data, size * width);
+  void* const memory = ::operator new(n * width);
+  if (size > 0) std::memcpy(memory, data, size * width);
   ::operator delete(data);
-  data = place;
+  data = memory;
   room = n;
 }
 

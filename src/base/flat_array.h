@@ -19,7 +19,7 @@
 
 namespace apollonius::internal {
 
-/// The place of an array, in elements of a width that the caller knows.
+/// The memory of an array, in elements of a width that the caller knows.
 class FlatBytes {
  public:
   FlatBytes() = default;

@@ -21,7 +21,7 @@ class Nearest {
   Nearest& operator=(const Nearest&) = delete;
   ~Nearest() { stages::counts().distanceAtOnce += settled_; }
 
-  /// Takes the candidate's place if it is nearer.
+  /// Becomes the candidate if that is nearer.
   bool improve(const Site& candidate) {
     const ApproxDistance distance(x_, y_, candidate);
     const double gain = distance_.value - distance.value;

@@ -83,7 +83,7 @@ class SiteMoves {
   FlatArray<std::uint8_t> isMade_;       // by move
   FlatArray<std::uint8_t> isMoved_;      // by vertex; 0 between calls
   FlatArray<std::uint32_t> moveOf_;      // by vertex that moves or has been taken back
-  FlatArray<std::uint32_t> positionOf_;  // by face: its place in changed_; kNoIndex between calls
+  FlatArray<std::uint32_t> positionOf_;  // by face: its index in changed_; kNoIndex between calls
 
   /// A face with a corner that moves.
   struct ChangedFace {

@@ -15,8 +15,7 @@ std::span<const Remover::Outcome> Remover::remove(DelaunayGraph& delaunay, Verte
   outcomes_.clear();
   collectLink(delaunay.graph(), v);
   const std::size_t remaining = delaunay.visibleCount() - 1;
-  delaunay.requireConsistent(remaining == 0 || !link_.empty(),
-                             "a visible site has a place in the graph");
+  delaunay.requireConsistent(remaining == 0 || !link_.empty(), "a visible site is in the graph");
 
   if (hidden.empty() && remaining < 2) {
     delaunay.becomeSingle(remaining == 0 ? kNoVertex
@@ -119,7 +118,8 @@ void Remover::buildSmall(const DelaunayGraph& delaunay, std::span<const VertexId
   for (const VertexId u : hidden) addLocal(delaunay, u, kNoVertex);
 }
 
-/// Adds a vertex of the diagram to the small one; returns the visible vertex at its place.
+/// Adds a vertex of the diagram to the small one; returns the visible vertex there: itself or its
+/// cover.
 VertexId Remover::addLocal(const DelaunayGraph& delaunay, VertexId v, VertexId start) {
   const VertexId local{static_cast<std::uint32_t>(global_.size())};
   global_.push_back(v);

@@ -4,6 +4,36 @@
 
 namespace apollonius::internal {
 
+Undo DiagramCore::beginBulk(std::span<SiteId> ids) {
+  transaction_.begin();
+  const std::size_t slots = slotsWith(ids.size());
+  const bool isBulk = ids.size() > (ids_.size() + ids.size()) / 4;
+  reserve(slots);
+  if (isBulk) index_.reserveBulk(slots);
+  // From here on nothing throws. A diagram that is empty is emptied again, not undone by steps.
+  const Undo undo = ids_.size() > 0 ? Undo::kMaybe : Undo::kNever;
+  for (SiteId& id : ids) id = ids_.takeId();
+  if (isBulk) index_.beginBulk();
+  return undo;
+}
+
+void DiagramCore::rollbackBulk(std::span<const SiteId> ids,
+                               std::span<const Slot> attached) noexcept {
+  if (isBroken()) return index_.clear();
+  transaction_.undo(index_, [&] {
+    if (ids.size() == ids_.size()) {
+      delaunay_.clear();
+      hidden_.clear();
+      index_.clear();
+    } else {
+      for (std::size_t k = attached.size(); k-- > 0;) rollbackInsertion(attached[k]);
+    }
+    index_.endBulk(delaunay_);
+  });
+  // So that the next ids are given in the same order again.
+  for (std::size_t k = ids.size(); k-- > 0;) ids_.release(ids_.slotOf(ids[k]));
+}
+
 bool BulkInsertion::stage(std::span<const double> xyr, std::size_t most) {
   if (!sort_ && order_.empty()) sort_.emplace(PointArray{xyr, 3});
   if (sort_) {
@@ -14,9 +44,9 @@ bool BulkInsertion::stage(std::span<const double> xyr, std::size_t most) {
     if (!isSorted) return false;
     order_ = sort_->order();
     sort_.reset();
-    diagram_.delaunay_.reserveSites(diagram_.slotsWith(order_.size()) + 1);
-    slot_ = diagram_.ids_.nextSlot();
-    firstNew_ = static_cast<Slot>(diagram_.ids_.slots());
+    diagram_.reserveStaged(order_.size());
+    slot_ = diagram_.ids().nextSlot();
+    firstNew_ = static_cast<Slot>(diagram_.ids().slots());
     if (most != kAllAtOnce) return false;
   }
   copyStaged(xyr, most);
@@ -28,8 +58,8 @@ void BulkInsertion::copyStaged(std::span<const double> xyr, std::size_t most) {
   const std::size_t end = done_ + std::min(most, order_.size() - done_);
   for (; done_ < end; ++done_) {
     const double* circle = &xyr[3 * std::size_t{order_[done_]}];
-    diagram_.delaunay_.setSite(vertexOf(slot_), {circle[0], circle[1], circle[2]});
-    slot_ = diagram_.ids_.nextSlotAfter(slot_);
+    diagram_.stage(slot_, {circle[0], circle[1], circle[2]});
+    slot_ = diagram_.ids().nextSlotAfter(slot_);
   }
 }
 
@@ -49,7 +79,9 @@ bool BulkInsertion::insert(std::span<SiteId> ids, std::size_t most) {
 bool BulkInsertion::goOn(std::span<SiteId> ids, std::size_t most) {
   switch (step_) {
     case Step::kMakeRoom:
-      makeRoom(ids);
+      undo_ = diagram_.beginBulk(ids);
+      ids_ = ids;
+      done_ = 0;
       step_ = Step::kName;
       return false;
     case Step::kName:
@@ -58,36 +90,19 @@ bool BulkInsertion::goOn(std::span<SiteId> ids, std::size_t most) {
       return false;
     case Step::kOrder:
       order_ = brioOrder(order_);
-      // A few would be paid for by copying all.
-      if (diagram_.index_.isBulk()) diagram_.delaunay_.reserveBulk(order_.size());
+      diagram_.reserveAttached(order_.size());
       done_ = 0;
-      step_ = Step::kPlace;
+      step_ = Step::kAttach;
       return false;
-    case Step::kPlace:
-      place(most);
+    case Step::kAttach:
+      attach(most);
       if (done_ < order_.size()) return false;
       order_ = FlatArray<std::uint32_t>();  // the grid fits where it was
-      diagram_.index_.endBulk(diagram_.delaunay_);
+      diagram_.endBulk();
       ids_ = {};
       return true;
   }
   return true;
-}
-
-void BulkInsertion::makeRoom(std::span<SiteId> ids) {
-  DiagramCore& d = diagram_;
-  const std::size_t n = order_.size();
-  d.transaction_.begin();
-  const std::size_t slots = d.slotsWith(n);
-  const bool isBulk = n > (d.ids_.size() + n) / 4;
-  d.reserve(slots);
-  if (isBulk) d.index_.reserveBulk(slots);
-  // From here on there is something to undo. A diagram that was empty is simply emptied.
-  undo_ = d.ids_.size() > 0 ? DiagramCore::Undo::kMaybe : DiagramCore::Undo::kNever;
-  ids_ = ids;
-  for (SiteId& id : ids) id = d.ids_.takeId();
-  done_ = 0;
-  if (isBulk) d.index_.beginBulk();
 }
 
 /// The ids are in the order of the input, slots are given along the curve.
@@ -95,51 +110,35 @@ void BulkInsertion::name(std::size_t most) {
   const std::size_t end = done_ + std::min(most, order_.size() - done_);
   for (; done_ < end; ++done_) {
     std::uint32_t& k = order_[done_];
-    k = diagram_.ids_.takeSlot(ids_[k], SiteState::kPending);
+    k = diagram_.takeSlot(ids_[k]);
   }
 }
 
-void BulkInsertion::place(std::size_t most) {
-  DiagramCore& d = diagram_;
+void BulkInsertion::attach(std::size_t most) {
   const std::size_t end = done_ + std::min(most, order_.size() - done_);
   for (; done_ < end; ++done_) {
     const Slot slot = order_[done_];
-    const Site circle = d.site(slot);
-    d.ids_.setState(slot, d.attachSite(slot, circle, startFor(slot), undo_));
+    diagram_.attachStaged(slot, startFor(slot), undo_);
   }
 }
 
 double BulkInsertion::progress() const {
   if (order_.empty()) return done_ > 0 ? 1 : 0;
-  if (step_ != Step::kPlace) return ids_.empty() ? 0.04 : 0.08;
+  if (step_ != Step::kAttach) return ids_.empty() ? 0.04 : 0.08;
   return 0.1 + 0.9 * static_cast<double>(done_) / static_cast<double>(order_.size());
 }
 
 void BulkInsertion::undo() noexcept {
   if (ids_.empty()) return;
-  DiagramCore& d = diagram_;
   if (step_ == Step::kName) name(kAllAtOnce);
-  if (step_ != Step::kPlace) done_ = 0;
-  if (d.isBroken()) return d.index_.clear();
-  d.transaction_.undo(d.index_, [&] {
-    if (ids_.size() == d.ids_.size()) {
-      d.delaunay_.clear();
-      d.hidden_.clear();
-      d.index_.clear();
-    } else {
-      while (done_ > 0) d.rollbackInsertion(order_[--done_]);
-    }
-    d.index_.endBulk(d.delaunay_);
-  });
-  // So that the next ids are given in the same order again.
-  for (std::size_t k = ids_.size(); k-- > 0;) d.ids_.release(d.ids_.slotOf(ids_[k]));
+  diagram_.rollbackBulk(ids_, {order_.data(), step_ == Step::kAttach ? done_ : 0});
   ids_ = {};
 }
 
 VertexId BulkInsertion::startFor(Slot slot) const {
   // Few sites among many are far from each other.
-  if (!diagram_.index_.isBulk()) return kNoVertex;
-  const DelaunayGraph& delaunay = diagram_.delaunay_;
+  if (!diagram_.locationIndex().isBulk()) return kNoVertex;
+  const DelaunayGraph& delaunay = diagram_.delaunay();
   constexpr Slot kReach = 4;
   if (slot >= firstNew_) {
     for (Slot distance = 1; distance <= kReach; ++distance) {

@@ -43,14 +43,13 @@ class BulkInsertion {
   void copyStaged(std::span<const double> xyr, std::size_t most);
   /// A step of insert(), or as much of it as `most` allows; was it the end of the last one?
   bool goOn(std::span<SiteId> ids, std::size_t most);
-  void makeRoom(std::span<SiteId> ids);
   void name(std::size_t most);
-  void place(std::size_t most);
+  void attach(std::size_t most);
   void undo() noexcept;
   /// Where the walk of a staged site starts; kNoVertex: as that of a single insertion.
   [[nodiscard]] VertexId startFor(Slot slot) const;
 
-  enum class Step : std::uint8_t { kMakeRoom, kName, kOrder, kPlace };
+  enum class Step : std::uint8_t { kMakeRoom, kName, kOrder, kAttach };
 
   DiagramCore& diagram_;
   Step step_ = Step::kMakeRoom;
@@ -59,8 +58,8 @@ class BulkInsertion {
   Slot slot_ = kNoSlot;             // that the next circle is copied to
   Slot firstNew_ = 0;      // from there on slots follow the curve; below, they are free ones
   std::span<SiteId> ids_;  // of the sites, once they have some
-  std::size_t done_ = 0;   // of those that are copied, named, or placed
-  DiagramCore::Undo undo_ = DiagramCore::Undo::kNever;
+  std::size_t done_ = 0;   // of those that are copied, named, or attached
+  Undo undo_ = Undo::kNever;
 };
 
 /// Inserts all of at least one x, y, r triple; ids[k] becomes the id of triple k.

@@ -138,8 +138,8 @@ void DiagramCore::detachVisible(Slot slot, Undo undo) {
   }
 }
 
-/// The largest adopts all children that it covers: a question each, while the remover has to find a
-/// place for each that it gets. That goes on with the largest of the rest as long as a quarter of
+/// The largest adopts all children that it covers: a question each, while the remover locates
+/// each that it gets. That goes on with the largest of the rest as long as a quarter of
 /// them is adopted: at most four questions a child.
 void DiagramCore::reparentNestedChildren(Slot slot) {
   FlatArray<VertexId>& children = remover_.hiddenList();

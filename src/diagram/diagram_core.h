@@ -35,6 +35,31 @@ class DiagramCore {
   void updateMany(std::span<const SiteId> ids, std::span<const double> xyr);
   void clear() noexcept;
 
+  // The steps of a bulk insertion, in this order; BulkInsertion takes them. Nothing else may change
+  // the diagram in between. stage(), takeSlot() and the last two do not throw.
+  /// Room for the circles of this many more sites.
+  void reserveStaged(std::size_t more) { delaunay_.reserveSites(slotsWith(more) + 1); }
+  /// Copies a circle to one of the slots that ids() gives next.
+  void stage(Slot slot, const Site& circle) { delaunay_.setSite(vertexOf(slot), circle); }
+  /// Room for these sites, and an id for each, which `ids` receives. The insertion can be rolled
+  /// back from here on. Returns what to call attachStaged() with.
+  [[nodiscard]] Undo beginBulk(std::span<SiteId> ids);
+  /// The next slot becomes that of this id, and pending.
+  Slot takeSlot(SiteId id) { return ids_.takeSlot(id, SiteState::kPending); }
+  /// Room in the graph for the sites, which all have slots.
+  void reserveAttached(std::size_t more) {
+    if (index_.isBulk()) delaunay_.reserveBulk(more);  // a few would be paid for by copying all
+  }
+  /// Attaches the site of a pending slot; `start` as for attachSite().
+  void attachStaged(Slot slot, VertexId start, Undo undo) {
+    const Site circle = site(slot);
+    ids_.setState(slot, attachSite(slot, circle, start, undo));
+  }
+  void endBulk() noexcept { index_.endBulk(delaunay_); }
+  /// Instead of endBulk(): detaches the sites of the slots in `attached`, last one first, and frees
+  /// all ids. REQUIRES: each id has a slot.
+  void rollbackBulk(std::span<const SiteId> ids, std::span<const Slot> attached) noexcept;
+
   [[nodiscard]] Location location() const { return index_.location(); }
   [[nodiscard]] const IdPool& ids() const { return ids_; }
   [[nodiscard]] std::size_t visibleCount() const { return delaunay_.visibleCount(); }
@@ -62,7 +87,6 @@ class DiagramCore {
   [[nodiscard]] SiteId siteOf(VertexId v) const { return ids_.idOf(slotOf(v)); }
 
  private:
-  friend class BulkInsertion;
   friend class DiagramBreaker;  // tests break a structure on purpose
 
   /// Room for everything that is kept per site, for this many slots.
@@ -71,9 +95,6 @@ class DiagramCore {
   [[nodiscard]] std::size_t slotsWith(std::size_t more) const {
     return std::max(ids_.slots(), ids_.size() + more);
   }
-  /// May an operation have to be undone? Then it first makes the room that takes: undoing needs no
-  /// memory, and the levels are left out of it.
-  enum class Undo : bool { kNever, kMaybe };
   /// Enters a site whose slot is in no structure; `start` is visible, or kNoVertex to locate from
   /// scratch. May throw; else the returned state is what the slot is to get.
   [[nodiscard]] SiteState attachSite(Slot slot, const Site& site, VertexId start,
@@ -83,7 +104,7 @@ class DiagramCore {
   /// How a site got to its new place: not at all (it is there), nothing else having changed, or
   /// detached and attached.
   enum class Moved : std::uint8_t { kNot, kInPlace, kAnew };
-  /// A site that cannot be placed returns to where it was.
+  /// A site that cannot be attached anew returns to where it was.
   Moved move(Slot slot, const Site& site);
   /// Moves a site if nothing else changes by that; else false.
   [[nodiscard]] bool moveInPlace(Slot slot, const Site& site);

@@ -1,4 +1,4 @@
-// Names and places of sites. A site's public id is stable while it lives; its slot is where it is
+// Ids and slots of sites. A site's public id is stable while it lives; its slot is where it is
 // in the arrays of the diagram. They are two numbers so that sites that come in bulk can lie in
 // memory as they lie in the plane, and still be called 0, 1, 2, … in the order of the input. One
 // word an id, one a slot.
@@ -18,7 +18,7 @@
 
 namespace apollonius::internal {
 
-/// A site's place in the arrays; its vertex is the slot's number + 1.
+/// A site's index in the arrays; its vertex is the slot's number + 1.
 using Slot = std::uint32_t;
 inline constexpr Slot kNoSlot = 0xFFFFFFFFu;
 

@@ -22,7 +22,7 @@
 
 namespace apollonius::internal {
 
-bool SlotSet::place(Slot slot) {
+bool SlotSet::write(Slot slot) {
   const std::size_t mask = slots_.size() - 1;
   std::size_t at = (slot * 0x9E3779B1u) >> 7 & mask;
   for (; slots_[at] != kNoSlot; at = (at + 1) & mask) {
@@ -39,7 +39,7 @@ void SlotSet::grow() {
   FlatArray<Slot> old(2 * slots_.size(), kNoSlot);
   old.swap(slots_);
   for (const Slot slot : old) {
-    if (slot != kNoSlot) static_cast<void>(place(slot));
+    if (slot != kNoSlot) static_cast<void>(write(slot));
   }
 }
 

@@ -17,11 +17,11 @@ class SlotSet {
   /// Puts it in; was it not there yet? Throws std::bad_alloc.
   bool insert(Slot slot) {
     if (2 * ++size_ > slots_.size()) grow();
-    return place(slot);
+    return write(slot);
   }
 
  private:
-  [[nodiscard]] bool place(Slot slot);
+  [[nodiscard]] bool write(Slot slot);
   void grow();
 
   FlatArray<Slot> slots_ = FlatArray<Slot>(256, kNoSlot);

@@ -103,8 +103,8 @@ void HilbertSort::bound(std::size_t end) {
   box_ = box;
 }
 
-/// Writes the position on the curve of each point.
-void HilbertSort::place(std::size_t end) {
+/// Writes the index on the curve of each point.
+void HilbertSort::indexPoints(std::size_t end) {
   const Box box = box_;
   const double extent = std::max(box.highX - box.lowX, box.highY - box.lowY);
   const double scale = extent > 0 ? (std::uint32_t{1} << kCurveBits) / extent : 0;
@@ -172,10 +172,10 @@ bool HilbertSort::advance(std::size_t most) {
         break;
       }
       at_ = begin_;
-      phase_ = Phase::kPlacing;
+      phase_ = Phase::kIndexing;
       break;
-    case Phase::kPlacing:
-      place(at_ + std::min(most, end - at_));
+    case Phase::kIndexing:
+      indexPoints(at_ + std::min(most, end - at_));
       if (at_ < end) break;
       sort_.emplace(entries_.subspan(begin_, end - begin_), other_.subspan(begin_, end - begin_));
       phase_ = Phase::kSorting;

@@ -45,7 +45,7 @@ class HilbertSort {
 
  private:
   /// What is done with the points of a cell from at_ on. The first cell is the box of all points.
-  enum class Phase : std::uint8_t { kBounding, kPlacing, kSorting, kLooking, kSorted };
+  enum class Phase : std::uint8_t { kBounding, kIndexing, kSorting, kLooking, kSorted };
 
   struct Box {
     double lowX, lowY, highX, highY;
@@ -58,12 +58,12 @@ class HilbertSort {
 
   void beginCell();
   void bound(std::size_t end);
-  void place(std::size_t end);
+  void indexPoints(std::size_t end);
   void endSorting();
   void look(std::size_t most);
 
-  /// The index of the point of entry k of the cell. Before the first cell is placed there are no
-  /// entries.
+  /// The index of the point of entry k of the cell. Before the points of the first cell are
+  /// indexed there are no entries.
   [[nodiscard]] std::size_t pointOf(std::size_t k) const {
     return level_ == 0 ? k : entries_[k].value;
   }

@@ -1,7 +1,7 @@
 // Operations of several steps that either succeed or change nothing: should a step lack memory,
 // those before are undone, last one first, each from what it had led to. So undoing needs what was
 // needed then. Room for the large things, which grow with a site's neighbours, is made step by step
-// (DiagramCore::Undo). For the small ones, memory is held back, which is given back first.
+// (Undo). For the small ones, memory is held back, which is given back first.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,10 @@
 #include "diagram/location_index.h"
 
 namespace apollonius::internal {
+
+/// May a step have to be undone? Then it first makes the room that takes: undoing needs no memory,
+/// and the levels are left out of it.
+enum class Undo : bool { kNever, kMaybe };
 
 class Transaction {
  public:

@@ -122,8 +122,8 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
   transaction_.run(index_, steps, wayBack);
 }
 
-/// Positions in `ids` in the order of the slots, which is one of places; of an id that is given
-/// several times, the last one only.
+/// Indices into `ids` in the order of the slots, in which close sites follow each other; of an id
+/// that is given several times, the last one only.
 FlatArray<std::uint32_t> DiagramCore::orderOfSlots(std::span<const SiteId> ids) const {
   FlatArray<Keyed> entries(ids.size());
   for (std::uint32_t k = 0; k < ids.size(); ++k) entries[k] = {ids_.slotOf(ids[k]), k};

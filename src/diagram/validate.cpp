@@ -49,11 +49,11 @@ Violation validate(const DiagramCore& diagram) {
   for (Slot slot = 0; slot < ids.slots(); ++slot) {
     const auto found = [&](const char* what) { return Violation{what, ids.idOf(slot)}; };
     if ((ids.state(slot) == SiteState::kVisible) != delaunay.isVisible(vertexOf(slot))) {
-      return found("the state of a site differs from its place in the graph: site");
+      return found("the state of a site contradicts the graph: site");
     }
     if (ids.state(slot) == SiteState::kFree) continue;
     ++used;
-    if (ids.slotOf(ids.idOf(slot)) != slot) return found("the place of an id is another: site");
+    if (ids.slotOf(ids.idOf(slot)) != slot) return found("the slot of an id is another: site");
   }
   if (used != ids.size()) return {"the count of sites is wrong: count", used};
   if (used != ids.hiddenCount() + delaunay.visibleCount())

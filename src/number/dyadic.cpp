@@ -14,7 +14,7 @@ namespace {
 constexpr int kLimb = std::numeric_limits<boost::multiprecision::limb_type>::digits;
 }  // namespace
 
-// None of these is inline: the code that clears the place of an Integer would be everywhere.
+// None of these is inline: the code that clears the memory of an Integer would be everywhere.
 
 Dyadic::Dyadic() noexcept = default;
 
@@ -55,7 +55,7 @@ Dyadic::Rounded Dyadic::rounded() const {
           exponent_ + static_cast<int>(digits.size()) * kLimb - zeros - 63};
 }
 
-// Results are computed in their final place: an Integer is 1.5 KB, and making one costs some 20 ns
+// Results are computed where they are kept: an Integer is 1.5 KB, and making one costs some 20 ns
 // whatever it holds.
 
 Dyadic operator*(const Dyadic& a, const Dyadic& b) {

@@ -46,7 +46,7 @@ struct Decomposed {
   int exponent;
 };
 
-/// The only place that depends on how a double keeps its digits.
+/// The only code that depends on how a double keeps its digits.
 constexpr Decomposed decompose(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const int biased = static_cast<int>((bits >> 52) & 0x7FF);

@@ -37,7 +37,7 @@ const char* Graph::check(std::uint32_t& where) const {
   for (std::size_t i = 0; i < outgoing_.size(); ++i) {
     const VertexId v{static_cast<std::uint32_t>(i)};
     if (outgoing(v) == kNoHalfedge) {
-      if (degree[i] != 0) return fail("half-edges start at a vertex without a place: vertex", i);
+      if (degree[i] != 0) return fail("half-edges start at a vertex that has none: vertex", i);
       continue;
     }
     ++vertices;
@@ -55,7 +55,7 @@ const char* Graph::check(std::uint32_t& where) const {
 
   // A sphere: connected, Euler's formula V - E + F = 2.
   const std::size_t faces = live / 3;
-  if (faces != 0) {  // without faces no vertex has a place, by the checks above
+  if (faces != 0) {  // without faces no vertex is in the graph, by the checks above
     FlatArray<char> reached(faceSlots(), 0);
     FlatArray<FaceId> queue;
     for (std::size_t f = 0; queue.empty(); ++f) {
@@ -74,7 +74,7 @@ const char* Graph::check(std::uint32_t& where) const {
     }
     if (queue.size() != faces) return fail("not connected: faces reached", queue.size());
     if (vertices + faces != live / 2 + 2) return fail("not a sphere: vertices", vertices);
-    if (!hasVertex(kInfinity)) return fail("infinity has no place: vertex", 0);
+    if (!hasVertex(kInfinity)) return fail("infinity is not in the graph: vertex", 0);
   }
 
   // Free faces: all of them in the list.

@@ -133,15 +133,15 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
   outgoing_[index(w)] = halfedgeOf(newFaces[0], 2);
   for (std::size_t k = n; k < hole.size(); ++k) freeFace(hole[k]);
   if (mayLose) {
-    const auto hasPlace = [&](VertexId v) { return outgoing[index(v)] != kNoHalfedge; };
-    lost_.resize(static_cast<std::size_t>(std::remove_if(lost_.begin(), lost_.end(), hasPlace) -
+    const auto isThere = [&](VertexId v) { return outgoing[index(v)] != kNoHalfedge; };
+    lost_.resize(static_cast<std::size_t>(std::remove_if(lost_.begin(), lost_.end(), isThere) -
                                           lost_.begin()));
   }
   return lost_;
 }
 
-/// Takes their places from the corners of the hole and lists them in lost_: those on the boundary
-/// get them back.
+/// Takes the corners of the hole out of the graph and lists them in lost_: those on the boundary
+/// come back.
 void Graph::collectCorners(std::span<const FaceId> hole) {
   for (const FaceId f : hole) {
     for (unsigned c = 0; c < 3; ++c) {

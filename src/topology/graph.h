@@ -4,7 +4,8 @@
 //
 //     halfedges[h].origin   vertex where half-edge h starts
 //     halfedges[h].twin     the other half of its edge
-//     outgoing[v]           one half-edge that starts at v, or kNoHalfedge if v has no place
+//     outgoing[v]           one half-edge that starts at v, or kNoHalfedge if v is not in the
+//                           graph
 //     next(h), previous(h), faceOf(h) = h / 3: by index arithmetic (topology/ids.h)
 //
 // Two vertices can share several edges, a vertex can have degree 2, a face can meet the same
@@ -41,8 +42,8 @@ class Graph {
   /// The next half-edge around the origin of h.
   [[nodiscard]] HalfedgeId rotateCcw(HalfedgeId h) const { return twin(previous(h)); }
   [[nodiscard]] HalfedgeId rotateCw(HalfedgeId h) const { return next(twin(h)); }
-  /// All half-edges that start at v, counter-clockwise; none if it has no place. Each one's face is
-  /// at its left.
+  /// All half-edges that start at v, counter-clockwise; none if it is not in the graph.
+  /// Each one's face is at its left.
   [[nodiscard]] auto star(VertexId v) const { return Star<Graph>(*this, outgoing(v)); }
   /// All faces.
   [[nodiscard]] auto faces() const {
@@ -64,7 +65,7 @@ class Graph {
   [[nodiscard]] std::size_t faceCount() const { return faceSlots() - freeFaces_; }
   [[nodiscard]] bool isLive(FaceId f) const { return origin(halfedgeOf(f, 0)) != kNoVertex; }
   [[nodiscard]] bool isEmpty() const { return faceCount() == 0; }
-  /// All vertices with a place but infinity; replaces the contents. Cost: as clear(). Throws
+  /// All vertices in the graph but infinity; replaces the contents. Cost: as clear(). Throws
   /// std::bad_alloc.
   void listVertices(FlatArray<VertexId>& vertices) const;
 
@@ -104,8 +105,8 @@ class Graph {
   ///          |______|               | /  \ |
   ///         c        d             c        d
   ///
-  /// newFaces[k] receives the face of boundary[k]. Vertices that were within the hole lose their
-  /// place (hasVertex becomes false) and are returned; the span lives until the next operation.
+  /// newFaces[k] receives the face of boundary[k]. Vertices that were within the hole leave
+  /// the graph (hasVertex becomes false) and are returned; the span lives until the next operation.
   /// REQUIRES: room for w and reserveFaces(hole.size(), boundary.size()); newFaces.size() ==
   /// boundary.size() >= 2.
   std::span<const VertexId> starHole(VertexId w, std::span<const FaceId> hole,
@@ -132,7 +133,7 @@ class Graph {
 
   // --- Snapshots (snapshot.cpp)
 
-  /// Writes 1 + 3 * faceSlots() + vertexSlots words. Vertices from vertexSlots on have no place.
+  /// Writes 1 + 3 * faceSlots() + vertexSlots words. No vertex from vertexSlots on is in the graph.
   void save(WordWriter& out, std::size_t vertexSlots) const;
   /// Reads what save() wrote for this many slots; false if it is no closed surface of Euler
   /// characteristic 2, or the free faces are not in a list. That it is connected is left to

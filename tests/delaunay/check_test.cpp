@@ -55,7 +55,7 @@ TEST(DelaunayGraphCheck, FindsNothingWhereNothingIsBroken) {
 TEST(DelaunayGraphCheck, ChecksTheTopologyFirst) {
   DelaunayGraph diagram = graphOf(kFive);
   GraphBreaker(Breaker::graph(diagram)).outgoing(vertex(3)) = kNoHalfedge;
-  EXPECT_EQ(broken(diagram), "half-edges start at a vertex without a place: vertex");
+  EXPECT_EQ(broken(diagram), "half-edges start at a vertex that has none: vertex");
 }
 
 TEST(DelaunayGraphCheck, CountOfVisibleSites) {
@@ -165,17 +165,15 @@ TEST_F(DiagramCheck, ChecksTheGraphFirst) {
 TEST_F(DiagramCheck, StateOfAVisibleSite) {
   fill(9);
   Breaker::ids(core).setState(last, SiteState::kHidden);
-  EXPECT_EQ(
-      validate(core).text(),
-      "the state of a site differs from its place in the graph: site " + std::to_string(last));
+  EXPECT_EQ(validate(core).text(),
+            "the state of a site contradicts the graph: site " + std::to_string(last));
 }
 
 TEST_F(DiagramCheck, StateOfAHiddenSite) {
   fill(9);
   Breaker::ids(core).setState(lastHidden, SiteState::kVisible);
   EXPECT_EQ(validate(core).text(),
-            "the state of a site differs from its place in the graph: site " +
-                std::to_string(lastHidden));
+            "the state of a site contradicts the graph: site " + std::to_string(lastHidden));
 }
 
 TEST_F(DiagramCheck, SiteOfNoState) {
@@ -202,7 +200,7 @@ TEST_F(DiagramCheck, TwoSitesOfOneId) {
   std::iota(names.begin(), names.end(), SiteId{0});
   names[2] = 5;
   ids.rename(names, ids);
-  EXPECT_EQ(validate(core).text(), "the place of an id is another: site 5");
+  EXPECT_EQ(validate(core).text(), "the slot of an id is another: site 5");
 }
 
 TEST_F(DiagramCheck, VisibleSiteInTheForest) {

@@ -276,7 +276,7 @@ std::vector<NamedOperation> changesOfAll(const Circles& circles, const Circle& g
   more.insert(more.end(), {giant.x, giant.y, giant.r});
   std::vector<SiteId> odd;
   for (SiteId id = 1; id < n; id += 2) odd.push_back(id);
-  // In the order of their places in memory, which is not known.
+  // In the order of their slots, which is not known.
   const auto giantAndOneOverAll = [=](SiteId first, SiteId second) {
     const std::vector<double> xyr{giant.x, giant.y, giant.r, 0, 0, 4e6};
     return [=, both = std::vector<SiteId>{first, second}](Diagram& d) {

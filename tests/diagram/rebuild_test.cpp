@@ -87,7 +87,7 @@ TEST_P(Rebuild, KeepsIdsAndSitesThatStay) {
   }
 }
 
-/// Some ids are free and no places are: only so a snapshot has an even number of words.
+/// Some ids are free and no slots are: only so a snapshot has an even number of words.
 TEST_P(Rebuild, IsSavedWithItsFreeIds) {
   const Circles before = randomCircles(random, 100, Hidden::kNone);
   Diagram diagram(GetParam()), restored(GetParam());

@@ -9,7 +9,7 @@ namespace apollonius::test {
 
 using namespace internal;
 
-/// 0 without a place in the graph.
+/// 0 outside of the graph.
 inline std::size_t degree(const Graph& graph, VertexId v) {
   if (!graph.hasVertex(v)) return 0;
   std::size_t n = 0;

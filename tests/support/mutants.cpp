@@ -59,7 +59,7 @@ void changeNumber(std::vector<std::uint8_t>& bytes, const Layout& at, Random& ra
   }
 }
 
-/// The site of one slot, and that of another, change places, or one becomes the other.
+/// The site of one slot, and that of another, are exchanged, or one becomes the other.
 void exchangeSites(std::vector<std::uint8_t>& bytes, const Layout& at, Random& random) {
   const std::size_t a = at.numbersAt + 6 * random.below(at.slots),
                     b = at.numbersAt + 6 * random.below(at.slots);

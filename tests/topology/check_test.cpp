@@ -114,7 +114,7 @@ TEST_F(GraphCheck, Loop) {
 
 TEST_F(GraphCheck, VertexWithoutAPlace) {
   breaker.outgoing(vertex(3)) = kNoHalfedge;
-  expectBroken("half-edges start at a vertex without a place: vertex", 3);
+  expectBroken("half-edges start at a vertex that has none: vertex", 3);
 }
 
 TEST_F(GraphCheck, OutgoingThatStartsElsewhere) {
@@ -173,7 +173,7 @@ TEST_F(GraphCheck, SurfaceWithoutInfinity) {
   }
   breaker.outgoing(vertex(5)) = graph.outgoing(kInfinity);
   breaker.outgoing(kInfinity) = kNoHalfedge;
-  expectBroken("infinity has no place: vertex", 0);
+  expectBroken("infinity is not in the graph: vertex", 0);
 }
 
 TEST_F(GraphCheck, FreeListIntoALiveFace) {

@@ -38,19 +38,26 @@ using emscripten::val;
 
 namespace {
 
-// --- Calls
+// --- Calls. `AnyDiagram` is a Diagram or a SphericalDiagram.
 
 template <std::size_t k, class... Types>
 using Nth = std::tuple_element_t<k, std::tuple<Types...>>;
 
+/// -1 if there is none.
+std::int32_t asSigned(SiteId id) { return static_cast<std::int32_t>(id); }
+
 /// `Error method(in..., Out& out)` of a class as a function of the object and `in` that returns
-/// `out`.
+/// `out`, an id as asSigned() does.
 template <auto method, class Class, class... Parameters, std::size_t... k>
 auto returning(Error (Class::*)(Parameters...), std::index_sequence<k...>) {
   return +[](Class& object, Nth<k, Parameters...>... in) {
     std::remove_reference_t<Nth<sizeof...(k), Parameters...>> out{};
     check((object.*method)(in..., out));
-    return out;
+    if constexpr (std::is_same_v<decltype(out), SiteId>) {
+      return asSigned(out);
+    } else {
+      return out;
+    }
   };
 }
 template <auto method, class Class, class... Parameters, std::size_t... k>
@@ -58,7 +65,11 @@ auto returning(Error (Class::*)(Parameters...) const, std::index_sequence<k...>)
   return +[](const Class& object, Nth<k, Parameters...>... in) {
     std::remove_reference_t<Nth<sizeof...(k), Parameters...>> out{};
     check((object.*method)(in..., out));
-    return out;
+    if constexpr (std::is_same_v<decltype(out), SiteId>) {
+      return asSigned(out);
+    } else {
+      return out;
+    }
   };
 }
 /// The cells in a region, or in bounds if `region` is null.
@@ -93,50 +104,34 @@ Diagram* create(Location location) {
   return allocating([&] { return new Diagram(location); });
 }
 
-/// -1 if there is none.
-std::int32_t asSigned(SiteId id) { return static_cast<std::int32_t>(id); }
-
 struct Nearest {
   std::int32_t id = -1;
   double distance = 0;
 };
-Nearest nearest(const Diagram& diagram, double x, double y) {
+template <class AnyDiagram>
+Nearest nearest(const AnyDiagram& diagram, double x, double y) {
   SiteId id = apollonius::kNoSite;
   double distance = 0;
   check(diagram.find(x, y, id, distance));
   return {asSigned(id), distance};
 }
-std::int32_t find(const Diagram& diagram, double x, double y) {
+template <class AnyDiagram>
+std::int32_t find(const AnyDiagram& diagram, double x, double y) {
   SiteId id = apollonius::kNoSite;
   check(diagram.find(x, y, id));
   return asSigned(id);
 }
 
-std::int32_t pick(const Diagram& diagram, double x, double y, double farthest, Top top) {
-  SiteId id = apollonius::kNoSite;
-  check(diagram.pick(x, y, farthest, top, id));
-  return asSigned(id);
-}
-
 /// The caller deletes it, before the diagram changes.
-NearestFirst* nearestFirst(const Diagram& diagram, double x, double y, double farthest) {
-  auto walk = allocating([&] { return std::make_unique<NearestFirst>(diagram); });
+template <class Walk, class AnyDiagram>
+Walk* nearestFirst(const AnyDiagram& diagram, double x, double y, double farthest) {
+  auto walk = allocating([&] { return std::make_unique<Walk>(diagram); });
   check(walk->start(x, y, farthest));
   return walk.release();
 }
-std::int32_t next(NearestFirst& walk) {
-  SiteId id = apollonius::kNoSite;
-  check(walk.next(id));
-  return asSigned(id);
-}
 
-std::int32_t coverOf(const Diagram& diagram, SiteId id) {
-  SiteId cover = apollonius::kNoSite;
-  check(diagram.coverOf(id, cover));
-  return asSigned(cover);
-}
-
-void update(Diagram& diagram, SiteId id, double x, double y, double r) {
+template <class AnyDiagram>
+void update(AnyDiagram& diagram, SiteId id, double x, double y, double r) {
   check(diagram.update(id, x, y, r));
 }
 
@@ -147,17 +142,20 @@ void insertMany(Diagram& diagram, const NumbersIn& xyr, const NumbersOut& ids) {
   ids.call<void>("set", viewOf(inserted));
 }
 
-std::size_t removeMany(Diagram& diagram, const NumbersIn& ids) {
+template <class AnyDiagram>
+std::size_t removeMany(AnyDiagram& diagram, const NumbersIn& ids) {
   std::size_t removed = 0;
   check(diagram.removeMany(vectorOf<SiteId>(ids), removed));
   return removed;
 }
 
-void updateMany(Diagram& diagram, const NumbersIn& ids, const NumbersIn& xyr) {
+template <class AnyDiagram>
+void updateMany(AnyDiagram& diagram, const NumbersIn& ids, const NumbersIn& xyr) {
   check(diagram.updateMany(vectorOf<SiteId>(ids), vectorOf<double>(xyr)));
 }
 
-void findMany(const Diagram& diagram, const NumbersIn& xy, const NumbersOut& ids,
+template <class AnyDiagram>
+void findMany(const AnyDiagram& diagram, const NumbersIn& xy, const NumbersOut& ids,
               const NumbersOut& distances) {
   const std::vector<double> points = vectorOf<double>(xy);
   const std::size_t count = points.size() / 2;
@@ -178,7 +176,8 @@ struct Found {
   std::uint32_t where = 0;
   std::uint32_t level = 0;
 };
-Found validate(const Diagram& diagram) {
+template <class AnyDiagram>
+Found validate(const AnyDiagram& diagram) {
   apollonius::Violation violation;
   check(diagram.validate(violation));
   return {allocating([&] { return std::string(violation.isFound() ? violation.what : ""); }),

@@ -113,16 +113,16 @@ EMSCRIPTEN_BINDINGS(apollonius) {
 
   const return_value_policy::take_ownership moved;  // not copied
   class_<Builder>("Builder").function("progress", &Builder::progress);
-  class_<NearestFirst>("NearestFirst").function("next", &next);
+  class_<NearestFirst>("NearestFirst").function("next", returning<&NearestFirst::next>());
   class_<Diagram>("Diagram")
       .constructor(&create, allow_raw_pointers())
       // Sites
       .function("insert", returning<&Diagram::insert>())
       .function("insertMany", &insertMany)
       .function("remove", returning<&Diagram::remove>())
-      .function("removeMany", &removeMany)
-      .function("update", &update)
-      .function("updateMany", &updateMany)
+      .function("removeMany", &removeMany<Diagram>)
+      .function("update", &update<Diagram>)
+      .function("updateMany", &updateMany<Diagram>)
       .function("builder", &builder, allow_raw_pointers(), moved)
       .function("addTo", &addTo)
       .function("advance", &advance)
@@ -134,16 +134,16 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("ids", returning<&Diagram::ids>())
       .function("sites", returning<&Diagram::sites>(), moved)
       .function("isHidden", returning<&Diagram::isHidden>())
-      .function("coverOf", &coverOf)
+      .function("coverOf", returning<&Diagram::coverOf>())
       // Queries
-      .function("find", &find)
-      .function("nearest", &nearest)
-      .function("findMany", &findMany)
+      .function("find", &find<Diagram>)
+      .function("nearest", &nearest<Diagram>)
+      .function("findMany", &findMany<Diagram>)
       .function("kNearest", returning<&Diagram::kNearest>())
       .function("within", returning<&Diagram::within>())
-      .function("pick", &pick)
+      .function("pick", returning<&Diagram::pick>())
       .function("search", returning<&Diagram::search>())
-      .function("nearestFirst", &nearestFirst, allow_raw_pointers(), moved)
+      .function("nearestFirst", &nearestFirst<NearestFirst, Diagram>, allow_raw_pointers(), moved)
       .function("neighbors", returning<&Diagram::neighbors>())
       .function("vertices", returning<&Diagram::vertices>(), moved)
       .function("edges", returning<&Diagram::edges>(), moved)
@@ -151,7 +151,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       // Snapshots
       .function("toBytes", returning<&Diagram::toBytes>())
       .function("fromBytes", &fromBytes)
-      .function("validate", &validate)
+      .function("validate", &validate<Diagram>)
       // Geometry
       .function("defaultTolerance", &defaultTolerance)
       .function("extent", &Voronoi::extentOf)

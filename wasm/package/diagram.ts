@@ -73,7 +73,11 @@ export class Diagram implements Disposable {
   static {
     provideNative((diagram, changes) => {
       if (typeof diagram !== "object" || diagram === null || !(#native in diagram)) return null;
-      return diagram.#living(changes);
+      if (changes && diagram.#filters.running > 0)
+        throw new ApolloniusError("busy", "a filter may not change the diagram that asks it");
+      const native = diagram.#native;
+      if (native !== null) return native;
+      throw new ApolloniusError("disposed", "the diagram has been disposed of");
     });
   }
 
@@ -121,7 +125,7 @@ export class Diagram implements Disposable {
     const reader = new ItemReader<T>(items, x, y, r);
     const diagram = new Diagram(undefined, { location: options.location });
     try {
-      await build(diagram.#living(), reader, options);
+      await build(nativeOf(diagram), reader, options);
       diagram.#ballast.carry(reader.count);
     } catch (error) {
       diagram.dispose();
@@ -145,7 +149,7 @@ export class Diagram implements Disposable {
     const trusted = checkedChoice("options.trusted", options?.trusted, [false, true]);
     const diagram = new Diagram(undefined, { location: options?.location });
     fillOrDispose(diagram, () => {
-      const native = diagram.#living();
+      const native = nativeOf(diagram);
       const source = runningModule().Source[trusted ? "trusted" : "anyone"];
       native.fromBytes(checkedBytes("bytes", bytes), source); // now: options may have getters
       diagram.#ballast.carry(native.size());
@@ -243,7 +247,7 @@ export class Diagram implements Disposable {
 
   /** Centre and radius of a site, exactly as given. O(1). Throws "unknown-site". */
   site(id: number): Site {
-    return queries.site(nativeOf(this), id);
+    return queries.ofOne(nativeOf(this), id, (native) => native.site(id));
   }
 
   /** All ids, ascending. O(n). */
@@ -263,7 +267,7 @@ export class Diagram implements Disposable {
 
   /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
   isHidden(id: number): boolean {
-    return queries.isHidden(nativeOf(this), id);
+    return queries.ofOne(nativeOf(this), id, (native) => native.isHidden(id));
   }
 
   /**
@@ -271,7 +275,7 @@ export class Diagram implements Disposable {
    * "unknown-site".
    */
   coverOf(id: number): number {
-    return queries.coverOf(nativeOf(this), id);
+    return queries.ofOne(nativeOf(this), id, (native) => native.coverOf(id));
   }
 
   // --- Queries -----------------------------------------------------------------------------------
@@ -281,7 +285,7 @@ export class Diagram implements Disposable {
    * x, then y. Cost: one location (paper, section 4). Throws "not-finite", "out-of-range".
    */
   find(x: number, y: number): number {
-    return queries.find(nativeOf(this), x, y);
+    return queries.atPoint(nativeOf(this), x, y, (native) => native.find(x, y));
   }
 
   /**
@@ -349,7 +353,7 @@ export class Diagram implements Disposable {
    * graph is triangulated canonically). O(d). Throws "unknown-site".
    */
   neighbors(id: number): Uint32Array {
-    return queries.neighbors(nativeOf(this), id);
+    return queries.ofOne(nativeOf(this), id, (native) => native.neighbors(id));
   }
 
   /** All Voronoi edges. O(n). */
@@ -488,15 +492,5 @@ export class Diagram implements Disposable {
   /** `dispose`, for `using diagram = new Diagram()`. Cost: O(1). */
   [Symbol.dispose](): void {
     this.dispose();
-  }
-
-  // --- Shared parts ------------------------------------------------------------------------------
-
-  #living(changes = false): NativeDiagram {
-    if (changes && this.#filters.running > 0)
-      throw new ApolloniusError("busy", "a filter may not change the diagram that asks it");
-    if (this.#native === null)
-      throw new ApolloniusError("disposed", "the diagram has been disposed of");
-    return this.#native;
   }
 }

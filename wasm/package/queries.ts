@@ -22,51 +22,40 @@ import {
   type SphericalNearestFirst,
 } from "./module.js";
 import { checkTypes, ofElements, ofNumbers, ofSite } from "./native_errors.js";
-import type { FilterOptions, NearbyFilter, NearbyOptions, PickOptions, Site } from "./types.js";
+import type { FilterOptions, NearbyFilter, NearbyOptions, PickOptions } from "./types.js";
 
 export function has(native: NativeDiagram, id: number): boolean {
   checkWholeNumber(id);
   return isSiteId(id) && native.has(id);
 }
 
-/** What `ask` says of a site. */
-function ofOne<Answer>(id: number, ask: () => Answer): Answer {
+/** What `ask` says of a site; errors name it. */
+export function ofOne<Answer>(
+  native: NativeDiagram,
+  id: number,
+  ask: (native: NativeDiagram) => Answer,
+): Answer {
   checkSiteId(id);
   try {
-    return ask();
+    return ask(native);
   } catch (error) {
     throw ofSite(error, id);
   }
 }
 
-export function site(native: NativeDiagram, id: number): Site {
-  return ofOne(id, () => native.site(id));
-}
-
-export function isHidden(native: NativeDiagram, id: number): boolean {
-  return ofOne(id, () => native.isHidden(id));
-}
-
-export function coverOf(native: NativeDiagram, id: number): number {
-  return ofOne(id, () => native.coverOf(id));
-}
-
-export function neighbors(native: NativeDiagram, id: number): Uint32Array {
-  return ofOne(id, () => native.neighbors(id));
-}
-
-/** What `ask` says of a point. */
-function atPoint<Answer>(x: number, y: number, ask: () => Answer): Answer {
+/** What `ask` says of a point; errors name the coordinate. */
+export function atPoint<Answer>(
+  native: NativeDiagram,
+  x: number,
+  y: number,
+  ask: (native: NativeDiagram) => Answer,
+): Answer {
   checkTypes(x, y);
   try {
-    return ask();
+    return ask(native);
   } catch (error) {
     throw ofNumbers(error, x, y);
   }
-}
-
-export function find(native: NativeDiagram, x: number, y: number): number {
-  return atPoint(x, y, () => native.find(x, y));
 }
 
 export function nearest(
@@ -74,7 +63,7 @@ export function nearest(
   x: number,
   y: number,
 ): { id: number; distance: number } | null {
-  const found = atPoint(x, y, () => native.nearest(x, y));
+  const found = atPoint(native, x, y, () => native.nearest(x, y));
   return found.id === -1 ? null : found;
 }
 
@@ -136,7 +125,7 @@ export function checkedFilter(filter: unknown): NearbyFilter | undefined {
 }
 
 function walkFrom(native: NativeDiagram, x: number, y: number, farthest: number): NearestFirst {
-  return atPoint(x, y, () => native.nearestFirst(x, y, farthest)) as NearestFirst;
+  return atPoint(native, x, y, () => native.nearestFirst(x, y, farthest)) as NearestFirst;
 }
 
 export const orInfinity = (given: unknown): unknown => (given === undefined ? Infinity : given);
@@ -160,7 +149,7 @@ export function kNearest(
   const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
   const filter = checkedFilter(options?.filter);
   return farthest === Infinity && filter === undefined
-    ? atPoint(x, y, () => native.kNearest(x, y, most))
+    ? atPoint(native, x, y, () => native.kNearest(x, y, most))
     : firstOf(walkFrom(native, x, y, farthest), most, filter, filters);
 }
 
@@ -178,7 +167,7 @@ export function within(
   const filter = checkedFilter(options?.filter);
   if (filter !== undefined)
     return firstOf(walkFrom(native, x, y, distance), Infinity, filter, filters);
-  return atPoint(x, y, () =>
+  return atPoint(native, x, y, () =>
     distance === Infinity
       ? native.kNearest(x, y, checkedCount("k", Infinity))
       : native.within(x, y, distance),
@@ -201,7 +190,7 @@ export function pick(
     );
   checkOptions(options, "top");
   const top = checkedChoice("options.top", options?.top, ["smallest", "last"]);
-  return atPoint(x, y, () => native.pick(x, y, farthest, runningModule().Top[top]));
+  return atPoint(native, x, y, () => native.pick(x, y, farthest, runningModule().Top[top]));
 }
 
 export function search(native: NativeDiagram, ...bounds: unknown[]): Uint32Array {

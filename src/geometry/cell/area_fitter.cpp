@@ -100,8 +100,8 @@ std::uint32_t AreaFitter::begin(std::span<const double> targets, std::span<const
   } else {
     best_.weights.assign(start);
   }
-  FlatArray<SiteId> places(count);
-  insertAll(core_, circlesOf(best_), places);
+  FlatArray<SiteId> ids(count);
+  insertAll(core_, circlesOf(best_), ids);
   setRegularization(0);
   if (!start.empty() && !(smallestOf(best_.areas) > 0)) {
     best_.weights.assign(count, mean);
@@ -153,9 +153,9 @@ void AreaFitter::takeTried() noexcept { std::swap(best_, tried_); }
 /// Areas and couplings for the tried weights, with regularization of this density.
 void AreaFitter::measureTried(double regularization) {
   const std::size_t count = sites_.size();
-  FlatArray<SiteId> places(count);
-  for (std::uint32_t k = 0; k < count; ++k) places[k] = k;
-  core_.updateMany(places, circlesOf(tried_));
+  FlatArray<SiteId> ids(count);
+  for (std::uint32_t k = 0; k < count; ++k) ids[k] = k;
+  core_.updateMany(ids, circlesOf(tried_));
 
   tried_.couplings.clear();
   tried_.areas.assign(count, 0);

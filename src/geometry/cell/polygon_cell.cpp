@@ -71,9 +71,9 @@ const Cell& PolygonCellClipper::find(Slot site) {
         isUsed_[k] = 1;
         const Crossing& entry = clippedDiagram_.crossing(entries_[k].crossing);
         addBoundaryChain(entry);
-        const std::int64_t exit = rankOf_[entry.next], place = exit + winding;
-        const std::int64_t turns = place >= 0 ? place / count : -((count - 1 - place) / count);
-        k = static_cast<std::size_t>(place - turns * count);
+        const std::int64_t exit = rankOf_[entry.next], rank = exit + winding;
+        const std::int64_t turns = rank >= 0 ? rank / count : -((count - 1 - rank) / count);
+        k = static_cast<std::size_t>(rank - turns * count);
         const Event &from = exits_[static_cast<std::size_t>(exit)], &to = entries_[k];
         const auto way = turns * static_cast<std::int64_t>(sides_.size()) +
                          static_cast<std::int64_t>(to.edge) - static_cast<std::int64_t>(from.edge);

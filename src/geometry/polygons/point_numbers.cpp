@@ -16,23 +16,23 @@ std::uint64_t mixed(double x) {
 
 }  // namespace
 
-std::size_t PointNumbers::placeOf(Point p) const {
+std::size_t PointNumbers::entryOf(Point p) const {
   const std::size_t mask = table_.size() - 1;
   const std::uint64_t hash = (mixed(p.x) ^ std::rotl(mixed(p.y), 31)) * 0x9E3779B97F4A7C15u;
-  std::size_t place = static_cast<std::size_t>(hash >> 32) & mask;
-  while (table_[place] != kNone && !(points_[table_[place]] == p)) place = (place + 1) & mask;
-  return place;
+  std::size_t entry = static_cast<std::size_t>(hash >> 32) & mask;
+  while (table_[entry] != kNone && !(points_[table_[entry]] == p)) entry = (entry + 1) & mask;
+  return entry;
 }
 
 std::uint32_t PointNumbers::add(Point p) {
   if (2 * points_.size() >= table_.size()) grow();
   p = p + Point{};  // -0 becomes 0
-  const std::size_t place = placeOf(p);
-  if (table_[place] == kNone) {
-    table_[place] = static_cast<std::uint32_t>(points_.size());
+  const std::size_t entry = entryOf(p);
+  if (table_[entry] == kNone) {
+    table_[entry] = static_cast<std::uint32_t>(points_.size());
     points_.push_back(p);
   }
-  return table_[place];
+  return table_[entry];
 }
 
 void PointNumbers::clear() {
@@ -42,7 +42,7 @@ void PointNumbers::clear() {
 
 void PointNumbers::grow() {
   table_.assign(table_.empty() ? kFirst : 2 * table_.size(), kNone);
-  for (std::uint32_t k = 0; k < points_.size(); ++k) table_[placeOf(points_[k])] = k;
+  for (std::uint32_t k = 0; k < points_.size(); ++k) table_[entryOf(points_[k])] = k;
 }
 
 }  // namespace apollonius::internal

@@ -17,7 +17,7 @@ class PointNumbers {
 
  private:
   void grow();
-  [[nodiscard]] std::size_t placeOf(Point p) const;
+  [[nodiscard]] std::size_t entryOf(Point p) const;
 
   FlatArray<Point> points_;
   FlatArray<std::uint32_t> table_;  // open addressing: numbers, or kNone

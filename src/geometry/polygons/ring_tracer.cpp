@@ -88,7 +88,7 @@ std::uint32_t Tracer::next(std::uint32_t segment) const {
 
 /// Ends a loop where the way comes to a point that it has been at.
 void Tracer::cut(std::uint32_t point) {
-  const std::uint32_t begin = placeOnWay_[point];
+  const std::uint32_t begin = indexOnWay_[point];
   Loop loop{static_cast<std::uint32_t>(traced_.size()),
             static_cast<std::uint32_t>(way_.size()) - begin,
             0,
@@ -99,7 +99,7 @@ void Tracer::cut(std::uint32_t point) {
   for (std::size_t k = begin; k < way_.size(); ++k) {
     const Point p = at(way_[k]);
     traced_.push_back(p);
-    placeOnWay_[way_[k]] = kNone;
+    indexOnWay_[way_[k]] = kNone;
     loop.box.include(p);
     reach += length(p - last);
     last = p;
@@ -117,14 +117,14 @@ void Tracer::link() {
   cancel();
   traced_.clear();
   loops_.clear();
-  placeOnWay_.assign(numbers_.points().size(), kNone);
+  indexOnWay_.assign(numbers_.points().size(), kNone);
   for (std::uint32_t first = 0; first < segments_.size(); ++first) {
     way_.clear();
     for (std::uint32_t k = first; k != kNone && !segments_[k].isDone; k = next(k)) {
       const std::uint32_t from = segments_[k].from;
       segments_[k].isDone = true;
-      if (placeOnWay_[from] != kNone) cut(from);
-      placeOnWay_[from] = static_cast<std::uint32_t>(way_.size());
+      if (indexOnWay_[from] != kNone) cut(from);
+      indexOnWay_[from] = static_cast<std::uint32_t>(way_.size());
       way_.push_back(from);
     }
     // Back where it began: at each point as many segments end as start.

@@ -50,7 +50,7 @@ class Tracer {
   PointNumbers numbers_;
   FlatArray<Segment> segments_;
   FlatArray<std::uint32_t> firstFrom_;  // by point, of segments_ by their starts; and their number
-  FlatArray<std::uint32_t> way_, placeOnWay_;
+  FlatArray<std::uint32_t> way_, indexOnWay_;
   FlatArray<Point> traced_;  // the loops' points
   FlatArray<Loop> loops_;
   double width_ = 0;  // thinner loops are dropped

@@ -26,10 +26,10 @@ class SegmentGrid {
 
   /// Monotonic.
   [[nodiscard]] std::uint32_t columnOf(double x) const {
-    return place(x - box_.xmin, box_.width(), columns_);
+    return indexOf(x - box_.xmin, box_.width(), columns_);
   }
   [[nodiscard]] std::uint32_t rowOf(double y) const {
-    return place(y - box_.ymin, box_.height(), rows_);
+    return indexOf(y - box_.ymin, box_.height(), rows_);
   }
   [[nodiscard]] std::size_t cellOf(std::uint32_t column, std::uint32_t row) const {
     return std::size_t{row} * columns_ + column;
@@ -95,7 +95,7 @@ class SegmentGrid {
   /// Of a cell: more than rounding.
   static constexpr double kMargin = 0.01;
 
-  [[nodiscard]] static std::uint32_t place(double along, double whole, std::uint32_t count) {
+  [[nodiscard]] static std::uint32_t indexOf(double along, double whole, std::uint32_t count) {
     const double at = along / whole * count;
     return at > 0 ? std::min(static_cast<std::uint32_t>(std::min(at, 1e9)), count - 1) : 0;
   }

@@ -2,6 +2,7 @@
 // it threw ("none" if it did not) and whether the diagram was as before. A process of its own, as
 // it replaces WebAssembly.Memory.prototype.grow.
 import { Diagram } from "../../../build/packed/consumer.mjs";
+import { calls } from "./calls.mjs";
 
 // One site with very many neighbours: then even a call about a single site needs much memory.
 const kRing = 3000;
@@ -23,7 +24,7 @@ const targets = new Float64Array(kRing + 1).fill(1);
 const bytes = diagram.toBytes();
 const ink = { moveTo() {}, lineTo() {}, bezierCurveTo() {}, closePath() {} };
 
-/** What each call is asked for; in `small` those that need no memory. */
+/** Calls that need much memory. */
 const large = {
   "Diagram.constructor": () => new Diagram(sites),
   "Diagram.from": () =>
@@ -77,21 +78,13 @@ const large = {
   "Voronoi.cellCentroids": () => view.cellCentroids(),
   "Voronoi.cellPerimeters": () => view.cellPerimeters(),
 };
-const small = {
-  "Diagram.size": () => diagram.size,
-  "Diagram.visibleSize": () => diagram.visibleSize,
-  "Diagram.hiddenSize": () => diagram.hiddenSize,
-  "Diagram.has": () => diagram.has(hub),
-  "Diagram.site": () => diagram.site(hub),
-  "Diagram.isHidden": () => diagram.isHidden(hub),
-  "Diagram.coverOf": () => diagram.coverOf(hub),
-  "Diagram.find": () => diagram.find(700, 700),
-  "Diagram.nearest": () => diagram.nearest(700, 700),
-  "Diagram.voronoi": () => diagram.voronoi(),
-  "Voronoi.renderBounds": () => view.renderBounds(ink),
-  "Voronoi.contains": () => view.contains(hub, 1, 1),
-  "Diagram.clear": () => diagram.clear(), // the last one: nothing is left after it
-};
+/** The other calls need no memory, and are used as their test uses them; the last one is clear. */
+const small = Object.fromEntries(
+  calls
+    .filter(([name]) => !(name in large))
+    .sort(([name]) => (name === "Diagram.clear" ? 1 : -1))
+    .map(([name, { use }]) => [name, () => use(diagram)]),
+);
 
 const grow = WebAssembly.Memory.prototype.grow;
 
