@@ -88,7 +88,8 @@ class APOLLONIUS_EXPORT Voronoi {
   explicit Voronoi(const Diagram& diagram, const Bounds& bounds = {})
       : diagram_(diagram), bounds_(bounds) {}
   /// In a region, which must live as long. The first call after either has changed costs
-  /// O(h + points of the region + cells that its rings pass through, times their degrees).
+  /// O(h), and about the logarithm of its degree for each cell that a side passes through. Sides
+  /// that are about as near to many cells as to the border of theirs cost that number each.
   Voronoi(const Diagram& diagram, const Region& region)
       : diagram_(diagram), bounds_(region.box()), region_(&region) {}
 

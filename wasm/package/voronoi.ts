@@ -49,10 +49,11 @@ const kRegionsOfSite = 16;
  * (if its site's centre is outside the window), which have holes where the window does.
  *
  * In a window that is no rectangle, the first call after a change of the diagram finds out where
- * the window's rings pass through the cells, which takes O(n + m + c), m being their points and c
- * the degrees of the cells, for each side that passes through one or comes near its boundary; O(d)
- * below is then O(d + what of the rings is in the cell). The window is prepared once, in
- * O(m log m). `dispose` gives the memory back.
+ * the window's rings pass through the cells, which takes about O(n + (m + c) log d), m being their
+ * points, c how often they go from cell to cell, and d the largest degree of a cell. (Sides that
+ * are about as near to many cells as to the border of theirs cost that number each.) O(d) below is
+ * then O(d + what of the rings is in the cell). The window is prepared once, in O(m log m).
+ * `dispose` gives the memory back.
  *
  * Everywhere: an id without a site throws "unknown-site"; for a hidden site, which has no cell, and
  * for what a cell has no part of inside the window, there is nothing: null for arrays and objects,

@@ -4,13 +4,12 @@
 #include <limits>
 
 #include "geometry/curve/in_range.h"
+#include "geometry/window/neighbor_search.h"
 
 namespace apollonius::internal {
 
 namespace {
 
-/// Distances below this share of the numbers that they come of are rounding.
-constexpr double kNegligible = powerOfTwo(-46);
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// The line of a segment, and how far along it the walk is.
@@ -48,14 +47,18 @@ struct Exit {
 class BoundaryWalker {
  public:
   BoundaryWalker(const DiagramCore& core, FlatArray<Crossing>& crossings)
-      : core_(core), graph_(core.delaunay().graph()), crossings_(crossings) {}
+      : core_(core),
+        graph_(core.delaunay().graph()),
+        crossings_(crossings),
+        neighbors_(core.delaunay()) {}
+
+  [[nodiscard]] std::size_t asked() const { return neighbors_.asked(); }
 
   /// Walks a ring; its only cell if it stays in one.
   Slot walk(std::span<const Point> ring, std::uint32_t number) {
     ring_ = number;
     const Point start = ring.front();
-    const VertexId home = vertexOf(core_.nearest(inRange(start.x), inRange(start.y),
-                                                 cell_ == kNoVertex ? kNoSlot : slotOf(cell_)));
+    const VertexId home = cellOf({inRange(start.x), inRange(start.y)});
     cell_ = home;
     reach_ = 0;
     const std::size_t first = crossings_.size();
@@ -78,6 +81,14 @@ class BoundaryWalker {
   }
 
  private:
+  /// Where a ring begins.
+  [[nodiscard]] VertexId cellOf(Point p) {
+    if (cell_ == kNoVertex) return vertexOf(core_.nearest(p.x, p.y));
+    // Location may go around the whole cell, and would for each of many rings within it.
+    if (neighbors_.surelyHolds(cell_, p)) return cell_;
+    return vertexOf(core_.nearest(p.x, p.y, slotOf(cell_)));
+  }
+
   void walkSegment(Point from, Point to) {
     if (length(from - clearing_) < reach_ && length(to - clearing_) < reach_) return;
     Line line(from, to);
@@ -108,25 +119,21 @@ class BoundaryWalker {
     const DelaunayGraph& delaunay = core_.delaunay();
     const Point here = line.point();
     const double ahead = 2 * (line.length - line.at);
-    const Site& own = delaunay.site(cell_);
-    const double distance = distanceOf(own, here);
-    const double size = absolute(here.x) + absolute(here.y) + absolute(distance);
+    const CellPlace place(delaunay.site(cell_), here);
+    const bool areAll = neighbors_.list(cell_, place, line.from, line.to, candidates_);
     double gap = kInfinite;
     Exit best;
-    for (const HalfedgeId h : graph_.star(cell_)) {
-      if (graph_.target(h) == kInfinity) continue;
-      const Site& other = delaunay.site(graph_.target(h));
+    for (const HalfedgeId h : candidates_) {
       // On the way, the difference of the two distances falls by twice its length at most.
-      const double rounding =
-          kNegligible * (size + absolute(own.x) + absolute(own.y) + absolute(own.r) +
-                         absolute(other.x) + absolute(other.y) + absolute(other.r));
-      const double more = distanceOf(other, here) - distance - rounding;
+      const Site& other = delaunay.site(graph_.target(h));
+      const double rounding = place.roundingOf(other), more = place.extraOf(other, rounding);
       gap = std::min(gap, more);
       if (more > ahead) continue;
       considerExit(h, line, rounding, best);
     }
     findMissing(line, best);
     clearing_ = here;
+    if (!areAll && best.halfedge == kNoHalfedge) gap = neighbors_.leastExtra(cell_, place);
     reach_ = best.halfedge == kNoHalfedge ? gap / 2 : 0;
     return best;
   }
@@ -137,8 +144,8 @@ class BoundaryWalker {
   void findMissing(const Line& line, Exit& best) const {
     const DelaunayGraph& delaunay = core_.delaunay();
     const double end = std::min(best.at, line.length);
-    for (const HalfedgeId h : graph_.star(cell_)) {
-      if (graph_.target(h) == kInfinity || h == best.halfedge) continue;
+    for (const HalfedgeId h : candidates_) {
+      if (h == best.halfedge) continue;
       const Site &own = delaunay.site(cell_), &other = delaunay.site(graph_.target(h));
       if (!isNearer(other, own, line.pointAt(end))) continue;
       double low = line.at, high = end;
@@ -301,10 +308,6 @@ class BoundaryWalker {
     }
   }
 
-  static double distanceOf(const Site& site, Point p) {
-    return length(p - Point{site.x, site.y}) - site.r;
-  }
-
   const DiagramCore& core_;
   const Graph& graph_;
   FlatArray<Crossing>& crossings_;
@@ -314,17 +317,20 @@ class BoundaryWalker {
   Point clearing_;  // within `reach_` of here is no other cell
   double reach_ = 0;
   FlatArray<HalfedgeId> crossed_;  // at this place of the line
+  NeighborSearch neighbors_;
+  FlatArray<HalfedgeId> candidates_;  // half-edges of the cell that the line can leave it for
 };
 
 }  // namespace
 
-void walkRings(const DiagramCore& core, const NormalizedPolygon& polygon,
-               FlatArray<Crossing>& crossings, FlatArray<Keyed>& interiorRings) {
+std::size_t walkRings(const DiagramCore& core, const NormalizedPolygon& polygon,
+                      FlatArray<Crossing>& crossings, FlatArray<Keyed>& interiorRings) {
   BoundaryWalker walker(core, crossings);
   for (std::uint32_t k = 0; k < polygon.ringCount(); ++k) {
     const Slot only = walker.walk(polygon.ring(k), k);
     if (only != kNoSlot) interiorRings.push_back({only, k});
   }
+  return walker.asked();
 }
 
 }  // namespace apollonius::internal

@@ -16,8 +16,10 @@
 //   - A ring that ends in another cell than it began in goes there over cells as near to its first
 //     point, and edges that pass there.
 //
-// Cost: the degrees of the cells that are crossed. Segments as near to a place as the boundary of
-// its cell is far from there cost no more than that.
+// Cost: O(log d) for a segment and a cell of degree d that it passes through, and O(d) for each
+// such cell, which is listed a few times before its neighbours are searched (neighbor_search.h);
+// more where the segment is about as near to many neighbours as to the boundary. Segments as near
+// to a place as the boundary of its cell is far from there cost no more than that.
 #pragma once
 
 #include "geometry/window/polygon_clip.h"
@@ -25,8 +27,9 @@
 namespace apollonius::internal {
 
 /// Appends the crossings of all rings; and rings without any, behind the slot of the cell that each
-/// is within. REQUIRES: a visible site.
-void walkRings(const DiagramCore& core, const NormalizedPolygon& polygon,
-               FlatArray<Crossing>& crossings, FlatArray<Keyed>& interiorRings);
+/// is within. Returns how many neighbours have been asked, which is its work. REQUIRES: a visible
+/// site.
+std::size_t walkRings(const DiagramCore& core, const NormalizedPolygon& polygon,
+                      FlatArray<Crossing>& crossings, FlatArray<Keyed>& interiorRings);
 
 }  // namespace apollonius::internal

@@ -19,7 +19,7 @@ ClippedDiagram::ClippedDiagram(const DiagramCore& core, const NormalizedPolygon&
     : core_(core), polygon_(polygon) {
   if (core.visibleCount() == 0) return;
   core.delaunay().computeMissingCircles();
-  walkRings(core, polygon, crossings_, interiorRings_);
+  (void)walkRings(core, polygon, crossings_, interiorRings_);
   sortByKey(interiorRings_);
   sortCrossings();
   wind();
