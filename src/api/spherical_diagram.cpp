@@ -244,7 +244,7 @@ Error SphericalDiagram::cellArea(SiteId id, double& area) const {
     SphericalVertices vertices(diagram);
     FlatArray<Sector> sectors;
     listSectors(diagram, node, vertices, sectors);
-    area = areaOfCell(diagram.cap(node), sectors) * radius() * radius();
+    area = areaOfCell(diagram.cap(node), sectors) * (radius() * radius());
   });
 }
 

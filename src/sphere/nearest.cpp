@@ -1,7 +1,8 @@
-// A walk from the plane's nearest site, which is nearly always the sphere's, to neighbours that are
-// nearer on the sphere. It ends at the nearest site, as cells are star-shaped about their sites
-// along geodesics: the way from a site to a point that is not in its cell leaves the cell into that
-// of a neighbour, which is nearer from there on.
+// A walk to neighbours that are nearer, from a site that was seen close by (direction_grid.h), or
+// if that takes long from the plane's nearest site, which is nearly always the sphere's. It ends at
+// the nearest site, as cells are star-shaped about their sites along geodesics: the way from a site
+// to a point that is not in its cell leaves the cell into that of a neighbour, which is nearer from
+// there on.
 //
 // A site with many neighbours does not ask all of them. Let its distance from the point p be d. The
 // cap about p with radius d touches it; a nearer site would overlap that cap. In the plane the cap
@@ -9,6 +10,9 @@
 // if no other circle overlaps it. So the plane's nearest site of c, which the plane's walk finds in
 // about log h steps, is this one if it is the nearest, and is nearer otherwise.
 #include "sphere/nearest.h"
+
+#include <algorithm>
+#include <limits>
 
 #include "base/flat_array.h"
 #include "diagram/queries.h"
@@ -29,31 +33,44 @@ class SphericalWalk {
 
   /// Goes to a node if that is nearer.
   bool moveTo(VertexId node) {
-    const HalfAngle there = distance(point_, diagram_.cap(node));
+    const Cap& cap = diagram_.cap(node);
+    if (node_ != kNoVertex && isCertainlyFarther(cap)) return false;
+    const HalfAngle there = distance(point_, cap);
     if (node_ != kNoVertex && !(there < toNode_)) return false;
     node_ = node;
     toNode_ = there;
     return true;
   }
 
-  VertexId run() {
-    if (!diagram_.graph().isEmpty()) {
-      while (step()) {
-      }
+  /// To the nearest site, in at most this many steps; kNoVertex if it takes more.
+  VertexId run(int most = std::numeric_limits<int>::max()) {
+    if (diagram_.graph().isEmpty()) return node_;
+    while (step()) {
+      if (most-- == 0) return kNoVertex;
     }
     return node_;
   }
 
  private:
+  /// A filter without roots. A nearer site's centre is within the angle toNode_ + weight of the
+  /// point.
+  [[nodiscard]] bool isCertainlyFarther(const Cap& cap) const {
+    constexpr double kRounding = 0x1p-48;
+    const HalfAngle half = toNode_ + cap.radius;
+    if (half.cosine < 0) return false;  // above pi: all are within
+    const double cosine = half.cosine * half.cosine - half.sine * half.sine;
+    return half.sine < -kRounding || dot(point_, cap.centre) < cosine - kRounding;
+  }
+
   bool step() {
     const Graph& graph = diagram_.graph();
     const VertexId from = node_;
     int asked = 0;
     for (const HalfedgeId h : graph.star(from)) {
-      if (++asked > kManyNeighbors && from != kInfinity) return node_ != from || jump();
-      (void)moveTo(graph.target(h));
+      if (++asked > kManyNeighbors && from != kInfinity) return jump();
+      if (moveTo(graph.target(h))) return true;
     }
-    return node_ != from;
+    return false;
   }
 
   bool jump() {
@@ -93,7 +110,14 @@ Projection::Image imageOf(const ProjectedDiagram& diagram, const Direction& poin
 }  // namespace
 
 VertexId nearestNode(const ProjectedDiagram& diagram, const Direction& point) {
+  constexpr int kFewSteps = 8;
   SphericalWalk walk(diagram, point);
+  const VertexId hint = diagram.hintFor(point);
+  if (hint != kNoVertex) {
+    (void)walk.moveTo(hint);
+    const VertexId nearest = walk.run(kFewSteps);
+    if (nearest != kNoVertex) return nearest;
+  }
   const DiagramCore& plane = diagram.plane();
   if (plane.visibleCount() > 0) {
     const Projection::Image image = imageOf(diagram, point);

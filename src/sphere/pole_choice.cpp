@@ -19,17 +19,12 @@ std::uint32_t draw(std::uint64_t& seed, std::uint64_t limit) {
   return static_cast<std::uint32_t>((seed >> 32) * limit >> 32);
 }
 
-struct Candidate {
-  SiteId id = kNoSite;
-  Cap cap;
-};
-
 /// The largest loss of accuracy of a circle that is seen from a pole.
-double lossFrom(const Cap& pole, const FlatArray<Candidate>& sites) {
+double lossFrom(const Cap& pole, const FlatArray<SiteId>& sites, const FlatArray<Cap>& caps) {
   const Projection projection(pole);
   double loss = 1;
-  for (const Candidate& site : sites) {
-    const Projection::Image image = projection.image(site.cap);
+  for (const SiteId id : sites) {
+    const Projection::Image image = projection.image(caps[id]);
     if (image.kind == Projection::Kind::kCoversPole) return std::numeric_limits<double>::infinity();
     if (image.kind == Projection::Kind::kCircle) loss = std::max(loss, image.loss);
   }
@@ -38,30 +33,30 @@ double lossFrom(const Cap& pole, const FlatArray<Candidate>& sites) {
 
 }  // namespace
 
-SiteId choosePole(const SiteTable& sites, std::uint64_t& seed) {
-  FlatArray<Candidate> all;
+SiteId choosePole(const SiteTable& sites, const FlatArray<Cap>& caps, std::uint64_t& seed) {
+  FlatArray<SiteId> all;
   all.reserve(sites.size());
   for (SiteId id = 0; id < sites.idLimit(); ++id) {
-    if (sites.has(id)) all.push_back({id, sites.cap(id)});
+    if (sites.has(id)) all.push_back(id);
   }
   SiteId best = kNoSite;
   double least = 0;
   for (int k = 0; k < kCandidates && (best == kNoSite || least > kUsualLoss); ++k) {
     // The site that is nearest to a centre is visible: paper, Lemma 1, which needs the triangle
     // inequality only. Of equally near ones the heaviest is.
-    const Candidate& drawn = all[draw(seed, all.size())];
-    const Candidate* nearest = &drawn;
-    HalfAngle toNearest = distance(drawn.cap.centre, drawn.cap);
-    for (const Candidate& site : all) {
-      const HalfAngle toSite = distance(drawn.cap.centre, site.cap);
-      if (toSite < toNearest || (!(toNearest < toSite) && nearest->cap.weight < site.cap.weight)) {
-        nearest = &site;
+    SiteId nearest = all[draw(seed, all.size())];
+    const Direction centre = caps[nearest].centre;
+    HalfAngle toNearest = distance(centre, caps[nearest]);
+    for (const SiteId id : all) {
+      const HalfAngle toSite = distance(centre, caps[id]);
+      if (toSite < toNearest || (!(toNearest < toSite) && caps[nearest].weight < caps[id].weight)) {
+        nearest = id;
         toNearest = toSite;
       }
     }
-    const double loss = lossFrom(nearest->cap, all);
+    const double loss = lossFrom(caps[nearest], all, caps);
     if (best == kNoSite || loss < least) {
-      best = nearest->id;
+      best = nearest;
       least = loss;
     }
   }

@@ -8,9 +8,10 @@
 namespace apollonius::internal {
 
 /// A visible site from which circles lose little accuracy: of a few that are drawn at random, the
-/// first from which the loss (Projection::Image) is usual, else the best. Advances `seed`.
-/// REQUIRES: at least one site. Throws std::bad_alloc. Cost: O(n).
-[[nodiscard]] SiteId choosePole(const SiteTable& sites, std::uint64_t& seed);
+/// first from which the loss (Projection::Image) is usual, else the best. `caps` are the sites' by
+/// id. Advances `seed`. REQUIRES: at least one site. Throws std::bad_alloc. Cost: O(n).
+[[nodiscard]] SiteId choosePole(const SiteTable& sites, const FlatArray<Cap>& caps,
+                                std::uint64_t& seed);
 
 /// Is a site visible, as far as the projection from it can tell: does no other one hide it? Cost:
 /// O(n).

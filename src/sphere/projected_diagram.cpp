@@ -17,8 +17,8 @@ void append(FlatArray<double>& circles, const Site& circle) {
 
 }  // namespace
 
-ProjectedDiagram::ProjectedDiagram(const SiteTable& sites, SiteId pole)
-    : pole_(pole), poleCap_(sites.cap(pole)), projection_(poleCap_), plane_(Location::kHierarchy) {
+ProjectedDiagram::ProjectedDiagram(const SiteTable& sites, const FlatArray<Cap>& caps, SiteId pole)
+    : pole_(pole), poleCap_(caps[pole]), projection_(poleCap_), plane_(Location::kHierarchy) {
   FlatArray<SiteId> all;
   all.reserve(sites.size());
   for (SiteId id = 0; id < sites.idLimit(); ++id) {
@@ -29,7 +29,7 @@ ProjectedDiagram::ProjectedDiagram(const SiteTable& sites, SiteId pole)
   reserve(sites.idLimit(), all.size());
   std::size_t images = 0;
   for (const SiteId id : all) {
-    const Projection::Image image = projection_.image(sites.cap(id));
+    const Projection::Image image = projection_.image(caps[id]);
     if (image.kind != Kind::kCircle) {
       enterBelowPole(id);
       continue;
@@ -40,6 +40,7 @@ ProjectedDiagram::ProjectedDiagram(const SiteTable& sites, SiteId pole)
   }
   all.resize(images);
   if (images == 0) return;
+  grid_.reset(images);
   FlatArray<SiteId> planeIds(images);
   {
     BulkInsertion insertion(plane_);
@@ -47,7 +48,8 @@ ProjectedDiagram::ProjectedDiagram(const SiteTable& sites, SiteId pole)
     FlatArray<double>().swap(circles);
     insertion.insert({planeIds.data(), images});
   }
-  for (std::size_t k = 0; k < images; ++k) enter(all[k], planeIds[k], sites.cap(all[k]));
+  for (std::size_t k = 0; k < images; ++k) enter(all[k], planeIds[k], caps[all[k]]);
+  grid_.fill();
 }
 
 bool ProjectedDiagram::isTooRough(double loss) const {

@@ -12,6 +12,7 @@
 #include "apollonius/types.h"
 #include "base/flat_array.h"
 #include "diagram/diagram_core.h"
+#include "sphere/direction_grid.h"
 #include "sphere/projection.h"
 #include "sphere/site_table.h"
 
@@ -21,9 +22,9 @@ class ProjectedDiagram {
  public:
   /// Without sites.
   ProjectedDiagram() : plane_(Location::kHierarchy) {}
-  /// Of all sites of the table, seen from `pole`. Throws std::bad_alloc. REQUIRES: the pole is
-  /// visible. Cost: that of building a diagram of the plane.
-  ProjectedDiagram(const SiteTable& sites, SiteId pole);
+  /// Of all sites of the table, whose caps these are by id, seen from `pole`. Throws
+  /// std::bad_alloc. REQUIRES: the pole is visible. Cost: that of building a diagram of the plane.
+  ProjectedDiagram(const SiteTable& sites, const FlatArray<Cap>& caps, SiteId pole);
 
   // --- Reading. Sites are those of the table, nodes are vertices of the plane's graph.
 
@@ -58,6 +59,12 @@ class ProjectedDiagram {
     return {belowPole_.data(), belowPole_.size()};
   }
 
+  /// A visible node that is probably close to a point; kNoVertex if none is known.
+  [[nodiscard]] VertexId hintFor(const Direction& point) const {
+    const Slot slot = grid_.at(point);
+    return plane_.ids().state(slot) == SiteState::kVisible ? vertexOf(slot) : kNoVertex;
+  }
+
   // --- Changing. What returns false has changed nothing, and all is to be projected from another
   // pole: because the pole is concerned or gets hidden, or a circle would lose too much accuracy.
   // All throw std::bad_alloc and have changed nothing then.
@@ -82,7 +89,11 @@ class ProjectedDiagram {
   }
   [[nodiscard]] bool isTooRough(double loss) const;
   void reserve(std::size_t idLimit, std::size_t circles);
-  void setCap(SiteId plane, const Cap& cap) { caps_[plane_.ids().slotOf(plane)] = cap; }
+  void setCap(SiteId plane, const Cap& cap) {
+    const Slot slot = plane_.ids().slotOf(plane);
+    caps_[slot] = cap;
+    grid_.set(cap.centre, slot);
+  }
   /// A site with this id in the plane. There is room.
   void enter(SiteId id, SiteId plane, const Cap& cap) noexcept;
   void enterBelowPole(SiteId id) noexcept;
@@ -100,6 +111,7 @@ class ProjectedDiagram {
   FlatArray<SiteId> siteOfPlane_;    // by id of the plane
   FlatArray<std::uint32_t> places_;  // by site
   FlatArray<SiteId> belowPole_;
+  DirectionGrid grid_;
   double loss_ = 1;
 };
 

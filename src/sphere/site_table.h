@@ -28,6 +28,14 @@ class SiteTable {
   [[nodiscard]] SiteId idLimit() const { return static_cast<SiteId>(rows_.size()); }
   [[nodiscard]] bool has(SiteId id) const { return id < rows_.size() && nextFree_[id] == kUsed; }
   [[nodiscard]] const SphericalSite& operator[](SiteId id) const { return rows_[id]; }
+  /// Of all sites by id; what stands at free ids is undefined. Throws std::bad_alloc.
+  [[nodiscard]] FlatArray<Cap> caps() const {
+    FlatArray<Cap> caps(idLimit());
+    for (SiteId id = 0; id < idLimit(); ++id) {
+      if (has(id)) caps[id] = cap(id);
+    }
+    return caps;
+  }
   [[nodiscard]] Cap cap(SiteId id) const { return capOf(rows_[id].centre, rows_[id].r / radius_); }
 
   /// Room for this many more sites. Throws std::bad_alloc.

@@ -96,7 +96,7 @@ bool SphericalCore::restore(std::span<const std::uint8_t> bytes) {
   for (std::uint32_t k = idLimit; k-- > size;) sites_.release(ids[k]);
   if (size == 0) return pole == kNoSite;
   if (!sites_.has(pole) || !isVisible(sites_, pole)) return false;
-  projected_ = ProjectedDiagram(sites_, pole);
+  projected_ = ProjectedDiagram(sites_, sites_.caps(), pole);
   sizeAtChoice_ = static_cast<std::size_t>(sizeAtChoice);
   seed_ = seed;
   return true;

@@ -38,8 +38,9 @@ bool hasManyNeighbors(const Graph& graph) {
 void SphericalCore::project() {
   ProjectedDiagram fresh;
   if (sites_.size() > 0) {
+    const FlatArray<Cap> caps = sites_.caps();
     for (int k = 0; k < kPoles; ++k) {
-      fresh = ProjectedDiagram(sites_, choosePole(sites_, seed_));
+      fresh = ProjectedDiagram(sites_, caps, choosePole(sites_, caps, seed_));
       if (!hasManyNeighbors(fresh.graph())) break;
     }
   }

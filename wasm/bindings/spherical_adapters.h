@@ -42,7 +42,8 @@ void registerSphere() {
   value_object<SphericalPoint>("SphericalPoint")
       .field("lon", &SphericalPoint::lon)
       .field("lat", &SphericalPoint::lat);
-  class_<SphericalNearestFirst>("SphericalNearestFirst").function("next", returning<&SphericalNearestFirst::next>());
+  class_<SphericalNearestFirst>("SphericalNearestFirst")
+      .function("next", returning<&SphericalNearestFirst::next>());
   class_<SphericalDiagram>("SphericalDiagram")
       .constructor(&createSpherical, allow_raw_pointers())
       .function("radius", &SphericalDiagram::radius)

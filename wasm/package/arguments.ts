@@ -243,9 +243,9 @@ function elementError(name: string, k: number, value: unknown): ApolloniusError 
   const error = numberError(`${name}[${k}]`, value) as ApolloniusError;
   if (typeof value !== "object" || value === null) return error;
   const hint =
-    name === "xyr"
-      ? "[x, y, r, x, y, r]; Diagram.from(rows) reads rows"
-      : name === "xy"
+    name === "xyr" || name === "lonLatR"
+      ? "[x, y, r, x, y, r]; from(rows) reads rows"
+      : name === "xy" || name === "lonLat"
         ? "[x, y, x, y]; points.flat() makes it of rows"
         : "[1, 2, 3]";
   return new ApolloniusError(error.code, `${error.message}: ${name} is flat, as in ${hint}`);

@@ -14,7 +14,10 @@ import {
 import { ApolloniusError } from "./errors.js";
 
 function notFinite(name: string, value: unknown): ApolloniusError {
-  return new ApolloniusError("not-finite", `${name} is ${described(value)}, expected a finite number`);
+  return new ApolloniusError(
+    "not-finite",
+    `${name} is ${described(value)}, expected a finite number`,
+  );
 }
 
 function lonError(name: string, lon: unknown): ApolloniusError | null {
@@ -140,7 +143,9 @@ export function sphericalTriples<T>(
     );
   }
   const collection = given as { type?: unknown; features?: unknown } | null;
-  const items = (collection?.type === "FeatureCollection" ? collection.features : given) as Items<T>;
+  const items = (
+    collection?.type === "FeatureCollection" ? collection.features : given
+  ) as Items<T>;
   if (isDetached(items)) throw detachedArray("items", "items");
   const isIterable = typeof items === "object" && items !== null && Symbol.iterator in items;
   const list = isIterable ? Array.from(items) : (items as ArrayLike<T>);

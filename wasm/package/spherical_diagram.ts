@@ -14,15 +14,15 @@ import {
   unknownSite,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import { checkedProperties, checkedWinding, featuresOf, positionsOf, type Winding } from "./geojson.js";
-import { kInspect, showContent, summary } from "./inspection.js";
 import {
-  Ballast,
-  createSpherical,
-  destroy,
-  fillOrDispose,
-  wrongReceiver,
-} from "./lifetime.js";
+  checkedProperties,
+  checkedWinding,
+  featuresOf,
+  positionsOf,
+  type Winding,
+} from "./geojson.js";
+import { kInspect, showContent, summary } from "./inspection.js";
+import { Ballast, createSpherical, destroy, fillOrDispose, wrongReceiver } from "./lifetime.js";
 import type { NativeSphericalDiagram, SphericalNearestFirst } from "./module.js";
 import {
   checkedFilter,
@@ -187,6 +187,7 @@ export class SphericalDiagram implements Disposable {
 
   /** Removes several sites; returns how many there were. Throws as `remove`, and "bad-length". */
   removeMany(ids: ArrayLike<number>): number {
+    living(this, true);
     const checked = checkedIds("ids", ids);
     return living(this, true).removeMany(checked);
   }
@@ -209,6 +210,7 @@ export class SphericalDiagram implements Disposable {
    * each, or that of building. Throws as `update`, and "bad-length" unless there is one triple an id.
    */
   updateMany(ids: ArrayLike<number>, lonLatR: ArrayLike<number>): this {
+    living(this, true);
     const sites = checkedIds("ids", ids);
     const numbers = checkedSites("lonLatR", lonLatR, this.radius);
     if (numbers.length !== 3 * sites.length)
@@ -313,6 +315,7 @@ export class SphericalDiagram implements Disposable {
    * in the distances, Infinity if the diagram is empty. Throws as `find`, and "bad-length".
    */
   findMany(lonLat: ArrayLike<number>, distances?: Float64Array): Int32Array {
+    living(this);
     const numbers = checkedPoints("lonLat", lonLat);
     const ids = allocated(() => new Int32Array(numbers.length / 2));
     const out = checkedDistances(distances, ids.length);
@@ -326,11 +329,11 @@ export class SphericalDiagram implements Disposable {
    * neighbours of the sites looked at. Throws "not-finite", "out-of-range", "bad-option".
    */
   kNearest(lon: number, lat: number, k: number, options?: NearbyOptions): Uint32Array {
+    living(this);
     checkPoint(lon, lat);
     const most = checkedCount("k", k);
     checkOptions(options, "maxDistance", "filter");
     const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
-    living(this);
     return nearby(this, this.#filters, lon, lat, most, farthest, options?.filter);
   }
 
@@ -340,11 +343,11 @@ export class SphericalDiagram implements Disposable {
    * kNearest.
    */
   within(lon: number, lat: number, distance: number, options?: FilterOptions): Uint32Array {
+    living(this);
     checkPoint(lon, lat);
     const farthest = checkedMaxDistance("distance", distance);
     checkOptions(options, "filter");
     const all = checkedCount("k", Infinity);
-    living(this);
     return nearby(this, this.#filters, lon, lat, all, farthest, options?.filter);
   }
 

@@ -21,6 +21,7 @@ export function installPacked() {
   // `import` of the bare name resolves against the importing file's folder, so the tests go through
   // a file that is here.
   writeFileSync(path.join(packed, "consumer.mjs"), 'export * from "apollonius-diagram";\n');
+  writeFileSync(path.join(packed, "sphere.mjs"), 'export * from "apollonius-diagram/sphere";\n');
   capture(
     "npm",
     ["install", "--offline", "--no-audit", "--no-fund", "--loglevel=error", `./${filename}`],

@@ -1,0 +1,59 @@
+// Where on the sphere a search may start: a grid of the directions that remembers in each cell a
+// site that was seen there.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/flat_array.h"
+#include "diagram/id_pool.h"
+#include "sphere/cap.h"
+
+namespace apollonius::internal {
+
+/// The faces of a cube about the sphere, each divided into equal squares. What it says is a hint:
+/// the slot may be free by now, or that of a site elsewhere.
+class DirectionGrid {
+ public:
+  /// Forgets all hints and makes about a cell a site. Throws std::bad_alloc.
+  void reset(std::size_t sites) {
+    side_ = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(sites) / 6)));
+    slots_.assign(std::size_t{6} * side_ * side_, kNoSlot);
+  }
+  /// Gives cells without a site that of the cell before or behind in their row, and so on.
+  void fill() {
+    Slot seen = kNoSlot;
+    const auto pass = [&](Slot& slot) { seen = slot == kNoSlot ? slot = seen : slot; };
+    for (Slot& slot : slots_) pass(slot);
+    for (std::size_t k = slots_.size(); k-- > 0;) pass(slots_[k]);
+  }
+  void set(const Direction& direction, Slot slot) {
+    if (side_ > 0) slots_[cellOf(direction)] = slot;
+  }
+  /// kNoSlot if there is none.
+  [[nodiscard]] Slot at(const Direction& direction) const {
+    return side_ == 0 ? kNoSlot : slots_[cellOf(direction)];
+  }
+
+ private:
+  [[nodiscard]] std::size_t cellOf(const Direction& d) const {
+    const double x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
+    if (x >= y && x >= z) return cellAt(d.x > 0 ? 0 : 1, d.y / x, d.z / x);
+    if (y >= z) return cellAt(d.y > 0 ? 2 : 3, d.x / y, d.z / y);
+    return cellAt(d.z > 0 ? 4 : 5, d.x / z, d.y / z);
+  }
+  /// Of a face and a point of it in [-1, 1] x [-1, 1].
+  [[nodiscard]] std::size_t cellAt(std::size_t face, double u, double v) const {
+    const auto index = [&](double t) {
+      return std::min(static_cast<std::uint32_t>((t + 1) / 2 * side_), side_ - 1);
+    };
+    return (face * side_ + index(u)) * side_ + index(v);
+  }
+
+  std::uint32_t side_ = 0;
+  FlatArray<Slot> slots_;
+};
+
+}  // namespace apollonius::internal

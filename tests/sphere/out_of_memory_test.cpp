@@ -1,0 +1,120 @@
+// Lack of memory on the sphere: every operation, made to fail at each of its allocations in turn,
+// reports kOutOfMemory and leaves the diagram as it was.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "sphere/sphere_sets.h"
+#include "support/failing_heap.h"
+
+namespace apollonius::test {
+namespace {
+
+using Operation = std::function<Error(SphericalDiagram&)>;
+
+/// With what they need made beforehand, so that only the library allocates.
+std::vector<std::pair<std::string, Operation>> operations() {
+  Random random(21);
+  const std::vector<double> more = flat(randomSites(random, 30, 0.2));
+  const std::vector<double> heavy = {10, 20, 2.5};  // hides most of the others
+  const std::vector<double> two = {1, 2, 0, 100, 3, 0};
+  static std::vector<SiteId> ids(30), one(1), removed = {3, 4, 5, 6}, moved = {7, 8};
+  return {
+      {"insert", [](SphericalDiagram& d) { return d.insert(1, 2, 0.01, one[0]); }},
+      {"insertMany", [=](SphericalDiagram& d) { return d.insertMany(more, ids); }},
+      {"a cover", [=](SphericalDiagram& d) { return d.insertMany(heavy, one); }},
+      {"remove",
+       [](SphericalDiagram& d) {
+         bool is = false;
+         return d.remove(5, is);
+       }},
+      {"removeMany",
+       [](SphericalDiagram& d) {
+         std::size_t n = 0;
+         return d.removeMany(removed, n);
+       }},
+      {"update", [](SphericalDiagram& d) { return d.update(9, 50, 60, 0.1); }},
+      {"updateMany", [=](SphericalDiagram& d) { return d.updateMany(moved, two); }},
+      {"kNearest",
+       [](SphericalDiagram& d) {
+         std::vector<SiteId> found;
+         return d.kNearest(1, 2, 20, 1, found);
+       }},
+      {"cellAreas",
+       [](SphericalDiagram& d) {
+         std::vector<double> a;
+         return d.cellAreas(a);
+       }},
+      {"cellPolygons",
+       [](SphericalDiagram& d) {
+         CoverageArrays polygons;
+         return d.cellPolygons(0.01, true, polygons);
+       }},
+      {"vertices",
+       [](SphericalDiagram& d) {
+         VertexArrays v;
+         return d.vertices(v);
+       }},
+      {"edges",
+       [](SphericalDiagram& d) {
+         EdgeArrays e;
+         return d.edges(e);
+       }},
+      {"toBytes",
+       [](SphericalDiagram& d) {
+         std::vector<std::uint8_t> b;
+         return d.toBytes(b);
+       }},
+  };
+}
+
+std::vector<std::uint8_t> stateOf(const SphericalDiagram& diagram) {
+  std::vector<std::uint8_t> bytes;
+  EXPECT_EQ(diagram.toBytes(bytes), Error::kNone);
+  return bytes;
+}
+
+TEST(SphericalOutOfMemory, EveryFailureLeavesTheDiagramAsItWas) {
+  Random random(20);
+  const SphericalSites sites = randomSites(random, 40, 0.3);
+  std::vector<std::uint8_t> saved = stateOf(diagramOf(sites));
+  for (const auto& [name, operation] : operations()) {
+    SCOPED_TRACE(name);
+    std::size_t failures = 0;
+    for (std::size_t k = 0;; ++k) {
+      SphericalDiagram diagram;
+      ASSERT_EQ(diagram.fromBytes(saved), Error::kNone);
+      heap.arm();
+      heap.failAt = k;
+      const Error error = operation(diagram);
+      const bool hasFailed = heap.failures > 0;
+      heap.disarm();
+      Violation violation;
+      ASSERT_EQ(diagram.validate(violation), Error::kNone);
+      ASSERT_EQ(violation.text(), "") << k;
+      if (!hasFailed) {
+        ASSERT_EQ(error, Error::kNone);
+        break;
+      }
+      // Some room is optional: then the operation succeeds all the same.
+      if (error == Error::kNone) continue;
+      ASSERT_EQ(error, Error::kOutOfMemory);
+      ++failures;
+      SphericalCircle circle = {};
+      ASSERT_EQ(diagram.size(), sites.size());
+      for (SiteId id = 0; id < sites.size(); ++id) {
+        ASSERT_EQ(diagram.site(id, circle), Error::kNone);
+        ASSERT_EQ(circle.lon, sites[id].lon);
+        ASSERT_EQ(circle.r, sites[id].r);
+      }
+      ASSERT_EQ(operation(diagram), Error::kNone);
+      if (k > 60) k += k / 4;
+    }
+    EXPECT_GT(failures, 0u);
+  }
+}
+
+}  // namespace
+}  // namespace apollonius::test

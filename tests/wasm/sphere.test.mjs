@@ -1,0 +1,236 @@
+// The diagram of the sphere as users get it: against brute force, against d3-geo-voronoi where all
+// weights are equal, and its polygons as d3-geo and JTS read them.
+import { geoArea, geoContains, geoDistance } from "d3-geo";
+import { geoVoronoi } from "d3-geo-voronoi";
+import GeoJSONReader from "jsts/org/locationtech/jts/io/GeoJSONReader.js";
+import IsValidOp from "jsts/org/locationtech/jts/operation/valid/IsValidOp.js";
+import { SphericalDiagram } from "../../build/packed/sphere.mjs";
+import { generator } from "./support/random.mjs";
+
+const random = generator(40);
+const degrees = 180 / Math.PI;
+const point = () => [360 * random() - 180, Math.asin(2 * random() - 1) * degrees];
+const sites = (n, heaviest) => Array.from({ length: n }, () => [...point(), heaviest * random()]);
+const distance = (lon, lat, [x, y, r]) => geoDistance([lon, lat], [x, y]) - r;
+
+const sets = [
+  ["one", sites(1, 0.1)],
+  ["two", sites(2, 0.1)],
+  ["three", sites(3, 0.1)],
+  ["points", sites(120, 0)],
+  ["caps", sites(120, 0.1)],
+  ["mostly hidden", sites(120, 1)],
+  [
+    "octahedron",
+    [
+      [0, 0],
+      [90, 0],
+      [180, 0],
+      [-90, 0],
+      [0, 90],
+      [0, -90],
+    ].map((p) => [...p, 0]),
+  ],
+  [
+    "grid",
+    Array.from({ length: 60 }, (_, k) => [-180 + 30 * (k % 12), -60 + 30 * Math.floor(k / 12), 0]),
+  ],
+  ["towns", sites(100, 0.001).map(([x, y, r], k) => [2 + x / 1000, 48 + y / 1000, k ? r : 0.5])],
+];
+
+test.each(sets)("%s: finds what brute force finds", (_, list) => {
+  const diagram = new SphericalDiagram(list.flat());
+  expect(diagram.validate()).toBeNull();
+  const points = Array.from({ length: 200 }, point);
+  const distances = new Float64Array(points.length);
+  const many = diagram.findMany(points.flat(), distances);
+  points.forEach(([lon, lat], k) => {
+    const least = Math.min(...list.map((site) => distance(lon, lat, site)));
+    const found = diagram.nearest(lon, lat);
+    expect(found.distance).toBeCloseTo(least, 13);
+    expect(distances[k]).toBeCloseTo(least, 13);
+    expect(diagram.find(lon, lat)).toBe(found.id);
+    expect(diagram.contains(many[k], lon, lat)).toBe(true);
+    const near = diagram.kNearest(lon, lat, 5);
+    const sorted = list.map((site) => distance(lon, lat, site)).sort((a, b) => a - b);
+    expect(near.length).toBe(Math.min(5, list.length));
+    near.forEach((id, m) => {
+      expect(distance(lon, lat, list[id])).toBeCloseTo(sorted[m], 12);
+    });
+    const odd = diagram.kNearest(lon, lat, 2, { filter: (id) => id % 2 === 1, maxDistance: 2 });
+    for (const id of odd) expect(id % 2).toBe(1);
+    const within = diagram.within(lon, lat, 0.1);
+    expect(within.length).toBe(sorted.filter((d) => d <= 0.1).length);
+    expect([...diagram.within(lon, lat, 0.1, { filter: () => true })]).toEqual([...within]);
+  });
+});
+
+test.each(sets)("%s: areas add up, polygons have them, and contain their sites", (_, list) => {
+  const diagram = new SphericalDiagram(list.flat(), { radius: 10 });
+  const areas = diagram.cellAreas();
+  const sum = areas.reduce((a, b) => a + b, 0);
+  expect(Math.abs(sum / (400 * Math.PI) - 1)).toBeLessThan(1e-12);
+  const { features } = diagram.toGeoJSON({ winding: "clockwise", tolerance: 1e-5 });
+  expect(features.length).toBe(diagram.visibleSize);
+  for (const feature of features) {
+    const { id } = feature;
+    expect(diagram.cellArea(id)).toBe(areas[id]);
+    expect(100 * geoArea(feature)).toBeCloseTo(areas[id], 1);
+    const { lon, lat } = diagram.site(id);
+    if (areas[id] > 0.5) expect(geoContains(feature, [lon, lat])).toBe(true);
+    const centroid = diagram.cellCentroid(id);
+    expect(centroid.every(Number.isFinite)).toBe(true);
+  }
+  for (const { id, hidden } of diagram) {
+    if (!hidden) continue;
+    expect(areas[id]).toBe(0);
+    expect(diagram.cellPolygon(id)).toBeNull();
+    expect(diagram.cellCentroid(id)).toBeNull();
+    expect([...diagram.neighbors(id)]).toEqual([]);
+    expect(diagram.isHidden(diagram.coverOf(id))).toBe(false);
+  }
+});
+
+test.each(sets)("%s: cut polygons are valid and cover the plane once", (_, list) => {
+  const diagram = new SphericalDiagram(list.flat(), { radius: 10 });
+  const reader = new GeoJSONReader();
+  for (const tolerance of [undefined, 1e-5, 0.02]) {
+    const segments = new Map();
+    let sum = 0;
+    for (const feature of diagram.toGeoJSON({ tolerance }).features) {
+      const { type, coordinates } = feature.geometry;
+      if (tolerance !== 1e-5) {
+        const validity = new IsValidOp(reader.read(JSON.stringify(feature.geometry)));
+        expect([feature.id, String(validity.getValidationError())]).toEqual([feature.id, "null"]);
+      }
+      for (const ring of (type === "Polygon" ? [coordinates] : coordinates).flat())
+        ring.slice(1).forEach(([x, y], k) => {
+          const [a, b] = ring[k];
+          sum += ((a + 180) * (y + 90) - (x + 180) * (b + 90)) / 2;
+          const key = `${a} ${b} ${x} ${y}`;
+          if (segments.has(key)) expect(key).toBe("once");
+          segments.set(key, [`${x} ${y} ${a} ${b}`, Math.abs(a) === 180 || Math.abs(b) === 90]);
+        });
+    }
+    expect(sum).toBeCloseTo(360 * 180, 6);
+    for (const [back, isBorder] of segments.values())
+      if (!isBorder && !segments.has(back)) expect(back).toBe("there");
+  }
+});
+
+test("points without weights have the neighbours and cells of d3-geo-voronoi", () => {
+  const points = sites(400, 0);
+  const diagram = SphericalDiagram.from(points);
+  const theirs = geoVoronoi(points.map(([lon, lat]) => [lon, lat]));
+  const { neighbors } = theirs.delaunay;
+  for (const id of diagram.ids())
+    expect([...diagram.neighbors(id)].sort()).toEqual([...neighbors[id]].sort());
+  const polygons = theirs.polygons().features;
+  for (const id of diagram.ids())
+    expect(diagram.cellArea(id)).toBeCloseTo(geoArea(polygons[id]), 8);
+  expect(diagram.vertices().clearance.length).toBe(2 * 400 - 4);
+  expect(diagram.edges().sites.length / 2).toBe(3 * 400 - 6);
+});
+
+test("items are read as objects, arrays, points of GeoJSON, or by accessors", () => {
+  const expected = [
+    { id: 0, lon: 2, lat: 48, r: 0.1, hidden: false },
+    { id: 1, lon: 13, lat: 52, r: 0, hidden: false },
+  ];
+  const feature = (lon, lat) => ({
+    type: "Feature",
+    properties: { lon, lat },
+    geometry: { type: "Point", coordinates: [lon, lat, 30] },
+  });
+  const features = [feature(2, 48), feature(13, 52)];
+  const without = expected.map((site) => ({ ...site, r: 0 }));
+  expect(SphericalDiagram.from(expected).toJSON()).toEqual(expected);
+  expect(
+    SphericalDiagram.from([
+      [2, 48, 0.1],
+      [13, 52],
+    ]).toJSON(),
+  ).toEqual(expected);
+  expect(SphericalDiagram.from(features).toJSON()).toEqual(without);
+  expect(SphericalDiagram.from({ type: "FeatureCollection", features }).toJSON()).toEqual(without);
+  const byAccessors = SphericalDiagram.from(
+    features,
+    (f) => f.properties.lon,
+    (f) => f.properties.lat,
+    (_, k) => (k === 0 ? 0.1 : 0),
+  );
+  expect(byAccessors.toJSON()).toEqual(expected);
+  const earth = SphericalDiagram.from(features, undefined, undefined, undefined, { radius: 6371 });
+  expect(earth.radius).toBe(6371);
+  expect(SphericalDiagram.from(features, { radius: 6371 }).nearest(2, 49).distance).toBeCloseTo(
+    (6371 * Math.PI) / 180,
+    9,
+  );
+  expect(SphericalDiagram.from(new Set([[2, 48]])).size).toBe(1);
+});
+
+test("histories: sites come, move and go, and the diagram is that of the sites", () => {
+  const diagram = new SphericalDiagram();
+  const model = new Map();
+  const some = () => [...model.keys()][Math.floor(random() * model.size)];
+  for (let step = 0; step < 600; ++step) {
+    const what = random();
+    const [lon, lat, r] = sites(1, what < 0.05 ? 2 : 0.1)[0];
+    if (what < 0.5 || model.size === 0) model.set(diagram.insert(lon, lat, r), [lon, lat, r]);
+    else if (what < 0.75) {
+      const id = some();
+      expect(diagram.remove(id)).toBe(true);
+      model.delete(id);
+    } else if (what < 0.95) {
+      const id = some();
+      diagram.update(id, lon, lat);
+      model.set(id, [lon, lat, model.get(id)[2]]);
+    } else {
+      const ids = [some(), some(), some()];
+      diagram.updateMany(
+        ids,
+        ids.flatMap(() => [lon, lat, r]),
+      );
+      for (const id of ids) model.set(id, [lon, lat, r]);
+    }
+    if (step % 60 !== 0) continue;
+    expect(diagram.validate()).toBeNull();
+    expect([...diagram].map((site) => [site.id, [site.lon, site.lat, site.r]])).toEqual(
+      [...model].sort(([a], [b]) => a - b),
+    );
+    const copy = SphericalDiagram.fromBytes(diagram.toBytes());
+    expect(copy.sites().lonLatR).toEqual(diagram.sites().lonLatR);
+    expect([copy.size, copy.visibleSize]).toEqual([diagram.size, diagram.visibleSize]);
+    const added = diagram.insert(1, 2, 0);
+    expect(copy.insert(1, 2, 0)).toBe(added);
+    model.set(added, [1, 2, 0]);
+    const [x, y] = point();
+    const least = Math.min(...[...model.values()].map((site) => distance(x, y, site)));
+    expect(diagram.nearest(x, y).distance).toBeCloseTo(least, 12);
+  }
+});
+
+test("an empty diagram answers, and one site has the whole sphere", () => {
+  const diagram = new SphericalDiagram();
+  expect([diagram.find(0, 0), diagram.nearest(0, 0), diagram.size]).toEqual([-1, null, 0]);
+  expect([...diagram.findMany([0, 0, 1, 1])]).toEqual([-1, -1]);
+  expect(diagram.toGeoJSON()).toEqual({ type: "FeatureCollection", features: [] });
+  expect(diagram.insert(5, 5)).toBe(0);
+  expect(diagram.cellPolygon(0)).toEqual([]);
+  expect(diagram.toGeoJSON({ winding: "clockwise" }).features[0].geometry).toEqual({
+    type: "Sphere",
+  });
+  const whole = [
+    [-180, -90],
+    [180, -90],
+    [180, 90],
+    [-180, 90],
+    [-180, -90],
+  ];
+  expect(diagram.toGeoJSON().features[0].geometry).toEqual({
+    type: "Polygon",
+    coordinates: [whole],
+  });
+  expect(String(diagram)).toBe("SphericalDiagram { size: 1, hidden: 0 }");
+  expect(diagram.clear().size).toBe(0);
+});

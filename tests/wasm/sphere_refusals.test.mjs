@@ -1,0 +1,123 @@
+// What the calls of SphericalDiagram refuse, with which code and words; none changes the diagram.
+import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
+import { SphericalDiagram, ApolloniusError as TheirError } from "../../build/packed/sphere.mjs";
+import { expectRefusal } from "./support/refusal.mjs";
+
+const earth = { radius: 6371 };
+const make = () => new SphericalDiagram([0, 0, 100, 90, 10, 0, 1, 0, 0], earth);
+
+test("both entries have one class of errors", () => {
+  expect(TheirError).toBe(ApolloniusError);
+});
+
+const hint = "expected a latitude from -90 to 90: longitude comes first, then latitude";
+const calls = [
+  ["find", (d, lon, lat) => d.find(lon, lat)],
+  ["nearest", (d, lon, lat) => d.nearest(lon, lat)],
+  ["kNearest", (d, lon, lat) => d.kNearest(lon, lat, 2)],
+  ["within", (d, lon, lat) => d.within(lon, lat, 5)],
+  ["contains", (d, lon, lat) => d.contains(0, lon, lat)],
+  ["insert", (d, lon, lat) => d.insert(lon, lat, 0)],
+  ["update", (d, lon, lat) => d.update(0, lon, lat)],
+];
+test.each(calls)("%s refuses what is no point", (_, call) => {
+  const diagram = make();
+  const before = diagram.sites();
+  expectRefusal(() => call(diagram, NaN, 0), "not-finite", "lon is NaN");
+  expectRefusal(() => call(diagram, "2", 0), "not-finite", 'lon is the string "2"');
+  expectRefusal(() => call(diagram, 0, undefined), "not-finite", "lat is undefined");
+  expectRefusal(() => call(diagram, 2, 90.5), "out-of-range", `lat is 90.5, ${hint}`);
+  expect(diagram.sites()).toEqual(before);
+});
+
+test("arrays, weights, options and ids are refused by name", () => {
+  const diagram = make();
+  const before = diagram.sites();
+  for (const [call, code, message] of [
+    [() => diagram.insertMany([1, 2]), "bad-length", "a multiple of 3 values in lonLatR, got 2"],
+    [() => diagram.insertMany([1, 2, 3, 4, 95, 6]), "out-of-range", `lonLatR[4] is 95, ${hint}`],
+    [() => diagram.insertMany([1, 2, 2e4 + 16]), "out-of-range", "lonLatR[2] is 20016"],
+    [() => diagram.insertMany([[1, 2, 3]]), "not-finite", "lonLatR is flat"],
+    [() => diagram.insert(0, 0, 30000), "out-of-range", "r is 30000, expected less than half a gr"],
+    [() => diagram.updateMany([0, 1], [1, 2, 3]), "bad-length", "expected 6 values in lonLatR"],
+    [() => diagram.updateMany([0, 9], [1, 2, 3, 4, 5, 6]), "unknown-site", "ids[1]: site 9 does"],
+    [() => diagram.update(9, 0, 0), "unknown-site", "site 9 does not exist"],
+    [() => diagram.site("0"), "unknown-site", "ids are whole numbers"],
+    [() => diagram.remove(0.5), "unknown-site", "ids are whole numbers"],
+    [() => diagram.findMany([1, 2, 3]), "bad-length", "a multiple of 2 values in lonLat, got 3"],
+    [() => diagram.findMany([1, 200]), "out-of-range", "lonLat[1] is 200"],
+    [() => diagram.kNearest(0, 0, -1), "out-of-range", "k is -1"],
+    [() => diagram.kNearest(0, 0, 1, { filter: 3 }), "bad-option", "options.filter is 3"],
+    [() => diagram.kNearest(0, 0, 1, { far: 3 }), "bad-option", "options.far is unknown"],
+    [() => diagram.within(0, 0, NaN), "not-finite", "distance is NaN"],
+    [() => diagram.cellPolygon(0, { tolerance: 0 }), "out-of-range", "options.tolerance is 0"],
+    [() => diagram.toGeoJSON({ winding: "left" }), "bad-option", "options.winding"],
+    [() => diagram.toGeoJSON({ antimeridian: true }), "bad-option", "options.antimeridian"],
+    [() => diagram.toGeoJSON({ properties: 5 }), "bad-option", "options.properties is 5"],
+    [() => new SphericalDiagram([], { radius: 0 }), "out-of-range", "options.radius is 0"],
+    [() => new SphericalDiagram([], { radius: "1" }), "not-finite", "options.radius is the string"],
+    [() => new SphericalDiagram([], { size: 1 }), "bad-option", "options.size is unknown"],
+    [
+      () => SphericalDiagram.from([{ x: 1, y: 2 }]),
+      "not-finite",
+      "item 0 is an object, expected {",
+    ],
+    [() => SphericalDiagram.from([[1, 2], null]), "not-finite", "item 1 is null, expected {lon"],
+    [() => SphericalDiagram.from([[48, 200]]), "out-of-range", `lat of item 0 is 200, ${hint}`],
+    [() => SphericalDiagram.from(7), "bad-length", "items is 7"],
+    [() => SphericalDiagram.from([], "lon"), "bad-option", 'lon is the string "lon"'],
+    [() => SphericalDiagram.fromBytes(new Uint8Array(8)), "corrupt-snapshot", "no snapshot"],
+    [() => SphericalDiagram.fromBytes([1]), "bad-length", "bytes is an array of 1"],
+    [() => SphericalDiagram.fromBytes(new Diagram().toBytes()), "corrupt-snapshot", "no snapshot"],
+    [() => (0, diagram.find)(0, 0), "bad-option", "a method was called on undefined"],
+    [() => Diagram.prototype.find.call(diagram, 0, 0), "bad-option", "a method was called on an o"],
+  ])
+    expectRefusal(call, code, message);
+  expect(diagram.sites()).toEqual(before);
+  expect(diagram.validate()).toBeNull();
+});
+
+test("what a filter may not do, and what a disposed diagram says", () => {
+  const diagram = make();
+  const changing = ["insert", "remove", "update", "insertMany", "removeMany", "updateMany"];
+  for (const name of [...changing, "clear", "dispose"])
+    diagram.kNearest(0, 0, 1, {
+      filter: () => {
+        const lists = name.endsWith("Many");
+        expectRefusal(() => diagram[name](lists ? [] : 0, lists ? [] : 0, 0), "busy", "a filter");
+        return true;
+      },
+    });
+  expect(diagram.size).toBe(3);
+  diagram.dispose();
+  diagram.dispose();
+  const { prototype } = SphericalDiagram;
+  const accessors = Object.entries(Object.getOwnPropertyDescriptors(prototype));
+  const skipped = ["constructor", "dispose", "toString"];
+  for (const [name, { value, get }] of accessors) {
+    if (skipped.includes(name)) continue;
+    if (get !== undefined) {
+      expectRefusal(() => get.call(diagram), "disposed", "has been disposed of");
+    } else if (name === "cellPolygons") {
+      expectRefusal(() => [...diagram.cellPolygons()], "disposed", "has been disposed of");
+    } else {
+      const lists = name.endsWith("Many");
+      const args = lists ? [[], []] : [0, 0, 0, 0];
+      const options = name === "toGeoJSON" || name === "cellPolygon" ? [0] : args;
+      expectRefusal(
+        () => value.apply(diagram, name === "toGeoJSON" ? [] : options),
+        "disposed",
+        "has been disposed of",
+      );
+    }
+  }
+  expect(String(diagram)).toBe("SphericalDiagram { disposed }");
+});
+
+test("equal diagrams are equal to test frameworks, others are not", () => {
+  expect(make()).toEqual(make());
+  const other = make();
+  other.remove(2);
+  expect(other).not.toEqual(make());
+  expect(() => structuredClone(other)).toThrow("toBytes()");
+});
