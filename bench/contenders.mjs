@@ -14,6 +14,7 @@ export const names = [
   "d3-delaunay",
   "d3-voronoi-map",
   "flatbush",
+  "d3-geo-voronoi",
 ];
 
 const node = (module) => ({
@@ -28,6 +29,7 @@ const commands = {
   "d3-delaunay": node("d3_delaunay"),
   "d3-voronoi-map": node("d3_voronoi_map"),
   flatbush: node("flatbush"),
+  "d3-geo-voronoi": node("d3_geo_voronoi"),
 };
 
 const running = new Map();

@@ -286,6 +286,29 @@ function windows({ rounds, seconds, sizes }) {
   ];
 }
 
+/** The sphere against d3-geo-voronoi with the same centres, and against the plane. */
+function sphere({ rounds, seconds, limit, sizes }) {
+  const both = ["wasm", "d3-geo-voronoi"];
+  const common = { seconds, limit, rounds: Math.min(rounds, 3) };
+  return [1e4, 1e5]
+    .filter((n) => n <= Math.max(...sizes))
+    .map((n) => ({
+      part: "sphere",
+      family: "random5",
+      n,
+      rounds: common.rounds,
+      steps: [
+        { op: "build", who: ["wasm"], ...common },
+        { op: "sphereBuild", who: both, ...common },
+        { op: "find", who: ["wasm"], ...common, count: 50_000 },
+        { op: "sphereFind", who: both, ...common, count: 50_000 },
+        { op: "spherePolygons", who: both, ...common },
+        { op: "sphereCut", who: ["wasm"], ...common },
+        { op: "sphereAreas", who: ["wasm"], ...common },
+      ],
+    }));
+}
+
 /** Snapshots against building, and `findMany` on threads that restored one. */
 function snapshots({ rounds, seconds, limit, sizes }) {
   const cores = availableParallelism();
@@ -353,6 +376,7 @@ export const parts = {
   drawing,
   windows,
   fit,
+  sphere,
   snapshots,
   border,
 };

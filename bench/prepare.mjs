@@ -33,6 +33,7 @@ function installPackage() {
   );
   // the bare name resolves from here
   writeFileSync(path.join(packed, "consumer.mjs"), 'export * from "apollonius-diagram";\n');
+  writeFileSync(path.join(packed, "sphere.mjs"), 'export * from "apollonius-diagram/sphere";\n');
   capture(
     "npm",
     ["install", "--offline", "--no-audit", "--no-fund", "--loglevel=error", `./${filename}`],

@@ -12,6 +12,7 @@ const titles = {
   drawing:
     "Drawing all edges (d3-delaunay: of the centres' cells), areas of all cells (µs per site)",
   windows: "All areas in windows of other shapes (µs per site; *Anew*: the window is given anew)",
+  sphere: "The sphere (d3-geo-voronoi: of the centres; µs per site, of `find` per point)",
   snapshots: "Snapshots (µs per site; threads: µs per point, all of them together)",
   border: "One call that does nothing else (µs)",
   memory: "Memory (µs per item; bytes below)",

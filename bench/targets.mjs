@@ -197,6 +197,17 @@ function goals(records, member) {
       scaling(hundred, "insert", "wasm"),
       most(6),
     ],
+    ...[1e4, 1e5].flatMap((n) => {
+      const sphere = (op, contender = "wasm") => us(`sphere random5 ${n} ${op} ${contender}`);
+      const against = (op) => sphere(op, "d3-geo-voronoi") / sphere(op);
+      return [
+        [`sphere, build ${n}: d3-geo-voronoi / wasm`, against("sphereBuild"), least(10)],
+        [`sphere, find in ${n}: d3-geo-voronoi / wasm`, against("sphereFind"), least(20)],
+        [`sphere, polygons of ${n}: d3-geo-voronoi / wasm`, against("spherePolygons"), information],
+        [`sphere, build ${n} / plane`, sphere("sphereBuild") / sphere("build"), most(1.3)],
+        [`sphere, find in ${n} / plane`, sphere("sphereFind") / sphere("find"), most(1.5)],
+      ];
+    }),
     [`issue 2: find in ${hundred}, wasm, µs`, scaling(hundred, "find", "wasm"), most(3)],
     [`issue 2: remove from ${hundred}, wasm, µs`, scaling(hundred, "remove", "wasm"), most(15)],
   ];

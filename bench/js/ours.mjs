@@ -12,6 +12,7 @@ import {
   sampledLater,
   Sum,
 } from "./sampling.mjs";
+import { sphereOperations } from "./sphere.mjs";
 import { startFinders } from "./threads.mjs";
 import { windowOperations } from "./windows.mjs";
 
@@ -25,9 +26,9 @@ WebAssembly.Instance = class extends WebAssembly.Instance {
 };
 const heapBytes = () => memory.buffer.byteLength;
 
-const { Diagram } = await import(
-  pathToFileURL(path.join(process.env.BENCH_PACKAGE, "consumer.mjs")).href
-);
+const entry = (name) => import(pathToFileURL(path.join(process.env.BENCH_PACKAGE, name)).href);
+const { Diagram } = await entry("consumer.mjs");
+const { SphericalDiagram } = await entry("sphere.mjs");
 
 // The last set and its diagram are kept, so that several queries in a row need one construction.
 const current = { set: "", sites: new Float64Array(), diagram: new Diagram(), isWhole: false };
@@ -409,6 +410,16 @@ export const operations = {
   callHas: (request) => calls(request, (diagram, k) => diagram.has(k)),
   memory: memoryOfBuild,
   ...windowOperations(Diagram),
+  ...sphereOperations({
+    make: (lonLatR) => new SphericalDiagram(lonLatR),
+    end: (diagram) => diagram.dispose(),
+    find: (diagram, lon, lat) => diagram.find(lon, lat),
+    polygons: (diagram) => diagram.toGeoJSON({ winding: "clockwise" }),
+    others: {
+      sphereAreas: (diagram) => diagram.cellAreas(),
+      sphereCut: (diagram) => diagram.toGeoJSON(),
+    },
+  }),
 };
 
 export function warmUp() {

@@ -54,6 +54,14 @@ Error guarded(const SphericalCore& core, Operation&& operation) {
   return internal::guarded(core.projected().plane(), operation);
 }
 
+/// To the arrays of one cell or of all.
+template <class Arrays>
+void copyRings(const LonLatRings& rings, Arrays& arrays) {
+  arrays.coordinates.assign(rings.coordinates.begin(), rings.coordinates.end());
+  arrays.starts.assign(rings.starts.begin(), rings.starts.end());
+  arrays.parts.assign(rings.parts.begin(), rings.parts.end());
+}
+
 }  // namespace
 
 SphericalDiagram::SphericalDiagram(double radius) : core_(std::make_unique<SphericalCore>(radius)) {
@@ -278,32 +286,29 @@ Error SphericalDiagram::cellPolygon(SiteId id, double tolerance, bool isCut,
   if (!has(id)) return Error::kUnknownSite;
   if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
   return guarded(*core_, [&] {
-    rings.coordinates.clear();
-    rings.starts.assign(1, 0);
-    rings.parts.assign(1, 0);
     const ProjectedDiagram& diagram = core_->projected();
-    if (diagram.isHidden(id)) return;
-    CellPolygons(diagram, tolerance, isCut)
-        .append(diagram.nodeOf(id), {rings.coordinates, rings.starts, rings.parts});
+    CellPolygons cells(diagram, tolerance, isCut);
+    if (!diagram.isHidden(id)) cells.append(diagram.nodeOf(id));
+    copyRings(cells.rings(), rings);
   });
 }
 
 Error SphericalDiagram::cellPolygons(double tolerance, bool isCut, CoverageArrays& polygons) const {
   if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
   return guarded(*core_, [&] {
-    polygons.coordinates.clear();
-    polygons.starts.assign(1, 0);
-    polygons.parts.assign(1, 0);
-    polygons.sites.clear();
-    polygons.cells.assign(1, 0);
     const ProjectedDiagram& diagram = core_->projected();
     CellPolygons cells(diagram, tolerance, isCut);
+    FlatArray<SiteId> sites;
+    FlatArray<std::uint32_t> ends{0};
     for (SiteId id = 0; id < core_->sites().idLimit(); ++id) {
       if (!has(id) || diagram.isHidden(id)) continue;
-      cells.append(diagram.nodeOf(id), {polygons.coordinates, polygons.starts, polygons.parts});
-      polygons.sites.push_back(id);
-      polygons.cells.push_back(static_cast<std::uint32_t>(polygons.parts.size() - 1));
+      cells.append(diagram.nodeOf(id));
+      sites.push_back(id);
+      ends.push_back(static_cast<std::uint32_t>(cells.rings().parts.size() - 1));
     }
+    copyRings(cells.rings(), polygons);
+    polygons.sites.assign(sites.begin(), sites.end());
+    polygons.cells.assign(ends.begin(), ends.end());
   });
 }
 

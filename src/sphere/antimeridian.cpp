@@ -99,7 +99,8 @@ void AntimeridianCutter::followChords(std::span<const Direction> ring, std::size
   }
 }
 
-void AntimeridianCutter::cut(std::span<const Direction> ring, bool hasNorthPole, Output output) {
+void AntimeridianCutter::cut(std::span<const Direction> ring, bool hasNorthPole,
+                             LonLatRings& output) {
   points_.clear();
   arcs_.clear();
   ring_.clear();
@@ -107,7 +108,7 @@ void AntimeridianCutter::cut(std::span<const Direction> ring, bool hasNorthPole,
   if (ring.empty()) {
     addRectangle();
     emitRing(output);
-    output.parts.push_back(static_cast<std::uint32_t>(output.starts.size() - 1));
+    output.endPart();
     return;
   }
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -127,7 +128,7 @@ void AntimeridianCutter::cut(std::span<const Direction> ring, bool hasNorthPole,
     ring_ = hole;
   }
   emitRing(output);
-  output.parts.push_back(static_cast<std::uint32_t>(output.starts.size() - 1));
+  output.endPart();
 }
 
 std::size_t AntimeridianCutter::arcAfter(double position) const {
@@ -144,7 +145,7 @@ std::size_t AntimeridianCutter::arcAfter(double position) const {
   return best;
 }
 
-void AntimeridianCutter::joinArcs(Output output) {
+void AntimeridianCutter::joinArcs(LonLatRings& output) {
   for (std::size_t first = 0; first < arcs_.size(); ++first) {
     if (arcs_[first].isJoined) continue;
     ring_.clear();
@@ -162,7 +163,7 @@ void AntimeridianCutter::joinArcs(Output output) {
         ring_, [&](const LonLat& p) { return p.lon == ring_[0].lon || p.lat == ring_[0].lat; });
     if (isFlat && signedArea(ring_) == 0) continue;  // of arcs along the border
     emitRing(output);
-    output.parts.push_back(static_cast<std::uint32_t>(output.starts.size() - 1));
+    output.endPart();
   }
 }
 
@@ -176,7 +177,7 @@ void AntimeridianCutter::addBorder(double from, double to) {
   }
 }
 
-void AntimeridianCutter::emitRing(Output output) {
+void AntimeridianCutter::emitRing(LonLatRings& output) {
   // Closed, and no point twice in a row.
   std::size_t kept = 0;
   for (const LonLat& p : ring_) {
@@ -188,7 +189,7 @@ void AntimeridianCutter::emitRing(Output output) {
     output.coordinates.push_back(p.lon);
     output.coordinates.push_back(p.lat);
   }
-  output.starts.push_back(static_cast<std::uint32_t>(output.coordinates.size() / 2));
+  output.endRing();
 }
 
 }  // namespace apollonius::internal

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "base/flat_array.h"
 #include "sphere/cap.h"
@@ -17,19 +16,24 @@ namespace apollonius::internal {
 /// rounding.
 [[nodiscard]] Direction snappedToBorder(const Direction& point);
 
+/// Polygons of longitudes and latitudes, one after the other: closed rings, one part after the
+/// other.
+struct LonLatRings {
+  FlatArray<double> coordinates;       ///< longitude, latitude of each point
+  FlatArray<std::uint32_t> starts{0};  ///< 0 and the end of each ring, in points
+  FlatArray<std::uint32_t> parts{0};   ///< 0 and the end of each part, in rings
+
+  void endRing() { starts.push_back(static_cast<std::uint32_t>(coordinates.size() / 2)); }
+  void endPart() { parts.push_back(static_cast<std::uint32_t>(starts.size() - 1)); }
+};
+
 class AntimeridianCutter {
  public:
-  /// Closed rings, counter-clockwise outside and clockwise within, one part after the other.
-  struct Output {
-    std::vector<double>& coordinates;
-    std::vector<std::uint32_t>& starts;  ///< gets the end of each ring
-    std::vector<std::uint32_t>& parts;   ///< gets the end of each part
-  };
-
-  /// Cuts a ring of snapped points that has the cell at its left and is not closed. No points stand
-  /// for the whole sphere. `hasNorthPole` tells whether the cell contains the north pole: then, if
-  /// the ring does not touch the border, it is a hole. Throws std::bad_alloc.
-  void cut(std::span<const Direction> ring, bool hasNorthPole, Output output);
+  /// Cuts a ring of snapped points that has the cell at its left and is not closed, and appends
+  /// what it becomes: outer rings counter-clockwise, holes clockwise. No points stand for the whole
+  /// sphere. `hasNorthPole` tells whether the cell contains the north pole: then, if the ring does
+  /// not touch the border, it is a hole. Throws std::bad_alloc.
+  void cut(std::span<const Direction> ring, bool hasNorthPole, LonLatRings& output);
 
  private:
   /// A part of the ring inside of the rectangle, from border to border.
@@ -42,10 +46,10 @@ class AntimeridianCutter {
   void beginArc(const LonLat& point);
   void endArc(const LonLat& point);
   void followChords(std::span<const Direction> ring, std::size_t first);
-  void joinArcs(Output output);
+  void joinArcs(LonLatRings& output);
   [[nodiscard]] std::size_t arcAfter(double position) const;
   void addBorder(double from, double to);
-  void emitRing(Output output);
+  void emitRing(LonLatRings& output);
 
   FlatArray<LonLat> points_;
   FlatArray<Arc> arcs_;

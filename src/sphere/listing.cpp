@@ -21,39 +21,46 @@ void listNeighbors(const ProjectedDiagram& diagram, SiteId id, std::vector<SiteI
 }
 
 void listVertices(const ProjectedDiagram& diagram, double radius, VertexArrays& vertices) {
-  vertices.coordinates.clear();
-  vertices.clearance.clear();
-  vertices.sites.clear();
   const Graph& graph = diagram.graph();
+  const std::size_t count = graph.isEmpty() ? 0 : graph.faceCount();
+  vertices.coordinates.resize(2 * count);
+  vertices.clearance.resize(count);
+  vertices.sites.resize(3 * count);
   SphericalVertices computed(diagram);
+  std::size_t row = 0;
   for (const FaceId face : graph.faces()) {
     const SphericalVertex& vertex = computed[face];
     const LonLat point = lonLatOf(vertex.point);
-    vertices.coordinates.push_back(point.lon);
-    vertices.coordinates.push_back(point.lat);
-    vertices.clearance.push_back(vertex.clearance * radius);
+    vertices.coordinates[2 * row] = point.lon;
+    vertices.coordinates[2 * row + 1] = point.lat;
+    vertices.clearance[row] = vertex.clearance * radius;
     for (unsigned corner = 0; corner < 3; ++corner)
-      vertices.sites.push_back(diagram.siteOf(graph.origin(halfedgeOf(face, corner))));
+      vertices.sites[3 * row + corner] = diagram.siteOf(graph.origin(halfedgeOf(face, corner)));
+    ++row;
   }
 }
 
 void listEdges(const ProjectedDiagram& diagram, EdgeArrays& edges) {
-  edges.sites.clear();
-  edges.vertices.clear();
   const Graph& graph = diagram.graph();
-  if (graph.isEmpty() && diagram.visibleCount() == 2) {
-    edges.sites = {diagram.pole(), diagram.siteOf(diagram.plane().delaunay().anyVisible())};
-    edges.vertices = {-1, -1};
+  const bool isClosed = graph.isEmpty() && diagram.visibleCount() == 2;
+  const std::size_t count = isClosed ? 1 : graph.faceCount() / 2 * 3;
+  edges.sites.resize(2 * count);
+  edges.vertices.resize(2 * count);
+  if (isClosed) {
+    edges.sites[0] = diagram.pole();
+    edges.sites[1] = diagram.siteOf(diagram.plane().delaunay().anyVisible());
+    edges.vertices[0] = edges.vertices[1] = -1;
     return;
   }
   FlatArray<std::int32_t> row(graph.faceSlots(), -1);  // of the faces in listVertices()
   std::int32_t rows = 0;
   for (const FaceId face : graph.faces()) row[index(face)] = rows++;
+  std::size_t k = 0;
   for (const HalfedgeId h : graph.edges()) {
-    edges.sites.push_back(diagram.siteOf(graph.origin(h)));
-    edges.sites.push_back(diagram.siteOf(graph.target(h)));
-    edges.vertices.push_back(row[index(faceOf(graph.twin(h)))]);
-    edges.vertices.push_back(row[index(faceOf(h))]);
+    edges.sites[k] = diagram.siteOf(graph.origin(h));
+    edges.vertices[k++] = row[index(faceOf(graph.twin(h)))];
+    edges.sites[k] = diagram.siteOf(graph.target(h));
+    edges.vertices[k++] = row[index(faceOf(h))];
   }
 }
 

@@ -10,7 +10,7 @@ CellPolygons::CellPolygons(const ProjectedDiagram& diagram, double tolerance, bo
       isCut_(isCut),
       atNorthPole_(diagram.isEmpty() ? kNoVertex : nearestNode(diagram, {0, 0, 1})) {}
 
-void CellPolygons::append(VertexId node, const SphericalRings& rings) {
+void CellPolygons::append(VertexId node) {
   const Graph& graph = diagram_.graph();
   points_.clear();
   if (!graph.isEmpty()) {
@@ -26,18 +26,17 @@ void CellPolygons::append(VertexId node, const SphericalRings& rings) {
   while (kept > 1 && !(lengthOf(points_[kept - 1] - points_[0]) > 0)) --kept;
   points_.resize(kept);
   if (isCut_) {
-    cutter_.cut({points_.data(), points_.size()}, node == atNorthPole_,
-                {rings.coordinates, rings.starts, rings.parts});
+    cutter_.cut({points_.data(), points_.size()}, node == atNorthPole_, rings_);
     return;
   }
   if (points_.empty()) return;
   for (std::size_t k = 0; k <= kept; ++k) {
     const LonLat p = lonLatOf(points_[k == kept ? 0 : k]);
-    rings.coordinates.push_back(p.lon);
-    rings.coordinates.push_back(p.lat);
+    rings_.coordinates.push_back(p.lon);
+    rings_.coordinates.push_back(p.lat);
   }
-  rings.starts.push_back(static_cast<std::uint32_t>(rings.coordinates.size() / 2));
-  rings.parts.push_back(static_cast<std::uint32_t>(rings.starts.size() - 1));
+  rings_.endRing();
+  rings_.endPart();
 }
 
 }  // namespace apollonius::internal

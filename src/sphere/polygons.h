@@ -1,20 +1,10 @@
 // Cells of the sphere as polygons of longitudes and latitudes.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "sphere/antimeridian.h"
 #include "sphere/chain.h"
 
 namespace apollonius::internal {
-
-/// Polygons one after the other. All start with the first element, 0.
-struct SphericalRings {
-  std::vector<double>& coordinates;  ///< longitude, latitude of each point; rings are closed
-  std::vector<std::uint32_t>& starts;
-  std::vector<std::uint32_t>& parts;
-};
 
 /// Writes the cells of sites, within a tolerance in radians. The cells of all sites have the points
 /// of each edge in common. Calls throw std::bad_alloc.
@@ -26,13 +16,16 @@ class CellPolygons {
 
   /// Appends the cell of a visible site: one ring that has it at the left, none if it is the whole
   /// sphere, or, where it is cut, rings of one part or more.
-  void append(VertexId node, const SphericalRings& rings);
+  void append(VertexId node);
+
+  [[nodiscard]] const LonLatRings& rings() const { return rings_; }
 
  private:
   const ProjectedDiagram& diagram_;
   ChainMaker chains_;
   bool isCut_;
   VertexId atNorthPole_;
+  LonLatRings rings_;
   FlatArray<Direction> points_;
   AntimeridianCutter cutter_;
 };
