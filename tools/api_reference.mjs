@@ -14,6 +14,7 @@ export const referenceFile = path.join(root, "docs/API.md");
 const entries = [
   ["apollonius-diagram", "index.ts"],
   ["apollonius-diagram/wasm", "wasm.ts"],
+  ["apollonius-diagram/sphere", "sphere.ts"],
 ];
 const preface = `# API reference
 

@@ -46,6 +46,44 @@ test("the lines about cells", () => {
   expect(output.split("\n")).toEqual(["0", "1", "2", "true M"]);
 });
 
+test("the lines about the globe", () => {
+  const first = blocks.find((text) => text.includes("const cities"));
+  const { code, values } = instrumented(first);
+  expect(values).toEqual(["0"]);
+  const output = runInNode(`${code}console.log(Math.round(distance), Math.round(area / 1e6));`);
+  const [found, numbers] = output.split("\n");
+  expect(found).toBe(values[0]);
+  expect(numbers).toMatch(/^5\d{3} \d+$/); // from Paris or London to New York
+});
+
+test("the cells of the globe in d3-geo, and as they are given to maps", () => {
+  const first = blocks.find((text) => text.includes("const cities"));
+  const maps = blocks.find((text) => text.includes("geoOrthographic"));
+  const output = runInNode(`import { geoOrthographic, geoPath } from "d3-geo";
+    ${first}
+    const calls = [];
+    const context = new Proxy({}, { get: (_, name) => () => calls.push(name) });
+    const shown = {};
+    const map = { on: (_, click) => click({ latlng: { lng: 10, lat: 50 } }) };
+    const L = { geoJSON: (data) => ({ addTo: (to) => { shown.leaflet = [data, to]; } }) };
+    const maplibre = {
+      addSource: (id, source) => { shown.source = [id, source]; },
+      addLayer: (layer) => { shown.layer = layer; },
+    };
+    ${maps}
+    const inside = ([lon, lat]) => Math.abs(lon) <= 180 && Math.abs(lat) <= 90;
+    console.log(
+      calls.includes("lineTo"),
+      shown.leaflet[0] === cells && shown.leaflet[1] === map,
+      shown.source[1].data === cells && shown.layer.source === shown.source[0],
+      cells.features.map(({ properties }) => properties === cities[0]).join(),
+      cells.features.every(({ geometry }) => geometry.coordinates.flat(2).flat().length > 0),
+      cells.features.every(({ geometry: { type, coordinates } }) =>
+        coordinates.flat(type === "Polygon" ? 1 : 2).every(inside)),
+    );`);
+  expect(output.split("\n")).toEqual(["0", "true true true true,false,false true true"]);
+});
+
 test("the address of the wasm is written as the tests of bundlers write it", () => {
   const block = blocks.find((text) => text.includes("apollonius-diagram/wasm"));
   const bundlers = readFileSync(path.join(root, "tests/wasm/support/bundle.mjs"), "utf8");
@@ -57,7 +95,7 @@ test("the address of the wasm is written as the tests of bundlers write it", () 
     expect(block).toContain(way);
     expect(bundlers).toContain(way);
   }
-  expect(blocks.length).toBe(3);
+  expect(blocks.length).toBe(5);
 });
 
 test("links and pictures are there", () => {
