@@ -6,7 +6,9 @@ import { geoEqualEarth, geoOrthographic, geoPath } from "d3-geo";
 const radius = 6371.0088; // km, of the Earth: the unit of circles and distances
 const reach = 330; // km, of the largest city's circle
 const tolerance = 3e-4; // radians, of the edges: a pixel where the globe is largest
-const detail = { still: 0, turning: 60 }; // km between points of the coast
+// Between points of the coast, in km, and how far a curve's chords may be from it, in pixels.
+const fine = { apart: 0, precision: 0.3 };
+const coarse = { apart: 60, precision: 1 }; // while it turns
 const smallest = 0.4; // pixels, of a circle that is drawn
 const step = 5; // degrees that an arrow key turns
 const zooms = [0.7, 8];
@@ -88,7 +90,7 @@ export default async function globe(container) {
     { radius },
   );
   const edges = edgesOf(diagram.toGeoJSON({ winding: "clockwise", tolerance }));
-  const coasts = { still: landOf(land, detail.still), turning: landOf(land, detail.turning) };
+  const coasts = new Map([fine, coarse].map((detail) => [detail, landOf(land, detail.apart)]));
 
   const box = add(container, "div", { className: "globe" });
   const canvas = add(box, "canvas"); // what turns
@@ -103,7 +105,7 @@ export default async function globe(container) {
   let zoom = 1;
   let pointer = null; // where it is on the canvas
   let isDragging = false;
-  let coast = coasts.still;
+  let detail = fine;
   let stillness = 0; // the timer that ends the turning
   let isAsked = false; // for a frame
   let isOld = true; // the drawing of all but what is picked
@@ -168,9 +170,13 @@ export default async function globe(container) {
 
   function drawGlobe(context) {
     const { sea, land, edge, city } = dark.matches ? night : day;
+    projection.precision(detail.precision);
     const shape = pen(context, Math.min(0.7, projection.scale() / 400));
-    shape({ type: "Sphere" }, sea);
-    shape(coast, land);
+    const [x, y] = projection.translate();
+    context.beginPath();
+    context.arc(x, y, projection.scale(), 0, 2 * Math.PI); // { type: "Sphere" } has corners
+    Object.assign(context, { fillStyle: sea }).fill();
+    shape(coasts.get(detail), land);
     shape(edges, "", edge);
     context.fillStyle = city;
     circles(context, cities);
@@ -201,14 +207,14 @@ export default async function globe(container) {
     isAsked = true;
   }
 
-  /** Fewer points of the coast until it has stood still for a moment. */
+  /** With less detail until it has stood still for a moment. */
   function turn(east, north) {
     const [lon, lat] = projection.rotate();
     projection.rotate([lon - east, Math.max(-90, Math.min(90, lat - north))]);
-    coast = coasts.turning;
+    detail = coarse;
     clearTimeout(stillness);
     stillness = setTimeout(() => {
-      coast = coasts.still;
+      detail = fine;
       redraw();
     }, 150);
     redraw();
