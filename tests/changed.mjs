@@ -73,7 +73,7 @@ export function nativePlan(files) {
 export const kTestsOfPage = {
   "": ["page", "data"],
   data: ["data", "windows"],
-  examples: ["examples", "recipes"],
+  examples: ["examples", "globe", "recipes"],
   model: ["page", "defects"],
   motion: ["motion", "windows"],
   picture: ["picture", "windows"],

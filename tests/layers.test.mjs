@@ -110,7 +110,7 @@ const rules = [
     of: /^web\/examples\/.*\.js$/,
     may: [
       /^\.\/random_circles\.js$/,
-      /^apollonius-diagram$/,
+      /^apollonius-diagram(\/sphere)?$/,
       /^d3-[a-z]+$/,
       /^@observablehq\/plot$/,
       /^leaflet$/,

@@ -1,7 +1,8 @@
 // The page in Chromium: what frames take while the pointer hovers, zooms, pans and drags, at
 // 10 000, 100 000 and 1 000 000 circles, and while 10 000 move, beside a page that draws the
-// centres with d3-delaunay in every frame; and how long it takes until a set is shown. With
-// --storms also ten storms of 5 000 random events, after which the exact check must find nothing.
+// centres with d3-delaunay in every frame; and how long it takes until a set is shown. Then the
+// globe of web/examples with its 1 500 cities, while the pointer hovers and turns it. With --storms
+// also ten storms of 5 000 random events, after which the exact check must find nothing.
 //
 //   node bench/js/page.mjs [--storms] [--sizes 10000,100000]
 //
@@ -22,6 +23,7 @@ const kEvents = 5000; // of each
 const kAtOnce = 3; // storms: their events mostly wait for the next frame
 const kMostDrifting = 10_000; // circles
 const kDrift = 4000; // ms
+const kTurns = 240; // frames
 
 const { values } = parseArgs({
   options: { storms: { type: "boolean" }, sizes: { type: "string" } },
@@ -130,6 +132,34 @@ const load = (page, count) =>
     };
   }, count);
 
+/** The globe, which is also turned anew in each frame: events come less often. */
+async function measureGlobe(browser, url) {
+  const page = await browser.newPage({ viewport: kViewport });
+  await page.goto(`${url}examples/globe.html`);
+  await page.waitForFunction(() => window.example);
+  const { mouse } = page;
+  const rows = {};
+  rows.hover = await framesOf(page, async () => {
+    await repeat(kSteps, (k) => mouse.move(450 + 5 * k, 250 + 4 * k));
+  });
+  rows.drag = await framesOf(page, async () => {
+    await mouse.down();
+    await repeat(kSteps, (k) => mouse.move(750 - 5 * k, 490 - 3 * k));
+    await mouse.up();
+  });
+  await page.waitForTimeout(kRest);
+  rows.turn = await framesOf(page, () =>
+    page.evaluate(async (frames) => {
+      for (let k = 0; k < frames; k++) {
+        example.turn(1.5, Math.sin(k / 20));
+        await new Promise(requestAnimationFrame);
+      }
+    }, kTurns),
+  );
+  await page.close();
+  return rows;
+}
+
 /** A storm, after which the diagram must be sound. */
 async function endure(browser, url, seed) {
   const page = await open(browser, url, false);
@@ -160,6 +190,9 @@ try {
       console.log(`  d3-delaunay  ${name.padEnd(10)}${summary(frames)}`);
     await other.close();
   }
+  console.log("\nthe globe");
+  for (const [name, frames] of Object.entries(await measureGlobe(browser, server.url)))
+    console.log(`  page         ${name.padEnd(10)}${summary(frames)}`);
   for (let seed = 1; values.storms && seed <= kStorms; seed += kAtOnce) {
     const seeds = Array.from({ length: Math.min(kAtOnce, kStorms + 1 - seed) }, (_, k) => seed + k);
     await Promise.all(seeds.map((one) => endure(browser, server.url, one)));

@@ -44,6 +44,15 @@ describeInBrowser("data", (open) => {
     expect(await page.evaluate(() => app.sites.info.key)).toBe("opening");
   });
 
+  test("the cities on the globe are a page of the examples", async () => {
+    await page.click("#open-sets");
+    await page.click("#presets a");
+    await page.waitForFunction(() => window.example?.diagram.size === 1500);
+    expect(await page.textContent("h1")).toBe("Cities on the globe");
+    await page.click("text=← Apollonius diagram");
+    await page.waitForFunction(() => window.app);
+  });
+
   test("what presets promise: one vertex, contacts, hidden circles", async () => {
     await show(page, "cocircular");
     const corners = await page.evaluate(() => {

@@ -332,6 +332,22 @@ describeInBrowser("examples", (open) => {
     expect(found.paths).toBe(1500);
   });
 
+  test("globe: all cities are in the diagram, most of them drawn in colour", async () => {
+    const found = await inExample("globe", () => {
+      const { diagram, canvas } = window.example;
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      const pixels = new Uint32Array(data.buffer);
+      return {
+        size: diagram.size,
+        broken: diagram.validate(),
+        isColoured: new Set(pixels).size > 50,
+        said: document.querySelector("output").textContent,
+      };
+    });
+    expect(found).toMatchObject({ size: 1500, broken: null, isColoured: true });
+    expect(found.said).toMatch(/^\p{L}.*: [\d,]+ km (away|inside its circle)$/u);
+  });
+
   test("relax: areas stay, cells become rounder, and it stops if told to", async () => {
     const page = await open({ path: "examples/#relax", ready: "example" });
     const look = () =>
@@ -395,7 +411,7 @@ describeInBrowser("examples", (open) => {
 
   test("each example is tested here", () => {
     const text = readFileSync(fileURLToPath(import.meta.url), "utf8");
-    expect(names.length).toBe(11);
+    expect(names.length).toBe(12);
     for (const name of names) expect(text).toMatch(new RegExp(`inExample\\(\\s*"${name}"`));
   });
 });

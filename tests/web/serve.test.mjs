@@ -35,7 +35,9 @@ test.each([
   ["/web/data/cities.json", "application/json"],
   ["/web/data/country.json", "application/json"],
   ["/web/examples/", "text/html"],
+  ["/web/examples/globe.html", "text/html"],
   ["/web/examples/gallery.js", "text/javascript"],
+  ["/dist/esm/sphere.js", "text/javascript"],
   ["/dist/apollonius.wasm", "application/wasm"],
 ])("%s is %s, isolated", async (path, type) => {
   const { status, headers } = await get(path);

@@ -44,6 +44,11 @@ const kExamples = {
     "What is nearest to each of the 1500 largest cities, on the world's land. Data: GeoNames, " +
       "CC BY; Natural Earth.",
   ],
+  globe: [
+    "Globe",
+    "Turn it: which of 1500 cities is nearest to each place on Earth, in true kilometres " +
+      "(SphericalDiagram). Data: GeoNames, CC BY; Natural Earth.",
+  ],
   relax: [
     "Relaxation",
     "Sites move to the centroids of their cells and areas are fitted again, round by round: " +

@@ -35,7 +35,7 @@ export function makeSetsMenu(app: App, actions: Actions) {
     });
     return button;
   });
-  element("presets").append(...buttons);
+  element("presets").append(...buttons, globeLink());
   app.model.on("change", ({ isSet }) => {
     if (!isSet) return;
     for (const button of buttons)
@@ -125,6 +125,30 @@ function pictureOf(circles: Triple[]) {
   }
   return svg;
 }
+
+/** The same cities where distances are those on the Earth: a page of the examples. */
+function globeLink() {
+  const link = document.createElement("a");
+  link.href = "examples/globe.html";
+  link.append(globePicture(), "Cities on the globe");
+  return link;
+}
+
+/** Small towards the rim, as on a ball. */
+const globePicture = () =>
+  pictureOf([
+    [0, 0, 100],
+    [12, 26, 22],
+    [-38, 6, 15],
+    [44, -16, 16],
+    [-8, -44, 15],
+    [-46, 54, 9],
+    [62, 46, 8],
+    [-72, -34, 7],
+    [36, -72, 7],
+    [88, 10, 5],
+    [-90, 18, 4],
+  ]);
 
 /** A few cities stand for all. */
 const worldPicture = () =>
