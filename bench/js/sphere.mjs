@@ -15,8 +15,8 @@ function toSphere(numbers, perItem, [xmin, ymin, xmax, ymax]) {
 }
 
 /**
- * `make(lonLatR)` builds a diagram, `end(diagram)` gives it back, `find(diagram, lon, lat)` is asked
- * for each point, `polygons(diagram)` makes all cells.
+ * `make(lonLatR)` builds a diagram, `end(diagram)` gives it back, `find(diagram, lon, lat)` is
+ * asked for each point, `polygons(diagram)` makes all cells.
  */
 export function sphereOperations({ make, end, find, polygons, others = {} }) {
   const kept = { set: "" };

@@ -32,12 +32,14 @@ class SphericalBisector {
     const double length = std::sqrt(x * x + y * y);
     x_ = length > 0 ? slope * (x / length) : slope;
     y_ = length > 0 ? slope * (y / length) : 0;
+    scale_ = 0x1p-51 * (std::abs(slope) + std::abs(shift_));
   }
 
   /// What there is in the direction of a bearing.
   struct At {
     double cosine, sine;  ///< of rho
     double x, y;          ///< cosine and sine of the bearing
+    double rounding;      ///< how far rounding may have moved rho, about
     /// 1 - cos rho, accurate also where that is small.
     [[nodiscard]] double height() const {
       return cosine > 0 ? sine * sine / (1 + cosine) : 1 - cosine;
@@ -55,8 +57,8 @@ class SphericalBisector {
     // In degenerate position rounding may take the rise below 0.
     const double rise = rise_ > 0 ? rise_ : 0;
     const double length = std::sqrt(rise * rise + run * run);
-    if (length == 0) return {1, 0, x, y};
-    return {run / length, rise / length, x, y};
+    if (length == 0) return {1, 0, x, y, 0};
+    return {run / length, rise / length, x, y, scale_ / length};
   }
   /// The bearing of the other site, where the bisector is nearest.
   [[nodiscard]] double middle() const { return std::atan2(y_, x_); }
@@ -80,6 +82,7 @@ class SphericalBisector {
 
  private:
   double rise_, shift_;
+  double scale_;  // of what is added up for `run`, times the unit of rounding
   double x_, y_;  // slope times cosine and sine of the other site's bearing
 };
 

@@ -1,7 +1,5 @@
 #include "sphere/cell.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -15,21 +13,25 @@ constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Does an edge whose ends are in one direction go all the way round its site, or is it without
 /// length? All points of the bisector are nearest to the two sites in the first case. In the
-/// second, single ones can be, where they are another vertex; so three are asked.
+/// second, many can be, as the two sites may have another edge; but not those close to the ends.
 bool goesRound(const ProjectedDiagram& diagram, HalfedgeId h, const Frame& frame,
                const SphericalBisector& bisector, double from) {
-  constexpr double kRounding = 0x1p-40;
+  constexpr double kRounding = 0x1p-40, kClosest = 0x1p-14;
   const Graph& graph = diagram.graph();
   const Cap& cap = diagram.cap(graph.origin(h));
-  return std::ranges::all_of(std::array{2.7, 1.1, 4.9}, [&](double turn) {
-    const Direction point = bisector.at(from + turn).point(cap.centre, frame);
+  const auto isOnEdge = [&](double bearing) {
+    const Direction point = bisector.at(bearing).point(cap.centre, frame);
     const double distance = distanceInRadians(point, cap);
     const auto isNearest = [&](VertexId node) {
       return distance < distanceInRadians(point, diagram.cap(node)) + kRounding;
     };
     return isNearest(graph.apex(h)) && isNearest(graph.apex(graph.twin(h))) &&
            isNearest(nearestNode(diagram, point));
-  });
+  };
+  for (double turn = 2.7; turn > kClosest; turn /= 2) {
+    if (!isOnEdge(from + turn) || !isOnEdge(from - turn)) return false;
+  }
+  return true;
 }
 
 /// From one bearing to another, counter-clockwise: of an edge whose ends these are.

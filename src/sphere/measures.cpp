@@ -23,7 +23,7 @@ namespace apollonius::internal {
 namespace {
 
 struct GaussPoint {
-  double position, wtwelve;  // in [-1, 1], of both signs
+  double position, weight;  // in [-1, 1], of both signs
 };
 constexpr std::array<GaussPoint, 6> kTwelvePoints = {{{0.1252334085114689, 0.24914704581340277},
                                                       {0.3678314989981802, 0.2334925365383548},
@@ -39,13 +39,15 @@ constexpr std::array<GaussPoint, 3> kSixPoints = {{{0.2386191860831969, 0.467913
 /// (first, second, up).
 struct Integrals {
   double area = 0;
+  double rounding = 0;  // of the area, about
   Direction moment = {};
 
-  void add(double wtwelve, const SphericalBisector::At& at, bool withMoment) {
-    area += wtwelve * at.height();
+  void add(double weight, const SphericalBisector::At& at, bool withMoment) {
+    area += weight * at.height();
+    rounding += weight * at.sine * at.rounding;
     if (!withMoment) return;
-    const double outward = wtwelve * (at.rho() - at.sine * at.cosine) / 2;
-    moment = moment + Direction{outward * at.x, outward * at.y, wtwelve * at.sine * at.sine / 2};
+    const double outward = weight * (at.rho() - at.sine * at.cosine) / 2;
+    moment = moment + Direction{outward * at.x, outward * at.y, weight * at.sine * at.sine / 2};
   }
 };
 
@@ -59,7 +61,7 @@ Integrals gauss(const SphericalBisector& bisector, double from, double width,
     const double offset = half * point.position;
     const double c = std::cos(offset), s = std::sin(offset);
     for (const double side : {-s, s})
-      sum.add(half * point.wtwelve, bisector.at(cosine * c - sine * side, sine * c + cosine * side),
+      sum.add(half * point.weight, bisector.at(cosine * c - sine * side, sine * c + cosine * side),
               withMoment);
   }
   return sum;
@@ -76,7 +78,8 @@ void addInterval(const SphericalBisector& bisector, double from, double width, b
     const double at = from + part * static_cast<double>(number);
     const Integrals twelve = gauss(bisector, at, part, kTwelvePoints, withMoment);
     const double six = gauss(bisector, at, part, kSixPoints, false).area;
-    if (std::abs(twelve.area - six) > 0x1p-30 * twelve.area && depth < kDeepest) {
+    const double enough = 0x1p-30 * twelve.area + twelve.rounding;
+    if (std::abs(twelve.area - six) > enough && depth < kDeepest) {
       ++depth;
       number *= 2;
       continue;

@@ -74,8 +74,7 @@ class SphericalWalk {
   }
 
   bool jump() {
-    const Projection::Image circle =
-        diagram_.projection().image(point_, toNode_);  // reduced by the pole's weight, as sites are
+    const Projection::Image circle = diagram_.projection().imageOfTouching(point_, toNode_);
     const VertexId from = node_;
     if (circle.kind != Projection::Kind::kCircle || circle.loss > kUsualLoss) {
       // The cap nearly touches the pole, and its circle is inaccurate.
@@ -102,11 +101,6 @@ class SphericalWalk {
   HalfAngle toNode_;
 };
 
-/// A point is a cap of the pole's weight: its circle is a point, too.
-Projection::Image imageOf(const ProjectedDiagram& diagram, const Direction& point) {
-  return diagram.projection().image(point, diagram.cap(kInfinity).radius);
-}
-
 }  // namespace
 
 VertexId nearestNode(const ProjectedDiagram& diagram, const Direction& point) {
@@ -120,7 +114,7 @@ VertexId nearestNode(const ProjectedDiagram& diagram, const Direction& point) {
   }
   const DiagramCore& plane = diagram.plane();
   if (plane.visibleCount() > 0) {
-    const Projection::Image image = imageOf(diagram, point);
+    const Projection::Image image = diagram.projection().imageOfPoint(point);
     if (image.kind != Projection::Kind::kCircle) return kInfinity;  // at the pole, which is visible
     (void)walk.moveTo(vertexOf(plane.nearest(image.circle.x, image.circle.y)));
   }
@@ -138,7 +132,7 @@ void listNearest(const ProjectedDiagram& diagram, std::span<const double> lonLat
   FlatArray<double> images(2 * count);
   for (std::size_t k = 0; k < count; ++k) {
     points[k] = directionOf({lonLat[2 * k], lonLat[2 * k + 1]});
-    const Projection::Image image = imageOf(diagram, points[k]);
+    const Projection::Image image = diagram.projection().imageOfPoint(points[k]);
     images[2 * k] = image.circle.x;  // 0 at the pole, where the walk starts anyway
     images[2 * k + 1] = image.circle.y;
   }

@@ -23,8 +23,7 @@ Projection::Projection(const Cap& pole) : pole_(pole) {
 //     T (1 + t²) / (1 - T² t²)   and   t (1 + T²) / (1 - T² t²).
 //
 // 1 - T² t² is positive exactly if neither the pole nor the cap covers the other.
-Projection::Image Projection::image(const Direction& centre, const HalfAngle& radius) const {
-  const HalfAngle reduced = radius - pole_.radius;
+Projection::Image Projection::image(const Direction& centre, const HalfAngle& reduced) const {
   const Kind covered = reduced.sine > 0 ? Kind::kCoversPole : Kind::kBelowPole;
   const Direction chord = centre - pole_.centre;
   const double square = dot(chord, chord);

@@ -36,8 +36,15 @@ class Projection {
     /// is nearly tangent to the pole from inside.
     double loss = std::numeric_limits<double>::infinity();
   };
-  [[nodiscard]] Image image(const Direction& centre, const HalfAngle& radius) const;
-  [[nodiscard]] Image image(const Cap& cap) const { return image(cap.centre, cap.radius); }
+  [[nodiscard]] Image image(const Cap& cap) const {
+    return image(cap.centre, cap.radius - pole_.radius);
+  }
+  /// Of the cap about a point that a site touches which is at this distance.
+  [[nodiscard]] Image imageOfTouching(const Direction& point, const HalfAngle& distance) const {
+    return image(point, distance + pole_.radius);
+  }
+  /// Of a point: its circle has the radius 0, and it has none at the pole.
+  [[nodiscard]] Image imageOfPoint(const Direction& point) const { return image(point, {}); }
 
   /// An empty cap that touches sites from outside: its centre, and its radius as an angle, which is
   /// the distance to the sites.
@@ -51,6 +58,8 @@ class Projection {
   [[nodiscard]] EmptyCap fromHalfPlane(double a, double b, double c) const;
 
  private:
+  /// Of a cap whose radius has been reduced.
+  [[nodiscard]] Image image(const Direction& centre, const HalfAngle& reduced) const;
   /// At an angle from the antipode of the pole, in the direction of the plane's (x, y), a unit
   /// vector.
   [[nodiscard]] Direction pointAt(double angle, double x, double y) const;

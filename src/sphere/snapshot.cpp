@@ -14,7 +14,7 @@ namespace apollonius::internal {
 
 namespace {
 
-constexpr std::uint64_t kMagic = 0x0A1A0A0D73706F41u;  // "Aops", and line ends as in the plane's
+constexpr std::uint64_t kMagic = 0x0A1A0A0D736F7041u;  // "Apos", and line ends as in the plane's
 constexpr std::uint32_t kVersion = 1;
 constexpr std::size_t kHeaderBytes = 48, kChecksumBytes = 8;
 

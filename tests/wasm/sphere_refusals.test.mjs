@@ -33,6 +33,7 @@ test.each(calls)("%s refuses what is no point", (_, call) => {
 test("arrays, weights, options and ids are refused by name", () => {
   const diagram = make();
   const before = diagram.sites();
+  const { find } = diagram;
   for (const [call, code, message] of [
     [() => diagram.insertMany([1, 2]), "bad-length", "a multiple of 3 values in lonLatR, got 2"],
     [() => diagram.insertMany([1, 2, 3, 4, 95, 6]), "out-of-range", `lonLatR[4] is 95, ${hint}`],
@@ -69,7 +70,7 @@ test("arrays, weights, options and ids are refused by name", () => {
     [() => SphericalDiagram.fromBytes(new Uint8Array(8)), "corrupt-snapshot", "no snapshot"],
     [() => SphericalDiagram.fromBytes([1]), "bad-length", "bytes is an array of 1"],
     [() => SphericalDiagram.fromBytes(new Diagram().toBytes()), "corrupt-snapshot", "no snapshot"],
-    [() => (0, diagram.find)(0, 0), "bad-option", "a method was called on undefined"],
+    [() => find(0, 0), "bad-option", "a method was called on undefined"],
     [() => Diagram.prototype.find.call(diagram, 0, 0), "bad-option", "a method was called on an o"],
   ])
     expectRefusal(call, code, message);

@@ -244,7 +244,7 @@ function elementError(name: string, k: number, value: unknown): ApolloniusError 
   if (typeof value !== "object" || value === null) return error;
   const hint =
     name === "xyr" || name === "lonLatR"
-      ? "[x, y, r, x, y, r]; from(rows) reads rows"
+      ? "[x, y, r, x, y, r]; Diagram.from(rows) reads rows"
       : name === "xy" || name === "lonLat"
         ? "[x, y, x, y]; points.flat() makes it of rows"
         : "[1, 2, 3]";

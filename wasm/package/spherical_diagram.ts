@@ -1,47 +1,30 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 import type { Accessor, Items } from "./accessors.js";
-import {
-  allocated,
-  checkedBytes,
-  checkedChoice,
-  checkedCount,
-  checkedDistances,
-  checkedIds,
-  checkOptions,
-  checkSiteId,
-  checkWholeNumber,
-  isSiteId,
-  unknownSite,
-} from "./arguments.js";
+import { checkedBytes, checkedIds, checkOptions, checkWholeNumber, isSiteId } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import {
-  checkedProperties,
-  checkedWinding,
-  featuresOf,
-  positionsOf,
-  type Winding,
-} from "./geojson.js";
 import { kInspect, showContent, summary } from "./inspection.js";
 import { Ballast, createSpherical, destroy, fillOrDispose, wrongReceiver } from "./lifetime.js";
-import type { NativeSphericalDiagram, SphericalNearestFirst } from "./module.js";
-import {
-  checkedFilter,
-  checkedMaxDistance,
-  type Filters,
-  firstOf,
-  orInfinity,
-  validate,
-} from "./queries.js";
+import type { NativeSphericalDiagram } from "./module.js";
+import { type Filters, validate } from "./queries.js";
 import {
   accessorsAndOptions,
-  checkedAngularTolerance,
-  checkedPoints,
   checkedRadius,
-  checkedSites,
   checkPoint,
   checkSite,
   sphericalTriples,
 } from "./spherical_arguments.js";
+import {
+  cellPolygon,
+  findMany,
+  insertMany,
+  kNearest,
+  listedSites,
+  toGeoJSON,
+  update,
+  updateMany,
+  within,
+  withSite,
+} from "./spherical_calls.js";
 import type {
   ListedSphericalSite,
   Spherical,
@@ -61,13 +44,13 @@ let living: (diagram: unknown, changes?: boolean) => NativeSphericalDiagram;
 /**
  * The additively weighted Voronoi diagram of the sphere, fully dynamic: for maps.
  *
- * A site has a centre in degrees, longitude first, and a weight r. The distance of a point to it is
- * the way along a great circle minus r, in the unit of the sphere's radius. Any longitude, latitudes
- * from -90 to 90, weights below half a great circle, negative ones too; only their differences
- * matter to the diagram. n is the number of sites, d the number of a site's neighbours.
+ * A site has a centre in degrees, longitude first, and a weight r. The distance of a point to it
+ * is the way along a great circle minus r, in the unit of the sphere's radius. Any longitude,
+ * latitudes from -90 to 90, weights below half a great circle, negative ones too; only their
+ * differences matter to the diagram. n is the number of sites, d the number of a site's neighbours.
  *
  * The graph is computed exactly, of sites that were rounded to some 1e-15 radians (6 nm on the
- * Earth; up to 1e-13 beside a site that nearly hides another). The nearest site is the nearest to
+ * Earth; more beside a site that nearly hides another). The nearest site is the nearest to
  * within 1e-15 radians. The same sites give the same bits in every engine.
  *
  * Every call that fails throws an ApolloniusError and leaves the diagram as it was; after `dispose`
@@ -92,8 +75,8 @@ export class SphericalDiagram implements Disposable {
   }
 
   /**
-   * A diagram of flat longitude, latitude, r triples; their ids are 0, 1, 2, … in input order. Cost:
-   * expected O(n log n). Throws "not-finite", "out-of-range" (a latitude, weight or radius),
+   * A diagram of flat longitude, latitude, r triples; their ids are 0, 1, 2, … in input order.
+   * Cost: expected O(n log n). Throws "not-finite", "out-of-range" (a latitude, weight or radius),
    * "bad-length" (no multiple of 3), "too-large" (more than 2^29 triples), "bad-option".
    */
   constructor(lonLatR?: ArrayLike<number>, options?: SphericalOptions) {
@@ -162,22 +145,20 @@ export class SphericalDiagram implements Disposable {
 
   /**
    * Adds flat longitude, latitude, r triples, all or none; returns their ids in input order. Cost:
-   * expected O(m log n) for m triples, and that of building as for `insert`. Throws as `insert`, and
-   * "bad-length", "too-large".
+   * expected O(m log n) for m triples, and that of building as for `insert`. Throws as `insert`,
+   * and "bad-length", "too-large".
    */
   insertMany(lonLatR: ArrayLike<number>): Uint32Array {
     const native = living(this, true);
-    const numbers = checkedSites("lonLatR", lonLatR, native.radius());
-    const ids = allocated(() => new Uint32Array(numbers.length / 3));
-    living(this, true).insertMany(numbers, ids);
+    const ids = insertMany(native, lonLatR);
     this.#ballast.carry(native.size());
     return ids;
   }
 
   /**
-   * Removes a site; false if there is no such site. Sites that only it covered become visible. Cost:
-   * as in the plane, and for one site in n that of building. Throws "unknown-site" for what is no
-   * whole number.
+   * Removes a site; false if there is no such site. Sites that only it covered become visible.
+   * Cost: as in the plane, and for one site in n that of building. Throws "unknown-site" for what
+   * is no whole number.
    */
   remove(id: number): boolean {
     const native = living(this, true);
@@ -187,46 +168,25 @@ export class SphericalDiagram implements Disposable {
 
   /** Removes several sites; returns how many there were. Throws as `remove`, and "bad-length". */
   removeMany(ids: ArrayLike<number>): number {
-    living(this, true);
-    const checked = checkedIds("ids", ids);
-    return living(this, true).removeMany(checked);
+    return living(this, true).removeMany(checkedIds("ids", ids));
   }
 
   /**
-   * Moves and/or reweights a site, which keeps its id; without r it keeps its weight. Cost: as remove
-   * and insert. Throws "unknown-site", "not-finite", "out-of-range".
+   * Moves and/or reweights a site, which keeps its id; without r it keeps its weight. Cost: as
+   * remove and insert. Throws "unknown-site", "not-finite", "out-of-range".
    */
   update(id: number, lon: number, lat: number, r?: number): this {
-    const native = living(this, true);
-    const weight = r === undefined ? this.site(id).r : r;
-    ofSite(this, id);
-    checkSite(lon, lat, weight, native.radius());
-    native.update(id, lon, lat, weight);
+    update(living(this, true), id, lon, lat, r);
     return this;
   }
 
   /**
-   * Updates site ids[k] to the k-th longitude, latitude, r triple, all or none. Cost: as `update` for
-   * each, or that of building. Throws as `update`, and "bad-length" unless there is one triple an id.
+   * Updates site ids[k] to the k-th longitude, latitude, r triple, all or none. Cost: as `update`
+   * for each, or that of building. Throws as `update`, and "bad-length" unless there is one triple
+   * an id.
    */
   updateMany(ids: ArrayLike<number>, lonLatR: ArrayLike<number>): this {
-    living(this, true);
-    const sites = checkedIds("ids", ids);
-    const numbers = checkedSites("lonLatR", lonLatR, this.radius);
-    if (numbers.length !== 3 * sites.length)
-      throw new ApolloniusError(
-        "bad-length",
-        `expected ${3 * sites.length} values in lonLatR for ${sites.length} ids, got ` +
-          numbers.length,
-      );
-    const native = living(this, true);
-    const unknown = sites.findIndex((id) => !native.has(id));
-    if (unknown !== -1)
-      throw new ApolloniusError(
-        "unknown-site",
-        `ids[${unknown}]: ${unknownSite(ids[unknown]).message}`,
-      );
-    native.updateMany(sites, numbers);
+    updateMany(living(this, true), ids, lonLatR);
     return this;
   }
 
@@ -260,7 +220,7 @@ export class SphericalDiagram implements Disposable {
 
   /** Centre and weight of a site, exactly as given. O(1). Throws "unknown-site". */
   site(id: number): SphericalSite {
-    return ofSite(this, id).site(id);
+    return withSite(living(this), id).site(id);
   }
 
   /** All ids, ascending. O(n). */
@@ -268,7 +228,9 @@ export class SphericalDiagram implements Disposable {
     return living(this).ids();
   }
 
-  /** All sites, hidden ones too, as typed arrays: `updateMany(ids, lonLatR)` moves them all. O(n). */
+  /**
+   * All sites, hidden ones too, as typed arrays: `updateMany(ids, lonLatR)` moves them all. O(n).
+   */
   sites(): SphericalSites {
     const { ids, xyr, hidden } = living(this).sites();
     return { ids, lonLatR: xyr, hidden };
@@ -276,33 +238,38 @@ export class SphericalDiagram implements Disposable {
 
   /** All sites, { id, lon, lat, r, hidden }, ascending by id, as the loop finds them. O(n). */
   *[Symbol.iterator](): Generator<ListedSphericalSite, void> {
-    const { ids, lonLatR, hidden } = this.sites();
-    for (let k = 0; k < ids.length; ++k) {
-      const [lon, lat, r] = [lonLatR[3 * k]!, lonLatR[3 * k + 1]!, lonLatR[3 * k + 2]!];
-      yield { id: ids[k]!, lon, lat, r, hidden: hidden[k] === 1 };
-    }
+    yield* listedSites(this.sites());
   }
 
   /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
   isHidden(id: number): boolean {
-    return ofSite(this, id).isHidden(id);
+    return withSite(living(this), id).isHidden(id);
   }
 
-  /** A visible site that covers this one; -1 for a visible site. Cost: one location. Throws "unknown-site". */
+  /**
+   * A visible site that covers this one; -1 for a visible site. Cost: one location. Throws
+   * "unknown-site".
+   */
   coverOf(id: number): number {
-    return ofSite(this, id).coverOf(id);
+    return withSite(living(this), id).coverOf(id);
   }
 
   // --- Queries -----------------------------------------------------------------------------------
 
-  /** The nearest site of a point, -1 if the diagram is empty. Cost: one location. Throws "not-finite", "out-of-range". */
+  /**
+   * The nearest site of a point, -1 if the diagram is empty. Cost: one location. Throws
+   * "not-finite", "out-of-range".
+   */
   find(lon: number, lat: number): number {
     const native = living(this);
     checkPoint(lon, lat);
     return native.find(lon, lat);
   }
 
-  /** `find` with the distance, negative within r of the centre; null if the diagram is empty. */
+  /**
+   * `find` with the distance, negative within r of the centre; null if the diagram is empty. Cost,
+   * errors: as find.
+   */
   nearest(lon: number, lat: number): { id: number; distance: number } | null {
     const native = living(this);
     checkPoint(lon, lat);
@@ -312,15 +279,11 @@ export class SphericalDiagram implements Disposable {
 
   /**
    * `find` for flat longitude, latitude pairs. With `distances` (one element a point) it also fills
-   * in the distances, Infinity if the diagram is empty. Throws as `find`, and "bad-length".
+   * in the distances, Infinity if the diagram is empty. Cost: m locations for m points. Throws as
+   * `find`, and "bad-length".
    */
   findMany(lonLat: ArrayLike<number>, distances?: Float64Array): Int32Array {
-    living(this);
-    const numbers = checkedPoints("lonLat", lonLat);
-    const ids = allocated(() => new Int32Array(numbers.length / 2));
-    const out = checkedDistances(distances, ids.length);
-    living(this).findMany(numbers, ids, out ?? null);
-    return ids;
+    return findMany(living(this), lonLat, distances);
   }
 
   /**
@@ -329,26 +292,16 @@ export class SphericalDiagram implements Disposable {
    * neighbours of the sites looked at. Throws "not-finite", "out-of-range", "bad-option".
    */
   kNearest(lon: number, lat: number, k: number, options?: NearbyOptions): Uint32Array {
-    living(this);
-    checkPoint(lon, lat);
-    const most = checkedCount("k", k);
-    checkOptions(options, "maxDistance", "filter");
-    const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
-    return nearby(this, this.#filters, lon, lat, most, farthest, options?.filter);
+    return kNearest(living(this), this.#filters, lon, lat, k, options);
   }
 
   /**
-   * All sites whose distance to a point is at most `distance`, hidden ones too, nearest first: with 0
-   * every site whose weight reaches to the point. `filter` leaves some out. Cost, errors: as
+   * All sites whose distance to a point is at most `distance`, hidden ones too, nearest first: with
+   * 0 every site whose weight reaches to the point. `filter` leaves some out. Cost, errors: as
    * kNearest.
    */
   within(lon: number, lat: number, distance: number, options?: FilterOptions): Uint32Array {
-    living(this);
-    checkPoint(lon, lat);
-    const farthest = checkedMaxDistance("distance", distance);
-    checkOptions(options, "filter");
-    const all = checkedCount("k", Infinity);
-    return nearby(this, this.#filters, lon, lat, all, farthest, options?.filter);
+    return within(living(this), this.#filters, lon, lat, distance, options);
   }
 
   /**
@@ -357,7 +310,7 @@ export class SphericalDiagram implements Disposable {
    * O(d). Throws "unknown-site".
    */
   neighbors(id: number): Uint32Array {
-    return ofSite(this, id).neighbors(id);
+    return withSite(living(this), id).neighbors(id);
   }
 
   /** All Voronoi edges; the closed edge of two sites has the vertices -1, -1. O(n). */
@@ -365,7 +318,9 @@ export class SphericalDiagram implements Disposable {
     return living(this).edges();
   }
 
-  /** All Voronoi vertices: points that have the same distance to three sites and none less. O(n). */
+  /**
+   * All Voronoi vertices: points that have the same distance to three sites and none less. O(n).
+   */
   vertices(): SphericalVertices {
     const { coordinates, clearance, sites } = living(this).vertices();
     return { lonLat: coordinates, clearance, sites };
@@ -373,16 +328,22 @@ export class SphericalDiagram implements Disposable {
 
   // --- Cells -------------------------------------------------------------------------------------
 
-  /** Is this site the nearest one to the point, or one of them? false for a hidden site. Throws "unknown-site", "not-finite", "out-of-range". */
+  /**
+   * Is this site the nearest one to the point, or one of them? false for a hidden site. Cost: one
+   * location. Throws "unknown-site", "not-finite", "out-of-range".
+   */
   contains(id: number, lon: number, lat: number): boolean {
-    const native = ofSite(this, id);
+    const native = withSite(living(this), id);
     checkPoint(lon, lat);
     return native.contains(id, lon, lat);
   }
 
-  /** The area of a cell, in the square of the radius' unit; 0 for a hidden site. O(d). Throws "unknown-site". */
+  /**
+   * The area of a cell, in the square of the radius' unit; 0 for a hidden site. O(d). Throws
+   * "unknown-site".
+   */
   cellArea(id: number): number {
-    return ofSite(this, id).cellArea(id);
+    return withSite(living(this), id).cellArea(id);
   }
 
   /** The areas of all cells by id, 0 for ids without a cell; they add up to 4 π radius². O(n). */
@@ -395,7 +356,7 @@ export class SphericalDiagram implements Disposable {
    * O(d). Throws "unknown-site".
    */
   cellCentroid(id: number): Position | null {
-    const native = ofSite(this, id);
+    const native = withSite(living(this), id);
     if (native.isHidden(id)) return null;
     const { lon, lat } = native.cellCentroid(id);
     return [lon, lat];
@@ -403,20 +364,14 @@ export class SphericalDiagram implements Disposable {
 
   /**
    * A cell as one closed ring of longitudes and latitudes, to be joined by arcs of great circles;
-   * null for a hidden site, [] where the cell is the whole sphere. Throws "unknown-site",
-   * "not-finite", "out-of-range", "bad-option".
+   * null for a hidden site, [] where the cell is the whole sphere. O(d + points). Throws
+   * "unknown-site", "not-finite", "out-of-range", "bad-option".
    */
   cellPolygon(id: number, options?: SphericalPolygonOptions): Position[] | null {
-    const native = ofSite(this, id);
-    checkOptions(options, "tolerance", "winding");
-    const winding = checkedWinding(options?.winding);
-    const tolerance = checkedAngularTolerance(options?.tolerance);
-    if (native.isHidden(id)) return null;
-    const ring = positionsOf(native.cellPolygon(id, tolerance, false).coordinates);
-    return winding === "clockwise" ? ring.reverse() : ring;
+    return cellPolygon(withSite(living(this), id), id, options);
   }
 
-  /** The polygons of all cells, ascending by id, which is their `index`. */
+  /** The polygons of all cells, ascending by id, which is their `index`. Cost: as cellPolygon. */
   *cellPolygons(options?: SphericalPolygonOptions): Generator<CellPolygon, void> {
     for (const id of this.ids()) {
       const ring = this.cellPolygon(id, options);
@@ -433,28 +388,7 @@ export class SphericalDiagram implements Disposable {
   toGeoJSON<Properties = { site: number }>(
     options?: SphericalGeoJSONOptions<Properties>,
   ): SphericalCollection<Properties> {
-    checkOptions(options, "tolerance", "properties", "winding", "antimeridian");
-    const properties = checkedProperties<Properties>(options?.properties);
-    const winding: Winding = checkedWinding(options?.winding);
-    const usual = winding === "clockwise" ? ["keep", "cut"] : ["cut", "keep"];
-    const antimeridian = checkedChoice(
-      "options.antimeridian",
-      options?.antimeridian,
-      usual as ["cut" | "keep", "cut" | "keep"],
-    );
-    const tolerance = checkedAngularTolerance(options?.tolerance);
-    const polygons = living(this).cellPolygons(tolerance, antimeridian === "cut");
-    const collection = featuresOf(polygons, properties, winding);
-    const isWhole = polygons.parts.length < 2; // the only visible site's
-    return isWhole
-      ? {
-          type: collection.type,
-          features: collection.features.map((feature) => ({
-            ...feature,
-            geometry: { type: "Sphere" },
-          })),
-        }
-      : collection;
+    return toGeoJSON(() => living(this), options);
   }
 
   // --- Snapshots and life time -------------------------------------------------------------------
@@ -504,28 +438,4 @@ export class SphericalDiagram implements Disposable {
   [Symbol.dispose](): void {
     this.dispose();
   }
-}
-
-/** The native diagram, of which this is a site. */
-function ofSite(diagram: SphericalDiagram, id: number): NativeSphericalDiagram {
-  const native = living(diagram);
-  checkSiteId(id);
-  if (!native.has(id)) throw unknownSite(id);
-  return native;
-}
-
-function nearby(
-  diagram: SphericalDiagram,
-  filters: Filters,
-  lon: number,
-  lat: number,
-  most: number,
-  farthest: number,
-  filter: unknown,
-): Uint32Array {
-  const checked = checkedFilter(filter);
-  const native = living(diagram);
-  if (checked === undefined) return native.kNearest(lon, lat, most, farthest);
-  const walk = native.nearestFirst(lon, lat, farthest) as SphericalNearestFirst;
-  return firstOf(walk, most, checked, filters);
 }

@@ -68,8 +68,8 @@ export type GeoJSONPoint =
 /** Options of `SphericalDiagram.cellPolygon` and `cellPolygons`. */
 export interface SphericalPolygonOptions {
   /**
-   * How far a polygon may be from its cell, in radians, whatever the sphere's radius; at least 1e-9.
-   * Default: 1e-4, on the Earth 640 m.
+   * How far a polygon may be from its cell, in radians, whatever the sphere's radius; at least
+   * 1e-9. Default: 1e-4, on the Earth 640 m.
    */
   tolerance?: number | undefined;
   /**
@@ -93,8 +93,8 @@ export interface SphericalGeoJSONOptions<Properties> extends SphericalPolygonOpt
 }
 
 /**
- * GeoJSON of cells. A cell that is the whole sphere is, unless it is cut, d3-geo's `{ type: "Sphere"
- * }`.
+ * GeoJSON of cells. A cell that is the whole sphere is, unless it is cut, d3-geo's `{ type:
+ * "Sphere" }`.
  */
 export interface SphericalCollection<Properties = { site: number }> {
   /** GeoJSON's name of it. */

@@ -1,0 +1,114 @@
+// The cells of SphericalDiagram: measures and polygons.
+#include <cmath>
+
+#include "api/spherical_checks.h"
+#include "base/flat_array.h"
+#include "sphere/measures.h"
+#include "sphere/nearest.h"
+#include "sphere/polygons.h"
+
+namespace apollonius {
+
+using namespace internal;
+
+namespace {
+
+constexpr double kFinestTolerance = 1e-9;
+
+Error checkTolerance(double tolerance) {
+  if (!std::isfinite(tolerance)) return Error::kNotFinite;
+  return tolerance >= kFinestTolerance ? Error::kNone : Error::kOutOfRange;
+}
+
+/// To the arrays of one cell or of all.
+template <class Arrays>
+void copyRings(const LonLatRings& rings, Arrays& arrays) {
+  arrays.coordinates.assign(rings.coordinates.begin(), rings.coordinates.end());
+  arrays.starts.assign(rings.starts.begin(), rings.starts.end());
+  arrays.parts.assign(rings.parts.begin(), rings.parts.end());
+}
+
+}  // namespace
+
+Error SphericalDiagram::contains(SiteId id, double lon, double lat, bool& inside) const {
+  if (!has(id)) return Error::kUnknownSite;
+  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    const ProjectedDiagram& diagram = core_->projected();
+    const Direction point = directionOf({lon, lat});
+    inside = !diagram.isHidden(id) && !(distance(point, diagram.cap(nearestNode(diagram, point))) <
+                                        distance(point, diagram.cap(diagram.nodeOf(id))));
+  });
+}
+
+Error SphericalDiagram::cellArea(SiteId id, double& area) const {
+  if (!has(id)) return Error::kUnknownSite;
+  return guarded(*core_, [&] {
+    const ProjectedDiagram& diagram = core_->projected();
+    area = 0;
+    if (diagram.isHidden(id)) return;
+    const VertexId node = diagram.nodeOf(id);
+    SphericalVertices vertices(diagram);
+    FlatArray<Sector> sectors;
+    listSectors(diagram, node, vertices, sectors);
+    area = areaOfCell(diagram.cap(node), sectors) * (radius() * radius());
+  });
+}
+
+Error SphericalDiagram::cellAreas(std::vector<double>& areas) const {
+  return guarded(*core_, [&] {
+    listAreas(core_->projected(), core_->sites(), areas);
+    for (double& area : areas) area *= radius() * radius();
+  });
+}
+
+Error SphericalDiagram::cellCentroid(SiteId id, SphericalPoint& centroid) const {
+  if (!has(id)) return Error::kUnknownSite;
+  return guarded(*core_, [&] {
+    const ProjectedDiagram& diagram = core_->projected();
+    if (diagram.isHidden(id)) return;
+    const VertexId node = diagram.nodeOf(id);
+    SphericalVertices vertices(diagram);
+    FlatArray<Sector> sectors;
+    listSectors(diagram, node, vertices, sectors);
+    Direction moment;
+    const double area = areaOfCell(diagram.cap(node), sectors, &moment);
+    // Of a cell that is symmetric about the centre of the sphere, only rounding is left.
+    const bool hasDirection = lengthOf(moment) > 0x1p-40 * area;
+    const LonLat point = lonLatOf(hasDirection ? moment : diagram.cap(node).centre);
+    centroid = {point.lon, point.lat};
+  });
+}
+
+Error SphericalDiagram::cellPolygon(SiteId id, double tolerance, bool isCut,
+                                    RingArrays& rings) const {
+  if (!has(id)) return Error::kUnknownSite;
+  if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    const ProjectedDiagram& diagram = core_->projected();
+    CellPolygons cells(diagram, tolerance, isCut);
+    if (!diagram.isHidden(id)) cells.append(diagram.nodeOf(id));
+    copyRings(cells.rings(), rings);
+  });
+}
+
+Error SphericalDiagram::cellPolygons(double tolerance, bool isCut, CoverageArrays& polygons) const {
+  if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    const ProjectedDiagram& diagram = core_->projected();
+    CellPolygons cells(diagram, tolerance, isCut);
+    FlatArray<SiteId> sites;
+    FlatArray<std::uint32_t> ends{0};
+    for (SiteId id = 0; id < core_->sites().idLimit(); ++id) {
+      if (!has(id) || diagram.isHidden(id)) continue;
+      cells.append(diagram.nodeOf(id));
+      sites.push_back(id);
+      ends.push_back(static_cast<std::uint32_t>(cells.rings().parts.size() - 1));
+    }
+    copyRings(cells.rings(), polygons);
+    polygons.sites.assign(sites.begin(), sites.end());
+    polygons.cells.assign(ends.begin(), ends.end());
+  });
+}
+
+}  // namespace apollonius

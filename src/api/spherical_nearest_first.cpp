@@ -1,0 +1,31 @@
+#include "api/spherical_checks.h"
+#include "sphere/nearby.h"
+
+namespace apollonius {
+
+using namespace internal;
+
+SphericalNearestFirst::SphericalNearestFirst(const SphericalDiagram& diagram) noexcept
+    : diagram_(&diagram) {}
+SphericalNearestFirst::~SphericalNearestFirst() = default;
+SphericalNearestFirst::SphericalNearestFirst(SphericalNearestFirst&&) noexcept = default;
+
+Error SphericalNearestFirst::start(double lon, double lat, double farthest) {
+  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
+  if (std::isnan(farthest)) return Error::kNotFinite;
+  const SphericalCore& core = *diagram_->core_;
+  return guarded(core, [&] {
+    search_ = std::make_unique<SphericalSearch>(core.projected(), core.sites(),
+                                                directionOf({lon, lat}), farthest);
+  });
+}
+
+Error SphericalNearestFirst::next(SiteId& id) {
+  id = kNoSite;
+  if (search_ == nullptr) return Error::kNone;
+  const Error error = guarded(*diagram_->core_, [&] { id = search_->next(); });
+  if (error != Error::kNone) search_.reset();
+  return error;
+}
+
+}  // namespace apollonius
