@@ -21,6 +21,7 @@ target_link_options(apollonius_wasm PRIVATE
   # wasm/package/module.ts puts the stack back after a call that left the module in its middle.
   -sEXPORTED_FUNCTIONS=_emscripten_stack_get_current,__emscripten_stack_restore
   "SHELL:--js-library ${bindings}/embind_parts.js"
+  --profiling-funcs                    # names, for tools/toolchain/split_wasm.mjs, which drops them
   # 6 KB smaller than the default and as fast here: a diagram is a few large arrays.
   -sMALLOC=emmalloc)
 set_property(TARGET apollonius_wasm APPEND PROPERTY

@@ -103,6 +103,14 @@ const rules = [
     may: [/^\.\/[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/apollonius\.wasm\?module$/],
   },
   {
+    of: /^wasm\/package\/sphere\.ts$/,
+    may: [/^\.\/[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/sphere\.wasm$/],
+  },
+  {
+    of: /^wasm\/package\/sphere_edge\.ts$/,
+    may: [/^\.\/[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/sphere\.wasm\?module$/],
+  },
+  {
     of: /^wasm\/package\/[\w.]+\.ts$/,
     may: [/^\.\/[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/],
   },

@@ -6,10 +6,13 @@
 //                                       imports the compiled module
 //   dist/cjs/{index,wasm}.js, *.d.ts    CommonJS, the same; index.js is also the file for a script
 //                                       tag, with the global `apollonius`
-//   dist/{esm,cjs}/sphere.js, *.d.ts    the diagram of the sphere, in the module of the default entry,
-//                                       which it imports by the package's name
+//   dist/{esm,cjs}/sphere.js, *.d.ts    the diagram of the sphere, in the module of the default
+//                                       entry, which it imports by the package's name, with the
+//                                       second part of the wasm (toolchain/split_wasm.mjs) as text
+//   dist/esm/sphere_edge.js             the same, which imports that part
 //   dist/apollonius.wasm                for the entry `apollonius-diagram/wasm`; the default entry
 //                                       carries it as text
+//   dist/sphere.wasm                    for sphere_edge.js
 //
 //   npm run build -- --debug            the same in build/debug/dist, with the names of the C++
 //                                       functions and a source map beside the wasm
@@ -32,12 +35,14 @@ import { buildWasmModule } from "./toolchain/cmake.mjs";
 import { root } from "./toolchain/folders.mjs";
 import { withBuildLock } from "./toolchain/lock.mjs";
 import { run } from "./toolchain/process.mjs";
+import { splitWasm } from "./toolchain/split_wasm.mjs";
 import { ensureBuildTools, main } from "./toolchain/setup.mjs";
 
 const sources = path.join(root, "wasm/package");
 const types = path.join(root, "build/types/wasm/package");
 const entries = ["index", "wasm"];
-const sphere = "sphere"; // an entry that is bundled by itself
+// Bundled by themselves: an entry, and the same for runtimes that compile nothing.
+const spheres = { esm: ["sphere", "sphere_edge"], cjs: ["sphere"] };
 const inner = { esm: ["edge", "embedded", "errors"], cjs: [] };
 
 /** Characters that a string literal cannot have as they are; NUL, HTML would read as U+FFFD. */
@@ -73,11 +78,11 @@ function asString(bytes) {
 }
 
 /**
- * Lets a bundle import the wasm as `asString` has it. esbuild would print its own loaders'
- * strings full of escapes.
+ * Lets a bundle import one of the parts of the wasm as `asString` has it. esbuild would print its
+ * own loaders' strings full of escapes.
  */
-function wasmAsText(built) {
-  const { literal, swaps } = asString(readFileSync(path.join(built, "apollonius.wasm")));
+function wasmAsText(built, part) {
+  const { literal, swaps } = asString(readFileSync(path.join(built, `parts/${part}.wasm`)));
   const placeholder = "__APOLLONIUS_WASM__";
   return {
     name: "wasm-as-text",
@@ -85,8 +90,8 @@ function wasmAsText(built) {
       build.onResolve({ filter: /^\.\.\/\.\.\/build\/wasm\/[\w.]+$/ }, ({ path: file }) => ({
         path: path.join(built, path.basename(file)),
       }));
-      build.onResolve({ filter: /\.wasm\?module$/ }, () => ({
-        path: "../apollonius.wasm?module",
+      build.onResolve({ filter: /\.wasm\?module$/ }, ({ path: file }) => ({
+        path: `../${path.basename(file)}`,
         external: true,
       }));
       build.onLoad({ filter: /\.wasm$/ }, () => ({
@@ -180,7 +185,8 @@ const moduleOfDefaultEntry = {
     build.onLoad({ filter: /module/, namespace: "default-entry" }, () => ({
       contents:
         `import { Diagram } from "apollonius-diagram";` +
-        `export const runningModule = Diagram[Symbol.for("apollonius-diagram.module")];`,
+        `export const { runningModule, setSphereSource } = ` +
+        `Diagram[Symbol.for("apollonius-diagram.module")];`,
     }));
   },
 };
@@ -198,11 +204,11 @@ async function bundle(format, outdir, built) {
     legalComments: "none",
     write: false,
     ...(format === "cjs"
-      ? { platform: "node", ...scriptTag, plugins: [wasmAsText(built)] }
-      : { plugins: [wasmAsText(built), errorsApart] }),
+      ? { platform: "node", ...scriptTag, plugins: [wasmAsText(built, "apollonius")] }
+      : { plugins: [wasmAsText(built, "apollonius"), errorsApart] }),
   });
   await build({
-    entryPoints: [path.join(sources, `${sphere}.ts`)],
+    entryPoints: spheres[format].map((entry) => path.join(sources, `${entry}.ts`)),
     outdir,
     format,
     bundle: true,
@@ -212,7 +218,7 @@ async function bundle(format, outdir, built) {
     legalComments: "none",
     write: false,
     ...(format === "cjs" && { platform: "node" }),
-    plugins: [wasmAsText(built), moduleOfDefaultEntry],
+    plugins: [wasmAsText(built, "sphere"), moduleOfDefaultEntry],
   });
 }
 
@@ -225,7 +231,7 @@ function publicDeclarations() {
     const text = readFileSync(path.join(types, name), "utf8");
     for (const [, module] of text.matchAll(/from "\.\/(.*?)\.js"/g)) visit(`${module}.d.ts`);
   };
-  for (const entry of [...entries, sphere]) visit(`${entry}.d.ts`);
+  for (const entry of [...entries, "sphere"]) visit(`${entry}.d.ts`);
   return [...reached];
 }
 
@@ -237,6 +243,7 @@ function fingerprint(built) {
       .map((name) => path.join(sources, name)),
     fileURLToPath(import.meta.url),
     ...["wasm", "mjs", "d.mts"].map((kind) => path.join(built, `apollonius.${kind}`)),
+    path.join(root, "tools/toolchain/split_wasm.mjs"),
     path.join(root, "package-lock.json"),
   ];
   const hash = createHash("sha256");
@@ -248,7 +255,8 @@ function fingerprint(built) {
  * Makes dist/ beside itself and then puts it in place, so that a server or a test never sees half
  * of it.
  */
-async function makeDist(built, dist) {
+async function makeDist(emscripten, built, dist, options) {
+  splitWasm(emscripten, built, options);
   run(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", sources]);
   const fresh = path.join(root, "build/dist");
   rmSync(fresh, { recursive: true, force: true });
@@ -260,8 +268,10 @@ async function makeDist(built, dist) {
     for (const name of declarations) cpSync(path.join(types, name), path.join(folder, name));
   }
   writeFileSync(path.join(fresh, "cjs/package.json"), '{ "type": "commonjs" }\n');
-  copyFileSync(path.join(built, "apollonius.wasm"), path.join(fresh, "apollonius.wasm"));
-  chmodSync(path.join(fresh, "apollonius.wasm"), 0o644);
+  for (const part of ["apollonius.wasm", "sphere.wasm"]) {
+    copyFileSync(path.join(built, "parts", part), path.join(fresh, part));
+    chmodSync(path.join(fresh, part), 0o644);
+  }
   const map = path.join(built, "apollonius.wasm.map");
   if (existsSync(map)) copyFileSync(map, path.join(fresh, "apollonius.wasm.map"));
   rmSync(dist, { recursive: true, force: true });
@@ -277,15 +287,21 @@ export async function buildPackage() {
     const wanted = fingerprint(built);
     if (existsSync(dist) && existsSync(stamp) && readFileSync(stamp, "utf8") === wanted) return;
     rmSync(stamp, { force: true });
-    await makeDist(built, dist);
+    await makeDist(emscripten, built, dist);
     writeFileSync(stamp, wanted);
   });
 }
 
 async function buildDebug() {
+  const debug = { debug: true };
   const emscripten = ensureBuildTools();
   await withBuildLock(() =>
-    makeDist(buildWasmModule(emscripten, { debug: true }), path.join(root, "build/debug/dist")),
+    makeDist(
+      emscripten,
+      buildWasmModule(emscripten, debug),
+      path.join(root, "build/debug/dist"),
+      debug,
+    ),
   );
 }
 

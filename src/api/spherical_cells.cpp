@@ -10,6 +10,7 @@
 namespace apollonius {
 
 using namespace internal;
+using namespace internal::sphere;
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "apollonius/spherical_diagram.h"
 #include "sphere/spherical_core.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 inline Error checkPoint(double lon, double lat) {
   if (!std::isfinite(lon) || !std::isfinite(lat)) return Error::kNotFinite;
@@ -18,7 +18,7 @@ inline Error checkPoint(double lon, double lat) {
 /// Lack of memory becomes an error.
 template <class Operation>
 Error guarded(const SphericalCore& core, Operation&& operation) {
-  return guarded(core.projected().plane(), operation);
+  return internal::guarded(core.projected().plane(), operation);
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -14,6 +14,7 @@
 namespace apollonius {
 
 using namespace internal;
+using namespace internal::sphere;
 
 namespace {
 

@@ -4,6 +4,7 @@
 namespace apollonius {
 
 using namespace internal;
+using namespace internal::sphere;
 
 SphericalNearestFirst::SphericalNearestFirst(const SphericalDiagram& diagram) noexcept
     : diagram_(&diagram) {}

@@ -40,7 +40,7 @@ struct SphericalPoint {
   double lat;
 };
 
-namespace internal {
+namespace internal::sphere {
 class SphericalCore;
 }
 
@@ -159,10 +159,10 @@ class APOLLONIUS_EXPORT SphericalDiagram {
  private:
   friend class SphericalNearestFirst;
 
-  std::unique_ptr<internal::SphericalCore> core_;
+  std::unique_ptr<internal::sphere::SphericalCore> core_;
 };
 
-namespace internal {
+namespace internal::sphere {
 class SphericalSearch;
 }
 
@@ -184,7 +184,7 @@ class APOLLONIUS_EXPORT SphericalNearestFirst {
 
  private:
   const SphericalDiagram* diagram_;
-  std::unique_ptr<internal::SphericalSearch> search_;
+  std::unique_ptr<internal::sphere::SphericalSearch> search_;
 };
 
 }  // namespace apollonius

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 namespace {
 
@@ -192,4 +192,4 @@ void AntimeridianCutter::emitRing(LonLatRings& output) {
   output.endRing();
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -9,7 +9,7 @@
 #include "base/flat_array.h"
 #include "sphere/cap.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// A point that is within 10^-12 radians of a pole or of the meridian of 180 degrees is moved
 /// there: a boundary through the pole, or along that meridian, would be cut into slivers by its
@@ -56,4 +56,4 @@ class AntimeridianCutter {
   FlatArray<LonLat> ring_;
 };
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -5,7 +5,7 @@
 
 #include "sphere/cap.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// As seen from one site, i: in the direction of bearing phi the bisector is at the angle rho with
 ///
@@ -86,4 +86,4 @@ class SphericalBisector {
   double x_, y_;  // slope times cosine and sine of the other site's bearing
 };
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

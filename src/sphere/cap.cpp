@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 namespace {
 
@@ -64,4 +64,4 @@ Cap capOf(const LonLat& centre, double weight) {
       directionOf(centre), {toGrid(std::sin(weight / 2)), toGrid(std::cos(weight / 2))}, weight};
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// A unit vector, or a vector that belongs to one. Coordinates of sites and points are multiples of
 /// 2^-60 (toGrid), so that no projected number leaves the range in which the plane is exact.
@@ -102,4 +102,4 @@ inline double distanceInRadians(const Direction& point, const Cap& cap) {
   return angleBetween(point, cap.centre).angle() - cap.weight;
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -5,7 +5,7 @@
 
 #include "sphere/nearest.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 namespace {
 
@@ -93,4 +93,4 @@ void listSectors(const ProjectedDiagram& diagram, VertexId node, SphericalVertic
   }
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

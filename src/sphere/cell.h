@@ -6,7 +6,7 @@
 #include "sphere/projected_diagram.h"
 #include "sphere/vertices.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// The part of a cell that is bounded by one edge.
 struct Sector {
@@ -28,4 +28,4 @@ struct Sector {
 void listSectors(const ProjectedDiagram& diagram, VertexId node, SphericalVertices& vertices,
                  FlatArray<Sector>& sectors);
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

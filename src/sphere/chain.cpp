@@ -9,7 +9,7 @@
 #include "sphere/antimeridian.h"
 #include "sphere/bisector.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 namespace {
 
@@ -139,4 +139,4 @@ void ChainMaker::appendClosed(VertexId node, FlatArray<Direction>& points) {
   if (!isOwn) std::reverse(points.begin() + begin + 1, points.end());
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -4,7 +4,7 @@
 #include "base/flat_array.h"
 #include "sphere/cell.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// What joins the points of a chain: arcs of great circles on the sphere, or, in the plane of
 /// longitude and latitude, straight lines.
@@ -38,4 +38,4 @@ class ChainMaker {
   Joint joint_;
 };
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -11,7 +11,7 @@
 #include "diagram/id_pool.h"
 #include "sphere/cap.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// The faces of a cube about the sphere, each divided into equal squares. What it says is a hint:
 /// the slot may be free by now, or that of a site elsewhere.
@@ -56,4 +56,4 @@ class DirectionGrid {
   FlatArray<Slot> slots_;
 };
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -4,7 +4,7 @@
 #include "diagram/listing.h"
 #include "sphere/vertices.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 void listNeighbors(const ProjectedDiagram& diagram, SiteId id, std::vector<SiteId>& neighbors) {
   neighbors.clear();
@@ -64,4 +64,4 @@ void listEdges(const ProjectedDiagram& diagram, EdgeArrays& edges) {
   }
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -7,7 +7,7 @@
 #include "apollonius/types.h"
 #include "sphere/projected_diagram.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// All replace the contents and throw std::bad_alloc.
 
@@ -16,4 +16,4 @@ void listNeighbors(const ProjectedDiagram& diagram, SiteId id, std::vector<SiteI
 void listVertices(const ProjectedDiagram& diagram, double radius, VertexArrays& vertices);
 void listEdges(const ProjectedDiagram& diagram, EdgeArrays& edges);
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

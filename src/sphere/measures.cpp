@@ -18,7 +18,7 @@
 
 #include "sphere/bisector.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 namespace {
 
@@ -129,4 +129,4 @@ void listAreas(const ProjectedDiagram& diagram, const SiteTable& sites,
   }
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -5,7 +5,7 @@
 
 #include "sphere/cell.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// The area of the cell of a visible site, of which all sectors are given, and, unless `moment` is
 /// null, the vector integral of its points.
@@ -16,4 +16,4 @@ namespace apollonius::internal {
 /// contents. Throws std::bad_alloc. Cost: O(n).
 void listAreas(const ProjectedDiagram& diagram, const SiteTable& sites, std::vector<double>& areas);
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -4,7 +4,7 @@
 
 #include "sphere/nearest.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 SphericalSearch::SphericalSearch(const ProjectedDiagram& diagram, const SiteTable& sites,
                                  const Direction& point, double farthest)
@@ -56,4 +56,4 @@ SiteId SphericalSearch::next() {
   return last_;
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -7,7 +7,7 @@
 #include "diagram/nearby_search.h"
 #include "sphere/projected_diagram.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// All sites, hidden ones too, in the order of their distance to a point, or those that are not
 /// farther than a limit, in the unit of the sphere's radius. The diagram must stay as it is. Cost:
@@ -52,4 +52,4 @@ class SphericalSearch {
   return angle * sites.radius() - sites[id].r;
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

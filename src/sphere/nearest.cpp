@@ -17,7 +17,7 @@
 #include "base/flat_array.h"
 #include "diagram/queries.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 namespace {
 
@@ -144,4 +144,4 @@ void listNearest(const ProjectedDiagram& diagram, std::span<const double> lonLat
   }
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -5,7 +5,7 @@
 
 #include "sphere/projected_diagram.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// The node of the site that is nearest to a point, to within some 10^-15 radians; of sites that
 /// are equally near, any. REQUIRES: not empty. Cost: one location in the plane and a few steps.
@@ -17,4 +17,4 @@ namespace apollonius::internal {
 void listNearest(const ProjectedDiagram& diagram, std::span<const double> lonLat,
                  std::span<SiteId> ids);
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

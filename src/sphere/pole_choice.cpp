@@ -7,7 +7,7 @@
 #include "base/flat_array.h"
 #include "sphere/projection.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 namespace {
 
@@ -73,4 +73,4 @@ bool isVisible(const SiteTable& sites, SiteId id) {
   return true;
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -5,7 +5,7 @@
 
 #include "sphere/site_table.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// A visible site from which circles lose little accuracy: of a few that are drawn at random, the
 /// first from which the loss (Projection::Image) is usual, else the best. `caps` are the sites' by
@@ -17,4 +17,4 @@ namespace apollonius::internal {
 /// O(n).
 [[nodiscard]] bool isVisible(const SiteTable& sites, SiteId id);
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

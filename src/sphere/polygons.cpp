@@ -2,7 +2,7 @@
 
 #include "sphere/nearest.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 CellPolygons::CellPolygons(const ProjectedDiagram& diagram, double tolerance, bool isCut)
     : diagram_(diagram),
@@ -39,4 +39,4 @@ void CellPolygons::append(VertexId node) {
   rings_.endPart();
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

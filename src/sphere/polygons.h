@@ -4,7 +4,7 @@
 #include "sphere/antimeridian.h"
 #include "sphere/chain.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// Writes the cells of sites, within a tolerance in radians. The cells of all sites have the points
 /// of each edge in common. Calls throw std::bad_alloc.
@@ -30,4 +30,4 @@ class CellPolygons {
   AntimeridianCutter cutter_;
 };
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

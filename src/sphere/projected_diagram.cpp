@@ -5,7 +5,7 @@
 
 #include "diagram/bulk_insertion.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 namespace {
 
@@ -242,4 +242,4 @@ const char* ProjectedDiagram::check(const SiteTable& sites, std::uint32_t& where
   return nullptr;
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -16,7 +16,7 @@
 #include "sphere/projection.h"
 #include "sphere/site_table.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 class ProjectedDiagram {
  public:
@@ -115,4 +115,4 @@ class ProjectedDiagram {
   double loss_ = 1;
 };
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 Projection::Projection(const Cap& pole) : pole_(pole) {
   if (pole.centre.x == 0 && pole.centre.y == 0 && pole.centre.z == 0) return;  // of no diagram
@@ -65,4 +65,4 @@ Projection::EmptyCap Projection::fromHalfPlane(double a, double b, double c) con
   return {pointAt(border + std::numbers::pi / 2, a, b), std::numbers::pi / 2 - border};
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

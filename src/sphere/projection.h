@@ -17,7 +17,7 @@
 #include "predicate/site.h"
 #include "sphere/cap.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// With a loss of accuracy up to this, a circle is within 10^-13 radians of its cap.
 inline constexpr double kUsualLoss = 1024;
@@ -70,4 +70,4 @@ class Projection {
   Direction x_, y_;
 };
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -10,7 +10,7 @@
 #include "base/flat_array.h"
 #include "sphere/cap.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// Centre in degrees, weight in the unit of the sphere's radius.
 struct SphericalSite {
@@ -107,4 +107,4 @@ class SiteTable {
   std::size_t size_ = 0;
 };
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

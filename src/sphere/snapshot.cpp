@@ -10,7 +10,7 @@
 #include "sphere/pole_choice.h"
 #include "sphere/spherical_core.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 namespace {
 
@@ -102,4 +102,4 @@ bool SphericalCore::restore(std::span<const std::uint8_t> bytes) {
   return true;
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -10,7 +10,7 @@
 #include "diagram/validate.h"
 #include "sphere/pole_choice.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 namespace {
 
@@ -126,4 +126,4 @@ Violation SphericalCore::validate() const {
   return violation;
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -13,7 +13,7 @@
 #include "sphere/projected_diagram.h"
 #include "sphere/site_table.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 class SphericalCore {
  public:
@@ -57,4 +57,4 @@ class SphericalCore {
   FlatArray<SphericalSite> before_;  // scratch
 };
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

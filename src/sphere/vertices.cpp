@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 namespace {
 
@@ -133,4 +133,4 @@ const SphericalVertex& SphericalVertices::operator[](FaceId face) {
   return entries_[placeOf(same)].vertex;
 }
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

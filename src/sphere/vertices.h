@@ -6,7 +6,7 @@
 #include "base/flat_array.h"
 #include "sphere/projected_diagram.h"
 
-namespace apollonius::internal {
+namespace apollonius::internal::sphere {
 
 /// The centre of an empty cap that touches three sites, and its radius, the common distance.
 struct SphericalVertex {
@@ -50,4 +50,4 @@ class SphericalVertices {
   FlatArray<FaceId> reached_;  // scratch
 };
 
-}  // namespace apollonius::internal
+}  // namespace apollonius::internal::sphere

@@ -1,4 +1,5 @@
 // What the calls of SphericalDiagram refuse, with which code and words; none changes the diagram.
+import { createRequire } from "node:module";
 import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
 import { SphericalDiagram, ApolloniusError as TheirError } from "../../build/packed/sphere.mjs";
 import { expectRefusal } from "./support/refusal.mjs";
@@ -8,6 +9,17 @@ const make = () => new SphericalDiagram([0, 0, 100, 90, 10, 0, 1, 0, 0], earth);
 
 test("both entries have one class of errors", () => {
   expect(TheirError).toBe(ApolloniusError);
+});
+
+test("as CommonJS they share the module, too, which gets its second part once", () => {
+  const require = createRequire(new URL("../../build/packed/sphere.mjs", import.meta.url));
+  const entry = require("apollonius-diagram/sphere");
+  expect(entry.ApolloniusError).toBe(require("apollonius-diagram").ApolloniusError);
+  const diagrams = [0, 1].map((lon) => new entry.SphericalDiagram([lon, 0, 0]));
+  expect(diagrams.map((diagram) => diagram.nearest(3, 0).distance * (180 / Math.PI))).toEqual([
+    expect.closeTo(3),
+    expect.closeTo(2),
+  ]);
 });
 
 const hint = "expected a latitude from -90 to 90: longitude comes first, then latitude";

@@ -22,7 +22,7 @@ import { kInspect, listed, showContent, summary } from "./inspection.js";
 import { drawDual, drawWhole } from "./drawing.js";
 import * as edits from "./edits.js";
 import { ApolloniusError } from "./errors.js";
-import { kModule, type NativeDiagram, runningModule } from "./module.js";
+import { kModule, type NativeDiagram, runningModule, setSphereSource } from "./module.js";
 import type { DrawOptions, DualOptions, PathContext } from "./path.js";
 import * as queries from "./queries.js";
 import type { Region } from "./region.js";
@@ -64,7 +64,7 @@ import { Voronoi } from "./voronoi.js";
  */
 export class Diagram implements Disposable {
   /** @internal */
-  static readonly [kModule] = runningModule;
+  static readonly [kModule] = { runningModule, setSphereSource };
 
   #native: NativeDiagram | null;
   readonly #ballast = new Ballast();

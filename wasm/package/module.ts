@@ -46,7 +46,17 @@ export function setModuleSource(moduleSource: ModuleSource): void {
   source = moduleSource;
 }
 
-/** Where `apollonius-diagram/sphere` finds the running module: a property of the class Diagram. */
+let sphereSource: ModuleSource | undefined;
+
+/** Tells where an instance gets its second part from, when that is first called. */
+export function setSphereSource(moduleSource: ModuleSource): void {
+  sphereSource = moduleSource;
+}
+
+/**
+ * Where `apollonius-diagram/sphere` finds the functions above and below: a property of the class
+ * Diagram.
+ */
 export const kModule: unique symbol = /* @__PURE__ */ Symbol.for("apollonius-diagram.module");
 
 /** The running module; compiled and started now if this is the first use. */
@@ -123,14 +133,40 @@ function expectStack(frames = 1000): void {
   if (frames > 0) expectStack(frames - 1);
 }
 
+/** The first part of an instance, and whether the second is there. */
+interface FirstPart {
+  exports: WebAssembly.Exports;
+  isWhole: boolean;
+}
+
+/**
+ * Stands for a function of the second part (tools/toolchain/split_wasm.mjs) until that is there: it
+ * puts its functions into the table of the first.
+ */
+function placeholder(first: FirstPart, index: number): Method {
+  let method: Method | undefined;
+  return (...list) => {
+    if (!first.isWhole) {
+      new WebAssembly.Instance((sphereSource as ModuleSource)(), { first: first.exports });
+      first.isWhole = true;
+    }
+    const table = first.exports.__indirect_function_table as WebAssembly.Table;
+    return (method ??= table.get(index) as Method)(...list);
+  };
+}
+
 function instantiated(compiled: WebAssembly.Module): Exports {
   expectStack();
   let failed: { cause: unknown } | undefined;
+  const first: FirstPart = { exports: {}, isWhole: false };
   type Receive = (instance: WebAssembly.Instance) => object;
   const exports = createModule({
     instantiateWasm(imports: WebAssembly.Imports, receive: Receive): object {
       try {
-        return receive(new WebAssembly.Instance(compiled, imports));
+        const later = new Proxy({}, { get: (_, index) => placeholder(first, Number(index)) });
+        const instance = new WebAssembly.Instance(compiled, { ...imports, later });
+        first.exports = instance.exports;
+        return receive(instance);
       } catch (cause) {
         // Emscripten would turn it into a promise that nobody sees. No stack is lacking here.
         failed = { cause: cause instanceof RangeError ? outOfMemory() : cause };

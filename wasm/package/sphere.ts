@@ -1,18 +1,10 @@
-// The entry `apollonius-diagram/sphere`. Its wasm module is that of the default entry, as which it
-// shares it (tools/build.mjs).
-export { ApolloniusError, type ErrorCode } from "./errors.js";
-export { SphericalDiagram } from "./spherical_diagram.js";
-export type {
-  GeoJSONPoint,
-  ListedSphericalSite,
-  Spherical,
-  SphericalCollection,
-  SphericalGeoJSONOptions,
-  SphericalOptions,
-  SphericalPolygonOptions,
-  SphericalSite,
-  SphericalSites,
-  SphericalVertices,
-} from "./spherical_types.js";
-export type { Accessor, Items } from "./accessors.js";
-export type { Edges, FilterOptions, NearbyFilter, NearbyOptions, Position } from "./types.js";
+// The entry `apollonius-diagram/sphere`. It shares the running module with the default entry, which
+// it imports by the package's name (tools/build.mjs), and carries the module's second part as text.
+import { swaps, text } from "../../build/wasm/sphere.wasm";
+import { setSphereSource } from "./module.js";
+import { bytesOf } from "./wasm_text.js";
+
+export * from "./sphere_api.js";
+
+let compiled: WebAssembly.Module | undefined;
+setSphereSource(() => (compiled ??= new WebAssembly.Module(bytesOf(text, swaps))));

@@ -1,0 +1,7 @@
+// The same entry where nothing may be compiled, as edge.ts is of the default one.
+import compiled from "../../build/wasm/sphere.wasm?module";
+import { setSphereSource } from "./module.js";
+
+export * from "./sphere_api.js";
+
+setSphereSource(() => compiled);
