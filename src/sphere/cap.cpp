@@ -12,7 +12,9 @@ constexpr double kRadian = std::numbers::pi / 180;
 /// at most 45 degrees, which is exact, before it is turned into radians.
 struct Turn {
   explicit Turn(double degrees) {
-    const double whole = std::remainder(degrees, 360);
+    // Both are exact; the library's takes a loop over the bits.
+    const double whole = std::abs(degrees) < 0x1p40 ? degrees - 360 * std::nearbyint(degrees / 360)
+                                                    : std::remainder(degrees, 360);
     const double quarters = std::nearbyint(whole / 90);
     const double rest = (whole - 90 * quarters) * kRadian;
     const double c = std::cos(rest), s = std::sin(rest);

@@ -37,19 +37,24 @@ class DirectionGrid {
     return side_ == 0 ? kNoSlot : slots_[cellOf(direction)];
   }
 
- private:
-  [[nodiscard]] std::size_t cellOf(const Direction& d) const {
+  /// 0 without cells.
+  [[nodiscard]] std::uint32_t cellOf(const Direction& d) const {
+    if (side_ == 0) return 0;
     const double x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
     if (x >= y && x >= z) return cellAt(d.x > 0 ? 0 : 1, d.y / x, d.z / x);
     if (y >= z) return cellAt(d.y > 0 ? 2 : 3, d.x / y, d.z / y);
     return cellAt(d.z > 0 ? 4 : 5, d.x / z, d.y / z);
   }
+
+ private:
   /// Of a face and a point of it in [-1, 1] x [-1, 1].
-  [[nodiscard]] std::size_t cellAt(std::size_t face, double u, double v) const {
+  [[nodiscard]] std::uint32_t cellAt(std::uint32_t face, double u, double v) const {
     const auto index = [&](double t) {
       return std::min(static_cast<std::uint32_t>((t + 1) / 2 * side_), side_ - 1);
     };
-    return (face * side_ + index(u)) * side_ + index(v);
+    const std::uint32_t column = index(v), row = face * side_ + index(u);
+    // To and fro, so that the next cell is beside.
+    return row * side_ + (row % 2 == 0 ? column : side_ - 1 - column);
   }
 
   std::uint32_t side_ = 0;

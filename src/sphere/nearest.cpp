@@ -15,7 +15,7 @@
 #include <limits>
 
 #include "base/flat_array.h"
-#include "diagram/queries.h"
+#include "base/radix_sort.h"
 
 namespace apollonius::internal::sphere {
 
@@ -123,25 +123,20 @@ VertexId nearestNode(const ProjectedDiagram& diagram, const Direction& point) {
 
 void listNearest(const ProjectedDiagram& diagram, std::span<const double> lonLat,
                  std::span<SiteId> ids) {
-  const std::size_t count = ids.size();
   if (diagram.isEmpty()) {
     std::ranges::fill(ids, kNoSite);
     return;
   }
-  FlatArray<Direction> points(count);
-  FlatArray<double> images(2 * count);
-  for (std::size_t k = 0; k < count; ++k) {
+  // In the order of the grid, so that what a walk reads is still in the cache.
+  FlatArray<Direction> points(ids.size());
+  FlatArray<Keyed> order(ids.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) {
     points[k] = directionOf({lonLat[2 * k], lonLat[2 * k + 1]});
-    const Projection::Image image = diagram.projection().imageOfPoint(points[k]);
-    images[2 * k] = image.circle.x;  // 0 at the pole, where the walk starts anyway
-    images[2 * k + 1] = image.circle.y;
+    order[k] = {diagram.cellOf(points[k]), k};
   }
-  internal::listNearest(diagram.plane(), {images.data(), images.size()}, ids, {});
-  for (std::size_t k = 0; k < count; ++k) {
-    SphericalWalk walk(diagram, points[k]);
-    if (ids[k] != kNoSite) (void)walk.moveTo(vertexOf(diagram.plane().ids().slotOf(ids[k])));
-    ids[k] = diagram.siteOf(walk.run());
-  }
+  sortByKey(order);
+  for (const Keyed& point : order)
+    ids[point.value] = diagram.siteOf(nearestNode(diagram, points[point.value]));
 }
 
 }  // namespace apollonius::internal::sphere

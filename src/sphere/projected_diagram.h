@@ -65,6 +65,9 @@ class ProjectedDiagram {
     return plane_.ids().state(slot) == SiteState::kVisible ? vertexOf(slot) : kNoVertex;
   }
 
+  /// Numbers of directions that are close to each other are mostly close, too.
+  [[nodiscard]] std::uint32_t cellOf(const Direction& point) const { return grid_.cellOf(point); }
+
   // --- Changing. What returns false has changed nothing, and all is to be projected from another
   // pole: because the pole is concerned or gets hidden, or a circle would lose too much accuracy.
   // All throw std::bad_alloc and have changed nothing then.

@@ -54,31 +54,42 @@ export function checkSite(lon: unknown, lat: unknown, r: unknown, radius: number
   if (error) throw error;
 }
 
-/** Flat longitude, latitude, weight triples. */
-export function checkedSites(name: string, values: unknown, radius: number): ArrayLike<number> {
-  const numbers = checkedNumbers(name, values, 3);
-  checkSiteCount(name, numbers.length / 3);
+/** Throws for the first element with an error; its name is made only then. */
+function checkElements(
+  numbers: ArrayLike<number>,
+  perItem: number,
+  radius: number,
+  nameOf: (k: number) => string,
+): void {
+  const most = Math.PI * radius;
   for (let k = 0; k < numbers.length; ++k) {
-    const of = `${name}[${k}]`;
-    const value = numbers[k];
+    const value = numbers[k] as number;
+    const axis = k % perItem;
+    const limit = axis === 0 ? Infinity : axis === 1 ? 90 : most;
+    if (Math.abs(value) < limit) continue;
+    const of = nameOf(k);
     const error =
-      k % 3 === 0
+      axis === 0
         ? lonError(of, value)
-        : k % 3 === 1
+        : axis === 1
           ? latError(of, value)
           : weightError(of, value, radius);
     if (error) throw error;
   }
+}
+
+/** Flat longitude, latitude, weight triples. */
+export function checkedSites(name: string, values: unknown, radius: number): ArrayLike<number> {
+  const numbers = checkedNumbers(name, values, 3);
+  checkSiteCount(name, numbers.length / 3);
+  checkElements(numbers, 3, radius, (k) => `${name}[${k}]`);
   return numbers;
 }
 
 /** Flat longitude, latitude pairs. */
 export function checkedPoints(name: string, values: unknown): ArrayLike<number> {
   const numbers = checkedNumbers(name, values, 2);
-  for (let k = 0; k < numbers.length; ++k) {
-    const error = (k % 2 === 0 ? lonError : latError)(`${name}[${k}]`, numbers[k]);
-    if (error) throw error;
-  }
+  checkElements(numbers, 2, 1, (k) => `${name}[${k}]`);
   return numbers;
 }
 
@@ -156,6 +167,7 @@ export function sphericalTriples<T>(
     );
   checkSiteCount("items", list.length);
   const { lon, lat, r } = accessors;
+  const nameOf = (k: number) => `${["lon", "lat", "r"][k % 3]} of item ${Math.floor(k / 3)}`;
   const triples = allocated(() => new Float64Array(3 * list.length));
   for (let k = 0; k < list.length; ++k) {
     const item = list[k] as T;
@@ -170,13 +182,13 @@ export function sphericalTriples<T>(
       lat ? lat(item, k, items) : usual[1],
       r ? r(item, k, items) : (usual[2] ?? 0),
     ];
-    const error =
-      lonError(`lon of item ${k}`, values[0]) ??
-      latError(`lat of item ${k}`, values[1]) ??
-      weightError(`r of item ${k}`, values[2], radius);
-    if (error) throw error;
-    triples.set(values as number[], 3 * k);
+    for (let axis = 0; axis < 3; ++axis) {
+      const value = values[axis];
+      if (typeof value !== "number") throw notFinite(nameOf(3 * k + axis), value);
+      triples[3 * k + axis] = value;
+    }
   }
+  checkElements(triples, 3, radius, nameOf);
   return triples;
 }
 
