@@ -1,6 +1,7 @@
 // The bisector of two sites of the sphere, a closed curve about each of them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "sphere/cap.h"
@@ -59,6 +60,13 @@ class SphericalBisector {
     const double length = std::sqrt(rise * rise + run * run);
     if (length == 0) return {1, 0, x, y, 0};
     return {run / length, rise / length, x, y, scale_ / length};
+  }
+  /// Within about this angle of the direction of the other site, and of the opposite one, the curve
+  /// changes; small where one site nearly covers the other.
+  [[nodiscard]] double sharpness() const {
+    const double slope = std::sqrt(x_ * x_ + y_ * y_);
+    const double left = std::abs(slope - std::abs(shift_)) + std::max(rise_, 0.0);
+    return left < slope ? std::sqrt(left / slope) : 1;
   }
   /// The bearing of the other site, where the bisector is nearest.
   [[nodiscard]] double middle() const { return std::atan2(y_, x_); }

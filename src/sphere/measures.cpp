@@ -9,9 +9,10 @@
 //
 // Both are taken by Gauss's rule of twelve points. Where the rule of six agrees to more than half
 // of the digits, that of twelve, whose error is about the square, is right to all of them; else the
-// interval is halved.
+// interval is halved, unless rounding makes the difference.
 #include "sphere/measures.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -90,12 +91,27 @@ void addInterval(const SphericalBisector& bisector, double from, double width, b
   }
 }
 
+/// Adds the integrals over a sector in intervals that grow with the distance from the directions of
+/// the other site and opposite to it. Where one site nearly covers the other, the curve goes from
+/// one end of the sphere to the other there, too sharply to be seen from farther away.
 void addSector(const Sector& sector, bool withMoment, Integrals& sum) {
-  constexpr double kWidest = std::numbers::pi / 2;
-  const double parts = std::ceil(sector.width / kWidest);
-  const double part = sector.width / parts;
-  for (int k = 0; k < parts; ++k)  // none for a width of 0
-    addInterval(sector.bisector, sector.from + k * part, part, withMoment, sum);
+  constexpr double kHalfTurn = std::numbers::pi, kWidest = kHalfTurn / 4, kGrowth = 4;
+  const SphericalBisector& bisector = sector.bisector;
+  const double to = sector.from + sector.width;
+  const double sharpest = std::min(bisector.sharpness(), kWidest);
+  double at = sector.from;
+  while (at < to) {
+    // Of the sharp directions the nearest one, and the end of the interval as it is seen from
+    // there.
+    const double aside = std::remainder(at - bisector.middle(), kHalfTurn);
+    const double away = std::abs(aside);
+    double step = std::clamp(away * (kGrowth - 1), sharpest, kWidest);
+    if (aside < 0) step = std::min(away, std::max(away * (1 - 1 / kGrowth), sharpest));
+    // Steps that rounding swallows are made as long as they have to be.
+    const double next = std::min(to, std::max(at + step, std::nextafter(at, to)));
+    addInterval(bisector, at, next - at, withMoment, sum);
+    at = next;
+  }
 }
 
 }  // namespace
