@@ -16,7 +16,7 @@ set(wasm_tests
   # Recorded hashes, and one history of each structure
   diagram/determinism diagram/hidden_forest diagram/hint_grid diagram/id_pool diagram/levels
   diagram/moves diagram/oracle diagram/regressions diagram/snapshot
-  geometry/fit geometry/regions geometry/voronoi sphere/oracle sphere/out_of_memory
+  geometry/fit geometry/regions geometry/voronoi sphere/out_of_memory
   topology/random)
 set(all_files "${test_files}")
 set(test_files "")

@@ -106,13 +106,37 @@ void ChainMaker::follow(VertexId node, VertexId neighbor, const Sector& sector,
   }
 }
 
+bool ChainMaker::isOnePiece(VertexId node, VertexId neighbor, const Direction& first,
+                            const Direction& last) const {
+  constexpr double kClear = 0x1p-20;
+  const Cap &cap = diagram_.cap(node), &other = diagram_.cap(neighbor);
+  const Frame frame(cap.centre);
+  const double x1 = dot(first, frame.first), y1 = dot(first, frame.second);
+  const double x2 = dot(last, frame.first), y2 = dot(last, frame.second);
+  const double length1 = std::sqrt(x1 * x1 + y1 * y1), length2 = std::sqrt(x2 * x2 + y2 * y2);
+  const double turn = x1 * y2 - x2 * y1;  // the sine, times both lengths
+  if (!(turn > kClear * length1 * length2) || !(x1 * x2 + y1 * y2 > 0) ||
+      !isLessThanQuarter(other.centre, first, last))
+    return false;
+  const double x = x1 * length2 + x2 * length1, y = y1 * length2 + y2 * length1;
+  const double length = std::sqrt(x * x + y * y);
+  const SphericalBisector bisector(cap, frame, other);
+  return isFine(first, shown(bisector.at(x / length, y / length).point(cap.centre, frame)), last);
+}
+
 void ChainMaker::append(HalfedgeId h, FlatArray<Direction>& points) {
   const Graph& graph = diagram_.graph();
   const HalfedgeId twin = graph.twin(h);
   const VertexId node = graph.origin(h), neighbor = graph.target(h);
   const Direction first = shown(vertices_[faceOf(twin)].point);
   const Direction last = shown(vertices_[faceOf(h)].point);
-  if (isFollowedFrom(node, neighbor)) {
+  const bool isFollowed = isFollowedFrom(node, neighbor);
+  if (isFollowed ? isOnePiece(node, neighbor, first, last)
+                 : isOnePiece(neighbor, node, last, first)) {
+    points.push_back(first);
+    return;
+  }
+  if (isFollowed) {
     follow(node, neighbor, sectorOf(diagram_, h, vertices_), first, last, points);
     return;
   }

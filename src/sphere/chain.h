@@ -30,6 +30,10 @@ class ChainMaker {
               const Direction& last, FlatArray<Direction>& points) const;
   /// A point as it is written.
   [[nodiscard]] Direction shown(const Direction& point) const;
+  /// Can its ends alone stand for an edge, which is followed from `node`? A filter without
+  /// trigonometry, which knows most of them.
+  [[nodiscard]] bool isOnePiece(VertexId node, VertexId neighbor, const Direction& first,
+                                const Direction& last) const;
   [[nodiscard]] bool isFine(const Direction& a, const Direction& middle, const Direction& b) const;
 
   const ProjectedDiagram& diagram_;
