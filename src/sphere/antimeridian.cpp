@@ -107,8 +107,7 @@ void AntimeridianCutter::cut(std::span<const Direction> ring, bool hasNorthPole,
   const auto addRectangle = [&] { addBorder(-1, kWhole); };
   if (ring.empty()) {
     addRectangle();
-    emitRing(output);
-    output.endPart();
+    if (emitRing(output)) output.endPart();
     return;
   }
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -124,11 +123,10 @@ void AntimeridianCutter::cut(std::span<const Direction> ring, bool hasNorthPole,
     const FlatArray<LonLat> hole = ring_;
     ring_.clear();
     addRectangle();
-    emitRing(output);
+    (void)emitRing(output);
     ring_ = hole;
   }
-  emitRing(output);
-  output.endPart();
+  if (emitRing(output) || hasNorthPole) output.endPart();
 }
 
 std::size_t AntimeridianCutter::arcAfter(double position) const {
@@ -162,8 +160,7 @@ void AntimeridianCutter::joinArcs(LonLatRings& output) {
     const bool isFlat = std::ranges::all_of(
         ring_, [&](const LonLat& p) { return p.lon == ring_[0].lon || p.lat == ring_[0].lat; });
     if (isFlat && signedArea(ring_) == 0) continue;  // of arcs along the border
-    emitRing(output);
-    output.endPart();
+    if (emitRing(output)) output.endPart();
   }
 }
 
@@ -177,19 +174,21 @@ void AntimeridianCutter::addBorder(double from, double to) {
   }
 }
 
-void AntimeridianCutter::emitRing(LonLatRings& output) {
+bool AntimeridianCutter::emitRing(LonLatRings& output) {
   // Closed, and no point twice in a row.
   std::size_t kept = 0;
   for (const LonLat& p : ring_) {
     if (kept == 0 || !areSame(p, ring_[kept - 1])) ring_[kept++] = p;
   }
   while (kept > 1 && areSame(ring_[kept - 1], ring_[0])) --kept;
+  if (kept < 3) return false;
   for (std::size_t k = 0; k <= kept; ++k) {
     const LonLat& p = ring_[k == kept ? 0 : k];
     output.coordinates.push_back(p.lon);
     output.coordinates.push_back(p.lat);
   }
   output.endRing();
+  return true;
 }
 
 }  // namespace apollonius::internal::sphere

@@ -49,7 +49,7 @@ class AntimeridianCutter {
   void joinArcs(LonLatRings& output);
   [[nodiscard]] std::size_t arcAfter(double position) const;
   void addBorder(double from, double to);
-  void emitRing(LonLatRings& output);
+  bool emitRing(LonLatRings& output);
 
   FlatArray<LonLat> points_;
   FlatArray<Arc> arcs_;

@@ -54,12 +54,13 @@ class SphericalBisector {
   [[nodiscard]] At at(double bearing) const { return at(std::cos(bearing), std::sin(bearing)); }
   /// The same by cosine and sine of the bearing.
   [[nodiscard]] At at(double x, double y) const {
+    // A site that touches from inside has a cell without width: from the heavier one the bisector
+    // is at the antipode, from the lighter one at its centre, but for one bearing.
+    if (!(rise_ > 0)) return {shift_ > 0 ? -1.0 : 1.0, 0, x, y, 0};
     const double run = x_ * x + y_ * y - shift_;
-    // In degenerate position rounding may take the rise below 0.
-    const double rise = rise_ > 0 ? rise_ : 0;
-    const double length = std::sqrt(rise * rise + run * run);
-    if (length == 0) return {1, 0, x, y, 0};
-    return {run / length, rise / length, x, y, scale_ / length};
+    const double length = std::sqrt(rise_ * rise_ + run * run);
+    constexpr double kAnywhere = 3;
+    return {run / length, rise_ / length, x, y, std::min(scale_ / length, kAnywhere)};
   }
   /// Within about this angle of the direction of the other site, and of the opposite one, the curve
   /// changes; small where one site nearly covers the other.

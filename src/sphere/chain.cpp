@@ -16,7 +16,16 @@ namespace {
 /// Less than a quarter turn about a site: the arcs between a cell's points are in sectors of their
 /// own then, and never meet.
 bool isLessThanQuarter(const Direction& up, const Direction& a, const Direction& b) {
-  return dot(a, b) - dot(a, up) * dot(b, up) > 0;
+  // By the ways from the site, or from its antipode: little is left of long vectors close to those.
+  const auto away = [&](const Direction& p) { return dot(p, up) > 0 ? p - up : p + up; };
+  const Direction toA = away(a), toB = away(b);
+  return dot(toA, toB) - dot(toA, up) * dot(toB, up) > 0;
+}
+
+/// A piece so short that its direction and its bend are rounding, and halving it would not end.
+bool isShort(const Direction& a, const Direction& middle, const Direction& b) {
+  constexpr double kShort = 0x1p-46;
+  return lengthOf(b - a) < kShort && lengthOf(middle - a) < kShort;
 }
 
 /// From a point to the great circle through two others.
@@ -92,9 +101,11 @@ void ChainMaker::follow(VertexId node, VertexId neighbor, const Sector& sector,
     const double width = sector.width / static_cast<double>(pieces);
     const double from = sector.from + width * static_cast<double>(number);
     const Direction b = number + 1 == pieces ? last : pointAt(from + width);
+    const Direction middle = pointAt(from + width / 2);
     const bool isDone =
-        depth == kDeepest || (width < std::numbers::pi / 2 && isLessThanQuarter(other, a, b) &&
-                              isFine(a, pointAt(from + width / 2), b));
+        depth == kDeepest ||
+        (width < std::numbers::pi / 2 &&
+         (isShort(a, middle, b) || (isLessThanQuarter(other, a, b) && isFine(a, middle, b))));
     if (!isDone) {
       ++depth;
       number *= 2;

@@ -41,10 +41,12 @@ SiteId choosePole(const SiteTable& sites, const FlatArray<Cap>& caps, std::uint6
   }
   SiteId best = kNoSite;
   double least = 0;
-  for (int k = 0; k < kCandidates && (best == kNoSite || least > kUsualLoss); ++k) {
+  FlatArray<SiteId> starts = all;  // what leads to a candidate, which is not to be the same again
+  for (int k = 0; k < kCandidates && !starts.empty(); ++k) {
     // The site that is nearest to a centre is visible: paper, Lemma 1, which needs the triangle
     // inequality only. Of equally near ones the heaviest is.
-    SiteId nearest = all[draw(seed, all.size())];
+    const SiteId start = starts[draw(seed, starts.size())];
+    SiteId nearest = start;
     const Direction centre = caps[nearest].centre;
     HalfAngle toNearest = distance(centre, caps[nearest]);
     for (const SiteId id : all) {
@@ -59,6 +61,14 @@ SiteId choosePole(const SiteTable& sites, const FlatArray<Cap>& caps, std::uint6
       best = nearest;
       least = loss;
     }
+    if (least <= kUsualLoss) break;
+    const Projection projection(caps[nearest]);
+    std::size_t kept = 0;
+    for (const SiteId id : starts) {
+      if (id != start && projection.image(caps[id]).kind != Projection::Kind::kBelowPole)
+        starts[kept++] = id;
+    }
+    starts.resize(kept);
   }
   return best;
 }

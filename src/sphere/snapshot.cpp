@@ -94,9 +94,8 @@ bool SphericalCore::restore(std::span<const std::uint8_t> bytes) {
   for (std::uint32_t k = 0; k < size; ++k) sites_.set(ids[k], rows[k]);
   // The one that is used first is freed last.
   for (std::uint32_t k = idLimit; k-- > size;) sites_.release(ids[k]);
-  if (size == 0) return pole == kNoSite;
-  if (!sites_.has(pole) || !isVisible(sites_, pole)) return false;
-  projected_ = ProjectedDiagram(sites_, sites_.caps(), pole);
+  if (size == 0 ? pole != kNoSite : !sites_.has(pole) || !isVisible(sites_, pole)) return false;
+  if (size > 0) projected_ = ProjectedDiagram(sites_, sites_.caps(), pole);
   sizeAtChoice_ = static_cast<std::size_t>(sizeAtChoice);
   seed_ = seed;
   return true;

@@ -51,6 +51,7 @@ const lengths = {
   geometry_fuzz: 256,
   queries_fuzz: 256,
   regions_fuzz: 320,
+  sphere_fuzz: 512,
 };
 
 const names = () =>

@@ -109,6 +109,7 @@ TEST(SphericalOutOfMemory, EveryFailureLeavesTheDiagramAsItWas) {
         ASSERT_EQ(circle.lon, sites[id].lon);
         ASSERT_EQ(circle.r, sites[id].r);
       }
+      ASSERT_EQ(stateOf(diagram).size(), saved.size());  // the same number of ids
       ASSERT_EQ(operation(diagram), Error::kNone);
       if (k > 60) k += k / 4;
     }

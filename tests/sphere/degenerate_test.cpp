@@ -1,0 +1,352 @@
+// Degenerate position on the sphere: sites that touch others from inside, that are a rounding apart
+// or lie on lattices; and snapshots that somebody has made up.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <span>
+
+#include "base/byte_stream.h"
+#include "sphere/sphere_sets.h"
+
+namespace apollonius::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+double sumOfAreas(const SphericalDiagram& diagram) {
+  std::vector<double> areas;
+  EXPECT_EQ(diagram.cellAreas(areas), Error::kNone);
+  double sum = 0;
+  for (const double area : areas) sum += area;
+  return sum;
+}
+
+/// What a ring of polygons is, whatever the position of the sites; returns the sum of the areas in
+/// the plane of longitude and latitude.
+template <class Arrays>
+double expectRings(const Arrays& polygons) {
+  double sum = 0;
+  for (std::size_t ring = 0; ring + 1 < polygons.starts.size(); ++ring) {
+    const std::size_t first = polygons.starts[ring], last = polygons.starts[ring + 1] - 1u;
+    const auto lon = [&](std::size_t k) { return polygons.coordinates[2 * k]; };
+    const auto lat = [&](std::size_t k) { return polygons.coordinates[2 * k + 1]; };
+    EXPECT_EQ(lon(first), lon(last));
+    EXPECT_EQ(lat(first), lat(last));
+    for (std::size_t k = first; k < last; ++k) {
+      EXPECT_TRUE(lon(k) != lon(k + 1) || lat(k) != lat(k + 1)) << "a point twice in a row";
+      EXPECT_TRUE(std::abs(lon(k)) <= 180 && std::abs(lat(k)) <= 90);
+      sum += (lon(k) - lon(k + 1)) * (lat(k) + lat(k + 1)) / 2;
+    }
+  }
+  return sum;
+}
+
+/// kNearest at the mirror images of the sites.
+void expectAllInOrder(const SphericalSites& sites, const SphericalDiagram& diagram) {
+  for (const SphericalCircle& site : sites) {
+    std::vector<double> expected;
+    const SphericalPoint p = {site.lon, -site.lat};
+    for (const SphericalCircle& other : sites) expected.push_back(distanceOf(p, other));
+    std::ranges::sort(expected);
+    std::vector<SiteId> ids;
+    constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+    ASSERT_EQ(diagram.kNearest(p.lon, p.lat, sites.size(), kAnywhere, ids), Error::kNone);
+    ASSERT_EQ(ids.size(), sites.size());
+    for (std::size_t k = 0; k < ids.size(); ++k)
+      EXPECT_NEAR(distanceOf(p, sites[ids[k]]), expected[k], 1e-13);
+  }
+}
+
+/// All that is asked of a diagram in any position.
+void expectSound(const SphericalSites& sites, const SphericalDiagram& diagram) {
+  Violation violation;
+  ASSERT_EQ(diagram.validate(violation), Error::kNone);
+  ASSERT_EQ(violation.text(), "");
+  EXPECT_NEAR(sumOfAreas(diagram), 4 * kPi, 1e-6);
+  CoverageArrays cut, whole;
+  ASSERT_EQ(diagram.cellPolygons(0.1, true, cut), Error::kNone);
+  EXPECT_NEAR(expectRings(cut), 360 * 180, 1e-2);
+  for (std::size_t ring = 0; ring + 1 < cut.starts.size(); ++ring)
+    EXPECT_GE(cut.starts[ring + 1] - cut.starts[ring], 4u);
+  ASSERT_EQ(diagram.cellPolygons(0.1, false, whole), Error::kNone);
+  (void)expectRings(whole);
+  EXPECT_LT(cut.coordinates.size() + whole.coordinates.size(), 20000 * sites.size());
+  expectAllInOrder(sites, diagram);
+}
+
+// --- Sites that are close together
+
+TEST(SphericalDegenerate, PolygonsOfTwoSitesARoundingApartHaveFewPoints) {
+  // Found by sphere_fuzz: at the pole the second one was a point of its own polygon.
+  const SphericalSites atPole = {{-41.64705882352942, -89.999999999999119, 0}, {-180, -90, 0}};
+  const SphericalDiagram diagram = diagramOf(atPole);
+  for (const bool isCut : {false, true}) {
+    CoverageArrays polygons;
+    ASSERT_EQ(diagram.cellPolygons(0.01, isCut, polygons), Error::kNone);
+    EXPECT_LT(polygons.coordinates.size(), 4000u);
+  }
+}
+
+TEST(SphericalDegenerate, PolygonsOfCloseSitesHaveFewPoints) {
+  Random random(51);
+  for (int k = 0; k < 60; ++k) {
+    const double apart = 57 * std::pow(10, -6 - k % 10);
+    const auto [lon, lat] = randomPoint(random);
+    SphericalSites sites = {{lon, lat, 0},
+                            {lon + apart * random.between(-1, 1),
+                             std::clamp(lat + apart * random.between(-1, 1), -90.0, 90.0), 0}};
+    if (k % 20 >= 10) {
+      sites.push_back({lon + 100, 3, 0.1});
+      sites.push_back({lon - 100, 20, 0});
+    }
+    const SphericalDiagram diagram = diagramOf(sites);
+    for (const bool isCut : {false, true}) {
+      CoverageArrays polygons;
+      ASSERT_EQ(diagram.cellPolygons(0.01, isCut, polygons), Error::kNone);
+      EXPECT_LT(polygons.coordinates.size(), 8000u) << apart;
+    }
+  }
+}
+
+// --- Sites that others touch from inside
+
+TEST(SphericalDegenerate, ACellWithoutWidthHasNoRingOfTwoPoints) {
+  // Found by sphere_fuzz: the last site touches the cap about (-30, -60) from inside.
+  constexpr double kRadius = 6371.0088, kWeight = 3335.8524070059866;
+  SphericalDiagram diagram(kRadius);
+  std::vector<SiteId> ids(4);
+  ASSERT_EQ(diagram.insertMany(
+                flat({{-30, 15, kWeight}, {-30, -60, kWeight}, {-30, 15, 0}, {-180, -90, 0}}), ids),
+            Error::kNone);
+  CoverageArrays polygons;
+  ASSERT_EQ(diagram.cellPolygons(0.001, true, polygons), Error::kNone);
+  EXPECT_NEAR(expectRings(polygons), 360 * 180, 1e-2);
+  for (std::size_t ring = 0; ring + 1 < polygons.starts.size(); ++ring)
+    EXPECT_GE(polygons.starts[ring + 1] - polygons.starts[ring], 4u);
+}
+
+TEST(SphericalDegenerate, ThePoleIsNotASiteThatNearlyCoversOthers) {
+  // Found by sphere_fuzz: projected from the first one, the fifth was a circle of which nothing was
+  // known, and hidden below the last.
+  SphericalSites sites(4, {-30, 15, kPi / 6});
+  sites.push_back({-30, -15, 0});
+  sites.push_back({-180, -90, 0});
+  for (std::size_t k = 0; k < 8; ++k) {
+    expectAllInOrder(sites, diagramOf(sites));
+    sites.push_back(sites[0]);
+  }
+}
+
+// Found by sphere_fuzz, and not mended yet: the second one, which the first one nearly covers, gets
+// all longitudes below its ring, and the areas add up to twice the rectangle.
+TEST(SphericalDegenerate, DISABLED_CutPolygonsWhereOneNearlyCoversAnother) {
+  const SphericalSites sites = {{-30, 15, kPi / 6}, {-30, -15, 0}, {-180, -90, 0}};
+  CoverageArrays polygons;
+  ASSERT_EQ(diagramOf(sites).cellPolygons(0.1, true, polygons), Error::kNone);
+  EXPECT_NEAR(expectRings(polygons), 360 * 180, 1e-2);
+}
+
+// Found by sphere_fuzz, and not mended yet: 12.615 of 12.566.
+TEST(SphericalDegenerate, DISABLED_AreasOfTwoSitesARoundingApart) {
+  EXPECT_NEAR(sumOfAreas(diagramOf({{179.29687495809046, -89.999999999999702, 0}, {-180, -90, 0}})),
+              4 * kPi, 1e-9);
+}
+
+// Found by sphere_fuzz, and not mended yet: validate() says that site 1 is not covered by the pole.
+TEST(SphericalDegenerate, DISABLED_TwinsAtTheAntipodeOfOneFarLighter) {
+  constexpr double kRadius = 0x1p-20;
+  SphericalDiagram diagram(kRadius);
+  SiteId id = kNoSite;
+  ASSERT_EQ(diagram.insert(51.527839211856602, -25.764705882352949, -3.14 * kRadius, id),
+            Error::kNone);
+  const SphericalCircle twin = {-128.47216078814341, 25.764705882352949, kPi / 6 * kRadius};
+  std::vector<SiteId> ids(2);
+  ASSERT_EQ(diagram.insertMany(flat({twin, twin}), ids), Error::kNone);
+  Violation violation;
+  ASSERT_EQ(diagram.validate(violation), Error::kNone);
+  EXPECT_EQ(violation.text(), "");
+}
+
+TEST(SphericalDegenerate, SetsOfLattices) {
+  Random random(52);
+  constexpr double kWeights[] = {0, 0, kPi / 12, kPi / 6, 0.1, 1};
+  for (int round = 0; round < 150; ++round) {
+    SCOPED_TRACE(round);
+    const int step = round % 2 == 0 ? 30 : 15;
+    SphericalSites sites = {{0, 0, 0}, {120, 10, 0}, {-110, -20, 0}};
+    for (std::size_t k = 1 + random.below(std::size_t{10}); k > 0; --k) {
+      const double x = std::floor(random.between(-180, 181) / step) * step,
+                   y = std::floor(random.between(-90, 91) / step) * step;
+      sites.push_back({std::max(x, -180.0), std::max(y, -90.0),
+                       kWeights[random.below(round % 3 == 0 ? std::size_t{2} : std::size_t{6})]});
+    }
+    expectSound(sites, diagramOf(sites));
+  }
+}
+
+TEST(SphericalDegenerate, ASiteThatNearlyHidesOthersIsInsertedLater) {
+  for (const double gap : {1e-6, 1e-5}) {
+    for (const double at : {0.0, 180.0}) {
+      SphericalSites sites = {{0, 0, 0.5}, {180, 0, 0.5}};
+      SphericalDiagram diagram = diagramOf(sites);
+      // Three below the one at `at`, which may be the pole, but for the gap.
+      for (int k = 0; k < 3; ++k) {
+        sites.push_back({at + 10 * (k - 1) + 5, 0, 0});
+        SphericalCircle& site = sites.back();
+        site.r = 0.5 - std::abs(10 * (k - 1) + 5) * kPi / 180 + gap;
+        SiteId id = kNoSite;
+        ASSERT_EQ(diagram.insert(site.lon, site.lat, site.r, id), Error::kNone);
+        VertexArrays vertices;
+        ASSERT_EQ(diagram.vertices(vertices), Error::kNone);
+        for (std::size_t n = 0; n < vertices.clearance.size(); ++n) {
+          const SphericalPoint v = {vertices.coordinates[2 * n], vertices.coordinates[2 * n + 1]};
+          EXPECT_NEAR(leastDistance(sites, v), vertices.clearance[n], 1e-13);
+        }
+        EXPECT_NEAR(sumOfAreas(diagram), 4 * kPi, 1e-6);
+      }
+    }
+  }
+}
+
+TEST(SphericalDegenerate, WeightsFarApart) {
+  const SphericalSites sites = {{0, 0, 3.1}, {175, 0, -3.1}, {180, 0, 0.01}, {-90, 80, -3}};
+  const SphericalDiagram diagram = diagramOf(sites);
+  expectSound(sites, diagram);
+  EXPECT_EQ(diagram.visibleSize(), 2u);
+}
+
+// --- The antimeridian
+
+TEST(SphericalDegenerate, EdgesAlongTheAntimeridianAreOnIt) {
+  Random random(53);
+  for (int round = 0; round < 30; ++round) {
+    SphericalSites sites = {{0, 5, 0}};
+    for (int k = 0; k < 4; ++k) {
+      const double aside = random.between(1, 60), lat = random.between(-80, 80);
+      sites.push_back({180 - aside, lat, 0});
+      sites.push_back({aside - 180, lat, 0});
+    }
+    CoverageArrays polygons;
+    ASSERT_EQ(diagramOf(sites).cellPolygons(0.01, true, polygons), Error::kNone);
+    EXPECT_NEAR(expectRings(polygons), 360 * 180, 1e-6);
+    for (std::size_t k = 0; k < polygons.coordinates.size(); k += 2) {
+      const double aside = 180 - std::abs(polygons.coordinates[k]);
+      EXPECT_TRUE(aside == 0 || aside > 1e-9) << aside;
+    }
+  }
+}
+
+TEST(SphericalDegenerate, LongitudesOfAnySize) {
+  const SphericalDiagram diagram = diagramOf({{std::remainder(1e300, 360), 5, 0}, {0, -50, 0}});
+  SiteId id = kNoSite;
+  double distance = 1;
+  ASSERT_EQ(diagram.find(1e300, 5, id, distance), Error::kNone);
+  EXPECT_EQ(id, 0u);
+  EXPECT_EQ(distance, 0);
+}
+
+// --- Listings
+
+TEST(SphericalDegenerate, ListsAreInTheUnitOfTheRadiusAndAgree) {
+  Random random(54);
+  for (const NamedSites& set : namedSets(random, 30)) {
+    SCOPED_TRACE(set.name);
+    SphericalDiagram diagram(6371);
+    SphericalSites sites = set.sites;
+    for (SphericalCircle& site : sites) site.r *= 6371;
+    std::vector<SiteId> ids(sites.size());
+    ASSERT_EQ(diagram.insertMany(flat(sites), ids), Error::kNone);
+    VertexArrays vertices;
+    ASSERT_EQ(diagram.vertices(vertices), Error::kNone);
+    for (std::size_t k = 0; k < vertices.clearance.size(); ++k) {
+      const SphericalPoint v = {vertices.coordinates[2 * k], vertices.coordinates[2 * k + 1]};
+      EXPECT_NEAR(leastDistance(set.sites, v) * 6371, vertices.clearance[k], 1e-9);
+    }
+    // Both sites of an edge are sites of the vertices at its ends.
+    EdgeArrays edges;
+    ASSERT_EQ(diagram.edges(edges), Error::kNone);
+    for (std::size_t k = 0; k < edges.vertices.size() && vertices.clearance.size() > 0; k += 2) {
+      EXPECT_NE(edges.vertices[k], edges.vertices[k + 1]);
+      for (const std::size_t end : {k, k + 1}) {
+        const auto corners = std::span(vertices.sites).subspan(3 * edges.vertices[end], 3);
+        for (const std::size_t side : {k, k + 1})
+          EXPECT_NE(std::ranges::find(corners, edges.sites[side]), corners.end());
+      }
+    }
+    for (const SiteId id : ids) {
+      std::vector<SiteId> neighbors;
+      ASSERT_EQ(diagram.neighbors(id, neighbors), Error::kNone);
+      EXPECT_EQ(std::set(neighbors.begin(), neighbors.end()).size(), neighbors.size());
+    }
+  }
+}
+
+TEST(SphericalDegenerate, TwoSitesWithTwoEdgesAreNeighboursOnce) {
+  // The third is in front of the middle of the edge between the first two.
+  const SphericalDiagram diagram = diagramOf({{0, 0, 0.3}, {40, 0, 0.3}, {20, 0, 0.05}});
+  std::vector<SiteId> neighbors;
+  for (const SiteId id : {0u, 1u, 2u}) {
+    ASSERT_EQ(diagram.neighbors(id, neighbors), Error::kNone);
+    EXPECT_EQ(neighbors.size(), 2u);
+  }
+}
+
+// --- Snapshots
+
+TEST(SphericalSnapshots, OfADiagramThatHasBecomeEmptyIsTheSame) {
+  // Found by sphere_fuzz.
+  SphericalDiagram diagram = diagramOf({{-150, 90, 0.001}}), restored;
+  bool removed = false;
+  ASSERT_EQ(diagram.remove(0, removed), Error::kNone);
+  std::vector<std::uint8_t> bytes, again;
+  ASSERT_EQ(diagram.toBytes(bytes), Error::kNone);
+  ASSERT_EQ(restored.fromBytes(bytes), Error::kNone);
+  ASSERT_EQ(restored.toBytes(again), Error::kNone);
+  EXPECT_EQ(bytes, again);
+}
+
+/// A snapshot with some bytes replaced, and the checksum that belongs to that.
+template <class Value>
+std::vector<std::uint8_t> madeUp(std::vector<std::uint8_t> bytes, std::size_t at, Value value) {
+  const auto* from = reinterpret_cast<const std::uint8_t*>(&value);
+  std::copy(from, from + sizeof value, bytes.begin() + static_cast<std::ptrdiff_t>(at));
+  const std::size_t size = bytes.size() - 8;
+  const std::uint64_t sum = internal::checksumOf({bytes.data(), size});
+  for (unsigned k = 0; k < 8; ++k) bytes[size + k] = static_cast<std::uint8_t>(sum >> (8 * k));
+  return bytes;
+}
+
+TEST(SphericalSnapshots, MadeUpOnesAreRefused) {
+  // 48 bytes of a header, with the pole at 20; three numbers a site; the ids.
+  constexpr std::size_t kPole = 20, kRadius = 40, kSites = 48;
+  const SphericalDiagram diagram = diagramOf({{0, 0, 1}, {10, 0, 0.1}, {120, 10, 0}, {-90, 0, 0}});
+  constexpr std::size_t kIds = kSites + 4 * 24;
+  std::vector<std::uint8_t> bytes;
+  ASSERT_EQ(diagram.toBytes(bytes), Error::kNone);
+  const auto errorOf = [](const std::vector<std::uint8_t>& snapshot) {
+    SphericalDiagram restored;
+    return restored.fromBytes(snapshot);
+  };
+  ASSERT_EQ(errorOf(madeUp(bytes, kSites, 0.25)), Error::kNone);
+  EXPECT_EQ(errorOf(madeUp(bytes, kPole, 1u)), Error::kCorruptSnapshot) << "a hidden pole";
+  EXPECT_EQ(errorOf(madeUp(bytes, kPole, 4u)), Error::kCorruptSnapshot);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double radius : {0.0, -1.0, nan})
+    EXPECT_EQ(errorOf(madeUp(bytes, kRadius, radius)), Error::kCorruptSnapshot);
+  EXPECT_EQ(errorOf(madeUp(bytes, kSites, nan)), Error::kCorruptSnapshot) << "a longitude";
+  EXPECT_EQ(errorOf(madeUp(bytes, kSites + 8, 90.5)), Error::kCorruptSnapshot) << "a latitude";
+  EXPECT_EQ(errorOf(madeUp(bytes, kSites + 16, 3.2)), Error::kCorruptSnapshot) << "a weight";
+  EXPECT_EQ(errorOf(madeUp(bytes, kIds + 4, 0u)), Error::kCorruptSnapshot) << "an id twice";
+  EXPECT_EQ(errorOf(madeUp(bytes, kIds + 4, 4u)), Error::kCorruptSnapshot) << "no id";
+  const std::uint64_t swapped = 3 | std::uint64_t{2} << 32;  // the ids 3 and 2
+  EXPECT_EQ(errorOf(madeUp(bytes, kIds + 8, swapped)), Error::kCorruptSnapshot) << "not ascending";
+  std::vector<std::uint8_t> empty;
+  ASSERT_EQ(SphericalDiagram().toBytes(empty), Error::kNone);
+  EXPECT_EQ(errorOf(madeUp(empty, kPole, 0u)), Error::kCorruptSnapshot) << "a pole of no site";
+}
+
+}  // namespace
+}  // namespace apollonius::test
