@@ -62,12 +62,18 @@ class SphericalBisector {
     constexpr double kAnywhere = 3;
     return {run / length, rise_ / length, x, y, std::min(scale_ / length, kAnywhere)};
   }
-  /// Within about this angle of the direction of the other site, and of the opposite one, the curve
-  /// changes; small where one site nearly covers the other.
-  [[nodiscard]] double sharpness() const {
-    const double slope = std::sqrt(x_ * x_ + y_ * y_);
-    const double left = std::abs(slope - std::abs(shift_)) + std::max(rise_, 0.0);
-    return left < slope ? std::sqrt(left / slope) : 1;
+  /// Where the curve is a quarter turn away: at so much from the direction of the other site, to
+  /// both sides. If the sites are close to each other, or one nearly covers the other, it goes from
+  /// one end of the sphere to the other there, within about the angle `width`.
+  struct Turns {
+    double aside, width;
+  };
+  [[nodiscard]] Turns turns() const {
+    const double square = x_ * x_ + y_ * y_, slope = std::sqrt(square);
+    const double across = std::sqrt(std::max(square - shift_ * shift_, 0.0));
+    const double rise = std::max(rise_, 0.0);
+    const double steepness = std::max(across, std::sqrt(rise * slope));
+    return {std::atan2(across, shift_), steepness > 0 ? std::min(rise / steepness, 1.0) : 1};
   }
   /// The bearing of the other site, where the bisector is nearest.
   [[nodiscard]] double middle() const { return std::atan2(y_, x_); }

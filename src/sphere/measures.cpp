@@ -93,26 +93,25 @@ void addInterval(const SphericalBisector& bisector, double from, double width, b
   }
 }
 
-/// Adds the integrals over a sector in intervals that grow with the distance from the directions of
-/// the other site and opposite to it. Where one site nearly covers the other, the curve goes from
-/// one end of the sphere to the other there, too sharply to be seen from farther away.
+/// Adds the integrals over a sector in intervals that grow with the distance from where the curve
+/// turns from one end of the sphere to the other, too sharply perhaps to be seen from farther away.
 void addSector(const Sector& sector, bool withMoment, Integrals& sum) {
-  constexpr double kHalfTurn = std::numbers::pi, kWidest = kHalfTurn / 4, kGrowth = 4;
+  constexpr double kTurn = 2 * std::numbers::pi, kWidest = kTurn / 8, kGrowth = 4;
+  constexpr double kNarrowest = 0x1p-46;  // of steps, which rounding would swallow
   const SphericalBisector& bisector = sector.bisector;
-  const double to = sector.from + sector.width;
-  const double sharpest = std::min(bisector.sharpness(), kWidest);
-  double at = sector.from;
-  while (at < to) {
-    // Of the sharp directions the nearest one, and the end of the interval as it is seen from
-    // there.
-    const double aside = std::remainder(at - bisector.middle(), kHalfTurn);
-    const double away = std::abs(aside);
-    double step = std::clamp(away * (kGrowth - 1), sharpest, kWidest);
-    if (aside < 0) step = std::min(away, std::max(away * (1 - 1 / kGrowth), sharpest));
-    // Steps that rounding swallows are made as long as they have to be.
-    const double next = std::min(to, std::max(at + step, std::nextafter(at, to)));
-    addInterval(bisector, at, next - at, withMoment, sum);
-    at = next;
+  const SphericalBisector::Turns turns = bisector.turns();
+  const double middle = bisector.middle(), to = sector.from + sector.width;
+  for (double at = sector.from; at < to;) {
+    double behind = kTurn, ahead = kTurn;
+    for (const double side : {-turns.aside, turns.aside}) {
+      const double away = std::remainder(at - middle - side, kTurn);
+      (away < 0 ? ahead : behind) = std::min(away < 0 ? ahead : behind, std::abs(away));
+    }
+    const double growing = std::min(behind * (kGrowth - 1), ahead * (1 - 1 / kGrowth));
+    const double step =
+        std::min(std::max({growing, turns.width, kNarrowest}), std::min(kWidest, to - at));
+    addInterval(bisector, at, step, withMoment, sum);
+    at = step < to - at ? at + step : to;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "base/flat_array.h"
@@ -50,8 +51,12 @@ SiteId choosePole(const SiteTable& sites, const FlatArray<Cap>& caps, std::uint6
     const Direction centre = caps[nearest].centre;
     HalfAngle toNearest = distance(centre, caps[nearest]);
     for (const SiteId id : all) {
+      // Half a turn is more than any angle makes up for; within it the distances can be compared.
+      const double heavier = caps[id].weight - caps[nearest].weight;
+      if (heavier <= -std::numbers::pi) continue;
       const HalfAngle toSite = distance(centre, caps[id]);
-      if (toSite < toNearest || (!(toNearest < toSite) && caps[nearest].weight < caps[id].weight)) {
+      if (heavier >= std::numbers::pi || toSite < toNearest ||
+          (!(toNearest < toSite) && heavier > 0)) {
         nearest = id;
         toNearest = toSite;
       }

@@ -74,8 +74,8 @@ function wasmSplit(emscripten) {
 const empty = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0);
 
 /**
- * Splits apollonius.wasm of a build folder into two of that folder's parts/. For debuggers the first
- * is the whole, which its source map knows.
+ * Splits apollonius.wasm of a build folder into two of that folder's parts/. For debuggers the
+ * first is the whole, which its source map knows.
  */
 export function splitWasm(emscripten, built, { debug = false } = {}) {
   const whole = path.join(built, "apollonius.wasm");
