@@ -49,7 +49,7 @@ Error SphericalDiagram::cellArea(SiteId id, double& area) const {
     area = 0;
     if (diagram.isHidden(id)) return;
     const VertexId node = diagram.nodeOf(id);
-    SphericalVertices vertices(diagram);
+    SphericalVertices vertices(diagram, SphericalVertices::Of::kSome);
     FlatArray<Sector> sectors;
     listSectors(diagram, node, vertices, sectors);
     area = areaOfCell(diagram.cap(node), sectors) * (radius() * radius());
@@ -69,7 +69,7 @@ Error SphericalDiagram::cellCentroid(SiteId id, SphericalPoint& centroid) const 
     const ProjectedDiagram& diagram = core_->projected();
     if (diagram.isHidden(id)) return;
     const VertexId node = diagram.nodeOf(id);
-    SphericalVertices vertices(diagram);
+    SphericalVertices vertices(diagram, SphericalVertices::Of::kSome);
     FlatArray<Sector> sectors;
     listSectors(diagram, node, vertices, sectors);
     Direction moment;
@@ -87,7 +87,7 @@ Error SphericalDiagram::cellPolygon(SiteId id, double tolerance, bool isCut,
   if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
   return guarded(*core_, [&] {
     const ProjectedDiagram& diagram = core_->projected();
-    CellPolygons cells(diagram, tolerance, isCut);
+    CellPolygons cells(diagram, tolerance, isCut, SphericalVertices::Of::kSome);
     if (!diagram.isHidden(id)) cells.append(diagram.nodeOf(id));
     copyRings(cells.rings(), rings);
   });
@@ -97,7 +97,7 @@ Error SphericalDiagram::cellPolygons(double tolerance, bool isCut, CoverageArray
   if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
   return guarded(*core_, [&] {
     const ProjectedDiagram& diagram = core_->projected();
-    CellPolygons cells(diagram, tolerance, isCut);
+    CellPolygons cells(diagram, tolerance, isCut, SphericalVertices::Of::kAll);
     FlatArray<SiteId> sites;
     FlatArray<std::uint32_t> ends{0};
     for (SiteId id = 0; id < core_->sites().idLimit(); ++id) {

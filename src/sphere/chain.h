@@ -14,8 +14,9 @@ enum class Joint : unsigned char { kGreatArc, kLonLatLine };
 class ChainMaker {
  public:
   /// Within a tolerance in radians, or of straight lines the same in degrees.
-  ChainMaker(const ProjectedDiagram& diagram, double tolerance, Joint joint)
-      : diagram_(diagram), vertices_(diagram), tolerance_(tolerance), joint_(joint) {}
+  ChainMaker(const ProjectedDiagram& diagram, double tolerance, Joint joint,
+             SphericalVertices::Of of)
+      : diagram_(diagram), vertices_(diagram, of), tolerance_(tolerance), joint_(joint) {}
 
   /// Appends the points of a site's edge, counter-clockwise about it, without the last one. The
   /// site is the origin of h.

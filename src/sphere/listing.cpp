@@ -26,7 +26,7 @@ void listVertices(const ProjectedDiagram& diagram, double radius, VertexArrays& 
   vertices.coordinates.resize(2 * count);
   vertices.clearance.resize(count);
   vertices.sites.resize(3 * count);
-  SphericalVertices computed(diagram);
+  SphericalVertices computed(diagram, SphericalVertices::Of::kAll);
   std::size_t row = 0;
   for (const FaceId face : graph.faces()) {
     const SphericalVertex& vertex = computed[face];

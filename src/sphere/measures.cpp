@@ -136,7 +136,7 @@ double areaOfCell(const Cap& cap, const FlatArray<Sector>& sectors, Direction* m
 void listAreas(const ProjectedDiagram& diagram, const SiteTable& sites,
                std::vector<double>& areas) {
   areas.assign(sites.idLimit(), 0);
-  SphericalVertices vertices(diagram);
+  SphericalVertices vertices(diagram, SphericalVertices::Of::kAll);
   FlatArray<Sector> sectors;
   for (SiteId id = 0; id < sites.idLimit(); ++id) {
     if (!sites.has(id) || diagram.isHidden(id)) continue;

@@ -4,9 +4,10 @@
 
 namespace apollonius::internal::sphere {
 
-CellPolygons::CellPolygons(const ProjectedDiagram& diagram, double tolerance, bool isCut)
+CellPolygons::CellPolygons(const ProjectedDiagram& diagram, double tolerance, bool isCut,
+                           SphericalVertices::Of of)
     : diagram_(diagram),
-      chains_(diagram, tolerance, isCut ? Joint::kLonLatLine : Joint::kGreatArc),
+      chains_(diagram, tolerance, isCut ? Joint::kLonLatLine : Joint::kGreatArc, of),
       isCut_(isCut),
       atNorthPole_(diagram.isEmpty() ? kNoVertex : nearestNode(diagram, {0, 0, 1})) {}
 

@@ -12,7 +12,8 @@ class CellPolygons {
  public:
   /// Points are joined by arcs of great circles, or, cut at the meridian of 180 degrees, by
   /// straight lines of the plane of longitude and latitude.
-  CellPolygons(const ProjectedDiagram& diagram, double tolerance, bool isCut);
+  CellPolygons(const ProjectedDiagram& diagram, double tolerance, bool isCut,
+               SphericalVertices::Of of);
 
   /// Appends the cell of a visible site: one ring that has it at the left, none if it is the whole
   /// sphere, or, where it is cut, rings of one part or more.

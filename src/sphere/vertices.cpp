@@ -79,6 +79,7 @@ SphericalVertex SphericalVertices::computed(FaceId face) const {
 }
 
 std::size_t SphericalVertices::placeOf(FaceId face) const {
+  if (isDirect_) return index(face);
   const std::size_t mask = entries_.size() - 1;
   std::size_t at = (index(face) * 0x9E3779B1u) >> 7 & mask;
   while (entries_[at].face != kNoFace && entries_[at].face != face) at = (at + 1) & mask;
@@ -94,7 +95,7 @@ void SphericalVertices::grow() {
 }
 
 SphericalVertices::Entry& SphericalVertices::entryOf(FaceId face) {
-  if (2 * used_ >= entries_.size()) grow();
+  if (!isDirect_ && 2 * used_ >= entries_.size()) grow();
   Entry& entry = entries_[placeOf(face)];
   if (entry.face == kNoFace) {
     entry = {face, kNoFace, computed(face)};

@@ -24,14 +24,20 @@ struct SphericalVertex {
 /// that cap have one vertex.
 class SphericalVertices {
  public:
-  /// The diagram must stay as it is.
-  explicit SphericalVertices(const ProjectedDiagram& diagram) : diagram_(diagram) {}
+  /// Which faces will be asked for: with all of them, each has its place in an array at once.
+  enum class Of : bool { kSome, kAll };
+
+  /// The diagram must stay as it is. Throws std::bad_alloc.
+  SphericalVertices(const ProjectedDiagram& diagram, Of of)
+      : diagram_(diagram),
+        isDirect_(of == Of::kAll),
+        entries_(isDirect_ ? diagram.graph().faceSlots() : 64) {}
 
   /// Throws std::bad_alloc.
   [[nodiscard]] const SphericalVertex& operator[](FaceId face);
 
  private:
-  // A table by face, at most half full, so that one cell costs what it has of them.
+  // In a table by face, at most half full, one cell costs what it has of them.
   struct Entry {
     FaceId face = kNoFace;
     FaceId same = kNoFace;  // whose vertex this face has; kNoFace if that is not known yet
@@ -45,7 +51,8 @@ class SphericalVertices {
   void findSame(FaceId face);
 
   const ProjectedDiagram& diagram_;
-  FlatArray<Entry> entries_ = FlatArray<Entry>(64);
+  bool isDirect_;  // entries_ are by face, and a table otherwise
+  FlatArray<Entry> entries_;
   std::size_t used_ = 0;
   FlatArray<FaceId> reached_;  // scratch
 };
