@@ -20,6 +20,12 @@ test.each(["kSmallestMagnitude", "kLargestMagnitude", "kMostSites"])("%s", (name
   expect(constantOf("wasm/package/arguments.ts", name)).toBe(value);
 });
 
+test("kFinestTolerance", () => {
+  const value = constantOf("src/apollonius/spherical_diagram.h", "kFinestTolerance");
+  expect(value).toBeGreaterThan(0);
+  expect(constantOf("wasm/package/spherical_arguments.ts", "kFinestTolerance")).toBe(value);
+});
+
 test("drawing commands", () => {
   const [, list] = /enum class Command[^{]*\{([^}]*)\}/.exec(read("src/apollonius/path.h"));
   const names = [...list.matchAll(/^\s*(k\w+),/gm)].map(([, name]) => name);

@@ -193,22 +193,8 @@ const moduleOfDefaultEntry = {
 
 async function bundle(format, outdir, built) {
   const { build } = await import("esbuild"); // not before `npm ci` may have installed it
-  await build({
-    entryPoints: [...entries, ...inner[format]].map((entry) => path.join(sources, `${entry}.ts`)),
-    outdir,
-    format,
-    bundle: true,
-    target: "es2022",
-    charset: "utf8",
-    logLevel: "warning",
-    legalComments: "none",
-    write: false,
-    ...(format === "cjs"
-      ? { platform: "node", ...scriptTag, plugins: [wasmAsText(built, "apollonius")] }
-      : { plugins: [wasmAsText(built, "apollonius"), errorsApart] }),
-  });
-  await build({
-    entryPoints: spheres[format].map((entry) => path.join(sources, `${entry}.ts`)),
+  const filesOf = (names) => names.map((name) => path.join(sources, `${name}.ts`));
+  const common = {
     outdir,
     format,
     bundle: true,
@@ -218,6 +204,17 @@ async function bundle(format, outdir, built) {
     legalComments: "none",
     write: false,
     ...(format === "cjs" && { platform: "node" }),
+  };
+  await build({
+    ...common,
+    entryPoints: filesOf([...entries, ...inner[format]]),
+    ...(format === "cjs"
+      ? { ...scriptTag, plugins: [wasmAsText(built, "apollonius")] }
+      : { plugins: [wasmAsText(built, "apollonius"), errorsApart] }),
+  });
+  await build({
+    ...common,
+    entryPoints: filesOf(spheres[format]),
     plugins: [wasmAsText(built, "sphere"), moduleOfDefaultEntry],
   });
 }

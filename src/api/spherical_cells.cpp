@@ -14,8 +14,6 @@ using namespace internal::sphere;
 
 namespace {
 
-constexpr double kFinestTolerance = 1e-9;
-
 Error checkTolerance(double tolerance) {
   if (!std::isfinite(tolerance)) return Error::kNotFinite;
   return tolerance >= kFinestTolerance ? Error::kNone : Error::kOutOfRange;

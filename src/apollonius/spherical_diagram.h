@@ -34,6 +34,9 @@ struct SphericalCircle {
   double r;
 };
 
+/// The finest tolerance of polygons, in radians.
+inline constexpr double kFinestTolerance = 1e-9;
+
 /// A point in degrees.
 struct SphericalPoint {
   double lon;

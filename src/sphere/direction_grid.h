@@ -32,7 +32,7 @@ class DirectionGrid {
   void set(const Direction& direction, Slot slot) {
     if (side_ > 0) slots_[cellOf(direction)] = slot;
   }
-  /// kNoSlot if there is none.
+  /// kNoSlot if no site has been seen there.
   [[nodiscard]] Slot at(const Direction& direction) const {
     return side_ == 0 ? kNoSlot : slots_[cellOf(direction)];
   }

@@ -43,7 +43,7 @@ namespace {
 template <std::size_t k, class... Types>
 using Nth = std::tuple_element_t<k, std::tuple<Types...>>;
 
-/// -1 if there is none.
+/// -1 for kNoSite.
 std::int32_t asSigned(SiteId id) { return static_cast<std::int32_t>(id); }
 
 /// `Error method(in..., Out& out)` of a class as a function of the object and `in` that returns

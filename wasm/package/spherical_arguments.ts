@@ -105,7 +105,7 @@ export function checkedRadius(options: { radius?: unknown } | undefined): number
 }
 
 const kTolerance = 1e-4;
-const kFinestTolerance = 1e-9; // of src/api/spherical_diagram.cpp
+const kFinestTolerance = 1e-9; // as in src/apollonius/spherical_diagram.h
 
 export function checkedAngularTolerance(tolerance: unknown): number {
   if (tolerance === undefined) return kTolerance;

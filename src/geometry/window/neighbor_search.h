@@ -79,7 +79,7 @@ class NeighborSearch {
 
   /// Lists half-edges of a cell, in the order of its star: all but those whose sites are certainly
   /// farther than its own one from all of a segment's rest, which begins at a place. False if any
-  /// may have been left out. Infinity is none of them.
+  /// may have been left out. Half-edges to infinity are not listed.
   bool list(VertexId cell, const CellPlace& place, Point from, Point to,
             FlatArray<HalfedgeId>& found);
   /// The least extraOf() of all neighbours. REQUIRES: list() has not listed all.
