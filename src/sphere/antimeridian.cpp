@@ -2,6 +2,9 @@
 // cell is at the left of each, so along the border, counter-clockwise, it reaches from the end of
 // an arc to the next beginning of one. A pole is a side of the rectangle: a ring that comes to it
 // on one longitude ends there, and begins again on another.
+//
+// Where an arc ends and one begins in the same place, up to rounding, either nothing of the border
+// is between them or all of it: all of it, where the ring would be clockwise without.
 #include "sphere/antimeridian.h"
 
 #include <algorithm>
@@ -41,6 +44,9 @@ double positionOf(const LonLat& p) {
   return p.lon > 0 ? kRight + 90 + p.lat : kLeft + 90 - p.lat;
 }
 
+/// In degrees: as far as rounding can move a crossing of the border, where a ring is thin.
+constexpr double kRounding = 0x1p-20;
+
 /// Twice the area, positive for a counter-clockwise ring.
 double signedArea(const FlatArray<LonLat>& ring) {
   double sum = 0;
@@ -48,6 +54,17 @@ double signedArea(const FlatArray<LonLat>& ring) {
   for (const LonLat& p : ring) {
     sum += (before->lon - origin.lon) * (p.lat - origin.lat) -
            (p.lon - origin.lon) * (before->lat - origin.lat);
+    before = &p;
+  }
+  return sum;
+}
+
+/// In both coordinates.
+double lengthOf(const FlatArray<LonLat>& ring) {
+  double sum = 0;
+  const LonLat* before = &ring.back();
+  for (const LonLat& p : ring) {
+    sum += std::abs(p.lon - before->lon) + std::abs(p.lat - before->lat);
     before = &p;
   }
   return sum;
@@ -64,8 +81,14 @@ Direction snappedToBorder(const Direction& p) {
   return p;
 }
 
+AntimeridianCutter::AntimeridianCutter(double tolerance)
+    : thinnest_(std::max(tolerance, kRounding)) {}
+
 void AntimeridianCutter::beginArc(const LonLat& point) {
-  arcs_.push_back({points_.size(), points_.size(), positionOf(point), 0, false});
+  Arc arc;
+  arc.begin = points_.size();
+  arc.from = positionOf(point);
+  arcs_.push_back(arc);
   points_.push_back(point);
 }
 
@@ -99,7 +122,7 @@ void AntimeridianCutter::followChords(std::span<const Direction> ring, std::size
   }
 }
 
-void AntimeridianCutter::cut(std::span<const Direction> ring, bool hasNorthPole,
+void AntimeridianCutter::cut(std::span<const Direction> ring, bool isHoleIfThin,
                              LonLatRings& output) {
   points_.clear();
   arcs_.clear();
@@ -115,47 +138,58 @@ void AntimeridianCutter::cut(std::span<const Direction> ring, bool hasNorthPole,
     double latitude = 0;
     if (!isOnBorder(a) && (isOnBorder(b) || !crossesBorder(a, b, latitude))) continue;
     followChords(ring, k);
-    joinArcs(output);
+    linkArcs();
+    joinArcs(isHoleIfThin, output);
     return;
   }
   for (const Direction& p : ring) ring_.push_back(lonLatOf(p));
-  if (hasNorthPole) {
+  const bool isInHole = isHole(isHoleIfThin);
+  if (isInHole) {
     const FlatArray<LonLat> hole = ring_;
     ring_.clear();
     addRectangle();
     (void)emitRing(output);
     ring_ = hole;
   }
-  if (emitRing(output) || hasNorthPole) output.endPart();
+  if (emitRing(output) || isInHole) output.endPart();
 }
 
-std::size_t AntimeridianCutter::arcAfter(double position) const {
-  std::size_t best = arcs_.size();
-  double least = 0;
-  for (std::size_t k = 0; k < arcs_.size(); ++k) {
-    if (arcs_[k].isJoined) continue;
-    const double way = arcs_[k].from - position + (arcs_[k].from < position ? kWhole : 0);
-    if (best == arcs_.size() || way < least) {
-      best = k;
+bool AntimeridianCutter::isHole(bool ifThin) const {
+  const double area = signedArea(ring_);
+  return std::abs(area) > thinnest_ * lengthOf(ring_) ? area < 0 : ifThin;
+}
+
+/// Finds for each arc the one that follows it along the border.
+void AntimeridianCutter::linkArcs() {
+  for (Arc& arc : arcs_) {
+    double least = kWhole;
+    for (std::size_t k = 0; k < arcs_.size(); ++k) {
+      if (arcs_[k].isFollowed) continue;
+      const double ahead = arcs_[k].from - arc.to;
+      const double way = ahead < -kRounding ? ahead + kWhole : ahead;
+      // One that is behind by rounding comes before those that are ahead by more.
+      if (!(way < least) || (way < 0 && least < kRounding)) continue;
       least = way;
+      arc.next = k;
     }
+    arc.border = least;
+    arcs_[arc.next].isFollowed = true;
   }
-  return best;
 }
 
-void AntimeridianCutter::joinArcs(LonLatRings& output) {
+void AntimeridianCutter::joinArcs(bool isHoleIfThin, LonLatRings& output) {
   for (std::size_t first = 0; first < arcs_.size(); ++first) {
-    if (arcs_[first].isJoined) continue;
-    ring_.clear();
-    for (std::size_t k = first;;) {
-      const Arc& arc = arcs_[k];
-      ring_.append({points_.data() + arc.begin, arc.end - arc.begin});
-      // The first arc is free until the ring comes back to it.
-      const std::size_t next = arcAfter(arc.to);
-      addBorder(arc.to, arcs_[next].from);
-      arcs_[next].isJoined = true;
-      if (next == first) break;
-      k = next;
+    if (arcs_[first].isDone) continue;
+    Arc* touching = nullptr;
+    for (std::size_t k = first; !arcs_[k].isDone; k = arcs_[k].next) {
+      Arc& arc = arcs_[k];
+      arc.isDone = true;
+      if (arc.border < kRounding) touching = &arc;
+    }
+    trace(first);
+    if (touching != nullptr && isHole(isHoleIfThin)) {
+      touching->border += kWhole;
+      trace(first);
     }
     const bool isFlat = std::ranges::all_of(
         ring_, [&](const LonLat& p) { return p.lon == ring_[0].lon || p.lat == ring_[0].lat; });
@@ -164,8 +198,20 @@ void AntimeridianCutter::joinArcs(LonLatRings& output) {
   }
 }
 
+/// The ring of an arc and those that follow it.
+void AntimeridianCutter::trace(std::size_t first) {
+  ring_.clear();
+  std::size_t k = first;
+  do {
+    const Arc& arc = arcs_[k];
+    ring_.append({points_.data() + arc.begin, arc.end - arc.begin});
+    addBorder(arc.to, arc.to + arc.border);
+    k = arc.next;
+  } while (k != first);
+}
+
+/// The corners between two positions.
 void AntimeridianCutter::addBorder(double from, double to) {
-  if (to < from) to += kWhole;
   constexpr LonLat kCorners[] = {{-180, -90}, {180, -90}, {180, 90}, {-180, 90}};
   constexpr double kPositions[] = {0, kRight, kTop, kLeft};
   for (unsigned k = 0; k < 8; ++k) {

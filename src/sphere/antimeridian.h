@@ -29,28 +29,38 @@ struct LonLatRings {
 
 class AntimeridianCutter {
  public:
+  /// The points of rings are good to so many degrees.
+  explicit AntimeridianCutter(double tolerance);
+
   /// Cuts a ring of snapped points that has the cell at its left and is not closed, and appends
   /// what it becomes: outer rings counter-clockwise, holes clockwise. No points stand for the whole
-  /// sphere. `hasNorthPole` tells whether the cell contains the north pole: then, if the ring does
-  /// not touch the border, it is a hole. Throws std::bad_alloc.
-  void cut(std::span<const Direction> ring, bool hasNorthPole, LonLatRings& output);
+  /// sphere. Of a ring too thin to say on which side the cell is, `isHoleIfThin` tells whether it
+  /// is outside. Throws std::bad_alloc.
+  void cut(std::span<const Direction> ring, bool isHoleIfThin, LonLatRings& output);
 
  private:
   /// A part of the ring inside of the rectangle, from border to border.
   struct Arc {
-    std::size_t begin, end;  // in points_
-    double from, to;         // positions on the border
-    bool isJoined;
+    std::size_t begin = 0, end = 0;  // in points_
+    double from = 0, to = 0;         // positions on the border
+    std::size_t next = 0;            // the arc that follows
+    double border = 0;               // how far away that begins
+    bool isFollowed = false, isDone = false;
   };
 
   void beginArc(const LonLat& point);
   void endArc(const LonLat& point);
   void followChords(std::span<const Direction> ring, std::size_t first);
-  void joinArcs(LonLatRings& output);
-  [[nodiscard]] std::size_t arcAfter(double position) const;
+  void linkArcs();
+  void joinArcs(bool isHoleIfThin, LonLatRings& output);
+  void trace(std::size_t first);
   void addBorder(double from, double to);
   bool emitRing(LonLatRings& output);
 
+  /// Is the cell all but what ring_ surrounds?
+  [[nodiscard]] bool isHole(bool ifThin) const;
+
+  double thinnest_;  // rings thinner than this need not have the orientation of their cells
   FlatArray<LonLat> points_;
   FlatArray<Arc> arcs_;
   FlatArray<LonLat> ring_;

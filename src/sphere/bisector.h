@@ -18,22 +18,33 @@ namespace apollonius::internal::sphere {
 /// neither covers the other.
 class SphericalBisector {
  public:
-  /// `frame` is that of the first site's centre.
-  SphericalBisector(const Cap& from, const Frame& frame, const Cap& to) {
+  /// `frame` is that of the first site's centre. `accurateRise` returns cos d - cos D more
+  /// accurately than the caps tell it where one site nearly covers the other.
+  template <class AccurateRise>
+  SphericalBisector(const Cap& from, const Frame& frame, const Cap& to,
+                    AccurateRise&& accurateRise) {
     const Direction chord = to.centre - from.centre;
     const HalfAngle between = angleBetween(from.centre, to.centre);
-    const double difference = from.weight - to.weight;
-    const double half = std::sin(difference / 2);
-    rise_ = 2 * (between.sine - half) * (between.sine + half);
-    shift_ = std::sin(difference);
-    const double slope = 2 * between.sine * between.cosine;
-    // The chord's part along the tangent plane has the length of the slope, and the direction of
-    // the other site.
+    isHeavier_ = from.weight > to.weight;
+    const HalfAngle half = isHeavier_ ? from.radius - to.radius : to.radius - from.radius;
+    const HalfAngle gap = between - half, sum = between + half;
+    // cos d - cos D = 2 sin((D - |d|) / 2) sin((D + |d|) / 2), and sin D - sin |d| is the same with
+    // the cosine of the second. The first is the smaller sine of the two.
+    constexpr double kClose = 0x1p-26;
+    if (gap.sine > kClose * sum.sine) {
+      rise_ = 2 * gap.sine * sum.sine;
+      least_ = 2 * gap.sine * sum.cosine;
+    } else {
+      rise_ = accurateRise();
+      least_ = rise_ / std::max(sum.sine, std::sqrt(rise_ / 2)) * sum.cosine;
+    }
+    slope_ = 2 * between.sine * between.cosine;
+    shift_ = 2 * half.sine * half.cosine;
+    // The chord's part along the tangent plane has the direction of the other site.
     const double x = dot(chord, frame.first), y = dot(chord, frame.second);
     const double length = std::sqrt(x * x + y * y);
-    x_ = length > 0 ? slope * (x / length) : slope;
-    y_ = length > 0 ? slope * (y / length) : 0;
-    scale_ = 0x1p-51 * (std::abs(slope) + std::abs(shift_));
+    x_ = length > 0 ? x / length : 1;
+    y_ = length > 0 ? y / length : 0;
   }
 
   /// What there is in the direction of a bearing.
@@ -54,13 +65,10 @@ class SphericalBisector {
   [[nodiscard]] At at(double bearing) const { return at(std::cos(bearing), std::sin(bearing)); }
   /// The same by cosine and sine of the bearing.
   [[nodiscard]] At at(double x, double y) const {
-    // A site that touches from inside has a cell without width: from the heavier one the bisector
-    // is at the antipode, from the lighter one at its centre, but for one bearing.
-    if (!(rise_ > 0)) return {shift_ > 0 ? -1.0 : 1.0, 0, x, y, 0};
-    const double run = x_ * x + y_ * y - shift_;
-    const double length = std::sqrt(rise_ * rise_ + run * run);
+    const Run run = runAt(x, y);
+    const double length = std::sqrt(rise_ * rise_ + run.value * run.value);
     constexpr double kAnywhere = 3;
-    return {run / length, rise_ / length, x, y, std::min(scale_ / length, kAnywhere)};
+    return {run.value / length, rise_ / length, x, y, std::min(run.rounding / length, kAnywhere)};
   }
   /// Where the curve is a quarter turn away: at so much from the direction of the other site, to
   /// both sides. If the sites are close to each other, or one nearly covers the other, it goes from
@@ -69,11 +77,11 @@ class SphericalBisector {
     double aside, width;
   };
   [[nodiscard]] Turns turns() const {
-    const double square = x_ * x_ + y_ * y_, slope = std::sqrt(square);
-    const double across = std::sqrt(std::max(square - shift_ * shift_, 0.0));
-    const double rise = std::max(rise_, 0.0);
-    const double steepness = std::max(across, std::sqrt(rise * slope));
-    return {std::atan2(across, shift_), steepness > 0 ? std::min(rise / steepness, 1.0) : 1};
+    // The sine of `aside` times the slope: its square is (sin D)^2 - (sin d)^2.
+    const double across = std::sqrt(std::max(least_ * (slope_ + shift_), 0.0));
+    const double steepness = std::max(across, std::sqrt(rise_ * slope_));
+    return {std::atan2(across, isHeavier_ ? shift_ : -shift_),
+            steepness > 0 ? std::min(rise_ / steepness, 1.0) : 1};
   }
   /// The bearing of the other site, where the bisector is nearest.
   [[nodiscard]] double middle() const { return std::atan2(y_, x_); }
@@ -83,22 +91,53 @@ class SphericalBisector {
   /// as that is close to the site.
   [[nodiscard]] double bearingOfMeeting(const SphericalBisector& other, double about) const {
     // Where both rho are equal: p cos phi + q sin phi = r.
-    const double p = rise_ * other.x_ - other.rise_ * x_, q = rise_ * other.y_ - other.rise_ * y_;
-    const double r = rise_ * other.shift_ - other.rise_ * shift_;
+    const double mine = rise_ * other.slope_, its = other.rise_ * slope_;
+    const double p = mine * other.x_ - its * x_, q = mine * other.y_ - its * y_;
+    const double r = rise_ * other.signedShift() - other.rise_ * signedShift();
     const double length = std::sqrt(p * p + q * q);
     const double square = (length - r) * (length + r);
     if (!(square > 0)) return about;
     const double middle = std::atan2(q, p), aside = std::atan2(std::sqrt(square), r);
-    constexpr double kTurn = 6.283185307179586;
     const double left = std::remainder(middle + aside - about, kTurn);
     const double right = std::remainder(middle - aside - about, kTurn);
-    return about + (std::abs(left) < std::abs(right) ? left : right);
+    double bearing = about + (std::abs(left) < std::abs(right) ? left : right);
+    // Where one of the sites nearly covers another, little is left of the differences; of the
+    // curves themselves more. Both solutions are at `aside` from the middle.
+    double most = std::min({aside / 2, (kTurn / 2 - aside) / 2, 0x1p-20});
+    for (int step = 0; step < 2; ++step) {
+      const double x = std::cos(bearing), y = std::sin(bearing);
+      const double apart = rise_ * other.runAt(x, y).value - other.rise_ * runAt(x, y).value;
+      const double change = apart / (p * y - q * x);
+      if (!(std::abs(change) < most)) break;
+      bearing += change;
+      most = std::abs(change);
+    }
+    return bearing;
   }
 
  private:
-  double rise_, shift_;
-  double scale_;  // of what is added up for `run`, times the unit of rounding
-  double x_, y_;  // slope times cosine and sine of the other site's bearing
+  static constexpr double kTurn = 6.283185307179586;
+
+  /// The denominator of tan rho, sin D cos(phi - phi_j) - sin d, by the chord between the direction
+  /// (x, y) and that in which it is least in magnitude.
+  struct Run {
+    double value, rounding;
+  };
+  [[nodiscard]] Run runAt(double x, double y) const {
+    const double aside = isHeavier_ ? x - x_ : x + x_, up = isHeavier_ ? y - y_ : y + y_;
+    const double square = aside * aside + up * up;
+    const double value = least_ - slope_ * square / 2;
+    return {isHeavier_ ? value : -value, 0x1p-51 * (std::abs(least_) + slope_ * std::sqrt(square))};
+  }
+  [[nodiscard]] double signedShift() const { return isHeavier_ ? shift_ : -shift_; }
+
+  // Where one site nearly covers the other, the curve depends on what is left of D - |d|, so
+  // nothing here subtracts what is nearly equal.
+  double rise_;           // cos d - cos D
+  double least_;          // sin D - sin |d|
+  double slope_, shift_;  // sin D, sin |d|
+  double x_, y_;          // the direction of the other site
+  bool isHeavier_;
 };
 
 }  // namespace apollonius::internal::sphere

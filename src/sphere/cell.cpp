@@ -1,9 +1,8 @@
 #include "sphere/cell.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "sphere/nearest.h"
 
 namespace apollonius::internal::sphere {
 
@@ -11,86 +10,128 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-/// Does an edge whose ends are in one direction go all the way round its site, or is it without
-/// length? All points of the bisector are nearest to the two sites in the first case. In the
-/// second, many can be, as the two sites may have another edge; but not those close to the ends.
-bool goesRound(const ProjectedDiagram& diagram, HalfedgeId h, const Frame& frame,
-               const SphericalBisector& bisector, double from) {
-  constexpr double kRounding = 0x1p-40, kClosest = 0x1p-14;
-  const Graph& graph = diagram.graph();
-  const Cap& cap = diagram.cap(graph.origin(h));
-  const auto isOnEdge = [&](double bearing) {
-    const Direction point = bisector.at(bearing).point(cap.centre, frame);
-    const double distance = distanceInRadians(point, cap);
-    const auto isNearest = [&](VertexId node) {
-      return distance < distanceInRadians(point, diagram.cap(node)) + kRounding;
-    };
-    return isNearest(graph.apex(h)) && isNearest(graph.apex(graph.twin(h))) &&
-           isNearest(nearestNode(diagram, point));
-  };
-  for (double turn = 2.7; turn > kClosest; turn /= 2) {
-    if (!isOnEdge(from + turn) || !isOnEdge(from - turn)) return false;
-  }
-  return true;
+/// Bearings are not known better than this where a vertex is close to the site.
+constexpr double kOneDirection = 0x1p-16;
+
+/// From one bearing to another, between -pi and pi, but half a turn either way counts as pi.
+double turnBetween(double from, double to) {
+  const double turn = std::remainder(to - from, kTurn);
+  return turn < kOneDirection - kTurn / 2 ? turn + kTurn : turn;
 }
 
-/// From one bearing to another, counter-clockwise: of an edge whose ends these are.
-double widthOf(const ProjectedDiagram& diagram, HalfedgeId h, const Frame& frame,
-               const SphericalBisector& bisector, double from, double to) {
-  // Bearings are not known better than this where a vertex is close to the site.
-  constexpr double kInOneDirection = 0x1p-16;
-  const double turn = std::remainder(to - from, kTurn);
-  if (std::abs(turn) > kInOneDirection) return turn < 0 ? turn + kTurn : turn;
-  if (goesRound(diagram, h, frame, bisector, from)) return turn + kTurn;
-  return turn < 0 ? 0 : turn;
-}
+/// The edges about a node as sectors. Counter-clockwise about the node, the edge of h runs from the
+/// vertex of the face at the right of h to that of the face at the left. The turn between the two,
+/// as turnBetween() has it, is too small by a whole turn for one edge at most. It is so exactly if
+/// all turns of the star add up to 0, and that edge is the one whose turn is the least; others can
+/// be below 0 by rounding only, however large that is.
+class Star {
+ public:
+  Star(const ProjectedDiagram& diagram, VertexId node, SphericalVertices& vertices)
+      : diagram_(diagram),
+        graph_(diagram.graph()),
+        vertices_(vertices),
+        node_(node),
+        frame_(diagram.cap(node).centre) {}
+
+  [[nodiscard]] SphericalBisector bisectorWith(VertexId other) const {
+    return {diagram_.cap(node_), frame_, diagram_.cap(other),
+            [&] { return diagram_.rise(node_, other); }};
+  }
+  [[nodiscard]] double bearingOf(FaceId f) const { return frame_.bearing(vertices_[f].point); }
+
+  /// The edge of h; the width is the turn.
+  [[nodiscard]] Sector edge(HalfedgeId h) const {
+    const HalfedgeId twin = graph_.twin(h);
+    const SphericalBisector bisector = bisectorWith(graph_.target(h));
+    const double from =
+        bisector.bearingOfMeeting(bisectorWith(graph_.apex(twin)), bearingOf(faceOf(twin)));
+    const double to = bisector.bearingOfMeeting(bisectorWith(graph_.apex(h)), bearingOf(faceOf(h)));
+    return {bisector, from, turnBetween(from, to)};
+  }
+
+  /// From turns to widths.
+  static void widen(FlatArray<Sector>& sectors) {
+    double sum = 0;
+    for (const Sector& sector : sectors) sum += sector.width;
+    Sector* const round = sum > kTurn / 2 ? nullptr : &sectors[roundOne(sectors)];
+    for (Sector& sector : sectors)
+      sector.width = &sector == round ? sector.width + kTurn : std::max(sector.width, 0.0);
+  }
+
+ private:
+  /// The sector that is too small by a whole turn: the one with the least turn, or, where that may
+  /// be rounding and all ends are in one direction, the one that is nearest in the opposite
+  /// direction.
+  static std::size_t roundOne(const FlatArray<Sector>& sectors) {
+    constexpr double kSure = -0.5;
+    double x = 0, y = 0;
+    std::size_t least = 0;
+    for (std::size_t k = 0; k < sectors.size(); ++k) {
+      if (sectors[k].width < sectors[least].width) least = k;
+      x -= std::cos(sectors[k].from);
+      y -= std::sin(sectors[k].from);
+    }
+    if (sectors[least].width < kSure) return least;
+    const double length = std::sqrt(x * x + y * y);
+    const auto distance = [&](std::size_t k) {
+      return sectors[k].bisector.at(x / length, y / length).rho();
+    };
+    std::size_t best = least;
+    for (std::size_t k = 0; k < sectors.size(); ++k) {
+      if (distance(k) < distance(best)) best = k;
+    }
+    return best;
+  }
+
+  const ProjectedDiagram& diagram_;
+  const Graph& graph_;
+  SphericalVertices& vertices_;
+  VertexId node_;
+  Frame frame_;
+};
 
 }  // namespace
 
 Sector sectorOf(const ProjectedDiagram& diagram, HalfedgeId h, SphericalVertices& vertices) {
-  const Graph& graph = diagram.graph();
-  const Cap& cap = diagram.cap(graph.origin(h));
-  const Frame frame(cap.centre);
-  const auto bisectorWith = [&](VertexId node) {
-    return SphericalBisector(cap, frame, diagram.cap(node));
-  };
-  // Counter-clockwise about the origin of h, the edge of h runs from the vertex of the face at the
-  // right of h to that of the face at the left.
-  const HalfedgeId twin = graph.twin(h);
-  const SphericalBisector bisector = bisectorWith(graph.target(h));
-  const double from = bisector.bearingOfMeeting(bisectorWith(graph.apex(twin)),
-                                                frame.bearing(vertices[faceOf(twin)].point));
-  const double to = bisector.bearingOfMeeting(bisectorWith(graph.apex(h)),
-                                              frame.bearing(vertices[faceOf(h)].point));
-  return {bisector, from, widthOf(diagram, h, frame, bisector, from, to)};
+  const VertexId node = diagram.graph().origin(h);
+  Sector sector = Star(diagram, node, vertices).edge(h);
+  if (sector.width > kOneDirection) return sector;
+  // Of the whole star, as its edges decide together.
+  FlatArray<Sector> sectors;
+  listSectors(diagram, node, vertices, sectors);
+  std::size_t k = 0;
+  for (const HalfedgeId g : diagram.graph().star(node)) {
+    if (g == h) break;
+    ++k;
+  }
+  return sectors[k];
 }
 
 void listSectors(const ProjectedDiagram& diagram, VertexId node, SphericalVertices& vertices,
                  FlatArray<Sector>& sectors) {
   sectors.clear();
   const Graph& graph = diagram.graph();
-  const Cap& cap = diagram.cap(node);
-  const Frame frame(cap.centre);
+  const Star star(diagram, node, vertices);
   if (graph.isEmpty()) {
     if (diagram.visibleCount() == 2)
-      sectors.push_back(
-          {SphericalBisector(cap, frame, diagram.cap(otherOfTwo(diagram, node))), 0, kTurn});
+      sectors.push_back({star.bisectorWith(otherOfTwo(diagram, node)), 0, kTurn});
     return;
   }
+  // Each end once, for the two edges that meet there.
   for (const HalfedgeId h : graph.star(node))
-    sectors.push_back({SphericalBisector(cap, frame, diagram.cap(graph.target(h))),
-                       frame.bearing(vertices[faceOf(graph.twin(h))].point), 0});
+    sectors.push_back(
+        {star.bisectorWith(graph.target(h)), star.bearingOf(faceOf(graph.twin(h))), 0});
   const Sector* before = &sectors.back();
   for (Sector& sector : sectors) {
     sector.from = sector.bisector.bearingOfMeeting(before->bisector, sector.from);
     before = &sector;
   }
-  std::size_t k = 0;
-  for (const HalfedgeId h : graph.star(node)) {
-    Sector& sector = sectors[k++];
-    sector.width = widthOf(diagram, h, frame, sector.bisector, sector.from,
-                           sectors[k == sectors.size() ? 0 : k].from);
+  const Sector* after = sectors.data();
+  for (std::size_t k = sectors.size(); k-- > 0;) {
+    sectors[k].width = turnBetween(sectors[k].from, after->from);
+    after = &sectors[k];
   }
+  Star::widen(sectors);
 }
 
 }  // namespace apollonius::internal::sphere

@@ -23,6 +23,7 @@ class ChainMaker {
   void append(HalfedgeId h, FlatArray<Direction>& points);
   /// The closed edge of a site, where there are two visible sites.
   void appendClosed(VertexId node, FlatArray<Direction>& points);
+  [[nodiscard]] SphericalVertices& vertices() { return vertices_; }
 
  private:
   /// Is the edge followed from this site? The other one gets the same points in reverse.

@@ -22,6 +22,10 @@ class CellPolygons {
   [[nodiscard]] const LonLatRings& rings() const { return rings_; }
 
  private:
+  /// Is the cell, whose ring is in points_, outside of that ring in the plane of longitude and
+  /// latitude? For rings that do not tell it by their orientation.
+  [[nodiscard]] bool isOutside(VertexId node);
+
   const ProjectedDiagram& diagram_;
   ChainMaker chains_;
   bool isCut_;

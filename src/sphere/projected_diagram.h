@@ -42,6 +42,13 @@ class ProjectedDiagram {
   [[nodiscard]] const Cap& cap(VertexId node) const {
     return node == kInfinity ? poleCap_ : caps_[slotOf(node)];
   }
+  /// cos d - cos D of two nodes (Projection::rise).
+  [[nodiscard]] double rise(VertexId a, VertexId b) const {
+    const DelaunayGraph& delaunay = plane_.delaunay();
+    if (a == kInfinity) return Projection::riseFromPole(delaunay.site(b));
+    if (b == kInfinity) return Projection::riseFromPole(delaunay.site(a));
+    return Projection::rise(delaunay.site(a), delaunay.site(b));
+  }
   [[nodiscard]] SiteId siteOf(VertexId node) const {
     return node == kInfinity ? pole_ : siteOfPlane_[plane_.siteOf(node)];
   }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "predicate/squared_tangent.h"
+
 namespace apollonius::internal::sphere {
 
 Projection::Projection(const Cap& pole) : pole_(pole) {
@@ -39,6 +41,26 @@ Projection::Image Projection::image(const Direction& centre, const HalfAngle& re
   return {Kind::kCircle,
           {x * stretch + 0.0, y * stretch + 0.0, t * (1 + squareOfT) / rest + 0.0},
           (1 + product * product) / rest};
+}
+
+// A cap with centre u and weight w as the vector (u, cos w) / sin w: of two, with the product of
+// signature (+, +, +, -),
+//
+//     1 - product = (cos d - cos D) / (sin w_i sin w_j) = (|c_i - c_j|² - (r_i - r_j)²) / (2 r_i
+//     r_j),
+//
+// as it is the same for circles of the plane. The vector of a circle with centre c and radius r is
+// (2 c, |c|² - r² - 1, |c|² - r² + 1) / (2 r), so sin w / r = 2 / √((|c|² - r² + 1)² + 4 r²). The
+// pole is the vector (0, 0, 1, 1), whose product with that is -1 / r.
+double Projection::riseFromPole(const Site& circle) {
+  const double square = circle.x * circle.x + circle.y * circle.y;
+  const double centre = std::sqrt(square);
+  const double power = (centre - circle.r) * (centre + circle.r) + 1;
+  return 2 / std::hypot(power, 2 * circle.r);
+}
+
+double Projection::rise(const Site& a, const Site& b) {
+  return riseFromPole(a) * riseFromPole(b) * squaredTangent(a, b) / 2;
 }
 
 Direction Projection::pointAt(double angle, double x, double y) const {

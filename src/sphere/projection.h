@@ -46,6 +46,13 @@ class Projection {
   /// Of a point: its circle has the radius 0, and it has none at the pole.
   [[nodiscard]] Image imageOfPoint(const Direction& point) const { return image(point, {}); }
 
+  /// cos d - cos D of two caps with these circles, D being the angle between their centres and d
+  /// the difference of their weights: 0 where one touches the other from inside. To a small
+  /// relative error, as the circles have it, which tell exactly what is hidden.
+  [[nodiscard]] static double rise(const Site& a, const Site& b);
+  /// The same of the pole and a cap with this circle.
+  [[nodiscard]] static double riseFromPole(const Site& circle);
+
   /// An empty cap that touches sites from outside: its centre, and its radius as an angle, which is
   /// the distance to the sites.
   struct EmptyCap {

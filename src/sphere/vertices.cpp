@@ -44,7 +44,10 @@ SphericalVertex refined(const SphericalVertex& start, const std::array<const Cap
     const double x1 = towards[1][0] - towards[0][0], y1 = towards[1][1] - towards[0][1];
     const double x2 = towards[2][0] - towards[0][0], y2 = towards[2][1] - towards[0][1];
     const double determinant = x1 * y2 - x2 * y1;
-    if (determinant == 0) return vertex;
+    // Two directions are nearly the same where one site nearly covers another: there rounding moves
+    // the vertex farther than a step brings it.
+    constexpr double kSteady = 0x1p-20;
+    if (std::abs(determinant) < kSteady) return vertex;
     const double f1 = residuals.of[1] - residuals.of[0], f2 = residuals.of[2] - residuals.of[0];
     const double a = (f1 * y2 - f2 * y1) / determinant, b = (x1 * f2 - x2 * f1) / determinant;
     if (!(std::abs(a) + std::abs(b) < 0.5)) return vertex;
