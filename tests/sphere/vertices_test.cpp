@@ -20,16 +20,16 @@ using Caps = std::array<const sphere::Cap*, 3>;
 double residual(const sphere::SphericalVertex& vertex, const Caps& caps) {
   double largest = 0;
   for (const sphere::Cap* cap : caps)
-    largest = std::max(
-        largest, std::abs(sphere::distanceInRadians(vertex.point, *cap) - vertex.clearance));
+    largest = std::max(largest,
+                       std::abs(sphere::distanceInRadians(vertex.point, *cap) - vertex.clearance));
   return largest;
 }
 
 TEST(SphericalVertex, IsNeverFartherThanWhereItStarted) {
   Random random(71);
   for (int round = 0; round < 5000; ++round) {
-    // Three sites, close to each other or not, seen from farther away or from among them. From there
-    // a step of Newton's method can lead anywhere.
+    // Three sites, close to each other or not, seen from farther away or from among them. From
+    // there a step of Newton's method can lead anywhere.
     const double spread = std::pow(10, -random.between(0, 8));
     const double away = round % 2 == 0 ? spread : 1e-13;
     const SphericalPoint about = randomPoint(random);

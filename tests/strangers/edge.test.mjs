@@ -143,7 +143,8 @@ async function answerOfVercel(source) {
       },
     ],
   });
-  const compiled = (name) => new WebAssembly.Module(readFileSync(path.join(installed, "dist", name)));
+  const compiled = (name) =>
+    new WebAssembly.Module(readFileSync(path.join(installed, "dist", name)));
   const compiledModules = Object.fromEntries(parts.map((name) => [name, compiled(name)]));
   const runtime = new EdgeRuntime({
     initialCode: outputFiles[0].text,
