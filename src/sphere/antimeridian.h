@@ -29,7 +29,7 @@ struct LonLatRings {
 
 class AntimeridianCutter {
  public:
-  /// The points of rings are good to so many degrees.
+  /// `tolerance`: of the points of rings, in degrees.
   explicit AntimeridianCutter(double tolerance);
 
   /// Cuts a ring of snapped points that has the cell at its left and is not closed, and appends

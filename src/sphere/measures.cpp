@@ -45,9 +45,7 @@ struct Integrals {
 
   void add(double weight, const SphericalBisector::At& at, bool withMoment) {
     area += weight * at.height();
-    // Of the height 1 - cos rho: sin rho is 0 also where the bisector turns from one end to the
-    // other.
-    rounding += weight * (at.sine + at.rounding / 2) * at.rounding;
+    rounding += weight * at.sine * at.rounding;  // of the height 1 - cos rho
     if (!withMoment) return;
     const double outward = weight * (at.rho() - at.sine * at.cosine) / 2;
     moment = moment + Direction{outward * at.x, outward * at.y, weight * at.sine * at.sine / 2};

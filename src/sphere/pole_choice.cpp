@@ -51,12 +51,12 @@ SiteId choosePole(const SiteTable& sites, const FlatArray<Cap>& caps, std::uint6
     const Direction centre = caps[nearest].centre;
     HalfAngle toNearest = distance(centre, caps[nearest]);
     for (const SiteId id : all) {
-      // Half a turn is more than any angle makes up for; within it the distances can be compared.
+      // Half a turn is more than any angle makes up for; the others' distances can be compared, as
+      // those that are at least -pi are, with one that is below pi.
       const double heavier = caps[id].weight - caps[nearest].weight;
       if (heavier <= -std::numbers::pi) continue;
       const HalfAngle toSite = distance(centre, caps[id]);
-      if (heavier >= std::numbers::pi || toSite < toNearest ||
-          (!(toNearest < toSite) && heavier > 0)) {
+      if (toSite < toNearest || (!(toNearest < toSite) && heavier > 0)) {
         nearest = id;
         toNearest = toSite;
       }

@@ -37,8 +37,7 @@ SphericalVertex refined(const SphericalVertex& start, const std::array<const Cap
     std::array<std::array<double, 2>, 3> towards;
     for (std::size_t k = 0; k < 3; ++k) {
       const double x = dot(caps[k]->centre, frame.first), y = dot(caps[k]->centre, frame.second);
-      const double length = std::hypot(x, y);
-      if (length == 0) return vertex;  // at a centre, or opposite: no direction
+      const double length = std::hypot(x, y);  // 0 at a centre, or opposite: no direction
       towards[k] = {x / length, y / length};
     }
     const double x1 = towards[1][0] - towards[0][0], y1 = towards[1][1] - towards[0][1];
@@ -50,7 +49,7 @@ SphericalVertex refined(const SphericalVertex& start, const std::array<const Cap
     if (std::abs(determinant) < kSteady) return vertex;
     const double f1 = residuals.of[1] - residuals.of[0], f2 = residuals.of[2] - residuals.of[0];
     const double a = (f1 * y2 - f2 * y1) / determinant, b = (x1 * f2 - x2 * f1) / determinant;
-    if (!(std::abs(a) + std::abs(b) < 0.5)) return vertex;
+    if (!(std::abs(a) + std::abs(b) < 0.5)) return vertex;  // too far, or no numbers
     const SphericalVertex next = {
         normalized(vertex.point + a * frame.first + b * frame.second),
         vertex.clearance + residuals.of[0] - a * towards[0][0] - b * towards[0][1]};

@@ -128,6 +128,32 @@ TEST(SphericalDegenerate, ACellWithoutWidthHasNoRingOfTwoPoints) {
     EXPECT_GE(polygons.starts[ring + 1] - polygons.starts[ring], 4u);
 }
 
+TEST(SphericalDegenerate, RingsOfTwoPointsAreLeftOutAtThePoleToo) {
+  // Two sites of weight pi / 2 and less touch others from inside, all of them on one meridian.
+  const SphericalSites sites = {{0, -75, kPi * 75 / 180 + 0x1p-52},
+                                {0, 90, 0},
+                                {0, 75, kPi / 4},
+                                {180, 0, 0},
+                                {0, 0, 0},
+                                {0, 75, 0}};
+  CoverageArrays polygons;
+  ASSERT_EQ(diagramOf(sites).cellPolygons(0.01, true, polygons), Error::kNone);
+  for (std::size_t ring = 0; ring + 1 < polygons.starts.size(); ++ring)
+    EXPECT_GE(polygons.starts[ring + 1] - polygons.starts[ring], 4u);
+}
+
+TEST(SphericalDegenerate, AnEdgeWithoutLengthHasNoPoints) {
+  // Found by search: two sites that others nearly cover have an edge without length, in whose
+  // direction their bisector goes from one end of the sphere to the other.
+  const SphericalSites sites = {{105, 60, kPi / 12}, {60, -75, kPi / 12}, {-120, 45, kPi / 6},
+                                {105, -90, 0},       {-75, 90, 1},        {-90, 60, 1}};
+  const SphericalDiagram diagram = diagramOf(sites);
+  CoverageArrays polygons;
+  ASSERT_EQ(diagram.cellPolygons(0.01, true, polygons), Error::kNone);
+  ASSERT_EQ(polygons.sites.size(), 4u);
+  EXPECT_EQ(polygons.starts.size() - 1, 4u) << "rings: a loop has been cut off";
+}
+
 TEST(SphericalDegenerate, ThePoleIsNotASiteThatNearlyCoversOthers) {
   // Found by sphere_fuzz: projected from the first one, the fifth was a circle of which nothing was
   // known, and hidden below the last.
@@ -235,6 +261,13 @@ TEST(SphericalDegenerate, EdgesAlongTheAntimeridianAreOnIt) {
     for (std::size_t k = 0; k < polygons.coordinates.size(); k += 2) {
       const double aside = 180 - std::abs(polygons.coordinates[k]);
       EXPECT_TRUE(aside == 0 || aside > 1e-9) << aside;
+    }
+    // The border is straight: of what an edge along it has of points, rings have the ends at most.
+    for (std::size_t ring = 0; ring + 1 < polygons.starts.size(); ++ring) {
+      for (std::size_t k = polygons.starts[ring]; k + 2 < polygons.starts[ring + 1]; ++k) {
+        const auto lon = [&](std::size_t n) { return polygons.coordinates[2 * n]; };
+        EXPECT_FALSE(std::abs(lon(k)) == 180 && lon(k) == lon(k + 1) && lon(k) == lon(k + 2));
+      }
     }
   }
 }

@@ -180,6 +180,17 @@ TEST(SphericalHistories, LongitudesAreWrapped) {
   EXPECT_EQ(distance, 0);
 }
 
+TEST(SphericalHistories, LongitudesAreReducedWithoutRounding) {
+  for (const double lon : {370.1, -533.3, 360 * 1000 + 0.1, -360 * 12345.0 - 77.7, 1e12 + 0.3}) {
+    const SphericalDiagram diagram = diagramOf({{std::remainder(lon, 360), 5, 0}, {0, -60, 0}});
+    SiteId id = kNoSite;
+    double distance = 1;
+    ASSERT_EQ(diagram.find(lon, 5, id, distance), Error::kNone);
+    EXPECT_EQ(id, 0u);
+    EXPECT_EQ(distance, 0) << lon;
+  }
+}
+
 TEST(SphericalHistories, SnapshotsGiveTheSameDiagram) {
   Random random(10);
   for (const NamedSites& set : namedSets(random, 50)) {

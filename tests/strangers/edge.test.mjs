@@ -14,7 +14,9 @@ const folder = path.join(packed, "edge");
 const installed = path.join(packed, "node_modules/apollonius-diagram");
 const example = path.join(root, "web/examples/cloudflare_worker.js");
 
-/** A worker of one module and the compiled module that it imports. */
+const parts = ["apollonius.wasm", "sphere.wasm"];
+
+/** A worker of one module and the compiled modules that it may import. */
 const config = `
 using Workerd = import "/workerd/workerd.capnp";
 const config :Workerd.Config = (
@@ -24,7 +26,7 @@ const config :Workerd.Config = (
 const worker :Workerd.Worker = (
   modules = [
     (name = "worker.js", esModule = embed "worker.js"),
-    (name = "apollonius.wasm", wasm = embed "apollonius.wasm"),
+${parts.map((name) => `    (name = "${name}", wasm = embed "${name}"),`).join("\n")}
   ],
   compatibilityDate = "2025-01-01",
 );
@@ -40,20 +42,20 @@ async function bundled(source, conditions) {
     format: "esm",
     conditions,
     logLevel: "silent",
-    // As wrangler does: a module of its own, compiled.
+    // As wrangler does: modules of their own, compiled.
     plugins: [
       {
         name: "compiled-wasm",
         setup({ onResolve }) {
-          onResolve({ filter: /\.wasm(\?module)?$/ }, () => ({
-            path: "./apollonius.wasm",
+          onResolve({ filter: /\.wasm(\?module)?$/ }, ({ path: name }) => ({
+            path: `./${path.basename(name).replace("?module", "")}`,
             external: true,
           }));
         },
       },
     ],
   });
-  cpSync(path.join(installed, "dist/apollonius.wasm"), path.join(folder, "apollonius.wasm"));
+  for (const name of parts) cpSync(path.join(installed, "dist", name), path.join(folder, name));
   writeFileSync(path.join(folder, "config.capnp"), config);
 }
 
@@ -93,7 +95,30 @@ test("workerd: the default entry needs nothing but its condition", async () => {
   expect(await answers("/", "/again")).toEqual(["1", "1"]);
 }, 60_000);
 
-/** What Vercel's edge runtime, given the compiled module from outside, answers. */
+const importSphere = 'import { SphericalDiagram } from "apollonius-diagram/sphere";';
+const useSphere =
+  "const s = new SphericalDiagram([0, 0, 0.1, 180, 0, 0.2, 10, 80, 0]);" +
+  "const area = s.cellAreas().reduce((a, b) => a + b);" +
+  "const text = `${s.find(170, 5)} ${s.size} ${(area / Math.PI).toFixed(9)}`;";
+const answerOfSphere = "1 3 4.000000000";
+
+test("workerd: the sphere, whose part of the wasm is another file", async () => {
+  const body = `${useSphere} return new Response(text);`;
+  await bundled(worker(importSphere, body), ["workerd"]);
+  expect(await answers("/", "/again")).toEqual([answerOfSphere, answerOfSphere]);
+}, 60_000);
+
+test("workerd: the sphere and the plane in one module, restored from bytes", async () => {
+  const imports = `import { Diagram } from "apollonius-diagram"; ${importSphere}`;
+  const body =
+    `${useSphere} const d = new Diagram([0, 0, 1, 9, 0, 2]);` +
+    "const again = SphericalDiagram.fromBytes(s.toBytes());" +
+    "return new Response(`${d.find(8, 0)} ${again.find(170, 5)} ${text}`);";
+  await bundled(worker(imports, body), ["workerd"]);
+  expect(await answers("/")).toEqual([`1 1 ${answerOfSphere}`]);
+}, 60_000);
+
+/** What Vercel's edge runtime, given the compiled modules from outside, answers. */
 async function answerOfVercel(source) {
   const { EdgeRuntime } = await import("edge-runtime");
   const { outputFiles } = await build({
@@ -107,18 +132,23 @@ async function answerOfVercel(source) {
         name: "compiled-wasm",
         setup({ onResolve, onLoad }) {
           const namespace = "outside";
-          onResolve({ filter: /\.wasm\?module$/ }, () => ({ path: "wasm", namespace }));
-          onLoad({ filter: /.*/, namespace }, () => ({
-            contents: "export default compiledModule",
+          onResolve({ filter: /\.wasm\?module$/ }, ({ path: name }) => ({
+            path: path.basename(name).replace("?module", ""),
+            namespace,
+          }));
+          onLoad({ filter: /.*/, namespace }, ({ path: name }) => ({
+            contents: `export default compiledModules["${name}"]`,
           }));
         },
       },
     ],
   });
-  const wasm = readFileSync(path.join(installed, "dist/apollonius.wasm"));
+  const compiled = (name) =>
+    new WebAssembly.Module(readFileSync(path.join(installed, "dist", name)));
+  const compiledModules = Object.fromEntries(parts.map((name) => [name, compiled(name)]));
   const runtime = new EdgeRuntime({
     initialCode: outputFiles[0].text,
-    extend: (context) => Object.assign(context, { compiledModule: new WebAssembly.Module(wasm) }),
+    extend: (context) => Object.assign(context, { compiledModules }),
   });
   return (await runtime.dispatchFetch("https://example.com/")).text();
 }
@@ -130,16 +160,23 @@ test("edge-light: the same, with a module of another realm", async () => {
   expect(await answerOfVercel(source)).toBe("1");
 }, 60_000);
 
+test("edge-light: the sphere", async () => {
+  const answer = `(() => { ${useSphere} return new Response(text); })()`;
+  const source = `${importSphere} addEventListener("fetch", (e) => e.respondWith(${answer}));`;
+  expect(await answerOfVercel(source)).toBe(answerOfSphere);
+}, 60_000);
+
 test("Deno, without any permission but to read", () => {
   const source =
-    'import { Diagram } from "apollonius-diagram"; {' +
+    `import { Diagram } from "apollonius-diagram"; ${importSphere} {` +
     "using d = new Diagram([0, 0, 1, 9, 0, 2]);" +
-    "console.log(d.find(8, 0), Deno.inspect(d), Diagram.fromBytes(d.toBytes()).size); }";
+    "console.log(d.find(8, 0), Deno.inspect(d), Diagram.fromBytes(d.toBytes()).size);" +
+    `${useSphere} console.log(text); }`;
   writeFileSync(path.join(packed, "deno.mjs"), source);
   const program = path.join(root, "tests/strangers/node_modules/.bin/deno");
   const args = ["run", "--no-remote", "--no-prompt", `--allow-read=${packed}`, "deno.mjs"];
   expect(spawnSync(program, args, { cwd: packed, encoding: "utf8" })).toMatchObject({
-    stdout: "1 Diagram { size: 2, hidden: 0 } 2\n",
+    stdout: `1 Diagram { size: 2, hidden: 0 } 2\n${answerOfSphere}\n`,
     stderr: "",
   });
 }, 60_000);

@@ -1,8 +1,10 @@
 // The package as users load it: ES modules, CommonJS, the entry with a separate .wasm, workers, a
 // strict policy, types.
-import { readFileSync } from "node:fs";
+import { readFileSync, statSync } from "node:fs";
 import path from "node:path";
+import { build } from "esbuild";
 import { root } from "../../tools/toolchain/folders.mjs";
+import { packed } from "./support/install_packed.mjs";
 import { runInNode, runScriptInNode } from "./support/node.mjs";
 import { compileUsers } from "./support/types.mjs";
 
@@ -223,3 +225,36 @@ test("no memory to begin with is a lack of memory", () => {
 test("types: ES modules, CommonJS, NodeNext and Bundler resolution, old and new libraries", () => {
   compileUsers(path.join(root, "node_modules/typescript/bin/tsc"));
 }, 120_000);
+
+// README, "Loading". An import map does the same where there is no bundler.
+test.each([
+  ["with a name that is redirected, the sphere works in the module that was loaded", true],
+  ["else it brings the default entry", false],
+])("the sphere beside the entry with a separate .wasm: %s", async (_, isRedirected) => {
+  const contents = `
+    import { readFileSync } from "node:fs";
+    import { Diagram, load } from "apollonius-diagram/wasm";
+    import { SphericalDiagram } from "apollonius-diagram/sphere";
+    await load(readFileSync("node_modules/apollonius-diagram/dist/apollonius.wasm"));
+    ${use}
+    console.log(new SphericalDiagram([0, 0, 0, 90, 0, 0]).find(80, 0));`;
+  const redirect = {
+    name: "redirect",
+    setup: (bundler) =>
+      bundler.onResolve({ filter: /^apollonius-diagram$/ }, ({ kind, resolveDir }) =>
+        bundler.resolve("apollonius-diagram/wasm", { kind, resolveDir }),
+      ),
+  };
+  const outfile = path.join(packed, "beside_wasm.mjs");
+  await build({
+    stdin: { contents, resolveDir: packed },
+    bundle: true,
+    platform: "node",
+    format: "esm",
+    outfile,
+    plugins: isRedirected ? [redirect] : [],
+  });
+  expect(runInNode('import "./beside_wasm.mjs";')).toBe("1 2\n1");
+  // The default entry has the wasm as text.
+  expect(statSync(outfile).size < 250_000).toBe(isRedirected);
+});

@@ -1,0 +1,126 @@
+// Which site all is projected from (src/sphere/pole_choice.h), when another one is chosen, and what
+// is kept beside the plane's diagram when that is built anew.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "sphere/pole_choice.h"
+#include "sphere/projection.h"
+#include "sphere/sphere_sets.h"
+#include "sphere/spherical_core.h"
+
+namespace apollonius::test {
+namespace {
+
+namespace sphere = internal::sphere;
+
+sphere::SphericalCore coreOf(const SphericalSites& sites) {
+  sphere::SphericalCore core(1);
+  std::vector<SiteId> ids(sites.size());
+  core.insertMany(flat(sites), ids);
+  return core;
+}
+
+/// Seen from the giant, or from the site that it nearly covers, a circle is inaccurate. All but one
+/// of the others lead to the giant.
+TEST(SphericalPole, ASiteWithoutLossIsFoundAmongManyThatLeadToAGiant) {
+  Random random(61);
+  SphericalSites sites = {{0, 0, 1}, {30, 0, 1 - std::numbers::pi / 6 + 1e-9}, {180, 0, 0}};
+  for (int k = 0; k < 200; ++k)
+    sites.push_back({random.between(-30, 30), random.between(-30, 30), 0});
+  sphere::SiteTable table(1);
+  table.reserve(sites.size());
+  for (const SphericalCircle& site : sites) (void)table.take({{site.lon, site.lat}, site.r});
+  for (std::uint64_t first = 1; first <= 20; ++first) {
+    std::uint64_t seed = first;
+    EXPECT_EQ(sphere::choosePole(table, table.caps(), seed), 2u);
+  }
+}
+
+/// Any two weights are less than a full turn apart, and distances from a site's centre, too.
+TEST(SphericalPole, IsVisibleAmongWeightsOfAnySize) {
+  Random random(62);
+  for (int round = 0; round < 300; ++round) {
+    sphere::SiteTable table(1);
+    const std::size_t n = 2 + random.below(std::size_t{8});
+    table.reserve(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto [lon, lat] = randomPoint(random);
+      const double r = random.between(-1, 1);
+      (void)table.take({{lon, lat}, (random.below(3) == 0 ? r : r < 0 ? -1 : 1) * 3.14159});
+    }
+    std::uint64_t seed = 1;
+    EXPECT_TRUE(isVisible(table, sphere::choosePole(table, table.caps(), seed)));
+  }
+}
+
+/// A site that the pole covers but for 10^-9 radians would have a circle of which little is known.
+class ASiteThatThePoleNearlyCovers : public testing::Test {
+ protected:
+  ASiteThatThePoleNearlyCovers() : core_(coreOf(sites())), pole_(core_.projected().pole()) {}
+
+  static SphericalSites sites() {
+    Random random(63);
+    return randomSites(random, 20, 0.1);
+  }
+  [[nodiscard]] SphericalCircle covered(double latitudes) const {
+    const auto& [centre, r] = core_.sites()[pole_];
+    const SphericalCircle there = {centre.lon, centre.lat + (centre.lat > 0 ? -1 : 1) * latitudes,
+                                   0};
+    return {there.lon, there.lat, r - angleOf(there, {centre.lon, centre.lat, 0}) + 1e-9};
+  }
+  void expectAnotherPole() const {
+    EXPECT_NE(core_.projected().pole(), pole_);
+    EXPECT_LE(core_.projected().loss(), sphere::kUsualLoss);
+    EXPECT_EQ(core_.validate().what, nullptr);
+  }
+
+  sphere::SphericalCore core_;
+  SiteId pole_;
+};
+
+TEST_F(ASiteThatThePoleNearlyCovers, IsInserted) {
+  const auto [lon, lat, r] = covered(5);
+  (void)core_.insert({{lon, lat}, r});
+  expectAnotherPole();
+}
+
+TEST_F(ASiteThatThePoleNearlyCovers, IsInsertedWithAnother) {
+  std::vector<SiteId> ids(2);
+  core_.insertMany(flat({covered(5), covered(10)}), ids);
+  expectAnotherPole();
+}
+
+TEST_F(ASiteThatThePoleNearlyCovers, HasBeenMovedThere) {
+  const auto [lon, lat, r] = covered(5);
+  core_.update(pole_ == 0 ? 1 : 0, {{lon, lat}, r});
+  expectAnotherPole();
+}
+
+TEST_F(ASiteThatThePoleNearlyCovers, HasBeenMovedThereWithAnother) {
+  std::vector<SiteId> ids;
+  for (SiteId id = 0; ids.size() < 2; ++id) {
+    if (id != pole_) ids.push_back(id);
+  }
+  core_.updateMany(ids, flat({covered(5), covered(10)}));
+  expectAnotherPole();
+}
+
+TEST(SphericalPole, CapsFollowTheirSitesWhereThePlaneIsBuiltAnew) {
+  Random random(64);
+  sphere::SphericalCore core = coreOf(randomSites(random, 400, 0.05));
+  const SiteId pole = core.projected().pole();
+  std::vector<SiteId> ids;
+  for (SiteId id = 0; id < 400; id += 2) {
+    if (id != pole) ids.push_back(id);
+  }
+  const std::uint32_t layout = core.projected().plane().layout();
+  core.updateMany(ids, flat(randomSites(random, ids.size(), 0.05)));
+  ASSERT_EQ(core.projected().pole(), pole);
+  ASSERT_NE(core.projected().plane().layout(), layout);
+  EXPECT_EQ(core.validate().what, nullptr);
+}
+
+}  // namespace
+}  // namespace apollonius::test

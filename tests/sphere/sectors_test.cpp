@@ -1,0 +1,129 @@
+// The edges of a cell as sectors (src/sphere/cell.h): which of those whose ends are in one
+// direction go all the way round a site, and which have no length.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sphere/cell.h"
+#include "sphere/sphere_sets.h"
+#include "sphere/spherical_core.h"
+
+namespace apollonius::test {
+namespace {
+
+namespace sphere = internal::sphere;
+
+constexpr double kPi = std::numbers::pi;
+
+void expectWholeTurns(const SphericalSites& sites) {
+  sphere::SphericalCore core(1);
+  std::vector<SiteId> ids(sites.size());
+  core.insertMany(flat(sites), ids);
+  const sphere::ProjectedDiagram& diagram = core.projected();
+  if (diagram.visibleCount() < 2) return;
+  sphere::SphericalVertices vertices(diagram, sphere::SphericalVertices::Of::kAll);
+  internal::FlatArray<sphere::Sector> sectors;
+  for (const SiteId id : ids) {
+    if (diagram.isHidden(id)) continue;
+    listSectors(diagram, diagram.nodeOf(id), vertices, sectors);
+    double turn = 0;
+    for (const sphere::Sector& sector : sectors) {
+      EXPECT_GE(sector.width, 0) << id;
+      turn += sector.width;
+    }
+    EXPECT_NEAR(turn, 2 * kPi, 1e-9) << id;
+  }
+}
+
+double sumOfAreas(const SphericalSites& sites) {
+  std::vector<double> areas;
+  EXPECT_EQ(diagramOf(sites).cellAreas(areas), Error::kNone);
+  double sum = 0;
+  for (const double area : areas) sum += area;
+  return sum;
+}
+
+TEST(SphericalSectors, AreATurnAboutEachSite) {
+  Random random(81);
+  for (int round = 0; round < 4; ++round) {
+    for (const NamedSites& set : namedSets(random, 10 + 20 * static_cast<std::size_t>(round))) {
+      SCOPED_TRACE(set.name + ", round " + std::to_string(round));
+      expectWholeTurns(set.sites);
+    }
+  }
+}
+
+TEST(SphericalSectors, AreATurnWhereManySitesTouchOneCap) {
+  Random random(82);
+  for (int round = 0; round < 200; ++round) {
+    SCOPED_TRACE(round);
+    SphericalSites sites;
+    for (std::size_t k = 4 + random.below(std::size_t{14}); k > 0; --k) {
+      const double x = std::floor(random.between(-12, 12)) * 15,
+                   y = std::floor(random.between(-6, 7)) * 15;
+      sites.push_back({x, std::min(y, 90.0), 0});
+    }
+    expectWholeTurns(sites);
+  }
+}
+
+/// The third site's cell is a dot on the edge of two others, which is all around them but for that.
+TEST(SphericalSectors, OfAnEdgeThatADotInterruptsGoesRound) {
+  for (const double dot : {1e-4, 1e-6, 1e-8}) {
+    const SphericalSites sites = {{-90, 0, 0}, {90, 0, 0}, {0, 20, -kPi / 2 + dot}};
+    std::vector<double> areas;
+    ASSERT_EQ(diagramOf(sites).cellAreas(areas), Error::kNone);
+    EXPECT_NEAR(areas[0], 2 * kPi, 2 * dot * dot + 1e-12);
+    EXPECT_NEAR(areas[1], 2 * kPi, 2 * dot * dot + 1e-12);
+    EXPECT_NEAR(sumOfAreas(sites), 4 * kPi, 1e-12);
+    expectWholeTurns(sites);
+  }
+}
+
+/// Found by search. Sites that are some 10^-12 radians apart and on a lattice have edges without
+/// length, on whose bisectors all sites of the cluster are nearest as far as rounding tells; or to
+/// one side only.
+TEST(SphericalSectors, OfEdgesWithoutLengthInATinyLatticeHaveNoWidth) {
+  const SphericalSites sets[] = {
+      {{46.201990812355739, 44.308099214233899, 0},
+       {46.201990812400133, 44.308099214233899, 0},
+       {46.201990812400133, 44.308099214145116, 0},
+       {46.201990812311351, 44.308099214145116, 0},
+       {46.201990812355739, 44.308099214189504, 0},
+       {46.201990812311351, 44.308099214145116, 0},
+       {46.201990812311351, 44.308099214233899, 0},
+       {46.201990812400133, 44.308099214145116, 0},
+       {46.201990812400133, 44.308099214233899, 0},
+       {68.748684929245542, 4.7541035874439688, 0.031906877302334873}},
+      {{-6.7817044817217402, 6.0511761898638543, 0},
+       {-6.7817044817217402, 6.0511761898835612, 0},
+       {-6.7817044817414471, 6.0511761898638543, 0},
+       {-6.7817044817217402, 6.0511761898441483, 0},
+       {-6.7817044817414471, 6.0511761898638543, 0},
+       {-6.7817044817217402, 6.0511761898441483, 0},
+       {-6.7817044817414471, 6.0511761898441483, 0},
+       {-6.7817044817217402, 6.0511761898638543, 0},
+       {115.04428890556858, -35.283403503502747, 0.0121208493494263}},
+  };
+  for (const SphericalSites& sites : sets) EXPECT_NEAR(sumOfAreas(sites), 4 * kPi, 1e-9);
+}
+
+/// Where a vertex is close to a site, its bearing is known the less, but not that of the meeting of
+/// two bisectors.
+TEST(SphericalSectors, OfSitesThatAreCloseToTheirVerticesAreAccurate) {
+  Random random(83);
+  for (int round = 0; round < 200; ++round) {
+    const auto [lon, lat] = randomPoint(random);
+    const double spread = std::pow(10, -random.between(6, 9));
+    SphericalSites sites;
+    for (int k = 0; k < 5; ++k)
+      sites.push_back({lon + spread * random.between(-1, 1),
+                       std::clamp(lat + spread * random.between(-1, 1), -90.0, 90.0), 0});
+    EXPECT_NEAR(sumOfAreas(sites), 4 * kPi, 1e-11) << round;
+  }
+}
+
+}  // namespace
+}  // namespace apollonius::test
