@@ -38,4 +38,22 @@ SegmentGrid::SegmentGrid(std::span<const Point> points, std::span<const Segment>
   }
 }
 
+double SegmentGrid::looks() const {
+  double sum = 0;
+  for (std::size_t cell = 0; cell + 1 < starts_.size(); ++cell) {
+    const auto size = static_cast<double>(at(cell).size());
+    sum += size * size;
+  }
+  return sum;
+}
+
+FlatArray<double> SegmentGrid::looksOfEach(std::size_t count) const {
+  FlatArray<double> looks(count, 0);
+  for (std::size_t cell = 0; cell + 1 < starts_.size(); ++cell) {
+    const std::span<const std::uint32_t> segments = at(cell);
+    for (const std::uint32_t k : segments) looks[k] += static_cast<double>(segments.size());
+  }
+  return looks;
+}
+
 }  // namespace apollonius::internal

@@ -42,6 +42,10 @@ class SegmentGrid {
   [[nodiscard]] std::span<const std::uint32_t> at(std::size_t cell) const {
     return std::span(entries_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
   }
+  /// How many segments all see that look at those in their cells: again in each, and themselves.
+  [[nodiscard]] double looks() const;
+  /// The same for each of the segments.
+  [[nodiscard]] FlatArray<double> looksOfEach(std::size_t count) const;
   /// visit(cell) for the cells that a segment meets, and perhaps others beside them. Cost: these,
   /// and the rows between.
   template <class Visit>
