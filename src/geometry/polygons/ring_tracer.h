@@ -69,7 +69,7 @@ class Tracer final : private NestedRings {
   RingNesting nesting_{*this};  // of the loops that are no holes
   std::uint32_t hole_ = 0;      // whose loop is searched
   bool isCorner_ = false;       // of the loop that was asked
-  double width_ = 0;  // thinner loops are dropped
+  double width_ = 0;            // thinner loops are dropped
 };
 
 }  // namespace apollonius::internal

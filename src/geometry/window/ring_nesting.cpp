@@ -82,8 +82,7 @@ std::uint32_t RingNesting::plant(std::size_t begin, std::size_t end) {
   return number;
 }
 
-void RingNesting::search(std::uint32_t number, std::size_t begin, std::size_t end,
-                         Search& search) {
+void RingNesting::search(std::uint32_t number, std::size_t begin, std::size_t end, Search& search) {
   const auto isHopeless = [&](const Rectangle& box, double least, double most) {
     ++looks_;
     return !(most > search.area) || least > search.smallest || !box.holds(search.p);

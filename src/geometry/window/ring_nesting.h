@@ -23,15 +23,15 @@ namespace apollonius::internal {
 class NestedRings {
  public:
   struct Piece {
-    Rectangle box;  // that holds it, with all that it can have on its left beyond its chord
+    Rectangle box;    // that holds it, with all that it can have on its left beyond its chord
     double from, to;  // heights where it begins and ends
   };
 
   virtual ~NestedRings() = default;
   [[nodiscard]] virtual std::size_t pieceCount(std::uint32_t ring) const = 0;
   [[nodiscard]] virtual Piece piece(std::uint32_t ring, std::size_t k) const = 0;
-  /// Does a ray to the right cross a piece, an odd number of times? Its start is in the piece's box,
-  /// or on the box's border.
+  /// Does a ray to the right cross a piece, an odd number of times? Its start is in the piece's
+  /// box, or on the box's border.
   virtual bool isCrossed(std::uint32_t ring, std::size_t k, Point from) = 0;
   /// Is the ring around what the search is for? Asked if the box is.
   virtual bool isAround(std::uint32_t ring) = 0;
@@ -79,8 +79,8 @@ class RingNesting {
 
   NestedRings& rings_;
   FlatArray<Entry> entries_;
-  FlatArray<Node> nodes_;             // of the rings, and of the pieces of those that were asked
-  FlatArray<std::uint32_t> rootOf_;   // by ring, of its pieces; 0: not planted
+  FlatArray<Node> nodes_;            // of the rings, and of the pieces of those that were asked
+  FlatArray<std::uint32_t> rootOf_;  // by ring, of its pieces; 0: not planted
   std::size_t looks_ = 0;
 };
 
