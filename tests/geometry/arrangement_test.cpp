@@ -153,7 +153,7 @@ TEST(Arrangement, WorkIsNotPairsOfSegments) {
       }
       if (kind == kCrossed) rings.push_back(square(0.4 * count + 0.1, 0.3 * count, 0.7));
       if (kind == kIslands) rings.push_back(square(1e7, 1e7, 1));  // all others are in one cell
-      const Normalized result = normalized(rings, Arrangement::kFewLooks);
+      const Normalized result = normalized(rings, SegmentPairs::kFewLooks);
       EXPECT_TRUE(result.isSplit);
       return static_cast<double>(result.looks) / (4.0 * count);
     };

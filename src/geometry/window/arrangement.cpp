@@ -1,8 +1,8 @@
 #include "geometry/window/arrangement.h"
 
 #include <algorithm>
+#include <limits>
 
-#include "geometry/window/segment_grid.h"
 #include "geometry/window/segment_sweep.h"
 #include "predicate/orientation.h"
 
@@ -35,13 +35,9 @@ bool Arrangement::split() {
 
 /// Gives equal points one number, points all segments in one direction, and lets equal ones cancel.
 void Arrangement::unify() {
-  FlatArray<std::uint32_t> order(points_.size()), numbers(points_.size());
-  for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::partial_sort(order.begin(), order.end(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return isLeftOf(points_[a], points_[b]);
-  });
+  FlatArray<std::uint32_t> numbers(points_.size());
   FlatArray<Point> distinct;
-  for (const std::uint32_t k : order) {
+  for (const std::uint32_t k : orderedFromLeft(points_)) {
     if (distinct.empty() || !(distinct.back() == points_[k])) distinct.push_back(points_[k]);
     numbers[k] = static_cast<std::uint32_t>(distinct.size() - 1);
   }
@@ -82,39 +78,11 @@ void Arrangement::snap() {
 
 bool Arrangement::findCuts() {
   cuts_.clear();
-  const SegmentGrid grid(points_, segments_, box_);
-  const auto count = static_cast<std::uint32_t>(segments_.size());
-  // Pairs that do not meet need no look. On the grid of snap() they can have cuts nevertheless.
-  const bool isSwept = grid.looks() > fewLooks_ * count && unit_.x == 0;
-  FlatArray<char> isOut;
-  double looks = grid.looks();
-  if (isSwept) {
-    FlatArray<double> looksOf = grid.looksOfEach(count);
-    SegmentSweep sweep(points_, segments_);
-    isOut = sweep.takeOut(looksOf);
-    looks_ += sweep.looks();
-    looks = 0;
-    for (std::uint32_t k = 0; k < count; ++k) looks += isOut[k] != 0 ? looksOf[k] : 0;
-  }
-  // If they are half of all, it is quicker to look at each pair from one side only.
-  const bool areAll = !isSwept || 2 * looks > grid.looks();
-  countedFor_.assign(count, kNoneBelow);
-  for (std::uint32_t k = 0; k < count; ++k) {
-    if (!areAll && isOut[k] == 0) continue;
-    grid.visitCells(from(segments_[k]), to(segments_[k]), [&](std::size_t cell) {
-      for (const std::uint32_t m : grid.at(cell)) {
-        ++looks_;
-        if (m >= k) {
-          if (areAll) break;
-          if (isOut[m] != 0) continue;  // it looks itself
-        }
-        if (countedFor_[m] == k) continue;
-        countedFor_[m] = k;
-        // In this order, whichever has looked.
-        cutBoth(std::max(k, m), std::min(k, m));
-      }
-    });
-  }
+  // On a grid of points, segments can have cuts that do not meet: then all pairs are visited.
+  SegmentPairs pairs(points_, segments_, box_,
+                     unit_.x == 0 ? fewLooks_ : std::numeric_limits<double>::infinity());
+  pairs.visit([&](std::uint32_t k, std::uint32_t m) { cutBoth(k, m); });
+  looks_ += pairs.looks();
   return !cuts_.empty();
 }
 

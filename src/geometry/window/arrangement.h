@@ -9,16 +9,13 @@
 #include "base/radix_sort.h"
 #include "geometry/window/polygon.h"
 #include "geometry/window/rectangle.h"
-#include "geometry/window/segment_grid.h"
+#include "geometry/window/segment_pairs.h"
 
 namespace apollonius::internal {
 
 class Arrangement {
  public:
-  /// Of pairs of segments in one cell of a grid, this many a segment are looked at one by one.
-  static constexpr double kFewLooks = 64;
-
-  explicit Arrangement(const Rectangle& box, double fewLooks = kFewLooks)
+  explicit Arrangement(const Rectangle& box, double fewLooks = SegmentPairs::kFewLooks)
       : box_(box), fewLooks_(fewLooks) {}
 
   /// Closed by itself.
@@ -84,7 +81,6 @@ class Arrangement {
   FlatArray<Cut> cuts_;
   FlatArray<Keyed> ends_;              // segments by their ends
   FlatArray<std::uint32_t> firstEnd_;  // by point, of ends_; and their number
-  FlatArray<std::uint32_t> countedFor_;
 };
 
 }  // namespace apollonius::internal

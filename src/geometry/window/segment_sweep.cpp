@@ -48,10 +48,13 @@ bool SegmentSweep::isBelow(const Segment& s, const Segment& t) {
 void SegmentSweep::run() {
   const auto count = static_cast<std::uint32_t>(segments_.size());
   places_.assign(count, status_.end());
-  isOut_.assign(count, 0);
+  isOut_.resize(count);
   below_.assign(count, kNoneBelow);
   FlatArray<Keyed> ends;
-  for (std::uint32_t k = 0; k < count; ++k) ends.push_back({segments_[k].to, k});
+  for (std::uint32_t k = 0; k < count; ++k) {
+    isOut_[k] = static_cast<char>(segments_[k].from == segments_[k].to);
+    ends.push_back({segments_[k].to, k});
+  }
   sortByKey(ends);
   std::uint32_t ended = 0, next = 0;
   while (ended < count) {
@@ -83,6 +86,7 @@ void SegmentSweep::run() {
 }
 
 void SegmentSweep::place(std::uint32_t segment) {
+  if (isOut_[segment] != 0) return;
   Place& at = places_[segment];
   if (at == status_.end()) {
     const auto [found, isNew] = status_.insert({segment});

@@ -44,7 +44,8 @@ class SegmentSweep {
   SegmentSweep(std::span<const Point> points, std::span<const Segment> segments)
       : points_(points), segments_(segments), status_(IsBelow{this}) {}
 
-  /// For each segment, whether it is taken out; of two, the one with less `costs`. Cost: O(n log
+  /// For each segment, whether it is taken out; of two, the one with less `costs`, and any that is
+  /// but a point. Cost: O(n log
   /// n).
   FlatArray<char> takeOut(std::span<const double> costs);
   /// For each segment the one below its left end, or to the right of that; or kNoneBelow. REQUIRES:

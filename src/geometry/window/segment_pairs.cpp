@@ -1,0 +1,57 @@
+#include "geometry/window/segment_pairs.h"
+
+#include "base/radix_sort.h"
+#include "geometry/window/segment_sweep.h"
+
+namespace apollonius::internal {
+
+FlatArray<std::uint32_t> orderedFromLeft(std::span<const Point> points) {
+  FlatArray<std::uint32_t> order(points.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::partial_sort(
+      order.begin(), order.end(), order.end(),
+      [&](std::uint32_t a, std::uint32_t b) { return isLeftOf(points[a], points[b]); });
+  return order;
+}
+
+SegmentPairs::SegmentPairs(std::span<const Point> points, std::span<const Segment> segments,
+                           const Rectangle& box, double fewLooks)
+    : points_(points), segments_(segments), grid_(points, segments, box) {
+  const double all = grid_.looks();
+  if (!(all > fewLooks * static_cast<double>(segments.size()))) return;
+  const FlatArray<double> costs = grid_.looksOfEach(segments.size());
+  sweep(costs);
+  // If they are half of all, it is quicker to look at each pair from one side only.
+  double looks = 0;
+  for (std::size_t k = 0; k < costs.size(); ++k) looks += isOut_[k] != 0 ? costs[k] : 0;
+  if (2 * looks > all) isOut_.clear();
+}
+
+/// From left to right.
+void SegmentPairs::sweep(std::span<const double> costs) {
+  const FlatArray<std::uint32_t> order = orderedFromLeft(points_);
+  FlatArray<Point> points(order.size());
+  FlatArray<std::uint32_t> rankOf(order.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) {
+    points[k] = points_[order[k]];
+    rankOf[order[k]] = k;
+  }
+  FlatArray<Keyed> byStart(segments_.size());
+  for (std::uint32_t k = 0; k < byStart.size(); ++k)
+    byStart[k] = {std::min(rankOf[segments_[k].from], rankOf[segments_[k].to]), k};
+  sortByKey(byStart);
+  FlatArray<Segment> segments(byStart.size());
+  FlatArray<double> sortedCosts(byStart.size());
+  for (std::size_t k = 0; k < byStart.size(); ++k) {
+    const auto [from, to] = segments_[byStart[k].value];
+    segments[k] = {byStart[k].key, std::max(rankOf[from], rankOf[to])};
+    sortedCosts[k] = costs[byStart[k].value];
+  }
+  SegmentSweep sweep(points, segments);
+  const FlatArray<char> isOut = sweep.takeOut(sortedCosts);
+  looks_ += sweep.looks();
+  isOut_.resize(isOut.size());
+  for (std::size_t k = 0; k < isOut.size(); ++k) isOut_[byStart[k].value] = isOut[k];
+}
+
+}  // namespace apollonius::internal

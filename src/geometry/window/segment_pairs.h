@@ -1,0 +1,64 @@
+// The pairs of segments that may meet: those in one cell of a grid. Where these are too many, a
+// sweep takes segments out, so that those that stay do not meet in more than common ends; then only
+// pairs with one that is out are visited.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "base/flat_array.h"
+#include "geometry/window/segment_grid.h"
+
+namespace apollonius::internal {
+
+/// Points by their numbers, from left to right.
+[[nodiscard]] FlatArray<std::uint32_t> orderedFromLeft(std::span<const Point> points);
+
+class SegmentPairs {
+ public:
+  /// Fewer pairs in one cell than this for each segment are visited all.
+  static constexpr double kFewLooks = 64;
+
+  /// REQUIRES: `box` holds all points and has an area; equal points have equal numbers. All live as
+  /// long. Cost: O(n log n).
+  SegmentPairs(std::span<const Point> points, std::span<const Segment> segments,
+               const Rectangle& box, double fewLooks = kFewLooks);
+
+  /// visit(k, m), with m < k, once for each pair.
+  template <class Visit>
+  void visit(Visit&& visit) {
+    const auto count = static_cast<std::uint32_t>(segments_.size());
+    FlatArray<std::uint32_t> countedFor(count, 0xFFFFFFFFu);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      if (isSwept() && isOut_[k] == 0) continue;
+      grid_.visitCells(points_[segments_[k].from], points_[segments_[k].to], [&](std::size_t cell) {
+        for (const std::uint32_t m : grid_.at(cell)) {
+          ++looks_;
+          if (m >= k) {
+            if (!isSwept()) break;
+            if (isOut_[m] != 0) continue;  // the other one visits the pair
+          }
+          if (countedFor[m] == k) continue;
+          countedFor[m] = k;
+          visit(std::max(k, m), std::min(k, m));
+        }
+      });
+    }
+  }
+
+  /// How many pairs have been looked at.
+  [[nodiscard]] std::size_t looks() const { return looks_; }
+
+ private:
+  [[nodiscard]] bool isSwept() const { return !isOut_.empty(); }
+  void sweep(std::span<const double> costs);
+
+  std::span<const Point> points_;
+  std::span<const Segment> segments_;
+  SegmentGrid grid_;
+  FlatArray<char> isOut_;  // by segment; empty: all pairs are visited
+  std::size_t looks_ = 0;
+};
+
+}  // namespace apollonius::internal
