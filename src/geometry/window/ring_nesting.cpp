@@ -1,14 +1,15 @@
 #include "geometry/window/ring_nesting.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 namespace apollonius::internal {
 
 namespace {
 
-/// So many are asked one by one.
-constexpr std::size_t kFew = 4;
+/// So many need not be sorted.
+constexpr std::size_t kFew = 8;
 /// Boxes are parted by their places if they are this much smaller than all of them together, on the
 /// average.
 constexpr double kSmaller = 4;
@@ -20,12 +21,6 @@ void include(Rectangle& box, const Rectangle& other) {
   box.include({other.xmin, other.ymin});
   box.include({other.xmax, other.ymax});
 }
-
-bool isApart(const Rectangle& box, Point p) {
-  return p.y < box.ymin || p.y > box.ymax || p.x > box.xmax;
-}
-
-bool areApart(double from, double to, double height) { return (from > height) != (to > height); }
 
 }  // namespace
 
@@ -44,66 +39,70 @@ void RingNesting::clear() {
 
 std::uint32_t RingNesting::find(Point p, double area) {
   if (entries_.empty()) return kNoRing;
-  if (nodes_.empty()) plant(0, entries_.size());
+  if (nodes_.empty()) {
+    FlatArray<Keyed> order;
+    for (std::uint32_t k = 0; k < entries_.size(); ++k) order.push_back({0, k});
+    plant(std::span(order.data(), order.size()));
+  }
   Search search{p, area};
-  this->search(0, 0, entries_.size(), search);
+  this->search(0, entries_.size(), search);
   return search.found;
 }
 
-std::uint32_t RingNesting::plant(std::size_t begin, std::size_t end) {
-  Node node{kNothing, kInfinite, 0, 0};
+/// A number that grows with one that is not negative.
+std::uint32_t RingNesting::keyOf(double x) {
+  return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x + 0.0) >> 32);
+}
+
+std::uint32_t RingNesting::plant(std::span<Keyed> rings) {
+  const auto number = static_cast<std::uint32_t>(nodes_.size());
+  Node node{kNothing, kInfinite, 0, rings[0].value};
   double width = 0, height = 0;
-  for (std::size_t k = begin; k < end; ++k) {
-    const Entry& entry = entries_[k];
+  for (const Keyed& ring : rings) {
+    const Entry& entry = entries_[ring.value];
     include(node.box, entry.box);
     node.first = std::min(node.first, entry.area);
     node.last = std::max(node.last, entry.area);
     width += entry.box.width();
     height += entry.box.height();
   }
-  const auto number = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(node);
-  if (end - begin <= kFew) return number;
-  const auto count = static_cast<double>(end - begin);
-  const double across = node.box.width() * count, up = node.box.height() * count;
-  const bool isAcross = across * height > up * width;
-  const bool isByArea = !(isAcross ? across > kSmaller * width : up > kSmaller * height);
-  const auto keyOf = [&](const Entry& entry) {
-    return isByArea   ? entry.area
-           : isAcross ? entry.box.xmin / 2 + entry.box.xmax / 2
-                      : entry.box.ymin / 2 + entry.box.ymax / 2;
-  };
-  const std::size_t middle = begin + (end - begin) / 2;
-  Entry* const all = entries_.data();
-  std::partial_sort(all + begin, all + middle, all + end,
-                    [&](const Entry& a, const Entry& b) { return keyOf(a) < keyOf(b); });
-  plant(begin, middle);
-  nodes_[number].right = plant(middle, end);
+  if (rings.size() == 1) return number;
+  if (rings.size() > kFew) {
+    const auto count = static_cast<double>(rings.size());
+    const double across = node.box.width() * count / width, up = node.box.height() * count / height;
+    for (Keyed& ring : rings) {
+      const Entry& entry = entries_[ring.value];
+      ring.key = keyOf(!(std::max(across, up) > kSmaller) ? entry.area
+                       : across > up                      ? entry.box.xmin - node.box.xmin
+                                                          : entry.box.ymin - node.box.ymin);
+    }
+    FlatArray<Keyed> sorted;
+    sorted.assign(rings);
+    sortByKey(sorted);
+    std::copy(sorted.begin(), sorted.end(), rings.begin());
+  }
+  const std::size_t half = rings.size() / 2;
+  plant(rings.first(half));
+  const std::uint32_t right = plant(rings.subspan(half));
+  nodes_[number].right = right;
   return number;
 }
 
-void RingNesting::search(std::uint32_t number, std::size_t begin, std::size_t end, Search& search) {
-  const auto isHopeless = [&](const Rectangle& box, double least, double most) {
-    ++looks_;
-    return !(most > search.area) || least > search.smallest || !box.holds(search.p);
-  };
+void RingNesting::search(std::uint32_t number, std::size_t count, Search& search) {
+  ++looks_;
   const Node node = nodes_[number];  // which a ring's pieces can move
-  if (isHopeless(node.box, node.first, node.last)) return;
-  if (end - begin > kFew) {
-    const std::size_t middle = begin + (end - begin) / 2;
-    this->search(number + 1, begin, middle, search);
-    this->search(node.right, middle, end, search);
+  if (!(node.last > search.area) || node.first > search.smallest || !node.box.holds(search.p))
+    return;
+  if (count > 1) {
+    this->search(number + 1, count / 2, search);
+    this->search(node.right, count - count / 2, search);
     return;
   }
-  for (std::size_t k = begin; k < end; ++k) {
-    const Entry& entry = entries_[k];
-    if (isHopeless(entry.box, entry.area, entry.area) ||
-        (entry.area == search.smallest && entry.ring > search.found) ||
-        !rings_.isAround(entry.ring))
-      continue;
-    search.found = entry.ring;
-    search.smallest = entry.area;
-  }
+  const std::uint32_t ring = entries_[node.right].ring;
+  if ((node.first == search.smallest && ring > search.found) || !rings_.isAround(ring)) return;
+  search.found = ring;
+  search.smallest = node.first;
 }
 
 bool RingNesting::isInside(std::uint32_t ring, Point p) {
@@ -113,53 +112,36 @@ bool RingNesting::isInside(std::uint32_t ring, Point p) {
   return isOdd(rootOf_[ring], ring, 0, count, p);
 }
 
-std::uint32_t RingNesting::plantRow(std::uint32_t ring, std::size_t begin, std::size_t end) {
+std::uint32_t RingNesting::plantRow(std::uint32_t ring, std::size_t begin, std::size_t count) {
+  ++looks_;
   const auto number = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.push_back({kNothing, 0, 0, 0});
-  Node node{kNothing, 0, 0, 0};
-  const auto add = [&](const Rectangle& box, double from, double to, bool isFirst) {
-    if (isFirst) node.first = from;
-    // Rounding can part two pieces. Then no point has all of them on its right.
-    if (!isFirst && from != node.last) node.box.xmin = -kInfinite;
-    include(node.box, box);
-    node.last = to;
-  };
-  if (end - begin <= kFew) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const NestedRings::Piece piece = rings_.piece(ring, k);
-      add(piece.box, piece.from, piece.to, k == begin);
-    }
-    looks_ += end - begin;
-  } else {
-    const std::size_t middle = begin + (end - begin) / 2;
-    plantRow(ring, begin, middle);
-    node.right = plantRow(ring, middle, end);
-    for (const std::uint32_t child : {number + 1, node.right})
-      add(nodes_[child].box, nodes_[child].first, nodes_[child].last, child == number + 1);
+  if (count == 1) {
+    const NestedRings::Piece piece = rings_.piece(ring, begin);
+    nodes_.push_back({piece.box, piece.from, piece.to, 0});
+    return number;
   }
+  nodes_.push_back({});
+  plantRow(ring, begin, count / 2);
+  const std::uint32_t right = plantRow(ring, begin + count / 2, count - count / 2);
+  const Node &a = nodes_[number + 1], &b = nodes_[right];
+  Node node{a.box, a.first, b.last, right};
+  include(node.box, b.box);
+  // Rounding can part two pieces. Then no point has all of them on its right.
+  if (a.last != b.first) node.box.xmin = -kInfinite;
   nodes_[number] = node;
   return number;
 }
 
 bool RingNesting::isOdd(std::uint32_t number, std::uint32_t ring, std::size_t begin,
-                        std::size_t end, Point p) {
-  const Node& node = nodes_[number];
+                        std::size_t count, Point p) {
   ++looks_;
-  if (isApart(node.box, p)) return false;
-  if (p.x < node.box.xmin) return areApart(node.first, node.last, p.y);
-  if (end - begin > kFew) {
-    const std::size_t middle = begin + (end - begin) / 2;
-    return isOdd(number + 1, ring, begin, middle, p) != isOdd(node.right, ring, middle, end, p);
-  }
-  bool isOdd = false;
-  for (std::size_t k = begin; k < end; ++k) {
-    const NestedRings::Piece piece = rings_.piece(ring, k);
-    ++looks_;
-    if (isApart(piece.box, p)) continue;
-    if (p.x < piece.box.xmin ? areApart(piece.from, piece.to, p.y) : rings_.isCrossed(ring, k, p))
-      isOdd = !isOdd;
-  }
-  return isOdd;
+  const Node& node = nodes_[number];
+  if (p.y < node.box.ymin || p.y > node.box.ymax || p.x > node.box.xmax) return false;
+  if (p.x < node.box.xmin) return (node.first > p.y) != (node.last > p.y);
+  if (count == 1) return rings_.isCrossed(ring, begin, p);
+  const std::size_t half = count / 2;
+  return isOdd(number + 1, ring, begin, half, p) !=
+         isOdd(node.right, ring, begin + half, count - half, p);
 }
 
 }  // namespace apollonius::internal

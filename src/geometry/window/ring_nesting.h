@@ -15,6 +15,7 @@
 #include <span>
 
 #include "base/flat_array.h"
+#include "base/radix_sort.h"
 #include "geometry/window/rectangle.h"
 
 namespace apollonius::internal {
@@ -68,14 +69,15 @@ class RingNesting {
   struct Node {
     Rectangle box;
     double first, last;  // areas, the least and the most; or heights of a row's ends
-    std::uint32_t right;
+    std::uint32_t right;  // child; of a ring: its entry
   };
   struct Search;
 
-  std::uint32_t plant(std::size_t begin, std::size_t end);
-  void search(std::uint32_t node, std::size_t begin, std::size_t end, Search& search);
-  std::uint32_t plantRow(std::uint32_t ring, std::size_t begin, std::size_t end);
-  bool isOdd(std::uint32_t node, std::uint32_t ring, std::size_t begin, std::size_t end, Point p);
+  static std::uint32_t keyOf(double x);
+  std::uint32_t plant(std::span<Keyed> rings);
+  void search(std::uint32_t node, std::size_t count, Search& search);
+  std::uint32_t plantRow(std::uint32_t ring, std::size_t begin, std::size_t count);
+  bool isOdd(std::uint32_t node, std::uint32_t ring, std::size_t begin, std::size_t count, Point p);
 
   NestedRings& rings_;
   FlatArray<Entry> entries_;

@@ -27,14 +27,17 @@ SegmentGrid::SegmentGrid(std::span<const Point> points, std::span<const Segment>
   rows_ = static_cast<std::uint32_t>(std::max(rows, 1.0));
   starts_.assign(std::size_t{columns_} * rows_ + 1, 0);
   // Count, add up, fill from the ends.
-  for (const Segment& s : segments)
-    visitCells(points[s.from], points[s.to], [&](std::size_t cell) { ++starts_[cell]; });
+  FlatArray<std::uint32_t> cells;
+  for (const Segment& s : segments) {
+    listCells(points[s.from], points[s.to], cells);
+    for (const std::uint32_t cell : cells) ++starts_[cell];
+  }
   std::uint32_t sum = 0;
   for (std::uint32_t& start : starts_) sum = start += sum;
   entries_.resize(sum);
   for (auto k = static_cast<std::uint32_t>(segments.size()); k-- > 0;) {
-    visitCells(points[segments[k].from], points[segments[k].to],
-               [&](std::size_t cell) { entries_[--starts_[cell]] = k; });
+    listCells(points[segments[k].from], points[segments[k].to], cells);
+    for (const std::uint32_t cell : cells) entries_[--starts_[cell]] = k;
   }
 }
 
@@ -47,13 +50,12 @@ double SegmentGrid::looks() const {
   return sum;
 }
 
-FlatArray<double> SegmentGrid::looksOfEach(std::size_t count) const {
-  FlatArray<double> looks(count, 0);
-  for (std::size_t cell = 0; cell + 1 < starts_.size(); ++cell) {
-    const std::span<const std::uint32_t> segments = at(cell);
-    for (const std::uint32_t k : segments) looks[k] += static_cast<double>(segments.size());
-  }
-  return looks;
+void SegmentGrid::listCells(Point a, Point b, FlatArray<std::uint32_t>& cells) const {
+  cells.clear();
+  (void)isAnyCell({a, b}, [&](std::size_t cell) {
+    cells.push_back(static_cast<std::uint32_t>(cell));
+    return false;
+  });
 }
 
 }  // namespace apollonius::internal

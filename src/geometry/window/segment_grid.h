@@ -44,17 +44,9 @@ class SegmentGrid {
   }
   /// How many segments all see that look at those in their cells: again in each, and themselves.
   [[nodiscard]] double looks() const;
-  /// The same for each of the segments.
-  [[nodiscard]] FlatArray<double> looksOfEach(std::size_t count) const;
-  /// visit(cell) for the cells that a segment meets, and perhaps others beside them. Cost: these,
-  /// and the rows between.
-  template <class Visit>
-  void visitCells(Point a, Point b, Visit&& visit) const {
-    (void)isAnyCell({a, b}, [&](std::size_t cell) {
-      visit(cell);
-      return false;
-    });
-  }
+  /// The cells that a segment meets, and perhaps others beside them, replace the contents. Cost:
+  /// these, and the rows between.
+  void listCells(Point a, Point b, FlatArray<std::uint32_t>& cells) const;
   /// Does `ask(cell)` say yes for any of the cells that a convex shape meets, and perhaps others
   /// beside them? It ends with the first. The shape's corners in order: two are a segment.
   template <class Ask>

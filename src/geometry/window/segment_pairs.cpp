@@ -14,21 +14,19 @@ FlatArray<std::uint32_t> orderedFromLeft(std::span<const Point> points) {
   return order;
 }
 
-SegmentPairs::SegmentPairs(std::span<const Point> points, std::span<const Segment> segments,
+SegmentPairs::SegmentPairs(const FlatArray<Point>& points, std::span<const Segment> segments,
                            const Rectangle& box, double fewLooks)
     : points_(points), segments_(segments), grid_(points, segments, box) {
-  const double all = grid_.looks();
-  if (!(all > fewLooks * static_cast<double>(segments.size()))) return;
-  const FlatArray<double> costs = grid_.looksOfEach(segments.size());
-  sweep(costs);
+  if (!(grid_.looks() > fewLooks * static_cast<double>(segments.size()))) return;
+  sweep();
   // If they are half of all, it is quicker to look at each pair from one side only.
-  double looks = 0;
-  for (std::size_t k = 0; k < costs.size(); ++k) looks += isOut_[k] != 0 ? costs[k] : 0;
-  if (2 * looks > all) isOut_.clear();
+  std::size_t out = 0;
+  for (const char isOut : isOut_) out += isOut != 0 ? 1 : 0;
+  if (2 * out > isOut_.size()) isOut_.clear();
 }
 
 /// From left to right.
-void SegmentPairs::sweep(std::span<const double> costs) {
+void SegmentPairs::sweep() {
   const FlatArray<std::uint32_t> order = orderedFromLeft(points_);
   FlatArray<Point> points(order.size());
   FlatArray<std::uint32_t> rankOf(order.size());
@@ -41,14 +39,12 @@ void SegmentPairs::sweep(std::span<const double> costs) {
     byStart[k] = {std::min(rankOf[segments_[k].from], rankOf[segments_[k].to]), k};
   sortByKey(byStart);
   FlatArray<Segment> segments(byStart.size());
-  FlatArray<double> sortedCosts(byStart.size());
   for (std::size_t k = 0; k < byStart.size(); ++k) {
     const auto [from, to] = segments_[byStart[k].value];
     segments[k] = {byStart[k].key, std::max(rankOf[from], rankOf[to])};
-    sortedCosts[k] = costs[byStart[k].value];
   }
   SegmentSweep sweep(points, segments);
-  const FlatArray<char> isOut = sweep.takeOut(sortedCosts);
+  const FlatArray<char> isOut = sweep.takeOut();
   looks_ += sweep.looks();
   isOut_.resize(isOut.size());
   for (std::size_t k = 0; k < isOut.size(); ++k) isOut_[byStart[k].value] = isOut[k];

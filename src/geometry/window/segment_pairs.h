@@ -22,17 +22,18 @@ class SegmentPairs {
 
   /// REQUIRES: `box` holds all points and has an area; equal points have equal numbers. All live as
   /// long. Cost: O(n log n).
-  SegmentPairs(std::span<const Point> points, std::span<const Segment> segments,
+  SegmentPairs(const FlatArray<Point>& points, std::span<const Segment> segments,
                const Rectangle& box, double fewLooks = kFewLooks);
 
   /// visit(k, m), with m < k, once for each pair.
   template <class Visit>
   void visit(Visit&& visit) {
     const auto count = static_cast<std::uint32_t>(segments_.size());
-    FlatArray<std::uint32_t> countedFor(count, 0xFFFFFFFFu);
+    FlatArray<std::uint32_t> countedFor(count, 0xFFFFFFFFu), cells;
     for (std::uint32_t k = 0; k < count; ++k) {
       if (isSwept() && isOut_[k] == 0) continue;
-      grid_.visitCells(points_[segments_[k].from], points_[segments_[k].to], [&](std::size_t cell) {
+      grid_.listCells(points_[segments_[k].from], points_[segments_[k].to], cells);
+      for (const std::uint32_t cell : cells) {
         for (const std::uint32_t m : grid_.at(cell)) {
           ++looks_;
           if (m >= k) {
@@ -43,7 +44,7 @@ class SegmentPairs {
           countedFor[m] = k;
           visit(std::max(k, m), std::min(k, m));
         }
-      });
+      }
     }
   }
 
@@ -52,9 +53,9 @@ class SegmentPairs {
 
  private:
   [[nodiscard]] bool isSwept() const { return !isOut_.empty(); }
-  void sweep(std::span<const double> costs);
+  void sweep();
 
-  std::span<const Point> points_;
+  const FlatArray<Point>& points_;  // which a visit can make longer
   std::span<const Segment> segments_;
   SegmentGrid grid_;
   FlatArray<char> isOut_;  // by segment; empty: all pairs are visited

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/radix_sort.h"
+#include "number/fp.h"
 #include "predicate/orientation.h"
 
 namespace apollonius::internal {
@@ -23,31 +24,28 @@ bool doMeet(std::span<const Point> points, const Segment& s, const Segment& t) {
          !areOnOneSide(orient2d(c, d, a), orient2d(c, d, b));
 }
 
-FlatArray<char> SegmentSweep::takeOut(std::span<const double> costs) {
-  costs_ = costs;
-  run();
-  return std::move(isOut_);
-}
-
-FlatArray<std::uint32_t> SegmentSweep::listBelow() {
-  run();
-  return std::move(below_);
-}
-
-/// Of two segments that the sweep meets, and that do not meet each other before it.
-bool SegmentSweep::isBelow(const Segment& s, const Segment& t) {
+/// On which side of t is s? Of two segments that the sweep meets, and that do not meet each other
+/// before it; zero if they overlap.
+Sign SegmentSweep::sideOf(std::uint32_t s, std::uint32_t t) {
   ++looks_;
-  const bool isFirst = s.from <= t.from;
-  const Segment &first = isFirst ? s : t, &second = isFirst ? t : s;
-  const Point a = points_[first.from], b = points_[first.to];
-  Sign side = orient2d(a, b, points_[second.from]);
-  if (side == Sign::kZero) side = orient2d(a, b, points_[second.to]);
-  return side == (isFirst ? Sign::kPositive : Sign::kNegative);
+  const bool isFirst = segments_[s].from < segments_[t].from;
+  const auto [a, b] = segments_[isFirst ? s : t];
+  const auto [c, d] = segments_[isFirst ? t : s];
+  Sign side = orient2d(points_[a], points_[b], points_[c]);
+  if (side == Sign::kZero) side = orient2d(points_[a], points_[b], points_[d]);
+  return isFirst ? -side : side;
+}
+
+double SegmentSweep::lengthOf(std::uint32_t segment) const {
+  const Point way = points_[segments_[segment].to] - points_[segments_[segment].from];
+  return way.x + absolute(way.y);
 }
 
 void SegmentSweep::run() {
   const auto count = static_cast<std::uint32_t>(segments_.size());
-  places_.assign(count, status_.end());
+  root_ = count;
+  places_.assign(count + std::size_t{1}, {kNoneBelow, {count, count}, {count, count}});
+  placeOf_.assign(count, count);
   isOut_.resize(count);
   below_.assign(count, kNoneBelow);
   FlatArray<Keyed> ends;
@@ -67,52 +65,115 @@ void SegmentSweep::run() {
       const bool isOnly = next == first + 1 && ends[ended].key == point &&
                           (ended == 0 || ends[ended - 1].key != point) &&
                           (ended + 1 == count || ends[ended + 1].key != point);
-      if (isOnly) {
+      const std::uint32_t place = placeOf_[k];
+      if (isOnly && isOut_[first] == 0) {
         // Nothing else comes to the point, as its neighbours do not meet it.
-        places_[first] = places_[k];
-        places_[first]->segment = first;
+        placeOf_[first] = place;
+        places_[place].segment = first;
       } else {
-        const Place high = status_.erase(places_[k]);
-        part(before(high), high);
+        erase(place);
+        part(places_[place].next[0], places_[place].next[1]);
       }
     }
-    for (std::uint32_t k = first; k < next; ++k) place(k);
     for (std::uint32_t k = first; k < next; ++k) {
       if (isOut_[k] != 0) continue;
-      const Place low = before(places_[k]);
-      if (low != status_.end()) below_[k] = low->segment;
+      if (placeOf_[k] == count) insert(k);
+      if (isOut_[k] == 0) part(places_[placeOf_[k]].next[0], placeOf_[k]);
+      if (isOut_[k] == 0) part(placeOf_[k], places_[placeOf_[k]].next[1]);
     }
+    for (std::uint32_t k = first; k < next; ++k)
+      below_[k] = isOut_[k] != 0 ? kNoneBelow : places_[places_[placeOf_[k]].next[0]].segment;
   }
 }
 
-void SegmentSweep::place(std::uint32_t segment) {
-  if (isOut_[segment] != 0) return;
-  Place& at = places_[segment];
-  if (at == status_.end()) {
-    const auto [found, isNew] = status_.insert({segment});
-    if (!isNew) {
+/// Makes a place the root that a segment has or is next to, top down.
+void SegmentSweep::splay(std::uint32_t segment) {
+  const auto none = static_cast<std::uint32_t>(segments_.size());
+  // What is above and what is below hangs on the spare place, and grows at these.
+  std::array<std::uint32_t, 2> tails{none, none};
+  std::uint32_t at = root_;
+  Sign side = sideOf(segment, places_[at].segment);
+  while (side != Sign::kZero) {
+    const std::size_t way = side == Sign::kPositive ? 1 : 0;
+    std::uint32_t child = places_[at].children[way];
+    if (child == none) break;
+    Sign nextSide = sideOf(segment, places_[child].segment);
+    if (nextSide == side) {  // two steps the same way: turned, so that the tree becomes flatter
+      places_[at].children[way] = places_[child].children[1 - way];
+      places_[child].children[1 - way] = at;
+      at = child;
+      child = places_[at].children[way];
+      if (child == none) break;
+      nextSide = sideOf(segment, places_[child].segment);
+    }
+    places_[tails[way]].children[way] = at;
+    tails[way] = at;
+    at = child;
+    side = nextSide;
+  }
+  for (const std::size_t way : {0, 1}) {
+    places_[tails[way]].children[way] = places_[at].children[1 - way];
+    places_[at].children[1 - way] = places_[none].children[way];
+    places_[none].children[way] = none;
+  }
+  root_ = at;
+}
+
+void SegmentSweep::join(std::uint32_t low, std::uint32_t high) {
+  places_[low].next[1] = high;
+  places_[high].next[0] = low;
+}
+
+/// The second of two that overlap is out.
+void SegmentSweep::insert(std::uint32_t segment) {
+  const auto none = static_cast<std::uint32_t>(segments_.size());
+  Place& place = places_[segment];
+  place.segment = segment;
+  std::uint32_t below = none;
+  if (root_ != none) {
+    splay(segment);
+    const Sign side = sideOf(segment, places_[root_].segment);
+    if (side == Sign::kZero) {
       isOut_[segment] = 1;
       return;
     }
-    at = found;
+    const std::size_t way = side == Sign::kPositive ? 1 : 0;
+    place.children[way] = places_[root_].children[way];
+    place.children[1 - way] = root_;
+    places_[root_].children[way] = none;
+    below = way == 1 ? root_ : places_[root_].next[0];
   }
-  part(before(at), at);
-  if (isOut_[segment] == 0) part(at, std::next(at));
+  placeOf_[segment] = root_ = segment;
+  const std::uint32_t above = places_[below].next[1];
+  join(below, segment);
+  join(segment, above);
+}
+
+/// It still knows its neighbours.
+void SegmentSweep::erase(std::uint32_t place) {
+  const auto none = static_cast<std::uint32_t>(segments_.size());
+  splay(places_[place].segment);
+  const auto [below, above] = places_[place].next;
+  const auto [low, high] = places_[place].children;
+  root_ = high;
+  if (low != none) {
+    root_ = low;
+    splay(places_[below].segment);
+    places_[root_].children[1] = high;
+  }
+  join(below, above);
 }
 
 /// Of neighbours that meet, takes one out, until none do.
-void SegmentSweep::part(Place low, Place high) {
-  while (!costs_.empty() && low != status_.end() && high != status_.end()) {
+void SegmentSweep::part(std::uint32_t low, std::uint32_t high) {
+  while (isTesting_ && places_[low].segment != kNoneBelow && places_[high].segment != kNoneBelow) {
+    const std::uint32_t s = places_[low].segment, t = places_[high].segment;
     ++looks_;
-    if (!doMeet(points_, segments_[low->segment], segments_[high->segment])) return;
-    const bool isLow = costs_[low->segment] < costs_[high->segment];
-    isOut_[isLow ? low->segment : high->segment] = 1;
-    if (isLow) {
-      status_.erase(low);
-      low = before(high);
-    } else {
-      high = status_.erase(high);
-    }
+    if (!doMeet(points_, segments_[s], segments_[t])) return;
+    const bool isLow = lengthOf(s) < lengthOf(t);
+    isOut_[isLow ? s : t] = 1;
+    erase(isLow ? low : high);
+    (isLow ? low : high) = places_[isLow ? low : high].next[isLow ? 0 : 1];
   }
 }
 

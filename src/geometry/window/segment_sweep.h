@@ -5,7 +5,8 @@
 //
 // A line sweeps the plane from left to right (Shamos and Hoey, Geometric intersection problems,
 // 1976), upwards where points are above each other, as if it were turned a little. Segments that it
-// meets are kept in their order along it. Wherever two become neighbours, they are tested. If they
+// meets are kept in their order along it, in a splay tree (Sleator and Tarjan, Self-adjusting binary
+// search trees, 1985), of which much less code is needed than of std::set. Wherever two become neighbours, they are tested. If they
 // meet, one of them is taken out, and the new neighbours are tested. So no two neighbours ever
 // meet.
 //
@@ -21,12 +22,13 @@
 //     contradiction again.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <set>
 #include <span>
 
 #include "base/flat_array.h"
 #include "geometry/window/segment_grid.h"
+#include "number/sign.h"
 #include "predicate/point.h"
 
 namespace apollonius::internal {
@@ -42,45 +44,48 @@ class SegmentSweep {
   /// REQUIRES: points and the starts of segments ascend from left to right, and so does each
   /// segment; no points are equal. All live as long.
   SegmentSweep(std::span<const Point> points, std::span<const Segment> segments)
-      : points_(points), segments_(segments), status_(IsBelow{this}) {}
+      : points_(points), segments_(segments) {}
 
-  /// For each segment, whether it is taken out; of two, the one with less `costs`, and any that is
-  /// but a point. Cost: O(n log
-  /// n).
-  FlatArray<char> takeOut(std::span<const double> costs);
+  /// For each segment, whether it is taken out: of two, the shorter one; and any that is but a
+  /// point. Cost: O(n log n).
+  FlatArray<char> takeOut() {
+    isTesting_ = true;
+    run();
+    return std::move(isOut_);
+  }
   /// For each segment the one below its left end, or to the right of that; or kNoneBelow. REQUIRES:
   /// no two meet. Cost: O(n log n), but O(1) for segments that go on where just one ends.
-  FlatArray<std::uint32_t> listBelow();
+  FlatArray<std::uint32_t> listBelow() {
+    run();
+    return std::move(below_);
+  }
 
   /// How many pairs have been compared or tested.
   [[nodiscard]] std::size_t looks() const { return looks_; }
 
  private:
-  struct Placed {
-    mutable std::uint32_t segment;  // another can take the place of one that ends
+  /// A place in the order, in which another segment can follow one that ends.
+  struct Place {
+    std::uint32_t segment;
+    std::array<std::uint32_t, 2> next;      // below and above
+    std::array<std::uint32_t, 2> children;  // likewise
   };
-  struct IsBelow {
-    SegmentSweep* sweep;
-    bool operator()(const Placed& s, const Placed& t) const {
-      return sweep->isBelow(sweep->segments_[s.segment], sweep->segments_[t.segment]);
-    }
-  };
-  using Status = std::set<Placed, IsBelow>;
-  using Place = Status::iterator;
 
   void run();
-  [[nodiscard]] bool isBelow(const Segment& s, const Segment& t);
-  [[nodiscard]] Place before(Place place) {
-    return place == status_.begin() ? status_.end() : std::prev(place);
-  }
-  void place(std::uint32_t segment);
-  void part(Place low, Place high);
+  [[nodiscard]] Sign sideOf(std::uint32_t s, std::uint32_t t);
+  [[nodiscard]] double lengthOf(std::uint32_t segment) const;
+  void splay(std::uint32_t segment);
+  void join(std::uint32_t low, std::uint32_t high);
+  void insert(std::uint32_t segment);
+  void erase(std::uint32_t place);
+  void part(std::uint32_t low, std::uint32_t high);
 
   std::span<const Point> points_;
   std::span<const Segment> segments_;
-  std::span<const double> costs_;  // none where nothing meets
-  Status status_;
-  FlatArray<Place> places_;  // by segment
+  bool isTesting_ = false;
+  FlatArray<Place> places_;  // and one more, whose `next` are the ends of the order
+  std::uint32_t root_ = 0;   // of the tree: that one, if it is empty
+  FlatArray<std::uint32_t> placeOf_;  // by segment
   FlatArray<char> isOut_;
   FlatArray<std::uint32_t> below_;
   std::size_t looks_ = 0;
