@@ -36,8 +36,8 @@ class Polygons final : public NestedRings {
 
   std::size_t pieceCount(std::uint32_t ring) const override { return rings_[ring].size(); }
   Piece piece(std::uint32_t ring, std::size_t k) const override {
-    const Point a = rings_[ring][k], b = next(ring, k);
-    return {boxOf({a, b}), a.y, b.y};
+    const Point from = rings_[ring][k];
+    return {from, from, next(ring, k)};
   }
   bool isCrossed(std::uint32_t ring, std::size_t k, Point from) override {
     return isCrossedBetween(rings_[ring][k], next(ring, k), from);

@@ -177,14 +177,6 @@ void PolygonCellClipper::closeRing() {
   }
 }
 
-/// That of the control triangle.
-NestedRings::Piece PolygonCellClipper::piece(std::uint32_t ring, std::size_t k) const {
-  const Conic& c = found_.ring(ring)[k].curve;
-  Rectangle box{c.p0.x, c.p0.y, c.p0.x, c.p0.y};
-  for (const Point p : {c.p1, c.p2}) box.include(p);
-  return {box, c.p0.y, c.p2.y};
-}
-
 bool PolygonCellClipper::isCrossed(std::uint32_t ring, std::size_t k, Point p) {
   const Conic& c = found_.ring(ring)[k].curve;
   bool isCrossed = false;

@@ -45,7 +45,10 @@ class PolygonCellClipper final : public CellClipper, private NestedRings {
   [[nodiscard]] std::size_t pieceCount(std::uint32_t ring) const override {
     return found_.ring(ring).size();
   }
-  [[nodiscard]] Piece piece(std::uint32_t ring, std::size_t k) const override;
+  [[nodiscard]] Piece piece(std::uint32_t ring, std::size_t k) const override {
+    const Conic& curve = found_.ring(ring)[k].curve;
+    return {curve.p0, curve.p1, curve.p2};
+  }
   bool isCrossed(std::uint32_t ring, std::size_t k, Point p) override;
   bool isAround(std::uint32_t ring) override { return nesting_.isInside(ring, asked_); }
 

@@ -120,15 +120,8 @@ void Tracer::link() {
   }
 }
 
-NestedRings::Piece Tracer::piece(std::uint32_t loop, std::size_t k) const {
-  const auto [a, b] = sideOf(loop, k);
-  Rectangle box{a.x, a.y, a.x, a.y};
-  box.include(b);
-  return {box, a.y, b.y};
-}
-
 bool Tracer::isCrossed(std::uint32_t loop, std::size_t k, Point p) {
-  const auto [a, b] = sideOf(loop, k);
+  const auto [a, aside, b] = piece(loop, k);
   isCorner_ |= p == a || p == b;
   return (a.y > p.y) != (b.y > p.y) && (orient2d(a, b, p) == Sign::kPositive) == (b.y > a.y);
 }

@@ -46,17 +46,14 @@ class Tracer final : private NestedRings {
   [[nodiscard]] std::span<const Point> ringOf(const Loop& loop) const {
     return std::span(traced_).subspan(loop.first, loop.count);
   }
-  struct Side {
-    Point from, to;
-  };
-  [[nodiscard]] Side sideOf(std::uint32_t loop, std::size_t k) const {
-    const std::span<const Point> ring = ringOf(loops_[loop]);
-    return {ring[k > 0 ? k - 1 : ring.size() - 1], ring[k]};
-  }
   [[nodiscard]] std::size_t pieceCount(std::uint32_t loop) const override {
     return loops_[loop].count;
   }
-  [[nodiscard]] Piece piece(std::uint32_t loop, std::size_t k) const override;
+  [[nodiscard]] Piece piece(std::uint32_t loop, std::size_t k) const override {
+    const std::span<const Point> ring = ringOf(loops_[loop]);
+    const Point from = ring[k > 0 ? k - 1 : ring.size() - 1];
+    return {from, from, ring[k]};
+  }
   bool isCrossed(std::uint32_t loop, std::size_t k, Point p) override;
   bool isAround(std::uint32_t loop) override;
 

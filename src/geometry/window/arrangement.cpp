@@ -145,11 +145,27 @@ void Arrangement::cutBoth(std::uint32_t k, std::uint32_t m) {
 }
 
 void Arrangement::cut() {
-  std::partial_sort(cuts_.begin(), cuts_.end(), cuts_.end(), [&](const Cut& a, const Cut& b) {
-    if (a.segment != b.segment) return a.segment < b.segment;
-    const Point p = points_[a.point], q = points_[b.point];
-    return p.x != q.x ? p.x < q.x : rises(segments_[a.segment]) ? p.y < q.y : p.y > q.y;
-  });
+  // From left to right, by two stable sorts.
+  FlatArray<std::uint32_t> rankOf(points_.size());
+  std::uint32_t rank = 0;
+  for (const std::uint32_t point : orderedFromLeft(points_)) rankOf[point] = rank++;
+  FlatArray<Keyed> order(cuts_.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = {rankOf[cuts_[k].point], k};
+  sortByKey(order);
+  for (Keyed& entry : order) entry.key = cuts_[entry.value].segment;
+  sortByKey(order);
+  FlatArray<Cut> cuts;
+  for (const Keyed& entry : order) cuts.push_back(cuts_[entry.value]);
+  // Where a segment falls, points above each other come from above.
+  const auto isAfter = [&](const Cut& a, const Cut& b) {
+    return a.segment != b.segment || points_[a.point].x != points_[b.point].x;
+  };
+  for (std::size_t begin = 0, end = 0; begin < cuts.size(); begin = end) {
+    while (end < cuts.size() && !isAfter(cuts[begin], cuts[end])) ++end;
+    if (!rises(segments_[cuts[begin].segment]))
+      std::reverse(cuts.begin() + begin, cuts.begin() + end);
+  }
+  cuts_.swap(cuts);
   for (const Cut& cut : cuts_) {
     Segment& rest = segments_[cut.segment];
     segments_.push_back({rest.from, cut.point});

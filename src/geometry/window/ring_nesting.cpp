@@ -116,8 +116,11 @@ std::uint32_t RingNesting::plantRow(std::uint32_t ring, std::size_t begin, std::
   ++looks_;
   const auto number = static_cast<std::uint32_t>(nodes_.size());
   if (count == 1) {
-    const NestedRings::Piece piece = rings_.piece(ring, begin);
-    nodes_.push_back({piece.box, piece.from, piece.to, 0});
+    const auto [from, aside, to] = rings_.piece(ring, begin);
+    Rectangle box{from.x, from.y, from.x, from.y};
+    box.include(aside);
+    box.include(to);
+    nodes_.push_back({box, from.y, to.y, 0});
     return number;
   }
   nodes_.push_back({});

@@ -23,9 +23,9 @@ namespace apollonius::internal {
 /// What a search asks of the rings.
 class NestedRings {
  public:
+  /// From one point to another, within the triangle with a third one.
   struct Piece {
-    Rectangle box;    // that holds it, with all that it can have on its left beyond its chord
-    double from, to;  // heights where it begins and ends
+    Point from, aside, to;
   };
 
   virtual ~NestedRings() = default;

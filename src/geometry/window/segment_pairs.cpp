@@ -1,6 +1,5 @@
 #include "geometry/window/segment_pairs.h"
 
-#include "base/radix_sort.h"
 #include "geometry/window/segment_sweep.h"
 
 namespace apollonius::internal {
@@ -34,20 +33,14 @@ void SegmentPairs::sweep() {
     points[k] = points_[order[k]];
     rankOf[order[k]] = k;
   }
-  FlatArray<Keyed> byStart(segments_.size());
-  for (std::uint32_t k = 0; k < byStart.size(); ++k)
-    byStart[k] = {std::min(rankOf[segments_[k].from], rankOf[segments_[k].to]), k};
-  sortByKey(byStart);
-  FlatArray<Segment> segments(byStart.size());
-  for (std::size_t k = 0; k < byStart.size(); ++k) {
-    const auto [from, to] = segments_[byStart[k].value];
-    segments[k] = {byStart[k].key, std::max(rankOf[from], rankOf[to])};
+  FlatArray<Segment> segments;
+  for (const auto [from, to] : segments_) {
+    const std::uint32_t a = rankOf[from], b = rankOf[to];
+    segments.push_back({std::min(a, b), std::max(a, b)});
   }
   SegmentSweep sweep(points, segments);
-  const FlatArray<char> isOut = sweep.takeOut();
+  isOut_ = sweep.takeOut();
   looks_ += sweep.looks();
-  isOut_.resize(isOut.size());
-  for (std::size_t k = 0; k < isOut.size(); ++k) isOut_[byStart[k].value] = isOut[k];
 }
 
 }  // namespace apollonius::internal

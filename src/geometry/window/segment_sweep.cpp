@@ -8,6 +8,16 @@
 
 namespace apollonius::internal {
 
+namespace {
+
+/// Are both ends of a segment on one side of another's line, and not on it?
+bool isBeside(std::span<const Point> points, const Segment& s, const Segment& t) {
+  const Point a = points[t.from], b = points[t.to];
+  return orient2d(a, b, points[s.from]) * orient2d(a, b, points[s.to]) == Sign::kPositive;
+}
+
+}  // namespace
+
 bool doMeet(std::span<const Point> points, const Segment& s, const Segment& t) {
   const Point a = points[s.from], b = points[s.to], c = points[t.from], d = points[t.to];
   if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
@@ -19,19 +29,18 @@ bool doMeet(std::span<const Point> points, const Segment& s, const Segment& t) {
     const Point common = isFrom ? a : b, p = isFrom ? b : a, q = common == c ? d : c;
     return dot(p - common, q - common) > 0 && orient2d(common, p, q) == Sign::kZero;
   }
-  const auto areOnOneSide = [](Sign p, Sign q) { return p * q == Sign::kPositive; };
-  return !areOnOneSide(orient2d(a, b, c), orient2d(a, b, d)) &&
-         !areOnOneSide(orient2d(c, d, a), orient2d(c, d, b));
+  return !isBeside(points, s, t) && !isBeside(points, t, s);
 }
 
 /// On which side of t is s? Of two segments that the sweep meets, and that do not meet each other
 /// before it; zero if they overlap.
 Sign SegmentSweep::sideOf(std::uint32_t s, std::uint32_t t) {
   ++looks_;
+  if (s == t) return Sign::kZero;
   const bool isFirst = segments_[s].from < segments_[t].from;
   const auto [a, b] = segments_[isFirst ? s : t];
   const auto [c, d] = segments_[isFirst ? t : s];
-  Sign side = orient2d(points_[a], points_[b], points_[c]);
+  Sign side = a == c ? Sign::kZero : orient2d(points_[a], points_[b], points_[c]);
   if (side == Sign::kZero) side = orient2d(points_[a], points_[b], points_[d]);
   return isFirst ? -side : side;
 }
@@ -48,41 +57,46 @@ void SegmentSweep::run() {
   placeOf_.assign(count, count);
   isOut_.resize(count);
   below_.assign(count, kNoneBelow);
-  FlatArray<Keyed> ends;
+  FlatArray<Keyed> starts, ends;
   for (std::uint32_t k = 0; k < count; ++k) {
-    isOut_[k] = static_cast<char>(segments_[k].from == segments_[k].to);
-    ends.push_back({segments_[k].to, k});
+    const auto [from, to] = segments_[k];
+    isOut_[k] = static_cast<char>(from == to);
+    starts.push_back({from, k});
+    ends.push_back({to, k});
   }
+  sortByKey(starts);
   sortByKey(ends);
   std::uint32_t ended = 0, next = 0;
   while (ended < count) {
     const std::uint32_t first = next;
-    const std::uint32_t point = first < count ? segments_[first].from : ends[ended].key;
-    while (next < count && segments_[next].from == point) ++next;
+    const std::uint32_t point = first < count ? starts[first].key : ends[ended].key;
+    while (next < count && starts[next].key == point) ++next;
+    const auto begun = std::span(starts).subspan(first, next - first);
     for (; ended < count && ends[ended].key <= point; ++ended) {
-      const std::uint32_t k = ends[ended].value;
+      const std::uint32_t k = ends[ended].value, place = placeOf_[k];
       if (isOut_[k] != 0) continue;
-      const bool isOnly = next == first + 1 && ends[ended].key == point &&
+      const bool isOnly = begun.size() == 1 && ends[ended].key == point &&
                           (ended == 0 || ends[ended - 1].key != point) &&
                           (ended + 1 == count || ends[ended + 1].key != point);
-      const std::uint32_t place = placeOf_[k];
-      if (isOnly && isOut_[first] == 0) {
+      if (isOnly && isOut_[begun[0].value] == 0) {
         // Nothing else comes to the point, as its neighbours do not meet it.
-        placeOf_[first] = place;
-        places_[place].segment = first;
+        placeOf_[begun[0].value] = place;
+        places_[place].segment = begun[0].value;
       } else {
         erase(place);
         part(places_[place].next[0], places_[place].next[1]);
       }
     }
-    for (std::uint32_t k = first; k < next; ++k) {
-      if (isOut_[k] != 0) continue;
-      if (placeOf_[k] == count) insert(k);
+    for (const Keyed& start : begun) {
+      const std::uint32_t k = start.value;
+      if (isOut_[k] == 0 && placeOf_[k] == count) insert(k);
       if (isOut_[k] == 0) part(places_[placeOf_[k]].next[0], placeOf_[k]);
       if (isOut_[k] == 0) part(placeOf_[k], places_[placeOf_[k]].next[1]);
     }
-    for (std::uint32_t k = first; k < next; ++k)
-      below_[k] = isOut_[k] != 0 ? kNoneBelow : places_[places_[placeOf_[k]].next[0]].segment;
+    for (const Keyed& start : begun) {
+      const std::uint32_t k = start.value;
+      if (isOut_[k] == 0) below_[k] = places_[places_[placeOf_[k]].next[0]].segment;
+    }
   }
 }
 

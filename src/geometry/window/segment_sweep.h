@@ -41,8 +41,8 @@ inline constexpr std::uint32_t kNoneBelow = 0xFFFFFFFFu;
 
 class SegmentSweep {
  public:
-  /// REQUIRES: points and the starts of segments ascend from left to right, and so does each
-  /// segment; no points are equal. All live as long.
+  /// REQUIRES: points ascend from left to right, and so does each segment; no points are equal. All
+  /// live as long.
   SegmentSweep(std::span<const Point> points, std::span<const Segment> segments)
       : points_(points), segments_(segments) {}
 
