@@ -15,6 +15,7 @@ namespace apollonius::internal {
 
 class Arrangement {
  public:
+  /// `fewLooks` as of SegmentPairs.
   explicit Arrangement(const Rectangle& box, double fewLooks = SegmentPairs::kFewLooks)
       : box_(box), fewLooks_(fewLooks) {}
 

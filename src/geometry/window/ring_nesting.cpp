@@ -8,7 +8,7 @@ namespace apollonius::internal {
 
 namespace {
 
-/// So many need not be sorted.
+/// This many need not be sorted.
 constexpr std::size_t kFew = 8;
 /// Boxes are parted by their places if they are this much smaller than all of them together, on the
 /// average.

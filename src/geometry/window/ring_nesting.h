@@ -68,7 +68,7 @@ class RingNesting {
   /// Of a tree whose nodes are in the order in which a walk enters them: the left child follows.
   struct Node {
     Rectangle box;
-    double first, last;  // areas, the least and the most; or heights of a row's ends
+    double first, last;   // areas, the least and the most; or heights of a row's ends
     std::uint32_t right;  // child; of a ring: its entry
   };
   struct Search;

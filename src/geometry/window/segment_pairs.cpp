@@ -7,9 +7,9 @@ namespace apollonius::internal {
 FlatArray<std::uint32_t> orderedFromLeft(std::span<const Point> points) {
   FlatArray<std::uint32_t> order(points.size());
   for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::partial_sort(
-      order.begin(), order.end(), order.end(),
-      [&](std::uint32_t a, std::uint32_t b) { return isLeftOf(points[a], points[b]); });
+  std::partial_sort(order.begin(), order.end(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return isLeftOf(points[a], points[b]);
+  });
   return order;
 }
 

@@ -21,7 +21,7 @@ class SegmentPairs {
   static constexpr double kFewLooks = 64;
 
   /// REQUIRES: `box` holds all points and has an area; equal points have equal numbers. All live as
-  /// long. Cost: O(n log n).
+  /// long. Cost: O(n log n + cells of the grid that segments meet).
   SegmentPairs(const FlatArray<Point>& points, std::span<const Segment> segments,
                const Rectangle& box, double fewLooks = kFewLooks);
 

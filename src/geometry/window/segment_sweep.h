@@ -5,10 +5,10 @@
 //
 // A line sweeps the plane from left to right (Shamos and Hoey, Geometric intersection problems,
 // 1976), upwards where points are above each other, as if it were turned a little. Segments that it
-// meets are kept in their order along it, in a splay tree (Sleator and Tarjan, Self-adjusting binary
-// search trees, 1985), of which much less code is needed than of std::set. Wherever two become neighbours, they are tested. If they
-// meet, one of them is taken out, and the new neighbours are tested. So no two neighbours ever
-// meet.
+// meets are kept in their order along it, in a splay tree (Sleator and Tarjan, Self-adjusting
+// binary search trees, 1985), which is half the code of std::set. Wherever two become neighbours,
+// they are tested. If they meet, one of them is taken out, and the new neighbours are tested. So no
+// two neighbours ever meet.
 //
 // Then no two segments that stay meet at all. Suppose that some that are kept at the same time do,
 // and let p be the first point where that happens. Before p they do not meet, so their order is
@@ -17,14 +17,15 @@
 //     they meet in p, and one of them has been taken out. A contradiction.
 //   - So either all that come to p end there, or just one does, which goes on, and another begins
 //     at p; or two begin at p and overlap. What ends at p has left before any that begins there is
-//     placed. Where one goes through p, the first that begins at p becomes its neighbour, and one
-//     of the two is taken out. Two that overlap have no order, and the second is taken out. A
-//     contradiction again.
+//     placed. Where one goes through p and stays, so does none that begins there: each becomes its
+//     neighbour in turn, as those before have been taken out, and they meet. Two that overlap have
+//     no order, and the second is taken out. A contradiction again.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "base/flat_array.h"
 #include "geometry/window/segment_grid.h"
@@ -83,8 +84,8 @@ class SegmentSweep {
   std::span<const Point> points_;
   std::span<const Segment> segments_;
   bool isTesting_ = false;
-  FlatArray<Place> places_;  // and one more, whose `next` are the ends of the order
-  std::uint32_t root_ = 0;   // of the tree: that one, if it is empty
+  FlatArray<Place> places_;           // and one more, whose `next` are the ends of the order
+  std::uint32_t root_ = 0;            // of the tree: that one, if it is empty
   FlatArray<std::uint32_t> placeOf_;  // by segment
   FlatArray<char> isOut_;
   FlatArray<std::uint32_t> below_;
