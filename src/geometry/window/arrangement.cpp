@@ -18,8 +18,6 @@ constexpr int kFreeRounds = 2;
 /// these not end, the region is refused.
 constexpr int kMostRounds = 24;
 
-bool areApart(Sign a, Sign b) { return a * b == Sign::kNegative; }
-
 }  // namespace
 
 bool Arrangement::split() {
@@ -133,10 +131,7 @@ void Arrangement::cutBoth(std::uint32_t k, std::uint32_t m) {
   touches |= cutAt(k, t.to);
   touches |= cutAt(m, s.from);
   touches |= cutAt(m, s.to);
-  if (touches) return;
-  if (!areApart(orient2d(a, b, c), orient2d(a, b, d)) ||
-      !areApart(orient2d(c, d, a), orient2d(c, d, b)))
-    return;
+  if (touches || !doMeet(points_, s, t)) return;
   const auto number = static_cast<std::uint32_t>(points_.size());
   const Point x = crossingOf(s, t);
   points_.push_back(x);

@@ -1,5 +1,7 @@
 #include "geometry/window/segment_pairs.h"
 
+#include <algorithm>
+
 #include "geometry/window/segment_sweep.h"
 
 namespace apollonius::internal {
@@ -41,6 +43,27 @@ void SegmentPairs::sweep() {
   SegmentSweep sweep(points, segments);
   isOut_ = sweep.takeOut();
   looks_ += sweep.looks();
+}
+
+void SegmentPairs::visitAll(void (*call)(void* to, std::uint32_t k, std::uint32_t m), void* to) {
+  const auto count = static_cast<std::uint32_t>(segments_.size());
+  FlatArray<std::uint32_t> countedFor(count, 0xFFFFFFFFu), cells;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    if (isSwept() && isOut_[k] == 0) continue;
+    grid_.listCells(points_[segments_[k].from], points_[segments_[k].to], cells);
+    for (const std::uint32_t cell : cells) {
+      for (const std::uint32_t m : grid_.at(cell)) {
+        ++looks_;
+        if (m >= k) {
+          if (!isSwept()) break;
+          if (isOut_[m] != 0) continue;  // the other one visits the pair
+        }
+        if (countedFor[m] == k) continue;
+        countedFor[m] = k;
+        call(to, std::max(k, m), std::min(k, m));
+      }
+    }
+  }
 }
 
 }  // namespace apollonius::internal

@@ -3,7 +3,6 @@
 // pairs with one that is out are visited.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -27,25 +26,9 @@ class SegmentPairs {
 
   /// visit(k, m), with m < k, once for each pair.
   template <class Visit>
-  void visit(Visit&& visit) {
-    const auto count = static_cast<std::uint32_t>(segments_.size());
-    FlatArray<std::uint32_t> countedFor(count, 0xFFFFFFFFu), cells;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      if (isSwept() && isOut_[k] == 0) continue;
-      grid_.listCells(points_[segments_[k].from], points_[segments_[k].to], cells);
-      for (const std::uint32_t cell : cells) {
-        for (const std::uint32_t m : grid_.at(cell)) {
-          ++looks_;
-          if (m >= k) {
-            if (!isSwept()) break;
-            if (isOut_[m] != 0) continue;  // the other one visits the pair
-          }
-          if (countedFor[m] == k) continue;
-          countedFor[m] = k;
-          visit(std::max(k, m), std::min(k, m));
-        }
-      }
-    }
+  void visit(Visit visit) {
+    visitAll([](void* to, std::uint32_t k, std::uint32_t m) { (*static_cast<Visit*>(to))(k, m); },
+             &visit);
   }
 
   /// How many pairs have been looked at.
@@ -53,6 +36,8 @@ class SegmentPairs {
 
  private:
   [[nodiscard]] bool isSwept() const { return !isOut_.empty(); }
+  /// One for all kinds of visits, which are `call(to, k, m)`.
+  void visitAll(void (*call)(void* to, std::uint32_t k, std::uint32_t m), void* to);
   void sweep();
 
   const FlatArray<Point>& points_;  // which a visit can make longer
