@@ -137,6 +137,22 @@ TEST(Arrangement, SweptAsInAGridWhereCrossingsAreRounded) {
   }
 }
 
+/// A side is split at the corner on it, not at the place beside it where rounding has the crossing
+/// of the two: 1/49 times 49 is not 1.
+TEST(Arrangement, ACornerOnASideSplitsItThere) {
+  for (int parts = 2; parts < 200; ++parts) {
+    for (const double sign : {1.0, -1.0}) {
+      const Ring side{0, 0, sign * parts, 2.0 * parts, sign * 300, 0};
+      const Ring corner{-5 * sign, 3, sign, 2, -5 * sign, 9};
+      const Normalized result = normalized({side, corner}, SegmentPairs::kFewLooks);
+      ASSERT_TRUE(result.isSplit);
+      ASSERT_EQ(result.polygon.points.size(), 7u) << parts << " " << sign;
+      for (const Point p : result.polygon.points)
+        EXPECT_TRUE(p.x == std::round(p.x) && p.y == std::round(p.y)) << parts << " " << sign;
+    }
+  }
+}
+
 /// Twice as many segments ask for little more than twice the looks. A grid shows each pair again in
 /// every cell that both share: four times as many, and a thousand times more of them.
 TEST(Arrangement, WorkIsNotPairsOfSegments) {
