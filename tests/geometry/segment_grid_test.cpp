@@ -22,9 +22,9 @@ bool doCross(Point a, Point b, Point c, Point d) {
 }
 
 std::set<std::size_t> cellsOf(const SegmentGrid& grid, Point a, Point b) {
-  std::set<std::size_t> cells;
-  grid.visitCells(a, b, [&](std::size_t cell) { cells.insert(cell); });
-  return cells;
+  FlatArray<std::uint32_t> cells;
+  grid.listCells(a, b, cells);
+  return {cells.begin(), cells.end()};
 }
 
 TEST(SegmentGrid, SegmentsThatCrossShareACell) {
@@ -75,8 +75,11 @@ TEST(SegmentGrid, CombsAreInAsManyCellsAsTheyHaveTeeth) {
     const Rectangle box = isUpright ? Rectangle{0, 0, length, 1000} : Rectangle{0, 0, 1000, length};
     const SegmentGrid grid(points, segments, box);
     std::size_t visits = 0;
-    for (const Segment& s : segments)
-      grid.visitCells(points[s.from], points[s.to], [&](std::size_t) { ++visits; });
+    FlatArray<std::uint32_t> cells;
+    for (const Segment& s : segments) {
+      grid.listCells(points[s.from], points[s.to], cells);
+      visits += cells.size();
+    }
     EXPECT_LT(visits, 8 * segments.size());
   }
 }

@@ -137,10 +137,10 @@ void measureCells(const ClippedDiagram& clippedDiagram, Measure what,
   // Where a ring runs along an edge, or nearly along itself, rounding can leave slivers, which have
   // length but no area. Complete parts contain none.
   PolygonCellClipper finder(clippedDiagram, Parts::kWithArea);
-  Slot last = kNoSlot;
+  FlatArray<char> isDone(core.ids().slots(), 0);
   const auto measureParts = [&](Slot slot) {
-    if (slot == last) return;
-    last = slot;
+    if (isDone[slot] != 0) return;
+    isDone[slot] = 1;
     double sum = 0;
     for (const BoundaryPiece& piece : finder.find(slot).pieces) sum += lengthOf(piece.curve);
     measures[core.ids().idOf(slot)] = sum;

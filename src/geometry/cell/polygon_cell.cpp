@@ -12,26 +12,6 @@ namespace {
 /// numbers there. Thinner parts are discarded.
 constexpr double kThinnest = powerOfTwo(-46);
 
-/// Is a point on the left of an odd number of pieces of a closed boundary?
-bool isInside(std::span<const BoundaryPiece> boundary, Point p) {
-  bool isInside = false;
-  for (const BoundaryPiece& piece : boundary) {
-    const Conic& c = piece.curve;
-    if ((c.p0.y > p.y) != (c.p2.y > p.y)) {
-      const double turn = cross(c.p2 - c.p0, p - c.p0);
-      if ((turn > 0) == (c.p2.y > c.p0.y)) isInside = !isInside;
-    }
-    if (c.isStraight()) continue;
-    // Between chord and curve? There the barycentric coordinates in the control triangle are
-    // positive, and b² < 4 w² a c.
-    const double whole = cross(c.p1 - c.p0, c.p2 - c.p0);
-    const double a = cross(c.p1 - p, c.p2 - p) / whole, b = cross(c.p2 - p, c.p0 - p) / whole,
-                 g = cross(c.p0 - p, c.p1 - p) / whole;
-    if (a > 0 && b > 0 && g > 0 && b * b < 4 * c.w * c.w * a * g) isInside = !isInside;
-  }
-  return isInside;
-}
-
 }  // namespace
 
 PolygonCellClipper::PolygonCellClipper(const ClippedDiagram& clippedDiagram, Parts parts)
@@ -46,7 +26,7 @@ const Cell& PolygonCellClipper::find(Slot site) {
   }
   cell_.outers.assign(1, 0);
   areas_.clear();
-  boxes_.clear();
+  nesting_.clear();
   const DiagramCore& core = clippedDiagram_.core();
   if (core.ids().state(site) != SiteState::kVisible) return cell_;
   const Graph& graph = core.delaunay().graph();
@@ -190,11 +170,27 @@ void PolygonCellClipper::closeRing() {
   const double thinnest = std::max(area.rounding, kThinnest * size * reach);
   if (absolute(area.value) > thinnest || parts() == Parts::kThinToo) {
     found_.starts.push_back(static_cast<std::uint32_t>(found_.pieces.size()));
+    if (area.value > 0) nesting_.add(static_cast<std::uint32_t>(areas_.size()), area.value, box);
     areas_.push_back(area.value);
-    boxes_.push_back(box);
   } else {
     found_.pieces.resize(start);
   }
+}
+
+bool PolygonCellClipper::isCrossed(std::uint32_t ring, std::size_t k, Point p) {
+  const Conic& c = found_.ring(ring)[k].curve;
+  bool isCrossed = false;
+  if ((c.p0.y > p.y) != (c.p2.y > p.y)) {
+    const double turn = cross(c.p2 - c.p0, p - c.p0);
+    isCrossed = (turn > 0) == (c.p2.y > c.p0.y);
+  }
+  if (c.isStraight()) return isCrossed;
+  // Between chord and curve? There the barycentric coordinates in the control triangle are
+  // positive, and b² < 4 w² a c.
+  const double whole = cross(c.p1 - c.p0, c.p2 - c.p0);
+  const double a = cross(c.p1 - p, c.p2 - p) / whole, b = cross(c.p2 - p, c.p0 - p) / whole,
+               g = cross(c.p0 - p, c.p1 - p) / whole;
+  return isCrossed != (a > 0 && b > 0 && g > 0 && b * b < 4 * c.w * c.w * a * g);
 }
 
 void PolygonCellClipper::sortHoles() {
@@ -211,17 +207,10 @@ void PolygonCellClipper::sortHoles() {
   FlatArray<Keyed> holes;  // by the smallest ring around each
   for (std::uint32_t hole = 0; hole < count; ++hole) {
     if (areas_[hole] > 0) continue;
-    std::uint32_t around = 0;
     const Conic& first = found_.ring(hole).front().curve;
-    double smallest = 0;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      if (!(areas_[k] > -areas_[hole]) || (smallest > 0 && areas_[k] >= smallest)) continue;
-      const Point p = middle(first.p0, first.p2);
-      if (!boxes_[k].holds(p) || !isInside(found_.ring(k), p)) continue;
-      around = k;
-      smallest = areas_[k];
-    }
-    holes.push_back({around, hole});
+    asked_ = middle(first.p0, first.p2);
+    const std::uint32_t around = nesting_.find(asked_, -areas_[hole]);
+    holes.push_back({around == RingNesting::kNoRing ? 0 : around, hole});
   }
   sortByKey(holes);
   std::size_t next = 0;

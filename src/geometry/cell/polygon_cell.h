@@ -4,15 +4,20 @@
 
 #include "geometry/cell/cell_clipper.h"
 #include "geometry/window/polygon_clip.h"
+#include "geometry/window/ring_nesting.h"
 
 namespace apollonius::internal {
 
-class PolygonCellClipper final : public CellClipper {
+class PolygonCellClipper final : public CellClipper, private NestedRings {
  public:
   PolygonCellClipper(const ClippedDiagram& clippedDiagram, Parts parts);
 
-  /// Cost: O(d + crossings of the cell + points of the region within it), and holes times parts.
+  /// Cost: O(d + crossings of the cell + points of the region within it), and for its
+  /// holes what ring_nesting.h says: about O(log n) each for n pieces and parts.
   const Cell& find(Slot site) override;
+
+  /// How much has been looked at to find the rings around holes.
+  [[nodiscard]] std::size_t looks() const { return nesting_.looks(); }
 
  private:
   /// A crossing on the cell's boundary, in counter-clockwise order from its first half-edge.
@@ -37,12 +42,22 @@ class PolygonCellClipper final : public CellClipper {
   void closeRing();
   /// Puts each hole behind the outer ring around it.
   void sortHoles();
+  [[nodiscard]] std::size_t pieceCount(std::uint32_t ring) const override {
+    return found_.ring(ring).size();
+  }
+  [[nodiscard]] Piece piece(std::uint32_t ring, std::size_t k) const override {
+    const Conic& curve = found_.ring(ring)[k].curve;
+    return {curve.p0, curve.p1, curve.p2};
+  }
+  bool isCrossed(std::uint32_t ring, std::size_t k, Point p) override;
+  bool isAround(std::uint32_t ring) override { return nesting_.isInside(ring, asked_); }
 
   const ClippedDiagram& clippedDiagram_;
   Cell cell_;
   Cell found_;  // the rings in the order in which they are found
   FlatArray<double> areas_;
-  FlatArray<Rectangle> boxes_;  // of the rings
+  RingNesting nesting_{*this};  // of those that are no holes
+  Point asked_;                 // of the hole whose ring is searched
   FlatArray<Side> sides_;
   FlatArray<Event> exits_, entries_;
   FlatArray<std::uint32_t> rankOf_;  // by crossing: of exits_

@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "base/radix_sort.h"
-#include "geometry/window/segment_grid.h"
+#include "geometry/window/segment_pairs.h"
+#include "geometry/window/segment_sweep.h"
 #include "number/fp.h"
 #include "predicate/orientation.h"
 
@@ -46,7 +47,6 @@ class Mesh {
   void listSegments();
   void mendMeetings(bool mayDetour);
   void uniteTurned();
-  [[nodiscard]] bool doMeet(const Segment& s, const Segment& t) const;
   void mend(const Segment& s, const Segment& t, bool mayDetour);
   [[nodiscard]] std::uint32_t representative(std::uint32_t point);
   void unite(std::uint32_t a, std::uint32_t b);
@@ -123,36 +123,9 @@ void Mesh::mendMeetings(bool mayDetour) {
   for (std::uint32_t k = 0; k < united_.size(); ++k) united_[k] = k;
   isUnited_ = false;
   detours_.clear();
-  const SegmentGrid grid(points, segments_, box_);
-  FlatArray<std::uint32_t> countedFor(segments_.size(), 0xFFFFFFFFu);
-  for (std::uint32_t k = 0; k < segments_.size(); ++k) {
-    const Segment& s = segments_[k];
-    grid.visitCells(at(s.from), at(s.to), [&](std::size_t cell) {
-      for (const std::uint32_t m : grid.at(cell)) {
-        if (m >= k) break;
-        if (countedFor[m] == k) continue;
-        countedFor[m] = k;
-        if (doMeet(s, segments_[m])) mend(s, segments_[m], mayDetour);
-      }
-    });
-  }
-}
-
-/// Do two segments meet in more than a common end?
-bool Mesh::doMeet(const Segment& s, const Segment& t) const {
-  const Point a = at(s.from), b = at(s.to), c = at(t.from), d = at(t.to);
-  if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
-      std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y))
-    return false;
-  const bool isFrom = s.from == t.from || s.from == t.to, isTo = s.to == t.from || s.to == t.to;
-  if (isFrom && isTo) return false;  // the other direction
-  if (isFrom || isTo) {
-    const Point common = isFrom ? a : b, p = isFrom ? b : a, q = common == c ? d : c;
-    return dot(p - common, q - common) > 0 && orient2d(common, p, q) == Sign::kZero;
-  }
-  const auto areOnOneSide = [](Sign p, Sign q) { return p * q == Sign::kPositive; };
-  return !areOnOneSide(orient2d(a, b, c), orient2d(a, b, d)) &&
-         !areOnOneSide(orient2d(c, d, a), orient2d(c, d, b));
+  SegmentPairs(points, segments_, box_).visit([&](std::uint32_t k, std::uint32_t m) {
+    if (doMeet(points, segments_[k], segments_[m])) mend(segments_[k], segments_[m], mayDetour);
+  });
 }
 
 /// Of two segments that meet: unites the two ends that are closest, if they are apart by rounding;

@@ -4,10 +4,10 @@
 //
 // The first is so because edges are approximated once (chords.h), the second but for rounding: a
 // point that is off by its last place can be beyond a segment that it should be next to. So it is
-// proved, by exact signs for all pairs of segments in a cell of a grid. Where two meet, the ends of
-// them that are as close as rounding become one point, in all cells; or the segment that passes a
-// point goes through it. This is repeated until nothing meets. It ends: after some rounds, points
-// are only united, and there are fewer of them each time.
+// proved, by exact signs for all pairs of segments that may meet (segment_pairs.h). Where two meet,
+// the ends of them that are as close as rounding become one point, in all cells; or the segment
+// that passes a point goes through it. This is repeated until nothing meets. It ends: after some
+// rounds, points are only united, and there are fewer of them each time.
 #pragma once
 
 #include "geometry/polygons/cell_polygon.h"
@@ -22,8 +22,8 @@ struct Coverage {
 };
 
 /// Replaces the contents. `finder` finds thin parts, too (Parts::kThinToo), and `box` holds the
-/// window. Cost: that of the polygons one by one, and of a grid of their segments; as often again
-/// as rounding has to be undone, which is seldom.
+/// window. Cost: that of the polygons one by one, and of the pairs of their segments; as often
+/// again as rounding has to be undone, which is seldom.
 void coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box,
                  Coverage& coverage);
 

@@ -35,9 +35,11 @@ std::uint32_t PointNumbers::add(Point p) {
   return table_[entry];
 }
 
+/// A table that was for many more begins anew: it would be cleared for every cell after a large
+/// one.
 void PointNumbers::clear() {
+  table_.assign(table_.size() > 16 * points_.size() ? 0 : table_.size(), kNone);
   points_.clear();
-  table_.assign(table_.size(), kNone);
 }
 
 void PointNumbers::grow() {

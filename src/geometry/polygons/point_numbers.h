@@ -13,6 +13,7 @@ class PointNumbers {
   /// The number of a point; of a new one, how many there have been. Expected O(1).
   std::uint32_t add(Point p);
   [[nodiscard]] const FlatArray<Point>& points() const { return points_; }
+  /// Cost: O(1) for each of the points.
   void clear();
 
  private:

@@ -19,18 +19,6 @@ double areaOf(std::span<const Point> ring) {
   return area;
 }
 
-/// Is a point inside a ring that it is not on?
-bool holds(std::span<const Point> ring, Point p) {
-  bool isInside = false;
-  Point a = ring.back();
-  for (const Point b : ring) {
-    if ((a.y > p.y) != (b.y > p.y) && (orient2d(a, b, p) == Sign::kPositive) == (b.y > a.y))
-      isInside = !isInside;
-    a = b;
-  }
-  return isInside;
-}
-
 }  // namespace
 
 void Tracer::clear() {
@@ -132,22 +120,20 @@ void Tracer::link() {
   }
 }
 
-/// The smallest outer loop around a hole.
-std::uint32_t Tracer::outerOf(const Loop& hole) const {
-  std::uint32_t best = kNone;
-  for (std::uint32_t k = 0; k < loops_.size(); ++k) {
-    const Loop& loop = loops_[k];
-    if (!(loop.area > -hole.area) || (best != kNone && loops_[best].area <= loop.area) ||
-        !loop.box.holds(hole.box.center()))
-      continue;
-    const std::span<const Point> ring = ringOf(loop);
-    for (const Point p : ringOf(hole)) {
-      if (std::find(ring.begin(), ring.end(), p) != ring.end()) continue;  // on the ring
-      if (holds(ring, p)) best = k;
-      break;
-    }
+bool Tracer::isCrossed(std::uint32_t loop, std::size_t k, Point p) {
+  const auto [a, aside, b] = piece(loop, k);
+  isCorner_ |= p == a || p == b;
+  return (a.y > p.y) != (b.y > p.y) && (orient2d(a, b, p) == Sign::kPositive) == (b.y > a.y);
+}
+
+/// Is the first point of the hole inside that is not on the loop?
+bool Tracer::isAround(std::uint32_t loop) {
+  for (const Point p : ringOf(loops_[hole_])) {
+    isCorner_ = false;
+    const bool isInside = nesting_.isInside(loop, p);
+    if (!isCorner_) return isInside;
   }
-  return best;
+  return false;
 }
 
 void Tracer::trace(Rings& rings, double thinnest) {
@@ -162,8 +148,13 @@ void Tracer::trace(Rings& rings, double thinnest) {
     rings.endRing();
   };
   FlatArray<Keyed> holes;  // by the loop around each
+  nesting_.clear();
   for (std::uint32_t k = 0; k < loops_.size(); ++k) {
-    if (loops_[k].area < 0) holes.push_back({outerOf(loops_[k]), k});
+    if (loops_[k].area > 0) nesting_.add(k, loops_[k].area, loops_[k].box);
+  }
+  for (hole_ = 0; hole_ < loops_.size(); ++hole_) {
+    const Loop& hole = loops_[hole_];
+    if (hole.area < 0) holes.push_back({nesting_.find(hole.box.center(), -hole.area), hole_});
   }
   sortByKey(holes);
   std::size_t next = 0;

@@ -10,10 +10,11 @@
 #include "geometry/polygons/point_numbers.h"
 #include "geometry/polygons/rings.h"
 #include "geometry/window/rectangle.h"
+#include "geometry/window/ring_nesting.h"
 
 namespace apollonius::internal {
 
-class Tracer {
+class Tracer final : private NestedRings {
  public:
   void clear();
   /// Adds a closed ring, the inside on its left. REQUIRES: rings do not cross.
@@ -21,8 +22,8 @@ class Tracer {
   /// Does any point occur twice?
   [[nodiscard]] bool hasTouch() const { return numbers_.points().size() < segments_.size(); }
   /// The polygons of all that has been added, without loops that are thinner than this share of
-  /// the largest coordinate. Replaces the contents. Cost: O(m log m) for m points; and holes times
-  /// m.
+  /// the largest coordinate. Replaces the contents. Cost: O(m log m) for m points; and for holes
+  /// what ring_nesting.h says.
   void trace(Rings& rings, double thinnest = 0);
 
  private:
@@ -45,7 +46,16 @@ class Tracer {
   [[nodiscard]] std::span<const Point> ringOf(const Loop& loop) const {
     return std::span(traced_).subspan(loop.first, loop.count);
   }
-  [[nodiscard]] std::uint32_t outerOf(const Loop& hole) const;
+  [[nodiscard]] std::size_t pieceCount(std::uint32_t loop) const override {
+    return loops_[loop].count;
+  }
+  [[nodiscard]] Piece piece(std::uint32_t loop, std::size_t k) const override {
+    const std::span<const Point> ring = ringOf(loops_[loop]);
+    const Point from = ring[k > 0 ? k - 1 : ring.size() - 1];
+    return {from, from, ring[k]};
+  }
+  bool isCrossed(std::uint32_t loop, std::size_t k, Point p) override;
+  bool isAround(std::uint32_t loop) override;
 
   PointNumbers numbers_;
   FlatArray<Segment> segments_;
@@ -53,7 +63,10 @@ class Tracer {
   FlatArray<std::uint32_t> way_, indexOnWay_;
   FlatArray<Point> traced_;  // the loops' points
   FlatArray<Loop> loops_;
-  double width_ = 0;  // thinner loops are dropped
+  RingNesting nesting_{*this};  // of the loops that are no holes
+  std::uint32_t hole_ = 0;      // whose loop is searched
+  bool isCorner_ = false;       // of the loop that was asked
+  double width_ = 0;            // thinner loops are dropped
 };
 
 }  // namespace apollonius::internal

@@ -1,7 +1,9 @@
 #include "geometry/window/arrangement.h"
 
 #include <algorithm>
+#include <limits>
 
+#include "geometry/window/segment_sweep.h"
 #include "predicate/orientation.h"
 
 namespace apollonius::internal {
@@ -15,9 +17,6 @@ constexpr int kFreeRounds = 2;
 /// is split for ever; but for crossings that are rounded to a place beside the nearest one. Should
 /// these not end, the region is refused.
 constexpr int kMostRounds = 24;
-constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-
-bool areApart(Sign a, Sign b) { return a * b == Sign::kNegative; }
 
 }  // namespace
 
@@ -34,13 +33,9 @@ bool Arrangement::split() {
 
 /// Gives equal points one number, points all segments in one direction, and lets equal ones cancel.
 void Arrangement::unify() {
-  FlatArray<std::uint32_t> order(points_.size()), numbers(points_.size());
-  for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::partial_sort(order.begin(), order.end(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return isLeftOf(points_[a], points_[b]);
-  });
+  FlatArray<std::uint32_t> numbers(points_.size());
   FlatArray<Point> distinct;
-  for (const std::uint32_t k : order) {
+  for (const std::uint32_t k : orderedFromLeft(points_)) {
     if (distinct.empty() || !(distinct.back() == points_[k])) distinct.push_back(points_[k]);
     numbers[k] = static_cast<std::uint32_t>(distinct.size() - 1);
   }
@@ -81,23 +76,11 @@ void Arrangement::snap() {
 
 bool Arrangement::findCuts() {
   cuts_.clear();
-  const SegmentGrid grid(points_, segments_, box_);
-  countedFor_.assign(segments_.size(), kNone);
-  for (std::uint32_t k = 0; k < segments_.size(); ++k) {
-    const Point a = from(segments_[k]), b = to(segments_[k]);
-    grid.visitCells(a, b, [&](std::size_t cell) {
-      for (const std::uint32_t m : grid.at(cell)) {
-        if (m >= k) break;
-        if (countedFor_[m] == k) continue;
-        countedFor_[m] = k;
-        const Point c = from(segments_[m]), d = to(segments_[m]);
-        // It begins no further right: unify() has sorted them.
-        if (a.x <= d.x && std::min(c.y, d.y) <= std::max(a.y, b.y) &&
-            std::min(a.y, b.y) <= std::max(c.y, d.y))
-          cutBoth(k, m);
-      }
-    });
-  }
+  // On a grid of points, segments can have cuts that do not meet: then all pairs are visited.
+  SegmentPairs pairs(points_, segments_, box_,
+                     unit_.x == 0 ? fewLooks_ : std::numeric_limits<double>::infinity());
+  pairs.visit([&](std::uint32_t k, std::uint32_t m) { cutBoth(k, m); });
+  looks_ += pairs.looks();
   return !cuts_.empty();
 }
 
@@ -136,17 +119,19 @@ Point Arrangement::crossingOf(const Segment& s, const Segment& t) const {
                      std::min(std::max(a.y, b.y), std::max(c.y, d.y)))};
 }
 
+/// REQUIRES: m < k.
 void Arrangement::cutBoth(std::uint32_t k, std::uint32_t m) {
   const Segment s = segments_[k], t = segments_[m];
+  const Point a = from(s), b = to(s), c = from(t), d = to(t);
+  // It begins no further right: unify() has sorted them.
+  if (a.x > d.x || std::min(c.y, d.y) > std::max(a.y, b.y) ||
+      std::min(a.y, b.y) > std::max(c.y, d.y))
+    return;
   bool touches = cutAt(k, t.from);
   touches |= cutAt(k, t.to);
   touches |= cutAt(m, s.from);
   touches |= cutAt(m, s.to);
-  if (touches) return;
-  const Point a = from(s), b = to(s), c = from(t), d = to(t);
-  if (!areApart(orient2d(a, b, c), orient2d(a, b, d)) ||
-      !areApart(orient2d(c, d, a), orient2d(c, d, b)))
-    return;
+  if (touches || !doMeet(points_, s, t)) return;
   const auto number = static_cast<std::uint32_t>(points_.size());
   const Point x = crossingOf(s, t);
   points_.push_back(x);
@@ -155,11 +140,27 @@ void Arrangement::cutBoth(std::uint32_t k, std::uint32_t m) {
 }
 
 void Arrangement::cut() {
-  std::partial_sort(cuts_.begin(), cuts_.end(), cuts_.end(), [&](const Cut& a, const Cut& b) {
-    if (a.segment != b.segment) return a.segment < b.segment;
-    const Point p = points_[a.point], q = points_[b.point];
-    return p.x != q.x ? p.x < q.x : rises(segments_[a.segment]) ? p.y < q.y : p.y > q.y;
-  });
+  // From left to right, by two stable sorts.
+  FlatArray<std::uint32_t> rankOf(points_.size());
+  std::uint32_t rank = 0;
+  for (const std::uint32_t point : orderedFromLeft(points_)) rankOf[point] = rank++;
+  FlatArray<Keyed> order(cuts_.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = {rankOf[cuts_[k].point], k};
+  sortByKey(order);
+  for (Keyed& entry : order) entry.key = cuts_[entry.value].segment;
+  sortByKey(order);
+  FlatArray<Cut> cuts;
+  for (const Keyed& entry : order) cuts.push_back(cuts_[entry.value]);
+  // Where a segment falls, points above each other come from above.
+  const auto isAfter = [&](const Cut& a, const Cut& b) {
+    return a.segment != b.segment || points_[a.point].x != points_[b.point].x;
+  };
+  for (std::size_t begin = 0, end = 0; begin < cuts.size(); begin = end) {
+    while (end < cuts.size() && !isAfter(cuts[begin], cuts[end])) ++end;
+    if (!rises(segments_[cuts[begin].segment]))
+      std::reverse(cuts.begin() + begin, cuts.begin() + end);
+  }
+  cuts_.swap(cuts);
   for (const Cut& cut : cuts_) {
     Segment& rest = segments_[cut.segment];
     segments_.push_back({rest.from, cut.point});
@@ -179,64 +180,32 @@ void Arrangement::listEnds() {
   for (std::size_t k = 1; k < firstEnd_.size(); ++k) firstEnd_[k] += firstEnd_[k - 1];
 }
 
-/// Of two segments below a point, which do not cross: is the second one nearer to it?
-bool Arrangement::isHigher(const Segment& s, const Segment& t) const {
-  if (isLeftOf(from(t), from(s))) return !isHigher(t, s);
-  Sign side = orient2d(from(s), to(s), from(t));
-  if (side == Sign::kZero) side = orient2d(from(s), to(s), to(t));
-  return side == Sign::kPositive;
-}
-
 /// Is the side below a segment inside, a little to the right of its left end? Below it are others
 /// that start there, each of which has the inside on one side; and below these the nearest segment
 /// that begins further left: it has been asked before, as segments are asked from left to right.
-bool Arrangement::isInsideBelow(const SegmentGrid& grid, std::uint32_t segment,
-                                std::span<const char> turns) {
-  const Segment& s = segments_[segment];
-  const Point p = from(s);
-  std::uint32_t nearest = kNone;
+bool Arrangement::isInsideBelow(std::uint32_t segment, std::span<const std::uint32_t> below,
+                                std::span<const char> turns) const {
   bool isOdd = false;
-  const std::uint32_t column = grid.columnOf(p.x);
-  for (std::uint32_t row = grid.rowOf(p.y) + 1; row-- > 0;) {
-    for (const std::uint32_t k : grid.at(grid.cellOf(column, row))) {
-      if (countedFor_[k] == segment) continue;
-      countedFor_[k] = segment;
-      const Segment& t = segments_[k];
-      if (k == segment || isLeftOf(p, from(t)) || !isLeftOf(p, to(t))) continue;
-      Sign above = orient2d(from(t), to(t), p);
-      if (above == Sign::kZero) above = orient2d(p, to(t), to(s));
-      if (above != Sign::kPositive) continue;
-      if (t.from == s.from) {
-        isOdd = !isOdd;
-        continue;
-      }
-      if (nearest == kNone || isHigher(segments_[nearest], t)) nearest = k;
-    }
-    // What is nearer would be in a cell that has been looked at.
-    if (nearest != kNone && heightAt(segments_[nearest], p.x) > grid.bottomOf(row)) break;
-  }
-  const bool isInsideAbove = nearest != kNone && turns[nearest] == 0;
+  std::uint32_t at = below[segment];
+  for (; at != kNoneBelow && segments_[at].from == segments_[segment].from; at = below[at])
+    isOdd = !isOdd;
+  const bool isInsideAbove = at != kNoneBelow && turns[at] == 0;
   return isInsideAbove != isOdd;
-}
-
-/// Rounded; where it is vertical, the lower end.
-double Arrangement::heightAt(const Segment& s, double x) const {
-  const Point a = from(s), b = to(s);
-  return a.x < b.x ? a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y) : a.y;
 }
 
 /// Turns each segment so that the inside is on its left. Along a chain, where two segments meet and
 /// no more, one is asked.
 void Arrangement::orient() {
   listEnds();
-  const SegmentGrid grid(points_, segments_, box_);
-  countedFor_.assign(segments_.size(), kNone);
+  SegmentSweep sweep(points_, segments_);
+  const FlatArray<std::uint32_t> below = sweep.listBelow();
+  looks_ += sweep.looks();
   FlatArray<char> isDone(segments_.size(), 0);
   FlatArray<char> turns(segments_.size(), 0);
   for (std::uint32_t first = 0; first < segments_.size(); ++first) {
     if (isDone[first] != 0) continue;
     // With the inside below, a segment runs to the left.
-    const bool runsLeft = isInsideBelow(grid, first, turns);
+    const bool runsLeft = isInsideBelow(first, below, turns);
     isDone[first] = 1;
     turns[first] = static_cast<char>(runsLeft);
     for (const bool forwards : {true, false}) {
@@ -262,11 +231,11 @@ void Arrangement::orient() {
 /// from where this one comes from, as what is between them is inside.
 std::uint32_t Arrangement::next(std::uint32_t segment) const {
   const Point at = to(segments_[segment]), back = from(segments_[segment]);
-  std::uint32_t best = kNone;
+  std::uint32_t best = kNoneBelow;
   for (const Keyed& end : endsAt(segments_[segment].to)) {
     const Segment& s = segments_[end.value];
     if (s.from != end.key) continue;
-    if (best == kNone || comesFirstClockwise(at, back, to(s), to(segments_[best])))
+    if (best == kNoneBelow || comesFirstClockwise(at, back, to(s), to(segments_[best])))
       best = end.value;
   }
   return best;
@@ -277,7 +246,7 @@ void Arrangement::link(NormalizedPolygon& polygon) {
   polygon.starts.push_back(0);
   for (std::uint32_t first = 0; first < segments_.size(); ++first) {
     std::uint32_t at = first;
-    while (at != kNone && isLinked[at] == 0) {
+    while (at != kNoneBelow && isLinked[at] == 0) {
       isLinked[at] = 1;
       polygon.points.push_back(from(segments_[at]));
       at = next(at);

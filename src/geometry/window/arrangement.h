@@ -9,13 +9,15 @@
 #include "base/radix_sort.h"
 #include "geometry/window/polygon.h"
 #include "geometry/window/rectangle.h"
-#include "geometry/window/segment_grid.h"
+#include "geometry/window/segment_pairs.h"
 
 namespace apollonius::internal {
 
 class Arrangement {
  public:
-  explicit Arrangement(const Rectangle& box) : box_(box) {}
+  /// `fewLooks` as of SegmentPairs.
+  explicit Arrangement(const Rectangle& box, double fewLooks = SegmentPairs::kFewLooks)
+      : box_(box), fewLooks_(fewLooks) {}
 
   /// Closed by itself.
   void addRing(std::span<const double> coordinates) {
@@ -34,6 +36,9 @@ class Arrangement {
   void orient();
   /// Step 4: the rings, into an empty polygon. REQUIRES: orient().
   void link(NormalizedPolygon& polygon);
+
+  /// How many pairs of segments have been looked at.
+  [[nodiscard]] std::size_t looks() const { return looks_; }
 
  private:
   struct Cut {
@@ -64,20 +69,19 @@ class Arrangement {
   [[nodiscard]] std::span<const Keyed> endsAt(std::uint32_t point) const {
     return std::span(ends_).subspan(firstEnd_[point], firstEnd_[point + 1] - firstEnd_[point]);
   }
-  [[nodiscard]] bool isHigher(const Segment& s, const Segment& t) const;
-  [[nodiscard]] double heightAt(const Segment& s, double x) const;
-  [[nodiscard]] bool isInsideBelow(const SegmentGrid& grid, std::uint32_t segment,
-                                   std::span<const char> turns);
+  [[nodiscard]] bool isInsideBelow(std::uint32_t segment, std::span<const std::uint32_t> below,
+                                   std::span<const char> turns) const;
   [[nodiscard]] std::uint32_t next(std::uint32_t segment) const;
 
   Rectangle box_;
+  double fewLooks_;
+  std::size_t looks_ = 0;
   Point unit_;  // of the grid that all points are on; 0: of none
   FlatArray<Point> points_;
   FlatArray<Segment> segments_;  // after unify(): from comes before to, until orient()
   FlatArray<Cut> cuts_;
   FlatArray<Keyed> ends_;              // segments by their ends
   FlatArray<std::uint32_t> firstEnd_;  // by point, of ends_; and their number
-  FlatArray<std::uint32_t> countedFor_;
 };
 
 }  // namespace apollonius::internal

@@ -39,8 +39,9 @@ struct NormalizedPolygon {
 
 /// Of rings x, y, …; starts[k] is the first point of ring k, and the last entry the number of
 /// points. Without rings if nothing is inside (or if step 1 does not end, which was never seen).
-/// Cost: O(n log n + pairs of segments in one cell of a grid), n = points and crossings; and as
-/// many parts as points times crossings where all segments are a few doubles apart.
+/// Cost: O(n log n), n = points and crossings, and the pairs that are looked at (segment_pairs.h):
+/// 64 a segment, or those of segments that share a cell of a grid, one of which meets another. And
+/// as many parts as points times crossings where all segments are a few doubles apart.
 [[nodiscard]] NormalizedPolygon normalizePolygon(std::span<const double> coordinates,
                                                  std::span<const std::uint32_t> starts);
 

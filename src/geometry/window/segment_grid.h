@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
-#include <limits>
 #include <span>
 
 #include "base/flat_array.h"
@@ -24,6 +23,25 @@ class SegmentGrid {
   SegmentGrid(std::span<const Point> points, std::span<const Segment> segments,
               const Rectangle& box);
 
+  /// The segments that meet a cell, and perhaps others beside it; ascending.
+  [[nodiscard]] std::span<const std::uint32_t> at(std::size_t cell) const {
+    return std::span(entries_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
+  }
+  /// How many segments all see that look at those in their cells: again in each, and themselves.
+  [[nodiscard]] double looks() const;
+  /// The cells that a segment meets, and perhaps others beside them, replace the contents. Cost:
+  /// these, and the rows between.
+  void listCells(Point a, Point b, FlatArray<std::uint32_t>& cells) const;
+  /// Does `ask(cell)` say yes for any of the cells that a convex shape meets, and perhaps others
+  /// beside them? It ends with the first. The shape's corners in order: two are a segment.
+  template <class Ask>
+  [[nodiscard]] bool isAnyCell(std::initializer_list<Point> corners, Ask ask) const {
+    return isAny(
+        std::span(corners.begin(), corners.size()),
+        [](void* asked, std::size_t cell) { return (*static_cast<Ask*>(asked))(cell); }, &ask);
+  }
+
+ private:
   /// Monotonic.
   [[nodiscard]] std::uint32_t columnOf(double x) const {
     return indexOf(x - box_.xmin, box_.width(), columns_);
@@ -34,64 +52,9 @@ class SegmentGrid {
   [[nodiscard]] std::size_t cellOf(std::uint32_t column, std::uint32_t row) const {
     return std::size_t{row} * columns_ + column;
   }
-  /// Of a row, and a little more: what is above has its cells in this row or above.
-  [[nodiscard]] double bottomOf(std::uint32_t row) const {
-    return box_.ymin + (row + kMargin) * (box_.height() / rows_);
-  }
-  /// The segments that meet a cell, and perhaps others beside it; ascending.
-  [[nodiscard]] std::span<const std::uint32_t> at(std::size_t cell) const {
-    return std::span(entries_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
-  }
-  /// visit(cell) for the cells that a segment meets, and perhaps others beside them. Cost: these,
-  /// and the rows between.
-  template <class Visit>
-  void visitCells(Point a, Point b, Visit&& visit) const {
-    (void)isAnyCell({a, b}, [&](std::size_t cell) {
-      visit(cell);
-      return false;
-    });
-  }
-  /// Does `ask(cell)` say yes for any of the cells that a convex shape meets, and perhaps others
-  /// beside them? It ends with the first. The shape's corners in order: two are a segment.
-  template <class Ask>
-  [[nodiscard]] bool isAnyCell(std::initializer_list<Point> corners, Ask&& ask) const {
-    const double width = box_.width() / columns_, height = box_.height() / rows_;
-    double low = corners.begin()->y, high = low;
-    for (const Point p : corners) {
-      low = std::min(low, p.y);
-      high = std::max(high, p.y);
-    }
-    const std::uint32_t last = rowOf(high + kMargin * height);
-    for (std::uint32_t row = rowOf(low - kMargin * height); row <= last; ++row) {
-      const double bottom = box_.ymin + (row - kMargin) * height,
-                   top = box_.ymin + (row + 1 + kMargin) * height;
-      double left = std::numeric_limits<double>::infinity(), right = -left;
-      Point p = *(corners.end() - 1);
-      for (const Point q : corners) {
-        include(p, q, bottom, top, left, right);
-        p = q;
-      }
-      if (left > right) continue;
-      const std::uint32_t end = columnOf(right + kMargin * width);
-      for (std::uint32_t column = columnOf(left - kMargin * width); column <= end; ++column) {
-        if (ask(cellOf(column, row))) return true;
-      }
-    }
-    return false;
-  }
-
- private:
-  /// Widens a range of x by that of a segment between two heights.
-  static void include(Point p, Point q, double bottom, double top, double& left, double& right) {
-    if (std::max(p.y, q.y) < bottom || std::min(p.y, q.y) > top) return;
-    for (const Point end : {p, q}) {
-      const double y = std::clamp(end.y, bottom, top);
-      const double x = y == end.y ? end.x : p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x);
-      left = std::min(left, x);
-      right = std::max(right, x);
-    }
-  }
-
+  /// One for all kinds of questions, which are `ask(asked, cell)`.
+  bool isAny(std::span<const Point> corners, bool (*ask)(void* asked, std::size_t cell),
+             void* asked) const;
   /// Of a cell: more than rounding.
   static constexpr double kMargin = 0.01;
 
