@@ -9,7 +9,9 @@
 
 #include "api/checks.h"
 #include "api/region_state.h"
-#include "geometry/cell/disc_cell.h"
+#include "geometry/cell/reach_cell.h"
+#include "geometry/cell/rectangle_cell.h"
+#include "geometry/clipping/reach_clipping.h"
 #include "geometry/clipping/rectangle_clipping.h"
 #include "geometry/curve/moments.h"
 #include "geometry/draw/cubics.h"
@@ -146,7 +148,9 @@ std::uint32_t Voronoi::slotOf(SiteId id) const { return diagram_.core_->ids().sl
 
 Error Voronoi::windowError() const {
   const bool isGood = region_ != nullptr ? region_->state_ != nullptr : areGood(bounds_);
-  return isGood ? Error::kNone : Error::kBadBounds;
+  if (!isGood) return Error::kBadBounds;
+  const bool hasAll = reach_ == nullptr || reach_->covers(diagram_.core_->ids().idLimit());
+  return hasAll ? Error::kNone : Error::kBadLength;
 }
 
 Error Voronoi::siteError(SiteId id) const {
@@ -163,10 +167,14 @@ template <class Operation>
 Error Voronoi::clipped(Error before, Operation&& operation) const {
   return guarded(before, [&] {
     const DiagramCore& core = *diagram_.core_;
+    const auto reached = [&](const Clipping& clipping) {
+      if (reach_ == nullptr || reach_->isUnlimited()) return operation(clipping);
+      operation(ReachClipping(core, clipping, *reach_));
+    };
     if (region_ == nullptr) {
-      operation(RectangleClipping(core, windowOf(bounds_)));
+      reached(RectangleClipping(core, windowOf(bounds_)));
     } else {
-      operation(region_->state_->clippingOf(core, diagram_.state_));
+      reached(region_->state_->clippingOf(core, diagram_.state_));
     }
   });
 }
@@ -195,7 +203,7 @@ Error Voronoi::cellCurves(SiteId id, CurveArrays& boundary) const {
     boundary.sites.clear();
     for (const BoundaryPiece& piece : cell.pieces) {
       appendCurve(piece.curve, boundary.curves);
-      boundary.sites.push_back(piece.neighbor);
+      boundary.sites.push_back(piece.sharedWith());
     }
     boundary.starts.assign(cell.starts.begin(), cell.starts.end());
   });
@@ -243,15 +251,25 @@ Error Voronoi::cellMeasuresWithin(SiteId id, double radius, CellMeasures& measur
   if (!std::isfinite(radius) && !isUnlimited) return Error::kNotFinite;
   if (radius < 0 || (radius > kLargestMagnitude && !isUnlimited)) return Error::kOutOfRange;
   return guarded(Error::kNone, [&] {
-    DiscCellClipper cells(*diagram_.core_, std::min(radius, kLargestMagnitude));
-    const Cell& cell = cells.find(slotOf(id));
+    // In a window that holds the disc.
+    const DiagramCore& core = *diagram_.core_;
+    const Slot slot = slotOf(id);
+    const Point center = centerOf(core, slot);
+    const double limited = std::min(radius, kLargestMagnitude);
+    const double margin =
+        2 * limited + powerOfTwo(-30) * (absolute(center.x) + absolute(center.y) + limited);
+    const Rectangle box{center.x - margin, center.y - margin, center.x + margin, center.y + margin};
+    const Reach unlimited;
+    ReachCellClipper cells(core, unlimited,
+                           std::make_unique<RectangleCellClipper>(core, box, Parts::kWithArea));
+    const Cell& cell = cells.findWithin(slot, limited);
     const auto isArc = [](const BoundaryPiece& piece) { return piece.neighbor == kNoSite; };
     if (isUnlimited && std::any_of(cell.pieces.begin(), cell.pieces.end(), isArc)) {
       measures = {};  // without a centroid
       measures.area = measures.perimeter = radius;
       return;
     }
-    measures = measuresOf(cell.pieces, centerOf(*diagram_.core_, slotOf(id)));
+    measures = measuresOf(cell.pieces, center);
   });
 }
 

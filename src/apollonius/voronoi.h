@@ -31,6 +31,7 @@
 #include "apollonius/diagram.h"
 #include "apollonius/export.h"
 #include "apollonius/path.h"
+#include "apollonius/reach.h"
 #include "apollonius/region.h"
 
 namespace apollonius {
@@ -85,13 +86,16 @@ struct CellMeasures : CellMoments {
 
 class APOLLONIUS_EXPORT Voronoi {
  public:
-  explicit Voronoi(const Diagram& diagram, const Bounds& bounds = {})
-      : diagram_(diagram), bounds_(bounds) {}
+  // With a reach, which must live as long, cells end at these distances from their sites' circles:
+  // in all that is said of cells below, and edges are what two of them share. Calls return
+  // kBadLength if it has no distance for an id in use.
+  explicit Voronoi(const Diagram& diagram, const Bounds& bounds = {}, const Reach* reach = nullptr)
+      : diagram_(diagram), bounds_(bounds), reach_(reach) {}
   /// In a region, which must live as long. The first call after either has changed costs
   /// O(h), and about the logarithm of its degree for each cell that a side passes through. Sides
   /// that are about as near to many cells as to the border of theirs cost that number each.
-  Voronoi(const Diagram& diagram, const Region& region)
-      : diagram_(diagram), bounds_(region.box()), region_(&region) {}
+  Voronoi(const Diagram& diagram, const Region& region, const Reach* reach = nullptr)
+      : diagram_(diagram), bounds_(region.box()), region_(&region), reach_(reach) {}
 
   // Every call below can return kBadBounds (unless xmin < xmax, ymin < ymax, all within the range
   // of coordinates) and kOutOfMemory, and replaces the contents of its last argument. Those with a
@@ -166,6 +170,7 @@ class APOLLONIUS_EXPORT Voronoi {
   const Diagram& diagram_;
   Bounds bounds_;  // of the region, if there is one
   const Region* region_ = nullptr;
+  const Reach* reach_;
 };
 
 }  // namespace apollonius

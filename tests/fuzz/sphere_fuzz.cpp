@@ -365,12 +365,12 @@ class Checker {
   /// Are two sites the same but for rounding, or does one touch another from inside? Rounding
   /// decides then where their cells, which are thinner than it, have their ends.
   [[nodiscard]] bool hasClosePair() const {
-    constexpr double kRounding = 1e-12;
+    constexpr double kClose = 1e-12;
     for (const auto& [id, a] : sites_) {
       for (const auto& [other, b] : sites_) {
         const double apart = angleOf(a, b), difference = std::abs(a.r - b.r) / radius_;
         const bool isOther = a.lon != b.lon || a.lat != b.lat;
-        if (isOther && (apart < kRounding || std::abs(apart - difference) < kRounding)) return true;
+        if (isOther && (apart < kClose || std::abs(apart - difference) < kClose)) return true;
       }
     }
     return false;

@@ -5,8 +5,11 @@
 
 #include <emscripten/bind.h>
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -29,6 +32,7 @@ using apollonius::Diagram;
 using apollonius::Error;
 using apollonius::Location;
 using apollonius::NearestFirst;
+using apollonius::Reach;
 using apollonius::Region;
 using apollonius::SiteId;
 using apollonius::Source;
@@ -72,18 +76,19 @@ auto returning(Error (Class::*)(Parameters...) const, std::index_sequence<k...>)
     }
   };
 }
-/// The cells in a region, or in bounds if `region` is null.
-Voronoi voronoiIn(const Diagram& diagram, const Region* region, const Bounds& bounds) {
-  return region == nullptr ? Voronoi(diagram, bounds) : Voronoi(diagram, *region);
+/// The cells in a region, or in bounds if `region` is null; within a reach, if there is one.
+Voronoi voronoiIn(const Diagram& diagram, const Region* region, const Reach* reach,
+                  const Bounds& bounds) {
+  return region == nullptr ? Voronoi(diagram, bounds, reach) : Voronoi(diagram, *region, reach);
 }
 
 /// Overload for methods of Voronoi: a function of the diagram and the window.
 template <auto method, class... Parameters, std::size_t... k>
 auto returning(Error (Voronoi::*)(Parameters...) const, std::index_sequence<k...>) {
-  return +[](const Diagram& diagram, const Region* region, double xmin, double ymin, double xmax,
-             double ymax, Nth<k, Parameters...>... in) {
+  return +[](const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
+             double ymin, double xmax, double ymax, Nth<k, Parameters...>... in) {
     std::remove_reference_t<Nth<sizeof...(k), Parameters...>> out{};
-    check((voronoiIn(diagram, region, {xmin, ymin, xmax, ymax}).*method)(in..., out));
+    check((voronoiIn(diagram, region, reach, {xmin, ymin, xmax, ymax}).*method)(in..., out));
     return out;
   };
 }
@@ -217,10 +222,10 @@ struct Portion {
 };
 
 /// About this many commands of a drawing, from the cursor on.
-Portion draw(const Diagram& diagram, const Region* region, double xmin, double ymin, double xmax,
-             double ymax, Drawing what, double tolerance, std::size_t cursor,
-             std::size_t commands) {
-  const Voronoi voronoi = voronoiIn(diagram, region, {xmin, ymin, xmax, ymax});
+Portion draw(const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
+             double ymin, double xmax, double ymax, Drawing what, double tolerance,
+             std::size_t cursor, std::size_t commands) {
+  const Voronoi voronoi = voronoiIn(diagram, region, reach, {xmin, ymin, xmax, ymax});
   apollonius::Portion portion{cursor, commands};
   apollonius::Path path;
   allocating([&] {
@@ -249,10 +254,10 @@ Portion draw(const Diagram& diagram, const Region* region, double xmin, double y
   return {std::move(path.commands), std::move(path.coordinates), portion.cursor, portion.isDone};
 }
 
-Portion drawCell(const Diagram& diagram, const Region* region, double xmin, double ymin,
-                 double xmax, double ymax, SiteId id, double tolerance) {
+Portion drawCell(const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
+                 double ymin, double xmax, double ymax, SiteId id, double tolerance) {
   apollonius::Path path;
-  check(voronoiIn(diagram, region, {xmin, ymin, xmax, ymax}).drawCell(id, tolerance, path));
+  check(voronoiIn(diagram, region, reach, {xmin, ymin, xmax, ymax}).drawCell(id, tolerance, path));
   return {std::move(path.commands), std::move(path.coordinates)};
 }
 
@@ -261,6 +266,19 @@ Region* makeRegion(const Diagram&, const NumbersIn& coordinates, const NumbersIn
   Region region;
   check(region.assign(vectorOf<double>(coordinates), vectorOf<std::uint32_t>(starts)));
   return allocating([&] { return new Region(std::move(region)); });
+}
+
+/// One distance for all sites, or one for each id.
+Reach* makeReach(const Diagram&, const NumbersIn& distances, bool isById) {
+  const std::vector<double> values = vectorOf<double>(distances);
+  for (const double distance : values) {
+    if (std::isnan(distance)) check(Error::kNotFinite);
+    const bool isUnlimited = distance == std::numeric_limits<double>::infinity();
+    if (!isUnlimited && !apollonius::isInRange(distance)) check(Error::kOutOfRange);
+  }
+  return allocating([&] {
+    return isById ? new Reach(std::span<const double>(values)) : new Reach(values.at(0));
+  });
 }
 
 Portion drawRegion(const Diagram&, const Region& region) {
@@ -280,8 +298,9 @@ struct Fitting {
 };
 
 /// The caller deletes it. If a target is bad, it has the site.
-Fitting* fitAreas(const Diagram& diagram, const Region* region, double xmin, double ymin,
-                  double xmax, double ymax, const NumbersIn& targets, const NumbersIn& start) {
+Fitting* fitAreas(const Diagram& diagram, const Region* region, const Reach* /*reach*/, double xmin,
+                  double ymin, double xmax, double ymax, const NumbersIn& targets,
+                  const NumbersIn& start) {
   auto fitting = allocating([&] { return std::make_unique<Fitting>(); });
   if (region == nullptr) {
     const double ring[] = {xmin, ymin, xmax, ymin, xmax, ymax, xmin, ymax};

@@ -157,6 +157,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("extent", &Voronoi::extentOf)
       .function("hull", &hull)
       .function("region", &makeRegion, allow_raw_pointers(), moved)
+      .function("reach", &makeReach, allow_raw_pointers(), moved)
       .function("drawRegion", &drawRegion, moved)
       .function("fitAreas", &fitAreas, allow_raw_pointers(), moved)
       .function("finishFit", &finishFit)
@@ -174,6 +175,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("cellPerimeters", returning<&Voronoi::cellPerimeters>(), allow_raw_pointers());
   registerSphere();
   class_<Region>("Region").function("box", &Region::box);
+  class_<Reach>("Reach");
   class_<Fitting>("Fitting")
       .function("step", &stepFit)
       .function("isAtTheEndOfDoubles", &isAtTheEndOfDoubles)

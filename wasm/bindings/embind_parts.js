@@ -8,7 +8,7 @@ addToLibrary({
     const plain = wasmTable.get(number);
     if (signature[0] !== "p") return plain;
     // As many parameters as any has.
-    return (a, b, c, d, e, f, g, h, i, j, k) => plain(a, b, c, d, e, f, g, h, i, j, k) >>> 0;
+    return (a, b, c, d, e, f, g, h, i, j, k, l) => plain(a, b, c, d, e, f, g, h, i, j, k, l) >>> 0;
   },
 });
 

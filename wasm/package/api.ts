@@ -34,6 +34,7 @@ export type {
   NearbyFilter,
   NearbyOptions,
   NestedOptions,
+  NumbersById,
   PickOptions,
   PolygonOptions,
   Position,
@@ -43,6 +44,7 @@ export type {
   SnapshotOptions,
   StageCounts,
   Vertices,
+  VoronoiOptions,
 } from "./types.js";
 export { ApolloniusError, type ErrorCode } from "./errors.js";
 export type { CellsCollection, GeoJSONOptions } from "./geojson.js";

@@ -39,6 +39,7 @@ import type {
   Sites,
   SnapshotOptions,
   Vertices,
+  VoronoiOptions,
 } from "./types.js";
 import { Voronoi } from "./voronoi.js";
 
@@ -383,10 +384,12 @@ export class Diagram implements Disposable {
   /**
    * The cells inside a window: a view, always of the diagram as it is now. The default window is
    * d3-delaunay's, 960 x 500. A window of any shape is rings or GeoJSON (`Region`). Cost: O(1), or
-   * O(m log m) for a region of m points. Throws "bad-bounds".
+   * O(m log m) for a region of m points. With `options.distance`, cells end there: they grow until
+   * they meet, or have come so far. Throws "bad-bounds", "bad-option"; of distances "not-finite",
+   * "out-of-range", "bad-length", "unknown-site".
    */
-  voronoi(window: Bounds | Region = [0, 0, 960, 500]): Voronoi {
-    return Voronoi.of(this, window);
+  voronoi(window: Bounds | Region = [0, 0, 960, 500], options?: VoronoiOptions): Voronoi {
+    return Voronoi.of(this, window, options);
   }
 
   /**

@@ -1,15 +1,27 @@
 // Drawings of the library's, played into whatever can draw.
 import type { MainModule } from "../../build/wasm/apollonius.mjs";
 import { checkedBounds, checkedTolerance, checkOptions } from "./arguments.js";
-import { type NativeDiagram, type NativeRegion, runningModule } from "./module.js";
+import {
+  type NativeDiagram,
+  type NativeReach,
+  type NativeRegion,
+  runningModule,
+} from "./module.js";
 import { type DrawOptions, type DualOptions, drawn, type PathContext, play } from "./path.js";
 import type { Bounds } from "./types.js";
 
 /** What the library can draw. */
 export type Drawing = keyof MainModule["Drawing"];
 
-/** A region, or null; and bounds, which count if there is none. */
-export type NativeWindow = readonly [NativeRegion | null, number, number, number, number];
+/** A region, or null; how far cells reach, or null; and bounds, which count if there is no region. */
+export type NativeWindow = readonly [
+  NativeRegion | null,
+  NativeReach | null,
+  number,
+  number,
+  number,
+  number,
+];
 
 // Commands in one portion of a drawing: few enough to stay in the processor's cache.
 const kPortion = 4096;
@@ -44,7 +56,7 @@ export function drawWhole(
   const window = bounds ?? extentOf(native);
   const tolerance = checkedTolerance(options?.tolerance, () => native.defaultTolerance(...window));
   return drawn(context, options, (target) =>
-    drawInto(target, native, what, () => [null, ...window], tolerance),
+    drawInto(target, native, what, () => [null, null, ...window], tolerance),
   );
 }
 

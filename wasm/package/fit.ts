@@ -5,13 +5,11 @@ import {
   checkedNumbers,
   checkedTolerance,
   described,
-  isArrayLike,
-  isSiteId,
   numberError,
-  unknownSite,
   checkOptions,
 } from "./arguments.js";
 import { Slices } from "./building.js";
+import { checkLength, numbersById } from "./by_id.js";
 import type { NativeWindow } from "./drawing.js";
 import { ApolloniusError } from "./errors.js";
 import type { Fitting, NativeDiagram } from "./module.js";
@@ -150,9 +148,8 @@ function begin(
   given: AreaTargets,
   start: ArrayLike<number>,
 ): Fitting {
-  const targets = byId(native, given);
+  const targets = numbersById(native, "targets", given, "bad-target");
   const weights = checkedNumbers("start", start, 1);
-  checkLength(native, "targets", targets, "; a Map or an object by id takes those of the sites");
   if (weights.length > 0) checkLength(native, "start", weights, "");
   let fitting: Fitting;
   try {
@@ -172,42 +169,4 @@ function begin(
           "outside the window"
         : `targets[${id}] is ${target}, expected a number above 0`),
   );
-}
-
-/** How many ids were ever used; what an array by id has that many elements of. */
-const idLimitOf = (native: NativeDiagram): number => native.levels().length;
-
-function checkLength(
-  native: NativeDiagram,
-  name: string,
-  values: ArrayLike<number>,
-  hint: string,
-): void {
-  const expected = idLimitOf(native);
-  if (values.length === expected) return;
-  throw new ApolloniusError(
-    "bad-length",
-    `${name} has ${values.length} elements, expected ${expected}: one for each id that was ever ` +
-      `used${hint}`,
-  );
-}
-
-/** Targets as an array by id: as given, or of the entries of a Map or an object. */
-function byId(native: NativeDiagram, targets: AreaTargets): ArrayLike<number> {
-  if (isArrayLike(targets) || typeof targets !== "object" || targets === null)
-    return checkedNumbers("targets", targets, 1);
-  const values = new Float64Array(idLimitOf(native));
-  const given = new Uint8Array(values.length);
-  // A Map of any realm is what can be iterated.
-  const entries = Symbol.iterator in targets ? targets : Object.entries(targets);
-  for (const [key, value] of entries as Iterable<[unknown, number]>) {
-    const id = typeof key === "string" && String(Number(key)) === key ? Number(key) : key;
-    if (!isSiteId(id) || !native.has(id)) throw unknownSite(id);
-    if (typeof value !== "number") throw numberError(`targets[${id}]`, value);
-    values[id] = value;
-    given[id] = 1;
-  }
-  for (const id of native.ids())
-    if (given[id] === 0) throw new ApolloniusError("bad-target", `targets has none for site ${id}`);
-  return values;
 }

@@ -2,8 +2,10 @@
 // Voronoi reaches the diagram.
 import { described } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
+import { ofElements } from "./native_errors.js";
 import {
   type NativeDiagram,
+  type NativeReach,
   type NativeRegion,
   type NativeSphericalDiagram,
   runningModule,
@@ -11,7 +13,7 @@ import {
 
 type Access = (diagram: unknown, changes: boolean) => NativeDiagram | null;
 
-type Native = NativeDiagram | NativeRegion | NativeSphericalDiagram;
+type Native = NativeDiagram | NativeReach | NativeRegion | NativeSphericalDiagram;
 
 let access: Access;
 let collector: FinalizationRegistry<Native> | undefined;
@@ -63,6 +65,25 @@ export function createRegion(
       "bad-bounds",
       "the region has no area: its points are in line, or its rings cancel each other",
     );
+  }
+  keep(owner, native);
+  return native;
+}
+
+/** How far cells reach: one distance for all, or an array by id. Lives as long as its owner. */
+export function createReach(
+  owner: object,
+  diagram: NativeDiagram,
+  distance: number | ArrayLike<number>,
+): NativeReach {
+  const isById = typeof distance !== "number";
+  let native: NativeReach;
+  try {
+    native = diagram.reach(isById ? distance : [distance], isById) as NativeReach;
+  } catch (error) {
+    if (!isById) throw error;
+    const finite = Array.from(distance, (value) => (value === Infinity ? 0 : value));
+    throw ofElements(error, "distance", finite);
   }
   keep(owner, native);
   return native;

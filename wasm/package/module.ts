@@ -7,6 +7,7 @@ import createModule, {
   type MainModule,
   type NearestFirst,
   type PredicateCounts,
+  type Reach,
   type Region,
   type SphericalDiagram,
   type SphericalNearestFirst,
@@ -19,6 +20,8 @@ import { failure } from "./native_errors.js";
 export type NativeDiagram = Diagram;
 /** A window of any shape there, for the diagrams of the same instance. */
 export type NativeRegion = Region;
+/** How far cells reach there. */
+export type NativeReach = Reach;
 /** A diagram of the sphere: wasm/bindings/spherical_adapters.h. */
 export type NativeSphericalDiagram = SphericalDiagram;
 export type { Builder, Fitting, NearestFirst, SphericalNearestFirst };
@@ -74,7 +77,8 @@ export function start(compiled: WebAssembly.Module): NativeModule {
 }
 
 function started(compiled: WebAssembly.Module): NativeModule {
-  const { Diagram, Builder, Fitting, NearestFirst, Region, ...others } = instantiated(compiled);
+  const { Diagram, Builder, Fitting, NearestFirst, Reach, Region, ...others } =
+    instantiated(compiled);
   const { SphericalDiagram, SphericalNearestFirst, ...rest } = others;
   const { Location, Drawing, Source, Top } = rest;
   const guarded = guard(rest, () => {
@@ -87,6 +91,7 @@ function started(compiled: WebAssembly.Module): NativeModule {
     Builder,
     Fitting,
     NearestFirst,
+    Reach,
     Region,
     SphericalDiagram,
     SphericalNearestFirst,
@@ -118,6 +123,7 @@ type Exports = MainModule &
     | "Builder"
     | "Fitting"
     | "NearestFirst"
+    | "Reach"
     | "Region"
     | "SphericalDiagram"
     | "SphericalNearestFirst",
@@ -237,6 +243,7 @@ function guard(
       g: Argument,
       h: Argument,
       i: Argument,
+      j: Argument,
     ): unknown {
       if (running !== undefined) settle(running);
       if (isAnyBroken && broken.has(this)) {
@@ -249,7 +256,7 @@ function guard(
       running = this;
       let error: unknown;
       try {
-        const result = plain.call(this, a, b, c, d, e, f, g, h, i);
+        const result = plain.call(this, a, b, c, d, e, f, g, h, i, j);
         running = undefined;
         return result;
       } catch (thrown) {

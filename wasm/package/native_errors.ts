@@ -13,7 +13,10 @@ const kFailures: Record<
   kNotFinite: ["not-finite", "a number is not finite"],
   kOutOfRange: ["out-of-range", "a number is outside the documented range"],
   kUnknownSite: ["unknown-site", "there is no such site"],
-  kBadLength: ["bad-length", "lengths of arrays do not fit each other"],
+  kBadLength: [
+    "bad-length",
+    "the length of an array does not fit another one, or the ids in use now",
+  ],
   kTooLarge: ["too-large", "more sites than one diagram can hold"],
   kBadBounds: ["bad-bounds", "the window is empty, inverted or out of range"],
   kBadTarget: ["bad-target", "an area that no cell can have"],

@@ -154,13 +154,26 @@ export interface FitProgress {
 }
 
 /**
- * The areas of all cells, in any unit, each above 0: an array by id, with one element for each id
- * that was ever used (those without a site are ignored); or a Map, or an object, of the sites' ids.
+ * A number for each site: an array by id, with one element for each id that was ever used (those
+ * without a site are ignored); or a Map, or an object, of the sites' ids.
  */
-export type AreaTargets =
+export type NumbersById =
   | ArrayLike<number>
   | ReadonlyMap<number, number>
   | { readonly [id: number]: number };
+
+/** The areas of all cells, in any unit, each above 0. */
+export type AreaTargets = NumbersById;
+
+/** What `diagram.voronoi(window, options)` takes. */
+export interface VoronoiOptions {
+  /**
+   * Cells end at this distance from their sites' circles, in the unit of the coordinates: one for
+   * all, or one for each site. 0 is the circle itself, a negative distance is inside it, Infinity
+   * (the default) is nowhere.
+   */
+  distance?: number | NumbersById | undefined;
+}
 
 /** What `fitAreas` has reached. */
 export interface FittedAreas extends FitProgress {

@@ -8,13 +8,21 @@ import {
   checkOptions,
 } from "./arguments.js";
 import type { CellMeasures, CellMoments } from "../../build/wasm/apollonius.mjs";
-import { Ballast, createRegion, destroy, nativeOf, wrongReceiver } from "./lifetime.js";
+import {
+  Ballast,
+  createReach,
+  createRegion,
+  destroy,
+  nativeOf,
+  wrongReceiver,
+} from "./lifetime.js";
+import { numbersById } from "./by_id.js";
 import type { Diagram } from "./diagram.js";
 import { drawInto, type NativeWindow } from "./drawing.js";
 import { ApolloniusError } from "./errors.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
 import { type CellsCollection, collectionOf, type GeoJSONOptions, positionsOf } from "./geojson.js";
-import type { NativeDiagram, NativeRegion } from "./module.js";
+import type { NativeDiagram, NativeReach, NativeRegion } from "./module.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
 import { checkedRings, isRegion, readOnce, type Region } from "./region.js";
 import { ofSite } from "./native_errors.js";
@@ -34,6 +42,7 @@ import type {
   NestedOptions,
   PolygonOptions,
   Position,
+  VoronoiOptions,
 } from "./types.js";
 
 // A region has a note for each face of the diagram: ten bytes a site, where Ballast counts 162.
@@ -73,13 +82,21 @@ export class Voronoi implements Disposable {
   /** Upper border. */
   readonly ymax: number;
   readonly #region: NativeRegion | null = null;
+  readonly #reach: NativeReach | null = null;
+  /** How far cells reach: one distance, or one for each id. */
+  readonly #distance: number | ArrayLike<number>;
   readonly #ballast: Ballast | null = null;
   #isDisposed = false;
 
   /** `diagram.voronoi(window)` makes it. */
-  private constructor(diagram: Diagram, given: Bounds | Region) {
+  private constructor(
+    diagram: Diagram,
+    given: Bounds | Region,
+    options: VoronoiOptions | undefined,
+  ) {
     const native = nativeOf(diagram);
     const window = readOnce(given);
+    this.#distance = distanceOf(native, options);
     let bounds: [number, number, number, number];
     if (isRegion(window)) {
       const { coordinates, starts } = checkedRings(window);
@@ -92,6 +109,7 @@ export class Voronoi implements Disposable {
     } else {
       bounds = checkedBounds(window);
     }
+    if (this.#distance !== Infinity) this.#reach = createReach(this, native, this.#distance);
     const [xmin, ymin, xmax, ymax] = bounds;
     this.diagram = diagram;
     this.xmin = xmin;
@@ -102,8 +120,12 @@ export class Voronoi implements Disposable {
   }
 
   /** @internal For `diagram.voronoi(window)`. */
-  static of(diagram: Diagram, window: Bounds | Region): Voronoi {
-    return new Voronoi(diagram, window);
+  static of(
+    diagram: Diagram,
+    window: Bounds | Region,
+    options: VoronoiOptions | undefined,
+  ): Voronoi {
+    return new Voronoi(diagram, window, options);
   }
 
   /** "Voronoi". */
@@ -113,7 +135,10 @@ export class Voronoi implements Disposable {
 
   // --- Drawing: into the context, or without one as an SVG path string ---------------------------
 
-  /** Draws all edges inside the window, each once. O(n). */
+  /**
+   * Draws all edges inside the window, each once; with a distance also where cells end without a
+   * neighbour. O(n).
+   */
   render(context: PathContext, options?: DrawOptions): void;
   render(context?: null, options?: DrawOptions): string;
   render(context?: PathContext | null, options?: DrawOptions): string | void;
@@ -250,12 +275,17 @@ export class Voronoi implements Disposable {
   // --- Questions ---------------------------------------------------------------------------------
 
   /**
-   * Is this site the nearest one to the point? Exact, ties as in `diagram.find`; the window does
-   * not matter. false for a hidden site. Throws "unknown-site", "not-finite", "out-of-range".
+   * Is this site the nearest one to the point, and within its distance, if there is one? Exact,
+   * ties as in `diagram.find`; the window does not matter. false for a hidden site. Throws
+   * "unknown-site", "not-finite", "out-of-range".
    */
   contains(id: number, x: number, y: number): boolean {
     Voronoi.#nativeFor(this, id);
-    return this.diagram.find(x, y) === id;
+    if (this.#distance === Infinity) return this.diagram.find(x, y) === id;
+    const most = typeof this.#distance === "number" ? this.#distance : this.#distance[id];
+    if (most === undefined) throw newcomer(id);
+    const nearest = this.diagram.nearest(x, y);
+    return nearest?.id === id && nearest.distance <= most;
   }
 
   /**
@@ -348,6 +378,7 @@ export class Voronoi implements Disposable {
    * building the diagram and of `cellAreas`.
    */
   fitAreas(targets: AreaTargets, options?: FitOptions): FittedAreas | null {
+    this.#expectNoDistance();
     return fitAreas(Voronoi.#living(this, true), () => this.#window, targets, options);
   }
 
@@ -360,6 +391,7 @@ export class Voronoi implements Disposable {
     targets: AreaTargets,
     options?: AsyncFitOptions,
   ): Promise<FittedAreas | null> {
+    this.#expectNoDistance();
     // awaited here, so that this view, and so the diagram, is not collected meanwhile
     return await fitAreasAsync(Voronoi.#living(this, true), () => this.#window, targets, options);
   }
@@ -375,6 +407,7 @@ export class Voronoi implements Disposable {
     if (this.#isDisposed) return;
     this.#isDisposed = true;
     if (this.#region !== null) destroy(this.#region);
+    if (this.#reach !== null) destroy(this.#reach);
     this.#ballast?.drop();
   }
 
@@ -385,6 +418,14 @@ export class Voronoi implements Disposable {
 
   // --- Shared parts ------------------------------------------------------------------------------
 
+  #expectNoDistance(): void {
+    if (Voronoi.#living(this) && this.#reach === null) return;
+    throw new ApolloniusError(
+      "bad-option",
+      "fitAreas is for cells that fill the window, not for those that end at a distance",
+    );
+  }
+
   get #bounds(): Bounds {
     return [this.xmin, this.ymin, this.xmax, this.ymax];
   }
@@ -392,7 +433,7 @@ export class Voronoi implements Disposable {
   /** As a call takes it; read last, as the caller's code can dispose of the view before. */
   get #window(): NativeWindow {
     Voronoi.#living(this);
-    return [this.#region, ...this.#bounds];
+    return [this.#region, this.#reach, ...this.#bounds];
   }
 
   /** Of calls that change the diagram: "busy" within a filter. */
@@ -443,6 +484,26 @@ export class Voronoi implements Disposable {
   ): number {
     return checkedTolerance(options?.tolerance, () => native.defaultTolerance(...this.#bounds));
   }
+}
+
+/** Infinity, where cells end nowhere but at others. */
+function distanceOf(
+  native: NativeDiagram,
+  options: VoronoiOptions | undefined,
+): number | ArrayLike<number> {
+  checkOptions(options, "distance");
+  const distance = options?.distance ?? Infinity;
+  if (typeof distance === "object")
+    return Float64Array.from(numbersById(native, "distance", distance, "bad-option"));
+  if (distance !== Infinity) checkNumber("distance", distance);
+  return distance;
+}
+
+function newcomer(id: number): ApolloniusError {
+  return new ApolloniusError(
+    "bad-length",
+    `site ${id} was inserted after the view was made and has no distance`,
+  );
 }
 
 function measuresOf(measures: CellMeasures): Measures {

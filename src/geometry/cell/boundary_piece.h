@@ -16,8 +16,14 @@ namespace apollonius::internal {
 struct BoundaryPiece {
   Conic curve;
   SiteId neighbor = kNoSite;  ///< with the cell on the right; kNoSite along the window's border
-  /// Of an edge's piece in a region: the segments of its polygon that it starts and ends on.
+  /// In a region: the segments of its polygon that it starts and ends on.
   std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;
+  /// Is nothing on the right, because the site's reach ends there, or the neighbor's
+  /// (reach_cell.h)?
+  bool isAtReach = false;
+
+  /// The site on the right, or kNoSite.
+  [[nodiscard]] SiteId sharedWith() const { return isAtReach ? kNoSite : neighbor; }
 };
 
 struct Cell {
@@ -32,6 +38,12 @@ struct Cell {
     return std::span(pieces).subspan(starts[k], starts[k + 1] - starts[k]);
   }
   [[nodiscard]] std::size_t partCount() const { return outers.size() - 1; }
+  /// Without parts.
+  void clear() {
+    pieces.clear();
+    starts.assign(1, 0);
+    outers.assign(1, 0);
+  }
 };
 
 /// An area, and a bound of what the roundings in its computation (not those of the curves) can be.

@@ -1,6 +1,9 @@
 // Clips the cells of a diagram to a window, one by one. Each kind of window has its own clipper: a
-// rectangle (rectangle_cell.h), a polygon (polygon_cell.h), a disc about the site (disc_cell.h).
+// rectangle (rectangle_cell.h), a polygon (polygon_cell.h); or cuts further what another one leaves
+// (reach_cell.h).
 #pragma once
+
+#include <limits>
 
 #include "diagram/id_pool.h"
 #include "geometry/cell/boundary_piece.h"
@@ -22,6 +25,10 @@ class CellClipper {
   /// The cell of a site, without parts if the site is hidden or nothing of the cell is inside.
   /// Valid until the next call. Throws std::bad_alloc.
   virtual const Cell& find(Slot site) = 0;
+  /// From a site's centre, as far as its cell can go; infinity without a limit.
+  [[nodiscard]] virtual double radiusOf(SiteId /*site*/) const {
+    return std::numeric_limits<double>::infinity();
+  }
   [[nodiscard]] Parts parts() const { return parts_; }
 
  private:

@@ -108,8 +108,9 @@ void measureCells(const DiagramCore& core, const Rectangle& window, Measure what
 void addBorders(const ClippedDiagram& clippedDiagram, CellSums& sums) {
   for (std::uint32_t k = 0; k < clippedDiagram.crossingCount(); ++k) {
     const Crossing& crossing = clippedDiagram.crossing(k);
-    clippedDiagram.visitBoundaryChain(
-        crossing, [&](Point from, Point to) { sums.addBorder(crossing.to, from, to); });
+    clippedDiagram.visitBoundaryChain(crossing, [&](Point from, Point to, std::uint32_t) {
+      sums.addBorder(crossing.to, from, to);
+    });
   }
   for (const Keyed& interiorRing : clippedDiagram.interiorRings()) {
     const std::span<const Point> ring = clippedDiagram.polygon().ring(interiorRing.value);

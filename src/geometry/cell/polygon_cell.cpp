@@ -2,31 +2,17 @@
 
 #include <algorithm>
 
-#include "geometry/curve/moments.h"
-
 namespace apollonius::internal {
-
-namespace {
-
-/// How far rounding moves a region's boundary at most where it meets an edge, in units of the
-/// numbers there. Thinner parts are discarded.
-constexpr double kThinnest = powerOfTwo(-46);
-
-}  // namespace
 
 PolygonCellClipper::PolygonCellClipper(const ClippedDiagram& clippedDiagram, Parts parts)
     : CellClipper(parts),
       clippedDiagram_(clippedDiagram),
+      rings_(parts),
       rankOf_(clippedDiagram.crossingCount(), 0) {}
 
 const Cell& PolygonCellClipper::find(Slot site) {
-  for (Cell* const cell : {&cell_, &found_}) {
-    cell->pieces.clear();
-    cell->starts.assign(1, 0);
-  }
-  cell_.outers.assign(1, 0);
-  areas_.clear();
-  nesting_.clear();
+  cell_.clear();
+  rings_.clear();
   const DiagramCore& core = clippedDiagram_.core();
   if (core.ids().state(site) != SiteState::kVisible) return cell_;
   const Graph& graph = core.delaunay().graph();
@@ -37,7 +23,7 @@ const Cell& PolygonCellClipper::find(Slot site) {
     const auto count = static_cast<std::int64_t>(std::min(exits_.size(), entries_.size()));
     if (count == 0 && winding > 0) {
       for (const Side& side : sides_) addPiece(side, nullptr, nullptr);
-      closeRing();
+      rings_.closeRing();
     }
     for (std::uint32_t k = 0; k < exits_.size(); ++k) rankOf_[exits_[k].crossing] = k;
     isUsed_.assign(entries_.size(), 0);
@@ -59,11 +45,11 @@ const Cell& PolygonCellClipper::find(Slot site) {
                          static_cast<std::int64_t>(to.edge) - static_cast<std::int64_t>(from.edge);
         addBoundary(from, to, way > 0 ? static_cast<std::size_t>(way) : 0);
       }
-      closeRing();
+      rings_.closeRing();
     }
   }
   addInteriorRings(site);
-  sortHoles();
+  rings_.sortInto(cell_);
   return cell_;
 }
 
@@ -92,14 +78,15 @@ void PolygonCellClipper::listSides(VertexId v) {
   }
 }
 
-void PolygonCellClipper::addSegment(Point from, Point to, SiteId neighbor) {
-  if (!(from == to)) found_.pieces.push_back({Conic::segment(from, to), neighbor});
+/// A part of a segment of the polygon.
+void PolygonCellClipper::addBorder(Point from, Point to, std::uint32_t segment) {
+  if (!(from == to)) rings_.add({Conic::segment(from, to), kNoSite, segment, segment});
 }
 
 /// The region's boundary through the cell.
 void PolygonCellClipper::addBoundaryChain(const Crossing& entry) {
-  clippedDiagram_.visitBoundaryChain(entry,
-                                     [&](Point from, Point to) { addSegment(from, to, kNoSite); });
+  clippedDiagram_.visitBoundaryChain(
+      entry, [&](Point from, Point to, std::uint32_t segment) { addBorder(from, to, segment); });
 }
 
 /// The cell's boundary from one crossing to another, this many sides further on.
@@ -131,7 +118,7 @@ void PolygonCellClipper::addPiece(const Side& side, const Crossing* from, const 
                       : e0 <= e1 ? clippedDiagram_.pieceInside(edge, e0, e1, a, b)
                                  : clippedDiagram_.pieceInside(edge, e1, e0, b, a).reversed();
   if (!(curve.p0 == curve.p2))
-    found_.pieces.push_back(
+    rings_.add(
         {isReference ? curve : curve.reversed(), side.neighbor, segmentOf(from), segmentOf(to)});
 }
 
@@ -142,86 +129,18 @@ std::uint32_t PolygonCellClipper::segmentOf(const Crossing* crossing) const {
 }
 
 void PolygonCellClipper::addInteriorRings(Slot site) {
+  const NormalizedPolygon& polygon = clippedDiagram_.polygon();
   for (const Keyed& interiorRing : clippedDiagram_.interiorRingsOf(site)) {
-    const std::span<const Point> ring = clippedDiagram_.polygon().ring(interiorRing.value);
+    const std::span<const Point> ring = polygon.ring(interiorRing.value);
+    const std::uint32_t first = polygon.starts[interiorRing.value];
+    auto segment = first + static_cast<std::uint32_t>(ring.size()) - 1;
     Point at = ring.back();
     for (const Point p : ring) {
-      addSegment(at, p, kNoSite);
+      addBorder(at, p, segment);
       at = p;
+      segment = segment + 1 == polygon.starts[interiorRing.value + 1] ? first : segment + 1;
     }
-    closeRing();
-  }
-}
-
-void PolygonCellClipper::closeRing() {
-  const std::uint32_t start = found_.starts.back();
-  const auto pieces = std::span(found_.pieces).subspan(start);
-  if (pieces.empty()) return;
-  double reach = 0, size = 0;
-  const Point first = pieces.front().curve.p0;
-  Rectangle box{first.x, first.y, first.x, first.y};
-  for (const BoundaryPiece& piece : pieces) {
-    const Point from = piece.curve.p0;
-    reach += length(piece.curve.p2 - from);
-    size = std::max({size, absolute(from.x), absolute(from.y)});
-    for (const Point p : {piece.curve.p1, piece.curve.p2}) box.include(p);
-  }
-  const Area area = areaOf(pieces, pieces.front().curve.p0);
-  const double thinnest = std::max(area.rounding, kThinnest * size * reach);
-  if (absolute(area.value) > thinnest || parts() == Parts::kThinToo) {
-    found_.starts.push_back(static_cast<std::uint32_t>(found_.pieces.size()));
-    if (area.value > 0) nesting_.add(static_cast<std::uint32_t>(areas_.size()), area.value, box);
-    areas_.push_back(area.value);
-  } else {
-    found_.pieces.resize(start);
-  }
-}
-
-bool PolygonCellClipper::isCrossed(std::uint32_t ring, std::size_t k, Point p) {
-  const Conic& c = found_.ring(ring)[k].curve;
-  bool isCrossed = false;
-  if ((c.p0.y > p.y) != (c.p2.y > p.y)) {
-    const double turn = cross(c.p2 - c.p0, p - c.p0);
-    isCrossed = (turn > 0) == (c.p2.y > c.p0.y);
-  }
-  if (c.isStraight()) return isCrossed;
-  // Between chord and curve? There the barycentric coordinates in the control triangle are
-  // positive, and b² < 4 w² a c.
-  const double whole = cross(c.p1 - c.p0, c.p2 - c.p0);
-  const double a = cross(c.p1 - p, c.p2 - p) / whole, b = cross(c.p2 - p, c.p0 - p) / whole,
-               g = cross(c.p0 - p, c.p1 - p) / whole;
-  return isCrossed != (a > 0 && b > 0 && g > 0 && b * b < 4 * c.w * c.w * a * g);
-}
-
-void PolygonCellClipper::sortHoles() {
-  const auto take = [&](std::size_t k) {
-    cell_.pieces.append(found_.ring(k));
-    cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
-  };
-  const std::size_t count = areas_.size();
-  if (parts() == Parts::kThinToo) {  // what is a hole of what is not known
-    for (std::uint32_t k = 0; k < count; ++k) take(k);
-    if (count > 0) cell_.outers.push_back(static_cast<std::uint32_t>(count));
-    return;
-  }
-  FlatArray<Keyed> holes;  // by the smallest ring around each
-  for (std::uint32_t hole = 0; hole < count; ++hole) {
-    if (areas_[hole] > 0) continue;
-    const Conic& first = found_.ring(hole).front().curve;
-    asked_ = middle(first.p0, first.p2);
-    const std::uint32_t around = nesting_.find(asked_, -areas_[hole]);
-    holes.push_back({around == RingNesting::kNoRing ? 0 : around, hole});
-  }
-  sortByKey(holes);
-  std::size_t next = 0;
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const bool isOuter = areas_[k] > 0;
-    if (isOuter) take(k);
-    for (; next < holes.size() && holes[next].key == k; ++next) {
-      if (isOuter) take(holes[next].value);
-    }
-    if (!isOuter) continue;
-    cell_.outers.push_back(static_cast<std::uint32_t>(cell_.ringCount()));
+    rings_.closeRing();
   }
 }
 

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "geometry/cell/cell_clipper.h"
+#include "geometry/cell/ring_sorter.h"
 #include "geometry/window/polygon_clip.h"
-#include "geometry/window/ring_nesting.h"
 
 namespace apollonius::internal {
 
-class PolygonCellClipper final : public CellClipper, private NestedRings {
+class PolygonCellClipper final : public CellClipper {
  public:
   PolygonCellClipper(const ClippedDiagram& clippedDiagram, Parts parts);
 
@@ -17,7 +17,7 @@ class PolygonCellClipper final : public CellClipper, private NestedRings {
   const Cell& find(Slot site) override;
 
   /// How much has been looked at to find the rings around holes.
-  [[nodiscard]] std::size_t looks() const { return nesting_.looks(); }
+  [[nodiscard]] std::size_t looks() const { return rings_.looks(); }
 
  private:
   /// A crossing on the cell's boundary, in counter-clockwise order from its first half-edge.
@@ -36,28 +36,12 @@ class PolygonCellClipper final : public CellClipper, private NestedRings {
   void addBoundary(const Event& from, const Event& to, std::size_t sides);
   void addPiece(const Side& side, const Crossing* from, const Crossing* to);
   [[nodiscard]] std::uint32_t segmentOf(const Crossing* crossing) const;
-  void addSegment(Point from, Point to, SiteId neighbor);
+  void addBorder(Point from, Point to, std::uint32_t segment);
   void addInteriorRings(Slot site);
-  /// Ends a ring; takes it back if it has no area up to rounding.
-  void closeRing();
-  /// Puts each hole behind the outer ring around it.
-  void sortHoles();
-  [[nodiscard]] std::size_t pieceCount(std::uint32_t ring) const override {
-    return found_.ring(ring).size();
-  }
-  [[nodiscard]] Piece piece(std::uint32_t ring, std::size_t k) const override {
-    const Conic& curve = found_.ring(ring)[k].curve;
-    return {curve.p0, curve.p1, curve.p2};
-  }
-  bool isCrossed(std::uint32_t ring, std::size_t k, Point p) override;
-  bool isAround(std::uint32_t ring) override { return nesting_.isInside(ring, asked_); }
 
   const ClippedDiagram& clippedDiagram_;
   Cell cell_;
-  Cell found_;  // the rings in the order in which they are found
-  FlatArray<double> areas_;
-  RingNesting nesting_{*this};  // of those that are no holes
-  Point asked_;                 // of the hole whose ring is searched
+  RingSorter rings_;
   FlatArray<Side> sides_;
   FlatArray<Event> exits_, entries_;
   FlatArray<std::uint32_t> rankOf_;  // by crossing: of exits_

@@ -30,9 +30,7 @@ HalfedgeId firstOfStar(const DelaunayGraph& delaunay, VertexId v) {
 }  // namespace
 
 const Cell& RectangleCellClipper::find(Slot site) {
-  cell_.pieces.clear();
-  cell_.starts.assign(1, 0);
-  cell_.outers.assign(1, 0);
+  cell_.clear();
   if (core_.ids().state(site) != SiteState::kVisible) return cell_;
   clipEdges(site);
   contacts_.clear();

@@ -81,11 +81,15 @@ bool PolygonFinder::appendRing(std::span<const BoundaryPiece> boundary, bool isH
     append(p, rings, isBorder);
     last = p;
   };
-  const auto goAlong = [&](Point p) {
+  const auto goAlong = [&](Point p, bool isOnBorder) {
     if (!(p == last) && orient2d(center, last, p) != Sign::kPositive) atLeast(Soundness::kUnsure);
-    goTo(p, false);
+    goTo(p, isOnBorder);
   };
   for (const BoundaryPiece& piece : boundary) {
+    if (piece.isAtReach) {
+      for (const Point p : chords_.find(atReach(piece, center))) goAlong(p, true);
+      continue;
+    }
     if (piece.neighbor == kNoSite) {
       atLeast(border_.isSimple(last, piece.curve.p2) ? Soundness::kTouches : Soundness::kUnsure);
       goTo(piece.curve.p2, true);
@@ -96,11 +100,11 @@ bool PolygonFinder::appendRing(std::span<const BoundaryPiece> boundary, bool isH
     if (!precedes(site_, other)) {
       for (const Point p :
            chords_.find({piece.curve, center, centerOf(other), piece.fromSegment, piece.toSegment}))
-        goAlong(p);
+        goAlong(p, false);
     } else {
       const std::span<const Point> chords = chords_.find(
           {piece.curve.reversed(), centerOf(other), center, piece.toSegment, piece.fromSegment});
-      for (std::size_t k = chords.size(); k-- > 0;) goAlong(chords[k]);
+      for (std::size_t k = chords.size(); k-- > 0;) goAlong(chords[k], false);
     }
   }
   if (hasArea(std::span(rings.coordinates).subspan(begin), isHole)) return true;
@@ -111,6 +115,19 @@ bool PolygonFinder::appendRing(std::span<const BoundaryPiece> boundary, bool isH
   if (isBorder != nullptr) isBorder->resize(begin / 2);
   rings.coordinates.resize(begin);
   return false;
+}
+
+/// A piece with nothing on its right: of the edge with a neighbor that does not reach so far, whose
+/// cell's chords are inside of its circle; or an arc, which is seen from any point beyond.
+EdgePiece PolygonFinder::atReach(const BoundaryPiece& piece, Point center) const {
+  EdgePiece edge{piece.curve, center, {}, piece.fromSegment, piece.toSegment};
+  if (piece.neighbor == kNoSite) {
+    edge.right = piece.curve.p1 + (piece.curve.p1 - center);
+  } else {
+    edge.right = centerOf(core_.site(core_.ids().slotOf(piece.neighbor)));
+    edge.avoided = cells_.radiusOf(piece.neighbor);
+  }
+  return edge;
 }
 
 void PolygonFinder::append(Point p, Rings& rings, FlatArray<char>* isBorder) {

@@ -33,6 +33,7 @@ class PolygonFinder {
  private:
   bool appendRing(std::span<const BoundaryPiece> boundary, bool isHole, Rings& rings,
                   FlatArray<char>* isBorder);
+  [[nodiscard]] EdgePiece atReach(const BoundaryPiece& piece, Point center) const;
   static void append(Point p, Rings& rings, FlatArray<char>* isBorder);
 
   const DiagramCore& core_;

@@ -22,6 +22,7 @@ std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
   const Conic& curve = piece.curve;
   left_ = piece.left;
   right_ = piece.right;
+  avoided_ = piece.avoided;
   const double size = length(curve.p1 - curve.p0) + length(curve.p2 - curve.p1);
   allowed_ = std::max(tolerance_, kFinestShare * size);
   finestAtBorder_ = kFinestAtBorder * size;
@@ -55,7 +56,8 @@ bool ChordFinder::isHalved(const Conic& curve, const Conic& first, const Conic& 
   // and halving on will not help.
   if (!turns(curve.p0, curve.p2)) return turns(first.p0, first.p2) || turns(second.p0, second.p2);
   return !spansLittle(curve.p0, curve.p2) ||
-         (sagitta > finestAtBorder_ && border_.isNear(curve, fromSegment, toSegment));
+         (sagitta > finestAtBorder_ &&
+          (entersDisc(curve.p0, curve.p2) || border_.isNear(curve, fromSegment, toSegment)));
 }
 
 /// Does a chord turn counter-clockwise about the site on its left, and clockwise about the other?
@@ -67,6 +69,13 @@ bool ChordFinder::turns(Point from, Point to) const {
 /// Does a chord that turns span less than a quarter turn, seen from both sites?
 bool ChordFinder::spansLittle(Point from, Point to) const {
   return dot(from - left_, to - left_) > 0 && dot(from - right_, to - right_) > 0;
+}
+
+/// Does a chord go into the disc that is avoided? Not if it leads away from the centre.
+bool ChordFinder::entersDisc(Point from, Point to) const {
+  if (avoided_ < 0) return false;
+  const Point a = from - right_, b = to - right_, way = to - from;
+  return dot(way, a) < 0 && dot(way, b) > 0 && absolute(cross(a, b)) < avoided_ * length(way);
 }
 
 /// Has rounding put p before `from`, seen from one of the sites?

@@ -29,6 +29,9 @@ struct EdgePiece {
   Conic curve;
   Point left, right;  ///< the centres of the sites on its sides
   std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;  ///< of the polygon
+  /// Chords do not go into the disc of this radius about the centre on the right, out of which the
+  /// curve comes at most; none if it is negative.
+  double avoided = -1;
 };
 
 class ChordFinder {
@@ -46,13 +49,14 @@ class ChordFinder {
                               std::uint32_t fromSegment, std::uint32_t toSegment) const;
   [[nodiscard]] bool turns(Point from, Point to) const;
   [[nodiscard]] bool spansLittle(Point from, Point to) const;
+  [[nodiscard]] bool entersDisc(Point from, Point to) const;
   [[nodiscard]] bool isLate(Point from, Point p) const;
   void straighten();
 
   const Border& border_;
   const double tolerance_;
   Point left_, right_;
-  double allowed_ = 0, finestAtBorder_ = 0;
+  double allowed_ = 0, finestAtBorder_ = 0, avoided_ = -1;
   FlatArray<Point> points_;
 };
 

@@ -72,18 +72,21 @@ class ClippedDiagram {
   [[nodiscard]] Conic pieceInside(const Edge& edge, double e0, double e1, Point from,
                                   Point to) const;
 
-  /// visit(from, to) for the segments of a ring from a crossing to its next one.
+  /// visit(from, to, segment) for the segments of a ring from a crossing to its next one, or parts
+  /// of these.
   template <class Visit>
   void visitBoundaryChain(const Crossing& crossing, Visit&& visit) const {
     const std::span<const Point> ring = polygon_.ring(crossing.ring);
+    const auto size = static_cast<std::uint32_t>(ring.size()),
+               first = polygon_.starts[crossing.ring];
     Point at = crossing.point;
-    std::size_t k = crossing.firstPoint;
+    std::uint32_t k = crossing.firstPoint;
     for (std::uint32_t n = 0; n < crossing.pointCount; ++n) {
-      if (k >= ring.size()) k -= ring.size();
-      visit(at, ring[k]);
+      if (k >= size) k -= size;
+      visit(at, ring[k], first + (k == 0 ? size : k) - 1);
       at = ring[k++];
     }
-    visit(at, crossings_[crossing.next].point);
+    visit(at, crossings_[crossing.next].point, first + k - 1);
   }
 
   /// Is any of an edge inside? False for one of its two half-edges, too.

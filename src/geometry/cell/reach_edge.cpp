@@ -1,0 +1,94 @@
+#include "geometry/cell/reach_edge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/curve/edge.h"
+#include "number/fp.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// The places E of a bisector within the reach of a site: from 1/end to `end`; none if that is 0.
+double endOfReach(const Site& site, ReachOfSite reach, const Site& other,
+                  const Bisector& bisector) {
+  const double cosh = (2 * reach.radius + (other.r - site.r)) / bisector.distance();
+  if (!(cosh > 1)) return 0;
+  const bool isImmense = cosh > powerOfTwo(500);  // of which the square may be infinite
+  return cosh + (isImmense ? cosh : std::sqrt((cosh - 1) * (cosh + 1)));
+}
+
+/// The places of a piece's ends. Where a circle nearly covers the other, both sides of the branch
+/// are one ray in doubles; then the weight tells how far the piece goes to both sides of its
+/// middle.
+std::pair<double, double> rangeOf(const Bisector& bisector, const Conic& piece) {
+  const double e0 = bisector.parameterOf(piece.p0), e1 = bisector.parameterOf(piece.p2);
+  constexpr double kWide = 2;
+  const double half = piece.w + std::sqrt(std::max((piece.w - 1) * (piece.w + 1), 0.0));
+  if (piece.w < kWide || e1 >= half * e0) return {e0, std::max(e0, e1)};
+  const double middle = bisector.parameterOf(piece.at(0.5));
+  return {middle / half, middle * half};
+}
+
+/// A place on the bisector, and its point.
+struct Place {
+  double e;
+  Point point;
+};
+
+ReachedPiece reversed(const ReachedPiece& piece) {
+  return {piece.curve.reversed(), piece.isShared, piece.isToCut, piece.isFromCut};
+}
+
+}  // namespace
+
+ReachedEdge reachedEdge(const Site& site, ReachOfSite reach, const Site& neighbor,
+                        ReachOfSite itsReach, const Conic& curve) {
+  // From the reference site, whichever of the two asks.
+  const bool isReference = precedes(neighbor, site);
+  const Site &a = isReference ? site : neighbor, &b = isReference ? neighbor : site;
+  const Conic piece = isReference ? curve : curve.reversed();
+  const Bisector bisector(a, b);
+  ReachedEdge found;
+  const auto [first, last] = rangeOf(bisector, piece);
+  const Place start{first, piece.p0}, end{last, piece.p2};
+  // Of one distance for both sites, too: the bits must not depend on which one asks.
+  const bool isSame = reach.distance == itsReach.distance && !isReference;
+  const double own = isSame ? endOfReach(neighbor, itsReach, site, bisector)
+                            : endOfReach(site, reach, neighbor, bisector);
+  const double both =
+      itsReach.distance < reach.distance ? endOfReach(neighbor, itsReach, site, bisector) : own;
+  if (own == 0) return found;
+  const auto add = [&](Place from, Place to, bool isShared, bool isFromCut, bool isToCut) {
+    const bool isWhole = from.e == start.e && to.e == end.e;
+    found.pieces[found.count++] = {
+        isWhole ? piece : pieceOf(bisector, from.e, to.e, from.point, to.point), isShared,
+        isFromCut, isToCut};
+  };
+  // Where the site's reach begins and ends, and within that, where both reach.
+  const bool isFromCut = start.e<1 / own, isToCut = end.e> own;
+  const Place from = isFromCut ? Place{1 / own, bisector.at(1 / own)} : start;
+  const Place to = isToCut ? Place{own, bisector.at(own)} : end;
+  // An edge inside that has no length in doubles still says that the cell ends there.
+  if (from.e > to.e || (from.e == to.e && (isFromCut || isToCut))) return found;
+  const double low = both == 0 ? to.e : 1 / both;
+  if (both == 0 || low >= to.e || both <= from.e) {
+    add(from, to, false, isFromCut, isToCut);
+  } else {
+    const bool isLow = low > from.e, isHigh = both < to.e;
+    const Place in = isLow ? Place{low, bisector.at(low)} : from;
+    const Place out = isHigh ? Place{both, bisector.at(both)} : to;
+    if (isLow) add(from, in, false, isFromCut, false);
+    add(in, out, true, isFromCut && !isLow, isToCut && !isHigh);
+    if (isHigh) add(out, to, false, false, isToCut);
+  }
+  if (!isReference) {
+    std::reverse(found.pieces.begin(), found.pieces.begin() + found.count);
+    for (std::size_t k = 0; k < found.count; ++k) found.pieces[k] = reversed(found.pieces[k]);
+  }
+  return found;
+}
+
+}  // namespace apollonius::internal

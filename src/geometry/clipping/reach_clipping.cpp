@@ -1,0 +1,98 @@
+#include "geometry/clipping/reach_clipping.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "geometry/cell/reach_cell.h"
+#include "geometry/curve/moments.h"
+#include "geometry/draw/cubics.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+/// Passes on what of edges is within the reach of both sites.
+class SharedEdges final : public EdgeVisitor {
+ public:
+  SharedEdges(const DiagramCore& core, const Reach& reach, EdgeVisitor& visitor)
+      : core_(core), reach_(reach), visitor_(visitor) {}
+
+  void visit(HalfedgeId h, const Conic& curve) override {
+    const Graph& graph = core_.delaunay().graph();
+    const VertexId from = graph.origin(h), to = graph.target(h);
+    const Site &a = core_.delaunay().site(from), &b = core_.delaunay().site(to);
+    const ReachedEdge edge = reachedEdge(a, reachOf(a, reach_.of(core_.siteOf(from))), b,
+                                         reachOf(b, reach_.of(core_.siteOf(to))), curve);
+    for (std::size_t k = 0; k < edge.count; ++k) {
+      if (edge.pieces[k].isShared) visitor_.visit(h, edge.pieces[k].curve);
+    }
+  }
+
+ private:
+  const DiagramCore& core_;
+  const Reach& reach_;
+  EdgeVisitor& visitor_;
+};
+
+}  // namespace
+
+std::unique_ptr<CellClipper> ReachClipping::cells(Parts parts) const {
+  return std::make_unique<ReachCellClipper>(core_, reach_, window_.cells(parts));
+}
+
+void ReachClipping::visitEdges(EdgeVisitor& visitor) const {
+  SharedEdges shared(core_, reach_, visitor);
+  window_.visitEdges(shared);
+}
+
+void ReachClipping::measureCells(Measure what, std::vector<double>& measures) const {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const bool isCentroid = what == Measure::kCentroids;
+  const IdPool& ids = core_.ids();
+  measures.assign((isCentroid ? 2 : 1) * ids.idLimit(), isCentroid ? kNone : 0);
+  const auto clipper = cells(Parts::kWithArea);
+  for (Slot slot = 0; slot < ids.slots(); ++slot) {
+    if (ids.state(slot) != SiteState::kVisible) continue;
+    const Cell& cell = clipper->find(slot);
+    if (cell.partCount() == 0) continue;
+    const Point origin = cell.pieces[0].curve.p0;
+    Moments sum;
+    double perimeter = 0;
+    for (const BoundaryPiece& piece : cell.pieces) {
+      if (what == Measure::kPerimeters) {
+        perimeter += lengthOf(piece.curve);
+      } else {
+        sum.add(piece.curve, origin);
+      }
+    }
+    const std::size_t id = ids.idOf(slot);
+    if (!isCentroid) {
+      measures[id] = what == Measure::kAreas ? std::max(0.0, sum.area) : perimeter;
+    } else if (sum.area > 0) {
+      measures[2 * id] = origin.x + sum.first.x / sum.area;
+      measures[2 * id + 1] = origin.y + sum.first.y / sum.area;
+    }
+  }
+}
+
+void ReachClipping::drawEdges(double tolerance, Portion& portion, Path& path) const {
+  const IdPool& ids = core_.ids();
+  const auto clipper = cells(Parts::kWithArea);
+  for (; portion.cursor < ids.slots(); ++portion.cursor) {
+    if (path.commands.size() >= portion.commands) return;
+    const auto slot = static_cast<Slot>(portion.cursor);
+    if (ids.state(slot) != SiteState::kVisible) continue;
+    for (const BoundaryPiece& piece : clipper->find(slot).pieces) {
+      const SiteId neighbor = piece.sharedWith();
+      // What two cells share, of one of them.
+      if (neighbor == kNoSite ? !piece.isAtReach
+                              : !precedes(core_.site(ids.slotOf(neighbor)), core_.site(slot)))
+        continue;
+      path.move(piece.curve.p0.x, piece.curve.p0.y);
+      drawConic(piece.curve, tolerance, path);
+    }
+  }
+  portion.isDone = true;
+}
+
+}  // namespace apollonius::internal

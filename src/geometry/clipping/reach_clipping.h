@@ -1,0 +1,31 @@
+// What is inside a window and within the reach of the sites (reach_cell.h). It asks for cells one
+// by one, of a clipping to the window.
+#pragma once
+
+#include "apollonius/reach.h"
+#include "geometry/clipping/clipping.h"
+
+namespace apollonius::internal {
+
+class ReachClipping final : public Clipping {
+ public:
+  /// REQUIRES: all of them live as long, and the diagram stays as it is.
+  ReachClipping(const DiagramCore& core, const Clipping& window, const Reach& reach)
+      : core_(core), window_(window), reach_(reach) {}
+
+  [[nodiscard]] const Rectangle& box() const override { return window_.box(); }
+  [[nodiscard]] const Border& border() const override { return window_.border(); }
+  [[nodiscard]] std::unique_ptr<CellClipper> cells(Parts parts) const override;
+  /// What two cells share.
+  void visitEdges(EdgeVisitor& visitor) const override;
+  void measureCells(Measure what, std::vector<double>& measures) const override;
+  /// And where cells end without a neighbor.
+  void drawEdges(double tolerance, Portion& portion, Path& path) const override;
+
+ private:
+  const DiagramCore& core_;
+  const Clipping& window_;
+  const Reach& reach_;
+};
+
+}  // namespace apollonius::internal

@@ -1,0 +1,258 @@
+// Cells that end at a distance from their sites' circles: against sampled points, against closed
+// forms, and as polygons.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "geometry/coverage_judge.h"
+#include "geometry/shapes.h"
+#include "support/corpus.h"
+#include "support/effort.h"
+#include "support/operations.h"
+
+namespace apollonius::test {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A window that is a rectangle, or that and a hole in it.
+struct Window {
+  Bounds bounds;
+  Region region;
+  bool isRegion = false;
+  std::vector<double> hole;
+
+  explicit Window(const Bounds& b) : bounds(b) {}
+  Window(const Bounds& b, double share) : bounds(b), isRegion(true) {
+    const double w = share * (b.xmax - b.xmin), h = share * (b.ymax - b.ymin);
+    hole = {b.xmin + w, b.ymin + 1.1 * h, b.xmax - 1.2 * w,
+            b.ymin + h, b.xmax - w,       b.ymax - 1.3 * h};
+    std::vector<double> rings = {b.xmin, b.ymin, b.xmax, b.ymin, b.xmax, b.ymax, b.xmin, b.ymax};
+    rings.insert(rings.end(), hole.begin(), hole.end());
+    const std::uint32_t starts[] = {0, 4, 7};
+    EXPECT_EQ(region.assign(rings, starts), Error::kNone);
+  }
+  [[nodiscard]] Voronoi of(const Diagram& diagram, const Reach* reach) const {
+    return isRegion ? Voronoi(diagram, region, reach) : Voronoi(diagram, bounds, reach);
+  }
+  [[nodiscard]] bool holds(double x, double y) const {
+    if (x < bounds.xmin || x > bounds.xmax || y < bounds.ymin || y > bounds.ymax) return false;
+    bool isInHole = false;
+    for (std::size_t k = 0; k < hole.size(); k += 2) {
+      const std::size_t next = (k + 2) % hole.size();
+      const double x1 = hole[k], y1 = hole[k + 1], x2 = hole[next], y2 = hole[next + 1];
+      if ((y1 > y) != (y2 > y) && x < x1 + (y - y1) / (y2 - y1) * (x2 - x1)) isInHole = !isInHole;
+    }
+    return !isInHole;
+  }
+};
+
+/// The area of each cell by a grid of points.
+std::vector<double> sampledAreas(const Circles& circles, const std::vector<double>& reach,
+                                 const Window& window, int side) {
+  std::vector<double> areas(circles.size(), 0);
+  const Bounds& b = window.bounds;
+  const double w = (b.xmax - b.xmin) / side, h = (b.ymax - b.ymin) / side;
+  for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < side; ++j) {
+      const double x = b.xmin + (i + 0.5) * w, y = b.ymin + (j + 0.5) * h;
+      if (!window.holds(x, y)) continue;
+      std::size_t best = 0;
+      for (std::size_t k = 1; k < circles.size(); ++k) {
+        if (distanceTo(circles[k], x, y) < distanceTo(circles[best], x, y)) best = k;
+      }
+      if (distanceTo(circles[best], x, y) <= reach[best]) areas[best] += w * h;
+    }
+  }
+  return areas;
+}
+
+/// A distance for each site, the same or different ones, some of them 0, below 0 or infinite.
+std::vector<double> someReach(Random& random, std::size_t count, double size, bool isSame) {
+  std::vector<double> reach(count, size * random.between(0.02, 0.6));
+  if (isSame) return reach;
+  for (double& distance : reach) {
+    const std::size_t kind = random.below(std::size_t{8});
+    distance = kind == 0   ? 0
+               : kind == 1 ? kInfinity
+               : kind == 2 ? -size * random.between(0, 0.05)
+                           : size * random.between(0.01, 0.6);
+  }
+  return reach;
+}
+
+TEST(Reach, OfOneSite) {
+  Diagram diagram;
+  insertInto(diagram, {{0, 0, 1}});
+  const auto areaIn = [&](const Bounds& bounds, double distance) {
+    const Reach reach(distance);
+    CellMeasures measures;
+    EXPECT_EQ(Voronoi(diagram, bounds, &reach).cellMeasures(0, measures), Error::kNone);
+    return measures.area;
+  };
+  EXPECT_NEAR(areaIn({-9, -9, 9, 9}, 2), 9 * kPi, 1e-12);
+  EXPECT_NEAR(areaIn({0, -9, 9, 9}, 2), 4.5 * kPi, 1e-12);
+  EXPECT_NEAR(areaIn({0, 0, 9, 9}, 2), 2.25 * kPi, 1e-12);
+  EXPECT_NEAR(areaIn({-3, -3, 3, 3}, 2), 9 * kPi, 1e-12);  // touched by the sides
+  EXPECT_NEAR(areaIn({-1, -1, 1, 1}, 2), 4, 1e-12);
+  EXPECT_NEAR(areaIn({4, 4, 9, 9}, 2), 0, 1e-12);
+  EXPECT_NEAR(areaIn({-9, -9, 9, 9}, kInfinity), 324, 1e-9);
+  EXPECT_EQ(areaIn({-9, -9, 9, 9}, -1), 0);
+  EXPECT_EQ(areaIn({-9, -9, 9, 9}, -5), 0);
+  EXPECT_NEAR(areaIn({-9, -9, 9, 9}, -0.5), kPi / 4, 1e-12);
+}
+
+TEST(Reach, OfTwoSitesThatMeet) {
+  // Circles of radius 5 about centres 6 apart: each loses the segment beyond the middle.
+  Diagram diagram;
+  insertInto(diagram, {{-3, 0, 1}, {3, 0, 1}});
+  const Reach reach(4);
+  const Voronoi voronoi(diagram, {-20, -20, 20, 20}, &reach);
+  const double half = std::acos(0.6), expected = 25 * (kPi - half) + 3 * 4;
+  std::vector<double> areas, perimeters;
+  ASSERT_EQ(voronoi.cellAreas(areas), Error::kNone);
+  EXPECT_NEAR(areas[0], expected, 1e-11);
+  EXPECT_NEAR(areas[1], expected, 1e-11);
+  ASSERT_EQ(voronoi.cellPerimeters(perimeters), Error::kNone);
+  EXPECT_NEAR(perimeters[0], 2 * 5 * (kPi - half) + 8, 1e-11);
+  CurveArrays edges;
+  ASSERT_EQ(voronoi.edgeCurves(edges), Error::kNone);
+  ASSERT_EQ(edges.sites.size(), 2u);
+  EXPECT_NEAR(std::abs(edges.curves[1]), 4, 1e-12);
+  EXPECT_NEAR(edges.curves[0], 0, 1e-12);
+}
+
+TEST(Reach, ADistanceForEachSite) {
+  // The second one reaches to the bisector only; the first one's edge goes on without it.
+  Diagram diagram;
+  insertInto(diagram, {{-3, 0, 0}, {3, 0, 0}});
+  const std::vector<double> distances{5, 3.5};
+  const Reach reach{std::span<const double>(distances)};
+  const Voronoi voronoi(diagram, {-20, -20, 20, 20}, &reach);
+  CurveArrays boundary;
+  ASSERT_EQ(voronoi.cellCurves(0, boundary), Error::kNone);
+  double shared = 0, straight = 0;
+  for (std::size_t k = 0; k < boundary.sites.size(); ++k) {
+    const double* c = &boundary.curves[7 * k];
+    if (c[0] != 0 || c[5] != 0) continue;
+    straight += std::abs(c[6] - c[1]);
+    if (boundary.sites[k] == 1) shared += std::abs(c[6] - c[1]);
+  }
+  EXPECT_NEAR(straight, 8, 1e-12);
+  EXPECT_NEAR(shared, 2 * std::sqrt(3.5 * 3.5 - 9), 1e-12);
+}
+
+TEST(Reach, ADistanceIsMissingForASite) {
+  Diagram diagram;
+  insertInto(diagram, {{-3, 0, 0}, {3, 0, 0}});
+  const std::vector<double> distances{5};
+  const Reach reach{std::span<const double>(distances)};
+  std::vector<double> areas;
+  EXPECT_EQ(Voronoi(diagram, {-9, -9, 9, 9}, &reach).cellAreas(areas), Error::kBadLength);
+}
+
+TEST(Reach, AreasAreThoseOfSampledPoints) {
+  Random random(671);
+  for (int run = 0; run < runs(25) && !::testing::Test::HasFailure(); ++run) {
+    const Circles circles =
+        randomCircles(random, 2 + random.below(std::size_t{12}), Hidden::k20Percent);
+    Bounds bounds;
+    if (!windowAround(circles, random.between(-0.2, 0.5), bounds)) continue;
+    const double size = bounds.xmax - bounds.xmin;
+    const std::vector<double> distances = someReach(random, circles.size(), size, run % 3 == 0);
+    const Reach reach{std::span<const double>(distances)};
+    const Window rectangle(bounds), withHole(bounds, 0.2);
+    for (const Window* window : {&rectangle, &withHole}) {
+      Diagram diagram;
+      insertInto(diagram, circles);
+      const Voronoi voronoi = window->of(diagram, &reach);
+      constexpr int kSide = 300;
+      const std::vector<double> expected = sampledAreas(circles, distances, *window, kSide);
+      std::vector<double> areas;
+      ASSERT_EQ(voronoi.cellAreas(areas), Error::kNone);
+      for (SiteId id = 0; id < circles.size(); ++id) {
+        EXPECT_NEAR(areas[id], expected[id], 12 * areaOf(bounds) / kSide)
+            << "run " << run << " site " << id << "\n"
+            << toText(insertAll(circles));
+        CellMoments moments;
+        ASSERT_EQ(voronoi.cellMoments(id, moments), Error::kNone);
+        EXPECT_NEAR(moments.area, areas[id], 1e-9 * areaOf(bounds));
+      }
+    }
+  }
+}
+
+/// What is wrong with the polygons; empty if nothing is.
+std::string faultsIn(const Circles& circles, const std::vector<double>& distances,
+                     const Window& window, double tolerance) {
+  Diagram diagram;
+  insertInto(diagram, circles);
+  const Reach reach{std::span<const double>(distances)};
+  CoverageArrays coverage;
+  EXPECT_EQ(window.of(diagram, &reach).cellPolygons(tolerance, coverage), Error::kNone);
+  CoverageJudge judge(coverage, 0);
+  const double size = sizeOf(window.bounds), rounding = 1e-9 * size;
+  judge.expectPairs([&](Place p, Place q) {
+    // On the window's border; or both where some site's reach ends, or on an edge beyond that.
+    for (const double share : {0.3, 0.5, 0.7}) {
+      const double x = p.first + share * (q.first - p.first),
+                   y = p.second + share * (q.second - p.second);
+      const double nx = q.second - p.second, ny = p.first - q.first, length = std::hypot(nx, ny);
+      if (length == 0) return true;
+      if (!window.holds(x + nx / length * rounding, y + ny / length * rounding)) return true;
+    }
+    const auto isAtReach = [&](Place at) {
+      std::vector<double> own;
+      for (std::size_t k = 0; k < circles.size(); ++k)
+        own.push_back(distanceTo(circles[k], at.first, at.second));
+      const auto nearest =
+          static_cast<std::size_t>(std::min_element(own.begin(), own.end()) - own.begin());
+      for (std::size_t k = 0; k < own.size(); ++k) {
+        if (own[k] <= own[nearest] + rounding && own[k] >= distances[k] - rounding) return true;
+      }
+      return false;
+    };
+    return isAtReach(p) && isAtReach(q);
+  });
+  judge.expectNoCrossings();
+  return judge.complaints();
+}
+
+class ReachOn : public ::testing::TestWithParam<NamedGenerator> {};
+
+TEST_P(ReachOn, PolygonsFitTogether) {
+  // Distances as small as those of doubles, and places far beyond all that is in the window: a
+  // vertex can be within reach for one cell and not for the next one.
+  const std::string name = GetParam().name;
+  if (name == "OneUlpApart" || name == "MixedMagnitudes") GTEST_SKIP();
+  Random random(672);
+  for (int run = 0; run < runs(2); ++run) {
+    const auto k = static_cast<std::size_t>(run);
+    const Circles circles = GetParam().make(random, GetParam().large ? 8 + 6 * k : 4 + k);
+    for (const double share : {0.0, 0.4}) {
+      Bounds bounds;
+      if (!windowAround(circles, share, bounds)) continue;
+      const double size = bounds.xmax - bounds.xmin;
+      const std::vector<double> distances = someReach(random, circles.size(), size, run % 2 == 0);
+      const Window rectangle(bounds), withHole(bounds, 0.2);
+      for (const double tolerance : {1e-5, 0.02, 10.0}) {
+        for (const Window* window : {&rectangle, &withHole}) {
+          ASSERT_EQ(faultsIn(circles, distances, *window, tolerance * size), "")
+              << "run " << run << " share " << share << " tolerance " << tolerance << " region "
+              << window->isRegion << "\n"
+              << toText(insertAll(circles));
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, ReachOn, ::testing::ValuesIn(corpus()),
+                         [](const auto& parameter) { return parameter.param.name; });
+
+}  // namespace
+}  // namespace apollonius::test
