@@ -20,7 +20,7 @@ import type { Voronoi } from "./voronoi.js";
 
 /** Of the shape's diagonal, and of the root of the smaller area along a curve. */
 const kToleranceOfShape = 2 ** -13;
-const kToleranceOfCell = 2 ** -10;
+const kToleranceOfCell = 2 ** -9;
 
 export interface Cell {
   readonly frame: Frame;

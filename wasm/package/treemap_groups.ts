@@ -149,17 +149,16 @@ function* fill(
     const start = startOf(node, cell, group, window, settings, before);
     using diagram = new Diagram(circlesOf(start.places, start.weights));
     using view = diagram.voronoi(window.rings);
-    if (padding === 0 && refinings < kMostRefinings) {
-      const area = view.cellAreas().reduce((sum, part) => sum + part, 0);
-      const whole = momentsOf(window.rings).area;
-      if (Math.abs(area - whole) > kAreaOff * whole) continue;
-    }
     try {
       cell.fit = yield* fitted(view, window, targets, start, settings, limits);
     } catch (error) {
       throw ofNode(error, node);
     }
-    return cellsIn(view, window, limits.tolerance);
+    const found = cellsIn(view, window, limits.tolerance);
+    const area = found.reduce((sum, part) => sum + part.area, 0);
+    const whole = momentsOf(window.rings).area;
+    const isOff = padding === 0 && Math.abs(area - whole) > kAreaOff * whole;
+    if (!isOff || refinings === kMostRefinings) return found;
   }
 }
 

@@ -9,38 +9,22 @@ export interface Outline {
 /** Rings x, y, …, not closed by their first point again; their insides are on their left. */
 export type Rings = readonly Float64Array[];
 
-/** Three control points and a weight: a rational quadratic Bezier curve. */
-type Conic = [x0: number, y0: number, x1: number, y1: number, w: number, x2: number, y2: number];
-
 const kDeepest = 16;
-
-/** The two halves of a conic, which meet at its shoulder. */
-function halvesOf([x0, y0, x1, y1, w, x2, y2]: Conic): [Conic, Conic] {
-  const whole = 1 + w;
-  const [ax, ay] = [(x0 + w * x1) / whole, (y0 + w * y1) / whole];
-  const [bx, by] = [(x2 + w * x1) / whole, (y2 + w * y1) / whole];
-  const [x, y] = [(ax + bx) / 2, (ay + by) / 2];
-  const half = Math.sqrt(whole / 2);
-  return [
-    [x0, y0, ax, ay, half, x, y],
-    [x, y, bx, by, half, x2, y2],
-  ];
-}
-
-/** How far the shoulder of a conic is from the middle of its chord. */
-function heightOf([x0, y0, x1, y1, w, x2, y2]: Conic): number {
-  const [x, y] = [x1 - (x0 + x2) / 2, y1 - (y0 + y2) / 2];
-  return (w / (1 + w)) * Math.sqrt(x * x + y * y);
-}
 
 /**
  * The area between a conic of this weight and its chord, as a share of the triangle of its control
  * points: the triangle of the shoulder, and twice as much of each half; 2/3 of a parabola, w = 1.
  */
-function shareOfTriangle(w: number, depth = 0): number {
-  if (depth === kDeepest) return 2 / 3;
-  const half = Math.sqrt((1 + w) / 2);
-  return w / (1 + w) + (w / ((1 + w) * (1 + w))) * shareOfTriangle(half, depth + 1);
+function shareOfTriangle(w: number): number {
+  let sum = 0;
+  let factor = 1;
+  for (let depth = 0; depth < kDeepest; ++depth) {
+    const part = w / (1 + w);
+    sum += factor * part;
+    factor *= part / (1 + w);
+    w = Math.sqrt((1 + w) / 2);
+  }
+  return sum + (factor * 2) / 3;
 }
 
 /** Twice the signed area of a triangle. */
@@ -48,43 +32,73 @@ function cross(ax: number, ay: number, bx: number, by: number, cx: number, cy: n
   return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
 }
 
-/** Adds the points between the ends of a conic, so that chords are within the tolerance. */
-function addInner(points: number[], conic: Conic, tolerance: number, depth: number): void {
-  if (depth > 0 && (depth === kDeepest || !(heightOf(conic) > tolerance))) return;
-  const [first, second] = halvesOf(conic);
-  addInner(points, first, tolerance, depth + 1);
-  points.push(second[0], second[1]);
-  addInner(points, second, tolerance, depth + 1);
+/**
+ * Adds the points between the ends of a conic, so that chords are within the tolerance: its
+ * shoulder, and those of its halves.
+ */
+function addInner(
+  points: number[],
+  x0: number,
+  y0: number,
+  x1: number,
+  y1: number,
+  w: number,
+  x2: number,
+  y2: number,
+  square: number, // of the tolerance
+  depth: number,
+): void {
+  const whole = 1 + w;
+  const ax = (x0 + w * x1) / whole;
+  const ay = (y0 + w * y1) / whole;
+  const bx = (x2 + w * x1) / whole;
+  const by = (y2 + w * y1) / whole;
+  const x = (ax + bx) / 2;
+  const y = (ay + by) / 2;
+  const dx = x - (x0 + x2) / 2;
+  const dy = y - (y0 + y2) / 2;
+  if (depth > 0 && (depth === kDeepest || !(dx * dx + dy * dy > square))) return;
+  const half = Math.sqrt(whole / 2);
+  addInner(points, x0, y0, ax, ay, half, x, y, square, depth + 1);
+  points.push(x, y);
+  addInner(points, x, y, bx, by, half, x2, y2, square, depth + 1);
 }
 
 /**
- * The points of a conic but for its end. Those inside are moved away from the chord, or towards it,
+ * The points of a curve but for its end. Those inside are moved away from the chord, or towards it,
  * in one proportion, so that the area between is the curve's.
  */
-function addConic(points: number[], conic: Conic, tolerance: number): void {
-  const [x0, y0, x1, y1, w, x2, y2] = conic;
+function addCurve(points: number[], curves: Float64Array, at: number, tolerance: number): void {
+  const x0 = curves[at]!;
+  const y0 = curves[at + 1]!;
   points.push(x0, y0);
+  const w = curves[at + 4]!;
+  if (w === 0) return;
+  const x1 = curves[at + 2]!;
+  const y1 = curves[at + 3]!;
+  const x2 = curves[at + 5]!;
+  const y2 = curves[at + 6]!;
   const wanted = cross(x0, y0, x1, y1, x2, y2) * shareOfTriangle(w);
-  if (w === 0 || wanted === 0) return;
+  if (wanted === 0) return;
   const from = points.length;
-  addInner(points, conic, tolerance, 0);
+  addInner(points, x0, y0, x1, y1, w, x2, y2, tolerance * tolerance, 0);
   let area = 0;
-  for (let k = from - 2; k + 2 < points.length; k += 2)
-    area += cross(x0, y0, points[k]!, points[k + 1]!, points[k + 2]!, points[k + 3]!);
-  area += cross(x0, y0, points.at(-2)!, points.at(-1)!, x2, y2);
-  const more = wanted / area - 1;
-  if (!(Math.abs(more) < 1)) return; // of a curve that is straight but for rounding
-  const [dx, dy] = [x2 - x0, y2 - y0];
-  const square = dx * dx + dy * dy;
   for (let k = from; k < points.length; k += 2) {
-    const off = (more * cross(x0, y0, x2, y2, points[k]!, points[k + 1]!)) / square;
+    const isLast = k + 2 === points.length;
+    const nextX = isLast ? x2 : points[k + 2]!;
+    const nextY = isLast ? y2 : points[k + 3]!;
+    area += cross(x0, y0, points[k]!, points[k + 1]!, nextX, nextY);
+  }
+  const more = wanted / area - 1;
+  if (!(Math.abs(more) < 1)) return; // a curve that is straight but for rounding
+  const dx = x2 - x0;
+  const dy = y2 - y0;
+  const share = more / (dx * dx + dy * dy);
+  for (let k = from; k < points.length; k += 2) {
+    const off = share * cross(x0, y0, x2, y2, points[k]!, points[k + 1]!);
     points[k]! -= off * dy;
     points[k + 1]! += off * dx;
   }
-}
-
-function conicAt(curves: Float64Array, k: number): Conic {
-  return Array.from(curves.subarray(7 * k, 7 * k + 7)) as Conic;
 }
 
 /**
@@ -97,7 +111,7 @@ export function polygonOf(
 ): Rings {
   return Array.from(starts.subarray(1), (end, ring) => {
     const points: number[] = [];
-    for (let k = starts[ring]!; k < end; ++k) addConic(points, conicAt(curves, k), toleranceOf(k));
+    for (let k = starts[ring]!; k < end; ++k) addCurve(points, curves, 7 * k, toleranceOf(k));
     return Float64Array.from(points);
   });
 }

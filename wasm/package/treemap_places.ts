@@ -53,7 +53,7 @@ export function spread(
 ): Float64Array {
   const count = values.length;
   const wanted = Math.max(2 * count, Math.min(kSamplesOfSite * count, kMostSamples));
-  const samples = samplesIn(rings, Math.max(64, wanted), random);
+  const samples = samplesIn(rings, Math.max(32, wanted), random);
   const sums = new Float64Array(count + 1);
   for (let k = 0; k < count; ++k) sums[k + 1] = sums[k]! + values[k]!;
   const places = new Float64Array(2 * count);
@@ -73,22 +73,46 @@ export function spread(
     const share = (sums[at]! - sums[from]!) / (sums[to]! - sums[from]!);
     const axis = longerAxis(samples, own);
     const sign = isFlipped[axis] ? -1 : 1;
-    for (const k of own) keys[k] = sign * samples[2 * k + axis]!;
-    own.sort((a, b) => keys[a]! - keys[b]! || a - b);
+    for (let k = 0; k < own.length; ++k) keys[own[k]!] = sign * samples[2 * own[k]! + axis]!;
     const split = Math.round(share * own.length);
     const cut = Math.min(Math.max(split, at - from), own.length - (to - at));
+    select(own, keys, cut);
     rest.push([from, at, own.subarray(0, cut)], [at, to, own.subarray(cut)]);
   }
   return places;
 }
 
+/** Puts the first `count` in the order of the keys in front (Hoare). */
+function select(own: Uint32Array, keys: Float64Array, count: number): void {
+  let low = 0;
+  let high = own.length - 1;
+  while (low < high) {
+    const pivot = keys[own[(low + high) >> 1]!]!;
+    let i = low;
+    let j = high;
+    while (i <= j) {
+      while (keys[own[i]!]! < pivot) ++i;
+      while (keys[own[j]!]! > pivot) --j;
+      if (i > j) break;
+      const kept = own[i]!;
+      own[i++] = own[j]!;
+      own[j--] = kept;
+    }
+    if (count <= j) high = j;
+    else if (count >= i) low = i;
+    else return;
+  }
+}
+
 function longerAxis(samples: Float64Array, own: Uint32Array): 0 | 1 {
   let [xmin, ymin, xmax, ymax] = [Infinity, Infinity, -Infinity, -Infinity];
-  for (const k of own) {
-    xmin = Math.min(xmin, samples[2 * k]!);
-    xmax = Math.max(xmax, samples[2 * k]!);
-    ymin = Math.min(ymin, samples[2 * k + 1]!);
-    ymax = Math.max(ymax, samples[2 * k + 1]!);
+  for (let k = 0; k < own.length; ++k) {
+    const x = samples[2 * own[k]!]!;
+    const y = samples[2 * own[k]! + 1]!;
+    if (x < xmin) xmin = x;
+    if (x > xmax) xmax = x;
+    if (y < ymin) ymin = y;
+    if (y > ymax) ymax = y;
   }
   return xmax - xmin >= ymax - ymin ? 0 : 1;
 }

@@ -19,10 +19,12 @@ export function boxOf(rings: Rings): Box {
   let [xmin, ymin, xmax, ymax] = [Infinity, Infinity, -Infinity, -Infinity];
   for (const ring of rings) {
     for (let k = 0; k < ring.length; k += 2) {
-      xmin = Math.min(xmin, ring[k]!);
-      xmax = Math.max(xmax, ring[k]!);
-      ymin = Math.min(ymin, ring[k + 1]!);
-      ymax = Math.max(ymax, ring[k + 1]!);
+      const x = ring[k]!;
+      const y = ring[k + 1]!;
+      if (x < xmin) xmin = x;
+      if (x > xmax) xmax = x;
+      if (y < ymin) ymin = y;
+      if (y > ymax) ymax = y;
     }
   }
   return { xmin, ymin, xmax, ymax };
@@ -38,10 +40,15 @@ export function frameOf({ xmin, ymin, xmax, ymax }: Box): Frame {
 }
 
 /** Numbers of one frame in another one that is given in its coordinates. */
-export function movedInto(frame: Frame, rings: Rings): Rings {
-  return rings.map((ring) =>
-    ring.map((value, k) => (value - (k % 2 === 0 ? frame.x : frame.y)) / frame.scale),
-  );
+export function movedInto({ x, y, scale }: Frame, rings: Rings): Rings {
+  return rings.map((ring) => {
+    const moved = new Float64Array(ring.length);
+    for (let k = 0; k < ring.length; k += 2) {
+      moved[k] = (ring[k]! - x) / scale;
+      moved[k + 1] = (ring[k + 1]! - y) / scale;
+    }
+    return moved;
+  });
 }
 
 /** The same of curves, whose fifth number of seven is a weight. */
@@ -69,7 +76,10 @@ export function momentsOf(rings: Rings): { area: number; x: number; y: number } 
   let [area, x, y] = [0, 0, 0];
   for (const ring of rings) {
     for (let k = 0, last = ring.length - 2; k < ring.length; last = k, k += 2) {
-      const [ax, ay, bx, by] = [ring[last]!, ring[last + 1]!, ring[k]!, ring[k + 1]!];
+      const ax = ring[last]!;
+      const ay = ring[last + 1]!;
+      const bx = ring[k]!;
+      const by = ring[k + 1]!;
       const piece = (ax * by - bx * ay) / 2;
       area += piece;
       x += (piece * (ax + bx)) / 3;
@@ -84,9 +94,11 @@ export function isInside(rings: Rings, x: number, y: number): boolean {
   let inside = false;
   for (const ring of rings) {
     for (let k = 0, last = ring.length - 2; k < ring.length; last = k, k += 2) {
-      const [ay, by] = [ring[last + 1]!, ring[k + 1]!];
+      const ay = ring[last + 1]!;
+      const by = ring[k + 1]!;
       if (ay > y === by > y) continue;
-      const [ax, bx] = [ring[last]!, ring[k]!];
+      const ax = ring[last]!;
+      const bx = ring[k]!;
       if (x < ax + ((y - ay) / (by - ay)) * (bx - ax)) inside = !inside;
     }
   }
@@ -98,7 +110,8 @@ export function crossingsAt(rings: Rings, y: number): number[] {
   const crossings: number[] = [];
   for (const ring of rings) {
     for (let k = 0, last = ring.length - 2; k < ring.length; last = k, k += 2) {
-      const [ay, by] = [ring[last + 1]!, ring[k + 1]!];
+      const ay = ring[last + 1]!;
+      const by = ring[k + 1]!;
       if (ay > y === by > y) continue;
       crossings.push(ring[last]! + ((y - ay) / (by - ay)) * (ring[k]! - ring[last]!));
     }
@@ -108,16 +121,13 @@ export function crossingsAt(rings: Rings, y: number): number[] {
 
 /** All rings as one, closed: to each further ring and around it, then back the same way. */
 export function joined(rings: Rings, { x, y, scale }: Frame): [number, number][] {
-  const points = rings.flatMap((ring) => {
-    const own: [number, number][] = [];
-    for (let k = 0; k < ring.length; k += 2)
-      own.push([x + scale * ring[k]!, y + scale * ring[k + 1]!]);
-    own.push([...own[0]!]);
-    return own;
-  });
-  const firsts = rings
-    .slice(0, -1)
-    .reverse()
-    .map((ring): [number, number] => [x + scale * ring[0]!, y + scale * ring[1]!]);
-  return points.concat(firsts);
+  const points: [number, number][] = [];
+  const add = (ring: Float64Array, k: number) =>
+    points.push([x + scale * ring[k]!, y + scale * ring[k + 1]!]);
+  for (const ring of rings) {
+    for (let k = 0; k < ring.length; k += 2) add(ring, k);
+    add(ring, 0);
+  }
+  for (let k = rings.length - 2; k >= 0; --k) add(rings[k]!, 0);
+  return points;
 }

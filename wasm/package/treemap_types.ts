@@ -49,7 +49,7 @@ export interface TreemapCell {
   centroid: Position | null;
   /**
    * The cell as one closed ring, counter-clockwise (y upwards): its own area is `area` but for
-   * rounding, and it is within a 2^13th of the shape's diagonal, or a 2^9th of the cell's width if
+   * rounding, and it is within a 2^13th of the shape's diagonal, or a 2^8th of the cell's width if
    * that is less, of the curved one. Holes and further parts are joined by doubled segments, as
    * in `cellPolygon`. null without a value.
    */
