@@ -14,6 +14,7 @@ import {
   type Settings,
   usualKey,
 } from "./treemap_settings.js";
+import type { TreemapFit } from "./treemap_types.js";
 import type { FitOptions, FittedAreas } from "./types.js";
 import type { Voronoi } from "./voronoi.js";
 
@@ -30,6 +31,11 @@ type Work<Result> = Generator<Request, Result, FittedAreas>;
 const kError = 5e-7;
 /** While sites move. */
 const kCoarse = 0.1;
+const kMostCoarse = 60;
+/** What rounding has left is no reason to look for other places. */
+const kGoodEnough = 1e-3;
+/** Of the values, for sites that are hard to find weights for. */
+const kPowers = [0.25, 0.5, 0.75, 1, 1, 1, 1];
 /** Sites are at rest when none moves by more than this share of its cell's width. */
 const kRest = 0.04;
 /** The polygon of a window whose sides cross is made again, finer, when its area is off by this. */
@@ -49,6 +55,8 @@ interface Start {
   readonly weights: Float64Array;
   /** Are they those of an earlier layout? */
   readonly isOld: boolean;
+  /** Are they given by the caller? */
+  readonly isGiven: boolean;
 }
 
 /** All nodes with a cell. */
@@ -217,9 +225,10 @@ function startOf(
   }
   const { position } = settings;
   if (matches === 0 && position === null)
-    return { places: spread(rings, targets, random), weights, isOld: false };
+    return { places: spread(rings, targets, random), weights, isOld: false, isGiven: false };
   if (matches === 0) children.forEach((child, k) => put(k, ...positionOf(child, position!)));
-  return { places: settled(rings, places, random), weights, isOld: matches > 0 };
+  const isOld = matches > 0;
+  return { places: settled(rings, places, random), weights, isOld, isGiven: !isOld };
 }
 
 /** Moves sites, if they are to, and finds their weights. */
@@ -227,53 +236,111 @@ function* fitted(
   view: Voronoi,
   { rings }: Window,
   targets: Float64Array,
-  { places, weights, isOld }: Start,
+  { places, weights, isOld, isGiven }: Start,
   { sites, rounds }: Settings,
   { error, done, share }: Limits,
-): Work<NonNullable<Cell["fit"]>> {
-  const { diagram } = view;
-  const most = isOld || sites === "stay" ? 0 : rounds;
-  let iterations = 0;
-  let start = weights;
-  for (let round = 0; round < most; ++round) {
-    const options = { tolerance: kCoarse, start };
-    const now = done + (share * round) / (most + 1);
-    try {
-      const found = yield { view, targets, options, done: now };
-      iterations += found.iterations;
-      start = found.weights;
-    } catch (failure) {
-      if (!(failure instanceof ApolloniusError && failure.code === "no-convergence")) throw failure;
-      if (round > 0) diagram.updateMany(diagram.ids(), circlesOf(places, start));
-      break; // from where it still went well
-    }
-    const moved = movedToCentroids(view, rings, places);
-    if (moved.far < kRest) break;
-    places = moved.places;
-    diagram.updateMany(diagram.ids(), circlesOf(places, start));
+): Work<TreemapFit> {
+  const search: Search = { view, rings, targets, places, weights, iterations: 0, done, share };
+  if (sites === "move" && !isOld) yield* moved(search, new Array(rounds).fill(1));
+  const mayMove = sites === "move" || !isGiven;
+  let first: TreemapFit | null = null;
+  try {
+    first = yield* weighted(search, error);
+    if (first.error < kGoodEnough || !mayMove) return first;
+  } catch (failure) {
+    if (!mayMove || !isNoConvergence(failure)) throw failure;
   }
-  const options = { tolerance: error, start };
-  const found = yield { view, targets, options, done: done + (share * most) / (most + 1) };
-  const { converged, error: reached } = found;
-  return { iterations: iterations + found.iterations, error: reached, converged };
+  // From values that are less unequal to the true ones, so that each site has room of its own.
+  const before = { ...search };
+  search.weights = new Float64Array(weights.length);
+  renew(search);
+  yield* moved(search, kPowers);
+  try {
+    const second = yield* weighted(search, error);
+    if (first === null || second.error < first.error) return second;
+  } catch (failure) {
+    if (first === null || !isNoConvergence(failure)) throw failure;
+  }
+  renew(before);
+  return first;
+}
+
+interface Search {
+  readonly view: Voronoi;
+  readonly rings: Window["rings"];
+  readonly targets: Float64Array;
+  places: Float64Array;
+  weights: Float64Array;
+  iterations: number;
+  done: number;
+  share: number;
+}
+
+const isNoConvergence = (failure: unknown): boolean =>
+  failure instanceof ApolloniusError && failure.code === "no-convergence";
+
+/** The diagram with the places and weights of a search. */
+function renew({ view: { diagram }, places, weights }: Search): void {
+  diagram.updateMany(diagram.ids(), circlesOf(places, weights));
+}
+
+/** Weights for where sites are. */
+function* weighted(search: Search, tolerance: number): Work<TreemapFit> {
+  const { view, targets, weights, done } = search;
+  const found = yield { view, targets, options: { tolerance, start: weights }, done };
+  search.iterations += found.iterations;
+  search.weights = found.weights;
+  return { iterations: search.iterations, error: found.error, converged: found.converged };
+}
+
+/**
+ * Moves sites to the centroids of cells whose areas are about in proportion to powers of the
+ * values, one round for each power; fewer if they are at rest, or if weights are not found.
+ */
+function* moved(search: Search, powers: readonly number[]): Work<void> {
+  const part = search.share / 2 / (powers.length + 1);
+  for (const power of powers) {
+    const targets = search.targets.map((target) => powerOf(target, power));
+    const options = { tolerance: kCoarse, maxIterations: kMostCoarse, start: search.weights };
+    try {
+      const found = yield { view: search.view, targets, options, done: search.done };
+      search.iterations += found.iterations;
+      search.weights = found.weights;
+    } catch (failure) {
+      if (!isNoConvergence(failure)) throw failure;
+      return renew(search); // where it still went well
+    }
+    search.done += part;
+    search.share -= part;
+    const { places, far } = movedToCentroids(search);
+    if (power === 1 && far < kRest) return;
+    search.places = places;
+    renew(search);
+  }
+}
+
+/** A quarter, half, three quarters, or one: by roots, which are the same on every machine. */
+function powerOf(value: number, power: number): number {
+  const root = Math.sqrt(value);
+  if (power === 1) return value;
+  return power === 0.5 ? root : power === 0.25 ? Math.sqrt(root) : root * Math.sqrt(root);
 }
 
 /** The centroids that are inside, and how far at most they are, in widths of cells. */
-function movedToCentroids(
-  view: Voronoi,
-  rings: Window["rings"],
-  places: Float64Array,
-): { places: Float64Array; far: number } {
+function movedToCentroids({ view, rings, places }: Search): { places: Float64Array; far: number } {
   const areas = view.cellAreas();
   const centroids = view.cellCentroids();
-  const moved = places.slice();
+  const result = places.slice();
   let far = 0;
   areas.forEach((area, k) => {
-    const [x, y] = [centroids[2 * k]!, centroids[2 * k + 1]!];
+    const x = centroids[2 * k]!;
+    const y = centroids[2 * k + 1]!;
     if (!isInside(rings, x, y)) return;
-    const [dx, dy] = [x - places[2 * k]!, y - places[2 * k + 1]!];
+    const dx = x - places[2 * k]!;
+    const dy = y - places[2 * k + 1]!;
     far = Math.max(far, Math.sqrt((dx * dx + dy * dy) / area));
-    moved.set([x, y], 2 * k);
+    result[2 * k] = x;
+    result[2 * k + 1] = y;
   });
-  return { places: moved, far };
+  return { places: result, far };
 }

@@ -82,9 +82,10 @@ export interface TreemapOptions {
  * in proportion to the values: each child's *target* is the area of its parent's window times its
  * share of the sum of its siblings' values. `area` is within 1e-6 of that, relative to it. Without
  * padding a parent's window has the area of its cell, so that each cell has its share of the whole
- * shape, and this holds to 1e-6, too, on any level: the tolerance of a level is what its depth
- * leaves. (Only where rounding forbids it, beside siblings that are 1e-8 times as large or less, a
- * `fit` has not `converged`.)
+ * shape, and this holds to 1e-6, too, on any level: each level gets its part of the tolerance, and
+ * windows are polygons of exactly the cells' areas. Values of siblings may differ by a factor of
+ * 1e6. Beyond that, or where sites stay at places without room for their cells, `fit.converged` can
+ * be false, or "no-convergence" is thrown.
  *
  * Layouts are all or nothing: nodes change at the end. The same tree, settings and seed give the
  * same bits. Errors: "bad-target" (a value that is negative or no number), "bad-bounds" (a shape
