@@ -38,6 +38,8 @@ const kGoodEnough = 1e-3;
 const kPowers = [0.25, 0.5, 0.75, 1, 1, 1, 1];
 /** Sites are at rest when none moves by more than this share of its cell's width. */
 const kRest = 0.04;
+/** So much of the way to its centroid a site moves from one layout to the next. */
+const kWayOfFrame = 0.25;
 /** The polygon of a window whose sides cross is made again, finer, when its area is off by this. */
 const kAreaOff = 1e-9;
 const kFiner = 1 / 16;
@@ -215,8 +217,10 @@ function startOf(
       const match = before.get(child);
       if (!match?.site) return;
       const { x, y, r } = match.site;
-      const [toX, toY] = settings.sites === "move" && match.centroid ? match.centroid : [x, y];
-      put(k, x0 + growth * (toX - oldX), y0 + growth * (toY - oldY));
+      const [toX, toY] = match.centroid ?? [x, y];
+      const way = settings.sites === "move" ? kWayOfFrame : 0;
+      const [newX, newY] = [x + way * (toX - x), y + way * (toY - y)];
+      put(k, x0 + growth * (newX - oldX), y0 + growth * (newY - oldY));
       if (!isInside(rings, places[2 * k]!, places[2 * k + 1]!))
         put(k, x0 + growth * (x - oldX), y0 + growth * (y - oldY));
       weights[k] = (growth * r) / frame.scale;

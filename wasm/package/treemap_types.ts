@@ -149,8 +149,9 @@ export interface Treemap<Datum = unknown> {
   seed(seed: number): this;
 
   /**
-   * A root that a treemap has laid out: sites begin where they are there, with their weights, and
-   * move only a little, for animations. Children are matched by their keys within parents that
+   * A root that a treemap has laid out, for animations: sites begin where they are there, with their
+   * weights, and at most move a quarter of the way to their centroids. Where values change by a few
+   * percent, two to four steps do. Children are matched by their keys within parents that
    * match. The tree may be the same one, with other values. Default: null.
    */
   previous(): (TreemapInput<Datum> & Partial<TreemapCell>) | null;
