@@ -94,8 +94,8 @@ const kLater = {
 // 4 000 (1 218 bytes of wasm in three files), snap rounding 4 500 (1 352), and polygons that tile
 // the window, with what came beside them, 91 000 (17 000), drawing for speed 3 400 (1 111),
 // one interface for windows 10 000 (3 058), transactions 3 000 (900), neighbours in a tree 12 000
-// (4 613), the sphere 283 000 (48 000 of wasm in four files, 19 000 in three, its entry and types), the
-// treemap 64 000 (its entry 23 000 and types 9 000, twice)
+// (4 613), the sphere 283 000 (48 000 of wasm in four files, 19 000 in three, its entry and types),
+// the treemap 64 000 (its entry 23 000 and types 9 000, twice)
 const kLaterUnpacked = 709_400;
 const kTreemap = 9_000; // its entry, beside the default one
 const later = Object.values(kLater).reduce((sum, bytes) => sum + bytes, 0);

@@ -58,7 +58,7 @@ test.each(["move", "stay"])("previous, sites %s: few steps a frame, and small mo
   }
 });
 
-test("previous: the same root with other values; children that come and go; a changed shape", () => {
+test("previous: the same root, other values; children that come and go; another shape", () => {
   const data = randomTree(60, 12);
   const root = treemap().shape(box)(rootOf(data));
   root.sum(({ size = 0, name }) => (name === "leaf 3" ? 0 : size * (name === "leaf 5" ? 2 : 1)));
@@ -96,7 +96,7 @@ test("async: the same bits, with turns of the event loop; progress from 0 to 1",
   expect([seen[0] >= 0, seen.at(-1)]).toEqual([true, 1]);
 });
 
-test("aborting: before, and in the middle; nodes stay as they were, memory is given back", async () => {
+test("aborting: before, and in the middle; nodes stay as they were", async () => {
   const root = treemap()(rootOf(randomTree(500, 14)));
   const before = bitsOf(root);
   const reason = new Error("enough");

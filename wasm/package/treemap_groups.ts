@@ -331,18 +331,21 @@ function powerOf(value: number, power: number): number {
 }
 
 /** The centroids that are inside, and how far at most they are, in widths of cells. */
-function movedToCentroids({ view, rings, places }: Search): { places: Float64Array; far: number } {
-  const areas = view.cellAreas();
+function movedToCentroids({ view, rings, places, targets }: Search): {
+  places: Float64Array;
+  far: number;
+} {
+  const perTarget = momentsOf(rings).area / targets.reduce((sum, target) => sum + target, 0);
   const centroids = view.cellCentroids();
   const result = places.slice();
   let far = 0;
-  areas.forEach((area, k) => {
+  targets.forEach((target, k) => {
     const x = centroids[2 * k]!;
     const y = centroids[2 * k + 1]!;
     if (!isInside(rings, x, y)) return;
     const dx = x - places[2 * k]!;
     const dy = y - places[2 * k + 1]!;
-    far = Math.max(far, Math.sqrt((dx * dx + dy * dy) / area));
+    far = Math.max(far, Math.sqrt((dx * dx + dy * dy) / (perTarget * target)));
     result[2 * k] = x;
     result[2 * k + 1] = y;
   });

@@ -36,7 +36,9 @@ function corner(a: Side, b: Side, width: number): [number, number] {
   return [a.x - width * a.dy + t * a.dx, a.y + width * a.dx + t * a.dy];
 }
 
-/** How long a side is between its neighbours, so far to the left; negative if it has turned round. */
+/**
+ * How long a side is between its neighbours, so far to the left; negative if it has turned round.
+ */
 function lengthOf(before: Side, side: Side, after: Side, width: number): number {
   const [ax, ay] = corner(before, side, width);
   const [bx, by] = corner(side, after, width);

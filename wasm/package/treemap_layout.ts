@@ -137,7 +137,7 @@ export function treemap<Datum = unknown>(): Treemap<Datum> {
     value: null,
     padding: 0,
     sites: "move",
-    rounds: 12,
+    rounds: 8,
     position: null,
     seed: 0,
     previous: null,

@@ -44,7 +44,8 @@ export function samplesIn(rings: Rings, count: number, random: () => number): Fl
 
 /**
  * A place for each value, x, y, …: the samples are split in two, across the longer side of their
- * box, as the values are, and so on. Those beside each other in the list get places near each other.
+ * box, as the values are, and so on. Those beside each other in the list get places near each
+ * other.
  */
 export function spread(
   rings: Rings,

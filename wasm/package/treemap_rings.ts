@@ -1,7 +1,9 @@
 // Polygons as windows: their measures, what is inside, frames to compute in.
 import type { Outline, Rings } from "./treemap_outline.js";
 
-/** A place and a scale, a power of two: of what has the coordinates (x, y) in it at x0 + scale x. */
+/**
+ * A place and a scale, a power of two: of what has the coordinates (x, y) in it at x0 + scale x.
+ */
 export interface Frame {
   readonly x: number;
   readonly y: number;

