@@ -18,7 +18,7 @@ export function treemapTable(records) {
   ]);
   const note =
     "Median and fastest time of a layout in 960 × 600, and the largest deviation of a leaf's " +
-    "area from its share, relative to that. d3-voronoi-treemap has straight edges and ends after 50 " +
-    "rounds, or where all areas of siblings together are off by 1 % of their parent's.";
+    "area from its share, relative to that. d3-voronoi-treemap has straight edges and ends " +
+    "after 50 rounds, or where all areas of siblings together are off by 1 % of their parent's.";
   return `${note}\n\n${table(["leaves", "by", "ms", "deviation"], rows)}`;
 }
