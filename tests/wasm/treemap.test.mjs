@@ -87,6 +87,14 @@ describe.each(["move", "stay"])("sites %s", (sites) => {
     expect(deviationOf(root)).toBeLessThan(1e-6);
   });
 
+  test.each([2, 3, 4, 5, 7, 12])("%d equal values on islands that are as large", (count) => {
+    const rings = Array.from({ length: 3 }, (_, k) => [square(120 * k, 0, 100)]);
+    const root = layout().shape({ type: "MultiPolygon", coordinates: rings })(
+      rootOf(flat(new Float64Array(count).fill(1))),
+    );
+    expect(deviationOf(root)).toBeLessThan(1e-6);
+  });
+
   test("3 000 leaves, in a tree and side by side", () => {
     for (const data of [
       randomTree(3000, 8),

@@ -440,7 +440,7 @@ describeInBrowser("examples", (open) => {
 
   test("each example is tested here", () => {
     const text = readFileSync(fileURLToPath(import.meta.url), "utf8");
-    expect(names.length).toBe(12);
+    expect(names.length).toBe(13);
     for (const name of names) expect(text).toMatch(new RegExp(`inExample\\(\\s*"${name}"`));
   });
 });

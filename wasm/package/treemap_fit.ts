@@ -2,6 +2,7 @@
 // yielded, so that who asks for the next one can wait in between, or not.
 import { ApolloniusError } from "./errors.js";
 import type { Window } from "./treemap_cells.js";
+import { spread } from "./treemap_places.js";
 import { isInside, momentsOf } from "./treemap_rings.js";
 import type { Settings } from "./treemap_settings.js";
 import type { TreemapFit } from "./treemap_types.js";
@@ -20,8 +21,14 @@ export type Work<Result> = Generator<Request, Result, FittedAreas>;
 /** While sites move. */
 const kCoarse = 0.1;
 const kMostCoarse = 60;
-/** What rounding has left is no reason to look for other places. */
-const kGoodEnough = 1e-3;
+/** Steps of a search, and of one from other places if that has failed. */
+const kMost = 300;
+const kMostAgain = 100;
+/** With values that differ by more than this factor rounding ends a search early. */
+const kUnequal = 1e6;
+/** What is off by less is no reason to look for other places, and how often that is done. */
+const kEasy = { enough: 1e-6, attempts: 5 };
+const kHard = { enough: 1e-3, attempts: 2 };
 /** Of the values, for sites that are hard to find weights for. */
 const kPowers = [0.25, 0.5, 0.75, 1, 1, 1, 1];
 /** Sites are at rest when none moves by more than this share of its cell's width. */
@@ -34,6 +41,7 @@ export interface Start {
   readonly isOld: boolean;
   /** Are they given by the caller? */
   readonly isGiven: boolean;
+  readonly random: () => number;
 }
 
 /** Tolerances, of polygons and of areas; how much of the whole is done, and what this is of it. */
@@ -56,33 +64,42 @@ export function* fitted(
   view: Voronoi,
   { rings }: Window,
   targets: Float64Array,
-  { places, weights, isOld, isGiven }: Start,
+  { places, weights, isOld, isGiven, random }: Start,
   { sites, rounds }: Settings,
   { error, done, share }: Limits,
 ): Work<TreemapFit> {
   const search: Search = { view, rings, targets, places, weights, iterations: 0, done, share };
   if (sites === "move" && !isOld) yield* moved(search, new Array(rounds).fill(1));
   const mayMove = sites === "move" || !isGiven;
-  let first: TreemapFit | null = null;
-  try {
-    first = yield* weighted(search, error);
-    if (first.error < kGoodEnough || !mayMove) return first;
-  } catch (failure) {
-    if (!mayMove || !isNoConvergence(failure)) throw failure;
+  const largest = targets.reduce((a, b) => Math.max(a, b));
+  const smallest = targets.reduce((a, b) => Math.min(a, b));
+  const { enough, attempts } = largest > kUnequal * smallest ? kHard : kEasy;
+  let best: { fit: TreemapFit; search: Search } | null = null;
+  let failure: unknown = null;
+  for (let attempt = 0; attempt < attempts; ++attempt) {
+    if (attempt > 0 && (isGiven || attempt > 1)) search.places = spread(rings, targets, random);
+    if (attempt === 1) {
+      // From values that are less unequal to the true ones: each site gets room of its own.
+      search.weights = new Float64Array(weights.length);
+      renew(search);
+      yield* moved(search, kPowers);
+    } else if (attempt > 1) {
+      // From far away: searches that begin near their end can be stuck between islands.
+      search.weights = weights.map((weight) => weight * random());
+      renew(search);
+    }
+    try {
+      const fit = yield* weighted(search, error, attempt > 1 ? kMostAgain : kMost);
+      if (fit.error < enough || !mayMove) return fit;
+      if (best === null || fit.error < best.fit.error) best = { fit, search: { ...search } };
+    } catch (thrown) {
+      if (!mayMove || !isNoConvergence(thrown)) throw thrown;
+      failure ??= thrown;
+    }
   }
-  // From values that are less unequal to the true ones, so that each site has room of its own.
-  const before = { ...search };
-  search.weights = new Float64Array(weights.length);
-  renew(search);
-  yield* moved(search, kPowers);
-  try {
-    const second = yield* weighted(search, error);
-    if (first === null || second.error < first.error) return second;
-  } catch (failure) {
-    if (first === null || !isNoConvergence(failure)) throw failure;
-  }
-  renew(before);
-  return first;
+  if (best === null) throw failure;
+  renew(best.search);
+  return best.fit;
 }
 
 interface Search {
@@ -105,9 +122,10 @@ function renew({ view: { diagram }, places, weights }: Search): void {
 }
 
 /** Weights for where sites are. */
-function* weighted(search: Search, tolerance: number): Work<TreemapFit> {
+function* weighted(search: Search, tolerance: number, maxIterations: number): Work<TreemapFit> {
   const { view, targets, weights, done } = search;
-  const found = yield { view, targets, options: { tolerance, start: weights }, done };
+  const options = { tolerance, start: weights, maxIterations };
+  const found = yield { view, targets, options, done };
   search.iterations += found.iterations;
   search.weights = found.weights;
   return { iterations: search.iterations, error: found.error, converged: found.converged };

@@ -186,8 +186,14 @@ function startOf(
   }
   const { position } = settings;
   if (matches === 0 && position === null)
-    return { places: spread(rings, targets, random), weights, isOld: false, isGiven: false };
+    return {
+      places: spread(rings, targets, random),
+      weights,
+      isOld: false,
+      isGiven: false,
+      random,
+    };
   if (matches === 0) children.forEach((child, k) => put(k, ...positionOf(child, position!)));
   const isOld = matches > 0;
-  return { places: settled(rings, places, random), weights, isOld, isGiven: !isOld };
+  return { places: settled(rings, places, random), weights, isOld, isGiven: !isOld, random };
 }
