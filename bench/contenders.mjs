@@ -15,6 +15,7 @@ export const names = [
   "d3-voronoi-map",
   "flatbush",
   "d3-geo-voronoi",
+  "d3-voronoi-treemap",
 ];
 
 const node = (module) => ({
@@ -30,6 +31,7 @@ const commands = {
   "d3-voronoi-map": node("d3_voronoi_map"),
   flatbush: node("flatbush"),
   "d3-geo-voronoi": node("d3_geo_voronoi"),
+  "d3-voronoi-treemap": node("d3_voronoi_treemap"),
 };
 
 const running = new Map();

@@ -309,6 +309,28 @@ function sphere({ rounds, seconds, limit, sizes }) {
     }));
 }
 
+/** Trees of cells within cells, against d3-voronoi-treemap, which always moves sites. */
+function treemap({ rounds, seconds, limit, sizes }) {
+  const common = { seconds, limit, rounds: Math.min(rounds, 3) };
+  const trees = [
+    ["flare", 220],
+    ["tree", 1000],
+    ["tree", 3000],
+  ];
+  return trees
+    .filter(([, n]) => n <= Math.max(...sizes))
+    .map(([family, n]) => ({
+      part: "treemap",
+      family,
+      n,
+      rounds: common.rounds,
+      steps: [
+        { op: "treemapMove", who: ["wasm", "d3-voronoi-treemap"], ...common },
+        { op: "treemapStay", who: ["wasm"], ...common },
+      ],
+    }));
+}
+
 /** Snapshots against building, and `findMany` on threads that restored one. */
 function snapshots({ rounds, seconds, limit, sizes }) {
   const cores = availableParallelism();
@@ -377,6 +399,7 @@ export const parts = {
   windows,
   fit,
   sphere,
+  treemap,
   snapshots,
   border,
 };

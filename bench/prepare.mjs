@@ -33,7 +33,11 @@ function installPackage() {
   );
   // the bare name resolves from here
   writeFileSync(path.join(packed, "consumer.mjs"), 'export * from "apollonius-diagram";\n');
-  writeFileSync(path.join(packed, "sphere.mjs"), 'export * from "apollonius-diagram/sphere";\n');
+  for (const entry of ["sphere", "treemap"])
+    writeFileSync(
+      path.join(packed, `${entry}.mjs`),
+      `export * from "apollonius-diagram/${entry}";\n`,
+    );
   capture(
     "npm",
     ["install", "--offline", "--no-audit", "--no-fund", "--loglevel=error", `./${filename}`],
@@ -57,6 +61,8 @@ async function buildNative() {
   if (!hasCgal) say("CGAL is left out: install libcgal-dev to compare with it");
 }
 
+const kTrees = ["flare", "tree"];
+
 /** Builds everything; the contenders that there are. */
 export async function buildContenders() {
   installPackage();
@@ -70,6 +76,7 @@ export async function buildContenders() {
  */
 export function ensureSet(family, n) {
   const stem = path.join(sets, `${family}-${n}`);
+  if (kTrees.includes(family)) return stem; // js/treemaps.mjs makes them
   const maker = path.join(native, "bench_sites");
   const isFresh =
     existsSync(`${stem}.near`) && statSync(`${stem}.near`).mtimeMs > statSync(maker).mtimeMs;

@@ -3,6 +3,7 @@ import { fitTable } from "./fit_table.mjs";
 import { stagesTable, timesTable, visibleTable } from "./tables.mjs";
 import { tableOne } from "./table_one.mjs";
 import { targetsTable } from "./targets.mjs";
+import { treemapTable } from "./treemap_table.mjs";
 
 const titles = {
   scaling: "Against the number of sites (random circles, 5 % hidden)",
@@ -58,6 +59,8 @@ export function report({ machine, mode, records, disagreements, seconds }) {
       ? [`## Table 1 of the paper, one by one in random order\n\n${tableOne(records)}`]
       : [];
   const fits = of("fit").length > 0 ? [`## Prescribed areas\n\n${fitTable(of("fit"))}`] : [];
+  const treemaps =
+    of("treemap").length > 0 ? [`## Treemaps\n\n${treemapTable(of("treemap"))}`] : [];
   const goals = targetsTable(records);
   const parts = [
     "# Benchmark results",
@@ -73,6 +76,7 @@ export function report({ machine, mode, records, disagreements, seconds }) {
     ...(goals ? [`## Goals\n\n${goals}`] : []),
     ...sections,
     ...fits,
+    ...treemaps,
     ...table,
   ];
   return `${parts.join("\n\n")}\n`;

@@ -5,7 +5,8 @@
 //   npm run bench -- --quick           under a minute
 //   npm run bench -- --full            all of it, up to 10 000 000 sites, hours
 //   npm run bench -- --only families   one part: scaling, families, orders, table1, moves, drawing,
-//                                      windows, fit, sphere, snapshots, border
+//                                      windows, fit, sphere, treemap, snapshots,
+//                                      border
 //   npm run bench -- --only page       the page's frames in Chromium, printed (js/page.mjs)
 //   npm run bench -- --without cgal    leaves a contender out (may be repeated)
 //   npm run bench -- cluster           points and tiles by the workers of web/examples/cluster:

@@ -208,6 +208,14 @@ function goals(records, member) {
         [`sphere, find in ${n} / plane`, sphere("sphereFind") / sphere("find"), most(1.5)],
       ];
     }),
+    ...["flare 220", "tree 1000", "tree 3000"].flatMap((tree) => {
+      const other = us(`treemap ${tree} treemapMove d3-voronoi-treemap`);
+      const name = `treemap, ${tree}: d3-voronoi-treemap`;
+      return [
+        [`${name} / sites move`, other / us(`treemap ${tree} treemapMove wasm`), least(1)],
+        [`${name} / sites stay`, other / us(`treemap ${tree} treemapStay wasm`), least(5)],
+      ];
+    }),
     [`issue 2: find in ${hundred}, wasm, µs`, scaling(hundred, "find", "wasm"), most(3)],
     [`issue 2: remove from ${hundred}, wasm, µs`, scaling(hundred, "remove", "wasm"), most(15)],
   ];

@@ -118,7 +118,7 @@ const rules = [
     of: /^web\/examples\/.*\.js$/,
     may: [
       /^\.\/random_circles\.js$/,
-      /^apollonius-diagram(\/sphere)?$/,
+      /^apollonius-diagram(\/(sphere|treemap))?$/,
       /^d3-[a-z]+$/,
       /^@observablehq\/plot$/,
       /^leaflet$/,

@@ -15,6 +15,7 @@ const entries = [
   ["apollonius-diagram", "index.ts"],
   ["apollonius-diagram/wasm", "wasm.ts"],
   ["apollonius-diagram/sphere", "sphere.ts"],
+  ["apollonius-diagram/treemap", "treemap.ts"],
 ];
 const preface = `# API reference
 
@@ -74,6 +75,7 @@ function isPublic(member) {
 
 function memberName(member) {
   if (ts.isConstructorDeclaration(member)) return "constructor";
+  if (ts.isCallSignatureDeclaration(member)) return "()";
   return member.name.getText().replace(/^\[(.*)\]$/, "$1");
 }
 

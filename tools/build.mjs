@@ -43,6 +43,7 @@ const types = path.join(root, "build/types/wasm/package");
 const entries = ["index", "wasm"];
 // Bundled by themselves: an entry, and the same for runtimes that compile nothing.
 const spheres = { esm: ["sphere", "sphere_edge"], cjs: ["sphere"] };
+const treemaps = ["treemap"]; // of JavaScript only
 const inner = { esm: ["edge", "embedded", "errors"], cjs: [] };
 
 /** Characters that a string literal cannot have as they are; NUL, HTML would read as U+FFFD. */
@@ -167,11 +168,11 @@ const errorsApart = {
   },
 };
 
-/** Lets sphere.js take the running module and the class of errors from the default entry. */
-const moduleOfDefaultEntry = {
-  name: "module-of-default-entry",
+/** Lets other entries take the running module and the classes from the default entry. */
+const fromDefaultEntry = {
+  name: "from-default-entry",
   setup(build) {
-    build.onResolve({ filter: /^\.\/(errors|module)\.js$/ }, ({ path: file }) => ({
+    build.onResolve({ filter: /^\.\/(diagram|errors|module)\.js$/ }, ({ path: file }) => ({
       path: file,
       namespace: "default-entry",
     }));
@@ -179,8 +180,8 @@ const moduleOfDefaultEntry = {
       path: name,
       external: true,
     }));
-    build.onLoad({ filter: /errors/, namespace: "default-entry" }, () => ({
-      contents: `export { ApolloniusError } from "apollonius-diagram";`,
+    build.onLoad({ filter: /diagram|errors/, namespace: "default-entry" }, () => ({
+      contents: `export { ApolloniusError, Diagram } from "apollonius-diagram";`,
     }));
     build.onLoad({ filter: /module/, namespace: "default-entry" }, () => ({
       contents:
@@ -215,7 +216,12 @@ async function bundle(format, outdir, built) {
   await build({
     ...common,
     entryPoints: filesOf(spheres[format]),
-    plugins: [wasmAsText(built, "sphere"), moduleOfDefaultEntry],
+    plugins: [wasmAsText(built, "sphere"), fromDefaultEntry],
+  });
+  await build({
+    ...common,
+    entryPoints: filesOf(treemaps),
+    plugins: [wasmAsText(built, "apollonius"), fromDefaultEntry],
   });
 }
 
@@ -228,7 +234,7 @@ function publicDeclarations() {
     const text = readFileSync(path.join(types, name), "utf8");
     for (const [, module] of text.matchAll(/from "\.\/(.*?)\.js"/g)) visit(`${module}.d.ts`);
   };
-  for (const entry of [...entries, "sphere"]) visit(`${entry}.d.ts`);
+  for (const entry of [...entries, "sphere", ...treemaps]) visit(`${entry}.d.ts`);
   return [...reached];
 }
 

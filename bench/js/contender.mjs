@@ -4,8 +4,8 @@
 //   node bench/js/contender.mjs NAME                        requests from standard input
 //   node bench/js/contender.mjs NAME SET OPERATION...       for a person
 //
-// NAME is ours, delaunator, d3_delaunay, d3_voronoi_map, d3_geo_voronoi or flatbush. `ours` loads
-// the packed package from the folder in BENCH_PACKAGE.
+// NAME is ours, delaunator, d3_delaunay, d3_voronoi_map, d3_geo_voronoi, d3_voronoi_treemap or
+// flatbush. `ours` loads the packed package from the folder in BENCH_PACKAGE.
 import { createInterface } from "node:readline";
 
 function parsed(line) {

@@ -14,6 +14,7 @@ import {
 } from "./sampling.mjs";
 import { sphereOperations } from "./sphere.mjs";
 import { startFinders } from "./threads.mjs";
+import { kHeight, kWidth, treemapOperations } from "./treemaps.mjs";
 import { windowOperations } from "./windows.mjs";
 
 // The package does not show its heap, so the instance's memory is caught when it is made.
@@ -29,6 +30,8 @@ const heapBytes = () => memory.buffer.byteLength;
 const entry = (name) => import(pathToFileURL(path.join(process.env.BENCH_PACKAGE, name)).href);
 const { Diagram } = await entry("consumer.mjs");
 const { SphericalDiagram } = await entry("sphere.mjs");
+const { treemap } = await entry("treemap.mjs");
+const treemapOf = (sites) => treemap().shape([0, 0, kWidth, kHeight]).sites(sites);
 
 // The last set and its diagram are kept, so that several queries in a row need one construction.
 const current = { set: "", sites: new Float64Array(), diagram: new Diagram(), isWhole: false };
@@ -410,6 +413,10 @@ export const operations = {
   callHas: (request) => calls(request, (diagram, k) => diagram.has(k)),
   memory: memoryOfBuild,
   ...windowOperations(Diagram),
+  ...treemapOperations(
+    { treemapMove: treemapOf("move"), treemapStay: treemapOf("stay") },
+    (leaf) => leaf.area,
+  ),
   ...sphereOperations({
     make: (lonLatR) => new SphericalDiagram(lonLatR),
     end: (diagram) => diagram.dispose(),

@@ -56,6 +56,18 @@ test("the lines about the globe", () => {
   expect(numbers).toMatch(/^5\d{3} \d+$/); // from Paris or London to New York
 });
 
+test("the lines about treemaps", () => {
+  const block = blocks.find((text) => text.includes("treemap()"));
+  const before =
+    'import { createRequire } from "node:module";\n' +
+    `const { hierarchy } = createRequire(${JSON.stringify(`${root}/`)})("d3-hierarchy");\n` +
+    'const data = { name: "all", children: [{ size: 1 }, { size: 2 }] };\n' +
+    "let calls = 0;\n" +
+    "const context = new Proxy({}, { get: () => () => ++calls });\n";
+  const after = "console.log(calls > 5, root.children[1].area.toFixed(1));";
+  expect(runInNode(before + block + after)).toBe("true 300000.0");
+});
+
 test("the cells of the globe in d3-geo, and as they are given to maps", () => {
   const first = blocks.find((text) => text.includes("const cities"));
   const maps = blocks.find((text) => text.includes("geoOrthographic"));
@@ -95,7 +107,7 @@ test("the address of the wasm is written as the tests of bundlers write it", () 
     expect(block).toContain(way);
     expect(bundlers).toContain(way);
   }
-  expect(blocks.length).toBe(5);
+  expect(blocks.length).toBe(6);
 });
 
 test("links and pictures are there", () => {

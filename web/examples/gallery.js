@@ -39,6 +39,11 @@ const kExamples = {
     "The world's economies by region and country, curved cells in curved cells: each has exactly " +
       "its share of the area. Data: Gapminder, CC BY.",
   ],
+  nested: [
+    "Treemap of four levels",
+    "The classes of a program, packages within packages: the pointer makes a class grow, and all " +
+      "others stay where they are. Data: Flare, BSD.",
+  ],
   cities: [
     "As far as the coast",
     "What is nearest to each of the 1500 largest cities, on the world's land. Data: GeoNames, " +

@@ -135,31 +135,32 @@ bool ReachCellClipper::isAroundCircle(const Cell& whole) const {
   return inside >= 2;
 }
 
-/// As far from all passages as there is.
-Point ReachCellClipper::emptiestDirection() const {
-  FlatArray<double> turns;
-  for (const FlatArray<Passage>* passages : {&exits_, &entries_}) {
-    for (const Passage& passage : *passages) turns.push_back(turnFrom({1, 0}, passage.direction));
-  }
-  std::sort(turns.begin(), turns.end());
-  double before = turns.back() - 4, widest = 0, middle = 0;
-  for (const double turn : turns) {
-    if (turn - before > widest) {
-      widest = turn - before;
+/// As far from all passages as there is: the middle of the widest gap between two.
+Point ReachCellClipper::emptiestDirection(const FlatArray<Passage>& all) {
+  double before = all.back().turn - 4, widest = 0, middle = 0;
+  for (const Passage& passage : all) {
+    if (passage.turn - before > widest) {
+      widest = passage.turn - before;
       middle = before + widest / 2;
     }
-    before = turn;
+    before = passage.turn;
   }
   return directionAt(middle < 0 ? middle + 4 : middle);
 }
 
+void ReachCellClipper::sortByTurn(Point start, FlatArray<Passage>& passages) {
+  for (Passage& passage : passages) passage.turn = turnFrom(start, passage.direction);
+  std::partial_sort(passages.begin(), passages.end(), passages.end(),
+                    [](const Passage& a, const Passage& b) { return a.turn < b.turn; });
+}
+
 void ReachCellClipper::sortPassages(const Cell& whole) {
-  const Point start = emptiestDirection();
-  for (FlatArray<Passage>* const passages : {&exits_, &entries_}) {
-    for (Passage& passage : *passages) passage.turn = turnFrom(start, passage.direction);
-    std::sort(passages->begin(), passages->end(),
-              [](const Passage& a, const Passage& b) { return a.turn < b.turn; });
-  }
+  FlatArray<Passage> all = exits_;
+  all.append({entries_.data(), entries_.size()});
+  sortByTurn({1, 0}, all);
+  const Point start = emptiestDirection(all);
+  sortByTurn(start, exits_);
+  sortByTurn(start, entries_);
   shift_ = isInside(whole, start) ? 1 : 0;
   exitOf_.assign(pieces_.size(), kNoPiece);
   for (std::uint32_t k = 0; k < exits_.size(); ++k) exitOf_[exits_[k].piece] = k;

@@ -59,7 +59,8 @@ class ReachCellClipper final : public CellClipper {
   void cutBorder(const BoundaryPiece& piece, std::uint32_t source);
   [[nodiscard]] bool isInside(const Cell& cell, Point direction) const;
   [[nodiscard]] bool isAroundCircle(const Cell& whole) const;
-  [[nodiscard]] Point emptiestDirection() const;
+  [[nodiscard]] static Point emptiestDirection(const FlatArray<Passage>& all);
+  static void sortByTurn(Point start, FlatArray<Passage>& passages);
   void sortPassages(const Cell& whole);
   void trace();
   void addArc(const Passage& exit, const Passage& entry, double turn);

@@ -21,7 +21,11 @@ export function installPacked() {
   // `import` of the bare name resolves against the importing file's folder, so the tests go through
   // a file that is here.
   writeFileSync(path.join(packed, "consumer.mjs"), 'export * from "apollonius-diagram";\n');
-  writeFileSync(path.join(packed, "sphere.mjs"), 'export * from "apollonius-diagram/sphere";\n');
+  for (const entry of ["sphere", "treemap"])
+    writeFileSync(
+      path.join(packed, `${entry}.mjs`),
+      `export * from "apollonius-diagram/${entry}";\n`,
+    );
   capture(
     "npm",
     ["install", "--offline", "--no-audit", "--no-fund", "--loglevel=error", `./${filename}`],

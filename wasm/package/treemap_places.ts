@@ -1,0 +1,192 @@
+// Places for the sites of siblings in their window: spread by value, seeded.
+import { boxOf, crossingsAt, isInside } from "./treemap_rings.js";
+import type { Rings } from "./treemap_outline.js";
+
+const kSamplesOfSite = 16;
+const kMostSamples = 30_000; // if there are fewer sites than these
+
+/** A generator of numbers from 0 to 1 (mulberry32), of a seed and a number. */
+export function randomOf(seed: number, which: number): () => number {
+  let state = Math.imul(which + 1, 0x9e3779b1);
+  for (const part of [seed, seed * 2 ** 32]) {
+    state = Math.imul(state ^ (part | 0), 0x85ebca6b);
+    state ^= state >>> 13;
+  }
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let t = Math.imul(state ^ (state >>> 15), 1 | state);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
+  };
+}
+
+/** At least that many different places inside, x, y, …: in rows, evenly but for a random shift. */
+export function samplesIn(rings: Rings, count: number, random: () => number): Float64Array {
+  const { xmin, ymin, xmax, ymax } = boxOf(rings);
+  const side = Math.sqrt(((xmax - xmin) * (ymax - ymin)) / count);
+  for (let apart = side; ; apart /= 2) {
+    const rows = Math.ceil((ymax - ymin) / apart);
+    const places: number[] = [];
+    for (let row = 0; row < rows; ++row) {
+      const y = ymin + ((row + 0.05 + 0.9 * random()) / rows) * (ymax - ymin);
+      const ends = crossingsAt(rings, y);
+      for (let k = 0; k + 1 < ends.length; k += 2) {
+        const length = ends[k + 1]! - ends[k]!;
+        const columns = Math.ceil(length / apart);
+        const shift = 0.05 + 0.9 * random();
+        for (let column = 0; column < columns; ++column)
+          places.push(ends[k]! + ((column + shift) / columns) * length, y);
+      }
+    }
+    if (places.length >= 2 * count) return Float64Array.from(places);
+  }
+}
+
+/**
+ * A place for each value, x, y, …: the samples are split in two, across the longer side of their
+ * box, as the values are, and so on. Those beside each other in the list get places near each
+ * other.
+ */
+export function spread(
+  rings: Rings,
+  values: ArrayLike<number>,
+  random: () => number,
+): Float64Array {
+  const count = values.length;
+  const wanted = Math.max(2 * count, Math.min(kSamplesOfSite * count, kMostSamples));
+  const samples = samplesIn(rings, Math.max(32, wanted), random);
+  const sums = new Float64Array(count + 1);
+  for (let k = 0; k < count; ++k) sums[k + 1] = sums[k]! + values[k]!;
+  const places = new Float64Array(2 * count);
+  const isFlipped = [random() < 0.5, random() < 0.5];
+  const keys = new Float64Array(samples.length / 2);
+  // A list of what is still to do: sites and samples from one to before another.
+  const rest: [number, number, Uint32Array][] = [[0, count, Uint32Array.from(keys, (_, k) => k)]];
+  for (let next = rest.pop(); next !== undefined; next = rest.pop()) {
+    const [from, to, own] = next;
+    if (to - from === 1) {
+      places.set(middleOf(rings, samples, own), 2 * from);
+      continue;
+    }
+    const half = (sums[from]! + sums[to]!) / 2;
+    let at = from + 1;
+    while (at < to - 1 && Math.abs(sums[at + 1]! - half) < Math.abs(sums[at]! - half)) ++at;
+    const share = (sums[at]! - sums[from]!) / (sums[to]! - sums[from]!);
+    const axis = longerAxis(samples, own);
+    const sign = isFlipped[axis] ? -1 : 1;
+    for (let k = 0; k < own.length; ++k) keys[own[k]!] = sign * samples[2 * own[k]! + axis]!;
+    const split = Math.round(share * own.length);
+    const cut = Math.min(Math.max(split, at - from), own.length - (to - at));
+    select(own, keys, cut);
+    rest.push([from, at, own.subarray(0, cut)], [at, to, own.subarray(cut)]);
+  }
+  return places;
+}
+
+/** Puts the first `count` in the order of the keys in front (Hoare). */
+function select(own: Uint32Array, keys: Float64Array, count: number): void {
+  let low = 0;
+  let high = own.length - 1;
+  while (low < high) {
+    const pivot = keys[own[(low + high) >> 1]!]!;
+    let i = low;
+    let j = high;
+    while (i <= j) {
+      while (keys[own[i]!]! < pivot) ++i;
+      while (keys[own[j]!]! > pivot) --j;
+      if (i > j) break;
+      const kept = own[i]!;
+      own[i++] = own[j]!;
+      own[j--] = kept;
+    }
+    if (count <= j) high = j;
+    else if (count >= i) low = i;
+    else return;
+  }
+}
+
+function longerAxis(samples: Float64Array, own: Uint32Array): 0 | 1 {
+  let [xmin, ymin, xmax, ymax] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (let k = 0; k < own.length; ++k) {
+    const x = samples[2 * own[k]!]!;
+    const y = samples[2 * own[k]! + 1]!;
+    if (x < xmin) xmin = x;
+    if (x > xmax) xmax = x;
+    if (y < ymin) ymin = y;
+    if (y > ymax) ymax = y;
+  }
+  return xmax - xmin >= ymax - ymin ? 0 : 1;
+}
+
+/** Their centre of gravity, or if that is outside, the sample nearest to it. */
+function middleOf(rings: Rings, samples: Float64Array, own: Uint32Array): [number, number] {
+  let [x, y] = [0, 0];
+  for (const k of own) {
+    x += samples[2 * k]! / own.length;
+    y += samples[2 * k + 1]! / own.length;
+  }
+  return isInside(rings, x, y) ? [x, y] : nearestOf(samples, own, x, y);
+}
+
+function nearestOf(
+  samples: Float64Array,
+  own: Iterable<number>,
+  x: number,
+  y: number,
+): [number, number] {
+  let [best, least] = [0, Infinity];
+  for (const k of own) {
+    const [dx, dy] = [samples[2 * k]! - x, samples[2 * k + 1]! - y];
+    const square = dx * dx + dy * dy;
+    if (square < least) [best, least] = [k, square];
+  }
+  return [samples[2 * best]!, samples[2 * best + 1]!];
+}
+
+/**
+ * Given places, where NaN is for none, as different ones inside the window: what is outside, or
+ * taken, is replaced by the nearest free sample; what is missing by that farthest from all others.
+ */
+export function settled(rings: Rings, given: Float64Array, random: () => number): Float64Array {
+  const count = given.length / 2;
+  const places = given.slice();
+  const taken = new Set<string>();
+  const open: number[] = [];
+  const keyOf = (x: number, y: number) => `${x},${y}`;
+  for (let k = 0; k < count; ++k) {
+    const [x, y] = [places[2 * k]!, places[2 * k + 1]!];
+    if (isInside(rings, x, y) && !taken.has(keyOf(x, y))) taken.add(keyOf(x, y));
+    else open.push(k);
+  }
+  if (open.length === 0) return places;
+  const samples = samplesIn(rings, Math.max(64, 4 * count), random);
+  const free = new Set(
+    Array.from({ length: samples.length / 2 }, (_, k) => k).filter(
+      (k) => !taken.has(keyOf(samples[2 * k]!, samples[2 * k + 1]!)),
+    ),
+  );
+  const settledOnes = new Set(Array.from({ length: count }, (_, k) => k));
+  for (const k of open) settledOnes.delete(k);
+  // Distance of each sample from the nearest place, as far as that is known.
+  const room = new Float64Array(samples.length / 2).fill(Infinity);
+  const narrow = (x: number, y: number) => {
+    for (const s of free) {
+      const [dx, dy] = [samples[2 * s]! - x, samples[2 * s + 1]! - y];
+      room[s] = Math.min(room[s]!, dx * dx + dy * dy);
+    }
+  };
+  for (const k of settledOnes) narrow(places[2 * k]!, places[2 * k + 1]!);
+  for (const k of open) {
+    const [x, y] = [places[2 * k]!, places[2 * k + 1]!];
+    let [best, least] = [-1, Infinity];
+    for (const s of free) {
+      const [dx, dy] = [samples[2 * s]! - x, samples[2 * s + 1]! - y];
+      const cost = Number.isNaN(x) ? -room[s]! : dx * dx + dy * dy;
+      if (best === -1 || cost < least) [best, least] = [s, cost];
+    }
+    free.delete(best);
+    places.set([samples[2 * best]!, samples[2 * best + 1]!], 2 * k);
+    narrow(places[2 * k]!, places[2 * k + 1]!);
+  }
+  return places;
+}

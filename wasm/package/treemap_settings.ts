@@ -1,0 +1,104 @@
+// What a treemap is told, and what it reads of a tree before anything is laid out.
+import { described, numberError } from "./arguments.js";
+import { ApolloniusError } from "./errors.js";
+import type { Position } from "./types.js";
+import type { TreemapCell, TreemapInput, TreemapShape } from "./treemap_types.js";
+
+/** A node of any data, and what a treemap has given it, if it has. */
+export type Input = TreemapInput<unknown> & Partial<TreemapCell>;
+
+/** As the methods of a layout set it. */
+export interface Settings {
+  shape: TreemapShape;
+  value: ((datum: unknown) => number | undefined) | null;
+  padding: number | ((node: Input) => number);
+  sites: "move" | "stay";
+  rounds: number;
+  position: ((node: Input) => Position) | null;
+  seed: number;
+  previous: Input | null;
+  key: ((node: Input, index: number) => unknown) | null;
+}
+
+const kNone: readonly Input[] = [];
+export const childrenOf = (node: Input): readonly Input[] =>
+  (node.children as readonly Input[] | undefined) ?? kNone;
+
+/** All nodes, parents before their children, siblings in their order. */
+export function nodesOf(root: Input): Input[] {
+  if (typeof root !== "object" || root === null || !("data" in root))
+    throw new ApolloniusError(
+      "bad-option",
+      `root is ${described(root)}, expected a node as d3-hierarchy makes it`,
+    );
+  const nodes = [root];
+  for (let k = 0; k < nodes.length; ++k) nodes.push(...childrenOf(nodes[k]!));
+  return nodes;
+}
+
+/** For messages: its id or name, and its value. */
+export function nameOf(node: Input): string {
+  const key = usualKey(node, -1);
+  return key === -1 ? "a node" : `node ${described(key)}`;
+}
+
+/** What identifies a node among its siblings, if nobody says something else. */
+export function usualKey(node: Input, index: number): unknown {
+  const { id, name } = (node.data ?? {}) as { id?: unknown; name?: unknown };
+  return node.id ?? id ?? name ?? index;
+}
+
+function checkedValue(node: Input, value: unknown): number {
+  if (typeof value === "number" && value >= 0 && value < Infinity) return value;
+  const why =
+    value === undefined
+      ? "root.sum(…) makes values, or treemap().value(…)"
+      : "negative or no number";
+  throw new ApolloniusError(
+    "bad-target",
+    `the value of ${nameOf(node)} is ${described(value)}, expected a number from 0 on: ${why}`,
+  );
+}
+
+/**
+ * The values of nodes, in the order of `nodesOf`: their own, or sums of what is read from the data.
+ */
+export function valuesOf(nodes: readonly Input[], settings: Settings): Map<Input, number> {
+  const read = settings.value;
+  if (read === null) return new Map(nodes.map((node) => [node, checkedValue(node, node.value)]));
+  const values = new Map<Input, number>();
+  for (const node of [...nodes].reverse()) {
+    const children = childrenOf(node);
+    const own = read(node.data);
+    const start = own === undefined && children.length > 0 ? 0 : checkedValue(node, own);
+    values.set(
+      node,
+      children.reduce((sum, child) => sum + values.get(child)!, start),
+    );
+  }
+  return new Map(nodes.map((node) => [node, values.get(node)!]));
+}
+
+/** The width of a node's padding. */
+export function paddingOf(node: Input, { padding }: Settings): number {
+  const width: unknown = typeof padding === "function" ? padding(node) : padding;
+  const error = numberError(`padding of ${nameOf(node)}`, width);
+  if (error) throw error;
+  if (!((width as number) >= 0))
+    throw new ApolloniusError(
+      "out-of-range",
+      `padding of ${nameOf(node)} is ${described(width)}, expected 0 or more`,
+    );
+  return width as number;
+}
+
+/** A given place of a node. */
+export function positionOf(node: Input, position: (node: Input) => Position): Position {
+  const place = position(node);
+  const [x, y] = Array.isArray(place) ? (place as unknown[]) : [];
+  const error =
+    numberError(`x of the position of ${nameOf(node)}`, x) ??
+    numberError(`y of the position of ${nameOf(node)}`, y);
+  if (error) throw error;
+  return [x as number, y as number];
+}

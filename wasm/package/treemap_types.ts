@@ -1,0 +1,171 @@
+// What the entry `apollonius-diagram/treemap` takes and gives.
+import type { DrawOptions, PathContext } from "./path.js";
+import type { Region } from "./region.js";
+import type { Bounds, Position, Site } from "./types.js";
+
+/** A disc: its centre and its radius, > 0. */
+export interface Disc {
+  /** Of the centre. */
+  readonly x: number;
+  /** Of the centre. */
+  readonly y: number;
+  /** Radius, > 0. */
+  readonly r: number;
+}
+
+/**
+ * What the root's cell can be: bounds, a window of any shape, as `diagram.voronoi` has it, or a
+ * disc.
+ */
+export type TreemapShape = Bounds | Region | Disc;
+
+/** What a treemap reads of a node: d3-hierarchy's nodes have it. */
+export interface TreemapInput<Datum = unknown> {
+  /** What the node stands for. */
+  readonly data: Datum;
+  /** Its share among its siblings, as `root.sum(…)` or `root.count()` makes it; 0 for no cell. */
+  readonly value?: number | undefined;
+  /** Of a tree made by `stratify`. */
+  readonly id?: string | undefined;
+  /** Missing for leaves. */
+  readonly children?: readonly TreemapInput<Datum>[] | undefined;
+}
+
+/** How the children of a node were fitted into its cell. */
+export interface TreemapFit {
+  /** Steps in all: each costs about as much as building the diagram of the children. */
+  iterations: number;
+  /** The largest deviation of a child's area from its target, as a share of that. */
+  error: number;
+  /**
+   * Whether `error` is within what was asked for. If it is not, weights are those looked for up to
+   * their last places, as for `fitAreas`.
+   */
+  converged: boolean;
+}
+
+/** What a treemap gives to each node. */
+export interface TreemapCell {
+  /** Of its curved cell, in the shape's unit squared; 0 without a value. */
+  area: number;
+  /** Of its curved cell; null without a value. */
+  centroid: Position | null;
+  /**
+   * The cell as one closed ring, counter-clockwise (y upwards): its own area is `area` but for
+   * rounding, and it is within a 2^13th of the shape's diagonal, or a 2^8th of the cell's width if
+   * that is less, of the curved one. Holes and further parts are joined by doubled segments, as
+   * in `cellPolygon`. null without a value.
+   */
+  polygon: Position[] | null;
+  /** Its circle in the diagram of its siblings; null if it has none with a cell. */
+  site: Site | null;
+  /**
+   * How its children were fitted; null for leaves, only children's parents, and without a value.
+   */
+  fit: TreemapFit | null;
+  /**
+   * Draws the curved cell as closed figures; nothing without a value. Takes time in proportion to
+   * the curves drawn. Throws "bad-option" (a context that cannot draw), "out-of-range" (digits).
+   */
+  render(context: PathContext, options?: Pick<DrawOptions, "digits">): void;
+  render(context?: null, options?: Pick<DrawOptions, "digits">): string;
+}
+
+/** Options of `treemap().async`. */
+export interface TreemapOptions {
+  /** Ends the layout when it aborts; the promise is rejected with its reason. */
+  signal?: AbortSignal | undefined;
+  /** Called after each slice with how much is done, from 0 to 1; at last with 1. It may throw. */
+  onProgress?: ((done: number) => void) | undefined;
+}
+
+/**
+ * A layout for trees of d3-hierarchy, in its manner: call it with a root. Each method sets one
+ * thing and returns the layout, or without an argument says what is set.
+ *
+ * The children of a node fill its cell with cells of their own, which are curved and whose areas
+ * are in proportion to the values: each child's *target* is the area of its parent's window times
+ * its share of the sum of its siblings' values. `area` is within 1e-6 of that, relative to it.
+ * Without padding a parent's window has the area of its cell, so that each cell has its share of
+ * the whole shape, and this holds to 1e-6, too, on any level: each level gets its part of the
+ * tolerance, and windows are polygons of exactly the cells' areas. Values of siblings may differ by
+ * a factor of 1e6. Beyond that, or where sites stay at places without room for their cells,
+ * `fit.converged` can be false, or "no-convergence" is thrown.
+ *
+ * Layouts are all or nothing: nodes change at the end. The same tree, settings and seed give the
+ * same bits. Errors: "bad-target" (a value that is negative or no number), "bad-bounds" (a shape
+ * without inside), "not-finite", "out-of-range", "bad-option", "no-convergence", "out-of-memory".
+ * Cost: for each node's n children, with some 8 rounds of 2 steps, that of 20 diagrams of n sites.
+ */
+export interface Treemap<Datum = unknown> {
+  /** Gives each node of a tree its cell; returns the root. */
+  <Node extends TreemapInput<Datum>>(root: Node): Node & TreemapCell;
+
+  /**
+   * The same in slices of some milliseconds, between which the event loop has a turn. Rejects as
+   * the call throws, and with the reason of `signal` once that aborts; nodes are as they were then.
+   */
+  async<Node extends TreemapInput<Datum>>(
+    root: Node,
+    options?: TreemapOptions,
+  ): Promise<Node & TreemapCell>;
+
+  /** The root's cell. Default: [0, 0, 1, 1]. */
+  shape(): TreemapShape;
+  shape(shape: TreemapShape): this;
+
+  /**
+   * Reads the own value of a datum; a node's is that and its children's, which the layout puts into
+   * `node.value`, as `root.sum` does. Of inner nodes undefined is 0. Default: null, `node.value` is
+   * taken as it is.
+   */
+  value(): ((datum: Datum) => number | undefined) | null;
+  value(value: ((datum: Datum) => number | undefined) | null): this;
+
+  /**
+   * The width of a strip inside the border of a node's cell that its children leave free: a number,
+   * or a function of the node. Corners of the rest are sharp. Where a cell is too narrow, half the
+   * width is taken, or a quarter, and so on. Default: 0.
+   */
+  padding(): number | ((node: TreemapInput<Datum>) => number);
+  padding(padding: number | ((node: TreemapInput<Datum>) => number)): this;
+
+  /**
+   * "move" (default): sites move to the centroids of their cells, round after round, which makes
+   * cells round. "stay": they are where they began, which is faster.
+   */
+  sites(): "move" | "stay";
+  sites(sites: "move" | "stay"): this;
+
+  /** Most rounds of moves; fewer where sites have come to rest. Default: 8. */
+  rounds(): number;
+  rounds(rounds: number): this;
+
+  /**
+   * Where a node's site begins, in the shape's coordinates. One that is outside its parent's
+   * window, or where a sibling's is, begins at a free place nearby. Default: null, places are
+   * spread over the window by value, in the order of the children.
+   */
+  position(): ((node: TreemapInput<Datum>) => Position) | null;
+  position(position: ((node: TreemapInput<Datum>) => Position) | null): this;
+
+  /** Any number; another one gives another layout, if no positions are given. Default: 0. */
+  seed(): number;
+  seed(seed: number): this;
+
+  /**
+   * A root that a treemap has laid out, for animations: sites begin where they are there, with
+   * their weights, and at most move a quarter of the way to their centroids. Where values change by
+   * a few percent, two to four steps do. Children are matched by their keys within parents that
+   * match. The tree may be the same one, with other values. Default: null.
+   */
+  previous(): (TreemapInput<Datum> & Partial<TreemapCell>) | null;
+  previous(root: (TreemapInput<Datum> & Partial<TreemapCell>) | null): this;
+
+  /**
+   * What matches a node with that of `previous`: default `node.id`, or else `data.id` or
+   * `data.name`, or else its index among its siblings.
+   */
+  key(): ((node: TreemapInput<Datum>, index: number) => unknown) | null;
+  key(key: ((node: TreemapInput<Datum>, index: number) => unknown) | null): this;
+}
