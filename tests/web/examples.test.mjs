@@ -225,6 +225,26 @@ describeInBrowser("examples", (open) => {
     expect(found).toEqual({ count: 12, overlaps: 0, roomier: 0, descending: true });
   });
 
+  test("grow: more is covered the farther cells reach, and at last all of it", async () => {
+    const found = await inExample("grow", () => {
+      const { slider, covered, circles } = window.example;
+      const at = (value) => {
+        slider.value = value;
+        slider.dispatchEvent(new Event("input"));
+        return covered();
+      };
+      let inside = 0;
+      for (let x = 5; x < 920; x += 10)
+        for (let y = 5; y < 480; y += 10)
+          inside += circles.some((c) => Math.hypot(x - c.x, y - c.y) - c.r <= 26);
+      return { shares: [0, 26, 60].map(at), sampled: inside / (92 * 48) };
+    });
+    expect(found.shares[1]).toBeCloseTo(found.sampled, 1);
+    expect(found.shares[0]).toBeLessThan(found.shares[1]);
+    expect(found.shares[1]).toBeLessThan(found.shares[2]);
+    expect(found.shares[2]).toBeLessThanOrEqual(1 + 1e-9);
+  });
+
   test("clearance_path: a disc of that radius passes along it, from side to side", async () => {
     const found = await inExample("clearance_path", () => {
       const { circles, path, clearance } = window.example;
@@ -440,7 +460,7 @@ describeInBrowser("examples", (open) => {
 
   test("each example is tested here", () => {
     const text = readFileSync(fileURLToPath(import.meta.url), "utf8");
-    expect(names.length).toBe(13);
+    expect(names.length).toBe(14);
     for (const name of names) expect(text).toMatch(new RegExp(`inExample\\(\\s*"${name}"`));
   });
 });

@@ -24,6 +24,7 @@ export type {
   DiagramOptions,
   EdgeCurves,
   Edges,
+  EmptyCircle,
   FilterOptions,
   FitOptions,
   FitProgress,

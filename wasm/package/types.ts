@@ -165,6 +165,16 @@ export type NumbersById =
 /** The areas of all cells, in any unit, each above 0. */
 export type AreaTargets = NumbersById;
 
+/** A circle that no site's circle reaches into. */
+export interface EmptyCircle {
+  x: number;
+  y: number;
+  /** The distance to the nearest site; below 0 where all of the window is covered. */
+  r: number;
+  /** The id of a site at that distance. */
+  site: number;
+}
+
 /** What `diagram.voronoi(window, options)` takes. */
 export interface VoronoiOptions {
   /**

@@ -1,6 +1,7 @@
 import {
   checkedBounds,
   checkedChoice,
+  checkedCount,
   checkedTolerance,
   checkNumber,
   isSiteId,
@@ -19,6 +20,7 @@ import {
 import { numbersById } from "./by_id.js";
 import type { Diagram } from "./diagram.js";
 import { drawInto, type NativeWindow } from "./drawing.js";
+import { emptyCircles } from "./empty_circles.js";
 import { ApolloniusError } from "./errors.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
 import { type CellsCollection, collectionOf, type GeoJSONOptions, positionsOf } from "./geojson.js";
@@ -35,6 +37,7 @@ import type {
   CellPolygon,
   CellRing,
   EdgeCurves,
+  EmptyCircle,
   FitOptions,
   FittedAreas,
   FlatOptions,
@@ -297,6 +300,27 @@ export class Voronoi implements Disposable {
     return Uint32Array.from(new Set(boundary?.neighbors.filter((site) => site !== -1)));
   }
 
+  /**
+   * The largest circle that no site's circle reaches into, with its centre in the window: the place
+   * that is farthest from all sites, at a Voronoi vertex, where an edge crosses the border, or at a
+   * corner. null without sites. The choice among these is by their distances as rounded, which are
+   * good to the last places of the coordinates. O(n log n).
+   */
+  largestEmptyCircle(): EmptyCircle | null {
+    return this.emptyCircles(1)[0] ?? null;
+  }
+
+  /**
+   * The `count` largest of such circles, the largest first, none with its centre in one before it:
+   * where to put new sites apart from each other. Fewer if there are no more. What cells
+   * end at does not matter. Throws "not-finite", "out-of-range" (count). O(n (log n + count)).
+   */
+  emptyCircles(count: number): EmptyCircle[] {
+    const native = Voronoi.#living(this);
+    const most = checkedCount("count", count);
+    return emptyCircles(native, this.#window, this.#corners(native), most);
+  }
+
   // --- Measures of the true, curved cells --------------------------------------------------------
 
   /** Area of a cell inside the window; null for a hidden site. */
@@ -448,6 +472,14 @@ export class Voronoi implements Disposable {
     const native = Voronoi.#living(view);
     if (!isSiteId(id) || !native.has(id)) throw unknownSite(id);
     return native;
+  }
+
+  /** Of the window, x, y, x, y, … */
+  #corners(native: NativeDiagram): ArrayLike<number> {
+    const { xmin, ymin, xmax, ymax } = this;
+    return this.#region === null
+      ? [xmin, ymin, xmax, ymin, xmax, ymax, xmin, ymax]
+      : native.drawRegion(this.#region).coordinates;
   }
 
   #moments(id: number): CellMoments | null {

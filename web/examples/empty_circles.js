@@ -1,6 +1,5 @@
-// Where is the most room between circles? A largest circle that touches none has its centre at a
-// vertex of the diagram, or, where centres have to be in a window, where an edge meets its border,
-// or in a corner: along an edge, and along the border of a cell, the room is largest at an end.
+// Where is the most room between circles? Where the largest empty circle is; then that one is taken,
+// too, and the next one has to stay clear of it.
 import { Diagram } from "apollonius-diagram";
 import { select } from "d3-selection";
 import { randomCircles } from "./random_circles.js";
@@ -14,20 +13,13 @@ const width = 920,
  */
 export function largestEmptyCircles(circles, width, height, count) {
   const diagram = Diagram.from(circles);
+  const window = diagram.voronoi([0, 0, width, height]); // always of the diagram as it is now
   const found = [];
-  const corners = [0, 0, width, 0, width, height, 0, height];
   while (found.length < count) {
-    const { curves } = diagram.voronoi([0, 0, width, height]).edgeCurves();
-    const ends = [...corners];
-    for (let k = 0; k < curves.length; k += 7)
-      ends.push(curves[k], curves[k + 1], curves[k + 5], curves[k + 6]);
-    const room = new Float64Array(ends.length / 2);
-    diagram.findMany(ends, room);
-    const best = room.indexOf(Math.max(...room));
-    if (!(room[best] > 0)) break;
-    const circle = { x: ends[2 * best], y: ends[2 * best + 1], r: room[best] };
-    found.push(circle);
-    diagram.insert(circle.x, circle.y, circle.r); // the next one has to stay clear of this one, too
+    const { x, y, r } = window.largestEmptyCircle();
+    if (!(r > 0)) break;
+    found.push({ x, y, r });
+    diagram.insert(x, y, r);
   }
   diagram.dispose();
   return found;

@@ -19,7 +19,14 @@ const kExamples = {
     "In a worker",
     "The nearest circle of each pixel, asked for in one call off the main thread.",
   ],
-  empty_circles: ["Empty circles", "The largest empty circles of a packing, from vertices()."],
+  grow: [
+    "Growing circles",
+    "Circles grow until they meet, and stop at the distance of the slider (voronoi with a distance).",
+  ],
+  empty_circles: [
+    "Empty circles",
+    "The largest circles that still fit into a packing, one after the other (largestEmptyCircle).",
+  ],
   clearance_path: [
     "Widest path",
     "The path between discs whose narrowest passage is widest, along the curves of the edges.",
