@@ -167,7 +167,9 @@ export type AreaTargets = NumbersById;
 
 /** A circle that no site's circle reaches into. */
 export interface EmptyCircle {
+  /** Its centre. */
   x: number;
+  /** Its centre (y upwards). */
   y: number;
   /** The distance to the nearest site; below 0 where all of the window is covered. */
   r: number;
