@@ -71,7 +71,7 @@ Ring diamond(double x, double y, double r) { return {x - r, y, x, y - r, x + r, 
 /// Of integers: sides overlap, pass points, and are vertical.
 TEST(Arrangement, SweptAsInAGridOnALattice) {
   Random random(911);
-  for (int run = 0; run < runs(3000); ++run) {
+  for (int run = 0; run < runs(600); ++run) {
     const int size = static_cast<int>(random.integer(2, 12));
     std::vector<Ring> rings(random.below(4u) + std::size_t{1});
     for (Ring& ring : rings) {
@@ -90,7 +90,7 @@ TEST(Arrangement, SweptAsInAGridOnALattice) {
 /// Few crossings among many sides that do not cross: it matters which the sweep takes out.
 TEST(Arrangement, SweptAsInAGridAroundEachOther) {
   Random random(912);
-  for (int run = 0; run < runs(400); ++run) {
+  for (int run = 0; run < runs(80); ++run) {
     std::vector<Ring> rings;
     const int count = static_cast<int>(random.integer(2, 60));
     const auto kind = random.below(4u);
@@ -119,7 +119,7 @@ TEST(Arrangement, SweptAsInAGridAroundEachOther) {
 /// Crossings whose rounded places are crossed again, up to the grid of the last rounds.
 TEST(Arrangement, SweptAsInAGridWhereCrossingsAreRounded) {
   Random random(913);
-  for (int run = 0; run < runs(400); ++run) {
+  for (int run = 0; run < runs(60); ++run) {
     Ring ring;
     const bool areClose = random.oneIn(2), isNeedle = random.oneIn(3);
     for (int k = 0; k < 24; ++k) {
