@@ -40,6 +40,7 @@ export type {
   PolygonOptions,
   Position,
   PredicateCounts,
+  Projection,
   Site,
   Sites,
   SnapshotOptions,

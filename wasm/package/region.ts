@@ -30,8 +30,8 @@ export type Region = Ring | ArrayLike<Ring> | GeoJSONRegion;
 
 /** Rings for the library: all points, and the first of each ring, and their number. */
 export interface FlatRings {
-  coordinates: Float64Array;
-  starts: Uint32Array;
+  coordinates: Float64Array<ArrayBuffer>;
+  starts: Uint32Array<ArrayBuffer>;
 }
 
 /** What may be bounds with its elements as they are now: getters may say something else later. */

@@ -185,6 +185,21 @@ export interface VoronoiOptions {
    * (the default) is nowhere.
    */
   distance?: number | NumbersById | undefined;
+  /**
+   * For a diagram of projected places: the window is given in longitude and latitude, bounds as
+   * [west, south, east, north], and `toGeoJSON` gives its polygons in these. Sides are refined, so
+   * that straight lines there are within the tolerance on the map. (At a coarse one, rings of thin
+   * cells may cross.) All other calls stay in the diagram's plane.
+   */
+  project?: Projection | undefined;
+}
+
+/** From longitude and latitude to the plane and back, as d3-geo's projections do; null is nowhere. */
+export interface Projection {
+  /** From [longitude, latitude] to [x, y]. */
+  (place: Position): Position | null;
+  /** From [x, y] to [longitude, latitude]. */
+  invert(point: Position): Position | null;
 }
 
 /** What `fitAreas` has reached. */

@@ -26,6 +26,7 @@ import { fitAreas, fitAreasAsync } from "./fit.js";
 import { type CellsCollection, collectionOf, type GeoJSONOptions, positionsOf } from "./geojson.js";
 import type { NativeDiagram, NativeReach, NativeRegion } from "./module.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
+import { checkProjection, projectedRings, unprojected } from "./projection.js";
 import { checkedRings, isRegion, readOnce, type Region } from "./region.js";
 import { ofSite } from "./native_errors.js";
 import type {
@@ -45,6 +46,7 @@ import type {
   NestedOptions,
   PolygonOptions,
   Position,
+  Projection,
   VoronoiOptions,
 } from "./types.js";
 
@@ -88,6 +90,7 @@ export class Voronoi implements Disposable {
   readonly #reach: NativeReach | null = null;
   /** How far cells reach: one distance, or one for each id. */
   readonly #distance: number | ArrayLike<number>;
+  readonly #project: Projection | undefined;
   readonly #ballast: Ballast | null = null;
   #isDisposed = false;
 
@@ -98,11 +101,17 @@ export class Voronoi implements Disposable {
     options: VoronoiOptions | undefined,
   ) {
     const native = nativeOf(diagram);
-    const window = readOnce(given);
+    checkOptions(options, "distance", "project");
+    const project: unknown = options?.project;
+    checkProjection(project);
+    this.#project = project;
+    const read = readOnce(given);
+    const window = project === undefined || isRegion(read) ? read : ringOf(checkedBounds(read));
     this.#distance = distanceOf(native, options);
     let bounds: [number, number, number, number];
     if (isRegion(window)) {
-      const { coordinates, starts } = checkedRings(window);
+      const rings = checkedRings(window);
+      const { coordinates, starts } = project ? projectedRings(rings, project) : rings;
       this.#region = createRegion(this, native, coordinates, starts);
       // Laid over the diagram, a region has a note for each of its faces.
       this.#ballast = new Ballast();
@@ -262,17 +271,18 @@ export class Voronoi implements Disposable {
    * All cells as GeoJSON (RFC 7946), ascending by id: polygons with their holes, or multi-polygons
    * where a cell has several parts. Polygons are valid and tile the window: neighbours have the
    * points of their common boundary in common, whatever the tolerance. Coordinates are the
-   * diagram's own: for a map, build it of projected places, and take the positions back.
+   * diagram's own, or those of the map if the view has a projection (`VoronoiOptions.project`).
    * `options.properties` may throw. O(n log n).
    */
   toGeoJSON<Properties = { site: number }>(
     options?: GeoJSONOptions<Properties>,
   ): CellsCollection<Properties> {
     const native = Voronoi.#living(this);
-    return collectionOf(
-      (tolerance) => native.cellPolygons(...this.#window, this.#tolerance(native, { tolerance })),
-      options,
-    );
+    return collectionOf((given) => {
+      const tolerance = this.#tolerance(native, { tolerance: given });
+      const polygons = native.cellPolygons(...this.#window, tolerance);
+      return this.#project ? unprojected(polygons, this.#project, tolerance) : polygons;
+    }, options);
   }
 
   // --- Questions ---------------------------------------------------------------------------------
@@ -518,12 +528,19 @@ export class Voronoi implements Disposable {
   }
 }
 
+/** The corners of bounds. */
+const ringOf = ([xmin, ymin, xmax, ymax]: readonly number[]) => [
+  [xmin, ymin],
+  [xmax, ymin],
+  [xmax, ymax],
+  [xmin, ymax],
+];
+
 /** Infinity, where cells end nowhere but at others. */
 function distanceOf(
   native: NativeDiagram,
   options: VoronoiOptions | undefined,
 ): number | ArrayLike<number> {
-  checkOptions(options, "distance");
   const distance = options?.distance ?? Infinity;
   if (typeof distance === "object")
     return Float64Array.from(numbersById(native, "distance", distance, "bad-option"));
