@@ -235,6 +235,12 @@ Error Diagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
   return guarded(*core_, [&] { listNeighbors(*core_, id, neighbors); });
 }
 
+Error Diagram::conflict(double x, double y, double r, std::vector<SiteId>& sites,
+                        bool& isCovered) const {
+  if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
+  return guarded(*core_, [&] { listConflict(*core_, normalized({x, y, r}), sites, isCovered); });
+}
+
 Error Diagram::vertices(VertexArrays& vertices) const {
   return guarded(*core_, [&] { listVertices(*core_, vertices); });
 }

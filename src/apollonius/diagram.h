@@ -167,6 +167,13 @@ class APOLLONIUS_EXPORT Diagram {
   /// kUnknownSite, kOutOfMemory. Cost: O(d).
   [[nodiscard]] Error neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
 
+  /// The distinct sites from whose cells a new circle would take something; if one covers it, only
+  /// that one, and `isCovered`. The diagram stays as it is. Replaces the contents. Errors:
+  /// kNotFinite, kOutOfRange, kOutOfMemory. Cost: location, the degree of the nearest site, and the
+  /// size of what would change.
+  [[nodiscard]] Error conflict(double x, double y, double r, std::vector<SiteId>& sites,
+                               bool& isCovered) const;
+
   /// The Voronoi vertices. Each coordinate and clearance is within 2^-39 (|x| + |y| + |clearance|)
   /// + 2^-48 (the largest number among its three sites) of the exact one, whatever the sites, and
   /// the same bits after any history; of three sites whose coordinates and weights are multiples of

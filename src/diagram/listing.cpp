@@ -3,6 +3,8 @@
 
 #include "base/flat_array.h"
 #include "base/radix_sort.h"
+#include "delaunay/conflict.h"
+#include "predicate/covers.h"
 
 namespace apollonius::internal {
 
@@ -27,6 +29,35 @@ void listNeighbors(const DiagramCore& diagram, SiteId id, std::vector<SiteId>& n
     if (graph.target(h) != kInfinity) neighbors.push_back(diagram.siteOf(graph.target(h)));
   }
   keepFirstOccurrences(neighbors);
+}
+
+void listConflict(const DiagramCore& diagram, const Site& site, std::vector<SiteId>& sites,
+                  bool& isCovered) {
+  sites.clear();
+  isCovered = false;
+  if (diagram.visibleCount() == 0) return;
+  const Slot nearest = diagram.nearest(site.x, site.y);
+  sites.push_back(diagram.ids().idOf(nearest));
+  isCovered = covers(diagram.site(nearest), site);
+  if (isCovered || diagram.visibleCount() == 1) return;
+  const DelaunayGraph& delaunay = diagram.delaunay();
+  const Graph& graph = delaunay.graph();
+  ConflictSearch search;
+  search.find(delaunay, site, vertexOf(nearest), kNoHalfedge);
+  const auto add = [&](VertexId v) {
+    if (v != kInfinity) sites.push_back(diagram.siteOf(v));
+  };
+  // Nothing is left of the others if the new one covers them all.
+  for (const FaceId f : search.faces()) {
+    for (unsigned corner = 0; corner < 3; ++corner) add(graph.origin(halfedgeOf(f, corner)));
+  }
+  for (const HalfedgeId h : search.boundary()) add(graph.origin(h));
+  if (search.boundary().empty()) {
+    for (Slot slot = 0; slot < diagram.ids().slots(); ++slot) {
+      if (diagram.ids().state(slot) == SiteState::kVisible) add(vertexOf(slot));
+    }
+  }
+  keepFirstOccurrences(sites);
 }
 
 void keepFirstOccurrences(std::vector<SiteId>& neighbors) {

@@ -15,6 +15,12 @@ namespace apollonius::internal {
 /// first occurrence; none for a hidden site. REQUIRES: an id in use. Cost: O(d).
 void listNeighbors(const DiagramCore& diagram, SiteId id, std::vector<SiteId>& neighbors);
 
+/// The distinct sites from whose cells a new site would take something; if one covers it, only that
+/// one, and `isCovered`. None in an empty diagram. Cost: location, the degree of the nearest site,
+/// and the size of what would change.
+void listConflict(const DiagramCore& diagram, const Site& site, std::vector<SiteId>& sites,
+                  bool& isCovered);
+
 /// Of a list in which sites may be repeated, keeps each where it is first. Cost: O(d).
 void keepFirstOccurrences(std::vector<SiteId>& neighbors);
 

@@ -127,6 +127,17 @@ std::int32_t find(const AnyDiagram& diagram, double x, double y) {
   return asSigned(id);
 }
 
+/// From which cells a new circle would take something; or, with `isCovered`, what covers it.
+struct Conflict {
+  std::vector<SiteId> sites;
+  bool isCovered = false;
+};
+Conflict conflict(const Diagram& diagram, double x, double y, double r) {
+  Conflict found;
+  check(diagram.conflict(x, y, r, found.sites, found.isCovered));
+  return found;
+}
+
 /// The caller deletes it, before the diagram changes.
 template <class Walk, class AnyDiagram>
 Walk* nearestFirst(const AnyDiagram& diagram, double x, double y, double farthest) {

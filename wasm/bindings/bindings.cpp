@@ -47,6 +47,9 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .field("y", &Circle::y)
       .field("r", &Circle::r);
   value_object<Nearest>("Nearest").field("id", &Nearest::id).field("distance", &Nearest::distance);
+  value_object<Conflict>("Conflict")
+      .field("sites", &Conflict::sites)
+      .field("isCovered", &Conflict::isCovered);
   value_object<Found>("Found")
       .field("what", &Found::what)
       .field("where", &Found::where)
@@ -145,6 +148,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("search", returning<&Diagram::search>())
       .function("nearestFirst", &nearestFirst<NearestFirst, Diagram>, allow_raw_pointers(), moved)
       .function("neighbors", returning<&Diagram::neighbors>())
+      .function("conflict", &conflict)
       .function("vertices", returning<&Diagram::vertices>(), moved)
       .function("edges", returning<&Diagram::edges>(), moved)
       .function("levels", returning<&Diagram::levels>())

@@ -32,6 +32,7 @@ export type {
   FlatOptions,
   ListedSite,
   Measures,
+  NaturalWeights,
   NearbyFilter,
   NearbyOptions,
   NestedOptions,

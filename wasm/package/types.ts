@@ -165,6 +165,14 @@ export type NumbersById =
 /** The areas of all cells, in any unit, each above 0. */
 export type AreaTargets = NumbersById;
 
+/** What a new site would take from the cells of others: `voronoi.naturalWeights`. */
+export interface NaturalWeights {
+  /** The natural neighbours. */
+  ids: Uint32Array;
+  /** The share of each in the new cell; together 1. */
+  weights: Float64Array;
+}
+
 /** A circle that no site's circle reaches into. */
 export interface EmptyCircle {
   /** Its centre. */

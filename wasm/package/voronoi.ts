@@ -28,6 +28,7 @@ import type { NativeDiagram, NativeReach, NativeRegion } from "./module.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
 import { checkProjection, projectedRings, unprojected } from "./projection.js";
 import { checkedRings, isRegion, readOnce, type Region } from "./region.js";
+import { naturalWeights } from "./natural_neighbors.js";
 import { ofSite } from "./native_errors.js";
 import type {
   AreaTargets,
@@ -43,6 +44,7 @@ import type {
   FittedAreas,
   FlatOptions,
   Measures,
+  NaturalWeights,
   NestedOptions,
   PolygonOptions,
   Position,
@@ -329,6 +331,19 @@ export class Voronoi implements Disposable {
     const native = Voronoi.#living(this);
     const most = checkedCount("count", count);
     return emptyCircles(native, this.#window, this.#corners(native), most);
+  }
+
+  /**
+   * The natural neighbours of a place, for interpolation (Sibson): the sites from whose cells inside
+   * the window a new circle there would take something, and which share of its cell from each. Where
+   * a circle covers it, that one alone. The value of a field at the place is the sum of weights times
+   * values. It is continuous, and that of a site at its centre, if r is at most the smallest radius.
+   * The diagram stays as it is. null without sites, and where the new cell would have no part inside
+   * the window. Cost: location, and that of a diagram of the natural neighbours. Throws
+   * "not-finite", "out-of-range".
+   */
+  naturalWeights(x: number, y: number, r = 0): NaturalWeights | null {
+    return naturalWeights(Voronoi.#living(this), this.#window, x, y, r);
   }
 
   // --- Measures of the true, curved cells --------------------------------------------------------
