@@ -331,7 +331,18 @@ export const diagramCalls = {
   edges: works((d) => d.edges()),
   vertices: works((d) => d.vertices()),
   levels: works((d) => d.levels()),
-  voronoi: { use: (d) => d.voronoi(), refuses: window((d, box) => d.voronoi(box)) },
+  voronoi: {
+    use: (d) => d.voronoi(),
+    refuses: [
+      ...window((d, box) => d.voronoi(box)),
+      ...number("distance", (d, distance) => d.voronoi(bounds, { distance })),
+      ["bad-length", (d) => d.voronoi(bounds, { distance: [1] }), "distance has 1 elements"],
+      ["unknown-site", (d) => d.voronoi(bounds, { distance: { [NONE]: 1 } }), "site 1000 does not"],
+      ["bad-option", (d) => d.voronoi(bounds, { distance: {} }), "distance has none for site"],
+      ["bad-option", (d) => d.voronoi(bounds, { project: 7 }), "options.project is 7, expected"],
+      ["bad-option", (d) => d.voronoi(bounds, { reach: 7 }), "options.reach is unknown"],
+    ],
+  },
   hull: works((d) => d.hull()),
   render: {
     use: (d) => d.render(),
@@ -426,6 +437,31 @@ export const voronoiCalls = {
     ],
   },
   neighbors: ofCell("neighbors"),
+  naturalWeights: {
+    use: inWindow((v) => v.naturalWeights(7, 7, 1)),
+    refuses: [
+      ...number(
+        "x",
+        inWindow((v, x) => v.naturalWeights(x, 0)),
+      ),
+      ...number(
+        "y",
+        inWindow((v, y) => v.naturalWeights(0, y)),
+      ),
+      ...number(
+        "r",
+        inWindow((v, r) => v.naturalWeights(0, 0, r)),
+      ),
+    ],
+  },
+  largestEmptyCircle: works(inWindow((v) => v.largestEmptyCircle())),
+  emptyCircles: {
+    use: inWindow((v) => v.emptyCircles(2)),
+    refuses: [
+      ["not-finite", inWindow((v) => v.emptyCircles(NaN)), "count is NaN"],
+      ["out-of-range", inWindow((v) => v.emptyCircles(-1)), "count is -1"],
+    ],
+  },
   cellArea: ofCell("cellArea"),
   cellCentroid: ofCell("cellCentroid"),
   cellPerimeter: ofCell("cellPerimeter"),
