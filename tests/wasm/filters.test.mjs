@@ -31,19 +31,13 @@ function bruteForce(circles) {
   };
   const pick = (x, y, farthest, top, filter) => {
     const under = circles.filter((c) => filter(c[0]) && away(c, x, y) <= 0);
-    if (top === "last") return Math.max(...under.map(([id]) => id), -1);
-    under.sort((a, b) => a[3] - b[3] || b[0] - a[0]);
-    return under[0]?.[0] ?? -1;
+    if (top === "last") under.sort((a, b) => b[0] - a[0]);
+    else under.sort((a, b) => a[3] - b[3] || b[0] - a[0]);
+    if (under.length > 0) return under[0][0];
+    const near = nearest(x, y, filter);
+    return near && near.distance <= farthest ? near.id : -1;
   };
-  return {
-    nearest,
-    pick: (x, y, farthest, top, filter) => {
-      const found = pick(x, y, farthest, top, filter);
-      if (found !== -1) return found;
-      const near = nearest(x, y, filter);
-      return near && near.distance <= farthest ? near.id : -1;
-    },
-  };
+  return { nearest, pick };
 }
 
 const listOf = (one) => [...one].map(({ id, x, y, r }) => [id, x, y, r]);

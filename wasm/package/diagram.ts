@@ -273,10 +273,7 @@ export class Diagram implements Disposable {
     return queries.ofOne(nativeOf(this), id, (native) => native.isHidden(id));
   }
 
-  /**
-   * A visible site that covers this one; -1 for a visible site. Cost: one location. Throws
-   * "unknown-site".
-   */
+  /** A visible site that covers this one, or -1. Cost: one location. Throws "unknown-site". */
   coverOf(id: number): number {
     return queries.ofOne(nativeOf(this), id, (native) => native.coverOf(id));
   }
@@ -306,7 +303,7 @@ export class Diagram implements Disposable {
    * locations for m points; with a filter: `FilterOptions`. Throws as `find`, and "bad-length".
    */
   findMany(xy: ArrayLike<number>, ...how: FindManyArguments): Int32Array {
-    return queries.findMany(nativeOf(this), this.#filters, xy, ...how);
+    return queries.findMany(nativeOf(this), this.#filters, xy, how);
   }
 
   /**
@@ -334,17 +331,17 @@ export class Diagram implements Disposable {
    * The circle under a pointer: of those that contain the point, rim included, the one on top,
    * which is the smallest (of equal ones the last), or with `top: "last"` the one with the largest
    * id; else the nearest site that is not farther than `maxDistance` (default: Infinity; 0 for
-   * none); else -1. `filter` leaves some out. Exact. Cost: one location and O(m log m), m the number
-   * of neighbours of the circles that contain the point or are asked about. Throws "not-finite",
-   * "out-of-range", "bad-option".
+   * none); else -1. `filter` leaves some out. Exact. Cost: one location and O(m log m), m the
+   * number of neighbours of the circles that contain the point or are asked about. Throws
+   * "not-finite", "out-of-range", "bad-option".
    */
   pick(x: number, y: number, ...how: PickArguments): number {
-    return queries.pick(nativeOf(this), this.#filters, x, y, ...how);
+    return queries.pick(nativeOf(this), this.#filters, x, y, how);
   }
 
   /** `pick` for flat x, y pairs. Filter, cost, errors: as findMany, for `pick`. */
   pickMany(xy: ArrayLike<number>, ...how: PickArguments): Int32Array {
-    return queries.pickMany(nativeOf(this), this.#filters, xy, ...how);
+    return queries.pickMany(nativeOf(this), this.#filters, xy, how);
   }
 
   /**
@@ -422,7 +419,10 @@ export class Diagram implements Disposable {
     return drawDual(nativeOf(this), context, options);
   }
 
-  /** Draws the circles of all sites, hidden ones too, of radii above 0. O(n). Throws as `render`. */
+  /**
+   * Draws the circles of all sites, hidden ones too (none for radii of 0 or less). O(n). Throws
+   * "not-finite", "out-of-range", "bad-option" as `render`.
+   */
   renderSites(context: PathContext, options?: DrawOptions): void;
   renderSites(context?: null, options?: DrawOptions): string;
   renderSites(context?: PathContext | null, options?: DrawOptions): string | void;
@@ -430,7 +430,10 @@ export class Diagram implements Disposable {
     return drawWhole(nativeOf(this), "sites", undefined, context, options);
   }
 
-  /** Draws the hull of the circles, arcs and tangents, as one closed figure. Throws as `render`. */
+  /**
+   * Draws the convex hull of the circles, arcs and tangents, as one closed figure. O(length).
+   * Throws "not-finite", "out-of-range", "bad-option" as `render`.
+   */
   renderHull(context: PathContext, options?: DrawOptions): void;
   renderHull(context?: null, options?: DrawOptions): string;
   renderHull(context?: PathContext | null, options?: DrawOptions): string | void;

@@ -125,8 +125,8 @@ export function throughFilter<Native extends NativeDiagram | NativeSphericalDiag
   const points = allocated(() => new Float64Array(given));
   const far = distances && allocated(() => new Float64Array(points.length / 2));
   const found = all(native, points, far);
-  const said: boolean[] = [];
-  const passes = (id: number) => (said[id] ??= Boolean(filter(id)));
+  const said: number[] = [];
+  const passes = (id: number) => (said[id] ??= filter(id) ? 1 : 0);
   let looks = native.size();
   filtering(filters, () => {
     for (let k = 0; k < found.length; ++k) {

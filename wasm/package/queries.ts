@@ -122,7 +122,7 @@ export function findMany(
   native: NativeDiagram,
   filters: Filters,
   xy: ArrayLike<number>,
-  ...how: FindManyArguments
+  how: FindManyArguments,
 ): Int32Array {
   return findManyOf(native, filters, checkedNumbers("xy", xy, 2), how, {
     all: findAll,
@@ -180,11 +180,8 @@ export function within(
   );
 }
 
-interface Picking {
-  farthest: number;
-  top: "smallest" | "last";
-  filter: NearbyFilter | undefined;
-}
+/** The largest distance, which circle is on top, and the filter. */
+type Picking = [number, "smallest" | "last", NearbyFilter | undefined];
 
 function checkedPicking(how: PickArguments): Picking {
   const [maxDistance, options] = optionsLast(how) as [number?, PickOptions?];
@@ -196,7 +193,7 @@ function checkedPicking(how: PickArguments): Picking {
     );
   checkOptions(options, "top", "filter");
   const top = checkedChoice("options.top", options?.top, ["smallest", "last"]);
-  return { farthest, top, filter: checkedFilter(options?.filter) };
+  return [farthest, top, checkedFilter(options?.filter)];
 }
 
 function pickThrough(
@@ -204,7 +201,7 @@ function pickThrough(
   filters: Filters,
   x: number,
   y: number,
-  { farthest, top }: Picking,
+  [farthest, top]: Picking,
   filter: NearbyFilter,
 ): Found | null {
   return passing(walkFrom(native, x, y, farthest), filter, filters, (id, other) => {
@@ -218,22 +215,20 @@ export function pick(
   filters: Filters,
   x: number,
   y: number,
-  ...how: PickArguments
+  how: PickArguments,
 ): number {
   checkTypes(x, y);
   const picking = checkedPicking(how);
-  if (picking.filter !== undefined)
-    return pickThrough(native, filters, x, y, picking, picking.filter)?.id ?? -1;
-  return atPoint(native, x, y, () =>
-    native.pick(x, y, picking.farthest, runningModule().Top[picking.top]),
-  );
+  const [farthest, top, filter] = picking;
+  if (filter !== undefined) return pickThrough(native, filters, x, y, picking, filter)?.id ?? -1;
+  return atPoint(native, x, y, () => native.pick(x, y, farthest, runningModule().Top[top]));
 }
 
 /** What `pick` says of each point; most are in no circle, and the nearest site is the answer. */
 function pickAll(
   native: NativeDiagram,
   numbers: ArrayLike<number>,
-  { farthest, top }: Picking,
+  [farthest, top]: Picking,
 ): Int32Array {
   const distances = allocated(() => new Float64Array(numbers.length / 2));
   const ids = findAll(native, numbers, distances);
@@ -254,14 +249,15 @@ export function pickMany(
   native: NativeDiagram,
   filters: Filters,
   xy: ArrayLike<number>,
-  ...how: PickArguments
+  how: PickArguments,
 ): Int32Array {
   const numbers = checkedNumbers("xy", xy, 2);
   const picking = checkedPicking(how);
-  if (picking.filter === undefined) return pickAll(native, numbers, picking);
-  return throughFilter(native, filters, picking.filter, numbers, undefined, {
+  const [, , filter] = picking;
+  if (filter === undefined) return pickAll(native, numbers, picking);
+  return throughFilter(native, filters, filter, numbers, undefined, {
     all: (of, points) => pickAll(of, points, picking),
-    one: (x, y, filter) => pickThrough(native, filters, x, y, picking, filter),
+    one: (x, y, passes) => pickThrough(native, filters, x, y, picking, passes),
     empty,
   });
 }

@@ -145,7 +145,7 @@ export function findMany(
   native: NativeSphericalDiagram,
   filters: Filters,
   lonLat: ArrayLike<number>,
-  ...how: FindManyArguments
+  how: FindManyArguments,
 ): Int32Array {
   return findManyOf(native, filters, checkedPoints("lonLat", lonLat), how, {
     all: findAll,

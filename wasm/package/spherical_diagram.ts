@@ -292,7 +292,7 @@ export class SphericalDiagram implements Disposable {
    * as Diagram.findMany. Throws as `find`, and "bad-length".
    */
   findMany(lonLat: ArrayLike<number>, ...how: FindManyArguments): Int32Array {
-    return findMany(living(this), this.#filters, lonLat, ...how);
+    return findMany(living(this), this.#filters, lonLat, how);
   }
 
   /**

@@ -122,7 +122,7 @@ export const asking = {
   ],
   pickMany: [
     [fc.array(point, { maxLength: 20 }), fc.constantFrom(0, 3, Infinity)],
-    (d, m, points, farthest) => {
+    (d, _, points, farthest) => {
       const expected = points.map(([x, y]) => d.pick(x, y, farthest));
       expect([...d.pickMany(points.flat(), farthest)]).toEqual(expected);
     },
