@@ -27,7 +27,7 @@ function geometry(folders) {
     of: new RegExp(`^src/geometry/${folder}/`),
     may: [
       std,
-      /^"apollonius\/(path|types)\.h"$/,
+      /^"apollonius\/(path|reach|types)\.h"$/,
       /^"(base|number|predicate|topology|delaunay|diagram)\//,
       new RegExp(`^"geometry/(${others ? `${others}|` : ""}${folder})/`),
     ],

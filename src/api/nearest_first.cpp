@@ -1,5 +1,7 @@
 #include "apollonius/nearest_first.h"
 
+#include <limits>
+
 #include "api/checks.h"
 #include "diagram/nearby_search.h"
 
@@ -30,6 +32,10 @@ Error NearestFirst::next(SiteId& id) {
   });
   if (error != Error::kNone) search_.reset();
   return error;
+}
+
+double NearestFirst::distance() const {
+  return search_ == nullptr ? std::numeric_limits<double>::infinity() : search_->distance();
 }
 
 }  // namespace apollonius

@@ -29,4 +29,8 @@ Error SphericalNearestFirst::next(SiteId& id) {
   return error;
 }
 
+double SphericalNearestFirst::distance() const {
+  return search_ == nullptr ? std::numeric_limits<double>::infinity() : search_->distance();
+}
+
 }  // namespace apollonius

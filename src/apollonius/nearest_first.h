@@ -32,6 +32,10 @@ class APOLLONIUS_EXPORT NearestFirst {
   /// their neighbours.
   [[nodiscard]] Error next(SiteId& id);
 
+  /// From the point to the site that next() gave last, as Diagram::find has it: so at most 0 if its
+  /// circle contains the point. Infinite if there is none. O(1).
+  [[nodiscard]] double distance() const;
+
  private:
   const Diagram* diagram_;
   std::unique_ptr<internal::NearbySearch> search_;

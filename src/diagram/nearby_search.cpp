@@ -18,8 +18,6 @@
 
 #include <algorithm>
 
-#include "predicate/distance.h"
-
 namespace apollonius::internal {
 
 bool SlotSet::write(Slot slot) {

@@ -6,6 +6,7 @@
 
 #include "base/flat_array.h"
 #include "diagram/diagram_core.h"
+#include "predicate/distance.h"
 #include "predicate/site.h"
 
 namespace apollonius::internal {
@@ -39,6 +40,12 @@ class NearbySearch {
 
   /// The next site, kNoSlot after the last.
   [[nodiscard]] Slot next();
+
+  /// To the site that next() gave last; infinite if there is none.
+  [[nodiscard]] double distance() const {
+    return last_ == kNoSlot ? std::numeric_limits<double>::infinity()
+                            : roundedDistance(x_, y_, diagram_.site(last_));
+  }
 
  private:
   /// A site that may come next.

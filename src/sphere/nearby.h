@@ -9,6 +9,12 @@
 
 namespace apollonius::internal::sphere {
 
+/// From a point to a site in the unit of the sphere's radius, rounded.
+[[nodiscard]] inline double distanceTo(const SiteTable& sites, SiteId id, const Direction& point) {
+  const double angle = angleBetween(point, directionOf(sites[id].centre)).angle();
+  return angle * sites.radius() - sites[id].r;
+}
+
 /// All sites, hidden ones too, in the order of their distance to a point, or those that are not
 /// farther than a limit, in the unit of the sphere's radius. The diagram must stay as it is. Cost:
 /// one location and O(m log m), m = the neighbours of the sites found. Calls throw std::bad_alloc,
@@ -23,6 +29,13 @@ class SphericalSearch {
 
   /// The next site, kNoSite after the last.
   [[nodiscard]] SiteId next();
+
+  /// To the site that next() gave last, in the unit of the sphere's radius; infinite if there is
+  /// none.
+  [[nodiscard]] double distance() const {
+    return last_ == kNoSite ? std::numeric_limits<double>::infinity()
+                            : distanceTo(sites_, last_, point_);
+  }
 
  private:
   struct Entry {
@@ -45,11 +58,5 @@ class SphericalSearch {
   FlatArray<Entry> heap_;
   SlotSet seen_;  // visible sites: a hidden one has one parent
 };
-
-/// From a point to a site in the unit of the sphere's radius, rounded.
-[[nodiscard]] inline double distanceTo(const SiteTable& sites, SiteId id, const Direction& point) {
-  const double angle = angleBetween(point, directionOf(sites[id].centre)).angle();
-  return angle * sites.radius() - sites[id].r;
-}
 
 }  // namespace apollonius::internal::sphere

@@ -92,8 +92,18 @@ class Picking {
       ASSERT_EQ(walk.next(id), Error::kNone);
       if (id == kNoSite) break;
       found.push_back(id);
+      // the distance of the call for one nearest site, whose sign is that of the oracle's
+      ASSERT_EQ(walk.distance() <= 0, contains(id, x, y)) << id;
+      Diagram one;
+      SiteId only = kNoSite;
+      double distance = 0;
+      const Circle& circle = circles_[id];
+      ASSERT_EQ(one.insert(circle.x, circle.y, circle.r, only), Error::kNone);
+      ASSERT_EQ(one.find(x, y, only, distance), Error::kNone);
+      ASSERT_EQ(walk.distance(), distance);
     }
     ASSERT_EQ(found, expected);
+    ASSERT_EQ(walk.distance(), kAnywhere);
   }
 
  private:
@@ -280,6 +290,7 @@ TEST(Pick, EmptyDiagram) {
   NearestFirst walk(diagram);
   EXPECT_EQ(walk.next(id), Error::kNone) << "before start()";
   EXPECT_EQ(id, kNoSite);
+  EXPECT_EQ(walk.distance(), kAnywhere);
   EXPECT_EQ(walk.start(0, 0), Error::kNone);
   EXPECT_EQ(walk.next(id), Error::kNone);
   EXPECT_EQ(id, kNoSite);

@@ -173,7 +173,7 @@ test.each([
   expect(diagram.size).toBe(2);
 });
 
-test("areas cannot be prescribed for cells that end at a distance; a view can be disposed of", async () => {
+test("areas cannot be prescribed then; a view can be disposed of", async () => {
   const view = new Diagram([20, 30, 4, 70, 40, 9]).voronoi(box, { distance: 3 });
   expect(() => view.fitAreas([1, 1])).toThrow(expect.objectContaining({ code: "bad-option" }));
   await expect(view.fitAreasAsync([1, 1])).rejects.toMatchObject({ code: "bad-option" });

@@ -1,5 +1,5 @@
-// Maps: `voronoi(window, { project })` takes a window in longitude and latitude, and toGeoJSON gives
-// polygons there.
+// Maps: `voronoi(window, { project })` takes a window in longitude and latitude, and toGeoJSON
+// gives polygons there.
 import { geoAlbers, geoMercator } from "d3-geo";
 import GeoJSONReader from "jsts/org/locationtech/jts/io/GeoJSONReader.js";
 import IsValidOp from "jsts/org/locationtech/jts/operation/valid/IsValidOp.js";

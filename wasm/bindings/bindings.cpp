@@ -116,7 +116,9 @@ EMSCRIPTEN_BINDINGS(apollonius) {
 
   const return_value_policy::take_ownership moved;  // not copied
   class_<Builder>("Builder").function("progress", &Builder::progress);
-  class_<NearestFirst>("NearestFirst").function("next", returning<&NearestFirst::next>());
+  class_<NearestFirst>("NearestFirst")
+      .function("next", returning<&NearestFirst::next>())
+      .function("distance", &NearestFirst::distance);
   class_<Diagram>("Diagram")
       .constructor(&create, allow_raw_pointers())
       // Sites

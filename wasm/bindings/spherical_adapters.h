@@ -43,7 +43,8 @@ void registerSphere() {
       .field("lon", &SphericalPoint::lon)
       .field("lat", &SphericalPoint::lat);
   class_<SphericalNearestFirst>("SphericalNearestFirst")
-      .function("next", returning<&SphericalNearestFirst::next>());
+      .function("next", returning<&SphericalNearestFirst::next>())
+      .function("distance", &SphericalNearestFirst::distance);
   class_<SphericalDiagram>("SphericalDiagram")
       .constructor(&createSpherical, allow_raw_pointers())
       .function("radius", &SphericalDiagram::radius)

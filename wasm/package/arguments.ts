@@ -353,3 +353,10 @@ export function checkOptions(options: unknown, ...names: string[]): void {
     if (!names.includes(name))
       throw new ApolloniusError("bad-option", `options.${name} is unknown, ${expected}`);
 }
+
+/** What may stand before options, and the options, which may stand in its place. */
+export function optionsLast(given: readonly unknown[]): [unknown, unknown] {
+  const [first, last] = given;
+  const isInPlace = described(first) === "an object" && !("byteLength" in (first as object));
+  return last === undefined && isInPlace ? [undefined, first] : [first, last];
+}

@@ -1,4 +1,5 @@
-// A number for each site, as callers give them: an array by id, or the entries of a Map or an object.
+// A number for each site, as callers give them: an array by id, or the entries of a Map or of an
+// object.
 import { checkedNumbers, isArrayLike, isSiteId, numberError, unknownSite } from "./arguments.js";
 import { ApolloniusError, type ErrorCode } from "./errors.js";
 import type { NativeDiagram } from "./module.js";

@@ -22,6 +22,7 @@ import { kInspect, listed, showContent, summary } from "./inspection.js";
 import { drawDual, drawWhole } from "./drawing.js";
 import * as edits from "./edits.js";
 import { ApolloniusError } from "./errors.js";
+import type { Filters } from "./filters.js";
 import { kModule, type NativeDiagram, runningModule, setSphereSource } from "./module.js";
 import type { DrawOptions, DualOptions, PathContext } from "./path.js";
 import * as queries from "./queries.js";
@@ -32,8 +33,9 @@ import type {
   DiagramOptions,
   Edges,
   FilterOptions,
+  FindManyArguments,
   NearbyOptions,
-  PickOptions,
+  PickArguments,
   ListedSite,
   Site,
   Sites,
@@ -69,7 +71,7 @@ export class Diagram implements Disposable {
 
   #native: NativeDiagram | null;
   readonly #ballast = new Ballast();
-  readonly #filters: queries.Filters = { running: 0 };
+  readonly #filters: Filters = { running: 0 };
 
   static {
     provideNative((diagram, changes) => {
@@ -271,10 +273,7 @@ export class Diagram implements Disposable {
     return queries.ofOne(nativeOf(this), id, (native) => native.isHidden(id));
   }
 
-  /**
-   * A visible site that covers this one; -1 for a visible site. Cost: one location. Throws
-   * "unknown-site".
-   */
+  /** A visible site that covers this one, or -1. Cost: one location. Throws "unknown-site". */
   coverOf(id: number): number {
     return queries.ofOne(nativeOf(this), id, (native) => native.coverOf(id));
   }
@@ -282,28 +281,29 @@ export class Diagram implements Disposable {
   // --- Queries -----------------------------------------------------------------------------------
 
   /**
-   * The nearest site of a point, -1 if the diagram is empty. Exact; ties go to the larger r, then
-   * x, then y. Cost: one location (paper, section 4). Throws "not-finite", "out-of-range".
+   * The nearest site of a point, -1 if the diagram is empty; with `filter` the nearest that passes,
+   * hidden ones too. Exact; ties go to the larger r, then x, then y. Cost: one location (paper,
+   * section 4), with a filter as kNearest. Throws "not-finite", "out-of-range", "bad-option".
    */
-  find(x: number, y: number): number {
-    return queries.atPoint(nativeOf(this), x, y, (native) => native.find(x, y));
+  find(x: number, y: number, options?: FilterOptions): number {
+    return queries.find(nativeOf(this), this.#filters, x, y, options);
   }
 
   /**
-   * `find` with the (rounded) distance |p - c| - r, negative inside the circle; null if the diagram
-   * is empty. Cost, errors: as find.
+   * `find` with the (rounded) distance |p - c| - r, negative inside the circle; null if no site is
+   * found. Cost, errors: as find.
    */
-  nearest(x: number, y: number): { id: number; distance: number } | null {
-    return queries.nearest(nativeOf(this), x, y);
+  nearest(x: number, y: number, options?: FilterOptions): { id: number; distance: number } | null {
+    return queries.nearest(nativeOf(this), this.#filters, x, y, options);
   }
 
   /**
    * `find` for flat x, y pairs; many of them much faster than in a loop. With `distances` (one
-   * element a point) it also fills in the distances, Infinity if the diagram is empty. Cost: m
-   * locations for m points. Throws as `find`, and "bad-length".
+   * element a point) it also fills in the distances, Infinity if no site is found. Cost: m
+   * locations for m points; with a filter: `FilterOptions`. Throws as `find`, and "bad-length".
    */
-  findMany(xy: ArrayLike<number>, distances?: Float64Array): Int32Array {
-    return queries.findMany(nativeOf(this), xy, distances);
+  findMany(xy: ArrayLike<number>, ...how: FindManyArguments): Int32Array {
+    return queries.findMany(nativeOf(this), this.#filters, xy, how);
   }
 
   /**
@@ -331,18 +331,23 @@ export class Diagram implements Disposable {
    * The circle under a pointer: of those that contain the point, rim included, the one on top,
    * which is the smallest (of equal ones the last), or with `top: "last"` the one with the largest
    * id; else the nearest site that is not farther than `maxDistance` (default: Infinity; 0 for
-   * none); else -1. Exact. Cost: one location and O(m log m), m the number of neighbours of the
-   * circles that contain the point. Throws "not-finite", "out-of-range", "bad-option".
+   * none); else -1. `filter` leaves some out. Exact. Cost: one location and O(m log m), m the
+   * number of neighbours of the circles that contain the point or are asked about. Throws
+   * "not-finite", "out-of-range", "bad-option".
    */
-  pick(x: number, y: number, maxDistance?: number, options?: PickOptions): number {
-    return queries.pick(nativeOf(this), x, y, maxDistance, options);
+  pick(x: number, y: number, ...how: PickArguments): number {
+    return queries.pick(nativeOf(this), this.#filters, x, y, how);
+  }
+
+  /** `pick` for flat x, y pairs. Filter, cost, errors: as findMany, for `pick`. */
+  pickMany(xy: ArrayLike<number>, ...how: PickArguments): Int32Array {
+    return queries.pickMany(nativeOf(this), this.#filters, xy, how);
   }
 
   /**
-   * All sites whose circles meet a rectangle, hidden ones too, ascending; rims and the border
-   * count. The rectangle may be a segment or a point; circles of negative r meet none. Exact. Cost:
+   * All sites whose circles meet a rectangle, a segment or a point, hidden ones too, ascending;
+   * rims and the border count, circles of negative r meet none. Exact. Throws "bad-bounds". Cost:
    * for sites spread evenly O(m log m), m the number of sites found and of those around the border.
-   * Throws "bad-bounds".
    */
   search(xmin: number, ymin: number, xmax: number, ymax: number): Uint32Array {
     return queries.search(nativeOf(this), xmin, ymin, xmax, ymax);
@@ -371,9 +376,8 @@ export class Diagram implements Disposable {
   }
 
   /**
-   * How many levels of the hierarchy hold each site, by id (paper, section 4; level 0 is the
-   * diagram itself): 1 for most, 2 or more for about one in 32, and so on; 0 for hidden sites and
-   * for ids not in use. O(n).
+   * How many levels of the hierarchy hold each site, by id (paper, section 4): 1 for most, 2 or
+   * more for about one in 32, and so on; 0 for hidden sites and for ids not in use. O(n).
    */
   levels(): Uint8Array {
     return nativeOf(this).levels();
@@ -470,10 +474,7 @@ export class Diagram implements Disposable {
     return "Diagram";
   }
 
-  /**
-   * null, or the first broken invariant in words. With exact arithmetic and slow, O(n) with large
-   * constants: for tests.
-   */
+  /** null, or the first broken invariant in words. Exact, O(n) with large constants: for tests. */
   validate(): string | null {
     return queries.validate(nativeOf(this));
   }

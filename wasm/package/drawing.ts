@@ -13,7 +13,7 @@ import type { Bounds } from "./types.js";
 /** What the library can draw. */
 export type Drawing = keyof MainModule["Drawing"];
 
-/** A region, or null; how far cells reach, or null; and bounds, which count if there is no region. */
+/** A region or null, how far cells reach or null, and bounds, which count without a region. */
 export type NativeWindow = readonly [
   NativeRegion | null,
   NativeReach | null,

@@ -51,7 +51,7 @@ function conflictWith(native: NativeDiagram, x: number, y: number, r: number): C
   }
 }
 
-/** The window itself, or of a rectangle what is around the cell: little is lost to rounding there. */
+/** The window, or of a rectangle what is around the cell: there rounding loses little. */
 function boxAround(local: NativeDiagram, own: number, window: NativeWindow): NativeWindow | null {
   const [region, , ...bounds] = window;
   if (region !== null) return [region, null, ...bounds];

@@ -3,26 +3,37 @@ import {
   allocated,
   checkedChoice,
   checkedCount,
-  checkedDistances,
   checkedNumbers,
   checkedNumbersOfBounds,
   checkNumber,
+  checkOptions,
   checkSiteId,
   checkWholeNumber,
-  described,
   disorderedBounds,
   isSiteId,
-  checkOptions,
+  optionsLast,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
 import {
-  type NativeDiagram,
-  type NearestFirst,
-  runningModule,
-  type SphericalNearestFirst,
-} from "./module.js";
+  checkedFilter,
+  type Filters,
+  filterOf,
+  findMany as findManyOf,
+  firstOf,
+  type Found,
+  passing,
+  throughFilter,
+} from "./filters.js";
+import { type NativeDiagram, type NearestFirst, runningModule } from "./module.js";
 import { checkTypes, ofElements, ofNumbers, ofSite } from "./native_errors.js";
-import type { FilterOptions, NearbyFilter, NearbyOptions, PickOptions } from "./types.js";
+import type {
+  FilterOptions,
+  FindManyArguments,
+  NearbyFilter,
+  NearbyOptions,
+  PickArguments,
+  PickOptions,
+} from "./types.js";
 
 export function has(native: NativeDiagram, id: number): boolean {
   checkWholeNumber(id);
@@ -58,11 +69,27 @@ export function atPoint<Answer>(
   }
 }
 
-export function nearest(
+export function find(
   native: NativeDiagram,
+  filters: Filters,
   x: number,
   y: number,
-): { id: number; distance: number } | null {
+  options?: FilterOptions,
+): number {
+  if (options !== undefined) return nearest(native, filters, x, y, options)?.id ?? -1;
+  return atPoint(native, x, y, () => native.find(x, y));
+}
+
+export function nearest(
+  native: NativeDiagram,
+  filters: Filters,
+  x: number,
+  y: number,
+  options?: FilterOptions,
+): Found | null {
+  checkTypes(x, y);
+  const filter = filterOf(options);
+  if (filter !== undefined) return passing(walkFrom(native, x, y, Infinity), filter, filters);
   const found = atPoint(native, x, y, () => native.nearest(x, y));
   return found.id === -1 ? null : found;
 }
@@ -70,58 +97,38 @@ export function nearest(
 /** So few points are asked one by one sooner than their arrays are copied to the heap and back. */
 const kFew = 16;
 
-export function findMany(
+/** The nearest site of each point; fills in the distances, if there is an array. */
+function findAll(
   native: NativeDiagram,
-  xy: ArrayLike<number>,
-  distances: Float64Array | undefined,
+  numbers: ArrayLike<number>,
+  distances?: Float64Array,
 ): Int32Array {
-  const numbers = checkedNumbers("xy", xy, 2);
   const ids = allocated(() => new Int32Array(numbers.length / 2));
-  const out = checkedDistances(distances, ids.length);
   try {
-    if (out === undefined && ids.length <= kFew)
+    if (distances === undefined && ids.length <= kFew)
       for (let k = 0; k < ids.length; ++k)
         ids[k] = native.find(numbers[2 * k] as number, numbers[2 * k + 1] as number);
-    else native.findMany(numbers, ids, out ?? null);
+    else native.findMany(numbers, ids, distances ?? null);
   } catch (error) {
     throw ofElements(error, "xy", numbers);
   }
   return ids;
 }
 
-/** How many filter callbacks are running: none may change the diagram. */
-export interface Filters {
-  running: number;
-}
+/** Of the sites that a filter lets through. */
+const empty = () => runningModule().create("hierarchy");
 
-/** The first `most` sites of a walk that the filter lets through. Ends the walk. */
-export function firstOf(
-  walk: NearestFirst | SphericalNearestFirst,
-  most: number,
-  filter: NearbyFilter | undefined,
+export function findMany(
+  native: NativeDiagram,
   filters: Filters,
-): Uint32Array {
-  const found: number[] = [];
-  ++filters.running;
-  try {
-    while (found.length < most) {
-      const id = walk.next();
-      if (id === -1) break;
-      if (filter === undefined || filter(id)) found.push(id);
-    }
-  } finally {
-    --filters.running;
-    walk.delete();
-  }
-  return allocated(() => Uint32Array.from(found));
-}
-
-export function checkedFilter(filter: unknown): NearbyFilter | undefined {
-  if (filter === undefined || typeof filter === "function") return filter as NearbyFilter;
-  throw new ApolloniusError(
-    "bad-option",
-    `options.filter is ${described(filter)}, expected a function of an id`,
-  );
+  xy: ArrayLike<number>,
+  how: FindManyArguments,
+): Int32Array {
+  return findManyOf(native, filters, checkedNumbers("xy", xy, 2), how, {
+    all: findAll,
+    one: (x, y, filter) => passing(walkFrom(native, x, y, Infinity), filter, filters),
+    empty,
+  });
 }
 
 function walkFrom(native: NativeDiagram, x: number, y: number, farthest: number): NearestFirst {
@@ -150,7 +157,7 @@ export function kNearest(
   const filter = checkedFilter(options?.filter);
   return farthest === Infinity && filter === undefined
     ? atPoint(native, x, y, () => native.kNearest(x, y, most))
-    : firstOf(walkFrom(native, x, y, farthest), most, filter, filters);
+    : firstOf(walkFrom(native, x, y, farthest), most, filter ?? (() => true), filters);
 }
 
 export function within(
@@ -163,8 +170,7 @@ export function within(
 ): Uint32Array {
   checkTypes(x, y);
   checkedMaxDistance("distance", distance);
-  checkOptions(options, "filter");
-  const filter = checkedFilter(options?.filter);
+  const filter = filterOf(options);
   if (filter !== undefined)
     return firstOf(walkFrom(native, x, y, distance), Infinity, filter, filters);
   return atPoint(native, x, y, () =>
@@ -174,23 +180,86 @@ export function within(
   );
 }
 
-export function pick(
-  native: NativeDiagram,
-  x: number,
-  y: number,
-  maxDistance?: number,
-  options?: PickOptions,
-): number {
-  checkTypes(x, y);
+/** The largest distance, which circle is on top, and the filter. */
+type Picking = [number, "smallest" | "last", NearbyFilter | undefined];
+
+function checkedPicking(how: PickArguments): Picking {
+  const [maxDistance, options] = optionsLast(how) as [number?, PickOptions?];
   const farthest = checkedMaxDistance("maxDistance", orInfinity(maxDistance));
   if (farthest < 0)
     throw new ApolloniusError(
       "out-of-range",
       `maxDistance is ${farthest}, expected a distance from 0 on`,
     );
-  checkOptions(options, "top");
+  checkOptions(options, "top", "filter");
   const top = checkedChoice("options.top", options?.top, ["smallest", "last"]);
+  return [farthest, top, checkedFilter(options?.filter)];
+}
+
+function pickThrough(
+  native: NativeDiagram,
+  filters: Filters,
+  x: number,
+  y: number,
+  [farthest, top]: Picking,
+  filter: NearbyFilter,
+): Found | null {
+  return passing(walkFrom(native, x, y, farthest), filter, filters, (id, other) => {
+    const less = top === "last" ? 0 : native.site(id).r - native.site(other).r;
+    return less === 0 ? id > other : less < 0;
+  });
+}
+
+export function pick(
+  native: NativeDiagram,
+  filters: Filters,
+  x: number,
+  y: number,
+  how: PickArguments,
+): number {
+  checkTypes(x, y);
+  const picking = checkedPicking(how);
+  const [farthest, top, filter] = picking;
+  if (filter !== undefined) return pickThrough(native, filters, x, y, picking, filter)?.id ?? -1;
   return atPoint(native, x, y, () => native.pick(x, y, farthest, runningModule().Top[top]));
+}
+
+/** What `pick` says of each point; most are in no circle, and the nearest site is the answer. */
+function pickAll(
+  native: NativeDiagram,
+  numbers: ArrayLike<number>,
+  [farthest, top]: Picking,
+): Int32Array {
+  const distances = allocated(() => new Float64Array(numbers.length / 2));
+  const ids = findAll(native, numbers, distances);
+  distances.forEach((distance, k) => {
+    // Distances are rounded: where they are next to the limit, the exact search decides.
+    if (!(distance > 0 && distance < farthest * 0.999))
+      ids[k] = native.pick(
+        numbers[2 * k]!,
+        numbers[2 * k + 1]!,
+        farthest,
+        runningModule().Top[top],
+      );
+  });
+  return ids;
+}
+
+export function pickMany(
+  native: NativeDiagram,
+  filters: Filters,
+  xy: ArrayLike<number>,
+  how: PickArguments,
+): Int32Array {
+  const numbers = checkedNumbers("xy", xy, 2);
+  const picking = checkedPicking(how);
+  const [, , filter] = picking;
+  if (filter === undefined) return pickAll(native, numbers, picking);
+  return throughFilter(native, filters, filter, numbers, undefined, {
+    all: (of, points) => pickAll(of, points, picking),
+    one: (x, y, passes) => pickThrough(native, filters, x, y, picking, passes),
+    empty,
+  });
 }
 
 export function search(native: NativeDiagram, ...bounds: unknown[]): Uint32Array {

@@ -14,4 +14,11 @@ export type {
   SphericalVertices,
 } from "./spherical_types.js";
 export type { Accessor, Items } from "./accessors.js";
-export type { Edges, FilterOptions, NearbyFilter, NearbyOptions, Position } from "./types.js";
+export type {
+  Edges,
+  FilterOptions,
+  FindManyArguments,
+  NearbyFilter,
+  NearbyOptions,
+  Position,
+} from "./types.js";

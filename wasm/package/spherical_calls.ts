@@ -3,16 +3,28 @@ import {
   allocated,
   checkedChoice,
   checkedCount,
-  checkedDistances,
   checkedIds,
   checkOptions,
   checkSiteId,
   unknownSite,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
+import {
+  checkedFilter,
+  type Filters,
+  filterOf,
+  findMany as findManyOf,
+  firstOf,
+  type Found,
+  passing,
+} from "./filters.js";
 import { checkedProperties, checkedWinding, featuresOf, positionsOf } from "./geojson.js";
-import type { NativeSphericalDiagram, SphericalNearestFirst } from "./module.js";
-import { checkedFilter, checkedMaxDistance, type Filters, firstOf, orInfinity } from "./queries.js";
+import {
+  type NativeSphericalDiagram,
+  runningModule,
+  type SphericalNearestFirst,
+} from "./module.js";
+import { checkedMaxDistance, orInfinity } from "./queries.js";
 import {
   checkedAngularTolerance,
   checkedPoints,
@@ -27,7 +39,7 @@ import type {
   SphericalPolygonOptions,
   SphericalSites,
 } from "./spherical_types.js";
-import type { FilterOptions, NearbyOptions, Position } from "./types.js";
+import type { FilterOptions, FindManyArguments, NearbyOptions, Position } from "./types.js";
 
 /** The same diagram, of which this is a site. */
 export function withSite(native: NativeSphericalDiagram, id: number): NativeSphericalDiagram {
@@ -96,16 +108,50 @@ export function* listedSites({
 
 // --- Queries -------------------------------------------------------------------------------------
 
+function walkFrom(
+  native: NativeSphericalDiagram,
+  lon: number,
+  lat: number,
+  farthest: number,
+): SphericalNearestFirst {
+  return native.nearestFirst(lon, lat, farthest) as SphericalNearestFirst;
+}
+
+export function nearest(
+  native: NativeSphericalDiagram,
+  filters: Filters,
+  lon: number,
+  lat: number,
+  options: FilterOptions | undefined,
+): Found | null {
+  checkPoint(lon, lat);
+  const filter = filterOf(options);
+  if (filter !== undefined) return passing(walkFrom(native, lon, lat, Infinity), filter, filters);
+  const found = native.nearest(lon, lat);
+  return found.id === -1 ? null : found;
+}
+
+function findAll(
+  native: NativeSphericalDiagram,
+  numbers: ArrayLike<number>,
+  distances?: Float64Array,
+): Int32Array {
+  const ids = allocated(() => new Int32Array(numbers.length / 2));
+  native.findMany(numbers, ids, distances ?? null);
+  return ids;
+}
+
 export function findMany(
   native: NativeSphericalDiagram,
+  filters: Filters,
   lonLat: ArrayLike<number>,
-  distances: Float64Array | undefined,
+  how: FindManyArguments,
 ): Int32Array {
-  const numbers = checkedPoints("lonLat", lonLat);
-  const ids = allocated(() => new Int32Array(numbers.length / 2));
-  const out = checkedDistances(distances, ids.length);
-  native.findMany(numbers, ids, out ?? null);
-  return ids;
+  return findManyOf(native, filters, checkedPoints("lonLat", lonLat), how, {
+    all: findAll,
+    one: (lon, lat, filter) => passing(walkFrom(native, lon, lat, Infinity), filter, filters),
+    empty: () => runningModule().createSpherical(native.radius()),
+  });
 }
 
 function nearby(
@@ -118,8 +164,7 @@ function nearby(
 ): Uint32Array {
   const checked = checkedFilter(filter);
   if (checked === undefined) return native.kNearest(lon, lat, most, farthest);
-  const walk = native.nearestFirst(lon, lat, farthest) as SphericalNearestFirst;
-  return firstOf(walk, most, checked, filters);
+  return firstOf(walkFrom(native, lon, lat, farthest), most, checked, filters);
 }
 
 export function kNearest(

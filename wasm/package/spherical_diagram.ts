@@ -2,10 +2,11 @@
 import type { Accessor, Items } from "./accessors.js";
 import { checkedBytes, checkedIds, checkOptions, checkWholeNumber, isSiteId } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
+import type { Filters } from "./filters.js";
 import { kInspect, showContent, summary } from "./inspection.js";
 import { Ballast, createSpherical, destroy, fillOrDispose, wrongReceiver } from "./lifetime.js";
 import type { NativeSphericalDiagram } from "./module.js";
-import { type Filters, validate } from "./queries.js";
+import { validate } from "./queries.js";
 import {
   accessorsAndOptions,
   checkedRadius,
@@ -19,6 +20,7 @@ import {
   insertMany,
   kNearest,
   listedSites,
+  nearest,
   toGeoJSON,
   update,
   updateMany,
@@ -36,7 +38,14 @@ import type {
   SphericalSites,
   SphericalVertices,
 } from "./spherical_types.js";
-import type { CellPolygon, Edges, FilterOptions, NearbyOptions, Position } from "./types.js";
+import type {
+  CellPolygon,
+  Edges,
+  FilterOptions,
+  FindManyArguments,
+  NearbyOptions,
+  Position,
+} from "./types.js";
 
 /** The native diagram; "busy" for a call that `changes` it while a filter runs. */
 let living: (diagram: unknown, changes?: boolean) => NativeSphericalDiagram;
@@ -257,33 +266,33 @@ export class SphericalDiagram implements Disposable {
   // --- Queries -----------------------------------------------------------------------------------
 
   /**
-   * The nearest site of a point, -1 if the diagram is empty. Cost: one location. Throws
-   * "not-finite", "out-of-range".
+   * The nearest site of a point, -1 if the diagram is empty; with `filter` the nearest that passes,
+   * hidden ones too. Cost: one location; with a filter as kNearest. Throws "not-finite",
+   * "out-of-range", "bad-option".
    */
-  find(lon: number, lat: number): number {
-    const native = living(this);
-    checkPoint(lon, lat);
-    return native.find(lon, lat);
+  find(lon: number, lat: number, options?: FilterOptions): number {
+    return nearest(living(this), this.#filters, lon, lat, options)?.id ?? -1;
   }
 
   /**
-   * `find` with the distance, negative within r of the centre; null if the diagram is empty. Cost,
+   * `find` with the distance, negative within r of the centre; null if no site is found. Cost,
    * errors: as find.
    */
-  nearest(lon: number, lat: number): { id: number; distance: number } | null {
-    const native = living(this);
-    checkPoint(lon, lat);
-    const found = native.nearest(lon, lat);
-    return found.id === -1 ? null : found;
+  nearest(
+    lon: number,
+    lat: number,
+    options?: FilterOptions,
+  ): { id: number; distance: number } | null {
+    return nearest(living(this), this.#filters, lon, lat, options);
   }
 
   /**
    * `find` for flat longitude, latitude pairs. With `distances` (one element a point) it also fills
-   * in the distances, Infinity if the diagram is empty. Cost: m locations for m points. Throws as
-   * `find`, and "bad-length".
+   * in the distances, Infinity if no site is found. Cost: m locations for m points; with a filter
+   * as Diagram.findMany. Throws as `find`, and "bad-length".
    */
-  findMany(lonLat: ArrayLike<number>, distances?: Float64Array): Int32Array {
-    return findMany(living(this), lonLat, distances);
+  findMany(lonLat: ArrayLike<number>, ...how: FindManyArguments): Int32Array {
+    return findMany(living(this), this.#filters, lonLat, how);
   }
 
   /**

@@ -117,11 +117,15 @@ export interface SnapshotOptions extends DiagramOptions {
 /** Tells whether the site of that id counts. It may throw; it may not change the diagram. */
 export type NearbyFilter = (id: number) => unknown;
 
-/** Options of `Diagram.within`. */
+/** Options of `find`, `nearest`, `findMany` and `within`. */
 export interface FilterOptions {
   /**
    * Called with ids, nearest first, for as many sites as are needed; those for which it returns
    * nothing true are left out. A call in it that changes the diagram throws "busy".
+   *
+   * Calls about many points ask it once a site, in any order. They cost a small multiple of a
+   * search for each point, or of building a diagram of all sites that pass, whichever is less; of
+   * identical circles they find any.
    */
   filter?: NearbyFilter | undefined;
 }
@@ -132,8 +136,18 @@ export interface NearbyOptions extends FilterOptions {
   maxDistance?: number | undefined;
 }
 
-/** Options of `Diagram.pick`. */
-export interface PickOptions {
+/** What `findMany` takes after its points. */
+export type FindManyArguments =
+  | [distances?: Float64Array | undefined, options?: FilterOptions | undefined]
+  | [options?: FilterOptions | undefined];
+
+/** What `pick` and `pickMany` take after their points. */
+export type PickArguments =
+  | [maxDistance?: number | undefined, options?: PickOptions | undefined]
+  | [options?: PickOptions | undefined];
+
+/** Options of `pick` and `pickMany`. */
+export interface PickOptions extends FilterOptions {
   /**
    * Which of several circles that contain the point is on top: "smallest" (default), where large
    * circles are drawn first; "last", the one with the largest id, where all are drawn in that
@@ -202,7 +216,7 @@ export interface VoronoiOptions {
   project?: Projection | undefined;
 }
 
-/** From longitude and latitude to the plane and back, as d3-geo's projections do; null is nowhere. */
+/** From longitude and latitude to the plane and back, as d3-geo's projections; null is nowhere. */
 export interface Projection {
   /** From [longitude, latitude] to [x, y]. */
   (place: Position): Position | null;

@@ -334,13 +334,13 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * The natural neighbours of a place, for interpolation (Sibson): the sites from whose cells inside
-   * the window a new circle there would take something, and which share of its cell from each. Where
-   * a circle covers it, that one alone. The value of a field at the place is the sum of weights times
-   * values. It is continuous, and that of a site at its centre, if r is at most the smallest radius.
-   * The diagram stays as it is. null without sites, and where the new cell would have no part inside
-   * the window. Cost: location, and that of a diagram of the natural neighbours. Throws
-   * "not-finite", "out-of-range".
+   * The natural neighbours of a place, for interpolation (Sibson): the sites from whose cells in
+   * the window a new circle there would take something, and which share of its cell from each.
+   * Where a circle covers it, that one alone. The value of a field at the place is the sum of
+   * weights times values. It is continuous, and that of a site at its centre, if r is at most the
+   * smallest radius. The diagram stays as it is. null without sites, and where the new cell would
+   * have no part in the window. Cost: location, and that of a diagram of the natural neighbours.
+   * Throws "not-finite", "out-of-range".
    */
   naturalWeights(x: number, y: number, r = 0): NaturalWeights | null {
     return naturalWeights(Voronoi.#living(this), this.#window, x, y, r);

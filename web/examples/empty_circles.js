@@ -1,5 +1,5 @@
-// Where is the most room between circles? Where the largest empty circle is; then that one is taken,
-// too, and the next one has to stay clear of it.
+// Where is the most room between circles? Where the largest empty circle is. Then that one is
+// taken, too, and the next one has to stay clear of it.
 import { Diagram } from "apollonius-diagram";
 import { select } from "d3-selection";
 import { randomCircles } from "./random_circles.js";

@@ -21,7 +21,8 @@ const kExamples = {
   ],
   grow: [
     "Growing circles",
-    "Circles grow until they meet, and stop at the distance of the slider (voronoi with a distance).",
+    "Circles grow until they meet, and stop at the distance of the slider " +
+      "(voronoi with a distance).",
   ],
   empty_circles: [
     "Empty circles",

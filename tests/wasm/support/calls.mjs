@@ -262,11 +262,19 @@ export const diagramCalls = {
   coverOf: ofSite("coverOf"),
   find: {
     use: (d) => d.find(0, 0),
-    refuses: [...number("x", (d, x) => d.find(x, 0)), ...number("y", (d, y) => d.find(0, y))],
+    refuses: [
+      ...number("x", (d, x) => d.find(x, 0)),
+      ...number("y", (d, y) => d.find(0, y)),
+      ["bad-option", (d) => d.find(0, 0, { filter: 7 }), "options.filter is 7"],
+    ],
   },
   nearest: {
     use: (d) => d.nearest(0, 0),
-    refuses: [...number("x", (d, x) => d.nearest(x, 0)), ...number("y", (d, y) => d.nearest(0, y))],
+    refuses: [
+      ...number("x", (d, x) => d.nearest(x, 0)),
+      ...number("y", (d, y) => d.nearest(0, y)),
+      ["bad-option", (d) => d.nearest(0, 0, { filter: 7 }), "options.filter is 7"],
+    ],
   },
   findMany: {
     use: (d) => d.findMany([0, 0]),
@@ -282,6 +290,7 @@ export const diagramCalls = {
         (d) => d.findMany([0, 0], [0]),
         "distances is an array of 1, expected Float64Array(1)",
       ],
+      ["bad-option", (d) => d.findMany([0, 0], { filter: 7 }), "options.filter is 7"],
     ],
   },
   kNearest: {
@@ -313,6 +322,16 @@ export const diagramCalls = {
       ...number("maxDistance", (d, distance) => d.pick(0, 0, distance)),
       ["out-of-range", (d) => d.pick(0, 0, -1), "maxDistance is -1"],
       ["bad-option", (d) => d.pick(0, 0, 1, { top: "first" }), 'options.top is the string "first"'],
+      ["bad-option", (d) => d.pick(0, 0, { filter: 7 }), "options.filter is 7"],
+    ],
+  },
+  pickMany: {
+    use: (d) => d.pickMany([0, 0]),
+    refuses: [
+      ...numbers("xy", 2, (d, xy) => d.pickMany(xy)),
+      ...number("maxDistance", (d, distance) => d.pickMany([0, 0], distance)),
+      ["out-of-range", (d) => d.pickMany([0, 0], -1), "maxDistance is -1"],
+      ["bad-option", (d) => d.pickMany([0, 0], { filter: 7 }), "options.filter is 7"],
     ],
   },
   search: {

@@ -48,6 +48,7 @@ const large = {
   "Diagram.kNearest": () => diagram.kNearest(0, 0, Infinity),
   "Diagram.within": () => diagram.within(0, 0, 1e6),
   "Diagram.pick": () => diagram.pick(0, 0),
+  "Diagram.pickMany": () => diagram.pickMany(points),
   "Diagram.search": () => diagram.search(-1e6, -1e6, 1e6, 1e6),
   "Diagram.neighbors": () => diagram.neighbors(hub),
   "Diagram.edges": () => diagram.edges(),

@@ -120,6 +120,13 @@ export const asking = {
       else expect(id).toBe(expected);
     },
   ],
+  pickMany: [
+    [fc.array(point, { maxLength: 20 }), fc.constantFrom(0, 3, Infinity)],
+    (d, _, points, farthest) => {
+      const expected = points.map(([x, y]) => d.pick(x, y, farthest));
+      expect([...d.pickMany(points.flat(), farthest)]).toEqual(expected);
+    },
+  ],
   search: [
     [point, point, fc.array(fc.integer({ min: 0, max: 3 }), { maxLength: 4 })],
     (d, m, [x, y], [width, height], open) => {

@@ -46,6 +46,20 @@ diagram.updateMany(all, xyr);
 // @ts-expect-error: ids are numbers
 diagram.remove("0");
 diagram.within(0, 0, Infinity);
+const filter = (id: number) => id > 3;
+diagram.find(0, 0, { filter });
+diagram.nearest(0, 0, { filter })?.distance.toFixed();
+diagram.findMany([0, 0], { filter });
+diagram.findMany([0, 0], undefined, { filter });
+diagram.pick(0, 0, { filter, top: "last" });
+diagram.pick(0, 0, 7, { filter });
+const picked: Int32Array = diagram.pickMany([0, 0], undefined, { top: "smallest" });
+// @ts-expect-error: only one of them
+diagram.findMany([0, 0], { filter }, { filter });
+// @ts-expect-error: no such option
+diagram.find(0, 0, { fitler: filter });
+// @ts-expect-error: distances are doubles
+diagram.findMany([0, 0], new Float32Array(1));
 
 const { signal } = new AbortController();
 const early: Promise<Diagram> = Diagram.fromAsync([[1, 2]], { signal });
