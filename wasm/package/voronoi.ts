@@ -8,7 +8,7 @@ import {
   unknownSite,
   checkOptions,
 } from "./arguments.js";
-import type { CellMeasures, CellMoments } from "../../build/wasm/apollonius.mjs";
+import type { CellMoments } from "../../build/wasm/apollonius.mjs";
 import {
   Ballast,
   createReach,
@@ -17,13 +17,15 @@ import {
   nativeOf,
   wrongReceiver,
 } from "./lifetime.js";
-import { numbersById } from "./by_id.js";
+import { cellPaths } from "./cell_paths.js";
+import { joined, measuresOf, partsOf, type Rings } from "./cell_shapes.js";
 import type { Diagram } from "./diagram.js";
-import { drawInto, type NativeWindow } from "./drawing.js";
+import { distanceOf, reaches } from "./distances.js";
+import { drawBounds, drawInto, type NativeWindow } from "./drawing.js";
 import { emptyCircles } from "./empty_circles.js";
 import { ApolloniusError } from "./errors.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
-import { type CellsCollection, collectionOf, type GeoJSONOptions, positionsOf } from "./geojson.js";
+import { type CellsCollection, collectionOf, type GeoJSONOptions } from "./geojson.js";
 import type { NativeDiagram, NativeReach, NativeRegion } from "./module.js";
 import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
 import { checkedRings, isRegion, readOnce, type Region } from "./region.js";
@@ -47,6 +49,7 @@ import type {
   Position,
   VoronoiOptions,
 } from "./types.js";
+import { type VoronoiWindow, windowOf } from "./window.js";
 
 // A region has a note for each face of the diagram: ten bytes a site, where Ballast counts 162.
 const kRegionsOfSite = 16;
@@ -84,6 +87,8 @@ export class Voronoi implements Disposable {
   readonly xmax: number;
   /** Upper border. */
   readonly ymax: number;
+  /** The window itself: its area, its centroid, and which points it contains. */
+  readonly window: VoronoiWindow;
   readonly #region: NativeRegion | null = null;
   readonly #reach: NativeReach | null = null;
   /** How far cells reach: one distance, or one for each id. */
@@ -119,6 +124,7 @@ export class Voronoi implements Disposable {
     this.ymin = ymin;
     this.xmax = xmax;
     this.ymax = ymax;
+    this.window = windowOf(bounds, this.#region, () => Voronoi.#living(this));
     Object.freeze(this); // an object put there would be asked for its value in the middle of a call
   }
 
@@ -159,19 +165,7 @@ export class Voronoi implements Disposable {
   renderBounds(context?: PathContext | null, options?: DrawOptions): string | void;
   renderBounds(context?: PathContext | null, options?: DrawOptions): string | void {
     const native = Voronoi.#living(this);
-    const region = this.#region;
-    return drawn(context, options, (target) => {
-      if (region !== null) {
-        Voronoi.#living(this); // the options' getters may have disposed of it
-        const { commands, coordinates } = native.drawRegion(region);
-        return play(target, commands, coordinates);
-      }
-      target.moveTo(this.xmin, this.ymin);
-      target.lineTo(this.xmax, this.ymin);
-      target.lineTo(this.xmax, this.ymax);
-      target.lineTo(this.xmin, this.ymax);
-      target.closePath();
-    });
+    return drawn(context, options, (target) => drawBounds(target, native, this.#window));
   }
 
   /** Draws a cell as closed figures, one for each region. O(d log d). */
@@ -187,6 +181,18 @@ export class Voronoi implements Disposable {
     });
   }
 
+  /**
+   * The paths of all cells, by id, as `renderCell` gives them: null for ids without a cell in the
+   * window. Where that leaves `digits` open, numbers have as many decimal places as the tolerance
+   * needs, 2 for d3-delaunay's window of 960 x 500: rounding moves nothing by more than an eighth
+   * of it. O(n), several times as fast as a loop.
+   */
+  renderCells(options?: DrawOptions): (string | null)[] {
+    const native = Voronoi.#living(this);
+    const tolerance = this.#tolerance(native, options);
+    return cellPaths(native, () => this.#window, tolerance, options);
+  }
+
   // --- Shapes ------------------------------------------------------------------------------------
 
   /**
@@ -198,13 +204,7 @@ export class Voronoi implements Disposable {
   cellPolygon(id: number, options?: NestedOptions): Position[] | null;
   cellPolygon(id: number, options?: PolygonOptions): CellRing | null;
   cellPolygon(id: number, options?: PolygonOptions): CellRing | null {
-    const { isFlat, coordinates, starts } = this.#rings(id, options);
-    if (starts.length < 2) return null;
-    // To each further ring and around it, then back the same way.
-    const ends = [...starts.subarray(0, -2).reverse()];
-    const back = ends.flatMap((at) => [coordinates[2 * at]!, coordinates[2 * at + 1]!]);
-    const ring = back.length === 0 ? coordinates : Float64Array.from([...coordinates, ...back]);
-    return isFlat ? ring : positionsOf(ring);
+    return joined(this.#rings(id, options));
   }
 
   /**
@@ -216,16 +216,7 @@ export class Voronoi implements Disposable {
   cellParts(id: number, options?: NestedOptions): CellPart[] | null;
   cellParts(id: number, options?: PolygonOptions): CellPart<CellRing>[] | null;
   cellParts(id: number, options?: PolygonOptions): CellPart<CellRing>[] | null {
-    const { isFlat, coordinates, starts, parts } = this.#rings(id, options);
-    if (starts.length < 2) return null;
-    const rings = Array.from(starts.subarray(1), (end, k): CellRing => {
-      const ring = coordinates.slice(2 * (starts[k] as number), 2 * end);
-      return isFlat ? ring : positionsOf(ring);
-    });
-    return Array.from(parts.subarray(1), (end, k) => {
-      const [outer, ...holes] = rings.slice(parts[k], end) as [CellRing, ...CellRing[]];
-      return Object.assign(outer, { holes });
-    });
+    return partsOf(this.#rings(id, options));
   }
 
   /**
@@ -284,11 +275,7 @@ export class Voronoi implements Disposable {
    */
   contains(id: number, x: number, y: number): boolean {
     Voronoi.#nativeFor(this, id);
-    if (this.#distance === Infinity) return this.diagram.find(x, y) === id;
-    const most = typeof this.#distance === "number" ? this.#distance : this.#distance[id];
-    if (most === undefined) throw newcomer(id);
-    const nearest = this.diagram.nearest(x, y);
-    return nearest?.id === id && nearest.distance <= most;
+    return reaches(this.diagram, this.#distance, id, x, y);
   }
 
   /**
@@ -318,7 +305,7 @@ export class Voronoi implements Disposable {
   emptyCircles(count: number): EmptyCircle[] {
     const native = Voronoi.#living(this);
     const most = checkedCount("count", count);
-    return emptyCircles(native, this.#window, this.#corners(native), most);
+    return emptyCircles(native, this.#window, most);
   }
 
   // --- Measures of the true, curved cells --------------------------------------------------------
@@ -474,14 +461,6 @@ export class Voronoi implements Disposable {
     return native;
   }
 
-  /** Of the window, x, y, x, y, … */
-  #corners(native: NativeDiagram): ArrayLike<number> {
-    const { xmin, ymin, xmax, ymax } = this;
-    return this.#region === null
-      ? [xmin, ymin, xmax, ymin, xmax, ymax, xmin, ymax]
-      : native.drawRegion(this.#region).coordinates;
-  }
-
   #moments(id: number): CellMoments | null {
     return this.#ofCell(id, (native) => native.cellMoments(...this.#window, id));
   }
@@ -502,7 +481,7 @@ export class Voronoi implements Disposable {
   }
 
   /** The rings of a cell, one after the other. */
-  #rings(id: number, options: PolygonOptions | undefined) {
+  #rings(id: number, options: PolygonOptions | undefined): Rings {
     checkOptions(options, "tolerance", "flat");
     const isFlat = checkedChoice("options.flat", options?.flat, [false, true]);
     const native = Voronoi.#nativeFor(this, id);
@@ -516,29 +495,4 @@ export class Voronoi implements Disposable {
   ): number {
     return checkedTolerance(options?.tolerance, () => native.defaultTolerance(...this.#bounds));
   }
-}
-
-/** Infinity, where cells end nowhere but at others. */
-function distanceOf(
-  native: NativeDiagram,
-  options: VoronoiOptions | undefined,
-): number | ArrayLike<number> {
-  checkOptions(options, "distance");
-  const distance = options?.distance ?? Infinity;
-  if (typeof distance === "object")
-    return Float64Array.from(numbersById(native, "distance", distance, "bad-option"));
-  if (distance !== Infinity) checkNumber("distance", distance);
-  return distance;
-}
-
-function newcomer(id: number): ApolloniusError {
-  return new ApolloniusError(
-    "bad-length",
-    `site ${id} was inserted after the view was made and has no distance`,
-  );
-}
-
-function measuresOf(measures: CellMeasures): Measures {
-  const { area, centroidX, centroidY, perimeter, isEmpty } = measures;
-  return { area, centroid: isEmpty ? null : [centroidX, centroidY], perimeter };
 }

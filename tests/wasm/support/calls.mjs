@@ -332,6 +332,7 @@ export const diagramCalls = {
   vertices: works((d) => d.vertices()),
   levels: works((d) => d.levels()),
   voronoi: { use: (d) => d.voronoi(), refuses: window((d, box) => d.voronoi(box)) },
+  triangulation: works((d) => d.triangulation()),
   hull: works((d) => d.hull()),
   render: {
     use: (d) => d.render(),
@@ -374,6 +375,12 @@ export const voronoiCalls = {
         inWindow((v, context) => v.renderCell(0, context)),
       ),
     ],
+  },
+  renderCells: {
+    use: inWindow((v) => v.renderCells()),
+    refuses: [tolerance, digits, unknownOption].flatMap((wrong) =>
+      wrong(inWindow((v, options) => v.renderCells(options))),
+    ),
   },
   ...Object.fromEntries(
     ["cellPolygon", "cellParts"].map((name) => [
