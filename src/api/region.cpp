@@ -2,12 +2,14 @@
 #include "apollonius/region.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <stdexcept>
 #include <utility>
 
 #include "api/region_state.h"
 #include "number/sum.h"
+#include "predicate/orientation.h"
 
 namespace apollonius {
 
@@ -78,6 +80,47 @@ Error Region::draw(Path& path) const {
   } catch (const std::length_error&) {
   }
   return Error::kOutOfMemory;
+}
+
+void Region::centroid(double& x, double& y) const noexcept {
+  x = y = 0;
+  if (state_ == nullptr) return;
+  const NormalizedPolygon& polygon = state_->polygon;
+  const Point origin = polygon.box.center();
+  Sum firstX, firstY;
+  for (std::size_t k = 0; k < polygon.ringCount(); ++k) {
+    const auto ring = polygon.ring(k);
+    Point a = ring.back() - origin;
+    for (const Point p : ring) {
+      const Point b = p - origin;
+      firstX.add(cross(a, b) / 6 * (a.x + b.x));
+      firstY.add(cross(a, b) / 6 * (a.y + b.y));
+      a = b;
+    }
+  }
+  x = origin.x + firstX.value() / state_->area;
+  y = origin.y + firstY.value() / state_->area;
+}
+
+bool Region::contains(double x, double y) const noexcept {
+  if (state_ == nullptr || !std::isfinite(x) || !std::isfinite(y)) return false;
+  const NormalizedPolygon& polygon = state_->polygon;
+  const Point p{x, y};
+  bool isInside = false;  // so far, by the crossings with the ray from p to the right
+  for (std::size_t k = 0; k < polygon.ringCount(); ++k) {
+    const auto ring = polygon.ring(k);
+    Point a = ring.back();
+    for (const Point b : ring) {
+      const bool isAcross = (a.y <= y) != (b.y <= y);
+      if (isAcross || (std::min(a.y, b.y) <= y && y <= std::max(a.y, b.y))) {
+        const Sign side = orient2d(a, b, p);
+        if (side == Sign::kZero && std::min(a.x, b.x) <= x && x <= std::max(a.x, b.x)) return true;
+        if (isAcross && (side == Sign::kPositive) == (a.y <= y)) isInside = !isInside;
+      }
+      a = b;
+    }
+  }
+  return isInside;
 }
 
 double Region::area() const noexcept { return state_ == nullptr ? 0 : state_->area; }

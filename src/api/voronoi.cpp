@@ -11,11 +11,12 @@
 #include "api/region_state.h"
 #include "geometry/cell/reach_cell.h"
 #include "geometry/cell/rectangle_cell.h"
+#include "geometry/clipping/cell_drawing.h"
 #include "geometry/clipping/reach_clipping.h"
 #include "geometry/clipping/rectangle_clipping.h"
 #include "geometry/curve/moments.h"
-#include "geometry/draw/cubics.h"
 #include "geometry/draw/hull.h"
+#include "geometry/draw/path_writer.h"
 #include "geometry/draw/render.h"
 #include "geometry/polygons/cell_polygon.h"
 #include "geometry/polygons/coverage.h"
@@ -72,17 +73,6 @@ CellMeasures measuresOf(std::span<const BoundaryPiece> boundary, Point origin) {
   static_cast<CellMoments&>(measures) = momentsOf(boundary, origin);
   for (const BoundaryPiece& piece : boundary) measures.perimeter += lengthOf(piece.curve);
   return measures;
-}
-
-void drawClosed(std::span<const BoundaryPiece> ring, double tolerance, Path& path) {
-  const Point start = ring.front().curve.p0;
-  path.move(start.x, start.y);
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Conic& curve = ring[k].curve;
-    const bool isClosing = k + 1 == ring.size() && curve.isStraight();  // close() draws it
-    if (!isClosing && !(curve.p0 == curve.p2)) drawConic(curve, tolerance, path);
-  }
-  path.close();
 }
 
 /// To RingArrays or CoverageArrays.
@@ -320,8 +310,17 @@ Error Voronoi::drawDual(double tolerance, bool rays, Portion& portion, Path& pat
 Error Voronoi::drawCell(SiteId id, double tolerance, Path& path) const {
   return withCell(id, toleranceError(tolerance), [&](const Cell& cell, Point) {
     path.clear();
-    for (std::size_t ring = 0; ring < cell.ringCount(); ++ring)
-      drawClosed(cell.ring(ring), tolerance, path);
+    internal::drawCell(cell, tolerance, path);
+  });
+}
+
+Error Voronoi::cellPaths(double tolerance, unsigned digits, Portion& portion,
+                         CellPaths& paths) const {
+  const Error error =
+      firstOf(windowError(), toleranceError(tolerance),
+              digits <= PathWriter::kMostDigits ? Error::kNone : Error::kOutOfRange);
+  return clipped(error, [&](const Clipping& clipping) {
+    writeCells(*diagram_.core_, clipping, tolerance, digits, portion, paths);
   });
 }
 

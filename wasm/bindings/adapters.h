@@ -272,11 +272,34 @@ Portion drawCell(const Diagram& diagram, const Region* region, const Reach* reac
   return {std::move(path.commands), std::move(path.coordinates)};
 }
 
+/// A part of all cells, and where the next one begins.
+struct CellPaths : apollonius::CellPaths {
+  std::size_t cursor = 0;
+  bool isDone = false;
+};
+CellPaths cellPaths(const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
+                    double ymin, double xmax, double ymax, double tolerance, unsigned digits,
+                    std::size_t cursor, std::size_t commands) {
+  CellPaths paths;
+  apollonius::Portion portion{cursor, commands};
+  check(voronoiIn(diagram, region, reach, {xmin, ymin, xmax, ymax})
+            .cellPaths(tolerance, digits, portion, paths));
+  paths.cursor = portion.cursor;
+  paths.isDone = portion.isDone;
+  return paths;
+}
+
 /// A region for windows on diagrams of this instance of the module.
 Region* makeRegion(const Diagram&, const NumbersIn& coordinates, const NumbersIn& starts) {
   Region region;
   check(region.assign(vectorOf<double>(coordinates), vectorOf<std::uint32_t>(starts)));
   return allocating([&] { return new Region(std::move(region)); });
+}
+
+std::vector<double> centroidOf(const Region& region) {
+  auto centroid = allocating([] { return std::vector<double>(2); });
+  region.centroid(centroid[0], centroid[1]);
+  return centroid;
 }
 
 /// One distance for all sites, or one for each id.

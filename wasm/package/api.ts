@@ -54,7 +54,9 @@ export type {
 export { ApolloniusError, type ErrorCode } from "./errors.js";
 export type { CellsCollection, GeoJSONOptions } from "./geojson.js";
 export type { DrawOptions, DualOptions, PathContext } from "./path.js";
+export type { Triangulation } from "./triangulation.js";
 export { Voronoi } from "./voronoi.js";
+export type { VoronoiWindow } from "./window.js";
 export type { GeoJSONRegion, Region, Ring } from "./region.js";
 export { curvePoint, curveTangent } from "./curves.js";
 

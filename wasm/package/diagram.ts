@@ -27,6 +27,7 @@ import { kModule, type NativeDiagram, runningModule, setSphereSource } from "./m
 import type { DrawOptions, DualOptions, PathContext } from "./path.js";
 import * as queries from "./queries.js";
 import type { Region } from "./region.js";
+import { type Triangulation, triangulationOf } from "./triangulation.js";
 import type {
   Bounds,
   BuildOptions,
@@ -367,10 +368,7 @@ export class Diagram implements Disposable {
     return nativeOf(this).edges();
   }
 
-  /**
-   * All Voronoi vertices: centres of circles that touch three sites and contain no part of another.
-   * The nearest doubles where sites have small integer coordinates and radii. O(n).
-   */
+  /** All Voronoi vertices; the nearest doubles where sites have small whole numbers. O(n). */
   vertices(): Vertices {
     return nativeOf(this).vertices();
   }
@@ -388,18 +386,21 @@ export class Diagram implements Disposable {
   /**
    * The cells inside a window: a view, always of the diagram as it is now. The default window is
    * d3-delaunay's, 960 x 500. A window of any shape is rings or GeoJSON (`Region`). Cost: O(1), or
-   * O(m log m) for a region of m points. With `options.distance`, cells end there: they grow until
-   * they meet, or have come so far. Throws "bad-bounds", "bad-option"; of distances "not-finite",
-   * "out-of-range", "bad-length", "unknown-site".
+   * O(m log m) for a region of m points. Throws "bad-bounds", "bad-option"; of distances
+   * "not-finite", "out-of-range", "bad-length", "unknown-site".
    */
   voronoi(window: Bounds | Region = [0, 0, 960, 500], options?: VoronoiOptions): Voronoi {
     return Voronoi.of(this, window, options);
   }
 
+  /** The Delaunay graph as it is now, in d3-delaunay's arrays: a copy, to be asked once. O(n). */
+  triangulation(): Triangulation {
+    return triangulationOf(nativeOf(this));
+  }
+
   /**
-   * Ids of the sites that the convex hull of the circles touches, counter-clockwise; a site can
-   * occur more than once (a large circle with small ones sticking out; points in line, there and
-   * back). Circles in line on the hull are all listed. O(length).
+   * Ids of the sites that the convex hull of the circles touches, counter-clockwise, all in line,
+   * too; some occur twice (a large circle with small ones sticking out; points in line). O(length).
    */
   hull(): Uint32Array {
     return nativeOf(this).hull();
@@ -444,11 +445,10 @@ export class Diagram implements Disposable {
   // --- Snapshots ---------------------------------------------------------------------------------
 
   /**
-   * The diagram as bytes, about 56 a site: for files, and for other threads (`postMessage(bytes,
-   * [bytes.buffer])` moves them). The same diagram with the same history gives the same bytes on
-   * every platform; docs/SNAPSHOTS.md has the format. (The type is Uint8Array, of ArrayBuffer where
-   * TypeScript knows that.) `structuredClone` and `postMessage` of the diagram itself throw. Cost:
-   * O(n), a fraction of building.
+   * The diagram as bytes (a Uint8Array), about 56 a site: for files, and for other threads
+   * (`postMessage(bytes, [bytes.buffer])` moves them; the diagram itself cannot be posted). The same
+   * diagram with the same history gives the same bytes on every platform; docs/SNAPSHOTS.md has the
+   * format. Cost: O(n), a fraction of building.
    */
   toBytes(): ReturnType<Uint8Array["slice"]> {
     return nativeOf(this).toBytes();
@@ -474,7 +474,7 @@ export class Diagram implements Disposable {
     return "Diagram";
   }
 
-  /** null, or the first broken invariant in words. Exact, O(n) with large constants: for tests. */
+  /** null, or the first broken invariant in words. For tests: O(n) with large constants. */
   validate(): string | null {
     return queries.validate(nativeOf(this));
   }

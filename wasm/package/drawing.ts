@@ -45,6 +45,23 @@ export function drawInto(
   }
 }
 
+/** The border of a window. */
+export function drawBounds(
+  target: PathContext,
+  native: NativeDiagram,
+  [region, , xmin, ymin, xmax, ymax]: NativeWindow,
+): void {
+  if (region !== null) {
+    const { commands, coordinates } = native.drawRegion(region);
+    return play(target, commands, coordinates);
+  }
+  target.moveTo(xmin, ymin);
+  target.lineTo(xmax, ymin);
+  target.lineTo(xmax, ymax);
+  target.lineTo(xmin, ymax);
+  target.closePath();
+}
+
 /** A whole diagram. Without bounds, those of the circles say what tolerance cannot be seen. */
 export function drawWhole(
   native: NativeDiagram,

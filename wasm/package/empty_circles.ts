@@ -14,13 +14,12 @@ const kOfCurve = 7; // numbers: from, control point, weight, to
 export function emptyCircles(
   native: NativeDiagram,
   window: NativeWindow,
-  corners: ArrayLike<number>,
   most: number,
 ): EmptyCircle[] {
   if (native.size() === 0) return [];
   const [region, , ...bounds] = window;
   const { curves } = native.edgeCurves(region, null, ...bounds); // whatever cells reach
-  const places = Float64Array.from(corners);
+  const places = cornersOf(native, window);
   const xy = new Float64Array(places.length + (4 * curves.length) / kOfCurve);
   xy.set(places);
   for (let from = 0, to = places.length; from < curves.length; from += kOfCurve, to += 4) {
@@ -47,4 +46,14 @@ export function emptyCircles(
 
 function isSame(a: EmptyCircle, b: EmptyCircle): boolean {
   return a.x === b.x && a.y === b.y;
+}
+
+/** x, y, x, y, … */
+function cornersOf(
+  native: NativeDiagram,
+  [region, , xmin, ymin, xmax, ymax]: NativeWindow,
+): Float64Array {
+  return region === null
+    ? Float64Array.of(xmin, ymin, xmax, ymin, xmax, ymax, xmin, ymax)
+    : native.drawRegion(region).coordinates;
 }

@@ -67,20 +67,25 @@ export function play(context: PathContext, commands: Uint8Array, xy: Float64Arra
   }
 }
 
+/** Throws "out-of-range" unless it is undefined or an integer from 0 to 15. */
+export function checkedDigits(digits: number | undefined): number | undefined {
+  if (digits === undefined || (Number.isInteger(digits) && digits >= 0 && digits <= 15))
+    return digits;
+  throw new ApolloniusError(
+    "out-of-range",
+    `digits is ${String(digits)}, expected an integer from 0 to 15`,
+  );
+}
+
 /** Writes what is drawn as SVG path data. */
 export class PathString implements PathContext {
   #text = "";
   readonly #scale: number | undefined;
 
-  /** Throws "out-of-range" unless `digits` is undefined or an integer from 0 to 15. */
+  /** Throws as checkedDigits. */
   constructor(digits: number | undefined) {
-    if (digits !== undefined && !(Number.isInteger(digits) && digits >= 0 && digits <= 15)) {
-      throw new ApolloniusError(
-        "out-of-range",
-        `digits is ${String(digits)}, expected an integer from 0 to 15`,
-      );
-    }
-    this.#scale = digits === undefined ? undefined : 10 ** digits;
+    const places = checkedDigits(digits);
+    this.#scale = places === undefined ? undefined : 10 ** places;
   }
 
   moveTo(x: number, y: number): void {

@@ -4,18 +4,19 @@
 // lines. So sides are halved until they are the same up to a tolerance in the plane, the same
 // way in both directions, so that neighbours keep their points in common.
 import type { CoverageArrays } from "../../build/wasm/apollonius.mjs";
-import { described } from "./arguments.js";
+import { checkedBounds, described } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import type { FlatRings } from "./region.js";
+import { checkedRings, type FlatRings, isRegion, readOnce } from "./region.js";
 import type { Position, Projection } from "./types.js";
 
 const kDeepest = 16; // halvings of a side
 const kShare = 2 ** -13; // of a window's diagonal, what its sides may be off
 
 /** Throws "bad-option". */
-export function checkProjection(project: unknown): asserts project is Projection | undefined {
-  if (project === undefined) return;
-  if (typeof project === "function" && typeof (project as Projection).invert === "function") return;
+export function checkedProjection(project: unknown): Projection | undefined {
+  if (project === undefined) return undefined;
+  if (typeof project === "function" && "invert" in project && typeof project.invert === "function")
+    return project as Projection;
   throw new ApolloniusError(
     "bad-option",
     `options.project is ${described(project)}, expected a function of [longitude, latitude] with ` +
@@ -23,8 +24,27 @@ export function checkProjection(project: unknown): asserts project is Projection
   );
 }
 
+/** A window as callers give it, in the plane: bounds, or rings. Throws "bad-bounds". */
+export function readWindow(
+  given: unknown,
+  project: Projection | undefined,
+): FlatRings | [number, number, number, number] {
+  const window = readOnce(given);
+  if (isRegion(window)) {
+    const rings = checkedRings(window);
+    return project ? projectedRings(rings, project) : rings;
+  }
+  const bounds = checkedBounds(window);
+  if (!project) return bounds;
+  const [west, south, east, north] = bounds;
+  return projectedRings(
+    checkedRings([[west, south, east, south, east, north, west, north]]),
+    project,
+  );
+}
+
 /** Rings of longitudes and latitudes in the plane. Throws "bad-bounds" for what is not on it. */
-export function projectedRings({ coordinates, starts }: FlatRings, project: Projection): FlatRings {
+function projectedRings({ coordinates, starts }: FlatRings, project: Projection): FlatRings {
   const corners = mapped(coordinates, (place) => toPlane(project, place));
   const tolerance = kShare * diagonalOf(corners);
   const isFine = (a: Position, b: Position) => {

@@ -25,6 +25,9 @@ class CellClipper {
   /// The cell of a site, without parts if the site is hidden or nothing of the cell is inside.
   /// Valid until the next call. Throws std::bad_alloc.
   virtual const Cell& find(Slot site) = 0;
+  /// All cells will be asked for, ascending by slot, so that mostly neighbours follow each other:
+  /// what two of them have in common may be kept for the second. Throws std::bad_alloc.
+  virtual void expectAll() {}
   /// From a site's centre, as far as its cell can go; infinity without a limit.
   [[nodiscard]] virtual double radiusOf(SiteId /*site*/) const {
     return std::numeric_limits<double>::infinity();

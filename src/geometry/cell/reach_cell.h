@@ -32,6 +32,7 @@ class ReachCellClipper final : public CellClipper {
   /// whose reach does not go so far. Cost: that of the whole cell, and O(c log c) for c places
   /// where the circle cuts it.
   const Cell& find(Slot site) override;
+  void expectAll() override { cells_->expectAll(); }
   /// The cell within a radius about the site's centre, whatever other sites reach.
   const Cell& findWithin(Slot site, double radius);
   [[nodiscard]] double radiusOf(SiteId site) const override {

@@ -67,16 +67,28 @@ void RectangleCellClipper::clipEdges(Slot site) {
     if (graph.target(h) != kInfinity) {
       const SiteId neighbor = core_.siteOf(graph.target(h));
       if (startsAtReference(delaunay, h)) {
-        clipEdge(delaunay, h, window_, clipped);
+        clip(h, clipped);
         for (int k = 0; k < clipped.count; ++k)
           pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)], neighbor});
       } else {
-        clipEdge(delaunay, graph.twin(h), window_, clipped);
+        clip(graph.twin(h), clipped);
         for (int k = clipped.count; k-- > 0;)
           pieces_.push_back({clipped.pieces[static_cast<std::size_t>(k)].reversed(), neighbor});
       }
     }
   }
+}
+
+void RectangleCellClipper::clip(HalfedgeId h, ClippedEdge& clipped) {
+  if (kept_.empty()) return clipEdge(core_.delaunay(), h, window_, clipped);
+  KeptEdge& kept = kept_[index(h) % kMostKept];
+  if (kept.halfedge == h) {
+    clipped.pieces[0] = kept.piece;
+    clipped.count = 1;
+    return;
+  }
+  clipEdge(core_.delaunay(), h, window_, clipped, VertexPrecision::kReproducible, &vertices_);
+  if (clipped.count == 1) kept = {clipped.pieces[0], h};
 }
 
 /// Joins the pieces, which leave and enter the window, along its border.

@@ -23,6 +23,10 @@ class RectangleCellClipper final : public CellClipper {
 
   /// Cost: O(d log d).
   const Cell& find(Slot site) override;
+  void expectAll() override {
+    kept_.resize(kMostKept);
+    vertices_.resize(kMostKept);
+  }
 
  private:
   struct Piece {
@@ -30,7 +34,16 @@ class RectangleCellClipper final : public CellClipper {
     SiteId neighbor;
   };
 
+  /// What is left of an edge in one piece.
+  struct KeptEdge {
+    ClippedPiece piece;
+    HalfedgeId halfedge{0xFFFFFFFFu};
+  };
+  static constexpr std::size_t kMostKept = 4096;  // 300 KB, and 130 KB of vertices
+
   void clipEdges(Slot site);
+  /// REQUIRES: startsAtReference.
+  void clip(HalfedgeId h, ClippedEdge& clipped);
   void link(Slot site);
   void wholeWindow();
   void addBorder(const BorderArc& arc);
@@ -41,6 +54,8 @@ class RectangleCellClipper final : public CellClipper {
   const DiagramCore& core_;
   Rectangle window_;
   Cell cell_;
+  FlatArray<KeptEdge> kept_;  // by half-edge, the last of those with the same remainder
+  KeptVertices vertices_;
   FlatArray<Piece> pieces_;
   FlatArray<BorderContact> contacts_;
   FlatArray<BorderArc> arcs_;

@@ -22,6 +22,15 @@ bool isUsable(Point p) {
          absolute(p.y) <= std::numeric_limits<double>::max();
 }
 
+/// endAt() unless it is kept.
+EdgeEnd endOf(const DelaunayGraph& delaunay, FaceId f, VertexPrecision precision,
+              KeptVertices* kept) {
+  if (kept == nullptr) return endAt(delaunay, f, precision);
+  KeptVertex& own = (*kept)[index(f) % kept->size()];
+  if (own.face != f) own = {endAt(delaunay, f, precision), f};
+  return own.vertex;
+}
+
 }  // namespace
 
 EdgeEnd endAt(const DelaunayGraph& delaunay, FaceId f, VertexPrecision precision) {
@@ -38,11 +47,12 @@ bool startsAtReference(const DelaunayGraph& delaunay, HalfedgeId h) {
   return precedes(b, a) || (!precedes(a, b) && h < delaunay.graph().twin(h));
 }
 
-Edge::Edge(const DelaunayGraph& delaunay, HalfedgeId h, VertexPrecision precision)
+Edge::Edge(const DelaunayGraph& delaunay, HalfedgeId h, VertexPrecision precision,
+           KeptVertices* kept)
     : bisector(delaunay.site(delaunay.graph().origin(h)),
                delaunay.site(delaunay.graph().target(h))),
-      from(endAt(delaunay, faceOf(delaunay.graph().twin(h)), precision)),
-      to(endAt(delaunay, faceOf(h), precision)),
+      from(endOf(delaunay, faceOf(delaunay.graph().twin(h)), precision, kept)),
+      to(endOf(delaunay, faceOf(h), precision, kept)),
       e0(0),
       e1(kInfinite) {
   const auto parameter = [&](EdgeEnd& end, double atInfinity) {

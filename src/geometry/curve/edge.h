@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "base/flat_array.h"
 #include "delaunay/delaunay_graph.h"
 #include "geometry/curve/bisector.h"
 #include "number/fp.h"
@@ -31,6 +32,14 @@ struct EdgeEnd {
 /// the cached circle if it is precise, which is quicker and differs in the last places.
 enum class VertexPrecision : unsigned char { kReproducible, kFast };
 
+/// Vertices that have been computed, for the other two edges of each: by face, the last of those
+/// with the same remainder.
+struct KeptVertex {
+  EdgeEnd vertex;
+  FaceId face{0xFFFFFFFFu};
+};
+using KeptVertices = FlatArray<KeptVertex>;
+
 /// The Voronoi vertex of a face.
 [[nodiscard]] EdgeEnd endAt(const DelaunayGraph& delaunay, FaceId f, VertexPrecision precision);
 
@@ -46,9 +55,9 @@ struct Edge {
   EdgeEnd from, to;
   double e0, e1;
 
-  /// REQUIRES: startsAtReference.
+  /// REQUIRES: startsAtReference; vertices that are kept have the same precision.
   Edge(const DelaunayGraph& delaunay, HalfedgeId h,
-       VertexPrecision precision = VertexPrecision::kReproducible);
+       VertexPrecision precision = VertexPrecision::kReproducible, KeptVertices* kept = nullptr);
 };
 
 /// A piece of an edge between two places, with these ends. Straight where rounding has exchanged

@@ -128,13 +128,13 @@ bool isFarAway(const Site& reference, const VoronoiCircle& a, const VoronoiCircl
 }  // namespace
 
 void clipEdge(const DelaunayGraph& delaunay, HalfedgeId h, const Rectangle& window,
-              ClippedEdge& clipped, VertexPrecision precision) {
+              ClippedEdge& clipped, VertexPrecision precision, KeptVertices* kept) {
   clipped.count = 0;
   const Graph& g = delaunay.graph();
   if (isFarAway(delaunay.site(g.origin(h)), delaunay.circle(faceOf(g.twin(h))),
                 delaunay.circle(faceOf(h)), window))
     return;
-  const Edge edge(delaunay, h, precision);
+  const Edge edge(delaunay, h, precision, kept);
   const Mark start{edge.e0, edge.from.point, kNoSide}, end{edge.e1, edge.to.point, kNoSide};
   if (edge.from.isFinite && edge.to.isFinite && window.holds(start.point) &&
       window.holds(end.point)) {

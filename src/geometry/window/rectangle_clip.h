@@ -37,7 +37,8 @@ struct ClippedEdge {
 /// Clips the edge dual to h. Edges of one drawing or sum take the same bits, so that they meet.
 /// REQUIRES: startsAtReference.
 void clipEdge(const DelaunayGraph& delaunay, HalfedgeId h, const Rectangle& window,
-              ClippedEdge& clipped, VertexPrecision precision = VertexPrecision::kReproducible);
+              ClippedEdge& clipped, VertexPrecision precision = VertexPrecision::kReproducible,
+              KeptVertices* kept = nullptr);
 
 /// Clips all edges of the diagram; visit(h, piece) gets each piece that is left, with the half-edge
 /// that it is a part of.

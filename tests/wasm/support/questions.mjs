@@ -210,6 +210,21 @@ export const asking = {
       expect(levels.filter((count) => count > 0)).toHaveLength(d.visibleSize);
     },
   ],
+  triangulation: [
+    [],
+    (d, m) => {
+      const { points, triangles, halfedges } = d.triangulation();
+      for (const [id, [x, y]] of m.circles)
+        expect([...points.slice(2 * id, 2 * id + 2)]).toEqual([x, y]);
+      expect(triangles).toEqual(d.vertices().sites);
+      const end = (e) => triangles[e % 3 === 2 ? e - 2 : e + 1];
+      halfedges.forEach((twin, e) => {
+        if (twin === -1) return;
+        expect(halfedges[twin]).toBe(e);
+        expect([end(twin), triangles[twin]]).toEqual([triangles[e], end(e)]);
+      });
+    },
+  ],
   hull: [
     [],
     (d, m) => {

@@ -1,0 +1,98 @@
+// All cells' paths at once: the same as one by one.
+import { Diagram } from "../../build/packed/consumer.mjs";
+import { randomCircles } from "./support/random.mjs";
+
+const kBounds = [-900, -700, 1000, 800];
+const diagram = new Diagram(randomCircles(3000, 171, 12));
+diagram.insert(0, 0, 200); // hides some
+diagram.removeMany([7, 8, 2999]);
+const kStar = [
+  [-800, -600],
+  [900, -500],
+  [100, 0],
+  [950, 780],
+  [0, 100],
+  [-700, 700],
+];
+
+/** By id, as a loop has them. */
+function oneByOne(view, options) {
+  return Array.from(view.cellAreas(), (_, id) =>
+    view.diagram.has(id) ? view.renderCell(id, null, options) || null : null,
+  );
+}
+
+const views = {
+  bounds: diagram.voronoi(kBounds),
+  "bounds away from all": diagram.voronoi([5000, 5000, 5001, 5001]),
+  "a small window": diagram.voronoi([300, 300, 300.001, 300.001]),
+  "a region": diagram.voronoi(kStar),
+  "a distance": diagram.voronoi(kBounds, { distance: 4 }),
+  "a region and a distance": diagram.voronoi(kStar, { distance: 4 }),
+};
+
+test.each(Object.entries(views))("in %s they are what renderCell gives", (_, view) => {
+  for (const options of [
+    { digits: 0 },
+    { digits: 3 },
+    { digits: 12 }, // too many for large coordinates, at least
+    { digits: 15 },
+    { digits: 2, tolerance: 20 },
+    { digits: 5, tolerance: 1e-4 },
+  ])
+    expect(view.renderCells(options)).toEqual(oneByOne(view, options));
+});
+
+test("null for what has no cell in the window", () => {
+  const paths = views.bounds.renderCells();
+  expect(paths).toHaveLength(diagram.levels().length);
+  expect([7, 8, 2999].map((id) => paths[id])).toEqual([null, null, null]);
+  const areas = views.bounds.cellAreas();
+  paths.forEach((path, id) => expect(path === null).toBe(areas[id] === 0));
+  expect(new Diagram().voronoi().renderCells()).toEqual([]);
+  expect(new Diagram([1, 2, 3]).voronoi().renderCells()).toEqual(["M0,0L960,0L960,500L0,500Z"]);
+});
+
+test("digits are by default what the tolerance needs", () => {
+  const placesIn = (size, options) => {
+    const view = new Diagram(randomCircles(50, 172, 0).map((c) => (c / 1000) * size)).voronoi([
+      -size,
+      -size,
+      size,
+      size,
+    ]);
+    const given = view.renderCells(options);
+    const digits = [...Array(16).keys()].find(
+      (places) =>
+        String(given) === String(view.renderCells({ ...options, digits: places })) &&
+        String(given) !== String(view.renderCells({ ...options, digits: places - 1 || 0 })),
+    );
+    return digits;
+  };
+  expect(placesIn(480)).toBe(2);
+  expect(placesIn(1)).toBe(5);
+  expect(placesIn(1e-3)).toBe(8);
+  expect(placesIn(480, { tolerance: 1e-4 })).toBe(5);
+});
+
+test("numbers are written as JavaScript writes them", () => {
+  // Small ones with exponents, halves upwards, no -0, none with a superfluous 0.
+  const xs = [0, 5e-7, -5e-7, 1.5e-6, 2.5e-9, -0.5, 1e-3, 123456.75, -99999.5, 1e-15, 7e-8, 0.1];
+  for (const digits of [0, 1, 3, 6, 7, 8, 9, 10, 15])
+    for (const x of xs)
+      for (const size of [1, 1e-5]) {
+        const view = new Diagram([x, x, 1]).voronoi([x, x, x + size, x + 2 * size]);
+        expect(view.renderCells({ digits })).toEqual(oneByOne(view, { digits }));
+      }
+  const far = new Diagram([1e99, 0, 1]).voronoi([1e99, 0, 2e99, 1e99]);
+  expect(far.renderCells()).toEqual(oneByOne(far, { digits: 0 }));
+});
+
+test("in portions, after changes, and in any order of insertion", () => {
+  const many = new Diagram(randomCircles(12_000, 173, 2));
+  const view = many.voronoi([-1000, -1000, 1000, 1000]);
+  expect(view.renderCells({ digits: 2 })).toEqual(oneByOne(view, { digits: 2 }));
+  for (let id = 0; id < 3000; id += 3) many.update(id, id / 3 - 500, (id * 7919) % 997, 1);
+  many.removeMany(Uint32Array.from({ length: 2000 }, (_, k) => 6000 + k));
+  expect(view.renderCells({ digits: 2 })).toEqual(oneByOne(view, { digits: 2 }));
+});
