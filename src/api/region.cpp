@@ -82,26 +82,6 @@ Error Region::draw(Path& path) const {
   return Error::kOutOfMemory;
 }
 
-void Region::centroid(double& x, double& y) const noexcept {
-  x = y = 0;
-  if (state_ == nullptr) return;
-  const NormalizedPolygon& polygon = state_->polygon;
-  const Point origin = polygon.box.center();
-  Sum firstX, firstY;
-  for (std::size_t k = 0; k < polygon.ringCount(); ++k) {
-    const auto ring = polygon.ring(k);
-    Point a = ring.back() - origin;
-    for (const Point p : ring) {
-      const Point b = p - origin;
-      firstX.add(cross(a, b) / 6 * (a.x + b.x));
-      firstY.add(cross(a, b) / 6 * (a.y + b.y));
-      a = b;
-    }
-  }
-  x = origin.x + firstX.value() / state_->area;
-  y = origin.y + firstY.value() / state_->area;
-}
-
 bool Region::contains(double x, double y) const noexcept {
   if (state_ == nullptr || !std::isfinite(x) || !std::isfinite(y)) return false;
   const NormalizedPolygon& polygon = state_->polygon;

@@ -38,8 +38,6 @@ class APOLLONIUS_EXPORT Region {
   /// The box of what is inside; the default Bounds for a region that has not been assigned.
   [[nodiscard]] Bounds box() const noexcept;
   [[nodiscard]] double area() const noexcept;
-  /// Of its area; 0, 0 for a region that has not been assigned. Cost: O(m).
-  void centroid(double& x, double& y) const noexcept;
   /// Is a point inside or on the border that draw() draws? Exact. false unless x and y are finite.
   /// Cost: O(m).
   [[nodiscard]] bool contains(double x, double y) const noexcept;

@@ -272,21 +272,23 @@ Portion drawCell(const Diagram& diagram, const Region* region, const Reach* reac
   return {std::move(path.commands), std::move(path.coordinates)};
 }
 
-/// A part of all cells, and where the next one begins.
-struct CellPaths : apollonius::CellPaths {
-  std::size_t cursor = 0;
-  bool isDone = false;
-};
-CellPaths cellPaths(const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
-                    double ymin, double xmax, double ymax, double tolerance, unsigned digits,
-                    std::size_t cursor, std::size_t commands) {
-  CellPaths paths;
+/// About so many commands of cells as SVG path data: `commands` is the text, and `coordinates` has
+/// each cell's site and where its text ends. Not done and without a cell: some number has too many
+/// digits.
+Portion cellPaths(const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
+                  double ymin, double xmax, double ymax, double tolerance, unsigned digits,
+                  std::size_t cursor, std::size_t commands) {
+  apollonius::CellPaths paths;
   apollonius::Portion portion{cursor, commands};
   check(voronoiIn(diagram, region, reach, {xmin, ymin, xmax, ymax})
             .cellPaths(tolerance, digits, portion, paths));
-  paths.cursor = portion.cursor;
-  paths.isDone = portion.isDone;
-  return paths;
+  if (!paths.isWritten) return {{}, {}, cursor, false};
+  auto ends = allocating([&] { return std::vector<double>(2 * paths.sites.size()); });
+  for (std::size_t k = 0; k < paths.sites.size(); ++k) {
+    ends[2 * k] = paths.sites[k];
+    ends[2 * k + 1] = paths.ends[k];
+  }
+  return {std::move(paths.text), std::move(ends), portion.cursor, portion.isDone};
 }
 
 /// A region for windows on diagrams of this instance of the module.
@@ -294,12 +296,6 @@ Region* makeRegion(const Diagram&, const NumbersIn& coordinates, const NumbersIn
   Region region;
   check(region.assign(vectorOf<double>(coordinates), vectorOf<std::uint32_t>(starts)));
   return allocating([&] { return new Region(std::move(region)); });
-}
-
-std::vector<double> centroidOf(const Region& region) {
-  auto centroid = allocating([] { return std::vector<double>(2); });
-  region.centroid(centroid[0], centroid[1]);
-  return centroid;
 }
 
 /// One distance for all sites, or one for each id.

@@ -100,13 +100,6 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .field("coordinates", &Portion::coordinates)
       .field("cursor", &Portion::cursor)
       .field("isDone", &Portion::isDone);
-  value_object<CellPaths>("CellPaths")
-      .field("text", &CellPaths::text)
-      .field("sites", &CellPaths::sites)
-      .field("ends", &CellPaths::ends)
-      .field("isWritten", &CellPaths::isWritten)
-      .field("cursor", &CellPaths::cursor)
-      .field("isDone", &CellPaths::isDone);
 
   value_object<apollonius::StageCounts>("StageCounts")
       .field("filter", &apollonius::StageCounts::filter)
@@ -188,11 +181,7 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .function("cellCentroids", returning<&Voronoi::cellCentroids>(), allow_raw_pointers())
       .function("cellPerimeters", returning<&Voronoi::cellPerimeters>(), allow_raw_pointers());
   registerSphere();
-  class_<Region>("Region")
-      .function("box", &Region::box)
-      .function("area", &Region::area)
-      .function("centroid", &centroidOf)
-      .function("contains", &Region::contains);
+  class_<Region>("Region").function("box", &Region::box).function("contains", &Region::contains);
   class_<Reach>("Reach");
   class_<Fitting>("Fitting")
       .function("step", &stepFit)

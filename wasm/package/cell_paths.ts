@@ -31,15 +31,17 @@ export function cellPaths(
   const paths = new Array<string | null>(native.levels().length).fill(null);
   const decoder = new TextDecoder();
   for (let cursor = 0, isDone = false; !isDone; ) {
+    // `ends`: each site, and where its text ends
     const portion = native.cellPaths(...window, tolerance, digits, cursor, kPortion);
-    if (!portion.isWritten) return oneByOne(native, window, tolerance, digits, paths.fill(null));
-    const text = decoder.decode(portion.text);
-    let from = 0;
-    portion.sites.forEach((id, k) => {
-      const to = portion.ends[k]!;
-      paths[id] = text.slice(from, to);
+    const { commands: bytes, coordinates: ends } = portion;
+    if (!portion.isDone && ends.length === 0)
+      return oneByOne(native, window, tolerance, digits, paths.fill(null));
+    const text = decoder.decode(bytes);
+    for (let k = 0, from = 0; k < ends.length; k += 2) {
+      const to = ends[k + 1]!;
+      paths[ends[k]!] = text.slice(from, to);
       from = to;
-    });
+    }
     ({ cursor, isDone } = portion);
   }
   return paths;

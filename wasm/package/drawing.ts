@@ -53,7 +53,8 @@ export function drawBounds(
 ): void {
   if (region !== null) {
     const { commands, coordinates } = native.drawRegion(region);
-    return play(target, commands, coordinates);
+    play(target, commands, coordinates);
+    return;
   }
   target.moveTo(xmin, ymin);
   target.lineTo(xmax, ymin);

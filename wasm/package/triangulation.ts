@@ -44,6 +44,7 @@ export interface Triangulation {
   hullPolygon(): Position[];
 }
 
+/** @internal */
 export function triangulationOf(native: NativeDiagram): Triangulation {
   const { ids, xyr } = native.sites();
   const points = new Float64Array(2 * native.levels().length).fill(NaN);

@@ -1,7 +1,11 @@
 // The window of a view as a thing: what it measures, and what is in it.
 import { checkNumber } from "./arguments.js";
-import type { NativeRegion } from "./module.js";
+import type { NativeDiagram, NativeRegion } from "./module.js";
+import { play } from "./path.js";
+import type { Portion } from "../../build/wasm/apollonius.mjs";
 import type { Bounds } from "./types.js";
+
+type Centroid = readonly [x: number, y: number];
 
 /**
  * The window that cells are clipped to, `voronoi.window`. Of a region that is what is inside by the
@@ -13,7 +17,7 @@ export interface VoronoiWindow {
   /** Its area, above 0, in the square of the diagram's unit: what `cellAreas` adds up to. */
   readonly area: number;
   /** Its centroid. */
-  readonly centroid: readonly [x: number, y: number];
+  readonly centroid: Centroid;
   /**
    * Is a point inside, or on the border? Exact for the rings that `renderBounds` draws: where the
    * given ones cross, these have the crossing as rounded. O(1), or O(m) for a region of m points.
@@ -22,23 +26,48 @@ export interface VoronoiWindow {
   contains(x: number, y: number): boolean;
 }
 
-/** `expectLiving` throws unless the region, if there is one, is there. */
+/** @internal `livingNow` throws unless the view is there, with its region. */
 export function windowOf(
   bounds: Bounds,
   region: NativeRegion | null,
-  expectLiving: () => unknown,
+  livingNow: () => NativeDiagram,
 ): VoronoiWindow {
   const [xmin, ymin, xmax, ymax] = bounds;
-  const [x, y] = region?.centroid() ?? [xmin / 2 + xmax / 2, ymin / 2 + ymax / 2];
+  const middle: Centroid = [xmin / 2 + xmax / 2, ymin / 2 + ymax / 2];
+  const { area, centroid } =
+    region === null
+      ? { area: (xmax - xmin) * (ymax - ymin), centroid: middle }
+      : momentsOf(livingNow().drawRegion(region), middle);
   return Object.freeze({
     bounds: Object.freeze(bounds),
-    area: region?.area() ?? (xmax - xmin) * (ymax - ymin),
-    centroid: Object.freeze([x, y] as [number, number]),
+    area,
+    centroid: Object.freeze(centroid),
     contains(px: number, py: number): boolean {
       checkNumber("x", px);
       checkNumber("y", py);
-      expectLiving();
+      livingNow();
       return region?.contains(px, py) ?? (xmin <= px && px <= xmax && ymin <= py && py <= ymax);
     },
   });
+}
+
+/** Of what is inside of closed rings, the inside on the left of each. */
+function momentsOf(rings: Portion, [x0, y0]: Centroid): { area: number; centroid: Centroid } {
+  let area = 0;
+  let [firstX, firstY] = [0, 0];
+  let [startX, startY, fromX, fromY] = [0, 0, 0, 0];
+  const lineTo = (x: number, y: number) => {
+    const [ax, ay, bx, by] = [fromX - x0, fromY - y0, x - x0, y - y0];
+    const twice = ax * by - bx * ay;
+    area += twice / 2;
+    firstX += (twice / 6) * (ax + bx);
+    firstY += (twice / 6) * (ay + by);
+    [fromX, fromY] = [x, y];
+  };
+  const moveTo = (x: number, y: number) => {
+    [startX, startY, fromX, fromY] = [x, y, x, y];
+  };
+  const closePath = () => lineTo(startX, startY);
+  play({ moveTo, lineTo, closePath, bezierCurveTo() {} }, rings.commands, rings.coordinates);
+  return { area, centroid: [x0 + firstX / area, y0 + firstY / area] };
 }

@@ -31,7 +31,22 @@ export class Delaunay {
   }
 
   get triangles() {
-    return this.diagram.vertices().sites;
+    return this.diagram.triangulation().triangles;
+  }
+  get halfedges() {
+    return this.diagram.triangulation().halfedges;
+  }
+  trianglePolygon(i) {
+    return this.diagram.triangulation().trianglePolygon(i);
+  }
+  trianglePolygons() {
+    return this.diagram.triangulation().trianglePolygons();
+  }
+  renderTriangle(i, context) {
+    return this.diagram.triangulation().renderTriangle(i, context);
+  }
+  hullPolygon() {
+    return this.diagram.triangulation().hullPolygon();
   }
   get hull() {
     return this.diagram.hull();

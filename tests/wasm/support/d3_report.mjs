@@ -17,6 +17,14 @@ const line = [
   [2, 0],
   [3, 0],
 ];
+const pentagon = [
+  [0, 0],
+  [10, 1],
+  [13, 9],
+  [6, 14],
+  [-2, 8],
+  [5, 6],
+];
 const sorted = (numbers) => [...numbers].sort((a, b) => a - b);
 /** Rings and cycles from their smallest element on. */
 const cycle = (items, key = (item) => item) => {
@@ -66,6 +74,45 @@ export const report = [
     (D) => triples(D.from(square).triangles),
     "the other diagonal: four points on one circle have two triangulations, and here the choice " +
       "depends on the set of points alone",
+  ],
+  [
+    "twins of half-edges run the other way",
+    (D) => {
+      const { triangles, halfedges } = D.from(pentagon);
+      const end = (e) => triangles[e % 3 === 2 ? e - 2 : e + 1];
+      return sorted(
+        [...halfedges].map((twin, e) =>
+          twin === -1
+            ? -1
+            : Number(
+                triangles[twin] === end(e) && end(twin) === triangles[e] && halfedges[twin] === e,
+              ),
+        ),
+      );
+    },
+  ],
+  ["the polygon of a triangle", (D) => corners(D.from(triangle).trianglePolygon(0))],
+  [
+    "the polygon of a triangle is closed",
+    (D) => {
+      const ring = D.from(triangle).trianglePolygon(0);
+      return [ring.length, String(ring[0]) === String(ring[3])];
+    },
+  ],
+  [
+    "polygons of all triangles",
+    (D) => [...D.from(pentagon).trianglePolygons()].map((ring) => corners(ring).join()).sort(),
+  ],
+  ["the path of a triangle", (D) => sorted(D.from(triangle).renderTriangle(0).split(/[MLZ]/))],
+  [
+    "a triangle drawn into a context",
+    (D) => calls((c) => D.from(triangle).renderTriangle(0, c)).map(([name]) => name),
+  ],
+  ["the polygon of the hull", (D) => corners(D.from(pentagon).hullPolygon())],
+  [
+    "direction of triangles",
+    (D) => cycle([...D.from(triangle).triangles]),
+    "counter-clockwise with y upwards, as the hull",
   ],
   ["hull of three points", (D) => sorted(D.from(triangle).hull)],
   [
