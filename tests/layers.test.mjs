@@ -79,7 +79,12 @@ const rules = [
   },
   {
     of: /^wasm\/bindings\/\w+\.(cpp|h)$/,
-    may: [std, /^<emscripten\//, /^"apollonius\//, /^"(arrays|adapters|spherical_adapters)\.h"$/],
+    may: [
+      std,
+      /^<emscripten\//,
+      /^"apollonius\//,
+      /^"(arrays|adapters|spherical_adapters|voronoi_adapters)\.h"$/,
+    ],
   },
   {
     of: /^bench\/.*\.(cpp|h)$/,

@@ -4,8 +4,8 @@
 // A call that fails throws the number of its Error, which wasm/package/module.ts turns into an
 // exception of the package. Arrays are copied, in both directions: a view of the memory dies when
 // that grows.
-#include "adapters.h"
 #include "spherical_adapters.h"
+#include "voronoi_adapters.h"
 
 EMSCRIPTEN_BINDINGS(apollonius) {
   using namespace emscripten;

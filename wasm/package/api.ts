@@ -50,13 +50,14 @@ export type {
   StageCounts,
   Vertices,
   VoronoiOptions,
+  VoronoiWindow,
 } from "./types.js";
 export { ApolloniusError, type ErrorCode } from "./errors.js";
 export type { CellsCollection, GeoJSONOptions } from "./geojson.js";
 export type { DrawOptions, DualOptions, PathContext } from "./path.js";
 export type { Triangulation } from "./triangulation.js";
 export { Voronoi } from "./voronoi.js";
-export type { VoronoiWindow } from "./window.js";
+
 export type { GeoJSONRegion, Region, Ring } from "./region.js";
 export { curvePoint, curveTangent } from "./curves.js";
 

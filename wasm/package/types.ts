@@ -199,6 +199,25 @@ export interface EmptyCircle {
   site: number;
 }
 
+/**
+ * The window that cells are clipped to, `voronoi.window`. Of a region that is what is inside by the
+ * even-odd rule, holes left out. Frozen; measures are computed when the view is made.
+ */
+export interface VoronoiWindow {
+  /** The smallest box that holds it. */
+  readonly bounds: Bounds;
+  /** Its area, above 0, in the square of the diagram's unit: what `cellAreas` adds up to. */
+  readonly area: number;
+  /** Its centroid. */
+  readonly centroid: readonly [x: number, y: number];
+  /**
+   * Is a point inside, or on the border? Exact for the rings that `renderBounds` draws: where the
+   * given ones cross, these have the crossing as rounded. O(1), or O(m) for a region of m points.
+   * Throws "not-finite", "out-of-range", and "disposed" once the view or the diagram is.
+   */
+  contains(x: number, y: number): boolean;
+}
+
 /** What `diagram.voronoi(window, options)` takes. */
 export interface VoronoiOptions {
   /**

@@ -51,8 +51,9 @@ import type {
   Position,
   Projection,
   VoronoiOptions,
+  VoronoiWindow,
 } from "./types.js";
-import { type VoronoiWindow, windowOf } from "./window.js";
+import { windowOf } from "./window.js";
 
 // A region has a note for each face of the diagram: ten bytes a site, where Ballast counts 162.
 const kRegionsOfSite = 16;
@@ -302,9 +303,7 @@ export class Voronoi implements Disposable {
    * end at does not matter. Throws "not-finite", "out-of-range" (count). O(n (log n + count)).
    */
   emptyCircles(count: number): EmptyCircle[] {
-    const native = Voronoi.#living(this);
-    const most = checkedCount("count", count);
-    return emptyCircles(native, this.#window, most);
+    return emptyCircles(Voronoi.#living(this), this.#window, checkedCount("count", count));
   }
 
   /**

@@ -3,28 +3,9 @@ import { checkNumber } from "./arguments.js";
 import type { NativeDiagram, NativeRegion } from "./module.js";
 import { play } from "./path.js";
 import type { Portion } from "../../build/wasm/apollonius.mjs";
-import type { Bounds } from "./types.js";
+import type { Bounds, VoronoiWindow } from "./types.js";
 
-type Centroid = readonly [x: number, y: number];
-
-/**
- * The window that cells are clipped to, `voronoi.window`. Of a region that is what is inside by the
- * even-odd rule, holes left out. Frozen; measures are computed when the view is made.
- */
-export interface VoronoiWindow {
-  /** The smallest box that holds it. */
-  readonly bounds: Bounds;
-  /** Its area, above 0, in the square of the diagram's unit: what `cellAreas` adds up to. */
-  readonly area: number;
-  /** Its centroid. */
-  readonly centroid: Centroid;
-  /**
-   * Is a point inside, or on the border? Exact for the rings that `renderBounds` draws: where the
-   * given ones cross, these have the crossing as rounded. O(1), or O(m) for a region of m points.
-   * Throws "not-finite", "out-of-range", and "disposed" once the view or the diagram is.
-   */
-  contains(x: number, y: number): boolean;
-}
+type Centroid = VoronoiWindow["centroid"];
 
 /** @internal `livingNow` throws unless the view is there, with its region. */
 export function windowOf(
