@@ -261,9 +261,9 @@ Portion drawCell(const Diagram& diagram, const Region* region, const Reach* reac
   return {std::move(path.commands), std::move(path.coordinates)};
 }
 
-/// About so many commands of cells as SVG path data: `commands` is the text, and `coordinates` has
-/// each cell's site and where its text ends. Not done and without a cell: some number has too many
-/// digits.
+/// About this many commands of cells as SVG path data: `commands` is the text, and `coordinates`
+/// has each cell's site and where its text ends. Not done and without a cell: some number has too
+/// many digits.
 Portion cellPaths(const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
                   double ymin, double xmax, double ymax, double tolerance, unsigned digits,
                   std::size_t cursor, std::size_t commands) {

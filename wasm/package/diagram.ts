@@ -446,7 +446,7 @@ export class Diagram implements Disposable {
 
   /**
    * The diagram as bytes (a Uint8Array), about 56 a site: for files, and for other threads
-   * (`postMessage(bytes, [bytes.buffer])` moves them; the diagram itself cannot be posted). The same
+   * (`postMessage(bytes, [bytes.buffer])` moves them; no diagram can be posted itself). The same
    * diagram with the same history gives the same bytes on every platform; docs/SNAPSHOTS.md has the
    * format. Cost: O(n), a fraction of building.
    */
