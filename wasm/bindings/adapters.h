@@ -271,13 +271,7 @@ Portion cellPaths(const Diagram& diagram, const Region* region, const Reach* rea
   apollonius::Portion portion{cursor, commands};
   check(voronoiIn(diagram, region, reach, {xmin, ymin, xmax, ymax})
             .cellPaths(tolerance, digits, portion, paths));
-  if (!paths.isWritten) return {{}, {}, cursor, false};
-  auto ends = allocating([&] { return std::vector<double>(2 * paths.sites.size()); });
-  for (std::size_t k = 0; k < paths.sites.size(); ++k) {
-    ends[2 * k] = paths.sites[k];
-    ends[2 * k + 1] = paths.ends[k];
-  }
-  return {std::move(paths.text), std::move(ends), portion.cursor, portion.isDone};
+  return {std::move(paths.text), std::move(paths.ends), portion.cursor, portion.isDone};
 }
 
 /// A region for windows on diagrams of this instance of the module.
