@@ -68,10 +68,8 @@ struct Portion {
 
 /// SVG path data of cells, one after the other.
 struct CellPaths {
-  std::vector<std::uint8_t> text;    ///< ASCII
-  std::vector<std::uint32_t> sites;  ///< those that have a part in the window, in any order
-  std::vector<std::uint32_t> ends;   ///< where the text of each of these ends
-  bool isWritten = true;             ///< false: a number has more than 15 digits; there is no text
+  std::vector<std::uint8_t> text;  ///< ASCII
+  std::vector<double> ends;        ///< of each cell its site, and where its text ends
 };
 
 }  // namespace apollonius

@@ -149,9 +149,10 @@ class APOLLONIUS_EXPORT Voronoi {
   [[nodiscard]] Error drawDual(double tolerance, bool rays, Portion& portion, Path& path) const;
   /// A cell as closed figures, one for each ring.
   [[nodiscard]] Error drawCell(SiteId id, double tolerance, Path& path) const;
-  /// A portion of all cells as text, each as drawCell() draws it; numbers are rounded to `digits`
-  /// decimal places (kOutOfRange above 15) and written as JavaScript writes them. Cost: O(h) for
-  /// sites spread evenly.
+  /// A portion of all cells as text, in any order, each as drawCell() draws it; numbers are rounded
+  /// to `digits` decimal places (kOutOfRange above 15) and written as JavaScript writes them. One
+  /// that has more than 15 digits then cannot be: no cell, and not done. Cost: O(h) for sites
+  /// spread evenly.
   [[nodiscard]] Error cellPaths(double tolerance, unsigned digits, Portion& portion,
                                 CellPaths& paths) const;
   [[nodiscard]] Error drawHull(double tolerance, Path& path) const;

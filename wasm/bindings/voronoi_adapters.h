@@ -57,9 +57,9 @@ Portion drawCell(const Diagram& diagram, const Region* region, const Reach* reac
   return {std::move(path.commands), std::move(path.coordinates)};
 }
 
-/// About so many commands of cells as SVG path data: `commands` is the text, and `coordinates` has
-/// each cell's site and where its text ends. Not done and without a cell: some number has too many
-/// digits.
+/// About this many commands of cells as SVG path data: `commands` is the text, and `coordinates`
+/// has each cell's site and where its text ends. Not done and without a cell: some number has too
+/// many digits.
 Portion cellPaths(const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
                   double ymin, double xmax, double ymax, double tolerance, unsigned digits,
                   std::size_t cursor, std::size_t commands) {
@@ -67,13 +67,7 @@ Portion cellPaths(const Diagram& diagram, const Region* region, const Reach* rea
   apollonius::Portion portion{cursor, commands};
   check(voronoiIn(diagram, region, reach, {xmin, ymin, xmax, ymax})
             .cellPaths(tolerance, digits, portion, paths));
-  if (!paths.isWritten) return {{}, {}, cursor, false};
-  auto ends = allocating([&] { return std::vector<double>(2 * paths.sites.size()); });
-  for (std::size_t k = 0; k < paths.sites.size(); ++k) {
-    ends[2 * k] = paths.sites[k];
-    ends[2 * k + 1] = paths.ends[k];
-  }
-  return {std::move(paths.text), std::move(ends), portion.cursor, portion.isDone};
+  return {std::move(paths.text), std::move(paths.ends), portion.cursor, portion.isDone};
 }
 
 /// A region for windows on diagrams of this instance of the module.

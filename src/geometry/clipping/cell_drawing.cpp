@@ -41,11 +41,11 @@ void writeCells(const DiagramCore& core, const Clipping& clipping, double tolera
     if (path.commands.empty()) continue;
     drawn += path.commands.size();
     if (!writer.write(path, paths.text)) {
-      paths.isWritten = false;
-      break;
+      paths.ends.clear();
+      return;
     }
-    paths.sites.push_back(core.ids().idOf(slot));
-    paths.ends.push_back(static_cast<std::uint32_t>(paths.text.size()));
+    paths.ends.push_back(core.ids().idOf(slot));
+    paths.ends.push_back(static_cast<double>(paths.text.size()));
   }
   portion.isDone = true;
 }

@@ -12,11 +12,11 @@ namespace apollonius::internal {
 
 class PathWriter {
  public:
-  /// Of doubles: decimal numbers of so many digits are all different as doubles, so that the
+  /// Of doubles: decimal numbers of this many digits are all different as doubles, so that the
   /// shortest text of one is the number itself.
   static constexpr unsigned kMostDigits = 15;
 
-  /// Numbers are rounded to so many decimal places, halves upwards. REQUIRES: <= kMostDigits.
+  /// Numbers are rounded to this many decimal places, halves upwards. REQUIRES: <= kMostDigits.
   explicit PathWriter(unsigned digits);
 
   /// Adds it to the text. false if a number has more than kMostDigits digits when it is rounded:
