@@ -50,28 +50,40 @@ export function triangulationOf(native: NativeDiagram): Triangulation {
   const points = new Float64Array(2 * native.levels().length).fill(NaN);
   ids.forEach((id, k) => points.set(xyr.subarray(3 * k, 3 * k + 2), 2 * id));
   const { sites: triangles } = native.vertices();
-  const halfedges = twinsOf(native, triangles);
-  const hull = native.hull();
+  return new Arrays(points, triangles, twinsOf(native, triangles), native.hull());
+}
 
-  const ringOf = (sites: Uint32Array): Position[] =>
-    Array.from([...sites, ...sites.subarray(0, 1)], (id) => [points[2 * id]!, points[2 * id + 1]!]);
-  function trianglePolygon(triangle: number): Position[] {
-    const count = triangles.length / 3;
+class Arrays implements Triangulation {
+  constructor(
+    readonly points: Float64Array,
+    readonly triangles: Uint32Array,
+    readonly halfedges: Int32Array,
+    readonly hull: Uint32Array,
+  ) {}
+
+  trianglePolygon(triangle: number): Position[] {
+    const count = this.triangles.length / 3;
     if (Number.isInteger(triangle) && triangle >= 0 && triangle < count)
-      return ringOf(triangles.subarray(3 * triangle, 3 * triangle + 3));
+      return this.#ringOf(this.triangles.subarray(3 * triangle, 3 * triangle + 3));
     throw new ApolloniusError(
       "out-of-range",
       `triangle is ${described(triangle)}, expected a whole number below ${count}`,
     );
   }
-  function renderTriangle(triangle: number, context: PathContext, options?: DrawOptions): void;
-  function renderTriangle(triangle: number, context?: null, options?: DrawOptions): string;
-  function renderTriangle(
+
+  *trianglePolygons(): Generator<Position[], void> {
+    for (let triangle = 0; 3 * triangle < this.triangles.length; ++triangle)
+      yield this.trianglePolygon(triangle);
+  }
+
+  renderTriangle(triangle: number, context: PathContext, options?: DrawOptions): void;
+  renderTriangle(triangle: number, context?: null, options?: DrawOptions): string;
+  renderTriangle(
     triangle: number,
     context?: PathContext | null,
     options?: DrawOptions,
   ): string | void {
-    const [a, b, c] = trianglePolygon(triangle) as [Position, Position, Position];
+    const [a, b, c] = this.trianglePolygon(triangle) as [Position, Position, Position];
     return drawn(context, options, (target) => {
       target.moveTo(...a);
       target.lineTo(...b);
@@ -79,19 +91,15 @@ export function triangulationOf(native: NativeDiagram): Triangulation {
       target.closePath();
     });
   }
-  return {
-    points,
-    triangles,
-    halfedges,
-    hull,
-    trianglePolygon,
-    *trianglePolygons() {
-      for (let triangle = 0; 3 * triangle < triangles.length; ++triangle)
-        yield trianglePolygon(triangle);
-    },
-    renderTriangle,
-    hullPolygon: () => ringOf(hull),
-  };
+
+  hullPolygon(): Position[] {
+    return this.#ringOf(this.hull);
+  }
+
+  #ringOf(sites: Uint32Array): Position[] {
+    const ids = [...sites, ...sites.subarray(0, 1)];
+    return ids.map((id) => [this.points[2 * id]!, this.points[2 * id + 1]!]);
+  }
 }
 
 /** By the edges, each of which knows the triangles on both of its sides. */

@@ -7,29 +7,47 @@ import type { Bounds, VoronoiWindow } from "./types.js";
 
 type Centroid = VoronoiWindow["centroid"];
 
+/** A class, as methods that are properties would keep equal views from being equal to tests. */
+class ViewWindow implements VoronoiWindow {
+  readonly area: number;
+  readonly centroid: Centroid;
+  readonly #region: NativeRegion | null;
+  readonly #livingNow: () => NativeDiagram;
+
+  constructor(
+    readonly bounds: Bounds,
+    region: NativeRegion | null,
+    livingNow: () => NativeDiagram,
+  ) {
+    const [xmin, ymin, xmax, ymax] = Object.freeze(bounds);
+    const middle: Centroid = [xmin / 2 + xmax / 2, ymin / 2 + ymax / 2];
+    const { area, centroid } =
+      region === null
+        ? { area: (xmax - xmin) * (ymax - ymin), centroid: middle }
+        : momentsOf(livingNow().drawRegion(region), middle);
+    this.area = area;
+    this.centroid = Object.freeze(centroid);
+    this.#region = region;
+    this.#livingNow = livingNow;
+    Object.freeze(this);
+  }
+
+  contains(x: number, y: number): boolean {
+    checkNumber("x", x);
+    checkNumber("y", y);
+    this.#livingNow();
+    const [xmin, ymin, xmax, ymax] = this.bounds;
+    return this.#region?.contains(x, y) ?? (xmin <= x && x <= xmax && ymin <= y && y <= ymax);
+  }
+}
+
 /** @internal `livingNow` throws unless the view is there, with its region. */
 export function windowOf(
   bounds: Bounds,
   region: NativeRegion | null,
   livingNow: () => NativeDiagram,
 ): VoronoiWindow {
-  const [xmin, ymin, xmax, ymax] = bounds;
-  const middle: Centroid = [xmin / 2 + xmax / 2, ymin / 2 + ymax / 2];
-  const { area, centroid } =
-    region === null
-      ? { area: (xmax - xmin) * (ymax - ymin), centroid: middle }
-      : momentsOf(livingNow().drawRegion(region), middle);
-  return Object.freeze({
-    bounds: Object.freeze(bounds),
-    area,
-    centroid: Object.freeze(centroid),
-    contains(px: number, py: number): boolean {
-      checkNumber("x", px);
-      checkNumber("y", py);
-      livingNow();
-      return region?.contains(px, py) ?? (xmin <= px && px <= xmax && ymin <= py && py <= ymax);
-    },
-  });
+  return new ViewWindow(bounds, region, livingNow);
 }
 
 /** Of what is inside of closed rings, the inside on the left of each. */
