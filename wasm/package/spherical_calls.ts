@@ -117,6 +117,19 @@ function walkFrom(
   return native.nearestFirst(lon, lat, farthest) as SphericalNearestFirst;
 }
 
+/** As nearest, without the distance, which costs as much as the search. */
+export function find(
+  native: NativeSphericalDiagram,
+  filters: Filters,
+  lon: number,
+  lat: number,
+  options: FilterOptions | undefined,
+): number {
+  if (options !== undefined) return nearest(native, filters, lon, lat, options)?.id ?? -1;
+  checkPoint(lon, lat);
+  return native.find(lon, lat);
+}
+
 export function nearest(
   native: NativeSphericalDiagram,
   filters: Filters,

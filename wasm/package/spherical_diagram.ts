@@ -16,6 +16,7 @@ import {
 } from "./spherical_arguments.js";
 import {
   cellPolygon,
+  find,
   findMany,
   insertMany,
   kNearest,
@@ -271,7 +272,7 @@ export class SphericalDiagram implements Disposable {
    * "out-of-range", "bad-option".
    */
   find(lon: number, lat: number, options?: FilterOptions): number {
-    return nearest(living(this), this.#filters, lon, lat, options)?.id ?? -1;
+    return find(living(this), this.#filters, lon, lat, options);
   }
 
   /**
