@@ -139,7 +139,10 @@ std::uint32_t Voronoi::slotOf(SiteId id) const { return diagram_.core_->ids().sl
 Error Voronoi::windowError() const {
   const bool isGood = region_ != nullptr ? region_->state_ != nullptr : areGood(bounds_);
   if (!isGood) return Error::kBadBounds;
-  const bool hasAll = reach_ == nullptr || reach_->covers(diagram_.core_->ids().idLimit());
+  if (reach_ == nullptr) return Error::kNone;
+  if (reach_->hasNaN()) return Error::kNotFinite;
+  if (reach_->isOutOfRange()) return Error::kOutOfRange;
+  const bool hasAll = reach_->covers(diagram_.core_->ids().idLimit());
   return hasAll ? Error::kNone : Error::kBadLength;
 }
 

@@ -33,7 +33,8 @@ class APOLLONIUS_EXPORT NearestFirst {
   [[nodiscard]] Error next(SiteId& id);
 
   /// From the point to the site that next() gave last, as Diagram::find has it: so at most 0 if its
-  /// circle contains the point. Infinite if there is none. O(1).
+  /// circle contains the point. Infinity before the first site and after
+  /// the last. O(1).
   [[nodiscard]] double distance() const;
 
  private:

@@ -11,15 +11,22 @@
 
 namespace apollonius {
 
-/// In units of the sites; a negative distance ends inside the circle, infinity nowhere.
+/// In units of the sites; a negative distance ends inside the circle, infinity nowhere. All others
+/// are in the range of coordinates, or calls that use it return an error (apollonius/voronoi.h).
 class Reach {
  public:
   /// Everywhere.
   Reach() = default;
-  /// The same distance for all sites. REQUIRES: no NaN.
-  explicit Reach(double distance) : all_(distance) {}
-  /// A distance for each id. Throws std::bad_alloc. REQUIRES: no NaN.
-  explicit Reach(std::span<const double> byId) : byId_(byId.begin(), byId.end()), isById_(true) {}
+  /// The same distance for all sites.
+  explicit Reach(double distance) : all_(distance) { note(distance); }
+  /// A distance for each id. Throws std::bad_alloc.
+  explicit Reach(std::span<const double> byId) : byId_(byId.begin(), byId.end()), isById_(true) {
+    for (const double distance : byId) note(distance);
+  }
+
+  /// Is there a NaN, or a distance out of range?
+  [[nodiscard]] bool hasNaN() const { return hasNaN_; }
+  [[nodiscard]] bool isOutOfRange() const { return isOutOfRange_; }
 
   [[nodiscard]] bool isUnlimited() const {
     return !isById_ && all_ == std::numeric_limits<double>::infinity();
@@ -32,9 +39,17 @@ class Reach {
   [[nodiscard]] double of(SiteId id) const { return isById_ ? byId_[id] : all_; }
 
  private:
+  void note(double distance) {
+    const bool isNaN = distance != distance;
+    hasNaN_ = hasNaN_ || isNaN;
+    const bool isUnlimited = distance == std::numeric_limits<double>::infinity();
+    isOutOfRange_ = isOutOfRange_ || !(isNaN || isUnlimited || isInRange(distance));
+  }
+
   double all_ = std::numeric_limits<double>::infinity();
   std::vector<double> byId_;
   bool isById_ = false;
+  bool hasNaN_ = false, isOutOfRange_ = false;
 };
 
 }  // namespace apollonius

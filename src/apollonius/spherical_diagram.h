@@ -184,8 +184,8 @@ class APOLLONIUS_EXPORT SphericalNearestFirst {
                             double farthest = std::numeric_limits<double>::infinity());
   /// The next site; kNoSite after the last. Errors: kOutOfMemory; the walk ends with it.
   [[nodiscard]] Error next(SiteId& id);
-  /// From the point to the site that next() gave last, as SphericalDiagram::find has it; infinite
-  /// if there is none. O(1).
+  /// From the point to the site that next() gave last, as SphericalDiagram::find has it; infinity
+  /// before the first site and after the last. O(1).
   [[nodiscard]] double distance() const;
 
  private:

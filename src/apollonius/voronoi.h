@@ -88,7 +88,7 @@ class APOLLONIUS_EXPORT Voronoi {
  public:
   // With a reach, which must live as long, cells end at these distances from their sites' circles:
   // in all that is said of cells below, and edges are what two of them share. Calls return
-  // kBadLength if it has no distance for an id in use.
+  // kNotFinite or kOutOfRange if it has such a distance, kBadLength if it has none for an id.
   explicit Voronoi(const Diagram& diagram, const Bounds& bounds = {}, const Reach* reach = nullptr)
       : diagram_(diagram), bounds_(bounds), reach_(reach) {}
   /// In a region, which must live as long. The first call after either has changed costs

@@ -41,7 +41,7 @@ class NearbySearch {
   /// The next site, kNoSlot after the last.
   [[nodiscard]] Slot next();
 
-  /// To the site that next() gave last; infinite if there is none.
+  /// To the site that next() gave last; infinity before the first and after the last.
   [[nodiscard]] double distance() const {
     return last_ == kNoSlot ? std::numeric_limits<double>::infinity()
                             : roundedDistance(x_, y_, diagram_.site(last_));

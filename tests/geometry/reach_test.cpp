@@ -155,6 +155,20 @@ TEST(Reach, ADistanceIsMissingForASite) {
   EXPECT_EQ(Voronoi(diagram, {-9, -9, 9, 9}, &reach).cellAreas(areas), Error::kBadLength);
 }
 
+TEST(Reach, BadDistancesAreRefused) {
+  Diagram diagram;
+  insertInto(diagram, {{-3, 0, 0}});
+  std::vector<double> areas;
+  const auto answer = [&](double distance) {
+    const Reach reach(distance);
+    return Voronoi(diagram, {-9, -9, 9, 9}, &reach).cellAreas(areas);
+  };
+  EXPECT_EQ(answer(std::numeric_limits<double>::quiet_NaN()), Error::kNotFinite);
+  EXPECT_EQ(answer(-kInfinity), Error::kOutOfRange);
+  EXPECT_EQ(answer(1e200), Error::kOutOfRange);
+  EXPECT_EQ(answer(kInfinity), Error::kNone);
+}
+
 TEST(Reach, AreasAreThoseOfSampledPoints) {
   Random random(671);
   for (int run = 0; run < runs(25) && !::testing::Test::HasFailure(); ++run) {

@@ -1,33 +1,9 @@
 // The largest empty circles with their centres in a window, against trying all places.
 import { Diagram } from "../../build/packed/consumer.mjs";
+import { box, windows } from "./support/box_with_hole.mjs";
 import { generator } from "./support/random.mjs";
 
-const box = [0, 0, 100, 60];
-const withHole = [
-  [
-    [0, 0],
-    [100, 0],
-    [100, 60],
-    [0, 60],
-  ],
-  [
-    [30, 10],
-    [70, 10],
-    [50, 50],
-  ],
-];
-const isInHole = (x, y) => {
-  const ring = withHole[1];
-  return ring.every(([ax, ay], k) => {
-    const [bx, by] = ring[(k + 1) % 3];
-    return (bx - ax) * (y - ay) - (x - ax) * (by - ay) > 0;
-  });
-};
-
-test.each([
-  ["bounds", box, () => true],
-  ["a region with a hole", withHole, (x, y) => !isInHole(x, y)],
-])("no place in %s is farther from all sites", (_name, window, holds) => {
+test.each(windows)("no place in %s is farther from all sites", (_name, window, holds) => {
   const random = generator(41);
   for (let run = 0; run < 20; ++run) {
     const circles = Array.from({ length: 1 + Math.floor(12 * random()) }, () => [

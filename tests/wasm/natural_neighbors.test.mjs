@@ -1,21 +1,7 @@
 // Natural neighbours: against inserting the site, and as an interpolation.
 import { Diagram } from "../../build/packed/consumer.mjs";
+import { box, windows } from "./support/box_with_hole.mjs";
 import { generator } from "./support/random.mjs";
-
-const box = [0, 0, 100, 60];
-const withHole = [
-  [
-    [0, 0],
-    [100, 0],
-    [100, 60],
-    [0, 60],
-  ],
-  [
-    [40, 20],
-    [60, 25],
-    [50, 45],
-  ],
-];
 
 /** What insertion takes from each cell, as a share of the new one. */
 function expectedWeights(diagram, window, x, y, r) {
@@ -31,10 +17,9 @@ function expectedWeights(diagram, window, x, y, r) {
   );
 }
 
-test.each([
-  ["bounds", box],
-  ["a region with a hole", withHole],
-])("weights in %s are what insertion takes, and nothing changes", (_name, window) => {
+test.each(
+  windows,
+)("weights in %s are what insertion takes, and nothing changes", (_name, window) => {
   const random = generator(51);
   for (let run = 0; run < 40; ++run) {
     const circles = Array.from({ length: 1 + Math.floor(30 * random()) }, () => [

@@ -80,14 +80,13 @@ Region* makeRegion(const Diagram&, const NumbersIn& coordinates, const NumbersIn
 /// One distance for all sites, or one for each id.
 Reach* makeReach(const Diagram&, const NumbersIn& distances, bool isById) {
   const std::vector<double> values = vectorOf<double>(distances);
-  for (const double distance : values) {
-    if (std::isnan(distance)) check(Error::kNotFinite);
-    const bool isUnlimited = distance == std::numeric_limits<double>::infinity();
-    if (!isUnlimited && !apollonius::isInRange(distance)) check(Error::kOutOfRange);
-  }
-  return allocating([&] {
-    return isById ? new Reach(std::span<const double>(values)) : new Reach(values.at(0));
+  auto reach = allocating([&] {
+    return isById ? std::make_unique<Reach>(std::span<const double>(values))
+                  : std::make_unique<Reach>(values.at(0));
   });
+  if (reach->hasNaN()) check(Error::kNotFinite);
+  if (reach->isOutOfRange()) check(Error::kOutOfRange);
+  return reach.release();
 }
 
 Portion drawRegion(const Diagram&, const Region& region) {

@@ -24,7 +24,7 @@ export interface Triangulation {
    * round): where each half-edge starts.
    */
   readonly triangles: Uint32Array;
-  /** The twin of each half-edge, in the triangle beside; -1 if there is none. */
+  /** The twin of each half-edge, in the triangle on its other side; -1 on the outer border. */
   readonly halfedges: Int32Array;
   /** As `diagram.hull()`: of the circles, not of their centres. */
   readonly hull: Uint32Array;

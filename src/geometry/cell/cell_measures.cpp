@@ -75,7 +75,7 @@ class RectangleSum {
   }
 
   void addBorder(Slot slot, Point from, Point to) {
-    sums_.addBorder(slot, from, to);
+    sums_.addBorder(slot, Conic::segment(from, to));
     onBorder_ += length(to - from);
   }
 
@@ -109,14 +109,14 @@ void addBorders(const ClippedDiagram& clippedDiagram, CellSums& sums) {
   for (std::uint32_t k = 0; k < clippedDiagram.crossingCount(); ++k) {
     const Crossing& crossing = clippedDiagram.crossing(k);
     clippedDiagram.visitBoundaryChain(crossing, [&](Point from, Point to, std::uint32_t) {
-      sums.addBorder(crossing.to, from, to);
+      sums.addBorder(crossing.to, Conic::segment(from, to));
     });
   }
   for (const Keyed& interiorRing : clippedDiagram.interiorRings()) {
     const std::span<const Point> ring = clippedDiagram.polygon().ring(interiorRing.value);
     Point at = ring.back();
     for (const Point p : ring) {
-      sums.addBorder(interiorRing.key, at, p);
+      sums.addBorder(interiorRing.key, Conic::segment(at, p));
       at = p;
     }
   }

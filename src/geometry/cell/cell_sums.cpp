@@ -26,11 +26,11 @@ void CellSums::addEdge(Slot left, Slot right, const Conic& piece, int multiplici
   addPiece(right, piece.reversed(), -beyond, multiplicity);
 }
 
-void CellSums::addBorder(Slot left, Point from, Point to) {
+void CellSums::addBorder(Slot left, const Conic& piece) {
   if (what_ == Measure::kPerimeters) {
-    sums_[left].add(length(to - from));
+    sums_[left].add(lengthOf(piece));
   } else {
-    addPiece(left, Conic::segment(from, to), 0, 1);
+    addPiece(left, piece, what_ == Measure::kAreas ? areaBeyondChord(piece) : 0, 1);
   }
 }
 

@@ -16,8 +16,8 @@ class CellSums {
 
   /// A piece between two cells, counted `multiplicity` times for the one on its left.
   void addEdge(Slot left, Slot right, const Conic& piece, int multiplicity = 1);
-  /// A piece of the border with a cell on its left.
-  void addBorder(Slot left, Point from, Point to);
+  /// A piece with a cell on its left, and none on its right.
+  void addBorder(Slot left, const Conic& piece);
 
   /// What a cell has in it, by slot: area or length.
   [[nodiscard]] double sumOf(Slot slot) const { return sums_[slot].value(); }

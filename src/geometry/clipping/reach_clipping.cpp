@@ -1,10 +1,7 @@
 #include "geometry/clipping/reach_clipping.h"
 
-#include <algorithm>
-#include <limits>
-
+#include "geometry/cell/cell_sums.h"
 #include "geometry/cell/reach_cell.h"
-#include "geometry/curve/moments.h"
 #include "geometry/draw/cubics.h"
 
 namespace apollonius::internal {
@@ -46,33 +43,12 @@ void ReachClipping::visitEdges(EdgeVisitor& visitor) const {
 }
 
 void ReachClipping::measureCells(Measure what, std::vector<double>& measures) const {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const bool isCentroid = what == Measure::kCentroids;
-  const IdPool& ids = core_.ids();
-  measures.assign((isCentroid ? 2 : 1) * ids.idLimit(), isCentroid ? kNone : 0);
+  CellSums sums(core_, box(), what);
   const auto clipper = cells(Parts::kWithArea);
-  for (Slot slot = 0; slot < ids.slots(); ++slot) {
-    if (ids.state(slot) != SiteState::kVisible) continue;
-    const Cell& cell = clipper->find(slot);
-    if (cell.partCount() == 0) continue;
-    const Point origin = cell.pieces[0].curve.p0;
-    Moments sum;
-    double perimeter = 0;
-    for (const BoundaryPiece& piece : cell.pieces) {
-      if (what == Measure::kPerimeters) {
-        perimeter += lengthOf(piece.curve);
-      } else {
-        sum.add(piece.curve, origin);
-      }
-    }
-    const std::size_t id = ids.idOf(slot);
-    if (!isCentroid) {
-      measures[id] = what == Measure::kAreas ? std::max(0.0, sum.area) : perimeter;
-    } else if (sum.area > 0) {
-      measures[2 * id] = origin.x + sum.first.x / sum.area;
-      measures[2 * id + 1] = origin.y + sum.first.y / sum.area;
-    }
+  for (Slot slot = 0; slot < core_.ids().slots(); ++slot) {
+    for (const BoundaryPiece& piece : clipper->find(slot).pieces) sums.addBorder(slot, piece.curve);
   }
+  sums.list(measures);
 }
 
 void ReachClipping::drawEdges(double tolerance, Portion& portion, Path& path) const {
