@@ -30,8 +30,7 @@ class SphericalBisector {
     const HalfAngle gap = between - half, sum = between + half;
     // cos d - cos D = 2 sin((D - |d|) / 2) sin((D + |d|) / 2), and sin D - sin |d| is the same with
     // the cosine of the second. The first is the smaller sine of the two.
-    constexpr double kClose = 0x1p-26;
-    if (gap.sine > kClose * sum.sine) {
+    if (gap.sine > kNearlyCovered * sum.sine) {
       rise_ = 2 * gap.sine * sum.sine;
       least_ = 2 * gap.sine * sum.cosine;
     } else {

@@ -94,6 +94,16 @@ struct Cap {
 
 [[nodiscard]] Cap capOf(const LonLat& centre, double weight);
 
+/// With the angle between two centres as large as the difference of the weights up to this share,
+/// one cap nearly covers the other, and rounding leaves little of what is between.
+inline constexpr double kNearlyCovered = 0x1p-26;
+/// Does one of two caps nearly cover the other?
+inline bool nearlyCovers(const Cap& a, const Cap& b) {
+  const HalfAngle between = angleBetween(a.centre, b.centre);
+  const HalfAngle half = a.weight > b.weight ? a.radius - b.radius : b.radius - a.radius;
+  return (between - half).sine <= kNearlyCovered * (between + half).sine;
+}
+
 inline HalfAngle distance(const Direction& point, const Cap& cap) {
   return angleBetween(point, cap.centre) - cap.radius;
 }

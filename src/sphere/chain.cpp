@@ -57,6 +57,19 @@ Deviation fromSegment(const Direction& from, const Direction& point, const Direc
   return {std::hypot(a.lon + along * x, a.lat + along * y), std::sqrt(square)};
 }
 
+/// Is an edge as narrow as rounding, seen from its site, and does the bisector as computed miss its
+/// vertices? So it can be where sites are close to each other, or one nearly covers another: there
+/// rounding moves vertices along the edge, and the bisector to the side.
+bool missesVertices(const Sector& sector, const Direction& centre, const Frame& frame,
+                    const Direction& first, const Direction& last) {
+  constexpr double kThin = 0x1p-16, kNear = 0x1p-20;
+  const auto isMissed = [&](double bearing, const Direction& vertex) {
+    return lengthOf(sector.bisector.at(bearing).point(centre, frame) - vertex) > kNear;
+  };
+  return sector.width < kThin &&
+         (isMissed(sector.from, first) || isMissed(sector.from + sector.width, last));
+}
+
 }  // namespace
 
 bool ChainMaker::isFollowedFrom(VertexId node, VertexId neighbor) const {
@@ -87,21 +100,30 @@ void ChainMaker::follow(VertexId node, VertexId neighbor, const Sector& sector,
   constexpr int kDeepest = 45;
   const Direction centre = diagram_.cap(node).centre, other = diagram_.cap(neighbor).centre;
   const Frame frame(centre);
-  const auto pointAt = [&](double bearing) {
-    return shown(sector.bisector.at(bearing).point(centre, frame));
-  };
   points.push_back(first);
   const bool isClosed = lengthOf(last - first) == 0;
   if (isClosed && sector.width < std::numbers::pi) return;  // without length
+  // Then the edge goes from one vertex to the other in their direction.
+  const bool isStraight = missesVertices(sector, centre, frame, first, last);
+  const double rho = angleBetween(centre, first).angle();
+  const double rise = angleBetween(centre, last).angle() - rho;
+  const auto pointAt = [&](double part) {
+    const double bearing = sector.from + part * sector.width;
+    if (!isStraight) return shown(sector.bisector.at(bearing).point(centre, frame));
+    const double x = std::cos(bearing), y = std::sin(bearing);
+    const SphericalBisector::At at = {std::cos(rho + part * rise), std::sin(rho + part * rise), x,
+                                      y, 0};
+    return shown(at.point(centre, frame));
+  };
   Direction a = first;
   // The piece under way is the one with this number of 2^depth.
   std::uint64_t number = 0;
   for (int depth = 0; number < std::uint64_t{1} << depth;) {
     const std::uint64_t pieces = std::uint64_t{1} << depth;
-    const double width = sector.width / static_cast<double>(pieces);
-    const double from = sector.from + width * static_cast<double>(number);
-    const Direction b = number + 1 == pieces ? last : pointAt(from + width);
-    const Direction middle = pointAt(from + width / 2);
+    const double part = 1 / static_cast<double>(pieces), width = part * sector.width;
+    const double from = part * static_cast<double>(number);
+    const Direction b = number + 1 == pieces ? last : pointAt(from + part);
+    const Direction middle = pointAt(from + part / 2);
     const bool isDone =
         depth == kDeepest ||
         (width < std::numbers::pi / 2 &&

@@ -53,7 +53,7 @@ ProjectedDiagram::ProjectedDiagram(const SiteTable& sites, const FlatArray<Cap>&
 }
 
 bool ProjectedDiagram::isTooRough(double loss) const {
-  return loss > 16 * std::max(kUsualLoss, loss_);
+  return loss > std::max(kMostLoss, 16 * loss_);
 }
 
 void ProjectedDiagram::reserve(std::size_t idLimit, std::size_t circles) {

@@ -38,6 +38,8 @@ class ProjectedDiagram {
   }
   /// The largest loss of a circle's accuracy (Projection::Image).
   [[nodiscard]] double loss() const { return loss_; }
+  /// Have circles lost so much that another pole should be looked for?
+  [[nodiscard]] bool isRough() const { return loss_ > kMostLoss; }
 
   [[nodiscard]] const Cap& cap(VertexId node) const {
     return node == kInfinity ? poleCap_ : caps_[slotOf(node)];
@@ -91,6 +93,7 @@ class ProjectedDiagram {
   [[nodiscard]] const char* check(const SiteTable& sites, std::uint32_t& where) const;
 
  private:
+  static constexpr double kMostLoss = 16 * kUsualLoss;
   // A place of a site: its id in the plane, or with the top bit set where it is in belowPole_.
   static constexpr std::uint32_t kBelowPole = 0x80000000u;
 

@@ -49,7 +49,11 @@ void SphericalCore::project() {
 }
 
 void SphericalCore::enter(std::span<const SiteId> ids) {
-  if (sites_.size() >= 2 * sizeAtChoice_ || !projected_.insert(sites_, ids)) project();
+  // Where no good pole was found, as of two sites of which one nearly covers the other, it may be
+  // among those that come. Tried at sizes in geometric progression, too: O(n) in all.
+  const std::size_t rougher = sizeAtChoice_ + sizeAtChoice_ / 16 + 1;
+  const std::size_t limit = projected_.isRough() ? rougher : 2 * sizeAtChoice_;
+  if (sites_.size() >= limit || !projected_.insert(sites_, ids)) project();
 }
 
 SiteId SphericalCore::insert(const SphericalSite& site) {

@@ -25,6 +25,11 @@ struct Residuals {
   double largest = 0;
 };
 
+bool hasNeedle(const std::array<const Cap*, 3>& caps) {
+  return nearlyCovers(*caps[0], *caps[1]) || nearlyCovers(*caps[1], *caps[2]) ||
+         nearlyCovers(*caps[2], *caps[0]);
+}
+
 }  // namespace
 
 SphericalVertex refined(const SphericalVertex& start, const std::array<const Cap*, 3>& caps) {
@@ -43,10 +48,10 @@ SphericalVertex refined(const SphericalVertex& start, const std::array<const Cap
     const double x1 = towards[1][0] - towards[0][0], y1 = towards[1][1] - towards[0][1];
     const double x2 = towards[2][0] - towards[0][0], y2 = towards[2][1] - towards[0][1];
     const double determinant = x1 * y2 - x2 * y1;
-    // Two directions are nearly the same where one site nearly covers another: there rounding moves
-    // the vertex farther than a step brings it.
+    // Two directions are nearly the same where two sites are close, or one nearly covers another.
+    // In the second case rounding moves the vertex farther than a step brings it.
     constexpr double kSteady = 0x1p-20;
-    if (std::abs(determinant) < kSteady) return vertex;
+    if (std::abs(determinant) < kSteady && hasNeedle(caps)) return vertex;
     const double f1 = residuals.of[1] - residuals.of[0], f2 = residuals.of[2] - residuals.of[0];
     const double a = (f1 * y2 - f2 * y1) / determinant, b = (x1 * f2 - x2 * f1) / determinant;
     if (!(std::abs(a) + std::abs(b) < 0.5)) return vertex;  // too far, or no numbers

@@ -154,6 +154,20 @@ TEST(SphericalDegenerate, AnEdgeWithoutLengthHasNoPoints) {
   EXPECT_EQ(polygons.starts.size() - 1, 4u) << "rings: a loop has been cut off";
 }
 
+// Found by sphere_fuzz: the first sites left no other pole than one that touched another site,
+// whose circle was then hidden below whatever came.
+TEST(SphericalDegenerate, ABetterPoleThatComesLaterIsTaken) {
+  SphericalSites sites(5, {-30, 15, kPi / 6});
+  sites.push_back({-30, -15, 0});
+  SphericalDiagram diagram = diagramOf(sites);
+  for (const SphericalCircle& site : SphericalSites{{-105, -90, 0}, {-30, 15, 0}, {60, 3, 0.1}}) {
+    SiteId id = kNoSite;
+    ASSERT_EQ(diagram.insert(site.lon, site.lat, site.r, id), Error::kNone);
+    sites.push_back(site);
+    expectAllInOrder(sites, diagram);
+  }
+}
+
 TEST(SphericalDegenerate, ThePoleIsNotASiteThatNearlyCoversOthers) {
   // Found by sphere_fuzz: projected from the first one, the fifth was a circle of which nothing was
   // known, and hidden below the last.
@@ -170,6 +184,20 @@ TEST(SphericalDegenerate, ThePoleIsNotASiteThatNearlyCoversOthers) {
 // its ring, and the areas added up to twice the rectangle.
 TEST(SphericalDegenerate, CutPolygonsWhereOneNearlyCoversAnother) {
   const SphericalSites sites = {{-30, 15, kPi / 6}, {-30, -15, 0}, {-180, -90, 0}};
+  CoverageArrays polygons;
+  ASSERT_EQ(diagramOf(sites).cellPolygons(0.1, true, polygons), Error::kNone);
+  EXPECT_NEAR(expectRings(polygons), 360 * 180, 1e-2);
+}
+
+// Found by sphere_fuzz: an edge between sites 10^-8 radians apart went to the wrong side of the
+// pole.
+TEST(SphericalDegenerate, CutPolygonsOfSitesOfOneLatitudeThatAreClose) {
+  const SphericalSites sites = {{96.705882316455217, 48.35294117647058, 0.765625},
+                                {112.87400724611412, 48.35294117647058, 0.765625},
+                                {96.70588235294116, -59.930398464022701, 0.765625},
+                                {96.70588235294116, 48.35294117647058, 0.765625},
+                                {96.093749999999972, 48.35294117647058, 0.765625},
+                                {179.99999999979633, 48.352941176477927, 0.765625}};
   CoverageArrays polygons;
   ASSERT_EQ(diagramOf(sites).cellPolygons(0.1, true, polygons), Error::kNone);
   EXPECT_NEAR(expectRings(polygons), 360 * 180, 1e-2);
