@@ -69,11 +69,14 @@ export function nativePlan(files) {
   );
 }
 
-/** Files of tests/web that are about a folder of web/ ("" is web/ itself). */
+/** Files of tests/web that are about a folder of web/ or web/playground/ ("": of files in it). */
 export const kTestsOfPage = {
   "": ["page", "data"],
   data: ["data", "windows"],
   examples: ["examples", "globe", "recipes"],
+  figure: ["site"],
+  figures: ["site"],
+  pages: ["site"],
   model: ["page", "defects"],
   motion: ["motion", "windows"],
   picture: ["picture", "windows"],
@@ -89,7 +92,7 @@ export function pagePlan(files) {
     if (/^tests\/web\/support\//.test(file)) return [""];
     const test = /^tests\/web\/(\w+\.test\.mjs)$/.exec(file)?.[1];
     if (test) return [test];
-    const [, folder = ""] = /^web\/(?:(\w+)\/)?/.exec(file) ?? [];
+    const [, folder = ""] = /^web\/(?:playground\/)?(?:(\w+)\/)?/.exec(file) ?? [];
     const isOfPage = file.startsWith("web/") && !file.startsWith("web/examples/cluster/");
     return isOfPage ? (kTestsOfPage[folder] ?? [""]).map((name) => `${name}.test.mjs`) : [];
   });

@@ -21,15 +21,15 @@ test("a source without a test of its name runs its folder's program, but what is
     "geometry_tests",
   ]);
   expect(Object.keys(plan("tests/support/oracle.cpp"))).toContain("predicate_tests");
-  expect(plan("src/predicate/gone.cpp", "README.md", "web/app.ts")).toEqual({});
+  expect(plan("src/predicate/gone.cpp", "README.md", "web/playground/app.ts")).toEqual({});
 });
 
 test("the page's tests are those of the folder", () => {
-  expect(pagePlan(["web/picture/view.ts"])).toEqual([
+  expect(pagePlan(["web/playground/picture/view.ts"])).toEqual([
     "tests/web/picture.test.mjs",
     "tests/web/windows.test.mjs",
   ]);
-  expect(pagePlan(["web/app.ts"])).toContain("tests/web/page.test.mjs");
+  expect(pagePlan(["web/playground/app.ts"])).toContain("tests/web/page.test.mjs");
   expect(pagePlan(["tests/web/looks.test.mjs"])).toEqual(["tests/web/looks.test.mjs"]);
   expect(pagePlan(["tests/web/support/browser.mjs"])).toEqual(["tests/web/"]);
   expect(pagePlan(["web/examples/cluster/run.mjs", "src/api/diagram.cpp"])).toEqual([]);
@@ -50,5 +50,5 @@ test("the package and the cluster example", () => {
   expect(packagePlan(["README.md"])).toEqual(["--testPathPatterns", "readme"]);
   expect(packagePlan(["src/api/diagram.cpp"])).toBeNull();
   expect(clusterPlan(["tests/cluster/tile.test.mjs"])).toBe(true);
-  expect(clusterPlan(["web/app.ts"])).toBe(false);
+  expect(clusterPlan(["web/playground/app.ts"])).toBe(false);
 });

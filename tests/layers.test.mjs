@@ -130,12 +130,28 @@ const rules = [
     ],
   },
   {
-    of: /^web\/([^/]+\/)?[^/]+\.ts$/,
+    of: /^web\/playground\/.*\.ts$/,
     may: [
       /^\.{1,2}\/(\w+\/)?\w+\.js$/,
+      /^(\.\.\/)+figure\/package\.js$/,
       /^apollonius-diagram$/,
       /^d3-dsv$/,
       /^@preact\/signals-core$/,
+    ],
+  },
+  {
+    of: /^web\/figure\/package\.ts$/,
+    may: [/^apollonius-diagram\/(wasm|apollonius\.wasm\?url)$/],
+  },
+  { of: /^web\/figure\/.*\.ts$/, may: [/^\.\/\w+\.js$/] },
+  {
+    of: /^web\/figures\/.*\.ts$/,
+    may: [
+      /^\.\/\w+\.js$/,
+      /^\.\.\/figure\/(figure|pen)\.js$/,
+      /^\.\.\/playground\/sets\/random_sets\.js$/,
+      /^apollonius-diagram(\/(sphere|treemap))?$/,
+      /^(d3-hierarchy|d3-geo|d3-delaunay|delaunator|flatbush)$/,
     ],
   },
   { of: /^web\/.*\.mjs$/, may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z][\w-]*$/] },
@@ -146,8 +162,8 @@ const rules = [
       /^\.\/[\w./]+$/,
       /^[a-z@][\w./-]*$/,
       /^\.\.\/tools\/(toolchain\/|(build|figures)\.mjs$)/,
-      /^\.\.\/\.\.\/(tools\/serve|tests\/web\/support\/storm)\.mjs$/, // the page's
-      /^\/web\/sets\/random_sets\.js$/, // in a page that is made
+      /^\.\.\/\.\.\/(tools\/serve|tests\/web\/support\/storm|tools\/build_site)\.mjs$/, // the page's
+      /^\/web\/playground\/sets\/random_sets\.js$/, // in a page that is made
     ],
   },
 ];

@@ -1,19 +1,16 @@
-// A static server for the page: node tools/serve.mjs [--port N], or PORT=N in the environment.
-// Serves the page as build_page.mjs makes it, which it does first, and again when the page's
-// modules change; web/examples and their data; dist/ and the d3 modules that the examples import.
-// On this machine only. Where the port is taken it says so, and takes the next free one. The
-// headers let the page measure microseconds (isolation) and show that the package runs under a
-// strict content security policy (which index.html states too).
+// A static server for the site: node tools/serve.mjs [--port N], or PORT=N in the environment.
+// Serves build/web/ as build_site.mjs makes it, at /web/, on this machine only. As a program it
+// builds the site first, and again when its files change. Where the port is taken it says so, and
+// takes the next free one. The headers let pages measure microseconds (isolation) and show that the
+// package runs under a strict content security policy (which the pages state too).
 import { createReadStream } from "node:fs";
 import { stat } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname, join, normalize, sep } from "node:path";
 import { pathToFileURL } from "node:url";
-import { buildPage, builtPage, watchPage } from "./build_page.mjs";
+import { builtSite, watchSite } from "./build_site.mjs";
 import { root } from "./toolchain/folders.mjs";
 
-const kServedFolders = ["examples", "data"]; // of web/, as they are
-const kServedPackages = /^d3-\w+$/; // of node_modules: what web/examples imports
 const kHost = "127.0.0.1";
 const kTypes = {
   ".html": "text/html; charset=utf-8",
@@ -32,33 +29,20 @@ const kHeaders = {
   "X-Content-Type-Options": "nosniff",
 };
 
-/** Where the file that a request is for may be, in order. */
-function filesFor(url) {
+/** The file that a request is for, and its size, if there is one. */
+async function fileFor(url) {
   let path;
   try {
     path = normalize(decodeURIComponent(new URL(url, "http://localhost").pathname));
   } catch {
-    return [];
+    return null;
   }
   const parts = path.split(sep).filter(Boolean);
-  if (parts.some((part) => part.startsWith("."))) return [];
   const [top, ...rest] = path.endsWith(sep) ? [...parts, "index.html"] : parts;
-  const asItIs = join(root, top, ...rest);
-  if (top === "web") {
-    const isOfExamples = kServedFolders.includes(rest[0]);
-    return [join(builtPage, ...rest), ...(isOfExamples ? [asItIs] : [])];
-  }
-  const isServed = top === "dist" || (top === "node_modules" && kServedPackages.test(rest[0]));
-  return isServed ? [asItIs] : [];
-}
-
-/** The first of these files that is there. */
-async function firstOf(files) {
-  for (const file of files) {
-    const found = await stat(file).catch(() => null);
-    if (found?.isFile()) return { file, size: found.size };
-  }
-  return null;
+  if (top !== "web" || parts.some((part) => part.startsWith("."))) return null;
+  const file = join(builtSite, ...rest);
+  const found = await stat(file).catch(() => null);
+  return found?.isFile() ? { file, size: found.size } : null;
 }
 
 async function answer(request, response, caching) {
@@ -68,7 +52,7 @@ async function answer(request, response, caching) {
     return refuse(405, "Only GET and HEAD.");
   if (/^\/(web)?(\?.*)?$/.test(request.url))
     return response.writeHead(302, { Location: "/web/" }).end();
-  const found = await firstOf(filesFor(request.url));
+  const found = await fileFor(request.url);
   if (!found) return refuse(404, "Not found.");
   response.writeHead(200, {
     ...kHeaders,
@@ -83,15 +67,13 @@ async function answer(request, response, caching) {
 }
 
 /**
- * Builds the page, and starts the server on the first free port from `port` on (0: any).
- * @param {{ attempts?: number, caching?: string, isWatching?: boolean }} [options] what browsers
- * are told to keep: by default nothing unasked, as files change; whether the page is built again
- * when they do
+ * Starts the server on the first free port from `port` on (0: any). The site has been built.
+ * @param {{ attempts?: number, caching?: string }} [options] what browsers are told to keep: by
+ * default nothing unasked, as files change
  * @returns {Promise<{ url: string, close(): Promise<void> }>}
  */
 export async function serve(port = 8080, options = {}) {
-  const { attempts = 50, caching = "no-cache", isWatching = false } = options;
-  const stopBuilding = await (isWatching ? watchPage() : buildPage());
+  const { attempts = 50, caching = "no-cache" } = options;
   const server = createServer((request, response) => {
     answer(request, response, caching).catch(() => response.destroy());
   });
@@ -111,7 +93,6 @@ export async function serve(port = 8080, options = {}) {
   }
   const url = `http://localhost:${server.address().port}/web/`;
   const close = async () => {
-    await stopBuilding?.();
     await new Promise((resolve) => {
       server.close(resolve);
       server.closeAllConnections();
@@ -133,7 +114,8 @@ async function main(args) {
     );
     process.exit(1);
   }
-  const { url } = await serve(port, { isWatching: true });
+  await watchSite();
+  const { url } = await serve(port);
   if (port !== 0 && new URL(url).port !== String(port)) console.log(`Port ${port} is taken.`);
   console.log(`The page is at ${url}  (Ctrl-C ends it)`);
 }

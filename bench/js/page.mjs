@@ -11,6 +11,7 @@ import { readFileSync } from "node:fs";
 import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
 import { storm } from "../../tests/web/support/storm.mjs";
+import { buildSite } from "../../tools/build_site.mjs";
 import { serve } from "../../tools/serve.mjs";
 
 const kArguments = ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"];
@@ -102,7 +103,7 @@ async function open(browser, url, isOther) {
   await page.route("**/web/other.html", (route) =>
     route.fulfill({ contentType: "text/html", body: readFileSync(otherPage) }),
   );
-  await page.goto(url + (isOther ? "other.html" : ""));
+  await page.goto(url + (isOther ? "other.html" : "playground/"));
   await page.waitForFunction(() => window.app);
   if (!isOther)
     await page.evaluate(() => {
@@ -170,6 +171,7 @@ async function endure(browser, url, seed) {
   await page.close();
 }
 
+await buildSite();
 const server = await serve(0);
 const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const browser = await chromium.launch({ executablePath, args: kArguments });

@@ -297,7 +297,7 @@ describeInBrowser("data", (open) => {
       .replace(/^import .*$/m, "")
       .replace(/^(diagram\.find.*);/m, "const found = $1;")
       .replace("const path =", "return [found, diagram.size, cells.render().length]; const path =");
-    const { Diagram } = await import("../../dist/esm/index.js");
+    const { Diagram } = await import("../lib/apollonius-diagram/index.js");
     const [found, size, length] = new Function("Diagram", body)(Diagram);
     expect(size).toBe(35);
     expect(length).toBeGreaterThan(1000);

@@ -237,7 +237,7 @@ describeInBrowser("looks", (open) => {
     expect(page.errors.filter((error) => !/icon\.svg|DISCONNECTED/.test(error))).toEqual([]);
     await closePage(page);
     await server.close();
-    const html = readFileSync(new URL("../../web/index.html", import.meta.url), "utf8");
+    const html = readFileSync(new URL("../../web/playground/index.html", import.meta.url), "utf8");
     expect(html).not.toMatch(/(?:href|src)="\//); // nothing from the root of a server
   });
 });

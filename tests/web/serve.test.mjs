@@ -118,7 +118,7 @@ test("the port comes from --port or PORT; a taken one is said, and the next one 
 });
 
 test("the security policy allows no inline script, and the page contains no such script", () => {
-  const html = readFileSync(new URL("../../web/index.html", import.meta.url), "utf8");
+  const html = readFileSync(new URL("../../web/playground/index.html", import.meta.url), "utf8");
   const policy = html.match(/content="(default-src[^"]*)"/)[1];
   expect(policy).toMatch(/script-src 'self' 'wasm-unsafe-eval';/);
   expect(policy).not.toMatch(/unsafe-(inline|eval|hashes)(?<!wasm-unsafe-eval)/);

@@ -78,7 +78,7 @@ const kFiles = {
   "commonjs.cjs": "CommonJS",
   "cloudflare_worker.js": "Cloudflare Workers",
 };
-const kSource = "https://github.com/OWNER/apollonius-diagram/blob/main/web/examples";
+const kSource = "."; // as they are served
 
 const kThumbnailTime = 1500; // ms until what moves in a card stands still
 

@@ -104,6 +104,8 @@ async function becomeReady(page, ready) {
   }
 }
 
+const pathOf = (path) => (/^(#|$)/.test(path) ? `playground/${path}` : path);
+
 const kViewport = { width: 1280, height: 800 };
 const newContext = (browser, options) =>
   browser.newContext({ viewport: kViewport, reducedMotion: "reduce", ...options });
@@ -122,7 +124,8 @@ async function sharedContext(browser, url) {
 }
 
 /**
- * `path` is below the page's folder, `ready` the global that says that the page is; `site` is
+ * `path` is below the site's folder, and without one, or with what follows "#", the playground's;
+ * `ready` the global that says that the page is; `site` is
  * another server's; `prepare` gets the page before it is opened; `isAlone`: in a process of its
  * own; other options are Playwright's. Motion is reduced, so that nothing moves by itself, unless
  * the options say otherwise.
@@ -150,7 +153,7 @@ async function openPage(browser, url, options = {}) {
       response.status() >= 400 && page.errors.push(`${response.status()}: ${response.url()}`),
   );
   await prepare?.(page);
-  await page.goto(site + path);
+  await page.goto(site + pathOf(path));
   if (ready) await becomeReady(page, ready);
   return page;
 }
@@ -161,7 +164,7 @@ async function openInFirefox(browser, url, { path = "", width = 1280, height = 8
   page.on("console", (message) => message.type() === "error" && page.errors.push(message.text()));
   page.on("pageerror", (error) => page.errors.push(String(error)));
   await page.setViewport({ width, height });
-  await page.goto(url + path);
+  await page.goto(url + pathOf(path));
   await page.waitForFunction(whenReady, { timeout: 20_000 }, "app");
   return page;
 }

@@ -1,4 +1,4 @@
-// Before the page's tests: some import modules of the page as it is built.
-import { buildPage } from "../../../tools/build_page.mjs";
+// Before the tests of the site: builds it, once. Some tests import modules of it.
+import { buildSite } from "../../../tools/build_site.mjs";
 
-export default () => buildPage();
+export default () => buildSite();

@@ -1,5 +1,5 @@
 // Puts the page together.
-import { load } from "apollonius-diagram";
+import { whenLoaded } from "../figure/package.js";
 import { App } from "./app.js";
 import { messageOf } from "./errors.js";
 import { effect } from "./model/signals.js";
@@ -83,7 +83,7 @@ function makeSwitch(weights: Weights) {
 
 /** Makes everything and shows what the address says. */
 export async function start() {
-  await load();
+  await whenLoaded();
   const canvases = {
     map: element("map"),
     lines: element("lines"),

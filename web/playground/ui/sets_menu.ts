@@ -129,7 +129,7 @@ function pictureOf(circles: Triple[]) {
 /** The same cities where distances are those on the Earth: a page of the examples. */
 function globeLink() {
   const link = document.createElement("a");
-  link.href = "examples/globe.html";
+  link.href = "../examples/globe.html";
   link.append(globePicture(), "Cities on the globe");
   return link;
 }

@@ -2,6 +2,7 @@
 // differences count, so they are made as large as they can be without overlaps; some may be
 // negative then.
 import { ApolloniusError, Diagram, type FitProgress } from "apollonius-diagram";
+import { whenLoaded } from "../../figure/package.js";
 import { messageOf } from "../errors.js";
 import type { Window } from "../model/sites.js";
 import type { Told } from "./in_worker.js";
@@ -14,8 +15,9 @@ const tell = (told: FitTold) => self.postMessage(told);
 
 const kMostSteps = 300; // cities, which crowd, take 100 to 150
 
-self.onmessage = ({ data: { xyr, window } }: MessageEvent<FitRequest>) => {
+self.onmessage = async ({ data: { xyr, window } }: MessageEvent<FitRequest>) => {
   try {
+    await whenLoaded();
     const diagram = new Diagram(xyr);
     const targets = new Uint8Array(xyr.length / 3).fill(1);
     const fitted = diagram.voronoi(window).fitAreas(targets, {

@@ -24,7 +24,7 @@ function circleOptions({ n, hidden, seed, tall }: RandomOptions): CircleOptions 
 
 /** A worker that has loaded its code. */
 function newWorker(): Promise<Worker> {
-  const worker = new Worker("sets/build_worker.js", { type: "module" });
+  const worker = new Worker(new URL("./build_worker.ts", import.meta.url), { type: "module" });
   return new Promise((resolve, reject) => {
     worker.onerror = (event) => reject(new Error(event.message || "its code cannot be loaded"));
     worker.onmessage = () => resolve(worker); // the first thing that it says

@@ -2,6 +2,7 @@
 // each message has what to make, or nothing: then what is being made is given up. The diagram is
 // built in slices, between which that is heard.
 import { Diagram } from "apollonius-diagram";
+import { whenLoaded } from "../../figure/package.js";
 import { messageOf } from "../errors.js";
 import { type CircleOptions, randomCircles } from "./random_sets.js";
 
@@ -26,7 +27,7 @@ self.onmessage = ({ data: { job, options } }: MessageEvent<Job>) => {
     tell({ kind: "failed", job, message: messageOf(error) }),
   );
 };
-tell({ kind: "ready" });
+whenLoaded().then(() => tell({ kind: "ready" }));
 
 async function make(options: CircleOptions, job: number | undefined, signal: AbortSignal) {
   const say = (what: string, share?: number) => tell({ kind: "progress", job, what, share });

@@ -11,7 +11,7 @@ type City = [string, string, number, number, number];
 
 /** What our own file holds. */
 async function fetchJson<Data>(name: string): Promise<Data> {
-  const response = await fetch(`data/${name}`);
+  const response = await fetch(`../data/${name}`);
   if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}`);
   return response.json();
 }

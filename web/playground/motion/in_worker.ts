@@ -16,14 +16,14 @@ export class WorkerError extends Error {
   }
 }
 
-/** @param script gets the request, and posts what is `Told`; resolves to the result */
+/** @param start of a worker that gets the request, and posts what is `Told`; resolves to the result */
 export async function inWorker<Result, Progress>(
-  script: string,
+  start: () => Worker,
   request: unknown,
   tell: (progress: Progress) => void,
   signal?: AbortSignal,
 ): Promise<Result> {
-  const worker = new Worker(script, { type: "module" });
+  const worker = start();
   try {
     return await new Promise((resolve, reject) => {
       signal?.addEventListener("abort", () => reject(signal.reason));

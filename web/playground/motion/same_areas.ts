@@ -24,6 +24,7 @@ const kTime = 1.2; // seconds that circles take to grow or shrink
 const kMargin = 0.03; // of the frame around circles
 const kTolerance = 1e-6; // fitAreas's own
 
+const newWorker = () => new Worker(new URL("./fit_worker.ts", import.meta.url), { type: "module" });
 const eased = (t: number) => t * t * (3 - 2 * t);
 
 export class SameAreas {
@@ -94,7 +95,7 @@ export class SameAreas {
     };
     try {
       progress?.(undefined, "Looking for the radii");
-      return await inWorker("motion/fit_worker.js", request, tell, controller.signal);
+      return await inWorker(newWorker, request, tell, controller.signal);
     } catch (error) {
       if (!(error instanceof WorkerError) || error.code !== "no-convergence") throw error;
       throw new Error(`no radii were found; areas are still off by up to ${off}`);

@@ -1,0 +1,111 @@
+// The site as it is served: build/web/ from web/, by Vite: files that any static server can hand
+// out, from any folder. dist/ must be there (build.mjs).
+//
+//   build/web/index.html, why/, …     the pages: web/pages/*.md in the layout of site/page.mjs
+//   build/web/playground/             web/playground, bundled
+//   build/web/assets/                 scripts, styles, workers, the WebAssembly, with hashes
+//   build/web/playground/sets/random_sets.js   for tests and benchmarks
+//   build/web/examples/, data/        as they are in web/: to be read and copied
+//   build/web/lib/                    what the examples import: the package, modules of d3
+//
+//   node tools/build_site.mjs         builds it once
+import { cpSync, mkdirSync, readdirSync, readFileSync } from "node:fs";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+import { pagesPlugin } from "./site/pages_plugin.mjs";
+import { root } from "./toolchain/folders.mjs";
+
+const source = path.join(root, "web");
+/** Where it goes. */
+export const builtSite = path.join(root, "build/web");
+const copied = ["examples", "data", "icon.svg"]; // of web/
+const kRandomSets = "playground/sets/random_sets";
+
+/** The d3 modules that web/examples import, by the import map of its page. */
+function librariesOfExamples() {
+  const html = readFileSync(path.join(source, "examples/index.html"), "utf8");
+  return [...html.matchAll(/"\.\.\/lib\/(d3-[\w-]+)\.mjs"/g)].map((match) => match[1]);
+}
+
+function copyTheRest() {
+  for (const name of copied)
+    cpSync(path.join(source, name), path.join(builtSite, name), { recursive: true });
+  const library = path.join(builtSite, "lib/apollonius-diagram");
+  const esm = path.join(root, "dist/esm");
+  mkdirSync(library, { recursive: true });
+  for (const name of readdirSync(esm))
+    if (name.endsWith(".js")) cpSync(path.join(esm, name), path.join(library, name));
+  for (const name of librariesOfExamples())
+    cpSync(
+      path.join(root, `node_modules/${name}/dist/${name}.mjs`),
+      path.join(builtSite, `lib/${name}.mjs`),
+    );
+}
+
+/** Vite's settings; `watch` builds again whenever a file changes. */
+async function settings({ isWatching }) {
+  const dist = path.join(root, "dist");
+  const pages = await pagesPlugin();
+  return {
+    root: source,
+    base: "./",
+    configFile: false,
+    publicDir: false,
+    logLevel: "warn",
+    resolve: {
+      alias: [
+        { find: /^apollonius-diagram(\/wasm)?$/, replacement: path.join(dist, "esm/wasm.js") },
+        { find: "apollonius-diagram/sphere", replacement: path.join(dist, "esm/sphere.js") },
+        { find: "apollonius-diagram/treemap", replacement: path.join(dist, "esm/treemap.js") },
+        {
+          find: /^apollonius-diagram\/apollonius\.wasm(?=\?)/,
+          replacement: path.join(dist, "apollonius.wasm"),
+        },
+      ],
+    },
+    worker: { format: "es" },
+    plugins: [pages, { name: "the-rest", closeBundle: copyTheRest }],
+    build: {
+      outDir: builtSite,
+      emptyOutDir: true,
+      target: "es2022",
+      sourcemap: true,
+      assetsInlineLimit: 0,
+      modulePreload: { polyfill: false },
+      watch: isWatching ? {} : null,
+      rollupOptions: {
+        input: {
+          ...pages.api.inputs,
+          playground: path.join(source, "playground/index.html"),
+          [kRandomSets]: path.join(source, `${kRandomSets}.ts`),
+        },
+        preserveEntrySignatures: "allow-extension",
+        output: {
+          entryFileNames: ({ name }) =>
+            name === kRandomSets ? "[name].js" : "assets/[name]-[hash].js",
+        },
+      },
+    },
+  };
+}
+
+/** Builds it once. */
+export async function buildSite() {
+  const { build } = await import("vite"); // not before `npm ci` may have installed it
+  await build(await settings({ isWatching: false }));
+}
+
+/** Builds it, and again whenever a file changes; resolves to a function that ends that. */
+export async function watchSite() {
+  const { build } = await import("vite");
+  const watcher = await build(await settings({ isWatching: true }));
+  await new Promise((resolve, reject) =>
+    watcher.on("event", ({ code, error }) => {
+      if (code === "END") resolve();
+      if (code === "ERROR") reject(error);
+    }),
+  );
+  return () => watcher.close();
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) await buildSite();

@@ -1,0 +1,53 @@
+// The documents of docs/ as pages of the site, below "Reference".
+import path from "node:path";
+import { root } from "../toolchain/folders.mjs";
+import { sourceOf } from "./source_address.mjs";
+
+const kDocuments = [
+  ["API.md", "api", "API", "Every call with types, errors and costs."],
+  [
+    "D3_DELAUNAY.md",
+    "d3-delaunay",
+    "From d3-delaunay",
+    "d3-delaunay and d3-geo-voronoi, name by name.",
+  ],
+  ["SNAPSHOTS.md", "snapshots", "Snapshots", "The format of toBytes() and fromBytes()."],
+  [
+    "SCALE.md",
+    "many-machines",
+    "Many machines",
+    "More circles than one memory holds, tile by tile.",
+  ],
+  ["RELIABILITY.md", "reliability", "Reliability", "What is promised, and how it is tested."],
+  ["PREDICATES.md", "predicates", "Predicates", "The mathematics, the filters and their bounds."],
+  ["PROOFS.md", "proofs", "Proofs", "Why the algorithms are right, and what they take."],
+  ["ARCHITECTURE.md", "architecture", "Architecture", "A map of the code, and its terms."],
+];
+
+const folderOf = (name) => `reference/${name}`;
+const byFile = new Map(kDocuments.map(([file, name]) => [file, folderOf(name)]));
+
+/** A link of a document, as the site has it: another page, a file served, or the source. */
+function address(target) {
+  if (/^[a-z]+:/.test(target)) return target;
+  const [relative, anchor] = target.split("#");
+  const file = path.posix.normalize(path.posix.join("docs", relative));
+  const end = anchor ? `#${anchor}` : "";
+  const page = byFile.get(path.posix.basename(file));
+  if (page && file.startsWith("docs/")) return `../../${page}/${end}`;
+  if (file === "README.md") return `../../${end}`;
+  if (file.startsWith("web/examples/")) return `../../${file.slice("web/".length)}`;
+  return sourceOf(file) ?? "#not-served";
+}
+
+/** Pages, as list.mjs has them, with the files that they are made of. */
+export const documents = () =>
+  kDocuments.map(([file, name, title, about]) => ({
+    key: name,
+    folder: folderOf(name),
+    title,
+    about,
+    group: "Reference",
+    file: path.join(root, "docs", file),
+    address,
+  }));

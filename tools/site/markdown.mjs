@@ -1,0 +1,70 @@
+// Markdown to HTML: prose, code with its colours, figures, addresses.
+//
+// A figure is a paragraph of its own, an image whose address is the figure's name and whose text is
+// its caption: ![Two circles, and where both are equally near.](figure:two_circles). Its first
+// picture, if it is the first of a page, is drawn where the site is built.
+import hljs from "highlight.js";
+import MarkdownIt from "markdown-it";
+
+const escaped = (text) => MarkdownIt().utils.escapeHtml(text);
+
+function highlight(code, language) {
+  if (!hljs.getLanguage(language)) return escaped(code);
+  return hljs.highlight(code, { language }).value;
+}
+
+const markdown = new MarkdownIt({ html: true, linkify: false, highlight });
+
+/** As GitHub names headings, so that links in documents lead there. */
+const anchorOf = (text) =>
+  text
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N}\s_-]/gu, "")
+    .trim()
+    .replace(/\s/g, "-");
+
+markdown.core.ruler.push("anchors", ({ tokens }) => {
+  const seen = new Map();
+  for (const [k, token] of tokens.entries()) {
+    if (token.type !== "heading_open") continue;
+    const anchor = anchorOf(tokens[k + 1].children.map(({ content }) => content).join(""));
+    const count = seen.get(anchor) ?? 0;
+    seen.set(anchor, count + 1);
+    token.attrSet("id", count === 0 ? anchor : `${anchor}-${count}`);
+  }
+});
+
+const kFigure = /<p><img src="figure:(\w+)" alt="([^"]*)"><\/p>/g;
+
+/** A figure before its script has come: its first picture, if it has been drawn, and its caption. */
+function figureHtml(name, caption, poster) {
+  return `<figure data-figure="${name}" id="${name}">
+<div class="stage" aria-label="${caption}">${poster ?? ""}</div>
+<figcaption>${caption}</figcaption>
+</figure>`;
+}
+
+const kCode = /<pre><code class="language-(\w+)">([\s\S]*?)<\/code><\/pre>/g;
+const codeHtml = (language, code) =>
+  `<div class="code"><pre tabindex="0"><code class="language-${language}">${code}</code></pre>` +
+  '<button type="button" class="copy">Copy</button></div>';
+
+/**
+ * @param {{ key: string, address?: (target: string) => string }} page `address` turns a link of a
+ *   document of docs/ into one of the site
+ * @param {string} text Markdown
+ * @param {Map<string, string>} posters first pictures, by the name of the figure
+ */
+export function htmlOf(page, text, posters) {
+  const html = markdown
+    .render(text)
+    .replace(kFigure, (_, name, caption) => figureHtml(name, caption, posters.get(name)))
+    .replace(kCode, (_, language, code) => codeHtml(language, code))
+    .replaceAll("<table>", '<div class="table" tabindex="0"><table>')
+    .replaceAll("</table>", "</table></div>");
+  if (!page.address) return html;
+  return html.replace(
+    /(href|src)="([^"#][^"]*)"/g,
+    (_, name, target) => `${name}="${page.address(target)}"`,
+  );
+}

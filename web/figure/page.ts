@@ -1,0 +1,68 @@
+// The script of each page of the site: starts a figure when it comes near the window, and shows its
+// source when that is asked for.
+import { make } from "./dom.js";
+import type { AnyFigure } from "./figure.js";
+import { whenLoaded } from "./package.js";
+import { FigureRunner } from "./runner.js";
+
+const kNear = "300px"; // below the window
+
+const modules = import.meta.glob<{ default: AnyFigure }>("../figures/*.ts");
+const sources = import.meta.glob<string>("../figures/*.ts", { query: "?raw", import: "default" });
+
+const runners = new Map<string, FigureRunner<unknown>>();
+
+async function start(element: HTMLElement) {
+  const name = element.dataset.figure ?? "";
+  try {
+    const [{ default: figure }] = await Promise.all([
+      modules[`../figures/${name}.ts`](),
+      whenLoaded(),
+    ]);
+    runners.set(name, new FigureRunner(element, figure, name));
+    listenToSource(element, name);
+  } catch (error) {
+    console.error(error);
+    const text = `This figure could not be started: ${error instanceof Error ? error.message : error}`;
+    element.querySelector(".stage")?.after(make("p", { className: "failed" }, text));
+    element.dataset.state = "failed";
+  }
+}
+
+function listenToSource(element: HTMLElement, name: string) {
+  const code = make("code");
+  const details = make(
+    "details",
+    { className: "source" },
+    make("summary", {}, "Source of this figure"),
+    make("pre", { tabIndex: 0 }, code),
+  );
+  details.addEventListener("toggle", async () => {
+    if (details.open) code.textContent ||= await sources[`../figures/${name}.ts`]();
+  });
+  element.append(details);
+}
+
+const near = new IntersectionObserver(
+  (entries) => {
+    for (const { target, isIntersecting } of entries) {
+      if (!isIntersecting) continue;
+      near.unobserve(target);
+      start(target as HTMLElement);
+    }
+  },
+  { rootMargin: kNear },
+);
+for (const element of document.querySelectorAll<HTMLElement>("figure[data-figure]"))
+  near.observe(element);
+
+for (const button of document.querySelectorAll<HTMLButtonElement>("button.copy"))
+  button.addEventListener("click", async () => {
+    await navigator.clipboard.writeText(
+      button.parentElement?.querySelector("code")?.textContent ?? "",
+    );
+    button.textContent = "Copied";
+  });
+
+// A handle for tests and the curious; not an interface.
+Object.assign(window, { figures: runners });

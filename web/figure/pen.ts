@@ -1,0 +1,80 @@
+// What figures draw with. The same calls draw on a canvas in the browser (canvas_pen.ts) and write
+// SVG where the site is built (svg_pen.ts), so that a page has its first picture before any script.
+
+/** Names of colours in theme.css, without the two dashes. */
+type Look = { fill?: string; stroke?: string; width?: number; dash?: readonly number[] };
+
+/** All looks of all figures: one meaning, one look, on each page. Widths are in CSS pixels. */
+export const kLooks = {
+  circle: { fill: "site-fill", stroke: "site", width: 1.5 },
+  rim: { stroke: "site", width: 1.5 },
+  hidden: { fill: "hidden-fill", stroke: "hidden", width: 1.5, dash: [4, 3] },
+  nearest: { fill: "accent-fill", stroke: "accent", width: 2.5 },
+  nearestCell: { fill: "accent-site" },
+  neighbor: { fill: "neighbor-fill", stroke: "neighbor", width: 2.5 },
+  wrong: { fill: "wrong-fill", stroke: "wrong", width: 2.5 },
+  wrongArea: { fill: "wrong-fill" },
+  ok: { fill: "ok" },
+  alarm: { fill: "wrong" },
+  edge: { stroke: "cell", width: 1.25 },
+  strongEdge: { stroke: "ink", width: 2.25 },
+  quietEdge: { stroke: "distance", width: 1 },
+  centreEdge: { stroke: "centres", width: 1.5, dash: [5, 4] },
+  centre: { fill: "ink" },
+  dual: { stroke: "dual", width: 1.5 },
+  conflict: { stroke: "wrong", width: 3 },
+  fresh: { stroke: "dual", width: 3 },
+  empty: { fill: "empty-fill", stroke: "vertex", width: 1.5 },
+  vertex: { fill: "vertex" },
+  frame: { stroke: "line", width: 1 },
+  window: { fill: "land", stroke: "coast", width: 1.5 },
+  paper: { fill: "paper" },
+  ruler: { stroke: "accent", width: 2.5 },
+  otherRuler: { stroke: "selected", width: 2.5 },
+  pointer: { stroke: "ink", width: 2 },
+  name: { fill: "ink" },
+  quiet: { fill: "quiet" },
+  bar: { fill: "site" },
+  otherBar: { fill: "centres" },
+  thirdBar: { fill: "vertex" },
+} satisfies Record<string, Look>;
+
+export type LookName = keyof typeof kLooks;
+export const lookOf = (name: LookName): Look => kLooks[name];
+
+export type Align = "start" | "middle" | "end";
+
+/** Lengths and coordinates are in units of the figure, y downwards. */
+export interface Pen {
+  readonly width: number;
+  readonly height: number;
+  /** CSS pixels of a unit. */
+  readonly scale: number;
+  circle(x: number, y: number, r: number, look: LookName): void;
+  /** `data` as in the `d` of an SVG path: what `render()` of the package gives. */
+  path(data: string, look: LookName): void;
+  line(x0: number, y0: number, x1: number, y1: number, look: LookName): void;
+  rectangle(x: number, y: number, width: number, height: number, look: LookName): void;
+  /** `size` in CSS pixels, so that text can be read on a phone too. */
+  text(text: string, x: number, y: number, look: LookName, options?: TextOptions): void;
+  /** What `draw` draws is moved by x, y and cut at the rectangle of this size there. */
+  inside(x: number, y: number, width: number, height: number, draw: () => void): void;
+  /** A colour of theme.css as red, green, blue, each from 0 to 255, for `pixels`. */
+  tone(name: string): readonly [number, number, number];
+  /** A picture of pixels in a rectangle: red, green, blue, opacity of each. Nothing in an SVG. */
+  pixels(x: number, y: number, width: number, height: number, pixels: Pixels): void;
+}
+
+export type TextOptions = { align?: Align; size?: number; isBold?: boolean };
+export type Pixels = { columns: number; rows: number; bytes: Uint8ClampedArray<ArrayBuffer> };
+
+/** A cross at the pointer. */
+export function drawPointer(pen: Pen, x: number, y: number) {
+  const arm = 8 / pen.scale;
+  pen.line(x - arm, y, x + arm, y, "pointer");
+  pen.line(x, y - arm, x, y + arm, "pointer");
+}
+
+/** A dot that looks as large at each scale; `size` is its radius in CSS pixels. */
+export const drawDot = (pen: Pen, x: number, y: number, look: LookName, size = 3) =>
+  pen.circle(x, y, size / pen.scale, look);

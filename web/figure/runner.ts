@@ -1,0 +1,239 @@
+// Lets a figure live on its page: canvas, controls, handles, pointer, touch and keyboard, the text
+// that says what is seen, light and dark, motion.
+import { CanvasPen, colorReader } from "./canvas_pen.js";
+import { makeControls } from "./controls.js";
+import { make } from "./dom.js";
+import type { Figure, Said, Size } from "./figure.js";
+import { Handles } from "./handles.js";
+import { playgroundLink } from "./playground_link.js";
+
+const kNarrow = 520; // CSS pixels
+const kCursorStep = 12; // CSS pixels that an arrow key moves the pointer by
+const kLongestStep = 0.05; // seconds between two frames, at most
+const kQuietTime = 700; // ms without a change after which a text is read aloud
+
+const reduced = matchMedia("(prefers-reduced-motion: reduce)");
+
+export class FigureRunner<State> {
+  readonly canvas = make("canvas", { ariaHidden: "true" });
+  readonly stage: HTMLElement;
+  readonly #text = make("p", { className: "said" });
+  readonly #aloud = make("p", { className: "visually-hidden", ariaLive: "polite" });
+  readonly #controls: { element: HTMLElement; update(): void };
+  readonly #handles: Handles;
+  readonly #watch: (() => void)[] = [];
+  #size: Size;
+  #isNarrow = false;
+  #scale = 1;
+  #color = colorReader();
+  #frame = 0;
+  #last = 0;
+  #isSeen = true;
+  #cursor: [number, number] | null = null;
+  #quiet = 0;
+  state: State;
+
+  /** @param element the `figure` of the page, with a `.stage` and a `figcaption` */
+  constructor(
+    readonly element: HTMLElement,
+    readonly figure: Figure<State>,
+    readonly name: string,
+  ) {
+    const stage = element.querySelector<HTMLElement>(".stage");
+    if (!stage) throw new Error(`figure ${name} has no stage`);
+    this.stage = stage;
+    this.#isNarrow = stage.clientWidth < kNarrow;
+    this.#size = this.#sizeNow();
+    this.state = figure.start(this.#size, this.#isNarrow);
+    this.#handles = new Handles(stage, () => this.#changed());
+    this.#controls = makeControls(
+      figure.controls ?? [],
+      () => this.state,
+      () => this.#changed(),
+    );
+    stage.querySelector(".poster")?.remove();
+    stage.prepend(this.canvas);
+    stage.after(this.#controls.element, this.#text, this.#aloud);
+    this.#controls.element.append(...this.#ends());
+    this.#listen();
+    this.#resize();
+    element.dataset.state = "running"; // for the style sheet and for tests
+  }
+
+  #sizeNow() {
+    return this.#isNarrow ? this.figure.size.narrow : this.figure.size.wide;
+  }
+
+  /** Reset, and the way to the playground. */
+  #ends() {
+    const reset = make("button", { type: "button", className: "reset" }, "Reset");
+    reset.addEventListener("click", () => this.restart());
+    const { circles } = this.figure;
+    if (!circles) return [reset];
+    const link = make("a", { className: "to-playground" }, "Open in the playground");
+    link.href = playgroundLink(circles(this.state));
+    const renew = () => {
+      link.href = playgroundLink(circles(this.state));
+    };
+    for (const type of ["pointerenter", "focus", "pointerdown"] as const)
+      link.addEventListener(type, renew);
+    return [reset, link];
+  }
+
+  restart() {
+    this.#cursor = null;
+    this.state = this.figure.start(this.#size, this.#isNarrow);
+    this.#changed();
+  }
+
+  #listen() {
+    const { stage } = this;
+    const sizes = new ResizeObserver(() => this.#resize());
+    sizes.observe(stage);
+    const seen = new IntersectionObserver(([entry]) => {
+      this.#isSeen = entry.isIntersecting;
+      this.#ask();
+    });
+    seen.observe(stage);
+    this.#watch.push(
+      () => sizes.disconnect(),
+      () => seen.disconnect(),
+    );
+    for (const query of ["(prefers-color-scheme: dark)", "(forced-colors: active)"])
+      matchMedia(query).addEventListener("change", () => {
+        this.#color = colorReader();
+        this.#ask();
+      });
+    const { hover, press } = this.figure;
+    if (!hover && !press) return;
+    const at = (event: PointerEvent | MouseEvent): [number, number] => {
+      const box = stage.getBoundingClientRect();
+      return [(event.clientX - box.left) / this.#scale, (event.clientY - box.top) / this.#scale];
+    };
+    if (hover) {
+      const go = (event: PointerEvent) => {
+        this.#cursor = at(event);
+        this.#hover(this.#cursor);
+      };
+      stage.addEventListener("pointermove", go);
+      stage.addEventListener("pointerdown", go);
+      stage.addEventListener("pointerleave", (event) => {
+        if (event.pointerType === "mouse") this.#hover(null); // a finger's answer stays
+      });
+      stage.addEventListener("blur", () => this.#hover(null));
+    }
+    if (press)
+      stage.addEventListener("click", (event) => {
+        if ((event.target as Element).closest(".handle")) return;
+        press(this.state, at(event));
+        this.#changed();
+      });
+    stage.tabIndex = 0;
+    stage.setAttribute("role", "application");
+    stage.addEventListener("keydown", (event) => this.#key(event));
+  }
+
+  #hover(at: [number, number] | null) {
+    this.figure.hover?.(this.state, at);
+    this.#changed();
+  }
+
+  #key(event: KeyboardEvent) {
+    if (event.target !== this.stage || event.ctrlKey || event.metaKey || event.altKey) return;
+    const step = ((event.shiftKey ? 5 : 1) * kCursorStep) / this.#scale;
+    const moves: Record<string, [number, number]> = {
+      ArrowLeft: [-step, 0],
+      ArrowRight: [step, 0],
+      ArrowUp: [0, -step],
+      ArrowDown: [0, step],
+    };
+    const move = moves[event.key];
+    const [width, height] = this.#size;
+    this.#cursor ??= [width / 2, height / 2];
+    if (move) {
+      const [x, y] = this.#cursor;
+      this.#cursor = [
+        Math.max(0, Math.min(width, x + move[0])),
+        Math.max(0, Math.min(height, y + move[1])),
+      ];
+    } else if (event.key === "Enter" || event.key === " ") {
+      this.figure.press?.(this.state, this.#cursor);
+    } else return;
+    event.preventDefault();
+    this.#hover(this.#cursor);
+  }
+
+  #resize() {
+    const width = this.stage.clientWidth;
+    if (width === 0) return;
+    const isNarrow = width < kNarrow;
+    if (isNarrow !== this.#isNarrow) {
+      this.#isNarrow = isNarrow;
+      this.#size = this.#sizeNow();
+      this.state = this.figure.start(this.#size, isNarrow);
+    }
+    this.#scale = width / this.#size[0];
+    const density = devicePixelRatio || 1;
+    const height = this.#size[1] * this.#scale;
+    this.stage.style.aspectRatio = `${this.#size[0]} / ${this.#size[1]}`;
+    this.canvas.width = Math.round(width * density);
+    this.canvas.height = Math.round(height * density);
+    this.#changed();
+    this.draw();
+  }
+
+  /** Something may have changed: draws and says it with the next frame. */
+  #changed() {
+    this.#controls.update();
+    this.#ask();
+  }
+
+  #ask() {
+    if (this.#frame === 0) this.#frame = requestAnimationFrame((now) => this.#step(now));
+  }
+
+  #step(now: number) {
+    this.#frame = 0;
+    const seconds = this.#last === 0 ? 0 : Math.min(kLongestStep, (now - this.#last) / 1000);
+    const moves = this.#isSeen && this.figure.tick?.(this.state, seconds, reduced.matches);
+    this.#last = moves ? now : 0;
+    if (moves) {
+      this.#controls.update();
+      this.#ask();
+    }
+    this.draw();
+  }
+
+  draw() {
+    const context = this.canvas.getContext("2d");
+    if (!context) return;
+    const [width, height] = this.#size;
+    const density = this.canvas.width / (width * this.#scale);
+    const pen = new CanvasPen(context, width, height, this.#scale, density, this.#color);
+    this.figure.draw(pen, this.state);
+    this.#handles.place(this.figure.handles?.(this.state) ?? [], this.#scale);
+    this.#say(this.figure.say(this.state));
+  }
+
+  #say(said: readonly Said[]) {
+    const text = said.map((part) => (typeof part === "string" ? part : part[0])).join("");
+    if (text === this.#text.textContent) return;
+    this.#text.replaceChildren(
+      ...said.map((part) =>
+        typeof part === "string" ? part : make("b", { className: `of-${part[1]}` }, part[0]),
+      ),
+    );
+    clearTimeout(this.#quiet);
+    // Only what a reader has asked for is read aloud, when it has come to rest.
+    if (!this.element.contains(document.activeElement)) return;
+    this.#quiet = window.setTimeout(() => {
+      this.#aloud.textContent = text;
+    }, kQuietTime);
+  }
+
+  /** The page does not need it any more. */
+  stop() {
+    cancelAnimationFrame(this.#frame);
+    for (const end of this.#watch) end();
+  }
+}
