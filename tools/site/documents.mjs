@@ -27,7 +27,7 @@ const kDocuments = [
 const folderOf = (name) => `reference/${name}`;
 const byFile = new Map(kDocuments.map(([file, name]) => [file, folderOf(name)]));
 
-/** A link of a document, as the site has it: another page, a file served, or the source. */
+/** A link of a document, as the site has it: another page, a file served, the source, or null. */
 function address(target) {
   if (/^[a-z]+:/.test(target)) return target;
   const [relative, anchor] = target.split("#");
@@ -36,8 +36,9 @@ function address(target) {
   const page = byFile.get(path.posix.basename(file));
   if (page && file.startsWith("docs/")) return `../../${page}/${end}`;
   if (file === "README.md") return `../../${end}`;
-  if (file.startsWith("web/examples/")) return `../../${file.slice("web/".length)}`;
-  return sourceOf(file) ?? "#not-served";
+  if (file.startsWith("web/examples/") && path.posix.extname(file))
+    return `../../${file.slice("web/".length)}`;
+  return sourceOf(file);
 }
 
 /** Pages, as list.mjs has them, with the files that they are made of. */

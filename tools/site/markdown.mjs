@@ -51,7 +51,7 @@ const codeHtml = (language, code) =>
 
 /**
  * @param {{ key: string, address?: (target: string) => string }} page `address` turns a link of a
- *   document of docs/ into one of the site
+ *   document of docs/ into one of the site, or says by null that there is nothing to lead to
  * @param {string} text Markdown
  * @param {Map<string, string>} posters first pictures, by the name of the figure
  */
@@ -60,11 +60,16 @@ export function htmlOf(page, text, posters) {
     .render(text)
     .replace(kFigure, (_, name, caption) => figureHtml(name, caption, posters.get(name)))
     .replace(kCode, (_, language, code) => codeHtml(language, code))
+    .replaceAll("<pre><code>", '<pre tabindex="0"><code>')
+    .replaceAll("<th></th>", "<td></td>")
     .replaceAll("<table>", '<div class="table" tabindex="0"><table>')
     .replaceAll("</table>", "</table></div>");
-  if (!page.address) return html;
-  return html.replace(
-    /(href|src)="([^"#][^"]*)"/g,
-    (_, name, target) => `${name}="${page.address(target)}"`,
-  );
+  const { address } = page;
+  if (!address) return html;
+  return html
+    .replace(/<a href="([^"#][^"]*)">(.*?)<\/a>/g, (_, target, text) => {
+      const href = address(target);
+      return href ? `<a href="${href}">${text}</a>` : text;
+    })
+    .replace(/<img src="([^"]+)"/g, (_, target) => `<img src="${address(target)}"`);
 }

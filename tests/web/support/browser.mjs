@@ -158,14 +158,15 @@ async function openPage(browser, url, options = {}) {
   return page;
 }
 
-async function openInFirefox(browser, url, { path = "", width = 1280, height = 800 } = {}) {
+async function openInFirefox(browser, url, options = {}) {
+  const { path = "", ready = "app", width = 1280, height = 800 } = options;
   const page = await browser.newPage();
   page.errors = [];
   page.on("console", (message) => message.type() === "error" && page.errors.push(message.text()));
   page.on("pageerror", (error) => page.errors.push(String(error)));
   await page.setViewport({ width, height });
   await page.goto(url + pathOf(path));
-  await page.waitForFunction(whenReady, { timeout: 20_000 }, "app");
+  await page.waitForFunction(whenReady, { timeout: 20_000 }, ready);
   return page;
 }
 
