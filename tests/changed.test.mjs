@@ -36,9 +36,11 @@ test("the page's tests are those of the folder", () => {
 });
 
 test("each folder of the page has its tests, and they are there", () => {
-  const folders = readdirSync(path.join(root, "web"), { withFileTypes: true })
+  const folders = ["web", "web/playground"]
+    .flatMap((folder) => readdirSync(path.join(root, folder), { withFileTypes: true }))
     .filter((entry) => entry.isDirectory())
-    .map(({ name }) => name);
+    .map(({ name }) => name)
+    .filter((name) => name !== "playground");
   expect(Object.keys(kTestsOfPage).filter(Boolean).sort()).toEqual(folders.sort());
   for (const name of Object.values(kTestsOfPage).flat())
     expect([name, existsSync(path.join(root, `tests/web/${name}.test.mjs`))]).toEqual([name, true]);

@@ -23,7 +23,7 @@ test.each(["kSmallestMagnitude", "kLargestMagnitude", "kMostSites"])("%s", (name
 test("kFinestTolerance", () => {
   const value = constantOf("src/apollonius/spherical_diagram.h", "kFinestTolerance");
   expect(value).toBeGreaterThan(0);
-  expect(constantOf("wasm/package/spherical_arguments.ts", "kFinestTolerance")).toBe(value);
+  expect(constantOf("wasm/package/sphere/spherical_arguments.ts", "kFinestTolerance")).toBe(value);
 });
 
 test("drawing commands", () => {

@@ -109,15 +109,30 @@ const rules = [
   },
   {
     of: /^wasm\/package\/sphere\.ts$/,
-    may: [/^\.\/[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/sphere\.wasm$/],
+    may: [/^\.\/(sphere\/)?[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/sphere\.wasm$/],
   },
   {
     of: /^wasm\/package\/sphere_edge\.ts$/,
-    may: [/^\.\/[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/sphere\.wasm\?module$/],
+    may: [/^\.\/(sphere\/)?[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/sphere\.wasm\?module$/],
+  },
+  {
+    of: /^wasm\/package\/(voronoi|sphere)\/\w+\.ts$/,
+    may: [
+      /^\.{1,2}\/\w+\.js$/,
+      /^\.\.\/voronoi\/geojson\.js$/,
+      /^\.\.\/\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/,
+    ],
+  },
+  {
+    of: /^wasm\/package\/treemap\/\w+\.ts$/,
+    may: [/^\.{1,2}\/\w+\.js$/, /^\.\.\/voronoi\/\w+\.js$/],
   },
   {
     of: /^wasm\/package\/[\w.]+\.ts$/,
-    may: [/^\.\/[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/],
+    may: [
+      /^\.\/((voronoi|sphere|treemap)\/)?[\w.]+$/,
+      /^\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/,
+    ],
   },
   {
     of: /^web\/examples\/.*\.js$/,
@@ -162,7 +177,7 @@ const rules = [
       /^\.\/[\w./]+$/,
       /^[a-z@][\w./-]*$/,
       /^\.\.\/tools\/(toolchain\/|(build|figures)\.mjs$)/,
-      /^\.\.\/\.\.\/(tools\/serve|tests\/web\/support\/storm|tools\/build_site)\.mjs$/, // the page's
+      /^\.\.\/\.\.\/(tools\/(serve|build_site)|tests\/web\/support\/storm)\.mjs$/, // the page's
       /^\/web\/playground\/sets\/random_sets\.js$/, // in a page that is made
     ],
   },

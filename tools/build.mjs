@@ -154,8 +154,8 @@ const scriptTag = {
 const errorsApart = {
   name: "errors-apart",
   setup(build) {
-    const file = "./errors.js";
-    build.onResolve({ filter: /^\.\/errors\.js$/ }, ({ namespace }) =>
+    const file = "./errors.js"; // as the bundles see it, whatever folder asks
+    build.onResolve({ filter: /^\.{1,2}\/errors\.js$/ }, ({ namespace }) =>
       namespace === "errors" ? { path: file, external: true } : { path: file, namespace: "errors" },
     );
     build.onResolve({ filter: /^\.\/(embedded|wasm)\.js$/ }, ({ path: file }) => ({
@@ -172,8 +172,8 @@ const errorsApart = {
 const fromDefaultEntry = {
   name: "from-default-entry",
   setup(build) {
-    build.onResolve({ filter: /^\.\/(diagram|errors|module)\.js$/ }, ({ path: file }) => ({
-      path: file,
+    build.onResolve({ filter: /^\.{1,2}\/(diagram|errors|module)\.js$/ }, ({ path: file }) => ({
+      path: path.basename(file),
       namespace: "default-entry",
     }));
     build.onResolve({ filter: /^apollonius-diagram$/ }, ({ path: name }) => ({
@@ -232,7 +232,8 @@ function publicDeclarations() {
     if (reached.has(name)) return;
     reached.add(name);
     const text = readFileSync(path.join(types, name), "utf8");
-    for (const [, module] of text.matchAll(/from "\.\/(.*?)\.js"/g)) visit(`${module}.d.ts`);
+    for (const [, module] of text.matchAll(/from "(\.{1,2}\/.*?)\.js"/g))
+      visit(path.join(path.dirname(name), `${module}.d.ts`));
   };
   for (const entry of [...entries, "sphere", ...treemaps]) visit(`${entry}.d.ts`);
   return [...reached];
@@ -241,7 +242,7 @@ function publicDeclarations() {
 /** A fingerprint of all that dist/ is made from. */
 function fingerprint(built) {
   const inputs = [
-    ...readdirSync(sources)
+    ...readdirSync(sources, { recursive: true })
       .filter((name) => /\.(ts|mjs|json)$/.test(name))
       .map((name) => path.join(sources, name)),
     fileURLToPath(import.meta.url),

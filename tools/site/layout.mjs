@@ -12,21 +12,27 @@ const linkTo = (root, page) => `${root}${page.folder === "" ? "" : `${page.folde
 
 function navigation(page, pages) {
   const root = rootOf(page);
-  const link = (other) =>
-    `<a href="${linkTo(root, other)}"${other === page ? ' aria-current="page"' : ""}>${escaped(other.title)}</a>`;
-  const group = (name) =>
-    pages
-      .filter((other) => other.group === name)
-      .map((other) => `<li>${link(other)}</li>`)
-      .join("");
+  const link = (other) => {
+    const current = other === page ? ' aria-current="page"' : "";
+    return `<a href="${linkTo(root, other)}"${current}>${escaped(other.title)}</a>`;
+  };
+  const group = (name) => {
+    const items = pages.filter((other) => other.group === name);
+    const current = page.group === name ? " data-current" : "";
+    return `<details class="group"${current}>
+<summary>${name}</summary>
+<ul>${items.map((other) => `<li>${link(other)}</li>`).join("")}</ul>
+</details>`;
+  };
   const single = (key) => link(pages.find((other) => other.key === key));
-  const isIn = (name) => (page.group === name ? " data-current" : "");
   return `<header class="bar">
-<a class="brand" href="${root}"><img src="${root}icon.svg" alt="" width="24" height="24">Apollonius diagram</a>
+<a class="brand" href="${root}">
+<img src="${root}icon.svg" alt="" width="24" height="24">Apollonius diagram
+</a>
 <nav aria-label="Site">
-<details class="group"${isIn("Explained")}><summary>Explained</summary><ol>${group("Explained")}</ol></details>
+${group("Explained")}
 ${single("recipes")}
-<details class="group"${isIn("Reference")}><summary>Reference</summary><ul>${group("Reference")}</ul></details>
+${group("Reference")}
 <a href="${root}examples/">Examples</a>
 <a class="primary" href="${root}playground/">Playground</a>
 </nav>
@@ -43,7 +49,10 @@ function neighbors(page, pages) {
     other
       ? `<a href="${linkTo(root, other)}"><small>${word}</small>${escaped(other.title)}</a>`
       : "<span></span>";
-  return `<nav class="neighbors" aria-label="Next page">${link(series[at - 1], "Before")}${link(series[at + 1], "Next")}</nav>`;
+  return `<nav class="neighbors" aria-label="Next page">
+${link(series[at - 1], "Before")}
+${link(series[at + 1], "Next")}
+</nav>`;
 }
 
 /** @param {string} body HTML of the page */

@@ -10,7 +10,8 @@ export const kPages = [
     folder: "",
     title: "Apollonius diagram",
     about:
-      "The nearest circle, not the nearest centre: exact Voronoi diagrams of circles for JavaScript.",
+      "The nearest circle, not the nearest centre: " +
+      "exact Voronoi diagrams of circles for JavaScript.",
   },
   {
     key: "why",

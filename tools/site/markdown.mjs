@@ -36,7 +36,7 @@ markdown.core.ruler.push("anchors", ({ tokens }) => {
 
 const kFigure = /<p><img src="figure:(\w+)" alt="([^"]*)"><\/p>/g;
 
-/** A figure before its script has come: its first picture, if it has been drawn, and its caption. */
+/** A figure before its script has come: its first picture, if there is one, and its caption. */
 function figureHtml(name, caption, poster) {
   return `<figure data-figure="${name}" id="${name}">
 <div class="stage" aria-label="${caption}">${poster ?? ""}</div>

@@ -53,13 +53,13 @@ export type {
   VoronoiWindow,
 } from "./types.js";
 export { ApolloniusError, type ErrorCode } from "./errors.js";
-export type { CellsCollection, GeoJSONOptions } from "./geojson.js";
+export type { CellsCollection, GeoJSONOptions } from "./voronoi/geojson.js";
 export type { DrawOptions, DualOptions, PathContext } from "./path.js";
 export type { Triangulation } from "./triangulation.js";
-export { Voronoi } from "./voronoi.js";
+export { Voronoi } from "./voronoi/voronoi.js";
 
-export type { GeoJSONRegion, Region, Ring } from "./region.js";
-export { curvePoint, curveTangent } from "./curves.js";
+export type { GeoJSONRegion, Region, Ring } from "./voronoi/region.js";
+export { curvePoint, curveTangent } from "./voronoi/curves.js";
 
 /**
  * How often each stage of the predicates has answered, for all diagrams since the module began

@@ -19,14 +19,14 @@ import {
 } from "./lifetime.js";
 import { build } from "./building.js";
 import { kInspect, listed, showContent, summary } from "./inspection.js";
-import { drawDual, drawWhole } from "./drawing.js";
+import { drawDual, drawWhole } from "./voronoi/drawing.js";
 import * as edits from "./edits.js";
 import { ApolloniusError } from "./errors.js";
 import type { Filters } from "./filters.js";
 import { kModule, type NativeDiagram, runningModule, setSphereSource } from "./module.js";
 import type { DrawOptions, DualOptions, PathContext } from "./path.js";
 import * as queries from "./queries.js";
-import type { Region } from "./region.js";
+import type { Region } from "./voronoi/region.js";
 import { type Triangulation, triangulationOf } from "./triangulation.js";
 import type {
   Bounds,
@@ -44,7 +44,7 @@ import type {
   Vertices,
   VoronoiOptions,
 } from "./types.js";
-import { Voronoi } from "./voronoi.js";
+import { Voronoi } from "./voronoi/voronoi.js";
 
 /**
  * The additively weighted Voronoi diagram of circles: exact and fully dynamic.

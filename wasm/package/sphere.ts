@@ -4,7 +4,7 @@ import { swaps, text } from "../../build/wasm/sphere.wasm";
 import { setSphereSource } from "./module.js";
 import { bytesOf } from "./wasm_text.js";
 
-export * from "./sphere_api.js";
+export * from "./sphere/sphere_api.js";
 
 let compiled: WebAssembly.Module | undefined;
 setSphereSource(() => (compiled ??= new WebAssembly.Module(bytesOf(text, swaps))));

@@ -2,6 +2,6 @@
 import compiled from "../../build/wasm/sphere.wasm?module";
 import { setSphereSource } from "./module.js";
 
-export * from "./sphere_api.js";
+export * from "./sphere/sphere_api.js";
 
 setSphereSource(() => compiled);

@@ -23,7 +23,8 @@ async function start(element: HTMLElement) {
     listenToSource(element, name);
   } catch (error) {
     console.error(error);
-    const text = `This figure could not be started: ${error instanceof Error ? error.message : error}`;
+    const reason = error instanceof Error ? error.message : error;
+    const text = `This figure could not be started: ${reason}`;
     element.querySelector(".stage")?.after(make("p", { className: "failed" }, text));
     element.dataset.state = "failed";
   }

@@ -55,7 +55,8 @@ export class SvgPen implements Pen {
   inside(x: number, y: number, width: number, height: number, draw: () => void) {
     const clip = `${this.name}-${++this.#clips}`;
     this.#parts.push(
-      `<clipPath id="${clip}"><rect width="${number(width)}" height="${number(height)}"/></clipPath>` +
+      `<clipPath id="${clip}">` +
+        `<rect width="${number(width)}" height="${number(height)}"/></clipPath>` +
         `<g transform="translate(${number(x)} ${number(y)})"><g clip-path="url(#${clip})">`,
     );
     draw();

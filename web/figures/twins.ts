@@ -24,7 +24,7 @@ type State = {
 
 const windowOf = (): [number, number, number, number] => [0, 0, kSide, kSide];
 
-/** Where the picks differ: their share, and the worst place, inside one circle and another picked. */
+/** Where the picks differ: their share, and the worst place: in one circle, another one picked. */
 function compare(centres: Diagram, circles: Diagram) {
   const places: number[] = [];
   for (let y = kStep / 2; y < kSide; y += kStep)

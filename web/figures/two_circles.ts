@@ -14,7 +14,7 @@ const inside = (value: number, most: number) => Math.max(8, Math.min(most - 8, v
 const diagramOf = ({ circles }: State) =>
   new Diagram(Float64Array.from(circles.flatMap(({ x, y, r }) => [x, y, r])));
 
-/** The place on the boundary, seen from the smaller circle in the direction `along`; null if none. */
+/** The place on the boundary that the smaller circle sees in direction `along`; null if none. */
 function placeOf({ circles, along }: State): Point | null {
   const [small, large] = circles[0].r < circles[1].r ? circles : [circles[1], circles[0]];
   const [dx, dy] = [large.x - small.x, large.y - small.y];

@@ -1,5 +1,5 @@
 // Polygons as windows: their measures, what is inside, frames to compute in.
-import type { Outline, Rings } from "./treemap_outline.js";
+import type { Outline, Rings } from "./outline.js";
 
 /**
  * A place and a scale, a power of two: of what has the coordinates (x, y) in it at x0 + scale x.

@@ -6,8 +6,8 @@ import {
   isSiteId,
   unknownSite,
   checkOptions,
-} from "./arguments.js";
-import type { CellMoments } from "../../build/wasm/apollonius.mjs";
+} from "../arguments.js";
+import type { CellMoments } from "../../../build/wasm/apollonius.mjs";
 import {
   Ballast,
   createReach,
@@ -15,22 +15,22 @@ import {
   destroy,
   nativeOf,
   wrongReceiver,
-} from "./lifetime.js";
+} from "../lifetime.js";
 import { cellPaths } from "./cell_paths.js";
 import { joined, measuresOf, partsOf, type Rings } from "./cell_shapes.js";
-import type { Diagram } from "./diagram.js";
+import type { Diagram } from "../diagram.js";
 import { distanceOf, reaches } from "./distances.js";
 import { drawBounds, drawInto, type NativeWindow } from "./drawing.js";
 import { emptyCircles } from "./empty_circles.js";
-import { ApolloniusError } from "./errors.js";
+import { ApolloniusError } from "../errors.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
 import { type CellsCollection, collectionOf, type GeoJSONOptions } from "./geojson.js";
-import type { NativeDiagram, NativeReach, NativeRegion } from "./module.js";
-import { type DrawOptions, drawn, type PathContext, play } from "./path.js";
+import type { NativeDiagram, NativeReach, NativeRegion } from "../module.js";
+import { type DrawOptions, drawn, type PathContext, play } from "../path.js";
 import { checkedProjection, readWindow, unprojected } from "./projection.js";
 import type { Region } from "./region.js";
 import { naturalWeights } from "./natural_neighbors.js";
-import { ofSite } from "./native_errors.js";
+import { ofSite } from "../native_errors.js";
 import type {
   AreaTargets,
   AsyncFitOptions,
@@ -52,7 +52,7 @@ import type {
   Projection,
   VoronoiOptions,
   VoronoiWindow,
-} from "./types.js";
+} from "../types.js";
 import { windowOf } from "./window.js";
 
 // A region has a note for each face of the diagram: ten bytes a site, where Ballast counts 162.

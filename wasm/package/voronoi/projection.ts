@@ -3,11 +3,11 @@
 // Straight lines of the plane and of longitude and latitude are different
 // lines. So sides are halved until they are the same up to a tolerance in the plane, the same
 // way in both directions, so that neighbours keep their points in common.
-import type { CoverageArrays } from "../../build/wasm/apollonius.mjs";
-import { checkedBounds, described } from "./arguments.js";
-import { ApolloniusError } from "./errors.js";
+import type { CoverageArrays } from "../../../build/wasm/apollonius.mjs";
+import { checkedBounds, described } from "../arguments.js";
+import { ApolloniusError } from "../errors.js";
 import { checkedRings, type FlatRings, isRegion, readOnce } from "./region.js";
-import type { Position, Projection } from "./types.js";
+import type { Position, Projection } from "../types.js";
 
 const kDeepest = 16; // halvings of a side
 const kShare = 2 ** -13; // of a window's diagonal, what its sides may be off

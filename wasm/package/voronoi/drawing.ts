@@ -1,14 +1,14 @@
 // Drawings of the library's, played into whatever can draw.
-import type { MainModule } from "../../build/wasm/apollonius.mjs";
-import { checkedBounds, checkedTolerance, checkOptions } from "./arguments.js";
+import type { MainModule } from "../../../build/wasm/apollonius.mjs";
+import { checkedBounds, checkedTolerance, checkOptions } from "../arguments.js";
 import {
   type NativeDiagram,
   type NativeReach,
   type NativeRegion,
   runningModule,
-} from "./module.js";
-import { type DrawOptions, type DualOptions, drawn, type PathContext, play } from "./path.js";
-import type { Bounds } from "./types.js";
+} from "../module.js";
+import { type DrawOptions, type DualOptions, drawn, type PathContext, play } from "../path.js";
+import type { Bounds } from "../types.js";
 
 /** What the library can draw. */
 export type Drawing = keyof MainModule["Drawing"];

@@ -1,8 +1,8 @@
 // Cells as GeoJSON (RFC 7946).
-import type { CoverageArrays } from "../../build/wasm/apollonius.mjs";
-import { checkedChoice, described, checkOptions } from "./arguments.js";
-import { ApolloniusError } from "./errors.js";
-import type { Position } from "./types.js";
+import type { CoverageArrays } from "../../../build/wasm/apollonius.mjs";
+import { checkedChoice, described, checkOptions } from "../arguments.js";
+import { ApolloniusError } from "../errors.js";
+import type { Position } from "../types.js";
 
 /** Options of `toGeoJSON`. */
 export interface GeoJSONOptions<Properties> {

@@ -1,6 +1,6 @@
 // Windows of any shape, as callers give them: rings of points, flat rings, GeoJSON.
-import { described, isArrayLike, numberError, plainView } from "./arguments.js";
-import { ApolloniusError } from "./errors.js";
+import { described, isArrayLike, numberError, plainView } from "../arguments.js";
+import { ApolloniusError } from "../errors.js";
 
 /** A point; further numbers (heights) are ignored. */
 type Point = ArrayLike<number>;

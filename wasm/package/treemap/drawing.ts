@@ -1,8 +1,8 @@
 // Drawing of outlines: conics as cubic Bezier curves.
-import type { DrawOptions, PathContext } from "./path.js";
-import { drawn } from "./path.js";
-import type { Outline } from "./treemap_outline.js";
-import type { Frame } from "./treemap_rings.js";
+import type { DrawOptions, PathContext } from "../path.js";
+import { drawn } from "../path.js";
+import type { Outline } from "./outline.js";
+import type { Frame } from "./rings.js";
 
 /** A conic this near a parabola is within 1e-5 of its height of one cubic curve. */
 const kNearParabola = 0.05;

@@ -1,7 +1,7 @@
 // What the library says of a cell, in the form that callers get.
-import type { CellMeasures, RingArrays } from "../../build/wasm/apollonius.mjs";
+import type { CellMeasures, RingArrays } from "../../../build/wasm/apollonius.mjs";
 import { positionsOf } from "./geojson.js";
-import type { CellPart, CellRing, Measures } from "./types.js";
+import type { CellPart, CellRing, Measures } from "../types.js";
 
 /** The rings of a cell, one after the other, and what they become. */
 export interface Rings extends RingArrays {

@@ -7,20 +7,20 @@ import {
   described,
   numberError,
   checkOptions,
-} from "./arguments.js";
-import { Slices } from "./building.js";
-import { checkLength, numbersById } from "./by_id.js";
+} from "../arguments.js";
+import { Slices } from "../building.js";
+import { checkLength, numbersById } from "../by_id.js";
 import type { NativeWindow } from "./drawing.js";
-import { ApolloniusError } from "./errors.js";
-import type { Fitting, NativeDiagram } from "./module.js";
-import { ofElements } from "./native_errors.js";
+import { ApolloniusError } from "../errors.js";
+import type { Fitting, NativeDiagram } from "../module.js";
+import { ofElements } from "../native_errors.js";
 import type {
   AreaTargets,
   AsyncFitOptions,
   FitOptions,
   FitProgress,
   FittedAreas,
-} from "./types.js";
+} from "../types.js";
 
 const kOptions = ["tolerance", "maxIterations", "strict", "start", "onIteration"];
 

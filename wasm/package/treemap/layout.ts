@@ -1,16 +1,16 @@
 // `treemap()`: its methods, and the layout made at once or in slices.
-import { checkedChoice, checkedCount, checkNumber, checkOptions, described } from "./arguments.js";
-import { Slices } from "./building.js";
-import { ApolloniusError } from "./errors.js";
-import type { Cell } from "./treemap_cells.js";
-import { drawOutline } from "./treemap_drawing.js";
-import type { Request } from "./treemap_fit.js";
-import { layOut } from "./treemap_groups.js";
-import { joined } from "./treemap_rings.js";
-import { type Input, nodesOf, type Settings, valuesOf } from "./treemap_settings.js";
-import type { Treemap, TreemapCell, TreemapOptions } from "./treemap_types.js";
-import type { DrawOptions, PathContext } from "./path.js";
-import type { FittedAreas } from "./types.js";
+import { checkedChoice, checkedCount, checkNumber, checkOptions, described } from "../arguments.js";
+import { Slices } from "../building.js";
+import { ApolloniusError } from "../errors.js";
+import type { Cell } from "./cells.js";
+import { drawOutline } from "./drawing.js";
+import type { Request } from "./fit.js";
+import { layOut } from "./groups.js";
+import { joined } from "./rings.js";
+import { type Input, nodesOf, type Settings, valuesOf } from "./settings.js";
+import type { Treemap, TreemapCell, TreemapOptions } from "./types.js";
+import type { DrawOptions, PathContext } from "../path.js";
+import type { FittedAreas } from "../types.js";
 
 /** What is begun: nodes, values, and the work on their cells. */
 function begin(root: Input, settings: Settings) {

@@ -1,12 +1,18 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import type { Accessor, Items } from "./accessors.js";
-import { checkedBytes, checkedIds, checkOptions, checkWholeNumber, isSiteId } from "./arguments.js";
-import { ApolloniusError } from "./errors.js";
-import type { Filters } from "./filters.js";
-import { kInspect, showContent, summary } from "./inspection.js";
-import { Ballast, createSpherical, destroy, fillOrDispose, wrongReceiver } from "./lifetime.js";
-import type { NativeSphericalDiagram } from "./module.js";
-import { validate } from "./queries.js";
+import type { Accessor, Items } from "../accessors.js";
+import {
+  checkedBytes,
+  checkedIds,
+  checkOptions,
+  checkWholeNumber,
+  isSiteId,
+} from "../arguments.js";
+import { ApolloniusError } from "../errors.js";
+import type { Filters } from "../filters.js";
+import { kInspect, showContent, summary } from "../inspection.js";
+import { Ballast, createSpherical, destroy, fillOrDispose, wrongReceiver } from "../lifetime.js";
+import type { NativeSphericalDiagram } from "../module.js";
+import { validate } from "../queries.js";
 import {
   accessorsAndOptions,
   checkedRadius,
@@ -46,7 +52,7 @@ import type {
   FindManyArguments,
   NearbyOptions,
   Position,
-} from "./types.js";
+} from "../types.js";
 
 /** The native diagram; "busy" for a call that `changes` it while a filter runs. */
 let living: (diagram: unknown, changes?: boolean) => NativeSphericalDiagram;

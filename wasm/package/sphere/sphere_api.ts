@@ -1,5 +1,5 @@
 // What both variants of the entry `apollonius-diagram/sphere` export.
-export { ApolloniusError, type ErrorCode } from "./errors.js";
+export { ApolloniusError, type ErrorCode } from "../errors.js";
 export { SphericalDiagram } from "./spherical_diagram.js";
 export type {
   GeoJSONPoint,
@@ -13,7 +13,7 @@ export type {
   SphericalSites,
   SphericalVertices,
 } from "./spherical_types.js";
-export type { Accessor, Items } from "./accessors.js";
+export type { Accessor, Items } from "../accessors.js";
 export type {
   Edges,
   FilterOptions,
@@ -21,4 +21,4 @@ export type {
   NearbyFilter,
   NearbyOptions,
   Position,
-} from "./types.js";
+} from "../types.js";

@@ -1,10 +1,10 @@
 // How far the cells of a view reach, as callers give it.
-import { checkNumber } from "./arguments.js";
-import { numbersById } from "./by_id.js";
-import type { Diagram } from "./diagram.js";
-import { ApolloniusError } from "./errors.js";
-import type { NativeDiagram } from "./module.js";
-import type { VoronoiOptions } from "./types.js";
+import { checkNumber } from "../arguments.js";
+import { numbersById } from "../by_id.js";
+import type { Diagram } from "../diagram.js";
+import { ApolloniusError } from "../errors.js";
+import type { NativeDiagram } from "../module.js";
+import type { VoronoiOptions } from "../types.js";
 
 /** Infinity, where cells end nowhere but at others. */
 export function distanceOf(

@@ -1,7 +1,7 @@
 // Curves in numbers: places and directions on the rational quadratic curves of `edgeCurves` and
 // `cellCurves`.
-import { described } from "./arguments.js";
-import { ApolloniusError } from "./errors.js";
+import { described } from "../arguments.js";
+import { ApolloniusError } from "../errors.js";
 
 /**
  * The point of curve `k` at a parameter from 0 (its start) to 1. Along a straight segment (w = 0),

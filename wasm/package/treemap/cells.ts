@@ -1,9 +1,9 @@
 // Cells of nodes while a treemap is made, each in a frame of its own: so areas of small cells deep
 // down are as exact as those of large ones.
-import { ApolloniusError } from "./errors.js";
-import { Diagram } from "./diagram.js";
-import { inset } from "./treemap_inset.js";
-import { circle, type Outline, outlineOf, polygonOf, type Rings } from "./treemap_outline.js";
+import { ApolloniusError } from "../errors.js";
+import { Diagram } from "../diagram.js";
+import { inset } from "./inset.js";
+import { circle, type Outline, outlineOf, polygonOf, type Rings } from "./outline.js";
 import {
   boxOf,
   composed,
@@ -12,11 +12,11 @@ import {
   frameOf,
   momentsOf,
   movedInto,
-} from "./treemap_rings.js";
-import type { Disc, TreemapFit, TreemapShape } from "./treemap_types.js";
-import { numberError } from "./arguments.js";
-import type { Site } from "./types.js";
-import type { Voronoi } from "./voronoi.js";
+} from "./rings.js";
+import type { Disc, TreemapFit, TreemapShape } from "./types.js";
+import { numberError } from "../arguments.js";
+import type { Site } from "../types.js";
+import type { Voronoi } from "../voronoi/voronoi.js";
 
 /** Of the shape's diagonal, and of the root of the smaller area along a curve. */
 const kToleranceOfShape = 2 ** -13;

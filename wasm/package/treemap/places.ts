@@ -1,6 +1,6 @@
 // Places for the sites of siblings in their window: spread by value, seeded.
-import { boxOf, crossingsAt, isInside } from "./treemap_rings.js";
-import type { Rings } from "./treemap_outline.js";
+import { boxOf, crossingsAt, isInside } from "./rings.js";
+import type { Rings } from "./outline.js";
 
 const kSamplesOfSite = 16;
 const kMostSamples = 30_000; // if there are fewer sites than these

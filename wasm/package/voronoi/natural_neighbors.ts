@@ -1,11 +1,11 @@
 // Natural neighbours: what a new site would take from the cells of others. Inside the new cell only
 // those sites matter from which it takes something. So a diagram of these alone, with the new site
 // and without it, says what is taken from each.
-import type { Conflict } from "../../build/wasm/apollonius.mjs";
+import type { Conflict } from "../../../build/wasm/apollonius.mjs";
 import type { NativeWindow } from "./drawing.js";
-import { checkTypes, ofNumbers } from "./native_errors.js";
-import { type NativeDiagram, runningModule } from "./module.js";
-import type { NaturalWeights } from "./types.js";
+import { checkTypes, ofNumbers } from "../native_errors.js";
+import { type NativeDiagram, runningModule } from "../module.js";
+import type { NaturalWeights } from "../types.js";
 
 const kOfCurve = 7; // numbers: from, control point, weight, to
 

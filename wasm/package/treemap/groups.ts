@@ -1,11 +1,11 @@
 // The cells of a whole tree: groups of siblings, one after the other, each in the cell of its
 // parent.
-import { Diagram } from "./diagram.js";
-import { ApolloniusError } from "./errors.js";
-import { type Cell, cellsIn, onlyCell, rootCell, type Window, windowOf } from "./treemap_cells.js";
-import { circlesOf, fitted, type Limits, type Start, type Work } from "./treemap_fit.js";
-import { randomOf, settled, spread } from "./treemap_places.js";
-import { isInside, momentsOf } from "./treemap_rings.js";
+import { Diagram } from "../diagram.js";
+import { ApolloniusError } from "../errors.js";
+import { type Cell, cellsIn, onlyCell, rootCell, type Window, windowOf } from "./cells.js";
+import { circlesOf, fitted, type Limits, type Start, type Work } from "./fit.js";
+import { randomOf, settled, spread } from "./places.js";
+import { isInside, momentsOf } from "./rings.js";
 import {
   childrenOf,
   type Input,
@@ -14,7 +14,7 @@ import {
   positionOf,
   type Settings,
   usualKey,
-} from "./treemap_settings.js";
+} from "./settings.js";
 
 /** Of the areas that all levels together may be off by. */
 const kError = 5e-7;

@@ -1,8 +1,8 @@
 // What a treemap is told, and what it reads of a tree before anything is laid out.
-import { described, numberError } from "./arguments.js";
-import { ApolloniusError } from "./errors.js";
-import type { Position } from "./types.js";
-import type { TreemapCell, TreemapInput, TreemapShape } from "./treemap_types.js";
+import { described, numberError } from "../arguments.js";
+import { ApolloniusError } from "../errors.js";
+import type { Position } from "../types.js";
+import type { TreemapCell, TreemapInput, TreemapShape } from "./types.js";
 
 /** A node of any data, and what a treemap has given it, if it has. */
 export type Input = TreemapInput<unknown> & Partial<TreemapCell>;

@@ -1,6 +1,6 @@
 // Argument checks of the sphere, and items as sites. The library checks the same numbers and cannot
 // say which one is wrong.
-import type { Accessor, Items } from "./accessors.js";
+import type { Accessor, Items } from "../accessors.js";
 import {
   allocated,
   checkedNumbers,
@@ -10,8 +10,8 @@ import {
   detachedArray,
   isArrayLike,
   isDetached,
-} from "./arguments.js";
-import { ApolloniusError } from "./errors.js";
+} from "../arguments.js";
+import { ApolloniusError } from "../errors.js";
 
 function notFinite(name: string, value: unknown): ApolloniusError {
   return new ApolloniusError(

@@ -7,8 +7,8 @@ import {
   checkOptions,
   checkSiteId,
   unknownSite,
-} from "./arguments.js";
-import { ApolloniusError } from "./errors.js";
+} from "../arguments.js";
+import { ApolloniusError } from "../errors.js";
 import {
   checkedFilter,
   type Filters,
@@ -17,14 +17,14 @@ import {
   firstOf,
   type Found,
   passing,
-} from "./filters.js";
-import { checkedProperties, checkedWinding, featuresOf, positionsOf } from "./geojson.js";
+} from "../filters.js";
+import { checkedProperties, checkedWinding, featuresOf, positionsOf } from "../voronoi/geojson.js";
 import {
   type NativeSphericalDiagram,
   runningModule,
   type SphericalNearestFirst,
-} from "./module.js";
-import { checkedMaxDistance, orInfinity } from "./queries.js";
+} from "../module.js";
+import { checkedMaxDistance, orInfinity } from "../queries.js";
 import {
   checkedAngularTolerance,
   checkedPoints,
@@ -39,7 +39,7 @@ import type {
   SphericalPolygonOptions,
   SphericalSites,
 } from "./spherical_types.js";
-import type { FilterOptions, FindManyArguments, NearbyOptions, Position } from "./types.js";
+import type { FilterOptions, FindManyArguments, NearbyOptions, Position } from "../types.js";
 
 /** The same diagram, of which this is a site. */
 export function withSite(native: NativeSphericalDiagram, id: number): NativeSphericalDiagram {
