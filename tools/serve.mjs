@@ -8,6 +8,7 @@ import { stat } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname, join, normalize, sep } from "node:path";
 import { pathToFileURL } from "node:url";
+import { createGzip } from "node:zlib";
 import { builtSite, watchSite } from "./build_site.mjs";
 import { root } from "./toolchain/folders.mjs";
 
@@ -45,7 +46,9 @@ async function fileFor(url) {
   return found?.isFile() ? { file, size: found.size } : null;
 }
 
-async function answer(request, response, caching) {
+const isText = (type) => /^text|json|svg|wasm/.test(type);
+
+async function answer(request, response, { caching, isCompressing }) {
   const refuse = (status, text) =>
     response.writeHead(status, { "Content-Type": "text/plain" }).end(`${text}\n`);
   if (request.method !== "GET" && request.method !== "HEAD")
@@ -54,28 +57,30 @@ async function answer(request, response, caching) {
     return response.writeHead(302, { Location: "/web/" }).end();
   const found = await fileFor(request.url);
   if (!found) return refuse(404, "Not found.");
+  const type = kTypes[extname(found.file)] ?? "application/octet-stream";
+  const isCompressed = isCompressing && isText(type);
   response.writeHead(200, {
     ...kHeaders,
     "Cache-Control": caching,
-    "Content-Type": kTypes[extname(found.file)] ?? "application/octet-stream",
-    "Content-Length": found.size,
+    "Content-Type": type,
+    ...(isCompressed ? { "Content-Encoding": "gzip" } : { "Content-Length": found.size }),
   });
   if (request.method === "HEAD") return response.end();
-  return createReadStream(found.file)
-    .on("error", () => response.destroy())
-    .pipe(response);
+  const bytes = createReadStream(found.file).on("error", () => response.destroy());
+  return (isCompressed ? bytes.pipe(createGzip()) : bytes).pipe(response);
 }
 
 /**
  * Starts the server on the first free port from `port` on (0: any). The site has been built.
- * @param {{ attempts?: number, caching?: string }} [options] what browsers are told to keep: by
- * default nothing unasked, as files change
+ * @param {{ attempts?: number, caching?: string, isCompressing?: boolean }} [options] what browsers
+ * are told to keep: by default nothing unasked, as files change; whether texts are compressed, as on
+ * the web
  * @returns {Promise<{ url: string, close(): Promise<void> }>}
  */
 export async function serve(port = 8080, options = {}) {
-  const { attempts = 50, caching = "no-cache" } = options;
+  const { attempts = 50, caching = "no-cache", isCompressing = false } = options;
   const server = createServer((request, response) => {
-    answer(request, response, caching).catch(() => response.destroy());
+    answer(request, response, { caching, isCompressing }).catch(() => response.destroy());
   });
   for (let k = 0; ; k++) {
     try {

@@ -16,69 +16,68 @@ const kCircles = [
   [270, 120, 8],
   [190, 255, 16],
 ] as const;
-const kColumns = 370;
-const kDepths = 300; // samples from front to back
+const kCells = 520; // of the ground, in each direction
+const kColumns = 740;
+const kDepths = 620; // samples from front to back
 const kLight = [-0.6, -0.8]; // where it comes from
+const kSpan = kSide * 1.42; // so that each corner is seen, however it is turned
+const kAbove = 88; // degrees from which on the cones look flat
 
-type Ground = { ids: Int32Array; heights: Float64Array; slopes: Float64Array };
-type State = { size: Size; diagram: Diagram; turn: number; above: number };
+/** Of each cell of the ground: the height of the surface, its light, and whether it is a seam. */
+type Ground = { heights: Float64Array; lights: Float64Array; seams: Uint8Array };
+type State = { size: Size; ground: Ground; turn: number; above: number };
 
-/** Heights of the cones over places in rows from front to back, turned by an angle. */
-function groundOf({ diagram, turn }: State): Ground {
-  const [cosine, sine] = [Math.cos(turn), Math.sin(turn)];
-  const xy = new Float64Array(2 * kColumns * kDepths);
-  for (let row = 0; row < kDepths; row++)
-    for (let column = 0; column < kColumns; column++) {
-      const u = (column / kColumns - 0.5) * kSide * 1.42;
-      const v = (0.5 - row / kDepths) * kSide * 1.42; // front rows first, y downwards
-      const k = row * kColumns + column;
-      xy[2 * k] = kSide / 2 + u * cosine - v * sine;
-      xy[2 * k + 1] = kSide / 2 + u * sine + v * cosine;
-    }
-  const heights = new Float64Array(kColumns * kDepths);
-  const ids = diagram.findMany(xy, heights);
-  const slopes = new Float64Array(heights.length);
-  for (let k = 0; k < heights.length; k++) {
-    const [x, y] = [xy[2 * k], xy[2 * k + 1]];
-    if (x < 0 || y < 0 || x > kSide || y > kSide) {
-      ids[k] = -1;
-      continue;
-    }
-    const [cx, cy] = kCircles[ids[k]];
-    const length = Math.hypot(x - cx, y - cy) || 1;
-    slopes[k] = (kLight[0] * (x - cx) + kLight[1] * (y - cy)) / length;
-    heights[k] = -heights[k]; // positive inside the circle
+/** The surface of the cones, asked for in one call. */
+function makeGround(): Ground {
+  const xy = new Float64Array(2 * kCells * kCells);
+  for (let k = 0; k < kCells * kCells; k++) {
+    xy[2 * k] = (((k % kCells) + 0.5) * kSide) / kCells;
+    xy[2 * k + 1] = ((Math.floor(k / kCells) + 0.5) * kSide) / kCells;
   }
-  return { ids, heights, slopes };
+  const heights = new Float64Array(kCells * kCells);
+  const ids = new Diagram(flat(kCircles)).findMany(xy, heights);
+  const lights = new Float64Array(heights.length);
+  const seams = new Uint8Array(heights.length);
+  for (let k = 0; k < heights.length; k++) {
+    const [cx, cy] = kCircles[ids[k]];
+    const [dx, dy] = [xy[2 * k] - cx, xy[2 * k + 1] - cy];
+    lights[k] = 0.86 + (0.16 * (kLight[0] * dx + kLight[1] * dy)) / (Math.hypot(dx, dy) || 1);
+    heights[k] = -heights[k]; // positive inside the circle
+    const isEnd = (k + 1) % kCells === 0;
+    const isSeam = (!isEnd && ids[k] !== ids[k + 1]) || (ids[k + kCells] ?? ids[k]) !== ids[k];
+    if (isSeam) for (const at of [k, k + 1, k - 1, k + kCells, k - kCells]) seams[at] = 1;
+  }
+  return { heights, lights, seams };
 }
 
 /** What is seen: columns from front to back, each place hiding what is lower behind it. */
-function picture(pen: Pen, state: State, rows: number): Pixels {
-  const { ids, heights, slopes } = groundOf(state);
+function picture(pen: Pen, { ground, turn, above }: State, rows: number): Pixels {
+  const { heights, lights, seams } = ground;
   const bytes = new Uint8ClampedArray(4 * kColumns * rows);
-  const [disc, slope, seam] = [pen.tone("site"), pen.tone("land"), pen.tone("ink")];
-  const elevation = (state.above * Math.PI) / 180;
-  const perUnit = kColumns / (kSide * 1.42);
+  const [disc, slope, seam] = [pen.tone("site"), pen.tone("coast"), pen.tone("ink")];
+  const elevation = (above * Math.PI) / 180;
+  const perUnit = kColumns / kSpan;
   const [rise, depth] = [Math.cos(elevation) * perUnit, Math.sin(elevation) * perUnit];
+  const [cosine, sine] = [Math.cos(turn), Math.sin(turn)];
+  const cellOf = (value: number) => Math.floor((value / kSide + 0.5) * kCells);
   for (let column = 0; column < kColumns; column++) {
+    const u = (column / kColumns - 0.5) * kSpan;
     let top = rows;
-    for (let row = 0; row < kDepths; row++) {
-      const k = row * kColumns + column;
-      if (ids[k] < 0) continue;
-      const v = (0.5 - row / kDepths) * kSide * 1.42;
-      const y = Math.round(rows / 2 + v * depth - (heights[k] + 10) * rise);
-      const isSeam =
-        (ids[k] !== ids[k + 1] && ids[k + 1] >= 0 && column + 1 < kColumns) ||
-        (row > 0 && ids[k] !== ids[k - kColumns] && ids[k - kColumns] >= 0);
-      const color = isSeam ? seam : heights[k] > 0 ? disc : slope;
-      const light = isSeam ? 1 : 0.86 + 0.16 * slopes[k];
-      for (let at = Math.max(0, y); at < top; at++) {
+    for (let row = 0; row < kDepths && top > 0; row++) {
+      const v = (0.5 - row / kDepths) * kSpan; // front rows first, y downwards
+      const [i, j] = [cellOf(u * cosine - v * sine), cellOf(u * sine + v * cosine)];
+      if (i < 0 || j < 0 || i >= kCells || j >= kCells) continue;
+      const k = j * kCells + i;
+      const y = Math.max(0, Math.round(rows / 2 + v * depth - (heights[k] + 10) * rise));
+      const color = seams[k] ? seam : heights[k] > 0 ? disc : slope;
+      const light = seams[k] ? 1 : lights[k];
+      for (let at = y; at < top; at++) {
         const pixel = 4 * (at * kColumns + column);
         for (let channel = 0; channel < 3; channel++)
           bytes[pixel + channel] = light * color[channel];
         bytes[pixel + 3] = 255;
       }
-      top = Math.min(top, Math.max(0, y));
+      top = Math.min(top, y);
     }
   }
   return { columns: kColumns, rows, bytes };
@@ -86,14 +85,14 @@ function picture(pen: Pen, state: State, rows: number): Pixels {
 
 export default figure<State>({
   size: { wide: [740, 520], narrow: [370, 300] },
-  start: (size) => ({ size, diagram: new Diagram(flat(kCircles)), turn: 0.5, above: 38 }),
+  start: (size) => ({ size, ground: makeGround(), turn: 0.5, above: 38 }),
   draw(pen, state) {
     const [width, height] = state.size;
     const rows = Math.round((kColumns * height) / width);
     pen.pixels(0, 0, width, height, picture(pen, state, rows));
   },
   say({ above }) {
-    if (above >= 88) return ["From straight above, the seams are the diagram of the circles."];
+    if (above >= kAbove) return ["From straight above, the seams are the diagram of the circles."];
     return [
       "Blue is inside a circle, ",
       ["dark lines", "edge"],

@@ -1,9 +1,10 @@
 // All circles grow at one speed and stop where they meet: cells cut at a distance.
-import { Diagram } from "apollonius-diagram";
+import { curvePoint, Diagram } from "apollonius-diagram";
 import { figure, type Size } from "../figure/figure.js";
 import { flat } from "./circles.js";
 
 const kMost = 130; // units that circles grow by
+const kSteps = 12; // lines that a curve is drawn by
 const kSpeed = 32; // units a second
 const kCircles = [
   [90, 100, 46],
@@ -32,6 +33,16 @@ type State = {
   isGrowing: boolean;
 };
 
+/** What circles have met along so far: the Voronoi edges, without the arcs of circles that grow. */
+function seamsOf(grown: ReturnType<Diagram["voronoi"]>): string {
+  const { curves } = grown.edgeCurves();
+  let path = "";
+  for (let k = 0; k < curves.length / 7; k++)
+    for (let step = 0; step <= kSteps; step++)
+      path += `${step === 0 ? "M" : "L"}${curvePoint(curves, k, step / kSteps).join()}`;
+  return path;
+}
+
 export default figure<State>({
   size: { wide: [740, 380], narrow: [370, 420] },
   start(size, isNarrow) {
@@ -44,10 +55,7 @@ export default figure<State>({
     const grown = diagram.voronoi([0, 0, ...size], { distance });
     for (const path of grown.renderCells()) if (path) pen.path(path, "circle");
     for (const [x, y, r] of circles) pen.circle(x, y, r, "rim");
-    // Seams: the edges of the diagram as far as circles have come.
-    const met = grown.cellAreas().reduce((sum, area) => sum + area, 0);
-    if (met > 0.999 * size[0] * size[1])
-      pen.path(diagram.voronoi([0, 0, ...size]).render(), "strongEdge");
+    pen.path(seamsOf(grown), "strongEdge");
   },
   say({ diagram, size, distance }) {
     const covered = diagram.voronoi([0, 0, ...size], { distance }).cellAreas();
