@@ -58,10 +58,13 @@ export class FigureRunner<State> {
     stage.after(this.#controls.element, this.#text, this.#aloud);
     this.#controls.element.append(...this.#ends());
     const { steps } = figure;
-    this.#paragraphs = new Paragraphs(steps ? element.closest(".steps") : null, (step) => {
-      steps?.set(this.state, step);
-      this.#changed();
-    });
+    this.#paragraphs = new Paragraphs(
+      steps ? element.closest<HTMLElement>(".steps") : null,
+      (step) => {
+        steps?.set(this.state, step);
+        this.#changed();
+      },
+    );
     this.#listen();
     this.#resize();
     element.dataset.state = "running"; // for the style sheet and for tests

@@ -8,14 +8,24 @@ const kBeside = "(min-width: 1000px)"; // as in site.css
 export class Paragraphs {
   readonly #all: HTMLElement[];
   #observer: IntersectionObserver | null = null;
+  #sizes: ResizeObserver | null = null;
 
   /** @param reached is called with the step of the paragraph that is being read */
   constructor(
-    group: Element | null,
+    group: HTMLElement | null,
     readonly reached: (step: number) => void,
   ) {
     this.#all = [...(group?.querySelectorAll<HTMLElement>("[data-step]") ?? [])];
     if (this.#all.length === 0) return;
+    // The figure stops below the bar, which has two rows or three on a phone.
+    const bar = document.querySelector(".bar");
+    if (bar) {
+      this.#sizes = new ResizeObserver(() => {
+        const height = bar.getBoundingClientRect().height;
+        group?.style.setProperty("--above", `${Math.round(height)}px`);
+      });
+      this.#sizes.observe(bar);
+    }
     const media = matchMedia(kBeside);
     media.addEventListener("change", () => this.#watch(media.matches));
     this.#watch(media.matches);
@@ -44,5 +54,6 @@ export class Paragraphs {
 
   stop() {
     this.#observer?.disconnect();
+    this.#sizes?.disconnect();
   }
 }

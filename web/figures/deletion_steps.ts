@@ -64,7 +64,7 @@ export default figure<State>({
     for (const [id, { x, y, r }] of circles.entries()) {
       if (id === chosen && isOpen) continue;
       const isHidden = diagram.isHidden(id) && !(step >= 3 && ids.includes(id));
-      pen.circle(x, y, r, isHidden ? "hidden" : isTold(id) ? "quietEdge" : "circle");
+      pen.circle(x, y, r, isTold(id) ? "quietEdge" : isHidden ? "hidden" : "circle");
     }
     if (step === 4) {
       const after = new Diagram(triples(circles.filter((_, id) => id !== chosen)));

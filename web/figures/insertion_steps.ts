@@ -62,7 +62,7 @@ export default figure<State>({
   start(size, isNarrow) {
     const circles = someCircles(isNarrow ? 16 : 26, 11, size);
     const diagram = new Diagram(triples(circles));
-    const added = { x: 0.6 * size[0], y: 0.52 * size[1], r: isNarrow ? 13 : 20 };
+    const added = { x: 0.72 * size[0], y: 0.57 * size[1], r: isNarrow ? 13 : 20 };
     const start = diagram.find(0, size[1]);
     return { size, circles, diagram, added, start, step: 0 };
   },

@@ -10,12 +10,12 @@ const kMost = 25; // steps to each side
 const kUlp = 2 ** -53; // between doubles from 1/2 to 1, where the circle's x is
 const kNames = ["A", "B", "C", "D"];
 const kBase: readonly Circle[] = [
-  [0.24810766388900501, 3.34321452147779, 0.11],
-  [0.3708701265487281, 3.6829795315151378, 0.07],
-  [0.765134221798073, 3.6756920350996924, 0.13],
-  [0.6999805307122311, 3.2555075559266862, 0.09],
+  [0.24810766388900501, 2.87321452147779, 0.11],
+  [0.3708701265487281, 3.212979531515138, 0.07],
+  [0.765134221798073, 3.2056920350996925, 0.13],
+  [0.6999805307122311, 2.785507555926686, 0.09],
 ];
-const kTouched: Circle = [0.52, 3.47, 0.19]; // the circle that all four touch, about
+const kTouched: Circle = [0.52, 3, 0.19]; // the circle that all four touch, about
 
 /** What is said at one place of D; `ask` is which diagonal each question leads to. */
 type Answer = { first: Diagonal; second: Diagonal; exact: Diagonal; stages: readonly number[] };
@@ -65,7 +65,7 @@ function answerAt(move: number): Answer {
   };
 }
 
-const kLabel = 48; // units left of a strip
+const kLabel = 62; // units left of a strip
 type Strip = {
   width: number;
   y: number;
@@ -79,7 +79,7 @@ const answersOf = ({ answers, far }: State) => answers[far ? "far" : "near"];
 
 function drawCircles(pen: Pen, side: number, diagonals: readonly Diagonal[], isWrong: boolean) {
   const scale = side / 0.92;
-  const at = ([x, y]: Circle) => [side / 2 + (x - 0.51) * scale, side / 2 + (y - 3.47) * scale];
+  const at = ([x, y]: Circle) => [side / 2 + (x - 0.51) * scale, side / 2 + (y - 3) * scale];
   const [cx, cy] = at(kTouched);
   pen.circle(cx, cy, kTouched[2] * scale, "empty");
   for (const circle of kBase) {
@@ -102,17 +102,16 @@ function drawCircles(pen: Pen, side: number, diagonals: readonly Diagonal[], isW
 /** An answer for each place of D: the upper line is B–D, the lower one A–C. */
 function drawStrip(pen: Pen, state: State, strip: Strip) {
   const { width, y, name, of } = strip;
-  const left = name ? kLabel : 0;
-  if (name) pen.text(name, 0, y + 10, "name", { size: 12 });
-  const step = (width - left) / (2 * kMost + 1);
+  pen.text(name, 0, y + 10, "name", { size: 12 });
+  const step = (width - kLabel) / (2 * kMost + 1);
   for (const [k, answer] of answersOf(state).entries()) {
     const what = of(answer);
-    const x = left + k * step;
+    const x = kLabel + k * step;
     if (what === "BD") pen.rectangle(x, y, step, 9, "bar");
     if (what === "AC") pen.rectangle(x, y + 11, step, 9, "thirdBar");
     if (what === "wrong") pen.rectangle(x, y + 4, step - 1, 12, "alarm");
   }
-  const x = left + (state.at + kMost + 0.5) * step;
+  const x = kLabel + (state.at + kMost + 0.5) * step;
   pen.line(x, y - 2, x, y + 22, "pointer");
 }
 
@@ -147,23 +146,27 @@ export default figure<State>({
         drawCircles(pen, side, diagonalsIn(answer), isWrong),
       );
       drawDot(pen, half - 10, 18, isWrong ? "alarm" : "ok", 7);
-      if (isWrong) pen.text("contradiction", half - 24, 18, "alarm", { align: "end", size: 13 });
+      if (isWrong && half > 240)
+        pen.text("contradiction", half - 24, 18, "alarm", { align: "end", size: 13 });
       const strip = (y: number, name: string, of: Strip["of"]) =>
         drawStrip(pen, state, { width: half, y: strips + y, name, of });
-      strip(0, "D? abc", ({ first }) => first);
-      strip(26, "A? bcd", ({ second }) => second);
+      strip(0, "D in ABC", ({ first }) => first);
+      strip(26, "A in BCD", ({ second }) => second);
       strip(52, "differ", ({ first, second }) => (first === second ? "right" : "wrong"));
     });
     panel(width / 2 + 8, "This library", () => {
       pen.inside((half - side) / 2, 26, side, side, () =>
         drawCircles(pen, side, [answer.exact], false),
       );
-      drawStrip(pen, state, { width: half, y: strips, name: "", of: ({ exact }) => exact });
+      drawStrip(pen, state, { width: half, y: strips, name: "edge", of: ({ exact }) => exact });
       for (const [k, name] of ["filter", "middle", "exact"].entries()) {
-        const x = 6 + (k * half) / 3;
+        // Beside each other, or where that is too narrow, below each other.
+        const isNarrow = half < 240;
+        const x = 6 + (isNarrow ? 0 : (k * half) / 3);
+        const lamp = strips + (isNarrow ? 34 + 17 * k : 46);
         const count = answer.stages[k];
-        drawDot(pen, x, strips + 46, count > 0 ? "ok" : "off", 6);
-        pen.text(`${name} ${count}`, x + 12, strips + 46, "name", { size: 12 });
+        drawDot(pen, x, lamp, count > 0 ? "ok" : "off", 5);
+        pen.text(`${name} ${count}`, x + 12, lamp, "name", { size: 12 });
       }
     });
   },
@@ -208,5 +211,5 @@ export default figure<State>({
       },
     },
   ],
-  circles: () => kBase.flatMap(([x, y, r]) => [500 * x, 500 * (y - 3), 500 * r]),
+  circles: () => kBase.flatMap(([x, y, r]) => [500 * x, 500 * (y - 2.5), 500 * r]),
 });

@@ -7,11 +7,18 @@ import { drawDot, type Pen } from "../figure/pen.js";
 const kUnit = 92; // units of the picture from circle to circle, before it is magnified
 const kRadius = 0.3;
 const kMost = 12; // powers of ten
+const kSpeed = 2; // powers of ten a second
 const kMove = 1e-12; // in distances from circle to circle
 const kMoves = { none: 0, right: kMove, left: -kMove };
 
 type MoveName = keyof typeof kMoves;
-type State = { size: Size; power: number; moved: MoveName; diagram: Diagram };
+type State = {
+  size: Size;
+  power: number;
+  moved: MoveName;
+  diagram: Diagram;
+  isGoing: boolean;
+};
 
 /** Circles in rows, around 0, where doubles are finest; the one right below 0 is moved. */
 function diagramFor(moved: MoveName) {
@@ -80,7 +87,13 @@ function drawScale(pen: Pen, [width, height]: Size, power: number) {
 
 export default figure<State>({
   size: { wide: [740, 380], narrow: [360, 320] },
-  start: (size) => ({ size, power: 12, moved: "right", diagram: diagramFor("right") }),
+  start: (size) => ({
+    size,
+    power: 0,
+    moved: "right",
+    diagram: diagramFor("right"),
+    isGoing: false,
+  }),
   draw(pen, state) {
     const { size, power, diagram } = state;
     const scale = kUnit * 10 ** power;
@@ -98,17 +111,11 @@ export default figure<State>({
     const edges = magnified(size, scale);
     view.render(edges);
     pen.path(edges.path(), "strongEdge");
-    for (const [k, id] of four.entries()) {
-      const side = Math.min(1, 0.5 * 10 ** power);
-      const [dx, dy] = [k === 1 || k === 2 ? 1 : -1, k > 1 ? 1 : -1];
-      const reach = power < 0.5 ? kUnit * side : Math.min(130, kUnit * side);
-      const { r } = diagram.site(id);
-      if (r > 0)
-        pen.text("ABCD"[k], size[0] / 2 + dx * reach, size[1] / 2 + dy * reach, "name", {
-          align: "middle",
-          isBold: true,
-          size: 16,
-        });
+    const reach = Math.min(90, 0.5 * scale); // of the names, from the middle
+    for (const [k, name] of ["A", "B", "C", "D"].entries()) {
+      const x = size[0] / 2 + (k === 1 || k === 2 ? reach : -reach);
+      const y = size[1] / 2 + (k > 1 ? reach : -reach);
+      pen.text(name, x, y, "name", { align: "middle", isBold: true, size: 16 });
     }
     for (const [x, y] of splitOf(state).places)
       drawDot(pen, size[0] / 2 + x * scale, size[1] / 2 + y * scale, "vertex", 5);
@@ -133,6 +140,12 @@ export default figure<State>({
       `${touch} share the edge between them.`,
     ];
   },
+  tick(state, seconds) {
+    if (!state.isGoing) return false;
+    state.power = Math.min(kMost, state.power + kSpeed * seconds);
+    state.isGoing = state.power < kMost;
+    return true;
+  },
   controls: [
     {
       kind: "slider",
@@ -143,15 +156,24 @@ export default figure<State>({
       get: ({ power }) => power,
       set: (state, value) => {
         state.power = value;
+        state.isGoing = false;
       },
       show: (state) => timesOf(state),
+    },
+    {
+      kind: "button",
+      label: ({ isGoing }) => (isGoing ? "Stop" : "Go near"),
+      act: (state) => {
+        state.isGoing = !state.isGoing;
+        if (state.isGoing && state.power >= kMost) state.power = 0;
+      },
     },
     {
       kind: "choice",
       label: "C is moved",
       options: [
-        ["left", "C 10⁻¹² to the left"],
-        ["none", "in place"],
+        ["left", "C to the left"],
+        ["none", "not at all"],
         ["right", "to the right"],
       ],
       get: ({ moved }) => moved,
@@ -166,6 +188,7 @@ export default figure<State>({
 
 function timesOf({ power }: State) {
   const whole = Math.floor(power + 1e-9);
+  if (whole < 3) return (10 ** power).toPrecision(2).replace(/\.0$/, "");
   const digit = 10 ** (power - whole);
   return digit < 1.05 ? `10${superscript(whole)}` : `${digit.toFixed(1)} · 10${superscript(whole)}`;
 }
