@@ -84,7 +84,7 @@ describeInBrowser("steps", (open) => {
     await closePage(page);
   });
 
-  test("orders do not matter; the library's answer changes once, that of doubles often", async () => {
+  test("orders do not matter; the library's answer changes once, doubles' often", async () => {
     const page = await open({ path: "exactness/", ready: "figures" });
     await started(page, "two_orders");
     const other = page.getByRole("button", { name: "Other orders" });

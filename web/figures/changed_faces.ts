@@ -29,7 +29,7 @@ function changedCells(xyr: Float64Array, count: number) {
   return sum / kInsertions;
 }
 
-/** Microseconds to insert a circle and to remove it again, here and now: the best of some rounds. */
+/** Microseconds to insert a circle and to remove it again, here and now: the best round. */
 function timeOf(xyr: Float64Array, count: number) {
   const diagram = new Diagram(xyr.subarray(0, 3 * count));
   let best = Infinity;
@@ -65,7 +65,7 @@ export default figure<State>({
     return state;
   },
   draw(pen, { size, rows }) {
-    const [left, right] = [size[0] < 500 ? 70 : 110, size[0] < 500 ? 84 : 120];
+    const [left, right] = [size[0] < 500 ? 80 : 110, size[0] < 500 ? 84 : 120];
     const unit = (size[0] - left - right) / kMost;
     const top = 40;
     const step = (size[1] - top - 8) / 5;

@@ -1,5 +1,5 @@
-// Graphs that are compared: the edges of a diagram, named by its circles and not by their ids, which
-// depend on the order in which circles came.
+// Graphs that are compared: the edges of a diagram, named by its circles and not by their ids,
+// which depend on the order in which circles came.
 import type { Diagram } from "apollonius-diagram";
 
 /** Each edge as a text, sorted. `name` tells a circle by its id. */

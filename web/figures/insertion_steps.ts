@@ -71,8 +71,7 @@ export default figure<State>({
     const { cell, neighbors, hidden } = afterwards(state);
     const isOpen = step >= 3 && cell;
     if (isOpen) pen.path(cell, step === 3 ? "window" : "neighbor");
-    for (const [id, { x, y, r }] of circles.entries())
-      pen.circle(x, y, r, step === 4 && hidden.includes(id) ? "hidden" : "circle");
+    for (const { x, y, r } of circles) pen.circle(x, y, r, "circle");
     const edges = isOpen
       ? cutEdges(diagram, size, added).kept
       : diagram.voronoi([0, 0, ...size]).render();
@@ -89,6 +88,8 @@ export default figure<State>({
     pen.circle(added.x, added.y, added.r, "paper");
     pen.circle(added.x, added.y, added.r, isHidden(state) ? "hidden" : "added");
     drawDot(pen, added.x, added.y, "ok", 3.5);
+    if (isOpen)
+      for (const id of hidden) pen.circle(circles[id].x, circles[id].y, circles[id].r, "hidden");
   },
   say(state): Said[] {
     const { diagram, added, circles, start, step } = state;

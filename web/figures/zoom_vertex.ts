@@ -136,7 +136,7 @@ export default figure<State>({
     return [
       times,
       ["Two vertices", "vertex"],
-      `, ${apart.toExponential(1).replace(/e(.*)/, (_, e) => ` · 10${superscript(Number(e))}`)} apart; `,
+      `, ${scientific(apart)} apart; `,
       `${touch} share the edge between them.`,
     ];
   },
@@ -186,9 +186,11 @@ export default figure<State>({
   ],
 });
 
-function timesOf({ power }: State) {
-  const whole = Math.floor(power + 1e-9);
-  if (whole < 3) return (10 ** power).toPrecision(2).replace(/\.0$/, "");
-  const digit = 10 ** (power - whole);
-  return digit < 1.05 ? `10${superscript(whole)}` : `${digit.toFixed(1)} · 10${superscript(whole)}`;
+function scientific(value: number) {
+  const [digits, power] = value.toExponential(1).split("e");
+  const times = digits === "1.0" ? "" : `${digits} · `;
+  return `${times}10${superscript(Number(power))}`;
 }
+
+const timesOf = ({ power }: State) =>
+  power < 3 ? (10 ** power).toPrecision(2).replace(/\.0$/, "") : scientific(10 ** power);
