@@ -73,6 +73,11 @@ export type Figure<State> = {
    * @param isReduced the reader wants no motion: what moves does so only if it was asked for
    */
   tick?(state: State, seconds: number, isReduced: boolean): boolean;
+  /**
+   * For a figure in a `div.steps`, beside paragraphs with `data-step`: the one that is being read
+   * sets the step, and the step marks its paragraph.
+   */
+  steps?: { get(state: State): number; set(state: State, step: number): void };
   /** The circles as they are, x, y, r of each, for the playground. */
   circles?(state: State): ArrayLike<number>;
 };

@@ -49,13 +49,14 @@ const near = new IntersectionObserver(
     for (const { target, isIntersecting } of entries) {
       if (!isIntersecting) continue;
       near.unobserve(target);
-      start(target as HTMLElement);
+      const element = target.closest<HTMLElement>("figure");
+      if (element) start(element);
     }
   },
   { rootMargin: kNear },
 );
-for (const element of document.querySelectorAll<HTMLElement>("figure[data-figure]"))
-  near.observe(element);
+// Their stages: in `.steps` a figure itself may have no box.
+for (const stage of document.querySelectorAll("figure[data-figure] .stage")) near.observe(stage);
 
 for (const button of document.querySelectorAll<HTMLButtonElement>("button.copy"))
   button.addEventListener("click", async () => {

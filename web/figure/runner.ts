@@ -6,6 +6,7 @@ import { make } from "./dom.js";
 import type { Figure, Said, Size } from "./figure.js";
 import { Handles } from "./handles.js";
 import { playgroundLink } from "./playground_link.js";
+import { Paragraphs } from "./steps.js";
 
 const kNarrow = 520; // CSS pixels
 const kCursorStep = 12; // CSS pixels that an arrow key moves the pointer by
@@ -21,6 +22,7 @@ export class FigureRunner<State> {
   readonly #aloud = make("p", { className: "visually-hidden", ariaLive: "polite" });
   readonly #controls: { element: HTMLElement; update(): void };
   readonly #handles: Handles;
+  readonly #paragraphs: Paragraphs;
   readonly #watch: (() => void)[] = [];
   #size: Size;
   #isNarrow = false;
@@ -55,6 +57,14 @@ export class FigureRunner<State> {
     stage.prepend(this.canvas);
     stage.after(this.#controls.element, this.#text, this.#aloud);
     this.#controls.element.append(...this.#ends());
+    const { steps } = figure;
+    this.#paragraphs = new Paragraphs(
+      steps ? element.closest<HTMLElement>(".steps") : null,
+      (step) => {
+        steps?.set(this.state, step);
+        this.#changed();
+      },
+    );
     this.#listen();
     this.#resize();
     element.dataset.state = "running"; // for the style sheet and for tests
@@ -185,6 +195,7 @@ export class FigureRunner<State> {
   /** Something may have changed: draws and says it with the next frame. */
   #changed() {
     this.#controls.update();
+    if (this.figure.steps) this.#paragraphs.mark(this.figure.steps.get(this.state));
     this.#ask();
   }
 
@@ -235,5 +246,6 @@ export class FigureRunner<State> {
   stop() {
     cancelAnimationFrame(this.#frame);
     for (const end of this.#watch) end();
+    this.#paragraphs.stop();
   }
 }
