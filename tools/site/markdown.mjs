@@ -39,7 +39,7 @@ const kFigure = /<p><img src="figure:(\w+)" alt="([^"]*)"><\/p>/g;
 /** A figure before its script has come: its first picture, if there is one, and its caption. */
 function figureHtml(name, caption, poster) {
   return `<figure data-figure="${name}" id="${name}">
-<div class="stage" aria-label="${caption}">${poster ?? ""}</div>
+<div class="stage" role="group" aria-label="${caption}">${poster ?? ""}</div>
 <figcaption>${caption}</figcaption>
 </figure>`;
 }
