@@ -87,7 +87,10 @@ export function makeControls<State>(
 ): Made {
   const made = controls.map((control) => makeControl(control, state, changed));
   const update = () => {
-    for (const control of made) control.update();
+    for (const [k, control] of made.entries()) {
+      control.update();
+      control.element.hidden = controls[k].isShown?.(state()) === false;
+    }
   };
   return {
     element: make("div", { className: "controls" }, ...made.map(({ element }) => element)),

@@ -28,6 +28,7 @@ export const kLooks = {
   vertex: { fill: "vertex" },
   frame: { stroke: "line", width: 1 },
   window: { fill: "land", stroke: "coast", width: 1.5 },
+  sea: { fill: "sea", stroke: "coast", width: 1.5 },
   paper: { fill: "paper" },
   ruler: { stroke: "accent", width: 2.5 },
   otherRuler: { stroke: "selected", width: 2.5 },
