@@ -78,7 +78,12 @@ function compared(diagram: Diagram, at: Point): Said[] {
   const under = [...diagram.within(...at, 0)];
   const deep = Math.round(-(diagram.nearest(...at)?.distance ?? 0));
   if (under.length === 0) return [`No circle is under the pointer: find and pick answer ${found}.`];
-  if (found === picked) return [`Only ${list(under)} is under the pointer: both answer ${found}.`];
+  if (under.length === 1) return [`Only ${found} is under the pointer: find and pick answer it.`];
+  if (found === picked)
+    return [
+      `Circles ${list(under)} are under the pointer. It is deepest in ${found}, by ${deep}, ` +
+        "which is the smallest, too: find and pick answer it.",
+    ];
   const why: Said[] = diagram.isHidden(picked)
     ? [` Circle ${picked} is `, ["hidden", "hidden"], ", so find never answers it."]
     : [];

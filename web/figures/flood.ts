@@ -89,6 +89,7 @@ export default figure<State>({
     const [ids, xyr, diagram] = [new Int32Array(), new Float64Array(), new Diagram()];
     const state = { size, columns, rows, count: 0, xyr, diagram, pixels, ids, milliseconds: 0 };
     setCount(state, 300);
+    ask(state); // again: the engine has compiled by now what it runs often
     return state;
   },
   draw(pen, state) {

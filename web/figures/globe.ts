@@ -6,7 +6,7 @@ import { drawDot, drawPointer } from "../figure/pen.js";
 import { kCities, kCoasts } from "./globe_places.js";
 
 const kRadius = 6371.0088; // km, of the Earth
-const kMostReach = 1500; // km, of the largest city's circle
+const kMostReach = 3000; // km, of the largest city's circle
 const kTolerance = 2e-3; // radians, of the edges: half a pixel here
 const kDegree = Math.PI / 180;
 
@@ -134,7 +134,16 @@ export default figure<State>({
     ];
     if (reach === 0) return [...start, "."];
     const rest = distance < 0 ? "inside its circle." : `of which ${km(r)} km are its head start.`;
-    return [...start, ", ", rest];
+    const { hiddenSize } = diagram;
+    const hidden: Said[] =
+      hiddenSize === 0
+        ? []
+        : [
+            " Of the cities, ",
+            [`${hiddenSize}`, "hidden"],
+            hiddenSize === 1 ? " is hidden." : " are hidden.",
+          ];
+    return [...start, ", ", rest, ...hidden];
   },
   hover(state, at) {
     const [x, y] = state.projection.translate();

@@ -59,6 +59,7 @@ function ratioOf({ xyr }: State) {
   return radii[Math.floor(0.9 * kCount)] / radii[Math.floor(0.1 * kCount)];
 }
 
+const ratioText = (ratio: number) => ratio.toFixed(ratio < 10 ? 1 : 0);
 const percent = (share: number) => `${Math.round(100 * share)} %`;
 
 function drawCurve(pen: Pen, state: State) {
@@ -122,11 +123,9 @@ export default figure<State>({
     const many: [string, "hidden"] = [`${hiddenSize} of ${kCount}`, "hidden"];
     const ratio = ratioOf(state);
     if (ratio === 1) return ["All circles are equal: ", many, " are hidden."];
-    const text = ratio < 10 ? ratio.toFixed(1) : ratio.toFixed(0);
-    return [
-      many,
-      ` circles are hidden where large ones have ${text} times the radius of small ones.`,
-    ];
+    const times = ratioText(ratio);
+    const are = hiddenSize === 1 ? "circles is" : "circles are";
+    return [many, ` ${are} hidden where large ones have ${times} times the radius of small ones.`];
   },
   controls: [
     {
@@ -139,7 +138,7 @@ export default figure<State>({
       set: setSpread,
       show(state) {
         const ratio = ratioOf(state);
-        return ratio === 1 ? "equal" : `${ratio < 10 ? ratio.toFixed(1) : ratio.toFixed(0)} : 1`;
+        return ratio === 1 ? "equal" : `${ratioText(ratio)} : 1`;
       },
     },
   ],
