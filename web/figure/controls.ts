@@ -86,10 +86,12 @@ export function makeControls<State>(
   changed: () => void,
 ): Made {
   const made = controls.map((control) => makeControl(control, state, changed));
+  const marks = made.map(() => document.createComment("")); // where controls without a use were
   const update = () => {
-    for (const [k, control] of made.entries()) {
-      control.update();
-      control.element.hidden = controls[k].isShown?.(state()) === false;
+    for (const [k, { element, update }] of made.entries()) {
+      update();
+      if (controls[k].isShown?.(state()) === false) element.replaceWith(marks[k]);
+      else marks[k].replaceWith(element);
     }
   };
   return {

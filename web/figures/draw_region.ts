@@ -150,12 +150,12 @@ function drawAreas(pen: Pen, { view, list }: State) {
 }
 
 export default figure<State>({
-  size: { wide: [740, 400], narrow: [370, 550] },
+  size: { wide: [740, 400], narrow: [370, 504] },
   start(_, isNarrow) {
     const f = isNarrow ? 0.78 : 1;
     const map: Size = isNarrow ? [370, 312] : [474, 400];
     const list = isNarrow
-      ? { x: 16, y: 320, width: 338, height: 220 }
+      ? { x: 16, y: 320, width: 338, height: 176 }
       : { x: 500, y: 28, width: 222, height: 344 };
     const diagram = new Diagram(flat(kCircles).map((value) => value * f));
     const none = { coast: [], lake: [], view: null, refusal: "" };
@@ -202,8 +202,8 @@ export default figure<State>({
       },
     });
     return [
-      ...state.coast.map((_, k) => handle(state.coast, k, "Coast")),
       ...state.lake.map((_, k) => handle(state.lake, k, "Lake")),
+      ...state.coast.map((_, k) => handle(state.coast, k, "Coast")),
     ];
   },
   circles: ({ diagram }) => diagram.sites().xyr,
