@@ -79,7 +79,8 @@ function picture(pen: Pen, { ids, count, columns, rows }: State): Pixels {
   return { columns, rows, bytes };
 }
 
-const grouped = (value: number) => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, "\u202f"); // 132 000
+/** As 132 000. */
+const grouped = (value: number) => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 
 export default figure<State>({
   size: { wide: [740, 400], narrow: [370, 320] },
@@ -98,8 +99,8 @@ export default figure<State>({
     if (count > kRims) return;
     for (let k = 0; k < xyr.length; k += 3) pen.circle(xyr[k], xyr[k + 1], xyr[k + 2], "rim");
   },
-  code: ({ count, pixels }) =>
-    `diagram.findMany(pixels)  // ${grouped(pixels.length / 2)} questions, ${grouped(count)} circles`,
+  code: ({ count, ids }) =>
+    `diagram.findMany(pixels)  // ${grouped(ids.length)} questions, ${grouped(count)} circles`,
   say({ ids, milliseconds }) {
     const time = milliseconds < 10 ? milliseconds.toFixed(1) : milliseconds.toFixed(0);
     const each = (1000 * milliseconds) / ids.length;

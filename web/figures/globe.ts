@@ -79,7 +79,8 @@ const km = (value: number) =>
 
 function named([lon, lat]: Place) {
   const [east, north] = [Math.round(lon), Math.round(lat)];
-  return `${Math.abs(north)}° ${north < 0 ? "S" : "N"}, ${Math.abs(east)}° ${east < 0 ? "W" : "E"}`;
+  const latitude = `${Math.abs(north)}° ${north < 0 ? "S" : "N"}`;
+  return `${latitude}, ${Math.abs(east)}° ${east < 0 ? "W" : "E"}`;
 }
 
 export default figure<State>({

@@ -53,7 +53,7 @@ function setSpread(state: State, spread: number) {
   state.diagram = new Diagram(state.xyr);
 }
 
-/** How often the circle that only a tenth exceed has the radius of that which a tenth do not reach. */
+/** The radius that a tenth of the circles exceed, divided by that which a tenth do not reach. */
 function ratioOf({ xyr }: State) {
   const radii = xyr.filter((_, k) => k % 3 === 2).sort();
   return radii[Math.floor(0.9 * kCount)] / radii[Math.floor(0.1 * kCount)];
