@@ -75,7 +75,7 @@ export const kTestsOfPage = {
   data: ["data", "windows"],
   examples: ["examples", "globe", "recipes"],
   figure: ["site"],
-  figures: ["site"],
+  figures: ["site", "answers"],
   pages: ["site"],
   model: ["page", "defects"],
   motion: ["motion", "windows"],

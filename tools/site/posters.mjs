@@ -24,6 +24,7 @@ async function bundled() {
     bundle: true,
     format: "esm",
     platform: "node",
+    target: "node20",
     alias: {
       "apollonius-diagram": path.join(root, "dist/esm/index.js"),
       "apollonius-diagram/sphere": path.join(root, "dist/esm/sphere.js"),

@@ -86,8 +86,13 @@ export function makeControls<State>(
   changed: () => void,
 ): Made {
   const made = controls.map((control) => makeControl(control, state, changed));
+  const marks = made.map(() => document.createComment("")); // where controls without a use were
   const update = () => {
-    for (const control of made) control.update();
+    for (const [k, { element, update }] of made.entries()) {
+      update();
+      if (controls[k].isShown?.(state()) === false) element.replaceWith(marks[k]);
+      else marks[k].replaceWith(element);
+    }
   };
   return {
     element: make("div", { className: "controls" }, ...made.map(({ element }) => element)),

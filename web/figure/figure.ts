@@ -21,7 +21,10 @@ export type Handle = {
   move(x: number, y: number): void;
 };
 
-export type Control<State> =
+export type Control<State> = {
+  /** Whether it has a use now; without it, always. */
+  isShown?(state: State): boolean;
+} & (
   | {
       kind: "slider";
       label: string;
@@ -52,7 +55,8 @@ export type Control<State> =
       label: string | ((state: State) => string);
       act(state: State): void | Promise<void>;
       isDisabled?(state: State): boolean;
-    };
+    }
+);
 
 export type Figure<State> = {
   /** In units, which are CSS pixels where there is room; `narrow` below 520 pixels. */
@@ -68,6 +72,13 @@ export type Figure<State> = {
   hover?(state: State, at: Point | null): void;
   /** A click, a tap, or Enter at the pointer. */
   press?(state: State, at: Point): void;
+  /**
+   * The picture is dragged by the mouse or a finger; arrow keys move the view instead of the
+   * pointer. Fingers drag sideways only: up and down scrolls the page.
+   */
+  drag?(state: State, dx: number, dy: number): void;
+  /** The call of the package that the picture shows, with its numbers, as a line of a program. */
+  code?(state: State): string;
   /**
    * Moves on by itself; false: nothing will move until something is done.
    * @param isReduced the reader wants no motion: what moves does so only if it was asked for

@@ -19,6 +19,7 @@ export class FigureRunner<State> {
   readonly canvas = make("canvas", { ariaHidden: "true" });
   readonly stage: HTMLElement;
   readonly #text = make("p", { className: "said" });
+  readonly #code = make("code");
   readonly #aloud = make("p", { className: "visually-hidden", ariaLive: "polite" });
   readonly #controls: { element: HTMLElement; update(): void };
   readonly #handles: Handles;
@@ -56,6 +57,7 @@ export class FigureRunner<State> {
     stage.querySelector(".poster")?.remove();
     stage.prepend(this.canvas);
     stage.after(this.#controls.element, this.#text, this.#aloud);
+    if (figure.code) this.#text.before(make("pre", { className: "live-code" }, this.#code));
     this.#controls.element.append(...this.#ends());
     const { steps } = figure;
     this.#paragraphs = new Paragraphs(
@@ -114,8 +116,8 @@ export class FigureRunner<State> {
         this.#color = colorReader();
         this.#ask();
       });
-    const { hover, press } = this.figure;
-    if (!hover && !press) return;
+    const { hover, press, drag } = this.figure;
+    if (!hover && !press && !drag) return;
     const at = (event: PointerEvent | MouseEvent): [number, number] => {
       const box = stage.getBoundingClientRect();
       return [(event.clientX - box.left) / this.#scale, (event.clientY - box.top) / this.#scale];
@@ -138,9 +140,33 @@ export class FigureRunner<State> {
         press(this.state, at(event));
         this.#changed();
       });
+    if (drag) this.#listenToDrag(at);
     stage.tabIndex = 0;
     stage.setAttribute("role", "application");
     stage.addEventListener("keydown", (event) => this.#key(event));
+  }
+
+  #listenToDrag(at: (event: PointerEvent) => [number, number]) {
+    const { stage } = this;
+    let last: [number, number] | null = null;
+    stage.classList.add("can-drag");
+    stage.addEventListener("pointerdown", (event) => {
+      if (!event.isPrimary || event.button !== 0) return;
+      if ((event.target as Element).closest(".handle")) return;
+      last = at(event);
+      stage.setPointerCapture(event.pointerId);
+    });
+    stage.addEventListener("pointermove", (event) => {
+      if (!last || !event.isPrimary) return;
+      const [x, y] = last;
+      last = at(event);
+      this.figure.drag?.(this.state, last[0] - x, last[1] - y);
+      this.#changed();
+    });
+    for (const type of ["pointerup", "pointercancel"] as const)
+      stage.addEventListener(type, () => {
+        last = null;
+      });
   }
 
   #hover(at: [number, number] | null) {
@@ -158,6 +184,12 @@ export class FigureRunner<State> {
       ArrowDown: [0, step],
     };
     const move = moves[event.key];
+    if (move && this.figure.drag) {
+      event.preventDefault();
+      this.figure.drag(this.state, -move[0], -move[1]); // the view moves where the arrow points
+      this.#hover(null);
+      return;
+    }
     const [width, height] = this.#size;
     this.#cursor ??= [width / 2, height / 2];
     if (move) {
@@ -223,6 +255,7 @@ export class FigureRunner<State> {
     const pen = new CanvasPen(context, width, height, this.#scale, density, this.#color);
     this.figure.draw(pen, this.state);
     this.#handles.place(this.figure.handles?.(this.state) ?? [], this.#scale);
+    if (this.figure.code) this.#code.textContent = this.figure.code(this.state);
     this.#say(this.figure.say(this.state));
   }
 
