@@ -30,7 +30,7 @@ type State = {
 };
 
 /** Weights for the state as it is; from those of before it takes two or three steps. */
-function fit(state: Pick<State, "places" | "parts" | "field">, start?: Float64Array) {
+function weighted(state: Pick<State, "places" | "parts" | "field">, start?: Float64Array) {
   const diagram = new Diagram(state.places.flatMap(({ x, y }) => [x, y, 0]));
   const fitted = diagram.voronoi([0, 0, ...state.field]).fitAreas(state.parts, { start });
   if (!fitted) throw new Error("nobody stops it");
@@ -39,14 +39,13 @@ function fit(state: Pick<State, "places" | "parts" | "field">, start?: Float64Ar
 
 function change(state: State) {
   const { diagram } = state;
-  Object.assign(state, fit(state, state.fitted.weights));
+  Object.assign(state, weighted(state, state.fitted.weights));
   diagram.dispose();
 }
 
 const sum = (values: readonly number[]) => values.reduce((total, value) => total + value, 0);
 const between = (low: number, value: number, high: number) => Math.max(low, Math.min(high, value));
-const barTop = ({ chart }: State, parts: number) =>
-  chart.top + chart.height * (1 - parts / kMost);
+const barTop = ({ chart }: State, parts: number) => chart.top + chart.height * (1 - parts / kMost);
 const barMiddle = ({ chart }: State, k: number) =>
   chart.left + ((k + 0.5) * chart.width) / kNames.length;
 
@@ -92,7 +91,7 @@ export default figure<State>({
       : { left: 505, top: 40, width: 225, height: 305 };
     const places = kPlaces.map(([x, y]) => ({ x: x * field[0], y: y * field[1] }));
     const parts = [...kParts];
-    return { field, chart, places, parts, ...fit({ field, places, parts }) };
+    return { field, chart, places, parts, ...weighted({ field, places, parts }) };
   },
   draw(pen, state) {
     drawCells(pen, state);
