@@ -180,7 +180,7 @@ export default figure<State>({
   },
   hover(state, at) {
     const isInMap = at && diagramOf(state.places, state.steps[0]).voronoi([state.coast]).window;
-    state.pointer = at && isInMap && isInMap.contains(...at) ? at : null;
+    state.pointer = at && isInMap?.contains(...at) ? at : null;
   },
   controls: [
     {

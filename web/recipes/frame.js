@@ -14,7 +14,7 @@
     console[kind] = (...values) => tell({ kind: "print", text: values.map(textOf).join(" ") });
 
   const fail = (message, line) => tell({ kind: "failed", message, line });
-  addEventListener("error", ({ message, lineno }) => fail(message, lineno));
+  addEventListener("error", ({ error, message, lineno }) => fail(String(error ?? message), lineno));
   addEventListener("unhandledrejection", ({ reason }) => fail(String(reason)));
 
   const script = (properties) =>
