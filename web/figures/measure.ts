@@ -67,15 +67,18 @@ function measure(state: State) {
 }
 
 function drawRows(pen: Pen, { size, isNarrow, measured }: State) {
-  const [left, row] = isNarrow ? [126, 30] : [150, 32];
-  const room = size[0] - left - (isNarrow ? 92 : 190);
+  const [left, row] = isNarrow ? [138, 30] : [150, 32];
+  const room = size[0] - left - (isNarrow ? 80 : 190);
   const times = measured?.times;
-  const most = times ? Math.max(...kRows.map(([name]) => times[name])) : 1;
+  let most = 1; // of the rows below one title
   let y = 6;
   for (const [name, label, look] of kRows) {
     const title = kTitles[name];
     if (title) {
-      y += name === "build" ? 14 : 24;
+      const isBuild = name === "build";
+      const group = kRows.filter(([other]) => other.startsWith("build") === isBuild);
+      if (times) most = Math.max(...group.map(([other]) => times[other]));
+      y += isBuild ? 14 : 24;
       pen.text(title, 10, y, "name", { isBold: true, size: 14 });
       y += 28;
     }

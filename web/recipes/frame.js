@@ -29,7 +29,7 @@
     );
     script({ type: "importmap", textContent: JSON.stringify({ imports }) });
     new ResizeObserver(() => {
-      tell({ kind: "height", height: document.documentElement.scrollHeight });
+      tell({ kind: "height", height: document.body.offsetHeight });
     }).observe(document.body);
     script({ type: "module", src: addressOf(program), onload: () => tell({ kind: "done" }) });
   });
