@@ -119,7 +119,7 @@ describeInBrowser("recipe cards", (open) => {
     await closePage(page);
   });
 
-  test("a program reaches neither the page nor the network; the page has no inline script", async () => {
+  test("programs reach neither page nor network; the page runs none inline", async () => {
     const page = await open(kRecipes);
     const card = await cardOf(page, "I want areas by value");
     await runWith(card, "console.log(parent.document.title);");

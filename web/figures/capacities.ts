@@ -65,7 +65,7 @@ type State = {
 const diagramOf = (places: readonly Point[], weights: Float64Array) =>
   new Diagram(places.flatMap(([x, y], k) => [x, y, weights[k]]));
 
-/** The weights of each step: fitAreas ends where an error is small enough, so it is asked for it. */
+/** The weights of each step: fitAreas ends at the tolerance, so it is asked for each. */
 function stepsOf(places: readonly Point[], coast: readonly [number, number][]) {
   const equal = new Float64Array(places.length);
   const diagram = diagramOf(places, equal);

@@ -2,7 +2,7 @@
 // know points only with their centres. The work is done in a worker, so that the page goes on.
 import { figure, type Size } from "../figure/figure.js";
 import type { LookName, Pen } from "../figure/pen.js";
-import type { Measured, Told } from "../measure/measure_worker.js";
+import type { Measured, Told } from "./measure/measure_worker.js";
 
 const kCounts = [100, 300, 1_000, 3_000, 10_000, 30_000, 100_000, 300_000, 1_000_000];
 const kMostAtOnce = 100_000; // below it the slider measures by itself
@@ -45,7 +45,7 @@ function measure(state: State) {
   stop(state);
   state.error = "";
   const count = kCounts[state.level];
-  const worker = new Worker(new URL("../measure/measure_worker.ts", import.meta.url), {
+  const worker = new Worker(new URL("./measure/measure_worker.ts", import.meta.url), {
     type: "module",
   });
   const running = { worker, what: "Loading" };
