@@ -77,6 +77,7 @@ export const kTestsOfPage = {
   figure: ["site"],
   figures: ["site", "answers"],
   pages: ["site"],
+  recipes: ["recipe_cards"],
   model: ["page", "defects"],
   motion: ["motion", "windows"],
   picture: ["picture", "windows"],

@@ -160,9 +160,17 @@ const rules = [
   },
   { of: /^web\/figure\/.*\.ts$/, may: [/^\.\/\w+\.js$/] },
   {
+    of: /^web\/figures\/measure\/.*\.ts$/,
+    may: [
+      /^\.\.\/\.\.\/(figure\/package|playground\/sets\/random_sets)\.js$/,
+      /^(apollonius-diagram|delaunator|flatbush)$/,
+    ],
+  },
+  { of: /^web\/recipes\/.*\.ts$/, may: [/^\.\.\/figure\/dom\.js$/, /\.css\?raw$/] },
+  {
     of: /^web\/figures\/.*\.ts$/,
     may: [
-      /^\.\/\w+\.js$/,
+      /^\.\/(measure\/)?\w+\.js$/,
       /^\.\.\/figure\/(figure|pen)\.js$/,
       /^\.\.\/playground\/sets\/random_sets\.js$/,
       /^apollonius-diagram(\/(sphere|treemap))?$/,

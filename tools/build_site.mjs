@@ -5,11 +5,12 @@
 //   build/web/playground/             web/playground, bundled
 //   build/web/assets/                 scripts, styles, workers, the WebAssembly, with hashes
 //   build/web/playground/sets/random_sets.js   for tests and benchmarks
+//   build/web/recipes/frame.html      where the programs of that page run
 //   build/web/examples/, data/        as they are in web/: to be read and copied
 //   build/web/lib/                    what the examples import: the package, modules of d3
 //
 //   node tools/build_site.mjs         builds it once
-import { cpSync, mkdirSync, readdirSync, readFileSync } from "node:fs";
+import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { pagesPlugin } from "./site/pages_plugin.mjs";
@@ -27,7 +28,16 @@ function librariesOfExamples() {
   return [...html.matchAll(/"\.\.\/lib\/(d3-[\w-]+)\.mjs"/g)].map((match) => match[1]);
 }
 
+/** With its script inside: a sandbox may load none from an origin that is not its own. */
+function copyFrame() {
+  const read = (name) => readFileSync(path.join(source, "recipes", name), "utf8");
+  const script = `<script>\n${read("frame.js")}</script>`;
+  const html = read("frame.html").replace('<script src="frame.js"></script>', () => script);
+  writeFileSync(path.join(builtSite, "recipes/frame.html"), html);
+}
+
 function copyTheRest() {
+  copyFrame();
   for (const name of copied)
     cpSync(path.join(source, name), path.join(builtSite, name), { recursive: true });
   const library = path.join(builtSite, "lib/apollonius-diagram");

@@ -27,6 +27,7 @@ const kTypes = {
 const kHeaders = {
   "Cross-Origin-Opener-Policy": "same-origin",
   "Cross-Origin-Embedder-Policy": "require-corp",
+  "Cross-Origin-Resource-Policy": "cross-origin", // Firefox asks for it in sandboxed frames
   "X-Content-Type-Options": "nosniff",
 };
 

@@ -5,6 +5,7 @@
 // picture, if it is the first of a page, is drawn where the site is built.
 import hljs from "highlight.js";
 import MarkdownIt from "markdown-it";
+import { recipes } from "./recipes.mjs";
 
 const escaped = (text) => MarkdownIt().utils.escapeHtml(text);
 
@@ -13,7 +14,7 @@ function highlight(code, language) {
   return hljs.highlight(code, { language }).value;
 }
 
-const markdown = new MarkdownIt({ html: true, linkify: false, highlight });
+const markdown = new MarkdownIt({ html: true, linkify: false, highlight }).use(recipes);
 
 /** As GitHub names headings, so that links in documents lead there. */
 const anchorOf = (text) =>

@@ -66,5 +66,8 @@ for (const button of document.querySelectorAll<HTMLButtonElement>("button.copy")
     button.textContent = "Copied";
   });
 
+const recipes = document.querySelectorAll<HTMLElement>(".recipe");
+if (recipes.length > 0) import("../recipes/cards.js").then((cards) => cards.startCards(recipes));
+
 // A handle for tests and the curious; not an interface.
 Object.assign(window, { figures: runners });

@@ -49,6 +49,10 @@ export const kLooks = {
   bar: { fill: "site" },
   otherBar: { fill: "centres" },
   thirdBar: { fill: "vertex" },
+  firstArea: { fill: "site-fill" },
+  secondArea: { fill: "hidden-fill" },
+  thirdArea: { fill: "empty-fill" },
+  fourthArea: { fill: "land" },
 } satisfies Record<string, Look>;
 
 export type LookName = keyof typeof kLooks;

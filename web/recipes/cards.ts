@@ -1,0 +1,140 @@
+// The cards of the page "Recipes": a program to change, and what it shows. A program runs in a
+// sandbox (frame.html), anew each time, when its card is first seen and when that is asked for.
+import { make } from "../figure/dom.js";
+import theme from "../theme.css?raw";
+import style from "./frame.css?raw";
+
+const kNear = "100px"; // below the window
+const kEntries = ["index", "embedded", "errors", "treemap", "sphere"];
+
+/** What a sandbox says. */
+type Told =
+  | { kind: "ready" }
+  | { kind: "done" }
+  | { kind: "print"; text: string }
+  | { kind: "height"; height: number }
+  | { kind: "failed"; message: string; line?: number };
+
+const nameOf = (entry: string) =>
+  entry === "index" ? "apollonius-diagram" : `apollonius-diagram/${entry}`;
+
+/**
+ * The package's modules by name, as text: a sandbox has no origin, and may fetch nothing. Their
+ * relative imports become imports by name.
+ */
+async function loadModules(): Promise<Record<string, string>> {
+  const folder = new URL("../lib/apollonius-diagram/", location.href);
+  const load = async (entry: string) => {
+    const response = await fetch(new URL(`${entry}.js`, folder));
+    if (!response.ok) throw new Error(`${entry}.js of the package cannot be loaded`);
+    const text = await response.text();
+    return [nameOf(entry), text.replace(/from"\.\/(\w+)\.js"/g, (_, to) => `from"${nameOf(to)}"`)];
+  };
+  return Object.fromEntries(await Promise.all(kEntries.map(load)));
+}
+let modules: Promise<Record<string, string>> | null = null;
+
+class Card {
+  readonly #code: HTMLTextAreaElement;
+  readonly #result: HTMLElement;
+  readonly #printed = make("pre", { className: "printed", tabIndex: 0, role: "log" });
+  readonly #failed = make("p", { className: "failed", role: "alert" });
+  readonly #title: string;
+  #frame: HTMLIFrameElement | null = null;
+  #height = "";
+
+  /** @param element as tools/site/recipes.mjs makes it */
+  constructor(readonly element: HTMLElement) {
+    const find = <E extends HTMLElement>(selector: string) => {
+      const found = element.querySelector<E>(selector);
+      if (!found) throw new Error(`a recipe has no ${selector}`);
+      return found;
+    };
+    this.#code = find("textarea");
+    this.#result = find(".result");
+    this.#title = this.#code.getAttribute("aria-label") ?? "";
+    this.#printed.setAttribute("aria-label", "Printed");
+    this.#result.append(this.#failed, this.#printed);
+    this.#printed.hidden = this.#failed.hidden = true;
+    find(".run").addEventListener("click", () => this.run());
+    find(".reset").addEventListener("click", () => {
+      this.#code.value = this.#code.defaultValue;
+      this.#fit();
+      this.run();
+    });
+    this.#code.addEventListener("input", () => this.#fit());
+    this.#code.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
+      event.preventDefault();
+      this.run();
+    });
+    addEventListener("message", ({ source, data }: MessageEvent<Told>) => {
+      if (this.#frame && source === this.#frame.contentWindow) this.#hear(data);
+    });
+  }
+
+  #fit() {
+    this.#code.rows = this.#code.value.split("\n").length;
+  }
+
+  run() {
+    this.#frame?.remove();
+    this.#printed.textContent = "";
+    this.#printed.hidden = this.#failed.hidden = true;
+    this.element.dataset.state = "running"; // for tests
+    this.#frame = make("iframe", { title: this.#title.replace("Program", "Result") });
+    this.#frame.setAttribute("sandbox", "allow-scripts");
+    this.#frame.style.height = this.#height;
+    this.#frame.src = "frame.html";
+    this.#result.prepend(this.#frame);
+  }
+
+  async #start() {
+    const frame = this.#frame;
+    try {
+      modules ??= loadModules();
+      const data = { modules: await modules, style: theme + style, program: this.#code.value };
+      frame?.contentWindow?.postMessage(data, "*"); // the sandbox has no origin to name
+    } catch (error) {
+      modules = null; // there is another try with the next run
+      this.#fail(error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  #fail(message: string, line?: number) {
+    this.element.dataset.state = "failed";
+    this.#failed.textContent = line ? `Line ${line}: ${message}` : message;
+    this.#failed.hidden = false;
+  }
+
+  #hear(told: Told) {
+    if (told.kind === "ready") this.#start();
+    else if (told.kind === "failed") this.#fail(told.message, told.line);
+    else if (told.kind === "print") {
+      this.#printed.append(`${told.text}\n`);
+      this.#printed.hidden = false;
+    } else if (told.kind === "height") {
+      this.#height = `${told.height}px`;
+      if (this.#frame) this.#frame.style.height = this.#height;
+    } else if (this.element.dataset.state === "running") this.element.dataset.state = "done";
+  }
+}
+
+/** Makes cards of the page's recipes; each runs when it comes into view. */
+export function startCards(elements: Iterable<HTMLElement>) {
+  const cards = new Map<Element, Card>();
+  const seen = new IntersectionObserver(
+    (entries) => {
+      for (const { target, isIntersecting } of entries) {
+        if (!isIntersecting) continue;
+        seen.unobserve(target);
+        cards.get(target)?.run();
+      }
+    },
+    { rootMargin: kNear },
+  );
+  for (const element of elements) {
+    cards.set(element, new Card(element));
+    seen.observe(element);
+  }
+}
