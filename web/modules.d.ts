@@ -3,3 +3,11 @@ declare module "d3-dsv" {
   export function csvFormatRows(rows: readonly (readonly string[])[]): string;
   export function dsvFormat(separator: string): { parseRows(text: string): string[][] };
 }
+
+declare module "d3-geo" {
+  export function geoDistance(a: readonly number[], b: readonly number[]): number;
+  export const geoEqualEarthRaw: {
+    (lambda: number, phi: number): [number, number];
+    invert(x: number, y: number): [number, number];
+  };
+}

@@ -5,8 +5,10 @@ import { addCell } from "./picture/curves.js";
 import { addDisc, addRim } from "./picture/discs.js";
 import { drawEdges } from "./picture/edges.js";
 import { Shower } from "./picture/shower.js";
-import { save, toGeoJson, toSvg } from "./sets/export.js";
-import { sitesFromText } from "./sets/import.js";
+import { save } from "./sets/export.js";
+import { toGeoJson } from "./sets/geojson.js";
+import { sitesFromFile, sitesFromText } from "./sets/import.js";
+import { toSvg } from "./sets/svg.js";
 import { insertionSteps } from "./steps/insertion.js";
 import { descent, walk } from "./steps/walk.js";
 import { kTools } from "./tools/registry.js";
@@ -23,6 +25,7 @@ export const parts = {
   save,
   toGeoJson,
   toSvg,
+  sitesFromFile,
   sitesFromText,
   insertionSteps,
   descent,
