@@ -7,7 +7,8 @@ import { drawEdges } from "./picture/edges.js";
 import { Shower } from "./picture/shower.js";
 import { save } from "./sets/export.js";
 import { toGeoJson } from "./sets/geojson.js";
-import { sitesFromFile, sitesFromText } from "./sets/import.js";
+import { sitesFromText } from "./sets/import.js";
+import { equalEarth } from "./sets/globe.js";
 import { toSvg } from "./sets/svg.js";
 import { insertionSteps } from "./steps/insertion.js";
 import { descent, walk } from "./steps/walk.js";
@@ -25,7 +26,7 @@ export const parts = {
   save,
   toGeoJson,
   toSvg,
-  sitesFromFile,
+  equalEarth,
   sitesFromText,
   insertionSteps,
   descent,

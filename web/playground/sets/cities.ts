@@ -50,9 +50,7 @@ export async function loadCities(): Promise<Sites> {
   const info = {
     key: "cities",
     title: "Cities of the world",
-    about:
-      "The 1 500 largest, areas of circles by population. Cells are those of this equal-area map; " +
-      "kilometres are those on the globe.",
+    about: "Areas: population. Cells are the flat map’s, kilometres the globe’s.",
     areaUnit: "km²", // a map of equal areas; its distances are not those on the Earth
     map: makeMap(land),
     globe: new Globe(),

@@ -147,7 +147,7 @@ export class SvgContext implements State {
       y: rounded(y),
       dy: this.textBaseline === "middle" ? "0.35em" : undefined,
       "text-anchor": kAnchors[this.textAlign],
-      style: `font: ${this.font}`,
+      ...fontOf(this.font),
       fill: this.fillStyle,
     };
     this.#drawn.push(`<text${attributes(look)}>${escaped(text)}</text>`);
@@ -163,6 +163,12 @@ export class SvgContext implements State {
     const all = { d: this.#path.join(""), ...look, "clip-path": clip };
     this.#drawn.push(`<path${attributes(all)}/>`);
   }
+}
+
+/** "500 11px sans-serif" as attributes: a style would need leave where there is a policy. */
+function fontOf(font: string): Look {
+  const [, weight, size, family] = font.match(/^(?:(\w+) )?([\d.]+)px (.*)$/) ?? [];
+  return { "font-weight": weight, "font-size": size, "font-family": family };
 }
 
 type Look = Record<string, string | number | undefined>;

@@ -138,7 +138,7 @@ function globeFacts({ sites, selection }: App, id: number): Fact[] {
   const facts: Fact[] = [["place", placeText(place)]];
   if (next) {
     const text = `${sites.label(next.id).name}, ${short(next.distance)} km`;
-    facts.push(["nearest centre on the globe", text, () => selection.set([next.id])]);
+    facts.push(["nearest centre", text, () => selection.set([next.id])]);
   }
   return facts;
 }
