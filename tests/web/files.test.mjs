@@ -287,8 +287,7 @@ describeInBrowser("files", (open) => {
       expect(onGlobe).toBeLessThan(onMap);
       const text = (km) => Math.round(km).toLocaleString("en").replace(",", "\u202f");
       expect(found.said).toContain(
-        `nearest on the map, ${text(onMap)} km away; ` +
-          `on the globe ${found.name}, ${text(onGlobe)} km away`,
+        ` ${text(onMap)} km; nearer on Earth: ${found.name} ${text(onGlobe)} km`,
       );
       const nearby = await page.evaluate(() => {
         const { x, y } = app.sites.site(1);

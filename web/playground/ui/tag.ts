@@ -48,7 +48,10 @@ function textOf(app: App, hover: Hover): [string, string] {
     said.push(`${count} neighbour${count === 1 ? "" : "s"}`);
   }
   if (questions.under) said.push(`in ${namesOf(sites, hover.under)}`);
-  if (hover.empty) said.push(`empty circle of ${away(hover.empty.r).replace(" away", "")}`);
+  if (hover.empty) {
+    const unit = sites.info.globe ? " km of the map" : "";
+    said.push(`empty circle of ${away(hover.empty.r).replace(" away", unit)}`);
+  }
   return [name, said.join(" · ")];
 }
 
@@ -64,17 +67,18 @@ function onGlobe({ sites, view }: App, { id, x, y }: Hover, globe: Globe) {
   if (!place || distance === null) return "nearest on the map, off the globe";
   const nearest = globe.nearest(sites, place);
   if (!nearest || nearest.id === id) return awayOnGlobe(sites, distance);
-  const other = sites.label(nearest.id).name;
-  return (
-    `nearest on the map, ${awayOnGlobe(sites, distance)}; ` +
-    `on the globe ${other}, ${awayOnGlobe(sites, nearest.distance)}`
-  );
+  // Short: the tag has one line. Both are distances on the globe.
+  const other = `${sites.label(nearest.id).name} ${kilometres(nearest.distance)}`;
+  return `${kilometres(distance)}; nearer on Earth: ${other}`;
 }
 
+/** "−12 km" is inside. */
+const kilometres = (distance: number) => `${short(distance)} km`;
+
 function awayOnGlobe(sites: Sites, distance: number) {
-  const kilometres = `${short(Math.abs(distance))} km`;
-  if (sites.weight === 0) return `${kilometres} to its centre`;
-  return `${kilometres} ${distance < 0 ? "inside" : "away"}`;
+  const text = kilometres(Math.abs(distance));
+  if (sites.weight === 0) return `${text} to its centre`;
+  return `${text} ${distance < 0 ? "inside" : "away"}`;
 }
 
 function namesOf(sites: Sites, ids: ArrayLike<number>) {
