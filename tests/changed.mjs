@@ -81,7 +81,7 @@ export const kTestsOfPage = {
   model: ["page", "defects"],
   motion: ["motion", "windows"],
   picture: ["picture", "windows"],
-  sets: ["data", "random_sets"],
+  sets: ["data", "files", "random_sets"],
   steps: ["motion"],
   tools: ["page", "motion", "tools"],
   ui: ["looks", "windows"],

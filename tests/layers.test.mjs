@@ -150,7 +150,7 @@ const rules = [
       /^\.{1,2}\/(\w+\/)?\w+\.js$/,
       /^(\.\.\/)+figure\/package\.js$/,
       /^apollonius-diagram$/,
-      /^d3-dsv$/,
+      /^(d3-dsv|d3-geo|fflate)$/,
       /^@preact\/signals-core$/,
     ],
   },

@@ -32,5 +32,9 @@ declare module "d3-geo" {
   export function geoOrthographic(): Projection;
   export function geoPath(projection: Projection): Path;
   export function geoCircle(): Circle;
-  export function geoDistance(a: Place, b: Place): number;
+  export function geoDistance(a: readonly number[], b: readonly number[]): number;
+  export const geoEqualEarthRaw: {
+    (lambda: number, phi: number): [number, number];
+    invert(x: number, y: number): [number, number];
+  };
 }

@@ -146,9 +146,9 @@ describeInBrowser("data", (open) => {
 
     test.each([
       ["", /no text/],
-      ["x,y\n1,two\n", /row 1: y/],
+      ["x,y\n1,two\n", /row 2, column y/],
       ["a,b\n1,2\n", /columns x and y/],
-      ["[[1,2,3],[4]]", /row 2: y/],
+      ["[[1,2,3],[4]]", /row 2, column y/],
       ["[1, 2", /JSON|array/],
       ["[[1, 2, 1e300]]", /1e\+?300/],
     ])("nonsense is refused with its reason, and nothing changes: %j", async (text, reason) => {
@@ -198,9 +198,9 @@ describeInBrowser("data", (open) => {
     test("SVG and GeoJSON have every cell; PNG is a picture of the window", async () => {
       const svg = (await saved("svg")).toString();
       expect(svg.match(/<circle /g)).toHaveLength(35);
-      expect(svg).toMatch(/<path class="cells"[^>]* d="M[^"]{500,}"/);
+      expect(svg).toMatch(/<g class="cells"><path d="M[^"]{500,}"/);
       const { features } = JSON.parse((await saved("geojson")).toString());
-      expect(features).toHaveLength(33);
+      expect(features.filter(({ geometry }) => geometry.type !== "Point")).toHaveLength(33);
       const png = await saved("png");
       expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual([1280, 800]);
     });
@@ -273,6 +273,94 @@ describeInBrowser("data", (open) => {
       expect(await page.evaluate(() => app.sites.weight)).toBe(1);
     });
 
+    test("a circle that the page has moved is where it was left", async () => {
+      const moving = await open({ reducedMotion: "no-preference" });
+      const where = (page) => page.evaluate(() => app.sites.triples([3]).join());
+      const home = await where(page);
+      await moving.waitForFunction((home) => app.sites.triples([3]).join() !== home, home);
+      await moving.click("#open-share");
+      const left = await where(moving);
+      expect(left).not.toBe(home);
+      const hash = await moving.evaluate(() => location.hash);
+      await closePage(moving);
+      const other = await open({ path: hash });
+      expect(await where(other)).toBe(left);
+      await closePage(other);
+    });
+
+    test("many edits are packed; too many are said to be, and give no link", async () => {
+      const moveAll = async (n) => {
+        await show(page, "random", { n: String(n), hidden: "0" });
+        await page.evaluate(() => {
+          const { ids } = app.sites;
+          app.model.update(
+            ids,
+            app.sites.triples(ids).map((v, k) => (k % 3 === 0 ? v + Math.PI : v)),
+          );
+        });
+        await page.click("#open-share");
+        return [await page.textContent("#link-note"), await page.isEnabled("#copy-link")];
+      };
+      expect(await moveAll(100)).toEqual([
+        "The link holds the set, your changes and the view.",
+        true,
+      ]);
+      const [other, hash] = await again();
+      expect(hash).toContain("&packed=");
+      expect(hash.length).toBeLessThan(8000);
+      expect((await circlesOf(other)).map((row) => row.slice(1))).toEqual(await numbers());
+      await closePage(other);
+      await page.keyboard.press("Escape");
+      const [note, isEnabled] = await moveAll(500);
+      expect(note).toMatch(/^Too many changes for a link, which would have \d\d\s\d{3} characters/);
+      expect(isEnabled).toBe(false);
+    });
+
+    test("a link that is damaged is refused with its reason", async () => {
+      const other = await open({ path: "#set=opening&packed=AAAA" });
+      expect(await other.textContent("#notice")).toMatch(/could not be shown/);
+      expect((await stateOf(other)).size).toBe(35);
+      await closePage(other);
+    });
+
+    test("after Back, Undo leads to no other set", async () => {
+      await page.evaluate(() => app.model.remove([1]));
+      await show(page, "gasket");
+      await page.evaluate(() => app.model.remove([1]));
+      await page.goBack();
+      await page.waitForFunction(() => app.diagram.size === 34);
+      expect(await page.isDisabled("#tool-undo")).toBe(true);
+      await page.keyboard.press("Control+z");
+      expect(await page.evaluate(() => [app.sites.info.key, app.diagram.size])).toEqual([
+        "opening",
+        34,
+      ]);
+      await page.evaluate(() => app.model.remove([2]));
+      await page.keyboard.press("Control+z");
+      expect((await stateOf(page)).size).toBe(34);
+    });
+
+    test("the title says which set it is", async () => {
+      expect(await page.title()).toBe("Composed · Apollonius diagram");
+      await show(page, "gasket");
+      expect(await page.title()).toBe("Apollonian gasket · Apollonius diagram");
+      await page.goBack();
+      await page.waitForFunction(() => app.sites.info.key === "opening");
+      expect(await page.title()).toBe("Composed · Apollonius diagram");
+    });
+
+    test.each(["", "why/"])("a link to %j has a picture", async (path) => {
+      const other = path === "" ? page : await open({ path, ready: null });
+      const size = await other.evaluate(async () => {
+        const { content } = document.querySelector("meta[property='og:image']");
+        const response = await fetch(new URL(content, location.href));
+        const { width, height } = await createImageBitmap(await response.blob());
+        return [response.headers.get("content-type"), width, height];
+      });
+      expect(size).toEqual(["image/png", 1200, 630]);
+      if (other !== page) await closePage(other);
+    });
+
     test("a reload keeps more edits than an address can hold", async () => {
       await show(page, "random", { n: "700", hidden: "0" });
       await page.evaluate(() => {
@@ -297,7 +385,7 @@ describeInBrowser("data", (open) => {
       .replace(/^import .*$/m, "")
       .replace(/^(diagram\.find.*);/m, "const found = $1;")
       .replace("const path =", "return [found, diagram.size, cells.render().length]; const path =");
-    const { Diagram } = await import("../lib/apollonius-diagram/index.js");
+    const { Diagram } = await import("../../dist/esm/index.js");
     const [found, size, length] = new Function("Diagram", body)(Diagram);
     expect(size).toBe(35);
     expect(length).toBeGreaterThan(1000);

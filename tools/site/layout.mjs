@@ -71,6 +71,9 @@ export function layout(page, body, pages) {
 <meta property="og:title" content="${escaped(title)}">
 <meta property="og:description" content="${escaped(page.about)}">
 <meta property="og:type" content="website">
+<meta property="og:image" content="${root}card.png">
+<meta property="og:image:width" content="1200">
+<meta property="og:image:height" content="630">
 <link rel="icon" href="${root}icon.svg" type="image/svg+xml">
 <link rel="stylesheet" href="/figure/site.css">
 <script type="module" src="/figure/page.ts"></script>

@@ -1,5 +1,6 @@
-// A country divided among hospitals in its largest cities, to each as much land as it has beds: by
-// the root of the city's population. The outline has two parts, on either side of the Bosporus.
+// A country divided among hospitals in its largest cities, to each as much land as it has beds. The
+// beds are invented: the root of the city's population. The outline has two parts, on either side
+// of the Bosporus.
 // fitAreas finds weights, as head starts, with which the nearest hospital is the right one.
 import { Diagram } from "apollonius-diagram";
 import { select } from "d3-selection";

@@ -40,7 +40,7 @@ const kExamples = {
   capacities: [
     "Capacities",
     "A country divided among hospitals in its cities, to each as much land as it has beds " +
-      "(fitAreas). Data: GeoNames, CC BY; Natural Earth.",
+      "(fitAreas). The beds are invented; cities: GeoNames, CC BY; outline: Natural Earth.",
   ],
   treemap: [
     "Voronoi treemap",

@@ -4,7 +4,7 @@ import type { Command } from "./model/commands.js";
 import { type Change, Model } from "./model/model.js";
 import { Selection } from "./model/selection.js";
 import { effect, signal } from "./model/signals.js";
-import { type Circle, emptySites } from "./model/sites.js";
+import { type Bounds, type Circle, emptySites } from "./model/sites.js";
 import type { Hover, Overlay } from "./picture/overlay_layer.js";
 import { type Canvases, type Layers, Painter } from "./picture/painter.js";
 import { regionOf } from "./picture/regions.js";
@@ -21,6 +21,13 @@ const kMostBoxes = 12; // circles that change at once and are redrawn in a box
 const kEdge = 24; // pixels from the border at which a circle moved by keys takes the view along
 const kNoInsets = { left: 0, top: 0, right: 0, bottom: 0 };
 const kNothing = new Uint32Array(0);
+
+/** One point has no extent: as much around it as it is away from zero, but 1 at least. */
+function withExtent([xmin, ymin, xmax, ymax]: Bounds): Bounds {
+  if (xmin < xmax || ymin < ymax) return [xmin, ymin, xmax, ymax];
+  const reach = Math.max(1, Math.abs(xmin), Math.abs(ymin));
+  return [xmin - reach, ymin - reach, xmin + reach, ymin + reach];
+}
 
 export class App {
   model = new Model();
@@ -291,7 +298,7 @@ export class App {
 
   /** Shows all circles beside the bars. */
   fit(bounds = this.sites.bounds(), margin?: number) {
-    this.view.fit(bounds ?? [0, 0, 1000, 600], this.insets(), margin);
+    this.view.fit(bounds ? withExtent(bounds) : [0, 0, 1000, 600], this.insets(), margin);
     this.viewChanged();
   }
 

@@ -21,14 +21,14 @@ export function makeNavigation(app: App, weights: Weights) {
   let written = -kPause;
   let isComingBack = false;
 
-  /** Says whether the address holds everything. */
+  /** Says what the address holds. */
   function write() {
     clearTimeout(writing);
     writing = 0;
     written = performance.now();
-    const { hash, isWhole } = addressOf(app, { isCentres: weights.target === 0, usual });
-    history.replaceState(keptOf(app.sites, isWhole), "", hash);
-    return isWhole;
+    const address = addressOf(app, { isCentres: weights.target === 0, usual });
+    history.replaceState(keptOf(app.sites, address.isWhole), "", address.hash);
+    return address;
   }
 
   /** Browsers allow a few hundred times a minute. */
@@ -51,6 +51,7 @@ export function makeNavigation(app: App, weights: Weights) {
         history.pushState(null, "", location.href);
         write();
       }
+      document.title = `${app.sites.info.title} · Apollonius diagram`; // of the entry that is new
       weights.go(weights.target, { isAtOnce: true });
     }
     if (!app.model.open) writeLater(); // else when it is done
@@ -62,15 +63,15 @@ export function makeNavigation(app: App, weights: Weights) {
     open().catch(sayWhatFailed("This could not be shown"));
   });
 
-  /** Shows what the address says. */
-  async function open({ isFirst = false } = {}) {
+  /** Shows what the address says. It begins anew: Undo leads to no other entry of the history. */
+  async function open() {
     const state = stateOf(location.hash);
     if (location.hash === "") state.params = shape();
     const kept: Kept | null = history.state;
     const sites = await withProgress((watch) => sitesOf(state, kept, watch));
     isComingBack = true;
     try {
-      app.model.replace(sites, { isFirst });
+      app.model.restart(sites);
     } finally {
       isComingBack = false;
     }

@@ -5,8 +5,11 @@ import { addCell } from "./picture/curves.js";
 import { addDisc, addRim } from "./picture/discs.js";
 import { drawEdges } from "./picture/edges.js";
 import { Shower } from "./picture/shower.js";
-import { save, toGeoJson, toSvg } from "./sets/export.js";
+import { save } from "./sets/export.js";
+import { toGeoJson } from "./sets/geojson.js";
 import { sitesFromText } from "./sets/import.js";
+import { equalEarth } from "./sets/globe.js";
+import { toSvg } from "./sets/svg.js";
 import { insertionSteps } from "./steps/insertion.js";
 import { descent, walk } from "./steps/walk.js";
 import { kTools } from "./tools/registry.js";
@@ -23,6 +26,7 @@ export const parts = {
   save,
   toGeoJson,
   toSvg,
+  equalEarth,
   sitesFromText,
   insertionSteps,
   descent,

@@ -116,11 +116,11 @@ export async function start() {
 
   const isPlain = location.hash === "";
   try {
-    await navigation.open({ isFirst: true });
+    await navigation.open();
   } catch (error) {
     notify(`The set of this link could not be shown: ${messageOf(error)}`);
     history.replaceState(null, "", "#");
-    await navigation.open({ isFirst: true });
+    await navigation.open();
   }
   if (isPlain) letWander(app);
 

@@ -24,6 +24,13 @@ export class History {
     while (this.#done.length > 1 && this.#isTooMuch()) this.#done.shift()?.release?.();
   }
 
+  /** Forgets everything, and what only it has kept. */
+  clear() {
+    for (const lost of [...this.#done, ...this.#undone]) lost.release?.();
+    this.#done = [];
+    this.#undone = [];
+  }
+
   /** @returns the command that has been undone */
   undo(): Command | null {
     const command = this.#done.pop();

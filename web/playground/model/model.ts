@@ -41,13 +41,9 @@ export class OpenChange {
       this.model.record(movement(this.model.sites, this.ids, this.before, this.after));
   }
 
-  /** Ends it where it is, as no edit: the set is taken to have been like this. */
+  /** Ends it where it is, as no edit that could be undone. */
   leave() {
-    if (!this.isOpen) return;
-    this.model.open = null;
-    const { original } = this.model.sites;
-    for (let k = 0; k < this.ids.length; k++)
-      original.set(this.after.subarray(3 * k, 3 * k + 3), 3 * this.ids[k]);
+    if (this.isOpen) this.model.open = null;
   }
 
   cancel() {
@@ -111,12 +107,21 @@ export class Model extends Emitter<ModelEvents> {
     return this.open;
   }
 
-  /** Shows another set; the first one has no way back. */
-  replace(sites: Sites, { isFirst = false } = {}) {
+  /** Shows another set. */
+  replace(sites: Sites) {
     this.open?.commit();
+    this.#do(replacement(this, sites));
+  }
+
+  /** Shows a set from which no way leads back to what was before. */
+  restart(sites: Sites) {
+    this.open?.commit();
+    const wasEdited = this.history.canUndo || this.history.canRedo;
+    this.history.clear();
     const command = replacement(this, sites);
-    if (isFirst) this.run(null, () => command.redo(), true);
-    else this.#do(command);
+    this.run(null, () => command.redo(), true);
+    command.release();
+    if (wasEdited) this.#edits.value = this.#edits.peek() + 1;
   }
 
   /** Lets this share of the radii count; no edit. */

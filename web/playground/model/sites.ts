@@ -2,6 +2,7 @@
 // numbers, names, and which of them are hidden. Only commands (commands.js) change it.
 import { Diagram, type Voronoi } from "apollonius-diagram";
 import type { WorldMap } from "../picture/map_layer.js";
+import type { Globe } from "../sets/globe.js";
 
 export type Label = { name: string; detail?: string };
 /** A circle as the numbers x, y, r. */
@@ -20,6 +21,8 @@ export type SetInfo = {
   credit?: string;
   params?: Record<string, unknown>;
   map?: WorldMap | null;
+  /** Of the cities' map: the true distances. */
+  globe?: Globe;
 };
 
 const kUnknown = 0;
@@ -180,6 +183,18 @@ export class Sites {
       return draw(id);
     } finally {
       this.diagram.remove(id);
+    }
+  }
+
+  /** The diagram as a snapshot, with the radii as given. */
+  toBytes() {
+    const { weight } = this;
+    if (weight === 1) return this.diagram.toBytes();
+    this.weigh(1);
+    try {
+      return this.diagram.toBytes();
+    } finally {
+      this.weigh(weight);
     }
   }
 

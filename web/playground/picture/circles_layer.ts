@@ -84,6 +84,12 @@ export class CirclesLayer {
     if (layers.circles) this.#drawNames(context, sites, view, box, theme);
   }
 
+  /** Only the names, as `draw` would. */
+  drawNames(context: CanvasRenderingContext2D, { sites, view, theme }: Picture, box: Box) {
+    this.#collect(sites, view, box);
+    this.#drawNames(context, sites, view, box, theme);
+  }
+
   /** What the window meets. */
   #collect(sites: Sites, view: View, box: Box) {
     const { xyr, weight } = sites;

@@ -4,7 +4,9 @@
 import type { App } from "../app.js";
 import type { Label, Sites } from "../model/sites.js";
 import type { Watch } from "./building.js";
-import { type Row, sitesFromRows } from "./import.js";
+import type { Circles } from "./columns.js";
+import { sitesFromRows } from "./import.js";
+import { packed, unpacked } from "./packing.js";
 import { loadSet, type Params } from "./presets.js";
 
 /** The middle of the window, and its width, in units. */
@@ -18,7 +20,9 @@ export type State = {
   shown: Record<string, boolean>;
 };
 
-const kMostEdits = 500;
+const kMostEdits = 2000;
+const kLongPlain = 500; // characters of edits that are still written as they are
+const kLongest = 8000; // characters of an address that every browser and most messages pass on
 const kMostKept = 20_000; // circles
 const kDigits = 6; // of the view
 
@@ -78,24 +82,36 @@ export function applyEdits(sites: Sites, edits: string) {
 
 const short = (value: number) => String(Number(value.toPrecision(kDigits)));
 
+/** What an address is, and whether it holds all changes; `length` is how long it would be then. */
+export type Address = { hash: string; isWhole: boolean; length: number };
+
+/** Short ones as they are, long ones packed. */
+const partOf = (edits: string) =>
+  edits.length > kLongPlain ? ["packed", packed(edits)] : ["edits", edits];
+
 /** The part of the address after "#". @param page `usual`: layers at first */
 export function addressOf(
   { sites, view, painter }: App,
   { isCentres, usual }: { isCentres: boolean; usual: Record<string, boolean> },
-) {
+): Address {
   const edits = editsOf(sites);
   const parts = [["set", sites.info.key]];
   for (const [name, value] of Object.entries(sites.info.params ?? {}))
     if (value !== false) parts.push([name, String(value === true ? 1 : value)]);
-  if (edits) parts.push(["edits", edits]);
   const { x, y } = view.disc();
-  parts.push(["view", [x, y, view.width / view.scale].map(short).join()]);
-  if (isCentres) parts.push(["to", "centres"]);
+  const rest = [["view", [x, y, view.width / view.scale].map(short).join()]];
+  if (isCentres) rest.push(["to", "centres"]);
   const switched = Object.entries(painter.layers)
     .filter(([name, isShown]) => usual[name] !== isShown)
     .map(([name, isShown]) => (isShown ? name : `-${name}`));
-  if (switched.length > 0) parts.push(["show", switched.join()]);
-  return { hash: `#${parts.map((part) => part.join("=")).join("&")}`, isWhole: edits !== null };
+  if (switched.length > 0) rest.push(["show", switched.join()]);
+  const joined = (all: string[][]) => `#${all.map((part) => part.join("=")).join("&")}`;
+  const bare = joined([...parts, ...rest]);
+  if (edits === null) return { hash: bare, isWhole: false, length: Infinity };
+  if (edits === "") return { hash: bare, isWhole: true, length: bare.length };
+  const hash = joined([...parts, partOf(edits), ...rest]);
+  const isWhole = hash.length <= kLongest;
+  return { hash: isWhole ? hash : bare, isWhole, length: hash.length };
 }
 
 export function stateOf(hash: string): State {
@@ -109,11 +125,11 @@ export function stateOf(hash: string): State {
         return at < 0 ? [part, ""] : [part.slice(0, at), part.slice(at + 1)];
       }),
   );
-  const { set = "opening", edits = "", view, to, show = "", ...params } = all;
+  const { set = "opening", edits = "", packed: letters, view, to, show = "", ...params } = all;
   return {
     key: set,
     params,
-    edits,
+    edits: letters ? unpacked(letters) : edits,
     view: lookedOf(view),
     isCentres: to === "centres",
     shown: Object.fromEntries(
@@ -133,24 +149,24 @@ function lookedOf(text = ""): Looked | null {
 
 /** The circles of an address. @param kept in the history entry */
 export async function sitesOf(state: State, kept: Kept | null, watch?: Watch) {
-  if (kept?.rows) return sitesFromRows(kept.rows, kept.title);
+  if (kept?.rows) return sitesFromRows(kept, kept.title);
   const sites =
     state.key === "data"
-      ? sitesFromRows([], "Your data")
+      ? sitesFromRows({ rows: [] }, "Your data")
       : await loadSet(state.key, state.params, watch);
   if (state.edits) applyEdits(sites, state.edits);
   return sites;
 }
 
 /** What this page has put into a history entry. */
-export type Kept = { rows: Row[]; title: string };
+export type Kept = Circles & { title: string };
 
 /** What a history entry keeps beside its address. */
 export function keptOf(sites: Sites, isWhole: boolean): Kept | null {
   if (isWhole || sites.size > kMostKept) return null;
   const rows = Array.from(sites.ids, (id) => ({
     ...sites.site(id),
-    name: sites.labels.get(id)?.name,
+    ...sites.labels.get(id),
   }));
-  return { rows, title: sites.info.title };
+  return { rows, title: sites.info.title, about: sites.info.about };
 }

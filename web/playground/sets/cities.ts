@@ -3,6 +3,7 @@
 // equal-area map.
 import { Sites } from "../model/sites.js";
 import { type MapData, makeMap } from "../picture/map_layer.js";
+import { Globe } from "./globe.js";
 
 const kLargestRadius = 330; // km, of the largest city's circle
 
@@ -49,9 +50,10 @@ export async function loadCities(): Promise<Sites> {
   const info = {
     key: "cities",
     title: "Cities of the world",
-    about: "The 1 500 largest, areas of circles by population, on an equal-area map.",
+    about: "Areas: population. Cells are the flat map’s, kilometres the globe’s.",
     areaUnit: "km²", // a map of equal areas; its distances are not those on the Earth
     map: makeMap(land),
+    globe: new Globe(),
     credit: "cities",
   };
   return new Sites(xyr, info, { labels });

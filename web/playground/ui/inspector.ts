@@ -2,6 +2,7 @@
 import type { App } from "../app.js";
 import { messageOf } from "../errors.js";
 import { whenever } from "../model/signals.js";
+import { placeText } from "../sets/globe.js";
 import { grouped, oncePerFrame, setText, short } from "./dom.js";
 import { element } from "./elements.js";
 
@@ -9,6 +10,9 @@ const kGrow = 1.15;
 const kFree = 24; // pixels that the card leaves free around the circle that it is about
 const kTallest = 340; // and how tall it can be
 const kFar = 1e7; // windows for areas: this many times what the circles take
+
+/** A term, what there is to say about it, and what a click on that does. */
+type Fact = [string, string, (() => void)?];
 
 export function makeInspector(app: App) {
   const { selection } = app;
@@ -54,7 +58,7 @@ export function makeInspector(app: App) {
     card.classList.toggle("aside", isBelow);
   }
 
-  function showFacts(facts: [string, string, (() => void)?][]) {
+  function showFacts(facts: Fact[]) {
     element("card-facts").replaceChildren(
       ...facts.flatMap(([term, text, act]) => {
         const dt = Object.assign(document.createElement("dt"), { textContent: term });
@@ -105,21 +109,38 @@ export function makeInspector(app: App) {
   app.model.on("change", update);
 }
 
-function factsOf(app: App, id: number): [string, string, (() => void)?][] {
+function factsOf(app: App, id: number): Fact[] {
   const { diagram, sites, selection } = app;
+  const onGlobe = globeFacts(app, id);
   if (diagram.isHidden(id)) {
     const cover = diagram.coverOf(id);
     return [
+      ...onGlobe,
       ["cell", "none: it is hidden"],
       ["covered by", sites.label(cover).name, () => selection.set([cover])],
     ];
   }
   const { areaUnit } = sites.info;
   return [
+    ...onGlobe,
     ["cell’s area", areaUnit ? `${areaOf(app, id)} ${areaUnit}` : areaOf(app, id)],
     ["neighbours", String(diagram.neighbors(id).length)],
     ["hides", hiddenBelow(app, id)],
   ];
+}
+
+/** Where it is on the Earth, and which one is next to it there: x and y are those of the map. */
+function globeFacts({ sites, selection }: App, id: number): Fact[] {
+  const { globe } = sites.info;
+  const place = globe?.placeOf(sites, id);
+  if (!globe || !place) return [];
+  const next = globe.nearestCentre(sites, id);
+  const facts: Fact[] = [["place", placeText(place)]];
+  if (next) {
+    const text = `${sites.label(next.id).name}, ${short(next.distance)} km`;
+    facts.push(["nearest centre", text, () => selection.set([next.id])]);
+  }
+  return facts;
 }
 
 /** The whole cell's, if it ends somewhere. */

@@ -14,6 +14,12 @@ export function notify(text: string) {
   hiding = setTimeout(() => (notice.hidden = true), kShown);
 }
 
+/** What is said no longer holds. */
+export function silence() {
+  clearTimeout(hiding);
+  element("notice").hidden = true;
+}
+
 /** For the catch of what may fail: says what did and leaves the rest alive. */
 export const sayWhatFailed = (what: string) => (error: unknown) => {
   if (error instanceof DOMException && error.name === "AbortError") return;

@@ -4,7 +4,7 @@ import type { Sites, Triple } from "../model/sites.js";
 import { sitesFromFile, sitesFromText } from "../sets/import.js";
 import { kPresets, type Params } from "../sets/presets.js";
 import { element } from "./elements.js";
-import { sayWhatFailed } from "./notice.js";
+import { notify, sayWhatFailed, silence } from "./notice.js";
 import { isIn } from "./targets.js";
 
 const kPicture = 60; // circles in one
@@ -60,8 +60,11 @@ export function makeSetsMenu(app: App, actions: Actions) {
 function listenToData({ show }: Actions, close: () => void) {
   const read = async (make: () => Sites | Promise<Sites>) => {
     try {
-      show(await make());
+      const sites = await make();
+      show(sites);
       close();
+      if (sites.info.about) notify(sites.info.about);
+      else silence(); // a failure before this is over
     } catch (error) {
       sayWhatFailed("These circles could not be read")(error);
     }

@@ -5,7 +5,8 @@ import { whenever } from "../model/signals.js";
 import type { Sites } from "../model/sites.js";
 import type { Hover } from "../picture/overlay_layer.js";
 import type { View } from "../picture/view.js";
-import { away, grouped, oncePerFrame } from "./dom.js";
+import { type Globe, placeOn } from "../sets/globe.js";
+import { away, grouped, oncePerFrame, short } from "./dom.js";
 import { element } from "./elements.js";
 
 const kGap = 16; // pixels between pointer and tag
@@ -38,17 +39,46 @@ export function makeTag(app: App) {
 }
 
 /** @returns the nearest site, and the rest */
-function textOf({ sites, questions, diagram }: App, hover: Hover): [string, string] {
+function textOf(app: App, hover: Hover): [string, string] {
+  const { sites, questions } = app;
   const { name } = sites.label(hover.id);
-  const said = [away(hover.distance)];
+  const said = [sites.info.globe ? onGlobe(app, hover, sites.info.globe) : onPlane(app, hover)];
   if (questions.neighbors) {
     const count = hover.neighbors.length;
     said.push(`${count} neighbour${count === 1 ? "" : "s"}`);
   }
   if (questions.under) said.push(`in ${namesOf(sites, hover.under)}`);
-  if (hover.empty) said.push(`empty circle of ${away(hover.empty.r).replace(" away", "")}`);
-  if (sites.weight === 0 && diagram.size > 0) said[0] = said[0].replace("away", "to its centre");
+  if (hover.empty) {
+    const unit = sites.info.globe ? " km of the map" : "";
+    said.push(`empty circle of ${away(hover.empty.r).replace(" away", unit)}`);
+  }
   return [name, said.join(" · ")];
+}
+
+function onPlane({ sites, diagram }: App, hover: Hover) {
+  const text = away(hover.distance);
+  return sites.weight === 0 && diagram.size > 0 ? text.replace("away", "to its centre") : text;
+}
+
+/** In kilometres on the Earth, where another one than on the map can be the nearest. */
+function onGlobe({ sites, view }: App, { id, x, y }: Hover, globe: Globe) {
+  const place = placeOn(view.toWorldX(x), view.toWorldY(y));
+  const distance = place && globe.distance(sites, id, place);
+  if (!place || distance === null) return "nearest on the map, off the globe";
+  const nearest = globe.nearest(sites, place);
+  if (!nearest || nearest.id === id) return awayOnGlobe(sites, distance);
+  // Short: the tag has one line. Both are distances on the globe.
+  const other = `${sites.label(nearest.id).name} ${kilometres(nearest.distance)}`;
+  return `${kilometres(distance)}; nearer on Earth: ${other}`;
+}
+
+/** "−12 km" is inside. */
+const kilometres = (distance: number) => `${short(distance)} km`;
+
+function awayOnGlobe(sites: Sites, distance: number) {
+  const text = kilometres(Math.abs(distance));
+  if (sites.weight === 0) return `${text} to its centre`;
+  return `${text} ${distance < 0 ? "inside" : "away"}`;
 }
 
 function namesOf(sites: Sites, ids: ArrayLike<number>) {

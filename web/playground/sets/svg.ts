@@ -1,0 +1,89 @@
+// The picture as SVG: all that the canvases show but what follows the pointer. Lines are drawn by
+// the layers themselves, each into a group of its own; circles are circles.
+import type { App } from "../app.js";
+import { CirclesLayer } from "../picture/circles_layer.js";
+import { windowOf } from "../picture/curves.js";
+import { drawLines } from "../picture/lines_layer.js";
+import type { Part, WorldMap } from "../picture/map_layer.js";
+import type { Layers, Picture } from "../picture/painter.js";
+import { escaped, rounded, SvgContext } from "./svg_context.js";
+
+/** The groups of lines, as they lie one above the other. */
+const kLines = ["distances", "centres", "dual", "cells", "vertices", "levels", "hull"] as const;
+const kCredit = "Cities: GeoNames, CC BY. Land: Natural Earth. Equal Earth projection.";
+const kLeast = 0.5; // pixels: the radius of a smaller circle
+const kDashFrom = 5; // pixels: hidden circles that are dashed, as on the canvas
+const kMostNamed = 1500; // circles in the window, as on the canvas
+
+/** What the window shows, in pixels. */
+export function toSvg(app: App) {
+  const { sites, view, painter } = app;
+  const { theme, layers, ends } = painter;
+  const picture: Picture = { sites, view, layers, theme, ends, pixelRatio: 1, isLive: false };
+  const { width, height } = view;
+  const { map } = sites.info;
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" ` +
+      `viewBox="0 0 ${width} ${height}">`,
+    `<title>${escaped(sites.info.title)}</title>`,
+    ...(sites.info.credit === "cities" ? [`<desc>${kCredit}</desc>`] : []),
+    `<rect width="100%" height="100%" fill="${theme.paper}"/>`,
+    ...(map && layers.map ? [mapOf(picture, map)] : []),
+    ...kLines.filter((name) => layers[name]).map((name) => linesOf(picture, name, app)),
+    ...circlesOf(picture),
+    "</svg>",
+  ].join("\n");
+}
+
+const group = (name: string, look: string, inside: string) =>
+  `<g class="${name}"${look && ` ${look}`}>${inside}</g>`;
+
+function mapOf({ view, theme }: Picture, { outline, land }: WorldMap) {
+  const path = ({ rings }: Part, fill: string) => {
+    const d = rings.map((ring) => `M${onScreen(view, ring)}Z`).join("");
+    return `<path d="${d}" fill="${fill}"/>`;
+  };
+  return group("map", `stroke="${theme.coast}"`, path(outline, theme.sea) + path(land, theme.land));
+}
+
+/** A ring x, y, … as the points of a path. */
+const onScreen = (view: Picture["view"], ring: readonly number[]) =>
+  ring.map((v, k) => rounded(k % 2 === 0 ? view.toScreenX(v) : view.toScreenY(v))).join();
+
+/** What the layer of this name draws when it is the only one. */
+function linesOf(picture: Picture, name: (typeof kLines)[number], { view, painter }: App) {
+  const off = Object.fromEntries(kLines.map((other) => [other, other === name]));
+  const layers: Layers = { ...picture.layers, ...off };
+  const context = new SvgContext();
+  const size = painter.cellSize;
+  const expected = (view.width * view.height) / size ** 2;
+  const only = { ...picture, layers };
+  for (const _ of drawLines(context.asCanvas(), only, windowOf(view), size, expected));
+  return group(name, "", context.take());
+}
+
+function circlesOf(picture: Picture) {
+  const { sites, view, layers, theme } = picture;
+  const visible: string[] = [];
+  const hidden: string[] = [];
+  for (const id of sites.ids) {
+    const [x, y] = [view.toScreenX(sites.xyr[3 * id]), view.toScreenY(sites.xyr[3 * id + 1])];
+    const r = Math.max(sites.radius(id) * view.scale, kLeast);
+    if (x + r < 0 || x - r > view.width || y + r < 0 || y - r > view.height) continue;
+    const isHidden = sites.isHidden(id);
+    const dashes = isHidden && r >= kDashFrom ? ' stroke-dasharray="3 3"' : "";
+    const place = `cx="${rounded(x)}" cy="${rounded(y)}" r="${rounded(r)}"`;
+    (isHidden ? hidden : visible).push(`<circle ${place}${dashes}/>`);
+  }
+  const circles = (name: string, all: string[], fill: string, stroke: string) =>
+    group(name, `fill="${fill}" stroke="${stroke}"`, all.join(""));
+  const groups = [];
+  if (layers.circles) groups.push(circles("circles", visible, theme.siteFill, theme.site));
+  if (layers.hidden) groups.push(circles("hidden", hidden, theme.hiddenFill, theme.hidden));
+  if (layers.circles && visible.length + hidden.length <= kMostNamed) {
+    const context = new SvgContext();
+    new CirclesLayer().drawNames(context.asCanvas(), picture, windowOf(view));
+    groups.push(group("names", "", context.take()));
+  }
+  return groups;
+}
