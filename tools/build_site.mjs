@@ -14,12 +14,15 @@ import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "nod
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { pagesPlugin } from "./site/pages_plugin.mjs";
+import { preloads } from "./site/preloads.mjs";
 import { root } from "./toolchain/folders.mjs";
 
 const source = path.join(root, "web");
 /** Where it goes. */
 export const builtSite = path.join(root, "build/web");
 const copied = ["examples", "data", "icon.svg"]; // of web/
+/** What every page needs comes in one piece. */
+const kShared = /dist\/esm\/wasm\.js|web\/figure\/(package|figure|pen|dom)\.ts|preload-helper/;
 const kRandomSets = "playground/sets/random_sets";
 
 /** The d3 modules that web/examples import, by the import map of its page. */
@@ -74,7 +77,7 @@ async function settings({ isWatching }) {
       ],
     },
     worker: { format: "es" },
-    plugins: [pages, { name: "the-rest", closeBundle: copyTheRest }],
+    plugins: [pages, preloads, { name: "the-rest", closeBundle: copyTheRest }],
     build: {
       outDir: builtSite,
       emptyOutDir: true,
@@ -83,7 +86,7 @@ async function settings({ isWatching }) {
       assetsInlineLimit: 0,
       modulePreload: { polyfill: false },
       watch: isWatching ? {} : null,
-      rollupOptions: {
+      rolldownOptions: {
         input: {
           ...pages.api.inputs,
           playground: path.join(source, "playground/index.html"),
@@ -93,6 +96,7 @@ async function settings({ isWatching }) {
         output: {
           entryFileNames: ({ name }) =>
             name === kRandomSets ? "[name].js" : "assets/[name]-[hash].js",
+          codeSplitting: { groups: [{ name: "shared", test: kShared }] },
         },
       },
     },

@@ -1,7 +1,6 @@
 // A static server for the site: node tools/serve.mjs [--port N], or PORT=N in the environment.
-// Serves build/web/ as build_site.mjs makes it, at /web/, on this machine only. As a program it
-// builds the site first, and again when its files change. Where the port is taken it says so, and
-// takes the next free one. The headers let pages measure microseconds (isolation) and show that the
+// Serves build/web/ as build_site.mjs makes it, at /web/, on this machine only. Where the port is
+// taken it says so, and takes the next free one. The headers let pages measure microseconds (isolation) and show that the
 // package runs under a strict content security policy (which the pages state too).
 import { createReadStream } from "node:fs";
 import { stat } from "node:fs/promises";
@@ -9,7 +8,7 @@ import { createServer } from "node:http";
 import { extname, join, normalize, sep } from "node:path";
 import { pathToFileURL } from "node:url";
 import { createGzip } from "node:zlib";
-import { builtSite, watchSite } from "./build_site.mjs";
+import { builtSite } from "./build_site.mjs";
 import { root } from "./toolchain/folders.mjs";
 
 const kHost = "127.0.0.1";
@@ -114,13 +113,10 @@ async function main(args) {
     console.error("usage: node tools/serve.mjs [--port N], or PORT=N, from 0 to 65535");
     process.exit(2);
   }
-  if (!(await stat(join(root, "dist")).catch(() => null))) {
-    console.error(
-      "dist/ is missing: the package has not been built. Run: npm start (or npm run build)",
-    );
+  if (!(await stat(builtSite).catch(() => null))) {
+    console.error("build/web/ is missing: the site has not been built. Run: npm start");
     process.exit(1);
   }
-  await watchSite();
   const { url } = await serve(port);
   if (port !== 0 && new URL(url).port !== String(port)) console.log(`Port ${port} is taken.`);
   console.log(`The page is at ${url}  (Ctrl-C ends it)`);

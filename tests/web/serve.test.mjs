@@ -3,9 +3,10 @@
 import { spawn } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
 import { createServer, request } from "node:http";
+import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, expect, test } from "@jest/globals";
-import { builtPage } from "../../tools/build_page.mjs";
+import { builtSite } from "../../tools/build_site.mjs";
 import { serve } from "../../tools/serve.mjs";
 import { closePage, describeInBrowser } from "./support/browser.mjs";
 
@@ -25,20 +26,28 @@ const get = (path, method = "GET") =>
       .end();
   });
 
+/** The name of a file that Vite has made. */
+const asset = (pattern) =>
+  readdirSync(path.join(builtSite, "assets")).find((name) => pattern.test(name));
+
 test.each([
   ["/web/", "text/html"],
-  ["/web/main.js", "text/javascript"],
-  ["/web/style.css", "text/css"],
-  ["/web/main.js.map", "application/json"],
-  ["/web/sets/build_worker.js", "text/javascript"],
-  ["/web/motion/fit_worker.js", "text/javascript"],
+  ["/web/why/", "text/html"],
+  ["/web/reference/api/", "text/html"],
+  ["/web/playground/", "text/html"],
+  ["/web/playground/sets/random_sets.js", "text/javascript"],
+  ["/web/icon.svg", "image/svg+xml"],
   ["/web/data/cities.json", "application/json"],
   ["/web/data/country.json", "application/json"],
   ["/web/examples/", "text/html"],
   ["/web/examples/globe.html", "text/html"],
   ["/web/examples/gallery.js", "text/javascript"],
-  ["/dist/esm/sphere.js", "text/javascript"],
-  ["/dist/apollonius.wasm", "application/wasm"],
+  ["/web/lib/apollonius-diagram/sphere.js", "text/javascript"],
+  ["/web/lib/d3-force.mjs", "text/javascript"],
+  [`/web/assets/${asset(/^apollonius.*\.wasm$/)}`, "application/wasm"],
+  [`/web/assets/${asset(/^build_worker.*\.js$/)}`, "text/javascript"],
+  [`/web/assets/${asset(/^playground.*\.css$/)}`, "text/css"],
+  [`/web/assets/${asset(/^playground.*\.js\.map$/)}`, "application/json"],
 ])("%s is %s, isolated", async (path, type) => {
   const { status, headers } = await get(path);
   expect(status).toBe(200);
@@ -54,11 +63,12 @@ test.each([
   "/web/%2e%2e%2fpackage.json",
   "/.git/config",
   "/web/none.js",
-  "/web/app.js",
-  "/web/sets/presets.js",
+  "/web/playground/app.js",
+  "/web/playground/sets/presets.js",
   "/web/tsconfig.json",
   "/web/examples",
-  "/build/web/main.js",
+  "/build/web/index.html",
+  "/dist/esm/index.js",
   "/node_modules/jest/package.json",
   "/web/data",
   "/web/%ff",
@@ -122,29 +132,28 @@ test("the security policy allows no inline script, and the page contains no such
   const policy = html.match(/content="(default-src[^"]*)"/)[1];
   expect(policy).toMatch(/script-src 'self' 'wasm-unsafe-eval';/);
   expect(policy).not.toMatch(/unsafe-(inline|eval|hashes)(?<!wasm-unsafe-eval)/);
-  expect(html.match(/<script[^>]*>[^<]*/g)).toEqual(['<script type="module" src="main.js">']);
+  expect(html.match(/<script[^>]*>[^<]*/g)).toEqual(['<script type="module" src="main.ts">']);
 });
 
 describeInBrowser("the page as it is served", (open) => {
-  test("comes with at most eight requests, all below its own folder", async () => {
+  test("comes with at most eight requests, all below the site's folder", async () => {
     const asked = [];
     const page = await open({
       prepare: (page) => page.on("request", (request) => asked.push(request.url())),
     });
-    const folder = new URL(".", page.url()).href;
+    const folder = new URL("..", page.url()).href;
     expect(asked.filter((url) => !url.startsWith(folder))).toEqual([]);
-    expect(asked).toContain(`${folder}main.js`);
     expect(asked.length).toBeLessThanOrEqual(8);
-    // Later: cities, land, and a worker with what it shares with the page.
+    // Later: cities, land, and a worker.
     await page.evaluate(() => app.whenFetched);
-    expect(asked.filter((url) => !/\.json$|_worker\.js$|chunk-/.test(url)).length).toBeLessThan(8);
+    const others = asked.filter((url) => !/\.json$|_worker-[\w-]+\.js$/.test(url));
+    expect(others.length).toBeLessThanOrEqual(8);
     expect(page.errors).toEqual([]);
     await closePage(page);
   });
 });
 
-test("the built page has no file of an earlier build, and none that only the examples need", () => {
-  const built = readdirSync(builtPage, { recursive: true }).map((name) => name.replace(/\\/g, "/"));
-  expect(built.filter((name) => /^(examples|.*\.tmp$)/.test(name))).toEqual([]);
-  expect(built.filter((name) => /^start-\w+\.js$/.test(name))).toHaveLength(1);
+test("the built site has no file of an earlier build", () => {
+  const built = readdirSync(path.join(builtSite, "assets"));
+  expect(built.filter((name) => /^playground-[\w-]+\.js$/.test(name))).toHaveLength(1);
 });

@@ -1,0 +1,47 @@
+// A plugin for Vite: each page says in its head what its script will ask for, so that the browser
+// fetches all of it at once: the first figure, or the playground's parts, and the WebAssembly.
+import path from "node:path";
+
+/** The module that a page's script imports first, by the end of its name; null if there is none. */
+function firstModule(html, folder) {
+  if (folder === "playground") return "playground/start.ts";
+  const figure = /data-figure="(\w+)"/.exec(html)?.[1];
+  return figure ? `figures/${figure}.ts` : null;
+}
+
+/** The chunk with a module, and all that it imports. */
+function chunksFor(bundle, module) {
+  const chunks = Object.values(bundle).filter(({ type }) => type === "chunk");
+  const first = chunks.find(({ facadeModuleId }) => facadeModuleId?.endsWith(module));
+  const reached = new Set();
+  const visit = (name) => {
+    if (reached.has(name)) return;
+    reached.add(name);
+    for (const imported of bundle[name]?.imports ?? []) visit(imported);
+  };
+  if (first) visit(first.fileName);
+  return [...reached];
+}
+
+export const preloads = {
+  name: "preloads",
+  transformIndexHtml: {
+    order: "post",
+    handler(html, { bundle, path: page }) {
+      const folder = path.posix.dirname(page).slice(1);
+      const module = bundle && firstModule(html, folder);
+      if (!module) return html;
+      const root = folder === "" ? "./" : "../".repeat(folder.split("/").length);
+      const wasm = Object.keys(bundle).find((name) => name.endsWith(".wasm"));
+      const modules = chunksFor(bundle, module).filter((name) => !html.includes(name));
+      return [
+        ...modules.map((name) => ({ rel: "modulepreload", href: root + name })),
+        { rel: "preload", as: "fetch", type: "application/wasm", href: root + wasm },
+      ].map((link) => ({
+        tag: "link",
+        attrs: { ...link, crossorigin: true },
+        injectTo: "head",
+      }));
+    },
+  },
+};
