@@ -78,12 +78,12 @@ export const kTestsOfPage = {
   figures: ["site"],
   pages: ["site"],
   model: ["page", "defects"],
-  motion: ["motion", "windows"],
+  motion: ["motion", "windows", "defects_centres"],
   picture: ["picture", "windows"],
   sets: ["data", "random_sets"],
   steps: ["motion"],
-  tools: ["page", "motion", "tools"],
-  ui: ["looks", "windows"],
+  tools: ["page", "motion", "tools", "defects_ui"],
+  ui: ["looks", "windows", "defects_ui"],
 };
 
 /** Test files of the page to run, as patterns; empty: none. */

@@ -114,7 +114,7 @@ describeInBrowser("centres", (open) => {
 });
 
 describeInBrowser("ghost", (open) => {
-  test("it shows a wrong and a right pick while nobody acts, and goes when somebody does", async () => {
+  test("while nobody acts it shows a wrong and a right pick", async () => {
     const page = await open({ reducedMotion: "no-preference" });
     await page.check("[name=weight][value='0']", { force: true });
     await page.waitForFunction(() => app.painter.overlay.ghost !== null);

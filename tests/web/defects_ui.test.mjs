@@ -166,7 +166,7 @@ describeInBrowser("the same area for all, told", (open) => {
 });
 
 describeInBrowser("neighbours", (open) => {
-  test("a square of the grid has four; the dual graph is as it is, and the card says why", async () => {
+  test("a square of the grid has four, and the card explains the dual graph’s six", async () => {
     const page = await open({ path: "#set=grid" });
     const id = await page.evaluate(() => {
       const inner = app.sites.ids.find((id) => app.diagram.neighbors(id).length === 6);
@@ -220,7 +220,7 @@ describeInBrowser("panels", (open) => {
     await closePage(page);
   });
 
-  test("phone: the picture goes back when the sheet closes, and header and card agree", async () => {
+  test("phone: the picture goes back with the sheet, and header and card agree", async () => {
     const page = await open({ ...kPhone, path: "#set=random" });
     const origin = () => page.evaluate(() => [app.view.originX, app.view.originY]);
     const first = await origin();

@@ -38,7 +38,7 @@ describeInBrowser("the coast", (open) => {
       ([x, y]) => {
         app.painter.flush();
         const context = app.painter.canvas("lines").getContext("2d");
-        const { data } = context.getImageData(x - 60, y - 60, 120, 120);
+        const { data } = context.getImageData(x - 50, y - 50, 100, 100);
         return data.filter((value, k) => k % 4 === 3 && value > 0).length;
       },
       [x, y],

@@ -220,11 +220,12 @@ const inkOf = ({ siteFill, site }: Theme, { weight }: Sites): CircleInk => ({
   share: weight,
 });
 
-/** Dots: what counts. */
+/** Dots, where they leave something of the circles: what counts. */
 function drawCentres(context: CanvasRenderingContext2D, { xyr, length }: Triples, theme: Theme) {
   context.fillStyle = theme.site;
   context.beginPath();
   for (let k = 0; k < length; k += 3) {
+    if (xyr[k + 2] < 2 * kCentre) continue;
     context.moveTo(xyr[k] + kCentre, xyr[k + 1]);
     context.arc(xyr[k], xyr[k + 1], kCentre, 0, 2 * Math.PI);
   }

@@ -1,5 +1,5 @@
-// Steps through one insertion or one deletion; the last one does it. What they tell of is beside the
-// panel that tells it.
+// Steps through one insertion or one deletion; the last one does it. What they tell of is beside
+// the panel that tells it.
 import type { App, Point } from "../app.js";
 import { deletionSteps } from "../steps/deletion.js";
 import { insertionSteps, type Step } from "../steps/insertion.js";
