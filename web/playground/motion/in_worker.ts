@@ -16,7 +16,9 @@ export class WorkerError extends Error {
   }
 }
 
-/** @param start of a worker that gets the request, and posts what is `Told`; resolves to the result */
+/**
+ * @param start of a worker that gets the request, and posts what is `Told`; resolves to the result
+ */
 export async function inWorker<Result, Progress>(
   start: () => Worker,
   request: unknown,
