@@ -234,7 +234,7 @@ describeInBrowser("looks", (open) => {
     });
     expect(steps).toBe(false);
     // The tab's icon is asked for again and again.
-    expect(page.errors.filter((error) => !/icon\.svg|DISCONNECTED/.test(error))).toEqual([]);
+    expect(page.errors.filter((error) => !/icon[\w-]*\.svg|DISCONNECTED/.test(error))).toEqual([]);
     await closePage(page);
     await server.close();
     const html = readFileSync(new URL("../../web/playground/index.html", import.meta.url), "utf8");
