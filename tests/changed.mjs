@@ -79,12 +79,12 @@ export const kTestsOfPage = {
   pages: ["site"],
   recipes: ["recipe_cards"],
   model: ["page", "defects"],
-  motion: ["motion", "windows"],
+  motion: ["motion", "windows", "defects_centres"],
   picture: ["picture", "windows"],
   sets: ["data", "files", "random_sets"],
   steps: ["motion"],
-  tools: ["page", "motion", "tools"],
-  ui: ["looks", "windows"],
+  tools: ["page", "motion", "tools", "defects_ui"],
+  ui: ["looks", "windows", "defects_ui"],
 };
 
 /** Test files of the page to run, as patterns; empty: none. */

@@ -279,7 +279,7 @@ describeInBrowser("the page", (open) => {
     test("moving highlights the nearest site and its neighbours, as brute force does", async () => {
       await show(page, "cities");
       for (let k = 0; k < 30; k++) {
-        await page.mouse.move(320 + ((k * 97) % 640), 130 + ((k * 61) % 540));
+        await page.mouse.move(320 + ((k * 97) % 640), 180 + ((k * 61) % 490));
         const { hover, nearest, neighbors } = await page.evaluate(() => {
           const { x, y, id, distance } = app.hover;
           const px = app.view.toWorldX(x);
@@ -325,7 +325,7 @@ describeInBrowser("the page", (open) => {
       expect((await stateOf(page)).selected).toEqual([1]);
     });
 
-    test("arrows, +, −, I, Ctrl D, Delete, Ctrl A, and undo of it all", async () => {
+    test("arrows, ], I, Ctrl D, Delete, Ctrl A, and undo of it all", async () => {
       const circles = await circlesOf(page);
       await page.focus("#overlay");
       await page.keyboard.press("Enter");
@@ -333,7 +333,7 @@ describeInBrowser("the page", (open) => {
       const from = await at(id);
       await page.keyboard.press("ArrowRight");
       await page.keyboard.press("Shift+ArrowUp");
-      await page.keyboard.press("+");
+      await page.keyboard.press("]");
       const to = await at(id);
       expect(Math.hypot(to.x - from.x - 4, to.y - from.y + 40)).toBeLessThan(0.5);
       expect(to.r / from.r).toBeCloseTo(1.05, 1);
@@ -417,7 +417,7 @@ describeInBrowser("the page", (open) => {
         area,
         -1,
       );
-      expect(facts).toMatch(/neighbours4hides1/);
+      expect(facts).toMatch(/neighbours4hidden inside it1/);
       await page.click("#card-duplicate");
       expect(await stateOf(page)).toMatchObject({ size: 7, selected: [6], broken: null });
       await page.click("#card-larger");

@@ -43,7 +43,7 @@ describeInBrowser("tools", (open) => {
       }
     }
     const keys = tools.map(({ key }) => key);
-    expect(new Set([...keys, ..."0inp+-=_"]).size).toBe(keys.length + 8);
+    expect(new Set([...keys, ..."0inp+-=_[]"]).size).toBe(keys.length + 10);
     expect(keys.every((key) => /^[a-z]$/.test(key))).toBe(true);
   });
 

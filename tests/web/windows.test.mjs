@@ -38,7 +38,7 @@ describeInBrowser("the coast", (open) => {
       ([x, y]) => {
         app.painter.flush();
         const context = app.painter.canvas("lines").getContext("2d");
-        const { data } = context.getImageData(x - 60, y - 60, 120, 120);
+        const { data } = context.getImageData(x - 50, y - 50, 100, 100);
         return data.filter((value, k) => k % 4 === 3 && value > 0).length;
       },
       [x, y],
@@ -221,7 +221,7 @@ describeInBrowser("the same area for all", (open) => {
     const undoable = await page.evaluate(() => app.model.history.canUndo);
     await press();
     await page.waitForFunction(() =>
-      /^Step \d+, areas are off by/.test(document.querySelector("#progress-text").textContent),
+      /^Step \d+: /.test(document.querySelector("#progress-text").textContent),
     );
     expect(await page.isVisible("#progress")).toBe(true);
     await page.keyboard.press("Escape");
@@ -258,7 +258,7 @@ describeInBrowser("the same area for all", (open) => {
     [
       "centres so close that numbers cannot divide what is around them",
       [100, 50, 5, 100 + 1e-12, 50, 5, 130, 20, 5, 20, 90, 5],
-      "no radii were found; areas are still off by up to",
+      "no radii were found: ",
     ],
   ])("what cannot be done is said, and changes nothing: %s", async (_, xyr, why) => {
     await showCircles(page, xyr);

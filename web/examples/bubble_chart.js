@@ -27,7 +27,7 @@ export default function bubbleChart(container) {
   /** The smallest bubble under the pointer; if there is none, the one whose rim is nearest. */
   const pick = (x, y) => diagram.pick(x, y);
 
-  svg.on("pointermove", (event) => {
+  svg.on("pointermove pointerdown", (event) => {
     const picked = pick(...pointer(event));
     circles
       .attr("fill", (_, id) => (id === picked ? "#e15759" : "#4e79a7"))

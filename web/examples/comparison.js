@@ -79,7 +79,7 @@ export default function comparison(container) {
     }
     return sides.map(({ find }) => find(x, y));
   }
-  canvas.onpointermove = ({ offsetX, offsetY }) => {
+  canvas.onpointerdown = canvas.onpointermove = ({ offsetX, offsetY }) => {
     // The canvas may be shown smaller than it is.
     const x = (offsetX * canvas.width) / canvas.clientWidth;
     const y = (offsetY * canvas.height) / canvas.clientHeight;

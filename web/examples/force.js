@@ -20,7 +20,7 @@ export default function force(container) {
   const context = canvas.getContext("2d");
   let mouse = null;
   let lit = -1; // the circle that is drawn as the one pointed at
-  canvas.onpointermove = ({ offsetX, offsetY }) => {
+  canvas.onpointerdown = canvas.onpointermove = ({ offsetX, offsetY }) => {
     // The canvas may be shown smaller than it is.
     mouse = [(offsetX * width) / canvas.clientWidth, (offsetY * height) / canvas.clientHeight];
     draw(); // the simulation may be at rest

@@ -146,7 +146,7 @@ async function showExample(name) {
   const code = make("code", {});
   const copy = make("button", { type: "button" }, "Copy");
   const text = make("pre", { tabIndex: 0 }, code);
-  main.replaceChildren(figure, make("div", { className: "code" }, text, copy));
+  main.replaceChildren(figure, make("div", { className: "code" }, copy, text));
   copy.addEventListener("click", async () => {
     await navigator.clipboard.writeText(code.textContent);
     copy.textContent = "Copied";

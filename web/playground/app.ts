@@ -2,6 +2,7 @@
 // picture and selection together.
 import type { Command } from "./model/commands.js";
 import { type Change, Model } from "./model/model.js";
+import { neighborsOf } from "./model/neighbors.js";
 import { Selection } from "./model/selection.js";
 import { effect, signal } from "./model/signals.js";
 import { type Bounds, type Circle, emptySites } from "./model/sites.js";
@@ -175,6 +176,7 @@ export class App {
   /** Makes the selected ones larger or smaller. */
   grow(factor: number) {
     const { ids } = this.selection;
+    if (ids.length === 0) return;
     const least = 1 / this.view.scale;
     this.model.update(
       ids,
@@ -212,8 +214,17 @@ export class App {
   at(x: number, y: number, reach: number): number[] {
     const { view, painter } = this;
     const [wx, wy] = [view.toWorldX(x), view.toWorldY(y)];
-    const found = Array.from(this.diagram.within(wx, wy, reach / view.scale));
+    const found = this.#within(wx, wy, reach / view.scale);
     return painter.layers.hidden ? found : found.filter((id) => !this.sites.isHidden(id));
+  }
+
+  /** The circles that come this near, in the order of the distances that count. */
+  #within(x: number, y: number, reach: number) {
+    const { sites } = this;
+    if (!sites.truth) return Array.from(this.diagram.within(x, y, reach));
+    const distance = (id: number) =>
+      Math.hypot(x - sites.xyr[3 * id], y - sites.xyr[3 * id + 1]) - sites.radius(id);
+    return sites.truth.within(x, y, reach).sort((a, b) => distance(a) - distance(b));
   }
 
   /** Highlights the site nearest to a pixel; null: the pointer has left. */
@@ -239,12 +250,24 @@ export class App {
       x,
       y,
       id,
+      right: this.#rightOf(id, wx, wy),
       distance,
-      neighbors: questions.neighbors ? diagram.neighbors(id) : kNothing,
+      neighbors: questions.neighbors ? neighborsOf(this.sites, id) : kNothing,
       nearest: questions.nearest > 0 ? diagram.kNearest(wx, wy, questions.nearest) : kNothing,
       under: questions.under ? diagram.within(wx, wy, 0) : kNothing,
       empty: questions.empty ? this.#emptyNear(id, wx, wy) : null,
     };
+  }
+
+  /** The nearest circle, where another one's centre is nearer; else the one that is picked. */
+  #rightOf(picked: number, x: number, y: number) {
+    const { sites } = this;
+    const right = sites.truth?.find(x, y) ?? picked;
+    const distance = (id: number) => {
+      const site = sites.site(id);
+      return Math.hypot(x - site.x, y - site.y) - site.r;
+    };
+    return distance(right) < distance(picked) ? right : picked;
   }
 
   /** The empty circle about the corner of this cell that is nearest to a point. */

@@ -3,6 +3,7 @@ import { whenLoaded } from "../figure/package.js";
 import { App } from "./app.js";
 import { messageOf } from "./errors.js";
 import { effect } from "./model/signals.js";
+import { letGhostPoint } from "./motion/ghost.js";
 import { Motion } from "./motion/motion.js";
 import { SameAreas } from "./motion/same_areas.js";
 import { letWander } from "./motion/wanderer.js";
@@ -15,9 +16,12 @@ import { fetchCities } from "./sets/cities.js";
 import { whenShown } from "./shown.js";
 import { listenToPointer } from "./tools/gestures.js";
 import { listenToKeyboard } from "./tools/keyboard.js";
+import { makeAnnouncer } from "./ui/announcer.js";
 import { makeCodeDialog } from "./ui/code.js";
 import { element } from "./ui/elements.js";
+import { makeHeadline } from "./ui/headline.js";
 import { makeHelp } from "./ui/help.js";
+import { makeInvitation } from "./ui/invitation.js";
 import { makeInspector } from "./ui/inspector.js";
 import { notify } from "./ui/notice.js";
 import { makeSameAreasSwitch } from "./ui/same_areas.js";
@@ -47,12 +51,18 @@ function followWindow(app: App) {
   resize();
   watchDensity();
   addEventListener("resize", resize);
+  // The style sheet puts what is narrow below the introduction.
+  const intro = element("intro");
+  new ResizeObserver(() => {
+    const { bottom } = intro.getBoundingClientRect();
+    document.documentElement.style.setProperty("--intro-end", `${bottom}px`);
+  }).observe(intro);
   for (const query of ["(prefers-color-scheme: dark)", "(forced-colors: active)"])
     matchMedia(query).addEventListener("change", () => app.painter.readTheme());
 }
 
 const kIdle = 1500; // ms after the start
-const kFree = 12; // pixels below the introduction that need no margin
+const kFree = 4; // pixels below the introduction that need no margin
 
 /**
  * What the bars cover, in pixels: all that lies along the upper or the lower border, or the open
@@ -104,6 +114,7 @@ export async function start() {
   makeHelp();
   makeTag(app);
   makeInspector(app);
+  makeAnnouncer(app);
   makeStatus(app);
   makeSteps(app);
   makeSetsMenu(app, navigation);
@@ -113,6 +124,8 @@ export async function start() {
   makeCodeDialog(app);
   makeSheet(app);
   makeSwitch(weights);
+  makeInvitation(app);
+  letGhostPoint(app, makeHeadline(app, weights));
 
   const isPlain = location.hash === "";
   try {

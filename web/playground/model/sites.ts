@@ -3,6 +3,7 @@
 import { Diagram, type Voronoi } from "apollonius-diagram";
 import type { WorldMap } from "../picture/map_layer.js";
 import type { Globe } from "../sets/globe.js";
+import { Truth } from "./truth.js";
 
 export type Label = { name: string; detail?: string };
 /** A circle as the numbers x, y, r. */
@@ -28,6 +29,7 @@ export type SetInfo = {
 const kUnknown = 0;
 const kVisible = 1;
 const kHidden = 2;
+const kMostCompared = 100_000; // circles: of more, a second diagram takes too long
 
 export class Sites {
   /** The diagram, in which radii count by `weight`. */
@@ -45,6 +47,7 @@ export class Sites {
   #ids: Uint32Array | null = null;
   #flags = new Uint8Array(0); // by id: kUnknown until asked for
   #cells: { window: Window; cells: Voronoi } | null = null;
+  #truth: Truth | null = null;
 
   /**
    * @param xyr ids are 0, 1, 2, … in this order
@@ -123,6 +126,13 @@ export class Sites {
     return this.#cells.cells;
   }
 
+  /** The circles themselves, while not all of their radii counts; null for very many. */
+  get truth() {
+    if (this.weight === 1 || this.size > kMostCompared) return null;
+    this.#truth ??= new Truth(this.ids, this.triples(this.ids));
+    return this.#truth;
+  }
+
   /** Those of all circles, or null. */
   bounds(): Bounds | null {
     if (this.size === 0) return null;
@@ -158,6 +168,7 @@ export class Sites {
   update(ids: ArrayLike<number>, xyr: Float64Array) {
     if (ids.length === 1) this.diagram.update(ids[0], xyr[0], xyr[1], xyr[2] * this.weight);
     else this.diagram.updateMany(ids, this.#weighted(xyr));
+    this.#truth?.update(ids, xyr);
     this.#mirror(ids, xyr);
     this.#changed(false);
   }
@@ -173,6 +184,7 @@ export class Sites {
       this.weight = before;
       throw error;
     }
+    if (weight === 1) this.#forgetTruth();
     this.#changed(false);
   }
 
@@ -200,6 +212,12 @@ export class Sites {
 
   dispose() {
     this.diagram.dispose();
+    this.#forgetTruth();
+  }
+
+  #forgetTruth() {
+    this.#truth?.diagram.dispose();
+    this.#truth = null;
   }
 
   #weighted(xyr: Float64Array) {
@@ -224,7 +242,10 @@ export class Sites {
   }
 
   #changed(idsToo: boolean) {
-    if (idsToo) this.#ids = null;
+    if (idsToo) {
+      this.#ids = null;
+      this.#forgetTruth();
+    }
     const needed = this.xyr.length / 3;
     if (this.#flags.length < needed) this.#flags = new Uint8Array(needed);
     else this.#flags.fill(kUnknown);

@@ -2,6 +2,7 @@
 // does ends it.
 import type { App } from "../app.js";
 import type { OpenChange } from "../model/model.js";
+import { signal } from "../model/signals.js";
 
 /** Gives x, y, r of the circles that move; it may be the same array each time. */
 export type Step = (seconds: number) => Float64Array;
@@ -12,6 +13,7 @@ export class Motion {
   #change: OpenChange | null = null;
   #frame = 0;
   #ended = () => {};
+  readonly #name = signal("");
 
   constructor(readonly app: App) {}
 
@@ -19,8 +21,15 @@ export class Motion {
     return this.#change?.isOpen ?? false;
   }
 
-  start(ids: ArrayLike<number>, step: Step, ended: () => void = () => {}) {
+  /** What runs until somebody stops it, as a button says it: "drift"; "" if nothing does. */
+  get name() {
+    return this.#name.value;
+  }
+
+  /** @param name of what does not end by itself */
+  start(ids: ArrayLike<number>, step: Step, ended: () => void = () => {}, name = "") {
     this.stop();
+    this.#name.value = name;
     const change = this.app.model.begin(ids);
     this.#change = change;
     this.#ended = ended;
@@ -47,6 +56,7 @@ export class Motion {
     change.commit();
     this.app.painter.isLive = false;
     this.app.painter.redraw();
+    this.#name.value = "";
     this.#ended();
   }
 }

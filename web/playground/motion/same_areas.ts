@@ -5,6 +5,7 @@ import type { App } from "../app.js";
 import { signal, whenever } from "../model/signals.js";
 import type { Sites, Window } from "../model/sites.js";
 import type { Watch } from "../sets/building.js";
+import { short } from "../ui/dom.js";
 import type { FitRequest } from "./fit_worker.js";
 import { inWorker, WorkerError } from "./in_worker.js";
 import type { Motion } from "./motion.js";
@@ -19,7 +20,8 @@ export type Found = {
   window: Window;
 };
 
-const kMostFitted = 10_000; // circles
+const kMostFitted = 10_000; // circles,
+const kMostOnMap = 300; // and on a map: cities crowd, 1500 of them take a minute
 const kTime = 1.2; // seconds that circles take to grow or shrink
 const kMargin = 0.03; // of the frame around circles
 const kTolerance = 1e-6; // fitAreas's own
@@ -49,9 +51,27 @@ export class SameAreas {
     return this.#isOn.value;
   }
 
+  /** What has become of the radii, while it is on. */
+  get radii() {
+    if (!this.isOn || !this.#found) return "";
+    const { before, after } = this.#found;
+    const negative = radiiOf(after).filter((r) => r < 0).length;
+    const said = `Radii: ${rangeOf(before)} before, ${rangeOf(after)} now.`;
+    if (negative === 0) return said;
+    return (
+      `${said} ${negative} of ${after.length / 3} are negative, drawn as ×: cells depend on the ` +
+      "differences of radii only."
+    );
+  }
+
   /** Why it cannot be had; "" if it can. */
   get hindrance() {
-    const { size } = this.app.sites;
+    const { size, info } = this.app.sites;
+    if (info.map && size > kMostOnMap)
+      return (
+        `For up to ${kMostOnMap} circles on a map: cities crowd so much that fitting them takes ` +
+        "a minute, with radii larger than the Earth’s"
+      );
     if (size > kMostFitted) return `For up to ${kMostFitted.toLocaleString("en")} circles`;
     return size < 2 ? "For two circles or more" : "";
   }
@@ -85,20 +105,20 @@ export class SameAreas {
     const listening = new AbortController();
     this.app.model.on("change", stop, { signal: listening.signal });
     signal?.addEventListener("abort", stop);
-    let worst = 0; // error, in the beginning
-    let off = "";
+    let first = 0; // error, in the beginning,
+    let least = Infinity; // and the least one so far: it need not fall with each step
     const tell = ({ iterations, error }: FitProgress) => {
-      worst ||= error;
-      const share = Math.log(worst / error) / Math.log(worst / kTolerance);
-      off = `${Number((100 * error).toPrecision(2))} %`;
-      progress?.(Math.min(1, Math.max(0, share)), `Step ${iterations}, areas are off by ${off}`);
+      first ||= error;
+      least = Math.min(least, error);
+      const share = Math.log(first / least) / Math.log(first / kTolerance);
+      progress?.(share, `Step ${iterations}: ${offBy(least)}`);
     };
     try {
       progress?.(undefined, "Looking for the radii");
       return await inWorker(newWorker, request, tell, controller.signal);
     } catch (error) {
       if (!(error instanceof WorkerError) || error.code !== "no-convergence") throw error;
-      throw new Error(`no radii were found; areas are still off by up to ${off}`);
+      throw new Error(`no radii were found: ${offBy(least)}`);
     } finally {
       listening.abort();
     }
@@ -146,6 +166,22 @@ export class SameAreas {
       sites.triples(ids).every((value, k) => value === after[k])
     );
   }
+}
+
+/** How far the cell that is most off is from its share. */
+const offBy = (error: number) =>
+  error >= 1
+    ? `the most unequal cell has ${Math.round(1 + error)} times its share`
+    : `areas are off by up to ${Number((100 * error).toPrecision(2))} %`;
+
+const radiiOf = (xyr: Float64Array) => xyr.filter((_, k) => k % 3 === 2);
+
+function rangeOf(xyr: Float64Array) {
+  const [least, most] = radiiOf(xyr).reduce(
+    ([low, high], r) => [Math.min(low, r), Math.max(high, r)],
+    [Infinity, -Infinity],
+  );
+  return `${short(least)} to ${short(most)}`.replaceAll(".00", "");
 }
 
 /** What is to be shared out: the land, the map, or a frame around the circles. */

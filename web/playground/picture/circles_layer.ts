@@ -1,4 +1,6 @@
 // The circles, visible and hidden, and names in them. Few are drawn as paths, many point by point.
+// They are drawn at their radii, whether or not these count: where centres alone count, as outlines
+// without a fill. A circle of negative radius is a cross at its centre.
 import type { Sites } from "../model/sites.js";
 import { boundsOf } from "./curves.js";
 import { addDisc, addRim } from "./discs.js";
@@ -13,6 +15,8 @@ const kNameFrom = 15; // and visible ones may show their names
 const kThinBelow = 6; // pixels: smaller circles have thin rims
 const kThinLine = 0.8;
 const kLine = 1.25;
+const kCentre = 2; // pixels: a centre's dot
+const kCross = 3; // pixels from a cross's middle to its ends
 const kMostPaths = 1500;
 const kManySites = 30_000; // from here on the diagram is asked for those in the window
 const kLargestPoints = 24; // device pixels: larger circles are paths anyway
@@ -45,6 +49,7 @@ class Triples {
 export class CirclesLayer {
   #visible = new Triples();
   #hidden = new Triples();
+  #negative = new Triples();
   #large = new Triples();
   #widths = new Map<string, number>(); // of names, in pixels
   #shower: Shower | null = null;
@@ -69,17 +74,21 @@ export class CirclesLayer {
     isWhole: boolean,
   ) {
     this.#collect(sites, view, box);
-    const { size } = this.#visible;
+    const size = this.#visible.size + this.#negative.size;
     if (isWhole) {
       this.counts = { visible: size, hidden: this.#hidden.size };
       this.#countedScale = view.scale;
       this.#isMany = size + this.#hidden.size > kMostPaths;
     }
     if (this.#isMany) {
-      this.#drawMany(context, view, layers, theme, pixelRatio, box);
+      this.#drawMany(context, view, layers, theme, inkOf(theme, sites), pixelRatio, box);
       return;
     }
-    if (layers.circles) drawPaths(context, view, this.#visible, theme.siteFill, theme.site);
+    if (layers.circles) {
+      drawPaths(context, view, this.#visible, inkOf(theme, sites));
+      if (sites.weight === 0) drawCentres(context, this.#visible, theme);
+      drawCrosses(context, this.#negative, theme);
+    }
     if (layers.hidden) drawHidden(context, view, this.#hidden, theme);
     if (layers.circles) this.#drawNames(context, sites, view, box, theme);
   }
@@ -92,20 +101,23 @@ export class CirclesLayer {
 
   /** What the window meets. */
   #collect(sites: Sites, view: View, box: Box) {
-    const { xyr, weight } = sites;
+    const { xyr } = sites;
     const ids = this.#candidates(sites, view, box);
     const isHiding = sites.diagram.hiddenSize > 0;
     this.#visible.clear();
     this.#hidden.clear();
+    this.#negative.clear();
     for (let k = 0; k < ids.length; k++) {
       const id = ids[k];
       const x = view.toScreenX(xyr[3 * id]);
       const y = view.toScreenY(xyr[3 * id + 1]);
-      const r = Math.max(xyr[3 * id + 2] * weight * view.scale, 0);
-      const reach = r + 3;
+      const r = Math.max(xyr[3 * id + 2] * view.scale, 0);
+      const reach = r + kCross + 1;
       if (x + reach < box.left || x - reach > box.right) continue;
       if (y + reach < box.top || y - reach > box.bottom) continue;
-      (isHiding && sites.isHidden(id) ? this.#hidden : this.#visible).push(x, y, r);
+      const isHidden = isHiding && sites.isHidden(id);
+      if (xyr[3 * id + 2] < 0 && !isHidden) this.#negative.push(x, y, r);
+      else (isHidden ? this.#hidden : this.#visible).push(x, y, r);
     }
   }
 
@@ -130,6 +142,7 @@ export class CirclesLayer {
     view: View,
     layers: Layers,
     theme: Theme,
+    ink: CircleInk,
     ratio: number,
     box: Box,
   ) {
@@ -145,10 +158,13 @@ export class CirclesLayer {
       bottom: Math.min(height, Math.round(box.bottom * ratio)),
     });
     this.#large.clear();
-    if (layers.circles) this.#shed(shower, this.#visible, theme.siteFill, theme.site, ratio);
+    const fill = ink.share === 1 ? ink.fill : "transparent";
+    if (layers.circles)
+      for (const triples of [this.#visible, this.#negative])
+        this.#shed(shower, triples, fill, ink.stroke, ratio);
     if (layers.hidden) this.#shed(shower, this.#hidden, theme.hiddenFill, theme.hidden, ratio);
     shower.show(context);
-    if (layers.circles) drawPaths(context, view, this.#large, theme.siteFill, theme.site);
+    if (layers.circles) drawPaths(context, view, this.#large, ink);
   }
 
   /** The small ones of these; the large ones go elsewhere. */
@@ -176,7 +192,7 @@ export class CirclesLayer {
     context.textBaseline = "middle";
     context.fillStyle = theme.name;
     for (const [id, { name }] of sites.labels) {
-      const r = sites.radius(id) * view.scale;
+      const r = sites.site(id).r * view.scale;
       if (r < kNameFrom || sites.isHidden(id)) continue;
       const x = view.toScreenX(sites.xyr[3 * id]);
       const y = view.toScreenY(sites.xyr[3 * id + 1]);
@@ -199,6 +215,41 @@ export class CirclesLayer {
     }
     return false;
   }
+}
+
+/** `share` of the fill that is seen: as much as of the radii counts. */
+type CircleInk = { fill: string; stroke: string; share: number };
+
+const inkOf = ({ siteFill, site }: Theme, { weight }: Sites): CircleInk => ({
+  fill: siteFill,
+  stroke: site,
+  share: weight,
+});
+
+/** Dots, where they leave something of the circles: what counts. */
+function drawCentres(context: CanvasRenderingContext2D, { xyr, length }: Triples, theme: Theme) {
+  context.fillStyle = theme.site;
+  context.beginPath();
+  for (let k = 0; k < length; k += 3) {
+    if (xyr[k + 2] < 2 * kCentre) continue;
+    context.moveTo(xyr[k] + kCentre, xyr[k + 1]);
+    context.arc(xyr[k], xyr[k + 1], kCentre, 0, 2 * Math.PI);
+  }
+  context.fill();
+}
+
+function drawCrosses(context: CanvasRenderingContext2D, { xyr, length }: Triples, theme: Theme) {
+  context.strokeStyle = theme.site;
+  context.lineWidth = kLine;
+  context.beginPath();
+  for (let k = 0; k < length; k += 3) {
+    const [x, y] = [xyr[k], xyr[k + 1]];
+    context.moveTo(x - kCross, y - kCross);
+    context.lineTo(x + kCross, y + kCross);
+    context.moveTo(x - kCross, y + kCross);
+    context.lineTo(x + kCross, y - kCross);
+  }
+  context.stroke();
 }
 
 function addCircles(
@@ -225,12 +276,15 @@ function drawPaths(
   context: CanvasRenderingContext2D,
   view: View,
   triples: Triples,
-  fill: string,
-  stroke: string,
+  { fill, stroke, share }: CircleInk,
 ) {
-  addCircles(context, view, triples, addDisc);
-  context.fillStyle = fill;
-  context.fill();
+  if (share > 0) {
+    addCircles(context, view, triples, addDisc);
+    context.globalAlpha = share;
+    context.fillStyle = fill;
+    context.fill();
+    context.globalAlpha = 1;
+  }
   context.strokeStyle = stroke;
   const [small, large] = split(triples, kThinBelow);
   context.lineWidth = kThinLine;

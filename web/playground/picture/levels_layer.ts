@@ -36,7 +36,7 @@ function drawMarks(
   for (const id of ids) {
     const x = view.toScreenX(sites.xyr[3 * id]);
     const y = view.toScreenY(sites.xyr[3 * id + 1]);
-    const r = Math.max(sites.radius(id) * view.scale, 0) + kRing * level;
+    const r = Math.max(sites.site(id).r * view.scale, 0) + kRing * level;
     if (x + r < box.left || x - r > box.right || y + r < box.top || y - r > box.bottom) continue;
     found.push([x, y, r]);
   }

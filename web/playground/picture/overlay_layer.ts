@@ -2,16 +2,20 @@
 // the selected sites and the handle of one; a circle that is being drawn, with its cell to be.
 import type { Circle, Sites } from "../model/sites.js";
 import { addCell } from "./curves.js";
-import { addDisc, addRim, fillAndStroke } from "./discs.js";
+import { addRim, fillAndStroke } from "./discs.js";
 import type { Picture } from "./painter.js";
 import type { Theme } from "./theme.js";
 import type { Box, View } from "./view.js";
 
-/** Pointer in pixels, all else in units; `nearest`, `under`, `empty` if they are asked for. */
+/**
+ * Pointer in pixels, all else in units; `right` is the nearest circle, which is another than `id`
+ * where centres pick wrongly; `nearest`, `under`, `empty` if they are asked for.
+ */
 export type Hover = {
   x: number;
   y: number;
   id: number;
+  right: number;
   distance: number;
   neighbors: Uint32Array;
   nearest: Uint32Array;
@@ -19,7 +23,10 @@ export type Hover = {
   empty: { x: number; y: number; r: number } | null;
 };
 export type Draw = (context: CanvasRenderingContext2D, picture: Picture) => void;
-/** `revived` draws circles that come to light, `marks` what else there is. */
+/**
+ * `revived` draws circles that come to light, `marks` what else there is;
+ * `ghost`: a pointer that nobody holds.
+ */
 export type Overlay = {
   hover: Hover | null;
   selected: readonly number[];
@@ -27,6 +34,7 @@ export type Overlay = {
   box: Box | null;
   revived: Draw | null;
   marks: Draw | null;
+  ghost: { x: number; y: number } | null;
 };
 
 /**
@@ -39,7 +47,7 @@ const kMostRings = 3000;
 
 /** Where the selected circle's handle is, in pixels. */
 export function handleOf(view: View, sites: Sites, id: number) {
-  const radius = ringRadius(view, sites.radius(id));
+  const radius = ringRadius(view, sites.site(id).r);
   const { x, y } = sites.site(id);
   return { x: view.toScreenX(x) + radius, y: view.toScreenY(y), radius };
 }
@@ -63,6 +71,7 @@ export function drawOverlay(context: CanvasRenderingContext2D, picture: Picture,
   if (draft) drawDraft(context, picture, draft);
   overlay.revived?.(context, picture);
   overlay.marks?.(context, picture);
+  if (overlay.ghost) drawGhost(context, theme, overlay.ghost);
   if (box) {
     context.fillStyle = theme.selectedFill;
     context.strokeStyle = theme.selected;
@@ -83,11 +92,12 @@ function drawHover(
   for (const id of hover.neighbors) addCell(context, sites, view, id, ends);
   context.fill();
 
-  context.fillStyle = theme.accentFill;
+  const isWrong = hover.right !== hover.id;
+  context.fillStyle = isWrong ? theme.wrongFill : theme.accentFill;
   context.beginPath();
   addCell(context, sites, view, hover.id, ends);
   context.fill();
-  context.strokeStyle = theme.accent;
+  context.strokeStyle = isWrong ? theme.wrong : theme.accent;
   context.lineWidth = 2;
   context.stroke();
 
@@ -105,19 +115,76 @@ function drawHover(
     context.stroke();
   }
 
-  context.fillStyle = theme.accentSite;
-  context.strokeStyle = theme.accent;
-  context.lineWidth = 2.5;
-  context.beginPath();
-  addCircle(context, sites, view, hover.id, addDisc);
-  context.fill();
-  context.beginPath();
-  addCircle(context, sites, view, hover.id);
-  context.stroke();
+  drawPicked(context, sites, view, hover.id, {
+    fill: isWrong ? theme.wrongFill : theme.accentSite,
+    stroke: isWrong ? theme.wrong : theme.accent,
+  });
+  if (isWrong) {
+    const ink = { fill: theme.accentSite, stroke: theme.accent };
+    drawPicked(context, sites, view, hover.right, ink);
+  }
   drawDistance(context, sites, view, theme, hover);
   if (hover.empty) drawEmpty(context, view, theme, hover.empty);
   if (hover.nearest.length > 0) drawRanks(context, sites, view, theme, hover);
 }
+
+/** A circle that is picked; of a negative radius the ring whose far side counts, dotted. */
+function drawPicked(
+  context: CanvasRenderingContext2D,
+  sites: Sites,
+  view: View,
+  id: number,
+  { fill, stroke }: { fill: string; stroke: string },
+) {
+  const { x, y, r } = sites.site(id);
+  const [px, py] = [view.toScreenX(x), view.toScreenY(y)];
+  context.strokeStyle = stroke;
+  context.lineWidth = 2.5;
+  if (r >= 0) {
+    context.fillStyle = fill;
+    fillAndStroke(context, view, px, py, Math.max(r * view.scale, 2));
+    return;
+  }
+  drawFarRing(context, sites, view, id);
+}
+
+/** Of a negative radius: the ring whose far side distances go to. */
+function drawFarRing(context: CanvasRenderingContext2D, sites: Sites, view: View, id: number) {
+  const { x, y, r } = sites.site(id);
+  context.lineWidth = 1.5;
+  context.setLineDash([2, 5]);
+  context.beginPath();
+  addRim(context, view, view.toScreenX(x), view.toScreenY(y), -r * view.scale);
+  context.stroke();
+  context.setLineDash([]);
+  context.lineWidth = 2;
+}
+
+/** An arrow like a pointer's, with its tip at the place. */
+function drawGhost(
+  context: CanvasRenderingContext2D,
+  theme: Theme,
+  { x, y }: { x: number; y: number },
+) {
+  context.beginPath();
+  context.moveTo(x, y);
+  for (const [dx, dy] of kArrow) context.lineTo(x + dx, y + dy);
+  context.closePath();
+  context.fillStyle = theme.ink;
+  context.strokeStyle = theme.paper;
+  context.lineWidth = 1.5;
+  context.fill();
+  context.stroke();
+}
+
+const kArrow = [
+  [0, 17],
+  [4, 13.5],
+  [7, 20],
+  [10, 18.5],
+  [7, 12.5],
+  [12, 12],
+];
 
 /**
  * The empty circle about the pointer, which touches the nearest site, and the way to the point
@@ -204,13 +271,14 @@ function drawSelected(
   context.lineWidth = 2;
   context.beginPath();
   for (const id of selected.slice(0, kMostRings)) {
-    const { x, y } = sites.site(id);
-    const radius = ringRadius(view, sites.radius(id));
+    const { x, y, r } = sites.site(id);
+    const radius = ringRadius(view, r);
     addRim(context, view, view.toScreenX(x), view.toScreenY(y), radius);
   }
   context.stroke();
   if (selected.length > 1) return;
   drawCover(context, sites, view, selected[0]);
+  if (sites.site(selected[0]).r < 0) drawFarRing(context, sites, view, selected[0]);
   const { x, y } = handleOf(view, sites, selected[0]);
   context.fillStyle = theme.paper;
   context.beginPath();
@@ -245,17 +313,11 @@ function drawDraft(
   context.stroke();
   context.setLineDash([]);
   const [x, y] = [view.toScreenX(draft.x), view.toScreenY(draft.y)];
-  fillAndStroke(context, view, x, y, Math.max(draft.r * sites.weight * view.scale, 2));
+  fillAndStroke(context, view, x, y, Math.max(draft.r * view.scale, 2));
 }
 
-function addCircle(
-  context: CanvasRenderingContext2D,
-  sites: Sites,
-  view: View,
-  id: number,
-  add = addRim,
-) {
+function addCircle(context: CanvasRenderingContext2D, sites: Sites, view: View, id: number) {
   const site = sites.site(id);
-  const r = Math.max(sites.radius(id) * view.scale, 2);
-  add(context, view, view.toScreenX(site.x), view.toScreenY(site.y), r);
+  const r = Math.max(site.r * view.scale, 2);
+  addRim(context, view, view.toScreenX(site.x), view.toScreenY(site.y), r);
 }

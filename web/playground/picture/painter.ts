@@ -127,6 +127,7 @@ export class Painter {
     box: null,
     revived: null,
     marks: null,
+    ghost: null,
   };
   theme = readTheme();
   /** Where cells end, if not at the window's border. */

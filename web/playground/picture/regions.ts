@@ -21,14 +21,14 @@ function addPoint(box: Box, view: View, x: number, y: number, r = 0) {
  * connect, the cells of the neighbours too.
  */
 export function regionOf(sites: Sites, view: View, id: number, neighbors: boolean): Box {
-  const { x, y } = sites.site(id);
+  const { x, y, r } = sites.site(id);
   const box = { left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity };
-  addPoint(box, view, x, y, sites.radius(id));
+  addPoint(box, view, x, y, r);
   addCell(box, sites, view, id);
   if (neighbors) {
     for (const other of sites.diagram.neighbors(id)) {
       const site = sites.site(other);
-      addPoint(box, view, site.x, site.y, sites.radius(other));
+      addPoint(box, view, site.x, site.y, site.r);
       addCell(box, sites, view, other);
     }
   }

@@ -29,6 +29,8 @@ const kNames = [
   "accentSite",
   "neighbor",
   "neighborFill",
+  "wrong",
+  "wrongFill",
   "pointer",
 ] as const;
 

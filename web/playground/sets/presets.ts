@@ -66,7 +66,7 @@ function equalRadii() {
 
 export const kPresets: Record<string, Preset> = {
   opening: {
-    title: "Composed",
+    title: "Large and small",
     about: "A large circle bends its neighbours’ cells; circles inside it have none.",
     circles: () => kOpening.map(([x, y, r]): Triple => [x, 600 - y, r]),
   },

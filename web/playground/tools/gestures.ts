@@ -39,6 +39,8 @@ export function listenToPointer(element: HTMLElement, app: App) {
   function begin(at: Touch, button: number): Gesture {
     if (button === 1 || isSpaceDown) return panTool.gesture(app, at);
     const tool = toolOf(app.tool);
+    // Where there is nothing to select, the first drag draws: the invitation says so.
+    if (app.tool === "select" && app.sites.size === 0) return drawTool.gesture(app, at);
     return (at.altKey && !tool.ignoresAlt ? drawTool : tool).gesture(app, at);
   }
 

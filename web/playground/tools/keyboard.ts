@@ -1,12 +1,17 @@
-// Keys, while the canvas has the focus. With selected circles they act on them, without on the
-// view. Undo, redo and the tools work everywhere but in fields.
+// Keys. While the canvas has the focus, arrows and others act on the selected circles, without any
+// on the view. Undo, redo, zoom, size and the tools work everywhere but in text fields.
 import type { App } from "../app.js";
-import { isIn } from "../ui/targets.js";
+import { isIn, isTextField } from "../ui/targets.js";
 import { toolOfKey } from "./registry.js";
 
 const kStep = 4; // pixels an arrow key moves a circle; with Shift ten times as far
 const kPan = 60;
+const kZoom = 1.25;
 const kGrow = 1.05;
+const kGrowths = new Map([
+  ["[", 1 / kGrow],
+  ["]", kGrow],
+]);
 const kAside = 2; // how much worse a circle aside is than one straight ahead
 
 type Direction = [dx: number, dy: number];
@@ -30,8 +35,6 @@ export function listenToKeyboard(element: HTMLElement, app: App, gestures: { can
     else if (command && key === "a") selection.set(app.sites.ids);
     else if (command || event.altKey) return false;
     else if (direction) arrow(app, direction, event.shiftKey ? 10 : 1);
-    else if (key === "+" || key === "=") grow(app, kGrow);
-    else if (key === "-" || key === "_") grow(app, 1 / kGrow);
     else if (key === "Delete" || key === "Backspace") app.removeSelected();
     else if (key === "Enter") selectNearest(app);
     else if (key === "Insert" || key === "i") app.insertAt(app.place.x, app.place.y);
@@ -45,12 +48,22 @@ export function listenToKeyboard(element: HTMLElement, app: App, gestures: { can
     const key = event.key.toLowerCase();
     const command = event.ctrlKey || event.metaKey;
     const tool = toolOfKey(key);
+    // On some keyboards brackets need AltGr, which counts as Ctrl and Alt.
+    if (event.getModifierState("AltGraph") || !(command || event.altKey)) {
+      const growth = kGrowths.get(key);
+      if (growth !== undefined) {
+        app.grow(growth);
+        return true;
+      }
+    }
     if (command && key === "z") event.shiftKey ? app.redo() : app.undo();
     else if (command && key === "y") app.redo();
     else if (command && key === "d") app.duplicate();
     else if (command || event.altKey) return false;
     else if (key === "escape") giveUp();
     else if (tool) app.tool = tool;
+    else if (key === "+" || key === "=") app.zoom(kZoom);
+    else if (key === "-" || key === "_") app.zoom(1 / kZoom);
     else if (key === "0" || key === "home") app.fit();
     else return false;
     return true;
@@ -68,7 +81,7 @@ export function listenToKeyboard(element: HTMLElement, app: App, gestures: { can
   });
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented) return;
-    if (isIn(event.target, "input, select, textarea, dialog")) return;
+    if (isTextField(event.target) || isIn(event.target, "dialog")) return;
     if (event.key === "Escape" && document.querySelector(":popover-open")) return; // closes that
     if (anywhere(event)) event.preventDefault();
   });
@@ -77,11 +90,6 @@ export function listenToKeyboard(element: HTMLElement, app: App, gestures: { can
 function arrow(app: App, [dx, dy]: Direction, times: number) {
   if (app.selection.size === 0) app.pan(-dx * kPan, -dy * kPan);
   else app.nudge(dx * kStep * times, dy * kStep * times);
-}
-
-function grow(app: App, factor: number) {
-  if (app.selection.size === 0) app.zoom(factor > 1 ? 1.25 : 0.8);
-  else app.grow(factor);
 }
 
 function selectNearest(app: App) {

@@ -22,6 +22,7 @@ export function isOnHandle(app: App, { x, y, type }: Touch) {
 
 function cursorOfSelect(app: App, at: Touch): string {
   if (isOnHandle(app, at)) return "ew-resize";
+  if (app.sites.size === 0) return "crosshair";
   return app.at(at.x, at.y, kReach.mouse).length > 0 ? "move" : "default";
 }
 
@@ -167,14 +168,12 @@ class Resize {
   move(at: Touch) {
     const { app, change } = this;
     if (!change.isOpen) return false;
-    const [x, y, r] = change.before;
+    const [x, y] = change.before;
     const distance = Math.hypot(
       at.x + this.dx - app.view.toScreenX(x),
       at.y - app.view.toScreenY(y),
     );
-    // While radii count less (or not at all) than they are, the handle is where they count.
-    const { weight } = app.sites;
-    const radius = weight > 0 ? radiusForHandle(app.view, distance) / weight : r;
+    const radius = radiusForHandle(app.view, distance);
     change.to(Float64Array.of(x, y, app.rounded(radius)));
     return true;
   }

@@ -1,4 +1,6 @@
 // Numbers as text, and texts that change with the next frame.
+import { neighborsOf } from "../model/neighbors.js";
+import type { Sites } from "../model/sites.js";
 
 const thin = "\u202f";
 const whole = new Intl.NumberFormat("en", { maximumFractionDigits: 0 });
@@ -16,18 +18,23 @@ export function short(value: number) {
   return fraction ? `${head}.${fraction}` : head;
 }
 
+/** One significant digit, as more of it changes from run to run. */
 export function duration(ms: number) {
-  const micros = ms * 1000;
-  if (ms >= 1e4) return `${(ms / 1000).toFixed(0)} s`;
-  if (ms >= 1e3) return `${(ms / 1000).toFixed(1)} s`;
-  if (ms >= 10) return `${ms.toFixed(0)} ms`;
-  if (ms >= 1) return `${ms.toFixed(1)} ms`;
-  return `${micros.toFixed(micros < 10 ? 1 : 0)} µs`;
+  const inUnit = (value: number) => String(Number(value.toPrecision(1)));
+  if (ms >= 950) return `${inUnit(ms / 1000)} s`;
+  if (ms >= 0.95) return `${inUnit(ms)} ms`;
+  return `${inUnit(1000 * ms)} µs`;
 }
 
 /** A distance in words. */
 export const away = (distance: number) =>
   `${short(Math.abs(distance))} ${distance < 0 ? "inside" : "away"}`;
+
+/** How many neighbours a site has, in words. */
+export function neighboursText(sites: Sites, id: number) {
+  const { length } = neighborsOf(sites, id);
+  return `${length} neighbour${length === 1 ? "" : "s"}`;
+}
 
 /** Sets a text if it has changed: the browser lays out nothing else. */
 export function setText(node: Element, text: string) {

@@ -1,7 +1,9 @@
 // What is selected: numbers that can be edited, and what the diagram knows about it.
 import type { App } from "../app.js";
 import { messageOf } from "../errors.js";
+import { neighborsOf } from "../model/neighbors.js";
 import { whenever } from "../model/signals.js";
+import type { Sites } from "../model/sites.js";
 import { placeText } from "../sets/globe.js";
 import { grouped, oncePerFrame, setText, short } from "./dom.js";
 import { element } from "./elements.js";
@@ -39,8 +41,13 @@ export function makeInspector(app: App) {
     }
     const { name, detail } = app.sites.label(id);
     setText(element("card-name"), name);
-    setText(element("card-detail"), detail ?? "");
     const { x, y, r } = app.sites.site(id);
+    const ring =
+      r < 0
+        ? `A negative radius: distances go to the far side of a ring of ${short(-r)}. ` +
+          "Cells depend on the differences of radii only."
+        : "";
+    setText(element("card-detail"), [detail ?? "", ring].filter(Boolean).join(". "));
     [x, y, r].forEach((value, k) => {
       if (document.activeElement !== fields[k]) fields[k].value = String(value);
     });
@@ -117,15 +124,16 @@ function factsOf(app: App, id: number): Fact[] {
     return [
       ...onGlobe,
       ["cell", "none: it is hidden"],
-      ["covered by", sites.label(cover).name, () => selection.set([cover])],
+      ["lies inside", sites.label(cover).name, () => selection.set([cover])],
     ];
   }
   const { areaUnit } = sites.info;
+  const area = areaOf(app, id);
   return [
     ...onGlobe,
-    ["cell’s area", areaUnit ? `${areaOf(app, id)} ${areaUnit}` : areaOf(app, id)],
-    ["neighbours", String(diagram.neighbors(id).length)],
-    ["hides", hiddenBelow(app, id)],
+    ["cell’s area", area === null ? "unbounded" : [area, areaUnit].filter(Boolean).join(" ")],
+    ["neighbours", neighboursOf(sites, id)],
+    ["hidden inside it", hiddenBelow(app, id)],
   ];
 }
 
@@ -143,14 +151,22 @@ function globeFacts({ sites, selection }: App, id: number): Fact[] {
   return facts;
 }
 
-/** The whole cell's, if it ends somewhere. */
+/** Those with an edge in common; the dual graph can have more. */
+function neighboursOf(sites: Sites, id: number) {
+  const count = neighborsOf(sites, id).length;
+  const inDual = sites.diagram.neighbors(id).length;
+  if (count === inDual) return String(count);
+  return `${count} (${inDual} in the dual graph, which joins some cells that meet in a point only)`;
+}
+
+/** The whole cell's, or null if it does not end. */
 function areaOf({ diagram, sites, painter }: App, id: number) {
   if (painter.ends) return short(painter.ends.cellArea(id) ?? 0);
   const { x, y, r } = sites.site(id);
   const reach = kFar * Math.max(r, 1);
   const window = diagram.voronoi([x - reach, y - reach, x + reach, y + reach]);
   const isOpen = window.cellCurves(id)?.neighbors.includes(-1);
-  return isOpen ? "without end" : short(window.cellArea(id) ?? 0);
+  return isOpen ? null : short(window.cellArea(id) ?? 0);
 }
 
 /** How many circles this one covers. */

@@ -18,6 +18,10 @@ export function makeSameAreasSwitch(app: App, areas: SameAreas) {
   });
   const show = () => {
     input.checked = areas.isOn;
+    for (const id of ["same-areas-radii", "radii"] as const) {
+      element(id).textContent = areas.radii;
+      element(id).hidden = areas.radii === "";
+    }
   };
   effect(show);
   app.model.on("change", update);
@@ -30,7 +34,7 @@ export function makeSameAreasSwitch(app: App, areas: SameAreas) {
       return;
     }
     try {
-      await withProgress((watch) => areas.turnOn(watch));
+      await withProgress((watch) => areas.turnOn(watch), "Cancel fitting");
     } catch (error) {
       sayWhatFailed("The areas cannot be the same")(error);
     }

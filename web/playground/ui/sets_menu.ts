@@ -7,7 +7,7 @@ import { element } from "./elements.js";
 import { notify, sayWhatFailed, silence } from "./notice.js";
 import { isIn } from "./targets.js";
 
-const kPicture = 60; // circles in one
+const kPicture = 120; // circles in one
 
 /** What the menu asks for: `load` a set by its name, `show` the visitor's own. */
 type Actions = {

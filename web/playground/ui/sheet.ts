@@ -1,6 +1,8 @@
 // On a phone: one sheet at the bottom with two stops. A tap on its grip or a drag goes from one to
-// the other. What is selected stays in sight.
+// the other. What is selected comes out from under the open sheet, and the picture goes back when
+// the sheet closes, unless it has been moved meanwhile.
 import type { App } from "../app.js";
+import { whenever } from "../model/signals.js";
 import { element } from "./elements.js";
 
 const kDrag = 18; // pixels
@@ -12,6 +14,7 @@ export function makeSheet(app: App) {
     sheet.classList.toggle("open", isOpen);
     grip.setAttribute("aria-expanded", String(isOpen));
     if (!isOpen) sheet.scrollTop = 0;
+    if (!isOpen) giveBack();
   };
   let from = 0;
   let wasDragged = false;
@@ -30,12 +33,32 @@ export function makeSheet(app: App) {
     wasDragged = false;
   });
   element("answer").addEventListener("click", () => open(true));
-  // From under the open sheet, and the place that was touched with it.
+
+  /** How far the picture was moved, in pixels, and how often it had moved then. */
+  let lent = { x: 0, y: 0, looks: -1 };
+  /** With the place that was touched. */
+  const movedBy = (dx: number, dy: number) => {
+    if (app.pointer) app.hoverAt({ x: app.pointer.x + dx, y: app.pointer.y + dy });
+  };
+  function giveBack() {
+    const { x, y, looks } = lent;
+    lent = { x: 0, y: 0, looks: -1 };
+    if (looks !== app.looks || (x === 0 && y === 0)) return;
+    app.pan(-x, -y);
+    movedBy(-x, -y);
+  }
   new ResizeObserver(() => {
     if (!sheet.classList.contains("open") || app.selection.size === 0) return;
     const { originX, originY } = app.view;
+    const before = lent.looks === app.looks ? lent : { x: 0, y: 0 };
     app.show(app.selection.last);
     const [dx, dy] = [app.view.originX - originX, app.view.originY - originY];
-    if (app.pointer) app.hoverAt({ x: app.pointer.x + dx, y: app.pointer.y + dy });
+    if (dx === 0 && dy === 0) return;
+    lent = { x: before.x + dx, y: before.y + dy, looks: app.looks };
+    movedBy(dx, dy);
   }).observe(sheet);
+  whenever(
+    () => app.selection.size,
+    () => app.selection.size === 0 && giveBack(),
+  );
 }

@@ -39,25 +39,26 @@ export function makeShowMenu(app: App, motion: Motion) {
       boxIn(layers, name).checked = isShown;
   });
 
-  let isMoving = false;
-  const stop = () => isMoving && motion.stop();
-  element("stop-motion").addEventListener("click", stop);
+  const stopButton = element("stop-motion");
+  effect(() => {
+    stopButton.hidden = motion.name === "";
+    if (motion.name !== "") stopButton.textContent = `Stop ${motion.name}`;
+  });
+  const stop = () => motion.name !== "" && motion.stop();
+  stopButton.addEventListener("click", stop);
   element("overlay").addEventListener("click", stop);
   const onKey = (event: KeyboardEvent) => {
-    if (event.key !== "Escape" || !isMoving) return;
+    if (event.key !== "Escape" || motion.name === "" || event.defaultPrevented) return;
     event.preventDefault(); // one thing after another: the selection stays
     motion.stop();
   };
   document.addEventListener("keydown", onKey, { capture: true });
-  const showMotion = (isShown: boolean) => {
-    isMoving = isShown;
-    element("stop-motion").hidden = !isShown;
-  };
 
   for (const [name, make] of [
     ["drift", drift],
     ["relax", relax],
   ] as const) {
+    const said = { drift: "drift", relax: "relaxing" }[name];
     const button = element(name);
     const press = (isPressed: boolean) => button.setAttribute("aria-pressed", String(isPressed));
     button.addEventListener("click", () => {
@@ -69,12 +70,8 @@ export function makeShowMenu(app: App, motion: Motion) {
         notify(`This moves up to ${kMostMoving[name].toLocaleString("en")} circles.`);
         return;
       }
-      motion.start(sites.ids, make(sites), () => {
-        press(false);
-        showMotion(false);
-      });
+      motion.start(sites.ids, make(sites), () => press(false), said);
       press(true);
-      showMotion(true);
       element("show").hidePopover();
     });
   }

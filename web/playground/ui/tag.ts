@@ -1,12 +1,12 @@
 // The tag at the pointer: which site is nearest, how far it is, and what else was asked. On a phone
-// the sheet says it.
+// the sheet says it; of a selected circle the sheet says what the card is about.
 import type { App, Point } from "../app.js";
 import { whenever } from "../model/signals.js";
 import type { Sites } from "../model/sites.js";
 import type { Hover } from "../picture/overlay_layer.js";
 import type { View } from "../picture/view.js";
 import { type Globe, placeOn } from "../sets/globe.js";
-import { away, grouped, oncePerFrame, short } from "./dom.js";
+import { away, grouped, neighboursText, oncePerFrame, short } from "./dom.js";
 import { element } from "./elements.js";
 
 const kGap = 16; // pixels between pointer and tag
@@ -19,23 +19,34 @@ export function makeTag(app: App) {
   const update = oncePerFrame(() => {
     const { hover } = app;
     tag.hidden = hover === null;
-    const [name, detail] = hover ? textOf(app, hover) : ["", ""];
-    const [strong, rest] = partsOf(hover ? tag : answer);
-    if (hover) {
-      strong.textContent = name;
-      rest.textContent = ` ${detail}`;
+    const said = hover ? textOf(app, hover) : null;
+    if (hover && said) {
+      write(tag, said);
+      tag.classList.toggle("wrong", hover.right !== hover.id);
       place(tag, hover, app.view);
-      const [sheetName, sheetDetail] = partsOf(answer);
-      sheetName.textContent = name;
-      sheetDetail.textContent = ` ${detail}`;
-    } else {
-      strong.textContent = "";
-      rest.textContent = app.sites.size === 0 ? "Draw a circle" : "Touch the diagram";
     }
+    write(answer, selectedText(app) ?? said ?? ["", promptOf(app)]);
   });
-  whenever(() => app.hover, update);
+  whenever(() => [app.hover, app.selection.ids], update);
   app.model.on("change", update);
   update();
+}
+
+const promptOf = ({ sites }: App) => (sites.size === 0 ? "Draw a circle" : "Touch the diagram");
+
+function write(node: HTMLElement, [name, detail]: [string, string]) {
+  const [strong, rest] = partsOf(node);
+  strong.textContent = name;
+  rest.textContent = name === "" ? detail : ` ${detail}`;
+}
+
+/** What is selected, and that it is; null if nothing is. */
+function selectedText({ selection, sites, diagram }: App): [string, string] | null {
+  if (selection.size === 0) return null;
+  const id = selection.single;
+  if (id < 0) return [`${grouped(selection.size)} circles`, "selected"];
+  const state = diagram.isHidden(id) ? "hidden" : neighboursText(sites, id);
+  return [sites.label(id).name, `selected · ${state}`];
 }
 
 /** @returns the nearest site, and the rest */
@@ -43,9 +54,15 @@ function textOf(app: App, hover: Hover): [string, string] {
   const { sites, questions } = app;
   const { name } = sites.label(hover.id);
   const said = [sites.info.globe ? onGlobe(app, hover, sites.info.globe) : onPlane(app, hover)];
+  if (hover.right !== hover.id) {
+    said.push(`wrong: ${sites.label(hover.right).name} is nearer`);
+    return [name, said.join(" · ")];
+  }
   if (questions.neighbors) {
     const count = hover.neighbors.length;
-    said.push(`${count} neighbour${count === 1 ? "" : "s"}`);
+    const inDual = app.diagram.neighbors(hover.id).length;
+    const more = inDual === count ? "" : ` (${inDual} in the dual graph)`;
+    said.push(`${count} neighbour${count === 1 ? "" : "s"}${more}`);
   }
   if (questions.under) said.push(`in ${namesOf(sites, hover.under)}`);
   if (hover.empty) {

@@ -1,0 +1,377 @@
+// What once broke or misled in the page's panels, keys and buttons. Each of these failed before it
+// was mended.
+import { describe, expect, test } from "@jest/globals";
+import {
+  circlesOf,
+  closePage,
+  describeInBrowser,
+  drag,
+  forEachPage,
+  frames,
+  settled,
+  show,
+  sitesInReach,
+  stateOf,
+  whereIs,
+} from "./support/browser.mjs";
+
+const kPhone = { viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true };
+
+const boxOf = (page, selector) =>
+  page.$eval(selector, (node) => node.getBoundingClientRect().toJSON());
+const meets = (a, b) =>
+  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+
+describeInBrowser("keys", (open) => {
+  let page;
+  forEachPage(open, (opened) => {
+    page = opened;
+  });
+  const scale = () => page.evaluate(() => app.view.scale);
+
+  test("+ and − zoom wherever the focus is, with a selection too; [ and ] resize", async () => {
+    const [id] = await sitesInReach(page);
+    await page.evaluate((id) => app.selection.set([id]), id);
+    await settled(page);
+    const circles = await circlesOf(page);
+    for (const focus of ["#overlay", "#tool-fit", "#open-sets", "[name=weight]:checked"]) {
+      await page.focus(focus);
+      const before = await scale();
+      await page.keyboard.press("+");
+      expect((await scale()) / before).toBeCloseTo(1.25, 6);
+      await page.keyboard.press("-");
+      expect(await scale()).toBeCloseTo(before, 6);
+    }
+    expect(await circlesOf(page)).toEqual(circles);
+    const { r } = await whereIs(page, id);
+    await page.keyboard.press("]");
+    expect((await whereIs(page, id)).r / r).toBeCloseTo(1.05, 1);
+    await page.keyboard.press("[");
+    expect((await whereIs(page, id)).r / r).toBeCloseTo(1, 1);
+    await page.click("#card-larger");
+    expect((await whereIs(page, id)).r).toBeGreaterThan(r);
+    expect(await page.textContent("#keys-text")).toMatch(/\[ \] make smaller and larger/);
+    expect(await page.textContent("#keys-text")).toMatch(/\+ − zoom/);
+  });
+
+  test("in text fields keys write, and Ctrl Z is the field's", async () => {
+    const [id] = await sitesInReach(page);
+    await page.evaluate((id) => app.selection.set([id]), id);
+    await page.evaluate(() => app.grow(1.5));
+    await settled(page);
+    const circles = await circlesOf(page);
+    const before = await scale();
+    await page.click("#card-x");
+    await page.keyboard.type("7-");
+    await page.keyboard.press("Control+z");
+    await page.keyboard.press("Escape");
+    await page.click("#open-sets");
+    await page.click("#paste");
+    await page.keyboard.type("1+[]");
+    await page.keyboard.press("Control+z");
+    expect(await scale()).toBe(before);
+    await page.keyboard.press("Escape");
+    expect((await circlesOf(page)).find(([other]) => other === id)[3]).toBe(
+      circles.find(([other]) => other === id)[3],
+    );
+  });
+});
+
+describeInBrowser("what runs", (open) => {
+  let page;
+  forEachPage(open, (opened) => {
+    page = opened;
+  });
+
+  test.each([
+    ["drift", "Stop drift"],
+    ["relax", "Stop relaxing"],
+  ])("%s: the button says what it stops", async (id, label) => {
+    await page.evaluate((id) => document.getElementById(id).click(), id);
+    expect(await page.textContent("#stop-motion")).toBe(label);
+    await page.click("#stop-motion");
+    expect(await page.isVisible("#stop-motion")).toBe(false);
+  });
+
+  test("two at once have a button each, and Escape ends one after another", async () => {
+    await page.evaluate(() => {
+      document.getElementById("drift").click();
+      app.navigation.load("random", { n: "900000" });
+    });
+    await page.waitForSelector("#progress:not([hidden])");
+    expect(await page.textContent("#progress-cancel")).toBe("Cancel building");
+    expect(await page.textContent("#stop-motion")).toBe("Stop drift");
+    expect(meets(await boxOf(page, "#progress"), await boxOf(page, "#stop-motion"))).toBe(false);
+    await page.keyboard.press("Escape");
+    await page.waitForFunction(() => document.getElementById("progress").hidden);
+    expect(await page.evaluate(() => app.motion.isRunning)).toBe(true);
+    await page.keyboard.press("Escape");
+    expect(await page.evaluate(() => app.motion.isRunning)).toBe(false);
+  });
+});
+
+describeInBrowser("the same area for all, told", (open) => {
+  let page;
+  forEachPage(open, (opened) => {
+    page = opened;
+  });
+  const switchOn = () => page.evaluate(() => document.getElementById("same-areas").click());
+
+  test("what happens to the radii is said at the switch and in the status", async () => {
+    await switchOn();
+    await page.waitForFunction(() => app.painter.frame && !app.motion.isRunning);
+    await settled(page);
+    const said = await page.textContent("#radii");
+    expect(said).toMatch(/^Radii: 5 to 128 before, −[\d.]+ to [\d.]+ now\. \d+ of 35 are negative/);
+    expect(await page.textContent("#same-areas-radii")).toBe(said);
+    expect(await page.isVisible("#radii")).toBe(true);
+    const id = await page.evaluate(() => app.sites.ids.find((id) => app.sites.site(id).r < -50));
+    await page.evaluate((id) => app.selection.set([id]), id);
+    await settled(page);
+    expect(await page.textContent("#card-detail")).toMatch(/far side of a ring of/);
+    await page.keyboard.press("Control+z");
+    await settled(page);
+    expect(await page.isVisible("#radii")).toBe(false);
+  });
+
+  test("progress never goes back, nor beyond all", async () => {
+    await show(page, "random", { n: "3000", hidden: "0" });
+    await page.evaluate(() => {
+      window.seen = [];
+      window.texts = [];
+      const note = () => {
+        const bar = document.getElementById("progress-bar");
+        if (bar.hasAttribute("value")) window.seen.push(bar.value);
+        window.texts.push(document.getElementById("progress-text").textContent);
+      };
+      const options = { attributes: true, childList: true, subtree: true };
+      new MutationObserver(note).observe(document.getElementById("progress"), options);
+    });
+    await switchOn();
+    await page.waitForFunction(() => app.painter.frame !== null, null, { timeout: 60_000 });
+    const { seen, texts } = await page.evaluate(() => ({ seen, texts }));
+    expect(seen.length).toBeGreaterThan(3);
+    expect(seen).toEqual([...seen].sort((a, b) => a - b));
+    expect(Math.max(...seen)).toBeLessThanOrEqual(1);
+    for (const text of texts)
+      for (const [, percent] of text.matchAll(/([\d.]+) %/g))
+        expect(Number(percent)).toBeLessThanOrEqual(100);
+  });
+
+  test("of 1500 cities it is refused beforehand, with the reason", async () => {
+    await show(page, "cities");
+    expect(await page.isDisabled("#same-areas")).toBe(true);
+    expect(await page.textContent("#same-areas-hindrance")).toMatch(/300 circles on a map.*minute/);
+  });
+});
+
+describeInBrowser("neighbours", (open) => {
+  test("a square of the grid has four, and the card explains the dual graph’s six", async () => {
+    const page = await open({ path: "#set=grid" });
+    const id = await page.evaluate(() => {
+      const inner = app.sites.ids.find((id) => app.diagram.neighbors(id).length === 6);
+      app.selection.set([inner]);
+      const { x, y } = app.sites.site(inner);
+      app.hoverAt({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
+      return inner;
+    });
+    expect(id).toBeDefined();
+    await settled(page);
+    expect(await page.textContent("#card-facts")).toMatch(/neighbours4 \(6 in the dual graph/);
+    expect(await page.textContent("#tag")).toContain("4 neighbours");
+    expect(await page.evaluate(() => app.hover.neighbors.length)).toBe(4);
+    await closePage(page);
+  });
+});
+
+describeInBrowser("panels", (open) => {
+  test.each([320, 360, 390])("at %i px nothing is cut off", async (width) => {
+    const page = await open({ ...kPhone, viewport: { width, height: 700 } });
+    for (const id of ["open-share", "open-sets", "open-show", "tool-select", "tool-fit"]) {
+      const { left, right } = await boxOf(page, `#${id}`);
+      expect([id, left >= 0 && right <= width]).toEqual([id, true]);
+    }
+    for (const label of await page.$$eval(".switch label", (all) =>
+      all.map((node) => node.getBoundingClientRect().right),
+    ))
+      expect(label).toBeLessThanOrEqual(width);
+    await closePage(page);
+  });
+
+  test.each([700, 800, 1000])("at %i px the card leaves the switch free", async (width) => {
+    const page = await open({ viewport: { width, height: 800 } });
+    await page.evaluate(() => app.selection.set([3]));
+    await settled(page);
+    expect(meets(await boxOf(page, "#inspector"), await boxOf(page, "#intro"))).toBe(false);
+    const { right } = await boxOf(page, "#open-share");
+    expect(right).toBeLessThanOrEqual(width);
+    await closePage(page);
+  });
+
+  test("grounds of menus, the introduction and the card let nothing shine through", async () => {
+    const page = await open();
+    const alphas = await page.evaluate(() =>
+      ["show", "sets", "share", "intro", "inspector", "steps"].map((id) => {
+        const color = getComputedStyle(document.getElementById(id)).backgroundColor;
+        return [id, color.startsWith("rgb(")];
+      }),
+    );
+    for (const [id, isOpaque] of alphas) expect([id, isOpaque]).toEqual([id, true]);
+    await closePage(page);
+  });
+
+  test("phone: the picture goes back with the sheet, and header and card agree", async () => {
+    const page = await open({ ...kPhone, path: "#set=random" });
+    const origin = () => page.evaluate(() => [app.view.originX, app.view.originY]);
+    const first = await origin();
+    await page.evaluate(() => {
+      const place = [app.view.toWorldX(100), app.view.toWorldY(550)];
+      app.selection.set([app.diagram.find(...place)]);
+      app.hoverAt({ x: 300, y: 200 });
+    });
+    await page.tap("#grip");
+    await page.waitForFunction((y) => app.view.originY !== y, first[1]);
+    await settled(page);
+    const name = await page.textContent("#card-name");
+    expect(await page.textContent("#answer b")).toBe(name);
+    await page.tap("#grip");
+    await frames(page, 3);
+    const back = await origin();
+    expect(Math.hypot(back[0] - first[0], back[1] - first[1])).toBeLessThan(1e-6);
+    await closePage(page);
+  });
+
+  test("the steps leave free what they tell of", async () => {
+    for (const kind of [{}, kPhone]) {
+      const page = await open(kind);
+      await page.evaluate(() => document.getElementById("step-insert").click());
+      await page.click("#steps-next");
+      const panel = await boxOf(page, "#steps");
+      const places = await page.evaluate(() => {
+        const places = [];
+        const target = new Proxy(app.painter.canvas("overlay").getContext("2d"), {
+          get: (context, name) => {
+            const value = context[name];
+            if (typeof value !== "function") return value;
+            return (...given) => {
+              if (name === "lineTo" || name === "moveTo") places.push(given);
+            };
+          },
+          set: () => true,
+        });
+        const { sites, view, painter } = app;
+        painter.overlay.marks(target, { sites, view, theme: painter.theme, ends: null });
+        return places;
+      });
+      expect(places.length).toBeGreaterThan(1);
+      const isUnder = ([x, y]) =>
+        x > panel.left && x < panel.right && y > panel.top && y < panel.bottom;
+      expect(places.filter(isUnder)).toEqual([]);
+      await closePage(page);
+    }
+  });
+
+  test("an empty canvas says how to begin, and a drag draws", async () => {
+    const page = await open({ path: "#set=empty" });
+    await settled(page);
+    expect(await page.textContent("#invitation")).toMatch(/Draw a circle: drag here/);
+    expect(await page.isVisible("#invitation")).toBe(true);
+    await drag(page, { x: 600, y: 400 }, { x: 660, y: 400 });
+    await settled(page);
+    expect((await stateOf(page)).size).toBe(1);
+    expect((await whereIs(page, 0)).r).toBeCloseTo(60, 0);
+    expect(await page.isVisible("#invitation")).toBe(false);
+    await page.keyboard.press("Delete");
+    await settled(page);
+    expect(await page.isVisible("#invitation")).toBe(true);
+    await closePage(page);
+  });
+});
+
+describeInBrowser("what is told", (open) => {
+  let page;
+  forEachPage(open, (opened) => {
+    page = opened;
+  });
+  const announced = (pattern) =>
+    page.waitForFunction(
+      (source) => new RegExp(source).test(document.getElementById("announcer").textContent),
+      pattern.source,
+    );
+
+  test("moves, resizes and tools are announced", async () => {
+    await page.focus("#overlay");
+    await page.evaluate(() => app.selection.set([3]));
+    await announced(/Circle 3 selected, \d+ neighbours/);
+    await page.keyboard.press("ArrowLeft");
+    await announced(/Circle 3 moved to x \d+, y \d+/);
+    await page.keyboard.press("]");
+    await announced(/Circle 3 resized, radius \d+/);
+    await page.keyboard.press("d");
+    await announced(/Draw tool/);
+  });
+
+  test("the status stays as large as it is, whatever it says", async () => {
+    const sizes = new Set();
+    for (const key of ["two", "nesting", "opening", "gasket"]) {
+      await show(page, key);
+      const { width, height } = await boxOf(page, "#status");
+      sizes.add(`${width} ${height}`);
+      await page.waitForTimeout(900);
+      const later = await boxOf(page, "#status");
+      sizes.add(`${later.width} ${later.height}`);
+    }
+    expect(sizes.size).toBe(1);
+  });
+
+  test("no name that only the paper's readers know", async () => {
+    const text = await page.evaluate(() => document.body.textContent);
+    for (const name of ["Composed", "Hierarchy levels", "Table 1", "Appendix A"])
+      expect(text).not.toContain(name);
+  });
+
+  test("a thumbnail has all circles of its set, and none is cut", async () => {
+    await page.click("#open-sets");
+    const cut = await page.$$eval("#presets svg", (all) =>
+      all.flatMap((svg, k) => {
+        const box = svg.getBoundingClientRect();
+        return Array.from(svg.querySelectorAll("circle"), (circle) => {
+          const { left, top, right, bottom } = circle.getBoundingClientRect();
+          const isCut =
+            left < box.left || top < box.top || right > box.right || bottom > box.bottom;
+          return isCut ? k : -1;
+        }).filter((index) => index >= 0);
+      }),
+    );
+    expect(cut).toEqual([]);
+    expect(await page.$$eval("[data-set=grid] circle", (all) => all.length)).toBe(96);
+  });
+});
+
+describe("gallery", () => {
+  describeInBrowser("on a phone", (open) => {
+    const openExample = (name) => open({ ...kPhone, path: `examples/#${name}`, ready: "example" });
+
+    test("a tap on the bubble chart picks", async () => {
+      const page = await openExample("bubble_chart");
+      const { left, top, width, height } = await boxOf(page, "figure svg");
+      const marked = () =>
+        page.$$eval("figure circle", (all) =>
+          all.findIndex((circle) => circle.getAttribute("fill-opacity") === "0.7"),
+        );
+      expect(await marked()).toBe(-1);
+      await page.touchscreen.tap(left + width / 2, top + height / 2);
+      expect(await marked()).toBeGreaterThanOrEqual(0);
+      await closePage(page);
+    });
+
+    test("labels can be read, and Copy covers no code", async () => {
+      const page = await openExample("capacities");
+      await page.waitForSelector("figure text");
+      const height = await page.$eval("figure text", (text) => text.getBoundingClientRect().height);
+      expect(height).toBeGreaterThan(9);
+      expect(meets(await boxOf(page, ".code button"), await boxOf(page, ".code pre"))).toBe(false);
+      await closePage(page);
+    });
+  });
+});
