@@ -9,7 +9,6 @@ import { extname, join, normalize, sep } from "node:path";
 import { pathToFileURL } from "node:url";
 import { createGzip } from "node:zlib";
 import { builtSite } from "./build_site.mjs";
-import { root } from "./toolchain/folders.mjs";
 
 const kHost = "127.0.0.1";
 const kTypes = {
