@@ -92,7 +92,8 @@ const kFrameworks = {
       };
       window.end = () => app.unmount();
       const diagram = Diagram.from(bubbles);
-      const held = [ref(diagram).value, reactive({ diagram }).diagram, ref(diagram.voronoi()).value];
+      const cells = ref(diagram.voronoi()).value;
+      const held = [ref(diagram).value, reactive({ diagram }).diagram, cells];
       if (held.some(isProxy) || held[0] !== diagram) console.error("a proxy of a diagram");`,
   },
   svelte: {
@@ -277,13 +278,14 @@ describeInBrowser("recipes", (open) => {
         type: "bubble",
         data: { datasets: [large, small] },
         options: {
+          animation: false, // which shows what is going to be hidden for a while
           interaction: { mode: "circle", intersect: false },
           hoverBackgroundColor: "#e15759",
           scales: { x: { min: 0, max: 30 }, y: { min: 0, max: 40 } },
         },
       });
       window.at = (dataset, index) => {
-        const { x, y } = window.chart.getDatasetMeta(dataset).data[index].getProps(["x", "y"], true);
+        const { x, y } = window.chart.getDatasetMeta(dataset).data[index];
         return [x, y];
       };
       window.active = () =>
@@ -366,7 +368,7 @@ describeWithWebGL("recipes with WebGL", (open) => {
       },
       { end: () => window.shown.end() },
     );
-  });
+  }, 120_000);
 
   test("MapLibre: cells in true kilometres, and the one under the pointer is lit", async () => {
     const worker = await bundledModule("maplibre-gl/dist/maplibre-gl-worker.mjs");
@@ -409,5 +411,5 @@ describeWithWebGL("recipes with WebGL", (open) => {
       },
       { end: () => window.shown.map.remove() },
     );
-  });
+  }, 120_000);
 });

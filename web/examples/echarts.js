@@ -1,6 +1,7 @@
 // ECharts: a bubble chart that lights the bubble nearest to the pointer, or of several under it the
 // smallest. ECharts itself takes the one drawn last, and nothing beside a bubble. The diagram is of
-// what is seen: pixels, as convertToPixel gives them, made anew when the chart is zoomed or resized.
+// what is seen: pixels, as convertToPixel gives them, made anew when the chart is zoomed or
+// resized.
 import { Diagram } from "apollonius-diagram";
 import { ScatterChart } from "echarts/charts";
 import { DataZoomComponent, GridComponent, TooltipComponent } from "echarts/components";

@@ -25,7 +25,8 @@ function makeStations() {
 export default function temperature(container) {
   const stations = makeStations();
   const diagram = Diagram.from(stations);
-  const cells = diagram.voronoi([0, 0, width, height]);
+  // The map, and around it one square of the grid, so that its bands go on beyond the border.
+  const cells = diagram.voronoi([-step, -step, width + step, height + step]);
 
   /** The temperature at a place, and the stations that it comes from. */
   const at = (x, y) => {
@@ -34,32 +35,32 @@ export default function temperature(container) {
     return { value, ids, weights };
   };
 
-  // In the middle of each square of a grid, as d3-contour has it.
-  const [columns, rows] = [width / step, height / step];
+  // In the middle of each square of the grid, as d3-contour has it.
+  const [columns, rows] = [width / step + 2, height / step + 2];
   const values = Array.from(
     { length: columns * rows },
-    (_, k) => at(((k % columns) + 0.5) * step, (Math.floor(k / columns) + 0.5) * step).value,
+    (_, k) => at(((k % columns) - 0.5) * step, (Math.floor(k / columns) - 0.5) * step).value,
   );
   const [coldest, warmest] = [Math.min(...values), Math.max(...values)];
   const degrees = Array.from({ length: 40 }, (_, k) => k).filter((t) => t < warmest);
   const bands = contours().size([columns, rows]).thresholds(degrees)(values);
 
-  /** From blue to red, over yellow. */
+  /** From blue to red, with paper in the middle. */
   const colour = (value) => {
-    const t = Math.min(1, Math.max(0, (value - coldest) / (warmest - coldest)));
-    return `hsl(${215 - 205 * t} ${60 + 15 * t}% ${66 - 10 * Math.abs(2 * t - 1)}%)`;
+    const t = Math.min(1, Math.max(-1, (2 * (value - coldest)) / (warmest - coldest) - 1));
+    return `hsl(${t < 0 ? 212 : 14} ${62 + 14 * t}% ${93 - 38 * Math.abs(t)}%)`;
   };
   const svg = select(container).append("svg").attr("viewBox", [0, 0, width, height]);
   svg
     .append("g")
-    .attr("transform", `scale(${step})`)
+    .attr("transform", `translate(${-step} ${-step}) scale(${step})`)
     .selectAll("path")
     .data(bands)
     .join("path")
     .attr("d", geoPath())
     .attr("fill", ({ value }) => colour(value + 0.5))
-    .attr("stroke", "#fff")
-    .attr("stroke-opacity", 0.5)
+    .attr("stroke", "#555")
+    .attr("stroke-opacity", 0.35)
     .attr("stroke-width", 1 / step);
   const rays = svg.append("g").attr("stroke", "#222").attr("stroke-linecap", "round");
   svg
