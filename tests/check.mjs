@@ -13,7 +13,7 @@
 //   page         the page's tests in their long forms: storms of 5000 events, axe in each theme on
 //                each screen
 //   strangers    the package in what is too large for every npm ci: other bundlers, other versions
-//                of TypeScript, edge runtimes, Deno, Vitest (tests/strangers)
+//                of TypeScript, edge runtimes, Deno, Vitest, Observable Framework (tests/strangers)
 //   cluster      20 million points and a million circles by the workers of web/examples/cluster, a
 //                worker and Redis killed on the way
 //   determinism  the recorded hashes with g++ and clang++, -O0 to -O3, 32 bits, the machine's own

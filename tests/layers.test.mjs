@@ -135,13 +135,14 @@ const rules = [
     ],
   },
   {
-    of: /^web\/examples\/.*\.js$/,
+    of: /^web\/examples\/.*\.(jsx?|vue|svelte)$/,
     may: [
       /^\.\/random_circles\.js$/,
       /^apollonius-diagram(\/(sphere|treemap))?$/,
       /^d3-[a-z]+$/,
       /^@observablehq\/plot$/,
-      /^leaflet$/,
+      /^(react|vue|leaflet|maplibre-gl)$/,
+      /^(@deck\.gl\/(core|layers)|chart\.js(\/helpers)?|echarts\/[a-z]+)$/,
     ],
   },
   {

@@ -22,6 +22,9 @@ const kTypes = {
   ".png": "image/png",
   ".wasm": "application/wasm",
 };
+/** Recipes, to be read. */
+for (const extension of [".cjs", ".jsx", ".md", ".svelte", ".vue"])
+  kTypes[extension] = "text/plain; charset=utf-8";
 const kHeaders = {
   "Cross-Origin-Opener-Policy": "same-origin",
   "Cross-Origin-Embedder-Policy": "require-corp",

@@ -158,7 +158,7 @@ describeInBrowser("examples", (open) => {
         path: "examples/",
         ready: null,
         colorScheme: theme,
-        viewport: { width, height: width < 500 ? 4400 : 2600 },
+        viewport: { width, height: width < 500 ? 4800 : 2600 },
       });
       await page.waitForFunction(
         (count) => document.querySelectorAll(".card[data-shown]").length === count,
@@ -458,9 +458,37 @@ describeInBrowser("examples", (open) => {
     expect(found.labels).toBeLessThanOrEqual(found.visible);
   });
 
+  test("temperature: stations have theirs, lakes one all over, the rest is between", async () => {
+    const found = await inExample(
+      "temperature",
+      () => {
+        const { stations, at, values } = window.example;
+        const rays = [0, 1, 2, 3].map((k) => [0.9 * Math.cos(k), 0.9 * Math.sin(k)]);
+        const off = stations.flatMap(({ x, y, r, value }) =>
+          rays.map(([dx, dy]) => Math.abs(at(x + dx * r, y + dy * r).value - value)),
+        );
+        const all = stations.map(({ value }) => value);
+        const [low, high] = [Math.min(...all) - 1e-9, Math.max(...all) + 1e-9];
+        return {
+          isTrue: Math.max(...off) < 1e-6,
+          isBetween: values.every((value) => value >= low && value <= high),
+          said: document.querySelector("figure text").textContent,
+          lines: document.querySelectorAll("figure line").length,
+          expected: `${at(300, 200).value.toFixed(1)} °C`,
+        };
+      },
+      async (page) => {
+        const { x, y, width } = await page.locator("figure svg").boundingBox();
+        await page.mouse.move(x + (300 * width) / 920, y + (200 * width) / 920);
+      },
+    );
+    expect(found).toMatchObject({ isTrue: true, isBetween: true, said: found.expected });
+    expect(found.lines).toBeGreaterThan(2);
+  });
+
   test("each example is tested here", () => {
     const text = readFileSync(fileURLToPath(import.meta.url), "utf8");
-    expect(names.length).toBe(14);
+    expect(names.length).toBe(15);
     for (const name of names) expect(text).toMatch(new RegExp(`inExample\\(\\s*"${name}"`));
   });
 });

@@ -1,10 +1,11 @@
-// The recipes of web/examples for frameworks, bundled as their users would, in the browser.
+// The recipes of web/examples for frameworks, charts and maps, bundled as their users would, with
+// the real libraries, in the browser; those that a server renders, in Node, too.
 import { mkdirSync } from "node:fs";
 import path from "node:path";
 import { expect, test } from "@jest/globals";
-import { build } from "esbuild";
 import { root } from "../../tools/toolchain/folders.mjs";
-import { closePage, describeInBrowser } from "./support/browser.mjs";
+import { closePage, describeInBrowser, describeWithWebGL } from "./support/browser.mjs";
+import { bundledForPage, bundledModule, printedByServer } from "./support/recipes.mjs";
 
 const pictures = path.join(root, "build/pictures");
 const bubbles = [
@@ -12,84 +13,147 @@ const bubbles = [
   { x: 190, y: 90, r: 15 },
   { x: 105, y: 90, r: 10 },
 ];
+const given = `const bubbles = ${JSON.stringify(bubbles)};`;
 
-/** A script for a page, of a program that may import the examples and what they import. */
-async function bundled(program) {
-  const { outputFiles } = await build({
-    stdin: { contents: program, resolveDir: path.join(root, "web/examples"), loader: "jsx" },
-    bundle: true,
-    write: false,
-    format: "iife",
-    jsx: "automatic",
-    define: { "process.env.NODE_ENV": '"development"' },
-    loader: { ".css": "empty", ".png": "empty" },
-    alias: { "apollonius-diagram": path.join(root, "dist/esm/index.js") },
-    logLevel: "silent",
-  });
-  return outputFiles[0].text;
-}
-
-describeInBrowser("recipes", (open) => {
-  /** Runs a program on an empty page; keeps a picture for people to look at. */
-  async function inPage(name, program, act) {
+/** A page for a program, with a container of some HTML; keeps a picture for people to look at. */
+const withPages = (open) =>
+  async function inPage(name, program, act, { html = "", file, end } = {}) {
     const page = await open({ path: "examples/#comparison", ready: "example" });
+    page.on("console", (said) => said.type() === "warning" && page.errors.push(said.text()));
     const style = "width: 700px; height: 420px";
-    await page.setContent(`<div id="container" style="${style}"></div>`);
-    await page.addScriptTag({ content: await bundled(program) });
-    const found = await act(page);
+    await page.setContent(`<div id="container" style="${style}">${html}</div>`);
+    await page.addScriptTag({ content: await bundledForPage(program, file) });
+    const found = await act(page, await page.locator("#container").boundingBox());
     mkdirSync(pictures, { recursive: true });
     await page.screenshot({ path: path.join(pictures, `recipe_${name}.png`) });
+    if (end) await page.evaluate(end);
     expect(page.errors).toEqual([]);
     await closePage(page);
     return found;
-  }
+  };
 
-  test("React in StrictMode: each diagram is disposed of once, the shown one lives", async () => {
-    await inPage(
-      "react",
-      `
+/** The colour of a point on the screen, which no canvas tells of WebGL. */
+async function colourAt(page, x, y) {
+  const png = await page.screenshot({ clip: { x, y, width: 1, height: 1 } });
+  return page.evaluate(
+    async (data) => {
+      const bitmap = await createImageBitmap(await (await fetch(data)).blob());
+      const context = new OffscreenCanvas(1, 1).getContext("2d");
+      context.drawImage(bitmap, 0, 0);
+      return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)];
+    },
+    `data:image/png;base64,${png.toString("base64")}`,
+  );
+}
+
+/**
+ * What a server renders and a page takes over, of each framework: `server` prints the HTML, and
+ * `browser` has `show(bubbles)` and `end()`.
+ */
+const kFrameworks = {
+  react: {
+    file: "react.jsx",
+    server: `
+      import { StrictMode } from "react";
+      import { renderToString } from "react-dom/server";
+      import BubbleChart from "./react.jsx";
+      const chart = <StrictMode><BubbleChart bubbles={bubbles} /></StrictMode>;
+      process.stdout.write(renderToString(chart));`,
+    browser: `
       import { StrictMode } from "react";
       import { flushSync } from "react-dom";
-      import { createRoot } from "react-dom/client";
-      import { Diagram } from "apollonius-diagram";
+      import { hydrateRoot } from "react-dom/client";
       import BubbleChart from "./react.jsx";
-
-      const counts = (window.counts = { made: 0, disposed: 0, twice: 0 });
-      const seen = new WeakSet();
-      const { from } = Diagram;
-      Diagram.from = (...list) => (++counts.made, from(...list));
-      const { dispose } = Diagram.prototype;
-      Diagram.prototype.dispose = function () {
-        seen.has(this) ? ++counts.twice : ++counts.disposed;
-        seen.add(this);
-        dispose.call(this);
-      };
-      const root = createRoot(document.getElementById("container"));
-      window.show = (bubbles) =>
-        flushSync(() => root.render(<StrictMode><BubbleChart bubbles={bubbles} /></StrictMode>));
+      const chart = (bubbles) => <StrictMode><BubbleChart bubbles={bubbles} /></StrictMode>;
+      const root = hydrateRoot(document.getElementById("container"), chart(bubbles), {
+        onRecoverableError: (error) => console.error(String(error)),
+      });
+      window.show = (bubbles) => flushSync(() => root.render(chart(bubbles)));
       window.end = () => root.unmount();`,
-      async (page) => {
-        /** Effects run some time after they are asked for. */
-        const expectCounts = async (made, disposed) => {
-          const isSo = ([a, b]) => window.counts.made === a && window.counts.disposed === b;
-          await page.waitForFunction(isSo, [made, disposed]);
-          expect(await page.evaluate(() => window.counts.twice)).toBe(0);
-        };
-        const red = () => page.locator('circle[fill="#e15759"]').count();
-        const show = (some) => page.evaluate((given) => window.show(given), some);
-        await show(bubbles);
-        await expectCounts(2, 1);
-        const box = await page.locator("svg").boundingBox();
-        await page.mouse.move(box.x + 155, box.y + 88);
-        expect(await red()).toBe(1);
-        await show(bubbles.slice(0, 2));
-        await expectCounts(3, 2);
-        await page.mouse.move(box.x + 105, box.y + 90);
-        expect(await red()).toBe(1);
-        await page.evaluate(() => window.end());
-        await expectCounts(3, 3);
-      },
-    );
+  },
+  vue: {
+    file: "vue.js",
+    server: `
+      import { createSSRApp, h } from "vue";
+      import { renderToString } from "vue/server-renderer";
+      import BubbleChart from "./bubble_chart.vue";
+      const app = createSSRApp({ render: () => h(BubbleChart, { bubbles }) });
+      renderToString(app).then((html) => process.stdout.write(html));`,
+    browser: `
+      import { createSSRApp, h, isProxy, nextTick, reactive, ref } from "vue";
+      import { Diagram } from "apollonius-diagram";
+      import BubbleChart from "./bubble_chart.vue";
+      const props = reactive({ bubbles });
+      const app = createSSRApp({ render: () => h(BubbleChart, props) });
+      app.mount(document.getElementById("container"));
+      window.show = (bubbles) => {
+        props.bubbles = bubbles;
+        return nextTick();
+      };
+      window.end = () => app.unmount();
+      const diagram = Diagram.from(bubbles);
+      const cells = ref(diagram.voronoi()).value;
+      const held = [ref(diagram).value, reactive({ diagram }).diagram, cells];
+      if (held.some(isProxy) || held[0] !== diagram) console.error("a proxy of a diagram");`,
+  },
+  svelte: {
+    file: "app.svelte.js",
+    server: `
+      import { render } from "svelte/server";
+      import BubbleChart from "./bubble_chart.svelte";
+      process.stdout.write(render(BubbleChart, { props: { bubbles } }).body);`,
+    browser: `
+      import { flushSync, hydrate, unmount } from "svelte";
+      import BubbleChart from "./bubble_chart.svelte";
+      const props = $state({ bubbles });
+      const target = document.getElementById("container");
+      const chart = hydrate(BubbleChart, { target, props, recover: false });
+      window.show = (bubbles) => {
+        props.bubbles = bubbles;
+        flushSync();
+      };
+      window.end = () => unmount(chart);`,
+  },
+};
+
+describeInBrowser("recipes", (open) => {
+  const inPage = withPages(open);
+
+  test.each(
+    Object.entries(kFrameworks),
+  )("%s: what the server rendered is taken over, and picks", async (name, framework) => {
+    const { file, server, browser } = framework;
+    const html = await printedByServer(given + server, file);
+    expect(html).toMatch(/ d="M[\d.]+,[\d.]+[CL]/);
+    expect(html.match(/<circle/g).length).toBe(3);
+    const act = async (page, { x, y }) => {
+      const isRed = (expected) => {
+        const circles = [...document.querySelectorAll("circle")];
+        const fills = circles.map((circle) => circle.getAttribute("fill") === "#e15759");
+        return fills.flatMap((is, id) => (is ? [id] : [])).join() === expected;
+      };
+      const expectRed = (...ids) =>
+        page.waitForFunction(isRed, ids.join(), { polling: 20, timeout: 10_000 });
+      const d = () => page.locator("path").getAttribute("d");
+      const drawn = await d();
+      expect(html).toContain(drawn); // the same bits in Node
+      await page.mouse.move(x + 155, y + 88);
+      await expectRed(0);
+      await page.mouse.move(x + 105, y + 90);
+      await expectRed(2);
+      // The pointer stays, and who is there is another one.
+      await page.evaluate((some) => window.show(some), bubbles.slice(0, 2));
+      await expectRed(0);
+      expect(await d()).toBe(drawn); // the one that went was hidden
+      await page.evaluate((some) => window.show(some), bubbles.slice(1));
+      await expectRed(1);
+      expect(await d()).not.toBe(drawn);
+      await page.mouse.move(x + 400, y + 300);
+      await expectRed();
+      await page.mouse.move(x + 178, y + 88);
+      await expectRed(0);
+    };
+    await inPage(name, given + browser, act, { html, file, end: () => window.end?.() });
   });
 
   test("Plot: the mark draws the cells of what the dots are", async () => {
@@ -148,4 +212,204 @@ describeInBrowser("recipes", (open) => {
     );
     expect(found).toEqual({ lit: [1], size: [4, "disposed"] });
   });
+
+  test("ECharts: the nearest bubble is lit, the smallest of several, with its tip", async () => {
+    const rows = [
+      [10, 20, 50, "large"],
+      [12, 21, 15, "small"],
+      [10.2, 20, 10, "inner"],
+      [30, 45, 25, "other"],
+    ];
+    await inPage(
+      "echarts",
+      `import nearestInChart from "./echarts.js";
+      const container = document.getElementById("container");
+      window.shown = nearestInChart(container, ${JSON.stringify(rows)});
+      window.where = () => ${JSON.stringify(rows)}.map(([x, y]) =>
+        window.shown.chart.convertToPixel({ seriesIndex: 0 }, [x, y]));`,
+      async (page, box) => {
+        const pointAt = ([x, y]) => page.mouse.move(box.x + x, box.y + y);
+        const expectPicked = async (id, name) => {
+          const isPicked = (id) => window.shown.picked() === id;
+          await page.waitForFunction(isPicked, id, { polling: 20 });
+          if (name) await page.locator(`#container div:text-is("${name}")`).waitFor();
+        };
+        const places = await page.evaluate(() => window.where());
+        const [large, , inner, other] = places;
+        await pointAt([large[0] - 20, large[1]]);
+        await expectPicked(0, "large");
+        await pointAt(inner);
+        await expectPicked(2, "inner");
+        await pointAt([other[0], other[1] + 25 + 10]);
+        await expectPicked(3, "other");
+        // the canvas is painted with the next frame
+        const isRed = ([x, y]) => {
+          const context = document.querySelector("#container canvas").getContext("2d");
+          const [r, , b] = context.getImageData(x, y, 1, 1).data;
+          return r > 200 && b < 150;
+        };
+        await page.waitForFunction(isRed, other, { polling: 20 });
+        await pointAt([other[0], other[1] + 25 + 30]);
+        await expectPicked(-1);
+        // Smaller, bubbles are elsewhere.
+        await page.evaluate(() =>
+          Object.assign(document.getElementById("container").style, { width: "420px" }),
+        );
+        await page.waitForFunction(([x]) => window.where()[3][0] < x - 50, other, { polling: 20 });
+        const [, , , moved] = await page.evaluate(() => window.where());
+        await pointAt([moved[0], moved[1] + 25 + 10]);
+        await expectPicked(3, "other");
+      },
+      { end: () => window.shown.end() },
+    );
+  });
+
+  test("Chart.js: the mode takes rims for centres, and what is under the pointer", async () => {
+    await inPage(
+      "chartjs",
+      `import { Chart, registerables } from "chart.js";
+      import circleMode from "./chartjs.js";
+      Chart.register(...registerables, circleMode);
+      const canvas = document.getElementById("container").appendChild(
+        document.createElement("canvas"));
+      const large = { label: "large", data: [{ x: 10, y: 20, r: 60 }] };
+      const small = { label: "small", data: [{ x: 16, y: 20, r: 5 }, { x: 10.5, y: 21, r: 8 }] };
+      window.chart = new Chart(canvas, {
+        type: "bubble",
+        data: { datasets: [large, small] },
+        options: {
+          animation: false, // which shows what is going to be hidden for a while
+          interaction: { mode: "circle", intersect: false },
+          hoverBackgroundColor: "#e15759",
+          scales: { x: { min: 0, max: 30 }, y: { min: 0, max: 40 } },
+        },
+      });
+      window.at = (dataset, index) => {
+        const { x, y } = window.chart.getDatasetMeta(dataset).data[index];
+        return [x, y];
+      };
+      window.active = () =>
+        window.chart.getActiveElements().map((one) => [one.datasetIndex, one.index]).join();`,
+      async (page, box) => {
+        const pointAt = ([x, y]) => page.mouse.move(box.x + x, box.y + y);
+        const at = (...which) => page.evaluate((which) => window.at(...which), which);
+        const expectActive = (...which) =>
+          page.waitForFunction((which) => window.active() === which, which.join(), { polling: 20 });
+        const [large, small, inner] = [await at(0, 0), await at(1, 0), await at(1, 1)];
+        // In the large one, while the centre of the small one is nearer.
+        expect(small[0] - large[0]).toBeLessThan(2 * 58);
+        await pointAt([large[0] + 58, large[1]]);
+        await expectActive(0, 0);
+        await pointAt(inner);
+        await expectActive(1, 1);
+        await pointAt([small[0] + 50, small[1]]);
+        await expectActive(1, 0);
+        // What is hidden by the legend does not count; nor does, if so told, what is not under it.
+        await page.evaluate(() => window.chart.hide(1));
+        await pointAt([small[0] + 52, small[1]]);
+        await expectActive(0, 0);
+        await page.evaluate(() => {
+          window.chart.options.interaction.intersect = true;
+          window.chart.show(1);
+        });
+        await pointAt([small[0] + 50, small[1]]);
+        await expectActive();
+        await pointAt(small);
+        await expectActive(1, 0);
+      },
+      { end: () => window.chart.destroy() },
+    );
+  });
+});
+
+describeWithWebGL("recipes with WebGL", (open) => {
+  const inPage = withPages(open);
+  /** Waits until a point of the screen is red, or is not. */
+  async function expectRed(page, x, y, expected) {
+    for (let k = 0; ; ++k) {
+      const [r, g, b] = await colourAt(page, x, y);
+      const isRed = r > g + 40 && r > b + 40;
+      if (isRed === expected) return;
+      if (k === 100) throw new Error(`${x}, ${y} has the colour ${[r, g, b]}`);
+    }
+  }
+
+  test("deck.gl: the smallest under the pointer, else the nearest within reach", async () => {
+    await inPage(
+      "deckgl",
+      `${given}
+      import nearestInDeck from "./deckgl.js";
+      const container = document.getElementById("container");
+      window.drawn = 0;
+      window.shown = nearestInDeck(container, bubbles);
+      window.shown.deck.setProps({ onAfterRender: () => ++window.drawn });`,
+      async (page, { x, y }) => {
+        await page.waitForFunction(() => window.drawn > 0, null, { polling: 20 });
+        const pointAt = async (px, py, id) => {
+          await page.mouse.move(x + px, y + py);
+          const isPicked = (id) => window.shown.picked() === id;
+          await page.waitForFunction(isPicked, id, { polling: 20 });
+        };
+        await expectRed(page, x + 80, y + 60, false);
+        await pointAt(145, 90, 0);
+        await expectRed(page, x + 80, y + 60, true);
+        await pointAt(105, 90, 2); // that the large one may cover
+        await pointAt(190, 122, 1);
+        await pointAt(190, 130, -1);
+        // Zoomed in, 20 pixels are less.
+        await page.evaluate(() =>
+          window.shown.deck.setProps({ initialViewState: { target: [190, 90, 0], zoom: 2 } }),
+        );
+        const isZoomed = () => window.shown.deck.getViewports()[0].zoom === 2;
+        await page.waitForFunction(isZoomed, null, { polling: 20 });
+        await pointAt(350, 210 + 60 + 25, -1);
+        await pointAt(350, 210 + 60 + 15, 1);
+        await expectRed(page, x + 350, y + 210, true);
+      },
+      { end: () => window.shown.end() },
+    );
+  }, 120_000);
+
+  test("MapLibre: cells in true kilometres, and the one under the pointer is lit", async () => {
+    const worker = await bundledModule("maplibre-gl/dist/maplibre-gl-worker.mjs");
+    await inPage(
+      "maplibre",
+      `import { setWorkerUrl } from "maplibre-gl";
+      import cellsOnMap from "./maplibre.js";
+      const worker = new Blob([${JSON.stringify(worker)}], { type: "text/javascript" });
+      setWorkerUrl(URL.createObjectURL(worker));
+      const places = [
+        { lon: 2.35, lat: 48.86, reach: 60 },
+        { lon: 4.84, lat: 45.76, reach: 20 },
+        { lon: 5.37, lat: 43.3, reach: 20 },
+        { lon: -0.58, lat: 44.84, reach: 10 },
+        { lon: 2.2, lat: 48.8, reach: 0 },
+      ];
+      cellsOnMap(document.getElementById("container"), places).then((shown) => {
+        Object.assign(window, { shown });
+      });`,
+      async (page, box) => {
+        await page.waitForFunction(() => window.shown, null, { polling: 50 });
+        const at = await page.evaluate(() => {
+          const { x, y } = window.shown.map.project([4.9, 45.9]);
+          return [x, y];
+        });
+        const [x, y] = [box.x + at[0], box.y + at[1]];
+        const isLoaded = () => window.shown.map.loaded() && window.shown.lit() === -1;
+        await page.waitForFunction(isLoaded, null, { polling: 50 });
+        await expectRed(page, x, y, false);
+        await page.mouse.move(x - 3, y);
+        await page.mouse.move(x, y);
+        await page.waitForFunction(() => window.shown.lit() === 1, null, { polling: 20 });
+        await expectRed(page, x, y, true);
+        const features = await page.evaluate(async () => {
+          const { map, diagram } = window.shown;
+          const known = map.querySourceFeatures("cells").map(({ id }) => id);
+          return [[...new Set(known)].sort(), diagram.hiddenSize];
+        });
+        expect(features).toEqual([[0, 1, 2, 3], 1]);
+      },
+      { end: () => window.shown.map.remove() },
+    );
+  }, 120_000);
 });

@@ -62,6 +62,11 @@ const kExamples = {
     "Turn it: which of 1500 cities is nearest to each place on Earth, in true kilometres " +
       "(SphericalDiagram). Data: GeoNames, CC BY; Natural Earth.",
   ],
+  temperature: [
+    "Temperature map",
+    "40 stations, three of them lakes; in between, what the natural neighbours of a place say " +
+      "(naturalWeights). The thicker a line, the larger the station's part.",
+  ],
   relax: [
     "Relaxation",
     "Sites move to the centroids of their cells and areas are fitted again, round by round: " +
@@ -72,8 +77,15 @@ const kExamples = {
 /** What needs a bundler, or no browser. */
 const kFiles = {
   "react.jsx": "React",
+  "bubble_chart.vue": "Vue",
+  "bubble_chart.svelte": "Svelte",
+  "observable_framework.md": "Observable Framework",
   "plot_mark.js": "Observable Plot",
   "leaflet.js": "Leaflet",
+  "maplibre.js": "MapLibre",
+  "deckgl.js": "deck.gl",
+  "echarts.js": "ECharts",
+  "chartjs.js": "Chart.js",
   "threads.mjs": "threads in Node",
   "commonjs.cjs": "CommonJS",
   "cloudflare_worker.js": "Cloudflare Workers",

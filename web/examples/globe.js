@@ -106,7 +106,7 @@ export default async function globe(container) {
   let pointer = null; // where it is on the canvas
   let isDragging = false;
   let detail = fine;
-  let stillness = 0; // the timer that ends the turning
+  let stillness = null; // the timer that ends the turning
   let isAsked = false; // for a frame
   let isOld = true; // the drawing of all but what is picked
   let picked = null; // { id, distance, place } of the nearest city

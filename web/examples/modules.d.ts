@@ -1,4 +1,5 @@
 // What the examples import and TypeScript finds no declarations of.
+declare module "d3-contour";
 declare module "d3-delaunay";
 declare module "d3-force";
 declare module "d3-geo";

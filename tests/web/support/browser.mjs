@@ -64,7 +64,14 @@ function describeWith(browserName, path, name, start, define) {
   });
 }
 
+/** WebGL without a graphics card. */
+const kWebGL = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+
 const startChromium = (executablePath) => chromium.launch({ executablePath, args: kArguments });
+const startWithWebGL = (executablePath) => {
+  const args = [...kArguments.filter((one) => one !== "--disable-gpu"), ...kWebGL];
+  return chromium.launch({ executablePath, args });
+};
 const startFirefox = (executablePath) =>
   puppeteer.launch({
     browser: "firefox",
@@ -73,6 +80,7 @@ const startFirefox = (executablePath) =>
     extraPrefsFirefox: { "ui.prefersReducedMotion": 1 }, // as in openPage
   });
 startChromium.open = openPage;
+startWithWebGL.open = openPage;
 startFirefox.open = openInFirefox;
 
 /**
@@ -83,6 +91,10 @@ startFirefox.open = openInFirefox;
  */
 export const describeInBrowser = (name, define) =>
   describeWith("Chromium", there(kChromium), name, startChromium, define);
+
+/** The same with WebGL, which is slow to start. */
+export const describeWithWebGL = (name, define) =>
+  describeWith("Chromium", there(kChromium), name, startWithWebGL, define);
 
 /** The same in Firefox; pages are Puppeteer's. */
 export const describeInFirefox = (name, define) =>
