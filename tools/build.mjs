@@ -271,7 +271,10 @@ async function makeDist(emscripten, built, dist, options) {
     await bundle(format, folder, built);
     for (const name of declarations) cpSync(path.join(types, name), path.join(folder, name));
   }
-  writeFileSync(path.join(fresh, "cjs/package.json"), '{ "type": "commonjs" }\n');
+  // With the version: Observable Framework keeps bundles by it.
+  const { name, version } = JSON.parse(readFileSync(path.join(root, "package.json"), "utf8"));
+  const own = { name, version, type: "commonjs" };
+  writeFileSync(path.join(fresh, "cjs/package.json"), `${JSON.stringify(own)}\n`);
   for (const part of ["apollonius.wasm", "sphere.wasm"]) {
     copyFileSync(path.join(built, "parts", part), path.join(fresh, part));
     chmodSync(path.join(fresh, part), 0o644);

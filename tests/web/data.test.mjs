@@ -49,7 +49,7 @@ describeInBrowser("data", (open) => {
     await page.click("#presets a");
     await page.waitForFunction(() => window.example?.diagram.size === 1500);
     expect(await page.textContent("h1")).toBe("Cities on the globe");
-    await page.click("text=← Apollonius diagram");
+    await page.click("text=← Playground");
     await page.waitForFunction(() => window.app);
   });
 
@@ -341,12 +341,12 @@ describeInBrowser("data", (open) => {
     });
 
     test("the title says which set it is", async () => {
-      expect(await page.title()).toBe("Composed · Apollonius diagram");
+      expect(await page.title()).toBe("Large and small · Apollonius diagram");
       await show(page, "gasket");
       expect(await page.title()).toBe("Apollonian gasket · Apollonius diagram");
       await page.goBack();
       await page.waitForFunction(() => app.sites.info.key === "opening");
-      expect(await page.title()).toBe("Composed · Apollonius diagram");
+      expect(await page.title()).toBe("Large and small · Apollonius diagram");
     });
 
     test.each(["", "why/"])("a link to %j has a picture", async (path) => {

@@ -27,6 +27,11 @@ export async function pagesPlugin() {
     async buildStart() {
       posters = await drawPosters();
     },
+    transformIndexHtml: {
+      order: "pre",
+      handler: (html) =>
+        html.replace(/<!-- poster: ([\w-]+) -->/g, (_, name) => posters.get(name) ?? ""),
+    },
     resolveId: (id) => (byHtml.has(id) ? id : null),
     load(id) {
       const page = byHtml.get(id);

@@ -15,6 +15,7 @@ async function bundled() {
     .map((file) => file.slice(0, -3));
   const contents = [
     'export { SvgPen } from "../figure/svg_pen.ts";',
+    'export * as playground from "../playground/poster.ts";',
     ...names.map((name) => `export * as ${name} from "./${name}.ts";`),
   ].join("\n");
   const outfile = path.join(made, `figures-${process.pid}-${Date.now()}.mjs`);
@@ -33,15 +34,20 @@ async function bundled() {
     logLevel: "warning",
   });
   const { rmSync } = await import("node:fs");
-  const { SvgPen, ...figures } = await import(outfile);
+  const { SvgPen, playground, ...figures } = await import(outfile);
   rmSync(outfile);
-  return { SvgPen, figures };
+  return { SvgPen, playground, figures };
 }
 
-/** @returns {Promise<Map<string, string>>} pictures by the name of the figure */
+/** @returns {Promise<Map<string, string>>} pictures by the name of the figure, and the playground's */
 export async function drawPosters() {
-  const { SvgPen, figures } = await bundled();
+  const { SvgPen, playground, figures } = await bundled();
   const posters = new Map();
+  for (const [name, { size, draw }] of Object.entries(playground)) {
+    const pen = new SvgPen(name, ...size);
+    draw(pen);
+    posters.set(`playground-${name}`, pen.toString());
+  }
   for (const [name, { default: figure }] of Object.entries(figures)) {
     if (!figure || figure.hasNoPoster) continue;
     const pen = new SvgPen(name, ...figure.size.wide);

@@ -34,7 +34,7 @@ export default async function cellsOnMap(container, places, { style = kEmpty } =
 
   // The ids of the features are those of the sites, for setFeatureState.
   // The tolerance is in radians: 60 m.
-  const cells = /** @type {any} */ (diagram.toGeoJSON({ tolerance: 1e-5 }));
+  const cells = diagram.toGeoJSON({ tolerance: 1e-5 });
   map.addSource("cells", { type: "geojson", data: cells });
   map.addLayer({
     id: "cells",

@@ -135,6 +135,7 @@ export async function start() {
     history.replaceState(null, "", "#");
     await navigation.open();
   }
+  whenShown(app).then(() => document.getElementById("poster")?.remove());
   if (isPlain) letWander(app);
 
   // A handle for tests and the curious; not an interface: it may change at any time.

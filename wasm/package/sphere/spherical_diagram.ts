@@ -34,6 +34,7 @@ import {
   within,
   withSite,
 } from "./spherical_calls.js";
+import type { CellsCollection } from "../voronoi/geojson.js";
 import type {
   ListedSphericalSite,
   Spherical,
@@ -401,6 +402,15 @@ export class SphericalDiagram implements Disposable {
    * d3-geo `{ winding: "clockwise" }`. O(n). Throws "not-finite", "out-of-range", "bad-option", and
    * what `properties` throws.
    */
+  toGeoJSON<Properties = { site: number }>(
+    options?: SphericalGeoJSONOptions<Properties> & {
+      winding?: "counter-clockwise" | undefined;
+      antimeridian?: "cut" | undefined;
+    },
+  ): CellsCollection<Properties>;
+  toGeoJSON<Properties = { site: number }>(
+    options?: SphericalGeoJSONOptions<Properties>,
+  ): SphericalCollection<Properties>;
   toGeoJSON<Properties = { site: number }>(
     options?: SphericalGeoJSONOptions<Properties>,
   ): SphericalCollection<Properties> {
