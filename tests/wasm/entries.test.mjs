@@ -226,7 +226,7 @@ test("types: ES modules, CommonJS, NodeNext and Bundler resolution, old and new 
   compileUsers(path.join(root, "node_modules/typescript/bin/tsc"));
 }, 120_000);
 
-// README, "Loading". An import map does the same where there is no bundler.
+// docs/LOADING.md. An import map does the same where there is no bundler.
 test.each([
   ["with a name that is redirected, the sphere works in the module that was loaded", true],
   ["else it brings the default entry", false],

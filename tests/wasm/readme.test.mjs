@@ -1,4 +1,4 @@
-// What README shows can be pasted: its code runs and gives what the comments beside it say, its
+// What README and docs/LOADING.md show can be pasted: its code runs and gives what the comments beside it say, its
 // links lead somewhere.
 import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
@@ -6,7 +6,10 @@ import { root } from "../../tools/toolchain/folders.mjs";
 import { runInNode } from "./support/node.mjs";
 
 const readme = readFileSync(path.join(root, "README.md"), "utf8");
-const blocks = [...readme.matchAll(/^```js\n([\s\S]*?)^```/gm)].map((match) => match[1]);
+const loading = readFileSync(path.join(root, "docs/LOADING.md"), "utf8");
+const blocks = [...`${readme}${loading}`.matchAll(/^```js\n([\s\S]*?)^```/gm)].map(
+  (match) => match[1],
+);
 const importLine = 'import { Diagram } from "apollonius-diagram";\n';
 
 /** The block with each `expression; // value` made to print the expression, and these values. */

@@ -131,13 +131,13 @@ test("sizes: the default entry and the whole package are within their limits", (
   expect(unpacked).toBeLessThanOrEqual(1_000_000 + kLaterUnpacked);
 });
 
-test("README says how large the entries are", () => {
-  const readme = readFileSync(path.join(root, "README.md"), "utf8");
+test("docs/LOADING.md says how large the entries are", () => {
+  const loading = readFileSync(path.join(root, "docs/LOADING.md"), "utf8");
   const [entry, code, wasm] = [
     /compiled synchronously at the first use.*\| (\d+) KB \|/,
     /streamed.*\| (\d+) \+ \d+ KB/,
     /streamed.*\+ (\d+) KB/,
-  ].map((pattern) => 1000 * Number(pattern.exec(readme)[1]));
+  ].map((pattern) => 1000 * Number(pattern.exec(loading)[1]));
   for (const [said, file] of [
     [entry, "dist/esm/embedded.js"],
     [code, "dist/esm/wasm.js"],

@@ -62,13 +62,19 @@ describeInBrowser("the coast", (open) => {
     const said = Number(
       /([\d\s]+) km away/.exec(await page.textContent("#tag"))[1].replace(/\s/g, ""),
     );
-    const onMap = await page.evaluate((id) => {
+    const [onEarth, onMap] = await page.evaluate((id) => {
       const { x, y, r } = app.sites.site(id);
-      const [px, py] = [app.view.toScreenX(x) + 40, app.view.toScreenY(y)];
-      return Math.hypot(app.view.toWorldX(px) - x, app.view.toWorldY(py) - y) - r;
+      const at = [app.view.toWorldX(app.view.toScreenX(x) + 40), y];
+      const [[lon, lat], [otherLon, otherLat]] = [[x, y], at].map((point) =>
+        app.parts.equalEarth.invert(point).map((degrees) => (degrees * Math.PI) / 180),
+      );
+      const cosine =
+        Math.sin(lat) * Math.sin(otherLat) +
+        Math.cos(lat) * Math.cos(otherLat) * Math.cos(lon - otherLon);
+      return [6371 * Math.acos(cosine) - r, at[0] - x - r];
     }, idOf("Honolulu"));
-    expect(said).toBeLessThan(0.97 * onMap); // Equal Earth is wide in the middle latitudes
-    expect(said).toBeGreaterThan(0.5 * onMap);
+    expect(Math.abs(said - onEarth)).toBeLessThan(1);
+    expect(Math.abs(said - onMap)).toBeGreaterThan(50);
   });
 
   test("a link with it opens with it, and the switch says so", async () => {

@@ -4,6 +4,7 @@ import { root } from "../toolchain/folders.mjs";
 import { sourceOf } from "./source_address.mjs";
 
 const kDocuments = [
+  ["LOADING.md", "loading", "Loading", "Entries, bundlers, runtimes, sizes."],
   ["API.md", "api", "API", "Every call with types, errors and costs."],
   [
     "D3_DELAUNAY.md",

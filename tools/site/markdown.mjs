@@ -68,7 +68,7 @@ export function htmlOf(page, text, posters) {
   const { address } = page;
   if (!address) return html;
   return html
-    .replace(/<a href="([^"#][^"]*)">(.*?)<\/a>/g, (_, target, text) => {
+    .replace(/<a href="([^"#][^"]*)">([\s\S]*?)<\/a>/g, (_, target, text) => {
       const href = address(target);
       return href ? `<a href="${href}">${text}</a>` : text;
     })

@@ -1,5 +1,5 @@
-// The same circles twice, under one pointer: on the left the nearest centre is picked, on the right
-// the nearest circle. Where they differ is computed, not drawn by hand.
+// The same circles twice, under one pointer: in the first picture the nearest centre is picked, in
+// the second the nearest circle. Where they differ is computed, not drawn by hand.
 import { Diagram } from "apollonius-diagram";
 import { figure, type Point } from "../figure/figure.js";
 import { drawPointer, type Pen } from "../figure/pen.js";
@@ -107,7 +107,7 @@ export default figure<State>({
     const isWrong = centres.find(...at) !== circles.find(...at);
     const percent = `${Math.round(100 * share)} %`;
     return [
-      isWrong ? ["Left, the wrong one. ", "wrong"] : "Here both pick the same circle. ",
+      isWrong ? ["The first one is wrong here. ", "wrong"] : "Here both pick the same circle. ",
       "Whoever asks for the nearest centre picks wrongly on ",
       [percent, "wrong"],
       " of this picture.",
