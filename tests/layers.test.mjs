@@ -186,7 +186,7 @@ const rules = [
       /^\.\/[\w./]+$/,
       /^[a-z@][\w./-]*$/,
       /^\.\.\/tools\/(toolchain\/|(build|figures)\.mjs$)/,
-      /^\.\.\/\.\.\/(tools\/(serve|build_site)|tests\/web\/support\/storm)\.mjs$/, // the page's
+      /^\.\.\/\.\.\/(tools\/(serve|build_site|site\/list)|tests\/web\/support\/storm)\.mjs$/, // the page's
       /^\/web\/playground\/sets\/random_sets\.js$/, // in a page that is made
     ],
   },

@@ -13,7 +13,6 @@
 import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
-import { pagesPlugin } from "./site/pages_plugin.mjs";
 import { preloads } from "./site/preloads.mjs";
 import { root } from "./toolchain/folders.mjs";
 
@@ -58,6 +57,8 @@ function copyTheRest() {
 /** Vite's settings; `watch` builds again whenever a file changes. */
 async function settings({ isWatching }) {
   const dist = path.join(root, "dist");
+  // Not before `npm ci` may have installed what it imports.
+  const { pagesPlugin } = await import("./site/pages_plugin.mjs");
   const pages = await pagesPlugin();
   return {
     root: source,

@@ -1,7 +1,8 @@
 // A static server for the site: node tools/serve.mjs [--port N], or PORT=N in the environment.
 // Serves build/web/ as build_site.mjs makes it, at /web/, on this machine only. Where the port is
-// taken it says so, and takes the next free one. The headers let pages measure microseconds (isolation) and show that the
-// package runs under a strict content security policy (which the pages state too).
+// taken it says so, and takes the next free one. The headers let pages measure microseconds
+// (isolation) and show that the package runs under a strict content security policy (which the
+// pages state too).
 import { createReadStream } from "node:fs";
 import { stat } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -74,9 +75,9 @@ async function answer(request, response, { caching, isCompressing }) {
 
 /**
  * Starts the server on the first free port from `port` on (0: any). The site has been built.
- * @param {{ attempts?: number, caching?: string, isCompressing?: boolean }} [options] what browsers
- * are told to keep: by default nothing unasked, as files change; whether texts are compressed, as on
- * the web
+ * @param {{ attempts?: number, caching?: string, isCompressing?: boolean }} [options] what
+ * browsers are told to keep: by default nothing unasked, as files change; whether texts are
+ * compressed, as on the web
  * @returns {Promise<{ url: string, close(): Promise<void> }>}
  */
 export async function serve(port = 8080, options = {}) {

@@ -1,5 +1,6 @@
-// How long it takes until a page of the site shows its first picture, on a throttled line, and until
-// its first figure can be used. The first picture is in the HTML, so it comes with the first paint.
+// How long it takes until a page of the site shows its first picture, on a throttled line, and
+// until its first figure can be used. The first picture is in the HTML and comes with the first
+// paint.
 //
 //   node bench/js/first_picture.mjs
 //

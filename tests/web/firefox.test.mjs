@@ -119,7 +119,7 @@ describeInFirefox("the page in Firefox", (open) => {
     const [id] = (await stateOf(page)).selected;
     const from = await at(id);
     await page.keyboard.press("ArrowRight");
-    await page.keyboard.press("+");
+    await page.keyboard.press("]");
     const to = await at(id);
     expect(to.x - from.x).toBeCloseTo(4, 0);
     expect(to.r).toBeGreaterThan(from.r);

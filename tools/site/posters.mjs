@@ -39,7 +39,7 @@ async function bundled() {
   return { SvgPen, playground, figures };
 }
 
-/** @returns {Promise<Map<string, string>>} pictures by the name of the figure, and the playground's */
+/** @returns {Promise<Map<string, string>>} by the name of the figure, and the playground's */
 export async function drawPosters() {
   const { SvgPen, playground, figures } = await bundled();
   const posters = new Map();
