@@ -186,7 +186,9 @@ const rules = [
       /^\.\/[\w./]+$/,
       /^[a-z@][\w./-]*$/,
       /^\.\.\/tools\/(toolchain\/|(build|figures)\.mjs$)/,
-      /^\.\.\/\.\.\/(tools\/(serve|build_site|site\/list)|tests\/web\/support\/storm)\.mjs$/, // the page's
+      // The site's.
+      /^\.\.\/\.\.\/tools\/(serve|build_site|site\/list)\.mjs$/,
+      /^\.\.\/\.\.\/tests\/web\/support\/storm\.mjs$/,
       /^\/web\/playground\/sets\/random_sets\.js$/, // in a page that is made
     ],
   },
