@@ -28,10 +28,14 @@ const kDocuments = [
 const folderOf = (name) => `reference/${name}`;
 const byFile = new Map(kDocuments.map(([file, name]) => [file, folderOf(name)]));
 
+/** How documents that are in the npm package, too, name files of the repository. */
+const kOwn = /^https:\/\/github\.com\/[\w-]+\/apollonius-diagram\/blob\/main\//;
+
 /** A link of a document, as the site has it: another page, a file served, the source, or null. */
 function address(target) {
-  if (/^[a-z]+:/.test(target)) return target;
-  const [relative, anchor] = target.split("#");
+  const own = target.replace(kOwn, "../");
+  if (/^[a-z]+:/.test(own)) return own;
+  const [relative, anchor] = own.split("#");
   const file = path.posix.normalize(path.posix.join("docs", relative));
   const end = anchor ? `#${anchor}` : "";
   const page = byFile.get(path.posix.basename(file));

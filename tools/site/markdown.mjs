@@ -40,7 +40,7 @@ const kFigure = /<p><img src="figure:(\w+)" alt="([^"]*)"><\/p>/g;
 /** A figure before its script has come: its first picture, if there is one, and its caption. */
 function figureHtml(name, caption, poster) {
   return `<figure data-figure="${name}" id="${name}">
-<div class="stage" role="group" aria-label="${caption}">${poster ?? ""}</div>
+<div class="stage" role="group" aria-label="${caption}">${poster}</div>
 <figcaption>${caption}</figcaption>
 </figure>`;
 }
@@ -59,7 +59,13 @@ const codeHtml = (language, code) =>
 export function htmlOf(page, text, posters) {
   const html = markdown
     .render(text)
-    .replace(kFigure, (_, name, caption) => figureHtml(name, caption, posters.get(name)))
+    .replace(kFigure, (_, name, caption, at, all) => {
+      // The first figure of a page is seen before its script has come, on phones too.
+      const isFirst = !all.slice(0, at).includes('<img src="figure:');
+      const kinds = isFirst ? ["wide", "narrow"] : ["wide"];
+      const poster = kinds.map((kind) => posters.get(`${name}-${kind}`) ?? "").join("");
+      return figureHtml(name, caption, poster);
+    })
     .replace(kCode, (_, language, code) => codeHtml(language, code))
     .replaceAll("<pre><code>", '<pre tabindex="0"><code>')
     .replaceAll("<th></th>", "<td></td>")

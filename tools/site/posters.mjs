@@ -39,20 +39,25 @@ async function bundled() {
   return { SvgPen, playground, figures };
 }
 
-/** @returns {Promise<Map<string, string>>} by the name of the figure, and the playground's */
+/**
+ * @returns {Promise<Map<string, string>>} by the name of the figure and the window, "-wide" or
+ *   "-narrow", and the playground's
+ */
 export async function drawPosters() {
   const { SvgPen, playground, figures } = await bundled();
   const posters = new Map();
   for (const [name, { size, draw }] of Object.entries(playground)) {
     const pen = new SvgPen(name, ...size);
     draw(pen);
-    posters.set(`playground-${name}`, pen.toString());
+    posters.set(`playground-${name}`, pen.toSvg());
   }
   for (const [name, { default: figure }] of Object.entries(figures)) {
-    if (!figure || figure.hasNoPoster) continue;
-    const pen = new SvgPen(name, ...figure.size.wide);
-    figure.draw(pen, figure.start(figure.size.wide, false));
-    posters.set(name, pen.toString());
+    if (!figure) continue; // what figures share
+    for (const [kind, size] of Object.entries(figure.size)) {
+      const pen = new SvgPen(`${name}-${kind}`, ...size);
+      figure.draw(pen, figure.start(size, kind === "narrow"));
+      posters.set(`${name}-${kind}`, pen.toSvg(kind));
+    }
   }
   return posters;
 }

@@ -54,7 +54,7 @@ export class FigureRunner<State> {
       () => this.state,
       () => this.#changed(),
     );
-    stage.querySelector(".poster")?.remove();
+    for (const poster of stage.querySelectorAll(".poster")) poster.remove();
     stage.prepend(this.canvas);
     stage.after(this.#controls.element, this.#text, this.#aloud);
     if (figure.code) this.#text.before(make("pre", { className: "live-code" }, this.#code));

@@ -3,6 +3,7 @@
 import { type LookName, lookOf, type Pen, type TextOptions } from "./pen.js";
 
 const kDigits = 1;
+const kNumber = /-?\d*\.?\d+(e[+-]?\d+)?/g;
 const number = (value: number) => String(Number(value.toFixed(kDigits)));
 const escaped = (text: string) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 
@@ -30,7 +31,8 @@ export class SvgPen implements Pen {
   }
 
   path(data: string, look: LookName) {
-    this.#parts.push(`<path d="${escaped(data)}" ${this.#paint(look)}/>`);
+    const short = data.replace(kNumber, (digits) => number(Number(digits)));
+    this.#parts.push(`<path d="${escaped(short)}" ${this.#paint(look)}/>`);
   }
 
   line(x0: number, y0: number, x1: number, y1: number, look: LookName) {
@@ -69,9 +71,12 @@ export class SvgPen implements Pen {
 
   pixels() {} // they are drawn when the figure has started
 
-  /** The whole picture. It has no text of its own: the figure's caption says what it shows. */
-  toString() {
+  /**
+   * The whole picture. It has no text of its own: the figure's caption says what it shows.
+   * @param kind a class: on which windows it is shown
+   */
+  toSvg(kind = "") {
     const box = `0 0 ${number(this.width)} ${number(this.height)}`;
-    return `<svg class="poster" viewBox="${box}" aria-hidden="true">${this.#parts.join("")}</svg>`;
+    return `<svg class="poster ${kind}" viewBox="${box}" aria-hidden="true">${this.#parts.join("")}</svg>`;
   }
 }
