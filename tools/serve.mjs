@@ -21,6 +21,7 @@ const kTypes = {
   ".map": "application/json; charset=utf-8",
   ".svg": "image/svg+xml",
   ".png": "image/png",
+  ".jpg": "image/jpeg",
   ".wasm": "application/wasm",
 };
 /** Recipes, to be read. */

@@ -77,6 +77,7 @@ export class SvgPen implements Pen {
    */
   toSvg(kind = "") {
     const box = `0 0 ${number(this.width)} ${number(this.height)}`;
-    return `<svg class="poster ${kind}" viewBox="${box}" aria-hidden="true">${this.#parts.join("")}</svg>`;
+    const inner = this.#parts.join("");
+    return `<svg class="poster ${kind}" viewBox="${box}" aria-hidden="true">${inner}</svg>`;
   }
 }
