@@ -126,7 +126,7 @@ describeInBrowser("ghost", (open) => {
     await closePage(page);
   });
 
-  test("with reduced motion there is none", async () => {
+  test("with reduced motion there is no ghost pointer", async () => {
     const page = await open();
     await page.check("[name=weight][value='0']", { force: true });
     await page.waitForFunction(() => /\d %/.test(document.getElementById("verdict").textContent));

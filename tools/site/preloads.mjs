@@ -2,7 +2,7 @@
 // fetches all of it at once: the first figure, or the playground's parts, and the WebAssembly.
 import path from "node:path";
 
-/** The module that a page's script imports first, by the end of its name; null if there is none. */
+/** The end of the name of the module that a page's script imports first, or null. */
 function firstModule(html, folder) {
   if (folder === "playground") return "playground/start.ts";
   const figure = /data-figure="(\w+)"/.exec(html)?.[1];

@@ -24,7 +24,6 @@ export class FigureRunner<State> {
   readonly #controls: { element: HTMLElement; update(): void };
   readonly #handles: Handles;
   readonly #paragraphs: Paragraphs;
-  readonly #watch: (() => void)[] = [];
   #size: Size;
   #isNarrow = false;
   #scale = 1;
@@ -107,10 +106,6 @@ export class FigureRunner<State> {
       this.#ask();
     });
     seen.observe(stage);
-    this.#watch.push(
-      () => sizes.disconnect(),
-      () => seen.disconnect(),
-    );
     for (const query of ["(prefers-color-scheme: dark)", "(forced-colors: active)"])
       matchMedia(query).addEventListener("change", () => {
         this.#color = colorReader();
@@ -273,12 +268,5 @@ export class FigureRunner<State> {
     this.#quiet = window.setTimeout(() => {
       this.#aloud.textContent = text;
     }, kQuietTime);
-  }
-
-  /** The page does not need it any more. */
-  stop() {
-    cancelAnimationFrame(this.#frame);
-    for (const end of this.#watch) end();
-    this.#paragraphs.stop();
   }
 }

@@ -8,7 +8,6 @@ const kBeside = "(min-width: 1000px)"; // as in site.css
 export class Paragraphs {
   readonly #all: HTMLElement[];
   #observer: IntersectionObserver | null = null;
-  #sizes: ResizeObserver | null = null;
 
   /** @param reached is called with the step of the paragraph that is being read */
   constructor(
@@ -20,11 +19,11 @@ export class Paragraphs {
     // The figure stops below the bar, which has two rows or three on a phone.
     const bar = document.querySelector(".bar");
     if (bar) {
-      this.#sizes = new ResizeObserver(() => {
+      const sizes = new ResizeObserver(() => {
         const height = bar.getBoundingClientRect().height;
         group?.style.setProperty("--above", `${Math.round(height)}px`);
       });
-      this.#sizes.observe(bar);
+      sizes.observe(bar);
     }
     const media = matchMedia(kBeside);
     media.addEventListener("change", () => this.#watch(media.matches));
@@ -50,10 +49,5 @@ export class Paragraphs {
       if (Number(paragraph.dataset.step) === step) paragraph.setAttribute("aria-current", "step");
       else paragraph.removeAttribute("aria-current");
     }
-  }
-
-  stop() {
-    this.#observer?.disconnect();
-    this.#sizes?.disconnect();
   }
 }

@@ -1,13 +1,34 @@
 // What the figures of insertion and deletion share: the walk to the nearest circle, and the parts
 // of a diagram's edges where a circle would be nearer than those that the edges belong to.
 import { curvePoint, type Diagram } from "apollonius-diagram";
-import type { Size } from "../figure/figure.js";
+import type { Control, Size } from "../figure/figure.js";
 import { randomCircles } from "../playground/sets/random_sets.js";
 
 export type Circle = { x: number; y: number; r: number };
 
 export const distanceTo = ({ x, y, r }: Circle, px: number, py: number) =>
   Math.hypot(x - px, y - py) - r;
+
+type Stepped = { step: number };
+
+/** The step of a figure that is told in steps, for the paragraphs beside it. */
+export const kStepping = {
+  get: ({ step }: Stepped) => step,
+  set: (state: Stepped, step: number) => {
+    state.step = step;
+  },
+};
+
+/** The same by hand. @param names of the steps */
+export const stepChoice = (names: readonly string[]): Control<Stepped> => ({
+  kind: "choice",
+  label: "Step",
+  options: names.map((name, k) => [String(k), name] as const),
+  get: ({ step }) => String(step),
+  set: (state, value) => {
+    state.step = Number(value);
+  },
+});
 
 /** Random circles that keep their distance from the sides. */
 export function someCircles(count: number, seed: number, [width, height]: Size): Circle[] {

@@ -2,7 +2,15 @@
 import { Diagram } from "apollonius-diagram";
 import { figure, type Said, type Size } from "../figure/figure.js";
 import { drawDot, drawPointer, type Pen } from "../figure/pen.js";
-import { type Circle, cutEdges, distanceTo, someCircles, triples } from "./changing.js";
+import {
+  type Circle,
+  cutEdges,
+  distanceTo,
+  kStepping,
+  someCircles,
+  stepChoice,
+  triples,
+} from "./changing.js";
 
 const kSteps = ["Choose", "Star", "Hole", "Small diagram", "Sewn in"];
 
@@ -104,22 +112,9 @@ export default figure<State>({
   hover(state, at) {
     state.pointer = at;
   },
-  steps: {
-    get: ({ step }) => step,
-    set: (state, step) => {
-      state.step = step;
-    },
-  },
+  steps: kStepping,
   controls: [
-    {
-      kind: "choice",
-      label: "Step",
-      options: kSteps.map((name, k) => [String(k), name] as const),
-      get: ({ step }) => String(step),
-      set: (state, value) => {
-        state.step = Number(value);
-      },
-    },
+    stepChoice(kSteps),
     {
       kind: "button",
       label: "Another circle",

@@ -7,7 +7,9 @@ import {
   conflicts,
   cutEdges,
   distanceTo,
+  kStepping,
   someCircles,
+  stepChoice,
   triples,
   walk,
 } from "./changing.js";
@@ -116,22 +118,9 @@ export default figure<State>({
     }
     return [`${circles.length} circles, ${all} vertices, and a new circle to place.`];
   },
-  steps: {
-    get: ({ step }) => step,
-    set: (state, step) => {
-      state.step = step;
-    },
-  },
+  steps: kStepping,
   controls: [
-    {
-      kind: "choice",
-      label: "Step",
-      options: kSteps.map((name, k) => [String(k), name] as const),
-      get: ({ step }) => String(step),
-      set: (state, value) => {
-        state.step = Number(value);
-      },
-    },
+    stepChoice(kSteps),
     {
       kind: "slider",
       label: "Size",
