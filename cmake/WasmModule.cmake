@@ -18,7 +18,7 @@ target_link_options(apollonius_wasm PRIVATE
   # workers, Node and edge runtimes.
   -sENVIRONMENT=web -sUSE_ES6_IMPORT_META=0 -sINCOMING_MODULE_JS_API=instantiateWasm -sSTRICT
   --no-entry                           # a library: no `main`
-  # wasm/package/module.ts puts the stack back after a call that left the module in its middle.
+  # Puts the stack back after a call that ended in its middle: wasm/package/native/module.ts.
   -sEXPORTED_FUNCTIONS=_emscripten_stack_get_current,__emscripten_stack_restore
   "SHELL:--js-library ${bindings}/embind_parts.js"
   --profiling-funcs                    # names, for tools/toolchain/split_wasm.mjs, which drops them

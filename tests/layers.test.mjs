@@ -101,7 +101,7 @@ const rules = [
 
   {
     of: /^wasm\/package\/embedded\.ts$/,
-    may: [/^\.\/[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/apollonius\.wasm$/],
+    may: [/^\.\/(native\/)?[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/apollonius\.wasm$/],
   },
   {
     of: /^wasm\/package\/edge\.ts$/,
@@ -109,16 +109,25 @@ const rules = [
   },
   {
     of: /^wasm\/package\/sphere\.ts$/,
-    may: [/^\.\/(sphere\/)?[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/sphere\.wasm$/],
+    may: [/^\.\/((native|sphere)\/)?[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/sphere\.wasm$/],
   },
   {
     of: /^wasm\/package\/sphere_edge\.ts$/,
-    may: [/^\.\/(sphere\/)?[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/sphere\.wasm\?module$/],
+    may: [/^\.\/((native|sphere)\/)?[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/sphere\.wasm\?module$/],
+  },
+  {
+    of: /^wasm\/package\/native\/\w+\.ts$/,
+    may: [
+      /^\.\/\w+\.js$/,
+      /^\.\.\/(arguments|errors)\.js$/,
+      /^\.\.\/\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/,
+    ],
   },
   {
     of: /^wasm\/package\/(voronoi|sphere)\/\w+\.ts$/,
     may: [
       /^\.{1,2}\/\w+\.js$/,
+      /^\.\.\/native\/\w+\.js$/,
       /^\.\.\/voronoi\/geojson\.js$/,
       /^\.\.\/\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/,
     ],
@@ -130,7 +139,7 @@ const rules = [
   {
     of: /^wasm\/package\/[\w.]+\.ts$/,
     may: [
-      /^\.\/((voronoi|sphere|treemap)\/)?[\w.]+$/,
+      /^\.\/((native|voronoi|sphere|treemap)\/)?[\w.]+$/,
       /^\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/,
     ],
   },
@@ -262,7 +271,7 @@ test("the methods of a class are defined in the folder of its header", () => {
 
 test("the patterns do read lines", () => {
   expect(dependencies("wasm/bindings/adapters.h")).toContain('"apollonius/diagram.h"');
-  expect(dependencies("wasm/package/diagram.ts")).toContain("./module.js");
+  expect(dependencies("wasm/package/diagram.ts")).toContain("./native/module.js");
   expect(dependencies("tests/layers.test.mjs")).toContain("node:fs");
 });
 
@@ -277,7 +286,7 @@ test("the package reaches the module through Embind only, not its memory or inne
   expect(users).toEqual([]);
 });
 
-test("only wasm/package/module.ts starts the module or imports more of it than types", () => {
+test("only native/module.ts starts the module or imports more of it than types", () => {
   const importing = sources("wasm/")
     .filter((file) => file.endsWith(".ts"))
     .filter((file) =>
@@ -285,7 +294,7 @@ test("only wasm/package/module.ts starts the module or imports more of it than t
         readFileSync(path.join(root, file), "utf8"),
       ),
     );
-  expect(importing).toEqual(["wasm/package/module.ts"]);
+  expect(importing).toEqual(["wasm/package/native/module.ts"]);
 });
 
 test("commands start on a fresh clone: before their first line they import no package", () => {

@@ -94,10 +94,13 @@ export function describePackage() {
     path.join(root, "wasm/package"),
   );
   const files = entries.map(([, file]) => path.join(root, "wasm/package", file));
-  const program = ts.createProgram([...files, path.join(root, "wasm/package/wasm_file.d.ts")], {
-    ...options,
-    noEmit: true,
-  });
+  const program = ts.createProgram(
+    [...files, path.join(root, "wasm/package/native/wasm_file.d.ts")],
+    {
+      ...options,
+      noEmit: true,
+    },
+  );
   const checker = program.getTypeChecker();
   const seen = new Set();
   return entries.map(([entry, file]) => {

@@ -172,7 +172,7 @@ const errorsApart = {
 const fromDefaultEntry = {
   name: "from-default-entry",
   setup(build) {
-    build.onResolve({ filter: /^\.{1,2}\/(diagram|errors|module)\.js$/ }, ({ path: file }) => ({
+    build.onResolve({ filter: /\/(diagram|errors|module)\.js$/ }, ({ path: file }) => ({
       path: path.basename(file),
       namespace: "default-entry",
     }));

@@ -96,7 +96,7 @@ export function splitWasm(emscripten, built, { debug = false } = {}) {
     "-o2",
     path.join(parts, "sphere.wasm"),
     `--split-funcs=@${list}`,
-    "--placeholder-namespace=later", // wasm/package/module.ts knows both
+    "--placeholder-namespace=later", // wasm/package/native/module.ts knows both
     "--import-namespace=first",
     ...features.map((feature) => `--enable-${feature}`),
   ]);

@@ -1,9 +1,9 @@
 // What JavaScript sees of the library, registered with Embind, which writes the declarations that
 // the TypeScript compiles against, build/wasm/apollonius.d.mts.
 //
-// A call that fails throws the number of its Error, which wasm/package/module.ts turns into an
-// exception of the package. Arrays are copied, in both directions: a view of the memory dies when
-// that grows.
+// A call that fails throws the number of its Error, which wasm/package/native/module.ts turns
+// into an exception of the package. Arrays are copied, in both directions: a view of the memory
+// becomes invalid when the memory grows.
 #include "spherical_adapters.h"
 #include "voronoi_adapters.h"
 

@@ -1,5 +1,5 @@
 // What both entries of the package export.
-import { runningModule } from "./module.js";
+import { runningModule } from "./native/module.js";
 import type { PredicateCounts } from "./types.js";
 
 export type {

@@ -3,7 +3,7 @@
 import type { ItemReader } from "./accessors.js";
 import { described } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import type { Builder, NativeDiagram } from "./module.js";
+import type { Builder, NativeDiagram } from "./native/module.js";
 import type { BuildOptions } from "./types.js";
 
 const kSlice = 8; // milliseconds

@@ -2,7 +2,7 @@
 // object.
 import { checkedNumbers, isArrayLike, isSiteId, numberError, unknownSite } from "./arguments.js";
 import { ApolloniusError, type ErrorCode } from "./errors.js";
-import type { NativeDiagram } from "./module.js";
+import type { NativeDiagram } from "./native/module.js";
 import type { NumbersById } from "./types.js";
 
 /** How many ids were ever used; what an array by id has that many elements of. */

@@ -16,14 +16,14 @@ import {
   fillOrDispose,
   nativeOf,
   provideNative,
-} from "./lifetime.js";
+} from "./native/lifetime.js";
 import { build } from "./building.js";
 import { kInspect, listed, showContent, summary } from "./inspection.js";
 import { drawDual, drawWhole } from "./voronoi/drawing.js";
 import * as edits from "./edits.js";
 import { ApolloniusError } from "./errors.js";
 import type { Filters } from "./filters.js";
-import { kModule, type NativeDiagram, runningModule, setSphereSource } from "./module.js";
+import { kModule, type NativeDiagram, runningModule, setSphereSource } from "./native/module.js";
 import type { DrawOptions, DualOptions, PathContext } from "./path.js";
 import * as queries from "./queries.js";
 import type { Region } from "./voronoi/region.js";

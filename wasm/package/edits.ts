@@ -10,8 +10,8 @@ import {
   unknownSite,
 } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import type { NativeDiagram } from "./module.js";
-import { checkTypes, ofElements, ofNumbers, ofSite } from "./native_errors.js";
+import type { NativeDiagram } from "./native/module.js";
+import { checkTypes, ofElements, ofNumbers, ofSite } from "./native/native_errors.js";
 
 export function insert(native: NativeDiagram, x: number, y: number, r: number): number {
   checkTypes(x, y, r);

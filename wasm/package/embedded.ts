@@ -1,8 +1,8 @@
 // All of the default entry: carries its wasm as text and compiles it synchronously at the first
 // use.
 import { swaps, text } from "../../build/wasm/apollonius.wasm";
-import { bytesOf } from "./wasm_text.js";
-import { notCompiled, isRunning, setModuleSource, start } from "./module.js";
+import { bytesOf } from "./native/wasm_text.js";
+import { notCompiled, isRunning, setModuleSource, start } from "./native/module.js";
 
 export * from "./api.js";
 

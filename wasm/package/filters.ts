@@ -7,7 +7,7 @@ import type {
   NativeSphericalDiagram,
   NearestFirst,
   SphericalNearestFirst,
-} from "./module.js";
+} from "./native/module.js";
 import type { FilterOptions, FindManyArguments, NearbyFilter } from "./types.js";
 
 /** How many filter callbacks are running: none may change the diagram. */

@@ -24,8 +24,8 @@ import {
   passing,
   throughFilter,
 } from "./filters.js";
-import { type NativeDiagram, type NearestFirst, runningModule } from "./module.js";
-import { checkTypes, ofElements, ofNumbers, ofSite } from "./native_errors.js";
+import { type NativeDiagram, type NearestFirst, runningModule } from "./native/module.js";
+import { checkTypes, ofElements, ofNumbers, ofSite } from "./native/native_errors.js";
 import type {
   FilterOptions,
   FindManyArguments,

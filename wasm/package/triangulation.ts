@@ -1,7 +1,7 @@
 // The Delaunay graph in the arrays of d3-delaunay and delaunator.
 import { ApolloniusError } from "./errors.js";
 import { described } from "./arguments.js";
-import type { NativeDiagram } from "./module.js";
+import type { NativeDiagram } from "./native/module.js";
 import { type DrawOptions, drawn, type PathContext } from "./path.js";
 import type { Position } from "./types.js";
 

@@ -2,7 +2,7 @@
 // (`apollonius-diagram/apollonius.wasm`).
 import { described } from "./arguments.js";
 import { ApolloniusError } from "./errors.js";
-import { notCompiled, notLoaded, isRunning, setModuleSource, start } from "./module.js";
+import { notCompiled, notLoaded, isRunning, setModuleSource, start } from "./native/module.js";
 
 export * from "./api.js";
 

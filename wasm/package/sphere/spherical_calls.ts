@@ -23,7 +23,7 @@ import {
   type NativeSphericalDiagram,
   runningModule,
   type SphericalNearestFirst,
-} from "../module.js";
+} from "../native/module.js";
 import { checkedMaxDistance, orInfinity } from "../queries.js";
 import {
   checkedAngularTolerance,

@@ -10,8 +10,14 @@ import {
 import { ApolloniusError } from "../errors.js";
 import type { Filters } from "../filters.js";
 import { kInspect, showContent, summary } from "../inspection.js";
-import { Ballast, createSpherical, destroy, fillOrDispose, wrongReceiver } from "../lifetime.js";
-import type { NativeSphericalDiagram } from "../module.js";
+import {
+  Ballast,
+  createSpherical,
+  destroy,
+  fillOrDispose,
+  wrongReceiver,
+} from "../native/lifetime.js";
+import type { NativeSphericalDiagram } from "../native/module.js";
 import { validate } from "../queries.js";
 import {
   accessorsAndOptions,

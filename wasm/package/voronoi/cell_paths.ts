@@ -1,7 +1,7 @@
 // The paths of all cells at once, which the library writes as text.
 import { checkOptions } from "../arguments.js";
 import type { NativeWindow } from "./drawing.js";
-import type { NativeDiagram } from "../module.js";
+import type { NativeDiagram } from "../native/module.js";
 import { checkedDigits, type DrawOptions, PathString, play } from "../path.js";
 
 // Commands in one portion: some 4000 cells, of which the library keeps edges for their neighbours.

@@ -3,7 +3,7 @@ import { checkNumber } from "../arguments.js";
 import { numbersById } from "../by_id.js";
 import type { Diagram } from "../diagram.js";
 import { ApolloniusError } from "../errors.js";
-import type { NativeDiagram } from "../module.js";
+import type { NativeDiagram } from "../native/module.js";
 import type { VoronoiOptions } from "../types.js";
 
 /** Infinity, where cells end nowhere but at others. */

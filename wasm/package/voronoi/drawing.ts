@@ -6,7 +6,7 @@ import {
   type NativeReach,
   type NativeRegion,
   runningModule,
-} from "../module.js";
+} from "../native/module.js";
 import { type DrawOptions, type DualOptions, drawn, type PathContext, play } from "../path.js";
 import type { Bounds } from "../types.js";
 

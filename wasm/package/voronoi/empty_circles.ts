@@ -5,7 +5,7 @@
 // the window, the points where edges cross its border, and its corners. All but the corners are the
 // ends of the edges as the window clips them.
 import type { NativeWindow } from "./drawing.js";
-import type { NativeDiagram } from "../module.js";
+import type { NativeDiagram } from "../native/module.js";
 import type { EmptyCircle } from "../types.js";
 
 const kOfCurve = 7; // numbers: from, control point, weight, to

@@ -12,8 +12,8 @@ import { Slices } from "../building.js";
 import { checkLength, numbersById } from "../by_id.js";
 import type { NativeWindow } from "./drawing.js";
 import { ApolloniusError } from "../errors.js";
-import type { Fitting, NativeDiagram } from "../module.js";
-import { ofElements } from "../native_errors.js";
+import type { Fitting, NativeDiagram } from "../native/module.js";
+import { ofElements } from "../native/native_errors.js";
 import type {
   AreaTargets,
   AsyncFitOptions,

@@ -3,8 +3,8 @@
 // and without it, says what is taken from each.
 import type { Conflict } from "../../../build/wasm/apollonius.mjs";
 import type { NativeWindow } from "./drawing.js";
-import { checkTypes, ofNumbers } from "../native_errors.js";
-import { type NativeDiagram, runningModule } from "../module.js";
+import { checkTypes, ofNumbers } from "../native/native_errors.js";
+import { type NativeDiagram, runningModule } from "../native/module.js";
 import type { NaturalWeights } from "../types.js";
 
 const kOfCurve = 7; // numbers: from, control point, weight, to

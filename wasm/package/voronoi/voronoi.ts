@@ -15,7 +15,7 @@ import {
   destroy,
   nativeOf,
   wrongReceiver,
-} from "../lifetime.js";
+} from "../native/lifetime.js";
 import { cellPaths } from "./cell_paths.js";
 import { joined, measuresOf, partsOf, type Rings } from "./cell_shapes.js";
 import type { Diagram } from "../diagram.js";
@@ -25,12 +25,12 @@ import { emptyCircles } from "./empty_circles.js";
 import { ApolloniusError } from "../errors.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
 import { type CellsCollection, collectionOf, type GeoJSONOptions } from "./geojson.js";
-import type { NativeDiagram, NativeReach, NativeRegion } from "../module.js";
+import type { NativeDiagram, NativeReach, NativeRegion } from "../native/module.js";
 import { type DrawOptions, drawn, type PathContext, play } from "../path.js";
 import { checkedProjection, readWindow, unprojected } from "./projection.js";
 import type { Region } from "./region.js";
 import { naturalWeights } from "./natural_neighbors.js";
-import { ofSite } from "../native_errors.js";
+import { ofSite } from "../native/native_errors.js";
 import type {
   AreaTargets,
   AsyncFitOptions,

@@ -1,6 +1,6 @@
 // The window of a view as a thing: what it measures, and what is in it.
 import { checkNumber } from "../arguments.js";
-import type { NativeDiagram, NativeRegion } from "../module.js";
+import type { NativeDiagram, NativeRegion } from "../native/module.js";
 import { play } from "../path.js";
 import type { Portion } from "../../../build/wasm/apollonius.mjs";
 import type { Bounds, VoronoiWindow } from "../types.js";

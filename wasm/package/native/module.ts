@@ -11,9 +11,9 @@ import createModule, {
   type Region,
   type SphericalDiagram,
   type SphericalNearestFirst,
-} from "../../build/wasm/apollonius.mjs";
-import { outOfMemory } from "./arguments.js";
-import { ApolloniusError } from "./errors.js";
+} from "../../../build/wasm/apollonius.mjs";
+import { outOfMemory } from "../arguments.js";
+import { ApolloniusError } from "../errors.js";
 import { failure } from "./native_errors.js";
 
 /** A diagram in the module: wasm/bindings/bindings.cpp. Its calls throw an ApolloniusError. */

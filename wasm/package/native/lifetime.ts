@@ -1,7 +1,7 @@
 // The native diagram of a Diagram, and the native region of a Voronoi: how long they live, and how
 // Voronoi reaches the diagram.
-import { described } from "./arguments.js";
-import { ApolloniusError } from "./errors.js";
+import { described } from "../arguments.js";
+import { ApolloniusError } from "../errors.js";
 import { ofElements } from "./native_errors.js";
 import {
   type NativeDiagram,

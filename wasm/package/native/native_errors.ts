@@ -1,7 +1,7 @@
 // From the library's errors to exceptions that name the argument.
-import type { MainModule } from "../../build/wasm/apollonius.mjs";
-import { numberError, outOfMemory, throwElementError, unknownSite } from "./arguments.js";
-import { ApolloniusError, type ErrorCode } from "./errors.js";
+import type { MainModule } from "../../../build/wasm/apollonius.mjs";
+import { numberError, outOfMemory, throwElementError, unknownSite } from "../arguments.js";
+import { ApolloniusError, type ErrorCode } from "../errors.js";
 
 type NativeErrors = MainModule["Error"]; // `Error` of src/apollonius/diagram.h
 
