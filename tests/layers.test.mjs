@@ -1,5 +1,5 @@
-// Who may include whom: the table of docs/ARCHITECTURE.md, checked on the #include and import lines
-// themselves.
+// Who may include whom: the layers of docs/ARCHITECTURE.md, checked on the #include and import
+// lines themselves.
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
