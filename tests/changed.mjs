@@ -114,11 +114,20 @@ const kSlowOfPackage = [
   "traps",
 ];
 
+/** What documents are made of and tried by: of their files, the names of the tests. */
+const kTestsOfDocuments = [
+  [/^README\.md$/, "readme"],
+  [/^(docs\/examples\/|tools\/(examples|api_reference)\.mjs$)/, "(examples|reference)"],
+];
+
 /** Arguments of Jest for the package's tests; null: none. */
 export function packagePlan(files) {
   if (files.some((file) => /^wasm\//.test(file)))
     return ["--testPathIgnorePatterns", ...kSlowOfPackage.map((name) => `/wasm/${name}\\.test`)];
-  if (files.includes("README.md")) return ["--testPathPatterns", "readme"];
+  const ofDocuments = kTestsOfDocuments
+    .filter(([pattern]) => files.some((file) => pattern.test(file)))
+    .map(([, name]) => `/wasm/${name}\\.test`);
+  if (ofDocuments.length > 0) return ["--testPathPatterns", ...ofDocuments];
   const isOne = (file) => /^tests\/(wasm\/.*|[^/]*)\.mjs$/.test(file);
   return files.some(isOne) ? ["--onlyChanged"] : null;
 }

@@ -49,7 +49,12 @@ test("each folder of the page has its tests, and they are there", () => {
 test("the package and the cluster example", () => {
   expect(packagePlan(["wasm/package/diagram.ts"])[0]).toBe("--testPathIgnorePatterns");
   expect(packagePlan(["tests/wasm/queries.test.mjs"])).toEqual(["--onlyChanged"]);
-  expect(packagePlan(["README.md"])).toEqual(["--testPathPatterns", "readme"]);
+  expect(packagePlan(["README.md"])).toEqual(["--testPathPatterns", "/wasm/readme\\.test"]);
+  expect(packagePlan(["docs/examples/diagram.md", "README.md"])).toEqual([
+    "--testPathPatterns",
+    "/wasm/readme\\.test",
+    "/wasm/(examples|reference)\\.test",
+  ]);
   expect(packagePlan(["src/api/diagram.cpp"])).toBeNull();
   expect(clusterPlan(["tests/cluster/tile.test.mjs"])).toBe(true);
   expect(clusterPlan(["web/playground/app.ts"])).toBe(false);

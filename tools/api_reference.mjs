@@ -1,8 +1,9 @@
-// npm run docs: docs/API.md from the comments and types of wasm/package.
+// npm run docs: docs/API.md from the comments and types of wasm/package, and docs/examples.
 // tests/wasm/reference.test.mjs fails where the two disagree.
 import { writeFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
+import { readExamples } from "./examples.mjs";
 import { root } from "./toolchain/folders.mjs";
 import { ensureNpmPackages } from "./toolchain/npm_packages.mjs";
 
@@ -19,10 +20,12 @@ const entries = [
 ];
 const preface = `# API reference
 
-Made by \`npm run docs\` from the comments in \`wasm/package\`; edit those. Lengths are in the unit
-of the input, areas in its square; y points upwards, and counter-clockwise is meant so. n is the
-number of sites, d the number of a site's neighbours. Every call that fails throws an
-[ApolloniusError](#class-apolloniuserror) with a \`code\` and changes nothing.
+Made by \`npm run docs\` from the comments in \`wasm/package\` and from \`docs/examples\`; edit
+those. Lengths are in the unit of the input, areas in its square; y points upwards, and
+counter-clockwise is meant so. n is the number of sites, d the number of a site's neighbours. Every
+call that fails throws an [ApolloniusError](#class-apolloniuserror) with a \`code\` and changes
+nothing. In examples, the comment behind a line is its result, with numbers rounded to the places
+that are shown.
 `;
 
 /** The exports of an entry by name, in the order of the files. */
@@ -160,14 +163,89 @@ function describe({ name, declaration }, checker) {
   };
 }
 
-const fenced = (code) => `\`\`\`ts\n${code}\n\`\`\`\n`;
+const fenced = (code, language = "ts") => `\`\`\`${language}\n${code.trimEnd()}\n\`\`\`\n`;
 
-function markdownOf({ name, kind, title: heading, text, code, members }) {
-  const parts = [`## ${kind} ${heading.replaceAll("<", "\\<")}\n`, `${text}\n`];
+/** What headings of docs/examples call a part of the reference; its own may go on with types. */
+const nameOfPart = ({ kind, name }) => `${kind} ${name}`;
+const headingOfPart = ({ kind, title }) => `${kind} ${title.replaceAll("<", "\\<")}`;
+
+/** As GitHub names a heading, for links. */
+const anchorOf = (heading) =>
+  heading
+    .toLowerCase()
+    .replace(/[^\w -]/g, "")
+    .replaceAll(" ", "-");
+
+function headingOfMember({ name }, member) {
   const instance = `${name[0].toLowerCase()}${name.slice(1)}`;
-  if (code !== null) parts.push(fenced(code));
+  if (member.name === "constructor") return `new ${name}`;
+  if (member.isStatic) return `${name}.${member.name}`;
+  if (member.name.startsWith("Symbol.")) return `${instance}[${member.name}]`;
+  return `${instance}.${member.name}`;
+}
+
+/** The calls of an entry, as their headings name them, in their order. */
+export function callsOf({ described }) {
+  return described.flatMap((part) => {
+    if (part.kind === "function") return [nameOfPart(part)];
+    return part.kind === "class" ? part.members.map((one) => headingOfMember(part, one)) : [];
+  });
+}
+
+/**
+ * What docs/examples shows below each call of an entry: { text, part }, `part` naming the part of
+ * the reference that has what the example begins with. What is about several calls is below the
+ * last.
+ */
+function examplesByCall({ entry, described }, files) {
+  const order = described.flatMap((part) => [nameOfPart(part), ...callsOf({ described: [part] })]);
+  const shown = new Map();
+  for (const { file, part, setUp, examples } of files) {
+    const named = [part, ...examples.flatMap(({ calls }) => calls)];
+    const unknown = named.find((name) => !order.includes(name));
+    if (unknown) throw new Error(`${file}: ${entry} has no "${unknown}"`);
+    for (const { calls, text } of examples) {
+      const last = order.findLast((name) => calls.includes(name));
+      if (shown.has(last)) throw new Error(`${file}: "${last}" has an example already`);
+      shown.set(last, { text: text.replaceAll("](../", "]("), part: setUp && part });
+    }
+  }
+  return shown;
+}
+
+/** Functions that give what docs/examples has for an entry, as Markdown. */
+function examplesFor(one) {
+  const files = readExamples().filter(({ entry }) => entry === one.entry);
+  const byCall = examplesByCall(one, files);
+  const linkTo = (name) => {
+    const part = one.described.find((other) => nameOfPart(other) === name);
+    return `[${name}](#${anchorOf(headingOfPart(part))})`;
+  };
+  return {
+    /** What the examples of a part begin with. */
+    beginning(part) {
+      const { setUp } = files.find((file) => file.part === nameOfPart(part)) ?? {};
+      return setUp ? [`The examples of this ${part.kind} begin with:\n`, fenced(setUp, "js")] : [];
+    },
+    /** What is below a heading of a part. */
+    of(call, part) {
+      if (!byCall.has(call)) return [];
+      const { text, part: first } = byCall.get(call);
+      const isElsewhere = first && first !== nameOfPart(part);
+      const begins = isElsewhere
+        ? `After what the examples of ${linkTo(first)} begin with:\n\n`
+        : "";
+      return [`${begins}${text}\n`];
+    },
+  };
+}
+
+function markdownOf(part, examples) {
+  const { kind, text, code, members } = part;
+  const lines = [`## ${headingOfPart(part)}\n`, `${text}\n`];
+  if (code !== null) lines.push(fenced(code));
   if (kind === "interface") {
-    parts.push(
+    lines.push(
       fenced(
         members
           .map((member) =>
@@ -176,33 +254,37 @@ function markdownOf({ name, kind, title: heading, text, code, members }) {
           .join("\n"),
       ),
     );
-  } else {
+  }
+  lines.push(...examples.beginning(part), ...examples.of(nameOfPart(part), part));
+  if (kind !== "interface") {
     for (const member of members) {
-      const title =
-        member.name === "constructor"
-          ? `new ${name}`
-          : member.isStatic
-            ? `${name}.${member.name}`
-            : member.name.startsWith("Symbol.")
-              ? `${instance}[${member.name}]`
-              : `${instance}.${member.name}`;
-      parts.push(
-        `### ${title}\n`,
+      const heading = headingOfMember(part, member);
+      lines.push(
+        `### ${heading}\n`,
         fenced(member.code),
         ...(member.text ? [`${member.text}\n`] : []),
+        ...examples.of(heading, part),
       );
     }
   }
-  return parts.join("\n");
+  return lines.join("\n");
 }
 
 export function reference() {
+  const described = describePackage();
+  for (const { file, entry } of readExamples())
+    if (!described.some((one) => one.entry === entry))
+      throw new Error(`${file}: the package has no entry ${entry}`);
   return [
     preface,
-    ...describePackage().flatMap(({ entry, exports, described }) => [
-      `# Entry \`${entry}\`\n\nExports ${exports.map((name) => `\`${name}\``).join(", ")}.\n`,
-      ...described.map(markdownOf),
-    ]),
+    ...described.flatMap((one) => {
+      const names = one.exports.map((name) => `\`${name}\``);
+      const examples = examplesFor(one);
+      return [
+        `# Entry \`${one.entry}\`\n\nExports ${names.join(", ")}.\n`,
+        ...one.described.map((part) => markdownOf(part, examples)),
+      ];
+    }),
   ]
     .join("\n")
     .replace(/\n{3,}/g, "\n\n");

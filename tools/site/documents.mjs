@@ -5,7 +5,7 @@ import { sourceOf } from "./source_address.mjs";
 
 const kDocuments = [
   ["LOADING.md", "loading", "Loading", "Entries, bundlers, runtimes, sizes."],
-  ["API.md", "api", "API", "Every call with types, errors and costs."],
+  ["API.md", "api", "API", "Every call with types, errors, costs and examples."],
   [
     "D3_DELAUNAY.md",
     "d3-delaunay",

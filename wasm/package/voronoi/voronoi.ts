@@ -404,9 +404,10 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * `fitAreas` with a turn of the event loop between its steps, each of which takes as long as
-   * there. Rejects as that throws; with the reason of `options.signal` once that aborts; with
-   * "busy" if the diagram has changed meanwhile.
+   * `fitAreas` in slices of some milliseconds, with turns of the event loop between them; no step
+   * is divided. What fits into the first slice has been done when the call returns its promise.
+   * Rejects as that throws; with the reason of `options.signal` once that aborts; with "busy" if
+   * the diagram has changed meanwhile.
    */
   async fitAreasAsync(
     targets: AreaTargets,
