@@ -70,7 +70,11 @@ if(APOLLONIUS_BOOST_FOUND)
   target_include_directories(apollonius_flags SYSTEM INTERFACE "${APOLLONIUS_BOOST_FOUND}")
 endif()
 if(APOLLONIUS_SHADOW_CHECK)
-  target_compile_definitions(apollonius_flags INTERFACE APOLLONIUS_SHADOW_CHECK=1)
+  set(every 1)
+  if(APOLLONIUS_SHADOW_CHECK MATCHES "^[0-9]+$")
+    set(every ${APOLLONIUS_SHADOW_CHECK})
+  endif()
+  target_compile_definitions(apollonius_flags INTERFACE APOLLONIUS_SHADOW_CHECK=${every})
 endif()
 
 # Options that must reach GoogleTest too, because object files with and without them do not mix.

@@ -9,6 +9,7 @@
 //   cppcheck     cppcheck on src/, without what tests/check/cppcheck.txt leaves out
 //   thorough     the native tests in their long forms (`sized` in tests/support/effort.h), without
 //                the shadow check: whole sets of tens of thousands, lack of memory among thousands
+//   shadow       the native tests with each answer of a filter compared with the exact stage
 //   wasm         all C++ tests as WebAssembly; `npm test` runs those of cmake/WasmTests.cmake
 //   page         the page's tests in their long forms: storms of 5000 events, axe in each theme on
 //                each screen
@@ -103,6 +104,15 @@ await runSteps({
     const settings = { CMAKE_BUILD_TYPE: "Release", APOLLONIUS_WERROR: "ON" };
     const folder = await withBuildLock(() => buildWithCmake("release", settings));
     return runPrograms(folder, { envOf: () => ({ APOLLONIUS_THOROUGH: "1" }) });
+  },
+  async shadow() {
+    native();
+    const settings = {
+      CMAKE_BUILD_TYPE: "Release",
+      APOLLONIUS_SHADOW_CHECK: "ON",
+      APOLLONIUS_WERROR: "ON",
+    };
+    return runPrograms(await withBuildLock(() => buildWithCmake("shadow", settings)));
   },
   async wasm() {
     native();

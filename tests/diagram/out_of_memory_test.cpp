@@ -23,6 +23,7 @@
 #include "support/effort.h"
 #include "support/failing_heap.h"
 #include "support/generators.h"
+#include "support/shadow.h"
 
 namespace apollonius::test {
 namespace {
@@ -227,6 +228,7 @@ class OutOfMemory : public ::testing::TestWithParam<Failure> {
 
  private:
   std::set<std::string> wrong_;
+  const ShadowCheckOf none_{0};
 };
 
 TEST_P(OutOfMemory, ChangesLeaveTheDiagramAsItWas) {

@@ -19,6 +19,7 @@
 #include "support/generators.h"
 #include "support/hash.h"
 #include "support/insert_into.h"
+#include "support/shadow.h"
 
 namespace apollonius::test {
 namespace {
@@ -279,6 +280,7 @@ class GeometryOutOfMemory : public ::testing::Test {
 
   Circles circles_;
   int failed_ = 0;
+  const ShadowCheckOf none_{0};
 };
 
 TEST_F(GeometryOutOfMemory, ShapesSaySoAndAnswerAfterwards) {

@@ -8,6 +8,7 @@
 
 #include "sphere/sphere_sets.h"
 #include "support/failing_heap.h"
+#include "support/shadow.h"
 
 namespace apollonius::test {
 namespace {
@@ -77,6 +78,7 @@ std::vector<std::uint8_t> stateOf(const SphericalDiagram& diagram) {
 }
 
 TEST(SphericalOutOfMemory, EveryFailureLeavesTheDiagramAsItWas) {
+  const ShadowCheckOf none(0);
   Random random(20);
   const SphericalSites sites = randomSites(random, 40, 0.3);
   std::vector<std::uint8_t> saved = stateOf(diagramOf(sites));

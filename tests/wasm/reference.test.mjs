@@ -103,7 +103,7 @@ test("error codes in the documentation exist, and each is documented", () => {
   expect(named.filter((code) => !known.includes(code))).toEqual([]);
 });
 
-test("README's table has every call of a diagram", () => {
+test("README's list has every call of a diagram", () => {
   const missing = classes
     .find(({ name }) => name === "Diagram")
     .members.map(({ name }) => name)
