@@ -10,21 +10,15 @@ import { runPages } from "./support/pages.mjs";
 const script = fileURLToPath(new URL("support/all_outputs.mjs", import.meta.url));
 const dist = "/node_modules/apollonius-diagram/dist";
 
-const inNode = runInNode(`
+const [inNode, again] = runInNode(`
   import { hashOfAllOutputs } from ${JSON.stringify(`file://${script}`)};
-  console.log(await hashOfAllOutputs(await import("apollonius-diagram")));
-`);
+  const code = await import("apollonius-diagram");
+  for (let k = 0; k < 2; ++k) console.log(await hashOfAllOutputs(code));
+`).split("\n");
 
 test("Node comes to a hash of all outputs, the same each time", () => {
   expect(inNode).toMatch(/^\d{6,} bytes [0-9a-f]{64}$/);
-  expect(
-    runInNode(`
-    const { hashOfAllOutputs } = await import(${JSON.stringify(`file://${script}`)});
-    const code = await import("apollonius-diagram");
-    await hashOfAllOutputs(code);
-    console.log(await hashOfAllOutputs(code));
-  `),
-  ).toBe(inNode);
+  expect(again).toBe(inNode);
 });
 
 describeInBrowsers("the hash of all outputs", (browser) => {

@@ -9,6 +9,8 @@ const items = Array.from({ length: xyr.length / 3 }, (_, k) => ({
   y: xyr[3 * k + 1],
   r: xyr[3 * k + 2],
 }));
+/** Are the snapshots the same? (`toEqual` takes seconds for megabytes.) */
+const isSame = (one, other) => Buffer.compare(one.toBytes(), other.toBytes()) === 0;
 const refused = async (promise) => {
   const error = await promise.then(
     () => undefined,
@@ -30,7 +32,7 @@ test("the same diagram as from, with the event loop's turns and progress between
   expect(progress.length).toBeGreaterThan(2);
   expect(progress).toEqual([...progress].sort((a, b) => a - b));
   expect(progress.at(-1)).toBe(1);
-  expect(diagram.toBytes()).toEqual(Diagram.from(items).toBytes());
+  expect(isSame(diagram, Diagram.from(items))).toBe(true);
   diagram.insert(1, 2, 3);
   expect(diagram.size).toBe(items.length + 1);
 });
@@ -69,7 +71,7 @@ test("options may come second, as items are read without accessors", async () =>
 test("with two accessors, points", async () => {
   const accessors = [(d) => d.x, (d) => d.y];
   const diagram = await Diagram.fromAsync(items, ...accessors);
-  expect(diagram.toBytes()).toEqual(Diagram.from(items, ...accessors).toBytes());
+  expect(isSame(diagram, Diagram.from(items, ...accessors))).toBe(true);
   expect(diagram.site(7)).toEqual({ ...items[7], r: 0 });
   const none = [undefined, { location: "walk" }];
   expect(graph(await Diagram.fromAsync(items.slice(0, 50), ...accessors, ...none))).toEqual(
@@ -131,6 +133,6 @@ test("several at once", async () => {
   const parts = [0, 1, 2].map((k) => items.slice(10_000 * k, 10_000 * (k + 1)));
   const diagrams = await Promise.all(parts.map((part) => Diagram.fromAsync(part)));
   diagrams.forEach((diagram, k) => {
-    expect(diagram.toBytes()).toEqual(Diagram.from(parts[k]).toBytes());
+    expect(isSame(diagram, Diagram.from(parts[k]))).toBe(true);
   });
 });

@@ -101,7 +101,7 @@ describe.each(Object.entries(windows))("in %s", (_, rings) => {
   const expected = 2 * Math.abs(areaOf([...rings[0], rings[0][0]])) + whole;
 
   test.each(Object.entries(sets))("%s", (_, circle) => {
-    for (const n of [1, 2, 3, 5, 20, 80]) {
+    for (const n of process.env.APOLLONIUS_THOROUGH ? [1, 2, 3, 5, 20, 80] : [1, 2, 3, 30]) {
       const diagram = new Diagram(Array.from({ length: n }, circle).flat());
       for (const tolerance of tolerances) {
         const collection = diagram.voronoi(rings).toGeoJSON({ tolerance });
