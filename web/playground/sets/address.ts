@@ -26,24 +26,23 @@ const kLongest = 8000; // characters of an address that every browser and most m
 const kMostKept = 20_000; // circles
 const kDigits = 6; // of the view
 
-const differs = (a: Float64Array, b: Float64Array, at: number) =>
-  a[at] !== b[at] || a[at + 1] !== b[at + 1] || a[at + 2] !== b[at + 2];
-
 /**
- * What was changed in the set that these circles were: removed "12-", changed "12:x,y,r", new
- * "x,y,r,name", with "~" between them.
+ * What was changed in the set that these circles were: removed "12-", moved "12:x,y", changed
+ * "12:x,y,r", new "x,y,r,name", with "~" between them.
  */
 export function editsOf(sites: Sites) {
   const { original, xyr, ids } = sites;
   const count = original.length / 3;
   const edits: string[] = [];
-  const numbers = (id: number) => xyr.subarray(3 * id, 3 * id + 3).join();
+  const numbers = (id: number, count = 3) => xyr.subarray(3 * id, 3 * id + count).join();
+  const differs = (id: number, k: number) => xyr[3 * id + k] !== original[3 * id + k];
   let k = 0; // of the ids, which ascend
   for (let id = 0; id < count && edits.length <= kMostEdits; id++) {
     const isThere = ids[k] === id;
     if (isThere) k++;
     if (!isThere) edits.push(`${id}-`);
-    else if (differs(xyr, original, 3 * id)) edits.push(`${id}:${numbers(id)}`);
+    else if (differs(id, 2)) edits.push(`${id}:${numbers(id)}`);
+    else if (differs(id, 0) || differs(id, 1)) edits.push(`${id}:${numbers(id, 2)}`);
   }
   for (; k < ids.length && edits.length <= kMostEdits; k++) {
     const name = sites.labels.get(ids[k])?.name;
@@ -64,8 +63,9 @@ export function applyEdits(sites: Sites, edits: string) {
     const [, id, rest] = edit.match(/^(\d+)([-:].*)$/) ?? [];
     if (rest === "-") removed.push(Number(id));
     else if (rest) {
+      const [x, y, r = sites.site(Number(id)).r] = rest.slice(1).split(",").map(Number);
       changed.push(Number(id));
-      numbers.push(...rest.slice(1).split(",").map(Number));
+      numbers.push(x, y, r);
     } else {
       const [x, y, r, name] = edit.split(",");
       added.push(Number(x), Number(y), Number(r));
