@@ -163,9 +163,9 @@ describeInBrowser("data", (open) => {
     });
 
     test("names are shown", async () => {
-      await page.evaluate(() => {
+      await page.evaluate(async () => {
         const { sitesFromText } = app.parts;
-        app.navigation.show(sitesFromText('x,y,r,name\n0,0,5,"Berlin, Mitte"\n20,0,3,Other'));
+        app.navigation.show(await sitesFromText('x,y,r,name\n0,0,5,"Berlin, Mitte"\n20,0,3,Other'));
       });
       expect(await page.evaluate(() => app.sites.label(0).name)).toBe("Berlin, Mitte");
     });
@@ -244,9 +244,9 @@ describeInBrowser("data", (open) => {
     });
 
     test("holds circles of the visitor's own, with their names", async () => {
-      await page.evaluate(() => {
+      await page.evaluate(async () => {
         const { sitesFromText } = app.parts;
-        app.navigation.show(sitesFromText("x,y,r,name\n0,0,5,a~b&c=d\n20,0,3,\n"));
+        app.navigation.show(await sitesFromText("x,y,r,name\n0,0,5,a~b&c=d\n20,0,3,\n"));
       });
       const [other] = await again();
       expect((await circlesOf(other)).map((row) => row.slice(1))).toEqual(await numbers());

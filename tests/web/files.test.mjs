@@ -112,6 +112,34 @@ describeInBrowser("files", (open) => {
       await page.waitForFunction((size) => app.diagram.size === size, size);
     };
 
+    /** What is on the page of a map of the Earth, and what the tag says of distances. */
+    const earth = () =>
+      page.evaluate(async () => {
+        const id = app.sites.ids.find((id) => app.sites.label(id).name === "Istanbul");
+        const { x, y } = app.sites.site(id);
+        app.hoverAt({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
+        await app.whenShown();
+        const canvas = app.painter.canvas("map");
+        const { data } = canvas
+          .getContext("2d")
+          .getImageData(canvas.width / 2, 0, 1, canvas.height);
+        const box = document.getElementById("layer-map");
+        return {
+          said: tag.textContent,
+          unit: app.sites.info.areaUnit,
+          layer: !box.hidden,
+          credit: !document.getElementById("credit").hidden,
+          colours: new Set(new Uint32Array(data.buffer)).size > 3, // land, sea and coast
+        };
+      });
+    const kOnEarth = {
+      said: expect.stringMatching(/^Istanbul 2\d\d km inside/),
+      unit: "km²",
+      layer: true,
+      credit: true,
+      colours: true,
+    };
+
     test("SVG has every layer that is shown, and no other", async () => {
       const layersOf = () =>
         page.evaluate(() => {
@@ -203,6 +231,35 @@ describeInBrowser("files", (open) => {
       expect(area / (4 * Math.PI * 6371 ** 2)).toBeCloseTo(1, 3); // of all the Earth
     });
 
+    test("cities in GeoJSON and in an address are on the map again", async () => {
+      await show(page, "cities");
+      await page.evaluate(() => app.model.remove(app.sites.ids.slice(20)));
+      const file = await saved("geojson");
+      await reopened(file, 20);
+      expect(await earth()).toEqual(kOnEarth);
+      await page.evaluate(() => app.navigation.write());
+      await page.reload();
+      await page.waitForFunction(() => window.app);
+      expect(await earth()).toEqual(kOnEarth);
+      const ofOthers = { ...JSON.parse(file.buffer), "apollonius-diagram": undefined };
+      await reopened({ ...file, buffer: Buffer.from(JSON.stringify(ofOthers)) }, 20);
+      expect((await earth()).said).not.toContain("km");
+    });
+
+    test("cities that are too many changes for a link are on the map again", async () => {
+      await show(page, "cities");
+      await page.evaluate(() => {
+        app.model.update(
+          app.sites.ids,
+          app.sites.triples(app.sites.ids).map((v) => v + 0.1),
+        );
+        app.navigation.write();
+      });
+      await page.reload();
+      await page.waitForFunction(() => window.app?.sites.site(0).r % 1 > 0);
+      expect(await earth()).toEqual(kOnEarth);
+    });
+
     test("a snapshot keeps names, ids, and radii that do not count at present", async () => {
       await show(page, "cities");
       await page.evaluate(() => {
@@ -219,6 +276,8 @@ describeInBrowser("files", (open) => {
       expect(await labels()).toEqual(before[0]);
       expect(await page.evaluate(() => [...app.sites.triples([0, 7])])).toEqual(before[1]);
       expect(await page.evaluate(() => app.diagram.has(3))).toBe(false);
+      await page.evaluate(() => app.weights.go(1, { isAtOnce: true }));
+      expect(await earth()).toEqual(kOnEarth);
     });
 
     test("a snapshot without names is the package's, whatever its file is called", async () => {

@@ -5,6 +5,7 @@ import type { App } from "../app.js";
 import type { Label, Sites } from "../model/sites.js";
 import type { Watch } from "./building.js";
 import type { Circles } from "./columns.js";
+import { type OnEarth, onEarthIn, onEarthOf, putOnEarth } from "./earth.js";
 import { sitesFromRows } from "./import.js";
 import { packed, unpacked } from "./packing.js";
 import { loadSet, type Params } from "./presets.js";
@@ -149,17 +150,17 @@ function lookedOf(text = ""): Looked | null {
 
 /** The circles of an address. @param kept in the history entry */
 export async function sitesOf(state: State, kept: Kept | null, watch?: Watch) {
-  if (kept?.rows) return sitesFromRows(kept, kept.title);
+  if (kept?.rows) return putOnEarth(sitesFromRows(kept, kept.title), kept.onEarth ?? null);
   const sites =
     state.key === "data"
-      ? sitesFromRows({ rows: [] }, "Your data")
+      ? await putOnEarth(sitesFromRows({ rows: [] }, "Your data"), onEarthIn(state.params))
       : await loadSet(state.key, state.params, watch);
   if (state.edits) applyEdits(sites, state.edits);
   return sites;
 }
 
 /** What this page has put into a history entry. */
-export type Kept = Circles & { title: string };
+export type Kept = Circles & { title: string; onEarth?: OnEarth | null };
 
 /** What a history entry keeps beside its address. */
 export function keptOf(sites: Sites, isWhole: boolean): Kept | null {
@@ -168,5 +169,6 @@ export function keptOf(sites: Sites, isWhole: boolean): Kept | null {
     ...sites.site(id),
     ...sites.labels.get(id),
   }));
-  return { rows, title: sites.info.title, about: sites.info.about };
+  const { title, about } = sites.info;
+  return { rows, title, about, onEarth: onEarthOf(sites.info) };
 }
