@@ -197,7 +197,8 @@ describeInBrowser("data", (open) => {
 
     test("SVG and GeoJSON have every cell; PNG is a picture of the window", async () => {
       const svg = (await saved("svg")).toString();
-      expect(svg.match(/<circle /g)).toHaveLength(35);
+      const groups = svg.match(/^<g class="(circles|hidden)">.*$/gm).join("");
+      expect(groups.match(/<circle /g)).toHaveLength(2 * 35); // a disc and a rim of each
       expect(svg).toMatch(/<g class="cells"><path d="M[^"]{500,}"/);
       const { features } = JSON.parse((await saved("geojson")).toString());
       expect(features.filter(({ geometry }) => geometry.type !== "Point")).toHaveLength(33);

@@ -166,10 +166,15 @@ describeInBrowser("files", (open) => {
       expect([ofCities.get("map"), ofCities.get("names")]).toEqual([true, true]);
     });
 
-    test("SVG looks as the page does", async () => {
-      await page.evaluate(() => {
+    test.each([
+      ["Circles", 1],
+      ["Centres", 0],
+    ])("SVG looks as the page does: %s", async (_, weight) => {
+      await page.evaluate((weight) => {
         for (const name of ["hull", "vertices", "centres"]) app.setLayer(name, true);
-      });
+        app.model.insert(Float64Array.of(20, 20, -5)); // a cross
+        app.weights.go(weight, { isAtOnce: true });
+      }, weight);
       const differing = await page.evaluate(async () => {
         const shown = app.painter.toCanvas();
         const { width, height } = shown;
@@ -183,10 +188,20 @@ describeInBrowser("files", (open) => {
         );
         let count = 0;
         for (let k = 0; k < a.length; k += 4)
-          if (Math.abs(a[k] - b[k]) + Math.abs(a[k + 1] - b[k + 1]) > 90) count++;
+          if (Math.abs(a[k] - b[k]) + Math.abs(a[k + 1] - b[k + 1]) > 12) count++;
         return count / (width * height);
       });
       expect(differing).toBeLessThan(0.01);
+      const circles = await page.evaluate(() =>
+        app.parts
+          .toSvg(app)
+          .match(/<circle [^>]*r="[\d.]+"/g)
+          .map((tag) => tag.split('"')[5]),
+      );
+      const radii = await page.evaluate(() =>
+        [0, 1, 2].map((id) => (app.sites.site(id).r * app.view.scale).toFixed(2)),
+      );
+      expect(circles).toEqual(expect.arrayContaining(radii.map((r) => String(Number(r)))));
     });
 
     test("GeoJSON holds circles, names and areas, and is opened again", async () => {
