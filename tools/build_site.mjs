@@ -20,9 +20,10 @@ const source = path.join(root, "web");
 /** Where it goes. */
 export const builtSite = path.join(root, "build/web");
 const copied = ["examples", "data", "icon.svg"]; // of web/
-/** What every page needs comes in one piece. */
-const kShared = /dist\/esm\/wasm\.js|web\/figure\/(package|figure|pen|dom)\.ts|preload-helper/;
 const kRandomSets = "playground/sets/random_sets";
+/** What every page needs comes in one piece, and random circles with it: they are small. */
+const kShared = /dist\/esm\/wasm\.js|web\/figure\/(package|figure|pen|dom)\.ts|preload-helper/;
+const isShared = (module) => kShared.test(module) || module.includes(`${kRandomSets}.ts`);
 
 /** The d3 modules that web/examples import, by the import map of its page. */
 function librariesOfExamples() {
@@ -97,7 +98,7 @@ async function settings({ isWatching }) {
         output: {
           entryFileNames: ({ name }) =>
             name === kRandomSets ? "[name].js" : "assets/[name]-[hash].js",
-          codeSplitting: { groups: [{ name: "shared", test: kShared }] },
+          codeSplitting: { groups: [{ name: "shared", test: isShared }] },
         },
       },
     },

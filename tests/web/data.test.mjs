@@ -163,9 +163,9 @@ describeInBrowser("data", (open) => {
     });
 
     test("names are shown", async () => {
-      await page.evaluate(() => {
+      await page.evaluate(async () => {
         const { sitesFromText } = app.parts;
-        app.navigation.show(sitesFromText('x,y,r,name\n0,0,5,"Berlin, Mitte"\n20,0,3,Other'));
+        app.navigation.show(await sitesFromText('x,y,r,name\n0,0,5,"Berlin, Mitte"\n20,0,3,Other'));
       });
       expect(await page.evaluate(() => app.sites.label(0).name)).toBe("Berlin, Mitte");
     });
@@ -197,7 +197,8 @@ describeInBrowser("data", (open) => {
 
     test("SVG and GeoJSON have every cell; PNG is a picture of the window", async () => {
       const svg = (await saved("svg")).toString();
-      expect(svg.match(/<circle /g)).toHaveLength(35);
+      const groups = svg.match(/^<g class="(circles|hidden)">.*$/gm).join("");
+      expect(groups.match(/<circle /g)).toHaveLength(2 * 35); // a disc and a rim of each
       expect(svg).toMatch(/<g class="cells"><path d="M[^"]{500,}"/);
       const { features } = JSON.parse((await saved("geojson")).toString());
       expect(features.filter(({ geometry }) => geometry.type !== "Point")).toHaveLength(33);
@@ -244,9 +245,9 @@ describeInBrowser("data", (open) => {
     });
 
     test("holds circles of the visitor's own, with their names", async () => {
-      await page.evaluate(() => {
+      await page.evaluate(async () => {
         const { sitesFromText } = app.parts;
-        app.navigation.show(sitesFromText("x,y,r,name\n0,0,5,a~b&c=d\n20,0,3,\n"));
+        app.navigation.show(await sitesFromText("x,y,r,name\n0,0,5,a~b&c=d\n20,0,3,\n"));
       });
       const [other] = await again();
       expect((await circlesOf(other)).map((row) => row.slice(1))).toEqual(await numbers());

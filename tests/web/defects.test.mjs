@@ -280,7 +280,7 @@ describeInBrowser("what fails to load", (open) => {
       prepare: (page) => page.route("**/start-*.js", (route) => route.abort()),
     });
     await page.waitForSelector("#notice:not([hidden])");
-    expect(await page.textContent("#notice")).toMatch(/could not be started.*start-\w+\.js/);
+    expect(await page.textContent("#notice")).toMatch(/could not be started.*start-[\w-]+\.js/);
     await closePage(page);
   });
 

@@ -112,6 +112,34 @@ describeInBrowser("files", (open) => {
       await page.waitForFunction((size) => app.diagram.size === size, size);
     };
 
+    /** What is on the page of a map of the Earth, and what the tag says of distances. */
+    const earth = () =>
+      page.evaluate(async () => {
+        const id = app.sites.ids.find((id) => app.sites.label(id).name === "Istanbul");
+        const { x, y } = app.sites.site(id);
+        app.hoverAt({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
+        await app.whenShown();
+        const canvas = app.painter.canvas("map");
+        const { data } = canvas
+          .getContext("2d")
+          .getImageData(canvas.width / 2, 0, 1, canvas.height);
+        const box = document.getElementById("layer-map");
+        return {
+          said: tag.textContent,
+          unit: app.sites.info.areaUnit,
+          layer: !box.hidden,
+          credit: !document.getElementById("credit").hidden,
+          colours: new Set(new Uint32Array(data.buffer)).size > 3, // land, sea and coast
+        };
+      });
+    const kOnEarth = {
+      said: expect.stringMatching(/^Istanbul 2\d\d km inside/),
+      unit: "km²",
+      layer: true,
+      credit: true,
+      colours: true,
+    };
+
     test("SVG has every layer that is shown, and no other", async () => {
       const layersOf = () =>
         page.evaluate(() => {
@@ -138,10 +166,15 @@ describeInBrowser("files", (open) => {
       expect([ofCities.get("map"), ofCities.get("names")]).toEqual([true, true]);
     });
 
-    test("SVG looks as the page does", async () => {
-      await page.evaluate(() => {
+    test.each([
+      ["Circles", 1],
+      ["Centres", 0],
+    ])("SVG looks as the page does: %s", async (_, weight) => {
+      await page.evaluate((weight) => {
         for (const name of ["hull", "vertices", "centres"]) app.setLayer(name, true);
-      });
+        app.model.insert(Float64Array.of(20, 20, -5)); // a cross
+        app.weights.go(weight, { isAtOnce: true });
+      }, weight);
       const differing = await page.evaluate(async () => {
         const shown = app.painter.toCanvas();
         const { width, height } = shown;
@@ -155,10 +188,20 @@ describeInBrowser("files", (open) => {
         );
         let count = 0;
         for (let k = 0; k < a.length; k += 4)
-          if (Math.abs(a[k] - b[k]) + Math.abs(a[k + 1] - b[k + 1]) > 90) count++;
+          if (Math.abs(a[k] - b[k]) + Math.abs(a[k + 1] - b[k + 1]) > 12) count++;
         return count / (width * height);
       });
       expect(differing).toBeLessThan(0.01);
+      const circles = await page.evaluate(() =>
+        app.parts
+          .toSvg(app)
+          .match(/<circle [^>]*r="[\d.]+"/g)
+          .map((tag) => tag.split('"')[5]),
+      );
+      const radii = await page.evaluate(() =>
+        [0, 1, 2].map((id) => (app.sites.site(id).r * app.view.scale).toFixed(2)),
+      );
+      expect(circles).toEqual(expect.arrayContaining(radii.map((r) => String(Number(r)))));
     });
 
     test("GeoJSON holds circles, names and areas, and is opened again", async () => {
@@ -203,6 +246,35 @@ describeInBrowser("files", (open) => {
       expect(area / (4 * Math.PI * 6371 ** 2)).toBeCloseTo(1, 3); // of all the Earth
     });
 
+    test("cities in GeoJSON and in an address are on the map again", async () => {
+      await show(page, "cities");
+      await page.evaluate(() => app.model.remove(app.sites.ids.slice(20)));
+      const file = await saved("geojson");
+      await reopened(file, 20);
+      expect(await earth()).toEqual(kOnEarth);
+      await page.evaluate(() => app.navigation.write());
+      await page.reload();
+      await page.waitForFunction(() => window.app);
+      expect(await earth()).toEqual(kOnEarth);
+      const ofOthers = { ...JSON.parse(file.buffer), "apollonius-diagram": undefined };
+      await reopened({ ...file, buffer: Buffer.from(JSON.stringify(ofOthers)) }, 20);
+      expect((await earth()).said).not.toContain("km");
+    });
+
+    test("cities that are too many changes for a link are on the map again", async () => {
+      await show(page, "cities");
+      await page.evaluate(() => {
+        app.model.update(
+          app.sites.ids,
+          app.sites.triples(app.sites.ids).map((v) => v + 0.1),
+        );
+        app.navigation.write();
+      });
+      await page.reload();
+      await page.waitForFunction(() => window.app?.sites.site(0).r % 1 > 0);
+      expect(await earth()).toEqual(kOnEarth);
+    });
+
     test("a snapshot keeps names, ids, and radii that do not count at present", async () => {
       await show(page, "cities");
       await page.evaluate(() => {
@@ -219,6 +291,8 @@ describeInBrowser("files", (open) => {
       expect(await labels()).toEqual(before[0]);
       expect(await page.evaluate(() => [...app.sites.triples([0, 7])])).toEqual(before[1]);
       expect(await page.evaluate(() => app.diagram.has(3))).toBe(false);
+      await page.evaluate(() => app.weights.go(1, { isAtOnce: true }));
+      expect(await earth()).toEqual(kOnEarth);
     });
 
     test("a snapshot without names is the package's, whatever its file is called", async () => {

@@ -59,6 +59,39 @@ describeInBrowser("motion and steps", (open) => {
     expect(await spread()).toBeLessThan(0.9 * before);
   });
 
+  test("what comes to rest has short numbers: 500 that relaxed fit into a link", async () => {
+    await show(page, "random", { n: "500" });
+    const before = await circlesOf(page);
+    await press("relax");
+    await page.waitForFunction((x) => app.diagram.site(0).x !== x, before[0][1]);
+    const { link, shift } = await page.evaluate(() => {
+      const moving = app.sites.triples(app.sites.ids);
+      app.motion.stop();
+      const shift = app.sites.triples(app.sites.ids).map((value, k) => value - moving[k]);
+      const link = app.navigation.write();
+      return { link, shift: Math.max(...shift.map(Math.abs)) * app.view.scale };
+    });
+    expect(link.isWhole).toBe(true);
+    expect(shift).toBeGreaterThan(0);
+    expect(shift).toBeLessThan(1 / 60); // of a pixel
+    const after = await circlesOf(page);
+    await page.reload();
+    await page.waitForFunction(() => window.app);
+    expect(await circlesOf(page)).toEqual(after);
+  });
+
+  test("what comes to rest is visible if it was before", async () => {
+    await showCircles(page, [0, 0, 100, 60, 0, 50, 300, 0, 20]);
+    const xyr = [1 / 3, 1 / 3, 100, 1 / 3 + 50.0004, 1 / 3, 50, 900 / 7, 0, 20];
+    await page.evaluate(async (xyr) => {
+      app.motion.start(app.sites.ids, () => Float64Array.from(xyr), undefined, "test");
+      while (app.diagram.site(0).x === 0) await new Promise(requestAnimationFrame);
+      app.motion.stop();
+    }, xyr);
+    expect((await stateOf(page)).hidden).toBe(0);
+    expect((await circlesOf(page)).map(([, x]) => x)).toEqual([0.333, 50.334, 128.571]);
+  });
+
   test("any other edit ends the motion", async () => {
     await press("drift");
     await page.waitForFunction(() => app.motion.isRunning);

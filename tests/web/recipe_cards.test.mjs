@@ -119,6 +119,18 @@ describeInBrowser("recipe cards", (open) => {
     await closePage(page);
   });
 
+  test("a program without an end does not stop the page, which says what helps", async () => {
+    const page = await open({ ...kRecipes, isAlone: true });
+    const title = "I want areas by value";
+    const card = await cardOf(page, title);
+    await card.locator("textarea").fill("for (;;);");
+    await card.locator("textarea").press("Control+Enter");
+    await card.locator(".failed").filter({ hasText: "reload" }).waitFor();
+    await page.reload();
+    expect(await (await cardOf(page, title)).getAttribute("data-state")).toBe("done");
+    await closePage(page);
+  });
+
   test("programs reach neither page nor network; the page runs none inline", async () => {
     const page = await open(kRecipes);
     const card = await cardOf(page, "I want areas by value");

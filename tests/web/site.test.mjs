@@ -1,14 +1,22 @@
-// The pages of the site: each figure starts and answers mouse, touch and keyboard; nothing goes
-// wrong, is wider than the window, or fails axe's rules; links lead somewhere; each page has its
-// first picture before any script.
+// The pages of the site, in Chromium and in Firefox: each figure starts and answers mouse, touch
+// and keyboard; nothing goes wrong or is wider than the window. In Chromium also: axe finds
+// nothing, links lead somewhere, each page has its first picture before any script.
 import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { fileURLToPath } from "node:url";
-import { expect, test } from "@jest/globals";
+import { beforeAll, describe, expect, test } from "@jest/globals";
 import { documents } from "../../tools/site/documents.mjs";
 import { kPages } from "../../tools/site/list.mjs";
 import { closePage, describeInBrowser, describeInFirefox } from "./support/browser.mjs";
 import { isThorough } from "./support/effort.mjs";
+import {
+  figuresOf,
+  reach,
+  touchInChromium,
+  touchInFirefox,
+  tryByFinger,
+  tryByMouseAndKeyboard,
+} from "./support/figures.mjs";
 
 const pictures = fileURLToPath(new URL("../../build/pictures/", import.meta.url));
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -34,100 +42,6 @@ const kOthers = isThorough
     ]
   : [];
 
-/** Scrolls to a figure; resolves when it runs. */
-async function reach(page, name) {
-  await page.evaluate(
-    (name) => document.querySelector(`[data-figure=${name}]`).scrollIntoView({ block: "center" }),
-    name,
-  );
-  await page.waitForFunction(
-    (name) => document.querySelector(`[data-figure=${name}]`).dataset.state,
-    name,
-    { polling: 100, timeout: 20_000 },
-  );
-}
-
-const figuresOf = (page) =>
-  page.evaluate(() =>
-    Array.from(document.querySelectorAll("[data-figure]"), (figure) => figure.dataset.figure),
-  );
-
-/** What a reader of a figure gets: its text and its pixels. */
-const seen = (page, name) =>
-  page.evaluate(async (name) => {
-    for (let k = 0; k < 2; k++) await new Promise(requestAnimationFrame);
-    const figure = document.querySelector(`[data-figure=${name}]`);
-    return figure.querySelector(".said").textContent + figure.querySelector("canvas").toDataURL();
-  }, name);
-
-/** What of a figure can be used: the first handle, the stage, the first slider, choice, button. */
-const usable = async (page, name) => {
-  const part = (selector) => page.$(`[data-figure=${name}] ${selector}`);
-  return {
-    handle: await part(".handle"),
-    stage: await part(".stage[tabindex]"),
-    slider: await part(".slider input"),
-    choice: await part(".choice input:not(:checked)"),
-    switch: await part(".switch input"),
-    button: await part(".controls button:not(.reset):not(:disabled)"),
-  };
-};
-
-const middleOf = async (element) => {
-  const box = await element.boundingBox();
-  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-};
-
-/** Each way to use a figure that it has, as [name, what to do]. */
-async function uses(page, name) {
-  const { handle, stage, slider, choice, switch: toggle, button } = await usable(page, name);
-  const found = [];
-  if (handle) {
-    found.push([
-      "drag",
-      async () => {
-        const { x, y } = await middleOf(handle);
-        await page.mouse.move(x, y);
-        await page.mouse.down();
-        await page.mouse.move(x + 25, y + 15, { steps: 4 });
-        await page.mouse.up();
-      },
-    ]);
-    found.push([
-      "arrow on a handle",
-      async () => {
-        await handle.focus();
-        for (let k = 0; k < 3; k++) await page.keyboard.press("Shift+ArrowLeft");
-      },
-    ]);
-  }
-  if (stage) {
-    found.push([
-      "arrow at the pointer",
-      async () => {
-        await stage.focus();
-        for (let k = 0; k < 3; k++) await page.keyboard.press("Shift+ArrowRight");
-        await page.keyboard.press("Enter");
-      },
-    ]);
-  }
-  if (slider) {
-    found.push([
-      "arrow on a slider",
-      async () => {
-        await slider.focus();
-        const isLow = await slider.evaluate(({ value, min, max }) => 2 * value < +min + +max);
-        const key = isLow ? "ArrowRight" : "ArrowLeft"; // to where there is room
-        for (let k = 0; k < 4; k++) await page.keyboard.press(key);
-      },
-    ]);
-  }
-  if (choice) found.push(["choice", () => choice.check({ force: true })]);
-  if (toggle) found.push(["switch", () => toggle.click()]);
-  if (button && found.length === 0) found.push(["button", () => button.click()]);
-  return found;
-}
-
 describeInBrowser("the site", (open, server) => {
   const visit = (path, options) => open({ path, ready: "figures", ...options });
 
@@ -151,17 +65,7 @@ describeInBrowser("the site", (open, server) => {
 
   test.each(withFigures)("%s: figures answer mouse and keyboard", async (key, path) => {
     const page = await visit(path, kDesk);
-    for (const name of await figuresOf(page)) {
-      await reach(page, name);
-      for (const [use, act] of await uses(page, name)) {
-        const before = await seen(page, name);
-        await act();
-        await page.waitForTimeout(50);
-        if ((await seen(page, name)) === before)
-          throw new Error(`${key}, ${name}: ${use}: nothing`);
-        await page.click(`[data-figure=${name}] .reset`);
-      }
-    }
+    await tryByMouseAndKeyboard(page);
     await expectFit(page, key, kDesk);
     expect(page.errors).toEqual([]);
     await closePage(page);
@@ -169,24 +73,7 @@ describeInBrowser("the site", (open, server) => {
 
   test.each(withFigures)("%s: figures answer a finger", async (key, path) => {
     const page = await visit(path, kPhone);
-    const devtools = await page.context().newCDPSession(page);
-    const touch = (type, ...touchPoints) =>
-      devtools.send("Input.dispatchTouchEvent", { type, touchPoints });
-    for (const name of await figuresOf(page)) {
-      await reach(page, name);
-      const { handle, stage } = await usable(page, name);
-      const target = handle ?? stage;
-      if (!target) continue;
-      const before = await seen(page, name);
-      const { x, y } = await middleOf(target);
-      const [dx, dy] = handle ? [24, 14] : [40, 0];
-      await touch("touchStart", { x, y });
-      for (let k = 1; k <= 4; k++)
-        await touch("touchMove", { x: x + (k * dx) / 4, y: y + (k * dy) / 4 });
-      await touch("touchEnd");
-      await page.waitForTimeout(50);
-      if ((await seen(page, name)) === before) throw new Error(`${name}: a finger changes nothing`);
-    }
+    await tryByFinger(page, touchInChromium);
     await expectFit(page, key, kPhone);
     expect(page.errors).toEqual([]);
     await closePage(page);
@@ -255,22 +142,26 @@ describeInBrowser("the site", (open, server) => {
   });
 });
 
-describeInFirefox("the site in Firefox", (open) => {
-  test.each(withFigures)("%s: figures start", async (_, path) => {
-    const page = await open({ path, ready: "figures" });
-    for (const name of await figuresOf(page)) {
-      await page.evaluate(
-        (name) =>
-          document.querySelector(`[data-figure=${name}]`).scrollIntoView({ block: "center" }),
-        name,
-      );
-      await page.waitForFunction(
-        (name) => document.querySelector(`[data-figure=${name}]`).dataset.state === "running",
-        { timeout: 20_000, polling: 100 },
-        name,
-      );
-    }
-    expect(page.errors).toEqual([]);
-    await page.close();
-  });
+// Firefox is told its colours when it starts. One tab sees all pages, as a new one takes longer.
+describe.each(["dark", "light"])("%s", (colorScheme) => {
+  const screens = [kDesk, kPhone, ...kOthers].filter((one) => one.colorScheme === colorScheme);
+  const pagesAndScreens = withFigures.flatMap(([key, path]) =>
+    screens.map(({ viewport, hasTouch }) => [key, viewport.width, { path, viewport, hasTouch }]),
+  );
+  const define = (open, server) => {
+    let page;
+    beforeAll(async () => {
+      page = await open({ path: "./", ready: "figures" });
+    });
+    test.each(pagesAndScreens)("%s, %s wide: figures answer", async (_key, _width, screen) => {
+      await page.setViewport(screen.viewport);
+      await page.goto(server.url() + screen.path);
+      if (screen.hasTouch) await tryByFinger(page, touchInFirefox);
+      else await tryByMouseAndKeyboard(page);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      expect(wide).toBeLessThanOrEqual(0);
+      expect(page.errors).toEqual([]);
+    });
+  };
+  describeInFirefox("the site in Firefox", define, { colorScheme });
 });

@@ -9,7 +9,7 @@ import { type Bounds, type Circle, emptySites } from "./model/sites.js";
 import type { Hover, Overlay } from "./picture/overlay_layer.js";
 import { type Canvases, type Layers, Painter } from "./picture/painter.js";
 import { regionOf } from "./picture/regions.js";
-import { View } from "./picture/view.js";
+import { roundedTo, View } from "./picture/view.js";
 import type { ToolId } from "./tools/registry.js";
 
 /** A place in pixels. */
@@ -112,10 +112,7 @@ export class App {
 
   /** A number that says no more than a pixel shows. */
   rounded(value: number) {
-    const digits = -Math.floor(Math.log10(0.2 / this.view.scale));
-    if (digits >= 0) return Number(value.toFixed(Math.min(digits, 100)));
-    const step = 10 ** -digits;
-    return Math.round(value / step) * step;
+    return roundedTo(value, this.view.digits(0.2));
   }
 
   /** Inserts a circle at a pixel and selects it. @param r in the diagram's units */

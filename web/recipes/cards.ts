@@ -1,10 +1,16 @@
 // The cards of the page "Recipes": a program to change, and what it shows. A program runs in a
 // sandbox (frame.html), anew each time, when its card is first seen and when that is asked for.
+//
+// A program may never end. Chromium gives the page's sandboxes one process beside its own: then
+// all cards stand still, but not the page, which says what helps. Firefox runs them in the page's
+// process, and after some seconds offers to stop the program. A process for each program would take
+// a host for each; and a worker, which could be ended, has no document to show anything in.
 import { make } from "../figure/dom.js";
 import theme from "../theme.css?raw";
 import style from "./frame.css?raw";
 
 const kNear = "100px"; // below the window
+const kPatience = 3000; // ms that a program may take until something is said
 const kEntries = ["index", "embedded", "errors", "treemap", "sphere"];
 
 /** What a sandbox says. */
@@ -42,6 +48,7 @@ class Card {
   readonly #title: string;
   #frame: HTMLIFrameElement | null = null;
   #height = "";
+  #waiting = 0;
 
   /** @param element as tools/site/recipes.mjs makes it */
   constructor(readonly element: HTMLElement) {
@@ -80,13 +87,19 @@ class Card {
   run() {
     this.#frame?.remove();
     this.#printed.textContent = "";
-    this.#printed.hidden = this.#failed.hidden = true;
+    this.#printed.hidden = true;
+    this.#say("");
     this.element.dataset.state = "running"; // for tests
     this.#frame = make("iframe", { title: this.#title.replace("Program", "Result") });
     this.#frame.setAttribute("sandbox", "allow-scripts");
     this.#frame.style.height = this.#height;
     this.#frame.src = "frame.html";
     this.#result.prepend(this.#frame);
+    clearTimeout(this.#waiting);
+    this.#waiting = window.setTimeout(() => {
+      if (this.element.dataset.state === "running")
+        this.#say("It has not ended yet. If it never does, reload this page.");
+    }, kPatience);
   }
 
   async #start() {
@@ -103,8 +116,12 @@ class Card {
 
   #fail(message: string, line?: number) {
     this.element.dataset.state = "failed";
-    this.#failed.textContent = line ? `Line ${line}: ${message}` : message;
-    this.#failed.hidden = false;
+    this.#say(line ? `Line ${line}: ${message}` : message);
+  }
+
+  #say(text: string) {
+    this.#failed.textContent = text;
+    this.#failed.hidden = text === "";
   }
 
   #hear(told: Told) {
@@ -116,7 +133,10 @@ class Card {
     } else if (told.kind === "height") {
       this.#height = `${told.height}px`;
       if (this.#frame) this.#frame.style.height = this.#height;
-    } else if (this.element.dataset.state === "running") this.element.dataset.state = "done";
+    } else if (this.element.dataset.state === "running") {
+      this.element.dataset.state = "done";
+      this.#say("");
+    }
   }
 }
 

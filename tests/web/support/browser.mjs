@@ -72,16 +72,23 @@ const startWithWebGL = (executablePath) => {
   const args = [...kArguments.filter((one) => one !== "--disable-gpu"), ...kWebGL];
   return chromium.launch({ executablePath, args });
 };
-const startFirefox = (executablePath) =>
-  puppeteer.launch({
-    browser: "firefox",
-    executablePath,
-    headless: true,
-    extraPrefsFirefox: { "ui.prefersReducedMotion": 1 }, // as in openPage
-  });
+/** Its preferences are settled when it starts. */
+const firefoxWith = (colorScheme) => {
+  const start = (executablePath) =>
+    puppeteer.launch({
+      browser: "firefox",
+      executablePath,
+      headless: true,
+      extraPrefsFirefox: {
+        "ui.prefersReducedMotion": 1, // as in openPage
+        "layout.css.prefers-color-scheme.content-override": colorScheme === "dark" ? 0 : 1,
+      },
+    });
+  start.open = openInFirefox;
+  return start;
+};
 startChromium.open = openPage;
 startWithWebGL.open = openPage;
-startFirefox.open = openInFirefox;
 
 /**
  * @param {string} name
@@ -97,8 +104,8 @@ export const describeWithWebGL = (name, define) =>
   describeWith("Chromium", there(kChromium), name, startWithWebGL, define);
 
 /** The same in Firefox; pages are Puppeteer's. */
-export const describeInFirefox = (name, define) =>
-  describeWith("Firefox", there(kFirefox), name, startFirefox, define);
+export const describeInFirefox = (name, define, { colorScheme = "light" } = {}) =>
+  describeWith("Firefox", there(kFirefox), name, firefoxWith(colorScheme), define);
 
 const whenReady = (name) => window[name] !== undefined;
 

@@ -17,9 +17,11 @@ export class OpenChange {
   readonly before: Float64Array;
   after: Float64Array;
 
+  /** @param settle takes the last step, when it ends */
   constructor(
     readonly model: Model,
     readonly ids: ArrayLike<number>,
+    readonly settle: (change: OpenChange) => void = () => {},
   ) {
     this.before = model.sites.triples(ids);
     this.after = this.before;
@@ -36,8 +38,10 @@ export class OpenChange {
 
   commit() {
     if (!this.isOpen) return;
+    const hasChanged = this.after !== this.before;
+    if (hasChanged) this.settle(this);
     this.model.open = null;
-    if (this.after !== this.before)
+    if (hasChanged)
       this.model.record(movement(this.model.sites, this.ids, this.before, this.after));
   }
 
@@ -101,9 +105,9 @@ export class Model extends Emitter<ModelEvents> {
   }
 
   /** Begins a change in steps. */
-  begin(ids: ArrayLike<number>) {
+  begin(ids: ArrayLike<number>, settle?: (change: OpenChange) => void) {
     this.open?.commit();
-    this.open = new OpenChange(this, ids);
+    this.open = new OpenChange(this, ids, settle);
     return this.open;
   }
 

@@ -19,10 +19,10 @@ export type SetInfo = {
   title: string;
   about?: string;
   areaUnit?: string;
-  credit?: string;
+  credit?: "cities";
   params?: Record<string, unknown>;
   map?: WorldMap | null;
-  /** Of the cities' map: the true distances. */
+  /** On the map of the Earth: the true distances. */
   globe?: Globe;
 };
 

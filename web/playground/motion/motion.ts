@@ -3,6 +3,7 @@
 import type { App } from "../app.js";
 import type { OpenChange } from "../model/model.js";
 import { signal } from "../model/signals.js";
+import { roundMoved } from "./rounding.js";
 
 /** Gives x, y, r of the circles that move; it may be the same array each time. */
 export type Step = (seconds: number) => Float64Array;
@@ -26,11 +27,12 @@ export class Motion {
     return this.#name.value;
   }
 
-  /** @param name of what does not end by itself */
+  /** @param name of what does not end by itself, and so comes to rest anywhere */
   start(ids: ArrayLike<number>, step: Step, ended: () => void = () => {}, name = "") {
     this.stop();
     this.#name.value = name;
-    const change = this.app.model.begin(ids);
+    const settle = name === "" ? undefined : (open: OpenChange) => roundMoved(this.app, open);
+    const change = this.app.model.begin(ids, settle);
     this.#change = change;
     this.#ended = ended;
     this.app.painter.isLive = ids.length > 1;

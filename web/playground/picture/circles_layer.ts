@@ -67,12 +67,8 @@ export class CirclesLayer {
    * @param box the window, or in whole device pixels a part of it
    * @param isWhole whether it is the window
    */
-  draw(
-    context: CanvasRenderingContext2D,
-    { sites, view, layers, theme, pixelRatio }: Picture,
-    box: Box,
-    isWhole: boolean,
-  ) {
+  draw(context: CanvasRenderingContext2D, picture: Picture, box: Box, isWhole: boolean) {
+    const { sites, view, layers, theme, pixelRatio } = picture;
     this.#collect(sites, view, box);
     const size = this.#visible.size + this.#negative.size;
     if (isWhole) {
@@ -84,19 +80,35 @@ export class CirclesLayer {
       this.#drawMany(context, view, layers, theme, inkOf(theme, sites), pixelRatio, box);
       return;
     }
-    if (layers.circles) {
-      drawPaths(context, view, this.#visible, inkOf(theme, sites));
-      if (sites.weight === 0) drawCentres(context, this.#visible, theme);
-      drawCrosses(context, this.#negative, theme);
-    }
-    if (layers.hidden) drawHidden(context, view, this.#hidden, theme);
-    if (layers.circles) this.#drawNames(context, sites, view, box, theme);
+    for (const _ of this.#drawParts(context, picture, box));
   }
 
-  /** Only the names, as `draw` would. */
-  drawNames(context: CanvasRenderingContext2D, { sites, view, theme }: Picture, box: Box) {
-    this.#collect(sites, view, box);
-    this.#drawNames(context, sites, view, box, theme);
+  /** Draws all as paths, however many there are, part by part. */
+  *drawParts(context: CanvasRenderingContext2D, picture: Picture, box: Box) {
+    this.#collect(picture.sites, picture.view, box);
+    this.#isMany = this.#visible.size + this.#hidden.size > kMostPaths;
+    yield* this.#drawParts(context, picture, box);
+  }
+
+  *#drawParts(
+    context: CanvasRenderingContext2D,
+    { sites, view, layers, theme }: Picture,
+    box: Box,
+  ): Generator<"circles" | "hidden" | "names"> {
+    if (layers.circles) {
+      drawPaths(context, view, this.#visible, inkOf(theme, sites));
+      if (sites.weight === 0 && !this.#isMany) drawCentres(context, this.#visible, theme);
+      drawCrosses(context, this.#negative, theme);
+      yield "circles";
+    }
+    if (layers.hidden) {
+      drawHidden(context, view, this.#hidden, theme);
+      yield "hidden";
+    }
+    if (layers.circles && !this.#isMany) {
+      this.#drawNames(context, sites, view, box, theme);
+      yield "names";
+    }
   }
 
   /** What the window meets. */

@@ -1,6 +1,8 @@
 // The edges of the cells that meet a window, and no others: cells that have a part in a window are
 // connected there, so they are found from one of them, neighbour by neighbour. What that costs
-// depends on the window, not on the size of the diagram; and it can be done in slices.
+// depends on the window, not on the size of the diagram; and it can be done in slices. With the
+// package's drawings it cannot: `render` passes over the whole diagram, `renderCell` draws an edge
+// twice. So conics, which the package gives as they are (`cellCurves`), become cubics here.
 import type { Diagram, PathContext } from "apollonius-diagram";
 import type { Bounds } from "../model/sites.js";
 

@@ -5,6 +5,13 @@ import type { Bounds } from "../model/sites.js";
 const kSmallestScale = 1e-7;
 const kLargestScale = 1e9;
 
+/** To this many decimal places; negative: to tens, hundreds, … */
+export function roundedTo(value: number, digits: number) {
+  if (digits >= 0) return Number(value.toFixed(Math.min(digits, 100)));
+  const step = 10 ** -digits;
+  return Math.round(value / step) * step;
+}
+
 /** In CSS pixels. */
 export type Box = { left: number; top: number; right: number; bottom: number };
 
@@ -32,6 +39,11 @@ export class View {
 
   toWorldY(y: number) {
     return (this.originY - y) / this.scale;
+  }
+
+  /** Decimal places of numbers that are at most this many pixels apart. */
+  digits(pixels: number) {
+    return -Math.floor(Math.log10(pixels / this.scale));
   }
 
   /** The centre of the window and half its diagonal, in the diagram's units. */

@@ -5,6 +5,7 @@ import type { App } from "../app.js";
 import type { Label, Sites } from "../model/sites.js";
 import type { Watch } from "./building.js";
 import type { Circles } from "./columns.js";
+import { type OnEarth, onEarthIn, onEarthOf, putOnEarth } from "./earth.js";
 import { sitesFromRows } from "./import.js";
 import { packed, unpacked } from "./packing.js";
 import { loadSet, type Params } from "./presets.js";
@@ -26,24 +27,23 @@ const kLongest = 8000; // characters of an address that every browser and most m
 const kMostKept = 20_000; // circles
 const kDigits = 6; // of the view
 
-const differs = (a: Float64Array, b: Float64Array, at: number) =>
-  a[at] !== b[at] || a[at + 1] !== b[at + 1] || a[at + 2] !== b[at + 2];
-
 /**
- * What was changed in the set that these circles were: removed "12-", changed "12:x,y,r", new
- * "x,y,r,name", with "~" between them.
+ * What was changed in the set that these circles were: removed "12-", moved "12:x,y", changed
+ * "12:x,y,r", new "x,y,r,name", with "~" between them.
  */
 export function editsOf(sites: Sites) {
   const { original, xyr, ids } = sites;
   const count = original.length / 3;
   const edits: string[] = [];
-  const numbers = (id: number) => xyr.subarray(3 * id, 3 * id + 3).join();
+  const numbers = (id: number, count = 3) => xyr.subarray(3 * id, 3 * id + count).join();
+  const differs = (id: number, k: number) => xyr[3 * id + k] !== original[3 * id + k];
   let k = 0; // of the ids, which ascend
   for (let id = 0; id < count && edits.length <= kMostEdits; id++) {
     const isThere = ids[k] === id;
     if (isThere) k++;
     if (!isThere) edits.push(`${id}-`);
-    else if (differs(xyr, original, 3 * id)) edits.push(`${id}:${numbers(id)}`);
+    else if (differs(id, 2)) edits.push(`${id}:${numbers(id)}`);
+    else if (differs(id, 0) || differs(id, 1)) edits.push(`${id}:${numbers(id, 2)}`);
   }
   for (; k < ids.length && edits.length <= kMostEdits; k++) {
     const name = sites.labels.get(ids[k])?.name;
@@ -64,8 +64,9 @@ export function applyEdits(sites: Sites, edits: string) {
     const [, id, rest] = edit.match(/^(\d+)([-:].*)$/) ?? [];
     if (rest === "-") removed.push(Number(id));
     else if (rest) {
+      const [x, y, r = sites.site(Number(id)).r] = rest.slice(1).split(",").map(Number);
       changed.push(Number(id));
-      numbers.push(...rest.slice(1).split(",").map(Number));
+      numbers.push(x, y, r);
     } else {
       const [x, y, r, name] = edit.split(",");
       added.push(Number(x), Number(y), Number(r));
@@ -149,17 +150,17 @@ function lookedOf(text = ""): Looked | null {
 
 /** The circles of an address. @param kept in the history entry */
 export async function sitesOf(state: State, kept: Kept | null, watch?: Watch) {
-  if (kept?.rows) return sitesFromRows(kept, kept.title);
+  if (kept?.rows) return putOnEarth(sitesFromRows(kept, kept.title), kept.onEarth ?? null);
   const sites =
     state.key === "data"
-      ? sitesFromRows({ rows: [] }, "Your data")
+      ? await putOnEarth(sitesFromRows({ rows: [] }, "Your data"), onEarthIn(state.params))
       : await loadSet(state.key, state.params, watch);
   if (state.edits) applyEdits(sites, state.edits);
   return sites;
 }
 
 /** What this page has put into a history entry. */
-export type Kept = Circles & { title: string };
+export type Kept = Circles & { title: string; onEarth?: OnEarth | null };
 
 /** What a history entry keeps beside its address. */
 export function keptOf(sites: Sites, isWhole: boolean): Kept | null {
@@ -168,5 +169,6 @@ export function keptOf(sites: Sites, isWhole: boolean): Kept | null {
     ...sites.site(id),
     ...sites.labels.get(id),
   }));
-  return { rows, title: sites.info.title, about: sites.info.about };
+  const { title, about } = sites.info;
+  return { rows, title, about, onEarth: onEarthOf(sites.info) };
 }

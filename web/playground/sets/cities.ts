@@ -1,21 +1,14 @@
 // The real data that the page opens on: the largest cities of the world, areas of circles in
 // proportion to population. How the files were made: data/make-data.mjs. Unit: kilometres of an
 // equal-area map.
-import { Sites } from "../model/sites.js";
-import { type MapData, makeMap } from "../picture/map_layer.js";
-import { Globe } from "./globe.js";
+import { type SetInfo, Sites } from "../model/sites.js";
+import { fetchData } from "./data_files.js";
+import { earthInfo, fetchMap } from "./earth.js";
 
 const kLargestRadius = 330; // km, of the largest city's circle
 
 /** Of data/cities.json: name, country, x, y, population. */
 type City = [string, string, number, number, number];
-
-/** What our own file holds. */
-async function fetchJson<Data>(name: string): Promise<Data> {
-  const response = await fetch(`../data/${name}`);
-  if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}`);
-  return response.json();
-}
 
 const describe = () => {
   const regions = new Intl.DisplayNames(["en"], { type: "region" });
@@ -24,22 +17,12 @@ const describe = () => {
     `${regions.of(country) ?? country} · ${numbers.format(population)} people`;
 };
 
-let files: Promise<[{ cities: City[] }, MapData]> | null = null;
-
-/** Asks for the files, once; again if that failed. */
-export function fetchCities() {
-  files ??= Promise.all([
-    fetchJson<{ cities: City[] }>("cities.json"),
-    fetchJson<MapData>("land.json"),
-  ]);
-  files.catch(() => {
-    files = null;
-  });
-  return files;
-}
+/** Asks for what they are made from. */
+export const fetchCities = () =>
+  Promise.all([fetchData<{ cities: City[] }>("cities.json"), fetchMap()]);
 
 export async function loadCities(): Promise<Sites> {
-  const [{ cities }, land] = await fetchCities();
+  const [[{ cities }], earth] = await Promise.all([fetchCities(), earthInfo()]);
   const detail = describe();
   const perRoot = kLargestRadius / Math.sqrt(cities[0][4]);
   const xyr = new Float64Array(3 * cities.length);
@@ -47,14 +30,12 @@ export async function loadCities(): Promise<Sites> {
     xyr.set([x, y, perRoot * Math.sqrt(population)], 3 * k);
     return { name, detail: detail(country, population) };
   });
-  const info = {
+  const info: SetInfo = {
     key: "cities",
     title: "Cities of the world",
     about: "Areas: population. Cells are the flat map’s, kilometres the globe’s.",
-    areaUnit: "km²", // a map of equal areas; its distances are not those on the Earth
-    map: makeMap(land),
-    globe: new Globe(),
     credit: "cities",
+    ...earth,
   };
   return new Sites(xyr, info, { labels });
 }

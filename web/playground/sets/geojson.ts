@@ -1,14 +1,16 @@
 // The cells as GeoJSON (RFC 7946). On a map of the Earth they are in longitude and latitude
 // (WGS 84), and whole; in the plane, as far as they are shown, in the diagram's own coordinates.
-// Circles without such a cell are points. The properties hold the circles: so the file can be
-// opened again.
+// Circles without such a cell are points. The properties hold the circles, and on a map a member of
+// the file's says which: so the file can be opened again.
 import type { Position, Voronoi } from "apollonius-diagram";
 import type { App } from "../app.js";
 import { boundsOf, windowOf } from "../picture/curves.js";
+import { type OnEarth, onEarthIn, onEarthOf } from "./earth.js";
 import { equalEarth, placeOn } from "./globe.js";
 
 const kTolerance = 0.25; // pixels between a polygon and the true curve
 const kWorld = [-180, -90, 180, 90] as const;
+const kOurs = "apollonius-diagram"; // a foreign member, as GeoJSON calls it
 
 type Properties = {
   site: number;
@@ -41,8 +43,17 @@ export function toGeoJson(app: App) {
       properties: properties(id),
       geometry: pointOf(app, id),
     }));
-  return JSON.stringify({ ...shown, features: [...shown.features, ...others] });
+  const onEarth = onEarthOf(sites.info);
+  return JSON.stringify({
+    type: shown.type,
+    ...(onEarth ? { [kOurs]: onEarth } : {}),
+    features: [...shown.features, ...others],
+  });
 }
+
+/** What `toGeoJson` has written of the map, if this is a file of it. */
+export const onEarthInGeoJson = (data: object): OnEarth | null =>
+  onEarthIn((data as { [kOurs]?: unknown })[kOurs]);
 
 function cellsOf({ sites, view, painter, diagram }: App): Voronoi {
   const { map, globe } = sites.info;

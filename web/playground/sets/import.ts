@@ -4,17 +4,20 @@ import { Diagram } from "apollonius-diagram";
 import { type Label, Sites } from "../model/sites.js";
 import { type Circles, circlesIn, type Row } from "./columns.js";
 import { tableOfCsv } from "./csv.js";
+import { putOnEarth } from "./earth.js";
+import { onEarthInGeoJson } from "./geojson.js";
 import { tableOfJson } from "./json.js";
 import { isPacked, isSnapshot, type Named, unpacked } from "./snapshot.js";
 
 const kNothing = new Float64Array(0);
 
-export function sitesFromText(text: string, title: string = "Your data") {
+export async function sitesFromText(text: string, title: string = "Your data") {
   const plain = text.replace(/^\uFEFF/, "");
   if (plain.trim() === "") throw new Error("there is no text");
-  const isJson = /^\s*[[{]/.test(plain);
-  const table = isJson ? tableOfJson(JSON.parse(plain)) : tableOfCsv(plain);
-  return sitesFromRows(circlesIn(table), title);
+  if (!/^\s*[[{]/.test(plain)) return sitesFromRows(circlesIn(tableOfCsv(plain)), title);
+  const data = JSON.parse(plain);
+  const sites = sitesFromRows(circlesIn(tableOfJson(data)), title);
+  return putOnEarth(sites, onEarthInGeoJson(data));
 }
 
 export function sitesFromRows({ rows, about }: Circles, title: string) {
@@ -46,8 +49,8 @@ export async function sitesFromFile(file: File) {
   const bytes = new Uint8Array(await file.arrayBuffer());
   if (isSnapshot(bytes)) return sitesFromSnapshot(bytes, file.name);
   if (isPacked(bytes)) {
-    const { snapshot, names } = unpacked(bytes);
-    return sitesFromSnapshot(snapshot, file.name, names);
+    const { snapshot, names, onEarth } = unpacked(bytes);
+    return putOnEarth(sitesFromSnapshot(snapshot, file.name, names), onEarth);
   }
   return sitesFromText(new TextDecoder().decode(bytes), file.name);
 }

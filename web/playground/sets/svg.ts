@@ -1,5 +1,5 @@
-// The picture as SVG: all that the canvases show but what follows the pointer. Lines are drawn by
-// the layers themselves, each into a group of its own; circles are circles.
+// The picture as SVG: all that the canvases show but what follows the pointer, drawn by the layers
+// themselves, each into a group of its own.
 import type { App } from "../app.js";
 import { CirclesLayer } from "../picture/circles_layer.js";
 import { windowOf } from "../picture/curves.js";
@@ -11,9 +11,6 @@ import { escaped, rounded, SvgContext } from "./svg_context.js";
 /** The groups of lines, as they lie one above the other. */
 const kLines = ["distances", "centres", "dual", "cells", "vertices", "levels", "hull"] as const;
 const kCredit = "Cities: GeoNames, CC BY. Land: Natural Earth. Equal Earth projection.";
-const kLeast = 0.5; // pixels: the radius of a smaller circle
-const kDashFrom = 5; // pixels: hidden circles that are dashed, as on the canvas
-const kMostNamed = 1500; // circles in the window, as on the canvas
 
 /** What the window shows, in pixels. */
 export function toSvg(app: App) {
@@ -63,27 +60,7 @@ function linesOf(picture: Picture, name: (typeof kLines)[number], { view, painte
 }
 
 function circlesOf(picture: Picture) {
-  const { sites, view, layers, theme } = picture;
-  const visible: string[] = [];
-  const hidden: string[] = [];
-  for (const id of sites.ids) {
-    const [x, y] = [view.toScreenX(sites.xyr[3 * id]), view.toScreenY(sites.xyr[3 * id + 1])];
-    const r = Math.max(sites.radius(id) * view.scale, kLeast);
-    if (x + r < 0 || x - r > view.width || y + r < 0 || y - r > view.height) continue;
-    const isHidden = sites.isHidden(id);
-    const dashes = isHidden && r >= kDashFrom ? ' stroke-dasharray="3 3"' : "";
-    const place = `cx="${rounded(x)}" cy="${rounded(y)}" r="${rounded(r)}"`;
-    (isHidden ? hidden : visible).push(`<circle ${place}${dashes}/>`);
-  }
-  const circles = (name: string, all: string[], fill: string, stroke: string) =>
-    group(name, `fill="${fill}" stroke="${stroke}"`, all.join(""));
-  const groups = [];
-  if (layers.circles) groups.push(circles("circles", visible, theme.siteFill, theme.site));
-  if (layers.hidden) groups.push(circles("hidden", hidden, theme.hiddenFill, theme.hidden));
-  if (layers.circles && visible.length + hidden.length <= kMostNamed) {
-    const context = new SvgContext();
-    new CirclesLayer().drawNames(context.asCanvas(), picture, windowOf(view));
-    groups.push(group("names", "", context.take()));
-  }
-  return groups;
+  const context = new SvgContext();
+  const parts = new CirclesLayer().drawParts(context.asCanvas(), picture, windowOf(picture.view));
+  return Array.from(parts, (name) => group(name, "", context.take()));
 }

@@ -1,5 +1,5 @@
 // A drawing context that writes SVG: as much of the canvas's as the layers of the picture use, so
-// that a file has the lines that the canvas shows.
+// that a file has what the canvas shows. Circles are circles, so that they can be edited.
 import { contextOf } from "../picture/context.js";
 
 const kDigits = 2; // of pixels
@@ -38,6 +38,7 @@ export class SvgContext implements State {
   clipId = "";
 
   #path: string[] = [];
+  #circles: string[] = []; // which the path has, too
   #drawn: string[] = [];
   #saved: State[] = [];
   #clips = 0;
@@ -74,6 +75,7 @@ export class SvgContext implements State {
 
   beginPath() {
     this.#path = [];
+    this.#circles = [];
   }
 
   moveTo(x: number, y: number) {
@@ -97,34 +99,30 @@ export class SvgContext implements State {
     this.#path.push(`M${rounded(x)},${rounded(y)}H${right}V${bottom}H${rounded(x)}Z`);
   }
 
-  /** Clockwise on the screen, as far as a whole turn. */
-  arc(x: number, y: number, r: number, from: number, to: number) {
-    const at = (angle: number) => [x + r * Math.cos(angle), y + r * Math.sin(angle)] as const;
-    const start = at(from).map(rounded).join();
-    if (this.#path.at(-1) !== `M${start}`) this.lineTo(...at(from));
-    const middle = (from + to) / 2; // SVG knows no arc from a point to itself
-    for (const angle of [middle, to])
-      this.#path.push(`A${rounded(r)},${rounded(r)},0,0,1,${at(angle).map(rounded).join()}`);
+  /**
+   * A whole circle, which is all that layers draw by it; they have moved to its beginning. No arcs:
+   * where numbers are rounded two halves of a circle would not meet its place by up to a pixel.
+   */
+  arc(x: number, y: number, r: number) {
+    this.#path.pop();
+    const [cx, cy] = [rounded(x), rounded(y)];
+    this.#circles.push(`<circle${attributes({ cx, cy, r: rounded(r) })}/>`);
   }
 
   stroke() {
-    const { lineWidth, lineCap, lineJoin, dash, globalAlpha } = this;
-    this.#draw({
+    const { lineWidth, lineCap, lineJoin, dash } = this;
+    this.#draw(this.strokeStyle, (color) => ({
       fill: "none",
-      stroke: this.strokeStyle,
+      stroke: color,
       "stroke-width": lineWidth,
       "stroke-linecap": lineCap === "butt" ? undefined : lineCap,
       "stroke-linejoin": lineJoin === "miter" ? undefined : lineJoin,
       "stroke-dasharray": dash.length > 0 ? dash.join(" ") : undefined,
-      opacity: globalAlpha < 1 ? globalAlpha : undefined,
-    });
+    }));
   }
 
   fill() {
-    this.#draw({
-      fill: this.fillStyle,
-      opacity: this.globalAlpha < 1 ? this.globalAlpha : undefined,
-    });
+    this.#draw(this.fillStyle, (color) => ({ fill: color }));
   }
 
   /** Limits what is drawn until `restore` to the path. */
@@ -136,9 +134,9 @@ export class SvgContext implements State {
   }
 
   measureText(text: string) {
-    this.#ruler ??= contextOf(document.createElement("canvas"));
-    this.#ruler.font = this.font;
-    return this.#ruler.measureText(text);
+    const canvas = this.#canvas;
+    canvas.font = this.font;
+    return canvas.measureText(text);
   }
 
   fillText(text: string, x: number, y: number) {
@@ -157,11 +155,35 @@ export class SvgContext implements State {
     this.#path.push(letter + numbers.map(rounded).join());
   }
 
-  #draw(look: Look) {
-    if (this.#path.length === 0) return;
-    const clip = this.clipId ? `url(#${this.clipId})` : undefined;
-    const all = { d: this.#path.join(""), ...look, "clip-path": clip };
-    this.#drawn.push(`<path${attributes(all)}/>`);
+  #draw(style: string, lookOf: (color: string) => Look) {
+    const [color, alpha] = this.#colorOf(style);
+    const opacity = alpha * this.globalAlpha;
+    const path = this.#path.length > 0 ? [`<path${attributes({ d: this.#path.join("") })}/>`] : [];
+    const shapes = [...path, ...this.#circles];
+    if (shapes.length === 0 || opacity === 0) return;
+    const look = attributes({
+      ...lookOf(color),
+      opacity: opacity < 1 ? opacity : undefined, // of all: overlaps are not darker, as on a canvas
+      "clip-path": this.clipId ? `url(#${this.clipId})` : undefined,
+    });
+    this.#drawn.push(
+      shapes.length > 1
+        ? `<g${look}>${shapes.join("")}</g>`
+        : shapes[0].replace("/>", () => `${look}/>`),
+    );
+  }
+
+  /** As every program reads it: without alpha, which is apart. */
+  #colorOf(style: string): [color: string, alpha: number] {
+    this.#canvas.fillStyle = style;
+    const color = String(this.#canvas.fillStyle);
+    const [, rgb, alpha] = color.match(/^rgba\((.*), ([\d.]+)\)$/) ?? [];
+    return rgb === undefined ? [color, 1] : [`rgb(${rgb})`, Number(alpha)];
+  }
+
+  get #canvas() {
+    this.#ruler ??= contextOf(document.createElement("canvas"));
+    return this.#ruler;
   }
 }
 

@@ -17,7 +17,8 @@ export function makeShareMenu(app: App, writeAddress: () => Address) {
       : `${tooLong(length)}: export a file. This browser keeps them until you leave.`;
     return isWhole;
   };
-  element("share").addEventListener("toggle", update);
+  // Not "toggle", which comes after the menu is seen: it would show what was true the last time.
+  element("share").addEventListener("beforetoggle", update);
   element("copy-link").addEventListener("click", async () => {
     if (!update()) return;
     await copy(location.href, "The link is copied.");
