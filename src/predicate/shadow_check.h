@@ -1,6 +1,6 @@
-// Shadow check: in builds with APOLLONIUS_SHADOW_CHECK one of so many answers of filters is
-// compared with the exact stage, and a contradiction ends the program. Other builds contain nothing
-// of it.
+// Shadow check: in builds with APOLLONIUS_SHADOW_CHECK answers of filters are compared with the
+// exact stage, each one or one of the number that it is set to, and a contradiction ends the
+// program. Other builds contain nothing of it.
 #pragma once
 
 #include <cstdio>

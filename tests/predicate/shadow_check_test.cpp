@@ -1,4 +1,4 @@
-// The shadow check (predicate/shadow_check.h) compares one of so many answers.
+// The shadow check (predicate/shadow_check.h) compares as many answers as it is set to.
 #include "predicate/shadow_check.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ class ShadowCheck : public ::testing::Test {
   int compared_ = 0;
 };
 
-TEST_F(ShadowCheck, ComparesOneOfSoMany) {
+TEST_F(ShadowCheck, ComparesEachOrOneOfSevenOrNone) {
   const auto exact = [&] {
     ++compared_;
     return Sign::kPositive;

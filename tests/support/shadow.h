@@ -5,8 +5,8 @@
 
 namespace apollonius::test {
 
-/// Compares one of `every` answers as long as this lives; 0: none. None is enough where a test asks
-/// the same questions again for each allocation that fails: other tests compare the answers.
+/// While this lives, one of `every` answers is compared, or with 0 no answer: where a test asks the
+/// same questions again for each allocation that fails, which other tests compare.
 class ShadowCheckOf {
  public:
   explicit ShadowCheckOf(unsigned every) { internal::shadowCheckEvery = every; }
