@@ -1,7 +1,7 @@
 // Figures that are told in steps follow the paragraphs that are read; and what the pages on
 // insertion, deletion and exactness claim, their figures find.
 import { describe, expect, test } from "@jest/globals";
-import { closePage, describeInBrowser } from "./support/browser.mjs";
+import { closePage, describeInBrowser, frames } from "./support/browser.mjs";
 
 const kPhone = { viewport: { width: 390, height: 780 } };
 
@@ -57,7 +57,10 @@ describeInBrowser("steps", (open) => {
   test("a step that is chosen marks its paragraph", async () => {
     const page = await open({ path: "insertion/", ready: "figures" });
     await started(page, "insertion_steps");
-    await page.locator("#insertion_steps").getByLabel("Star").check();
+    const choice = page.locator("#insertion_steps").getByLabel("Star");
+    await choice.scrollIntoViewIfNeeded();
+    await frames(page, 3); // in which the figure follows what has been scrolled to
+    await choice.check();
     expect(await stepOf(page, "insertion_steps")).toEqual([4, 4]);
     await closePage(page);
   });

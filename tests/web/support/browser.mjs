@@ -10,6 +10,7 @@ import { serve } from "../../../tools/serve.mjs";
 const kChromium = [
   process.env.CHROMIUM,
   process.env.CHROME_PATH,
+  "/usr/bin/chromium-headless-shell",
   "/usr/bin/chromium",
   "/usr/bin/google-chrome",
 ];
@@ -23,6 +24,7 @@ const kArguments = [
   "--disable-background-networking",
   "--disable-component-update",
   "--disable-sync",
+  "--site-per-process", // as the browser with windows has it
   "--process-per-site", // with what it has loaded already
 ];
 
