@@ -243,7 +243,7 @@ describeInBrowser("defects", (open) => {
   test("a click selects what hovering highlights, wherever it is inside a circle", async () => {
     await show(page, "random", { n: "100", hidden: "30", seed: "3" });
     let count = 0;
-    for (let k = 0; k < 240; k++) {
+    for (let k = 0; k < 100; k++) {
       const [x, y] = [60 + ((k * 97) % 1160), 170 + ((k * 61) % 500)];
       await page.mouse.move(x, y);
       const [hovered, isInside] = await page.evaluate(() => [
@@ -256,7 +256,7 @@ describeInBrowser("defects", (open) => {
       await page.mouse.click(x, y);
       expect((await stateOf(page)).selected).toEqual([hovered]);
     }
-    expect(count).toBeGreaterThan(30);
+    expect(count).toBeGreaterThan(12);
   });
 });
 

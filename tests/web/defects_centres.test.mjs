@@ -57,16 +57,15 @@ describeInBrowser("centres", (open) => {
         }
       return places;
     });
-    for (const { x, y, picked, right } of at) {
-      const hover = await page.evaluate(
-        ([x, y]) => {
+    const hovered = await page.evaluate(
+      (at) =>
+        at.map(({ x, y }) => {
           app.hoverAt({ x, y });
-          return { picked: app.hover.id, right: app.hover.right };
-        },
-        [x, y],
-      );
-      expect(hover).toEqual({ picked, right });
-    }
+          return { x, y, picked: app.hover.id, right: app.hover.right };
+        }),
+      at,
+    );
+    expect(hovered).toEqual(at);
     const wrong = at.find(({ picked, right }) => picked !== right);
     await page.evaluate(({ x, y }) => app.hoverAt({ x, y }), wrong);
     await settled(page);

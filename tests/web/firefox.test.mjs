@@ -16,6 +16,7 @@ import {
   stateOf,
   whereIs,
 } from "./support/browser.mjs";
+import { isThorough } from "./support/effort.mjs";
 import { kSound, kStorm, soundness, storm } from "./support/storm.mjs";
 
 describeInFirefox("the page in Firefox", (open) => {
@@ -145,11 +146,11 @@ describeInFirefox("the page in Firefox", (open) => {
     expect(await page.evaluate((id) => app.diagram.site(id).r, id)).toBe(33.5);
   });
 
-  test("every preset; random circles, many of them from the worker", async () => {
+  test("presets; random circles, many of them from the worker", async () => {
     const keys = await page.$$eval("#presets button", (all) =>
       all.map(({ dataset }) => dataset.set),
     );
-    for (const key of keys) {
+    for (const key of keys.filter((_, k) => isThorough || k % 3 === 0)) {
       await page.click("#open-sets");
       await page.click(`#presets [data-set=${key}]`);
       await page.waitForFunction((key) => app.sites.info.key === key, {}, key);

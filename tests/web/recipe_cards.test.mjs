@@ -2,6 +2,7 @@
 // and mistakes are told. Programs run in a sandbox, and the page itself runs no inline script.
 import { expect, test } from "@jest/globals";
 import { closePage, describeInBrowser, describeInFirefox } from "./support/browser.mjs";
+import { isThorough } from "./support/effort.mjs";
 
 const kRecipes = { path: "recipes/", ready: "figures" };
 const kHasEnded = "[data-state=done], [data-state=failed]";
@@ -35,7 +36,7 @@ async function runWith(card, program) {
 }
 
 describeInBrowser("recipe cards", (open) => {
-  const eachSize = [1280, 390];
+  const eachSize = isThorough ? [1280, 390] : [390];
   test.each(
     eachSize,
   )("every card runs without error and shows a picture, %d wide", async (width) => {

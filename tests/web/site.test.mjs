@@ -142,11 +142,15 @@ describeInBrowser("the site", (open, server) => {
   });
 });
 
-// Firefox is told its colours when it starts. One tab sees all pages, as a new one takes longer.
+// Firefox is told its colours when it starts. One tab sees all pages, as a new one takes longer. In
+// short runs each page is used on one screen, in turn the large and the small one.
 describe.each(["dark", "light"])("%s", (colorScheme) => {
   const screens = [kDesk, kPhone, ...kOthers].filter((one) => one.colorScheme === colorScheme);
-  const pagesAndScreens = withFigures.flatMap(([key, path]) =>
-    screens.map(({ viewport, hasTouch }) => [key, viewport.width, { path, viewport, hasTouch }]),
+  const inTurn = ({ hasTouch }, k) => isThorough || (k % 2 === 0) === (hasTouch === true);
+  const pagesAndScreens = withFigures.flatMap(([key, path], k) =>
+    screens
+      .filter((screen) => inTurn(screen, k))
+      .map(({ viewport, hasTouch }) => [key, viewport.width, { path, viewport, hasTouch }]),
   );
   const define = (open, server) => {
     let page;

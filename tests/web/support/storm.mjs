@@ -4,7 +4,7 @@ import { isThorough } from "./effort.mjs";
 import { press } from "./keys.mjs";
 
 /** The window is small, as drawing costs most of the time. */
-export const kStorm = { events: isThorough ? 5000 : 600, window: { width: 720, height: 540 } };
+export const kStorm = { events: isThorough ? 5000 : 300, window: { width: 720, height: 540 } };
 
 const kKeys = [
   ..."vdhx0nip+-".split(""),
