@@ -1,9 +1,9 @@
 // The cell of a site inside the window, as closed boundaries of conic pieces: counter-clockwise,
 // and clockwise around the holes that only windows of other shapes than rectangles make.
 //
-// A cell is star-shaped about its site's centre (docs/PREDICATES.md, "Cones") and so in one
-// piece, without holes; the window is convex, so a clipped cell is any number of parts, each
-// without holes, that meet the window's border.
+// A cell is star-shaped about its site's centre (on the way there no other site's distance falls
+// faster) and so in one piece, without holes; the window is convex, so a clipped cell is any number
+// of parts, each without holes, that meet the window's border.
 #pragma once
 
 #include <cstdint>
