@@ -30,8 +30,7 @@ function filterOf(file) {
   return [...new Set(suites)].flatMap((suite) => [`${suite}.*`, `*/${suite}.*`]).join(":");
 }
 
-// What takes half of the time of all of them, and changes with few files.
-const kAllButSlow = "-*OutOfMemory*:*BuilderOn*:*LargeSetOf*";
+const kAll = "*";
 
 /** The folder of tests that src/api and src/apollonius belong to, by the name of the file. */
 const folderOfApi = (stem) =>
@@ -52,20 +51,16 @@ export function nativePlan(files) {
       const own = /^(api|apollonius)$/.test(folder) ? folderOfApi(stem) : folder;
       const named = programFolders.includes(own) ? testFilesIn(own) : [];
       const about = named.filter((name) => name.startsWith(stem));
-      if (about.length === 0) add(own, kAllButSlow);
+      if (about.length === 0) add(own, kAll);
       for (const name of about) add(own, filterOf(`tests/${own}/${name}`));
     } else if (top === "tests" && folder === "support" && !file.endsWith("_test.cpp")) {
-      for (const each of programFolders) add(each, kAllButSlow);
+      for (const each of programFolders) add(each, kAll);
     } else if (top === "tests") {
-      add(folder, file.endsWith("_test.cpp") ? filterOf(file) : kAllButSlow);
+      add(folder, file.endsWith("_test.cpp") ? filterOf(file) : kAll);
     }
   }
-  // A filter has one list of what is left out, at its end.
   return new Map(
-    [...filters].map(([folder, list]) => [
-      `${folder}_tests`,
-      list.includes(kAllButSlow) ? `*${kAllButSlow}` : [...new Set(list)].join(":"),
-    ]),
+    [...filters].map(([folder, list]) => [`${folder}_tests`, [...new Set(list)].join(":")]),
   );
 }
 
@@ -128,7 +123,7 @@ export function packagePlan(files) {
     .filter(([pattern]) => files.some((file) => pattern.test(file)))
     .map(([, name]) => `/wasm/${name}\\.test`);
   if (ofDocuments.length > 0) return ["--testPathPatterns", ...ofDocuments];
-  const isOne = (file) => /^tests\/(wasm\/.*|[^/]*)\.mjs$/.test(file);
+  const isOne = (file) => /^tests\/((wasm|support)\/.*|[^/]*)\.mjs$/.test(file);
   return files.some(isOne) ? ["--onlyChanged"] : null;
 }
 

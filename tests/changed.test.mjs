@@ -14,8 +14,8 @@ test("a test of C++ runs by its suites, a source by the tests that have its name
   expect(plan("src/base/flat_array.h").base_tests).toMatch(/^FlatArray/);
 });
 
-test("a source without a test of its name runs its folder's program, but what is slow", () => {
-  expect(plan("src/diagram/updates.cpp").diagram_tests).toMatch(/^\*-.*OutOfMemory/);
+test("a source without a test of its name runs its folder's program", () => {
+  expect(plan("src/diagram/updates.cpp")).toEqual({ diagram_tests: "*" });
   expect(Object.keys(plan("src/api/diagram.cpp", "src/apollonius/voronoi.h"))).toEqual([
     "diagram_tests",
     "geometry_tests",
