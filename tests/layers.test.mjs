@@ -196,7 +196,7 @@ const rules = [
       /^[a-z@][\w./-]*$/,
       /^\.\.\/tools\/(toolchain\/|(build|figures)\.mjs$)/,
       // The site's.
-      /^\.\.\/\.\.\/tools\/(serve|build_site|site\/list)\.mjs$/,
+      /^\.\.\/\.\.\/tools\/(serve|build_site|site\/list|toolchain\/browser)\.mjs$/,
       /^\.\.\/\.\.\/tests\/web\/support\/storm\.mjs$/,
       /^\/web\/playground\/sets\/random_sets\.js$/, // in a page that is made
     ],

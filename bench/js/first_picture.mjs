@@ -4,11 +4,12 @@
 //
 //   node bench/js/first_picture.mjs
 //
-// It needs dist/ (npm run build) and Chromium (CHROMIUM, or /usr/bin/chromium).
+// It needs dist/ (npm run build) and Chromium (CHROMIUM, or what is installed).
 import { chromium } from "playwright-core";
 import { buildSite } from "../../tools/build_site.mjs";
 import { serve } from "../../tools/serve.mjs";
 import { kPages } from "../../tools/site/list.mjs";
+import { findChromium } from "../../tools/toolchain/browser.mjs";
 
 const kRuns = 3;
 /** As Chromium's developer tools have them: bytes per second, ms, and how slow the processor is. */
@@ -49,7 +50,7 @@ const median = (values) => values.sort((a, b) => a - b)[Math.floor(values.length
 await buildSite();
 const server = await serve(0, { isCompressing: true });
 const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  executablePath: findChromium(),
   args: ["--no-sandbox", "--disable-gpu"],
 });
 for (const [name, line] of Object.entries(kLines)) {

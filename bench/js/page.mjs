@@ -6,13 +6,14 @@
 //
 //   node bench/js/page.mjs [--storms] [--sizes 10000,100000]
 //
-// It needs dist/ (npm run build) and Chromium (CHROMIUM, or /usr/bin/chromium).
+// It needs dist/ (npm run build) and Chromium (CHROMIUM, or what is installed).
 import { readFileSync } from "node:fs";
 import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
 import { storm } from "../../tests/web/support/storm.mjs";
 import { buildSite } from "../../tools/build_site.mjs";
 import { serve } from "../../tools/serve.mjs";
+import { findChromium } from "../../tools/toolchain/browser.mjs";
 
 const kArguments = ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"];
 const kViewport = { width: 1280, height: 800 };
@@ -173,7 +174,7 @@ async function endure(browser, url, seed) {
 
 await buildSite();
 const server = await serve(0);
-const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const executablePath = findChromium();
 const browser = await chromium.launch({ executablePath, args: kArguments });
 try {
   console.log("ms between frames: median, 95 %, longest");

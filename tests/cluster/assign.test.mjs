@@ -11,12 +11,12 @@ import { listParts, partFile } from "../../web/examples/cluster/parts.mjs";
 import { openRedis, stopRedis } from "../../web/examples/cluster/redis.mjs";
 import { kQueue } from "../../web/examples/cluster/run.mjs";
 import { hashOf, putSnapshot } from "../../web/examples/cluster/snapshots.mjs";
+import { isThorough } from "../support/effort.mjs";
 import { generator, randomCircles } from "../wasm/support/random.mjs";
 import { bytesOf, damage, emptyFolder, writeArray } from "./support/files.mjs";
 import { finish, start, stopAll, until } from "./support/processes.mjs";
 
 // `npm run check -- cluster` has 20 million points.
-const isThorough = process.env.APOLLONIUS_THOROUGH === "1";
 const pointCount = isThorough ? 20_000_000 : 2_000_000;
 const withRedis = process.env.REDIS_SERVER === "" ? test.skip : test;
 

@@ -4,12 +4,12 @@ import path from "node:path";
 import { afterEach, expect, test } from "@jest/globals";
 import { Diagram } from "apollonius-diagram";
 import { stopRedis } from "../../web/examples/cluster/redis.mjs";
+import { isThorough } from "../support/effort.mjs";
 import { generator } from "../wasm/support/random.mjs";
 import { emptyFolder, readDoubles, writeArray } from "./support/files.mjs";
 import { finish, start, stopAll } from "./support/processes.mjs";
 
 const withRedis = process.env.REDIS_SERVER === "" ? test.skip : test;
-const isThorough = process.env.APOLLONIUS_THOROUGH === "1";
 const count = isThorough ? 1_000_000 : 60_000;
 const perTile = isThorough ? 20_000 : 2000;
 const window = [100, 50, 900, 980];

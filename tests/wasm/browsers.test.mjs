@@ -100,7 +100,7 @@ const cases = {
 
 describeInBrowsers("the package", (browser) => {
   test("runs the package in every way", async () => {
-    expect(browser).toBeDefined();
+    expect(browser).not.toBeNull();
     const results = await runPages(browser, cases, files);
     expect(results).toEqual(Object.fromEntries(Object.keys(cases).map((key) => [key, expected])));
   }, 90_000);

@@ -23,7 +23,7 @@ test("Node comes to a hash of all outputs, the same each time", () => {
 
 describeInBrowsers("the hash of all outputs", (browser) => {
   test("has the same bits as Node", async () => {
-    expect(browser).toBeDefined();
+    expect(browser).not.toBeNull();
     const files = {
       "all_outputs.js": readFileSync(script, "utf8"),
       "hash.js": `import { hashOfAllOutputs } from "/all_outputs.js";

@@ -2,13 +2,14 @@
 // against a brute-force model. With APOLLONIUS_THOROUGH=1 twenty times as many.
 import fc from "fast-check";
 import { Diagram } from "../../build/packed/consumer.mjs";
+import { isThorough } from "../support/effort.mjs";
 import { circle, circles, fraction, fractions, pick } from "./support/arbitraries.mjs";
 import { BruteForce } from "./support/brute_force.mjs";
 import { diagramCalls } from "./support/calls.mjs";
 import { graph, snapshot } from "./support/graph.mjs";
 import { asking } from "./support/questions.mjs";
 
-const runs = process.env.APOLLONIUS_THOROUGH ? 6000 : 300;
+const runs = isThorough ? 6000 : 300;
 const MOST_DIAGRAMS = 3;
 
 const refused = (code, call) => {

@@ -3,6 +3,7 @@ import { fileURLToPath } from "node:url";
 import { transformSync } from "esbuild";
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { capture } from "../../tools/toolchain/process.mjs";
+import { isThorough } from "../support/effort.mjs";
 import { calls } from "./support/calls.mjs";
 import { runInNode } from "./support/node.mjs";
 import { randomCircles } from "./support/random.mjs";
@@ -377,7 +378,7 @@ test("out of memory is an error, and the diagram is as it was", () => {
 }, 120_000);
 
 test("many small diagrams come and go", () => {
-  const count = process.env.APOLLONIUS_THOROUGH ? 1_000_000 : 100_000;
+  const count = isThorough ? 1_000_000 : 100_000;
   for (let k = 0; k < count; ++k) {
     const diagram = new Diagram([0, 0, 1, 5, k % 7, 2, 9, 1, 1]);
     if (k % 10_000 === 0) expect(diagram.find(5, 1)).toBe(1);
@@ -385,7 +386,7 @@ test("many small diagrams come and go", () => {
   }
 }, 120_000);
 
-const thorough = process.env.APOLLONIUS_THOROUGH ? test : test.skip; // 4 GB and half a minute
+const thorough = isThorough ? test : test.skip; // 4 GB and half a minute
 thorough(
   "all memory that there is, and less again",
   () => {

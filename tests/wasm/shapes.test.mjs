@@ -6,6 +6,7 @@ import GeoJSONReader from "jsts/org/locationtech/jts/io/GeoJSONReader.js";
 import IsValidOp from "jsts/org/locationtech/jts/operation/valid/IsValidOp.js";
 import { feature } from "topojson-client";
 import { Diagram } from "../../build/packed/consumer.mjs";
+import { isThorough } from "../support/effort.mjs";
 import { generator } from "./support/random.mjs";
 
 const reader = new GeoJSONReader();
@@ -101,7 +102,7 @@ describe.each(Object.entries(windows))("in %s", (_, rings) => {
   const expected = 2 * Math.abs(areaOf([...rings[0], rings[0][0]])) + whole;
 
   test.each(Object.entries(sets))("%s", (_, circle) => {
-    for (const n of process.env.APOLLONIUS_THOROUGH ? [1, 2, 3, 5, 20, 80] : [1, 2, 3, 30]) {
+    for (const n of isThorough ? [1, 2, 3, 5, 20, 80] : [1, 2, 3, 30]) {
       const diagram = new Diagram(Array.from({ length: n }, circle).flat());
       for (const tolerance of tolerances) {
         const collection = diagram.voronoi(rings).toGeoJSON({ tolerance });

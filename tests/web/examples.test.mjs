@@ -4,7 +4,7 @@ import { createRequire } from "node:module";
 import { fileURLToPath } from "node:url";
 import { expect, test } from "@jest/globals";
 import { closePage, describeInBrowser } from "./support/browser.mjs";
-import { isThorough } from "./support/effort.mjs";
+import { isThorough } from "../support/effort.mjs";
 
 const pictures = fileURLToPath(new URL("../../build/pictures/", import.meta.url));
 const index = readFileSync(new URL("../../web/examples/gallery.js", import.meta.url), "utf8");

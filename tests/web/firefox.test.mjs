@@ -16,7 +16,7 @@ import {
   stateOf,
   whereIs,
 } from "./support/browser.mjs";
-import { isThorough } from "./support/effort.mjs";
+import { isThorough } from "../support/effort.mjs";
 import { kSound, kStorm, soundness, storm } from "./support/storm.mjs";
 
 describeInFirefox("the page in Firefox", (open) => {

@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { describe, expect, test } from "@jest/globals";
 import { closePage, describeInBrowser, painted, settled, show } from "./support/browser.mjs";
-import { isThorough } from "./support/effort.mjs";
+import { isThorough } from "../support/effort.mjs";
 import { serve } from "../../tools/serve.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");

@@ -2,7 +2,7 @@
 // and mistakes are told. Programs run in a sandbox, and the page itself runs no inline script.
 import { expect, test } from "@jest/globals";
 import { closePage, describeInBrowser, describeInFirefox } from "./support/browser.mjs";
-import { isThorough } from "./support/effort.mjs";
+import { isThorough } from "../support/effort.mjs";
 
 const kRecipes = { path: "recipes/", ready: "figures" };
 const kHasEnded = "[data-state=done], [data-state=failed]";

@@ -8,7 +8,7 @@ import { beforeAll, describe, expect, test } from "@jest/globals";
 import { documents } from "../../tools/site/documents.mjs";
 import { kPages } from "../../tools/site/list.mjs";
 import { closePage, describeInBrowser, describeInFirefox } from "./support/browser.mjs";
-import { isThorough } from "./support/effort.mjs";
+import { isThorough } from "../support/effort.mjs";
 import {
   figuresOf,
   reach,

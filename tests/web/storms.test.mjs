@@ -3,7 +3,7 @@
 // runs more and longer ones.
 import { expect, test } from "@jest/globals";
 import { closePage, describeInBrowser } from "./support/browser.mjs";
-import { isThorough } from "./support/effort.mjs";
+import { isThorough } from "../support/effort.mjs";
 import { kSound, kStorm, soundness, storm } from "./support/storm.mjs";
 
 const seeds = isThorough ? [1, 2, 3] : [1];

@@ -2,8 +2,19 @@
 import { candidate, ensureInstalled, hasApt } from "./apt.mjs";
 import { say, which } from "./process.mjs";
 
-function ensureBrowser(given, programs, debianPackages, why) {
-  const found = () => given ?? programs.map(which).find((program) => program !== null) ?? null;
+const kChromium = ["chromium-headless-shell", "chromium", "google-chrome", "google-chrome-stable"];
+const kFirefox = ["firefox-esr", "firefox"];
+
+const find = (given, programs) =>
+  given || (programs.map(which).find((program) => program !== null) ?? null);
+
+/** The path of a Chromium that is there, CHROMIUM first; null for none. */
+export const findChromium = () => find(process.env.CHROMIUM, kChromium);
+
+/** The path of a Firefox that is there, FIREFOX first; null for none. */
+export const findFirefox = () => find(process.env.FIREFOX, kFirefox);
+
+function ensureBrowser(found, debianPackages, why) {
   const browser = found();
   if (browser) return browser;
   try {
@@ -21,20 +32,11 @@ function ensureBrowser(given, programs, debianPackages, why) {
  * time.
  */
 export function ensureChromium() {
-  return ensureBrowser(
-    process.env.CHROMIUM,
-    ["chromium-headless-shell", "chromium", "google-chrome", "google-chrome-stable"],
-    ["chromium-headless-shell", "chromium"],
-    "the tests in a browser",
-  );
+  const packages = ["chromium-headless-shell", "chromium"];
+  return ensureBrowser(findChromium, packages, "the tests in a browser");
 }
 
 /** The path of a Firefox, installed if need be; null if none can be had. */
 export function ensureFirefox() {
-  return ensureBrowser(
-    process.env.FIREFOX,
-    ["firefox-esr", "firefox"],
-    ["firefox-esr"],
-    "the package's tests in a second browser",
-  );
+  return ensureBrowser(findFirefox, ["firefox-esr"], "the tests in a second browser");
 }

@@ -3,6 +3,7 @@
 // stack used up to somewhere. Prints what it found as JSON. A process of its own, as it replaces
 // WebAssembly.Instance.
 import { Diagram } from "../../../build/packed/consumer.mjs";
+import { isThorough } from "../../support/effort.mjs";
 import { calls } from "./calls.mjs";
 import { snapshot } from "./graph.mjs";
 import { randomCircles } from "./random.mjs";
@@ -301,7 +302,7 @@ const afterReport = harm();
 
 // Many traps, large diagrams: what is leaked does not add up.
 const failures = new Set();
-const rounds = process.env.APOLLONIUS_THOROUGH ? 150 : 30;
+const rounds = isThorough ? 150 : 30;
 for (let k = 0; k < rounds; ++k) {
   const diagram = new Diagram(large);
   [seen, trapAt, trap] = [0, 1, traps.unreachable];

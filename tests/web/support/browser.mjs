@@ -1,20 +1,12 @@
 // Browsers for the page's tests, against tools/serve.mjs: Chromium driven by playwright-core, and
 // Firefox by puppeteer-core.
-import { existsSync } from "node:fs";
 import { setTimeout as timeout } from "node:timers/promises";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from "@jest/globals";
 import { chromium } from "playwright-core";
 import puppeteer from "puppeteer-core";
 import { serve } from "../../../tools/serve.mjs";
+import { findChromium, findFirefox } from "../../../tools/toolchain/browser.mjs";
 
-const kChromium = [
-  process.env.CHROMIUM,
-  process.env.CHROME_PATH,
-  "/usr/bin/chromium-headless-shell",
-  "/usr/bin/chromium",
-  "/usr/bin/google-chrome",
-];
-const kFirefox = [process.env.FIREFOX, "/usr/bin/firefox-esr", "/usr/bin/firefox"];
 const kArguments = [
   "--no-sandbox",
   "--disable-gpu",
@@ -27,8 +19,6 @@ const kArguments = [
   "--site-per-process", // as the browser with windows has it
   "--process-per-site", // with what it has loaded already
 ];
-
-const there = (paths) => paths.find((path) => path && existsSync(path));
 
 /**
  * A group of tests with a browser. Without one they are skipped, and say so; in CI that is a
@@ -99,15 +89,15 @@ startWithWebGL.open = openPage;
  *   console errors, refused or failed requests
  */
 export const describeInBrowser = (name, define) =>
-  describeWith("Chromium", there(kChromium), name, startChromium, define);
+  describeWith("Chromium", findChromium(), name, startChromium, define);
 
 /** The same with WebGL, which is slow to start. */
 export const describeWithWebGL = (name, define) =>
-  describeWith("Chromium", there(kChromium), name, startWithWebGL, define);
+  describeWith("Chromium", findChromium(), name, startWithWebGL, define);
 
 /** The same in Firefox; pages are Puppeteer's. */
 export const describeInFirefox = (name, define, { colorScheme = "light" } = {}) =>
-  describeWith("Firefox", there(kFirefox), name, firefoxWith(colorScheme), define);
+  describeWith("Firefox", findFirefox(), name, firefoxWith(colorScheme), define);
 
 const whenReady = (name) => window[name] !== undefined;
 

@@ -1,6 +1,6 @@
 // Random events by real mouse and keyboard, weighted as visitors use them; the same ones for the
 // same seed. Pages are Playwright's or Puppeteer's.
-import { isThorough } from "./effort.mjs";
+import { isThorough } from "../../support/effort.mjs";
 import { press } from "./keys.mjs";
 
 /** The window is small, as drawing costs most of the time. */
