@@ -214,16 +214,23 @@ Error Voronoi::cellPolygon(SiteId id, double tolerance, RingArrays& rings) const
 }
 
 Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
-  const Error error = firstOf(windowError(), toleranceError(tolerance));
-  return clipped(error, [&](const Clipping& clipping) {
+  bool isCovered = true;
+  const bool isFilled = reach_ == nullptr || reach_->isUnlimited();
+  const Error before = firstOf(windowError(), toleranceError(tolerance));
+  const Error error = clipped(before, [&](const Clipping& clipping) {
+    const double area = !isFilled            ? std::numeric_limits<double>::quiet_NaN()
+                        : region_ != nullptr ? region_->area()
+                                             : clipping.box().width() * clipping.box().height();
     const auto cells = clipping.cells(Parts::kThinToo);
     PolygonFinder finder(*diagram_.core_, *cells, clipping.border(), tolerance);
     Coverage found;
-    coverWindow(*diagram_.core_, finder, clipping.box(), found);
+    isCovered = coverWindow(*diagram_.core_, finder, clipping.box(), area, found);
+    if (!isCovered) return;
     assign(coverage, found.rings);
     coverage.sites.assign(found.sites.begin(), found.sites.end());
     coverage.cells.assign(found.cells.begin(), found.cells.end());
   });
+  return error != Error::kNone || isCovered ? error : Error::kBroken;
 }
 
 Error Voronoi::cellMoments(SiteId id, CellMoments& moments) const {

@@ -48,6 +48,8 @@ enum class Error : std::uint8_t {
                      ///< (apollonius/area_fit.h)
   kNoConvergence,    ///< weights for given areas were not found (apollonius/area_fit.h)
   kBusy,             ///< the diagram has changed meanwhile (apollonius/area_fit.h)
+  kBroken,           ///< what the library checks of its own answer does not hold: a defect of it
+                     ///< (Voronoi::cellPolygons)
 };
 
 /// A circle: centre and weight (radius). Negative weights are legal: only differences of weights

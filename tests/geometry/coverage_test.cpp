@@ -2,6 +2,7 @@
 // tile the window.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -135,6 +136,92 @@ TEST(Coverage, OfTheCasesThatOtherToolsRefused) {
     EXPECT_EQ(faultsIn({{450, 50, 10}}, touching, tolerance), "");
     EXPECT_EQ(faultsIn({{8, 11, 39}, {48, 30, 1}, {17, 8, 39}}, Bounds{0, 0, 100, 60}, tolerance),
               "");
+  }
+}
+
+// Vertices are off by a share of the window and of the sites' distances, not of their own
+// coordinates, which vanish at the origin. Segments were sent through far points instead.
+TEST(Coverage, OfVerticesAtACornerAtTheOrigin) {
+  const Circles few{{60, 25, 0}, {130, 0, 65}, {32, 126, 65}};
+  const Circles around{{-24, 45, 48}, {4, 0, 1},     {12, 9, 12},   {15, 20, 22},
+                       {10, -24, 23}, {-72, 30, 75}, {-14, 48, 47}, {-24, 10, 23}};
+  for (const double tolerance : {1e-6, 0.01, 1.0, 100.0}) {
+    EXPECT_EQ(faultsIn(few, Bounds{0, 0, 960, 500}, tolerance), "");
+    EXPECT_EQ(faultsIn(around, Bounds{0, 0, 96, 64}, tolerance), "");
+    EXPECT_EQ(faultsIn(around, Bounds{-32, 0, 96, 64}, tolerance), "");
+  }
+}
+
+/// Circles at one distance from the origin, or a few of each mirrored there.
+Circles aroundTheOrigin(Random& random) {
+  Circles circles;
+  if (random.below(2) == 0) {
+    constexpr std::array<std::array<int, 3>, 8> kTriples{{{3, 4, 5},
+                                                          {5, 12, 13},
+                                                          {8, 15, 17},
+                                                          {7, 24, 25},
+                                                          {4, 3, 5},
+                                                          {12, 5, 13},
+                                                          {1, 0, 1},
+                                                          {0, 1, 1}}};
+    for (int k = 2 + random.below(8); k-- > 0;) {
+      const auto& [x, y, z] = kTriples[static_cast<std::size_t>(random.below(8))];
+      const int scale = 1 + random.below(6);
+      const int left = random.below(3) == 0 ? -scale : scale;
+      const int down = random.below(3) == 0 ? -scale : scale;
+      circles.push_back({1.0 * x * left, 1.0 * y * down, 1.0 * z * scale - 3});
+    }
+  } else {
+    for (int k = 1 + random.below(5); k-- > 0;) {
+      const double x = 1 + random.below(40), y = 1 + random.below(30), r = random.below(6);
+      for (const double a : {x, -x}) {
+        circles.push_back({a, y, r});
+        circles.push_back({a, -y, r});
+      }
+    }
+  }
+  return circles;
+}
+
+TEST(Coverage, OfScenesThatAreMovedAndScaledExactly) {
+  Random random(643);
+  for (int run = 0; run < runs(300); ++run) {
+    const Circles circles = aroundTheOrigin(random);
+    struct Move {
+      double x, y, scale;
+    };
+    for (const Move& move : {Move{0, 0, 1}, Move{256, 512, 1}, Move{-96, -64, 1},
+                             Move{0, 0, 0x1p-10}, Move{-48, -32, 0x1p40}}) {
+      Circles moved;
+      for (const Circle& c : circles)
+        moved.push_back(
+            {(c.x + move.x) * move.scale, (c.y + move.y) * move.scale, c.r * move.scale});
+      const Bounds bounds{move.x * move.scale, move.y * move.scale, (move.x + 96) * move.scale,
+                          (move.y + 64) * move.scale};
+      ASSERT_EQ(faultsIn(moved, bounds, move.scale / 8), "") << "run " << run << "\n"
+                                                             << toText(insertAll(moved));
+    }
+  }
+}
+
+TEST(Coverage, OfManySitesOnACircle) {
+  constexpr double kTurn = 6.28318530717958648;
+  for (const bool isTangent : {false, true}) {
+    Random random(644);
+    Circles circles;
+    for (int k = 0; k < 1200; ++k) {
+      const double angle = kTurn * (isTangent ? random.between(0, 1) : k / 1200.0);
+      const double r = isTangent ? random.between(1, 20) : 0;
+      const double way = isTangent ? 100 + r : 480;
+      circles.push_back({500 + way * std::cos(angle), 500 + way * std::sin(angle), r});
+    }
+    Diagram diagram;
+    insertInto(diagram, circles);
+    const Bounds bounds{0, 0, 1000, 1000};
+    CoverageArrays coverage;
+    ASSERT_EQ(Voronoi(diagram, bounds).cellPolygons(0.1, coverage), Error::kNone);
+    CoverageJudge judge(coverage, 1e6);
+    EXPECT_EQ(judge.complaints(), "");
   }
 }
 

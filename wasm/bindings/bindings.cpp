@@ -29,7 +29,8 @@ EMSCRIPTEN_BINDINGS(apollonius) {
       .value("kCorruptSnapshot", Error::kCorruptSnapshot)
       .value("kBadTarget", Error::kBadTarget)
       .value("kNoConvergence", Error::kNoConvergence)
-      .value("kBusy", Error::kBusy);
+      .value("kBusy", Error::kBusy)
+      .value("kBroken", Error::kBroken);
   enum_<Location>("Location")
       .value("walk", Location::kWalk)
       .value("hierarchy", Location::kHierarchy);

@@ -21,7 +21,8 @@
  * - "too-large": more than 2^29 sites at once (one by one, memory ends before)
  * - "broken": a call of this diagram ended in its middle, by a defect of the library (please report
  *   it) or because it began at the very end of the stack. This diagram takes no more calls, but for
- *   `dispose`; all others are as they were
+ *   `dispose`; all others are as they were. `toGeoJSON` also throws it where its polygons do not
+ *   add up to the window, which is a defect, too; the diagram is then as it was
  */
 export type ErrorCode =
   | "not-finite"

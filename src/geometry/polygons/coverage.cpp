@@ -1,6 +1,8 @@
 #include "geometry/polygons/coverage.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -8,25 +10,52 @@
 #include "geometry/window/segment_pairs.h"
 #include "geometry/window/segment_sweep.h"
 #include "number/fp.h"
+#include "number/sum.h"
 #include "predicate/orientation.h"
 
 namespace apollonius::internal {
 
 namespace {
 
-/// After this many rounds, more than were ever seen, segments make no detours any more: each
-/// further round unites points, so that there is a last round.
-constexpr int kDetourRounds = 32;
-/// Points that are off by rounding are closer than this share of their numbers.
+/// Sites in general position need one or two rounds. Where thousands of edges come to one place
+/// (sites on a circle), they are closer together than doubles can tell on a way longer than
+/// rounding; detours only make more of them. So in each round from this one on, points four times
+/// as far apart become one.
+constexpr int kFirstWideRound = 4;
+/// By then whatever meets would have become one point many rounds ago.
+constexpr int kMostRounds = 64;
+/// How far points of edges can be off, as a share of the window's numbers and of their distances
+/// from the sites (docs/PROOFS.md, "Polygons").
 constexpr double kRounding = powerOfTwo(-38);
+
+/// Sums of areas are off by less than this share of the box around the window: a cross product is
+/// off by four roundings of the box that its ring fills, and a ring is shorter than 2^10 boxes.
+constexpr double kAreaRounding = powerOfTwo(-40);
+
+/// The sum of the areas of rings, those of holes negative; `at(ring, k)` is one of its points.
+template <class Count, class At>
+double areaOf(std::size_t rings, Count&& count, At&& at) {
+  Sum twice;
+  for (std::size_t ring = 0; ring < rings; ++ring) {
+    const std::size_t size = count(ring);
+    if (size == 0) continue;
+    const Point first = at(ring, 0);
+    for (std::size_t k = 1; k + 1 < size; ++k)
+      twice.add(cross(at(ring, k) - first, at(ring, k + 1) - first));
+  }
+  return twice.value() / 2;
+}
 
 class Mesh {
  public:
   Mesh(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box);
 
-  /// Ends with no two segments that meet.
-  void part();
+  /// Ends with no two segments that meet; false if that was not reached.
+  bool part();
   void list(Coverage& coverage);
+  /// Is the area of the rings that have been listed this one, up to rounding; or if it is not
+  /// known, that of the rings as the cells gave them?
+  [[nodiscard]] bool hasArea(double area, const Rings& listed) const;
 
  private:
   struct Ring {
@@ -44,10 +73,15 @@ class Mesh {
 
   [[nodiscard]] Point at(std::uint32_t number) const { return numbers_.points()[number]; }
   [[nodiscard]] bool isOnBorder(std::uint32_t point) const { return isOnBorder_[point] != 0; }
+  /// How far a point can be off by rounding.
+  [[nodiscard]] double roundingOf(std::uint32_t point) const {
+    return kRounding * (size_ + fromSites_[point]);
+  }
   void listSegments();
-  void mendMeetings(bool mayDetour);
+  void mendMeetings();
   void uniteTurned();
-  void mend(const Segment& s, const Segment& t, bool mayDetour);
+  void mend(const Segment& s, const Segment& t);
+  bool uniteClose(std::span<const std::uint32_t> points);
   [[nodiscard]] std::uint32_t representative(std::uint32_t point);
   void unite(std::uint32_t a, std::uint32_t b);
   [[nodiscard]] const Detour* detourOf(std::uint32_t a, std::uint32_t b,
@@ -55,18 +89,26 @@ class Mesh {
   void replacePoints();
 
   Rectangle box_;
+  double size_;  // of the window's numbers
   PointNumbers numbers_;
+  FlatArray<double> fromSites_;       // by point: the largest distance from a site it is seen from
   FlatArray<char> isOnBorder_;        // by point
   FlatArray<std::uint32_t> corners_;  // points of the rings, not repeated at their ends
   FlatArray<Ring> rings_;
   FlatArray<CellRings> cells_;
   FlatArray<Segment> segments_;      // each once
   FlatArray<std::uint32_t> united_;  // by point: itself or one that it became, in this round
+  double closeness_ = 1;             // as many times as rounding: points so close can become one
+  double givenArea_ = 0;             // of the rings as the cells gave them
+  double areaRounding_ = 0;          // how far rounding can move the border, times its length
   bool isUnited_ = false;            // any in this round
   FlatArray<Detour> detours_;
 };
 
-Mesh::Mesh(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box) : box_(box) {
+Mesh::Mesh(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box)
+    : box_(box),
+      size_(std::max(absolute(box.xmin), absolute(box.xmax)) +
+            std::max(absolute(box.ymin), absolute(box.ymax))) {
   Rings rings;
   FlatArray<char> isBorder;
   for (SiteId id = 0; id < core.ids().idLimit(); ++id) {
@@ -84,25 +126,42 @@ Mesh::Mesh(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box)
         corners_.push_back(numbers_.add({ring[2 * m], ring[2 * m + 1]}));
     }
     isOnBorder_.resize(numbers_.points().size(), 0);
+    fromSites_.resize(numbers_.points().size(), 0);
+    const Point center{core.site(slot).x, core.site(slot).y};
     for (std::size_t k = 0; k < rings.ringCount(); ++k) {
       const Ring& ring = rings_[cells_.back().firstRing + k];
       for (std::uint32_t m = 0; m < ring.count; ++m) {
+        double& farthest = fromSites_[corners_[ring.first + m]];
+        farthest = std::max(farthest, length(at(corners_[ring.first + m]) - center));
         if (isBorder[rings.starts[k] + m] == 0) continue;
         isOnBorder_[corners_[ring.first + m]] = 1;
         isOnBorder_[corners_[ring.first + (m + 1) % ring.count]] = 1;
       }
     }
   }
+  givenArea_ = areaOf(
+      rings_.size(), [&](std::size_t k) { return rings_[k].count; },
+      [&](std::size_t k, std::size_t m) { return at(corners_[rings_[k].first + m]); });
+  for (const Ring& ring : rings_) {
+    for (std::uint32_t k = 0; k < ring.count; ++k) {
+      const std::uint32_t a = corners_[ring.first + k],
+                          b = corners_[ring.first + (k + 1) % ring.count];
+      if (isOnBorder(a) && isOnBorder(b))
+        areaRounding_ += (roundingOf(a) + roundingOf(b)) * length(at(b) - at(a));
+    }
+  }
 }
 
-void Mesh::part() {
-  for (int round = 0;; ++round) {
+bool Mesh::part() {
+  for (int round = 0; round < kMostRounds; ++round) {
+    if (round >= kFirstWideRound) closeness_ *= 4;
     listSegments();
-    mendMeetings(round < kDetourRounds);
+    mendMeetings();
     uniteTurned();
-    if (!isUnited_ && detours_.empty()) return;
+    if (!isUnited_ && detours_.empty()) return true;
     replacePoints();
   }
+  return false;
 }
 
 /// Lists each segment once: in one direction where two cells have it, as it is on the border.
@@ -112,25 +171,40 @@ void Mesh::listSegments() {
     for (std::uint32_t k = 0; k < ring.count; ++k) {
       const std::uint32_t a = corners_[ring.first + k],
                           b = corners_[ring.first + (k + 1) % ring.count];
-      if (a < b || (isOnBorder(a) && isOnBorder(b))) segments_.push_back({a, b});
+      if (a < b || (a != b && isOnBorder(a) && isOnBorder(b))) segments_.push_back({a, b});
     }
   }
 }
 
-void Mesh::mendMeetings(bool mayDetour) {
+void Mesh::mendMeetings() {
   const FlatArray<Point>& points = numbers_.points();
   united_.resize(points.size());
   for (std::uint32_t k = 0; k < united_.size(); ++k) united_[k] = k;
   isUnited_ = false;
   detours_.clear();
-  SegmentPairs(points, segments_, box_).visit([&](std::uint32_t k, std::uint32_t m) {
-    if (doMeet(points, segments_[k], segments_[m])) mend(segments_[k], segments_[m], mayDetour);
+  SegmentPairs(points, segments_, box_).visitWitnesses([&](std::uint32_t k, std::uint32_t m) {
+    if (doMeet(points, segments_[k], segments_[m])) mend(segments_[k], segments_[m]);
   });
+}
+
+/// Unites those that are so close; of two or four points.
+bool Mesh::uniteClose(std::span<const std::uint32_t> points) {
+  bool isAny = false;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    for (std::size_t m = 0; m < k; ++m) {
+      const std::uint32_t p = points[k], q = points[m];
+      if (p == q || length(at(p) - at(q)) > closeness_ * roundingOf(p)) continue;
+      unite(p, q);
+      isAny = true;
+    }
+  }
+  return isAny;
 }
 
 /// Of two segments that meet: unites the two ends that are closest, if they are apart by rounding;
 /// or sends one segment through the end of the other that is closest to it.
-void Mesh::mend(const Segment& s, const Segment& t, bool mayDetour) {
+void Mesh::mend(const Segment& s, const Segment& t) {
+  if (closeness_ > 1 && uniteClose(std::array{s.from, s.to, t.from, t.to})) return;
   std::pair<std::uint32_t, std::uint32_t> closest{s.from, t.from};
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t p : {s.from, s.to}) {
@@ -141,10 +215,8 @@ void Mesh::mend(const Segment& s, const Segment& t, bool mayDetour) {
       closest = {p, q};
     }
   }
-  const Point place = at(closest.first);
   const bool isCommon = s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to;
-  const bool isRounding = least <= kRounding * (absolute(place.x) + absolute(place.y));
-  if (!mayDetour || (isRounding && !isCommon)) return unite(closest.first, closest.second);
+  if (!isCommon && uniteClose(std::array{closest.first, closest.second})) return;
   const Segment* passing = nullptr;
   std::uint32_t through = 0;
   least = std::numeric_limits<double>::infinity();
@@ -182,7 +254,7 @@ void Mesh::uniteTurned() {
       least = std::min(least, distance);
       a = b;
     }
-    if (area > 0 || least > kRounding * (absolute(first.x) + absolute(first.y))) continue;
+    if (area > 0 || least > closeness_ * roundingOf(closest.first)) continue;
     unite(closest.first, closest.second);
   }
 }
@@ -284,13 +356,26 @@ void Mesh::list(Coverage& coverage) {
   }
 }
 
+bool Mesh::hasArea(double area, const Rings& listed) const {
+  const double found = areaOf(
+      listed.ringCount(), [&](std::size_t k) { return listed.ring(k).size() / 2 - 1; },
+      [&](std::size_t k, std::size_t m) {
+        return Point{listed.ring(k)[2 * m], listed.ring(k)[2 * m + 1]};
+      });
+  const double whole = box_.width() * box_.height();
+  return absolute(found - (std::isnan(area) ? givenArea_ : area)) <=
+         closeness_ * areaRounding_ + kAreaRounding * whole;
+}
+
 }  // namespace
 
-void coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box,
+bool coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box, double area,
                  Coverage& coverage) {
   Mesh mesh(core, finder, box);
-  mesh.part();
+  const bool isParted = mesh.part();
   mesh.list(coverage);
+  return coverage.sites.empty() ? core.visibleCount() == 0 || std::isnan(area)
+                                : isParted && mesh.hasArea(area, coverage.rings);
 }
 
 }  // namespace apollonius::internal

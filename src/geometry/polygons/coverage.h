@@ -6,8 +6,11 @@
 // point that is off by its last place can be beyond a segment that it should be next to. So it is
 // proved, by exact signs for all pairs of segments that may meet (segment_pairs.h). Where two meet,
 // the ends of them that are as close as rounding become one point, in all cells; or the segment
-// that passes a point goes through it. This is repeated until nothing meets. It ends: after some
-// rounds, points are only united, and there are fewer of them each time.
+// that passes a point goes through it. This is repeated until nothing meets. If that takes more
+// than a few rounds, points farther apart become one in each further round, in the end any points
+// of what meets; and the number of rounds is limited.
+//
+// What has come of it is checked: the areas of all rings add up to the window's.
 #pragma once
 
 #include "geometry/polygons/cell_polygon.h"
@@ -22,9 +25,12 @@ struct Coverage {
 };
 
 /// Replaces the contents. `finder` finds thin parts, too (Parts::kThinToo), and `box` holds the
-/// window. Cost: that of the polygons one by one, and of the pairs of their segments; as often
-/// again as rounding has to be undone, which is seldom.
-void coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box,
-                 Coverage& coverage);
+/// window. Are the areas of the rings together `area`, up to rounding (NaN: that of the cells' own
+/// rings, as cells do not fill the window), and do no segments meet? If not, the code has a defect.
+/// Cost: that of the polygons one by one, and O(n log n) for n segments, or the pairs of those that
+/// are near each other if these are fewer; as often again as rounding has to be undone, which is
+/// seldom.
+[[nodiscard]] bool coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box,
+                               double area, Coverage& coverage);
 
 }  // namespace apollonius::internal

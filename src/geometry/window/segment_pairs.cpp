@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "geometry/window/segment_sweep.h"
-
 namespace apollonius::internal {
 
 FlatArray<std::uint32_t> orderedFromLeft(std::span<const Point> points) {
@@ -22,8 +20,8 @@ SegmentPairs::SegmentPairs(const FlatArray<Point>& points, std::span<const Segme
   sweep();
   // If they are half of all, it is quicker to look at each pair from one side only.
   std::size_t out = 0;
-  for (const char isOut : isOut_) out += isOut != 0 ? 1 : 0;
-  if (2 * out > isOut_.size()) isOut_.clear();
+  for (std::uint32_t k = 0; k < outFor_.size(); ++k) out += isOut(k) ? 1 : 0;
+  isEachPairVisited_ = 2 * out > outFor_.size();
 }
 
 /// From left to right.
@@ -41,7 +39,7 @@ void SegmentPairs::sweep() {
     segments.push_back({std::min(a, b), std::max(a, b)});
   }
   SegmentSweep sweep(points, segments);
-  isOut_ = sweep.takeOut();
+  outFor_ = sweep.takeOut();
   looks_ += sweep.looks();
 }
 
@@ -49,14 +47,14 @@ void SegmentPairs::visitAll(void (*call)(void* to, std::uint32_t k, std::uint32_
   const auto count = static_cast<std::uint32_t>(segments_.size());
   FlatArray<std::uint32_t> countedFor(count, 0xFFFFFFFFu), cells;
   for (std::uint32_t k = 0; k < count; ++k) {
-    if (isSwept() && isOut_[k] == 0) continue;
+    if (!isEachPairVisited_ && !isOut(k)) continue;
     grid_.listCells(points_[segments_[k].from], points_[segments_[k].to], cells);
     for (const std::uint32_t cell : cells) {
       for (const std::uint32_t m : grid_.at(cell)) {
         ++looks_;
         if (m >= k) {
-          if (!isSwept()) break;
-          if (isOut_[m] != 0) continue;  // the other one visits the pair
+          if (isEachPairVisited_) break;
+          if (isOut(m)) continue;  // the other one visits the pair
         }
         if (countedFor[m] == k) continue;
         countedFor[m] = k;

@@ -8,6 +8,7 @@
 
 #include "base/flat_array.h"
 #include "geometry/window/segment_grid.h"
+#include "geometry/window/segment_sweep.h"
 
 namespace apollonius::internal {
 
@@ -31,11 +32,21 @@ class SegmentPairs {
              &visit);
   }
 
+  /// visit(k, m) for so many pairs that no segments meet if these do not: all of them, or where
+  /// they are too many, one for each segment that the sweep takes out.
+  template <class Visit>
+  void visitWitnesses(Visit visit) {
+    if (outFor_.empty()) return this->visit(visit);
+    for (std::uint32_t k = 0; k < outFor_.size(); ++k) {
+      if (outFor_[k] != kStays && outFor_[k] != k) visit(k, outFor_[k]);
+    }
+  }
+
   /// How many pairs have been looked at.
   [[nodiscard]] std::size_t looks() const { return looks_; }
 
  private:
-  [[nodiscard]] bool isSwept() const { return !isOut_.empty(); }
+  [[nodiscard]] bool isOut(std::uint32_t segment) const { return outFor_[segment] != kStays; }
   /// One for all kinds of visits, which are `call(to, k, m)`.
   void visitAll(void (*call)(void* to, std::uint32_t k, std::uint32_t m), void* to);
   void sweep();
@@ -43,7 +54,8 @@ class SegmentPairs {
   const FlatArray<Point>& points_;  // which a visit can make longer
   std::span<const Segment> segments_;
   SegmentGrid grid_;
-  FlatArray<char> isOut_;  // by segment; empty: all pairs are visited
+  FlatArray<std::uint32_t> outFor_;  // by segment, as SegmentSweep says; empty without a sweep
+  bool isEachPairVisited_ = true;
   std::size_t looks_ = 0;
 };
 

@@ -55,12 +55,12 @@ void SegmentSweep::run() {
   root_ = count;
   places_.assign(count + std::size_t{1}, {kNoneBelow, {count, count}, {count, count}});
   placeOf_.assign(count, count);
-  isOut_.resize(count);
+  outFor_.assign(count, kStays);
   below_.assign(count, kNoneBelow);
   FlatArray<Keyed> starts, ends;
   for (std::uint32_t k = 0; k < count; ++k) {
     const auto [from, to] = segments_[k];
-    isOut_[k] = static_cast<char>(from == to);
+    if (from == to) outFor_[k] = k;
     starts.push_back({from, k});
     ends.push_back({to, k});
   }
@@ -74,11 +74,11 @@ void SegmentSweep::run() {
     const auto begun = std::span(starts).subspan(first, next - first);
     for (; ended < count && ends[ended].key <= point; ++ended) {
       const std::uint32_t k = ends[ended].value, place = placeOf_[k];
-      if (isOut_[k] != 0) continue;
+      if (isOut(k)) continue;
       const bool isOnly = begun.size() == 1 && ends[ended].key == point &&
                           (ended == 0 || ends[ended - 1].key != point) &&
                           (ended + 1 == count || ends[ended + 1].key != point);
-      if (isOnly && isOut_[begun[0].value] == 0) {
+      if (isOnly && !isOut(begun[0].value)) {
         // Nothing else comes to the point, as its neighbours do not meet it.
         placeOf_[begun[0].value] = place;
         places_[place].segment = begun[0].value;
@@ -89,13 +89,13 @@ void SegmentSweep::run() {
     }
     for (const Keyed& start : begun) {
       const std::uint32_t k = start.value;
-      if (isOut_[k] == 0 && placeOf_[k] == count) insert(k);
-      if (isOut_[k] == 0) part(places_[placeOf_[k]].next[0], placeOf_[k]);
-      if (isOut_[k] == 0) part(placeOf_[k], places_[placeOf_[k]].next[1]);
+      if (!isOut(k) && placeOf_[k] == count) insert(k);
+      if (!isOut(k)) part(places_[placeOf_[k]].next[0], placeOf_[k]);
+      if (!isOut(k)) part(placeOf_[k], places_[placeOf_[k]].next[1]);
     }
     for (const Keyed& start : begun) {
       const std::uint32_t k = start.value;
-      if (isOut_[k] == 0) below_[k] = places_[places_[placeOf_[k]].next[0]].segment;
+      if (!isOut(k)) below_[k] = places_[places_[placeOf_[k]].next[0]].segment;
     }
   }
 }
@@ -148,7 +148,7 @@ void SegmentSweep::insert(std::uint32_t segment) {
     splay(segment);
     const Sign side = sideOf(segment, places_[root_].segment);
     if (side == Sign::kZero) {
-      isOut_[segment] = 1;
+      outFor_[segment] = places_[root_].segment;
       return;
     }
     const std::size_t way = side == Sign::kPositive ? 1 : 0;
@@ -185,7 +185,7 @@ void SegmentSweep::part(std::uint32_t low, std::uint32_t high) {
     ++looks_;
     if (!doMeet(points_, segments_[s], segments_[t])) return;
     const bool isLow = lengthOf(s) < lengthOf(t);
-    isOut_[isLow ? s : t] = 1;
+    outFor_[isLow ? s : t] = isLow ? t : s;
     erase(isLow ? low : high);
     (isLow ? low : high) = places_[isLow ? low : high].next[isLow ? 0 : 1];
   }

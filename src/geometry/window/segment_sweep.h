@@ -35,6 +35,7 @@
 namespace apollonius::internal {
 
 inline constexpr std::uint32_t kNoneBelow = 0xFFFFFFFFu;
+inline constexpr std::uint32_t kStays = 0xFFFFFFFFu;
 
 /// Do two segments meet in more than a common end? (Not if both their ends are common.) Exact.
 /// REQUIRES: equal points have equal numbers.
@@ -47,12 +48,13 @@ class SegmentSweep {
   SegmentSweep(std::span<const Point> points, std::span<const Segment> segments)
       : points_(points), segments_(segments) {}
 
-  /// For each segment, whether it is taken out: of two, the shorter one; and any that is but a
-  /// point. Cost: O(n log n).
-  FlatArray<char> takeOut() {
+  /// For each segment that is taken out, the one that it meets, or that has the same ends: of two,
+  /// the shorter one is. A segment that is but a point is taken out for itself. kStays for all
+  /// others. Cost: O(n log n).
+  FlatArray<std::uint32_t> takeOut() {
     isTesting_ = true;
     run();
-    return std::move(isOut_);
+    return std::move(outFor_);
   }
   /// For each segment the one below its left end, or to the right of that; or kNoneBelow. REQUIRES:
   /// no two meet. Cost: O(n log n), but O(1) for segments that go on where just one ends.
@@ -73,6 +75,7 @@ class SegmentSweep {
   };
 
   void run();
+  [[nodiscard]] bool isOut(std::uint32_t segment) const { return outFor_[segment] != kStays; }
   [[nodiscard]] Sign sideOf(std::uint32_t s, std::uint32_t t);
   [[nodiscard]] double lengthOf(std::uint32_t segment) const;
   void splay(std::uint32_t segment);
@@ -87,7 +90,7 @@ class SegmentSweep {
   FlatArray<Place> places_;           // and one more, whose `next` are the ends of the order
   std::uint32_t root_ = 0;            // of the tree: that one, if it is empty
   FlatArray<std::uint32_t> placeOf_;  // by segment
-  FlatArray<char> isOut_;
+  FlatArray<std::uint32_t> outFor_;
   FlatArray<std::uint32_t> below_;
   std::size_t looks_ = 0;
 };
