@@ -197,5 +197,35 @@ TEST(Cells, WhoseContactsRoundingMovesAlongASideDoNotTakeItAll) {
   }
 }
 
+TEST(Cells, WithoutAreaHaveNoPerimeter) {
+  const Bounds bounds{0, 0, 96, 64};
+  Random random(529);
+  for (int run = 0; run < runs(300); ++run) {
+    // A side of the window is the edge between two sites that are mirrored at it.
+    Circles circles{{17, 25, 4}, {-17, 25, 4}, {-17, -25, 4}};
+    if (run > 0) circles.clear();
+    for (int k = run == 0 ? 0 : 1 + random.below(5); k-- > 0;) {
+      const double x = 1 + random.below(40), y = 1 + random.below(30), r = random.below(6);
+      for (const double a : {x, -x}) {
+        circles.push_back({a, y, r});
+        circles.push_back({a, -y, r});
+      }
+    }
+    Diagram diagram;
+    insertInto(diagram, circles);
+    const Voronoi view(diagram, bounds);
+    std::vector<double> areas, perimeters;
+    ASSERT_EQ(view.cellAreas(areas), Error::kNone);
+    ASSERT_EQ(view.cellPerimeters(perimeters), Error::kNone);
+    for (SiteId id = 0; id < circles.size(); ++id) {
+      CellMeasures measures;
+      ASSERT_EQ(view.cellMeasures(id, measures), Error::kNone);
+      ASSERT_NEAR(perimeters[id], measures.perimeter, 1e-9) << "run " << run << " site " << id;
+      if (areas[id] >= 1e-9) continue;
+      ASSERT_EQ(perimeters[id], 0) << "run " << run << " site " << id;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace apollonius::test

@@ -4,6 +4,7 @@
 #include "base/radix_sort.h"
 #include "geometry/cell/cell_sums.h"
 #include "geometry/cell/polygon_cell.h"
+#include "geometry/cell/rectangle_cell.h"
 #include "geometry/window/rectangle_border.h"
 #include "geometry/window/rectangle_clip.h"
 
@@ -17,10 +18,52 @@ struct SiteContact {
   BorderContact contact;
 };
 
+/// Lengths of the parts with area of cells at the border. Where the border runs along an edge, or
+/// nearly along itself, rounding can leave slivers, which have length but no area.
+class PartLengths {
+ public:
+  PartLengths(const DiagramCore& core, CellClipper& cells)
+      : core_(core), cells_(cells), isDone_(core.ids().slots(), 0) {}
+
+  /// Measures a cell, unless it has been; returns how much of the border it has.
+  double measure(Slot slot) {
+    if (isDone_[slot] != 0) return 0;
+    isDone_[slot] = 1;
+    double sum = 0, onBorder = 0;
+    for (const BoundaryPiece& piece : cells_.find(slot).pieces) {
+      const double length = lengthOf(piece.curve);
+      sum += length;
+      if (piece.neighbor == kNoSite) onBorder += length;
+    }
+    found_.push_back({slot, sum});
+    return onBorder;
+  }
+
+  /// Replaces those of the cells that have been measured.
+  void list(std::vector<double>& lengths) const {
+    for (const auto& [slot, length] : found_) lengths[core_.ids().idOf(slot)] = length;
+  }
+
+ private:
+  struct Found {
+    Slot slot;
+    double length;
+  };
+  const DiagramCore& core_;
+  CellClipper& cells_;
+  FlatArray<char> isDone_;  // by slot
+  FlatArray<Found> found_;
+};
+
 class RectangleSum {
  public:
   RectangleSum(const DiagramCore& core, const Rectangle& window, Measure what)
-      : core_(core), window_(window), sums_(core, window, what) {}
+      : core_(core),
+        window_(window),
+        sums_(core, window, what),
+        hasLengths_(what == Measure::kPerimeters),
+        cells_(core, window, Parts::kWithArea),
+        lengths_(core, cells_) {}
 
   void run(std::vector<double>& measures) {
     const Graph& graph = core_.delaunay().graph();
@@ -30,6 +73,7 @@ class RectangleSum {
                         });
     addBorders();
     sums_.list(measures);
+    if (hasLengths_) lengths_.list(measures);
   }
 
   /// Does no cell have any of the border? Then one cell has all of the window. (Edges can touch it,
@@ -61,6 +105,10 @@ class RectangleSum {
       own.clear();
       for (; begin < bySite.size() && bySite[begin].key == slot; ++begin)
         own.push_back(contacts_[bySite[begin].value].contact);
+      if (hasLengths_) {
+        onBorder_ += lengths_.measure(slot);
+        continue;
+      }
       linkBorderArcs(core_, slot, window_, own, arcs);
       for (const BorderArc& arc : arcs) {
         Point at = own[arc.from].point;
@@ -82,6 +130,9 @@ class RectangleSum {
   const DiagramCore& core_;
   Rectangle window_;
   CellSums sums_;
+  bool hasLengths_;
+  RectangleCellClipper cells_;
+  PartLengths lengths_;
   FlatArray<SiteContact> contacts_;
   double onBorder_ = 0;  // length that cells have of it
 };
@@ -135,20 +186,13 @@ void measureCells(const ClippedDiagram& clippedDiagram, Measure what,
   addBorders(clippedDiagram, sums);
   sums.list(measures);
   if (what != Measure::kPerimeters) return;
-  // Where a ring runs along an edge, or nearly along itself, rounding can leave slivers, which have
-  // length but no area. Complete parts contain none.
-  PolygonCellClipper finder(clippedDiagram, Parts::kWithArea);
-  FlatArray<char> isDone(core.ids().slots(), 0);
-  const auto measureParts = [&](Slot slot) {
-    if (isDone[slot] != 0) return;
-    isDone[slot] = 1;
-    double sum = 0;
-    for (const BoundaryPiece& piece : finder.find(slot).pieces) sum += lengthOf(piece.curve);
-    measures[core.ids().idOf(slot)] = sum;
-  };
+  PolygonCellClipper cells(clippedDiagram, Parts::kWithArea);
+  PartLengths lengths(core, cells);
   for (std::uint32_t k = 0; k < clippedDiagram.crossingCount(); ++k)
-    measureParts(clippedDiagram.crossing(k).to);
-  for (const Keyed& interiorRing : clippedDiagram.interiorRings()) measureParts(interiorRing.key);
+    (void)lengths.measure(clippedDiagram.crossing(k).to);
+  for (const Keyed& interiorRing : clippedDiagram.interiorRings())
+    (void)lengths.measure(interiorRing.key);
+  lengths.list(measures);
 }
 
 }  // namespace apollonius::internal

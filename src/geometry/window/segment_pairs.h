@@ -32,8 +32,8 @@ class SegmentPairs {
              &visit);
   }
 
-  /// visit(k, m) for so many pairs that no segments meet if these do not: all of them, or where
-  /// they are too many, one for each segment that the sweep takes out.
+  /// visit(k, m) for all pairs or, where they are too many, for one with each segment that the
+  /// sweep takes out. If no pair that is visited meets, no pair does.
   template <class Visit>
   void visitWitnesses(Visit visit) {
     if (outFor_.empty()) return this->visit(visit);
