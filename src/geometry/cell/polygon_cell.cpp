@@ -12,8 +12,8 @@ PolygonCellClipper::PolygonCellClipper(const ClippedDiagram& clippedDiagram, Par
 
 const Cell& PolygonCellClipper::find(Slot site) {
   cell_.clear();
-  rings_.clear();
   const DiagramCore& core = clippedDiagram_.core();
+  rings_.clear({core.site(site).x, core.site(site).y});
   if (core.ids().state(site) != SiteState::kVisible) return cell_;
   const Graph& graph = core.delaunay().graph();
   const VertexId v = vertexOf(site);

@@ -40,7 +40,7 @@ const Cell& ReachCellClipper::cut(Slot site, ReachOfSite reach, const Reach& oth
   site_ = core_.site(site);
   own_ = reach;
   center_ = {site_.x, site_.y};
-  rings_.clear();
+  rings_.clear(center_);
   pieces_.clear();
   exits_.clear();
   entries_.clear();

@@ -9,12 +9,13 @@ namespace apollonius::internal {
 namespace {
 
 /// How far rounding moves a region's boundary at most where it meets an edge, in units of the
-/// numbers there. Thinner parts are discarded.
+/// numbers there and of the distance from the site. Thinner parts are discarded.
 constexpr double kThinnest = powerOfTwo(-46);
 
 }  // namespace
 
-void RingSorter::clear() {
+void RingSorter::clear(Point center) {
+  center_ = center;
   found_.pieces.clear();
   found_.starts.assign(1, 0);
   areas_.clear();
@@ -31,7 +32,7 @@ void RingSorter::closeRing() {
   for (const BoundaryPiece& piece : pieces) {
     const Point from = piece.curve.p0;
     reach += length(piece.curve.p2 - from);
-    size = std::max({size, absolute(from.x), absolute(from.y)});
+    size = std::max({size, absolute(from.x), absolute(from.y), length(from - center_)});
     for (const Point p : {piece.curve.p1, piece.curve.p2}) box.include(p);
   }
   const Area area = areaOf(pieces, pieces.front().curve.p0);

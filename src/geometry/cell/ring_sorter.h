@@ -14,7 +14,8 @@ class RingSorter final : private NestedRings {
  public:
   explicit RingSorter(Parts parts) : parts_(parts) {}
 
-  void clear();
+  /// Begins with a cell, whose site has this centre.
+  void clear(Point center);
   /// To the ring under way.
   void add(const BoundaryPiece& piece) { found_.pieces.push_back(piece); }
   /// Ends a ring; takes it back if it has no area up to rounding, unless thin parts are asked for.
@@ -40,6 +41,7 @@ class RingSorter final : private NestedRings {
   bool isAround(std::uint32_t ring) override { return nesting_.isInside(ring, asked_); }
 
   Parts parts_;
+  Point center_;
   Cell found_;  // in the order in which they are found
   FlatArray<double> areas_;
   RingNesting nesting_{*this};  // of those that are no holes

@@ -12,7 +12,7 @@ namespace apollonius::internal {
 namespace {
 
 /// What rounding makes where segments cross that should not is thinner than this share of its
-/// numbers.
+/// numbers and of its distance from the site.
 constexpr double kThinnest = powerOfTwo(-46);
 
 Point centerOf(const Site& site) { return {site.x, site.y}; }
@@ -47,8 +47,16 @@ void PolygonFinder::find(Slot site, Rings& rings) {
     }
   }
   tracer_.clear();
-  for (std::size_t k = 0; k < rings.ringCount(); ++k) tracer_.addRing(rings.ring(k));
-  if (soundness == Soundness::kUnsure || tracer_.hasTouch()) tracer_.trace(rings, kThinnest);
+  double size = 0;
+  for (std::size_t k = 0; k < rings.ringCount(); ++k) {
+    const std::span<const double> ring = rings.ring(k);
+    tracer_.addRing(ring);
+    for (std::size_t m = 0; m < ring.size(); m += 2) {
+      const Point p{ring[m], ring[m + 1]};
+      size = std::max({size, absolute(p.x), absolute(p.y), length(p - centerOf(site_))});
+    }
+  }
+  if (soundness == Soundness::kUnsure || tracer_.hasTouch()) tracer_.trace(rings, kThinnest * size);
 }
 
 PolygonFinder::Soundness PolygonFinder::findRaw(Slot site, Rings& rings,

@@ -13,7 +13,8 @@ namespace {
 constexpr double kFinestShare = powerOfTwo(-36);
 /// And the border none: where it runs along an edge, at most 2^10 points.
 constexpr double kFinestAtBorder = powerOfTwo(-20);
-/// Voronoi vertices can be off by this share of their numbers (edge.h).
+/// Points of an edge can be off by this share of their coordinates, of their distances from the
+/// sites and of the size of the edge (docs/PROOFS.md, "Polygons").
 constexpr double kMostOff = powerOfTwo(-38);
 
 }  // namespace
@@ -23,9 +24,9 @@ std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
   left_ = piece.left;
   right_ = piece.right;
   avoided_ = piece.avoided;
-  const double size = length(curve.p1 - curve.p0) + length(curve.p2 - curve.p1);
-  allowed_ = std::max(tolerance_, kFinestShare * size);
-  finestAtBorder_ = kFinestAtBorder * size;
+  size_ = length(curve.p1 - curve.p0) + length(curve.p2 - curve.p1);
+  allowed_ = std::max(tolerance_, kFinestShare * size_);
+  finestAtBorder_ = kFinestAtBorder * size_;
   points_.clear();
   points_.push_back(curve.p0);
   halve(curve, piece.fromSegment, piece.toSegment, Conic::kMostHalvings);
@@ -81,7 +82,7 @@ bool ChordFinder::entersDisc(Point from, Point to) const {
 /// Has rounding put p before `from`, seen from one of the sites?
 bool ChordFinder::isLate(Point from, Point p) const {
   const double size =
-      absolute(p.x) + absolute(p.y) + std::max(length(p - left_), length(p - right_));
+      absolute(p.x) + absolute(p.y) + std::max(length(p - left_), length(p - right_)) + size_;
   return length(p - from) <= kMostOff * size && (orient2d(left_, from, p) == Sign::kNegative ||
                                                  orient2d(right_, from, p) == Sign::kPositive);
 }

@@ -56,7 +56,7 @@ class ChordFinder {
   const Border& border_;
   const double tolerance_;
   Point left_, right_;
-  double allowed_ = 0, finestAtBorder_ = 0, avoided_ = -1;
+  double size_ = 0, allowed_ = 0, finestAtBorder_ = 0, avoided_ = -1;
   FlatArray<Point> points_;
 };
 

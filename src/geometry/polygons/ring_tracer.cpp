@@ -137,9 +137,7 @@ bool Tracer::isAround(std::uint32_t loop) {
 }
 
 void Tracer::trace(Rings& rings, double thinnest) {
-  double size = 0;
-  for (const Point p : numbers_.points()) size = std::max({size, absolute(p.x), absolute(p.y)});
-  width_ = thinnest * size;
+  width_ = thinnest;
   link();
   rings.clear();
   const auto add = [&](const Loop& loop) {

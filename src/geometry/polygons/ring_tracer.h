@@ -21,9 +21,8 @@ class Tracer final : private NestedRings {
   void addRing(std::span<const double> ring);
   /// Does any point occur twice?
   [[nodiscard]] bool hasTouch() const { return numbers_.points().size() < segments_.size(); }
-  /// The polygons of all that has been added, without loops that are thinner than this share of
-  /// the largest coordinate. Replaces the contents. Cost: O(m log m) for m points; and for holes
-  /// what ring_nesting.h says.
+  /// The polygons of all that has been added, without loops that are thinner than this. Replaces
+  /// the contents. Cost: O(m log m) for m points; and for holes what ring_nesting.h says.
   void trace(Rings& rings, double thinnest = 0);
 
  private:
