@@ -89,6 +89,15 @@ test("targets may be a Map or an object, by id: the same weights", () => {
     expect(built().voronoi(window).fitAreas(given)).toStrictEqual(expected);
 });
 
+test("targets that can be iterated, but not as a Map, are refused", () => {
+  const view = built().voronoi(window);
+  expectRefusal(
+    () => view.fitAreas(new Set([1])),
+    "bad-length",
+    "targets has 1, expected pairs of an id and a number",
+  );
+});
+
 test("targets may be another realm's Map", () => {
   const map = runInNewContext("(entries) => new Map(entries)")([...targets.entries()]);
   expect(built().voronoi(window).fitAreas(map).converged).toBe(true);

@@ -1,6 +1,13 @@
 // A number for each site, as callers give them: an array by id, or the entries of a Map or of an
 // object.
-import { checkedNumbers, isArrayLike, isSiteId, numberError, unknownSite } from "./arguments.js";
+import {
+  checkedNumbers,
+  described,
+  isArrayLike,
+  isSiteId,
+  numberError,
+  unknownSite,
+} from "./arguments.js";
 import { ApolloniusError, type ErrorCode } from "./errors.js";
 import type { NativeDiagram } from "./native/module.js";
 import type { NumbersById } from "./types.js";
@@ -40,7 +47,13 @@ export function numbersById(
   const isGiven = new Uint8Array(values.length);
   // A Map of any realm is what can be iterated.
   const entries = Symbol.iterator in given ? given : Object.entries(given);
-  for (const [key, value] of entries as Iterable<[unknown, number]>) {
+  for (const entry of entries as Iterable<unknown>) {
+    if (!Array.isArray(entry))
+      throw new ApolloniusError(
+        "bad-length",
+        `${name} has ${described(entry)}, expected pairs of an id and a number`,
+      );
+    const [key, value] = entry as [unknown, number];
     const id = typeof key === "string" && String(Number(key)) === key ? Number(key) : key;
     if (!isSiteId(id) || !native.has(id)) throw unknownSite(id);
     if (typeof value !== "number") throw numberError(`${name}[${id}]`, value);

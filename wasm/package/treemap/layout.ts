@@ -111,11 +111,18 @@ function checkFunction(name: string, value: unknown, other?: null): void {
   throw new ApolloniusError("bad-option", `${name} is ${described(value)}, expected a function`);
 }
 
+const kMostRounds = 1000;
+
 /** Throws unless the setting can be that; what concerns single nodes is found when they are. */
 function checkSetting(name: keyof Settings, value: unknown): void {
   if (name === "seed") checkNumber(name, value);
-  else if (name === "rounds") checkedCount(name, value);
-  else if (name === "sites") checkedChoice(name, value, ["move", "stay"]);
+  else if (name === "rounds") {
+    if (checkedCount(name, value) > kMostRounds)
+      throw new ApolloniusError(
+        "out-of-range",
+        `rounds is ${value}, expected at most ${kMostRounds}`,
+      );
+  } else if (name === "sites") checkedChoice(name, value, ["move", "stay"]);
   else if (name === "padding" && typeof value !== "function") checkNumber(name, value);
   else if (name === "value" || name === "position" || name === "key")
     checkFunction(name, value, null);

@@ -1,9 +1,12 @@
 // Places for the sites of siblings in their window: spread by value, seeded.
+import { ApolloniusError } from "../errors.js";
 import { boxOf, crossingsAt, isInside } from "./rings.js";
 import type { Rings } from "./outline.js";
 
 const kSamplesOfSite = 16;
 const kMostSamples = 30_000; // if there are fewer sites than these
+/** A row inside has a sample at least, so no window that doubles know needs more rows a place. */
+const kMostRows = 8;
 
 /** A generator of numbers from 0 to 1 (mulberry32), of a seed and a number. */
 export function randomOf(seed: number, which: number): () => number {
@@ -20,22 +23,53 @@ export function randomOf(seed: number, which: number): () => number {
   };
 }
 
-/** At least that many different places inside, x, y, …: in rows, evenly but for a random shift. */
+/** Places that are in use, by y and x. */
+class Taken {
+  readonly #rows = new Map<number, Set<number>>();
+
+  has(x: number, y: number): boolean {
+    return this.#rows.get(y)?.has(x) ?? false;
+  }
+
+  add(x: number, y: number): void {
+    const row = this.#rows.get(y);
+    if (row === undefined) this.#rows.set(y, new Set([x]));
+    else row.add(x);
+  }
+}
+
+/**
+ * At least that many different places inside, x, y, …: in rows, evenly but for a random shift.
+ * Throws "no-convergence" where doubles know fewer.
+ */
 export function samplesIn(rings: Rings, count: number, random: () => number): Float64Array {
   const { xmin, ymin, xmax, ymax } = boxOf(rings);
   const side = Math.sqrt(((xmax - xmin) * (ymax - ymin)) / count);
-  for (let apart = side; ; apart /= 2) {
-    const rows = Math.ceil((ymax - ymin) / apart);
+  // However thin the box is, no more columns or rows than places.
+  let apart = Math.max(side, (xmax - xmin) / count);
+  let above = Math.max(side, (ymax - ymin) / count);
+  for (; ; apart /= 2, above /= 2) {
+    const rows = Math.ceil((ymax - ymin) / above);
+    if (!(rows <= kMostRows * count))
+      throw new ApolloniusError("no-convergence", `the window has no room for ${count} places`);
     const places: number[] = [];
+    let lastY = NaN;
     for (let row = 0; row < rows; ++row) {
       const y = ymin + ((row + 0.05 + 0.9 * random()) / rows) * (ymax - ymin);
+      if (y === lastY) continue; // closer than doubles
+      lastY = y;
       const ends = crossingsAt(rings, y);
       for (let k = 0; k + 1 < ends.length; k += 2) {
         const length = ends[k + 1]! - ends[k]!;
         const columns = Math.ceil(length / apart);
         const shift = 0.05 + 0.9 * random();
-        for (let column = 0; column < columns; ++column)
-          places.push(ends[k]! + ((column + shift) / columns) * length, y);
+        let lastX = NaN;
+        for (let column = 0; column < columns; ++column) {
+          const x = ends[k]! + ((column + shift) / columns) * length;
+          if (x === lastX || !isInside(rings, x, y)) continue;
+          places.push(x, y);
+          lastX = x;
+        }
       }
     }
     if (places.length >= 2 * count) return Float64Array.from(places);
@@ -45,7 +79,7 @@ export function samplesIn(rings: Rings, count: number, random: () => number): Fl
 /**
  * A place for each value, x, y, …: the samples are split in two, across the longer side of their
  * box, as the values are, and so on. Those beside each other in the list get places near each
- * other.
+ * other. All are different, and inside.
  */
 export function spread(
   rings: Rings,
@@ -58,6 +92,9 @@ export function spread(
   const sums = new Float64Array(count + 1);
   for (let k = 0; k < count; ++k) sums[k + 1] = sums[k]! + values[k]!;
   const places = new Float64Array(2 * count);
+  // A sample belongs to one part only, so it is free as long as no other part's middle is there.
+  const taken = new Taken();
+  for (let k = 0; k < samples.length; k += 2) taken.add(samples[k]!, samples[k + 1]!);
   const isFlipped = [random() < 0.5, random() < 0.5];
   const keys = new Float64Array(samples.length / 2);
   // A list of what is still to do: sites and samples from one to before another.
@@ -65,7 +102,7 @@ export function spread(
   for (let next = rest.pop(); next !== undefined; next = rest.pop()) {
     const [from, to, own] = next;
     if (to - from === 1) {
-      places.set(middleOf(rings, samples, own), 2 * from);
+      places.set(middleOf(rings, samples, own, taken), 2 * from);
       continue;
     }
     const half = (sums[from]! + sums[to]!) / 2;
@@ -118,14 +155,21 @@ function longerAxis(samples: Float64Array, own: Uint32Array): 0 | 1 {
   return xmax - xmin >= ymax - ymin ? 0 : 1;
 }
 
-/** Their centre of gravity, or if that is outside, the sample nearest to it. */
-function middleOf(rings: Rings, samples: Float64Array, own: Uint32Array): [number, number] {
+/** Their centre of gravity, or if that is outside or taken, the sample nearest to it. */
+function middleOf(
+  rings: Rings,
+  samples: Float64Array,
+  own: Uint32Array,
+  taken: Taken,
+): [number, number] {
   let [x, y] = [0, 0];
   for (const k of own) {
     x += samples[2 * k]! / own.length;
     y += samples[2 * k + 1]! / own.length;
   }
-  return isInside(rings, x, y) ? [x, y] : nearestOf(samples, own, x, y);
+  if (taken.has(x, y) || !isInside(rings, x, y)) return nearestOf(samples, own, x, y);
+  taken.add(x, y);
+  return [x, y];
 }
 
 function nearestOf(
@@ -150,19 +194,18 @@ function nearestOf(
 export function settled(rings: Rings, given: Float64Array, random: () => number): Float64Array {
   const count = given.length / 2;
   const places = given.slice();
-  const taken = new Set<string>();
+  const taken = new Taken();
   const open: number[] = [];
-  const keyOf = (x: number, y: number) => `${x},${y}`;
   for (let k = 0; k < count; ++k) {
     const [x, y] = [places[2 * k]!, places[2 * k + 1]!];
-    if (isInside(rings, x, y) && !taken.has(keyOf(x, y))) taken.add(keyOf(x, y));
+    if (isInside(rings, x, y) && !taken.has(x, y)) taken.add(x, y);
     else open.push(k);
   }
   if (open.length === 0) return places;
   const samples = samplesIn(rings, Math.max(64, 4 * count), random);
   const free = new Set(
     Array.from({ length: samples.length / 2 }, (_, k) => k).filter(
-      (k) => !taken.has(keyOf(samples[2 * k]!, samples[2 * k + 1]!)),
+      (k) => !taken.has(samples[2 * k]!, samples[2 * k + 1]!),
     ),
   );
   const settledOnes = new Set(Array.from({ length: count }, (_, k) => k));

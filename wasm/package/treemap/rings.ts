@@ -91,17 +91,30 @@ export function momentsOf(rings: Rings): { area: number; x: number; y: number } 
   return { area, x: x / area, y: y / area };
 }
 
-/** Is a place inside, by the even-odd rule? */
+/** Of the two products of a turn, more than the rounding of their difference can be. */
+const kRounding = 2 ** -51;
+
+/**
+ * Is a place inside, by the even-odd rule, for sure? Not on the border, nor so close to it that
+ * rounding may have put it there.
+ */
 export function isInside(rings: Rings, x: number, y: number): boolean {
   let inside = false;
   for (const ring of rings) {
     for (let k = 0, last = ring.length - 2; k < ring.length; last = k, k += 2) {
       const ay = ring[last + 1]!;
       const by = ring[k + 1]!;
-      if (ay > y === by > y) continue;
       const ax = ring[last]!;
       const bx = ring[k]!;
-      if (x < ax + ((y - ay) / (by - ay)) * (bx - ax)) inside = !inside;
+      if (ay > y === by > y) {
+        const isOnRow = ay === y && by === y;
+        if (isOnRow && x >= Math.min(ax, bx) && x <= Math.max(ax, bx)) return false;
+        continue;
+      }
+      const left = (bx - ax) * (y - ay);
+      const right = (by - ay) * (x - ax);
+      if (!(Math.abs(left - right) > kRounding * (Math.abs(left) + Math.abs(right)))) return false;
+      if (left > right === by > ay) inside = !inside;
     }
   }
   return inside;

@@ -137,7 +137,7 @@ export interface Treemap<Datum = unknown> {
   sites(): "move" | "stay";
   sites(sites: "move" | "stay"): this;
 
-  /** Most rounds of moves; fewer where sites have come to rest. Default: 8. */
+  /** Most rounds of moves, up to 1000; fewer where sites have come to rest. Default: 8. */
   rounds(): number;
   rounds(rounds: number): this;
 
