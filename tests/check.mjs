@@ -16,7 +16,7 @@
 //   strangers    the package in what is too large for every npm ci: other bundlers, other versions
 //                of TypeScript, edge runtimes, Deno, Vitest, Observable Framework (tests/strangers)
 //   cluster      20 million points and a million circles by the workers of web/examples/cluster, a
-//                worker and Redis killed on the way
+//                worker and Redis killed on the way; a hundred kills at random moments
 //   debug        the package of `npm run build -- --debug`: a short test, C++ names in a stack
 //                trace, the source map
 //   determinism  the recorded hashes with g++ and clang++, -O0 to -O3, 32 bits, the machine's own
