@@ -16,14 +16,16 @@
 //   strangers    the package in what is too large for every npm ci: other bundlers, other versions
 //                of TypeScript, edge runtimes, Deno, Vitest, Observable Framework (tests/strangers)
 //   cluster      20 million points and a million circles by the workers of web/examples/cluster, a
-//                worker and Redis killed on the way
+//                worker and Redis killed on the way; a hundred kills at random moments
+//   debug        the package of `npm run build -- --debug`: a short test, C++ names in a stack
+//                trace, the source map
 //   determinism  the recorded hashes with g++ and clang++, -O0 to -O3, 32 bits, the machine's own
 //                instructions
 //
 // APOLLONIUS_DETERMINISM=clang limits the builds of the last one to those whose name has that in
 // it.
 import path from "node:path";
-import { buildPackage } from "../tools/build.mjs";
+import { buildDebug, buildPackage } from "../tools/build.mjs";
 import { ensureChromium, ensureFirefox } from "../tools/toolchain/browser.mjs";
 import { ensureBoost } from "../tools/toolchain/boost.mjs";
 import { buildWasmTests, buildWithCmake } from "../tools/toolchain/cmake.mjs";
@@ -37,7 +39,7 @@ import { cppcheck, tidy } from "./check/analyse.mjs";
 import { checkDeterminism } from "./check/determinism.mjs";
 import { runPrograms } from "./programs.mjs";
 import { ctest, jest, runSteps } from "./steps.mjs";
-import { installPacked } from "./wasm/support/install_packed.mjs";
+import { installPacked, installPackedDebug } from "./wasm/support/install_packed.mjs";
 
 /**
  * A few of each program: what runs here takes some thirty times as long as natively. None that
@@ -129,6 +131,11 @@ await runSteps({
     if (redis === null) throw new SetUpError("no redis-server, and apt has none");
     await buildPackage();
     return jest(["cluster"], { env: { REDIS_SERVER: redis, APOLLONIUS_THOROUGH: "1" } });
+  },
+  async debug() {
+    await buildDebug();
+    installPackedDebug();
+    return jest(["debug"]);
   },
   async tidy() {
     native();

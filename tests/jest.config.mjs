@@ -11,6 +11,7 @@ export default {
     { ...common, displayName: "package", testMatch: ["<rootDir>/tests/wasm/**/*.test.mjs"] },
     { ...common, displayName: "layers", testMatch: ["<rootDir>/tests/*.test.mjs"] },
     { ...common, displayName: "cluster", testMatch: ["<rootDir>/tests/cluster/**/*.test.mjs"] },
+    { ...common, displayName: "debug", testMatch: ["<rootDir>/tests/debug/*.test.mjs"] },
     { ...common, displayName: "strangers", testMatch: ["<rootDir>/tests/strangers/*.test.mjs"] },
     {
       ...common,

@@ -79,8 +79,9 @@ function asString(bytes) {
 }
 
 /**
- * Lets a bundle import one of the parts of the wasm as `asString` has it. esbuild would print its
- * own loaders' strings full of escapes.
+ * Lets a bundle import what is in `built` (which the sources call build/wasm, in a debug build,
+ * too), and one of the parts of the wasm as `asString` has it. esbuild would print its own loaders'
+ * strings full of escapes.
  */
 function wasmAsText(built, part) {
   const { literal, swaps } = asString(readFileSync(path.join(built, `parts/${part}.wasm`)));
@@ -88,7 +89,7 @@ function wasmAsText(built, part) {
   return {
     name: "wasm-as-text",
     setup(build) {
-      build.onResolve({ filter: /^\.\.\/\.\.\/build\/wasm\/[\w.]+$/ }, ({ path: file }) => ({
+      build.onResolve({ filter: /\/build\/wasm\/[\w.]+$/ }, ({ path: file }) => ({
         path: path.join(built, path.basename(file)),
       }));
       build.onResolve({ filter: /\.wasm\?module$/ }, ({ path: file }) => ({
@@ -261,6 +262,12 @@ function fingerprint(built) {
  */
 async function makeDist(emscripten, built, dist, options) {
   splitWasm(emscripten, built, options);
+  if (options?.debug) {
+    // The sources take the module's types from build/wasm; those of both builds are the same.
+    const release = path.join(root, "build/wasm");
+    mkdirSync(release, { recursive: true });
+    copyFileSync(path.join(built, "apollonius.d.mts"), path.join(release, "apollonius.d.mts"));
+  }
   run(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", sources]);
   const fresh = path.join(root, "build/dist");
   rmSync(fresh, { recursive: true, force: true });
@@ -299,7 +306,7 @@ export async function buildPackage() {
   });
 }
 
-async function buildDebug() {
+export async function buildDebug() {
   const debug = { debug: true };
   const emscripten = ensureBuildTools();
   await withBuildLock(() =>

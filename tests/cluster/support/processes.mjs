@@ -35,6 +35,9 @@ export function stopAll() {
   for (const child of running) child.kill("SIGKILL");
 }
 
+/** Whether a text has lines of a stack trace. */
+export const isStack = (text) => /^\s+at .*[:)]/m.test(text);
+
 /** Waits until an action gives something true, which is returned. */
 export async function until(action) {
   for (;;) {

@@ -1,17 +1,30 @@
-// The package as users get it: packed by npm, installed into build/packed, a project of its own.
-import { mkdirSync, rmSync, writeFileSync } from "node:fs";
+// The package as users get it: packed by npm, installed into build/packed, a project of its own. A
+// debug build is packed from build/debug and installed below it.
+import { copyFileSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "../../../tools/toolchain/folders.mjs";
 import { capture } from "../../../tools/toolchain/process.mjs";
 
 export const packed = path.join(root, "build/packed");
+export const packedDebug = path.join(root, "build/debug/packed");
 
 export function installPacked() {
+  return install(packed, root);
+}
+
+/** Installs build/debug/dist as the package. */
+export function installPackedDebug() {
+  const source = path.join(root, "build/debug");
+  copyFileSync(path.join(root, "package.json"), path.join(source, "package.json"));
+  return install(packedDebug, source);
+}
+
+function install(packed, source) {
   rmSync(packed, { recursive: true, force: true });
   mkdirSync(packed, { recursive: true });
   const [{ filename }] = JSON.parse(
     capture("npm", ["pack", "--json", "--loglevel=error", "--pack-destination", packed], {
-      cwd: root,
+      cwd: source,
     }),
   );
   writeFileSync(

@@ -1,23 +1,30 @@
-// Joins the parts of a run in their order:
-//
-//   node collect.mjs --folder work --out RESULT
-//
-// Every byte of every part is checked. Missing and damaged ones are named (the latter removed), and
-// nothing is written; start submit.mjs (build.mjs) again, which has just these done again.
+// Joins the parts of a run in their order. Every byte of every part is checked; missing and damaged
+// ones are named (the latter removed), and nothing is written.
 import { rename, rm } from "node:fs/promises";
-import { parseArgs } from "node:util";
+import { readOptions } from "./command_line.mjs";
 import { formats } from "./formats/index.mjs";
 import { BadPart, listParts, readPart, removeDrafts, removePart } from "./parts.mjs";
 import { readPlan } from "./run.mjs";
 import * as tiles from "./tiles.mjs";
 
-const { values: options } = parseArgs({
-  options: { folder: { type: "string" }, out: { type: "string" } },
-});
-for (const name of ["folder", "out"]) if (!options[name]) throw new Error(`--${name} is missing`);
-const { folder, out } = options;
+const usage = `
+node collect.mjs --folder work --out RESULT
 
-const { kind, run, common, jobs } = readPlan(folder);
+Joins the parts that submit.mjs or build.mjs has had made, and checks each byte. If some are missing
+or damaged, it names them and writes nothing: start submit.mjs (build.mjs) again, which has just
+these done again.
+
+  --folder   that of submit (build) and workers
+  --out      what the names of the results begin with: RESULT.csv, RESULT.areas.f64, …`;
+
+const { folder, out } = readOptions(usage, {
+  folder: { type: "string", required: true },
+  out: { type: "string", required: true },
+});
+
+const plan = readPlan(folder);
+if (plan === undefined) throw new Error(`${folder} has no run: submit.mjs or build.mjs begins one`);
+const { kind, run, common, jobs } = plan;
 const bad = new Set();
 const kMostNamed = 20;
 

@@ -7,31 +7,34 @@ import path from "node:path";
 import { setTimeout } from "node:timers/promises";
 import { Queue, QueueEvents } from "bullmq";
 import { SingleBar } from "cli-progress";
-import { Redis } from "ioredis";
+import { connect } from "./connection.mjs";
 import { hasPart, listParts, removePart } from "./parts.mjs";
-import { openRedis } from "./redis.mjs";
 import { hashOf, putSnapshot } from "./snapshots.mjs";
 
 export const kQueue = "apollonius";
 const kAttempts = 3;
 const kAtOnce = 1000; // jobs that are added in one call
-const kPatience = 50; // tenths of a second
+const kFarewell = 50; // tenths of a second that workers have to say that they are done
 const kLook = 500; // milliseconds between two looks at the folder
 
 const planFile = (folder) => path.join(folder, "plan.json");
 
+/** The plan of a folder; undefined if it has none. */
 export function readPlan(folder) {
-  return JSON.parse(readFileSync(planFile(folder), "utf8"));
+  try {
+    return JSON.parse(readFileSync(planFile(folder), "utf8"));
+  } catch (error) {
+    if (error.code === "ENOENT") return undefined;
+    throw error instanceof SyntaxError ? new Error(`${planFile(folder)} is damaged`) : error;
+  }
 }
 
 /** Keeps the plan in the folder; refuses a folder that belongs to another one. */
 async function keepPlan(folder, plan) {
-  try {
-    if (readPlan(folder).run === plan.run) return;
+  const kept = readPlan(folder);
+  if (kept?.run === plan.run) return;
+  if (kept)
     throw new Error(`${folder} belongs to another run: choose another folder, or empty this one`);
-  } catch (error) {
-    if (error.code !== "ENOENT") throw error;
-  }
   await mkdir(folder, { recursive: true });
   await writeFile(`${planFile(folder)}.new`, JSON.stringify(plan));
   await rename(`${planFile(folder)}.new`, planFile(folder));
@@ -75,7 +78,9 @@ function progressBar({ unit, jobs }) {
   const total = sizes.reduce((sum, size) => sum + size, 0);
   const short = (value) => Intl.NumberFormat("en", { notation: "compact" }).format(value);
   const bar = new SingleBar({
-    format: `{bar} {percentage} %  {done} of {all} ${unit}  {rate} ${unit}/s  {eta_formatted} left`,
+    format:
+      `{bar} {percentage} %  {done} of {all} ${unit}  {rate} ${unit}/s  {eta_formatted} left  ` +
+      "workers: {workers}",
     noTTYOutput: true,
     notTTYSchedule: 5000,
     hideCursor: true,
@@ -83,9 +88,14 @@ function progressBar({ unit, jobs }) {
   let first, began;
   const done = (indices) => indices.reduce((sum, index) => sum + sizes[index], 0);
   return {
-    show(indices) {
+    show(indices, workers) {
       const value = done(indices);
-      const shown = (rate) => ({ done: short(value), all: short(total), rate: short(rate) });
+      const shown = (rate) => ({
+        done: short(value),
+        all: short(total),
+        rate: short(rate),
+        workers,
+      });
       if (first === undefined) {
         [first, began] = [value, performance.now()];
         bar.start(total, value, shown(0));
@@ -99,25 +109,25 @@ function progressBar({ unit, jobs }) {
 /**
  * Has all jobs of a plan done by the workers that there are, and shows how far they are. A plan is
  * {kind, run, unit, common, jobs}: `common` goes with every job; `size` of a job is in the unit.
- * Returns when every part is there; throws if a job has failed for good. `snapshot` is put into
- * Redis under its hash, again if it is lost there.
+ * Returns when every part is there; throws if a job has failed for good, or Redis has been away for
+ * `patience` seconds. `snapshot` is put into Redis under its hash, again if it is lost there.
  */
-export async function perform(folder, plan, { snapshot } = {}) {
+export async function perform(folder, plan, { patience, snapshot }) {
   if (plan.jobs.length === 0)
     throw new Error("there is nothing to do: the input or the window is empty");
   await keepPlan(folder, plan);
-  const { url, stop } = await openRedis(folder);
-  const redis = new Redis(url, { maxRetriesPerRequest: null });
+  const { redis, lost, close } = await connect(folder, { patience });
+  const bar = progressBar(plan);
   const queue = new Queue(kQueue, { connection: redis });
-  const events = new QueueEvents(kQueue, { connection: { url, maxRetriesPerRequest: null } });
-  const silence = () => {}; // a Redis that is away comes back, and all go on
-  for (const each of [redis, queue, events]) each.on("error", silence);
+  const reading = redis.duplicate({ socketTimeout: undefined }); // no event is no failure
+  const events = new QueueEvents(kQueue, { connection: reading });
+  for (const each of [queue, events, reading]) each.on("error", () => {}); // `lost` tells
   let failure;
   events.on("failed", ({ jobId, failedReason }) => {
     if (jobId.startsWith(`${plan.run}-`)) failure = `job ${jobId.split("-")[1]}: ${failedReason}`;
   });
-  const bar = progressBar(plan);
-  try {
+
+  async function seeThrough() {
     await events.waitUntilReady();
     for (let todo = await missing(folder, plan); todo.length > 0; ) {
       if (snapshot) await putSnapshot(redis, plan.common.snapshot, snapshot);
@@ -125,7 +135,7 @@ export async function perform(folder, plan, { snapshot } = {}) {
       // until the queue is empty, or holds only what other runs have there
       for (let there = -1; failure === undefined; await setTimeout(kLook)) {
         const parts = await listParts(folder);
-        bar.show(parts);
+        bar.show(parts, await queue.getWorkersCount());
         if (snapshot) await putSnapshot(redis, plan.common.snapshot, snapshot);
         const idle = (await queue.getJobCountByTypes("wait", "active", "delayed")) === 0;
         if (parts.length >= plan.jobs.length || (idle && parts.length === there)) break;
@@ -135,11 +145,16 @@ export async function perform(folder, plan, { snapshot } = {}) {
       todo = await missing(folder, plan);
     }
     // The parts are there; workers that are about to say so to Redis may.
-    for (let k = 0; k < kPatience && (await queue.getActiveCount()) > 0; ++k) await setTimeout(100);
+    for (let k = 0; k < kFarewell && (await queue.getActiveCount()) > 0; ++k) await setTimeout(100);
+  }
+
+  try {
+    await Promise.race([seeThrough(), lost]);
   } finally {
     bar.stop();
-    await Promise.allSettled([queue.close(), events.close()]);
-    redis.disconnect();
-    await stop();
+    reading.disconnect();
+    // These may wait for a Redis that is away, so nobody waits for them.
+    for (const each of [queue, events]) each.close().catch(() => {});
+    await close();
   }
 }

@@ -1,33 +1,38 @@
-// Does jobs until it is stopped; start as many as there are processors, on any machines:
-//
-//   node worker.mjs --folder work       REDIS_URL, or the Redis that submit.mjs has started
-//
-// Ctrl-C ends it after the jobs that it is at. Nothing is lost if it dies: its locks expire after
-// `--lock` seconds, and others do its jobs again.
-import { parseArgs } from "node:util";
+// Does jobs until it is stopped. Nothing is lost if it dies: its locks expire, and others do its
+// jobs again.
 import { DelayedError, Worker } from "bullmq";
 import { Redis } from "ioredis";
 import { assign } from "./assign.mjs";
 import { buildTile } from "./build_tile.mjs";
+import { count, readOptions, seconds, wordsOf } from "./command_line.mjs";
 import { hasPart, writePart } from "./parts.mjs";
 import { redisAddress } from "./redis.mjs";
 import { kQueue } from "./run.mjs";
 import { CurrentDiagram, NoSnapshot } from "./snapshots.mjs";
 
-const { values: options } = parseArgs({
-  options: {
-    folder: { type: "string" },
-    lock: { type: "string", default: "30" },
-    concurrency: { type: "string", default: "2" }, // one computes while another reads or writes
-  },
+const usage = `
+node worker.mjs --folder work
+
+Does jobs of submit.mjs and build.mjs until it is stopped; start as many as there are processors, on
+any machines. Ctrl-C ends it after the jobs that it is at.
+
+  --folder        that of submit (build)
+  --lock          seconds after which others do the jobs of a worker that has died, by default 30
+  --concurrency   jobs at a time, by default 2: one computes while another reads or writes
+
+REDIS_URL names the Redis that submit (build) has, too; without it, it is the one that they start.`;
+
+const options = readOptions(usage, {
+  folder: { type: "string", required: true },
+  lock: { type: "string", default: "30", as: seconds },
+  concurrency: { type: "string", default: "2", as: count },
 });
-const { folder } = options;
-if (!folder) throw new Error("--folder is missing");
+const { folder, concurrency } = options;
 
 const redis = new Redis(await redisAddress(folder), { maxRetriesPerRequest: null });
 const context = { folder, diagram: new CurrentDiagram(redis), seconds: 0, items: 0 };
 const kinds = { assign, tile: buildTile };
-const lock = 1000 * Number(options.lock);
+const lock = 1000 * options.lock;
 
 async function perform(job, token) {
   const { run, index } = job.data;
@@ -57,21 +62,22 @@ const worker = new Worker(
   },
   {
     connection: redis,
-    concurrency: Number(options.concurrency),
+    concurrency,
     lockDuration: lock,
     stalledInterval: lock,
     maxStalledCount: 1000, // that its worker dies is no fault of the job
   },
 );
 worker.on("failed", (job, error) => console.error(`job ${job?.id}: ${error.message}`));
-let isAway = false;
+let said; // since Redis was there
 for (const each of [worker, redis]) {
-  each.on("error", ({ message }) => {
-    if (!isAway) console.error(`Redis: ${message}; it is tried again`);
-    isAway = true;
+  each.on("error", (error) => {
+    const words = wordsOf(error);
+    if (words !== said) console.error(`Redis: ${words}; it is tried again`);
+    said = words;
   });
 }
-redis.on("ready", () => (isAway = false));
+redis.on("ready", () => (said = undefined));
 console.log("Waiting for jobs");
 
 async function end() {
