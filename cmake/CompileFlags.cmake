@@ -74,7 +74,8 @@ if(APOLLONIUS_SHADOW_CHECK)
   if(APOLLONIUS_SHADOW_CHECK MATCHES "^[0-9]+$")
     set(shadow_check_every ${APOLLONIUS_SHADOW_CHECK})
   endif()
-  target_compile_definitions(apollonius_flags INTERFACE APOLLONIUS_SHADOW_CHECK=${shadow_check_every})
+  target_compile_definitions(apollonius_flags
+    INTERFACE APOLLONIUS_SHADOW_CHECK=${shadow_check_every})
 endif()
 
 # Options that must reach GoogleTest too, because object files with and without them do not mix.

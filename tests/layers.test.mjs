@@ -326,20 +326,6 @@ test("lack of memory is caught by its type; `catch (...)` only sets right and th
   expect(swallowing).toEqual([]);
 });
 
-/** Lines of a file but blank ones and those that are comments only. */
-function linesOfCode(file) {
-  const lines = readFileSync(path.join(root, file), "utf8").split("\n");
-  return lines.filter((line) => !/^\s*(\/\/|\/?\*|$)/.test(line)).length;
-}
-
-test("no file has more than 500 lines, and none of src/ and wasm/ more than 300 of code", () => {
-  const isLong = (file) =>
-    readFileSync(path.join(root, file), "utf8").split("\n").length > 501 ||
-    (/^(src|wasm)\//.test(file) && linesOfCode(file) > 300);
-  const all = ["src/", "wasm/", "web/", "tests/", "bench/", "tools/"].flatMap(sources);
-  expect(all.filter(isLong)).toEqual([]);
-});
-
 test("no line of a source file is longer than 100 columns", () => {
   const named = /\.(cpp|h|js|mjs|ts|cmake|yml|sh)$|(^|\/)(CMakeLists\.txt|\.clang-tidy|run)$/;
   const long = files

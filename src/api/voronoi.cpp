@@ -230,7 +230,9 @@ Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
     coverage.sites.assign(found.sites.begin(), found.sites.end());
     coverage.cells.assign(found.cells.begin(), found.cells.end());
   });
-  return error != Error::kNone || isCovered ? error : Error::kBroken;
+  if (error != Error::kNone || isCovered) return error;
+  // Of trusted bytes that were no diagram, anything can come.
+  return diagram_.core_->delaunay().isProven() ? Error::kBroken : Error::kCorruptSnapshot;
 }
 
 Error Voronoi::cellMoments(SiteId id, CellMoments& moments) const {

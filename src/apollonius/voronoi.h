@@ -115,8 +115,8 @@ class APOLLONIUS_EXPORT Voronoi {
   /// The polygons of all cells. They tile the window: each segment stands once, and its reverse
   /// once in the cell beside it, or it lies on the border; and no two segments meet but in common
   /// ends, which is proved. The sum of their areas is compared with the window's. Errors also:
-  /// kBroken, a defect of the library. Cost: O(n) for sites spread evenly, twice the time of a loop
-  /// of cellPolygon.
+  /// kBroken, a defect of the library (of trusted bytes kCorruptSnapshot, a defect of these). Cost:
+  /// O(n) for sites spread evenly, twice the time of a loop of cellPolygon.
   [[nodiscard]] Error cellPolygons(double tolerance, CoverageArrays& coverage) const;
   /// Area and centroid; cellMeasures() takes several times as long, for the perimeter.
   [[nodiscard]] Error cellMoments(SiteId id, CellMoments& moments) const;
