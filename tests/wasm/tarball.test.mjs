@@ -96,6 +96,7 @@ const kLater = {
   "empty circles, projections, natural neighbours": 2_400,
   "filters of find and pick, pickMany": 800,
   "all cells' paths at once, the window as a thing, d3's arrays": 2_900,
+  "areas of polygons summed, edges that come to one place swept": 1_200,
 };
 // of which documents 60 000, levels and counts of predicates 14 000, vertices of circles on a grid
 // 4 000 (1 218 bytes of wasm in three files), snap rounding 4 500 (1 352), and polygons that tile
