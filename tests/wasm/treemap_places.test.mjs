@@ -131,6 +131,45 @@ test("two leaves in shapes of every aspect: areas, or a typed error", () => {
   }
 });
 
+/** Rectangles [x0, y0, x1, y1] as the parts of a MultiPolygon. */
+const islandsOf = (boxes) =>
+  boxes.map(([x0, y0, x1, y1]) => [
+    [
+      [x0, y0],
+      [x1, y0],
+      [x1, y1],
+      [x0, y1],
+    ],
+  ]);
+
+// Rows at even distances missed both strips.
+describe.each(["stay", "move"])("islands that are thin and far apart, sites that %s", (sites) => {
+  test.each([
+    ["strips above each other", 2, 1e-3],
+    ["strips above each other", 30, 1e-3],
+    ["strips beside each other", 30, 1e-3],
+    ["a strip above a tower", 2, 1e-3],
+  ])("%s, %i leaves, %d thick", (kind, leaves, thin) => {
+    const boxes = {
+      "strips above each other": [
+        [0, 0, 1, thin],
+        [0, 1, 1, 1 + thin],
+      ],
+      "strips beside each other": [
+        [0, 0, thin, 1],
+        [1, 0, 1 + thin, 1],
+      ],
+      "a strip above a tower": [
+        [0, 0, thin, 1000],
+        [0, 1001, 1, 1001 + thin],
+      ],
+    };
+    const root = flatRoot(leaves, 5);
+    treemap().shape(islandsOf(boxes[kind])).sites(sites)(root);
+    expect(deviationOf(root)).toBeLessThan(1e-6);
+  });
+});
+
 test.each([Infinity, 2 ** 53, 1001])("rounds(%d) is refused", (rounds) => {
   expectRefusal(() => treemap().rounds(rounds), "out-of-range", "expected at most 1000");
 });

@@ -2,7 +2,7 @@
 // yielded, so that who asks for the next one can wait in between, or not.
 import { ApolloniusError } from "../errors.js";
 import type { Window } from "./cells.js";
-import { spread } from "./places.js";
+import { spread, Taken } from "./places.js";
 import { isInside, momentsOf } from "./rings.js";
 import type { Settings } from "./settings.js";
 import type { TreemapFit } from "./types.js";
@@ -164,7 +164,7 @@ function powerOf(value: number, power: number): number {
   return power === 0.5 ? root : power === 0.25 ? Math.sqrt(root) : root * Math.sqrt(root);
 }
 
-/** The centroids that are inside, and how far at most they are, in widths of cells. */
+/** The centroids that are inside and free, and how far at most they are, in widths of cells. */
 function movedToCentroids({ view, rings, places, targets }: Search): {
   places: Float64Array;
   far: number;
@@ -172,11 +172,14 @@ function movedToCentroids({ view, rings, places, targets }: Search): {
   const perTarget = momentsOf(rings).area / targets.reduce((sum, target) => sum + target, 0);
   const centroids = view.cellCentroids();
   const result = places.slice();
+  const taken = new Taken();
+  for (let k = 0; k < places.length; k += 2) taken.add(places[k]!, places[k + 1]!);
   let far = 0;
   targets.forEach((target, k) => {
     const x = centroids[2 * k]!;
     const y = centroids[2 * k + 1]!;
-    if (!isInside(rings, x, y)) return;
+    if (taken.has(x, y) || !isInside(rings, x, y)) return;
+    taken.add(x, y);
     const dx = x - places[2 * k]!;
     const dy = y - places[2 * k + 1]!;
     far = Math.max(far, Math.sqrt((dx * dx + dy * dy) / (perTarget * target)));

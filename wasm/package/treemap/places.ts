@@ -24,7 +24,7 @@ export function randomOf(seed: number, which: number): () => number {
 }
 
 /** Places that are in use, by y and x. */
-class Taken {
+export class Taken {
   readonly #rows = new Map<number, Set<number>>();
 
   has(x: number, y: number): boolean {
@@ -38,41 +38,97 @@ class Taken {
   }
 }
 
+/** Part of a window between two lines of constant y, and how wide the window is there. */
+interface Band {
+  readonly bottom: number;
+  readonly top: number;
+  readonly width: number;
+}
+
+/** The bands between each corner's y and the next where something is inside. */
+function bandsOf(rings: Rings): Band[] {
+  const heights = rings.flatMap((ring) => Array.from(ring.filter((_, k) => k % 2 === 1)));
+  const lines = Float64Array.from(new Set(heights)).sort();
+  const bands: Band[] = [];
+  for (let k = 0; k + 1 < lines.length; ++k) {
+    const [bottom, top] = [lines[k]!, lines[k + 1]!];
+    const ends = crossingsAt(rings, bottom + (top - bottom) / 2);
+    const width = ends.reduce((sum, end, at) => sum + (at % 2 === 0 ? -end : end), 0);
+    if (width > 0) bands.push({ bottom, top, width });
+  }
+  return bands;
+}
+
 /**
  * At least that many different places inside, x, y, …: in rows, evenly but for a random shift.
  * Throws "no-convergence" where doubles know fewer.
  */
 export function samplesIn(rings: Rings, count: number, random: () => number): Float64Array {
   const { xmin, ymin, xmax, ymax } = boxOf(rings);
-  const side = Math.sqrt(((xmax - xmin) * (ymax - ymin)) / count);
-  // However thin the box is, no more columns or rows than places.
-  let apart = Math.max(side, (xmax - xmin) / count);
-  let above = Math.max(side, (ymax - ymin) / count);
-  for (; ; apart /= 2, above /= 2) {
-    const rows = Math.ceil((ymax - ymin) / above);
-    if (!(rows <= kMostRows * count))
-      throw new ApolloniusError("no-convergence", `the window has no room for ${count} places`);
+  const box = { bottom: ymin, top: ymax, width: xmax - xmin };
+  // Even rows may miss islands that are thin and far apart; rows of the bands meet them.
+  const samples =
+    samplesInBands(rings, [box], count, random) ??
+    samplesInBands(rings, bandsOf(rings), count, random);
+  if (samples === null)
+    throw new ApolloniusError("no-convergence", `the window has no room for ${count} places`);
+  return samples;
+}
+
+/** The same in rows of these bands; null if `kMostRows` a place are too few. */
+function samplesInBands(
+  rings: Rings,
+  bands: readonly Band[],
+  count: number,
+  random: () => number,
+): Float64Array | null {
+  let [area, width, height] = [0, 0, 0];
+  for (const band of bands) {
+    area += (band.top - band.bottom) * band.width;
+    width += band.width;
+    height += band.top - band.bottom;
+  }
+  const side = Math.sqrt(area / count);
+  // However thin the window is, no more columns or rows than places.
+  let apart = Math.max(side, width / count);
+  let above = Math.max(side, height / count);
+  for (; height / above <= kMostRows * count; apart /= 2, above /= 2) {
     const places: number[] = [];
-    let lastY = NaN;
-    for (let row = 0; row < rows; ++row) {
-      const y = ymin + ((row + 0.05 + 0.9 * random()) / rows) * (ymax - ymin);
-      if (y === lastY) continue; // closer than doubles
-      lastY = y;
-      const ends = crossingsAt(rings, y);
-      for (let k = 0; k + 1 < ends.length; k += 2) {
-        const length = ends[k + 1]! - ends[k]!;
-        const columns = Math.ceil(length / apart);
-        const shift = 0.05 + 0.9 * random();
-        let lastX = NaN;
-        for (let column = 0; column < columns; ++column) {
-          const x = ends[k]! + ((column + shift) / columns) * length;
-          if (x === lastX || !isInside(rings, x, y)) continue;
-          places.push(x, y);
-          lastX = x;
-        }
+    for (const { bottom, top } of bands) {
+      const rows = Math.ceil((top - bottom) / above);
+      let lastY = NaN;
+      for (let row = 0; row < rows; ++row) {
+        const y = bottom + ((row + 0.05 + 0.9 * random()) / rows) * (top - bottom);
+        if (y === lastY) continue; // closer than doubles
+        lastY = y;
+        addRow(places, rings, y, apart, random);
       }
     }
     if (places.length >= 2 * count) return Float64Array.from(places);
+  }
+  return null;
+}
+
+/** Adds places of a row that are inside, about so far apart. */
+function addRow(
+  places: number[],
+  rings: Rings,
+  y: number,
+  apart: number,
+  random: () => number,
+): void {
+  const ends = crossingsAt(rings, y);
+  for (let k = 0; k + 1 < ends.length; k += 2) {
+    const length = ends[k + 1]! - ends[k]!;
+    const columns = Math.ceil(length / apart);
+    const shift = 0.05 + 0.9 * random();
+    let lastX = NaN;
+    for (let column = 0; column < columns; ++column) {
+      const x = ends[k]! + ((column + shift) / columns) * length;
+      if (x === lastX || !isInside(rings, x, y)) continue;
+      places.push(x, y);
+      lastX = x;
+    }
   }
 }
 
