@@ -148,8 +148,9 @@ class APOLLONIUS_EXPORT SphericalDiagram {
 
   // --- Snapshots
 
-  /// The sites and ids in bytes; the restored diagram gives the same answers, and the same ids to
-  /// new sites. Replaces the contents. Errors: kOutOfMemory. Cost: O(n), 28 bytes a site.
+  /// The sites, ids and hidden sites in bytes; the restored diagram gives the same answers, and the
+  /// same ids to new sites. Replaces the contents. Errors: kOutOfMemory. Cost: O(n), 28 bytes a
+  /// site and 8 more a hidden one.
   [[nodiscard]] Error toBytes(std::vector<std::uint8_t>& bytes) const;
   /// Becomes the diagram that was saved, with its radius. Whoever made the bytes, the diagram is
   /// that of the sites in them. Errors: kCorruptSnapshot, kOutOfMemory. Cost: that of building.

@@ -43,6 +43,18 @@ SiteId DiagramCore::insert(const Site& site) {
   return ids_.take(attachSite(slot, site, kNoVertex));
 }
 
+SiteId DiagramCore::insertBelow(const Site& site, SiteId cover) {
+  const Slot parent = ids_.slotOf(cover);
+  const Site child = normalized(site);
+  if (!covers(this->site(parent), child)) return kNoSite;
+  const Slot slot = ids_.next();
+  reserve(slot + std::size_t{1});
+  hidden_.reserveChildren(1);
+  delaunay_.setSite(vertexOf(slot), child);
+  hidden_.attach(slot, parent);
+  return ids_.take(SiteState::kHidden);
+}
+
 SiteState DiagramCore::attachSite(Slot slot, const Site& site, VertexId start, Undo undo) {
   const VertexId v = vertexOf(slot);
   delaunay_.setSite(v, normalized(site));

@@ -26,6 +26,10 @@ class DiagramCore {
   explicit DiagramCore(Location location) : index_(location) {}
 
   SiteId insert(const Site& site);
+  /// Inserts a site that `cover` covers, hung directly on that one, as its last child: for
+  /// snapshots of what is built of a diagram. kNoSite, and nothing changed, if it is not covered.
+  /// REQUIRES: the id of the cover is in use.
+  [[nodiscard]] SiteId insertBelow(const Site& site, SiteId cover);
 
   /// False if the id is not in use.
   bool remove(SiteId id);

@@ -78,14 +78,4 @@ SiteId choosePole(const SiteTable& sites, const FlatArray<Cap>& caps, std::uint6
   return best;
 }
 
-bool isVisible(const SiteTable& sites, SiteId id) {
-  const Projection projection(sites.cap(id));
-  for (SiteId other = 0; other < sites.idLimit(); ++other) {
-    if (sites.has(other) && other != id &&
-        projection.image(sites.cap(other)).kind == Projection::Kind::kCoversPole)
-      return false;
-  }
-  return true;
-}
-
 }  // namespace apollonius::internal::sphere

@@ -13,8 +13,4 @@ namespace apollonius::internal::sphere {
 [[nodiscard]] SiteId choosePole(const SiteTable& sites, const FlatArray<Cap>& caps,
                                 std::uint64_t& seed);
 
-/// Is a site visible, as far as the projection from it can tell: does no other one hide it? Cost:
-/// O(n).
-[[nodiscard]] bool isVisible(const SiteTable& sites, SiteId id);
-
 }  // namespace apollonius::internal::sphere

@@ -18,17 +18,22 @@ void append(FlatArray<double>& circles, const Site& circle) {
 }  // namespace
 
 ProjectedDiagram::ProjectedDiagram(const SiteTable& sites, const FlatArray<Cap>& caps, SiteId pole)
-    : pole_(pole), poleCap_(caps[pole]), projection_(poleCap_), plane_(Location::kHierarchy) {
+    : ProjectedDiagram(caps[pole], pole) {
   FlatArray<SiteId> all;
   all.reserve(sites.size());
   for (SiteId id = 0; id < sites.idLimit(); ++id) {
     if (sites.has(id) && id != pole) all.push_back(id);
   }
+  enterAll(sites, caps, all);
+}
+
+void ProjectedDiagram::enterAll(const SiteTable& sites, const FlatArray<Cap>& caps,
+                                FlatArray<SiteId>& ids) {
   FlatArray<double> circles;
-  circles.reserve(3 * all.size());
-  reserve(sites.idLimit(), all.size());
+  circles.reserve(3 * ids.size());
+  reserve(sites.idLimit(), ids.size());
   std::size_t images = 0;
-  for (const SiteId id : all) {
+  for (const SiteId id : ids) {
     const Projection::Image image = projection_.image(caps[id]);
     if (image.kind != Kind::kCircle) {
       enterBelowPole(id);
@@ -36,9 +41,9 @@ ProjectedDiagram::ProjectedDiagram(const SiteTable& sites, const FlatArray<Cap>&
     }
     loss_ = std::max(loss_, image.loss);
     append(circles, image.circle);
-    all[images++] = id;
+    ids[images++] = id;
   }
-  all.resize(images);
+  ids.resize(images);
   if (images == 0) return;
   grid_.reset(images);
   FlatArray<SiteId> planeIds(images);
@@ -48,8 +53,67 @@ ProjectedDiagram::ProjectedDiagram(const SiteTable& sites, const FlatArray<Cap>&
     FlatArray<double>().swap(circles);
     insertion.insert({planeIds.data(), images});
   }
-  for (std::size_t k = 0; k < images; ++k) enter(all[k], planeIds[k], caps[all[k]]);
+  for (std::size_t k = 0; k < images; ++k) enter(ids[k], planeIds[k], caps[ids[k]]);
   grid_.fill();
+}
+
+bool ProjectedDiagram::restore(const SiteTable& sites, SiteId pole,
+                               std::span<const HiddenSite> hidden) {
+  FlatArray<bool> isPlaced(sites.idLimit(), true);
+  for (const HiddenSite& pair : hidden) {
+    if (!sites.has(pair.site) || !sites.has(pair.cover) || !isPlaced[pair.site]) return false;
+    isPlaced[pair.site] = false;
+  }
+  if (!isPlaced[pole]) return false;
+  FlatArray<SiteId> visible;
+  visible.reserve(sites.size());
+  for (SiteId id = 0; id < sites.idLimit(); ++id) {
+    if (sites.has(id) && id != pole && isPlaced[id]) visible.push_back(id);
+  }
+  const FlatArray<Cap> caps = sites.caps();
+  const std::size_t expected = visible.size() + 1;
+  *this = ProjectedDiagram(caps[pole], pole);
+  enterAll(sites, caps, visible);
+  if (visibleCount() != expected) return false;
+  reserve(sites.idLimit(), hidden.size());
+  for (const HiddenSite& pair : hidden) {
+    if (!isPlaced[pair.cover] || !enterBelow(pair, caps[pair.site])) return false;
+    isPlaced[pair.site] = true;
+  }
+  return true;
+}
+
+bool ProjectedDiagram::enterBelow(const HiddenSite& hidden, const Cap& cap) {
+  const Projection::Image image = projection_.image(cap);
+  const bool isPoles = hidden.cover == pole_;
+  if (image.kind != (isPoles ? Kind::kBelowPole : Kind::kCircle)) return false;
+  if (isPoles) {
+    enterBelowPole(hidden.site);
+    return true;
+  }
+  if (isBelowPole(hidden.cover)) return false;
+  const SiteId plane = plane_.insertBelow(image.circle, places_[hidden.cover]);
+  if (plane == kNoSite) return false;
+  enter(hidden.site, plane, cap);
+  loss_ = std::max(loss_, image.loss);
+  return true;
+}
+
+FlatArray<HiddenSite> ProjectedDiagram::hidden(const SiteTable& sites) const {
+  FlatArray<HiddenSite> all;
+  all.reserve(sites.size() - visibleCount());
+  for (const SiteId id : belowPole_) all.push_back({id, pole_});
+  const HiddenForest& forest = plane_.hidden();
+  const auto addChildren = [&](SiteId cover) {
+    for (Slot child = forest.firstChild(plane_.ids().slotOf(places_[cover]));
+         child != HiddenForest::kNone; child = forest.nextSibling(child))
+      all.push_back({siteOfPlane_[plane_.ids().idOf(child)], cover});
+  };
+  for (SiteId id = 0; id < sites.idLimit(); ++id) {
+    if (sites.has(id) && id != pole_ && !isHidden(id)) addChildren(id);
+  }
+  for (std::size_t k = belowPole_.size(); k < all.size(); ++k) addChildren(all[k].site);
+  return all;
 }
 
 bool ProjectedDiagram::isTooRough(double loss) const {

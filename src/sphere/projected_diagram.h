@@ -18,6 +18,12 @@
 
 namespace apollonius::internal::sphere {
 
+/// A hidden site, and one that covers it, which may be hidden, too.
+struct HiddenSite {
+  SiteId site = kNoSite;
+  SiteId cover = kNoSite;
+};
+
 class ProjectedDiagram {
  public:
   /// Without sites.
@@ -25,6 +31,12 @@ class ProjectedDiagram {
   /// Of all sites of the table, whose caps these are by id, seen from `pole`. Throws
   /// std::bad_alloc. REQUIRES: the pole is visible. Cost: that of building a diagram of the plane.
   ProjectedDiagram(const SiteTable& sites, const FlatArray<Cap>& caps, SiteId pole);
+
+  /// Becomes the diagram of all sites of the table, seen from `pole`, in which these and no others
+  /// are hidden, as hidden() has listed them. False, and unusable, if there is no such one. Throws
+  /// std::bad_alloc. REQUIRES: without sites; the pole is in the table.
+  [[nodiscard]] bool restore(const SiteTable& sites, SiteId pole,
+                             std::span<const HiddenSite> hidden);
 
   // --- Reading. Sites are those of the table, nodes are vertices of the plane's graph.
 
@@ -68,6 +80,9 @@ class ProjectedDiagram {
     return {belowPole_.data(), belowPole_.size()};
   }
 
+  /// All hidden sites. A cover that is hidden comes before what hangs on it. Throws std::bad_alloc.
+  [[nodiscard]] FlatArray<HiddenSite> hidden(const SiteTable& sites) const;
+
   /// A visible node that is probably close to a point; kNoVertex if none is known.
   [[nodiscard]] VertexId hintFor(const Direction& point) const {
     const Slot slot = grid_.at(point);
@@ -100,6 +115,13 @@ class ProjectedDiagram {
   [[nodiscard]] bool isBelowPole(SiteId id) const {
     return id != pole_ && (places_[id] & kBelowPole) != 0;
   }
+  /// Seen from `pole`, still without other sites.
+  ProjectedDiagram(const Cap& poleCap, SiteId pole)
+      : pole_(pole), poleCap_(poleCap), projection_(poleCap), plane_(Location::kHierarchy) {}
+  /// Those of the table with these ids, which change, when there are no others but the pole.
+  void enterAll(const SiteTable& sites, const FlatArray<Cap>& caps, FlatArray<SiteId>& ids);
+  /// Enters a hidden site of a snapshot. False if its cover is not seen to cover it.
+  [[nodiscard]] bool enterBelow(const HiddenSite& hidden, const Cap& cap);
   [[nodiscard]] bool isTooRough(double loss) const;
   void reserve(std::size_t idLimit, std::size_t circles);
   void setCap(SiteId plane, const Cap& cap) {

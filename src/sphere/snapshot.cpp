@@ -1,6 +1,7 @@
 // Snapshots of the sphere: docs/SNAPSHOTS.md has the format. They hold what the diagram is built
-// from, the sites and the pole, and no graph: the same circles give the same graph, as the plane's
-// is canonical, so nothing has to be proved.
+// from: the sites, the pole, and what covers each hidden site. They hold no graph: the same circles
+// give the same graph, as the plane's is canonical, so nothing has to be proved. Only which of
+// identical sites is visible, and on what hidden ones hang, follows from no circle.
 #include <cmath>
 #include <limits>
 #include <new>
@@ -15,12 +16,12 @@ namespace apollonius::internal::sphere {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x0A1A0A0D736F7041u;  // "Apos", and line ends as in the plane's
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kHeaderBytes = 48, kChecksumBytes = 8;
 
-std::uint64_t bytesFor(std::uint64_t idLimit, std::uint64_t sites) {
+std::uint64_t bytesFor(std::uint64_t idLimit, std::uint64_t sites, std::uint64_t hidden) {
   const std::uint64_t ids = 4 * idLimit;  // and 4 bytes more where their number is odd
-  return kHeaderBytes + 24 * sites + ids + ids % 8 + kChecksumBytes;
+  return kHeaderBytes + 24 * sites + ids + 8 * hidden + ids % 8 + kChecksumBytes;
 }
 
 bool isSite(const SphericalSite& site, double radius) {
@@ -31,7 +32,8 @@ bool isSite(const SphericalSite& site, double radius) {
 }  // namespace
 
 void SphericalCore::save(std::vector<std::uint8_t>& bytes) const {
-  const std::uint64_t size = bytesFor(sites_.idLimit(), sites_.size());
+  const FlatArray<HiddenSite> hidden = projected_.hidden(sites_);
+  const std::uint64_t size = bytesFor(sites_.idLimit(), sites_.size(), hidden.size());
   if (size > std::numeric_limits<std::size_t>::max() / 2) throw std::bad_alloc();
   bytes.assign(static_cast<std::size_t>(size), 0);
   WordWriter out(bytes);
@@ -40,7 +42,8 @@ void SphericalCore::save(std::vector<std::uint8_t>& bytes) const {
   out.word(sites_.idLimit());
   out.word(static_cast<std::uint32_t>(sites_.size()));
   out.word(projected_.pole());
-  out.longWord(sizeAtChoice_);
+  out.word(static_cast<std::uint32_t>(sizeAtChoice_));
+  out.word(static_cast<std::uint32_t>(hidden.size()));
   out.longWord(seed_);
   out.number(sites_.radius());
   for (SiteId id = 0; id < sites_.idLimit(); ++id) {
@@ -52,6 +55,10 @@ void SphericalCore::save(std::vector<std::uint8_t>& bytes) const {
     if (sites_.has(id)) out.word(id);
   }
   sites_.visitFree([&](SiteId id) { out.word(id); });
+  for (const HiddenSite& pair : hidden) {
+    out.word(pair.site);
+    out.word(pair.cover);
+  }
   const std::span<const std::uint8_t> content(bytes.data(), bytes.size() - kChecksumBytes);
   WordWriter(std::span(bytes).last(kChecksumBytes)).longWord(checksumOf(content));
 }
@@ -62,11 +69,12 @@ bool SphericalCore::restore(std::span<const std::uint8_t> bytes) {
   if (in.longWord() != kMagic || in.word() != kVersion) return false;
   const std::uint32_t idLimit = in.word(), size = in.word();
   const SiteId pole = in.word();
-  const std::uint64_t sizeAtChoice = in.longWord();
+  const std::uint32_t sizeAtChoice = in.word(), hiddenCount = in.word();
   const std::uint64_t seed = in.longWord();
   const double radius = in.number();
-  if (size > idLimit || idLimit > kMostSites || bytes.size() != bytesFor(idLimit, size) ||
-      sizeAtChoice > kMostSites || !(radius > 0) || !isInRange(radius))
+  if (size > idLimit || idLimit > kMostSites ||
+      bytes.size() != bytesFor(idLimit, size, hiddenCount) || sizeAtChoice > kMostSites ||
+      !(radius > 0) || !isInRange(radius))
     return false;
   const auto content = bytes.first(bytes.size() - kChecksumBytes);
   if (WordReader(bytes.last(kChecksumBytes)).longWord() != checksumOf(content)) return false;
@@ -94,9 +102,18 @@ bool SphericalCore::restore(std::span<const std::uint8_t> bytes) {
   for (std::uint32_t k = 0; k < size; ++k) sites_.set(ids[k], rows[k]);
   // The one that is used first is freed last.
   for (std::uint32_t k = idLimit; k-- > size;) sites_.release(ids[k]);
-  if (size == 0 ? pole != kNoSite : !sites_.has(pole) || !isVisible(sites_, pole)) return false;
-  if (size > 0) projected_ = ProjectedDiagram(sites_, sites_.caps(), pole);
-  sizeAtChoice_ = static_cast<std::size_t>(sizeAtChoice);
+  FlatArray<HiddenSite> hidden(hiddenCount);
+  for (HiddenSite& pair : hidden) {
+    pair.site = in.word();
+    pair.cover = in.word();
+  }
+  if (size == 0) {
+    if (pole != kNoSite || hiddenCount > 0) return false;
+  } else if (!sites_.has(pole) ||
+             !projected_.restore(sites_, pole, {hidden.data(), hidden.size()})) {
+    return false;
+  }
+  sizeAtChoice_ = sizeAtChoice;
   seed_ = seed;
   return true;
 }

@@ -38,6 +38,17 @@ TEST(SphericalPole, ASiteWithoutLossIsFoundAmongManyThatLeadToAGiant) {
   }
 }
 
+/// Does no other site hide it, as far as the projection from it can tell?
+bool isVisible(const sphere::SiteTable& sites, SiteId id) {
+  const sphere::Projection projection(sites.cap(id));
+  for (SiteId other = 0; other < sites.idLimit(); ++other) {
+    if (sites.has(other) && other != id &&
+        projection.image(sites.cap(other)).kind == sphere::Projection::Kind::kCoversPole)
+      return false;
+  }
+  return true;
+}
+
 /// Any two weights are less than a full turn apart, and distances from a site's centre, too.
 TEST(SphericalPole, IsVisibleAmongWeightsOfAnySize) {
   Random random(62);

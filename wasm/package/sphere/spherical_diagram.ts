@@ -426,8 +426,8 @@ export class SphericalDiagram implements Disposable {
   // --- Snapshots and life time -------------------------------------------------------------------
 
   /**
-   * The diagram as bytes, 28 a site: the restored one gives the same answers (of identical sites
-   * another may be the visible one), and the same ids to new sites. Cost: O(n).
+   * The diagram as bytes, 28 a site and 8 more a hidden one: the restored diagram gives the same
+   * answers, of identical sites the same one is visible, and new sites get the same ids. O(n).
    */
   toBytes(): ReturnType<Uint8Array["slice"]> {
     return living(this).toBytes();
