@@ -9,6 +9,15 @@
 // is a circle that touches the site's circle, and its centre, c, is in the cell of the site exactly
 // if no other circle overlaps it. So the plane's nearest site of c, which the plane's walk finds in
 // about log h steps, is this one if it is the nearest, and is nearer otherwise.
+//
+// Rounding may not end a walk early. The graph is that of rounded sites, whose distances d' are
+// within delta of the true ones d. Let a walk be at a site s none of whose neighbours is nearer by
+// d, and let the way from s to the point p go through the cells of n1, n2, ..., t. Where it enters
+// a cell, both sites are equally near, and from there on d' grows by no more than d' of s does. So
+// d'(p, nk) <= d'(p, s) for each k. The cell of n1 may be a beam, thinner than 10^-7, of a site
+// that s nearly hides, and bar the way to sites that are nearer by much more than rounding. But all
+// on the way have d <= d(p, s) + 2 delta: these are followed, too, and then what is found is the
+// nearest to within 2 delta.
 #include "sphere/nearest.h"
 
 #include <algorithm>
@@ -16,6 +25,7 @@
 
 #include "base/flat_array.h"
 #include "base/radix_sort.h"
+#include "diagram/nearby_search.h"
 
 namespace apollonius::internal::sphere {
 
@@ -23,10 +33,13 @@ namespace {
 
 constexpr int kManyNeighbors = 24;
 
+/// delta, in radians: of a cap that has lost so much (Projection::Image) in some roundings.
+double roundingOf(double loss) { return 4 * (loss + 1) * 0x1p-53; }
+
 class SphericalWalk {
  public:
   SphericalWalk(const ProjectedDiagram& diagram, const Direction& point)
-      : diagram_(diagram), point_(point) {
+      : diagram_(diagram), point_(point), slack_(2 * roundingOf(diagram.loss())) {
     // The pole has no circle that the plane could find.
     (void)moveTo(kInfinity);
   }
@@ -36,30 +49,39 @@ class SphericalWalk {
     const Cap& cap = diagram_.cap(node);
     if (node_ != kNoVertex && isCertainlyFarther(cap)) return false;
     const HalfAngle there = distance(point_, cap);
-    if (node_ != kNoVertex && !(there < toNode_)) return false;
+    if (node_ != kNoVertex && !(there < toNode_)) {
+      isTied_ = isTied_ || !isFarther(there);
+      return false;
+    }
     node_ = node;
     toNode_ = there;
+    isTied_ = false;
     return true;
   }
 
   /// To the nearest site, in at most this many steps; kNoVertex if it takes more.
   VertexId run(int most = std::numeric_limits<int>::max()) {
     if (diagram_.graph().isEmpty()) return node_;
-    while (step()) {
+    while (step() || (isTied_ && passTies())) {
       if (most-- == 0) return kNoVertex;
     }
     return node_;
   }
 
  private:
-  /// A filter without roots. A nearer site's centre is within the angle toNode_ + weight of the
-  /// point.
+  /// By more than rounding can be.
+  [[nodiscard]] bool isFarther(const HalfAngle& there) const {
+    return there.sine * toNode_.cosine - there.cosine * toNode_.sine > slack_ / 2;
+  }
+
+  /// A filter of this, without roots. The centre of a site that is not farther is within the angle
+  /// toNode_ + weight + slack of the point.
   [[nodiscard]] bool isCertainlyFarther(const Cap& cap) const {
-    constexpr double kRounding = 0x1p-48;
+    const double rounding = 0x1p-48 + slack_;
     const HalfAngle half = toNode_ + cap.radius;
     if (half.cosine < 0) return false;  // above pi: all are within
     const double cosine = half.cosine * half.cosine - half.sine * half.sine;
-    return half.sine < -kRounding || dot(point_, cap.centre) < cosine - kRounding;
+    return half.sine < -rounding || dot(point_, cap.centre) < cosine - rounding;
   }
 
   bool step() {
@@ -95,10 +117,33 @@ class SphericalWalk {
     return node_ != from;
   }
 
+  /// Goes to a nearer site that is beyond sites as far away as this one but for rounding.
+  bool passTies() {
+    const Graph& graph = diagram_.graph();
+    const VertexId from = node_;
+    SlotSet seen;  // by site
+    FlatArray<VertexId> tied;
+    (void)seen.insert(diagram_.siteOf(from));
+    tied.push_back(from);
+    for (std::size_t k = 0; k < tied.size(); ++k) {
+      for (const HalfedgeId h : graph.star(tied[k])) {
+        const VertexId node = graph.target(h);
+        if (moveTo(node)) return true;
+        const Cap& cap = diagram_.cap(node);
+        if (!isCertainlyFarther(cap) && !isFarther(distance(point_, cap)) &&
+            seen.insert(diagram_.siteOf(node)))
+          tied.push_back(node);
+      }
+    }
+    return false;
+  }
+
   const ProjectedDiagram& diagram_;
   Direction point_;
+  double slack_;  // of comparisons, in radians
   VertexId node_ = kNoVertex;
   HalfAngle toNode_;
+  bool isTied_ = false;  // has a site been seen that is as far as this one but for rounding?
 };
 
 }  // namespace

@@ -355,6 +355,47 @@ TEST(SphericalDegenerate, TwoSitesWithTwoEdgesAreNeighboursOnce) {
   }
 }
 
+// --- A walk's way that is barred
+
+TEST(SphericalNearest, IsFoundBehindASiteThatAnotherNearlyHides) {
+  // The cell of site 9 narrows between those of sites 2 and 3. There the cell of site 0, which site
+  // 9 hides but for rounding, bars it from side to side. Behind it is the cell of site 1: walks
+  // from site 9 stayed there, 10^-6 from the right distance.
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  constexpr double kWeight = 0.2, kAt = 0.1, kNarrow = 0.7, kAngle = 0.03;  // radians
+  const double lon = kNarrow - 0.3 * std::cos(kAngle), lat = 0.3 * std::sin(kAngle);
+  const auto at = [&](double x, double y, double r) {
+    return SphericalCircle{x * kDegrees, y * kDegrees, r};
+  };
+  const double besides = angleOf(at(lon, lat, 0), at(kNarrow, 0, 0)) - (kNarrow - kWeight);
+  for (double gap = 2e-16; gap < 4e-15; gap *= 1.2) {
+    const double width = kNarrow * std::sqrt(2 * gap / kAt), length = 0.4 * width / (kAngle / 2);
+    const double begin = kNarrow - length, centre = kNarrow + length / 2;
+    const SphericalSites sites = {at(kAt, 0, kWeight - kAt + gap),
+                                  at(centre, 0, centre - 2 * begin + kWeight),
+                                  at(lon, lat, besides),
+                                  at(lon, -lat, besides),
+                                  {170, 20, 0},
+                                  {-170, -30, 0},
+                                  {150, 40, 0},
+                                  {-160, 10, 0},
+                                  {180, -60, 0},
+                                  at(0, 0, kWeight)};
+    const SphericalDiagram diagram = diagramOf(sites);
+    for (int x = -10; x <= 30; ++x) {
+      for (int y = -15; y <= 15; ++y) {
+        const SphericalPoint p = {(begin + (centre - begin) * x / 10) * kDegrees,
+                                  width * y / 10 * kDegrees};
+        double least = std::numeric_limits<double>::infinity();
+        for (const SphericalCircle& site : sites) least = std::min(least, distanceOf(p, site));
+        SiteId id = kNoSite;
+        ASSERT_EQ(diagram.find(p.lon, p.lat, id), Error::kNone);
+        ASSERT_LE(distanceOf(p, sites[id]), least + 4e-15) << gap << ' ' << x << ' ' << y;
+      }
+    }
+  }
+}
+
 // --- Snapshots
 
 TEST(SphericalSnapshots, OfADiagramThatHasBecomeEmptyIsTheSame) {

@@ -74,7 +74,7 @@ let living: (diagram: unknown, changes?: boolean) => NativeSphericalDiagram;
  *
  * The graph is computed exactly, of sites that were rounded to some 1e-15 radians (6 nm on the
  * Earth; more beside a site that nearly hides another). The nearest site is the nearest to
- * within 1e-15 radians. The same sites give the same bits in every engine.
+ * within twice that. The same sites give the same bits in every engine.
  *
  * Every call that fails throws an ApolloniusError and leaves the diagram as it was; after `dispose`
  * every call throws "disposed". Every call that needs memory can throw "out-of-memory". Ids, hidden
