@@ -421,6 +421,36 @@ std::vector<std::uint8_t> madeUp(std::vector<std::uint8_t> bytes, std::size_t at
   return bytes;
 }
 
+TEST(SphericalSnapshots, MadeUpCoversAreRefusedOrCover) {
+  // Nested sites and twins, of the pole, too. Of each pair of a hidden site and its cover each word
+  // becomes each id.
+  SphericalSites sites;
+  for (const double lon : {0.0, 90.0, 180.0, 250.0}) {
+    for (const double r : {0.3, 0.3, 0.25, 0.25, 0.1}) sites.push_back({lon, 0, r});
+  }
+  const SphericalDiagram diagram = diagramOf(sites);
+  const std::size_t kSites = sites.size(), kHidden = kSites - 4;
+  const std::size_t kPairs = 48 + 28 * kSites;
+  std::vector<std::uint8_t> bytes;
+  ASSERT_EQ(diagram.toBytes(bytes), Error::kNone);
+  ASSERT_EQ(bytes.size(), kPairs + 8 * kHidden + 8);
+  std::size_t refused = 0;
+  for (std::size_t word = 0; word < 2 * kHidden; ++word) {
+    for (std::uint32_t id = 0; id <= kSites; ++id) {
+      SphericalDiagram restored;
+      const Error error = restored.fromBytes(madeUp(bytes, kPairs + 4 * word, id));
+      refused += error == Error::kCorruptSnapshot;
+      if (error == Error::kCorruptSnapshot) continue;
+      ASSERT_EQ(error, Error::kNone);
+      Violation violation;
+      ASSERT_EQ(restored.validate(violation), Error::kNone);
+      ASSERT_EQ(violation.text(), "");
+      ASSERT_EQ(restored.visibleSize(), 4u);
+    }
+  }
+  EXPECT_GT(refused, 400u);
+}
+
 TEST(SphericalSnapshots, MadeUpOnesAreRefused) {
   // 48 bytes of a header, with the pole at 20; three numbers a site; the ids.
   constexpr std::size_t kPole = 20, kRadius = 40, kSites = 48;
@@ -445,6 +475,9 @@ TEST(SphericalSnapshots, MadeUpOnesAreRefused) {
   EXPECT_EQ(errorOf(madeUp(bytes, kIds + 4, 4u)), Error::kCorruptSnapshot) << "no id";
   const std::uint64_t swapped = 3 | std::uint64_t{2} << 32;  // the ids 3 and 2
   EXPECT_EQ(errorOf(madeUp(bytes, kIds + 8, swapped)), Error::kCorruptSnapshot) << "not ascending";
+  EXPECT_EQ(errorOf(madeUp(bytes, kIds + 16, 2u)), Error::kCorruptSnapshot) << "a visible site";
+  EXPECT_EQ(errorOf(madeUp(bytes, kIds + 20, 2u)), Error::kCorruptSnapshot) << "no cover";
+  EXPECT_EQ(errorOf(madeUp(bytes, kIds + 20, 1u)), Error::kCorruptSnapshot) << "below itself";
   std::vector<std::uint8_t> empty;
   ASSERT_EQ(SphericalDiagram().toBytes(empty), Error::kNone);
   EXPECT_EQ(errorOf(madeUp(empty, kPole, 0u)), Error::kCorruptSnapshot) << "a pole of no site";
