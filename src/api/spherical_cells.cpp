@@ -19,6 +19,20 @@ Error checkTolerance(double tolerance) {
   return tolerance >= kFinestTolerance ? Error::kNone : Error::kOutOfRange;
 }
 
+/// Do rings have the area of the rectangle of all longitudes and latitudes? Slivers that rounding
+/// turns over change it by less.
+bool isRectangleCovered(const LonLatRings& rings) {
+  constexpr double kWhole = 360.0 * 180, kSlivers = 1e-6;
+  double doubled = 0;
+  for (std::size_t ring = 0; ring + 1 < rings.starts.size(); ++ring) {
+    for (std::size_t k = rings.starts[ring]; k + 1 < rings.starts[ring + 1]; ++k) {
+      const double* p = &rings.coordinates[2 * k];
+      doubled += (p[0] - p[2]) * (p[1] + p[3]);
+    }
+  }
+  return std::abs(doubled / 2 - kWhole) <= kSlivers * kWhole;
+}
+
 /// To the arrays of one cell or of all.
 template <class Arrays>
 void copyRings(const LonLatRings& rings, Arrays& arrays) {
@@ -93,7 +107,8 @@ Error SphericalDiagram::cellPolygon(SiteId id, double tolerance, bool isCut,
 
 Error SphericalDiagram::cellPolygons(double tolerance, bool isCut, CoverageArrays& polygons) const {
   if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
+  bool isCovered = true;
+  const Error error = guarded(*core_, [&] {
     const ProjectedDiagram& diagram = core_->projected();
     CellPolygons cells(diagram, tolerance, isCut, SphericalVertices::Of::kAll);
     FlatArray<SiteId> sites;
@@ -104,10 +119,13 @@ Error SphericalDiagram::cellPolygons(double tolerance, bool isCut, CoverageArray
       sites.push_back(id);
       ends.push_back(static_cast<std::uint32_t>(cells.rings().parts.size() - 1));
     }
+    isCovered = !isCut || sites.empty() || isRectangleCovered(cells.rings());
+    if (!isCovered) return;
     copyRings(cells.rings(), polygons);
     polygons.sites.assign(sites.begin(), sites.end());
     polygons.cells.assign(ends.begin(), ends.end());
   });
+  return error == Error::kNone && !isCovered ? Error::kBroken : error;
 }
 
 }  // namespace apollonius

@@ -143,7 +143,8 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   /// Cost: O(d + points)
   [[nodiscard]] Error cellPolygon(SiteId id, double tolerance, bool isCut, RingArrays& rings) const;
   /// Those of all visible sites, which have the points of their common edges in common. Replaces
-  /// the contents. Cost: O(h + points)
+  /// the contents. Errors: also kBroken, a defect of the library: cut, they are not the rectangle.
+  /// Cost: O(h + points)
   [[nodiscard]] Error cellPolygons(double tolerance, bool isCut, CoverageArrays& polygons) const;
 
   // --- Snapshots

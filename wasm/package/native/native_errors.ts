@@ -22,7 +22,7 @@ const kFailures: Record<
   kBadTarget: ["bad-target", "an area that no cell can have"],
   kNoConvergence: ["no-convergence", "no weights come closer to the areas"],
   kBusy: ["busy", "the diagram has changed meanwhile"],
-  kBroken: ["broken", "the polygons do not add up to the window: please report it"],
+  kBroken: ["broken", "the polygons do not add up to what they divide: please report it"],
   kCorruptSnapshot: [
     "corrupt-snapshot",
     "bytes are no snapshot of a diagram, or damaged, or of another version",

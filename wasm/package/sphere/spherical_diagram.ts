@@ -406,7 +406,7 @@ export class SphericalDiagram implements Disposable {
    * All cells as GeoJSON, ascending by id. Neighbours have the points of their common boundary in
    * common, whatever the tolerance. For maps by default (RFC 7946: cut at the antimeridian); for
    * d3-geo `{ winding: "clockwise" }`. O(n). Throws "not-finite", "out-of-range", "bad-option", and
-   * what `properties` throws.
+   * what `properties` throws; "broken" if cut cells are not the whole map, a defect of the library.
    */
   toGeoJSON<Properties = { site: number }>(
     options?: SphericalGeoJSONOptions<Properties> & {
