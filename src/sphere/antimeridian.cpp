@@ -3,12 +3,14 @@
 // an arc to the next beginning of one. A pole is a side of the rectangle: a ring that comes to it
 // on one longitude ends there, and begins again on another.
 //
-// Where an arc ends and one begins in the same place, up to rounding, either nothing of the border
-// is between them or all of it: all of it, where the ring would be clockwise without.
+// Points are within a tolerance of the cell. Where that is thinner, an arc may begin behind the
+// place where another ends instead of before it, and a ring may be clockwise that should not be. So
+// the area of the cell decides: each turn around the border adds that of the whole sphere, 4 pi.
 #include "sphere/antimeridian.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace apollonius::internal::sphere {
 
@@ -44,9 +46,6 @@ double positionOf(const LonLat& p) {
   return p.lon > 0 ? kRight + 90 + p.lat : kLeft + 90 - p.lat;
 }
 
-/// In degrees: as far as rounding can move a crossing of the border, where a ring is thin.
-constexpr double kRounding = 0x1p-20;
-
 /// Twice the area, positive for a counter-clockwise ring.
 double signedArea(const FlatArray<LonLat>& ring) {
   double sum = 0;
@@ -70,6 +69,40 @@ double lengthOf(const FlatArray<LonLat>& ring) {
   return sum;
 }
 
+constexpr double kRadian = std::numbers::pi / 180;
+
+/// The area on the sphere between a chord and the equator: positive westwards in the north. Of
+/// chords within a tolerance, up to that.
+double areaBelow(const LonLat& a, const LonLat& b) {
+  return (a.lon - b.lon) * kRadian * (std::sin(a.lat * kRadian) + std::sin(b.lat * kRadian)) / 2;
+}
+
+/// The same of a way along the border, counter-clockwise: 2 pi each along the poles.
+double areaOfBorder(double from, double to) {
+  const auto upTo = [](double position) {
+    const double turns = std::floor(position / kWhole), rest = position - turns * kWhole;
+    const double bottom = std::min(rest, kRight);
+    const double top = std::clamp(rest - kTop, 0.0, kLeft - kTop);
+    return turns * (kRight + kLeft - kTop) + bottom + top;
+  };
+  return (upTo(to) - upTo(from)) * kRadian;
+}
+
+double areaOfRing(const FlatArray<LonLat>& ring) {
+  double area = 0;
+  const LonLat* before = &ring.back();
+  for (const LonLat& p : ring) {
+    area += areaBelow(*before, p);
+    before = &p;
+  }
+  return area;
+}
+
+/// How many times the whole sphere an area is too large.
+int surplusOf(double area, double ofCell) {
+  return static_cast<int>(std::lround((area - ofCell) / (4 * std::numbers::pi)));
+}
+
 bool areSame(const LonLat& a, const LonLat& b) { return a.lon == b.lon && a.lat == b.lat; }
 
 }  // namespace
@@ -80,9 +113,6 @@ Direction snappedToBorder(const Direction& p) {
   if (p.x < 0 && std::abs(p.y) < kNear) return {p.x, 0, p.z};
   return p;
 }
-
-AntimeridianCutter::AntimeridianCutter(double tolerance)
-    : thinnest_(std::max(tolerance, kRounding)) {}
 
 void AntimeridianCutter::beginArc(const LonLat& point) {
   Arc arc;
@@ -122,8 +152,8 @@ void AntimeridianCutter::followChords(std::span<const Direction> ring, std::size
   }
 }
 
-void AntimeridianCutter::cut(std::span<const Direction> ring, bool isHoleIfThin,
-                             LonLatRings& output) {
+void AntimeridianCutter::cut(std::span<const Direction> ring,
+                             const std::function<double()>& areaOfCell, LonLatRings& output) {
   points_.clear();
   arcs_.clear();
   ring_.clear();
@@ -138,59 +168,87 @@ void AntimeridianCutter::cut(std::span<const Direction> ring, bool isHoleIfThin,
     double latitude = 0;
     if (!isOnBorder(a) && (isOnBorder(b) || !crossesBorder(a, b, latitude))) continue;
     followChords(ring, k);
-    linkArcs();
-    joinArcs(isHoleIfThin, output);
+    linkArcs(areaOfCell());
+    emitArcs(output);
     return;
   }
   for (const Direction& p : ring) ring_.push_back(lonLatOf(p));
-  const bool isInHole = isHole(isHoleIfThin);
-  if (isInHole) {
+  const bool isOuter = signedArea(ring_) > thinnest_ * lengthOf(ring_);
+  const bool isHole = !isOuter && surplusOf(areaOfRing(ring_), areaOfCell()) < 0;
+  if (isHole) {
     const FlatArray<LonLat> hole = ring_;
     ring_.clear();
     addRectangle();
     (void)emitRing(output);
     ring_ = hole;
   }
-  if (emitRing(output) || isInHole) output.endPart();
-}
-
-bool AntimeridianCutter::isHole(bool ifThin) const {
-  const double area = signedArea(ring_);
-  return std::abs(area) > thinnest_ * lengthOf(ring_) ? area < 0 : ifThin;
+  if (emitRing(output) || isHole) output.endPart();
 }
 
 /// Finds for each arc the one that follows it along the border.
-void AntimeridianCutter::linkArcs() {
+void AntimeridianCutter::linkArcs(double areaOfCell) {
+  double areaOfArcs = 0;
+  for (const Arc& arc : arcs_) {
+    for (std::size_t k = arc.begin + 1; k < arc.end; ++k)
+      areaOfArcs += areaBelow(points_[k - 1], points_[k]);
+  }
+  const auto surplus = [&] {
+    double area = areaOfArcs;
+    for (const Arc& arc : arcs_) area += areaOfBorder(arc.to, arc.to + arc.border);
+    return surplusOf(area, areaOfCell);
+  };
+  linkNext();
+  // Some begin behind an end that they should be before: those that are behind by the least.
+  for (std::size_t count = 1; count <= arcs_.size() && surplus() > 0; ++count) {
+    for (Arc& arc : arcs_) arc.isLinked = arc.isFollowed = false;
+    for (std::size_t k = 0; k < count; ++k) linkBehind();
+    linkNext();
+  }
+  for (std::size_t k = 0; k < arcs_.size() && surplus() < 0; ++k)
+    std::ranges::min_element(arcs_, {}, &Arc::border)->border += kWhole;
+}
+
+/// Links the end and the beginning behind it that are closest. REQUIRES: not all are linked.
+void AntimeridianCutter::linkBehind() {
+  double least = 2 * kWhole;
+  Arc* before = nullptr;
+  std::size_t next = 0;
   for (Arc& arc : arcs_) {
-    double least = kWhole;
+    if (arc.isLinked) continue;
     for (std::size_t k = 0; k < arcs_.size(); ++k) {
-      if (arcs_[k].isFollowed) continue;
-      const double ahead = arcs_[k].from - arc.to;
-      const double way = ahead < -kRounding ? ahead + kWhole : ahead;
-      // One that is behind by rounding comes before those that are ahead by more.
-      if (!(way < least) || (way < 0 && least < kRounding)) continue;
+      const double behind = arc.to - arcs_[k].from;
+      const double way = behind < 0 ? behind + kWhole : behind;
+      if (arcs_[k].isFollowed || !(way < least)) continue;
       least = way;
+      before = &arc;
+      next = k;
+    }
+  }
+  before->next = next;
+  before->border = -least;
+  before->isLinked = arcs_[next].isFollowed = true;
+}
+
+/// Links all others to the next beginning.
+void AntimeridianCutter::linkNext() {
+  for (Arc& arc : arcs_) {
+    if (arc.isLinked) continue;
+    arc.border = kWhole;
+    for (std::size_t k = 0; k < arcs_.size(); ++k) {
+      const double ahead = arcs_[k].from - arc.to;
+      const double way = ahead < 0 ? ahead + kWhole : ahead;
+      if (arcs_[k].isFollowed || !(way < arc.border)) continue;
+      arc.border = way;
       arc.next = k;
     }
-    arc.border = least;
-    arcs_[arc.next].isFollowed = true;
+    arc.isLinked = arcs_[arc.next].isFollowed = true;
   }
 }
 
-void AntimeridianCutter::joinArcs(bool isHoleIfThin, LonLatRings& output) {
+void AntimeridianCutter::emitArcs(LonLatRings& output) {
   for (std::size_t first = 0; first < arcs_.size(); ++first) {
     if (arcs_[first].isDone) continue;
-    Arc* touching = nullptr;
-    for (std::size_t k = first; !arcs_[k].isDone; k = arcs_[k].next) {
-      Arc& arc = arcs_[k];
-      arc.isDone = true;
-      if (arc.border < kRounding) touching = &arc;
-    }
     trace(first);
-    if (touching != nullptr && isHole(isHoleIfThin)) {
-      touching->border += kWhole;
-      trace(first);
-    }
     const bool isFlat = std::ranges::all_of(
         ring_, [&](const LonLat& p) { return p.lon == ring_[0].lon || p.lat == ring_[0].lat; });
     if (isFlat && signedArea(ring_) == 0) continue;  // of arcs along the border
@@ -203,7 +261,8 @@ void AntimeridianCutter::trace(std::size_t first) {
   ring_.clear();
   std::size_t k = first;
   do {
-    const Arc& arc = arcs_[k];
+    Arc& arc = arcs_[k];
+    arc.isDone = true;
     ring_.append({points_.data() + arc.begin, arc.end - arc.begin});
     addBorder(arc.to, arc.to + arc.border);
     k = arc.next;

@@ -2,8 +2,10 @@
 // 180 degrees and closed along the border of [-180, 180] x [-90, 90] (RFC 7946, section 3.1.9).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "base/flat_array.h"
@@ -30,13 +32,14 @@ struct LonLatRings {
 class AntimeridianCutter {
  public:
   /// `tolerance`: of the points of rings, in degrees.
-  explicit AntimeridianCutter(double tolerance);
+  explicit AntimeridianCutter(double tolerance)
+      : thinnest_(std::max(tolerance, 0x1p-20)) {}  // as far as rounding moves a thin ring's points
 
   /// Cuts a ring of snapped points that has the cell at its left and is not closed, and appends
   /// what it becomes: outer rings counter-clockwise, holes clockwise. No points stand for the whole
-  /// sphere. Of a ring too thin to say on which side the cell is, `isHoleIfThin` tells whether it
-  /// is outside. Throws std::bad_alloc.
-  void cut(std::span<const Direction> ring, bool isHoleIfThin, LonLatRings& output);
+  /// sphere. Few rings need the area of their cell on the unit sphere. Throws std::bad_alloc.
+  void cut(std::span<const Direction> ring, const std::function<double()>& areaOfCell,
+           LonLatRings& output);
 
  private:
   /// A part of the ring inside of the rectangle, from border to border.
@@ -44,23 +47,22 @@ class AntimeridianCutter {
     std::size_t begin = 0, end = 0;  // in points_
     double from = 0, to = 0;         // positions on the border
     std::size_t next = 0;            // the arc that follows
-    double border = 0;               // how far away that begins
-    bool isFollowed = false, isDone = false;
+    double border = 0;               // how far away that begins; negative: behind
+    bool isLinked = false, isFollowed = false, isDone = false;
   };
 
   void beginArc(const LonLat& point);
   void endArc(const LonLat& point);
   void followChords(std::span<const Direction> ring, std::size_t first);
-  void linkArcs();
-  void joinArcs(bool isHoleIfThin, LonLatRings& output);
+  void linkArcs(double areaOfCell);
+  void linkBehind();
+  void linkNext();
+  void emitArcs(LonLatRings& output);
   void trace(std::size_t first);
   void addBorder(double from, double to);
   bool emitRing(LonLatRings& output);
 
-  /// Is the cell all but what ring_ surrounds?
-  [[nodiscard]] bool isHole(bool ifThin) const;
-
-  double thinnest_;  // rings thinner than this need not have the orientation of their cells
+  double thinnest_;  // a thinner ring need not have the orientation of its cell
   FlatArray<LonLat> points_;
   FlatArray<Arc> arcs_;
   FlatArray<LonLat> ring_;

@@ -4,7 +4,6 @@
 
 #include "sphere/cell.h"
 #include "sphere/measures.h"
-#include "sphere/nearest.h"
 
 namespace apollonius::internal::sphere {
 
@@ -13,25 +12,7 @@ CellPolygons::CellPolygons(const ProjectedDiagram& diagram, double tolerance, bo
     : diagram_(diagram),
       chains_(diagram, tolerance, isCut ? Joint::kLonLatLine : Joint::kGreatArc, of),
       isCut_(isCut),
-      atNorthPole_(diagram.isEmpty() ? kNoVertex : nearestNode(diagram, {0, 0, 1})),
       cutter_(tolerance * (180 / std::numbers::pi)) {}
-
-bool CellPolygons::isOutside(VertexId node) {
-  // Twice the area of the ring as the site's centre sees it: the integral of (sin rho)².
-  const Direction& centre = diagram_.cap(node).centre;
-  double area = 0, length = 0;
-  for (std::size_t k = 0; k < points_.size(); ++k) {
-    const Direction &a = points_[k], &b = points_[k + 1 < points_.size() ? k + 1 : 0];
-    area += dot(cross(a, b), centre);
-    length += lengthOf(b - a);
-  }
-  // Beside a needle thinner than rounding, it depends on that which cell has the pole.
-  constexpr double kThin = 0x1p-24;
-  if (area > kThin * length) return node == atNorthPole_;
-  FlatArray<Sector> sectors;
-  listSectors(diagram_, node, chains_.vertices(), sectors);
-  return areaOfCell(diagram_.cap(node), sectors) > 2 * std::numbers::pi;
-}
 
 void CellPolygons::append(VertexId node) {
   const Graph& graph = diagram_.graph();
@@ -49,7 +30,11 @@ void CellPolygons::append(VertexId node) {
   while (kept > 1 && !(lengthOf(points_[kept - 1] - points_[0]) > 0)) --kept;
   points_.resize(kept);
   if (isCut_) {
-    cutter_.cut({points_.data(), points_.size()}, isOutside(node), rings_);
+    const auto area = [&] {
+      listSectors(diagram_, node, chains_.vertices(), sectors_);
+      return areaOfCell(diagram_.cap(node), sectors_);
+    };
+    cutter_.cut({points_.data(), points_.size()}, area, rings_);
     return;
   }
   if (points_.empty()) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sphere/antimeridian.h"
+#include "sphere/cell.h"
 #include "sphere/chain.h"
 
 namespace apollonius::internal::sphere {
@@ -22,16 +23,12 @@ class CellPolygons {
   [[nodiscard]] const LonLatRings& rings() const { return rings_; }
 
  private:
-  /// Is the cell, whose ring is in points_, outside of that ring in the plane of longitude and
-  /// latitude? For rings that do not tell it by their orientation.
-  [[nodiscard]] bool isOutside(VertexId node);
-
   const ProjectedDiagram& diagram_;
   ChainMaker chains_;
   bool isCut_;
-  VertexId atNorthPole_;
   LonLatRings rings_;
   FlatArray<Direction> points_;
+  FlatArray<Sector> sectors_;
   AntimeridianCutter cutter_;
 };
 

@@ -39,6 +39,33 @@ TEST(SphericalPolygons, CutOnesCoverTheRectangleOnce) {
   }
 }
 
+TEST(SphericalPolygons, OfNeedlesThinnerThanTheToleranceAcrossTheAntimeridian) {
+  // Such a needle's sides may cross the border in the wrong order, and then its polygon was all but
+  // the needle: the sum of areas was twice the rectangle's.
+  const SphericalSites scenes[] = {{{49.00446310718624, 65.258375601714221, 0.7506228592111599},
+                                    {-168.056810873197, 90, 0.31880022291821603},
+                                    {-132.853098685431, 88.161478298204898, 0.28702275301740376},
+                                    {94.895265862911629, -19.874262328597414, 0.1089989510205728}},
+                                   {{34.931570836794691, 46.9493423022329, 0.69040219558056115},
+                                    {57.413367145577013, 73.51896941905764, 0.23066335494135659},
+                                    {17.156088558242665, 90, -0.05698444921488173},
+                                    {-99.526457087583537, 66.236298335732798, 0.7746662940487673},
+                                    {-66.120147219541877, 81.945552997193971, 0.51058575726224298},
+                                    {179.93000277818828, 90, 0.37001024638215751},
+                                    {44.39924128064348, 68.887258649964167, 0.48487589607710158},
+                                    {63.140881226167551, 90, 0.11638905467209734},
+                                    {13.259117940262342, 53.401130840424301, 0.73699251876919192}}};
+  for (const SphericalSites& sites : scenes) {
+    const SphericalDiagram diagram = diagramOf(sites);
+    for (const double tolerance : {0.3, 0.1, 0.05, 0.01}) {
+      SCOPED_TRACE(tolerance);
+      CoverageArrays polygons;
+      ASSERT_EQ(diagram.cellPolygons(tolerance, true, polygons), Error::kNone);
+      EXPECT_EQ(CoverageJudge(polygons, 360.0 * 180).complaints(), "");
+    }
+  }
+}
+
 /// Of a ring of arcs of great circles that has less than a hemisphere at its left: by the triangles
 /// of its sides with a point (Oosterom and Strackee).
 double areaOfRing(const std::vector<double>& coordinates, const SphericalCircle& site) {
