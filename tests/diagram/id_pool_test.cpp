@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <map>
+#include <vector>
 
+#include "base/byte_stream.h"
 #include "support/random.h"
 
 namespace apollonius::internal {
@@ -74,6 +77,18 @@ TEST(IdPool, IdsAndSlotsInDifferentOrders) {
   ids.release(0);
   EXPECT_EQ(ids.slotOf(c), kNoSlot);
   EXPECT_EQ(take(ids, SiteState::kVisible), c);
+}
+
+TEST(IdPool, ASnapshotWithFewerSitesThanItSaysIsNone) {
+  // Three slots, of which one has a site; the other two are listed as free.
+  std::vector<std::uint8_t> bytes(5 * 4);
+  WordWriter out(bytes);
+  for (const std::uint32_t word : {0u, kNoSite, kNoSite, 1u, 2u}) out.word(word);
+  for (const std::size_t size : {1, 2, 3}) {
+    IdPool ids;
+    WordReader in(bytes);
+    EXPECT_EQ(ids.restore(in, 3, size, size), size == 1) << size;
+  }
 }
 
 TEST(IdPool, ClearStartsFromZeroAgain) {
