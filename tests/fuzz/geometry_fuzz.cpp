@@ -1,7 +1,7 @@
 // libFuzzer target: bytes are circles and a window. All shapes, measures and drawings end, and are
 // what apollonius/voronoi.h promises: rings are closed and do not cross themselves, areas fill the
-// window, points lie in the cell of their nearest site, portions make up the whole, and curves have
-// the same bits after any history. How to run: README.md beside this.
+// window, here and moved to the origin, points lie in the cell of their nearest site, portions make
+// up the whole, and curves have the same bits after any history. How to run: README.md beside this.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -68,6 +68,7 @@ class Checker {
     checkAreas(areas);
     checkCells();
     checkCoverage();
+    checkMoved(areas);
     checkPoints();
     checkEdges();
     checkHull();
@@ -183,6 +184,42 @@ class Checker {
         expect(!crossesItself(ring), "a ring crosses itself", id);
     }
     expect(areaOf(rings) >= -rounding_ * whole_, "clockwise rings", id);
+  }
+
+  /// The same with a corner of the window at the origin, where that is exact.
+  void checkMoved(const std::vector<double>& areas) {
+    bool isExact = true;
+    const auto moved = [&](double value, double by) {
+      const double there = value - by;
+      isExact = isExact && there + by == value && value - there == by;
+      return there;
+    };
+    const auto x = [&](double value) { return moved(value, bounds_.xmin); };
+    const auto y = [&](double value) { return moved(value, bounds_.ymin); };
+    const Bounds bounds{0, 0, x(bounds_.xmax), y(bounds_.ymax)};
+    Diagram diagram;
+    for (const Circle& c : circles_) {
+      const double there[] = {x(c.x), y(c.y)};
+      SiteId id = kNoSite;
+      if (!isInRange(there[0]) || !isInRange(there[1])) return;
+      take(diagram.insert(there[0], there[1], c.r, id));
+    }
+    std::vector<double> there;
+    if (!isExact || Voronoi(diagram, bounds).cellAreas(there) != Error::kNone) return;
+    for (SiteId id = 0; id < areas.size(); ++id) {
+      bool isHidden = false, isHiddenThere = false;
+      take(diagram_.isHidden(id, isHidden));
+      take(diagram.isHidden(id, isHiddenThere));
+      if (isHidden != isHiddenThere) continue;  // of identical circles any may be the visible one
+      expect(std::abs(areas[id] - there[id]) <= 2 * rounding_ * whole_,
+             "another area at the origin", id);
+    }
+    CoverageArrays coverage;
+    take(Voronoi(diagram, bounds).cellPolygons(tolerance_, coverage));
+    if (!areApart_ || coverage.coordinates.size() > 2000) return;
+    const std::string faults = faultsOf(coverage, bounds);
+    if (!faults.empty()) std::fprintf(stderr, "%s\n", faults.c_str());
+    expect(faults.empty(), "polygons do not tile the window at the origin");
   }
 
   void checkPoints() {
