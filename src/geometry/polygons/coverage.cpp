@@ -103,6 +103,7 @@ class Mesh {
   double areaRounding_ = 0;          // how far rounding can move the border, times its length
   bool isUnited_ = false;            // any in this round
   FlatArray<Detour> detours_;
+  std::size_t work_ = 0;  // Coverage::work
 };
 
 Mesh::Mesh(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box)
@@ -182,7 +183,9 @@ void Mesh::mendMeetings() {
   for (std::uint32_t k = 0; k < united_.size(); ++k) united_[k] = k;
   isUnited_ = false;
   detours_.clear();
+  work_ += segments_.size();
   SegmentPairs(points, segments_, box_).visitWitnesses([&](std::uint32_t k, std::uint32_t m) {
+    ++work_;
     if (doMeet(points, segments_[k], segments_[m])) mend(segments_[k], segments_[m]);
   });
 }
@@ -324,6 +327,7 @@ void Mesh::list(Coverage& coverage) {
   all.clear();
   coverage.sites.clear();
   coverage.cells.assign(1, 0);
+  coverage.work = work_;
   Tracer tracer;
   Rings rings;
   for (std::size_t c = 0; c < cells_.size(); ++c) {

@@ -22,6 +22,7 @@ struct Coverage {
   Rings rings;                     ///< of all cells, one after the other
   FlatArray<SiteId> sites;         ///< that have a polygon, ascending
   FlatArray<std::uint32_t> cells;  ///< of each its first part; and the number of parts
+  std::size_t work = 0;            ///< segments that were looked at, in all rounds; and meetings
 };
 
 /// Replaces the contents. `finder` finds thin parts, too (Parts::kThinToo), and `box` holds the
