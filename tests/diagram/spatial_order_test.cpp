@@ -79,6 +79,29 @@ TEST(HilbertOrder, AnOutlierLeavesTheOthersInTheirOrder) {
   }
 }
 
+/// What is ordered in a cell of its own is ordered as it is alone: a line, and points of which an
+/// odd number of digits differs, as the sort goes to and fro between two arrays.
+TEST(HilbertOrder, LinesAndPairsBesideAnOutlierAreOrderedAsTheyAreAlone) {
+  Random random(8);
+  constexpr std::uint32_t kPoints = 40;
+  for (int run = 0; run < 3000; ++run) {
+    const double x = random.between(-1, 1),
+                 places[] = {random.between(-1, 1), random.between(-1, 1)};
+    std::vector<double> values;
+    for (std::uint32_t k = 0; k < kPoints; ++k) {
+      if (run % 10 == 0)
+        values.insert(values.end(), {x, random.between(-1, 1)});
+      else
+        values.insert(values.end(), {k % 2 == 0 ? -1.0 : 1.0, places[k % 2]});
+    }
+    const std::vector<std::uint32_t> without = hilbertOf({values, 2});
+    values.insert(values.end(), {1e9, 1e9});
+    std::vector<std::uint32_t> order = hilbertOf({values, 2});
+    std::erase(order, kPoints);
+    ASSERT_EQ(order, without) << run;
+  }
+}
+
 /// Towns of towns of towns …: each has its points together, in the order that it has alone.
 TEST(HilbertOrder, ATownIsOrderedAsItIsAlone) {
   Random random(6);
