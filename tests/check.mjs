@@ -11,6 +11,7 @@
 //                the shadow check: whole sets of tens of thousands, lack of memory among thousands
 //   shadow       the native tests with each answer of a filter compared with the exact stage
 //   wasm         all C++ tests as WebAssembly; `npm test` runs those of cmake/WasmTests.cmake
+//   package      the package's tests in their long forms: thousands of treemaps and scenes
 //   page         the page's tests in their long forms: storms of 5000 events, axe in each theme on
 //                each screen
 //   strangers    the package in what is too large for every npm ci: other bundlers, other versions
@@ -120,6 +121,12 @@ await runSteps({
     native();
     const emscripten = ensureEmscripten();
     return ctest(await withBuildLock(() => buildWasmTests(emscripten, { allTests: true })));
+  },
+  async package() {
+    const browsers = { CHROMIUM: ensureChromium() ?? "", FIREFOX: ensureFirefox() ?? "" };
+    await buildPackage();
+    installPacked();
+    return jest(["package"], { env: { ...browsers, APOLLONIUS_THOROUGH: "1" } });
   },
   async page() {
     const browsers = { CHROMIUM: ensureChromium() ?? "", FIREFOX: ensureFirefox() ?? "" };
