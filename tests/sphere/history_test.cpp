@@ -30,8 +30,9 @@ void expectLike(const SphericalDiagram& diagram, const std::map<SiteId, Spherica
     ASSERT_EQ(diagram.site(id, found), Error::kNone);
     EXPECT_EQ(found.lon, site.lon);
     EXPECT_EQ(found.r, site.r);
+    const SphericalCircle& own = site;
     const bool isTwin = std::ranges::count_if(inOrder, [&](const SphericalCircle& other) {
-                          return angleOf(other, site) < 1e-12 && other.r == site.r;
+                          return angleOf(other, own) < 1e-12 && other.r == own.r;
                         }) > 1;
     if (!isTwin) {
       EXPECT_NEAR(areas[id], freshAreas[k], 1e-10) << id;
