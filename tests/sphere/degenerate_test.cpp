@@ -425,7 +425,7 @@ TEST(SphericalSnapshots, MadeUpCoversAreRefusedOrCover) {
   // Nested sites and twins, of the pole, too. Of each pair of a hidden site and its cover each word
   // becomes each id.
   SphericalSites sites;
-  for (const double lon : {0.0, 90.0, 180.0, 250.0}) {
+  for (const double lon : {0.0, 90.0, 180.0, -90.0}) {
     for (const double r : {0.3, 0.3, 0.25, 0.25, 0.1}) sites.push_back({lon, 0, r});
   }
   const SphericalDiagram diagram = diagramOf(sites);
@@ -439,6 +439,9 @@ TEST(SphericalSnapshots, MadeUpCoversAreRefusedOrCover) {
     for (std::uint32_t id = 0; id <= kSites; ++id) {
       SphericalDiagram restored;
       const Error error = restored.fromBytes(madeUp(bytes, kPairs + 4 * word, id));
+      const std::size_t own = kPairs + 8 * (word / 2);
+      const bool isBelowItself = word % 2 == 1 && bytes[own] == id;
+      ASSERT_TRUE(error == Error::kCorruptSnapshot || !isBelowItself) << id;
       refused += error == Error::kCorruptSnapshot;
       if (error == Error::kCorruptSnapshot) continue;
       ASSERT_EQ(error, Error::kNone);
@@ -471,6 +474,8 @@ TEST(SphericalSnapshots, MadeUpOnesAreRefused) {
   EXPECT_EQ(errorOf(madeUp(bytes, kSites, nan)), Error::kCorruptSnapshot) << "a longitude";
   EXPECT_EQ(errorOf(madeUp(bytes, kSites + 8, 90.5)), Error::kCorruptSnapshot) << "a latitude";
   EXPECT_EQ(errorOf(madeUp(bytes, kSites + 16, 3.2)), Error::kCorruptSnapshot) << "a weight";
+  EXPECT_EQ(errorOf(madeUp(bytes, kSites + 48 + 8, 90.5)), Error::kCorruptSnapshot)
+      << "a latitude of a visible site";
   EXPECT_EQ(errorOf(madeUp(bytes, kIds + 4, 0u)), Error::kCorruptSnapshot) << "an id twice";
   EXPECT_EQ(errorOf(madeUp(bytes, kIds + 4, 4u)), Error::kCorruptSnapshot) << "no id";
   const std::uint64_t swapped = 3 | std::uint64_t{2} << 32;  // the ids 3 and 2
@@ -478,6 +483,15 @@ TEST(SphericalSnapshots, MadeUpOnesAreRefused) {
   EXPECT_EQ(errorOf(madeUp(bytes, kIds + 16, 2u)), Error::kCorruptSnapshot) << "a visible site";
   EXPECT_EQ(errorOf(madeUp(bytes, kIds + 20, 2u)), Error::kCorruptSnapshot) << "no cover";
   EXPECT_EQ(errorOf(madeUp(bytes, kIds + 20, 1u)), Error::kCorruptSnapshot) << "below itself";
+  // Without the hidden site's pair, and with an id twice where no site is hidden.
+  constexpr std::size_t kHidden = 28;
+  std::vector<std::uint8_t> none = madeUp(bytes, kHidden, 0u);
+  none.erase(none.begin() + kIds + 16, none.begin() + kIds + 24);
+  EXPECT_EQ(errorOf(madeUp(none, kHidden, 0u)), Error::kCorruptSnapshot) << "a hidden site shown";
+  std::vector<std::uint8_t> visible;
+  ASSERT_EQ(diagramOf({{10, 0, 0}, {120, 10, 0}, {-90, 5, 0}}).toBytes(visible), Error::kNone);
+  EXPECT_EQ(errorOf(madeUp(visible, kSites + 3 * 24 + 4, 0u)), Error::kCorruptSnapshot)
+      << "an id twice, none hidden";
   std::vector<std::uint8_t> empty;
   ASSERT_EQ(SphericalDiagram().toBytes(empty), Error::kNone);
   EXPECT_EQ(errorOf(madeUp(empty, kPole, 0u)), Error::kCorruptSnapshot) << "a pole of no site";
