@@ -117,6 +117,26 @@ TEST(Conic, ApproximationsAreWithinTheTolerance) {
 }
 
 // Between neighbouring doubles there is nothing to halve: that must not be tried again and again.
+TEST(Conic, IsSplitByFinitePointsThatAreNoEnds) {
+  Random random(12);
+  const Conic conic = randomConic(random, 1.2);
+  Conic first, second;
+  conic.halve(first, second);
+  EXPECT_TRUE(conic.isSplitBy(first.p2));
+  EXPECT_FALSE(conic.isSplitBy(conic.p0));
+  EXPECT_FALSE(conic.isSplitBy(conic.p2));
+  EXPECT_FALSE(conic.isSplitBy({std::nan(""), 0}));
+}
+
+/// Neighbours, which have it in opposite directions, halve it alike.
+TEST(Conic, SagittaHasTheSameBitsInBothDirections) {
+  Random random(13);
+  for (int run = 0; run < 1000; ++run) {
+    const Conic conic = randomConic(random, kWeights[1 + run % 11]);
+    ASSERT_EQ(conic.sagitta(), conic.reversed().sagitta()) << run;
+  }
+}
+
 TEST(Conic, OfAFewDoublesIsNotHalvedWithoutEnd) {
   const double step = 0x1p-33;  // of doubles around a million
   for (const double w : {1.0, 3.0, 1e9}) {

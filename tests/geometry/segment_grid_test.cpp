@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -58,6 +59,21 @@ TEST(SegmentGrid, SegmentsThatCrossShareACell) {
     }
   }
   EXPECT_GT(crossings, runs(600));
+}
+
+TEST(SegmentGrid, DiagonalsAreInTheCellsAlongThem) {
+  // Not in all cells of the rows that they pass.
+  constexpr std::uint32_t kDiagonals = 1000;
+  std::vector<Point> points;
+  std::vector<Segment> segments;
+  for (std::uint32_t k = 0; k < kDiagonals; ++k) {
+    const double aside = 0.1 * k / kDiagonals;
+    points.push_back({aside, 0});
+    points.push_back({0.9 + aside, 1});
+    segments.push_back({2 * k, 2 * k + 1});
+  }
+  const SegmentGrid grid(points, segments, {0, 0, 1, 1});
+  EXPECT_LT(cellsOf(grid, {0, 0}, {0.9, 1}).size(), 6 * std::sqrt(kDiagonals));
 }
 
 TEST(SegmentGrid, CombsAreInAsManyCellsAsTheyHaveTeeth) {
