@@ -1,0 +1,49 @@
+// Rings of the sphere cut at the meridian of 180 degrees.
+#include "sphere/antimeridian.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <vector>
+
+namespace apollonius::test {
+namespace {
+
+using namespace internal::sphere;
+
+/// The area of what becomes of a ring, in square degrees.
+double areaOfCut(const std::vector<LonLat>& ring, double areaOfCell) {
+  std::vector<Direction> directions;
+  for (const LonLat& p : ring) directions.push_back(snappedToBorder(directionOf(p)));
+  AntimeridianCutter cutter(0.01);
+  LonLatRings rings;
+  cutter.cut(directions, [&] { return areaOfCell; }, rings);
+  double twice = 0;
+  for (std::size_t k = 0; k + 1 < rings.starts.size(); ++k) {
+    for (std::size_t m = rings.starts[k]; m + 1 < rings.starts[k + 1]; ++m) {
+      const double* p = &rings.coordinates[2 * m];
+      twice += p[0] * p[3] - p[2] * p[1];
+    }
+  }
+  return twice / 2;
+}
+
+TEST(Antimeridian, ARingThatTouchesItInAPointHasTheCellInsideOrOutside) {
+  constexpr double kSphere = 4 * std::numbers::pi, kMap = 360.0 * 180, kDiamond = 200;
+  const LonLat east{180, 0}, north{170, 10}, west{160, 0}, south{170, -10};
+  EXPECT_NEAR(areaOfCut({east, north, west, south}, 0.06), kDiamond, 1e-9);
+  EXPECT_NEAR(areaOfCut({east, south, west, north}, kSphere - 0.06), kMap - kDiamond, 1e-9);
+}
+
+TEST(Antimeridian, ARingThatDoesNotComeToItHasTheCellInsideOrOutside) {
+  constexpr double kSphere = 4 * std::numbers::pi, kMap = 360.0 * 180, kDiamond = 200;
+  const LonLat east{20, 0}, north{10, 10}, west{0, 0}, south{10, -10};
+  EXPECT_NEAR(areaOfCut({east, north, west, south}, 0.06), kDiamond, 1e-9);
+  EXPECT_NEAR(areaOfCut({east, south, west, north}, kSphere - 0.06), kMap - kDiamond, 1e-9);
+  // Thinner than the tolerance and turned over by it, as the sides of a needle may be.
+  const LonLat above{10, 0.001}, below{10, -0.001};
+  EXPECT_NEAR(areaOfCut({east, below, west, above}, 1e-6), 0, 0.1);
+}
+
+}  // namespace
+}  // namespace apollonius::test
