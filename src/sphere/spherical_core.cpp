@@ -76,8 +76,6 @@ void SphericalCore::insertMany(std::span<const double> sites, std::span<SiteId> 
   }
 }
 
-bool SphericalCore::remove(SiteId id) { return removeMany({&id, 1}) == 1; }
-
 std::size_t SphericalCore::removeMany(std::span<const SiteId> ids) {
   removed_.clear();
   removed_.reserve(ids.size());

@@ -22,8 +22,6 @@ class SphericalCore {
   SiteId insert(const SphericalSite& site);
   /// Longitude, latitude and weight of each; ids[k] becomes the id of triple k.
   void insertMany(std::span<const double> sites, std::span<SiteId> ids);
-  /// False if the id is not in use.
-  bool remove(SiteId id);
   /// How many of the ids were in use.
   std::size_t removeMany(std::span<const SiteId> ids);
   void update(SiteId id, const SphericalSite& site);
