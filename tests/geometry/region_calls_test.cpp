@@ -73,6 +73,21 @@ TEST(RegionCalls, OneThatHasNotBeenAssignedIsEmpty) {
   EXPECT_TRUE(path.commands.empty());
 }
 
+TEST(RegionCalls, ContainsItsInsideAndItsBorder) {
+  // A square with a square hole and a triangle in that.
+  const Region region =
+      made({0, 0, 9, 0, 9, 9, 0, 9, 2, 2, 7, 2, 7, 7, 2, 7, 3, 3, 6, 3, 3, 6}, {0, 4, 8, 11});
+  const std::pair<double, double> inside[] = {{1, 1}, {8, 5}, {4, 4}, {0, 0}, {9, 9},     {0, 5},
+                                              {5, 0}, {2, 5}, {7, 7}, {3, 3}, {4.5, 4.5}, {5, 3}};
+  for (const auto& [x, y] : inside) EXPECT_TRUE(region.contains(x, y)) << x << ' ' << y;
+  const std::pair<double, double> outside[] = {{-1, 0},  {10, 9}, {5, -1},  {5, 10},
+                                               {2.5, 5}, {5, 5},  {6.5, 3}, {2.5, 2.5}};
+  for (const auto& [x, y] : outside) EXPECT_FALSE(region.contains(x, y)) << x << ' ' << y;
+  EXPECT_FALSE(region.contains(std::nan(""), 1));
+  EXPECT_FALSE(region.contains(1, std::numeric_limits<double>::infinity()));
+  EXPECT_FALSE(Region().contains(0, 0));
+}
+
 TEST(RegionCalls, MovedOnesAreWhatTheyWere) {
   Region first = made(kRings, kStarts);
   const double area = first.area();
