@@ -13,6 +13,8 @@ namespace apollonius::internal::sphere {
 namespace {
 
 constexpr int kCandidates = 8;
+/// With such a loss a circle is within no more than 10^-7 radians of its cap.
+constexpr double kRough = 0x1p30;
 
 /// Knuth's generator of 64 bits (MMIX), of which the upper half is used.
 std::uint32_t draw(std::uint64_t& seed, std::uint64_t limit) {
@@ -62,7 +64,11 @@ SiteId choosePole(const SiteTable& sites, const FlatArray<Cap>& caps, std::uint6
       }
     }
     const double loss = lossFrom(caps[nearest], all, caps);
-    if (best == kNoSite || loss < least) {
+    // Where one nearly covers another, the circle of either is of no use as seen from the other.
+    // The one that nearly covers is the pole then: what is lost is a cell of nearly no width.
+    const bool areRough = best != kNoSite && std::min(loss, least) > kRough;
+    const bool isBetter = areRough ? caps[nearest].weight > caps[best].weight : loss < least;
+    if (best == kNoSite || isBetter) {
       best = nearest;
       least = loss;
     }

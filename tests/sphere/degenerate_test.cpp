@@ -168,6 +168,24 @@ TEST(SphericalDegenerate, ABetterPoleThatComesLaterIsTaken) {
   }
 }
 
+TEST(SphericalDegenerate, ThePoleIsNotASiteThatAnotherNearlyCovers) {
+  // Found by sphere_fuzz. Site 5 touches site 4 from inside and covers all others. As seen from
+  // site 4 its circle was of no use, and some of these were visible.
+  SphericalDiagram diagram = diagramOf({{-30, 15, std::numbers::pi / 6},
+                                        {-30, 15, std::numbers::pi / 6},
+                                        {-45, -45, 0.1},
+                                        {135, -90, 0},
+                                        {-180, 60, 0},
+                                        {120, -90, 5 * std::numbers::pi / 6}});
+  SiteId id = kNoSite;
+  ASSERT_EQ(diagram.insert(-30, 15, 0, id), Error::kNone);
+  for (const SiteId site : {0u, 1u, 2u, 3u, 6u}) {
+    bool isHidden = false;
+    ASSERT_EQ(diagram.isHidden(site, isHidden), Error::kNone);
+    EXPECT_TRUE(isHidden) << site;
+  }
+}
+
 TEST(SphericalDegenerate, ThePoleIsNotASiteThatNearlyCoversOthers) {
   // Found by sphere_fuzz: projected from the first one, the fifth was a circle of which nothing was
   // known, and hidden below the last.
