@@ -4,12 +4,15 @@
 #
 # The library is the very one that the tests link, at the same level.
 set(bindings "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings")
-add_executable(apollonius_wasm EXCLUDE_FROM_ALL "${bindings}/bindings.cpp")
+add_executable(apollonius_wasm EXCLUDE_FROM_ALL "${bindings}/core.cpp" "${bindings}/shapes.cpp"
+  "${bindings}/sphere.cpp")
 target_link_libraries(apollonius_wasm PRIVATE apollonius apollonius_flags)
 set_target_properties(apollonius_wasm PROPERTIES OUTPUT_NAME apollonius SUFFIX .mjs)
+target_compile_options(apollonius_wasm PRIVATE -Oz)
 target_link_options(apollonius_wasm PRIVATE
   # -O3 and -Os shorten names, among which tests/wasm/support/trapping.mjs finds its way.
-  -lembind -O2 -sBINARYEN_EXTRA_PASSES=-O3,--converge
+  # Of two equal functions, each stays in its part (tools/toolchain/split_wasm.mjs).
+  -lembind -O2 -sBINARYEN_EXTRA_PASSES=-O3,--converge,--skip-pass=duplicate-function-elimination
   -sEMBIND_AOT -sDYNAMIC_EXECUTION=0   # no code made from strings, which a strict policy forbids
   --emit-tsd=apollonius.d.mts
   -sMODULARIZE -sEXPORT_ES6
@@ -21,9 +24,11 @@ target_link_options(apollonius_wasm PRIVATE
   # Puts the stack back after a call that ended in its middle: wasm/package/native/module.ts.
   -sEXPORTED_FUNCTIONS=_emscripten_stack_get_current,__emscripten_stack_restore
   "SHELL:--js-library ${bindings}/embind_parts.js"
-  --profiling-funcs                    # names, for tools/toolchain/split_wasm.mjs, which drops them
+  # Names as in the object files, for tools/toolchain/split_wasm.mjs, which drops them.
+  --profiling-funcs $<$<NOT:$<CONFIG:Debug>>:-Wl,--no-demangle>
   # 6 KB smaller than the default and as fast here: a diagram is a few large arrays.
-  -sMALLOC=emmalloc)
+  -sMALLOC=emmalloc
+  -Wl,--growable-table)                # that of `core` has more elements than the whole module's
 set_property(TARGET apollonius_wasm APPEND PROPERTY
   LINK_DEPENDS "${bindings}/embind_parts.js")
 if(CMAKE_BUILD_TYPE STREQUAL "Debug")

@@ -47,7 +47,7 @@ test("each folder of the page has its tests, and they are there", () => {
 });
 
 test("the package and the cluster example", () => {
-  expect(packagePlan(["wasm/package/diagram.ts"])[0]).toBe("--testPathIgnorePatterns");
+  expect(packagePlan(["wasm/package/core/diagram.ts"])[0]).toBe("--testPathIgnorePatterns");
   expect(packagePlan(["tests/wasm/queries.test.mjs"])).toEqual(["--onlyChanged"]);
   expect(packagePlan(["README.md"])).toEqual(["--testPathPatterns", "/wasm/readme\\.test"]);
   expect(packagePlan(["docs/examples/diagram.md", "README.md"])).toEqual([

@@ -17,7 +17,7 @@ function constantOf(file, name) {
 test.each(["kSmallestMagnitude", "kLargestMagnitude", "kMostSites"])("%s", (name) => {
   const value = constantOf("src/apollonius/types.h", name);
   expect(value).not.toBeNaN();
-  expect(constantOf("wasm/package/arguments.ts", name)).toBe(value);
+  expect(constantOf("wasm/package/core/arguments.ts", name)).toBe(value);
 });
 
 test("kFinestTolerance", () => {
@@ -31,5 +31,5 @@ test("drawing commands", () => {
   const names = [...list.matchAll(/^\s*(k\w+),/gm)].map(([, name]) => name);
   expect(names).toEqual(["kMove", "kLine", "kCurve", "kClose"]);
   for (const [number, name] of names.slice(0, 3).entries())
-    expect(constantOf("wasm/package/path.ts", name)).toBe(number);
+    expect(constantOf("wasm/package/core/path.ts", name)).toBe(number);
 });

@@ -34,6 +34,9 @@ function geometry(folders) {
   }));
 }
 
+/** The types that Embind writes. */
+const ofModule = /^\.\.\/\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/;
+
 const rules = [
   // Public headers, installed as they are: nothing but the standard library and each other.
   { of: /^src\/apollonius\//, may: [std, /^"apollonius\//] },
@@ -79,12 +82,7 @@ const rules = [
   },
   {
     of: /^wasm\/bindings\/\w+\.(cpp|h)$/,
-    may: [
-      std,
-      /^<emscripten\//,
-      /^"apollonius\//,
-      /^"(arrays|adapters|spherical_adapters|voronoi_adapters)\.h"$/,
-    ],
+    may: [std, /^<emscripten\//, /^"apollonius\//, /^"(arrays|adapters|parts)\.h"$/],
   },
   {
     of: /^bench\/.*\.(cpp|h)$/,
@@ -100,48 +98,46 @@ const rules = [
   }, // and how much memory is in use
 
   {
-    of: /^wasm\/package\/embedded\.ts$/,
-    may: [/^\.\/(native\/)?[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/apollonius\.wasm$/],
-  },
-  {
-    of: /^wasm\/package\/edge\.ts$/,
-    may: [/^\.\/[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/apollonius\.wasm\?module$/],
-  },
-  {
-    of: /^wasm\/package\/sphere\.ts$/,
-    may: [/^\.\/((native|sphere)\/)?[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/sphere\.wasm$/],
-  },
-  {
-    of: /^wasm\/package\/sphere_edge\.ts$/,
-    may: [/^\.\/((native|sphere)\/)?[\w.]+$/, /^\.\.\/\.\.\/build\/wasm\/sphere\.wasm\?module$/],
-  },
-  {
-    of: /^wasm\/package\/native\/\w+\.ts$/,
+    of: /^wasm\/package\/core\/(native\/)?\w+\.ts$/,
     may: [
-      /^\.\/\w+\.js$/,
-      /^\.\.\/(arguments|errors)\.js$/,
-      /^\.\.\/\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/,
+      /^\.{1,2}\/(native\/)?\w+\.js$/,
+      /^\.\.\/\.\.\/errors\.js$/,
+      /^(\.\.\/)+build\/wasm\/apollonius\.mjs$/,
     ],
   },
   {
-    of: /^wasm\/package\/(voronoi|sphere)\/\w+\.ts$/,
-    may: [
-      /^\.{1,2}\/\w+\.js$/,
-      /^\.\.\/native\/\w+\.js$/,
-      /^\.\.\/voronoi\/geojson\.js$/,
-      /^\.\.\/\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/,
-    ],
+    of: /^wasm\/package\/shapes\/\w+\.ts$/,
+    may: [/^\.\/\w+\.js$/, /^\.\.\/(core\/(native\/)?\w+|errors)\.js$/, ofModule],
+  },
+  {
+    of: /^wasm\/package\/sphere\/\w+\.ts$/,
+    may: [/^\.\/\w+\.js$/, /^\.\.\/(core\/(native\/)?\w+|shapes\/(geojson|types)|errors)\.js$/],
   },
   {
     of: /^wasm\/package\/treemap\/\w+\.ts$/,
-    may: [/^\.{1,2}\/\w+\.js$/, /^\.\.\/voronoi\/\w+\.js$/],
+    may: [/^\.\/\w+\.js$/, /^\.\.\/(core\/\w+|shapes\/\w+|errors)\.js$/],
+  },
+  // The entries.
+  {
+    of: /^wasm\/package\/(core|shapes|sphere)(_edge)?\.ts$/,
+    may: [
+      /^\.\/(core(_edge)?|errors)\.js$/,
+      /^\.\/\w+\/(api|functions)\.js$/,
+      /^\.\/core\/native\/(embedded|module)\.js$/,
+      /^\.\.\/\.\.\/build\/wasm\/(core|shapes|sphere)\.wasm(\?module)?$/,
+    ],
   },
   {
-    of: /^wasm\/package\/[\w.]+\.ts$/,
+    of: /^wasm\/package\/wasm\.ts$/,
     may: [
-      /^\.\/((native|voronoi|sphere|treemap)\/)?[\w.]+$/,
-      /^\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/,
+      /^\.\/\w+\/(api|methods)\.js$/,
+      /^\.\/core\/(arguments|native\/module)\.js$/,
+      /^\.\/errors\.js$/,
     ],
+  },
+  {
+    of: /^wasm\/package\/\w+\.ts$/,
+    may: [/^\.\/\w+\.js$/, /^\.\/\w+\/(api|methods)\.js$/],
   },
   {
     of: /^web\/examples\/.*\.(jsx?|vue|svelte)$/,
@@ -166,7 +162,7 @@ const rules = [
   },
   {
     of: /^web\/figure\/package\.ts$/,
-    may: [/^apollonius-diagram\/(wasm|apollonius\.wasm\?url)$/],
+    may: [/^apollonius-diagram\/(wasm|(core|shapes|sphere)\.wasm\?url)$/],
   },
   { of: /^web\/figure\/.*\.ts$/, may: [/^\.\/\w+\.js$/] },
   {
@@ -271,7 +267,7 @@ test("the methods of a class are defined in the folder of its header", () => {
 
 test("the patterns do read lines", () => {
   expect(dependencies("wasm/bindings/adapters.h")).toContain('"apollonius/diagram.h"');
-  expect(dependencies("wasm/package/diagram.ts")).toContain("./native/module.js");
+  expect(dependencies("wasm/package/core/diagram.ts")).toContain("./native/module.js");
   expect(dependencies("tests/layers.test.mjs")).toContain("node:fs");
 });
 
@@ -294,7 +290,7 @@ test("only native/module.ts starts the module or imports more of it than types",
         readFileSync(path.join(root, file), "utf8"),
       ),
     );
-  expect(importing).toEqual(["wasm/package/native/module.ts"]);
+  expect(importing).toEqual(["wasm/package/core/native/module.ts"]);
 });
 
 test("commands start on a fresh clone: before their first line they import no package", () => {

@@ -14,9 +14,11 @@ export const referenceFile = path.join(root, "docs/API.md");
 
 const entries = [
   ["apollonius-diagram", "index.ts"],
-  ["apollonius-diagram/wasm", "wasm.ts"],
+  ["apollonius-diagram/core", "core.ts"],
+  ["apollonius-diagram/shapes", "shapes.ts"],
   ["apollonius-diagram/sphere", "sphere.ts"],
   ["apollonius-diagram/treemap", "treemap.ts"],
+  ["apollonius-diagram/wasm", "wasm.ts"],
 ];
 const preface = `# API reference
 
@@ -28,12 +30,24 @@ nothing. In examples, the comment behind a line is its result, with numbers roun
 that are shown.
 `;
 
-/** The exports of an entry by name, in the order of the files. */
+/** The class of which an exported value is another name; otherwise the symbol itself. */
+function classOf(checker, symbol) {
+  const value = symbol.valueDeclaration;
+  if (value === undefined || !ts.isVariableDeclaration(value)) return symbol;
+  const known = checker.getTypeAtLocation(value).symbol;
+  return known?.flags & ts.SymbolFlags.Class ? known : symbol;
+}
+
+/**
+ * The exports of an entry by name, in the order of the files; `additions` are what another file
+ * adds to a class (wasm/package/shapes/methods.ts), and further signatures.
+ */
 function exportsOf(checker, program, file) {
   const source = program.getSourceFile(path.join(root, "wasm/package", file));
   return checker.getExportsOfModule(checker.getSymbolAtLocation(source)).map((symbol) => {
     const target = symbol.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(symbol) : symbol;
-    return { name: symbol.name, declaration: target.declarations[0] };
+    const [declaration, ...additions] = classOf(checker, target).declarations;
+    return { name: symbol.name, declaration, additions };
   });
 }
 
@@ -98,7 +112,7 @@ export function describePackage() {
   );
   const files = entries.map(([, file]) => path.join(root, "wasm/package", file));
   const program = ts.createProgram(
-    [...files, path.join(root, "wasm/package/native/wasm_file.d.ts")],
+    [...files, path.join(root, "wasm/package/core/native/wasm_file.d.ts")],
     {
       ...options,
       noEmit: true,
@@ -123,7 +137,7 @@ function basesOf(declaration, checker) {
   return types.map((type) => checker.getTypeAtLocation(type).symbol.declarations[0]);
 }
 
-function describe({ name, declaration }, checker) {
+function describe({ name, declaration, additions }, checker) {
   const kind = ts.isClassDeclaration(declaration)
     ? "class"
     : ts.isInterfaceDeclaration(declaration)
@@ -136,7 +150,12 @@ function describe({ name, declaration }, checker) {
   const members = [];
   const inherited =
     kind === "interface" ? basesOf(declaration, checker).flatMap((base) => [...base.members]) : [];
-  const own = kind === "class" || kind === "interface" ? [...declaration.members] : [];
+  const own =
+    kind === "class" || kind === "interface"
+      ? [declaration, ...additions.filter(ts.isInterfaceDeclaration)].flatMap((one) => [
+          ...one.members,
+        ])
+      : [];
   for (const member of [...inherited, ...own].filter(isPublic)) {
     if (ts.isClassStaticBlockDeclaration(member) || ts.isSemicolonClassElement(member)) continue;
     const described = {
@@ -152,13 +171,15 @@ function describe({ name, declaration }, checker) {
     // the one with the body is not public
     else if (!member.body) overloaded.code += `\n${described.code}`;
   }
+  // Of several signatures, the one with the body is not public.
+  const signatures = [declaration, ...additions].filter((one) => !one.body || one === declaration);
   const parameters = (declaration.typeParameters ?? []).map((parameter) => parameter.getText());
   return {
     name,
     kind,
     title: parameters.length > 0 ? `${name}<${parameters.join(", ")}>` : name,
     text: comment(declaration),
-    code: members.length > 0 ? null : signature(declaration),
+    code: members.length > 0 ? null : signatures.map(signature).join("\n"),
     members,
   };
 }

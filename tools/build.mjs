@@ -1,21 +1,19 @@
 // npm run build: the package's dist/ from src/ and wasm/.
 //
-//   dist/esm/{index,wasm}.js, *.d.ts    ES modules; index.js only names what is in embedded.js and
-//                                       errors.js, so that who needs no more gets no more
-//   dist/esm/edge.js                    the default entry for runtimes that compile nothing: it
-//                                       imports the compiled module
-//   dist/cjs/{index,wasm}.js, *.d.ts    CommonJS, the same; index.js is also the file for a script
-//                                       tag, with the global `apollonius`
-//   dist/{esm,cjs}/sphere.js, *.d.ts    the diagram of the sphere, in the module of the default
-//                                       entry, which it imports by the package's name, with the
-//                                       second part of the wasm (toolchain/split_wasm.mjs) as text
-//   dist/esm/sphere_edge.js             the same, which imports that part
-//   dist/apollonius.wasm                for the entry `apollonius-diagram/wasm`; the default entry
-//                                       carries it as text
-//   dist/sphere.wasm                    for sphere_edge.js
+//   dist/esm/{index,core,shapes,sphere,treemap,wasm}.js, *.d.ts    the entries, ES modules. Those of
+//                                      core, shapes and sphere carry that part of the wasm as text.
+//   dist/esm/{embedded,errors}.js      index.js only names what is in these, so that who needs no
+//                                      more than errors gets no more
+//   dist/esm/{core,shapes,sphere,treemap}/part.js    the code of a folder of wasm/package, which
+//                                      the entries share
+//   dist/esm/*edge.js                  entries for runtimes that compile nothing: they import the
+//                                      compiled parts
+//   dist/cjs/                          CommonJS, the same
+//   dist/apollonius.js                 for a script tag: the default entry as a global
+//   dist/{core,shapes,sphere}.wasm     the parts (toolchain/split_wasm.mjs)
 //
-//   npm run build -- --debug            the same in build/debug/dist, with the names of the C++
-//                                       functions and a source map beside the wasm
+//   npm run build -- --debug           the same in build/debug/dist, with the names of the C++
+//                                      functions and a source map beside the wasm
 import { createHash } from "node:crypto";
 import {
   chmodSync,
@@ -35,17 +33,21 @@ import { buildWasmModule } from "./toolchain/cmake.mjs";
 import { root } from "./toolchain/folders.mjs";
 import { withBuildLock } from "./toolchain/lock.mjs";
 import { run } from "./toolchain/process.mjs";
-import { splitWasm } from "./toolchain/split_wasm.mjs";
+import { parts, splitWasm } from "./toolchain/split_wasm.mjs";
 import { ensureBuildTools, main } from "./toolchain/setup.mjs";
 
 const sources = path.join(root, "wasm/package");
 const types = path.join(root, "build/types/wasm/package");
-const entries = ["index", "wasm"];
-// Bundled by themselves: an entry, and the same for runtimes that compile nothing.
-const spheres = { esm: ["sphere", "sphere_edge"], cjs: ["sphere"] };
-const treemaps = ["treemap"]; // of JavaScript only
-const inner = { esm: ["edge", "embedded", "errors"], cjs: [] };
+const entries = ["index", "core", "shapes", "sphere", "treemap", "wasm"];
+const inner = ["embedded", "errors"];
+const edges = ["edge", "core_edge", "shapes_edge", "sphere_edge", "treemap_edge"];
+/** Folders of the sources whose code is a file of its own. */
+const rooms = ["core", "shapes", "sphere", "treemap"];
+/** Files of these that are part of the entries: lists of names, and what these do when imported. */
+const ofEntries = /\/(api|methods)\.ts$/;
 
+/** Control characters that bundlers write as escapes. */
+const controls = [7, 8, 11, 12, 27];
 /** Characters that a string literal cannot have as they are; NUL, HTML would read as U+FFFD. */
 const escapes = { 0: "\\x00", 10: "\\n", 13: "\\r", 34: '\\"', 92: "\\\\" };
 
@@ -60,7 +62,7 @@ function asString(bytes) {
   const counts = new Uint32Array(256);
   for (const byte of bytes) ++counts[byte];
   const codes = [...counts.keys()];
-  const unfit = Object.keys(escapes).map(Number);
+  const unfit = [...Object.keys(escapes).map(Number), ...controls];
   const low = codes
     .slice(0, 128)
     .filter((code) => !unfit.includes(code))
@@ -78,45 +80,30 @@ function asString(bytes) {
   return { literal: `"${characters.replaceAll(/<(?=[!/])/g, "<\\")}"`, swaps: swaps.flat() };
 }
 
+/** Stands for the text of a part of the wasm until all else is minified. */
+const placeholderOf = (part) => `__APOLLONIUS_${part}__`;
+
 /**
  * Lets a bundle import what is in `built` (which the sources call build/wasm, in a debug build,
- * too), and one of the parts of the wasm as `asString` has it. esbuild would print its own loaders'
- * strings full of escapes.
+ * too). esbuild would print its own loaders' strings full of escapes.
  */
-function wasmAsText(built, part) {
-  const { literal, swaps } = asString(readFileSync(path.join(built, `parts/${part}.wasm`)));
-  const placeholder = "__APOLLONIUS_WASM__";
+function wasmAsText(built, texts) {
   return {
     name: "wasm-as-text",
     setup(build) {
       build.onResolve({ filter: /\/build\/wasm\/[\w.]+$/ }, ({ path: file }) => ({
         path: path.join(built, path.basename(file)),
       }));
-      build.onResolve({ filter: /\.wasm\?module$/ }, ({ path: file }) => ({
-        path: `../${path.basename(file)}`,
-        external: true,
-      }));
-      build.onLoad({ filter: /\.wasm$/ }, () => ({
-        contents: `export const text = ${placeholder}, swaps = [${swaps}];`,
-        loader: "js",
-      }));
-      build.onEnd(async ({ outputFiles }) => {
-        for (const { path: file, text } of outputFiles) {
-          const small = await minified(text);
-          mkdirSync(path.dirname(file), { recursive: true });
-          writeFileSync(file, byteOrderMark(file) + small.replace(placeholder, () => literal));
-        }
+      build.onLoad({ filter: /\.wasm$/ }, ({ path: file }) => {
+        const part = path.basename(file, ".wasm");
+        const { swaps } = texts[part];
+        return {
+          contents: `export const text = ${placeholderOf(part)}, swaps = [${swaps}];`,
+          loader: "js",
+        };
       });
     },
   };
-}
-
-/**
- * A script tag's file is read in the page's encoding, be it windows-1252, unless a byte order mark
- * says UTF-8. Modules are always UTF-8; Node and bundlers skip the mark.
- */
-function byteOrderMark(file) {
-  return file.endsWith("cjs/index.js") ? "\uFEFF" : "";
 }
 
 const classes = ["ApolloniusError", "Diagram", "SphericalDiagram", "Voronoi"];
@@ -141,89 +128,114 @@ async function minified(text) {
   return `${code}\n${names.replaceAll(/\s/g, "")}\n`;
 }
 
-// Where there is no CommonJS, what is exported becomes a global.
-const scriptTag = {
-  banner: { js: "(function(module){" },
-  footer: {
-    js:
-      '})(typeof module=="object"&&module.exports?module:' +
-      "{set exports(names){globalThis.apollonius=names}});",
-  },
-};
+const isOutput = (name) => [...entries, ...inner, ...edges].includes(name);
 
-/** Lets bundles import errors.js, once, and not hold it; index.js and edge.js hold no other, too. */
-const errorsApart = {
-  name: "errors-apart",
-  setup(build) {
-    const file = "./errors.js"; // as the bundles see it, whatever folder asks
-    build.onResolve({ filter: /^\.{1,2}\/errors\.js$/ }, ({ namespace }) =>
-      namespace === "errors" ? { path: file, external: true } : { path: file, namespace: "errors" },
-    );
-    build.onResolve({ filter: /^\.\/(embedded|wasm)\.js$/ }, ({ path: file }) => ({
-      path: file,
-      external: true,
-    }));
-    build.onLoad({ filter: /./, namespace: "errors" }, () => ({
-      contents: `export { ApolloniusError } from ${JSON.stringify(file)};`,
-    }));
-  },
-};
+/** The folder whose file holds the code of a source; "" if an entry holds it. */
+function roomOf(file) {
+  const [folder, ...rest] = path.relative(sources, file).split(path.sep);
+  return rest.length > 0 && rooms.includes(folder) && !ofEntries.test(file) ? folder : "";
+}
 
-/** Lets other entries take the running module and the classes from the default entry. */
-const fromDefaultEntry = {
-  name: "from-default-entry",
-  setup(build) {
-    build.onResolve({ filter: /\/(diagram|errors|module)\.js$/ }, ({ path: file }) => ({
-      path: path.basename(file),
-      namespace: "default-entry",
-    }));
-    build.onResolve({ filter: /^apollonius-diagram$/ }, ({ path: name }) => ({
-      path: name,
-      external: true,
-    }));
-    build.onLoad({ filter: /diagram|errors/, namespace: "default-entry" }, () => ({
-      contents: `export { ApolloniusError, Diagram } from "apollonius-diagram";`,
-    }));
-    build.onLoad({ filter: /module/, namespace: "default-entry" }, () => ({
-      contents:
-        `import { Diagram } from "apollonius-diagram";` +
-        `export const { runningModule, setSphereSource } = ` +
-        `Diagram[Symbol.for("apollonius-diagram.module")];`,
-    }));
-  },
-};
+/** By room and file of it: the names that sources outside of the room import. */
+function namesBetweenRooms() {
+  const found = Object.fromEntries(rooms.map((room) => [room, {}]));
+  const statement = /^(?:import|export) (\{[^}]*\}|\*(?: as \w+)?) from "(\.[^"]*)\.js";/gm;
+  for (const name of readdirSync(sources, { recursive: true })) {
+    if (!name.endsWith(".ts") || name.endsWith(".d.ts")) continue;
+    const file = path.join(sources, name);
+    const text = readFileSync(file, "utf8");
+    for (const [, list, from] of text.matchAll(statement)) {
+      const target = path.resolve(path.dirname(file), `${from}.ts`);
+      const room = roomOf(target);
+      if (room === "" || room === roomOf(file)) continue;
+      if (list.startsWith("*"))
+        throw new Error(`${name} imports all of ${from}.js: name what it needs`);
+      const names = list
+        .slice(1, -1)
+        .split(",")
+        .map((one) => one.trim().split(" as ")[0]);
+      const values = names.filter((one) => one !== "" && !one.startsWith("type "));
+      const ofFile = `./${path.relative(path.join(sources, room), target).replace(/ts$/, "js")}`;
+      found[room][ofFile] = new Set([...(found[room][ofFile] ?? []), ...values]);
+    }
+  }
+  return found;
+}
 
-async function bundle(format, outdir, built) {
-  const { build } = await import("esbuild"); // not before `npm ci` may have installed it
-  const filesOf = (names) => names.map((name) => path.join(sources, `${name}.ts`));
-  const common = {
-    outdir,
-    format,
-    bundle: true,
-    target: "es2022",
-    charset: "utf8",
-    logLevel: "warning",
-    legalComments: "none",
-    write: false,
-    ...(format === "cjs" && { platform: "node" }),
+/** Lets a bundle import other files of dist/, and not hold what is in them. */
+function apart(own) {
+  const folder = path.dirname(path.join(sources, own));
+  const external = (name) => {
+    const relative = path.relative(folder, path.join(sources, `${name}.js`));
+    return { path: relative.startsWith(".") ? relative : `./${relative}`, external: true };
   };
-  await build({
-    ...common,
-    entryPoints: filesOf([...entries, ...inner[format]]),
-    ...(format === "cjs"
-      ? { ...scriptTag, plugins: [wasmAsText(built, "apollonius")] }
-      : { plugins: [wasmAsText(built, "apollonius"), errorsApart] }),
-  });
-  await build({
-    ...common,
-    entryPoints: filesOf(spheres[format]),
-    plugins: [wasmAsText(built, "sphere"), fromDefaultEntry],
-  });
-  await build({
-    ...common,
-    entryPoints: filesOf(treemaps),
-    plugins: [wasmAsText(built, "apollonius"), fromDefaultEntry],
-  });
+  return {
+    name: "apart",
+    setup(build) {
+      build.onResolve({ filter: /\.wasm\?module$/ }, ({ path: file }) => ({
+        path: `../${path.basename(file)}`,
+        external: true,
+      }));
+      build.onResolve({ filter: /^\..*\.js$/ }, ({ path: file, resolveDir, kind }) => {
+        if (kind === "entry-point") return undefined;
+        const target = path.resolve(resolveDir, file).replace(/js$/, "ts");
+        const name = path.relative(sources, target).replace(/\.ts$/, "");
+        if (isOutput(name)) return external(name);
+        const room = roomOf(target);
+        return room !== "" && own !== `${room}/part` ? external(`${room}/part`) : undefined;
+      });
+    },
+  };
+}
+
+/** Makes the files of dist/ in `fresh`. */
+async function bundle(fresh, built) {
+  const { build, transform } = await import("esbuild"); // not before `npm ci` may have installed it
+  const texts = Object.fromEntries(
+    parts.map((part) => [part, asString(readFileSync(path.join(built, `parts/${part}.wasm`)))]),
+  );
+  const write = async (file, code, mark = "") => {
+    let small = await minified(code);
+    for (const part of parts) small = small.replace(placeholderOf(part), () => texts[part].literal);
+    mkdirSync(path.dirname(path.join(fresh, file)), { recursive: true });
+    writeFileSync(path.join(fresh, file), mark + small);
+  };
+  const bundled = async (entry, plugins = []) => {
+    const { outputFiles } = await build({
+      ...entry,
+      format: "esm",
+      bundle: true,
+      target: "es2022",
+      charset: "utf8",
+      logLevel: "warning",
+      legalComments: "none",
+      write: false,
+      plugins: [wasmAsText(built, texts), ...plugins],
+    });
+    return outputFiles[0].text;
+  };
+  const between = namesBetweenRooms();
+  const codeOf = (name) => {
+    const room = rooms.find((candidate) => name === `${candidate}/part`);
+    if (room === undefined)
+      return bundled({ entryPoints: [path.join(sources, `${name}.ts`)] }, [apart(name)]);
+    const lines = Object.entries(between[room]).map(
+      ([file, names]) => `export { ${[...names].join(", ")} } from ${JSON.stringify(file)};`,
+    );
+    const stdin = { contents: lines.join("\n"), resolveDir: path.join(sources, room) };
+    return bundled({ stdin }, [apart(name)]);
+  };
+  for (const name of [...entries, ...inner, ...rooms.map((room) => `${room}/part`)]) {
+    const code = await codeOf(name);
+    await write(`esm/${name}.js`, code);
+    const settings = { format: "cjs", platform: "node", target: "es2022", charset: "utf8" };
+    await write(`cjs/${name}.js`, (await transform(code, settings)).code);
+  }
+  for (const name of edges) await write(`esm/${name}.js`, await codeOf(name));
+  // A script tag's file is read in the page's encoding, be it windows-1252, unless a byte order
+  // mark says UTF-8.
+  const script = await bundled({ entryPoints: [path.join(sources, "script.ts")] });
+  await write("apollonius.js", `(() => {${script}})();`, "\uFEFF");
 }
 
 /** The declaration files that the entries reach; those of inner files stay out of the package. */
@@ -233,10 +245,10 @@ function publicDeclarations() {
     if (reached.has(name)) return;
     reached.add(name);
     const text = readFileSync(path.join(types, name), "utf8");
-    for (const [, module] of text.matchAll(/from "(\.{1,2}\/.*?)\.js"/g))
+    for (const [, module] of text.matchAll(/(?:from|^import) "(\.{1,2}\/.*?)\.js"/gm))
       visit(path.join(path.dirname(name), `${module}.d.ts`));
   };
-  for (const entry of [...entries, "sphere", ...treemaps]) visit(`${entry}.d.ts`);
+  for (const entry of entries) visit(`${entry}.d.ts`);
   return [...reached];
 }
 
@@ -247,6 +259,7 @@ function fingerprint(built) {
       .filter((name) => /\.(ts|mjs|json)$/.test(name))
       .map((name) => path.join(sources, name)),
     fileURLToPath(import.meta.url),
+    path.join(root, "package.json"),
     ...["wasm", "mjs", "d.mts"].map((kind) => path.join(built, `apollonius.${kind}`)),
     path.join(root, "tools/toolchain/split_wasm.mjs"),
     path.join(root, "package-lock.json"),
@@ -271,20 +284,18 @@ async function makeDist(emscripten, built, dist, options) {
   run(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", sources]);
   const fresh = path.join(root, "build/dist");
   rmSync(fresh, { recursive: true, force: true });
-  const declarations = publicDeclarations();
-  for (const format of ["esm", "cjs"]) {
-    const folder = path.join(fresh, format);
-    mkdirSync(folder, { recursive: true });
-    await bundle(format, folder, built);
-    for (const name of declarations) cpSync(path.join(types, name), path.join(folder, name));
-  }
+  await bundle(fresh, built);
+  for (const format of ["esm", "cjs"])
+    for (const name of publicDeclarations())
+      cpSync(path.join(types, name), path.join(fresh, format, name));
   // With the version: Observable Framework keeps bundles by it.
   const { name, version } = JSON.parse(readFileSync(path.join(root, "package.json"), "utf8"));
   const own = { name, version, type: "commonjs" };
   writeFileSync(path.join(fresh, "cjs/package.json"), `${JSON.stringify(own)}\n`);
-  for (const part of ["apollonius.wasm", "sphere.wasm"]) {
-    copyFileSync(path.join(built, "parts", part), path.join(fresh, part));
-    chmodSync(path.join(fresh, part), 0o644);
+  for (const part of parts) {
+    const file = path.join(fresh, `${part}.wasm`);
+    copyFileSync(path.join(built, `parts/${part}.wasm`), file);
+    chmodSync(file, 0o644);
   }
   const map = path.join(built, "apollonius.wasm.map");
   if (existsSync(map)) copyFileSync(map, path.join(fresh, "apollonius.wasm.map"));

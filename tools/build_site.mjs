@@ -22,7 +22,8 @@ export const builtSite = path.join(root, "build/web");
 const copied = ["examples", "data", "icon.svg"]; // of web/
 const kRandomSets = "playground/sets/random_sets";
 /** What every page needs comes in one piece, and random circles with it: they are small. */
-const kShared = /dist\/esm\/wasm\.js|web\/figure\/(package|figure|pen|dom)\.ts|preload-helper/;
+const kShared =
+  /dist\/esm\/(wasm|errors|(core|shapes)\/part)\.js|web\/figure\/(package|figure|pen|dom)\.ts|preload-helper/;
 const isShared = (module) => kShared.test(module) || module.includes(`${kRandomSets}.ts`);
 
 /** The d3 modules that web/examples import, by the import map of its page. */
@@ -46,7 +47,7 @@ function copyTheRest() {
   const library = path.join(builtSite, "lib/apollonius-diagram");
   const esm = path.join(root, "dist/esm");
   mkdirSync(library, { recursive: true });
-  for (const name of readdirSync(esm))
+  for (const name of readdirSync(esm, { recursive: true }))
     if (name.endsWith(".js")) cpSync(path.join(esm, name), path.join(library, name));
   for (const name of librariesOfExamples())
     cpSync(
@@ -69,13 +70,12 @@ async function settings({ isWatching }) {
     logLevel: "warn",
     resolve: {
       alias: [
-        { find: /^apollonius-diagram(\/wasm)?$/, replacement: path.join(dist, "esm/wasm.js") },
-        { find: "apollonius-diagram/sphere", replacement: path.join(dist, "esm/sphere.js") },
-        { find: "apollonius-diagram/treemap", replacement: path.join(dist, "esm/treemap.js") },
+        // The one entry with the names of all others, and without the WebAssembly.
         {
-          find: /^apollonius-diagram\/apollonius\.wasm(?=\?)/,
-          replacement: path.join(dist, "apollonius.wasm"),
+          find: /^apollonius-diagram(\/(sphere|treemap|wasm))?$/,
+          replacement: path.join(dist, "esm/wasm.js"),
         },
+        { find: /^apollonius-diagram\/(\w+\.wasm)(?=\?)/, replacement: path.join(dist, "$1") },
       ],
     },
     worker: { format: "es" },

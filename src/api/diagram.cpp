@@ -253,6 +253,10 @@ Error Diagram::faces(std::vector<SiteId>& sites) const {
   return guarded(*core_, [&] { listFaces(*core_, sites); });
 }
 
+Error Diagram::hull(std::vector<SiteId>& sites) const {
+  return guarded(*core_, [&] { listHull(*core_, sites); });
+}
+
 Error Diagram::levels(std::vector<std::uint8_t>& levels) const {
   return guarded(*core_, [&] { listLevels(*core_, levels); });
 }

@@ -292,10 +292,6 @@ Error Voronoi::cellPerimeters(std::vector<double>& perimeters) const {
   return measureAll(Measure::kPerimeters, perimeters);
 }
 
-Error Voronoi::hull(std::vector<SiteId>& sites) const {
-  return guarded(windowError(), [&] { hullSites(*diagram_.core_, sites); });
-}
-
 Error Voronoi::drawEdges(double tolerance, Portion& portion, Path& path) const {
   const Error error = firstOf(windowError(), toleranceError(tolerance));
   return clipped(error, [&](const Clipping& clipping) {

@@ -191,6 +191,11 @@ class APOLLONIUS_EXPORT Diagram {
   /// Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
   [[nodiscard]] Error faces(std::vector<SiteId>& sites) const;
 
+  /// The sites that the convex hull of the circles touches, counter-clockwise; one can occur
+  /// several times (a large circle with small ones sticking out; points in line, there and back).
+  /// Replaces the contents. Errors: kOutOfMemory. Cost: O(length).
+  [[nodiscard]] Error hull(std::vector<SiteId>& sites) const;
+
   /// On how many levels of the hierarchy each site is (paper, section 4), by id: the site at
   /// levels[id] = k is on levels 0, the diagram itself, to k - 1; 0 for a hidden site and for an id
   /// that is not in use. All visible sites have 1 where Location::kWalk was chosen. Replaces the

@@ -1,5 +1,5 @@
 // The geometry of a diagram: its true, curved cells inside a window, as shapes, measures and
-// drawings; the dual graph drawn; the hull.
+// drawings; the dual graph and the hull drawn.
 //
 // A Voronoi edge is a piece of a hyperbola branch with its foci at the two centres (of a line, if
 // the weights are equal). Every curve that is handed out is a rational quadratic Bezier curve,
@@ -138,9 +138,6 @@ class APOLLONIUS_EXPORT Voronoi {
   /// The box of all circles (of centres, where radii are below 0), a little larger if it would be
   /// empty: for drawings without a window.
   [[nodiscard]] static Bounds extentOf(const Diagram& diagram);
-
-  /// Sites met by the convex hull of the circles, counter-clockwise; one can occur more than once.
-  [[nodiscard]] Error hull(std::vector<SiteId>& sites) const;
 
   // Drawings in portions (apollonius/path.h).
   [[nodiscard]] Error drawEdges(double tolerance, Portion& portion, Path& path) const;

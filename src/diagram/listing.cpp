@@ -5,6 +5,7 @@
 #include "base/radix_sort.h"
 #include "delaunay/conflict.h"
 #include "predicate/covers.h"
+#include "topology/hull.h"
 
 namespace apollonius::internal {
 
@@ -120,6 +121,14 @@ void listEdges(const DiagramCore& diagram, EdgeArrays& out) {
     out.vertices.push_back(row[index(faceOf(graph.twin(h)))]);
     out.vertices.push_back(row[index(faceOf(h))]);
   }
+}
+
+void listHull(const DiagramCore& diagram, std::vector<SiteId>& sites) {
+  sites.clear();
+  const DelaunayGraph& delaunay = diagram.delaunay();
+  if (delaunay.visibleCount() == 1) sites.push_back(diagram.siteOf(delaunay.anyVisible()));
+  visitHull(delaunay.graph(),
+            [&](HalfedgeId h) { sites.push_back(diagram.siteOf(delaunay.graph().origin(h))); });
 }
 
 void listLevels(const DiagramCore& diagram, std::vector<std::uint8_t>& levels) {

@@ -1,6 +1,6 @@
 // The diagram as arrays: a site's neighbours, the Voronoi vertices and edges, the faces of the
-// Delaunay graph, the levels of the hierarchy. Each `list` replaces the contents of its last
-// argument; all throw std::bad_alloc.
+// Delaunay graph, the hull, the levels of the hierarchy. Each `list` replaces the contents of its
+// last argument; all throw std::bad_alloc.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +31,11 @@ void listEdges(const DiagramCore& diagram, EdgeArrays& out);
 
 /// Three sites each, counter-clockwise, kNoSite for infinity.
 void listFaces(const DiagramCore& diagram, std::vector<SiteId>& sites);
+
+/// The sites that the convex hull of the circles touches, all of them, counter-clockwise; one can
+/// occur several times (a large circle with small ones sticking out; points in line, there and
+/// back). Cost: O(length).
+void listHull(const DiagramCore& diagram, std::vector<SiteId>& sites);
 
 /// By id: on how many levels of the hierarchy each site is; 0 for hidden ones and ids not in use.
 void listLevels(const DiagramCore& diagram, std::vector<std::uint8_t>& levels);

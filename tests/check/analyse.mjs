@@ -69,7 +69,7 @@ export function cppcheck() {
   );
   // With a definition, what stands behind others is left out, so it is not for all.
   const declare = "-DEMSCRIPTEN_DECLARE_VAL_TYPE(name)=class name;";
-  for (const what of [["src"], [declare, "wasm/bindings/bindings.cpp"]]) {
+  for (const what of [["src"], [declare, "wasm/bindings"]]) {
     run(
       program,
       [

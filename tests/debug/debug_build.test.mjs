@@ -67,12 +67,12 @@ test("a stack trace has the names of C++ functions", () => {
 });
 
 test("the source map lies where the module says, and names this repository's files", () => {
-  const bytes = readFileSync(path.join(dist, "apollonius.wasm"));
+  const bytes = readFileSync(path.join(dist, "core.wasm"));
   const module = new WebAssembly.Module(bytes);
   const [section] = WebAssembly.Module.customSections(module, "sourceMappingURL");
   const address = Buffer.from(section).subarray(1).toString(); // after its length
   const { sources, mappings } = JSON.parse(readFileSync(path.join(dist, address), "utf8"));
   expect(mappings).not.toBe("");
-  for (const file of ["src/delaunay/insert.cpp", "wasm/bindings/bindings.cpp"])
+  for (const file of ["src/delaunay/insert.cpp", "wasm/bindings/core.cpp"])
     expect(sources).toContain(`../../../${file}`); // as seen from build/debug/dist
 });

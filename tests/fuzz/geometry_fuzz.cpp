@@ -265,7 +265,7 @@ class Checker {
 
   void checkHull() {
     std::vector<SiteId> hull;
-    take(voronoi_.hull(hull));
+    take(diagram_.hull(hull));
     expect(hull.empty() == circles_.empty(), "the hull");
     for (const SiteId id : hull) {
       bool hidden = true;

@@ -141,7 +141,7 @@ TEST_P(DualOn, HullHoldsAllCirclesAndTouchesIt) {
     Diagram diagram;
     insertInto(diagram, circles);
     std::vector<SiteId> sites;
-    ASSERT_EQ(Voronoi(diagram, bounds).hull(sites), Error::kNone);
+    ASSERT_EQ(diagram.hull(sites), Error::kNone);
     Path path;
     double largest = 0;
     for (const Circle& c : circles) largest = std::max(largest, c.r);
@@ -311,12 +311,12 @@ TEST(Hull, OneSiteAndNone) {
   Diagram diagram;
   std::vector<SiteId> sites{7};
   Path path;
-  EXPECT_EQ(Voronoi(diagram).hull(sites), Error::kNone);
+  EXPECT_EQ(diagram.hull(sites), Error::kNone);
   EXPECT_TRUE(sites.empty());
   EXPECT_EQ(Voronoi(diagram).drawHull(0.1, path), Error::kNone);
   EXPECT_TRUE(path.commands.empty());
   insertInto(diagram, {{3, 4, 2}});
-  EXPECT_EQ(Voronoi(diagram).hull(sites), Error::kNone);
+  EXPECT_EQ(diagram.hull(sites), Error::kNone);
   EXPECT_EQ(sites, std::vector<SiteId>{0});
   EXPECT_EQ(Voronoi(diagram).drawHull(0.1, path), Error::kNone);
   EXPECT_EQ(path.commands.size(), 6u) << "move, four quarters, close";
@@ -335,7 +335,7 @@ TEST(Hull, ALargeCircleWithSmallOnesSticksOutBetweenThem) {
   Diagram diagram;
   insertInto(diagram, {{0, 0, 10}, {10, 0, 1}, {-10, 0, 1}, {0, 10, 1}});
   std::vector<SiteId> sites;
-  ASSERT_EQ(Voronoi(diagram).hull(sites), Error::kNone);
+  ASSERT_EQ(diagram.hull(sites), Error::kNone);
   EXPECT_EQ(sites.size(), 6u);
   EXPECT_EQ(std::count(sites.begin(), sites.end(), 0u), 3) << "once between each two of the others";
 }

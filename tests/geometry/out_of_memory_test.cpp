@@ -120,7 +120,6 @@ std::vector<Call> shapes(bool inRegion) {
        one(std::vector<double>(), [](V v, auto& out) { return v.cellCentroids(out); })},
       {"cellPerimeters",
        one(std::vector<double>(), [](V v, auto& out) { return v.cellPerimeters(out); })},
-      {"hull", one(std::vector<SiteId>(), [](V v, auto& out) { return v.hull(out); })},
       {"drawEdges", drawn([](V v, auto& portion, auto& path) {
          return v.drawEdges(kTolerance, portion, path);
        })},

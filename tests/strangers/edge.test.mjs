@@ -14,7 +14,7 @@ const folder = path.join(packed, "edge");
 const installed = path.join(packed, "node_modules/apollonius-diagram");
 const example = path.join(root, "web/examples/cloudflare_worker.js");
 
-const parts = ["apollonius.wasm", "sphere.wasm"];
+const parts = ["core.wasm", "shapes.wasm", "sphere.wasm"];
 
 /** A worker of one module and the compiled modules that it may import. */
 const config = `
@@ -184,8 +184,8 @@ test("Deno, without any permission but to read", () => {
 test("the entry with a .wasm of its own loads the module that is imported", async () => {
   const source =
     'import { Diagram, load } from "apollonius-diagram/wasm";\n' +
-    'import compiled from "apollonius-diagram/apollonius.wasm";';
-  await bundled(worker(source, `await load(compiled); ${use}`), ["workerd"]);
+    'import core from "apollonius-diagram/core.wasm";';
+  await bundled(worker(source, `await load({ core }); ${use}`), ["workerd"]);
   expect(await answers("/")).toEqual(["1"]);
 }, 60_000);
 

@@ -349,7 +349,7 @@ bool callEverything(Diagram& diagram, std::uint64_t seed) {
         take(voronoi.cellAreas(areas));
         break;
       case 18:
-        take(voronoi.hull(some));
+        take(diagram.hull(some));
         break;
       case 19:
         take(voronoi.drawEdges(tolerance, portion, path));

@@ -56,7 +56,7 @@ const files = {
   "module.js": `import { Diagram } from "${dist}/esm/index.js"; ${use}`,
   "global.js": `const { Diagram } = apollonius; ${use}`,
   "wasm.js": `import { Diagram, load } from "${dist}/esm/wasm.js";
-    await load("${dist}/apollonius.wasm"); ${use}`,
+    await load({ core: "${dist}/core.wasm" }); ${use}`,
   "ahead.js": `import { Diagram, load } from "${dist}/esm/index.js"; await load(); ${use}`,
   "start_module_worker.js": `
     const worker = new Worker("/module_worker_inside.js", { type: "module" });
@@ -66,20 +66,20 @@ const files = {
   "start_classic_worker.js": `
     new Worker("/classic_worker_inside.js").onmessage = ({ data }) => report(data);`,
   "classic_worker_inside.js": `const report = (found) => postMessage(found);
-    importScripts("${dist}/cjs/index.js"); const { Diagram } = apollonius; ${use}`,
+    importScripts("${dist}/apollonius.js"); const { Diagram } = apollonius; ${use}`,
 };
-const scriptFile = readFileSync(path.join(packed, dist, "cjs/index.js"), "utf8");
+const scriptFile = readFileSync(path.join(packed, dist, "apollonius.js"), "utf8");
 const module = (file) => ({ html: `<script type="module" src="${file}"></script>` });
 const cases = {
   module: module("/module.js"),
   load: module("/ahead.js"),
   streaming: module("/wasm.js"),
   script: {
-    html: `<script src="${dist}/cjs/index.js"></script><script src="/global.js"></script>`,
+    html: `<script src="${dist}/apollonius.js"></script><script src="/global.js"></script>`,
   },
   "script-in-an-old-page": {
     charset: "windows-1252",
-    html: `<script src="${dist}/cjs/index.js"></script><script src="/global.js"></script>`,
+    html: `<script src="${dist}/apollonius.js"></script><script src="/global.js"></script>`,
   },
   "within-a-page": {
     hasInline: true,

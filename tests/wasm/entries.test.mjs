@@ -1,10 +1,8 @@
 // The package as users load it: ES modules, CommonJS, the entry with a separate .wasm, workers, a
 // strict policy, types.
-import { readFileSync, statSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import path from "node:path";
-import { build } from "esbuild";
 import { root } from "../../tools/toolchain/folders.mjs";
-import { packed } from "./support/install_packed.mjs";
 import { runInNode, runScriptInNode } from "./support/node.mjs";
 import { compileUsers } from "./support/types.mjs";
 
@@ -105,7 +103,7 @@ test("two copies of the package in one process do not disturb each other", () =>
   ).toBe("1 2 false");
 });
 
-const bytes = 'readFileSync("node_modules/apollonius-diagram/dist/apollonius.wasm")';
+const bytes = 'readFileSync("node_modules/apollonius-diagram/dist/core.wasm")';
 const elsewhere = `((code) => runInNewContext(code)(${bytes}))`;
 test.each([
   ["bytes", bytes],
@@ -121,13 +119,13 @@ test.each([
     import { readFileSync } from "node:fs";
     import { runInNewContext } from "node:vm";
     import { Diagram, load } from "apollonius-diagram/wasm";
-    await load(${source});
+    await load({ core: ${source} });
     ${use}`),
   ).toBe("1 2");
   expect(
     runInNode(`import { Diagram } from "apollonius-diagram/wasm";
     try { new Diagram(); } catch (error) { console.log(error.code, error.message); }`),
-  ).toMatch(/^not-loaded .*await load\(source\)/);
+  ).toMatch(/^not-loaded .*`await load\(\{ core: … \}\)` before the first diagram/);
 });
 
 const page = "<!doctype html><title>Home</title>";
@@ -142,18 +140,18 @@ test.each([
   [
     "a file's URL",
     'new URL("file:///nowhere/7")',
-    /cannot be fetched: of a file give the bytes, load\(await readFile\(new URL\(…\)\)\)$/,
+    /cannot be fetched: of a file give the bytes, await readFile\(new URL\(…\)\)$/,
   ],
   [
     "no wasm",
     "new Uint8Array(8)",
-    /^not-loaded source is no WebAssembly: it begins with "(\\u0000){8}"\./,
+    /^not-loaded core is no WebAssembly: it begins with "(\\u0000){8}"\./,
   ],
-  ["no bytes", "new ArrayBuffer(0)", /^not-loaded source is no WebAssembly: it begins with ""\./],
+  ["no bytes", "new ArrayBuffer(0)", /^not-loaded core is no WebAssembly: it begins with ""\./],
   [
     "a view of something else",
     `new TextEncoder().encode("__${page}").subarray(2)`,
-    /^not-loaded source is no WebAssembly: it begins with "<!doctype html><title>Home<\/title>"/,
+    /^not-loaded core is no WebAssembly: it begins with "<!doctype html><title>Home<\/title>"/,
   ],
   [
     "a page instead of it",
@@ -168,7 +166,7 @@ test.each([
   [
     "much of something else, of which it says the beginning",
     'new TextEncoder().encode("<".repeat(1e6))',
-    /^not-loaded source is no WebAssembly: it begins with "<{40}"\. The file is apollonius\.wasm/,
+    /^not-loaded core is no WebAssembly: it begins with "<{40}"\. The file is core\.wasm/,
   ],
   [
     "what has only the beginning of wasm",
@@ -180,12 +178,12 @@ test.each([
     `new Response("${page}", { headers: { "content-type": "application/wasm" } })`,
     /^not-loaded .*is no WebAssembly: it begins with/,
   ],
-  ["nothing", "undefined", /^bad-option source is undefined, expected an address/],
+  ["nothing", "undefined", /^bad-option core is undefined, expected an address/],
 ])("the entry with a separate .wasm refuses %s", (_, source, expected) => {
   expect(
     runInNode(`
     import { ApolloniusError, load } from "apollonius-diagram/wasm";
-    await load(${source}).catch((error) =>
+    await load({ core: ${source} }).catch((error) =>
       console.log(error instanceof ApolloniusError && error.code, error.message));`),
   ).toMatch(expected);
 });
@@ -226,35 +224,87 @@ test("types: ES modules, CommonJS, NodeNext and Bundler resolution, old and new 
   compileUsers(path.join(root, "node_modules/typescript/bin/tsc"));
 }, 120_000);
 
-// docs/LOADING.md. An import map does the same where there is no bundler.
-test.each([
-  ["with a name that is redirected, the sphere works in the module that was loaded", true],
-  ["else it brings the default entry", false],
-])("the sphere beside the entry with a separate .wasm: %s", async (_, isRedirected) => {
-  const contents = `
+const partsOf = (names) =>
+  names.map((name) => `${name}: readFileSync("node_modules/apollonius-diagram/dist/${name}.wasm")`);
+const useAll = `
+  console.log(new SphericalDiagram([0, 0, 0, 90, 0, 0]).find(80, 0));
+  console.log(d.voronoi([0, 0, 10, 10]).cellAreas().length);`;
+
+test("the entry with separate files has all names, and takes parts one by one", () => {
+  expect(
+    runInNode(`
     import { readFileSync } from "node:fs";
-    import { Diagram, load } from "apollonius-diagram/wasm";
-    import { SphericalDiagram } from "apollonius-diagram/sphere";
-    await load(readFileSync("node_modules/apollonius-diagram/dist/apollonius.wasm"));
+    import { Diagram, SphericalDiagram, load, treemap } from "apollonius-diagram/wasm";
+    await load({ ${partsOf(["core"])} });
     ${use}
-    console.log(new SphericalDiagram([0, 0, 0, 90, 0, 0]).find(80, 0));`;
-  const redirect = {
-    name: "redirect",
-    setup: (bundler) =>
-      bundler.onResolve({ filter: /^apollonius-diagram$/ }, ({ kind, resolveDir }) =>
-        bundler.resolve("apollonius-diagram/wasm", { kind, resolveDir }),
-      ),
-  };
-  const outfile = path.join(packed, "beside_wasm.mjs");
-  await build({
-    stdin: { contents, resolveDir: packed },
-    bundle: true,
-    platform: "node",
-    format: "esm",
-    outfile,
-    plugins: isRedirected ? [redirect] : [],
-  });
-  expect(runInNode('import "./beside_wasm.mjs";')).toBe("1 2\n1");
-  // The default entry has the wasm as text.
-  expect(statSync(outfile).size < 250_000).toBe(isRedirected);
+    const codeOf = (call) => { try { call(); } catch (error) { return error.message; } };
+    console.log(codeOf(() => new SphericalDiagram()), typeof treemap);
+    console.log(codeOf(() => d.voronoi().cellAreas()), d.find(8, 0));
+    await load({ ${partsOf(["shapes", "sphere"])} });
+    ${useAll}`).split("\n"),
+  ).toEqual([
+    "1 2",
+    expect.stringMatching(/`await load\(\{ sphere: … \}\)` before .* function$/),
+    expect.stringMatching(/`await load\(\{ shapes: … \}\)` before .* 1$/),
+    "1",
+    "2",
+  ]);
+});
+
+test.each([
+  ["an address where parts are expected", '"core.wasm"', /^bad-option sources is the string/],
+  ["a response", "new Response()", /^bad-option sources is an object, expected \{ core/],
+  ["an unknown part", "{ cor: new Uint8Array() }", /^bad-option options\.cor is unknown/],
+])("the entry with separate files refuses %s", (_, sources, expected) => {
+  expect(
+    runInNode(`
+    import { load } from "apollonius-diagram/wasm";
+    await load(${sources}).catch((error) => console.log(error.code, error.message));`),
+  ).toMatch(expected);
+});
+
+test("diagrams are the same objects, whatever entry made them", () => {
+  expect(
+    runInNode(`
+    import { Diagram, load } from "apollonius-diagram/core";
+    await load();
+    const d = new Diagram([0, 0, 1, 9, 0, 2]);
+    console.log(typeof d.voronoi, d.find(8, 0));
+    const { voronoi, render, renderSites, renderHull } = await import("apollonius-diagram/shapes");
+    console.log(typeof d.voronoi, voronoi(d, [0, 0, 10, 10]).cellAreas().length);
+    console.log([render, renderSites, renderHull].map((draw) => draw(d).length > 0).join(" "));
+    const full = await import("apollonius-diagram");
+    const wasm = await import("apollonius-diagram/wasm");
+    console.log(full.Diagram === Diagram, wasm.Diagram === Diagram, d instanceof full.Diagram);
+    console.log(d.voronoi([0, 0, 10, 10]).cellAreas().length, d.renderHull() === renderHull(d));
+    console.log(full.Diagram.fromBytes(d.toBytes()).find(8, 0));`).split("\n"),
+  ).toEqual(["undefined 1", "undefined 2", "true true true", "true true true", "2 true", "1"]);
+});
+
+test("a part is compiled at its first use; where it cannot be, a later call tries again", () => {
+  expect(
+    runInNode(`
+    const { Module } = WebAssembly;
+    let compiled = 0, refusal = null;
+    WebAssembly.Module = new Proxy(Module, {
+      construct(target, list) {
+        if (refusal) throw refusal;
+        ++compiled;
+        return Reflect.construct(target, list);
+      },
+    });
+    const { Diagram } = await import("apollonius-diagram");
+    const { SphericalDiagram } = await import("apollonius-diagram/sphere");
+    const d = new Diagram([0, 0, 1, 9, 0, 2]);
+    const view = d.voronoi();
+    d.kNearest(0, 0, 2); d.edges(); d.hull(); d.triangulation(); d.toBytes(); d.validate();
+    const codeOf = (call) => { try { call(); } catch (error) { return error.code; } };
+    console.log(compiled);
+    refusal = new WebAssembly.CompileError("no");
+    console.log(codeOf(() => view.render()), codeOf(() => new SphericalDiagram()), d.find(8, 0));
+    refusal = null;
+    console.log(view.render() !== "", new SphericalDiagram().size, compiled, d.validate());`).split(
+      "\n",
+    ),
+  ).toEqual(["1", "not-loaded not-loaded 1", "true 0 3 null"]);
 });

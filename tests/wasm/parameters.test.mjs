@@ -9,7 +9,10 @@ const read = (file) => readFileSync(path.join(root, file), "utf8");
 /** Of all methods of the module's classes, the most parameters. */
 function mostParameters() {
   const methods = read("build/wasm/apollonius.d.mts").matchAll(/^ {2}\w+\(([^\n]*)\): [^\n]+;$/gm);
-  const counts = [...methods].map(([, list]) => [...list.matchAll(/\b_\d+\??: /g)].length);
+  // Of functions of a diagram (wasm/bindings/shapes.cpp) that is the object.
+  const counts = [...methods].map(
+    ([, list]) => [...list.replace(/^_0: Diagram\b/, "").matchAll(/\b_\d+\??: /g)].length,
+  );
   return { most: Math.max(...counts), methods: counts.length };
 }
 
@@ -17,7 +20,9 @@ test("no call has more parameters than are passed on", () => {
   const { most, methods } = mostParameters();
   expect(methods).toBeGreaterThan(50);
   expect(most).toBeGreaterThan(8);
-  const [, list] = /plain\.call\(this, ([\w, ]+)\)/.exec(read("wasm/package/native/module.ts"));
+  const [, list] = /plain\.call\(this, ([\w, ]+)\)/.exec(
+    read("wasm/package/core/native/module.ts"),
+  );
   expect(list.split(", ").length).toBeGreaterThanOrEqual(most);
   // Embind's own come first: the method's address and the object.
   const [, all] = /plain\(([\w, ]+)\) >>> 0/.exec(read("wasm/bindings/embind_parts.js"));

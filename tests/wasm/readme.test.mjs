@@ -111,9 +111,9 @@ test("the address of the wasm is written as the tests of bundlers write it", () 
   const block = blocks.find((text) => text.includes("apollonius-diagram/wasm"));
   const bundlers = readFileSync(path.join(root, "tests/wasm/support/bundle.mjs"), "utf8");
   for (const way of [
-    '"apollonius-diagram/apollonius.wasm?url"',
-    'new URL("apollonius-diagram/apollonius.wasm", import.meta.url)',
-    'from "apollonius-diagram/apollonius.wasm";',
+    '"apollonius-diagram/core.wasm?url"',
+    'new URL("apollonius-diagram/core.wasm", import.meta.url)',
+    'from "apollonius-diagram/core.wasm";',
   ]) {
     expect(block).toContain(way);
     expect(bundlers).toContain(way);

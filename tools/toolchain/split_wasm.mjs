@@ -1,18 +1,29 @@
-// Splits the wasm module in two (Binaryen's wasm-split): apollonius.wasm for all, and sphere.wasm
-// with what only the diagram of the sphere calls, which works in the memory and the tables of the
-// first. Whoever does not import apollonius-diagram/sphere does not load the second.
-import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+// Splits the wasm module into its parts (Binaryen's wasm-split): core.wasm, and shapes.wasm and
+// sphere.wasm, which work in the memory and the table of core. Whoever does not call a part does
+// not load it.
+//
+// The part of a function is that of the folder in which it is defined, as the object files tell.
+import {
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  writeFileSync,
+} from "node:fs";
 import path from "node:path";
-import { run } from "./process.mjs";
+import { capture, run } from "./process.mjs";
 
-/** Names of functions that belong to the second part: of src/sphere, its bindings, and libm. */
-const names = [
-  /\bsphere::|Spheric|IntoSphere|sphereFromBytes/,
-  /^(_*(sin|cos|rem_pio2\w*)|atan2?|hypot|remainder|scalbn)$/,
-];
-/** Of those, what runs when the module starts. */
-const atStart = /value_object|class_<|register/;
-const isOfSphere = (name) => names.some((pattern) => pattern.test(name)) && !atStart.test(name);
+/** The parts. The others call `core`, and not each other. */
+export const parts = ["core", "shapes", "sphere"];
+
+/** The folders of the parts beside core, as they occur in the paths of object files. */
+const rooms = {
+  shapes: /\/src\/(geometry\/|api\/(voronoi|area_fit|region)\.)|\/bindings\/shapes\./,
+  sphere: /\/src\/(sphere\/|api\/spherical_)|\/bindings\/sphere\./,
+};
+/** What JavaScript calls of a part first (wasm/bindings/parts.h): core knows their addresses. */
+const registrations = { _Z14registerShapesv: "shapes", _Z14registerSpherev: "sphere" };
 
 /** What the module is compiled with (cmake/CompileFlags.cmake). */
 const features = [
@@ -22,51 +33,83 @@ const features = [
   "nontrapping-float-to-int",
   "sign-ext",
   "mutable-globals",
-];
+].map((feature) => `--enable-${feature}`);
 
-/** The names of functions in a module, which was linked with them. */
-function functionNames(bytes) {
-  const [section] = WebAssembly.Module.customSections(new WebAssembly.Module(bytes), "name");
-  const encoded = Buffer.from(section);
-  let at = 0;
-  const number = () => {
-    let value = 0;
-    for (let shift = 1; ; shift *= 128) {
-      const byte = encoded[at++];
-      value += (byte & 127) * shift;
-      if (byte < 128) return value;
-    }
-  };
-  const found = [];
-  while (at < encoded.length) {
-    const kind = encoded[at++];
-    const end = number() + at;
-    if (kind === 1) {
-      for (let count = number(); count > 0; --count) {
-        number(); // the function's index
-        const length = number();
-        found.push(encoded.toString("utf8", at, at + length));
-        at += length;
-      }
-    }
-    at = end;
+/** Where a function is that both call. */
+const common = (a, b) => (a === b ? a : "core");
+
+/** The part of each function that the object files define; `core` if those of several do. */
+function partsByFolder(emscripten, built) {
+  const objects = readdirSync(path.join(built, "CMakeFiles"), { recursive: true })
+    .filter((file) => /^apollonius(_wasm)?\.dir[/\\].*\.o$/.test(file))
+    .map((file) => path.join(built, "CMakeFiles", file));
+  const output = capture(path.join(emscripten, "emnm"), ["-A", "--defined-only", ...objects]);
+  const found = new Map();
+  for (const [, object, name] of output.matchAll(/^(.*): [0-9a-f]+ [tTwW] (.*)$/gm)) {
+    const part = parts.find((candidate) => rooms[candidate]?.test(object)) ?? "core";
+    found.set(name, common(part, found.get(name) ?? part));
   }
   return found;
 }
 
-/** As Binaryen writes names. */
-const escaped = (name) =>
-  name.replaceAll(
-    /[^\w!#$%&'*+\-./:<=>?@\\^`|~]/g,
-    (character) => `\\${character.charCodeAt(0).toString(16).padStart(2, "0")}`,
-  );
+/** The functions of a module and whom each calls directly. */
+function callsIn(whole, tool) {
+  const graph = capture(tool("wasm-opt"), [
+    whole,
+    "--print-call-graph",
+    ...features,
+    "-o",
+    path.join(path.dirname(whole), "parts/unchanged.wasm"),
+  ]);
+  const unescaped = (name) =>
+    name.replaceAll(/\\([0-9a-f]{2})/g, (_, code) =>
+      String.fromCharCode(Number.parseInt(code, 16)),
+    );
+  const calls = new Map();
+  for (const [, name, kind] of graph.matchAll(/^ {2}"(\S+)" \[.*fillcolor="(\w+)"\];$/gm))
+    if (kind !== "turquoise") calls.set(unescaped(name), []); // which are imported
+  for (const [, from, to] of graph.matchAll(/^ {2}"(\S+)" -> "(\S+)"; \/\/ call$/gm))
+    calls.get(unescaped(from)).push(unescaped(to));
+  return calls;
+}
 
-function wasmSplit(emscripten) {
+/**
+ * The part of each function of the module. What no folder of ours defines, as the C library, is in
+ * the part that calls it. What is called from another part than its own is in `core`: an inline
+ * function of which the linker has kept another copy.
+ */
+function partsOfFunctions(emscripten, built, whole, tool) {
+  const calls = callsIn(whole, tool);
+  const isCalled = new Set([...calls.values()].flat());
+  const found = partsByFolder(emscripten, built);
+  for (const name of calls.keys())
+    if (!isCalled.has(name) && !found.has(name)) found.set(name, "core");
+  for (const name in registrations) found.set(name, registrations[name]);
+  for (let isChanged = true; isChanged; ) {
+    isChanged = false;
+    for (const [name, callees] of calls) {
+      const part = found.get(name);
+      if (part === undefined) continue; // not yet
+      for (const callee of callees) {
+        if (!calls.has(callee) || callee in registrations) continue;
+        const before = found.get(callee);
+        const after = common(part, before ?? part);
+        if (after === before) continue;
+        found.set(callee, after);
+        isChanged = true;
+      }
+    }
+  }
+  return new Map([...calls.keys()].map((name) => [name, found.get(name) ?? "core"]));
+}
+
+/** A program of Binaryen's. */
+function binaryen(emscripten, name) {
   const places = ["../binaryen/bin", "../bin", "/usr/bin"];
   const found = places
-    .map((place) => path.resolve(emscripten, place, "wasm-split"))
+    .map((place) => path.resolve(emscripten, place, name))
     .find((file) => existsSync(file));
-  if (found === undefined) throw new Error(`no wasm-split beside ${emscripten}`);
+  if (found === undefined) throw new Error(`no ${name} beside ${emscripten}`);
   return found;
 }
 
@@ -74,30 +117,57 @@ function wasmSplit(emscripten) {
 const empty = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0);
 
 /**
- * Splits apollonius.wasm of a build folder into two of that folder's parts/. For debuggers the
- * first is the whole, which its source map knows.
+ * Splits apollonius.wasm of a build folder into the parts, in that folder's parts/. For debuggers
+ * the first is the whole, which its source map knows.
  */
 export function splitWasm(emscripten, built, { debug = false } = {}) {
   const whole = path.join(built, "apollonius.wasm");
-  const parts = path.join(built, "parts");
-  mkdirSync(parts, { recursive: true });
+  const out = path.join(built, "parts");
+  const fileOf = (part) => path.join(out, `${part}.wasm`);
+  mkdirSync(out, { recursive: true });
   if (debug) {
-    copyFileSync(whole, path.join(parts, "apollonius.wasm"));
-    writeFileSync(path.join(parts, "sphere.wasm"), empty);
+    for (const part of parts) writeFileSync(fileOf(part), empty);
+    copyFileSync(whole, fileOf("core"));
     return;
   }
-  const chosen = functionNames(readFileSync(whole)).filter(isOfSphere);
-  const list = path.join(parts, "sphere.txt");
-  writeFileSync(list, `${chosen.map(escaped).join("\n")}\n`);
-  run(wasmSplit(emscripten), [
-    whole,
-    "-o1",
-    path.join(parts, "apollonius.wasm"),
-    "-o2",
-    path.join(parts, "sphere.wasm"),
-    `--split-funcs=@${list}`,
-    "--placeholder-namespace=later", // wasm/package/native/module.ts knows both
-    "--import-namespace=first",
-    ...features.map((feature) => `--enable-${feature}`),
-  ]);
+  const tool = (name) => binaryen(emscripten, name);
+  const found = partsOfFunctions(emscripten, built, whole, tool);
+  // One part after the other is split off, the last one first.
+  let rest = whole;
+  let nameOf = (name) => name;
+  for (const part of parts.slice(1).reverse()) {
+    const names = [...found].filter(([, own]) => own === part).map(([name]) => nameOf(name));
+    const list = path.join(out, `${part}.txt`);
+    writeFileSync(list, `${names.join("\n")}\n`);
+    const before = path.join(out, `before_${part}.wasm`);
+    run(tool("wasm-split"), [
+      rest,
+      "--symbolmap",
+      "-o1",
+      before,
+      "-o2",
+      fileOf(part),
+      `--split-funcs=@${list}`,
+      `--placeholder-namespace=${part}`, // wasm/package/core/native/module.ts knows both
+      "--import-namespace=core",
+      `--export-prefix=${part[1]}`, // one of each part
+      ...features,
+    ]);
+    rest = before;
+    nameOf = namesIn(before);
+  }
+  for (const part of parts) {
+    const from = part === "core" ? rest : fileOf(part);
+    run(tool("wasm-opt"), [from, "-O3", "--converge", ...features, "-o", fileOf(part)]);
+  }
+}
+
+/** What Binaryen calls the functions of a module without names, by their names in its map. */
+function namesIn(file) {
+  const imports = WebAssembly.Module.imports(new WebAssembly.Module(readFileSync(file)));
+  const imported = imports.filter(({ kind }) => kind === "function").length;
+  const names = new Map();
+  for (const [, index, name] of readFileSync(`${file}.symbols`, "utf8").matchAll(/^(\d+):(.*)$/gm))
+    names.set(name, String(Number(index) - imported));
+  return (name) => names.get(name) ?? name;
 }

@@ -1,9 +1,8 @@
-// How errors and arrays cross the border, for bindings.cpp. A call that fails throws the number of
+// How errors and arrays cross the border, for the bindings. A call that fails throws the number of
 // its Error. Arrays are copied, in both directions: a view of the memory dies when that grows.
 #pragma once
 
 #include <emscripten/bind.h>
-#include <emscripten/em_js.h>
 #include <emscripten/val.h>
 
 #include <cstdint>
@@ -21,15 +20,8 @@ EMSCRIPTEN_DECLARE_VAL_TYPE(Float64Array)
 EMSCRIPTEN_DECLARE_VAL_TYPE(NumbersIn)   // a typed array of any kind
 EMSCRIPTEN_DECLARE_VAL_TYPE(NumbersOut)  // a typed array that is filled, or null
 
-// A copy of a view; nothing if JavaScript has no room for it, which is no trap.
-EM_JS_DEPS(apolloniusCopied, "$Emval")
-EM_JS(emscripten::EM_VAL, copied, (emscripten::EM_VAL view), {
-  try {
-    return Emval.toHandle(Emval.toValue(view).slice());
-  } catch (error) {
-    return 0;
-  }
-})
+/// A copy of a view; nothing if JavaScript has no room for it, which is no trap (embind_parts.js).
+extern "C" emscripten::EM_VAL copied(emscripten::EM_VAL view);
 
 [[noreturn]] inline void fail(apollonius::Error error) {
   emscripten::val(static_cast<int>(error)).throw_();

@@ -12,8 +12,26 @@ addToLibrary({
   },
 });
 
-/** Not while Embind writes the types, with other parts. */
+/** Not while Embind writes the types, with a library of its own. */
 const isEmbind = "$readPointer" in LibraryManager.library;
+addToLibrary({
+  // parts.h
+  areTypesWritten: isEmbind ? () => false : () => true,
+  // arrays.h
+  copied__deps: isEmbind ? ["$Emval"] : [],
+  copied: (view) => {
+    try {
+      return Emval.toHandle(Emval.toValue(view).slice());
+    } catch {
+      return 0;
+    }
+  },
+});
+const unused = {
+  // Strings of wide characters, which none of our calls takes or gives.
+  _embind_register_std_wstring__deps: [],
+  _embind_register_std_wstring: (_type, _size, _name) => {},
+};
 const records = {
   // How a record comes out of the module. Emscripten's own version goes over its fields by
   // `for in`, which also meets what a page has put on Object.prototype. None of ours go in.
@@ -46,4 +64,4 @@ const records = {
     ]);
   },
 };
-if (isEmbind) addToLibrary(records);
+if (isEmbind) addToLibrary({ ...unused, ...records });

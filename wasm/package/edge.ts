@@ -1,12 +1,6 @@
-// The default entry where nothing may be compiled, as on Cloudflare Workers and in Vercel's edge
-// runtime: what builds for them compiles the .wasm that is imported. Taken by the package's
-// conditions `workerd` and `edge-light`.
-import compiled from "../../build/wasm/apollonius.wasm?module";
-import { load as loadFrom } from "./wasm.js";
+// The default entry where nothing may be compiled, as core_edge.ts is of core.ts.
+import "./shapes_edge.js";
 
-export * from "./wasm.js";
-
-void loadFrom(compiled); // does not wait, and starts nothing before the first diagram
-
-/** The module is compiled already. */
-export async function load(): Promise<void> {}
+export * from "./core_edge.js";
+export * from "./shapes/api.js";
+export { Diagram } from "./shapes/methods.js";

@@ -1,31 +1,16 @@
-// All of the default entry: carries its wasm as text and compiles it synchronously at the first
-// use.
-import { swaps, text } from "../../build/wasm/apollonius.wasm";
-import { bytesOf } from "./native/wasm_text.js";
-import { notCompiled, isRunning, setModuleSource, start } from "./native/module.js";
+// All of the default entry: core and shapes, and these as methods of its diagrams.
+import { load as loadCore } from "./core.js";
+import { load as loadShapes } from "./shapes.js";
 
-export * from "./api.js";
-
-const bytes = () => bytesOf(text, swaps);
-
-setModuleSource(() => {
-  try {
-    return new WebAssembly.Module(bytes());
-  } catch (cause) {
-    throw notCompiled(cause);
-  }
-});
+export * from "./core/api.js";
+export * from "./shapes/api.js";
+export { Diagram } from "./shapes/methods.js";
 
 /**
- * Compiles ahead of the first use and off the main thread. Optional: without it the first diagram
- * compiles synchronously, a few milliseconds. Throws "not-loaded" where nothing may be compiled, as
- * that would.
+ * Compiles the wasm ahead of its first use and off the main thread. Optional: without it the first
+ * diagram and the first shape compile their parts synchronously, a few milliseconds each. Throws
+ * "not-loaded" where nothing may be compiled, as these would.
  */
 export async function load(): Promise<void> {
-  if (isRunning()) return;
-  try {
-    start(await WebAssembly.compile(bytes()));
-  } catch (cause) {
-    throw notCompiled(cause);
-  }
+  await Promise.all([loadCore(), loadShapes()]);
 }

@@ -1,10 +1,15 @@
-// The entry `apollonius-diagram/sphere`. It shares the running module with the default entry, which
-// it imports by the package's name (tools/build.mjs), and carries the module's second part as text.
+// The entry `apollonius-diagram/sphere`: the diagram of the sphere, which works in the instance of
+// the other entries, and the part `core`, on which it rests.
 import { swaps, text } from "../../build/wasm/sphere.wasm";
-import { setSphereSource } from "./native/module.js";
-import { bytesOf } from "./native/wasm_text.js";
+import { load as loadCore } from "./core.js";
+import { embed } from "./core/native/embedded.js";
 
-export * from "./sphere/sphere_api.js";
+export * from "./sphere/api.js";
+export { ApolloniusError, type ErrorCode } from "./errors.js";
 
-let compiled: WebAssembly.Module | undefined;
-setSphereSource(() => (compiled ??= new WebAssembly.Module(bytesOf(text, swaps))));
+const loadSphere = embed("sphere", text, swaps);
+
+/** As `load` of `apollonius-diagram/core`, for what diagrams of the sphere need. */
+export async function load(): Promise<void> {
+  await Promise.all([loadCore(), loadSphere()]);
+}

@@ -1,7 +1,9 @@
-// The same entry where nothing may be compiled, as edge.ts is of the default one.
+// `apollonius-diagram/sphere` where nothing may be compiled, as core_edge.ts is of core.ts.
 import compiled from "../../build/wasm/sphere.wasm?module";
-import { setSphereSource } from "./native/module.js";
+import { setSource } from "./core/native/module.js";
 
-export * from "./sphere/sphere_api.js";
+export { load } from "./core_edge.js";
+export * from "./sphere/api.js";
+export { ApolloniusError, type ErrorCode } from "./errors.js";
 
-setSphereSource(() => compiled);
+setSource("sphere", () => compiled);

@@ -1,13 +1,25 @@
-// The entry `apollonius-diagram/wasm`: the same names, with the wasm kept in a file of its own
-// (`apollonius-diagram/apollonius.wasm`).
-import { described } from "./arguments.js";
+// The entry `apollonius-diagram/wasm`: the names of all other entries, with the wasm kept in files
+// of their own (`apollonius-diagram/core.wasm`, `shapes.wasm`, `sphere.wasm`).
+import { checkOptions, described } from "./core/arguments.js";
+import {
+  isRunning,
+  notCompiled,
+  notLoaded,
+  type Part,
+  setSource,
+  start,
+} from "./core/native/module.js";
 import { ApolloniusError } from "./errors.js";
-import { notCompiled, notLoaded, isRunning, setModuleSource, start } from "./native/module.js";
 
-export * from "./api.js";
+export * from "./core/api.js";
+export * from "./shapes/api.js";
+export { Diagram } from "./shapes/methods.js";
+export * from "./sphere/api.js";
+export * from "./treemap/api.js";
 
 /**
- * Where the wasm comes from: its address, a response (streamed), its bytes, or a compiled module.
+ * Where a part of the wasm comes from: its address, a response (streamed), its bytes, or a compiled
+ * module.
  */
 export type WasmSource =
   | string
@@ -17,9 +29,15 @@ export type WasmSource =
   | BufferSource
   | WebAssembly.Module;
 
-setModuleSource(() => {
-  throw notLoaded("apollonius-diagram/wasm: `await load(source)` before the first diagram");
-});
+/** The parts that are wanted, and where each comes from. */
+export interface WasmSources {
+  /** Diagrams and their queries: `apollonius-diagram/core.wasm`. All others need it. */
+  core?: WasmSource;
+  /** Windows, drawings, treemaps: `apollonius-diagram/shapes.wasm`. */
+  shapes?: WasmSource;
+  /** `SphericalDiagram`: `apollonius-diagram/sphere.wasm`. */
+  sphere?: WasmSource;
+}
 
 /**
  * What it is, whichever realm it comes from: sandboxes as Next's for edge functions compile the
@@ -30,15 +48,15 @@ const isModule = (source: unknown): source is WebAssembly.Module =>
   kindOf(source) === "WebAssembly.Module";
 const isResponse = (source: unknown): source is Response => kindOf(source) === "Response";
 
-async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
+async function compiled(part: Part, source: WasmSource): Promise<WebAssembly.Module> {
   if (kindOf(source) === "ArrayBuffer" || ArrayBuffer.isView(source))
-    return compiledBytes(source as BufferSource, "source");
+    return compiledBytes(part, source as BufferSource, part);
   const isAddress = typeof source === "string" || kindOf(source) === "URL";
   const response = await (isAddress ? fetched(source as string | URL) : source);
   if (!isResponse(response)) {
     throw new ApolloniusError(
       "bad-option",
-      `source is ${described(response)}, expected an address, a Response, the bytes ` +
+      `${part} is ${described(response)}, expected an address, a Response, the bytes ` +
         "or a WebAssembly.Module",
     );
   }
@@ -49,11 +67,15 @@ async function compiled(source: WasmSource): Promise<WebAssembly.Module> {
     if (type?.startsWith("application/wasm")) return await WebAssembly.compileStreaming(response);
   } catch {} // of other bytes: these are looked at below
   const name = (response.url || "the response") + (type === null ? "" : ` (${type})`);
-  return compiledBytes(await copy.arrayBuffer(), name);
+  return compiledBytes(part, await copy.arrayBuffer(), name);
 }
 
 /** Compiles bytes; throws "not-loaded", with the first of them, if they are something else. */
-function compiledBytes(source: BufferSource, name: string): Promise<WebAssembly.Module> {
+function compiledBytes(
+  part: Part,
+  source: BufferSource,
+  name: string,
+): Promise<WebAssembly.Module> {
   const { buffer, byteOffset, byteLength } = ArrayBuffer.isView(source)
     ? source
     : { buffer: source, byteOffset: 0, byteLength: source.byteLength };
@@ -62,7 +84,7 @@ function compiledBytes(source: BufferSource, name: string): Promise<WebAssembly.
     const text = new TextDecoder().decode(first);
     throw notLoaded(
       `${name} is no WebAssembly: it begins with ${JSON.stringify(text)}. The file is ` +
-        "apollonius.wasm of this package; many servers answer a missing file with an HTML page",
+        `${part}.wasm of this package; many servers answer a missing file with an HTML page`,
     );
   }
   return WebAssembly.compile(source);
@@ -76,22 +98,40 @@ async function fetched(address: string | URL): Promise<Response> {
     return await fetch(address);
   } catch (cause) {
     const isFile = String(address).startsWith("file:");
-    const hint = isFile ? ": of a file give the bytes, load(await readFile(new URL(…)))" : "";
+    const hint = isFile ? ": of a file give the bytes, await readFile(new URL(…))" : "";
     throw notLoaded(`${address} cannot be fetched${hint}`, cause);
   }
 }
 
-/**
- * Compiles the wasm; to be awaited before the first diagram. Later calls do nothing. Throws
- * "not-loaded" (no answer from the address, or what it gives cannot be compiled, or nothing can),
- * "bad-option" (none of the sources).
- */
-export async function load(source: WasmSource): Promise<void> {
-  if (isRunning()) return;
-  if (isModule(source)) return setModuleSource(() => source);
+const kParts: readonly Part[] = ["core", "shapes", "sphere"];
+const loaded = new Set<Part>();
+
+async function loadPart(part: Part, source: WasmSource): Promise<void> {
   try {
-    start(await compiled(source));
+    const module = isModule(source) ? source : await compiled(part, source);
+    // A module that is given starts with its first use, as nothing was to be waited for.
+    if (part === "core" && module !== source) start(module);
+    setSource(part, () => module);
+    loaded.add(part);
   } catch (error) {
     throw error instanceof ApolloniusError ? error : notCompiled(error);
   }
+}
+
+/**
+ * Compiles the parts that are wanted; to be awaited before the first call that needs them. What is
+ * there already is not loaded again. Throws "not-loaded" (no answer from an address, or what it
+ * gives cannot be compiled, or nothing can), "bad-option" (an unknown part, or none of the
+ * sources).
+ */
+export async function load(sources: WasmSources): Promise<void> {
+  if (kindOf(sources) !== "Object")
+    throw new ApolloniusError(
+      "bad-option",
+      `sources is ${described(sources)}, expected { core, shapes, sphere }`,
+    );
+  checkOptions(sources, ...kParts);
+  const isThere = (part: Part) => loaded.has(part) || (part === "core" && isRunning());
+  const wanted = kParts.filter((part) => part in sources && !isThere(part));
+  await Promise.all(wanted.map((part) => loadPart(part, sources[part] as WasmSource)));
 }

@@ -1,6 +1,7 @@
 // What a figure is: a state, how it is drawn, what is said of it, and what a reader can do. Nothing
 // here needs a browser, so that the first picture can be drawn where the site is built; runner.ts
 // lets it live on a page.
+import type { Part } from "./package.js";
 import type { LookName, Pen } from "./pen.js";
 
 export type Point = readonly [x: number, y: number];
@@ -59,6 +60,8 @@ export type Control<State> = {
 );
 
 export type Figure<State> = {
+  /** What it needs of the package beside diagrams and queries; without it, shapes. */
+  needs?: readonly Part[];
   /** In units, which are CSS pixels where there is room; `narrow` below 520 pixels. */
   size: { wide: Size; narrow: Size };
   /** A new state, for a drawing of this size; Reset asks for another one. */

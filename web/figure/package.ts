@@ -1,7 +1,16 @@
-// The package as the site loads it: its WebAssembly is a file of its own, which the browser fetches
-// while the page is read, and which pages and workers share.
+// The package as the site loads it: its WebAssembly is files of their own, which the browser
+// fetches while the page is read, and which pages and workers share.
 import { load } from "apollonius-diagram/wasm";
-import address from "apollonius-diagram/apollonius.wasm?url";
+import core from "apollonius-diagram/core.wasm?url";
+import shapes from "apollonius-diagram/shapes.wasm?url";
+import sphere from "apollonius-diagram/sphere.wasm?url";
 
-/** Resolves when diagrams can be made. */
-export const whenLoaded = () => load(address);
+const addresses = { core, shapes, sphere };
+/** What of the package is fetched only where it is needed. */
+export type Part = "shapes" | "sphere";
+
+/** Resolves when diagrams can be made, and what these parts can do. */
+export async function whenLoaded(parts: readonly Part[]): Promise<void> {
+  const wanted = ["core", ...parts] as const;
+  await load(Object.fromEntries(wanted.map((part) => [part, addresses[part]])));
+}

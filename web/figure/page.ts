@@ -17,8 +17,9 @@ async function start(element: HTMLElement) {
   try {
     const [{ default: figure }] = await Promise.all([
       modules[`../figures/${name}.ts`](),
-      whenLoaded(),
+      whenLoaded([]),
     ]);
+    await whenLoaded(figure.needs ?? ["shapes"]);
     runners.set(name, new FigureRunner(element, figure, name));
     listenToSource(element, name);
   } catch (error) {

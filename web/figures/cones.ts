@@ -84,6 +84,7 @@ function picture(pen: Pen, { ground, turn, above }: State, rows: number): Pixels
 }
 
 export default figure<State>({
+  needs: [],
   size: { wide: [740, 520], narrow: [370, 300] },
   start: (size) => ({ size, ground: makeGround(), turn: 0.5, above: 38 }),
   draw(pen, state) {

@@ -83,6 +83,7 @@ function picture(pen: Pen, { ids, count, columns, rows }: State): Pixels {
 const grouped = (value: number) => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 
 export default figure<State>({
+  needs: [],
   size: { wide: [740, 400], narrow: [370, 320] },
   start(size, isNarrow) {
     const [columns, rows] = isNarrow ? [370, 320] : [481, 260];

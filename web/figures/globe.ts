@@ -84,6 +84,7 @@ function named([lon, lat]: Place) {
 }
 
 export default figure<State>({
+  needs: ["sphere"],
   size: { wide: [740, 460], narrow: [370, 360] },
   start([width, height]) {
     const projection = geoOrthographic()

@@ -104,6 +104,7 @@ const against = (own: number, other: number) =>
     : `${brief(own / other)} times as slow as`;
 
 export default figure<State>({
+  needs: [],
   size: { wide: [740, 300], narrow: [370, 292] },
   start: (size, isNarrow) => ({
     size,

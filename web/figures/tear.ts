@@ -122,6 +122,7 @@ function diagonalsIn({ first, second }: Answer): Diagonal[] {
 }
 
 export default figure<State>({
+  needs: [],
   size: { wide: [740, 400], narrow: [370, 296] },
   start: (size) => ({
     size,

@@ -93,7 +93,7 @@ function makeSwitch(weights: Weights) {
 
 /** Makes everything and shows what the address says. */
 export async function start() {
-  await whenLoaded();
+  await whenLoaded(["shapes"]);
   const canvases = {
     map: element("map"),
     lines: element("lines"),

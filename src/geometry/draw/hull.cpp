@@ -1,11 +1,10 @@
 #include "geometry/draw/hull.h"
 
-#include <vector>
-
 #include "geometry/curve/arcs.h"
 #include "geometry/draw/cubics.h"
 #include "number/fp.h"
 #include "predicate/predicates.h"
+#include "topology/hull.h"
 
 namespace apollonius::internal {
 
@@ -23,18 +22,6 @@ void drawArc(Point center, double radius, const HullTurn& turn, double tolerance
                 });
 }
 
-/// The half-edges from sites to infinity, counter-clockwise around the hull.
-template <class Visit>
-void visitHull(const Graph& graph, Visit&& visit) {
-  if (graph.isEmpty()) return;
-  const HalfedgeId begin = graph.twin(graph.outgoing(kInfinity));
-  HalfedgeId h = begin;
-  do {
-    visit(h);
-    h = graph.twin(next(h));  // face (i, infinity, k): k follows i
-  } while (h != begin);
-}
-
 }  // namespace
 
 HullTurn hullTurnOf(const DelaunayGraph& delaunay, HalfedgeId h) {
@@ -46,14 +33,6 @@ HullTurn hullTurnOf(const DelaunayGraph& delaunay, HalfedgeId h) {
   const Site &before = delaunay.site(graph.apex(graph.twin(h))),
              &after = delaunay.site(graph.apex(h));
   return {from, to, turnOfHull(delaunay.site(graph.origin(h)), before, after, right, left)};
-}
-
-void hullSites(const DiagramCore& core, std::vector<SiteId>& sites) {
-  sites.clear();
-  const DelaunayGraph& delaunay = core.delaunay();
-  if (delaunay.visibleCount() == 1) sites.push_back(core.siteOf(delaunay.anyVisible()));
-  visitHull(delaunay.graph(),
-            [&](HalfedgeId h) { sites.push_back(core.siteOf(delaunay.graph().origin(h))); });
 }
 
 void drawHull(const DiagramCore& core, double tolerance, Path& path) {

@@ -2,17 +2,11 @@
 // tangents between them.
 #pragma once
 
-#include <vector>
-
 #include "apollonius/path.h"
 #include "diagram/diagram_core.h"
 #include "predicate/point.h"
 
 namespace apollonius::internal {
-
-/// The sites that the hull touches, all of them, counter-clockwise; one can occur several times (a
-/// large circle with small ones sticking out; points in line, there and back).
-void hullSites(const DiagramCore& core, std::vector<SiteId>& sites);
 
 /// The hull as one closed figure. A radius below 0 shrinks the hull of the centres' other circles:
 /// meaningful up to a common offset.

@@ -1,5 +1,5 @@
-// Paths as SVG path data, with the numbers that JavaScript writes (wasm/package/path.ts), several
-// times as fast.
+// Paths as SVG path data, with the numbers that JavaScript writes (wasm/package/core/path.ts),
+// several times as fast.
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,8 @@ const error =
   'import { ApolloniusError } from "apollonius-diagram";\n' +
   'globalThis.report(new ApolloniusError("broken", "why").message);\n';
 const streamed = (address) =>
-  `import { Diagram, load } from "apollonius-diagram/wasm";\n${address}\nawait load(wasm);\n${use}`;
+  `import { Diagram, load } from "apollonius-diagram/wasm";\n${address}\n` +
+  `await load({ core: wasm });\n${use}`;
 
 const [name] = process.argv.slice(2);
 const source = path.join(packed, "bundles", `${name}-source`);
@@ -61,7 +62,7 @@ const bundlers = {
         modulePreload: false,
         assetsDir: "",
         rollupOptions: {
-          input: entries('import wasm from "apollonius-diagram/apollonius.wasm?url";'),
+          input: entries('import wasm from "apollonius-diagram/core.wasm?url";'),
           output: { entryFileNames: "[name].js" },
         },
       },
@@ -76,9 +77,7 @@ const bundlers = {
         {
           mode: "production",
           context: source,
-          entry: entries(
-            'const wasm = new URL("apollonius-diagram/apollonius.wasm", import.meta.url);',
-          ),
+          entry: entries('const wasm = new URL("apollonius-diagram/core.wasm", import.meta.url);'),
           output: { path: out, filename: "[name].js", publicPath: "auto" },
           target: ["web", "es2022"],
           performance: false,
@@ -114,7 +113,7 @@ const bundlers = {
     const { build } = await import("esbuild");
     const { warnings } = await build({
       entryPoints: entries(
-        'import address from "apollonius-diagram/apollonius.wasm";\n' +
+        'import address from "apollonius-diagram/core.wasm";\n' +
           "const wasm = new URL(address, import.meta.url);",
       ),
       bundle: true,

@@ -89,6 +89,12 @@ const destroyed = [];
 const RealInstance = WebAssembly.Instance;
 WebAssembly.Instance = class {
   constructor(module, imports) {
+    if (imports.core) {
+      // another part, which works in the first one's memory and table
+      const { real } = started.find(({ shown }) => shown === imports.core);
+      this.exports = new RealInstance(module, { core: real }).exports;
+      return;
+    }
     const { env } = imports;
     const invokers = new Map(); // the functions that Embind calls, by their numbers in the table
     const registering = (name, position, kind) => ({
@@ -102,6 +108,12 @@ WebAssembly.Instance = class {
       ...registering("_embind_register_class", 12, "destructor"),
       ...registering("_embind_register_class_constructor", 4, "call"),
       ...registering("_embind_register_class_function", 5, "call"),
+      _embind_register_function(name, ...values) {
+        const text = new Uint8Array(real.memory.buffer, name >>> 0, 8);
+        // but for those that start a part
+        if (String.fromCharCode(...text) !== "register") invokers.set(values[3] >>> 0, "call");
+        env._embind_register_function(name, ...values);
+      },
       emscripten_resize_heap(bytes) {
         if (!trapsInGrow) return env.emscripten_resize_heap(bytes);
         trapsInGrow = false;
@@ -109,7 +121,6 @@ WebAssembly.Instance = class {
       },
     };
     const real = new RealInstance(module, { ...imports, env: observed }).exports;
-    started.push({ real, env });
     const table = real.__indirect_function_table;
     const get = (number) => {
       const plain = table.get(number);
@@ -125,6 +136,7 @@ WebAssembly.Instance = class {
       };
     };
     this.exports = { ...real, __indirect_function_table: { get } };
+    started.push({ real, env, shown: this.exports });
   }
 };
 

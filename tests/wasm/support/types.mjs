@@ -114,7 +114,7 @@ export { path, point, sides };
 const using = "{ using scoped = new Diagram([0, 0, 1]); scoped.size; }\n";
 const separate =
   'import { Diagram, load } from "apollonius-diagram/wasm";\n' +
-  'export const loading: Promise<void> = load(new URL("x:y"));\n' +
+  'export const loading: Promise<void> = load({ core: new URL("x:y") });\n' +
   "export const diagram = new Diagram();\n";
 
 const strict = {

@@ -1,6 +1,6 @@
 // Argument checks of the sphere, and items as sites. The library checks the same numbers and cannot
 // say which one is wrong.
-import type { Accessor, Items } from "../accessors.js";
+import type { Accessor, Items } from "../core/accessors.js";
 import {
   allocated,
   checkedNumbers,
@@ -10,7 +10,7 @@ import {
   detachedArray,
   isArrayLike,
   isDetached,
-} from "../arguments.js";
+} from "../core/arguments.js";
 import { ApolloniusError } from "../errors.js";
 
 function notFinite(name: string, value: unknown): ApolloniusError {

@@ -7,24 +7,25 @@ import {
   checkOptions,
   checkSiteId,
   unknownSite,
-} from "../arguments.js";
-import { ApolloniusError } from "../errors.js";
+} from "../core/arguments.js";
 import {
   checkedFilter,
-  type Filters,
   filterOf,
+  type Filters,
   findMany as findManyOf,
   firstOf,
   type Found,
   passing,
-} from "../filters.js";
-import { checkedProperties, checkedWinding, featuresOf, positionsOf } from "../voronoi/geojson.js";
+} from "../core/filters.js";
 import {
   type NativeSphericalDiagram,
   runningModule,
   type SphericalNearestFirst,
-} from "../native/module.js";
-import { checkedMaxDistance, orInfinity } from "../queries.js";
+} from "../core/native/module.js";
+import { checkedMaxDistance, orInfinity } from "../core/queries.js";
+import type { FilterOptions, FindManyArguments, NearbyOptions, Position } from "../core/types.js";
+import { ApolloniusError } from "../errors.js";
+import { checkedProperties, checkedWinding, featuresOf, positionsOf } from "../shapes/geojson.js";
 import {
   checkedAngularTolerance,
   checkedPoints,
@@ -39,7 +40,6 @@ import type {
   SphericalPolygonOptions,
   SphericalSites,
 } from "./spherical_types.js";
-import type { FilterOptions, FindManyArguments, NearbyOptions, Position } from "../types.js";
 
 /** The same diagram, of which this is a site. */
 export function withSite(native: NativeSphericalDiagram, id: number): NativeSphericalDiagram {

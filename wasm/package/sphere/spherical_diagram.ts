@@ -1,24 +1,33 @@
 /// <reference lib="esnext.disposable" preserve="true" />
-import type { Accessor, Items } from "../accessors.js";
+import type { Accessor, Items } from "../core/accessors.js";
 import {
   checkedBytes,
   checkedIds,
   checkOptions,
   checkWholeNumber,
   isSiteId,
-} from "../arguments.js";
-import { ApolloniusError } from "../errors.js";
-import type { Filters } from "../filters.js";
-import { kInspect, showContent, summary } from "../inspection.js";
+} from "../core/arguments.js";
+import type { Filters } from "../core/filters.js";
+import { kInspect, showContent, summary } from "../core/inspection.js";
 import {
   Ballast,
   createSpherical,
   destroy,
   fillOrDispose,
   wrongReceiver,
-} from "../native/lifetime.js";
-import type { NativeSphericalDiagram } from "../native/module.js";
-import { validate } from "../queries.js";
+} from "../core/native/lifetime.js";
+import type { NativeSphericalDiagram } from "../core/native/module.js";
+import { validate } from "../core/queries.js";
+import type {
+  Edges,
+  FilterOptions,
+  FindManyArguments,
+  NearbyOptions,
+  Position,
+} from "../core/types.js";
+import { ApolloniusError } from "../errors.js";
+import type { CellsCollection } from "../shapes/geojson.js";
+import type { CellPolygon } from "../shapes/types.js";
 import {
   accessorsAndOptions,
   checkedRadius,
@@ -40,7 +49,6 @@ import {
   within,
   withSite,
 } from "./spherical_calls.js";
-import type { CellsCollection } from "../voronoi/geojson.js";
 import type {
   ListedSphericalSite,
   Spherical,
@@ -52,14 +60,6 @@ import type {
   SphericalSites,
   SphericalVertices,
 } from "./spherical_types.js";
-import type {
-  CellPolygon,
-  Edges,
-  FilterOptions,
-  FindManyArguments,
-  NearbyOptions,
-  Position,
-} from "../types.js";
 
 /** The native diagram; "busy" for a call that `changes` it while a filter runs. */
 let living: (diagram: unknown, changes?: boolean) => NativeSphericalDiagram;

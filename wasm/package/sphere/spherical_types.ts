@@ -1,5 +1,5 @@
 // The types of apollonius-diagram/sphere that users see.
-import type { CellsCollection } from "../voronoi/geojson.js";
+import type { CellsCollection } from "../shapes/geojson.js";
 
 /** A site of the sphere: its centre in degrees, its weight in the unit of the radius. */
 export interface SphericalSite {

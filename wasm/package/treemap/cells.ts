@@ -1,7 +1,11 @@
 // Cells of nodes while a treemap is made, each in a frame of its own: so areas of small cells deep
 // down are as exact as those of large ones.
+import { numberError } from "../core/arguments.js";
+import { Diagram } from "../core/diagram.js";
+import type { Site } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
-import { Diagram } from "../diagram.js";
+import { voronoi } from "../shapes/functions.js";
+import type { Voronoi } from "../shapes/voronoi.js";
 import { inset } from "./inset.js";
 import { circle, type Outline, outlineOf, polygonOf, type Rings } from "./outline.js";
 import {
@@ -14,9 +18,6 @@ import {
   movedInto,
 } from "./rings.js";
 import type { Disc, TreemapFit, TreemapShape } from "./types.js";
-import { numberError } from "../arguments.js";
-import type { Site } from "../types.js";
-import type { Voronoi } from "../voronoi/voronoi.js";
 
 /** Of the shape's diagonal, and of the root of the smaller area along a curve. */
 const kToleranceOfShape = 2 ** -13;
@@ -78,7 +79,7 @@ function discOf({ x, y, r }: Disc): { frame: Frame; outline: Outline } {
 /** As the library reads it: rings, each with its inside on the left. */
 function regionOf(shape: Exclude<TreemapShape, Disc>): { frame: Frame; outline: Outline } {
   using diagram = new Diagram([0, 0, 0]);
-  using view = diagram.voronoi(shape);
+  using view = voronoi(diagram, shape);
   const outline = view.cellCurves(0);
   if (outline === null) throw new ApolloniusError("bad-bounds", "the shape has no inside");
   const frame = frameOf(view);

@@ -1,6 +1,5 @@
 // Drawing of outlines: conics as cubic Bezier curves.
-import type { DrawOptions, PathContext } from "../path.js";
-import { drawn } from "../path.js";
+import { drawn, type DrawOptions, type PathContext } from "../core/path.js";
 import type { Outline } from "./outline.js";
 import type { Frame } from "./rings.js";
 

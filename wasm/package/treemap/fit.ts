@@ -1,13 +1,13 @@
 // Weights for the sites of a group of siblings, and where they move meanwhile. Each search is
 // yielded, so that who asks for the next one can wait in between, or not.
 import { ApolloniusError } from "../errors.js";
+import type { FitOptions, FittedAreas } from "../shapes/types.js";
+import type { Voronoi } from "../shapes/voronoi.js";
 import type { Window } from "./cells.js";
 import { spread, Taken } from "./places.js";
 import { isInside, momentsOf } from "./rings.js";
 import type { Settings } from "./settings.js";
 import type { TreemapFit } from "./types.js";
-import type { FitOptions, FittedAreas } from "../types.js";
-import type { Voronoi } from "../voronoi/voronoi.js";
 
 /** A search for weights that is to be made; and how much of the whole layout is done. */
 export interface Request {

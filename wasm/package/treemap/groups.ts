@@ -1,7 +1,8 @@
 // The cells of a whole tree: groups of siblings, one after the other, each in the cell of its
 // parent.
-import { Diagram } from "../diagram.js";
+import { Diagram } from "../core/diagram.js";
 import { ApolloniusError } from "../errors.js";
+import { voronoi } from "../shapes/functions.js";
 import { type Cell, cellsIn, onlyCell, rootCell, type Window, windowOf } from "./cells.js";
 import { circlesOf, fitted, type Limits, type Start, type Work } from "./fit.js";
 import { randomOf, settled, spread } from "./places.js";
@@ -121,7 +122,7 @@ function* fill(
     const window = windowOf(cell, padding, factor);
     const start = startOf(node, cell, group, window, settings, before);
     using diagram = new Diagram(circlesOf(start.places, start.weights));
-    using view = diagram.voronoi(window.rings);
+    using view = voronoi(diagram, window.rings);
     try {
       cell.fit = yield* fitted(view, window, targets, start, settings, limits);
     } catch (error) {

@@ -1,7 +1,7 @@
 // What is left of a polygon without a strip along its border: each side moves inwards, sides that
 // become shorter than nothing leave, and their neighbours meet.
-import { momentsOf } from "./rings.js";
 import type { Rings } from "./outline.js";
+import { momentsOf } from "./rings.js";
 
 const kMostHalvings = 40;
 

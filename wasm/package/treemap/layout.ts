@@ -1,7 +1,15 @@
 // `treemap()`: its methods, and the layout made at once or in slices.
-import { checkedChoice, checkedCount, checkNumber, checkOptions, described } from "../arguments.js";
-import { Slices } from "../building.js";
+import {
+  checkedChoice,
+  checkedCount,
+  checkNumber,
+  checkOptions,
+  described,
+} from "../core/arguments.js";
+import { Slices } from "../core/building.js";
+import type { DrawOptions, PathContext } from "../core/path.js";
 import { ApolloniusError } from "../errors.js";
+import type { FittedAreas } from "../shapes/types.js";
 import type { Cell } from "./cells.js";
 import { drawOutline } from "./drawing.js";
 import type { Request } from "./fit.js";
@@ -9,8 +17,6 @@ import { layOut } from "./groups.js";
 import { joined } from "./rings.js";
 import { type Input, nodesOf, type Settings, valuesOf } from "./settings.js";
 import type { Treemap, TreemapCell, TreemapOptions } from "./types.js";
-import type { DrawOptions, PathContext } from "../path.js";
-import type { FittedAreas } from "../types.js";
 
 /** What is begun: nodes, values, and the work on their cells. */
 function begin(root: Input, settings: Settings) {

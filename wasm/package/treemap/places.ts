@@ -1,7 +1,7 @@
 // Places for the sites of siblings in their window: spread by value, seeded.
 import { ApolloniusError } from "../errors.js";
-import { boxOf, crossingsAt, isInside } from "./rings.js";
 import type { Rings } from "./outline.js";
+import { boxOf, crossingsAt, isInside } from "./rings.js";
 
 const kSamplesOfSite = 16;
 const kMostSamples = 30_000; // if there are fewer sites than these

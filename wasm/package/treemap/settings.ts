@@ -1,7 +1,7 @@
 // What a treemap is told, and what it reads of a tree before anything is laid out.
-import { described, numberError } from "../arguments.js";
+import { described, numberError } from "../core/arguments.js";
+import type { Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
-import type { Position } from "../types.js";
 import type { TreemapCell, TreemapInput, TreemapShape } from "./types.js";
 
 /** A node of any data, and what a treemap has given it, if it has. */

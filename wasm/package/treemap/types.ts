@@ -1,7 +1,7 @@
 // What the entry `apollonius-diagram/treemap` takes and gives.
-import type { DrawOptions, PathContext } from "../path.js";
-import type { Region } from "../voronoi/region.js";
-import type { Bounds, Position, Site } from "../types.js";
+import type { DrawOptions, PathContext } from "../core/path.js";
+import type { Bounds, Position, Site } from "../core/types.js";
+import type { Region } from "../shapes/region.js";
 
 /** A disc: its centre and its radius, > 0. */
 export interface Disc {

@@ -96,7 +96,7 @@ function measure(count: number): Measured {
 
 self.onmessage = async ({ data: { count } }: MessageEvent<{ count: number }>) => {
   try {
-    await whenLoaded();
+    await whenLoaded([]);
     tell({ kind: "done", times: measure(count) });
   } catch (error) {
     tell({ kind: "failed", message: error instanceof Error ? error.message : String(error) });

@@ -17,7 +17,7 @@ const kMostSteps = 300; // cities, which crowd, take 100 to 150
 
 self.onmessage = async ({ data: { xyr, window } }: MessageEvent<FitRequest>) => {
   try {
-    await whenLoaded();
+    await whenLoaded(["shapes"]);
     const diagram = new Diagram(xyr);
     const targets = new Uint8Array(xyr.length / 3).fill(1);
     const fitted = diagram.voronoi(window).fitAreas(targets, {

@@ -27,7 +27,7 @@ self.onmessage = ({ data: { job, options } }: MessageEvent<Job>) => {
     tell({ kind: "failed", job, message: messageOf(error) }),
   );
 };
-whenLoaded().then(() => tell({ kind: "ready" }));
+whenLoaded([]).then(() => tell({ kind: "ready" }));
 
 async function make(options: CircleOptions, job: number | undefined, signal: AbortSignal) {
   const say = (what: string, share?: number) => tell({ kind: "progress", job, what, share });

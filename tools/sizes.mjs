@@ -1,0 +1,127 @@
+// npm run sizes: what a page downloads for each use of the package and of its peers: a bundle by
+// esbuild, minified, with brotli. It needs dist/ (npm run build). With --write it also puts the
+// table into README.md. tests/wasm/sizes.test.mjs holds the package to its budgets.
+import { readFileSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+import { brotliCompressSync, constants } from "node:zlib";
+import { root } from "./toolchain/folders.mjs";
+
+const find = "globalThis.answer = new Diagram([0, 0, 1]).find(0, 0);";
+
+/** What the package is used for: the program, and how many bytes its bundle may have at most. */
+export const uses = {
+  core: {
+    what: "the nearest circle: `find`, `pick`, `kNearest`, edits, snapshots",
+    code: `import { Diagram } from "apollonius-diagram/core"; ${find}`,
+    budget: 93_000,
+  },
+  default: {
+    what: "cells, drawings, areas, GeoJSON as well",
+    code:
+      'import { Diagram } from "apollonius-diagram"; ' +
+      "globalThis.answer = new Diagram([0, 0, 1]).voronoi().render();",
+    budget: 153_000,
+  },
+  sphere: {
+    what: "circles on the sphere",
+    code:
+      'import { SphericalDiagram } from "apollonius-diagram/sphere"; ' +
+      "globalThis.answer = new SphericalDiagram([0, 0, 1]).find(0, 0);",
+    budget: 120_500,
+  },
+  treemap: {
+    what: "treemaps",
+    code:
+      'import { treemap } from "apollonius-diagram/treemap"; ' +
+      "globalThis.answer = treemap()(globalThis.root);",
+    budget: 160_500,
+  },
+};
+
+/** Libraries that people know, without weights or without exactness: what each adds to a page. */
+export const peers = {
+  "d3-delaunay": 'import { Delaunay } from "d3-delaunay"; globalThis.answer = Delaunay.from([]);',
+  flatbush: 'import Flatbush from "flatbush"; globalThis.answer = new Flatbush(1);',
+  "d3-voronoi-treemap":
+    'import { voronoiTreemap } from "d3-voronoi-treemap"; globalThis.answer = voronoiTreemap();',
+  "d3-geo-voronoi":
+    'import { geoVoronoi } from "d3-geo-voronoi"; globalThis.answer = geoVoronoi([]);',
+};
+
+const entry = (name) => path.join(root, `dist/esm/${name}.js`);
+const alias = {
+  "apollonius-diagram": entry("index"),
+  ...Object.fromEntries(
+    ["core", "shapes", "sphere", "treemap", "wasm"].map((name) => [
+      `apollonius-diagram/${name}`,
+      entry(name),
+    ]),
+  ),
+};
+
+export function brotliOf(bytes) {
+  const params = {
+    [constants.BROTLI_PARAM_QUALITY]: 11,
+    [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length,
+  };
+  return brotliCompressSync(bytes, { params }).length;
+}
+
+/** The bundle of a program. */
+export async function bundleOf(code) {
+  const { build } = await import("esbuild"); // not before `npm ci` may have installed it
+  const { outputFiles } = await build({
+    stdin: { contents: code, resolveDir: root, loader: "js" },
+    bundle: true,
+    minify: true,
+    format: "esm",
+    target: "es2022",
+    charset: "utf8", // or the wasm's text would be full of escapes
+    write: false,
+    alias,
+    logLevel: "warning",
+  });
+  return outputFiles[0].contents;
+}
+
+/** The bytes of each use and each peer, with brotli. */
+export async function measureSizes() {
+  const sizes = {};
+  for (const [name, { code }] of Object.entries(uses)) sizes[name] = brotliOf(await bundleOf(code));
+  for (const [name, code] of Object.entries(peers)) sizes[name] = brotliOf(await bundleOf(code));
+  return sizes;
+}
+
+const kilobytes = (bytes) => (bytes < 9950 ? (bytes / 1000).toFixed(1) : (bytes / 1000).toFixed(0));
+
+/** The table of README.md. */
+export function tableOf(sizes) {
+  const entryOf = (name) =>
+    name === "default" ? "`apollonius-diagram`" : `\`apollonius-diagram/${name}\``;
+  const rows = Object.entries(uses).map(
+    ([name, { what }]) => `| ${entryOf(name)} | ${what} | ${kilobytes(sizes[name])} KB |`,
+  );
+  const others = Object.keys(peers).map((name) => `${name} ${kilobytes(sizes[name])}`);
+  const head = "| import | for | bundle, brotli |\n|---|---|---|\n";
+  return `${head}${rows.join("\n")}\n\n(${others.join(", ")} KB.)\n`;
+}
+
+const marks = ["<!-- sizes -->\n", "<!-- /sizes -->"];
+
+/** README.md with the table of these sizes between its marks. */
+export function readmeWith(sizes) {
+  const text = readFileSync(path.join(root, "README.md"), "utf8");
+  const [before, after] = [text.indexOf(marks[0]) + marks[0].length, text.indexOf(marks[1])];
+  return `${text.slice(0, before)}${tableOf(sizes)}${text.slice(after)}`;
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+  const sizes = await measureSizes();
+  for (const [name, bytes] of Object.entries(sizes)) {
+    const limit = uses[name] ? `   of ${uses[name].budget}` : "";
+    console.log(`${name.padEnd(20)} ${String(bytes).padStart(7)}${limit}`);
+  }
+  if (process.argv.includes("--write"))
+    writeFileSync(path.join(root, "README.md"), readmeWith(sizes));
+}

@@ -1,0 +1,198 @@
+// The part `core` for Embind, which registers it when the module starts and writes the
+// declarations that the TypeScript compiles against, build/wasm/apollonius.d.mts. The parts
+// `shapes` and `sphere` (shapes.cpp, sphere.cpp) are registered at their first use.
+//
+// A call that fails throws the number of its Error, which wasm/package/core/native/module.ts turns
+// into an exception of the package. Arrays are copied, in both directions: a view of the memory
+// becomes invalid when the memory grows.
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include "adapters.h"
+#include "apollonius/builder.h"
+#include "apollonius/diagram.h"
+#include "apollonius/nearest_first.h"
+#include "apollonius/predicate_counts.h"
+#include "apollonius/voronoi.h"
+#include "parts.h"
+
+using apollonius::Builder;
+using apollonius::Circle;
+using apollonius::Diagram;
+using apollonius::Location;
+using apollonius::NearestFirst;
+using apollonius::Source;
+using apollonius::Top;
+
+/// What the C++ runtime calls where an exception leaves what must not throw; nothing of ours does.
+/// Its own version prints a message, for which the module would have all of printf.
+extern "C" [[noreturn]] void abort_message(const char*, ...) { std::abort(); }
+
+namespace {
+
+Diagram* create(Location location) {
+  return allocating([&] { return new Diagram(location); });
+}
+
+/// The new ids go to an array that is there before, so that nothing can fail when all are in.
+void insertMany(Diagram& diagram, const NumbersIn& xyr, const NumbersOut& ids) {
+  std::vector<SiteId> inserted;
+  check(diagram.insertMany(vectorOf<double>(xyr), inserted));
+  ids.call<void>("set", viewOf(inserted));
+}
+
+void fromBytes(Diagram& diagram, const NumbersIn& bytes, Source source) {
+  check(diagram.fromBytes(vectorOf<std::uint8_t>(bytes), source));
+}
+
+// --- Building in steps. The calls are the diagram's, which a trap in one of them breaks.
+
+/// The caller deletes it, before the diagram.
+Builder* builder(Diagram& diagram, std::size_t count) {
+  auto made = allocating([&] { return std::make_unique<Builder>(diagram); });
+  check(made->reserve(count));
+  return made.release();
+}
+
+void addTo(Diagram&, Builder& builder, const NumbersIn& xyr) {
+  check(builder.add(vectorOf<double>(xyr)));
+}
+
+/// Is that all?
+bool advance(Diagram&, Builder& builder, std::size_t steps) {
+  bool isDone = false;
+  check(builder.advance(steps, isDone));
+  return isDone;
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(core) {
+  using namespace emscripten;
+
+  register_type<Uint8Array>("Uint8Array<ArrayBuffer>");
+  register_type<Int32Array>("Int32Array<ArrayBuffer>");
+  register_type<Uint32Array>("Uint32Array<ArrayBuffer>");
+  register_type<Float64Array>("Float64Array<ArrayBuffer>");
+  register_type<NumbersIn>("ArrayLike<number>");
+  register_type<NumbersOut>("Int32Array | Uint32Array | Float64Array | null");
+
+  enum_<Error>("Error")
+      .value("kNone", Error::kNone)
+      .value("kNotFinite", Error::kNotFinite)
+      .value("kOutOfRange", Error::kOutOfRange)
+      .value("kUnknownSite", Error::kUnknownSite)
+      .value("kBadLength", Error::kBadLength)
+      .value("kOutOfMemory", Error::kOutOfMemory)
+      .value("kTooLarge", Error::kTooLarge)
+      .value("kBadBounds", Error::kBadBounds)
+      .value("kCorruptSnapshot", Error::kCorruptSnapshot)
+      .value("kBadTarget", Error::kBadTarget)
+      .value("kNoConvergence", Error::kNoConvergence)
+      .value("kBusy", Error::kBusy)
+      .value("kBroken", Error::kBroken);
+  enum_<Location>("Location")
+      .value("walk", Location::kWalk)
+      .value("hierarchy", Location::kHierarchy);
+  enum_<Source>("Source").value("anyone", Source::kAnyone).value("trusted", Source::kTrusted);
+  enum_<Top>("Top").value("smallest", Top::kSmallest).value("last", Top::kLast);
+
+  value_object<Circle>("Circle")
+      .field("x", &Circle::x)
+      .field("y", &Circle::y)
+      .field("r", &Circle::r);
+  value_object<Nearest>("Nearest").field("id", &Nearest::id).field("distance", &Nearest::distance);
+  value_object<Found>("Found")
+      .field("what", &Found::what)
+      .field("where", &Found::where)
+      .field("level", &Found::level);
+  value_object<apollonius::SiteArrays>("SiteArrays")
+      .field("ids", &apollonius::SiteArrays::ids)
+      .field("xyr", &apollonius::SiteArrays::xyr)
+      .field("hidden", &apollonius::SiteArrays::hidden);
+  value_object<apollonius::VertexArrays>("VertexArrays")
+      .field("coordinates", &apollonius::VertexArrays::coordinates)
+      .field("clearance", &apollonius::VertexArrays::clearance)
+      .field("sites", &apollonius::VertexArrays::sites);
+  value_object<apollonius::EdgeArrays>("EdgeArrays")
+      .field("sites", &apollonius::EdgeArrays::sites)
+      .field("vertices", &apollonius::EdgeArrays::vertices);
+
+  // Of shapes and sphere.
+  value_object<apollonius::RingArrays>("RingArrays")
+      .field("coordinates", &apollonius::RingArrays::coordinates)
+      .field("starts", &apollonius::RingArrays::starts)
+      .field("parts", &apollonius::RingArrays::parts);
+  value_object<apollonius::CoverageArrays>("CoverageArrays")
+      .field("coordinates", &apollonius::CoverageArrays::coordinates)
+      .field("starts", &apollonius::CoverageArrays::starts)
+      .field("parts", &apollonius::CoverageArrays::parts)
+      .field("sites", &apollonius::CoverageArrays::sites)
+      .field("cells", &apollonius::CoverageArrays::cells);
+
+  value_object<apollonius::StageCounts>("StageCounts")
+      .field("filter", &apollonius::StageCounts::filter)
+      .field("middle", &apollonius::StageCounts::middle)
+      .field("exact", &apollonius::StageCounts::exact);
+  value_object<apollonius::PredicateCounts>("PredicateCounts")
+      .field("covers", &apollonius::PredicateCounts::covers)
+      .field("distance", &apollonius::PredicateCounts::distance)
+      .field("bearing", &apollonius::PredicateCounts::bearing)
+      .field("vertexConflict", &apollonius::PredicateCounts::vertexConflict)
+      .field("edgeConflict", &apollonius::PredicateCounts::edgeConflict)
+      .field("ties", &apollonius::PredicateCounts::ties);
+  function("predicateCounts", &apollonius::predicateCounts);
+
+  const return_value_policy::take_ownership moved;  // not copied
+  class_<Builder>("Builder").function("progress", &Builder::progress);
+  class_<NearestFirst>("NearestFirst")
+      .function("next", returning<&NearestFirst::next>())
+      .function("distance", &NearestFirst::distance);
+  class_<Diagram>("Diagram")
+      .constructor(&create, allow_raw_pointers())
+      // Sites
+      .function("insert", returning<&Diagram::insert>())
+      .function("insertMany", &insertMany)
+      .function("remove", returning<&Diagram::remove>())
+      .function("removeMany", &removeMany<Diagram>)
+      .function("update", &update<Diagram>)
+      .function("updateMany", &updateMany<Diagram>)
+      .function("builder", &builder, allow_raw_pointers(), moved)
+      .function("addTo", &addTo)
+      .function("advance", &advance)
+      .function("clear", &Diagram::clear)
+      .function("size", &Diagram::size)
+      .function("visibleSize", &Diagram::visibleSize)
+      .function("has", &Diagram::has)
+      .function("site", returning<&Diagram::site>())
+      .function("ids", returning<&Diagram::ids>())
+      .function("sites", returning<&Diagram::sites>(), moved)
+      .function("isHidden", returning<&Diagram::isHidden>())
+      .function("coverOf", returning<&Diagram::coverOf>())
+      // Queries
+      .function("find", &find<Diagram>)
+      .function("nearest", &nearest<Diagram>)
+      .function("findMany", &findMany<Diagram>)
+      .function("kNearest", returning<&Diagram::kNearest>())
+      .function("within", returning<&Diagram::within>())
+      .function("pick", returning<&Diagram::pick>())
+      .function("search", returning<&Diagram::search>())
+      .function("nearestFirst", &nearestFirst<NearestFirst, Diagram>, allow_raw_pointers(), moved)
+      .function("neighbors", returning<&Diagram::neighbors>())
+      .function("vertices", returning<&Diagram::vertices>(), moved)
+      .function("edges", returning<&Diagram::edges>(), moved)
+      .function("hull", returning<&Diagram::hull>())
+      .function("levels", returning<&Diagram::levels>())
+      // Snapshots
+      .function("toBytes", returning<&Diagram::toBytes>())
+      .function("fromBytes", &fromBytes)
+      .function("validate", &validate<Diagram>);
+
+  function("registerShapes", &registerShapes);
+  function("registerSphere", &registerSphere);
+  if (areTypesWritten()) {
+    registerShapes();
+    registerSphere();
+  }
+}

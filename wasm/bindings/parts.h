@@ -1,0 +1,11 @@
+// The parts of the module beside `core`. The build splits the module into files by the folders in
+// which functions are defined (tools/toolchain/split_wasm.mjs), so that who never asks for a part
+// does not load it.
+#pragma once
+
+/// Registers the calls of a part with Embind. JavaScript calls each once, at its first use.
+void registerShapes();
+void registerSphere();
+
+/// Is this run the one in which Embind writes the types (embind_parts.js)? It is to see all parts.
+extern "C" bool areTypesWritten();

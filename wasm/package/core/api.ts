@@ -1,0 +1,35 @@
+// What the entry `apollonius-diagram/core` exports, whichever way the wasm comes.
+export type {
+  Accessor,
+  Accessors,
+  AsyncAccessors,
+  Circular,
+  Items,
+  SomeAccessors,
+  SomeAsync,
+} from "./accessors.js";
+export { Diagram } from "./diagram.js";
+export { predicateCounts } from "./predicate_counts.js";
+export type { DrawOptions, PathContext } from "./path.js";
+export type { Triangulation } from "./triangulation.js";
+export type {
+  Bounds,
+  BuildOptions,
+  DiagramOptions,
+  Edges,
+  FilterOptions,
+  FindManyArguments,
+  ListedSite,
+  NearbyFilter,
+  NearbyOptions,
+  PickArguments,
+  PickOptions,
+  Position,
+  PredicateCounts,
+  Site,
+  Sites,
+  SnapshotOptions,
+  StageCounts,
+  Vertices,
+} from "./types.js";
+export { ApolloniusError, type ErrorCode } from "../errors.js";

@@ -1,0 +1,362 @@
+// Argument checks, and the words for what is wrong with an argument. The library itself checks
+// numbers (once, in src/api); this file checks what only JavaScript can get wrong, and finds
+// the culprit after the library has said no.
+import { ApolloniusError } from "../errors.js";
+
+// The documented range of magnitudes and the most sites: as in src/apollonius/types.h.
+const kSmallestMagnitude = 1e-100;
+const kLargestMagnitude = 1e100;
+const kMostSites = 2 ** 29;
+const kNoSite = 0xffffffff; // not a valid id
+
+export function described(value: unknown): string {
+  if (typeof value === "string") return `the string ${JSON.stringify(value)}`;
+  if (typeof value === "bigint") return `the bigint ${value}n`;
+  if (Array.isArray(value)) return `an array of ${value.length}`;
+  if (typedArrayKind(value)?.endsWith("Array"))
+    return `${typedArrayKind(value)}(${(value as ArrayLike<unknown>).length})`;
+  if (typeof value === "object" && value !== null) return "an object";
+  if (typeof value === "function") return "a function";
+  return String(value);
+}
+
+/** The error that a value deserves as coordinate or weight, or null if it is fine. */
+export function numberError(name: string, value: unknown): ApolloniusError | null {
+  if (typeof value !== "number" || !Number.isFinite(value)) {
+    return new ApolloniusError(
+      "not-finite",
+      `${name} is ${described(value)}, expected a finite number`,
+    );
+  }
+  const magnitude = Math.abs(value);
+  if (magnitude !== 0 && (magnitude < kSmallestMagnitude || magnitude > kLargestMagnitude)) {
+    return new ApolloniusError(
+      "out-of-range",
+      `${name} is ${value}, expected 0 or a magnitude from 1e-100 to 1e100, where answers are ` +
+        "exact",
+    );
+  }
+  return null;
+}
+
+/** Throws unless the value can be a coordinate or weight. */
+export function checkNumber(name: string, value: unknown): void {
+  const error = numberError(name, value);
+  if (error) throw error;
+}
+
+/** How many of something: any whole number from 0 on. More than 2^32 - 1 is as good as that. */
+export function checkedCount(name: string, value: unknown): number {
+  if (typeof value !== "number" || Number.isNaN(value)) {
+    throw new ApolloniusError(
+      "not-finite",
+      `${name} is ${described(value)}, expected a whole number`,
+    );
+  }
+  if (!(value >= 0 && (Number.isInteger(value) || value === Infinity))) {
+    throw new ApolloniusError(
+      "out-of-range",
+      `${name} is ${value}, expected a whole number from 0 on`,
+    );
+  }
+  return Math.min(value, 2 ** 32 - 1);
+}
+
+/** One of several words; the first one if the value is undefined. */
+export function checkedChoice<Word extends string | boolean>(
+  name: string,
+  value: unknown,
+  words: readonly [Word, ...Word[]],
+): Word {
+  if (value === undefined) return words[0];
+  if (words.includes(value as Word)) return value as Word;
+  const expected = words.map((word) => JSON.stringify(word)).join(" or ");
+  throw new ApolloniusError("bad-option", `${name} is ${described(value)}, expected ${expected}`);
+}
+
+/** Throws for the first element of an array that is not acceptable. */
+export function throwElementError(name: string, values: ArrayLike<number>): void {
+  for (let k = 0; k < values.length; ++k) {
+    const error = numberError(`${name}[${k}]`, values[k]);
+    if (error) throw error;
+  }
+}
+
+export function isSiteId(id: unknown): id is number {
+  return typeof id === "number" && id >>> 0 === id && id !== kNoSite;
+}
+
+/** Throws "unknown-site" for what cannot be an id. */
+export function checkSiteId(id: unknown): void {
+  if (!isSiteId(id)) throw unknownSite(id);
+}
+
+/** Throws "unknown-site" for what is no id, rather than one that no site has, as -1 is. */
+export function checkWholeNumber(id: unknown): void {
+  if (!Number.isInteger(id)) throw unknownSite(id);
+}
+
+export function unknownSite(id: unknown): ApolloniusError {
+  return new ApolloniusError(
+    "unknown-site",
+    Number.isInteger(id)
+      ? `site ${id} does not exist`
+      : `site ${described(id)} does not exist: ids are whole numbers, not strings or objects`,
+  );
+}
+
+// What typed arrays say of themselves can be overwritten; what these say, whatever the realm,
+// cannot.
+const ofTypedArray = (property: string | symbol) =>
+  Object.getOwnPropertyDescriptor(Object.getPrototypeOf(Uint8Array.prototype), property)
+    ?.get as () => unknown;
+const kindOf = ofTypedArray(Symbol.toStringTag);
+const views = ["buffer", "byteOffset", "length"].map(ofTypedArray);
+
+export function isArrayLike(values: unknown): values is ArrayLike<unknown> {
+  return (
+    typeof values === "object" &&
+    values !== null &&
+    Number.isSafeInteger((values as ArrayLike<unknown>).length) &&
+    (values as ArrayLike<unknown>).length >= 0
+  );
+}
+
+/** "Float64Array" and so on for typed arrays, of whatever realm; undefined for anything else. */
+export function typedArrayKind(values: unknown): string | undefined {
+  return kindOf.call(values) as string | undefined;
+}
+
+/**
+ * A typed array as a new view of the same memory, whose length is the true one. Anything else, and
+ * what has lost its memory, as it is.
+ */
+export function plainView(values: unknown): unknown {
+  const kind = typedArrayKind(values);
+  if (kind === undefined || isDetached(values)) return values;
+  type Kind = new (...view: unknown[]) => unknown;
+  return new (globalThis as unknown as Record<string, Kind>)[kind]!(
+    ...views.map((view) => view.call(values)),
+  );
+}
+
+/**
+ * Has a typed array lost its elements, because its buffer went to another thread or shrank? Then it
+ * looks empty, which is hardly what the caller means.
+ */
+export function isDetached(values: unknown): boolean {
+  if (typedArrayKind(values) === undefined || views[2]!.call(values) !== 0) return false;
+  try {
+    // of any kind and realm; throws if there is no memory behind it
+    Float64Array.prototype.at.call(values, 0);
+    return false;
+  } catch {
+    return true;
+  }
+}
+
+export function detachedArray(name: string, of: string): ApolloniusError {
+  return new ApolloniusError(
+    "bad-length",
+    `${name} is a typed array whose buffer is detached or shrunk, expected an array of ${of}`,
+  );
+}
+
+function checkedArray(name: string, given: unknown, of: string): ArrayLike<unknown> {
+  const values = plainView(given);
+  if (!isArrayLike(values))
+    throw new ApolloniusError(
+      "bad-length",
+      `${name} is ${described(values)}, expected an array of ${of}`,
+    );
+  if (isDetached(values)) throw detachedArray(name, of);
+  return values;
+}
+
+/** Throws if there are more sites than one diagram can hold; before any of them is read. */
+export function checkSiteCount(name: string, count: number): void {
+  if (count > kMostSites)
+    throw new ApolloniusError("too-large", `${name} holds ${count} sites, expected at most 2^29`);
+}
+
+/** What is a Uint8Array, of whatever realm and wherever in its buffer; throws "bad-length". */
+export function checkedBytes(name: string, bytes: unknown): Uint8Array {
+  if (typedArrayKind(bytes) !== "Uint8Array") {
+    throw new ApolloniusError(
+      "bad-length",
+      `${name} is ${described(bytes)}, expected a Uint8Array`,
+    );
+  }
+  return checkedArray(name, bytes, "bytes") as Uint8Array;
+}
+
+export function outOfMemory(): ApolloniusError {
+  return new ApolloniusError(
+    "out-of-memory",
+    "not enough memory; dispose() or `using` gives back a diagram's at once, while forgotten " +
+      "ones wait for a turn of the event loop",
+  );
+}
+
+/** A new typed array; that there can be none of that length is a lack of memory. */
+export function allocated<Values>(make: () => Values): Values {
+  try {
+    return make();
+  } catch {
+    throw outOfMemory();
+  }
+}
+
+/**
+ * Numbers that can be copied to the heap in one go: typed arrays as they are, anything else element
+ * by element, so that strings and nulls are refused and not turned into numbers.
+ */
+export function checkedNumbers(
+  name: string,
+  values: unknown,
+  multipleOf: number,
+): ArrayLike<number> {
+  return copied(name, counted(name, values, multipleOf));
+}
+
+/** `checkedNumbers` for x, y, r triples of new sites. */
+export function checkedNewSites(name: string, values: unknown): ArrayLike<number> {
+  const array = counted(name, values, 3);
+  checkSiteCount(name, array.length / 3);
+  return copied(name, array);
+}
+
+function counted(name: string, values: unknown, multipleOf: number): ArrayLike<unknown> {
+  const array = checkedArray(name, values, "numbers");
+  if (array.length % multipleOf !== 0) {
+    if (typeof array[0] === "object") throw elementError(name, 0, array[0]);
+    throw new ApolloniusError(
+      "bad-length",
+      `expected a multiple of ${multipleOf} values in ${name}, got ${array.length}`,
+    );
+  }
+  return array;
+}
+
+/** The error of an element that is no number; rows of numbers are what Diagram.from takes. */
+function elementError(name: string, k: number, value: unknown): ApolloniusError {
+  const error = numberError(`${name}[${k}]`, value) as ApolloniusError;
+  if (typeof value !== "object" || value === null) return error;
+  const hint =
+    name === "xyr" || name === "lonLatR"
+      ? "[x, y, r, x, y, r]; Diagram.from(rows) reads rows"
+      : name === "xy" || name === "lonLat"
+        ? "[x, y, x, y]; points.flat() makes it of rows"
+        : "[1, 2, 3]";
+  return new ApolloniusError(error.code, `${error.message}: ${name} is flat, as in ${hint}`);
+}
+
+function copied(name: string, array: ArrayLike<unknown>): ArrayLike<number> {
+  const kind = typedArrayKind(array);
+  if (kind !== undefined && !kind.startsWith("Big")) return array as ArrayLike<number>;
+  const numbers = allocated(() => new Float64Array(array.length));
+  for (let k = 0; k < numbers.length; ++k) {
+    const value = array[k];
+    if (typeof value !== "number") throw elementError(name, k, value);
+    numbers[k] = value;
+  }
+  return numbers;
+}
+
+/**
+ * Site ids for the heap; those that no site can have become kNoSite. Throws "unknown-site" for what
+ * is no id.
+ */
+export function checkedIds(name: string, ids: unknown): Uint32Array {
+  const array = checkedArray(name, ids, "site ids");
+  if (typedArrayKind(array) === "Uint32Array") return array as Uint32Array;
+  const checked = allocated(() => new Uint32Array(array.length));
+  for (let k = 0; k < checked.length; ++k) {
+    const id = array[k];
+    if (!Number.isInteger(id))
+      throw new ApolloniusError("unknown-site", `${name}[${k}]: ${unknownSite(id).message}`);
+    checked[k] = isSiteId(id) ? id : kNoSite;
+  }
+  return checked;
+}
+
+type Bounds = [number, number, number, number];
+
+/** Four numbers xmin, ymin, xmax, ymax; throws "bad-bounds". */
+export function checkedNumbersOfBounds(bounds: ArrayLike<unknown>): Bounds {
+  return ["xmin", "ymin", "xmax", "ymax"].map((name, k) => {
+    const value = bounds[k]; // read once: a getter may say something else the next time
+    const error = numberError(`${name} of bounds`, value);
+    if (error) throw new ApolloniusError("bad-bounds", error.message);
+    return value;
+  }) as Bounds;
+}
+
+/** A window [xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax; throws "bad-bounds". */
+export function checkedBounds(bounds: unknown): Bounds {
+  if (!isArrayLike(bounds) || bounds.length !== 4) {
+    throw new ApolloniusError(
+      "bad-bounds",
+      `bounds is ${described(bounds)}, expected [xmin, ymin, xmax, ymax]`,
+    );
+  }
+  const checked = checkedNumbersOfBounds(bounds);
+  if (!(checked[0] < checked[2] && checked[1] < checked[3])) throw disorderedBounds(checked, "<");
+  return checked;
+}
+
+export function disorderedBounds(bounds: Bounds, order: "<" | "<="): ApolloniusError {
+  return new ApolloniusError(
+    "bad-bounds",
+    `bounds are [${bounds.join(", ")}], expected xmin ${order} xmax and ymin ${order} ymax`,
+  );
+}
+
+/** A positive number for which there is a default; throws "not-finite" or "out-of-range". */
+export function checkedTolerance(tolerance: unknown, usual: () => number): number {
+  if (tolerance === undefined) return usual();
+  if (typeof tolerance !== "number" || !Number.isFinite(tolerance))
+    throw numberError("tolerance", tolerance) as ApolloniusError;
+  if (!(tolerance > 0))
+    throw new ApolloniusError(
+      "out-of-range",
+      `tolerance is ${tolerance}, expected a number above 0`,
+    );
+  return tolerance;
+}
+
+/** The array that `findMany` fills with distances, one element a point; undefined for none. */
+export function checkedDistances(
+  distances: Float64Array | undefined,
+  count: number,
+): Float64Array | undefined {
+  const out = plainView(distances) as Float64Array | undefined;
+  if (out === undefined) return undefined;
+  if (typedArrayKind(out) === "Float64Array" && out.length === count && !isDetached(out))
+    return out;
+  throw new ApolloniusError(
+    "bad-length",
+    `distances is ${described(out)}, expected Float64Array(${count}), one element a point`,
+  );
+}
+
+// --- Options as callers give them: an unknown name is probably misspelt --------------------------
+
+/** Throws "bad-option" unless these are options, or nothing, and have no other names than these. */
+export function checkOptions(options: unknown, ...names: string[]): void {
+  if (options === undefined || options === null) return;
+  const expected = `expected { ${names.join(", ")} }`;
+  const what = described(options);
+  if (what !== "an object")
+    throw new ApolloniusError("bad-option", `options is ${what}, ${expected}`);
+  for (const name of Object.keys(options))
+    if (!names.includes(name))
+      throw new ApolloniusError("bad-option", `options.${name} is unknown, ${expected}`);
+}
+
+/** What may stand before options, and the options, which may stand in its place. */
+export function optionsLast(given: readonly unknown[]): [unknown, unknown] {
+  const [first, last] = given;
+  const isInPlace = described(first) === "an object" && !("byteLength" in (first as object));
+  return last === undefined && isInPlace ? [undefined, first] : [first, last];
+}

@@ -1,0 +1,445 @@
+/// <reference lib="esnext.disposable" preserve="true" />
+import { ApolloniusError } from "../errors.js";
+import {
+  type Accessors,
+  type AsyncAccessors,
+  asyncAccessors,
+  type Circular,
+  ItemReader,
+  type Items,
+  type SomeAccessors,
+  type SomeAsync,
+  triples,
+} from "./accessors.js";
+import { checkedBytes, checkedChoice, checkedNewSites, checkOptions } from "./arguments.js";
+import { build } from "./building.js";
+import * as edits from "./edits.js";
+import type { Filters } from "./filters.js";
+import { kInspect, listed, showContent, summary } from "./inspection.js";
+import {
+  Ballast,
+  createNative,
+  destroy,
+  fillOrDispose,
+  nativeOf,
+  provideNative,
+} from "./native/lifetime.js";
+import { type NativeDiagram, runningModule } from "./native/module.js";
+import * as queries from "./queries.js";
+import { type Triangulation, triangulationOf } from "./triangulation.js";
+import type {
+  BuildOptions,
+  DiagramOptions,
+  Edges,
+  FilterOptions,
+  FindManyArguments,
+  ListedSite,
+  NearbyOptions,
+  PickArguments,
+  Site,
+  Sites,
+  SnapshotOptions,
+  Vertices,
+} from "./types.js";
+
+/**
+ * The additively weighted Voronoi diagram of circles: exact and fully dynamic.
+ *
+ * The distance of a point p to a site is |p - c| - r, negative inside the circle. Every decision is
+ * exact for the numbers given; nothing depends on rounding, on the order of operations or on the
+ * platform. Numbers in: 0 and magnitudes from 1e-100 to 1e100, negative weights included; y points
+ * upwards. n is the number of sites, d the number of a site's neighbours.
+ *
+ * Every call that fails throws an ApolloniusError and leaves the diagram as it was; after `dispose`
+ * every call throws "disposed". Every call that needs memory can throw "out-of-memory". A call that
+ * ends in its middle, by a defect of the library or because no stack is left, throws "broken", as
+ * does every later one of that diagram, whose memory is not given back before all diagrams of its
+ * time are gone. Arrays that are returned belong to the caller.
+ *
+ * Diagrams are equal, to test frameworks and Node's `assert`, if the same ids have the same circles
+ * and the same ones are hidden. (These read `content`, a property that is for nobody else.)
+ *
+ * Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the
+ * paper).
+ */
+export class Diagram implements Disposable {
+  #native: NativeDiagram | null;
+  readonly #ballast = new Ballast();
+  readonly #filters: Filters = { running: 0 };
+
+  static {
+    provideNative((diagram, changes) => {
+      if (typeof diagram !== "object" || diagram === null || !(#native in diagram)) return null;
+      if (changes && diagram.#filters.running > 0)
+        throw new ApolloniusError("busy", "a filter may not change the diagram that asks it");
+      const native = diagram.#native;
+      if (native !== null) return native;
+      throw new ApolloniusError("disposed", "the diagram has been disposed of");
+    });
+  }
+
+  /**
+   * A diagram of flat x, y, r triples; their ids are 0, 1, 2, … in input order. Cost: expected O(n
+   * log n). Throws "not-finite", "out-of-range", "bad-length" (no multiple of 3), "too-large" (more
+   * than 2^29 triples), "bad-option" (an unknown location).
+   */
+  constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
+    checkOptions(options, "location");
+    const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
+    this.#native = createNative(this, location);
+    showContent(this);
+    if (xyr !== undefined) fillOrDispose(this, () => this.insertMany(xyr));
+  }
+
+  /**
+   * A diagram of any items, read by accessors as in d3-delaunay (item, index, items); with two of
+   * them, for x and y, of points. Without accessors an item is an object {x, y, r} or an array
+   * [x, y, r]; a missing r is 0. Ids are 0, 1, 2, … in input order. Throws as the constructor,
+   * naming the item; "bad-option" if an accessor is no function, or an item without r has a
+   * `radius`, `size` or `weight`, which nothing would read. Cost: expected O(n log n).
+   */
+  static from<T>(items: Items<T>, ...accessors: Accessors<T>): Diagram;
+  static from<T extends Circular>(items: Items<T>, ...accessors: SomeAccessors<T>): Diagram;
+  static from<T>(items: Items<T>, ...[x, y, r, that]: SomeAccessors<T>): Diagram {
+    return new Diagram(triples(items, x, y, r, that));
+  }
+
+  /**
+   * The same diagram as `from`'s, built in slices of some milliseconds on this thread, between
+   * which pages answer and timers run. Rejects as `from` throws; with the reason of
+   * `options.signal` once that aborts; with what accessors or `onProgress` throw; then there is no
+   * diagram. Cost: about that of `from`.
+   */
+  static fromAsync<T extends Circular>(items: Items<T>, options: BuildOptions): Promise<Diagram>;
+  static fromAsync<T>(items: Items<T>, ...rest: AsyncAccessors<T>): Promise<Diagram>;
+  static fromAsync<T extends Circular>(items: Items<T>, ...rest: SomeAsync<T>): Promise<Diagram>;
+  static async fromAsync<T>(
+    items: Items<T>,
+    ...rest: SomeAsync<T> | [options: BuildOptions]
+  ): Promise<Diagram> {
+    const [x, y, r, options = {}] = asyncAccessors(rest);
+    checkOptions(options, "location", "signal", "onProgress");
+    const reader = new ItemReader<T>(items, x, y, r);
+    const diagram = new Diagram(undefined, { location: options.location });
+    try {
+      await build(nativeOf(diagram), reader, options);
+      diagram.#ballast.carry(reader.count);
+    } catch (error) {
+      diagram.dispose();
+      throw error;
+    }
+    return diagram;
+  }
+
+  /**
+   * The diagram that `toBytes` saved, with its ids (the free ones are used again in the same
+   * order); `location` may be another. Whoever made the bytes: the result is the exact diagram of
+   * the sites in them, which is proved. Throws "corrupt-snapshot" (bytes that are no snapshot, or
+   * damaged, or not the diagram of their sites, or of another version), "bad-length" (no
+   * Uint8Array), "bad-option". Cost: O(n); for degenerate input (grids) about that of building.
+   * `trusted` leaves out the proof, for bytes of your own: several times as fast. If they are
+   * something else, answers may be wrong, and calls may throw "corrupt-snapshot"
+   * (docs/SNAPSHOTS.md).
+   */
+  static fromBytes(bytes: Uint8Array, options?: SnapshotOptions): Diagram {
+    checkOptions(options, "location", "trusted");
+    const trusted = checkedChoice("options.trusted", options?.trusted, [false, true]);
+    const diagram = new Diagram(undefined, { location: options?.location });
+    fillOrDispose(diagram, () => {
+      const native = nativeOf(diagram);
+      const source = runningModule().Source[trusted ? "trusted" : "anyone"];
+      native.fromBytes(checkedBytes("bytes", bytes), source); // now: options may have getters
+      diagram.#ballast.carry(native.size());
+    });
+    return diagram;
+  }
+
+  // --- Sites -------------------------------------------------------------------------------------
+
+  /**
+   * Adds a site (paper, section 3) and returns its id: stable while the site lives; ids of removed
+   * sites are used again. Duplicates and covered circles are legal: they are hidden sites. Cost:
+   * one location and O(size of the change). Throws "not-finite", "out-of-range".
+   */
+  insert(x: number, y: number, r: number = 0): number {
+    const id = edits.insert(nativeOf(this, true), x, y, r);
+    this.#ballast.carry(id + 1);
+    return id;
+  }
+
+  /**
+   * Adds flat x, y, r triples, all or none, much faster than a loop; returns their ids in input
+   * order. Cost: expected O(m log n) for m triples. Throws as `insert`, and "bad-length" (no
+   * multiple of 3), "too-large" (more than 2^29 triples).
+   */
+  insertMany(xyr: ArrayLike<number>): Uint32Array {
+    const native = nativeOf(this, true);
+    const ids = edits.insertMany(native, checkedNewSites("xyr", xyr));
+    this.#ballast.carry(native.size());
+    return ids;
+  }
+
+  /**
+   * Removes a site (paper, section 5); false if there is no such site. Sites that only it covered
+   * become visible. Cost: O(log n) amortised for a hidden site and for the visible one of nested or
+   * identical circles, else expected O(k log k) with k = d + the hidden sites directly below it.
+   * Throws "unknown-site" for what is no whole number.
+   */
+  remove(id: number): boolean {
+    return edits.remove(nativeOf(this, true), id);
+  }
+
+  /**
+   * Removes several sites; returns how many there were. Unknown and repeated ids are skipped. Cost:
+   * as `remove` for each. Throws as `remove`, and "bad-length" if `ids` is no array.
+   */
+  removeMany(ids: ArrayLike<number>): number {
+    return edits.removeMany(nativeOf(this, true), ids);
+  }
+
+  /**
+   * Moves and/or resizes a site, which keeps its id; without r it keeps its radius. Cost: as remove
+   * and insert. Throws "unknown-site", "not-finite", "out-of-range".
+   */
+  update(id: number, x: number, y: number, r?: number): this {
+    edits.update(nativeOf(this, true), id, x, y, r);
+    return this;
+  }
+
+  /**
+   * Updates site ids[k] to the k-th x, y, r triple, all or none. Cost: as `update` for each, but no
+   * more than building takes where many sites move far. Throws as `update`, and "bad-length" unless
+   * there is one triple an id.
+   */
+  updateMany(ids: ArrayLike<number>, xyr: ArrayLike<number>): this {
+    edits.updateMany(nativeOf(this, true), ids, xyr);
+    return this;
+  }
+
+  /** Removes all sites; ids start from 0 again. Cost: O(n). */
+  clear(): this {
+    nativeOf(this, true).clear();
+    return this;
+  }
+
+  /** Number of sites, hidden ones too. O(1). */
+  get size(): number {
+    return nativeOf(this).size();
+  }
+
+  /** Number of sites that have a cell. O(1). */
+  get visibleSize(): number {
+    return nativeOf(this).visibleSize();
+  }
+
+  /** Number of sites that have none: another covers them (the paper's trivial sites). O(1). */
+  get hiddenSize(): number {
+    return this.size - this.visibleSize;
+  }
+
+  /** Whether a site has this id. O(1). Throws "unknown-site" for what is no whole number. */
+  has(id: number): boolean {
+    return queries.has(nativeOf(this), id);
+  }
+
+  /** Centre and radius of a site, exactly as given. O(1). Throws "unknown-site". */
+  site(id: number): Site {
+    return queries.ofOne(nativeOf(this), id, (native) => native.site(id));
+  }
+
+  /** All ids, ascending. O(n). */
+  ids(): Uint32Array {
+    return nativeOf(this).ids();
+  }
+
+  /** All sites, hidden ones too, as typed arrays: `updateMany(ids, xyr)` moves them all. O(n). */
+  sites(): Sites {
+    return nativeOf(this).sites();
+  }
+
+  /** All sites, { id, x, y, r, hidden }, ascending by id, as the loop finds them. O(n). */
+  [Symbol.iterator](): Generator<ListedSite, void> {
+    return listed(() => this.sites());
+  }
+
+  /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
+  isHidden(id: number): boolean {
+    return queries.ofOne(nativeOf(this), id, (native) => native.isHidden(id));
+  }
+
+  /** A visible site that covers this one, or -1. Cost: one location. Throws "unknown-site". */
+  coverOf(id: number): number {
+    return queries.ofOne(nativeOf(this), id, (native) => native.coverOf(id));
+  }
+
+  // --- Queries -----------------------------------------------------------------------------------
+
+  /**
+   * The nearest site of a point, -1 if the diagram is empty; with `filter` the nearest that passes,
+   * hidden ones too. Exact; ties go to the larger r, then x, then y. Cost: one location (paper,
+   * section 4), with a filter as kNearest. Throws "not-finite", "out-of-range", "bad-option".
+   */
+  find(x: number, y: number, options?: FilterOptions): number {
+    return queries.find(nativeOf(this), this.#filters, x, y, options);
+  }
+
+  /**
+   * `find` with the (rounded) distance |p - c| - r, negative inside the circle; null if no site is
+   * found. Cost, errors: as find.
+   */
+  nearest(x: number, y: number, options?: FilterOptions): { id: number; distance: number } | null {
+    return queries.nearest(nativeOf(this), this.#filters, x, y, options);
+  }
+
+  /**
+   * `find` for flat x, y pairs; many of them much faster than in a loop. With `distances` (one
+   * element a point) it also fills in the distances, Infinity if no site is found. Cost: m
+   * locations for m points; with a filter: `FilterOptions`. Throws as `find`, and "bad-length".
+   */
+  findMany(xy: ArrayLike<number>, ...how: FindManyArguments): Int32Array {
+    return queries.findMany(nativeOf(this), this.#filters, xy, how);
+  }
+
+  /**
+   * The k nearest sites of a point, hidden ones too, nearest first; all sites if there are fewer.
+   * `maxDistance` and `filter` leave some out. Exact; ties go to the larger r, then x, then y,
+   * identical circles come in any order. Cost: one location and O(m log m), m the number of
+   * neighbours of the sites looked at, whatever n is. Throws "not-finite", "out-of-range" (also for
+   * a k that is no whole number from 0 on; Infinity means all), "bad-option".
+   */
+  kNearest(x: number, y: number, k: number, options?: NearbyOptions): Uint32Array {
+    return queries.kNearest(nativeOf(this), this.#filters, x, y, k, options);
+  }
+
+  /**
+   * All sites whose distance |p - c| - r to a point is at most `distance`, hidden ones too, nearest
+   * first: with 0 every circle that contains the point, negative for circles that contain it that
+   * deep. `filter` leaves some out. Exact, sites at that very distance included. Cost: as kNearest.
+   * Throws "not-finite", "out-of-range", "bad-option".
+   */
+  within(x: number, y: number, distance: number, options?: FilterOptions): Uint32Array {
+    return queries.within(nativeOf(this), this.#filters, x, y, distance, options);
+  }
+
+  /**
+   * The circle under a pointer: of those that contain the point, rim included, the one on top,
+   * which is the smallest (of equal ones the last), or with `top: "last"` the one with the largest
+   * id; else the nearest site that is not farther than `maxDistance` (default: Infinity; 0 for
+   * none); else -1. `filter` leaves some out. Exact. Cost: one location and O(m log m), m the
+   * number of neighbours of the circles that contain the point or are asked about. Throws
+   * "not-finite", "out-of-range", "bad-option".
+   */
+  pick(x: number, y: number, ...how: PickArguments): number {
+    return queries.pick(nativeOf(this), this.#filters, x, y, how);
+  }
+
+  /** `pick` for flat x, y pairs. Filter, cost, errors: as findMany, for `pick`. */
+  pickMany(xy: ArrayLike<number>, ...how: PickArguments): Int32Array {
+    return queries.pickMany(nativeOf(this), this.#filters, xy, how);
+  }
+
+  /**
+   * All sites whose circles meet a rectangle, a segment or a point, hidden ones too, ascending;
+   * rims and the border count, circles of negative r meet none. Exact. Throws "bad-bounds". Cost:
+   * for sites spread evenly O(m log m), m the number of sites found and of those around the border.
+   */
+  search(xmin: number, ymin: number, xmax: number, ymax: number): Uint32Array {
+    return queries.search(nativeOf(this), xmin, ymin, xmax, ymax);
+  }
+
+  /**
+   * The distinct sites whose cells share an edge with this site's, counter-clockwise, each where it
+   * occurs first; empty for a hidden site. Edges of length zero count (degenerate position; the
+   * graph is triangulated canonically). O(d). Throws "unknown-site".
+   */
+  neighbors(id: number): Uint32Array {
+    return queries.ofOne(nativeOf(this), id, (native) => native.neighbors(id));
+  }
+
+  /** All Voronoi edges. O(n). */
+  edges(): Edges {
+    return nativeOf(this).edges();
+  }
+
+  /** All Voronoi vertices; the nearest doubles where sites have small whole numbers. O(n). */
+  vertices(): Vertices {
+    return nativeOf(this).vertices();
+  }
+
+  /**
+   * How many levels of the hierarchy hold each site, by id (paper, section 4): 1 for most, 2 or
+   * more for about one in 32, and so on; 0 for hidden sites and for ids not in use. O(n).
+   */
+  levels(): Uint8Array {
+    return nativeOf(this).levels();
+  }
+
+  /** The Delaunay graph as it is now, in d3-delaunay's arrays: a copy, to be asked once. O(n). */
+  triangulation(): Triangulation {
+    return triangulationOf(nativeOf(this));
+  }
+
+  /**
+   * Ids of the sites that the convex hull of the circles touches, counter-clockwise, all in line,
+   * too; some occur twice (a large circle with small ones sticking out; points in line). O(length).
+   */
+  hull(): Uint32Array {
+    return nativeOf(this).hull();
+  }
+
+  // --- Snapshots ---------------------------------------------------------------------------------
+
+  /**
+   * The diagram as bytes (a Uint8Array), about 56 a site: for files, and for other threads
+   * (`postMessage(bytes, [bytes.buffer])` moves them; the diagram itself cannot be posted). One
+   * history gives the same bytes on every platform; docs/SNAPSHOTS.md has the format. Cost: O(n),
+   * a fraction of building.
+   */
+  toBytes(): ReturnType<Uint8Array["slice"]> {
+    return nativeOf(this).toBytes();
+  }
+
+  /** The sites, for JSON; `Diagram.from` reads them, with new ids. O(n). */
+  toJSON(): ListedSite[] {
+    return [...this];
+  }
+
+  /** "Diagram { size: 3, hidden: 1 }", as consoles of Node, Deno and Bun show it. O(1). */
+  toString(): string {
+    return summary(this, "Diagram");
+  }
+
+  /** @internal */
+  [kInspect](): string {
+    return summary(this, "Diagram");
+  }
+
+  /** "Diagram". O(1). */
+  get [Symbol.toStringTag](): string {
+    return "Diagram";
+  }
+
+  /** null, or the first broken invariant in words. For tests: O(n) with large constants. */
+  validate(): string | null {
+    return queries.validate(nativeOf(this));
+  }
+
+  // --- Life time ---------------------------------------------------------------------------------
+
+  /**
+   * Frees the diagram's memory now; later calls throw "disposed", a second `dispose` does nothing.
+   * A forgotten diagram is freed some time after it has been collected, in a turn of the event
+   * loop; a loop that makes many and never waits needs `dispose` or `using`. Cost: O(1).
+   */
+  dispose(): void {
+    if (this.#native === null) return;
+    destroy(nativeOf(this, true));
+    this.#native = null;
+    this.#ballast.drop();
+  }
+
+  /** `dispose`, for `using diagram = new Diagram()`. Cost: O(1). */
+  [Symbol.dispose](): void {
+    this.dispose();
+  }
+}

@@ -1,0 +1,180 @@
+// Searches that leave out the sites which the caller's filter does not let through: walks over the
+// sites around a point, nearest first, to those that pass.
+import { ApolloniusError } from "../errors.js";
+import { allocated, checkedDistances, checkOptions, described, optionsLast } from "./arguments.js";
+import type {
+  NativeDiagram,
+  NativeSphericalDiagram,
+  NearestFirst,
+  SphericalNearestFirst,
+} from "./native/module.js";
+import type { FilterOptions, FindManyArguments, NearbyFilter } from "./types.js";
+
+/** How many filter callbacks are running: none may change the diagram. */
+export interface Filters {
+  running: number;
+}
+
+type Walk = NearestFirst | SphericalNearestFirst;
+
+export function checkedFilter(filter: unknown): NearbyFilter | undefined {
+  if (filter === undefined || typeof filter === "function") return filter as NearbyFilter;
+  throw new ApolloniusError(
+    "bad-option",
+    `options.filter is ${described(filter)}, expected a function of an id`,
+  );
+}
+
+/** The filter of options that hold nothing else. */
+export function filterOf(options: FilterOptions | undefined): NearbyFilter | undefined {
+  checkOptions(options, "filter");
+  return checkedFilter(options?.filter);
+}
+
+/** What `ask` says, which may call filters. */
+function filtering<Answer>(filters: Filters, ask: () => Answer): Answer {
+  ++filters.running;
+  try {
+    return ask();
+  } finally {
+    --filters.running;
+  }
+}
+
+/** What `use` makes of a walk, which ends it. */
+function walking<Answer>(walk: Walk, filters: Filters, use: () => Answer): Answer {
+  try {
+    return filtering(filters, use);
+  } finally {
+    walk.delete();
+  }
+}
+
+/** The first `most` sites of a walk that the filter lets through. Ends the walk. */
+export function firstOf(
+  walk: Walk,
+  most: number,
+  filter: NearbyFilter,
+  filters: Filters,
+): Uint32Array {
+  const found: number[] = [];
+  walking(walk, filters, () => {
+    while (found.length < most) {
+      const id = walk.next();
+      if (id === -1) break;
+      if (filter(id)) found.push(id);
+    }
+  });
+  return allocated(() => Uint32Array.from(found));
+}
+
+/** A site and how far it is from the point. */
+export interface Found {
+  id: number;
+  distance: number;
+}
+
+/**
+ * The first site of a walk that passes; with `isAbove`, of those that contain the point the one
+ * above the others that do. null if none passes. Ends the walk.
+ */
+export function passing(
+  walk: Walk,
+  filter: NearbyFilter,
+  filters: Filters,
+  isAbove?: (id: number, other: number) => boolean,
+): Found | null {
+  return walking(walk, filters, () => {
+    let best: Found | null = null;
+    for (let id = walk.next(); id !== -1; id = walk.next()) {
+      const distance = walk.distance(); // of the right sign
+      if (best && distance > 0) break;
+      if (!filter(id)) continue;
+      if (!isAbove || distance > 0) return { id, distance };
+      if (!best || isAbove(id, best.id)) best = { id, distance };
+    }
+    return best;
+  });
+}
+
+/** How a call about many points answers: with ids, -1 for none. */
+export interface Questions<Native> {
+  /** Without a filter; fills in the distances, if there is an array. */
+  all(native: Native, points: ArrayLike<number>, distances?: Float64Array): Int32Array;
+  /** At one point with a filter. */
+  one(x: number, y: number, filter: NearbyFilter): Found | null;
+  /** An empty diagram of that kind. */
+  empty(): Native;
+}
+
+/**
+ * The answers at many points with a filter, which is asked once a site. Where the site that is
+ * found without it does not pass, a walk finds another. When walks have looked at as many sites as
+ * there are, a diagram of those that pass takes less than further ones may, and gives the rest. So
+ * all cost no more than a small multiple of what the better of the two takes.
+ */
+export function throughFilter<Native extends NativeDiagram | NativeSphericalDiagram>(
+  native: Native,
+  filters: Filters,
+  filter: NearbyFilter,
+  given: ArrayLike<number>,
+  distances: Float64Array | undefined,
+  { all, one, empty }: Questions<Native>,
+): Int32Array {
+  // of its own, as the filter may change those of the caller
+  const points = allocated(() => new Float64Array(given));
+  const far = distances && allocated(() => new Float64Array(points.length / 2));
+  const found = all(native, points, far);
+  const said: number[] = [];
+  const passes = (id: number) => (said[id] ??= filter(id) ? 1 : 0);
+  let looks = native.size();
+  filtering(filters, () => {
+    for (let k = 0; k < found.length; ++k) {
+      if (found[k] === -1 || passes(found[k]!)) continue;
+      if (looks <= 0) {
+        const { ids, xyr } = native.sites();
+        const chosen = ids.filter(passes);
+        const some = empty();
+        try {
+          some.insertMany(
+            allocated(() => xyr.filter((_, at) => passes(ids[Math.floor(at / 3)]!))),
+            chosen.slice(),
+          );
+          const rest = all(some, points.subarray(2 * k), far?.subarray(k));
+          found.set(
+            rest.map((place) => chosen[place] ?? -1),
+            k,
+          );
+        } finally {
+          some.delete();
+        }
+        break;
+      }
+      const next = one(points[2 * k]!, points[2 * k + 1]!, (id) => {
+        --looks;
+        return passes(id);
+      });
+      found[k] = next?.id ?? -1;
+      if (far) far[k] = next?.distance ?? Infinity;
+    }
+  });
+  // checked once more: the filter may have taken its memory away
+  if (far) checkedDistances(distances, found.length)?.set(far);
+  return found;
+}
+
+/** `findMany` of either kind of diagram. */
+export function findMany<Native extends NativeDiagram | NativeSphericalDiagram>(
+  native: Native,
+  filters: Filters,
+  points: ArrayLike<number>,
+  how: FindManyArguments,
+  questions: Questions<Native>,
+): Int32Array {
+  const [distances, options] = optionsLast(how) as [Float64Array?, FilterOptions?];
+  const filter = filterOf(options);
+  const out = checkedDistances(distances, points.length / 2);
+  return filter === undefined
+    ? questions.all(native, points, out)
+    : throughFilter(native, filters, filter, points, distances, questions);
+}

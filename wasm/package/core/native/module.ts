@@ -1,0 +1,354 @@
+// The instance of the wasm module that diagrams share: made at the first use, never at import.
+// After a call that ended in its middle, what is made later gets a new one.
+//
+// The module comes in parts (tools/toolchain/split_wasm.mjs). `core` is an instance by itself. Each
+// of the others is compiled, started in the memory and the table of `core`, and registered with
+// Embind when one of its calls is first made.
+import createModule, {
+  type Builder,
+  type Diagram,
+  type Fitting,
+  type MainModule,
+  type NearestFirst,
+  type PredicateCounts,
+  type Reach,
+  type Region,
+  type SphericalDiagram,
+  type SphericalNearestFirst,
+} from "../../../../build/wasm/apollonius.mjs";
+import { ApolloniusError } from "../../errors.js";
+import { outOfMemory } from "../arguments.js";
+import { failure } from "./native_errors.js";
+
+/** A diagram in the module: wasm/bindings/core.cpp. Its calls throw an ApolloniusError. */
+export type NativeDiagram = Diagram;
+/** A window of any shape there, for the diagrams of the same instance. */
+export type NativeRegion = Region;
+/** How far cells reach there. */
+export type NativeReach = Reach;
+/** A diagram of the sphere: wasm/bindings/sphere.cpp. */
+export type NativeSphericalDiagram = SphericalDiagram;
+export type { Builder, Fitting, NearestFirst, SphericalNearestFirst };
+
+/** The calls that a part registers as functions of a diagram, as methods. */
+type MethodsOfDiagram = {
+  [Name in keyof MainModule as MainModule[Name] extends (...list: infer List) => unknown
+    ? List extends [Diagram, ...unknown[]]
+      ? Name
+      : never
+    : never]: MainModule[Name] extends (diagram: Diagram, ...rest: infer Rest) => infer Result
+    ? (...rest: Rest) => Result
+    : never;
+};
+/** A diagram with the calls of the part `shapes`: wasm/bindings/shapes.cpp. */
+export type NativeShapes = Diagram & MethodsOfDiagram & Pick<MainModule, "Drawing">;
+
+// --- Where the parts come from -------------------------------------------------------------------
+
+export type Part = "core" | "shapes" | "sphere";
+/** Gives a compiled part synchronously, or throws if that cannot be. */
+type PartSource = () => WebAssembly.Module;
+
+const sources: Partial<Record<Part, PartSource>> = {};
+
+/** Tells where the first use gets a part from. Of several sources the last counts. */
+export function setSource(part: Part, source: PartSource): void {
+  sources[part] = source;
+}
+
+/** A compiled part. Throws "not-loaded" if that cannot be had. */
+function compiledPart(part: Part): WebAssembly.Module {
+  const source = sources[part];
+  if (source !== undefined) return source();
+  throw notLoaded(
+    `apollonius-diagram/wasm: \`await load({ ${part}: … })\` before the first ` +
+      (part === "core" ? "diagram" : `call of ${part}`),
+  );
+}
+
+// --- The instance --------------------------------------------------------------------------------
+
+interface NativeModule {
+  create(location: keyof MainModule["Location"]): NativeDiagram;
+  createSpherical(radius: number): NativeSphericalDiagram;
+  predicateCounts(): PredicateCounts;
+  readonly Source: MainModule["Source"];
+  readonly Top: MainModule["Top"];
+}
+
+let instance: NativeModule | undefined;
+
+/** The running module; compiled and started now if this is the first use. */
+export function runningModule(): NativeModule {
+  return instance ?? start(compiledPart("core"));
+}
+
+export function isRunning(): boolean {
+  return instance !== undefined;
+}
+
+/** Starts a compiled `core` unless one runs already. */
+export function start(compiled: WebAssembly.Module): NativeModule {
+  return (instance ??= started(compiled));
+}
+
+/** Starts the part `shapes` of a class's instance. */
+const kStartShapes = /* @__PURE__ */ Symbol("shapes");
+
+/** The same diagram; starts `shapes` in its instance of the module if that has not been done. */
+export function shapesOf(native: NativeDiagram): NativeShapes {
+  (native as unknown as { [kStartShapes](): void })[kStartShapes]();
+  return native as NativeShapes;
+}
+
+function started(compiled: WebAssembly.Module): NativeModule {
+  const exports = instantiated(compiled);
+  const { Diagram, Location, Source, Top } = exports;
+  const guarded = guard(exports, () => {
+    try {
+      if (instance === module) instance = started(compiled);
+    } catch {} // no memory for another: this one goes on
+  });
+  const guardMethods = (...classes: Class[]) => {
+    for (const { prototype: methods } of classes)
+      for (const name of [...Object.getOwnPropertyNames(methods), "delete"])
+        if (name !== "constructor")
+          methods[name] = guarded(methods[name] as Method, name === "delete");
+  };
+  guardMethods(Diagram, exports.Builder, exports.NearestFirst);
+
+  const methods = Diagram.prototype as Record<PropertyKey, unknown>;
+  let hasShapes = false;
+  methods[kStartShapes] = () => {
+    if (hasShapes) return;
+    const before = new Set(Object.keys(exports));
+    expectStack();
+    exports.registerShapes();
+    hasShapes = true;
+    guardMethods(exports.Region, exports.Reach, exports.Fitting);
+    methods.Drawing = exports.Drawing;
+    for (const name of Object.keys(exports).filter((name) => !before.has(name))) {
+      if (!/^[a-z]/.test(name)) continue; // a class or an enumeration
+      const call = exports[name as keyof Exports] as Method;
+      methods[name] = guarded(function (this: Handle, a, b, c, d, e, f, g, h, i, j) {
+        return call(this as never, a, b, c, d, e, f, g, h, i, j);
+      });
+    }
+  };
+  let hasSphere = false;
+  const startSphere = () => {
+    if (hasSphere) return;
+    expectStack();
+    exports.registerSphere();
+    hasSphere = true;
+    guardMethods(exports.SphericalDiagram, exports.SphericalNearestFirst);
+  };
+
+  const predicateCounts = guarded(exports.predicateCounts);
+  const create = guarded((location: keyof typeof Location) => new Diagram(Location[location]));
+  const createSpherical = guarded((radius: number) => new exports.SphericalDiagram(radius));
+  const module: NativeModule = {
+    create: (location) => create.call(nobody, location as never) as NativeDiagram,
+    createSpherical(radius) {
+      startSphere();
+      return createSpherical.call(nobody, radius as never) as NativeSphericalDiagram;
+    },
+    predicateCounts: () => predicateCounts.call(nobody) as PredicateCounts,
+    Source,
+    Top,
+  };
+  return module;
+}
+
+type Class = { prototype: Record<string, Method> };
+type Exports = MainModule &
+  Record<
+    | "Diagram"
+    | "Builder"
+    | "Fitting"
+    | "NearestFirst"
+    | "Reach"
+    | "Region"
+    | "SphericalDiagram"
+    | "SphericalNearestFirst",
+    Class
+  >;
+
+/**
+ * Throws a RangeError if little of the stack is left. Where it ends within Emscripten's own start,
+ * or within Embind's registrations, these are left half done: a promise that nobody sees is
+ * rejected, or V8 ends the process as it compiles a regular expression.
+ */
+function expectStack(frames = 1000): void {
+  if (frames > 0) expectStack(frames - 1);
+}
+
+/** An instance of `part`. Throws "not-loaded", or "out-of-memory" where there is no room. */
+function instanceOf(
+  compiled: WebAssembly.Module,
+  imports: WebAssembly.Imports,
+): WebAssembly.Instance {
+  try {
+    return new WebAssembly.Instance(compiled, imports);
+  } catch (cause) {
+    throw cause instanceof RangeError ? outOfMemory() : cause; // no stack is lacking here
+  }
+}
+
+/**
+ * Stands for the functions of a part until that is there: which puts them into the table of `core`.
+ * A failure is the caller's, and the next call tries again.
+ */
+function placeholders(part: Part, core: { exports: WebAssembly.Exports }): object {
+  let isThere = false;
+  const placeholder = (index: number): Method => {
+    let method: Method | undefined;
+    return (...list) => {
+      if (!isThere) {
+        instanceOf(compiledPart(part), { core: core.exports });
+        isThere = true;
+      }
+      const table = core.exports.__indirect_function_table as WebAssembly.Table;
+      return (method ??= table.get(index) as Method)(...list);
+    };
+  };
+  return new Proxy({}, { get: (_, index) => placeholder(Number(index)) });
+}
+
+function instantiated(compiled: WebAssembly.Module): Exports {
+  expectStack();
+  let failed: { cause: unknown } | undefined;
+  const core = { exports: {} as WebAssembly.Exports };
+  type Receive = (instance: WebAssembly.Instance) => object;
+  const exports = createModule({
+    instantiateWasm(imports: WebAssembly.Imports, receive: Receive): object {
+      try {
+        const started = instanceOf(compiled, {
+          ...imports,
+          shapes: placeholders("shapes", core) as WebAssembly.ModuleImports,
+          sphere: placeholders("sphere", core) as WebAssembly.ModuleImports,
+        });
+        core.exports = started.exports;
+        return receive(started);
+      } catch (cause) {
+        failed = { cause }; // Emscripten would turn it into a promise that nobody sees
+        return {};
+      }
+    },
+  });
+  if (failed) throw failed.cause;
+  return exports as Exports;
+}
+
+type Argument = never; // of whatever type
+type Method = (...list: Argument[]) => unknown;
+interface Handle {
+  isDeleted(): boolean;
+}
+/** Stands for the diagram in calls that have none. */
+const nobody: Handle = { isDeleted: () => false };
+
+/**
+ * Guards calls against what ends one in its middle: a trap, which is a defect of the library, or an
+ * exhausted stack, which nothing foresees. The diagram of that call may be half changed: from then
+ * on it is broken, every call of it throws, and its memory is never given back, as its destructor
+ * might follow a wrong address. All others find the module's stack as it has to be; so they do
+ * after a call that threw an error's number, which leaves the stack where it was, too.
+ */
+function guard(
+  native: Pick<
+    MainModule,
+    "Error" | "_emscripten_stack_get_current" | "__emscripten_stack_restore"
+  >,
+  retire: () => void,
+): (plain: Method, isDelete?: boolean) => Method {
+  const top = native._emscripten_stack_get_current();
+  const broken = new WeakSet<Handle>();
+  let isAnyBroken = false;
+  let running: Handle | undefined; // the diagram of the call under way
+
+  /**
+   * Sets things right after a call that ended in its middle. At the end of the stack this may fail
+   * itself: then the next call does it.
+   */
+  const settle = (diagram: Handle) => {
+    running = diagram;
+    if (diagram !== nobody) broken.add(diagram);
+    isAnyBroken = true;
+    native.__emscripten_stack_restore(top);
+    retire();
+    running = undefined;
+  };
+  const ended = (cause?: unknown) =>
+    new ApolloniusError(
+      "broken",
+      "a call of this diagram ended in its middle: please report it, unless no stack was left",
+      { cause },
+    );
+
+  return (plain, isDelete = false) =>
+    // As many parameters as any has: a list of the rest would be made anew for each call.
+    function (
+      this: Handle,
+      a: Argument,
+      b: Argument,
+      c: Argument,
+      d: Argument,
+      e: Argument,
+      f: Argument,
+      g: Argument,
+      h: Argument,
+      i: Argument,
+      j: Argument,
+    ): unknown {
+      if (running !== undefined) settle(running);
+      if (isAnyBroken && broken.has(this)) {
+        if (isDelete) return;
+        throw ended();
+      }
+      if (this.isDeleted())
+        // by the caller's code, which runs while arguments are read and while contexts draw
+        throw new ApolloniusError("disposed", "the diagram was disposed of during the call");
+      running = this;
+      let error: unknown;
+      try {
+        const result = plain.call(this, a, b, c, d, e, f, g, h, i, j);
+        running = undefined;
+        return result;
+      } catch (thrown) {
+        error = thrown;
+      }
+      const isException = isCppException(error);
+      if (typeof error !== "number" && !isException) {
+        settle(this);
+        throw ended(error);
+      }
+      native.__emscripten_stack_restore(top);
+      running = undefined;
+      throw isException ? outOfMemory() : failure(native.Error, error as number);
+    };
+}
+
+/** A C++ exception that nobody caught: a lack of memory where Embind itself needs some bytes. */
+function isCppException(error: unknown): boolean {
+  const { Exception } = WebAssembly as unknown as { Exception?: new () => unknown };
+  return Exception !== undefined && error instanceof Exception;
+}
+
+// --- The errors of a module that cannot be loaded ------------------------------------------------
+
+export function notLoaded(message: string, cause?: unknown): ApolloniusError {
+  return new ApolloniusError("not-loaded", message, { cause });
+}
+
+/** What an engine says when it does not compile or start a module. */
+export function notCompiled(cause: unknown): unknown {
+  if (cause instanceof RangeError) return cause; // the end of the stack
+  const why = cause instanceof Error ? cause.message : String(cause);
+  return notLoaded(
+    `WebAssembly cannot be compiled here (${why}). A content security policy has to have ` +
+      "script-src 'wasm-unsafe-eval'; where nothing may be compiled, as on some servers at the " +
+      "edge, import the .wasm and give that module to load() of apollonius-diagram/wasm",
+    cause,
+  );
+}

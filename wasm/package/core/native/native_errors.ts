@@ -1,0 +1,69 @@
+// From the library's errors to exceptions that name the argument.
+import type { MainModule } from "../../../../build/wasm/apollonius.mjs";
+import { ApolloniusError, type ErrorCode } from "../../errors.js";
+import { numberError, outOfMemory, throwElementError, unknownSite } from "../arguments.js";
+
+type NativeErrors = MainModule["Error"]; // `Error` of src/apollonius/diagram.h
+
+// The message is the last resort; most failures know a better one.
+const kFailures: Record<
+  Exclude<keyof NativeErrors, "kNone" | "kOutOfMemory">,
+  readonly [ErrorCode, string]
+> = {
+  kNotFinite: ["not-finite", "a number is not finite"],
+  kOutOfRange: ["out-of-range", "a number is outside the documented range"],
+  kUnknownSite: ["unknown-site", "there is no such site"],
+  kBadLength: [
+    "bad-length",
+    "the length of an array does not fit another one, or the ids in use now",
+  ],
+  kTooLarge: ["too-large", "more sites than one diagram can hold"],
+  kBadBounds: ["bad-bounds", "the window is empty, inverted or out of range"],
+  kBadTarget: ["bad-target", "an area that no cell can have"],
+  kNoConvergence: ["no-convergence", "no weights come closer to the areas"],
+  kBusy: ["busy", "the diagram has changed meanwhile"],
+  kBroken: ["broken", "the polygons do not add up to what they divide: please report it"],
+  kCorruptSnapshot: [
+    "corrupt-snapshot",
+    "bytes are no snapshot of a diagram, or damaged, or of another version",
+  ],
+};
+
+/** What the number of an error stands for. */
+export function failure(errors: NativeErrors, number: number): ApolloniusError {
+  if (errors.kOutOfMemory.value === number) return outOfMemory();
+  for (const name in kFailures) {
+    if (errors[name as keyof typeof kFailures].value === number)
+      return new ApolloniusError(...kFailures[name as keyof typeof kFailures]);
+  }
+  throw new Error(`apollonius-diagram: unknown error ${number} from the wasm module`);
+}
+
+function is(error: unknown, ...codes: ErrorCode[]): boolean {
+  return error instanceof ApolloniusError && codes.includes(error.code);
+}
+
+/** The error of a call about one site, whose id the message names. */
+export function ofSite(error: unknown, id: unknown): unknown {
+  return is(error, "unknown-site") ? unknownSite(id) : error;
+}
+
+/** The error of a call with scalars, of which the message names the first bad one. */
+export function ofNumbers(error: unknown, x: unknown, y: unknown, r: unknown = 0): unknown {
+  if (!is(error, "not-finite", "out-of-range")) return error;
+  return numberError("x", x) ?? numberError("y", y) ?? numberError("r", r) ?? error;
+}
+
+/** The error of a call with an array of numbers, of which the message names the first bad one. */
+export function ofElements(error: unknown, name: string, values: ArrayLike<number>): unknown {
+  if (is(error, "not-finite", "out-of-range")) throwElementError(name, values);
+  return error;
+}
+
+/**
+ * Throws unless x, y and r are of type number; what number they may be is the library's to check.
+ */
+export function checkTypes(x: unknown, y: unknown, r: unknown = 0): void {
+  if (typeof x !== "number" || typeof y !== "number" || typeof r !== "number")
+    throw numberError("x", x) ?? numberError("y", y) ?? numberError("r", r);
+}

@@ -1,0 +1,163 @@
+// The records that a diagram takes and gives.
+
+/** A circle: centre and radius (weight), in the unit of the input. */
+export interface Site {
+  /** Of the centre. */
+  x: number;
+  /** Of the centre; upwards. */
+  y: number;
+  /** Radius, or weight; may be negative, as only differences matter to the diagram. */
+  r: number;
+}
+
+/** A site with its id, as `for (const site of diagram)` gives it. */
+export interface ListedSite extends Site {
+  /** Of the site. */
+  id: number;
+  /** Whether its cell is empty, because another site covers it. */
+  hidden: boolean;
+}
+
+/**
+ * All sites, ascending by id; row k of each array belongs to the k-th of them. `xyr` is what
+ * `new Diagram`, `insertMany` and `updateMany(ids, xyr)` take.
+ */
+export interface Sites {
+  /** The ids. */
+  ids: Uint32Array;
+  /** x, y, r of each site, exactly as given. */
+  xyr: Float64Array;
+  /** 1 for a hidden site, 0 for one with a cell. */
+  hidden: Uint8Array;
+}
+
+/**
+ * The Voronoi vertices in the plane; row k of each array belongs to vertex k. The order of the rows
+ * depends on the history.
+ */
+export interface Vertices {
+  /** x, y of each vertex. */
+  coordinates: Float64Array;
+  /**
+   * Common distance of each vertex to its three sites: the radius of the largest empty circle
+   * there.
+   */
+  clearance: Float64Array;
+  /** The three sites of each vertex, counter-clockwise. */
+  sites: Uint32Array;
+}
+
+/**
+ * The Voronoi edges; row k of each array belongs to edge k. Two sites can share several edges.
+ * Where more than three sites touch one circle, the canonical rule makes edges of length zero, and
+ * several vertices at one place.
+ */
+export interface Edges {
+  /** The two sites of each edge. */
+  sites: Uint32Array;
+  /**
+   * Its two ends as rows of `vertices()`, -1 for an unbounded end; the first site's cell is on the
+   * left on the way.
+   */
+  vertices: Int32Array;
+}
+
+/** Answers of one question by the stage that gave them. */
+export interface StageCounts {
+  /** In doubles, with a bound on the error. */
+  filter: number;
+  /** In doubles that are exact, or in integers of fixed width. */
+  middle: number;
+  /** In integers of any length. */
+  exact: number;
+}
+
+/** How often each stage of the predicates has answered. */
+export interface PredicateCounts {
+  /** Is one disc within another? */
+  covers: StageCounts;
+  /** Which of two sites is nearer to a point? */
+  distance: StageCounts;
+  /** On which side of a vertex is a point, seen from a site? */
+  bearing: StageCounts;
+  /** Does a new site take over a Voronoi vertex? */
+  vertexConflict: StageCounts;
+  /** And what of an edge, given its ends? */
+  edgeConflict: StageCounts;
+  /** Vertex conflicts that were exactly zero, which the canonical rule has settled. */
+  ties: number;
+}
+
+/** Options of the constructor. */
+export interface DiagramOptions {
+  /**
+   * How the nearest site is located (paper, section 4): "hierarchy" (default), about log n; or
+   * "walk", from neighbour to neighbour, about sqrt(n), with less memory.
+   */
+  location?: "hierarchy" | "walk" | undefined;
+}
+
+/** Options of `Diagram.fromAsync`. */
+export interface BuildOptions extends DiagramOptions {
+  /** Ends the building when it aborts; the promise is rejected with its reason. */
+  signal?: AbortSignal | undefined;
+  /** Called after each slice with how much is done, from 0 to 1; at last with 1. It may throw. */
+  onProgress?: ((done: number) => void) | undefined;
+}
+
+/** Options of `Diagram.fromBytes`. */
+export interface SnapshotOptions extends DiagramOptions {
+  /**
+   * true: the bytes are `toBytes`'s own and nobody has changed them, so that nothing is proved.
+   * Default: false.
+   */
+  trusted?: boolean | undefined;
+}
+
+/** Tells whether the site of that id counts. It may throw; it may not change the diagram. */
+export type NearbyFilter = (id: number) => unknown;
+
+/** Options of `find`, `nearest`, `findMany` and `within`. */
+export interface FilterOptions {
+  /**
+   * Called with ids, nearest first, for as many sites as are needed; those for which it returns
+   * nothing true are left out. A call in it that changes the diagram throws "busy".
+   *
+   * Calls about many points ask it once a site, in any order. They cost a small multiple of a
+   * search for each point, or of building a diagram of all sites that pass, whichever is less; of
+   * identical circles they find any.
+   */
+  filter?: NearbyFilter | undefined;
+}
+
+/** Options of `Diagram.kNearest`. */
+export interface NearbyOptions extends FilterOptions {
+  /** Sites that are farther are left out. Default: Infinity. */
+  maxDistance?: number | undefined;
+}
+
+/** What `findMany` takes after its points. */
+export type FindManyArguments =
+  | [distances?: Float64Array | undefined, options?: FilterOptions | undefined]
+  | [options?: FilterOptions | undefined];
+
+/** What `pick` and `pickMany` take after their points. */
+export type PickArguments =
+  | [maxDistance?: number | undefined, options?: PickOptions | undefined]
+  | [options?: PickOptions | undefined];
+
+/** Options of `pick` and `pickMany`. */
+export interface PickOptions extends FilterOptions {
+  /**
+   * Which of several circles that contain the point is on top: "smallest" (default), where large
+   * circles are drawn first; "last", the one with the largest id, where all are drawn in that
+   * order.
+   */
+  top?: "smallest" | "last" | undefined;
+}
+
+/** x, y. */
+export type Position = [x: number, y: number];
+
+/** A window, xmin < xmax and ymin < ymax, in the diagram's unit. */
+export type Bounds = readonly [xmin: number, ymin: number, xmax: number, ymax: number];

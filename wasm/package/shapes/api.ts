@@ -1,0 +1,28 @@
+// The names of shapes that the entries `apollonius-diagram` and `apollonius-diagram/shapes` share.
+export { curvePoint, curveTangent } from "./curves.js";
+export type { CellsCollection, GeoJSONOptions } from "./geojson.js";
+export type { GeoJSONRegion, Region, Ring } from "./region.js";
+export type {
+  AreaTargets,
+  AsyncFitOptions,
+  CellCurves,
+  CellPart,
+  CellPolygon,
+  CellRing,
+  DualOptions,
+  EdgeCurves,
+  EmptyCircle,
+  FitOptions,
+  FitProgress,
+  FittedAreas,
+  FlatOptions,
+  Measures,
+  NaturalWeights,
+  NestedOptions,
+  NumbersById,
+  PolygonOptions,
+  Projection,
+  VoronoiOptions,
+  VoronoiWindow,
+} from "./types.js";
+export { Voronoi } from "./voronoi.js";

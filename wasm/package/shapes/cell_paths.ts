@@ -1,0 +1,64 @@
+// The paths of all cells at once, which the library writes as text.
+import { checkOptions } from "../core/arguments.js";
+import type { NativeShapes } from "../core/native/module.js";
+import { checkedDigits, type DrawOptions, PathString, play } from "../core/path.js";
+import type { NativeWindow } from "./drawing.js";
+
+// Commands in one portion: some 4000 cells, of which the library keeps edges for their neighbours.
+const kPortion = 1 << 15;
+const kMostDigits = 15;
+
+/** Decimal places for which rounding moves nothing by more than an eighth of the tolerance. */
+function digitsFor(tolerance: number): number {
+  let digits = 0;
+  for (let scale = 1; digits < kMostDigits && scale * tolerance < 4; scale *= 10) ++digits;
+  return digits;
+}
+
+/**
+ * By id, null for those without a cell in the window. With a number of more than 15 digits, they
+ * are drawn one by one.
+ */
+export function cellPaths(
+  native: NativeShapes,
+  windowNow: () => NativeWindow,
+  tolerance: number,
+  options: DrawOptions | undefined,
+): (string | null)[] {
+  checkOptions(options, "tolerance", "digits");
+  const digits = checkedDigits(options?.digits) ?? digitsFor(tolerance);
+  const window = windowNow();
+  const paths = new Array<string | null>(native.levels().length).fill(null);
+  const decoder = new TextDecoder();
+  for (let cursor = 0, isDone = false; !isDone; ) {
+    // `ends`: each site, and where its text ends
+    const portion = native.cellPaths(...window, tolerance, digits, cursor, kPortion);
+    const { commands: bytes, coordinates: ends } = portion;
+    if (!portion.isDone && ends.length === 0)
+      return oneByOne(native, window, tolerance, digits, paths.fill(null));
+    const text = decoder.decode(bytes);
+    for (let k = 0, from = 0; k < ends.length; k += 2) {
+      const to = ends[k + 1]!;
+      paths[ends[k]!] = text.slice(from, to);
+      from = to;
+    }
+    ({ cursor, isDone } = portion);
+  }
+  return paths;
+}
+
+function oneByOne(
+  native: NativeShapes,
+  window: NativeWindow,
+  tolerance: number,
+  digits: number,
+  paths: (string | null)[],
+): (string | null)[] {
+  for (const id of native.ids()) {
+    const { commands, coordinates } = native.drawCell(...window, id, tolerance);
+    const text = new PathString(digits);
+    play(text, commands, coordinates);
+    paths[id] = text.toString() || null;
+  }
+  return paths;
+}

@@ -1,0 +1,40 @@
+// What the library says of a cell, in the form that callers get.
+import type { CellMeasures, RingArrays } from "../../../build/wasm/apollonius.mjs";
+import { positionsOf } from "./geojson.js";
+import type { CellPart, CellRing, Measures } from "./types.js";
+
+/** The rings of a cell, one after the other, and what they become. */
+export interface Rings extends RingArrays {
+  isFlat: boolean;
+}
+
+/** One ring: to each further ring and around it, then back the same way. */
+export function joined({ isFlat, coordinates, starts }: Rings): CellRing | null {
+  if (starts.length < 2) return null;
+  const ends = [...starts.subarray(0, -2).reverse()];
+  const back = ends.flatMap((at) => [coordinates[2 * at]!, coordinates[2 * at + 1]!]);
+  const ring = back.length === 0 ? coordinates : Float64Array.from([...coordinates, ...back]);
+  return isFlat ? ring : positionsOf(ring);
+}
+
+export function partsOf({
+  isFlat,
+  coordinates,
+  starts,
+  parts,
+}: Rings): CellPart<CellRing>[] | null {
+  if (starts.length < 2) return null;
+  const rings = Array.from(starts.subarray(1), (end, k): CellRing => {
+    const ring = coordinates.slice(2 * (starts[k] as number), 2 * end);
+    return isFlat ? ring : positionsOf(ring);
+  });
+  return Array.from(parts.subarray(1), (end, k) => {
+    const [outer, ...holes] = rings.slice(parts[k], end) as [CellRing, ...CellRing[]];
+    return Object.assign(outer, { holes });
+  });
+}
+
+export function measuresOf(measures: CellMeasures): Measures {
+  const { area, centroidX, centroidY, perimeter, isEmpty } = measures;
+  return { area, centroid: isEmpty ? null : [centroidX, centroidY], perimeter };
+}

@@ -1,0 +1,54 @@
+// Curves in numbers: places and directions on the rational quadratic curves of `edgeCurves` and
+// `cellCurves`.
+import { described } from "../core/arguments.js";
+import { ApolloniusError } from "../errors.js";
+
+/**
+ * The point of curve `k` at a parameter from 0 (its start) to 1. Along a straight segment (w = 0),
+ * as along any curve, the parameter does not run evenly. Throws "out-of-range" if there is no such
+ * curve.
+ */
+export function curvePoint(
+  curves: ArrayLike<number>,
+  k: number,
+  t: number,
+): [x: number, y: number] {
+  const [x0, y0, x1, y1, w, x2, y2] = sevenOf(curves, k);
+  const s = 1 - t;
+  const [a, b, c] = [s * s, 2 * w * t * s, t * t];
+  const sum = a + b + c;
+  return [(a * x0 + b * x1 + c * x2) / sum, (a * y0 + b * y1 + c * y2) / sum];
+}
+
+/** The unit tangent of curve `k` at a parameter, forwards. Throws as `curvePoint`. */
+export function curveTangent(
+  curves: ArrayLike<number>,
+  k: number,
+  t: number,
+): [x: number, y: number] {
+  const [x0, y0, x1, y1, w, x2, y2] = sevenOf(curves, k);
+  // The quotient rule's numerator, with the higher terms cancelled; a segment has one direction
+  // everywhere.
+  const s = 1 - t;
+  const [a, b, c] = w === 0 ? [0, 1, 0] : [w * s * s, t * s, w * t * t];
+  const x = a * (x1 - x0) + b * (x2 - x0) + c * (x2 - x1);
+  const y = a * (y1 - y0) + b * (y2 - y0) + c * (y2 - y1);
+  // Not Math.hypot: every engine rounds it in its own way. Divided first, as squares of large and
+  // of small numbers do not exist.
+  const larger = Math.max(Math.abs(x), Math.abs(y));
+  const [u, v] = [x / larger, y / larger];
+  const length = Math.sqrt(u * u + v * v);
+  return [u / length, v / length];
+}
+
+type Seven = [x0: number, y0: number, x1: number, y1: number, w: number, x2: number, y2: number];
+
+function sevenOf(curves: ArrayLike<number>, k: number): Seven {
+  const count = Math.floor(curves.length / 7);
+  if (!(Number.isInteger(k) && k >= 0 && k < count))
+    throw new ApolloniusError(
+      "out-of-range",
+      `k is ${described(k)}, expected the number of one of ${count} curves`,
+    );
+  return Array.from({ length: 7 }, (_, n) => curves[7 * k + n] as number) as Seven;
+}

@@ -1,0 +1,177 @@
+// `fitAreas`: the library's steps, one by one, and what is asked and told between them.
+import {
+  checkedChoice,
+  checkedCount,
+  checkedNumbers,
+  checkedTolerance,
+  checkOptions,
+  described,
+  numberError,
+} from "../core/arguments.js";
+import { Slices } from "../core/building.js";
+import type { Fitting, NativeShapes } from "../core/native/module.js";
+import { ofElements } from "../core/native/native_errors.js";
+import { ApolloniusError } from "../errors.js";
+import { checkLength, numbersById } from "./by_id.js";
+import type { NativeWindow } from "./drawing.js";
+import type {
+  AreaTargets,
+  AsyncFitOptions,
+  FitOptions,
+  FitProgress,
+  FittedAreas,
+} from "./types.js";
+
+const kOptions = ["tolerance", "maxIterations", "strict", "start", "onIteration"];
+
+/** The weights are the diagram's then; null if stopped. */
+export function fitAreas(
+  native: NativeShapes,
+  windowNow: () => NativeWindow,
+  targets: AreaTargets,
+  options: FitOptions | undefined,
+): FittedAreas | null {
+  checkOptions(options, ...kOptions);
+  const search = new Search(native, windowNow, targets, options);
+  try {
+    while (search.advance());
+    return search.finish();
+  } finally {
+    search.end();
+  }
+}
+
+/** The same, with a turn of the event loop between steps. */
+export async function fitAreasAsync(
+  native: NativeShapes,
+  windowNow: () => NativeWindow,
+  targets: AreaTargets,
+  options: AsyncFitOptions | undefined,
+): Promise<FittedAreas | null> {
+  checkOptions(options, ...kOptions, "signal");
+  const slices = new Slices({ signal: options?.signal });
+  const search = new Search(native, windowNow, targets, options);
+  try {
+    do {
+      if (slices.isOver) await slices.next(0);
+    } while (search.advance());
+    slices.expectNoAbort();
+    return search.finish();
+  } finally {
+    search.end();
+  }
+}
+
+/** For weights, step by step, in a diagram of its own. */
+class Search {
+  readonly #native: NativeShapes;
+  readonly #tolerance: number;
+  readonly #most: number;
+  readonly #isStrict: boolean;
+  readonly #onIteration: FitOptions["onIteration"];
+  readonly #fitting: Fitting;
+  #progress: FitProgress;
+  #isStopped = false;
+  #reason: string | undefined;
+
+  constructor(
+    native: NativeShapes,
+    windowNow: () => NativeWindow,
+    targets: AreaTargets,
+    options: FitOptions | undefined,
+  ) {
+    const { maxIterations = 300, start = [], onIteration } = options ?? {};
+    this.#native = native;
+    this.#tolerance = checkedTolerance(options?.tolerance, () => 1e-6);
+    this.#most = checkedCount("maxIterations", maxIterations);
+    this.#isStrict = checkedChoice("options.strict", options?.strict, [false, true]);
+    if (onIteration !== undefined && typeof onIteration !== "function")
+      throw new ApolloniusError(
+        "bad-option",
+        `onIteration is ${described(onIteration)}, expected a function`,
+      );
+    this.#onIteration = onIteration;
+    this.#fitting = begin(native, windowNow, targets, start);
+    this.#progress = { iterations: 0, error: this.#fitting.error() };
+  }
+
+  /** One step; false if there are no more to take. */
+  advance(): boolean {
+    const { iterations, error } = this.#progress;
+    if (!(error > this.#tolerance)) return false;
+    if (iterations === this.#most) throw this.#notReached("more are not allowed");
+    try {
+      this.#fitting.step();
+    } catch (failure) {
+      if (!(failure instanceof ApolloniusError && failure.code === "no-convergence")) throw failure;
+      const isAtTheEnd = this.#fitting.isAtTheEndOfDoubles();
+      const why = isAtTheEnd
+        ? "the last places of weights and vertices do not allow less"
+        : "no step comes closer";
+      if (!isAtTheEnd || this.#isStrict) throw this.#notReached(why);
+      this.#reason = why;
+      return false;
+    }
+    this.#progress = { iterations: iterations + 1, error: this.#fitting.error() };
+    this.#isStopped = this.#onIteration?.({ ...this.#progress }) === false;
+    return !this.#isStopped;
+  }
+
+  /** Gives the weights to the diagram. */
+  finish(): FittedAreas | null {
+    if (this.#isStopped) return null;
+    const weights = this.#fitting.weights();
+    if (weights.length > 0) this.#native.finishFit(this.#fitting);
+    const reason = this.#reason;
+    return reason === undefined
+      ? { ...this.#progress, converged: true, weights }
+      : { ...this.#progress, converged: false, reason, weights };
+  }
+
+  end(): void {
+    this.#fitting.delete();
+  }
+
+  #notReached(why: string): ApolloniusError {
+    const { iterations, error } = this.#progress;
+    return new ApolloniusError(
+      "no-convergence",
+      `after ${iterations} steps areas are off by up to ${error} of what they are to be, more ` +
+        `than the tolerance of ${this.#tolerance}; ${why}`,
+    );
+  }
+}
+
+function begin(
+  native: NativeShapes,
+  windowNow: () => NativeWindow,
+  given: AreaTargets,
+  start: ArrayLike<number>,
+): Fitting {
+  if (windowNow()[1] !== null)
+    throw new ApolloniusError(
+      "bad-option",
+      "fitAreas is for cells that fill the window, not for those that end at a distance",
+    );
+  const targets = numbersById(native, "targets", given, "bad-target");
+  const weights = checkedNumbers("start", start, 1);
+  if (weights.length > 0) checkLength(native, "start", weights, "");
+  let fitting: Fitting;
+  try {
+    fitting = native.fitAreas(...windowNow(), targets, weights) as Fitting;
+  } catch (error) {
+    throw ofElements(error, "start", weights);
+  }
+  const id = fitting.badSite();
+  if (id === -1) return fitting;
+  fitting.delete();
+  const target = targets[id] as number;
+  throw new ApolloniusError(
+    "bad-target",
+    numberError(`targets[${id}]`, target)?.message ??
+      (target > 0
+        ? `the cell of site ${id} is empty with equal weights: its centre is another's, too, or ` +
+          "outside the window"
+        : `targets[${id}] is ${target}, expected a number above 0`),
+  );
+}

@@ -1,0 +1,71 @@
+// Windows and drawings of a diagram as functions of it: for diagrams of the entry
+// `apollonius-diagram/core`, which has no such methods.
+import type { Diagram } from "../core/diagram.js";
+import { nativeOf } from "../core/native/lifetime.js";
+import { shapesOf } from "../core/native/module.js";
+import type { DrawOptions, PathContext } from "../core/path.js";
+import type { Bounds } from "../core/types.js";
+import { drawDual, drawWhole } from "./drawing.js";
+import type { Region } from "./region.js";
+import type { DualOptions, VoronoiOptions } from "./types.js";
+import { Voronoi } from "./voronoi.js";
+
+/**
+ * The cells of a diagram inside a window: `diagram.voronoi(window, options)` of the default entry,
+ * with its defaults, cost and errors.
+ */
+export function voronoi(
+  diagram: Diagram,
+  window: Bounds | Region = [0, 0, 960, 500],
+  options?: VoronoiOptions,
+): Voronoi {
+  return Voronoi.of(diagram, window, options);
+}
+
+/** Draws the dual graph: `diagram.render(context, options)` of the default entry. */
+export function render(diagram: Diagram, context: PathContext, options?: DualOptions): void;
+export function render(diagram: Diagram, context?: null, options?: DualOptions): string;
+export function render(
+  diagram: Diagram,
+  context?: PathContext | null,
+  options?: DualOptions,
+): string | void;
+export function render(
+  diagram: Diagram,
+  context?: PathContext | null,
+  options?: DualOptions,
+): string | void {
+  return drawDual(shapesOf(nativeOf(diagram)), context, options);
+}
+
+/** Draws the circles of all sites: `diagram.renderSites(context, options)` of the default entry. */
+export function renderSites(diagram: Diagram, context: PathContext, options?: DrawOptions): void;
+export function renderSites(diagram: Diagram, context?: null, options?: DrawOptions): string;
+export function renderSites(
+  diagram: Diagram,
+  context?: PathContext | null,
+  options?: DrawOptions,
+): string | void;
+export function renderSites(
+  diagram: Diagram,
+  context?: PathContext | null,
+  options?: DrawOptions,
+): string | void {
+  return drawWhole(shapesOf(nativeOf(diagram)), "sites", undefined, context, options);
+}
+
+/** Draws the convex hull: `diagram.renderHull(context, options)` of the default entry. */
+export function renderHull(diagram: Diagram, context: PathContext, options?: DrawOptions): void;
+export function renderHull(diagram: Diagram, context?: null, options?: DrawOptions): string;
+export function renderHull(
+  diagram: Diagram,
+  context?: PathContext | null,
+  options?: DrawOptions,
+): string | void;
+export function renderHull(
+  diagram: Diagram,
+  context?: PathContext | null,
+  options?: DrawOptions,
+): string | void {
+  return drawWhole(shapesOf(nativeOf(diagram)), "hull", undefined, context, options);
+}

@@ -1,0 +1,96 @@
+// Cells as GeoJSON (RFC 7946).
+import type { CoverageArrays } from "../../../build/wasm/apollonius.mjs";
+import { checkedChoice, checkOptions, described } from "../core/arguments.js";
+import type { Position } from "../core/types.js";
+import { ApolloniusError } from "../errors.js";
+
+/** Options of `toGeoJSON`. */
+export interface GeoJSONOptions<Properties> {
+  /** As of a drawing: `DrawOptions`. */
+  tolerance?: number | undefined;
+  /** Gives the properties of a site's feature; by default they are { site: id }. */
+  properties?: ((id: number) => Properties) | undefined;
+  /**
+   * How outer rings run, y upwards, and holes the other way round: "counter-clockwise" (default),
+   * as RFC 7946 has it; "clockwise" for tools that think on the sphere, as d3-geo does, to which a
+   * ring the other way round is all but the cell.
+   */
+  winding?: Winding | undefined;
+}
+
+/** GeoJSON (RFC 7946) of cells; the id of each feature is its site's. */
+export interface CellsCollection<Properties = { site: number }> {
+  /** GeoJSON's name of it. */
+  type: "FeatureCollection";
+  /** One feature a cell. */
+  features: {
+    type: "Feature";
+    id: number;
+    properties: Properties;
+    geometry:
+      | { type: "Polygon"; coordinates: Position[][] }
+      | { type: "MultiPolygon"; coordinates: Position[][][] };
+  }[];
+}
+
+/** Pairs of a flat ring. */
+export function positionsOf(ring: Float64Array): Position[] {
+  return Array.from(
+    { length: ring.length / 2 },
+    (_, k): Position => [ring[2 * k] as number, ring[2 * k + 1] as number],
+  );
+}
+
+/** How rings run. */
+export type Winding = "counter-clockwise" | "clockwise";
+
+/** Throws "bad-option". */
+export function checkedProperties<Properties>(
+  properties: unknown = (id: number) => ({ site: id }),
+): (id: number) => Properties {
+  if (typeof properties === "function") return properties as (id: number) => Properties;
+  throw new ApolloniusError(
+    "bad-option",
+    `options.properties is ${described(properties)}, expected a function of an id`,
+  );
+}
+
+export function checkedWinding(winding: unknown): Winding {
+  return checkedChoice("options.winding", winding, ["counter-clockwise", "clockwise"]);
+}
+
+/** @internal `polygonsOf` gives those of all cells, within a tolerance. */
+export function collectionOf<Properties>(
+  polygonsOf: (tolerance: number | undefined) => CoverageArrays,
+  options: GeoJSONOptions<Properties> | undefined,
+): CellsCollection<Properties> {
+  checkOptions(options, "tolerance", "properties", "winding");
+  const properties = checkedProperties<Properties>(options?.properties);
+  const winding = checkedWinding(options?.winding);
+  return featuresOf(polygonsOf(options?.tolerance), properties, winding);
+}
+
+/** @internal One feature a cell. */
+export function featuresOf<Properties>(
+  { coordinates, starts, parts, sites, cells }: CoverageArrays,
+  properties: (id: number) => Properties,
+  winding: Winding,
+): CellsCollection<Properties> {
+  const ringAt = (k: number) => {
+    const ring = positionsOf(coordinates.subarray(2 * starts[k]!, 2 * starts[k + 1]!));
+    return winding === "clockwise" ? ring.reverse() : ring;
+  };
+  const partAt = (k: number) =>
+    Array.from({ length: parts[k + 1]! - parts[k]! }, (_, n) => ringAt(parts[k]! + n));
+  const features = Array.from(sites, (id, k) => {
+    const polygons = Array.from({ length: cells[k + 1]! - cells[k]! }, (_, n) =>
+      partAt(cells[k]! + n),
+    );
+    const geometry =
+      polygons.length === 1
+        ? { type: "Polygon" as const, coordinates: polygons[0] as Position[][] }
+        : { type: "MultiPolygon" as const, coordinates: polygons };
+    return { type: "Feature" as const, id, properties: properties(id), geometry };
+  });
+  return { type: "FeatureCollection", features };
+}

@@ -1,0 +1,45 @@
+// What a window of a Voronoi has in the module, for diagrams of the same instance.
+import { keep } from "../core/native/lifetime.js";
+import type { NativeReach, NativeRegion, NativeShapes } from "../core/native/module.js";
+import { ofElements } from "../core/native/native_errors.js";
+import { ApolloniusError } from "../errors.js";
+
+/** A region in the diagram's instance of the module, that lives as long as its owner. */
+export function createRegion(
+  owner: object,
+  diagram: NativeShapes,
+  coordinates: Float64Array,
+  starts: Uint32Array,
+): NativeRegion {
+  let native: NativeRegion;
+  try {
+    native = diagram.region(coordinates, starts) as NativeRegion;
+  } catch (error) {
+    if (!(error instanceof ApolloniusError && error.code === "bad-bounds")) throw error;
+    throw new ApolloniusError(
+      "bad-bounds",
+      "the region has no area: its points are in line, or its rings cancel each other",
+    );
+  }
+  keep(owner, native);
+  return native;
+}
+
+/** How far cells reach: one distance for all, or an array by id. Lives as long as its owner. */
+export function createReach(
+  owner: object,
+  diagram: NativeShapes,
+  distance: number | ArrayLike<number>,
+): NativeReach {
+  const isById = typeof distance !== "number";
+  let native: NativeReach;
+  try {
+    native = diagram.reach(isById ? distance : [distance], isById) as NativeReach;
+  } catch (error) {
+    if (!isById) throw error;
+    const finite = Array.from(distance, (value) => (value === Infinity ? 0 : value));
+    throw ofElements(error, "distance", finite);
+  }
+  keep(owner, native);
+  return native;
+}

@@ -1,0 +1,137 @@
+// Windows of any shape, as callers give them: rings of points, flat rings, GeoJSON.
+import { described, isArrayLike, numberError, plainView } from "../core/arguments.js";
+import { ApolloniusError } from "../errors.js";
+
+/** A point; further numbers (heights) are ignored. */
+type Point = ArrayLike<number>;
+/** A closed ring: points, or flat x, y, … (the first one may be repeated at the end). */
+export type Ring = ArrayLike<Point> | ArrayLike<number>;
+
+/** What a GeoJSON object has to have, to be a window. */
+export type GeoJSONRegion =
+  | { readonly type: "Polygon"; readonly coordinates: ArrayLike<Ring> }
+  | { readonly type: "MultiPolygon"; readonly coordinates: ArrayLike<ArrayLike<Ring>> }
+  | {
+      readonly type: "Feature";
+      readonly geometry: GeoJSONRegion | { readonly type: string } | null;
+    }
+  | { readonly type: "FeatureCollection"; readonly features: ArrayLike<GeoJSONRegion> };
+
+/**
+ * A window of any shape: a ring, several rings, or GeoJSON (a Polygon, a MultiPolygon, a Feature of
+ * either, or a FeatureCollection of these; coordinates are taken as plane ones). What
+ * `cellPolygon`, `cellParts` and `toGeoJSON` return is one, too.
+ *
+ * Inside is where a line to infinity crosses the rings an odd number of times (even-odd rule),
+ * whatever their directions: holes and islands need no more than to be rings. Rings may cross and
+ * touch themselves and each other, repeat points, and overlap, where they cancel.
+ */
+export type Region = Ring | ArrayLike<Ring> | GeoJSONRegion;
+
+/** Rings for the library: all points, and the first of each ring, and their number. */
+export interface FlatRings {
+  coordinates: Float64Array<ArrayBuffer>;
+  starts: Uint32Array<ArrayBuffer>;
+}
+
+/** What may be bounds with its elements as they are now: getters may say something else later. */
+export function readOnce<Window>(window: Window): Window | unknown[] {
+  if (!isArrayLike(window) || window.length !== 4) return window;
+  const { holes } = window as { holes?: unknown }; // of a ring of four points
+  return Object.assign(
+    [0, 1, 2, 3].map((k) => window[k]),
+    holes === undefined ? {} : { holes },
+  );
+}
+
+/** Is it to be read as a window of any shape, rather than as bounds? */
+export function isRegion(window: unknown): boolean {
+  if (isArrayLike(window))
+    return isArrayLike(window[0]) || (window.length >= 6 && typeof window[0] === "number");
+  return typeof window === "object" && window !== null && "type" in window;
+}
+
+/** The rings of a region; throws "bad-bounds", naming ring and point. */
+export function checkedRings(region: unknown): FlatRings {
+  const coordinates: number[] = [];
+  const starts = [0];
+  addRings(ringsOf(region), coordinates, starts, 0);
+  if (starts.length === 1) throw bad("the region has no rings");
+  return { coordinates: Float64Array.from(coordinates), starts: Uint32Array.from(starts) };
+}
+
+function bad(message: string): ApolloniusError {
+  return new ApolloniusError("bad-bounds", message);
+}
+
+/** GeoJSON's types that make a window; each may hold those behind it. */
+const kTypes = ["FeatureCollection", "Feature", "Polygon", "MultiPolygon"];
+
+/** What is in a GeoJSON object of one of the types, or the thing itself. */
+function ringsOf(region: unknown, types = kTypes): unknown {
+  if (isArrayLike(region)) return region;
+  const { type, geometry, features, coordinates } = (region ?? {}) as Record<string, unknown>;
+  const at = types.indexOf(type as string);
+  const inner = (item: unknown) => ringsOf(item, kTypes.slice(kTypes.indexOf(type as string) + 1));
+  if (at >= 0 && type === "FeatureCollection" && isArrayLike(features))
+    return Array.from(features, inner);
+  if (at >= 0 && type === "Feature" && geometry !== null) return inner(geometry);
+  if (at >= 0 && (type === "Polygon" || type === "MultiPolygon")) return coordinates;
+  const what =
+    type === "Feature" && geometry === null
+      ? "a Feature without geometry"
+      : `an object of type ${typeof type === "string" ? type : described(type)}`;
+  throw bad(
+    `the region is ${what}, expected rings, or GeoJSON of type ${types.slice(0, -1).join(", ")} ` +
+      `or ${types.at(-1)}`,
+  );
+}
+
+// Collections hold multi-polygons, these polygons, these rings.
+const kDeepest = 3;
+
+function addRings(given: unknown, coordinates: number[], starts: number[], depth: number): void {
+  if (depth > kDeepest) throw bad(`ring ${starts.length - 1} of the region is nested too deep`);
+  // What cellParts gives: a ring with those of its holes.
+  const { holes } = (given ?? {}) as { holes?: unknown };
+  const rings = plainView(given);
+  if (!isArrayLike(rings)) throw bad(`ring ${starts.length - 1} of the region is no array`);
+  if (rings.length === 0) return;
+  const first = rings[0];
+  const isOfPoints = isArrayLike(first) && typeof first[0] === "number" && first.length <= 3;
+  if (isOfPoints || !isArrayLike(first)) {
+    addRing(rings, isOfPoints, coordinates, starts);
+    if (isArrayLike(holes)) addRings(holes, coordinates, starts, depth + 1);
+  } else {
+    for (let k = 0; k < rings.length; ++k) addRings(rings[k], coordinates, starts, depth + 1);
+  }
+}
+
+function addRing(
+  ring: ArrayLike<unknown>,
+  isOfPoints: boolean,
+  coordinates: number[],
+  starts: number[],
+): void {
+  const number = starts.length - 1;
+  if (!isOfPoints && ring.length % 2 !== 0)
+    throw bad(`ring ${number} of the region has ${ring.length} numbers, expected pairs of x and y`);
+  const begin = coordinates.length;
+  const count = isOfPoints ? ring.length : ring.length / 2;
+  for (let k = 0; k < count; ++k) {
+    const point = isOfPoints ? (ring[k] as ArrayLike<unknown> | undefined) : undefined;
+    const x = isOfPoints ? point?.[0] : ring[2 * k];
+    const y = isOfPoints ? point?.[1] : ring[2 * k + 1];
+    const where = `of point ${k} in ring ${number} of the region`;
+    const error = numberError(`x ${where}`, x) ?? numberError(`y ${where}`, y);
+    if (error) throw bad(error.message);
+    coordinates.push(x as number, y as number);
+  }
+  const isClosed =
+    coordinates[begin] === coordinates.at(-2) && coordinates[begin + 1] === coordinates.at(-1);
+  if (isClosed && count > 1) coordinates.length -= 2;
+  const kept = (coordinates.length - begin) / 2;
+  if (kept < 3)
+    throw bad(`ring ${number} of the region has ${kept} points, expected at least three`);
+  starts.push(coordinates.length / 2);
+}

@@ -1,0 +1,209 @@
+// What the calls of Voronoi take and return.
+import type { DrawOptions } from "../core/path.js";
+import type { Bounds, Position } from "../core/types.js";
+
+// --- Fits, windows, questions --------------------------------------------------------------------
+
+/** How far `fitAreas` has come. */
+export interface FitProgress {
+  /** Steps so far. */
+  iterations: number;
+  /**
+   * The largest deviation of an area from what it is to be, as a share of that. Need not fall with
+   * each step.
+   */
+  error: number;
+}
+
+/**
+ * A number for each site: an array by id, with one element for each id that was ever used (those
+ * without a site are ignored); or a Map, or an object, of the sites' ids.
+ */
+export type NumbersById =
+  | ArrayLike<number>
+  | ReadonlyMap<number, number>
+  | { readonly [id: number]: number };
+
+/** The areas of all cells, in any unit, each above 0. */
+export type AreaTargets = NumbersById;
+
+/** What a new site would take from the cells of others: `voronoi.naturalWeights`. */
+export interface NaturalWeights {
+  /** The natural neighbours. */
+  ids: Uint32Array;
+  /** The share of each in the new cell; together 1. */
+  weights: Float64Array;
+}
+
+/** A circle that no site's circle reaches into. */
+export interface EmptyCircle {
+  /** Its centre. */
+  x: number;
+  /** Its centre (y upwards). */
+  y: number;
+  /** The distance to the nearest site; below 0 where all of the window is covered. */
+  r: number;
+  /** The id of a site at that distance. */
+  site: number;
+}
+
+/**
+ * The window that cells are clipped to, `voronoi.window`. Of a region that is what is inside by the
+ * even-odd rule, holes left out. Frozen; measures are computed when the view is made.
+ */
+export interface VoronoiWindow {
+  /** The smallest box that holds it. */
+  readonly bounds: Bounds;
+  /** Its area, above 0, in the square of the diagram's unit: what `cellAreas` adds up to. */
+  readonly area: number;
+  /** Its centroid. */
+  readonly centroid: readonly [x: number, y: number];
+  /**
+   * Is a point inside, or on the border? Exact for the rings that `renderBounds` draws: where the
+   * given ones cross, these have the crossing as rounded. O(1), or O(m) for a region of m points.
+   * Throws "not-finite", "out-of-range", and "disposed" once the view or the diagram is.
+   */
+  contains(x: number, y: number): boolean;
+}
+
+/** What `diagram.voronoi(window, options)` takes. */
+export interface VoronoiOptions {
+  /**
+   * Cells end at this distance from their sites' circles, in the unit of the coordinates: one for
+   * all, or one for each site. 0 is the circle itself, a negative distance is inside it, Infinity
+   * (the default) is nowhere.
+   */
+  distance?: number | NumbersById | undefined;
+  /**
+   * For a diagram of projected places: the window is given in longitude and latitude, bounds as
+   * [west, south, east, north], and `toGeoJSON` gives its polygons in these. Sides are refined, so
+   * that straight lines there are within the tolerance on the map. (At a coarse one, rings of thin
+   * cells may cross.) All other calls stay in the diagram's plane.
+   */
+  project?: Projection | undefined;
+}
+
+/** From longitude and latitude to the plane and back, as d3-geo's projections; null is nowhere. */
+export interface Projection {
+  /** From [longitude, latitude] to [x, y]. */
+  (place: Position): Position | null;
+  /** From [x, y] to [longitude, latitude]. */
+  invert(point: Position): Position | null;
+}
+
+/** What `fitAreas` has reached. */
+export interface FittedAreas extends FitProgress {
+  /**
+   * Whether `error` is within the tolerance. If it is not, the weights are those looked for all the
+   * same, up to their last places, and `error` is what rounding leaves.
+   */
+  converged: boolean;
+  /** Why it has not converged. */
+  reason?: string;
+  /** The new weights, by id; NaN for ids without a site. */
+  weights: Float64Array;
+}
+
+/** Options of `fitAreas`. */
+export interface FitOptions {
+  /** The largest `error` that is good enough, > 0. Default: 1e-6. */
+  tolerance?: number | undefined;
+  /** Most steps. Default: 300. */
+  maxIterations?: number | undefined;
+  /**
+   * true: throw "no-convergence" where only rounding keeps `error` above the tolerance. Default:
+   * false.
+   */
+  strict?: boolean | undefined;
+  /**
+   * Weights to start from, by id; default: equal ones. From those of nearly the same targets or
+   * centres it takes two or three steps. If some cell is empty with them, they are left aside.
+   */
+  start?: ArrayLike<number> | undefined;
+  /**
+   * Called after each step; `false` stops, and the diagram stays as it is. It may not change the
+   * diagram.
+   */
+  onIteration?: ((progress: FitProgress) => unknown) | undefined;
+}
+
+/** Options of `fitAreasAsync`. */
+export interface AsyncFitOptions extends FitOptions {
+  /** Ends the search when it aborts; the promise is rejected with its reason. */
+  signal?: AbortSignal | undefined;
+}
+
+// --- Shapes --------------------------------------------------------------------------------------
+
+/**
+ * Curves as they are: each a rational quadratic Bezier curve, seven numbers x0, y0, x1, y1, w, x2,
+ * y2 for
+ *
+ *     P(t) = ((1-t)² P0 + 2 w t (1-t) P1 + t² P2) / ((1-t)² + 2 w t (1-t) + t²),   0 <= t <= 1
+ *
+ * A piece of a hyperbola (w > 1) is exactly that; w is 0 for a straight segment, of which P1 is the
+ * middle. P1 is where the tangents at P0 and P2 meet.
+ */
+export interface EdgeCurves {
+  /** The curves, one after the other. */
+  curves: Float64Array;
+  /** The two sites of each curve; the first one's cell is on the left from P0 to P2. */
+  sites: Uint32Array;
+}
+
+/**
+ * The boundary of a cell inside the window, ring by ring: counter-clockwise, and those of holes
+ * clockwise behind the one around them.
+ */
+export interface CellCurves {
+  /** The curves, one after the other. */
+  curves: Float64Array;
+  /** The site on the other side of each curve; -1 along the border of the window. */
+  neighbors: Int32Array;
+  /** The first curve of each ring, and the number of curves at the end. */
+  starts: Uint32Array;
+}
+
+/** Measures of a true curved cell, in the diagram's unit. */
+export interface Measures {
+  /** Area; 0 if no part of the cell is inside. */
+  area: number;
+  /** null if the area is 0. */
+  centroid: [number, number] | null;
+  /** Length of the boundary, the window's parts included. */
+  perimeter: number;
+}
+
+/** A closed ring [x, y], …, its first point repeated at the end; or flat x, y, …. */
+export type CellRing = Position[] | Float64Array;
+
+/** The polygon of a cell, with the id of its site. */
+export type CellPolygon<Points extends CellRing = Position[]> = Points & { index: number };
+
+/**
+ * A part of a cell: its outer ring, counter-clockwise, and those of its holes, clockwise. Only
+ * windows of other shapes than rectangles make holes.
+ */
+export type CellPart<Points extends CellRing = Position[]> = Points & { holes: Points[] };
+
+/** Options of `cellPolygon`, `cellPolygons` and `cellParts`. */
+export interface PolygonOptions {
+  /** As of a drawing: `DrawOptions`. */
+  tolerance?: number | undefined;
+  /**
+   * true: rings are x, y, … in one Float64Array, which is faster. Default: false, [x, y], …, as
+   * d3-delaunay has it.
+   */
+  flat?: boolean | undefined;
+}
+
+/** Those of flat rings. */
+export type FlatOptions = PolygonOptions & { flat: true };
+/** Those of rings of pairs. */
+export type NestedOptions = PolygonOptions & { flat?: false | undefined };
+
+/** Options of `Diagram.render`: with bounds also the rays of the sites on the hull. */
+export interface DualOptions extends DrawOptions {
+  /** How far the rays go; none without. */
+  bounds?: Bounds | undefined;
+}

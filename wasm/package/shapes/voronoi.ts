@@ -1,0 +1,499 @@
+import type { CellMoments } from "../../../build/wasm/apollonius.mjs";
+import {
+  checkedChoice,
+  checkedCount,
+  checkedTolerance,
+  checkNumber,
+  checkOptions,
+  isSiteId,
+  unknownSite,
+} from "../core/arguments.js";
+import type { Diagram } from "../core/diagram.js";
+import { Ballast, destroy, nativeOf, wrongReceiver } from "../core/native/lifetime.js";
+import {
+  type NativeReach,
+  type NativeRegion,
+  type NativeShapes,
+  shapesOf,
+} from "../core/native/module.js";
+import { ofSite } from "../core/native/native_errors.js";
+import { drawn, type DrawOptions, type PathContext, play } from "../core/path.js";
+import type { Bounds, Position } from "../core/types.js";
+import { ApolloniusError } from "../errors.js";
+import { cellPaths } from "./cell_paths.js";
+import { joined, measuresOf, partsOf, type Rings } from "./cell_shapes.js";
+import { distanceOf, reaches } from "./distances.js";
+import { drawBounds, drawInto, type NativeWindow } from "./drawing.js";
+import { emptyCircles } from "./empty_circles.js";
+import { fitAreas, fitAreasAsync } from "./fit.js";
+import { type CellsCollection, collectionOf, type GeoJSONOptions } from "./geojson.js";
+import { createReach, createRegion } from "./native_window.js";
+import { naturalWeights } from "./natural_neighbors.js";
+import { checkedProjection, readWindow, unprojected } from "./projection.js";
+import type { Region } from "./region.js";
+import type {
+  AreaTargets,
+  AsyncFitOptions,
+  CellCurves,
+  CellPart,
+  CellPolygon,
+  CellRing,
+  EdgeCurves,
+  EmptyCircle,
+  FitOptions,
+  FittedAreas,
+  FlatOptions,
+  Measures,
+  NaturalWeights,
+  NestedOptions,
+  PolygonOptions,
+  Projection,
+  VoronoiOptions,
+  VoronoiWindow,
+} from "./types.js";
+import { windowOf } from "./window.js";
+
+// A region has a note for each face of the diagram: ten bytes a site, where Ballast counts 162.
+const kRegionsOfSite = 16;
+
+/**
+ * The cells of a diagram inside a window, as shapes, measures and drawings:
+ * `diagram.voronoi(bounds)`, or with a window of any shape, `diagram.voronoi(region)`. A view:
+ * always of the diagram as it is now; do not change that while a drawing calls the context.
+ *
+ * Cells have curved edges, and everything is computed from these: drawings and polygons are within
+ * a tolerance of them, measures are those of the curves. A clipped cell can be several *parts*
+ * (if its site's centre is outside the window), which have holes where the window does.
+ *
+ * In a window that is no rectangle, the first call after a change of the diagram finds out where
+ * the window's rings pass through the cells, which takes about O(n + (m + c) log d), m being their
+ * points, c how often they go from cell to cell, and d the largest degree of a cell. (Sides that
+ * are about as near to many cells as to the border of theirs cost that number each.) O(d) below is
+ * then O(d + what of the rings is in the cell). The window is prepared once, in O(m log m).
+ * `dispose` gives the memory back.
+ *
+ * Everywhere: an id without a site throws "unknown-site"; for a hidden site, which has no cell, and
+ * for what a cell has no part of inside the window, there is nothing: null for arrays and objects,
+ * nothing drawn. Measures are null for a hidden site, and 0 outside the window. Options throw
+ * "not-finite" or "out-of-range", unknown ones "bad-option", as does a context that cannot draw.
+ * Names and meaning are d3-delaunay's where it has them.
+ */
+export class Voronoi implements Disposable {
+  /** The diagram that is looked at. */
+  readonly diagram: Diagram;
+  /** Left border of the window. */
+  readonly xmin: number;
+  /** Lower border (y upwards). */
+  readonly ymin: number;
+  /** Right border. */
+  readonly xmax: number;
+  /** Upper border. */
+  readonly ymax: number;
+  /** The window itself: its area, its centroid, and which points it contains. */
+  readonly window: VoronoiWindow;
+  readonly #region: NativeRegion | null = null;
+  readonly #reach: NativeReach | null = null;
+  /** How far cells reach: one distance, or one for each id. */
+  readonly #distance: number | ArrayLike<number>;
+  readonly #project: Projection | undefined;
+  readonly #ballast: Ballast | null = null;
+  #isDisposed = false;
+
+  /** `diagram.voronoi(window)` makes it. */
+  private constructor(diagram: Diagram, given: Bounds | Region, options?: VoronoiOptions) {
+    const native = nativeOf(diagram);
+    checkOptions(options, "distance", "project");
+    this.#project = checkedProjection(options?.project);
+    const window = readWindow(given, this.#project);
+    this.#distance = distanceOf(native, options);
+    let bounds: [number, number, number, number];
+    if ("starts" in window) {
+      const { coordinates, starts } = window;
+      this.#region = createRegion(this, shapesOf(native), coordinates, starts);
+      // Laid over the diagram, a region has a note for each of its faces.
+      this.#ballast = new Ballast();
+      this.#ballast.carry(native.size() / kRegionsOfSite);
+      const box = this.#region.box();
+      bounds = [box.xmin, box.ymin, box.xmax, box.ymax];
+    } else {
+      bounds = window;
+    }
+    if (this.#distance !== Infinity)
+      this.#reach = createReach(this, shapesOf(native), this.#distance);
+    const [xmin, ymin, xmax, ymax] = bounds;
+    this.diagram = diagram;
+    this.xmin = xmin;
+    this.ymin = ymin;
+    this.xmax = xmax;
+    this.ymax = ymax;
+    this.window = windowOf(bounds, this.#region, () => Voronoi.#living(this));
+    Object.freeze(this); // an object put there would be asked for its value in the middle of a call
+  }
+
+  /** @internal For `diagram.voronoi(window)`. */
+  static of(diagram: Diagram, window: Bounds | Region, options?: VoronoiOptions): Voronoi {
+    return new Voronoi(diagram, window, options);
+  }
+
+  /** "Voronoi". */
+  get [Symbol.toStringTag](): string {
+    return "Voronoi";
+  }
+
+  // --- Drawing: into the context, or without one as an SVG path string ---------------------------
+
+  /**
+   * Draws all edges inside the window, each once; with a distance also where cells end without a
+   * neighbour. O(n).
+   */
+  render(context: PathContext, options?: DrawOptions): void;
+  render(context?: null, options?: DrawOptions): string;
+  render(context?: PathContext | null, options?: DrawOptions): string | void;
+  render(context?: PathContext | null, options?: DrawOptions): string | void {
+    const native = Voronoi.#living(this);
+    const tolerance = this.#tolerance(native, options);
+    return drawn(context, options, (target) =>
+      drawInto(target, native, "edges", () => this.#window, tolerance),
+    );
+  }
+
+  /** Draws the window's border. Throws "out-of-range" (digits), "bad-option". */
+  renderBounds(context: PathContext, options?: DrawOptions): void;
+  renderBounds(context?: null, options?: DrawOptions): string;
+  renderBounds(context?: PathContext | null, options?: DrawOptions): string | void;
+  renderBounds(context?: PathContext | null, options?: DrawOptions): string | void {
+    const native = Voronoi.#living(this);
+    return drawn(context, options, (target) => drawBounds(target, native, this.#window));
+  }
+
+  /** Draws a cell as closed figures, one for each region. O(d log d). */
+  renderCell(id: number, context: PathContext, options?: DrawOptions): void;
+  renderCell(id: number, context?: null, options?: DrawOptions): string;
+  renderCell(id: number, context?: PathContext | null, options?: DrawOptions): string | void;
+  renderCell(id: number, context?: PathContext | null, options?: DrawOptions): string | void {
+    const native = Voronoi.#nativeFor(this, id);
+    const tolerance = this.#tolerance(native, options);
+    return drawn(context, options, (target) => {
+      const { commands, coordinates } = native.drawCell(...this.#window, id, tolerance);
+      play(target, commands, coordinates);
+    });
+  }
+
+  /**
+   * The paths of all cells, by id, as `renderCell` gives them: null for ids without a cell in the
+   * window. Where that leaves `digits` open, numbers have as many decimal places as the tolerance
+   * needs, 2 for d3-delaunay's window of 960 x 500: rounding moves nothing by more than an eighth
+   * of it. O(n), several times as fast as a loop.
+   */
+  renderCells(options?: DrawOptions): (string | null)[] {
+    const native = Voronoi.#living(this);
+    const tolerance = this.#tolerance(native, options);
+    return cellPaths(native, () => this.#window, tolerance, options);
+  }
+
+  // --- Shapes ------------------------------------------------------------------------------------
+
+  /**
+   * A cell as one closed ring, counter-clockwise (y upwards), within the tolerance of the true one.
+   * Several parts, and holes, are joined by doubled segments, which have no area; `cellParts`
+   * keeps them apart. O(d log d). Throws "not-finite", "out-of-range", "bad-option" (options).
+   */
+  cellPolygon(id: number, options: FlatOptions): Float64Array | null;
+  cellPolygon(id: number, options?: NestedOptions): Position[] | null;
+  cellPolygon(id: number, options?: PolygonOptions): CellRing | null;
+  cellPolygon(id: number, options?: PolygonOptions): CellRing | null {
+    return joined(this.#rings(id, options));
+  }
+
+  /**
+   * The parts of a cell as closed rings, counter-clockwise, each with those of its `holes`: valid
+   * polygons, no two of whose segments cross. Errors and cost as `cellPolygon`. Cells asked one by
+   * one may differ from their neighbours by rounding; `toGeoJSON` is proved to tile the window.
+   */
+  cellParts(id: number, options: FlatOptions): CellPart<Float64Array>[] | null;
+  cellParts(id: number, options?: NestedOptions): CellPart[] | null;
+  cellParts(id: number, options?: PolygonOptions): CellPart<CellRing>[] | null;
+  cellParts(id: number, options?: PolygonOptions): CellPart<CellRing>[] | null {
+    return partsOf(this.#rings(id, options));
+  }
+
+  /**
+   * The polygons of all cells that have a part in the window, ascending by id, which is their
+   * `index`.
+   */
+  cellPolygons(options: FlatOptions): Generator<CellPolygon<Float64Array>, void>;
+  cellPolygons(options?: NestedOptions): Generator<CellPolygon, void>;
+  cellPolygons(options?: PolygonOptions): Generator<CellPolygon<CellRing>, void>;
+  *cellPolygons(options?: PolygonOptions): Generator<CellPolygon<CellRing>, void> {
+    for (const id of this.diagram.ids()) {
+      const ring = this.cellPolygon(id, options);
+      if (ring !== null) yield Object.assign(ring, { index: id });
+    }
+  }
+
+  /** The true boundary of a cell, as curves. */
+  cellCurves(id: number): CellCurves | null {
+    const native = Voronoi.#nativeFor(this, id);
+    const { curves, sites, starts } = native.cellCurves(...this.#window, id);
+    return starts.length < 2 ? null : { curves, neighbors: new Int32Array(sites.buffer), starts };
+  }
+
+  /**
+   * All edges inside the window, as curves; an edge of which the window cuts out a part is several.
+   * O(n).
+   */
+  edgeCurves(): EdgeCurves {
+    const { curves, sites } = Voronoi.#living(this).edgeCurves(...this.#window);
+    return { curves, sites };
+  }
+
+  /**
+   * All cells as GeoJSON (RFC 7946), ascending by id: polygons with their holes, or multi-polygons
+   * where a cell has several parts. Polygons are valid and tile the window: neighbours have the
+   * points of their common boundary in common, whatever the tolerance. Coordinates are the
+   * diagram's own, or those of the map if the view has a projection (`VoronoiOptions.project`).
+   * `options.properties` may throw. O(n log n).
+   */
+  toGeoJSON<Properties = { site: number }>(
+    options?: GeoJSONOptions<Properties>,
+  ): CellsCollection<Properties> {
+    const native = Voronoi.#living(this);
+    return collectionOf((given) => {
+      const tolerance = this.#tolerance(native, { tolerance: given });
+      const polygons = native.cellPolygons(...this.#window, tolerance);
+      return this.#project ? unprojected(polygons, this.#project, tolerance) : polygons;
+    }, options);
+  }
+
+  // --- Questions ---------------------------------------------------------------------------------
+
+  /**
+   * Is this site the nearest one to the point, and within its distance, if there is one? Exact,
+   * ties as in `diagram.find`; the window does not matter. false for a hidden site. Throws
+   * "unknown-site", "not-finite", "out-of-range".
+   */
+  contains(id: number, x: number, y: number): boolean {
+    Voronoi.#nativeFor(this, id);
+    return reaches(this.diagram, this.#distance, id, x, y);
+  }
+
+  /**
+   * The sites whose cells have an edge in common with this one's inside the window,
+   * counter-clockwise, each once.
+   */
+  neighbors(id: number): Uint32Array {
+    const boundary = this.cellCurves(id);
+    return Uint32Array.from(new Set(boundary?.neighbors.filter((site) => site !== -1)));
+  }
+
+  /**
+   * The largest circle that no site's circle reaches into, with its centre in the window: the place
+   * that is farthest from all sites, at a Voronoi vertex, where an edge crosses the border, or at a
+   * corner. null without sites. The choice among these is by their distances as rounded, which are
+   * good to the last places of the coordinates. O(n log n).
+   */
+  largestEmptyCircle(): EmptyCircle | null {
+    return this.emptyCircles(1)[0] ?? null;
+  }
+
+  /**
+   * The `count` largest of such circles, the largest first, none with its centre in one before it:
+   * where to put new sites apart from each other. Fewer if there are no more. What cells
+   * end at does not matter. Throws "not-finite", "out-of-range" (count). O(n (log n + count)).
+   */
+  emptyCircles(count: number): EmptyCircle[] {
+    return emptyCircles(Voronoi.#living(this), this.#window, checkedCount("count", count));
+  }
+
+  /**
+   * The natural neighbours of a place, for interpolation (Sibson): the sites from whose cells in
+   * the window a new circle there would take something, and which share of its cell from each.
+   * Where a circle covers it, that one alone. The value of a field at the place is the sum of
+   * weights times values. It is continuous, and that of a site at its centre, if r is at most the
+   * smallest radius. The diagram stays as it is. null without sites, and where the new cell would
+   * have no part in the window. Cost: location, and that of a diagram of the natural neighbours.
+   * Throws "not-finite", "out-of-range".
+   */
+  naturalWeights(x: number, y: number, r = 0): NaturalWeights | null {
+    return naturalWeights(Voronoi.#living(this), this.#window, x, y, r);
+  }
+
+  // --- Measures of the true, curved cells --------------------------------------------------------
+
+  /** Area of a cell inside the window; null for a hidden site. */
+  cellArea(id: number): number | null {
+    return this.#moments(id)?.area ?? null;
+  }
+
+  /** Centroid of a cell inside the window; null if no part of it is. */
+  cellCentroid(id: number): [number, number] | null {
+    const { centroidX, centroidY, isEmpty } = this.#moments(id) ?? { isEmpty: true };
+    return isEmpty ? null : [centroidX as number, centroidY as number];
+  }
+
+  /**
+   * Length of the boundary of a cell inside the window, the window's border included; null for a
+   * hidden site.
+   */
+  cellPerimeter(id: number): number | null {
+    return this.cellMeasures(id)?.perimeter ?? null;
+  }
+
+  /** Area, centroid and perimeter at once. */
+  cellMeasures(id: number): Measures | null {
+    const measures = this.#ofCell(id, (native) => native.cellMeasures(...this.#window, id));
+    return measures && measuresOf(measures);
+  }
+
+  /**
+   * Area, centroid and perimeter of the part of a cell within `radius` of its site's centre: what a
+   * site covers at most; with Infinity of all of it, where area and perimeter of a cell without end
+   * are Infinity and its centroid null. The window does not matter. null for a hidden site. Throws
+   * "unknown-site", "not-finite", "out-of-range" (a radius below 0).
+   */
+  cellWithin(id: number, radius: number): Measures | null {
+    const measures = this.#ofCell(id, (native) => {
+      if (radius !== Infinity) checkNumber("radius", radius);
+      if (radius < 0)
+        throw new ApolloniusError("out-of-range", `radius is ${radius}, expected 0 or more`);
+      return native.cellMeasuresWithin(id, radius);
+    });
+    return measures && measuresOf(measures);
+  }
+
+  /**
+   * The areas of all cells inside the window, by id; 0 where there is none. They add up to the
+   * window's. O(n), much faster than a loop. Their last places depend on the diagram's history, as
+   * do those of the next two and of `render`; those of `cellArea` and of all else do not.
+   */
+  cellAreas(): Float64Array {
+    return Voronoi.#living(this).cellAreas(...this.#window);
+  }
+
+  /**
+   * The centroids of all cells inside the window: x at 2 id and y at 2 id + 1, NaN where there is
+   * none. O(n).
+   */
+  cellCentroids(): Float64Array {
+    return Voronoi.#living(this).cellCentroids(...this.#window);
+  }
+
+  /** The perimeters of all cells inside the window, by id; 0 where there is none. O(n). */
+  cellPerimeters(): Float64Array {
+    return Voronoi.#living(this).cellPerimeters(...this.#window);
+  }
+
+  // --- Prescribed areas --------------------------------------------------------------------------
+
+  /**
+   * Changes the weights of all sites so that the areas of their cells inside the window are in
+   * proportion to targets. Centres stay, and hidden sites get a cell, too. null if `onIteration`
+   * has stopped it.
+   *
+   * No two sites may have one centre, and with equal weights each must have a cell in the window,
+   * as it has if its centre is there. All or nothing: the diagram changes at the end, and only if
+   * the tolerance is met, or nothing but rounding is above it (`converged` is false then). Throws
+   * "bad-length", "unknown-site", "bad-target", "bad-option", "not-finite", "out-of-range", "busy",
+   * and "no-convergence", which says what was reached. Cost: for each of
+   * some 20 steps (several times that, where targets differ by orders of magnitude) about that of
+   * building the diagram and of `cellAreas`.
+   */
+  fitAreas(targets: AreaTargets, options?: FitOptions): FittedAreas | null {
+    return fitAreas(Voronoi.#living(this, true), () => this.#window, targets, options);
+  }
+
+  /**
+   * `fitAreas` in slices of some milliseconds, with turns of the event loop between them; no step
+   * is divided. What fits into the first slice has been done when the call returns its promise.
+   * Rejects as that throws; with the reason of `options.signal` once that aborts; with "busy" if
+   * the diagram has changed meanwhile.
+   */
+  async fitAreasAsync(
+    targets: AreaTargets,
+    options?: AsyncFitOptions,
+  ): Promise<FittedAreas | null> {
+    // awaited here, so that this view, and so the diagram, is not collected meanwhile
+    return await fitAreasAsync(Voronoi.#living(this, true), () => this.#window, targets, options);
+  }
+
+  // --- Life time ---------------------------------------------------------------------------------
+
+  /**
+   * Gives back the memory of a window that is no rectangle: what it meets, and up to 10 bytes for
+   * each of the diagram's sites. Later calls throw "disposed". A forgotten view is freed as a
+   * forgotten diagram is. The diagram lives on. O(1).
+   */
+  dispose(): void {
+    if (this.#isDisposed) return;
+    this.#isDisposed = true;
+    if (this.#region !== null) destroy(this.#region);
+    if (this.#reach !== null) destroy(this.#reach);
+    this.#ballast?.drop();
+  }
+
+  /** `dispose`, for `using view = diagram.voronoi(region)`. O(1). */
+  [Symbol.dispose](): void {
+    this.dispose();
+  }
+
+  // --- Shared parts ------------------------------------------------------------------------------
+
+  get #bounds(): Bounds {
+    return [this.xmin, this.ymin, this.xmax, this.ymax];
+  }
+
+  /** As a call takes it; read last, as the caller's code can dispose of the view before. */
+  get #window(): NativeWindow {
+    Voronoi.#living(this);
+    return [this.#region, this.#reach, ...this.#bounds];
+  }
+
+  /** Of calls that change the diagram: "busy" within a filter. */
+  static #living(view: Voronoi, changes = false): NativeShapes {
+    if (typeof view !== "object" || view === null || !(#isDisposed in view))
+      throw wrongReceiver(view);
+    if (view.#isDisposed) throw new ApolloniusError("disposed", "the view has been disposed of");
+    return shapesOf(nativeOf(view.diagram, changes));
+  }
+
+  static #nativeFor(view: Voronoi, id: number): NativeShapes {
+    const native = Voronoi.#living(view);
+    if (!isSiteId(id) || !native.has(id)) throw unknownSite(id);
+    return native;
+  }
+
+  #moments(id: number): CellMoments | null {
+    return this.#ofCell(id, (native) => native.cellMoments(...this.#window, id));
+  }
+
+  /** What a call says of a cell; null for a hidden site. One call, but of empty cells. */
+  #ofCell<Moments extends CellMoments>(
+    id: number,
+    call: (native: NativeShapes) => Moments,
+  ): Moments | null {
+    const native = Voronoi.#living(this);
+    if (!isSiteId(id)) throw unknownSite(id);
+    try {
+      const moments = call(native);
+      return moments.isEmpty && native.isHidden(id) ? null : moments;
+    } catch (error) {
+      throw ofSite(error, id);
+    }
+  }
+
+  /** The rings of a cell, one after the other. */
+  #rings(id: number, options: PolygonOptions | undefined): Rings {
+    checkOptions(options, "tolerance", "flat");
+    const isFlat = checkedChoice("options.flat", options?.flat, [false, true]);
+    const native = Voronoi.#nativeFor(this, id);
+    const tolerance = this.#tolerance(native, options);
+    return { isFlat, ...native.cellPolygon(...this.#window, id, tolerance) };
+  }
+
+  #tolerance(
+    native: NativeShapes,
+    options: { tolerance?: number | undefined } | undefined,
+  ): number {
+    return checkedTolerance(options?.tolerance, () => native.defaultTolerance(...this.#bounds));
+  }
+}

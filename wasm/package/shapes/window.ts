@@ -1,0 +1,73 @@
+// The window of a view as a thing: what it measures, and what is in it.
+import type { Portion } from "../../../build/wasm/apollonius.mjs";
+import { checkNumber } from "../core/arguments.js";
+import type { NativeRegion, NativeShapes } from "../core/native/module.js";
+import { play } from "../core/path.js";
+import type { Bounds } from "../core/types.js";
+import type { VoronoiWindow } from "./types.js";
+
+type Centroid = VoronoiWindow["centroid"];
+
+/** A class, as methods that are properties would keep equal views from being equal to tests. */
+class ViewWindow implements VoronoiWindow {
+  readonly area: number;
+  readonly centroid: Centroid;
+  readonly #region: NativeRegion | null;
+  readonly #livingNow: () => NativeShapes;
+
+  constructor(
+    readonly bounds: Bounds,
+    region: NativeRegion | null,
+    livingNow: () => NativeShapes,
+  ) {
+    const [xmin, ymin, xmax, ymax] = Object.freeze(bounds);
+    const middle: Centroid = [xmin / 2 + xmax / 2, ymin / 2 + ymax / 2];
+    const { area, centroid } =
+      region === null
+        ? { area: (xmax - xmin) * (ymax - ymin), centroid: middle }
+        : momentsOf(livingNow().drawRegion(region), middle);
+    this.area = area;
+    this.centroid = Object.freeze(centroid);
+    this.#region = region;
+    this.#livingNow = livingNow;
+    Object.freeze(this);
+  }
+
+  contains(x: number, y: number): boolean {
+    checkNumber("x", x);
+    checkNumber("y", y);
+    this.#livingNow();
+    const [xmin, ymin, xmax, ymax] = this.bounds;
+    return this.#region?.contains(x, y) ?? (xmin <= x && x <= xmax && ymin <= y && y <= ymax);
+  }
+}
+
+/** @internal `livingNow` throws unless the view is there, with its region. */
+export function windowOf(
+  bounds: Bounds,
+  region: NativeRegion | null,
+  livingNow: () => NativeShapes,
+): VoronoiWindow {
+  return new ViewWindow(bounds, region, livingNow);
+}
+
+/** Of what is inside of closed rings, the inside on the left of each. */
+function momentsOf(rings: Portion, [x0, y0]: Centroid): { area: number; centroid: Centroid } {
+  let area = 0;
+  let [firstX, firstY] = [0, 0];
+  let [startX, startY, fromX, fromY] = [0, 0, 0, 0];
+  const lineTo = (x: number, y: number) => {
+    const [ax, ay, bx, by] = [fromX - x0, fromY - y0, x - x0, y - y0];
+    const twice = ax * by - bx * ay;
+    area += twice / 2;
+    firstX += (twice / 6) * (ax + bx);
+    firstY += (twice / 6) * (ay + by);
+    [fromX, fromY] = [x, y];
+  };
+  const moveTo = (x: number, y: number) => {
+    [startX, startY, fromX, fromY] = [x, y, x, y];
+  };
+  const closePath = () => lineTo(startX, startY);
+  play({ moveTo, lineTo, closePath, bezierCurveTo() {} }, rings.commands, rings.coordinates);
+  return { area, centroid: [x0 + firstX / area, y0 + firstY / area] };
+}

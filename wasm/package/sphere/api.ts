@@ -1,0 +1,23 @@
+// What the entry `apollonius-diagram/sphere` exports, whichever way the wasm comes.
+export { SphericalDiagram } from "./spherical_diagram.js";
+export type {
+  GeoJSONPoint,
+  ListedSphericalSite,
+  Spherical,
+  SphericalCollection,
+  SphericalGeoJSONOptions,
+  SphericalOptions,
+  SphericalPolygonOptions,
+  SphericalSite,
+  SphericalSites,
+  SphericalVertices,
+} from "./spherical_types.js";
+export type { Accessor, Items } from "../core/accessors.js";
+export type {
+  Edges,
+  FilterOptions,
+  FindManyArguments,
+  NearbyFilter,
+  NearbyOptions,
+  Position,
+} from "../core/types.js";

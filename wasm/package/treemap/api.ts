@@ -1,0 +1,14 @@
+// What the entry `apollonius-diagram/treemap` exports, whichever way the wasm comes.
+export { treemap } from "./layout.js";
+export type {
+  Disc,
+  Treemap,
+  TreemapCell,
+  TreemapFit,
+  TreemapInput,
+  TreemapOptions,
+  TreemapShape,
+} from "./types.js";
+export type { DrawOptions, PathContext } from "../core/path.js";
+export type { GeoJSONRegion, Region, Ring } from "../shapes/region.js";
+export type { Bounds, Position, Site } from "../core/types.js";
