@@ -44,7 +44,7 @@ test.each([
   ["/web/examples/gallery.js", "text/javascript"],
   ["/web/lib/apollonius-diagram/sphere.js", "text/javascript"],
   ["/web/lib/d3-force.mjs", "text/javascript"],
-  [`/web/assets/${asset(/^apollonius.*\.wasm$/)}`, "application/wasm"],
+  [`/web/assets/${asset(/^core.*\.wasm$/)}`, "application/wasm"],
   [`/web/assets/${asset(/^build_worker.*\.js$/)}`, "text/javascript"],
   [`/web/assets/${asset(/^playground.*\.css$/)}`, "text/css"],
   [`/web/assets/${asset(/^playground.*\.js\.map$/)}`, "application/json"],
@@ -136,18 +136,18 @@ test("the security policy allows no inline script, and the page contains no such
 });
 
 describeInBrowser("the page as it is served", (open) => {
-  test("comes with at most eight requests, all below the site's folder", async () => {
+  test("comes with at most nine requests, all below the site's folder", async () => {
     const asked = [];
     const page = await open({
       prepare: (page) => page.on("request", (request) => asked.push(request.url())),
     });
     const folder = new URL("..", page.url()).href;
     expect(asked.filter((url) => !url.startsWith(folder))).toEqual([]);
-    expect(new Set(asked).size).toBeLessThanOrEqual(8);
+    expect(new Set(asked).size).toBeLessThanOrEqual(9);
     // Later: cities, land, and a worker.
     await page.evaluate(() => app.whenFetched);
     const others = asked.filter((url) => !/\.json$|_worker-[\w-]+\.js$/.test(url));
-    expect(new Set(others).size).toBeLessThanOrEqual(8);
+    expect(new Set(others).size).toBeLessThanOrEqual(9);
     expect(page.errors).toEqual([]);
     await closePage(page);
   });

@@ -28,6 +28,8 @@ async function bundled() {
     target: "node20",
     alias: {
       "apollonius-diagram": path.join(root, "dist/esm/index.js"),
+      "apollonius-diagram/core": path.join(root, "dist/esm/core.js"),
+      "apollonius-diagram/shapes": path.join(root, "dist/esm/shapes.js"),
       "apollonius-diagram/sphere": path.join(root, "dist/esm/sphere.js"),
       "apollonius-diagram/treemap": path.join(root, "dist/esm/treemap.js"),
     },

@@ -11,7 +11,9 @@ import style from "./frame.css?raw";
 
 const kNear = "100px"; // below the window
 const kPatience = 3000; // ms that a program may take until something is said
-const kEntries = ["index", "embedded", "errors", "treemap", "sphere"];
+const kParts = ["core", "shapes", "sphere", "treemap"];
+/** Of the package: its entries, and what these import. */
+const kFiles = ["index", "embedded", "errors", ...kParts, ...kParts.map((part) => `${part}/part`)];
 
 /** What a sandbox says. */
 type Told =
@@ -21,8 +23,8 @@ type Told =
   | { kind: "height"; height: number }
   | { kind: "failed"; message: string; line?: number };
 
-const nameOf = (entry: string) =>
-  entry === "index" ? "apollonius-diagram" : `apollonius-diagram/${entry}`;
+const nameOf = (file: string) =>
+  file === "index" ? "apollonius-diagram" : `apollonius-diagram/${file}`;
 
 /**
  * The package's modules by name, as text: a sandbox has no origin, and may fetch nothing. Their
@@ -30,13 +32,16 @@ const nameOf = (entry: string) =>
  */
 async function loadModules(): Promise<Record<string, string>> {
   const folder = new URL("../lib/apollonius-diagram/", location.href);
-  const load = async (entry: string) => {
-    const response = await fetch(new URL(`${entry}.js`, folder));
-    if (!response.ok) throw new Error(`${entry}.js of the package cannot be loaded`);
+  const load = async (file: string) => {
+    const address = new URL(`${file}.js`, folder);
+    const response = await fetch(address);
+    if (!response.ok) throw new Error(`${file}.js of the package cannot be loaded`);
+    const named = (_: string, before: string, to: string) =>
+      `${before}"${nameOf(new URL(to, address).href.slice(folder.href.length))}"`;
     const text = await response.text();
-    return [nameOf(entry), text.replace(/from"\.\/(\w+)\.js"/g, (_, to) => `from"${nameOf(to)}"`)];
+    return [nameOf(file), text.replace(/(from|import)"(\.{1,2}\/[\w./]+)\.js"/g, named)];
   };
-  return Object.fromEntries(await Promise.all(kEntries.map(load)));
+  return Object.fromEntries(await Promise.all(kFiles.map(load)));
 }
 let modules: Promise<Record<string, string>> | null = null;
 

@@ -67,6 +67,8 @@ async function bundled(program, { name = "program.jsx", isServer = false } = {})
     loader: { ".css": "empty", ".png": "empty" },
     alias: {
       "apollonius-diagram": path.join(root, "dist/esm/index.js"),
+      "apollonius-diagram/core": path.join(root, "dist/esm/core.js"),
+      "apollonius-diagram/shapes": path.join(root, "dist/esm/shapes.js"),
       "apollonius-diagram/sphere": path.join(root, "dist/esm/sphere.js"),
     },
     nodePaths: [path.join(root, "node_modules")],
