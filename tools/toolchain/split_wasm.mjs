@@ -22,11 +22,15 @@ const rooms = {
   shapes: /\/src\/(geometry\/|api\/(voronoi|area_fit|region)\.)|\/bindings\/shapes\./,
   sphere: /\/src\/(sphere\/|api\/spherical_)|\/bindings\/sphere\./,
 };
-/** What JavaScript calls of a part first (wasm/bindings/parts.h): core knows their addresses. */
-const registrations = { _Z14registerShapesv: "shapes", _Z14registerSpherev: "sphere" };
+/** What JavaScript calls of a part first (wasm/bindings/parts.h), through exports of core. */
+const registrations = { registerShapes: "shapes", registerSphere: "sphere" };
 
-/** What the module is compiled with (cmake/CompileFlags.cmake). */
+/**
+ * What the module is compiled with (cmake/CompileFlags.cmake), and what places of the table without
+ * a function need; browsers have had that longer than SIMD.
+ */
 const features = [
+  "reference-types",
   "exception-handling",
   "simd",
   "bulk-memory",
@@ -148,8 +152,10 @@ export function splitWasm(emscripten, built, { debug = false } = {}) {
       "-o2",
       fileOf(part),
       `--split-funcs=@${list}`,
-      `--placeholder-namespace=${part}`, // wasm/package/core/native/module.ts knows both
-      "--import-namespace=core",
+      // Without the part there is nothing in its places in the table. An imported function in each
+      // would take V8 11 ms: it compiles a wrapper for each signature before core starts.
+      "--no-placeholders",
+      "--import-namespace=core", // wasm/package/core/native/module.ts knows it
       `--export-prefix=${part[1]}`, // one of each part
       ...features,
     ]);

@@ -189,8 +189,6 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("fromBytes", &fromBytes)
       .function("validate", &validate<Diagram>);
 
-  function("registerShapes", &registerShapes);
-  function("registerSphere", &registerSphere);
   if (areTypesWritten()) {
     registerShapes();
     registerSphere();

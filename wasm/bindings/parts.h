@@ -3,9 +3,9 @@
 // does not load it.
 #pragma once
 
-/// Registers the calls of a part with Embind. JavaScript calls each once, at its first use.
-void registerShapes();
-void registerSphere();
+/// Registers the calls of a part with Embind. JavaScript calls each once, when the part is there.
+extern "C" void registerShapes();
+extern "C" void registerSphere();
 
 /// Is this run the one in which Embind writes the types (embind_parts.js)? It is to see all parts.
 extern "C" bool areTypesWritten();

@@ -108,12 +108,7 @@ WebAssembly.Instance = class {
       ...registering("_embind_register_class", 12, "destructor"),
       ...registering("_embind_register_class_constructor", 4, "call"),
       ...registering("_embind_register_class_function", 5, "call"),
-      _embind_register_function(name, ...values) {
-        const text = new Uint8Array(real.memory.buffer, name >>> 0, 8);
-        // but for those that start a part
-        if (String.fromCharCode(...text) !== "register") invokers.set(values[3] >>> 0, "call");
-        env._embind_register_function(name, ...values);
-      },
+      ...registering("_embind_register_function", 4, "call"),
       emscripten_resize_heap(bytes) {
         if (!trapsInGrow) return env.emscripten_resize_heap(bytes);
         trapsInGrow = false;

@@ -102,7 +102,7 @@ export function shapesOf(native: NativeDiagram): NativeShapes {
 }
 
 function started(compiled: WebAssembly.Module): NativeModule {
-  const exports = instantiated(compiled);
+  const { exports, startPart } = instantiated(compiled);
   const { Diagram, Location, Source, Top } = exports;
   const guarded = guard(exports, () => {
     try {
@@ -123,7 +123,8 @@ function started(compiled: WebAssembly.Module): NativeModule {
     if (hasShapes) return;
     const before = new Set(Object.keys(exports));
     expectStack();
-    exports.registerShapes();
+    startPart("shapes");
+    exports._registerShapes();
     hasShapes = true;
     guardMethods(exports.Region, exports.Reach, exports.Fitting);
     methods.Drawing = exports.Drawing;
@@ -139,7 +140,8 @@ function started(compiled: WebAssembly.Module): NativeModule {
   const startSphere = () => {
     if (hasSphere) return;
     expectStack();
-    exports.registerSphere();
+    startPart("sphere");
+    exports._registerSphere();
     hasSphere = true;
     guardMethods(exports.SphericalDiagram, exports.SphericalNearestFirst);
   };
@@ -183,7 +185,7 @@ function expectStack(frames = 1000): void {
   if (frames > 0) expectStack(frames - 1);
 }
 
-/** An instance of `part`. Throws "not-loaded", or "out-of-memory" where there is no room. */
+/** An instance; throws "out-of-memory" where there is no room for it. */
 function instanceOf(
   compiled: WebAssembly.Module,
   imports: WebAssembly.Imports,
@@ -195,40 +197,20 @@ function instanceOf(
   }
 }
 
-/**
- * Stands for the functions of a part until that is there: which puts them into the table of `core`.
- * A failure is the caller's, and the next call tries again.
- */
-function placeholders(part: Part, core: { exports: WebAssembly.Exports }): object {
-  let isThere = false;
-  const placeholder = (index: number): Method => {
-    let method: Method | undefined;
-    return (...list) => {
-      if (!isThere) {
-        instanceOf(compiledPart(part), { core: core.exports });
-        isThere = true;
-      }
-      const table = core.exports.__indirect_function_table as WebAssembly.Table;
-      return (method ??= table.get(index) as Method)(...list);
-    };
-  };
-  return new Proxy({}, { get: (_, index) => placeholder(Number(index)) });
-}
-
-function instantiated(compiled: WebAssembly.Module): Exports {
+/** An instance of `core`, and what starts another part in it: its functions then are in the table. */
+function instantiated(compiled: WebAssembly.Module): {
+  exports: Exports;
+  startPart(part: Part): void;
+} {
   expectStack();
   let failed: { cause: unknown } | undefined;
-  const core = { exports: {} as WebAssembly.Exports };
+  let core: WebAssembly.Exports = {};
   type Receive = (instance: WebAssembly.Instance) => object;
   const exports = createModule({
     instantiateWasm(imports: WebAssembly.Imports, receive: Receive): object {
       try {
-        const started = instanceOf(compiled, {
-          ...imports,
-          shapes: placeholders("shapes", core) as WebAssembly.ModuleImports,
-          sphere: placeholders("sphere", core) as WebAssembly.ModuleImports,
-        });
-        core.exports = started.exports;
+        const started = instanceOf(compiled, imports);
+        core = started.exports;
         return receive(started);
       } catch (cause) {
         failed = { cause }; // Emscripten would turn it into a promise that nobody sees
@@ -237,7 +219,10 @@ function instantiated(compiled: WebAssembly.Module): Exports {
     },
   });
   if (failed) throw failed.cause;
-  return exports as Exports;
+  return {
+    exports: exports as Exports,
+    startPart: (part) => void instanceOf(compiledPart(part), { core }),
+  };
 }
 
 type Argument = never; // of whatever type
