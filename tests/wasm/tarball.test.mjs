@@ -56,6 +56,19 @@ test("holds the documents that comments of its types cite", () => {
   expect(cited).toContain("docs/SNAPSHOTS.md");
 });
 
+// `npm run check -- strangers` compiles users with such compilers.
+test("has types that TypeScript before 5.7 knows, where those of arrays are not generic", () => {
+  const generic = files
+    .filter((file) => file.endsWith(".d.ts"))
+    .flatMap((file) => {
+      const text = readFileSync(path.join(installed, file), "utf8");
+      return [...text.matchAll(/\b(?:BigInt|BigUint|Float|Int|Uint)\d+\w*Array</g)].map(
+        ([found]) => [file, found],
+      );
+    });
+  expect(generic).toEqual([]);
+});
+
 test("needs no other package and runs nothing when it is installed", () => {
   const { dependencies, peerDependencies, optionalDependencies, scripts } = JSON.parse(
     readFileSync(path.join(installed, "package.json"), "utf8"),

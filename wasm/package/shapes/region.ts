@@ -30,8 +30,9 @@ export type Region = Ring | ArrayLike<Ring> | GeoJSONRegion;
 
 /** Rings for the library: all points, and the first of each ring, and their number. */
 export interface FlatRings {
-  coordinates: Float64Array<ArrayBuffer>;
-  starts: Uint32Array<ArrayBuffer>;
+  // New arrays, for TypeScript before 5.7, too, where the types of arrays are not generic.
+  coordinates: ReturnType<Float64Array["slice"]>;
+  starts: ReturnType<Uint32Array["slice"]>;
 }
 
 /** What may be bounds with its elements as they are now: getters may say something else later. */
