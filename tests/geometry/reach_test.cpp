@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/coverage_judge.h"
+#include "geometry/curve/moments.h"
 #include "geometry/shapes.h"
 #include "support/corpus.h"
 #include "support/effort.h"
@@ -144,6 +145,70 @@ TEST(Reach, ADistanceForEachSite) {
   }
   EXPECT_NEAR(straight, 8, 1e-12);
   EXPECT_NEAR(shared, 2 * std::sqrt(3.5 * 3.5 - 9), 1e-12);
+}
+
+/// Of lines and curves, the latter by points on them.
+double drawnLength(const Path& path) {
+  double sum = 0;
+  Place from;
+  const double* at = path.coordinates.data();
+  for (const std::uint8_t command : path.commands) {
+    const bool isCurve = static_cast<Command>(command) == Command::kCurve;
+    const Place end{at[isCurve ? 4 : 0], at[isCurve ? 5 : 1]};
+    Place before = from;
+    for (int k = 1; k <= 32 && static_cast<Command>(command) != Command::kMove; ++k) {
+      const double t = k / 32.0, s = 1 - t;
+      const auto cubic = [&](double p, double q0, double q1, double q2) {
+        return s * s * s * p + 3 * s * s * t * q0 + 3 * s * t * t * q1 + t * t * t * q2;
+      };
+      const Place place =
+          isCurve ? Place{cubic(from.first, at[0], at[2], at[4]),
+                          cubic(from.second, at[1], at[3], at[5])}
+                  : Place{s * from.first + t * end.first, s * from.second + t * end.second};
+      sum += std::hypot(place.first - before.first, place.second - before.second);
+      before = place;
+    }
+    from = end;
+    at += isCurve ? 6 : 2;
+  }
+  return sum;
+}
+
+TEST(Reach, DrawnEdgesAreWhatCellsShareOnceAndWhereTheyEnd) {
+  Random random(673);
+  Circles circles;
+  for (int k = 0; k < 60; ++k)
+    circles.push_back({random.between(0, 100), random.between(0, 100), random.between(0, 6)});
+  Diagram diagram;
+  insertInto(diagram, circles);
+  bool isRemoved = false;
+  ASSERT_EQ(diagram.remove(7, isRemoved), Error::kNone);
+  const Reach reach(5);
+  const Voronoi voronoi(diagram, {-50, -50, 150, 150}, &reach);  // no cell comes to the border
+  std::vector<double> perimeters;
+  CurveArrays edges;
+  ASSERT_EQ(voronoi.cellPerimeters(perimeters), Error::kNone);
+  ASSERT_EQ(voronoi.edgeCurves(edges), Error::kNone);
+  double expected = 0;
+  for (const double perimeter : perimeters) expected += perimeter;
+  for (std::size_t k = 0; k < edges.curves.size(); k += 7) {
+    const double* c = &edges.curves[k];
+    expected -= lengthOf(Conic{{c[0], c[1]}, {c[2], c[3]}, c[4], {c[5], c[6]}});
+  }
+  Path whole, part, joined;
+  Portion all, portion{0, 16};
+  ASSERT_EQ(voronoi.drawEdges(1e-4, all, whole), Error::kNone);
+  EXPECT_NEAR(drawnLength(whole), expected, 1e-3 * expected);
+  int portions = 0;
+  for (; !portion.isDone; ++portions) {
+    ASSERT_EQ(voronoi.drawEdges(1e-4, portion, part), Error::kNone);
+    joined.commands.insert(joined.commands.end(), part.commands.begin(), part.commands.end());
+    joined.coordinates.insert(joined.coordinates.end(), part.coordinates.begin(),
+                              part.coordinates.end());
+  }
+  EXPECT_GT(portions, 2);
+  EXPECT_EQ(joined.commands, whole.commands);
+  EXPECT_EQ(joined.coordinates, whole.coordinates);
 }
 
 TEST(Reach, ADistanceIsMissingForASite) {
