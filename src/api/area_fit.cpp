@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "api/checks.h"
 #include "api/region_state.h"
@@ -21,8 +22,11 @@ struct internal::AreaFitState {
   SiteId badSite = kNoSite;
   bool isBegun = false;
 
-  AreaFitState(const DiagramCore& core, const NormalizedPolygon& region, std::uint64_t state)
-      : polygon(region), fit(core, polygon), idLimit(core.ids().idLimit()), diagram(state) {}
+  AreaFitState(const DiagramCore& core, NormalizedPolygon region, std::uint64_t state)
+      : polygon(std::move(region)),
+        fit(core, polygon),
+        idLimit(core.ids().idLimit()),
+        diagram(state) {}
 };
 
 AreaFit::AreaFit() noexcept = default;

@@ -40,7 +40,7 @@ void appendCurve(const Conic& c, std::vector<double>& curves) {
   curves.insert(curves.end(), {c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.w, c.p2.x, c.p2.y});
 }
 
-class EdgeLister final : public EdgeVisitor {
+class EdgeLister final : public EdgeVisitor {  // NOLINT: nothing derives from it
  public:
   EdgeLister(const DiagramCore& core, CurveArrays& edges) : core_(core), edges_(edges) {}
   void visit(HalfedgeId h, const Conic& curve) override {

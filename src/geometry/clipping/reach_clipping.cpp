@@ -9,7 +9,7 @@ namespace apollonius::internal {
 namespace {
 
 /// Passes on what of edges is within the reach of both sites.
-class SharedEdges final : public EdgeVisitor {
+class SharedEdges final : public EdgeVisitor {  // NOLINT: nothing derives from it
  public:
   SharedEdges(const DiagramCore& core, const Reach& reach, EdgeVisitor& visitor)
       : core_(core), reach_(reach), visitor_(visitor) {}
