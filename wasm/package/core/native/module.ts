@@ -197,7 +197,7 @@ function instanceOf(
   }
 }
 
-/** An instance of `core`, and what starts another part in it: its functions then are in the table. */
+/** An instance of `core`, and what starts another part in it, which puts its functions there. */
 function instantiated(compiled: WebAssembly.Module): {
   exports: Exports;
   startPart(part: Part): void;
