@@ -22,8 +22,8 @@ declare module "../core/diagram.js" {
      * Draws the dual graph as the paper's Appendix A embeds it: each Delaunay edge as a piece of a
      * hyperbola or parabola or as a segment between the two centres, such that no two cross. With
      * `bounds` also the rays of the sites on the hull, up to that window. Returns an SVG path
-     * string if there is no context. O(n). Throws "bad-bounds", "not-finite", "out-of-range", "bad-option"
-     * (options, or a context that cannot draw).
+     * string if there is no context. O(n). Throws "bad-bounds", "not-finite", "out-of-range",
+     * "bad-option" (options, or a context that cannot draw).
      */
     render(context: PathContext, options?: DualOptions): void;
     render(context?: null, options?: DualOptions): string;
