@@ -6,7 +6,7 @@ import { createContext, runInContext } from "node:vm";
 import { expect, test } from "@jest/globals";
 
 test("the script builds, finds, saves and restores in an empty context", () => {
-  const file = new URL("../../dist/cjs/index.js", import.meta.url);
+  const file = new URL("../../dist/apollonius.js", import.meta.url);
   const codeGeneration = { strings: false, wasm: true };
   const context = createContext(Object.create(null), { codeGeneration });
   runInContext("globalThis.console = { log() {}, error() {} };", context);

@@ -8,7 +8,7 @@ import { packedDebug } from "../wasm/support/install_packed.mjs";
 // Stands between the module and its environment, so that a test may stop a call within C++.
 let stop;
 WebAssembly.Instance = class extends WebAssembly.Instance {
-  constructor(module, { env, ...others }) {
+  constructor(module, { env = {}, ...others }) {
     const resize = env.emscripten_resize_heap;
     const stoppable = { ...env, emscripten_resize_heap: (size) => (stop ?? resize)(size) };
     super(module, { ...others, env: stoppable });

@@ -114,10 +114,11 @@ test.each(
 )("%s minifies the package once more, and it runs", async (name) => {
   const dist = path.join(packed, "node_modules/apollonius-diagram/dist/esm");
   const out = folder(name);
-  mkdirSync(out, { recursive: true });
-  for (const file of ["index", "embedded", "errors"]) {
-    const text = readFileSync(path.join(dist, `${file}.js`), "utf8");
-    writeFileSync(path.join(out, `${file}.js`), await minifiers[name](text));
+  for (const file of readdirSync(dist, { recursive: true })) {
+    if (!file.endsWith(".js") || file.endsWith("edge.js")) continue;
+    const text = readFileSync(path.join(dist, file), "utf8");
+    mkdirSync(path.dirname(path.join(out, file)), { recursive: true });
+    writeFileSync(path.join(out, file), await minifiers[name](text));
   }
   writeFileSync(path.join(out, "main.js"), `import { Diagram } from "./index.js";\n${use}`);
   expect(

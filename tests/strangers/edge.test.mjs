@@ -95,6 +95,19 @@ test("workerd: the default entry needs nothing but its condition", async () => {
   expect(await answers("/", "/again")).toEqual(["1", "1"]);
 }, 60_000);
 
+test("workerd: core alone, and treemaps, each with the parts that it needs", async () => {
+  const imports =
+    'import { Diagram } from "apollonius-diagram/core";' +
+    'import { treemap } from "apollonius-diagram/treemap";' +
+    'import { voronoi } from "apollonius-diagram/shapes";';
+  const body =
+    "const d = new Diagram([0, 0, 1, 9, 0, 2]);" +
+    "const area = voronoi(d, [0, 0, 10, 10]).cellAreas().reduce((a, b) => a + b);" +
+    "return new Response(`${d.find(8, 0)} ${area.toFixed(6)} ${typeof treemap()}`);";
+  await bundled(worker(imports, body), ["workerd"]);
+  expect(await answers("/")).toEqual(["1 100.000000 function"]);
+}, 60_000);
+
 const importSphere = 'import { SphericalDiagram } from "apollonius-diagram/sphere";';
 const useSphere =
   "const s = new SphericalDiagram([0, 0, 0.1, 180, 0, 0.2, 10, 80, 0]);" +
