@@ -8,7 +8,6 @@ add_executable(apollonius_wasm EXCLUDE_FROM_ALL "${bindings}/core.cpp" "${bindin
   "${bindings}/sphere.cpp")
 target_link_libraries(apollonius_wasm PRIVATE apollonius apollonius_flags)
 set_target_properties(apollonius_wasm PROPERTIES OUTPUT_NAME apollonius SUFFIX .mjs)
-target_compile_options(apollonius_wasm PRIVATE -Oz)
 target_link_options(apollonius_wasm PRIVATE
   # -O3 and -Os shorten names, among which tests/wasm/support/trapping.mjs finds its way.
   # Of two equal functions, each stays in its part (tools/toolchain/split_wasm.mjs).

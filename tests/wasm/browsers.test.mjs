@@ -43,6 +43,25 @@ test.each(bundlers)("%s keeps of the package what is used", (name) => {
   ).toBe("why");
 });
 
+/** The files that a bundle of a program loads, and how long they are together. */
+function loadedBy(folder, file, seen = new Set()) {
+  if (seen.has(file)) return 0;
+  seen.add(file);
+  const text = readFileSync(path.join(folder, file), "utf8");
+  const imported = [...text.matchAll(/(?:from|import)\s*"\.\/([\w.-]+\.js)"/g)];
+  return imported.reduce((sum, [, other]) => sum + loadedBy(folder, other, seen), text.length);
+}
+
+test.each(bundlers)("%s leaves shapes out of a bundle that only asks", (name) => {
+  const folder = path.join(packed, "bundles", name);
+  const [core, main] = ["core.js", "main.js"].map((file) => loadedBy(folder, file));
+  expect(core).toBeGreaterThan(200_000);
+  expect(main - core).toBeGreaterThan(120_000);
+  expect(
+    runScriptInNode(`globalThis.report = console.log; import("./bundles/${name}/core.js")`),
+  ).toBe(expected);
+});
+
 test("no file has characters that a page or a bundler would not take as they are", () => {
   const folder = path.join(packed, dist);
   for (const file of readdirSync(folder, { recursive: true })) {

@@ -2,9 +2,9 @@
 //
 //   node bundle.mjs vite|webpack|rollup|esbuild
 //
-// into build/packed/bundles/NAME/: main.js (default entry), error.js (which needs only
-// ApolloniusError) and, but for rollup, streamed.js (the entry with a .wasm of its own). Prints the
-// warnings as a JSON array.
+// into build/packed/bundles/NAME/: main.js (default entry), core.js (that of queries), error.js (which
+// needs only ApolloniusError) and, but for rollup, streamed.js (the entry with a .wasm of its own).
+// Prints the warnings as a JSON array.
 import { mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
@@ -14,6 +14,7 @@ const use =
   "const d = new Diagram([0, 0, 1, 9, 0, 2]);\n" +
   "globalThis.report(`${d.find(8, 0)} ${d.size} ${d.validate()}`);\n";
 const main = `import { Diagram } from "apollonius-diagram";\n${use}`;
+const core = `import { Diagram } from "apollonius-diagram/core";\n${use}`;
 const error =
   'import { ApolloniusError } from "apollonius-diagram";\n' +
   'globalThis.report(new ApolloniusError("broken", "why").message);\n';
@@ -33,6 +34,7 @@ function write(file, text) {
 }
 const entries = (address) => ({
   main: write("main.js", main),
+  core: write("core.js", core),
   error: write("error.js", error),
   ...(address && { streamed: write("streamed.js", streamed(address)) }),
 });
@@ -101,7 +103,9 @@ const bundlers = {
         {
           name: "resolve",
           resolveId: (id) =>
-            id === "apollonius-diagram" ? installed.resolve(id).replace("cjs", "esm") : null,
+            id.startsWith("apollonius-diagram")
+              ? installed.resolve(id).replace("cjs", "esm")
+              : null,
         },
       ],
     });
