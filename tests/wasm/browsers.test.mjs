@@ -48,7 +48,7 @@ function loadedBy(folder, file, seen = new Set()) {
   if (seen.has(file)) return 0;
   seen.add(file);
   const text = readFileSync(path.join(folder, file), "utf8");
-  const imported = [...text.matchAll(/(?:from|import)\s*"\.\/([\w.-]+\.js)"/g)];
+  const imported = [...text.matchAll(/(?:from|import)\s*["']\.\/([\w.-]+\.js)["']/g)];
   return imported.reduce((sum, [, other]) => sum + loadedBy(folder, other, seen), text.length);
 }
 
