@@ -2,9 +2,9 @@
 //
 //   node bundle.mjs vite|webpack|rollup|esbuild
 //
-// into build/packed/bundles/NAME/: main.js (default entry), core.js (that of queries), error.js (which
-// needs only ApolloniusError) and, but for rollup, streamed.js (the entry with a .wasm of its own).
-// Prints the warnings as a JSON array.
+// into build/packed/bundles/NAME/: main.js (default entry), core.js (that of queries), error.js
+// (which needs only ApolloniusError) and, but for rollup, streamed.js (the entry with a .wasm of
+// its own). Prints the warnings as a JSON array.
 import { mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
