@@ -20,7 +20,7 @@ target_link_options(apollonius_wasm PRIVATE
   # workers, Node and edge runtimes.
   -sENVIRONMENT=web -sUSE_ES6_IMPORT_META=0 -sINCOMING_MODULE_JS_API=instantiateWasm -sSTRICT
   --no-entry                           # a library: no `main`
-  # Puts the stack back after a call that ended in its middle: wasm/package/native/module.ts.
+  # Puts the stack back after a call that ended in its middle: wasm/package/core/native/module.ts.
   "SHELL:-sEXPORTED_FUNCTIONS=_emscripten_stack_get_current,__emscripten_stack_restore,\
 _registerShapes,_registerSphere"
   "SHELL:--js-library ${bindings}/embind_parts.js"

@@ -55,6 +55,10 @@ describe("traps", () => {
     });
   });
 
+  test("views of diagrams that were made before a trap still compute", () => {
+    expect(found.ofOldInstance).toBe("none");
+  });
+
   test("a console that throws when a broken invariant is reported is as a trap", () => {
     expect(found).toMatchObject({ reported: "broken", afterReport: "" });
   });

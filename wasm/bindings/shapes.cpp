@@ -54,6 +54,12 @@ Conflict conflict(const Diagram& diagram, double x, double y, double r) {
   return found;
 }
 
+/// An empty diagram for a few sites, beside another one in its instance of the module, whose
+/// regions it can be asked with. The caller deletes it.
+Diagram* emptyBeside(const Diagram&) {
+  return allocating([] { return new Diagram(apollonius::Location::kWalk); });
+}
+
 // --- Drawings
 
 enum class Drawing : std::uint8_t { kEdges, kSites, kDual, kDualWithRays, kHull };
@@ -239,6 +245,7 @@ void registerShapes() {
       .function("weights", &fitWeights);
 
   function("conflict", &conflict);
+  function("emptyBeside", &emptyBeside, allow_raw_pointers(), moved);
   function("defaultTolerance", &defaultTolerance);
   function("extent", &Voronoi::extentOf);
   function("region", &makeRegion, allow_raw_pointers(), moved);

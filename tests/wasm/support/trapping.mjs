@@ -307,6 +307,17 @@ trapAt = 0;
 console.error = print;
 const afterReport = harm();
 
+// A view of a diagram of an instance that others have left: what it computes in a small diagram of
+// its own is of that instance, too.
+const pentagon = [
+  [-900, -900],
+  [900, -900],
+  [900, 900],
+  [0, 1200],
+  [-900, 900],
+];
+const ofOldInstance = codeOf(() => bystander.voronoi(pentagon).naturalWeights(700, 700));
+
 // Many traps, large diagrams: what is leaked does not add up.
 const failures = new Set();
 const rounds = isThorough ? 150 : 30;
@@ -327,6 +338,7 @@ console.log(
     nested,
     reported,
     afterReport,
+    ofOldInstance,
     failures: [...failures],
   }),
 );

@@ -2,7 +2,7 @@
 // those sites matter from which it takes something. So a diagram of these alone, with the new site
 // and without it, says what is taken from each.
 import type { Conflict } from "../../../build/wasm/apollonius.mjs";
-import { type NativeShapes, runningModule, shapesOf } from "../core/native/module.js";
+import { type NativeDiagram, type NativeShapes, shapesOf } from "../core/native/module.js";
 import { checkTypes, ofNumbers } from "../core/native/native_errors.js";
 import type { NativeWindow } from "./drawing.js";
 import type { NaturalWeights } from "./types.js";
@@ -25,7 +25,7 @@ export function naturalWeights(
     const site = native.site(id);
     xyr.set([site.x, site.y, site.r], 3 * k);
   });
-  const local = shapesOf(runningModule().create("walk"));
+  const local = shapesOf(native.emptyBeside() as NativeDiagram);
   try {
     local.insertMany(xyr, new Uint32Array(ids.length));
     const own = local.insert(x, y, r);

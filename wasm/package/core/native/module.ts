@@ -117,34 +117,36 @@ function started(compiled: WebAssembly.Module): NativeModule {
   };
   guardMethods(Diagram, exports.Builder, exports.NearestFirst);
 
+  /** What starts a part, the first time it is called; `adopt` guards what that registers. */
+  const beginning = (part: Part, register: () => void, adopt: () => void) => {
+    let hasBegun = false;
+    return () => {
+      if (hasBegun) return;
+      expectStack();
+      startPart(part);
+      register();
+      hasBegun = true;
+      adopt();
+    };
+  };
+  const ofCore = new Set(Object.keys(exports));
   const methods = Diagram.prototype as Record<PropertyKey, unknown>;
-  let hasShapes = false;
-  methods[kStartShapes] = () => {
-    if (hasShapes) return;
-    const before = new Set(Object.keys(exports));
-    expectStack();
-    startPart("shapes");
-    exports._registerShapes();
-    hasShapes = true;
+  methods[kStartShapes] = beginning("shapes", exports._registerShapes, () => {
     guardMethods(exports.Region, exports.Reach, exports.Fitting);
     methods.Drawing = exports.Drawing;
-    for (const name of Object.keys(exports).filter((name) => !before.has(name))) {
-      if (!/^[a-z]/.test(name)) continue; // a class or an enumeration
+    // The calls; what begins with a capital is a class or an enumeration.
+    for (const name of Object.keys(exports).filter(
+      (key) => !ofCore.has(key) && /^[a-z]/.test(key),
+    )) {
       const call = exports[name as keyof Exports] as Method;
       methods[name] = guarded(function (this: Handle, a, b, c, d, e, f, g, h, i, j) {
         return call(this as never, a, b, c, d, e, f, g, h, i, j);
       });
     }
-  };
-  let hasSphere = false;
-  const startSphere = () => {
-    if (hasSphere) return;
-    expectStack();
-    startPart("sphere");
-    exports._registerSphere();
-    hasSphere = true;
-    guardMethods(exports.SphericalDiagram, exports.SphericalNearestFirst);
-  };
+  });
+  const startSphere = beginning("sphere", exports._registerSphere, () =>
+    guardMethods(exports.SphericalDiagram, exports.SphericalNearestFirst),
+  );
 
   const predicateCounts = guarded(exports.predicateCounts);
   const create = guarded((location: keyof typeof Location) => new Diagram(Location[location]));
