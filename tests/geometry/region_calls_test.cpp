@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "apollonius/region.h"
-#include "geometry/curve/moments.h"
 #include "geometry/shapes.h"
 #include "support/effort.h"
 
@@ -140,15 +139,6 @@ Circles circlesIn(Random& random, std::size_t n) {
   return circles;
 }
 
-double lengthOf(const CurveArrays& arrays) {
-  double sum = 0;
-  for (std::size_t k = 0; k + 6 < arrays.curves.size(); k += 7) {
-    const double* c = &arrays.curves[k];
-    sum += internal::lengthOf(Conic{{c[0], c[1]}, {c[2], c[3]}, c[4], {c[5], c[6]}});
-  }
-  return sum;
-}
-
 double lengthOf(const Path& path) {
   double sum = 0;
   visitLines(path, [&](Point from, Point to) { sum += length(to - from); });
@@ -171,7 +161,7 @@ TEST(RegionCalls, EdgesAndBorderAreTheBordersOfAllCells) {
     ASSERT_EQ(region.draw(border), Error::kNone);
     double all = 0;
     for (const double perimeter : perimeters) all += perimeter;
-    ASSERT_NEAR(2 * lengthOf(edges) + lengthOf(border), all, 1e-7 * all) << "run " << run;
+    ASSERT_NEAR(2 * lengthOfCurves(edges) + lengthOf(border), all, 1e-7 * all) << "run " << run;
     ASSERT_EQ(edges.sites.size(), edges.curves.size() / 7 * 2);
   }
 }
@@ -187,21 +177,9 @@ TEST(RegionCalls, DrawnEdgesAreTheListedOnesInPortionsOfAnySize) {
     const Voronoi voronoi(diagram, region);
     CurveArrays edges;
     ASSERT_EQ(voronoi.edgeCurves(edges), Error::kNone);
-    Path whole, part, joined;
-    Portion all, portion{0, 8};
-    ASSERT_EQ(voronoi.drawEdges(1e-3, all, whole), Error::kNone);
-    EXPECT_TRUE(all.isDone);
-    EXPECT_NEAR(lengthOf(whole), lengthOf(edges), 1e-6) << "run " << run;
-    int portions = 0;
-    for (; !portion.isDone; ++portions) {
-      ASSERT_EQ(voronoi.drawEdges(1e-3, portion, part), Error::kNone);
-      joined.commands.insert(joined.commands.end(), part.commands.begin(), part.commands.end());
-      joined.coordinates.insert(joined.coordinates.end(), part.coordinates.begin(),
-                                part.coordinates.end());
-    }
-    EXPECT_GT(portions, 2);
-    EXPECT_EQ(joined.commands, whole.commands);
-    EXPECT_EQ(joined.coordinates, whole.coordinates);
+    Path whole;
+    drawEdgesInPortions(voronoi, 1e-3, 8, whole);
+    EXPECT_NEAR(lengthOf(whole), lengthOfCurves(edges), 1e-6) << "run " << run;
   }
 }
 

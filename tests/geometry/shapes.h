@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apollonius/voronoi.h"
+#include "geometry/curve/moments.h"
 #include "geometry/polygons/chords.h"
 #include "geometry/window/rectangle_sides.h"
 #include "predicate/orientation.h"
@@ -48,6 +49,35 @@ inline std::vector<Point> chordsOf(const Conic& conic, double tolerance) {
   ChordFinder finder(everywhere, tolerance);
   const auto points = finder.find({conic, center + away, center - away});
   return {points.begin(), points.end()};
+}
+
+/// The sum of the lengths of curves.
+inline double lengthOfCurves(const CurveArrays& arrays) {
+  double sum = 0;
+  for (std::size_t k = 0; k + 6 < arrays.curves.size(); k += 7) {
+    const double* c = &arrays.curves[k];
+    sum += lengthOf(Conic{{c[0], c[1]}, {c[2], c[3]}, c[4], {c[5], c[6]}});
+  }
+  return sum;
+}
+
+/// The drawn edges of a window, `whole`; expects the same of portions of about so many commands.
+inline void drawEdgesInPortions(const Voronoi& voronoi, double tolerance, std::size_t commands,
+                                Path& whole) {
+  Path part, joined;
+  Portion all, portion{0, commands};
+  ASSERT_EQ(voronoi.drawEdges(tolerance, all, whole), Error::kNone);
+  EXPECT_TRUE(all.isDone);
+  int portions = 0;
+  for (; !portion.isDone; ++portions) {
+    ASSERT_EQ(voronoi.drawEdges(tolerance, portion, part), Error::kNone);
+    joined.commands.insert(joined.commands.end(), part.commands.begin(), part.commands.end());
+    joined.coordinates.insert(joined.coordinates.end(), part.coordinates.begin(),
+                              part.coordinates.end());
+  }
+  EXPECT_GT(portions, 2);
+  EXPECT_EQ(joined.commands, whole.commands);
+  EXPECT_EQ(joined.coordinates, whole.coordinates);
 }
 
 /// The areas of all cells in units of the window's: together, or one by one if that is further
