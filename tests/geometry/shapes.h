@@ -61,7 +61,8 @@ inline double lengthOfCurves(const CurveArrays& arrays) {
   return sum;
 }
 
-/// The drawn edges of a window, `whole`; expects the same of portions of about so many commands.
+/// The drawn edges of a window, `whole`; expects the same of portions of this many commands, or a
+/// few more.
 inline void drawEdgesInPortions(const Voronoi& voronoi, double tolerance, std::size_t commands,
                                 Path& whole) {
   Path part, joined;
