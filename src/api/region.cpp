@@ -9,7 +9,6 @@
 
 #include "api/region_state.h"
 #include "number/sum.h"
-#include "predicate/orientation.h"
 
 namespace apollonius {
 
@@ -83,24 +82,7 @@ Error Region::draw(Path& path) const {
 }
 
 bool Region::contains(double x, double y) const noexcept {
-  if (state_ == nullptr || !std::isfinite(x) || !std::isfinite(y)) return false;
-  const NormalizedPolygon& polygon = state_->polygon;
-  const Point p{x, y};
-  bool isInside = false;  // so far, by the crossings with the ray from p to the right
-  for (std::size_t k = 0; k < polygon.ringCount(); ++k) {
-    const auto ring = polygon.ring(k);
-    Point a = ring.back();
-    for (const Point b : ring) {
-      const bool isAcross = (a.y <= y) != (b.y <= y);
-      if (isAcross || (std::min(a.y, b.y) <= y && y <= std::max(a.y, b.y))) {
-        const Sign side = orient2d(a, b, p);
-        if (side == Sign::kZero && std::min(a.x, b.x) <= x && x <= std::max(a.x, b.x)) return true;
-        if (isAcross && (side == Sign::kPositive) == (a.y <= y)) isInside = !isInside;
-      }
-      a = b;
-    }
-  }
-  return isInside;
+  return state_ != nullptr && std::isfinite(x) && std::isfinite(y) && state_->polygon.holds({x, y});
 }
 
 double Region::area() const noexcept { return state_ == nullptr ? 0 : state_->area; }

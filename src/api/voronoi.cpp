@@ -3,6 +3,7 @@
 #include "apollonius/voronoi.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -290,6 +291,34 @@ Error Voronoi::cellCentroids(std::vector<double>& centroids) const {
 
 Error Voronoi::cellPerimeters(std::vector<double>& perimeters) const {
   return measureAll(Measure::kPerimeters, perimeters);
+}
+
+Error Voronoi::naturalWeights(double x, double y, double r, NaturalWeights& found) const {
+  const Error bad = checkNumbers(std::array{x, y, r});
+  return clipped(firstOf(windowError(), bad), [&](const Clipping& clipping) {
+    const DiagramCore& core = *diagram_.core_;
+    found = {};
+    if (core.visibleCount() == 0) return;
+    const auto neighbors = clipping.naturalNeighbors();
+    const VertexId start = vertexOf(core.nearest(x, y));
+    for (const auto& [site, weight] :
+         neighbors->find(normalized({x, y, r}), start, Centers::kAll)) {
+      found.ids.push_back(core.siteOf(site));
+      found.weights.push_back(weight);
+    }
+  });
+}
+
+Error Voronoi::interpolate(std::span<const double> values, std::span<const double> xy, double r,
+                           std::span<double> results) const {
+  const DiagramCore& core = *diagram_.core_;
+  const bool areLengthsGood =
+      values.size() == core.ids().idLimit() && xy.size() == 2 * results.size();
+  const Error error = firstOf(windowError(), areLengthsGood ? Error::kNone : Error::kBadLength,
+                              firstOf(checkNumber(r), checkNumbers(xy)));
+  return clipped(error, [&](const Clipping& clipping) {
+    internal::interpolate(core, *clipping.naturalNeighbors(), values, xy, r, results);
+  });
 }
 
 Error Voronoi::drawEdges(double tolerance, Portion& portion, Path& path) const {

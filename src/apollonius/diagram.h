@@ -237,6 +237,10 @@ class APOLLONIUS_EXPORT Diagram {
     return Error::kNone;
   }
 
+  /// A number of its own for each set of sites that any diagram of the process has had: the same as
+  /// long as nothing changes.
+  [[nodiscard]] std::uint64_t revision() const noexcept { return state_; }
+
  private:
   friend class AreaFit;       // apollonius/area_fit.h
   friend class Builder;       // in steps: apollonius/builder.h
@@ -247,7 +251,7 @@ class APOLLONIUS_EXPORT Diagram {
   void change() noexcept;
 
   std::unique_ptr<internal::DiagramCore> core_;
-  std::uint64_t state_ = 0;  // a number of its own for each set of sites that a diagram has had
+  std::uint64_t state_ = 0;  // revision()
 };
 
 }  // namespace apollonius

@@ -25,6 +25,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "apollonius/bounds.h"
@@ -81,6 +82,12 @@ struct CellMeasures : CellMoments {
   double perimeter = 0;  ///< the window's border included
 };
 
+/// What a new circle would take: from which sites, and which share of it. These add up to 1.
+struct NaturalWeights {
+  std::vector<SiteId> ids;
+  std::vector<double> weights;
+};
+
 /// A tolerance for drawings in a window that is too small to be seen: 2^-13 of its diagonal.
 [[nodiscard]] APOLLONIUS_EXPORT double defaultTolerance(const Bounds& bounds);
 
@@ -134,6 +141,21 @@ class APOLLONIUS_EXPORT Voronoi {
   [[nodiscard]] Error cellCentroids(std::vector<double>& centroids) const;
   /// The perimeter of every cell, by id; 0 for ids without one. Cost: O(h)
   [[nodiscard]] Error cellPerimeters(std::vector<double>& perimeters) const;
+
+  /// The natural neighbours of a new circle (Sibson): from which cells in the window it would take
+  /// something, and which share of its own from each. One that covers it is the only one. None
+  /// without sites, and where the new cell would have no part in the window. The diagram stays as
+  /// it is; a reach does not matter. Errors also: kNotFinite, kOutOfRange. Cost: location, and
+  /// O(s), s the size of what would change; at the border of a region also O(points of the region)
+  /// and a diagram of the natural neighbours.
+  [[nodiscard]] Error naturalWeights(double x, double y, double r, NaturalWeights& found) const;
+  /// Values of a field at points x, y, …: what naturalWeights() says for circles of radius r, with
+  /// `values` by id. NaN outside of the window and without sites. Fills `results`, one for each
+  /// point. Errors also: kNotFinite, kOutOfRange, kBadLength unless there is a value for each id
+  /// that was ever used and a result for each point. Cost: as naturalWeights(), but for the
+  /// location: points are visited along a curve.
+  [[nodiscard]] Error interpolate(std::span<const double> values, std::span<const double> xy,
+                                  double r, std::span<double> results) const;
 
   /// The box of all circles (of centres, where radii are below 0), a little larger if it would be
   /// empty: for drawings without a window.

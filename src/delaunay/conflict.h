@@ -39,6 +39,9 @@ class ConflictSearch {
 
   /// The faces in conflict; empty if q's cell lies within one edge.
   [[nodiscard]] std::span<const FaceId> faces() const { return faces_; }
+  [[nodiscard]] bool isInRegion(FaceId f) const {
+    return (marks_[index(f) / kWord] & mark(f)) != 0;
+  }
   /// The hole's boundary from inside, counter-clockwise, as Graph::starHole wants it; empty if q
   /// covers every site.
   [[nodiscard]] std::span<const HalfedgeId> boundary() const { return boundary_; }
@@ -57,9 +60,6 @@ class ConflictSearch {
   void expand();
   void makeRoom(std::size_t faces);
   inline void enter(FaceId f);
-  [[nodiscard]] bool isInRegion(FaceId f) const {
-    return (marks_[index(f) / kWord] & mark(f)) != 0;
-  }
   [[nodiscard]] static std::uint32_t mark(FaceId f) {
     return std::uint32_t{1} << static_cast<std::uint32_t>(f) % kWord;
   }

@@ -43,21 +43,17 @@ auto inWindow() {
   return inWindow<method>(method, inputsOf(method));
 }
 
-/// From which cells a new circle would take something; or, with `isCovered`, what covers it.
-struct Conflict {
-  std::vector<SiteId> sites;
-  bool isCovered = false;
-};
-Conflict conflict(const Diagram& diagram, double x, double y, double r) {
-  Conflict found;
-  check(diagram.conflict(x, y, r, found.sites, found.isCovered));
-  return found;
-}
+double revision(const Diagram& diagram) { return static_cast<double>(diagram.revision()); }
 
-/// An empty diagram for a few sites, beside another one in its instance of the module, whose
-/// regions it can be asked with. The caller deletes it.
-Diagram* emptyBeside(const Diagram&) {
-  return allocating([] { return new Diagram(apollonius::Location::kWalk); });
+/// Values by id at points x, y, ….
+std::vector<double> interpolate(const Diagram& diagram, const Region* region, const Reach* reach,
+                                double xmin, double ymin, double xmax, double ymax,
+                                const NumbersIn& values, const NumbersIn& xy, double r) {
+  const std::vector<double> points = vectorOf<double>(xy);
+  auto results = allocating([&] { return std::vector<double>(points.size() / 2); });
+  check(voronoiIn(diagram, region, reach, {xmin, ymin, xmax, ymax})
+            .interpolate(vectorOf<double>(values), points, r, results));
+  return results;
 }
 
 // --- Drawings
@@ -211,9 +207,6 @@ void registerShapes() {
       .field("ymin", &Bounds::ymin)
       .field("xmax", &Bounds::xmax)
       .field("ymax", &Bounds::ymax);
-  value_object<Conflict>("Conflict")
-      .field("sites", &Conflict::sites)
-      .field("isCovered", &Conflict::isCovered);
   value_object<apollonius::CurveArrays>("CurveArrays")
       .field("curves", &apollonius::CurveArrays::curves)
       .field("sites", &apollonius::CurveArrays::sites)
@@ -229,6 +222,9 @@ void registerShapes() {
       .field("centroidY", &apollonius::CellMeasures::centroidY)
       .field("perimeter", &apollonius::CellMeasures::perimeter)
       .field("isEmpty", &apollonius::CellMeasures::isEmpty);
+  value_object<apollonius::NaturalWeights>("NaturalWeights")
+      .field("ids", &apollonius::NaturalWeights::ids)
+      .field("weights", &apollonius::NaturalWeights::weights);
   value_object<Portion>("Portion")
       .field("commands", &Portion::commands)
       .field("coordinates", &Portion::coordinates)
@@ -244,8 +240,9 @@ void registerShapes() {
       .function("badSite", &badSite)
       .function("weights", &fitWeights);
 
-  function("conflict", &conflict);
-  function("emptyBeside", &emptyBeside, allow_raw_pointers(), moved);
+  function("naturalWeights", inWindow<&Voronoi::naturalWeights>(), allow_raw_pointers());
+  function("revision", &revision);
+  function("interpolate", &interpolate, allow_raw_pointers());
   function("defaultTolerance", &defaultTolerance);
   function("extent", &Voronoi::extentOf);
   function("region", &makeRegion, allow_raw_pointers(), moved);

@@ -37,10 +37,12 @@ export default function temperature(container) {
 
   // In the middle of each square of the grid, as d3-contour has it.
   const [columns, rows] = [width / step + 2, height / step + 2];
-  const values = Array.from(
-    { length: columns * rows },
-    (_, k) => at(((k % columns) - 0.5) * step, (Math.floor(k / columns) - 0.5) * step).value,
-  );
+  const middles = Array.from({ length: columns * rows }, (_, k) => [
+    ((k % columns) - 0.5) * step,
+    (Math.floor(k / columns) - 0.5) * step,
+  ]);
+  const measured = stations.map(({ value }) => value);
+  const values = [...cells.interpolate(measured, middles.flat())];
   const [coldest, warmest] = [Math.min(...values), Math.max(...values)];
   const degrees = Array.from({ length: 40 }, (_, k) => k).filter((t) => t < warmest);
   const bands = contours().size([columns, rows]).thresholds(degrees)(values);

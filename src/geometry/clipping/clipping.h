@@ -10,6 +10,7 @@
 #include "diagram/diagram_core.h"
 #include "geometry/cell/cell_clipper.h"
 #include "geometry/cell/cell_measures.h"
+#include "geometry/cell/natural_neighbors.h"
 #include "geometry/window/border.h"
 #include "geometry/window/rectangle.h"
 
@@ -40,6 +41,8 @@ class Clipping {
   /// Each piece of an edge inside, with the same bits after any history.
   virtual void visitEdges(EdgeVisitor& visitor) const = 0;
   virtual void measureCells(Measure what, std::vector<double>& measures) const = 0;
+  /// Of new circles whose cells end at the window only, not at a distance from their sites.
+  [[nodiscard]] virtual std::unique_ptr<NaturalNeighbors> naturalNeighbors() const = 0;
   /// Each edge inside once; render.h says how portions work.
   virtual void drawEdges(double tolerance, Portion& portion, Path& path) const = 0;
 };

@@ -5,7 +5,7 @@
 
 namespace apollonius::internal {
 
-const Border& PolygonClipping::border() const {
+const PolygonGrid& PolygonClipping::grid() const {
   if (grid_ == nullptr) grid_ = std::make_unique<PolygonGrid>(clippedDiagram_.polygon());
   return *grid_;
 }
@@ -23,6 +23,10 @@ void PolygonClipping::visitEdges(EdgeVisitor& visitor) const {
 
 void PolygonClipping::measureCells(Measure what, std::vector<double>& measures) const {
   internal::measureCells(clippedDiagram_, what, measures);
+}
+
+std::unique_ptr<NaturalNeighbors> PolygonClipping::naturalNeighbors() const {
+  return std::make_unique<NaturalNeighbors>(clippedDiagram_, grid());
 }
 
 void PolygonClipping::drawEdges(double tolerance, Portion& portion, Path& path) const {

@@ -15,13 +15,16 @@ class PolygonClipping final : public Clipping {
       : clippedDiagram_(core, polygon) {}
 
   [[nodiscard]] const Rectangle& box() const override { return clippedDiagram_.polygon().box; }
-  [[nodiscard]] const Border& border() const override;
+  [[nodiscard]] const Border& border() const override { return grid(); }
   [[nodiscard]] std::unique_ptr<CellClipper> cells(Parts parts) const override;
   void visitEdges(EdgeVisitor& visitor) const override;
   void measureCells(Measure what, std::vector<double>& measures) const override;
+  [[nodiscard]] std::unique_ptr<NaturalNeighbors> naturalNeighbors() const override;
   void drawEdges(double tolerance, Portion& portion, Path& path) const override;
 
  private:
+  [[nodiscard]] const PolygonGrid& grid() const;
+
   ClippedDiagram clippedDiagram_;
   mutable std::unique_ptr<PolygonGrid> grid_;  // made at its first use
 };

@@ -42,6 +42,10 @@ void ReachClipping::visitEdges(EdgeVisitor& visitor) const {
   window_.visitEdges(shared);
 }
 
+std::unique_ptr<NaturalNeighbors> ReachClipping::naturalNeighbors() const {
+  return window_.naturalNeighbors();
+}
+
 void ReachClipping::measureCells(Measure what, std::vector<double>& measures) const {
   CellSums sums(core_, box(), what);
   const auto clipper = cells(Parts::kWithArea);

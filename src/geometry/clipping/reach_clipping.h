@@ -19,6 +19,7 @@ class ReachClipping final : public Clipping {
   /// What two cells share.
   void visitEdges(EdgeVisitor& visitor) const override;
   void measureCells(Measure what, std::vector<double>& measures) const override;
+  [[nodiscard]] std::unique_ptr<NaturalNeighbors> naturalNeighbors() const override;
   /// And where cells end without a neighbor.
   void drawEdges(double tolerance, Portion& portion, Path& path) const override;
 

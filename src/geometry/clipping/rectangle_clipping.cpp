@@ -20,6 +20,10 @@ void RectangleClipping::measureCells(Measure what, std::vector<double>& measures
   internal::measureCells(core_, box_, what, measures);
 }
 
+std::unique_ptr<NaturalNeighbors> RectangleClipping::naturalNeighbors() const {
+  return std::make_unique<NaturalNeighbors>(core_, box_);
+}
+
 void RectangleClipping::drawEdges(double tolerance, Portion& portion, Path& path) const {
   internal::drawEdges(core_, box_, tolerance, portion, path);
 }

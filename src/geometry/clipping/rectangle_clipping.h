@@ -18,6 +18,7 @@ class RectangleClipping final : public Clipping {
   [[nodiscard]] std::unique_ptr<CellClipper> cells(Parts parts) const override;
   void visitEdges(EdgeVisitor& visitor) const override;
   void measureCells(Measure what, std::vector<double>& measures) const override;
+  [[nodiscard]] std::unique_ptr<NaturalNeighbors> naturalNeighbors() const override;
   void drawEdges(double tolerance, Portion& portion, Path& path) const override;
 
  private:

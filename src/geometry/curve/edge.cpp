@@ -47,29 +47,30 @@ bool startsAtReference(const DelaunayGraph& delaunay, HalfedgeId h) {
   return precedes(b, a) || (!precedes(a, b) && h < delaunay.graph().twin(h));
 }
 
-Edge::Edge(const DelaunayGraph& delaunay, HalfedgeId h, VertexPrecision precision,
-           KeptVertices* kept)
-    : bisector(delaunay.site(delaunay.graph().origin(h)),
-               delaunay.site(delaunay.graph().target(h))),
-      from(endOf(delaunay, faceOf(delaunay.graph().twin(h)), precision, kept)),
-      to(endOf(delaunay, faceOf(h), precision, kept)),
-      e0(0),
-      e1(kInfinite) {
-  const auto parameter = [&](EdgeEnd& end, double atInfinity) {
-    if (!end.isFinite) return atInfinity;
-    if (absolute(end.point.x) < kInfinite && absolute(end.point.y) < kInfinite) {
-      const double e = bisector.parameterOf(end.point);
+Edge::Edge(const Bisector& curve, EdgeEnd start, EdgeEnd end)
+    : bisector(curve), from(start), to(end), e0(0), e1(kInfinite) {
+  const auto parameter = [&](EdgeEnd& place, double atInfinity) {
+    if (!place.isFinite) return atInfinity;
+    if (absolute(place.point.x) < kInfinite && absolute(place.point.y) < kInfinite) {
+      const double e = bisector.parameterOf(place.point);
       if (e > 0 && e < kInfinite) return e;
-      end.isFinite = false;
+      place.isFinite = false;
       return e;
     }
-    end.isFinite = false;
-    return cross(bisector.axis(), clippedToDoubles(end.point)) < 0 ? 0 : kInfinite;
+    place.isFinite = false;
+    return cross(bisector.axis(), clippedToDoubles(place.point)) < 0 ? 0 : kInfinite;
   };
   e0 = parameter(from, 0);
   e1 = parameter(to, kInfinite);
   if (e1 < e0) e1 = e0;  // so short that rounding turned it
 }
+
+Edge::Edge(const DelaunayGraph& delaunay, HalfedgeId h, VertexPrecision precision,
+           KeptVertices* kept)
+    : Edge(Bisector(delaunay.site(delaunay.graph().origin(h)),
+                    delaunay.site(delaunay.graph().target(h))),
+           endOf(delaunay, faceOf(delaunay.graph().twin(h)), precision, kept),
+           endOf(delaunay, faceOf(h), precision, kept)) {}
 
 Conic pieceOf(const Bisector& bisector, double e0, double e1, Point from, Point to) {
   if (!bisector.isLine() && e1 > e0) {

@@ -55,6 +55,8 @@ struct Edge {
   EdgeEnd from, to;
   double e0, e1;
 
+  /// Between two ends of the bisector, counter-clockwise about its reference site.
+  Edge(const Bisector& bisector, EdgeEnd from, EdgeEnd to);
   /// REQUIRES: startsAtReference; vertices that are kept have the same precision.
   Edge(const DelaunayGraph& delaunay, HalfedgeId h,
        VertexPrecision precision = VertexPrecision::kReproducible, KeptVertices* kept = nullptr);

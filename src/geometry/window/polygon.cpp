@@ -1,6 +1,9 @@
 #include "geometry/window/polygon.h"
 
+#include <algorithm>
+
 #include "geometry/window/arrangement.h"
+#include "predicate/orientation.h"
 
 namespace apollonius::internal {
 
@@ -34,6 +37,25 @@ NormalizedPolygon normalizePolygon(std::span<const double> coordinates,
   lines.link(polygon);
   polygon.box = boxOf(polygon.points);
   return polygon;
+}
+
+bool NormalizedPolygon::holds(Point p) const {
+  bool isInside = false;  // so far, by the crossings with the ray from p to the right
+  for (std::size_t k = 0; k < ringCount(); ++k) {
+    const std::span<const Point> own = ring(k);
+    Point a = own.back();
+    for (const Point b : own) {
+      const bool isAcross = (a.y <= p.y) != (b.y <= p.y);
+      if (isAcross || (std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y))) {
+        const Sign side = orient2d(a, b, p);
+        if (side == Sign::kZero && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x))
+          return true;
+        if (isAcross && (side == Sign::kPositive) == (a.y <= p.y)) isInside = !isInside;
+      }
+      a = b;
+    }
+  }
+  return isInside;
 }
 
 }  // namespace apollonius::internal

@@ -35,6 +35,8 @@ struct NormalizedPolygon {
   [[nodiscard]] std::span<const Point> ring(std::size_t k) const {
     return std::span(points).subspan(starts[k], starts[k + 1] - starts[k]);
   }
+  /// Is a finite point inside, or on a ring? Exact. Cost: O(points).
+  [[nodiscard]] bool holds(Point p) const;
 };
 
 /// Of rings x, y, …; starts[k] is the first point of ring k, and the last entry the number of

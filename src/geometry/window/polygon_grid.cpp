@@ -75,4 +75,19 @@ bool PolygonGrid::isNear(const Conic& curve, std::uint32_t fromSegment,
   });
 }
 
+bool PolygonGrid::isClearOf(const Rectangle& box) const {
+  // A segment is taken for its box.
+  const auto isMet = [&](std::uint32_t number) {
+    const Point p = polygon_.points[segments_[number].from],
+                q = polygon_.points[segments_[number].to];
+    return std::min(p.x, q.x) <= box.xmax && std::max(p.x, q.x) >= box.xmin &&
+           std::min(p.y, q.y) <= box.ymax && std::max(p.y, q.y) >= box.ymin;
+  };
+  return !grid_.isAnyCell({box.corner(0), box.corner(1), box.corner(2), box.corner(3)},
+                          [&](std::size_t cell) {
+                            const auto numbers = grid_.at(cell);
+                            return std::any_of(numbers.begin(), numbers.end(), isMet);
+                          });
+}
+
 }  // namespace apollonius::internal

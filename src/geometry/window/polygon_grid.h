@@ -20,6 +20,9 @@ class PolygonGrid final : public Border {
   /// the segments there.
   [[nodiscard]] bool isNear(const Conic& curve, std::uint32_t fromSegment,
                             std::uint32_t toSegment) const override;
+  /// Is surely nothing of the border in a rectangle or on its sides? Cost: the grid's cells that it
+  /// meets, and the segments there, until one is.
+  [[nodiscard]] bool isClearOf(const Rectangle& box) const;
   /// Never sure: the border may come back to a point, or pass by as close as doubles are.
   [[nodiscard]] bool isSimple(Point /*from*/, Point /*to*/) const override { return false; }
 

@@ -134,7 +134,11 @@ void clipEdge(const DelaunayGraph& delaunay, HalfedgeId h, const Rectangle& wind
   if (isFarAway(delaunay.site(g.origin(h)), delaunay.circle(faceOf(g.twin(h))),
                 delaunay.circle(faceOf(h)), window))
     return;
-  const Edge edge(delaunay, h, precision, kept);
+  clipEdge(Edge(delaunay, h, precision, kept), window, clipped);
+}
+
+void clipEdge(const Edge& edge, const Rectangle& window, ClippedEdge& clipped) {
+  clipped.count = 0;
   const Mark start{edge.e0, edge.from.point, kNoSide}, end{edge.e1, edge.to.point, kNoSide};
   if (edge.from.isFinite && edge.to.isFinite && window.holds(start.point) &&
       window.holds(end.point)) {

@@ -34,6 +34,7 @@ struct ClippedEdge {
   int count = 0;
 };
 
+void clipEdge(const Edge& edge, const Rectangle& window, ClippedEdge& clipped);
 /// Clips the edge dual to h. Edges of one drawing or sum take the same bits, so that they meet.
 /// REQUIRES: startsAtReference.
 void clipEdge(const DelaunayGraph& delaunay, HalfedgeId h, const Rectangle& window,

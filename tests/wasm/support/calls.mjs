@@ -18,6 +18,8 @@ import {
   unknownOption,
   polygons,
   fitting,
+  interpolateBy,
+  interpolating,
   drawing,
   flat,
   works,
@@ -371,6 +373,22 @@ export const voronoiCalls = {
         "r",
         inWindow((v, r) => v.naturalWeights(0, 0, r)),
       ),
+    ],
+  },
+  interpolate: {
+    use: (d) => interpolateBy("interpolate")(d),
+    refuses: interpolating("interpolate"),
+  },
+  interpolateAsync: {
+    isAsync: true,
+    use: async (d) => interpolateBy("interpolateAsync")(d),
+    refuses: [
+      ...interpolating("interpolateAsync"),
+      [
+        "bad-option",
+        (d) => interpolateBy("interpolateAsync")(d, [1, 2], { onProgress: 7 }),
+        "options.onProgress is 7, expected",
+      ],
     ],
   },
   largestEmptyCircle: works(inWindow((v) => v.largestEmptyCircle())),

@@ -78,6 +78,8 @@ const large = {
   "Voronoi.cellAreas": () => view.cellAreas(),
   "Voronoi.fitAreas": () => view.fitAreas(targets),
   "Voronoi.fitAreasAsync": () => view.fitAreasAsync(targets),
+  "Voronoi.interpolate": () => view.interpolate(targets, points),
+  "Voronoi.interpolateAsync": () => view.interpolateAsync(targets, points),
   "Voronoi.cellCentroids": () => view.cellCentroids(),
   "Voronoi.cellPerimeters": () => view.cellPerimeters(),
 };

@@ -103,6 +103,23 @@ export const fitting = (call) => [
   ["busy", (d) => call(d, { onIteration: () => d.removeMany([]) }), "changed meanwhile"],
   ...tolerance(call),
 ];
+export const interpolateBy =
+  (name) =>
+  (d, xy = [1, 2], { values = equal(d), ...options } = {}) =>
+    d.voronoi([-1e4, -1e4, 1e4, 1e4])[name](values, xy, options);
+export const interpolating = (call) => [
+  ...numbers("xy", 2, call),
+  ["bad-length", (d) => call(d, [1, 2], { values: [1] }), "values has 1 elements, expected "],
+  ["bad-length", (d) => call(d, [1, 2], { values: {} }), "values has none for site"],
+  [
+    "unknown-site",
+    (d) => call(d, [1, 2], { values: new Map([[NONE, 1]]) }),
+    "site 1000 does not exist",
+  ],
+  ["not-finite", (d) => call(d, [1, 2], { values: { 0: "1" } }), 'values[0] is the string "1"'],
+  ...number("options.r", (d, r) => call(d, [1, 2], { r })),
+  ["bad-option", (d) => call(d, [1, 2], { radius: 1 }), "options.radius is unknown, expected {"],
+];
 /** Of calls that draw: with options, and with a context. */
 export const drawing = (call, into) => [...tolerance(call), ...flat(call, into)];
 export const flat = (call, into) => [

@@ -307,8 +307,7 @@ trapAt = 0;
 console.error = print;
 const afterReport = harm();
 
-// A view of a diagram of an instance that others have left: what it computes in a small diagram of
-// its own is of that instance, too.
+// A view of a diagram of an instance that others have left: its region is of that instance, too.
 const pentagon = [
   [-900, -900],
   [900, -900],

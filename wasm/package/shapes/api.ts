@@ -5,6 +5,7 @@ export type { GeoJSONRegion, Region, Ring } from "./region.js";
 export type {
   AreaTargets,
   AsyncFitOptions,
+  AsyncInterpolationOptions,
   CellCurves,
   CellPart,
   CellPolygon,
@@ -16,6 +17,7 @@ export type {
   FitProgress,
   FittedAreas,
   FlatOptions,
+  InterpolationOptions,
   Measures,
   NaturalWeights,
   NestedOptions,

@@ -104,6 +104,20 @@ export interface FittedAreas extends FitProgress {
   weights: Float64Array;
 }
 
+/** Options of `interpolate`. */
+export interface InterpolationOptions {
+  /** Radius of the new circles, whose natural neighbours give the value. Default: 0. */
+  r?: number | undefined;
+}
+
+/** Options of `interpolateAsync`. */
+export interface AsyncInterpolationOptions extends InterpolationOptions {
+  /** Ends the interpolation when it aborts; the promise is rejected with its reason. */
+  signal?: AbortSignal | undefined;
+  /** Called after each slice with how much is done, from 0 to 1; at last with 1. It may throw. */
+  onProgress?: ((done: number) => void) | undefined;
+}
+
 /** Options of `fitAreas`. */
 export interface FitOptions {
   /** The largest `error` that is good enough, > 0. Default: 1e-6. */

@@ -27,13 +27,14 @@ import { drawBounds, drawInto, type NativeWindow } from "./drawing.js";
 import { emptyCircles } from "./empty_circles.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
 import { type CellsCollection, collectionOf, type GeoJSONOptions } from "./geojson.js";
+import { interpolate, interpolateAsync, naturalWeights } from "./interpolation.js";
 import { createReach, createRegion } from "./native_window.js";
-import { naturalWeights } from "./natural_neighbors.js";
 import { checkedProjection, readWindow, unprojected } from "./projection.js";
 import type { Region } from "./region.js";
 import type {
   AreaTargets,
   AsyncFitOptions,
+  AsyncInterpolationOptions,
   CellCurves,
   CellPart,
   CellPolygon,
@@ -43,9 +44,11 @@ import type {
   FitOptions,
   FittedAreas,
   FlatOptions,
+  InterpolationOptions,
   Measures,
   NaturalWeights,
   NestedOptions,
+  NumbersById,
   PolygonOptions,
   Projection,
   VoronoiOptions,
@@ -310,12 +313,44 @@ export class Voronoi implements Disposable {
    * the window a new circle there would take something, and which share of its cell from each.
    * Where a circle covers it, that one alone. The value of a field at the place is the sum of
    * weights times values. It is continuous, and that of a site at its centre, if r is at most the
-   * smallest radius. The diagram stays as it is. null without sites, and where the new cell would
-   * have no part in the window. Cost: location, and that of a diagram of the natural neighbours.
-   * Throws "not-finite", "out-of-range".
+   * smallest radius. The diagram stays as it is, and the view's distance does not matter. null
+   * without sites, and where the new cell would have no part in the window. Cost: location, and the
+   * size of what would change; at the border of a window that is no rectangle also O(its points)
+   * and a diagram of the natural neighbours. Throws "not-finite", "out-of-range".
    */
   naturalWeights(x: number, y: number, r = 0): NaturalWeights | null {
     return naturalWeights(Voronoi.#living(this), this.#window, x, y, r);
+  }
+
+  /**
+   * A field at many points: for each of the flat x, y pairs, what `naturalWeights` says with the
+   * sites' `values`, which are given by id. NaN outside of the window, without sites, and next to
+   * sites whose value is NaN. Where sites are points and the cells of a point's natural neighbours
+   * end within the window, linear fields are met. Cost: as a loop of `naturalWeights`, but without
+   * location, and without a call for each point. Throws "bad-length" (xy; values, one for each id
+   * that was ever used, or for each site), "unknown-site", "not-finite", "out-of-range",
+   * "bad-option".
+   */
+  interpolate(
+    values: NumbersById,
+    xy: ArrayLike<number>,
+    options?: InterpolationOptions,
+  ): Float64Array {
+    return interpolate(Voronoi.#living(this), () => this.#window, values, xy, options);
+  }
+
+  /**
+   * `interpolate` in slices of some milliseconds, with turns of the event loop between them.
+   * Rejects as that throws; with the reason of `options.signal` once that aborts; with "busy" if
+   * the diagram has changed meanwhile.
+   */
+  async interpolateAsync(
+    values: NumbersById,
+    xy: ArrayLike<number>,
+    options?: AsyncInterpolationOptions,
+  ): Promise<Float64Array> {
+    // awaited here, so that this view, and so the diagram, is not collected meanwhile
+    return await interpolateAsync(Voronoi.#living(this), () => this.#window, values, xy, options);
   }
 
   // --- Measures of the true, curved cells --------------------------------------------------------

@@ -1,0 +1,374 @@
+#include "geometry/cell/natural_neighbors.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <vector>
+
+#include "base/radix_sort.h"
+#include "diagram/spatial_order.h"
+#include "geometry/cell/cell_measures.h"
+#include "geometry/curve/in_range.h"
+#include "geometry/curve/moments.h"
+#include "predicate/covers.h"
+#include "predicate/distance.h"
+#include "predicate/precise_circle.h"
+
+namespace apollonius::internal {
+
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+EdgeEnd endAt(const VoronoiCircle& circle) {
+  if (circle.isHalfPlane()) return {};
+  return {{circle.x, circle.y}, true};
+}
+
+bool holds(const Rectangle& box, const Site& q) {
+  return q.x >= box.xmin && q.x <= box.xmax && q.y >= box.ymin && q.y <= box.ymax;
+}
+
+}  // namespace
+
+NaturalNeighbors::NaturalNeighbors(const DiagramCore& core, const Rectangle& window)
+    : core_(core), delaunay_(core.delaunay()), window_(window) {}
+
+NaturalNeighbors::NaturalNeighbors(const ClippedDiagram& clippedDiagram, const PolygonGrid& border)
+    : core_(clippedDiagram.core()),
+      delaunay_(core_.delaunay()),
+      clippedDiagram_(&clippedDiagram),
+      border_(&border),
+      window_(clippedDiagram.polygon().box) {}
+
+std::span<const NaturalShare> NaturalNeighbors::find(const Site& q, VertexId start,
+                                                     Centers centers) {
+  shares_.clear();
+  if (core_.visibleCount() == 0 || (centers == Centers::kInWindow && !holds(window_, q))) return {};
+  if (!findConflict(q, start)) {  // covered
+    const bool isAnswered = clippedDiagram_ == nullptr || centers == Centers::kAll ||
+                            clippedDiagram_->polygon().holds({q.x, q.y});
+    if (!isAnswered) shares_.clear();
+    return shares_;
+  }
+  origin_ = window_.nearestTo({q.x, q.y});
+  contacts_.clear();
+  extent_ = {kInfinite, kInfinite, -kInfinite, -kInfinite};
+  findNewVertices(q);
+  addNewEdges(q);
+  addOldEdges();
+  if (clippedDiagram_ != nullptr) {
+    findInRegion(q, centers);
+  } else {
+    addBorder(q);
+  }
+  normalize();
+  return shares_;
+}
+
+/// False if a site covers q, which then has the only share.
+bool NaturalNeighbors::findConflict(const Site& q, VertexId start) {
+  const bool isSingle = core_.visibleCount() == 1;
+  if (isSingle || !conflicts_.findBeside(delaunay_, q, start)) {
+    const auto near = delaunay_.locate(q.x, q.y, start, core_.locationIndex().walk());
+    if (covers(delaunay_.site(near.nearest), q)) {
+      shares_.push_back({near.nearest, 1});
+      return false;
+    }
+    if (isSingle) {
+      expectShares(1);
+      return true;
+    }
+    conflicts_.find(delaunay_, q, near.nearest, near.sector);
+  }
+  if (!delaunay_.isProven())
+    delaunay_.requireConsistent(conflicts_.isDisk(), "the conflict region is a disk");
+  // Each site is at a corner of the hole, or covered, and then within it.
+  expectShares(conflicts_.boundary().size() + conflicts_.faces().size());
+  return true;
+}
+
+/// Of the faces between q and the sides of the hole.
+void NaturalNeighbors::findNewVertices(const Site& q) {
+  const Graph& graph = delaunay_.graph();
+  newVertices_.clear();
+  sides_.clear();
+  if (core_.visibleCount() == 1) return;
+  const std::span<const HalfedgeId> boundary = conflicts_.boundary();
+  const std::size_t count = boundary.size();
+  fan_.reserve(count);
+  circles_.resize(count);
+  for (std::size_t k = 0; k < count; ++k)
+    fan_.setCorner(k, delaunay_.corner(graph.origin(boundary[k])));
+  fan_.compute(q, circles_);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Corner a = delaunay_.corner(graph.origin(boundary[k])),
+                 b = delaunay_.corner(graph.target(boundary[k]));
+    newVertices_.push_back(
+        endAt(isPrecise(circles_[k]) ? circles_[k] : preciseVoronoiCircle(a, b, &q)));
+  }
+  if (!conflicts_.mayHaveSlits()) return;
+  for (const HalfedgeId h : boundary) sides_.push_back({static_cast<std::uint32_t>(h), 0});
+  sortByKey(sides_);
+}
+
+void NaturalNeighbors::addNewEdges(const Site& q) {
+  const auto add = [&](VertexId v, EdgeEnd from, EdgeEnd to) {
+    const Site& other = delaunay_.site(v);
+    if (precedes(other, q)) {
+      addEdge(q, other, from, to, v, kNoVertex);
+    } else {
+      addEdge(other, q, to, from, kNoVertex, v);
+    }
+  };
+  if (core_.visibleCount() == 1) {
+    const VertexId only = delaunay_.anyVisible();
+    if (!covers(q, delaunay_.site(only))) add(only, {}, {});
+    return;
+  }
+  const std::span<const HalfedgeId> boundary = conflicts_.boundary();
+  for (std::size_t k = 0; k < boundary.size(); ++k) {
+    const VertexId v = delaunay_.graph().origin(boundary[k]);
+    if (v != kInfinity) add(v, newVertices_[(k == 0 ? boundary.size() : k) - 1], newVertices_[k]);
+  }
+}
+
+/// What of them is in q's cell: of an edge across the side of the hole, what is between the new
+/// vertex on it and the old one in the hole; all of others between faces of the hole.
+void NaturalNeighbors::addOldEdges() {
+  if (core_.visibleCount() == 1) return;
+  const Graph& graph = delaunay_.graph();
+  const std::span<const HalfedgeId> boundary = conflicts_.boundary();
+  if (conflicts_.faces().empty()) return addOldEdge(boundary[0], newVertices_[0], newVertices_[1]);
+  for (std::size_t k = 0; k < boundary.size(); ++k)
+    addOldEdge(boundary[k], newVertices_[k], oldVertex(faceOf(boundary[k])));
+  for (const FaceId f : conflicts_.faces()) {
+    for (unsigned c = 0; c < 3; ++c) {
+      const HalfedgeId h = halfedgeOf(f, c), twin = graph.twin(h);
+      if (twin < h || !conflicts_.isInRegion(faceOf(twin)) || isSide(h)) continue;
+      addOldEdge(h, oldVertex(faceOf(twin)), oldVertex(f));
+    }
+  }
+}
+
+/// Of the hole, with a face of the hole on both sides?
+bool NaturalNeighbors::isSide(HalfedgeId h) const {
+  const auto isBefore = [](const Keyed& side, HalfedgeId other) {
+    return HalfedgeId{side.key} < other;
+  };
+  const Keyed* const at = std::lower_bound(sides_.begin(), sides_.end(), h, isBefore);
+  return at != sides_.end() && HalfedgeId{at->key} == h;
+}
+
+EdgeEnd NaturalNeighbors::oldVertex(FaceId f) {
+  const VoronoiCircle& circle = delaunay_.circle(f);
+  // A vertex that is off moves area from one neighbour to another, no more than its error times the
+  // width of q's cell; and q is in the vertex's circle.
+  if (isPrecise(circle) || circle.error <= powerOfTwo(-34) * absolute(circle.s))
+    return endAt(circle);
+  constexpr std::size_t kMostKept = 1024;
+  if (kept_.empty()) kept_.resize(kMostKept);
+  KeptVertex& kept = kept_[index(f) % kMostKept];
+  if (kept.face != f) kept = {endAt(delaunay_, f, VertexPrecision::kFast), f};
+  return kept.vertex;
+}
+
+/// With the origin of h on its left.
+void NaturalNeighbors::addOldEdge(HalfedgeId h, EdgeEnd from, EdgeEnd to) {
+  const VertexId a = delaunay_.graph().origin(h), b = delaunay_.graph().target(h);
+  if (a == kInfinity || b == kInfinity) return;
+  if (startsAtReference(delaunay_, h)) {
+    addEdge(delaunay_.site(a), delaunay_.site(b), from, to, a, b);
+  } else {
+    addEdge(delaunay_.site(b), delaunay_.site(a), to, from, b, a);
+  }
+}
+
+/// Of the bisector of two sites, counter-clockwise about the reference site.
+void NaturalNeighbors::addEdge(const Site& reference, const Site& other, EdgeEnd from, EdgeEnd to,
+                               VertexId left, VertexId right) {
+  if (reference.r == other.r && from.isFinite && to.isFinite && window_.holds(from.point) &&
+      window_.holds(to.point))
+    return addPiece({Conic::segment(from.point, to.point)}, left, right);
+  clipEdge(Edge(Bisector(reference, other), from, to), window_, clipped_);
+  for (int k = 0; k < clipped_.count; ++k)
+    addPiece(clipped_.pieces[static_cast<std::size_t>(k)], left, right);
+}
+
+void NaturalNeighbors::addPiece(const ClippedPiece& piece, VertexId left, VertexId right) {
+  const Conic& curve = piece.curve;
+  const double area = cross(curve.p0 - origin_, curve.p2 - origin_) / 2 + areaBeyondChord(curve);
+  addArea(left, area);
+  addArea(right, -area);
+  if (left == kNoVertex || right == kNoVertex) {
+    extent_.include(curve.p0);
+    extent_.include(curve.p1);
+    extent_.include(curve.p2);
+  }
+  if (piece.fromSide != kNoSide)
+    addContact({window_.positionOf(piece.fromSide, curve.p0), curve.p0, left, right});
+  if (piece.toSide != kNoSide)
+    addContact({window_.positionOf(piece.toSide, curve.p2), curve.p2, right, left});
+}
+
+/// Keeps them sorted. There are few, or they come in runs.
+void NaturalNeighbors::addContact(const Contact& contact) {
+  contacts_.push_back(contact);
+  std::size_t k = contacts_.size() - 1;
+  for (; k > 0 && contacts_[k - 1].position > contact.position; --k)
+    contacts_[k] = contacts_[k - 1];
+  contacts_[k] = contact;
+}
+
+/// Room for this many sites.
+void NaturalNeighbors::expectShares(std::size_t most) {
+  shares_.reserve(most);
+  places_.assign(std::max(std::size_t{16}, std::bit_ceil(2 * most)), 0);
+}
+
+void NaturalNeighbors::addArea(VertexId site, double area) {
+  if (site == kNoVertex) return;
+  const std::size_t mask = places_.size() - 1;
+  constexpr std::uint32_t kFactor = 0x9E3779B1;  // 2^32 over the golden ratio: neighbours part
+  std::size_t k = (static_cast<std::uint32_t>(site) * kFactor >> 7) & mask;
+  for (;; k = (k + 1) & mask) {
+    if (places_[k] == 0) break;
+    NaturalShare& share = shares_[places_[k] - 1];
+    if (share.site != site) continue;
+    share.weight += area;
+    return;
+  }
+  shares_.push_back({site, area});
+  places_[k] = static_cast<std::uint32_t>(shares_.size());
+}
+
+/// What of the border is in q's cell.
+void NaturalNeighbors::addBorder(const Site& q) {
+  const double width = window_.width(), height = window_.height();
+  if (contacts_.empty()) {
+    // All of the border is, or nothing.
+    if (extent_.xmin <= extent_.xmax) return;
+    addArea(takenAt(q, window_.corner(0)), width * height);
+    return;
+  }
+  // The fixed place is in the middle of the widest gap, where rounding matters least.
+  const std::size_t count = contacts_.size();
+  std::size_t first = 0;  // after the gap
+  double widest = contacts_[0].position + 4 - contacts_[count - 1].position;
+  for (std::size_t k = 1; k < count; ++k) {
+    const double gap = contacts_[k].position - contacts_[k - 1].position;
+    if (gap <= widest) continue;
+    widest = gap;
+    first = k;
+  }
+  double sum = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Contact &contact = contacts_[(first + k) % count],
+                  &next = contacts_[(first + k + 1) % count];
+    addArea(contact.before, sum);
+    addArea(contact.after, -sum);
+    const double length = next.position - contact.position;
+    const bool isGap = k + 1 == count;
+    sum += areaAlongBorder(contact, next.point, isGap ? widest : length < 0 ? length + 4 : length);
+  }
+  double middle = contacts_[first].position - widest / 2;
+  if (middle < 0) middle += 4;
+  addArea(takenAt(q, window_.at(middle)), sum);
+}
+
+/// Under the border from a contact on, for a length of positions, to a point there.
+double NaturalNeighbors::areaAlongBorder(const Contact& from, Point to, double length) const {
+  double sum = 0;
+  Point at = from.point;
+  const auto goTo = [&](Point next) {
+    sum += cross(at - origin_, next - origin_) / 2;
+    at = next;
+  };
+  for (int k = static_cast<int>(from.position) + 1; k < from.position + length; ++k)
+    goTo(window_.corner(k % 4));
+  goTo(to);
+  return sum;
+}
+
+/// The site from whose cell q takes a place; kNoVertex if it does not.
+VertexId NaturalNeighbors::takenAt(const Site& q, Point p) const {
+  const double x = inRange(p.x), y = inRange(p.y);
+  const VertexId near = vertexOf(core_.nearest(x, y));
+  return isNearer(x, y, delaunay_.site(near), q) ? near : kNoVertex;
+}
+
+/// Is q's cell away from the border of the region? Then it is inside or outside, and what has been
+/// summed up is right if it is inside; which a Voronoi vertex in it knows.
+void NaturalNeighbors::findInRegion(const Site& q, Centers centers) {
+  const bool isClear = contacts_.empty() && extent_.xmin <= extent_.xmax &&
+                       !conflicts_.faces().empty() && border_->isClearOf(extent_);
+  if (isClear) {
+    if (clippedDiagram_->windingOf(conflicts_.faces()[0]) == 0) shares_.clear();
+    return;
+  }
+  if (centers == Centers::kInWindow && !clippedDiagram_->polygon().holds({q.x, q.y})) {
+    shares_.clear();
+    return;
+  }
+  findWithSmallDiagram(q);
+}
+
+/// Inside q's cell only those sites matter from which it takes something. So a diagram of these
+/// alone, with q and without it, says what is taken from each.
+void NaturalNeighbors::findWithSmallDiagram(const Site& q) {
+  // So far, shares_ has those only whose edges are in the region's box.
+  const Graph& graph = delaunay_.graph();
+  const auto list = [&](VertexId v) { addArea(v == kInfinity ? kNoVertex : v, 0); };
+  if (core_.visibleCount() == 1) {
+    list(delaunay_.anyVisible());
+  } else {
+    for (const HalfedgeId h : conflicts_.boundary()) list(graph.origin(h));
+    for (const FaceId f : conflicts_.faces()) {
+      for (unsigned c = 0; c < 3; ++c) list(graph.origin(halfedgeOf(f, c)));
+    }
+  }
+  DiagramCore local(Location::kWalk);
+  for (const NaturalShare& share : shares_) (void)local.insert(delaunay_.site(share.site));
+  const SiteId own = local.insert(q);
+  std::vector<double> before, after;
+  const NormalizedPolygon& polygon = clippedDiagram_->polygon();
+  measureCells(ClippedDiagram(local, polygon), Measure::kAreas, after);
+  (void)local.remove(own);
+  measureCells(ClippedDiagram(local, polygon), Measure::kAreas, before);
+  for (std::size_t k = 0; k < shares_.size(); ++k) shares_[k].weight = before[k] - after[k];
+}
+
+/// To a sum of 1. Rounding can have made some of them negative.
+void NaturalNeighbors::normalize() {
+  double sum = 0;
+  for (NaturalShare& share : shares_) sum += share.weight = std::max(0.0, share.weight);
+  if (!(sum > 0 && sum < kInfinite)) return shares_.clear();
+  for (NaturalShare& share : shares_) share.weight /= sum;
+}
+
+void interpolate(const DiagramCore& core, NaturalNeighbors& neighbors,
+                 std::span<const double> values, std::span<const double> xy, double r,
+                 std::span<double> results) {
+  constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+  if (core.visibleCount() == 0) return std::fill(results.begin(), results.end(), kNoValue);
+  // Many points at a time, as those in the cache are sorted faster; and more than there are sites,
+  // so that a walk from one to the next is short. (queries.cpp visits points likewise.)
+  const std::size_t portion = std::max(std::size_t{1} << 14, 4 * core.visibleCount());
+  for (std::size_t begin = 0; begin < results.size(); begin += portion) {
+    const std::size_t count = std::min(portion, results.size() - begin);
+    const bool isDense = count >= core.visibleCount() / 4;
+    VertexId near = kNoVertex;
+    for (const std::uint32_t k : hilbertOrder({xy.subspan(2 * begin, 2 * count), 2})) {
+      const double x = xy[2 * (begin + k)], y = xy[2 * (begin + k) + 1];
+      if (near == kNoVertex || !isDense) near = vertexOf(core.nearest(x, y));
+      const auto shares = neighbors.find(normalized({x, y, r}), near, Centers::kInWindow);
+      double sum = 0;
+      for (const NaturalShare& share : shares)
+        sum += share.weight * values[core.siteOf(share.site)];
+      results[begin + k] = shares.empty() ? kNoValue : sum;
+      if (!shares.empty()) near = shares.front().site;
+    }
+  }
+}
+
+}  // namespace apollonius::internal

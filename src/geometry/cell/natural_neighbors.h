@@ -1,0 +1,116 @@
+// Natural neighbours (Sibson): from whose cells in a window a new circle would take something, and
+// which share of its own cell from each.
+//
+// Nothing is inserted. The conflict region of the new circle q and the circles of the faces that
+// would fill it say where the edges of q's cell would run, and which parts of today's edges lie in
+// it: together they bound what q takes from each cell. By Green's theorem its area is a sum over
+// these pieces, each of which adds to the cell on its left and takes away from the one on its
+// right; so the pieces come in any order.
+//
+// The border of a rectangle is such a boundary, too. Let F(P) be the sum over the border from a
+// fixed place on it to P, counter-clockwise. Where the border goes from what is taken of one cell
+// to what is taken of another at P, the first gets F(P) and the second gives it back; and what the
+// fixed place itself is in gets the sum over the whole border. So only one place is ever asked
+// whose it is, and contacts that rounding exchanges do what rounding does.
+//
+// In a region, that does for cells that are away from the border, which are most; for others a
+// small diagram of the natural neighbours is clipped to the region, with q and without it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/flat_array.h"
+#include "base/radix_sort.h"
+#include "delaunay/conflict.h"
+#include "diagram/diagram_core.h"
+#include "geometry/curve/edge.h"
+#include "geometry/window/polygon_clip.h"
+#include "geometry/window/polygon_grid.h"
+#include "geometry/window/rectangle_clip.h"
+#include "predicate/circle_fan.h"
+
+namespace apollonius::internal {
+
+/// What the new cell takes from a site's, of all that it takes.
+struct NaturalShare {
+  VertexId site;
+  double weight;
+};
+
+/// Which centres of new circles are answered.
+enum class Centers : bool { kAll, kInWindow };
+
+/// Keeps its scratch memory from one circle to the next.
+class NaturalNeighbors {
+ public:
+  /// In a rectangle. REQUIRES: `core` lives as long.
+  NaturalNeighbors(const DiagramCore& core, const Rectangle& window);
+  /// In a region. REQUIRES: all live as long, and the diagram stays as it is.
+  NaturalNeighbors(const ClippedDiagram& clippedDiagram, const PolygonGrid& border);
+
+  /// The natural neighbours of q; the weights are positive or 0 and add up to 1. One that covers q
+  /// is the only one. None without sites; if q's centre is to be in the window (its border
+  /// included) and is not; and where q's cell has no part in it, up to rounding. `start` is a
+  /// visible site close to q. Valid until the next call. Throws std::bad_alloc. Cost: a walk from
+  /// there, and O(size of what would change); for a cell at the border of a region also O(points of
+  /// the region) and a diagram of the natural neighbours.
+  std::span<const NaturalShare> find(const Site& q, VertexId start, Centers centers);
+
+ private:
+  /// Where q's cell or an edge in it meets the border, counter-clockwise. kNoVertex: not q's cell.
+  struct Contact {
+    double position;  // Rectangle::positionOf
+    Point point;
+    VertexId before, after;  // of which cells q takes what is beside the border
+  };
+
+  [[nodiscard]] bool findConflict(const Site& q, VertexId start);
+  void findNewVertices(const Site& q);
+  void addNewEdges(const Site& q);
+  void addOldEdges();
+  [[nodiscard]] bool isSide(HalfedgeId h) const;
+  [[nodiscard]] EdgeEnd oldVertex(FaceId f);
+  void addOldEdge(HalfedgeId h, EdgeEnd from, EdgeEnd to);
+  void addEdge(const Site& reference, const Site& other, EdgeEnd from, EdgeEnd to, VertexId left,
+               VertexId right);
+  void addPiece(const ClippedPiece& piece, VertexId left, VertexId right);
+  void addContact(const Contact& contact);
+  void addArea(VertexId site, double area);
+  void addBorder(const Site& q);
+  [[nodiscard]] double areaAlongBorder(const Contact& from, Point to, double length) const;
+  [[nodiscard]] VertexId takenAt(const Site& q, Point p) const;
+  void findInRegion(const Site& q, Centers centers);
+  void findWithSmallDiagram(const Site& q);
+  void expectShares(std::size_t most);
+  void normalize();
+
+  const DiagramCore& core_;
+  const DelaunayGraph& delaunay_;
+  const ClippedDiagram* clippedDiagram_ = nullptr;  // of a region
+  const PolygonGrid* border_ = nullptr;
+  Rectangle window_;  // or the box of the region
+  Point origin_;      // areas are summed up about it: q's centre, if that is in the window
+
+  ConflictSearch conflicts_;
+  CircleFan fan_;
+  FlatArray<VoronoiCircle> circles_;
+  FlatArray<EdgeEnd> newVertices_;  // by side of the hole
+  FlatArray<Keyed> sides_;          // of the hole, ascending, if it may have slits
+  KeptVertices kept_;               // those that cached circles do not give
+  ClippedEdge clipped_;
+  Rectangle extent_{};               // of the pieces of q's boundary
+  FlatArray<Contact> contacts_;      // by position
+  FlatArray<NaturalShare> shares_;   // areas until they are normalized
+  FlatArray<std::uint32_t> places_;  // open addressing: where in shares_ a site is, and 1
+};
+
+/// Values of a field at points x, y, …: sums of the natural neighbours' values, which are given by
+/// id, times their weights, for new circles of radius r. NaN outside of the window and without
+/// sites. `results` has one for each point. Throws std::bad_alloc. Points are visited along a
+/// curve, so that the walk from one to the next is short.
+void interpolate(const DiagramCore& core, NaturalNeighbors& neighbors,
+                 std::span<const double> values, std::span<const double> xy, double r,
+                 std::span<double> results);
+
+}  // namespace apollonius::internal
