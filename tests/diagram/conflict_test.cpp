@@ -54,6 +54,17 @@ TEST_P(ConflictWith, IsWhatInsertionChanges) {
 INSTANTIATE_TEST_SUITE_P(Corpus, ConflictWith, ::testing::ValuesIn(corpus()),
                          [](const auto& parameter) { return parameter.param.name; });
 
+TEST(Conflict, WithACircleThatCoversAllIsWithAll) {
+  Diagram diagram;
+  insertInto(diagram, {{0, 0, 1}, {10, 0, 1}, {0, 10, 2}, {10, 11, 0}, {0, 1, 0}});
+  std::vector<SiteId> sites;
+  bool isCovered = true;
+  ASSERT_EQ(diagram.conflict(5, 5, 100, sites, isCovered), Error::kNone);
+  EXPECT_FALSE(isCovered);
+  std::sort(sites.begin(), sites.end());
+  EXPECT_EQ(sites, (std::vector<SiteId>{0, 1, 2, 3})) << "but for the hidden one";
+}
+
 TEST(Conflict, OfNoSiteAndOfBadNumbers) {
   Diagram diagram;
   std::vector<SiteId> sites{7};

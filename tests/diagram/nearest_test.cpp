@@ -172,5 +172,23 @@ TEST(FindMany, OfMorePointsThanAreSortedAtOnce) {
   }
 }
 
+TEST(FindMany, OfFewPointsAmongManySites) {
+  Random random(78);
+  Circles circles;
+  for (int k = 0; k < 9000; ++k)
+    circles.push_back({random.between(0, 1000), random.between(0, 1000), random.between(0, 5)});
+  Diagram diagram;
+  insertInto(diagram, circles);
+  std::vector<double> xy;
+  for (int k = 0; k < 2 * 100; ++k) xy.push_back(random.between(-20, 1020));
+  std::vector<SiteId> ids(xy.size() / 2);
+  ASSERT_EQ(diagram.findMany(xy, ids, {}), Error::kNone);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    SiteId id = kNoSite;
+    ASSERT_EQ(diagram.find(xy[2 * k], xy[2 * k + 1], id), Error::kNone);
+    ASSERT_EQ(ids[k], id) << k;
+  }
+}
+
 }  // namespace
 }  // namespace apollonius::test

@@ -402,6 +402,7 @@ TEST(Fit, NotBegunChangesNothing) {
   insertInto(diagram, {{1, 1, 2}});
   const AreaFit fitting;
   EXPECT_EQ(fitting.badSite(), kNoSite);
+  EXPECT_FALSE(fitting.isAtTheEndOfDoubles());
   expectNoFit(fitting, diagram);
 }
 

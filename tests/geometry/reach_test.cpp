@@ -145,6 +145,9 @@ TEST(Reach, ADistanceForEachSite) {
   }
   EXPECT_NEAR(straight, 8, 1e-12);
   EXPECT_NEAR(shared, 2 * std::sqrt(3.5 * 3.5 - 9), 1e-12);
+  CurveArrays edges;  // of both cells
+  ASSERT_EQ(voronoi.edgeCurves(edges), Error::kNone);
+  EXPECT_NEAR(lengthOfCurves(edges), shared, 1e-12);
 }
 
 /// Of lines and curves, the latter by points on them.
@@ -218,6 +221,51 @@ TEST(Reach, BadDistancesAreRefused) {
   EXPECT_EQ(answer(-kInfinity), Error::kOutOfRange);
   EXPECT_EQ(answer(1e200), Error::kOutOfRange);
   EXPECT_EQ(answer(kInfinity), Error::kNone);
+  const auto first = [&](double distance) {
+    const Reach reach(std::vector<double>{distance, 1});
+    return Voronoi(diagram, {-9, -9, 9, 9}, &reach).cellAreas(areas);
+  };
+  EXPECT_EQ(first(std::numeric_limits<double>::quiet_NaN()), Error::kNotFinite);
+  EXPECT_EQ(first(-kInfinity), Error::kOutOfRange);
+  EXPECT_EQ(first(kInfinity), Error::kNone);
+}
+
+TEST(Reach, WithoutLimitCellsMakeUpTheWindow) {
+  Diagram diagram;
+  insertInto(diagram, {{-3, 0, 0}, {3, 1, 1}, {0, 5, 2}, {1, -4, 0}});
+  const Reach unlimited(kInfinity);
+  CoverageArrays whole, polygons;
+  ASSERT_EQ(Voronoi(diagram, {-9, -9, 9, 9}).cellPolygons(0.01, whole), Error::kNone);
+  ASSERT_EQ(Voronoi(diagram, {-9, -9, 9, 9}, &unlimited).cellPolygons(0.01, polygons),
+            Error::kNone);
+  EXPECT_EQ(polygons.sites, whole.sites);
+  EXPECT_EQ(polygons.coordinates, whole.coordinates);
+}
+
+TEST(Reach, PathsOfCellsInPortionsMakeUpTheWhole) {
+  Random random(674);
+  Circles circles;
+  for (int k = 0; k < 60; ++k)
+    circles.push_back({random.between(0, 100), random.between(0, 100), random.between(0, 6)});
+  Diagram diagram;
+  insertInto(diagram, circles);
+  const Reach reach(5);
+  for (const Window& window : {Window({-10, 10, 90, 120}), Window({-10, 10, 90, 120}, 0.3)}) {
+    for (const Reach* limit : {static_cast<const Reach*>(nullptr), &reach}) {
+      const Voronoi voronoi = window.of(diagram, limit);
+      CellPaths whole, part;
+      Portion all, portion{0, 20};
+      ASSERT_EQ(voronoi.cellPaths(0.01, 3, all, whole), Error::kNone);
+      EXPECT_TRUE(all.isDone);
+      EXPECT_FALSE(whole.text.empty());
+      std::vector<std::uint8_t> joined;
+      while (!portion.isDone) {
+        ASSERT_EQ(voronoi.cellPaths(0.01, 3, portion, part), Error::kNone);
+        joined.insert(joined.end(), part.text.begin(), part.text.end());
+      }
+      EXPECT_EQ(joined, whole.text);
+    }
+  }
 }
 
 TEST(Reach, AreasAreThoseOfSampledPoints) {

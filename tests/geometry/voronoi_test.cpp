@@ -32,11 +32,12 @@ TEST(VoronoiErrors, BadBoundsAndTolerances) {
   std::vector<double> areas{3};
   for (const Bounds& bad :
        {Bounds{0, 0, 0, 1}, Bounds{0, 0, 1, 0}, Bounds{1, 0, 0, 1}, Bounds{0, 2, 1, 1},
-        Bounds{kNan, 0, 1, 1}, Bounds{0, 0, kInf, 1}, Bounds{0, -kInf, 1, 1},
+        Bounds{kNan, 0, 1, 1}, Bounds{0, 0, kInf, 1}, Bounds{0, 0, 1, kInf}, Bounds{0, -kInf, 1, 1},
         Bounds{0, 0, 1e101, 1}, Bounds{0, 0, 1e-101, 1}}) {
     const Voronoi voronoi(diagram, bad);
     CurveArrays curves;
     RingArrays rings;
+    CoverageArrays coverage;
     CellMeasures measures;
     Path path;
     Portion portion;
@@ -44,6 +45,7 @@ TEST(VoronoiErrors, BadBoundsAndTolerances) {
     EXPECT_EQ(voronoi.edgeCurves(curves), Error::kBadBounds);
     EXPECT_EQ(voronoi.cellCurves(0, curves), Error::kBadBounds);
     EXPECT_EQ(voronoi.cellPolygon(0, 1, rings), Error::kBadBounds);
+    EXPECT_EQ(voronoi.cellPolygons(1, coverage), Error::kBadBounds);
     EXPECT_EQ(voronoi.cellMeasures(0, measures), Error::kBadBounds);
     EXPECT_EQ(voronoi.drawEdges(1, portion, path), Error::kBadBounds);
     EXPECT_EQ(voronoi.drawCell(0, 1, path), Error::kBadBounds);
@@ -362,6 +364,9 @@ TEST(VoronoiSites, RemovedOnesAreNotDrawn) {
   Portion portion;
   ASSERT_EQ(voronoi.drawSites(1e-3, portion, path), Error::kNone);
   EXPECT_EQ(path.commands.size(), 6u);
+  CoverageArrays polygons;
+  ASSERT_EQ(voronoi.cellPolygons(1e-3, polygons), Error::kNone);
+  EXPECT_EQ(polygons.sites, std::vector<SiteId>{1});
 }
 
 /// The weights of curves as short as these are 1 but for rounding, which can take them below.

@@ -219,6 +219,16 @@ TEST(SphericalCalls, AnEmptyDiagramHasNothing) {
   ASSERT_EQ(search.start(1, 2), Error::kNone);
   ASSERT_EQ(search.next(id), Error::kNone);
   EXPECT_EQ(id, kNoSite);
+  EXPECT_EQ(search.distance(), kInfinity);
+}
+
+TEST(SphericalCalls, RemovedSitesHaveNoPolygons) {
+  SphericalDiagram diagram = diagramOf({{10, 20, 0.5}, {90, 0, 0}, {-100, 0, 0.1}, {0, -60, 0}});
+  bool isRemoved = false;
+  ASSERT_EQ(diagram.remove(1, isRemoved), Error::kNone);
+  CoverageArrays polygons;
+  ASSERT_EQ(diagram.cellPolygons(0.1, true, polygons), Error::kNone);
+  EXPECT_EQ(polygons.sites, (std::vector<SiteId>{0, 2, 3}));
 }
 
 TEST(SphericalCalls, NoNearestSitesAreAskedFor) {

@@ -16,7 +16,7 @@ namespace {
 using Operation = std::function<Error(SphericalDiagram&)>;
 
 /// With what they need made beforehand, so that only the library allocates.
-std::vector<std::pair<std::string, Operation>> operations() {
+std::vector<std::pair<std::string, Operation>> operations(const std::vector<std::uint8_t>& saved) {
   Random random(21);
   const std::vector<double> more = flat(randomSites(random, 30, 0.2));
   const std::vector<double> heavy = {10, 20, 2.5};  // hides most of the others
@@ -43,6 +43,18 @@ std::vector<std::pair<std::string, Operation>> operations() {
          std::vector<SiteId> found;
          return d.kNearest(1, 2, 20, 1, found);
        }},
+      {"nearest first",
+       [](SphericalDiagram& d) {
+         SphericalNearestFirst search(d);
+         Error error = search.start(1, 2);
+         for (SiteId id = 0; error == Error::kNone && id != kNoSite;) error = search.next(id);
+         return error;
+       }},
+      {"sites",
+       [](SphericalDiagram& d) {
+         SiteArrays sites;
+         return d.sites(sites);
+       }},
       {"cellAreas",
        [](SphericalDiagram& d) {
          std::vector<double> a;
@@ -68,6 +80,7 @@ std::vector<std::pair<std::string, Operation>> operations() {
          std::vector<std::uint8_t> b;
          return d.toBytes(b);
        }},
+      {"fromBytes", [&](SphericalDiagram& d) { return d.fromBytes(saved); }},
   };
 }
 
@@ -81,8 +94,8 @@ TEST(SphericalOutOfMemory, EveryFailureLeavesTheDiagramAsItWas) {
   const ShadowCheckOf none(0);
   Random random(20);
   const SphericalSites sites = randomSites(random, 40, 0.3);
-  std::vector<std::uint8_t> saved = stateOf(diagramOf(sites));
-  for (const auto& [name, operation] : operations()) {
+  const std::vector<std::uint8_t> saved = stateOf(diagramOf(sites));
+  for (const auto& [name, operation] : operations(saved)) {
     SCOPED_TRACE(name);
     std::size_t failures = 0;
     for (std::size_t k = 0;; ++k) {
@@ -116,6 +129,27 @@ TEST(SphericalOutOfMemory, EveryFailureLeavesTheDiagramAsItWas) {
       if (k > 60) k += k / 4;
     }
     EXPECT_GT(failures, 0u);
+  }
+}
+
+TEST(SphericalOutOfMemory, AnIdThatWasFreeIsFreeAgain) {
+  const ShadowCheckOf none(0);
+  Random random(22);
+  const std::vector<double> more = flat(randomSites(random, 30, 0.2));
+  const SphericalSites sites = randomSites(random, 40, 0.3);
+  std::vector<SiteId> ids(30);
+  for (std::size_t k = 0; k < 8; ++k) {
+    SphericalDiagram diagram = diagramOf(sites);
+    bool isRemoved = false;
+    ASSERT_EQ(diagram.remove(7, isRemoved), Error::kNone);
+    heap.arm();
+    heap.failAt = k;
+    const Error error = diagram.insertMany(more, ids);
+    heap.disarm();
+    ASSERT_EQ(error, Error::kOutOfMemory) << k;
+    SiteId id = kNoSite;
+    ASSERT_EQ(diagram.insert(1, 2, 0, id), Error::kNone);
+    EXPECT_EQ(id, 7u) << k;
   }
 }
 

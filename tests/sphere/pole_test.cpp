@@ -118,6 +118,16 @@ TEST_F(ASiteThatThePoleNearlyCovers, HasBeenMovedThereWithAnother) {
   expectAnotherPole();
 }
 
+TEST(SphericalPole, AnotherIsTakenWhereOneSiteHasBeenMovedOverIt) {
+  Random random(65);
+  sphere::SphericalCore core = coreOf(randomSites(random, 30, 0));
+  const SiteId pole = core.projected().pole();
+  core.update(pole == 0 ? 1 : 0, {core.sites()[pole].centre, 0.5});
+  EXPECT_NE(core.projected().pole(), pole);
+  EXPECT_TRUE(core.projected().isHidden(pole));
+  EXPECT_EQ(core.validate().what, nullptr);
+}
+
 TEST(SphericalPole, CapsFollowTheirSitesWhereThePlaneIsBuiltAnew) {
   Random random(64);
   sphere::SphericalCore core = coreOf(randomSites(random, 400, 0.05));
@@ -126,6 +136,12 @@ TEST(SphericalPole, CapsFollowTheirSitesWhereThePlaneIsBuiltAnew) {
   for (SiteId id = 0; id < 400; id += 2) {
     if (id != pole) ids.push_back(id);
   }
+  // One that the pole covers has none, nor has one that is no more.
+  (void)core.insert({core.sites()[pole].centre, -1});
+  const SiteId removed = pole == 1 ? 3 : 1;
+  ASSERT_EQ(core.removeMany({&removed, 1}), 1u);
+  ASSERT_EQ(core.projected().pole(), pole);
+  ASSERT_EQ(core.projected().belowPole().size(), 1u);
   const std::uint32_t layout = core.projected().plane().layout();
   core.updateMany(ids, flat(randomSites(random, ids.size(), 0.05)));
   ASSERT_EQ(core.projected().pole(), pole);

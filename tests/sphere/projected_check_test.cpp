@@ -96,6 +96,22 @@ TEST_F(ProjectedDiagramCheck, FindsASiteWhoseCapHasMovedByLessThanItsCircleTells
   EXPECT_GT(sameCircles, 0u);
 }
 
+TEST_F(ProjectedDiagramCheck, FindsASiteWhoseLatitudeOrWeightHasChangedByLessThanItsCircleTells) {
+  std::size_t latitudes = 0, weights = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const double lat = 10 + k * 0x1p-10, r = 0x1p-20 * (1 + k * 0x1p-10);
+    move(kVisible, 90, lat, r);
+    diagram_ = sphere::ProjectedDiagram(table_, table_.caps(), kPole);
+    ASSERT_EQ(found().what, nullptr);
+    move(kVisible, 90, std::nextafter(lat, 90), r);
+    latitudes += found().text() == "has another cap in the graph: site 3";
+    move(kVisible, 90, lat, std::nextafter(r, 1));
+    weights += found().text() == "has another cap in the graph: site 3";
+  }
+  EXPECT_GT(latitudes, 0u);
+  EXPECT_GT(weights, 0u);
+}
+
 TEST_F(ProjectedDiagramCheck, CountsSites) {
   table_.release(kBelowVisible);
   EXPECT_EQ(found().text(), "sites are not counted right: 5");

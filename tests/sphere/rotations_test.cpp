@@ -31,12 +31,12 @@ class Rotation {
     std::array<long double, 3> x = {v.x, v.y, v.z};
     for (std::size_t k = about_.size(); k-- > 0;) {
       const auto [degrees, a, b] = about_[k];
-      const long double angle = degrees * std::numbers::pi_v<long double> / 180;
+      const long double angle = degrees * kLongPi / 180;
       const long double c = std::cos(angle), s = std::sin(angle), was = x[a];
       x[a] = c * was - s * x[b];
       x[b] = s * was + c * x[b];
     }
-    constexpr long double kDegree = std::numbers::pi_v<long double> / 180;
+    constexpr long double kDegree = kLongPi / 180;
     // A point that is a rounding from a pole or from the meridian of 180 degrees is there.
     constexpr long double kNear = 1e-17L;
     const long double aside = std::hypot(x[0], x[1]);

@@ -78,11 +78,14 @@ inline std::vector<NamedSites> namedSets(Random& random, std::size_t n) {
   return sets;
 }
 
+/// Of the whole precision; libc++'s std::numbers::pi_v<long double> is a double.
+inline constexpr long double kLongPi = 3.141592653589793238462643383279502884L;
+
 struct LongVector {
   long double x, y, z;
 };
 inline LongVector longDirection(double lon, double lat) {
-  constexpr long double kRadian = std::numbers::pi_v<long double> / 180;
+  constexpr long double kRadian = kLongPi / 180;
   const long double a = lon * kRadian, b = lat * kRadian;
   return {std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b)};
 }
