@@ -34,7 +34,8 @@ const shapes = [
   ["one with a hole", frame, 9375],
   ["two islands, as GeoJSON", { type: "MultiPolygon", coordinates: islands }, 10_625],
   ["a tiny one", [1e-9, 1e-9, 3e-9, 2e-9], 2e-18],
-  ["a far one", [1e6, 1e6, 1e6 + 1, 1e6 + 2], 2],
+  // Places there are 1e-10 apart: 4e-9 of a leaf's area on its sides, at most.
+  ["a far one", [1e6, 1e6, 1e6 + 1, 1e6 + 2], 2, 4e-9],
 ];
 
 describe.each(["move", "stay"])("sites %s", (sites) => {
@@ -69,11 +70,11 @@ describe.each(["move", "stay"])("sites %s", (sites) => {
     expect(atBorders).toBeLessThan(10);
   });
 
-  test.each(shapes)("areas in %s", (_, shape, area) => {
+  test.each(shapes)("areas in %s", (_, shape, area, rounding = 1e-9) => {
     const root = layout().shape(shape)(rootOf(randomTree(60, 3)));
     expect(root.area / area).toBeCloseTo(1, 9);
     expect(deviationOf(root)).toBeLessThan(1e-6);
-    expect(polygonDeviationOf(root)).toBeLessThan(1e-9);
+    expect(polygonDeviationOf(root)).toBeLessThan(rounding);
   });
 
   test.each([

@@ -18,7 +18,7 @@
 //     region and all sites counts too at first, a little: *regularization*, of which less and less
 //     is left as areas come near their targets, and none at the end.
 //
-// Equations are solved by conjugate gradients with the diagonal for a preconditioner. All of it
+// Equations are solved by preconditioned conjugate gradients (solve()). All of it
 // happens in a diagram of its own, so that the one in question is as it was until it is done.
 #pragma once
 
@@ -27,6 +27,8 @@
 
 #include "base/flat_array.h"
 #include "diagram/diagram_core.h"
+#include "geometry/cell/coupling_matrix.h"
+#include "geometry/curve/edge.h"
 #include "geometry/window/polygon_clip.h"
 
 namespace apollonius::internal {
@@ -66,10 +68,6 @@ class AreaFitter {
   [[nodiscard]] double error() const { return deviationOf(best_.inside); }
 
  private:
-  struct Coupling {
-    std::uint32_t i, j;
-    double derivative;
-  };
   /// Weights, and what they lead to.
   struct State {
     FlatArray<double> weights, inside;
@@ -80,12 +78,13 @@ class AreaFitter {
   [[nodiscard]] FlatArray<double> circlesOf(const State& state) const;
   void measureTried(double regularization);
   void addIn(const NormalizedPolygon& polygon, double density);
+  void measureExactly();
   void takeTried() noexcept;
   void setRegularization(double density);
   void findDirection(double tolerance);
   [[nodiscard]] bool tryStep(double share);
   [[nodiscard]] double longestShare() const;
-  void solve(double tolerance);
+  void solve(double tolerance, bool isGuess);
   [[nodiscard]] bool isWithinRounding() const;
   [[nodiscard]] double roomFor(const Coupling& coupling) const;
   [[nodiscard]] double deviationOf(std::span<const double> areas) const;
@@ -99,11 +98,12 @@ class AreaFitter {
   FlatArray<double> shares_;   // of the region's area
   FlatArray<double> targets_;  // with their share of the regularization
   State best_, tried_;
-  FlatArray<Coupling> couplings_;  // the best state's, some of them stiffer
-  FlatArray<double> direction_;    // of the next step
-  double last_ = 1;                // share of the last step that was taken
-  double regularization_ = 0;      // its density
-  bool isNear_ = false;            // the end
+  FlatArray<Coupling> couplings_;                        // the best state's, some of them stiffer
+  FlatArray<double> direction_;                          // of the next step
+  double last_ = 1;                                      // share of the last step that was taken
+  double regularization_ = 0;                            // its density
+  double lastError_ = kLargestMagnitude;                 // before the last step
+  VertexPrecision precision_ = VertexPrecision::kRough;  // but for the end
   bool isAtTheEndOfDoubles_ = false;
 };
 

@@ -22,6 +22,11 @@ bool isUsable(Point p) {
          absolute(p.y) <= std::numeric_limits<double>::max();
 }
 
+bool isRoughlyKnown(const VoronoiCircle& circle) {
+  return circle.isHalfPlane() ||
+         circle.error <= powerOfTwo(-30) * (absolute(circle.x) + absolute(circle.y));
+}
+
 /// endAt() unless it is kept.
 EdgeEnd endOf(const DelaunayGraph& delaunay, FaceId f, VertexPrecision precision,
               KeptVertices* kept) {
@@ -35,8 +40,10 @@ EdgeEnd endOf(const DelaunayGraph& delaunay, FaceId f, VertexPrecision precision
 
 EdgeEnd endAt(const DelaunayGraph& delaunay, FaceId f, VertexPrecision precision) {
   const VoronoiCircle& cached = delaunay.circle(f);
-  const VoronoiCircle circle =
-      precision == VertexPrecision::kFast && isPrecise(cached) ? cached : delaunay.voronoiVertex(f);
+  const bool isEnough = precision == VertexPrecision::kFast    ? isPrecise(cached)
+                        : precision == VertexPrecision::kRough ? isRoughlyKnown(cached)
+                                                               : false;
+  const VoronoiCircle circle = isEnough ? cached : delaunay.voronoiVertex(f);
   if (circle.isHalfPlane()) return {};
   return {{circle.x, circle.y}, true};
 }

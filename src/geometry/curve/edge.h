@@ -29,8 +29,9 @@ struct EdgeEnd {
 }
 
 /// Which bits a vertex gets: the same after any history (DelaunayGraph::voronoiVertex), or those of
-/// the cached circle if it is precise, which is quicker and differs in the last places.
-enum class VertexPrecision : unsigned char { kReproducible, kFast };
+/// the cached circle if it is precise, which is quicker and differs in the last places; or if it is
+/// off by at most 2^-30 of its coordinates, for measures that are taken to be left again.
+enum class VertexPrecision : unsigned char { kReproducible, kFast, kRough };
 
 /// Vertices that have been computed, for the other two edges of each: by face, the last of those
 /// with the same remainder.

@@ -71,9 +71,9 @@ bool ClippedDiagram::isAnyInside(HalfedgeId h) const {
 }
 
 Edge ClippedDiagram::edgeInside(HalfedgeId h, VertexPrecision precision,
-                                FlatArray<InsideInterval>& pieces) const {
+                                FlatArray<InsideInterval>& pieces, KeptVertices* kept) const {
   const DelaunayGraph& delaunay = core_.delaunay();
-  const Edge edge(delaunay, h, precision);
+  const Edge edge(delaunay, h, precision, kept);
   pieces.clear();
   int multiplicity = windingOf(faceOf(delaunay.graph().twin(h)));
   double e = edge.e0;

@@ -11,6 +11,7 @@
 // ever asked on which side it is.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -91,17 +92,24 @@ class ClippedDiagram {
 
   /// Is any of an edge inside? False for one of its two half-edges, too.
   [[nodiscard]] bool isAnyInside(HalfedgeId h) const;
-  /// The edge, and what of it is inside, in the order of E. REQUIRES: isAnyInside().
-  Edge edgeInside(HalfedgeId h, VertexPrecision precision, FlatArray<InsideInterval>& pieces) const;
+  /// The edge, and what of it is inside, in the order of E. REQUIRES: isAnyInside(); vertices that
+  /// are kept have the same precision.
+  Edge edgeInside(HalfedgeId h, VertexPrecision precision, FlatArray<InsideInterval>& pieces,
+                  KeptVertices* kept = nullptr) const;
   /// visit(h, edge, piece) for what of all edges is inside.
   template <class Visit>
   void visitEdges(VertexPrecision precision, Visit&& visit) const {
     const auto count = static_cast<std::uint32_t>(3 * core_.delaunay().graph().faceSlots());
     FlatArray<InsideInterval> pieces;
+    // A vertex that is computed anew is found for three edges. 400 KB
+    constexpr std::size_t kMostKept = std::size_t{1} << 14;
+    KeptVertices kept;
+    if (precision == VertexPrecision::kReproducible)
+      kept.resize(std::min(kMostKept, core_.delaunay().graph().faceSlots()));
     for (std::uint32_t k = 0; k < count; ++k) {
       const HalfedgeId h{k};
       if (!core_.delaunay().graph().isLive(faceOf(h)) || !isAnyInside(h)) continue;
-      const Edge edge = edgeInside(h, precision, pieces);
+      const Edge edge = edgeInside(h, precision, pieces, kept.empty() ? nullptr : &kept);
       for (const InsideInterval& piece : pieces) visit(h, edge, piece);
     }
   }
