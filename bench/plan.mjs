@@ -266,7 +266,10 @@ function fit({ rounds, seconds, limit, sizes }) {
     }));
 }
 
-/** All areas in the outline of the world's land, and in a thousand segments, against bounds. */
+/**
+ * All areas in the outline of the world's land, and in a thousand segments, against bounds; a map of
+ * values among a thousand stations.
+ */
 function windows({ rounds, seconds, sizes }) {
   const most = Math.max(...sizes);
   const scene = (family, n, ...ops) => ({
@@ -283,6 +286,7 @@ function windows({ rounds, seconds, sizes }) {
     scene("cities", Math.min(hundred, countCities()), ...land),
     scene("random5", hundred, ...land),
     scene("random5", Math.min(1e6, most), ...segments),
+    scene("random0", Math.min(1e3, most), "interpolate"),
   ];
 }
 

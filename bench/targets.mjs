@@ -190,6 +190,11 @@ function goals(records, member) {
         us(`windows random5 ${crossed} boxAreas wasm`),
       most(3),
     ],
+    [
+      "interpolate, 500 x 500 points among 1000 sites, s",
+      us("windows random0 1000 interpolate wasm") / 4,
+      most(1),
+    ],
     ["fitAreas, 1000 sites, s", us("fit random0 1000 fitAreas wasm") / 1e3, most(0.1)],
     ["fitAreas, 10 000 sites, s", us("fit random0 10000 fitAreas wasm") / 1e2, most(3)],
     [

@@ -1,5 +1,5 @@
-// The package's operations in windows: all areas in rings against the same in bounds, and areas
-// that are prescribed.
+// The package's operations in windows: all areas in rings against the same in bounds, areas that
+// are prescribed, and values that are interpolated.
 import { holedRings, landRings, landRingsIn, thousandSegments } from "./land.mjs";
 import { boxOf, readDoubles, sampled } from "./sampling.mjs";
 import { deviationOf, sharesOf } from "./shares.mjs";
@@ -70,6 +70,33 @@ export function windowOperations(Diagram) {
     };
   }
 
+  /** At the pixels of a map of 500 x 500. */
+  function interpolated(request) {
+    const { diagram, box } = load(request);
+    const [xmin, ymin, xmax, ymax] = box;
+    const side = 500;
+    const pixels = Float64Array.from({ length: 2 * side * side }, (_, k) => {
+      const pixel = k >> 1;
+      return k % 2 === 0
+        ? xmin + (((pixel % side) + 0.5) / side) * (xmax - xmin)
+        : ymin + ((Math.floor(pixel / side) + 0.5) / side) * (ymax - ymin);
+    });
+    const values = Array.from({ length: diagram.size }, (_, id) => id % 7);
+    let sum = 0;
+    const answer = sampled(
+      request,
+      side * side,
+      () => {},
+      () => {
+        sum = diagram
+          .voronoi(box)
+          .interpolate(values, pixels)
+          .reduce((a, b) => a + b, 0);
+      },
+    );
+    return { ...answer, sum };
+  }
+
   const box = (_, given) => given;
   const holes = (_, given) => holedRings(given);
   const segments = (_, given) => thousandSegments(given);
@@ -78,6 +105,7 @@ export function windowOperations(Diagram) {
     fitTailed: fitted(box, true),
     fitInHoles: fitted(holes, false),
     fitTailedInHoles: fitted(holes, true),
+    interpolate: interpolated,
     boxAreas: areasIn(box, false),
     landAreas: areasIn(landFor, false),
     landAreasAnew: areasIn(landFor, true),
