@@ -52,14 +52,22 @@ function loadedBy(folder, file, seen = new Set()) {
   return imported.reduce((sum, [, other]) => sum + loadedBy(folder, other, seen), text.length);
 }
 
-test.each(bundlers)("%s leaves shapes out of a bundle that only asks", (name) => {
+test.each(bundlers)("%s bundles of each entry the parts that it needs", (name) => {
   const folder = path.join(packed, "bundles", name);
-  const [core, main] = ["core.js", "main.js"].map((file) => loadedBy(folder, file));
+  const [core, main, sphere, treemap] = ["core", "main", "sphere", "treemap"].map((entry) =>
+    loadedBy(folder, `${entry}.js`),
+  );
   expect(core).toBeGreaterThan(200_000);
-  expect(main - core).toBeGreaterThan(120_000);
-  expect(
-    runScriptInNode(`globalThis.report = console.log; import("./bundles/${name}/core.js")`),
-  ).toBe(expected);
+  expect(main - core).toBeGreaterThan(120_000); // shapes
+  expect(sphere - core).toBeGreaterThan(40_000);
+  expect(sphere).toBeLessThan(main);
+  expect(treemap - main).toBeGreaterThan(5_000); // without the sphere
+  expect(treemap - main).toBeLessThan(40_000);
+  const ran = (entry) =>
+    runScriptInNode(`globalThis.report = console.log; import("./bundles/${name}/${entry}.js")`);
+  expect(ran("core")).toBe(expected);
+  expect(ran("sphere")).toBe(expected);
+  expect(ran("treemap")).toBe("function");
 });
 
 test("no file has characters that a page or a bundler would not take as they are", () => {

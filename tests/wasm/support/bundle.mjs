@@ -2,9 +2,9 @@
 //
 //   node bundle.mjs vite|webpack|rollup|esbuild
 //
-// into build/packed/bundles/NAME/: main.js (default entry), core.js (that of queries), error.js
-// (which needs only ApolloniusError) and, but for rollup, streamed.js (the entry with a .wasm of
-// its own). Prints the warnings as a JSON array.
+// into build/packed/bundles/NAME/: main.js (default entry), core.js (that of queries), sphere.js,
+// treemap.js, error.js (which needs only ApolloniusError) and, but for rollup, streamed.js (the
+// entry with a .wasm of its own). Prints the warnings as a JSON array.
 import { mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
@@ -15,6 +15,13 @@ const use =
   "globalThis.report(`${d.find(8, 0)} ${d.size} ${d.validate()}`);\n";
 const main = `import { Diagram } from "apollonius-diagram";\n${use}`;
 const core = `import { Diagram } from "apollonius-diagram/core";\n${use}`;
+const sphere =
+  'import { SphericalDiagram } from "apollonius-diagram/sphere";\n' +
+  "const d = new SphericalDiagram([0, 0, 1, 90, 0, 2]);\n" +
+  "globalThis.report(`${d.find(80, 0)} ${d.size} ${d.validate()}`);\n";
+const treemap =
+  'import { treemap } from "apollonius-diagram/treemap";\n' +
+  "globalThis.report(typeof treemap().shape([0, 0, 2, 1]));\n";
 const error =
   'import { ApolloniusError } from "apollonius-diagram";\n' +
   'globalThis.report(new ApolloniusError("broken", "why").message);\n';
@@ -35,6 +42,8 @@ function write(file, text) {
 const entries = (address) => ({
   main: write("main.js", main),
   core: write("core.js", core),
+  sphere: write("sphere.js", sphere),
+  treemap: write("treemap.js", treemap),
   error: write("error.js", error),
   ...(address && { streamed: write("streamed.js", streamed(address)) }),
 });
