@@ -155,7 +155,7 @@ void AreaFitter::setRegularization(double density) {
   regularization_ = density;
 }
 
-/// The best weights, and all from now on.
+/// The best weights, and all that are tried from now on.
 void AreaFitter::measureExactly() {
   precision_ = VertexPrecision::kReproducible;
   setRegularization(regularization_);
@@ -243,9 +243,12 @@ bool AreaFitter::step() {
   for (int halvings = 0; halvings < kMostHalvings; ++halvings, share /= 2) {
     // The function is concave: a slope that has hardly turned is not far behind the maximum.
     if (!tryStep(share) || !(slopeAt(tried_) >= -slopeAt(best_) / 2)) continue;
+    if (precision_ == VertexPrecision::kRough && deviationOf(tried_.inside) < kCoarse) {
+      precision_ = VertexPrecision::kReproducible;
+      measureTried(regularization_);
+    }
     takeTried();
     last_ = share;
-    if (precision_ == VertexPrecision::kRough && error() < kCoarse) measureExactly();
     if (!isLast || error() < before) return true;
     takeTried();  // back
     break;

@@ -102,7 +102,6 @@ class AreaFitter {
   FlatArray<double> direction_;                          // of the next step
   double last_ = 1;                                      // share of the last step that was taken
   double regularization_ = 0;                            // its density
-  double lastError_ = kLargestMagnitude;                 // before the last step
   VertexPrecision precision_ = VertexPrecision::kRough;  // but for the end
   bool isAtTheEndOfDoubles_ = false;
 };
