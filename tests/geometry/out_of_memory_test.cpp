@@ -5,6 +5,7 @@
 // it: tests/diagram/out_of_memory_test.cpp.)
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -120,6 +121,23 @@ std::vector<Call> shapes(bool inRegion) {
        one(std::vector<double>(), [](V v, auto& out) { return v.cellCentroids(out); })},
       {"cellPerimeters",
        one(std::vector<double>(), [](V v, auto& out) { return v.cellPerimeters(out); })},
+      {"naturalWeights",
+       [=](Subject& s, Hash& hash) {
+         NaturalWeights found;
+         const Error error = view(s).naturalWeights(5e5, 4.2e5, 10, found);
+         for (const double weight : found.weights) hash.add(weight);
+         return error;
+       }},
+      {"interpolate",
+       [=](Subject& s, Hash& hash) {
+         static const std::vector<double> values(1000, 1.5);
+         constexpr std::array xy{5e5, 4.2e5, 2.1e5, 1.1e5, 8e5, 7e5};
+         std::array<double, 3> results{};
+         const auto known = std::span(values).first(s.diagram.size());
+         const Error error = view(s).interpolate(known, xy, 0, results);
+         for (const double value : results) hash.add(value);
+         return error;
+       }},
       {"drawEdges", drawn([](V v, auto& portion, auto& path) {
          return v.drawEdges(kTolerance, portion, path);
        })},
