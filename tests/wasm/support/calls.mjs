@@ -377,13 +377,22 @@ export const voronoiCalls = {
   },
   interpolate: {
     use: (d) => interpolateBy("interpolate")(d),
-    refuses: interpolating("interpolate"),
+    refuses: interpolating(interpolateBy("interpolate")),
   },
   interpolateAsync: {
     isAsync: true,
     use: async (d) => interpolateBy("interpolateAsync")(d),
     refuses: [
-      ...interpolating("interpolateAsync"),
+      ...interpolating(interpolateBy("interpolateAsync")),
+      [
+        "busy",
+        (d) => {
+          const promise = interpolateBy("interpolateAsync")(d, new Float64Array(1e6));
+          d.removeMany([]);
+          return promise;
+        },
+        "changed meanwhile",
+      ],
       [
         "bad-option",
         (d) => interpolateBy("interpolateAsync")(d, [1, 2], { onProgress: 7 }),
