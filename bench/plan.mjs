@@ -267,8 +267,8 @@ function fit({ rounds, seconds, limit, sizes }) {
 }
 
 /**
- * All areas in the outline of the world's land, and in a thousand segments, against bounds; a map of
- * values among a thousand stations.
+ * All areas in the outline of the world's land, and in a thousand segments, against bounds; a map
+ * of values among a thousand stations.
  */
 function windows({ rounds, seconds, sizes }) {
   const most = Math.max(...sizes);
