@@ -91,6 +91,11 @@ class DelaunayGraph {
   /// reserve or reserveSites.
   void setSite(VertexId v, const Site& site) { sites_[index(v)] = site; }
 
+  /// Finds the conflict region of q, walking there from a visible site, or returns the site that
+  /// covers q, which has none; else kNoVertex. REQUIRES: at least two visible sites.
+  [[nodiscard]] VertexId findConflict(ConflictSearch& conflicts, const Site& q, VertexId start,
+                                      Walk walk) const;
+
   /// What inserting a site will do.
   struct Insertion {
     VertexId cover;           ///< the visible site that covers it, and then nothing; or kNoVertex

@@ -8,22 +8,29 @@
 
 namespace apollonius::internal {
 
+VertexId DelaunayGraph::findConflict(ConflictSearch& conflicts, const Site& q, VertexId start,
+                                     Walk walk) const {
+  // Often a conflict is found at once, which makes the first two stages superfluous: a covered site
+  // has none.
+  if (!conflicts.findBeside(*this, q, start)) {
+    const Located near = locate(q.x, q.y, start, walk);
+    if (covers(site(near.nearest), q)) return near.nearest;  // Lemma 1
+    conflicts.find(*this, q, near.nearest, near.sector);
+  }
+  if (!isProven_ && !conflicts.boundary().empty())
+    requireConsistent(conflicts.isDisk(), "the conflict region is a disk");
+  return kNoVertex;
+}
+
 DelaunayGraph::Insertion DelaunayGraph::prepareInsertion(VertexId v, VertexId start, Walk walk) {
   invariant(!isVisible(v), "a site enters a graph once");
   const Site& q = site(v);
   entry_ = Entry::kAlone;
   if (visibleCount_ == 0) return {kNoVertex, 0, 0, 0};
   if (visibleCount_ == 1) return prepareBesideOne(v);
-  start = visibleStart(start);
-  // Often a conflict is found at once, which makes the first two stages superfluous: a covered site
-  // has none.
-  if (!conflicts_.findBeside(*this, q, start)) {
-    const Located near = locate(q.x, q.y, start, walk);
-    if (covers(site(near.nearest), q)) return {near.nearest, 0, 0, 0};  // Lemma 1
-    conflicts_.find(*this, q, near.nearest, near.sector);
-  }
+  const VertexId cover = findConflict(conflicts_, q, visibleStart(start), walk);
+  if (cover != kNoVertex) return {cover, 0, 0, 0};
   if (conflicts_.boundary().empty()) return prepareCoveringAll(v);
-  if (!isProven_) requireConsistent(conflicts_.isDisk(), "the conflict region is a disk");
 
   entry_ = Entry::kInHole;
   const std::size_t removed = conflicts_.faces().size();

@@ -7,7 +7,6 @@
 #include "base/flat_array.h"
 #include "base/radix_sort.h"
 #include "diagram/nearby_search.h"
-#include "diagram/spatial_order.h"
 #include "predicate/distance.h"
 
 namespace apollonius::internal {
@@ -118,42 +117,17 @@ class WindowSearch {
   SlotSet seen_;              // also sites that do not meet the window
 };
 
-/// How many queries are worth being sorted along a curve. A walk that starts where the one before
-/// ended reads what is in the cache; few sites are there anyway, and the walk must be shorter than
-/// one from the grid.
-std::size_t queriesWorthOrder(std::size_t sites) {
-  constexpr std::size_t kSitesInCache = 1 << 13;
-  return sites > kSitesInCache ? 16 : std::max(std::size_t{256}, 8 * sites);
-}
-
 }  // namespace
 
 void listNearest(const DiagramCore& diagram, std::span<const double> xy, std::span<SiteId> ids,
                  std::span<double> distances) {
-  const std::size_t sites = diagram.visibleCount(), queries = ids.size();
-  const auto answer = [&](std::size_t k, Slot hint) {
+  visitPoints(diagram, xy, [&](std::size_t k, Slot hint) {
     const double x = xy[2 * k], y = xy[2 * k + 1];
-    const Slot near = sites == 0 ? kNoSlot : diagram.nearest(x, y, hint);
+    const Slot near = diagram.visibleCount() == 0 ? kNoSlot : diagram.nearest(x, y, hint);
     ids[k] = idOrNone(diagram, near);
     if (!distances.empty()) distances[k] = distanceTo(diagram, near, x, y);
     return near;
-  };
-  if (queries < queriesWorthOrder(sites)) {
-    for (std::size_t k = 0; k < queries; ++k) answer(k, kNoSlot);
-    return;
-  }
-  // In portions, as points that are in the cache are sorted faster; but a portion has more points
-  // than there are sites, so that a walk from one to the next is short.
-  const std::size_t portion = std::max(std::size_t{1} << 14, 4 * sites);
-  for (std::size_t begin = 0; begin < queries; begin += portion) {
-    const std::size_t count = std::min(portion, queries - begin);
-    // About √(sites / count) cells are between a point and the next. Where these are few, a walk
-    // starts where the one before ended; else as that of a single query does.
-    const bool isDense = count >= sites / 4;
-    Slot near = kNoSlot;
-    for (const std::uint32_t k : hilbertOrder({xy.subspan(2 * begin, 2 * count), 2}))
-      near = answer(begin + k, isDense ? near : kNoSlot);
-  }
+  });
 }
 
 void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most, double farthest,

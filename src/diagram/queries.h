@@ -2,6 +2,7 @@
 // window.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -9,6 +10,7 @@
 
 #include "apollonius/types.h"
 #include "diagram/diagram_core.h"
+#include "diagram/spatial_order.h"
 #include "predicate/distance.h"
 
 namespace apollonius::internal {
@@ -23,10 +25,38 @@ namespace apollonius::internal {
                          : roundedDistance(x, y, diagram.site(slot));
 }
 
+/// visit(k, hint) for each of the points x, y: its index, and a visible site close to it, or
+/// kNoSlot if a search is better begun from scratch. It returns a visible site near the point. Many
+/// points are visited along a curve, so that what a walk reads is still in the cache. Throws
+/// std::bad_alloc.
+template <class Visit>
+void visitPoints(const DiagramCore& diagram, std::span<const double> xy, Visit&& visit) {
+  const std::size_t sites = diagram.visibleCount(), points = xy.size() / 2;
+  // How many are worth being sorted: few sites are in the cache anyway, and the walk must be
+  // shorter than one from the grid.
+  constexpr std::size_t kSitesInCache = 1 << 13;
+  const std::size_t many = sites > kSitesInCache ? 16 : std::max(std::size_t{256}, 8 * sites);
+  if (points < many) {
+    for (std::size_t k = 0; k < points; ++k) (void)visit(k, kNoSlot);
+    return;
+  }
+  // In portions, as points that are in the cache are sorted faster; but a portion has more points
+  // than there are sites, so that a walk from one to the next is short.
+  const std::size_t portion = std::max(std::size_t{1} << 14, 4 * sites);
+  for (std::size_t begin = 0; begin < points; begin += portion) {
+    const std::size_t count = std::min(portion, points - begin);
+    // About √(sites / count) cells are between a point and the next. Where these are few, a walk
+    // starts where the one before ended; else as that of a single point does.
+    const bool isDense = count >= sites / 4;
+    Slot near = kNoSlot;
+    for (const std::uint32_t k : hilbertOrder({xy.subspan(2 * begin, 2 * count), 2}))
+      near = visit(begin + k, isDense ? near : kNoSlot);
+  }
+}
+
 /// The nearest site of each of the points x, y, or kNoSite in an empty diagram, and its distance
 /// unless `distances` is empty. Throws std::bad_alloc. Cost: O(1) a point where sites are spread
-/// evenly, O(log n) else, both expected; many points are visited along a curve, so that what a walk
-/// reads is still in the cache.
+/// evenly, O(log n) else, both expected.
 void listNearest(const DiagramCore& diagram, std::span<const double> xy, std::span<SiteId> ids,
                  std::span<double> distances);
 

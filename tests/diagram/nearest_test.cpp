@@ -154,12 +154,7 @@ TEST(Nearest, DistancesMayBeLeftOut) {
   EXPECT_EQ(ids, (std::vector<SiteId>{id, id}));
 }
 
-TEST(FindMany, OfMorePointsThanAreSortedAtOnce) {
-  Random random(77);
-  Diagram diagram;
-  insertInto(diagram, {{0, 0, 1}, {90, 10, 5}, {40, 80, 2}, {50, 50, 0}, {10, 90, 3}});
-  std::vector<double> xy;
-  for (int k = 0; k < 2 * 40'000; ++k) xy.push_back(random.between(-20, 120));
+void expectAsOneByOne(const Diagram& diagram, const std::vector<double>& xy) {
   std::vector<SiteId> ids(xy.size() / 2);
   std::vector<double> distances(ids.size());
   ASSERT_EQ(diagram.findMany(xy, ids, distances), Error::kNone);
@@ -172,6 +167,15 @@ TEST(FindMany, OfMorePointsThanAreSortedAtOnce) {
   }
 }
 
+TEST(FindMany, OfMorePointsThanAreSortedAtOnce) {
+  Random random(77);
+  Diagram diagram;
+  insertInto(diagram, {{0, 0, 1}, {90, 10, 5}, {40, 80, 2}, {50, 50, 0}, {10, 90, 3}});
+  std::vector<double> xy;
+  for (int k = 0; k < 2 * 40'000; ++k) xy.push_back(random.between(-20, 120));
+  expectAsOneByOne(diagram, xy);
+}
+
 TEST(FindMany, OfFewPointsAmongManySites) {
   Random random(78);
   Circles circles;
@@ -181,13 +185,7 @@ TEST(FindMany, OfFewPointsAmongManySites) {
   insertInto(diagram, circles);
   std::vector<double> xy;
   for (int k = 0; k < 2 * 100; ++k) xy.push_back(random.between(-20, 1020));
-  std::vector<SiteId> ids(xy.size() / 2);
-  ASSERT_EQ(diagram.findMany(xy, ids, {}), Error::kNone);
-  for (std::size_t k = 0; k < ids.size(); ++k) {
-    SiteId id = kNoSite;
-    ASSERT_EQ(diagram.find(xy[2 * k], xy[2 * k + 1], id), Error::kNone);
-    ASSERT_EQ(ids[k], id) << k;
-  }
+  expectAsOneByOne(diagram, xy);
 }
 
 }  // namespace

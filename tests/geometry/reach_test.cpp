@@ -177,13 +177,19 @@ double drawnLength(const Path& path) {
   return sum;
 }
 
-TEST(Reach, DrawnEdgesAreWhatCellsShareOnceAndWhereTheyEnd) {
-  Random random(673);
+/// Sixty circles of radii up to 6 in a square of side 100.
+Diagram sixtyCircles(std::uint64_t seed) {
+  Random random(seed);
   Circles circles;
   for (int k = 0; k < 60; ++k)
     circles.push_back({random.between(0, 100), random.between(0, 100), random.between(0, 6)});
   Diagram diagram;
   insertInto(diagram, circles);
+  return diagram;
+}
+
+TEST(Reach, DrawnEdgesAreWhatCellsShareOnceAndWhereTheyEnd) {
+  Diagram diagram = sixtyCircles(673);
   bool isRemoved = false;
   ASSERT_EQ(diagram.remove(7, isRemoved), Error::kNone);
   const Reach reach(5);
@@ -243,12 +249,7 @@ TEST(Reach, WithoutLimitCellsMakeUpTheWindow) {
 }
 
 TEST(Reach, PathsOfCellsInPortionsMakeUpTheWhole) {
-  Random random(674);
-  Circles circles;
-  for (int k = 0; k < 60; ++k)
-    circles.push_back({random.between(0, 100), random.between(0, 100), random.between(0, 6)});
-  Diagram diagram;
-  insertInto(diagram, circles);
+  const Diagram diagram = sixtyCircles(674);
   const Reach reach(5);
   for (const Window& window : {Window({-10, 10, 90, 120}), Window({-10, 10, 90, 120}, 0.3)}) {
     for (const Reach* limit : {static_cast<const Reach*>(nullptr), &reach}) {

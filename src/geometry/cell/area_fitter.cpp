@@ -233,7 +233,7 @@ bool AreaFitter::step() {
   // Where steps have become short, none must be wrong about a small cell.
   findDirection(far < kCoarse ? kFine : last_ < 0.25 ? kMedium : kCoarse);
   const bool isLast = regularization_ == 0 && isWithinRounding();
-  // Of areas off by the last places of cached vertices, perhaps.
+  // The areas may be off by what cached vertices are.
   if (isLast && precision_ == VertexPrecision::kRough) {
     measureExactly();
     return true;

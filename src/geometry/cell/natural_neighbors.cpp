@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/radix_sort.h"
-#include "diagram/spatial_order.h"
+#include "diagram/queries.h"
 #include "geometry/cell/cell_measures.h"
 #include "geometry/curve/in_range.h"
 #include "geometry/curve/moments.h"
@@ -45,10 +45,9 @@ std::span<const NaturalShare> NaturalNeighbors::find(const Site& q, VertexId sta
                                                      Centers centers) {
   shares_.clear();
   if (core_.visibleCount() == 0 || (centers == Centers::kInWindow && !holds(window_, q))) return {};
-  if (!findConflict(q, start)) {  // covered
-    const bool isAnswered = clippedDiagram_ == nullptr || centers == Centers::kAll ||
-                            clippedDiagram_->polygon().holds({q.x, q.y});
-    if (!isAnswered) shares_.clear();
+  const VertexId cover = findConflict(q, start);
+  if (cover != kNoVertex) {
+    if (centers == Centers::kAll || isInWindow(q)) shares_.push_back({cover, 1});
     return shares_;
   }
   origin_ = window_.nearestTo({q.x, q.y});
@@ -63,29 +62,29 @@ std::span<const NaturalShare> NaturalNeighbors::find(const Site& q, VertexId sta
     addBorder(q);
   }
   normalize();
+  if (shares_.empty() && isInWindow(q)) {
+    const VertexId near = delaunay_.locate(q.x, q.y, start, core_.locationIndex().walk()).nearest;
+    shares_.push_back({near, 1});
+  }
   return shares_;
 }
 
-/// False if a site covers q, which then has the only share.
-bool NaturalNeighbors::findConflict(const Site& q, VertexId start) {
-  const bool isSingle = core_.visibleCount() == 1;
-  if (isSingle || !conflicts_.findBeside(delaunay_, q, start)) {
-    const auto near = delaunay_.locate(q.x, q.y, start, core_.locationIndex().walk());
-    if (covers(delaunay_.site(near.nearest), q)) {
-      shares_.push_back({near.nearest, 1});
-      return false;
-    }
-    if (isSingle) {
-      expectShares(1);
-      return true;
-    }
-    conflicts_.find(delaunay_, q, near.nearest, near.sector);
+bool NaturalNeighbors::isInWindow(const Site& q) const {
+  return clippedDiagram_ == nullptr ? holds(window_, q)
+                                    : clippedDiagram_->polygon().holds({q.x, q.y});
+}
+
+/// The site that covers q, or kNoVertex.
+VertexId NaturalNeighbors::findConflict(const Site& q, VertexId start) {
+  if (core_.visibleCount() == 1) {
+    expectShares(1);
+    const VertexId only = delaunay_.anyVisible();
+    return covers(delaunay_.site(only), q) ? only : kNoVertex;
   }
-  if (!delaunay_.isProven())
-    delaunay_.requireConsistent(conflicts_.isDisk(), "the conflict region is a disk");
+  const VertexId cover = delaunay_.findConflict(conflicts_, q, start, core_.locationIndex().walk());
   // Each site is at a corner of the hole, or covered, and then within it.
   expectShares(conflicts_.boundary().size() + conflicts_.faces().size());
-  return true;
+  return cover;
 }
 
 /// Of the faces between q and the sides of the hole.
@@ -105,7 +104,7 @@ void NaturalNeighbors::findNewVertices(const Site& q) {
     const Corner a = delaunay_.corner(graph.origin(boundary[k])),
                  b = delaunay_.corner(graph.target(boundary[k]));
     newVertices_.push_back(
-        endAt(isPrecise(circles_[k]) ? circles_[k] : preciseVoronoiCircle(a, b, &q)));
+        endAt(isEnough(circles_[k], q) ? circles_[k] : preciseVoronoiCircle(a, b, &q)));
   }
   if (!conflicts_.mayHaveSlits()) return;
   for (const HalfedgeId h : boundary) sides_.push_back({static_cast<std::uint32_t>(h), 0});
@@ -160,16 +159,27 @@ bool NaturalNeighbors::isSide(HalfedgeId h) const {
   return at != sides_.end() && HalfedgeId{at->key} == h;
 }
 
+/// A vertex that is off moves area from one neighbour to another: at most its error times the width
+/// of q's cell in the window, of which the distance from the vertex to one of its sites is no small
+/// part. So it is compared with that; and with what coordinates let one expect, where they are
+/// large.
+bool NaturalNeighbors::isEnough(const VoronoiCircle& circle, const Site& corner) const {
+  if (circle.isHalfPlane()) return true;
+  const double size = std::min(absolute(circle.s + corner.r), window_.diagonal());
+  const double coordinates = std::max(absolute(window_.xmin), absolute(window_.xmax)) +
+                             std::max(absolute(window_.ymin), absolute(window_.ymax));
+  return circle.error <= powerOfTwo(-34) * size + powerOfTwo(-46) * coordinates;
+}
+
 EdgeEnd NaturalNeighbors::oldVertex(FaceId f) {
   const VoronoiCircle& circle = delaunay_.circle(f);
-  // A vertex that is off moves area from one neighbour to another, no more than its error times the
-  // width of q's cell; and q is in the vertex's circle.
-  if (isPrecise(circle) || circle.error <= powerOfTwo(-34) * absolute(circle.s))
-    return endAt(circle);
+  if (circle.isHalfPlane()) return {};
+  const VertexId v = delaunay_.graph().origin(halfedgeOf(f, 0));
+  if (isEnough(circle, delaunay_.site(v))) return endAt(circle);
   constexpr std::size_t kMostKept = 1024;
   if (kept_.empty()) kept_.resize(kMostKept);
   KeptVertex& kept = kept_[index(f) % kMostKept];
-  if (kept.face != f) kept = {endAt(delaunay_, f, VertexPrecision::kFast), f};
+  if (kept.face != f) kept = {endAt(delaunay_, f, VertexPrecision::kReproducible), f};
   return kept.vertex;
 }
 
@@ -306,10 +316,7 @@ void NaturalNeighbors::findInRegion(const Site& q, Centers centers) {
     if (clippedDiagram_->windingOf(conflicts_.faces()[0]) == 0) shares_.clear();
     return;
   }
-  if (centers == Centers::kInWindow && !clippedDiagram_->polygon().holds({q.x, q.y})) {
-    shares_.clear();
-    return;
-  }
+  if (centers == Centers::kInWindow && !isInWindow(q)) return shares_.clear();
   findWithSmallDiagram(q);
 }
 
@@ -351,24 +358,21 @@ void interpolate(const DiagramCore& core, NaturalNeighbors& neighbors,
                  std::span<double> results) {
   constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
   if (core.visibleCount() == 0) return std::fill(results.begin(), results.end(), kNoValue);
-  // Many points at a time, as those in the cache are sorted faster; and more than there are sites,
-  // so that a walk from one to the next is short. (queries.cpp visits points likewise.)
-  const std::size_t portion = std::max(std::size_t{1} << 14, 4 * core.visibleCount());
-  for (std::size_t begin = 0; begin < results.size(); begin += portion) {
-    const std::size_t count = std::min(portion, results.size() - begin);
-    const bool isDense = count >= core.visibleCount() / 4;
-    VertexId near = kNoVertex;
-    for (const std::uint32_t k : hilbertOrder({xy.subspan(2 * begin, 2 * count), 2})) {
-      const double x = xy[2 * (begin + k)], y = xy[2 * (begin + k) + 1];
-      if (near == kNoVertex || !isDense) near = vertexOf(core.nearest(x, y));
-      const auto shares = neighbors.find(normalized({x, y, r}), near, Centers::kInWindow);
-      double sum = 0;
-      for (const NaturalShare& share : shares)
-        sum += share.weight * values[core.siteOf(share.site)];
-      results[begin + k] = shares.empty() ? kNoValue : sum;
-      if (!shares.empty()) near = shares.front().site;
+  visitPoints(core, xy, [&](std::size_t k, Slot hint) {
+    const double x = xy[2 * k], y = xy[2 * k + 1];
+    const Slot start = hint == kNoSlot ? core.nearest(x, y) : hint;
+    const auto shares = neighbors.find(normalized({x, y, r}), vertexOf(start), Centers::kInWindow);
+    if (shares.empty()) {
+      results[k] = kNoValue;
+      return start;
     }
-  }
+    double sum = 0;
+    for (const NaturalShare& share : shares) {
+      if (share.weight > 0) sum += share.weight * values[core.siteOf(share.site)];
+    }
+    results[k] = sum;
+    return slotOf(shares.front().site);
+  });
 }
 
 }  // namespace apollonius::internal

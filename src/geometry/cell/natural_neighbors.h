@@ -50,11 +50,12 @@ class NaturalNeighbors {
   NaturalNeighbors(const ClippedDiagram& clippedDiagram, const PolygonGrid& border);
 
   /// The natural neighbours of q; the weights are positive or 0 and add up to 1. One that covers q
-  /// is the only one. None without sites; if q's centre is to be in the window (its border
-  /// included) and is not; and where q's cell has no part in it, up to rounding. `start` is a
-  /// visible site close to q. Valid until the next call. Throws std::bad_alloc. Cost: a walk from
-  /// there, and O(size of what would change); for a cell at the border of a region also O(points of
-  /// the region) and a diagram of the natural neighbours.
+  /// is the only one, as is the nearest of a q in the window whose cell is too thin for doubles.
+  /// None without sites; if q's centre is to be in the window (its border included) and is not; and
+  /// where q's cell has no part in it, up to rounding. `start` is a visible site close to q. Valid
+  /// until the next call. Throws std::bad_alloc. Cost: a walk from there, and O(size of what would
+  /// change); for a cell at the border of a region also O(points of the region) and a diagram of
+  /// the natural neighbours.
   std::span<const NaturalShare> find(const Site& q, VertexId start, Centers centers);
 
  private:
@@ -65,11 +66,13 @@ class NaturalNeighbors {
     VertexId before, after;  // of which cells q takes what is beside the border
   };
 
-  [[nodiscard]] bool findConflict(const Site& q, VertexId start);
+  [[nodiscard]] VertexId findConflict(const Site& q, VertexId start);
+  [[nodiscard]] bool isInWindow(const Site& q) const;
   void findNewVertices(const Site& q);
   void addNewEdges(const Site& q);
   void addOldEdges();
   [[nodiscard]] bool isSide(HalfedgeId h) const;
+  [[nodiscard]] bool isEnough(const VoronoiCircle& circle, const Site& corner) const;
   [[nodiscard]] EdgeEnd oldVertex(FaceId f);
   void addOldEdge(HalfedgeId h, EdgeEnd from, EdgeEnd to);
   void addEdge(const Site& reference, const Site& other, EdgeEnd from, EdgeEnd to, VertexId left,
@@ -107,8 +110,7 @@ class NaturalNeighbors {
 
 /// Values of a field at points x, y, …: sums of the natural neighbours' values, which are given by
 /// id, times their weights, for new circles of radius r. NaN outside of the window and without
-/// sites. `results` has one for each point. Throws std::bad_alloc. Points are visited along a
-/// curve, so that the walk from one to the next is short.
+/// sites. `results` has one for each point. Throws std::bad_alloc.
 void interpolate(const DiagramCore& core, NaturalNeighbors& neighbors,
                  std::span<const double> values, std::span<const double> xy, double r,
                  std::span<double> results);

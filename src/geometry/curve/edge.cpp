@@ -22,11 +22,6 @@ bool isUsable(Point p) {
          absolute(p.y) <= std::numeric_limits<double>::max();
 }
 
-bool isRoughlyKnown(const VoronoiCircle& circle) {
-  return circle.isHalfPlane() ||
-         circle.error <= powerOfTwo(-30) * (absolute(circle.x) + absolute(circle.y));
-}
-
 /// endAt() unless it is kept.
 EdgeEnd endOf(const DelaunayGraph& delaunay, FaceId f, VertexPrecision precision,
               KeptVertices* kept) {
@@ -40,9 +35,8 @@ EdgeEnd endOf(const DelaunayGraph& delaunay, FaceId f, VertexPrecision precision
 
 EdgeEnd endAt(const DelaunayGraph& delaunay, FaceId f, VertexPrecision precision) {
   const VoronoiCircle& cached = delaunay.circle(f);
-  const bool isEnough = precision == VertexPrecision::kFast    ? isPrecise(cached)
-                        : precision == VertexPrecision::kRough ? isRoughlyKnown(cached)
-                                                               : false;
+  const double share = powerOfTwo(precision == VertexPrecision::kRough ? -30 : -40);
+  const bool isEnough = precision != VertexPrecision::kReproducible && isKnownWithin(cached, share);
   const VoronoiCircle circle = isEnough ? cached : delaunay.voronoiVertex(f);
   if (circle.isHalfPlane()) return {};
   return {{circle.x, circle.y}, true};

@@ -18,19 +18,21 @@ struct EdgeEnd {
   bool isFinite = false;
 };
 
-/// Is a face's cached circle as good as preciseVoronoiCircle's: a half-plane, or with an error
-/// bound of at most 2^-40 of its numbers? For drawings and quick tests; its last bits depend on the
-/// history.
-[[nodiscard]] inline bool isPrecise(const VoronoiCircle& circle) {
+/// Is a circle a half-plane, or has it an error bound of at most this share of its numbers?
+[[nodiscard]] inline bool isKnownWithin(const VoronoiCircle& circle, double share) {
   return circle.isHalfPlane() ||
          (circle.error < std::numeric_limits<float>::infinity() &&
-          circle.error <=
-              powerOfTwo(-40) * (absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
+          circle.error <= share * (absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
+}
+/// Is a face's cached circle as good as preciseVoronoiCircle's? For drawings and quick tests; its
+/// last bits depend on the history.
+[[nodiscard]] inline bool isPrecise(const VoronoiCircle& circle) {
+  return isKnownWithin(circle, powerOfTwo(-40));
 }
 
 /// Which bits a vertex gets: the same after any history (DelaunayGraph::voronoiVertex), or those of
 /// the cached circle if it is precise, which is quicker and differs in the last places; or if it is
-/// off by at most 2^-30 of its coordinates, for measures that are taken to be left again.
+/// off by at most 2^-30 of its numbers, for measures that are taken to be left again.
 enum class VertexPrecision : unsigned char { kReproducible, kFast, kRough };
 
 /// Vertices that have been computed, for the other two edges of each: by face, the last of those

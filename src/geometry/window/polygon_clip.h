@@ -101,7 +101,7 @@ class ClippedDiagram {
   void visitEdges(VertexPrecision precision, Visit&& visit) const {
     const auto count = static_cast<std::uint32_t>(3 * core_.delaunay().graph().faceSlots());
     FlatArray<InsideInterval> pieces;
-    // A vertex that is computed anew is found for three edges. 400 KB
+    // A vertex that is computed anew is so for three edges. 512 KB
     constexpr std::size_t kMostKept = std::size_t{1} << 14;
     KeptVertices kept;
     if (precision == VertexPrecision::kReproducible)

@@ -40,7 +40,8 @@ export function interpolate(
   options: InterpolationOptions | undefined,
 ): Float64Array {
   checkOptions(options, "r");
-  const field = new Field(native, windowNow, values, options);
+  const known = numbersById(native, "values", values, "bad-length");
+  const field = new Field(native, windowNow, known, options);
   return field.at(checkedNumbers("xy", xy, 2));
 }
 
@@ -54,7 +55,9 @@ export async function interpolateAsync(
 ): Promise<Float64Array> {
   checkOptions(options, "r", "signal", "onProgress");
   const slices = new Slices(options ?? {});
-  const field = new Field(native, windowNow, values, options);
+  // Copies, as the caller's arrays may change meanwhile.
+  const known = Float64Array.from(numbersById(native, "values", values, "bad-length"));
+  const field = new Field(native, windowNow, known, options);
   const points = Float64Array.from(checkedNumbers("xy", xy, 2));
   const results = allocated(() => new Float64Array(points.length / 2));
   for (let from = 0; from < results.length; from += kPoints) {
@@ -65,7 +68,7 @@ export async function interpolateAsync(
   return results;
 }
 
-/** Values at the sites of a diagram, as long as that stays as it is. */
+/** Values by id, of a diagram as long as that stays as it is. */
 class Field {
   readonly #native: NativeShapes;
   readonly #windowNow: () => NativeWindow;
@@ -76,14 +79,14 @@ class Field {
   constructor(
     native: NativeShapes,
     windowNow: () => NativeWindow,
-    values: NumbersById,
+    values: ArrayLike<number>,
     options: InterpolationOptions | undefined,
   ) {
     this.#native = native;
     this.#windowNow = windowNow;
     this.#r = options?.r ?? 0;
     checkNumber("options.r", this.#r);
-    this.#values = Float64Array.from(numbersById(native, "values", values, "bad-length"));
+    this.#values = values;
     this.#revision = native.revision();
   }
 
