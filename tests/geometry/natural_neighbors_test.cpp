@@ -225,7 +225,7 @@ TEST(Interpolation, HasAValueEverywhereInTheWindow) {
   }
 }
 
-/// Sibson: where cells end before the window does.
+/// Sibson: where new cells end before the window does.
 TEST(Interpolation, OfPointsMeetsLinearFields) {
   Random random(78);
   for (const double offset : {0.0, 1000.0, -4096.0, 1e6}) {

@@ -325,8 +325,8 @@ export class Voronoi implements Disposable {
   /**
    * A field at many points: for each of the flat x, y pairs, what `naturalWeights` says with the
    * sites' `values`, which are given by id. NaN outside of the window, without sites, and next to
-   * sites whose value is NaN. Where sites are points and the cells of a point's natural neighbours
-   * end within the window, linear fields are met. Cost: as a loop of `naturalWeights`, but without
+   * sites whose value is NaN. A linear field at sites that are points comes back, wherever the cell
+   * of a new point would end within the window. Cost: as a loop of `naturalWeights`, but without
    * location, and without a call for each point. Throws "bad-length" (xy; values, one for each id
    * that was ever used, or for each site), "unknown-site", "not-finite", "out-of-range",
    * "bad-option".
