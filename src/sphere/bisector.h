@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sphere/cap.h"
+#include "sphere/projected_diagram.h"
 
 namespace apollonius::internal::sphere {
 
@@ -18,12 +18,17 @@ namespace apollonius::internal::sphere {
 /// neither covers the other.
 class SphericalBisector {
  public:
-  /// `frame` is that of the first site's centre. `accurateRise` returns cos d - cos D more
-  /// accurately than the caps tell it where one site nearly covers the other.
-  template <class AccurateRise>
-  SphericalBisector(const Cap& from, const Frame& frame, const Cap& to,
-                    AccurateRise&& accurateRise) {
-    const Direction chord = to.centre - from.centre;
+  /// As seen from `node`; `frame` is that of its centre. Of the caps, or of the circles of the
+  /// plane where those tell more: where the sites are close, or one nearly covers the other.
+  SphericalBisector(const ProjectedDiagram& diagram, VertexId node, const Frame& frame,
+                    VertexId neighbor) {
+    if (diagram.areClose(node, neighbor)) {
+      setDirection(diagram.towards(node, neighbor), frame);
+      setByCircles(diagram.rise(node, neighbor), diagram.shift(node, neighbor));
+      return;
+    }
+    const Cap &from = diagram.cap(node), &to = diagram.cap(neighbor);
+    setDirection(to.centre - from.centre, frame);
     const HalfAngle between = angleBetween(from.centre, to.centre);
     isHeavier_ = from.weight > to.weight;
     const HalfAngle half = isHeavier_ ? from.radius - to.radius : to.radius - from.radius;
@@ -34,16 +39,11 @@ class SphericalBisector {
       rise_ = 2 * gap.sine * sum.sine;
       least_ = 2 * gap.sine * sum.cosine;
     } else {
-      rise_ = accurateRise();
+      rise_ = diagram.rise(node, neighbor);
       least_ = rise_ / std::max(sum.sine, std::sqrt(rise_ / 2)) * sum.cosine;
     }
     slope_ = 2 * between.sine * between.cosine;
     shift_ = 2 * half.sine * half.cosine;
-    // The chord's part along the tangent plane has the direction of the other site.
-    const double x = dot(chord, frame.first), y = dot(chord, frame.second);
-    const double length = std::sqrt(x * x + y * y);
-    x_ = length > 0 ? x / length : 1;
-    y_ = length > 0 ? y / length : 0;
   }
 
   /// What there is in the direction of a bearing.
@@ -85,27 +85,26 @@ class SphericalBisector {
   /// The bearing of the other site, where the bisector is nearest.
   [[nodiscard]] double middle() const { return std::atan2(y_, x_); }
 
-  /// The bearing at which another bisector of the same site meets this one; of two the one that is
-  /// closer to `about`. More accurate than the bearing of the vertex itself, which is as inaccurate
-  /// as that is close to the site.
-  [[nodiscard]] double bearingOfMeeting(const SphericalBisector& other, double about) const {
-    // Where both rho are equal: p cos phi + q sin phi = r.
-    const double mine = rise_ * other.slope_, its = other.rise_ * slope_;
-    const double p = mine * other.x_ - its * x_, q = mine * other.y_ - its * y_;
-    const double r = rise_ * other.signedShift() - other.rise_ * signedShift();
+  /// The bearing at which the bisector with the next neighbour, counter-clockwise about the site,
+  /// follows this one: it becomes the nearer of the two there. `about` is returned where they do
+  /// not meet as computed.
+  [[nodiscard]] double bearingOfNext(const SphericalBisector& next, double about) const {
+    // Where both rho are equal: p cos phi + q sin phi = r. The next one is nearer where the left
+    // side is less, so the left side is falling.
+    const double mine = rise_ * next.slope_, its = next.rise_ * slope_;
+    const double p = its * x_ - mine * next.x_, q = its * y_ - mine * next.y_;
+    const double r = next.rise_ * signedShift() - rise_ * next.signedShift();
     const double length = std::sqrt(p * p + q * q);
     const double square = (length - r) * (length + r);
     if (!(square > 0)) return about;
-    const double middle = std::atan2(q, p), aside = std::atan2(std::sqrt(square), r);
-    const double left = std::remainder(middle + aside - about, kTurn);
-    const double right = std::remainder(middle - aside - about, kTurn);
-    double bearing = about + (std::abs(left) < std::abs(right) ? left : right);
+    const double aside = std::atan2(std::sqrt(square), r);
+    double bearing = std::atan2(q, p) + aside;
     // Where one of the sites nearly covers another, little is left of the differences; of the
     // curves themselves more. Both solutions are at `aside` from the middle.
     double most = std::min({aside / 2, (kTurn / 2 - aside) / 2, 0x1p-20});
     for (int step = 0; step < 2; ++step) {
       const double x = std::cos(bearing), y = std::sin(bearing);
-      const double apart = rise_ * other.runAt(x, y).value - other.rise_ * runAt(x, y).value;
+      const double apart = next.rise_ * runAt(x, y).value - rise_ * next.runAt(x, y).value;
       const double change = apart / (p * y - q * x);
       if (!(std::abs(change) < most)) break;
       bearing += change;
@@ -127,6 +126,27 @@ class SphericalBisector {
     const double square = aside * aside + up * up;
     const double value = least_ - slope_ * square / 2;
     return {isHeavier_ ? value : -value, 0x1p-51 * (std::abs(least_) + slope_ * std::sqrt(square))};
+  }
+  /// REQUIRES: D and d are acute.
+  void setByCircles(double rise, double shift) {
+    rise_ = rise;
+    isHeavier_ = shift > 0;
+    shift_ = std::abs(shift);
+    // 1 - cos D = 1 - cos d + rise, and by the halves sin D - sin |d| is what rises divided by the
+    // tangent of (D + |d|) / 2.
+    const HalfAngle half = acuteAngle(shift_);
+    const double square = half.sine * half.sine + rise / 2;
+    const HalfAngle between = {std::sqrt(square), std::sqrt(1 - square)};
+    const HalfAngle sum = between + half;
+    slope_ = 2 * between.sine * between.cosine;
+    least_ = rise_ / sum.sine * sum.cosine;
+  }
+  /// The part of a vector along the tangent plane has the direction of the other site.
+  void setDirection(const Direction& towards, const Frame& frame) {
+    const double x = dot(towards, frame.first), y = dot(towards, frame.second);
+    const double length = std::sqrt(x * x + y * y);
+    x_ = length > 0 ? x / length : 1;
+    y_ = length > 0 ? y / length : 0;
   }
   [[nodiscard]] double signedShift() const { return isHeavier_ ? shift_ : -shift_; }
 

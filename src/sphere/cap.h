@@ -85,6 +85,15 @@ inline HalfAngle angleBetween(const Direction& a, const Direction& b) {
   return {lengthOf(a - b) / 2, lengthOf(a + b) / 2};
 }
 
+/// Directions are not quite unit vectors. Of those closer than this, in radians, the rounding is a
+/// part of their chord's length that tells, but not of the chord's part at right angles to them.
+inline constexpr double kClose = 0x1p-20;
+/// With this sine. REQUIRES: acute.
+inline HalfAngle acuteAngle(double sine) {
+  const double cosine = std::sqrt((1 + std::sqrt((1 - sine) * (1 + sine))) / 2);
+  return {sine / (2 * cosine), cosine};
+}
+
 /// A site of the sphere.
 struct Cap {
   Direction centre;

@@ -34,18 +34,29 @@ class Star {
         frame_(diagram.cap(node).centre) {}
 
   [[nodiscard]] SphericalBisector bisectorWith(VertexId other) const {
-    return {diagram_.cap(node_), frame_, diagram_.cap(other),
-            [&] { return diagram_.rise(node_, other); }};
+    return {diagram_, node_, frame_, other};
   }
   [[nodiscard]] double bearingOf(FaceId f) const { return frame_.bearing(vertices_[f].point); }
+
+  /// Where the sectors of two neighbours meet, one next to the other counter-clockwise: the bearing
+  /// of the vertex of face `f`.
+  [[nodiscard]] double bearingBetween(VertexId neighbor, const SphericalBisector& bisector,
+                                      VertexId next, const SphericalBisector& nextBisector,
+                                      FaceId f) const {
+    const double bearing = bearingOf(f);
+    // Seen from afar, two close sites have one bisector, and the vertex tells where they meet.
+    const bool isFromAfar = diagram_.areClose(neighbor, next) && !diagram_.areClose(node_, next);
+    return isFromAfar ? bearing : bisector.bearingOfNext(nextBisector, bearing);
+  }
 
   /// The edge of h; the width is the turn.
   [[nodiscard]] Sector edge(HalfedgeId h) const {
     const HalfedgeId twin = graph_.twin(h);
-    const SphericalBisector bisector = bisectorWith(graph_.target(h));
+    const VertexId before = graph_.apex(twin), neighbor = graph_.target(h), after = graph_.apex(h);
+    const SphericalBisector bisector = bisectorWith(neighbor);
     const double from =
-        bisector.bearingOfMeeting(bisectorWith(graph_.apex(twin)), bearingOf(faceOf(twin)));
-    const double to = bisector.bearingOfMeeting(bisectorWith(graph_.apex(h)), bearingOf(faceOf(h)));
+        bearingBetween(before, bisectorWith(before), neighbor, bisector, faceOf(twin));
+    const double to = bearingBetween(neighbor, bisector, after, bisectorWith(after), faceOf(h));
     return {bisector, from, turnBetween(from, to)};
   }
 
@@ -76,9 +87,12 @@ class Star {
     const auto distance = [&](std::size_t k) {
       return sectors[k].bisector.at(x / length, y / length).rho();
     };
+    // Seen from afar, close sites are equally near.
+    constexpr double kEqual = 0x1p-40;
     std::size_t best = least;
     for (std::size_t k = 0; k < sectors.size(); ++k) {
-      if (distance(k) < distance(best)) best = k;
+      const double nearer = distance(best) - distance(k);
+      if (nearer > kEqual || (nearer > -kEqual && sectors[k].width < sectors[best].width)) best = k;
     }
     return best;
   }
@@ -117,14 +131,16 @@ void listSectors(const ProjectedDiagram& diagram, VertexId node, SphericalVertic
       sectors.push_back({star.bisectorWith(otherOfTwo(diagram, node)), 0, kTurn});
     return;
   }
-  // Each end once, for the two edges that meet there.
   for (const HalfedgeId h : graph.star(node))
-    sectors.push_back(
-        {star.bisectorWith(graph.target(h)), star.bearingOf(faceOf(graph.twin(h))), 0});
+    sectors.push_back({star.bisectorWith(graph.target(h)), 0, 0});
+  // Each end once, for the two edges that meet there.
   const Sector* before = &sectors.back();
-  for (Sector& sector : sectors) {
-    sector.from = sector.bisector.bearingOfMeeting(before->bisector, sector.from);
-    before = &sector;
+  Sector* sector = sectors.data();
+  for (const HalfedgeId h : graph.star(node)) {
+    const HalfedgeId twin = graph.twin(h);
+    sector->from = star.bearingBetween(graph.apex(twin), before->bisector, graph.target(h),
+                                       sector->bisector, faceOf(twin));
+    before = sector++;
   }
   const Sector* after = sectors.data();
   for (std::size_t k = sectors.size(); k-- > 0;) {

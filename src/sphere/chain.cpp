@@ -101,8 +101,6 @@ void ChainMaker::follow(VertexId node, VertexId neighbor, const Sector& sector,
   const Direction centre = diagram_.cap(node).centre, other = diagram_.cap(neighbor).centre;
   const Frame frame(centre);
   points.push_back(first);
-  const bool isClosed = lengthOf(last - first) == 0;
-  if (isClosed && sector.width < std::numbers::pi) return;  // without length
   // Then the edge goes from one vertex to the other in their direction.
   const bool isStraight = missesVertices(sector, centre, frame, first, last);
   const double rho = angleBetween(centre, first).angle();
@@ -115,6 +113,12 @@ void ChainMaker::follow(VertexId node, VertexId neighbor, const Sector& sector,
                                       y, 0};
     return shown(at.point(centre, frame));
   };
+  // An edge that ends where it begins has no length; between close sites it may come round from the
+  // other end of the sphere.
+  constexpr double kNone = 0x1p-40;
+  if (lengthOf(last - first) == 0 && sector.width < std::numbers::pi &&
+      (!diagram_.areClose(node, neighbor) || lengthOf(pointAt(0.5) - first) < kNone))
+    return;
   Direction a = first;
   // The piece under way is the one with this number of 2^depth.
   std::uint64_t number = 0;
@@ -153,8 +157,7 @@ bool ChainMaker::isOnePiece(VertexId node, VertexId neighbor, const Direction& f
     return false;
   const double x = x1 * length2 + x2 * length1, y = y1 * length2 + y2 * length1;
   const double length = std::sqrt(x * x + y * y);
-  const SphericalBisector bisector(cap, frame, other,
-                                   [&] { return diagram_.rise(node, neighbor); });
+  const SphericalBisector bisector(diagram_, node, frame, neighbor);
   return isFine(first, shown(bisector.at(x / length, y / length).point(cap.centre, frame)), last);
 }
 

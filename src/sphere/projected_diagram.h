@@ -63,6 +63,32 @@ class ProjectedDiagram {
     if (b == kInfinity) return Projection::riseFromPole(delaunay.site(a));
     return Projection::rise(delaunay.site(a), delaunay.site(b));
   }
+  /// The sine of the first one's weight minus the other's, as accurate.
+  [[nodiscard]] double shift(VertexId a, VertexId b) const {
+    const DelaunayGraph& delaunay = plane_.delaunay();
+    if (a == kInfinity) return Projection::shiftFromPole(delaunay.site(b));
+    if (b == kInfinity) return -Projection::shiftFromPole(delaunay.site(a));
+    return Projection::shift(delaunay.site(a), delaunay.site(b));
+  }
+  /// Are two nodes so close that what is between them is told by their circles? Of those the graph
+  /// was made, and they are rounded in other ways than the caps.
+  [[nodiscard]] bool areClose(VertexId a, VertexId b) const {
+    const Direction chord = cap(b).centre - cap(a).centre;
+    return dot(chord, chord) < kClose * kClose;
+  }
+  /// A vector in the direction of the second of two close nodes as seen from the first, and in the
+  /// plane of their centres.
+  [[nodiscard]] Direction towards(VertexId from, VertexId to) const {
+    const Direction chord = cap(to).centre - cap(from).centre;
+    if (from == kInfinity || to == kInfinity) return chord;
+    // At the distance p from the pole, circles at the distance D have a direction to 2^-53 / p, and
+    // caps have that of their circles to 2^-53 p / D.
+    const Direction away = cap(from).centre - poleCap_.centre;
+    const double square = dot(away, away);
+    if (dot(chord, chord) > square * square) return chord;
+    const DelaunayGraph& delaunay = plane_.delaunay();
+    return projection_.towards(delaunay.site(from), delaunay.site(to));
+  }
   [[nodiscard]] SiteId siteOf(VertexId node) const {
     return node == kInfinity ? pole_ : siteOfPlane_[plane_.siteOf(node)];
   }

@@ -28,10 +28,15 @@ Projection::Projection(const Cap& pole) : pole_(pole) {
 Projection::Image Projection::image(const Direction& centre, const HalfAngle& reduced) const {
   const Kind covered = reduced.sine > 0 ? Kind::kCoversPole : Kind::kBelowPole;
   const Direction chord = centre - pole_.centre;
-  const double square = dot(chord, chord);
-  if (square == 0 || reduced.cosine <= 0) return {covered};
   // chord·x is centre·x, and accurate also near the pole.
-  const double x = 2 * dot(chord, x_) / square, y = 2 * dot(chord, y_) / square;
+  const double across = dot(chord, x_), up = dot(chord, y_);
+  double square = dot(chord, chord);
+  if (square < kClose * kClose) {  // without the part that is rounding
+    const HalfAngle away = acuteAngle(std::sqrt(across * across + up * up));
+    square = 4 * away.sine * away.sine;
+  }
+  if (square == 0 || reduced.cosine <= 0) return {covered};
+  const double x = 2 * across / square, y = 2 * up / square;
   const double t = reduced.sine / reduced.cosine;
   const double squareOfT = x * x + y * y;
   const double product = std::sqrt(squareOfT) * t;
@@ -63,6 +68,29 @@ double Projection::rise(const Site& a, const Site& b) {
   return riseFromPole(a) * riseFromPole(b) * squaredTangent(a, b) / 2;
 }
 
+namespace {
+
+/// |c|² - r² of the second circle minus that of the first.
+double changeOfPower(const Site& a, const Site& b) {
+  return (b.x - a.x) * (b.x + a.x) + (b.y - a.y) * (b.y + a.y) - (b.r - a.r) * (b.r + a.r);
+}
+
+}  // namespace
+
+// With q = |c|² - r² such a vector times 2 r is (2 c, q - 1, q + 1), and H = √((q + 1)² + 4 r²) is
+// the length of its first three coordinates. So cos w = (q + 1) / H and sin w = 2 r / H; and those
+// three are H u: their difference for two caps is H_j (u_j - u_i) and a multiple of u_i.
+double Projection::shift(const Site& a, const Site& b) {
+  const double power = (b.x * b.x + b.y * b.y) - b.r * b.r;
+  return riseFromPole(a) * riseFromPole(b) / 2 *
+         ((a.r - b.r) * (power + 1) + b.r * changeOfPower(a, b));
+}
+
+Direction Projection::towards(const Site& from, const Site& to) const {
+  return 2 * (to.x - from.x) * x_ + 2 * (to.y - from.y) * y_ +
+         changeOfPower(from, to) * pole_.centre;
+}
+
 Direction Projection::pointAt(double angle, double x, double y) const {
   return std::sin(angle) * (x * x_ + y * y_) - std::cos(angle) * pole_.centre;
 }
@@ -81,9 +109,9 @@ Projection::EmptyCap Projection::fromCircle(double x, double y, double s,
   return {pointAt(near + far, x / centre, y / centre), far - near};
 }
 
-Projection::EmptyCap Projection::fromHalfPlane(double a, double b, double c) const {
-  // From the border, at the angle 2 atan(c), to the pole, at pi.
-  const double border = std::atan(c);
+Projection::EmptyCap Projection::fromHalfPlane(double a, double b, const Site& touched) const {
+  // From the border, at the angle 2 atan(a x + b y + r), to the pole, at pi.
+  const double border = std::atan(a * touched.x + b * touched.y + touched.r);
   return {pointAt(border + std::numbers::pi / 2, a, b), std::numbers::pi / 2 - border};
 }
 

@@ -53,16 +53,27 @@ class Projection {
   /// The same of the pole and a cap with this circle.
   [[nodiscard]] static double riseFromPole(const Site& circle);
 
+  /// sin d of the first cap minus the second, likewise.
+  [[nodiscard]] static double shift(const Site& a, const Site& b);
+  /// The same of the pole and a cap with this circle.
+  [[nodiscard]] static double shiftFromPole(const Site& circle) {
+    return -circle.r * riseFromPole(circle);
+  }
+  /// A vector in the direction of the second cap as seen from the first, and in the plane of their
+  /// centres: by their circles, however close they are.
+  [[nodiscard]] Direction towards(const Site& from, const Site& to) const;
+
   /// An empty cap that touches sites from outside: its centre, and its radius as an angle, which is
   /// the distance to the sites.
   struct EmptyCap {
     Direction centre;
     double radius = 0;
   };
-  /// That of a circle with centre (x, y) and radius s, which touches another.
+  /// That of a circle with centre (x, y) and radius s, which touches another. Of several the one
+  /// closest to the origin loses least.
   [[nodiscard]] EmptyCap fromCircle(double x, double y, double s, const Site& touched) const;
-  /// That of the half-plane a x + b y >= c.
-  [[nodiscard]] EmptyCap fromHalfPlane(double a, double b, double c) const;
+  /// That of the half-plane with inner normal (a, b) that touches a circle, likewise.
+  [[nodiscard]] EmptyCap fromHalfPlane(double a, double b, const Site& touched) const;
 
  private:
   /// Of a cap whose radius has been reduced.

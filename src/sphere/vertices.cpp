@@ -70,19 +70,26 @@ SphericalVertex SphericalVertices::computed(FaceId face) const {
   const DelaunayGraph& plane = diagram_.plane().delaunay();
   const Graph& graph = plane.graph();
   std::array<const Cap*, 3> caps;
-  const Site* touched = nullptr;
+  const Site* touched = nullptr;  // the closest to the origin
+  const auto square = [](const Site& site) { return site.x * site.x + site.y * site.y; };
+  bool isClose = false;  // any two of the sites
   for (unsigned corner = 0; corner < 3; ++corner) {
-    const VertexId node = graph.origin(halfedgeOf(face, corner));
+    const HalfedgeId h = halfedgeOf(face, corner);
+    const VertexId node = graph.origin(h);
+    isClose |= diagram_.areClose(node, graph.target(h));
     caps[corner] = &diagram_.cap(node);
-    if (node != kInfinity) touched = &plane.site(node);
+    if (node == kInfinity) continue;
+    const Site& site = plane.site(node);
+    if (touched == nullptr || square(site) < square(*touched)) touched = &site;
   }
   const VoronoiCircle circle = plane.voronoiVertex(face);
   const Projection& projection = diagram_.projection();
   const Projection::EmptyCap cap =
-      circle.isHalfPlane() ? projection.fromHalfPlane(circle.x, circle.y, circle.s)
+      circle.isHalfPlane() ? projection.fromHalfPlane(circle.x, circle.y, *touched)
                            : projection.fromCircle(circle.x, circle.y, circle.s, *touched);
   // Weights were reduced by the pole's.
-  return refined({cap.centre, cap.radius - diagram_.cap(kInfinity).weight}, caps);
+  const SphericalVertex vertex = {cap.centre, cap.radius - diagram_.cap(kInfinity).weight};
+  return isClose ? vertex : refined(vertex, caps);
 }
 
 std::size_t SphericalVertices::placeOf(FaceId face) const {

@@ -75,12 +75,15 @@ export const reach = (page, name, parts = []) =>
   page.$eval(
     `[data-figure=${name}]`,
     async (figure, parts) => {
+      const until = Date.now() + 40_000; // a busy machine shows no frames
+      while (!figure.dataset.state && Date.now() < until) {
+        figure.scrollIntoView({ block: "center" }); // figures above that start now may move it
+        await new Promise((resolve) => setTimeout(resolve, 20));
+      }
+      const { figure: name, state } = figure.dataset;
+      if (state !== "running")
+        throw new Error(`${name} does not run: ${state ?? "it was not started"}`);
       figure.scrollIntoView({ block: "center" });
-      const until = Date.now() + 20_000;
-      while (!figure.dataset.state && Date.now() < until)
-        await new Promise((resolve) => setTimeout(resolve, 20)); // a busy machine shows no frames
-      if (figure.dataset.state !== "running")
-        throw new Error(`${figure.dataset.figure} is not run`);
       return parts.filter((part) => figure.querySelector(part));
     },
     parts,
