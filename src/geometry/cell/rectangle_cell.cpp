@@ -137,8 +137,11 @@ void RectangleCellClipper::closePart() {
   const auto pieces = std::span(cell_.pieces).subspan(start);
   // Of its own first point, which is the same after any history: a sliver is there after all of
   // them, or after none.
-  const Area area = areaOf(pieces, window_.nearestTo(pieces.front().curve.p0));
-  if (area.value > area.rounding || parts() == Parts::kThinToo) {
+  const auto hasArea = [&] {
+    const Area area = areaOf(pieces, window_.nearestTo(pieces.front().curve.p0));
+    return area.value > area.rounding;
+  };
+  if (parts() == Parts::kThinToo || hasArea()) {
     cell_.starts.push_back(static_cast<std::uint32_t>(cell_.pieces.size()));
     cell_.outers.push_back(static_cast<std::uint32_t>(cell_.ringCount()));
   } else {

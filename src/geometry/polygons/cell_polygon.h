@@ -17,6 +17,9 @@ class PolygonFinder {
   PolygonFinder(const DiagramCore& core, CellClipper& cells, const Border& border,
                 double tolerance);
 
+  /// CellClipper::expectAll.
+  void expectAll() { cells_.expectAll(); }
+
   /// The polygons of a site's cell; none if what it bounds is as small as the distance of doubles.
   void find(Slot site, Rings& rings);
 

@@ -1,0 +1,90 @@
+// The segments of all rings, between points with numbers, for what rounding has put out of order: a
+// point that is off by its last place can be beyond a segment that it should be next to. Where two
+// segments meet, by exact signs for all pairs that may (segment_pairs.h), the ends of them that are
+// as close as rounding become one point, in all cells; or the segment that passes a point goes
+// through it. This is repeated until nothing meets. If that takes more than a few rounds, points
+// farther apart become one in each further round, in the end any points of what meets; and the
+// number of rounds is limited.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/radix_sort.h"
+#include "geometry/polygons/point_numbers.h"
+#include "geometry/polygons/raw_rings.h"
+#include "geometry/window/rectangle.h"
+#include "geometry/window/segment_grid.h"
+#include "number/fp.h"
+
+namespace apollonius::internal {
+
+/// How far rounding can move points of edges in a window within this box: a point at such a
+/// distance from the farthest of the sites whose cells meet there (docs/PROOFS.md, "Polygons").
+class PointRounding {
+ public:
+  explicit PointRounding(const Rectangle& box);
+  [[nodiscard]] double at(double fromSite) const { return powerOfTwo(-38) * (size_ + fromSite); }
+
+ private:
+  double size_;  // of the window's numbers
+};
+
+class Mesh {
+ public:
+  /// REQUIRES: `box` holds the window. All live as long.
+  Mesh(const DiagramCore& core, const Rectangle& box, RawRings& raw);
+
+  /// Mends the rings until no two segments meet; false, and rings that are not changed, if that is
+  /// not reached. Cost: O(n log n) for n segments, or the pairs of those that are near each other
+  /// if these are fewer; as often again as rounding has to be undone.
+  [[nodiscard]] bool mend();
+  /// How many times as far apart as rounding explains points have been that became one, at most.
+  [[nodiscard]] double closeness() const { return closeness_; }
+  /// How many segments were looked at, in all rounds, and pairs.
+  [[nodiscard]] std::size_t work() const { return work_; }
+
+ private:
+  using Ring = RawRings::Ring;  // of corners_
+  /// A segment goes through a point.
+  struct Detour {
+    std::uint32_t from, to, through;
+  };
+
+  [[nodiscard]] Point at(std::uint32_t number) const { return numbers_.points()[number]; }
+  [[nodiscard]] bool isOnBorder(std::uint32_t point) const { return isOnBorder_[point] != 0; }
+  [[nodiscard]] double roundingOf(std::uint32_t point) const {
+    return rounding_.at(fromSites_[point]);
+  }
+  [[nodiscard]] std::span<Ring> ringsOf(const RawRings::Cell& cell) {
+    return std::span(rings_).subspan(cell.firstRing, cell.ringCount);
+  }
+  void listSegments();
+  void mendMeetings();
+  void uniteTurned();
+  void mend(const Segment& s, const Segment& t);
+  bool uniteClose(std::span<const std::uint32_t> points);
+  [[nodiscard]] std::uint32_t representative(std::uint32_t point);
+  void unite(std::uint32_t a, std::uint32_t b);
+  [[nodiscard]] const Detour* detourOf(std::uint32_t a, std::uint32_t b,
+                                       std::span<const Keyed> byEnd) const;
+  void replacePoints();
+  void write();
+
+  Rectangle box_;
+  PointRounding rounding_;
+  RawRings& raw_;
+  PointNumbers numbers_;
+  FlatArray<double> fromSites_;       // by point: the largest distance from a site it is seen from
+  FlatArray<char> isOnBorder_;        // by point
+  FlatArray<std::uint32_t> corners_;  // points of the rings, not repeated at their ends
+  FlatArray<Ring> rings_;             // as raw_ has them
+  FlatArray<Segment> segments_;       // each once
+  FlatArray<std::uint32_t> united_;   // by point: itself or one that it became, in this round
+  double closeness_ = 1;
+  bool isUnited_ = false;  // any in this round
+  FlatArray<Detour> detours_;
+  std::size_t work_ = 0;
+};
+
+}  // namespace apollonius::internal
