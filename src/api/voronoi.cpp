@@ -84,6 +84,12 @@ void assign(Arrays& arrays, const Rings& rings) {
   arrays.parts.assign(rings.parts.begin(), rings.parts.end());
 }
 
+void assign(CoverageArrays& arrays, const Coverage& coverage) {
+  assign(arrays, coverage.rings);
+  arrays.sites.assign(coverage.sites.begin(), coverage.sites.end());
+  arrays.cells.assign(coverage.cells.begin(), coverage.cells.end());
+}
+
 Point centerOf(const DiagramCore& core, Slot slot) {
   return {core.site(slot).x, core.site(slot).y};
 }
@@ -214,6 +220,17 @@ Error Voronoi::cellPolygon(SiteId id, double tolerance, RingArrays& rings) const
   });
 }
 
+Error Voronoi::cellPolygonsBetween(SiteId first, SiteId end, double tolerance,
+                                   CoverageArrays& polygons) const {
+  return clipped(firstOf(windowError(), toleranceError(tolerance)), [&](const Clipping& clipping) {
+    const auto cells = clipping.cells(Parts::kWithArea);
+    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(), tolerance);
+    Coverage found;
+    assemble(listCells(*diagram_.core_, finder, RingsAre::kPolygons, first, end), found);
+    assign(polygons, found);
+  });
+}
+
 Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
   bool isCovered = true;
   const bool isFilled = reach_ == nullptr || reach_->isUnlimited();
@@ -227,9 +244,7 @@ Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
     Coverage found;
     isCovered = coverWindow(*diagram_.core_, finder, clipping.box(), area, found);
     if (!isCovered) return;
-    assign(coverage, found.rings);
-    coverage.sites.assign(found.sites.begin(), found.sites.end());
-    coverage.cells.assign(found.cells.begin(), found.cells.end());
+    assign(coverage, found);
   });
   if (error != Error::kNone || isCovered) return error;
   // Of trusted bytes that were no diagram, anything can come.

@@ -125,6 +125,10 @@ class APOLLONIUS_EXPORT Voronoi {
   /// kBroken, a defect of the library (of trusted bytes kCorruptSnapshot, a defect of these). Cost:
   /// O(n) for sites spread evenly, twice the time of a loop of cellPolygon.
   [[nodiscard]] Error cellPolygons(double tolerance, CoverageArrays& coverage) const;
+  /// Those of the sites with ids from `first` to before `end`, each as cellPolygon() gives it: many
+  /// at a time, but not all at once.
+  [[nodiscard]] Error cellPolygonsBetween(SiteId first, SiteId end, double tolerance,
+                                          CoverageArrays& polygons) const;
   /// Area and centroid; cellMeasures() takes several times as long, for the perimeter.
   [[nodiscard]] Error cellMoments(SiteId id, CellMoments& moments) const;
   [[nodiscard]] Error cellMeasures(SiteId id, CellMeasures& measures) const;

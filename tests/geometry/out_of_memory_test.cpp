@@ -55,6 +55,13 @@ void add(Hash& hash, const Path& path) {
   hash.addAll(path.commands);
   hash.addAll(path.coordinates);
 }
+void add(Hash& hash, const CoverageArrays& polygons) {
+  hash.addAll(polygons.coordinates);
+  hash.addAll(polygons.starts);
+  hash.addAll(polygons.parts);
+  hash.addAll(polygons.sites);
+  hash.addAll(polygons.cells);
+}
 template <class Number>
 void add(Hash& hash, const std::vector<Number>& numbers) {
   hash.addAll(numbers);
@@ -111,6 +118,11 @@ std::vector<Call> shapes(bool inRegion) {
       {"cellPolygon",
        each(RingArrays(),
             [](V v, auto id, auto& out) { return v.cellPolygon(id, kTolerance, out); })},
+      {"cellPolygons",
+       one(CoverageArrays(), [](V v, auto& out) { return v.cellPolygons(kTolerance, out); })},
+      {"cellPolygonsBetween",
+       one(CoverageArrays(),
+           [](V v, auto& out) { return v.cellPolygonsBetween(0, 1000, kTolerance, out); })},
       {"cellMeasures",
        each(CellMeasures(), [](V v, auto id, auto& out) { return v.cellMeasures(id, out); })},
       {"cellMeasuresWithin",

@@ -10,6 +10,7 @@
 
 #include "diagram/bulk_insertion.h"
 #include "geometry/clipping/rectangle_clipping.h"
+#include "geometry/polygons/coverage.h"
 #include "support/random.h"
 
 namespace apollonius::test {
@@ -26,13 +27,13 @@ struct Scene {
     const RectangleClipping clipping(core, kWindow);
     const auto cells = clipping.cells(Parts::kThinToo);
     PolygonFinder finder(core, *cells, clipping.border(), 0.1);
-    raw = listRawRings(core, finder);
+    raw = listCells(core, finder, RingsAre::kRaw, 0, core.ids().idLimit());
   }
 
   [[nodiscard]] bool isProved() const { return TilingProof(core, kWindow, raw).holds(); }
 
   DiagramCore core;
-  RawRings raw;
+  CellList raw;
 };
 
 std::vector<double> randomCircles(Random& random, int n, double largest, double grid) {
@@ -63,14 +64,15 @@ TEST(TilingProof, HoldsOnlyWhereNoSegmentsMeet) {
     Scene scene(randomCircles(random, 3 + round / 5, round % 3 * 5.0, grid));
     if (!scene.isProved()) continue;
     ++proved;
-    const RawRings before = scene.raw;
+    const CellList before = scene.raw;
     Mesh mesh(scene.core, kWindow, scene.raw);
     ASSERT_TRUE(mesh.mend());
-    for (std::size_t k = 0; k < before.rings.size(); ++k) {
-      const auto points = before.pointsOf(before.rings[k]),
-                 mended = scene.raw.pointsOf(scene.raw.rings[k]);
-      ASSERT_TRUE(std::equal(points.begin(), points.end(), mended.begin(), mended.end())) << round;
-    }
+    Coverage asGiven, mended;
+    assemble(before, asGiven);
+    assemble(scene.raw, mended);
+    ASSERT_TRUE(std::equal(asGiven.rings.coordinates.begin(), asGiven.rings.coordinates.end(),
+                           mended.rings.coordinates.begin(), mended.rings.coordinates.end()))
+        << round;
   }
   EXPECT_GE(proved, 300);
 }
@@ -80,37 +82,58 @@ TEST(TilingProof, FailsForRingsThatDoNotTile) {
   for (int round = 0; round < 60; ++round) {
     Scene scene(randomCircles(random, 20, round % 2 * 4.0, 0));
     if (!scene.isProved()) continue;
-    const RawRings good = scene.raw;
+    const CellList good = scene.raw;
     const auto expectNone = [&](const char* what) {
       EXPECT_FALSE(scene.isProved()) << what << ", round " << round;
       scene.raw = good;
     };
-    RawRings& raw = scene.raw;
+    CellList& raw = scene.raw;
     const auto distrust = [&] {
-      for (RawRings::Cell& cell : raw.cells) cell.isTraced = true;
+      for (CellList::Cell& cell : raw.cells) cell.isTraced = true;
     };
-    const RawRings::Ring ring = raw.rings[random.below(raw.rings.size())];
-    const auto begin = raw.points.begin() + ring.first;
-    std::size_t inner = random.below(raw.points.size());
-    while (!kWindow.holds(raw.points[inner])) inner = random.below(raw.points.size());
+    const auto at = [&](std::size_t point) {
+      return Point{raw.rings.coordinates[2 * point], raw.rings.coordinates[2 * point + 1]};
+    };
+    const auto set = [&](std::size_t point, Point p) {
+      raw.rings.coordinates[2 * point] = p.x;
+      raw.rings.coordinates[2 * point + 1] = p.y;
+    };
+    const std::size_t ring = random.below(raw.rings.ringCount());
+    const auto reverse = [&] {
+      FlatArray<Point> points;
+      for (std::size_t k = raw.rings.starts[ring]; k < raw.rings.starts[ring + 1]; ++k)
+        points.push_back(at(k));
+      for (std::size_t k = 0; k < points.size(); ++k)
+        set(raw.rings.starts[ring] + k, points[points.size() - 1 - k]);
+    };
+    std::size_t inner = 0;  // a point inside of the window, and not at an end of a ring's array
+    const auto isEnd = [&](std::size_t point) {
+      return std::any_of(raw.rings.starts.begin(), raw.rings.starts.end(),
+                         [&](std::uint32_t start) { return start == point || start == point + 1; });
+    };
+    while (isEnd(inner) || !kWindow.holds(at(inner))) inner = random.below(raw.isBorder.size());
 
     distrust();
     EXPECT_TRUE(scene.isProved()) << round;
-    raw.points[inner].x = std::nextafter(raw.points[inner].x, 1000);
+    const Point p = at(inner);
+    set(inner, {std::nextafter(p.x, 1000), p.y});
     expectNone("a point of one ring is off by its last place");
     distrust();
-    const Point moved = raw.points[inner];
-    for (Point& p : raw.points) {
-      if (p == moved) p = p + Point{50, 30};
+    for (std::size_t k = 0; k < raw.isBorder.size(); ++k) {
+      if (at(k) == p) set(k, p + Point{50, 30});
     }
     expectNone("a point of all rings is far away");
-    std::reverse(begin, begin + ring.count);
+    reverse();
     expectNone("a ring is turned");
     distrust();
-    std::reverse(begin, begin + ring.count);
+    reverse();
     expectNone("a ring is turned, and none is known to turn around its site");
-    std::swap(begin[0], begin[1]);
-    expectNone("two points are exchanged");
+    const Point next = at(inner + 1);
+    if (!isEnd(inner + 1)) {
+      set(inner + 1, p);
+      set(inner, next);
+      expectNone("two points are exchanged");
+    }
     raw.cells.pop_back();
     expectNone("a cell is missing");
     raw.cells.push_back(raw.cells[0]);

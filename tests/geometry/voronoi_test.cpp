@@ -46,6 +46,7 @@ TEST(VoronoiErrors, BadBoundsAndTolerances) {
     EXPECT_EQ(voronoi.cellCurves(0, curves), Error::kBadBounds);
     EXPECT_EQ(voronoi.cellPolygon(0, 1, rings), Error::kBadBounds);
     EXPECT_EQ(voronoi.cellPolygons(1, coverage), Error::kBadBounds);
+    EXPECT_EQ(voronoi.cellPolygonsBetween(0, 1, 1, coverage), Error::kBadBounds);
     EXPECT_EQ(voronoi.cellMeasures(0, measures), Error::kBadBounds);
     EXPECT_EQ(voronoi.drawEdges(1, portion, path), Error::kBadBounds);
     EXPECT_EQ(voronoi.drawCell(0, 1, path), Error::kBadBounds);
@@ -58,6 +59,9 @@ TEST(VoronoiErrors, BadBoundsAndTolerances) {
   EXPECT_EQ(voronoi.cellPolygon(0, kNan, rings), Error::kNotFinite);
   EXPECT_EQ(voronoi.cellPolygon(0, kInf, rings), Error::kNotFinite);
   EXPECT_EQ(voronoi.cellPolygon(2, 1, rings), Error::kUnknownSite);
+  CoverageArrays polygons;
+  EXPECT_EQ(voronoi.cellPolygonsBetween(0, 1, 0, polygons), Error::kOutOfRange);
+  EXPECT_EQ(voronoi.cellPolygonsBetween(0, 1, kNan, polygons), Error::kNotFinite);
   CellMeasures measures;
   EXPECT_EQ(voronoi.cellMeasures(kNoSite, measures), Error::kUnknownSite);
   EXPECT_EQ(voronoi.cellPolygon(0, 1e-300, rings), Error::kNone) << "as fine as it gets";
@@ -367,6 +371,45 @@ TEST(VoronoiSites, RemovedOnesAreNotDrawn) {
   CoverageArrays polygons;
   ASSERT_EQ(voronoi.cellPolygons(1e-3, polygons), Error::kNone);
   EXPECT_EQ(polygons.sites, std::vector<SiteId>{1});
+}
+
+TEST(Voronoi, PolygonsOfManyCellsAreThoseOfEach) {
+  Random random(546);
+  const Circles circles = randomCircles(random, 300, Hidden::k20Percent);
+  Diagram diagram;
+  insertInto(diagram, circles);
+  for (SiteId id = 0; id < 300; id += 7) {
+    bool removed = false;
+    ASSERT_EQ(diagram.remove(id, removed), Error::kNone);
+  }
+  Bounds bounds;
+  ASSERT_TRUE(windowAround(circles, -0.2, bounds));  // cells leave it, in parts
+  const Voronoi voronoi(diagram, bounds);
+  CoverageArrays many;
+  RingArrays one;
+  for (const auto& [first, end] :
+       {std::pair{0u, 300u}, {40u, 170u}, {290u, 0xFFFFFFFFu}, {5u, 5u}}) {
+    ASSERT_EQ(voronoi.cellPolygonsBetween(first, end, 0.01, many), Error::kNone);
+    std::size_t k = 0;
+    for (SiteId id = first; id < std::min(end, 300u); ++id) {
+      if (id % 7 == 0) continue;
+      ASSERT_EQ(voronoi.cellPolygon(id, 0.01, one), Error::kNone);
+      if (one.coordinates.empty()) continue;
+      ASSERT_LT(k, many.sites.size());
+      EXPECT_EQ(many.sites[k], id);
+      const std::size_t part = many.cells[k], ring = many.parts[part], point = many.starts[ring];
+      ASSERT_EQ(many.cells[k + 1] - part, one.parts.size() - 1);
+      for (std::size_t m = 0; m < one.parts.size(); ++m)
+        EXPECT_EQ(many.parts[part + m] - ring, one.parts[m]);
+      for (std::size_t m = 0; m < one.starts.size(); ++m)
+        EXPECT_EQ(many.starts[ring + m] - point, one.starts[m]);
+      EXPECT_TRUE(std::equal(one.coordinates.begin(), one.coordinates.end(),
+                             many.coordinates.begin() + static_cast<std::ptrdiff_t>(2 * point)));
+      ++k;
+    }
+    EXPECT_EQ(k, many.sites.size());
+    EXPECT_EQ(many.cells.size(), k + 1);
+  }
 }
 
 /// The weights of curves as short as these are 1 but for rounding, which can take them below.

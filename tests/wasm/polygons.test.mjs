@@ -51,6 +51,32 @@ test("nested polygons are the flat ones, pair by pair", () => {
   expect(hidden.cellPolygon(1)).toBeNull();
 });
 
+test("polygons of all cells are those of each, in batches of any size", () => {
+  const view = new Diagram(randomCircles(3000, 64, 5)).voronoi([100, 100, 800, 900]);
+  const all = [...view.cellPolygons()];
+  expect(all.length).toBeGreaterThan(400);
+  for (const ring of all) expect([...ring]).toEqual(view.cellPolygon(ring.index));
+  expect(all.map(({ index }) => index)).toEqual(
+    [...view.diagram.ids()].filter((id) => view.cellPolygon(id) !== null),
+  );
+});
+
+test("while cells are visited, the diagram may change", () => {
+  const changing = new Diagram(randomCircles(600, 65));
+  const view = changing.voronoi([0, 0, 1000, 1000]);
+  const [visited, removed] = [[], new Set()];
+  for (const { index, ...ring } of view.cellPolygons()) {
+    expect(removed).not.toContain(index);
+    expect(Object.values(ring)).toEqual(view.cellPolygon(index));
+    visited.push(index);
+    if (visited.length % 20 !== 0 || !changing.has(index + 1)) continue;
+    changing.remove(index + 1);
+    removed.add(index + 1);
+  }
+  expect(removed.size).toBeGreaterThan(5);
+  expect(visited).toEqual([...new Set(visited)].sort((a, b) => a - b));
+});
+
 test("regions, too: nested ones are the flat ones, with their holes, pair by pair", () => {
   for (const [, view] of views) {
     for (const id of view.diagram.ids()) {

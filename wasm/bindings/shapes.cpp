@@ -255,6 +255,8 @@ void registerShapes() {
   function("cellPaths", &cellPaths, allow_raw_pointers(), moved);
   function("cellPolygon", inWindow<&Voronoi::cellPolygon>(), allow_raw_pointers(), moved);
   function("cellPolygons", inWindow<&Voronoi::cellPolygons>(), allow_raw_pointers(), moved);
+  function("cellPolygonsBetween", inWindow<&Voronoi::cellPolygonsBetween>(), allow_raw_pointers(),
+           moved);
   function("cellCurves", inWindow<&Voronoi::cellCurves>(), allow_raw_pointers(), moved);
   function("edgeCurves", inWindow<&Voronoi::edgeCurves>(), allow_raw_pointers(), moved);
   function("cellMoments", inWindow<&Voronoi::cellMoments>(), allow_raw_pointers());

@@ -139,7 +139,7 @@ EdgePiece PolygonFinder::atReach(const BoundaryPiece& piece, Point center) const
 }
 
 void PolygonFinder::append(Point p, Rings& rings, FlatArray<char>* isBorder) {
-  rings.add(p);
+  rings.add(p + Point{});  // -0 becomes 0
   if (isBorder != nullptr) isBorder->push_back(0);
 }
 

@@ -14,72 +14,47 @@ namespace {
 constexpr double kAreaRounding = powerOfTwo(-40);
 
 /// Of all rings, those of holes negative.
-double areaOf(const RawRings& raw) {
-  Sum twice;
-  for (const RawRings::Ring& ring : raw.rings) {
-    const std::span<const Point> points = raw.pointsOf(ring);
-    for (std::size_t k = 1; k + 1 < points.size(); ++k)
-      twice.add(cross(points[k] - points[0], points[k + 1] - points[0]));
-  }
-  return twice.value() / 2;
-}
-
-void list(const RawRings& raw, Coverage& coverage) {
-  Rings& all = coverage.rings;
-  all.clear();
-  coverage.sites.clear();
-  coverage.cells.assign(1, 0);
-  Tracer tracer;
-  Rings rings;
-  for (const RawRings::Cell& cell : raw.cells) {
-    rings.clear();
-    for (const RawRings::Ring& ring : raw.ringsOf(cell)) {
-      if (ring.count == 0) continue;
-      const std::span<const Point> points = raw.pointsOf(ring);
-      for (const Point p : points) rings.add(p);
-      rings.add(points[0]);
-      rings.endRing();
-    }
-    if (cell.isTraced) {
-      tracer.clear();
-      for (std::size_t k = 0; k < rings.ringCount(); ++k) tracer.addRing(rings.ring(k));
-      tracer.trace(rings);
-    } else {
-      rings.endPart();  // inside the window a cell is one ring
-    }
-    if (rings.ringCount() == 0) continue;
-    coverage.sites.push_back(cell.site);
-    const auto firstRing = static_cast<std::uint32_t>(all.ringCount());
-    const auto firstPoint = static_cast<std::uint32_t>(all.coordinates.size() / 2);
-    all.coordinates.append(rings.coordinates);
-    for (std::size_t k = 1; k < rings.starts.size(); ++k)
-      all.starts.push_back(firstPoint + rings.starts[k]);
-    for (std::size_t k = 1; k < rings.parts.size(); ++k)
-      all.parts.push_back(firstRing + rings.parts[k]);
-    coverage.cells.push_back(static_cast<std::uint32_t>(all.parts.size() - 1));
-  }
-}
-
 double areaOf(const Rings& rings) {
   Sum twice;
   for (std::size_t k = 0; k < rings.ringCount(); ++k) {
-    const std::span<const double> ring = rings.ring(k);
-    const auto at = [&](std::size_t m) { return Point{ring[2 * m], ring[2 * m + 1]}; };
-    for (std::size_t m = 1; m + 2 < ring.size() / 2; ++m)
-      twice.add(cross(at(m) - at(0), at(m + 1) - at(0)));
+    const Corners ring = rings.corners(k);
+    for (std::uint32_t m = 1; m + 1 < ring.size(); ++m)
+      twice.add(cross(ring[m] - ring[0], ring[m + 1] - ring[0]));
   }
   return twice.value() / 2;
 }
 
 }  // namespace
 
+void assemble(const CellList& list, Coverage& coverage) {
+  coverage.rings.clear();
+  coverage.sites.clear();
+  coverage.cells.assign(1, 0);
+  Tracer tracer;
+  Rings traced;
+  for (const CellList::Cell& cell : list.cells) {
+    if (cell.isTraced) {
+      tracer.clear();
+      for (std::uint32_t ring = list.firstRing(cell); ring < list.endRing(cell); ++ring)
+        tracer.addRing(list.rings.ring(ring));
+      tracer.trace(traced);
+      coverage.rings.append(traced, 0, traced.partCount());
+    } else {
+      coverage.rings.append(list.rings, cell.firstPart, cell.endPart);
+    }
+    if (coverage.rings.partCount() == coverage.cells.back()) continue;
+    coverage.sites.push_back(cell.site);
+    coverage.cells.push_back(static_cast<std::uint32_t>(coverage.rings.partCount()));
+  }
+}
+
 bool coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box, double area,
                  Coverage& coverage) {
-  RawRings raw = listRawRings(core, finder);
+  CellList raw = listCells(core, finder, RingsAre::kRaw, 0, core.ids().idLimit());
   const bool isFilled = !std::isnan(area);
-  if (!isFilled) area = areaOf(raw);
+  if (!isFilled) area = areaOf(raw.rings);
   const TilingProof proof(core, box, raw);
-  coverage.work = raw.points.size();
+  coverage.work = raw.isBorder.size();
   double closeness = 1;
   if (!proof.holds() || !isFilled) {
     Mesh mesh(core, box, raw);
@@ -88,7 +63,7 @@ bool coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle
     if (!isMended) return false;
     closeness = mesh.closeness();
   }
-  list(raw, coverage);
+  assemble(raw, coverage);
   if (coverage.sites.empty()) return core.visibleCount() == 0 || !isFilled;
   return absolute(areaOf(coverage.rings) - area) <=
          closeness * proof.borderRounding() + kAreaRounding * box.width() * box.height();

@@ -8,7 +8,7 @@
 // What has come of it is checked: the areas of all rings add up to the window's.
 #pragma once
 
-#include "geometry/polygons/cell_polygon.h"
+#include "geometry/polygons/cell_list.h"
 #include "geometry/window/rectangle.h"
 
 namespace apollonius::internal {
@@ -19,6 +19,9 @@ struct Coverage {
   FlatArray<std::uint32_t> cells;  ///< of each its first part; and the number of parts
   std::size_t work = 0;            ///< segments that were looked at, and pairs
 };
+
+/// Cells of a list, raw rings traced. Replaces the contents.
+void assemble(const CellList& list, Coverage& coverage);
 
 /// Replaces the contents. `finder` finds thin parts, too (Parts::kThinToo), and `box` holds the
 /// window. Are the areas of the rings together `area`, up to rounding (NaN: that of the cells' own

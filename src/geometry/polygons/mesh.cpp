@@ -29,22 +29,23 @@ PointRounding::PointRounding(const Rectangle& box)
     : size_(std::max(absolute(box.xmin), absolute(box.xmax)) +
             std::max(absolute(box.ymin), absolute(box.ymax))) {}
 
-Mesh::Mesh(const DiagramCore& core, const Rectangle& box, RawRings& raw)
-    : box_(box), rounding_(box), raw_(raw), rings_(raw.rings.size()) {
-  for (const RawRings::Cell& cell : raw.cells) {
+Mesh::Mesh(const DiagramCore& core, const Rectangle& box, CellList& raw)
+    : box_(box), rounding_(box), raw_(raw), rings_(raw.rings.ringCount()) {
+  for (const CellList::Cell& cell : raw.cells) {
     const Point center{core.site(cell.slot).x, core.site(cell.slot).y};
-    for (std::uint32_t k = cell.firstRing; k < cell.firstRing + cell.ringCount; ++k) {
-      const Ring& ring = raw.rings[k];
+    for (std::uint32_t k = raw.firstRing(cell); k < raw.endRing(cell); ++k) {
+      const Corners corners = raw.rings.corners(k);
       const std::size_t first = corners_.size();
-      rings_[k] = {static_cast<std::uint32_t>(first), ring.count};
-      for (const Point p : raw.pointsOf(ring)) corners_.push_back(numbers_.add(p));
+      rings_[k] = {static_cast<std::uint32_t>(first), corners.size()};
+      for (std::uint32_t m = 0; m < corners.size(); ++m)
+        corners_.push_back(numbers_.add(corners[m]));
       isOnBorder_.resize(numbers_.points().size(), 0);
       fromSites_.resize(numbers_.points().size(), 0);
-      for (std::uint32_t m = 0; m < ring.count; ++m) {
+      for (std::uint32_t m = 0; m < corners.size(); ++m) {
         const std::uint32_t corner = corners_[first + m];
         fromSites_[corner] = std::max(fromSites_[corner], length(at(corner) - center));
-        if (raw.isBorder[ring.first + m] == 0) continue;
-        isOnBorder_[corner] = isOnBorder_[corners_[first + (m + 1) % ring.count]] = 1;
+        if (raw.isBorder[raw.rings.starts[k] + m] == 0) continue;
+        isOnBorder_[corner] = isOnBorder_[corners_[first + (m + 1) % corners.size()]] = 1;
       }
     }
   }
@@ -68,7 +69,7 @@ bool Mesh::mend() {
 /// Lists each segment once: in one direction where two cells have it, as it is on the border.
 void Mesh::listSegments() {
   segments_.clear();
-  for (const RawRings::Cell& cell : raw_.cells) {
+  for (const CellList::Cell& cell : raw_.cells) {
     for (const Ring& ring : ringsOf(cell)) {
       for (std::uint32_t k = 0; k < ring.count; ++k) {
         const std::uint32_t a = corners_[ring.first + k],
@@ -144,8 +145,8 @@ void Mesh::mend(const Segment& s, const Segment& t) {
 
 /// Of a cell that rounding has turned around, unites the two points that are closest.
 void Mesh::uniteTurned() {
-  for (const RawRings::Cell& cell : raw_.cells) {
-    const Ring& ring = rings_[cell.firstRing];  // the others are at the border
+  for (const CellList::Cell& cell : raw_.cells) {
+    const Ring& ring = rings_[raw_.firstRing(cell)];  // the others are at the border
     if (ring.count < 3) continue;
     const Point first = at(corners_[ring.first]);
     std::uint32_t a = corners_[ring.first + ring.count - 1];
@@ -197,7 +198,7 @@ void Mesh::replacePoints() {
     byEnd.push_back({std::min(detours_[k].from, detours_[k].to), k});
   sortByKey(byEnd);
   FlatArray<std::uint32_t> corners;
-  for (RawRings::Cell& cell : raw_.cells) {
+  for (CellList::Cell& cell : raw_.cells) {
     for (Ring& ring : ringsOf(cell)) {
       const auto first = static_cast<std::uint32_t>(corners.size());
       const auto add = [&](std::uint32_t point) {
@@ -222,16 +223,23 @@ void Mesh::replacePoints() {
   corners_.swap(corners);
 }
 
+/// Each ring as a part; those without points are left out.
 void Mesh::write() {
-  raw_.points.clear();
-  raw_.isBorder.clear();
-  for (const RawRings::Cell& cell : raw_.cells) {
-    for (std::uint32_t k = cell.firstRing; k < cell.firstRing + cell.ringCount; ++k) {
-      raw_.rings[k] = {static_cast<std::uint32_t>(raw_.points.size()), rings_[k].count};
-      for (std::uint32_t m = 0; m < rings_[k].count; ++m)
-        raw_.points.push_back(at(corners_[rings_[k].first + m]));
+  Rings mended;
+  for (CellList::Cell& cell : raw_.cells) {
+    const std::span<const Ring> rings = ringsOf(cell);
+    cell.firstPart = static_cast<std::uint32_t>(mended.partCount());
+    for (const Ring& ring : rings) {
+      if (ring.count == 0) continue;
+      for (std::uint32_t m = 0; m <= ring.count; ++m)
+        mended.add(at(corners_[ring.first + m % ring.count]));
+      mended.endRing();
+      mended.endPart();
     }
+    cell.endPart = static_cast<std::uint32_t>(mended.partCount());
   }
+  raw_.rings = std::move(mended);
+  raw_.isBorder.clear();
 }
 
 }  // namespace apollonius::internal

@@ -11,8 +11,8 @@
 #include <span>
 
 #include "base/radix_sort.h"
+#include "geometry/polygons/cell_list.h"
 #include "geometry/polygons/point_numbers.h"
-#include "geometry/polygons/raw_rings.h"
 #include "geometry/window/rectangle.h"
 #include "geometry/window/segment_grid.h"
 #include "number/fp.h"
@@ -33,7 +33,7 @@ class PointRounding {
 class Mesh {
  public:
   /// REQUIRES: `box` holds the window. All live as long.
-  Mesh(const DiagramCore& core, const Rectangle& box, RawRings& raw);
+  Mesh(const DiagramCore& core, const Rectangle& box, CellList& raw);
 
   /// Mends the rings until no two segments meet; false, and rings that are not changed, if that is
   /// not reached. Cost: O(n log n) for n segments, or the pairs of those that are near each other
@@ -45,7 +45,9 @@ class Mesh {
   [[nodiscard]] std::size_t work() const { return work_; }
 
  private:
-  using Ring = RawRings::Ring;  // of corners_
+  struct Ring {
+    std::uint32_t first, count;  // of corners_
+  };
   /// A segment goes through a point.
   struct Detour {
     std::uint32_t from, to, through;
@@ -56,8 +58,9 @@ class Mesh {
   [[nodiscard]] double roundingOf(std::uint32_t point) const {
     return rounding_.at(fromSites_[point]);
   }
-  [[nodiscard]] std::span<Ring> ringsOf(const RawRings::Cell& cell) {
-    return std::span(rings_).subspan(cell.firstRing, cell.ringCount);
+  [[nodiscard]] std::span<Ring> ringsOf(const CellList::Cell& cell) {
+    return std::span(rings_).subspan(raw_.firstRing(cell),
+                                     raw_.endRing(cell) - raw_.firstRing(cell));
   }
   void listSegments();
   void mendMeetings();
@@ -73,7 +76,7 @@ class Mesh {
 
   Rectangle box_;
   PointRounding rounding_;
-  RawRings& raw_;
+  CellList& raw_;
   PointNumbers numbers_;
   FlatArray<double> fromSites_;       // by point: the largest distance from a site it is seen from
   FlatArray<char> isOnBorder_;        // by point

@@ -9,6 +9,21 @@
 
 namespace apollonius::internal {
 
+/// The points of a ring, each once.
+class Corners {
+ public:
+  /// Of coordinates with the first point again at the end.
+  explicit Corners(std::span<const double> ring) : ring_(ring) {}
+  [[nodiscard]] std::uint32_t size() const {
+    return static_cast<std::uint32_t>(ring_.size() / 2 - 1);
+  }
+  /// At size() the first one again.
+  [[nodiscard]] Point operator[](std::size_t k) const { return {ring_[2 * k], ring_[2 * k + 1]}; }
+
+ private:
+  std::span<const double> ring_;
+};
+
 struct Rings {
   FlatArray<double> coordinates;       ///< x, y, … of all rings, the first point again at the end
   FlatArray<std::uint32_t> starts{0};  ///< of each ring its first point; and the number of points
@@ -22,14 +37,18 @@ struct Rings {
     parts.assign(1, 0);
   }
   [[nodiscard]] std::size_t ringCount() const { return starts.size() - 1; }
+  [[nodiscard]] std::size_t partCount() const { return parts.size() - 1; }
   [[nodiscard]] std::span<const double> ring(std::size_t k) const {
     return std::span(coordinates)
         .subspan(2 * std::size_t{starts[k]}, 2 * std::size_t{starts[k + 1] - starts[k]});
   }
+  [[nodiscard]] Corners corners(std::size_t k) const { return Corners(ring(k)); }
   void add(Point p) {
     coordinates.push_back(p.x);
     coordinates.push_back(p.y);
   }
+  /// Parts of another, from `first` to before `end`.
+  void append(const Rings& other, std::size_t first, std::size_t end);
   /// The points since the last ring are one.
   void endRing() { starts.push_back(static_cast<std::uint32_t>(coordinates.size() / 2)); }
   /// The rings since the last part are one.

@@ -29,120 +29,99 @@ std::uint64_t directedHash(Point from, Point to) {
   return isLeftOf(from, to) ? hashOf(from, to) : 0 - hashOf(to, from);
 }
 
-/// Calls step(from, to) for the segments of a ring until it returns false. Has none?
-template <class Step>
-bool isTrueForAll(std::span<const Point> ring, Step&& step) {
-  Point from = ring.back();
-  for (const Point to : ring) {
-    if (!step(from, to)) return false;
-    from = to;
-  }
-  return true;
-}
-
-/// How often a ring that turns counter-clockwise around a centre at each step does so.
-int turnsOf(std::span<const Point> ring, Point center) {
+/// Does a ring that turns counter-clockwise around a centre at each step do so once?
+bool turnsOnce(const Corners& ring, Point center) {
   int turns = 0;
-  isTrueForAll(ring, [&](Point from, Point to) {
-    turns += static_cast<int>(from.y < center.y && to.y >= center.y);
-    return true;
-  });
-  return turns;
+  for (std::uint32_t k = 0; k < ring.size(); ++k)
+    turns += static_cast<int>(ring[k].y < center.y && ring[k + 1].y >= center.y);
+  return turns == 1;
 }
 
-bool isAround(std::span<const Point> ring, Point center) {
-  return isTrueForAll(
-             ring,
-             [&](Point from, Point to) { return orient2d(center, from, to) == Sign::kPositive; }) &&
-         turnsOf(ring, center) == 1;
+bool isAround(const Corners& ring, Point center) {
+  for (std::uint32_t k = 0; k < ring.size(); ++k) {
+    if (orient2d(center, ring[k], ring[k + 1]) != Sign::kPositive) return false;
+  }
+  return turnsOnce(ring, center);
 }
 
 /// Of a simple ring.
-bool isCounterClockwise(std::span<const Point> ring) {
-  std::size_t first = 0;
-  for (std::size_t k = 1; k < ring.size(); ++k) {
+bool isCounterClockwise(const Corners& ring) {
+  std::uint32_t first = 0;
+  for (std::uint32_t k = 1; k < ring.size(); ++k) {
     if (isLeftOf(ring[k], ring[first])) first = k;
   }
-  return orient2d(ring[first > 0 ? first - 1 : ring.size() - 1], ring[first],
-                  ring[first + 1 < ring.size() ? first + 1 : 0]) == Sign::kPositive;
+  return orient2d(ring[first > 0 ? first - 1 : ring.size() - 1], ring[first], ring[first + 1]) ==
+         Sign::kPositive;
 }
 
 }  // namespace
 
-TilingProof::TilingProof(const DiagramCore& core, const Rectangle& box, const RawRings& raw) {
+TilingProof::TilingProof(const DiagramCore& core, const Rectangle& box, const CellList& raw)
+    : box_(box) {
   bool areSimple = true;
   std::uint64_t sum = 0;
-  for (const RawRings::Cell& cell : raw.cells) {
+  for (const CellList::Cell& cell : raw.cells) {
     const Point center{core.site(cell.slot).x, core.site(cell.slot).y};
-    for (const RawRings::Ring& ring : raw.ringsOf(cell)) {
-      const std::span<const Point> points = raw.pointsOf(ring);
+    for (std::uint32_t ring = raw.firstRing(cell); ring < raw.endRing(cell); ++ring) {
+      const Corners corners = raw.rings.corners(ring);
       // Of a ring that is not traced each step is known to turn to the left.
-      areSimple = areSimple && (cell.isTraced ? isAround(points, center) || isSimple(points)
-                                              : turnsOf(points, center) == 1);
-      for (std::uint32_t k = 0; k < ring.count; ++k) {
-        if (raw.isBorder[ring.first + k] != 0) continue;
-        sum += directedHash(points[k], points[k + 1 < ring.count ? k + 1 : 0]);
+      areSimple = areSimple && (cell.isTraced ? isAround(corners, center) || isSimple(corners)
+                                              : turnsOnce(corners, center));
+      for (std::uint32_t k = 0; k < corners.size(); ++k) {
+        if (raw.isBorder[raw.rings.starts[ring] + k] == 0)
+          sum += directedHash(corners[k], corners[k + 1]);
       }
     }
   }
-  listBorder(core, box, raw);
-  holds_ = areSimple && sum == 0 && !doAnyMeet(box);
+  listBorder(core, raw);
+  holds_ = areSimple && sum == 0 && !doAnyMeet();
 }
 
-bool TilingProof::isSimple(std::span<const Point> ring) {
+bool TilingProof::isSimple(const Corners& ring) {
   numbers_.clear();
   segments_.clear();
-  const auto count = static_cast<std::uint32_t>(ring.size());
-  Rectangle box{ring[0].x, ring[0].y, ring[0].x, ring[0].y};
-  for (std::uint32_t k = 0; k < count; ++k) {
+  for (std::uint32_t k = 0; k < ring.size(); ++k) {
     if (numbers_.add(ring[k]) != k) return false;
-    segments_.push_back({k, k + 1 < count ? k + 1 : 0});
-    box.include(ring[k]);
+    segments_.push_back({k, (k + 1) % ring.size()});
   }
-  return box.width() > 0 && box.height() > 0 && !doAnyMeet(box) && isCounterClockwise(ring);
+  return !doAnyMeet() && isCounterClockwise(ring);
 }
 
-/// Do any of the segments meet? `box` has an area.
-bool TilingProof::doAnyMeet(Rectangle box) const {
+/// Do any of the segments meet?
+bool TilingProof::doAnyMeet() const {
   const FlatArray<Point>& points = numbers_.points();
-  bool isAny = false;
-  const auto look = [&](std::uint32_t k, std::uint32_t m) {
-    isAny = isAny || doMeet(points, segments_[k], segments_[m]);
-  };
-  if (segments_.size() <= kFew) {
-    for (std::uint32_t k = 0; k < segments_.size(); ++k) {
-      for (std::uint32_t m = 0; m < k; ++m) look(k, m);
-    }
-    return isAny;
-  }
+  Rectangle box = box_;
   for (const Point p : points) box.include(p);
-  SegmentPairs(points, segments_, box).visitWitnesses(look);
+  bool isAny = false;
+  SegmentPairs(points, segments_, box).visitWitnesses([&](std::uint32_t k, std::uint32_t m) {
+    isAny = isAny || doMeet(points, segments_[k], segments_[m]);
+  });
   return isAny;
 }
 
-void TilingProof::listBorder(const DiagramCore& core, const Rectangle& box, const RawRings& raw) {
+void TilingProof::listBorder(const DiagramCore& core, const CellList& raw) {
   numbers_.clear();
   segments_.clear();
   FlatArray<double> fromSites;  // by point: the largest distance
-  for (const RawRings::Cell& cell : raw.cells) {
+  for (const CellList::Cell& cell : raw.cells) {
     if (!cell.isTraced) continue;
     const Point center{core.site(cell.slot).x, core.site(cell.slot).y};
-    for (const RawRings::Ring& ring : raw.ringsOf(cell)) {
-      const std::span<const Point> points = raw.pointsOf(ring);
-      const auto numberOf = [&](Point p) {
-        const std::uint32_t number = numbers_.add(p);
-        fromSites.resize(numbers_.points().size(), 0);
-        fromSites[number] = std::max(fromSites[number], length(p - center));
-        return number;
-      };
-      for (std::uint32_t k = 0; k < ring.count; ++k) {
-        if (raw.isBorder[ring.first + k] == 0) continue;
-        const std::uint32_t from = numberOf(points[k]);
-        segments_.push_back({from, numberOf(points[k + 1 < ring.count ? k + 1 : 0])});
+    const auto numberOf = [&](Point p) {
+      const std::uint32_t number = numbers_.add(p);
+      fromSites.resize(numbers_.points().size(), 0);
+      fromSites[number] = std::max(fromSites[number], length(p - center));
+      return number;
+    };
+    for (std::uint32_t ring = raw.firstRing(cell); ring < raw.endRing(cell); ++ring) {
+      const Corners corners = raw.rings.corners(ring);
+      for (std::uint32_t k = 0; k < corners.size(); ++k) {
+        if (raw.isBorder[raw.rings.starts[ring] + k] == 0) continue;
+        const std::uint32_t from = numberOf(corners[k]);
+        segments_.push_back({from, numberOf(corners[k + 1])});
       }
     }
   }
-  const PointRounding rounding(box);
+  const PointRounding rounding(box_);
   for (const auto& [from, to] : segments_) {
     borderRounding_ += (rounding.at(fromSites[from]) + rounding.at(fromSites[to])) *
                        length(numbers_.points()[to] - numbers_.points()[from]);

@@ -15,27 +15,24 @@
 // the cells around that end would leave no room for it.
 #pragma once
 
-#include <cstddef>
-
 #include "geometry/polygons/mesh.h"
 
 namespace apollonius::internal {
 
 class TilingProof {
  public:
-  TilingProof(const DiagramCore& core, const Rectangle& box, const RawRings& raw);
+  TilingProof(const DiagramCore& core, const Rectangle& box, const CellList& raw);
 
   [[nodiscard]] bool holds() const { return holds_; }
   /// How far rounding can have moved the border, times its length.
   [[nodiscard]] double borderRounding() const { return borderRounding_; }
 
  private:
-  static constexpr std::size_t kFew = 32;  // segments, all pairs of which are looked at
+  [[nodiscard]] bool isSimple(const Corners& ring);
+  [[nodiscard]] bool doAnyMeet() const;
+  void listBorder(const DiagramCore& core, const CellList& raw);
 
-  [[nodiscard]] bool isSimple(std::span<const Point> ring);
-  [[nodiscard]] bool doAnyMeet(Rectangle box) const;
-  void listBorder(const DiagramCore& core, const Rectangle& box, const RawRings& raw);
-
+  Rectangle box_;
   // Of the ring, or the border, that is looked at.
   PointNumbers numbers_;
   FlatArray<Segment> segments_;

@@ -1,5 +1,5 @@
 // What the library says of a cell, in the form that callers get.
-import type { CellMeasures, RingArrays } from "../../../build/wasm/apollonius.mjs";
+import type { CellMeasures, CoverageArrays, RingArrays } from "../../../build/wasm/apollonius.mjs";
 import { positionsOf } from "./geojson.js";
 import type { CellPart, CellRing, Measures } from "./types.js";
 
@@ -9,12 +9,27 @@ export interface Rings extends RingArrays {
 }
 
 /** One ring: to each further ring and around it, then back the same way. */
-export function joined({ isFlat, coordinates, starts }: Rings): CellRing | null {
+export function joined({ isFlat, coordinates, starts }: Omit<Rings, "parts">): CellRing | null {
   if (starts.length < 2) return null;
   const ends = [...starts.subarray(0, -2).reverse()];
   const back = ends.flatMap((at) => [coordinates[2 * at]!, coordinates[2 * at + 1]!]);
   const ring = back.length === 0 ? coordinates : Float64Array.from([...coordinates, ...back]);
   return isFlat ? ring : positionsOf(ring);
+}
+
+/** The ring of the k-th of several cells. */
+export function ringOf(
+  { coordinates, starts, parts, cells }: CoverageArrays,
+  k: number,
+  isFlat: boolean,
+): CellRing {
+  const [first, end] = [parts[cells[k]!]!, parts[cells[k + 1]!]!];
+  const [from, to] = [starts[first]!, starts[end]!];
+  if (!isFlat && end === first + 1) return positionsOf(coordinates, from, to);
+  const ring = coordinates.slice(2 * from, 2 * to);
+  if (end === first + 1) return ring;
+  const own = starts.slice(first, end + 1).map((start) => start - from);
+  return joined({ isFlat, coordinates: ring, starts: own })!;
 }
 
 export function partsOf({

@@ -33,12 +33,11 @@ export interface CellsCollection<Properties = { site: number }> {
   }[];
 }
 
-/** Pairs of a flat ring. */
-export function positionsOf(ring: Float64Array): Position[] {
-  return Array.from(
-    { length: ring.length / 2 },
-    (_, k): Position => [ring[2 * k] as number, ring[2 * k + 1] as number],
-  );
+/** Pairs of a flat ring, or of the one with points `first` to before `end` of several. */
+export function positionsOf(rings: Float64Array, first = 0, end = rings.length / 2): Position[] {
+  const positions: Position[] = [];
+  for (let k = 2 * first; k < 2 * end; k += 2) positions.push([rings[k]!, rings[k + 1]!]);
+  return positions;
 }
 
 /** How rings run. */
@@ -77,7 +76,7 @@ export function featuresOf<Properties>(
   winding: Winding,
 ): CellsCollection<Properties> {
   const ringAt = (k: number) => {
-    const ring = positionsOf(coordinates.subarray(2 * starts[k]!, 2 * starts[k + 1]!));
+    const ring = positionsOf(coordinates, starts[k], starts[k + 1]);
     return winding === "clockwise" ? ring.reverse() : ring;
   };
   const partAt = (k: number) =>

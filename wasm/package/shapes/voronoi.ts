@@ -21,7 +21,7 @@ import { drawn, type DrawOptions, type PathContext, play } from "../core/path.js
 import type { Bounds, Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
 import { cellPaths } from "./cell_paths.js";
-import { joined, measuresOf, partsOf, type Rings } from "./cell_shapes.js";
+import { joined, measuresOf, partsOf, type Rings, ringOf } from "./cell_shapes.js";
 import { distanceOf, reaches } from "./distances.js";
 import { drawBounds, drawInto, type NativeWindow } from "./drawing.js";
 import { emptyCircles } from "./empty_circles.js";
@@ -58,6 +58,10 @@ import { windowOf } from "./window.js";
 
 // A region has a note for each face of the diagram: ten bytes a site, where Ballast counts 162.
 const kRegionsOfSite = 16;
+
+// Cells that a generator asks for at once: few at first, so that it starts at once; and some
+// hundred kilobytes of points at most.
+const [kFirstCells, kMostCells] = [256, 8192];
 
 /**
  * The cells of a diagram inside a window, as shapes, measures and drawings:
@@ -222,15 +226,27 @@ export class Voronoi implements Disposable {
 
   /**
    * The polygons of all cells that have a part in the window, ascending by id, which is their
-   * `index`.
+   * `index`: as `cellPolygon` gives them, but found many at a time. If the diagram changes on the
+   * way, the ids that are still to come have the cells, and the sites, that they have then.
    */
   cellPolygons(options: FlatOptions): Generator<CellPolygon<Float64Array>, void>;
   cellPolygons(options?: NestedOptions): Generator<CellPolygon, void>;
   cellPolygons(options?: PolygonOptions): Generator<CellPolygon<CellRing>, void>;
   *cellPolygons(options?: PolygonOptions): Generator<CellPolygon<CellRing>, void> {
-    for (const id of this.diagram.ids()) {
-      const ring = this.cellPolygon(id, options);
-      if (ring !== null) yield Object.assign(ring, { index: id });
+    const { isFlat, tolerance } = this.#ringOptions(options);
+    const last = this.diagram.ids().at(-1) ?? -1;
+    const isAsBefore = (revision: number) => Voronoi.#living(this).revision() === revision;
+    for (let id = 0, size = kFirstCells; id <= last; size = Math.min(2 * size, kMostCells)) {
+      const native = Voronoi.#living(this);
+      const [end, revision] = [Math.min(id + size, last + 1), native.revision()];
+      const cells = native.cellPolygonsBetween(...this.#window, id, end, tolerance);
+      id = end;
+      for (const [k, index] of cells.sites.entries()) {
+        yield Object.assign(ringOf(cells, k, isFlat), { index });
+        if (isAsBefore(revision)) continue;
+        id = index + 1;
+        break;
+      }
     }
   }
 
@@ -518,11 +534,15 @@ export class Voronoi implements Disposable {
 
   /** The rings of a cell, one after the other. */
   #rings(id: number, options: PolygonOptions | undefined): Rings {
+    const { isFlat, tolerance } = this.#ringOptions(options);
+    const native = Voronoi.#nativeFor(this, id);
+    return { isFlat, ...native.cellPolygon(...this.#window, id, tolerance) };
+  }
+
+  #ringOptions(options: PolygonOptions | undefined) {
     checkOptions(options, "tolerance", "flat");
     const isFlat = checkedChoice("options.flat", options?.flat, [false, true]);
-    const native = Voronoi.#nativeFor(this, id);
-    const tolerance = this.#tolerance(native, options);
-    return { isFlat, ...native.cellPolygon(...this.#window, id, tolerance) };
+    return { isFlat, tolerance: this.#tolerance(Voronoi.#living(this), options) };
   }
 
   #tolerance(
