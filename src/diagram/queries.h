@@ -35,7 +35,7 @@ void visitPoints(const DiagramCore& diagram, std::span<const double> xy, Visit&&
   // How many are worth being sorted: few sites are in the cache anyway, and the walk must be
   // shorter than one from the grid.
   constexpr std::size_t kSitesInCache = 1 << 13;
-  const std::size_t many = sites > kSitesInCache ? 16 : std::max(std::size_t{256}, 8 * sites);
+  const std::size_t many = sites > kSitesInCache ? 64 : std::max(std::size_t{256}, 8 * sites);
   if (points < many) {
     for (std::size_t k = 0; k < points; ++k) (void)visit(k, kNoSlot);
     return;
