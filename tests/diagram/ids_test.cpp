@@ -5,6 +5,7 @@
 #include <map>
 
 #include "support/effort.h"
+#include "support/insert_into.h"
 #include "support/replay.h"
 
 namespace apollonius::test {
@@ -138,6 +139,26 @@ TEST(Ids, MovedDiagramsKeepTheirSites) {
   Diagram assigned;
   assigned = std::move(moved);
   expectTable(assigned, {{id, {1, 2, 3}}});
+}
+
+TEST(Revision, ChangesWithTheDiagram) {
+  Diagram diagram;
+  std::uint64_t last = diagram.revision();
+  const auto expectChange = [&] {
+    EXPECT_NE(diagram.revision(), last);
+    last = diagram.revision();
+  };
+  insertInto(diagram, {{10, 10, 3}, {30, 12, 2}});
+  expectChange();
+  bool removed = false;
+  ASSERT_EQ(diagram.remove(0, removed), Error::kNone);
+  expectChange();
+  ASSERT_EQ(diagram.update(1, 3, 4, 5), Error::kNone);
+  expectChange();
+  SiteId id = 0;
+  double distance = 0;
+  ASSERT_EQ(diagram.find(1, 2, id, distance), Error::kNone);
+  EXPECT_EQ(diagram.revision(), last);
 }
 
 }  // namespace

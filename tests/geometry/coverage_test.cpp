@@ -204,6 +204,21 @@ TEST(Coverage, OfScenesThatAreMovedAndScaledExactly) {
   }
 }
 
+TEST(Coverage, OfEdgesThatLeaveAndEnterByOneSide) {
+  // The small circle's cell opens towards one side of the window; its edge, of which the chord runs
+  // along that side, begins and ends there.
+  for (int side = 0; side < 4; ++side) {
+    const bool isAcross = side % 2 == 0;
+    const double at = side < 2 ? 0.25 : 9.75;
+    Diagram diagram;
+    insertInto(diagram, {{5, 5, 3}, {isAcross ? 5 : at, isAcross ? at : 5, 0.5}});
+    CoverageArrays coverage;
+    ASSERT_EQ(Voronoi(diagram, {0, 0, 10, 10}).cellPolygons(10, coverage), Error::kNone);
+    EXPECT_EQ(CoverageJudge(coverage, 100).complaints(), "") << side;
+    EXPECT_EQ(coverage.sites.size(), 2u) << side;
+  }
+}
+
 TEST(Coverage, OfManySitesOnACircle) {
   constexpr double kTurn = 6.28318530717958648;
   for (const bool isTangent : {false, true}) {

@@ -309,6 +309,7 @@ TEST(Fit, Refusals) {
   const Region region = square(10);
   AreaFit fitting;
   EXPECT_EQ(fitting.step(), Error::kNoConvergence);
+  EXPECT_FALSE(fitting.isAtTheEndOfDoubles()) << "not begun";
   ASSERT_EQ(fitting.begin(Diagram(), region, {}), Error::kNone);
   EXPECT_EQ(fitting.error(), 0);
   EXPECT_EQ(fitting.step(), Error::kNoConvergence) << "of no sites";

@@ -322,6 +322,16 @@ TEST(Interpolation, RefusesAndLeavesResultsAsTheyAre) {
   const Diagram empty;
   ASSERT_EQ(Voronoi(empty, {0, 0, 1, 1}).interpolate({}, xy, 0, result), Error::kNone);
   EXPECT_TRUE(std::isnan(result[0]));
+  EXPECT_TRUE(weightsOf(Voronoi(empty, {0, 0, 1, 1}), {0.5, 0.5, 0}).empty());
+}
+
+TEST(NaturalWeights, DoNotDependOnTheDistanceOfTheView) {
+  Diagram diagram;
+  insertInto(diagram, {{10, 10, 3}, {30, 12, 2}, {20, 30, 1}});
+  const Bounds bounds{0, 0, 40, 40};
+  const Reach reach(1);
+  EXPECT_EQ(weightsOf(Voronoi(diagram, bounds, &reach), {20, 20, 1}),
+            weightsOf(Voronoi(diagram, bounds), {20, 20, 1}));
 }
 
 }  // namespace

@@ -206,6 +206,16 @@ TEST(Reach, DrawnEdgesAreWhatCellsShareOnceAndWhereTheyEnd) {
   EXPECT_NEAR(drawnLength(whole), expected, 1e-3 * expected);
 }
 
+TEST(Reach, AnEdgeIsSharedAsFarAsBothSitesReach) {
+  Diagram diagram;
+  insertInto(diagram, {{0, 0, 0}, {4, 0, 0}});
+  const std::vector<double> distances{10, 3};
+  const Reach reach{std::span<const double>(distances)};
+  CurveArrays edges;
+  ASSERT_EQ(Voronoi(diagram, {-20, -20, 20, 20}, &reach).edgeCurves(edges), Error::kNone);
+  EXPECT_NEAR(lengthOfCurves(edges), 2 * std::sqrt(5), 1e-12);  // x = 2, up to 3 from site 1
+}
+
 TEST(Reach, ADistanceIsMissingForASite) {
   Diagram diagram;
   insertInto(diagram, {{-3, 0, 0}, {3, 0, 0}});
