@@ -85,9 +85,9 @@ class SphericalBisector {
   /// The bearing of the other site, where the bisector is nearest.
   [[nodiscard]] double middle() const { return std::atan2(y_, x_); }
 
-  /// The bearing at which the bisector with the next neighbour, counter-clockwise about the site,
-  /// follows this one: it becomes the nearer of the two there. `about` is returned where they do
-  /// not meet as computed.
+  /// The bearing at which `next`, the bisector with the next neighbour counter-clockwise about the
+  /// site, takes over from this one: from there on it is the nearer of the two. Returns `about` if
+  /// the two do not meet as computed.
   [[nodiscard]] double bearingOfNext(const SphericalBisector& next, double about) const {
     // Where both rho are equal: p cos phi + q sin phi = r. The next one is nearer where the left
     // side is less, so the left side is falling.

@@ -27,8 +27,8 @@ struct CellList {
   [[nodiscard]] std::uint32_t endRing(const Cell& cell) const { return rings.parts[cell.endPart]; }
 };
 
-/// Raw rings are what edges and border give: neighbours have the same points, but where rounding
-/// has exchanged points they cross.
+/// Raw rings are the points of edges and border as computed. Neighbours share them exactly, but
+/// where rounding has put points out of order, rings cross.
 enum class RingsAre : bool { kPolygons, kRaw };
 
 /// Of the sites with ids from `first` to before `end`. Throws std::bad_alloc.

@@ -1,10 +1,10 @@
-// The segments of all rings, between points with numbers, for what rounding has put out of order: a
-// point that is off by its last place can be beyond a segment that it should be next to. Where two
-// segments meet, by exact signs for all pairs that may (segment_pairs.h), the ends of them that are
-// as close as rounding become one point, in all cells; or the segment that passes a point goes
-// through it. This is repeated until nothing meets. If that takes more than a few rounds, points
-// farther apart become one in each further round, in the end any points of what meets; and the
-// number of rounds is limited.
+// Mends rings that rounding has put out of order: a point that is off by its last place can lie
+// beyond a segment that it should be next to. All points get numbers, shared by the rings. Where
+// two segments meet, by exact signs for all pairs that may (segment_pairs.h), their ends that are
+// as close as rounding become one point, in all cells; or the segment that passes a point is led
+// through it. This is repeated until nothing meets. If it takes more than a few rounds, points
+// farther apart are united in each further round, in the end any points of what meets. The number
+// of rounds is limited.
 #pragma once
 
 #include <cstdint>

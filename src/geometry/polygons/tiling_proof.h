@@ -1,18 +1,20 @@
-// Do the rings of all cells tile the window? A proof in O(n), which looks at no pairs but of what
-// is at the border. It may miss that they do; then segments are compared (mesh.h).
+// Proves in O(n) that the rings of all cells tile the window, without comparing segments except at
+// the border. Where the proof fails the rings may still tile: then all segments are compared
+// (mesh.h).
 //
-//   1. Each ring is simple and counter-clockwise: it turns once around the site's centre, to the
-//      left at each step; or no two of its segments meet, and it turns left in its leftmost point.
-//   2. Each segment that is not of the border has its reverse in another ring: a sum of hashes, in
-//      which both directions cancel, is 0.
-//   3. Segments of the border meet in common ends only.
+//   1. Each ring is simple and counter-clockwise. Either it turns left around its site's centre at
+//      each step and goes round once, or no two of its segments meet and it turns left at its
+//      leftmost point.
+//   2. Each segment that is not on the border also occurs reversed. A sum of hashes shows it, in
+//      which a segment and its reverse cancel; by accident it is 0 with a probability of 2^-64.
+//   3. Segments of the border meet at common ends only.
 //
-// By 1 each ring winds 0 or 1 times around every point, so what all wind is at least 0, and as many
-// as there are cells at the point. By 2 that number changes across the border only, and by 3 the
-// border is closed curves side by side. So it is the same in each of the areas between them. Their
-// sum is the window's area (coverage.cpp): the number is 1 inside of the window and 0 outside, and
-// where one cell is no other is. Then no two segments cross, nor does one pass an end of another:
-// the cells around that end would leave no room for it.
+// By 1 the winding number of a ring is 0 or 1 at every point, so the sum over all rings counts the
+// cells that contain the point. By 2 the sum changes only across the border, so it is constant on
+// either side of it. The areas of the rings add up to the window's (coverage.cpp checks that), so
+// the sum is 1 inside the window and 0 outside: cells neither overlap nor leave gaps. Hence no two
+// segments cross, and no segment passes through the end of another, as the cells around that end
+// leave no room for it.
 #pragma once
 
 #include "geometry/polygons/mesh.h"
