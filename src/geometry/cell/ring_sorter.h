@@ -8,7 +8,7 @@
 namespace apollonius::internal {
 
 /// Does a ray from a point to the right cross a curve, an odd number of times?
-[[nodiscard]] bool crossesRay(const Conic& curve, Point from);
+[[nodiscard]] bool crossesRay(const Conic& c, Point p);
 
 class RingSorter final : private NestedRings {
  public:

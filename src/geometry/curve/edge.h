@@ -59,7 +59,7 @@ struct Edge {
   double e0, e1;
 
   /// Between two ends of the bisector, counter-clockwise about its reference site.
-  Edge(const Bisector& bisector, EdgeEnd from, EdgeEnd to);
+  Edge(const Bisector& curve, EdgeEnd start, EdgeEnd end);
   /// REQUIRES: startsAtReference; vertices that are kept have the same precision.
   Edge(const DelaunayGraph& delaunay, HalfedgeId h,
        VertexPrecision precision = VertexPrecision::kReproducible, KeptVertices* kept = nullptr);

@@ -75,9 +75,10 @@ class RingNesting {
 
   static std::uint32_t keyOf(double x);
   std::uint32_t plant(std::span<Keyed> rings);
-  void search(std::uint32_t node, std::size_t count, Search& search);
+  void search(std::uint32_t number, std::size_t count, Search& search);
   std::uint32_t plantRow(std::uint32_t ring, std::size_t begin, std::size_t count);
-  bool isOdd(std::uint32_t node, std::uint32_t ring, std::size_t begin, std::size_t count, Point p);
+  bool isOdd(std::uint32_t number, std::uint32_t ring, std::size_t begin, std::size_t count,
+             Point p);
 
   NestedRings& rings_;
   FlatArray<Entry> entries_;
