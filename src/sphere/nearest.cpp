@@ -176,7 +176,8 @@ void listNearest(const ProjectedDiagram& diagram, std::span<const double> lonLat
   FlatArray<Direction> points(ids.size());
   FlatArray<Keyed> order(ids.size());
   for (std::uint32_t k = 0; k < order.size(); ++k) {
-    points[k] = directionOf({lonLat[2 * k], lonLat[2 * k + 1]});
+    const std::size_t at = 2 * std::size_t{k};
+    points[k] = directionOf({lonLat[at], lonLat[at + 1]});
     order[k] = {diagram.cellOf(points[k]), k};
   }
   sortByKey(order);
