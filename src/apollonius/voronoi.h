@@ -123,7 +123,7 @@ class APOLLONIUS_EXPORT Voronoi {
   /// once in the cell beside it, or it lies on the border; and no two segments meet but in common
   /// ends, which is proved. The sum of their areas is compared with the window's. Errors also:
   /// kBroken, a defect of the library (of trusted bytes kCorruptSnapshot, a defect of these). Cost:
-  /// O(n) for sites spread evenly, twice the time of a loop of cellPolygon.
+  /// O(n) for sites spread evenly, less than a loop of cellPolygon.
   [[nodiscard]] Error cellPolygons(double tolerance, CoverageArrays& coverage) const;
   /// Those of the sites with ids from `first` to before `end`, each as cellPolygon() gives it: many
   /// at a time, but not all at once.

@@ -86,9 +86,10 @@ class SphericalBisector {
   [[nodiscard]] double middle() const { return std::atan2(y_, x_); }
 
   /// The bearing at which `next`, the bisector with the next neighbour counter-clockwise about the
-  /// site, takes over from this one: from there on it is the nearer of the two. Returns `about` if
-  /// the two do not meet as computed.
-  [[nodiscard]] double bearingOfNext(const SphericalBisector& next, double about) const {
+  /// site, takes over from this one: from there on it is the nearer of the two. If the two do not
+  /// meet as computed, otherwise() is returned.
+  template <class Otherwise>
+  [[nodiscard]] double bearingOfNext(const SphericalBisector& next, Otherwise&& otherwise) const {
     // Where both rho are equal: p cos phi + q sin phi = r. The next one is nearer where the left
     // side is less, so the left side is falling.
     const double mine = rise_ * next.slope_, its = next.rise_ * slope_;
@@ -96,7 +97,7 @@ class SphericalBisector {
     const double r = next.rise_ * signedShift() - rise_ * next.signedShift();
     const double length = std::sqrt(p * p + q * q);
     const double square = (length - r) * (length + r);
-    if (!(square > 0)) return about;
+    if (!(square > 0)) return otherwise();
     const double aside = std::atan2(std::sqrt(square), r);
     double bearing = std::atan2(q, p) + aside;
     // Where one of the sites nearly covers another, little is left of the differences; of the

@@ -43,10 +43,10 @@ class Star {
   [[nodiscard]] double bearingBetween(VertexId neighbor, const SphericalBisector& bisector,
                                       VertexId next, const SphericalBisector& nextBisector,
                                       FaceId f) const {
-    const double bearing = bearingOf(f);
     // Seen from afar, two close sites have one bisector, and the vertex tells where they meet.
     const bool isFromAfar = diagram_.areClose(neighbor, next) && !diagram_.areClose(node_, next);
-    return isFromAfar ? bearing : bisector.bearingOfNext(nextBisector, bearing);
+    return isFromAfar ? bearingOf(f)
+                      : bisector.bearingOfNext(nextBisector, [&] { return bearingOf(f); });
   }
 
   /// The edge of h; the width is the turn.

@@ -82,6 +82,20 @@ TEST(SphericalSectors, OfAnEdgeThatADotInterruptsGoesRound) {
   }
 }
 
+/// Of dots as small as rounding the turns do not tell which sector goes round.
+TEST(SphericalSectors, OfDotsAsSmallAsRoundingAddUp) {
+  Random random(84);
+  for (const double dot : {1e-13, 1e-14, 1e-15, 3e-16}) {
+    for (int round = 0; round < 300; ++round) {
+      SphericalSites sites = randomSites(random, 2, 0);
+      if (round % 2 == 0) sites.push_back(randomSites(random, 1, 0.1)[0]);
+      const SphericalPoint p = randomPoint(random);
+      sites.push_back({p.lon, p.lat, dot - leastDistance(sites, p)});
+      ASSERT_NEAR(sumOfAreas(sites), 4 * kPi, 1e-6) << dot << ", round " << round;
+    }
+  }
+}
+
 /// Found by search. Sites that are some 10^-12 radians apart and on a lattice have edges without
 /// length, on whose bisectors all sites of the cluster are nearest as far as rounding tells; or to
 /// one side only.

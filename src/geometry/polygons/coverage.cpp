@@ -53,10 +53,10 @@ bool coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle
   CellList raw = listCells(core, finder, RingsAre::kRaw, 0, core.ids().idLimit());
   const bool isFilled = !std::isnan(area);
   if (!isFilled) area = areaOf(raw.rings);
-  const TilingProof proof(core, box, raw);
+  TilingProof proof(core, box, raw);
   coverage.work = raw.isBorder.size();
   double closeness = 1;
-  if (!proof.holds() || !isFilled) {
+  if (!isFilled || !proof.holds()) {
     Mesh mesh(core, box, raw);
     const bool isMended = mesh.mend();
     coverage.work += mesh.work();

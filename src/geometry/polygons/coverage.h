@@ -26,9 +26,8 @@ void assemble(const CellList& list, Coverage& coverage);
 /// Replaces the contents. `finder` finds thin parts, too (Parts::kThinToo), and `box` holds the
 /// window. Are the areas of the rings together `area`, up to rounding (NaN: that of the cells' own
 /// rings, as cells do not fill the window), and do no segments meet? If not, the code has a defect.
-/// Cost: that of the polygons one by one, and O(n log n) for n segments, or the pairs of those that
-/// are near each other if these are fewer; as often again as rounding has to be undone, which is
-/// seldom.
+/// Cost: O(points) where the proof holds, as it does but for rounding; else also what Mesh::mend()
+/// says.
 [[nodiscard]] bool coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box,
                                double area, Coverage& coverage);
 

@@ -57,24 +57,51 @@ bool isCounterClockwise(const Corners& ring) {
 }  // namespace
 
 TilingProof::TilingProof(const DiagramCore& core, const Rectangle& box, const CellList& raw)
-    : box_(box) {
-  bool areSimple = true;
-  std::uint64_t sum = 0;
+    : core_(core), box_(box), raw_(raw) {
+  FlatArray<double> fromSites;  // by point: the largest distance
   for (const CellList::Cell& cell : raw.cells) {
+    if (!cell.isTraced) continue;
     const Point center{core.site(cell.slot).x, core.site(cell.slot).y};
+    const auto numberOf = [&](Point p) {
+      const std::uint32_t number = numbers_.add(p);
+      fromSites.resize(numbers_.points().size(), 0);
+      fromSites[number] = std::max(fromSites[number], length(p - center));
+      return number;
+    };
     for (std::uint32_t ring = raw.firstRing(cell); ring < raw.endRing(cell); ++ring) {
       const Corners corners = raw.rings.corners(ring);
-      // Of a ring that is not traced each step is known to turn to the left.
-      areSimple = areSimple && (cell.isTraced ? isAround(corners, center) || isSimple(corners)
-                                              : turnsOnce(corners, center));
       for (std::uint32_t k = 0; k < corners.size(); ++k) {
-        if (raw.isBorder[raw.rings.starts[ring] + k] == 0)
+        if (raw.isBorder[raw.rings.starts[ring] + k] == 0) continue;
+        const std::uint32_t from = numberOf(corners[k]);
+        segments_.push_back({from, numberOf(corners[k + 1])});
+      }
+    }
+  }
+  const PointRounding rounding(box);
+  for (const auto& [from, to] : segments_) {
+    borderRounding_ += (rounding.at(fromSites[from]) + rounding.at(fromSites[to])) *
+                       length(numbers_.points()[to] - numbers_.points()[from]);
+  }
+}
+
+bool TilingProof::holds() {
+  if (doAnyMeet()) return false;
+  std::uint64_t sum = 0;
+  for (const CellList::Cell& cell : raw_.cells) {
+    const Point center{core_.site(cell.slot).x, core_.site(cell.slot).y};
+    for (std::uint32_t ring = raw_.firstRing(cell); ring < raw_.endRing(cell); ++ring) {
+      const Corners corners = raw_.rings.corners(ring);
+      // Of a ring that is not traced each step is known to turn to the left.
+      if (cell.isTraced ? !isAround(corners, center) && !isSimple(corners)
+                        : !turnsOnce(corners, center))
+        return false;
+      for (std::uint32_t k = 0; k < corners.size(); ++k) {
+        if (raw_.isBorder[raw_.rings.starts[ring] + k] == 0)
           sum += directedHash(corners[k], corners[k + 1]);
       }
     }
   }
-  listBorder(core, raw);
-  holds_ = areSimple && sum == 0 && !doAnyMeet();
+  return sum == 0;
 }
 
 bool TilingProof::isSimple(const Corners& ring) {
@@ -97,35 +124,6 @@ bool TilingProof::doAnyMeet() const {
     isAny = isAny || doMeet(points, segments_[k], segments_[m]);
   });
   return isAny;
-}
-
-void TilingProof::listBorder(const DiagramCore& core, const CellList& raw) {
-  numbers_.clear();
-  segments_.clear();
-  FlatArray<double> fromSites;  // by point: the largest distance
-  for (const CellList::Cell& cell : raw.cells) {
-    if (!cell.isTraced) continue;
-    const Point center{core.site(cell.slot).x, core.site(cell.slot).y};
-    const auto numberOf = [&](Point p) {
-      const std::uint32_t number = numbers_.add(p);
-      fromSites.resize(numbers_.points().size(), 0);
-      fromSites[number] = std::max(fromSites[number], length(p - center));
-      return number;
-    };
-    for (std::uint32_t ring = raw.firstRing(cell); ring < raw.endRing(cell); ++ring) {
-      const Corners corners = raw.rings.corners(ring);
-      for (std::uint32_t k = 0; k < corners.size(); ++k) {
-        if (raw.isBorder[raw.rings.starts[ring] + k] == 0) continue;
-        const std::uint32_t from = numberOf(corners[k]);
-        segments_.push_back({from, numberOf(corners[k + 1])});
-      }
-    }
-  }
-  const PointRounding rounding(box_);
-  for (const auto& [from, to] : segments_) {
-    borderRounding_ += (rounding.at(fromSites[from]) + rounding.at(fromSites[to])) *
-                       length(numbers_.points()[to] - numbers_.points()[from]);
-  }
 }
 
 }  // namespace apollonius::internal

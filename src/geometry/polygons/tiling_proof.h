@@ -23,22 +23,25 @@ namespace apollonius::internal {
 
 class TilingProof {
  public:
+  /// REQUIRES: `box` holds the window. All live as long, and the rings stay as they are for
+  /// holds().
   TilingProof(const DiagramCore& core, const Rectangle& box, const CellList& raw);
 
-  [[nodiscard]] bool holds() const { return holds_; }
+  /// REQUIRES: the cells are to fill the window.
+  [[nodiscard]] bool holds();
   /// How far rounding can have moved the border, times its length.
   [[nodiscard]] double borderRounding() const { return borderRounding_; }
 
  private:
   [[nodiscard]] bool isSimple(const Corners& ring);
   [[nodiscard]] bool doAnyMeet() const;
-  void listBorder(const DiagramCore& core, const CellList& raw);
 
+  const DiagramCore& core_;
   Rectangle box_;
-  // Of the ring, or the border, that is looked at.
+  const CellList& raw_;
+  // Of the border; then of one ring.
   PointNumbers numbers_;
   FlatArray<Segment> segments_;
-  bool holds_ = false;
   double borderRounding_ = 0;
 };
 

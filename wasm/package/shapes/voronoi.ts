@@ -226,8 +226,9 @@ export class Voronoi implements Disposable {
 
   /**
    * The polygons of all cells that have a part in the window, ascending by id, which is their
-   * `index`: as `cellPolygon` gives them, but found many at a time. If the diagram changes on the
-   * way, the ids that are still to come have the cells, and the sites, that they have then.
+   * `index`: as `cellPolygon` gives them, but found many at a time. If the diagram changes
+   * meanwhile, the polygons that follow are those of the changed diagram, up to the id that was the
+   * last one at the start.
    */
   cellPolygons(options: FlatOptions): Generator<CellPolygon<Float64Array>, void>;
   cellPolygons(options?: NestedOptions): Generator<CellPolygon, void>;
