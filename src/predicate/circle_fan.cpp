@@ -58,7 +58,7 @@ inline Rows between(const Rows& a, const Rows& b) {
 /// Circles of two faces: of a reference site and a site of `j` and of `k` each. The error is
 /// infinite where it is not certain that there is one.
 ///
-/// The formulas and the bound are those of boundedCircle (compute_circle.cpp, where they are
+/// The formulas and the bound are those of findCenter (bounded_center.h, where they are
 /// derived), with reference sites of any size. One division serves all quotients, 1/(D den): 1/den
 /// = D · that, 1/p_j = p_k p_jk · den · that. The computed D cancels, so f has five roundings more
 /// than the errors of p_j and den. Underflow: the last three conditions keep D, D den and a

@@ -41,7 +41,7 @@ Center centerOfPoints(double x, double y, const Row<double>& j, const Row<double
           quotient(root(productOf(overX, overX) + productOf(overY, overY)))};
 }
 
-/// Of any weights: as boundedCircle in compute_circle.cpp, of which everything up to the chord is
+/// Of any weights: as findCenter (bounded_center.h), of which everything up to the chord is
 /// an integer below 2^53. The bounds count what each term has of roundings; where terms cancel,
 /// what is left has more.
 Center centerOfCircles(double x, double y, const Row<double>& j, const Row<double>& k) {

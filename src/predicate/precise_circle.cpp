@@ -8,8 +8,11 @@
 #include <limits>
 
 #include "number/root_sign.h"
+#include "number/twofold.h"
+#include "predicate/bounded_center.h"
 #include "predicate/compute_circle.h"
 #include "predicate/grid_circle.h"
+#include "predicate/kernels.h"
 #include "predicate/long_kernels.h"
 #include "predicate/reference_site.h"
 
@@ -61,7 +64,7 @@ double halfQuotient(const Rounded& a, const Rounded& b, const Rounded& c) {
 
 /// A face in long numbers. Its vertex is at (x, y) from the reference site, which is rho away, with
 /// 2c x = p a, 2c y = p b, 2c rho = p n, c > 0, and each of a, b, c of the form first + second √d
-/// (as in boundedCircle in compute_circle.cpp).
+/// (as in bounded_center.h).
 struct LongFace {
   struct Number {
     Dyadic first, second;
@@ -128,12 +131,47 @@ bool haveFewDigits(std::initializer_list<const Site*> sites) {
   return range.highest - range.lowest < 500;
 }
 
+/// The circle in numbers of twice the digits, rounded; false unless what these are off by is beyond
+/// the last places of the centre, seen from i, and of its distance. i is the reference site.
+bool findTwofoldCircle(const Site& i, const Site& j, const Site& k, VoronoiCircle& circle) {
+  double largest = 0;
+  for (const Site* s : {&j, &k})
+    largest = std::max({largest, absolute(s->x - i.x), absolute(s->y - i.y), absolute(s->r - i.r)});
+  const double scale = inputScale(largest);
+  // Exact.
+  const auto difference = [scale](double a, double b) {
+    const Twofold exact = Twofold(a) - b;
+    return Twofold(scale * exact.value, scale * exact.rest);
+  };
+  const auto rowFrom = [&](const Site& a, const Site& b) {
+    return rowOf(difference(b.x, a.x), difference(b.y, a.y), difference(b.r, a.r));
+  };
+  BoundedCenter<Twofold> center;
+  if (findCenter(rowFrom(i, j), rowFrom(i, k), rowFrom(j, k), center) != Existence::kYes)
+    return false;
+  // The distance is the longest of the three.
+  const double least = std::min(absolute(center.x.value), absolute(center.y.value));
+  if (!(center.error <= kUnitRoundoff * least)) return false;
+  const auto beside = [scale](double own, const Twofold& part) {
+    return (Twofold(own) + Twofold(part.value / scale, part.rest / scale)).value;
+  };
+  circle.x = beside(i.x, center.x);
+  circle.y = beside(i.y, center.y);
+  circle.s = beside(-i.r, center.rho);
+  circle.slope = -1;
+  circle.error = roundedUp(
+      2 * kUnitRoundoff *
+      (center.rho.value / scale + absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
+  return true;
+}
+
 /// With errors of a few units in the last place. i is the reference site.
 VoronoiCircle closeCircle(Corner i, Corner j, Corner k) {
-  const VoronoiCircle quick = voronoiCircle(i, j, k);
-  const double size = absolute(quick.x) + absolute(quick.y) + absolute(quick.s);
-  const bool isKnown = quick.error < std::numeric_limits<float>::infinity();
-  if (quick.isHalfPlane() || (isKnown && quick.error <= powerOfTwo(-40) * size)) return quick;
+  VoronoiCircle circle = voronoiCircle(i, j, k);
+  const double size = absolute(circle.x) + absolute(circle.y) + absolute(circle.s);
+  const bool isKnown = circle.error < std::numeric_limits<float>::infinity();
+  if (circle.isHalfPlane() || (isKnown && circle.error <= powerOfTwo(-40) * size)) return circle;
+  if (findTwofoldCircle(*i, *j, *k, circle)) return circle;
 
   // The centre is half p (a, b) / c from the reference site, and half p n / c is its distance.
   const LongFace face(*i, *j, *k);
@@ -141,7 +179,6 @@ VoronoiCircle closeCircle(Corner i, Corner j, Corner k) {
   const Rounded a = withRoot(face.a.first, face.a.second, face.d),
                 b = withRoot(face.b.first, face.b.second, face.d);
   const Rounded c = withRoot(face.c.first, face.c.second, face.d);
-  VoronoiCircle circle;
   circle.x = i->x + halfQuotient(p, a, c);
   circle.y = i->y + halfQuotient(p, b, c);
   const double rho = halfQuotient(p, face.n.rounded(), c);

@@ -172,7 +172,11 @@ Fitting* fitAreas(const Diagram& diagram, const Region* region, const Reach* /*r
   if (error != Error::kBadTarget) check(error);
   return fitting.release();
 }
-void stepFit(Fitting& fitting) { check(fitting.fit.step()); }
+/// The error after a step.
+double stepFit(Fitting& fitting) {
+  check(fitting.fit.step());
+  return fitting.fit.error();
+}
 bool isAtTheEndOfDoubles(const Fitting& fitting) { return fitting.fit.isAtTheEndOfDoubles(); }
 double fitError(const Fitting& fitting) { return fitting.fit.error(); }
 std::int32_t badSite(const Fitting& fitting) { return asSigned(fitting.fit.badSite()); }
@@ -211,6 +215,12 @@ void registerShapes() {
       .field("curves", &apollonius::CurveArrays::curves)
       .field("sites", &apollonius::CurveArrays::sites)
       .field("starts", &apollonius::CurveArrays::starts);
+  value_object<apollonius::OutlineArrays>("OutlineArrays")
+      .field("curves", &apollonius::OutlineArrays::curves)
+      .field("sites", &apollonius::OutlineArrays::sites)
+      .field("starts", &apollonius::OutlineArrays::starts)
+      .field("cells", &apollonius::OutlineArrays::cells)
+      .field("moments", &apollonius::OutlineArrays::moments);
   value_object<apollonius::CellMoments>("CellMoments")
       .field("area", &apollonius::CellMoments::area)
       .field("centroidX", &apollonius::CellMoments::centroidX)
@@ -258,6 +268,7 @@ void registerShapes() {
   function("cellPolygonsBetween", inWindow<&Voronoi::cellPolygonsBetween>(), allow_raw_pointers(),
            moved);
   function("cellCurves", inWindow<&Voronoi::cellCurves>(), allow_raw_pointers(), moved);
+  function("cellOutlines", inWindow<&Voronoi::cellOutlines>(), allow_raw_pointers(), moved);
   function("edgeCurves", inWindow<&Voronoi::edgeCurves>(), allow_raw_pointers(), moved);
   function("cellMoments", inWindow<&Voronoi::cellMoments>(), allow_raw_pointers());
   function("cellMeasures", inWindow<&Voronoi::cellMeasures>(), allow_raw_pointers());

@@ -108,11 +108,12 @@ std::uint32_t AreaFitter::begin(std::span<const double> targets, std::span<const
   }
   FlatArray<SiteId> ids(count);
   insertAll(core_, circlesOf(best_), ids);
-  setRegularization(0);
-  if (!start.empty() && !(smallestOf(best_.areas) > 0)) {
+  measure(best_, precision_);
+  if (!start.empty() && !(smallestOf(best_.inside) > 0)) {
     best_.weights.assign(count, mean);
-    setRegularization(0);
+    measure(best_, precision_);
   }
+  setRegularization(0);
   const double* const empty = std::min_element(best_.areas.begin(), best_.areas.end());
   if (!(*empty > 0)) return static_cast<std::uint32_t>(empty - best_.areas.begin());
   Rectangle around = polygon_.box;
@@ -128,6 +129,7 @@ std::uint32_t AreaFitter::begin(std::span<const double> targets, std::span<const
                               around.xmax, around.ymax, around.xmin, around.ymax};
     const std::uint32_t starts[] = {0, 4};
     around_ = normalizePolygon(corners, starts);
+    measureIn(around_, precision_, best_.around, best_.couplingsAround);
     setRegularization(kFirstGround * (inside / all));
   }
   if (error() < kCoarse) measureExactly();
@@ -144,57 +146,66 @@ FlatArray<double> AreaFitter::circlesOf(const State& state) const {
   return xyr;
 }
 
-/// Measures the best weights with regularization of this density, beside what they are measured
-/// with.
+/// From now on with regularization of this density.
 void AreaFitter::setRegularization(double density) {
-  tried_.weights = best_.weights;
-  measureTried(density);
-  targets_ = shares_;
-  scaleTo(targets_, sumOf(tried_.areas));
-  takeTried();
   regularization_ = density;
+  sumUp(best_);
+  targets_ = shares_;
+  scaleTo(targets_, sumOf(best_.areas));
 }
 
 /// The best weights, and all that are tried from now on.
 void AreaFitter::measureExactly() {
+  tried_.weights = best_.weights;
+  measure(tried_, VertexPrecision::kReproducible);
+  takeTried();
   precision_ = VertexPrecision::kReproducible;
   setRegularization(regularization_);
 }
 
 void AreaFitter::takeTried() noexcept { std::swap(best_, tried_); }
 
-/// Areas and couplings for the tried weights, with regularization of this density.
-void AreaFitter::measureTried(double regularization) {
+/// What the weights of a state lead to.
+void AreaFitter::measure(State& state, VertexPrecision precision) {
   const std::size_t count = sites_.size();
   FlatArray<SiteId> ids(count);
   for (std::uint32_t k = 0; k < count; ++k) ids[k] = k;
-  core_.updateMany(ids, circlesOf(tried_));
-
-  tried_.couplings.clear();
-  tried_.areas.assign(count, 0);
-  addIn(polygon_, 1);
-  tried_.inside = tried_.areas;
-  if (regularization > 0) addIn(around_, regularization);
+  core_.updateMany(ids, circlesOf(state));
+  measureIn(polygon_, precision, state.inside, state.couplings);
+  state.around.clear();
+  state.couplingsAround.clear();
+  if (regularization_ > 0) measureIn(around_, precision, state.around, state.couplingsAround);
+  sumUp(state);
 }
 
-/// Adds areas and couplings in a region of this density.
-void AreaFitter::addIn(const NormalizedPolygon& polygon, double density) {
+/// Areas with their share of the regularization.
+void AreaFitter::sumUp(State& state) const {
+  state.areas.resize(state.inside.size());
+  for (std::size_t k = 0; k < state.areas.size(); ++k)
+    state.areas[k] =
+        state.inside[k] + (regularization_ > 0 ? regularization_ * state.around[k] : 0);
+}
+
+/// Areas and couplings in a region, for the weights that the diagram has.
+void AreaFitter::measureIn(const NormalizedPolygon& polygon, VertexPrecision precision,
+                           FlatArray<double>& areas, FlatArray<Coupling>& couplings) const {
   const ClippedDiagram clippedDiagram(core_, polygon);
   CellSums sums(core_, polygon.box, Measure::kAreas);
   const Graph& graph = core_.delaunay().graph();
-  // At the end the areas of small cells count more than the last places of cached vertices.
+  couplings.clear();
   clippedDiagram.visitEdges(
-      precision_, [&](HalfedgeId h, const Edge& edge, const InsideInterval& piece) {
+      precision, [&](HalfedgeId h, const Edge& edge, const InsideInterval& piece) {
         const VertexId i = graph.origin(h), j = graph.target(h);
         sums.addEdge(slotOf(i), slotOf(j), piece.curve, piece.multiplicity);
         const double derivative =
-            density * piece.multiplicity * areaDerivative(edge.bisector, piece.e0, piece.e1);
+            piece.multiplicity * areaDerivative(edge.bisector, piece.e0, piece.e1);
         if (derivative > 0 && derivative < kLargestMagnitude)
-          tried_.couplings.push_back({core_.siteOf(i), core_.siteOf(j), derivative});
+          couplings.push_back({core_.siteOf(i), core_.siteOf(j), derivative});
       });
   addBorders(clippedDiagram, sums);
+  areas.assign(sites_.size(), 0);
   for (Slot slot = 0; slot < core_.ids().slots(); ++slot)
-    tried_.areas[core_.ids().idOf(slot)] += density * sums.sumOf(slot);
+    areas[core_.ids().idOf(slot)] = sums.sumOf(slot);
 }
 
 double AreaFitter::deviationOf(std::span<const double> areas) const {
@@ -243,9 +254,10 @@ bool AreaFitter::step() {
   for (int halvings = 0; halvings < kMostHalvings; ++halvings, share /= 2) {
     // The function is concave: a slope that has hardly turned is not far behind the maximum.
     if (!tryStep(share) || !(slopeAt(tried_) >= -slopeAt(best_) / 2)) continue;
+    // At the end the areas of small cells count more than the last places of cached vertices.
     if (precision_ == VertexPrecision::kRough && deviationOf(tried_.inside) < kCoarse) {
+      measure(tried_, VertexPrecision::kReproducible);
       precision_ = VertexPrecision::kReproducible;
-      measureTried(regularization_);
     }
     takeTried();
     last_ = share;
@@ -276,7 +288,7 @@ bool AreaFitter::tryStep(double share) {
     tried_.weights[k] = best_.weights[k] + share * direction_[k];
     if (!(absolute(tried_.weights[k]) <= kLargestMagnitude)) return false;
   }
-  measureTried(regularization_);
+  measure(tried_, precision_);
   for (std::size_t k = 0; k < targets_.size(); ++k) {
     if (!(tried_.areas[k] >= kVanished * std::min(best_.areas[k], targets_[k]))) return false;
   }
@@ -286,7 +298,7 @@ bool AreaFitter::tryStep(double share) {
 /// How much of the direction can be taken at most.
 double AreaFitter::longestShare() const {
   double share = 1;
-  for (const Coupling& c : best_.couplings) {
+  for (const Coupling& c : couplings_) {
     const double change = absolute(direction_[c.i] - direction_[c.j]);
     if (share * change > kShareOfWay * roomFor(c)) share = kShareOfWay * roomFor(c) / change;
   }
@@ -296,6 +308,10 @@ double AreaFitter::longestShare() const {
 /// Newton's direction, with couplings stiffened until it has room.
 void AreaFitter::findDirection(double tolerance) {
   couplings_ = best_.couplings;
+  if (regularization_ > 0) {
+    for (const Coupling& c : best_.couplingsAround)
+      couplings_.push_back({c.i, c.j, regularization_ * c.derivative});
+  }
   solve(tolerance, false);
   for (int k = 0; k < kStiffenings; ++k) {
     bool hasRoom = true;

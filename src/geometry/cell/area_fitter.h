@@ -68,16 +68,18 @@ class AreaFitter {
   [[nodiscard]] double error() const { return deviationOf(best_.inside); }
 
  private:
-  /// Weights, and what they lead to.
+  /// Weights, and what they lead to: in the region, and around it if there is a regularization.
   struct State {
-    FlatArray<double> weights, inside;
-    FlatArray<double> areas;  // with their share of the regularization
-    FlatArray<Coupling> couplings;
+    FlatArray<double> weights, inside, around;
+    FlatArray<double> areas;  // inside, with their share of the regularization
+    FlatArray<Coupling> couplings, couplingsAround;
   };
 
   [[nodiscard]] FlatArray<double> circlesOf(const State& state) const;
-  void measureTried(double regularization);
-  void addIn(const NormalizedPolygon& polygon, double density);
+  void measure(State& state, VertexPrecision precision);
+  void measureIn(const NormalizedPolygon& polygon, VertexPrecision precision,
+                 FlatArray<double>& areas, FlatArray<Coupling>& couplings) const;
+  void sumUp(State& state) const;
   void measureExactly();
   void takeTried() noexcept;
   void setRegularization(double density);

@@ -100,8 +100,9 @@ class Search {
     const { iterations, error } = this.#progress;
     if (!(error > this.#tolerance)) return false;
     if (iterations === this.#most) throw this.#notReached("more are not allowed");
+    let next: number;
     try {
-      this.#fitting.step();
+      next = this.#fitting.step();
     } catch (failure) {
       if (!(failure instanceof ApolloniusError && failure.code === "no-convergence")) throw failure;
       const isAtTheEnd = this.#fitting.isAtTheEndOfDoubles();
@@ -112,7 +113,7 @@ class Search {
       this.#reason = why;
       return false;
     }
-    this.#progress = { iterations: iterations + 1, error: this.#fitting.error() };
+    this.#progress = { iterations: iterations + 1, error: next };
     this.#isStopped = this.#onIteration?.({ ...this.#progress }) === false;
     return !this.#isStopped;
   }

@@ -1,4 +1,4 @@
-import type { CellMoments } from "../../../build/wasm/apollonius.mjs";
+import type { CellMoments, OutlineArrays } from "../../../build/wasm/apollonius.mjs";
 import {
   checkedChoice,
   checkedCount,
@@ -140,6 +140,11 @@ export class Voronoi implements Disposable {
   /** @internal For `diagram.voronoi(window)`. */
   static of(diagram: Diagram, window: Bounds | Region, options?: VoronoiOptions): Voronoi {
     return new Voronoi(diagram, window, options);
+  }
+
+  /** @internal All boundaries and moments in one call: for treemaps. */
+  static outlinesOf(view: Voronoi): OutlineArrays {
+    return Voronoi.#living(view).cellOutlines(...view.#window);
   }
 
   /** "Voronoi". */

@@ -1,11 +1,12 @@
 // Cells of nodes while a treemap is made, each in a frame of its own: so areas of small cells deep
 // down are as exact as those of large ones.
+import type { OutlineArrays } from "../../../build/wasm/apollonius.mjs";
 import { numberError } from "../core/arguments.js";
 import { Diagram } from "../core/diagram.js";
 import type { Site } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
 import { voronoi } from "../shapes/functions.js";
-import type { Voronoi } from "../shapes/voronoi.js";
+import { Voronoi } from "../shapes/voronoi.js";
 import { inset } from "./inset.js";
 import { circle, type Outline, outlineOf, polygonOf, type Rings } from "./outline.js";
 import {
@@ -18,6 +19,9 @@ import {
   movedInto,
 } from "./rings.js";
 import type { Disc, TreemapFit, TreemapShape } from "./types.js";
+
+/** The library's, for none. */
+const kNoSite = 0xffffffff;
 
 /** Of the shape's diagonal, and of the root of the smaller area along a curve. */
 const kToleranceOfShape = 2 ** -13;
@@ -105,30 +109,51 @@ export function onlyCell(cell: Cell, { frame, rings }: Window, padding: number):
 /** The cells of all sites of a diagram in a window, by id; `tolerance` is of the whole shape. */
 export function cellsIn(view: Voronoi, { frame }: Window, tolerance: number): Cell[] {
   const own = tolerance / frame.scale;
-  const ids = [...view.diagram.ids()];
-  const measures = ids.map((id) => view.cellMeasures(id));
-  return ids.map((id): Cell => {
-    const curves = view.cellCurves(id);
-    const { area, centroid } = measures[id] ?? { area: 0, centroid: null };
-    if (curves === null || centroid === null)
-      throw new ApolloniusError("no-convergence", "a cell has vanished by rounding");
+  const outlines = Voronoi.outlinesOf(view);
+  const { xyr } = view.diagram.sites();
+  const areaOf = (id: number) => outlines.moments[3 * id]!;
+  const cells: Cell[] = [];
+  for (let id = 0; 3 * id < xyr.length; ++id) {
+    const area = areaOf(id);
+    if (!(area > 0)) throw new ApolloniusError("no-convergence", "a cell has vanished by rounding");
+    const { outline, neighbors } = outlineOfCell(outlines, id);
     const toleranceOf = (curve: number) => {
-      const other = curves.neighbors[curve]!;
-      const smaller = other === -1 ? area : Math.min(area, measures[other]!.area);
+      const other = neighbors[curve]!;
+      const smaller = other === kNoSite ? area : Math.min(area, areaOf(other));
       return Math.min(own, kToleranceOfCell * Math.sqrt(smaller));
     };
-    const polygon = (factor: number) => polygonOf(curves, (curve) => factor * toleranceOf(curve));
-    const { x, y, r } = view.diagram.site(id);
-    return {
+    const polygon = (factor: number) => polygonOf(outline, (curve) => factor * toleranceOf(curve));
+    cells.push({
       frame,
-      outline: curves,
+      outline,
       polygon,
       rings: polygon(1),
       area,
-      x: centroid[0],
-      y: centroid[1],
-      site: { x: frame.x + frame.scale * x, y: frame.y + frame.scale * y, r: frame.scale * r },
+      x: outlines.moments[3 * id + 1]!,
+      y: outlines.moments[3 * id + 2]!,
+      site: {
+        x: frame.x + frame.scale * xyr[3 * id]!,
+        y: frame.y + frame.scale * xyr[3 * id + 1]!,
+        r: frame.scale * xyr[3 * id + 2]!,
+      },
       fit: null,
-    };
-  });
+    });
+  }
+  return cells;
+}
+
+/** One of them; and for each of its curves the site beyond it, `kNoSite` beyond the border. */
+function outlineOfCell(
+  { curves, sites, starts, cells }: OutlineArrays,
+  id: number,
+): { outline: Outline; neighbors: Uint32Array } {
+  const own = starts.slice(cells[id]!, cells[id + 1]! + 1);
+  const [from, to] = [own[0]!, own.at(-1)!];
+  return {
+    outline: {
+      curves: curves.subarray(7 * from, 7 * to),
+      starts: own.map((start) => start - from),
+    },
+    neighbors: sites.subarray(from, to),
+  };
 }

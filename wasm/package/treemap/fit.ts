@@ -55,7 +55,11 @@ export interface Limits {
 /** x, y, r of each site. */
 export function circlesOf(places: Float64Array, weights: Float64Array): Float64Array {
   const xyr = new Float64Array(3 * weights.length);
-  weights.forEach((weight, k) => xyr.set([places[2 * k]!, places[2 * k + 1]!, weight], 3 * k));
+  for (let k = 0; k < weights.length; ++k) {
+    xyr[3 * k] = places[2 * k]!;
+    xyr[3 * k + 1] = places[2 * k + 1]!;
+    xyr[3 * k + 2] = weights[k]!;
+  }
   return xyr;
 }
 

@@ -112,7 +112,7 @@ export function polygonOf(
   return Array.from(starts.subarray(1), (end, ring) => {
     const points: number[] = [];
     for (let k = starts[ring]!; k < end; ++k) addCurve(points, curves, 7 * k, toleranceOf(k));
-    return Float64Array.from(points);
+    return new Float64Array(points);
   });
 }
 

@@ -1,7 +1,7 @@
 // Places for the sites of siblings in their window: spread by value, seeded.
 import { ApolloniusError } from "../errors.js";
 import type { Rings } from "./outline.js";
-import { boxOf, crossingsAt, isInside } from "./rings.js";
+import { boxOf, isInside, Row } from "./rings.js";
 
 const kSamplesOfSite = 16;
 const kMostSamples = 30_000; // if there are fewer sites than these
@@ -25,16 +25,16 @@ export function randomOf(seed: number, which: number): () => number {
 
 /** Places that are in use, by y and x. */
 export class Taken {
-  readonly #rows = new Map<number, Set<number>>();
+  readonly #rows = new Map<number, number[]>();
 
   has(x: number, y: number): boolean {
-    return this.#rows.get(y)?.has(x) ?? false;
+    return this.#rows.get(y)?.includes(x) ?? false;
   }
 
   add(x: number, y: number): void {
     const row = this.#rows.get(y);
-    if (row === undefined) this.#rows.set(y, new Set([x]));
-    else row.add(x);
+    if (row === undefined) this.#rows.set(y, [x]);
+    else row.push(x);
   }
 }
 
@@ -52,7 +52,7 @@ function bandsOf(rings: Rings): Band[] {
   const bands: Band[] = [];
   for (let k = 0; k + 1 < lines.length; ++k) {
     const [bottom, top] = [lines[k]!, lines[k + 1]!];
-    const ends = crossingsAt(rings, bottom + (top - bottom) / 2);
+    const ends = new Row(rings, bottom + (top - bottom) / 2).crossings();
     const width = ends.reduce((sum, end, at) => sum + (at % 2 === 0 ? -end : end), 0);
     if (width > 0) bands.push({ bottom, top, width });
   }
@@ -101,23 +101,17 @@ function samplesInBands(
         const y = bottom + ((row + 0.05 + 0.9 * random()) / rows) * (top - bottom);
         if (y === lastY) continue; // closer than doubles
         lastY = y;
-        addRow(places, rings, y, apart, random);
+        addRow(places, new Row(rings, y), apart, random);
       }
     }
-    if (places.length >= 2 * count) return Float64Array.from(places);
+    if (places.length >= 2 * count) return new Float64Array(places);
   }
   return null;
 }
 
 /** Adds places of a row that are inside, about so far apart. */
-function addRow(
-  places: number[],
-  rings: Rings,
-  y: number,
-  apart: number,
-  random: () => number,
-): void {
-  const ends = crossingsAt(rings, y);
+function addRow(places: number[], row: Row, apart: number, random: () => number): void {
+  const ends = row.crossings();
   for (let k = 0; k + 1 < ends.length; k += 2) {
     const length = ends[k + 1]! - ends[k]!;
     const columns = Math.ceil(length / apart);
@@ -125,8 +119,8 @@ function addRow(
     let lastX = NaN;
     for (let column = 0; column < columns; ++column) {
       const x = ends[k]! + ((column + shift) / columns) * length;
-      if (x === lastX || !isInside(rings, x, y)) continue;
-      places.push(x, y);
+      if (x === lastX || !row.isInside(x)) continue;
+      places.push(x, row.y);
       lastX = x;
     }
   }
@@ -154,7 +148,9 @@ export function spread(
   const isFlipped = [random() < 0.5, random() < 0.5];
   const keys = new Float64Array(samples.length / 2);
   // A list of what is still to do: sites and samples from one to before another.
-  const rest: [number, number, Uint32Array][] = [[0, count, Uint32Array.from(keys, (_, k) => k)]];
+  const all = new Uint32Array(keys.length);
+  for (let k = 0; k < all.length; ++k) all[k] = k;
+  const rest: [number, number, Uint32Array][] = [[0, count, all]];
   for (let next = rest.pop(); next !== undefined; next = rest.pop()) {
     const [from, to, own] = next;
     if (to - from === 1) {

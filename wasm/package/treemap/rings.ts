@@ -94,21 +94,38 @@ export function momentsOf(rings: Rings): { area: number; x: number; y: number } 
 /** Of the two products of a turn, more than the rounding of their difference can be. */
 const kRounding = 2 ** -51;
 
-/**
- * Is a place inside, by the even-odd rule, for sure? Not on the border, nor so close to it that
- * rounding may have put it there.
- */
-export function isInside(rings: Rings, x: number, y: number): boolean {
-  let inside = false;
-  for (const ring of rings) {
-    for (let k = 0, last = ring.length - 2; k < ring.length; last = k, k += 2) {
-      const ay = ring[last + 1]!;
-      const by = ring[k + 1]!;
-      const ax = ring[last]!;
-      const bx = ring[k]!;
-      if (ay > y === by > y) {
-        const isOnRow = ay === y && by === y;
-        if (isOnRow && x >= Math.min(ax, bx) && x <= Math.max(ax, bx)) return false;
+/** A line of constant y, with the sides of rings that cross it or run along it. */
+export class Row {
+  readonly y: number;
+  readonly #sides: number[] = []; // ax, ay, bx, by of each
+
+  constructor(rings: Rings, y: number) {
+    this.y = y;
+    for (const ring of rings) {
+      for (let k = 0, last = ring.length - 2; k < ring.length; last = k, k += 2) {
+        const ay = ring[last + 1]!;
+        const by = ring[k + 1]!;
+        if (ay > y !== by > y || (ay === y && by === y))
+          this.#sides.push(ring[last]!, ay, ring[k]!, by);
+      }
+    }
+  }
+
+  /**
+   * Is its place at x inside, by the even-odd rule, for sure? Not on the border, nor so close to it
+   * that rounding may have put it there.
+   */
+  isInside(x: number): boolean {
+    const { y } = this;
+    const sides = this.#sides;
+    let inside = false;
+    for (let k = 0; k < sides.length; k += 4) {
+      const ax = sides[k]!;
+      const ay = sides[k + 1]!;
+      const bx = sides[k + 2]!;
+      const by = sides[k + 3]!;
+      if (ay === by) {
+        if (x >= Math.min(ax, bx) && x <= Math.max(ax, bx)) return false;
         continue;
       }
       const left = (bx - ax) * (y - ay);
@@ -116,22 +133,27 @@ export function isInside(rings: Rings, x: number, y: number): boolean {
       if (!(Math.abs(left - right) > kRounding * (Math.abs(left) + Math.abs(right)))) return false;
       if (left > right === by > ay) inside = !inside;
     }
+    return inside;
   }
-  return inside;
+
+  /** Its pieces inside: where they begin and end, by turns. */
+  crossings(): number[] {
+    const { y } = this;
+    const sides = this.#sides;
+    const crossings: number[] = [];
+    for (let k = 0; k < sides.length; k += 4) {
+      const ay = sides[k + 1]!;
+      const by = sides[k + 3]!;
+      if (ay === by) continue;
+      crossings.push(sides[k]! + ((y - ay) / (by - ay)) * (sides[k + 2]! - sides[k]!));
+    }
+    return crossings.sort((a, b) => a - b);
+  }
 }
 
-/** The pieces inside the rings along a line of this y: where they begin and end, by turns. */
-export function crossingsAt(rings: Rings, y: number): number[] {
-  const crossings: number[] = [];
-  for (const ring of rings) {
-    for (let k = 0, last = ring.length - 2; k < ring.length; last = k, k += 2) {
-      const ay = ring[last + 1]!;
-      const by = ring[k + 1]!;
-      if (ay > y === by > y) continue;
-      crossings.push(ring[last]! + ((y - ay) / (by - ay)) * (ring[k]! - ring[last]!));
-    }
-  }
-  return crossings.sort((a, b) => a - b);
+/** Is a place inside for sure? */
+export function isInside(rings: Rings, x: number, y: number): boolean {
+  return new Row(rings, y).isInside(x);
 }
 
 /** All rings as one, closed: to each further ring and around it, then back the same way. */
