@@ -76,15 +76,6 @@ CellMeasures measuresOf(std::span<const BoundaryPiece> boundary, Point origin) {
   return measures;
 }
 
-/// To CurveArrays or OutlineArrays.
-template <class Arrays>
-void appendBoundary(const Cell& cell, Arrays& arrays) {
-  for (const BoundaryPiece& piece : cell.pieces) {
-    appendCurve(piece.curve, arrays.curves);
-    arrays.sites.push_back(piece.sharedWith());
-  }
-}
-
 /// To RingArrays or CoverageArrays.
 template <class Arrays>
 void assign(Arrays& arrays, const Rings& rings) {
@@ -210,7 +201,10 @@ Error Voronoi::cellCurves(SiteId id, CurveArrays& boundary) const {
   return withCell(id, Error::kNone, [&](const Cell& cell, Point) {
     boundary.curves.clear();
     boundary.sites.clear();
-    appendBoundary(cell, boundary);
+    for (const BoundaryPiece& piece : cell.pieces) {
+      appendCurve(piece.curve, boundary.curves);
+      boundary.sites.push_back(piece.sharedWith());
+    }
     boundary.starts.assign(cell.starts.begin(), cell.starts.end());
   });
 }
@@ -266,32 +260,6 @@ Error Voronoi::cellMoments(SiteId id, CellMoments& moments) const {
 Error Voronoi::cellMeasures(SiteId id, CellMeasures& measures) const {
   return withCell(id, Error::kNone, [&](const Cell& cell, Point origin) {
     measures = measuresOf(cell.pieces, origin);
-  });
-}
-
-Error Voronoi::cellOutlines(OutlineArrays& outlines) const {
-  return clipped(windowError(), [&](const Clipping& clipping) {
-    outlines = {};
-    const DiagramCore& core = *diagram_.core_;
-    const auto cells = clipping.cells(Parts::kWithArea);
-    for (SiteId id = 0; id < core.ids().idLimit(); ++id) {
-      outlines.cells.push_back(static_cast<std::uint32_t>(outlines.starts.size()));
-      CellMoments moments;
-      if (diagram_.has(id)) {
-        const Slot slot = slotOf(id);
-        const Cell& cell = cells->find(slot);
-        const auto first = static_cast<std::uint32_t>(outlines.sites.size());
-        // All but the last entry, which is the next cell's first.
-        for (std::size_t k = 0; k + 1 < cell.starts.size(); ++k)
-          outlines.starts.push_back(first + cell.starts[k]);
-        appendBoundary(cell, outlines);
-        moments = momentsOf(cell.pieces, clipping.box().nearestTo(centerOf(core, slot)));
-      }
-      for (const double moment : {moments.area, moments.centroidX, moments.centroidY})
-        outlines.moments.push_back(moment);
-    }
-    outlines.cells.push_back(static_cast<std::uint32_t>(outlines.starts.size()));
-    outlines.starts.push_back(static_cast<std::uint32_t>(outlines.sites.size()));
   });
 }
 

@@ -82,16 +82,6 @@ struct CellMeasures : CellMoments {
   double perimeter = 0;  ///< the window's border included
 };
 
-/// The boundaries of all cells, one after the other, and their moments.
-struct OutlineArrays {
-  std::vector<double> curves;         ///< as in CurveArrays
-  std::vector<std::uint32_t> sites;   ///< as in CurveArrays
-  std::vector<std::uint32_t> starts;  ///< as in CurveArrays
-  std::vector<std::uint32_t>
-      cells;  ///< by id: the first ring of each cell, and the number of rings at the end
-  std::vector<double> moments;  ///< by id: area, and x and y of the centroid, 0 for empty cells
-};
-
 /// What a new circle would take: from which sites, and which share of it. These add up to 1.
 struct NaturalWeights {
   std::vector<SiteId> ids;
@@ -142,8 +132,6 @@ class APOLLONIUS_EXPORT Voronoi {
   /// Area and centroid; cellMeasures() takes several times as long, for the perimeter.
   [[nodiscard]] Error cellMoments(SiteId id, CellMoments& moments) const;
   [[nodiscard]] Error cellMeasures(SiteId id, CellMeasures& measures) const;
-  /// cellCurves() and cellMoments() of all cells. Cost: O(n log d)
-  [[nodiscard]] Error cellOutlines(OutlineArrays& outlines) const;
   /// Area, centroid and perimeter of the part of the (unclipped) cell within `radius` of the site's
   /// centre; bounds do not matter. The outline is good to about 2^-48 of the largest number of the
   /// site and its neighbors: a radius as small as that means little. Infinity: all of it; the area

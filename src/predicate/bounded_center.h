@@ -99,4 +99,8 @@ Existence findCenter(const Row<Number>& j, const Row<Number>& k, const Row<Numbe
   return Existence::kYes;
 }
 
+// Once, in bounded_center.cpp: it is large, and not for where speed counts.
+extern template Existence findCenter(const Row<Twofold>& j, const Row<Twofold>& k,
+                                     const Row<Twofold>& jk, BoundedCenter<Twofold>& center);
+
 }  // namespace apollonius::internal

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "number/twofold.h"
-#include "predicate/formulas.h"
+#include "predicate/bounded_center.h"
 
 namespace apollonius::internal {
 
@@ -41,35 +41,21 @@ Center centerOfPoints(double x, double y, const Row<double>& j, const Row<double
           quotient(root(productOf(overX, overX) + productOf(overY, overY)))};
 }
 
-/// Of any weights: as findCenter (bounded_center.h), of which everything up to the chord is
-/// an integer below 2^53. The bounds count what each term has of roundings; where terms cancel,
-/// what is left has more.
+/// Of any weights.
 Center centerOfCircles(double x, double y, const Row<double>& j, const Row<double>& k) {
-  const auto [u, v, w] = chordOf(j, k);
-  const Twofold rooted = root(productOf(j.p, k.p) * between(j, k));        // 2
-  const Twofold n = productOf(u, u) + productOf(v, v);                     // 1
-  const Twofold first = n * j.r;                                           // 2
-  const Twofold second = (productOf(u, j.x) + productOf(v, j.y)) * w;      // 2
-  const Twofold third = (productOf(v, j.x) - productOf(u, j.y)) * rooted;  // 4
-  const Twofold c = first - second + third;
-  const double ofC = 6 * u2 *
-                     (absolute(first.value) + absolute(second.value) + absolute(third.value)) /
-                     absolute(c.value);
-  // p number / (2c), whose own relative error is given, beside a coordinate of the reference site.
-  const auto quotient = [&](const Twofold& number, double ofNumber, double beside) -> Bounded {
-    const Twofold part = number * j.p / (c + c), result = part + beside;
-    const double relative = (ofC + ofNumber + 4 * u2) * (1 + powerOfTwo(-10));
-    return {result, relative < powerOfTwo(-20)
-                        ? relative * absolute(part.value) + u2 * absolute(result.value)
+  const auto row = [](double dx, double dy, double dr) {
+    return rowOf(Twofold(dx), Twofold(dy), Twofold(dr));
+  };
+  BoundedCenter<Twofold> center;
+  const Existence existence = findCenter(row(j.x, j.y, j.r), row(k.x, k.y, k.r),
+                                         row(k.x - j.x, k.y - j.y, k.r - j.r), center);
+  const auto beside = [&](double own, const Twofold& part) -> Bounded {
+    const Twofold result = part + own;
+    return {result, existence == Existence::kYes
+                        ? center.error * (1 + powerOfTwo(-5)) + u2 * absolute(result.value)
                         : HUGE_VAL};
   };
-  const auto ofSum = [](const Twofold& a, const Twofold& b, const Twofold& sum) {
-    return 5 * u2 * (absolute(a.value) + absolute(b.value)) / absolute(sum.value);
-  };
-  const Twofold wu = productOf(w, u), wv = productOf(w, v), vRoot = rooted * v, uRoot = rooted * u;
-  const Twofold a = vRoot - wu, b = -(uRoot + wv);
-  return {quotient(a, ofSum(vRoot, wu, a), x), quotient(b, ofSum(uRoot, wv, b), y),
-          quotient(n, u2, 0)};
+  return {beside(x, center.x), beside(y, center.y), beside(0, center.rho)};
 }
 
 }  // namespace

@@ -143,12 +143,13 @@ bool findTwofoldCircle(const Site& i, const Site& j, const Site& k, VoronoiCircl
     const Twofold exact = Twofold(a) - b;
     return Twofold(scale * exact.value, scale * exact.rest);
   };
-  const auto rowFrom = [&](const Site& a, const Site& b) {
-    return rowOf(difference(b.x, a.x), difference(b.y, a.y), difference(b.r, a.r));
+  const auto rowFrom = [&](const Site& s) {
+    return rowOf(difference(s.x, i.x), difference(s.y, i.y), difference(s.r, i.r));
   };
+  const Row<Twofold> rowJ = rowFrom(j), rowK = rowFrom(k);
+  const Row<Twofold> jk = rowOf(rowK.x - rowJ.x, rowK.y - rowJ.y, rowK.r - rowJ.r);
   BoundedCenter<Twofold> center;
-  if (findCenter(rowFrom(i, j), rowFrom(i, k), rowFrom(j, k), center) != Existence::kYes)
-    return false;
+  if (findCenter(rowJ, rowK, jk, center) != Existence::kYes) return false;
   // The distance is the longest of the three.
   const double least = std::min(absolute(center.x.value), absolute(center.y.value));
   if (!(center.error <= kUnitRoundoff * least)) return false;

@@ -215,12 +215,6 @@ void registerShapes() {
       .field("curves", &apollonius::CurveArrays::curves)
       .field("sites", &apollonius::CurveArrays::sites)
       .field("starts", &apollonius::CurveArrays::starts);
-  value_object<apollonius::OutlineArrays>("OutlineArrays")
-      .field("curves", &apollonius::OutlineArrays::curves)
-      .field("sites", &apollonius::OutlineArrays::sites)
-      .field("starts", &apollonius::OutlineArrays::starts)
-      .field("cells", &apollonius::OutlineArrays::cells)
-      .field("moments", &apollonius::OutlineArrays::moments);
   value_object<apollonius::CellMoments>("CellMoments")
       .field("area", &apollonius::CellMoments::area)
       .field("centroidX", &apollonius::CellMoments::centroidX)
@@ -268,7 +262,6 @@ void registerShapes() {
   function("cellPolygonsBetween", inWindow<&Voronoi::cellPolygonsBetween>(), allow_raw_pointers(),
            moved);
   function("cellCurves", inWindow<&Voronoi::cellCurves>(), allow_raw_pointers(), moved);
-  function("cellOutlines", inWindow<&Voronoi::cellOutlines>(), allow_raw_pointers(), moved);
   function("edgeCurves", inWindow<&Voronoi::edgeCurves>(), allow_raw_pointers(), moved);
   function("cellMoments", inWindow<&Voronoi::cellMoments>(), allow_raw_pointers());
   function("cellMeasures", inWindow<&Voronoi::cellMeasures>(), allow_raw_pointers());

@@ -1,4 +1,4 @@
-import type { CellMoments, OutlineArrays } from "../../../build/wasm/apollonius.mjs";
+import type { CellMoments } from "../../../build/wasm/apollonius.mjs";
 import {
   checkedChoice,
   checkedCount,
@@ -142,9 +142,9 @@ export class Voronoi implements Disposable {
     return new Voronoi(diagram, window, options);
   }
 
-  /** @internal All boundaries and moments in one call: for treemaps. */
-  static outlinesOf(view: Voronoi): OutlineArrays {
-    return Voronoi.#living(view).cellOutlines(...view.#window);
+  /** @internal Area and centroid in one call: for treemaps. */
+  static momentsOf(view: Voronoi, id: number): CellMoments | null {
+    return view.#moments(id);
   }
 
   /** "Voronoi". */

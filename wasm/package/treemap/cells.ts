@@ -1,6 +1,5 @@
 // Cells of nodes while a treemap is made, each in a frame of its own: so areas of small cells deep
 // down are as exact as those of large ones.
-import type { OutlineArrays } from "../../../build/wasm/apollonius.mjs";
 import { numberError } from "../core/arguments.js";
 import { Diagram } from "../core/diagram.js";
 import type { Site } from "../core/types.js";
@@ -19,9 +18,6 @@ import {
   movedInto,
 } from "./rings.js";
 import type { Disc, TreemapFit, TreemapShape } from "./types.js";
-
-/** The library's, for none. */
-const kNoSite = 0xffffffff;
 
 /** Of the shape's diagonal, and of the root of the smaller area along a curve. */
 const kToleranceOfShape = 2 ** -13;
@@ -109,51 +105,33 @@ export function onlyCell(cell: Cell, { frame, rings }: Window, padding: number):
 /** The cells of all sites of a diagram in a window, by id; `tolerance` is of the whole shape. */
 export function cellsIn(view: Voronoi, { frame }: Window, tolerance: number): Cell[] {
   const own = tolerance / frame.scale;
-  const outlines = Voronoi.outlinesOf(view);
-  const { xyr } = view.diagram.sites();
-  const areaOf = (id: number) => outlines.moments[3 * id]!;
-  const cells: Cell[] = [];
-  for (let id = 0; 3 * id < xyr.length; ++id) {
-    const area = areaOf(id);
-    if (!(area > 0)) throw new ApolloniusError("no-convergence", "a cell has vanished by rounding");
-    const { outline, neighbors } = outlineOfCell(outlines, id);
+  const { ids, xyr } = view.diagram.sites();
+  const moments = Array.from(ids, (id) => Voronoi.momentsOf(view, id));
+  return moments.map((ownMoments, id): Cell => {
+    const outline = view.cellCurves(id);
+    if (outline === null || ownMoments === null || ownMoments.isEmpty)
+      throw new ApolloniusError("no-convergence", "a cell has vanished by rounding");
+    const { area, centroidX, centroidY } = ownMoments;
     const toleranceOf = (curve: number) => {
-      const other = neighbors[curve]!;
-      const smaller = other === kNoSite ? area : Math.min(area, areaOf(other));
+      const other = outline.neighbors[curve]!;
+      const smaller = other === -1 ? area : Math.min(area, moments[other]!.area);
       return Math.min(own, kToleranceOfCell * Math.sqrt(smaller));
     };
     const polygon = (factor: number) => polygonOf(outline, (curve) => factor * toleranceOf(curve));
-    cells.push({
+    return {
       frame,
       outline,
       polygon,
       rings: polygon(1),
       area,
-      x: outlines.moments[3 * id + 1]!,
-      y: outlines.moments[3 * id + 2]!,
+      x: centroidX,
+      y: centroidY,
       site: {
         x: frame.x + frame.scale * xyr[3 * id]!,
         y: frame.y + frame.scale * xyr[3 * id + 1]!,
         r: frame.scale * xyr[3 * id + 2]!,
       },
       fit: null,
-    });
-  }
-  return cells;
-}
-
-/** One of them; and for each of its curves the site beyond it, `kNoSite` beyond the border. */
-function outlineOfCell(
-  { curves, sites, starts, cells }: OutlineArrays,
-  id: number,
-): { outline: Outline; neighbors: Uint32Array } {
-  const own = starts.slice(cells[id]!, cells[id + 1]! + 1);
-  const [from, to] = [own[0]!, own.at(-1)!];
-  return {
-    outline: {
-      curves: curves.subarray(7 * from, 7 * to),
-      starts: own.map((start) => start - from),
-    },
-    neighbors: sites.subarray(from, to),
-  };
+    };
+  });
 }
