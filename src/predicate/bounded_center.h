@@ -22,6 +22,13 @@ struct BoundedCenter {
   double error;
 };
 
+/// Is the first double of a sum of two twofold numbers certainly the one nearest to what it stands
+/// for? One of the two is off by the error, and the sum is rounded.
+inline bool isRounded(const Twofold& sum, double error) {
+  const double all = error + kTwofoldRoundoff * absolute(sum.value);
+  return sum.value + (sum.rest + all) == sum.value && sum.value + (sum.rest - all) == sum.value;
+}
+
 inline double valueOf(double x) { return x; }
 inline double valueOf(const Twofold& x) { return x.value; }
 inline double rootOf(double x) { return std::sqrt(x); }

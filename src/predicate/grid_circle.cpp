@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "number/twofold.h"
 #include "predicate/bounded_center.h"
@@ -11,51 +10,17 @@ namespace apollonius::internal {
 
 namespace {
 
-constexpr double u2 = kTwofoldRoundoff;
-
-/// A number and how far off it is at most.
-struct Bounded {
-  Twofold number;
-  double error;
-
-  /// Is its first double certainly the one nearest to what it stands for?
-  [[nodiscard]] bool isRounded() const {
-    const double value = number.value;
-    return value + (number.rest + error) == value && value + (number.rest - error) == value;
-  }
-};
-
-/// The centre and its distance from the reference site, in units: x, y, rho.
-using Center = std::array<Bounded, 3>;
+/// The centre and its distance from the reference site, in units: x, y, rho. Each is off by less
+/// than 4 kTwofoldRoundoff of itself.
+using Center = std::array<Twofold, 3>;
 
 /// Of equal weights: quotients of integers. With rows j and k, `over` and `twice` are those of the
 /// centre seen from the reference site at (x, y), below 2^53 each.
 Center centerOfPoints(double x, double y, const Row<double>& j, const Row<double>& k) {
   const double twice = 2 * (j.x * k.y - j.y * k.x);
   const double overX = j.p * k.y - k.p * j.y, overY = k.p * j.x - j.p * k.x;
-  const auto quotient = [&](const Twofold& over) -> Bounded {
-    const Twofold result = over / twice;
-    return {result, 4 * u2 * absolute(result.value)};
-  };
-  return {quotient(productOf(x, twice) + overX), quotient(productOf(y, twice) + overY),
-          quotient(root(productOf(overX, overX) + productOf(overY, overY)))};
-}
-
-/// Of any weights.
-Center centerOfCircles(double x, double y, const Row<double>& j, const Row<double>& k) {
-  const auto row = [](double dx, double dy, double dr) {
-    return rowOf(Twofold(dx), Twofold(dy), Twofold(dr));
-  };
-  BoundedCenter<Twofold> center;
-  const Existence existence = findCenter(row(j.x, j.y, j.r), row(k.x, k.y, k.r),
-                                         row(k.x - j.x, k.y - j.y, k.r - j.r), center);
-  const auto beside = [&](double own, const Twofold& part) -> Bounded {
-    const Twofold result = part + own;
-    return {result, existence == Existence::kYes
-                        ? center.error * (1 + powerOfTwo(-5)) + u2 * absolute(result.value)
-                        : HUGE_VAL};
-  };
-  return {beside(x, center.x), beside(y, center.y), beside(0, center.rho)};
+  return {(productOf(x, twice) + overX) / twice, (productOf(y, twice) + overY) / twice,
+          root(productOf(overX, overX) + productOf(overY, overY)) / twice};
 }
 
 }  // namespace
@@ -76,15 +41,14 @@ OnGrid circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& 
   const double scale = powerOfTwo(-unit);
   const Row<double> rowJ = rowOf(jx * scale, jy * scale, jr * scale),
                     rowK = rowOf(kx * scale, ky * scale, kr * scale);
-  const bool areEqual = jr == 0 && kr == 0;
-  const Center center = areEqual ? centerOfPoints(i.x * scale, i.y * scale, rowJ, rowK)
-                                 : centerOfCircles(i.x * scale, i.y * scale, rowJ, rowK);
-  for (const Bounded& number : center) {
-    if (!number.isRounded()) return OnGrid::kYes;
+  if (jr != 0 || kr != 0) return OnGrid::kYes;
+  const Center center = centerOfPoints(i.x * scale, i.y * scale, rowJ, rowK);
+  for (const Twofold& number : center) {
+    if (!isRounded(number, 3 * kTwofoldRoundoff * absolute(number.value))) return OnGrid::kYes;
   }
-  const double rho = center[2].number.value / scale;
-  circle.x = center[0].number.value / scale;
-  circle.y = center[1].number.value / scale;
+  const double rho = center[2].value / scale;
+  circle.x = center[0].value / scale;
+  circle.y = center[1].value / scale;
   circle.s = rho - i.r;
   circle.slope = -1;
   circle.error = roundedUp(

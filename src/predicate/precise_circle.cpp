@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 
 #include "number/root_sign.h"
 #include "number/twofold.h"
@@ -57,31 +58,26 @@ Rounded withRoot(const Dyadic& a, const Dyadic& b, const Dyadic& d) {
   return {over.mantissa / under.mantissa, over.exponent - under.exponent};
 }
 
-/// a b / (2 c), rounded: with the errors of a, b and c, and 2 more.
-double halfQuotient(const Rounded& a, const Rounded& b, const Rounded& c) {
-  return scaled(a.mantissa / c.mantissa * b.mantissa, a.exponent + b.exponent - c.exponent - 1);
-}
-
-/// A face in long numbers. Its vertex is at (x, y) from the reference site, which is rho away, with
-/// 2c x = p a, 2c y = p b, 2c rho = p n, c > 0, and each of a, b, c of the form first + second √d
-/// (as in bounded_center.h).
+/// A face in long numbers. Its vertex is at (x, y) / (2c) from the reference site, which is
+/// rho / (2c) away, with c > 0 (bounded_center.h, where x is p_j a).
 struct LongFace {
+  /// first + second √d
   struct Number {
     Dyadic first, second;
   };
-  Dyadic d, n;
-  Row<Dyadic> row;
-  Number a, b, c;
+  Dyadic d;
+  Number x, y, rho, c;
 
   LongFace(const Site& i, const Site& j, const Site& k) {
     const ExactKernel kernel(i, {&j, &k});
-    row = kernel.row(0);
-    const auto [u, v, w] = chordOf(row, kernel.row(1));
-    n = u * u + v * v;
+    const Row<Dyadic>&rowJ = kernel.row(0), &rowK = kernel.row(1);
+    const auto [u, v, w] = chordOf(rowJ, rowK);
+    const Dyadic n = u * u + v * v;
     d = n - w * w;
-    a = {-(w * u), v};
-    b = {-(w * v), -u};
-    c = {n * row.r - w * (u * row.x + v * row.y), v * row.x - u * row.y};
+    x = {-(w * u) * rowJ.p, v * rowJ.p};
+    y = {-(w * v) * rowJ.p, -u * rowJ.p};
+    rho.first = n * rowJ.p;
+    c = {n * rowJ.r - w * (u * rowJ.x + v * rowJ.y), v * rowJ.x - u * rowJ.y};
   }
 };
 
@@ -91,36 +87,66 @@ double neighborOf(double t, bool above) {
   return std::bit_cast<double>((t > 0) == above ? bits + 1 : bits - 1);
 }
 
-/// `number` / (2c), rounded to the nearest double, or to the one of even mantissa if there are two;
-/// from an estimate.
-double correctQuotient(const LongFace& face, const LongFace::Number& number, double estimate) {
-  const LongFace::Number c{face.c.first + face.c.first, face.c.second + face.c.second};
-  const Rounded under = withRoot(c.first, c.second, face.d);
-  // number - 2c t, of which the signs are exact.
-  const auto restAt = [&](const Dyadic& t) {
-    return LongFace::Number{number.first - c.first * t, number.second - c.second * t};
-  };
+/// `number` - 2c t, whose sign is exact.
+LongFace::Number restAt(const LongFace& face, const LongFace::Number& number, const Dyadic& t) {
+  const Dyadic twice = t + t;
+  return {number.first - face.c.first * twice, number.second - face.c.second * twice};
+}
+
+/// `number` / (2c) from an estimate, to a 2^-79th of itself.
+Twofold quotient(const LongFace& face, const LongFace::Number& number, double estimate) {
   if (signOfRoot(number.first, number.second, face.d) == Sign::kZero) return 0;
+  const Rounded under = withRoot(face.c.first, face.c.second, face.d);
   double t = estimate, previous = t, step = 0;
   for (int round = 0; round < 16; ++round) {
-    const LongFace::Number rest = restAt(Dyadic(t));
+    const LongFace::Number rest = restAt(face, number, Dyadic(t));
     const Rounded over = withRoot(rest.first, rest.second, face.d);
     previous = t;
-    step = scaled(over.mantissa / under.mantissa, over.exponent - under.exponent);
+    step = scaled(over.mantissa / under.mantissa, over.exponent - under.exponent - 1);
     t = previous + step;
     if (absolute(step) <= powerOfTwo(-30) * absolute(t)) break;
   }
-  // The step is good to 2^-49 of itself, a 2^-79th of t. So t is right unless the sum was as near
-  // to the middle of two doubles as that.
-  const double back = t - previous, lost = (previous - (t - back)) + (step - back);
-  const double next = neighborOf(t, lost > 0);
-  if (lost == 0 ||
-      absolute(absolute(lost) - absolute(next - t) / 2) > powerOfTwo(-20) * absolute(next - t))
-    return t;
-  const LongFace::Number rest = restAt((Dyadic(t) + Dyadic(next)) * Dyadic(0.5));
-  const Sign beyond = signOfRoot(rest.first, rest.second, face.d);
-  if (beyond == Sign::kZero) return lowestExponentOf(t) > lowestExponentOf(next) ? t : next;
-  return (beyond == Sign::kPositive) == (next > t) ? next : t;
+  // The step is good to 2^-49 of itself.
+  const double back = t - previous;
+  return {t, (previous - (t - back)) + (step - back)};
+}
+
+/// Two neighbouring doubles, the nearer one of which is looked for.
+struct Candidates {
+  double t, next;
+
+  explicit Candidates(const Twofold& found) : t(found.value), next(neighborOf(t, found.rest > 0)) {}
+  /// Is it certainly the first, if what was found is off by at most the error? 0 is exact.
+  [[nodiscard]] bool isFirst(const Twofold& found, double error) const {
+    return found.rest == 0 || absolute(absolute(found.rest) - absolute(next - t) / 2) > error;
+  }
+  /// From where the number is, seen from their middle. If it is there, the one of even mantissa.
+  [[nodiscard]] double nearest(Sign beyond) const {
+    if (beyond == Sign::kZero) return lowestExponentOf(t) > lowestExponentOf(next) ? t : next;
+    return (beyond == Sign::kPositive) == (next > t) ? next : t;
+  }
+};
+
+/// On which side of the middle of two doubles is a coordinate of the centre of three sites of equal
+/// weights? False if their numbers are too long for integers of fixed width.
+bool findSide(const Site& i, const Site& j, const Site& k, bool isX, const Candidates& doubles,
+              Sign& side) {
+  Range range;
+  for (const Site* s : {&i, &j, &k}) range.include(*s);
+  for (const double v : {doubles.t, doubles.next}) range.include(v);
+  if (range.highest - range.lowest > FixedInteger::kInputBits - 3) return false;
+  const auto in = [&](double v) { return FixedInteger::inUnits(v, range.lowest); };
+  const auto rowFrom = [&](const Site& s) {
+    return rowOf(in(s.x) - in(i.x), in(s.y) - in(i.y), FixedInteger());
+  };
+  const Row<FixedInteger> rowJ = rowFrom(j), rowK = rowFrom(k);
+  const FixedInteger turn = rowJ.x * rowK.y - rowJ.y * rowK.x;
+  const FixedInteger over =
+      isX ? rowJ.p * rowK.y - rowK.p * rowJ.y : rowK.p * rowJ.x - rowJ.p * rowK.x;
+  const FixedInteger own = in(isX ? i.x : i.y);
+  // The coordinate is own + over / (2 turn).
+  side = (over - turn * ((in(doubles.t) - own) + (in(doubles.next) - own))).sign();
+  return true;
 }
 
 /// Are the numbers short enough for the exact stage of a quotient: forms of degree 16, 2 of them in
@@ -131,39 +157,39 @@ bool haveFewDigits(std::initializer_list<const Site*> sites) {
   return range.highest - range.lowest < 500;
 }
 
-/// The circle in numbers of twice the digits, rounded; false unless what these are off by is beyond
-/// the last places of the centre, seen from i, and of its distance. i is the reference site.
-bool findTwofoldCircle(const Site& i, const Site& j, const Site& k, VoronoiCircle& circle) {
+/// The circle in numbers of twice the digits: centre, and its distance rho from i, the reference
+/// site. False if not even these know it.
+bool findTwofoldCircle(const Site& i, const Site& j, const Site& k,
+                       BoundedCenter<Twofold>& circle) {
   double largest = 0;
   for (const Site* s : {&j, &k})
     largest = std::max({largest, absolute(s->x - i.x), absolute(s->y - i.y), absolute(s->r - i.r)});
   const double scale = inputScale(largest);
-  // Exact.
-  const auto difference = [scale](double a, double b) {
-    const Twofold exact = Twofold(a) - b;
-    return Twofold(scale * exact.value, scale * exact.rest);
+  const auto times = [](const Twofold& x, double power) {
+    return Twofold(power * x.value, power * x.rest);
   };
   const auto rowFrom = [&](const Site& s) {
-    return rowOf(difference(s.x, i.x), difference(s.y, i.y), difference(s.r, i.r));
+    const auto part = [&](double a, double b) { return times(Twofold(a) - b, scale); };  // exact
+    return rowOf(part(s.x, i.x), part(s.y, i.y), part(s.r, i.r));
   };
   const Row<Twofold> rowJ = rowFrom(j), rowK = rowFrom(k);
   const Row<Twofold> jk = rowOf(rowK.x - rowJ.x, rowK.y - rowJ.y, rowK.r - rowJ.r);
-  BoundedCenter<Twofold> center;
-  if (findCenter(rowJ, rowK, jk, center) != Existence::kYes) return false;
-  // The distance is the longest of the three.
-  const double least = std::min(absolute(center.x.value), absolute(center.y.value));
-  if (!(center.error <= kUnitRoundoff * least)) return false;
-  const auto beside = [scale](double own, const Twofold& part) {
-    return (Twofold(own) + Twofold(part.value / scale, part.rest / scale)).value;
-  };
-  circle.x = beside(i.x, center.x);
-  circle.y = beside(i.y, center.y);
-  circle.s = beside(-i.r, center.rho);
-  circle.slope = -1;
-  circle.error = roundedUp(
-      2 * kUnitRoundoff *
-      (center.rho.value / scale + absolute(circle.x) + absolute(circle.y) + absolute(circle.s)));
+  if (findCenter(rowJ, rowK, jk, circle) != Existence::kYes) return false;
+  for (Twofold* part : {&circle.x, &circle.y, &circle.rho}) *part = times(*part, 1 / scale);
+  circle.error *= (1 + powerOfTwo(-5)) / scale;
   return true;
+}
+
+/// The nearest doubles, and what they are off by if the circle is exact.
+VoronoiCircle rounded(const BoundedCenter<Twofold>& circle, const Site& i) {
+  VoronoiCircle result;
+  result.x = (circle.x + i.x).value;
+  result.y = (circle.y + i.y).value;
+  result.s = circle.rho.value - i.r;
+  result.error = roundedUp(
+      2 * kUnitRoundoff *
+      (2 * circle.rho.value + absolute(result.x) + absolute(result.y) + absolute(result.s)));
+  return result;
 }
 
 /// With errors of a few units in the last place. i is the reference site.
@@ -172,20 +198,25 @@ VoronoiCircle closeCircle(Corner i, Corner j, Corner k) {
   const double size = absolute(circle.x) + absolute(circle.y) + absolute(circle.s);
   const bool isKnown = circle.error < std::numeric_limits<float>::infinity();
   if (circle.isHalfPlane() || (isKnown && circle.error <= powerOfTwo(-40) * size)) return circle;
-  if (findTwofoldCircle(*i, *j, *k, circle)) return circle;
+  BoundedCenter<Twofold> twofold;
+  if (findTwofoldCircle(*i, *j, *k, twofold)) {
+    // Of the parts seen from i the distance is the longest.
+    const double least = std::min(absolute(twofold.x.value), absolute(twofold.y.value));
+    if (twofold.error <= kUnitRoundoff * least) return rounded(twofold, *i);
+  }
 
-  // The centre is half p (a, b) / c from the reference site, and half p n / c is its distance.
   const LongFace face(*i, *j, *k);
-  const Rounded p = face.row.p.rounded();
-  const Rounded a = withRoot(face.a.first, face.a.second, face.d),
-                b = withRoot(face.b.first, face.b.second, face.d);
   const Rounded c = withRoot(face.c.first, face.c.second, face.d);
-  circle.x = i->x + halfQuotient(p, a, c);
-  circle.y = i->y + halfQuotient(p, b, c);
-  const double rho = halfQuotient(p, face.n.rounded(), c);
+  const auto quotient = [&](const LongFace::Number& number) {
+    const Rounded over = withRoot(number.first, number.second, face.d);
+    return scaled(over.mantissa / c.mantissa, over.exponent - c.exponent - 1);
+  };
+  circle.x = i->x + quotient(face.x);
+  circle.y = i->y + quotient(face.y);
+  const double rho = quotient(face.rho);
   circle.s = rho - i->r;
-  // Each of the three quotients is off by at most 1 + 6.5 + 6.5 + 2 = 16 units of rho, and each sum
-  // by one of its own.
+  // Each of the three quotients is off by at most 6.5 + 6.5 + 1 = 14 units of rho, and each sum by
+  // one of its own.
   const double error64 =
       16 * kUnitRoundoff * (3 * rho + absolute(circle.x) + absolute(circle.y) + absolute(circle.s));
   circle.error = error64 < 1e38 ? std::max(static_cast<float>(error64 * 1.01),
@@ -197,20 +228,47 @@ VoronoiCircle closeCircle(Corner i, Corner j, Corner k) {
 /// With the centre, and its distance from i, rounded correctly, unless the sites have too many
 /// digits. i is the reference site.
 VoronoiCircle correctCircle(const Site& i, const Site& j, const Site& k) {
+  BoundedCenter<Twofold> twofold;
+  const bool isKnown = findTwofoldCircle(i, j, k, twofold);
+  const auto isCorrect = [&](const Twofold& part, double own) {
+    return isKnown && isRounded(part + own, twofold.error);
+  };
+  if (isCorrect(twofold.x, i.x) && isCorrect(twofold.y, i.y) && isCorrect(twofold.rho, 0))
+    return rounded(twofold, i);
   VoronoiCircle circle = closeCircle(&i, &j, &k);
   const double rho = circle.s + i.r;
   const bool isFinite = absolute(circle.x) + absolute(circle.y) + rho < kInfinite;
   if (!isFinite || !haveFewDigits({&i, &j, &k})) return circle;
-  const LongFace face(i, j, k);
-  // t + p `number` / (2c), as a number over 2c.
-  const auto offBy = [&](const LongFace::Number& number, double t) {
-    const Dyadic twice(2 * t);
-    return LongFace::Number{number.first * face.row.p + face.c.first * twice,
-                            number.second * face.row.p + face.c.second * twice};
+  const bool areEqual = i.r == j.r && i.r == k.r;
+  std::optional<LongFace> face;
+  // own + `number` / (2c).
+  const auto correct = [&](LongFace::Number LongFace::* part, double own, const Twofold& partly,
+                           double estimate) {
+    if (isCorrect(partly, own)) return (partly + own).value;
+    Twofold found = partly + own;
+    // The bound of isRounded, and a little.
+    double error = 2 * (twofold.error + kTwofoldRoundoff * absolute(found.value));
+    const bool isGood = isKnown && error < powerOfTwo(-70) * absolute(found.value);
+    Sign side;
+    if (isGood && areEqual && part != &LongFace::rho &&
+        findSide(i, j, k, part == &LongFace::x, Candidates(found), side))
+      return Candidates(found).nearest(side);
+    if (!face) face.emplace(i, j, k);
+    const LongFace::Number number =
+        own == 0 ? (*face).*part : restAt(*face, (*face).*part, Dyadic(-own));
+    if (!isGood) {
+      found = quotient(*face, number, estimate);
+      error = powerOfTwo(-72) * absolute(found.value);
+    }
+    const Candidates candidates(found);
+    if (candidates.isFirst(found, error)) return candidates.t;
+    const LongFace::Number rest =
+        restAt(*face, number, (Dyadic(candidates.t) + Dyadic(candidates.next)) * Dyadic(0.5));
+    return candidates.nearest(signOfRoot(rest.first, rest.second, face->d));
   };
-  circle.x = correctQuotient(face, offBy(face.a, i.x), circle.x);
-  circle.y = correctQuotient(face, offBy(face.b, i.y), circle.y);
-  circle.s = correctQuotient(face, offBy({face.n, Dyadic(0)}, 0), rho) - i.r;
+  circle.x = correct(&LongFace::x, i.x, twofold.x, circle.x);
+  circle.y = correct(&LongFace::y, i.y, twofold.y, circle.y);
+  circle.s = correct(&LongFace::rho, 0, twofold.rho, rho) - i.r;
   return circle;
 }
 

@@ -153,7 +153,7 @@ class ProjectedDiagram {
   void setCap(SiteId plane, const Cap& cap) {
     const Slot slot = plane_.ids().slotOf(plane);
     caps_[slot] = cap;
-    grid_.set(cap.centre, slot);
+    if (plane_.ids().state(slot) == SiteState::kVisible) grid_.set(cap.centre, slot);
   }
   /// A site with this id in the plane. There is room.
   void enter(SiteId id, SiteId plane, const Cap& cap) noexcept;
