@@ -20,9 +20,9 @@ bool isPole(const Direction& p) { return p.x == 0 && p.y == 0; }
 bool isOnBorder(const Direction& p) { return p.y == 0 && p.x <= 0; }
 
 /// A point of the border as the end of a chord whose other end is not there.
-LonLat borderPoint(const Direction& p, const Direction& other) {
-  if (isPole(p)) return {lonLatOf(other).lon, lonLatOf(p).lat};
-  return {other.y < 0 ? -180.0 : 180.0, lonLatOf(p).lat};
+LonLat borderPoint(const MapPoint& p, const MapPoint& other) {
+  if (isPole(p.point)) return {other.at.lon, p.at.lat};
+  return {other.point.y < 0 ? -180.0 : 180.0, p.at.lat};
 }
 
 /// Does a chord between two points that are not on the border cross it? Then `latitude` receives
@@ -128,22 +128,23 @@ void AntimeridianCutter::endArc(const LonLat& point) {
   arcs_.back().to = positionOf(point);
 }
 
-void AntimeridianCutter::followChords(std::span<const Direction> ring, std::size_t first) {
+void AntimeridianCutter::followChords(std::span<const MapPoint> ring, std::size_t first) {
   for (std::size_t k = 0; k <= ring.size(); ++k) {
     // The first chord crosses the border, or begins there; before that, it comes again at the end.
     const bool isAgain = k == ring.size();
-    const Direction& a = ring[(first + k) % ring.size()];
-    const Direction& b = ring[(first + k + 1) % ring.size()];
+    const MapPoint& from = ring[(first + k) % ring.size()];
+    const MapPoint& to = ring[(first + k + 1) % ring.size()];
+    const Direction &a = from.point, &b = to.point;
     double latitude = 0;
     if (isOnBorder(a)) {
       if (isAgain) return;
       if (isOnBorder(b)) continue;
-      beginArc(borderPoint(a, b));
+      beginArc(borderPoint(from, to));
     } else if (k > 0) {
-      points_.push_back(lonLatOf(a));
+      points_.push_back(from.at);
     }
     if (isOnBorder(b)) {
-      endArc(borderPoint(b, a));
+      endArc(borderPoint(to, from));
     } else if (!isOnBorder(a) && crossesBorder(a, b, latitude)) {
       if (k > 0) endArc({a.y < 0 ? -180.0 : 180.0, latitude});
       if (isAgain) return;
@@ -152,7 +153,7 @@ void AntimeridianCutter::followChords(std::span<const Direction> ring, std::size
   }
 }
 
-void AntimeridianCutter::cut(std::span<const Direction> ring,
+void AntimeridianCutter::cut(std::span<const MapPoint> ring,
                              const std::function<double()>& areaOfCell, LonLatRings& output) {
   points_.clear();
   arcs_.clear();
@@ -164,7 +165,7 @@ void AntimeridianCutter::cut(std::span<const Direction> ring,
     return;
   }
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Direction &a = ring[k], &b = ring[(k + 1) % ring.size()];
+    const Direction &a = ring[k].point, &b = ring[(k + 1) % ring.size()].point;
     double latitude = 0;
     if (!isOnBorder(a) && (isOnBorder(b) || !crossesBorder(a, b, latitude))) continue;
     followChords(ring, k);
@@ -172,7 +173,7 @@ void AntimeridianCutter::cut(std::span<const Direction> ring,
     emitArcs(output);
     return;
   }
-  for (const Direction& p : ring) ring_.push_back(lonLatOf(p));
+  for (const MapPoint& p : ring) ring_.push_back(p.at);
   const bool isOuter = signedArea(ring_) > thinnest_ * lengthOf(ring_);
   const bool isHole = !isOuter && surplusOf(areaOfRing(ring_), areaOfCell()) < 0;
   if (isHole) {

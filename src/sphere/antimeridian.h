@@ -38,7 +38,7 @@ class AntimeridianCutter {
   /// Cuts a ring of snapped points that has the cell at its left and is not closed, and appends
   /// what it becomes: outer rings counter-clockwise, holes clockwise. No points stand for the whole
   /// sphere. Few rings need the area of their cell on the unit sphere. Throws std::bad_alloc.
-  void cut(std::span<const Direction> ring, const std::function<double()>& areaOfCell,
+  void cut(std::span<const MapPoint> ring, const std::function<double()>& areaOfCell,
            LonLatRings& output);
 
  private:
@@ -53,7 +53,7 @@ class AntimeridianCutter {
 
   void beginArc(const LonLat& point);
   void endArc(const LonLat& point);
-  void followChords(std::span<const Direction> ring, std::size_t first);
+  void followChords(std::span<const MapPoint> ring, std::size_t first);
   void linkArcs(double areaOfCell);
   void linkBehind();
   void linkNext();

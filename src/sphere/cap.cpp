@@ -48,7 +48,7 @@ Direction directionOf(const LonLat& point) {
 LonLat lonLatOf(const Direction& point) {
   if (point.x == 0 && point.y == 0) return {0, point.z > 0 ? 90.0 : -90.0};
   return {std::atan2(point.y, point.x) / kRadian,
-          std::atan2(point.z, std::hypot(point.x, point.y)) / kRadian};
+          std::atan2(point.z, std::sqrt(point.x * point.x + point.y * point.y)) / kRadian};
 }
 
 Frame::Frame(const Direction& up) {

@@ -49,6 +49,12 @@ struct LonLat {
 /// Longitude in [-180, 180]; 0 at the poles.
 [[nodiscard]] LonLat lonLatOf(const Direction& point);
 
+/// A direction, and where it is on the map.
+struct MapPoint {
+  Direction point;
+  LonLat at;
+};
+
 /// Two directions at right angles to a third, and to each other: `first` to `second` is
 /// counter-clockwise as seen from outside of the sphere.
 struct Frame {

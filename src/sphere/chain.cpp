@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 #include "sphere/antimeridian.h"
 #include "sphere/bisector.h"
@@ -42,13 +43,13 @@ struct Deviation {
 };
 
 /// The plane is unrolled about the point.
-Deviation fromSegment(const Direction& from, const Direction& point, const Direction& to) {
-  const LonLat at = lonLatOf(point);
-  const auto unrolled = [&](const Direction& end) {
-    const LonLat there = lonLatOf(end);
+Deviation fromSegment(const MapPoint& from, const LonLat& at, const MapPoint& to) {
+  const auto unrolled = [&](const MapPoint& end) {
     // A pole has any longitude.
-    const bool isPole = end.x == 0 && end.y == 0;
-    return LonLat{isPole ? 0 : std::remainder(there.lon - at.lon, 360), there.lat - at.lat};
+    const bool isPole = end.point.x == 0 && end.point.y == 0;
+    const double way = end.at.lon - at.lon;
+    const double turn = way > 180 ? 360 : way < -180 ? -360 : 0;
+    return LonLat{isPole ? 0 : way - turn, end.at.lat - at.lat};
   };
   const LonLat a = unrolled(from), b = unrolled(to);
   const double x = b.lon - a.lon, y = b.lat - a.lat;
@@ -79,32 +80,47 @@ bool ChainMaker::isFollowedFrom(VertexId node, VertexId neighbor) const {
   return key(diagram_.cap(node)) > key(diagram_.cap(neighbor));
 }
 
-Direction ChainMaker::shown(const Direction& point) const {
-  return joint_ == Joint::kGreatArc ? point : snappedToBorder(point);
+MapPoint ChainMaker::shown(const Direction& point) const {
+  if (joint_ == Joint::kGreatArc) return {point, {}};
+  const Direction snapped = snappedToBorder(point);
+  return {snapped, lonLatOf(snapped)};
 }
 
-bool ChainMaker::isFine(const Direction& a, const Direction& middle, const Direction& b) const {
+void ChainMaker::locate(MapPoint& point) const {
+  if (joint_ == Joint::kGreatArc) point.at = lonLatOf(point.point);
+}
+
+const MapPoint& ChainMaker::vertexOf(FaceId face) {
+  auto& [newer, older] = vertexPoints_;
+  if (newer.first == face) return newer.second;
+  std::swap(newer, older);
+  if (newer.first == face) return newer.second;
+  newer = {face, shown(vertices_[face].point)};
+  locate(newer.second);
+  return newer.second;
+}
+
+bool ChainMaker::isFine(const MapPoint& a, const MapPoint& middle, const MapPoint& b) const {
   // Lines of the plane that deviate from their curves by more than a small part of their length
   // could cross others.
   constexpr double kLongest = 45, kFlat = 1.0 / 32;
-  if (joint_ == Joint::kGreatArc) return toGreatCircle(a, middle, b) <= tolerance_;
-  const Deviation line = fromSegment(a, middle, b);
+  if (joint_ == Joint::kGreatArc)
+    return toGreatCircle(a.point, middle.point, b.point) <= tolerance_;
+  const Deviation line = fromSegment(a, middle.at, b);
   return line.length <= kLongest &&
          line.distance <= std::min(tolerance_ * (180 / std::numbers::pi), kFlat * line.length);
 }
 
 void ChainMaker::follow(VertexId node, VertexId neighbor, const Sector& sector,
-                        const Direction& first, const Direction& last,
-                        FlatArray<Direction>& points) const {
+                        const MapPoint& first, const MapPoint& last, FlatArray<MapPoint>& points) {
   // Beside a pole, pieces become as short as the distance within which points are moved there.
   constexpr int kDeepest = 45;
   const Direction centre = diagram_.cap(node).centre, other = diagram_.cap(neighbor).centre;
   const Frame frame(centre);
-  points.push_back(first);
   // Then the edge goes from one vertex to the other in their direction.
-  const bool isStraight = missesVertices(sector, centre, frame, first, last);
-  const double rho = angleBetween(centre, first).angle();
-  const double rise = angleBetween(centre, last).angle() - rho;
+  const bool isStraight = missesVertices(sector, centre, frame, first.point, last.point);
+  const double rho = angleBetween(centre, first.point).angle();
+  const double rise = angleBetween(centre, last.point).angle() - rho;
   const auto pointAt = [&](double part) {
     const double bearing = sector.from + part * sector.width;
     if (!isStraight) return shown(sector.bisector.at(bearing).point(centre, frame));
@@ -116,38 +132,42 @@ void ChainMaker::follow(VertexId node, VertexId neighbor, const Sector& sector,
   // An edge that ends where it begins has no length; between close sites it may come round from the
   // other end of the sphere.
   constexpr double kNone = 0x1p-40;
-  if (lengthOf(last - first) == 0 && sector.width < std::numbers::pi &&
-      (!diagram_.areClose(node, neighbor) || lengthOf(pointAt(0.5) - first) < kNone))
+  if (lengthOf(last.point - first.point) == 0 && sector.width < std::numbers::pi &&
+      (!diagram_.areClose(node, neighbor) || lengthOf(pointAt(0.5).point - first.point) < kNone))
     return;
-  Direction a = first;
+  MapPoint a = first;
+  ends_.assign(1, last);
   // The piece under way is the one with this number of 2^depth.
   std::uint64_t number = 0;
-  for (int depth = 0; number < std::uint64_t{1} << depth;) {
-    const std::uint64_t pieces = std::uint64_t{1} << depth;
-    const double part = 1 / static_cast<double>(pieces), width = part * sector.width;
+  for (int depth = 0; !ends_.empty();) {
+    const double part = 1 / static_cast<double>(std::uint64_t{1} << depth);
+    const double width = part * sector.width;
     const double from = part * static_cast<double>(number);
-    const Direction b = number + 1 == pieces ? last : pointAt(from + part);
-    const Direction middle = pointAt(from + part / 2);
-    const bool isDone =
-        depth == kDeepest ||
-        (width < std::numbers::pi / 2 &&
-         (isShort(a, middle, b) || (isLessThanQuarter(other, a, b) && isFine(a, middle, b))));
+    const MapPoint b = ends_.back();
+    const MapPoint middle = pointAt(from + part / 2);
+    const bool isDone = depth == kDeepest ||
+                        (width < std::numbers::pi / 2 &&
+                         (isShort(a.point, middle.point, b.point) ||
+                          (isLessThanQuarter(other, a.point, b.point) && isFine(a, middle, b))));
     if (!isDone) {
+      ends_.push_back(middle);
       ++depth;
       number *= 2;
       continue;
     }
-    if (number + 1 < pieces) points.push_back(b);
+    ends_.pop_back();
+    if (!ends_.empty()) points.push_back(b);
     a = b;
     for (++number; depth > 0 && number % 2 == 0; --depth) number /= 2;
   }
 }
 
-bool ChainMaker::isOnePiece(VertexId node, VertexId neighbor, const Direction& first,
-                            const Direction& last) const {
+bool ChainMaker::isOnePiece(VertexId node, VertexId neighbor, const MapPoint& from,
+                            const MapPoint& to) const {
   constexpr double kClear = 0x1p-20;
   const Cap &cap = diagram_.cap(node), &other = diagram_.cap(neighbor);
   const Frame frame(cap.centre);
+  const Direction &first = from.point, &last = to.point;
   const double x1 = dot(first, frame.first), y1 = dot(first, frame.second);
   const double x2 = dot(last, frame.first), y2 = dot(last, frame.second);
   const double length1 = std::sqrt(x1 * x1 + y1 * y1), length2 = std::sqrt(x2 * x2 + y2 * y2);
@@ -158,34 +178,44 @@ bool ChainMaker::isOnePiece(VertexId node, VertexId neighbor, const Direction& f
   const double x = x1 * length2 + x2 * length1, y = y1 * length2 + y2 * length1;
   const double length = std::sqrt(x * x + y * y);
   const SphericalBisector bisector(diagram_, node, frame, neighbor);
-  return isFine(first, shown(bisector.at(x / length, y / length).point(cap.centre, frame)), last);
+  return isFine(from, shown(bisector.at(x / length, y / length).point(cap.centre, frame)), to);
 }
 
-void ChainMaker::append(HalfedgeId h, FlatArray<Direction>& points) {
+std::span<const MapPoint> ChainMaker::innerOf(HalfedgeId h, const MapPoint& first,
+                                              const MapPoint& last) {
+  if (!chains_.empty()) {
+    const Chain& known = chains_[index(h)];
+    if (known.isKnown) return {kept_.data() + known.begin, known.count};
+  }
+  const Graph& graph = diagram_.graph();
+  const VertexId node = graph.origin(h), neighbor = graph.target(h);
+  inner_.clear();
+  if (!isOnePiece(node, neighbor, first, last))
+    follow(node, neighbor, sectorOf(diagram_, h, vertices_), first, last, inner_);
+  for (MapPoint& point : inner_) locate(point);
+  if (!chains_.empty() && kept_.size() + inner_.size() <= kMostKept) {
+    chains_[index(h)] = {static_cast<std::uint32_t>(kept_.size()),
+                         static_cast<std::uint32_t>(inner_.size()), true};
+    kept_.append({inner_.data(), inner_.size()});
+  }
+  return {inner_.data(), inner_.size()};
+}
+
+void ChainMaker::append(HalfedgeId h, FlatArray<MapPoint>& points) {
   const Graph& graph = diagram_.graph();
   const HalfedgeId twin = graph.twin(h);
-  const VertexId node = graph.origin(h), neighbor = graph.target(h);
-  const Direction first = shown(vertices_[faceOf(twin)].point);
-  const Direction last = shown(vertices_[faceOf(h)].point);
-  const bool isFollowed = isFollowedFrom(node, neighbor);
-  if (isFollowed ? isOnePiece(node, neighbor, first, last)
-                 : isOnePiece(neighbor, node, last, first)) {
-    points.push_back(first);
-    return;
-  }
-  if (isFollowed) {
-    follow(node, neighbor, sectorOf(diagram_, h, vertices_), first, last, points);
+  const MapPoint first = vertexOf(faceOf(twin)), last = vertexOf(faceOf(h));
+  points.push_back(first);
+  if (isFollowedFrom(graph.origin(h), graph.target(h))) {
+    points.append(innerOf(h, first, last));
     return;
   }
   // The other site has the edge from `last` to `first`.
-  const std::size_t begin = points.size();
-  follow(neighbor, node, sectorOf(diagram_, twin, vertices_), last, first, points);
-  points.push_back(first);
-  std::reverse(points.begin() + begin, points.end());
-  points.pop_back();
+  const std::span<const MapPoint> inner = innerOf(twin, last, first);
+  for (std::size_t k = inner.size(); k-- > 0;) points.push_back(inner[k]);
 }
 
-void ChainMaker::appendClosed(VertexId node, FlatArray<Direction>& points) {
+void ChainMaker::appendClosed(VertexId node, FlatArray<MapPoint>& points) {
   const VertexId other = otherOfTwo(diagram_, node);
   const bool isOwn = isFollowedFrom(node, other);
   const VertexId from = isOwn ? node : other, to = isOwn ? other : node;
@@ -193,10 +223,12 @@ void ChainMaker::appendClosed(VertexId node, FlatArray<Direction>& points) {
   listSectors(diagram_, from, vertices_, sectors);
   Sector& sector = sectors[0];
   sector.from = sector.bisector.middle();
-  const std::size_t begin = points.size();
   const Direction centre = diagram_.cap(from).centre;
-  const Direction start = shown(sector.bisector.at(sector.from).point(centre, Frame(centre)));
+  const MapPoint start = shown(sector.bisector.at(sector.from).point(centre, Frame(centre)));
+  const std::size_t begin = points.size();
+  points.push_back(start);
   follow(from, to, sector, start, start, points);
+  for (std::size_t k = begin; k < points.size(); ++k) locate(points[k]);
   if (!isOwn) std::reverse(points.begin() + begin + 1, points.end());
 }
 

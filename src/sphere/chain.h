@@ -1,6 +1,11 @@
 // Edges of the sphere as chains of points, the same for both cells.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+
 #include "base/flat_array.h"
 #include "sphere/cell.h"
 
@@ -16,32 +21,54 @@ class ChainMaker {
   /// Within a tolerance in radians, or of straight lines the same in degrees.
   ChainMaker(const ProjectedDiagram& diagram, double tolerance, Joint joint,
              SphericalVertices::Of of)
-      : diagram_(diagram), vertices_(diagram, of), tolerance_(tolerance), joint_(joint) {}
+      : diagram_(diagram), vertices_(diagram, of), tolerance_(tolerance), joint_(joint) {
+    if (of == SphericalVertices::Of::kAll) chains_.resize(3 * diagram.graph().faceSlots());
+  }
 
   /// Appends the points of a site's edge, counter-clockwise about it, without the last one. The
   /// site is the origin of h.
-  void append(HalfedgeId h, FlatArray<Direction>& points);
+  void append(HalfedgeId h, FlatArray<MapPoint>& points);
   /// The closed edge of a site, where there are two visible sites.
-  void appendClosed(VertexId node, FlatArray<Direction>& points);
+  void appendClosed(VertexId node, FlatArray<MapPoint>& points);
   [[nodiscard]] SphericalVertices& vertices() { return vertices_; }
 
  private:
   /// Is the edge followed from this site? The other one gets the same points in reverse.
   [[nodiscard]] bool isFollowedFrom(VertexId node, VertexId neighbor) const;
-  void follow(VertexId node, VertexId neighbor, const Sector& sector, const Direction& first,
-              const Direction& last, FlatArray<Direction>& points) const;
-  /// A point as it is written.
-  [[nodiscard]] Direction shown(const Direction& point) const;
+  /// Appends the points between its ends.
+  void follow(VertexId node, VertexId neighbor, const Sector& sector, const MapPoint& first,
+              const MapPoint& last, FlatArray<MapPoint>& points);
+  /// The points between the ends of an edge that is followed from the origin of h. They are there
+  /// until the next call.
+  [[nodiscard]] std::span<const MapPoint> innerOf(HalfedgeId h, const MapPoint& first,
+                                                  const MapPoint& last);
+  /// A point as it is written: where it is on the map is known at once if the joints ask for it.
+  [[nodiscard]] MapPoint shown(const Direction& point) const;
+  void locate(MapPoint& point) const;
+  [[nodiscard]] const MapPoint& vertexOf(FaceId face);
   /// Can its ends alone stand for an edge, which is followed from `node`? A filter without
   /// trigonometry, which knows most of them.
-  [[nodiscard]] bool isOnePiece(VertexId node, VertexId neighbor, const Direction& first,
-                                const Direction& last) const;
-  [[nodiscard]] bool isFine(const Direction& a, const Direction& middle, const Direction& b) const;
+  [[nodiscard]] bool isOnePiece(VertexId node, VertexId neighbor, const MapPoint& first,
+                                const MapPoint& last) const;
+  [[nodiscard]] bool isFine(const MapPoint& a, const MapPoint& middle, const MapPoint& b) const;
 
   const ProjectedDiagram& diagram_;
   SphericalVertices vertices_;
   double tolerance_;
   Joint joint_;
+  // The vertices of the edge before: one of them is the next one's, too.
+  std::array<std::pair<FaceId, MapPoint>, 2> vertexPoints_{{{kNoFace, {}}, {kNoFace, {}}}};
+  FlatArray<MapPoint> ends_;   // of the pieces that are still to be followed
+  FlatArray<MapPoint> inner_;  // of the last edge
+  // Where all cells are asked for, each edge is asked for twice: by its half-edge, the points that
+  // are kept, which are some 40 MB at most.
+  struct Chain {
+    std::uint32_t begin = 0, count = 0;
+    bool isKnown = false;
+  };
+  static constexpr std::size_t kMostKept = std::size_t{1} << 20;
+  FlatArray<Chain> chains_;
+  FlatArray<MapPoint> kept_;
 };
 
 }  // namespace apollonius::internal::sphere

@@ -24,10 +24,13 @@ void CellPolygons::append(VertexId node) {
   }
   // Edges without length repeat points.
   std::size_t kept = 0;
-  for (const Direction& p : points_) {
-    if (kept == 0 || lengthOf(p - points_[kept - 1]) > 0) points_[kept++] = p;
+  const auto isApart = [](const MapPoint& p, const MapPoint& other) {
+    return lengthOf(p.point - other.point) > 0;
+  };
+  for (const MapPoint& p : points_) {
+    if (kept == 0 || isApart(p, points_[kept - 1])) points_[kept++] = p;
   }
-  while (kept > 1 && !(lengthOf(points_[kept - 1] - points_[0]) > 0)) --kept;
+  while (kept > 1 && !isApart(points_[kept - 1], points_[0])) --kept;
   points_.resize(kept);
   if (isCut_) {
     const auto area = [&] {
@@ -39,7 +42,7 @@ void CellPolygons::append(VertexId node) {
   }
   if (points_.empty()) return;
   for (std::size_t k = 0; k <= kept; ++k) {
-    const LonLat p = lonLatOf(points_[k == kept ? 0 : k]);
+    const LonLat& p = points_[k == kept ? 0 : k].at;
     rings_.coordinates.push_back(p.lon);
     rings_.coordinates.push_back(p.lat);
   }

@@ -27,7 +27,7 @@ class CellPolygons {
   ChainMaker chains_;
   bool isCut_;
   LonLatRings rings_;
-  FlatArray<Direction> points_;
+  FlatArray<MapPoint> points_;
   FlatArray<Sector> sectors_;
   AntimeridianCutter cutter_;
 };

@@ -13,11 +13,14 @@ using namespace internal::sphere;
 
 /// The area of what becomes of a ring, in square degrees.
 double areaOfCut(const std::vector<LonLat>& ring, double areaOfCell) {
-  std::vector<Direction> directions;
-  for (const LonLat& p : ring) directions.push_back(snappedToBorder(directionOf(p)));
+  std::vector<MapPoint> points;
+  for (const LonLat& p : ring) {
+    const Direction snapped = snappedToBorder(directionOf(p));
+    points.push_back({snapped, lonLatOf(snapped)});
+  }
   AntimeridianCutter cutter(0.01);
   LonLatRings rings;
-  cutter.cut(directions, [&] { return areaOfCell; }, rings);
+  cutter.cut(points, [&] { return areaOfCell; }, rings);
   double twice = 0;
   for (std::size_t k = 0; k + 1 < rings.starts.size(); ++k) {
     for (std::size_t m = rings.starts[k]; m + 1 < rings.starts[k + 1]; ++m) {
