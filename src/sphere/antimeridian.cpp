@@ -16,12 +16,11 @@ namespace apollonius::internal::sphere {
 
 namespace {
 
-bool isPole(const Direction& p) { return p.x == 0 && p.y == 0; }
 bool isOnBorder(const Direction& p) { return p.y == 0 && p.x <= 0; }
 
 /// A point of the border as the end of a chord whose other end is not there.
 LonLat borderPoint(const Direction& p, const Direction& other) {
-  if (isPole(p)) return {lonLatOf(other).lon, lonLatOf(p).lat};
+  if (p.x == 0) return {lonLatOf(other).lon, lonLatOf(p).lat};  // a pole
   return {other.y < 0 ? -180.0 : 180.0, lonLatOf(p).lat};
 }
 
@@ -160,7 +159,8 @@ void AntimeridianCutter::cut(std::span<const Direction> ring,
   const auto addRectangle = [&] { addBorder(-1, kWhole); };
   if (ring.empty()) {
     addRectangle();
-    if (emitRing(output)) output.endPart();
+    (void)emitRing(output);
+    output.endPart();
     return;
   }
   for (std::size_t k = 0; k < ring.size(); ++k) {
