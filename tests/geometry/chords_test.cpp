@@ -22,6 +22,7 @@ TEST(Chords, SpanLessThanAQuarterTurnHoweverCoarse) {
   // Half a turn about the left site.
   const Conic first = Conic::arc({0, 0}, 1, {1, 0}, {0, 1});
   EXPECT_GE(countOf(first, {0, 0}, {5, 5}, 100), 3u);
+  EXPECT_GE(countOf(first.reversed(), {5, 5}, {0, 0}, 100), 3u) << "about the right one";
   EXPECT_EQ(countOf(first, {-50, -50}, {50, 50}, 100), 2u);
 }
 

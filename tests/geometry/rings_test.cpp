@@ -25,6 +25,7 @@ int checkRings(const Circles& circles, const Bounds& bounds, double tolerance) {
     EXPECT_EQ(voronoi.cellPolygon(id, tolerance, rings), Error::kNone);
     CellMeasures measures;
     EXPECT_EQ(voronoi.cellMeasures(id, measures), Error::kNone);
+    for (const double x : rings.coordinates) EXPECT_FALSE(x == 0 && std::signbit(x)) << "-0";
     if (rings.starts.size() < 2) {
       EXPECT_LT(measures.area, 1e-12 * areaOf(bounds)) << "site " << id << " has no ring";
     }

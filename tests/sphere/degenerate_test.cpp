@@ -363,6 +363,15 @@ TEST(SphericalDegenerate, ListsAreInTheUnitOfTheRadiusAndAgree) {
   }
 }
 
+TEST(SphericalDegenerate, OfTwoSitesEachIsTheNeighbourOfTheOther) {
+  const SphericalDiagram diagram = diagramOf({{12, 34, 0.5}, {-100, 80, 0.1}});
+  for (const SiteId id : {0u, 1u}) {
+    std::vector<SiteId> neighbors;
+    ASSERT_EQ(diagram.neighbors(id, neighbors), Error::kNone);
+    EXPECT_EQ(neighbors, std::vector<SiteId>{1 - id});
+  }
+}
+
 TEST(SphericalDegenerate, TwoSitesWithTwoEdgesAreNeighboursOnce) {
   // The third is in front of the middle of the edge between the first two.
   const SphericalDiagram diagram = diagramOf({{0, 0, 0.3}, {40, 0, 0.3}, {20, 0, 0.05}});
