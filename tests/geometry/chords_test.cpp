@@ -27,8 +27,14 @@ TEST(Chords, SpanLessThanAQuarterTurnHoweverCoarse) {
 }
 
 TEST(Chords, InARectangleLeaveTheSideOnWhichTheyBeginAndEnd) {
-  const Conic bulge{{-1, -10}, {0, -9}, 1.5, {1, -10}};
-  EXPECT_GE(countOf(bulge, {0, 40}, {0, -40}, 100), 3u);
+  const auto turned = [](Point p) { return Point{-p.y, p.x}; };
+  Conic bulge{{-1, -10}, {0, -9}, 1.5, {1, -10}};
+  Point left{0, 40};
+  for (int side = 0; side < 4; ++side) {
+    EXPECT_GE(countOf(bulge, left, -1 * left, 100), 3u) << side;
+    bulge = {turned(bulge.p0), turned(bulge.p1), bulge.w, turned(bulge.p2)};
+    left = turned(left);
+  }
 }
 
 TEST(Chords, AlongTheBorderAreNoMoreThanTwoToTheTenth) {

@@ -522,6 +522,8 @@ TEST(SphericalSnapshots, MadeUpOnesAreRefused) {
   std::vector<std::uint8_t> empty;
   ASSERT_EQ(SphericalDiagram().toBytes(empty), Error::kNone);
   EXPECT_EQ(errorOf(madeUp(empty, kPole, 0u)), Error::kCorruptSnapshot) << "a pole of no site";
+  empty.insert(empty.end() - 8, 8, 0);
+  EXPECT_EQ(errorOf(madeUp(empty, kHidden, 1u)), Error::kCorruptSnapshot) << "a hidden one of none";
 }
 
 }  // namespace

@@ -95,12 +95,12 @@ TEST_F(ProjectedDiagramCheck, FindsASiteThatHasMovedWithoutItsCircle) {
 }
 
 TEST_F(ProjectedDiagramCheck, FindsASiteWhoseCapHasMovedByLessThanItsCircleTells) {
-  // Where rounding gives neighbouring caps the same circle. Only x changes, then only y.
-  for (const double turn : {0.0, 90.0}) {
-    move(kPole, turn, 0, 0.5);
+  // Where rounding gives neighbouring caps the same circle. It is x that changes, and then y.
+  for (const double pole : {0.0, 90.0}) {
+    move(kPole, pole, 0, 0.5);
     std::size_t sameCircles = 0;
     for (int k = 0; k < 1000; ++k) {
-      const double lon = 90 + turn + k * 0x1p-10, next = std::nextafter(lon, 360);
+      const double lon = 90 - pole + k * 0x1p-10, next = std::nextafter(lon, 360);
       move(kVisible, lon, 10, 0.25);
       diagram_ = sphere::ProjectedDiagram(table_, table_.caps(), kPole);
       ASSERT_EQ(found().what, nullptr);

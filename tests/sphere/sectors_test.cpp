@@ -96,6 +96,19 @@ TEST(SphericalSectors, OfDotsAsSmallAsRoundingAddUp) {
   }
 }
 
+/// Found by search. Of sectors that are as near as rounding tells, the one with the least turn goes
+/// round.
+TEST(SphericalSectors, OfACrossOfDotsAddUp) {
+  const SphericalSites sites = {{2.2957411708756297, -17.994067706249389, 0},
+                                {62.222695953823603, 7.6341230832567932, 0},
+                                {-41.390407476129042, 4.5787373322318672, -0.84876701120191178},
+                                {44.187231769910454, 4.0427416215198733, -0.31929196313710095},
+                                {44.187231770293636, 4.0427416215198733, -0.31929196313057817},
+                                {44.187231769910454, 4.0427416213282816, -0.31929196313781577},
+                                {44.187231769527273, 4.0427416209450984, -0.31929196314569369}};
+  EXPECT_NEAR(sumOfAreas(sites), 4 * kPi, 5e-5);
+}
+
 /// Found by search. Sites that are some 10^-12 radians apart and on a lattice have edges without
 /// length, on whose bisectors all sites of the cluster are nearest as far as rounding tells; or to
 /// one side only.
