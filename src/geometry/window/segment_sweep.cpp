@@ -88,7 +88,7 @@ void SegmentSweep::run() {
     }
     for (const Keyed& start : begun) {
       const std::uint32_t k = start.value;
-      if (!isOut(k) && placeOf_[k] == count) insert(k);
+      if (placeOf_[k] == count) insert(k);
       if (!isOut(k)) part(places_[placeOf_[k]].next[0], placeOf_[k]);
       if (!isOut(k)) part(placeOf_[k], places_[placeOf_[k]].next[1]);
     }
