@@ -37,6 +37,18 @@ TEST(Chords, InARectangleLeaveTheSideOnWhichTheyBeginAndEnd) {
   }
 }
 
+TEST(Chords, InARegionLeaveTheSideOnWhichTheyBeginAndEnd) {
+  const double ring[] = {-10, -10, 10, -10, 10, 10, -10, 10};
+  const std::uint32_t starts[] = {0, 4};
+  const NormalizedPolygon polygon = normalizePolygon(ring, starts);
+  const PolygonGrid grid(polygon);
+  const Conic bulge{{-1, -10}, {0, -9}, 1.5, {1, -10}};
+  for (std::uint32_t side = 0; side < 4; ++side) {  // one of them is the lower one
+    ChordFinder finder(grid, 100);
+    EXPECT_GE(finder.find({bulge, {0, 40}, {0, -40}, side, side}).size(), 3u) << side;
+  }
+}
+
 TEST(Chords, AlongTheBorderAreNoMoreThanTwoToTheTenth) {
   // Found by regions_fuzz: 2^18 points, seconds of exact signs.
   const double ring[] = {-1, -1, 2, -1, 2, 1e-13, -1, 1e-13};
