@@ -162,6 +162,10 @@ TEST(Rings, ThroughAVertexOnACornerOfTheWindow) {
   EXPECT_EQ(checkRings({{-63, -60, 67}, {-9, -12, -5}, {0, -108, 88}}, {-24, -2, 0, 0}, 0.001), 3);
 }
 
+TEST(Rings, InAWindowThatBeginsAtMinusZeroHaveNone) {
+  EXPECT_EQ(checkRings({{2, 2, 1}, {1, -2, 2}, {-1, -2, 2}}, {-0.0, -0.0, 5, 5}, 0.01), 2);
+}
+
 TEST(Rings, ThroughOneVertexOfFourSites) {
   const Circles circles{{768, 200, 10}, {672, 150, 10}, {768, 0, 10}, {672, 50, 10}};
   EXPECT_EQ(checkRings(circles, {}, 0.1), 4);
