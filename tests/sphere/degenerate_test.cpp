@@ -113,6 +113,19 @@ TEST(SphericalDegenerate, PolygonsOfCloseSitesHaveFewPoints) {
 
 // --- Sites that others touch from inside
 
+TEST(SphericalDegenerate, PolygonsOfANearlyCoveredSiteHaveFewPoints) {
+  // Its edge is narrower than rounding, and its bisector misses the vertices.
+  const SphericalSites sites = {{63.503462082115846, 67.564725825023842, 0.18968066019092417},
+                                {63.260895044017474, -63.487320337593573, 1.0524522945985004},
+                                {50.368239178610565, 28.161433804494298, -0.51178978461404057},
+                                {-168.70723947039951, -36.070149943578656, -0.20550497254737038},
+                                {70.191205790604755, -40.926150356651924, 0.65231157535368822},
+                                {101.70124671013059, -35.774952680594701, 0.42036342430607743}};
+  CoverageArrays polygons;
+  ASSERT_EQ(diagramOf(sites).cellPolygons(0.1, false, polygons), Error::kNone);
+  EXPECT_LT(polygons.coordinates.size(), 200u);
+}
+
 TEST(SphericalDegenerate, ACellWithoutWidthHasNoRingOfTwoPoints) {
   // Found by sphere_fuzz: the last site touches the cap about (-30, -60) from inside.
   constexpr double kRadius = 6371.0088, kWeight = 3335.8524070059866;

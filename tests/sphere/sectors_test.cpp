@@ -137,6 +137,25 @@ TEST(SphericalSectors, OfEdgesWithoutLengthInATinyLatticeHaveNoWidth) {
   for (const SphericalSites& sites : sets) EXPECT_NEAR(sumOfAreas(sites), 4 * kPi, 1e-9);
 }
 
+/// Found by search. The bearing where two bisectors meet, and a vertex, are known the less the more
+/// of a site is covered; the curves themselves tell more.
+TEST(SphericalSectors, OfSitesThatAreNearlyCoveredAreAccurate) {
+  const SphericalSites sets[] = {{{4.5535012171918368, 21.751652396360168, 0.45387949852076798},
+                                  {163.97722916949476, 13.721679373721027, 0.59636229046116096},
+                                  {-13.176343758213164, 30.590124105560019, 0.13679909832895013},
+                                  {-2.869921749445183, 45.71222096511783, 0.022515761532779836},
+                                  {-94.486089510386833, 36.189350905685806, -0.99117878689014671}},
+                                 {{62.607654792316737, 59.096907364775781, 0.33477339792168426},
+                                  {154.42760385650718, -4.5222784878557372, 0.92771633716383328},
+                                  {101.43357454986869, -44.60951030754677, -0.13953351744221584},
+                                  {62.595181732308674, -20.510351770338012, -0.645310035888226},
+                                  {140.89633775995776, 43.557875669280165, 0.061924959841501516},
+                                  {-120.00415665189081, 21.770624492147029, -0.60077398690990769},
+                                  {98.630316433742735, -18.186394918189084, -0.043593140326287146},
+                                  {115.75952783387237, 50.870901761872553, -0.19854784804928768}}};
+  for (const SphericalSites& sites : sets) EXPECT_NEAR(sumOfAreas(sites), 4 * kPi, 1e-12);
+}
+
 /// Where a vertex is close to a site, its bearing is known the less, but not that of the meeting of
 /// two bisectors.
 TEST(SphericalSectors, OfSitesThatAreCloseToTheirVerticesAreAccurate) {
