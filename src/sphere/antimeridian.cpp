@@ -16,12 +16,11 @@ namespace apollonius::internal::sphere {
 
 namespace {
 
-bool isPole(const Direction& p) { return p.x == 0 && p.y == 0; }
 bool isOnBorder(const Direction& p) { return p.y == 0 && p.x <= 0; }
 
 /// A point of the border as the end of a chord whose other end is not there.
 LonLat borderPoint(const MapPoint& p, const MapPoint& other) {
-  if (isPole(p.point)) return {other.at.lon, p.at.lat};
+  if (p.point.x == 0) return {other.at.lon, p.at.lat};  // a pole
   return {other.point.y < 0 ? -180.0 : 180.0, p.at.lat};
 }
 
@@ -161,7 +160,8 @@ void AntimeridianCutter::cut(std::span<const MapPoint> ring,
   const auto addRectangle = [&] { addBorder(-1, kWhole); };
   if (ring.empty()) {
     addRectangle();
-    if (emitRing(output)) output.endPart();
+    (void)emitRing(output);
+    output.endPart();
     return;
   }
   for (std::size_t k = 0; k < ring.size(); ++k) {

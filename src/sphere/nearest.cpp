@@ -98,8 +98,8 @@ class SphericalWalk {
   bool jump() {
     const Projection::Image circle = diagram_.projection().imageOfTouching(point_, toNode_);
     const VertexId from = node_;
-    if (circle.kind != Projection::Kind::kCircle || circle.loss > kUsualLoss) {
-      // The cap nearly touches the pole, and its circle is inaccurate.
+    if (circle.loss > kUsualLoss) {
+      // The cap nearly touches the pole, and its circle is inaccurate, or none.
       for (const HalfedgeId h : diagram_.graph().star(from))
         (void)moveTo(diagram_.graph().target(h));
       return node_ != from;

@@ -354,6 +354,16 @@ TEST_P(OutOfMemory, MovesInPlaceGoBackInTheirOrder) {
   EXPECT_GT(failed_, 6);
 }
 
+TEST_P(OutOfMemory, HiddenSitesThatMovedBelowTheirParentGoBack) {
+  const Circles circles{{0, 0, 10}, {1, 0, 1},   {2, 0, 1},  {40, 0, 1},
+                        {0, 40, 1}, {-40, 0, 2}, {0, -40, 1}};
+  failAll(circles,
+          {{"updateMany of two hidden sites and a visible one",
+            [ids = std::vector<SiteId>{1, 2, 6}, xyr = flat({{3, 1, 2}, {-2, 0, 0.5}, {0, 0, 90}})](
+                Diagram& d) { return d.updateMany(ids, xyr); }}});
+  EXPECT_GT(failed_, 1);
+}
+
 /// A giant leaves more room free among the faces than memory is held back; taking it out again has
 /// to find that.
 TEST_P(OutOfMemory, GiantsOverManySitesAreTakenOutAgain) {

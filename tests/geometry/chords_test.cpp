@@ -22,12 +22,31 @@ TEST(Chords, SpanLessThanAQuarterTurnHoweverCoarse) {
   // Half a turn about the left site.
   const Conic first = Conic::arc({0, 0}, 1, {1, 0}, {0, 1});
   EXPECT_GE(countOf(first, {0, 0}, {5, 5}, 100), 3u);
+  EXPECT_GE(countOf(first.reversed(), {5, 5}, {0, 0}, 100), 3u) << "about the right one";
   EXPECT_EQ(countOf(first, {-50, -50}, {50, 50}, 100), 2u);
 }
 
 TEST(Chords, InARectangleLeaveTheSideOnWhichTheyBeginAndEnd) {
+  const auto turned = [](Point p) { return Point{-p.y, p.x}; };
+  Conic bulge{{-1, -10}, {0, -9}, 1.5, {1, -10}};
+  Point left{0, 40};
+  for (int side = 0; side < 4; ++side) {
+    EXPECT_GE(countOf(bulge, left, -1 * left, 100), 3u) << side;
+    bulge = {turned(bulge.p0), turned(bulge.p1), bulge.w, turned(bulge.p2)};
+    left = turned(left);
+  }
+}
+
+TEST(Chords, InARegionLeaveTheSideOnWhichTheyBeginAndEnd) {
+  const double ring[] = {-10, -10, 10, -10, 10, 10, -10, 10};
+  const std::uint32_t starts[] = {0, 4};
+  const NormalizedPolygon polygon = normalizePolygon(ring, starts);
+  const PolygonGrid grid(polygon);
   const Conic bulge{{-1, -10}, {0, -9}, 1.5, {1, -10}};
-  EXPECT_GE(countOf(bulge, {0, 40}, {0, -40}, 100), 3u);
+  for (std::uint32_t side = 0; side < 4; ++side) {  // one of them is the lower one
+    ChordFinder finder(grid, 100);
+    EXPECT_GE(finder.find({bulge, {0, 40}, {0, -40}, side, side}).size(), 3u) << side;
+  }
 }
 
 TEST(Chords, AlongTheBorderAreNoMoreThanTwoToTheTenth) {

@@ -449,6 +449,7 @@ TEST(Fit, EndsWhereOnlyLastPlacesWouldChange) {
     AreaFit fit;
     EXPECT_FALSE(fit.isAtTheEndOfDoubles());
     ASSERT_EQ(fit.begin(diagram, region, targets), Error::kNone);
+    EXPECT_FALSE(fit.isAtTheEndOfDoubles());
     int steps = 0;
     Error error = Error::kNone;
     while (error == Error::kNone && fit.error() > 1e-15 && ++steps < 200) error = fit.step();

@@ -173,6 +173,15 @@ TEST(NaturalWeights, OfCirclesThatCoverOthersOrAll) {
   }
 }
 
+TEST(NaturalWeights, OfACellInAHoleAreNone) {
+  Diagram diagram;
+  insertInto(diagram, {{18, 20, 0}, {24, 20, 0}, {21, 17, 0}, {21, 23, 0}});
+  for (const bool hasHole : {false, true}) {
+    const Window window({0, 0, 42, 40}, hasHole);
+    EXPECT_EQ(weightsOf(window.of(diagram), {21, 20, 0}).size(), hasHole ? 0u : 4u);
+  }
+}
+
 /// What trusted bytes hold is not proved, so that searches look again at what they find.
 TEST(NaturalWeights, OfACircleThatCoversAllInATrustedSnapshot) {
   Diagram diagram;
@@ -262,8 +271,8 @@ TEST(Interpolation, IsExactAtSitesAndInCirclesAndNothingOutside) {
   for (const bool hasHole : {false, true}) {
     const Window window({0, 0, 42, 40}, hasHole);
     const double values[] = {5, 7, 11, 13};
-    const double xy[] = {22, 30, 10, 8, 30, 12, -1, 5, 42, 40, 20, 20};
-    double results[6];
+    const double xy[] = {22, 30, 10, 8, 30, 12, -1, 5, 42, 40, 20, 20, 30, 13.7};
+    double results[7];
     ASSERT_EQ(window.of(diagram).interpolate(values, xy, 0, results), Error::kNone);
     EXPECT_EQ(results[0], 11);
     EXPECT_EQ(results[1], 5);
@@ -271,6 +280,7 @@ TEST(Interpolation, IsExactAtSitesAndInCirclesAndNothingOutside) {
     EXPECT_TRUE(std::isnan(results[3]));
     EXPECT_FALSE(std::isnan(results[4])) << "on the border";
     EXPECT_EQ(std::isnan(results[5]), hasHole);
+    EXPECT_EQ(std::isnan(results[6]), hasHole) << "in a circle";
   }
 }
 

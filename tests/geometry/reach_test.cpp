@@ -209,11 +209,22 @@ TEST(Reach, DrawnEdgesAreWhatCellsShareOnceAndWhereTheyEnd) {
 TEST(Reach, AnEdgeIsSharedAsFarAsBothSitesReach) {
   Diagram diagram;
   insertInto(diagram, {{0, 0, 0}, {4, 0, 0}});
-  const std::vector<double> distances{10, 3};
-  const Reach reach{std::span<const double>(distances)};
-  CurveArrays edges;
-  ASSERT_EQ(Voronoi(diagram, {-20, -20, 20, 20}, &reach).edgeCurves(edges), Error::kNone);
-  EXPECT_NEAR(lengthOfCurves(edges), 2 * std::sqrt(5), 1e-12);  // x = 2, up to 3 from site 1
+  for (const std::vector<double>& distances : {std::vector<double>{10, 3}, {3, 10}}) {
+    const Reach reach{std::span<const double>(distances)};
+    CurveArrays edges;
+    ASSERT_EQ(Voronoi(diagram, {-20, -20, 20, 20}, &reach).edgeCurves(edges), Error::kNone);
+    EXPECT_NEAR(lengthOfCurves(edges), 2 * std::sqrt(5), 1e-12);  // x = 2, up to 3 from one site
+  }
+}
+
+TEST(Reach, PolygonsOfCellsThatEndBeforeTheWindowAreNone) {
+  Diagram diagram;
+  insertInto(diagram, {{0, 0, 1}, {4, 0, 1}});
+  const Reach reach(3);
+  CoverageArrays coverage;
+  ASSERT_EQ(Voronoi(diagram, {20, 20, 30, 30}, &reach).cellPolygons(1, coverage), Error::kNone);
+  EXPECT_TRUE(coverage.sites.empty());
+  EXPECT_TRUE(coverage.coordinates.empty());
 }
 
 TEST(Reach, ADistanceIsMissingForASite) {

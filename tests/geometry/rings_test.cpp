@@ -25,6 +25,7 @@ int checkRings(const Circles& circles, const Bounds& bounds, double tolerance) {
     EXPECT_EQ(voronoi.cellPolygon(id, tolerance, rings), Error::kNone);
     CellMeasures measures;
     EXPECT_EQ(voronoi.cellMeasures(id, measures), Error::kNone);
+    for (const double x : rings.coordinates) EXPECT_FALSE(x == 0 && std::signbit(x)) << "-0";
     if (rings.starts.size() < 2) {
       EXPECT_LT(measures.area, 1e-12 * areaOf(bounds)) << "site " << id << " has no ring";
     }
@@ -159,6 +160,10 @@ TEST(Rings, ThroughAVertexOnACornerOfTheWindow) {
   // Found by geometry_fuzz: the two edges that end at (0, 0) were cut off by one side each, in the
   // wrong order.
   EXPECT_EQ(checkRings({{-63, -60, 67}, {-9, -12, -5}, {0, -108, 88}}, {-24, -2, 0, 0}, 0.001), 3);
+}
+
+TEST(Rings, InAWindowThatBeginsAtMinusZeroHaveNone) {
+  EXPECT_EQ(checkRings({{2, 2, 1}, {1, -2, 2}, {-1, -2, 2}}, {-0.0, -0.0, 5, 5}, 0.01), 2);
 }
 
 TEST(Rings, ThroughOneVertexOfFourSites) {

@@ -141,5 +141,20 @@ TEST(TilingProof, FailsForRingsThatDoNotTile) {
   }
 }
 
+TEST(TilingProof, FailsForARingThatGoesRoundTwice) {
+  Scene scene({50, 30, 0});
+  ASSERT_TRUE(scene.isProved());
+  ASSERT_EQ(scene.raw.rings.ringCount(), 1u);
+  const Rings once = scene.raw.rings;
+  scene.raw.rings.clear();
+  const Corners corners = once.corners(0);
+  for (std::size_t k = 0; k <= 2 * corners.size(); ++k)
+    scene.raw.rings.add(corners[k % corners.size()]);
+  scene.raw.rings.endRing();
+  scene.raw.rings.endPart();
+  scene.raw.isBorder.assign(2 * corners.size() + 1, 1);
+  EXPECT_FALSE(scene.isProved());
+}
+
 }  // namespace
 }  // namespace apollonius::test

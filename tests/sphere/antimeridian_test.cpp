@@ -11,8 +11,7 @@ namespace {
 
 using namespace internal::sphere;
 
-/// The area of what becomes of a ring, in square degrees.
-double areaOfCut(const std::vector<LonLat>& ring, double areaOfCell) {
+LonLatRings cut(const std::vector<LonLat>& ring, double areaOfCell) {
   std::vector<MapPoint> points;
   for (const LonLat& p : ring) {
     const Direction snapped = snappedToBorder(directionOf(p));
@@ -21,6 +20,12 @@ double areaOfCut(const std::vector<LonLat>& ring, double areaOfCell) {
   AntimeridianCutter cutter(0.01);
   LonLatRings rings;
   cutter.cut(points, [&] { return areaOfCell; }, rings);
+  return rings;
+}
+
+/// The area of what becomes of a ring, in square degrees.
+double areaOfCut(const std::vector<LonLat>& ring, double areaOfCell) {
+  const LonLatRings rings = cut(ring, areaOfCell);
   double twice = 0;
   for (std::size_t k = 0; k + 1 < rings.starts.size(); ++k) {
     for (std::size_t m = rings.starts[k]; m + 1 < rings.starts[k + 1]; ++m) {
@@ -46,6 +51,22 @@ TEST(Antimeridian, ARingThatDoesNotComeToItHasTheCellInsideOrOutside) {
   // Thinner than the tolerance and turned over by it, as the sides of a needle may be.
   const LonLat above{10, 0.001}, below{10, -0.001};
   EXPECT_NEAR(areaOfCut({east, below, west, above}, 1e-6), 0, 0.1);
+  // A hole of two points.
+  EXPECT_NEAR(areaOfCut({north, west}, kSphere - 1e-6), kMap, 1e-9);
+}
+
+TEST(Antimeridian, ARingThroughAPoleGoesThereOnTwoLongitudes) {
+  EXPECT_NEAR(areaOfCut({{0, 90}, {0, 60}, {40, 60}}, 0.0935), 40 * 30, 1e-9);
+  EXPECT_NEAR(areaOfCut({{0, -90}, {40, -60}, {0, -60}}, 0.0935), 40 * 30, 1e-9);
+}
+
+TEST(Antimeridian, ARingWithoutAreaThatComesToItIsNone) {
+  EXPECT_EQ(cut({{180, 0}, {170, 0}, {160, 0}, {175, 0}}, 0).starts.size(), 1u);
+}
+
+TEST(Antimeridian, ARightAngleOnItHasAnArea) {
+  // All points have the longitude or the latitude of the first, as those of a ring without area do.
+  EXPECT_NEAR(areaOfCut({{180, 0}, {170, 0}, {180, -10}}, 0.015), 50, 1e-9);
 }
 
 }  // namespace

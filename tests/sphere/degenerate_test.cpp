@@ -113,6 +113,19 @@ TEST(SphericalDegenerate, PolygonsOfCloseSitesHaveFewPoints) {
 
 // --- Sites that others touch from inside
 
+TEST(SphericalDegenerate, PolygonsOfANearlyCoveredSiteHaveFewPoints) {
+  // Its edge is narrower than rounding, and its bisector misses the vertices.
+  const SphericalSites sites = {{63.503462082115846, 67.564725825023842, 0.18968066019092417},
+                                {63.260895044017474, -63.487320337593573, 1.0524522945985004},
+                                {50.368239178610565, 28.161433804494298, -0.51178978461404057},
+                                {-168.70723947039951, -36.070149943578656, -0.20550497254737038},
+                                {70.191205790604755, -40.926150356651924, 0.65231157535368822},
+                                {101.70124671013059, -35.774952680594701, 0.42036342430607743}};
+  CoverageArrays polygons;
+  ASSERT_EQ(diagramOf(sites).cellPolygons(0.1, false, polygons), Error::kNone);
+  EXPECT_LT(polygons.coordinates.size(), 200u);
+}
+
 TEST(SphericalDegenerate, ACellWithoutWidthHasNoRingOfTwoPoints) {
   // Found by sphere_fuzz: the last site touches the cap about (-30, -60) from inside.
   constexpr double kRadius = 6371.0088, kWeight = 3335.8524070059866;
@@ -363,6 +376,15 @@ TEST(SphericalDegenerate, ListsAreInTheUnitOfTheRadiusAndAgree) {
   }
 }
 
+TEST(SphericalDegenerate, OfTwoSitesEachIsTheNeighbourOfTheOther) {
+  const SphericalDiagram diagram = diagramOf({{12, 34, 0.5}, {-100, 80, 0.1}});
+  for (const SiteId id : {0u, 1u}) {
+    std::vector<SiteId> neighbors;
+    ASSERT_EQ(diagram.neighbors(id, neighbors), Error::kNone);
+    EXPECT_EQ(neighbors, std::vector<SiteId>{1 - id});
+  }
+}
+
 TEST(SphericalDegenerate, TwoSitesWithTwoEdgesAreNeighboursOnce) {
   // The third is in front of the middle of the edge between the first two.
   const SphericalDiagram diagram = diagramOf({{0, 0, 0.3}, {40, 0, 0.3}, {20, 0, 0.05}});
@@ -513,6 +535,8 @@ TEST(SphericalSnapshots, MadeUpOnesAreRefused) {
   std::vector<std::uint8_t> empty;
   ASSERT_EQ(SphericalDiagram().toBytes(empty), Error::kNone);
   EXPECT_EQ(errorOf(madeUp(empty, kPole, 0u)), Error::kCorruptSnapshot) << "a pole of no site";
+  empty.insert(empty.end() - 8, 8, 0);
+  EXPECT_EQ(errorOf(madeUp(empty, kHidden, 1u)), Error::kCorruptSnapshot) << "a hidden one of none";
 }
 
 }  // namespace

@@ -41,6 +41,11 @@ TEST_P(BesideAGiant, TheNearestSiteIsFound) {
     ASSERT_EQ(diagram.find(p.lon, p.lat, id, distance), Error::kNone);
     ASSERT_LE(distance, leastDistance(sites, p) + 2e-15) << p.lon << ' ' << p.lat;
   }
+  SiteId atCentre = kNoSite;
+  double distance = 0;
+  ASSERT_EQ(diagram.find(0, 0, atCentre, distance), Error::kNone);
+  EXPECT_EQ(atCentre, 0u);
+  EXPECT_EQ(distance, -1);
 }
 
 TEST_P(BesideAGiant, AreasAddUp) {

@@ -66,6 +66,28 @@ TEST(SphericalPolygons, OfNeedlesThinnerThanTheToleranceAcrossTheAntimeridian) {
   }
 }
 
+TEST(SphericalPolygons, OfOneCellAreThoseAmongAllCells) {
+  // Whatever has been asked before; and of cells with more vertices than there is room at first.
+  Random random(13);
+  for (const NamedSites& set : namedSets(random, 100)) {
+    SCOPED_TRACE(set.name);
+    const SphericalDiagram diagram = diagramOf(set.sites);
+    for (const bool isCut : {false, true}) {
+      CoverageArrays all;
+      ASSERT_EQ(diagram.cellPolygons(0.1, isCut, all), Error::kNone);
+      for (std::size_t k = 0; k < all.sites.size(); ++k) {
+        RingArrays one;
+        ASSERT_EQ(diagram.cellPolygon(all.sites[k], 0.1, isCut, one), Error::kNone);
+        const auto begin = all.starts[all.parts[all.cells[k]]];
+        const auto end = all.starts[all.parts[all.cells[k + 1]]];
+        const std::vector<double> expected(all.coordinates.begin() + 2 * begin,
+                                           all.coordinates.begin() + 2 * end);
+        ASSERT_EQ(one.coordinates, expected) << all.sites[k];
+      }
+    }
+  }
+}
+
 /// Of a ring of arcs of great circles that has less than a hemisphere at its left: by the triangles
 /// of its sides with a point (Oosterom and Strackee).
 double areaOfRing(const std::vector<double>& coordinates, const SphericalCircle& site) {

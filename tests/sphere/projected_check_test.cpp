@@ -43,6 +43,23 @@ TEST_F(ProjectedDiagramCheck, FindsNothing) {
   EXPECT_EQ(diagram_.belowPole().size(), 2u);
 }
 
+TEST_F(ProjectedDiagramCheck, FindsNothingWhereASiteHasBeenTakenFromBelowThePole) {
+  move(kBelowPole, 0, 60, 0.1);
+  ASSERT_TRUE(diagram_.update(table_, {{kBelowPole}}));
+  EXPECT_EQ(found().what, nullptr);
+  EXPECT_EQ(diagram_.belowPole().size(), 1u);
+}
+
+TEST_F(ProjectedDiagramCheck, SeveralMovesOfWhichOneIsFromBelowThePoleAreNotMade) {
+  move(kBelowPole, 0, 60, 0.1);
+  move(kVisible, 91, 10, 0.25);
+  EXPECT_FALSE(diagram_.update(table_, {{kBelowPole, kVisible}}));
+  EXPECT_FALSE(diagram_.update(table_, {{kVisible, kBelowPole}}));
+  move(kBelowPole, 5, 0, 0.1);
+  move(kVisible, 90, 10, 0.25);
+  EXPECT_EQ(found().what, nullptr);
+}
+
 TEST_F(ProjectedDiagramCheck, FindsASiteThatHasLeftThePole) {
   move(kAlsoBelowPole, 0, 60, 0.1);
   EXPECT_EQ(found().text(), "is not covered by the pole: site 2");
@@ -78,22 +95,25 @@ TEST_F(ProjectedDiagramCheck, FindsASiteThatHasMovedWithoutItsCircle) {
 }
 
 TEST_F(ProjectedDiagramCheck, FindsASiteWhoseCapHasMovedByLessThanItsCircleTells) {
-  // Where rounding gives neighbouring caps the same circle.
-  std::size_t sameCircles = 0;
-  for (int k = 0; k < 1000; ++k) {
-    const double lon = 90 + k * 0x1p-10, next = std::nextafter(lon, 360);
-    move(kVisible, lon, 10, 0.25);
-    diagram_ = sphere::ProjectedDiagram(table_, table_.caps(), kPole);
-    ASSERT_EQ(found().what, nullptr);
-    move(kVisible, next, 10, 0.25);
-    const std::string text = found().text();
-    if (text == "has another cap in the graph: site 3") {
-      ++sameCircles;
-    } else if (!text.empty()) {  // the angle may round to the same direction
-      ASSERT_EQ(text, "has another circle than its image: site 3");
+  // Where rounding gives neighbouring caps the same circle. It is x that changes, and then y.
+  for (const double pole : {0.0, 90.0}) {
+    move(kPole, pole, 0, 0.5);
+    std::size_t sameCircles = 0;
+    for (int k = 0; k < 1000; ++k) {
+      const double lon = 90 - pole + k * 0x1p-10, next = std::nextafter(lon, 360);
+      move(kVisible, lon, 10, 0.25);
+      diagram_ = sphere::ProjectedDiagram(table_, table_.caps(), kPole);
+      ASSERT_EQ(found().what, nullptr);
+      move(kVisible, next, 10, 0.25);
+      const std::string text = found().text();
+      if (text == "has another cap in the graph: site 3") {
+        ++sameCircles;
+      } else if (!text.empty()) {  // the angle may round to the same direction
+        ASSERT_EQ(text, "has another circle than its image: site 3");
+      }
     }
+    EXPECT_GT(sameCircles, 0u);
   }
-  EXPECT_GT(sameCircles, 0u);
 }
 
 TEST_F(ProjectedDiagramCheck, FindsASiteWhoseLatitudeOrWeightHasChangedByLessThanItsCircleTells) {

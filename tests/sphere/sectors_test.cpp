@@ -96,6 +96,19 @@ TEST(SphericalSectors, OfDotsAsSmallAsRoundingAddUp) {
   }
 }
 
+/// Found by search. Of sectors that are as near as rounding tells, the one with the least turn goes
+/// round.
+TEST(SphericalSectors, OfACrossOfDotsAddUp) {
+  const SphericalSites sites = {{2.2957411708756297, -17.994067706249389, 0},
+                                {62.222695953823603, 7.6341230832567932, 0},
+                                {-41.390407476129042, 4.5787373322318672, -0.84876701120191178},
+                                {44.187231769910454, 4.0427416215198733, -0.31929196313710095},
+                                {44.187231770293636, 4.0427416215198733, -0.31929196313057817},
+                                {44.187231769910454, 4.0427416213282816, -0.31929196313781577},
+                                {44.187231769527273, 4.0427416209450984, -0.31929196314569369}};
+  EXPECT_NEAR(sumOfAreas(sites), 4 * kPi, 5e-5);
+}
+
 /// Found by search. Sites that are some 10^-12 radians apart and on a lattice have edges without
 /// length, on whose bisectors all sites of the cluster are nearest as far as rounding tells; or to
 /// one side only.
@@ -122,6 +135,25 @@ TEST(SphericalSectors, OfEdgesWithoutLengthInATinyLatticeHaveNoWidth) {
        {115.04428890556858, -35.283403503502747, 0.0121208493494263}},
   };
   for (const SphericalSites& sites : sets) EXPECT_NEAR(sumOfAreas(sites), 4 * kPi, 1e-9);
+}
+
+/// Found by search. The bearing where two bisectors meet, and a vertex, are known the less the more
+/// of a site is covered; the curves themselves tell more.
+TEST(SphericalSectors, OfSitesThatAreNearlyCoveredAreAccurate) {
+  const SphericalSites sets[] = {{{4.5535012171918368, 21.751652396360168, 0.45387949852076798},
+                                  {163.97722916949476, 13.721679373721027, 0.59636229046116096},
+                                  {-13.176343758213164, 30.590124105560019, 0.13679909832895013},
+                                  {-2.869921749445183, 45.71222096511783, 0.022515761532779836},
+                                  {-94.486089510386833, 36.189350905685806, -0.99117878689014671}},
+                                 {{62.607654792316737, 59.096907364775781, 0.33477339792168426},
+                                  {154.42760385650718, -4.5222784878557372, 0.92771633716383328},
+                                  {101.43357454986869, -44.60951030754677, -0.13953351744221584},
+                                  {62.595181732308674, -20.510351770338012, -0.645310035888226},
+                                  {140.89633775995776, 43.557875669280165, 0.061924959841501516},
+                                  {-120.00415665189081, 21.770624492147029, -0.60077398690990769},
+                                  {98.630316433742735, -18.186394918189084, -0.043593140326287146},
+                                  {115.75952783387237, 50.870901761872553, -0.19854784804928768}}};
+  for (const SphericalSites& sites : sets) EXPECT_NEAR(sumOfAreas(sites), 4 * kPi, 1e-12);
 }
 
 /// Where a vertex is close to a site, its bearing is known the less, but not that of the meeting of

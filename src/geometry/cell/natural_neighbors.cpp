@@ -44,7 +44,7 @@ NaturalNeighbors::NaturalNeighbors(const ClippedDiagram& clippedDiagram, const P
 std::span<const NaturalShare> NaturalNeighbors::find(const Site& q, VertexId start,
                                                      Centers centers) {
   shares_.clear();
-  if (core_.visibleCount() == 0 || (centers == Centers::kInWindow && !holds(window_, q))) return {};
+  if (centers == Centers::kInWindow && !holds(window_, q)) return {};
   const VertexId cover = findConflict(q, start);
   if (cover != kNoVertex) {
     if (centers == Centers::kAll || isInWindow(q)) shares_.push_back({cover, 1});

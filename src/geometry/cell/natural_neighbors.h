@@ -51,8 +51,8 @@ class NaturalNeighbors {
 
   /// The natural neighbours of q; the weights are positive or 0 and add up to 1. One that covers q
   /// is the only one, as is the nearest of a q in the window whose cell is too thin for doubles.
-  /// None without sites; if q's centre is to be in the window (its border included) and is not; and
-  /// where q's cell has no part in it, up to rounding. `start` is a visible site close to q. Valid
+  /// None if q's centre is to be in the window (its border included) and is not; and where q's cell
+  /// has no part in it, up to rounding. REQUIRES: `start` is a visible site, close to q. Valid
   /// until the next call. Throws std::bad_alloc. Cost: a walk from there, and O(size of what would
   /// change); for a cell at the border of a region also O(points of the region) and a diagram of
   /// the natural neighbours.

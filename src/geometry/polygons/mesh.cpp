@@ -223,14 +223,13 @@ void Mesh::replacePoints() {
   corners_.swap(corners);
 }
 
-/// Each ring as a part; those without points are left out.
+/// Each ring as a part.
 void Mesh::write() {
   Rings mended;
   for (CellList::Cell& cell : raw_.cells) {
     const std::span<const Ring> rings = ringsOf(cell);
     cell.firstPart = static_cast<std::uint32_t>(mended.partCount());
     for (const Ring& ring : rings) {
-      if (ring.count == 0) continue;
       for (std::uint32_t m = 0; m <= ring.count; ++m)
         mended.add(at(corners_[ring.first + m % ring.count]));
       mended.endRing();

@@ -20,8 +20,9 @@ class SegmentPairs {
   /// Fewer pairs in one cell than this for each segment are visited all.
   static constexpr double kFewLooks = 64;
 
-  /// REQUIRES: `box` holds all points and has an area; equal points have equal numbers. All live as
-  /// long. Cost: O(n log n + cells of the grid that segments meet).
+  /// REQUIRES: `box` holds all points and has an area; equal points have equal numbers, and no
+  /// segment is but a point. All live as long. Cost: O(n log n + cells of the grid that segments
+  /// meet).
   SegmentPairs(const FlatArray<Point>& points, std::span<const Segment> segments,
                const Rectangle& box, double fewLooks = kFewLooks);
 
@@ -38,7 +39,7 @@ class SegmentPairs {
   void visitWitnesses(Visit visit) {
     if (outFor_.empty()) return this->visit(visit);
     for (std::uint32_t k = 0; k < outFor_.size(); ++k) {
-      if (outFor_[k] != kStays && outFor_[k] != k) visit(k, outFor_[k]);
+      if (isOut(k)) visit(k, outFor_[k]);
     }
   }
 

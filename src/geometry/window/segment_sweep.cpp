@@ -59,10 +59,8 @@ void SegmentSweep::run() {
   below_.assign(count, kNoneBelow);
   FlatArray<Keyed> starts, ends;
   for (std::uint32_t k = 0; k < count; ++k) {
-    const auto [from, to] = segments_[k];
-    if (from == to) outFor_[k] = k;
-    starts.push_back({from, k});
-    ends.push_back({to, k});
+    starts.push_back({segments_[k].from, k});
+    ends.push_back({segments_[k].to, k});
   }
   sortByKey(starts);
   sortByKey(ends);
@@ -75,10 +73,11 @@ void SegmentSweep::run() {
     for (; ended < count && ends[ended].key <= point; ++ended) {
       const std::uint32_t k = ends[ended].value, place = placeOf_[k];
       if (isOut(k)) continue;
+      // What begins at the point ends later, so there is a next end.
       const bool isOnly = begun.size() == 1 && ends[ended].key == point &&
                           (ended == 0 || ends[ended - 1].key != point) &&
-                          (ended + 1 == count || ends[ended + 1].key != point);
-      if (isOnly && !isOut(begun[0].value)) {
+                          ends[ended + 1].key != point;
+      if (isOnly) {
         // Nothing else comes to the point, as its neighbours do not meet it.
         placeOf_[begun[0].value] = place;
         places_[place].segment = begun[0].value;
@@ -89,7 +88,7 @@ void SegmentSweep::run() {
     }
     for (const Keyed& start : begun) {
       const std::uint32_t k = start.value;
-      if (!isOut(k) && placeOf_[k] == count) insert(k);
+      if (placeOf_[k] == count) insert(k);
       if (!isOut(k)) part(places_[placeOf_[k]].next[0], placeOf_[k]);
       if (!isOut(k)) part(placeOf_[k], places_[placeOf_[k]].next[1]);
     }

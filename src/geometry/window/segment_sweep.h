@@ -43,14 +43,13 @@ inline constexpr std::uint32_t kStays = 0xFFFFFFFFu;
 
 class SegmentSweep {
  public:
-  /// REQUIRES: points ascend from left to right, and so does each segment; no points are equal. All
-  /// live as long.
+  /// REQUIRES: points ascend from left to right, and so does each segment, of two points; no points
+  /// are equal. All live as long.
   SegmentSweep(std::span<const Point> points, std::span<const Segment> segments)
       : points_(points), segments_(segments) {}
 
   /// For each segment that is taken out, the one that it meets, or that has the same ends: of two,
-  /// the shorter one is. A segment that is but a point is taken out for itself. kStays for all
-  /// others. Cost: O(n log n).
+  /// the shorter one is. kStays for all others. Cost: O(n log n).
   FlatArray<std::uint32_t> takeOut() {
     isTesting_ = true;
     run();
