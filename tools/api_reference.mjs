@@ -20,14 +20,14 @@ const entries = [
   ["apollonius-diagram/treemap", "treemap.ts"],
   ["apollonius-diagram/wasm", "wasm.ts"],
 ];
-const preface = `# API reference
+const preface = `<!-- Made by \`npm run docs\` of comments in wasm/package and docs/examples: edit those. -->
 
-Made by \`npm run docs\` from the comments in \`wasm/package\` and from \`docs/examples\`; edit
-those. Lengths are in the unit of the input, areas in its square; y points upwards, and
-counter-clockwise is meant so. n is the number of sites, d the number of a site's neighbours. Every
-call that fails throws an [ApolloniusError](#class-apolloniuserror) with a \`code\` and changes
-nothing. In examples, the comment behind a line is its result, with numbers rounded to the places
-that are shown.
+# API reference
+
+Lengths are in the unit of the input, areas in its square. y points up; counter-clockwise assumes
+that. n is the number of sites, d the number of a site's neighbours. A call that fails throws an
+[ApolloniusError](#class-apolloniuserror) with a \`code\` and changes nothing. In examples, the
+comment after a line is its result, rounded to the digits shown.
 `;
 
 /** The class of which an exported value is another name; otherwise the symbol itself. */

@@ -30,7 +30,7 @@ inline Error checkLimit(double farthest) {
   return farthest == std::numeric_limits<double>::infinity() ? Error::kNone : checkNumber(farthest);
 }
 
-/// Lack of memory is thrown as std::bad_alloc, or by a vector as std::length_error. std::bad_alloc
+/// Memory that runs out throws std::bad_alloc, or from a vector std::length_error. std::bad_alloc
 /// also ends a call that finds out that trusted bytes were no diagram, which the diagram remembers.
 template <class Operation>
 Error guarded(const DiagramCore& core, Operation&& operation) {

@@ -7,7 +7,7 @@
 //
 // Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the paper
 // below); predicates and the canonical rule for degenerate input: docs/PREDICATES.md. Units:
-// whatever the coordinates are in; y points upwards and "counter-clockwise" is meant so. Costs: h =
+// whatever the coordinates are in; y points up; "counter-clockwise" assumes that. Costs: h =
 // number of visible sites, d = number of neighbours of the site in question.
 //
 // Errors: no call throws, except the constructor (std::bad_alloc). A call that fails returns its

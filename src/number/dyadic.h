@@ -6,9 +6,9 @@
 // enough: coordinates and weights, 0 or from 1e-100 to 1e100, are multiples of 2^-385
 // below 2^333, their differences below 2^334; so a form of degree d with t terms is a multiple of
 // 2^(-385 d) below 2^(334 d) t, and its integer has at most 719 d + log2(t) bits, as have those of
-// its parts. The predicates' forms have degree 12 at most; the highest degree is 14, with fewer
-// than 2^13 terms (squares in preciseVoronoiCircle; commonVoronoiCircle looks at the digits first):
-// 10 079 bits. What is longer than kBits breaks an invariant.
+// its parts. The predicates' forms have degree 12 at most; the highest degree is 16, with fewer
+// than 2^20 terms (squares in preciseVoronoiCircle; commonVoronoiCircle looks at the digits first):
+// 11 524 bits. What is longer than kBits breaks an invariant.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>

@@ -180,7 +180,7 @@ bool findTwofoldCircle(const Site& i, const Site& j, const Site& k,
   return true;
 }
 
-/// The nearest doubles, and what they are off by if the circle is exact.
+/// The doubles nearest to it.
 VoronoiCircle rounded(const BoundedCenter<Twofold>& circle, const Site& i) {
   VoronoiCircle result;
   result.x = (circle.x + i.x).value;
@@ -239,18 +239,18 @@ VoronoiCircle correctCircle(const Site& i, const Site& j, const Site& k) {
   const double rho = circle.s + i.r;
   const bool isFinite = absolute(circle.x) + absolute(circle.y) + rho < kInfinite;
   if (!isFinite || !haveFewDigits({&i, &j, &k})) return circle;
-  const bool areEqual = i.r == j.r && i.r == k.r;
+  const bool haveEqualWeights = i.r == j.r && i.r == k.r;
   std::optional<LongFace> face;
   // own + `number` / (2c).
-  const auto correct = [&](LongFace::Number LongFace::* part, double own, const Twofold& partly,
+  const auto correct = [&](LongFace::Number LongFace::* part, double own, const Twofold& seen,
                            double estimate) {
-    if (isCorrect(partly, own)) return (partly + own).value;
-    Twofold found = partly + own;
+    Twofold found = seen + own;
+    if (isCorrect(seen, own)) return found.value;
     // The bound of isRounded, and a little.
     double error = 2 * (twofold.error + kTwofoldRoundoff * absolute(found.value));
     const bool isGood = isKnown && error < powerOfTwo(-70) * absolute(found.value);
     Sign side;
-    if (isGood && areEqual && part != &LongFace::rho &&
+    if (isGood && haveEqualWeights && part != &LongFace::rho &&
         findSide(i, j, k, part == &LongFace::x, Candidates(found), side))
       return Candidates(found).nearest(side);
     if (!face) face.emplace(i, j, k);

@@ -232,5 +232,30 @@ TEST(Vertices, OnGridsAreRight) {
   EXPECT_EQ(found, 2);
 }
 
+/// The bisector of two circles touches a side at (0, 0), as seen from the window's middle on any of
+/// the four; rounding puts the point that is computed there beyond the side, on it, or before it.
+TEST(Rings, WhereAnEdgeTouchesASideDoNotCross) {
+  int count = 0;
+  for (double left = 1; left <= 12; ++left) {
+    for (double r = 0; r < left; ++r) {
+      for (double q = 0; q <= 6; ++q) {
+        for (const std::size_t side : {0, 1, 2, 3}) {
+          const auto turned = [side](double x, double weight) -> Circle {
+            const double c[] = {1, 0, -1, 0}, s[] = {0, 1, 0, -1};
+            return {c[side] * x, s[side] * x, weight};
+          };
+          Bounds bounds{-30, -30, 30, 30};
+          double* const sides[] = {&bounds.xmax, &bounds.ymax, &bounds.xmin, &bounds.ymin};
+          *sides[side] = 0;
+          const Circles circles{turned(-left, r), turned(left - r + q, q)};
+          for (const double tolerance : {1e-2, 1e2})
+            count += checkRings(circles, bounds, tolerance);
+        }
+      }
+    }
+  }
+  EXPECT_GT(count, 2000);
+}
+
 }  // namespace
 }  // namespace apollonius::test

@@ -108,7 +108,7 @@ export default figure<State>({
     const percent = `${Math.round(100 * share)} %`;
     return [
       isWrong ? ["The first one is wrong here. ", "wrong"] : "Here both pick the same circle. ",
-      "Whoever asks for the nearest centre picks wrongly on ",
+      "Picking by centre is wrong on ",
       [percent, "wrong"],
       " of this picture.",
     ];

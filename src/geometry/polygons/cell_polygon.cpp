@@ -96,6 +96,7 @@ bool PolygonFinder::appendRing(std::span<const BoundaryPiece> boundary, bool isH
   for (const BoundaryPiece& piece : boundary) {
     if (piece.isAtReach) {
       for (const Point p : chords_.find(atReach(piece, center))) goAlong(p, true);
+      if (chords_.isAtBorder()) atLeast(Soundness::kUnsure);
       continue;
     }
     if (piece.neighbor == kNoSite) {
@@ -114,6 +115,8 @@ bool PolygonFinder::appendRing(std::span<const BoundaryPiece> boundary, bool isH
           {piece.curve.reversed(), centerOf(other), center, piece.toSegment, piece.fromSegment});
       for (std::size_t k = chords.size(); k-- > 0;) goAlong(chords[k], false);
     }
+    // The piece may touch the border between its ends, where the ring comes by once more.
+    if (chords_.isAtBorder()) atLeast(Soundness::kUnsure);
   }
   if (hasArea(std::span(rings.coordinates).subspan(begin), isHole)) return true;
   if (cells_.parts() == Parts::kThinToo && rings.coordinates.size() > begin + 4) {

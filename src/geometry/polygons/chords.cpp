@@ -30,6 +30,10 @@ std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
   points_.clear();
   points_.push_back(curve.p0);
   halve(curve, piece.fromSegment, piece.toSegment, Conic::kMostHalvings);
+  // An edge that touches a side goes beyond it by rounding.
+  isAtBorder_ = false;
+  for (std::size_t k = 1; k + 1 < points_.size(); ++k)
+    isAtBorder_ = border_.moveInside(points_[k]) || isAtBorder_;
   straighten();
   return points_;
 }

@@ -42,6 +42,8 @@ class ChordFinder {
   /// The points of a piece, both ends included. Valid until the next call. The same for both sides
   /// only if both give the piece in the same direction.
   [[nodiscard]] std::span<const Point> find(const EdgePiece& piece);
+  /// Was some inner point of that piece on the border, or moved there? (Border::moveInside)
+  [[nodiscard]] bool isAtBorder() const { return isAtBorder_; }
 
  private:
   void halve(const Conic& curve, std::uint32_t fromSegment, std::uint32_t toSegment, int depth);
@@ -58,6 +60,7 @@ class ChordFinder {
   Point left_, right_;
   double size_ = 0, allowed_ = 0, finestAtBorder_ = 0, avoided_ = -1;
   FlatArray<Point> points_;
+  bool isAtBorder_ = false;
 };
 
 }  // namespace apollonius::internal

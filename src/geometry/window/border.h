@@ -20,6 +20,9 @@ class Border {
   /// curve's ends are on these segments of a polygon, up to rounding, unless they are kNoSegment.
   [[nodiscard]] virtual bool isNear(const Conic& curve, std::uint32_t fromSegment,
                                     std::uint32_t toSegment) const = 0;
+  /// Moves a point that rounding has put beyond the window's box to a side of it. May the border
+  /// run through it then, where the cell's ring may not know it?
+  [[nodiscard]] virtual bool moveInside(Point& point) const = 0;
   /// Does a piece of the border surely not cross another one of the same cell?
   [[nodiscard]] virtual bool isSimple(Point from, Point to) const = 0;
 };

@@ -23,6 +23,11 @@ class PolygonGrid final : public Border {
   /// Is surely nothing of the border in a rectangle or on its sides? Cost: the grid's cells that it
   /// meets, and the segments there, until one is.
   [[nodiscard]] bool isClearOf(const Rectangle& box) const;
+  /// It may run anywhere: isSimple() says so of all cells at the border.
+  [[nodiscard]] bool moveInside(Point& p) const override {
+    p = polygon_.box.nearestTo(p);
+    return false;
+  }
   /// Never sure: the border may come back to a point, or pass by as close as doubles are.
   [[nodiscard]] bool isSimple(Point /*from*/, Point /*to*/) const override { return false; }
 

@@ -17,6 +17,10 @@ class RectangleSides final : public Border {
     return areOn(box_.xmin, a.x, b.x) || areOn(box_.xmax, a.x, b.x) || areOn(box_.ymin, a.y, b.y) ||
            areOn(box_.ymax, a.y, b.y);
   }
+  [[nodiscard]] bool moveInside(Point& p) const override {
+    p = box_.nearestTo(p);
+    return p.x == box_.xmin || p.x == box_.xmax || p.y == box_.ymin || p.y == box_.ymax;
+  }
   /// If it runs counter-clockwise along one side. Not where rounding has exchanged two contacts
   /// (rectangle_border.h).
   [[nodiscard]] bool isSimple(Point a, Point b) const override {

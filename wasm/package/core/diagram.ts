@@ -11,10 +11,32 @@ import {
   type SomeAsync,
   triples,
 } from "./accessors.js";
-import { checkedBytes, checkedChoice, checkedNewSites, checkOptions } from "./arguments.js";
+import {
+  allocated,
+  checkedBytes,
+  checkedChoice,
+  checkedCount,
+  checkedIds,
+  checkedNewSites,
+  checkedNumbers,
+  checkedNumbersOfBounds,
+  checkOptions,
+  checkSiteId,
+  checkWholeNumber,
+  disorderedBounds,
+  isSiteId,
+  unknownSite,
+} from "./arguments.js";
 import { build } from "./building.js";
-import * as edits from "./edits.js";
-import type { Filters } from "./filters.js";
+import {
+  checkedFilter,
+  filterOf,
+  type Filters,
+  findMany,
+  firstOf,
+  passing,
+  throughFilter,
+} from "./filters.js";
 import { kInspect, listed, showContent, summary } from "./inspection.js";
 import {
   Ballast,
@@ -25,7 +47,21 @@ import {
   provideNative,
 } from "./native/lifetime.js";
 import { type NativeDiagram, runningModule } from "./native/module.js";
-import * as queries from "./queries.js";
+import { checkTypes, ofElements, ofNumbers, ofSite } from "./native/native_errors.js";
+import {
+  atPoint,
+  checkedMaxDistance,
+  checkedPicking,
+  emptyDiagram,
+  findAll,
+  nearestOf,
+  ofOne,
+  orInfinity,
+  pickAll,
+  pickThrough,
+  validate,
+  walkFrom,
+} from "./queries.js";
 import { type Triangulation, triangulationOf } from "./triangulation.js";
 import type {
   BuildOptions,
@@ -162,7 +198,14 @@ export class Diagram implements Disposable {
    * one location and O(size of the change). Throws "not-finite", "out-of-range".
    */
   insert(x: number, y: number, r: number = 0): number {
-    const id = edits.insert(nativeOf(this, true), x, y, r);
+    const native = nativeOf(this, true);
+    checkTypes(x, y, r);
+    let id: number;
+    try {
+      id = native.insert(x, y, r);
+    } catch (error) {
+      throw ofNumbers(error, x, y, r);
+    }
     this.#ballast.carry(id + 1);
     return id;
   }
@@ -174,7 +217,13 @@ export class Diagram implements Disposable {
    */
   insertMany(xyr: ArrayLike<number>): Uint32Array {
     const native = nativeOf(this, true);
-    const ids = edits.insertMany(native, checkedNewSites("xyr", xyr));
+    const numbers = checkedNewSites("xyr", xyr);
+    const ids = allocated(() => new Uint32Array(numbers.length / 3));
+    try {
+      native.insertMany(numbers, ids);
+    } catch (error) {
+      throw ofElements(error, "xyr", numbers);
+    }
     this.#ballast.carry(native.size());
     return ids;
   }
@@ -186,7 +235,9 @@ export class Diagram implements Disposable {
    * Throws "unknown-site" for what is no whole number.
    */
   remove(id: number): boolean {
-    return edits.remove(nativeOf(this, true), id);
+    const native = nativeOf(this, true);
+    checkWholeNumber(id);
+    return isSiteId(id) && native.remove(id);
   }
 
   /**
@@ -194,7 +245,7 @@ export class Diagram implements Disposable {
    * as `remove` for each. Throws as `remove`, and "bad-length" if `ids` is no array.
    */
   removeMany(ids: ArrayLike<number>): number {
-    return edits.removeMany(nativeOf(this, true), ids);
+    return nativeOf(this, true).removeMany(checkedIds("ids", ids));
   }
 
   /**
@@ -202,7 +253,15 @@ export class Diagram implements Disposable {
    * and insert. Throws "unknown-site", "not-finite", "out-of-range".
    */
   update(id: number, x: number, y: number, r?: number): this {
-    edits.update(nativeOf(this, true), id, x, y, r);
+    const native = nativeOf(this, true);
+    checkSiteId(id);
+    try {
+      const weight = r === undefined ? native.site(id).r : r;
+      checkTypes(x, y, weight);
+      native.update(id, x, y, weight);
+    } catch (error) {
+      throw ofNumbers(ofSite(error, id), x, y, r);
+    }
     return this;
   }
 
@@ -212,7 +271,23 @@ export class Diagram implements Disposable {
    * there is one triple an id.
    */
   updateMany(ids: ArrayLike<number>, xyr: ArrayLike<number>): this {
-    edits.updateMany(nativeOf(this, true), ids, xyr);
+    const native = nativeOf(this, true);
+    const sites = checkedIds("ids", ids);
+    const numbers = checkedNumbers("xyr", xyr, 3);
+    if (numbers.length !== 3 * sites.length)
+      throw new ApolloniusError(
+        "bad-length",
+        `expected ${3 * sites.length} values in xyr for ${sites.length} ids, got ${numbers.length}`,
+      );
+    try {
+      native.updateMany(sites, numbers);
+    } catch (error) {
+      if (error instanceof ApolloniusError && error.code === "unknown-site") {
+        const k = sites.findIndex((id) => !native.has(id));
+        throw new ApolloniusError("unknown-site", `ids[${k}]: ${unknownSite(ids[k]).message}`);
+      }
+      throw ofElements(error, "xyr", numbers);
+    }
     return this;
   }
 
@@ -239,12 +314,14 @@ export class Diagram implements Disposable {
 
   /** Whether a site has this id. O(1). Throws "unknown-site" for what is no whole number. */
   has(id: number): boolean {
-    return queries.has(nativeOf(this), id);
+    const native = nativeOf(this);
+    checkWholeNumber(id);
+    return isSiteId(id) && native.has(id);
   }
 
   /** Centre and radius of a site, exactly as given. O(1). Throws "unknown-site". */
   site(id: number): Site {
-    return queries.ofOne(nativeOf(this), id, (native) => native.site(id));
+    return ofOne(nativeOf(this), id, (native) => native.site(id));
   }
 
   /** All ids, ascending. O(n). */
@@ -264,12 +341,12 @@ export class Diagram implements Disposable {
 
   /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
   isHidden(id: number): boolean {
-    return queries.ofOne(nativeOf(this), id, (native) => native.isHidden(id));
+    return ofOne(nativeOf(this), id, (native) => native.isHidden(id));
   }
 
   /** A visible site that covers this one, or -1. Cost: one location. Throws "unknown-site". */
   coverOf(id: number): number {
-    return queries.ofOne(nativeOf(this), id, (native) => native.coverOf(id));
+    return ofOne(nativeOf(this), id, (native) => native.coverOf(id));
   }
 
   // --- Queries -----------------------------------------------------------------------------------
@@ -280,7 +357,9 @@ export class Diagram implements Disposable {
    * section 4), with a filter as kNearest. Throws "not-finite", "out-of-range", "bad-option".
    */
   find(x: number, y: number, options?: FilterOptions): number {
-    return queries.find(nativeOf(this), this.#filters, x, y, options);
+    const native = nativeOf(this);
+    if (options !== undefined) return nearestOf(native, this.#filters, x, y, options)?.id ?? -1;
+    return atPoint(native, x, y, () => native.find(x, y));
   }
 
   /**
@@ -288,7 +367,7 @@ export class Diagram implements Disposable {
    * found. Cost, errors: as find.
    */
   nearest(x: number, y: number, options?: FilterOptions): { id: number; distance: number } | null {
-    return queries.nearest(nativeOf(this), this.#filters, x, y, options);
+    return nearestOf(nativeOf(this), this.#filters, x, y, options);
   }
 
   /**
@@ -297,7 +376,12 @@ export class Diagram implements Disposable {
    * locations for m points; with a filter: `FilterOptions`. Throws as `find`, and "bad-length".
    */
   findMany(xy: ArrayLike<number>, ...how: FindManyArguments): Int32Array {
-    return queries.findMany(nativeOf(this), this.#filters, xy, how);
+    const native = nativeOf(this);
+    return findMany(native, this.#filters, checkedNumbers("xy", xy, 2), how, {
+      all: findAll,
+      one: (x, y, filter) => passing(walkFrom(native, x, y, Infinity), filter, this.#filters),
+      empty: emptyDiagram,
+    });
   }
 
   /**
@@ -308,7 +392,15 @@ export class Diagram implements Disposable {
    * a k that is no whole number from 0 on; Infinity means all), "bad-option".
    */
   kNearest(x: number, y: number, k: number, options?: NearbyOptions): Uint32Array {
-    return queries.kNearest(nativeOf(this), this.#filters, x, y, k, options);
+    const native = nativeOf(this);
+    checkTypes(x, y);
+    const most = checkedCount("k", k);
+    checkOptions(options, "maxDistance", "filter");
+    const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
+    const filter = checkedFilter(options?.filter);
+    return farthest === Infinity && filter === undefined
+      ? atPoint(native, x, y, () => native.kNearest(x, y, most))
+      : firstOf(walkFrom(native, x, y, farthest), most, filter ?? (() => true), this.#filters);
   }
 
   /**
@@ -318,7 +410,17 @@ export class Diagram implements Disposable {
    * Throws "not-finite", "out-of-range", "bad-option".
    */
   within(x: number, y: number, distance: number, options?: FilterOptions): Uint32Array {
-    return queries.within(nativeOf(this), this.#filters, x, y, distance, options);
+    const native = nativeOf(this);
+    checkTypes(x, y);
+    checkedMaxDistance("distance", distance);
+    const filter = filterOf(options);
+    if (filter !== undefined)
+      return firstOf(walkFrom(native, x, y, distance), Infinity, filter, this.#filters);
+    return atPoint(native, x, y, () =>
+      distance === Infinity
+        ? native.kNearest(x, y, checkedCount("k", Infinity))
+        : native.within(x, y, distance),
+    );
   }
 
   /**
@@ -330,12 +432,27 @@ export class Diagram implements Disposable {
    * "not-finite", "out-of-range", "bad-option".
    */
   pick(x: number, y: number, ...how: PickArguments): number {
-    return queries.pick(nativeOf(this), this.#filters, x, y, how);
+    const native = nativeOf(this);
+    checkTypes(x, y);
+    const picking = checkedPicking(how);
+    const [farthest, top, filter] = picking;
+    if (filter !== undefined)
+      return pickThrough(native, this.#filters, x, y, picking, filter)?.id ?? -1;
+    return atPoint(native, x, y, () => native.pick(x, y, farthest, runningModule().Top[top]));
   }
 
   /** `pick` for flat x, y pairs. Filter, cost, errors: as findMany, for `pick`. */
   pickMany(xy: ArrayLike<number>, ...how: PickArguments): Int32Array {
-    return queries.pickMany(nativeOf(this), this.#filters, xy, how);
+    const native = nativeOf(this);
+    const numbers = checkedNumbers("xy", xy, 2);
+    const picking = checkedPicking(how);
+    const [, , filter] = picking;
+    if (filter === undefined) return pickAll(native, numbers, picking);
+    return throughFilter(native, this.#filters, filter, numbers, undefined, {
+      all: (of, points) => pickAll(of, points, picking),
+      one: (x, y, passes) => pickThrough(native, this.#filters, x, y, picking, passes),
+      empty: emptyDiagram,
+    });
   }
 
   /**
@@ -344,7 +461,16 @@ export class Diagram implements Disposable {
    * for sites spread evenly O(m log m), m the number of sites found and of those around the border.
    */
   search(xmin: number, ymin: number, xmax: number, ymax: number): Uint32Array {
-    return queries.search(nativeOf(this), xmin, ymin, xmax, ymax);
+    const native = nativeOf(this);
+    // Infinity means no limit on that side: no centre is farther than 1e100.
+    const limits = [-Infinity, -Infinity, Infinity, Infinity];
+    const finite = [xmin, ymin, xmax, ymax].map((value: unknown, k) =>
+      value === limits[k] ? Math.sign(Number(value)) * 1e100 : value,
+    );
+    const bounds = checkedNumbersOfBounds(finite);
+    const [left, bottom, right, top] = bounds;
+    if (left > right || bottom > top) throw disorderedBounds(bounds, "<=");
+    return native.search(left, bottom, right, top);
   }
 
   /**
@@ -353,7 +479,7 @@ export class Diagram implements Disposable {
    * graph is triangulated canonically). O(d). Throws "unknown-site".
    */
   neighbors(id: number): Uint32Array {
-    return queries.ofOne(nativeOf(this), id, (native) => native.neighbors(id));
+    return ofOne(nativeOf(this), id, (native) => native.neighbors(id));
   }
 
   /** All Voronoi edges. O(n). */
@@ -421,7 +547,7 @@ export class Diagram implements Disposable {
 
   /** null, or the first broken invariant in words. For tests: O(n) with large constants. */
   validate(): string | null {
-    return queries.validate(nativeOf(this));
+    return validate(nativeOf(this));
   }
 
   // --- Life time ---------------------------------------------------------------------------------

@@ -1,44 +1,17 @@
-// The calls of Diagram that ask: what they are given is checked, and an error names the culprit.
+// What the queries of Diagram have in common: they ask the module, and an error names the culprit.
 import { ApolloniusError } from "../errors.js";
 import {
   allocated,
   checkedChoice,
-  checkedCount,
-  checkedNumbers,
-  checkedNumbersOfBounds,
   checkNumber,
   checkOptions,
   checkSiteId,
-  checkWholeNumber,
-  disorderedBounds,
-  isSiteId,
   optionsLast,
 } from "./arguments.js";
-import {
-  checkedFilter,
-  filterOf,
-  type Filters,
-  findMany as findManyOf,
-  firstOf,
-  type Found,
-  passing,
-  throughFilter,
-} from "./filters.js";
+import { checkedFilter, filterOf, type Filters, type Found, passing } from "./filters.js";
 import { type NativeDiagram, type NearestFirst, runningModule } from "./native/module.js";
 import { checkTypes, ofElements, ofNumbers, ofSite } from "./native/native_errors.js";
-import type {
-  FilterOptions,
-  FindManyArguments,
-  NearbyFilter,
-  NearbyOptions,
-  PickArguments,
-  PickOptions,
-} from "./types.js";
-
-export function has(native: NativeDiagram, id: number): boolean {
-  checkWholeNumber(id);
-  return isSiteId(id) && native.has(id);
-}
+import type { FilterOptions, NearbyFilter, PickArguments, PickOptions } from "./types.js";
 
 /** What `ask` says of a site; errors name it. */
 export function ofOne<Answer>(
@@ -69,18 +42,8 @@ export function atPoint<Answer>(
   }
 }
 
-export function find(
-  native: NativeDiagram,
-  filters: Filters,
-  x: number,
-  y: number,
-  options?: FilterOptions,
-): number {
-  if (options !== undefined) return nearest(native, filters, x, y, options)?.id ?? -1;
-  return atPoint(native, x, y, () => native.find(x, y));
-}
-
-export function nearest(
+/** `nearest`, and `find` where there are options. */
+export function nearestOf(
   native: NativeDiagram,
   filters: Filters,
   x: number,
@@ -98,7 +61,7 @@ export function nearest(
 const kFew = 16;
 
 /** The nearest site of each point; fills in the distances, if there is an array. */
-function findAll(
+export function findAll(
   native: NativeDiagram,
   numbers: ArrayLike<number>,
   distances?: Float64Array,
@@ -115,23 +78,15 @@ function findAll(
   return ids;
 }
 
-/** Of the sites that a filter lets through. */
-const empty = () => runningModule().create("hierarchy");
+/** For the sites that a filter lets through. */
+export const emptyDiagram = () => runningModule().create("hierarchy");
 
-export function findMany(
+export function walkFrom(
   native: NativeDiagram,
-  filters: Filters,
-  xy: ArrayLike<number>,
-  how: FindManyArguments,
-): Int32Array {
-  return findManyOf(native, filters, checkedNumbers("xy", xy, 2), how, {
-    all: findAll,
-    one: (x, y, filter) => passing(walkFrom(native, x, y, Infinity), filter, filters),
-    empty,
-  });
-}
-
-function walkFrom(native: NativeDiagram, x: number, y: number, farthest: number): NearestFirst {
+  x: number,
+  y: number,
+  farthest: number,
+): NearestFirst {
   return atPoint(native, x, y, () => native.nearestFirst(x, y, farthest)) as NearestFirst;
 }
 
@@ -142,48 +97,10 @@ export function checkedMaxDistance(name: string, maxDistance: unknown): number {
   return maxDistance as number;
 }
 
-export function kNearest(
-  native: NativeDiagram,
-  filters: Filters,
-  x: number,
-  y: number,
-  k: number,
-  options?: NearbyOptions,
-): Uint32Array {
-  checkTypes(x, y);
-  const most = checkedCount("k", k);
-  checkOptions(options, "maxDistance", "filter");
-  const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
-  const filter = checkedFilter(options?.filter);
-  return farthest === Infinity && filter === undefined
-    ? atPoint(native, x, y, () => native.kNearest(x, y, most))
-    : firstOf(walkFrom(native, x, y, farthest), most, filter ?? (() => true), filters);
-}
-
-export function within(
-  native: NativeDiagram,
-  filters: Filters,
-  x: number,
-  y: number,
-  distance: number,
-  options?: FilterOptions,
-): Uint32Array {
-  checkTypes(x, y);
-  checkedMaxDistance("distance", distance);
-  const filter = filterOf(options);
-  if (filter !== undefined)
-    return firstOf(walkFrom(native, x, y, distance), Infinity, filter, filters);
-  return atPoint(native, x, y, () =>
-    distance === Infinity
-      ? native.kNearest(x, y, checkedCount("k", Infinity))
-      : native.within(x, y, distance),
-  );
-}
-
 /** The largest distance, which circle is on top, and the filter. */
-type Picking = [number, "smallest" | "last", NearbyFilter | undefined];
+export type Picking = [number, "smallest" | "last", NearbyFilter | undefined];
 
-function checkedPicking(how: PickArguments): Picking {
+export function checkedPicking(how: PickArguments): Picking {
   const [maxDistance, options] = optionsLast(how) as [number?, PickOptions?];
   const farthest = checkedMaxDistance("maxDistance", orInfinity(maxDistance));
   if (farthest < 0)
@@ -196,7 +113,7 @@ function checkedPicking(how: PickArguments): Picking {
   return [farthest, top, checkedFilter(options?.filter)];
 }
 
-function pickThrough(
+export function pickThrough(
   native: NativeDiagram,
   filters: Filters,
   x: number,
@@ -210,22 +127,8 @@ function pickThrough(
   });
 }
 
-export function pick(
-  native: NativeDiagram,
-  filters: Filters,
-  x: number,
-  y: number,
-  how: PickArguments,
-): number {
-  checkTypes(x, y);
-  const picking = checkedPicking(how);
-  const [farthest, top, filter] = picking;
-  if (filter !== undefined) return pickThrough(native, filters, x, y, picking, filter)?.id ?? -1;
-  return atPoint(native, x, y, () => native.pick(x, y, farthest, runningModule().Top[top]));
-}
-
 /** What `pick` says of each point; most are in no circle, and the nearest site is the answer. */
-function pickAll(
+export function pickAll(
   native: NativeDiagram,
   numbers: ArrayLike<number>,
   [farthest, top]: Picking,
@@ -243,34 +146,6 @@ function pickAll(
       );
   });
   return ids;
-}
-
-export function pickMany(
-  native: NativeDiagram,
-  filters: Filters,
-  xy: ArrayLike<number>,
-  how: PickArguments,
-): Int32Array {
-  const numbers = checkedNumbers("xy", xy, 2);
-  const picking = checkedPicking(how);
-  const [, , filter] = picking;
-  if (filter === undefined) return pickAll(native, numbers, picking);
-  return throughFilter(native, filters, filter, numbers, undefined, {
-    all: (of, points) => pickAll(of, points, picking),
-    one: (x, y, passes) => pickThrough(native, filters, x, y, picking, passes),
-    empty,
-  });
-}
-
-export function search(native: NativeDiagram, ...bounds: unknown[]): Uint32Array {
-  // Infinity means no limit on that side: no centre is farther than 1e100.
-  const limits = [-Infinity, -Infinity, Infinity, Infinity];
-  const finite = bounds.map((value, k) =>
-    value === limits[k] ? Math.sign(Number(value)) * 1e100 : value,
-  );
-  const [xmin, ymin, xmax, ymax] = checkedNumbersOfBounds(finite);
-  if (xmin > xmax || ymin > ymax) throw disorderedBounds([xmin, ymin, xmax, ymax], "<=");
-  return native.search(xmin, ymin, xmax, ymax);
 }
 
 /** null, or the first broken invariant in words. */

@@ -1,13 +1,25 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 import type { Accessor, Items } from "../core/accessors.js";
 import {
+  allocated,
   checkedBytes,
+  checkedChoice,
+  checkedCount,
   checkedIds,
   checkOptions,
+  checkSiteId,
   checkWholeNumber,
   isSiteId,
+  unknownSite,
 } from "../core/arguments.js";
-import type { Filters } from "../core/filters.js";
+import {
+  checkedFilter,
+  filterOf,
+  type Filters,
+  findMany,
+  firstOf,
+  passing,
+} from "../core/filters.js";
 import { kInspect, showContent, summary } from "../core/inspection.js";
 import {
   Ballast,
@@ -16,8 +28,12 @@ import {
   fillOrDispose,
   wrongReceiver,
 } from "../core/native/lifetime.js";
-import type { NativeSphericalDiagram } from "../core/native/module.js";
-import { validate } from "../core/queries.js";
+import {
+  type NativeSphericalDiagram,
+  runningModule,
+  type SphericalNearestFirst,
+} from "../core/native/module.js";
+import { checkedMaxDistance, orInfinity, validate } from "../core/queries.js";
 import type {
   Edges,
   FilterOptions,
@@ -26,29 +42,24 @@ import type {
   Position,
 } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
-import type { CellsCollection } from "../shapes/geojson.js";
+import {
+  type CellsCollection,
+  checkedProperties,
+  checkedWinding,
+  featuresOf,
+  positionsOf,
+} from "../shapes/geojson.js";
 import type { CellPolygon } from "../shapes/types.js";
 import {
   accessorsAndOptions,
+  checkedAngularTolerance,
+  checkedPoints,
   checkedRadius,
+  checkedSites,
   checkPoint,
   checkSite,
   sphericalTriples,
 } from "./spherical_arguments.js";
-import {
-  cellPolygon,
-  find,
-  findMany,
-  insertMany,
-  kNearest,
-  listedSites,
-  nearest,
-  toGeoJSON,
-  update,
-  updateMany,
-  within,
-  withSite,
-} from "./spherical_calls.js";
 import type {
   ListedSphericalSite,
   Spherical,
@@ -63,6 +74,45 @@ import type {
 
 /** The native diagram; "busy" for a call that `changes` it while a filter runs. */
 let living: (diagram: unknown, changes?: boolean) => NativeSphericalDiagram;
+
+/** The same diagram, of which this is a site. */
+function withSite(native: NativeSphericalDiagram, id: number): NativeSphericalDiagram {
+  checkSiteId(id);
+  if (!native.has(id)) throw unknownSite(id);
+  return native;
+}
+
+function walkFrom(
+  native: NativeSphericalDiagram,
+  lon: number,
+  lat: number,
+  farthest: number,
+): SphericalNearestFirst {
+  return native.nearestFirst(lon, lat, farthest) as SphericalNearestFirst;
+}
+
+function findAll(
+  native: NativeSphericalDiagram,
+  numbers: ArrayLike<number>,
+  distances?: Float64Array,
+): Int32Array {
+  const ids = allocated(() => new Int32Array(numbers.length / 2));
+  native.findMany(numbers, ids, distances ?? null);
+  return ids;
+}
+
+function nearby(
+  native: NativeSphericalDiagram,
+  filters: Filters,
+  [lon, lat]: Position,
+  most: number,
+  farthest: number,
+  filter: unknown,
+): Uint32Array {
+  const checked = checkedFilter(filter);
+  if (checked === undefined) return native.kNearest(lon, lat, most, farthest);
+  return firstOf(walkFrom(native, lon, lat, farthest), most, checked, filters);
+}
 
 /**
  * The additively weighted Voronoi diagram of the sphere, fully dynamic: for maps.
@@ -173,7 +223,9 @@ export class SphericalDiagram implements Disposable {
    */
   insertMany(lonLatR: ArrayLike<number>): Uint32Array {
     const native = living(this, true);
-    const ids = insertMany(native, lonLatR);
+    const numbers = checkedSites("lonLatR", lonLatR, native.radius());
+    const ids = allocated(() => new Uint32Array(numbers.length / 3));
+    native.insertMany(numbers, ids);
     this.#ballast.carry(native.size());
     return ids;
   }
@@ -199,7 +251,10 @@ export class SphericalDiagram implements Disposable {
    * remove and insert. Throws "unknown-site", "not-finite", "out-of-range".
    */
   update(id: number, lon: number, lat: number, r?: number): this {
-    update(living(this, true), id, lon, lat, r);
+    const native = living(this, true);
+    const weight = r === undefined ? withSite(native, id).site(id).r : r;
+    checkSite(lon, lat, weight, native.radius());
+    withSite(native, id).update(id, lon, lat, weight);
     return this;
   }
 
@@ -209,7 +264,22 @@ export class SphericalDiagram implements Disposable {
    * an id.
    */
   updateMany(ids: ArrayLike<number>, lonLatR: ArrayLike<number>): this {
-    updateMany(living(this, true), ids, lonLatR);
+    const native = living(this, true);
+    const sites = checkedIds("ids", ids);
+    const numbers = checkedSites("lonLatR", lonLatR, native.radius());
+    if (numbers.length !== 3 * sites.length)
+      throw new ApolloniusError(
+        "bad-length",
+        `expected ${3 * sites.length} values in lonLatR for ${sites.length} ids, got ` +
+          numbers.length,
+      );
+    const unknown = sites.findIndex((id) => !native.has(id));
+    if (unknown !== -1)
+      throw new ApolloniusError(
+        "unknown-site",
+        `ids[${unknown}]: ${unknownSite(ids[unknown]).message}`,
+      );
+    native.updateMany(sites, numbers);
     return this;
   }
 
@@ -261,7 +331,11 @@ export class SphericalDiagram implements Disposable {
 
   /** All sites, { id, lon, lat, r, hidden }, ascending by id, as the loop finds them. O(n). */
   *[Symbol.iterator](): Generator<ListedSphericalSite, void> {
-    yield* listedSites(this.sites());
+    const { ids, lonLatR, hidden } = this.sites();
+    for (let k = 0; k < ids.length; ++k) {
+      const [lon, lat, r] = [lonLatR[3 * k]!, lonLatR[3 * k + 1]!, lonLatR[3 * k + 2]!];
+      yield { id: ids[k]!, lon, lat, r, hidden: hidden[k] === 1 };
+    }
   }
 
   /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
@@ -285,7 +359,12 @@ export class SphericalDiagram implements Disposable {
    * "out-of-range", "bad-option".
    */
   find(lon: number, lat: number, options?: FilterOptions): number {
-    return find(living(this), this.#filters, lon, lat, options);
+    const native = living(this);
+    checkPoint(lon, lat);
+    const filter = filterOf(options);
+    if (filter !== undefined)
+      return passing(walkFrom(native, lon, lat, Infinity), filter, this.#filters)?.id ?? -1;
+    return native.find(lon, lat); // without the distance, which costs as much as the search
   }
 
   /**
@@ -297,7 +376,13 @@ export class SphericalDiagram implements Disposable {
     lat: number,
     options?: FilterOptions,
   ): { id: number; distance: number } | null {
-    return nearest(living(this), this.#filters, lon, lat, options);
+    const native = living(this);
+    checkPoint(lon, lat);
+    const filter = filterOf(options);
+    if (filter !== undefined)
+      return passing(walkFrom(native, lon, lat, Infinity), filter, this.#filters);
+    const found = native.nearest(lon, lat);
+    return found.id === -1 ? null : found;
   }
 
   /**
@@ -306,7 +391,13 @@ export class SphericalDiagram implements Disposable {
    * as Diagram.findMany. Throws as `find`, and "bad-length".
    */
   findMany(lonLat: ArrayLike<number>, ...how: FindManyArguments): Int32Array {
-    return findMany(living(this), this.#filters, lonLat, how);
+    const native = living(this);
+    return findMany(native, this.#filters, checkedPoints("lonLat", lonLat), how, {
+      all: findAll,
+      one: (lon, lat, filter) =>
+        passing(walkFrom(native, lon, lat, Infinity), filter, this.#filters),
+      empty: () => runningModule().createSpherical(native.radius()),
+    });
   }
 
   /**
@@ -315,7 +406,12 @@ export class SphericalDiagram implements Disposable {
    * neighbours of the sites looked at. Throws "not-finite", "out-of-range", "bad-option".
    */
   kNearest(lon: number, lat: number, k: number, options?: NearbyOptions): Uint32Array {
-    return kNearest(living(this), this.#filters, lon, lat, k, options);
+    const native = living(this);
+    checkPoint(lon, lat);
+    const most = checkedCount("k", k);
+    checkOptions(options, "maxDistance", "filter");
+    const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
+    return nearby(native, this.#filters, [lon, lat], most, farthest, options?.filter);
   }
 
   /**
@@ -324,7 +420,12 @@ export class SphericalDiagram implements Disposable {
    * kNearest.
    */
   within(lon: number, lat: number, distance: number, options?: FilterOptions): Uint32Array {
-    return within(living(this), this.#filters, lon, lat, distance, options);
+    const native = living(this);
+    checkPoint(lon, lat);
+    const farthest = checkedMaxDistance("distance", distance);
+    checkOptions(options, "filter");
+    const most = checkedCount("k", Infinity);
+    return nearby(native, this.#filters, [lon, lat], most, farthest, options?.filter);
   }
 
   /**
@@ -391,7 +492,13 @@ export class SphericalDiagram implements Disposable {
    * "unknown-site", "not-finite", "out-of-range", "bad-option".
    */
   cellPolygon(id: number, options?: SphericalPolygonOptions): Position[] | null {
-    return cellPolygon(withSite(living(this), id), id, options);
+    const native = withSite(living(this), id);
+    checkOptions(options, "tolerance", "winding");
+    const winding = checkedWinding(options?.winding);
+    const tolerance = checkedAngularTolerance(options?.tolerance);
+    if (native.isHidden(id)) return null;
+    const ring = positionsOf(native.cellPolygon(id, tolerance, false).coordinates);
+    return winding === "clockwise" ? ring.reverse() : ring;
   }
 
   /** The polygons of all cells, ascending by id, which is their `index`. Cost: as cellPolygon. */
@@ -420,7 +527,25 @@ export class SphericalDiagram implements Disposable {
   toGeoJSON<Properties = { site: number }>(
     options?: SphericalGeoJSONOptions<Properties>,
   ): SphericalCollection<Properties> {
-    return toGeoJSON(() => living(this), options);
+    checkOptions(options, "tolerance", "properties", "winding", "antimeridian");
+    const properties = checkedProperties<Properties>(options?.properties);
+    const winding = checkedWinding(options?.winding);
+    const antimeridian = checkedChoice<"cut" | "keep">(
+      "options.antimeridian",
+      options?.antimeridian,
+      winding === "clockwise" ? ["keep", "cut"] : ["cut", "keep"],
+    );
+    const tolerance = checkedAngularTolerance(options?.tolerance);
+    // asked last, as the caller's options can dispose of the diagram before
+    const polygons = living(this).cellPolygons(tolerance, antimeridian === "cut");
+    const collection = featuresOf(polygons, properties, winding);
+    if (polygons.parts.length > 1) return collection;
+    // The only visible site's, which is the whole sphere.
+    const features = collection.features.map((feature) => ({
+      ...feature,
+      geometry: { type: "Sphere" as const },
+    }));
+    return { type: collection.type, features };
   }
 
   // --- Snapshots and life time -------------------------------------------------------------------

@@ -1,4 +1,4 @@
-// What stands on top: the headline and a sentence below it. In the state Centres they say what is
+// The headline, and a sentence below it. In the state Centres they say what is
 // true there, and on how much of the window the nearest centre is not the nearest circle's.
 import type { App } from "../app.js";
 import { effect, signal, whenever } from "../model/signals.js";
