@@ -20,7 +20,7 @@ const entries = [
   ["apollonius-diagram/treemap", "treemap.ts"],
   ["apollonius-diagram/wasm", "wasm.ts"],
 ];
-const preface = `<!-- Made by \`npm run docs\` of comments in wasm/package and docs/examples: edit those. -->
+const preface = `<!-- Made by npm run docs: edit wasm/package and docs/examples instead. -->
 
 # API reference
 
