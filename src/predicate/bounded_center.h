@@ -19,7 +19,7 @@ enum class Existence : unsigned char { kYes, kNo, kUnknown };
 template <class Number>
 struct BoundedCenter {
   Number x, y, rho;
-  double error;
+  double error = 0;
 };
 
 /// Is the first double of a sum of two twofold numbers certainly the one nearest to what it stands

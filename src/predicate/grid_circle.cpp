@@ -38,10 +38,10 @@ OnGrid circleOnGrid(const Site& i, const Site& j, const Site& k, VoronoiCircle& 
   for (const Site* s : {&i, &j, &k}) {
     if (!isMultiple(s->x) || !isMultiple(s->y) || !isMultiple(s->r)) return OnGrid::kNo;
   }
+  if (jr != 0 || kr != 0) return OnGrid::kYes;
   const double scale = powerOfTwo(-unit);
   const Row<double> rowJ = rowOf(jx * scale, jy * scale, jr * scale),
                     rowK = rowOf(kx * scale, ky * scale, kr * scale);
-  if (jr != 0 || kr != 0) return OnGrid::kYes;
   const Center center = centerOfPoints(i.x * scale, i.y * scale, rowJ, rowK);
   for (const Twofold& number : center) {
     if (!isRounded(number, 3 * kTwofoldRoundoff * absolute(number.value))) return OnGrid::kYes;

@@ -10,9 +10,9 @@ namespace apollonius::internal {
 enum class OnGrid : unsigned char { kNo, kYes, kYesRounded };
 
 /// The circle of a counter-clockwise face of three sites whose coordinates and weights are
-/// multiples of one unit, no further apart than 2^17 of them. kYesRounded: the centre, and its
-/// distance from i, are rounded correctly (the clearance is that distance less i's weight). kYes:
-/// that is not certain, and the circle is not known. REQUIRES: i is the reference site.
+/// multiples of one unit, no further apart than 2^17 of them. kYesRounded, which is for equal
+/// weights: the centre, and its distance from i, are rounded correctly (the clearance is that
+/// distance less i's weight). kYes: the circle is not known. REQUIRES: i is the reference site.
 [[nodiscard]] OnGrid circleOnGrid(const Site& i, const Site& j, const Site& k,
                                   VoronoiCircle& circle);
 

@@ -127,6 +127,17 @@ struct Candidates {
   }
 };
 
+/// `number` / (2c), rounded to the nearest double, or to the one of even mantissa if there are two;
+/// from what was found of it, and how far that is off at most.
+double nearestDouble(const LongFace& face, const LongFace::Number& number, const Twofold& found,
+                     double error) {
+  const Candidates candidates(found);
+  if (candidates.isFirst(found, error)) return candidates.t;
+  const Dyadic middle = (Dyadic(candidates.t) + Dyadic(candidates.next)) * Dyadic(0.5);
+  const LongFace::Number rest = restAt(face, number, middle);
+  return candidates.nearest(signOfRoot(rest.first, rest.second, face.d));
+}
+
 /// On which side of the middle of two doubles is a coordinate of the centre of three sites of equal
 /// weights? False if their numbers are too long for integers of fixed width.
 bool findSide(const Site& i, const Site& j, const Site& k, bool isX, const Candidates& doubles,
@@ -244,10 +255,10 @@ VoronoiCircle correctCircle(const Site& i, const Site& j, const Site& k) {
   // own + `number` / (2c).
   const auto correct = [&](LongFace::Number LongFace::* part, double own, const Twofold& seen,
                            double estimate) {
-    Twofold found = seen + own;
+    const Twofold found = seen + own;
     if (isCorrect(seen, own)) return found.value;
     // The bound of isRounded, and a little.
-    double error = 2 * (twofold.error + kTwofoldRoundoff * absolute(found.value));
+    const double error = 2 * (twofold.error + kTwofoldRoundoff * absolute(found.value));
     const bool isGood = isKnown && error < powerOfTwo(-70) * absolute(found.value);
     Sign side;
     if (isGood && haveEqualWeights && part != &LongFace::rho &&
@@ -256,15 +267,9 @@ VoronoiCircle correctCircle(const Site& i, const Site& j, const Site& k) {
     if (!face) face.emplace(i, j, k);
     const LongFace::Number number =
         own == 0 ? (*face).*part : restAt(*face, (*face).*part, Dyadic(-own));
-    if (!isGood) {
-      found = quotient(*face, number, estimate);
-      error = powerOfTwo(-72) * absolute(found.value);
-    }
-    const Candidates candidates(found);
-    if (candidates.isFirst(found, error)) return candidates.t;
-    const LongFace::Number rest =
-        restAt(*face, number, (Dyadic(candidates.t) + Dyadic(candidates.next)) * Dyadic(0.5));
-    return candidates.nearest(signOfRoot(rest.first, rest.second, face->d));
+    if (isGood) return nearestDouble(*face, number, found, error);
+    const Twofold better = quotient(*face, number, estimate);
+    return nearestDouble(*face, number, better, powerOfTwo(-72) * absolute(better.value));
   };
   circle.x = correct(&LongFace::x, i.x, twofold.x, circle.x);
   circle.y = correct(&LongFace::y, i.y, twofold.y, circle.y);

@@ -11,8 +11,7 @@ namespace apollonius::internal {
 /// the last place of the radius and of each coordinate. The centre is correctly rounded for sites
 /// whose coordinates and weights are multiples of one unit, no further apart than 2^17 of them.
 /// Takes numbers of twice the digits, and then long ones, where voronoiCircle's doubles do not
-/// suffice. Coordinates beyond the range of
-/// doubles are infinite.
+/// suffice. Coordinates beyond the range of doubles are infinite.
 [[nodiscard]] VoronoiCircle preciseVoronoiCircle(Corner i, Corner j, Corner k);
 
 /// The same for a circle that more than three sites touch, with the same bits whichever three of

@@ -227,6 +227,57 @@ TEST(Reach, PolygonsOfCellsThatEndBeforeTheWindowAreNone) {
   EXPECT_TRUE(coverage.coordinates.empty());
 }
 
+/// The circles of both cells, and the edge between them, are symmetric about a line across the side
+/// that the first circle touches: at any of the four, at the origin and elsewhere, and in windows
+/// of both kinds. With `isInscribed` it touches the two sides beside that one as well.
+TEST(Reach, ACircleThatTouchesASideIsCutAsIfItWereElsewhere) {
+  for (const double place : {0.0, -1000.0, 0.1}) {
+    for (const std::size_t side : {0, 1, 2, 3}) {
+      const auto circle = [&](double away, double weight) -> Circle {
+        const double x[] = {1, 0, -1, 0}, y[] = {0, 1, 0, -1};
+        return {place + x[side] * away, place + y[side] * away, weight};
+      };
+      for (const bool isInscribed : {false, true}) {
+        for (double radius = 8; radius <= 12; radius += 0.5) {
+          for (const double r : {0.0, 1.0, 2.0}) {
+            const double half = isInscribed ? radius : 30;
+            const double across = place + half, under = place - half;
+            Bounds bounds{under, under, across, across},
+                wider{place - 40, place - 40, place + 40, place + 40};
+            double* const sides[] = {&bounds.xmax, &bounds.ymax, &bounds.xmin, &bounds.ymin};
+            double* const behind[] = {&bounds.xmin, &bounds.ymin, &bounds.xmax, &bounds.ymax};
+            *sides[side] = place;
+            *behind[side] = side < 2 ? place - 30 : place + 30;
+            Diagram diagram;
+            insertInto(diagram, {circle(-radius, r), circle(-25, 1)});
+            const Reach reach(radius - r);
+            CellMoments expected;
+            ASSERT_EQ(Voronoi(diagram, wider, &reach).cellMoments(0, expected), Error::kNone);
+            ASSERT_GT(expected.area, 2 * radius * radius);
+            Region region;
+            const double ring[] = {bounds.xmin, bounds.ymin, bounds.xmax, bounds.ymin,
+                                   bounds.xmax, bounds.ymax, bounds.xmin, bounds.ymax};
+            const std::uint32_t starts[] = {0, 4};
+            ASSERT_EQ(region.assign(ring, starts), Error::kNone);
+            for (const Voronoi& voronoi :
+                 {Voronoi(diagram, bounds, &reach), Voronoi(diagram, region, &reach)}) {
+              CellMoments moments;
+              std::vector<double> areas;
+              RingArrays polygon;
+              ASSERT_EQ(voronoi.cellMoments(0, moments), Error::kNone);
+              ASSERT_EQ(voronoi.cellAreas(areas), Error::kNone);
+              ASSERT_EQ(voronoi.cellPolygon(0, 1e-3, polygon), Error::kNone);
+              EXPECT_NEAR(moments.area, expected.area, 1e-6 * expected.area) << radius << " " << r;
+              EXPECT_NEAR(areas[0], expected.area, 1e-6 * expected.area) << radius << " " << r;
+              EXPECT_NEAR(areaOf(polygon), expected.area, 1e-2 * expected.area);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(Reach, ADistanceIsMissingForASite) {
   Diagram diagram;
   insertInto(diagram, {{-3, 0, 0}, {3, 0, 0}});

@@ -15,10 +15,11 @@ namespace apollonius::test {
 namespace {
 
 /// Checks the rings of all cells; returns how many there are.
-int checkRings(const Circles& circles, const Bounds& bounds, double tolerance) {
+int checkRings(const Circles& circles, const Bounds& bounds, double tolerance,
+               const Reach* reach = nullptr) {
   Diagram diagram;
   insertInto(diagram, circles);
-  const Voronoi voronoi(diagram, bounds);
+  const Voronoi voronoi(diagram, bounds, reach);
   int count = 0;
   for (SiteId id = 0; id < circles.size(); ++id) {
     RingArrays rings;
@@ -232,29 +233,60 @@ TEST(Vertices, OnGridsAreRight) {
   EXPECT_EQ(found, 2);
 }
 
-/// The bisector of two circles touches a side at (0, 0), as seen from the window's middle on any of
-/// the four; rounding puts the point that is computed there beyond the side, on it, or before it.
+/// A window of which one side goes through a place, and circles beside that on a line across it.
+struct AtASide {
+  std::size_t side;
+  double place;  // both coordinates
+
+  /// At this distance from the place, outwards.
+  [[nodiscard]] Circle circle(double away, double weight) const {
+    const double x[] = {1, 0, -1, 0}, y[] = {0, 1, 0, -1};
+    return {place + x[side] * away, place + y[side] * away, weight};
+  }
+  [[nodiscard]] Bounds bounds() const {
+    Bounds bounds{place - 30, place - 30, place + 30, place + 30};
+    double* const sides[] = {&bounds.xmax, &bounds.ymax, &bounds.xmin, &bounds.ymin};
+    *sides[side] = place;
+    return bounds;
+  }
+};
+
+/// Rounding puts the point that is computed where they touch beyond the side, on it, or before it.
 TEST(Rings, WhereAnEdgeTouchesASideDoNotCross) {
   int count = 0;
-  for (double left = 1; left <= 12; ++left) {
-    for (double r = 0; r < left; ++r) {
-      for (double q = 0; q <= 6; ++q) {
-        for (const std::size_t side : {0, 1, 2, 3}) {
-          const auto turned = [side](double x, double weight) -> Circle {
-            const double c[] = {1, 0, -1, 0}, s[] = {0, 1, 0, -1};
-            return {c[side] * x, s[side] * x, weight};
-          };
-          Bounds bounds{-30, -30, 30, 30};
-          double* const sides[] = {&bounds.xmax, &bounds.ymax, &bounds.xmin, &bounds.ymin};
-          *sides[side] = 0;
-          const Circles circles{turned(-left, r), turned(left - r + q, q)};
-          for (const double tolerance : {1e-2, 1e2})
-            count += checkRings(circles, bounds, tolerance);
+  for (const double place : {0.0, -1000.0, 1048576.0}) {
+    for (const std::size_t side : {0, 1, 2, 3}) {
+      const AtASide scene{side, place};
+      for (double left = 1; left <= 12; left += 2) {
+        for (double r = 0; r < left; ++r) {
+          for (double q = 0; q <= 6; ++q) {
+            const Circles circles{scene.circle(-left, r), scene.circle(left - r + q, q)};
+            for (const double tolerance : {1e-2, 1e2})
+              count += checkRings(circles, scene.bounds(), tolerance);
+          }
         }
       }
     }
   }
   EXPECT_GT(count, 2000);
+}
+
+TEST(Rings, WhereCellsEndAtADistanceThatTouchesASideDoNotCross) {
+  int count = 0;
+  for (const double place : {0.0, -1000.0, 1048576.0}) {
+    for (const std::size_t side : {0, 1, 2, 3}) {
+      const AtASide scene{side, place};
+      for (double away = 1; away <= 12; ++away) {
+        for (double r = 0; r < away; ++r) {
+          const Reach reach(away - r);
+          for (const double tolerance : {1e-2, 1e2})
+            count += checkRings({scene.circle(-away, r), scene.circle(-25, 1)}, scene.bounds(),
+                                tolerance, &reach);
+        }
+      }
+    }
+  }
+  EXPECT_GT(count, 1000);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ double turnFrom(Point start, Point direction) {
 }
 /// The direction at such a turn from (1, 0).
 Point directionAt(double turn) {
+  if (turn < 0) turn += 4;
   const double c = turn <= 2 ? 1 - turn : turn - 3;
   const double s = std::sqrt(std::max((1 - c) * (1 + c), 0.0));
   return {c, turn <= 2 ? s : -s};
@@ -117,35 +118,23 @@ void ReachCellClipper::cutBorder(const BoundaryPiece& piece, std::uint32_t sourc
       {{inside, kNoSite, piece.fromSegment, piece.toSegment}, isFromCut, isToCut, source});
 }
 
-/// Is a point of the circle in the cell before it is cut?
-bool ReachCellClipper::isInside(const Cell& cell, Point direction) const {
-  const Point p = center_ + own_.radius * direction;
-  bool isInside = false;
-  for (const BoundaryPiece& piece : cell.pieces) isInside ^= crossesRay(piece.curve, p);
-  return isInside;
-}
-
-/// Where nothing passes the circle: is it in the cell? It may touch the boundary, but hardly in two
-/// of these directions.
-bool ReachCellClipper::isAroundCircle(const Cell& whole) const {
-  if (own_.radius == std::numeric_limits<double>::infinity()) return false;
+/// Of an arc of the circle that the boundary of the cell, before it is cut, does not pass: is it in
+/// the cell? It may touch the boundary, but hardly in two of these directions.
+bool ReachCellClipper::isInside(const Cell& cell, const std::array<Point, 3>& directions) const {
   int inside = 0;
-  for (const Point direction : {Point{0.6, 0.8}, Point{-0.96, 0.28}, Point{0.28, -0.96}})
-    inside += static_cast<int>(isInside(whole, direction));
+  for (const Point direction : directions) {
+    const Point p = center_ + own_.radius * direction;
+    bool isInside = false;
+    for (const BoundaryPiece& piece : cell.pieces) isInside ^= crossesRay(piece.curve, p);
+    inside += static_cast<int>(isInside);
+  }
   return inside >= 2;
 }
 
-/// As far from all passages as there is: the middle of the widest gap between two.
-Point ReachCellClipper::emptiestDirection(const FlatArray<Passage>& all) {
-  double before = all.back().turn - 4, widest = 0, middle = 0;
-  for (const Passage& passage : all) {
-    if (passage.turn - before > widest) {
-      widest = passage.turn - before;
-      middle = before + widest / 2;
-    }
-    before = passage.turn;
-  }
-  return directionAt(middle < 0 ? middle + 4 : middle);
+/// Where nothing passes the circle: is it in the cell?
+bool ReachCellClipper::isAroundCircle(const Cell& whole) const {
+  return own_.radius < std::numeric_limits<double>::infinity() &&
+         isInside(whole, {Point{0.6, 0.8}, Point{-0.96, 0.28}, Point{0.28, -0.96}});
 }
 
 void ReachCellClipper::sortByTurn(Point start, FlatArray<Passage>& passages) {
@@ -158,10 +147,23 @@ void ReachCellClipper::sortPassages(const Cell& whole) {
   FlatArray<Passage> all = exits_;
   all.append({entries_.data(), entries_.size()});
   sortByTurn({1, 0}, all);
-  const Point start = emptiestDirection(all);
+  // Counting begins as far from all passages as there is: in the middle of the widest gap.
+  double before = all.back().turn - 4, widest = 0, from = 0;
+  for (const Passage& passage : all) {
+    if (passage.turn - before > widest) {
+      widest = passage.turn - before;
+      from = before;
+    }
+    before = passage.turn;
+  }
+  const Point start = directionAt(from + widest / 2);
   sortByTurn(start, exits_);
   sortByTurn(start, entries_);
-  shift_ = isInside(whole, start) ? 1 : 0;
+  // In symmetric scenes the middle is where the circle touches a side.
+  shift_ =
+      isInside(whole, {start, directionAt(from + 0.29 * widest), directionAt(from + 0.64 * widest)})
+          ? 1
+          : 0;
   exitOf_.assign(pieces_.size(), kNoPiece);
   for (std::uint32_t k = 0; k < exits_.size(); ++k) exitOf_[exits_[k].piece] = k;
 }

@@ -8,6 +8,7 @@
 // exchange an exit and an entry that are as close as that, but not lose one.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "apollonius/reach.h"
@@ -58,9 +59,8 @@ class ReachCellClipper final : public CellClipper {
   void cutRing(std::span<const BoundaryPiece> ring, const Reach& others);
   void cutEdge(const BoundaryPiece& piece, std::uint32_t source, const Reach& others);
   void cutBorder(const BoundaryPiece& piece, std::uint32_t source);
-  [[nodiscard]] bool isInside(const Cell& cell, Point direction) const;
+  [[nodiscard]] bool isInside(const Cell& cell, const std::array<Point, 3>& directions) const;
   [[nodiscard]] bool isAroundCircle(const Cell& whole) const;
-  [[nodiscard]] static Point emptiestDirection(const FlatArray<Passage>& all);
   static void sortByTurn(Point start, FlatArray<Passage>& passages);
   void sortPassages(const Cell& whole);
   void trace();

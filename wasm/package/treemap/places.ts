@@ -25,16 +25,16 @@ export function randomOf(seed: number, which: number): () => number {
 
 /** Places that are in use, by y and x. */
 export class Taken {
-  readonly #rows = new Map<number, number[]>();
+  readonly #rows = new Map<number, Set<number>>();
 
   has(x: number, y: number): boolean {
-    return this.#rows.get(y)?.includes(x) ?? false;
+    return this.#rows.get(y)?.has(x) ?? false;
   }
 
   add(x: number, y: number): void {
     const row = this.#rows.get(y);
-    if (row === undefined) this.#rows.set(y, [x]);
-    else row.push(x);
+    if (row === undefined) this.#rows.set(y, new Set([x]));
+    else row.add(x);
   }
 }
 
