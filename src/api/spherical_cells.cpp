@@ -1,5 +1,6 @@
 // The cells of SphericalDiagram: measures and polygons.
 #include <cmath>
+#include <numbers>
 
 #include "api/spherical_checks.h"
 #include "base/flat_array.h"
@@ -69,10 +70,17 @@ Error SphericalDiagram::cellArea(SiteId id, double& area) const {
 }
 
 Error SphericalDiagram::cellAreas(std::vector<double>& areas) const {
-  return guarded(*core_, [&] {
+  bool isWhole = true;
+  const Error error = guarded(*core_, [&] {
+    constexpr double kSphere = 4 * std::numbers::pi, kRounding = 1e-5;
     listAreas(core_->projected(), core_->sites(), areas);
+    double sum = 0;
+    for (const double area : areas) sum += area;
+    isWhole = core_->sites().size() == 0 || std::abs(sum - kSphere) <= kRounding * kSphere;
     for (double& area : areas) area *= radius() * radius();
+    if (!isWhole) areas.clear();
   });
+  return error == Error::kNone && !isWhole ? Error::kBroken : error;
 }
 
 Error SphericalDiagram::cellCentroid(SiteId id, SphericalPoint& centroid) const {

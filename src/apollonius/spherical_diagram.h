@@ -129,8 +129,9 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   [[nodiscard]] Error contains(SiteId id, double lon, double lat, bool& inside) const;
   /// In the square of the radius' unit; 0 for a hidden site. Cost: O(d)
   [[nodiscard]] Error cellArea(SiteId id, double& area) const;
-  /// By id, 0 for hidden sites and ids that are not in use; they add up to 4 pi radius². Replaces
-  /// the contents. Cost: O(h)
+  /// By id, 0 for hidden sites and ids that are not in use; they add up to 4 pi radius², which is
+  /// checked to 10^-5 of that. Replaces the contents. Errors: also kBroken, a defect of the
+  /// library. Cost: O(h)
   [[nodiscard]] Error cellAreas(std::vector<double>& areas) const;
   /// The direction of the mean of the cell's points in space, and the site's centre where there is
   /// none. REQUIRES: a visible site. Cost: O(d)

@@ -93,8 +93,22 @@ LongFace::Number restAt(const LongFace& face, const LongFace::Number& number, co
   return {number.first - face.c.first * twice, number.second - face.c.second * twice};
 }
 
-/// `number` / (2c) from an estimate, to a 2^-79th of itself.
-Twofold quotient(const LongFace& face, const LongFace::Number& number, double estimate) {
+/// A double, and its neighbour: one of the two is the nearest to a number that is known to many
+/// more digits.
+struct Candidates {
+  double t, next;
+
+  explicit Candidates(const Twofold& found) : t(found.value), next(neighborOf(t, found.rest > 0)) {}
+  /// From where the number is, seen from their middle. If it is there, the one of even mantissa.
+  [[nodiscard]] double nearest(Sign beyond) const {
+    if (beyond == Sign::kZero) return lowestExponentOf(t) > lowestExponentOf(next) ? t : next;
+    return (beyond == Sign::kPositive) == (next > t) ? next : t;
+  }
+};
+
+/// `number` / (2c), rounded to the nearest double, or to the one of even mantissa if there are two;
+/// from an estimate.
+double correctQuotient(const LongFace& face, const LongFace::Number& number, double estimate) {
   if (signOfRoot(number.first, number.second, face.d) == Sign::kZero) return 0;
   const Rounded under = withRoot(face.c.first, face.c.second, face.d);
   double t = estimate, previous = t, step = 0;
@@ -106,35 +120,14 @@ Twofold quotient(const LongFace& face, const LongFace::Number& number, double es
     t = previous + step;
     if (absolute(step) <= powerOfTwo(-30) * absolute(t)) break;
   }
-  // The step is good to 2^-49 of itself.
-  const double back = t - previous;
-  return {t, (previous - (t - back)) + (step - back)};
-}
-
-/// Two neighbouring doubles, the nearer one of which is looked for.
-struct Candidates {
-  double t, next;
-
-  explicit Candidates(const Twofold& found) : t(found.value), next(neighborOf(t, found.rest > 0)) {}
-  /// Is it certainly the first, if what was found is off by at most the error? 0 is exact.
-  [[nodiscard]] bool isFirst(const Twofold& found, double error) const {
-    return found.rest == 0 || absolute(absolute(found.rest) - absolute(next - t) / 2) > error;
-  }
-  /// From where the number is, seen from their middle. If it is there, the one of even mantissa.
-  [[nodiscard]] double nearest(Sign beyond) const {
-    if (beyond == Sign::kZero) return lowestExponentOf(t) > lowestExponentOf(next) ? t : next;
-    return (beyond == Sign::kPositive) == (next > t) ? next : t;
-  }
-};
-
-/// `number` / (2c), rounded to the nearest double, or to the one of even mantissa if there are two;
-/// from what was found of it, and how far that is off at most.
-double nearestDouble(const LongFace& face, const LongFace::Number& number, const Twofold& found,
-                     double error) {
-  const Candidates candidates(found);
-  if (candidates.isFirst(found, error)) return candidates.t;
-  const Dyadic middle = (Dyadic(candidates.t) + Dyadic(candidates.next)) * Dyadic(0.5);
-  const LongFace::Number rest = restAt(face, number, middle);
+  // The step is good to 2^-49 of itself, a 2^-79th of t. So t is right unless the sum was as near
+  // to the middle of two doubles as that.
+  const double back = t - previous, lost = (previous - (t - back)) + (step - back);
+  const Candidates candidates({t, lost});
+  const double apart = absolute(candidates.next - t);
+  if (lost == 0 || absolute(absolute(lost) - apart / 2) > powerOfTwo(-20) * apart) return t;
+  const LongFace::Number rest =
+      restAt(face, number, (Dyadic(t) + Dyadic(candidates.next)) * Dyadic(0.5));
   return candidates.nearest(signOfRoot(rest.first, rest.second, face.d));
 }
 
@@ -257,19 +250,16 @@ VoronoiCircle correctCircle(const Site& i, const Site& j, const Site& k) {
                            double estimate) {
     const Twofold found = seen + own;
     if (isCorrect(seen, own)) return found.value;
-    // The bound of isRounded, and a little.
-    const double error = 2 * (twofold.error + kTwofoldRoundoff * absolute(found.value));
-    const bool isGood = isKnown && error < powerOfTwo(-70) * absolute(found.value);
+    // Of points, a tie of two doubles is decided in shorter numbers.
+    const bool areClose = isKnown && twofold.error < powerOfTwo(-70) * absolute(found.value);
     Sign side;
-    if (isGood && haveEqualWeights && part != &LongFace::rho &&
+    if (areClose && haveEqualWeights && part != &LongFace::rho &&
         findSide(i, j, k, part == &LongFace::x, Candidates(found), side))
       return Candidates(found).nearest(side);
     if (!face) face.emplace(i, j, k);
-    const LongFace::Number number =
-        own == 0 ? (*face).*part : restAt(*face, (*face).*part, Dyadic(-own));
-    if (isGood) return nearestDouble(*face, number, found, error);
-    const Twofold better = quotient(*face, number, estimate);
-    return nearestDouble(*face, number, better, powerOfTwo(-72) * absolute(better.value));
+    const LongFace::Number& number = (*face).*part;
+    return correctQuotient(*face, own == 0 ? number : restAt(*face, number, Dyadic(-own)),
+                           estimate);
   };
   circle.x = correct(&LongFace::x, i.x, twofold.x, circle.x);
   circle.y = correct(&LongFace::y, i.y, twofold.y, circle.y);

@@ -101,5 +101,41 @@ TEST_P(CloseSites, AreasAreThoseOfALargerCluster) {
   }
 }
 
+/// Sites some 10^-11 and 10^-8 degrees apart that nearly hide each other, for which areas were a
+/// whole sphere too large, and no number: docs/RELIABILITY.md, "Known limits".
+TEST(SphericalAreas, ThatAreNotTheSphereAreRefused) {
+  const std::vector<std::vector<double>> scenes = {
+      {-114.67132356419667,  -3.3771830274226304,  0.026689785658456144, 97.670454757825269,
+       -32.451404650617903,  0.033845426512741209, -93.938542310500921,  19.124989184635098,
+       -0.50334955061908104, 64.552048374822093,   50.5306429674187,     -1.5019059014539553,
+       64.552048374827564,   50.530642967413229,   -1.5019059014538717,  64.552048374827564,
+       50.530642967407758,   -1.5019059014537799,  64.55204837481115,    50.530642967413229,
+       -1.5019059014538272,  177.72417517091122,   21.165351536309135,   -1.2041884941082426},
+      {-139.07410963234778, 0.11599946097416634, 0,
+       122.26193422830198,  17.574894428562445,  0,
+       -130.51992886232435, 5.5552042984784817,  0,
+       -104.41421690872872, -22.767639993214733, -0.66541167654540534,
+       -99.899043967839688, 61.21578314909069,   -1.0503518096701121,
+       -99.899043976873216, 61.21578314909069,   -1.0503518096255433,
+       -99.899043972356452, 61.215783140057162,  -1.0503518095192048,
+       -66.062377427435081, -59.704040855542281, -1.4246318064500356,
+       92.61409052858869,   21.983795580475046,  -0.49217199754486385}};
+  for (const std::vector<double>& scene : scenes) {
+    SphericalDiagram diagram;
+    std::vector<SiteId> ids(scene.size() / 3);
+    ASSERT_EQ(diagram.insertMany(scene, ids), Error::kNone);
+    std::vector<double> areas;
+    const Error error = diagram.cellAreas(areas);
+    EXPECT_TRUE(error == Error::kNone || error == Error::kBroken);
+    double sum = 0;
+    for (const double area : areas) sum += area;
+    if (error == Error::kNone) {
+      EXPECT_NEAR(sum, 4 * std::numbers::pi, 2e-4);
+    } else {
+      EXPECT_TRUE(areas.empty());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace apollonius::test

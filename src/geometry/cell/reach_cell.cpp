@@ -48,7 +48,7 @@ const Cell& ReachCellClipper::cut(Slot site, ReachOfSite reach, const Reach& oth
   for (std::size_t ring = 0; ring < whole.ringCount(); ++ring) cutRing(whole.ring(ring), others);
   if (!entries_.empty()) {
     sortPassages(whole);
-  } else if (isAroundCircle(whole)) {
+  } else if (own_.radius < std::numeric_limits<double>::infinity() && isInside(whole, 0, 4)) {
     addArc({{1, 0}, kNoPiece}, {{1, 0}, kNoPiece}, 4);
     rings_.closeRing();
   }
@@ -118,23 +118,18 @@ void ReachCellClipper::cutBorder(const BoundaryPiece& piece, std::uint32_t sourc
       {{inside, kNoSite, piece.fromSegment, piece.toSegment}, isFromCut, isToCut, source});
 }
 
-/// Of an arc of the circle that the boundary of the cell, before it is cut, does not pass: is it in
-/// the cell? It may touch the boundary, but hardly in two of these directions.
-bool ReachCellClipper::isInside(const Cell& cell, const std::array<Point, 3>& directions) const {
+/// Of an arc of the circle, from one turn on, that the boundary of the cell before it is cut does
+/// not pass: is it in the cell? It may touch the boundary, but hardly in two of three places, which
+/// stand in no simple proportion.
+bool ReachCellClipper::isInside(const Cell& whole, double from, double width) const {
   int inside = 0;
-  for (const Point direction : directions) {
-    const Point p = center_ + own_.radius * direction;
+  for (const double share : {0.29, 0.47, 0.64}) {
+    const Point p = center_ + own_.radius * directionAt(from + share * width);
     bool isInside = false;
-    for (const BoundaryPiece& piece : cell.pieces) isInside ^= crossesRay(piece.curve, p);
+    for (const BoundaryPiece& piece : whole.pieces) isInside ^= crossesRay(piece.curve, p);
     inside += static_cast<int>(isInside);
   }
   return inside >= 2;
-}
-
-/// Where nothing passes the circle: is it in the cell?
-bool ReachCellClipper::isAroundCircle(const Cell& whole) const {
-  return own_.radius < std::numeric_limits<double>::infinity() &&
-         isInside(whole, {Point{0.6, 0.8}, Point{-0.96, 0.28}, Point{0.28, -0.96}});
 }
 
 void ReachCellClipper::sortByTurn(Point start, FlatArray<Passage>& passages) {
@@ -159,11 +154,7 @@ void ReachCellClipper::sortPassages(const Cell& whole) {
   const Point start = directionAt(from + widest / 2);
   sortByTurn(start, exits_);
   sortByTurn(start, entries_);
-  // In symmetric scenes the middle is where the circle touches a side.
-  shift_ =
-      isInside(whole, {start, directionAt(from + 0.29 * widest), directionAt(from + 0.64 * widest)})
-          ? 1
-          : 0;
+  shift_ = isInside(whole, from, widest) ? 1 : 0;
   exitOf_.assign(pieces_.size(), kNoPiece);
   for (std::uint32_t k = 0; k < exits_.size(); ++k) exitOf_[exits_[k].piece] = k;
 }

@@ -8,7 +8,6 @@
 // exchange an exit and an entry that are as close as that, but not lose one.
 #pragma once
 
-#include <array>
 #include <memory>
 
 #include "apollonius/reach.h"
@@ -59,8 +58,7 @@ class ReachCellClipper final : public CellClipper {
   void cutRing(std::span<const BoundaryPiece> ring, const Reach& others);
   void cutEdge(const BoundaryPiece& piece, std::uint32_t source, const Reach& others);
   void cutBorder(const BoundaryPiece& piece, std::uint32_t source);
-  [[nodiscard]] bool isInside(const Cell& cell, const std::array<Point, 3>& directions) const;
-  [[nodiscard]] bool isAroundCircle(const Cell& whole) const;
+  [[nodiscard]] bool isInside(const Cell& whole, double from, double width) const;
   static void sortByTurn(Point start, FlatArray<Passage>& passages);
   void sortPassages(const Cell& whole);
   void trace();

@@ -470,7 +470,10 @@ export class SphericalDiagram implements Disposable {
     return withSite(living(this), id).cellArea(id);
   }
 
-  /** The areas of all cells by id, 0 for ids without a cell; they add up to 4 π radius². O(n). */
+  /**
+   * The areas of all cells by id, 0 for ids without a cell; they add up to 4 π radius². Throws
+   * "broken" if they do not, by a defect of the library. O(n).
+   */
   cellAreas(): Float64Array {
     return living(this).cellAreas();
   }

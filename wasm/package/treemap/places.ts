@@ -32,9 +32,9 @@ export class Taken {
   }
 
   add(x: number, y: number): void {
-    const row = this.#rows.get(y);
-    if (row === undefined) this.#rows.set(y, new Set([x]));
-    else row.add(x);
+    let row = this.#rows.get(y);
+    if (row === undefined) this.#rows.set(y, (row = new Set()));
+    row.add(x);
   }
 }
 
