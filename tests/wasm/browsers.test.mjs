@@ -81,6 +81,7 @@ test("no file has characters that a page or a bundler would not take as they are
 
 const files = {
   "module.js": `import { Diagram } from "${dist}/esm/index.js"; ${use}`,
+  "core.js": `import { Diagram } from "${dist}/esm/core.js"; ${use}`,
   "global.js": `const { Diagram } = apollonius; ${use}`,
   "wasm.js": `import { Diagram, load } from "${dist}/esm/wasm.js";
     await load({ core: "${dist}/core.wasm" }); ${use}`,
@@ -99,6 +100,7 @@ const scriptFile = readFileSync(path.join(packed, dist, "apollonius.js"), "utf8"
 const module = (file) => ({ html: `<script type="module" src="${file}"></script>` });
 const cases = {
   module: module("/module.js"),
+  core: module("/core.js"),
   load: module("/ahead.js"),
   streaming: module("/wasm.js"),
   script: {
