@@ -80,6 +80,7 @@ function signature(declaration) {
 }
 
 function isPublic(member) {
+  if (ts.getCombinedModifierFlags(member) & ts.ModifierFlags.Abstract) return false; // another's
   if (ts.getJSDocTags(member).some((tag) => tag.tagName.text === "internal")) return false;
   return (
     member.name === undefined ||
@@ -131,10 +132,13 @@ export function describePackage() {
   });
 }
 
-/** The interfaces that one extends, as declarations. */
+/** The interfaces or the class of the package that one extends, as declarations. */
 function basesOf(declaration, checker) {
-  const types = (declaration.heritageClauses ?? []).flatMap((clause) => clause.types);
-  return types.map((type) => checker.getTypeAtLocation(type).symbol.declarations[0]);
+  return (declaration.heritageClauses ?? [])
+    .filter((clause) => clause.token === ts.SyntaxKind.ExtendsKeyword)
+    .flatMap((clause) => clause.types)
+    .map((type) => checker.getTypeAtLocation(type).symbol.declarations[0])
+    .filter((base) => base.getSourceFile().fileName.startsWith(path.join(root, "wasm/package")));
 }
 
 function describe({ name, declaration, additions }, checker) {
@@ -148,15 +152,15 @@ function describe({ name, declaration, additions }, checker) {
           ? "function"
           : "const";
   const members = [];
-  const inherited =
-    kind === "interface" ? basesOf(declaration, checker).flatMap((base) => [...base.members]) : [];
+  const inherited = basesOf(declaration, checker).flatMap((base) => [...base.members]);
   const own =
     kind === "class" || kind === "interface"
       ? [declaration, ...additions.filter(ts.isInterfaceDeclaration)].flatMap((one) => [
           ...one.members,
         ])
       : [];
-  for (const member of [...inherited, ...own].filter(isPublic)) {
+  const all = kind === "class" ? [...own, ...inherited] : [...inherited, ...own];
+  for (const member of all.filter(isPublic)) {
     if (ts.isClassStaticBlockDeclaration(member) || ts.isSemicolonClassElement(member)) continue;
     const described = {
       name: memberName(member),

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <new>
 #include <utility>
 #include <vector>
@@ -199,17 +198,13 @@ Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids,
   return guarded(*core_, [&] { listNearest(*core_, xy, ids, distances); });
 }
 
-Error Diagram::kNearest(double x, double y, std::size_t k, std::vector<SiteId>& sites) const {
+Error Diagram::kNearest(double x, double y, std::size_t k, double farthest,
+                        std::vector<SiteId>& sites) const {
   for (const double value : {x, y}) {
     if (const Error error = checkNumber(value); error != Error::kNone) return error;
   }
-  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
-  return guarded(*core_, [&] { listNearby(*core_, x, y, k, kAnywhere, sites); });
-}
-
-Error Diagram::within(double x, double y, double distance, std::vector<SiteId>& sites) const {
-  if (const Error error = checkCircle(x, y, distance); error != Error::kNone) return error;
-  return guarded(*core_, [&] { listNearby(*core_, x, y, size(), distance, sites); });
+  if (const Error error = checkLimit(farthest); error != Error::kNone) return error;
+  return guarded(*core_, [&] { listNearby(*core_, x, y, k, farthest, sites); });
 }
 
 Error Diagram::pick(double x, double y, double farthest, Top top, SiteId& id) const {

@@ -21,6 +21,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <new>
 #include <span>
@@ -139,15 +140,24 @@ class APOLLONIUS_EXPORT Diagram {
   [[nodiscard]] Error findMany(std::span<const double> xy, std::span<SiteId> ids,
                                std::span<double> distances) const;
 
-  /// The k nearest sites of a point, hidden ones too, nearest first; ties as in find (identical
-  /// circles in any order). All sites if there are fewer. Exact. Replaces the contents. Errors: as
-  /// find. Cost: one location and O(m log m), m = the neighbours of the sites found.
-  [[nodiscard]] Error kNearest(double x, double y, std::size_t k, std::vector<SiteId>& sites) const;
+  /// The k nearest sites of a point, hidden ones too, nearest first, of those at a distance of at
+  /// most `farthest` (negative: that deep inside; infinity: all); ties as in find (identical
+  /// circles in any order). All sites if there are fewer. Exact, boundary included. Replaces the
+  /// contents. Errors: as find. Cost: one location and O(m log m), m = the neighbours of the sites
+  /// found.
+  [[nodiscard]] Error kNearest(double x, double y, std::size_t k, double farthest,
+                               std::vector<SiteId>& sites) const;
+  [[nodiscard]] Error kNearest(double x, double y, std::size_t k,
+                               std::vector<SiteId>& sites) const {
+    return kNearest(x, y, k, std::numeric_limits<double>::infinity(), sites);
+  }
 
-  /// All sites at a distance of at most `distance` (which may be negative: that deep inside),
-  /// nearest first, hidden ones too; 0 gives the circles that contain the point. Exact, boundary
-  /// included. Replaces the contents. Errors, cost: as kNearest.
-  [[nodiscard]] Error within(double x, double y, double distance, std::vector<SiteId>& sites) const;
+  /// All sites at a distance of at most `distance`; 0 gives the circles that contain the point. As
+  /// kNearest.
+  [[nodiscard]] Error within(double x, double y, double distance,
+                             std::vector<SiteId>& sites) const {
+    return kNearest(x, y, size(), distance, sites);
+  }
 
   /// The circle under a pointer: of those that contain the point, rim included, the one on top;
   /// else the nearest site, if it is not farther than `farthest` (>= 0; infinity: wherever it is);

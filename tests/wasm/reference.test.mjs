@@ -9,6 +9,7 @@ import * as consumer from "../../build/packed/consumer.mjs";
 import { describePackage, reference, referenceFile } from "../../tools/api_reference.mjs";
 import { root } from "../../tools/toolchain/folders.mjs";
 import { packed } from "./support/install_packed.mjs";
+import { methodsOf } from "./support/methods.mjs";
 
 const described = describePackage();
 const classes = described
@@ -57,10 +58,7 @@ test.each(
 test.each(
   classes.map((one) => [one.name, one]),
 )("every member of %s is documented, and every documented one is there", (name, { members }) => {
-  const there = [
-    ...Object.getOwnPropertyNames(values[name].prototype),
-    ...Object.getOwnPropertySymbols(values[name].prototype),
-  ]
+  const there = methodsOf(values[name])
     .map((key) => (typeof key === "symbol" ? key.description.replace("nodejs.d", "Symbol.d") : key))
     .filter((key) => key !== "nodejs.util.inspect.custom");
   const documented = members

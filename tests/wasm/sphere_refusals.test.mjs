@@ -2,6 +2,7 @@
 import { createRequire } from "node:module";
 import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
 import { SphericalDiagram, ApolloniusError as TheirError } from "../../build/packed/sphere.mjs";
+import { prototypesOf } from "./support/methods.mjs";
 import { expectRefusal } from "./support/refusal.mjs";
 
 const earth = { radius: 6371 };
@@ -104,8 +105,9 @@ test("what a filter may not do, and what a disposed diagram says", () => {
   expect(diagram.size).toBe(3);
   diagram.dispose();
   diagram.dispose();
-  const { prototype } = SphericalDiagram;
-  const accessors = Object.entries(Object.getOwnPropertyDescriptors(prototype));
+  const accessors = prototypesOf(SphericalDiagram).flatMap((prototype) =>
+    Object.entries(Object.getOwnPropertyDescriptors(prototype)),
+  );
   const skipped = ["constructor", "dispose", "toString"];
   for (const [name, { value, get }] of accessors) {
     if (skipped.includes(name)) continue;

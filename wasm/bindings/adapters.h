@@ -85,6 +85,14 @@ std::int32_t find(const AnyDiagram& diagram, double x, double y) {
   return asSigned(id);
 }
 
+template <class AnyDiagram>
+std::vector<SiteId> kNearest(const AnyDiagram& diagram, double x, double y, std::size_t k,
+                             double farthest) {
+  std::vector<SiteId> sites;
+  check(diagram.kNearest(x, y, k, farthest, sites));
+  return sites;
+}
+
 /// The caller deletes it, before the diagram changes.
 template <class Walk, class AnyDiagram>
 Walk* nearestFirst(const AnyDiagram& diagram, double x, double y, double farthest) {
@@ -134,4 +142,41 @@ Found validate(const AnyDiagram& diagram) {
   check(diagram.validate(violation));
   return {allocating([&] { return std::string(violation.isFound() ? violation.what : ""); }),
           violation.where, violation.level};
+}
+
+/// The calls that both kinds of diagrams have; `Walk` is the class of their nearestFirst().
+template <class AnyDiagram, class Walk>
+emscripten::class_<AnyDiagram> registerDiagram(const char* name, const char* nameOfWalk) {
+  using namespace emscripten;
+  const return_value_policy::take_ownership moved;  // not copied
+  class_<Walk>(nameOfWalk)
+      .function("next", returning<&Walk::next>())
+      .function("distance", &Walk::distance);
+  return class_<AnyDiagram>(name)
+      // Sites
+      .function("insert", returning<&AnyDiagram::insert>())
+      .function("remove", returning<&AnyDiagram::remove>())
+      .function("removeMany", &removeMany<AnyDiagram>)
+      .function("update", &update<AnyDiagram>)
+      .function("updateMany", &updateMany<AnyDiagram>)
+      .function("clear", &AnyDiagram::clear)
+      .function("size", &AnyDiagram::size)
+      .function("visibleSize", &AnyDiagram::visibleSize)
+      .function("has", &AnyDiagram::has)
+      .function("site", returning<&AnyDiagram::site>())
+      .function("ids", returning<&AnyDiagram::ids>())
+      .function("sites", returning<&AnyDiagram::sites>(), moved)
+      .function("isHidden", returning<&AnyDiagram::isHidden>())
+      .function("coverOf", returning<&AnyDiagram::coverOf>())
+      // Queries
+      .function("find", &find<AnyDiagram>)
+      .function("nearest", &nearest<AnyDiagram>)
+      .function("findMany", &findMany<AnyDiagram>)
+      .function("kNearest", &kNearest<AnyDiagram>)
+      .function("nearestFirst", &nearestFirst<Walk, AnyDiagram>, allow_raw_pointers(), moved)
+      .function("neighbors", returning<&AnyDiagram::neighbors>())
+      .function("vertices", returning<&AnyDiagram::vertices>(), moved)
+      .function("edges", returning<&AnyDiagram::edges>(), moved)
+      .function("toBytes", returning<&AnyDiagram::toBytes>())
+      .function("validate", &validate<AnyDiagram>);
 }

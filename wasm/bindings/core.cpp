@@ -146,48 +146,17 @@ EMSCRIPTEN_BINDINGS(core) {
 
   const return_value_policy::take_ownership moved;  // not copied
   class_<Builder>("Builder").function("progress", &Builder::progress);
-  class_<NearestFirst>("NearestFirst")
-      .function("next", returning<&NearestFirst::next>())
-      .function("distance", &NearestFirst::distance);
-  class_<Diagram>("Diagram")
+  registerDiagram<Diagram, NearestFirst>("Diagram", "NearestFirst")
       .constructor(&create, allow_raw_pointers())
-      // Sites
-      .function("insert", returning<&Diagram::insert>())
       .function("insertMany", &insertMany)
-      .function("remove", returning<&Diagram::remove>())
-      .function("removeMany", &removeMany<Diagram>)
-      .function("update", &update<Diagram>)
-      .function("updateMany", &updateMany<Diagram>)
       .function("builder", &builder, allow_raw_pointers(), moved)
       .function("addTo", &addTo)
       .function("advance", &advance)
-      .function("clear", &Diagram::clear)
-      .function("size", &Diagram::size)
-      .function("visibleSize", &Diagram::visibleSize)
-      .function("has", &Diagram::has)
-      .function("site", returning<&Diagram::site>())
-      .function("ids", returning<&Diagram::ids>())
-      .function("sites", returning<&Diagram::sites>(), moved)
-      .function("isHidden", returning<&Diagram::isHidden>())
-      .function("coverOf", returning<&Diagram::coverOf>())
-      // Queries
-      .function("find", &find<Diagram>)
-      .function("nearest", &nearest<Diagram>)
-      .function("findMany", &findMany<Diagram>)
-      .function("kNearest", returning<&Diagram::kNearest>())
-      .function("within", returning<&Diagram::within>())
       .function("pick", returning<&Diagram::pick>())
       .function("search", returning<&Diagram::search>())
-      .function("nearestFirst", &nearestFirst<NearestFirst, Diagram>, allow_raw_pointers(), moved)
-      .function("neighbors", returning<&Diagram::neighbors>())
-      .function("vertices", returning<&Diagram::vertices>(), moved)
-      .function("edges", returning<&Diagram::edges>(), moved)
       .function("hull", returning<&Diagram::hull>())
       .function("levels", returning<&Diagram::levels>())
-      // Snapshots
-      .function("toBytes", returning<&Diagram::toBytes>())
-      .function("fromBytes", &fromBytes)
-      .function("validate", &validate<Diagram>);
+      .function("fromBytes", &fromBytes);
 
   if (areTypesWritten()) {
     registerShapes();

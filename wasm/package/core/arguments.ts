@@ -74,10 +74,13 @@ export function checkedChoice<Word extends string | boolean>(
   throw new ApolloniusError("bad-option", `${name} is ${described(value)}, expected ${expected}`);
 }
 
-/** Throws for the first element of an array that is not acceptable. */
-export function throwElementError(name: string, values: ArrayLike<number>): void {
+/** Throws the first error of an array's elements; there may be none. */
+export function throwFirst(
+  values: ArrayLike<number>,
+  errorOf: (value: number, k: number) => ApolloniusError | null,
+): void {
   for (let k = 0; k < values.length; ++k) {
-    const error = numberError(`${name}[${k}]`, values[k]);
+    const error = errorOf(values[k] as number, k);
     if (error) throw error;
   }
 }

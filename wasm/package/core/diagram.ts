@@ -1,5 +1,3 @@
-/// <reference lib="esnext.disposable" preserve="true" />
-import { ApolloniusError } from "../errors.js";
 import {
   type Accessors,
   type AsyncAccessors,
@@ -12,61 +10,25 @@ import {
   triples,
 } from "./accessors.js";
 import {
-  allocated,
   checkedBytes,
   checkedChoice,
-  checkedCount,
-  checkedIds,
-  checkedNewSites,
-  checkedNumbers,
   checkedNumbersOfBounds,
   checkOptions,
-  checkSiteId,
-  checkWholeNumber,
   disorderedBounds,
-  isSiteId,
-  unknownSite,
 } from "./arguments.js";
 import { build } from "./building.js";
-import {
-  checkedFilter,
-  filterOf,
-  type Filters,
-  findMany,
-  firstOf,
-  passing,
-  throughFilter,
-} from "./filters.js";
-import { kInspect, listed, showContent, summary } from "./inspection.js";
-import {
-  Ballast,
-  createNative,
-  destroy,
-  fillOrDispose,
-  nativeOf,
-  provideNative,
-} from "./native/lifetime.js";
-import { type NativeDiagram, runningModule } from "./native/module.js";
-import { checkTypes, ofElements, ofNumbers, ofSite } from "./native/native_errors.js";
-import {
-  atPoint,
-  checkedMaxDistance,
-  checkedPicking,
-  emptyDiagram,
-  findAll,
-  nearestOf,
-  ofOne,
-  orInfinity,
-  pickAll,
-  pickThrough,
-  validate,
-  walkFrom,
-} from "./queries.js";
+import { DynamicDiagram } from "./dynamic_diagram.js";
+import { insert, insertMany, update, updateMany } from "./edits.js";
+import { nativeOf, planarOf } from "./inner.js";
+import { listed } from "./inspection.js";
+import { fillOrDispose } from "./native/lifetime.js";
+import { runningModule } from "./native/module.js";
+import { find, findMany, kNearest, nearest, pick, pickMany, within } from "./queries.js";
+import { ofOne, plane } from "./space.js";
 import { type Triangulation, triangulationOf } from "./triangulation.js";
 import type {
   BuildOptions,
   DiagramOptions,
-  Edges,
   FilterOptions,
   FindManyArguments,
   ListedSite,
@@ -98,22 +60,7 @@ import type {
  * Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the
  * paper).
  */
-export class Diagram implements Disposable {
-  #native: NativeDiagram | null;
-  readonly #ballast = new Ballast();
-  readonly #filters: Filters = { running: 0 };
-
-  static {
-    provideNative((diagram, changes) => {
-      if (typeof diagram !== "object" || diagram === null || !(#native in diagram)) return null;
-      if (changes && diagram.#filters.running > 0)
-        throw new ApolloniusError("busy", "a filter may not change the diagram that asks it");
-      const native = diagram.#native;
-      if (native !== null) return native;
-      throw new ApolloniusError("disposed", "the diagram has been disposed of");
-    });
-  }
-
+export class Diagram extends DynamicDiagram<ListedSite> {
   /**
    * A diagram of flat x, y, r triples; their ids are 0, 1, 2, … in input order. Cost: expected O(n
    * log n). Throws "not-finite", "out-of-range", "bad-length" (no multiple of 3), "too-large" (more
@@ -122,8 +69,7 @@ export class Diagram implements Disposable {
   constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
     checkOptions(options, "location");
     const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
-    this.#native = createNative(this, location);
-    showContent(this);
+    super(runningModule().create(location), plane);
     if (xyr !== undefined) fillOrDispose(this, () => this.insertMany(xyr));
   }
 
@@ -158,8 +104,9 @@ export class Diagram implements Disposable {
     const reader = new ItemReader<T>(items, x, y, r);
     const diagram = new Diagram(undefined, { location: options.location });
     try {
-      await build(nativeOf(diagram), reader, options);
-      diagram.#ballast.carry(reader.count);
+      const { native, ballast } = planarOf(diagram);
+      await build(native, reader, options);
+      ballast.carry(reader.count);
     } catch (error) {
       diagram.dispose();
       throw error;
@@ -182,10 +129,10 @@ export class Diagram implements Disposable {
     const trusted = checkedChoice("options.trusted", options?.trusted, [false, true]);
     const diagram = new Diagram(undefined, { location: options?.location });
     fillOrDispose(diagram, () => {
-      const native = nativeOf(diagram);
+      const { native, ballast } = planarOf(diagram);
       const source = runningModule().Source[trusted ? "trusted" : "anyone"];
       native.fromBytes(checkedBytes("bytes", bytes), source); // now: options may have getters
-      diagram.#ballast.carry(native.size());
+      ballast.carry(native.size());
     });
     return diagram;
   }
@@ -198,16 +145,7 @@ export class Diagram implements Disposable {
    * one location and O(size of the change). Throws "not-finite", "out-of-range".
    */
   insert(x: number, y: number, r: number = 0): number {
-    const native = nativeOf(this, true);
-    checkTypes(x, y, r);
-    let id: number;
-    try {
-      id = native.insert(x, y, r);
-    } catch (error) {
-      throw ofNumbers(error, x, y, r);
-    }
-    this.#ballast.carry(id + 1);
-    return id;
+    return insert(planarOf(this, true), x, y, r);
   }
 
   /**
@@ -216,36 +154,7 @@ export class Diagram implements Disposable {
    * multiple of 3), "too-large" (more than 2^29 triples).
    */
   insertMany(xyr: ArrayLike<number>): Uint32Array {
-    const native = nativeOf(this, true);
-    const numbers = checkedNewSites("xyr", xyr);
-    const ids = allocated(() => new Uint32Array(numbers.length / 3));
-    try {
-      native.insertMany(numbers, ids);
-    } catch (error) {
-      throw ofElements(error, "xyr", numbers);
-    }
-    this.#ballast.carry(native.size());
-    return ids;
-  }
-
-  /**
-   * Removes a site (paper, section 5); false if there is no such site. Sites that only it covered
-   * become visible. Cost: O(log n) amortised for a hidden site and for the visible one of nested or
-   * identical circles, else expected O(k log k) with k = d + the hidden sites directly below it.
-   * Throws "unknown-site" for what is no whole number.
-   */
-  remove(id: number): boolean {
-    const native = nativeOf(this, true);
-    checkWholeNumber(id);
-    return isSiteId(id) && native.remove(id);
-  }
-
-  /**
-   * Removes several sites; returns how many there were. Unknown and repeated ids are skipped. Cost:
-   * as `remove` for each. Throws as `remove`, and "bad-length" if `ids` is no array.
-   */
-  removeMany(ids: ArrayLike<number>): number {
-    return nativeOf(this, true).removeMany(checkedIds("ids", ids));
+    return insertMany(planarOf(this, true), xyr);
   }
 
   /**
@@ -253,15 +162,7 @@ export class Diagram implements Disposable {
    * and insert. Throws "unknown-site", "not-finite", "out-of-range".
    */
   update(id: number, x: number, y: number, r?: number): this {
-    const native = nativeOf(this, true);
-    checkSiteId(id);
-    try {
-      const weight = r === undefined ? native.site(id).r : r;
-      checkTypes(x, y, weight);
-      native.update(id, x, y, weight);
-    } catch (error) {
-      throw ofNumbers(ofSite(error, id), x, y, r);
-    }
+    update(planarOf(this, true), id, x, y, r);
     return this;
   }
 
@@ -271,62 +172,13 @@ export class Diagram implements Disposable {
    * there is one triple an id.
    */
   updateMany(ids: ArrayLike<number>, xyr: ArrayLike<number>): this {
-    const native = nativeOf(this, true);
-    const sites = checkedIds("ids", ids);
-    const numbers = checkedNumbers("xyr", xyr, 3);
-    if (numbers.length !== 3 * sites.length)
-      throw new ApolloniusError(
-        "bad-length",
-        `expected ${3 * sites.length} values in xyr for ${sites.length} ids, got ${numbers.length}`,
-      );
-    try {
-      native.updateMany(sites, numbers);
-    } catch (error) {
-      if (error instanceof ApolloniusError && error.code === "unknown-site") {
-        const k = sites.findIndex((id) => !native.has(id));
-        throw new ApolloniusError("unknown-site", `ids[${k}]: ${unknownSite(ids[k]).message}`);
-      }
-      throw ofElements(error, "xyr", numbers);
-    }
+    updateMany(planarOf(this, true), ids, xyr);
     return this;
-  }
-
-  /** Removes all sites; ids start from 0 again. Cost: O(n). */
-  clear(): this {
-    nativeOf(this, true).clear();
-    return this;
-  }
-
-  /** Number of sites, hidden ones too. O(1). */
-  get size(): number {
-    return nativeOf(this).size();
-  }
-
-  /** Number of sites that have a cell. O(1). */
-  get visibleSize(): number {
-    return nativeOf(this).visibleSize();
-  }
-
-  /** Number of sites that have none: another covers them (the paper's trivial sites). O(1). */
-  get hiddenSize(): number {
-    return this.size - this.visibleSize;
-  }
-
-  /** Whether a site has this id. O(1). Throws "unknown-site" for what is no whole number. */
-  has(id: number): boolean {
-    const native = nativeOf(this);
-    checkWholeNumber(id);
-    return isSiteId(id) && native.has(id);
   }
 
   /** Centre and radius of a site, exactly as given. O(1). Throws "unknown-site". */
   site(id: number): Site {
     return ofOne(nativeOf(this), id, (native) => native.site(id));
-  }
-
-  /** All ids, ascending. O(n). */
-  ids(): Uint32Array {
-    return nativeOf(this).ids();
   }
 
   /** All sites, hidden ones too, as typed arrays: `updateMany(ids, xyr)` moves them all. O(n). */
@@ -339,16 +191,6 @@ export class Diagram implements Disposable {
     return listed(() => this.sites());
   }
 
-  /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
-  isHidden(id: number): boolean {
-    return ofOne(nativeOf(this), id, (native) => native.isHidden(id));
-  }
-
-  /** A visible site that covers this one, or -1. Cost: one location. Throws "unknown-site". */
-  coverOf(id: number): number {
-    return ofOne(nativeOf(this), id, (native) => native.coverOf(id));
-  }
-
   // --- Queries -----------------------------------------------------------------------------------
 
   /**
@@ -357,9 +199,7 @@ export class Diagram implements Disposable {
    * section 4), with a filter as kNearest. Throws "not-finite", "out-of-range", "bad-option".
    */
   find(x: number, y: number, options?: FilterOptions): number {
-    const native = nativeOf(this);
-    if (options !== undefined) return nearestOf(native, this.#filters, x, y, options)?.id ?? -1;
-    return atPoint(native, x, y, () => native.find(x, y));
+    return find(planarOf(this), x, y, options);
   }
 
   /**
@@ -367,7 +207,7 @@ export class Diagram implements Disposable {
    * found. Cost, errors: as find.
    */
   nearest(x: number, y: number, options?: FilterOptions): { id: number; distance: number } | null {
-    return nearestOf(nativeOf(this), this.#filters, x, y, options);
+    return nearest(planarOf(this), x, y, options);
   }
 
   /**
@@ -376,12 +216,7 @@ export class Diagram implements Disposable {
    * locations for m points; with a filter: `FilterOptions`. Throws as `find`, and "bad-length".
    */
   findMany(xy: ArrayLike<number>, ...how: FindManyArguments): Int32Array {
-    const native = nativeOf(this);
-    return findMany(native, this.#filters, checkedNumbers("xy", xy, 2), how, {
-      all: findAll,
-      one: (x, y, filter) => passing(walkFrom(native, x, y, Infinity), filter, this.#filters),
-      empty: emptyDiagram,
-    });
+    return findMany(planarOf(this), xy, how);
   }
 
   /**
@@ -392,15 +227,7 @@ export class Diagram implements Disposable {
    * a k that is no whole number from 0 on; Infinity means all), "bad-option".
    */
   kNearest(x: number, y: number, k: number, options?: NearbyOptions): Uint32Array {
-    const native = nativeOf(this);
-    checkTypes(x, y);
-    const most = checkedCount("k", k);
-    checkOptions(options, "maxDistance", "filter");
-    const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
-    const filter = checkedFilter(options?.filter);
-    return farthest === Infinity && filter === undefined
-      ? atPoint(native, x, y, () => native.kNearest(x, y, most))
-      : firstOf(walkFrom(native, x, y, farthest), most, filter ?? (() => true), this.#filters);
+    return kNearest(planarOf(this), x, y, k, options);
   }
 
   /**
@@ -410,17 +237,7 @@ export class Diagram implements Disposable {
    * Throws "not-finite", "out-of-range", "bad-option".
    */
   within(x: number, y: number, distance: number, options?: FilterOptions): Uint32Array {
-    const native = nativeOf(this);
-    checkTypes(x, y);
-    checkedMaxDistance("distance", distance);
-    const filter = filterOf(options);
-    if (filter !== undefined)
-      return firstOf(walkFrom(native, x, y, distance), Infinity, filter, this.#filters);
-    return atPoint(native, x, y, () =>
-      distance === Infinity
-        ? native.kNearest(x, y, checkedCount("k", Infinity))
-        : native.within(x, y, distance),
-    );
+    return within(planarOf(this), x, y, distance, options);
   }
 
   /**
@@ -432,27 +249,12 @@ export class Diagram implements Disposable {
    * "not-finite", "out-of-range", "bad-option".
    */
   pick(x: number, y: number, ...how: PickArguments): number {
-    const native = nativeOf(this);
-    checkTypes(x, y);
-    const picking = checkedPicking(how);
-    const [farthest, top, filter] = picking;
-    if (filter !== undefined)
-      return pickThrough(native, this.#filters, x, y, picking, filter)?.id ?? -1;
-    return atPoint(native, x, y, () => native.pick(x, y, farthest, runningModule().Top[top]));
+    return pick(planarOf(this), x, y, how);
   }
 
   /** `pick` for flat x, y pairs. Filter, cost, errors: as findMany, for `pick`. */
   pickMany(xy: ArrayLike<number>, ...how: PickArguments): Int32Array {
-    const native = nativeOf(this);
-    const numbers = checkedNumbers("xy", xy, 2);
-    const picking = checkedPicking(how);
-    const [, , filter] = picking;
-    if (filter === undefined) return pickAll(native, numbers, picking);
-    return throughFilter(native, this.#filters, filter, numbers, undefined, {
-      all: (of, points) => pickAll(of, points, picking),
-      one: (x, y, passes) => pickThrough(native, this.#filters, x, y, picking, passes),
-      empty: emptyDiagram,
-    });
+    return pickMany(planarOf(this), xy, how);
   }
 
   /**
@@ -471,20 +273,6 @@ export class Diagram implements Disposable {
     const [left, bottom, right, top] = bounds;
     if (left > right || bottom > top) throw disorderedBounds(bounds, "<=");
     return native.search(left, bottom, right, top);
-  }
-
-  /**
-   * The distinct sites whose cells share an edge with this site's, counter-clockwise, each where it
-   * occurs first; empty for a hidden site. Edges of length zero count (degenerate position; the
-   * graph is triangulated canonically). O(d). Throws "unknown-site".
-   */
-  neighbors(id: number): Uint32Array {
-    return ofOne(nativeOf(this), id, (native) => native.neighbors(id));
-  }
-
-  /** All Voronoi edges. O(n). */
-  edges(): Edges {
-    return nativeOf(this).edges();
   }
 
   /** All Voronoi vertices; the nearest doubles where sites have small whole numbers. O(n). */
@@ -513,59 +301,8 @@ export class Diagram implements Disposable {
     return nativeOf(this).hull();
   }
 
-  // --- Snapshots ---------------------------------------------------------------------------------
-
-  /**
-   * The diagram as bytes (a Uint8Array), about 56 a site: for files, and for other threads
-   * (`postMessage(bytes, [bytes.buffer])` moves them; the diagram itself cannot be posted). One
-   * history gives the same bytes on every platform; docs/SNAPSHOTS.md has the format. Cost: O(n),
-   * a fraction of building.
-   */
-  toBytes(): ReturnType<Uint8Array["slice"]> {
-    return nativeOf(this).toBytes();
-  }
-
-  /** The sites, for JSON; `Diagram.from` reads them, with new ids. O(n). */
-  toJSON(): ListedSite[] {
-    return [...this];
-  }
-
-  /** "Diagram { size: 3, hidden: 1 }", as consoles of Node, Deno and Bun show it. O(1). */
-  toString(): string {
-    return summary(this, "Diagram");
-  }
-
-  /** @internal */
-  [kInspect](): string {
-    return summary(this, "Diagram");
-  }
-
   /** "Diagram". O(1). */
   get [Symbol.toStringTag](): string {
     return "Diagram";
-  }
-
-  /** null, or the first broken invariant in words. For tests: O(n) with large constants. */
-  validate(): string | null {
-    return validate(nativeOf(this));
-  }
-
-  // --- Life time ---------------------------------------------------------------------------------
-
-  /**
-   * Frees the diagram's memory now; later calls throw "disposed", a second `dispose` does nothing.
-   * A forgotten diagram is freed some time after it has been collected, in a turn of the event
-   * loop; a loop that makes many and never waits needs `dispose` or `using`. Cost: O(1).
-   */
-  dispose(): void {
-    if (this.#native === null) return;
-    destroy(nativeOf(this, true));
-    this.#native = null;
-    this.#ballast.drop();
-  }
-
-  /** `dispose`, for `using diagram = new Diagram()`. Cost: O(1). */
-  [Symbol.dispose](): void {
-    this.dispose();
   }
 }

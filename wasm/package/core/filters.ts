@@ -1,21 +1,12 @@
 // Searches that leave out the sites which the caller's filter does not let through: walks over the
 // sites around a point, nearest first, to those that pass.
 import { ApolloniusError } from "../errors.js";
-import { allocated, checkedDistances, checkOptions, described, optionsLast } from "./arguments.js";
-import type {
-  NativeDiagram,
-  NativeSphericalDiagram,
-  NearestFirst,
-  SphericalNearestFirst,
-} from "./native/module.js";
-import type { FilterOptions, FindManyArguments, NearbyFilter } from "./types.js";
+import { allocated, checkedDistances, checkOptions, described } from "./arguments.js";
+import type { Filters, Inner } from "./inner.js";
+import type { AnyNative, NearestFirst, SphericalNearestFirst } from "./native/module.js";
+import type { FilterOptions, NearbyFilter } from "./types.js";
 
-/** How many filter callbacks are running: none may change the diagram. */
-export interface Filters {
-  running: number;
-}
-
-type Walk = NearestFirst | SphericalNearestFirst;
+export type Walk = NearestFirst | SphericalNearestFirst;
 
 export function checkedFilter(filter: unknown): NearbyFilter | undefined {
   if (filter === undefined || typeof filter === "function") return filter as NearbyFilter;
@@ -98,13 +89,11 @@ export function passing(
 }
 
 /** How a call about many points answers: with ids, -1 for none. */
-export interface Questions<Native> {
+interface Questions<Native extends AnyNative> {
   /** Without a filter; fills in the distances, if there is an array. */
-  all(native: Native, points: ArrayLike<number>, distances?: Float64Array): Int32Array;
+  all(of: Inner<Native>, points: ArrayLike<number>, distances?: Float64Array): Int32Array;
   /** At one point with a filter. */
   one(x: number, y: number, filter: NearbyFilter): Found | null;
-  /** An empty diagram of that kind. */
-  empty(): Native;
 }
 
 /**
@@ -113,34 +102,34 @@ export interface Questions<Native> {
  * there are, a diagram of those that pass takes less than further ones may, and gives the rest. So
  * all cost no more than a small multiple of what the better of the two takes.
  */
-export function throughFilter<Native extends NativeDiagram | NativeSphericalDiagram>(
-  native: Native,
-  filters: Filters,
+export function throughFilter<Native extends AnyNative>(
+  inner: Inner<Native>,
   filter: NearbyFilter,
   given: ArrayLike<number>,
   distances: Float64Array | undefined,
-  { all, one, empty }: Questions<Native>,
+  { all, one }: Questions<Native>,
 ): Int32Array {
+  const { native, space } = inner;
   // of its own, as the filter may change those of the caller
   const points = allocated(() => new Float64Array(given));
   const far = distances && allocated(() => new Float64Array(points.length / 2));
-  const found = all(native, points, far);
+  const found = all(inner, points, far);
   const said: number[] = [];
   const passes = (id: number) => (said[id] ??= filter(id) ? 1 : 0);
   let looks = native.size();
-  filtering(filters, () => {
+  filtering(inner.filters, () => {
     for (let k = 0; k < found.length; ++k) {
       if (found[k] === -1 || passes(found[k]!)) continue;
       if (looks <= 0) {
         const { ids, xyr } = native.sites();
         const chosen = ids.filter(passes);
-        const some = empty();
+        const some = space.empty(native) as Native;
         try {
           some.insertMany(
             allocated(() => xyr.filter((_, at) => passes(ids[Math.floor(at / 3)]!))),
             chosen.slice(),
           );
-          const rest = all(some, points.subarray(2 * k), far?.subarray(k));
+          const rest = all({ ...inner, native: some }, points.subarray(2 * k), far?.subarray(k));
           found.set(
             rest.map((place) => chosen[place] ?? -1),
             k,
@@ -161,20 +150,4 @@ export function throughFilter<Native extends NativeDiagram | NativeSphericalDiag
   // checked once more: the filter may have taken its memory away
   if (far) checkedDistances(distances, found.length)?.set(far);
   return found;
-}
-
-/** `findMany` of either kind of diagram. */
-export function findMany<Native extends NativeDiagram | NativeSphericalDiagram>(
-  native: Native,
-  filters: Filters,
-  points: ArrayLike<number>,
-  how: FindManyArguments,
-  questions: Questions<Native>,
-): Int32Array {
-  const [distances, options] = optionsLast(how) as [Float64Array?, FilterOptions?];
-  const filter = filterOf(options);
-  const out = checkedDistances(distances, points.length / 2);
-  return filter === undefined
-    ? questions.all(native, points, out)
-    : throughFilter(native, filters, filter, points, distances, questions);
 }

@@ -1,59 +1,47 @@
-// What the queries of Diagram have in common: they ask the module, and an error names the culprit.
+// Queries of a diagram, of the plane or of the sphere.
 import { ApolloniusError } from "../errors.js";
 import {
   allocated,
   checkedChoice,
+  checkedCount,
+  checkedDistances,
+  checkedNumbers,
   checkNumber,
   checkOptions,
-  checkSiteId,
   optionsLast,
 } from "./arguments.js";
-import { checkedFilter, filterOf, type Filters, type Found, passing } from "./filters.js";
-import { type NativeDiagram, type NearestFirst, runningModule } from "./native/module.js";
-import { checkTypes, ofElements, ofNumbers, ofSite } from "./native/native_errors.js";
-import type { FilterOptions, NearbyFilter, PickArguments, PickOptions } from "./types.js";
+import {
+  checkedFilter,
+  filterOf,
+  firstOf,
+  type Found,
+  passing,
+  throughFilter,
+  type Walk,
+} from "./filters.js";
+import type { Inner } from "./inner.js";
+import { type AnyNative, type NativeDiagram, runningModule } from "./native/module.js";
+import { atPoint, checkTypes, ofItems } from "./space.js";
+import type {
+  FilterOptions,
+  FindManyArguments,
+  NearbyFilter,
+  NearbyOptions,
+  PickArguments,
+  PickOptions,
+} from "./types.js";
 
-/** What `ask` says of a site; errors name it. */
-export function ofOne<Answer>(
-  native: NativeDiagram,
-  id: number,
-  ask: (native: NativeDiagram) => Answer,
-): Answer {
-  checkSiteId(id);
-  try {
-    return ask(native);
-  } catch (error) {
-    throw ofSite(error, id);
-  }
+/** Without the distance where nobody asks for it: on the sphere it costs as much as the search. */
+export function find(inner: Inner, x: number, y: number, options?: FilterOptions): number {
+  if (options !== undefined) return nearest(inner, x, y, options)?.id ?? -1;
+  return atPoint(inner, x, y, (native) => native.find(x, y));
 }
 
-/** What `ask` says of a point; errors name the coordinate. */
-export function atPoint<Answer>(
-  native: NativeDiagram,
-  x: number,
-  y: number,
-  ask: (native: NativeDiagram) => Answer,
-): Answer {
-  checkTypes(x, y);
-  try {
-    return ask(native);
-  } catch (error) {
-    throw ofNumbers(error, x, y);
-  }
-}
-
-/** `nearest`, and `find` where there are options. */
-export function nearestOf(
-  native: NativeDiagram,
-  filters: Filters,
-  x: number,
-  y: number,
-  options?: FilterOptions,
-): Found | null {
-  checkTypes(x, y);
+export function nearest(inner: Inner, x: number, y: number, options?: FilterOptions): Found | null {
+  checkTypes(inner, x, y);
   const filter = filterOf(options);
-  if (filter !== undefined) return passing(walkFrom(native, x, y, Infinity), filter, filters);
-  const found = atPoint(native, x, y, () => native.nearest(x, y));
+  if (filter !== undefined) return passing(walkFrom(inner, x, y, Infinity), filter, inner.filters);
+  const found = atPoint(inner, x, y, (native) => native.nearest(x, y));
   return found.id === -1 ? null : found;
 }
 
@@ -62,10 +50,11 @@ const kFew = 16;
 
 /** The nearest site of each point; fills in the distances, if there is an array. */
 export function findAll(
-  native: NativeDiagram,
+  inner: Inner,
   numbers: ArrayLike<number>,
   distances?: Float64Array,
 ): Int32Array {
+  const { native } = inner;
   const ids = allocated(() => new Int32Array(numbers.length / 2));
   try {
     if (distances === undefined && ids.length <= kFew)
@@ -73,34 +62,85 @@ export function findAll(
         ids[k] = native.find(numbers[2 * k] as number, numbers[2 * k + 1] as number);
     else native.findMany(numbers, ids, distances ?? null);
   } catch (error) {
-    throw ofElements(error, "xy", numbers);
+    throw ofItems(error, inner, numbers, 2);
   }
   return ids;
 }
 
-/** For the sites that a filter lets through. */
-export const emptyDiagram = () => runningModule().create("hierarchy");
-
-export function walkFrom(
-  native: NativeDiagram,
-  x: number,
-  y: number,
-  farthest: number,
-): NearestFirst {
-  return atPoint(native, x, y, () => native.nearestFirst(x, y, farthest)) as NearestFirst;
+export function findMany(
+  inner: Inner,
+  points: ArrayLike<number>,
+  how: FindManyArguments,
+): Int32Array {
+  const numbers = checkedNumbers(inner.space.points, points, 2);
+  const [distances, options] = optionsLast(how) as [Float64Array?, FilterOptions?];
+  const filter = filterOf(options);
+  const out = checkedDistances(distances, numbers.length / 2);
+  if (filter === undefined) return findAll(inner, numbers, out);
+  return throughFilter(inner, filter, numbers, distances, {
+    all: findAll,
+    one: (x, y, passes) => passing(walkFrom(inner, x, y, Infinity), passes, inner.filters),
+  });
 }
 
-export const orInfinity = (given: unknown): unknown => (given === undefined ? Infinity : given);
+function walkFrom(inner: Inner, x: number, y: number, farthest: number): Walk {
+  return atPoint(inner, x, y, (native) => native.nearestFirst(x, y, farthest)) as Walk;
+}
 
-export function checkedMaxDistance(name: string, maxDistance: unknown): number {
+const orInfinity = (given: unknown): unknown => (given === undefined ? Infinity : given);
+
+function checkedMaxDistance(name: string, maxDistance: unknown): number {
   if (maxDistance !== Infinity) checkNumber(name, maxDistance);
   return maxDistance as number;
 }
 
-/** The largest distance, which circle is on top, and the filter. */
-export type Picking = [number, "smallest" | "last", NearbyFilter | undefined];
+export function kNearest(
+  inner: Inner,
+  x: number,
+  y: number,
+  k: number,
+  options: NearbyOptions | undefined,
+): Uint32Array {
+  checkTypes(inner, x, y);
+  const most = checkedCount("k", k);
+  checkOptions(options, "maxDistance", "filter");
+  const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
+  return nearby(inner, x, y, most, farthest, checkedFilter(options?.filter));
+}
 
-export function checkedPicking(how: PickArguments): Picking {
+export function within(
+  inner: Inner,
+  x: number,
+  y: number,
+  distance: number,
+  options: FilterOptions | undefined,
+): Uint32Array {
+  checkTypes(inner, x, y);
+  const farthest = checkedMaxDistance("distance", distance);
+  return nearby(inner, x, y, checkedCount("k", Infinity), farthest, filterOf(options));
+}
+
+function nearby(
+  inner: Inner,
+  x: number,
+  y: number,
+  most: number,
+  farthest: number,
+  filter: NearbyFilter | undefined,
+): Uint32Array {
+  return filter === undefined
+    ? atPoint(inner, x, y, (native) => native.kNearest(x, y, most, farthest))
+    : firstOf(walkFrom(inner, x, y, farthest), most, filter, inner.filters);
+}
+
+// --- Under a pointer -----------------------------------------------------------------------------
+
+type Planar = Inner<NativeDiagram>;
+
+/** The largest distance, which circle is on top, and the filter. */
+type Picking = [number, "smallest" | "last", NearbyFilter | undefined];
+
+function checkedPicking(how: PickArguments): Picking {
   const [maxDistance, options] = optionsLast(how) as [number?, PickOptions?];
   const farthest = checkedMaxDistance("maxDistance", orInfinity(maxDistance));
   if (farthest < 0)
@@ -113,32 +153,47 @@ export function checkedPicking(how: PickArguments): Picking {
   return [farthest, top, checkedFilter(options?.filter)];
 }
 
-export function pickThrough(
-  native: NativeDiagram,
-  filters: Filters,
+export function pick(inner: Planar, x: number, y: number, how: PickArguments): number {
+  checkTypes(inner, x, y);
+  const picking = checkedPicking(how);
+  const [farthest, top, filter] = picking;
+  if (filter !== undefined) return pickThrough(inner, x, y, picking, filter)?.id ?? -1;
+  return atPoint(inner, x, y, (native) => native.pick(x, y, farthest, runningModule().Top[top]));
+}
+
+export function pickMany(inner: Planar, points: ArrayLike<number>, how: PickArguments): Int32Array {
+  const numbers = checkedNumbers(inner.space.points, points, 2);
+  const picking = checkedPicking(how);
+  const [, , filter] = picking;
+  if (filter === undefined) return pickAll(inner, numbers, picking);
+  return throughFilter(inner, filter, numbers, undefined, {
+    all: (asked, some) => pickAll(asked, some, picking),
+    one: (x, y, passes) => pickThrough(inner, x, y, picking, passes),
+  });
+}
+
+function pickThrough(
+  inner: Planar,
   x: number,
   y: number,
   [farthest, top]: Picking,
   filter: NearbyFilter,
 ): Found | null {
-  return passing(walkFrom(native, x, y, farthest), filter, filters, (id, other) => {
+  const { native, filters } = inner;
+  return passing(walkFrom(inner, x, y, farthest), filter, filters, (id, other) => {
     const less = top === "last" ? 0 : native.site(id).r - native.site(other).r;
     return less === 0 ? id > other : less < 0;
   });
 }
 
 /** What `pick` says of each point; most are in no circle, and the nearest site is the answer. */
-export function pickAll(
-  native: NativeDiagram,
-  numbers: ArrayLike<number>,
-  [farthest, top]: Picking,
-): Int32Array {
+function pickAll(inner: Planar, numbers: ArrayLike<number>, [farthest, top]: Picking): Int32Array {
   const distances = allocated(() => new Float64Array(numbers.length / 2));
-  const ids = findAll(native, numbers, distances);
+  const ids = findAll(inner, numbers, distances);
   distances.forEach((distance, k) => {
     // Distances are rounded: where they are next to the limit, the exact search decides.
     if (!(distance > 0 && distance < farthest * 0.999))
-      ids[k] = native.pick(
+      ids[k] = inner.native.pick(
         numbers[2 * k]!,
         numbers[2 * k + 1]!,
         farthest,
@@ -148,8 +203,10 @@ export function pickAll(
   return ids;
 }
 
+// --- For tests -----------------------------------------------------------------------------------
+
 /** null, or the first broken invariant in words. */
-export function validate(native: Pick<NativeDiagram, "validate">): string | null {
+export function validate(native: AnyNative): string | null {
   const { what, where, level } = native.validate();
   if (what === "") return null;
   return `${level === 0 ? "" : `level ${level}: `}${what} ${where}`;

@@ -1,7 +1,7 @@
 // Windows and drawings of a diagram as functions of it: for diagrams of the entry
 // `apollonius-diagram/core`, which has no such methods.
 import type { Diagram } from "../core/diagram.js";
-import { nativeOf } from "../core/native/lifetime.js";
+import { nativeOf } from "../core/inner.js";
 import { shapesOf } from "../core/native/module.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
 import type { Bounds } from "../core/types.js";

@@ -2,7 +2,8 @@
 import { allocated, checkedNumbers, checkNumber, checkOptions } from "../core/arguments.js";
 import { Slices } from "../core/building.js";
 import type { NativeShapes } from "../core/native/module.js";
-import { checkTypes, ofElements, ofNumbers } from "../core/native/native_errors.js";
+import { ofElements } from "../core/native/native_errors.js";
+import { atSite, plane } from "../core/space.js";
 import { ApolloniusError } from "../errors.js";
 import { numbersById } from "./by_id.js";
 import type { NativeWindow } from "./drawing.js";
@@ -23,13 +24,10 @@ export function naturalWeights(
   y: number,
   r: number,
 ): NaturalWeights | null {
-  checkTypes(x, y, r);
-  try {
-    const { ids, weights } = native.naturalWeights(...window, x, y, r);
-    return ids.length === 0 ? null : { ids, weights };
-  } catch (error) {
-    throw ofNumbers(error, x, y, r);
-  }
+  const { ids, weights } = atSite({ native, space: plane }, x, y, r, () =>
+    native.naturalWeights(...window, x, y, r),
+  );
+  return ids.length === 0 ? null : { ids, weights };
 }
 
 export function interpolate(

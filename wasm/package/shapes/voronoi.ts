@@ -9,7 +9,8 @@ import {
   unknownSite,
 } from "../core/arguments.js";
 import type { Diagram } from "../core/diagram.js";
-import { Ballast, destroy, nativeOf, wrongReceiver } from "../core/native/lifetime.js";
+import { nativeOf, wrongReceiver } from "../core/inner.js";
+import { Ballast, destroy } from "../core/native/lifetime.js";
 import {
   type NativeReach,
   type NativeRegion,

@@ -1,16 +1,21 @@
-// Argument checks of the sphere, and items as sites. The library checks the same numbers and cannot
-// say which one is wrong.
+// What numbers the sphere takes, and items as its sites.
 import type { Accessor, Items } from "../core/accessors.js";
 import {
   allocated,
-  checkedNumbers,
   checkOptions,
   checkSiteCount,
   described,
   detachedArray,
   isArrayLike,
   isDetached,
+  throwFirst,
 } from "../core/arguments.js";
+import {
+  type AnyNative,
+  type NativeSphericalDiagram,
+  runningModule,
+} from "../core/native/module.js";
+import type { Space } from "../core/space.js";
 import { ApolloniusError } from "../errors.js";
 
 function notFinite(name: string, value: unknown): ApolloniusError {
@@ -20,78 +25,38 @@ function notFinite(name: string, value: unknown): ApolloniusError {
   );
 }
 
-function lonError(name: string, lon: unknown): ApolloniusError | null {
-  return Number.isFinite(lon) ? null : notFinite(name, lon);
-}
-
-function latError(name: string, lat: unknown): ApolloniusError | null {
-  if (!Number.isFinite(lat)) return notFinite(name, lat);
-  if (Math.abs(lat as number) <= 90) return null;
-  return new ApolloniusError(
-    "out-of-range",
-    `${name} is ${lat}, expected a latitude from -90 to 90: longitude comes first, then latitude`,
-  );
-}
-
-function weightError(name: string, r: unknown, radius: number): ApolloniusError | null {
-  if (!Number.isFinite(r)) return notFinite(name, r);
-  if (Math.abs(r as number) / radius < Math.PI) return null;
-  return new ApolloniusError(
-    "out-of-range",
-    `${name} is ${r}, expected less than half a great circle, ${Math.PI * radius}: the radius of ` +
-      `the sphere is ${radius}`,
-  );
-}
-
-export function checkPoint(lon: unknown, lat: unknown): void {
-  const error = lonError("lon", lon) ?? latError("lat", lat);
-  if (error) throw error;
-}
-
-export function checkSite(lon: unknown, lat: unknown, r: unknown, radius: number): void {
-  checkPoint(lon, lat);
-  const error = weightError("r", r, radius);
-  if (error) throw error;
-}
-
-/** Throws for the first element with an error; its name is made only then. */
-function checkElements(
-  numbers: ArrayLike<number>,
-  perItem: number,
+/** The error of a longitude (axis 0), a latitude or a weight; null if it is fine. */
+function errorOf(
+  name: string,
+  axis: number,
+  value: unknown,
   radius: number,
-  nameOf: (k: number) => string,
-): void {
-  const most = Math.PI * radius;
-  for (let k = 0; k < numbers.length; ++k) {
-    const value = numbers[k] as number;
-    const axis = k % perItem;
-    const limit = axis === 0 ? Infinity : axis === 1 ? 90 : most;
-    if (Math.abs(value) < limit) continue;
-    const of = nameOf(k);
-    const error =
-      axis === 0
-        ? lonError(of, value)
-        : axis === 1
-          ? latError(of, value)
-          : weightError(of, value, radius);
-    if (error) throw error;
-  }
+): ApolloniusError | null {
+  if (!Number.isFinite(value)) return notFinite(name, value);
+  if (axis === 1 && Math.abs(value as number) > 90)
+    return new ApolloniusError(
+      "out-of-range",
+      `${name} is ${value}, expected a latitude from -90 to 90: longitude comes first, then ` +
+        "latitude",
+    );
+  if (axis === 2 && !(Math.abs(value as number) / radius < Math.PI))
+    return new ApolloniusError(
+      "out-of-range",
+      `${name} is ${value}, expected less than half a great circle, ${Math.PI * radius}: the ` +
+        `radius of the sphere is ${radius}`,
+    );
+  return null;
 }
 
-/** Flat longitude, latitude, weight triples. */
-export function checkedSites(name: string, values: unknown, radius: number): ArrayLike<number> {
-  const numbers = checkedNumbers(name, values, 3);
-  checkSiteCount(name, numbers.length / 3);
-  checkElements(numbers, 3, radius, (k) => `${name}[${k}]`);
-  return numbers;
-}
+const radiusOf = (native: AnyNative) => (native as NativeSphericalDiagram).radius();
 
-/** Flat longitude, latitude pairs. */
-export function checkedPoints(name: string, values: unknown): ArrayLike<number> {
-  const numbers = checkedNumbers(name, values, 2);
-  checkElements(numbers, 2, 1, (k) => `${name}[${k}]`);
-  return numbers;
-}
+export const sphere: Space = {
+  names: ["lon", "lat", "r"],
+  sites: "lonLatR",
+  points: "lonLat",
+  error: (name, axis, value, native) => errorOf(name, axis, value, radiusOf(native)),
+  empty: (like) => runningModule().createSpherical(radiusOf(like)),
+};
 
 export function checkedRadius(options: { radius?: unknown } | undefined): number {
   const radius = options?.radius ?? 1;
@@ -188,7 +153,7 @@ export function sphericalTriples<T>(
       triples[3 * k + axis] = value;
     }
   }
-  checkElements(triples, 3, radius, nameOf);
+  throwFirst(triples, (value, k) => errorOf(nameOf(k), k % 3, value, radius));
   return triples;
 }
 

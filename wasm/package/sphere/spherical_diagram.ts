@@ -1,47 +1,19 @@
-/// <reference lib="esnext.disposable" preserve="true" />
 import type { Accessor, Items } from "../core/accessors.js";
 import {
-  allocated,
   checkedBytes,
   checkedChoice,
-  checkedCount,
-  checkedIds,
   checkOptions,
   checkSiteId,
-  checkWholeNumber,
-  isSiteId,
   unknownSite,
 } from "../core/arguments.js";
-import {
-  checkedFilter,
-  filterOf,
-  type Filters,
-  findMany,
-  firstOf,
-  passing,
-} from "../core/filters.js";
-import { kInspect, showContent, summary } from "../core/inspection.js";
-import {
-  Ballast,
-  createSpherical,
-  destroy,
-  fillOrDispose,
-  wrongReceiver,
-} from "../core/native/lifetime.js";
-import {
-  type NativeSphericalDiagram,
-  runningModule,
-  type SphericalNearestFirst,
-} from "../core/native/module.js";
-import { checkedMaxDistance, orInfinity, validate } from "../core/queries.js";
-import type {
-  Edges,
-  FilterOptions,
-  FindManyArguments,
-  NearbyOptions,
-  Position,
-} from "../core/types.js";
-import { ApolloniusError } from "../errors.js";
+import { DynamicDiagram } from "../core/dynamic_diagram.js";
+import { insert, insertMany, update, updateMany } from "../core/edits.js";
+import { type Inner, innerOf, wrongReceiver } from "../core/inner.js";
+import { fillOrDispose } from "../core/native/lifetime.js";
+import { type NativeSphericalDiagram, runningModule } from "../core/native/module.js";
+import { find, findMany, kNearest, nearest, within } from "../core/queries.js";
+import { atPoint, ofOne } from "../core/space.js";
+import type { FilterOptions, FindManyArguments, NearbyOptions, Position } from "../core/types.js";
 import {
   type CellsCollection,
   checkedProperties,
@@ -53,11 +25,8 @@ import type { CellPolygon } from "../shapes/types.js";
 import {
   accessorsAndOptions,
   checkedAngularTolerance,
-  checkedPoints,
   checkedRadius,
-  checkedSites,
-  checkPoint,
-  checkSite,
+  sphere,
   sphericalTriples,
 } from "./spherical_arguments.js";
 import type {
@@ -72,46 +41,19 @@ import type {
   SphericalVertices,
 } from "./spherical_types.js";
 
-/** The native diagram; "busy" for a call that `changes` it while a filter runs. */
-let living: (diagram: unknown, changes?: boolean) => NativeSphericalDiagram;
+/** What the diagram has inside. */
+function sphericalOf(diagram: unknown, changes = false): Inner<NativeSphericalDiagram> {
+  const inner = innerOf(diagram, changes);
+  if (inner.space !== sphere) throw wrongReceiver(diagram);
+  return inner as Inner<NativeSphericalDiagram>;
+}
 
-/** The same diagram, of which this is a site. */
-function withSite(native: NativeSphericalDiagram, id: number): NativeSphericalDiagram {
+/** The native diagram, of which this is a site. */
+function withSite(diagram: unknown, id: number): NativeSphericalDiagram {
+  const { native } = sphericalOf(diagram);
   checkSiteId(id);
   if (!native.has(id)) throw unknownSite(id);
   return native;
-}
-
-function walkFrom(
-  native: NativeSphericalDiagram,
-  lon: number,
-  lat: number,
-  farthest: number,
-): SphericalNearestFirst {
-  return native.nearestFirst(lon, lat, farthest) as SphericalNearestFirst;
-}
-
-function findAll(
-  native: NativeSphericalDiagram,
-  numbers: ArrayLike<number>,
-  distances?: Float64Array,
-): Int32Array {
-  const ids = allocated(() => new Int32Array(numbers.length / 2));
-  native.findMany(numbers, ids, distances ?? null);
-  return ids;
-}
-
-function nearby(
-  native: NativeSphericalDiagram,
-  filters: Filters,
-  [lon, lat]: Position,
-  most: number,
-  farthest: number,
-  filter: unknown,
-): Uint32Array {
-  const checked = checkedFilter(filter);
-  if (checked === undefined) return native.kNearest(lon, lat, most, farthest);
-  return firstOf(walkFrom(native, lon, lat, farthest), most, checked, filters);
 }
 
 /**
@@ -130,23 +72,7 @@ function nearby(
  * every call throws "disposed". Every call that needs memory can throw "out-of-memory". Ids, hidden
  * sites and what is returned are as of `Diagram`.
  */
-export class SphericalDiagram implements Disposable {
-  #native: NativeSphericalDiagram | null;
-  readonly #ballast = new Ballast();
-  readonly #filters: Filters = { running: 0 };
-
-  static {
-    living = (diagram, changes = false) => {
-      if (typeof diagram !== "object" || diagram === null || !(#native in diagram))
-        throw wrongReceiver(diagram);
-      if (changes && diagram.#filters.running > 0)
-        throw new ApolloniusError("busy", "a filter may not change the diagram that asks it");
-      if (diagram.#native === null)
-        throw new ApolloniusError("disposed", "the diagram has been disposed of");
-      return diagram.#native;
-    };
-  }
-
+export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   /**
    * A diagram of flat longitude, latitude, r triples; their ids are 0, 1, 2, … in input order.
    * Cost: expected O(n log n). Throws "not-finite", "out-of-range" (a latitude, weight or radius),
@@ -154,8 +80,7 @@ export class SphericalDiagram implements Disposable {
    */
   constructor(lonLatR?: ArrayLike<number>, options?: SphericalOptions) {
     checkOptions(options, "radius");
-    this.#native = createSpherical(this, checkedRadius(options));
-    showContent(this);
+    super(runningModule().createSpherical(checkedRadius(options)), sphere);
     if (lonLatR !== undefined) fillOrDispose(this, () => this.insertMany(lonLatR));
   }
 
@@ -190,8 +115,9 @@ export class SphericalDiagram implements Disposable {
   static fromBytes(bytes: Uint8Array): SphericalDiagram {
     const diagram = new SphericalDiagram();
     fillOrDispose(diagram, () => {
-      living(diagram).fromBytes(checkedBytes("bytes", bytes));
-      diagram.#ballast.carry(diagram.size);
+      const { native, ballast } = sphericalOf(diagram);
+      native.fromBytes(checkedBytes("bytes", bytes));
+      ballast.carry(native.size());
     });
     return diagram;
   }
@@ -200,7 +126,7 @@ export class SphericalDiagram implements Disposable {
 
   /** The sphere's radius. O(1). */
   get radius(): number {
-    return living(this).radius();
+    return sphericalOf(this).native.radius();
   }
 
   /**
@@ -209,11 +135,7 @@ export class SphericalDiagram implements Disposable {
    * "out-of-range".
    */
   insert(lon: number, lat: number, r: number = 0): number {
-    const native = living(this, true);
-    checkSite(lon, lat, r, native.radius());
-    const id = native.insert(lon, lat, r);
-    this.#ballast.carry(id + 1);
-    return id;
+    return insert(sphericalOf(this, true), lon, lat, r);
   }
 
   /**
@@ -222,28 +144,7 @@ export class SphericalDiagram implements Disposable {
    * and "bad-length", "too-large".
    */
   insertMany(lonLatR: ArrayLike<number>): Uint32Array {
-    const native = living(this, true);
-    const numbers = checkedSites("lonLatR", lonLatR, native.radius());
-    const ids = allocated(() => new Uint32Array(numbers.length / 3));
-    native.insertMany(numbers, ids);
-    this.#ballast.carry(native.size());
-    return ids;
-  }
-
-  /**
-   * Removes a site; false if there is no such site. Sites that only it covered become visible.
-   * Cost: as in the plane, and for one site in n that of building. Throws "unknown-site" for what
-   * is no whole number.
-   */
-  remove(id: number): boolean {
-    const native = living(this, true);
-    checkWholeNumber(id);
-    return isSiteId(id) && native.remove(id);
-  }
-
-  /** Removes several sites; returns how many there were. Throws as `remove`, and "bad-length". */
-  removeMany(ids: ArrayLike<number>): number {
-    return living(this, true).removeMany(checkedIds("ids", ids));
+    return insertMany(sphericalOf(this, true), lonLatR);
   }
 
   /**
@@ -251,10 +152,7 @@ export class SphericalDiagram implements Disposable {
    * remove and insert. Throws "unknown-site", "not-finite", "out-of-range".
    */
   update(id: number, lon: number, lat: number, r?: number): this {
-    const native = living(this, true);
-    const weight = r === undefined ? withSite(native, id).site(id).r : r;
-    checkSite(lon, lat, weight, native.radius());
-    withSite(native, id).update(id, lon, lat, weight);
+    update(sphericalOf(this, true), id, lon, lat, r);
     return this;
   }
 
@@ -264,68 +162,20 @@ export class SphericalDiagram implements Disposable {
    * an id.
    */
   updateMany(ids: ArrayLike<number>, lonLatR: ArrayLike<number>): this {
-    const native = living(this, true);
-    const sites = checkedIds("ids", ids);
-    const numbers = checkedSites("lonLatR", lonLatR, native.radius());
-    if (numbers.length !== 3 * sites.length)
-      throw new ApolloniusError(
-        "bad-length",
-        `expected ${3 * sites.length} values in lonLatR for ${sites.length} ids, got ` +
-          numbers.length,
-      );
-    const unknown = sites.findIndex((id) => !native.has(id));
-    if (unknown !== -1)
-      throw new ApolloniusError(
-        "unknown-site",
-        `ids[${unknown}]: ${unknownSite(ids[unknown]).message}`,
-      );
-    native.updateMany(sites, numbers);
+    updateMany(sphericalOf(this, true), ids, lonLatR);
     return this;
-  }
-
-  /** Removes all sites; ids start from 0 again. Cost: O(n). */
-  clear(): this {
-    living(this, true).clear();
-    return this;
-  }
-
-  /** Number of sites, hidden ones too. O(1). */
-  get size(): number {
-    return living(this).size();
-  }
-
-  /** Number of sites that have a cell. O(1). */
-  get visibleSize(): number {
-    return living(this).visibleSize();
-  }
-
-  /** Number of sites that have none: another covers them. O(1). */
-  get hiddenSize(): number {
-    return this.size - this.visibleSize;
-  }
-
-  /** Whether a site has this id. O(1). Throws "unknown-site" for what is no whole number. */
-  has(id: number): boolean {
-    const native = living(this);
-    checkWholeNumber(id);
-    return isSiteId(id) && native.has(id);
   }
 
   /** Centre and weight of a site, exactly as given. O(1). Throws "unknown-site". */
   site(id: number): SphericalSite {
-    return withSite(living(this), id).site(id);
-  }
-
-  /** All ids, ascending. O(n). */
-  ids(): Uint32Array {
-    return living(this).ids();
+    return ofOne(sphericalOf(this).native, id, (native) => native.site(id));
   }
 
   /**
    * All sites, hidden ones too, as typed arrays: `updateMany(ids, lonLatR)` moves them all. O(n).
    */
   sites(): SphericalSites {
-    const { ids, xyr, hidden } = living(this).sites();
+    const { ids, xyr, hidden } = sphericalOf(this).native.sites();
     return { ids, lonLatR: xyr, hidden };
   }
 
@@ -338,19 +188,6 @@ export class SphericalDiagram implements Disposable {
     }
   }
 
-  /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
-  isHidden(id: number): boolean {
-    return withSite(living(this), id).isHidden(id);
-  }
-
-  /**
-   * A visible site that covers this one; -1 for a visible site. Cost: one location. Throws
-   * "unknown-site".
-   */
-  coverOf(id: number): number {
-    return withSite(living(this), id).coverOf(id);
-  }
-
   // --- Queries -----------------------------------------------------------------------------------
 
   /**
@@ -359,12 +196,7 @@ export class SphericalDiagram implements Disposable {
    * "out-of-range", "bad-option".
    */
   find(lon: number, lat: number, options?: FilterOptions): number {
-    const native = living(this);
-    checkPoint(lon, lat);
-    const filter = filterOf(options);
-    if (filter !== undefined)
-      return passing(walkFrom(native, lon, lat, Infinity), filter, this.#filters)?.id ?? -1;
-    return native.find(lon, lat); // without the distance, which costs as much as the search
+    return find(sphericalOf(this), lon, lat, options);
   }
 
   /**
@@ -376,13 +208,7 @@ export class SphericalDiagram implements Disposable {
     lat: number,
     options?: FilterOptions,
   ): { id: number; distance: number } | null {
-    const native = living(this);
-    checkPoint(lon, lat);
-    const filter = filterOf(options);
-    if (filter !== undefined)
-      return passing(walkFrom(native, lon, lat, Infinity), filter, this.#filters);
-    const found = native.nearest(lon, lat);
-    return found.id === -1 ? null : found;
+    return nearest(sphericalOf(this), lon, lat, options);
   }
 
   /**
@@ -391,13 +217,7 @@ export class SphericalDiagram implements Disposable {
    * as Diagram.findMany. Throws as `find`, and "bad-length".
    */
   findMany(lonLat: ArrayLike<number>, ...how: FindManyArguments): Int32Array {
-    const native = living(this);
-    return findMany(native, this.#filters, checkedPoints("lonLat", lonLat), how, {
-      all: findAll,
-      one: (lon, lat, filter) =>
-        passing(walkFrom(native, lon, lat, Infinity), filter, this.#filters),
-      empty: () => runningModule().createSpherical(native.radius()),
-    });
+    return findMany(sphericalOf(this), lonLat, how);
   }
 
   /**
@@ -406,12 +226,7 @@ export class SphericalDiagram implements Disposable {
    * neighbours of the sites looked at. Throws "not-finite", "out-of-range", "bad-option".
    */
   kNearest(lon: number, lat: number, k: number, options?: NearbyOptions): Uint32Array {
-    const native = living(this);
-    checkPoint(lon, lat);
-    const most = checkedCount("k", k);
-    checkOptions(options, "maxDistance", "filter");
-    const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
-    return nearby(native, this.#filters, [lon, lat], most, farthest, options?.filter);
+    return kNearest(sphericalOf(this), lon, lat, k, options);
   }
 
   /**
@@ -420,33 +235,14 @@ export class SphericalDiagram implements Disposable {
    * kNearest.
    */
   within(lon: number, lat: number, distance: number, options?: FilterOptions): Uint32Array {
-    const native = living(this);
-    checkPoint(lon, lat);
-    const farthest = checkedMaxDistance("distance", distance);
-    checkOptions(options, "filter");
-    const most = checkedCount("k", Infinity);
-    return nearby(native, this.#filters, [lon, lat], most, farthest, options?.filter);
-  }
-
-  /**
-   * The distinct sites whose cells share an edge with this site's, counter-clockwise as seen from
-   * outside; empty for a hidden site. Edges of length zero count, in so far as rounding makes some.
-   * O(d). Throws "unknown-site".
-   */
-  neighbors(id: number): Uint32Array {
-    return withSite(living(this), id).neighbors(id);
-  }
-
-  /** All Voronoi edges; the closed edge of two sites has the vertices -1, -1. O(n). */
-  edges(): Edges {
-    return living(this).edges();
+    return within(sphericalOf(this), lon, lat, distance, options);
   }
 
   /**
    * All Voronoi vertices: points that have the same distance to three sites and none less. O(n).
    */
   vertices(): SphericalVertices {
-    const { coordinates, clearance, sites } = living(this).vertices();
+    const { coordinates, clearance, sites } = sphericalOf(this).native.vertices();
     return { lonLat: coordinates, clearance, sites };
   }
 
@@ -457,9 +253,8 @@ export class SphericalDiagram implements Disposable {
    * location. Throws "unknown-site", "not-finite", "out-of-range".
    */
   contains(id: number, lon: number, lat: number): boolean {
-    const native = withSite(living(this), id);
-    checkPoint(lon, lat);
-    return native.contains(id, lon, lat);
+    const native = withSite(this, id);
+    return atPoint({ native, space: sphere }, lon, lat, () => native.contains(id, lon, lat));
   }
 
   /**
@@ -467,7 +262,7 @@ export class SphericalDiagram implements Disposable {
    * "unknown-site".
    */
   cellArea(id: number): number {
-    return withSite(living(this), id).cellArea(id);
+    return withSite(this, id).cellArea(id);
   }
 
   /**
@@ -475,7 +270,7 @@ export class SphericalDiagram implements Disposable {
    * "broken" if they do not, by a defect of the library. O(n).
    */
   cellAreas(): Float64Array {
-    return living(this).cellAreas();
+    return sphericalOf(this).native.cellAreas();
   }
 
   /**
@@ -483,7 +278,7 @@ export class SphericalDiagram implements Disposable {
    * O(d). Throws "unknown-site".
    */
   cellCentroid(id: number): Position | null {
-    const native = withSite(living(this), id);
+    const native = withSite(this, id);
     if (native.isHidden(id)) return null;
     const { lon, lat } = native.cellCentroid(id);
     return [lon, lat];
@@ -495,7 +290,7 @@ export class SphericalDiagram implements Disposable {
    * "unknown-site", "not-finite", "out-of-range", "bad-option".
    */
   cellPolygon(id: number, options?: SphericalPolygonOptions): Position[] | null {
-    const native = withSite(living(this), id);
+    const native = withSite(this, id);
     checkOptions(options, "tolerance", "winding");
     const winding = checkedWinding(options?.winding);
     const tolerance = checkedAngularTolerance(options?.tolerance);
@@ -540,7 +335,7 @@ export class SphericalDiagram implements Disposable {
     );
     const tolerance = checkedAngularTolerance(options?.tolerance);
     // asked last, as the caller's options can dispose of the diagram before
-    const polygons = living(this).cellPolygons(tolerance, antimeridian === "cut");
+    const polygons = sphericalOf(this).native.cellPolygons(tolerance, antimeridian === "cut");
     const collection = featuresOf(polygons, properties, winding);
     if (polygons.parts.length > 1) return collection;
     // The only visible site's, which is the whole sphere.
@@ -551,51 +346,8 @@ export class SphericalDiagram implements Disposable {
     return { type: collection.type, features };
   }
 
-  // --- Snapshots and life time -------------------------------------------------------------------
-
-  /**
-   * The diagram as bytes, 28 a site and 8 more a hidden one: the restored diagram gives the same
-   * answers, of identical sites the same one is visible, and new sites get the same ids. O(n).
-   */
-  toBytes(): ReturnType<Uint8Array["slice"]> {
-    return living(this).toBytes();
-  }
-
-  /** The sites, for JSON; `SphericalDiagram.from` reads them, with new ids. O(n). */
-  toJSON(): ListedSphericalSite[] {
-    return [...this];
-  }
-
-  /** "SphericalDiagram { size: 3, hidden: 1 }". O(1). */
-  toString(): string {
-    return summary(this, "SphericalDiagram");
-  }
-
-  /** @internal */
-  [kInspect](): string {
-    return this.toString();
-  }
-
   /** "SphericalDiagram". O(1). */
   get [Symbol.toStringTag](): string {
     return "SphericalDiagram";
-  }
-
-  /** null, or the first broken invariant in words. Slow, O(n) with large constants: for tests. */
-  validate(): string | null {
-    return validate(living(this));
-  }
-
-  /** Frees the diagram's memory now; later calls throw "disposed". Cost: O(1). */
-  dispose(): void {
-    if (this.#native === null) return;
-    destroy(living(this, true));
-    this.#native = null;
-    this.#ballast.drop();
-  }
-
-  /** `dispose`, for `using diagram = new SphericalDiagram()`. Cost: O(1). */
-  [Symbol.dispose](): void {
-    this.dispose();
   }
 }

@@ -1,59 +1,9 @@
-// What an object of the package has in the module: how long it lives, and how other files reach the
-// native diagram of a Diagram.
-import { ApolloniusError } from "../../errors.js";
-import { described } from "../arguments.js";
-import {
-  type NativeDiagram,
-  type NativeReach,
-  type NativeRegion,
-  type NativeSphericalDiagram,
-  runningModule,
-} from "./module.js";
+// How long an object of the package has what it has in the module.
+import type { AnyNative, NativeReach, NativeRegion } from "./module.js";
 
-type Access = (diagram: unknown, changes: boolean) => NativeDiagram | null;
+type Native = AnyNative | NativeReach | NativeRegion;
 
-type Native = NativeDiagram | NativeReach | NativeRegion | NativeSphericalDiagram;
-
-let access: Access;
 let collector: FinalizationRegistry<Native> | undefined;
-
-/** Called once by Diagram, which alone knows the native one and whether it still lives. */
-export function provideNative(accessor: Access): void {
-  access = accessor;
-}
-
-/**
- * The native diagram; throws "disposed" after dispose(), "bad-option" if it is no Diagram, and
- * "busy" for a call that `changes` it while a filter runs.
- */
-export function nativeOf(diagram: unknown, changes = false): NativeDiagram {
-  const native = access(diagram, changes);
-  if (native !== null) return native;
-  throw wrongReceiver(diagram);
-}
-
-/** The error of a method that was taken off its object, or called on another. */
-export function wrongReceiver(receiver: unknown): ApolloniusError {
-  return new ApolloniusError(
-    "bad-option",
-    `a method was called on ${described(receiver)}, expected a diagram or a Voronoi: call it as ` +
-      "diagram.find(x, y) or diagram.voronoi(bounds).cellArea(id)",
-  );
-}
-
-/** An empty diagram that lives until `destroy`, or until its owner is collected. */
-export function createNative(owner: object, location: "hierarchy" | "walk"): NativeDiagram {
-  const native = runningModule().create(location);
-  keep(owner, native);
-  return native;
-}
-
-/** An empty diagram of a sphere, as `createNative`. */
-export function createSpherical(owner: object, radius: number): NativeSphericalDiagram {
-  const native = runningModule().createSpherical(radius);
-  keep(owner, native);
-  return native;
-}
 
 /** Deletes `native` some time after its owner has been collected. */
 export function keep(owner: object, native: Native): void {

@@ -28,6 +28,7 @@ export type NativeRegion = Region;
 export type NativeReach = Reach;
 /** A diagram of the sphere: wasm/bindings/sphere.cpp. */
 export type NativeSphericalDiagram = SphericalDiagram;
+export type AnyNative = NativeDiagram | NativeSphericalDiagram;
 export type { Builder, Fitting, NearestFirst, SphericalNearestFirst };
 
 /** The calls that a part registers as functions of a diagram, as methods. */

@@ -1,7 +1,7 @@
 // From the library's errors to exceptions that name the argument.
 import type { MainModule } from "../../../../build/wasm/apollonius.mjs";
 import { ApolloniusError, type ErrorCode } from "../../errors.js";
-import { numberError, outOfMemory, throwElementError, unknownSite } from "../arguments.js";
+import { numberError, outOfMemory, throwFirst, unknownSite } from "../arguments.js";
 
 type NativeErrors = MainModule["Error"]; // `Error` of src/apollonius/diagram.h
 
@@ -48,22 +48,13 @@ export function ofSite(error: unknown, id: unknown): unknown {
   return is(error, "unknown-site") ? unknownSite(id) : error;
 }
 
-/** The error of a call with scalars, of which the message names the first bad one. */
-export function ofNumbers(error: unknown, x: unknown, y: unknown, r: unknown = 0): unknown {
-  if (!is(error, "not-finite", "out-of-range")) return error;
-  return numberError("x", x) ?? numberError("y", y) ?? numberError("r", r) ?? error;
+/** Does an error say that a number is none of those that the library takes? */
+export function refusesNumbers(error: unknown): boolean {
+  return is(error, "not-finite", "out-of-range");
 }
 
 /** The error of a call with an array of numbers, of which the message names the first bad one. */
 export function ofElements(error: unknown, name: string, values: ArrayLike<number>): unknown {
-  if (is(error, "not-finite", "out-of-range")) throwElementError(name, values);
+  if (refusesNumbers(error)) throwFirst(values, (value, k) => numberError(`${name}[${k}]`, value));
   return error;
-}
-
-/**
- * Throws unless x, y and r are of type number; what number they may be is the library's to check.
- */
-export function checkTypes(x: unknown, y: unknown, r: unknown = 0): void {
-  if (typeof x !== "number" || typeof y !== "number" || typeof r !== "number")
-    throw numberError("x", x) ?? numberError("y", y) ?? numberError("r", r);
 }

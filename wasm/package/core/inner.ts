@@ -1,0 +1,62 @@
+// What a diagram has inside, of the plane or of the sphere, and how other files reach it.
+import { ApolloniusError } from "../errors.js";
+import { described } from "./arguments.js";
+import type { Ballast } from "./native/lifetime.js";
+import type { AnyNative, NativeDiagram } from "./native/module.js";
+import { plane, type Space } from "./space.js";
+
+/** How many filter callbacks are running: none may change the diagram. */
+export interface Filters {
+  running: number;
+}
+
+export interface Inner<Native extends AnyNative = AnyNative> {
+  readonly native: Native;
+  readonly space: Space;
+  readonly filters: Filters;
+  readonly ballast: Ballast;
+}
+
+/** null after dispose(), undefined if it is no diagram. */
+type Access = (diagram: unknown) => Inner | null | undefined;
+
+let access: Access;
+
+/** Called once by the class that alone knows what its objects have inside. */
+export function provideInner(accessor: Access): void {
+  access = accessor;
+}
+
+/**
+ * What a diagram has inside. Throws "bad-option" if it is none, "disposed" after dispose(), and
+ * "busy" for a call that `changes` it while a filter runs.
+ */
+export function innerOf(diagram: unknown, changes = false): Inner {
+  const inner = access(diagram);
+  if (inner === undefined) throw wrongReceiver(diagram);
+  if (inner === null) throw new ApolloniusError("disposed", "the diagram has been disposed of");
+  if (changes && inner.filters.running > 0)
+    throw new ApolloniusError("busy", "a filter may not change the diagram that asks it");
+  return inner;
+}
+
+/** The same of a diagram of the plane. */
+export function planarOf(diagram: unknown, changes = false): Inner<NativeDiagram> {
+  const inner = innerOf(diagram, changes);
+  if (inner.space !== plane) throw wrongReceiver(diagram);
+  return inner as Inner<NativeDiagram>;
+}
+
+/** The native diagram of the plane. */
+export function nativeOf(diagram: unknown, changes = false): NativeDiagram {
+  return planarOf(diagram, changes).native;
+}
+
+/** The error of a method that was taken off its object, or called on another. */
+export function wrongReceiver(receiver: unknown): ApolloniusError {
+  return new ApolloniusError(
+    "bad-option",
+    `a method was called on ${described(receiver)}, expected a diagram or a Voronoi: call it as ` +
+      "diagram.find(x, y) or diagram.voronoi(bounds).cellArea(id)",
+  );
+}
