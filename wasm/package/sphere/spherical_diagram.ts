@@ -48,6 +48,12 @@ function sphericalOf(diagram: unknown, changes = false): Inner<NativeSphericalDi
   return inner as Inner<NativeSphericalDiagram>;
 }
 
+function polygonOptions(options: SphericalPolygonOptions | undefined) {
+  checkOptions(options, "tolerance", "winding");
+  const winding = checkedWinding(options?.winding);
+  return { tolerance: checkedAngularTolerance(options?.tolerance), winding };
+}
+
 /** The native diagram, of which this is a site. */
 function withSite(diagram: unknown, id: number): NativeSphericalDiagram {
   const { native } = sphericalOf(diagram);
@@ -291,19 +297,24 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
    */
   cellPolygon(id: number, options?: SphericalPolygonOptions): Position[] | null {
     const native = withSite(this, id);
-    checkOptions(options, "tolerance", "winding");
-    const winding = checkedWinding(options?.winding);
-    const tolerance = checkedAngularTolerance(options?.tolerance);
+    const { tolerance, winding } = polygonOptions(options);
     if (native.isHidden(id)) return null;
     const ring = positionsOf(native.cellPolygon(id, tolerance, false).coordinates);
     return winding === "clockwise" ? ring.reverse() : ring;
   }
 
-  /** The polygons of all cells, ascending by id, which is their `index`. Cost: as cellPolygon. */
+  /**
+   * The polygons of all cells, as they are when the loop begins, ascending by id, which is their
+   * `index`. Cost: O(n + points), much less than that of asking cell by cell.
+   */
   *cellPolygons(options?: SphericalPolygonOptions): Generator<CellPolygon, void> {
-    for (const id of this.ids()) {
-      const ring = this.cellPolygon(id, options);
-      if (ring !== null) yield Object.assign(ring, { index: id });
+    const { tolerance, winding } = polygonOptions(options);
+    const polygons = sphericalOf(this).native.cellPolygons(tolerance, false);
+    const { coordinates, starts, parts, sites, cells } = polygons;
+    for (const [k, index] of sites.entries()) {
+      const [first, end] = [starts[parts[cells[k]!]!]!, starts[parts[cells[k + 1]!]!]!];
+      const ring = positionsOf(coordinates, first, end);
+      yield Object.assign(winding === "clockwise" ? ring.reverse() : ring, { index });
     }
   }
 
