@@ -1,7 +1,8 @@
 # The tests that also run as WebAssembly in every `npm test`: those whose answer may differ there.
 # What computes (other instructions for the same doubles, vectors of two), what needs memory (32-bit
-# sizes, another allocator), what is counted without the shadow check of the native build, and one
-# history of each structure. `npm run check -- wasm` runs all.
+# sizes, another allocator), what is counted without the shadow check of the native build, and
+# recorded hashes. Histories of the diagram run in Jest on the module that is shipped. `npm run
+# check -- wasm` runs all.
 set(wasm_tests
   # Numbers and predicates
   number/approx number/ball number/dyadic number/fixed_integer number/fp number/root_sign
@@ -13,11 +14,8 @@ set(wasm_tests
   # Counted work, and snapshots that the shadow check would stop
   delaunay/unproved_graph diagram/snapshot_mutants diagram/work_in_line diagram/work_of_batches
   diagram/worst_orders
-  # Recorded hashes, and one history of each structure
-  diagram/determinism diagram/hidden_forest diagram/hint_grid diagram/id_pool diagram/levels
-  diagram/moves diagram/oracle diagram/regressions diagram/snapshot
-  geometry/fit geometry/regions geometry/voronoi sphere/out_of_memory
-  topology/random)
+  # Recorded hashes
+  diagram/determinism geometry/voronoi sphere/out_of_memory)
 set(all_files "${test_files}")
 set(test_files "")
 foreach(name IN LISTS wasm_tests)
