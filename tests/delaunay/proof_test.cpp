@@ -164,7 +164,7 @@ void judgeAround(const std::vector<Site>& some, Random& random,
 
 TEST(Proof, SurfacesOfSmallGrids) {
   Tally tally;
-  const int count = runs(sized(2500, 6000));
+  const int count = runs(sized(1000, 6000));
   for (int run = 0; run < count; ++run) {
     SCOPED_TRACE(run);
     Random random(static_cast<std::uint64_t>(run) + 100);
@@ -187,7 +187,7 @@ TEST(Proof, SurfacesOfSmallGrids) {
 // sites, sites of degree 2.
 TEST(Proof, SurfacesWithMultipleEdges) {
   Tally tally;
-  const int count = runs(sized(2500, 6000));
+  const int count = runs(sized(1000, 6000));
   for (int run = 0; run < count; ++run) {
     SCOPED_TRACE(run);
     Random random(static_cast<std::uint64_t>(run) + 100000);

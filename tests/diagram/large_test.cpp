@@ -80,7 +80,7 @@ TEST(LargeHistory, DriftingSites) {
     std::vector<SiteId> ids;
     Circles circles;
     const std::size_t most =
-        static_cast<std::size_t>(runs((location == Location::kWalk ? 800 : 4000) / sized(3, 1)));
+        static_cast<std::size_t>(runs((location == Location::kWalk ? 800 : 4000) / sized(8, 1)));
     for (const double scale : {1.0, 1e-6, 1e4, 1e60, 1e-60, 1.0}) {
       const double centre = scale * random.between(-3, 3);
       const auto draw = [&] {

@@ -111,7 +111,7 @@ TEST_P(Rebuild, IsSavedWithItsFreeIds) {
 /// Small moves of all are certified and stay; large ones of all are not even tried after a look at
 /// a sample. In between, some give up half-way.
 TEST_P(Rebuild, WhereverItStartsTheDiagramIsThatOfTheSites) {
-  const auto n = static_cast<std::size_t>(runs(1500));
+  const auto n = static_cast<std::size_t>(runs(sized(500, 1500)));
   const Circles start = randomCircles(random, n, Hidden::k5Percent);
   const double gap = 2e6 / 40;
   Diagram diagram(GetParam());

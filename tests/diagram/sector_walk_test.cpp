@@ -114,7 +114,7 @@ class SectorWalkOn : public ::testing::TestWithParam<NamedGenerator> {};
 TEST_P(SectorWalkOn, FindsTheNearestSite) {
   Random random(1811);
   for (const std::size_t n : {std::size_t{17}, std::size_t{60}, std::size_t{250}}) {
-    for (int run = 0; run < runs(n < 100 ? 20 : 4); ++run) {
+    for (int run = 0; run < runs(n < 100 ? sized(5, 20) : sized(1, 4)); ++run) {
       expectNearestByBruteForce(GetParam().make(random, n), random, 100);
       if (HasFatalFailure()) FAIL() << "n " << n << ", run " << run;
     }

@@ -59,11 +59,12 @@ Error restored(Diagram& diagram, const Bytes& bytes, Source source) {
 }
 
 TEST(SnapshotMutants, OfAnyoneAreRefusedOrRight) {
-  const std::vector<Bytes> all = originals();
+  const std::vector<Bytes> sources = originals();
   int accepted = 0, refused = 0;
-  for (int run = 0; run < runs(12000); ++run) {
+  const int all = sized(3000, 12000);
+  for (int run = 0; run < runs(all); ++run) {
     Random random(static_cast<std::uint64_t>(run));
-    const Bytes bytes = mutant(all[random.below(all.size())], random);
+    const Bytes bytes = mutant(sources[random.below(sources.size())], random);
     Diagram diagram;
     if (restored(diagram, bytes, Source::kAnyone) != Error::kNone) {
       ++refused;
@@ -73,8 +74,8 @@ TEST(SnapshotMutants, OfAnyoneAreRefusedOrRight) {
     ASSERT_EQ(whatIsWrong(diagram, random), "") << run;
     ASSERT_FALSE(callEverything(diagram, random.next())) << run;
   }
-  EXPECT_GT(accepted, runs(500));
-  EXPECT_GT(refused, runs(3000));
+  EXPECT_GT(accepted, runs(all / 25));
+  EXPECT_GT(refused, runs(all / 4));
 }
 
 // What validate() says of trusted bytes is what decides whether they are accepted from anyone.
@@ -101,11 +102,12 @@ TEST(SnapshotMutants, ValidateAndFromBytesAgree) {
 TEST(SnapshotMutants, TrustedDoNoHarm) {
   // On an invalid graph a filter may contradict the exact stage.
   if (kShadowCheck) GTEST_SKIP() << "with the shadow check";
-  const std::vector<Bytes> all = originals();
+  const std::vector<Bytes> sources = originals();
   int found = 0, accepted = 0;
-  for (int run = 0; run < runs(20000); ++run) {
+  const int all = sized(5000, 20000);
+  for (int run = 0; run < runs(all); ++run) {
     Random random(static_cast<std::uint64_t>(run) + 200000);
-    const Bytes bytes = mutant(all[random.below(all.size())], random);
+    const Bytes bytes = mutant(sources[random.below(sources.size())], random);
     Diagram diagram(random.oneIn(4)   ? Location::kWalk
                     : random.oneIn(4) ? Location::kPlainHierarchy
                                       : Location::kHierarchy);
@@ -113,8 +115,8 @@ TEST(SnapshotMutants, TrustedDoNoHarm) {
     ++accepted;
     found += callEverything(diagram, random.next());
   }
-  EXPECT_GT(accepted, runs(6000));
-  EXPECT_GT(found, runs(1000));
+  EXPECT_GT(accepted, runs(all / 4));
+  EXPECT_GT(found, runs(all / 25));
 }
 
 // With a hierarchy, from which a search comes down to sites that trusted bytes have under another.

@@ -320,7 +320,7 @@ TEST(Snapshot, FlippedBytesWithARightChecksumDoNoHarm) {
     ASSERT_TRUE(works(bytes));
     Random random(8);
     for (std::size_t k = 0; k + 8 < bytes.size(); ++k) {
-      for (int run = 0; run < runs(5); ++run) {
+      for (int run = 0; run < runs(sized(2, 5)); ++run) {
         Bytes flipped = bytes;
         flipped[k] ^=
             static_cast<std::uint8_t>(run < 2 ? 1u << random.below(8) : random.below(255) + 1);

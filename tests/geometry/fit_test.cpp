@@ -137,7 +137,7 @@ TEST(Fit, EndsWhereSitesAreMuchNearerThanTheRegionIsWide) {
 
 TEST(Fit, ReachesRandomTargetsInASquare) {
   Random random(902);
-  for (const std::size_t count : {1u, 2u, 3u, 10u, 100u, 1000u}) {
+  for (const std::size_t count : {1u, 2u, 3u, 10u, 100u, sized(300u, 1000u)}) {
     Circles circles;
     std::vector<double> targets;
     for (std::size_t k = 0; k < count; ++k) {
@@ -227,11 +227,11 @@ TEST(Fit, CellsOfSitesOutsideDoNotVanishThere) {
   // (With regularization up to the region's box only, one did, and no step could be taken any
   // more.)
   Random random(907);
-  for (int run = 0; run < runs(4); ++run) {
+  for (int run = 0; run < sized(2, 4); ++run) {
     const Region region = run % 2 == 0 ? regionOf({300, 300, 700, 320, 690, 700, 310, 650}, {0, 4})
                                        : regionOf({300, 300, 700, 300, 500, 700}, {0, 3});
     Circles all;
-    for (int k = 0; k < 600; ++k)
+    for (int k = sized(250, 600); k > 0; --k)
       all.push_back({random.between(250, 750), random.between(250, 750), 0});
     const Circles circles = withCellsIn(region, all);
     std::vector<double> targets;

@@ -314,7 +314,7 @@ class GeometryOutOfMemory : public ::testing::Test {
 
 TEST_F(GeometryOutOfMemory, ShapesSaySoAndAnswerAfterwards) {
   for (const std::size_t n : {0u, 1u, 2u, 7u, 20u}) {
-    if (kEffortDivisor > 1 && n > 7) break;
+    if (!isThorough() && n > 7) break;
     Random random(n);
     circles_ = randomCircles(random, n, Hidden::k20Percent);
     for (const bool inRegion : {false, true}) {

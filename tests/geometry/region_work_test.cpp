@@ -109,7 +109,7 @@ TEST_P(RegionWork, OfARingIsNotItsSidesTimesTheNeighbors) {
                      {"across the border", 1.00001, 0.99, false}};
   for (const auto& kind : kinds) {
     SCOPED_TRACE(kind.name);
-    const auto ring = static_cast<std::size_t>(runs(1600));
+    const auto ring = static_cast<std::size_t>(runs(sized(800, 1600)));
     const Walked walked = walk(core_, {around(ring, kind.outer * reach, kind.inner * reach)});
     EXPECT_EQ(walked.crossings.empty(), kind.isInside);
     EXPECT_EQ(walked.interiorRings.empty(), !kind.isInside);
@@ -120,7 +120,7 @@ TEST_P(RegionWork, OfARingIsNotItsSidesTimesTheNeighbors) {
 /// Rings side by side in the cell, each with a hole; and rings around each other.
 TEST_P(RegionWork, OfManyRingsIsNotTheirNumberTimesTheNeighbors) {
   const double reach = GetParam().reach();
-  const auto rows = static_cast<std::size_t>(runs(20));
+  const auto rows = static_cast<std::size_t>(runs(sized(12, 20)));
   std::vector<Ring> islands, nested;
   for (std::size_t k = 0; k < rows * rows; ++k) {
     const Point at = (1.2 * reach / static_cast<double>(rows)) *
@@ -155,7 +155,7 @@ TEST_P(RegionWork, RingsAreWalkedTogetherAsAlone) {
   Random random(872);
   const double reach = GetParam().reach();
   std::vector<Ring> rings;
-  for (int k = 0; k < runs(300); ++k) {
+  for (int k = 0; k < runs(sized(100, 300)); ++k) {
     // From the middle to beyond the border, many close to that.
     const double angle = random.between(0, kTurn), size = std::exp2(random.between(-20, 0));
     Ring ring;

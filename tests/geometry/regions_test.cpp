@@ -176,7 +176,7 @@ TEST(Regions, IntegerShapesOnIntegerCircles) {
   // every run has some. Once as they are and once times 0.1, where rounding puts everything next
   // to where it should be.
   Random random(813);
-  for (int run = 0; run < runs(6000); ++run) {
+  for (int run = 0; run < runs(sized(2000, 6000)); ++run) {
     const int size = 1 + 2 * random.below(5);
     Circles circles = tinyGrid(random, 1 + random.below(std::size_t{9}), size, random.below(5));
     const double unit = random.oneIn(2) ? 1 : 0.1, step = random.oneIn(2) ? 1 : 0.5;
@@ -286,7 +286,7 @@ TEST(Regions, SidesTouchCurvedEdgesWithoutCrossingThem) {
   constexpr Direction kDirections[] = {{3, 4, 5},   {4, 3, 5},    {-5, 12, 13}, {-12, 5, 13},
                                        {8, 15, 17}, {-15, 8, 17}, {7, -24, 25}, {-20, -21, 29}};
   Random random(814);
-  for (int run = 0; run < runs(3000); ++run) {
+  for (int run = 0; run < runs(sized(1000, 3000)); ++run) {
     const Direction u = kDirections[random.below(std::size(kDirections))],
                     v = kDirections[random.below(std::size(kDirections))];
     if (u.x * v.y == u.y * v.x) continue;

@@ -77,7 +77,7 @@ class WorkOfCoverage : public ::testing::TestWithParam<Family> {};
 TEST_P(WorkOfCoverage, IsNLogN) {
   // 3 segments a site, and about as many again in each further round: of which random sites need
   // one or two, those of which all edges come to one place 13 to 16.
-  for (const std::size_t n : {std::size_t{500}, sized(std::size_t{2000}, std::size_t{8000})}) {
+  for (const std::size_t n : {std::size_t{500}, sized(std::size_t{1000}, std::size_t{8000})}) {
     const auto sites = static_cast<double>(n);
     EXPECT_LE(static_cast<double>(workOf(GetParam(), n)), 32 * sites * std::log2(sites)) << n;
   }

@@ -145,7 +145,7 @@ template <class Ask>
 int askFamilies(std::uint64_t seed, int times, Ask&& ask) {
   Random random(seed);
   int asked = 0;
-  for (int run = 0; run < runs(times) && !::testing::Test::HasFailure(); ++run) {
+  for (int run = 0; run < runs(sized(times / 2, times)) && !::testing::Test::HasFailure(); ++run) {
     SCOPED_TRACE("run " + std::to_string(run));
     ask(Family(run, random), random, asked);
   }

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "sphere/sphere_sets.h"
+#include "support/effort.h"
 
 namespace apollonius::test {
 namespace {
@@ -43,7 +44,7 @@ void expectLike(const SphericalDiagram& diagram, const std::map<SiteId, Spherica
 
 TEST(SphericalHistories, OfAllOperations) {
   Random random(7);
-  for (const NamedSites& set : namedSets(random, 40)) {
+  for (const NamedSites& set : namedSets(random, sized(std::size_t{20}, std::size_t{40}))) {
     SCOPED_TRACE(set.name);
     SphericalDiagram diagram;
     std::map<SiteId, SphericalCircle> sites;
@@ -121,7 +122,7 @@ TEST(SphericalHistories, TheHeaviestIsRemovedAgainAndAgain) {
 
 TEST(SphericalHistories, ManyMovesAtOnceBuildThePlaneAnew) {
   Random random(9);
-  SphericalSites sites = randomSites(random, 3000, 0.01);
+  SphericalSites sites = randomSites(random, sized(std::size_t{1000}, std::size_t{3000}), 0.01);
   SphericalDiagram diagram = diagramOf(sites);
   for (int round = 0; round < 4; ++round) {
     std::vector<SiteId> ids;

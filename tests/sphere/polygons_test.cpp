@@ -7,6 +7,7 @@
 
 #include "geometry/coverage_judge.h"
 #include "sphere/sphere_sets.h"
+#include "support/effort.h"
 
 namespace apollonius::test {
 namespace {
@@ -15,7 +16,7 @@ constexpr double kTolerances[] = {1e-5, 1e-3, 0.1};
 
 TEST(SphericalPolygons, CutOnesCoverTheRectangleOnce) {
   Random random(11);
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < sized(3, 6); ++round) {
     for (const NamedSites& set : namedSets(random, 4 + 9 * static_cast<std::size_t>(round))) {
       const SphericalDiagram diagram = diagramOf(set.sites);
       for (const double tolerance : kTolerances) {
