@@ -30,7 +30,7 @@ import { disagreements, runScenes } from "./measure.mjs";
 import { picture } from "./picture.mjs";
 import { drafts, results } from "./places.mjs";
 import { modeNames, parts, scenesOf } from "./plan.mjs";
-import { buildContenders } from "./prepare.mjs";
+import { buildContenders, hasCgal } from "./prepare.mjs";
 import { report } from "./report.mjs";
 
 function options() {
@@ -61,10 +61,10 @@ async function contenders() {
   const { mode, only, without } = options();
   if (only === "page") {
     await buildPackage();
-    run(process.execPath, [fileURLToPath(new URL("js/page.mjs", import.meta.url)), "--storms"]);
+    run(process.execPath, [fileURLToPath(new URL("js/page.mjs", import.meta.url))]);
     return;
   }
-  const hasCgal = await buildContenders();
+  await buildContenders();
   const isThere = (name) => (name !== "cgal" || hasCgal) && !without.includes(name);
   const facts = machine();
   const start = performance.now();
