@@ -67,8 +67,8 @@ export async function sampledLater(request, items, work) {
 }
 
 /**
- * Calls `step(k)` for k = 0, 1, ... `items` times or until the time limit; how often, and the sum of
- * what it returned.
+ * Calls `step(k)` for k = 0, 1, ... `items` times or until the time limit; returns how often, and
+ * the sum of the answers.
  */
 export function forEachUntil(limit, items, step) {
   const end = performance.now() + 1000 * limit;

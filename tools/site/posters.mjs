@@ -4,7 +4,7 @@ import { readdirSync } from "node:fs";
 import path from "node:path";
 import { root } from "../toolchain/folders.mjs";
 
-/** By name: the modules of figures, which run in Node as in a browser, the playground's, the pen. */
+/** The modules of figures by name, which run in Node as in a browser; the playground's; the pen. */
 async function modules() {
   const { createServer } = await import("vite");
   const dist = path.join(root, "dist/esm");
