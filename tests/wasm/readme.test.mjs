@@ -110,7 +110,7 @@ test("the address of the wasm is written as the tests of bundlers write it", () 
     expect(block).toContain(way);
     expect(bundlers).toContain(way);
   }
-  expect(blocks.length).toBe(7);
+  expect(blocks.length).toBe(6);
 });
 
 test("links and pictures are there", () => {
