@@ -36,7 +36,7 @@ export const uses = {
 };
 
 /** Libraries that people know, without weights or without exactness: what each adds to a page. */
-export const peers = {
+const peers = {
   "d3-delaunay": 'import { Delaunay } from "d3-delaunay"; globalThis.answer = Delaunay.from([]);',
   flatbush: 'import Flatbush from "flatbush"; globalThis.answer = new Flatbush(1);',
   "d3-voronoi-treemap":
@@ -56,7 +56,7 @@ const alias = {
   ),
 };
 
-export function brotliOf(bytes) {
+function brotliOf(bytes) {
   const params = {
     [constants.BROTLI_PARAM_QUALITY]: 11,
     [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length,
