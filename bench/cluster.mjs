@@ -9,6 +9,7 @@ import { mkdirSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs
 import path from "node:path";
 import { setTimeout } from "node:timers/promises";
 import { parseArgs } from "node:util";
+import { buildPackage } from "../tools/build.mjs";
 import { run as execute, SetUpError } from "../tools/toolchain/process.mjs";
 import { ensureRedis } from "../tools/toolchain/redis.mjs";
 import { machine } from "./machine.mjs";
@@ -161,14 +162,14 @@ ${table(["what", "median", "range", "goal"], rows)}
 `;
 }
 
-/** Measures and writes the report; `build: false` takes the dist/ that is there. */
-export async function measureCluster(args, { build = true } = {}) {
+/** Measures and writes the report. */
+export async function measureCluster(args) {
   const { values } = parseArgs({
     args,
     options: { quick: { type: "boolean" }, rounds: { type: "string" } },
   });
   if (ensureRedis() === null) throw new SetUpError("no redis-server: install it");
-  if (build) execute(process.execPath, [path.join(root, "tools/build.mjs")]);
+  await buildPackage();
   const facts = machine();
   const mode = { ...modes[values.quick ? "quick" : "default"] };
   if (values.rounds) mode.rounds = Number(values.rounds);

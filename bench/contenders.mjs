@@ -3,7 +3,8 @@
 import { spawn } from "node:child_process";
 import path from "node:path";
 import { createInterface } from "node:readline";
-import { native, packed, root } from "./places.mjs";
+import { packed } from "../tests/wasm/support/install_packed.mjs";
+import { native, root } from "./places.mjs";
 
 /** In the order of the report's columns. */
 export const names = [

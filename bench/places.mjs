@@ -5,8 +5,6 @@ import { root } from "../tools/toolchain/folders.mjs";
 export { root };
 /** The native programs. */
 export const native = path.join(root, "build/bench/bench");
-/** The packed package, installed. */
-export const packed = path.join(root, "build/bench-package");
 /** The sets of sites and queries. */
 export const sets = path.join(root, "build/bench-sets");
 /** Committed results; those of quick and partial runs go to `drafts`. */

@@ -1,19 +1,5 @@
 // npm run bench: builds all contenders, measures, prints one report, and writes it with its
-// picture.
-//
-//   npm run bench                      about eight minutes
-//   npm run bench -- --quick           under a minute
-//   npm run bench -- --full            all of it, up to 10 000 000 sites, hours
-//   npm run bench -- --only families   one part: scaling, families, orders, table1, moves, drawing,
-//                                      windows, fit, sphere, treemap, snapshots,
-//                                      border
-//   npm run bench -- --only page       the page's frames in Chromium, printed (js/page.mjs)
-//   npm run bench -- --without cgal    leaves a contender out (may be repeated)
-//   npm run bench -- cluster           points and tiles by the workers of web/examples/cluster:
-//                                      bench/cluster.mjs
-//
-// The first goes to bench/results/latest.{json,md,svg}, and what documents quote of it to
-// docs/figures.json; --full too. All others go to build/bench-results/.
+// picture. Options: README.md. A whole run writes what documents quote of it to docs/figures.json.
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
@@ -30,7 +16,7 @@ import { disagreements, runScenes } from "./measure.mjs";
 import { picture } from "./picture.mjs";
 import { drafts, results } from "./places.mjs";
 import { modeNames, parts, scenesOf } from "./plan.mjs";
-import { buildContenders } from "./prepare.mjs";
+import { buildContenders, hasCgal } from "./prepare.mjs";
 import { report } from "./report.mjs";
 
 function options() {
@@ -61,10 +47,10 @@ async function contenders() {
   const { mode, only, without } = options();
   if (only === "page") {
     await buildPackage();
-    run(process.execPath, [fileURLToPath(new URL("js/page.mjs", import.meta.url)), "--storms"]);
+    run(process.execPath, [fileURLToPath(new URL("js/page.mjs", import.meta.url))]);
     return;
   }
-  const hasCgal = await buildContenders();
+  await buildContenders();
   const isThere = (name) => (name !== "cgal" || hasCgal) && !without.includes(name);
   const facts = machine();
   const start = performance.now();

@@ -24,10 +24,9 @@ const least = (limit) => ({ text: `≥ ${limit}`, isMet: (value) => value >= lim
 
 /** The largest measured size up to a wanted one: a quick run has no million. */
 function largestSize(records, part, wanted) {
-  const sizes = records
-    .filter((record) => record.part === part && record.family === "random5" && record.n <= wanted)
-    .map(({ n }) => n);
-  return Math.max(...sizes);
+  const isOne = (record) =>
+    record.part === part && record.family === "random5" && record.n <= wanted;
+  return Math.max(...records.filter(isOne).map(({ n }) => n));
 }
 
 /** What, value, goal; the value from the medians ("us") or from the fastest samples ("fastest"). */
@@ -38,6 +37,11 @@ function goals(records, member) {
   const ten = largestSize(records, "scaling", 1e4);
   const family = largestSize(records, "families", 1e5);
   const scaling = (n, op, contender) => us(`scaling random5 ${n} ${op} ${contender}`);
+  const against = (n, op, a, b, goal) => [
+    `${op} ${n}: ${a} / ${b}`,
+    scaling(n, op, a) / scaling(n, op, b),
+    goal,
+  ];
   const kind = (name, op) => us(`families ${name} ${family} ${op} wasm`);
   const toRandom = (name, op = "build") => [
     `${op} ${name} / random, ${family}`,
@@ -52,55 +56,23 @@ function goals(records, member) {
   const churn = records.find(({ op }) => op === "churn");
   const megabytes = (bytes) => bytes / 2 ** 20;
   return [
-    [
-      `build ${million}: wasm / delaunator`,
-      scaling(million, "build", "wasm") / scaling(million, "build", "delaunator"),
-      most(1.3),
-    ],
-    [
-      `build ${million}: CGAL / wasm`,
-      scaling(million, "build", "cgal") / scaling(million, "build", "wasm"),
-      least(8),
-    ],
-    [
-      `build ${million}: CGAL / native`,
-      scaling(million, "build", "cgal") / scaling(million, "build", "native"),
-      least(12),
-    ],
+    against(million, "build", "wasm", "delaunator", most(1.3)),
+    against(million, "build", "cgal", "wasm", least(8)),
+    against(million, "build", "cgal", "native", least(12)),
+    against(hundred, "insert", "cgal", "wasm", least(2.5)),
+    against(hundred, "insert", "cgal", "native", least(2.5)),
+    against(million, "find", "cgal", "wasm", least(5)),
+    against(million, "find", "flatbush", "wasm", least(2.5)),
+    against(million, "remove", "cgal", "wasm", least(4)),
     [
       `build ${million}: CGAL in sorted order / wasm`,
       scaling(million, "buildSorted", "cgal") / scaling(million, "build", "wasm"),
       information,
     ],
     [
-      `one by one ${hundred}: CGAL / wasm`,
-      scaling(hundred, "insert", "cgal") / scaling(hundred, "insert", "wasm"),
-      least(2.5),
-    ],
-    [
-      `one by one ${hundred}: CGAL / native`,
-      scaling(hundred, "insert", "cgal") / scaling(hundred, "insert", "native"),
-      least(2.5),
-    ],
-    [
-      `find in ${million}: CGAL / wasm`,
-      scaling(million, "find", "cgal") / scaling(million, "find", "wasm"),
-      least(5),
-    ],
-    [
-      `find in ${million}: flatbush / wasm`,
-      scaling(million, "find", "flatbush") / scaling(million, "find", "wasm"),
-      least(2.5),
-    ],
-    [
       `findMany / find in ${million}: wasm`,
       scaling(million, "findMany", "wasm") / scaling(million, "find", "wasm"),
       most(0.5),
-    ],
-    [
-      `remove from ${million}: CGAL / wasm`,
-      scaling(million, "remove", "cgal") / scaling(million, "remove", "wasm"),
-      least(4),
     ],
     [
       `build per site ${million} / ${ten}: wasm`,

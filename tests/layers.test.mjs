@@ -192,8 +192,8 @@ const rules = [
       /^[a-z@][\w./-]*$/,
       /^\.\.\/tools\/(toolchain\/|(build|figures)\.mjs$)/,
       // The site's.
-      /^\.\.\/\.\.\/tools\/(serve|build_site|site\/list|toolchain\/browser)\.mjs$/,
-      /^\.\.\/\.\.\/tests\/web\/support\/storm\.mjs$/,
+      /^\.\.\/\.\.\/tools\/(serve|build_site|toolchain\/browser)\.mjs$/,
+      /^\.\.\/tests\/wasm\/support\/install_packed\.mjs$/,
       /^\/web\/playground\/sets\/random_sets\.js$/, // in a page that is made
     ],
   },

@@ -8,7 +8,9 @@ import { root } from "./toolchain/folders.mjs";
 import { ensureNpmPackages } from "./toolchain/npm_packages.mjs";
 
 ensureNpmPackages();
-const { default: ts } = await import("typescript"); // not before `npm ci` may have installed it
+// Not before `npm ci` may have installed them.
+const { default: ts } = await import("typescript");
+const { slug } = await import("github-slugger");
 
 export const referenceFile = path.join(root, "docs/API.md");
 
@@ -194,13 +196,6 @@ const fenced = (code, language = "ts") => `\`\`\`${language}\n${code.trimEnd()}\
 const nameOfPart = ({ kind, name }) => `${kind} ${name}`;
 const headingOfPart = ({ kind, title }) => `${kind} ${title.replaceAll("<", "\\<")}`;
 
-/** As GitHub names a heading, for links. */
-const anchorOf = (heading) =>
-  heading
-    .toLowerCase()
-    .replace(/[^\w -]/g, "")
-    .replaceAll(" ", "-");
-
 function headingOfMember({ name }, member) {
   const instance = `${name[0].toLowerCase()}${name.slice(1)}`;
   if (member.name === "constructor") return `new ${name}`;
@@ -244,7 +239,7 @@ function examplesFor(one) {
   const byCall = examplesByCall(one, files);
   const linkTo = (name) => {
     const part = one.described.find((other) => nameOfPart(other) === name);
-    return `[${name}](#${anchorOf(headingOfPart(part))})`;
+    return `[${name}](#${slug(headingOfPart(part))})`;
   };
   return {
     /** What the examples of a part begin with. */

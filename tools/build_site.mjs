@@ -111,7 +111,7 @@ export async function buildSite() {
   await build(await settings({ isWatching: false }));
 }
 
-/** Builds it, and again whenever a file changes; resolves to a function that ends that. */
+/** Builds it, and again whenever a file changes; resolves when it is built for the first time. */
 export async function watchSite() {
   const { build } = await import("vite");
   const watcher = await build(await settings({ isWatching: true }));
@@ -121,7 +121,6 @@ export async function watchSite() {
       if (code === "ERROR") reject(error);
     }),
   );
-  return () => watcher.close();
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) await buildSite();

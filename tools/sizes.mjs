@@ -1,37 +1,33 @@
 // npm run sizes: what a page downloads for each use of the package and of its peers: a bundle by
-// esbuild, minified, with brotli. It needs dist/ (npm run build). With --write it also puts the
-// table into README.md. tests/wasm/sizes.test.mjs holds the package to its budgets.
-import { readFileSync, writeFileSync } from "node:fs";
+// esbuild, minified, with brotli. It needs dist/ (npm run build). With --write README.md says so
+// (figures.mjs). tests/wasm/sizes.test.mjs holds the package to its budgets.
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { brotliCompressSync, constants } from "node:zlib";
+import { recordFigures, updateQuotations } from "./figures.mjs";
 import { root } from "./toolchain/folders.mjs";
-
-const find = "globalThis.answer = new Diagram([0, 0, 1]).find(0, 0);";
 
 /** What the package is used for: the program, and how many bytes its bundle may have at most. */
 export const uses = {
   core: {
-    what: "the nearest circle: `find`, `pick`, `kNearest`, edits, snapshots",
-    code: `import { Diagram } from "apollonius-diagram/core"; ${find}`,
+    code:
+      'import { Diagram } from "apollonius-diagram/core"; ' +
+      "globalThis.answer = new Diagram([0, 0, 1]).find(0, 0);",
     budget: 95_200,
   },
   default: {
-    what: "cells, drawings, areas, GeoJSON as well",
     code:
       'import { Diagram } from "apollonius-diagram"; ' +
       "globalThis.answer = new Diagram([0, 0, 1]).voronoi().render();",
     budget: 164_100,
   },
   sphere: {
-    what: "circles on the sphere",
     code:
       'import { SphericalDiagram } from "apollonius-diagram/sphere"; ' +
       "globalThis.answer = new SphericalDiagram([0, 0, 1]).find(0, 0);",
     budget: 121_600,
   },
   treemap: {
-    what: "treemaps",
     code:
       'import { treemap } from "apollonius-diagram/treemap"; ' +
       "globalThis.answer = treemap()(globalThis.root);",
@@ -40,7 +36,7 @@ export const uses = {
 };
 
 /** Libraries that people know, without weights or without exactness: what each adds to a page. */
-export const peers = {
+const peers = {
   "d3-delaunay": 'import { Delaunay } from "d3-delaunay"; globalThis.answer = Delaunay.from([]);',
   flatbush: 'import Flatbush from "flatbush"; globalThis.answer = new Flatbush(1);',
   "d3-voronoi-treemap":
@@ -60,7 +56,7 @@ const alias = {
   ),
 };
 
-export function brotliOf(bytes) {
+function brotliOf(bytes) {
   const params = {
     [constants.BROTLI_PARAM_QUALITY]: 11,
     [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length,
@@ -93,35 +89,15 @@ export async function measureSizes() {
   return sizes;
 }
 
-const kilobytes = (bytes) => (bytes < 9950 ? (bytes / 1000).toFixed(1) : (bytes / 1000).toFixed(0));
-
-/** The table of README.md. */
-export function tableOf(sizes) {
-  const entryOf = (name) =>
-    name === "default" ? "`apollonius-diagram`" : `\`apollonius-diagram/${name}\``;
-  const rows = Object.entries(uses).map(
-    ([name, { what }]) => `| ${entryOf(name)} | ${what} | ${kilobytes(sizes[name])} KB |`,
-  );
-  const others = Object.keys(peers).map((name) => `${name} ${kilobytes(sizes[name])}`);
-  const head = "| import | for | bundle, brotli |\n|---|---|---|\n";
-  return `${head}${rows.join("\n")}\n\n(${others.join(", ")} KB.)\n`;
-}
-
-const marks = ["<!-- sizes -->\n", "<!-- /sizes -->"];
-
-/** README.md with the table of these sizes between its marks. */
-export function readmeWith(sizes) {
-  const text = readFileSync(path.join(root, "README.md"), "utf8");
-  const [before, after] = [text.indexOf(marks[0]) + marks[0].length, text.indexOf(marks[1])];
-  return `${text.slice(0, before)}${tableOf(sizes)}${text.slice(after)}`;
-}
-
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   const sizes = await measureSizes();
   for (const [name, bytes] of Object.entries(sizes)) {
     const limit = uses[name] ? `   of ${uses[name].budget}` : "";
     console.log(`${name.padEnd(20)} ${String(bytes).padStart(7)}${limit}`);
   }
-  if (process.argv.includes("--write"))
-    writeFileSync(path.join(root, "README.md"), readmeWith(sizes));
+  if (process.argv.includes("--write")) {
+    const inKilobytes = Object.entries(sizes).map(([name, bytes]) => [name, bytes / 1000]);
+    recordFigures("sizes", Object.fromEntries(inKilobytes));
+    updateQuotations({ write: true });
+  }
 }

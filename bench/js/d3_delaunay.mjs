@@ -1,15 +1,7 @@
 // d3-delaunay as a contender: nearest centre by walking, from the first point (no hint: queries are
 // at random places); and drawing.
 import { Delaunay } from "d3-delaunay";
-import {
-  boxOf,
-  forEachUntil,
-  forMilliseconds,
-  readCentres,
-  readQueries,
-  sampled,
-  Sum,
-} from "./sampling.mjs";
+import { boxOf, forMilliseconds, readCentres, sampled, sampledQueries, Sum } from "./sampling.mjs";
 
 let current = { set: "" };
 
@@ -20,20 +12,10 @@ function load({ set }) {
 
 function find(request) {
   const delaunay = load(request);
-  const points = readQueries(request);
-  let sink = 0;
-  const answer = sampled(
+  return sampledQueries(
     request,
-    points.length / 2,
-    () => {
-      sink = 0;
-    },
-    () =>
-      forEachUntil(request.limit, points.length / 2, (k) => {
-        sink += delaunay.find(points[2 * k], points[2 * k + 1]);
-      }),
+    (points) => (k) => delaunay.find(points[2 * k], points[2 * k + 1]),
   );
-  return { ...answer, sink };
 }
 
 /**
@@ -45,16 +27,11 @@ function draw(request) {
   const { points } = delaunay;
   const bounds = boxOf(points, 2);
   const known = request.operation === "redraw" ? delaunay.voronoi(bounds) : undefined;
-  let sum;
-  const answer = sampled(
-    request,
-    points.length / 2,
-    () => {
-      sum = new Sum();
-    },
-    () => (known ?? delaunay.voronoi(bounds)).render(sum),
-  );
-  return { ...answer, sink: sum.value };
+  return sampled(request, points.length / 2, () => {
+    const sum = new Sum();
+    (known ?? delaunay.voronoi(bounds)).render(sum);
+    return { sink: sum.value };
+  });
 }
 
 export const operations = { find, findNear: find, draw, redraw: draw };

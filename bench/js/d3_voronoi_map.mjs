@@ -39,7 +39,7 @@ function fitAreas(request) {
     while (!simulation.state().ended && performance.now() < end);
     state = simulation.state();
   };
-  const answer = sampled(request, shares.length, () => {}, fit);
+  const answer = sampled(request, shares.length, fit);
   const areas = new Float64Array(shares.length);
   for (const polygon of state.polygons)
     areas[polygon.site.originalObject.data.originalData.id] = areaOf(polygon);

@@ -1,6 +1,6 @@
 // flatbush as a contender: a static R-tree of the centres; the nearest one through `neighbors`.
 import Flatbush from "flatbush";
-import { forEachUntil, forMilliseconds, readCentres, readQueries, sampled } from "./sampling.mjs";
+import { forMilliseconds, readCentres, sampled, sampledQueries } from "./sampling.mjs";
 
 let current = { set: "" };
 
@@ -19,36 +19,19 @@ function builtTree() {
 
 function build(request) {
   load(request);
-  return sampled(
-    request,
-    current.centres.length / 2,
-    () => {
-      current.tree = undefined;
-    },
-    () => {
-      current.tree = builtTree();
-    },
-  );
+  return sampled(request, current.centres.length / 2, () => {
+    current.tree = builtTree();
+  });
 }
 
 function find(request) {
   load(request);
   current.tree ??= builtTree();
   const { tree } = current;
-  const points = readQueries(request);
-  let sink = 0;
-  const answer = sampled(
+  return sampledQueries(
     request,
-    points.length / 2,
-    () => {
-      sink = 0;
-    },
-    () =>
-      forEachUntil(request.limit, points.length / 2, (k) => {
-        sink += tree.neighbors(points[2 * k], points[2 * k + 1], 1)[0];
-      }),
+    (points) => (k) => tree.neighbors(points[2 * k], points[2 * k + 1], 1)[0],
   );
-  return { ...answer, sink };
 }
 
 export const operations = { build, find, findNear: find };

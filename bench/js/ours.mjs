@@ -10,6 +10,7 @@ import {
   readQueries,
   sampled,
   sampledLater,
+  sampledQueries,
   Sum,
 } from "./sampling.mjs";
 import { sphereOperations } from "./sphere.mjs";
@@ -65,14 +66,10 @@ const withVisible = (answer) => ({ ...answer, visible: current.diagram.visibleSi
 
 function build(request) {
   load(request);
-  const answer = sampled(
-    request,
-    size(),
-    () => renew(new Diagram()),
-    () => {
-      current.diagram = new Diagram(current.sites);
-    },
-  );
+  const work = () => {
+    current.diagram = new Diagram(current.sites);
+  };
+  const answer = sampled(request, size(), work, () => renew(new Diagram()));
   current.isWhole = true;
   return withVisible(answer);
 }
@@ -85,44 +82,31 @@ function insertOneByOne(request, location) {
     renew(new Diagram(undefined, { location }));
     current.isWhole = false;
   };
-  return withVisible(
-    sampled(request, count, prepare, () => {
-      const { diagram } = current;
-      return forEachUntil(request.limit, count, (k) =>
-        diagram.insert(sites[3 * k], sites[3 * k + 1], sites[3 * k + 2]),
-      );
-    }),
-  );
+  const work = () => {
+    const { diagram } = current;
+    return forEachUntil(request.limit, count, (k) => {
+      diagram.insert(sites[3 * k], sites[3 * k + 1], sites[3 * k + 2]);
+    });
+  };
+  return withVisible(sampled(request, count, work, prepare));
 }
 
 // --- Snapshots -----------------------------------------------------------------------------------
 
 function toBytes(request) {
   ensureDiagram(request);
-  let bytes;
-  const answer = sampled(
-    request,
-    size(),
-    () => {},
-    () => {
-      bytes = current.diagram.toBytes();
-    },
-  );
-  return withVisible({ ...answer, sink: bytes.length });
+  const work = () => ({ sink: current.diagram.toBytes().length });
+  return withVisible(sampled(request, size(), work));
 }
 
 function fromBytes(request) {
   ensureDiagram(request);
   const bytes = current.diagram.toBytes();
-  const answer = sampled(
-    request,
-    size(),
-    () => renew(new Diagram()),
-    () => {
-      current.diagram = Diagram.fromBytes(bytes, { trusted: true });
-    },
-  );
-  return withVisible({ ...answer, sink: bytes.length });
+  const work = () => {
+    current.diagram = Diagram.fromBytes(bytes, { trusted: true });
+    return { sink: bytes.length };
+  };
+  return withVisible(sampled(request, size(), work, () => renew(new Diagram())));
 }
 
 /**
@@ -146,34 +130,17 @@ async function findManyOnThreads(request) {
 function find(request) {
   ensureDiagram(request);
   const { diagram } = current;
-  const points = readQueries(request);
-  let sink = 0;
-  const answer = sampled(
-    request,
-    points.length / 2,
-    () => {
-      sink = 0;
-    },
-    () =>
-      forEachUntil(request.limit, points.length / 2, (k) => {
-        sink += diagram.find(points[2 * k], points[2 * k + 1]);
-      }),
-  );
-  return withVisible({ ...answer, sink });
+  const stepOf = (points) => (k) => diagram.find(points[2 * k], points[2 * k + 1]);
+  return withVisible(sampledQueries(request, stepOf));
 }
 
 function findMany(request) {
   ensureDiagram(request);
   const points = readQueries(request);
   let found;
-  const answer = sampled(
-    request,
-    points.length / 2,
-    () => {},
-    () => {
-      found = current.diagram.findMany(points);
-    },
-  );
+  const answer = sampled(request, points.length / 2, () => {
+    found = current.diagram.findMany(points);
+  });
   return withVisible({ ...answer, sink: found.reduce((sum, id) => sum + id, 0) });
 }
 
@@ -182,30 +149,21 @@ function findMany(request) {
 function draw(request) {
   ensureDiagram(request);
   const bounds = boxOf(current.sites, 3);
-  let sum;
-  const answer = sampled(
-    request,
-    size(),
-    () => {
-      sum = new Sum();
-    },
-    () => void current.diagram.voronoi(bounds).render(sum),
-  );
-  return withVisible({ ...answer, sink: sum.value });
+  const work = () => {
+    const sum = new Sum();
+    current.diagram.voronoi(bounds).render(sum);
+    return { sink: sum.value };
+  };
+  return withVisible(sampled(request, size(), work));
 }
 
 function cellAreas(request) {
   ensureDiagram(request);
   const [xmin, ymin, xmax, ymax] = boxOf(current.sites, 3);
   let areas;
-  const answer = sampled(
-    request,
-    size(),
-    () => {},
-    () => {
-      areas = current.diagram.voronoi([xmin, ymin, xmax, ymax]).cellAreas();
-    },
-  );
+  const answer = sampled(request, size(), () => {
+    areas = current.diagram.voronoi([xmin, ymin, xmax, ymax]).cellAreas();
+  });
   const sink = areas.reduce((sum, area) => sum + area, 0);
   const error = Math.abs(sink / ((xmax - xmin) * (ymax - ymin)) - 1);
   return error < 1e-9
@@ -217,20 +175,8 @@ function cellAreas(request) {
 function kNearest(request) {
   ensureDiagram(request);
   const { diagram } = current;
-  const points = readQueries(request);
-  let sink = 0;
-  const answer = sampled(
-    request,
-    points.length / 2,
-    () => {
-      sink = 0;
-    },
-    () =>
-      forEachUntil(request.limit, points.length / 2, (k) => {
-        sink += diagram.kNearest(points[2 * k], points[2 * k + 1], 10).at(-1);
-      }),
-  );
-  return withVisible({ ...answer, sink });
+  const stepOf = (points) => (k) => diagram.kNearest(points[2 * k], points[2 * k + 1], 10).at(-1);
+  return withVisible(sampledQueries(request, stepOf));
 }
 
 // --- Changes: on the sites at the end of the set, whose ids are their places in it ---------------
@@ -246,54 +192,33 @@ function visibleAtEnd(count) {
 function removed(request, atOnce) {
   ensureDiagram(request);
   const ids = visibleAtEnd(countOf(request));
-  let sink = 0;
-  const prepare = () => {
-    ensureDiagram(request);
-    sink = 0;
-  };
-  const answer = sampled(request, ids.length, prepare, () => {
+  const work = () => {
     const { diagram } = current;
     current.isWhole = false;
-    if (atOnce) {
-      sink = diagram.removeMany(ids);
-      return;
-    }
-    return forEachUntil(request.limit, ids.length, (k) => {
-      sink += diagram.remove(ids[k]);
-    });
-  });
-  return withVisible({ ...answer, sink });
+    if (atOnce) return { sink: diagram.removeMany(ids) };
+    return forEachUntil(request.limit, ids.length, (k) => diagram.remove(ids[k]));
+  };
+  return withVisible(sampled(request, ids.length, work, () => ensureDiagram(request)));
 }
 
 /** The site nearest to each of `count` places: of sites that hide each other, the visible one. */
 function removeNearest(request) {
   load(request);
   const points = readQueries(request);
-  let sink = 0;
-  const prepare = () => {
-    ensureDiagram(request);
-    sink = 0;
-  };
-  const answer = sampled(request, Math.min(points.length / 2, size() - 1), prepare, () => {
+  const count = Math.min(points.length / 2, size() - 1);
+  const work = () => {
     const { diagram } = current;
     current.isWhole = false;
-    return forEachUntil(request.limit, Math.min(points.length / 2, size() - 1), (k) => {
-      sink += diagram.remove(diagram.find(points[2 * k], points[2 * k + 1]));
-    });
-  });
-  return withVisible({ ...answer, sink });
+    return forEachUntil(request.limit, count, (k) =>
+      diagram.remove(diagram.find(points[2 * k], points[2 * k + 1])),
+    );
+  };
+  return withVisible(sampled(request, count, work, () => ensureDiagram(request)));
 }
 
 function meanSpacing(sites) {
-  const low = [Infinity, Infinity];
-  const high = [-Infinity, -Infinity];
-  for (let k = 0; k < sites.length; k += 3) {
-    for (const axis of [0, 1]) {
-      low[axis] = Math.min(low[axis], sites[k + axis]);
-      high[axis] = Math.max(high[axis], sites[k + axis]);
-    }
-  }
-  return Math.sqrt(((high[0] - low[0]) * (high[1] - low[1])) / (sites.length / 3));
+  const [xmin, ymin, xmax, ymax] = boxOf(sites, 3);
+  return Math.sqrt(((xmax - xmin) * (ymax - ymin)) / (sites.length / 3));
 }
 
 /**
@@ -316,14 +241,13 @@ function moved(request, atOnce) {
       moving[3 * k + 1] += step * (2 * fraction(k * 0.4142135623730951) - 1);
     }
   };
-  return withVisible(
-    sampled(request, count, nextFrame, () => {
-      if (atOnce) return void diagram.updateMany(ids, moving);
-      return forEachUntil(request.limit, count, (k) =>
-        diagram.update(ids[k], moving[3 * k], moving[3 * k + 1], moving[3 * k + 2]),
-      );
-    }),
-  );
+  const work = () => {
+    if (atOnce) return void diagram.updateMany(ids, moving);
+    return forEachUntil(request.limit, count, (k) => {
+      diagram.update(ids[k], moving[3 * k], moving[3 * k + 1], moving[3 * k + 2]);
+    });
+  };
+  return withVisible(sampled(request, count, work, nextFrame));
 }
 
 // --- The border and the memory -------------------------------------------------------------------
@@ -333,18 +257,11 @@ function calls(request, call) {
   ensureDiagram(request);
   const { diagram } = current;
   const count = request.count || 1_000_000;
-  let sink = 0;
-  const answer = sampled(
-    request,
-    count,
-    () => {
-      sink = 0;
-    },
-    () => {
-      for (let k = 0; k < count; ++k) sink += call(diagram, k);
-    },
-  );
-  return { ...answer, sink };
+  return sampled(request, count, () => {
+    let sink = 0;
+    for (let k = 0; k < count; ++k) sink += call(diagram, k);
+    return { sink };
+  });
 }
 
 /**
@@ -380,12 +297,7 @@ function churn(request) {
   };
   pairsTo(1000, 0);
   const afterThousand = heapBytes();
-  const answer = sampled(
-    { ...request, seconds: 0 },
-    count - 1000,
-    () => {},
-    () => pairsTo(count, 1000),
-  );
+  const answer = sampled({ ...request, seconds: 0 }, count - 1000, () => pairsTo(count, 1000));
   return withVisible({ ...answer, bytesAfterThousand: afterThousand, bytesAfterAll: heapBytes() });
 }
 
@@ -402,7 +314,6 @@ export const operations = {
   kNearest,
   removeNearest,
   findNear: find,
-  findManyNear: findMany,
   insert: (request) => insertOneByOne(request, "hierarchy"),
   insertByWalk: (request) => insertOneByOne(request, "walk"),
   remove: (request) => removed(request, false),

@@ -1,16 +1,11 @@
 // The page in Chromium: what frames take while the pointer hovers, zooms, pans and drags, at
 // 10 000, 100 000 and 1 000 000 circles, and while 10 000 move, beside a page that draws the
 // centres with d3-delaunay in every frame; and how long it takes until a set is shown. Then the
-// globe of web/examples with its 1 500 cities, while the pointer hovers and turns it. With --storms
-// also ten storms of 5 000 random events, after which the exact check must find nothing.
-//
-//   node bench/js/page.mjs [--storms] [--sizes 10000,100000]
+// globe of web/examples with its 1 500 cities, while the pointer hovers and turns it.
 //
 // It needs dist/ (npm run build) and Chromium (CHROMIUM, or what is installed).
 import { readFileSync } from "node:fs";
-import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
-import { storm } from "../../tests/web/support/storm.mjs";
 import { buildSite } from "../../tools/build_site.mjs";
 import { serve } from "../../tools/serve.mjs";
 import { findChromium } from "../../tools/toolchain/browser.mjs";
@@ -20,17 +15,10 @@ const kViewport = { width: 1280, height: 800 };
 const kRest = 1500; // ms
 const kSteps = 60;
 const kLongest = 10_000; // ms of a movement
-const kStorms = 10;
-const kEvents = 5000; // of each
-const kAtOnce = 3; // storms: their events mostly wait for the next frame
 const kMostDrifting = 10_000; // circles
 const kDrift = 4000; // ms
 const kTurns = 240; // frames
-
-const { values } = parseArgs({
-  options: { storms: { type: "boolean" }, sizes: { type: "string" } },
-});
-const sizes = (values.sizes ?? "10000,100000,1000000").split(",").map(Number);
+const kSizes = [10_000, 100_000, 1_000_000];
 
 /** The other page: all cells and centres anew in each frame. */
 const otherPage = new URL("d3_page.html", import.meta.url);
@@ -162,23 +150,13 @@ async function measureGlobe(browser, url) {
   return rows;
 }
 
-/** A storm, after which the diagram must be sound. */
-async function endure(browser, url, seed) {
-  const page = await open(browser, url, false);
-  await storm(page, { seed, events: kEvents });
-  const broken = await page.evaluate(() => app.diagram.validate());
-  console.log(`storm ${seed}: ${broken ?? "sound"}`);
-  if (broken) process.exitCode = 1;
-  await page.close();
-}
-
 await buildSite();
 const server = await serve(0);
 const executablePath = findChromium();
 const browser = await chromium.launch({ executablePath, args: kArguments });
 try {
   console.log("ms between frames: median, 95 %, longest");
-  for (const size of sizes) {
+  for (const size of kSizes) {
     const page = await open(browser, server.url, false);
     const times = await load(page, size);
     const said = Object.entries(times).map(([name, ms]) => `${name} ${ms.toFixed(0)} ms`);
@@ -196,10 +174,6 @@ try {
   console.log("\nthe globe");
   for (const [name, frames] of Object.entries(await measureGlobe(browser, server.url)))
     console.log(`  page         ${name.padEnd(10)}${summary(frames)}`);
-  for (let seed = 1; values.storms && seed <= kStorms; seed += kAtOnce) {
-    const seeds = Array.from({ length: Math.min(kAtOnce, kStorms + 1 - seed) }, (_, k) => seed + k);
-    await Promise.all(seeds.map((one) => endure(browser, server.url, one)));
-  }
 } finally {
   await browser.close();
   await server.close();

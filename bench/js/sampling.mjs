@@ -34,23 +34,22 @@ export function readCentres(set) {
 // No forced garbage collection between samples: it throws optimised code away (delaunator became
 // six times slower).
 /**
- * Takes samples: `prepare()` is not timed, `work()` is; it returns how many items it did (less than
- * `items` if it was cut off).
+ * Takes samples: `prepare()` is not timed, `work()` is. Where it returns what `forEachUntil` does,
+ * the answer has the sink of the last sample, and whether one was cut off.
  */
-export function sampled(request, items, prepare, work) {
+export function sampled(request, items, work, prepare = () => {}) {
   const samples = [];
   let measured = 0;
-  let isCutOff = false;
+  let last;
   do {
     prepare();
     const start = performance.now();
-    const done = work() ?? items;
+    last = { done: items, ...work() };
     const milliseconds = performance.now() - start;
     measured += milliseconds / 1000;
-    isCutOff ||= done < items;
-    samples.push((1000 * milliseconds) / done);
-  } while (measured < request.seconds && samples.length < kMostSamples && !isCutOff);
-  return { samples, items, isCutOff };
+    samples.push((1000 * milliseconds) / last.done);
+  } while (measured < request.seconds && samples.length < kMostSamples && last.done === items);
+  return { samples, items, isCutOff: last.done < items, sink: last.sink };
 }
 
 /** `sampled` for work that ends later. */
@@ -67,14 +66,26 @@ export async function sampledLater(request, items, work) {
   return { samples, items, isCutOff: false };
 }
 
-/** Calls `step(k)` for k = 0, 1, ... `items` times or until the time limit; returns how often. */
+/**
+ * Calls `step(k)` for k = 0, 1, ... `items` times or until the time limit; returns how often, and
+ * the sum of the answers.
+ */
 export function forEachUntil(limit, items, step) {
   const end = performance.now() + 1000 * limit;
-  for (let k = 0; k < items; ++k) {
-    if ((k & 1023) === 1023 && performance.now() > end) return k;
-    step(k);
+  let sink = 0;
+  let done = 0;
+  for (; done < items; ++done) {
+    if ((done & 1023) === 1023 && performance.now() > end) break;
+    sink += step(done) ?? 0;
   }
-  return items;
+  return { done, sink };
+}
+
+/** Samples of an operation's queries; `stepOf(points)` is a function that asks for the k-th. */
+export function sampledQueries(request, stepOf) {
+  const points = readQueries(request);
+  const count = points.length / 2;
+  return sampled(request, count, () => forEachUntil(request.limit, count, stepOf(points)));
 }
 
 /**

@@ -37,12 +37,7 @@ export function sphereOperations({ make, end, find, polygons, others = {} }) {
 
   const timed = (request, work) => {
     const { diagram, sites } = withDiagram(request);
-    return sampled(
-      request,
-      sites.length / 3,
-      () => {},
-      () => void work(diagram),
-    );
+    return sampled(request, sites.length / 3, () => void work(diagram));
   };
 
   return {
@@ -52,22 +47,17 @@ export function sphereOperations({ make, end, find, polygons, others = {} }) {
         if (loaded.diagram !== undefined) end(loaded.diagram);
         loaded.diagram = undefined;
       };
-      return sampled(request, loaded.sites.length / 3, prepare, () => {
+      const build = () => {
         loaded.diagram = make(loaded.sites);
-      });
+      };
+      return sampled(request, loaded.sites.length / 3, build, prepare);
     },
     sphereFind(request) {
       const { diagram, box } = withDiagram(request);
       const points = toSphere(readQueries({ ...request, operation: "find" }), 2, box);
-      return sampled(
-        request,
-        points.length / 2,
-        () => {},
-        () =>
-          forEachUntil(request.limit, points.length / 2, (k) =>
-            find(diagram, points[2 * k], points[2 * k + 1]),
-          ),
-      );
+      const count = points.length / 2;
+      const ask = (k) => void find(diagram, points[2 * k], points[2 * k + 1]);
+      return sampled(request, count, () => forEachUntil(request.limit, count, ask));
     },
     spherePolygons: (request) => timed(request, polygons),
     ...Object.fromEntries(

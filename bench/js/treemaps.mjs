@@ -50,7 +50,7 @@ export function treemapOperations(layouts, areaOf) {
         .sort((a, b) => b.value - a.value);
     };
     const leaves = hierarchy(data).leaves().length;
-    const answer = sampled(request, leaves, prepare, () => void layout(root));
+    const answer = sampled(request, leaves, () => void layout(root), prepare);
     const perValue = (kWidth * kHeight) / root.value;
     const deviation = root
       .leaves()

@@ -35,10 +35,11 @@ export function windowOperations(Diagram) {
         isAside = !isAside;
         diagram.update(0, sites[0] + (isAside ? 1e-6 * (box[2] - box[0]) : 0), sites[1], sites[2]);
       };
-      const answer = sampled(request, sites.length / 3, move, () => {
+      const measure = () => {
         const cells = isFresh ? diagram.voronoi(window) : known;
         sum = cells.cellAreas().reduce((a, b) => a + b, 0);
-      });
+      };
+      const answer = sampled(request, sites.length / 3, measure, move);
       if (isAside) move();
       return { ...answer, sum, visible: diagram.visibleSize };
     };
@@ -61,9 +62,10 @@ export function windowOperations(Diagram) {
         diagram?.dispose();
         diagram = new Diagram(inside);
       };
-      const answer = sampled(request, shares.length, prepare, () => {
+      const fit = () => {
         found = diagram.voronoi(window).fitAreas(shares);
-      });
+      };
+      const answer = sampled(request, shares.length, fit, prepare);
       const deviation = deviationOf(diagram.voronoi(window).cellAreas(), shares);
       diagram.dispose();
       return { ...answer, deviation, steps: found.iterations };
@@ -82,19 +84,11 @@ export function windowOperations(Diagram) {
         : ymin + ((Math.floor(pixel / side) + 0.5) / side) * (ymax - ymin);
     });
     const values = Array.from({ length: diagram.size }, (_, id) => id % 7);
-    let sum = 0;
-    const answer = sampled(
-      request,
-      side * side,
-      () => {},
-      () => {
-        sum = diagram
-          .voronoi(box)
-          .interpolate(values, pixels)
-          .reduce((a, b) => a + b, 0);
-      },
-    );
-    return { ...answer, sum };
+    let found;
+    const answer = sampled(request, side * side, () => {
+      found = diagram.voronoi(box).interpolate(values, pixels);
+    });
+    return { ...answer, sum: found.reduce((a, b) => a + b, 0) };
   }
 
   const box = (_, given) => given;

@@ -53,7 +53,6 @@ const std::map<std::string, Operations::Operation>& Operations::operations() {
       {"find", &Operations::find},
       {"findNear", &Operations::find},
       {"findMany", &Operations::findMany},
-      {"findManyNear", &Operations::findMany},
       {"remove", &Operations::remove},
       {"removeMany", &Operations::removeMany},
       {"update", &Operations::update},

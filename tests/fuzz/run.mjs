@@ -28,7 +28,7 @@ import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
 import { ensureBoost } from "../../tools/toolchain/boost.mjs";
-import { ensureClang } from "../../tools/toolchain/clang.mjs";
+import { ensureFuzzingClang } from "../../tools/toolchain/clang.mjs";
 import { buildWithCmake } from "../../tools/toolchain/cmake.mjs";
 import { root } from "../../tools/toolchain/folders.mjs";
 import { withBuildLock } from "../../tools/toolchain/lock.mjs";
@@ -66,7 +66,7 @@ async function build(targets) {
   const settings = {
     CMAKE_BUILD_TYPE: "Release",
     APOLLONIUS_FUZZ: "ON",
-    CMAKE_CXX_COMPILER: ensureClang(),
+    CMAKE_CXX_COMPILER: ensureFuzzingClang(),
   };
   return withBuildLock(() =>
     targets.map((target) => buildWithCmake("fuzz/program", settings, { target })).at(-1),

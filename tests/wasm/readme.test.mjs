@@ -49,14 +49,6 @@ test("the lines about cells", () => {
   expect(output.split("\n")).toEqual(["0", "1", "2", "true M"]);
 });
 
-test("the lines about ids", () => {
-  const block = blocks.find((text) => text.includes("function join"));
-  const output = runInNode(
-    `${importLine}${block}console.log(found.key, diagram.size, idOf.size, idOf.get("c"));`,
-  );
-  expect(output).toBe("c 2 2 0"); // the id of the first one, used again
-});
-
 test("the lines about the globe", () => {
   const first = blocks.find((text) => text.includes("const cities"));
   const { code, values } = instrumented(first);
@@ -118,7 +110,7 @@ test("the address of the wasm is written as the tests of bundlers write it", () 
     expect(block).toContain(way);
     expect(bundlers).toContain(way);
   }
-  expect(blocks.length).toBe(7);
+  expect(blocks.length).toBe(6);
 });
 
 test("links and pictures are there", () => {

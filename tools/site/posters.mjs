@@ -4,40 +4,31 @@ import { readdirSync } from "node:fs";
 import path from "node:path";
 import { root } from "../toolchain/folders.mjs";
 
-const folder = path.join(root, "web/figures");
-const made = path.join(root, "build/figures");
-
-/** The figures, which run in Node as in a browser: they import the package and draw with a pen. */
-async function bundled() {
-  const { build } = await import("esbuild");
-  const names = readdirSync(folder)
-    .filter((file) => file.endsWith(".ts"))
-    .map((file) => file.slice(0, -3));
-  const contents = [
-    'export { SvgPen } from "../figure/svg_pen.ts";',
-    'export * as playground from "../playground/poster.ts";',
-    ...names.map((name) => `export * as ${name} from "./${name}.ts";`),
-  ].join("\n");
-  const outfile = path.join(made, `figures-${process.pid}-${Date.now()}.mjs`);
-  await build({
-    stdin: { contents, resolveDir: folder, loader: "ts" },
-    outfile,
-    bundle: true,
-    format: "esm",
-    platform: "node",
-    target: "node20",
-    alias: {
-      "apollonius-diagram": path.join(root, "dist/esm/index.js"),
-      "apollonius-diagram/core": path.join(root, "dist/esm/core.js"),
-      "apollonius-diagram/shapes": path.join(root, "dist/esm/shapes.js"),
-      "apollonius-diagram/sphere": path.join(root, "dist/esm/sphere.js"),
-      "apollonius-diagram/treemap": path.join(root, "dist/esm/treemap.js"),
+/** The modules of figures by name, which run in Node as in a browser; the playground's; the pen. */
+async function modules() {
+  const { createServer } = await import("vite");
+  const dist = path.join(root, "dist/esm");
+  const server = await createServer({
+    root: path.join(root, "web"),
+    configFile: false,
+    appType: "custom",
+    logLevel: "warn",
+    server: { middlewareMode: true, watch: null, ws: false },
+    optimizeDeps: { noDiscovery: true },
+    oxc: { target: "es2022" },
+    resolve: {
+      alias: [
+        { find: /^apollonius-diagram$/, replacement: path.join(dist, "index.js") },
+        { find: /^apollonius-diagram\/(\w+)$/, replacement: path.join(dist, "$1.js") },
+      ],
     },
-    logLevel: "warning",
   });
-  const { rmSync } = await import("node:fs");
-  const { SvgPen, playground, ...figures } = await import(outfile);
-  rmSync(outfile);
+  const figures = {};
+  for (const file of readdirSync(path.join(root, "web/figures")).filter((one) => /ts$/.test(one)))
+    figures[file.slice(0, -3)] = await server.ssrLoadModule(`/figures/${file}`);
+  const { SvgPen } = await server.ssrLoadModule("/figure/svg_pen.ts");
+  const playground = await server.ssrLoadModule("/playground/poster.ts");
+  await server.close();
   return { SvgPen, playground, figures };
 }
 
@@ -46,7 +37,7 @@ async function bundled() {
  *   "-narrow", and the playground's
  */
 export async function drawPosters() {
-  const { SvgPen, playground, figures } = await bundled();
+  const { SvgPen, playground, figures } = await modules();
   const posters = new Map();
   for (const [name, { size, draw }] of Object.entries(playground)) {
     const pen = new SvgPen(name, ...size);

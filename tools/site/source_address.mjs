@@ -9,7 +9,7 @@ const { repository } = JSON.parse(readFileSync(path.join(root, "package.json"), 
 const address = repository.url.replace(/^git\+/, "").replace(/\.git$/, "");
 
 /** As https://…/apollonius-diagram, or null. */
-export const sourceAddress = address.includes("/OWNER/") ? null : address;
+const sourceAddress = address.includes("/OWNER/") ? null : address;
 
 /** Where a file can be read, by its path below the root, or null. */
 export const sourceOf = (file) => (sourceAddress ? `${sourceAddress}/blob/main/${file}` : null);

@@ -8,7 +8,7 @@ import { toolchain } from "./folders.mjs";
 import { capture, say, SetUpError } from "./process.mjs";
 
 const oldestVersion = 108000; // BOOST_VERSION of 1.80
-export const boostInclude = path.join(toolchain, "boost", "include");
+const boostInclude = path.join(toolchain, "boost", "include");
 
 function isUsable(include) {
   try {

@@ -1,4 +1,4 @@
-// clang++ with its sanitizers' runtime: for fuzzing, and for whoever else wants a second compiler.
+// clang++ with libFuzzer and the sanitizers' runtime, for fuzzing.
 import { ensureInstalled, newestPackage } from "./apt.mjs";
 import { capture, SetUpError, succeeds, which } from "./process.mjs";
 
@@ -25,7 +25,7 @@ function find() {
 }
 
 /** The name of a clang++ that links with -fsanitize=fuzzer. */
-export function ensureClang() {
+export function ensureFuzzingClang() {
   const there = find();
   if (there) return there;
   const newest = newestPackage("clang-", /^clang-(\d+)$/);
