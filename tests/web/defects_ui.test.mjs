@@ -211,7 +211,7 @@ describeInBrowser("panels", (open) => {
   test("grounds of menus, the introduction and the card let nothing shine through", async () => {
     const page = await open();
     const alphas = await page.evaluate(() =>
-      ["show", "sets", "share", "intro", "inspector", "steps"].map((id) => {
+      ["show", "sets", "share", "intro", "inspector"].map((id) => {
         const color = getComputedStyle(document.getElementById(id)).backgroundColor;
         return [id, color.startsWith("rgb(")];
       }),
@@ -239,36 +239,6 @@ describeInBrowser("panels", (open) => {
     const back = await origin();
     expect(Math.hypot(back[0] - first[0], back[1] - first[1])).toBeLessThan(1e-6);
     await closePage(page);
-  });
-
-  test("the steps leave free what they tell of", async () => {
-    for (const kind of [{}, kPhone]) {
-      const page = await open(kind);
-      await page.evaluate(() => document.getElementById("step-insert").click());
-      await page.click("#steps-next");
-      const panel = await boxOf(page, "#steps");
-      const places = await page.evaluate(() => {
-        const places = [];
-        const target = new Proxy(app.painter.canvas("overlay").getContext("2d"), {
-          get: (context, name) => {
-            const value = context[name];
-            if (typeof value !== "function") return value;
-            return (...given) => {
-              if (name === "lineTo" || name === "moveTo") places.push(given);
-            };
-          },
-          set: () => true,
-        });
-        const { sites, view, painter } = app;
-        painter.overlay.marks(target, { sites, view, theme: painter.theme, ends: null });
-        return places;
-      });
-      expect(places.length).toBeGreaterThan(1);
-      const isUnder = ([x, y]) =>
-        x > panel.left && x < panel.right && y > panel.top && y < panel.bottom;
-      expect(places.filter(isUnder)).toEqual([]);
-      await closePage(page);
-    }
   });
 
   test("an empty canvas says how to begin, and a drag draws", async () => {

@@ -30,7 +30,6 @@ import { makeShareMenu } from "./ui/share.js";
 import { makeSheet } from "./ui/sheet.js";
 import { makeShowMenu } from "./ui/show_menu.js";
 import { makeStatus } from "./ui/status.js";
-import { makeSteps } from "./ui/steps.js";
 import { makeTag } from "./ui/tag.js";
 import { makeToolbar } from "./ui/toolbar.js";
 
@@ -116,7 +115,6 @@ export async function start() {
   makeInspector(app);
   makeAnnouncer(app);
   makeStatus(app);
-  makeSteps(app);
   makeSetsMenu(app, navigation);
   makeShowMenu(app, motion);
   makeSameAreasSwitch(app, new SameAreas(app, motion, weights));

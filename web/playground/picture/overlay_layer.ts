@@ -24,8 +24,7 @@ export type Hover = {
 };
 export type Draw = (context: CanvasRenderingContext2D, picture: Picture) => void;
 /**
- * `revived` draws circles that come to light, `marks` what else there is;
- * `ghost`: a pointer that nobody holds.
+ * `revived` draws circles that come to light; `ghost`: a pointer that nobody holds.
  */
 export type Overlay = {
   hover: Hover | null;
@@ -33,7 +32,6 @@ export type Overlay = {
   draft: Circle | null;
   box: Box | null;
   revived: Draw | null;
-  marks: Draw | null;
   ghost: { x: number; y: number } | null;
 };
 
@@ -70,7 +68,6 @@ export function drawOverlay(context: CanvasRenderingContext2D, picture: Picture,
   if (selected.length > 0) drawSelected(context, sites, view, theme, selected);
   if (draft) drawDraft(context, picture, draft);
   overlay.revived?.(context, picture);
-  overlay.marks?.(context, picture);
   if (overlay.ghost) drawGhost(context, theme, overlay.ghost);
   if (box) {
     context.fillStyle = theme.selectedFill;

@@ -126,7 +126,6 @@ export class Painter {
     draft: null,
     box: null,
     revived: null,
-    marks: null,
     ghost: null,
   };
   theme = readTheme();

@@ -1,4 +1,4 @@
-// The menu of what is shown and answered, of motion, and of the steps of the algorithm.
+// The menu of what is shown and answered, and of motion.
 import type { App, Questions } from "../app.js";
 import { effect } from "../model/signals.js";
 import { drift } from "../motion/drift.js";
