@@ -83,12 +83,9 @@ describeInBrowser("what runs", (open) => {
     page = opened;
   });
 
-  test.each([
-    ["drift", "Stop drift"],
-    ["relax", "Stop relaxing"],
-  ])("%s: the button says what it stops", async (id, label) => {
-    await page.evaluate((id) => document.getElementById(id).click(), id);
-    expect(await page.textContent("#stop-motion")).toBe(label);
+  test("the button says what it stops", async () => {
+    await page.evaluate(() => document.getElementById("drift").click());
+    expect(await page.textContent("#stop-motion")).toBe("Stop drift");
     await page.click("#stop-motion");
     expect(await page.isVisible("#stop-motion")).toBe(false);
   });
@@ -107,61 +104,6 @@ describeInBrowser("what runs", (open) => {
     expect(await page.evaluate(() => app.motion.isRunning)).toBe(true);
     await page.keyboard.press("Escape");
     expect(await page.evaluate(() => app.motion.isRunning)).toBe(false);
-  });
-});
-
-describeInBrowser("the same area for all, told", (open) => {
-  let page;
-  forEachPage(open, (opened) => {
-    page = opened;
-  });
-  const switchOn = () => page.evaluate(() => document.getElementById("same-areas").click());
-
-  test("what happens to the radii is said at the switch and in the status", async () => {
-    await switchOn();
-    await page.waitForFunction(() => app.painter.frame && !app.motion.isRunning);
-    await settled(page);
-    const said = await page.textContent("#radii");
-    expect(said).toMatch(/^Radii: 5 to 128 before, −[\d.]+ to [\d.]+ now\. \d+ of 35 are negative/);
-    expect(await page.textContent("#same-areas-radii")).toBe(said);
-    expect(await page.isVisible("#radii")).toBe(true);
-    const id = await page.evaluate(() => app.sites.ids.find((id) => app.sites.site(id).r < -50));
-    await page.evaluate((id) => app.selection.set([id]), id);
-    await settled(page);
-    expect(await page.textContent("#card-detail")).toMatch(/far side of a ring of/);
-    await page.keyboard.press("Control+z");
-    await settled(page);
-    expect(await page.isVisible("#radii")).toBe(false);
-  });
-
-  test("progress never goes back, nor beyond all", async () => {
-    await show(page, "random", { n: "3000", hidden: "0" });
-    await page.evaluate(() => {
-      window.seen = [];
-      window.texts = [];
-      const note = () => {
-        const bar = document.getElementById("progress-bar");
-        if (bar.hasAttribute("value")) window.seen.push(bar.value);
-        window.texts.push(document.getElementById("progress-text").textContent);
-      };
-      const options = { attributes: true, childList: true, subtree: true };
-      new MutationObserver(note).observe(document.getElementById("progress"), options);
-    });
-    await switchOn();
-    await page.waitForFunction(() => app.painter.frame !== null, null, { timeout: 60_000 });
-    const { seen, texts } = await page.evaluate(() => ({ seen, texts }));
-    expect(seen.length).toBeGreaterThan(3);
-    expect(seen).toEqual([...seen].sort((a, b) => a - b));
-    expect(Math.max(...seen)).toBeLessThanOrEqual(1);
-    for (const text of texts)
-      for (const [, percent] of text.matchAll(/([\d.]+) %/g))
-        expect(Number(percent)).toBeLessThanOrEqual(100);
-  });
-
-  test("of 1500 cities it is refused beforehand, with the reason", async () => {
-    await show(page, "cities");
-    expect(await page.isDisabled("#same-areas")).toBe(true);
-    expect(await page.textContent("#same-areas-hindrance")).toMatch(/300 circles on a map.*minute/);
   });
 });
 

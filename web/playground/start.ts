@@ -3,9 +3,7 @@ import { whenLoaded } from "../figure/package.js";
 import { App } from "./app.js";
 import { messageOf } from "./errors.js";
 import { effect } from "./model/signals.js";
-import { letGhostPoint } from "./motion/ghost.js";
 import { Motion } from "./motion/motion.js";
-import { SameAreas } from "./motion/same_areas.js";
 import { letWander } from "./motion/wanderer.js";
 import { Weights } from "./motion/weights.js";
 import { makeNavigation } from "./navigation.js";
@@ -24,7 +22,6 @@ import { makeHelp } from "./ui/help.js";
 import { makeInvitation } from "./ui/invitation.js";
 import { makeInspector } from "./ui/inspector.js";
 import { notify } from "./ui/notice.js";
-import { makeSameAreasSwitch } from "./ui/same_areas.js";
 import { makeSetsMenu } from "./ui/sets_menu.js";
 import { makeShareMenu } from "./ui/share.js";
 import { makeSheet } from "./ui/sheet.js";
@@ -117,13 +114,12 @@ export async function start() {
   makeStatus(app);
   makeSetsMenu(app, navigation);
   makeShowMenu(app, motion);
-  makeSameAreasSwitch(app, new SameAreas(app, motion, weights));
   makeShareMenu(app, navigation.write);
   makeCodeDialog(app);
   makeSheet(app);
   makeSwitch(weights);
   makeInvitation(app);
-  letGhostPoint(app, makeHeadline(app, weights));
+  makeHeadline(app, weights);
 
   const isPlain = location.hash === "";
   try {

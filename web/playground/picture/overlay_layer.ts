@@ -23,16 +23,13 @@ export type Hover = {
   empty: { x: number; y: number; r: number } | null;
 };
 export type Draw = (context: CanvasRenderingContext2D, picture: Picture) => void;
-/**
- * `revived` draws circles that come to light; `ghost`: a pointer that nobody holds.
- */
+/** `revived` draws circles that come to light. */
 export type Overlay = {
   hover: Hover | null;
   selected: readonly number[];
   draft: Circle | null;
   box: Box | null;
   revived: Draw | null;
-  ghost: { x: number; y: number } | null;
 };
 
 /**
@@ -68,7 +65,6 @@ export function drawOverlay(context: CanvasRenderingContext2D, picture: Picture,
   if (selected.length > 0) drawSelected(context, sites, view, theme, selected);
   if (draft) drawDraft(context, picture, draft);
   overlay.revived?.(context, picture);
-  if (overlay.ghost) drawGhost(context, theme, overlay.ghost);
   if (box) {
     context.fillStyle = theme.selectedFill;
     context.strokeStyle = theme.selected;
@@ -156,32 +152,6 @@ function drawFarRing(context: CanvasRenderingContext2D, sites: Sites, view: View
   context.setLineDash([]);
   context.lineWidth = 2;
 }
-
-/** An arrow like a pointer's, with its tip at the place. */
-function drawGhost(
-  context: CanvasRenderingContext2D,
-  theme: Theme,
-  { x, y }: { x: number; y: number },
-) {
-  context.beginPath();
-  context.moveTo(x, y);
-  for (const [dx, dy] of kArrow) context.lineTo(x + dx, y + dy);
-  context.closePath();
-  context.fillStyle = theme.ink;
-  context.strokeStyle = theme.paper;
-  context.lineWidth = 1.5;
-  context.fill();
-  context.stroke();
-}
-
-const kArrow = [
-  [0, 17],
-  [4, 13.5],
-  [7, 20],
-  [10, 18.5],
-  [7, 12.5],
-  [12, 12],
-];
 
 /**
  * The empty circle about the pointer, which touches the nearest site, and the way to the point

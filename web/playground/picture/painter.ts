@@ -5,7 +5,7 @@
 import type { Voronoi } from "apollonius-diagram";
 import type { Model } from "../model/model.js";
 import { signal } from "../model/signals.js";
-import type { Sites, Window } from "../model/sites.js";
+import type { Sites } from "../model/sites.js";
 import { CirclesLayer } from "./circles_layer.js";
 import { contextOf } from "./context.js";
 import { drawLines } from "./lines_layer.js";
@@ -126,11 +126,8 @@ export class Painter {
     draft: null,
     box: null,
     revived: null,
-    ghost: null,
   };
   theme = readTheme();
-  /** Where cells end, if not at the window's border. */
-  frame: Window | null = null;
   /** While something moves by itself, lines are drawn whole in every frame. */
   isLive = false;
   /** What drawing cost, in ms, latest last. */
@@ -285,12 +282,11 @@ export class Painter {
     };
   }
 
-  /** The cells, if they end at the coast or at a frame. */
+  /** The cells, if they end at the coast. */
   get ends() {
     const { sites } = this.#model;
     const { map } = sites.info;
-    const window = map && this.layers.coast ? map.land.rings : this.frame;
-    return window && sites.cellsIn(window);
+    return map && this.layers.coast ? sites.cellsIn(map.land.rings) : null;
   }
 
   /** @param slice ms that lines may take */

@@ -3,7 +3,6 @@ import { csvFormatRows } from "d3-dsv";
 import type { App } from "../app.js";
 import type { Row } from "./columns.js";
 import { toGeoJson } from "./geojson.js";
-import { snapshotOf } from "./snapshot.js";
 import { toSvg } from "./svg.js";
 
 /** x, y, r and what each is called. */
@@ -25,10 +24,9 @@ export function toCsv(app: App) {
   ]);
 }
 
-export type Format = "png" | "svg" | "geojson" | "json" | "csv" | "bin";
+export type Format = "png" | "svg" | "geojson" | "json" | "csv";
 
-/** `extension` of the name, if it is not the format's. */
-type Made = { data: Blob | string | Uint8Array<ArrayBuffer>; extension?: string };
+type Made = Blob | string;
 
 const kFormats: Record<Format, { type: string; make: (app: App) => Promise<Made> | Made }> = {
   png: {
@@ -37,20 +35,13 @@ const kFormats: Record<Format, { type: string; make: (app: App) => Promise<Made>
       new Promise((resolve, reject) =>
         app.painter
           .toCanvas()
-          .toBlob((data) => (data ? resolve({ data }) : reject(new Error("it is too large")))),
+          .toBlob((data) => (data ? resolve(data) : reject(new Error("it is too large")))),
       ),
   },
-  svg: { type: "image/svg+xml", make: (app) => ({ data: toSvg(app) }) },
-  geojson: { type: "application/geo+json", make: (app) => ({ data: toGeoJson(app) }) },
-  json: { type: "application/json", make: (app) => ({ data: toJson(app) }) },
-  csv: { type: "text/csv", make: (app) => ({ data: toCsv(app) }) },
-  bin: {
-    type: "application/octet-stream",
-    make: ({ sites }) => {
-      const { bytes, extension } = snapshotOf(sites);
-      return { data: bytes, extension };
-    },
-  },
+  svg: { type: "image/svg+xml", make: toSvg },
+  geojson: { type: "application/geo+json", make: toGeoJson },
+  json: { type: "application/json", make: toJson },
+  csv: { type: "text/csv", make: toCsv },
 };
 
 export const isFormat = (name: string): name is Format => Object.hasOwn(kFormats, name);
@@ -58,12 +49,11 @@ export const isFormat = (name: string): name is Format => Object.hasOwn(kFormats
 /** Saves a file. */
 export async function save(app: App, format: Format) {
   const { type, make } = kFormats[format];
-  const { data, extension = format } = await make(app);
-  const blob = new Blob([data], { type });
+  const blob = new Blob([await make(app)], { type });
   const address = URL.createObjectURL(blob);
   const link = Object.assign(document.createElement("a"), {
     href: address,
-    download: `apollonius-diagram.${extension}`,
+    download: `apollonius-diagram.${format}`,
   });
   link.click();
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
