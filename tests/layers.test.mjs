@@ -1,5 +1,5 @@
 // Who may include whom: the layers of docs/ARCHITECTURE.md, checked on the #include and import
-// lines themselves.
+// lines themselves. That no file imports itself, by whatever way, Biome says (noImportCycles).
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -31,6 +31,14 @@ function geometry(folders) {
       /^"(base|number|predicate|topology|delaunay|diagram)\//,
       new RegExp(`^"geometry/(${others ? `${others}|` : ""}${folder})/`),
     ],
+  }));
+}
+
+/** The rules of the folders of the playground, each with what else it may import. */
+function playground(folders) {
+  return Object.entries(folders).map(([folder, others]) => ({
+    of: new RegExp(`^web/playground/${folder}/`),
+    may: [/^\.\/\w+\.js$/, /^apollonius-diagram$/, /^\.\.\/\.\.\/figure\/package\.js$/, ...others],
   }));
 }
 
@@ -150,15 +158,18 @@ const rules = [
       /^(@deck\.gl\/(core|layers)|chart\.js(\/helpers)?|echarts\/[a-z]+)$/,
     ],
   },
+  ...playground({
+    model: [/^@preact\/signals-core$/, /^d3-geo$/],
+    picture: [/^\.\.\/model\//],
+    tools: [/^\.\.\/(app\.js$|(model|picture)\/)/],
+    sets: [/^\.\.\/((app|errors)\.js$|(model|picture)\/)/, /^(d3-dsv|fflate)$/],
+    motion: [/^\.\.\/(app\.js$|(model|picture|sets)\/)/],
+    ui: [/^\.\.\/((app|errors)\.js$|(model|picture|tools|sets|motion)\/)/],
+  }),
+  { of: /^web\/playground\/app\.ts$/, may: [/^\.\/(model|picture)\//] },
   {
-    of: /^web\/playground\/.*\.ts$/,
-    may: [
-      /^\.{1,2}\/(\w+\/)?\w+\.js$/,
-      /^(\.\.\/)+figure\/package\.js$/,
-      /^apollonius-diagram$/,
-      /^(d3-dsv|d3-geo|fflate)$/,
-      /^@preact\/signals-core$/,
-    ],
+    of: /^web\/playground\/\w+\.ts$/,
+    may: [/^\.\/(\w+\/)?\w+\.js$/, /^\.\.\/figure\/(package|pen)\.js$/, /^apollonius-diagram$/],
   },
   {
     of: /^web\/figure\/package\.ts$/,

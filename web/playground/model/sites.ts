@@ -1,16 +1,12 @@
 // The circles of one set and their diagram, with what drawing needs beside it: a mirror of the
 // numbers, names, and which of them are hidden. Only commands (commands.js) change it.
 import { Diagram, type Voronoi } from "apollonius-diagram";
-import type { WorldMap } from "../picture/map_layer.js";
-import type { Globe } from "../sets/globe.js";
+import type { Bounds, Circle } from "./circle.js";
+import type { Globe } from "./globe.js";
 import { Truth } from "./truth.js";
+import type { WorldMap } from "./world_map.js";
 
 export type Label = { name: string; detail?: string };
-/** A circle as the numbers x, y, r. */
-export type Triple = [number, number, number];
-export type Circle = { x: number; y: number; r: number };
-/** The numbers xmin, ymin, xmax, ymax. */
-export type Bounds = [number, number, number, number];
 /** What the circles are: the preset's key is what the page's address says. */
 export type SetInfo = {
   key: string;

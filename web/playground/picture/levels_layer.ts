@@ -4,7 +4,7 @@ import { Diagram } from "apollonius-diagram";
 import type { Sites } from "../model/sites.js";
 import { boundsOf, drawOptions, ScreenStrokes } from "./curves.js";
 import { addRim } from "./discs.js";
-import type { Picture } from "./painter.js";
+import type { Picture } from "./picture.js";
 import type { Box } from "./view.js";
 
 const kMostCells = 5000; // sites of level 1 whose cells are drawn

@@ -1,9 +1,10 @@
 // What follows the pointer: the nearest site, its cell and its neighbours, and the other answers;
 // the selected sites and the handle of one; a circle that is being drawn, with its cell to be.
-import type { Circle, Sites } from "../model/sites.js";
+import type { Circle } from "../model/circle.js";
+import type { Sites } from "../model/sites.js";
 import { addCell } from "./curves.js";
 import { addRim, fillAndStroke } from "./discs.js";
-import type { Picture } from "./painter.js";
+import type { Picture } from "./picture.js";
 import type { Theme } from "./theme.js";
 import type { Box, View } from "./view.js";
 

@@ -2,45 +2,16 @@
 // the pointer. Each is redrawn only when it must be. Lines can take long: they are drawn in slices
 // of a frame's time into a canvas that is not shown, and shown when they are complete; while the
 // view moves, what is there is moved and scaled as it is. A change of a few sites redraws a box.
-import type { Voronoi } from "apollonius-diagram";
 import type { Model } from "../model/model.js";
 import { signal } from "../model/signals.js";
-import type { Sites } from "../model/sites.js";
 import { CirclesLayer } from "./circles_layer.js";
 import { contextOf } from "./context.js";
 import { drawLines } from "./lines_layer.js";
 import { drawMap } from "./map_layer.js";
 import { drawOverlay, type Overlay } from "./overlay_layer.js";
-import { readTheme, type Theme } from "./theme.js";
+import type { Layers, Picture } from "./picture.js";
+import { readTheme } from "./theme.js";
 import type { Box, View } from "./view.js";
-
-/** What is shown. */
-export type Layers = {
-  cells: boolean;
-  distances: boolean;
-  circles: boolean;
-  hidden: boolean;
-  map: boolean;
-  coast: boolean;
-  dual: boolean;
-  centres: boolean;
-  vertices: boolean;
-  levels: boolean;
-  hull: boolean;
-};
-/**
- * What the layers draw from; `isLive`: in one go; `ends`: the cells, if they end before the
- * window's border.
- */
-export type Picture = {
-  sites: Sites;
-  view: View;
-  layers: Layers;
-  theme: Theme;
-  pixelRatio: number;
-  isLive: boolean;
-  ends: Voronoi | null;
-};
 
 const kSlice = 9; // ms of a frame that lines may take,
 const kLongSlice = 40; // and where nobody waits for an answer
@@ -98,10 +69,6 @@ class Plate {
     this.canvas.style.transform = `matrix(${f}, 0, 0, ${f}, ${dx}, ${dy})`;
   }
 }
-
-/** Whether there is a layer of this name: from an address, or from the menu. */
-export const isLayer = (layers: Layers, name: string): name is keyof Layers =>
-  Object.hasOwn(layers, name);
 
 /** Where it draws: one above the other. */
 export type Canvases = Record<"map" | "lines" | "spare" | "circles" | "overlay", HTMLCanvasElement>;

@@ -1,6 +1,6 @@
 // The view transform between the diagram's coordinates (y upwards) and CSS pixels (y downwards):
 // one scale, no rotation.
-import type { Bounds } from "../model/sites.js";
+import type { Bounds } from "../model/circle.js";
 
 const kSmallestScale = 1e-7;
 const kLargestScale = 1e9;

@@ -4,8 +4,8 @@ import type { App } from "../app.js";
 import { CirclesLayer } from "../picture/circles_layer.js";
 import { windowOf } from "../picture/curves.js";
 import { drawLines } from "../picture/lines_layer.js";
-import type { Part, WorldMap } from "../picture/map_layer.js";
-import type { Layers, Picture } from "../picture/painter.js";
+import type { Part, WorldMap } from "../model/world_map.js";
+import type { Layers, Picture } from "../picture/picture.js";
 import { escaped, rounded, SvgContext } from "./svg_context.js";
 
 /** The groups of lines, as they lie one above the other. */

@@ -1,7 +1,7 @@
 // Keys. While the canvas has the focus, arrows and others act on the selected circles, without any
 // on the view. Undo, redo, zoom, size and the tools work everywhere but in text fields.
 import type { App } from "../app.js";
-import { isIn, isTextField } from "../ui/targets.js";
+import { isIn, isTextField } from "./targets.js";
 import { toolOfKey } from "./registry.js";
 
 const kStep = 4; // pixels an arrow key moves a circle; with Shift ten times as far

@@ -2,7 +2,7 @@
 // true there, and on how much of the window the nearest centre is not the nearest circle's.
 import type { App } from "../app.js";
 import { effect, signal, whenever } from "../model/signals.js";
-import { wrongShare } from "../model/wrong_share.js";
+import { wrongShare } from "../picture/wrong_share.js";
 import type { Weights } from "../motion/weights.js";
 import { setText } from "./dom.js";
 import { element } from "./elements.js";

@@ -4,7 +4,7 @@ import { messageOf } from "../errors.js";
 import { neighborsOf } from "../model/neighbors.js";
 import { whenever } from "../model/signals.js";
 import type { Sites } from "../model/sites.js";
-import { placeText } from "../sets/globe.js";
+import { placeText } from "../model/globe.js";
 import { grouped, oncePerFrame, setText, short } from "./dom.js";
 import { element } from "./elements.js";
 

@@ -1,11 +1,12 @@
 // The menu of sets: presets with a small picture of each, random circles, the visitor's own data.
 import type { App } from "../app.js";
-import type { Sites, Triple } from "../model/sites.js";
+import type { Triple } from "../model/circle.js";
+import type { Sites } from "../model/sites.js";
 import { sitesFromFile, sitesFromText } from "../sets/import.js";
 import { kPresets, type Params } from "../sets/presets.js";
 import { element } from "./elements.js";
 import { notify, sayWhatFailed, silence } from "./notice.js";
-import { isIn } from "./targets.js";
+import { isIn } from "../tools/targets.js";
 
 const kPicture = 120; // circles in one
 

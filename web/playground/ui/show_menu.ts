@@ -3,7 +3,7 @@ import type { App, Questions } from "../app.js";
 import { effect } from "../model/signals.js";
 import { drift } from "../motion/drift.js";
 import type { Motion } from "../motion/motion.js";
-import { isLayer } from "../picture/painter.js";
+import { isLayer } from "../picture/picture.js";
 import { element } from "./elements.js";
 import { notify } from "./notice.js";
 

@@ -5,7 +5,7 @@ import { whenever } from "../model/signals.js";
 import type { Sites } from "../model/sites.js";
 import type { Hover } from "../picture/overlay_layer.js";
 import type { View } from "../picture/view.js";
-import { type Globe, placeOn } from "../sets/globe.js";
+import { type Globe, placeOn } from "../model/globe.js";
 import { away, grouped, neighboursText, oncePerFrame, short } from "./dom.js";
 import { element } from "./elements.js";
 

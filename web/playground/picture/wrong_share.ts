@@ -1,7 +1,7 @@
 // Where the nearest centre is not the nearest circle's: the window is asked at a grid of places,
 // in the diagram of the centres and in that of the circles.
-import type { View } from "../picture/view.js";
-import type { Sites } from "./sites.js";
+import type { View } from "./view.js";
+import type { Sites } from "../model/sites.js";
 
 const kStep = 8; // pixels between places
 const kRounding = 1e-12; // of a distance, which is rounded: ties are not wrong
