@@ -76,7 +76,8 @@ export const kTestsOfPage = {
   model: ["page", "defects"],
   motion: ["motion", "defects_ui"],
   picture: ["picture", "windows"],
-  sets: ["data", "files", "random_sets"],
+  sets: ["data", "files"],
+  shared: ["site", "page", "random_sets"],
   tools: ["page", "motion", "tools", "defects_ui"],
   ui: ["looks", "windows", "defects_ui"],
 };

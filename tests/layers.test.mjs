@@ -38,7 +38,7 @@ function geometry(folders) {
 function playground(folders) {
   return Object.entries(folders).map(([folder, others]) => ({
     of: new RegExp(`^web/playground/${folder}/`),
-    may: [/^\.\/\w+\.js$/, /^apollonius-diagram$/, /^\.\.\/\.\.\/figure\/package\.js$/, ...others],
+    may: [/^\.\/\w+\.js$/, /^apollonius-diagram$/, /^\.\.\/\.\.\/shared\/\w+\.js$/, ...others],
   }));
 }
 
@@ -162,34 +162,35 @@ const rules = [
     model: [/^@preact\/signals-core$/, /^d3-geo$/],
     picture: [/^\.\.\/model\//],
     tools: [/^\.\.\/(app\.js$|(model|picture)\/)/],
-    sets: [/^\.\.\/((app|errors)\.js$|(model|picture)\/)/, /^(d3-dsv|fflate)$/],
+    sets: [/^\.\.\/(app\.js$|(model|picture)\/)/, /^(d3-dsv|fflate)$/],
     motion: [/^\.\.\/(app\.js$|(model|picture|sets)\/)/],
-    ui: [/^\.\.\/((app|errors)\.js$|(model|picture|tools|sets|motion)\/)/],
+    ui: [/^\.\.\/(app\.js$|(model|picture|tools|sets|motion)\/)/],
   }),
   { of: /^web\/playground\/app\.ts$/, may: [/^\.\/(model|picture)\//] },
   {
     of: /^web\/playground\/\w+\.ts$/,
-    may: [/^\.\/(\w+\/)?\w+\.js$/, /^\.\.\/figure\/(package|pen)\.js$/, /^apollonius-diagram$/],
+    may: [/^\.\/(\w+\/)?\w+\.js$/, /^\.\.\/(shared\/\w+|figure\/pen)\.js$/, /^apollonius-diagram$/],
   },
   {
-    of: /^web\/figure\/package\.ts$/,
+    of: /^web\/shared\/package\.ts$/,
     may: [/^apollonius-diagram\/(wasm|(core|shapes|sphere)\.wasm\?url)$/],
   },
-  { of: /^web\/figure\/.*\.ts$/, may: [/^\.\/\w+\.js$/] },
+  { of: /^web\/shared\/.*\.ts$/, may: [/^\.\/\w+\.js$/] },
+  { of: /^web\/figure\/.*\.ts$/, may: [/^(\.|\.\.\/shared)\/\w+\.js$/] },
   {
     of: /^web\/figures\/measure\/.*\.ts$/,
     may: [
-      /^\.\.\/\.\.\/(figure\/package|playground\/sets\/random_sets)\.js$/,
+      /^\.\.\/\.\.\/shared\/(package|random_sets)\.js$/,
       /^(apollonius-diagram|delaunator|flatbush)$/,
     ],
   },
-  { of: /^web\/recipes\/.*\.ts$/, may: [/^\.\.\/figure\/dom\.js$/, /\.css\?raw$/] },
+  { of: /^web\/recipes\/.*\.ts$/, may: [/^\.\.\/shared\/(dom|errors)\.js$/, /\.css\?raw$/] },
   {
     of: /^web\/figures\/.*\.ts$/,
     may: [
       /^\.\/(measure\/)?\w+\.js$/,
       /^\.\.\/figure\/(figure|pen)\.js$/,
-      /^\.\.\/playground\/sets\/random_sets\.js$/,
+      /^\.\.\/shared\/random_sets\.js$/,
       /^apollonius-diagram(\/(sphere|treemap))?$/,
       /^(d3-hierarchy|d3-geo|d3-delaunay|delaunator|flatbush)$/,
     ],
@@ -205,7 +206,7 @@ const rules = [
       // The site's.
       /^\.\.\/\.\.\/tools\/(serve|build_site|site\/list|toolchain\/browser)\.mjs$/,
       /^\.\.\/\.\.\/tests\/web\/support\/storm\.mjs$/,
-      /^\/web\/playground\/sets\/random_sets\.js$/, // in a page that is made
+      /^\/web\/shared\/random_sets\.js$/, // in a page that is made
     ],
   },
 ];

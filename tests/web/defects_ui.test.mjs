@@ -133,7 +133,7 @@ describeInBrowser("panels", (open) => {
       const { left, right } = await boxOf(page, `#${id}`);
       expect([id, left >= 0 && right <= width]).toEqual([id, true]);
     }
-    for (const label of await page.$$eval(".switch label", (all) =>
+    for (const label of await page.$$eval(".choice label", (all) =>
       all.map((node) => node.getBoundingClientRect().right),
     ))
       expect(label).toBeLessThanOrEqual(width);

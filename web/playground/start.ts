@@ -1,7 +1,8 @@
 // Puts the page together.
-import { whenLoaded } from "../figure/package.js";
+import { whenLoaded } from "../shared/package.js";
+import { whenThemeChanges } from "../shared/theme.js";
 import { App } from "./app.js";
-import { messageOf } from "./errors.js";
+import { messageOf } from "../shared/errors.js";
 import { effect } from "./model/signals.js";
 import { Motion } from "./motion/motion.js";
 import { letWander } from "./motion/wanderer.js";
@@ -53,8 +54,7 @@ function followWindow(app: App) {
     const { bottom } = intro.getBoundingClientRect();
     document.documentElement.style.setProperty("--intro-end", `${bottom}px`);
   }).observe(intro);
-  for (const query of ["(prefers-color-scheme: dark)", "(forced-colors: active)"])
-    matchMedia(query).addEventListener("change", () => app.painter.readTheme());
+  whenThemeChanges(() => app.painter.readTheme());
 }
 
 const kIdle = 1500; // ms after the start

@@ -5,7 +5,7 @@ import type { Sites } from "../model/sites.js";
 import { addCell } from "./curves.js";
 import { addRim, fillAndStroke } from "./discs.js";
 import type { Picture } from "./picture.js";
-import type { Theme } from "./theme.js";
+import type { Theme } from "../../shared/theme.js";
 import type { Box, View } from "./view.js";
 
 /**

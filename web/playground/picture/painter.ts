@@ -5,12 +5,13 @@
 import type { Model } from "../model/model.js";
 import { signal } from "../model/signals.js";
 import { CirclesLayer } from "./circles_layer.js";
-import { contextOf } from "./context.js";
+import { contextOf } from "../../shared/canvas.js";
+import { make } from "../../shared/dom.js";
 import { drawLines } from "./lines_layer.js";
 import { drawMap } from "./map_layer.js";
 import { drawOverlay, type Overlay } from "./overlay_layer.js";
 import type { Layers, Picture } from "./picture.js";
-import { readTheme } from "./theme.js";
+import { readTheme } from "../../shared/theme.js";
 import type { Box, View } from "./view.js";
 
 const kSlice = 9; // ms of a frame that lines may take,
@@ -210,10 +211,7 @@ export class Painter {
   toCanvas() {
     this.flush();
     const { canvas } = this.#plates.circles;
-    const all = Object.assign(document.createElement("canvas"), {
-      width: canvas.width,
-      height: canvas.height,
-    });
+    const all = make("canvas", { width: canvas.width, height: canvas.height });
     const context = contextOf(all);
     context.fillStyle = this.theme.paper;
     context.fillRect(0, 0, all.width, all.height);

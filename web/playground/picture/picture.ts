@@ -1,7 +1,7 @@
 // What there is to draw, for the painter and its layers.
 import type { Voronoi } from "apollonius-diagram";
 import type { Sites } from "../model/sites.js";
-import type { Theme } from "./theme.js";
+import type { Theme } from "../../shared/theme.js";
 import type { View } from "./view.js";
 
 /** What is shown. */

@@ -1,5 +1,6 @@
 // The circles and cells as files.
 import { csvFormatRows } from "d3-dsv";
+import { make } from "../../shared/dom.js";
 import type { App } from "../app.js";
 import type { Row } from "./columns.js";
 import { toGeoJson } from "./geojson.js";
@@ -26,35 +27,29 @@ export function toCsv(app: App) {
 
 export type Format = "png" | "svg" | "geojson" | "json" | "csv";
 
-type Made = Blob | string;
-
-const kFormats: Record<Format, { type: string; make: (app: App) => Promise<Made> | Made }> = {
+const kFormats: Record<Format, { type: string; content: (app: App) => Promise<Blob> | string }> = {
   png: {
     type: "image/png",
-    make: (app) =>
+    content: (app) =>
       new Promise((resolve, reject) =>
         app.painter
           .toCanvas()
           .toBlob((data) => (data ? resolve(data) : reject(new Error("it is too large")))),
       ),
   },
-  svg: { type: "image/svg+xml", make: toSvg },
-  geojson: { type: "application/geo+json", make: toGeoJson },
-  json: { type: "application/json", make: toJson },
-  csv: { type: "text/csv", make: toCsv },
+  svg: { type: "image/svg+xml", content: toSvg },
+  geojson: { type: "application/geo+json", content: toGeoJson },
+  json: { type: "application/json", content: toJson },
+  csv: { type: "text/csv", content: toCsv },
 };
 
 export const isFormat = (name: string): name is Format => Object.hasOwn(kFormats, name);
 
 /** Saves a file. */
 export async function save(app: App, format: Format) {
-  const { type, make } = kFormats[format];
-  const blob = new Blob([await make(app)], { type });
+  const { type, content } = kFormats[format];
+  const blob = new Blob([await content(app)], { type });
   const address = URL.createObjectURL(blob);
-  const link = Object.assign(document.createElement("a"), {
-    href: address,
-    download: `apollonius-diagram.${format}`,
-  });
-  link.click();
+  make("a", { href: address, download: `apollonius-diagram.${format}` }).click();
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }

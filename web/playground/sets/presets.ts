@@ -5,7 +5,7 @@ import { build, type RandomOptions, type Watch } from "./building.js";
 import { loadCities } from "./cities.js";
 import { gasket } from "./gasket.js";
 import { kOpening } from "./opening.js";
-import { generator } from "./random_sets.js";
+import { generator } from "../../shared/random_sets.js";
 
 /** Of a set, as the page's address has them. */
 export type Params = Partial<Record<string, string>>;
