@@ -8,7 +8,6 @@ import { element } from "./elements.js";
 import { notify } from "./notice.js";
 
 const kMostMoving = 20_000; // circles
-const kRateTime = 500; // ms over which frames are counted
 
 /** The box of a name in a list of them. */
 function boxIn(list: HTMLElement, name: string): HTMLInputElement {
@@ -61,28 +60,4 @@ export function makeShowMenu(app: App, motion: Motion) {
       element("show").hidePopover();
     }
   });
-  const rate = element("show-rate");
-  rate.addEventListener("change", () => showRate(rate.checked));
-}
-
-let rateFrame = 0;
-
-/** Frames a second. */
-function showRate(isShown: boolean) {
-  const rate = element("rate");
-  rate.hidden = !isShown;
-  cancelAnimationFrame(rateFrame);
-  if (!isShown) return;
-  let frames = 0;
-  let since = performance.now();
-  const frame = (now: number) => {
-    frames++;
-    if (now - since >= kRateTime) {
-      rate.textContent = `${Math.round((1000 * frames) / (now - since))} frames/s`;
-      frames = 0;
-      since = now;
-    }
-    rateFrame = requestAnimationFrame(frame);
-  };
-  rateFrame = requestAnimationFrame(frame);
 }
