@@ -166,7 +166,10 @@ const rules = [
     motion: [/^\.\.\/(app\.js$|(model|picture|sets)\/)/],
     ui: [/^\.\.\/(app\.js$|(model|picture|tools|sets|motion)\/)/],
   }),
-  { of: /^web\/playground\/app\.ts$/, may: [/^\.\/(model|picture)\//] },
+  {
+    of: /^web\/playground\/app\.ts$/,
+    may: [/^\.\/(model|picture)\//, /^\.\.\/shared\/\w+\.js$/],
+  },
   {
     of: /^web\/playground\/\w+\.ts$/,
     may: [/^\.\/(\w+\/)?\w+\.js$/, /^\.\.\/(shared\/\w+|figure\/pen)\.js$/, /^apollonius-diagram$/],

@@ -1,12 +1,13 @@
 // Writes SVG: the first picture of a page, made where the site is built, before any script. Colours
 // are those of theme.css, so the picture is light or dark as the page is.
-import { escaped, rounded } from "../shared/svg.js";
+import { roundedTo } from "../shared/rounding.js";
+import { escaped } from "../shared/svg.js";
 import { type ThemeName, variableOf } from "../shared/theme.js";
 import { type LookName, lookOf, type Pen, type TextOptions } from "./pen.js";
 
 const kDigits = 1;
 const kNumber = /-?\d*\.?\d+(e[+-]?\d+)?/g;
-const number = (value: number) => String(rounded(value, kDigits));
+const number = (value: number) => String(roundedTo(value, kDigits));
 const paint = (name: ThemeName) => `var(${variableOf(name)})`;
 
 export class SvgPen implements Pen {

@@ -1,5 +1,6 @@
 // What the page can do, whoever asks for it: pointer, keyboard, buttons or a test. Keeps model,
 // picture and selection together.
+import { roundedTo } from "../shared/rounding.js";
 import type { Command } from "./model/commands.js";
 import { type Change, Model } from "./model/model.js";
 import { neighborsOf } from "./model/neighbors.js";
@@ -11,7 +12,7 @@ import type { Hover, Overlay } from "./picture/overlay_layer.js";
 import { type Canvases, Painter } from "./picture/painter.js";
 import type { Layers } from "./picture/picture.js";
 import { regionOf } from "./picture/regions.js";
-import { roundedTo, View } from "./picture/view.js";
+import { View } from "./picture/view.js";
 
 /** A place in pixels. */
 export type Point = { x: number; y: number };

@@ -1,11 +1,12 @@
 // A drawing context that writes SVG: as much of the canvas's as the layers of the picture use, so
 // that a file has what the canvas shows. Circles are circles, so that they can be edited.
 import { contextOf } from "../../shared/canvas.js";
-import { escaped, rounded as withDigits } from "../../shared/svg.js";
+import { roundedTo } from "../../shared/rounding.js";
+import { escaped } from "../../shared/svg.js";
 
 const kDigits = 2; // of pixels
 
-export const rounded = (value: number) => withDigits(value, kDigits);
+export const rounded = (value: number) => roundedTo(value, kDigits);
 
 const kAnchors: Partial<Record<CanvasTextAlign, string>> = { center: "middle", right: "end" };
 
