@@ -74,10 +74,10 @@ export const kTestsOfPage = {
   pages: ["site"],
   recipes: ["recipe_cards"],
   model: ["page", "defects"],
-  motion: ["motion", "windows", "defects_centres"],
+  motion: ["motion", "defects_ui"],
   picture: ["picture", "windows"],
-  sets: ["data", "files", "random_sets"],
-  steps: ["motion"],
+  sets: ["data", "files"],
+  shared: ["site", "page", "random_sets"],
   tools: ["page", "motion", "tools", "defects_ui"],
   ui: ["looks", "windows", "defects_ui"],
 };

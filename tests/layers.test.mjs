@@ -1,5 +1,5 @@
 // Who may include whom: the layers of docs/ARCHITECTURE.md, checked on the #include and import
-// lines themselves.
+// lines themselves. That no file imports itself, by whatever way, Biome says (noImportCycles).
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -31,6 +31,14 @@ function geometry(folders) {
       /^"(base|number|predicate|topology|delaunay|diagram)\//,
       new RegExp(`^"geometry/(${others ? `${others}|` : ""}${folder})/`),
     ],
+  }));
+}
+
+/** The rules of the folders of the playground, each with what else it may import. */
+function playground(folders) {
+  return Object.entries(folders).map(([folder, others]) => ({
+    of: new RegExp(`^web/playground/${folder}/`),
+    may: [/^\.\/\w+\.js$/, /^apollonius-diagram$/, /^\.\.\/\.\.\/shared\/\w+\.js$/, ...others],
   }));
 }
 
@@ -150,35 +158,42 @@ const rules = [
       /^(@deck\.gl\/(core|layers)|chart\.js(\/helpers)?|echarts\/[a-z]+)$/,
     ],
   },
+  ...playground({
+    model: [/^@preact\/signals-core$/, /^d3-geo$/],
+    picture: [/^\.\.\/model\//],
+    tools: [/^\.\.\/(app\.js$|(model|picture)\/)/],
+    sets: [/^\.\.\/(app\.js$|(model|picture)\/)/, /^(d3-dsv|fflate)$/],
+    motion: [/^\.\.\/(app\.js$|(model|picture|sets)\/)/],
+    ui: [/^\.\.\/(app\.js$|(model|picture|tools|sets|motion)\/)/],
+  }),
   {
-    of: /^web\/playground\/.*\.ts$/,
-    may: [
-      /^\.{1,2}\/(\w+\/)?\w+\.js$/,
-      /^(\.\.\/)+figure\/package\.js$/,
-      /^apollonius-diagram$/,
-      /^(d3-dsv|d3-geo|fflate)$/,
-      /^@preact\/signals-core$/,
-    ],
+    of: /^web\/playground\/app\.ts$/,
+    may: [/^\.\/(model|picture)\//, /^\.\.\/shared\/\w+\.js$/],
   },
   {
-    of: /^web\/figure\/package\.ts$/,
+    of: /^web\/playground\/\w+\.ts$/,
+    may: [/^\.\/(\w+\/)?\w+\.js$/, /^\.\.\/(shared\/\w+|figure\/pen)\.js$/, /^apollonius-diagram$/],
+  },
+  {
+    of: /^web\/shared\/package\.ts$/,
     may: [/^apollonius-diagram\/(wasm|(core|shapes|sphere)\.wasm\?url)$/],
   },
-  { of: /^web\/figure\/.*\.ts$/, may: [/^\.\/\w+\.js$/] },
+  { of: /^web\/shared\/.*\.ts$/, may: [/^\.\/\w+\.js$/] },
+  { of: /^web\/figure\/.*\.ts$/, may: [/^(\.|\.\.\/shared)\/\w+\.js$/] },
   {
     of: /^web\/figures\/measure\/.*\.ts$/,
     may: [
-      /^\.\.\/\.\.\/(figure\/package|playground\/sets\/random_sets)\.js$/,
+      /^\.\.\/\.\.\/shared\/(package|random_sets)\.js$/,
       /^(apollonius-diagram|delaunator|flatbush)$/,
     ],
   },
-  { of: /^web\/recipes\/.*\.ts$/, may: [/^\.\.\/figure\/dom\.js$/, /\.css\?raw$/] },
+  { of: /^web\/recipes\/.*\.ts$/, may: [/^\.\.\/shared\/(dom|errors)\.js$/, /\.css\?raw$/] },
   {
     of: /^web\/figures\/.*\.ts$/,
     may: [
       /^\.\/(measure\/)?\w+\.js$/,
       /^\.\.\/figure\/(figure|pen)\.js$/,
-      /^\.\.\/playground\/sets\/random_sets\.js$/,
+      /^\.\.\/shared\/random_sets\.js$/,
       /^apollonius-diagram(\/(sphere|treemap))?$/,
       /^(d3-hierarchy|d3-geo|d3-delaunay|delaunator|flatbush)$/,
     ],
@@ -192,9 +207,9 @@ const rules = [
       /^[a-z@][\w./-]*$/,
       /^\.\.\/tools\/(toolchain\/|(build|figures)\.mjs$)/,
       // The site's.
-      /^\.\.\/\.\.\/tools\/(serve|build_site|toolchain\/browser)\.mjs$/,
+      /^\.\.\/\.\.\/tools\/(serve|build_site|site\/list|toolchain\/browser)\.mjs$/,
       /^\.\.\/tests\/wasm\/support\/install_packed\.mjs$/,
-      /^\/web\/playground\/sets\/random_sets\.js$/, // in a page that is made
+      /^\/web\/shared\/random_sets\.js$/, // in a page that is made
     ],
   },
 ];

@@ -4,7 +4,7 @@
 //   build/web/index.html, why/, …     the pages: web/pages/*.md in the layout of site/page.mjs
 //   build/web/playground/             web/playground, bundled
 //   build/web/assets/                 scripts, styles, workers, the WebAssembly, with hashes
-//   build/web/playground/sets/random_sets.js   for tests and benchmarks
+//   build/web/shared/random_sets.js   for tests and benchmarks
 //   build/web/recipes/frame.html      where the programs of that page run
 //   build/web/examples/, data/        as they are in web/: to be read and copied
 //   build/web/lib/                    what the examples import: the package, modules of d3
@@ -20,10 +20,10 @@ const source = path.join(root, "web");
 /** Where it goes. */
 export const builtSite = path.join(root, "build/web");
 const copied = ["examples", "data", "icon.svg"]; // of web/
-const kRandomSets = "playground/sets/random_sets";
+const kRandomSets = "shared/random_sets";
 /** What every page needs comes in one piece, and random circles with it: they are small. */
 const kShared =
-  /dist\/esm\/(wasm|errors|(core|shapes)\/part)\.js|web\/figure\/(package|figure|pen|dom)\.ts|preload-helper/;
+  /dist\/esm\/(wasm|errors|(core|shapes)\/part)\.js|web\/(shared\/(package|theme|canvas|dom|errors|input)|figure\/(figure|pen))\.ts|preload-helper/;
 const isShared = (module) => kShared.test(module) || module.includes(`${kRandomSets}.ts`);
 
 /** The d3 modules that web/examples import, by the import map of its page. */

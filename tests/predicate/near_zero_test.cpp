@@ -19,6 +19,7 @@ namespace {
 
 using test::Random;
 using test::runs;
+using test::sized;
 
 /// Calls `ask` with the doubles around a place between `low` and `high` where `sign` changes; false
 /// if it is the same at both.

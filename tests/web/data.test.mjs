@@ -183,7 +183,7 @@ describeInBrowser("data", (open) => {
       return readFileSync(await download.path());
     };
 
-    test.each(["csv", "json", "bin"])("%s is read as it was written", async (format) => {
+    test.each(["csv", "json"])("%s is read as it was written", async (format) => {
       await show(page, "nesting");
       await page.evaluate(() => app.model.remove([2]));
       const before = await numbers();

@@ -2,7 +2,6 @@
 // Each of these failed before it was mended.
 import { expect, test } from "@jest/globals";
 import {
-  closePage,
   describeInBrowser,
   drag,
   forEachPage,
@@ -109,28 +108,5 @@ describeInBrowser("centres", (open) => {
     expect(await headline()).toBe("The nearest circle, not the nearest centre");
     expect(await page.isVisible("#verdict")).toBe(false);
     expect(await page.isVisible("#about")).toBe(true);
-  });
-});
-
-describeInBrowser("ghost", (open) => {
-  test("while nobody acts it shows a wrong and a right pick", async () => {
-    const page = await open({ reducedMotion: "no-preference" });
-    await page.check("[name=weight][value='0']", { force: true });
-    await page.waitForFunction(() => app.painter.overlay.ghost !== null);
-    await page.waitForFunction(() => app.hover?.id !== app.hover?.right);
-    await page.waitForFunction(() => app.hover?.id === app.hover?.right);
-    await page.mouse.move(600, 400);
-    expect(await page.evaluate(() => app.painter.overlay.ghost)).toBeNull();
-    expect(page.errors).toEqual([]);
-    await closePage(page);
-  });
-
-  test("with reduced motion there is no ghost pointer", async () => {
-    const page = await open();
-    await page.check("[name=weight][value='0']", { force: true });
-    await page.waitForFunction(() => /\d %/.test(document.getElementById("verdict").textContent));
-    await page.waitForTimeout(2000);
-    expect(await page.evaluate(() => app.painter.overlay.ghost)).toBeNull();
-    await closePage(page);
   });
 });

@@ -83,12 +83,9 @@ describeInBrowser("what runs", (open) => {
     page = opened;
   });
 
-  test.each([
-    ["drift", "Stop drift"],
-    ["relax", "Stop relaxing"],
-  ])("%s: the button says what it stops", async (id, label) => {
-    await page.evaluate((id) => document.getElementById(id).click(), id);
-    expect(await page.textContent("#stop-motion")).toBe(label);
+  test("the button says what it stops", async () => {
+    await page.evaluate(() => document.getElementById("drift").click());
+    expect(await page.textContent("#stop-motion")).toBe("Stop drift");
     await page.click("#stop-motion");
     expect(await page.isVisible("#stop-motion")).toBe(false);
   });
@@ -107,61 +104,6 @@ describeInBrowser("what runs", (open) => {
     expect(await page.evaluate(() => app.motion.isRunning)).toBe(true);
     await page.keyboard.press("Escape");
     expect(await page.evaluate(() => app.motion.isRunning)).toBe(false);
-  });
-});
-
-describeInBrowser("the same area for all, told", (open) => {
-  let page;
-  forEachPage(open, (opened) => {
-    page = opened;
-  });
-  const switchOn = () => page.evaluate(() => document.getElementById("same-areas").click());
-
-  test("what happens to the radii is said at the switch and in the status", async () => {
-    await switchOn();
-    await page.waitForFunction(() => app.painter.frame && !app.motion.isRunning);
-    await settled(page);
-    const said = await page.textContent("#radii");
-    expect(said).toMatch(/^Radii: 5 to 128 before, −[\d.]+ to [\d.]+ now\. \d+ of 35 are negative/);
-    expect(await page.textContent("#same-areas-radii")).toBe(said);
-    expect(await page.isVisible("#radii")).toBe(true);
-    const id = await page.evaluate(() => app.sites.ids.find((id) => app.sites.site(id).r < -50));
-    await page.evaluate((id) => app.selection.set([id]), id);
-    await settled(page);
-    expect(await page.textContent("#card-detail")).toMatch(/far side of a ring of/);
-    await page.keyboard.press("Control+z");
-    await settled(page);
-    expect(await page.isVisible("#radii")).toBe(false);
-  });
-
-  test("progress never goes back, nor beyond all", async () => {
-    await show(page, "random", { n: "3000", hidden: "0" });
-    await page.evaluate(() => {
-      window.seen = [];
-      window.texts = [];
-      const note = () => {
-        const bar = document.getElementById("progress-bar");
-        if (bar.hasAttribute("value")) window.seen.push(bar.value);
-        window.texts.push(document.getElementById("progress-text").textContent);
-      };
-      const options = { attributes: true, childList: true, subtree: true };
-      new MutationObserver(note).observe(document.getElementById("progress"), options);
-    });
-    await switchOn();
-    await page.waitForFunction(() => app.painter.frame !== null, null, { timeout: 60_000 });
-    const { seen, texts } = await page.evaluate(() => ({ seen, texts }));
-    expect(seen.length).toBeGreaterThan(3);
-    expect(seen).toEqual([...seen].sort((a, b) => a - b));
-    expect(Math.max(...seen)).toBeLessThanOrEqual(1);
-    for (const text of texts)
-      for (const [, percent] of text.matchAll(/([\d.]+) %/g))
-        expect(Number(percent)).toBeLessThanOrEqual(100);
-  });
-
-  test("of 1500 cities it is refused beforehand, with the reason", async () => {
-    await show(page, "cities");
-    expect(await page.isDisabled("#same-areas")).toBe(true);
-    expect(await page.textContent("#same-areas-hindrance")).toMatch(/300 circles on a map.*minute/);
   });
 });
 
@@ -191,7 +133,7 @@ describeInBrowser("panels", (open) => {
       const { left, right } = await boxOf(page, `#${id}`);
       expect([id, left >= 0 && right <= width]).toEqual([id, true]);
     }
-    for (const label of await page.$$eval(".switch label", (all) =>
+    for (const label of await page.$$eval(".choice label", (all) =>
       all.map((node) => node.getBoundingClientRect().right),
     ))
       expect(label).toBeLessThanOrEqual(width);
@@ -211,7 +153,7 @@ describeInBrowser("panels", (open) => {
   test("grounds of menus, the introduction and the card let nothing shine through", async () => {
     const page = await open();
     const alphas = await page.evaluate(() =>
-      ["show", "sets", "share", "intro", "inspector", "steps"].map((id) => {
+      ["show", "sets", "share", "intro", "inspector"].map((id) => {
         const color = getComputedStyle(document.getElementById(id)).backgroundColor;
         return [id, color.startsWith("rgb(")];
       }),
@@ -239,36 +181,6 @@ describeInBrowser("panels", (open) => {
     const back = await origin();
     expect(Math.hypot(back[0] - first[0], back[1] - first[1])).toBeLessThan(1e-6);
     await closePage(page);
-  });
-
-  test("the steps leave free what they tell of", async () => {
-    for (const kind of [{}, kPhone]) {
-      const page = await open(kind);
-      await page.evaluate(() => document.getElementById("step-insert").click());
-      await page.click("#steps-next");
-      const panel = await boxOf(page, "#steps");
-      const places = await page.evaluate(() => {
-        const places = [];
-        const target = new Proxy(app.painter.canvas("overlay").getContext("2d"), {
-          get: (context, name) => {
-            const value = context[name];
-            if (typeof value !== "function") return value;
-            return (...given) => {
-              if (name === "lineTo" || name === "moveTo") places.push(given);
-            };
-          },
-          set: () => true,
-        });
-        const { sites, view, painter } = app;
-        painter.overlay.marks(target, { sites, view, theme: painter.theme, ends: null });
-        return places;
-      });
-      expect(places.length).toBeGreaterThan(1);
-      const isUnder = ([x, y]) =>
-        x > panel.left && x < panel.right && y > panel.top && y < panel.bottom;
-      expect(places.filter(isUnder)).toEqual([]);
-      await closePage(page);
-    }
   });
 
   test("an empty canvas says how to begin, and a drag draws", async () => {

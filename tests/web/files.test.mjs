@@ -2,8 +2,6 @@
 // has all that is shown and can be opened again.
 import { readFileSync } from "node:fs";
 import { describe, expect, test } from "@jest/globals";
-import { unzipSync } from "fflate";
-import { Diagram } from "../../dist/esm/index.js";
 import {
   circlesOf,
   describeInBrowser,
@@ -273,36 +271,6 @@ describeInBrowser("files", (open) => {
       await page.reload();
       await page.waitForFunction(() => window.app?.sites.site(0).r % 1 > 0);
       expect(await earth()).toEqual(kOnEarth);
-    });
-
-    test("a snapshot keeps names, ids, and radii that do not count at present", async () => {
-      await show(page, "cities");
-      await page.evaluate(() => {
-        app.model.remove([3, 5]);
-        app.weights.go(0, { isAtOnce: true });
-      });
-      const before = [await labels(), await page.evaluate(() => [...app.sites.triples([0, 7])])];
-      const file = await saved("bin");
-      expect(file.name).toBe("apollonius-diagram.zip");
-      const files = unzipSync(file.buffer);
-      const diagram = Diagram.fromBytes(files["diagram.bin"]);
-      expect(diagram.size).toBe(1498); // the package reads its part
-      await reopened(file, 1498);
-      expect(await labels()).toEqual(before[0]);
-      expect(await page.evaluate(() => [...app.sites.triples([0, 7])])).toEqual(before[1]);
-      expect(await page.evaluate(() => app.diagram.has(3))).toBe(false);
-      await page.evaluate(() => app.weights.go(1, { isAtOnce: true }));
-      expect(await earth()).toEqual(kOnEarth);
-    });
-
-    test("a snapshot without names is the package's, whatever its file is called", async () => {
-      const before = await circlesOf(page);
-      const { name, buffer } = await saved("bin");
-      expect(name).toBe("apollonius-diagram.bin");
-      const diagram = Diagram.fromBytes(buffer);
-      expect(diagram.size).toBe(35);
-      await reopened({ name: "circles", mimeType: "", buffer }, 35);
-      expect(await circlesOf(page)).toEqual(before);
     });
   });
 

@@ -1,4 +1,4 @@
-// What moves by itself, the steps of the algorithm, and touch.
+// What moves by itself, and touch.
 import { expect, test } from "@jest/globals";
 import {
   circlesOf,
@@ -6,7 +6,6 @@ import {
   forEachPage,
   frames,
   freeSpace,
-  painted,
   settled,
   show,
   showCircles,
@@ -15,7 +14,7 @@ import {
   whereIs,
 } from "./support/browser.mjs";
 
-describeInBrowser("motion and steps", (open) => {
+describeInBrowser("motion", (open) => {
   let page;
   forEachPage(open, (opened) => {
     page = opened;
@@ -26,15 +25,15 @@ describeInBrowser("motion and steps", (open) => {
     await page.click(`#${id}`);
   };
 
-  test.each(["drift", "relax"])("%s: all circles move, as one edit", async (name) => {
+  test("drift: all circles move, as one edit", async () => {
     await show(page, "random", { n: "200", hidden: "5" });
     const before = await circlesOf(page);
-    await press(name);
+    await press("drift");
     await page.waitForFunction(([, x]) => Math.abs(app.diagram.site(0).x - x) > 0.5, before[0], {
       timeout: 20_000,
     });
     expect((await stateOf(page)).broken).toBeNull();
-    await page.evaluate((name) => document.getElementById(name).click(), name);
+    await page.evaluate(() => document.getElementById("drift").click());
     const after = await circlesOf(page);
     await frames(page, 10);
     expect(await circlesOf(page)).toEqual(after);
@@ -44,25 +43,10 @@ describeInBrowser("motion and steps", (open) => {
     expect(await circlesOf(page)).toEqual(before);
   });
 
-  test("relaxation makes the cells more alike", async () => {
-    await show(page, "random", { n: "60", hidden: "0" });
-    const spread = () =>
-      page.evaluate(() => {
-        const areas = [...app.diagram.voronoi(app.sites.bounds()).cellAreas()];
-        const mean = areas.reduce((a, b) => a + b) / areas.length;
-        return Math.sqrt(areas.reduce((a, b) => a + (b - mean) ** 2, 0) / areas.length) / mean;
-      });
-    const before = await spread();
-    await press("relax");
-    while ((await spread()) > 0.9 * before) await frames(page, 5);
-    await page.evaluate(() => app.motion.stop());
-    expect(await spread()).toBeLessThan(0.9 * before);
-  });
-
-  test("what comes to rest has short numbers: 500 that relaxed fit into a link", async () => {
+  test("what comes to rest has short numbers: 500 that drifted fit into a link", async () => {
     await show(page, "random", { n: "500" });
     const before = await circlesOf(page);
-    await press("relax");
+    await press("drift");
     await page.waitForFunction((x) => app.diagram.site(0).x !== x, before[0][1]);
     const { link, shift } = await page.evaluate(() => {
       const moving = app.sites.triples(app.sites.ids);
@@ -84,7 +68,7 @@ describeInBrowser("motion and steps", (open) => {
     await showCircles(page, [0, 0, 100, 60, 0, 50, 300, 0, 20]);
     const xyr = [1 / 3, 1 / 3, 100, 1 / 3 + 50.0004, 1 / 3, 50, 900 / 7, 0, 20];
     await page.evaluate(async (xyr) => {
-      app.motion.start(app.sites.ids, () => Float64Array.from(xyr), undefined, "test");
+      app.motion.start(app.sites.ids, () => Float64Array.from(xyr));
       while (app.diagram.site(0).x === 0) await new Promise(requestAnimationFrame);
       app.motion.stop();
     }, xyr);
@@ -114,119 +98,6 @@ describeInBrowser("motion and steps", (open) => {
     await page.waitForFunction(() => !app.motion.isRunning);
     expect(await page.isVisible("#stop-motion")).toBe(false);
     expect(await page.getAttribute("#drift", "aria-pressed")).toBe("false");
-  });
-
-  test("the steps of an insertion end in what insertion does", async () => {
-    await press("step-insert");
-    const said = [];
-    for (;;) {
-      said.push(await page.textContent("#steps-title"));
-      expect(await painted(page, "overlay")).toBeGreaterThan(300);
-      const label = await page.textContent("#steps-next");
-      await page.click("#steps-next");
-      if (label === "Do it") break;
-    }
-    expect(said).toEqual(
-      expect.arrayContaining([
-        "The walk",
-        "The first conflict",
-        "The region, edge by edge",
-        "The hole",
-        "The star",
-      ]),
-    );
-    expect((await stateOf(page)).size).toBe(36);
-    expect(await page.isVisible("#steps")).toBe(false);
-  });
-
-  test("the walk goes down the levels, and what was asked is counted by stage", async () => {
-    await show(page, "cities");
-    await press("step-insert");
-    const said = [];
-    for (let label = ""; label !== "Do it"; ) {
-      said.push(await page.textContent("#steps-title"));
-      label = await page.textContent("#steps-next");
-      if (label !== "Do it") await page.click("#steps-next");
-    }
-    expect(said.slice(1, 4)).toEqual([
-      "The walk",
-      "Level 1 of the hierarchy",
-      "Level 0, the diagram itself",
-    ]);
-    expect(said.at(-1)).toBe("The questions");
-    const counts = await page.$$eval("#steps-counts td", (cells) =>
-      cells.map((cell) => Number(cell.textContent)),
-    );
-    expect(counts.length % 3).toBe(0);
-    expect(counts.reduce((a, b) => a + b)).toBeGreaterThan(0);
-    await page.click("#steps-back");
-    expect(await page.isVisible("#steps-questions")).toBe(false);
-  });
-
-  test("walks end at the nearest circle, with levels and without", async () => {
-    await show(page, "random", { n: "3000", hidden: "20" });
-    const ends = await page.evaluate(() => {
-      const { descent, walk } = app.parts;
-      const [xmin, ymin, xmax, ymax] = app.sites.bounds();
-      return Array.from({ length: 40 }, (_, k) => {
-        const point = {
-          x: xmin + ((k * 37) % 100) * 0.01 * (xmax - xmin),
-          y: ymin + ((k * 61) % 100) * 0.01 * (ymax - ymin),
-        };
-        const stages = descent(app.sites, point);
-        const start = app.diagram.neighbors(app.diagram.find(xmin, ymin))[0];
-        return [
-          app.diagram.find(point.x, point.y),
-          stages.at(-1).path.at(-1),
-          walk(app.diagram, point, start).at(-1),
-          stages.map(({ level }) => level).join(),
-        ];
-      });
-    });
-    for (const [nearest, down, along, levels] of ends) {
-      expect([down, along]).toEqual([nearest, nearest]);
-      expect(levels).toBe("2,1,0");
-    }
-  });
-
-  test("the vertices that the steps call lost are those that insertion removes", async () => {
-    const found = await page.evaluate(() => {
-      const { insertionSteps } = app.parts;
-      const circle = { x: 560, y: 260, r: 18 };
-      const all = () => {
-        const { coordinates } = app.diagram.vertices();
-        const places = [];
-        for (let k = 0; k < coordinates.length; k += 2)
-          places.push(`${coordinates[k].toFixed(6)} ${coordinates[k + 1].toFixed(6)}`);
-        return places;
-      };
-      const steps = insertionSteps(app.sites, circle, 0);
-      const texts = steps.map(({ text }) => text.match(/: (\d+) are in conflict/)?.[1]);
-      const before = all();
-      app.model.insert(Float64Array.of(circle.x, circle.y, circle.r));
-      const after = new Set(all());
-      return {
-        said: Number(texts.filter(Boolean).at(-1)),
-        lost: before.filter((place) => !after.has(place)).length,
-      };
-    });
-    expect(found.lost).toBeGreaterThan(1);
-    expect(found.said).toBe(found.lost);
-  });
-
-  test("the steps of a deletion", async () => {
-    await page.evaluate(() => app.selection.set([0]));
-    await press("step-delete");
-    expect(await page.textContent("#steps-text")).toContain("Circle 0 has");
-    await page.click("#steps-next");
-    await page.click("#steps-next");
-    expect(await page.textContent("#steps-title")).toContain("with what was hidden");
-    await page.click("#steps-back");
-    await page.click("#steps-next");
-    await page.click("#steps-next");
-    expect(await page.isVisible("#steps-questions")).toBe(true);
-    await page.click("#steps-next");
-    expect(await stateOf(page)).toMatchObject({ size: 34, hidden: 1 });
   });
 });
 

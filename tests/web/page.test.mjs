@@ -46,7 +46,7 @@ describeInBrowser("the page", (open) => {
         const { element, kElementIds } = app.parts;
         return kElementIds.map((id) => element(id).id === id);
       });
-      expect(found.length).toBeGreaterThan(80);
+      expect(found.length).toBeGreaterThan(70);
       expect(new Set(found)).toEqual(new Set([true]));
     });
 

@@ -2,7 +2,7 @@
 // zoom; and a picture that was updated box by box equals one that was drawn anew.
 import { afterAll, beforeAll, expect, test } from "@jest/globals";
 import { describeInBrowser, show, showCircles } from "./support/browser.mjs";
-import { generator } from "../../build/web/playground/sets/random_sets.js";
+import { generator } from "../../build/web/shared/random_sets.js";
 
 const random = generator(11);
 const kSets = {

@@ -1,6 +1,6 @@
 // Random sets have the promised number of hidden circles, and are the same for the same seed.
 import { expect, test } from "@jest/globals";
-import { randomCircles } from "../../build/web/playground/sets/random_sets.js";
+import { randomCircles } from "../../build/web/shared/random_sets.js";
 
 const options = { seed: 7, width: 1600, height: 1000 };
 

@@ -35,7 +35,7 @@ test.each([
   ["/web/why/", "text/html"],
   ["/web/reference/api/", "text/html"],
   ["/web/playground/", "text/html"],
-  ["/web/playground/sets/random_sets.js", "text/javascript"],
+  ["/web/shared/random_sets.js", "text/javascript"],
   ["/web/icon.svg", "image/svg+xml"],
   ["/web/data/cities.json", "application/json"],
   ["/web/data/country.json", "application/json"],

@@ -1,4 +1,6 @@
 // Draws on a canvas.
+import { bytesOf, contextOf } from "../shared/canvas.js";
+import type { Theme, ThemeName } from "../shared/theme.js";
 import {
   type Align,
   type LookName,
@@ -10,17 +12,6 @@ import {
 
 const kAligns: Record<Align, CanvasTextAlign> = { start: "left", middle: "center", end: "right" };
 
-/** The colours of theme.css as they are now. */
-export function colorReader(): (name: string) => string {
-  const style = getComputedStyle(document.documentElement);
-  const known = new Map<string, string>();
-  return (name) => {
-    const color = known.get(name) ?? style.getPropertyValue(`--${name}`).trim();
-    known.set(name, color);
-    return color;
-  };
-}
-
 export class CanvasPen implements Pen {
   /** @param scale CSS pixels of a unit; `density`: pixels of the screen in a CSS pixel */
   constructor(
@@ -29,7 +20,7 @@ export class CanvasPen implements Pen {
     readonly height: number,
     readonly scale: number,
     density: number,
-    readonly color: (name: string) => string,
+    readonly theme: Theme,
   ) {
     context.setTransform(scale * density, 0, 0, scale * density, 0, 0);
     context.clearRect(0, 0, width, height);
@@ -41,11 +32,11 @@ export class CanvasPen implements Pen {
     const { fill, stroke, width = 1, dash = [] } = lookOf(look);
     const { context, scale } = this;
     if (fill) {
-      context.fillStyle = this.color(fill);
+      context.fillStyle = this.theme[fill];
       context.fill(path, "evenodd");
     }
     if (stroke) {
-      context.strokeStyle = this.color(stroke);
+      context.strokeStyle = this.theme[stroke];
       context.lineWidth = width / scale;
       context.setLineDash(dash.map((length) => length / scale));
       context.stroke(path);
@@ -78,14 +69,14 @@ export class CanvasPen implements Pen {
   text(text: string, x: number, y: number, look: LookName, options: TextOptions = {}) {
     const { align = "start", size = 14, isBold = false } = options;
     const { context } = this;
-    context.font = `${isBold ? 600 : 400} ${size / this.scale}px ${this.color("sans")}`;
+    context.font = `${isBold ? 600 : 400} ${size / this.scale}px ${this.theme.sans}`;
     context.textAlign = kAligns[align];
     context.textBaseline = "middle";
     context.lineWidth = 4 / this.scale;
     context.setLineDash([]);
-    context.strokeStyle = this.color("paper"); // so that it can be read on lines
+    context.strokeStyle = this.theme.paper; // so that it can be read on lines
     context.strokeText(text, x, y);
-    context.fillStyle = this.color(lookOf(look).fill ?? "ink");
+    context.fillStyle = this.theme[lookOf(look).fill ?? "ink"];
     context.fillText(text, x, y);
   }
 
@@ -100,18 +91,14 @@ export class CanvasPen implements Pen {
     context.restore();
   }
 
-  tone(name: string): [number, number, number] {
-    const context = new OffscreenCanvas(1, 1).getContext("2d");
-    if (!context) return [0, 0, 0];
-    context.fillStyle = this.color(name);
-    context.fillRect(0, 0, 1, 1);
-    const [red, green, blue] = context.getImageData(0, 0, 1, 1).data;
+  tone(name: ThemeName): [number, number, number] {
+    const [red, green, blue] = bytesOf(this.theme[name]);
     return [red, green, blue];
   }
 
   pixels(x: number, y: number, width: number, height: number, { columns, rows, bytes }: Pixels) {
     const canvas = new OffscreenCanvas(columns, rows);
-    canvas.getContext("2d")?.putImageData(new ImageData(bytes, columns, rows), 0, 0);
+    contextOf(canvas).putImageData(new ImageData(bytes, columns, rows), 0, 0);
     this.context.drawImage(canvas, x, y, width, height);
   }
 }

@@ -1,5 +1,5 @@
 // Sliders, choices, switches and buttons of a figure, as the platform has them.
-import { make } from "./dom.js";
+import { make } from "../shared/dom.js";
 import type { Control } from "./figure.js";
 
 type Made = { element: HTMLElement; update(): void };

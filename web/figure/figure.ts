@@ -1,7 +1,7 @@
 // What a figure is: a state, how it is drawn, what is said of it, and what a reader can do. Nothing
 // here needs a browser, so that the first picture can be drawn where the site is built; runner.ts
 // lets it live on a page.
-import type { Part } from "./package.js";
+import type { Part } from "../shared/package.js";
 import type { LookName, Pen } from "./pen.js";
 
 export type Point = readonly [x: number, y: number];

@@ -1,6 +1,7 @@
 // What readers can take hold of in a figure: buttons over the canvas, so that a finger that starts
 // on one drags it and a finger that starts elsewhere scrolls the page, and the Tab key finds them.
-import { make } from "./dom.js";
+import { make } from "../shared/dom.js";
+import { arrowOf, placeIn } from "../shared/input.js";
 import type { Handle } from "./figure.js";
 
 const kLeast = 32; // CSS pixels across: what a finger hits
@@ -38,8 +39,8 @@ export class Handles {
     const button = make("button", { type: "button", className: "handle" });
     let offset: [number, number] | null = null;
     const at = (event: PointerEvent) => {
-      const box = this.stage.getBoundingClientRect();
-      return [(event.clientX - box.left) / this.#scale, (event.clientY - box.top) / this.#scale];
+      const [x, y] = placeIn(this.stage, event);
+      return [x / this.#scale, y / this.#scale];
     };
     button.addEventListener("pointerdown", (event) => {
       const [x, y] = at(event);
@@ -59,12 +60,11 @@ export class Handles {
       });
     button.addEventListener("keydown", (event) => {
       const step = ((event.shiftKey ? 5 : 1) * kStep) / this.#scale;
-      const dx = Number(event.key === "ArrowRight") - Number(event.key === "ArrowLeft");
-      const dy = Number(event.key === "ArrowDown") - Number(event.key === "ArrowUp");
-      if (dx === 0 && dy === 0) return;
+      const arrow = arrowOf(event.key);
+      if (!arrow) return;
       event.preventDefault();
       const { handle } = this.#held[k];
-      handle.move(handle.x + dx * step, handle.y + dy * step);
+      handle.move(handle.x + arrow[0] * step, handle.y + arrow[1] * step);
       this.changed();
     });
     this.stage.append(button);

@@ -1,8 +1,9 @@
 // The script of each page of the site: starts a figure when it comes near the window, and shows its
 // source when that is asked for.
-import { make } from "./dom.js";
+import { make } from "../shared/dom.js";
+import { messageOf } from "../shared/errors.js";
+import { whenLoaded } from "../shared/package.js";
 import type { AnyFigure } from "./figure.js";
-import { whenLoaded } from "./package.js";
 import { FigureRunner } from "./runner.js";
 
 const kNear = "300px"; // below the window
@@ -24,8 +25,7 @@ async function start(element: HTMLElement) {
     listenToSource(element, name);
   } catch (error) {
     console.error(error);
-    const reason = error instanceof Error ? error.message : error;
-    const text = `This figure could not be started: ${reason}`;
+    const text = `This figure could not be started: ${messageOf(error)}`;
     element.querySelector(".stage")?.after(make("p", { className: "failed" }, text));
     element.dataset.state = "failed";
   }

@@ -1,23 +1,23 @@
 // What figures draw with. The same calls draw on a canvas in the browser (canvas_pen.ts) and write
 // SVG where the site is built (svg_pen.ts), so that a page has its first picture before any script.
+import type { ThemeName } from "../shared/theme.js";
 
-/** Names of colours in theme.css, without the two dashes. */
-type Look = { fill?: string; stroke?: string; width?: number; dash?: readonly number[] };
+type Look = { fill?: ThemeName; stroke?: ThemeName; width?: number; dash?: readonly number[] };
 
 /** All looks of all figures: one meaning, one look, on each page. Widths are in CSS pixels. */
 export const kLooks = {
-  circle: { fill: "site-fill", stroke: "site", width: 1.5 },
+  circle: { fill: "siteFill", stroke: "site", width: 1.5 },
   rim: { stroke: "site", width: 1.5 },
-  hidden: { fill: "hidden-fill", stroke: "hidden", width: 1.5, dash: [4, 3] },
-  hiddenSolid: { fill: "hidden-fill", stroke: "hidden", width: 1 },
+  hidden: { fill: "hiddenFill", stroke: "hidden", width: 1.5, dash: [4, 3] },
+  hiddenSolid: { fill: "hiddenFill", stroke: "hidden", width: 1 },
   hiddenLine: { stroke: "hidden", width: 2 },
   hiddenDot: { fill: "hidden" },
   treeEdge: { stroke: "cell", width: 1.5 },
-  nearest: { fill: "accent-fill", stroke: "accent", width: 2.5 },
-  nearestCell: { fill: "accent-site" },
-  neighbor: { fill: "neighbor-fill", stroke: "neighbor", width: 2.5 },
-  wrong: { fill: "wrong-fill", stroke: "wrong", width: 2.5 },
-  wrongArea: { fill: "wrong-fill" },
+  nearest: { fill: "accentFill", stroke: "accent", width: 2.5 },
+  nearestCell: { fill: "accentSite" },
+  neighbor: { fill: "neighborFill", stroke: "neighbor", width: 2.5 },
+  wrong: { fill: "wrongFill", stroke: "wrong", width: 2.5 },
+  wrongArea: { fill: "wrongFill" },
   ok: { fill: "ok" },
   alarm: { fill: "wrong" },
   off: { fill: "line" },
@@ -32,8 +32,8 @@ export const kLooks = {
   partEdge: { stroke: "dual", width: 1.25, dash: [4, 4] },
   firstEdge: { stroke: "site", width: 3 },
   secondEdge: { stroke: "vertex", width: 3 },
-  added: { fill: "empty-fill", stroke: "dual", width: 2.5 },
-  empty: { fill: "empty-fill", stroke: "vertex", width: 1.5 },
+  added: { fill: "emptyFill", stroke: "dual", width: 2.5 },
+  empty: { fill: "emptyFill", stroke: "vertex", width: 1.5 },
   vertex: { fill: "vertex" },
   frame: { stroke: "line", width: 1 },
   window: { fill: "land", stroke: "coast", width: 1.5 },
@@ -49,9 +49,9 @@ export const kLooks = {
   bar: { fill: "site" },
   otherBar: { fill: "centres" },
   thirdBar: { fill: "vertex" },
-  firstArea: { fill: "site-fill" },
-  secondArea: { fill: "hidden-fill" },
-  thirdArea: { fill: "empty-fill" },
+  firstArea: { fill: "siteFill" },
+  secondArea: { fill: "hiddenFill" },
+  thirdArea: { fill: "emptyFill" },
   fourthArea: { fill: "land" },
 } satisfies Record<string, Look>;
 
@@ -76,7 +76,7 @@ export interface Pen {
   /** What `draw` draws is moved by x, y and cut at the rectangle of this size there. */
   inside(x: number, y: number, width: number, height: number, draw: () => void): void;
   /** A colour of theme.css as red, green, blue, each from 0 to 255, for `pixels`. */
-  tone(name: string): readonly [number, number, number];
+  tone(name: ThemeName): readonly [number, number, number];
   /** A picture of pixels in a rectangle: red, green, blue, opacity of each. Nothing in an SVG. */
   pixels(x: number, y: number, width: number, height: number, pixels: Pixels): void;
 }

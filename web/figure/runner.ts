@@ -1,8 +1,11 @@
 // Lets a figure live on its page: canvas, controls, handles, pointer, touch and keyboard, the text
 // that says what is seen, light and dark, motion.
-import { CanvasPen, colorReader } from "./canvas_pen.js";
+import { contextOf } from "../shared/canvas.js";
+import { make } from "../shared/dom.js";
+import { arrowOf, placeIn } from "../shared/input.js";
+import { readTheme, whenThemeChanges } from "../shared/theme.js";
+import { CanvasPen } from "./canvas_pen.js";
 import { makeControls } from "./controls.js";
-import { make } from "./dom.js";
 import type { Figure, Said, Size } from "./figure.js";
 import { Handles } from "./handles.js";
 import { playgroundLink } from "./playground_link.js";
@@ -18,6 +21,7 @@ const reduced = matchMedia("(prefers-reduced-motion: reduce)");
 export class FigureRunner<State> {
   readonly canvas = make("canvas", { ariaHidden: "true" });
   readonly stage: HTMLElement;
+  readonly #context = contextOf(this.canvas);
   readonly #text = make("p", { className: "said" });
   readonly #code = make("code");
   readonly #aloud = make("p", { className: "visually-hidden", ariaLive: "polite" });
@@ -27,7 +31,7 @@ export class FigureRunner<State> {
   #size: Size;
   #isNarrow = false;
   #scale = 1;
-  #color = colorReader();
+  #theme = readTheme();
   #frame = 0;
   #last = 0;
   #isSeen = true;
@@ -106,16 +110,15 @@ export class FigureRunner<State> {
       this.#ask();
     });
     seen.observe(stage);
-    for (const query of ["(prefers-color-scheme: dark)", "(forced-colors: active)"])
-      matchMedia(query).addEventListener("change", () => {
-        this.#color = colorReader();
-        this.#ask();
-      });
+    whenThemeChanges(() => {
+      this.#theme = readTheme();
+      this.#ask();
+    });
     const { hover, press, drag } = this.figure;
     if (!hover && !press && !drag) return;
-    const at = (event: PointerEvent | MouseEvent): [number, number] => {
-      const box = stage.getBoundingClientRect();
-      return [(event.clientX - box.left) / this.#scale, (event.clientY - box.top) / this.#scale];
+    const at = (event: MouseEvent): [number, number] => {
+      const [x, y] = placeIn(stage, event);
+      return [x / this.#scale, y / this.#scale];
     };
     if (hover) {
       const go = (event: PointerEvent) => {
@@ -172,26 +175,21 @@ export class FigureRunner<State> {
   #key(event: KeyboardEvent) {
     if (event.target !== this.stage || event.ctrlKey || event.metaKey || event.altKey) return;
     const step = ((event.shiftKey ? 5 : 1) * kCursorStep) / this.#scale;
-    const moves: Record<string, [number, number]> = {
-      ArrowLeft: [-step, 0],
-      ArrowRight: [step, 0],
-      ArrowUp: [0, -step],
-      ArrowDown: [0, step],
-    };
-    const move = moves[event.key];
-    if (move && this.figure.drag) {
+    const arrow = arrowOf(event.key);
+    if (arrow && this.figure.drag) {
       event.preventDefault();
-      this.figure.drag(this.state, -move[0], -move[1]); // the view moves where the arrow points
+      // The view moves where the arrow points.
+      this.figure.drag(this.state, -step * arrow[0], -step * arrow[1]);
       this.#hover(null);
       return;
     }
     const [width, height] = this.#size;
     this.#cursor ??= [width / 2, height / 2];
-    if (move) {
+    if (arrow) {
       const [x, y] = this.#cursor;
       this.#cursor = [
-        Math.max(0, Math.min(width, x + move[0])),
-        Math.max(0, Math.min(height, y + move[1])),
+        Math.max(0, Math.min(width, x + step * arrow[0])),
+        Math.max(0, Math.min(height, y + step * arrow[1])),
       ];
     } else if (event.key === "Enter" || event.key === " ") {
       this.figure.press?.(this.state, this.#cursor);
@@ -243,11 +241,9 @@ export class FigureRunner<State> {
   }
 
   draw() {
-    const context = this.canvas.getContext("2d");
-    if (!context) return;
     const [width, height] = this.#size;
     const density = this.canvas.width / (width * this.#scale);
-    const pen = new CanvasPen(context, width, height, this.#scale, density, this.#color);
+    const pen = new CanvasPen(this.#context, width, height, this.#scale, density, this.#theme);
     this.figure.draw(pen, this.state);
     this.#handles.place(this.figure.handles?.(this.state) ?? [], this.#scale);
     if (this.figure.code) this.#code.textContent = this.figure.code(this.state);

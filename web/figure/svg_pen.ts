@@ -1,11 +1,14 @@
 // Writes SVG: the first picture of a page, made where the site is built, before any script. Colours
 // are those of theme.css, so the picture is light or dark as the page is.
+import { roundedTo } from "../shared/rounding.js";
+import { escaped } from "../shared/svg.js";
+import { type ThemeName, variableOf } from "../shared/theme.js";
 import { type LookName, lookOf, type Pen, type TextOptions } from "./pen.js";
 
 const kDigits = 1;
 const kNumber = /-?\d*\.?\d+(e[+-]?\d+)?/g;
-const number = (value: number) => String(Number(value.toFixed(kDigits)));
-const escaped = (text: string) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
+const number = (value: number) => String(roundedTo(value, kDigits));
+const paint = (name: ThemeName) => `var(${variableOf(name)})`;
 
 export class SvgPen implements Pen {
   readonly scale = 1;
@@ -20,9 +23,9 @@ export class SvgPen implements Pen {
 
   #paint(look: LookName) {
     const { fill, stroke, width = 1, dash } = lookOf(look);
-    const line = stroke ? ` stroke="var(--${stroke})" stroke-width="${width}"` : "";
+    const line = stroke ? ` stroke="${paint(stroke)}" stroke-width="${width}"` : "";
     const dashes = dash ? ` stroke-dasharray="${dash.join(" ")}"` : "";
-    return `fill="${fill ? `var(--${fill})` : "none"}" fill-rule="evenodd"${line}${dashes}`;
+    return `fill="${fill ? paint(fill) : "none"}" fill-rule="evenodd"${line}${dashes}`;
   }
 
   circle(x: number, y: number, r: number, look: LookName) {
@@ -49,7 +52,7 @@ export class SvgPen implements Pen {
     const fill = lookOf(look).fill ?? "ink";
     this.#parts.push(
       `<text x="${number(x)}" y="${number(y)}" dy="0.35em" text-anchor="${align}" ` +
-        `font-size="${size}" font-weight="${isBold ? 600 : 400}" fill="var(--${fill})">` +
+        `font-size="${size}" font-weight="${isBold ? 600 : 400}" fill="${paint(fill)}">` +
         `${escaped(text)}</text>`,
     );
   }

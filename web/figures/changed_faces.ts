@@ -1,7 +1,7 @@
 // How many cells one insertion changes, against the number of circles: it does not grow.
 import { Diagram } from "apollonius-diagram";
 import { figure, type Size } from "../figure/figure.js";
-import { randomCircles } from "../playground/sets/random_sets.js";
+import { randomCircles } from "../shared/random_sets.js";
 
 const kCounts = [10, 100, 1_000, 10_000];
 const kMore = 100_000;

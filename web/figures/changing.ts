@@ -2,7 +2,7 @@
 // of a diagram's edges where a circle would be nearer than those that the edges belong to.
 import { curvePoint, type Diagram } from "apollonius-diagram";
 import type { Control, Size } from "../figure/figure.js";
-import { randomCircles } from "../playground/sets/random_sets.js";
+import { randomCircles } from "../shared/random_sets.js";
 
 export type Circle = { x: number; y: number; r: number };
 

@@ -2,13 +2,13 @@
 import { Diagram } from "apollonius-diagram";
 import { figure, type Size } from "../figure/figure.js";
 import type { Pen, Pixels } from "../figure/pen.js";
-import { generator } from "../playground/sets/random_sets.js";
+import { generator } from "../shared/random_sets.js";
 
 const kMost = 4.3; // log10 of the number of circles: 20 000
 const kCovered = 0.3; // areas of all circles, as a share of the picture
 const kRims = 600; // circles of which rims are drawn
 const kShades = [0.12, 0.24, 0.36, 0.48, 0.6]; // of colour on paper
-const kTones = ["site", "dual", "vertex"]; // neither orange nor red
+const kTones = ["site", "dual", "vertex"] as const; // neither orange nor red
 
 type State = {
   size: Size;

@@ -2,7 +2,7 @@
 import { Diagram } from "apollonius-diagram";
 import { figure, type Size } from "../figure/figure.js";
 import type { Pen } from "../figure/pen.js";
-import { generator } from "../playground/sets/random_sets.js";
+import { generator } from "../shared/random_sets.js";
 
 const kCount = 400;
 const kCovered = 0.45; // areas of all circles together, as a share of the picture

@@ -3,7 +3,7 @@
 import { Diagram } from "apollonius-diagram";
 import { figure, type Said, type Size } from "../figure/figure.js";
 import type { Pen } from "../figure/pen.js";
-import { generator } from "../playground/sets/random_sets.js";
+import { generator } from "../shared/random_sets.js";
 import { differing, edgeNames } from "./graphs.js";
 
 const kColumns = 6;

@@ -3,7 +3,7 @@
 import { Diagram } from "apollonius-diagram";
 import { figure, type Size } from "../figure/figure.js";
 import { drawDot } from "../figure/pen.js";
-import { generator } from "../playground/sets/random_sets.js";
+import { generator } from "../shared/random_sets.js";
 import { type Circle, someCircles, triples } from "./changing.js";
 import { byCircle, differing, edgeNames } from "./graphs.js";
 

@@ -1,16 +1,18 @@
 // What the page can do, whoever asks for it: pointer, keyboard, buttons or a test. Keeps model,
 // picture and selection together.
+import { roundedTo } from "../shared/rounding.js";
 import type { Command } from "./model/commands.js";
 import { type Change, Model } from "./model/model.js";
 import { neighborsOf } from "./model/neighbors.js";
 import { Selection } from "./model/selection.js";
 import { effect, signal } from "./model/signals.js";
-import { type Bounds, type Circle, emptySites } from "./model/sites.js";
+import type { Bounds, Circle } from "./model/circle.js";
+import { emptySites } from "./model/sites.js";
 import type { Hover, Overlay } from "./picture/overlay_layer.js";
-import { type Canvases, type Layers, Painter } from "./picture/painter.js";
+import { type Canvases, Painter } from "./picture/painter.js";
+import type { Layers } from "./picture/picture.js";
 import { regionOf } from "./picture/regions.js";
-import { roundedTo, View } from "./picture/view.js";
-import type { ToolId } from "./tools/registry.js";
+import { View } from "./picture/view.js";
 
 /** A place in pixels. */
 export type Point = { x: number; y: number };
@@ -46,7 +48,7 @@ export class App {
     nearest: 0,
   });
   readonly #hover = signal<Hover | null>(null);
-  readonly #tool = signal<{ id: ToolId }>({ id: "select" });
+  readonly #tool = signal({ id: "select" });
   readonly #looks = signal(0);
   #newPixels = kFirstRadius;
 
@@ -81,12 +83,13 @@ export class App {
     return this.#questions.value;
   }
 
+  /** The id of the chosen tool (tools/registry.ts). */
   get tool() {
     return this.#tool.value.id;
   }
 
   /** Choosing the same one again counts, too: it ends what is under way. */
-  set tool(id: ToolId) {
+  set tool(id: string) {
     this.#tool.value = { id };
   }
 

@@ -3,7 +3,7 @@ import type { App } from "./app.js";
 import { whenever } from "./model/signals.js";
 import type { Sites } from "./model/sites.js";
 import type { Weights } from "./motion/weights.js";
-import { isLayer } from "./picture/painter.js";
+import { isLayer } from "./picture/picture.js";
 import { addressOf, type Kept, keptOf, type Looked, sitesOf, stateOf } from "./sets/address.js";
 import type { Params } from "./sets/presets.js";
 import { sayWhatFailed } from "./ui/notice.js";

@@ -8,10 +8,8 @@ import { Shower } from "./picture/shower.js";
 import { save } from "./sets/export.js";
 import { toGeoJson } from "./sets/geojson.js";
 import { sitesFromText } from "./sets/import.js";
-import { equalEarth } from "./sets/globe.js";
+import { equalEarth } from "./model/globe.js";
 import { toSvg } from "./sets/svg.js";
-import { insertionSteps } from "./steps/insertion.js";
-import { descent, walk } from "./steps/walk.js";
 import { kTools } from "./tools/registry.js";
 import { element, kElementIds } from "./ui/elements.js";
 
@@ -28,9 +26,6 @@ export const parts = {
   toSvg,
   equalEarth,
   sitesFromText,
-  insertionSteps,
-  descent,
-  walk,
   element,
   kElementIds,
   kTools,

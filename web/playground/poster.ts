@@ -2,7 +2,7 @@
 // the site is built, across a wide window and upright for a tall one.
 import { Diagram } from "apollonius-diagram";
 import type { Pen } from "../figure/pen.js";
-import type { Triple } from "./model/sites.js";
+import type { Triple } from "./model/circle.js";
 import { kOpening } from "./sets/opening.js";
 
 const kFar = 1200; // units around the set, which a window of any shape shows

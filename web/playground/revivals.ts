@@ -2,7 +2,7 @@
 // spreads from each for a moment.
 import type { App } from "./app.js";
 import { addRim } from "./picture/discs.js";
-import type { Picture } from "./picture/painter.js";
+import type { Picture } from "./picture/picture.js";
 
 const kTime = 900; // ms
 const kReach = 26; // pixels that a ring spreads

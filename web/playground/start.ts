@@ -1,11 +1,10 @@
 // Puts the page together.
-import { whenLoaded } from "../figure/package.js";
+import { whenLoaded } from "../shared/package.js";
+import { whenThemeChanges } from "../shared/theme.js";
 import { App } from "./app.js";
-import { messageOf } from "./errors.js";
+import { messageOf } from "../shared/errors.js";
 import { effect } from "./model/signals.js";
-import { letGhostPoint } from "./motion/ghost.js";
 import { Motion } from "./motion/motion.js";
-import { SameAreas } from "./motion/same_areas.js";
 import { letWander } from "./motion/wanderer.js";
 import { Weights } from "./motion/weights.js";
 import { makeNavigation } from "./navigation.js";
@@ -24,13 +23,11 @@ import { makeHelp } from "./ui/help.js";
 import { makeInvitation } from "./ui/invitation.js";
 import { makeInspector } from "./ui/inspector.js";
 import { notify } from "./ui/notice.js";
-import { makeSameAreasSwitch } from "./ui/same_areas.js";
 import { makeSetsMenu } from "./ui/sets_menu.js";
 import { makeShareMenu } from "./ui/share.js";
 import { makeSheet } from "./ui/sheet.js";
 import { makeShowMenu } from "./ui/show_menu.js";
 import { makeStatus } from "./ui/status.js";
-import { makeSteps } from "./ui/steps.js";
 import { makeTag } from "./ui/tag.js";
 import { makeToolbar } from "./ui/toolbar.js";
 
@@ -57,8 +54,7 @@ function followWindow(app: App) {
     const { bottom } = intro.getBoundingClientRect();
     document.documentElement.style.setProperty("--intro-end", `${bottom}px`);
   }).observe(intro);
-  for (const query of ["(prefers-color-scheme: dark)", "(forced-colors: active)"])
-    matchMedia(query).addEventListener("change", () => app.painter.readTheme());
+  whenThemeChanges(() => app.painter.readTheme());
 }
 
 const kIdle = 1500; // ms after the start
@@ -116,16 +112,14 @@ export async function start() {
   makeInspector(app);
   makeAnnouncer(app);
   makeStatus(app);
-  makeSteps(app);
   makeSetsMenu(app, navigation);
   makeShowMenu(app, motion);
-  makeSameAreasSwitch(app, new SameAreas(app, motion, weights));
   makeShareMenu(app, navigation.write);
   makeCodeDialog(app);
   makeSheet(app);
   makeSwitch(weights);
   makeInvitation(app);
-  letGhostPoint(app, makeHeadline(app, weights));
+  makeHeadline(app, weights);
 
   const isPlain = location.hash === "";
   try {

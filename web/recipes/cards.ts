@@ -5,7 +5,8 @@
 // all cards stand still, but not the page, which says what helps. Firefox runs them in the page's
 // process, and after some seconds offers to stop the program. A process for each program would take
 // a host for each; and a worker, which could be ended, has no document to show anything in.
-import { make } from "../figure/dom.js";
+import { make } from "../shared/dom.js";
+import { messageOf } from "../shared/errors.js";
 import theme from "../theme.css?raw";
 import style from "./frame.css?raw";
 
@@ -115,7 +116,7 @@ class Card {
       frame?.contentWindow?.postMessage(data, "*"); // the sandbox has no origin to name
     } catch (error) {
       modules = null; // there is another try with the next run
-      this.#fail(error instanceof Error ? error.message : String(error));
+      this.#fail(messageOf(error));
     }
   }
 

@@ -54,7 +54,7 @@ class Sender {
 /** @param {{ seed: number, events: number }} options */
 export async function storm(page, { seed, events }) {
   // Not before whoever serves the page has built it.
-  const { generator } = await import("../../../build/web/playground/sets/random_sets.js");
+  const { generator } = await import("../../../build/web/shared/random_sets.js");
   const random = generator(seed);
   const below = (n) => Math.floor(n * random());
   const { width, height } = await page.evaluate(() => app.view);

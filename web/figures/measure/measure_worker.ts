@@ -4,8 +4,8 @@
 import { Diagram } from "apollonius-diagram";
 import Delaunator from "delaunator";
 import Flatbush from "flatbush";
-import { whenLoaded } from "../../figure/package.js";
-import { generator, randomCircles } from "../../playground/sets/random_sets.js";
+import { whenLoaded } from "../../shared/package.js";
+import { generator, randomCircles } from "../../shared/random_sets.js";
 
 /** Microseconds a circle, or a query. */
 export type Measured = {

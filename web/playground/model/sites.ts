@@ -1,18 +1,12 @@
 // The circles of one set and their diagram, with what drawing needs beside it: a mirror of the
 // numbers, names, and which of them are hidden. Only commands (commands.js) change it.
 import { Diagram, type Voronoi } from "apollonius-diagram";
-import type { WorldMap } from "../picture/map_layer.js";
-import type { Globe } from "../sets/globe.js";
+import type { Bounds, Circle } from "./circle.js";
+import type { Globe } from "./globe.js";
 import { Truth } from "./truth.js";
+import type { WorldMap } from "./world_map.js";
 
 export type Label = { name: string; detail?: string };
-/** A circle as the numbers x, y, r. */
-export type Triple = [number, number, number];
-export type Circle = { x: number; y: number; r: number };
-/** The numbers xmin, ymin, xmax, ymax. */
-export type Bounds = [number, number, number, number];
-/** Where cells end: bounds, or rings x, y, …. */
-export type Window = Bounds | number[][];
 /** What the circles are: the preset's key is what the page's address says. */
 export type SetInfo = {
   key: string;
@@ -46,7 +40,7 @@ export class Sites {
   buildTime: number;
   #ids: Uint32Array | null = null;
   #flags = new Uint8Array(0); // by id: kUnknown until asked for
-  #cells: { window: Window; cells: Voronoi } | null = null;
+  #cells: { rings: number[][]; cells: Voronoi } | null = null;
   #truth: Truth | null = null;
 
   /**
@@ -119,10 +113,9 @@ export class Sites {
     return this.#flags[id] === kHidden;
   }
 
-  /** The cells in a window. The last one is kept: it is prepared once. */
-  cellsIn(window: Window) {
-    if (this.#cells?.window !== window)
-      this.#cells = { window, cells: this.diagram.voronoi(window) };
+  /** The cells in rings x, y, …. Those in the last ones are kept: they are prepared once. */
+  cellsIn(rings: number[][]) {
+    if (this.#cells?.rings !== rings) this.#cells = { rings, cells: this.diagram.voronoi(rings) };
     return this.#cells.cells;
   }
 
@@ -195,18 +188,6 @@ export class Sites {
       return draw(id);
     } finally {
       this.diagram.remove(id);
-    }
-  }
-
-  /** The diagram as a snapshot, with the radii as given. */
-  toBytes() {
-    const { weight } = this;
-    if (weight === 1) return this.diagram.toBytes();
-    this.weigh(1);
-    try {
-      return this.diagram.toBytes();
-    } finally {
-      this.weigh(weight);
     }
   }
 

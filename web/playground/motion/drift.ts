@@ -1,6 +1,6 @@
 // Every circle goes its way at a constant speed, and turns at the border.
 import type { Sites } from "../model/sites.js";
-import { generator } from "../sets/random_sets.js";
+import { generator } from "../../shared/random_sets.js";
 import type { Step } from "./motion.js";
 
 const kCrossing = 40; // seconds that the fastest one takes from border to border

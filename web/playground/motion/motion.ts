@@ -11,34 +11,23 @@ export type Step = (seconds: number) => Float64Array;
 const kLongest = 1 / 20; // seconds: a slow frame is no reason to jump
 
 export class Motion {
-  #change: OpenChange | null = null;
+  readonly #change = signal<OpenChange | null>(null);
   #frame = 0;
-  #ended = () => {};
-  readonly #name = signal("");
 
   constructor(readonly app: App) {}
 
   get isRunning() {
-    return this.#change?.isOpen ?? false;
+    return this.#change.value?.isOpen ?? false;
   }
 
-  /** What runs until somebody stops it, as a button says it: "drift"; "" if nothing does. */
-  get name() {
-    return this.#name.value;
-  }
-
-  /** @param name of what does not end by itself, and so comes to rest anywhere */
-  start(ids: ArrayLike<number>, step: Step, ended: () => void = () => {}, name = "") {
+  start(ids: ArrayLike<number>, step: Step) {
     this.stop();
-    this.#name.value = name;
-    const settle = name === "" ? undefined : (open: OpenChange) => roundMoved(this.app, open);
-    const change = this.app.model.begin(ids, settle);
-    this.#change = change;
-    this.#ended = ended;
+    const change = this.app.model.begin(ids, (open) => roundMoved(this.app, open));
+    this.#change.value = change;
     this.app.painter.isLive = ids.length > 1;
     let last = performance.now();
     const frame = (now: number) => {
-      if (!this.isRunning) {
+      if (!change.isOpen) {
         this.stop();
         return;
       }
@@ -51,14 +40,12 @@ export class Motion {
   }
 
   stop() {
-    if (!this.#change) return;
+    const change = this.#change.peek();
+    if (!change) return;
     cancelAnimationFrame(this.#frame);
-    const change = this.#change;
-    this.#change = null;
     change.commit();
     this.app.painter.isLive = false;
     this.app.painter.redraw();
-    this.#name.value = "";
-    this.#ended();
+    this.#change.value = null;
   }
 }

@@ -1,10 +1,10 @@
 // Where circles come to rest after a motion: at numbers that are as long as the picture needs, so
 // that hundreds of them fit into a link. Digits that nobody sees would make it three times as long.
 import type { Diagram } from "apollonius-diagram";
+import { roundedTo } from "../../shared/rounding.js";
 import type { App } from "../app.js";
 import type { OpenChange } from "../model/model.js";
 import type { Sites } from "../model/sites.js";
-import { roundedTo } from "../picture/view.js";
 
 const kPixels = 1 / 32; // between two numbers, at most: a circle moves by half of it
 const kTries = 3; // each with one more digit

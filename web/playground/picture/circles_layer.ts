@@ -4,9 +4,9 @@
 import type { Sites } from "../model/sites.js";
 import { boundsOf } from "./curves.js";
 import { addDisc, addRim } from "./discs.js";
-import type { Layers, Picture } from "./painter.js";
+import type { Layers, Picture } from "./picture.js";
 import { Shower } from "./shower.js";
-import type { Theme } from "./theme.js";
+import type { Theme } from "../../shared/theme.js";
 import type { Box, View } from "./view.js";
 
 const kDot = 1.1; // pixels: smaller circles are drawn as dots of this size

@@ -1,6 +1,7 @@
 // From the package's drawings, in the diagram's units, to paths on the screen.
 import type { Voronoi } from "apollonius-diagram";
-import type { Bounds, Sites } from "../model/sites.js";
+import type { Bounds } from "../model/circle.js";
+import type { Sites } from "../model/sites.js";
 import type { Box, View } from "./view.js";
 
 const kTolerance = 0.2; // pixels between a drawn curve and the true one,

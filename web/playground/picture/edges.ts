@@ -4,7 +4,7 @@
 // package's drawings it cannot: `render` passes over the whole diagram, `renderCell` draws an edge
 // twice. So conics, which the package gives as they are (`cellCurves`), become cubics here.
 import type { Diagram, PathContext } from "apollonius-diagram";
-import type { Bounds } from "../model/sites.js";
+import type { Bounds } from "../model/circle.js";
 
 const kStraight = 1e-9; // weights below are segments
 const kFlat = 1.06; // a conic of at most this weight is as good as the cubic with its tangents

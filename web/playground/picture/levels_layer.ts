@@ -1,9 +1,10 @@
 // The hierarchy that finds the nearest site: a ring for each level that a site is on beside the
 // diagram itself, and the cells of level 1, which is a diagram of its own.
-import { upperLevels } from "../model/levels.js";
+import { Diagram } from "apollonius-diagram";
+import type { Sites } from "../model/sites.js";
+import { boundsOf, drawOptions, ScreenStrokes } from "./curves.js";
 import { addRim } from "./discs.js";
-import type { Picture } from "./painter.js";
-import { strokePartial } from "./partial.js";
+import type { Picture } from "./picture.js";
 import type { Box } from "./view.js";
 
 const kMostCells = 5000; // sites of level 1 whose cells are drawn
@@ -19,10 +20,39 @@ export function* drawLevels(context: CanvasRenderingContext2D, picture: Picture,
   context.fillStyle = theme.level;
   context.lineWidth = 2;
   if (levels[0].length > 1 && levels[0].length <= kMostCells)
-    strokePartial(context, picture, box, levels[0]);
+    strokeCells(context, picture, box, levels[0]);
   yield;
   context.lineWidth = 1.5;
   for (const [k, ids] of levels.entries()) drawMarks(context, picture, box, ids, k + 1);
+}
+
+/** The ids of the sites on each level above the diagram itself, from level 1 on. */
+function upperLevels({ ids, diagram }: Sites): number[][] {
+  const counts = diagram.levels();
+  const levels: number[][] = [];
+  for (const id of ids) {
+    for (let level = 1; level < counts[id]; level++) {
+      levels[level - 1] ??= [];
+      levels[level - 1].push(id);
+    }
+  }
+  return levels;
+}
+
+/** The cells that these sites have without the others. */
+function strokeCells(
+  context: CanvasRenderingContext2D,
+  { sites, view }: Picture,
+  box: Box,
+  ids: readonly number[],
+) {
+  const bounds = boundsOf(view, box);
+  if (!bounds) return;
+  const diagram = new Diagram(sites.countingTriples(ids));
+  const strokes = new ScreenStrokes(context, view, box);
+  diagram.voronoi(bounds).render(strokes, drawOptions(view));
+  strokes.finish();
+  diagram.dispose();
 }
 
 function drawMarks(

@@ -6,7 +6,7 @@ import { addCell, boundsOf, cellCorners, drawOptions, ScreenStrokes } from "./cu
 import { addRim } from "./discs.js";
 import { drawEdges, type EdgeTarget } from "./edges.js";
 import { drawLevels } from "./levels_layer.js";
-import type { Picture } from "./painter.js";
+import type { Picture } from "./picture.js";
 import type { Box, View } from "./view.js";
 
 const kCellsGone = 4; // pixels: cells of this size show no lines,

@@ -1,10 +1,11 @@
 // What follows the pointer: the nearest site, its cell and its neighbours, and the other answers;
 // the selected sites and the handle of one; a circle that is being drawn, with its cell to be.
-import type { Circle, Sites } from "../model/sites.js";
+import type { Circle } from "../model/circle.js";
+import type { Sites } from "../model/sites.js";
 import { addCell } from "./curves.js";
 import { addRim, fillAndStroke } from "./discs.js";
-import type { Picture } from "./painter.js";
-import type { Theme } from "./theme.js";
+import type { Picture } from "./picture.js";
+import type { Theme } from "../../shared/theme.js";
 import type { Box, View } from "./view.js";
 
 /**
@@ -23,18 +24,13 @@ export type Hover = {
   empty: { x: number; y: number; r: number } | null;
 };
 export type Draw = (context: CanvasRenderingContext2D, picture: Picture) => void;
-/**
- * `revived` draws circles that come to light, `marks` what else there is;
- * `ghost`: a pointer that nobody holds.
- */
+/** `revived` draws circles that come to light. */
 export type Overlay = {
   hover: Hover | null;
   selected: readonly number[];
   draft: Circle | null;
   box: Box | null;
   revived: Draw | null;
-  marks: Draw | null;
-  ghost: { x: number; y: number } | null;
 };
 
 /**
@@ -70,8 +66,6 @@ export function drawOverlay(context: CanvasRenderingContext2D, picture: Picture,
   if (selected.length > 0) drawSelected(context, sites, view, theme, selected);
   if (draft) drawDraft(context, picture, draft);
   overlay.revived?.(context, picture);
-  overlay.marks?.(context, picture);
-  if (overlay.ghost) drawGhost(context, theme, overlay.ghost);
   if (box) {
     context.fillStyle = theme.selectedFill;
     context.strokeStyle = theme.selected;
@@ -159,32 +153,6 @@ function drawFarRing(context: CanvasRenderingContext2D, sites: Sites, view: View
   context.setLineDash([]);
   context.lineWidth = 2;
 }
-
-/** An arrow like a pointer's, with its tip at the place. */
-function drawGhost(
-  context: CanvasRenderingContext2D,
-  theme: Theme,
-  { x, y }: { x: number; y: number },
-) {
-  context.beginPath();
-  context.moveTo(x, y);
-  for (const [dx, dy] of kArrow) context.lineTo(x + dx, y + dy);
-  context.closePath();
-  context.fillStyle = theme.ink;
-  context.strokeStyle = theme.paper;
-  context.lineWidth = 1.5;
-  context.fill();
-  context.stroke();
-}
-
-const kArrow = [
-  [0, 17],
-  [4, 13.5],
-  [7, 20],
-  [10, 18.5],
-  [7, 12.5],
-  [12, 12],
-];
 
 /**
  * The empty circle about the pointer, which touches the nearest site, and the way to the point

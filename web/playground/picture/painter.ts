@@ -2,45 +2,17 @@
 // the pointer. Each is redrawn only when it must be. Lines can take long: they are drawn in slices
 // of a frame's time into a canvas that is not shown, and shown when they are complete; while the
 // view moves, what is there is moved and scaled as it is. A change of a few sites redraws a box.
-import type { Voronoi } from "apollonius-diagram";
 import type { Model } from "../model/model.js";
 import { signal } from "../model/signals.js";
-import type { Sites, Window } from "../model/sites.js";
 import { CirclesLayer } from "./circles_layer.js";
-import { contextOf } from "./context.js";
+import { contextOf } from "../../shared/canvas.js";
+import { make } from "../../shared/dom.js";
 import { drawLines } from "./lines_layer.js";
 import { drawMap } from "./map_layer.js";
 import { drawOverlay, type Overlay } from "./overlay_layer.js";
-import { readTheme, type Theme } from "./theme.js";
+import type { Layers, Picture } from "./picture.js";
+import { readTheme } from "../../shared/theme.js";
 import type { Box, View } from "./view.js";
-
-/** What is shown. */
-export type Layers = {
-  cells: boolean;
-  distances: boolean;
-  circles: boolean;
-  hidden: boolean;
-  map: boolean;
-  coast: boolean;
-  dual: boolean;
-  centres: boolean;
-  vertices: boolean;
-  levels: boolean;
-  hull: boolean;
-};
-/**
- * What the layers draw from; `isLive`: in one go; `ends`: the cells, if they end before the
- * window's border.
- */
-export type Picture = {
-  sites: Sites;
-  view: View;
-  layers: Layers;
-  theme: Theme;
-  pixelRatio: number;
-  isLive: boolean;
-  ends: Voronoi | null;
-};
 
 const kSlice = 9; // ms of a frame that lines may take,
 const kLongSlice = 40; // and where nobody waits for an answer
@@ -99,10 +71,6 @@ class Plate {
   }
 }
 
-/** Whether there is a layer of this name: from an address, or from the menu. */
-export const isLayer = (layers: Layers, name: string): name is keyof Layers =>
-  Object.hasOwn(layers, name);
-
 /** Where it draws: one above the other. */
 export type Canvases = Record<"map" | "lines" | "spare" | "circles" | "overlay", HTMLCanvasElement>;
 
@@ -126,12 +94,8 @@ export class Painter {
     draft: null,
     box: null,
     revived: null,
-    marks: null,
-    ghost: null,
   };
   theme = readTheme();
-  /** Where cells end, if not at the window's border. */
-  frame: Window | null = null;
   /** While something moves by itself, lines are drawn whole in every frame. */
   isLive = false;
   /** What drawing cost, in ms, latest last. */
@@ -247,10 +211,7 @@ export class Painter {
   toCanvas() {
     this.flush();
     const { canvas } = this.#plates.circles;
-    const all = Object.assign(document.createElement("canvas"), {
-      width: canvas.width,
-      height: canvas.height,
-    });
+    const all = make("canvas", { width: canvas.width, height: canvas.height });
     const context = contextOf(all);
     context.fillStyle = this.theme.paper;
     context.fillRect(0, 0, all.width, all.height);
@@ -286,12 +247,11 @@ export class Painter {
     };
   }
 
-  /** The cells, if they end at the coast or at a frame. */
+  /** The cells, if they end at the coast. */
   get ends() {
     const { sites } = this.#model;
     const { map } = sites.info;
-    const window = map && this.layers.coast ? map.land.rings : this.frame;
-    return window && sites.cellsIn(window);
+    return map && this.layers.coast ? sites.cellsIn(map.land.rings) : null;
   }
 
   /** @param slice ms that lines may take */

@@ -1,6 +1,6 @@
 // Very many circles, point by point into an image: a canvas takes too long for each path. Costs
 // what the area of the circles is, a few nanoseconds a pixel; small ones are stamped.
-import { contextOf } from "./context.js";
+import { bytesOf } from "../../shared/canvas.js";
 import { alphaAt, type Ink, outerOf, Stamps } from "./stamps.js";
 import type { Box } from "./view.js";
 
@@ -17,10 +17,7 @@ function wordOf(color: string): Word {
 }
 
 function newWordOf(color: string): Word {
-  const context = contextOf(new OffscreenCanvas(1, 1));
-  context.fillStyle = color;
-  context.fillRect(0, 0, 1, 1);
-  const [r, g, b, a] = context.getImageData(0, 0, 1, 1).data;
+  const [r, g, b, a] = bytesOf(color);
   return { word: (b << 16) | (g << 8) | r, alpha: a / 255 };
 }
 

@@ -1,16 +1,9 @@
 // The view transform between the diagram's coordinates (y upwards) and CSS pixels (y downwards):
 // one scale, no rotation.
-import type { Bounds } from "../model/sites.js";
+import type { Bounds } from "../model/circle.js";
 
 const kSmallestScale = 1e-7;
 const kLargestScale = 1e9;
-
-/** To this many decimal places; negative: to tens, hundreds, … */
-export function roundedTo(value: number, digits: number) {
-  if (digits >= 0) return Number(value.toFixed(Math.min(digits, 100)));
-  const step = 10 ** -digits;
-  return Math.round(value / step) * step;
-}
 
 /** In CSS pixels. */
 export type Box = { left: number; top: number; right: number; bottom: number };

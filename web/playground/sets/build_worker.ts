@@ -2,9 +2,9 @@
 // each message has what to make, or nothing: then what is being made is given up. The diagram is
 // built in slices, between which that is heard.
 import { Diagram } from "apollonius-diagram";
-import { whenLoaded } from "../../figure/package.js";
-import { messageOf } from "../errors.js";
-import { type CircleOptions, randomCircles } from "./random_sets.js";
+import { whenLoaded } from "../../shared/package.js";
+import { messageOf } from "../../shared/errors.js";
+import { type CircleOptions, randomCircles } from "../../shared/random_sets.js";
 
 /** What to make; without `options` nothing. */
 export type Job = { job?: number; options?: CircleOptions };

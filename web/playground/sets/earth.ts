@@ -1,9 +1,9 @@
 // Circles on the map of the Earth: what is known of them there, and what files and addresses say,
 // so that circles that were on the map are on it again.
 import type { SetInfo, Sites } from "../model/sites.js";
-import { type MapData, makeMap } from "../picture/map_layer.js";
+import { type MapData, makeMap } from "../model/world_map.js";
 import { fetchData } from "./data_files.js";
-import { Globe } from "./globe.js";
+import { Globe } from "../model/globe.js";
 
 /** x, y and r are kilometres of this projection (globe.ts). `credit`: who has to be named. */
 export type OnEarth = { projection: "equal-earth"; credit?: "cities" };

@@ -1,9 +1,9 @@
 // The circles and cells as files.
 import { csvFormatRows } from "d3-dsv";
+import { make } from "../../shared/dom.js";
 import type { App } from "../app.js";
 import type { Row } from "./columns.js";
 import { toGeoJson } from "./geojson.js";
-import { snapshotOf } from "./snapshot.js";
 import { toSvg } from "./svg.js";
 
 /** x, y, r and what each is called. */
@@ -25,46 +25,31 @@ export function toCsv(app: App) {
   ]);
 }
 
-export type Format = "png" | "svg" | "geojson" | "json" | "csv" | "bin";
+export type Format = "png" | "svg" | "geojson" | "json" | "csv";
 
-/** `extension` of the name, if it is not the format's. */
-type Made = { data: Blob | string | Uint8Array<ArrayBuffer>; extension?: string };
-
-const kFormats: Record<Format, { type: string; make: (app: App) => Promise<Made> | Made }> = {
+const kFormats: Record<Format, { type: string; content: (app: App) => Promise<Blob> | string }> = {
   png: {
     type: "image/png",
-    make: (app) =>
+    content: (app) =>
       new Promise((resolve, reject) =>
         app.painter
           .toCanvas()
-          .toBlob((data) => (data ? resolve({ data }) : reject(new Error("it is too large")))),
+          .toBlob((data) => (data ? resolve(data) : reject(new Error("it is too large")))),
       ),
   },
-  svg: { type: "image/svg+xml", make: (app) => ({ data: toSvg(app) }) },
-  geojson: { type: "application/geo+json", make: (app) => ({ data: toGeoJson(app) }) },
-  json: { type: "application/json", make: (app) => ({ data: toJson(app) }) },
-  csv: { type: "text/csv", make: (app) => ({ data: toCsv(app) }) },
-  bin: {
-    type: "application/octet-stream",
-    make: ({ sites }) => {
-      const { bytes, extension } = snapshotOf(sites);
-      return { data: bytes, extension };
-    },
-  },
+  svg: { type: "image/svg+xml", content: toSvg },
+  geojson: { type: "application/geo+json", content: toGeoJson },
+  json: { type: "application/json", content: toJson },
+  csv: { type: "text/csv", content: toCsv },
 };
 
 export const isFormat = (name: string): name is Format => Object.hasOwn(kFormats, name);
 
 /** Saves a file. */
 export async function save(app: App, format: Format) {
-  const { type, make } = kFormats[format];
-  const { data, extension = format } = await make(app);
-  const blob = new Blob([data], { type });
+  const { type, content } = kFormats[format];
+  const blob = new Blob([await content(app)], { type });
   const address = URL.createObjectURL(blob);
-  const link = Object.assign(document.createElement("a"), {
-    href: address,
-    download: `apollonius-diagram.${extension}`,
-  });
-  link.click();
+  make("a", { href: address, download: `apollonius-diagram.${format}` }).click();
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }

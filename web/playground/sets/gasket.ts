@@ -1,7 +1,7 @@
 // An Apollonian gasket: circles that touch three others each, by Descartes' theorem. A circle is
 // its curvature k and k times its centre; where four touch each other, the sum of two that fill the
 // same gap between the other three is twice the sum of these three, for all these numbers.
-import type { Triple } from "../model/sites.js";
+import type { Triple } from "../model/circle.js";
 
 type Curved = { k: number; x: number; y: number };
 

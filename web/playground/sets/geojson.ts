@@ -6,7 +6,7 @@ import type { Position, Voronoi } from "apollonius-diagram";
 import type { App } from "../app.js";
 import { boundsOf, windowOf } from "../picture/curves.js";
 import { type OnEarth, onEarthIn, onEarthOf } from "./earth.js";
-import { equalEarth, placeOn } from "./globe.js";
+import { equalEarth, placeOn } from "../model/globe.js";
 
 const kTolerance = 0.25; // pixels between a polygon and the true curve
 const kWorld = [-180, -90, 180, 90] as const;

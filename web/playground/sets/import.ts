@@ -1,13 +1,11 @@
-// Circles from text or a file: a table, JSON, GeoJSON, or a snapshot. What a file is, its first
-// bytes say, not its name.
-import { Diagram } from "apollonius-diagram";
+// Circles from text or a file: a table, JSON or GeoJSON. Which of them it is, its first characters
+// say, not its name.
 import { type Label, Sites } from "../model/sites.js";
 import { type Circles, circlesIn, type Row } from "./columns.js";
 import { tableOfCsv } from "./csv.js";
 import { putOnEarth } from "./earth.js";
 import { onEarthInGeoJson } from "./geojson.js";
 import { tableOfJson } from "./json.js";
-import { isPacked, isSnapshot, type Named, unpacked } from "./snapshot.js";
 
 const kNothing = new Float64Array(0);
 
@@ -31,26 +29,4 @@ export function sitesFromRows({ rows, about }: Circles, title: string) {
 
 const labelOf = ({ name, detail }: Row): Label | undefined => (name ? { name, detail } : undefined);
 
-/** @param bytes from anyone: they are proved */
-export function sitesFromSnapshot(bytes: Uint8Array, title = "Snapshot", names: Named[] = []) {
-  const diagram = Diagram.fromBytes(bytes);
-  const ids = diagram.ids();
-  const xyr = new Float64Array(ids.length === 0 ? 0 : 3 * ids[ids.length - 1] + 3);
-  for (const id of ids) {
-    const { x, y, r } = diagram.site(id);
-    xyr.set([x, y, r], 3 * id);
-  }
-  const sites = new Sites(xyr, { key: "data", title }, { diagram, original: kNothing });
-  for (const { id, ...label } of names) if (diagram.has(id)) sites.labels.set(id, label);
-  return sites;
-}
-
-export async function sitesFromFile(file: File) {
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  if (isSnapshot(bytes)) return sitesFromSnapshot(bytes, file.name);
-  if (isPacked(bytes)) {
-    const { snapshot, names, onEarth } = unpacked(bytes);
-    return putOnEarth(sitesFromSnapshot(snapshot, file.name, names), onEarth);
-  }
-  return sitesFromText(new TextDecoder().decode(bytes), file.name);
-}
+export const sitesFromFile = async (file: File) => sitesFromText(await file.text(), file.name);

@@ -1,14 +1,14 @@
 // The sets to start from, each of which shows something.
-import { emptySites, Sites, type Triple } from "../model/sites.js";
-import { build, type Watch } from "./building.js";
+import type { Triple } from "../model/circle.js";
+import { emptySites, Sites } from "../model/sites.js";
+import { build, type RandomOptions, type Watch } from "./building.js";
 import { loadCities } from "./cities.js";
 import { gasket } from "./gasket.js";
 import { kOpening } from "./opening.js";
-import { generator } from "./random_sets.js";
+import { generator } from "../../shared/random_sets.js";
 
 /** Of a set, as the page's address has them. */
 export type Params = Partial<Record<string, string>>;
-export type RandomOptions = { n: number; hidden: number; seed: number; tall: boolean };
 /** `circles` makes them: x, y, r of each. */
 export type Preset = { title: string; about: string; circles: () => Triple[] };
 

@@ -1,12 +1,13 @@
 // The picture as SVG: all that the canvases show but what follows the pointer, drawn by the layers
 // themselves, each into a group of its own.
+import { escaped } from "../../shared/svg.js";
 import type { App } from "../app.js";
 import { CirclesLayer } from "../picture/circles_layer.js";
 import { windowOf } from "../picture/curves.js";
 import { drawLines } from "../picture/lines_layer.js";
-import type { Part, WorldMap } from "../picture/map_layer.js";
-import type { Layers, Picture } from "../picture/painter.js";
-import { escaped, rounded, SvgContext } from "./svg_context.js";
+import type { Part, WorldMap } from "../model/world_map.js";
+import type { Layers, Picture } from "../picture/picture.js";
+import { rounded, SvgContext } from "./svg_context.js";
 
 /** The groups of lines, as they lie one above the other. */
 const kLines = ["distances", "centres", "dual", "cells", "vertices", "levels", "hull"] as const;

@@ -1,12 +1,12 @@
 // A drawing context that writes SVG: as much of the canvas's as the layers of the picture use, so
 // that a file has what the canvas shows. Circles are circles, so that they can be edited.
-import { contextOf } from "../picture/context.js";
+import { contextOf } from "../../shared/canvas.js";
+import { roundedTo } from "../../shared/rounding.js";
+import { escaped } from "../../shared/svg.js";
 
 const kDigits = 2; // of pixels
 
-export const rounded = (value: number) => Number(value.toFixed(kDigits));
-export const escaped = (text: string) =>
-  text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
+export const rounded = (value: number) => roundedTo(value, kDigits);
 
 const kAnchors: Partial<Record<CanvasTextAlign, string>> = { center: "middle", right: "end" };
 

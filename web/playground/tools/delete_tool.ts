@@ -31,7 +31,7 @@ export class DeleteGesture implements Gesture {
   }
 }
 
-export const deleteTool = {
+export const deleteTool: Tool = {
   id: "delete",
   key: "x",
   label: "Delete",
@@ -45,4 +45,4 @@ export const deleteTool = {
     app.removeSelected();
     return true;
   },
-} as const satisfies Tool;
+};

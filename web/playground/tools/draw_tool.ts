@@ -44,7 +44,7 @@ export class DrawGesture implements Gesture {
   }
 }
 
-export const drawTool = {
+export const drawTool: Tool = {
   id: "draw",
   key: "d",
   label: "Draw",
@@ -60,4 +60,4 @@ export const drawTool = {
   hover(app: App, at: Touch) {
     app.mark({ draft: isOnHandle(app, at) ? null : app.draftAt(at.x, at.y) });
   },
-} as const satisfies Tool;
+};

@@ -2,6 +2,7 @@
 // current tool, which gets all its movements until it ends or is cancelled; a second finger makes
 // it a pinch, which moves and zooms the view. The middle button and the space bar pan with any
 // tool; the wheel zooms.
+import { placeIn } from "../../shared/input.js";
 import type { App } from "../app.js";
 import { whenever } from "../model/signals.js";
 import { drawTool } from "./draw_tool.js";
@@ -25,10 +26,10 @@ export function listenToPointer(element: HTMLElement, app: App) {
   let isSpaceDown = false;
 
   const touchOf = (event: PointerEvent): Touch => {
-    const box = element.getBoundingClientRect();
+    const [x, y] = placeIn(element, event);
     return {
-      x: event.clientX - box.left,
-      y: event.clientY - box.top,
+      x,
+      y,
       type: kindOf(event.pointerType),
       shiftKey: event.shiftKey,
       altKey: event.altKey || event.ctrlKey || event.metaKey,
@@ -134,8 +135,7 @@ export function listenToPointer(element: HTMLElement, app: App) {
     app.hoverAt(null);
   });
   element.addEventListener("dblclick", (event) => {
-    const box = element.getBoundingClientRect();
-    toolOf(app.tool).doubleClick?.(app, event.clientX - box.left, event.clientY - box.top);
+    toolOf(app.tool).doubleClick?.(app, ...placeIn(element, event));
   });
   element.addEventListener("contextmenu", (event) => {
     // A long touch, and Ctrl-click on a Mac, mean something here.
@@ -169,11 +169,10 @@ export function listenToPointer(element: HTMLElement, app: App) {
     "wheel",
     (event) => {
       event.preventDefault();
-      const box = element.getBoundingClientRect();
       const unit = event.deltaMode === 1 ? 18 : event.deltaMode === 2 ? 300 : 1;
       const delta = Math.max(-240, Math.min(240, event.deltaY * unit));
       const factor = Math.exp(-delta * (event.ctrlKey ? 0.01 : 0.0016));
-      app.zoom(factor, event.clientX - box.left, event.clientY - box.top);
+      app.zoom(factor, ...placeIn(element, event));
     },
     { passive: false },
   );

@@ -1,7 +1,8 @@
 // Keys. While the canvas has the focus, arrows and others act on the selected circles, without any
 // on the view. Undo, redo, zoom, size and the tools work everywhere but in text fields.
+import { arrowOf, type Direction } from "../../shared/input.js";
 import type { App } from "../app.js";
-import { isIn, isTextField } from "../ui/targets.js";
+import { isIn, isTextField } from "./targets.js";
 import { toolOfKey } from "./registry.js";
 
 const kStep = 4; // pixels an arrow key moves a circle; with Shift ten times as far
@@ -14,20 +15,11 @@ const kGrowths = new Map([
 ]);
 const kAside = 2; // how much worse a circle aside is than one straight ahead
 
-type Direction = [dx: number, dy: number];
-
-const kArrows = new Map<string, Direction>([
-  ["ArrowLeft", [-1, 0]],
-  ["ArrowRight", [1, 0]],
-  ["ArrowUp", [0, -1]],
-  ["ArrowDown", [0, 1]],
-]);
-
 export function listenToKeyboard(element: HTMLElement, app: App, gestures: { cancel(): boolean }) {
   const walk = new Walk(app);
 
   const onCanvas = (event: KeyboardEvent) => {
-    const direction = kArrows.get(event.key);
+    const direction = arrowOf(event.key);
     const { key } = event;
     const command = event.ctrlKey || event.metaKey;
     const { selection } = app;

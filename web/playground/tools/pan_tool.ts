@@ -23,7 +23,7 @@ export class PanGesture implements Gesture {
   cancel() {}
 }
 
-export const panTool = {
+export const panTool: Tool = {
   id: "pan",
   key: "h",
   label: "Pan",
@@ -31,4 +31,4 @@ export const panTool = {
   cursor: () => "grab",
   gesture: (app: App, at: Touch): Gesture => new PanGesture(app, at),
   ignoresAlt: true,
-} as const satisfies Tool;
+};

@@ -5,16 +5,12 @@ import { panTool } from "./pan_tool.js";
 import { selectTool } from "./select_tool.js";
 import type { Tool } from "./tool.js";
 
-const kAll = [selectTool, drawTool, panTool, deleteTool] as const;
-
-export type ToolId = (typeof kAll)[number]["id"];
-
-export const kTools: readonly (Tool & { id: ToolId })[] = kAll;
+export const kTools: readonly Tool[] = [selectTool, drawTool, panTool, deleteTool];
 
 const byId = new Map(kTools.map((tool) => [tool.id, tool]));
 const byKey = new Map(kTools.map((tool) => [tool.key, tool.id]));
 
-export const toolOf = (id: ToolId): Tool => byId.get(id) ?? selectTool;
+export const toolOf = (id: string): Tool => byId.get(id) ?? selectTool;
 
 /** The tool that a key chooses. */
-export const toolOfKey = (key: string): ToolId | undefined => byKey.get(key);
+export const toolOfKey = (key: string) => byKey.get(key);

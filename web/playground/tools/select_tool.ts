@@ -252,7 +252,7 @@ function centresIn({ view, sites, painter }: App, box: Box) {
   });
 }
 
-export const selectTool = {
+export const selectTool: Tool = {
   id: "select",
   key: "v",
   label: "Select",
@@ -275,4 +275,4 @@ export const selectTool = {
   doubleClick(app: App, x: number, y: number) {
     if (app.at(x, y, kReach.mouse).length === 0) app.insertAt(x, y);
   },
-} as const satisfies Tool;
+};

@@ -2,7 +2,7 @@
 // true there, and on how much of the window the nearest centre is not the nearest circle's.
 import type { App } from "../app.js";
 import { effect, signal, whenever } from "../model/signals.js";
-import { type Verdict, verdictOf } from "../model/verdict.js";
+import { wrongShare } from "../picture/wrong_share.js";
 import type { Weights } from "../motion/weights.js";
 import { setText } from "./dom.js";
 import { element } from "./elements.js";
@@ -15,22 +15,22 @@ const percent = (share: number) => {
   return `${rounded} %`;
 };
 
-/** @returns what was found last, or null while it is not known */
 export function makeHeadline(app: App, weights: Weights) {
-  const verdict = signal<Verdict | null>(null);
+  /** Of the window, where centres pick wrongly; null while it is not known. */
+  const wrong = signal<number | null>(null);
   let waiting = 0;
 
   const judge = () => {
     const isOpen = app.painter.isLive || app.model.open !== null;
     if (isOpen) judgeLater();
-    else verdict.value = weights.target === 0 ? verdictOf(app.sites, app.view, freeBox(app)) : null;
+    else wrong.value = weights.target === 0 ? wrongShare(app.sites, app.view) : null;
   };
   const judgeLater = () => {
     clearTimeout(waiting);
     waiting = setTimeout(judge, kRest);
   };
   const changed = () => {
-    if (weights.target !== 0) verdict.value = null;
+    if (weights.target !== 0) wrong.value = null;
     show();
     if (weights.target === 0) judgeLater();
     else clearTimeout(waiting);
@@ -43,35 +43,22 @@ export function makeHeadline(app: App, weights: Weights) {
     setText(element("headline-not"), `not the nearest ${isNot}`);
     setText(element("about"), isCentres ? "" : (app.sites.info.about ?? ""));
     element("verdict").hidden = !isCentres;
-    element("verdict").classList.toggle("wrong", (verdict.value?.share ?? 0) > 0);
-    if (isCentres) setText(element("verdict"), sentenceOf(app, verdict.value));
+    element("verdict").classList.toggle("wrong", (wrong.value ?? 0) > 0);
+    if (isCentres) setText(element("verdict"), sentenceOf(app, wrong.value));
   }
 
   effect(show);
   whenever(() => [weights.target, app.looks], changed);
   app.model.on("change", ({ isSet }) => {
-    if (isSet) verdict.value = null;
+    if (isSet) wrong.value = null;
     changed();
   });
-  return verdict;
 }
 
-function sentenceOf({ sites }: App, verdict: Verdict | null) {
+function sentenceOf({ sites }: App, wrong: number | null) {
   if (sites.size === 0) return "No circles: nothing is picked.";
-  if (verdict) return `Centres pick wrongly on ${percent(verdict.share)} of this picture.`;
+  if (wrong !== null) return `Centres pick wrongly on ${percent(wrong)} of this picture.`;
   if (sites.weight !== 1 && !sites.truth)
     return "For more than 100\u202f000 circles, wrong picks are not counted.";
   return "The cells are those of the centres.";
-}
-
-/** The part of the window that no bar covers, in pixels. */
-function freeBox({ view, insets }: App) {
-  const { left, top, right, bottom } = insets();
-  const margin = 20;
-  return {
-    left: left + margin,
-    top: top + margin,
-    right: view.width - right - margin,
-    bottom: view.height - bottom - margin,
-  };
 }

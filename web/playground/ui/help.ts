@@ -1,4 +1,5 @@
 // What the tools' gestures do, as the tools say it.
+import { make } from "../../shared/dom.js";
 import { kTools } from "../tools/registry.js";
 import { element } from "./elements.js";
 
@@ -11,8 +12,4 @@ export function makeHelp() {
 
 /** Text, and what is between asterisks in bold. */
 const partsOf = (text: string) =>
-  text
-    .split("*")
-    .map((part, k) =>
-      k % 2 === 0 ? part : Object.assign(document.createElement("b"), { textContent: part }),
-    );
+  text.split("*").map((part, k) => (k % 2 === 0 ? part : make("b", {}, part)));

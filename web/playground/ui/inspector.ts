@@ -1,10 +1,11 @@
 // What is selected: numbers that can be edited, and what the diagram knows about it.
+import { make } from "../../shared/dom.js";
 import type { App } from "../app.js";
-import { messageOf } from "../errors.js";
+import { messageOf } from "../../shared/errors.js";
 import { neighborsOf } from "../model/neighbors.js";
 import { whenever } from "../model/signals.js";
 import type { Sites } from "../model/sites.js";
-import { placeText } from "../sets/globe.js";
+import { placeText } from "../model/globe.js";
 import { grouped, oncePerFrame, setText, short } from "./dom.js";
 import { element } from "./elements.js";
 
@@ -68,15 +69,8 @@ export function makeInspector(app: App) {
   function showFacts(facts: Fact[]) {
     element("card-facts").replaceChildren(
       ...facts.flatMap(([term, text, act]) => {
-        const dt = Object.assign(document.createElement("dt"), { textContent: term });
-        const dd = document.createElement("dd");
-        if (act) {
-          const button = Object.assign(document.createElement("button"), { textContent: text });
-          button.type = "button";
-          button.addEventListener("click", act);
-          dd.append(button);
-        } else dd.textContent = text;
-        return [dt, dd];
+        const said = act ? make("button", { type: "button", onclick: act }, text) : text;
+        return [make("dt", {}, term), make("dd", {}, said)];
       }),
     );
   }

@@ -1,5 +1,5 @@
 // One line that says what went wrong, or that something was done; it goes away by itself.
-import { messageOf } from "../errors.js";
+import { messageOf } from "../../shared/errors.js";
 import { element } from "./elements.js";
 
 const kShown = 6000; // ms

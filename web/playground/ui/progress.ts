@@ -2,21 +2,13 @@
 import type { Watch } from "../sets/building.js";
 import { element } from "./elements.js";
 
-/**
- * Runs something that takes long, with its progress shown once there is any. The bar never goes
- * back.
- * @param cancel what the button says: what it ends
- */
-export async function withProgress<T>(
-  run: (watch: Watch) => Promise<T>,
-  cancel = "Cancel building",
-): Promise<T> {
+/** Runs something that takes long, with its progress shown once there is any. */
+export async function withProgress<T>(run: (watch: Watch) => Promise<T>): Promise<T> {
   latest.abort(new DOMException("another one was begun", "AbortError"));
   const controller = new AbortController();
   latest = controller;
   const { signal } = controller;
   const box = element("progress");
-  let most = 0;
   element("progress-cancel").onclick = () =>
     controller.abort(new DOMException("cancelled", "AbortError"));
   try {
@@ -25,14 +17,10 @@ export async function withProgress<T>(
       progress(share, what) {
         if (signal.aborted) return;
         box.hidden = false;
-        element("progress-cancel").textContent = cancel;
         element("progress-text").textContent = `${what}…`;
         const bar = element("progress-bar");
         if (share === undefined) bar.removeAttribute("value");
-        else {
-          most = Math.max(most, Math.min(1, share));
-          bar.value = most;
-        }
+        else bar.value = share;
       },
     });
   } finally {

@@ -1,11 +1,13 @@
 // The menu of sets: presets with a small picture of each, random circles, the visitor's own data.
+import { make, makeSvg } from "../../shared/dom.js";
 import type { App } from "../app.js";
-import type { Sites, Triple } from "../model/sites.js";
+import type { Triple } from "../model/circle.js";
+import type { Sites } from "../model/sites.js";
 import { sitesFromFile, sitesFromText } from "../sets/import.js";
 import { kPresets, type Params } from "../sets/presets.js";
 import { element } from "./elements.js";
 import { notify, sayWhatFailed, silence } from "./notice.js";
-import { isIn } from "./targets.js";
+import { isIn } from "../tools/targets.js";
 
 const kPicture = 120; // circles in one
 
@@ -25,10 +27,8 @@ export function makeSetsMenu(app: App, actions: Actions) {
     })),
     { key: "cities", title: "Cities of the world", picture: null },
   ].map(({ key, title, picture }) => {
-    const button = document.createElement("button");
-    button.type = "button";
+    const button = make("button", { type: "button" }, picture ?? worldPicture(), title);
     button.dataset.set = key;
-    button.append(picture ?? worldPicture(), title);
     button.addEventListener("click", () => {
       menu.hidePopover();
       actions.load(key);
@@ -104,38 +104,24 @@ function listenToData({ show }: Actions, close: () => void) {
   });
 }
 
-const kSvg = "http://www.w3.org/2000/svg";
-
 /** Some of the circles, the largest ones. */
 function pictureOf(circles: Triple[]) {
-  const svg = document.createElementNS(kSvg, "svg");
   const boxes = circles.map(([x, y, r]) => [x - r, y - r, x + r, y + r]);
   const low = [0, 1].map((axis) => Math.min(...boxes.map((box) => box[axis])));
   const high = [2, 3].map((axis) => Math.max(...boxes.map((box) => box[axis])));
   const size = [0, 1].map((axis) => high[axis] - low[axis]);
   const pad = 0.06 * Math.max(...size);
-  svg.setAttribute(
-    "viewBox",
-    [low[0] - pad, -high[1] - pad, size[0] + 2 * pad, size[1] + 2 * pad].join(" "),
+  const viewBox = [low[0] - pad, -high[1] - pad, size[0] + 2 * pad, size[1] + 2 * pad].join(" ");
+  const largest = circles.toSorted((a, b) => b[2] - a[2]).slice(0, kPicture);
+  const shapes = largest.map(([x, y, r]) =>
+    makeSvg("circle", { cx: x, cy: -y, r: Math.max(r, size[0] / 60) }),
   );
-  svg.setAttribute("aria-hidden", "true");
-  for (const [x, y, r] of circles.toSorted((a, b) => b[2] - a[2]).slice(0, kPicture)) {
-    const circle = document.createElementNS(kSvg, "circle");
-    circle.setAttribute("cx", String(x));
-    circle.setAttribute("cy", String(-y));
-    circle.setAttribute("r", String(Math.max(r, size[0] / 60)));
-    svg.append(circle);
-  }
-  return svg;
+  return makeSvg("svg", { viewBox, "aria-hidden": "true" }, ...shapes);
 }
 
 /** The same cities where distances are those on the Earth: a page of the examples. */
-function globeLink() {
-  const link = document.createElement("a");
-  link.href = "../examples/globe.html";
-  link.append(globePicture(), "Cities on the globe");
-  return link;
-}
+const globeLink = () =>
+  make("a", { href: "../examples/globe.html" }, globePicture(), "Cities on the globe");
 
 /** Small towards the rim, as on a ball. */
 const globePicture = () =>

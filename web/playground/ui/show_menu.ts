@@ -1,15 +1,13 @@
-// The menu of what is shown and answered, of motion, and of the steps of the algorithm.
+// The menu of what is shown and answered, and of motion.
 import type { App, Questions } from "../app.js";
 import { effect } from "../model/signals.js";
 import { drift } from "../motion/drift.js";
 import type { Motion } from "../motion/motion.js";
-import { relax } from "../motion/relax.js";
-import { isLayer } from "../picture/painter.js";
+import { isLayer } from "../picture/picture.js";
 import { element } from "./elements.js";
 import { notify } from "./notice.js";
 
-const kMostMoving = { drift: 20_000, relax: 5000 }; // circles
-const kRateTime = 500; // ms over which frames are counted
+const kMostMoving = 20_000; // circles
 
 /** The box of a name in a list of them. */
 function boxIn(list: HTMLElement, name: string): HTMLInputElement {
@@ -39,64 +37,27 @@ export function makeShowMenu(app: App, motion: Motion) {
       boxIn(layers, name).checked = isShown;
   });
 
-  const stopButton = element("stop-motion");
   effect(() => {
-    stopButton.hidden = motion.name === "";
-    if (motion.name !== "") stopButton.textContent = `Stop ${motion.name}`;
+    element("stop-motion").hidden = !motion.isRunning;
+    element("drift").setAttribute("aria-pressed", String(motion.isRunning));
   });
-  const stop = () => motion.name !== "" && motion.stop();
-  stopButton.addEventListener("click", stop);
+  const stop = () => motion.stop();
+  element("stop-motion").addEventListener("click", stop);
   element("overlay").addEventListener("click", stop);
   const onKey = (event: KeyboardEvent) => {
-    if (event.key !== "Escape" || motion.name === "" || event.defaultPrevented) return;
+    if (event.key !== "Escape" || !motion.isRunning || event.defaultPrevented) return;
     event.preventDefault(); // one thing after another: the selection stays
     motion.stop();
   };
   document.addEventListener("keydown", onKey, { capture: true });
-
-  for (const [name, make] of [
-    ["drift", drift],
-    ["relax", relax],
-  ] as const) {
-    const said = { drift: "drift", relax: "relaxing" }[name];
-    const button = element(name);
-    const press = (isPressed: boolean) => button.setAttribute("aria-pressed", String(isPressed));
-    button.addEventListener("click", () => {
-      const wasPressed = button.getAttribute("aria-pressed") === "true";
-      motion.stop();
-      if (wasPressed) return;
-      const { sites } = app;
-      if (sites.size === 0 || sites.size > kMostMoving[name]) {
-        notify(`This moves up to ${kMostMoving[name].toLocaleString("en")} circles.`);
-        return;
-      }
-      motion.start(sites.ids, make(sites), () => press(false), said);
-      press(true);
+  element("drift").addEventListener("click", () => {
+    const { sites } = app;
+    if (motion.isRunning) motion.stop();
+    else if (sites.size === 0 || sites.size > kMostMoving)
+      notify(`This moves up to ${kMostMoving.toLocaleString("en")} circles.`);
+    else {
+      motion.start(sites.ids, drift(sites));
       element("show").hidePopover();
-    });
-  }
-  const rate = element("show-rate");
-  rate.addEventListener("change", () => showRate(rate.checked));
-}
-
-let rateFrame = 0;
-
-/** Frames a second. */
-function showRate(isShown: boolean) {
-  const rate = element("rate");
-  rate.hidden = !isShown;
-  cancelAnimationFrame(rateFrame);
-  if (!isShown) return;
-  let frames = 0;
-  let since = performance.now();
-  const frame = (now: number) => {
-    frames++;
-    if (now - since >= kRateTime) {
-      rate.textContent = `${Math.round((1000 * frames) / (now - since))} frames/s`;
-      frames = 0;
-      since = now;
     }
-    rateFrame = requestAnimationFrame(frame);
-  };
-  rateFrame = requestAnimationFrame(frame);
+  });
 }

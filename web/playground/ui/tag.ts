@@ -1,11 +1,12 @@
 // The tag at the pointer: which site is nearest, how far it is, and what else was asked. On a phone
 // the sheet says it; of a selected circle the sheet says what the card is about.
+import { make } from "../../shared/dom.js";
 import type { App, Point } from "../app.js";
 import { whenever } from "../model/signals.js";
 import type { Sites } from "../model/sites.js";
 import type { Hover } from "../picture/overlay_layer.js";
 import type { View } from "../picture/view.js";
-import { type Globe, placeOn } from "../sets/globe.js";
+import { type Globe, placeOn } from "../model/globe.js";
 import { away, grouped, neighboursText, oncePerFrame, short } from "./dom.js";
 import { element } from "./elements.js";
 
@@ -105,8 +106,7 @@ function namesOf(sites: Sites, ids: ArrayLike<number>) {
 }
 
 function partsOf(node: HTMLElement): [name: Element, rest: Element] {
-  if (node.children.length === 0)
-    node.append(document.createElement("b"), document.createElement("span"));
+  if (node.children.length === 0) node.append(make("b"), make("span"));
   const [name, rest] = node.children;
   return [name, rest];
 }

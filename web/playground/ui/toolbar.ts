@@ -1,4 +1,5 @@
 // The bar of tools: a button for each that is registered, and those that do something at once.
+import { make, makeSvg } from "../../shared/dom.js";
 import type { App } from "../app.js";
 import { effect } from "../model/signals.js";
 import { kTools } from "../tools/registry.js";
@@ -6,7 +7,6 @@ import type { Tool } from "../tools/tool.js";
 import { element } from "./elements.js";
 
 const kZoom = 1.5;
-const kSvg = "http://www.w3.org/2000/svg";
 
 export function makeToolbar(app: App) {
   const buttons = new Map(kTools.map((tool) => [tool, buttonOf(tool)]));
@@ -31,26 +31,15 @@ export function makeToolbar(app: App) {
 }
 
 function buttonOf({ id, key, label, icon }: Tool) {
-  const name = Object.assign(document.createElement("span"), { textContent: label });
-  const shortcut = Object.assign(document.createElement("kbd"), { textContent: key.toUpperCase() });
-  shortcut.setAttribute("aria-hidden", "true");
-  const button = Object.assign(document.createElement("button"), {
-    type: "button",
-    id: `tool-${id}`,
-  });
-  button.setAttribute("aria-keyshortcuts", key.toUpperCase());
-  button.append(pictureOf(icon), name, shortcut);
+  const letter = key.toUpperCase();
+  const shapes = icon.map(([kind, attributes]) => makeSvg(kind, attributes));
+  const button = make(
+    "button",
+    { type: "button", id: `tool-${id}` },
+    makeSvg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, ...shapes),
+    make("span", {}, label),
+    make("kbd", { ariaHidden: "true" }, letter),
+  );
+  button.setAttribute("aria-keyshortcuts", letter);
   return button;
-}
-
-function pictureOf(icon: Tool["icon"]) {
-  const svg = document.createElementNS(kSvg, "svg");
-  svg.setAttribute("viewBox", "0 0 24 24");
-  svg.setAttribute("aria-hidden", "true");
-  for (const [kind, attributes] of icon) {
-    const shape = document.createElementNS(kSvg, kind);
-    for (const [name, value] of Object.entries(attributes)) shape.setAttribute(name, value);
-    svg.append(shape);
-  }
-  return svg;
 }

@@ -2,7 +2,6 @@
 // great circles, which no flat map has everywhere.
 import type { Position, Projection } from "apollonius-diagram";
 import { geoDistance, geoEqualEarthRaw } from "d3-geo";
-import type { Sites } from "../model/sites.js";
 
 const kEarthRadius = 6371; // km, as in data/make-data.mjs
 const kDegree = Math.PI / 180;
@@ -45,6 +44,12 @@ export function placeText([lon, lat]: Position) {
   return `${text(lat, "NS")}, ${text(lon, "EW")}`;
 }
 
+/** As much of a set of circles as distances take: x, y, r by id. */
+type Circles = {
+  readonly ids: Iterable<number>;
+  readonly xyr: Float64Array;
+  radius(id: number): number;
+};
 export type Away = { id: number; distance: number };
 
 /** True distances from and between the circles of a map. */
@@ -52,7 +57,7 @@ export class Globe {
   /** By id: where it was when it was asked for, and that place. */
   #places: { x: number; y: number; place: Position | null }[] = [];
 
-  placeOf({ xyr }: Sites, id: number) {
+  placeOf({ xyr }: Circles, id: number) {
     const [x, y] = [xyr[3 * id], xyr[3 * id + 1]];
     const known = this.#places[id];
     if (known?.x === x && known.y === y) return known.place;
@@ -62,29 +67,29 @@ export class Globe {
   }
 
   /** km from a place to a circle's rim, as far as radii count; negative inside of it. */
-  distance(sites: Sites, id: number, from: Position) {
-    const place = this.placeOf(sites, id);
-    return place && kilometres(from, place) - sites.radius(id);
+  distance(circles: Circles, id: number, from: Position) {
+    const place = this.placeOf(circles, id);
+    return place && kilometres(from, place) - circles.radius(id);
   }
 
   /** The circle whose rim is nearest to a place. */
-  nearest(sites: Sites, from: Position) {
-    return this.#least(sites, (id) => this.distance(sites, id, from));
+  nearest(circles: Circles, from: Position) {
+    return this.#least(circles, (id) => this.distance(circles, id, from));
   }
 
   /** The circle whose centre is nearest to that of another one. */
-  nearestCentre(sites: Sites, id: number) {
-    const from = this.placeOf(sites, id);
+  nearestCentre(circles: Circles, id: number) {
+    const from = this.placeOf(circles, id);
     if (!from) return null;
-    return this.#least(sites, (other) => {
-      const place = other === id ? null : this.placeOf(sites, other);
+    return this.#least(circles, (other) => {
+      const place = other === id ? null : this.placeOf(circles, other);
       return place && kilometres(from, place);
     });
   }
 
-  #least(sites: Sites, distance: (id: number) => number | null) {
+  #least(circles: Circles, distance: (id: number) => number | null) {
     let least: Away | null = null;
-    for (const id of sites.ids) {
+    for (const id of circles.ids) {
       const away = distance(id);
       if (away !== null && (!least || away < least.distance)) least = { id, distance: away };
     }
