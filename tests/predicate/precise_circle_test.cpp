@@ -237,6 +237,19 @@ TEST(PreciseCircle, NextToATieOffTheGridTheNearerDoubleIsTaken) {
     expectNearest(Triangle{{Site{0, 0, 0}, {1, 0, 0}, {1 + m * 0x1p-40, 0.5, 0}}});
 }
 
+/// With (p, first + 1) for the third site the centre is at y = first + 1/2 - p (1 - p) / 2: beside
+/// the middle of two doubles by less than numbers of twice the digits can tell.
+TEST(PreciseCircle, NextToNothingBesideATieTheNearerDoubleIsTaken) {
+  for (const double first : {0x1p52 + 1, 0x1p52 + 2, -0x1p52 - 1, -0x1p52 - 4}) {
+    for (const int exponent : {-70, -110, -200, -330}) {
+      for (const double p : {std::ldexp(1.0, exponent), -std::ldexp(1.0, exponent)}) {
+        expectNearest(Triangle{{Site{0, first, 0}, {1, first, 0}, {p, first + 1, 0}}});
+        expectNearest(Triangle{{Site{first, 0, 0}, {first + 1, p, 0}, {first, 1, 0}}});
+      }
+    }
+  }
+}
+
 /// About the origin, from far away: the estimate to begin with has no right digit.
 TEST(PreciseCircle, NextToTheOriginHasTheNearestDoubles) {
   Random random(174);
@@ -296,14 +309,18 @@ TEST(PreciseCircle, OfNumbersFromEndToEndOfTheRange) {
 
 /// A coordinate smaller than any of those given, and than what one power of two can scale.
 TEST(PreciseCircle, NextToAnAxisOfImmenseSitesIsOffItByNextToNothing) {
-  const double large = 5e99, tiny = 1e-100;
-  const Triangle t{{Site{large, 0, 0}, {tiny, large, 0}, {0, -large, 0}}};
-  const Triangle::Exact exact = t.exact();
-  for (const VoronoiCircle& circle :
-       {t.circle(), preciseVoronoiCircle(&t.sites[0], &t.sites[1], &t.sites[2])}) {
-    const Dyadic off = exact.y - Dyadic(circle.y) * exact.twice;
-    EXPECT_EQ((magnitude(off) - magnitude(exact.y) * Dyadic(1e-14)).sign(), Sign::kNegative)
-        << circle.y;
+  Random random(176);
+  for (int run = 0; run < 40; ++run) {
+    const double large = run == 0 ? 5e99 : 1e100 * random.between(0.5, 1),
+                 tiny = run == 0 ? 1e-100 : 1e-100 * random.between(1, 2);
+    const Triangle t{{Site{large, 0, 0}, {tiny, large, 0}, {0, -large, 0}}};
+    const Triangle::Exact exact = t.exact();
+    for (const VoronoiCircle& circle :
+         {t.circle(), preciseVoronoiCircle(&t.sites[0], &t.sites[1], &t.sites[2])}) {
+      const Dyadic off = exact.y - Dyadic(circle.y) * exact.twice;
+      EXPECT_EQ((magnitude(off) - magnitude(exact.y) * Dyadic(1e-14)).sign(), Sign::kNegative)
+          << circle.y;
+    }
   }
 }
 
