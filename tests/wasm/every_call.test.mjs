@@ -9,7 +9,7 @@ import { diagramCalls } from "./support/calls.mjs";
 import { graph, snapshot } from "./support/graph.mjs";
 import { asking } from "./support/questions.mjs";
 
-const runs = isThorough ? 6000 : 300;
+const runs = isThorough ? 6000 : 100;
 const MOST_DIAGRAMS = 3;
 
 const refused = (code, call) => {

@@ -1,6 +1,7 @@
 // Random histories against a model that knows only the set of circles.
 import fc from "fast-check";
 import { Diagram } from "../../build/packed/consumer.mjs";
+import { isThorough } from "../support/effort.mjs";
 import { graph } from "./support/graph.mjs";
 
 /**
@@ -174,9 +175,13 @@ function property(circle, { scale, maxLength, isExact }) {
 }
 
 test("circles on a small grid", () => {
-  fc.assert(property(gridCircle, { scale: 10, maxLength: 40, isExact: true }), { numRuns: 1000 });
+  fc.assert(property(gridCircle, { scale: 10, maxLength: 40, isExact: true }), {
+    numRuns: isThorough ? 1000 : 300,
+  });
 });
 
 test("circles of any numbers", () => {
-  fc.assert(property(anyCircle, { scale: 1e6, maxLength: 40, isExact: false }), { numRuns: 500 });
+  fc.assert(property(anyCircle, { scale: 1e6, maxLength: 40, isExact: false }), {
+    numRuns: isThorough ? 500 : 150,
+  });
 });

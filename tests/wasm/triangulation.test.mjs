@@ -54,7 +54,7 @@ test.each([3, 4, 10, 1000])("%d points: delaunator's triangles and twins", (coun
 });
 
 test("circles: twins are a pairing, as many as there are edges between vertices", () => {
-  for (let seed = 200; seed < 220; ++seed) {
+  for (let seed = 200; seed < 205; ++seed) {
     const diagram = new Diagram(randomCircles(200, seed, 120));
     diagram.removeMany([3, 5]);
     const ours = diagram.triangulation();

@@ -128,8 +128,8 @@ const newest = { target: "ES2022", lib: ["ES2023", "ESNext.Disposable", "DOM"] }
 const oldest = { target: "ES2020", lib: ["ES2020", "DOM"] };
 
 /**
- * Compiles users of the package, as ES modules and CommonJS, with both ways of resolution, and with
- * the newest library and ES2020's. Throws, with what the compiler says, if it finds an error.
+ * Compiles users of the package, as ES modules and CommonJS: with the newest library and both ways
+ * of resolution, and with ES2020's library. Throws, with what the compiler says, if it finds an error.
  * @param {string} tsc the program
  */
 export function compileUsers(tsc) {
@@ -141,10 +141,15 @@ export function compileUsers(tsc) {
     write("esm.mts", text);
     write("cjs.cts", text);
     write("separate.mts", separate);
-    for (const [name, compilerOptions, files] of [
-      ["NodeNext", { module: "NodeNext" }, ["esm.mts", "cjs.cts", "separate.mts"]],
-      ["Bundler", { module: "ESNext", moduleResolution: "Bundler" }, ["esm.mts", "separate.mts"]],
-    ]) {
+    const nodeNext = ["NodeNext", { module: "NodeNext" }, ["esm.mts", "cjs.cts", "separate.mts"]];
+    const bundler = [
+      "Bundler",
+      { module: "ESNext", moduleResolution: "Bundler" },
+      ["esm.mts", "separate.mts"],
+    ];
+    for (const [name, compilerOptions, files] of age === "newest"
+      ? [nodeNext, bundler]
+      : [nodeNext]) {
       const config = { compilerOptions: { ...strict, ...options, ...compilerOptions }, files };
       write(`${name}.json`, JSON.stringify(config));
       capture(process.execPath, [tsc, "-p", path.join(folder, `${name}.json`)]);
