@@ -1,4 +1,4 @@
-// Queries, against distances computed here.
+// Queries by example. (Against brute force: every_call.test.mjs.)
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { generator, randomCircles } from "./support/random.mjs";
 import { expectRefusal } from "./support/refusal.mjs";
@@ -6,36 +6,6 @@ import { expectRefusal } from "./support/refusal.mjs";
 const count = 400;
 const xyr = randomCircles(count, 11);
 const diagram = new Diagram(xyr);
-
-function distance(id, x, y) {
-  const site = diagram.site(id);
-  return Math.hypot(x - site.x, y - site.y) - site.r;
-}
-
-function nearest(x, y) {
-  let best = 0;
-  for (let id = 1; id < count; ++id) if (distance(id, x, y) < distance(best, x, y)) best = id;
-  return best;
-}
-
-test("find, nearest and findMany agree with all distances", () => {
-  const random = generator(12);
-  const xy = Float64Array.from({ length: 600 }, () => random() * 3000 - 1500);
-  const distances = new Float64Array(300);
-  const ids = diagram.findMany(xy, distances);
-  expect(ids).toBeInstanceOf(Int32Array);
-  expect(diagram.findMany([...xy])).toEqual(ids);
-  for (let k = 0; k < 300; ++k) {
-    const [x, y] = [xy[2 * k], xy[2 * k + 1]];
-    const expected = nearest(x, y);
-    expect(diagram.find(x, y)).toBe(expected);
-    expect(ids[k]).toBe(expected);
-    const answer = diagram.nearest(x, y);
-    expect(answer.id).toBe(expected);
-    expect(answer.distance).toBeCloseTo(distance(expected, x, y), 9);
-    expect(distances[k]).toBe(answer.distance);
-  }
-});
 
 test("findMany of few points, which are asked one by one, and of more: the answers of find", () => {
   const random = generator(13);
@@ -152,29 +122,6 @@ test("ties go to the larger r, then x, then y", () => {
   expect(find([0, -2, 0, 0, 2, 0], 0, 0)).toEqual({ x: 0, y: 2, r: 0 });
 });
 
-test("findMany of an empty diagram", () => {
-  const distances = new Float64Array(2);
-  expect([...new Diagram().findMany([0, 0, 1, 1], distances)]).toEqual([-1, -1]);
-  expect([...distances]).toEqual([Infinity, Infinity]);
-  expect([...diagram.findMany([])]).toEqual([]);
-});
-
-test("neighbors are mutual, distinct, and those of the edges", () => {
-  const pairs = new Set();
-  const { sites } = diagram.edges();
-  for (let k = 0; k < sites.length; k += 2)
-    pairs.add(`${sites[k]} ${sites[k + 1]}`).add(`${sites[k + 1]} ${sites[k]}`);
-  const listed = [];
-  for (const id of diagram.ids()) {
-    const neighbors = [...diagram.neighbors(id)];
-    expect(new Set(neighbors).size).toBe(neighbors.length);
-    expect(neighbors).not.toContain(id);
-    expect(neighbors.length > 0).toBe(!diagram.isHidden(id));
-    listed.push(...neighbors.map((other) => `${id} ${other}`));
-  }
-  expect(listed.sort()).toEqual([...pairs].sort());
-});
-
 test("neighbors in line are the ones beside", () => {
   const line = new Diagram([0, 0, 0, 1, 0, 0, 2, 0, 0]);
   expect([0, 1, 2].map((id) => [...line.neighbors(id)].sort())).toEqual([[1], [0, 2], [1]]);
@@ -185,19 +132,6 @@ test("neighbors are counter-clockwise", () => {
   const around = [...star.neighbors(0)];
   const start = around.indexOf(1);
   expect([...around.slice(start), ...around.slice(0, start)]).toEqual([1, 2, 3, 4]);
-});
-
-test("vertices are equally far from their three sites and from no site nearer", () => {
-  const { coordinates, clearance, sites } = diagram.vertices();
-  expect(sites.length).toBe(3 * clearance.length);
-  expect(coordinates.length).toBe(2 * clearance.length);
-  for (let k = 0; k < clearance.length; ++k) {
-    const [x, y] = [coordinates[2 * k], coordinates[2 * k + 1]];
-    const tolerance = 1e-9 * (1000 + Math.abs(x) + Math.abs(y));
-    for (const id of sites.subarray(3 * k, 3 * k + 3))
-      expect(Math.abs(distance(id, x, y) - clearance[k])).toBeLessThan(tolerance);
-    expect(Math.abs(distance(nearest(x, y), x, y) - clearance[k])).toBeLessThan(tolerance);
-  }
 });
 
 test("vertices of integer circles are integers where they can be", () => {

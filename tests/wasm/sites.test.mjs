@@ -56,24 +56,6 @@ test("all kinds of number arrays are read", () => {
   }
 });
 
-test("one by one and in bulk end in the same graph", () => {
-  const xyr = randomCircles(300, 1);
-  const single = new Diagram();
-  for (let k = 0; k < xyr.length; k += 3) single.insert(xyr[k], xyr[k + 1], xyr[k + 2]);
-  const bulk = new Diagram(xyr);
-  const added = new Diagram(xyr.slice(0, 300));
-  added.insertMany(xyr.slice(300));
-  expect(graph(bulk)).toEqual(graph(single));
-  expect(graph(added)).toEqual(graph(single));
-});
-
-test("both ways of location end in the same graph", () => {
-  const xyr = randomCircles(200, 2);
-  expect(graph(new Diagram(xyr, { location: "walk" }))).toEqual(
-    graph(new Diagram(xyr, { location: "hierarchy" })),
-  );
-});
-
 test("remove tells whether there was a site, and ids are used again", () => {
   const diagram = new Diagram([0, 0, 1, 10, 0, 1, 0, 10, 1]);
   expect(diagram.remove(1)).toBe(true);
@@ -141,15 +123,6 @@ test("update moves, resizes and keeps the id; without r it keeps the radius", ()
   expect(graph(diagram)).toEqual(graph(new Diagram([0, 0, 1, 30, 5, 7, 0, 10, 3])));
 });
 
-test("updateMany equals a fresh build", () => {
-  const xyr = randomCircles(100, 4);
-  const diagram = new Diagram(randomCircles(100, 5));
-  const ids = Uint32Array.from({ length: 100 }, (_, k) => k);
-  expect(diagram.updateMany(ids, xyr)).toBe(diagram);
-  expect(diagram.site(99)).toEqual({ x: xyr[297], y: xyr[298], r: xyr[299] });
-  expect(graph(diagram)).toEqual(graph(new Diagram(xyr)));
-});
-
 test("clear empties and starts ids from 0", () => {
   const diagram = new Diagram(randomCircles(50, 6));
   expect(diagram.clear()).toBe(diagram);
@@ -178,15 +151,4 @@ test("a duplicate is a hidden site of its own", () => {
   expect([diagram.size, diagram.visibleSize]).toEqual([2, 1]);
   diagram.remove(diagram.isHidden(0) ? 1 : 0);
   expect([diagram.size, diagram.visibleSize]).toEqual([1, 1]);
-});
-
-test("down to no site and up again", () => {
-  const diagram = new Diagram(randomCircles(30, 7));
-  for (const id of diagram.ids()) {
-    expect(diagram.remove(id)).toBe(true);
-    expect(diagram.validate()).toBeNull();
-  }
-  expect(diagram.find(0, 0)).toBe(-1);
-  diagram.insertMany(randomCircles(30, 8));
-  expect(graph(diagram)).toEqual(graph(new Diagram(randomCircles(30, 8))));
 });

@@ -53,27 +53,6 @@ test.each([3, 4, 10, 1000])("%d points: delaunator's triangles and twins", (coun
   expectPairing(ours);
 });
 
-test("circles: twins are a pairing, as many as there are edges between vertices", () => {
-  for (let seed = 200; seed < 205; ++seed) {
-    const diagram = new Diagram(randomCircles(200, seed, 120));
-    diagram.removeMany([3, 5]);
-    const ours = diagram.triangulation();
-    expectPairing(ours);
-    expect(ours.triangles).toEqual(diagram.vertices().sites);
-    const { vertices } = diagram.edges();
-    let inner = 0;
-    let ends = 0;
-    for (let k = 0; k < vertices.length; k += 2) {
-      inner += vertices[k] >= 0 && vertices[k + 1] >= 0 ? 2 : 0;
-      ends += (vertices[k] >= 0) + (vertices[k + 1] >= 0);
-    }
-    expect(ours.halfedges.filter((twin) => twin !== -1)).toHaveLength(inner);
-    expect(ours.triangles).toHaveLength(ends);
-    expect(ours.points.slice(6, 8)).toEqual(Float64Array.of(NaN, NaN));
-    expect([...ours.points.slice(0, 2)]).toEqual([diagram.site(0).x, diagram.site(0).y]);
-  }
-});
-
 test("a site of two edges is in two triangles, whose others have two edges in common", () => {
   // a small circle in the gap between two large ones
   const diagram = new Diagram([-10, 0, 9, 10, 0, 9, 0, 0, 0.5, 0, 300, 1, 0, -300, 1]);
