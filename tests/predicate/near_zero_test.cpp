@@ -166,7 +166,7 @@ TEST(NearZero, Covering) {
           expectSame(stages::lorentzMiddle(a, q), stages::lorentzExact(a, q), "middle");
         });
   });
-  EXPECT_GT(all, runs(1000));
+  EXPECT_GT(all, runs(sized(500, 1000)));
 }
 
 TEST(NearZero, Distance) {
@@ -182,7 +182,7 @@ TEST(NearZero, Distance) {
           expectSame(stages::distanceFixed(x, p.y, a, b), exact, "fixed");
         });
   });
-  EXPECT_GT(all, runs(1000));
+  EXPECT_GT(all, runs(sized(500, 1000)));
 }
 
 /// The filters of vertex conflicts, the cached circles among them, of faces with and without
@@ -210,7 +210,7 @@ TEST(NearZero, VertexConflict) {
           expectSame(stages::vertexFixed(i, &j, third, &at), exact, "fixed");
         });
   });
-  EXPECT_GT(all, runs(1000));
+  EXPECT_GT(all, runs(sized(500, 1000)));
 }
 
 /// Whether three sites have a circle at all: k is moved until they have none.
@@ -301,7 +301,7 @@ TEST(NearZero, EdgeConflict) {
       expectRight(close);
     }
   });
-  EXPECT_GT(all, runs(1000));
+  EXPECT_GT(all, runs(sized(500, 1000)));
 }
 
 TEST(NearZero, Rays) {
@@ -325,7 +325,7 @@ TEST(NearZero, Rays) {
           });
     }
   });
-  EXPECT_GT(all, runs(1000));
+  EXPECT_GT(all, runs(sized(500, 1000)));
 }
 
 TEST(NearZero, TurnBetweenShadows) {
@@ -390,7 +390,7 @@ TEST(NearZero, Hull) {
           EXPECT_EQ(turnOfHull(i, l, at, atL, atK), stages::spanExact(i, l, at));
         });
   });
-  EXPECT_GT(all, runs(1000));
+  EXPECT_GT(all, runs(sized(500, 1000)));
 }
 
 }  // namespace
