@@ -129,7 +129,8 @@ const oldest = { target: "ES2020", lib: ["ES2020", "DOM"] };
 
 /**
  * Compiles users of the package, as ES modules and CommonJS: with the newest library and both ways
- * of resolution, and with ES2020's library. Throws, with what the compiler says, if it finds an error.
+ * of resolution, and with ES2020's library. Throws what the compiler says if it finds
+ * an error.
  * @param {string} tsc the program
  */
 export function compileUsers(tsc) {
