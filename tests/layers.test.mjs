@@ -1,5 +1,5 @@
 // Who may include whom: the layers of docs/ARCHITECTURE.md, checked on the #include and import
-// lines themselves. That no file imports itself, by whatever way, Biome says (noImportCycles).
+// lines themselves. Biome forbids circles of imports (noImportCycles).
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";

@@ -121,7 +121,7 @@ TEST(PreciseCircle, OnAnAxisOfSymmetryIsThere) {
 }
 
 /// A face's vertex in exact numbers: its coordinates are those of the reference site and
-/// p (first + second √d) / 2c, as in PREDICATES.md, "Voronoi circles".
+/// p (first + second √d) / 2c, as in bounded_center.h.
 class ExactCenter {
  public:
   ExactCenter(Corner i, Corner j, Corner k) {

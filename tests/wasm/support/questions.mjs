@@ -96,11 +96,15 @@ export const asking = {
     },
   ],
   kNearest: [
-    [point, fc.oneof(fc.integer({ min: 0, max: 12 }), fc.constant(Infinity))],
-    (d, m, [x, y], k) => {
-      const ids = [...d.kNearest(x, y, k)];
+    [
+      point,
+      fc.oneof(fc.integer({ min: 0, max: 12 }), fc.constant(Infinity)),
+      fc.oneof(fc.integer({ min: -4, max: 9 }), fc.constant(Infinity)),
+    ],
+    (d, m, [x, y], k, maxDistance) => {
+      const ids = [...d.kNearest(x, y, k, { maxDistance })];
       expect(new Set(ids).size).toBe(ids.length);
-      expect(ids.map((id) => m.circles.get(id))).toEqual(m.sortedAt(x, y).slice(0, k));
+      expect(ids.map((id) => m.circles.get(id))).toEqual(m.within(x, y, maxDistance).slice(0, k));
     },
   ],
   within: [

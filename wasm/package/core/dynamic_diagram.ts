@@ -106,8 +106,8 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
   /**
    * The distinct sites whose cells share an edge with this site's, counter-clockwise (on the
    * sphere, as seen from outside), each where it occurs first; empty for a hidden site. Edges of
-   * length zero count (degenerate position; the graph is triangulated canonically, but for what
-   * rounding does to it on the sphere). O(d). Throws "unknown-site".
+   * length zero count (degenerate position; the plane's graph is triangulated canonically, the
+   * sphere's as rounding has it). O(d). Throws "unknown-site".
    */
   neighbors(id: number): Uint32Array {
     return ofOne(innerOf(this).native, id, (native) => native.neighbors(id));
@@ -133,7 +133,10 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
     return [...this];
   }
 
-  /** "Diagram { size: 3, hidden: 1 }", as consoles of Node, Deno and Bun show it. O(1). */
+  /**
+   * The name of the class and two sizes, "Diagram { size: 3, hidden: 1 }", as consoles of Node,
+   * Deno and Bun show it. O(1).
+   */
   toString(): string {
     return summary(this, this[Symbol.toStringTag]);
   }

@@ -1,4 +1,4 @@
-// What a diagram has inside, of the plane or of the sphere, and how other files reach it.
+// What the objects of both classes of diagrams hold, and how functions in other files reach it.
 import { ApolloniusError } from "../errors.js";
 import { described } from "./arguments.js";
 import type { Ballast } from "./native/lifetime.js";
@@ -10,6 +10,7 @@ export interface Filters {
   running: number;
 }
 
+/** The diagram in the module, and what calls of it need besides. */
 export interface Inner<Native extends AnyNative = AnyNative> {
   readonly native: Native;
   readonly space: Space;
@@ -22,14 +23,15 @@ type Access = (diagram: unknown) => Inner | null | undefined;
 
 let access: Access;
 
-/** Called once by the class that alone knows what its objects have inside. */
+/** Called once, by DynamicDiagram, whose private field only that class can read. */
 export function provideInner(accessor: Access): void {
   access = accessor;
 }
 
 /**
- * What a diagram has inside. Throws "bad-option" if it is none, "disposed" after dispose(), and
- * "busy" for a call that `changes` it while a filter runs.
+ * The inside of the object that a method is called on. Throws "bad-option" if that is no diagram,
+ * "disposed" after dispose(), and "busy" if the call `changes` the diagram while one of its filters
+ * runs.
  */
 export function innerOf(diagram: unknown, changes = false): Inner {
   const inner = access(diagram);
@@ -40,14 +42,14 @@ export function innerOf(diagram: unknown, changes = false): Inner {
   return inner;
 }
 
-/** The same of a diagram of the plane. */
+/** As innerOf; throws "bad-option" also for a diagram of the sphere. */
 export function planarOf(diagram: unknown, changes = false): Inner<NativeDiagram> {
   const inner = innerOf(diagram, changes);
   if (inner.space !== plane) throw wrongReceiver(diagram);
   return inner as Inner<NativeDiagram>;
 }
 
-/** The native diagram of the plane. */
+/** The diagram in the module, of the plane. */
 export function nativeOf(diagram: unknown, changes = false): NativeDiagram {
   return planarOf(diagram, changes).native;
 }

@@ -1,18 +1,19 @@
-// What a diagram's points are: those of the plane or of the sphere. The calls that both kinds of
-// diagrams have learn here what numbers are called and which of them there are. The library checks
-// the numbers; what it says no to is looked for afterwards, so that the message can name it.
+// The difference between plane and sphere, for the calls that both kinds of diagrams have: what
+// messages call a number, and which numbers are accepted. The library itself checks the numbers of
+// a call. Only after it has refused one is that number looked for here, to be named in the message.
 import type { ApolloniusError } from "../errors.js";
-import { checkSiteId, numberError, throwFirst } from "./arguments.js";
+import { checkSiteId, isSiteId, numberError, throwFirst, unknownSite } from "./arguments.js";
 import { type AnyNative, runningModule } from "./native/module.js";
 import { ofSite, refusesNumbers } from "./native/native_errors.js";
 
 export interface Space {
   /** What messages call the numbers of a site. */
   readonly names: readonly [x: string, y: string, r: string];
-  /** What they call an array of sites, and one of points. */
+  /** What messages call an array of sites. */
   readonly sites: string;
+  /** What messages call an array of points. */
   readonly points: string;
-  /** The error of a number of a site, called `name`; null if it is fine. */
+  /** The error of the number at place `axis` of a site; null if it is accepted. */
   error(name: string, axis: number, value: unknown, native: AnyNative): ApolloniusError | null;
   /** An empty diagram of the same kind. */
   empty(like: AnyNative): AnyNative;
@@ -27,7 +28,7 @@ export const plane: Space = {
 };
 
 type Numbers = readonly [x: unknown, y: unknown, r?: unknown];
-/** A diagram that is asked. */
+/** The diagram of a call. */
 interface Asked<Native extends AnyNative = AnyNative> {
   readonly native: Native;
   readonly space: Space;
@@ -72,6 +73,15 @@ export function ofItems(
   const name = perItem === 3 ? space.sites : space.points;
   throwFirst(numbers, (value, k) => space.error(`${name}[${k}]`, k % perItem, value, native));
   return error;
+}
+
+/**
+ * A diagram of which `id` is a site, for calls that say nothing of unknown ones. Throws
+ * "unknown-site".
+ */
+export function withSite<Native extends AnyNative>(native: Native, id: number): Native {
+  if (!isSiteId(id) || !native.has(id)) throw unknownSite(id);
+  return native;
 }
 
 /** What `ask` says of a site; errors name it. */

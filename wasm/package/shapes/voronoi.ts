@@ -18,6 +18,7 @@ import {
   shapesOf,
 } from "../core/native/module.js";
 import { ofSite } from "../core/native/native_errors.js";
+import { withSite } from "../core/space.js";
 import { drawn, type DrawOptions, type PathContext, play } from "../core/path.js";
 import type { Bounds, Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
@@ -515,9 +516,7 @@ export class Voronoi implements Disposable {
   }
 
   static #nativeFor(view: Voronoi, id: number): NativeShapes {
-    const native = Voronoi.#living(view);
-    if (!isSiteId(id) || !native.has(id)) throw unknownSite(id);
-    return native;
+    return withSite(Voronoi.#living(view), id);
   }
 
   #moments(id: number): CellMoments | null {

@@ -1,4 +1,4 @@
-// What numbers the sphere takes, and items as its sites.
+// Which numbers the sphere accepts, and items as its sites.
 import type { Accessor, Items } from "../core/accessors.js";
 import {
   allocated,
@@ -25,24 +25,27 @@ function notFinite(name: string, value: unknown): ApolloniusError {
   );
 }
 
-/** The error of a longitude (axis 0), a latitude or a weight; null if it is fine. */
+/**
+ * The error of a longitude (axis 0), a latitude or a weight; null if it is fine. Names are made for
+ * errors only, as they cost more than the check.
+ */
 function errorOf(
-  name: string,
+  nameOf: () => string,
   axis: number,
   value: unknown,
   radius: number,
 ): ApolloniusError | null {
-  if (!Number.isFinite(value)) return notFinite(name, value);
+  if (!Number.isFinite(value)) return notFinite(nameOf(), value);
   if (axis === 1 && Math.abs(value as number) > 90)
     return new ApolloniusError(
       "out-of-range",
-      `${name} is ${value}, expected a latitude from -90 to 90: longitude comes first, then ` +
+      `${nameOf()} is ${value}, expected a latitude from -90 to 90: longitude comes first, then ` +
         "latitude",
     );
   if (axis === 2 && !(Math.abs(value as number) / radius < Math.PI))
     return new ApolloniusError(
       "out-of-range",
-      `${name} is ${value}, expected less than half a great circle, ${Math.PI * radius}: the ` +
+      `${nameOf()} is ${value}, expected less than half a great circle, ${Math.PI * radius}: the ` +
         `radius of the sphere is ${radius}`,
     );
   return null;
@@ -54,7 +57,7 @@ export const sphere: Space = {
   names: ["lon", "lat", "r"],
   sites: "lonLatR",
   points: "lonLat",
-  error: (name, axis, value, native) => errorOf(name, axis, value, radiusOf(native)),
+  error: (name, axis, value, native) => errorOf(() => name, axis, value, radiusOf(native)),
   empty: (like) => runningModule().createSpherical(radiusOf(like)),
 };
 
@@ -153,7 +156,7 @@ export function sphericalTriples<T>(
       triples[3 * k + axis] = value;
     }
   }
-  throwFirst(triples, (value, k) => errorOf(nameOf(k), k % 3, value, radius));
+  throwFirst(triples, (value, k) => errorOf(() => nameOf(k), k % 3, value, radius));
   return triples;
 }
 

@@ -1,4 +1,4 @@
-// How long an object of the package has what it has in the module.
+// When the memory that an object of the package has in the module is freed.
 import type { AnyNative, NativeReach, NativeRegion } from "./module.js";
 
 type Native = AnyNative | NativeReach | NativeRegion;

@@ -48,7 +48,7 @@ export function ofSite(error: unknown, id: unknown): unknown {
   return is(error, "unknown-site") ? unknownSite(id) : error;
 }
 
-/** Does an error say that a number is none of those that the library takes? */
+/** Is it the error for a number that is not finite or out of range? */
 export function refusesNumbers(error: unknown): boolean {
   return is(error, "not-finite", "out-of-range");
 }
