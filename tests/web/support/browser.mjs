@@ -115,6 +115,31 @@ async function becomeReady(page, ready) {
   }
 }
 
+/**
+ * What Chromium says when an address of the machine comes or goes, in a container say. It drops
+ * what it is loading then, from the machine itself too.
+ */
+const kNetworkChanged = "net::ERR_NETWORK_CHANGED";
+
+/** Opens an address in a page; again, at most twice, if the machine's network changed. */
+async function load(page, address, ready) {
+  for (let again = 2; ; --again) {
+    page.errors.length = 0;
+    const isDropped = () => page.errors.some((one) => one.includes(kNetworkChanged));
+    try {
+      await page.goto(address);
+      if (ready && !isDropped()) {
+        const drop = page.waitForEvent("requestfailed", { predicate: isDropped, timeout: 0 });
+        await Promise.race([becomeReady(page, ready), drop]);
+      }
+      if (!isDropped()) return;
+    } catch (error) {
+      if (!isDropped()) throw error;
+    }
+    if (again === 0) throw new Error(`${address}: ${page.errors.join(", ")}`);
+  }
+}
+
 const pathOf = (path) => (/^(#|$)/.test(path) ? `playground/${path}` : path);
 
 const kViewport = { width: 1280, height: 800 };
@@ -164,8 +189,7 @@ async function openPage(browser, url, options = {}) {
       response.status() >= 400 && page.errors.push(`${response.status()}: ${response.url()}`),
   );
   await prepare?.(page);
-  await page.goto(site + pathOf(path));
-  if (ready) await becomeReady(page, ready);
+  await load(page, site + pathOf(path), ready);
   return page;
 }
 
