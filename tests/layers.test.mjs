@@ -79,6 +79,7 @@ const rules = [
     polygons: "curve|window|cell",
     draw: "curve|window",
     clipping: "curve|window|cell|draw",
+    enclosing: "",
   }),
   {
     of: /^src\/api\//,
@@ -138,14 +139,14 @@ const rules = [
   {
     of: /^wasm\/package\/wasm\.ts$/,
     may: [
-      /^\.\/\w+\/(api|methods)\.js$/,
+      /^\.\/\w+\/(api|methods|enclose)\.js$/,
       /^\.\/core\/(arguments|native\/module)\.js$/,
       /^\.\/errors\.js$/,
     ],
   },
   {
     of: /^wasm\/package\/\w+\.ts$/,
-    may: [/^\.\/\w+\.js$/, /^\.\/\w+\/(api|methods)\.js$/],
+    may: [/^\.\/\w+\.js$/, /^\.\/\w+\/(api|methods|functions|enclose)\.js$/],
   },
   {
     of: /^web\/examples\/.*\.(jsx?|vue|svelte)$/,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <utility>
 #include <vector>
@@ -214,6 +215,18 @@ Error Diagram::pick(double x, double y, double farthest, Top top, SiteId& id) co
   if (const Error error = checkLimit(farthest); error != Error::kNone) return error;
   if (farthest < 0) return Error::kOutOfRange;
   return guarded(*core_, [&] { id = internal::pick(*core_, x, y, farthest, top); });
+}
+
+Error Diagram::farthest(double x, double y, SiteId& id, double& distance) const {
+  for (const double value : {x, y}) {
+    if (const Error error = checkNumber(value); error != Error::kNone) return error;
+  }
+  return guarded(*core_, [&] {
+    const Slot slot = farthestSite(*core_, x, y);
+    id = idOrNone(*core_, slot);
+    distance = slot == kNoSlot ? -std::numeric_limits<double>::infinity()
+                               : roundedDistance(x, y, opposite(core_->site(slot)));
+  });
 }
 
 Error Diagram::search(double xmin, double ymin, double xmax, double ymax,

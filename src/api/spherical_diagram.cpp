@@ -159,6 +159,19 @@ Error SphericalDiagram::find(double lon, double lat, SiteId& id, double& distanc
   return Error::kNone;
 }
 
+Error SphericalDiagram::farthest(double lon, double lat, SiteId& id, double& distance) const {
+  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    const ProjectedDiagram& diagram = core_->projected();
+    const Direction opposite = -1 * directionOf({lon, lat});
+    id = diagram.isEmpty() ? kNoSite : diagram.siteOf(nearestNode(diagram, opposite));
+    // A way and the rest of it to the opposite point are half a great circle.
+    distance = id == kNoSite
+                   ? -std::numeric_limits<double>::infinity()
+                   : std::numbers::pi * radius() - distanceTo(core_->sites(), id, opposite);
+  });
+}
+
 Error SphericalDiagram::findMany(std::span<const double> lonLat, std::span<SiteId> ids,
                                  std::span<double> distances) const {
   if (lonLat.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size()))

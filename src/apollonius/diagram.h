@@ -61,6 +61,15 @@ struct Circle {
   double r;
 };
 
+/// The smallest circle around all circles, and the sites that touch it from inside, ascending; of
+/// an empty diagram, none, and the radius is -infinity.
+struct EnclosingCircle {
+  double x = 0;
+  double y = 0;
+  double r = -std::numeric_limits<double>::infinity();
+  std::vector<SiteId> sites;
+};
+
 namespace internal {
 class DiagramCore;
 }
@@ -164,6 +173,16 @@ class APOLLONIUS_EXPORT Diagram {
   /// else kNoSite. Exact. Errors: as find; kOutOfRange also if `farthest` is negative. Cost: as
   /// kNearest, for the circles that contain the point and one more.
   [[nodiscard]] Error pick(double x, double y, double farthest, Top top, SiteId& id) const;
+
+  /// The circle whose far side is the farthest from a point, with the largest |p - c| + r, and that
+  /// distance, off by less than one unit in the last place; ties go to the larger r, then x, then
+  /// y. kNoSite and -infinity if empty. Exact choice. Errors: as find. Cost: O(length of the hull).
+  [[nodiscard]] Error farthest(double x, double y, SiteId& id, double& distance) const;
+
+  /// The smallest circle around all circles. Which sites touch it is decided exactly; centre and
+  /// radius are rounded once, to the same bits after any history. Replaces the contents. Errors:
+  /// kOutOfMemory. Cost: O(length of the hull) for each of a few circles.
+  [[nodiscard]] Error enclosingCircle(EnclosingCircle& circle) const;
 
   /// All sites whose circles meet a rectangle, the rims and the border included, hidden ones too,
   /// ascending; the rectangle may be a segment or a point, and circles of negative radius meet

@@ -105,6 +105,9 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   /// kNoSite and infinity if empty. Cost: one location.
   [[nodiscard]] Error find(double lon, double lat, SiteId& id) const;
   [[nodiscard]] Error find(double lon, double lat, SiteId& id, double& distance) const;
+  /// The site whose far side is the farthest from a point: the nearest one to the opposite point.
+  /// kNoSite and -infinity if empty.
+  [[nodiscard]] Error farthest(double lon, double lat, SiteId& id, double& distance) const;
   /// find for lonLat.size()/2 points. `distances` may be empty, else it has one element a point.
   /// Errors: also kBadLength.
   [[nodiscard]] Error findMany(std::span<const double> lonLat, std::span<SiteId> ids,

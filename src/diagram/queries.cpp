@@ -8,6 +8,7 @@
 #include "base/radix_sort.h"
 #include "diagram/nearby_search.h"
 #include "predicate/distance.h"
+#include "topology/hull.h"
 
 namespace apollonius::internal {
 
@@ -139,6 +140,19 @@ void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most
     sites.push_back(diagram.ids().idOf(slot));
     if (sites.size() == most) return;
   }
+}
+
+Slot farthestSite(const DiagramCore& diagram, double x, double y) {
+  const DelaunayGraph& delaunay = diagram.delaunay();
+  if (delaunay.visibleCount() == 0) return kNoSlot;
+  Slot best = slotOf(delaunay.anyVisible());
+  visitHull(delaunay.graph(), [&](HalfedgeId h) {
+    const Slot slot = slotOf(delaunay.graph().origin(h));
+    const Site &a = diagram.site(slot), &b = diagram.site(best);
+    const Sign farther = compareDistance(x, y, opposite(a), opposite(b));
+    if (farther == Sign::kPositive || (farther == Sign::kZero && precedes(b, a))) best = slot;
+  });
+  return best;
 }
 
 SiteId pick(const DiagramCore& diagram, double x, double y, double farthest, Top top) {

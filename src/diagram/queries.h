@@ -65,6 +65,11 @@ void listNearest(const DiagramCore& diagram, std::span<const double> xy, std::sp
 void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most, double farthest,
                 std::vector<SiteId>& sites);
 
+/// The visible site whose far side is the farthest from (x, y), with the largest |p - c| + r; ties
+/// go to the larger site in the order of precedes(). kNoSlot if there is none. Exact. Cost: O(h)
+/// for h sites on the hull; the others do not reach as far in any direction.
+[[nodiscard]] Slot farthestSite(const DiagramCore& diagram, double x, double y);
+
 /// Of the sites whose circles contain the point, rim included, the one on top; else the nearest one
 /// if it is not farther than `farthest`; else kNoSite. Throws std::bad_alloc. Cost: one location
 /// and O(m log m), m = the neighbours of the circles that contain the point.

@@ -14,6 +14,10 @@ struct Site {
 /// -0 + 0 is 0: one number, one pattern of bits.
 constexpr Site normalized(const Site& site) { return {site.x + 0.0, site.y + 0.0, site.r + 0.0}; }
 
+/// Of the same centre and the opposite weight: |p - c| + r, how far the far side is, is the
+/// distance to it.
+constexpr Site opposite(const Site& site) { return {site.x, site.y, -site.r}; }
+
 /// A corner of a face, or an end of an edge: a site, or nullptr for the site at infinity.
 using Corner = const Site*;
 

@@ -187,6 +187,13 @@ std::vector<Call> others(const std::vector<double>& xyr) {
          add(hash, path);
          return error;
        }},
+      {"enclosingCircle",
+       [](Subject& s, Hash& hash) {
+         EnclosingCircle circle;
+         const Error error = s.diagram.enclosingCircle(circle);
+         hash.addAll(circle.sites);
+         return error;
+       }},
       {"NearestFirst",
        [](Subject& s, Hash& hash) {
          NearestFirst walk(s.diagram);

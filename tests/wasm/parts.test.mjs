@@ -25,6 +25,7 @@ const needed = {
   "Diagram.render": "shapes",
   "Diagram.renderSites": "shapes",
   "Diagram.renderHull": "shapes",
+  "Diagram.smallestEnclosingCircle": "shapes",
 };
 const partOf = (name) => needed[name] ?? (name.startsWith("Diagram.") ? "core" : "shapes");
 

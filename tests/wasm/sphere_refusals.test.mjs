@@ -27,6 +27,7 @@ const hint = "expected a latitude from -90 to 90: longitude comes first, then la
 const calls = [
   ["find", (d, lon, lat) => d.find(lon, lat)],
   ["nearest", (d, lon, lat) => d.nearest(lon, lat)],
+  ["farthest", (d, lon, lat) => d.farthest(lon, lat)],
   ["kNearest", (d, lon, lat) => d.kNearest(lon, lat, 2)],
   ["within", (d, lon, lat) => d.within(lon, lat, 5)],
   ["contains", (d, lon, lat) => d.contains(0, lon, lat)],

@@ -3,14 +3,7 @@
 // not load it.
 //
 // The part of a function is that of the folder in which it is defined, as the object files tell.
-import {
-  copyFileSync,
-  existsSync,
-  mkdirSync,
-  readdirSync,
-  readFileSync,
-  writeFileSync,
-} from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { devNull } from "node:os";
 import path from "node:path";
 import { capture, run } from "./process.mjs";
@@ -20,7 +13,8 @@ export const parts = ["core", "shapes", "sphere"];
 
 /** The folders of the parts beside core, as they occur in the paths of object files. */
 const rooms = {
-  shapes: /\/src\/(geometry\/|api\/(voronoi|area_fit|region)\.)|\/bindings\/shapes\./,
+  shapes:
+    /\/src\/(geometry\/|api\/(voronoi|area_fit|region|enclosing_circle)\.)|\/bindings\/shapes\./,
   sphere: /\/src\/(sphere\/|api\/spherical_)|\/bindings\/sphere\./,
 };
 /** What JavaScript calls of a part first (wasm/bindings/parts.h), through exports of core. */
@@ -45,10 +39,14 @@ const common = (a, b) => (a === b ? a : "core");
 
 /** The part of each function that the object files define; `core` if those of several do. */
 function partsByFolder(emscripten, built) {
-  const objects = readdirSync(path.join(built, "CMakeFiles"), { recursive: true })
-    .filter((file) => /^apollonius(_wasm)?\.dir[/\\].*\.o$/.test(file))
-    .map((file) => path.join(built, "CMakeFiles", file));
-  const output = capture(path.join(emscripten, "emnm"), ["-A", "--defined-only", ...objects]);
+  // Of the sources that there are: a file that was moved has left its object file.
+  const compiled = readFileSync(path.join(built, "compile_commands.json"), "utf8");
+  const objects = [...compiled.matchAll(/ -o (CMakeFiles\/apollonius(?:_wasm)?\.dir\/\S+\.o) /g)];
+  const output = capture(path.join(emscripten, "emnm"), [
+    "-A",
+    "--defined-only",
+    ...objects.map(([, file]) => path.join(built, file)),
+  ]);
   const found = new Map();
   for (const [, object, name] of output.matchAll(/^(.*): [0-9a-f]+ [tTwW] (.*)$/gm)) {
     const part = parts.find((candidate) => rooms[candidate]?.test(object)) ?? "core";

@@ -86,6 +86,14 @@ std::int32_t find(const AnyDiagram& diagram, double x, double y) {
 }
 
 template <class AnyDiagram>
+Nearest farthest(const AnyDiagram& diagram, double x, double y) {
+  SiteId id = apollonius::kNoSite;
+  double distance = 0;
+  check(diagram.farthest(x, y, id, distance));
+  return {asSigned(id), distance};
+}
+
+template <class AnyDiagram>
 std::vector<SiteId> kNearest(const AnyDiagram& diagram, double x, double y, std::size_t k,
                              double farthest) {
   std::vector<SiteId> sites;
@@ -171,6 +179,7 @@ emscripten::class_<AnyDiagram> registerDiagram(const char* name, const char* nam
       // Queries
       .function("find", &find<AnyDiagram>)
       .function("nearest", &nearest<AnyDiagram>)
+      .function("farthest", &farthest<AnyDiagram>)
       .function("findMany", &findMany<AnyDiagram>)
       .function("kNearest", &kNearest<AnyDiagram>)
       .function("nearestFirst", &nearestFirst<Walk, AnyDiagram>, allow_raw_pointers(), moved)

@@ -229,6 +229,11 @@ void registerShapes() {
   value_object<apollonius::NaturalWeights>("NaturalWeights")
       .field("ids", &apollonius::NaturalWeights::ids)
       .field("weights", &apollonius::NaturalWeights::weights);
+  value_object<apollonius::EnclosingCircle>("EnclosingCircle")
+      .field("x", &apollonius::EnclosingCircle::x)
+      .field("y", &apollonius::EnclosingCircle::y)
+      .field("r", &apollonius::EnclosingCircle::r)
+      .field("sites", &apollonius::EnclosingCircle::sites);
   value_object<Portion>("Portion")
       .field("commands", &Portion::commands)
       .field("coordinates", &Portion::coordinates)
@@ -249,6 +254,7 @@ void registerShapes() {
   function("interpolate", &interpolate, allow_raw_pointers());
   function("defaultTolerance", &defaultTolerance);
   function("extent", &Voronoi::extentOf);
+  function("enclosingCircle", returning<&Diagram::enclosingCircle>());
   function("region", &makeRegion, allow_raw_pointers(), moved);
   function("reach", &makeReach, allow_raw_pointers(), moved);
   function("drawRegion", &drawRegion, moved);

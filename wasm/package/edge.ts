@@ -3,4 +3,5 @@ import "./shapes_edge.js";
 
 export * from "./core_edge.js";
 export * from "./shapes/api.js";
+export { enclose } from "./shapes/enclose.js";
 export { Diagram } from "./shapes/methods.js";

@@ -4,6 +4,7 @@ import { load as loadShapes } from "./shapes.js";
 
 export * from "./core/api.js";
 export * from "./shapes/api.js";
+export { enclose } from "./shapes/enclose.js";
 export { Diagram } from "./shapes/methods.js";
 
 /**

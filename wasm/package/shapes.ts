@@ -4,7 +4,13 @@ import { swaps, text } from "../../build/wasm/shapes.wasm";
 import { embed } from "./core/native/embedded.js";
 
 export * from "./shapes/api.js";
-export { render, renderHull, renderSites, voronoi } from "./shapes/functions.js";
+export {
+  render,
+  renderHull,
+  renderSites,
+  smallestEnclosingCircle,
+  voronoi,
+} from "./shapes/functions.js";
 export { ApolloniusError, type ErrorCode } from "./errors.js";
 
 const compiled = embed("shapes", text, swaps);

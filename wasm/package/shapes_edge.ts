@@ -3,7 +3,13 @@ import compiled from "../../build/wasm/shapes.wasm?module";
 import { setSource } from "./core/native/module.js";
 
 export * from "./shapes/api.js";
-export { render, renderHull, renderSites, voronoi } from "./shapes/functions.js";
+export {
+  render,
+  renderHull,
+  renderSites,
+  smallestEnclosingCircle,
+  voronoi,
+} from "./shapes/functions.js";
 export { ApolloniusError, type ErrorCode } from "./errors.js";
 
 setSource("shapes", () => compiled);

@@ -128,6 +128,7 @@ function outputs(diagram, bytes, random, curvePoint, curveTangent) {
     vertices: diagram.vertices(),
     edges: diagram.edges(),
     hull: diagram.hull(),
+    around: diagram.smallestEnclosingCircle(),
   });
   for (const id of ids.slice(0, 100))
     bytes.add([diagram.isHidden(id), diagram.coverOf(id), diagram.neighbors(id)]);
@@ -142,6 +143,7 @@ function outputs(diagram, bytes, random, curvePoint, curveTangent) {
     bytes.add([
       diagram.find(x, y),
       diagram.nearest(x, y),
+      diagram.farthest(x, y),
       diagram.kNearest(x, y, 5),
       diagram.within(x, y, width / 10),
       diagram.kNearest(x, y, 5, { maxDistance: width, filter: (id) => id % 2 === 0 }),

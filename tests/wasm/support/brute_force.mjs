@@ -8,6 +8,8 @@ export function covers([bx, by, br], [ax, ay, ar]) {
 }
 
 export const distanceTo = ([x, y, r], px, py) => Math.hypot(px - x, py - y) - r;
+/** How far the far side of a circle is. */
+export const farSide = ([x, y, r], px, py) => Math.hypot(px - x, py - y) + r;
 const areIdentical = (a, b) => a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
 
 /** Negative if circle a comes before b in a list of the nearest; 0 for identical ones. */
@@ -52,6 +54,13 @@ export class BruteForce {
 
   identicalTo(id) {
     return this.ids.filter((other) => areIdentical(this.circles.get(other), this.circles.get(id)));
+  }
+
+  /** The circle whose far side is the farthest from a point; of several the last in the order. */
+  farthestFrom(x, y) {
+    const opposite = ([cx, cy, r]) => [cx, cy, -r];
+    const backwards = (a, b) => compareAt(opposite(b), opposite(a), x, y);
+    return [...this.circles.values()].sort(backwards)[0];
   }
 
   /** All circles in the order in which they are near to a point. */

@@ -171,6 +171,13 @@ export const diagramCalls = {
       ["bad-option", (d) => d.nearest(0, 0, { filter: 7 }), "options.filter is 7"],
     ],
   },
+  farthest: {
+    use: (d) => d.farthest(0, 0),
+    refuses: [
+      ...number("x", (d, x) => d.farthest(x, 0)),
+      ...number("y", (d, y) => d.farthest(0, y)),
+    ],
+  },
   findMany: {
     use: (d) => d.findMany([0, 0]),
     refuses: [
@@ -271,6 +278,7 @@ export const diagramCalls = {
   },
   renderSites: drawn("renderSites"),
   renderHull: drawn("renderHull"),
+  smallestEnclosingCircle: works((d) => d.smallestEnclosingCircle()),
   toBytes: works((d) => d.toBytes()),
   toJSON: works((d) => d.toJSON()),
   validate: works((d) => d.validate()),

@@ -59,6 +59,7 @@ const large = {
   "Diagram.render": () => diagram.render(ink),
   "Diagram.renderSites": () => diagram.renderSites(ink),
   "Diagram.renderHull": () => diagram.renderHull(ink),
+  "Diagram.smallestEnclosingCircle": () => diagram.smallestEnclosingCircle(),
   "Diagram.validate": () => diagram.validate(),
   "Voronoi.render": () => view.render(ink),
   "Voronoi.renderCell": () => view.renderCell(hub, ink),

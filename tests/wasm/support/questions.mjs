@@ -1,7 +1,7 @@
 // Every public question that a diagram answers, and what a brute-force model says to it.
 import fc from "fast-check";
 import { fraction, pick, point } from "./arbitraries.mjs";
-import { distanceTo } from "./brute_force.mjs";
+import { distanceTo, farSide } from "./brute_force.mjs";
 import { isInside, Recorder } from "./recorder.mjs";
 
 const circleOf = (diagram, id) => {
@@ -78,6 +78,16 @@ export const asking = {
       if (m.size === 0) return expect(found).toBeNull();
       expect(m.circles.get(found.id)).toEqual(m.sortedAt(x, y)[0]);
       expect(found.distance).toBeCloseTo(distanceTo(m.sortedAt(x, y)[0], x, y), 9);
+    },
+  ],
+  farthest: [
+    [point],
+    (d, m, [x, y]) => {
+      const found = d.farthest(x, y);
+      if (m.size === 0) return expect(found).toBeNull();
+      expect(m.circles.get(found.id)).toEqual(m.farthestFrom(x, y));
+      expect(found.distance).toBeCloseTo(farSide(m.farthestFrom(x, y), x, y), 9);
+      expect(d.isHidden(found.id)).toBe(false);
     },
   ],
   findMany: [
@@ -259,6 +269,24 @@ export const asking = {
     },
   ],
   renderHull: [[], (d) => drawnAlike((context) => d.renderHull(context))],
+  smallestEnclosingCircle: [
+    [],
+    (d, m) => {
+      const circle = d.smallestEnclosingCircle();
+      if (m.size === 0) return expect(circle).toBeNull();
+      const { x, y, r, sites } = circle;
+      expect(farSide(m.farthestFrom(x, y), x, y)).toBeCloseTo(r, 9);
+      const touching = [...sites].map((id) => m.circles.get(id));
+      for (const one of touching) expect(farSide(one, x, y)).toBeCloseTo(r, 9);
+      for (const id of sites) expect(d.isHidden(id)).toBe(false);
+      // It is the smallest one if no shift of its centre comes closer to all of these.
+      for (let k = 0; k < 24; ++k) {
+        const [ux, uy] = [Math.cos(k * 0.2618), Math.sin(k * 0.2618)];
+        const ahead = touching.map(([cx, cy]) => (cx - x) * ux + (cy - y) * uy);
+        expect(Math.min(...ahead)).toBeLessThanOrEqual(1e-9);
+      }
+    },
+  ],
   validate: [[], (d) => expect(d.validate()).toBeNull()],
 };
 

@@ -23,7 +23,7 @@ import { nativeOf, planarOf } from "./inner.js";
 import { listed } from "./inspection.js";
 import { fillOrDispose } from "./native/lifetime.js";
 import { runningModule } from "./native/module.js";
-import { find, findMany, kNearest, nearest, pick, pickMany, within } from "./queries.js";
+import { farthest, find, findMany, kNearest, nearest, pick, pickMany, within } from "./queries.js";
 import { ofOne, plane } from "./space.js";
 import { type Triangulation, triangulationOf } from "./triangulation.js";
 import type {
@@ -255,6 +255,16 @@ export class Diagram extends DynamicDiagram<ListedSite> {
   /** `pick` for flat x, y pairs. Filter, cost, errors: as findMany, for `pick`. */
   pickMany(xy: ArrayLike<number>, ...how: PickArguments): Int32Array {
     return pickMany(planarOf(this), xy, how);
+  }
+
+  /**
+   * The circle whose far side is the farthest from a point, and that distance, |p - c| + r: a
+   * circle about the point with that radius holds all circles. null if there is none. Exact; ties
+   * go to the larger r, then x, then y. Cost: O(length of the hull). Throws "not-finite",
+   * "out-of-range".
+   */
+  farthest(x: number, y: number): { id: number; distance: number } | null {
+    return farthest(planarOf(this), x, y);
   }
 
   /**

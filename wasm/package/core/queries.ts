@@ -45,6 +45,12 @@ export function nearest(inner: Inner, x: number, y: number, options?: FilterOpti
   return found.id === -1 ? null : found;
 }
 
+/** The site whose far side is the farthest. */
+export function farthest(inner: Inner, x: number, y: number): Found | null {
+  const found = atPoint(inner, x, y, (native) => native.farthest(x, y));
+  return found.id === -1 ? null : found;
+}
+
 /** So few points are asked one by one sooner than their arrays are copied to the heap and back. */
 const kFew = 16;
 

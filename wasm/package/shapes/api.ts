@@ -13,6 +13,7 @@ export type {
   DualOptions,
   EdgeCurves,
   EmptyCircle,
+  EnclosingCircle,
   FitOptions,
   FitProgress,
   FittedAreas,

@@ -1,5 +1,5 @@
-// Windows and drawings of a diagram as functions of it: for diagrams of the entry
-// `apollonius-diagram/core`, which has no such methods.
+// Windows, drawings and the enclosing circle of a diagram as functions of it: for diagrams of the
+// entry `apollonius-diagram/core`, which has no such methods.
 import type { Diagram } from "../core/diagram.js";
 import { nativeOf } from "../core/inner.js";
 import { shapesOf } from "../core/native/module.js";
@@ -7,7 +7,7 @@ import type { DrawOptions, PathContext } from "../core/path.js";
 import type { Bounds } from "../core/types.js";
 import { drawDual, drawWhole } from "./drawing.js";
 import type { Region } from "./region.js";
-import type { DualOptions, VoronoiOptions } from "./types.js";
+import type { DualOptions, EnclosingCircle, VoronoiOptions } from "./types.js";
 import { Voronoi } from "./voronoi.js";
 
 /**
@@ -68,4 +68,12 @@ export function renderHull(
   options?: DrawOptions,
 ): string | void {
   return drawWhole(shapesOf(nativeOf(diagram)), "hull", undefined, context, options);
+}
+
+/**
+ * The smallest circle around all circles: `diagram.smallestEnclosingCircle()` of the default entry.
+ */
+export function smallestEnclosingCircle(diagram: Diagram): EnclosingCircle | null {
+  const { x, y, r, sites } = shapesOf(nativeOf(diagram)).enclosingCircle();
+  return sites.length === 0 ? null : { x, y, r, sites };
 }

@@ -1,11 +1,11 @@
-// Windows and drawings as methods of Diagram: what the default entry adds to that of
-// `apollonius-diagram/core`, which is the same class.
+// Windows, drawings and the enclosing circle as methods of Diagram: what the default entry adds to
+// that of `apollonius-diagram/core`, which is the same class.
 import { Diagram as Core } from "../core/diagram.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
 import type { Bounds } from "../core/types.js";
-import { render, renderHull, renderSites, voronoi } from "./functions.js";
+import { render, renderHull, renderSites, smallestEnclosingCircle, voronoi } from "./functions.js";
 import type { Region } from "./region.js";
-import type { DualOptions, VoronoiOptions } from "./types.js";
+import type { DualOptions, EnclosingCircle, VoronoiOptions } from "./types.js";
 import type { Voronoi } from "./voronoi.js";
 
 declare module "../core/diagram.js" {
@@ -44,6 +44,14 @@ declare module "../core/diagram.js" {
     renderHull(context: PathContext, options?: DrawOptions): void;
     renderHull(context?: null, options?: DrawOptions): string;
     renderHull(context?: PathContext | null, options?: DrawOptions): string | void;
+
+    /**
+     * The smallest circle around all circles, and the ids of those that touch it from inside; null
+     * if there is none. Which ones touch is decided exactly, and the circle is rounded once: the
+     * same circles have the same one after any history. Cost: O(length of the hull) for each of a
+     * few circles.
+     */
+    smallestEnclosingCircle(): EnclosingCircle | null;
   }
 }
 
@@ -60,9 +68,12 @@ const methods = {
   renderHull(context?: PathContext | null, options?: DrawOptions) {
     return renderHull(this, context, options);
   },
-} as Pick<Core, "voronoi" | "render" | "renderSites" | "renderHull"> & ThisType<Core>;
+  smallestEnclosingCircle() {
+    return smallestEnclosingCircle(this);
+  },
+} as Pick<Core, "voronoi" | "render" | "renderSites" | "renderHull" | "smallestEnclosingCircle"> &
+  ThisType<Core>;
 
-// Not enumerable, as methods of a class are.
 /** Gives diagrams these methods; returns their class. */
 function withMethods(): typeof Core {
   // Not enumerable, as methods of a class are.

@@ -47,6 +47,18 @@ export interface EmptyCircle {
   site: number;
 }
 
+/** The smallest circle around all circles. */
+export interface EnclosingCircle {
+  /** Its centre. */
+  x: number;
+  /** Its centre (y upwards). */
+  y: number;
+  /** Its radius. */
+  r: number;
+  /** The ids of the sites that touch it from inside, ascending. */
+  sites: Uint32Array;
+}
+
 /**
  * The window that cells are clipped to, `voronoi.window`. Of a region that is what is inside by the
  * even-odd rule, holes left out. Frozen; measures are computed when the view is made.

@@ -5,7 +5,7 @@ import { insert, insertMany, update, updateMany } from "../core/edits.js";
 import { type Inner, innerOf, wrongReceiver } from "../core/inner.js";
 import { fillOrDispose } from "../core/native/lifetime.js";
 import { type NativeSphericalDiagram, runningModule } from "../core/native/module.js";
-import { find, findMany, kNearest, nearest, within } from "../core/queries.js";
+import { farthest, find, findMany, kNearest, nearest, within } from "../core/queries.js";
 import { atPoint, ofOne, withSite } from "../core/space.js";
 import type { FilterOptions, FindManyArguments, NearbyOptions, Position } from "../core/types.js";
 import {
@@ -201,6 +201,15 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
     options?: FilterOptions,
   ): { id: number; distance: number } | null {
     return nearest(sphericalOf(this), lon, lat, options);
+  }
+
+  /**
+   * The site whose far side is the farthest from a point, and that distance: the way along a great
+   * circle to its centre, plus r. null if there is none. Cost: one location. Throws "not-finite",
+   * "out-of-range".
+   */
+  farthest(lon: number, lat: number): { id: number; distance: number } | null {
+    return farthest(sphericalOf(this), lon, lat);
   }
 
   /**
