@@ -208,6 +208,14 @@ Error Diagram::kNearest(double x, double y, std::size_t k, double farthest,
   return guarded(*core_, [&] { listNearby(*core_, x, y, k, farthest, sites); });
 }
 
+Error Diagram::kNearestMany(std::span<const double> xy, std::size_t k, double farthest,
+                            bool withDistances, NearbyLists& lists) const {
+  if (xy.size() % 2 != 0) return Error::kBadLength;
+  if (const Error error = checkNumbers(xy); error != Error::kNone) return error;
+  if (const Error error = checkLimit(farthest); error != Error::kNone) return error;
+  return guarded(*core_, [&] { listNearbyMany(*core_, xy, k, farthest, withDistances, lists); });
+}
+
 Error Diagram::pick(double x, double y, double farthest, Top top, SiteId& id) const {
   for (const double value : {x, y}) {
     if (const Error error = checkNumber(value); error != Error::kNone) return error;

@@ -202,6 +202,16 @@ Error SphericalDiagram::kNearest(double lon, double lat, std::size_t k, double f
   });
 }
 
+Error SphericalDiagram::kNearestMany(std::span<const double> lonLat, std::size_t k, double farthest,
+                                     bool withDistances, NearbyLists& lists) const {
+  if (lonLat.size() % 2 != 0) return Error::kBadLength;
+  if (const Error error = checkPoints(lonLat); error != Error::kNone) return error;
+  if (std::isnan(farthest)) return Error::kNotFinite;
+  return guarded(*core_, [&] {
+    listNearbyMany(core_->projected(), core_->sites(), lonLat, k, farthest, withDistances, lists);
+  });
+}
+
 Error SphericalDiagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
   if (!has(id)) return Error::kUnknownSite;
   return guarded(*core_, [&] { listNeighbors(core_->projected(), id, neighbors); });

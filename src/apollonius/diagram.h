@@ -168,6 +168,11 @@ class APOLLONIUS_EXPORT Diagram {
     return kNearest(x, y, size(), distance, sites);
   }
 
+  /// kNearest for xy.size()/2 points, with distances as find gives them, or without. Errors: also
+  /// kBadLength. Cost: less than single calls, as points are visited along a curve.
+  [[nodiscard]] Error kNearestMany(std::span<const double> xy, std::size_t k, double farthest,
+                                   bool withDistances, NearbyLists& lists) const;
+
   /// The circle under a pointer: of those that contain the point, rim included, the one on top;
   /// else the nearest site, if it is not farther than `farthest` (>= 0; infinity: wherever it is);
   /// else kNoSite. Exact. Errors: as find; kOutOfRange also if `farthest` is negative. Cost: as

@@ -117,6 +117,9 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   /// O(m log m), m = the neighbours of the sites found.
   [[nodiscard]] Error kNearest(double lon, double lat, std::size_t k, double farthest,
                                std::vector<SiteId>& sites) const;
+  /// As Diagram::kNearestMany.
+  [[nodiscard]] Error kNearestMany(std::span<const double> lonLat, std::size_t k, double farthest,
+                                   bool withDistances, NearbyLists& lists) const;
   /// As Diagram::neighbors.
   [[nodiscard]] Error neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
   /// All Voronoi vertices: longitude and latitude, the distance to their three sites. Replaces the

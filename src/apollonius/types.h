@@ -66,6 +66,14 @@ struct SiteArrays {
   std::vector<std::uint8_t> hidden;  ///< 1 for a site without a cell, else 0
 };
 
+/// The sites near each of several points, as the rows of a sparse matrix: those of point k are
+/// ids[starts[k]] to ids[starts[k + 1] - 1], nearest first.
+struct NearbyLists {
+  std::vector<SiteId> ids;
+  std::vector<std::uint32_t> starts;  ///< one more than there are points
+  std::vector<double> distances;      ///< one a site of `ids`, or none at all
+};
+
 /// The Voronoi vertices in the plane; row k of each array belongs to vertex k. The rows' order
 /// depends on the history.
 struct VertexArrays {

@@ -42,16 +42,24 @@ void SlotSet::grow() {
 }
 
 NearbySearch::NearbySearch(const DiagramCore& diagram, double x, double y, double farthest)
-    : diagram_(diagram),
-      x_(x),
-      y_(y),
-      isLimited_(farthest < std::numeric_limits<double>::infinity()),
-      // The distance to a site with its centre at p is minus its weight.
-      limit_{x, y, isLimited_ ? -farthest : 0} {
-  if (diagram.visibleCount() == 0) return;
-  const Slot first = diagram.nearest(x, y);
+    : diagram_(diagram) {
+  start(x, y, farthest);
+}
+
+Slot NearbySearch::start(double x, double y, double farthest, Slot hint) {
+  x_ = x;
+  y_ = y;
+  isLimited_ = farthest < std::numeric_limits<double>::infinity();
+  // The distance to a site with its centre at p is minus its weight.
+  limit_ = {x, y, isLimited_ ? -farthest : 0};
+  last_ = kNoSlot;
+  heap_.clear();
+  seen_.clear();
+  if (diagram_.visibleCount() == 0) return kNoSlot;
+  const Slot first = diagram_.nearest(x, y, hint);
   seen_.insert(first);
   consider(first);
+  return first;
 }
 
 bool NearbySearch::isAfter(const Entry& a, const Entry& b) const {

@@ -15,6 +15,12 @@ namespace apollonius::internal {
 /// most half full.
 class SlotSet {
  public:
+  /// Takes all out, and keeps the memory.
+  void clear() {
+    slots_.assign(kLeast, kNoSlot);
+    size_ = 0;
+  }
+
   /// Puts it in; was it not there yet? Throws std::bad_alloc.
   bool insert(Slot slot) {
     if (2 * ++size_ > slots_.size()) grow();
@@ -25,7 +31,9 @@ class SlotSet {
   [[nodiscard]] bool write(Slot slot);
   void grow();
 
-  FlatArray<Slot> slots_ = FlatArray<Slot>(256, kNoSlot);
+  static constexpr std::size_t kLeast = 256;
+
+  FlatArray<Slot> slots_ = FlatArray<Slot>(kLeast, kNoSlot);
   std::size_t size_ = 0;
 };
 
@@ -37,6 +45,12 @@ class NearbySearch {
  public:
   NearbySearch(const DiagramCore& diagram, double x, double y,
                double farthest = std::numeric_limits<double>::infinity());
+  /// For several points in turn: nothing is found before start().
+  explicit NearbySearch(const DiagramCore& diagram) : diagram_(diagram) {}
+
+  /// Begins at a point, in the memory of the search before; returns the nearest site, kNoSlot if
+  /// there is none. `hint` is as for DiagramCore::nearest().
+  Slot start(double x, double y, double farthest, Slot hint = kNoSlot);
 
   /// The next site, kNoSlot after the last.
   [[nodiscard]] Slot next();
@@ -61,8 +75,8 @@ class NearbySearch {
   void follow(Slot slot);
 
   const DiagramCore& diagram_;
-  double x_, y_;
-  bool isLimited_;
+  double x_ = 0, y_ = 0;
+  bool isLimited_ = false;
   Site limit_;             // as far away as the farthest
   Slot last_ = kNoSlot;    // returned last, not followed yet
   FlatArray<Entry> heap_;  // the nearest on top

@@ -6,6 +6,7 @@
 
 #include "base/flat_array.h"
 #include "base/radix_sort.h"
+#include "diagram/nearby_lists.h"
 #include "diagram/nearby_search.h"
 #include "predicate/distance.h"
 #include "topology/hull.h"
@@ -140,6 +141,23 @@ void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most
     sites.push_back(diagram.ids().idOf(slot));
     if (sites.size() == most) return;
   }
+}
+
+void listNearbyMany(const DiagramCore& diagram, std::span<const double> xy, std::size_t most,
+                    double farthest, bool withDistances, NearbyLists& lists) {
+  NearbyListsBuilder builder(xy.size() / 2, withDistances, lists);
+  NearbySearch search(diagram);
+  visitPoints(diagram, xy, [&](std::size_t k, Slot hint) {
+    builder.begin(k);
+    const Slot first = search.start(xy[2 * k], xy[2 * k + 1], farthest, hint);
+    for (std::size_t left = most; left > 0; --left) {
+      const Slot slot = search.next();
+      if (slot == kNoSlot) break;
+      builder.add(diagram.ids().idOf(slot), [&] { return search.distance(); });
+    }
+    return first;
+  });
+  builder.finish();
 }
 
 Slot farthestSite(const DiagramCore& diagram, double x, double y) {

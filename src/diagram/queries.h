@@ -65,6 +65,11 @@ void listNearest(const DiagramCore& diagram, std::span<const double> xy, std::sp
 void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most, double farthest,
                 std::vector<SiteId>& sites);
 
+/// listNearby() for each of the points x, y. Replaces the contents of `lists`, with distances or
+/// without. Throws std::bad_alloc.
+void listNearbyMany(const DiagramCore& diagram, std::span<const double> xy, std::size_t most,
+                    double farthest, bool withDistances, NearbyLists& lists);
+
 /// The visible site whose far side is the farthest from (x, y), with the largest |p - c| + r; ties
 /// go to the larger site in the order of precedes(). kNoSlot if there is none. Exact. Cost: O(h)
 /// for h sites on the hull; the others do not reach as far in any direction.

@@ -2,15 +2,25 @@
 
 #include <algorithm>
 
+#include "diagram/nearby_lists.h"
 #include "sphere/nearest.h"
 
 namespace apollonius::internal::sphere {
 
 SphericalSearch::SphericalSearch(const ProjectedDiagram& diagram, const SiteTable& sites,
                                  const Direction& point, double farthest)
-    : diagram_(diagram), sites_(sites), point_(point), farthest_(farthest) {
-  if (diagram.isEmpty()) return;
-  const SiteId first = diagram.siteOf(nearestNode(diagram, point));
+    : diagram_(diagram), sites_(sites) {
+  start(point, farthest);
+}
+
+void SphericalSearch::start(const Direction& point, double farthest) {
+  point_ = point;
+  farthest_ = farthest;
+  last_ = kNoSite;
+  heap_.clear();
+  seen_.clear();
+  if (diagram_.isEmpty()) return;
+  const SiteId first = diagram_.siteOf(nearestNode(diagram_, point));
   seen_.insert(first);
   consider(first);
 }
@@ -54,6 +64,25 @@ SiteId SphericalSearch::next() {
   last_ = heap_.back().site;
   heap_.pop_back();
   return last_;
+}
+
+void listNearbyMany(const ProjectedDiagram& diagram, const SiteTable& sites,
+                    std::span<const double> lonLat, std::size_t most, double farthest,
+                    bool withDistances, NearbyLists& lists) {
+  NearbyListsBuilder builder(lonLat.size() / 2, withDistances, lists);
+  if (!diagram.isEmpty()) {
+    SphericalSearch search(diagram, sites);
+    visitPoints(diagram, lonLat, [&](std::size_t k, const Direction& point) {
+      builder.begin(k);
+      search.start(point, farthest);
+      for (std::size_t left = most; left > 0; --left) {
+        const SiteId id = search.next();
+        if (id == kNoSite) break;
+        builder.add(id, [&] { return search.distance(); });
+      }
+    });
+  }
+  builder.finish();
 }
 
 }  // namespace apollonius::internal::sphere

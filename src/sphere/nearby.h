@@ -1,8 +1,11 @@
 // The sites around a point of the sphere one by one, in the order of their distance.
 #pragma once
 
+#include <cstddef>
 #include <limits>
+#include <span>
 
+#include "apollonius/types.h"
 #include "base/flat_array.h"
 #include "diagram/nearby_search.h"
 #include "sphere/projected_diagram.h"
@@ -26,6 +29,13 @@ class SphericalSearch {
  public:
   SphericalSearch(const ProjectedDiagram& diagram, const SiteTable& sites, const Direction& point,
                   double farthest = std::numeric_limits<double>::infinity());
+
+  /// For several points in turn: nothing is found before start().
+  SphericalSearch(const ProjectedDiagram& diagram, const SiteTable& sites)
+      : diagram_(diagram), sites_(sites) {}
+
+  /// Begins at a point, in the memory of the search before.
+  void start(const Direction& point, double farthest);
 
   /// The next site, kNoSite after the last.
   [[nodiscard]] SiteId next();
@@ -52,11 +62,17 @@ class SphericalSearch {
 
   const ProjectedDiagram& diagram_;
   const SiteTable& sites_;
-  Direction point_;
-  double farthest_;
+  Direction point_{};
+  double farthest_ = 0;
   SiteId last_ = kNoSite;  // returned last, not followed yet
   FlatArray<Entry> heap_;
   SlotSet seen_;  // visible sites: a hidden one has one parent
 };
+
+/// The first `most` sites of a search from each of the points longitude, latitude in degrees.
+/// Replaces the contents of `lists`, with distances or without. Throws std::bad_alloc.
+void listNearbyMany(const ProjectedDiagram& diagram, const SiteTable& sites,
+                    std::span<const double> lonLat, std::size_t most, double farthest,
+                    bool withDistances, NearbyLists& lists);
 
 }  // namespace apollonius::internal::sphere

@@ -172,17 +172,9 @@ void listNearest(const ProjectedDiagram& diagram, std::span<const double> lonLat
     std::ranges::fill(ids, kNoSite);
     return;
   }
-  // In the order of the grid, so that what a walk reads is still in the cache.
-  FlatArray<Direction> points(ids.size());
-  FlatArray<Keyed> order(ids.size());
-  for (std::uint32_t k = 0; k < order.size(); ++k) {
-    const std::size_t at = 2 * std::size_t{k};
-    points[k] = directionOf({lonLat[at], lonLat[at + 1]});
-    order[k] = {diagram.cellOf(points[k]), k};
-  }
-  sortByKey(order);
-  for (const Keyed& point : order)
-    ids[point.value] = diagram.siteOf(nearestNode(diagram, points[point.value]));
+  visitPoints(diagram, lonLat, [&](std::size_t k, const Direction& point) {
+    ids[k] = diagram.siteOf(nearestNode(diagram, point));
+  });
 }
 
 }  // namespace apollonius::internal::sphere

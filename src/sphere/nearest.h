@@ -1,8 +1,12 @@
 // The nearest site of a point on the sphere.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
+#include "base/flat_array.h"
+#include "base/radix_sort.h"
 #include "sphere/projected_diagram.h"
 
 namespace apollonius::internal::sphere {
@@ -12,6 +16,21 @@ namespace apollonius::internal::sphere {
 /// any. REQUIRES: not empty. Throws std::bad_alloc. Cost: one location in the plane and a few
 /// steps, and one for each site that is equally near but for rounding.
 [[nodiscard]] VertexId nearestNode(const ProjectedDiagram& diagram, const Direction& point);
+
+/// visit(k, point) for each of the points longitude, latitude in degrees, in the order of the grid,
+/// so that what a walk reads is still in the cache. Throws std::bad_alloc.
+template <class Visit>
+void visitPoints(const ProjectedDiagram& diagram, std::span<const double> lonLat, Visit&& visit) {
+  FlatArray<Direction> points(lonLat.size() / 2);
+  FlatArray<Keyed> order(points.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) {
+    const std::size_t at = 2 * std::size_t{k};
+    points[k] = directionOf({lonLat[at], lonLat[at + 1]});
+    order[k] = {diagram.cellOf(points[k]), k};
+  }
+  sortByKey(order);
+  for (const Keyed& point : order) visit(std::size_t{point.value}, points[point.value]);
+}
 
 /// The nearest site of each of the points longitude, latitude in degrees, or kNoSite in an empty
 /// diagram. Throws std::bad_alloc. Cost: as nearestNode() for each; many points are located along a

@@ -43,6 +43,12 @@ std::vector<std::pair<std::string, Operation>> operations(const std::vector<std:
          std::vector<SiteId> found;
          return d.kNearest(1, 2, 20, 1, found);
        }},
+      {"kNearestMany",
+       [](SphericalDiagram& d) {
+         const double points[] = {1, 2, 30, 40};
+         NearbyLists lists;
+         return d.kNearestMany(points, 20, 1, true, lists);
+       }},
       {"nearest first",
        [](SphericalDiagram& d) {
          SphericalNearestFirst search(d);

@@ -44,7 +44,15 @@ test.each(sets)("%s: finds what brute force finds", (_, list) => {
   const points = Array.from({ length: 200 }, point);
   const distances = new Float64Array(points.length);
   const many = diagram.findMany(points.flat(), distances);
+  const lists = diagram.kNearestMany(points.flat(), 5, { distances: true, maxDistance: 1 });
+  const odd = { filter: (id) => id % 2 === 1 };
+  const oddLists = diagram.withinMany(points.flat(), 0.1, odd);
+  const rowOf = ({ ids, starts }, k) => ids.subarray(starts[k], starts[k + 1]);
   points.forEach(([lon, lat], k) => {
+    expect(rowOf(lists, k)).toEqual(diagram.kNearest(lon, lat, 5, { maxDistance: 1 }));
+    expect(rowOf(oddLists, k)).toEqual(diagram.within(lon, lat, 0.1, odd));
+    if (lists.starts[k] < lists.starts[k + 1])
+      expect(lists.distances[lists.starts[k]]).toBe(distances[k]);
     const least = Math.min(...list.map((site) => distance(lon, lat, site)));
     const found = diagram.nearest(lon, lat);
     expect(found.distance).toBeCloseTo(least, 13);
@@ -57,8 +65,8 @@ test.each(sets)("%s: finds what brute force finds", (_, list) => {
     near.forEach((id, m) => {
       expect(distance(lon, lat, list[id])).toBeCloseTo(sorted[m], 12);
     });
-    const odd = diagram.kNearest(lon, lat, 2, { filter: (id) => id % 2 === 1, maxDistance: 2 });
-    for (const id of odd) expect(id % 2).toBe(1);
+    const oddOnes = diagram.kNearest(lon, lat, 2, { ...odd, maxDistance: 2 });
+    for (const id of oddOnes) expect(id % 2).toBe(1);
     const within = diagram.within(lon, lat, 0.1);
     expect(within.length).toBe(sorted.filter((d) => d <= 0.1).length);
     expect([...diagram.within(lon, lat, 0.1, { filter: () => true })]).toEqual([...within]);

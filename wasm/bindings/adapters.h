@@ -101,6 +101,14 @@ std::vector<SiteId> kNearest(const AnyDiagram& diagram, double x, double y, std:
   return sites;
 }
 
+template <class AnyDiagram>
+apollonius::NearbyLists kNearestMany(const AnyDiagram& diagram, const NumbersIn& xy, std::size_t k,
+                                     double farthest, bool withDistances) {
+  apollonius::NearbyLists lists;
+  check(diagram.kNearestMany(vectorOf<double>(xy), k, farthest, withDistances, lists));
+  return lists;
+}
+
 /// The caller deletes it, before the diagram changes.
 template <class Walk, class AnyDiagram>
 Walk* nearestFirst(const AnyDiagram& diagram, double x, double y, double farthest) {
@@ -182,6 +190,7 @@ emscripten::class_<AnyDiagram> registerDiagram(const char* name, const char* nam
       .function("farthest", &farthest<AnyDiagram>)
       .function("findMany", &findMany<AnyDiagram>)
       .function("kNearest", &kNearest<AnyDiagram>)
+      .function("kNearestMany", &kNearestMany<AnyDiagram>)
       .function("nearestFirst", &nearestFirst<Walk, AnyDiagram>, allow_raw_pointers(), moved)
       .function("neighbors", returning<&AnyDiagram::neighbors>())
       .function("vertices", returning<&AnyDiagram::vertices>(), moved)

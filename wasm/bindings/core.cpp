@@ -102,6 +102,10 @@ EMSCRIPTEN_BINDINGS(core) {
       .field("x", &Circle::x)
       .field("y", &Circle::y)
       .field("r", &Circle::r);
+  value_object<apollonius::NearbyLists>("NearbyLists")
+      .field("ids", &apollonius::NearbyLists::ids)
+      .field("starts", &apollonius::NearbyLists::starts)
+      .field("distances", &apollonius::NearbyLists::distances);
   value_object<Nearest>("Nearest").field("id", &Nearest::id).field("distance", &Nearest::distance);
   value_object<Found>("Found")
       .field("what", &Found::what)

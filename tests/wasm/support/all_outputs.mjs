@@ -136,6 +136,7 @@ function outputs(diagram, bytes, random, curvePoint, curveTangent) {
   const distances = new Float64Array(100);
   bytes.add([diagram.findMany(points, distances), distances]);
   bytes.add([diagram.findMany(points), diagram.findMany(points.subarray(0, 20))]);
+  bytes.add(diagram.kNearestMany(points, 5, { distances: true }));
   const [x0, y0] = somewhere();
   bytes.add([diagram.within(x0, y0, Infinity), diagram.search(-Infinity, y0, x0, Infinity)]);
   for (let k = 0; k < 20; ++k) {

@@ -206,6 +206,28 @@ export const diagramCalls = {
       ["bad-option", (d) => d.kNearest(0, 0, 1, { filter: 7 }), "options.filter is 7"],
     ],
   },
+  kNearestMany: {
+    use: (d) => d.kNearestMany([0, 0], 1),
+    refuses: [
+      ...numbers("xy", 2, (d, xy) => d.kNearestMany(xy, 1)),
+      ["not-finite", (d) => d.kNearestMany([0, 0]), "k is undefined"],
+      ...number("options.maxDistance", (d, maxDistance) =>
+        d.kNearestMany([0, 0], 1, { maxDistance }),
+      ),
+      ["bad-option", (d) => d.kNearestMany([0, 0], 1, { filter: 7 }), "options.filter is 7"],
+      ["bad-option", (d) => d.kNearestMany([0, 0], 1, { distances: 7 }), "options.distances is 7"],
+      ["bad-option", (d) => d.kNearestMany([0, 0], 1, { distance: true }), "options.distance"],
+    ],
+  },
+  withinMany: {
+    use: (d) => d.withinMany([0, 0], 1),
+    refuses: [
+      ...numbers("xy", 2, (d, xy) => d.withinMany(xy, 1)),
+      ...number("distance", (d, distance) => d.withinMany([0, 0], distance)),
+      ["bad-option", (d) => d.withinMany([0, 0], 1, { filter: 7 }), "options.filter is 7"],
+      ["bad-option", (d) => d.withinMany([0, 0], 1, { maxDistance: 7 }), "options.maxDistance is"],
+    ],
+  },
   within: {
     use: (d) => d.within(0, 0, 1),
     refuses: [

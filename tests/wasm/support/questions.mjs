@@ -125,6 +125,34 @@ export const asking = {
       expect(ids.map((id) => m.circles.get(id))).toEqual(m.within(x, y, distance));
     },
   ],
+  kNearestMany: [
+    [
+      fc.array(point, { maxLength: 8 }),
+      fc.oneof(fc.integer({ min: 0, max: 12 }), fc.constant(Infinity)),
+      fc.oneof(fc.integer({ min: -4, max: 9 }), fc.constant(Infinity)),
+      fc.constantFrom(undefined, (id) => id % 2 === 0),
+      fc.boolean(),
+    ],
+    (d, m, points, k, maxDistance, filter, distances) => {
+      const options = { maxDistance, filter, distances };
+      listsAlike(d, m, points, d.kNearestMany(points.flat(), k, options), (x, y) =>
+        d.kNearest(x, y, k, { maxDistance, filter }),
+      );
+    },
+  ],
+  withinMany: [
+    [
+      fc.array(point, { maxLength: 8 }),
+      fc.oneof(fc.integer({ min: -4, max: 9 }), fc.constant(Infinity)),
+      fc.constantFrom(undefined, (id) => id % 2 === 0),
+    ],
+    (d, m, points, distance, filter) => {
+      const options = { filter, distances: true };
+      listsAlike(d, m, points, d.withinMany(points.flat(), distance, options), (x, y) =>
+        d.within(x, y, distance, { filter }),
+      );
+    },
+  ],
   pick: [
     [point, fc.constantFrom(0, 3, Infinity), fc.constantFrom("smallest", "last")],
     (d, m, [x, y], farthest, top) => {
@@ -289,6 +317,22 @@ export const asking = {
   ],
   validate: [[], (d) => expect(d.validate()).toBeNull()],
 };
+
+/** One list a point, with the circles that a single call gives; distances are those of circles. */
+function listsAlike(d, m, points, { ids, starts, distances }, one) {
+  expect(starts.length).toBe(points.length + 1);
+  expect(starts.at(-1)).toBe(ids.length);
+  points.forEach(([x, y], k) => {
+    const list = [...ids.subarray(starts[k], starts[k + 1])];
+    const circles = list.map((id) => m.circles.get(id));
+    expect(circles).toEqual([...one(x, y)].map((id) => m.circles.get(id)));
+    expect(new Set(list).size).toBe(list.length);
+    circles.forEach((circle, at) => {
+      if (distances) expect(distances[starts[k] + at]).toBeCloseTo(distanceTo(circle, x, y), 9);
+    });
+  });
+  if (distances) expect(distances.length).toBe(ids.length);
+}
 
 /** A path string and a context get the same commands, with finite numbers. */
 function drawnAlike(draw) {

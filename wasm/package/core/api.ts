@@ -21,6 +21,8 @@ export type {
   FindManyArguments,
   ListedSite,
   NearbyFilter,
+  NearbyLists,
+  NearbyManyOptions,
   NearbyOptions,
   PickArguments,
   PickOptions,
@@ -31,5 +33,6 @@ export type {
   SnapshotOptions,
   StageCounts,
   Vertices,
+  WithinManyOptions,
 } from "./types.js";
 export { ApolloniusError, type ErrorCode } from "../errors.js";

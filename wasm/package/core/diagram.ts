@@ -23,7 +23,18 @@ import { nativeOf, planarOf } from "./inner.js";
 import { listed } from "./inspection.js";
 import { fillOrDispose } from "./native/lifetime.js";
 import { runningModule } from "./native/module.js";
-import { farthest, find, findMany, kNearest, nearest, pick, pickMany, within } from "./queries.js";
+import {
+  farthest,
+  find,
+  findMany,
+  kNearest,
+  kNearestMany,
+  nearest,
+  pick,
+  pickMany,
+  within,
+  withinMany,
+} from "./queries.js";
 import { ofOne, plane } from "./space.js";
 import { type Triangulation, triangulationOf } from "./triangulation.js";
 import type {
@@ -32,12 +43,15 @@ import type {
   FilterOptions,
   FindManyArguments,
   ListedSite,
+  NearbyLists,
+  NearbyManyOptions,
   NearbyOptions,
   PickArguments,
   Site,
   Sites,
   SnapshotOptions,
   Vertices,
+  WithinManyOptions,
 } from "./types.js";
 
 /**
@@ -238,6 +252,34 @@ export class Diagram extends DynamicDiagram<ListedSite> {
    */
   within(x: number, y: number, distance: number, options?: FilterOptions): Uint32Array {
     return within(planarOf(this), x, y, distance, options);
+  }
+
+  /**
+   * `kNearest` for flat x, y pairs: one list a point, as rows of a sparse matrix; with their
+   * distances if `distances` is true. Cost: less than single calls, as points are visited in the
+   * order of their places; with a filter as single calls. Throws as `kNearest`, and "bad-length".
+   */
+  kNearestMany(
+    xy: ArrayLike<number>,
+    k: number,
+    options: NearbyManyOptions & { distances: true },
+  ): Required<NearbyLists>;
+  kNearestMany(xy: ArrayLike<number>, k: number, options?: NearbyManyOptions): NearbyLists;
+  kNearestMany(xy: ArrayLike<number>, k: number, options?: NearbyManyOptions): NearbyLists {
+    return kNearestMany(planarOf(this), xy, k, options);
+  }
+
+  /**
+   * `within` for flat x, y pairs: lists as of `kNearestMany`, with its cost and errors.
+   */
+  withinMany(
+    xy: ArrayLike<number>,
+    distance: number,
+    options: WithinManyOptions & { distances: true },
+  ): Required<NearbyLists>;
+  withinMany(xy: ArrayLike<number>, distance: number, options?: WithinManyOptions): NearbyLists;
+  withinMany(xy: ArrayLike<number>, distance: number, options?: WithinManyOptions): NearbyLists {
+    return withinMany(planarOf(this), xy, distance, options);
   }
 
   /**

@@ -4,7 +4,7 @@ import { ApolloniusError } from "../errors.js";
 import { allocated, checkedDistances, checkOptions, described } from "./arguments.js";
 import type { Filters, Inner } from "./inner.js";
 import type { AnyNative, NearestFirst, SphericalNearestFirst } from "./native/module.js";
-import type { FilterOptions, NearbyFilter } from "./types.js";
+import type { FilterOptions, NearbyFilter, NearbyLists } from "./types.js";
 
 export type Walk = NearestFirst | SphericalNearestFirst;
 
@@ -57,6 +57,41 @@ export function firstOf(
     }
   });
   return allocated(() => Uint32Array.from(found));
+}
+
+/** What firstOf() says at each of many points. The filter is asked once a site. */
+export function listsThrough(
+  { filters }: Inner,
+  filter: NearbyFilter,
+  given: ArrayLike<number>,
+  isFar: boolean,
+  most: number,
+  walkFrom: (x: number, y: number) => Walk,
+): NearbyLists {
+  // of its own, as the filter may change those of the caller
+  const points = allocated(() => new Float64Array(given));
+  const starts = allocated(() => new Uint32Array(points.length / 2 + 1));
+  const said: boolean[] = [];
+  const found: number[] = [];
+  const far: number[] = [];
+  for (let k = 1; k < starts.length; ++k) {
+    const walk = walkFrom(points[2 * k - 2]!, points[2 * k - 1]!);
+    walking(walk, filters, () => {
+      for (let left = most; left > 0; ) {
+        const id = walk.next();
+        if (id === -1) break;
+        if (!(said[id] ??= Boolean(filter(id)))) continue;
+        found.push(id);
+        if (isFar) far.push(walk.distance());
+        --left;
+      }
+    });
+    starts[k] = found.length;
+  }
+  const ids = allocated(() => Uint32Array.from(found));
+  return isFar
+    ? { ids, starts, distances: allocated(() => Float64Array.from(far)) }
+    : { ids, starts };
 }
 
 /** A site and how far it is from the point. */

@@ -15,6 +15,7 @@ import {
   filterOf,
   firstOf,
   type Found,
+  listsThrough,
   passing,
   throughFilter,
   type Walk,
@@ -26,9 +27,12 @@ import type {
   FilterOptions,
   FindManyArguments,
   NearbyFilter,
+  NearbyLists,
+  NearbyManyOptions,
   NearbyOptions,
   PickArguments,
   PickOptions,
+  WithinManyOptions,
 } from "./types.js";
 
 /** Without the distance where nobody asks for it: on the sphere it costs as much as the search. */
@@ -124,6 +128,51 @@ export function within(
   checkTypes(inner, x, y);
   const farthest = checkedMaxDistance("distance", distance);
   return nearby(inner, x, y, checkedCount("k", Infinity), farthest, filterOf(options));
+}
+
+export function kNearestMany(
+  inner: Inner,
+  points: ArrayLike<number>,
+  k: number,
+  options: NearbyManyOptions | undefined,
+): NearbyLists {
+  const most = checkedCount("k", k);
+  checkOptions(options, "maxDistance", "filter", "distances");
+  const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
+  return nearbyMany(inner, points, most, farthest, options);
+}
+
+export function withinMany(
+  inner: Inner,
+  points: ArrayLike<number>,
+  distance: number,
+  options: WithinManyOptions | undefined,
+): NearbyLists {
+  const farthest = checkedMaxDistance("distance", distance);
+  checkOptions(options, "filter", "distances");
+  return nearbyMany(inner, points, checkedCount("k", Infinity), farthest, options);
+}
+
+function nearbyMany(
+  inner: Inner,
+  points: ArrayLike<number>,
+  most: number,
+  farthest: number,
+  options: WithinManyOptions | undefined,
+): NearbyLists {
+  const numbers = checkedNumbers(inner.space.points, points, 2);
+  const filter = checkedFilter(options?.filter);
+  const isFar = checkedChoice("options.distances", options?.distances, [false, true]);
+  try {
+    if (filter !== undefined) {
+      const walk = (x: number, y: number) => inner.native.nearestFirst(x, y, farthest) as Walk;
+      return listsThrough(inner, filter, numbers, isFar, most, walk);
+    }
+    const { ids, starts, distances } = inner.native.kNearestMany(numbers, most, farthest, isFar);
+    return isFar ? { ids, starts, distances } : { ids, starts };
+  } catch (error) {
+    throw ofItems(error, inner, numbers, 2);
+  }
 }
 
 function nearby(

@@ -136,6 +136,28 @@ export interface NearbyOptions extends FilterOptions {
   maxDistance?: number | undefined;
 }
 
+/** Options of `withinMany`. */
+export interface WithinManyOptions extends FilterOptions {
+  /** Whether the result has distances. Default: false. */
+  distances?: boolean | undefined;
+}
+
+/** Options of `kNearestMany`. */
+export interface NearbyManyOptions extends NearbyOptions, WithinManyOptions {}
+
+/**
+ * The sites near each of several points: those of point k are `ids.subarray(starts[k],
+ * starts[k + 1])`, nearest first. The arrays are those of a sparse matrix in compressed rows.
+ */
+export interface NearbyLists {
+  /** All lists, one after the other. */
+  ids: Uint32Array;
+  /** One number more than there are points. */
+  starts: Uint32Array;
+  /** The distance of each site of `ids`, if asked for. */
+  distances?: Float64Array;
+}
+
 /** What `findMany` takes after its points. */
 export type FindManyArguments =
   | [distances?: Float64Array | undefined, options?: FilterOptions | undefined]

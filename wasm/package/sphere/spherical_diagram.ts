@@ -5,9 +5,26 @@ import { insert, insertMany, update, updateMany } from "../core/edits.js";
 import { type Inner, innerOf, wrongReceiver } from "../core/inner.js";
 import { fillOrDispose } from "../core/native/lifetime.js";
 import { type NativeSphericalDiagram, runningModule } from "../core/native/module.js";
-import { farthest, find, findMany, kNearest, nearest, within } from "../core/queries.js";
+import {
+  farthest,
+  find,
+  findMany,
+  kNearest,
+  kNearestMany,
+  nearest,
+  within,
+  withinMany,
+} from "../core/queries.js";
 import { atPoint, ofOne, withSite } from "../core/space.js";
-import type { FilterOptions, FindManyArguments, NearbyOptions, Position } from "../core/types.js";
+import type {
+  FilterOptions,
+  FindManyArguments,
+  NearbyLists,
+  NearbyManyOptions,
+  NearbyOptions,
+  Position,
+  WithinManyOptions,
+} from "../core/types.js";
 import {
   type CellsCollection,
   checkedProperties,
@@ -237,6 +254,40 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
    */
   within(lon: number, lat: number, distance: number, options?: FilterOptions): Uint32Array {
     return within(sphericalOf(this), lon, lat, distance, options);
+  }
+
+  /**
+   * `kNearest` for flat longitude, latitude pairs: one list a point, as rows of a sparse matrix;
+   * with their distances if `distances` is true. Cost: less than single calls, as points are
+   * visited in the order of their places; with a filter as single calls. Throws as `kNearest`, and
+   * "bad-length".
+   */
+  kNearestMany(
+    lonLat: ArrayLike<number>,
+    k: number,
+    options: NearbyManyOptions & { distances: true },
+  ): Required<NearbyLists>;
+  kNearestMany(lonLat: ArrayLike<number>, k: number, options?: NearbyManyOptions): NearbyLists;
+  kNearestMany(lonLat: ArrayLike<number>, k: number, options?: NearbyManyOptions): NearbyLists {
+    return kNearestMany(sphericalOf(this), lonLat, k, options);
+  }
+
+  /**
+   * `within` for flat longitude, latitude pairs: lists as of `kNearestMany`, with its cost and
+   * errors.
+   */
+  withinMany(
+    lonLat: ArrayLike<number>,
+    distance: number,
+    options: WithinManyOptions & { distances: true },
+  ): Required<NearbyLists>;
+  withinMany(lonLat: ArrayLike<number>, distance: number, options?: WithinManyOptions): NearbyLists;
+  withinMany(
+    lonLat: ArrayLike<number>,
+    distance: number,
+    options?: WithinManyOptions,
+  ): NearbyLists {
+    return withinMany(sphericalOf(this), lonLat, distance, options);
   }
 
   /**
