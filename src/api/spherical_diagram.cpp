@@ -212,6 +212,15 @@ Error SphericalDiagram::kNearestMany(std::span<const double> lonLat, std::size_t
   });
 }
 
+Error SphericalDiagram::pick(double lon, double lat, double farthest, Top top, SiteId& id) const {
+  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
+  if (std::isnan(farthest)) return Error::kNotFinite;
+  if (farthest < 0) return Error::kOutOfRange;
+  return guarded(*core_, [&] {
+    id = sphere::pick(core_->projected(), core_->sites(), directionOf({lon, lat}), farthest, top);
+  });
+}
+
 Error SphericalDiagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
   if (!has(id)) return Error::kUnknownSite;
   return guarded(*core_, [&] { listNeighbors(core_->projected(), id, neighbors); });

@@ -120,6 +120,8 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   /// As Diagram::kNearestMany.
   [[nodiscard]] Error kNearestMany(std::span<const double> lonLat, std::size_t k, double farthest,
                                    bool withDistances, NearbyLists& lists) const;
+  /// As Diagram::pick: a site contains the points at a (rounded) distance of at most 0.
+  [[nodiscard]] Error pick(double lon, double lat, double farthest, Top top, SiteId& id) const;
   /// As Diagram::neighbors.
   [[nodiscard]] Error neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
   /// All Voronoi vertices: longitude and latitude, the distance to their three sites. Replaces the

@@ -8,6 +8,7 @@
 #include "base/radix_sort.h"
 #include "diagram/nearby_lists.h"
 #include "diagram/nearby_search.h"
+#include "diagram/topmost.h"
 #include "predicate/distance.h"
 #include "topology/hull.h"
 
@@ -175,20 +176,13 @@ Slot farthestSite(const DiagramCore& diagram, double x, double y) {
 
 SiteId pick(const DiagramCore& diagram, double x, double y, double farthest, Top top) {
   NearbySearch search(diagram, x, y, farthest);
-  Slot slot = search.next();
-  if (slot == kNoSlot) return kNoSite;
-  SiteId best = diagram.ids().idOf(slot);
-  if (!isInCircle(x, y, diagram.site(slot))) return best;
-  double smallest = diagram.site(slot).r;
-  while ((slot = search.next()) != kNoSlot && isInCircle(x, y, diagram.site(slot))) {
-    const SiteId id = diagram.ids().idOf(slot);
-    const double r = diagram.site(slot).r;
-    const bool isAbove = top == Top::kSmallest && r != smallest ? r < smallest : id > best;
-    if (!isAbove) continue;
-    best = id;
-    smallest = r;
-  }
-  return best;
+  const auto siteOf = [&](SiteId id) -> const Site& {
+    return diagram.site(diagram.ids().slotOf(id));
+  };
+  return topmost(
+      top, [&] { return idOrNone(diagram, search.next()); },
+      [&](SiteId id) { return isInCircle(x, y, siteOf(id)); },
+      [&](SiteId id) { return siteOf(id).r; });
 }
 
 void listMeeting(const DiagramCore& diagram, double xmin, double ymin, double xmax, double ymax,

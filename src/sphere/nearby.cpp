@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "diagram/nearby_lists.h"
+#include "diagram/topmost.h"
 #include "sphere/nearest.h"
 
 namespace apollonius::internal::sphere {
@@ -64,6 +65,14 @@ SiteId SphericalSearch::next() {
   last_ = heap_.back().site;
   heap_.pop_back();
   return last_;
+}
+
+SiteId pick(const ProjectedDiagram& diagram, const SiteTable& sites, const Direction& point,
+            double farthest, Top top) {
+  SphericalSearch search(diagram, sites, point, farthest);
+  return topmost(
+      top, [&] { return search.next(); }, [&](SiteId) { return search.distance() <= 0; },
+      [&](SiteId id) { return sites[id].r; });
 }
 
 void listNearbyMany(const ProjectedDiagram& diagram, const SiteTable& sites,

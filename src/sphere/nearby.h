@@ -69,6 +69,11 @@ class SphericalSearch {
   SlotSet seen_;  // visible sites: a hidden one has one parent
 };
 
+/// Of the sites that contain the point, at a rounded distance of at most 0, the one on top; else
+/// the nearest one if it is not farther than `farthest`; else kNoSite. Throws std::bad_alloc.
+[[nodiscard]] SiteId pick(const ProjectedDiagram& diagram, const SiteTable& sites,
+                          const Direction& point, double farthest, Top top);
+
 /// The first `most` sites of a search from each of the points longitude, latitude in degrees.
 /// Replaces the contents of `lists`, with distances or without. Throws std::bad_alloc.
 void listNearbyMany(const ProjectedDiagram& diagram, const SiteTable& sites,

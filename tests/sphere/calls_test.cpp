@@ -49,6 +49,10 @@ TEST(SphericalCalls, PointsThatAreNoneAreRefused) {
     const double points[] = {lon, lat};
     EXPECT_EQ(diagram.findMany(points, one, {}), error);
     EXPECT_EQ(diagram.kNearest(lon, lat, 3, kInfinity, sites), error);
+    NearbyLists lists;
+    EXPECT_EQ(diagram.kNearestMany(points, 3, kInfinity, false, lists), error);
+    EXPECT_EQ(diagram.pick(lon, lat, kInfinity, Top::kSmallest, id), error);
+    EXPECT_EQ(diagram.farthest(lon, lat, id, distance), error);
     EXPECT_EQ(diagram.contains(0, lon, lat, isInside), error);
     EXPECT_EQ(search.start(lon, lat), error);
     EXPECT_EQ(id, 77u);
@@ -57,8 +61,15 @@ TEST(SphericalCalls, PointsThatAreNoneAreRefused) {
     EXPECT_EQ(sites, std::vector<SiteId>{77});
     EXPECT_EQ(one, std::vector<SiteId>{77});
   }
+  SiteId id = 0;
+  NearbyLists lists;
   std::vector<SiteId> sites;
   EXPECT_EQ(diagram.kNearest(0, 0, 3, kNaN, sites), Error::kNotFinite);
+  EXPECT_EQ(diagram.kNearestMany({}, 3, kNaN, false, lists), Error::kNotFinite);
+  const double three[] = {1, 2, 3};
+  EXPECT_EQ(diagram.kNearestMany(three, 3, kInfinity, false, lists), Error::kBadLength);
+  EXPECT_EQ(diagram.pick(0, 0, kNaN, Top::kSmallest, id), Error::kNotFinite);
+  EXPECT_EQ(diagram.pick(0, 0, -1, Top::kSmallest, id), Error::kOutOfRange);
   EXPECT_EQ(search.start(0, 0, kNaN), Error::kNotFinite);
 }
 

@@ -48,6 +48,8 @@ test.each(sets)("%s: finds what brute force finds", (_, list) => {
   const odd = { filter: (id) => id % 2 === 1 };
   const oddLists = diagram.withinMany(points.flat(), 0.1, odd);
   const rowOf = ({ ids, starts }, k) => ids.subarray(starts[k], starts[k + 1]);
+  const picked = diagram.pickMany(points.flat(), 0.5);
+  expect([...picked]).toEqual(points.map(([lon, lat]) => diagram.pick(lon, lat, 0.5)));
   points.forEach(([lon, lat], k) => {
     expect(rowOf(lists, k)).toEqual(diagram.kNearest(lon, lat, 5, { maxDistance: 1 }));
     expect(rowOf(oddLists, k)).toEqual(diagram.within(lon, lat, 0.1, odd));
@@ -59,6 +61,11 @@ test.each(sets)("%s: finds what brute force finds", (_, list) => {
     expect(distances[k]).toBeCloseTo(least, 13);
     expect(diagram.find(lon, lat)).toBe(found.id);
     expect(diagram.contains(many[k], lon, lat)).toBe(true);
+    const under = list.map((_, id) => id).filter((id) => distance(lon, lat, list[id]) <= 0);
+    const top = under.sort((a, b) => list[b][2] - list[a][2] || a - b).at(-1);
+    expect(diagram.pick(lon, lat)).toBe(top ?? diagram.kNearest(lon, lat, 1)[0]);
+    expect(diagram.pick(lon, lat, 0)).toBe(top ?? -1);
+    expect(diagram.pick(lon, lat, 0, { top: "last" })).toBe(under.length ? Math.max(...under) : -1);
     const near = diagram.kNearest(lon, lat, 5);
     const sorted = list.map((site) => distance(lon, lat, site)).sort((a, b) => a - b);
     expect(near.length).toBe(Math.min(5, list.length));

@@ -191,6 +191,7 @@ emscripten::class_<AnyDiagram> registerDiagram(const char* name, const char* nam
       .function("findMany", &findMany<AnyDiagram>)
       .function("kNearest", &kNearest<AnyDiagram>)
       .function("kNearestMany", &kNearestMany<AnyDiagram>)
+      .function("pick", returning<&AnyDiagram::pick>())
       .function("nearestFirst", &nearestFirst<Walk, AnyDiagram>, allow_raw_pointers(), moved)
       .function("neighbors", returning<&AnyDiagram::neighbors>())
       .function("vertices", returning<&AnyDiagram::vertices>(), moved)

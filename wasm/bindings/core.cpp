@@ -156,7 +156,6 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("builder", &builder, allow_raw_pointers(), moved)
       .function("addTo", &addTo)
       .function("advance", &advance)
-      .function("pick", returning<&Diagram::pick>())
       .function("search", returning<&Diagram::search>())
       .function("hull", returning<&Diagram::hull>())
       .function("levels", returning<&Diagram::levels>())

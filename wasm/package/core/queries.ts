@@ -21,7 +21,7 @@ import {
   type Walk,
 } from "./filters.js";
 import type { Inner } from "./inner.js";
-import { type AnyNative, type NativeDiagram, runningModule } from "./native/module.js";
+import { type AnyNative, runningModule } from "./native/module.js";
 import { atPoint, checkTypes, ofItems } from "./space.js";
 import type {
   FilterOptions,
@@ -190,8 +190,6 @@ function nearby(
 
 // --- Under a pointer -----------------------------------------------------------------------------
 
-type Planar = Inner<NativeDiagram>;
-
 /** The largest distance, which circle is on top, and the filter. */
 type Picking = [number, "smallest" | "last", NearbyFilter | undefined];
 
@@ -208,7 +206,7 @@ function checkedPicking(how: PickArguments): Picking {
   return [farthest, top, checkedFilter(options?.filter)];
 }
 
-export function pick(inner: Planar, x: number, y: number, how: PickArguments): number {
+export function pick(inner: Inner, x: number, y: number, how: PickArguments): number {
   checkTypes(inner, x, y);
   const picking = checkedPicking(how);
   const [farthest, top, filter] = picking;
@@ -216,7 +214,7 @@ export function pick(inner: Planar, x: number, y: number, how: PickArguments): n
   return atPoint(inner, x, y, (native) => native.pick(x, y, farthest, runningModule().Top[top]));
 }
 
-export function pickMany(inner: Planar, points: ArrayLike<number>, how: PickArguments): Int32Array {
+export function pickMany(inner: Inner, points: ArrayLike<number>, how: PickArguments): Int32Array {
   const numbers = checkedNumbers(inner.space.points, points, 2);
   const picking = checkedPicking(how);
   const [, , filter] = picking;
@@ -228,7 +226,7 @@ export function pickMany(inner: Planar, points: ArrayLike<number>, how: PickArgu
 }
 
 function pickThrough(
-  inner: Planar,
+  inner: Inner,
   x: number,
   y: number,
   [farthest, top]: Picking,
@@ -242,7 +240,7 @@ function pickThrough(
 }
 
 /** What `pick` says of each point; most are in no circle, and the nearest site is the answer. */
-function pickAll(inner: Planar, numbers: ArrayLike<number>, [farthest, top]: Picking): Int32Array {
+function pickAll(inner: Inner, numbers: ArrayLike<number>, [farthest, top]: Picking): Int32Array {
   const distances = allocated(() => new Float64Array(numbers.length / 2));
   const ids = findAll(inner, numbers, distances);
   distances.forEach((distance, k) => {

@@ -12,6 +12,8 @@ import {
   kNearest,
   kNearestMany,
   nearest,
+  pick,
+  pickMany,
   within,
   withinMany,
 } from "../core/queries.js";
@@ -22,6 +24,7 @@ import type {
   NearbyLists,
   NearbyManyOptions,
   NearbyOptions,
+  PickArguments,
   Position,
   WithinManyOptions,
 } from "../core/types.js";
@@ -254,6 +257,21 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
    */
   within(lon: number, lat: number, distance: number, options?: FilterOptions): Uint32Array {
     return within(sphericalOf(this), lon, lat, distance, options);
+  }
+
+  /**
+   * The site under a pointer: of those that contain the point, at a distance of at most 0, the one
+   * that `top` says; else the nearest, if it is not farther than `maxDistance` (default: Infinity);
+   * else -1. `filter` leaves some out. Cost: as kNearest, for the sites that contain the point and
+   * one more. Throws as `find`; "out-of-range" also for a negative `maxDistance`.
+   */
+  pick(lon: number, lat: number, ...how: PickArguments): number {
+    return pick(sphericalOf(this), lon, lat, how);
+  }
+
+  /** `pick` for flat longitude, latitude pairs. Filter, cost, errors: as findMany, for `pick`. */
+  pickMany(lonLat: ArrayLike<number>, ...how: PickArguments): Int32Array {
+    return pickMany(sphericalOf(this), lonLat, how);
   }
 
   /**
