@@ -58,9 +58,10 @@ export class BruteForce {
 
   /** The circle whose far side is the farthest from a point; of several the last in the order. */
   farthestFrom(x, y) {
-    const opposite = ([cx, cy, r]) => [cx, cy, -r];
-    const backwards = (a, b) => compareAt(opposite(b), opposite(a), x, y);
-    return [...this.circles.values()].sort(backwards)[0];
+    const most = Math.max(...[...this.circles.values()].map((circle) => farSide(circle, x, y)));
+    return [...this.circles.values()]
+      .filter((circle) => most - farSide(circle, x, y) <= EQUAL)
+      .sort((a, b) => b[2] - a[2] || b[0] - a[0] || b[1] - a[1])[0];
   }
 
   /** All circles in the order in which they are near to a point. */

@@ -135,7 +135,7 @@ export const asking = {
     ],
     (d, m, points, k, maxDistance, filter, distances) => {
       const options = { maxDistance, filter, distances };
-      listsAlike(d, m, points, d.kNearestMany(points.flat(), k, options), (x, y) =>
+      listsAlike(m, points, d.kNearestMany(points.flat(), k, options), (x, y) =>
         d.kNearest(x, y, k, { maxDistance, filter }),
       );
     },
@@ -148,7 +148,7 @@ export const asking = {
     ],
     (d, m, points, distance, filter) => {
       const options = { filter, distances: true };
-      listsAlike(d, m, points, d.withinMany(points.flat(), distance, options), (x, y) =>
+      listsAlike(m, points, d.withinMany(points.flat(), distance, options), (x, y) =>
         d.within(x, y, distance, { filter }),
       );
     },
@@ -319,7 +319,7 @@ export const asking = {
 };
 
 /** One list a point, with the circles that a single call gives; distances are those of circles. */
-function listsAlike(d, m, points, { ids, starts, distances }, one) {
+function listsAlike(m, points, { ids, starts, distances }, one) {
   expect(starts.length).toBe(points.length + 1);
   expect(starts.at(-1)).toBe(ids.length);
   points.forEach(([x, y], k) => {
