@@ -270,7 +270,8 @@ export class Diagram extends DynamicDiagram<ListedSite> {
   }
 
   /**
-   * `within` for flat x, y pairs: lists as of `kNearestMany`, with its cost and errors.
+   * `within` for flat x, y pairs: lists as of `kNearestMany`. Cost: as that. Throws as `within`,
+   * and "bad-length".
    */
   withinMany(
     xy: ArrayLike<number>,

@@ -291,8 +291,8 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   }
 
   /**
-   * `within` for flat longitude, latitude pairs: lists as of `kNearestMany`, with its cost and
-   * errors.
+   * `within` for flat longitude, latitude pairs: lists as of `kNearestMany`. Cost: as that. Throws
+   * as `within`, and "bad-length".
    */
   withinMany(
     lonLat: ArrayLike<number>,
