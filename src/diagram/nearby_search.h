@@ -48,8 +48,8 @@ class NearbySearch {
   /// For several points in turn: nothing is found before start().
   explicit NearbySearch(const DiagramCore& diagram) : diagram_(diagram) {}
 
-  /// Begins at a point, in the memory of the search before; returns the nearest site, kNoSlot if
-  /// there is none. `hint` is as for DiagramCore::nearest().
+  /// Begins at a point, in the memory of the search before; returns the nearest site, or kNoSlot in
+  /// an empty diagram. `hint`: a visible site close to the point, or kNoSlot.
   Slot start(double x, double y, double farthest, Slot hint = kNoSlot);
 
   /// The next site, kNoSlot after the last.

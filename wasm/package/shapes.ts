@@ -1,4 +1,4 @@
-// The entry `apollonius-diagram/shapes`: windows and drawings for diagrams of
+// The entry `apollonius-diagram/shapes`: windows, drawings and the enclosing circle for diagrams of
 // `apollonius-diagram/core`, with their wasm as text, as core.ts has it.
 import { swaps, text } from "../../build/wasm/shapes.wasm";
 import { embed } from "./core/native/embedded.js";

@@ -23,18 +23,7 @@ import { nativeOf, planarOf } from "./inner.js";
 import { listed } from "./inspection.js";
 import { fillOrDispose } from "./native/lifetime.js";
 import { runningModule } from "./native/module.js";
-import {
-  farthest,
-  find,
-  findMany,
-  kNearest,
-  kNearestMany,
-  nearest,
-  pick,
-  pickMany,
-  within,
-  withinMany,
-} from "./queries.js";
+import { farthest, find, findMany, kNearest, nearest, pick, pickMany, within } from "./queries.js";
 import { ofOne, plane } from "./space.js";
 import { type Triangulation, triangulationOf } from "./triangulation.js";
 import type {
@@ -43,15 +32,12 @@ import type {
   FilterOptions,
   FindManyArguments,
   ListedSite,
-  NearbyLists,
-  NearbyManyOptions,
   NearbyOptions,
   PickArguments,
   Site,
   Sites,
   SnapshotOptions,
   Vertices,
-  WithinManyOptions,
 } from "./types.js";
 
 /**
@@ -255,35 +241,6 @@ export class Diagram extends DynamicDiagram<ListedSite> {
   }
 
   /**
-   * `kNearest` for flat x, y pairs: one list a point, as rows of a sparse matrix; with their
-   * distances if `distances` is true. Cost: less than single calls, as points are visited in the
-   * order of their places; with a filter as single calls. Throws as `kNearest`, and "bad-length".
-   */
-  kNearestMany(
-    xy: ArrayLike<number>,
-    k: number,
-    options: NearbyManyOptions & { distances: true },
-  ): Required<NearbyLists>;
-  kNearestMany(xy: ArrayLike<number>, k: number, options?: NearbyManyOptions): NearbyLists;
-  kNearestMany(xy: ArrayLike<number>, k: number, options?: NearbyManyOptions): NearbyLists {
-    return kNearestMany(planarOf(this), xy, k, options);
-  }
-
-  /**
-   * `within` for flat x, y pairs: lists as of `kNearestMany`. Cost: as that. Throws as `within`,
-   * and "bad-length".
-   */
-  withinMany(
-    xy: ArrayLike<number>,
-    distance: number,
-    options: WithinManyOptions & { distances: true },
-  ): Required<NearbyLists>;
-  withinMany(xy: ArrayLike<number>, distance: number, options?: WithinManyOptions): NearbyLists;
-  withinMany(xy: ArrayLike<number>, distance: number, options?: WithinManyOptions): NearbyLists {
-    return withinMany(planarOf(this), xy, distance, options);
-  }
-
-  /**
    * The circle under a pointer: of those that contain the point, rim included, the one on top,
    * which is the smallest (of equal ones the last), or with `top: "last"` the one with the largest
    * id; else the nearest site that is not farther than `maxDistance` (default: Infinity; 0 for
@@ -301,10 +258,9 @@ export class Diagram extends DynamicDiagram<ListedSite> {
   }
 
   /**
-   * The circle whose far side is the farthest from a point, and that distance, |p - c| + r: a
-   * circle about the point with that radius holds all circles. null if there is none. Exact; ties
-   * go to the larger r, then x, then y. Cost: O(length of the hull). Throws "not-finite",
-   * "out-of-range".
+   * The site with the largest |p - c| + r, and that (rounded) distance: a circle about the point
+   * with that radius holds all circles. null if the diagram is empty. Exact; ties go to the larger
+   * r, then x, then y. Cost: O(length of the hull). Throws "not-finite", "out-of-range".
    */
   farthest(x: number, y: number): { id: number; distance: number } | null {
     return farthest(planarOf(this), x, y);

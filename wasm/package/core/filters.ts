@@ -41,6 +41,25 @@ function walking<Answer>(walk: Walk, filters: Filters, use: () => Answer): Answe
   }
 }
 
+/** Takes the first `most` sites of a walk that the filter lets through. Ends the walk. */
+function takeFirst(
+  walk: Walk,
+  most: number,
+  filter: NearbyFilter,
+  filters: Filters,
+  take: (id: number) => void,
+): void {
+  walking(walk, filters, () => {
+    for (let left = most; left > 0; ) {
+      const id = walk.next();
+      if (id === -1) break;
+      if (!filter(id)) continue;
+      take(id);
+      --left;
+    }
+  });
+}
+
 /** The first `most` sites of a walk that the filter lets through. Ends the walk. */
 export function firstOf(
   walk: Walk,
@@ -49,14 +68,14 @@ export function firstOf(
   filters: Filters,
 ): Uint32Array {
   const found: number[] = [];
-  walking(walk, filters, () => {
-    while (found.length < most) {
-      const id = walk.next();
-      if (id === -1) break;
-      if (filter(id)) found.push(id);
-    }
-  });
+  takeFirst(walk, most, filter, filters, (id) => found.push(id));
   return allocated(() => Uint32Array.from(found));
+}
+
+/** A filter that is asked once a site. */
+function askedOnce(filter: NearbyFilter): NearbyFilter {
+  const said: boolean[] = [];
+  return (id) => (said[id] ??= Boolean(filter(id)));
 }
 
 /** What firstOf() says at each of many points. The filter is asked once a site. */
@@ -71,20 +90,14 @@ export function listsThrough(
   // of its own, as the filter may change those of the caller
   const points = allocated(() => new Float64Array(given));
   const starts = allocated(() => new Uint32Array(points.length / 2 + 1));
-  const said: boolean[] = [];
+  const passes = askedOnce(filter);
   const found: number[] = [];
   const far: number[] = [];
   for (let k = 1; k < starts.length; ++k) {
     const walk = walkFrom(points[2 * k - 2]!, points[2 * k - 1]!);
-    walking(walk, filters, () => {
-      for (let left = most; left > 0; ) {
-        const id = walk.next();
-        if (id === -1) break;
-        if (!(said[id] ??= Boolean(filter(id)))) continue;
-        found.push(id);
-        if (isFar) far.push(walk.distance());
-        --left;
-      }
+    takeFirst(walk, most, passes, filters, (id) => {
+      found.push(id);
+      if (isFar) far.push(walk.distance());
     });
     starts[k] = found.length;
   }
@@ -149,8 +162,7 @@ export function throughFilter<Native extends AnyNative>(
   const points = allocated(() => new Float64Array(given));
   const far = distances && allocated(() => new Float64Array(points.length / 2));
   const found = all(inner, points, far);
-  const said: number[] = [];
-  const passes = (id: number) => (said[id] ??= filter(id) ? 1 : 0);
+  const passes = askedOnce(filter);
   let looks = native.size();
   filtering(inner.filters, () => {
     for (let k = 0; k < found.length; ++k) {

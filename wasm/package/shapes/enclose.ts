@@ -5,9 +5,9 @@ import { smallestEnclosingCircle } from "./functions.js";
 import type { EnclosingCircle } from "./types.js";
 
 /**
- * The smallest circle around circles, in place of d3-hierarchy's `packEnclose`: `{ x, y, r }` of
- * objects or arrays as `Diagram.from` reads them; undefined if there is none. `sites` has the
- * indices of those that touch it from inside. Cost: O(n log n). Throws as `Diagram.from`.
+ * The smallest circle around circles, in place of d3-hierarchy's `packEnclose`; undefined if
+ * `circles` is empty. It reads objects or arrays as `Diagram.from` does. `sites` has the indices of
+ * the circles that touch the result from inside. Cost: O(n log n). Throws as `Diagram.from`.
  */
 export function enclose<T extends Circular>(circles: Items<T>): EnclosingCircle | undefined {
   const diagram = Diagram.from(circles);

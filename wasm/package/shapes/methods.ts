@@ -46,10 +46,10 @@ declare module "../core/diagram.js" {
     renderHull(context?: PathContext | null, options?: DrawOptions): string | void;
 
     /**
-     * The smallest circle around all circles, and the ids of those that touch it from inside; null
-     * if there is none. Which ones touch is decided exactly, and the circle is rounded once: the
-     * same circles have the same one after any history. Cost: O(length of the hull) for each of a
-     * few circles.
+     * The smallest circle around all circles, and the ids of the sites that touch it from inside;
+     * null if the diagram is empty. Which sites touch it is decided exactly. Its numbers are
+     * rounded once, so the same sites give the same bits after any history. Cost: O(length of the
+     * hull) for each of a few circles.
      */
     smallestEnclosingCircle(): EnclosingCircle | null;
   }

@@ -10,23 +10,18 @@ import {
   find,
   findMany,
   kNearest,
-  kNearestMany,
   nearest,
   pick,
   pickMany,
   within,
-  withinMany,
 } from "../core/queries.js";
 import { atPoint, ofOne, withSite } from "../core/space.js";
 import type {
   FilterOptions,
   FindManyArguments,
-  NearbyLists,
-  NearbyManyOptions,
   NearbyOptions,
   PickArguments,
   Position,
-  WithinManyOptions,
 } from "../core/types.js";
 import {
   type CellsCollection,
@@ -224,9 +219,9 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   }
 
   /**
-   * The site whose far side is the farthest from a point, and that distance: the way along a great
-   * circle to its centre, plus r. null if there is none. Cost: one location. Throws "not-finite",
-   * "out-of-range".
+   * The site with the largest distance to its far side, and that distance: the way along a great
+   * circle to its centre, plus r. null if the diagram is empty. Of equally far sites, any. Cost:
+   * one location. Throws "not-finite", "out-of-range".
    */
   farthest(lon: number, lat: number): { id: number; distance: number } | null {
     return farthest(sphericalOf(this), lon, lat);
@@ -272,40 +267,6 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   /** `pick` for flat longitude, latitude pairs. Filter, cost, errors: as findMany, for `pick`. */
   pickMany(lonLat: ArrayLike<number>, ...how: PickArguments): Int32Array {
     return pickMany(sphericalOf(this), lonLat, how);
-  }
-
-  /**
-   * `kNearest` for flat longitude, latitude pairs: one list a point, as rows of a sparse matrix;
-   * with their distances if `distances` is true. Cost: less than single calls, as points are
-   * visited in the order of their places; with a filter as single calls. Throws as `kNearest`, and
-   * "bad-length".
-   */
-  kNearestMany(
-    lonLat: ArrayLike<number>,
-    k: number,
-    options: NearbyManyOptions & { distances: true },
-  ): Required<NearbyLists>;
-  kNearestMany(lonLat: ArrayLike<number>, k: number, options?: NearbyManyOptions): NearbyLists;
-  kNearestMany(lonLat: ArrayLike<number>, k: number, options?: NearbyManyOptions): NearbyLists {
-    return kNearestMany(sphericalOf(this), lonLat, k, options);
-  }
-
-  /**
-   * `within` for flat longitude, latitude pairs: lists as of `kNearestMany`. Cost: as that. Throws
-   * as `within`, and "bad-length".
-   */
-  withinMany(
-    lonLat: ArrayLike<number>,
-    distance: number,
-    options: WithinManyOptions & { distances: true },
-  ): Required<NearbyLists>;
-  withinMany(lonLat: ArrayLike<number>, distance: number, options?: WithinManyOptions): NearbyLists;
-  withinMany(
-    lonLat: ArrayLike<number>,
-    distance: number,
-    options?: WithinManyOptions,
-  ): NearbyLists {
-    return withinMany(sphericalOf(this), lonLat, distance, options);
   }
 
   /**
