@@ -121,6 +121,7 @@ std::size_t Diagram::size() const noexcept { return core_->ids().size(); }
 std::size_t Diagram::visibleSize() const noexcept { return core_->visibleCount(); }
 std::size_t Diagram::hiddenSize() const noexcept { return core_->ids().hiddenCount(); }
 bool Diagram::has(SiteId id) const noexcept { return core_->ids().slotOf(id) != kNoSlot; }
+std::size_t Diagram::idLimit() const noexcept { return core_->ids().idLimit(); }
 
 Error Diagram::site(SiteId id, Circle& circle) const noexcept {
   const Slot slot = core_->ids().slotOf(id);

@@ -1,10 +1,12 @@
-// The cells of SphericalDiagram: measures and polygons.
+// The cells of SphericalDiagram: measures, polygons, and what a new one would take of them.
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "api/spherical_checks.h"
 #include "base/flat_array.h"
 #include "sphere/measures.h"
+#include "sphere/natural_neighbors.h"
 #include "sphere/nearest.h"
 #include "sphere/polygons.h"
 
@@ -55,45 +57,76 @@ Error SphericalDiagram::contains(SiteId id, double lon, double lat, bool& inside
   });
 }
 
-Error SphericalDiagram::cellArea(SiteId id, double& area) const {
-  if (!has(id)) return Error::kUnknownSite;
+Error SphericalDiagram::cellError(SiteId id, const Reach& reach) const {
+  return has(id) ? reachError(reach) : Error::kUnknownSite;
+}
+
+Error SphericalDiagram::reachError(const Reach& reach) const {
+  if (reach.hasNaN()) return Error::kNotFinite;
+  if (reach.isOutOfRange()) return Error::kOutOfRange;
+  return reach.covers(core_->sites().idLimit()) ? Error::kNone : Error::kBadLength;
+}
+
+Error SphericalDiagram::cellArea(SiteId id, double distance, double& area) const {
+  const Reach reach(distance);
+  if (const Error error = cellError(id, reach); error != Error::kNone) return error;
   return guarded(*core_, [&] {
-    const ProjectedDiagram& diagram = core_->projected();
-    area = 0;
-    if (diagram.isHidden(id)) return;
-    const VertexId node = diagram.nodeOf(id);
-    SphericalVertices vertices(diagram, SphericalVertices::Of::kSome);
-    FlatArray<Sector> sectors;
-    listSectors(diagram, node, vertices, sectors);
-    area = areaOfCell(diagram.cap(node), sectors) * (radius() * radius());
+    area = measureOf(core_->projected(), id, CellMeasure::kArea, {reach, radius()}) *
+           (radius() * radius());
   });
 }
 
-Error SphericalDiagram::cellAreas(std::vector<double>& areas) const {
+Error SphericalDiagram::cellPerimeter(SiteId id, double distance, double& perimeter) const {
+  const Reach reach(distance);
+  if (const Error error = cellError(id, reach); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    perimeter =
+        measureOf(core_->projected(), id, CellMeasure::kPerimeter, {reach, radius()}) * radius();
+  });
+}
+
+Error SphericalDiagram::cellAreas(const Reach& reach, std::vector<double>& areas) const {
+  if (const Error error = reachError(reach); error != Error::kNone) return error;
   bool isWhole = true;
   const Error error = guarded(*core_, [&] {
     constexpr double kSphere = 4 * std::numbers::pi, kRounding = 1e-5;
-    listAreas(core_->projected(), core_->sites(), areas);
+    listMeasures(core_->projected(), core_->sites(), CellMeasure::kArea, {reach, radius()}, areas);
     double sum = 0;
     for (const double area : areas) sum += area;
-    isWhole = core_->sites().size() == 0 || std::abs(sum - kSphere) <= kRounding * kSphere;
+    const double missing = kSphere - sum;
+    isWhole = core_->sites().size() == 0 ||
+              (reach.isUnlimited() ? std::abs(missing) : -missing) <= kRounding * kSphere;
     for (double& area : areas) area *= radius() * radius();
     if (!isWhole) areas.clear();
   });
   return error == Error::kNone && !isWhole ? Error::kBroken : error;
 }
 
-Error SphericalDiagram::cellCentroid(SiteId id, SphericalPoint& centroid) const {
-  if (!has(id)) return Error::kUnknownSite;
+Error SphericalDiagram::cellPerimeters(const Reach& reach, std::vector<double>& perimeters) const {
+  if (const Error error = reachError(reach); error != Error::kNone) return error;
   return guarded(*core_, [&] {
+    listMeasures(core_->projected(), core_->sites(), CellMeasure::kPerimeter, {reach, radius()},
+                 perimeters);
+    for (double& perimeter : perimeters) perimeter *= radius();
+  });
+}
+
+Error SphericalDiagram::cellCentroid(SiteId id, double distance, SphericalPoint& centroid) const {
+  const Reach reach(distance);
+  if (const Error error = cellError(id, reach); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    centroid = {kNone, kNone};
     const ProjectedDiagram& diagram = core_->projected();
     if (diagram.isHidden(id)) return;
     const VertexId node = diagram.nodeOf(id);
+    const double most = AngularReach(reach, radius()).of(diagram, node);
+    if (!(most > 0)) return;
     SphericalVertices vertices(diagram, SphericalVertices::Of::kSome);
     FlatArray<Sector> sectors;
     listSectors(diagram, node, vertices, sectors);
     Direction moment;
-    const double area = areaOfCell(diagram.cap(node), sectors, &moment);
+    const double area = areaOfCell(diagram.cap(node), sectors, most, &moment);
     // Of a cell that is symmetric about the centre of the sphere, only rounding is left.
     const bool hasDirection = lengthOf(moment) > 0x1p-40 * area;
     const LonLat point = lonLatOf(hasDirection ? moment : diagram.cap(node).centre);
@@ -101,39 +134,76 @@ Error SphericalDiagram::cellCentroid(SiteId id, SphericalPoint& centroid) const 
   });
 }
 
-Error SphericalDiagram::cellPolygon(SiteId id, double tolerance, bool isCut,
+Error SphericalDiagram::cellPolygon(SiteId id, double tolerance, bool isCut, double distance,
                                     RingArrays& rings) const {
-  if (!has(id)) return Error::kUnknownSite;
+  const Reach reach(distance);
+  if (const Error error = cellError(id, reach); error != Error::kNone) return error;
   if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
   return guarded(*core_, [&] {
     const ProjectedDiagram& diagram = core_->projected();
-    CellPolygons cells(diagram, tolerance, isCut, SphericalVertices::Of::kSome);
+    const AngularReach angular(reach, radius());
+    CellPolygons cells(diagram, tolerance, isCut, angular, SphericalVertices::Of::kSome);
     if (!diagram.isHidden(id)) cells.append(diagram.nodeOf(id));
     copyRings(cells.rings(), rings);
   });
 }
 
-Error SphericalDiagram::cellPolygons(double tolerance, bool isCut, CoverageArrays& polygons) const {
+Error SphericalDiagram::cellPolygons(double tolerance, bool isCut, const Reach& reach,
+                                     CoverageArrays& polygons) const {
   if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
+  if (const Error error = reachError(reach); error != Error::kNone) return error;
   bool isCovered = true;
   const Error error = guarded(*core_, [&] {
     const ProjectedDiagram& diagram = core_->projected();
-    CellPolygons cells(diagram, tolerance, isCut, SphericalVertices::Of::kAll);
+    const AngularReach angular(reach, radius());
+    CellPolygons cells(diagram, tolerance, isCut, angular, SphericalVertices::Of::kAll);
     FlatArray<SiteId> sites;
     FlatArray<std::uint32_t> ends{0};
     for (SiteId id = 0; id < core_->sites().idLimit(); ++id) {
       if (!has(id) || diagram.isHidden(id)) continue;
       cells.append(diagram.nodeOf(id));
+      const auto end = static_cast<std::uint32_t>(cells.rings().parts.size() - 1);
+      const bool isEmpty = end == ends.back();  // or it is the whole sphere
+      if (isEmpty && angular.of(diagram, diagram.nodeOf(id)) < std::numbers::pi) continue;
       sites.push_back(id);
-      ends.push_back(static_cast<std::uint32_t>(cells.rings().parts.size() - 1));
+      ends.push_back(end);
     }
-    isCovered = !isCut || sites.empty() || isRectangleCovered(cells.rings());
+    isCovered =
+        !isCut || !reach.isUnlimited() || sites.empty() || isRectangleCovered(cells.rings());
     if (!isCovered) return;
     copyRings(cells.rings(), polygons);
     polygons.sites.assign(sites.begin(), sites.end());
     polygons.cells.assign(ends.begin(), ends.end());
   });
   return error == Error::kNone && !isCovered ? Error::kBroken : error;
+}
+
+Error SphericalDiagram::naturalWeights(double lon, double lat, double r,
+                                       NaturalWeights& found) const {
+  const double site[] = {lon, lat, r};
+  if (const Error error = checkSites(site, radius()); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    const ProjectedDiagram& diagram = core_->projected();
+    found = {};
+    if (diagram.isEmpty()) return;
+    NaturalNeighbors neighbors(diagram, SphericalVertices::Of::kSome);
+    for (const auto& [node, weight] : neighbors.find(capOf({lon, lat}, r / radius()))) {
+      found.ids.push_back(diagram.siteOf(node));
+      found.weights.push_back(weight);
+    }
+  });
+}
+
+Error SphericalDiagram::interpolate(std::span<const double> values, std::span<const double> lonLat,
+                                    double r, std::span<double> results) const {
+  if (values.size() != core_->sites().idLimit() || lonLat.size() != 2 * results.size())
+    return Error::kBadLength;
+  const double weight[] = {0, 0, r};
+  if (const Error error = checkSites(weight, radius()); error != Error::kNone) return error;
+  if (const Error error = checkPoints(lonLat); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    internal::sphere::interpolate(core_->projected(), values, lonLat, r / radius(), results);
+  });
 }
 
 }  // namespace apollonius

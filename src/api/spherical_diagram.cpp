@@ -16,27 +16,6 @@ namespace apollonius {
 using namespace internal;
 using namespace internal::sphere;
 
-namespace {
-
-Error checkPoints(std::span<const double> lonLat) {
-  for (std::size_t k = 0; k < lonLat.size(); k += 2) {
-    if (const Error error = checkPoint(lonLat[k], lonLat[k + 1]); error != Error::kNone)
-      return error;
-  }
-  return Error::kNone;
-}
-
-Error checkSites(std::span<const double> sites, double radius) {
-  for (std::size_t k = 0; k < sites.size(); k += 3) {
-    if (const Error error = checkPoint(sites[k], sites[k + 1]); error != Error::kNone) return error;
-    if (!std::isfinite(sites[k + 2])) return Error::kNotFinite;
-    if (!(std::abs(sites[k + 2]) / radius < std::numbers::pi)) return Error::kOutOfRange;
-  }
-  return Error::kNone;
-}
-
-}  // namespace
-
 SphericalDiagram::SphericalDiagram(double radius) : core_(std::make_unique<SphericalCore>(radius)) {
   const char* violation = arithmeticViolation();
   invariant(violation == nullptr, violation);
@@ -91,6 +70,7 @@ std::size_t SphericalDiagram::visibleSize() const noexcept {
   return core_->projected().visibleCount();
 }
 bool SphericalDiagram::has(SiteId id) const noexcept { return core_->sites().has(id); }
+std::size_t SphericalDiagram::idLimit() const noexcept { return core_->sites().idLimit(); }
 
 Error SphericalDiagram::site(SiteId id, SphericalCircle& circle) const noexcept {
   if (!has(id)) return Error::kUnknownSite;

@@ -124,6 +124,8 @@ class APOLLONIUS_EXPORT Diagram {
   [[nodiscard]] std::size_t hiddenSize()
       const noexcept;  ///< sites without one (the paper's trivial sites)
   [[nodiscard]] bool has(SiteId id) const noexcept;
+  /// How many ids were ever used: all are below.
+  [[nodiscard]] std::size_t idLimit() const noexcept;
   [[nodiscard]] Error site(SiteId id, Circle& circle) const noexcept;  ///< Errors: kUnknownSite
   [[nodiscard]] Error ids(
       std::vector<SiteId>& ids) const;  ///< all ids, ascending; replaces the contents

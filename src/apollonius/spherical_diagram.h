@@ -22,6 +22,7 @@
 
 #include "apollonius/diagram.h"
 #include "apollonius/export.h"
+#include "apollonius/reach.h"
 #include "apollonius/types.h"
 #include "apollonius/voronoi.h"
 
@@ -88,6 +89,8 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   [[nodiscard]] std::size_t size() const noexcept;         ///< sites, hidden ones too
   [[nodiscard]] std::size_t visibleSize() const noexcept;  ///< sites with a cell
   [[nodiscard]] bool has(SiteId id) const noexcept;
+  /// How many ids were ever used: all are below.
+  [[nodiscard]] std::size_t idLimit() const noexcept;
   /// Exactly as given. Errors: kUnknownSite.
   [[nodiscard]] Error site(SiteId id, SphericalCircle& circle) const noexcept;
   /// All ids, ascending; replaces the contents. Errors: kOutOfMemory.
@@ -132,29 +135,53 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   [[nodiscard]] Error edges(EdgeArrays& edges) const;
 
   // --- Cells. Errors: kUnknownSite, kOutOfMemory
+  //
+  // A distance, or a reach, is how far beyond the circle of its site a cell ends, in the radius'
+  // unit: kEverywhere or a default Reach for cells that end at others only. Errors: also
+  // kNotFinite, kOutOfRange; kBadLength unless a reach by id has a distance for each id that was
+  // ever used.
 
   /// Is the point in the closed cell? False for a hidden site. Errors: also as find.
   [[nodiscard]] Error contains(SiteId id, double lon, double lat, bool& inside) const;
   /// In the square of the radius' unit; 0 for a hidden site. Cost: O(d)
-  [[nodiscard]] Error cellArea(SiteId id, double& area) const;
-  /// By id, 0 for hidden sites and ids that are not in use; they add up to 4 pi radius², which is
-  /// checked to 10^-5 of that. Replaces the contents. Errors: also kBroken, a defect of the
-  /// library. Cost: O(h)
-  [[nodiscard]] Error cellAreas(std::vector<double>& areas) const;
+  [[nodiscard]] Error cellArea(SiteId id, double distance, double& area) const;
+  /// Length of the boundary, in the radius' unit; 0 for a hidden site. Cost: O(d)
+  [[nodiscard]] Error cellPerimeter(SiteId id, double distance, double& perimeter) const;
+  /// By id, 0 for hidden sites and ids that are not in use. Without a reach they add up to 4 pi
+  /// radius², with one to no more, which is checked to 10^-5 of that. Replaces the contents.
+  /// Errors: also kBroken, a defect of the library. Cost: O(h)
+  [[nodiscard]] Error cellAreas(const Reach& reach, std::vector<double>& areas) const;
+  /// By id, as areas. Replaces the contents. Cost: O(h)
+  [[nodiscard]] Error cellPerimeters(const Reach& reach, std::vector<double>& perimeters) const;
   /// The direction of the mean of the cell's points in space, and the site's centre where there is
-  /// none. REQUIRES: a visible site. Cost: O(d)
-  [[nodiscard]] Error cellCentroid(SiteId id, SphericalPoint& centroid) const;
+  /// none; NaN for a hidden site and for a cell that does not reach beyond its centre. Cost: O(d)
+  [[nodiscard]] Error cellCentroid(SiteId id, double distance, SphericalPoint& centroid) const;
   /// Rings of longitude and latitude, counter-clockwise as seen from outside of the sphere, closed;
   /// none for a hidden site. Joined by arcs of great circles, a cell is one ring, or none if it is
   /// the whole sphere; cut, it is one part or more of the rectangle [-180, 180] x [-90, 90], within
   /// which points are joined by straight lines. `tolerance` is in radians, at least
   /// kFinestTolerance. Replaces the contents. Errors: also kNotFinite, kOutOfRange (the tolerance).
   /// Cost: O(d + points)
-  [[nodiscard]] Error cellPolygon(SiteId id, double tolerance, bool isCut, RingArrays& rings) const;
-  /// Those of all visible sites, which have the points of their common edges in common. Replaces
-  /// the contents. Errors: also kBroken, a defect of the library: cut, they are not the rectangle.
-  /// Cost: O(h + points)
-  [[nodiscard]] Error cellPolygons(double tolerance, bool isCut, CoverageArrays& polygons) const;
+  [[nodiscard]] Error cellPolygon(SiteId id, double tolerance, bool isCut, double distance,
+                                  RingArrays& rings) const;
+  /// Those of all cells that are not empty, which have the points of their common edges in common.
+  /// Replaces the contents. Errors: also kBroken, a defect of the library: cut and without a reach,
+  /// they are not the rectangle. Cost: O(h + points)
+  [[nodiscard]] Error cellPolygons(double tolerance, bool isCut, const Reach& reach,
+                                   CoverageArrays& polygons) const;
+
+  // --- Natural neighbours (Sibson). Errors: as insert for the numbers of a site, kOutOfMemory
+
+  /// From which cells a new site would take something, and which share of its own from each. One
+  /// that covers it is the only one; none without sites. The diagram stays as it is. Cost: one
+  /// location, and O(size of what would change).
+  [[nodiscard]] Error naturalWeights(double lon, double lat, double r, NaturalWeights& found) const;
+  /// Values of a field at points longitude, latitude, …: what naturalWeights() says for sites of
+  /// weight r, with `values` by id. NaN without sites. Fills `results`, one for each point. Errors:
+  /// also kBadLength unless there is a value for each id that was ever used and a result for each
+  /// point. Cost: as naturalWeights(); points are visited along a curve.
+  [[nodiscard]] Error interpolate(std::span<const double> values, std::span<const double> lonLat,
+                                  double r, std::span<double> results) const;
 
   // --- Snapshots
 
@@ -172,6 +199,9 @@ class APOLLONIUS_EXPORT SphericalDiagram {
 
  private:
   friend class SphericalNearestFirst;
+
+  [[nodiscard]] Error reachError(const Reach& reach) const;
+  [[nodiscard]] Error cellError(SiteId id, const Reach& reach) const;
 
   std::unique_ptr<internal::sphere::SphericalCore> core_;
 };

@@ -27,23 +27,16 @@ class SphericalBisector {
       setByCircles(diagram.rise(node, neighbor), diagram.shift(node, neighbor));
       return;
     }
-    const Cap &from = diagram.cap(node), &to = diagram.cap(neighbor);
-    setDirection(to.centre - from.centre, frame);
-    const HalfAngle between = angleBetween(from.centre, to.centre);
-    isHeavier_ = from.weight > to.weight;
-    const HalfAngle half = isHeavier_ ? from.radius - to.radius : to.radius - from.radius;
-    const HalfAngle gap = between - half, sum = between + half;
-    // cos d - cos D = 2 sin((D - |d|) / 2) sin((D + |d|) / 2), and sin D - sin |d| is the same with
-    // the cosine of the second. The first is the smaller sine of the two.
-    if (gap.sine > kNearlyCovered * sum.sine) {
-      rise_ = 2 * gap.sine * sum.sine;
-      least_ = 2 * gap.sine * sum.cosine;
-    } else {
-      rise_ = diagram.rise(node, neighbor);
-      least_ = rise_ / std::max(sum.sine, std::sqrt(rise_ / 2)) * sum.cosine;
-    }
-    slope_ = 2 * between.sine * between.cosine;
-    shift_ = 2 * half.sine * half.cosine;
+    setByCaps(diagram.cap(node), diagram.cap(neighbor), frame,
+              [&] { return diagram.rise(node, neighbor); });
+  }
+  /// Of caps only, as accurate as they are. REQUIRES: computed, neither covers the other.
+  SphericalBisector(const Cap& from, const Cap& to, const Frame& frame) {
+    setByCaps(from, to, frame, [&] {
+      const HalfAngle half = halfDifference(from, to),
+                      between = angleBetween(from.centre, to.centre);
+      return 2 * (between - half).sine * (between + half).sine;
+    });
   }
 
   /// What there is in the direction of a bearing.
@@ -51,11 +44,14 @@ class SphericalBisector {
     double cosine, sine;  ///< of rho
     double x, y;          ///< cosine and sine of the bearing
     double rounding;      ///< how far rounding may have moved rho, about
+    double steepness;     ///< of the curve: the derivative of ln tan(rho / 2) by the bearing
     /// 1 - cos rho, accurate also where that is small.
     [[nodiscard]] double height() const {
       return cosine > 0 ? sine * sine / (1 + cosine) : 1 - cosine;
     }
     [[nodiscard]] double rho() const { return std::atan2(sine, cosine); }
+    /// The length of the curve a radian of bearing.
+    [[nodiscard]] double speed() const { return sine * std::sqrt(1 + steepness * steepness); }
     /// The point there; `centre` and `frame` are the first site's.
     [[nodiscard]] Direction point(const Direction& centre, const Frame& frame) const {
       return cosine * centre + sine * (x * frame.first + y * frame.second);
@@ -67,7 +63,12 @@ class SphericalBisector {
     const Run run = runAt(x, y);
     const double length = std::sqrt(rise_ * rise_ + run.value * run.value);
     constexpr double kAnywhere = 3;
-    return {run.value / length, rise_ / length, x, y, std::min(run.rounding / length, kAnywhere)};
+    return {run.value / length,
+            rise_ / length,
+            x,
+            y,
+            std::min(run.rounding / length, kAnywhere),
+            slope_ * (y * x_ - x * y_) / length};
   }
   /// Where the curve is a quarter turn away: at so much from the direction of the other site, to
   /// both sides. If the sites are close to each other, or one nearly covers the other, it goes from
@@ -82,6 +83,32 @@ class SphericalBisector {
     return {std::atan2(across, isHeavier_ ? shift_ : -shift_),
             steepness > 0 ? std::min(rise_ / steepness, 1.0) : 1};
   }
+  /// The curve is nearer than the angle `most`, which is in (0, pi), at bearings up to so much from
+  /// that of the other site, to both sides: 0 to pi.
+  [[nodiscard]] double asideWithin(double most) const {
+    // Where the run is more than rise / tan(most): by the half of the bearing's distance, of which
+    // the square of the sine, or of the cosine, is less than this.
+    const double run = rise_ * std::cos(most) / std::sin(most);
+    const double square = (isHeavier_ ? least_ - run : least_ + run) / (2 * slope_);
+    const double part = std::clamp(square, 0.0, 1.0);
+    const double root = std::sqrt(part), other = std::sqrt(1 - part);
+    return 2 * (isHeavier_ ? std::atan2(root, other) : std::atan2(other, root));
+  }
+  /// The bearings at which the curve is nearer than another one about the same site: those closer
+  /// than `aside`, from none to half a turn, to `middle`.
+  struct Nearer {
+    double middle, aside;
+  };
+  [[nodiscard]] Nearer nearerThan(const SphericalBisector& other) const {
+    // As in bearingOfNext: where p cos phi + q sin phi > r.
+    const double mine = rise_ * other.slope_, its = other.rise_ * slope_;
+    const double p = its * x_ - mine * other.x_, q = its * y_ - mine * other.y_;
+    const double r = other.rise_ * signedShift() - rise_ * other.signedShift();
+    const double square = p * p + q * q - r * r;
+    return {std::atan2(q, p), std::atan2(std::sqrt(std::max(square, 0.0)), r)};
+  }
+  /// Is it a great circle, because the sites have equal weights?
+  [[nodiscard]] bool isGreatCircle() const { return shift_ == 0; }
   /// The bearing of the other site, where the bisector is nearest.
   [[nodiscard]] double middle() const { return std::atan2(y_, x_); }
 
@@ -127,6 +154,30 @@ class SphericalBisector {
     const double square = aside * aside + up * up;
     const double value = least_ - slope_ * square / 2;
     return {isHeavier_ ? value : -value, 0x1p-51 * (std::abs(least_) + slope_ * std::sqrt(square))};
+  }
+  /// Of the difference of the weights, from the lighter one.
+  [[nodiscard]] static HalfAngle halfDifference(const Cap& a, const Cap& b) {
+    return a.weight > b.weight ? a.radius - b.radius : b.radius - a.radius;
+  }
+  /// `rise` gives cos d - cos D where the caps say little about it.
+  template <class Rise>
+  void setByCaps(const Cap& from, const Cap& to, const Frame& frame, Rise&& rise) {
+    setDirection(to.centre - from.centre, frame);
+    const HalfAngle between = angleBetween(from.centre, to.centre);
+    isHeavier_ = from.weight > to.weight;
+    const HalfAngle half = halfDifference(from, to);
+    const HalfAngle gap = between - half, sum = between + half;
+    // cos d - cos D = 2 sin((D - |d|) / 2) sin((D + |d|) / 2), and sin D - sin |d| is the same with
+    // the cosine of the second. The first is the smaller sine of the two.
+    if (gap.sine > kNearlyCovered * sum.sine) {
+      rise_ = 2 * gap.sine * sum.sine;
+      least_ = 2 * gap.sine * sum.cosine;
+    } else {
+      rise_ = rise();
+      least_ = rise_ / std::max(sum.sine, std::sqrt(rise_ / 2)) * sum.cosine;
+    }
+    slope_ = 2 * between.sine * between.cosine;
+    shift_ = 2 * half.sine * half.cosine;
   }
   /// REQUIRES: D and d are acute.
   void setByCircles(double rise, double shift) {

@@ -127,8 +127,10 @@ void listSectors(const ProjectedDiagram& diagram, VertexId node, SphericalVertic
   const Graph& graph = diagram.graph();
   const Star star(diagram, node, vertices);
   if (graph.isEmpty()) {
-    if (diagram.visibleCount() == 2)
-      sectors.push_back({star.bisectorWith(otherOfTwo(diagram, node)), 0, kTurn});
+    if (diagram.visibleCount() == 2) {
+      const SphericalBisector bisector = star.bisectorWith(otherOfTwo(diagram, node));
+      sectors.push_back({bisector, bisector.middle() + kTurn / 2, kTurn});
+    }
     return;
   }
   for (const HalfedgeId h : graph.star(node))

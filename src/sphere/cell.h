@@ -1,6 +1,11 @@
 // The cell of a site of the sphere as sectors about it, one for each edge.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "apollonius/reach.h"
 #include "base/flat_array.h"
 #include "sphere/bisector.h"
 #include "sphere/projected_diagram.h"
@@ -24,7 +29,54 @@ struct Sector {
   return node == kInfinity ? diagram.plane().delaunay().anyVisible() : kInfinity;
 }
 
-/// Lists the sectors of a visible site, counter-clockwise; none if it is the only one. Cost: O(d).
+/// How far cells reach from the centres of their sites, in radians.
+class AngularReach {
+ public:
+  /// On a sphere of this radius. REQUIRES: `reach` is there as long as this one.
+  AngularReach(const Reach& reach, double radius) : reach_(reach), radius_(radius) {}
+
+  [[nodiscard]] bool isUnlimited() const { return reach_.isUnlimited(); }
+  /// From the circle of the site.
+  [[nodiscard]] double beyondWeight(SiteId site) const { return reach_.of(site) / radius_; }
+  /// From its centre: everywhere from pi on, nowhere up to 0.
+  [[nodiscard]] double of(const ProjectedDiagram& diagram, VertexId node) const {
+    return diagram.cap(node).weight + beyondWeight(diagram.siteOf(node));
+  }
+
+ private:
+  const Reach& reach_;
+  double radius_;
+};
+
+/// Calls visit(from, to) for each part of a sector, counted from its beginning, that is closer than
+/// `aside`, at most half a turn, to a bearing, counter-clockwise.
+template <class Visit>
+void visitAbout(const Sector& sector, double bearing, double aside, Visit&& visit) {
+  constexpr double kTurn = 6.283185307179586;
+  const double begin = std::remainder(bearing - sector.from, kTurn) - aside;
+  double done = 0;
+  for (const double turn : {-kTurn, 0.0, kTurn}) {
+    const double from = std::clamp(begin + turn, done, sector.width);
+    const double to = std::clamp(begin + turn + 2 * aside, done, sector.width);
+    if (!(from < to)) continue;
+    visit(from, to);
+    done = to;
+  }
+}
+
+/// Calls visit(from, to) for each part of a sector, counted from its beginning, in which its curve
+/// is nearer to the site than the angle `reach`, which is above 0; counter-clockwise.
+template <class Visit>
+void visitWithin(const Sector& sector, double reach, Visit&& visit) {
+  if (reach < std::numbers::pi) {
+    visitAbout(sector, sector.bisector.middle(), sector.bisector.asideWithin(reach), visit);
+  } else {
+    visit(0.0, sector.width);
+  }
+}
+
+/// Lists the sectors of a visible site, counter-clockwise; none if it is the only one. That of the
+/// closed edge of two visible sites begins where it is farthest. Cost: O(d).
 void listSectors(const ProjectedDiagram& diagram, VertexId node, SphericalVertices& vertices,
                  FlatArray<Sector>& sectors);
 

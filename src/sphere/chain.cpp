@@ -58,6 +58,12 @@ Deviation fromSegment(const MapPoint& from, const LonLat& at, const MapPoint& to
   return {std::hypot(a.lon + along * x, a.lat + along * y), std::sqrt(square)};
 }
 
+/// At an angle and a bearing from a centre.
+Direction pointAt(const Direction& centre, const Frame& frame, double angle, double bearing) {
+  const double x = std::cos(bearing), y = std::sin(bearing);
+  return std::cos(angle) * centre + std::sin(angle) * (x * frame.first + y * frame.second);
+}
+
 /// Is an edge as narrow as rounding, seen from its site, and does the bisector as computed miss its
 /// vertices? So it can be where sites are close to each other, or one nearly covers another: there
 /// rounding moves vertices along the edge, and the bisector to the side.
@@ -111,44 +117,24 @@ bool ChainMaker::isFine(const MapPoint& a, const MapPoint& middle, const MapPoin
          line.distance <= std::min(tolerance_ * (180 / std::numbers::pi), kFlat * line.length);
 }
 
-void ChainMaker::follow(VertexId node, VertexId neighbor, const Sector& sector,
-                        const MapPoint& first, const MapPoint& last, FlatArray<MapPoint>& points) {
+template <class PointAt, class AreEnough>
+void ChainMaker::subdivide(double width, const MapPoint& first, const MapPoint& last,
+                           PointAt&& pointAt, AreEnough&& areEnough, FlatArray<MapPoint>& points) {
   // Beside a pole, pieces become as short as the distance within which points are moved there.
   constexpr int kDeepest = 45;
-  const Direction centre = diagram_.cap(node).centre, other = diagram_.cap(neighbor).centre;
-  const Frame frame(centre);
-  // Then the edge goes from one vertex to the other in their direction.
-  const bool isStraight = missesVertices(sector, centre, frame, first.point, last.point);
-  const double rho = angleBetween(centre, first.point).angle();
-  const double rise = angleBetween(centre, last.point).angle() - rho;
-  const auto pointAt = [&](double part) {
-    const double bearing = sector.from + part * sector.width;
-    if (!isStraight) return shown(sector.bisector.at(bearing).point(centre, frame));
-    const double x = std::cos(bearing), y = std::sin(bearing);
-    const SphericalBisector::At at = {std::cos(rho + part * rise), std::sin(rho + part * rise), x,
-                                      y, 0};
-    return shown(at.point(centre, frame));
-  };
-  // An edge that ends where it begins has no length; between close sites it may come round from the
-  // other end of the sphere.
-  constexpr double kNone = 0x1p-40;
-  if (lengthOf(last.point - first.point) == 0 && sector.width < std::numbers::pi &&
-      (!diagram_.areClose(node, neighbor) || lengthOf(pointAt(0.5).point - first.point) < kNone))
-    return;
   MapPoint a = first;
   ends_.assign(1, last);
   // The piece under way is the one with this number of 2^depth.
   std::uint64_t number = 0;
   for (int depth = 0; !ends_.empty();) {
     const double part = 1 / static_cast<double>(std::uint64_t{1} << depth);
-    const double width = part * sector.width;
     const double from = part * static_cast<double>(number);
     const MapPoint b = ends_.back();
     const MapPoint middle = pointAt(from + part / 2);
-    const bool isDone = depth == kDeepest ||
-                        (width < std::numbers::pi / 2 &&
-                         (isShort(a.point, middle.point, b.point) ||
-                          (isLessThanQuarter(other, a.point, b.point) && isFine(a, middle, b))));
+    const bool isDone =
+        depth == kDeepest ||
+        (part * width < std::numbers::pi / 2 &&
+         (isShort(a.point, middle.point, b.point) || (areEnough(a, b) && isFine(a, middle, b))));
     if (!isDone) {
       ends_.push_back(middle);
       ++depth;
@@ -160,6 +146,90 @@ void ChainMaker::follow(VertexId node, VertexId neighbor, const Sector& sector,
     a = b;
     for (++number; depth > 0 && number % 2 == 0; --depth) number /= 2;
   }
+}
+
+/// An edge as it is followed, from one site. What is on it is at a part of it, from 0 to 1.
+struct ChainMaker::Edge {
+  Edge(const ProjectedDiagram& diagram, VertexId from, VertexId to, const Sector& along,
+       const MapPoint& begin, const MapPoint& end)
+      : node(from),
+        neighbor(to),
+        sector(along),
+        first(begin),
+        last(end),
+        centre(diagram.cap(from).centre),
+        frame(centre),
+        isStraight(missesVertices(sector, centre, frame, first.point, last.point)),
+        rho(angleBetween(centre, first.point).angle()),
+        rise(angleBetween(centre, last.point).angle() - rho) {
+    // Between close sites an edge that ends where it begins may come round from the other end of
+    // the sphere.
+    constexpr double kNone = 0x1p-40;
+    isPoint = lengthOf(last.point - first.point) == 0 && sector.width < std::numbers::pi &&
+              (!diagram.areClose(node, neighbor) || lengthOf(at(0.5) - first.point) < kNone);
+  }
+
+  [[nodiscard]] Direction at(double part) const {
+    const double bearing = sector.from + part * sector.width;
+    if (!isStraight) return sector.bisector.at(bearing).point(centre, frame);
+    const double angle = rho + part * rise;
+    return pointAt(centre, frame, angle, bearing);
+  }
+  /// Calls visit(from, to) for each part that is nearer to the site than the angle `reach`, which
+  /// is above 0.
+  template <class Visit>
+  void visitWithin(double reach, Visit&& visit) const {
+    const bool isFirstWithin = rho <= reach, isLastWithin = rho + rise <= reach;
+    if (isPoint || sector.width == 0) {
+      if (isFirstWithin) visit(0.0, 1.0);
+    } else if (!isStraight) {
+      sphere::visitWithin(sector, reach, [&](double from, double to) {
+        visit(from / sector.width, to / sector.width);
+      });
+    } else if (isFirstWithin || isLastWithin) {
+      const double cut = isFirstWithin && isLastWithin ? 1 : (reach - rho) / rise;
+      if (isFirstWithin) {
+        visit(0.0, cut);
+      } else {
+        visit(cut, 1.0);
+      }
+    }
+  }
+
+  VertexId node, neighbor;
+  Sector sector;
+  MapPoint first, last;
+  Direction centre;
+  Frame frame;
+  bool isStraight;   // it goes from one vertex to the other in their direction
+  bool isPoint;      // it has no length
+  double rho, rise;  // how far the first one is from the site, and the last one farther
+};
+
+void ChainMaker::follow(const Edge& edge, double from, double to, const MapPoint& first,
+                        const MapPoint& last, FlatArray<MapPoint>& points) {
+  if (edge.isPoint) return;
+  const Direction other = diagram_.cap(edge.neighbor).centre;
+  subdivide((to - from) * edge.sector.width, first, last,
+            [&](double part) { return shown(edge.at(from + part * (to - from))); },
+            [&](const MapPoint& a, const MapPoint& b) {
+              return isLessThanQuarter(other, a.point, b.point) &&
+                     (edge.isStraight || isFineAtChord(edge, a, b));
+            },
+            points);
+}
+
+bool ChainMaker::isFineAtChord(const Edge& edge, const MapPoint& a, const MapPoint& b) const {
+  const double x1 = dot(a.point, edge.frame.first), y1 = dot(a.point, edge.frame.second);
+  const double x2 = dot(b.point, edge.frame.first), y2 = dot(b.point, edge.frame.second);
+  // A piece that goes straight away from the site is met anywhere.
+  constexpr double kStraight = 0x1p-16, kPart = 0x1p-10;
+  const double turn = std::abs(x1 * y2 - x2 * y1), both = (x1 * x1 + y1 * y1) * (x2 * x2 + y2 * y2);
+  if (turn * turn <= kStraight * kStraight * both) return true;
+  const double x = x1 + x2, y = y1 + y2, length = std::sqrt(x * x + y * y);
+  const SphericalBisector::At at = edge.sector.bisector.at(x / length, y / length);
+  if (at.rounding > std::min(tolerance_, kPart * lengthOf(b.point - a.point))) return true;
+  return isFine(a, shown(at.point(edge.centre, edge.frame)), b);
 }
 
 bool ChainMaker::isOnePiece(VertexId node, VertexId neighbor, const MapPoint& from,
@@ -175,10 +245,13 @@ bool ChainMaker::isOnePiece(VertexId node, VertexId neighbor, const MapPoint& fr
   if (!(turn > kClear * length1 * length2) || !(x1 * x2 + y1 * y2 > 0) ||
       !isLessThanQuarter(other.centre, first, last))
     return false;
-  const double x = x1 * length2 + x2 * length1, y = y1 * length2 + y2 * length1;
-  const double length = std::sqrt(x * x + y * y);
   const SphericalBisector bisector(diagram_, node, frame, neighbor);
-  return isFine(from, shown(bisector.at(x / length, y / length).point(cap.centre, frame)), to);
+  const auto isFineTowards = [&](double x, double y) {
+    const double length = std::sqrt(x * x + y * y);
+    return isFine(from, shown(bisector.at(x / length, y / length).point(cap.centre, frame)), to);
+  };
+  return isFineTowards(x1 * length2 + x2 * length1, y1 * length2 + y2 * length1) &&
+         isFineTowards(x1 + x2, y1 + y2);
 }
 
 std::span<const MapPoint> ChainMaker::innerOf(HalfedgeId h, const MapPoint& first,
@@ -191,7 +264,8 @@ std::span<const MapPoint> ChainMaker::innerOf(HalfedgeId h, const MapPoint& firs
   const VertexId node = graph.origin(h), neighbor = graph.target(h);
   inner_.clear();
   if (!isOnePiece(node, neighbor, first, last))
-    follow(node, neighbor, sectorOf(diagram_, h, vertices_), first, last, inner_);
+    follow({diagram_, node, neighbor, sectorOf(diagram_, h, vertices_), first, last}, 0, 1, first,
+           last, inner_);
   for (MapPoint& point : inner_) locate(point);
   if (!chains_.empty() && kept_.size() + inner_.size() <= kMostKept) {
     chains_[index(h)] = {static_cast<std::uint32_t>(kept_.size()),
@@ -227,9 +301,109 @@ void ChainMaker::appendClosed(VertexId node, FlatArray<MapPoint>& points) {
   const MapPoint start = shown(sector.bisector.at(sector.from).point(centre, Frame(centre)));
   const std::size_t begin = points.size();
   points.push_back(start);
-  follow(from, to, sector, start, start, points);
+  follow({diagram_, from, to, sector, start, start}, 0, 1, start, start, points);
   for (std::size_t k = begin; k < points.size(); ++k) locate(points[k]);
   if (!isOwn) std::reverse(points.begin() + begin + 1, points.end());
+}
+
+void ChainMaker::appendWithin(const Edge& edge, VertexId node, const Sector& sector,
+                              const AngularReach& reach, FlatArray<MapPoint>& points,
+                              FlatArray<Strand>& strands) {
+  const bool isOwn = node == edge.node;
+  const double weight = diagram_.cap(edge.node).weight;
+  // In pairs, the ends of the parts within the reach of a site, which is as far beyond its weight
+  // as the other one is.
+  const auto cutBy = [&](VertexId of, FlatArray<double>& cuts) {
+    const double most = weight + reach.beyondWeight(diagram_.siteOf(of));
+    if (!(most > 0)) return;
+    edge.visitWithin(most, [&](double from, double to) {
+      cuts.push_back(from);
+      cuts.push_back(to);
+    });
+  };
+  parts_.clear();
+  cutBy(node, parts_);
+  cuts_ = parts_;
+  cutBy(isOwn ? edge.neighbor : edge.node, cuts_);
+  for (std::size_t k = 1; k < cuts_.size(); ++k) {  // few, in two runs that are in order
+    for (std::size_t n = k; n > 0 && cuts_[n] < cuts_[n - 1]; --n)
+      std::swap(cuts_[n], cuts_[n - 1]);
+  }
+
+  const auto pointAt = [&](double part) {
+    if (part <= 0) return edge.first;
+    if (part >= 1) return edge.last;
+    MapPoint point = shown(edge.at(part));
+    locate(point);
+    return point;
+  };
+  const Frame frame(diagram_.cap(node).centre);
+  const auto offsetOf = [&](double part, const MapPoint& point) {
+    if (part <= 0 || part >= 1) return (part <= 0) == isOwn ? 0 : sector.width;
+    if (isOwn) return part * sector.width;
+    const double middle = sector.from + sector.width / 2;
+    const double aside = std::remainder(frame.bearing(point.point) - middle, 2 * std::numbers::pi);
+    return std::clamp(sector.width / 2 + aside, 0.0, sector.width);
+  };
+  const std::size_t before = strands.size();
+  for (std::size_t pair = 0; pair < parts_.size(); pair += 2) {
+    const double from = parts_[pair], to = parts_[pair + 1];
+    const std::size_t begin = points.size();
+    points.push_back(pointAt(from));
+    double at = from;
+    for (const double cut : cuts_) {
+      if (!(cut > at && cut <= to)) continue;
+      const MapPoint a = points.back(), b = pointAt(cut);
+      const std::size_t inner = points.size();
+      follow(edge, at, cut, a, b, points);
+      for (std::size_t p = inner; p < points.size(); ++p) locate(points[p]);
+      points.push_back(b);
+      at = cut;
+    }
+    const double one = offsetOf(from, points[begin]), other = offsetOf(to, points.back());
+    if (!isOwn) std::reverse(points.begin() + begin, points.end());
+    strands.push_back({begin, points.size(), isOwn ? one : other, isOwn ? other : one});
+  }
+  if (!isOwn) std::reverse(strands.begin() + before, strands.end());
+}
+
+void ChainMaker::appendWithin(HalfedgeId h, const Sector& sector, const AngularReach& reach,
+                              FlatArray<MapPoint>& points, FlatArray<Strand>& strands) {
+  const Graph& graph = diagram_.graph();
+  const VertexId node = graph.origin(h), neighbor = graph.target(h);
+  const HalfedgeId g = isFollowedFrom(node, neighbor) ? h : graph.twin(h);
+  const MapPoint first = vertexOf(faceOf(graph.twin(g))), last = vertexOf(faceOf(g));
+  appendWithin(
+      {diagram_, graph.origin(g), graph.target(g), sectorOf(diagram_, g, vertices_), first, last},
+      node, sector, reach, points, strands);
+}
+
+void ChainMaker::appendClosedWithin(VertexId node, const Sector& sector, const AngularReach& reach,
+                                    FlatArray<MapPoint>& points, FlatArray<Strand>& strands) {
+  const VertexId other = otherOfTwo(diagram_, node);
+  const bool isOwn = isFollowedFrom(node, other);
+  const VertexId from = isOwn ? node : other, to = isOwn ? other : node;
+  FlatArray<Sector> sectors;
+  listSectors(diagram_, from, vertices_, sectors);
+  const Sector& followed = sectors[0];
+  const Direction centre = diagram_.cap(from).centre;
+  MapPoint start = shown(followed.bisector.at(followed.from).point(centre, Frame(centre)));
+  locate(start);
+  appendWithin({diagram_, from, to, followed, start, start}, node, sector, reach, points, strands);
+}
+
+MapPoint ChainMaker::onCircle(VertexId node, double reach, double bearing) const {
+  const Direction centre = diagram_.cap(node).centre;
+  MapPoint point = shown(pointAt(centre, Frame(centre), reach, bearing));
+  locate(point);
+  return point;
+}
+
+void ChainMaker::appendCircle(VertexId node, double reach, const MapPoint& first, double from,
+                              double width, const MapPoint& last, FlatArray<MapPoint>& points) {
+  subdivide(
+      width, first, last, [&](double part) { return onCircle(node, reach, from + part * width); },
+      [](const MapPoint&, const MapPoint&) { return true; }, points);
 }
 
 }  // namespace apollonius::internal::sphere

@@ -30,14 +30,43 @@ class ChainMaker {
   void append(HalfedgeId h, FlatArray<MapPoint>& points);
   /// The closed edge of a site, where there are two visible sites.
   void appendClosed(VertexId node, FlatArray<MapPoint>& points);
+
+  /// A part of a site's edge within its reach: the points from `begin` to before `end`, both ends
+  /// included, which are at these bearings, counted from the beginning of the site's sector.
+  struct Strand {
+    std::size_t begin, end;
+    double from, to;
+  };
+  /// Appends the parts of a site's edge within its reach, and their points: those where the edge
+  /// leaves the reach of either site are among them. `sector` is that of h about its origin.
+  void appendWithin(HalfedgeId h, const Sector& sector, const AngularReach& reach,
+                    FlatArray<MapPoint>& points, FlatArray<Strand>& strands);
+  /// The same of the closed edge, whose sector begins where it is the farthest.
+  void appendClosedWithin(VertexId node, const Sector& sector, const AngularReach& reach,
+                          FlatArray<MapPoint>& points, FlatArray<Strand>& strands);
+  /// Appends the points of a circle about a site between two of its points, at two bearings and at
+  /// the angle `reach`; all of it but its first point where these are a turn apart.
+  void appendCircle(VertexId node, double reach, const MapPoint& first, double from, double width,
+                    const MapPoint& last, FlatArray<MapPoint>& points);
+  /// At a bearing about a site, at the angle `reach`.
+  [[nodiscard]] MapPoint onCircle(VertexId node, double reach, double bearing) const;
   [[nodiscard]] SphericalVertices& vertices() { return vertices_; }
 
  private:
   /// Is the edge followed from this site? The other one gets the same points in reverse.
   [[nodiscard]] bool isFollowedFrom(VertexId node, VertexId neighbor) const;
-  /// Appends the points between its ends.
-  void follow(VertexId node, VertexId neighbor, const Sector& sector, const MapPoint& first,
-              const MapPoint& last, FlatArray<MapPoint>& points);
+  struct Edge;
+  void appendWithin(const Edge& edge, VertexId node, const Sector& sector,
+                    const AngularReach& reach, FlatArray<MapPoint>& points,
+                    FlatArray<Strand>& strands);
+  /// Appends the points between the ends of a curve that turns by `width`, of which
+  /// pointAt(part) is at a part from 0 to 1: as many as areEnough(a, b, middle) asks for.
+  template <class PointAt, class AreEnough>
+  void subdivide(double width, const MapPoint& first, const MapPoint& last, PointAt&& pointAt,
+                 AreEnough&& areEnough, FlatArray<MapPoint>& points);
+  /// Appends the points between the ends of a part of an edge.
+  void follow(const Edge& edge, double from, double to, const MapPoint& first, const MapPoint& last,
+              FlatArray<MapPoint>& points);
   /// The points between the ends of an edge that is followed from the origin of h. They are there
   /// until the next call.
   [[nodiscard]] std::span<const MapPoint> innerOf(HalfedgeId h, const MapPoint& first,
@@ -46,6 +75,9 @@ class ChainMaker {
   [[nodiscard]] MapPoint shown(const Direction& point) const;
   void locate(MapPoint& point) const;
   [[nodiscard]] const MapPoint& vertexOf(FaceId face);
+  /// Is a piece also close to the edge in the direction of the middle of its chord? In that of half
+  /// its turn, an edge that comes from afar and turns beside the site may be at the turn already.
+  [[nodiscard]] bool isFineAtChord(const Edge& edge, const MapPoint& a, const MapPoint& b) const;
   /// Can its ends alone stand for an edge, which is followed from `node`? A filter without
   /// trigonometry, which knows most of them.
   [[nodiscard]] bool isOnePiece(VertexId node, VertexId neighbor, const MapPoint& first,
@@ -60,6 +92,8 @@ class ChainMaker {
   std::array<std::pair<FaceId, MapPoint>, 2> vertexPoints_{{{kNoFace, {}}, {kNoFace, {}}}};
   FlatArray<MapPoint> ends_;   // of the pieces that are still to be followed
   FlatArray<MapPoint> inner_;  // of the last edge
+  FlatArray<double> parts_;    // scratch of appendWithin()
+  FlatArray<double> cuts_;     // likewise
   // Where all cells are asked for, each edge is asked for twice: by its half-edge, the points that
   // are kept, which are some 40 MB at most.
   struct Chain {

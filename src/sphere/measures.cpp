@@ -7,7 +7,10 @@
 //     integral sin² rho / 2 dphi  u  +  integral (rho - sin rho cos rho) / 2 (cos phi e1 + sin phi
 //     e2) dphi.
 //
-// Both are taken by Gauss's rule of twelve points. Where the rule of six agrees to more than half
+// Where the cell ends at its reach, rho is constant and both are elementary. The boundary's length
+// is the integral of sqrt(rho'² + sin² rho) dphi.
+//
+// They are taken by Gauss's rule of twelve points. Where the rule of six agrees to more than half
 // of the digits, that of twelve, whose error is about the square, is right to all of them; else the
 // interval is halved, unless rounding makes the difference.
 #include "sphere/measures.h"
@@ -36,17 +39,27 @@ constexpr std::array<GaussPoint, 3> kSixPoints = {{{0.2386191860831969, 0.467913
                                                    {0.6612093864662645, 0.3607615730481386},
                                                    {0.932469514203152, 0.17132449237917036}}};
 
-/// The area below a piece of a bisector, and what it adds to the moment in the frame's directions
+/// What is measured of a piece of a bisector.
+enum class Integrand : unsigned char { kArea, kAreaAndMoment, kLength };
+
+/// The area below it, or its length; and what the area adds to the moment in the frame's directions
 /// (first, second, up).
 struct Integrals {
-  double area = 0;
-  double rounding = 0;  // of the area, about
+  double value = 0;
+  double rounding = 0;  // of the value, about
   Direction moment = {};
 
-  void add(double weight, const SphericalBisector::At& at, bool withMoment) {
-    area += weight * at.height();
+  void add(double weight, const SphericalBisector::At& at, Integrand of) {
+    if (of == Integrand::kLength) {
+      // The speed is inverse to a length, or to its square, which rounding changes by that part.
+      const double length = weight * at.speed();
+      value += length;
+      rounding += 4 * length * at.rounding;
+      return;
+    }
+    value += weight * at.height();
     rounding += weight * at.sine * at.rounding;  // of the height 1 - cos rho
-    if (!withMoment) return;
+    if (of == Integrand::kArea) return;
     const double outward = weight * (at.rho() - at.sine * at.cosine) / 2;
     moment = moment + Direction{outward * at.x, outward * at.y, weight * at.sine * at.sine / 2};
   }
@@ -54,7 +67,7 @@ struct Integrals {
 
 template <std::size_t n>
 Integrals gauss(const SphericalBisector& bisector, double from, double width,
-                const std::array<GaussPoint, n>& points, bool withMoment) {
+                const std::array<GaussPoint, n>& points, Integrand of) {
   Integrals sum;
   const double half = width / 2, middle = from + half;
   const double cosine = std::cos(middle), sine = std::sin(middle);
@@ -63,13 +76,13 @@ Integrals gauss(const SphericalBisector& bisector, double from, double width,
     const double c = std::cos(offset), s = std::sin(offset);
     for (const double side : {-s, s})
       sum.add(half * point.weight, bisector.at(cosine * c - sine * side, sine * c + cosine * side),
-              withMoment);
+              of);
   }
   return sum;
 }
 
 /// Adds the integrals over an interval of bearings, halved where that is needed.
-void addInterval(const SphericalBisector& bisector, double from, double width, bool withMoment,
+void addInterval(const SphericalBisector& bisector, double from, double width, Integrand of,
                  Integrals& sum) {
   constexpr int kDeepest = 48;
   // The part under way is the one with this number of 2^depth.
@@ -77,29 +90,58 @@ void addInterval(const SphericalBisector& bisector, double from, double width, b
   for (int depth = 0; number < std::uint64_t{1} << depth;) {
     const double part = width / static_cast<double>(std::uint64_t{1} << depth);
     const double at = from + part * static_cast<double>(number);
-    const Integrals twelve = gauss(bisector, at, part, kTwelvePoints, withMoment);
-    const double six = gauss(bisector, at, part, kSixPoints, false).area;
-    const double enough = 0x1p-30 * twelve.area + twelve.rounding;
-    if (std::abs(twelve.area - six) > enough && depth < kDeepest) {
+    const Integrals twelve = gauss(bisector, at, part, kTwelvePoints, of);
+    const Integrand value = of == Integrand::kAreaAndMoment ? Integrand::kArea : of;
+    const double six = gauss(bisector, at, part, kSixPoints, value).value;
+    const double enough = 0x1p-30 * twelve.value + twelve.rounding;
+    if (std::abs(twelve.value - six) > enough && depth < kDeepest) {
       ++depth;
       number *= 2;
       continue;
     }
-    sum.area += twelve.area;
+    sum.value += twelve.value;
     sum.moment = sum.moment + twelve.moment;
     for (++number; depth > 0 && number % 2 == 0; --depth) number /= 2;
   }
 }
 
-/// Adds the integrals over a sector in intervals that grow with the distance from where the curve
-/// turns from one end of the sphere to the other, too sharply perhaps to be seen from farther away.
-void addSector(const Sector& sector, bool withMoment, Integrals& sum) {
+/// Adds the area below an arc of a great circle, or its length: by the triangle with the site. At
+/// most half a turn wide.
+void addGreatArc(const SphericalBisector& bisector, double from, double width, Integrand of,
+                 Integrals& sum) {
+  struct Half {
+    double sine, cosine;  // of half the distance
+  };
+  const auto halfOf = [](const SphericalBisector::At& at) {
+    const double sine = std::sqrt(at.height() / 2);
+    return Half{sine, at.sine / (2 * sine)};
+  };
+  const Half a = halfOf(bisector.at(from)), b = halfOf(bisector.at(from + width));
+  const double sines = a.sine * b.sine, cosines = a.cosine * b.cosine;
+  if (of == Integrand::kLength) {
+    const double difference = a.sine * b.cosine - a.cosine * b.sine;
+    const double across = 2 * std::sqrt(sines * cosines) * std::sin(width / 2);
+    sum.value += 2 * std::asin(std::min(std::hypot(difference, across), 1.0));
+  } else {
+    sum.value += 2 * std::atan2(sines * std::sin(width), cosines + sines * std::cos(width));
+  }
+}
+
+/// Adds the integrals over a part of a sector in intervals that grow with the distance from where
+/// the curve turns from one end of the sphere to the other, too sharply perhaps to be seen from
+/// farther away.
+void addEdge(const SphericalBisector& bisector, double from, double width, Integrand of,
+             Integrals& sum) {
   constexpr double kTurn = 2 * std::numbers::pi, kWidest = kTurn / 8, kGrowth = 4;
   constexpr double kNarrowest = 0x1p-46;  // of steps, which rounding would swallow
-  const SphericalBisector& bisector = sector.bisector;
+  if (bisector.isGreatCircle() && of != Integrand::kAreaAndMoment) {
+    for (double done = 0; done < width; done += kTurn / 4)
+      addGreatArc(bisector, from + done, std::min(kTurn / 4, width - done), of, sum);
+    return;
+  }
   const SphericalBisector::Turns turns = bisector.turns();
-  const double middle = bisector.middle(), to = sector.from + sector.width;
-  for (double at = sector.from; at < to;) {
+  const double middle = bisector.middle(), to = from + width;
+  for (double at = from; at < to;) {
     double behind = kTurn, ahead = kTurn;
     for (const double side : {-turns.aside, turns.aside}) {
       const double away = std::remainder(at - middle - side, kTurn);
@@ -108,39 +150,97 @@ void addSector(const Sector& sector, bool withMoment, Integrals& sum) {
     const double growing = std::min(behind * (kGrowth - 1), ahead * (1 - 1 / kGrowth));
     const double step =
         std::min(std::max({growing, turns.width, kNarrowest}), std::min(kWidest, to - at));
-    addInterval(bisector, at, step, withMoment, sum);
+    addInterval(bisector, at, step, of, sum);
     at = step < to - at ? at + step : to;
   }
 }
 
+/// Adds the integrals over a part of the circle at the angle `reach`.
+void addCircle(double reach, double from, double width, Integrand of, Integrals& sum) {
+  if (width == 0) return;
+  const double sine = reach < std::numbers::pi ? std::sin(reach) : 0, cosine = std::cos(reach);
+  if (of == Integrand::kLength) {
+    sum.value += width * sine;
+    return;
+  }
+  const double half = std::sin(reach / 2);
+  sum.value += 2 * half * half * width;
+  if (of == Integrand::kArea) return;
+  // Of the cosines and sines of the bearings, by those of the middle.
+  const double chord = 2 * std::sin(width / 2), middle = from + width / 2;
+  const double outward = (reach - sine * cosine) / 2 * chord;
+  sum.moment = sum.moment + Direction{outward * std::cos(middle), outward * std::sin(middle),
+                                      width * sine * sine / 2};
+}
+
+[[nodiscard]] Integrals integralsOf(const FlatArray<Sector>& sectors, double reach, Integrand of) {
+  Integrals sum;
+  if (sectors.empty()) {
+    // All that the only site's cell does not end at is the point opposite to it.
+    addCircle(std::min(reach, std::numbers::pi), 0, 2 * std::numbers::pi, of, sum);
+    return sum;
+  }
+  for (const Sector& sector : sectors) {
+    double done = 0;  // of the sector
+    visitWithin(sector, reach, [&](double from, double to) {
+      addCircle(reach, sector.from + done, from - done, of, sum);
+      addEdge(sector.bisector, sector.from + from, to - from, of, sum);
+      done = to;
+    });
+    addCircle(reach, sector.from + done, sector.width - done, of, sum);
+  }
+  return sum;
+}
+
+double measureAt(const ProjectedDiagram& diagram, VertexId node, CellMeasure measure,
+                 const AngularReach& reach, SphericalVertices& vertices,
+                 FlatArray<Sector>& sectors) {
+  const double most = reach.of(diagram, node);
+  if (!(most > 0)) return 0;
+  listSectors(diagram, node, vertices, sectors);
+  return measure == CellMeasure::kArea ? areaOfCell(diagram.cap(node), sectors, most)
+                                       : perimeterOfCell(sectors, most);
+}
+
 }  // namespace
 
-double areaOfCell(const Cap& cap, const FlatArray<Sector>& sectors, Direction* moment) {
-  if (sectors.size() == 0) {
-    if (moment != nullptr) *moment = {};
-    return 4 * std::numbers::pi;
-  }
-  Integrals sum;
-  for (const Sector& sector : sectors) {
-    addSector(sector, moment != nullptr, sum);
-  }
+double areaOfCell(const Cap& cap, const FlatArray<Sector>& sectors, double reach,
+                  Direction* moment) {
+  const Integrals sum =
+      integralsOf(sectors, reach, moment == nullptr ? Integrand::kArea : Integrand::kAreaAndMoment);
   if (moment != nullptr) {
     const Frame frame(cap.centre);
     *moment = sum.moment.x * frame.first + sum.moment.y * frame.second + sum.moment.z * cap.centre;
   }
-  return sum.area;
+  return sum.value;
 }
 
-void listAreas(const ProjectedDiagram& diagram, const SiteTable& sites,
-               std::vector<double>& areas) {
-  areas.assign(sites.idLimit(), 0);
+double areaBelow(const SphericalBisector& bisector, double from, double width) {
+  Integrals sum;
+  addEdge(bisector, from, width, Integrand::kArea, sum);
+  return sum.value;
+}
+
+double perimeterOfCell(const FlatArray<Sector>& sectors, double reach) {
+  return integralsOf(sectors, reach, Integrand::kLength).value;
+}
+
+double measureOf(const ProjectedDiagram& diagram, SiteId site, CellMeasure measure,
+                 const AngularReach& reach) {
+  if (diagram.isHidden(site)) return 0;
+  SphericalVertices vertices(diagram, SphericalVertices::Of::kSome);
+  FlatArray<Sector> sectors;
+  return measureAt(diagram, diagram.nodeOf(site), measure, reach, vertices, sectors);
+}
+
+void listMeasures(const ProjectedDiagram& diagram, const SiteTable& sites, CellMeasure measure,
+                  const AngularReach& reach, std::vector<double>& measures) {
+  measures.assign(sites.idLimit(), 0);
   SphericalVertices vertices(diagram, SphericalVertices::Of::kAll);
   FlatArray<Sector> sectors;
   for (SiteId id = 0; id < sites.idLimit(); ++id) {
-    if (!sites.has(id) || diagram.isHidden(id)) continue;
-    const VertexId node = diagram.nodeOf(id);
-    listSectors(diagram, node, vertices, sectors);
-    areas[id] = areaOfCell(diagram.cap(node), sectors);
+    if (sites.has(id) && !diagram.isHidden(id))
+      measures[id] = measureAt(diagram, diagram.nodeOf(id), measure, reach, vertices, sectors);
   }
 }
 

@@ -1,4 +1,4 @@
-// Areas and centroids of cells on the unit sphere.
+// Areas, centroids and perimeters of cells on the unit sphere.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,25 @@
 
 namespace apollonius::internal::sphere {
 
-/// The area of the cell of a visible site, of which all sectors are given, and, unless `moment` is
-/// null, the vector integral of its points.
-[[nodiscard]] double areaOfCell(const Cap& cap, const FlatArray<Sector>& sectors,
+/// Of the part of a visible site's cell, of which all sectors are given, within the angle `reach`,
+/// which is above 0, of the centre: the area, and, unless `moment` is null, the vector integral of
+/// the points.
+[[nodiscard]] double areaOfCell(const Cap& cap, const FlatArray<Sector>& sectors, double reach,
                                 Direction* moment = nullptr);
+/// The length of its boundary.
+[[nodiscard]] double perimeterOfCell(const FlatArray<Sector>& sectors, double reach);
 
-/// The areas of all cells by id, 0 for hidden sites and free ids; they add up to 4 pi. Replaces the
-/// contents. Throws std::bad_alloc. Cost: O(n).
-void listAreas(const ProjectedDiagram& diagram, const SiteTable& sites, std::vector<double>& areas);
+/// The area between a site and a part of one of its bisectors.
+[[nodiscard]] double areaBelow(const SphericalBisector& bisector, double from, double width);
+
+enum class CellMeasure : unsigned char { kArea, kPerimeter };
+
+/// The measure of one cell, 0 without one. Throws std::bad_alloc. Cost: O(d).
+[[nodiscard]] double measureOf(const ProjectedDiagram& diagram, SiteId site, CellMeasure measure,
+                               const AngularReach& reach);
+/// Those of all cells by id, 0 for hidden sites and free ids; without a reach areas add up to 4 pi.
+/// Replaces the contents. Throws std::bad_alloc. Cost: O(n).
+void listMeasures(const ProjectedDiagram& diagram, const SiteTable& sites, CellMeasure measure,
+                  const AngularReach& reach, std::vector<double>& measures);
 
 }  // namespace apollonius::internal::sphere

@@ -8,19 +8,72 @@
 namespace apollonius::internal::sphere {
 
 CellPolygons::CellPolygons(const ProjectedDiagram& diagram, double tolerance, bool isCut,
-                           SphericalVertices::Of of)
+                           const AngularReach& reach, SphericalVertices::Of of)
     : diagram_(diagram),
+      reach_(reach),
       chains_(diagram, tolerance, isCut ? Joint::kLonLatLine : Joint::kGreatArc, of),
       isCut_(isCut),
       cutter_(tolerance * (180 / std::numbers::pi)) {}
 
-void CellPolygons::append(VertexId node) {
+void CellPolygons::followWhole(VertexId node) {
   const Graph& graph = diagram_.graph();
   points_.clear();
   if (!graph.isEmpty()) {
     for (const HalfedgeId h : graph.star(node)) chains_.append(h, points_);
   } else if (diagram_.visibleCount() == 2) {
     chains_.appendClosed(node, points_);
+  }
+}
+
+void CellPolygons::followWithin(VertexId node, double reach) {
+  const Graph& graph = diagram_.graph();
+  listSectors(diagram_, node, chains_.vertices(), sectors_);
+  strands_.clear();
+  inner_.clear();
+  double turn = 0;  // of the sectors that are done
+  if (graph.isEmpty()) {
+    if (!sectors_.empty()) chains_.appendClosedWithin(node, sectors_[0], reach_, inner_, strands_);
+    turn = 2 * std::numbers::pi;
+  } else {
+    std::size_t k = 0;
+    for (const HalfedgeId h : graph.star(node)) {
+      const std::size_t first = strands_.size();
+      chains_.appendWithin(h, sectors_[k], reach_, inner_, strands_);
+      for (std::size_t strand = first; strand < strands_.size(); ++strand) {
+        strands_[strand].from += turn;
+        strands_[strand].to += turn;
+      }
+      turn += sectors_[k++].width;
+    }
+  }
+  points_.clear();
+  const double start = sectors_.empty() ? 0 : sectors_[0].from;
+  if (strands_.empty()) {
+    if (reach >= std::numbers::pi) return;
+    const MapPoint point = chains_.onCircle(node, reach, start);
+    points_.push_back(point);
+    chains_.appendCircle(node, reach, point, start, 2 * std::numbers::pi, point, points_);
+    return;
+  }
+  for (std::size_t k = 0; k < strands_.size(); ++k) {
+    const ChainMaker::Strand& strand = strands_[k];
+    const bool isLast = k + 1 == strands_.size();
+    const ChainMaker::Strand& next = strands_[isLast ? 0 : k + 1];
+    points_.append({inner_.data() + strand.begin, strand.end - strand.begin});
+    const double width = next.from + (isLast ? turn : 0) - strand.to;
+    if (width > 0)
+      chains_.appendCircle(node, reach, inner_[strand.end - 1], start + strand.to, width,
+                           inner_[next.begin], points_);
+  }
+}
+
+void CellPolygons::append(VertexId node) {
+  const double reach = reach_.of(diagram_, node);
+  if (!(reach > 0)) return;
+  if (reach_.isUnlimited()) {
+    followWhole(node);
+  } else {
+    followWithin(node, reach);
   }
   // Edges without length repeat points.
   std::size_t kept = 0;
@@ -32,10 +85,11 @@ void CellPolygons::append(VertexId node) {
   }
   while (kept > 1 && !isApart(points_[kept - 1], points_[0])) --kept;
   points_.resize(kept);
+  if (reach < std::numbers::pi && kept < 3) return;  // a reach as small as rounding
   if (isCut_) {
     const auto area = [&] {
       listSectors(diagram_, node, chains_.vertices(), sectors_);
-      return areaOfCell(diagram_.cap(node), sectors_);
+      return areaOfCell(diagram_.cap(node), sectors_, reach);
     };
     cutter_.cut({points_.data(), points_.size()}, area, rings_);
     return;

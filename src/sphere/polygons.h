@@ -14,21 +14,29 @@ class CellPolygons {
   /// Points are joined by arcs of great circles, or, cut at the meridian of 180 degrees, by
   /// straight lines of the plane of longitude and latitude.
   CellPolygons(const ProjectedDiagram& diagram, double tolerance, bool isCut,
-               SphericalVertices::Of of);
+               const AngularReach& reach, SphericalVertices::Of of);
 
   /// Appends the cell of a visible site: one ring that has it at the left, none if it is the whole
-  /// sphere, or, where it is cut, rings of one part or more.
+  /// sphere, or, where it is cut, rings of one part or more; nothing if it does not reach beyond
+  /// its centre.
   void append(VertexId node);
 
   [[nodiscard]] const LonLatRings& rings() const { return rings_; }
 
  private:
+  /// Put the boundary into points_.
+  void followWhole(VertexId node);
+  void followWithin(VertexId node, double reach);
+
   const ProjectedDiagram& diagram_;
+  const AngularReach& reach_;
   ChainMaker chains_;
   bool isCut_;
   LonLatRings rings_;
   FlatArray<MapPoint> points_;
   FlatArray<Sector> sectors_;
+  FlatArray<ChainMaker::Strand> strands_;
+  FlatArray<MapPoint> inner_;  // of the strands
   AntimeridianCutter cutter_;
 };
 

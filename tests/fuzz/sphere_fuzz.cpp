@@ -368,7 +368,7 @@ class Checker {
     take(diagram_.edges(edges));
     expect(edges.sites.size() / 2 == (h < 2 ? 0 : h == 2 ? 1 : 3 * h - 6), "the number of edges");
     std::vector<double> areas;
-    take(diagram_.cellAreas(areas));
+    take(diagram_.cellAreas({}, areas));
     double sum = 0;
     for (const double area : areas) {
       expect(area >= 0, "an area");
@@ -378,7 +378,7 @@ class Checker {
            "areas add up to " + std::to_string(sum));
     constexpr double kTolerances[] = {0.3, 0.03, 1e-3};
     CoverageArrays polygons;
-    take(diagram_.cellPolygons(kTolerances[bytes_.next() % 3], true, polygons));
+    take(diagram_.cellPolygons(kTolerances[bytes_.next() % 3], true, {}, polygons));
     expect(polygons.sites.size() == h, "the number of polygons");
     checkRectangle(polygons);
   }

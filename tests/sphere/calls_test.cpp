@@ -2,6 +2,7 @@
 // diagram gives, lists of sites, and the search that goes on.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -102,9 +103,9 @@ TEST(SphericalCalls, UnknownSitesAreRefused) {
     EXPECT_EQ(diagram.coverOf(id, cover), Error::kUnknownSite);
     EXPECT_EQ(diagram.neighbors(id, neighbors), Error::kUnknownSite);
     EXPECT_EQ(diagram.contains(id, 0, 0, is), Error::kUnknownSite);
-    EXPECT_EQ(diagram.cellArea(id, area), Error::kUnknownSite);
-    EXPECT_EQ(diagram.cellCentroid(id, point), Error::kUnknownSite);
-    EXPECT_EQ(diagram.cellPolygon(id, 0.1, false, rings), Error::kUnknownSite);
+    EXPECT_EQ(diagram.cellArea(id, kEverywhere, area), Error::kUnknownSite);
+    EXPECT_EQ(diagram.cellCentroid(id, kEverywhere, point), Error::kUnknownSite);
+    EXPECT_EQ(diagram.cellPolygon(id, 0.1, false, kEverywhere, rings), Error::kUnknownSite);
     EXPECT_EQ(cover, 77u);
     EXPECT_EQ(area, 77);
     EXPECT_EQ(neighbors, std::vector<SiteId>{77});
@@ -122,10 +123,10 @@ TEST(SphericalCalls, TolerancesThatAreNoneAreRefused) {
                                          {kInfinity, Error::kNotFinite},
                                          {0.0, Error::kOutOfRange},
                                          {kFinestTolerance / 2, Error::kOutOfRange}}) {
-    EXPECT_EQ(diagram.cellPolygon(0, tolerance, true, rings), error) << tolerance;
-    EXPECT_EQ(diagram.cellPolygons(tolerance, true, polygons), error) << tolerance;
+    EXPECT_EQ(diagram.cellPolygon(0, tolerance, true, kEverywhere, rings), error) << tolerance;
+    EXPECT_EQ(diagram.cellPolygons(tolerance, true, {}, polygons), error) << tolerance;
   }
-  EXPECT_EQ(diagram.cellPolygon(0, kFinestTolerance, true, rings), Error::kNone);
+  EXPECT_EQ(diagram.cellPolygon(0, kFinestTolerance, true, kEverywhere, rings), Error::kNone);
 }
 
 TEST(SphericalCalls, EmptyBatchesChangeNothing) {
@@ -156,13 +157,13 @@ TEST(SphericalCalls, HiddenSitesHaveACoverAndNoCell) {
   ASSERT_EQ(diagram.neighbors(1, neighbors), Error::kNone);
   EXPECT_TRUE(neighbors.empty());
   double area = 77;
-  ASSERT_EQ(diagram.cellArea(1, area), Error::kNone);
+  ASSERT_EQ(diagram.cellArea(1, kEverywhere, area), Error::kNone);
   EXPECT_EQ(area, 0);
   SphericalPoint centroid = {7, 8};
-  ASSERT_EQ(diagram.cellCentroid(1, centroid), Error::kNone);
-  EXPECT_EQ(centroid.lon, 7) << "left alone";
+  ASSERT_EQ(diagram.cellCentroid(1, kEverywhere, centroid), Error::kNone);
+  EXPECT_TRUE(std::isnan(centroid.lon) && std::isnan(centroid.lat));
   RingArrays rings;
-  ASSERT_EQ(diagram.cellPolygon(1, 0.1, true, rings), Error::kNone);
+  ASSERT_EQ(diagram.cellPolygon(1, 0.1, true, kEverywhere, rings), Error::kNone);
   EXPECT_TRUE(rings.coordinates.empty());
 }
 
@@ -171,10 +172,10 @@ TEST(SphericalCalls, OneCellIsTheSphere) {
   SiteId id = kNoSite;
   ASSERT_EQ(diagram.insert(10, 20, 0.5, id), Error::kNone);
   double area = 0;
-  ASSERT_EQ(diagram.cellArea(id, area), Error::kNone);
+  ASSERT_EQ(diagram.cellArea(id, kEverywhere, area), Error::kNone);
   EXPECT_NEAR(area, 16 * std::numbers::pi, 1e-12);
   SphericalPoint centroid = {};
-  ASSERT_EQ(diagram.cellCentroid(id, centroid), Error::kNone);
+  ASSERT_EQ(diagram.cellCentroid(id, kEverywhere, centroid), Error::kNone);
   EXPECT_NEAR(centroid.lon, 10, 1e-12) << "no direction: the site's own";
   EXPECT_NEAR(centroid.lat, 20, 1e-12);
 }
@@ -222,7 +223,7 @@ TEST(SphericalCalls, AnEmptyDiagramHasNothing) {
   CoverageArrays polygons;
   ASSERT_EQ(diagram.vertices(vertices), Error::kNone);
   ASSERT_EQ(diagram.edges(edges), Error::kNone);
-  ASSERT_EQ(diagram.cellPolygons(0.1, true, polygons), Error::kNone);
+  ASSERT_EQ(diagram.cellPolygons(0.1, true, {}, polygons), Error::kNone);
   EXPECT_TRUE(vertices.coordinates.empty());
   EXPECT_TRUE(edges.sites.empty());
   EXPECT_TRUE(polygons.sites.empty());
@@ -238,7 +239,7 @@ TEST(SphericalCalls, RemovedSitesHaveNoPolygons) {
   bool isRemoved = false;
   ASSERT_EQ(diagram.remove(1, isRemoved), Error::kNone);
   CoverageArrays polygons;
-  ASSERT_EQ(diagram.cellPolygons(0.1, true, polygons), Error::kNone);
+  ASSERT_EQ(diagram.cellPolygons(0.1, true, {}, polygons), Error::kNone);
   EXPECT_EQ(polygons.sites, (std::vector<SiteId>{0, 2, 3}));
 }
 

@@ -42,12 +42,12 @@ void expectAll(const SphericalSites& sites) {
   ASSERT_EQ(diagram.validate(violation), Error::kNone);
   EXPECT_EQ(violation.text(), "");
   std::vector<double> areas;
-  ASSERT_EQ(diagram.cellAreas(areas), Error::kNone);
+  ASSERT_EQ(diagram.cellAreas({}, areas), Error::kNone);
   double sum = 0;
   for (const double area : areas) sum += area;
   EXPECT_NEAR(sum, 4 * std::numbers::pi, 1e-9);
   CoverageArrays polygons;
-  EXPECT_EQ(diagram.cellPolygons(0.01, true, polygons), Error::kNone);
+  EXPECT_EQ(diagram.cellPolygons(0.01, true, {}, polygons), Error::kNone);
 }
 
 class CloseSites : public testing::TestWithParam<int> {};
@@ -90,7 +90,7 @@ TEST_P(CloseSites, AreasAreThoseOfALargerCluster) {
         Random random(seed);
         const SphericalSites sites = clusterOf(random, {4, 6, heaviest, false}, {0, 0}, across);
         std::vector<double> areas;
-        EXPECT_EQ(diagramOf(sites).cellAreas(areas), Error::kNone);
+        EXPECT_EQ(diagramOf(sites).cellAreas({}, areas), Error::kNone);
         return areas;
       };
       const double larger = 0x1p-22;
@@ -125,7 +125,7 @@ TEST(SphericalAreas, ThatAreNotTheSphereAreRefused) {
     std::vector<SiteId> ids(scene.size() / 3);
     ASSERT_EQ(diagram.insertMany(scene, ids), Error::kNone);
     std::vector<double> areas;
-    const Error error = diagram.cellAreas(areas);
+    const Error error = diagram.cellAreas({}, areas);
     EXPECT_TRUE(error == Error::kNone || error == Error::kBroken);
     double sum = 0;
     for (const double area : areas) sum += area;

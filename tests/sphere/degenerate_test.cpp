@@ -18,7 +18,7 @@ constexpr double kPi = std::numbers::pi;
 
 double sumOfAreas(const SphericalDiagram& diagram) {
   std::vector<double> areas;
-  EXPECT_EQ(diagram.cellAreas(areas), Error::kNone);
+  EXPECT_EQ(diagram.cellAreas({}, areas), Error::kNone);
   double sum = 0;
   for (const double area : areas) sum += area;
   return sum;
@@ -67,11 +67,11 @@ void expectSound(const SphericalSites& sites, const SphericalDiagram& diagram) {
   ASSERT_EQ(violation.text(), "");
   EXPECT_NEAR(sumOfAreas(diagram), 4 * kPi, 1e-6);
   CoverageArrays cut, whole;
-  ASSERT_EQ(diagram.cellPolygons(0.1, true, cut), Error::kNone);
+  ASSERT_EQ(diagram.cellPolygons(0.1, true, {}, cut), Error::kNone);
   EXPECT_NEAR(expectRings(cut), 360 * 180, 1e-2);
   for (std::size_t ring = 0; ring + 1 < cut.starts.size(); ++ring)
     EXPECT_GE(cut.starts[ring + 1] - cut.starts[ring], 4u);
-  ASSERT_EQ(diagram.cellPolygons(0.1, false, whole), Error::kNone);
+  ASSERT_EQ(diagram.cellPolygons(0.1, false, {}, whole), Error::kNone);
   (void)expectRings(whole);
   EXPECT_LT(cut.coordinates.size() + whole.coordinates.size(), 20000 * sites.size());
   expectAllInOrder(sites, diagram);
@@ -85,7 +85,7 @@ TEST(SphericalDegenerate, PolygonsOfTwoSitesARoundingApartHaveFewPoints) {
   const SphericalDiagram diagram = diagramOf(atPole);
   for (const bool isCut : {false, true}) {
     CoverageArrays polygons;
-    ASSERT_EQ(diagram.cellPolygons(0.01, isCut, polygons), Error::kNone);
+    ASSERT_EQ(diagram.cellPolygons(0.01, isCut, {}, polygons), Error::kNone);
     EXPECT_LT(polygons.coordinates.size(), 4000u);
   }
 }
@@ -105,7 +105,7 @@ TEST(SphericalDegenerate, PolygonsOfCloseSitesHaveFewPoints) {
     const SphericalDiagram diagram = diagramOf(sites);
     for (const bool isCut : {false, true}) {
       CoverageArrays polygons;
-      ASSERT_EQ(diagram.cellPolygons(0.01, isCut, polygons), Error::kNone);
+      ASSERT_EQ(diagram.cellPolygons(0.01, isCut, {}, polygons), Error::kNone);
       EXPECT_LT(polygons.coordinates.size(), 8000u) << apart;
     }
   }
@@ -122,7 +122,7 @@ TEST(SphericalDegenerate, PolygonsOfANearlyCoveredSiteHaveFewPoints) {
                                 {70.191205790604755, -40.926150356651924, 0.65231157535368822},
                                 {101.70124671013059, -35.774952680594701, 0.42036342430607743}};
   CoverageArrays polygons;
-  ASSERT_EQ(diagramOf(sites).cellPolygons(0.1, false, polygons), Error::kNone);
+  ASSERT_EQ(diagramOf(sites).cellPolygons(0.1, false, {}, polygons), Error::kNone);
   EXPECT_LT(polygons.coordinates.size(), 200u);
 }
 
@@ -135,7 +135,7 @@ TEST(SphericalDegenerate, ACellWithoutWidthHasNoRingOfTwoPoints) {
                 flat({{-30, 15, kWeight}, {-30, -60, kWeight}, {-30, 15, 0}, {-180, -90, 0}}), ids),
             Error::kNone);
   CoverageArrays polygons;
-  ASSERT_EQ(diagram.cellPolygons(0.001, true, polygons), Error::kNone);
+  ASSERT_EQ(diagram.cellPolygons(0.001, true, {}, polygons), Error::kNone);
   EXPECT_NEAR(expectRings(polygons), 360 * 180, 1e-2);
   for (std::size_t ring = 0; ring + 1 < polygons.starts.size(); ++ring)
     EXPECT_GE(polygons.starts[ring + 1] - polygons.starts[ring], 4u);
@@ -150,7 +150,7 @@ TEST(SphericalDegenerate, RingsOfTwoPointsAreLeftOutAtThePoleToo) {
                                 {0, 0, 0},
                                 {0, 75, 0}};
   CoverageArrays polygons;
-  ASSERT_EQ(diagramOf(sites).cellPolygons(0.01, true, polygons), Error::kNone);
+  ASSERT_EQ(diagramOf(sites).cellPolygons(0.01, true, {}, polygons), Error::kNone);
   for (std::size_t ring = 0; ring + 1 < polygons.starts.size(); ++ring)
     EXPECT_GE(polygons.starts[ring + 1] - polygons.starts[ring], 4u);
 }
@@ -162,7 +162,7 @@ TEST(SphericalDegenerate, AnEdgeWithoutLengthHasNoPoints) {
                                 {105, -90, 0},       {-75, 90, 1},        {-90, 60, 1}};
   const SphericalDiagram diagram = diagramOf(sites);
   CoverageArrays polygons;
-  ASSERT_EQ(diagram.cellPolygons(0.01, true, polygons), Error::kNone);
+  ASSERT_EQ(diagram.cellPolygons(0.01, true, {}, polygons), Error::kNone);
   ASSERT_EQ(polygons.sites.size(), 4u);
   EXPECT_EQ(polygons.starts.size() - 1, 4u) << "rings: a loop has been cut off";
 }
@@ -216,7 +216,7 @@ TEST(SphericalDegenerate, ThePoleIsNotASiteThatNearlyCoversOthers) {
 TEST(SphericalDegenerate, CutPolygonsWhereOneNearlyCoversAnother) {
   const SphericalSites sites = {{-30, 15, kPi / 6}, {-30, -15, 0}, {-180, -90, 0}};
   CoverageArrays polygons;
-  ASSERT_EQ(diagramOf(sites).cellPolygons(0.1, true, polygons), Error::kNone);
+  ASSERT_EQ(diagramOf(sites).cellPolygons(0.1, true, {}, polygons), Error::kNone);
   EXPECT_NEAR(expectRings(polygons), 360 * 180, 1e-2);
 }
 
@@ -230,7 +230,7 @@ TEST(SphericalDegenerate, CutPolygonsOfSitesOfOneLatitudeThatAreClose) {
                                 {96.093749999999972, 48.35294117647058, 0.765625},
                                 {179.99999999979633, 48.352941176477927, 0.765625}};
   CoverageArrays polygons;
-  ASSERT_EQ(diagramOf(sites).cellPolygons(0.1, true, polygons), Error::kNone);
+  ASSERT_EQ(diagramOf(sites).cellPolygons(0.1, true, {}, polygons), Error::kNone);
   EXPECT_NEAR(expectRings(polygons), 360 * 180, 1e-2);
 }
 
@@ -315,7 +315,7 @@ TEST(SphericalDegenerate, EdgesAlongTheAntimeridianAreOnIt) {
       sites.push_back({aside - 180, lat, 0});
     }
     CoverageArrays polygons;
-    ASSERT_EQ(diagramOf(sites).cellPolygons(0.01, true, polygons), Error::kNone);
+    ASSERT_EQ(diagramOf(sites).cellPolygons(0.01, true, {}, polygons), Error::kNone);
     EXPECT_NEAR(expectRings(polygons), 360 * 180, 1e-6);
     for (std::size_t k = 0; k < polygons.coordinates.size(); k += 2) {
       const double aside = 180 - std::abs(polygons.coordinates[k]);

@@ -53,7 +53,7 @@ TEST_P(BesideAGiant, AreasAddUp) {
   const SphericalSites sites = besideAGiant(random, 60, GetParam());
   const SphericalDiagram diagram = diagramOf(sites);
   std::vector<double> areas;
-  ASSERT_EQ(diagram.cellAreas(areas), Error::kNone);
+  ASSERT_EQ(diagram.cellAreas({}, areas), Error::kNone);
   double sum = 0;
   for (const double area : areas) sum += area;
   // Vertices are known the less the closer the site is to being hidden.

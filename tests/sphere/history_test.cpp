@@ -23,8 +23,8 @@ void expectLike(const SphericalDiagram& diagram, const std::map<SiteId, Spherica
   const SphericalDiagram fresh = diagramOf(inOrder);
   ASSERT_EQ(diagram.visibleSize(), fresh.visibleSize());
   std::vector<double> areas, freshAreas;
-  ASSERT_EQ(diagram.cellAreas(areas), Error::kNone);
-  ASSERT_EQ(fresh.cellAreas(freshAreas), Error::kNone);
+  ASSERT_EQ(diagram.cellAreas({}, areas), Error::kNone);
+  ASSERT_EQ(fresh.cellAreas({}, freshAreas), Error::kNone);
   std::size_t k = 0;
   for (const auto& [id, site] : sites) {
     SphericalCircle found = {};
@@ -163,9 +163,9 @@ TEST(SphericalHistories, WrongArgumentsAreRefusedAndChangeNothing) {
   EXPECT_EQ(diagram.insertMany(std::vector<double>{1, 2, 3, 4}, ids), Error::kBadLength);
   EXPECT_EQ(diagram.size(), 2u);
   double area = 0;
-  EXPECT_EQ(diagram.cellArea(2, area), Error::kUnknownSite);
+  EXPECT_EQ(diagram.cellArea(2, kEverywhere, area), Error::kUnknownSite);
   RingArrays rings;
-  EXPECT_EQ(diagram.cellPolygon(0, 0, false, rings), Error::kOutOfRange);
+  EXPECT_EQ(diagram.cellPolygon(0, 0, false, kEverywhere, rings), Error::kOutOfRange);
 }
 
 TEST(SphericalHistories, LongitudesAreWrapped) {

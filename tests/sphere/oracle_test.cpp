@@ -182,11 +182,11 @@ TEST_F(SphericalOracle, NeighboursAreThoseWhoseCellsTouch) {
 TEST_F(SphericalOracle, AreasAddUpToThatOfTheSphere) {
   forSets([&](const SphericalSites& sites, const SphericalDiagram& diagram) {
     std::vector<double> areas;
-    ASSERT_EQ(diagram.cellAreas(areas), Error::kNone);
+    ASSERT_EQ(diagram.cellAreas({}, areas), Error::kNone);
     double sum = 0;
     for (SiteId id = 0; id < sites.size(); ++id) {
       double area = -1;
-      ASSERT_EQ(diagram.cellArea(id, area), Error::kNone);
+      ASSERT_EQ(diagram.cellArea(id, kEverywhere, area), Error::kNone);
       EXPECT_EQ(area, areas[id]);
       bool hidden = false;
       ASSERT_EQ(diagram.isHidden(id, hidden), Error::kNone);
@@ -202,7 +202,7 @@ TEST_F(SphericalOracle, AreasAreThoseOfSampledCells) {
     SCOPED_TRACE(set.name);
     const SphericalDiagram diagram = diagramOf(set.sites);
     std::vector<double> areas, counts(set.sites.size(), 0);
-    ASSERT_EQ(diagram.cellAreas(areas), Error::kNone);
+    ASSERT_EQ(diagram.cellAreas({}, areas), Error::kNone);
     // Points on a spiral, which has the same number of points on equal areas (Vogel).
     constexpr int kPoints = 40000;
     std::vector<std::array<double, 3>> moments(set.sites.size());
@@ -220,7 +220,7 @@ TEST_F(SphericalOracle, AreasAreThoseOfSampledCells) {
     for (SiteId id = 0; id < set.sites.size(); ++id) {
       EXPECT_NEAR(areas[id], counts[id], 0.004) << id;
       SphericalPoint centroid = {};
-      ASSERT_EQ(diagram.cellCentroid(id, centroid), Error::kNone);
+      ASSERT_EQ(diagram.cellCentroid(id, kEverywhere, centroid), Error::kNone);
       const auto [x, y, z] = moments[id];
       if (counts[id] > 0.05 && std::hypot(x, y, z) > kPoints * 0.01 * counts[id]) {
         const SphericalPoint mean = {std::atan2(y, x) * 180 / std::numbers::pi,
@@ -239,8 +239,8 @@ TEST_F(SphericalOracle, TheRotatedSphereGivesTheSameAnswers) {
     for (SphericalCircle& site : turned) site.lon += 77.25;
     const SphericalDiagram one = diagramOf(set.sites), other = diagramOf(turned);
     std::vector<double> areas, otherAreas;
-    ASSERT_EQ(one.cellAreas(areas), Error::kNone);
-    ASSERT_EQ(other.cellAreas(otherAreas), Error::kNone);
+    ASSERT_EQ(one.cellAreas({}, areas), Error::kNone);
+    ASSERT_EQ(other.cellAreas({}, otherAreas), Error::kNone);
     for (SiteId id = 0; id < set.sites.size(); ++id)
       EXPECT_NEAR(areas[id], otherAreas[id], 1e-10) << id;
   }

@@ -23,7 +23,7 @@ TEST(SphericalPolygons, CutOnesCoverTheRectangleOnce) {
         SCOPED_TRACE(set.name + ", round " + std::to_string(round) + ", tolerance " +
                      std::to_string(tolerance));
         CoverageArrays polygons;
-        ASSERT_EQ(diagram.cellPolygons(tolerance, true, polygons), Error::kNone);
+        ASSERT_EQ(diagram.cellPolygons(tolerance, true, {}, polygons), Error::kNone);
         CoverageJudge judge(polygons, 360.0 * 180);
         judge.expectPairs([](const Place& a, const Place& b) {
           return (std::abs(a.first) == 180 && a.first == b.first) ||
@@ -32,7 +32,8 @@ TEST(SphericalPolygons, CutOnesCoverTheRectangleOnce) {
         if (polygons.coordinates.size() < 2000) judge.expectNoCrossings();
         EXPECT_EQ(judge.complaints(), "");
         RingArrays single;
-        ASSERT_EQ(diagram.cellPolygon(polygons.sites[0], tolerance, true, single), Error::kNone);
+        ASSERT_EQ(diagram.cellPolygon(polygons.sites[0], tolerance, true, kEverywhere, single),
+                  Error::kNone);
         EXPECT_TRUE(std::equal(single.coordinates.begin(), single.coordinates.end(),
                                polygons.coordinates.begin()));
       }
@@ -61,7 +62,7 @@ TEST(SphericalPolygons, OfNeedlesThinnerThanTheToleranceAcrossTheAntimeridian) {
     for (const double tolerance : {0.3, 0.1, 0.05, 0.01}) {
       SCOPED_TRACE(tolerance);
       CoverageArrays polygons;
-      ASSERT_EQ(diagram.cellPolygons(tolerance, true, polygons), Error::kNone);
+      ASSERT_EQ(diagram.cellPolygons(tolerance, true, {}, polygons), Error::kNone);
       EXPECT_EQ(CoverageJudge(polygons, 360.0 * 180).complaints(), "");
     }
   }
@@ -75,10 +76,10 @@ TEST(SphericalPolygons, OfOneCellAreThoseAmongAllCells) {
     const SphericalDiagram diagram = diagramOf(set.sites);
     for (const bool isCut : {false, true}) {
       CoverageArrays all;
-      ASSERT_EQ(diagram.cellPolygons(0.1, isCut, all), Error::kNone);
+      ASSERT_EQ(diagram.cellPolygons(0.1, isCut, {}, all), Error::kNone);
       for (std::size_t k = 0; k < all.sites.size(); ++k) {
         RingArrays one;
-        ASSERT_EQ(diagram.cellPolygon(all.sites[k], 0.1, isCut, one), Error::kNone);
+        ASSERT_EQ(diagram.cellPolygon(all.sites[k], 0.1, isCut, kEverywhere, one), Error::kNone);
         const auto begin = all.starts[all.parts[all.cells[k]]];
         const auto end = all.starts[all.parts[all.cells[k + 1]]];
         const std::vector<double> expected(all.coordinates.begin() + 2 * begin,
@@ -113,9 +114,9 @@ TEST(SphericalPolygons, HaveTheAreasOfTheCells) {
     SCOPED_TRACE(set.name);
     const SphericalDiagram diagram = diagramOf(set.sites);
     CoverageArrays polygons;
-    ASSERT_EQ(diagram.cellPolygons(1e-5, false, polygons), Error::kNone);
+    ASSERT_EQ(diagram.cellPolygons(1e-5, false, {}, polygons), Error::kNone);
     std::vector<double> areas;
-    ASSERT_EQ(diagram.cellAreas(areas), Error::kNone);
+    ASSERT_EQ(diagram.cellAreas({}, areas), Error::kNone);
     EXPECT_EQ(polygons.sites.size(), diagram.visibleSize());
     for (std::size_t k = 0; k < polygons.sites.size(); ++k) {
       const SiteId id = polygons.sites[k];

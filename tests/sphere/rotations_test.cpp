@@ -76,8 +76,8 @@ void expectSame(const SphericalSites& sites, const SphericalSites& turned, const
   ASSERT_EQ(other.validate(violation), Error::kNone);
   ASSERT_EQ(violation.text(), "");
   std::vector<double> areas, otherAreas;
-  ASSERT_EQ(one.cellAreas(areas), Error::kNone);
-  ASSERT_EQ(other.cellAreas(otherAreas), Error::kNone);
+  ASSERT_EQ(one.cellAreas({}, areas), Error::kNone);
+  ASSERT_EQ(other.cellAreas({}, otherAreas), Error::kNone);
   double sum = 0;
   for (const double area : otherAreas) sum += area;
   EXPECT_NEAR(sum, 4 * kPi, 1e-9);
@@ -97,7 +97,7 @@ void expectSame(const SphericalSites& sites, const SphericalSites& turned, const
   }
   for (const bool isCut : {false, true}) {
     CoverageArrays polygons;
-    ASSERT_EQ(other.cellPolygons(0.01, isCut, polygons), Error::kNone);
+    ASSERT_EQ(other.cellPolygons(0.01, isCut, {}, polygons), Error::kNone);
     EXPECT_EQ(polygons.sites.size(), other.visibleSize());
   }
   if (hasTies) return;
@@ -111,8 +111,8 @@ void expectSame(const SphericalSites& sites, const SphericalSites& turned, const
         << id;
     if (areas[id] > 0) {
       SphericalPoint centroid = {}, otherCentroid = {};
-      ASSERT_EQ(one.cellCentroid(id, centroid), Error::kNone);
-      ASSERT_EQ(other.cellCentroid(id, otherCentroid), Error::kNone);
+      ASSERT_EQ(one.cellCentroid(id, kEverywhere, centroid), Error::kNone);
+      ASSERT_EQ(other.cellCentroid(id, kEverywhere, otherCentroid), Error::kNone);
       const SphericalPoint expected = rotation(centroid);
       // Of a small cell the centroid is known as well as its moment.
       if (areas[id] > 1e-3 && areas[id] < 6) {

@@ -32,6 +32,7 @@ const calls = [
   ["kNearest", (d, lon, lat) => d.kNearest(lon, lat, 2)],
   ["within", (d, lon, lat) => d.within(lon, lat, 5)],
   ["contains", (d, lon, lat) => d.contains(0, lon, lat)],
+  ["naturalWeights", (d, lon, lat) => d.naturalWeights(lon, lat)],
   ["insert", (d, lon, lat) => d.insert(lon, lat, 0)],
   ["update", (d, lon, lat) => d.update(0, lon, lat)],
 ];
@@ -71,6 +72,24 @@ test("arrays, weights, options and ids are refused by name", () => {
     [() => diagram.kNearest(0, 0, 1, { far: 3 }), "bad-option", "options.far is unknown"],
     [() => diagram.within(0, 0, NaN), "not-finite", "distance is NaN"],
     [() => diagram.cellPolygon(0, { tolerance: 0 }), "out-of-range", "options.tolerance is 0"],
+    [() => diagram.cellArea(0, { distance: NaN }), "not-finite", "distance is NaN"],
+    [() => diagram.cellArea(0, { distance: [1] }), "bad-length", "distance has 1 elements"],
+    [() => diagram.cellArea(0, { distance: [NaN, 1, 1] }), "not-finite", "distance[0] is NaN"],
+    [() => diagram.cellArea(0, { tolerance: 1 }), "bad-option", "options.tolerance is unknown"],
+    [() => diagram.cellArea(3, { distance: 1 }), "unknown-site", "site 3 does not exist"],
+    [() => diagram.cellAreas({ distance: [1, 1, NaN] }), "not-finite", "distance[2] is NaN"],
+    [() => diagram.cellPerimeter(0, { distance: 1e101 }), "out-of-range", "distance is 1e+101"],
+    [() => diagram.cellPerimeters({ distance: new Map() }), "bad-option", "distance has none for"],
+    [() => diagram.cellCentroid(0, { distance: "1" }), "not-finite", "distance is the string"],
+    [() => diagram.contains(0, 0, 0, { distance: -Infinity }), "not-finite", "distance is -Inf"],
+    [() => diagram.toGeoJSON({ distance: { 9: 1 } }), "unknown-site", "site 9 does not exist"],
+    [() => [...diagram.cellPolygons({ distance: [0] })], "bad-length", "distance has 1 elements"],
+    [() => diagram.naturalWeights(0, 0, 3e4), "out-of-range", "r is 30000"],
+    [() => diagram.interpolate([1, 2], [0, 0]), "bad-length", "values has 2 elements"],
+    [() => diagram.interpolate([1, 2, 3], [0]), "bad-length", "a multiple of 2 values in lonLat"],
+    [() => diagram.interpolate([1, 2, 3], [0, 91]), "out-of-range", `lonLat[1] is 91, ${hint}`],
+    [() => diagram.interpolate([1, 2, 3], [0, 0], { r: NaN }), "not-finite", "options.r is NaN"],
+    [() => diagram.emptyCircles(-1), "out-of-range", "count is -1"],
     [() => diagram.toGeoJSON({ winding: "left" }), "bad-option", "options.winding"],
     [() => diagram.toGeoJSON({ antimeridian: true }), "bad-option", "options.antimeridian"],
     [() => diagram.toGeoJSON({ properties: 5 }), "bad-option", "options.properties is 5"],
@@ -123,10 +142,11 @@ test("what a filter may not do, and what a disposed diagram says", () => {
       expectRefusal(() => [...diagram.cellPolygons()], "disposed", "has been disposed of");
     } else {
       const lists = name.endsWith("Many");
-      const args = lists ? [[], []] : [0, 0, 0, 0];
-      const options = name === "toGeoJSON" || name === "cellPolygon" ? [0] : args;
+      // Options come last, and are looked at first.
+      const ofAll = name === "toGeoJSON" || /^cell.*s$/.test(name);
+      const ofOne = name === "contains" ? [0, 0, 0] : name.startsWith("cell") ? [0] : [0, 0, 0, 0];
       expectRefusal(
-        () => value.apply(diagram, name === "toGeoJSON" ? [] : options),
+        () => value.apply(diagram, ofAll ? [] : lists ? [[], []] : ofOne),
         "disposed",
         "has been disposed of",
       );

@@ -31,6 +31,48 @@ void sphereFromBytes(SphericalDiagram& diagram, const NumbersIn& bytes) {
   check(diagram.fromBytes(vectorOf<std::uint8_t>(bytes)));
 }
 
+std::vector<double> cellAreas(const SphericalDiagram& diagram, const NumbersIn& distances,
+                              bool isById) {
+  std::vector<double> areas;
+  check(diagram.cellAreas(reachOf(distances, isById), areas));
+  return areas;
+}
+
+std::vector<double> cellPerimeters(const SphericalDiagram& diagram, const NumbersIn& distances,
+                                   bool isById) {
+  std::vector<double> perimeters;
+  check(diagram.cellPerimeters(reachOf(distances, isById), perimeters));
+  return perimeters;
+}
+
+apollonius::CoverageArrays cellPolygons(const SphericalDiagram& diagram, const NumbersIn& distances,
+                                        bool isById, double tolerance, bool isCut) {
+  apollonius::CoverageArrays polygons;
+  check(diagram.cellPolygons(tolerance, isCut, reachOf(distances, isById), polygons));
+  return polygons;
+}
+
+/// The ids of the natural neighbours, and after them their weights: `shapes` has the record.
+std::vector<double> naturalWeights(const SphericalDiagram& diagram, double lon, double lat,
+                                   double r) {
+  apollonius::NaturalWeights found;
+  check(diagram.naturalWeights(lon, lat, r, found));
+  return allocating([&] {
+    std::vector<double> numbers(found.ids.begin(), found.ids.end());
+    numbers.insert(numbers.end(), found.weights.begin(), found.weights.end());
+    return numbers;
+  });
+}
+
+/// Values by id at points longitude, latitude, ….
+std::vector<double> interpolate(const SphericalDiagram& diagram, const NumbersIn& values,
+                                const NumbersIn& lonLat, double r) {
+  const std::vector<double> points = vectorOf<double>(lonLat);
+  auto results = allocating([&] { return std::vector<double>(points.size() / 2); });
+  check(diagram.interpolate(vectorOf<double>(values), points, r, results));
+  return results;
+}
+
 }  // namespace
 
 void registerSphere() {
@@ -50,9 +92,13 @@ void registerSphere() {
       .function("insertMany", &insertIntoSphere)
       .function("contains", returning<&SphericalDiagram::contains>())
       .function("cellArea", returning<&SphericalDiagram::cellArea>())
-      .function("cellAreas", returning<&SphericalDiagram::cellAreas>())
+      .function("cellPerimeter", returning<&SphericalDiagram::cellPerimeter>())
+      .function("cellAreas", &cellAreas)
+      .function("cellPerimeters", &cellPerimeters)
       .function("cellCentroid", returning<&SphericalDiagram::cellCentroid>())
       .function("cellPolygon", returning<&SphericalDiagram::cellPolygon>(), moved)
-      .function("cellPolygons", returning<&SphericalDiagram::cellPolygons>(), moved)
+      .function("cellPolygons", &cellPolygons, moved)
+      .function("naturalWeights", &naturalWeights)
+      .function("interpolate", &interpolate)
       .function("fromBytes", &sphereFromBytes);
 }

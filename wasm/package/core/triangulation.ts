@@ -47,7 +47,7 @@ export interface Triangulation {
 /** @internal */
 export function triangulationOf(native: NativeDiagram): Triangulation {
   const { ids, xyr } = native.sites();
-  const points = new Float64Array(2 * native.levels().length).fill(NaN);
+  const points = new Float64Array(2 * native.idLimit()).fill(NaN);
   ids.forEach((id, k) => points.set(xyr.subarray(3 * k, 3 * k + 2), 2 * id));
   const { sites: triangles } = native.vertices();
   return new Arrays(points, triangles, twinsOf(native, triangles), native.hull());

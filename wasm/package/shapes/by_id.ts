@@ -8,20 +8,17 @@ import {
   numberError,
   unknownSite,
 } from "../core/arguments.js";
-import type { NativeDiagram } from "../core/native/module.js";
+import type { AnyNative } from "../core/native/module.js";
 import { ApolloniusError, type ErrorCode } from "../errors.js";
 import type { NumbersById } from "./types.js";
 
-/** How many ids were ever used; what an array by id has that many elements of. */
-const idLimitOf = (native: NativeDiagram): number => native.levels().length;
-
 export function checkLength(
-  native: NativeDiagram,
+  native: AnyNative,
   name: string,
   values: ArrayLike<number>,
   hint: string,
 ): void {
-  const expected = idLimitOf(native);
+  const expected = native.idLimit();
   if (values.length === expected) return;
   throw new ApolloniusError(
     "bad-length",
@@ -33,7 +30,7 @@ export function checkLength(
 /** As an array by id. Throws "bad-length", "unknown-site", "not-finite", and `missing` for a site
  *  that has no entry. */
 export function numbersById(
-  native: NativeDiagram,
+  native: AnyNative,
   name: string,
   given: NumbersById,
   missing: ErrorCode,
@@ -43,7 +40,7 @@ export function numbersById(
     checkLength(native, name, values, "; a Map or an object by id takes those of the sites");
     return values;
   }
-  const values = new Float64Array(idLimitOf(native));
+  const values = new Float64Array(native.idLimit());
   const isGiven = new Uint8Array(values.length);
   // A Map of any realm is what can be iterated.
   const entries = Symbol.iterator in given ? given : Object.entries(given);

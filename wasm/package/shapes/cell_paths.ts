@@ -28,7 +28,7 @@ export function cellPaths(
   checkOptions(options, "tolerance", "digits");
   const digits = checkedDigits(options?.digits) ?? digitsFor(tolerance);
   const window = windowNow();
-  const paths = new Array<string | null>(native.levels().length).fill(null);
+  const paths = new Array<string | null>(native.idLimit()).fill(null);
   const decoder = new TextDecoder();
   for (let cursor = 0, isDone = false; !isDone; ) {
     // `ends`: each site, and where its text ends

@@ -1,16 +1,17 @@
 // How far the cells of a view reach, as callers give it.
 import { checkNumber } from "../core/arguments.js";
 import type { Diagram } from "../core/diagram.js";
-import type { NativeDiagram } from "../core/native/module.js";
+import type { AnyNative } from "../core/native/module.js";
+import { ofElements } from "../core/native/native_errors.js";
 import { ApolloniusError } from "../errors.js";
 import { numbersById } from "./by_id.js";
-import type { VoronoiOptions } from "./types.js";
+import type { DistanceOptions } from "./types.js";
+
+/** One for all sites, or an array by id. */
+export type Distances = number | ArrayLike<number>;
 
 /** Infinity, where cells end nowhere but at others. */
-export function distanceOf(
-  native: NativeDiagram,
-  options: VoronoiOptions | undefined,
-): number | ArrayLike<number> {
+export function distanceOf(native: AnyNative, options: DistanceOptions | undefined): Distances {
   const distance = options?.distance ?? Infinity;
   if (typeof distance === "object")
     return Float64Array.from(numbersById(native, "distance", distance, "bad-option"));
@@ -18,10 +19,24 @@ export function distanceOf(
   return distance;
 }
 
+/** What a call says of distances as the module takes them; errors name the first bad one. */
+export function withDistances<Answer>(
+  distances: Distances,
+  call: (distances: ArrayLike<number>, isById: boolean) => Answer,
+): Answer {
+  if (typeof distances === "number") return call([distances], false);
+  try {
+    return call(distances, true);
+  } catch (error) {
+    const finite = Array.from(distances, (value) => (value === Infinity ? 0 : value));
+    throw ofElements(error, "distance", finite);
+  }
+}
+
 /** Is this site the nearest one, and does it reach so far? */
 export function reaches(
   diagram: Diagram,
-  distance: number | ArrayLike<number>,
+  distance: Distances,
   id: number,
   x: number,
   y: number,

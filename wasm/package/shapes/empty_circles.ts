@@ -34,18 +34,25 @@ export function emptyCircles(
     candidates.push({ x, y, r: distance, site: id });
   }
   candidates.sort((a, b) => b.r - a.r || a.x - b.x || a.y - b.y);
-  const chosen: EmptyCircle[] = [];
-  for (const circle of candidates) {
-    if (chosen.length >= most) break;
-    const { x, y } = circle;
-    if (chosen.every((one) => !(Math.hypot(x - one.x, y - one.y) < one.r || isSame(one, circle))))
-      chosen.push(circle);
-  }
-  return chosen;
+  return apart(candidates, most, (a, b) => Math.hypot(a.x - b.x, a.y - b.y));
 }
 
-function isSame(a: EmptyCircle, b: EmptyCircle): boolean {
-  return a.x === b.x && a.y === b.y;
+/** The first `most` circles, none of which has its centre in one before it, or in the same place. */
+export function apart<Circle extends { r: number }>(
+  circles: Iterable<Circle>,
+  most: number,
+  distance: (a: Circle, b: Circle) => number,
+): Circle[] {
+  const chosen: Circle[] = [];
+  for (const circle of circles) {
+    if (chosen.length >= most) break;
+    const isApart = (one: Circle) => {
+      const away = distance(one, circle);
+      return !(away < one.r || away === 0);
+    };
+    if (chosen.every(isApart)) chosen.push(circle);
+  }
+  return chosen;
 }
 
 /** x, y, x, y, … */

@@ -1,8 +1,8 @@
 // What a window of a Voronoi has in the module, for diagrams of the same instance.
 import { keep } from "../core/native/lifetime.js";
 import type { NativeReach, NativeRegion, NativeShapes } from "../core/native/module.js";
-import { ofElements } from "../core/native/native_errors.js";
 import { ApolloniusError } from "../errors.js";
+import { type Distances, withDistances } from "./distances.js";
 
 /** A region in the diagram's instance of the module, that lives as long as its owner. */
 export function createRegion(
@@ -29,17 +29,12 @@ export function createRegion(
 export function createReach(
   owner: object,
   diagram: NativeShapes,
-  distance: number | ArrayLike<number>,
+  distance: Distances,
 ): NativeReach {
-  const isById = typeof distance !== "number";
-  let native: NativeReach;
-  try {
-    native = diagram.reach(isById ? distance : [distance], isById) as NativeReach;
-  } catch (error) {
-    if (!isById) throw error;
-    const finite = Array.from(distance, (value) => (value === Infinity ? 0 : value));
-    throw ofElements(error, "distance", finite);
-  }
+  const native = withDistances(
+    distance,
+    (distances, isById) => diagram.reach(distances, isById) as NativeReach,
+  );
   keep(owner, native);
   return native;
 }

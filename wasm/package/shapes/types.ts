@@ -78,14 +78,18 @@ export interface VoronoiWindow {
   contains(x: number, y: number): boolean;
 }
 
-/** What `diagram.voronoi(window, options)` takes. */
-export interface VoronoiOptions {
+/** How far cells reach. */
+export interface DistanceOptions {
   /**
-   * Cells end at this distance from their sites' circles, in the unit of the coordinates: one for
-   * all, or one for each site. 0 is the circle itself, a negative distance is inside it, Infinity
+   * Cells end at this distance from their sites' circles, in the unit of the coordinates or of the
+   * sphere's radius: one for all, or one for each site. 0 is the circle itself, a negative distance is inside it, Infinity
    * (the default) is nowhere.
    */
   distance?: number | NumbersById | undefined;
+}
+
+/** What `diagram.voronoi(window, options)` takes. */
+export interface VoronoiOptions extends DistanceOptions {
   /**
    * For a diagram of projected places: the window is given in longitude and latitude, bounds as
    * [west, south, east, north], and `toGeoJSON` gives its polygons in these. Sides are refined, so

@@ -24,7 +24,7 @@ import type { Bounds, Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
 import { cellPaths } from "./cell_paths.js";
 import { joined, measuresOf, partsOf, type Rings, ringOf } from "./cell_shapes.js";
-import { distanceOf, reaches } from "./distances.js";
+import { type Distances, distanceOf, reaches } from "./distances.js";
 import { drawBounds, drawInto, type NativeWindow } from "./drawing.js";
 import { emptyCircles } from "./empty_circles.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
@@ -103,7 +103,7 @@ export class Voronoi implements Disposable {
   readonly #region: NativeRegion | null = null;
   readonly #reach: NativeReach | null = null;
   /** How far cells reach: one distance, or one for each id. */
-  readonly #distance: number | ArrayLike<number>;
+  readonly #distance: Distances;
   readonly #project: Projection | undefined;
   readonly #ballast: Ballast | null = null;
   #isDisposed = false;

@@ -5,6 +5,7 @@ export type {
   ListedSphericalSite,
   Spherical,
   SphericalCollection,
+  SphericalEmptyCircle,
   SphericalGeoJSONOptions,
   SphericalOptions,
   SphericalPolygonOptions,
@@ -12,6 +13,12 @@ export type {
   SphericalSites,
   SphericalVertices,
 } from "./spherical_types.js";
+export type {
+  DistanceOptions,
+  InterpolationOptions,
+  NaturalWeights,
+  NumbersById,
+} from "../shapes/types.js";
 export type { Accessor, Items } from "../core/accessors.js";
 export type {
   Edges,

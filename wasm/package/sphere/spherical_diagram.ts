@@ -1,5 +1,11 @@
 import type { Accessor, Items } from "../core/accessors.js";
-import { checkedBytes, checkedChoice, checkOptions } from "../core/arguments.js";
+import {
+  checkedBytes,
+  checkedChoice,
+  checkedCount,
+  checkNumber,
+  checkOptions,
+} from "../core/arguments.js";
 import { DynamicDiagram } from "../core/dynamic_diagram.js";
 import { insert, insertMany, update, updateMany } from "../core/edits.js";
 import { type Inner, innerOf, wrongReceiver } from "../core/inner.js";
@@ -15,7 +21,7 @@ import {
   pickMany,
   within,
 } from "../core/queries.js";
-import { atPoint, ofOne, withSite } from "../core/space.js";
+import { atPoint, atSite, ofOne, withSite } from "../core/space.js";
 import type {
   FilterOptions,
   FindManyArguments,
@@ -30,7 +36,16 @@ import {
   featuresOf,
   positionsOf,
 } from "../shapes/geojson.js";
-import type { CellPolygon } from "../shapes/types.js";
+import { distanceOf, withDistances } from "../shapes/distances.js";
+import type {
+  CellPolygon,
+  DistanceOptions,
+  InterpolationOptions,
+  NaturalWeights,
+  NumbersById,
+} from "../shapes/types.js";
+import { emptyCircles } from "./empty_circles.js";
+import { interpolate } from "./interpolation.js";
 import {
   accessorsAndOptions,
   checkedAngularTolerance,
@@ -42,6 +57,7 @@ import type {
   ListedSphericalSite,
   Spherical,
   SphericalCollection,
+  SphericalEmptyCircle,
   SphericalGeoJSONOptions,
   SphericalOptions,
   SphericalPolygonOptions,
@@ -58,9 +74,41 @@ function sphericalOf(diagram: unknown, changes = false): Inner<NativeSphericalDi
 }
 
 function polygonOptions(options: SphericalPolygonOptions | undefined) {
-  checkOptions(options, "tolerance", "winding");
+  checkOptions(options, "tolerance", "winding", "distance");
   const winding = checkedWinding(options?.winding);
   return { tolerance: checkedAngularTolerance(options?.tolerance), winding };
+}
+
+/** How far all cells reach. */
+function reachOf(diagram: SphericalDiagram, options: DistanceOptions | undefined) {
+  checkOptions(options, "distance");
+  const { native } = sphericalOf(diagram);
+  const distances = distanceOf(native, options);
+  return { native: sphericalOf(diagram).native, distances };
+}
+
+/** How far that of one site reaches. Throws "unknown-site" if there is none. */
+function reachOfCell(diagram: SphericalDiagram, id: number, options: DistanceOptions | undefined) {
+  withSite(sphericalOf(diagram).native, id);
+  const distances = distanceOf(sphericalOf(diagram).native, options);
+  // asked last, as the caller's options can change the diagram before
+  const native = withSite(sphericalOf(diagram).native, id);
+  if (typeof distances === "number") return { native, distance: distances };
+  const distance = distances[id] as number;
+  if (distance !== Infinity) checkNumber(`distance[${id}]`, distance);
+  return { native, distance };
+}
+
+function polygonsOf(
+  diagram: SphericalDiagram,
+  options: DistanceOptions | undefined,
+  tolerance: number,
+  isCut: boolean,
+) {
+  const distances = distanceOf(sphericalOf(diagram).native, options);
+  // asked last, as the caller's options can dispose of the diagram before
+  const { native } = sphericalOf(diagram);
+  return withDistances(distances, (...reach) => native.cellPolygons(...reach, tolerance, isCut));
 }
 
 /**
@@ -277,64 +325,138 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
     return { lonLat: coordinates, clearance, sites };
   }
 
+  /**
+   * The largest circle that no site reaches into: about the place on the sphere that is farthest
+   * from all sites. null without sites. O(n log n).
+   */
+  largestEmptyCircle(): SphericalEmptyCircle | null {
+    return this.emptyCircles(1)[0] ?? null;
+  }
+
+  /**
+   * The `count` largest of such circles, the largest first, none with its centre in one before it:
+   * where to put new sites apart from each other. Fewer if there are no more. Throws "not-finite",
+   * "out-of-range" (count). O(n (log n + count)).
+   */
+  emptyCircles(count: number): SphericalEmptyCircle[] {
+    const { native } = sphericalOf(this);
+    return emptyCircles(native, checkedCount("count", count));
+  }
+
+  /**
+   * The natural neighbours of a place, for interpolation (Sibson): the sites from whose cells a new
+   * site of weight r there would take something, and which share of its cell from each. A site that
+   * covers it is the only one. The diagram stays as it is; null without sites. Cost: location, and
+   * the size of what would change. Throws "not-finite", "out-of-range".
+   */
+  naturalWeights(lon: number, lat: number, r: number = 0): NaturalWeights | null {
+    const asked = sphericalOf(this);
+    const found = atSite(asked, lon, lat, r, (native) => native.naturalWeights(lon, lat, r));
+    if (found.length === 0) return null;
+    const ids = Uint32Array.from(found.subarray(0, found.length / 2));
+    return { ids, weights: found.slice(ids.length) };
+  }
+
+  /**
+   * A field at many points: for each of the flat longitude, latitude pairs, what `naturalWeights`
+   * says with the sites' `values`, which are given by id; NaN without sites, and next to sites
+   * whose value is NaN. Cost: as a loop of `naturalWeights`, without a call for each point. Throws
+   * "bad-length" (lonLat; values, one for each id that was ever used, or for each site),
+   * "unknown-site", "not-finite", "out-of-range", "bad-option".
+   */
+  interpolate(
+    values: NumbersById,
+    lonLat: ArrayLike<number>,
+    options?: InterpolationOptions,
+  ): Float64Array {
+    return interpolate(() => sphericalOf(this), values, lonLat, options);
+  }
+
   // --- Cells -------------------------------------------------------------------------------------
 
   /**
    * Is this site the nearest one to the point, or one of them? false for a hidden site. Cost: one
-   * location. Throws "unknown-site", "not-finite", "out-of-range".
+   * location. Throws "unknown-site", "not-finite", "out-of-range", "bad-option".
    */
-  contains(id: number, lon: number, lat: number): boolean {
-    const native = withSite(sphericalOf(this).native, id);
-    return atPoint({ native, space: sphere }, lon, lat, () => native.contains(id, lon, lat));
+  contains(id: number, lon: number, lat: number, options?: DistanceOptions): boolean {
+    checkOptions(options, "distance");
+    const { native, distance } = reachOfCell(this, id, options);
+    return atPoint({ native, space: sphere }, lon, lat, () => {
+      if (!native.contains(id, lon, lat)) return false;
+      return distance === Infinity || native.nearest(lon, lat).distance <= distance;
+    });
   }
 
   /**
    * The area of a cell, in the square of the radius' unit; 0 for a hidden site. O(d). Throws
-   * "unknown-site".
+   * "unknown-site", "not-finite", "out-of-range", "bad-option".
    */
-  cellArea(id: number): number {
-    return ofOne(sphericalOf(this).native, id, (native) => native.cellArea(id));
+  cellArea(id: number, options?: DistanceOptions): number {
+    checkOptions(options, "distance");
+    const { native, distance } = reachOfCell(this, id, options);
+    return native.cellArea(id, distance);
   }
 
   /**
-   * The areas of all cells by id, 0 for ids without a cell; they add up to 4 π radius². Throws
-   * "broken" if they do not, by a defect of the library. O(n).
+   * The areas of all cells by id, 0 for ids without a cell. Without a distance they add up to 4 π
+   * radius². Throws "not-finite", "out-of-range", "bad-option"; "broken" if they do not, by a
+   * defect of the library. O(n).
    */
-  cellAreas(): Float64Array {
-    return sphericalOf(this).native.cellAreas();
+  cellAreas(options?: DistanceOptions): Float64Array {
+    const { native, distances } = reachOf(this, options);
+    return withDistances(distances, (...reach) => native.cellAreas(...reach));
   }
 
   /**
-   * The mean of a cell's points, as a direction: longitude and latitude; null for a hidden site.
-   * O(d). Throws "unknown-site".
+   * The length of a cell's boundary, in the radius' unit; 0 for a hidden site. O(d). Throws as
+   * `cellArea`.
    */
-  cellCentroid(id: number): Position | null {
-    const native = withSite(sphericalOf(this).native, id);
-    if (native.isHidden(id)) return null;
-    const { lon, lat } = native.cellCentroid(id);
-    return [lon, lat];
+  cellPerimeter(id: number, options?: DistanceOptions): number {
+    checkOptions(options, "distance");
+    const { native, distance } = reachOfCell(this, id, options);
+    return native.cellPerimeter(id, distance);
+  }
+
+  /** The perimeters of all cells by id, 0 for ids without a cell. O(n). Throws as `cellAreas`. */
+  cellPerimeters(options?: DistanceOptions): Float64Array {
+    const { native, distances } = reachOf(this, options);
+    return withDistances(distances, (...reach) => native.cellPerimeters(...reach));
+  }
+
+  /**
+   * The mean of a cell's points, as a direction: longitude and latitude; null for a hidden site,
+   * and for a cell whose distance ends at its centre or before. O(d). Throws as `cellArea`.
+   */
+  cellCentroid(id: number, options?: DistanceOptions): Position | null {
+    checkOptions(options, "distance");
+    const { native, distance } = reachOfCell(this, id, options);
+    const { lon, lat } = native.cellCentroid(id, distance);
+    return Number.isNaN(lon) ? null : [lon, lat];
   }
 
   /**
    * A cell as one closed ring of longitudes and latitudes, to be joined by arcs of great circles;
-   * null for a hidden site, [] where the cell is the whole sphere. O(d + points). Throws
-   * "unknown-site", "not-finite", "out-of-range", "bad-option".
+   * null for a hidden site, and for a cell whose distance ends at its centre or before; [] where
+   * the cell is the whole sphere. O(d + points). Throws "unknown-site", "not-finite",
+   * "out-of-range", "bad-option".
    */
   cellPolygon(id: number, options?: SphericalPolygonOptions): Position[] | null {
-    const native = withSite(sphericalOf(this).native, id);
     const { tolerance, winding } = polygonOptions(options);
+    const { native, distance } = reachOfCell(this, id, options);
     if (native.isHidden(id)) return null;
-    const ring = positionsOf(native.cellPolygon(id, tolerance, false).coordinates);
+    const { coordinates } = native.cellPolygon(id, tolerance, false, distance);
+    if (coordinates.length === 0 && native.cellArea(id, distance) === 0) return null;
+    const ring = positionsOf(coordinates);
     return winding === "clockwise" ? ring.reverse() : ring;
   }
 
   /**
-   * The polygons of all cells, as they are when the loop begins, ascending by id, which is their
-   * `index`. Cost: O(n + points), a third of `cellPolygon` in a loop.
+   * The polygons of all cells that are not empty, as they are when the loop begins, ascending by
+   * id, which is their `index`. Cost: O(n + points), a third of `cellPolygon` in a loop.
    */
   *cellPolygons(options?: SphericalPolygonOptions): Generator<CellPolygon, void> {
     const { tolerance, winding } = polygonOptions(options);
-    const polygons = sphericalOf(this).native.cellPolygons(tolerance, false);
+    const polygons = polygonsOf(this, options, tolerance, false);
     const { coordinates, starts, parts, sites, cells } = polygons;
     for (const [k, index] of sites.entries()) {
       const [first, end] = [starts[parts[cells[k]!]!]!, starts[parts[cells[k + 1]!]!]!];
@@ -361,7 +483,7 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   toGeoJSON<Properties = { site: number }>(
     options?: SphericalGeoJSONOptions<Properties>,
   ): SphericalCollection<Properties> {
-    checkOptions(options, "tolerance", "properties", "winding", "antimeridian");
+    checkOptions(options, "tolerance", "properties", "winding", "antimeridian", "distance");
     const properties = checkedProperties<Properties>(options?.properties);
     const winding = checkedWinding(options?.winding);
     const antimeridian = checkedChoice<"cut" | "keep">(
@@ -370,10 +492,9 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
       winding === "clockwise" ? ["keep", "cut"] : ["cut", "keep"],
     );
     const tolerance = checkedAngularTolerance(options?.tolerance);
-    // asked last, as the caller's options can dispose of the diagram before
-    const polygons = sphericalOf(this).native.cellPolygons(tolerance, antimeridian === "cut");
+    const polygons = polygonsOf(this, options, tolerance, antimeridian === "cut");
     const collection = featuresOf(polygons, properties, winding);
-    if (polygons.parts.length > 1) return collection;
+    if (polygons.parts.length > 1 || polygons.sites.length === 0) return collection;
     // The only visible site's, which is the whole sphere.
     const features = collection.features.map((feature) => ({
       ...feature,

@@ -1,5 +1,6 @@
 // The types of apollonius-diagram/sphere that users see.
 import type { CellsCollection } from "../shapes/geojson.js";
+import type { DistanceOptions } from "../shapes/types.js";
 
 /** A site of the sphere: its centre in degrees, its weight in the unit of the radius. */
 export interface SphericalSite {
@@ -42,6 +43,18 @@ export interface SphericalVertices {
   sites: Uint32Array;
 }
 
+/** A circle on the sphere that no site reaches into. */
+export interface SphericalEmptyCircle {
+  /** Longitude of its centre. */
+  lon: number;
+  /** Latitude of its centre. */
+  lat: number;
+  /** The distance to the nearest site; below 0 where the whole sphere is covered. */
+  r: number;
+  /** The id of a site at that distance. */
+  site: number;
+}
+
 /** Options of `SphericalDiagram`. */
 export interface SphericalOptions {
   /**
@@ -66,7 +79,7 @@ export type GeoJSONPoint =
     };
 
 /** Options of `SphericalDiagram.cellPolygon` and `cellPolygons`. */
-export interface SphericalPolygonOptions {
+export interface SphericalPolygonOptions extends DistanceOptions {
   /**
    * How far a polygon may be from its cell, in radians, whatever the sphere's radius; at least
    * 1e-9. Default: 1e-4, on the Earth 640 m.

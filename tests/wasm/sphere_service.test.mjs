@@ -1,0 +1,141 @@
+// Service areas, empty circles and interpolation on the sphere, as users get them: against d3-geo,
+// JTS and brute force.
+import { geoArea, geoDistance } from "d3-geo";
+import GeoJSONReader from "jsts/org/locationtech/jts/io/GeoJSONReader.js";
+import IsValidOp from "jsts/org/locationtech/jts/operation/valid/IsValidOp.js";
+import { SphericalDiagram } from "../../build/packed/sphere.mjs";
+import { generator } from "./support/random.mjs";
+
+const random = generator(41);
+const degrees = 180 / Math.PI;
+const point = () => [360 * random() - 180, Math.asin(2 * random() - 1) * degrees];
+const sites = (n, heaviest) => Array.from({ length: n }, () => [...point(), heaviest * random()]);
+const distance = (lon, lat, [x, y, r]) => geoDistance([lon, lat], [x, y]) - r;
+const least = (list, lon, lat) => Math.min(...list.map((site) => distance(lon, lat, site)));
+
+const sets = [
+  ["one", [[20, 30, 0.1]]],
+  ["two", sites(2, 0.1)],
+  [
+    "two opposite",
+    [
+      [20, 30, 0],
+      [-160, -30, 0],
+    ],
+  ],
+  [
+    "three, of which two are farthest from a place",
+    [
+      [0, 80, 0],
+      [0, -80, 0],
+      [0, 0, 0],
+    ],
+  ],
+  ["points", sites(60, 0)],
+  ["caps", sites(60, 0.2)],
+  ["in a corner", sites(20, 0.01).map(([x, y, r]) => [x / 20, y / 20, r])],
+  ["all covered", sites(30, 2.5)],
+];
+
+describe.each(sets)("%s", (_, list) => {
+  const diagram = new SphericalDiagram(list.flat(), { radius: 10 });
+  const inUnits = list.map(([lon, lat, r]) => [lon, lat, 10 * r]);
+  diagram.updateMany(diagram.ids(), inUnits.flat());
+
+  test("cells end at a distance: valid polygons with their areas", () => {
+    const by = Object.fromEntries(
+      list.map((_, id) => [id, id % 3 === 2 ? Infinity : 3 * random()]),
+    );
+    for (const reach of [-0.2, 0.5, 4, 20, by]) {
+      const options = { distance: reach, tolerance: 1e-4 };
+      const areas = diagram.cellAreas({ distance: reach });
+      const perimeters = diagram.cellPerimeters({ distance: reach });
+      const { features } = diagram.toGeoJSON({ ...options, winding: "clockwise" });
+      const shown = new Set(features.map(({ id }) => id));
+      for (const feature of features) {
+        const { id } = feature;
+        expect(geoArea(feature)).toBeCloseTo(areas[id] / 100, 2);
+        expect(diagram.cellArea(id, { distance: reach })).toBe(areas[id]);
+        expect(diagram.cellPerimeter(id, { distance: reach })).toBe(perimeters[id]);
+        const centroid = diagram.cellCentroid(id, { distance: reach });
+        expect(centroid.every(Number.isFinite)).toBe(true);
+      }
+      for (const id of diagram.ids()) if (!shown.has(id)) expect(areas[id]).toBeCloseTo(0, 12);
+      const cut = diagram.toGeoJSON(options);
+      expect(cut.features.map(({ id }) => id)).toEqual([...shown]);
+      for (const { geometry } of cut.features)
+        expect(new IsValidOp(new GeoJSONReader().read(geometry)).isValid()).toBe(true);
+      const rings = [...diagram.cellPolygons(options)];
+      expect(rings.map(({ index }) => index)).toEqual([...shown]);
+      if (typeof reach === "number")
+        for (const ring of rings)
+          expect(diagram.cellPolygon(ring.index, options)).toEqual([...ring]);
+      for (let k = 0; k < 100; ++k) {
+        const [lon, lat] = point();
+        const found = diagram.nearest(lon, lat);
+        const most = typeof reach === "number" ? reach : reach[found.id];
+        const isServed = found.distance <= most;
+        expect(diagram.contains(found.id, lon, lat, { distance: reach })).toBe(isServed);
+      }
+    }
+  });
+
+  test("the largest empty circle is the farthest place of all", () => {
+    const circle = diagram.largestEmptyCircle();
+    expect(circle.r).toBeCloseTo(10 * least(list, circle.lon, circle.lat), 10);
+    expect(circle.r).toBeCloseTo(10 * distance(circle.lon, circle.lat, list[circle.site]), 10);
+    for (let k = 0; k < 4000; ++k) {
+      const z = 1 - (2 * k + 1) / 4000;
+      const lon = ((k * 137.50776405003785 + 180) % 360) - 180;
+      expect(10 * least(list, lon, Math.asin(z) * degrees)).toBeLessThan(circle.r + 1e-9);
+    }
+  });
+
+  test("empty circles are apart, the largest first", () => {
+    const circles = diagram.emptyCircles(8);
+    for (const [k, circle] of circles.entries()) {
+      expect(circle.r).toBeCloseTo(10 * least(list, circle.lon, circle.lat), 10);
+      for (const one of circles.slice(0, k)) {
+        expect(one.r).toBeGreaterThanOrEqual(circle.r);
+        const away = 10 * geoDistance([one.lon, one.lat], [circle.lon, circle.lat]);
+        expect(away).toBeGreaterThan(Math.max(one.r, 0) - 1e-12);
+      }
+    }
+    expect(diagram.emptyCircles(0)).toEqual([]);
+  });
+
+  test("interpolation is the sum of weights and values, whichever way they come", () => {
+    const values = Float64Array.from(list, random);
+    const points = Array.from({ length: 50 }, point);
+    const found = diagram.interpolate(values, points.flat(), { r: 0.1 });
+    const sums = points.map(([lon, lat]) => {
+      const { ids, weights } = diagram.naturalWeights(lon, lat, 0.1);
+      expect(weights.reduce((a, b) => a + b)).toBeCloseTo(1, 13);
+      return weights.reduce((sum, weight, k) => sum + weight * values[ids[k]], 0);
+    });
+    for (const [k, sum] of sums.entries()) expect(found[k]).toBeCloseTo(sum, 12);
+    const map = new Map(values.entries());
+    expect(diagram.interpolate(map, points.flat(), { r: 0.1 })).toEqual(found);
+  });
+});
+
+test("without sites there is nothing", () => {
+  const empty = new SphericalDiagram();
+  expect(empty.largestEmptyCircle()).toBeNull();
+  expect(empty.emptyCircles(3)).toEqual([]);
+  expect(empty.naturalWeights(1, 2)).toBeNull();
+  expect([...empty.interpolate([], [1, 2, 3, 4])]).toEqual([NaN, NaN]);
+  expect(empty.cellAreas({ distance: 1 })).toEqual(new Float64Array());
+  expect(empty.toGeoJSON({ distance: 1 }).features).toEqual([]);
+});
+
+test("a distance beyond the opposite point is none", () => {
+  const one = new SphericalDiagram([10, 20, 0.5]);
+  expect(one.cellArea(0, { distance: 3 })).toBe(4 * Math.PI);
+  expect(one.cellPerimeter(0, { distance: 3 })).toBe(0);
+  expect(one.cellPolygon(0, { distance: 3 })).toEqual([]);
+  expect(one.cellPolygon(0, { distance: -0.5 })).toBeNull();
+  expect(one.cellCentroid(0, { distance: -0.5 })).toBeNull();
+  const { features } = one.toGeoJSON({ distance: 3, antimeridian: "keep" });
+  expect(features[0].geometry).toEqual({ type: "Sphere" });
+});
