@@ -157,6 +157,7 @@ const rules = [
       /^@observablehq\/plot$/,
       /^(react|vue|leaflet|maplibre-gl)$/,
       /^(@deck\.gl\/(core|layers)|chart\.js(\/helpers)?|echarts\/[a-z]+)$/,
+      /^vega(-embed)?$/,
     ],
   },
   ...playground({

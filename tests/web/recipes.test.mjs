@@ -14,6 +14,13 @@ const bubbles = [
   { x: 105, y: 90, r: 10 },
 ];
 const given = `const bubbles = ${JSON.stringify(bubbles)};`;
+/** Of charts: x, y, radius in pixels, name. */
+const rows = [
+  [10, 20, 50, "large"],
+  [12, 21, 15, "small"],
+  [10.2, 20, 10, "inner"],
+  [30, 45, 25, "other"],
+];
 
 /** A page for a program, with a container of some HTML; keeps a picture for people to look at. */
 const withPages = (open) =>
@@ -214,12 +221,6 @@ describeInBrowser("recipes", (open) => {
   });
 
   test("ECharts: the nearest bubble is lit, the smallest of several, with its tip", async () => {
-    const rows = [
-      [10, 20, 50, "large"],
-      [12, 21, 15, "small"],
-      [10.2, 20, 10, "inner"],
-      [30, 45, 25, "other"],
-    ];
     await inPage(
       "echarts",
       `import nearestInChart from "./echarts.js";
@@ -261,6 +262,83 @@ describeInBrowser("recipes", (open) => {
         await expectPicked(3, "other");
       },
       { end: () => window.shown.end() },
+    );
+  });
+
+  test("Vega-Lite: nearest is by circles, within reach, and cells are drawn", async () => {
+    const data = rows.map(([x, y, r, name]) => ({ x, y, r, name }));
+    await inPage(
+      "vega_lite",
+      `import { Diagram } from "apollonius-diagram";
+      import nearestInChart from "./vega_lite.js";
+      const container = document.getElementById("container");
+      nearestInChart(container, ${JSON.stringify(data)}).then((shown) => {
+        Object.assign(window, { shown });
+      });
+      const symbols = () => window.shown.view.data("marks");
+      window.lit = () =>
+        symbols().filter(({ fill }) => fill === "#e15759").map(({ datum }) => datum.name).join();
+      const toPage = ([x, y]) => {
+        const [left, top] = window.shown.view.origin();
+        const padding = window.shown.view.padding();
+        return [x + left + padding.left, y + top + padding.top];
+      };
+      window.where = () => {
+        const [x, y] = ["x", "y"].map((name) => window.shown.view.scale(name));
+        return ${JSON.stringify(data)}.map((row) => toPage([x(row.x), y(row.y)]));
+      };
+      // What answers at the points of a grid, and what should; not where half a pixel decides.
+      window.wrong = () => {
+        const items = symbols();
+        const circles = items.map(({ x, y, size }) => ({ x, y, r: Math.sqrt(size) / 2 }));
+        const diagram = Diagram.from(circles);
+        const box = container.getBoundingClientRect();
+        const wrong = [];
+        for (let x = 2; x < window.shown.view.width(); x += 13)
+          for (let y = 2; y < window.shown.view.height(); y += 13) {
+            const around = [[-0.5, 0], [0.5, 0], [0, -0.5], [0, 0.5]];
+            const ids = around.map(([dx, dy]) => diagram.pick(x + dx, y + dy, 20));
+            if (new Set(ids).size > 1) continue;
+            const [px, py] = toPage([x, y]);
+            const there = document.elementFromPoint(box.x + px, box.y + py).__data__;
+            const name = there?.isVoronoi && there.datum.datum.name;
+            if ((name || undefined) !== items[ids[0]]?.datum.name) wrong.push([x, y, name]);
+          }
+        return wrong;
+      };`,
+      async (page, box) => {
+        await page.waitForFunction(() => window.shown, null, { polling: 20 });
+        const pointAt = ([x, y]) => page.mouse.move(box.x + x, box.y + y);
+        const expectLit = async (name) => {
+          await page.waitForFunction((name) => window.lit() === name, name, { polling: 20 });
+          if (name) await page.locator(`#vg-tooltip-element.visible:text-is("${name}")`).waitFor();
+        };
+        const [large, , inner, other] = await page.evaluate(() => window.where());
+        await pointAt([large[0] - 45, large[1]]);
+        await expectLit("large");
+        await pointAt(inner);
+        await expectLit("inner");
+        await pointAt([other[0], other[1] + 25 + 15]);
+        await expectLit("other");
+        await pointAt([other[0], other[1] + 25 + 25]);
+        await expectLit("");
+        expect(await page.evaluate(() => window.wrong())).toEqual([]);
+        expect(await page.locator('path[stroke="#bbb"][d]').count()).toBe(3); // inner is hidden
+        // Zoomed in, and smaller, bubbles are elsewhere.
+        await pointAt(large);
+        await page.mouse.wheel(0, -200);
+        await page.waitForFunction(([x]) => window.where()[3][0] > x + 50, other, { polling: 20 });
+        await page.evaluate(() => {
+          document.getElementById("container").style.width = "420px";
+          dispatchEvent(new Event("resize"));
+        });
+        await page.waitForFunction(([x]) => window.where()[3][0] < x - 50, other, { polling: 20 });
+        expect(await page.evaluate(() => window.wrong())).toEqual([]);
+        const [, small] = await page.evaluate(() => window.where());
+        await pointAt([small[0] + 15 + 15, small[1] + 5]);
+        await expectLit("small");
+      },
+      { end: () => window.shown.finalize() },
     );
   });
 
