@@ -157,7 +157,7 @@ const rules = [
       /^@observablehq\/plot$/,
       /^(react|vue|leaflet|maplibre-gl)$/,
       /^(@deck\.gl\/(core|layers)|chart\.js(\/helpers)?|echarts\/[a-z]+)$/,
-      /^vega(-embed)?$/,
+      /^(vega(-embed)?|plotly\.js-gl2d-dist-min)$/,
     ],
   },
   ...playground({

@@ -448,6 +448,60 @@ describeWithWebGL("recipes with WebGL", (open) => {
     );
   }, 120_000);
 
+  test("Plotly: the nearest rim is lit in WebGL, with its label", async () => {
+    await inPage(
+      "plotly",
+      `import nearestInChart from "./plotly.js";
+      const container = document.getElementById("container");
+      nearestInChart(container, ${JSON.stringify(rows)}).then((shown) => {
+        Object.assign(window, { shown });
+        shown.chart.on("plotly_click", ({ points }) => {
+          window.clicked = points.map(({ pointNumber }) => pointNumber).join();
+        });
+      });
+      window.where = () => {
+        const { xaxis, yaxis } = window.shown.chart._fullLayout;
+        return ${JSON.stringify(rows)}.map(([x, y]) =>
+          [xaxis.d2p(x) + xaxis._offset, yaxis.d2p(y) + yaxis._offset]);
+      };`,
+      async (page, box) => {
+        await page.waitForFunction(() => window.shown, null, { polling: 20 });
+        const pointAt = ([x, y]) => page.mouse.move(box.x + x, box.y + y);
+        const expectPicked = async (id) => {
+          const isPicked = (id) => window.shown.picked() === id;
+          await page.waitForFunction(isPicked, id, { polling: 20 });
+          const label = page.locator("#container .hoverlayer .hovertext");
+          if (id < 0) await label.waitFor({ state: "detached" });
+          else await label.filter({ hasText: rows[id][3] }).waitFor();
+        };
+        const [large, , inner, other] = await page.evaluate(() => window.where());
+        await pointAt([large[0] - 45, large[1]]); // where Plotly finds nothing
+        await expectPicked(0);
+        await expectRed(page, box.x + large[0] - 30, box.y + large[1], true);
+        await pointAt(inner);
+        await expectPicked(2);
+        await page.mouse.down();
+        await page.mouse.up();
+        await page.waitForFunction(() => window.clicked === "2", null, { polling: 20 });
+        await pointAt([other[0], other[1] + 25 + 15]);
+        await expectPicked(3);
+        await pointAt([other[0], other[1] + 25 + 25]);
+        await expectPicked(-1);
+        // Smaller, bubbles are elsewhere.
+        await page.evaluate(() =>
+          Object.assign(document.getElementById("container").style, { width: "420px" }),
+        );
+        await page.waitForFunction(([x]) => window.where()[3][0] < x - 50, other, { polling: 20 });
+        const [, , , moved] = await page.evaluate(() => window.where());
+        await pointAt([moved[0], moved[1] + 25 + 10]);
+        await expectPicked(3);
+        await page.mouse.move(box.x + 5, box.y + 5);
+        await expectPicked(-1);
+      },
+      { end: () => window.shown.end() },
+    );
+  }, 120_000);
+
   test("MapLibre: cells in true kilometres, and the one under the pointer is lit", async () => {
     const worker = await bundledModule("maplibre-gl/dist/maplibre-gl-worker.mjs");
     await inPage(

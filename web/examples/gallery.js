@@ -86,6 +86,7 @@ const kFiles = {
   "deckgl.js": "deck.gl",
   "echarts.js": "ECharts",
   "chartjs.js": "Chart.js",
+  "plotly.js": "Plotly",
   "vega_lite.js": "Vega-Lite",
   "threads.mjs": "threads in Node",
   "commonjs.cjs": "CommonJS",

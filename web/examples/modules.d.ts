@@ -5,3 +5,4 @@ declare module "d3-force";
 declare module "d3-geo";
 declare module "d3-selection";
 declare module "leaflet";
+declare module "plotly.js-gl2d-dist-min";
