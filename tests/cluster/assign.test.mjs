@@ -2,10 +2,13 @@
 // single process's, byte for byte. REDIS_SERVER is empty where there is none (tests/run.mjs).
 import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
+import { gzipSync } from "node:zlib";
 import { afterEach, expect, test } from "@jest/globals";
 import { Diagram } from "apollonius-diagram";
 import { makeVector, RecordBatchFileWriter, Table, tableFromIPC } from "apache-arrow";
 import { Queue } from "bullmq";
+import { asyncBufferFromFile, parquetReadObjects } from "hyparquet";
+import { parquetWriteFile } from "hyparquet-writer";
 import { Redis } from "ioredis";
 import { listParts, partFile } from "../../web/examples/cluster/parts.mjs";
 import { openRedis, stopRedis } from "../../web/examples/cluster/redis.mjs";
@@ -169,7 +172,7 @@ withRedis(
 );
 
 withRedis(
-  "CSV and Arrow files, and a job that cannot be done",
+  "CSV, Arrow, Parquet and GeoJSON files, and a job that cannot be done",
   async () => {
     const { work, snapshot, xy, ids, distances, folder } = problem("formats-by-workers", {
       circles: 5000,
@@ -183,6 +186,15 @@ withRedis(
     const batches = Array.from({ length: 10 }, (_, k) => table.slice(5000 * k, 5000 * (k + 1)));
     const arrow = RecordBatchFileWriter.writeAll(batches.flatMap((slice) => slice.batches));
     writeFileSync(path.join(folder, "points.arrow"), arrow.toUint8Array(true));
+    const filename = path.join(folder, "points.parquet");
+    const columnData = ["lon", "lat"].map((name, k) => ({ name, data: axis(k).toArray() }));
+    parquetWriteFile({ filename, columnData, rowGroupSize: 5000 });
+    const features = Array.from(ids, (_, k) => ({
+      type: "Feature",
+      geometry: { type: "Point", coordinates: [xy[2 * k], xy[2 * k + 1]] },
+    }));
+    const collection = JSON.stringify({ type: "FeatureCollection", features });
+    writeFileSync(path.join(folder, "points.geojson.gz"), gzipSync(collection));
 
     const workers = [];
     const run = (name) => {
@@ -195,14 +207,18 @@ withRedis(
       ];
       return { submission, collection: ["--folder", own, "--out", path.join(folder, "result")] };
     };
-    for (const name of ["points.csv", "points.arrow"]) {
+    const rows = Array.from(ids, (id, k) => `${id},${distances[k]}\n`);
+    for (const name of ["points.csv", "points.arrow", "points.parquet", "points.geojson.gz"]) {
       const { submission, collection } = run(name);
       await finish("submit.mjs", submission);
       await finish("collect.mjs", collection);
+      if (!/csv|geojson/.test(name)) continue;
+      const csv = readFileSync(path.join(folder, "result.csv"), "utf8");
+      expect(csv).toBe(`id,distance\n${rows.join("")}`);
     }
-    const rows = Array.from(ids, (id, k) => `${id},${distances[k]}\n`);
-    const csv = readFileSync(path.join(folder, "result.csv"), "utf8");
-    expect(csv).toBe(`id,distance\n${rows.join("")}`);
+    const file = await asyncBufferFromFile(path.join(folder, "result.parquet"));
+    const row = (id, k) => ({ id, distance: distances[k] });
+    expect(await parquetReadObjects({ file })).toEqual(Array.from(ids, row));
     const found = tableFromIPC(readFileSync(path.join(folder, "result.arrow")));
     expect(found.batches).toHaveLength(10);
     expect(Buffer.compare(bytesOf(found.getChild("id").toArray()), bytesOf(ids))).toBe(0);
@@ -214,7 +230,7 @@ withRedis(
     expect(bad.output()).toMatch(/job \d+: .*bad\.csv.* no number: 7,1,north/);
     for (const { child } of workers) child.kill("SIGTERM");
   },
-  60_000,
+  120_000,
 );
 
 test("without redis-server it says what to install", async () => {

@@ -17,6 +17,10 @@ writeArray(inFolder("circles.f64"), new Float64Array(30));
 writeArray(inFolder("odd.f64"), new Float64Array(1));
 writeFileSync(inFolder("points.txt"), "");
 writeFileSync(inFolder("points.csv"), "a,b\n1,2\n");
+writeFileSync(inFolder("plain.csv.gz"), "a,b\n1,2\n");
+writeFileSync(inFolder("text.parquet"), "a,b\n1,2\n");
+writeFileSync(inFolder("far.csv"), "x,y,r\n1,2,far\n");
+writeArray(inFolder("wild.f64"), Float64Array.of(0, 0, 1, 0, Number.NaN, 1));
 mkdirSync(inFolder("damaged"));
 writeFileSync(inFolder("damaged/plan.json"), "{");
 
@@ -83,6 +87,8 @@ test.each([
   ["submit.mjs", submit({ points: "points.txt" }), /expected one of \.arrow/],
   ["submit.mjs", submit({ points: "odd.f64" }), /no whole number of pairs/],
   ["submit.mjs", submit({ points: "points.csv" }), /no columns x, y among a, b: see --columns/],
+  ["submit.mjs", submit({ points: "plain.csv.gz" }), /plain\.csv\.gz: incorrect header check/],
+  ["submit.mjs", submit({ points: "text.parquet" }), /text\.parquet: parquet file invalid/],
   ["submit.mjs", submit({ columns: "x" }), /--columns is two names/],
   ["submit.mjs", submit({ "per-job": "0" }), /--per-job is a whole number from 1 on, not 0/],
   ["submit.mjs", submit({ patience: "-1" }), /--patience is a number of seconds, not -1/],
@@ -90,6 +96,11 @@ test.each([
   ["submit.mjs", submit({ folder: "damaged" }), /damaged.plan\.json is damaged/],
   ["build.mjs", build({ circles: "none.f64" }), /none\.f64/, none],
   ["build.mjs", build({ circles: "odd.f64" }), /no whole number of x, y, r triples/],
+  ["build.mjs", build({ circles: "points.txt" }), /expected one of \.arrow/],
+  ["build.mjs", build({ circles: "points.csv" }), /no columns x, y, r among a, b: see --columns/],
+  ["build.mjs", build({ circles: "far.csv" }), /far\.csv.*no number: 1,2,far/],
+  ["build.mjs", build({ circles: "wild.f64" }), /wild\.f64: circle 1 is 0, NaN, 1/],
+  ["build.mjs", build({ columns: "x,y" }), /--columns is three names/],
   ["build.mjs", build({ window: "0,0,1" }), /--window is xmin,ymin,xmax,ymax, not 0,0,1/],
   ["build.mjs", build({ window: "0,0,0,1" }), /--window is/],
   ["build.mjs", build({ window: "0,,1,1" }), /--window is/],

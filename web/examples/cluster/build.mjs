@@ -2,9 +2,12 @@
 // sorts the circles into a store in the folder, splits the window into tiles, and shows how far the
 // workers are. docs/SCALE.md says why each tile is exact.
 import { existsSync, statSync } from "node:fs";
+import { rm } from "node:fs/promises";
 import path from "node:path";
 import { CircleStore } from "./circle_store.mjs";
-import { count, readOptions, rectangle, seconds } from "./command_line.mjs";
+import { count, readOptions, rectangle, seconds, threeColumns } from "./command_line.mjs";
+import { formatOf } from "./formats/index.mjs";
+import { unpacked } from "./formats/unpack.mjs";
 import { makeStore } from "./make_store.mjs";
 import { perform, runOf } from "./run.mjs";
 import { planTiles } from "./tiles.mjs";
@@ -17,7 +20,11 @@ Ctrl-C: what is there already is not done again. Then collect.mjs gives the area
 the parts of cells as GeoJSON, one feature a line.
 
   --folder      a folder that build, workers and collect share
-  --circles     little-endian float64 triples x, y, r; ids are 0, 1, 2, …
+  --circles     .f64 (little-endian triples x, y, r), .csv, .arrow (IPC file), .parquet (GeoParquet,
+                too), .geojson, .geojsonl (a feature a line); with .gz, it and .geojson are unpacked
+                in the folder at first; ids are 0, 1, 2, …
+  --columns     names of the three columns, by default x,y,r; a Parquet file without the first two
+                has points, as GeoJSON has, whose r is a property
   --window      by default the smallest that has all centres
   --per-tile    circles of a tile at most, by default 100000: some 200 MB of a worker's memory,
                 600 with --geojson
@@ -31,19 +38,27 @@ const options = readOptions(usage, {
   circles: { type: "string", required: true },
   window: { type: "string", as: rectangle },
   "per-tile": { type: "string", default: "100000", as: count },
+  columns: { type: "string", default: "x,y,r", as: threeColumns },
   geojson: { type: "boolean", default: false },
   patience: { type: "string", default: "20", as: seconds },
 });
-const { folder, circles, geojson, patience, window: asked, "per-tile": perTile } = options;
+const { folder, circles, columns, geojson, patience } = options;
+const { window: asked, "per-tile": perTile } = options;
+formatOf(circles); // refuses what has none, before anything is written
 const { size, mtimeMs } = statSync(circles);
-const run = runOf({ circles: path.resolve(circles), size, mtimeMs, asked, perTile, geojson });
+const facts = { circles: path.resolve(circles), size, mtimeMs, columns, asked, perTile, geojson };
+const run = runOf(facts);
 
 const home = path.join(folder, `store-${run}`);
+async function sorted() {
+  console.log("Sorting the circles");
+  const input = await unpacked(circles, path.join(folder, `circles-${run}`));
+  const store = await makeStore(home, input, { window: asked, perTile, columns });
+  if (input !== circles) await rm(input); // the store has all of it
+  return store;
+}
 const isThere = existsSync(path.join(home, "index.json"));
-if (!isThere) console.log("Sorting the circles");
-const store = isThere
-  ? new CircleStore(home)
-  : await makeStore(home, circles, { window: asked, perTile });
+const store = isThere ? new CircleStore(home) : await sorted();
 const window = asked ?? store.bounds;
 const jobs = planTiles(store, window, perTile);
 // of polygons: as by default for a tile of average size

@@ -50,11 +50,13 @@ export function seconds(text, name) {
   throw new Error(`--${name} is a number of seconds, not ${text}`);
 }
 
-export function columns(text, name) {
-  const names = text.split(",");
-  if (names.length === 2) return names;
-  throw new Error(`--${name} is two names with a comma between, not ${text}`);
-}
+const names = (words, count) => (text, name) => {
+  const found = text.split(",");
+  if (found.length === count) return found;
+  throw new Error(`--${name} is ${words} names with a comma between, not ${text}`);
+};
+export const twoColumns = names("two", 2);
+export const threeColumns = names("three", 3);
 
 export function rectangle(text, name) {
   const [xmin, ymin, xmax, ymax, ...more] = text.split(",").map((side) => Number(side || NaN));

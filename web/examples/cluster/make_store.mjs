@@ -1,22 +1,28 @@
 // Sorts a file of circles by where they are, into the buckets of a grid, row after row: those of a
 // rectangle are then a few ranges of one file. Three passes over the input in pieces, so the memory
 // does not depend on its size; the largest circles go to a file of their own.
-import { mkdir, open, rename, stat, writeFile } from "node:fs/promises";
+import { mkdir, open, rename, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { CircleStore, kBytes, kRecord } from "./circle_store.mjs";
+import { formatOf, formats } from "./formats/index.mjs";
 import { Grid } from "./grid.mjs";
 
-const kInput = 3; // x, y, r as little-endian doubles
+const kInput = 3; // x, y, r
 const kPiece = 1 << 21; // circles at once
+const kRange = 1 << 18; // circles that are read at once, as texts take more memory than numbers
 const kBucketsInTile = 64;
 const kMostBuckets = 1 << 24;
 
-/** Makes the store in `home`, and opens it. `window` is inside the grid, wherever circles are. */
-export async function makeStore(home, file, { window, perTile }) {
-  if ((await stat(file)).size % (8 * kInput) !== 0)
-    throw new Error(`${file} is no whole number of x, y, r triples`);
+/**
+ * Makes the store in `home`, and opens it. `window` is inside the grid, wherever circles are;
+ * `columns` are the names of x, y and r in formats that have names.
+ */
+export async function makeStore(home, file, { window, perTile, columns = ["x", "y", "r"] }) {
+  const { split, read } = formats[formatOf(file)];
+  const ranges = await split(file, { perJob: kRange, columns });
+  const pieces = () => piecesOf(ranges, (range) => read(file, range));
   await mkdir(home, { recursive: true });
-  const { bounds, count, mean, giants, largest } = await survey(file, perTile / 10, window);
+  const { bounds, count, mean, giants, largest } = await survey(file, pieces, perTile / 10, window);
   if (count === 0) throw new Error(`${file} is empty`);
   const buckets = Math.min(kMostBuckets, Math.ceil((kBucketsInTile * count) / perTile));
   const layout = Grid.of(bounds, buckets);
@@ -24,11 +30,11 @@ export async function makeStore(home, file, { window, perTile }) {
 
   const isGiant = new Set(giants.map(({ id }) => id));
   const starts = new Float64Array(grid.size + 1); // counts, one place further; then their sums
-  for await (const { xyr, first } of pieces(file))
+  for await (const { xyr, first } of pieces())
     for (let k = 0; k < xyr.length; k += kInput)
       if (!isGiant.has(first + k / kInput)) ++starts[grid.bucket(xyr[k], xyr[k + 1]) + 1];
   for (let k = 1; k < starts.length; ++k) starts[k] += starts[k - 1];
-  await sortInto(path.join(home, "circles.f64"), file, grid, starts, isGiant);
+  await sortInto(path.join(home, "circles.f64"), pieces, grid, starts, isGiant);
 
   const doubles = (name, values) =>
     writeFile(path.join(home, name), new Uint8Array(Float64Array.from(values).buffer));
@@ -43,22 +49,30 @@ export async function makeStore(home, file, { window, perTile }) {
   return new CircleStore(home);
 }
 
-async function* pieces(file) {
-  const input = await open(file);
-  try {
-    const all = (await input.stat()).size / (8 * kInput);
-    for (let first = 0; first < all; first += kPiece) {
-      const xyr = new Float64Array(kInput * Math.min(kPiece, all - first));
-      await input.read(new Uint8Array(xyr.buffer), 0, xyr.byteLength, 8 * kInput * first);
-      yield { xyr, first };
+/** The circles of all ranges in pieces of `kPiece`, whatever a format's ranges hold. */
+async function* piecesOf(ranges, read) {
+  let first = 0,
+    piece = new Float64Array(kInput * kPiece),
+    filled = 0;
+  for (const range of ranges) {
+    const rows = await read(range);
+    for (let from = 0; from < rows.length; ) {
+      const some = rows.subarray(from, from + piece.length - filled);
+      piece.set(some, filled);
+      from += some.length;
+      filled += some.length;
+      if (filled < piece.length) continue;
+      yield { xyr: piece, first };
+      first += kPiece;
+      piece = new Float64Array(kInput * kPiece);
+      filled = 0;
     }
-  } finally {
-    await input.close();
   }
+  if (filled > 0) yield { xyr: piece.subarray(0, filled), first };
 }
 
 /** How many circles, where, and how large; `largest` is the largest radius beside the giants. */
-async function survey(file, giantCount, window) {
+async function survey(file, pieces, giantCount, window) {
   let [xmin, ymin, xmax, ymax] = window ?? [Infinity, Infinity, -Infinity, -Infinity];
   let count = 0,
     sum = 0,
@@ -69,9 +83,11 @@ async function survey(file, giantCount, window) {
     giants.sort((a, b) => b.r - a.r || a.id - b.id).splice(most);
     if (giants.length === most) least = giants.at(-1).r;
   };
-  for await (const { xyr, first } of pieces(file)) {
+  for await (const { xyr, first } of pieces()) {
     for (let k = 0; k < xyr.length; k += kInput) {
       const [x, y, r] = [xyr[k], xyr[k + 1], xyr[k + 2]];
+      if (!Number.isFinite(x) || !Number.isFinite(y) || !Number.isFinite(r))
+        throw new Error(`${file}: circle ${first + k / kInput} is ${x}, ${y}, ${r}`);
       xmin = Math.min(xmin, x);
       ymin = Math.min(ymin, y);
       xmax = Math.max(xmax, x);
@@ -88,11 +104,11 @@ async function survey(file, giantCount, window) {
 }
 
 /** Sorts each piece by buckets, and writes each bucket's run to where that has got to. */
-async function sortInto(target, file, grid, starts, isGiant) {
+async function sortInto(target, pieces, grid, starts, isGiant) {
   const next = starts.slice(0, -1);
   const output = await open(target, "w");
   try {
-    for await (const { xyr, first } of pieces(file)) {
+    for await (const { xyr, first } of pieces()) {
       const order = new Float64Array(xyr.length / kInput); // bucket, then place in the piece
       let count = 0;
       for (let k = 0; k < order.length; ++k)

@@ -2,8 +2,9 @@
 // jobs, and shows how far the workers are. What is there already is not done again.
 import { readFileSync, statSync } from "node:fs";
 import path from "node:path";
-import { columns, count, readOptions, seconds } from "./command_line.mjs";
+import { count, readOptions, seconds, twoColumns } from "./command_line.mjs";
 import { formatOf, formats } from "./formats/index.mjs";
+import { unpacked } from "./formats/unpack.mjs";
 import { perform, runOf } from "./run.mjs";
 import { hashOf } from "./snapshots.mjs";
 
@@ -16,9 +17,12 @@ Ctrl-C, or after collect.mjs has found damaged parts: what is there already is n
   --folder      a folder that submit, workers and collect share; paths below it are kept
                 relative, so that it may be mounted elsewhere on other machines
   --snapshot    a file of what diagram.toBytes() gave
-  --points      .f64 (little-endian pairs), .csv, or .arrow (IPC file)
+  --points      .f64 (little-endian pairs), .csv, .arrow (IPC file), .parquet (GeoParquet, too),
+                .geojson, .geojsonl (a feature a line); with .gz, it and .geojson are unpacked in
+                the folder at first
   --distances   distances to the circles, too
-  --columns     names of the two columns, by default x,y
+  --columns     names of the two columns, by default x,y; a Parquet file without them has points,
+                as GeoJSON has
   --per-job     points of a job, by default 1000000
   --patience    seconds without Redis after which it gives up, by default 20
 
@@ -29,27 +33,33 @@ const options = readOptions(usage, {
   snapshot: { type: "string", required: true },
   points: { type: "string", required: true },
   distances: { type: "boolean", default: false },
-  columns: { type: "string", default: "x,y", as: columns },
+  columns: { type: "string", default: "x,y", as: twoColumns },
   "per-job": { type: "string", default: "1000000", as: count },
   patience: { type: "string", default: "20", as: seconds },
 });
 const { folder, points, distances } = options;
-const inFolder = path.relative(folder, points);
-const input = inFolder.startsWith("..") ? path.resolve(points) : inFolder;
 const snapshot = readFileSync(options.snapshot);
 const format = formatOf(points);
-const common = { input, format, distances, snapshot: hashOf(snapshot) };
 const settings = { perJob: options["per-job"], columns: options.columns };
 const { size, mtimeMs } = statSync(points);
+
+/** A path that is the same for all who have the folder, if the file is in it. */
+function shared(file) {
+  const inFolder = path.relative(folder, file);
+  return inFolder.startsWith("..") ? path.resolve(file) : inFolder;
+}
+const common = { format, distances, snapshot: hashOf(snapshot) };
+const run = runOf({ points: shared(points), ...common, ...settings, size, mtimeMs });
+const input = await unpacked(points, path.join(folder, `points-${run}`));
 
 await perform(
   folder,
   {
     kind: "assign",
-    run: runOf({ ...common, ...settings, size, mtimeMs }),
+    run,
     unit: formats[format].unit,
-    common,
-    jobs: await formats[format].split(points, settings),
+    common: { ...common, input: shared(input) },
+    jobs: await formats[format].split(input, settings),
   },
   { patience: options.patience, snapshot },
 );

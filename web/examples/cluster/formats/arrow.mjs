@@ -1,5 +1,5 @@
-// Arrow IPC files: two columns of numbers come in, id (int32) and distance (float64) go out. Jobs
-// are whole record batches, which a file lets one read by their numbers.
+// Arrow IPC files: columns of numbers come in, id (int32) and distance (float64) go out. Jobs are
+// whole record batches, which a file lets one read by their numbers.
 import { createWriteStream } from "node:fs";
 import { open } from "node:fs/promises";
 import { Readable } from "node:stream";
@@ -37,7 +37,7 @@ async function withReader(file, action) {
 }
 
 /** Runs of record batches of about `perJob` points, as many as the first batch promises. */
-export function split(file, { perJob, columns = ["x", "y"] }) {
+export function split(file, { perJob, columns }) {
   return withReader(file, async (reader) => {
     const count = reader.numRecordBatches;
     const inBatch = count > 0 ? (await reader.readRecordBatch(0)).numRows : 0;
@@ -50,26 +50,27 @@ export function split(file, { perJob, columns = ["x", "y"] }) {
   });
 }
 
-/** The points of some batches as flat x, y pairs. */
+/** The columns of some batches, row after row. */
 export function read(file, { from, to, columns }) {
   return withReader(file, async (reader) => {
     const batches = [];
     for (let k = from; k < to; ++k) batches.push(await reader.readRecordBatch(k));
-    const xy = new Float64Array(2 * batches.reduce((sum, batch) => sum + batch.numRows, 0));
-    columns.forEach((name, axis) => {
-      let at = axis;
+    const width = columns.length;
+    const values = new Float64Array(width * batches.reduce((sum, { numRows }) => sum + numRows, 0));
+    columns.forEach((name, place) => {
+      let at = place;
       for (const batch of batches) {
         const column = batch.getChild(name);
         if (column === null) throw new Error(`${file} has no column ${name}: see --columns`);
         if (column.nullCount > 0) throw new Error(`${file}: nulls in column ${name}`);
         if (!isNumeric(column.type)) throw new Error(`${file}: column ${name} is ${column.type}`);
         for (const value of column.toArray()) {
-          xy[at] = Number(value);
-          at += 2;
+          values[at] = Number(value);
+          at += width;
         }
       }
     });
-    return xy;
+    return values;
   });
 }
 

@@ -1,39 +1,39 @@
-// Little-endian binary files: float64 pairs x, y come in; ids (int32) and distances (float64) go
-// out.
+// Little-endian binary files: rows of float64 (x, y; or x, y, r) come in; ids (int32) and distances
+// (float64) go out.
 import { open, stat } from "node:fs/promises";
 import { joinSections } from "./join.mjs";
 
 export const unit = "points";
-const kPair = 16; // bytes
 
 /** Ranges of a file for jobs of this many points. */
-export async function split(file, { perJob }) {
+export async function split(file, { perJob, columns: { length: width } }) {
   const { size } = await stat(file);
-  if (size % kPair !== 0) throw new Error(`${file} has ${size} bytes, no whole number of pairs`);
-  const count = size / kPair;
+  const what = width === 2 ? "pairs" : "x, y, r triples";
+  if (size % (8 * width) !== 0)
+    throw new Error(`${file} has ${size} bytes, no whole number of ${what}`);
+  const count = size / (8 * width);
   return Array.from({ length: Math.ceil(count / perJob) }, (_, k) => {
     const from = k * perJob;
-    const size = Math.min(perJob, count - from);
-    return { from, size };
+    return { from, size: Math.min(perJob, count - from), width };
   });
 }
 
-/** The points of a range as flat x, y pairs. */
-export async function read(file, { from, size }) {
-  const xy = new Float64Array(2 * size);
+/** The rows of a range, one after the other. */
+export async function read(file, { from, size, width }) {
+  const values = new Float64Array(width * size);
   const input = await open(file);
   try {
     const { bytesRead } = await input.read(
-      new Uint8Array(xy.buffer),
+      new Uint8Array(values.buffer),
       0,
-      kPair * size,
-      kPair * from,
+      values.byteLength,
+      8 * width * from,
     );
-    if (bytesRead !== kPair * size) throw new Error(`${file} has become shorter`);
+    if (bytesRead !== values.byteLength) throw new Error(`${file} has become shorter`);
   } finally {
     await input.close();
   }
-  return xy;
+  return values;
 }
 
 export function encode(ids, distances) {
