@@ -200,7 +200,16 @@ const rules = [
       /^(d3-hierarchy|d3-geo|d3-delaunay|delaunator|flatbush)$/,
     ],
   },
-  { of: /^web\/.*\.mjs$/, may: [/^node:/, /^\.\/[\w./]+$/, /^[a-z][\w-]*$/] },
+  {
+    of: /^web\/.*\.mjs$/,
+    may: [
+      /^node:/,
+      /^\.\/[\w./]+$/,
+      /^\.\.\/formats\/join\.mjs$/,
+      /^[a-z][\w-]*$/,
+      /^flatgeobuf\/lib\/mjs\/[\w/-]+\.js$/, // its main file imports OpenLayers
+    ],
+  },
   {
     of: /^bench\/.*\.m?js$/,
     may: [

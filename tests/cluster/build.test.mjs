@@ -1,8 +1,13 @@
 // Cells tile by tile, by workers: areas and shapes are those of the one diagram of all circles.
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
+import { gzipSync } from "node:zlib";
 import { afterEach, expect, test } from "@jest/globals";
 import { Diagram } from "apollonius-diagram";
+import { deserialize } from "flatgeobuf/lib/mjs/geojson.js";
+import { asyncBufferFromFile, parquetMetadataAsync, parquetReadObjects } from "hyparquet";
+import GeoJSONReader from "jsts/org/locationtech/jts/io/GeoJSONReader.js";
+import IsValidOp from "jsts/org/locationtech/jts/operation/valid/IsValidOp.js";
 import { stopRedis } from "../../web/examples/cluster/redis.mjs";
 import { isThorough } from "../support/effort.mjs";
 import { generator } from "../wasm/support/random.mjs";
@@ -15,10 +20,10 @@ const perTile = isThorough ? 20_000 : 2000;
 const window = [100, 50, 900, 980];
 
 const folder = emptyFolder("build");
-const work = path.join(folder, "work");
+const works = ["work", "work-lon-lat"].map((name) => path.join(folder, name));
 afterEach(async () => {
   stopAll();
-  await stopRedis(work);
+  for (const work of works) await stopRedis(work);
 });
 
 /** Radii over some orders of magnitude, a third of the centres in one cluster; some covered. */
@@ -40,15 +45,60 @@ function areaOf(ring) {
   return ring.slice(1).reduce((sum, [x, y], k) => sum + (ring[k][0] * y - x * ring[k][1]) / 2, 0);
 }
 
+/** The features of a FlatGeobuf file, and its header; those that meet a rectangle, if given. */
+async function readFlatGeobuf(file, rect) {
+  const features = [];
+  let header;
+  const headerMetaFn = (meta) => (header = meta);
+  const bytes = new Uint8Array(readFileSync(file)); // its buffer is the file
+  const say = console.debug;
+  console.debug = () => {}; // the search tells of each node
+  try {
+    for await (const feature of deserialize(bytes, { rect, headerMetaFn })) features.push(feature);
+  } finally {
+    console.debug = say;
+  }
+  return { features, header };
+}
+
+/** The rows of a GeoParquet file, its row groups, and its metadata. */
+async function readGeoParquet(filename) {
+  const file = await asyncBufferFromFile(filename);
+  const { key_value_metadata, row_groups } = await parquetMetadataAsync(file);
+  const { value } = key_value_metadata.find(({ key }) => key === "geo");
+  return { rows: await parquetReadObjects({ file }), row_groups, geo: JSON.parse(value) };
+}
+
+const readLines = (file) =>
+  readFileSync(file, "utf8")
+    .trim()
+    .split("\n")
+    .map((line) => JSON.parse(line));
+
+const polygonsOf = ({ type, coordinates }) => (type === "Polygon" ? [coordinates] : coordinates);
+
+/** Whether the box of a geometry meets a rectangle. */
+function meets(geometry, { minX, minY, maxX, maxY }) {
+  const points = polygonsOf(geometry).flat(2);
+  const [xs, ys] = [0, 1].map((axis) => points.map((point) => point[axis]));
+  return (
+    Math.min(...xs) <= maxX &&
+    Math.max(...xs) >= minX &&
+    Math.min(...ys) <= maxY &&
+    Math.max(...ys) >= minY
+  );
+}
+
 withRedis(
-  "areas add up to the window, and are those of one diagram; features are the cells' parts",
+  "areas add up to the window, and are those of one diagram; features are the cells' parts, valid and the same in all formats",
   async () => {
     const xyr = circles();
     const file = writeArray(path.join(folder, "circles.f64"), xyr);
+    const [work] = works;
     const workers = [0, 1].map(() => start("worker.mjs", ["--folder", work]));
     await finish("build.mjs", [
       ...["--folder", work, "--circles", file, "--window", window.join()],
-      ...["--per-tile", String(perTile), "--geojson"],
+      ...["--per-tile", String(perTile), "--geojson", "--flatgeobuf", "--geoparquet"],
     ]);
     await finish("collect.mjs", ["--folder", work, "--out", path.join(folder, "result")]);
     for (const { child } of workers) child.kill("SIGTERM");
@@ -62,19 +112,97 @@ withRedis(
     const worst = areas.reduce((most, area, id) => Math.max(most, Math.abs(area - whole[id])), 0);
     expect(worst).toBeLessThan(1e-9);
 
-    const features = readFileSync(path.join(folder, "result.geojsonl"), "utf8").trim().split("\n");
+    const features = readLines(path.join(folder, "result.geojsonl"));
+    const reader = new GeoJSONReader();
     const sums = new Float64Array(count);
     let drawn = 0;
-    for (const { id, properties, geometry } of features.map((line) => JSON.parse(line))) {
+    for (const [k, { id, properties, geometry }] of features.entries()) {
       sums[id] += properties.area;
-      const { type, coordinates } = geometry;
-      for (const rings of type === "Polygon" ? [coordinates] : coordinates)
-        drawn += areaOf(rings[0]);
+      for (const rings of polygonsOf(geometry)) drawn += areaOf(rings[0]);
+      if (isThorough || k % 8 === 0)
+        expect(new IsValidOp(reader.read(geometry)).isValid()).toBe(true);
     }
     expect([...sums]).toEqual([...areas]); // the same numbers in the same order
     expect(Math.abs(drawn - all)).toBeLessThan(1e-6 * all); // polygons leave no gaps but for rounding
+
+    const asFlat = await readFlatGeobuf(path.join(folder, "result.fgb"));
+    expect(asFlat.header.featuresCount).toBe(features.length);
+    expect(asFlat.header.crs).toBe(null);
+    expect([...asFlat.header.envelope]).toEqual(window);
+    const isSame = (one, k) => {
+      const { id, properties, geometry } = features[k];
+      return (
+        Number(one.id) === id &&
+        one.area === properties.area &&
+        JSON.stringify(polygonsOf(one.geometry)) === JSON.stringify(polygonsOf(geometry))
+      );
+    };
+    const { features: flat } = asFlat;
+    expect(flat).toHaveLength(features.length);
+    expect(flat.every((one, k) => isSame({ ...one.properties, geometry: one.geometry }, k))).toBe(
+      true,
+    );
+    for (const [minX, minY, maxX, maxY] of [window, [400, 400, 420, 410], [190, 690, 191, 691]]) {
+      const rect = { minX, minY, maxX, maxY };
+      const found = await readFlatGeobuf(path.join(folder, "result.fgb"), rect);
+      const ids = features.filter(({ geometry }) => meets(geometry, rect)).map(({ id }) => id);
+      expect(found.features.map(({ properties }) => properties.id)).toEqual(ids);
+    }
+
+    const { rows, row_groups, geo } = await readGeoParquet(path.join(folder, "result.parquet"));
+    expect(rows).toHaveLength(features.length);
+    expect(rows.every(isSame)).toBe(true);
+    expect(row_groups.length).toBeGreaterThan(count / perTile / 2);
+    expect(geo).toEqual({
+      version: "1.1.0",
+      primary_column: "geometry",
+      columns: {
+        geometry: {
+          encoding: "WKB",
+          geometry_types: ["Polygon", "MultiPolygon"],
+          crs: null,
+          bbox: window,
+        },
+      },
+    });
+
     const memory = workers.map(({ output }) => Number(/"peakMegabytes":(\d+)/.exec(output())[1]));
     expect(Math.max(...memory)).toBeLessThan(1024);
   },
-  isThorough ? 600_000 : 60_000,
+  isThorough ? 600_000 : 120_000,
+);
+
+withRedis(
+  "circles from gzipped CSV, whose columns say that they are longitude and latitude",
+  async () => {
+    const [, work] = works;
+    const random = generator(4);
+    const xyr = Float64Array.from({ length: 3000 }, (_, k) => (k % 3 === 2 ? 0.01 : 1) * random());
+    const text = Array.from({ length: 1000 }, (_, k) => xyr.subarray(3 * k, 3 * k + 3).join());
+    const circles = path.join(folder, "circles.csv.gz");
+    writeFileSync(circles, gzipSync(`lon,lat,size\n${text.join("\n")}`));
+    const worker = start("worker.mjs", ["--folder", work]);
+    const args = ["--folder", work, "--circles", circles, "--columns", "lon,lat,size"];
+    await finish("build.mjs", [...args, "--per-tile", "300", "--flatgeobuf", "--geoparquet"]);
+    const out = path.join(folder, "lon-lat");
+    await finish("collect.mjs", ["--folder", work, "--out", out]);
+    worker.child.kill("SIGTERM");
+
+    const areas = readDoubles(`${out}.areas.f64`);
+    const { header, features } = await readFlatGeobuf(`${out}.fgb`);
+    expect(header.crs.code).toBe(4326);
+    const sums = new Float64Array(1000);
+    for (const { properties } of features) sums[properties.id] += properties.area;
+    expect([...sums]).toEqual([...areas]);
+    const [xmin, ymin, xmax, ymax] = header.envelope;
+    const whole = new Diagram(xyr).voronoi(header.envelope).cellAreas();
+    const worst = Math.max(...areas.map((area, id) => Math.abs(area - whole[id])));
+    expect(worst).toBeLessThan(1e-12 * (xmax - xmin) * (ymax - ymin));
+    const { rows, geo } = await readGeoParquet(`${out}.parquet`);
+    expect(geo.columns.geometry).not.toHaveProperty("crs"); // which is longitude and latitude
+    expect(rows.map(({ id }) => Number(id))).toEqual(
+      features.map(({ properties }) => properties.id),
+    );
+  },
+  60_000,
 );

@@ -4,6 +4,7 @@
 import { existsSync, statSync } from "node:fs";
 import { rm } from "node:fs/promises";
 import path from "node:path";
+import { cellFormats } from "./cells/index.mjs";
 import { CircleStore } from "./circle_store.mjs";
 import { count, readOptions, rectangle, seconds, threeColumns } from "./command_line.mjs";
 import { formatOf } from "./formats/index.mjs";
@@ -13,11 +14,11 @@ import { perform, runOf } from "./run.mjs";
 import { planTiles } from "./tiles.mjs";
 
 const usage = `
-node build.mjs --folder work --circles circles.f64 [--window xmin,ymin,xmax,ymax] [--geojson]
+node build.mjs --folder work --circles circles.f64 [--window xmin,ymin,xmax,ymax] [--flatgeobuf]
 
 Computes the cells of circles tile by tile, by as many workers as there are. Start it again after
 Ctrl-C: what is there already is not done again. Then collect.mjs gives the area of each cell, and
-the parts of cells as GeoJSON, one feature a line.
+the parts of cells in the formats that are asked for.
 
   --folder      a folder that build, workers and collect share
   --circles     .f64 (little-endian triples x, y, r), .csv, .arrow (IPC file), .parquet (GeoParquet,
@@ -27,8 +28,10 @@ the parts of cells as GeoJSON, one feature a line.
                 has points, as GeoJSON has, whose r is a property
   --window      by default the smallest that has all centres
   --per-tile    circles of a tile at most, by default 100000: some 200 MB of a worker's memory,
-                600 with --geojson
-  --geojson     the cells themselves, too
+                600 with cells
+  --geojson     the cells themselves, too, as lines of GeoJSON
+  --flatgeobuf  … as FlatGeobuf, with an index
+  --geoparquet  … as GeoParquet
   --patience    seconds without Redis after which it gives up, by default 20
 
 REDIS_URL names a Redis that all machines reach; without it, one is started on this machine.`;
@@ -40,13 +43,16 @@ const options = readOptions(usage, {
   "per-tile": { type: "string", default: "100000", as: count },
   columns: { type: "string", default: "x,y,r", as: threeColumns },
   geojson: { type: "boolean", default: false },
+  flatgeobuf: { type: "boolean", default: false },
+  geoparquet: { type: "boolean", default: false },
   patience: { type: "string", default: "20", as: seconds },
 });
-const { folder, circles, columns, geojson, patience } = options;
+const { folder, circles, columns, patience } = options;
 const { window: asked, "per-tile": perTile } = options;
+const cells = Object.keys(cellFormats).filter((format) => options[format]);
 formatOf(circles); // refuses what has none, before anything is written
 const { size, mtimeMs } = statSync(circles);
-const facts = { circles: path.resolve(circles), size, mtimeMs, columns, asked, perTile, geojson };
+const facts = { circles: path.resolve(circles), size, mtimeMs, columns, asked, perTile, cells };
 const run = runOf(facts);
 
 const home = path.join(folder, `store-${run}`);
@@ -64,7 +70,16 @@ const jobs = planTiles(store, window, perTile);
 // of polygons: as by default for a tile of average size
 const [xmin, ymin, xmax, ymax] = window;
 const tolerance = (2 ** -13 * Math.hypot(xmax - xmin, ymax - ymin)) / Math.sqrt(jobs.length);
-const common = { store: path.basename(home), count: store.count, window, tolerance, geojson };
+// Names of columns say what the numbers are; most formats have no other place for it.
+const isLonLat = /^lon/i.test(columns[0]) && /^lat/i.test(columns[1]);
+const common = {
+  store: path.basename(home),
+  count: store.count,
+  window,
+  tolerance,
+  cells,
+  isLonLat,
+};
 
 await perform(folder, { kind: "tile", run, unit: "circles", common, jobs }, { patience });
 console.log(`All tiles are there. Now: node collect.mjs --folder ${folder} --out RESULT`);

@@ -1,5 +1,7 @@
 // A job of build.mjs: the parts of cells that lie in a tile.
 import path from "node:path";
+import { kTogether } from "./cells/box_tree.mjs";
+import { cellFormats } from "./cells/index.mjs";
 import { CircleStore } from "./circle_store.mjs";
 import { tile } from "./tile.mjs";
 
@@ -10,8 +12,8 @@ function storeOf(home, run) {
   return opened.store;
 }
 
-/** The sections of the job's part: pairs of id and area; and features, one a line. */
-export async function buildTile({ run, store, window, halo, tolerance, geojson }, context) {
+/** The sections of the job's part: pairs of id and area; and cells, a section a format. */
+export async function buildTile({ run, store, window, halo, tolerance, cells }, context) {
   const circles = storeOf(path.resolve(context.folder, store), run);
   const { diagram, ids } = await tile(circles, window, halo);
   try {
@@ -19,27 +21,37 @@ export async function buildTile({ run, store, window, halo, tolerance, geojson }
     const areas = voronoi.cellAreas();
     const own = [];
     for (let k = 0; k < areas.length; ++k) if (areas[k] > 0) own.push(k);
+    if (cells.length > 0) sortInStrips(own, diagram);
     const pairs = new Float64Array(2 * own.length);
+    const encoded = Object.fromEntries(cells.map((format) => [format, []]));
     own.forEach((k, at) => {
       pairs[2 * at] = ids[k];
       pairs[2 * at + 1] = areas[k];
+      if (cells.length === 0) return;
+      // The part of the cell in the tile; whoever wants whole cells joins the parts of an id.
+      const parts = voronoi.cellParts(k, { tolerance, flat: true }) ?? [];
+      const polygons = parts.map((part) => [part, ...part.holes]);
+      const cell = { id: ids[k], area: areas[k], polygons };
+      for (const format of cells) encoded[format].push(cellFormats[format].encode(cell));
     });
-    const features = geojson
-      ? own.map((k) => feature(voronoi, k, ids[k], areas[k], tolerance))
-      : [];
     context.items += own.length;
-    return { areas: new Uint8Array(pairs.buffer), geojsonl: Buffer.from(features.join("")) };
+    const sections = { areas: new Uint8Array(pairs.buffer) };
+    for (const format of cells) sections[format] = Buffer.concat(encoded[format]);
+    return sections;
   } finally {
     diagram.dispose();
   }
 }
 
-/** The part of a cell in the tile; whoever wants whole cells joins the parts of an id. */
-function feature(voronoi, k, id, area, tolerance) {
-  const polygons = (voronoi.cellParts(k, { tolerance }) ?? []).map((ring) => [ring]);
-  const geometry =
-    polygons.length === 1
-      ? { type: "Polygon", coordinates: polygons[0] }
-      : { type: "MultiPolygon", coordinates: polygons };
-  return `${JSON.stringify({ type: "Feature", id, properties: { area }, geometry })}\n`;
+/** Sorts sites so that 16 neighbours in the list, a node of BoxTree, are neighbours in the plane. */
+function sortInStrips(sites, diagram) {
+  const places = new Map(sites.map((k) => [k, diagram.site(k)]));
+  sites.sort((a, b) => places.get(a).y - places.get(b).y);
+  const inStrip = Math.ceil(Math.sqrt(kTogether * sites.length)); // strips are as high as nodes are wide
+  const strips = [];
+  for (let k = 0; k < sites.length; k += inStrip) {
+    const strip = sites.slice(k, k + inStrip);
+    strips.push(...strip.sort((a, b) => places.get(a).x - places.get(b).x));
+  }
+  strips.forEach((k, at) => (sites[at] = k));
 }

@@ -1,7 +1,7 @@
 // The tiles of a store: rectangles of whole buckets, of about as many circles each however these
 // are spread; and their parts put together.
 import { open } from "node:fs/promises";
-import { joinSections } from "./formats/join.mjs";
+import { cellFormats } from "./cells/index.mjs";
 
 const kSpacings = 4; // that are looked around a tile at first, beside the radii
 const kSlice = 1 << 26; // areas at once
@@ -61,30 +61,32 @@ function summed({ x, y }, starts) {
 }
 
 /**
- * Writes `out`.areas.f64, the area of each circle's cell in the window by id, and `out`.geojsonl if
- * there are features. Circles are taken `kSlice` at a time, so that the memory does not depend on
- * how many there are.
+ * Writes `out`.areas.f64, the area of each circle's cell in the window by id, and a file of cells
+ * in each format that was asked for. Circles are taken `kSlice` at a time, so that the memory does
+ * not depend on how many there are.
  */
-export async function join(out, parts, { count, geojson }) {
+export async function join(out, parts, common) {
   const file = `${out}.areas.f64`;
   const output = await open(file, "w");
+  let features; // as many pairs there are
   try {
-    for (let first = 0; first < count; first += kSlice) {
-      const areas = new Float64Array(Math.min(kSlice, count - first));
+    for (let first = 0; first < common.count; first += kSlice) {
+      features = 0;
+      const areas = new Float64Array(Math.min(kSlice, common.count - first));
       for await (const { areas: bytes } of parts()) {
         const pairs = new Float64Array(
           bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length),
         );
         for (let k = 0; k < pairs.length; k += 2) areas[pairs[k] - first] += pairs[k + 1];
+        features += pairs.length / 2;
       }
       await output.writeFile(new Uint8Array(areas.buffer));
     }
   } finally {
     await output.close();
   }
-  if (!geojson) return [file];
-  async function* features() {
-    for await (const { geojsonl } of parts()) yield { geojsonl };
-  }
-  return [file, ...(await joinSections(out, () => features()))];
+  const files = [file];
+  for (const format of common.cells)
+    files.push(...(await cellFormats[format].join(out, parts, { ...common, features })));
+  return files;
 }
