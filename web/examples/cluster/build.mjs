@@ -22,16 +22,16 @@ the parts of cells in the formats that are asked for.
 
   --folder      a folder that build, workers and collect share
   --circles     .f64 (little-endian triples x, y, r), .csv, .arrow (IPC file), .parquet (GeoParquet,
-                too), .geojson, .geojsonl (a feature a line); with .gz, it and .geojson are unpacked
-                in the folder at first; ids are 0, 1, 2, …
-  --columns     names of the three columns, by default x,y,r; a Parquet file without the first two
-                has points, as GeoJSON has, whose r is a property
+                too), .geojson or .geojsonl (a feature a line), or one of these with .gz; .gz and
+                .geojson are first unpacked into the folder. Ids are 0, 1, 2, …
+  --columns     names of the three columns, by default x,y,r. GeoJSON, and GeoParquet without the
+                first two, have points instead, and the third is a property or column
   --window      by default the smallest that has all centres
   --per-tile    circles of a tile at most, by default 100000: some 200 MB of a worker's memory,
                 600 with cells
-  --geojson     the cells themselves, too, as lines of GeoJSON
-  --flatgeobuf  … as FlatGeobuf, with an index
-  --geoparquet  … as GeoParquet
+  --geojson     the cells themselves, too, as GeoJSON, a feature a line
+  --flatgeobuf  the cells as FlatGeobuf, with an index
+  --geoparquet  the cells as GeoParquet
   --patience    seconds without Redis after which it gives up, by default 20
 
 REDIS_URL names a Redis that all machines reach; without it, one is started on this machine.`;

@@ -18,11 +18,11 @@ Ctrl-C, or after collect.mjs has found damaged parts: what is there already is n
                 relative, so that it may be mounted elsewhere on other machines
   --snapshot    a file of what diagram.toBytes() gave
   --points      .f64 (little-endian pairs), .csv, .arrow (IPC file), .parquet (GeoParquet, too),
-                .geojson, .geojsonl (a feature a line); with .gz, it and .geojson are unpacked in
-                the folder at first
+                .geojson or .geojsonl (a feature a line), or one of these with .gz; .gz and
+                .geojson are first unpacked into the folder
   --distances   distances to the circles, too
-  --columns     names of the two columns, by default x,y; a Parquet file without them has points,
-                as GeoJSON has
+  --columns     names of the two columns, by default x,y. GeoJSON, and GeoParquet without such
+                columns, have points instead
   --per-job     points of a job, by default 1000000
   --patience    seconds without Redis after which it gives up, by default 20
 
