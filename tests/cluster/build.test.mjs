@@ -1,16 +1,16 @@
 // Cells tile by tile, by workers: areas and shapes are those of the one diagram of all circles.
-import { readFileSync, writeFileSync } from "node:fs";
+import { writeFileSync } from "node:fs";
 import path from "node:path";
 import { gzipSync } from "node:zlib";
 import { afterEach, expect, test } from "@jest/globals";
 import { Diagram } from "apollonius-diagram";
-import { deserialize } from "flatgeobuf/lib/mjs/geojson.js";
 import { asyncBufferFromFile, parquetMetadataAsync, parquetReadObjects } from "hyparquet";
 import GeoJSONReader from "jsts/org/locationtech/jts/io/GeoJSONReader.js";
 import IsValidOp from "jsts/org/locationtech/jts/operation/valid/IsValidOp.js";
 import { stopRedis } from "../../web/examples/cluster/redis.mjs";
 import { isThorough } from "../support/effort.mjs";
 import { generator } from "../wasm/support/random.mjs";
+import { meets, polygonsOf, readFlatGeobuf, readLines } from "./support/cells.mjs";
 import { emptyFolder, readDoubles, writeArray } from "./support/files.mjs";
 import { finish, start, stopAll } from "./support/processes.mjs";
 
@@ -45,48 +45,12 @@ function areaOf(ring) {
   return ring.slice(1).reduce((sum, [x, y], k) => sum + (ring[k][0] * y - x * ring[k][1]) / 2, 0);
 }
 
-/** The features of a FlatGeobuf file, and its header; those that meet a rectangle, if given. */
-async function readFlatGeobuf(file, rect) {
-  const features = [];
-  let header;
-  const headerMetaFn = (meta) => (header = meta);
-  const bytes = new Uint8Array(readFileSync(file)); // its buffer is the file
-  const say = console.debug;
-  console.debug = () => {}; // the search tells of each node
-  try {
-    for await (const feature of deserialize(bytes, { rect, headerMetaFn })) features.push(feature);
-  } finally {
-    console.debug = say;
-  }
-  return { features, header };
-}
-
 /** The rows of a GeoParquet file, its row groups, and its metadata. */
 async function readGeoParquet(filename) {
   const file = await asyncBufferFromFile(filename);
   const { key_value_metadata, row_groups } = await parquetMetadataAsync(file);
   const { value } = key_value_metadata.find(({ key }) => key === "geo");
   return { rows: await parquetReadObjects({ file }), row_groups, geo: JSON.parse(value) };
-}
-
-const readLines = (file) =>
-  readFileSync(file, "utf8")
-    .trim()
-    .split("\n")
-    .map((line) => JSON.parse(line));
-
-const polygonsOf = ({ type, coordinates }) => (type === "Polygon" ? [coordinates] : coordinates);
-
-/** Whether the box of a geometry meets a rectangle. */
-function meets(geometry, { minX, minY, maxX, maxY }) {
-  const points = polygonsOf(geometry).flat(2);
-  const [xs, ys] = [0, 1].map((axis) => points.map((point) => point[axis]));
-  return (
-    Math.min(...xs) <= maxX &&
-    Math.max(...xs) >= minX &&
-    Math.min(...ys) <= maxY &&
-    Math.max(...ys) >= minY
-  );
 }
 
 withRedis(

@@ -9,18 +9,20 @@ const kTypicalLine = 32; // bytes, to guess how many lines a job gets
 
 /** Ranges of whole lines for jobs of about this many points; the heading is in none. */
 export async function split(file, { perJob, columns }) {
-  const { at, start } = columnsOf(await firstLine(file), columns);
+  const { at, start } = columnsOf(file, await firstLine(file), columns);
   const ranges = await splitLines(file, { start, bytes: kTypicalLine * perJob });
   return ranges.map((range) => ({ ...range, at }));
 }
 
 /** Where the columns are in a line, and where the first point is: after the heading, if any. */
-function columnsOf(first, names) {
+function columnsOf(file, first, names) {
   const [cells = []] = Papa.parse(first.toString("utf8").trimEnd()).data;
   const at = names.map((name) => cells.findIndex((cell) => cell.trim() === name));
   if (!at.includes(-1)) return { at, start: first.length };
   if (Number.isNaN(Number(cells[0])))
-    throw new Error(`no columns ${names.join(", ")} among ${cells.join(", ")}: see --columns`);
+    throw new Error(
+      `${file}: no columns ${names.join(", ")} among ${cells.join(", ")}: see --columns`,
+    );
   return { at: [...names.keys()], start: 0 };
 }
 

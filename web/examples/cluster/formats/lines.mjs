@@ -4,7 +4,7 @@ import { open, stat } from "node:fs/promises";
 const kLongestLine = 1 << 16;
 
 /** The rest of the line at a place in a file, with its end. */
-export async function lineAt(input, place) {
+async function lineAt(file, input, place) {
   const { buffer, bytesRead } = await input.read(
     Buffer.alloc(kLongestLine),
     0,
@@ -12,7 +12,8 @@ export async function lineAt(input, place) {
     place,
   );
   const end = buffer.subarray(0, bytesRead).indexOf("\n");
-  if (end < 0 && bytesRead === kLongestLine) throw new Error(`the line at ${place} is very long`);
+  if (end < 0 && bytesRead === kLongestLine)
+    throw new Error(`${file}: the line at byte ${place} is very long`);
   return buffer.subarray(0, end < 0 ? bytesRead : end + 1);
 }
 
@@ -20,7 +21,7 @@ export async function lineAt(input, place) {
 export async function firstLine(file) {
   const input = await open(file);
   try {
-    return await lineAt(input, 0);
+    return await lineAt(file, input, 0);
   } finally {
     await input.close();
   }
@@ -34,7 +35,7 @@ export async function splitLines(file, { start = 0, bytes }) {
     const ranges = [];
     for (let from = start; from < size; ) {
       const guess = from + bytes;
-      const to = guess >= size ? size : guess + (await lineAt(input, guess)).length;
+      const to = guess >= size ? size : guess + (await lineAt(file, input, guess)).length;
       ranges.push({ from, to: Math.min(to, size), size: (to - from) / 1e6 });
       from = to;
     }
