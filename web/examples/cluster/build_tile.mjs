@@ -1,9 +1,12 @@
 // A job of build.mjs: the parts of cells that lie in a tile.
 import path from "node:path";
+import { setImmediate } from "node:timers/promises";
 import { kTogether } from "./cells/box_tree.mjs";
 import { cellFormats } from "./cells/index.mjs";
 import { CircleStore } from "./circle_store.mjs";
 import { tile } from "./tile.mjs";
+
+const kAtOnce = 1000; // cells between which the worker may tell Redis that it is alive
 
 let opened; // the store that was asked for last
 
@@ -24,16 +27,17 @@ export async function buildTile({ run, store, window, halo, tolerance, cells }, 
     if (cells.length > 0) sortInStrips(own, diagram);
     const pairs = new Float64Array(2 * own.length);
     const encoded = Object.fromEntries(cells.map((format) => [format, []]));
-    own.forEach((k, at) => {
+    for (const [at, k] of own.entries()) {
       pairs[2 * at] = ids[k];
       pairs[2 * at + 1] = areas[k];
-      if (cells.length === 0) return;
+      if (cells.length === 0) continue;
+      if (at % kAtOnce === 0) await setImmediate();
       // The part of the cell in the tile; whoever wants whole cells joins the parts of an id.
       const parts = voronoi.cellParts(k, { tolerance, flat: true }) ?? [];
       const polygons = parts.map((part) => [part, ...part.holes]);
       const cell = { id: ids[k], area: areas[k], polygons };
       for (const format of cells) encoded[format].push(cellFormats[format].encode(cell));
-    });
+    }
     context.items += own.length;
     const sections = { areas: new Uint8Array(pairs.buffer) };
     for (const format of cells) sections[format] = Buffer.concat(encoded[format]);
@@ -43,11 +47,12 @@ export async function buildTile({ run, store, window, halo, tolerance, cells }, 
   }
 }
 
-/** Sorts sites so that 16 neighbours in the list, a node of BoxTree, are neighbours in the plane. */
+/** Sorts sites so that 16 neighbours in the list, a node of BoxTree, are near each other. */
 function sortInStrips(sites, diagram) {
   const places = new Map(sites.map((k) => [k, diagram.site(k)]));
   sites.sort((a, b) => places.get(a).y - places.get(b).y);
-  const inStrip = Math.ceil(Math.sqrt(kTogether * sites.length)); // strips are as high as nodes are wide
+  // strips are as high as nodes are wide
+  const inStrip = Math.ceil(Math.sqrt(kTogether * sites.length));
   const strips = [];
   for (let k = 0; k < sites.length; k += inStrip) {
     const strip = sites.slice(k, k + inStrip);
