@@ -70,7 +70,11 @@ const rules = [
   },
   {
     of: /^src\/sphere\//,
-    may: [std, /^"apollonius\/types\.h"$/, /^"(base|topology|predicate|delaunay|diagram|sphere)\//],
+    may: [
+      std,
+      /^"apollonius\/(reach|types)\.h"$/,
+      /^"(base|topology|predicate|delaunay|diagram|sphere)\//,
+    ],
   },
   ...geometry({
     curve: "",
@@ -120,7 +124,11 @@ const rules = [
   },
   {
     of: /^wasm\/package\/sphere\/\w+\.ts$/,
-    may: [/^\.\/\w+\.js$/, /^\.\.\/(core\/(native\/)?\w+|shapes\/(geojson|types)|errors)\.js$/],
+    may: [
+      /^\.\/\w+\.js$/,
+      /^\.\.\/(core\/(native\/)?\w+|errors)\.js$/,
+      /^\.\.\/shapes\/(by_id|distances|empty_circles|geojson|types)\.js$/,
+    ],
   },
   {
     of: /^wasm\/package\/treemap\/\w+\.ts$/,

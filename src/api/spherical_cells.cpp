@@ -168,8 +168,8 @@ Error SphericalDiagram::cellPolygons(double tolerance, bool isCut, const Reach& 
       sites.push_back(id);
       ends.push_back(end);
     }
-    isCovered =
-        !isCut || !reach.isUnlimited() || sites.empty() || isRectangleCovered(cells.rings());
+    const bool isCoverage = isCut && reach.isUnlimited() && !sites.empty();
+    isCovered = !isCoverage || isRectangleCovered(cells.rings());
     if (!isCovered) return;
     copyRings(cells.rings(), polygons);
     polygons.sites.assign(sites.begin(), sites.end());

@@ -37,7 +37,7 @@ export function emptyCircles(
   return apart(candidates, most, (a, b) => Math.hypot(a.x - b.x, a.y - b.y));
 }
 
-/** The first `most` circles, none of which has its centre in one before it, or in the same place. */
+/** The first `most` circles, none of which has its centre in one before it, or where that has. */
 export function apart<Circle extends { r: number }>(
   circles: Iterable<Circle>,
   most: number,

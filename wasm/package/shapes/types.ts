@@ -82,8 +82,8 @@ export interface VoronoiWindow {
 export interface DistanceOptions {
   /**
    * Cells end at this distance from their sites' circles, in the unit of the coordinates or of the
-   * sphere's radius: one for all, or one for each site. 0 is the circle itself, a negative distance is inside it, Infinity
-   * (the default) is nowhere.
+   * sphere's radius: one for all, or one for each site. 0 is the circle itself, a negative distance
+   * is inside it, Infinity (the default) is nowhere.
    */
   distance?: number | NumbersById | undefined;
 }

@@ -92,7 +92,7 @@ function farPoints(native: NativeSphericalDiagram, radius: number): SphericalEmp
   })).filter(({ r }, k) => r >= radius * (expected[k]! - kRounding));
 }
 
-/** The direction of one unit vector as seen from another; any, if they are opposite to each other. */
+/** The direction of one unit vector as seen from another; any, if they are opposite. */
 function tangent(from: Vector, to: Vector): Vector {
   const way = sum(1, to, -dot(from, to), from);
   if (lengthOf(way) < kRounding) {
