@@ -44,8 +44,8 @@ class ChainMaker {
   /// The same of the closed edge, whose sector begins where it is the farthest.
   void appendClosedWithin(VertexId node, const Sector& sector, const AngularReach& reach,
                           FlatArray<MapPoint>& points, FlatArray<Strand>& strands);
-  /// Appends the points of a circle about a site between two of its points, at two bearings and at
-  /// the angle `reach`; all of it but its first point where these are a turn apart.
+  /// Appends the points of a circle about a site, at the angle `reach`, between two of its points:
+  /// `first` at the bearing `from`, and `last` at from + width.
   void appendCircle(VertexId node, double reach, const MapPoint& first, double from, double width,
                     const MapPoint& last, FlatArray<MapPoint>& points);
   /// At a bearing about a site, at the angle `reach`.
@@ -60,7 +60,8 @@ class ChainMaker {
                     const AngularReach& reach, FlatArray<MapPoint>& points,
                     FlatArray<Strand>& strands);
   /// Appends the points between the ends of a curve that turns by `width`, of which
-  /// pointAt(part) is at a part from 0 to 1: as many as areEnough(a, b, middle) asks for.
+  /// pointAt(part) is at a part from 0 to 1. Pieces are halved until they are close to the curve
+  /// and areEnough(a, b) agrees.
   template <class PointAt, class AreEnough>
   void subdivide(double width, const MapPoint& first, const MapPoint& last, PointAt&& pointAt,
                  AreEnough&& areEnough, FlatArray<MapPoint>& points);

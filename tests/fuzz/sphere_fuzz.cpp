@@ -381,6 +381,42 @@ class Checker {
     take(diagram_.cellPolygons(kTolerances[bytes_.next() % 3], true, {}, polygons));
     expect(polygons.sites.size() == h, "the number of polygons");
     checkRectangle(polygons);
+    checkReach(areas, kTolerances[bytes_.next() % 3]);
+    checkNaturalWeights();
+  }
+
+  /// Cells that end at a distance are parts of cells, with as few points.
+  void checkReach(const std::vector<double>& whole, double tolerance) {
+    const double angle = (bytes_.next() - 16) / 64.0;
+    addLine(("within " + std::to_string(angle) + "\n").c_str());
+    const Reach reach(angle * radius_);
+    std::vector<double> areas, perimeters;
+    take(diagram_.cellAreas(reach, areas));
+    take(diagram_.cellPerimeters(reach, perimeters));
+    for (std::size_t id = 0; id < areas.size(); ++id) {
+      const double area = areas[id] / (radius_ * radius_);
+      expect(area >= 0 && area <= whole[id] / (radius_ * radius_) + kOfAreas, "an area within");
+      expect(perimeters[id] >= 0 && perimeters[id] < 100 * radius_, "a perimeter within");
+    }
+    for (const bool isCut : {false, true}) {
+      CoverageArrays polygons;
+      take(diagram_.cellPolygons(tolerance, isCut, reach, polygons));
+      expect(polygons.coordinates.size() < 20000 * sites_.size(), "the number of points within");
+    }
+  }
+
+  void checkNaturalWeights() {
+    const double lon = bytes_.next() * 1.5 - 180, lat = bytes_.next() * 0.7 - 89;
+    addLine(
+        ("natural weights at " + std::to_string(lon) + " " + std::to_string(lat) + "\n").c_str());
+    NaturalWeights found;
+    take(diagram_.naturalWeights(lon, lat, 0, found));
+    double sum = 0;
+    for (const double weight : found.weights) {
+      expect(weight > 0, "a weight");
+      sum += weight;
+    }
+    expect(std::abs(sum - 1) < 1e-12, "weights add up to " + std::to_string(sum));
   }
 
   /// Are two sites the same but for rounding, or does one touch another from inside? Rounding
