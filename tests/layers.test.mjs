@@ -215,6 +215,7 @@ const rules = [
       /^\.\/[\w./]+$/,
       /^\.\.\/formats\/join\.mjs$/,
       /^[a-z][\w-]*$/,
+      /^stream-json\/(filters|streamers)\/[\w-]+\.js$/,
       /^flatgeobuf\/lib\/mjs\/[\w/-]+\.js$/, // its main file imports OpenLayers
     ],
   },

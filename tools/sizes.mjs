@@ -13,19 +13,19 @@ export const uses = {
     code:
       'import { Diagram } from "apollonius-diagram/core"; ' +
       "globalThis.answer = new Diagram([0, 0, 1]).find(0, 0);",
-    budget: 97_800,
+    budget: 97_200,
   },
   default: {
     code:
       'import { Diagram } from "apollonius-diagram"; ' +
       "globalThis.answer = new Diagram([0, 0, 1]).voronoi().render();",
-    budget: 168_700,
+    budget: 168_500,
   },
   sphere: {
     code:
       'import { SphericalDiagram } from "apollonius-diagram/sphere"; ' +
       "globalThis.answer = new SphericalDiagram([0, 0, 1]).find(0, 0);",
-    budget: 132_500,
+    budget: 132_100,
   },
   treemap: {
     code:

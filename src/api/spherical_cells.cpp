@@ -7,6 +7,7 @@
 #include "base/flat_array.h"
 #include "sphere/measures.h"
 #include "sphere/natural_neighbors.h"
+#include "sphere/nearby.h"
 #include "sphere/nearest.h"
 #include "sphere/polygons.h"
 
@@ -46,51 +47,56 @@ void copyRings(const LonLatRings& rings, Arrays& arrays) {
 
 }  // namespace
 
-Error SphericalDiagram::contains(SiteId id, double lon, double lat, bool& inside) const {
-  if (!has(id)) return Error::kUnknownSite;
+Error SphericalDiagram::distancesError(std::span<const double> distances) const {
+  for (const double distance : distances) {
+    if (std::isnan(distance)) return Error::kNotFinite;
+    if (distance != kEverywhere && !isInRange(distance)) return Error::kOutOfRange;
+  }
+  return distances.size() <= 1 || distances.size() == idLimit() ? Error::kNone : Error::kBadLength;
+}
+
+Error SphericalDiagram::cellError(SiteId id, double distance) const {
+  return has(id) ? distancesError({&distance, 1}) : Error::kUnknownSite;
+}
+
+Error SphericalDiagram::contains(SiteId id, double lon, double lat, double distance,
+                                 bool& inside) const {
+  if (const Error error = cellError(id, distance); error != Error::kNone) return error;
   if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
   return guarded(*core_, [&] {
     const ProjectedDiagram& diagram = core_->projected();
     const Direction point = directionOf({lon, lat});
-    inside = !diagram.isHidden(id) && !(distance(point, diagram.cap(nearestNode(diagram, point))) <
-                                        distance(point, diagram.cap(diagram.nodeOf(id))));
+    inside = !diagram.isHidden(id) && distanceTo(core_->sites(), id, point) <= distance &&
+             !(internal::sphere::distance(point, diagram.cap(nearestNode(diagram, point))) <
+               internal::sphere::distance(point, diagram.cap(diagram.nodeOf(id))));
   });
 }
 
-Error SphericalDiagram::cellError(SiteId id, const Reach& reach) const {
-  return has(id) ? reachError(reach) : Error::kUnknownSite;
-}
-
-Error SphericalDiagram::reachError(const Reach& reach) const {
-  if (reach.hasNaN()) return Error::kNotFinite;
-  if (reach.isOutOfRange()) return Error::kOutOfRange;
-  return reach.covers(core_->sites().idLimit()) ? Error::kNone : Error::kBadLength;
-}
-
 Error SphericalDiagram::cellArea(SiteId id, double distance, double& area) const {
-  const Reach reach(distance);
-  if (const Error error = cellError(id, reach); error != Error::kNone) return error;
+  if (const Error error = cellError(id, distance); error != Error::kNone) return error;
   return guarded(*core_, [&] {
-    area = measureOf(core_->projected(), id, CellMeasure::kArea, {reach, radius()}) *
+    area = measureOf(core_->projected(), id, CellMeasure::kArea, {{&distance, 1}, radius()}) *
            (radius() * radius());
   });
 }
 
 Error SphericalDiagram::cellPerimeter(SiteId id, double distance, double& perimeter) const {
-  const Reach reach(distance);
-  if (const Error error = cellError(id, reach); error != Error::kNone) return error;
+  if (const Error error = cellError(id, distance); error != Error::kNone) return error;
   return guarded(*core_, [&] {
     perimeter =
-        measureOf(core_->projected(), id, CellMeasure::kPerimeter, {reach, radius()}) * radius();
+        measureOf(core_->projected(), id, CellMeasure::kPerimeter, {{&distance, 1}, radius()}) *
+        radius();
   });
 }
 
-Error SphericalDiagram::cellAreas(const Reach& reach, std::vector<double>& areas) const {
-  if (const Error error = reachError(reach); error != Error::kNone) return error;
+Error SphericalDiagram::cellAreas(std::span<const double> distances,
+                                  std::vector<double>& areas) const {
+  if (const Error error = distancesError(distances); error != Error::kNone) return error;
   bool isWhole = true;
   const Error error = guarded(*core_, [&] {
     constexpr double kSphere = 4 * std::numbers::pi, kRounding = 1e-5;
-    listMeasures(core_->projected(), core_->sites(), CellMeasure::kArea, {reach, radius()}, areas);
+    const AngularReach reach(distances, radius());
+    listMeasures(core_->projected(), core_->sites(), CellMeasure::kArea, reach, areas);
     double sum = 0;
     for (const double area : areas) sum += area;
     const double missing = kSphere - sum;
@@ -102,25 +108,25 @@ Error SphericalDiagram::cellAreas(const Reach& reach, std::vector<double>& areas
   return error == Error::kNone && !isWhole ? Error::kBroken : error;
 }
 
-Error SphericalDiagram::cellPerimeters(const Reach& reach, std::vector<double>& perimeters) const {
-  if (const Error error = reachError(reach); error != Error::kNone) return error;
+Error SphericalDiagram::cellPerimeters(std::span<const double> distances,
+                                       std::vector<double>& perimeters) const {
+  if (const Error error = distancesError(distances); error != Error::kNone) return error;
   return guarded(*core_, [&] {
-    listMeasures(core_->projected(), core_->sites(), CellMeasure::kPerimeter, {reach, radius()},
+    listMeasures(core_->projected(), core_->sites(), CellMeasure::kPerimeter, {distances, radius()},
                  perimeters);
     for (double& perimeter : perimeters) perimeter *= radius();
   });
 }
 
 Error SphericalDiagram::cellCentroid(SiteId id, double distance, SphericalPoint& centroid) const {
-  const Reach reach(distance);
-  if (const Error error = cellError(id, reach); error != Error::kNone) return error;
+  if (const Error error = cellError(id, distance); error != Error::kNone) return error;
   return guarded(*core_, [&] {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     centroid = {kNone, kNone};
     const ProjectedDiagram& diagram = core_->projected();
     if (diagram.isHidden(id)) return;
     const VertexId node = diagram.nodeOf(id);
-    const double most = AngularReach(reach, radius()).of(diagram, node);
+    const double most = AngularReach({&distance, 1}, radius()).of(diagram, node);
     if (!(most > 0)) return;
     SphericalVertices vertices(diagram, SphericalVertices::Of::kSome);
     FlatArray<Sector> sectors;
@@ -136,27 +142,27 @@ Error SphericalDiagram::cellCentroid(SiteId id, double distance, SphericalPoint&
 
 Error SphericalDiagram::cellPolygon(SiteId id, double tolerance, bool isCut, double distance,
                                     RingArrays& rings) const {
-  const Reach reach(distance);
-  if (const Error error = cellError(id, reach); error != Error::kNone) return error;
+  if (const Error error = cellError(id, distance); error != Error::kNone) return error;
   if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
   return guarded(*core_, [&] {
     const ProjectedDiagram& diagram = core_->projected();
-    const AngularReach angular(reach, radius());
-    CellPolygons cells(diagram, tolerance, isCut, angular, SphericalVertices::Of::kSome);
+    CellPolygons cells(diagram, tolerance, isCut, {{&distance, 1}, radius()},
+                       SphericalVertices::Of::kSome);
     if (!diagram.isHidden(id)) cells.append(diagram.nodeOf(id));
     copyRings(cells.rings(), rings);
   });
 }
 
-Error SphericalDiagram::cellPolygons(double tolerance, bool isCut, const Reach& reach,
+Error SphericalDiagram::cellPolygons(double tolerance, bool isCut,
+                                     std::span<const double> distances,
                                      CoverageArrays& polygons) const {
   if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
-  if (const Error error = reachError(reach); error != Error::kNone) return error;
+  if (const Error error = distancesError(distances); error != Error::kNone) return error;
   bool isCovered = true;
   const Error error = guarded(*core_, [&] {
     const ProjectedDiagram& diagram = core_->projected();
-    const AngularReach angular(reach, radius());
-    CellPolygons cells(diagram, tolerance, isCut, angular, SphericalVertices::Of::kAll);
+    const AngularReach reach(distances, radius());
+    CellPolygons cells(diagram, tolerance, isCut, reach, SphericalVertices::Of::kAll);
     FlatArray<SiteId> sites;
     FlatArray<std::uint32_t> ends{0};
     for (SiteId id = 0; id < core_->sites().idLimit(); ++id) {
@@ -164,7 +170,7 @@ Error SphericalDiagram::cellPolygons(double tolerance, bool isCut, const Reach& 
       cells.append(diagram.nodeOf(id));
       const auto end = static_cast<std::uint32_t>(cells.rings().parts.size() - 1);
       const bool isEmpty = end == ends.back();  // or it is the whole sphere
-      if (isEmpty && angular.of(diagram, diagram.nodeOf(id)) < std::numbers::pi) continue;
+      if (isEmpty && reach.of(diagram, diagram.nodeOf(id)) < std::numbers::pi) continue;
       sites.push_back(id);
       ends.push_back(end);
     }

@@ -11,9 +11,6 @@
 
 namespace apollonius {
 
-/// The distance of cells that end at others only.
-inline constexpr double kEverywhere = std::numeric_limits<double>::infinity();
-
 /// In units of the sites; a negative distance ends inside the circle, infinity nowhere. All others
 /// are in the range of coordinates, or calls that use it return an error (apollonius/voronoi.h).
 class Reach {
@@ -31,7 +28,9 @@ class Reach {
   [[nodiscard]] bool hasNaN() const { return hasNaN_; }
   [[nodiscard]] bool isOutOfRange() const { return isOutOfRange_; }
 
-  [[nodiscard]] bool isUnlimited() const { return !isById_ && all_ == kEverywhere; }
+  [[nodiscard]] bool isUnlimited() const {
+    return !isById_ && all_ == std::numeric_limits<double>::infinity();
+  }
   /// Is there a distance for all ids below a limit?
   [[nodiscard]] bool covers(std::size_t idLimit) const {
     return !isById_ || idLimit <= byId_.size();
@@ -43,11 +42,11 @@ class Reach {
   void note(double distance) {
     const bool isNaN = distance != distance;
     hasNaN_ = hasNaN_ || isNaN;
-    const bool isUnlimited = distance == kEverywhere;
+    const bool isUnlimited = distance == std::numeric_limits<double>::infinity();
     isOutOfRange_ = isOutOfRange_ || !(isNaN || isUnlimited || isInRange(distance));
   }
 
-  double all_ = kEverywhere;
+  double all_ = std::numeric_limits<double>::infinity();
   std::vector<double> byId_;
   bool isById_ = false;
   bool hasNaN_ = false, isOutOfRange_ = false;

@@ -22,7 +22,6 @@
 
 #include "apollonius/diagram.h"
 #include "apollonius/export.h"
-#include "apollonius/reach.h"
 #include "apollonius/types.h"
 #include "apollonius/voronoi.h"
 
@@ -34,6 +33,9 @@ struct SphericalCircle {
   double lat;
   double r;
 };
+
+/// The distance of cells that end at others only.
+inline constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 
 /// The finest tolerance of polygons, in radians.
 inline constexpr double kFinestTolerance = 1e-9;
@@ -136,23 +138,26 @@ class APOLLONIUS_EXPORT SphericalDiagram {
 
   // --- Cells. Errors: kUnknownSite, kOutOfMemory
   //
-  // A distance, or a reach, is how far beyond the circle of its site a cell ends, in the radius'
-  // unit: kEverywhere or a default Reach for cells that end at others only. Errors: also
-  // kNotFinite, kOutOfRange; kBadLength unless a reach by id has a distance for each id that was
-  // ever used.
+  // A distance is how far beyond the circle of its site a cell ends, in the radius' unit;
+  // kEverywhere for a cell that ends at others only. `distances` has one for each id that was ever
+  // used, or one for all cells, or none for kEverywhere. Errors: also kNotFinite, kOutOfRange;
+  // kBadLength.
 
   /// Is the point in the closed cell? False for a hidden site. Errors: also as find.
-  [[nodiscard]] Error contains(SiteId id, double lon, double lat, bool& inside) const;
+  [[nodiscard]] Error contains(SiteId id, double lon, double lat, double distance,
+                               bool& inside) const;
   /// In the square of the radius' unit; 0 for a hidden site. Cost: O(d)
   [[nodiscard]] Error cellArea(SiteId id, double distance, double& area) const;
   /// Length of the boundary, in the radius' unit; 0 for a hidden site. Cost: O(d)
   [[nodiscard]] Error cellPerimeter(SiteId id, double distance, double& perimeter) const;
-  /// By id, 0 for hidden sites and ids that are not in use. Without a reach they add up to 4 pi
-  /// radius², with one to no more, which is checked to 10^-5 of that. Replaces the contents.
+  /// By id, 0 for hidden sites and ids that are not in use. Without distances they add up to 4 pi
+  /// radius², with them to no more, which is checked to 10^-5 of that. Replaces the contents.
   /// Errors: also kBroken, a defect of the library. Cost: O(h)
-  [[nodiscard]] Error cellAreas(const Reach& reach, std::vector<double>& areas) const;
+  [[nodiscard]] Error cellAreas(std::span<const double> distances,
+                                std::vector<double>& areas) const;
   /// By id, as areas. Replaces the contents. Cost: O(h)
-  [[nodiscard]] Error cellPerimeters(const Reach& reach, std::vector<double>& perimeters) const;
+  [[nodiscard]] Error cellPerimeters(std::span<const double> distances,
+                                     std::vector<double>& perimeters) const;
   /// The direction of the mean of the cell's points in space, and the site's centre where there is
   /// none; NaN for a hidden site and for a cell that does not reach beyond its centre. Cost: O(d)
   [[nodiscard]] Error cellCentroid(SiteId id, double distance, SphericalPoint& centroid) const;
@@ -165,9 +170,9 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   [[nodiscard]] Error cellPolygon(SiteId id, double tolerance, bool isCut, double distance,
                                   RingArrays& rings) const;
   /// Those of all cells that are not empty, which have the points of their common edges in common.
-  /// Replaces the contents. Errors: also kBroken, a defect of the library: cut and without a reach,
-  /// they are not the rectangle. Cost: O(h + points)
-  [[nodiscard]] Error cellPolygons(double tolerance, bool isCut, const Reach& reach,
+  /// Replaces the contents. Errors: also kBroken, a defect of the library: cut and without
+  /// distances, they are not the rectangle. Cost: O(h + points)
+  [[nodiscard]] Error cellPolygons(double tolerance, bool isCut, std::span<const double> distances,
                                    CoverageArrays& polygons) const;
 
   // --- Natural neighbours (Sibson). Errors: as insert for the numbers of a site, kOutOfMemory
@@ -200,8 +205,8 @@ class APOLLONIUS_EXPORT SphericalDiagram {
  private:
   friend class SphericalNearestFirst;
 
-  [[nodiscard]] Error reachError(const Reach& reach) const;
-  [[nodiscard]] Error cellError(SiteId id, const Reach& reach) const;
+  [[nodiscard]] Error distancesError(std::span<const double> distances) const;
+  [[nodiscard]] Error cellError(SiteId id, double distance) const;
 
   std::unique_ptr<internal::sphere::SphericalCore> core_;
 };

@@ -28,15 +28,11 @@ class SphericalBisector {
       return;
     }
     setByCaps(diagram.cap(node), diagram.cap(neighbor), frame,
-              [&] { return diagram.rise(node, neighbor); });
+              [&](double) { return diagram.rise(node, neighbor); });
   }
   /// Of caps only, as accurate as they are. REQUIRES: computed, neither covers the other.
   SphericalBisector(const Cap& from, const Cap& to, const Frame& frame) {
-    setByCaps(from, to, frame, [&] {
-      const HalfAngle half = halfDifference(from, to),
-                      between = angleBetween(from.centre, to.centre);
-      return 2 * (between - half).sine * (between + half).sine;
-    });
+    setByCaps(from, to, frame, [](double rise) { return rise; });
   }
 
   /// What there is in the direction of a bearing.
@@ -155,25 +151,21 @@ class SphericalBisector {
     const double value = least_ - slope_ * square / 2;
     return {isHeavier_ ? value : -value, 0x1p-51 * (std::abs(least_) + slope_ * std::sqrt(square))};
   }
-  /// Of the difference of the weights, from the lighter one.
-  [[nodiscard]] static HalfAngle halfDifference(const Cap& a, const Cap& b) {
-    return a.weight > b.weight ? a.radius - b.radius : b.radius - a.radius;
-  }
-  /// `rise` gives cos d - cos D where the caps say little about it.
+  /// Where the caps say little about cos d - cos D, betterRise() makes more of what they say.
   template <class Rise>
-  void setByCaps(const Cap& from, const Cap& to, const Frame& frame, Rise&& rise) {
+  void setByCaps(const Cap& from, const Cap& to, const Frame& frame, Rise&& betterRise) {
     setDirection(to.centre - from.centre, frame);
     const HalfAngle between = angleBetween(from.centre, to.centre);
     isHeavier_ = from.weight > to.weight;
-    const HalfAngle half = halfDifference(from, to);
+    const HalfAngle half = isHeavier_ ? from.radius - to.radius : to.radius - from.radius;
     const HalfAngle gap = between - half, sum = between + half;
     // cos d - cos D = 2 sin((D - |d|) / 2) sin((D + |d|) / 2), and sin D - sin |d| is the same with
     // the cosine of the second. The first is the smaller sine of the two.
+    rise_ = 2 * gap.sine * sum.sine;
     if (gap.sine > kNearlyCovered * sum.sine) {
-      rise_ = 2 * gap.sine * sum.sine;
       least_ = 2 * gap.sine * sum.cosine;
     } else {
-      rise_ = rise();
+      rise_ = betterRise(rise_);
       least_ = rise_ / std::max(sum.sine, std::sqrt(rise_ / 2)) * sum.cosine;
     }
     slope_ = 2 * between.sine * between.cosine;

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <span>
 
-#include "apollonius/reach.h"
 #include "base/flat_array.h"
 #include "sphere/bisector.h"
 #include "sphere/projected_diagram.h"
@@ -29,22 +30,31 @@ struct Sector {
   return node == kInfinity ? diagram.plane().delaunay().anyVisible() : kInfinity;
 }
 
-/// How far cells reach from the centres of their sites, in radians.
+/// How far cells reach, in radians.
 class AngularReach {
  public:
-  /// On a sphere of this radius. REQUIRES: `reach` is there as long as this one.
-  AngularReach(const Reach& reach, double radius) : reach_(reach), radius_(radius) {}
+  /// Beyond the circles of the sites of a sphere of this radius: one distance for each id, or one
+  /// for all, or none, which is everywhere. REQUIRES: `distances` are there as long as this one.
+  AngularReach(std::span<const double> distances, double radius)
+      : distances_(distances), radius_(radius) {}
 
-  [[nodiscard]] bool isUnlimited() const { return reach_.isUnlimited(); }
-  /// From the circle of the site.
-  [[nodiscard]] double beyondWeight(SiteId site) const { return reach_.of(site) / radius_; }
-  /// From its centre: everywhere from pi on, nowhere up to 0.
+  /// Do all cells end at others only?
+  [[nodiscard]] bool isUnlimited() const {
+    return distances_.empty() ||
+           (distances_.size() == 1 && distances_[0] == std::numeric_limits<double>::infinity());
+  }
+  /// From the circle of a site.
+  [[nodiscard]] double beyondCircle(SiteId site) const {
+    if (distances_.empty()) return std::numeric_limits<double>::infinity();
+    return distances_[distances_.size() == 1 ? 0 : site] / radius_;
+  }
+  /// From its centre: up to 0 there is no cell, from pi on the cell ends at others only.
   [[nodiscard]] double of(const ProjectedDiagram& diagram, VertexId node) const {
-    return diagram.cap(node).weight + beyondWeight(diagram.siteOf(node));
+    return diagram.cap(node).weight + beyondCircle(diagram.siteOf(node));
   }
 
  private:
-  const Reach& reach_;
+  std::span<const double> distances_;
   double radius_;
 };
 
@@ -52,7 +62,7 @@ class AngularReach {
 /// `aside`, at most half a turn, to a bearing, counter-clockwise.
 template <class Visit>
 void visitAbout(const Sector& sector, double bearing, double aside, Visit&& visit) {
-  constexpr double kTurn = 6.283185307179586;
+  constexpr double kTurn = 2 * std::numbers::pi;
   const double begin = std::remainder(bearing - sector.from, kTurn) - aside;
   double done = 0;
   for (const double turn : {-kTurn, 0.0, kTurn}) {

@@ -219,17 +219,25 @@ void ChainMaker::follow(const Edge& edge, double from, double to, const MapPoint
             points);
 }
 
-bool ChainMaker::isFineAtChord(const Edge& edge, const MapPoint& a, const MapPoint& b) const {
-  const double x1 = dot(a.point, edge.frame.first), y1 = dot(a.point, edge.frame.second);
-  const double x2 = dot(b.point, edge.frame.first), y2 = dot(b.point, edge.frame.second);
+bool ChainMaker::isFineTowards(const SphericalBisector& bisector, const Direction& centre,
+                               const Frame& frame, double x, double y, const MapPoint& a,
+                               const MapPoint& b) const {
+  const double length = std::sqrt(x * x + y * y);
+  const SphericalBisector::At at = bisector.at(x / length, y / length);
   // A piece that goes straight away from the site is met anywhere.
-  constexpr double kStraight = 0x1p-16, kPart = 0x1p-10;
-  const double turn = std::abs(x1 * y2 - x2 * y1), both = (x1 * x1 + y1 * y1) * (x2 * x2 + y2 * y2);
-  if (turn * turn <= kStraight * kStraight * both) return true;
-  const double x = x1 + x2, y = y1 + y2, length = std::sqrt(x * x + y * y);
-  const SphericalBisector::At at = edge.sector.bisector.at(x / length, y / length);
+  constexpr double kPart = 0x1p-10;
   if (at.rounding > std::min(tolerance_, kPart * lengthOf(b.point - a.point))) return true;
-  return isFine(a, shown(at.point(edge.centre, edge.frame)), b);
+  return isFine(a, shown(at.point(centre, frame)), b);
+}
+
+bool ChainMaker::isFineAtChord(const Edge& edge, const MapPoint& a, const MapPoint& b) const {
+  const Frame& frame = edge.frame;
+  const double x1 = dot(a.point, frame.first), y1 = dot(a.point, frame.second);
+  const double x2 = dot(b.point, frame.first), y2 = dot(b.point, frame.second);
+  constexpr double kStraight = 0x1p-16;  // away from the site
+  const double turn = std::abs(x1 * y2 - x2 * y1), both = (x1 * x1 + y1 * y1) * (x2 * x2 + y2 * y2);
+  return turn * turn <= kStraight * kStraight * both ||
+         isFineTowards(edge.sector.bisector, edge.centre, frame, x1 + x2, y1 + y2, a, b);
 }
 
 bool ChainMaker::isOnePiece(VertexId node, VertexId neighbor, const MapPoint& from,
@@ -246,12 +254,11 @@ bool ChainMaker::isOnePiece(VertexId node, VertexId neighbor, const MapPoint& fr
       !isLessThanQuarter(other.centre, first, last))
     return false;
   const SphericalBisector bisector(diagram_, node, frame, neighbor);
-  const auto isFineTowards = [&](double x, double y) {
-    const double length = std::sqrt(x * x + y * y);
-    return isFine(from, shown(bisector.at(x / length, y / length).point(cap.centre, frame)), to);
-  };
-  return isFineTowards(x1 * length2 + x2 * length1, y1 * length2 + y2 * length1) &&
-         isFineTowards(x1 + x2, y1 + y2);
+  const double x = x1 * length2 + x2 * length1, y = y1 * length2 + y2 * length1;
+  const double length = std::sqrt(x * x + y * y);
+  const MapPoint middle = shown(bisector.at(x / length, y / length).point(cap.centre, frame));
+  return isFine(from, middle, to) &&
+         isFineTowards(bisector, cap.centre, frame, x1 + x2, y1 + y2, from, to);
 }
 
 std::span<const MapPoint> ChainMaker::innerOf(HalfedgeId h, const MapPoint& first,
@@ -289,23 +296,6 @@ void ChainMaker::append(HalfedgeId h, FlatArray<MapPoint>& points) {
   for (std::size_t k = inner.size(); k-- > 0;) points.push_back(inner[k]);
 }
 
-void ChainMaker::appendClosed(VertexId node, FlatArray<MapPoint>& points) {
-  const VertexId other = otherOfTwo(diagram_, node);
-  const bool isOwn = isFollowedFrom(node, other);
-  const VertexId from = isOwn ? node : other, to = isOwn ? other : node;
-  FlatArray<Sector> sectors;
-  listSectors(diagram_, from, vertices_, sectors);
-  Sector& sector = sectors[0];
-  sector.from = sector.bisector.middle();
-  const Direction centre = diagram_.cap(from).centre;
-  const MapPoint start = shown(sector.bisector.at(sector.from).point(centre, Frame(centre)));
-  const std::size_t begin = points.size();
-  points.push_back(start);
-  follow({diagram_, from, to, sector, start, start}, 0, 1, start, start, points);
-  for (std::size_t k = begin; k < points.size(); ++k) locate(points[k]);
-  if (!isOwn) std::reverse(points.begin() + begin + 1, points.end());
-}
-
 void ChainMaker::appendWithin(const Edge& edge, VertexId node, const Sector& sector,
                               const AngularReach& reach, FlatArray<MapPoint>& points,
                               FlatArray<Strand>& strands) {
@@ -314,7 +304,7 @@ void ChainMaker::appendWithin(const Edge& edge, VertexId node, const Sector& sec
   // In pairs, the ends of the parts within the reach of a site, which is as far beyond its weight
   // as the other one is.
   const auto cutBy = [&](VertexId of, FlatArray<double>& cuts) {
-    const double most = weight + reach.beyondWeight(diagram_.siteOf(of));
+    const double most = weight + reach.beyondCircle(diagram_.siteOf(of));
     if (!(most > 0)) return;
     edge.visitWithin(most, [&](double from, double to) {
       cuts.push_back(from);

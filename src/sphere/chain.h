@@ -28,8 +28,6 @@ class ChainMaker {
   /// Appends the points of a site's edge, counter-clockwise about it, without the last one. The
   /// site is the origin of h.
   void append(HalfedgeId h, FlatArray<MapPoint>& points);
-  /// The closed edge of a site, where there are two visible sites.
-  void appendClosed(VertexId node, FlatArray<MapPoint>& points);
 
   /// A part of a site's edge within its reach: the points from `begin` to before `end`, both ends
   /// included, which are at these bearings, counted from the beginning of the site's sector.
@@ -41,7 +39,8 @@ class ChainMaker {
   /// leaves the reach of either site are among them. `sector` is that of h about its origin.
   void appendWithin(HalfedgeId h, const Sector& sector, const AngularReach& reach,
                     FlatArray<MapPoint>& points, FlatArray<Strand>& strands);
-  /// The same of the closed edge, whose sector begins where it is the farthest.
+  /// The same of the closed edge of one of two visible sites, whose sector begins where it is the
+  /// farthest.
   void appendClosedWithin(VertexId node, const Sector& sector, const AngularReach& reach,
                           FlatArray<MapPoint>& points, FlatArray<Strand>& strands);
   /// Appends the points of a circle about a site, at the angle `reach`, between two of its points:
@@ -79,6 +78,10 @@ class ChainMaker {
   /// Is a piece also close to the edge in the direction of the middle of its chord? In that of half
   /// its turn, an edge that comes from afar and turns beside the site may be at the turn already.
   [[nodiscard]] bool isFineAtChord(const Edge& edge, const MapPoint& a, const MapPoint& b) const;
+  /// Is a piece close to the bisector in a direction from the site?
+  [[nodiscard]] bool isFineTowards(const SphericalBisector& bisector, const Direction& centre,
+                                   const Frame& frame, double x, double y, const MapPoint& a,
+                                   const MapPoint& b) const;
   /// Can its ends alone stand for an edge, which is followed from `node`? A filter without
   /// trigonometry, which knows most of them.
   [[nodiscard]] bool isOnePiece(VertexId node, VertexId neighbor, const MapPoint& first,

@@ -51,7 +51,7 @@ struct Integrals {
 
   void add(double weight, const SphericalBisector::At& at, Integrand of) {
     if (of == Integrand::kLength) {
-      // The speed is inverse to a length, or to its square, which rounding changes by that part.
+      // Rounding that moves rho by so much changes the speed by up to twice that share, about.
       const double length = weight * at.speed();
       value += length;
       rounding += 4 * length * at.rounding;

@@ -15,16 +15,6 @@ CellPolygons::CellPolygons(const ProjectedDiagram& diagram, double tolerance, bo
       isCut_(isCut),
       cutter_(tolerance * (180 / std::numbers::pi)) {}
 
-void CellPolygons::followWhole(VertexId node) {
-  const Graph& graph = diagram_.graph();
-  points_.clear();
-  if (!graph.isEmpty()) {
-    for (const HalfedgeId h : graph.star(node)) chains_.append(h, points_);
-  } else if (diagram_.visibleCount() == 2) {
-    chains_.appendClosed(node, points_);
-  }
-}
-
 void CellPolygons::followWithin(VertexId node, double reach) {
   const Graph& graph = diagram_.graph();
   listSectors(diagram_, node, chains_.vertices(), sectors_);
@@ -70,8 +60,10 @@ void CellPolygons::followWithin(VertexId node, double reach) {
 void CellPolygons::append(VertexId node) {
   const double reach = reach_.of(diagram_, node);
   if (!(reach > 0)) return;
-  if (reach_.isUnlimited()) {
-    followWhole(node);
+  const Graph& graph = diagram_.graph();
+  if (reach_.isUnlimited() && !graph.isEmpty()) {
+    points_.clear();
+    for (const HalfedgeId h : graph.star(node)) chains_.append(h, points_);
   } else {
     followWithin(node, reach);
   }

@@ -24,12 +24,11 @@ class CellPolygons {
   [[nodiscard]] const LonLatRings& rings() const { return rings_; }
 
  private:
-  /// Put the boundary into points_.
-  void followWhole(VertexId node);
+  /// Puts the boundary into points_: parts of edges, and of the circle at the angle `reach`.
   void followWithin(VertexId node, double reach);
 
   const ProjectedDiagram& diagram_;
-  const AngularReach& reach_;
+  AngularReach reach_;
   ChainMaker chains_;
   bool isCut_;
   LonLatRings rings_;

@@ -288,7 +288,7 @@ test("compressed files are unpacked once; what cannot be unpacked is named", asy
   for (const [name, bytes, problem] of [
     ["cut.csv.gz", zipped.subarray(0, -20), "unexpected end of file"],
     ["plain.csv.gz", text, "incorrect header check"],
-    ["cut.geojson", '{"type":"FeatureCollection","features":[{"a":', "ends in the middle"],
+    ["cut.geojson", '{"type":"FeatureCollection","features":[{"a":', "has expected a value"],
     ["lines.geojson", `${JSON.stringify(features[0])}\n`, "no FeatureCollection"],
   ])
     await expect(unpacked(file(name, bytes), copy + name)).rejects.toThrow(

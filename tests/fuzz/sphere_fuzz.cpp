@@ -328,7 +328,7 @@ class Checker {
     expect(distanceFrom(p, id) <= distances[0] + toleranceOfFind(), "find");
     expect(std::abs(distance / radius_ - distances[0]) < kRounding, "the distance of find");
     bool isInside = false;
-    take(diagram_.contains(id, p.lon, p.lat, isInside));
+    take(diagram_.contains(id, p.lon, p.lat, kEverywhere, isInside));
     expect(isInside, "contains");
     std::vector<SiteId> got;
     const std::size_t k = bytes_.next() % 16;
@@ -389,10 +389,10 @@ class Checker {
   void checkReach(const std::vector<double>& whole, double tolerance) {
     const double angle = (bytes_.next() - 16) / 64.0;
     addLine(("within " + std::to_string(angle) + "\n").c_str());
-    const Reach reach(angle * radius_);
+    const double distance[] = {angle * radius_};
     std::vector<double> areas, perimeters;
-    take(diagram_.cellAreas(reach, areas));
-    take(diagram_.cellPerimeters(reach, perimeters));
+    take(diagram_.cellAreas(distance, areas));
+    take(diagram_.cellPerimeters(distance, perimeters));
     for (std::size_t id = 0; id < areas.size(); ++id) {
       const double area = areas[id] / (radius_ * radius_);
       expect(area >= 0 && area <= whole[id] / (radius_ * radius_) + kOfAreas, "an area within");
@@ -400,7 +400,7 @@ class Checker {
     }
     for (const bool isCut : {false, true}) {
       CoverageArrays polygons;
-      take(diagram_.cellPolygons(tolerance, isCut, reach, polygons));
+      take(diagram_.cellPolygons(tolerance, isCut, distance, polygons));
       expect(polygons.coordinates.size() < 20000 * sites_.size(), "the number of points within");
     }
   }

@@ -54,7 +54,7 @@ TEST(SphericalCalls, PointsThatAreNoneAreRefused) {
     EXPECT_EQ(diagram.kNearestMany(points, 3, kInfinity, false, lists), error);
     EXPECT_EQ(diagram.pick(lon, lat, kInfinity, Top::kSmallest, id), error);
     EXPECT_EQ(diagram.farthest(lon, lat, id, distance), error);
-    EXPECT_EQ(diagram.contains(0, lon, lat, isInside), error);
+    EXPECT_EQ(diagram.contains(0, lon, lat, kEverywhere, isInside), error);
     EXPECT_EQ(search.start(lon, lat), error);
     EXPECT_EQ(id, 77u);
     EXPECT_EQ(distance, 77);
@@ -102,7 +102,7 @@ TEST(SphericalCalls, UnknownSitesAreRefused) {
     EXPECT_EQ(diagram.isHidden(id, is), Error::kUnknownSite);
     EXPECT_EQ(diagram.coverOf(id, cover), Error::kUnknownSite);
     EXPECT_EQ(diagram.neighbors(id, neighbors), Error::kUnknownSite);
-    EXPECT_EQ(diagram.contains(id, 0, 0, is), Error::kUnknownSite);
+    EXPECT_EQ(diagram.contains(id, 0, 0, kEverywhere, is), Error::kUnknownSite);
     EXPECT_EQ(diagram.cellArea(id, kEverywhere, area), Error::kUnknownSite);
     EXPECT_EQ(diagram.cellCentroid(id, kEverywhere, point), Error::kUnknownSite);
     EXPECT_EQ(diagram.cellPolygon(id, 0.1, false, kEverywhere, rings), Error::kUnknownSite);
@@ -149,9 +149,9 @@ TEST(SphericalCalls, HiddenSitesHaveACoverAndNoCell) {
   EXPECT_EQ(cover, 0u);
   ASSERT_EQ(diagram.coverOf(0, cover), Error::kNone);
   EXPECT_EQ(cover, kNoSite);
-  ASSERT_EQ(diagram.contains(1, 12, 20, is), Error::kNone);
+  ASSERT_EQ(diagram.contains(1, 12, 20, kEverywhere, is), Error::kNone);
   EXPECT_FALSE(is);
-  ASSERT_EQ(diagram.contains(2, 12, 20, is), Error::kNone);
+  ASSERT_EQ(diagram.contains(2, 12, 20, kEverywhere, is), Error::kNone);
   EXPECT_FALSE(is);
   std::vector<SiteId> neighbors = {77};
   ASSERT_EQ(diagram.neighbors(1, neighbors), Error::kNone);

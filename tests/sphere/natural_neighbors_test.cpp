@@ -64,6 +64,26 @@ TEST(SphericalNaturalNeighbors, AreWhatANewSiteTakes) {
   }
 }
 
+TEST(SphericalNaturalNeighbors, BesideASiteAreThoseOfAPlaceThere) {
+  // Bisectors with a site as close as rounding are of caps alone.
+  Random random(34);
+  for (int round = 0; round < sized(40, 1000); ++round) {
+    const SphericalSites sites = randomSites(random, 30, round % 2 == 0 ? 0 : 0.05);
+    const double apart = std::pow(10, -1 - round % 13);
+    const SphericalCircle& beside = sites[0];
+    SphericalCircle site = {beside.lon + apart * random.between(-1, 1),
+                            beside.lat + apart * random.between(-1, 1), beside.r};
+    site.lat = std::clamp(site.lat, -90.0, 90.0);
+    SCOPED_TRACE(std::to_string(round));
+    const std::vector<double> taken = takenFrom(sites, site);
+    const std::vector<double> weights = weightsById(diagramOf(sites), site);
+    // What rounding of directions, of 2^-53, turns a bisector by.
+    const double rounding = 1e-7 + 1e-13 / apart;
+    for (std::size_t id = 0; id < taken.size(); ++id)
+      EXPECT_NEAR(weights[id], taken[id], rounding) << id;
+  }
+}
+
 TEST(SphericalNaturalNeighbors, AtASiteThatSiteAlone) {
   Random random(32);
   const SphericalSites sites = randomSites(random, 100, 0);

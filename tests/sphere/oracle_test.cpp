@@ -84,7 +84,7 @@ TEST_F(SphericalOracle, FindsTheNearestSite) {
       EXPECT_NEAR(distance, distanceOf(p, sites[id]), 1e-14);
       EXPECT_LE(distance, leastDistance(sites, p) + 2e-15) << p.lon << ' ' << p.lat;
       bool inside = false;
-      ASSERT_EQ(diagram.contains(id, p.lon, p.lat, inside), Error::kNone);
+      ASSERT_EQ(diagram.contains(id, p.lon, p.lat, kEverywhere, inside), Error::kNone);
       EXPECT_TRUE(inside);
     }
     std::vector<SiteId> ids(points.size() / 2);

@@ -21,7 +21,7 @@ std::vector<std::pair<std::string, Operation>> operations(const std::vector<std:
   const std::vector<double> more = flat(randomSites(random, 30, 0.2));
   const std::vector<double> heavy = {10, 20, 2.5};  // hides most of the others
   const std::vector<double> two = {1, 2, 0, 100, 3, 0};
-  static const std::vector<double> all(1000, 1);
+  static const std::vector<double> all(1000, 1), tenth = {0.1};
   static std::vector<SiteId> ids(30), one(1), removed = {3, 4, 5, 6}, moved = {7, 8};
   return {
       {"insert", [](SphericalDiagram& d) { return d.insert(1, 2, 0.01, one[0]); }},
@@ -75,12 +75,12 @@ std::vector<std::pair<std::string, Operation>> operations(const std::vector<std:
       {"cellPolygons within a distance",
        [](SphericalDiagram& d) {
          CoverageArrays polygons;
-         return d.cellPolygons(0.01, true, Reach(0.1), polygons);
+         return d.cellPolygons(0.01, true, tenth, polygons);
        }},
       {"cellPerimeters",
        [](SphericalDiagram& d) {
          std::vector<double> perimeters;
-         return d.cellPerimeters(Reach(0.1), perimeters);
+         return d.cellPerimeters(tenth, perimeters);
        }},
       {"naturalWeights",
        [](SphericalDiagram& d) {

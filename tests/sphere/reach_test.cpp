@@ -40,14 +40,16 @@ std::vector<double> distancesById(Random& random, std::size_t n) {
   return distances;
 }
 
+using Distances = std::vector<double>;  // as the calls take them
+
 struct Measured {
   std::vector<double> areas, perimeters;
 };
 
-Measured measured(const SphericalDiagram& diagram, const Reach& reach) {
+Measured measured(const SphericalDiagram& diagram, const Distances& distances) {
   Measured all;
-  EXPECT_EQ(diagram.cellAreas(reach, all.areas), Error::kNone);
-  EXPECT_EQ(diagram.cellPerimeters(reach, all.perimeters), Error::kNone);
+  EXPECT_EQ(diagram.cellAreas(distances, all.areas), Error::kNone);
+  EXPECT_EQ(diagram.cellPerimeters(distances, all.perimeters), Error::kNone);
   return all;
 }
 
@@ -89,7 +91,7 @@ TEST(SphericalReach, MeasuresOfOneCapAndOfTwoAreTheirs) {
   }
   // Equal opposite caps: their common edge is the great circle between.
   const SphericalDiagram two = diagramOf({{0, 90, 0.25}, {0, -90, 0.25}});
-  const Measured whole = measured(two, {}), cut = measured(two, Reach(1));
+  const Measured whole = measured(two, {}), cut = measured(two, {1});
   EXPECT_NEAR(whole.perimeters[0], 2 * kPi, 1e-14);
   EXPECT_NEAR(whole.areas[1], 2 * kPi, 1e-14);
   EXPECT_NEAR(cut.areas[0], 2 * kPi * (1 - std::cos(1.25)), 1e-14);
@@ -103,7 +105,7 @@ TEST(SphericalReach, AreasAreThoseOfSampledCells) {
     const SphericalDiagram diagram = diagramOf(set.sites);
     const std::vector<double> distances = distancesById(random, set.sites.size());
     std::vector<double> areas, counts(set.sites.size(), 0);
-    ASSERT_EQ(diagram.cellAreas(Reach(distances), areas), Error::kNone);
+    ASSERT_EQ(diagram.cellAreas(distances, areas), Error::kNone);
     constexpr int kPoints = 20000;  // on Vogel's spiral
     for (int k = 0; k < kPoints; ++k) {
       const double z = 1 - (2 * k + 1.0) / kPoints;
@@ -112,7 +114,14 @@ TEST(SphericalReach, AreasAreThoseOfSampledCells) {
       ASSERT_EQ(diagram.find(std::remainder(k * 137.50776405003785, 360), std::asin(z) * 180 / kPi,
                              id, distance),
                 Error::kNone);
-      if (distance <= distances[id]) counts[id] += 4 * kPi / kPoints;
+      const bool isWithin = distance <= distances[id];
+      if (isWithin) counts[id] += 4 * kPi / kPoints;
+      if (k % 10 != 0) continue;
+      bool isInside = !isWithin;
+      ASSERT_EQ(diagram.contains(id, std::remainder(k * 137.50776405003785, 360),
+                                 std::asin(z) * 180 / kPi, distances[id], isInside),
+                Error::kNone);
+      EXPECT_EQ(isInside, isWithin) << id;
     }
     for (SiteId id = 0; id < set.sites.size(); ++id) {
       EXPECT_NEAR(areas[id], counts[id], 0.008) << id;
@@ -127,8 +136,8 @@ TEST(SphericalReach, PolygonsHaveTheAreaAndTheLengthOfTheirCells) {
   Random random(22);
   for (const NamedSites& set : setsOf(random, static_cast<std::size_t>(sized(20, 200)))) {
     const SphericalDiagram diagram = diagramOf(set.sites);
-    std::vector<Reach> reaches = {Reach(), Reach(distancesById(random, set.sites.size()))};
-    for (const double distance : kDistances) reaches.emplace_back(distance);
+    std::vector<Distances> reaches = {{}, distancesById(random, set.sites.size())};
+    for (const double distance : kDistances) reaches.push_back({distance});
     for (std::size_t k = 0; k < reaches.size(); ++k) {
       SCOPED_TRACE(set.name + ", reach " + std::to_string(k));
       const auto [areas, perimeters] = measured(diagram, reaches[k]);
@@ -168,8 +177,8 @@ TEST(SphericalReach, NeighboursHaveThePointsOfTheirEdgesInCommon) {
     for (const bool isById : {false, true}) {
       SCOPED_TRACE(set.name + (isById ? ", by id" : ""));
       CoverageArrays polygons;
-      const Reach reach = isById ? Reach(byId) : Reach(0.3);
-      ASSERT_EQ(diagram.cellPolygons(1e-3, false, reach, polygons), Error::kNone);
+      const Distances distances = isById ? byId : Distances(set.sites.size(), 0.3);
+      ASSERT_EQ(diagram.cellPolygons(1e-3, false, distances, polygons), Error::kNone);
       using Segment = std::array<double, 4>;
       std::set<Segment> segments;
       const auto visit = [&](auto&& call) {
@@ -194,7 +203,7 @@ TEST(SphericalReach, NeighboursHaveThePointsOfTheirEdgesInCommon) {
           const bool isShared = std::ranges::all_of(ends, [&](const SphericalPoint& p) {
             const double distance = distanceOf(p, set.sites[other]);
             return std::abs(distance - distanceOf(p, set.sites[own])) < kEqual &&
-                   distance < reach.of(other) - kEqual;
+                   distance < distances[other] - kEqual;
           });
           if (isShared) partners.push_back(other);
         }
@@ -214,8 +223,8 @@ TEST(SphericalReach, CutPolygonsAreThoseOfTheCells) {
     for (const double distance : {-0.05, 0.0, 1e-3, 0.1, 0.4, 1.0, 2.0, 3.1, kEverywhere}) {
       SCOPED_TRACE(set.name + ", distance " + std::to_string(distance));
       CoverageArrays polygons;
-      const auto [areas, perimeters] = measured(diagram, Reach(distance));
-      ASSERT_EQ(diagram.cellPolygons(kTolerance, true, Reach(distance), polygons), Error::kNone);
+      const auto [areas, perimeters] = measured(diagram, {distance});
+      ASSERT_EQ(diagram.cellPolygons(kTolerance, true, {&distance, 1}, polygons), Error::kNone);
       for (std::size_t c = 0; c < polygons.sites.size(); ++c) {
         // The area on the sphere below straight lines of the map.
         double area = 0;
@@ -258,8 +267,8 @@ TEST(SphericalReach, RefusesWhatIsNoDistance) {
   EXPECT_EQ(diagram.cellArea(0, nan, number), Error::kNotFinite);
   EXPECT_EQ(diagram.cellPerimeter(0, 1e200, number), Error::kOutOfRange);
   EXPECT_EQ(diagram.cellPerimeter(2, 1, number), Error::kUnknownSite);
-  EXPECT_EQ(diagram.cellAreas(Reach(std::vector<double>{1}), numbers), Error::kBadLength);
-  EXPECT_EQ(diagram.cellPerimeters(Reach(-kEverywhere), numbers), Error::kOutOfRange);
+  EXPECT_EQ(diagram.cellAreas(Distances{1, 2, 3}, numbers), Error::kBadLength);
+  EXPECT_EQ(diagram.cellPerimeters(Distances{-kEverywhere}, numbers), Error::kOutOfRange);
   EXPECT_EQ(number, 7);
   EXPECT_EQ(numbers, std::vector<double>{7});
   SphericalPoint centroid = {};

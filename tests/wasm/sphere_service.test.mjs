@@ -119,6 +119,17 @@ describe.each(sets)("%s", (_, list) => {
   });
 });
 
+test("of very many sites, too", () => {
+  const many = new SphericalDiagram(sites(100_000, 0).flat());
+  const { lon, lat, r, site } = many.largestEmptyCircle();
+  expect(many.nearest(lon, lat).distance).toBeCloseTo(r, 12);
+  const { lon: x, lat: y } = many.site(site);
+  expect(geoDistance([lon, lat], [x, y])).toBeCloseTo(r, 12);
+  const values = new Float64Array(100_000).fill(2);
+  for (const value of many.interpolate(values, [10, 20, lon, lat]))
+    expect(value).toBeCloseTo(2, 12);
+});
+
 test("without sites there is nothing", () => {
   const empty = new SphericalDiagram();
   expect(empty.largestEmptyCircle()).toBeNull();
@@ -129,7 +140,7 @@ test("without sites there is nothing", () => {
   expect(empty.toGeoJSON({ distance: 1 }).features).toEqual([]);
 });
 
-test("a distance beyond the opposite point is none", () => {
+test("a distance as far as the opposite point cuts nothing off, one below the centre all", () => {
   const one = new SphericalDiagram([10, 20, 0.5]);
   expect(one.cellArea(0, { distance: 3 })).toBe(4 * Math.PI);
   expect(one.cellPerimeter(0, { distance: 3 })).toBe(0);

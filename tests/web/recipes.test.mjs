@@ -39,6 +39,17 @@ const withPages = (open) =>
     return found;
   };
 
+/** Where a bubble is, once its chart has become narrower. */
+async function narrowed(page, id) {
+  const before = await page.evaluate((k) => window.where()[k], id);
+  await page.evaluate(() =>
+    Object.assign(document.getElementById("container").style, { width: "420px" }),
+  );
+  const isElsewhere = ([k, x]) => window.where()[k][0] < x - 50;
+  await page.waitForFunction(isElsewhere, [id, before[0]], { polling: 20 });
+  return page.evaluate((k) => window.where()[k], id);
+}
+
 /** The colour of a point on the screen, which no canvas tells of WebGL. */
 async function colourAt(page, x, y) {
   const png = await page.screenshot({ clip: { x, y, width: 1, height: 1 } });
@@ -252,12 +263,7 @@ describeInBrowser("recipes", (open) => {
         await page.waitForFunction(isRed, other, { polling: 20 });
         await pointAt([other[0], other[1] + 25 + 30]);
         await expectPicked(-1);
-        // Smaller, bubbles are elsewhere.
-        await page.evaluate(() =>
-          Object.assign(document.getElementById("container").style, { width: "420px" }),
-        );
-        await page.waitForFunction(([x]) => window.where()[3][0] < x - 50, other, { polling: 20 });
-        const [, , , moved] = await page.evaluate(() => window.where());
+        const moved = await narrowed(page, 3);
         await pointAt([moved[0], moved[1] + 25 + 10]);
         await expectPicked(3, "other");
       },
@@ -487,12 +493,7 @@ describeWithWebGL("recipes with WebGL", (open) => {
         await expectPicked(3);
         await pointAt([other[0], other[1] + 25 + 25]);
         await expectPicked(-1);
-        // Smaller, bubbles are elsewhere.
-        await page.evaluate(() =>
-          Object.assign(document.getElementById("container").style, { width: "420px" }),
-        );
-        await page.waitForFunction(([x]) => window.where()[3][0] < x - 50, other, { polling: 20 });
-        const [, , , moved] = await page.evaluate(() => window.where());
+        const moved = await narrowed(page, 3);
         await pointAt([moved[0], moved[1] + 25 + 10]);
         await expectPicked(3);
         await page.mouse.move(box.x + 5, box.y + 5);

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -15,7 +14,6 @@
 #include <vector>
 
 #include "apollonius/diagram.h"
-#include "apollonius/reach.h"
 #include "arrays.h"
 
 using apollonius::Error;
@@ -67,18 +65,6 @@ constexpr auto inputsOf(Error (Class::*)(Parameters...) const) {
 template <auto method>
 auto returning() {
   return returning<method>(method, inputsOf(method));
-}
-
-/// One distance for all sites, or one for each id.
-inline apollonius::Reach reachOf(const NumbersIn& distances, bool isById) {
-  const std::vector<double> values = vectorOf<double>(distances);
-  apollonius::Reach reach = allocating([&] {
-    return isById ? apollonius::Reach(std::span<const double>(values))
-                  : apollonius::Reach(values.at(0));
-  });
-  if (reach.hasNaN()) check(Error::kNotFinite);
-  if (reach.isOutOfRange()) check(Error::kOutOfRange);
-  return reach;
 }
 
 struct Nearest {

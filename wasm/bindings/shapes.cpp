@@ -128,8 +128,16 @@ Region* makeRegion(const Diagram&, const NumbersIn& coordinates, const NumbersIn
   return allocating([&] { return new Region(std::move(region)); });
 }
 
+/// One distance for all sites, or one for each id.
 Reach* makeReach(const Diagram&, const NumbersIn& distances, bool isById) {
-  return allocating([&] { return new Reach(reachOf(distances, isById)); });
+  const std::vector<double> values = vectorOf<double>(distances);
+  auto reach = allocating([&] {
+    return isById ? std::make_unique<Reach>(std::span<const double>(values))
+                  : std::make_unique<Reach>(values.at(0));
+  });
+  if (reach->hasNaN()) check(Error::kNotFinite);
+  if (reach->isOutOfRange()) check(Error::kOutOfRange);
+  return reach.release();
 }
 
 Portion drawRegion(const Diagram&, const Region& region) {

@@ -31,24 +31,22 @@ void sphereFromBytes(SphericalDiagram& diagram, const NumbersIn& bytes) {
   check(diagram.fromBytes(vectorOf<std::uint8_t>(bytes)));
 }
 
-std::vector<double> cellAreas(const SphericalDiagram& diagram, const NumbersIn& distances,
-                              bool isById) {
+std::vector<double> cellAreas(const SphericalDiagram& diagram, const NumbersIn& distances) {
   std::vector<double> areas;
-  check(diagram.cellAreas(reachOf(distances, isById), areas));
+  check(diagram.cellAreas(vectorOf<double>(distances), areas));
   return areas;
 }
 
-std::vector<double> cellPerimeters(const SphericalDiagram& diagram, const NumbersIn& distances,
-                                   bool isById) {
+std::vector<double> cellPerimeters(const SphericalDiagram& diagram, const NumbersIn& distances) {
   std::vector<double> perimeters;
-  check(diagram.cellPerimeters(reachOf(distances, isById), perimeters));
+  check(diagram.cellPerimeters(vectorOf<double>(distances), perimeters));
   return perimeters;
 }
 
 apollonius::CoverageArrays cellPolygons(const SphericalDiagram& diagram, const NumbersIn& distances,
-                                        bool isById, double tolerance, bool isCut) {
+                                        double tolerance, bool isCut) {
   apollonius::CoverageArrays polygons;
-  check(diagram.cellPolygons(tolerance, isCut, reachOf(distances, isById), polygons));
+  check(diagram.cellPolygons(tolerance, isCut, vectorOf<double>(distances), polygons));
   return polygons;
 }
 

@@ -1,10 +1,8 @@
 // Empty circles on the sphere: the places that are farthest from all sites.
 //
-// Inside a cell the distance to its site grows along great circles away from it, up to the opposite
-// point, which is in the cell of a site only if that has no neighbours. Along an edge it grows away
-// from the other site's direction, up to where the great circle through both centres meets the edge
-// beyond. Hence the candidates are Voronoi vertices, these far points of edges, and the point
-// opposite to the only site.
+// The candidates are Voronoi vertices; of each edge the far point, where the longer way from one
+// centre to the other along their great circle meets it; and the point opposite to the only site
+// (docs/PROOFS.md, "The sphere").
 import type { NativeSphericalDiagram } from "../core/native/module.js";
 import { apart } from "../shapes/empty_circles.js";
 import type { SphericalEmptyCircle } from "./spherical_types.js";
@@ -39,21 +37,16 @@ export function emptyCircles(native: NativeSphericalDiagram, most: number): Sphe
   if (native.size() === 0) return [];
   const radius = native.radius();
   const { coordinates, clearance, sites } = native.vertices();
-  const circles = Array.from(clearance, (r, k) => ({
+  const candidates = Array.from(clearance, (r, k) => ({
     lon: coordinates[2 * k]!,
     lat: coordinates[2 * k + 1]!,
     r,
     site: sites[3 * k]!,
   }));
-  circles.push(...farPoints(native, radius));
-  circles.sort((a, b) => b.r - a.r || a.lon - b.lon || a.lat - b.lat);
-  const located = circles.map((circle) => ({ circle, at: vectorOf(circle.lon, circle.lat) }));
-  const chosen = apart(
-    located.map(({ circle, at }) => ({ circle, at, r: circle.r })),
-    most,
-    (a, b) => radius * angleBetween(a.at, b.at),
-  );
-  return chosen.map(({ circle }) => circle);
+  for (const point of farPoints(native, radius)) candidates.push(point);
+  candidates.sort((a, b) => b.r - a.r || a.lon - b.lon || a.lat - b.lat);
+  const places = new Map(candidates.map((one) => [one, vectorOf(one.lon, one.lat)]));
+  return apart(candidates, most, (a, b) => radius * angleBetween(places.get(a)!, places.get(b)!));
 }
 
 /** Where edges are farthest from their sites between their ends. */

@@ -79,20 +79,41 @@ function polygonOptions(options: SphericalPolygonOptions | undefined) {
   return { tolerance: checkedAngularTolerance(options?.tolerance), winding };
 }
 
-/** How far all cells reach. */
-function reachOf(diagram: SphericalDiagram, options: DistanceOptions | undefined) {
-  checkOptions(options, "distance");
-  const { native } = sphericalOf(diagram);
-  const distances = distanceOf(native, options);
+/**
+ * The distances at which all cells end. The module is asked for last, as the caller's options can
+ * dispose of the diagram before.
+ */
+function withReach(diagram: SphericalDiagram, options: DistanceOptions | undefined) {
+  const distances = distanceOf(sphericalOf(diagram).native, options);
   return { native: sphericalOf(diagram).native, distances };
 }
 
-/** How far that of one site reaches. Throws "unknown-site" if there is none. */
-function reachOfCell(diagram: SphericalDiagram, id: number, options: DistanceOptions | undefined) {
+/** A measure of all cells. */
+function measuresOf(
+  diagram: SphericalDiagram,
+  options: DistanceOptions | undefined,
+  measure: (native: NativeSphericalDiagram, distances: ArrayLike<number>) => Float64Array,
+): Float64Array {
+  sphericalOf(diagram);
+  checkOptions(options, "distance");
+  const { native, distances } = withReach(diagram, options);
+  return withDistances(distances, (list) => measure(native, list));
+}
+
+/**
+ * The distance at which the cell of a site ends. Throws "unknown-site", and "bad-option" for
+ * options that are neither `distance` nor among `others`.
+ */
+function withCell(
+  diagram: SphericalDiagram,
+  id: number,
+  options: DistanceOptions | undefined,
+  ...others: string[]
+) {
   withSite(sphericalOf(diagram).native, id);
-  const distances = distanceOf(sphericalOf(diagram).native, options);
-  // asked last, as the caller's options can change the diagram before
-  const native = withSite(sphericalOf(diagram).native, id);
+  checkOptions(options, "distance", ...others);
+  const { distances, native } = withReach(diagram, options);
+  withSite(native, id);
   if (typeof distances === "number") return { native, distance: distances };
   const distance = distances[id] as number;
   if (distance !== Infinity) checkNumber(`distance[${id}]`, distance);
@@ -105,10 +126,8 @@ function polygonsOf(
   tolerance: number,
   isCut: boolean,
 ) {
-  const distances = distanceOf(sphericalOf(diagram).native, options);
-  // asked last, as the caller's options can dispose of the diagram before
-  const { native } = sphericalOf(diagram);
-  return withDistances(distances, (...reach) => native.cellPolygons(...reach, tolerance, isCut));
+  const { native, distances } = withReach(diagram, options);
+  return withDistances(distances, (list) => native.cellPolygons(list, tolerance, isCut));
 }
 
 /**
@@ -379,12 +398,9 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
    * location. Throws "unknown-site", "not-finite", "out-of-range", "bad-option".
    */
   contains(id: number, lon: number, lat: number, options?: DistanceOptions): boolean {
-    checkOptions(options, "distance");
-    const { native, distance } = reachOfCell(this, id, options);
-    return atPoint({ native, space: sphere }, lon, lat, () => {
-      if (!native.contains(id, lon, lat)) return false;
-      return distance === Infinity || native.nearest(lon, lat).distance <= distance;
-    });
+    const { native, distance } = withCell(this, id, options);
+    const asked = { native, space: sphere };
+    return atPoint(asked, lon, lat, () => native.contains(id, lon, lat, distance));
   }
 
   /**
@@ -392,8 +408,7 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
    * "unknown-site", "not-finite", "out-of-range", "bad-option".
    */
   cellArea(id: number, options?: DistanceOptions): number {
-    checkOptions(options, "distance");
-    const { native, distance } = reachOfCell(this, id, options);
+    const { native, distance } = withCell(this, id, options);
     return native.cellArea(id, distance);
   }
 
@@ -403,8 +418,7 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
    * defect of the library. O(n).
    */
   cellAreas(options?: DistanceOptions): Float64Array {
-    const { native, distances } = reachOf(this, options);
-    return withDistances(distances, (...reach) => native.cellAreas(...reach));
+    return measuresOf(this, options, (native, distances) => native.cellAreas(distances));
   }
 
   /**
@@ -412,15 +426,13 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
    * `cellArea`.
    */
   cellPerimeter(id: number, options?: DistanceOptions): number {
-    checkOptions(options, "distance");
-    const { native, distance } = reachOfCell(this, id, options);
+    const { native, distance } = withCell(this, id, options);
     return native.cellPerimeter(id, distance);
   }
 
   /** The perimeters of all cells by id, 0 for ids without a cell. O(n). Throws as `cellAreas`. */
   cellPerimeters(options?: DistanceOptions): Float64Array {
-    const { native, distances } = reachOf(this, options);
-    return withDistances(distances, (...reach) => native.cellPerimeters(...reach));
+    return measuresOf(this, options, (native, distances) => native.cellPerimeters(distances));
   }
 
   /**
@@ -428,8 +440,7 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
    * and for a cell whose distance ends at its centre or before. O(d). Throws as `cellArea`.
    */
   cellCentroid(id: number, options?: DistanceOptions): Position | null {
-    checkOptions(options, "distance");
-    const { native, distance } = reachOfCell(this, id, options);
+    const { native, distance } = withCell(this, id, options);
     const { lon, lat } = native.cellCentroid(id, distance);
     return Number.isNaN(lon) ? null : [lon, lat];
   }
@@ -441,8 +452,8 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
    * "out-of-range", "bad-option".
    */
   cellPolygon(id: number, options?: SphericalPolygonOptions): Position[] | null {
+    const { native, distance } = withCell(this, id, options, "tolerance", "winding");
     const { tolerance, winding } = polygonOptions(options);
-    const { native, distance } = reachOfCell(this, id, options);
     if (native.isHidden(id)) return null;
     const { coordinates } = native.cellPolygon(id, tolerance, false, distance);
     if (coordinates.length === 0 && native.cellArea(id, distance) === 0) return null;

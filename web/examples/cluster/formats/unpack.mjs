@@ -6,6 +6,10 @@ import { mkdir, rename } from "node:fs/promises";
 import path from "node:path";
 import { pipeline } from "node:stream/promises";
 import { createGunzip } from "node:zlib";
+import { chain } from "stream-chain";
+import { parser } from "stream-json";
+import { pick } from "stream-json/filters/pick.js";
+import { streamArray } from "stream-json/streamers/stream-array.js";
 
 const kZipped = ".gz";
 const kCollection = ".geojson";
@@ -41,51 +45,21 @@ export async function unpacked(file, copy) {
   return target;
 }
 
-const [kQuote, kBackslash, kOpen, kClose, kOpenArray, kCloseArray, kSpace] =
-  Buffer.from('"\\{}[] ');
-const kLineEnd = Buffer.from("\n");
-
-/**
- * The features of a FeatureCollection, a line each. Looks at brackets and quotes only, which are no
- * part of other characters in UTF-8; whoever reads the lines parses them.
- */
-async function* featureLines(chunks) {
-  let depth = 0, // how many brackets are open
-    isText = false, // between quotes
-    isEscaped = false, // after a backslash
-    key = "", // the last text directly in the collection
-    isIn = false, // in the array "features"
-    found = false;
-  for await (const chunk of chunks) {
-    const pieces = [];
-    let from = isIn && depth > 2 ? 0 : -1; // where a feature, or the rest of one, begins
-    for (let k = 0; k < chunk.length; ++k) {
-      const byte = chunk[k];
-      if (isText) {
-        if (isEscaped) isEscaped = false;
-        else if (byte === kBackslash) isEscaped = true;
-        else if (byte === kQuote) isText = false;
-        else if (depth === 1) key += String.fromCharCode(byte);
-      } else if (byte === kQuote) {
-        isText = true;
-        if (depth === 1) key = "";
-      } else if (byte === kOpen || byte === kOpenArray) {
-        if (depth === 1 && byte === kOpenArray && key === "features") isIn = found = true;
-        else if (isIn && depth === 2) from = k;
-        ++depth;
-      } else if (byte === kClose || byte === kCloseArray) {
-        --depth;
-        if (depth === 1) isIn = false;
-        if (!isIn || depth !== 2) continue;
-        pieces.push(chunk.subarray(from, k + 1), kLineEnd);
-        from = -1;
-      } else if (byte < kSpace) {
-        chunk[k] = kSpace; // line ends within a feature; texts have none, but \n
-      }
-    }
-    if (from >= 0) pieces.push(chunk.subarray(from));
-    if (pieces.length > 0) yield Buffer.concat(pieces);
-  }
-  if (depth !== 0 || isText) throw new Error("the JSON ends in the middle");
-  if (!found) throw new Error("no FeatureCollection; lines of features are .geojsonl");
+/** The features of a FeatureCollection, a line each. */
+async function* featureLines(bytes) {
+  let isThere = false;
+  const seen = (token) => {
+    isThere = true;
+    return token;
+  };
+  const lines = chain([
+    bytes,
+    parser({ streamValues: false }),
+    pick({ filter: /^features$/ }),
+    seen,
+    streamArray(),
+    ({ value }) => `${JSON.stringify(value)}\n`,
+  ]);
+  yield* lines;
+  if (!isThere) throw new Error("no FeatureCollection; lines of features are .geojsonl");
 }
