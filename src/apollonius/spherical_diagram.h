@@ -203,6 +203,7 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   [[nodiscard]] Error validate(Violation& violation) const;
 
  private:
+  friend class SphericalBuilder;  // in steps: apollonius/spherical_builder.h
   friend class SphericalNearestFirst;
 
   [[nodiscard]] Error distancesError(std::span<const double> distances) const;

@@ -1,16 +1,56 @@
 // Which site the others are projected from.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
+#include "base/flat_array.h"
+#include "sphere/projection.h"
 #include "sphere/site_table.h"
 
 namespace apollonius::internal::sphere {
 
-/// A visible site from which circles lose little accuracy: of a few that are drawn at random, the
-/// first from which the loss (Projection::Image) is usual, else the best. `caps` are the sites' by
-/// id. Advances `seed`. REQUIRES: at least one site. Throws std::bad_alloc. Cost: O(n).
-[[nodiscard]] SiteId choosePole(const SiteTable& sites, const FlatArray<Cap>& caps,
-                                std::uint64_t& seed);
+/// Chooses, in steps, a visible site from which circles lose little accuracy: of a few that are
+/// drawn at random, the first from which the loss (Projection::Image) is usual, else the best.
+/// Cost: O(n)
+class PoleChoice {
+ public:
+  /// Of the sites of the table, whose caps these are by id; both must stay as they are. Advances
+  /// `seed`, which must stay where it is. Throws std::bad_alloc. REQUIRES: at least one site.
+  PoleChoice(const SiteTable& sites, const FlatArray<Cap>& caps, std::uint64_t& seed);
+
+  /// Goes on by at most this many looks at a site; is the pole chosen?
+  bool advance(std::size_t most);
+
+  /// REQUIRES: chosen.
+  [[nodiscard]] SiteId pole() const { return best_; }
+
+ private:
+  enum class Step : std::uint8_t { kNearest, kLoss, kStarts, kChosen };
+
+  void draw();
+  void lookForNearest(std::size_t end);
+  void lookForLoss(std::size_t end);
+  void dropStarts(std::size_t end);
+  [[nodiscard]] bool isBetter() const;
+
+  const FlatArray<Cap>& caps_;
+  std::uint64_t& seed_;
+  FlatArray<SiteId> all_;
+  FlatArray<SiteId> starts_;  // what leads to a candidate, which is not to be the same again
+  int drawn_ = 0;             // candidates
+  Step step_ = Step::kNearest;
+  std::size_t at_ = 0;  // in all_ or starts_
+
+  SiteId start_ = kNoSite;    // that leads to the candidate
+  SiteId nearest_ = kNoSite;  // to the centre of start_, then the candidate
+  HalfAngle toNearest_;
+  Projection projection_;  // from the candidate
+  double loss_ = 0;        // from the candidate
+  std::size_t kept_ = 0;   // of starts_
+
+  SiteId best_ = kNoSite;
+  double least_ = 0;  // the loss from best_
+};
 
 }  // namespace apollonius::internal::sphere

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "diagram/bulk_insertion.h"
-
 namespace apollonius::internal::sphere {
 
 namespace {
@@ -17,44 +15,84 @@ void append(FlatArray<double>& circles, const Site& circle) {
 
 }  // namespace
 
-ProjectedDiagram::ProjectedDiagram(const SiteTable& sites, const FlatArray<Cap>& caps, SiteId pole)
-    : ProjectedDiagram(caps[pole], pole) {
-  FlatArray<SiteId> all;
-  all.reserve(sites.size());
-  for (SiteId id = 0; id < sites.idLimit(); ++id) {
-    if (sites.has(id) && id != pole) all.push_back(id);
-  }
-  enterAll(sites, caps, all);
+ProjectedDiagram::Filling::Filling(ProjectedDiagram& diagram, const SiteTable& sites,
+                                   const FlatArray<Cap>& caps, FlatArray<SiteId> ids)
+    : diagram_(diagram), caps_(caps), ids_(std::move(ids)) {
+  circles_.reserve(3 * ids_.size());
+  diagram_.reserve(sites.idLimit(), ids_.size());
 }
 
-void ProjectedDiagram::enterAll(const SiteTable& sites, const FlatArray<Cap>& caps,
-                                FlatArray<SiteId>& ids) {
-  FlatArray<double> circles;
-  circles.reserve(3 * ids.size());
-  reserve(sites.idLimit(), ids.size());
-  std::size_t images = 0;
-  for (const SiteId id : ids) {
-    const Projection::Image image = projection_.image(caps[id]);
+bool ProjectedDiagram::Filling::advance(std::size_t steps) {
+  const bool isAll = steps == BulkInsertion::kAllAtOnce;
+  const auto visits = [&](std::size_t ofStep) { return isAll ? steps : ofStep * steps; };
+  switch (step_) {
+    case Step::kProject:
+      project(visits(16));
+      return step_ == Step::kDone;
+    case Step::kStage:
+      if (insertion_->stage({circles_.data(), circles_.size()}, visits(64))) {
+        FlatArray<double>().swap(circles_);
+        step_ = Step::kInsert;
+      }
+      return false;
+    case Step::kInsert:
+      if (insertion_->insert({planeIds_.data(), circleCount_}, steps)) {
+        insertion_.reset();
+        step_ = Step::kEnter;
+      }
+      return false;
+    case Step::kEnter:
+      enter(visits(64));
+      return step_ == Step::kDone;
+    case Step::kDone:
+      return true;
+  }
+  return true;
+}
+
+void ProjectedDiagram::Filling::project(std::size_t most) {
+  const std::size_t end = done_ + std::min(most, ids_.size() - done_);
+  for (; done_ < end; ++done_) {
+    const SiteId id = ids_[done_];
+    const Projection::Image image = diagram_.projection_.image(caps_[id]);
     if (image.kind != Kind::kCircle) {
-      enterBelowPole(id);
+      diagram_.enterBelowPole(id);
       continue;
     }
-    loss_ = std::max(loss_, image.loss);
-    append(circles, image.circle);
-    ids[images++] = id;
+    diagram_.loss_ = std::max(diagram_.loss_, image.loss);
+    append(circles_, image.circle);
+    ids_[circleCount_++] = id;
   }
-  ids.resize(images);
-  if (images == 0) return;
-  grid_.reset(images);
-  FlatArray<SiteId> planeIds(images);
-  {
-    BulkInsertion insertion(plane_);
-    insertion.stage({circles.data(), circles.size()});
-    FlatArray<double>().swap(circles);
-    insertion.insert({planeIds.data(), images});
+  if (done_ < ids_.size()) return;
+  done_ = 0;
+  step_ = circleCount_ > 0 ? Step::kStage : Step::kDone;
+  if (circleCount_ == 0) return;
+  diagram_.grid_.reset(circleCount_);
+  planeIds_.resize(circleCount_);
+  insertion_.emplace(diagram_.plane_);
+}
+
+void ProjectedDiagram::Filling::enter(std::size_t most) {
+  const std::size_t end = done_ + std::min(most, circleCount_ - done_);
+  for (; done_ < end; ++done_) diagram_.enter(ids_[done_], planeIds_[done_], caps_[ids_[done_]]);
+  if (done_ < circleCount_) return;
+  diagram_.grid_.fill();
+  step_ = Step::kDone;
+}
+
+double ProjectedDiagram::Filling::progress() const {
+  switch (step_) {
+    case Step::kProject:
+      return 0;
+    case Step::kStage:
+    case Step::kInsert:
+      return 0.05 + 0.9 * insertion_->progress();
+    case Step::kEnter:
+      return 0.95;
+    case Step::kDone:
+      return 1;
   }
-  for (std::size_t k = 0; k < images; ++k) enter(ids[k], planeIds[k], caps[ids[k]]);
-  grid_.fill();
+  return 1;
 }
 
 bool ProjectedDiagram::restore(const SiteTable& sites, SiteId pole,
@@ -73,7 +111,9 @@ bool ProjectedDiagram::restore(const SiteTable& sites, SiteId pole,
   const FlatArray<Cap> caps = sites.caps();
   const std::size_t expected = visible.size() + 1;
   *this = ProjectedDiagram(caps[pole], pole);
-  enterAll(sites, caps, visible);
+  Filling filling(*this, sites, caps, std::move(visible));
+  while (!filling.advance(BulkInsertion::kAllAtOnce)) {
+  }
   if (visibleCount() != expected) return false;
   reserve(sites.idLimit(), hidden.size());
   for (const HiddenSite& pair : hidden) {

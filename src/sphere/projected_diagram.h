@@ -7,10 +7,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "apollonius/types.h"
 #include "base/flat_array.h"
+#include "diagram/bulk_insertion.h"
 #include "diagram/diagram_core.h"
 #include "sphere/direction_grid.h"
 #include "sphere/projection.h"
@@ -26,11 +28,13 @@ struct HiddenSite {
 
 class ProjectedDiagram {
  public:
+  class Filling;
+
   /// Without sites.
   ProjectedDiagram() : plane_(Location::kHierarchy) {}
-  /// Of all sites of the table, whose caps these are by id, seen from `pole`. Throws
-  /// std::bad_alloc. REQUIRES: the pole is visible. Cost: that of building a diagram of the plane.
-  ProjectedDiagram(const SiteTable& sites, const FlatArray<Cap>& caps, SiteId pole);
+  /// Seen from `pole`, still without other sites, which Filling enters.
+  ProjectedDiagram(const Cap& poleCap, SiteId pole)
+      : pole_(pole), poleCap_(poleCap), projection_(poleCap), plane_(Location::kHierarchy) {}
 
   /// Becomes the diagram of all sites of the table, seen from `pole`, in which these and no others
   /// are hidden, as hidden() has listed them. False, and unusable, if there is no such one. Throws
@@ -141,11 +145,6 @@ class ProjectedDiagram {
   [[nodiscard]] bool isBelowPole(SiteId id) const {
     return id != pole_ && (places_[id] & kBelowPole) != 0;
   }
-  /// Seen from `pole`, still without other sites.
-  ProjectedDiagram(const Cap& poleCap, SiteId pole)
-      : pole_(pole), poleCap_(poleCap), projection_(poleCap), plane_(Location::kHierarchy) {}
-  /// Those of the table with these ids, which change, when there are no others but the pole.
-  void enterAll(const SiteTable& sites, const FlatArray<Cap>& caps, FlatArray<SiteId>& ids);
   /// Enters a hidden site of a snapshot. False if its cover is not seen to cover it.
   [[nodiscard]] bool enterBelow(const HiddenSite& hidden, const Cap& cap);
   [[nodiscard]] bool isTooRough(double loss) const;
@@ -174,6 +173,40 @@ class ProjectedDiagram {
   FlatArray<SiteId> belowPole_;
   DirectionGrid grid_;
   double loss_ = 1;
+};
+
+/// Enters all sites of a diagram that has none but its pole, in steps.
+class ProjectedDiagram::Filling {
+ public:
+  /// Of the sites of the table with these ids, whose caps these are by id: all that are visible,
+  /// and of the hidden ones any. The diagram, the table and the caps stay where they are, and the
+  /// diagram is unusable until all is done. Throws std::bad_alloc. REQUIRES: the pole is visible
+  /// and not among the ids.
+  Filling(ProjectedDiagram& diagram, const SiteTable& sites, const FlatArray<Cap>& caps,
+          FlatArray<SiteId> ids);
+
+  /// Goes on by about `steps`, of about a microsecond each; is that all? Throws std::bad_alloc, and
+  /// has to be given up then. Cost, of all: that of building a diagram of the plane.
+  bool advance(std::size_t steps);
+
+  /// Of all that there is to do, 0 to 1, as far as time can be foreseen.
+  [[nodiscard]] double progress() const;
+
+ private:
+  enum class Step : std::uint8_t { kProject, kStage, kInsert, kEnter, kDone };
+
+  void project(std::size_t most);
+  void enter(std::size_t most);
+
+  ProjectedDiagram& diagram_;
+  const FlatArray<Cap>& caps_;
+  FlatArray<SiteId> ids_;  // those that have a circle, as far as that is known
+  Step step_ = Step::kProject;
+  std::size_t done_ = 0;  // of ids_, in this step
+  std::size_t circleCount_ = 0;
+  FlatArray<double> circles_;  // x, y, r of those that have one, until they are staged
+  FlatArray<SiteId> planeIds_;
+  std::optional<BulkInsertion> insertion_;  // last: it is undone while the ids are there
 };
 
 }  // namespace apollonius::internal::sphere

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "base/byte_stream.h"
-#include "sphere/pole_choice.h"
 #include "sphere/spherical_core.h"
 
 namespace apollonius::internal::sphere {

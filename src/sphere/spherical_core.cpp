@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "diagram/validate.h"
-#include "sphere/pole_choice.h"
 
 namespace apollonius::internal::sphere {
 
@@ -18,33 +17,22 @@ SphericalSite siteAt(std::span<const double> sites, std::size_t k) {
   return {{sites[3 * k], sites[3 * k + 1]}, sites[3 * k + 2]};
 }
 
-/// A pole with more neighbours than this is expensive to ask, and another one is tried: of the
-/// visible sites fewer than one in ten has 64 neighbours or more, as they have six on average.
-constexpr std::size_t kMostNeighborsOfPole = 64;
-constexpr int kPoles = 4;
-
-bool hasManyNeighbors(const Graph& graph) {
-  if (graph.isEmpty()) return false;
-  std::size_t neighbors = 0;
-  for (const HalfedgeId h : graph.star(kInfinity)) {
-    static_cast<void>(h);
-    if (++neighbors > kMostNeighborsOfPole) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 void SphericalCore::project() {
-  ProjectedDiagram fresh;
-  if (sites_.size() > 0) {
-    const FlatArray<Cap> caps = sites_.caps();
-    for (int k = 0; k < kPoles; ++k) {
-      fresh = ProjectedDiagram(sites_, caps, choosePole(sites_, caps, seed_));
-      if (!hasManyNeighbors(fresh.graph())) break;
-    }
+  if (sites_.size() == 0) {
+    projected_ = ProjectedDiagram();
+    sizeAtChoice_ = 0;
+    return;
   }
-  projected_ = std::move(fresh);
+  Projecting projecting(sites_, seed_);
+  projecting.finish();
+  take(projecting);
+}
+
+void SphericalCore::take(Projecting& finished) noexcept {
+  projected_ = std::move(finished.diagram());
+  seed_ = finished.seed();
   sizeAtChoice_ = sites_.size();
 }
 
@@ -120,6 +108,11 @@ void SphericalCore::clear() noexcept {
   sites_.clear();
   projected_ = ProjectedDiagram();
   sizeAtChoice_ = 0;
+}
+
+void SphericalCore::become(SiteTable&& sites, Projecting& finished) noexcept {
+  sites_ = std::move(sites);
+  take(finished);
 }
 
 Violation SphericalCore::validate() const {

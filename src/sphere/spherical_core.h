@@ -11,6 +11,7 @@
 #include "apollonius/types.h"
 #include "base/flat_array.h"
 #include "sphere/projected_diagram.h"
+#include "sphere/projecting.h"
 #include "sphere/site_table.h"
 
 namespace apollonius::internal::sphere {
@@ -27,9 +28,13 @@ class SphericalCore {
   void update(SiteId id, const SphericalSite& site);
   void updateMany(std::span<const SiteId> ids, std::span<const double> sites);
   void clear() noexcept;
+  /// Becomes the diagram of sites that have been projected.
+  void become(SiteTable&& sites, Projecting& finished) noexcept;
 
   [[nodiscard]] const SiteTable& sites() const { return sites_; }
   [[nodiscard]] const ProjectedDiagram& projected() const { return projected_; }
+  /// For drawing the next pole.
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
   /// The sites, the free ids and the pole, from which restore() builds the diagram; replaces the
   /// contents of `bytes`.
@@ -44,6 +49,7 @@ class SphericalCore {
  private:
   /// Projects all sites of the table from a pole that is chosen now.
   void project();
+  void take(Projecting& finished) noexcept;
   /// Sites that are in the table and in no projection yet.
   void enter(std::span<const SiteId> ids);
 

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <new>
 #include <string>
 #include <utility>
 
+#include "apollonius/spherical_builder.h"
 #include "sphere/sphere_sets.h"
 #include "support/failing_heap.h"
 #include "support/shadow.h"
@@ -180,6 +182,38 @@ TEST(SphericalOutOfMemory, AnIdThatWasFreeIsFreeAgain) {
     ASSERT_EQ(diagram.insert(1, 2, 0, id), Error::kNone);
     EXPECT_EQ(id, 7u) << k;
   }
+}
+
+/// What fails once fails again, and the diagram stays empty.
+TEST(SphericalOutOfMemory, EndsABuilderAndTheDiagramStaysEmpty) {
+  Random random(475);
+  const std::vector<double> sites = flat(randomSites(random, 40, 0.3));
+  SphericalDiagram diagram;
+  int failed = 0;
+  for (std::size_t k = 0;; ++k) {
+    heap.arm();
+    heap.failAt = k;
+    Error error = Error::kNone, again = Error::kNone;
+    try {
+      SphericalBuilder builder(diagram);
+      error = builder.reserve(20);
+      if (error == Error::kNone) error = builder.add(sites);
+      for (bool isDone = false; error == Error::kNone && !isDone;) {
+        error = builder.advance(3, isDone);
+        if (error != Error::kNone) again = builder.advance(3, isDone);
+      }
+    } catch (const std::bad_alloc&) {  // of the constructor
+      error = Error::kOutOfMemory;
+    }
+    heap.disarm();
+    if (error == Error::kNone) break;
+    ASSERT_EQ(error, Error::kOutOfMemory) << k;
+    ASSERT_TRUE(again == Error::kNone || again == error) << k;
+    ASSERT_EQ(diagram.size(), 0u) << k;
+    ++failed;
+  }
+  EXPECT_GT(failed, 15);
+  EXPECT_EQ(diagram.size(), 40u);
 }
 
 }  // namespace

@@ -22,6 +22,14 @@ sphere::SphericalCore coreOf(const SphericalSites& sites) {
   return core;
 }
 
+SiteId poleOf(const sphere::SiteTable& sites, std::uint64_t& seed) {
+  const internal::FlatArray<sphere::Cap> caps = sites.caps();
+  sphere::PoleChoice choice(sites, caps, seed);
+  while (!choice.advance(7)) {
+  }
+  return choice.pole();
+}
+
 /// Seen from the giant, or from the site that it nearly covers, a circle is inaccurate. All but one
 /// of the others lead to the giant.
 TEST(SphericalPole, ASiteWithoutLossIsFoundAmongManyThatLeadToAGiant) {
@@ -34,7 +42,7 @@ TEST(SphericalPole, ASiteWithoutLossIsFoundAmongManyThatLeadToAGiant) {
   for (const SphericalCircle& site : sites) (void)table.take({{site.lon, site.lat}, site.r});
   for (std::uint64_t first = 1; first <= 20; ++first) {
     std::uint64_t seed = first;
-    EXPECT_EQ(sphere::choosePole(table, table.caps(), seed), 2u);
+    EXPECT_EQ(poleOf(table, seed), 2u);
   }
 }
 
@@ -62,7 +70,7 @@ TEST(SphericalPole, IsVisibleAmongWeightsOfAnySize) {
       (void)table.take({{lon, lat}, (random.below(3) == 0 ? r : r < 0 ? -1 : 1) * 3.14159});
     }
     std::uint64_t seed = 1;
-    EXPECT_TRUE(isVisible(table, sphere::choosePole(table, table.caps(), seed)));
+    EXPECT_TRUE(isVisible(table, poleOf(table, seed)));
   }
 }
 

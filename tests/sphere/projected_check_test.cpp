@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sphere/projected_diagram.h"
@@ -23,9 +24,21 @@ class ProjectedDiagramCheck : public testing::Test {
                                   {90, 10, 0.25}, {-90, 20, 0.}, {92, 10, 0.1}};
     table_.reserve(sites.size() + 1);
     for (const auto& [lon, lat, r] : sites) (void)table_.take({{lon, lat}, r});
-    diagram_ = sphere::ProjectedDiagram(table_, table_.caps(), kPole);
+    project();
   }
 
+  /// All sites from kPole.
+  void project() {
+    const internal::FlatArray<sphere::Cap> caps = table_.caps();
+    internal::FlatArray<SiteId> others;
+    for (SiteId id = 0; id < table_.idLimit(); ++id) {
+      if (table_.has(id) && id != kPole) others.push_back(id);
+    }
+    diagram_ = sphere::ProjectedDiagram(caps[kPole], kPole);
+    sphere::ProjectedDiagram::Filling filling(diagram_, table_, caps, std::move(others));
+    while (!filling.advance(1)) {
+    }
+  }
   [[nodiscard]] Violation found() const {
     Violation violation;
     violation.what = diagram_.check(table_, violation.where);
@@ -102,7 +115,7 @@ TEST_F(ProjectedDiagramCheck, FindsASiteWhoseCapHasMovedByLessThanItsCircleTells
     for (int k = 0; k < 1000; ++k) {
       const double lon = 90 - pole + k * 0x1p-10, next = std::nextafter(lon, 360);
       move(kVisible, lon, 10, 0.25);
-      diagram_ = sphere::ProjectedDiagram(table_, table_.caps(), kPole);
+      project();
       ASSERT_EQ(found().what, nullptr);
       move(kVisible, next, 10, 0.25);
       const std::string text = found().text();
@@ -121,7 +134,7 @@ TEST_F(ProjectedDiagramCheck, FindsASiteWhoseLatitudeOrWeightHasChangedByLessTha
   for (int k = 0; k < 1000; ++k) {
     const double lat = 10 + k * 0x1p-10, r = 0x1p-20 * (1 + k * 0x1p-10);
     move(kVisible, 90, lat, r);
-    diagram_ = sphere::ProjectedDiagram(table_, table_.caps(), kPole);
+    project();
     ASSERT_EQ(found().what, nullptr);
     move(kVisible, 90, std::nextafter(lat, 90), r);
     latitudes += found().text() == "has another cap in the graph: site 3";

@@ -1,5 +1,7 @@
-// Diagram.fromAsync: the diagram that `from` makes, while timers run; nothing when it is aborted.
+// fromAsync of Diagram and SphericalDiagram: the diagram that `from` makes, while timers run;
+// nothing when it is aborted.
 import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
+import { SphericalDiagram } from "../../build/packed/sphere.mjs";
 import { graph } from "./support/graph.mjs";
 import { randomCircles } from "./support/random.mjs";
 
@@ -134,5 +136,85 @@ test("several at once", async () => {
   const diagrams = await Promise.all(parts.map((part) => Diagram.fromAsync(part)));
   diagrams.forEach((diagram, k) => {
     expect(isSame(diagram, Diagram.from(parts[k]))).toBe(true);
+  });
+});
+
+describe("on the sphere", () => {
+  const places = items.map(({ x, y, r }) => ({
+    lon: 180 * Math.sin(x),
+    lat: 89 * Math.sin(y),
+    r: r / 1e5,
+  }));
+  const radius = 6371;
+  const aborted = (done, options) => {
+    const controller = new AbortController();
+    const reason = new Error("enough");
+    const onProgress = (now) => now >= done && controller.abort(reason);
+    const promise = SphericalDiagram.fromAsync(places, {
+      ...options,
+      signal: controller.signal,
+      onProgress,
+    });
+    return expect(promise).rejects.toBe(reason);
+  };
+
+  test("the same diagram as from, with the event loop's turns and progress between", async () => {
+    let turns = 0;
+    const timer = setInterval(() => ++turns, 0);
+    const progress = [];
+    const onProgress = (done) => progress.push(done);
+    const diagram = await SphericalDiagram.fromAsync(places, { radius, onProgress });
+    clearInterval(timer);
+    expect(turns).toBeGreaterThan(2);
+    expect(progress).toEqual([...progress].sort((a, b) => a - b));
+    expect(progress.at(-1)).toBe(1);
+    expect(diagram.radius).toBe(radius);
+    expect(isSame(diagram, SphericalDiagram.from(places, { radius }))).toBe(true);
+  });
+
+  test("accessors, GeoJSON, options at any place, and small sets", async () => {
+    const few = places.slice(0, 100);
+    const expected = SphericalDiagram.from(few);
+    const accessors = ["lon", "lat", "r"].map((name) => (_, index, all) => all[index][name]);
+    const same = async (...given) =>
+      expect(isSame(await SphericalDiagram.fromAsync(...given), expected)).toBe(true);
+    await same(new Set(few));
+    await same(few, ...accessors);
+    await same(few, ...accessors, { radius: 1 });
+    const points = SphericalDiagram.from(few, accessors[0], accessors[1]);
+    const features = few.map(({ lon, lat }) => ({
+      type: "Feature",
+      properties: {},
+      geometry: { type: "Point", coordinates: [lon, lat] },
+    }));
+    for (const given of [
+      [few, accessors[0], accessors[1], {}],
+      [{ type: "FeatureCollection", features }],
+    ]) {
+      expect(isSame(await SphericalDiagram.fromAsync(...given), points)).toBe(true);
+    }
+    for (const count of [0, 1, 2, 3]) {
+      const sites = places.slice(0, count);
+      const diagram = await SphericalDiagram.fromAsync(sites);
+      expect(isSame(diagram, SphericalDiagram.from(sites))).toBe(true);
+    }
+  });
+
+  test("aborted before and in the middle: the signal's reason", async () => {
+    for (const done of [0, 0.05, 0.12, 0.3, 0.9]) await aborted(done, { radius });
+    const reason = new Error("enough");
+    const signal = AbortSignal.abort(reason);
+    await expect(SphericalDiagram.fromAsync(places, { signal })).rejects.toBe(reason);
+  });
+
+  test("what is refused, named", async () => {
+    const of = async (...given) => refused(SphericalDiagram.fromAsync(...given));
+    expect(await of(7)).toMatch("bad-length: items is 7");
+    expect(await of(places, 7)).toMatch("bad-option: lon is 7");
+    expect(await of(places, { signal: 7 })).toMatch("bad-option: options.signal is 7");
+    expect(await of(places, { location: "walk" })).toMatch("options.location is unknown");
+    expect(await of(places, { radius: 0 })).toMatch("out-of-range: options.radius is 0");
+    const last = [...places.slice(0, 20_000), { lon: 1, lat: 91, r: 1 }];
+    expect(await of(last)).toMatch("out-of-range: lat of item 20000 is 91");
   });
 });

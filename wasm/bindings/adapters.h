@@ -146,6 +146,31 @@ void findMany(const AnyDiagram& diagram, const NumbersIn& xy, const NumbersOut& 
   if (!distances.isNull()) distances.call<void>("set", viewOf(far));
 }
 
+// --- Building in steps. The calls are the diagram's, which a trap in one of them breaks.
+
+/// The caller deletes it, before the diagram.
+template <class AnyBuilder, class AnyDiagram>
+AnyBuilder* builder(AnyDiagram& diagram, std::size_t count) {
+  auto made = allocating([&] { return std::make_unique<AnyBuilder>(diagram); });
+  check(made->reserve(count));
+  return made.release();
+}
+
+template <class AnyBuilder, class AnyDiagram>
+void addTo(AnyDiagram&, AnyBuilder& builder, const NumbersIn& sites) {
+  check(builder.add(vectorOf<double>(sites)));
+}
+
+/// Is that all?
+template <class AnyBuilder, class AnyDiagram>
+bool advance(AnyDiagram&, AnyBuilder& builder, std::size_t steps) {
+  bool isDone = false;
+  check(builder.advance(steps, isDone));
+  return isDone;
+}
+
+// ---
+
 /// A broken invariant; none if the text is empty.
 struct Found {
   std::string what;
@@ -161,13 +186,15 @@ Found validate(const AnyDiagram& diagram) {
 }
 
 /// The calls that both kinds of diagrams have; `Walk` is the class of their nearestFirst().
-template <class AnyDiagram, class Walk>
-emscripten::class_<AnyDiagram> registerDiagram(const char* name, const char* nameOfWalk) {
+template <class AnyDiagram, class Walk, class AnyBuilder>
+emscripten::class_<AnyDiagram> registerDiagram(const char* name, const char* nameOfWalk,
+                                               const char* nameOfBuilder) {
   using namespace emscripten;
   const return_value_policy::take_ownership moved;  // not copied
   class_<Walk>(nameOfWalk)
       .function("next", returning<&Walk::next>())
       .function("distance", &Walk::distance);
+  class_<AnyBuilder>(nameOfBuilder).function("progress", &AnyBuilder::progress);
   return class_<AnyDiagram>(name)
       // Sites
       .function("insert", returning<&AnyDiagram::insert>())
@@ -176,6 +203,9 @@ emscripten::class_<AnyDiagram> registerDiagram(const char* name, const char* nam
       .function("update", &update<AnyDiagram>)
       .function("updateMany", &updateMany<AnyDiagram>)
       .function("clear", &AnyDiagram::clear)
+      .function("builder", &builder<AnyBuilder, AnyDiagram>, allow_raw_pointers(), moved)
+      .function("addTo", &addTo<AnyBuilder, AnyDiagram>)
+      .function("advance", &advance<AnyBuilder, AnyDiagram>)
       .function("size", &AnyDiagram::size)
       .function("visibleSize", &AnyDiagram::visibleSize)
       .function("has", &AnyDiagram::has)

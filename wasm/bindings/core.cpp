@@ -46,26 +46,6 @@ void fromBytes(Diagram& diagram, const NumbersIn& bytes, Source source) {
   check(diagram.fromBytes(vectorOf<std::uint8_t>(bytes), source));
 }
 
-// --- Building in steps. The calls are the diagram's, which a trap in one of them breaks.
-
-/// The caller deletes it, before the diagram.
-Builder* builder(Diagram& diagram, std::size_t count) {
-  auto made = allocating([&] { return std::make_unique<Builder>(diagram); });
-  check(made->reserve(count));
-  return made.release();
-}
-
-void addTo(Diagram&, Builder& builder, const NumbersIn& xyr) {
-  check(builder.add(vectorOf<double>(xyr)));
-}
-
-/// Is that all?
-bool advance(Diagram&, Builder& builder, std::size_t steps) {
-  bool isDone = false;
-  check(builder.advance(steps, isDone));
-  return isDone;
-}
-
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(core) {
@@ -148,14 +128,9 @@ EMSCRIPTEN_BINDINGS(core) {
       .field("ties", &apollonius::PredicateCounts::ties);
   function("predicateCounts", &apollonius::predicateCounts);
 
-  const return_value_policy::take_ownership moved;  // not copied
-  class_<Builder>("Builder").function("progress", &Builder::progress);
-  registerDiagram<Diagram, NearestFirst>("Diagram", "NearestFirst")
+  registerDiagram<Diagram, NearestFirst, Builder>("Diagram", "NearestFirst", "Builder")
       .constructor(&create, allow_raw_pointers())
       .function("insertMany", &insertMany)
-      .function("builder", &builder, allow_raw_pointers(), moved)
-      .function("addTo", &addTo)
-      .function("advance", &advance)
       .function("search", returning<&Diagram::search>())
       .function("hull", returning<&Diagram::hull>())
       .function("levels", returning<&Diagram::levels>())

@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "adapters.h"
+#include "apollonius/spherical_builder.h"
 #include "apollonius/spherical_diagram.h"
 #include "parts.h"
 
+using apollonius::SphericalBuilder;
 using apollonius::SphericalCircle;
 using apollonius::SphericalDiagram;
 using apollonius::SphericalNearestFirst;
@@ -83,8 +85,8 @@ void registerSphere() {
   value_object<SphericalPoint>("SphericalPoint")
       .field("lon", &SphericalPoint::lon)
       .field("lat", &SphericalPoint::lat);
-  registerDiagram<SphericalDiagram, SphericalNearestFirst>("SphericalDiagram",
-                                                           "SphericalNearestFirst")
+  registerDiagram<SphericalDiagram, SphericalNearestFirst, SphericalBuilder>(
+      "SphericalDiagram", "SphericalNearestFirst", "SphericalBuilder")
       .constructor(&createSpherical, allow_raw_pointers())
       .function("radius", &SphericalDiagram::radius)
       .function("insertMany", &insertIntoSphere)

@@ -1,8 +1,9 @@
 // Building without blocking: in slices of some milliseconds, between which the event loop has a
 // turn.
 import { ApolloniusError } from "../errors.js";
-import type { ItemReader } from "./accessors.js";
 import { described } from "./arguments.js";
+import type { DynamicDiagram } from "./dynamic_diagram.js";
+import { innerOf } from "./inner.js";
 import type { Builder, NativeDiagram } from "./native/module.js";
 import type { BuildOptions } from "./types.js";
 
@@ -68,12 +69,30 @@ function badOption(name: string, value: unknown, expected: string): ApolloniusEr
   );
 }
 
-/** Fills a diagram that is empty, and stays so unless all goes well. */
-export async function build<T>(
-  native: NativeDiagram,
-  items: ItemReader<T>,
+/** Items that are read in portions. */
+interface Reader {
+  readonly count: number;
+  /** The triples of the items from one to before another. */
+  triples(from: number, to: number): Float64Array;
+}
+
+/** Fills an empty diagram of the plane or the sphere with items; disposes of it if that fails. */
+export async function buildOrDispose(
+  diagram: DynamicDiagram<unknown>,
+  items: Reader,
   options: BuildOptions,
 ): Promise<void> {
+  try {
+    const { native, ballast } = innerOf(diagram);
+    await build(native as NativeDiagram, items, options); // the sphere has the same calls
+    ballast.carry(items.count);
+  } catch (error) {
+    diagram.dispose();
+    throw error;
+  }
+}
+
+async function build(native: NativeDiagram, items: Reader, options: BuildOptions): Promise<void> {
   const slices = new Slices(options);
   const builder = native.builder(items.count) as Builder;
   try {

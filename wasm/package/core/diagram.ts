@@ -16,7 +16,7 @@ import {
   checkOptions,
   disorderedBounds,
 } from "./arguments.js";
-import { build } from "./building.js";
+import { buildOrDispose } from "./building.js";
 import { DynamicDiagram } from "./dynamic_diagram.js";
 import { insert, insertMany, update, updateMany } from "./edits.js";
 import { nativeOf, planarOf } from "./inner.js";
@@ -103,14 +103,7 @@ export class Diagram extends DynamicDiagram<ListedSite> {
     checkOptions(options, "location", "signal", "onProgress");
     const reader = new ItemReader<T>(items, x, y, r);
     const diagram = new Diagram(undefined, { location: options.location });
-    try {
-      const { native, ballast } = planarOf(diagram);
-      await build(native, reader, options);
-      ballast.carry(reader.count);
-    } catch (error) {
-      diagram.dispose();
-      throw error;
-    }
+    await buildOrDispose(diagram, reader, options);
     return diagram;
   }
 

@@ -4,6 +4,7 @@ export type {
   GeoJSONPoint,
   ListedSphericalSite,
   Spherical,
+  SphericalBuildOptions,
   SphericalCollection,
   SphericalEmptyCircle,
   SphericalGeoJSONOptions,

@@ -8,7 +8,6 @@ import {
   detachedArray,
   isArrayLike,
   isDetached,
-  throwFirst,
 } from "../core/arguments.js";
 import {
   type AnyNative,
@@ -108,66 +107,89 @@ function defaultFields(item: unknown): [lon: unknown, lat: unknown, r: unknown] 
   return "lon" in fields && "lat" in fields ? [fields.lon, fields.lat, fields.r] : undefined;
 }
 
-/** The triples of items; throws naming the item, and "bad-option" if an accessor is no function. */
-export function sphericalTriples<T>(
-  given: Items<T>,
-  accessors: SphericalAccessors<T>,
-  radius: number,
-): Float64Array {
-  for (const [name, accessor] of Object.entries(accessors)) {
-    if (accessor === undefined || typeof accessor === "function") continue;
-    throw new ApolloniusError(
-      "bad-option",
-      `${name} is ${described(accessor)}, expected a function of an item`,
-    );
-  }
-  const collection = given as { type?: unknown; features?: unknown } | null;
-  const items = (
-    collection?.type === "FeatureCollection" ? collection.features : given
-  ) as Items<T>;
-  if (isDetached(items)) throw detachedArray("items", "items");
-  const isIterable = typeof items === "object" && items !== null && Symbol.iterator in items;
-  const list = isIterable ? Array.from(items) : (items as ArrayLike<T>);
-  if (!isArrayLike(list))
-    throw new ApolloniusError(
-      "bad-length",
-      `items is ${described(items)}, expected an iterable or an array`,
-    );
-  checkSiteCount("items", list.length);
-  const { lon, lat, r } = accessors;
-  const nameOf = (k: number) => `${["lon", "lat", "r"][k % 3]} of item ${Math.floor(k / 3)}`;
-  const triples = allocated(() => new Float64Array(3 * list.length));
-  for (let k = 0; k < list.length; ++k) {
-    const item = list[k] as T;
-    const usual = lon && lat ? [] : defaultFields(item);
-    if (usual === undefined)
+/** Items that are read in portions, whatever the accessors do to them. */
+export class SphericalReader<T> {
+  readonly count: number;
+  readonly #items: Items<T>;
+  readonly #list: ArrayLike<T>;
+  readonly #accessors: SphericalAccessors<T>;
+  readonly #radius: number;
+
+  /** Throws "bad-length", "too-large", and "bad-option" if an accessor is no function. */
+  constructor(given: Items<T>, accessors: SphericalAccessors<T>, radius: number) {
+    for (const [name, accessor] of Object.entries(accessors)) {
+      if (accessor === undefined || typeof accessor === "function") continue;
       throw new ApolloniusError(
-        "not-finite",
-        `item ${k} is ${described(item)}, expected {lon, lat, r}, [lon, lat, r] or a GeoJSON point`,
+        "bad-option",
+        `${name} is ${described(accessor)}, expected a function of an item`,
       );
-    const values = [
-      lon ? lon(item, k, items) : usual[0],
-      lat ? lat(item, k, items) : usual[1],
-      r ? r(item, k, items) : (usual[2] ?? 0),
-    ];
-    for (let axis = 0; axis < 3; ++axis) {
-      const value = values[axis];
-      if (typeof value !== "number") throw notFinite(nameOf(3 * k + axis), value);
-      triples[3 * k + axis] = value;
     }
+    const collection = given as { type?: unknown; features?: unknown } | null;
+    const items = (
+      collection?.type === "FeatureCollection" ? collection.features : given
+    ) as Items<T>;
+    if (isDetached(items)) throw detachedArray("items", "items");
+    const isIterable = typeof items === "object" && items !== null && Symbol.iterator in items;
+    const list = isIterable ? Array.from(items) : (items as ArrayLike<T>);
+    if (!isArrayLike(list))
+      throw new ApolloniusError(
+        "bad-length",
+        `items is ${described(items)}, expected an iterable or an array`,
+      );
+    this.count = list.length; // accessors may change the list
+    checkSiteCount("items", this.count);
+    this.#items = items;
+    this.#list = list;
+    this.#accessors = accessors;
+    this.#radius = radius;
   }
-  throwFirst(triples, (value, k) => errorOf(() => nameOf(k), k % 3, value, radius));
-  return triples;
+
+  /**
+   * The triples of the items from one to before another. Throws "not-finite" or "out-of-range",
+   * naming the item, for values that cannot be a site's.
+   */
+  triples(from: number, to: number): Float64Array {
+    const { lon, lat, r } = this.#accessors;
+    const triples = allocated(() => new Float64Array(3 * (to - from)));
+    for (let index = from; index < to; ++index) {
+      const item = this.#list[index] as T;
+      const usual = lon && lat ? [] : defaultFields(item);
+      if (usual === undefined)
+        throw new ApolloniusError(
+          "not-finite",
+          `item ${index} is ${described(item)}, expected {lon, lat, r}, [lon, lat, r] or a ` +
+            "GeoJSON point",
+        );
+      const values = [
+        lon ? lon(item, index, this.#items) : usual[0],
+        lat ? lat(item, index, this.#items) : usual[1],
+        r ? r(item, index, this.#items) : (usual[2] ?? 0),
+      ];
+      values.forEach((value, axis) => {
+        const nameOf = () => `${["lon", "lat", "r"][axis]} of item ${index}`;
+        const error =
+          typeof value === "number"
+            ? errorOf(nameOf, axis, value, this.#radius)
+            : notFinite(nameOf(), value);
+        if (error) throw error;
+        triples[3 * (index - from) + axis] = value as number;
+      });
+    }
+    return triples;
+  }
 }
 
-/** Accessors and options, of which the latter may come at any place. */
-export function accessorsAndOptions<T>(rest: unknown[]): {
+/** Accessors and options of these names, of which the latter may come at any place. */
+export function accessorsAndOptions<T>(
+  rest: unknown[],
+  ...names: string[]
+): {
   accessors: SphericalAccessors<T>;
   options: object | undefined;
 } {
   const at = rest.findIndex((given) => typeof given === "object" && given !== null);
   const options = at === -1 ? undefined : (rest[at] as object);
-  checkOptions(options, "radius");
+  checkOptions(options, ...names);
   const [lon, lat, r] = (at === -1 ? rest : rest.slice(0, at)) as (Accessor<T> | undefined)[];
   return { accessors: { lon, lat, r }, options };
 }

@@ -1,4 +1,5 @@
 // The types of apollonius-diagram/sphere that users see.
+import type { BuildOptions } from "../core/types.js";
 import type { CellsCollection } from "../shapes/geojson.js";
 import type { DistanceOptions } from "../shapes/types.js";
 
@@ -63,6 +64,11 @@ export interface SphericalOptions {
    */
   radius?: number | undefined;
 }
+
+/** Options of `SphericalDiagram.fromAsync`. */
+export interface SphericalBuildOptions
+  extends SphericalOptions,
+    Pick<BuildOptions, "signal" | "onProgress"> {}
 
 /** What `SphericalDiagram.from` reads without accessors; of GeoJSON, points. */
 export type Spherical =

@@ -146,7 +146,7 @@ function started(compiled: WebAssembly.Module): NativeModule {
     }
   });
   const startSphere = beginning("sphere", exports._registerSphere, () =>
-    guardMethods(exports.SphericalDiagram, exports.SphericalNearestFirst),
+    guardMethods(exports.SphericalDiagram, exports.SphericalBuilder, exports.SphericalNearestFirst),
   );
 
   const predicateCounts = guarded(exports.predicateCounts);
@@ -174,6 +174,7 @@ type Exports = MainModule &
     | "NearestFirst"
     | "Reach"
     | "Region"
+    | "SphericalBuilder"
     | "SphericalDiagram"
     | "SphericalNearestFirst",
     Class
