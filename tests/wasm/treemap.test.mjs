@@ -143,6 +143,12 @@ test("fields: centroid, site, fit, and the path of the curved cell", () => {
   const leaf = root.leaves()[0];
   expect(contains(leaf.polygon, leaf.centroid)).toBe(true);
   expect(contains(leaf.polygon, [leaf.site.x, leaf.site.y])).toBe(true);
+  const { x, y, r } = leaf.label;
+  expect(contains(leaf.polygon, [x, y])).toBe(true);
+  expect(distanceTo(leaf.polygon, [x, y])).toBeCloseTo(r, 1);
+  expect(distanceTo(leaf.polygon, leaf.centroid)).toBeLessThan(r / 0.999 + 0.1);
+  expect(leaf.label).toBe(leaf.label); // looked for once
+  expect(root.label).toEqual({ x: expect.any(Number), y: 250, r: 250 });
   expect(leaf.fit).toBe(null);
   expect(root.fit).toMatchObject({ converged: true });
   const path = leaf.render(null, { digits: 2 });
@@ -189,7 +195,14 @@ test("nodes without a value have no cell, as their children have none; the other
   const [a, none, empty, b] = root.children;
   expect([a.area, b.area].map((area) => area.toFixed(6))).toEqual(["0.666667", "0.333333"]);
   for (const node of [none, empty, ...empty.children]) {
-    expect(node).toMatchObject({ area: 0, polygon: null, centroid: null, site: null, fit: null });
+    expect(node).toMatchObject({
+      area: 0,
+      polygon: null,
+      centroid: null,
+      label: null,
+      site: null,
+      fit: null,
+    });
     expect(node.render()).toBe("");
   }
   const nothing = treemap()(hierarchy({ name: "all" }).sum(() => 0));

@@ -213,17 +213,30 @@ describeInBrowser("examples", (open) => {
       }));
       const roomier = empty.filter((a, k) => {
         const others = [...circles, ...empty.slice(0, k)];
-        return places.some((place) => others.every((b) => gap(place, b) > a.r + 1e-9));
+        const isRoomier = (place) =>
+          Math.min(place.x, 920 - place.x, place.y, 480 - place.y) * 0.999 > a.r &&
+          others.every((b) => gap(place, b) * 0.999 > a.r);
+        return places.some(isRoomier);
       });
-      const descending = empty.every((a, k) => k === 0 || a.r <= empty[k - 1].r);
+      const descending = empty.every((a, k) => k === 0 || a.r * 0.999 <= empty[k - 1].r);
+      const beyond = empty.filter(
+        ({ x, y, r }) => Math.min(x, 920 - x, y, 480 - y) < r * (1 - 1e-9),
+      );
       return {
+        beyond: beyond.length,
         count: empty.length,
         overlaps: overlaps.length,
         roomier: roomier.length,
         descending,
       };
     });
-    expect(found).toEqual({ count: 12, overlaps: 0, roomier: 0, descending: true });
+    expect(found).toEqual({
+      beyond: 0,
+      count: 12,
+      overlaps: 0,
+      roomier: 0,
+      descending: true,
+    });
   });
 
   test("grow: more is covered the farther cells reach, and at last all of it", async () => {
@@ -315,8 +328,20 @@ describeInBrowser("examples", (open) => {
         shape.setAttribute("d", parent.render());
         return !shape.isPointInFill(new DOMPoint(x, y));
       });
+      // Names are in their cells: the corners of their boxes are.
+      const cut = [...document.querySelectorAll("svg text")].filter((text) => {
+        const { x, y, width, height } = text.getBBox();
+        const leaf = text.__data__;
+        shape.setAttribute("d", leaf.render());
+        return [0, 1, 2, 3].some((corner) => {
+          const px = leaf.label.x + x + (corner & 1 ? width : 0);
+          const py = leaf.label.y + y + (corner & 2 ? height : 0);
+          return !shape.isPointInFill(new DOMPoint(px, py));
+        });
+      });
       shape.remove();
       return {
+        cut: cut.map((text) => text.textContent),
         count: shares.length,
         off: Math.max(...shares.map((share) => Math.abs(share - 1))),
         outside: outside.length,
@@ -326,6 +351,7 @@ describeInBrowser("examples", (open) => {
     expect(found.count).toBe(156);
     expect(found.off).toBeLessThan(1e-6);
     expect(found.outside).toBe(0);
+    expect(found.cut).toEqual([]);
     expect(found.said).toMatch(/^China: 17 %\nEast Asia and Pacific: 31 %$/);
   });
 

@@ -7,16 +7,13 @@ import { randomCircles } from "./random_circles.js";
 const width = 920,
   height = 480;
 
-/**
- * The `count` largest circles that overlap neither the given ones nor each other, with centres in
- * the window.
- */
+/** The `count` largest circles in the window that overlap neither the given ones nor each other. */
 export function largestEmptyCircles(circles, width, height, count) {
   const diagram = Diagram.from(circles);
   const window = diagram.voronoi([0, 0, width, height]); // always of the diagram as it is now
   const found = [];
   while (found.length < count) {
-    const { x, y, r } = window.largestEmptyCircle();
+    const { x, y, r } = window.largestEmptyCircle({ inside: true });
     if (!(r > 0)) break;
     found.push({ x, y, r });
     diagram.insert(x, y, r);

@@ -16,7 +16,8 @@ const outline = Array.from({ length: 360 }, (_, k) => {
   ];
 });
 
-const fontSize = ({ area, data }) => Math.sqrt(area) * Math.min(0.3, 1.4 / data.name.length);
+/** So that a name fits into the largest circle in its cell. */
+const fontSize = ({ label, data }) => (2 * label.r) / Math.hypot(1.2, 0.75 * data.name.length);
 const hues = [212, 4, 150, 42, 290, 85];
 
 export default async function economies(container) {
@@ -54,7 +55,7 @@ export default async function economies(container) {
     .selectAll("text")
     .data(root.leaves().filter((d) => fontSize(d) > 5))
     .join("text")
-    .attr("transform", (d) => `translate(${d.centroid})`)
+    .attr("transform", (d) => `translate(${d.label.x}, ${d.label.y})`)
     .attr("text-anchor", "middle")
     .attr("dy", "0.35em")
     .attr("font-size", (d) => Math.min(24, fontSize(d)))

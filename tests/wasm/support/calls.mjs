@@ -4,6 +4,7 @@
 import { Diagram } from "../../../build/packed/consumer.mjs";
 import {
   NONE,
+  aspects,
   bounds,
   inWindow,
   fitBy,
@@ -430,10 +431,32 @@ export const voronoiCalls = {
       ],
     ],
   },
-  largestEmptyCircle: works(inWindow((v) => v.largestEmptyCircle())),
+  largestEmptyCircle: {
+    use: inWindow((v, options) => v.largestEmptyCircle(options)),
+    refuses: [
+      ...unknownOption(inWindow((v, options) => v.largestEmptyCircle(options))),
+      [
+        "bad-option",
+        inWindow((v) => v.largestEmptyCircle({ inside: 1 })),
+        "options.inside is 1, expected false or true",
+      ],
+    ],
+  },
+  cellCircle: {
+    use: ofCell("cellCircle").use,
+    refuses: [
+      ...ofCell("cellCircle").refuses,
+      ...aspects(inWindow((v, options) => v.cellCircle(0, options))),
+    ],
+  },
+  cellCircles: {
+    use: inWindow((v) => v.cellCircles()),
+    refuses: aspects(inWindow((v, options) => v.cellCircles(options))),
+  },
   emptyCircles: {
     use: inWindow((v) => v.emptyCircles(2)),
     refuses: [
+      ...unknownOption(inWindow((v, options) => v.emptyCircles(2, options))),
       ["not-finite", inWindow((v) => v.emptyCircles(NaN)), "count is NaN"],
       ["out-of-range", inWindow((v) => v.emptyCircles(-1)), "count is -1"],
     ],

@@ -77,6 +77,12 @@ export const unknownOption = (call) => [
   ["bad-option", (d) => call(d, { tolerence: 1 }), "options.tolerence is unknown, expected {"],
   ["bad-option", (d) => call(d, 0.5), "options is 0.5, expected {"],
 ];
+export const aspects = (call) => [
+  ...number("options.aspect", (d, aspect) => call(d, { aspect })),
+  ["out-of-range", (d) => call(d, { aspect: 0 }), "options.aspect is 0, expected a number from"],
+  ["out-of-range", (d) => call(d, { aspect: 1001 }), "options.aspect is 1001, expected"],
+  ...unknownOption(call),
+];
 /** Of calls that give polygons. */
 export const polygons = (call) => [
   ...tolerance(call),

@@ -3,6 +3,9 @@
 import { described } from "../core/arguments.js";
 import { ApolloniusError } from "../errors.js";
 
+/** Numbers of a curve: from, control point, weight, to. */
+export const kOfCurve = 7;
+
 /**
  * The point of curve `k` at a parameter from 0 (its start) to 1. Along a straight segment (w = 0),
  * as along any curve, the parameter does not run evenly. Throws "out-of-range" if there is no such
@@ -44,11 +47,11 @@ export function curveTangent(
 type Seven = [x0: number, y0: number, x1: number, y1: number, w: number, x2: number, y2: number];
 
 function sevenOf(curves: ArrayLike<number>, k: number): Seven {
-  const count = Math.floor(curves.length / 7);
+  const count = Math.floor(curves.length / kOfCurve);
   if (!(Number.isInteger(k) && k >= 0 && k < count))
     throw new ApolloniusError(
       "out-of-range",
       `k is ${described(k)}, expected the number of one of ${count} curves`,
     );
-  return Array.from({ length: 7 }, (_, n) => curves[7 * k + n] as number) as Seven;
+  return Array.from({ length: kOfCurve }, (_, n) => curves[kOfCurve * k + n] as number) as Seven;
 }

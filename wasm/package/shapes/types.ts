@@ -47,6 +47,28 @@ export interface EmptyCircle {
   site: number;
 }
 
+/** Options of `largestEmptyCircle` and `emptyCircles`. */
+export interface EmptyCircleOptions {
+  /** true: circles lie wholly in the window. Default: false, their centres do. */
+  inside?: boolean | undefined;
+}
+
+/** The largest circle inside a cell, or ellipse. */
+export interface CellCircle {
+  /** Its centre. */
+  x: number;
+  /** Its centre (y upwards). */
+  y: number;
+  /** Its radius; of an ellipse half its height. */
+  r: number;
+}
+
+/** Options of `cellCircle` and `cellCircles`. */
+export interface CellCircleOptions {
+  /** Width divided by height of an ellipse, from 1/1000 to 1000. Default: 1, a circle. */
+  aspect?: number | undefined;
+}
+
 /** The smallest circle around all circles. */
 export interface EnclosingCircle {
   /** Its centre. */

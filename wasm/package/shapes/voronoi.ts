@@ -26,9 +26,10 @@ import { cellPaths } from "./cell_paths.js";
 import { joined, measuresOf, partsOf, type Rings, ringOf } from "./cell_shapes.js";
 import { type Distances, distanceOf, reaches } from "./distances.js";
 import { drawBounds, drawInto, type NativeWindow } from "./drawing.js";
-import { emptyCircles } from "./empty_circles.js";
+import { emptyCircles, innerEmptyCircles } from "./empty_circles.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
 import { type CellsCollection, collectionOf, type GeoJSONOptions } from "./geojson.js";
+import { checkedAspect, innerCircle } from "./inner_circle.js";
 import { interpolate, interpolateAsync, naturalWeights } from "./interpolation.js";
 import { createReach, createRegion } from "./native_window.js";
 import { checkedProjection, readWindow, unprojected } from "./projection.js";
@@ -37,12 +38,15 @@ import type {
   AreaTargets,
   AsyncFitOptions,
   AsyncInterpolationOptions,
+  CellCircle,
+  CellCircleOptions,
   CellCurves,
   CellPart,
   CellPolygon,
   CellRing,
   EdgeCurves,
   EmptyCircle,
+  EmptyCircleOptions,
   FitOptions,
   FittedAreas,
   FlatOptions,
@@ -318,18 +322,61 @@ export class Voronoi implements Disposable {
    * that is farthest from all sites, at a Voronoi vertex, where an edge crosses the border, or at a
    * corner. null without sites. The choice among these is by their distances as rounded, which are
    * good to the last places of the coordinates. O(n log n).
+   *
+   * With `inside` the circle lies wholly in the window: its r is at least 0.999 of the largest
+   * possible. Costs O(m) more for each cell that has to be searched, in a window of m points.
+   * Throws "bad-option".
    */
-  largestEmptyCircle(): EmptyCircle | null {
-    return this.emptyCircles(1)[0] ?? null;
+  largestEmptyCircle(options?: EmptyCircleOptions): EmptyCircle | null {
+    return this.emptyCircles(1, options)[0] ?? null;
   }
 
   /**
    * The `count` largest of such circles, the largest first, none with its centre in one before it:
    * where to put new sites apart from each other. Fewer if there are no more. What cells
-   * end at does not matter. Throws "not-finite", "out-of-range" (count). O(n (log n + count)).
+   * end at does not matter. With `inside`, Voronoi vertices, and the best place of each cell that
+   * is near the border. Throws "not-finite", "out-of-range" (count), "bad-option".
+   * O(n (log n + count)).
    */
-  emptyCircles(count: number): EmptyCircle[] {
-    return emptyCircles(Voronoi.#living(this), this.#window, checkedCount("count", count));
+  emptyCircles(count: number, options?: EmptyCircleOptions): EmptyCircle[] {
+    Voronoi.#living(this);
+    const most = checkedCount("count", count);
+    checkOptions(options, "inside");
+    const inside = checkedChoice("options.inside", options?.inside, [false, true]);
+    const find = inside ? innerEmptyCircles : emptyCircles;
+    return find(Voronoi.#living(this), this.#window, most);
+  }
+
+  /**
+   * The largest circle inside a cell: room for a label. r is at least 0.999 of the largest
+   * possible, and the circle is inside the curved cell but for rounding. null if no part of the
+   * cell is in the window. With `aspect`, the largest ellipse that is as many times as wide as
+   * high, for text: r is half its height. Branch and bound: O(d) for each of some 100 places.
+   * Throws "not-finite", "out-of-range" (aspect), "bad-option".
+   */
+  cellCircle(id: number, options?: CellCircleOptions): CellCircle | null {
+    Voronoi.#nativeFor(this, id);
+    const aspect = checkedAspect(options);
+    const cell = this.cellCurves(id);
+    return cell && innerCircle(cell.curves, aspect);
+  }
+
+  /**
+   * Those of all cells: x, y and r at 3 id, 3 id + 1 and 3 id + 2, NaN where there is none. Errors
+   * and cost as `cellCircle` for each.
+   */
+  cellCircles(options?: CellCircleOptions): Float64Array {
+    Voronoi.#living(this);
+    const aspect = checkedAspect(options);
+    const native = Voronoi.#living(this);
+    const circles = new Float64Array(3 * native.idLimit()).fill(NaN);
+    for (const id of native.ids()) {
+      const { curves, starts } = native.cellCurves(...this.#window, id);
+      if (starts.length < 2) continue;
+      const { x, y, r } = innerCircle(curves, aspect);
+      circles.set([x, y, r], 3 * id);
+    }
+    return circles;
   }
 
   /**

@@ -11,4 +11,5 @@ export type {
 } from "./types.js";
 export type { DrawOptions, PathContext } from "../core/path.js";
 export type { GeoJSONRegion, Region, Ring } from "../shapes/region.js";
+export type { CellCircle } from "../shapes/types.js";
 export type { Bounds, Position, Site } from "../core/types.js";

@@ -9,7 +9,8 @@ import {
 import { Slices } from "../core/building.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
 import { ApolloniusError } from "../errors.js";
-import type { FittedAreas } from "../shapes/types.js";
+import { innerCircle } from "../shapes/inner_circle.js";
+import type { CellCircle, FittedAreas } from "../shapes/types.js";
 import type { Cell } from "./cells.js";
 import { drawOutline } from "./drawing.js";
 import type { Request } from "./fit.js";
@@ -89,10 +90,25 @@ function finish(
   for (const node of nodes) {
     if (value !== null) Object.assign(node, { value: values.get(node) });
     Object.assign(node, resultOf(cells.get(node)));
+    defineLabel(node, cells.get(node));
   }
 }
 
-function resultOf(cell: Cell | undefined): TreemapCell {
+/** The node's label, which is looked for when it is asked for. */
+function defineLabel(node: Input, cell: Cell | undefined): void {
+  let label: CellCircle | null | undefined;
+  const get = () => (label ??= labelOf(cell));
+  Object.defineProperty(node, "label", { get, enumerable: true, configurable: true });
+}
+
+function labelOf(cell: Cell | undefined): CellCircle | null {
+  if (cell === undefined) return null;
+  const { frame, outline } = cell;
+  const { x, y, r } = innerCircle(outline.curves, 1);
+  return { x: frame.x + frame.scale * x, y: frame.y + frame.scale * y, r: frame.scale * r };
+}
+
+function resultOf(cell: Cell | undefined): Omit<TreemapCell, "label"> {
   const frame = cell?.frame ?? { x: 0, y: 0, scale: 1 };
   const outline = cell?.outline ?? null;
   const render = (context?: PathContext | null, options?: Pick<DrawOptions, "digits">) => {

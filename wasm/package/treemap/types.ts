@@ -2,6 +2,7 @@
 import type { DrawOptions, PathContext } from "../core/path.js";
 import type { Bounds, Position, Site } from "../core/types.js";
 import type { Region } from "../shapes/region.js";
+import type { CellCircle } from "../shapes/types.js";
 
 /** A disc: its centre and its radius, > 0. */
 export interface Disc {
@@ -57,6 +58,11 @@ export interface TreemapCell {
    * in `cellPolygon`. null without a value.
    */
   polygon: Position[] | null;
+  /**
+   * The largest circle inside its curved cell, for its name: r is at least 0.999 of the largest
+   * possible. Looked for when it is read. null without a value.
+   */
+  readonly label: CellCircle | null;
   /** Its circle in the diagram of its siblings; null if it has none with a cell. */
   site: Site | null;
   /**

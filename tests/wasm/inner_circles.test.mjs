@@ -1,0 +1,244 @@
+// The largest circles inside cells, and inside windows: against JTS, and against trying all places.
+import GeoJSONReader from "jsts/org/locationtech/jts/io/GeoJSONReader.js";
+import { Diagram } from "../../build/packed/consumer.mjs";
+import { box, windows, withHole } from "./support/box_with_hole.mjs";
+import { generator } from "./support/random.mjs";
+
+const { default: MaximumInscribedCircle } = await import(
+  "jsts/org/locationtech/jts/algorithm/construct/MaximumInscribedCircle.js"
+);
+
+const kEnough = 0.999;
+/** Of what rounding may do to coordinates up to 100. */
+const kRounding = 1e-12;
+
+const randomSites = (random, count, heaviest = 8) =>
+  Array.from({ length: count }, () => [
+    140 * random() - 20,
+    100 * random() - 20,
+    heaviest * random() ** 2,
+  ]);
+
+/** Points of an ellipse that is `aspect` times as wide as high, a little smaller. */
+const pointsOf = ({ x, y, r }, aspect = 1) =>
+  Array.from({ length: 90 }, (_, k) => {
+    const [c, s] = [Math.cos((k * Math.PI) / 45), Math.sin((k * Math.PI) / 45)];
+    return [x + r * aspect * (1 - 1e-9) * c, y + r * (1 - 1e-9) * s];
+  });
+
+/** Is the ellipse in the cell, as far as its points tell? */
+function expectInside(diagram, view, holds, id, circle, aspect) {
+  for (const [x, y] of pointsOf(circle, aspect)) {
+    expect(holds(x, y) && view.window.contains(x, y)).toBe(true);
+    const { x: cx, y: cy, r } = diagram.site(id);
+    expect(Math.hypot(x - cx, y - cy) - r - diagram.nearest(x, y).distance).toBeLessThan(kRounding);
+  }
+}
+
+/** JTS's largest circle in a polygon, of which it knows the radius to the tolerance. */
+function ofJTS(coordinates, tolerance) {
+  const polygon = new GeoJSONReader().read({ type: "MultiPolygon", coordinates });
+  return new MaximumInscribedCircle(polygon, tolerance).getRadiusLine().getLength();
+}
+
+describe.each(windows)("the largest circle in a cell, in %s", (_name, window, holds) => {
+  test("is inside, and as large as JTS finds it", () => {
+    const random = generator(81);
+    for (let run = 0; run < 6; ++run) {
+      const diagram = Diagram.from(randomSites(random, 1 + run ** 2));
+      const view = diagram.voronoi(window);
+      const circles = view.cellCircles();
+      for (const id of diagram.ids()) {
+        const circle = view.cellCircle(id);
+        if (circle === null) {
+          expect(circles.subarray(3 * id, 3 * id + 3)).toEqual(new Float64Array(3).fill(NaN));
+          expect(view.cellArea(id) || null).toBeNull();
+          continue;
+        }
+        expect(Array.from(circles.subarray(3 * id, 3 * id + 3))).toEqual(Object.values(circle));
+        expectInside(diagram, view, holds, id, circle);
+        const parts = view.cellParts(id, { tolerance: 1e-5 });
+        if (parts === null) continue; // too thin for a polygon
+        const coordinates = parts.map((ring) => [ring, ...ring.holes]);
+        const found = ofJTS(coordinates, 1e-3 * circle.r);
+        expect(circle.r).toBeGreaterThan(kEnough * found - 1e-5);
+        expect(circle.r).toBeLessThan(found + 1e-3 * circle.r + 1e-5);
+      }
+    }
+  });
+
+  test("with an aspect, is the largest ellipse: no place of a grid has a larger one", () => {
+    const random = generator(82);
+    for (const aspect of [0.25, 3]) {
+      const diagram = Diagram.from(randomSites(random, 12));
+      const view = diagram.voronoi(window);
+      for (const id of diagram.ids()) {
+        const circle = view.cellCircle(id, { aspect });
+        if (circle === null) continue;
+        expectInside(diagram, view, holds, id, circle, aspect);
+        const larger = circle.r / kEnough + 1e-9;
+        const isCell = ([x, y]) =>
+          x >= 0 && x <= 100 && y >= 0 && y <= 60 && holds(x, y) && diagram.find(x, y) === id;
+        for (let x = 0; x <= 100; x += 2)
+          for (let y = 0; y <= 60; y += 2) {
+            if (!isCell([x, y])) continue;
+            expect(pointsOf({ x, y, r: larger }, aspect).every(isCell)).toBe(false);
+          }
+      }
+    }
+  });
+
+  test("ends where a cell's distance does", () => {
+    const diagram = Diagram.from([
+      [30, 10, 2],
+      [80, 40, 1],
+    ]);
+    const view = diagram.voronoi(window, { distance: 5 });
+    const { x, y, r } = view.cellCircle(0);
+    expect(r).toBeGreaterThan(kEnough * 7);
+    expect(r).toBeLessThanOrEqual(7);
+    expect(Math.hypot(x - 30, y - 10)).toBeLessThan(0.01);
+  });
+});
+
+test("of shapes that are known", () => {
+  const one = new Diagram([0, 0, 0]);
+  const of = (window, options) => one.voronoi(window).cellCircle(0, options);
+  expect(of([0, 0, 4, 4])).toEqual({ x: 2, y: 2, r: 2 });
+  const { r } = of([
+    [0, 0],
+    [1, 0],
+    [0, 1],
+  ]);
+  expect(r / (1 / (2 + Math.SQRT2))).toBeGreaterThan(kEnough);
+  expect(r).toBeLessThan(1 / (2 + Math.SQRT2));
+  expect(of([0, 0, 6, 1], { aspect: 3 }).r).toBeCloseTo(0.5, 12);
+  expect(of([0, 0, 6, 6], { aspect: 3 }).r).toBeCloseTo(1, 12);
+  // Corridors, along which all places are as good, in any direction; and as thin as doubles are.
+  for (const turn of [0, 0.6, 2]) {
+    const [c, s] = [Math.cos(turn), Math.sin(turn)];
+    for (const length of [10, 1e4]) {
+      const corridor = [
+        [0, 0],
+        [length, 0],
+        [length, 1],
+        [0, 1],
+      ].map(([x, y]) => [c * x - s * y, s * x + c * y]);
+      const circle = of(corridor);
+      expect(circle.r).toBeGreaterThan(kEnough / 2);
+      expect(circle.r).toBeLessThan(0.5 + 1e-9);
+    }
+  }
+  expect(of([0, 1, 1, 1 + 2 ** -52]).r).toBeLessThan(2 ** -52);
+  for (const size of [1e-90, 1e90])
+    expect(of([0, 0, size, 3 * size]).r / (size / 2)).toBeCloseTo(1, 9);
+});
+
+test("of strips, slivers and cells of all sizes, moved far from the origin", () => {
+  for (const [dx, dy] of [
+    [0, 0],
+    [1e9, -1e9],
+  ]) {
+    const row = Array.from({ length: 50 }, (_, k) => [dx + 2 * k, dy + 2 * k, 0]);
+    const strips = Diagram.from(row).voronoi([dx - 100, dy - 100, dx + 200, dy + 200]);
+    for (let id = 1; id < 49; ++id) {
+      expect(strips.cellCircle(id).r / Math.SQRT2).toBeGreaterThan(kEnough);
+      expect(strips.cellCircle(id).r / Math.SQRT2).toBeLessThan(1 + 1e-7);
+    }
+    // A site that its neighbour nearly covers has a cell like a needle.
+    for (const rest of [1e-1, 1e-3, 1e-6]) {
+      const pair = new Diagram([dx, dy, 10, dx + 9 + rest, dy, 1]);
+      const view = pair.voronoi([dx - 100, dy - 100, dx + 100, dy + 100]);
+      const circle = view.cellCircle(1);
+      expect(circle.r).toBeGreaterThan(0);
+      for (const [x, y] of pointsOf(circle)) {
+        const [near, far] = [0, 1].map((id) => {
+          const { x: cx, y: cy, r } = pair.site(id);
+          return Math.hypot(x - cx, y - cy) - r;
+        });
+        expect(far - near).toBeLessThan(dx === 0 ? 1e-9 : 1e-6);
+      }
+    }
+  }
+});
+
+describe.each(windows)("the largest empty circle inside %s", (_name, window, holds) => {
+  const border = (x, y) => {
+    const rings = window === box ? withHole.slice(0, 1) : withHole;
+    const sides = rings.flatMap((ring) => ring.map((a, k) => [a, ring[(k + 1) % ring.length]]));
+    return Math.min(
+      ...sides.map(([[ax, ay], [bx, by]]) => {
+        const [dx, dy] = [bx - ax, by - ay];
+        const t = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy);
+        const s = Math.min(1, Math.max(0, t));
+        return Math.hypot(x - ax - s * dx, y - ay - s * dy);
+      }),
+    );
+  };
+  const room = (diagram, x, y) => Math.min(diagram.nearest(x, y).distance, border(x, y));
+
+  test("no place is farther from all sites and the border", () => {
+    const random = generator(83);
+    for (let run = 0; run < 10; ++run) {
+      const diagram = Diagram.from(randomSites(random, 1 + Math.floor(12 * random())));
+      const circle = diagram.voronoi(window).largestEmptyCircle({ inside: true });
+      const { x, y, r, site } = circle;
+      expect(r).toBeCloseTo(room(diagram, x, y), 9);
+      expect(holds(x, y)).toBe(true);
+      const { x: cx, y: cy, r: cr } = diagram.site(site);
+      expect(Math.hypot(x - cx, y - cy) - cr).toBeCloseTo(diagram.nearest(x, y).distance, 9);
+      let most = -Infinity;
+      for (let px = 0; px <= 100; px += 0.7)
+        for (let py = 0; py <= 60; py += 0.7)
+          if (holds(px, py)) most = Math.max(most, room(diagram, px, py));
+      expect(kEnough * most).toBeLessThan(Math.max(r, 0));
+    }
+  });
+
+  test("of several, none has its centre in one before it, and they come by size", () => {
+    const random = generator(84);
+    const diagram = Diagram.from(randomSites(random, 60, 1));
+    const view = diagram.voronoi(window);
+    const circles = view.emptyCircles(15, { inside: true });
+    expect(circles).toHaveLength(15);
+    expect(circles[0]).toEqual(view.largestEmptyCircle({ inside: true }));
+    circles.forEach((one, k) => {
+      expect(one.r).toBeCloseTo(room(diagram, one.x, one.y), 9);
+      if (k > 0) expect(one.r).toBeLessThanOrEqual(circles[k - 1].r);
+      for (const before of circles.slice(0, k))
+        expect(Math.hypot(one.x - before.x, one.y - before.y)).toBeGreaterThanOrEqual(before.r);
+    });
+    // Those of all places that are as large as these are among them: vertices far from the border.
+    const whole = view.emptyCircles(1000).filter(({ x, y, r }) => border(x, y) >= r);
+    for (const { x, y, r } of whole.filter(({ r }) => r > circles.at(-1).r)) {
+      const isCovered = ({ x: cx, y: cy, r: cr }) =>
+        cr >= r * kEnough && Math.hypot(cx - x, cy - y) <= cr;
+      expect(circles.some(isCovered)).toBe(true);
+    }
+    expect(view.emptyCircles(0, { inside: true })).toEqual([]);
+    expect(diagram.voronoi(window, { distance: 1 }).emptyCircles(15, { inside: true })).toEqual(
+      circles,
+    );
+  });
+
+  test("one site, none, and a window that is covered", () => {
+    const inside = { inside: true };
+    expect(new Diagram().voronoi(window).largestEmptyCircle(inside)).toBeNull();
+    const { r } = new Diagram([-500, 30, 1]).voronoi(box).largestEmptyCircle(inside);
+    expect(r).toBeGreaterThan(kEnough * 30);
+    expect(r).toBeLessThanOrEqual(30);
+    const covered = new Diagram([50, 30, 99]).voronoi(window).largestEmptyCircle(inside);
+    expect(covered.r).toBeLessThan(0);
+  });
+});
+
+test("what is refused", () => {
+  const view = new Diagram([0, 0, 1]).voronoi(box);
+  const code = (expected) => expect.objectContaining({ code: expected });
+  expect(() => view.cellCircle(1)).toThrow(code("unknown-site"));
+  expect(() => view.cellCircle(0, { aspect: 0 })).toThrow(code("out-of-range"));
+  expect(() => view.cellCircle(0, { aspect: NaN })).toThrow(code("not-finite"));
+  expect(() => view.cellCircles({ aspekt: 2 })).toThrow(code("bad-option"));
+  expect(() => view.largestEmptyCircle({ inside: 1 })).toThrow(code("bad-option"));
+  expect(() => view.emptyCircles(2, { within: true })).toThrow(code("bad-option"));
+});
