@@ -54,7 +54,7 @@ function buildNative(target) {
   const settings = {
     CMAKE_BUILD_TYPE: "Release",
     APOLLONIUS_SHADOW_CHECK: "7", // no multiple of the 2, 3, 6 questions that are asked in turn
-    APOLLONIUS_PRECOMPILE: "ON",
+    APOLLONIUS_BATCH: "ON",
     APOLLONIUS_WERROR: "ON",
   };
   return withBuildLock(() => buildWithCmake("native", settings, { target }));

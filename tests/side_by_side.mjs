@@ -20,8 +20,8 @@ const needs = {
 };
 const apt = ["native", "boost", "emscripten", "browser", "firefox", "redis"]; // one at a time
 const lanes = [
-  ["native", "wasm", "cluster"],
-  ["lint", "package", "web"],
+  ["native", "wasm", "web"],
+  ["lint", "package", "cluster"],
 ];
 
 /** Runs a script with its lines shown behind a name; resolves to its exit code and last message. */

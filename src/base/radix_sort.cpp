@@ -9,7 +9,7 @@ namespace apollonius::internal {
 
 namespace {
 
-constexpr std::size_t kFew =
+constexpr std::size_t kFewEntries =
     32;  // of which inserting is cheaper than summing up the counters of a radix sort
 
 void insertionSort(std::span<Keyed> entries) {
@@ -36,7 +36,7 @@ void KeySort::beginPass(unsigned digit) {
 }
 
 bool KeySort::advance(std::size_t most) {
-  if (entries_.size() <= kFew) {
+  if (entries_.size() <= kFewEntries) {
     insertionSort(entries_);
     digit_ = kSorted;
   }
@@ -60,7 +60,7 @@ bool KeySort::advance(std::size_t most) {
 }
 
 void sortByKey(FlatArray<Keyed>& entries) {
-  if (entries.size() <= kFew) return insertionSort(entries);
+  if (entries.size() <= kFewEntries) return insertionSort(entries);
   FlatArray<Keyed> other(entries.size());
   KeySort sort(entries, other);
   while (!sort.advance(entries.size())) {

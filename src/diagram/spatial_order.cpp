@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "base/flat_array.h"
+#include "base/infinite.h"
 
 namespace apollonius::internal {
 
@@ -66,9 +67,7 @@ std::uint32_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
 }
 
 // Points of a cell whose order is left as it is: a walk among them has a step or two.
-constexpr std::size_t kFew = 4;
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr std::size_t kFewPoints = 4;
 
 // Only two thirds are used: see the header.
 constexpr std::size_t kBytesOfSite = 24;
@@ -150,7 +149,7 @@ void HilbertSort::look(std::size_t most) {
       ++at_;
       continue;
     }
-    if (at_ - begin_ > kFew) {
+    if (at_ - begin_ > kFewPoints) {
       assert(level_ + 1 < kMostLevels);
       ends_[++level_] = at_;
       beginCell();

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "base/infinite.h"
 #include "number/fp.h"
 #include "number/pair.h"
 #include "predicate/compute_circle.h"
@@ -13,7 +14,6 @@ namespace apollonius::internal {
 
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kLargestDifference = powerOfTwo(33);  // powers up to the twelfth are formed
 
 /// Two sites, and how they are seen from reference sites.

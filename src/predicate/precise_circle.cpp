@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/infinite.h"
 #include "number/root_sign.h"
 #include "number/twofold.h"
 #include "predicate/bounded_center.h"
@@ -22,8 +23,6 @@ namespace apollonius::internal {
 namespace {
 
 using Rounded = Dyadic::Rounded;
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// x 2^exponent; infinite or 0 where that is beyond doubles.
 double scaled(double x, int exponent) {

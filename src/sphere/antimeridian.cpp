@@ -68,8 +68,6 @@ double lengthOf(const FlatArray<LonLat>& ring) {
   return sum;
 }
 
-constexpr double kRadian = std::numbers::pi / 180;
-
 /// The area on the sphere between a chord and the equator: positive westwards in the north. Of
 /// chords within a tolerance, up to that.
 double areaBelow(const LonLat& a, const LonLat& b) {

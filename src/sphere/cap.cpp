@@ -1,12 +1,8 @@
 #include "sphere/cap.h"
 
-#include <numbers>
-
 namespace apollonius::internal::sphere {
 
 namespace {
-
-constexpr double kRadian = std::numbers::pi / 180;
 
 /// Cosine and sine of an angle in degrees, exact at multiples of 90: the angle is reduced to one of
 /// at most 45 degrees, which is exact, before it is turned into radians.

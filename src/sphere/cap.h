@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 namespace apollonius::internal::sphere {
 
@@ -37,6 +38,9 @@ inline double lengthOf(const Direction& a) { return std::sqrt(dot(a, a)); }
 inline Direction normalized(const Direction& a) { return (1 / lengthOf(a)) * a; }
 /// The nearest multiple of 2^-60: 10^-18, far below the rounding of a direction.
 inline double toGrid(double value) { return std::nearbyint(value * 0x1p60) * 0x1p-60; }
+
+/// A degree in radians.
+inline constexpr double kRadian = std::numbers::pi / 180;
 
 /// Longitude and latitude in degrees.
 struct LonLat {

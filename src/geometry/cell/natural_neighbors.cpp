@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/infinite.h"
 #include "base/radix_sort.h"
 #include "diagram/queries.h"
 #include "geometry/cell/cell_measures.h"
@@ -17,8 +18,6 @@
 namespace apollonius::internal {
 
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 EdgeEnd endAt(const VoronoiCircle& circle) {
   if (circle.isHalfPlane()) return {};

@@ -2,14 +2,13 @@
 
 #include <limits>
 
+#include "base/infinite.h"
 #include "number/fp.h"
 #include "predicate/reference_site.h"
 
 namespace apollonius::internal {
 
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Where a vertex lies that is too far away for doubles: at which end of the bisector.
 Point clippedToDoubles(Point p) {

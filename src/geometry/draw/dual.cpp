@@ -1,8 +1,8 @@
 #include "geometry/draw/dual.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "base/infinite.h"
 #include "geometry/curve/bisector.h"
 #include "geometry/curve/edge.h"
 #include "geometry/draw/hull.h"
@@ -37,8 +37,6 @@ SeenVertex seen(const Bisector& bisector, const VoronoiCircle& circle, double re
   vertex.sine = absolute(side) < 0.5 ? side : isOnLeft ? sine : -sine;
   return vertex;
 }
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Beyond this weight a curve is the two segments to its control point up to rounding.
 constexpr double kLargestWeight = powerOfTwo(48);

@@ -10,7 +10,7 @@ namespace apollonius::internal {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+constexpr std::uint32_t kNotOnWay = 0xFFFFFFFFu;
 
 double areaOf(std::span<const Point> ring) {
   double area = 0;
@@ -64,10 +64,10 @@ void Tracer::cancel() {
 /// The segment that goes on where this one ends.
 std::uint32_t Tracer::next(std::uint32_t segment) const {
   const Segment& s = segments_[segment];
-  std::uint32_t best = kNone;
+  std::uint32_t best = kNotOnWay;
   for (std::uint32_t k = firstFrom_[s.to]; k < firstFrom_[s.to + 1]; ++k) {
     if (segments_[k].isDone) continue;
-    if (best == kNone ||
+    if (best == kNotOnWay ||
         comesFirstClockwise(at(s.to), at(s.from), at(segments_[k].to), at(segments_[best].to)))
       best = k;
   }
@@ -87,7 +87,7 @@ void Tracer::cut(std::uint32_t point) {
   for (std::size_t k = begin; k < way_.size(); ++k) {
     const Point p = at(way_[k]);
     traced_.push_back(p);
-    indexOnWay_[way_[k]] = kNone;
+    indexOnWay_[way_[k]] = kNotOnWay;
     loop.box.include(p);
     reach += length(p - last);
     last = p;
@@ -105,13 +105,13 @@ void Tracer::link() {
   cancel();
   traced_.clear();
   loops_.clear();
-  indexOnWay_.assign(numbers_.points().size(), kNone);
+  indexOnWay_.assign(numbers_.points().size(), kNotOnWay);
   for (std::uint32_t first = 0; first < segments_.size(); ++first) {
     way_.clear();
-    for (std::uint32_t k = first; k != kNone && !segments_[k].isDone; k = next(k)) {
+    for (std::uint32_t k = first; k != kNotOnWay && !segments_[k].isDone; k = next(k)) {
       const std::uint32_t from = segments_[k].from;
       segments_[k].isDone = true;
-      if (indexOnWay_[from] != kNone) cut(from);
+      if (indexOnWay_[from] != kNotOnWay) cut(from);
       indexOnWay_[from] = static_cast<std::uint32_t>(way_.size());
       way_.push_back(from);
     }

@@ -1,16 +1,14 @@
 #include "geometry/window/boundary_walk.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "base/infinite.h"
 #include "geometry/curve/in_range.h"
 #include "geometry/window/neighbor_search.h"
 
 namespace apollonius::internal {
 
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// The line of a segment, and how far along it the walk is.
 struct Line {

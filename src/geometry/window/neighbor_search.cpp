@@ -1,7 +1,8 @@
 #include "geometry/window/neighbor_search.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "base/infinite.h"
 
 namespace apollonius::internal {
 
@@ -17,8 +18,6 @@ constexpr std::size_t kFanout = std::size_t{1} << kLogFanout;
 constexpr std::size_t kMostLevels = 16;  // of 2^32 neighbours
 /// Sites that are farther by this share of all numbers are left out (neighbor_search.h).
 constexpr double kApart = powerOfTwo(-34);
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 double sizeOf(Point p) { return absolute(p.x) + absolute(p.y); }
 double sizeOf(const Site& site) { return absolute(site.x) + absolute(site.y) + absolute(site.r); }

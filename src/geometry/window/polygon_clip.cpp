@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
 /// If so few of the faces are inside, one in this many, they are listed.
-constexpr std::size_t kFew = 16;
+constexpr std::size_t kFewFaces = 16;
 
 }  // namespace
 
@@ -143,7 +143,7 @@ void ClippedDiagram::thinOut() {
   };
   std::size_t count = 0;
   for (std::size_t f = 0; f < windings_.size(); ++f) count += isInside(f) ? 1 : 0;
-  if (count > windings_.size() / kFew) return;
+  if (count > windings_.size() / kFewFaces) return;
   for (std::uint32_t f = 0; f < windings_.size(); ++f) {
     if (!isInside(f)) continue;
     inside_.push_back({f, static_cast<std::uint32_t>(windings_[f])});

@@ -6,7 +6,7 @@ namespace apollonius::internal {
 
 namespace {
 
-struct Crossing {
+struct SideCrossing {
   double e;
   int side;
   int step;  // +1: the edge goes beyond the side's line, -1: it comes back
@@ -48,8 +48,8 @@ class Crossings {
   }
 
   [[nodiscard]] int beyondAtStart() const { return beyondAtStart_; }
-  [[nodiscard]] const Crossing* begin() const { return crossings_.data(); }
-  [[nodiscard]] const Crossing* end() const { return crossings_.data() + count_; }
+  [[nodiscard]] const SideCrossing* begin() const { return crossings_.data(); }
+  [[nodiscard]] const SideCrossing* end() const { return crossings_.data() + count_; }
 
  private:
   /// Which sides' lines an end is beyond. Whether it is in the window at all is what its
@@ -69,7 +69,7 @@ class Crossings {
 
   /// Keeps them sorted; of equal ones the earlier added stays first, so that a line's own two do
   /// not change places.
-  void add(Crossing c) {
+  void add(SideCrossing c) {
     std::size_t k = count_++;
     for (; k > 0 && crossings_[k - 1].e > c.e; --k) crossings_[k] = crossings_[k - 1];
     crossings_[k] = c;
@@ -96,7 +96,7 @@ class Crossings {
     }
   }
 
-  std::array<Crossing, 8> crossings_{};
+  std::array<SideCrossing, 8> crossings_{};
   std::size_t count_ = 0;
   int beyondAtStart_ = 0;
 };
@@ -152,7 +152,7 @@ void clipEdge(const Edge& edge, const Rectangle& window, ClippedEdge& clipped) {
   const Crossings crossings(edge, window);
   int beyond = crossings.beyondAtStart();
   Mark from = start;
-  for (const Crossing& crossing : crossings) {
+  for (const SideCrossing& crossing : crossings) {
     const bool wasInside = beyond == 0;
     beyond += crossing.step;
     if (!wasInside && beyond != 0) continue;

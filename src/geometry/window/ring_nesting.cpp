@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
+
+#include "base/infinite.h"
 
 namespace apollonius::internal {
 
 namespace {
 
 /// This many need not be sorted.
-constexpr std::size_t kFew = 8;
+constexpr std::size_t kFewRings = 8;
 /// Boxes are parted by their places if they are this much smaller than all of them together, on the
 /// average.
 constexpr double kSmaller = 4;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr Rectangle kNothing{kInfinite, kInfinite, -kInfinite, -kInfinite};
 
 void include(Rectangle& box, const Rectangle& other) {
@@ -68,7 +68,7 @@ std::uint32_t RingNesting::plant(std::span<Keyed> rings) {
   }
   nodes_.push_back(node);
   if (rings.size() == 1) return number;
-  if (rings.size() > kFew) {
+  if (rings.size() > kFewRings) {
     const auto count = static_cast<double>(rings.size());
     const double across = node.box.width() * count / width, up = node.box.height() * count / height;
     for (Keyed& ring : rings) {
