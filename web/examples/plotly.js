@@ -46,23 +46,26 @@ export default async function nearestInChart(container, rows) {
     );
   };
   place();
-  chart.on("plotly_relayout", place);
   const watch = new ResizeObserver(() => Plotly.Plots.resize(container));
   watch.observe(container);
 
   let picked = -1;
+  const label = () => {
+    if (picked < 0) return Plotly.Fx.unhover(chart);
+    // By its centre: `scattergl` finds none by number. Of equal centres it takes the last.
+    const { xaxis, yaxis } = chart._fullLayout;
+    const [x, y] = rows[picked];
+    Plotly.Fx.hover(chart, [{ curveNumber: 0, xval: xaxis.d2c(x), yval: yaxis.d2c(y) }]);
+  };
+  chart.on("plotly_relayout", () => {
+    place();
+    label(); // which Plotly takes away then
+  });
   const pick = async (id) => {
     if (id === picked) return;
     picked = id;
     await Plotly.restyle(chart, { selectedpoints: [id < 0 ? null : [id]] });
-    if (id !== picked) return;
-    if (id < 0) Plotly.Fx.unhover(chart);
-    else {
-      // By its centre: `scattergl` finds none by number. Of equal centres it takes the last.
-      const { xaxis, yaxis } = chart._fullLayout;
-      const [x, y] = rows[id];
-      Plotly.Fx.hover(chart, [{ curveNumber: 0, xval: xaxis.d2c(x), yval: yaxis.d2c(y) }]);
-    }
+    if (id === picked) label();
   };
   // In place of Plotly's own search; the target is the plot without its axes.
   chart.on("plotly_beforehover", ({ type, clientX, clientY, target }) => {
