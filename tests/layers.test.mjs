@@ -189,7 +189,10 @@ const rules = [
     may: [/^apollonius-diagram\/(wasm|(core|shapes|sphere)\.wasm\?url)$/],
   },
   { of: /^web\/shared\/.*\.ts$/, may: [/^\.\/\w+\.js$/] },
-  { of: /^web\/figure\/.*\.ts$/, may: [/^(\.|\.\.\/shared)\/\w+\.js$/] },
+  {
+    of: /^web\/figure\/.*\.ts$/,
+    may: [/^(\.|\.\.\/shared)\/\w+\.js$/, /^\.\.\/recipes\/cards\.js$/],
+  },
   {
     of: /^web\/figures\/measure\/.*\.ts$/,
     may: [

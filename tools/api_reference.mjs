@@ -84,13 +84,9 @@ function signature(declaration) {
 function isPublic(member) {
   if (ts.getCombinedModifierFlags(member) & ts.ModifierFlags.Abstract) return false; // another's
   if (ts.getJSDocTags(member).some((tag) => tag.tagName.text === "internal")) return false;
-  return (
-    member.name === undefined ||
-    (!ts.isPrivateIdentifier(member.name) &&
-      (ts.getCombinedModifierFlags(member) &
-        (ts.ModifierFlags.Private | ts.ModifierFlags.Protected)) ===
-        0)
-  );
+  const hidden = ts.ModifierFlags.Private | ts.ModifierFlags.Protected;
+  if ((ts.getCombinedModifierFlags(member) & hidden) !== 0) return false;
+  return member.name === undefined || !ts.isPrivateIdentifier(member.name);
 }
 
 function memberName(member) {
@@ -143,6 +139,20 @@ function basesOf(declaration, checker) {
     .filter((base) => base.getSourceFile().fileName.startsWith(path.join(root, "wasm/package")));
 }
 
+/**
+ * By member, the name of the section of its class that it is in: of the last line before it that is
+ * drawn through, `// --- Name ---`. What is before the first one builds objects.
+ */
+function groupsOf(members) {
+  return new Map(
+    members.map((member) => {
+      const before = member.getSourceFile().text.slice(member.parent.pos, member.getStart());
+      const sections = [...before.matchAll(/^ +\/\/ --- (.+?) -+$/gm)];
+      return [member, sections.at(-1)?.[1] ?? "Building"];
+    }),
+  );
+}
+
 function describe({ name, declaration, additions }, checker) {
   const kind = ts.isClassDeclaration(declaration)
     ? "class"
@@ -162,12 +172,14 @@ function describe({ name, declaration, additions }, checker) {
         ])
       : [];
   const all = kind === "class" ? [...own, ...inherited] : [...inherited, ...own];
+  const groups = groupsOf(all);
   for (const member of all.filter(isPublic)) {
     if (ts.isClassStaticBlockDeclaration(member) || ts.isSemicolonClassElement(member)) continue;
     const described = {
       name: memberName(member),
       text: comment(member),
       code: signature(member),
+      group: groups.get(member),
       isStatic: (ts.getCombinedModifierFlags(member) & ts.ModifierFlags.Static) !== 0,
     };
     const overloaded = members.find(
@@ -260,6 +272,9 @@ function examplesFor(one) {
   };
 }
 
+/** Sections that most readers skip. */
+const kLast = ["Saving and checking", "Life time"];
+
 function markdownOf(part, examples) {
   const { kind, text, code, members } = part;
   const lines = [`## ${headingOfPart(part)}\n`, `${text}\n`];
@@ -276,11 +291,18 @@ function markdownOf(part, examples) {
     );
   }
   lines.push(...examples.beginning(part), ...examples.of(nameOfPart(part), part));
-  if (kind !== "interface") {
-    for (const member of members) {
+  if (kind === "interface") return lines.join("\n");
+  const named = [...new Set(members.map(({ group }) => group))];
+  const groups = [
+    ...named.filter((name) => !kLast.includes(name)),
+    ...kLast.filter((name) => named.includes(name)),
+  ];
+  for (const group of groups) {
+    if (groups.length > 1) lines.push(`### ${group}\n`);
+    for (const member of members.filter((one) => one.group === group)) {
       const heading = headingOfMember(part, member);
       lines.push(
-        `### ${heading}\n`,
+        `${groups.length > 1 ? "####" : "###"} ${heading}\n`,
         fenced(member.code),
         ...(member.text ? [`${member.text}\n`] : []),
         ...examples.of(heading, part),

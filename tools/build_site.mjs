@@ -7,6 +7,7 @@
 //   build/web/shared/random_sets.js   for tests and benchmarks
 //   build/web/recipes/frame.html      where the programs of that page run
 //   build/web/examples/, data/        as they are in web/: to be read and copied
+//   build/web/pagefind/               the index of the search
 //   build/web/lib/                    what the examples import: the package, modules of d3
 //
 //   node tools/build_site.mjs         builds it once
@@ -109,6 +110,20 @@ async function settings({ isWatching }) {
 export async function buildSite() {
   const { build } = await import("vite"); // not before `npm ci` may have installed it
   await build(await settings({ isWatching: false }));
+  await makeIndex();
+}
+
+/** The index of the search (web/figure/search.ts): of what stands in `main` of the pages. */
+async function makeIndex() {
+  const pagefind = await import("pagefind");
+  const orThrow = ({ errors, ...made }) => {
+    if (errors.length > 0) throw new Error(`Pagefind: ${errors.join("; ")}`);
+    return made;
+  };
+  const { index } = orThrow(await pagefind.createIndex());
+  orThrow(await index.addDirectory({ path: builtSite }));
+  orThrow(await index.writeFiles({ outputPath: path.join(builtSite, "pagefind") }));
+  await pagefind.close();
 }
 
 /** Builds it, and again whenever a file changes; resolves when it is built for the first time. */
@@ -117,7 +132,7 @@ export async function watchSite() {
   const watcher = await build(await settings({ isWatching: true }));
   await new Promise((resolve, reject) =>
     watcher.on("event", ({ code, error }) => {
-      if (code === "END") resolve();
+      if (code === "END") makeIndex().then(resolve, reject);
       if (code === "ERROR") reject(error);
     }),
   );

@@ -1,11 +1,11 @@
 // The documents of docs/ as pages of the site, below "Reference".
 import path from "node:path";
 import { root } from "../toolchain/folders.mjs";
+import { referencePages } from "./reference.mjs";
 import { sourceOf } from "./source_address.mjs";
 
 const kDocuments = [
   ["LOADING.md", "loading", "Loading", "Entries, bundlers, runtimes, sizes."],
-  ["API.md", "api", "API", "Every call with types, errors, costs and examples."],
   [
     "D3_DELAUNAY.md",
     "d3-delaunay",
@@ -31,29 +31,37 @@ const byFile = new Map(kDocuments.map(([file, name]) => [file, folderOf(name)]))
 /** How documents that are in the npm package, too, name files of the repository. */
 const kOwn = /^https:\/\/github\.com\/[\w-]+\/apollonius-diagram\/blob\/main\//;
 
-/** A link of a document, as the site has it: another page, a file served, the source, or null. */
-function address(target) {
+/**
+ * A function for the links of a page that is `up` above the site's folder: another page, a file
+ * served, the source, or null.
+ */
+const addressFrom = (up) => (target) => {
   const own = target.replace(kOwn, "../");
   if (/^[a-z]+:/.test(own)) return own;
   const [relative, anchor] = own.split("#");
   const file = path.posix.normalize(path.posix.join("docs", relative));
   const end = anchor ? `#${anchor}` : "";
   const page = byFile.get(path.posix.basename(file));
-  if (page && file.startsWith("docs/")) return `../../${page}/${end}`;
-  if (file === "README.md") return `../../${end}`;
+  if (file === "docs/API.md") return `${up}reference/api/${end}`;
+  if (page && file.startsWith("docs/")) return `${up}${page}/${end}`;
+  if (file === "README.md") return `${up}${end}`;
   if (file.startsWith("web/examples/") && path.posix.extname(file))
-    return `../../${file.slice("web/".length)}`;
+    return `${up}${file.slice("web/".length)}`;
   return sourceOf(file);
-}
+};
 
-/** Pages, as list.mjs has them, with the files that they are made of. */
-export const documents = () =>
-  kDocuments.map(([file, name, title, about]) => ({
+/**
+ * Pages, as list.mjs has them, with the `file` that each is made of, or its `text` (reference.mjs).
+ */
+export function documents() {
+  const [loading, ...others] = kDocuments.map(([file, name, title, about]) => ({
     key: name,
     folder: folderOf(name),
     title,
     about,
     group: "Reference",
     file: path.join(root, "docs", file),
-    address,
+    address: addressFrom("../../"),
   }));
+  return [loading, ...referencePages(addressFrom), ...others];
+}

@@ -34,6 +34,7 @@ ${group("Explained")}
 ${single("recipes")}
 ${group("Reference")}
 <a href="${root}examples/">Examples</a>
+<button type="button" class="search" title="Search ( / )">Search</button>
 <a class="primary" href="${root}playground/">Playground</a>
 </nav>
 </header>`;
@@ -54,6 +55,16 @@ ${link(series[at - 1], "Before")}
 ${link(series[at + 1], "Next")}
 </nav>`;
 }
+
+/** What stands beside a page: open where there is room for it (page.ts). */
+const sideHtml = (side) => `<nav class="side" aria-label="Calls"><details>
+<summary>Classes, entries, calls</summary>
+${side}
+</details></nav>
+`;
+
+/** Recipes have few words beside their programs, but are what many look for. */
+const weightOf = ({ key }) => (key === "recipes" ? ' data-pagefind-weight="4"' : "");
 
 /** @param {string} body HTML of the page */
 export function layout(page, body, pages) {
@@ -78,9 +89,9 @@ export function layout(page, body, pages) {
 <link rel="stylesheet" href="/figure/site.css">
 <script type="module" src="/figure/page.ts"></script>
 </head>
-<body class="${page.key === "home" ? "home" : "article"}">
+<body class="${page.key === "home" ? "home" : page.side ? "article has-side" : "article"}">
 ${navigation(page, pages)}
-<main>
+${page.side ? sideHtml(page.side) : ""}<main data-pagefind-body${weightOf(page)}>
 ${body}
 ${neighbors(page, pages)}
 </main>

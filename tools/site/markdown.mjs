@@ -17,12 +17,13 @@ function highlight(code, language) {
 
 const markdown = new MarkdownIt({ html: true, linkify: false, highlight }).use(recipes);
 
-markdown.core.ruler.push("anchors", ({ tokens }) => {
+markdown.core.ruler.push("anchors", ({ tokens, env }) => {
   const slugger = new GithubSlugger(); // so that links in documents lead there, too
+  const given = env.anchors?.values();
   for (const [k, token] of tokens.entries()) {
     if (token.type !== "heading_open") continue;
     const text = tokens[k + 1].children.map(({ content }) => content).join("");
-    token.attrSet("id", slugger.slug(text));
+    token.attrSet("id", given?.next().value ?? slugger.slug(text));
   }
 });
 
@@ -37,19 +38,27 @@ function figureHtml(name, caption, poster) {
 }
 
 const kCode = /<pre><code class="language-(\w+)">([\s\S]*?)<\/code><\/pre>/g;
-const codeHtml = (language, code) =>
+const codeHtml = (language, code, program) =>
   `<div class="code"><pre tabindex="0"><code class="language-${language}">${code}</code></pre>` +
-  '<button type="button" class="copy">Copy</button></div>';
+  '<button type="button" class="copy" data-pagefind-ignore>Copy</button>' +
+  (program
+    ? `<button type="button" class="run" data-pagefind-ignore>Run</button>${programHtml(program)}`
+    : "") +
+  "</div>";
+const programHtml = (program) => `<template class="program">${escaped(program)}</template>`;
 
 /**
- * @param {{ key: string, address?: (target: string) => string }} page `address` turns a link of a
- *   document of docs/ into one of the site, or says by null that there is nothing to lead to
+ * @param {{ address?: (target: string) => string, anchors?: string[], programs?: string[] }} page
+ *   `address` turns a link of a document of docs/ into one of the site, or says by null that there
+ *   is nothing to lead to; `anchors` are those of its headings; `programs` are what its blocks of
+ *   JavaScript run
  * @param {string} text Markdown
  * @param {Map<string, string>} posters first pictures, by the name of the figure
  */
 export function htmlOf(page, text, posters) {
+  const programs = page.programs?.values();
   const html = markdown
-    .render(text)
+    .render(text, { anchors: page.anchors })
     .replace(kFigure, (_, name, caption, at, all) => {
       // The first figure of a page is seen before its script has come, on phones too.
       const isFirst = !all.slice(0, at).includes('<img src="figure:');
@@ -57,7 +66,9 @@ export function htmlOf(page, text, posters) {
       const poster = kinds.map((kind) => posters.get(`${name}-${kind}`) ?? "").join("");
       return figureHtml(name, caption, poster);
     })
-    .replace(kCode, (_, language, code) => codeHtml(language, code))
+    .replace(kCode, (_, language, code) =>
+      codeHtml(language, code, language === "js" ? programs?.next().value : undefined),
+    )
     .replaceAll("<pre><code>", '<pre tabindex="0"><code>')
     .replaceAll("<th></th>", "<td></td>")
     .replaceAll("<table>", '<div class="table" tabindex="0"><table>')

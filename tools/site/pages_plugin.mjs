@@ -36,8 +36,8 @@ export async function pagesPlugin() {
     load(id) {
       const page = byHtml.get(id);
       if (!page) return null;
-      this.addWatchFile(page.file);
-      const text = readFileSync(page.file, "utf8");
+      if (page.file) this.addWatchFile(page.file);
+      const text = page.text ?? readFileSync(page.file, "utf8");
       return layout(page, htmlOf(page, text, posters), pages);
     },
   };

@@ -5,6 +5,7 @@ import { messageOf } from "../shared/errors.js";
 import { whenLoaded } from "../shared/package.js";
 import type { AnyFigure } from "./figure.js";
 import { FigureRunner } from "./runner.js";
+import { startSearch } from "./search.js";
 
 const kNear = "300px"; // below the window
 
@@ -68,7 +69,15 @@ for (const button of document.querySelectorAll<HTMLButtonElement>("button.copy")
   });
 
 const recipes = document.querySelectorAll<HTMLElement>(".recipe");
-if (recipes.length > 0) import("../recipes/cards.js").then((cards) => cards.startCards(recipes));
+const startCards = async (elements: Iterable<HTMLElement>) =>
+  (await import("../recipes/cards.js")).startCards(elements);
+if (recipes.length > 0) startCards(recipes);
+
+if (document.querySelector("nav.side"))
+  import("./reference.js").then(({ startReference }) => startReference(startCards));
+
+const search = document.querySelector<HTMLElement>("button.search");
+if (search) startSearch(search);
 
 // A handle for tests and the curious; not an interface.
 Object.assign(window, { figures: runners });

@@ -1,4 +1,5 @@
-// The cards of the page "Recipes": a program to change, and what it shows. A program runs in a
+// Cards with a program to change, and what it shows: those of the page "Recipes", and examples of
+// the reference. A program runs in a
 // sandbox (frame.html), anew each time, when its card is first seen and when that is asked for.
 //
 // A program may never end. Chromium gives the page's sandboxes one process beside its own: then
@@ -9,6 +10,8 @@ import { make } from "../shared/dom.js";
 import { messageOf } from "../shared/errors.js";
 import theme from "../theme.css?raw";
 import style from "./frame.css?raw";
+
+const site = new URL(document.documentElement.dataset.root ?? "./", location.href);
 
 const kNear = "100px"; // below the window
 const kPatience = 3000; // ms that a program may take until something is said
@@ -32,7 +35,7 @@ const nameOf = (file: string) =>
  * relative imports become imports by name.
  */
 async function loadModules(): Promise<Record<string, string>> {
-  const folder = new URL("../lib/apollonius-diagram/", location.href);
+  const folder = new URL("lib/apollonius-diagram/", site);
   const load = async (file: string) => {
     const address = new URL(`${file}.js`, folder);
     const response = await fetch(address);
@@ -99,7 +102,7 @@ class Card {
     this.#frame = make("iframe", { title: this.#title.replace("Program", "Result") });
     this.#frame.setAttribute("sandbox", "allow-scripts");
     this.#frame.style.height = this.#height;
-    this.#frame.src = "frame.html";
+    this.#frame.src = new URL("recipes/frame.html", site).href;
     this.#result.prepend(this.#frame);
     clearTimeout(this.#waiting);
     this.#waiting = window.setTimeout(() => {

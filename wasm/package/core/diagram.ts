@@ -184,7 +184,7 @@ export class Diagram extends DynamicDiagram<ListedSite> {
     return listed(() => this.sites());
   }
 
-  // --- Queries -----------------------------------------------------------------------------------
+  // --- The nearest sites -------------------------------------------------------------------------
 
   /**
    * The nearest site of a point, -1 if the diagram is empty; with `filter` the nearest that passes,
@@ -277,6 +277,8 @@ export class Diagram extends DynamicDiagram<ListedSite> {
     return native.search(left, bottom, right, top);
   }
 
+  // --- The graph ---------------------------------------------------------------------------------
+
   /** All Voronoi vertices; the nearest doubles where sites have small whole numbers. O(n). */
   vertices(): Vertices {
     return nativeOf(this).vertices();
@@ -302,6 +304,8 @@ export class Diagram extends DynamicDiagram<ListedSite> {
   hull(): Uint32Array {
     return nativeOf(this).hull();
   }
+
+  // --- Saving and checking -----------------------------------------------------------------------
 
   /** "Diagram". O(1). */
   get [Symbol.toStringTag](): string {

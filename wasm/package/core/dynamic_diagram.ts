@@ -36,6 +36,8 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
   /** The name of the class. O(1). */
   abstract get [Symbol.toStringTag](): string;
 
+  // --- Sites -------------------------------------------------------------------------------------
+
   /**
    * Removes a site (paper, section 5); false if there is no such site. Sites that only it covered
    * become visible. Cost: O(log n) amortised for a hidden site and for the visible one of nested or
@@ -103,6 +105,8 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
     return ofOne(innerOf(this).native, id, (native) => native.coverOf(id));
   }
 
+  // --- The graph ---------------------------------------------------------------------------------
+
   /**
    * The distinct sites whose cells share an edge with this site's, counter-clockwise (on the
    * sphere, as seen from outside), each where it occurs first; empty for a hidden site. Edges of
@@ -112,6 +116,13 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
   neighbors(id: number): Uint32Array {
     return ofOne(innerOf(this).native, id, (native) => native.neighbors(id));
   }
+
+  /** All Voronoi edges. O(n). */
+  edges(): Edges {
+    return innerOf(this).native.edges();
+  }
+
+  // --- The nearest sites -------------------------------------------------------------------------
 
   /**
    * `kNearest` for many points, flat x, y or longitude, latitude pairs: one list a point, as rows
@@ -147,10 +158,7 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
     return withinMany(innerOf(this), points, distance, options);
   }
 
-  /** All Voronoi edges. O(n). */
-  edges(): Edges {
-    return innerOf(this).native.edges();
-  }
+  // --- Saving and checking -----------------------------------------------------------------------
 
   /**
    * The diagram as bytes (a Uint8Array), about 56 a site, on the sphere 28: for files, and for
@@ -184,6 +192,8 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
   validate(): string | null {
     return validate(innerOf(this).native);
   }
+
+  // --- Life time ---------------------------------------------------------------------------------
 
   /**
    * Frees the diagram's memory now; later calls throw "disposed", a second `dispose` does nothing.

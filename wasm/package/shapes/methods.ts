@@ -10,6 +10,8 @@ import type { Voronoi } from "./voronoi.js";
 
 declare module "../core/diagram.js" {
   interface Diagram {
+    // --- Cells and drawings ----------------------------------------------------------------------
+
     /**
      * The cells inside a window: a view, always of the diagram as it is now. The default window is
      * d3-delaunay's, 960 x 500. A window of any shape is rings or GeoJSON (`Region`). Cost: O(1),

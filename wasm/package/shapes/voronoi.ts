@@ -92,6 +92,8 @@ const [kFirstCells, kMostCells] = [256, 8192];
  * Names and meaning are d3-delaunay's where it has them.
  */
 export class Voronoi implements Disposable {
+  // --- The view ----------------------------------------------------------------------------------
+
   /** The diagram that is looked at. */
   readonly diagram: Diagram;
   /** Left border of the window. */
@@ -153,12 +155,14 @@ export class Voronoi implements Disposable {
     return view.#moments(id);
   }
 
+  // --- Saving and checking -----------------------------------------------------------------------
+
   /** "Voronoi". */
   get [Symbol.toStringTag](): string {
     return "Voronoi";
   }
 
-  // --- Drawing: into the context, or without one as an SVG path string ---------------------------
+  // --- Drawing -----------------------------------------------------------------------------------
 
   /**
    * Draws all edges inside the window, each once; with a distance also where cells end without a
@@ -296,7 +300,7 @@ export class Voronoi implements Disposable {
     }, options);
   }
 
-  // --- Questions ---------------------------------------------------------------------------------
+  // --- Points and neighbours ---------------------------------------------------------------------
 
   /**
    * Is this site the nearest one to the point, and within its distance, if there is one? Exact,
@@ -316,6 +320,8 @@ export class Voronoi implements Disposable {
     const boundary = this.cellCurves(id);
     return Uint32Array.from(new Set(boundary?.neighbors.filter((site) => site !== -1)));
   }
+
+  // --- Empty circles, and room for labels --------------------------------------------------------
 
   /**
    * The largest circle that no site's circle reaches into, with its centre in the window: the place
@@ -379,6 +385,8 @@ export class Voronoi implements Disposable {
     return circles;
   }
 
+  // --- Interpolation -----------------------------------------------------------------------------
+
   /**
    * The natural neighbours of a place, for interpolation (Sibson): the sites from whose cells in
    * the window a new circle there would take something, and which share of its cell from each.
@@ -424,7 +432,7 @@ export class Voronoi implements Disposable {
     return await interpolateAsync(Voronoi.#living(this), () => this.#window, values, xy, options);
   }
 
-  // --- Measures of the true, curved cells --------------------------------------------------------
+  // --- Measures ----------------------------------------------------------------------------------
 
   /** Area of a cell inside the window; null for a hidden site. */
   cellArea(id: number): number | null {

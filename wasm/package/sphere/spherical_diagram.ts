@@ -291,7 +291,7 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
     }
   }
 
-  // --- Queries -----------------------------------------------------------------------------------
+  // --- The nearest sites -------------------------------------------------------------------------
 
   /**
    * The nearest site of a point, -1 if the diagram is empty; with `filter` the nearest that passes,
@@ -365,6 +365,8 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
     return pickMany(sphericalOf(this), lonLat, how);
   }
 
+  // --- The graph ---------------------------------------------------------------------------------
+
   /**
    * All Voronoi vertices: points that have the same distance to three sites and none less. O(n).
    */
@@ -372,6 +374,8 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
     const { coordinates, clearance, sites } = sphericalOf(this).native.vertices();
     return { lonLat: coordinates, clearance, sites };
   }
+
+  // --- Empty circles -----------------------------------------------------------------------------
 
   /**
    * The largest circle that no site reaches into: about the place on the sphere that is farthest
@@ -390,6 +394,8 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
     const { native } = sphericalOf(this);
     return emptyCircles(native, checkedCount("count", count));
   }
+
+  // --- Interpolation -----------------------------------------------------------------------------
 
   /**
    * The natural neighbours of a place, for interpolation (Sibson): the sites from whose cells a new
@@ -542,6 +548,8 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
     }));
     return { type: collection.type, features };
   }
+
+  // --- Saving and checking -----------------------------------------------------------------------
 
   /** "SphericalDiagram". O(1). */
   get [Symbol.toStringTag](): string {
