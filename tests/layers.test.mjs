@@ -402,6 +402,7 @@ test("top-level entries are the documented ones", () => {
     "README.md",
     "CHANGELOG.md",
     "SECURITY.md",
+    "CITATION.cff",
     "LICENSE",
   ]);
   const others = [...new Set(files.map((file) => file.split("/")[0]))].filter(

@@ -14,7 +14,7 @@ import { capture, SetUpError } from "./toolchain/process.mjs";
 import { main } from "./toolchain/setup.mjs";
 
 const file = path.join(root, "docs/figures.json");
-export const kQuotingDocuments = ["README.md"];
+export const kQuotingDocuments = ["README.md", "web/pages/home.md", "web/pages/comparison.md"];
 
 export const readFigures = () => JSON.parse(readFileSync(file, "utf8"));
 

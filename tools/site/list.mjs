@@ -82,4 +82,11 @@ export const kPages = [
     title: "Recipes",
     about: "Programs for common tasks, to change and to run in the page.",
   },
+  {
+    key: "comparison",
+    folder: "comparison",
+    title: "Comparison",
+    about: "What other libraries do better, and when to take them instead.",
+    group: "Reference",
+  },
 ];
