@@ -18,6 +18,7 @@
 //                of TypeScript, edge runtimes, Deno, Vitest, Observable Framework (tests/strangers)
 //   cluster      20 million points and a million circles by the workers of web/examples/cluster, a
 //                worker and Redis killed on the way; a hundred kills at random moments
+//   links        addresses outside of the project, where there is a network
 //   debug        the package of `npm run build -- --debug`: a short test, C++ names in a stack
 //                trace, the source map
 //   determinism  the recorded hashes with g++ and clang++, -O0 to -O3, 32 bits, the machine's own
@@ -38,6 +39,7 @@ import { run, SetUpError } from "../tools/toolchain/process.mjs";
 import { ensureRedis } from "../tools/toolchain/redis.mjs";
 import { cppcheck, tidy } from "./check/analyse.mjs";
 import { checkDeterminism } from "./check/determinism.mjs";
+import { checkLinks } from "./check/links.mjs";
 import { runPrograms } from "./programs.mjs";
 import { ctest, jest, runSteps } from "./steps.mjs";
 import { installPacked, installPackedDebug } from "./wasm/support/install_packed.mjs";
@@ -139,6 +141,7 @@ await runSteps({
     await buildPackage();
     return jest(["cluster"], { env: { REDIS_SERVER: redis, APOLLONIUS_THOROUGH: "1" } });
   },
+  links: checkLinks,
   async debug() {
     await buildDebug();
     installPackedDebug();

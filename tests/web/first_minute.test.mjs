@@ -30,21 +30,44 @@ describe("the modules", () => {
   });
 });
 
-describeInBrowser("the script", (open) => {
-  test("works from its address", async () => {
-    const [html] = blocksOf("html");
-    const page = await open({ path: "scale/", ready: "figures" });
-    await page.route("https://cdn.jsdelivr.net/**", (route) =>
+describeInBrowser("from the package's address", (open) => {
+  /** Opens HTML as a page of another site, with the packed files at their address. */
+  async function show(page, html) {
+    await page.route("https://cdn.jsdelivr.net/npm/apollonius-diagram**", (route) => {
+      const [, file] = route.request().url().split("/npm/apollonius-diagram");
       route.fulfill({
-        path: path.join(root, "dist/apollonius.js"),
+        path: path.join(root, file || "dist/apollonius.js"),
         contentType: "text/javascript",
-      }),
-    );
+        headers: { "access-control-allow-origin": "*" },
+      });
+    });
     await page.route("https://example.org/", (route) =>
-      route.fulfill({ body: `<!doctype html><body>${html}`, contentType: "text/html" }),
+      route.fulfill({ body: html, contentType: "text/html" }),
     );
     await page.goto("https://example.org/");
+  }
+
+  test("the script works", async () => {
+    const [html] = blocksOf("html");
+    const page = await open({ path: "scale/", ready: "figures" });
+    await show(page, `<!doctype html><body>${html}`);
     await page.waitForFunction(() => document.body.textContent.trim().endsWith("0"));
+    await closePage(page);
+  });
+
+  test("a recipe that is copied as one HTML file works by itself", async () => {
+    const page = await open({ path: "recipes/", ready: "figures" });
+    await page.evaluate(() => {
+      navigator.clipboard.writeText = async (text) => {
+        window.copied = text;
+      };
+    });
+    const recipe = page.locator(".recipe", { hasText: "airports" });
+    await recipe.locator(".copy-page").click();
+    const html = await page.waitForFunction(() => window.copied);
+    await show(page, await html.jsonValue());
+    await page.waitForSelector("svg .area");
+    expect(page.errors).toEqual([]);
     await closePage(page);
   });
 });

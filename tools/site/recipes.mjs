@@ -15,7 +15,9 @@ const cardHtml = (title, code, escaped) => `<div class="recipe">
  spellcheck="false" autocapitalize="off" autocomplete="off">
 ${escaped(code)}</textarea>
 <div class="controls"><button type="button" class="run">Run</button>
-<button type="button" class="reset">Reset</button><small>or Ctrl + Enter</small></div>
+<button type="button" class="reset">Reset</button>
+<button type="button" class="copy-page">Copy as one HTML file</button>
+<small>or Ctrl + Enter</small></div>
 </div>
 <div class="result"></div>
 </div>

@@ -7,6 +7,7 @@ import GithubSlugger from "github-slugger";
 import ts from "typescript";
 import { readExamples } from "../examples.mjs";
 import { root } from "../toolchain/folders.mjs";
+import { kSeeAlso } from "./see_also.mjs";
 
 const kFolder = "reference/api";
 const kHeading = /^(#{1,4}) (.*)$/;
@@ -165,11 +166,24 @@ export function referencePages(addressFrom) {
     pages.flatMap((page) => page.sections.map(({ anchor }) => [anchor, page.name])),
   );
   /** A link of docs/API.md, from a page that is `up` above the reference's folder. */
-  const addressIn = (up) => (target) =>
-    target.startsWith("api:")
-      ? `${up}${pageOf.get(target.slice(4))}/#${target.slice(4)}`
-      : addressFrom(`${up}../../`)(target);
+  const addressIn = (up) => (target) => {
+    const [kind, rest] = target.split(/:(.*)/);
+    if (kind === "api") return `${up}${pageOf.get(rest)}/#${rest}`;
+    return kind === "site" ? `${up}../../${rest}` : addressFrom(`${up}../../`)(target);
+  };
   const linked = (lines) => lines.join("\n").replaceAll("](#", "](api:");
+  /** A line with what the site has about a call. */
+  const seeAlso = ({ title }) => {
+    const links = (kSeeAlso[title.replace(/<.*>$/, "")] ?? []).map(
+      ([address, text]) => `[${text}](site:${address})`,
+    );
+    return links.length > 0 ? `\nSee also: ${links.join(", ")}.\n` : "";
+  };
+  const unknown = Object.keys(kSeeAlso).filter(
+    (call) =>
+      !pages.some((page) => page.sections.some(({ title }) => title.replace(/<.*>$/, "") === call)),
+  );
+  if (unknown.length > 0) throw new Error(`see_also.mjs: no call is named ${unknown.join(", ")}`);
   const others = (current, up) =>
     linkList(
       pages.map((page) => {
@@ -184,10 +198,11 @@ export function referencePages(addressFrom) {
     about: page.about,
     address: addressIn("../"),
     text: page.sections
-      .map(({ level, heading, lines }) => {
+      .map((section) => {
         // Its first heading is that of the page.
-        const less = page.sections[0].level - 1;
-        return `${"#".repeat(level - less)} ${heading.replace(/^#+ /, "")}\n${linked(lines)}`;
+        const level = section.level - page.sections[0].level + 1;
+        const heading = `${"#".repeat(level)} ${section.heading.replace(/^#+ /, "")}`;
+        return `${heading}\n${linked(section.lines)}${seeAlso(section)}`;
       })
       .join("\n"),
     anchors: page.sections.map(({ anchor }) => anchor),

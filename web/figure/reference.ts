@@ -27,6 +27,7 @@ function run(button: HTMLButtonElement, startCards: StartCards): void {
         { className: "controls" },
         make("button", { type: "button", className: "run" }, "Run"),
         make("button", { type: "button", className: "reset" }, "Reset"),
+        make("button", { type: "button", className: "copy-page" }, "Copy as one HTML file"),
         make("small", {}, "or Ctrl + Enter"),
       ),
     ),

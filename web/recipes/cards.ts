@@ -49,6 +49,19 @@ async function loadModules(): Promise<Record<string, string>> {
 }
 let modules: Promise<Record<string, string>> | null = null;
 
+const kAddress = "https://cdn.jsdelivr.net/npm/apollonius-diagram/dist/esm/";
+
+/** A program as a page that needs no other file of its own: the package comes from its address. */
+function pageOf(program: string): string {
+  const entries = ["index", ...kParts].map((file) => [nameOf(file), `${kAddress}${file}.js`]);
+  const map = JSON.stringify({ imports: Object.fromEntries(entries) }, null, 2);
+  return [
+    '<!doctype html>\n<meta charset="utf-8">',
+    `<script type="importmap">\n${map}\n</script>`,
+    `<body>\n<script type="module">\n${program.trimEnd()}\n</script>\n`,
+  ].join("\n");
+}
+
 class Card {
   readonly #code: HTMLTextAreaElement;
   readonly #result: HTMLElement;
@@ -77,6 +90,11 @@ class Card {
       this.#code.value = this.#code.defaultValue;
       this.#fit();
       this.run();
+    });
+    const copy = find(".copy-page");
+    copy.addEventListener("click", async () => {
+      await navigator.clipboard.writeText(pageOf(this.#code.value));
+      copy.textContent = "Copied";
     });
     this.#code.addEventListener("input", () => this.#fit());
     this.#code.addEventListener("keydown", (event) => {
