@@ -44,6 +44,7 @@ test("holds what users need and no more", () => {
     "dist/shapes.wasm",
     "dist/sphere.wasm",
     "docs/SNAPSHOTS.md",
+    "docs/THIRD_PARTY.md",
     "package.json",
   ]);
 });
