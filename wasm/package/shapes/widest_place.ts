@@ -113,7 +113,7 @@ export function widestPlace(
       const { x, y, width, height, near } = whole;
       const isWide = width >= height;
       const [dx, dy] = isWide ? [width / 2, 0] : [0, height / 2];
-      if (search.isEnough(whole) || (x + dx === x && y + dy === y)) continue;
+      if (search.leaves(whole) || (x + dx === x && y + dy === y)) continue;
       const [halfWidth, halfHeight] = isWide ? [dx, height] : [width, dy];
       look(x - dx, y - dy, halfWidth, halfHeight, near);
       look(x + dx, y + dy, halfWidth, halfHeight, near);
@@ -164,8 +164,8 @@ class Search {
     this.best = best;
   }
 
-  /** Is nothing to be gained in a part? It is noted if that is for the slack. */
-  isEnough({ x, y, width, height, most }: Range): boolean {
+  /** Is a part left, as nothing is to be gained in it? What is left for its slack is noted. */
+  leaves({ x, y, width, height, most }: Range): boolean {
     if (this.best === null) return false;
     const { r } = this.best;
     if (most - 2 * this.#obstacles.slack > r + kShare * Math.abs(r)) return false;
@@ -206,11 +206,11 @@ class Search {
     if (away !== null && away > reach) return null;
     if (away === null && r > (this.best?.r ?? -Infinity)) this.best = { x, y, r };
     const range = { x, y, width, height, most: nearest + reach + slack };
-    if (this.isEnough(range)) return null;
+    if (this.leaves(range)) return null;
     const near = candidates.filter((_, k) => distances[k]! <= nearest + 2 * reach);
     const bound = this.#bound(x, y, width, height, nearestOne, near);
     range.most = Math.min(range.most, bound + slack);
-    return this.isEnough(range) ? null : { ...range, near };
+    return this.leaves(range) ? null : { ...range, near };
   }
 
   /** A bound of the distance to the nearest obstacle in a box: by the nearest and another one. */
