@@ -3,6 +3,7 @@ import GeoJSONReader from "jsts/org/locationtech/jts/io/GeoJSONReader.js";
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { box, windows, withHole } from "./support/box_with_hole.mjs";
 import { generator } from "./support/random.mjs";
+import { scribble } from "./support/refusals.mjs";
 
 const { default: MaximumInscribedCircle } = await import(
   "jsts/org/locationtech/jts/algorithm/construct/MaximumInscribedCircle.js"
@@ -162,19 +163,174 @@ test("of strips, slivers and cells of all sizes, moved far from the origin", () 
   }
 });
 
-describe.each(windows)("the largest empty circle inside %s", (_name, window, holds) => {
-  const border = (x, y) => {
-    const rings = window === box ? withHole.slice(0, 1) : withHole;
-    const sides = rings.flatMap((ring) => ring.map((a, k) => [a, ring[(k + 1) % ring.length]]));
-    return Math.min(
-      ...sides.map(([[ax, ay], [bx, by]]) => {
-        const [dx, dy] = [bx - ax, by - ay];
-        const t = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy);
-        const s = Math.min(1, Math.max(0, t));
-        return Math.hypot(x - ax - s * dx, y - ay - s * dy);
-      }),
-    );
+// Each took minutes, or all of the memory: boxes had to be as small as the domain is thin.
+describe("domains that are thin, at any angle", () => {
+  const one = new Diagram([0, 0, 0]);
+  /** Half of the width, of a window that is thin along y = 0.37 x. */
+  const strip = (width) => [
+    [0, 0],
+    [1, 0.37],
+    [1, 0.37 + width],
+    [0, width],
+  ];
+  const halfWidth = (width) => width / 2 / Math.hypot(1, 0.37);
+  const sliver = (width) => [
+    [0, 0],
+    [1, 1 / 3],
+    [2, 2 / 3 + width],
+  ];
+  const widths = [1e-3, 1e-6, 1e-9, 1e-12];
+  /** Of numbers that are rounded to 2^-52. */
+  const expectAbout = (r, expected) => {
+    expect(r / expected).toBeGreaterThan(kEnough - 1e-15 / expected);
+    expect(r / expected).toBeLessThan(1 + 1e-9 + 1e-15 / expected);
   };
+
+  test.each(widths)("a strip, a sliver and strips side by side, %d wide", (width) => {
+    expectAbout(one.voronoi(strip(width)).cellCircle(0).r, halfWidth(width));
+    const { r } = one.voronoi(sliver(width)).cellCircle(0);
+    expectAbout(r, 0.2371708 * width);
+    const many = Array.from({ length: 6 }, (_, k) =>
+      strip((1 + k / 10) * width).map(([x, y]) => [x, y + 3 * k * width]),
+    );
+    expectAbout(one.voronoi(many).cellCircle(0).r, halfWidth(1.5 * width));
+    const fan = [0, 2, 4].map((k) => [
+      [0, 0],
+      [1, 0.37 + k * width],
+      [1, 0.37 + (k + 1) * width],
+    ]);
+    expect(one.voronoi(fan).cellCircle(0).r).toBeGreaterThan(kEnough * 0.46 * width - 1e-15);
+  });
+
+  test.each(widths)("empty circles inside them, %d wide", (width) => {
+    const far = new Diagram([0.2, 0, 0, 5, 5, 0.1]);
+    const inside = { inside: true };
+    expectAbout(far.voronoi(sliver(width)).largestEmptyCircle(inside).r, 0.2371708 * width);
+    expectAbout(far.voronoi(strip(width)).largestEmptyCircle(inside).r, halfWidth(width));
+  });
+
+  test.each(widths)("a ring of two hundred sides, %d wide", (width) => {
+    const ring = (radius) =>
+      Array.from({ length: 200 }, (_, k) => [
+        radius * Math.cos((k * Math.PI) / 100),
+        radius * Math.sin((k * Math.PI) / 100),
+      ]);
+    const { r } = one.voronoi([ring(1), ring(1 - width)]).cellCircle(0);
+    expect(r / (width / 2)).toBeGreaterThan(kEnough - 1e-15 / width);
+    expect(r / (width / 2)).toBeLessThan(1 + 1e-15 / width);
+  });
+
+  test.each(widths)("the cell of a circle that a larger one covers but for %d", (rest) => {
+    const [c, s] = [Math.cos(1), Math.sin(1)];
+    const pair = new Diagram([0, 0, 10, (9 + rest) * c, (9 + rest) * s, 1]);
+    const circle = pair.voronoi([-1e3, -1e3, 1e3, 1e3]).cellCircle(1);
+    expect(circle.r).toBeGreaterThan(0);
+    for (const [x, y] of pointsOf(circle))
+      expect(Math.hypot(x - (9 + rest) * c, y - (9 + rest) * s) - 1).toBeLessThan(
+        Math.hypot(x, y) - 10 + 1e-9,
+      );
+  });
+
+  test("what doubles do not tell apart is refused", () => {
+    expect(() => one.voronoi(scribble).cellCircle(0)).toThrow(
+      expect.objectContaining({ code: "no-convergence" }),
+    );
+  });
+});
+
+// All distances grow to the side of a cell's box, and beyond it.
+test("of sites on a circle about the window's corner", () => {
+  const sites = Array.from({ length: 150 }, (_, k) => [Math.cos(k), Math.sin(k), 0]);
+  for (const off of [0, 9776.994645557248]) {
+    const window = [
+      [0, 0],
+      [1, 0.3],
+      [1, 1.2],
+      [0, 0.9],
+    ].map(([x, y]) => [off + x, off + y]);
+    const diagram = Diagram.from(sites.map(([x, y, r]) => [off + x, off + y, r]));
+    const { r } = diagram.voronoi(window).largestEmptyCircle({ inside: true });
+    let most = 0;
+    for (let x = 0; x <= 1; x += 0.01)
+      for (let y = 0; y <= 1.2; y += 0.01) {
+        const room =
+          y > 0.3 * x && y < 0.9 + 0.3 * x ? borderDistance(window, off + x, off + y) : 0;
+        most = Math.max(most, Math.min(room, diagram.nearest(off + x, off + y).distance));
+      }
+    expect(r).toBeGreaterThan(kEnough * most);
+    expect(r).toBeLessThan(most + 0.02);
+  }
+});
+
+test("of all kinds of scenes, in a moment, and no place of any is better", () => {
+  const random = generator(86);
+  for (let run = 0; run < 48; ++run) {
+    const scale = 10 ** Math.floor(8 * random() - 4);
+    const off = random() < 0.3 ? 1e6 * random() : 0;
+    const kind = run % 4;
+    const at = (value) => off + scale * value;
+    const sites = Array.from({ length: 1 + Math.floor(20 * random()) }, (_, k) => {
+      if (kind === 0) return [at(random()), at(random()), 0.3 * scale * random() ** 3];
+      if (kind === 1) return [9, 9, 2].map((n) => Math.round(n * random())).map(at);
+      if (kind === 2) return [at(k / 10), at(0.07 * k), 1e-3 * scale * random()];
+      return [at(random() * 10 ** (-9 * random())), at(random() * 10 ** (-9 * random())), 0];
+    });
+    const window =
+      random() < 0.5
+        ? [at(-1), at(-1), at(2), at(2)]
+        : Array.from({ length: 3 + Math.floor(6 * random()) }, () => [
+            at(3 * random() - 1),
+            at(3 * random() - 1),
+          ]);
+    const diagram = Diagram.from(kind === 1 ? sites.map(([x, y, r]) => [x, y, r - off]) : sites);
+    const view = diagram.voronoi(window);
+    const circles = view.cellCircles();
+    const empty = view.largestEmptyCircle({ inside: true });
+    const grain = 1e-13 * (scale + off);
+    for (let k = 0; k < 40; ++k) {
+      const [x, y] = [at(3 * random() - 1), at(3 * random() - 1)];
+      if (!view.window.contains(x, y)) continue;
+      const id = diagram.find(x, y);
+      // Half of how much farther the next cell is: less than the way to its border.
+      const [, next] = diagram.kNearest(x, y, sites.length).filter((one) => !diagram.isHidden(one));
+      const distance = (site) => {
+        const { x: cx, y: cy, r } = diagram.site(site);
+        return Math.hypot(x - cx, y - cy) - r;
+      };
+      const border = borderDistance(window, x, y);
+      const room = next === undefined ? Infinity : (distance(next) - distance(id)) / 2;
+      expect(circles[3 * id + 2]).toBeGreaterThan(kEnough * Math.min(room, border) - grain);
+      expect(empty.r).toBeGreaterThan(kEnough * Math.min(distance(id), border) - grain);
+    }
+    diagram.dispose();
+  }
+});
+
+/** To the border of bounds, or of a ring. */
+function borderDistance(window, x, y) {
+  const [xmin, ymin, xmax, ymax] = window;
+  const ring = Array.isArray(xmin)
+    ? window
+    : [
+        [xmin, ymin],
+        [xmax, ymin],
+        [xmax, ymax],
+        [xmin, ymax],
+      ];
+  return Math.min(
+    ...ring.map(([ax, ay], k) => {
+      const [bx, by] = ring[(k + 1) % ring.length];
+      const [dx, dy] = [bx - ax, by - ay];
+      const t = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy);
+      const s = Math.min(1, Math.max(0, t));
+      return Math.hypot(x - ax - s * dx, y - ay - s * dy);
+    }),
+  );
+}
+
+describe.each(windows)("the largest empty circle inside %s", (_name, window, holds) => {
+  const rings = window === box ? withHole.slice(0, 1) : withHole;
+  const border = (x, y) => Math.min(...rings.map((ring) => borderDistance(ring, x, y)));
   const room = (diagram, x, y) => Math.min(diagram.nearest(x, y).distance, border(x, y));
 
   test("no place is farther from all sites and the border", () => {

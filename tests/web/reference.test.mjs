@@ -13,7 +13,7 @@ const programs = pages.flatMap(({ key, programs: own }) =>
 test("each example of the reference is a program of its own", async () => {
   expect(programs.length).toBeGreaterThan(150);
   for (const [, program] of programs) {
-    await transform(program, { format: "esm", target: "esnext" }); // throws if it is none
+    await transform(program, { format: "esm", target: "esnext" }); // throws on a syntax error
     expect(program).toMatch(/^import |^(\/\/.*\n)*import /m);
   }
   // What the comments say is printed.

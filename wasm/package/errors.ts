@@ -10,7 +10,7 @@
  * - "bad-bounds": bounds to clip at that are no box, or a region with an invalid ring, or
  *   without an inside
  * - "bad-target": an area that no cell can have, or a site whose cell can have none
- * - "no-convergence": weights for the given areas were not found
+ * - "no-convergence": weights for the given areas, or a largest circle, were not found
  * - "not-loaded": the WebAssembly module cannot be had: it is used before `load`, its address does
  *   not answer, or nothing may be compiled here (a content security policy, an edge runtime)
  * - "disposed": the diagram has been disposed of

@@ -5,6 +5,7 @@ import { Diagram } from "../../../build/packed/consumer.mjs";
 import {
   NONE,
   aspects,
+  searchedBy,
   bounds,
   inWindow,
   fitBy,
@@ -440,6 +441,7 @@ export const voronoiCalls = {
         inWindow((v) => v.largestEmptyCircle({ inside: 1 })),
         "options.inside is 1, expected false or true",
       ],
+      ...searchedBy((v) => v.largestEmptyCircle({ inside: true })),
     ],
   },
   cellCircle: {
@@ -447,16 +449,21 @@ export const voronoiCalls = {
     refuses: [
       ...ofCell("cellCircle").refuses,
       ...aspects(inWindow((v, options) => v.cellCircle(0, options))),
+      ...searchedBy((v) => v.cellCircle(0)),
     ],
   },
   cellCircles: {
     use: inWindow((v) => v.cellCircles()),
-    refuses: aspects(inWindow((v, options) => v.cellCircles(options))),
+    refuses: [
+      ...aspects(inWindow((v, options) => v.cellCircles(options))),
+      ...searchedBy((v) => v.cellCircles()),
+    ],
   },
   emptyCircles: {
     use: inWindow((v) => v.emptyCircles(2)),
     refuses: [
       ...unknownOption(inWindow((v, options) => v.emptyCircles(2, options))),
+      ...searchedBy((v) => v.emptyCircles(2, { inside: true })),
       ["not-finite", inWindow((v) => v.emptyCircles(NaN)), "count is NaN"],
       ["out-of-range", inWindow((v) => v.emptyCircles(-1)), "count is -1"],
     ],

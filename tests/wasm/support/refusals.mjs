@@ -1,4 +1,5 @@
 // What calls refuse, by the kind of their argument; for calls.mjs.
+import { Diagram } from "../../../build/packed/consumer.mjs";
 
 export const NONE = 1000; // an id that no site has
 export const bounds = [-100, -100, 100, 100];
@@ -76,6 +77,18 @@ export const digits = (call) => [
 export const unknownOption = (call) => [
   ["bad-option", (d) => call(d, { tolerence: 1 }), "options.tolerence is unknown, expected {"],
   ["bad-option", (d) => call(d, 0.5), "options is 0.5, expected {"],
+];
+/** Of calls that search thin windows: one that goes to and fro along a line. */
+export const scribble = Array.from({ length: 11 }, (_, k) => {
+  const x = ((5 * k + 1) % 11) / 11 + (k % 3) / 7;
+  return [x, 0.7 * x + 1e-11 * ((7 * k * k + 3 * k) % 5)];
+});
+export const searchedBy = (call) => [
+  [
+    "no-convergence",
+    () => call(new Diagram([0, 0, 0]).voronoi(scribble)),
+    "sides of the window or cell nearly coincide",
+  ],
 ];
 export const aspects = (call) => [
   ...number("options.aspect", (d, aspect) => call(d, { aspect })),

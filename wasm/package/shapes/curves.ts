@@ -44,9 +44,39 @@ export function curveTangent(
   return [u / length, v / length];
 }
 
+/** A curve cut in the middle of its arc: (x, y), towards which a and b are the control points. */
+export interface Halves {
+  ax: number;
+  ay: number;
+  x: number;
+  y: number;
+  bx: number;
+  by: number;
+  /** The weight of both. */
+  w: number;
+}
+
+export function halved(
+  x0: number,
+  y0: number,
+  x1: number,
+  y1: number,
+  w: number,
+  x2: number,
+  y2: number,
+): Halves {
+  const u = 1 / (1 + w);
+  const v = w * u; // not w times a coordinate, which may be no double
+  const ax = u * x0 + v * x1;
+  const ay = u * y0 + v * y1;
+  const bx = u * x2 + v * x1;
+  const by = u * y2 + v * y1;
+  return { ax, ay, x: (ax + bx) / 2, y: (ay + by) / 2, bx, by, w: Math.sqrt((1 + w) / 2) };
+}
+
 type Seven = [x0: number, y0: number, x1: number, y1: number, w: number, x2: number, y2: number];
 
-function sevenOf(curves: ArrayLike<number>, k: number): Seven {
+export function sevenOf(curves: ArrayLike<number>, k: number): Seven {
   const count = Math.floor(curves.length / kOfCurve);
   if (!(Number.isInteger(k) && k >= 0 && k < count))
     throw new ApolloniusError(

@@ -6,23 +6,30 @@
 // ends of the edges as the window clips them.
 //
 // Circles inside the window must not reach beyond its border either. A candidate that does not is
-// one of these circles. In the cells around the others there may be a place where the nearest site
-// and the border are about equally far: that is looked for (widest_place.ts), cell by cell, in the
-// order of what a cell can have at most, and no further than circles are wanted.
+// one of these circles. In the cells around the others the largest circle may touch the border:
+// it is looked for (widest_place.ts), cell by cell, those with the farthest candidates first, and
+// only until enough circles are found.
 import type { NativeShapes } from "../core/native/module.js";
 import { kOfCurve } from "./curves.js";
-import { drawBounds, type NativeWindow } from "./drawing.js";
+import { drawBounds, type NativeWindow, pathOfSides } from "./drawing.js";
 import { boxOf } from "./inner_circle.js";
 import type { EmptyCircle } from "./types.js";
-import { Obstacles, type Place, widestPlace } from "./widest_place.js";
+import { type NearestCircle, nearestOf, Obstacles, widestPlace } from "./widest_place.js";
 
-/** The `most` largest ones, none of which has its centre in one before it. */
+/**
+ * The `most` largest ones, none of which has its centre in one before it; `inside` the window, if
+ * that is wanted.
+ */
 export function emptyCircles(
   native: NativeShapes,
   window: NativeWindow,
   most: number,
+  inside: boolean,
 ): EmptyCircle[] {
-  return apart(candidatesOf(native, window).sort(inOrder), most, between).map(withoutCells);
+  const circles = inside
+    ? innerCandidates(native, window)
+    : candidatesOf(native, window).circles.sort(inOrder);
+  return apart(circles, most, (a, b) => Math.hypot(a.x - b.x, a.y - b.y));
 }
 
 /** The largest first. */
@@ -30,130 +37,80 @@ function inOrder(a: EmptyCircle, b: EmptyCircle): number {
   return b.r - a.r || a.x - b.x || a.y - b.y;
 }
 
-function between(a: EmptyCircle, b: EmptyCircle): number {
-  return Math.hypot(a.x - b.x, a.y - b.y);
-}
-
-function withoutCells({ x, y, r, site }: EmptyCircle): EmptyCircle {
-  return { x, y, r, site };
-}
-
-function candidatesOf(native: NativeShapes, window: NativeWindow): Candidate[] {
-  if (native.size() === 0) return [];
+/** The candidates, first those at corners, then two for each edge, whose `sites` are pairs. */
+function candidatesOf(native: NativeShapes, window: NativeWindow) {
+  if (native.size() === 0) return { circles: [], corners: 0, sites: new Uint32Array() };
   const [region, , ...bounds] = window;
   const { curves, sites } = native.edgeCurves(region, null, ...bounds); // whatever cells reach
-  const corners = cornersOf(native, window);
-  const xy = new Float64Array(corners.length + (4 * curves.length) / kOfCurve);
-  xy.set(corners);
-  for (let from = 0, to = corners.length; from < curves.length; from += kOfCurve, to += 4) {
-    xy.set(curves.subarray(from, from + 2), to);
-    xy.set(curves.subarray(from + 5, from + 7), to + 2);
-  }
-  const candidates: Candidate[] = [];
-  for (let k = 0; k < xy.length; k += 2) {
-    const [x, y] = [xy[k]!, xy[k + 1]!];
+  const points = Array.from(cornersOf(native, window)); // x, y, x, y, …
+  const corners = points.length / 2;
+  for (let k = 0; k < curves.length; k += kOfCurve)
+    points.push(curves[k]!, curves[k + 1]!, curves[k + 5]!, curves[k + 6]!);
+  const circles: EmptyCircle[] = [];
+  for (let k = 0; k < points.length; k += 2) {
+    const [x, y] = [points[k]!, points[k + 1]!];
     const { id, distance } = native.nearest(x, y);
-    const edge = Math.floor((k - corners.length) / 4);
-    const cells = edge < 0 ? [id] : [sites[2 * edge]!, sites[2 * edge + 1]!];
-    candidates.push({ x, y, r: distance, site: id, cells });
+    circles.push({ x, y, r: distance, site: id });
   }
-  return candidates;
-}
-
-/** An empty circle, and the sites whose cells its centre is known to be on. */
-interface Candidate extends EmptyCircle {
-  cells: readonly number[];
-}
-
-/** The `most` largest ones inside the window, likewise. */
-export function innerEmptyCircles(
-  native: NativeShapes,
-  window: NativeWindow,
-  most: number,
-): EmptyCircle[] {
-  return apart(innerCandidates(native, window), most, between).map(withoutCells);
+  return { circles, corners, sites };
 }
 
 /** The largest first. */
 function* innerCandidates(native: NativeShapes, window: NativeWindow): Generator<EmptyCircle> {
-  const border = borderOf(native, window);
+  const { circles, corners, sites } = candidatesOf(native, window);
+  const cells = new Map(
+    circles.map((circle, k) => {
+      const edge = (k - corners) >> 1;
+      return [circle, edge < 0 ? [circle.site] : sites.subarray(2 * edge, 2 * edge + 2)];
+    }),
+  );
+  const [region, , ...bounds] = window;
+  const obstacles = borderOf(native, window);
+  const sides = Array.from({ length: obstacles.count }, (_, k) => k);
+  const nearestCircle = finderOf(native, obstacles);
   const asked = new Set<number>(); // cells
   const places: EmptyCircle[] = []; // the best ones of these, the largest last
-  for (const candidate of candidatesOf(native, window).sort(inOrder)) {
-    while (places.length > 0 && places.at(-1)!.r >= candidate.r) yield places.pop()!;
-    const { x, y, r } = candidate;
-    if (border.leastDistance(0, border.count, x, y) >= r) {
-      yield candidate;
+  for (const circle of circles.sort(inOrder)) {
+    while (places.length > 0 && places.at(-1)!.r >= circle.r) yield places.pop()!;
+    const { x, y, r } = circle;
+    const room = nearestOf(obstacles.feet(sides, x, y)).distance;
+    if (room >= r) {
+      yield circle;
       continue;
     }
-    for (const site of candidate.cells) {
-      if (asked.has(site)) continue;
-      asked.add(site);
-      const place = bestOfCell(native, window, border, site, r);
-      if (place !== null) places.push({ ...place, site });
+    for (const cell of cells.get(circle)!) {
+      if (asked.has(cell)) continue;
+      asked.add(cell);
+      const { curves } = native.cellCurves(region, null, ...bounds, cell);
+      if (curves.length === 0) continue; // too thin to have a part
+      const best = widestPlace(obstacles, boxOf(curves), { x, y, r: room }, nearestCircle);
+      places.push({ ...best, site: native.find(best.x, best.y) });
     }
     places.sort((a, b) => inOrder(b, a));
   }
   yield* places.reverse();
 }
 
-/**
- * The place in a cell that is farthest from its site and the window's border; null if doubles are
- * too far apart to have one. `most`: no place in it is farther from the site.
- */
-function bestOfCell(
-  native: NativeShapes,
-  window: NativeWindow,
-  border: Obstacles,
-  site: number,
-  most: number,
-): Place | null {
-  const [region, , ...bounds] = window;
-  const box = boxOf(native.cellCurves(region, null, ...bounds, site).curves);
-  const [xmin, ymin, xmax, ymax] = box;
-  const obstacles = new Obstacles();
-  for (const id of [site, ...native.neighbors(site)]) {
-    const { x, y, r } = native.site(id);
-    obstacles.addCircle(x, y, r);
-  }
-  const sites = obstacles.count;
-  for (let k = 0; k < border.count; ++k) {
-    const [x0, y0, x1, y1] = border.ends.slice(4 * k, 4 * k + 4) as [
-      number,
-      number,
-      number,
-      number,
-    ];
-    const isFar =
-      Math.min(x0, x1) - xmax > most ||
-      xmin - Math.max(x0, x1) > most ||
-      Math.min(y0, y1) - ymax > most ||
-      ymin - Math.max(y0, y1) > most;
-    if (!isFar) obstacles.addSegment(x0, y0, x1, y1);
-  }
-  const outside = (x: number, y: number) => {
-    if (!border.surround(x, y))
-      return Math.min(most, obstacles.leastDistance(sites, obstacles.count, x, y));
-    // Distances change by no more than the way to the cell does.
-    const ahead = obstacles.distance(0, x, y) - obstacles.leastDistance(1, sites, x, y);
-    return ahead > 0 ? ahead / 2 : null;
+/** Finds the circles of sites, and adds those that are found to the obstacles. */
+function finderOf(native: NativeShapes, obstacles: Obstacles): NearestCircle {
+  const numbers = new Map<number, number>(); // by id
+  return (x, y) => {
+    const id = native.find(x, y);
+    if (!numbers.has(id)) {
+      const site = native.site(id);
+      numbers.set(id, obstacles.addCircle(site.x, site.y, site.r));
+    }
+    return numbers.get(id)!;
   };
-  return widestPlace(obstacles, box, outside).best;
 }
 
 function borderOf(native: NativeShapes, window: NativeWindow): Obstacles {
   const border = new Obstacles();
-  let [firstX, firstY, atX, atY] = [0, 0, 0, 0];
-  const lineTo = (x: number, y: number) => {
-    border.addSegment(atX, atY, x, y);
-    [atX, atY] = [x, y];
-  };
-  const moveTo = (x: number, y: number) => {
-    [firstX, firstY, atX, atY] = [x, y, x, y];
-  };
-  const nothing = () => {};
-  const closePath = () => lineTo(firstX, firstY);
-  drawBounds({ moveTo, lineTo, closePath, bezierCurveTo: nothing }, native, window);
+  drawBounds(
+    pathOfSides((...ends) => border.addSegment(...ends)),
+    native,
+    window,
+  );
   return border;
 }
 

@@ -2,9 +2,9 @@
 // holes. (Cartographers call its centre the pole of inaccessibility.)
 import { checkNumber, checkOptions } from "../core/arguments.js";
 import { ApolloniusError } from "../errors.js";
-import { kOfCurve } from "./curves.js";
+import { halved, kOfCurve, sevenOf } from "./curves.js";
 import type { CellCircleOptions } from "./types.js";
-import { type Box, length, Obstacles, type Place, widestPlace } from "./widest_place.js";
+import { type Box, kGrain, length, Obstacles, type Place, widestPlace } from "./widest_place.js";
 
 const kMostAspect = 1000;
 
@@ -22,108 +22,39 @@ export function checkedAspect(options: CellCircleOptions | undefined): number {
 
 /** How far chords may be from curves, as a share of the circle's radius. */
 const kSlack = 2 ** -12;
+/** The numbers of a curve that are x; y comes after each. */
+const kXs = [0, 2, 5];
 
 /**
- * With rings of curves around it; r is at least 0.999 of what is possible, and the circle is inside
- * but for rounding. With an `aspect`, the ellipse that is as many times as wide as high: r is half
- * its height.
+ * The largest circle inside rings of curves, the inside on the left of each: r is at least 0.999 of
+ * what is possible, and the circle is inside but for rounding. With an `aspect`, the ellipse that
+ * is as many times as wide as high: r is half its height.
  */
-export function innerCircle(rings: ArrayLike<number>, aspect: number): Place {
-  const [frame, curves, [xmin, ymin, xmax, ymax]] = frameOf(rings, aspect);
-  // Curves are roughly known at first, and better and better where that matters.
-  let slack = 2 ** -10 * Math.min(xmax - xmin, ymax - ymin);
+export function innerCircle(rings: Float64Array, aspect: number): Place {
+  // With narrower x the ellipse is a circle, and conics are conics.
+  const curves = rings.map((value, k) => (kXs.includes(k % kOfCurve) ? value / aspect : value));
+  const box = boxOf(curves);
+  const finest = kGrain * Math.max(...box.map(Math.abs));
+  // With finer chords once more where the cell is thin.
+  let slack = Math.max(finest, 2 ** -14 * Math.min(box[2] - box[0], box[3] - box[1]));
   let chords = chordsOf(curves, slack);
-  let box: Box = [xmin, ymin, xmax, ymax];
   // A point of the border is a circle, too: where no double is inside, the only one.
   let place: Place = { x: curves[0]!, y: curves[1]!, r: 0 };
   for (;;) {
-    const { best, rest } = widestPlace(
-      chords,
-      box,
-      (x, y, nearest) => (chords.surround(x, y) ? null : nearest),
-      place,
-    );
-    [place, box] = [best ?? place, rest];
-    if (chords.slack <= kSlack * place.r) break;
-    slack /= 16;
-    const finer = chordsOf(curves, slack);
-    if (finer.count === chords.count) break;
-    chords = finer;
+    place = widestPlace(chords, box, place);
+    if (chords.slack <= kSlack * place.r || slack === finest) break;
+    slack = Math.max(finest, slack / 16);
+    chords = chordsOf(curves, slack);
   }
-  return { ...frame.from(place.x, place.y), r: place.r };
-}
-
-/**
- * Coordinates in which an ellipse of this aspect is a circle (conics remain conics), and which are
- * turned where the outline is so thin that it is best looked at lengthwise. With the curves in
- * them, and their box.
- */
-function frameOf(rings: ArrayLike<number>, aspect: number): readonly [Frame, Float64Array, Box] {
-  const upright = new Frame(rings[0]!, rings[1]!, aspect, 1, 0);
-  const curves = upright.curvesInto(rings);
-  const box = boxOf(curves);
-  // Along the way to what is farthest from what is farthest from the first point.
-  let [far, other] = [0, 0];
-  for (let round = 0; round < 2; ++round) {
-    [other, far] = [far, other];
-    let most = -1;
-    for (let k = 0; k < curves.length; k += kOfCurve) {
-      const away = length(curves[k]! - curves[other]!, curves[k + 1]! - curves[other + 1]!);
-      if (away > most) [most, far] = [away, k];
-    }
-  }
-  const dx = curves[far]! - curves[other]!;
-  const dy = curves[far + 1]! - curves[other + 1]!;
-  const whole = length(dx, dy);
-  if (whole === 0) return [upright, curves, box];
-  const turned = new Frame(rings[0]!, rings[1]!, aspect, dx / whole, dy / whole);
-  const turnedCurves = turned.curvesInto(rings);
-  const turnedBox = boxOf(turnedCurves);
-  return areaOf(turnedBox) < areaOf(box) / 2
-    ? [turned, turnedCurves, turnedBox]
-    : [upright, curves, box];
-}
-
-/** Moved to (x, y), with narrower x, then turned by the angle of this cosine and sine. */
-class Frame {
-  constructor(
-    readonly x: number,
-    readonly y: number,
-    readonly aspect: number,
-    readonly cosine: number,
-    readonly sine: number,
-  ) {}
-
-  curvesInto(rings: ArrayLike<number>): Float64Array {
-    const curves = Float64Array.from(rings);
-    for (let k = 0; k < curves.length; k += kOfCurve) {
-      for (const at of [k, k + 2, k + 5]) {
-        const [x, y] = [(curves[at]! - this.x) / this.aspect, curves[at + 1]! - this.y];
-        curves[at] = this.cosine * x + this.sine * y;
-        curves[at + 1] = this.cosine * y - this.sine * x;
-      }
-    }
-    return curves;
-  }
-
-  from(x: number, y: number): { x: number; y: number } {
-    return {
-      x: this.x + this.aspect * (this.cosine * x - this.sine * y),
-      y: this.y + (this.sine * x + this.cosine * y),
-    };
-  }
-}
-
-function areaOf([xmin, ymin, xmax, ymax]: Box): number {
-  return (xmax - xmin) * (ymax - ymin);
+  return { x: place.x * aspect, y: place.y, r: place.r };
 }
 
 /** The box of the control points, in which the curves are. */
 export function boxOf(curves: Float64Array): Box {
   const box: [number, number, number, number] = [Infinity, Infinity, -Infinity, -Infinity];
   for (let k = 0; k < curves.length; k += kOfCurve) {
-    for (const at of [k, k + 2, k + 5]) {
-      const [x, y] = [curves[at]!, curves[at + 1]!];
+    for (const at of kXs) {
+      const [x, y] = [curves[k + at]!, curves[k + at + 1]!];
       box[0] = Math.min(box[0], x);
       box[1] = Math.min(box[1], y);
       box[2] = Math.max(box[2], x);
@@ -133,35 +64,22 @@ export function boxOf(curves: Float64Array): Box {
   return box;
 }
 
-/** Chords of the curves that are within `most` of them, as far as doubles can tell. */
+/** Chords of the curves that are within `most` of them. */
 function chordsOf(curves: Float64Array, most: number): Obstacles {
   const chords = new Obstacles();
-  const pieces: number[] = []; // to be done, the next one at the end
-  for (let k = 0; k < curves.length; k += kOfCurve) {
-    for (let at = 0; at < kOfCurve; ++at) pieces.push(curves[k + at]!);
+  for (let k = 0; k < curves.length / kOfCurve; ++k) {
+    const pieces = [sevenOf(curves, k)]; // to be done, the next one at the end
     while (pieces.length > 0) {
-      const [x0, y0, x1, y1, w, x2, y2] = pieces.splice(-kOfCurve) as [
-        number,
-        number,
-        number,
-        number,
-        number,
-        number,
-        number,
-      ];
-      // Both halves of the control polygon, and the middle of the arc.
-      const [u, v] = [1 / (1 + w), w / (1 + w)];
-      const [ax, ay, bx, by] = [u * x0 + v * x1, u * y0 + v * y1, u * x2 + v * x1, u * y2 + v * y1];
-      const [x, y] = [(ax + bx) / 2, (ay + by) / 2];
-      const isSplit = (x !== x0 || y !== y0) && (x !== x2 || y !== y2);
-      const height = heightOf(x0, y0, x1, y1, w, x2, y2);
-      if (!isSplit || height <= most) {
+      const piece = pieces.pop()!;
+      const [x0, y0, , , , x2, y2] = piece;
+      const height = heightOf(...piece);
+      if (height > most) {
+        const { ax, ay, x, y, bx, by, w } = halved(...piece);
+        pieces.push([x, y, bx, by, w, x2, y2], [x0, y0, ax, ay, w, x, y]);
+      } else {
         chords.addSegment(x0, y0, x2, y2);
-        if (isSplit) chords.slack = Math.max(chords.slack, height);
-        continue;
+        chords.slack = Math.max(chords.slack, height);
       }
-      const half = Math.sqrt((1 + w) / 2);
-      pieces.push(x, y, bx, by, half, x2, y2, x0, y0, ax, ay, half, x, y);
     }
   }
   return chords;
@@ -186,6 +104,5 @@ function heightOf(
   // is beyond an end of the chord, the curve can be, too.
   if (along >= 0 && along <= square && square > 0)
     return ((w / (1 + w)) * Math.abs(dx * py - dy * px)) / Math.sqrt(square);
-  const [mx, my] = [x1 - (x0 + x2) / 2, y1 - (y0 + y2) / 2];
-  return Math.sqrt(mx * mx + my * my);
+  return length(x1 - (x0 + x2) / 2, y1 - (y0 + y2) / 2);
 }

@@ -49,7 +49,7 @@ export interface EmptyCircle {
 
 /** Options of `largestEmptyCircle` and `emptyCircles`. */
 export interface EmptyCircleOptions {
-  /** true: circles lie wholly in the window. Default: false, their centres do. */
+  /** true: no circle crosses the window's border. Default: false, only centres are inside. */
   inside?: boolean | undefined;
 }
 

@@ -26,7 +26,7 @@ import { cellPaths } from "./cell_paths.js";
 import { joined, measuresOf, partsOf, type Rings, ringOf } from "./cell_shapes.js";
 import { type Distances, distanceOf, reaches } from "./distances.js";
 import { drawBounds, drawInto, type NativeWindow } from "./drawing.js";
-import { emptyCircles, innerEmptyCircles } from "./empty_circles.js";
+import { emptyCircles } from "./empty_circles.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
 import { type CellsCollection, collectionOf, type GeoJSONOptions } from "./geojson.js";
 import { checkedAspect, innerCircle } from "./inner_circle.js";
@@ -329,9 +329,10 @@ export class Voronoi implements Disposable {
    * corner. null without sites. The choice among these is by their distances as rounded, which are
    * good to the last places of the coordinates. O(n log n).
    *
-   * With `inside` the circle lies wholly in the window: its r is at least 0.999 of the largest
-   * possible. Costs O(m) more for each cell that has to be searched, in a window of m points.
-   * Throws "bad-option".
+   * With `inside`, the largest such circle that does not cross the window's border: r is at least
+   * 0.999 of the largest possible. Each cell at the border that is searched costs O(m) more, m
+   * being the points of the window. Throws "bad-option"; "no-convergence" if sides that nearly
+   * coincide keep the search from ending.
    */
   largestEmptyCircle(options?: EmptyCircleOptions): EmptyCircle | null {
     return this.emptyCircles(1, options)[0] ?? null;
@@ -339,26 +340,26 @@ export class Voronoi implements Disposable {
 
   /**
    * The `count` largest of such circles, the largest first, none with its centre in one before it:
-   * where to put new sites apart from each other. Fewer if there are no more. What cells
-   * end at does not matter. With `inside`, Voronoi vertices, and the best place of each cell that
-   * is near the border. Throws "not-finite", "out-of-range" (count), "bad-option".
-   * O(n (log n + count)).
+   * where to put new sites apart from each other. Fewer if there are no more. A view's distance
+   * does not matter. With `inside`: circles about Voronoi vertices, and the largest one of each
+   * cell at the border. Throws "not-finite", "out-of-range" (count), "bad-option",
+   * "no-convergence". O(n (log n + count)).
    */
   emptyCircles(count: number, options?: EmptyCircleOptions): EmptyCircle[] {
     Voronoi.#living(this);
     const most = checkedCount("count", count);
     checkOptions(options, "inside");
     const inside = checkedChoice("options.inside", options?.inside, [false, true]);
-    const find = inside ? innerEmptyCircles : emptyCircles;
-    return find(Voronoi.#living(this), this.#window, most);
+    return emptyCircles(Voronoi.#living(this), this.#window, most, inside);
   }
 
   /**
    * The largest circle inside a cell: room for a label. r is at least 0.999 of the largest
    * possible, and the circle is inside the curved cell but for rounding. null if no part of the
    * cell is in the window. With `aspect`, the largest ellipse that is as many times as wide as
-   * high, for text: r is half its height. Branch and bound: O(d) for each of some 100 places.
-   * Throws "not-finite", "out-of-range" (aspect), "bad-option".
+   * high, for text: r is half its height. Cost: some 100 times O(d). Throws "not-finite",
+   * "out-of-range" (aspect), "bad-option"; "no-convergence" if sides that nearly coincide keep the
+   * search from ending.
    */
   cellCircle(id: number, options?: CellCircleOptions): CellCircle | null {
     Voronoi.#nativeFor(this, id);
@@ -368,8 +369,9 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * Those of all cells: x, y and r at 3 id, 3 id + 1 and 3 id + 2, NaN where there is none. Errors
-   * and cost as `cellCircle` for each.
+   * The largest circles inside all cells, in one array: the x, y and r of site `id` begin at 3 id.
+   * They are NaN for ids without a cell in the window. Cost: that of `cellCircle` for each cell.
+   * Throws "not-finite", "out-of-range" (aspect), "bad-option", "no-convergence".
    */
   cellCircles(options?: CellCircleOptions): Float64Array {
     Voronoi.#living(this);

@@ -1,20 +1,24 @@
-// The place that is farthest from all obstacles: branch and bound over boxes. Obstacles are
-// segments, points and circles, and curves as chords that are off by a known slack.
+// The place inside closed rings that is farthest from all obstacles: branch and bound over boxes.
+// Obstacles are the rings' segments and further circles. A ring may be of chords that are off the
+// curves that they stand for by a known slack.
 //
 // The distance D to an obstacle is convex, so over a box it is at most its largest value at the
-// four corners; so is the mean of two of them, which no place can beat in both. Between two
-// obstacles that face each other that bound is off by the square of the box's size only, where the
-// distance to a single one is off by the size: so a long corridor needs few boxes.
+// four corners. So is the mean of two of them, which no place can beat in both. Between two
+// obstacles that face each other the mean is off by the square of the box's size only, where a
+// single distance is off by the size.
 //
-// Of a segment, convex functions that are not less than D do it as well. With s the signed distance
-// to its line, above 0 on the side of the box's centre, and t the way by which the foot is beyond
-// its ends, D <= |s| + t. Where s >= 0, that is s + t, which is linear across the segment, also
-// beyond its line, where corners of the box are; and where s < 0, it is t - s. So the largest of
-// both at the corners bounds D, and in the mean of two obstacles s + t counts.
+// Of a segment, other convex functions that are not less than D serve better. With s the signed
+// distance to its line, above 0 on the inside, and t the way by which the foot is beyond its ends,
+// D <= |s| + t. Where s >= 0, that is s + t, which is linear across the line. Where s < 0, it is
+// t - s; but if the only segment in a box runs all through it, nothing inside has s < 0. The same
+// holds for each strip between two segments that run through a box side by side. So the boxes along
+// a thin part of the domain may be as long as its segments, however thin it is.
+
+import { ApolloniusError } from "../errors.js";
 
 /** Obstacles by number. */
 export class Obstacles {
-  /** x, y of both ends of each; of a circle both are the centre. */
+  /** x, y of both ends of each, the inside on the left; of a circle both are the centre. */
   readonly ends: number[] = [];
   /** Radii of circles; 0 of segments. */
   readonly radii: number[] = [];
@@ -30,27 +34,45 @@ export class Obstacles {
     this.radii.push(0);
   }
 
-  addCircle(x: number, y: number, r: number): void {
+  /** Returns its number. */
+  addCircle(x: number, y: number, r: number): number {
     this.ends.push(x, y, x, y);
-    this.radii.push(r);
+    return this.radii.push(r) - 1;
   }
 
-  distance(k: number, x: number, y: number): number {
+  /** An obstacle as seen from a point. */
+  foot(k: number, x: number, y: number): Foot {
     const { ends } = this;
-    const dx = ends[4 * k + 2]! - ends[4 * k]!;
-    const dy = ends[4 * k + 3]! - ends[4 * k + 1]!;
-    const px = x - ends[4 * k]!;
-    const py = y - ends[4 * k + 1]!;
+    const ax = ends[4 * k]!;
+    const ay = ends[4 * k + 1]!;
+    const dx = ends[4 * k + 2]! - ax;
+    const dy = ends[4 * k + 3]! - ay;
     const square = dx * dx + dy * dy;
-    const t = square > 0 ? Math.max(0, Math.min(1, (px * dx + py * dy) / square)) : 0;
-    return length(px - t * dx, py - t * dy) - this.radii[k]!;
+    const along = square > 0 ? ((x - ax) * dx + (y - ay) * dy) / square : 0;
+    const t = Math.max(0, Math.min(1, along));
+    const px = x - (ax + t * dx);
+    const py = y - (ay + t * dy);
+    const far = length(px, py);
+    const r = this.radii[k]!;
+    const distance = far - r;
+    const [before, after] = [NaN, NaN];
+    const foot = { k, x: x - px, y: y - py, r, distance, s: distance, ux: 0, uy: 0, before, after };
+    if (square > 0 && t === along) {
+      const whole = Math.sqrt(square);
+      foot.ux = -dy / whole;
+      foot.uy = dx / whole;
+      foot.s = px * foot.ux + py * foot.uy;
+      foot.before = t * whole;
+      foot.after = whole - t * whole;
+    } else if (far > 0) {
+      foot.ux = px / far;
+      foot.uy = py / far;
+    }
+    return foot;
   }
 
-  /** The least distance of those with these numbers; infinity of none. */
-  leastDistance(from: number, to: number, x: number, y: number): number {
-    let least = Infinity;
-    for (let k = from; k < to; ++k) least = Math.min(least, this.distance(k, x, y));
-    return least;
+  feet(numbers: number[], x: number, y: number): Foot[] {
+    return numbers.map((k) => this.foot(k, x, y));
   }
 
   /** Is a point inside the rings that all segments make? By the even-odd rule. */
@@ -66,6 +88,44 @@ export class Obstacles {
     }
     return isInside;
   }
+
+  /** Does a segment lead through a box, or end in it, as far as the slack tells? */
+  passage(k: number, box: Range): "none" | "through" | "end" {
+    const { ends } = this;
+    const w = box.width + this.slack;
+    const h = box.height + this.slack;
+    const ax = ends[4 * k]! - box.x;
+    const ay = ends[4 * k + 1]! - box.y;
+    const bx = ends[4 * k + 2]! - box.x;
+    const by = ends[4 * k + 3]! - box.y;
+    const isHere = (x: number, y: number) => Math.abs(x) <= w && Math.abs(y) <= h;
+    const [dx, dy] = [bx - ax, by - ay];
+    if (dx === 0 && dy === 0) return "none";
+    if (isHere(ax, ay) || isHere(bx, by)) return "end";
+    const isBeside =
+      Math.abs(ax + bx) > 2 * w + Math.abs(dx) ||
+      Math.abs(ay + by) > 2 * h + Math.abs(dy) ||
+      Math.abs(dx * ay - dy * ax) > Math.abs(dy) * w + Math.abs(dx) * h;
+    return isBeside ? "none" : "through";
+  }
+}
+
+/** An obstacle as seen from a point. */
+interface Foot {
+  k: number;
+  /** The nearest place of the segment, or the centre. */
+  x: number;
+  y: number;
+  r: number;
+  distance: number;
+  /** The signed distance of the point to the segment's line; where there is no line, `distance`. */
+  s: number;
+  /** The unit vector in which s grows. */
+  ux: number;
+  uy: number;
+  /** How far the segment goes on before and after the foot; NaN where there is no line. */
+  before: number;
+  after: number;
 }
 
 export type Box = readonly [xmin: number, ymin: number, xmax: number, ymax: number];
@@ -77,49 +137,53 @@ export interface Place {
   r: number;
 }
 
-/**
- * Is null in the domain of places, else a distance within which nothing of it is; `nearest` is the
- * distance to the nearest obstacle.
- */
-export type Outside = (x: number, y: number, nearest: number) => number | null;
+/** The number of the circle that is nearest to a place: it becomes an obstacle when it is met. */
+export type NearestCircle = (x: number, y: number) => number;
 
-/** No other place has an r that is larger by more than that share of it. */
+/** The share of r that is not looked for any more. */
 const kShare = 2 ** -11;
+/** The share of the coordinates below which doubles tell no difference. */
+export const kGrain = 2 ** -50;
+/** Parts looked at for each obstacle, at most. The cell of a circle takes 10, a thin ring 150. */
+const kMostLooks = 2 ** 8;
+/** A search looks at as many parts as if it had this many obstacles more. */
+const kMoreObstacles = 100;
+/** The cosine up to which segments that do not cross in a box count as side by side. */
+const kParallel = 0.9;
 
 /**
- * Finds the place of the domain in a box whose distance r to the nearest obstacle is as large as
- * can be, but for two slacks and kShare, or keeps `best` if that is as good. null if there is none:
- * no double is in the domain. Also a box of all places that can be better than it, as far as is
- * known: where to look on with less slack.
+ * Looks in a box for the place of the domain with the largest distance r to the nearest obstacle,
+ * and returns that place, or `best` if it is better. The r of any other place of the domain in the
+ * box is larger by at most kShare of r, kGrain of the coordinates, and two slacks (three, if r is
+ * less than the slack). Throws "no-convergence". REQUIRES: all segments that meet the box are among
+ * the obstacles.
  */
 export function widestPlace(
   obstacles: Obstacles,
-  [xmin, ymin, xmax, ymax]: Box,
-  outside: Outside,
-  best: Place | null = null,
-): { best: Place | null; rest: Box } {
-  const search = new Search(obstacles, outside, best);
+  box: Box,
+  best: Place,
+  nearestCircle?: NearestCircle,
+): Place {
+  const [xmin, ymin, xmax, ymax] = box;
+  const grain = kGrain * Math.max(...box.map(Math.abs));
+  const search = new Search(obstacles, nearestCircle, best, grain);
   const all = Array.from({ length: obstacles.count }, (_, k) => k);
-  let parts: Part[] = [];
-  const look = (x: number, y: number, width: number, height: number, near: number[]) => {
-    const part = search.look(x, y, width, height, near);
-    if (part !== null) parts.push(part);
-  };
-  look((xmin + xmax) / 2, (ymin + ymax) / 2, (xmax - xmin) / 2, (ymax - ymin) / 2, all);
-  while (parts.length > 0) {
-    const wholes = parts;
-    parts = [];
-    for (const whole of wholes) {
-      const { x, y, width, height, near } = whole;
+  search.look((xmin + xmax) / 2, (ymin + ymax) / 2, (xmax - xmin) / 2, (ymax - ymin) / 2, all);
+  while (search.parts.length > 0) {
+    if (search.looks > kMostLooks * (obstacles.count + kMoreObstacles))
+      throw new ApolloniusError("no-convergence", "sides of the window or cell nearly coincide");
+    const wholes = search.parts;
+    search.parts = [];
+    for (const { x, y, width, height, most, near } of wholes) {
+      if (search.isEnough(most)) continue; // a better place has been found since
       const isWide = width >= height;
       const [dx, dy] = isWide ? [width / 2, 0] : [0, height / 2];
-      if (search.leaves(whole) || (x + dx === x && y + dy === y)) continue;
-      const [halfWidth, halfHeight] = isWide ? [dx, height] : [width, dy];
-      look(x - dx, y - dy, halfWidth, halfHeight, near);
-      look(x + dx, y + dy, halfWidth, halfHeight, near);
+      const [halfWidth, halfHeight] = [width - dx, height - dy];
+      search.look(x - dx, y - dy, halfWidth, halfHeight, near);
+      search.look(x + dx, y + dy, halfWidth, halfHeight, near);
     }
   }
-  return { best: search.best, rest: search.rest() };
+  return search.best;
 }
 
 interface Range {
@@ -128,145 +192,158 @@ interface Range {
   // Half of its extents.
   width: number;
   height: number;
-  /** No place in it is farther from all obstacles. */
-  most: number;
 }
 
 interface Part extends Range {
-  /** The obstacles that can be the nearest ones in it. */
+  /** No place in it is farther from all obstacles. */
+  most: number;
+  /** The obstacles that can be the nearest ones in it, or meet it. */
   near: number[];
 }
 
-/** An obstacle as seen from a point: the nearest place on it. */
-interface Foot {
-  x: number;
-  y: number;
-  distance: number;
-  /** The unit vector from there to the point. */
-  ux: number;
-  uy: number;
-  /** How far its ends are along the segment, before and after; at an end, and of a circle, none. */
-  before: number;
-  after: number;
-  r: number;
-}
-
 class Search {
-  best: Place | null;
+  best: Place;
+  /** Where a better place can be. */
+  parts: Part[] = [];
+  looks = 0;
   readonly #obstacles: Obstacles;
-  readonly #outside: Outside;
-  /** What has been left, though it may have a better place. */
-  readonly #left: Range[] = [];
+  readonly #nearestCircle: NearestCircle | undefined;
+  readonly #grain: number;
 
-  constructor(obstacles: Obstacles, outside: Outside, best: Place | null) {
+  constructor(
+    obstacles: Obstacles,
+    nearestCircle: NearestCircle | undefined,
+    best: Place,
+    grain: number,
+  ) {
     this.#obstacles = obstacles;
-    this.#outside = outside;
+    this.#nearestCircle = nearestCircle;
     this.best = best;
+    this.#grain = grain;
   }
 
-  /** Is a part left, as nothing is to be gained in it? What is left for its slack is noted. */
-  leaves({ x, y, width, height, most }: Range): boolean {
-    if (this.best === null) return false;
+  /** Is nothing to be gained where no place has more than this? */
+  isEnough(most: number): boolean {
     const { r } = this.best;
-    if (most - 2 * this.#obstacles.slack > r + kShare * Math.abs(r)) return false;
-    if (most > r) this.#left.push({ x, y, width, height, most });
-    return true;
-  }
-
-  /** A box around the best place, and all that may be better. */
-  rest(): Box {
-    const { x, y, r } = this.best ?? { x: Infinity, y: Infinity, r: -Infinity };
-    let [xmin, ymin, xmax, ymax] = [x, y, this.best ? x : -Infinity, this.best ? y : -Infinity];
-    for (const part of this.#left) {
-      if (part.most <= r) continue;
-      xmin = Math.min(xmin, part.x - part.width);
-      ymin = Math.min(ymin, part.y - part.height);
-      xmax = Math.max(xmax, part.x + part.width);
-      ymax = Math.max(ymax, part.y + part.height);
-    }
-    return [xmin, ymin, xmax, ymax];
-  }
-
-  /** The part about a point, which may be the best place; null if it has no better one. */
-  look(x: number, y: number, width: number, height: number, candidates: number[]): Part | null {
     const { slack } = this.#obstacles;
-    const reach = Math.sqrt(width * width + height * height);
-    const distances: number[] = [];
-    let nearest = Infinity;
-    let nearestOne = -1;
-    for (const k of candidates) {
-      const distance = this.#obstacles.distance(k, x, y);
-      distances.push(distance);
-      if (distance >= nearest) continue;
-      nearest = distance;
-      nearestOne = k;
-    }
-    const r = nearest - slack;
-    const away = this.#outside(x, y, r);
-    if (away !== null && away > reach) return null;
-    if (away === null && r > (this.best?.r ?? -Infinity)) this.best = { x, y, r };
-    const range = { x, y, width, height, most: nearest + reach + slack };
-    if (this.leaves(range)) return null;
-    const near = candidates.filter((_, k) => distances[k]! <= nearest + 2 * reach);
-    const bound = this.#bound(x, y, width, height, nearestOne, near);
-    range.most = Math.min(range.most, bound + slack);
-    return this.leaves(range) ? null : { ...range, near };
+    // Two slacks are between the bound and the place itself. A third one saves looking along all
+    // curves where r is less than the slack: less slack comes anyway.
+    const share = r > slack ? kShare * r : kShare * Math.abs(r) + slack;
+    return most - 2 * slack - r <= share + this.#grain;
   }
 
-  /** A bound of the distance to the nearest obstacle in a box: by the nearest and another one. */
-  #bound(x: number, y: number, width: number, height: number, nearest: number, near: number[]) {
-    const one = this.#footOf(nearest, x, y);
-    let other = one;
+  /** Keeps a part, if a better place can be in it. No obstacles but `numbers` are near it. */
+  look(x: number, y: number, width: number, height: number, numbers: number[]): void {
+    ++this.looks;
+    const { slack } = this.#obstacles;
+    const reach = length(width, height);
+    const all = this.#feet(numbers, x, y);
+    const one = nearestOf(all);
+    const feet = all.filter(({ distance }) => distance <= one.distance + 2 * (reach + slack));
+    const part = { x, y, width, height, most: 0, near: feet.map(({ k }) => k) };
+    const ways = part.near.map((k) => this.#obstacles.passage(k, part));
+    const within = feet.filter((_, k) => ways[k] !== "none");
+    const isInside = this.#obstacles.surround(x, y);
+    if (!isInside && (within.length === 0 || one.distance - slack > reach)) return;
+    this.#offer(x, y, one.distance);
+    part.most = one.distance + reach + slack;
+    if (this.isEnough(part.most)) return;
+    const runThrough = !ways.includes("end");
+    // If there is only one that runs through, what is inside is on its inside.
+    const only = within.length === 1 && runThrough ? within[0] : undefined;
+    const strips = runThrough ? this.#boundOfStrips(part, within) : Infinity;
+    const bound = Math.min(this.#bound(part, feet, one, only), strips);
+    part.most = Math.min(part.most, bound + slack);
+    if (!this.isEnough(part.most)) this.parts.push(part);
+  }
+
+  /** Those of these obstacles, and of the circle that is nearest to a place. */
+  #feet(numbers: number[], x: number, y: number): Foot[] {
+    const circle = this.#nearestCircle?.(x, y);
+    const isKnown = circle === undefined || numbers.includes(circle);
+    return this.#obstacles.feet(isKnown ? numbers : [...numbers, circle], x, y);
+  }
+
+  /** Takes a place at this distance from the nearest obstacle, if it is inside and better. */
+  #offer(x: number, y: number, distance: number): void {
+    const r = distance - this.#obstacles.slack;
+    if (r > this.best.r && this.#obstacles.surround(x, y)) this.best = { x, y, r };
+  }
+
+  /**
+   * A bound of the distance to the nearest obstacle in a part: by that which is nearest to its
+   * centre, alone or with another one. All that is inside is on the inside of `only`. Offers the
+   * place in the middle between the two; where both are on one side, the corner on the other.
+   */
+  #bound(part: Part, feet: Foot[], one: Foot, only: Foot | undefined): number {
+    const { x, y, width, height } = part;
+    const ofPair = (other: Foot) => {
+      const beyond = [one, other].filter((foot) => foot !== only);
+      return Math.max(
+        meanAtCorners(part, one, other),
+        ...beyond.map((foot) => mostAtCorners(part, (px, py) => beyondLine(foot, px, py))),
+      );
+    };
     // The one that promises the least bound, as far as its slope at the centre tells.
+    let other = one;
     let promised = Infinity;
-    for (const k of near) {
-      const foot = this.#footOf(k, x, y);
+    for (const foot of feet) {
       const slope = Math.abs(one.ux + foot.ux) * width + Math.abs(one.uy + foot.uy) * height;
-      if (foot.distance + slope >= promised) continue;
-      promised = foot.distance + slope;
+      if (foot === one || foot.s + slope >= promised) continue;
+      promised = foot.s + slope;
       other = foot;
     }
+    const [dx, dy] = [x - one.x, y - one.y];
+    if (dx * (x - other.x) + dy * (y - other.y) < 0)
+      this.#try(part, (one.x + other.x) / 2, (one.y + other.y) / 2);
+    else this.#try(part, x + Math.sign(dx) * width, y + Math.sign(dy) * height);
+    return Math.min(ofPair(one), ofPair(other));
+  }
+
+  /**
+   * A bound where what is inside, of a part, is strips side by side: each between two of its
+   * segments, which all run through it. Infinity if it may be something else. Offers a place in the
+   * middle of the widest strip.
+   */
+  #boundOfStrips(part: Part, segments: Foot[]): number {
+    if (segments.length < 2) return Infinity;
+    const { ux, uy } = segments[0]!;
+    const facing = (foot: Foot) => foot.ux * ux + foot.uy * uy;
+    if (!segments.every((foot) => foot.before >= 0 && Math.abs(facing(foot)) > kParallel))
+      return Infinity;
+    // Strips that are as thin as rounding vanish, so that no others seem to overlap.
+    const across = (foot: Foot) =>
+      (foot.x - part.x) * ux + (foot.y - part.y) * uy + Math.sign(facing(foot)) * this.#grain;
+    segments.sort((a, b) => across(a) - across(b));
+    const [first, last] = [segments[0]!, segments.at(-1)!];
+    if (facing(first) < 0 && this.#isCornerInside(part, -ux, -uy)) return Infinity;
+    if (facing(last) > 0 && this.#isCornerInside(part, ux, uy)) return Infinity;
     let most = -Infinity;
-    for (let corner = 0; corner < 4; ++corner) {
-      const px = x + (corner & 1 ? width : -width);
-      const py = y + (corner & 2 ? height : -height);
-      const mean = (convexAbove(one, px, py) + convexAbove(other, px, py)) / 2;
-      most = Math.max(most, mean, beyondLine(one, px, py), beyondLine(other, px, py));
-    }
+    segments.forEach((foot, k) => {
+      const next = segments[k + 1];
+      if (next === undefined || facing(foot) < 0 || facing(next) > 0) return;
+      const mean = meanAtCorners(part, foot, next);
+      if (!(mean > most)) return;
+      most = mean;
+      this.#try(part, (foot.x + next.x) / 2, (foot.y + next.y) / 2);
+    });
     return most;
   }
 
-  #footOf(k: number, x: number, y: number): Foot {
-    const { ends, radii } = this.#obstacles;
-    const ax = ends[4 * k]!;
-    const ay = ends[4 * k + 1]!;
-    const dx = ends[4 * k + 2]! - ax;
-    const dy = ends[4 * k + 3]! - ay;
-    const square = dx * dx + dy * dy;
-    const along = square > 0 ? ((x - ax) * dx + (y - ay) * dy) / square : 0;
-    const t = Math.max(0, Math.min(1, along));
-    const fx = ax + t * dx;
-    const fy = ay + t * dy;
-    const far = length(x - fx, y - fy);
-    const ux = far > 0 ? (x - fx) / far : 0;
-    const uy = far > 0 ? (y - fy) / far : 0;
-    const isLine = t === along && square > 0 && far > 0;
-    const whole = isLine ? Math.sqrt(square) : NaN;
-    const before = t * whole;
-    const after = (1 - t) * whole;
-    // Along (-uy, ux) the segment's ends may be the other way round.
-    const isTurned = ux * dy - uy * dx < 0;
-    return {
-      x: fx,
-      y: fy,
-      distance: far - radii[k]!,
-      ux,
-      uy,
-      before: isTurned ? after : before,
-      after: isTurned ? before : after,
-      r: radii[k]!,
-    };
+  /** Is the corner inside that is farthest in a direction? */
+  #isCornerInside({ x, y, width, height }: Part, ux: number, uy: number): boolean {
+    return this.#obstacles.surround(x + (ux > 0 ? width : -width), y + (uy > 0 ? height : -height));
   }
+
+  /** Offers a place, if it is in the circumcircle of a part: what is near a part is near that. */
+  #try({ x, y, width, height, near }: Part, px: number, py: number): void {
+    if (length(px - x, py - y) > length(width, height) * (1 + kGrain)) return;
+    this.#offer(px, py, nearestOf(this.#feet(near, px, py)).distance);
+  }
+}
+
+export function nearestOf(feet: Foot[]): Foot {
+  return feet.reduce((one, other) => (other.distance < one.distance ? other : one));
 }
 
 /** Not Math.hypot: every engine rounds it in its own way. */
@@ -274,23 +351,33 @@ export function length(x: number, y: number): number {
   return Math.sqrt(x * x + y * y);
 }
 
-/** s + t, and of a point the distance. */
+function mostAtCorners({ x, y, width, height }: Part, at: (x: number, y: number) => number) {
+  return Math.max(
+    at(x - width, y - height),
+    at(x + width, y - height),
+    at(x - width, y + height),
+    at(x + width, y + height),
+  );
+}
+
+function meanAtCorners(part: Part, one: Foot, other: Foot): number {
+  return mostAtCorners(part, (x, y) => (convexAbove(one, x, y) + convexAbove(other, x, y)) / 2);
+}
+
+/** s + t; where there is no line, the distance. */
 function convexAbove(foot: Foot, x: number, y: number): number {
-  const px = x - foot.x;
-  const py = y - foot.y;
-  if (Number.isNaN(foot.before)) return length(px, py) - foot.r;
-  return px * foot.ux + py * foot.uy + overshoot(foot, px, py);
+  const [s, t] = fromLine(foot, x, y);
+  return t >= 0 ? s + t : length(x - foot.x, y - foot.y) - foot.r;
 }
 
-/** t - s; of a point there is no such side. */
+/** t - s; where there is no line, nothing. */
 function beyondLine(foot: Foot, x: number, y: number): number {
-  const px = x - foot.x;
-  const py = y - foot.y;
-  if (Number.isNaN(foot.before)) return -Infinity;
-  return overshoot(foot, px, py) - (px * foot.ux + py * foot.uy);
+  const [s, t] = fromLine(foot, x, y);
+  return t >= 0 ? t - s : -Infinity;
 }
 
-function overshoot(foot: Foot, px: number, py: number): number {
-  const along = py * foot.ux - px * foot.uy;
-  return Math.max(0, along - foot.after, -along - foot.before);
+/** s and t; NaN where there is no line. */
+function fromLine({ x, y, ux, uy, before, after }: Foot, px: number, py: number) {
+  const along = (px - x) * uy - (py - y) * ux;
+  return [(px - x) * ux + (py - y) * uy, Math.max(0, along - after, -along - before)] as const;
 }

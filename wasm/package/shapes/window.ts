@@ -4,6 +4,7 @@ import { checkNumber } from "../core/arguments.js";
 import type { NativeRegion, NativeShapes } from "../core/native/module.js";
 import { play } from "../core/path.js";
 import type { Bounds } from "../core/types.js";
+import { pathOfSides } from "./drawing.js";
 import type { VoronoiWindow } from "./types.js";
 
 type Centroid = VoronoiWindow["centroid"];
@@ -55,19 +56,13 @@ export function windowOf(
 function momentsOf(rings: Portion, [x0, y0]: Centroid): { area: number; centroid: Centroid } {
   let area = 0;
   let [firstX, firstY] = [0, 0];
-  let [startX, startY, fromX, fromY] = [0, 0, 0, 0];
-  const lineTo = (x: number, y: number) => {
+  const sides = pathOfSides((fromX, fromY, x, y) => {
     const [ax, ay, bx, by] = [fromX - x0, fromY - y0, x - x0, y - y0];
     const twice = ax * by - bx * ay;
     area += twice / 2;
     firstX += (twice / 6) * (ax + bx);
     firstY += (twice / 6) * (ay + by);
-    [fromX, fromY] = [x, y];
-  };
-  const moveTo = (x: number, y: number) => {
-    [startX, startY, fromX, fromY] = [x, y, x, y];
-  };
-  const closePath = () => lineTo(startX, startY);
-  play({ moveTo, lineTo, closePath, bezierCurveTo() {} }, rings.commands, rings.coordinates);
+  });
+  play(sides, rings.commands, rings.coordinates);
   return { area, centroid: [x0 + firstX / area, y0 + firstY / area] };
 }

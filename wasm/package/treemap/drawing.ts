@@ -1,5 +1,6 @@
 // Drawing of outlines: conics as cubic Bezier curves.
 import { drawn, type DrawOptions, type PathContext } from "../core/path.js";
+import { halved } from "../shapes/curves.js";
 import type { Outline } from "./outline.js";
 import type { Frame } from "./rings.js";
 
@@ -56,10 +57,7 @@ function addCubics(
     );
     return;
   }
-  const [ax, ay] = [(x0 + w * x1) / whole, (y0 + w * y1) / whole];
-  const [bx, by] = [(x2 + w * x1) / whole, (y2 + w * y1) / whole];
-  const [x, y] = [(ax + bx) / 2, (ay + by) / 2];
-  const half = Math.sqrt(whole / 2);
+  const { ax, ay, x, y, bx, by, w: half } = halved(x0, y0, x1, y1, w, x2, y2);
   addCubics(target, x0, y0, ax, ay, half, x, y);
   addCubics(target, x, y, bx, by, half, x2, y2);
 }

@@ -1,4 +1,5 @@
 // Boundaries of cells: rings of curves, as `cellCurves` gives them, and polygons of the same area.
+import { halved } from "../shapes/curves.js";
 
 /** Rings of curves x0, y0, x1, y1, w, x2, y2 (w = 0: a segment), and where each ring starts. */
 export interface Outline {
@@ -48,17 +49,10 @@ function addInner(
   square: number, // of the tolerance
   depth: number,
 ): void {
-  const whole = 1 + w;
-  const ax = (x0 + w * x1) / whole;
-  const ay = (y0 + w * y1) / whole;
-  const bx = (x2 + w * x1) / whole;
-  const by = (y2 + w * y1) / whole;
-  const x = (ax + bx) / 2;
-  const y = (ay + by) / 2;
+  const { ax, ay, x, y, bx, by, w: half } = halved(x0, y0, x1, y1, w, x2, y2);
   const dx = x - (x0 + x2) / 2;
   const dy = y - (y0 + y2) / 2;
   if (depth > 0 && (depth === kDeepest || !(dx * dx + dy * dy > square))) return;
-  const half = Math.sqrt(whole / 2);
   addInner(points, x0, y0, ax, ay, half, x, y, square, depth + 1);
   points.push(x, y);
   addInner(points, x, y, bx, by, half, x2, y2, square, depth + 1);
