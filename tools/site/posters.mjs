@@ -5,7 +5,7 @@ import path from "node:path";
 import { root } from "../toolchain/folders.mjs";
 
 /** The modules of figures by name, which run in Node as in a browser; the playground's; the pen. */
-async function modules() {
+export async function figureModules() {
   const { createServer } = await import("vite");
   const dist = path.join(root, "dist/esm");
   const server = await createServer({
@@ -37,7 +37,7 @@ async function modules() {
  *   "-narrow", and the playground's
  */
 export async function drawPosters() {
-  const { SvgPen, playground, figures } = await modules();
+  const { SvgPen, playground, figures } = await figureModules();
   const posters = new Map();
   for (const [name, { size, draw }] of Object.entries(playground)) {
     const pen = new SvgPen(name, ...size);
