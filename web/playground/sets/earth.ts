@@ -3,7 +3,6 @@
 import type { SetInfo, Sites } from "../model/sites.js";
 import { type MapData, makeMap } from "../model/world_map.js";
 import { fetchData } from "./data_files.js";
-import { Globe } from "../model/globe.js";
 
 /** x, y and r are kilometres of this projection (globe.ts). `credit`: who has to be named. */
 export type OnEarth = { projection: "equal-earth"; credit?: "cities" };
@@ -27,6 +26,7 @@ export const fetchMap = () => fetchData<MapData>("land.json");
 
 /** What is known of circles on the map. */
 export async function earthInfo() {
+  const { Globe } = await import("../model/globe.js");
   return {
     areaUnit: "km²", // a map of equal areas; its distances are not those on the Earth
     map: makeMap(await fetchMap()),
