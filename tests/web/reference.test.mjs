@@ -3,21 +3,20 @@
 import { describe, expect, test } from "@jest/globals";
 import { transform } from "esbuild";
 import { documents } from "../../tools/site/documents.mjs";
+import { programsByCode } from "../../tools/site/reference.mjs";
 import { closePage, describeInBrowser } from "./support/browser.mjs";
 
 const pages = documents().filter(({ side }) => side);
-const programs = pages.flatMap(({ key, programs: own }) =>
-  own.map((program, k) => [`${key} ${k}`, program]),
-);
+const programs = [...programsByCode().values()];
 
 test("each example of the reference is a program of its own", async () => {
   expect(programs.length).toBeGreaterThan(150);
-  for (const [, program] of programs) {
+  for (const program of programs) {
     await transform(program, { format: "esm", target: "esnext" }); // throws on a syntax error
     expect(program).toMatch(/^import |^(\/\/.*\n)*import /m);
   }
   // What the comments say is printed.
-  const find = programs.find(([, program]) => program.includes("4 from Seal Rock"))[1];
+  const find = programs.find((program) => program.includes("4 from Seal Rock"));
   expect(find).toContain("const id = diagram.find(52, 30);\nconsole.log(id); // 0: 2 from");
   expect(find).toContain("console.log(islands[id].name);");
 });

@@ -37,28 +37,26 @@ function figureHtml(name, caption, poster) {
 </figure>`;
 }
 
-const kCode = /<pre><code class="language-(\w+)">([\s\S]*?)<\/code><\/pre>/g;
+const kCode =
+  /<pre><code class="language-(\w+)">([\s\S]*?)<\/code><\/pre>(<template[\s\S]*?<\/template>)?/g;
 const codeHtml = (language, code, program) =>
   `<div class="code"><pre tabindex="0"><code class="language-${language}">${code}</code></pre>` +
   '<button type="button" class="copy" data-pagefind-ignore>Copy</button>' +
-  (program
-    ? `<button type="button" class="run" data-pagefind-ignore>Run</button>${programHtml(program)}`
-    : "") +
+  (program ? `<button type="button" class="run" data-pagefind-ignore>Run</button>${program}` : "") +
   "</div>";
-const programHtml = (program) => `<template class="program">${escaped(program)}</template>`;
 
 /**
- * @param {{ address?: (target: string) => string, anchors?: string[], programs?: string[] }} page
+ * @param {{ address?: (target: string) => string, anchors?: string[], programs?: Map<string, string> }}
+ *   page
  *   `address` turns a link of a document of docs/ into one of the site, or says by null that there
  *   is nothing to lead to; `anchors` are those of its headings; `programs` are what its blocks of
- *   JavaScript run
+ *   code run, by their text
  * @param {string} text Markdown
  * @param {Map<string, string>} posters first pictures, by the name of the figure
  */
 export function htmlOf(page, text, posters) {
-  const programs = page.programs?.values();
   const html = markdown
-    .render(text, { anchors: page.anchors })
+    .render(text, { anchors: page.anchors, programs: page.programs })
     .replace(kFigure, (_, name, caption, at, all) => {
       // The first figure of a page is seen before its script has come, on phones too.
       const isFirst = !all.slice(0, at).includes('<img src="figure:');
@@ -66,9 +64,7 @@ export function htmlOf(page, text, posters) {
       const poster = kinds.map((kind) => posters.get(`${name}-${kind}`) ?? "").join("");
       return figureHtml(name, caption, poster);
     })
-    .replace(kCode, (_, language, code) =>
-      codeHtml(language, code, language === "js" ? programs?.next().value : undefined),
-    )
+    .replace(kCode, (_, language, code, program) => codeHtml(language, code, program))
     .replaceAll("<pre><code>", '<pre tabindex="0"><code>')
     .replaceAll("<th></th>", "<td></td>")
     .replaceAll("<table>", '<div class="table" tabindex="0"><table>')

@@ -1,11 +1,12 @@
-// A recipe in Markdown: a block of code with the tag `js recipe`, below a heading that says what it
-// is for. It becomes a card, in which readers can change the program and run it
-// (web/recipes/cards.ts).
+// Cards, in which readers can change a program and run it (web/recipes/cards.ts). A recipe in
+// Markdown, a block of code with the tag `js recipe`, is one. A block that has a program of its own
+// gets one in a template, for when the reader asks (web/figure/reference.ts).
 
-/** The text of the last heading before a token. */
+/** The text of the last heading before a token: it says what a program is for. */
 function titleBefore(tokens, index) {
   for (let k = index; k >= 0; k--)
-    if (tokens[k].type === "heading_open") return tokens[k + 1].content;
+    if (tokens[k].type === "heading_open")
+      return tokens[k + 1].children.map(({ content }) => content).join("");
   throw new Error("a recipe has no heading");
 }
 
@@ -23,12 +24,17 @@ ${escaped(code)}</textarea>
 </div>
 `;
 
-/** A plugin for markdown-it. */
+/** A plugin for markdown-it. The environment's `programs` are by the text of a block. */
 export function recipes(markdown) {
   const { fence } = markdown.renderer.rules;
-  markdown.renderer.rules.fence = (tokens, k, ...rest) => {
+  markdown.renderer.rules.fence = (tokens, k, options, environment, self) => {
     const { info, content } = tokens[k];
-    if (info.trim() !== "js recipe") return fence(tokens, k, ...rest);
-    return cardHtml(titleBefore(tokens, k), content.trimEnd(), markdown.utils.escapeHtml);
+    const card = (code) => cardHtml(titleBefore(tokens, k), code, markdown.utils.escapeHtml);
+    if (info.trim() === "js recipe") return card(content.trimEnd());
+    const program = environment.programs?.get(content);
+    const html = fence(tokens, k, options, environment, self);
+    return program
+      ? `${html.trimEnd()}<template class="program" data-pagefind-ignore>${card(program)}</template>`
+      : html;
   };
 }

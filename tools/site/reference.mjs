@@ -4,7 +4,7 @@
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import GithubSlugger from "github-slugger";
-import ts from "typescript";
+import { rewritten } from "../example_statements.mjs";
 import { readExamples } from "../examples.mjs";
 import { root } from "../toolchain/folders.mjs";
 import { kSeeAlso } from "./see_also.mjs";
@@ -64,51 +64,24 @@ function split() {
   return { overview, pages };
 }
 
-/** What the examples of parts begin with. */
-const beginnings = new Map(readExamples().map(({ part, setUp }) => [part, setUp]));
-
 /** The code, but that it prints what the comments behind its statements say that they give. */
-function printing(code) {
-  const { statements } = ts.createSourceFile("example.js", code, ts.ScriptTarget.Latest, true);
-  let made = "";
-  let at = 0;
-  for (const statement of statements) {
-    const [comment] = ts.getTrailingCommentRanges(code, statement.end) ?? [];
-    if (!comment) continue;
-    const text = statement.getText();
-    const declared = statement.declarationList?.declarations[0].name.getText();
-    const printed = declared
-      ? `${text}\nconsole.log(${declared});`
-      : `console.log(${statement.expression.getText()});`;
-    const isThrown = /^\/\/ throws /.test(code.slice(comment.pos, comment.end));
-    made += code.slice(at, statement.getStart());
-    made += isThrown
-      ? `try {\n  ${text}\n} catch (error) {\n  console.log(String(error));\n}`
-      : printed;
-    at = statement.end;
-  }
-  return made + code.slice(at);
-}
+const printing = (code) =>
+  rewritten(code, ({ text, value, isDeclared, said }) => {
+    if (said.startsWith("throws "))
+      return `try {\n  ${text}\n} catch (error) {\n  console.log(String(error));\n}`;
+    return `${isDeclared ? `${text}\n` : ""}console.log(${value});`;
+  });
 
-/** The blocks of JavaScript of a page, in their order, each as a program of its own. */
-function programsOf(page) {
-  const programs = [];
-  let own = "";
-  let before = "";
-  const text = page.sections.flatMap(({ lines }) => lines).join("\n");
-  const pattern = /begin(s?) with:|examples of \[(.+?)\]|^```js\n([\s\S]*?)^```$/gm;
-  let isBeginning = false;
-  for (const [, , part, code] of text.matchAll(pattern)) {
-    if (part) before = beginnings.get(part) ?? "";
-    else if (code === undefined) isBeginning = before === "";
-    else if (isBeginning) {
-      own = code;
-      isBeginning = false;
-      programs.push(code);
-    } else {
-      programs.push(`${before || own}\n${printing(code)}`.trim());
-      before = "";
-    }
+/**
+ * What readers run for each block of code of the reference, by its text: with what its part begins
+ * with.
+ */
+export function programsByCode() {
+  const programs = new Map();
+  for (const { setUp, examples } of readExamples()) {
+    if (setUp) programs.set(setUp, setUp.trimEnd());
+    for (const code of examples.flatMap(({ codes }) => codes))
+      programs.set(code, `${setUp}\n${printing(code)}`.trim());
   }
   return programs;
 }
@@ -158,10 +131,11 @@ function listOfCalls(page, address) {
 
 /**
  * The pages, as list.mjs has them: `text` in Markdown, `anchors` of its headings, `side` with what
- * stands beside it, and its `programs`. `addressFrom(up)` is documents.mjs's, for links.
+ * stands beside it, and `programs`. `addressFrom(up)` is documents.mjs's, for links.
  */
 export function referencePages(addressFrom) {
   const { overview, pages } = split();
+  const programs = programsByCode();
   const pageOf = new Map(
     pages.flatMap((page) => page.sections.map(({ anchor }) => [anchor, page.name])),
   );
@@ -206,7 +180,7 @@ export function referencePages(addressFrom) {
       })
       .join("\n"),
     anchors: page.sections.map(({ anchor }) => anchor),
-    programs: programsOf(page),
+    programs,
     side:
       `<p><a href="../">API</a></p>${others(page, "../")}` +
       `<div class="calls"><p class="of">${page.title}</p>${listOfCalls(page, "")}</div>`,
@@ -237,7 +211,6 @@ export function referencePages(addressFrom) {
         `${overview.heading}\n${linked(overview.lines)}\n\n` +
         `<div class="index" data-pagefind-ignore>\n\n${index}\n\n</div>`,
       anchors: [overview.anchor],
-      programs: [],
       side: `<p><a href="./" aria-current="page">API</a></p>${others(null, "")}`,
     },
     ...pages.map(ofPage),

@@ -1,47 +1,18 @@
 // Pages of the reference: examples that run below their code, and the calls at the side, of which
 // the one that is read is marked.
-import { make } from "../shared/dom.js";
 
 /** Makes cards of elements, which run (web/recipes/cards.ts). */
 type StartCards = (elements: Iterable<HTMLElement>) => void;
 
-/** Puts a card with an example's program (tools/site/reference.mjs) behind its code. */
+/** Puts the card with an example's program (tools/site/recipes.mjs) behind its code. */
 function run(button: HTMLButtonElement, startCards: StartCards): void {
   const code = button.parentElement as HTMLElement;
   const template = code.querySelector<HTMLTemplateElement>("template.program");
   if (!template) return;
   button.disabled = true;
-  const program = template.content.textContent ?? "";
-  const text = make("textarea", { defaultValue: program, spellcheck: false, wrap: "off" });
-  text.rows = program.split("\n").length;
-  text.setAttribute("aria-label", `Program: ${headingOf(code)}`);
-  const card = make(
-    "div",
-    { className: "recipe" },
-    make(
-      "div",
-      { className: "program" },
-      text,
-      make(
-        "div",
-        { className: "controls" },
-        make("button", { type: "button", className: "run" }, "Run"),
-        make("button", { type: "button", className: "reset" }, "Reset"),
-        make("button", { type: "button", className: "copy-page" }, "Copy as one HTML file"),
-        make("small", {}, "or Ctrl + Enter"),
-      ),
-    ),
-    make("div", { className: "result" }),
-  );
+  const card = document.importNode(template.content, true).firstElementChild as HTMLElement;
   code.after(card);
   startCards([card]);
-}
-
-/** The last heading before an element. */
-function headingOf(element: Element): string {
-  for (let at: Element | null = element; at; at = at.previousElementSibling)
-    if (/^H\d$/.test(at.tagName)) return at.textContent ?? "";
-  return document.title;
 }
 
 /** Opens the list beside the page where there is room, and marks the call that is read. */

@@ -7,6 +7,7 @@ import { mkdirSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import ts from "typescript";
+import { rewritten } from "../../../tools/example_statements.mjs";
 import { capture } from "../../../tools/toolchain/process.mjs";
 import { packed } from "./install_packed.mjs";
 
@@ -14,24 +15,13 @@ const folder = path.join(packed, "examples");
 const runner = fileURLToPath(new URL("run_examples.mjs", import.meta.url));
 
 /** The code with `show(what the statement gives, comment)` for each comment behind a statement. */
-function instrumented(code) {
-  const { statements } = ts.createSourceFile("example.js", code, ts.ScriptTarget.Latest, true);
-  let made = "";
-  let at = 0;
-  for (const statement of statements) {
-    const [comment] = ts.getTrailingCommentRanges(code, statement.end) ?? [];
-    if (!comment) continue;
-    const said = JSON.stringify(code.slice(comment.pos, comment.end).replace(/^\/\/ /, ""));
-    const declared = statement.declarationList?.declarations[0].name.getText();
-    made += code.slice(at, statement.getStart());
-    if (declared) made += `${statement.getText()} await show(() => [${declared}], ${said});`;
-    else if (ts.isExpressionStatement(statement))
-      made += `await show(async () => [${statement.expression.getText()}], ${said});`;
-    else throw new Error(`a comment behind a statement without a value: ${statement.getText()}`);
-    at = comment.end;
-  }
-  return made + code.slice(at);
-}
+const instrumented = (code) =>
+  rewritten(code, ({ text, value, isDeclared, said }) => {
+    if (value === undefined)
+      throw new Error(`a comment behind a statement without a value: ${text}`);
+    const shown = `await show(async () => [${value}], ${JSON.stringify(said)});`;
+    return isDeclared ? `${text} ${shown}` : shown;
+  });
 
 /** Node 20 does not read `using`. */
 function forThisNode(code) {
