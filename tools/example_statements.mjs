@@ -2,11 +2,14 @@
 import ts from "typescript";
 
 /**
+ * `value` is the statement's expression, or the variable that it declares; `said` is the comment.
+ * @typedef {{ text: string, value?: string, isDeclared: boolean, said: string }} Statement
+ */
+
+/**
  * The code, in which `write` has written these statements anew. The comments stay.
  * @param {string} code
- * @param {(statement: { text: string, value?: string, isDeclared: boolean, said: string }) => string}
- *   write `value` is the statement's expression, or the variable that it declares; `said` is the
- *   comment's text
+ * @param {(statement: Statement) => string} write
  */
 export function rewritten(code, write) {
   const { statements } = ts.createSourceFile("example.js", code, ts.ScriptTarget.Latest, true);

@@ -2,7 +2,6 @@
 // ghost pointer goes round, from the figure's own drawing. It needs dist/ (npm run build).
 import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import sharp from "sharp";
 import { figureModules } from "./site/posters.mjs";
 import { root } from "./toolchain/folders.mjs";
 import { SetUpError } from "./toolchain/process.mjs";
@@ -49,6 +48,7 @@ async function framesOf(name) {
 }
 
 await main(async () => {
+  const { default: sharp } = await import("sharp");
   const frames = await framesOf("twins");
   const images = frames.map(({ svg }) => Buffer.from(svg));
   const picture = await sharp(images, { join: { animated: true } })

@@ -140,6 +140,16 @@ test("without sites there is nothing", () => {
   expect(empty.toGeoJSON({ distance: 1 }).features).toEqual([]);
 });
 
+test("a hidden site has no area and no perimeter, as on the plane", () => {
+  const pair = new SphericalDiagram([10, 20, 0.5, 10, 21, 0.1]);
+  expect(pair.isHidden(1)).toBe(true);
+  for (const options of [{}, { distance: 1 }]) {
+    expect(pair.cellArea(1, options)).toBeNull();
+    expect(pair.cellPerimeter(1, options)).toBeNull();
+    expect(pair.cellAreas(options)[1]).toBe(0);
+  }
+});
+
 test("a distance as far as the opposite point cuts nothing off, one below the centre all", () => {
   const one = new SphericalDiagram([10, 20, 0.5]);
   expect(one.cellArea(0, { distance: 3 })).toBe(4 * Math.PI);

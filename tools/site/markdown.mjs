@@ -46,8 +46,9 @@ const codeHtml = (language, code, program) =>
   "</div>";
 
 /**
- * @param {{ address?: (target: string) => string, anchors?: string[], programs?: Map<string, string> }}
- *   page
+ * @param {{
+ *   address?: (target: string) => string, anchors?: string[], programs?: Map<string, string>
+ * }} page
  *   `address` turns a link of a document of docs/ into one of the site, or says by null that there
  *   is nothing to lead to; `anchors` are those of its headings; `programs` are what its blocks of
  *   code run, by their text

@@ -31,10 +31,10 @@ export function recipes(markdown) {
     const { info, content } = tokens[k];
     const card = (code) => cardHtml(titleBefore(tokens, k), code, markdown.utils.escapeHtml);
     if (info.trim() === "js recipe") return card(content.trimEnd());
-    const program = environment.programs?.get(content);
     const html = fence(tokens, k, options, environment, self);
-    return program
-      ? `${html.trimEnd()}<template class="program" data-pagefind-ignore>${card(program)}</template>`
-      : html;
+    const program = environment.programs?.get(content);
+    if (!program) return html;
+    const template = `<template class="program" data-pagefind-ignore>${card(program)}</template>`;
+    return html.trimEnd() + template;
   };
 }

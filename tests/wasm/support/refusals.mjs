@@ -79,10 +79,12 @@ export const unknownOption = (call) => [
   ["bad-option", (d) => call(d, 0.5), "options is 0.5, expected {"],
 ];
 /** Of calls that search thin windows: one that goes to and fro along a line. */
-export const scribble = Array.from({ length: 11 }, (_, k) => {
-  const x = ((5 * k + 1) % 11) / 11 + (k % 3) / 7;
-  return [x, 0.7 * x + 1e-11 * ((7 * k * k + 3 * k) % 5)];
-});
+export const scribble = [
+  [0, 3e-11],
+  [5, 0],
+  [3, 0],
+  [11, 3e-11],
+].map(([x, above]) => [x / 17, (0.7 * x) / 17 + above]);
 export const searchedBy = (call) => [
   [
     "no-convergence",

@@ -439,12 +439,12 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   }
 
   /**
-   * The area of a cell, in the square of the radius' unit; 0 for a hidden site. O(d). Throws
+   * The area of a cell, in the square of the radius' unit; null for a hidden site. O(d). Throws
    * "unknown-site", "not-finite", "out-of-range", "bad-option".
    */
-  cellArea(id: number, options?: DistanceOptions): number {
+  cellArea(id: number, options?: DistanceOptions): number | null {
     const { native, distance } = withCell(this, id, options);
-    return native.cellArea(id, distance);
+    return native.isHidden(id) ? null : native.cellArea(id, distance);
   }
 
   /**
@@ -457,12 +457,12 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   }
 
   /**
-   * The length of a cell's boundary, in the radius' unit; 0 for a hidden site. O(d). Throws as
+   * The length of a cell's boundary, in the radius' unit; null for a hidden site. O(d). Throws as
    * `cellArea`.
    */
-  cellPerimeter(id: number, options?: DistanceOptions): number {
+  cellPerimeter(id: number, options?: DistanceOptions): number | null {
     const { native, distance } = withCell(this, id, options);
-    return native.cellPerimeter(id, distance);
+    return native.isHidden(id) ? null : native.cellPerimeter(id, distance);
   }
 
   /** The perimeters of all cells by id, 0 for ids without a cell. O(n). Throws as `cellAreas`. */
