@@ -5,6 +5,7 @@ import { messageOf } from "../shared/errors.js";
 import { whenLoaded } from "../shared/package.js";
 import type { AnyFigure } from "./figure.js";
 import { FigureRunner } from "./runner.js";
+import { startSearch } from "./search.js";
 
 const kNear = "300px"; // below the window
 
@@ -76,17 +77,7 @@ if (document.querySelector("nav.side"))
   import("./reference.js").then(({ startReference }) => startReference(startCards));
 
 const search = document.querySelector<HTMLElement>("button.search");
-const openSearch = async () => (await import("./search.js")).openSearch();
-search?.addEventListener("click", openSearch);
-addEventListener("keydown", (event) => {
-  const isTyping = (event.target as Element).closest?.(
-    "input, textarea, select, [contenteditable]",
-  );
-  if (!search || event.key !== "/" || isTyping || event.ctrlKey || event.metaKey || event.altKey)
-    return;
-  event.preventDefault();
-  openSearch();
-});
+if (search) startSearch(search);
 
 // A handle for tests and the curious; not an interface.
 Object.assign(window, { figures: runners });

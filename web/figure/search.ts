@@ -1,5 +1,5 @@
-// Search over all pages of the site: a dialog. Pagefind has made the index when the site was built
-// (tools/build_site.mjs), and reads only the parts it needs.
+// Search over all pages of the site: a dialog, opened by its button or "/". Pagefind has made the
+// index when the site was built (tools/build_site.mjs), and reads only the parts it needs.
 import { make } from "../shared/dom.js";
 import { messageOf } from "../shared/errors.js";
 
@@ -69,8 +69,8 @@ function listOf(found: Found[], text: string): HTMLLIElement[] {
   });
 }
 
-/** Makes the dialog, which is closed. */
-function makeDialog(): HTMLDialogElement {
+/** Makes the dialog; the button opens it. */
+export function startSearch(button: HTMLElement): void {
   const input = make("input", { type: "search", placeholder: "find, hidden, GeoJSON, …" });
   input.setAttribute("aria-label", "Search the site");
   const list = make("ol");
@@ -80,6 +80,12 @@ function makeDialog(): HTMLDialogElement {
   dialog.setAttribute("aria-label", "Search");
   document.body.append(dialog);
 
+  const open = () => {
+    if (dialog.open) return;
+    dialog.showModal();
+    input.select();
+    load().catch(fail);
+  };
   const fail = (error: unknown) => {
     pagefind = null; // there is another try with the next word
     list.replaceChildren();
@@ -105,6 +111,15 @@ function makeDialog(): HTMLDialogElement {
     }
   };
   input.addEventListener("input", look);
+  button.addEventListener("click", open);
+  addEventListener("keydown", (event) => {
+    const isTyping = (event.target as Element).closest?.(
+      "input, textarea, select, [contenteditable]",
+    );
+    if (event.key !== "/" || isTyping || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    open();
+  });
   dialog.addEventListener("keydown", (event) => {
     const links = [...list.querySelectorAll("a")];
     const at = links.indexOf(document.activeElement as HTMLAnchorElement);
@@ -118,16 +133,4 @@ function makeDialog(): HTMLDialogElement {
     // Beside it, or on a place in this page.
     if (target === dialog || (target as Element).closest("a")) dialog.close();
   });
-  load().catch(fail);
-  return dialog;
-}
-
-let dialog: HTMLDialogElement | undefined;
-
-/** Opens the dialog, with what has been looked for. */
-export function openSearch(): void {
-  dialog ??= makeDialog();
-  if (dialog.open) return;
-  dialog.showModal();
-  dialog.querySelector("input")?.select();
 }
