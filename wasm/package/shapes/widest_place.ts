@@ -144,9 +144,9 @@ export type NearestCircle = (x: number, y: number) => number;
 const kShare = 2 ** -11;
 /** The share of the coordinates below which doubles tell no difference. */
 export const kGrain = 2 ** -50;
-/** Parts looked at for each obstacle, at most. The cell of a circle takes 10, a thin ring 150. */
+/** Parts looked at for each obstacle, at most. Cells at random take 3 to 20, thin rings 150. */
 const kMostLooks = 2 ** 8;
-/** A search looks at as many parts as if it had this many obstacles more. */
+/** Counted with the obstacles for that limit: a few of them need more parts each. */
 const kMoreObstacles = 100;
 /** The cosine up to which segments that do not cross in a box count as side by side. */
 const kParallel = 0.9;
