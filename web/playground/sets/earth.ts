@@ -21,15 +21,16 @@ export function onEarthIn(data: unknown): OnEarth | null {
   return { projection, ...(credit === "cities" ? { credit } : {}) };
 }
 
-/** Asks for what the map is made from. */
-export const fetchMap = () => fetchData<MapData>("land.json");
+/** Asks for what the map is made from, and for what knows the Earth. */
+export const fetchEarth = () =>
+  Promise.all([fetchData<MapData>("land.json"), import("../model/globe.js")]);
 
 /** What is known of circles on the map. */
 export async function earthInfo() {
-  const { Globe } = await import("../model/globe.js");
+  const [data, { Globe }] = await fetchEarth();
   return {
     areaUnit: "km²", // a map of equal areas; its distances are not those on the Earth
-    map: makeMap(await fetchMap()),
+    map: makeMap(data),
     globe: new Globe(),
   };
 }
