@@ -310,7 +310,7 @@ describeInBrowser("files", (open) => {
         const { globe } = app.sites.info;
         for (let lon = -175; lon < 180; lon += 5)
           for (let lat = 60; lat > -60; lat -= 5) {
-            const [x, y] = globe.projection([lon, lat]);
+            const [x, y] = app.parts.equalEarth([lon, lat]);
             const onMap = app.diagram.find(x, y);
             const { id, distance } = globe.nearest(app.sites, [lon, lat]);
             if (id === onMap) continue;

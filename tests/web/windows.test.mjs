@@ -64,7 +64,7 @@ describeInBrowser("the coast", (open) => {
       const { x, y, r } = app.sites.site(id);
       const at = [app.view.toWorldX(app.view.toScreenX(x) + 40), y];
       const [[lon, lat], [otherLon, otherLat]] = [[x, y], at].map((point) =>
-        app.sites.info.globe.projection.invert(point).map((degrees) => (degrees * Math.PI) / 180),
+        app.parts.equalEarth.invert(point).map((degrees) => (degrees * Math.PI) / 180),
       );
       const cosine =
         Math.sin(lat) * Math.sin(otherLat) +

@@ -8,6 +8,7 @@ import { Shower } from "./picture/shower.js";
 import { save } from "./sets/export.js";
 import { toGeoJson } from "./sets/geojson.js";
 import { sitesFromText } from "./sets/import.js";
+import { equalEarth } from "./model/globe.js";
 import { toSvg } from "./sets/svg.js";
 import { kTools } from "./tools/registry.js";
 import { element, kElementIds } from "./ui/elements.js";
@@ -23,6 +24,7 @@ export const parts = {
   save,
   toGeoJson,
   toSvg,
+  equalEarth,
   sitesFromText,
   element,
   kElementIds,

@@ -1,5 +1,5 @@
 // From the Equal Earth map of the cities back to the Earth: places in degrees and kilometres along
-// great circles, which no flat map has everywhere. Only sets on the map need it (sets/earth.ts).
+// great circles, which no flat map has everywhere.
 import type { Position, Projection } from "apollonius-diagram";
 import { geoDistance, geoEqualEarthRaw } from "d3-geo";
 
@@ -14,7 +14,7 @@ function inverted([x, y]: Position): Position {
 }
 
 /** The map of data/cities.json: km, y to the north. */
-const equalEarth: Projection = Object.assign(
+export const equalEarth: Projection = Object.assign(
   ([lon, lat]: Position): Position => {
     const [x, y] = geoEqualEarthRaw(lon * kDegree, lat * kDegree);
     return [x * kEarthRadius, y * kEarthRadius];
@@ -28,7 +28,21 @@ const equalEarth: Projection = Object.assign(
   },
 );
 
+/** Where on the Earth a point of the map is; null beyond the map's border. */
+export function placeOn(x: number, y: number): Position | null {
+  if (Math.abs(y) > kHighest) return null;
+  const place = inverted([x, y]);
+  return Math.abs(place[0]) <= 180 ? place : null;
+}
+
 const kilometres = (a: Position, b: Position) => geoDistance(a, b) * kEarthRadius;
+
+/** As "52.5° N, 13.4° E". */
+export function placeText([lon, lat]: Position) {
+  const text = (value: number, signs: string) =>
+    `${Math.abs(value).toFixed(1)}° ${signs[value < 0 ? 1 : 0]}`;
+  return `${text(lat, "NS")}, ${text(lon, "EW")}`;
+}
 
 /** As much of a set of circles as distances take: x, y, r by id. */
 type Circles = {
@@ -43,27 +57,11 @@ export class Globe {
   /** By id: where it was when it was asked for, and that place. */
   #places: { x: number; y: number; place: Position | null }[] = [];
 
-  readonly projection = equalEarth;
-
-  /** Where on the Earth a point of the map is; null beyond the map's border. */
-  placeOn(x: number, y: number): Position | null {
-    if (Math.abs(y) > kHighest) return null;
-    const place = inverted([x, y]);
-    return Math.abs(place[0]) <= 180 ? place : null;
-  }
-
-  /** As "52.5° N, 13.4° E". */
-  textOf([lon, lat]: Position) {
-    const text = (value: number, signs: string) =>
-      `${Math.abs(value).toFixed(1)}° ${signs[value < 0 ? 1 : 0]}`;
-    return `${text(lat, "NS")}, ${text(lon, "EW")}`;
-  }
-
   placeOf({ xyr }: Circles, id: number) {
     const [x, y] = [xyr[3 * id], xyr[3 * id + 1]];
     const known = this.#places[id];
     if (known?.x === x && known.y === y) return known.place;
-    const place = this.placeOn(x, y);
+    const place = placeOn(x, y);
     this.#places[id] = { x, y, place };
     return place;
   }

@@ -3,7 +3,7 @@
 // equal-area map.
 import { type SetInfo, Sites } from "../model/sites.js";
 import { fetchData } from "./data_files.js";
-import { earthInfo, fetchEarth } from "./earth.js";
+import { earthInfo, fetchMap } from "./earth.js";
 
 const kLargestRadius = 330; // km, of the largest city's circle
 
@@ -19,7 +19,7 @@ const describe = () => {
 
 /** Asks for what they are made from. */
 export const fetchCities = () =>
-  Promise.all([fetchData<{ cities: City[] }>("cities.json"), fetchEarth()]);
+  Promise.all([fetchData<{ cities: City[] }>("cities.json"), fetchMap()]);
 
 export async function loadCities(): Promise<Sites> {
   const [[{ cities }], earth] = await Promise.all([fetchCities(), earthInfo()]);

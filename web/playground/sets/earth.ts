@@ -3,6 +3,7 @@
 import type { SetInfo, Sites } from "../model/sites.js";
 import { type MapData, makeMap } from "../model/world_map.js";
 import { fetchData } from "./data_files.js";
+import { Globe } from "../model/globe.js";
 
 /** x, y and r are kilometres of this projection (globe.ts). `credit`: who has to be named. */
 export type OnEarth = { projection: "equal-earth"; credit?: "cities" };
@@ -21,16 +22,14 @@ export function onEarthIn(data: unknown): OnEarth | null {
   return { projection, ...(credit === "cities" ? { credit } : {}) };
 }
 
-/** Asks for what the map is made from, and for what knows the Earth. */
-export const fetchEarth = () =>
-  Promise.all([fetchData<MapData>("land.json"), import("../model/globe.js")]);
+/** Asks for what the map is made from. */
+export const fetchMap = () => fetchData<MapData>("land.json");
 
 /** What is known of circles on the map. */
 export async function earthInfo() {
-  const [data, { Globe }] = await fetchEarth();
   return {
     areaUnit: "km²", // a map of equal areas; its distances are not those on the Earth
-    map: makeMap(data),
+    map: makeMap(await fetchMap()),
     globe: new Globe(),
   };
 }

@@ -6,7 +6,7 @@ import type { Position, Voronoi } from "apollonius-diagram";
 import type { App } from "../app.js";
 import { boundsOf, windowOf } from "../picture/curves.js";
 import { type OnEarth, onEarthIn, onEarthOf } from "./earth.js";
-import type { Globe } from "../model/globe.js";
+import { equalEarth, placeOn } from "../model/globe.js";
 
 const kTolerance = 0.25; // pixels between a polygon and the true curve
 const kWorld = [-180, -90, 180, 90] as const;
@@ -63,17 +63,15 @@ function cellsOf({ sites, view, painter, diagram }: App): Voronoi {
     if (!bounds) throw new Error("this is nearer than numbers resolve: zoom out");
     return diagram.voronoi(bounds);
   }
-  const window = painter.layers.coast
-    ? map.land.rings.map((ring) => inDegrees(ring, globe))
-    : kWorld;
-  return diagram.voronoi(window, { project: globe.projection });
+  const window = painter.layers.coast ? map.land.rings.map(inDegrees) : kWorld;
+  return diagram.voronoi(window, { project: equalEarth });
 }
 
 /** A ring x, y, … of the map as longitudes and latitudes. */
-function inDegrees(ring: readonly number[], { projection }: Globe) {
+function inDegrees(ring: readonly number[]) {
   const places: Position[] = [];
   for (let k = 0; k < ring.length; k += 2) {
-    const place = projection.invert([ring[k], ring[k + 1]]);
+    const place = equalEarth.invert([ring[k], ring[k + 1]]);
     if (place) places.push(place);
   }
   return places;
@@ -82,7 +80,6 @@ function inDegrees(ring: readonly number[], { projection }: Globe) {
 /** null, as GeoJSON has it, for what is beyond the map. */
 function pointOf({ sites }: App, id: number) {
   const { x, y } = sites.site(id);
-  const { globe } = sites.info;
-  const coordinates = globe ? globe.placeOn(x, y) : [x, y];
+  const coordinates = sites.info.globe ? placeOn(x, y) : [x, y];
   return coordinates && { type: "Point", coordinates };
 }

@@ -5,6 +5,7 @@ import { messageOf } from "../../shared/errors.js";
 import { neighborsOf } from "../model/neighbors.js";
 import { whenever } from "../model/signals.js";
 import type { Sites } from "../model/sites.js";
+import { placeText } from "../model/globe.js";
 import { grouped, oncePerFrame, setText, short } from "./dom.js";
 import { element } from "./elements.js";
 
@@ -136,7 +137,7 @@ function globeFacts({ sites, selection }: App, id: number): Fact[] {
   const place = globe?.placeOf(sites, id);
   if (!globe || !place) return [];
   const next = globe.nearestCentre(sites, id);
-  const facts: Fact[] = [["place", globe.textOf(place)]];
+  const facts: Fact[] = [["place", placeText(place)]];
   if (next) {
     const text = `${sites.label(next.id).name}, ${short(next.distance)} km`;
     facts.push(["nearest centre", text, () => selection.set([next.id])]);

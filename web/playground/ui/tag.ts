@@ -6,7 +6,7 @@ import { whenever } from "../model/signals.js";
 import type { Sites } from "../model/sites.js";
 import type { Hover } from "../picture/overlay_layer.js";
 import type { View } from "../picture/view.js";
-import type { Globe } from "../model/globe.js";
+import { type Globe, placeOn } from "../model/globe.js";
 import { away, grouped, neighboursText, oncePerFrame, short } from "./dom.js";
 import { element } from "./elements.js";
 
@@ -80,7 +80,7 @@ function onPlane({ sites, diagram }: App, hover: Hover) {
 
 /** In kilometres on the Earth, where another one than on the map can be the nearest. */
 function onGlobe({ sites, view }: App, { id, x, y }: Hover, globe: Globe) {
-  const place = globe.placeOn(view.toWorldX(x), view.toWorldY(y));
+  const place = placeOn(view.toWorldX(x), view.toWorldY(y));
   const distance = place && globe.distance(sites, id, place);
   if (!place || distance === null) return "nearest on the map, off the globe";
   const nearest = globe.nearest(sites, place);
