@@ -120,15 +120,27 @@ describeInBrowser("recipe cards", (open) => {
     await closePage(page);
   });
 
-  test("a program without an end does not stop the page, which says what helps", async () => {
+  test("loops without an end are stopped, those with pauses are not", async () => {
     const page = await open({ ...kRecipes, isAlone: true });
-    const title = "I want areas by value";
-    const card = await cardOf(page, title);
-    await card.locator("textarea").fill("for (;;);");
-    await card.locator("textarea").press("Control+Enter");
-    await card.locator(".failed").filter({ hasText: "reload" }).waitFor();
-    await page.reload();
-    expect(await (await cardOf(page, title)).getAttribute("data-state")).toBe("done");
+    const card = await cardOf(page, "I want areas by value");
+    const failed = card.locator(".failed");
+    await runWith(
+      card,
+      "let n = 0;\nwhile (true)\n  for (let k = 0; k < 9; ++k) try { n++; } catch {}",
+    );
+    expect(await failed.textContent()).toMatch(/^Line [23]: Error: the loop was stopped/);
+    await runWith(card, "let n = 0;\ndo await n++;\nwhile (n >= 0);");
+    await failed.filter({ hasText: /^Line 2: Error: the loop was stopped/ }).waitFor();
+    await runWith(
+      card,
+      `const pause = () => new Promise((go) => setTimeout(go, 10));
+      const start = performance.now();
+      rounds: while (performance.now() - start < 6000)
+        for (const k of [1, 2]) if (k === 2) continue rounds; else await pause();
+      console.log("ended");`,
+    );
+    await card.locator(".printed").filter({ hasText: "ended" }).waitFor();
+    expect(await failed.isVisible()).toBe(false);
     await closePage(page);
   });
 
@@ -153,11 +165,19 @@ describeInBrowser("recipe cards", (open) => {
 });
 
 describeInFirefox("recipe cards in Firefox", (_, { browser, url }) => {
-  test("the first card runs", async () => {
+  test("the first card runs, and a loop without an end is stopped", async () => {
     const page = await browser().newPage();
     await page.goto(`${url()}recipes/`);
     await page.$eval(".recipe", (card) => card.scrollIntoView());
     await page.waitForSelector(".recipe[data-state=done]", { timeout: 30_000 });
+    await page.$eval(".recipe textarea", (text) => {
+      text.value = "for (;;);";
+    });
+    await page.click(".recipe .run");
+    await page.waitForSelector(".recipe[data-state=failed]", { timeout: 30_000 });
+    expect(await page.$eval(".recipe .failed", (said) => said.textContent)).toMatch(
+      "Line 1: Error: the loop was stopped",
+    );
     await page.close();
   });
 });

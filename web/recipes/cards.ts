@@ -1,11 +1,7 @@
 // Cards with a program to change, and what it shows: those of the page "Recipes", and examples of
-// the reference. A program runs in a
-// sandbox (frame.html), anew each time, when its card is first seen and when that is asked for.
-//
-// A program may never end. Chromium gives the page's sandboxes one process beside its own: then
-// all cards stand still, but not the page, which says what helps. Firefox runs them in the page's
-// process, and after some seconds offers to stop the program. A process for each program would take
-// a host for each; and a worker, which could be ended, has no document to show anything in.
+// the reference. A program runs in a sandbox (frame.html), anew each time, when its card is first
+// seen and when that is asked for. A changed program's loops end after some seconds
+// (limited_loops.ts).
 import { make } from "../shared/dom.js";
 import { messageOf } from "../shared/errors.js";
 import theme from "../theme.css?raw";
@@ -14,7 +10,8 @@ import style from "./frame.css?raw";
 const site = new URL(document.documentElement.dataset.root ?? "./", location.href);
 
 const kNear = "100px"; // below the window
-const kPatience = 3000; // ms that a program may take until something is said
+/** ms until something is said of a program that has not ended: loops are stopped by then. */
+const kPatience = 8000;
 const kParts = ["core", "shapes", "sphere", "treemap"];
 /** Of the package: its entries, and what these import. */
 const kFiles = ["index", "embedded", "errors", ...kParts, ...kParts.map((part) => `${part}/part`)];
@@ -60,6 +57,13 @@ function pageOf(program: string): string {
     `<script type="importmap">\n${map}\n</script>`,
     `<body>\n<script type="module">\n${program.trimEnd()}\n</script>\n`,
   ].join("\n");
+}
+
+/** The program of a card, to be run. The parser comes with the first program that is changed. */
+async function limited({ value, defaultValue }: HTMLTextAreaElement): Promise<string> {
+  if (value === defaultValue) return value;
+  const { withLimitedLoops } = await import("./limited_loops.js");
+  return withLimitedLoops(value);
 }
 
 class Card {
@@ -133,7 +137,8 @@ class Card {
     const frame = this.#frame;
     try {
       modules ??= loadModules();
-      const data = { modules: await modules, style: theme + style, program: this.#code.value };
+      const program = await limited(this.#code);
+      const data = { modules: await modules, style: theme + style, program };
       frame?.contentWindow?.postMessage(data, "*"); // the sandbox has no origin to name
     } catch (error) {
       modules = null; // there is another try with the next run

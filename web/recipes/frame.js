@@ -14,8 +14,25 @@
     console[kind] = (...values) => tell({ kind: "print", text: values.map(textOf).join(" ") });
 
   const fail = (message, line) => tell({ kind: "failed", message, line });
-  addEventListener("error", ({ error, message, lineno }) => fail(String(error ?? message), lineno));
-  addEventListener("unhandledrejection", ({ reason }) => fail(String(reason)));
+  addEventListener("error", ({ error, message, lineno }) =>
+    fail(String(error ?? message), error?.lineOfLoop ?? lineno),
+  );
+  addEventListener("unhandledrejection", ({ reason }) => fail(String(reason), reason?.lineOfLoop));
+
+  const kLongest = 5; // seconds that loops may run without a pause, in which this page can answer
+  let since = 0;
+  globalThis.$turn = (lineOfLoop) => {
+    const now = performance.now();
+    if (since === 0) {
+      since = now;
+      setTimeout(() => {
+        since = 0;
+      });
+    } else if (now - since > 1000 * kLongest) {
+      const message = `the loop was stopped: it ran for more than ${kLongest} s`;
+      throw Object.assign(new Error(message), { lineOfLoop });
+    }
+  };
 
   const script = (properties) =>
     document.head.appendChild(Object.assign(document.createElement("script"), properties));
