@@ -103,6 +103,16 @@ test("arrays, weights, options and ids are refused by name", () => {
     ],
     [() => SphericalDiagram.from([[1, 2], null]), "not-finite", "item 1 is null, expected {lon"],
     [() => SphericalDiagram.from([[48, 200]]), "out-of-range", `lat of item 0 is 200, ${hint}`],
+    [
+      () => SphericalDiagram.from([{ lon: 1, lat: 2, r: null }]),
+      "not-finite",
+      "r of item 0 is null",
+    ],
+    [
+      () => SphericalDiagram.from([{ lon: 1, lat: 2, radius: 3 }]),
+      "bad-option",
+      "item 0 has a radius and no r: give (d) => d.radius as third accessor",
+    ],
     [() => SphericalDiagram.from(7), "bad-length", "items is 7"],
     [() => SphericalDiagram.from([], "lon"), "bad-option", 'lon is the string "lon"'],
     [() => SphericalDiagram.fromBytes(new Uint8Array(8)), "corrupt-snapshot", "no snapshot"],

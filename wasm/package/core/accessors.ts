@@ -1,4 +1,4 @@
-// Diagram.from and fromAsync: from any items to flat x, y, r triples.
+// `from` and `fromAsync` of both kinds of diagrams: from any items to flat triples.
 import { ApolloniusError } from "../errors.js";
 import {
   allocated,
@@ -64,29 +64,33 @@ export type Circular =
   | { readonly x: number; readonly y: number; readonly r?: number | undefined }
   | ArrayLike<number>;
 
+/** The items of one kind of diagram. */
+export interface ItemKind {
+  /** What messages call the numbers of a site. */
+  readonly names: readonly [x: string, y: string, r: string];
+  /** What an item without accessors can be. */
+  readonly expected: string;
+  /** The numbers of an item without accessors, of which r may be missing; undefined for no item. */
+  fields(item: unknown): readonly [x: unknown, y: unknown, r: unknown] | undefined;
+  /** The error of the number at place `axis` of a site; null if it is accepted. */
+  error(name: string, axis: number, value: unknown): ApolloniusError | null;
+}
+
 type Fields = { readonly [name: string]: unknown } & ArrayLike<unknown>;
 
-// By default an item is an object {x, y, r} or an array [x, y, r].
-function field<T>(name: "x" | "y" | "r", position: number): (item: T) => unknown {
-  return (item) => {
-    const fields = item as Fields | null | undefined;
-    return Array.isArray(item) || ArrayBuffer.isView(item) ? fields?.[position] : fields?.[name];
-  };
-}
-
-function notIterable(items: unknown): ApolloniusError {
-  return new ApolloniusError(
-    "bad-length",
-    `items is ${described(items)}, expected an iterable or an array`,
-  );
-}
-
-function missing(item: unknown, index: number): ApolloniusError {
-  return new ApolloniusError(
-    "not-finite",
-    `item ${index} is ${described(item)}, expected {x, y, r} or [x, y, r]`,
-  );
-}
+/** Objects {x, y, r} and arrays [x, y, r]. */
+const circles: ItemKind = {
+  names: ["x", "y", "r"],
+  expected: "{x, y, r} or [x, y, r]",
+  fields(item) {
+    if (item === null || item === undefined) return undefined;
+    const fields = item as Fields;
+    return Array.isArray(item) || ArrayBuffer.isView(item)
+      ? [fields[0], fields[1], fields[2]]
+      : [fields.x, fields.y, fields.r];
+  },
+  error: (name, _, value) => numberError(name, value),
+};
 
 /** Names of what may be meant for the radius of an item that has no r. */
 const kOtherNames = ["radius", "size", "weight"];
@@ -98,54 +102,46 @@ function radiusWithoutR(item: unknown, index: number): 0 {
   if (name === undefined) return 0;
   throw new ApolloniusError(
     "bad-option",
-    `item ${index} has a ${name} and no r: Diagram.from(items, x, y, (d) => d.${name}) reads it, ` +
-      "Diagram.from(items, x, y) takes points",
+    `item ${index} has a ${name} and no r: give (d) => d.${name} as third accessor, or two ` +
+      "accessors for points",
   );
 }
+
+/** Of items that accessors make points. */
+const kPoint = [undefined, undefined, 0] as const;
 
 /** Items that are read in portions, whatever the accessors do to them. */
 export class ItemReader<T> {
   readonly count: number;
+  readonly #kind: ItemKind;
+  readonly #items: Items<T>;
   readonly #list: ArrayLike<T>;
-  readonly #read: (item: T, index: number) => unknown[];
+  readonly #accessors: SomeAccessors<T>;
 
   /** Throws "bad-length", "bad-option" or "too-large". */
-  constructor(items: Items<T>, ...[x, y, r, that]: SomeAccessors<T>) {
-    if (
-      typeof items !== "object" ||
-      items === null ||
-      !("length" in items || Symbol.iterator in items)
-    ) {
-      throw notIterable(items);
-    }
-    for (const [name, accessor] of Object.entries({ x, y, r })) {
+  constructor(kind: ItemKind, items: Items<T>, ...accessors: SomeAccessors<T>) {
+    for (const [axis, name] of kind.names.entries()) {
+      const accessor = accessors[axis];
       if (accessor === undefined || accessor === null || typeof accessor === "function") continue;
       throw new ApolloniusError(
         "bad-option",
         `${name} is ${described(accessor)}, expected a function of an item`,
       );
     }
-    const readX = x ?? field<T>("x", 0);
-    const readY = y ?? field<T>("y", 1);
-    const defaultR = field<T>("r", 2);
-    // With two accessors, as d3-delaunay has them, items are points.
-    const arePoints = typeof x === "function" && typeof y === "function";
-    const usualR = (item: T, k: number) => {
-      const given = defaultR(item);
-      return given === undefined ? radiusWithoutR(item, k) : given;
-    };
-    const readR = r ?? (arePoints ? () => 0 : usualR);
     if (isDetached(items)) throw detachedArray("items", "items");
-    const list: ArrayLike<T> = "length" in items ? items : Array.from(items);
-    if (!isArrayLike(list)) throw notIterable(items);
+    const isIterable = typeof items === "object" && items !== null && Symbol.iterator in items;
+    const list = isIterable && !("length" in items) ? Array.from(items) : (items as ArrayLike<T>);
+    if (!isArrayLike(list))
+      throw new ApolloniusError(
+        "bad-length",
+        `items is ${described(items)}, expected an iterable or an array`,
+      );
     this.count = list.length; // accessors may change the list
     checkSiteCount("items", this.count);
+    this.#kind = kind;
+    this.#items = items;
     this.#list = list;
-    this.#read = (item, index) => [
-      readX.call(that, item, index, items),
-      readY.call(that, item, index, items),
-      readR.call(that, item, index, items),
-    ];
+    this.#accessors = accessors;
   }
 
   /**
@@ -153,20 +149,35 @@ export class ItemReader<T> {
    * naming the item, for values that cannot be a site's.
    */
   triples(from: number, to: number): Float64Array {
-    const xyr = allocated(() => new Float64Array(3 * (to - from)));
+    const kind = this.#kind;
+    const items = this.#items;
+    const [x, y, r, that] = this.#accessors;
+    const triples = allocated(() => new Float64Array(3 * (to - from)));
     for (let index = from; index < to; ++index) {
       const item = this.#list[index] as T;
-      this.#read(item, index).forEach((value, k) => {
-        const error = numberError(`${"xyr"[k]} of item ${index}`, value);
-        if (error) throw item === null || item === undefined ? missing(item, index) : error;
-        xyr[3 * (index - from) + k] = value as number;
+      const usual = x && y ? kPoint : kind.fields(item);
+      if (usual === undefined)
+        throw new ApolloniusError(
+          "not-finite",
+          `item ${index} is ${described(item)}, expected ${kind.expected}`,
+        );
+      const usualR = usual[2] === undefined && !r ? radiusWithoutR(item, index) : usual[2];
+      const values = [
+        x ? x.call(that, item, index, items) : usual[0],
+        y ? y.call(that, item, index, items) : usual[1],
+        r ? r.call(that, item, index, items) : usualR,
+      ];
+      values.forEach((value, axis) => {
+        // Names are made for errors only, as they cost more than the check.
+        if (kind.error("", axis, value))
+          throw kind.error(`${kind.names[axis]} of item ${index}`, axis, value);
+        triples[3 * (index - from) + axis] = value as number;
       });
     }
-    return xyr;
+    return triples;
   }
 }
 
-export function triples<T>(items: Items<T>, ...accessors: SomeAccessors<T>): Float64Array {
-  const reader = new ItemReader(items, ...accessors);
-  return reader.triples(0, reader.count);
-}
+/** Reads the items of `Diagram.from`. */
+export const circleReader = <T>(items: Items<T>, ...accessors: SomeAccessors<T>): ItemReader<T> =>
+  new ItemReader(circles, items, ...accessors);

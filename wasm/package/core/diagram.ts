@@ -3,11 +3,10 @@ import {
   type AsyncAccessors,
   asyncAccessors,
   type Circular,
-  ItemReader,
+  circleReader,
   type Items,
   type SomeAccessors,
   type SomeAsync,
-  triples,
 } from "./accessors.js";
 import {
   checkedBytes,
@@ -83,7 +82,8 @@ export class Diagram extends DynamicDiagram<ListedSite> {
   static from<T>(items: Items<T>, ...accessors: Accessors<T>): Diagram;
   static from<T extends Circular>(items: Items<T>, ...accessors: SomeAccessors<T>): Diagram;
   static from<T>(items: Items<T>, ...[x, y, r, that]: SomeAccessors<T>): Diagram {
-    return new Diagram(triples(items, x, y, r, that));
+    const reader = circleReader(items, x, y, r, that);
+    return new Diagram(reader.triples(0, reader.count));
   }
 
   /**
@@ -101,7 +101,7 @@ export class Diagram extends DynamicDiagram<ListedSite> {
   ): Promise<Diagram> {
     const [x, y, r, options = {}] = asyncAccessors(rest);
     checkOptions(options, "location", "signal", "onProgress");
-    const reader = new ItemReader<T>(items, x, y, r);
+    const reader = circleReader(items, x, y, r);
     const diagram = new Diagram(undefined, { location: options.location });
     await buildOrDispose(diagram, reader, options);
     return diagram;

@@ -51,7 +51,7 @@ import {
   accessorsAndOptions,
   checkedAngularTolerance,
   checkedRadius,
-  SphericalReader,
+  placeReader,
   sphere,
 } from "./spherical_arguments.js";
 import type {
@@ -164,7 +164,8 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
    * A diagram of any items, read by accessors (item, index, items); with two of them of points.
    * Without accessors an item is an object {lon, lat, r}, an array [lon, lat, r] or a point of
    * GeoJSON, and `items` may be a FeatureCollection; a missing r is 0. Options may come at any
-   * place. Ids are 0, 1, 2, … in input order. Throws as the constructor, naming the item.
+   * place. Ids are 0, 1, 2, … in input order. Throws as the constructor, naming the item;
+   * "bad-option" if an item without r has a `radius`, `size` or `weight`, which nothing would read.
    */
   static from<T>(
     items: Items<T>,
@@ -180,7 +181,7 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   static from(items: unknown, ...rest: unknown[]): SphericalDiagram {
     const { accessors, options } = accessorsAndOptions<unknown>(rest, "radius");
     const radius = checkedRadius(options);
-    const reader = new SphericalReader(items as Items<unknown>, accessors, radius);
+    const reader = placeReader(items as Items<unknown>, accessors, radius);
     return new SphericalDiagram(reader.triples(0, reader.count), { radius });
   }
 
@@ -205,7 +206,7 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
     const names = ["radius", "signal", "onProgress"];
     const { accessors, options } = accessorsAndOptions<unknown>(rest, ...names);
     const radius = checkedRadius(options);
-    const reader = new SphericalReader(items as Items<unknown>, accessors, radius);
+    const reader = placeReader(items as Items<unknown>, accessors, radius);
     const diagram = new SphericalDiagram(undefined, { radius });
     await buildOrDispose(diagram, reader, options ?? {});
     return diagram;
