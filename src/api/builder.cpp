@@ -10,14 +10,6 @@ namespace apollonius {
 
 using namespace internal;
 
-namespace {
-
-// Sorting and copying a site take some steps of a few nanoseconds, inserting it takes one of about
-// a microsecond.
-constexpr std::size_t kVisitsOfStep = 64;
-
-}  // namespace
-
 struct Builder::Work {
   explicit Work(DiagramCore& diagram) : core(diagram), insertion(diagram) {}
 
@@ -56,7 +48,7 @@ Error Builder::advance(std::size_t steps, bool& isDone) {
     if (work.isStaged) {
       isDone = work.insertion.insert(work.ids, steps);
       if (isDone) work.ids.clear();
-    } else if (work.insertion.stage(work.xyr, kVisitsOfStep * steps)) {
+    } else if (work.insertion.stage(work.xyr, BulkInsertion::visits(steps, 64))) {
       work.isStaged = true;
       work.ids.resize(work.xyr.size() / 3);
       std::vector<double>().swap(work.xyr);

@@ -1,6 +1,4 @@
-// Building a diagram of many sites of the sphere in steps, for a thread that must not be busy for
-// long: as Builder does in the plane. The same result as SphericalDiagram::insertMany, in about the
-// time.
+// Builder (builder.h) of the sphere: a diagram of many sites, built in steps.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +10,11 @@
 
 namespace apollonius {
 
-/// First the sites are added, then the work is done; ids are 0, 1, 2, … in the order of adding.
+/// As Builder. The result is that of SphericalDiagram::insertMany, in about the time.
 class APOLLONIUS_EXPORT SphericalBuilder {
  public:
-  /// Of a diagram that is empty, stays where it is, and is left alone until the work is done. It
-  /// stays empty if the builder ends before that, or with an error. Throws std::bad_alloc.
+  /// Of a diagram that is empty, stays where it is, and is left alone until the work is done.
+  /// Throws std::bad_alloc.
   explicit SphericalBuilder(SphericalDiagram& diagram);
   ~SphericalBuilder();
   SphericalBuilder(SphericalBuilder&&) noexcept;
@@ -28,11 +26,10 @@ class APOLLONIUS_EXPORT SphericalBuilder {
   /// 3): then none of these has been added. REQUIRES: advance() has not been called.
   [[nodiscard]] Error add(std::span<const double> sites);
 
-  /// Goes on by about this many steps, each of about a microsecond; `isDone` tells whether that was
-  /// all. Errors: kOutOfMemory, and then again, whatever memory there is.
+  /// As Builder::advance.
   [[nodiscard]] Error advance(std::size_t steps, bool& isDone);
 
-  /// How much of the work is done, from 0 to 1. Never falls.
+  /// From 0 to 1; never falls.
   [[nodiscard]] double progress() const noexcept;
 
  private:

@@ -23,14 +23,12 @@ ProjectedDiagram::Filling::Filling(ProjectedDiagram& diagram, const SiteTable& s
 }
 
 bool ProjectedDiagram::Filling::advance(std::size_t steps) {
-  const bool isAll = steps == BulkInsertion::kAllAtOnce;
-  const auto visits = [&](std::size_t ofStep) { return isAll ? steps : ofStep * steps; };
   switch (step_) {
     case Step::kProject:
-      project(visits(16));
+      project(BulkInsertion::visits(steps, 16));
       return step_ == Step::kDone;
     case Step::kStage:
-      if (insertion_->stage({circles_.data(), circles_.size()}, visits(64))) {
+      if (insertion_->stage({circles_.data(), circles_.size()}, BulkInsertion::visits(steps, 64))) {
         FlatArray<double>().swap(circles_);
         step_ = Step::kInsert;
       }
@@ -42,7 +40,7 @@ bool ProjectedDiagram::Filling::advance(std::size_t steps) {
       }
       return false;
     case Step::kEnter:
-      enter(visits(64));
+      enter(BulkInsertion::visits(steps, 64));
       return step_ == Step::kDone;
     case Step::kDone:
       return true;

@@ -28,13 +28,12 @@ Projecting::Projecting(const SiteTable& sites, std::uint64_t seed)
     : sites_(sites), seed_(seed), caps_(sites.idLimit()) {}
 
 bool Projecting::advance(std::size_t steps) {
-  const bool isAll = steps == BulkInsertion::kAllAtOnce;
   switch (step_) {
     case Step::kCaps:
-      makeCaps(isAll ? steps : 8 * steps);
+      makeCaps(BulkInsertion::visits(steps, 8));
       return false;
     case Step::kPole:
-      if (choice_->advance(isAll ? steps : 32 * steps)) beginToFill();
+      if (choice_->advance(BulkInsertion::visits(steps, 32))) beginToFill();
       return false;
     case Step::kFill:
       if (!filling_->advance(steps)) {

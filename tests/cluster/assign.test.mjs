@@ -127,111 +127,102 @@ withRedis(
     expect(sameFile(path.join(folder, "result.distances.f64"), distances)).toBe(true);
     for (const { child } of others) child.kill("SIGTERM");
   },
-  isThorough ? 600_000 : 120_000,
 );
 
-withRedis(
-  "submit goes on after it was interrupted or killed, and does nothing twice",
-  async () => {
-    const { work, snapshot, file, ids, folder } = problem("resumed", {
-      circles: 5000,
-      points: 200_000,
-    });
-    const submission = [
-      ...["--folder", work, "--snapshot", snapshot, "--points", file, "--per-job", "500"],
-    ];
-    const worker = start("worker.mjs", ["--folder", work]);
-    for (const signal of ["SIGINT", "SIGKILL"]) {
-      const { length } = await listParts(work);
-      const submit = start("submit.mjs", submission);
-      worker.child.kill("SIGCONT");
-      // (all of them, if this process was not given any time for so long)
-      await until(async () => (await listParts(work)).length > Math.min(length + 5, 399));
-      worker.child.kill("SIGSTOP"); // or it would end the run alone
-      submit.child.kill(signal);
-      await submit.ended;
-      await stopRedis(work); // as Ctrl-C does, which reaches it, too
-    }
-    const done = (await listParts(work)).map((index) => partFile(work, index));
-    const times = done.map((part) => [part, readFileSync(part, "latin1")]);
+withRedis("submit goes on after it was interrupted or killed, and does nothing twice", async () => {
+  const { work, snapshot, file, ids, folder } = problem("resumed", {
+    circles: 5000,
+    points: 200_000,
+  });
+  const submission = [
+    ...["--folder", work, "--snapshot", snapshot, "--points", file, "--per-job", "500"],
+  ];
+  const worker = start("worker.mjs", ["--folder", work]);
+  for (const signal of ["SIGINT", "SIGKILL"]) {
+    const { length } = await listParts(work);
+    const submit = start("submit.mjs", submission);
     worker.child.kill("SIGCONT");
+    // (all of them, if this process was not given any time for so long)
+    await until(async () => (await listParts(work)).length > Math.min(length + 5, 399));
+    worker.child.kill("SIGSTOP"); // or it would end the run alone
+    submit.child.kill(signal);
+    await submit.ended;
+    await stopRedis(work); // as Ctrl-C does, which reaches it, too
+  }
+  const done = (await listParts(work)).map((index) => partFile(work, index));
+  const times = done.map((part) => [part, readFileSync(part, "latin1")]);
+  worker.child.kill("SIGCONT");
+  await finish("submit.mjs", submission);
+  for (const [part, text] of times) expect(readFileSync(part, "latin1")).toBe(text);
+  await finish("collect.mjs", ["--folder", work, "--out", path.join(folder, "result")]);
+  expect(sameFile(path.join(folder, "result.ids.i32"), ids)).toBe(true);
+  expect(existsSync(path.join(folder, "result.distances.f64"))).toBe(false);
+  worker.child.kill("SIGTERM");
+  expect(await worker.ended).toBe(0); // although Redis has gone with submit
+
+  // The folder of one run is not another's.
+  const other = start("submit.mjs", [...submission, "--distances"]);
+  expect(await other.ended).toBe(1);
+  expect(other.output()).toContain("belongs to another run");
+});
+
+withRedis("CSV, Arrow, Parquet and GeoJSON files, and a job that cannot be done", async () => {
+  const { work, snapshot, xy, ids, distances, folder } = problem("formats-by-workers", {
+    circles: 5000,
+    points: 50_000,
+  });
+  const text = Array.from(ids, (_, k) => `${k},${xy[2 * k]},${xy[2 * k + 1]}\n`).join("");
+  writeFileSync(path.join(folder, "points.csv"), `id,lon,lat\n${text}`);
+  writeFileSync(path.join(folder, "bad.csv"), `id,lon,lat\n${text}7,1,north\n`);
+  const axis = (k) => makeVector(Float64Array.from(ids, (_, row) => xy[2 * row + k]));
+  const table = new Table({ lon: axis(0), lat: axis(1) });
+  const batches = Array.from({ length: 10 }, (_, k) => table.slice(5000 * k, 5000 * (k + 1)));
+  const arrow = RecordBatchFileWriter.writeAll(batches.flatMap((slice) => slice.batches));
+  writeFileSync(path.join(folder, "points.arrow"), arrow.toUint8Array(true));
+  const filename = path.join(folder, "points.parquet");
+  const columnData = ["lon", "lat"].map((name, k) => ({ name, data: axis(k).toArray() }));
+  parquetWriteFile({ filename, columnData, rowGroupSize: 5000 });
+  const features = Array.from(ids, (_, k) => ({
+    type: "Feature",
+    geometry: { type: "Point", coordinates: [xy[2 * k], xy[2 * k + 1]] },
+  }));
+  const collection = JSON.stringify({ type: "FeatureCollection", features });
+  writeFileSync(path.join(folder, "points.geojson.gz"), gzipSync(collection));
+
+  const workers = [];
+  const run = (name) => {
+    const own = `${work}-${name}`;
+    works.push(own);
+    workers.push(start("worker.mjs", ["--folder", own]));
+    const submission = [
+      ...["--folder", own, "--snapshot", snapshot, "--points", path.join(folder, name)],
+      ...["--distances", "--columns", "lon,lat", "--per-job", "5000"],
+    ];
+    return { submission, collection: ["--folder", own, "--out", path.join(folder, "result")] };
+  };
+  const rows = Array.from(ids, (id, k) => `${id},${distances[k]}\n`);
+  for (const name of ["points.csv", "points.arrow", "points.parquet", "points.geojson.gz"]) {
+    const { submission, collection } = run(name);
     await finish("submit.mjs", submission);
-    for (const [part, text] of times) expect(readFileSync(part, "latin1")).toBe(text);
-    await finish("collect.mjs", ["--folder", work, "--out", path.join(folder, "result")]);
-    expect(sameFile(path.join(folder, "result.ids.i32"), ids)).toBe(true);
-    expect(existsSync(path.join(folder, "result.distances.f64"))).toBe(false);
-    worker.child.kill("SIGTERM");
-    expect(await worker.ended).toBe(0); // although Redis has gone with submit
+    await finish("collect.mjs", collection);
+    if (!/csv|geojson/.test(name)) continue;
+    const csv = readFileSync(path.join(folder, "result.csv"), "utf8");
+    expect(csv).toBe(`id,distance\n${rows.join("")}`);
+  }
+  const file = await asyncBufferFromFile(path.join(folder, "result.parquet"));
+  const row = (id, k) => ({ id, distance: distances[k] });
+  expect(await parquetReadObjects({ file })).toEqual(Array.from(ids, row));
+  const found = tableFromIPC(readFileSync(path.join(folder, "result.arrow")));
+  expect(found.batches).toHaveLength(10);
+  expect(Buffer.compare(bytesOf(found.getChild("id").toArray()), bytesOf(ids))).toBe(0);
+  const column = bytesOf(found.getChild("distance").toArray());
+  expect(Buffer.compare(column, bytesOf(distances))).toBe(0);
 
-    // The folder of one run is not another's.
-    const other = start("submit.mjs", [...submission, "--distances"]);
-    expect(await other.ended).toBe(1);
-    expect(other.output()).toContain("belongs to another run");
-  },
-  60_000,
-);
-
-withRedis(
-  "CSV, Arrow, Parquet and GeoJSON files, and a job that cannot be done",
-  async () => {
-    const { work, snapshot, xy, ids, distances, folder } = problem("formats-by-workers", {
-      circles: 5000,
-      points: 50_000,
-    });
-    const text = Array.from(ids, (_, k) => `${k},${xy[2 * k]},${xy[2 * k + 1]}\n`).join("");
-    writeFileSync(path.join(folder, "points.csv"), `id,lon,lat\n${text}`);
-    writeFileSync(path.join(folder, "bad.csv"), `id,lon,lat\n${text}7,1,north\n`);
-    const axis = (k) => makeVector(Float64Array.from(ids, (_, row) => xy[2 * row + k]));
-    const table = new Table({ lon: axis(0), lat: axis(1) });
-    const batches = Array.from({ length: 10 }, (_, k) => table.slice(5000 * k, 5000 * (k + 1)));
-    const arrow = RecordBatchFileWriter.writeAll(batches.flatMap((slice) => slice.batches));
-    writeFileSync(path.join(folder, "points.arrow"), arrow.toUint8Array(true));
-    const filename = path.join(folder, "points.parquet");
-    const columnData = ["lon", "lat"].map((name, k) => ({ name, data: axis(k).toArray() }));
-    parquetWriteFile({ filename, columnData, rowGroupSize: 5000 });
-    const features = Array.from(ids, (_, k) => ({
-      type: "Feature",
-      geometry: { type: "Point", coordinates: [xy[2 * k], xy[2 * k + 1]] },
-    }));
-    const collection = JSON.stringify({ type: "FeatureCollection", features });
-    writeFileSync(path.join(folder, "points.geojson.gz"), gzipSync(collection));
-
-    const workers = [];
-    const run = (name) => {
-      const own = `${work}-${name}`;
-      works.push(own);
-      workers.push(start("worker.mjs", ["--folder", own]));
-      const submission = [
-        ...["--folder", own, "--snapshot", snapshot, "--points", path.join(folder, name)],
-        ...["--distances", "--columns", "lon,lat", "--per-job", "5000"],
-      ];
-      return { submission, collection: ["--folder", own, "--out", path.join(folder, "result")] };
-    };
-    const rows = Array.from(ids, (id, k) => `${id},${distances[k]}\n`);
-    for (const name of ["points.csv", "points.arrow", "points.parquet", "points.geojson.gz"]) {
-      const { submission, collection } = run(name);
-      await finish("submit.mjs", submission);
-      await finish("collect.mjs", collection);
-      if (!/csv|geojson/.test(name)) continue;
-      const csv = readFileSync(path.join(folder, "result.csv"), "utf8");
-      expect(csv).toBe(`id,distance\n${rows.join("")}`);
-    }
-    const file = await asyncBufferFromFile(path.join(folder, "result.parquet"));
-    const row = (id, k) => ({ id, distance: distances[k] });
-    expect(await parquetReadObjects({ file })).toEqual(Array.from(ids, row));
-    const found = tableFromIPC(readFileSync(path.join(folder, "result.arrow")));
-    expect(found.batches).toHaveLength(10);
-    expect(Buffer.compare(bytesOf(found.getChild("id").toArray()), bytesOf(ids))).toBe(0);
-    const column = bytesOf(found.getChild("distance").toArray());
-    expect(Buffer.compare(column, bytesOf(distances))).toBe(0);
-
-    const bad = start("submit.mjs", run("bad.csv").submission);
-    expect(await bad.ended).toBe(1);
-    expect(bad.output()).toMatch(/job \d+: .*bad\.csv.* no number: 7,1,north/);
-    for (const { child } of workers) child.kill("SIGTERM");
-  },
-  120_000,
-);
+  const bad = start("submit.mjs", run("bad.csv").submission);
+  expect(await bad.ended).toBe(1);
+  expect(bad.output()).toMatch(/job \d+: .*bad\.csv.* no number: 7,1,north/);
+  for (const { child } of workers) child.kill("SIGTERM");
+});
 
 test("without redis-server it says what to install", async () => {
   const folder = emptyFolder("no-redis");

@@ -134,7 +134,6 @@ withRedis(
     const memory = workers.map(({ output }) => Number(/"peakMegabytes":(\d+)/.exec(output())[1]));
     expect(Math.max(...memory)).toBeLessThan(1024);
   },
-  isThorough ? 600_000 : 120_000,
 );
 
 withRedis(
@@ -169,5 +168,4 @@ withRedis(
       features.map(({ properties }) => properties.id),
     );
   },
-  60_000,
 );

@@ -167,7 +167,7 @@ withRedis(
     }
     if (isThorough) console.log(JSON.stringify({ ...counts, seconds }));
   },
-  isThorough ? 3_600_000 : 120_000,
+  isThorough ? 3_600_000 : undefined,
 );
 
 withRedis(
@@ -196,7 +196,6 @@ withRedis(
     expect(await isRight()).toBe(true);
     expect(isStack(submit.output() + worker.output())).toBe(false);
   },
-  60_000,
 );
 
 withRedis("a Redis that cannot be reached, or does not let us in, is named", async () => {

@@ -57,38 +57,34 @@ afterAll(async () => {
   removeNetwork();
 });
 
-withNetwork(
-  "two workers in two network namespaces",
-  async () => {
-    expect(makeNetwork()).toBe(true);
-    const random = generator(9);
-    const diagram = new Diagram(randomCircles(5000, 1, 3));
-    const snapshot = path.join(folder, "snapshot.bin");
-    writeFileSync(snapshot, diagram.toBytes());
-    const xy = Float64Array.from({ length: 400_000 }, () => random() * 2000 - 1000);
-    const file = writeArray(path.join(folder, "points.f64"), xy);
-    const env = { REDIS_URL: await startRedis({ folder: work, bind: `${net}.1` }) };
-    // A namespace is none if it sees the loopback device of the machine.
-    const loopback = ip("-n", names[0], "-o", "link", "show", "up", "dev", "lo");
-    expect(loopback.stdout).toBe("");
+withNetwork("two workers in two network namespaces", async () => {
+  expect(makeNetwork()).toBe(true);
+  const random = generator(9);
+  const diagram = new Diagram(randomCircles(5000, 1, 3));
+  const snapshot = path.join(folder, "snapshot.bin");
+  writeFileSync(snapshot, diagram.toBytes());
+  const xy = Float64Array.from({ length: 400_000 }, () => random() * 2000 - 1000);
+  const file = writeArray(path.join(folder, "points.f64"), xy);
+  const env = { REDIS_URL: await startRedis({ folder: work, bind: `${net}.1` }) };
+  // A namespace is none if it sees the loopback device of the machine.
+  const loopback = ip("-n", names[0], "-o", "link", "show", "up", "dev", "lo");
+  expect(loopback.stdout).toBe("");
 
-    const workers = names.map((name) => {
-      const before = ["ip", "netns", "exec", name];
-      return start("worker.mjs", ["--folder", work, "--concurrency", "1"], { env, before });
-    });
-    await until(() => workers.every(({ output }) => output().includes("Waiting for jobs")));
-    const submission = ["--folder", work, "--snapshot", snapshot, "--points", file];
-    await finish("submit.mjs", [...submission, "--per-job", "2000"], { env });
-    expect(await listParts(work)).toHaveLength(100);
-    await finish("collect.mjs", ["--folder", work, "--out", path.join(folder, "result")]);
-    const ids = diagram.findMany(xy);
-    expect(readFileSync(path.join(folder, "result.ids.i32")).equals(Buffer.from(ids.buffer))).toBe(
-      true,
-    );
-    for (const { child } of workers) child.kill("SIGTERM");
-    await Promise.all(workers.map(({ ended }) => ended));
-    for (const { output } of workers)
-      expect(Number(/"items":(\d+)/.exec(output())[1])).toBeGreaterThan(0);
-  },
-  60_000,
-);
+  const workers = names.map((name) => {
+    const before = ["ip", "netns", "exec", name];
+    return start("worker.mjs", ["--folder", work, "--concurrency", "1"], { env, before });
+  });
+  await until(() => workers.every(({ output }) => output().includes("Waiting for jobs")));
+  const submission = ["--folder", work, "--snapshot", snapshot, "--points", file];
+  await finish("submit.mjs", [...submission, "--per-job", "2000"], { env });
+  expect(await listParts(work)).toHaveLength(100);
+  await finish("collect.mjs", ["--folder", work, "--out", path.join(folder, "result")]);
+  const ids = diagram.findMany(xy);
+  expect(readFileSync(path.join(folder, "result.ids.i32")).equals(Buffer.from(ids.buffer))).toBe(
+    true,
+  );
+  for (const { child } of workers) child.kill("SIGTERM");
+  await Promise.all(workers.map(({ ended }) => ended));
+  for (const { output } of workers)
+    expect(Number(/"items":(\d+)/.exec(output())[1])).toBeGreaterThan(0);
+});

@@ -9,6 +9,7 @@
 #include "support/effort.h"
 #include "support/insert_into.h"
 #include "support/replay.h"
+#include "support/saved.h"
 
 namespace apollonius::test {
 namespace {
@@ -73,13 +74,11 @@ TEST(Levels, FollowRemovalsMovesAndSnapshots) {
   expectVisibleOnesOnly(diagram, levelsOf(diagram));
 
   // A diagram that was read makes its levels when it is asked: that is now.
-  std::vector<std::uint8_t> bytes;
-  ASSERT_EQ(diagram.toBytes(bytes), Error::kNone);
   Diagram restored;
-  ASSERT_EQ(restored.fromBytes(bytes), Error::kNone);
+  ASSERT_EQ(restored.fromBytes(saved(diagram)), Error::kNone);
   EXPECT_EQ(levelsOf(restored), levelsOf(diagram));
   Diagram walking(Location::kWalk);
-  ASSERT_EQ(walking.fromBytes(bytes), Error::kNone);
+  ASSERT_EQ(walking.fromBytes(saved(diagram)), Error::kNone);
   const std::vector<std::uint8_t> plain = levelsOf(walking);
   EXPECT_EQ(*std::max_element(plain.begin(), plain.end()), 1);
   expectVisibleOnesOnly(walking, plain);

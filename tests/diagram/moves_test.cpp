@@ -6,6 +6,7 @@
 #include "support/canonical.h"
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/saved.h"
 
 namespace apollonius::internal {
 namespace {
@@ -30,10 +31,8 @@ double extentOf(const Circles& circles) {
 
 /// As a snapshot leaves it: with none of its circles, which are computed when they are asked for.
 Diagram restored(const Diagram& diagram) {
-  std::vector<std::uint8_t> bytes;
-  EXPECT_EQ(diagram.toBytes(bytes), Error::kNone);
   Diagram same;
-  EXPECT_EQ(same.fromBytes(bytes, Source::kTrusted), Error::kNone);
+  EXPECT_EQ(same.fromBytes(saved(diagram), Source::kTrusted), Error::kNone);
   return same;
 }
 

@@ -23,6 +23,7 @@
 #include "support/effort.h"
 #include "support/failing_heap.h"
 #include "support/generators.h"
+#include "support/saved.h"
 #include "support/shadow.h"
 
 namespace apollonius::test {
@@ -50,9 +51,7 @@ std::vector<double> flat(const Circles& circles) {
 std::vector<std::uint8_t> snapshotOf(const Circles& circles) {
   Diagram diagram;
   build(diagram, circles);
-  std::vector<std::uint8_t> bytes;
-  EXPECT_EQ(diagram.toBytes(bytes), Error::kNone);
-  return bytes;
+  return saved(diagram);
 }
 
 /// Operations for a diagram of n sites made by mixed(). What they need is made beforehand, so that

@@ -9,6 +9,7 @@
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/replay.h"
+#include "support/saved.h"
 
 namespace apollonius::test {
 namespace {
@@ -99,11 +100,8 @@ TEST_P(Rebuild, IsSavedWithItsFreeIds) {
     ids.erase(ids.begin());
     const Circles after = randomCircles(random, ids.size(), Hidden::kNone);
     ASSERT_EQ(diagram.updateMany(ids, flat(after)), Error::kNone);
-    std::vector<std::uint8_t> bytes, again;
-    ASSERT_EQ(diagram.toBytes(bytes), Error::kNone);
-    ASSERT_EQ(restored.fromBytes(bytes), Error::kNone);
-    ASSERT_EQ(restored.toBytes(again), Error::kNone);
-    EXPECT_EQ(again, bytes);
+    ASSERT_EQ(restored.fromBytes(saved(diagram)), Error::kNone);
+    EXPECT_EQ(saved(restored), saved(diagram));
     EXPECT_EQ(validated(restored), "");
   }
 }

@@ -10,6 +10,7 @@
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/mutants.h"
+#include "support/saved.h"
 #include "support/snapshots.h"
 
 namespace apollonius::test {
@@ -25,9 +26,7 @@ Bytes snapshotOf(const Circles& circles, std::size_t removed = 0) {
   for (const Circle& c : circles) EXPECT_EQ(diagram.insert(c.x, c.y, c.r, id), Error::kNone);
   bool was = false;
   for (SiteId k = 0; k < removed; ++k) EXPECT_EQ(diagram.remove(3 * k, was), Error::kNone);
-  Bytes bytes;
-  EXPECT_EQ(diagram.toBytes(bytes), Error::kNone);
-  return bytes;
+  return saved(diagram);
 }
 
 /// Many hidden, grids, lines, two giants with small ones between (several edges between two sites),

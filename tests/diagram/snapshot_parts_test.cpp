@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "apollonius/diagram.h"
+#include "support/saved.h"
 #include "support/snapshots.h"
 
 namespace apollonius::test {
@@ -193,8 +194,7 @@ TEST(SnapshotPadding, IsZero) {
   int padded = 0;
   for (int k = 0; k < 6; ++k) {
     ASSERT_EQ(diagram.insert(10 * k, k * k, 1, id), Error::kNone);
-    Bytes bytes;
-    ASSERT_EQ(diagram.toBytes(bytes), Error::kNone);
+    Bytes bytes = saved(diagram);
     const std::size_t last = bytes.size() - 12;
     if ((bytes[last] | bytes[last + 1] | bytes[last + 2] | bytes[last + 3]) != 0) continue;
     bytes[last] = 1;

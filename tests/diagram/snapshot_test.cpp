@@ -12,18 +12,13 @@
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/replay.h"
+#include "support/saved.h"
 #include "support/snapshots.h"
 
 namespace apollonius::test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-
-Bytes saved(const Diagram& diagram) {
-  Bytes bytes;
-  EXPECT_EQ(diagram.toBytes(bytes), Error::kNone);
-  return bytes;
-}
 
 /// All that a diagram says, row by row.
 struct Answers {

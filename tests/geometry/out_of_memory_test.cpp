@@ -20,6 +20,7 @@
 #include "support/generators.h"
 #include "support/hash.h"
 #include "support/insert_into.h"
+#include "support/saved.h"
 #include "support/shadow.h"
 
 namespace apollonius::test {
@@ -266,8 +267,7 @@ class GeometryOutOfMemory : public ::testing::Test {
     insertInto(subject.diagram, circles_);
     EXPECT_EQ(subject.region.assign(kRings, kStarts), Error::kNone);
     if (isRestored) {  // circles of faces and the hierarchy are left for later
-      std::vector<std::uint8_t> bytes;
-      EXPECT_EQ(subject.diagram.toBytes(bytes), Error::kNone);
+      const std::vector<std::uint8_t> bytes = saved(subject.diagram);
       EXPECT_EQ(subject.diagram.fromBytes(bytes, Source::kTrusted), Error::kNone);
     }
     return subject;

@@ -14,6 +14,7 @@
 #include "support/corpus.h"
 #include "support/hash.h"
 #include "support/replay.h"
+#include "support/saved.h"
 
 namespace apollonius::test {
 
@@ -271,8 +272,7 @@ TEST(VoronoiDeterminism, RestoredDiagramsHaveTheSameShapes) {
                                      std::abs(bounds.ymin), std::abs(bounds.ymax)});
     Diagram original;
     insertInto(original, circles);
-    std::vector<std::uint8_t> bytes;
-    ASSERT_EQ(original.toBytes(bytes), Error::kNone);
+    const std::vector<std::uint8_t> bytes = saved(original);
     const auto onBoth = [&](auto&& ask) {
       Diagram restored;
       ASSERT_EQ(restored.fromBytes(bytes, Source::kTrusted), Error::kNone);

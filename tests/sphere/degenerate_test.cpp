@@ -10,6 +10,7 @@
 
 #include "base/byte_stream.h"
 #include "sphere/sphere_sets.h"
+#include "support/saved.h"
 
 namespace apollonius::test {
 namespace {
@@ -443,11 +444,8 @@ TEST(SphericalSnapshots, OfADiagramThatHasBecomeEmptyIsTheSame) {
   SphericalDiagram diagram = diagramOf({{-150, 90, 0.001}}), restored;
   bool removed = false;
   ASSERT_EQ(diagram.remove(0, removed), Error::kNone);
-  std::vector<std::uint8_t> bytes, again;
-  ASSERT_EQ(diagram.toBytes(bytes), Error::kNone);
-  ASSERT_EQ(restored.fromBytes(bytes), Error::kNone);
-  ASSERT_EQ(restored.toBytes(again), Error::kNone);
-  EXPECT_EQ(bytes, again);
+  ASSERT_EQ(restored.fromBytes(saved(diagram)), Error::kNone);
+  EXPECT_EQ(saved(restored), saved(diagram));
 }
 
 /// A snapshot with some bytes replaced, and the checksum that belongs to that.
@@ -471,8 +469,7 @@ TEST(SphericalSnapshots, MadeUpCoversAreRefusedOrCover) {
   const SphericalDiagram diagram = diagramOf(sites);
   const std::size_t kSites = sites.size(), kHidden = kSites - 4;
   const std::size_t kPairs = 48 + 28 * kSites;
-  std::vector<std::uint8_t> bytes;
-  ASSERT_EQ(diagram.toBytes(bytes), Error::kNone);
+  const std::vector<std::uint8_t> bytes = saved(diagram);
   ASSERT_EQ(bytes.size(), kPairs + 8 * kHidden + 8);
   std::size_t refused = 0;
   for (std::size_t word = 0; word < 2 * kHidden; ++word) {
@@ -499,8 +496,7 @@ TEST(SphericalSnapshots, MadeUpOnesAreRefused) {
   constexpr std::size_t kPole = 20, kRadius = 40, kSites = 48;
   const SphericalDiagram diagram = diagramOf({{0, 0, 1}, {10, 0, 0.1}, {120, 10, 0}, {-90, 0, 0}});
   constexpr std::size_t kIds = kSites + 4 * 24;
-  std::vector<std::uint8_t> bytes;
-  ASSERT_EQ(diagram.toBytes(bytes), Error::kNone);
+  const std::vector<std::uint8_t> bytes = saved(diagram);
   const auto errorOf = [](const std::vector<std::uint8_t>& snapshot) {
     SphericalDiagram restored;
     return restored.fromBytes(snapshot);

@@ -8,6 +8,7 @@
 
 #include "sphere/sphere_sets.h"
 #include "support/effort.h"
+#include "support/saved.h"
 
 namespace apollonius::test {
 namespace {
@@ -227,11 +228,8 @@ TEST(SphericalHistories, SnapshotsKeepWhichOfIdenticalSitesIsVisible) {
       }
     };
     for (int step = 0; step < 60; ++step) change(diagram, Random(random.next()));
-    std::vector<std::uint8_t> bytes, again;
-    ASSERT_EQ(diagram.toBytes(bytes), Error::kNone);
-    ASSERT_EQ(restored.fromBytes(bytes), Error::kNone);
-    ASSERT_EQ(restored.toBytes(again), Error::kNone);
-    EXPECT_EQ(bytes, again);
+    ASSERT_EQ(restored.fromBytes(saved(diagram)), Error::kNone);
+    EXPECT_EQ(saved(restored), saved(diagram));
     expectSameHidden(diagram, restored);
     for (int step = 0; step < 20; ++step) {
       const std::uint64_t seed = random.next();
@@ -251,11 +249,9 @@ TEST(SphericalHistories, SnapshotsGiveTheSameDiagram) {
       bool removed = false;
       ASSERT_EQ(diagram.remove(id, removed), Error::kNone);
     }
-    std::vector<std::uint8_t> bytes, again;
-    ASSERT_EQ(diagram.toBytes(bytes), Error::kNone);
+    const std::vector<std::uint8_t> bytes = saved(diagram);
     ASSERT_EQ(restored.fromBytes(bytes), Error::kNone);
-    ASSERT_EQ(restored.toBytes(again), Error::kNone);
-    EXPECT_EQ(bytes, again);
+    EXPECT_EQ(saved(restored), bytes);
     expectSameHidden(diagram, restored);
     for (int k = 0; k < 10; ++k) {
       const auto [lon, lat] = randomPoint(random);

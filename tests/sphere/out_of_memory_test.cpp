@@ -10,6 +10,7 @@
 #include "apollonius/spherical_builder.h"
 #include "sphere/sphere_sets.h"
 #include "support/failing_heap.h"
+#include "support/saved.h"
 #include "support/shadow.h"
 
 namespace apollonius::test {
@@ -18,7 +19,7 @@ namespace {
 using Operation = std::function<Error(SphericalDiagram&)>;
 
 /// With what they need made beforehand, so that only the library allocates.
-std::vector<std::pair<std::string, Operation>> operations(const std::vector<std::uint8_t>& saved) {
+std::vector<std::pair<std::string, Operation>> operations(const std::vector<std::uint8_t>& bytes) {
   Random random(21);
   const std::vector<double> more = flat(randomSites(random, 30, 0.2));
   const std::vector<double> heavy = {10, 20, 2.5};  // hides most of the others
@@ -111,27 +112,21 @@ std::vector<std::pair<std::string, Operation>> operations(const std::vector<std:
          std::vector<std::uint8_t> b;
          return d.toBytes(b);
        }},
-      {"fromBytes", [&](SphericalDiagram& d) { return d.fromBytes(saved); }},
+      {"fromBytes", [&](SphericalDiagram& d) { return d.fromBytes(bytes); }},
   };
-}
-
-std::vector<std::uint8_t> stateOf(const SphericalDiagram& diagram) {
-  std::vector<std::uint8_t> bytes;
-  EXPECT_EQ(diagram.toBytes(bytes), Error::kNone);
-  return bytes;
 }
 
 TEST(SphericalOutOfMemory, EveryFailureLeavesTheDiagramAsItWas) {
   const ShadowCheckOf none(0);
   Random random(20);
   const SphericalSites sites = randomSites(random, 40, 0.3);
-  const std::vector<std::uint8_t> saved = stateOf(diagramOf(sites));
-  for (const auto& [name, operation] : operations(saved)) {
+  const std::vector<std::uint8_t> bytes = saved(diagramOf(sites));
+  for (const auto& [name, operation] : operations(bytes)) {
     SCOPED_TRACE(name);
     std::size_t failures = 0;
     for (std::size_t k = 0;; ++k) {
       SphericalDiagram diagram;
-      ASSERT_EQ(diagram.fromBytes(saved), Error::kNone);
+      ASSERT_EQ(diagram.fromBytes(bytes), Error::kNone);
       heap.arm();
       heap.failAt = k;
       const Error error = operation(diagram);
@@ -155,7 +150,7 @@ TEST(SphericalOutOfMemory, EveryFailureLeavesTheDiagramAsItWas) {
         ASSERT_EQ(circle.lon, sites[id].lon);
         ASSERT_EQ(circle.r, sites[id].r);
       }
-      ASSERT_EQ(stateOf(diagram).size(), saved.size());  // the same number of ids
+      ASSERT_EQ(saved(diagram).size(), bytes.size());  // the same number of ids
       ASSERT_EQ(operation(diagram), Error::kNone);
       if (k > 60) k += k / 4;
     }

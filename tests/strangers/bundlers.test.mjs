@@ -124,7 +124,7 @@ test.each(
   expect(
     runScriptInNode(`globalThis.report = console.log; import("./bundles/${name}/main.js")`),
   ).toBe(expected.main);
-}, 60_000);
+});
 
 describeInBrowsers("what other bundlers made", (browser) => {
   test("runs", async () => {
@@ -139,5 +139,5 @@ describeInBrowsers("what other bundlers made", (browser) => {
       {},
     );
     expect(results).toEqual(Object.fromEntries(names.map((name) => [name, expected.main])));
-  }, 90_000);
+  });
 });

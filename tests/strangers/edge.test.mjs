@@ -93,7 +93,7 @@ const use = "const d = new Diagram([0, 0, 1, 9, 0, 2]); return new Response(Stri
 test("workerd: the default entry needs nothing but its condition", async () => {
   await bundled(worker('import { Diagram } from "apollonius-diagram";', use), ["workerd"]);
   expect(await answers("/", "/again")).toEqual(["1", "1"]);
-}, 60_000);
+});
 
 test("workerd: core alone, and treemaps, each with the parts that it needs", async () => {
   const imports =
@@ -106,7 +106,7 @@ test("workerd: core alone, and treemaps, each with the parts that it needs", asy
     "return new Response(`${d.find(8, 0)} ${area.toFixed(6)} ${typeof treemap()}`);";
   await bundled(worker(imports, body), ["workerd"]);
   expect(await answers("/")).toEqual(["1 100.000000 function"]);
-}, 60_000);
+});
 
 const importSphere = 'import { SphericalDiagram } from "apollonius-diagram/sphere";';
 const useSphere =
@@ -119,7 +119,7 @@ test("workerd: the sphere, whose part of the wasm is another file", async () => 
   const body = `${useSphere} return new Response(text);`;
   await bundled(worker(importSphere, body), ["workerd"]);
   expect(await answers("/", "/again")).toEqual([answerOfSphere, answerOfSphere]);
-}, 60_000);
+});
 
 test("workerd: the sphere and the plane in one module, restored from bytes", async () => {
   const imports = `import { Diagram } from "apollonius-diagram"; ${importSphere}`;
@@ -129,7 +129,7 @@ test("workerd: the sphere and the plane in one module, restored from bytes", asy
     "return new Response(`${d.find(8, 0)} ${again.find(170, 5)} ${text}`);";
   await bundled(worker(imports, body), ["workerd"]);
   expect(await answers("/")).toEqual([`1 1 ${answerOfSphere}`]);
-}, 60_000);
+});
 
 /** What Vercel's edge runtime, given the compiled modules from outside, answers. */
 async function answerOfVercel(source) {
@@ -171,13 +171,13 @@ test("edge-light: the same, with a module of another realm", async () => {
   const answer = `load().then(() => { ${use} })`;
   const source = `${imported} addEventListener("fetch", (e) => e.respondWith(${answer}));`;
   expect(await answerOfVercel(source)).toBe("1");
-}, 60_000);
+});
 
 test("edge-light: the sphere", async () => {
   const answer = `(() => { ${useSphere} return new Response(text); })()`;
   const source = `${importSphere} addEventListener("fetch", (e) => e.respondWith(${answer}));`;
   expect(await answerOfVercel(source)).toBe(answerOfSphere);
-}, 60_000);
+});
 
 test("Deno, without any permission but to read", () => {
   const source =
@@ -192,7 +192,7 @@ test("Deno, without any permission but to read", () => {
     stdout: `1 Diagram { size: 2, hidden: 0 } 2\n${answerOfSphere}\n`,
     stderr: "",
   });
-}, 60_000);
+});
 
 test("the entry with a .wasm of its own loads the module that is imported", async () => {
   const source =
@@ -200,17 +200,17 @@ test("the entry with a .wasm of its own loads the module that is imported", asyn
     'import core from "apollonius-diagram/core.wasm";';
   await bundled(worker(source, `await load({ core }); ${use}`), ["workerd"]);
   expect(await answers("/")).toEqual(["1"]);
-}, 60_000);
+});
 
 test("without the condition, the error says what to do", async () => {
   await bundled(worker('import { Diagram } from "apollonius-diagram";', use), ["import"]);
   const [answer] = await answers("/");
   expect(answer).toMatch(/^not-loaded WebAssembly cannot be compiled here .* import the \.wasm/);
-}, 60_000);
+});
 
 test("the example", async () => {
   await bundled(readFileSync(example, "utf8"), ["workerd"]);
   expect((await answers("/?x=155&y=88")).map((text) => JSON.parse(text))).toEqual([
     { id: 0, distance: expect.closeTo(5.579, 3) },
   ]);
-}, 60_000);
+});

@@ -55,7 +55,7 @@ describeInBrowser("Observable Framework", (open) => {
       response.end(body);
     });
     await new Promise((ready) => server.listen(0, "127.0.0.1", ready));
-  }, 120_000);
+  });
   afterAll(() => server?.close());
 
   test("the page has the package, and its cells run again with the pointer", async () => {

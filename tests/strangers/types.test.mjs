@@ -5,4 +5,4 @@ import { compileUsers } from "../wasm/support/types.mjs";
 
 test.each(["5.2", "5.6", "7"])("TypeScript %s compiles users of the package", (version) => {
   compileUsers(path.join(root, `tests/strangers/node_modules/typescript-${version}/bin/tsc`));
-}, 300_000);
+});

@@ -33,24 +33,20 @@ test("errors have their class and code", () => {
 test.each([
   ["node", "undefined"],
   ["jsdom", "object"],
-])(
-  "in the environment %s",
-  (environment, document) => {
-    const folder = path.join(packed, `vitest-${environment}`);
-    rmSync(folder, { recursive: true, force: true });
-    mkdirSync(path.join(folder, "node_modules"), { recursive: true });
-    for (const name of ["vitest", "jsdom"])
-      symlinkSync(path.join(modules, name), path.join(folder, "node_modules", name));
-    writeFileSync(path.join(folder, "diagram.test.js"), source);
-    writeFileSync(
-      path.join(folder, "vitest.config.mjs"),
-      `export default { test: { environment: ${JSON.stringify(environment)} } };\n`,
-    );
-    const output = capture(process.execPath, [path.join(modules, "vitest/vitest.mjs"), "run"], {
-      cwd: folder,
-      env: { NODE_OPTIONS: "", EXPECTED_DOCUMENT: document, NO_COLOR: "1" },
-    });
-    expect(output).toMatch(/Tests +3 passed/);
-  },
-  120_000,
-);
+])("in the environment %s", (environment, document) => {
+  const folder = path.join(packed, `vitest-${environment}`);
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(path.join(folder, "node_modules"), { recursive: true });
+  for (const name of ["vitest", "jsdom"])
+    symlinkSync(path.join(modules, name), path.join(folder, "node_modules", name));
+  writeFileSync(path.join(folder, "diagram.test.js"), source);
+  writeFileSync(
+    path.join(folder, "vitest.config.mjs"),
+    `export default { test: { environment: ${JSON.stringify(environment)} } };\n`,
+  );
+  const output = capture(process.execPath, [path.join(modules, "vitest/vitest.mjs"), "run"], {
+    cwd: folder,
+    env: { NODE_OPTIONS: "", EXPECTED_DOCUMENT: document, NO_COLOR: "1" },
+  });
+  expect(output).toMatch(/Tests +3 passed/);
+});

@@ -132,5 +132,5 @@ describeInBrowsers("the package", (browser) => {
     expect(browser).not.toBeNull();
     const results = await runPages(browser, cases, files);
     expect(results).toEqual(Object.fromEntries(Object.keys(cases).map((key) => [key, expected])));
-  }, 90_000);
+  });
 });

@@ -36,5 +36,5 @@ describeInBrowsers("the hash of all outputs", (browser) => {
       files,
     );
     expect(hash).toBe(inNode);
-  }, 90_000);
+  });
 });

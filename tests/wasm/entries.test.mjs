@@ -222,7 +222,7 @@ test("no memory to begin with is a lack of memory", () => {
 
 test("types: ES modules, CommonJS, NodeNext and Bundler resolution, old and new libraries", () => {
   compileUsers(path.join(root, "node_modules/typescript/bin/tsc"));
-}, 120_000);
+});
 
 const partsOf = (names) =>
   names.map((name) => `${name}: readFileSync("node_modules/apollonius-diagram/dist/${name}.wasm")`);

@@ -5,7 +5,7 @@ import { bundleOf, measureSizes, uses } from "../../tools/sizes.mjs";
 let sizes;
 beforeAll(async () => {
   sizes = await measureSizes();
-}, 60_000);
+});
 
 test.each(Object.keys(uses))("%s", (use) => {
   expect(sizes[use]).toBeLessThanOrEqual(uses[use].budget);

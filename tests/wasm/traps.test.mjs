@@ -15,7 +15,7 @@ describe("traps", () => {
   let found;
   beforeAll(() => {
     found = run("trapping.mjs");
-  }, 300_000);
+  });
 
   test.each(calls.map(([name]) => name))("%s", (name) => {
     const isMaking = /\.(constructor|from|fromBytes)$/.test(name);
@@ -73,4 +73,4 @@ test("calls at the very end of JavaScript's stack", () => {
   expect(wrong).toEqual([]);
   expect(ends.none).toBeGreaterThan(0);
   expect(ends.RangeError).toBeGreaterThan(0);
-}, 300_000);
+});

@@ -266,4 +266,4 @@ export { area, polygon, path, cell, depth, slices };
     const compiler = path.join(repository, "node_modules/typescript/bin/tsc");
     execFileSync(process.execPath, [compiler, "-p", folder], { encoding: "utf8" });
   }
-}, 120_000);
+});

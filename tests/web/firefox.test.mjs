@@ -232,7 +232,7 @@ describeInFirefox("the page in Firefox", (open) => {
     await page.setViewport(kStorm.window);
     await storm(page, { seed: 4, events: kStorm.events });
     expect(await soundness(page)).toEqual(kSound);
-  }, 900_000);
+  });
 
   test("drift moves all", async () => {
     await page.click("#open-show");

@@ -452,7 +452,7 @@ describeWithWebGL("recipes with WebGL", (open) => {
       },
       { end: () => window.shown.end() },
     );
-  }, 120_000);
+  });
 
   test("Plotly: the nearest rim is lit in WebGL, with its label", async () => {
     await inPage(
@@ -501,7 +501,7 @@ describeWithWebGL("recipes with WebGL", (open) => {
       },
       { end: () => window.shown.end() },
     );
-  }, 120_000);
+  });
 
   test("MapLibre: cells in true kilometres, and the one under the pointer is lit", async () => {
     const worker = await bundledModule("maplibre-gl/dist/maplibre-gl-worker.mjs");
@@ -544,5 +544,5 @@ describeWithWebGL("recipes with WebGL", (open) => {
       },
       { end: () => window.shown.map.remove() },
     );
-  }, 120_000);
+  });
 });
