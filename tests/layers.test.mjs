@@ -200,7 +200,10 @@ const rules = [
       /^(apollonius-diagram|delaunator|flatbush)$/,
     ],
   },
-  { of: /^web\/recipes\/.*\.ts$/, may: [/^\.\.\/shared\/(dom|errors)\.js$/, /\.css\?raw$/] },
+  {
+    of: /^web\/recipes\/.*\.ts$/,
+    may: [/^\.(\/limited_loops|\.\/shared\/(dom|errors))\.js$/, /\.css\?raw$/, /^acorn(-walk)?$/],
+  },
   {
     of: /^web\/figures\/.*\.ts$/,
     may: [
