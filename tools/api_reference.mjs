@@ -132,13 +132,20 @@ export function describePackage() {
   });
 }
 
-/** The interfaces or the class of the package that one extends, as declarations. */
-function basesOf(declaration, checker) {
+/** The members that an interface or a class has from those that it extends, as declarations. */
+function inheritedBy(declaration, checker) {
+  const isOurs = (node) =>
+    node.getSourceFile().fileName.startsWith(path.join(root, "wasm/package"));
   return (declaration.heritageClauses ?? [])
     .filter((clause) => clause.token === ts.SyntaxKind.ExtendsKeyword)
     .flatMap((clause) => clause.types)
-    .map((type) => checker.getTypeAtLocation(type).symbol.declarations[0])
-    .filter((base) => base.getSourceFile().fileName.startsWith(path.join(root, "wasm/package")));
+    .map((type) => checker.getTypeAtLocation(type))
+    .flatMap((type) => {
+      const [base] = type.symbol.declarations;
+      // Otherwise Pick, say, of one of ours.
+      const members = type.getProperties().flatMap(({ declarations }) => declarations);
+      return isOurs(base) ? [...base.members] : members.filter(isOurs);
+    });
 }
 
 /**
@@ -166,7 +173,7 @@ function describe({ name, declaration, additions }, checker) {
           ? "function"
           : "const";
   const members = [];
-  const inherited = basesOf(declaration, checker).flatMap((base) => [...base.members]);
+  const inherited = inheritedBy(declaration, checker);
   const own =
     kind === "class" || kind === "interface"
       ? [declaration, ...additions.filter(ts.isInterfaceDeclaration)].flatMap((one) => [
@@ -275,7 +282,7 @@ function examplesFor(one) {
 }
 
 /** Sections that most readers skip. */
-const kLast = ["Saving and checking", "Life time"];
+const kLast = ["Saving and checking", "Lifetime"];
 
 function markdownOf(part, examples) {
   const { kind, text, code, members } = part;

@@ -1,4 +1,4 @@
-// Life time: dispose, collection, and memory running out.
+// Lifetime: dispose, collection, and memory running out.
 import { fileURLToPath } from "node:url";
 import { transformSync } from "esbuild";
 import { Diagram } from "../../build/packed/consumer.mjs";

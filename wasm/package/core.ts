@@ -9,8 +9,8 @@ const compiled = embed("core", text, swaps);
 
 /**
  * Compiles the part ahead of its first use and off the main thread. Optional: without it the first
- * diagram compiles it synchronously, a few milliseconds. Throws "not-loaded" where nothing may be
- * compiled, as that would.
+ * diagram compiles it synchronously, a few milliseconds. Throws "not-loaded" where compiling is
+ * forbidden, as that would.
  */
 export async function load(): Promise<void> {
   await compiled();

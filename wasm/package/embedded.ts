@@ -10,7 +10,7 @@ export { Diagram } from "./shapes/methods.js";
 /**
  * Compiles the wasm ahead of its first use and off the main thread. Optional: without it the first
  * diagram and the first shape compile their parts synchronously, a few milliseconds each. Throws
- * "not-loaded" where nothing may be compiled, as these would.
+ * "not-loaded" where compiling is forbidden, as they would.
  */
 export async function load(): Promise<void> {
   await Promise.all([loadCore(), loadShapes()]);

@@ -4,25 +4,24 @@
  * - "out-of-range": a magnitude other than 0 below 1e-100 or above 1e100, or a count that is no
  *   whole number from 0 on
  * - "unknown-site": no site has this id
- * - "bad-length": no array (of numbers, ids or items), an array of a wrong length, or one whose
- *   buffer is detached or shrunk
- * - "bad-option": an option or accessor is not documented
- * - "bad-bounds": bounds to clip at that are no box, or a region with an invalid ring, or
- *   without an inside
- * - "bad-target": an area that no cell can have, or a site whose cell can have none
+ * - "bad-length": not an array (of numbers, ids or items), an array of the wrong length, or one
+ *   whose buffer is detached or has shrunk
+ * - "bad-option": an option or accessor that is not documented
+ * - "bad-bounds": bounds that are no box, or a region with an invalid ring or without an inside
+ * - "bad-target": an area that no cell can have, or one for a site that cannot have a cell
  * - "no-convergence": weights for the given areas, or a largest circle, were not found
- * - "not-loaded": the WebAssembly module cannot be had: it is used before `load`, its address does
- *   not answer, or nothing may be compiled here (a content security policy, an edge runtime)
+ * - "not-loaded": the WebAssembly is not available: it is used before `load`, its address does not
+ *   answer, or compiling is forbidden here (a content security policy, an edge runtime)
  * - "disposed": the diagram has been disposed of
  * - "busy": a filter tried to change the diagram that was asking it, or the diagram has changed
  *   while `fitAreas` was under way
  * - "out-of-memory": memory ran out, or was never enough
  * - "corrupt-snapshot": bytes that are no snapshot of a diagram
- * - "too-large": more than 2^29 sites at once (one by one, memory ends before)
- * - "broken": a call of this diagram ended in its middle, by a defect of the library (please report
- *   it) or because it began at the very end of the stack. This diagram takes no more calls, but for
- *   `dispose`; all others are as they were. `toGeoJSON` also throws it where its polygons do not
- *   add up to the window, which is a defect, too; the diagram is then as it was
+ * - "too-large": more than 2^29 sites at once (one by one, memory runs out first)
+ * - "broken": a call of this diagram was cut off in the middle, by a defect of the library (please
+ *   report it) or by a stack overflow. The diagram takes no more calls except `dispose`; all others
+ *   are unaffected. `toGeoJSON` also throws it if its polygons do not add up to the window, which
+ *   is a defect, too; the diagram is then unchanged
  */
 export type ErrorCode =
   | "not-finite"

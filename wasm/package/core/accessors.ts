@@ -20,7 +20,7 @@ export type Accessor<T> = (item: T, index: number, items: Items<T>) => number;
 /** What `Diagram.from` takes. */
 export type Items<T> = Iterable<T> | ArrayLike<T>;
 
-/** Those of a diagram's items; `that` is their `this`. */
+/** The accessors of `Diagram.from`; `that` is their `this`. */
 export type Accessors<T> = [
   x: Accessor<T>,
   y: Accessor<T>,
@@ -36,7 +36,7 @@ export type SomeAccessors<T> = [
   that?: unknown,
 ];
 
-/** Those of `Diagram.fromAsync`, and its options. */
+/** The accessors of `Diagram.fromAsync`, and its options. */
 export type AsyncAccessors<T> = [
   x: Accessor<T>,
   y: Accessor<T>,

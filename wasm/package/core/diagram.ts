@@ -49,12 +49,12 @@ import type {
  *
  * Every call that fails throws an ApolloniusError and leaves the diagram as it was; after `dispose`
  * every call throws "disposed". Every call that needs memory can throw "out-of-memory". A call that
- * ends in its middle, by a defect of the library or because no stack is left, throws "broken", as
- * does every later one of that diagram, whose memory is not given back before all diagrams of its
- * time are gone. Arrays that are returned belong to the caller.
+ * is cut off in the middle, by a defect of the library or by a stack overflow, throws "broken", and
+ * so does every later call of that diagram. Its memory is freed only when all diagrams that were
+ * alive then are gone. Arrays that are returned belong to the caller.
  *
  * Diagrams are equal, to test frameworks and Node's `assert`, if the same ids have the same circles
- * and the same ones are hidden. (These read `content`, a property that is for nobody else.)
+ * and the same ones are hidden. (They read `content`, a property meant for them alone.)
  *
  * Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the
  * paper).
@@ -73,11 +73,11 @@ export class Diagram extends DynamicDiagram<ListedSite> {
   }
 
   /**
-   * A diagram of any items, read by accessors as in d3-delaunay (item, index, items); with two of
-   * them, for x and y, of points. Without accessors an item is an object {x, y, r} or an array
-   * [x, y, r]; a missing r is 0. Ids are 0, 1, 2, … in input order. Throws as the constructor,
-   * naming the item; "bad-option" if an accessor is no function, or an item without r has a
-   * `radius`, `size` or `weight`, which nothing would read. Cost: expected O(n log n).
+   * A diagram of any items, read by accessors as in d3-delaunay (item, index, items); with two
+   * accessors, for x and y, items are points. Without accessors an item is an object {x, y, r} or
+   * an array [x, y, r]; a missing r is 0. Ids are 0, 1, 2, … in input order. Throws as the
+   * constructor, naming the item; "bad-option" if an accessor is no function, or an item without r
+   * has a `radius`, `size` or `weight`, which nothing would read. Cost: expected O(n log n).
    */
   static from<T>(items: Items<T>, ...accessors: Accessors<T>): Diagram;
   static from<T extends Circular>(items: Items<T>, ...accessors: SomeAccessors<T>): Diagram;
@@ -109,13 +109,12 @@ export class Diagram extends DynamicDiagram<ListedSite> {
 
   /**
    * The diagram that `toBytes` saved, with its ids (the free ones are used again in the same
-   * order); `location` may be another. Whoever made the bytes: the result is the exact diagram of
-   * the sites in them, which is proved. Throws "corrupt-snapshot" (bytes that are no snapshot, or
-   * damaged, or not the diagram of their sites, or of another version), "bad-length" (no
+   * order); `location` may be another. The bytes are verified: whoever made them, the result is the
+   * exact diagram of their sites. Throws "corrupt-snapshot" (bytes that are no snapshot, are
+   * damaged, are not the diagram of their sites, or come from another version), "bad-length" (no
    * Uint8Array), "bad-option". Cost: O(n); for degenerate input (grids) about that of building.
-   * `trusted` leaves out the proof, for bytes of your own: several times as fast. If they are
-   * something else, answers may be wrong, and calls may throw "corrupt-snapshot"
-   * (docs/SNAPSHOTS.md).
+   * `trusted` skips the verification, for bytes of your own, and is several times as fast. With
+   * other bytes, answers may be wrong and calls may throw "corrupt-snapshot" (docs/SNAPSHOTS.md).
    */
   static fromBytes(bytes: Uint8Array, options?: SnapshotOptions): Diagram {
     checkOptions(options, "location", "trusted");
@@ -179,7 +178,9 @@ export class Diagram extends DynamicDiagram<ListedSite> {
     return nativeOf(this).sites();
   }
 
-  /** All sites, { id, x, y, r, hidden }, ascending by id, as the loop finds them. O(n). */
+  /**
+   * All sites, { id, x, y, r, hidden }, ascending by id, as they are when the loop begins. O(n).
+   */
   [Symbol.iterator](): Generator<ListedSite, void> {
     return listed(() => this.sites());
   }
@@ -234,10 +235,10 @@ export class Diagram extends DynamicDiagram<ListedSite> {
   }
 
   /**
-   * The circle under a pointer: of those that contain the point, rim included, the one on top,
-   * which is the smallest (of equal ones the last), or with `top: "last"` the one with the largest
-   * id; else the nearest site that is not farther than `maxDistance` (default: Infinity; 0 for
-   * none); else -1. `filter` leaves some out. Exact. Cost: one location and O(m log m), m the
+   * The circle under a pointer. Of the circles that contain the point, rim included, it is the one
+   * on top: the smallest (of equal ones the last), or with `top: "last"` the one with the largest
+   * id. If none contains the point, it is the nearest site within `maxDistance` (default: Infinity;
+   * 0 for none), else -1. `filter` leaves some out. Exact. Cost: one location and O(m log m), m the
    * number of neighbours of the circles that contain the point or are asked about. Throws
    * "not-finite", "out-of-range", "bad-option".
    */
@@ -279,7 +280,10 @@ export class Diagram extends DynamicDiagram<ListedSite> {
 
   // --- The graph ---------------------------------------------------------------------------------
 
-  /** All Voronoi vertices; the nearest doubles where sites have small whole numbers. O(n). */
+  /**
+   * All Voronoi vertices. They are correctly rounded where sites have small whole numbers as
+   * coordinates. O(n).
+   */
   vertices(): Vertices {
     return nativeOf(this).vertices();
   }
@@ -298,8 +302,9 @@ export class Diagram extends DynamicDiagram<ListedSite> {
   }
 
   /**
-   * Ids of the sites that the convex hull of the circles touches, counter-clockwise, all in line,
-   * too; some occur twice (a large circle with small ones sticking out; points in line). O(length).
+   * Ids of the sites that touch the convex hull of the circles, counter-clockwise, those in line
+   * with their neighbours included. Some occur twice: a large circle with small ones sticking out,
+   * or points in line. O(length).
    */
   hull(): Uint32Array {
     return nativeOf(this).hull();

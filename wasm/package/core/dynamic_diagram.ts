@@ -41,9 +41,9 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
   /**
    * Removes a site (paper, section 5); false if there is no such site. Sites that only it covered
    * become visible. Cost: O(log n) amortised for a hidden site and for the visible one of nested or
-   * identical circles, else expected O(k log k) with k = d + the hidden sites directly below it; on
-   * the sphere for one site in n that of building. Throws "unknown-site" for what is no whole
-   * number.
+   * identical circles, else expected O(k log k) with k = d + the hidden sites directly below it. On
+   * the sphere, removing one of the n sites, the pole, costs as much as building. Throws
+   * "unknown-site" for what is no whole number.
    */
   remove(id: number): boolean {
     const { native } = innerOf(this, true);
@@ -111,7 +111,7 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
    * The distinct sites whose cells share an edge with this site's, counter-clockwise (on the
    * sphere, as seen from outside), each where it occurs first; empty for a hidden site. Edges of
    * length zero count (degenerate position; the plane's graph is triangulated canonically, the
-   * sphere's as rounding has it). O(d). Throws "unknown-site".
+   * sphere's as rounding decides). O(d). Throws "unknown-site".
    */
   neighbors(id: number): Uint32Array {
     return ofOne(innerOf(this).native, id, (native) => native.neighbors(id));
@@ -193,7 +193,7 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
     return validate(innerOf(this).native);
   }
 
-  // --- Life time ---------------------------------------------------------------------------------
+  // --- Lifetime ----------------------------------------------------------------------------------
 
   /**
    * Frees the diagram's memory now; later calls throw "disposed", a second `dispose` does nothing.

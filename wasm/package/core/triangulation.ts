@@ -7,14 +7,14 @@ import type { Position } from "./types.js";
 
 /**
  * The Delaunay graph as it was when `diagram.triangulation()` was called, in d3-delaunay's names
- * and arrays: what is written for these works on them. Triangle t has the half-edges 3 t, 3 t + 1
- * and 3 t + 2, and is row t of `diagram.vertices()`, in the diagram's state of then.
+ * and arrays: code written for those works on it. Triangle t has the half-edges 3 t, 3 t + 1 and 3
+ * t + 2, and is row t of `diagram.vertices()`, as the diagram was then.
  *
  * With equal radii it is the Delaunay triangulation of the centres. With others it is a graph, and
  * its triangles, drawn straight, may overlap: two sites can have several edges in common, so an
  * edge is its half-edge, not its pair of sites; a site can have two edges only, and then is in two
- * triangles with the same other two. Twins are a pairing all the same: each half-edge's twin runs
- * the other way between the same two sites. Points in line have no triangles.
+ * triangles with the same other two. Twins still come in pairs: each half-edge's twin runs the
+ * other way between the same two sites. Points in line have no triangles.
  */
 export interface Triangulation {
   /** x, y of each site by id, hidden ones too; NaN for ids without one. */

@@ -101,27 +101,30 @@ export interface DiagramOptions {
 export interface BuildOptions extends DiagramOptions {
   /** Ends the building when it aborts; the promise is rejected with its reason. */
   signal?: AbortSignal | undefined;
-  /** Called after each slice with how much is done, from 0 to 1; at last with 1. It may throw. */
+  /**
+   * Called after each slice with the share that is done, from 0 to 1; the last call gets 1. It may
+   * throw.
+   */
   onProgress?: ((done: number) => void) | undefined;
 }
 
 /** Options of `Diagram.fromBytes`. */
 export interface SnapshotOptions extends DiagramOptions {
   /**
-   * true: the bytes are `toBytes`'s own and nobody has changed them, so that nothing is proved.
+   * true: skip the verification, for bytes that come from `toBytes` and that nobody has changed.
    * Default: false.
    */
   trusted?: boolean | undefined;
 }
 
-/** Tells whether the site of that id counts. It may throw; it may not change the diagram. */
+/** Tells whether the site with that id counts. It may throw; it must not change the diagram. */
 export type NearbyFilter = (id: number) => unknown;
 
 /** Options of `find`, `nearest`, `findMany` and `within`. */
 export interface FilterOptions {
   /**
-   * Called with ids, nearest first, for as many sites as are needed; those for which it returns
-   * nothing true are left out. A call in it that changes the diagram throws "busy".
+   * Called with ids, nearest first, until enough sites have passed; a site for which it returns a
+   * falsy value is left out. Changing the diagram inside it throws "busy".
    *
    * Calls about many points ask it once a site, in any order. They cost a small multiple of a
    * search for each point, or of building a diagram of all sites that pass, whichever is less; of

@@ -6,14 +6,14 @@ import { ApolloniusError } from "../errors.js";
 
 /** Options of `toGeoJSON`. */
 export interface GeoJSONOptions<Properties> {
-  /** As of a drawing: `DrawOptions`. */
+  /** As in `DrawOptions`. */
   tolerance?: number | undefined;
   /** Gives the properties of a site's feature; by default they are { site: id }. */
   properties?: ((id: number) => Properties) | undefined;
   /**
    * How outer rings run, y upwards, and holes the other way round: "counter-clockwise" (default),
-   * as RFC 7946 has it; "clockwise" for tools that think on the sphere, as d3-geo does, to which a
-   * ring the other way round is all but the cell.
+   * as RFC 7946 has it; "clockwise" for tools that work on the sphere, such as d3-geo, to which a
+   * ring the other way round is everything but the cell.
    */
   winding?: Winding | undefined;
 }

@@ -7,7 +7,7 @@ type Point = ArrayLike<number>;
 /** A closed ring: points, or flat x, y, … (the first one may be repeated at the end). */
 export type Ring = ArrayLike<Point> | ArrayLike<number>;
 
-/** What a GeoJSON object has to have, to be a window. */
+/** What a GeoJSON object needs to be a window. */
 export type GeoJSONRegion =
   | { readonly type: "Polygon"; readonly coordinates: ArrayLike<Ring> }
   | { readonly type: "MultiPolygon"; readonly coordinates: ArrayLike<ArrayLike<Ring>> }
@@ -23,8 +23,8 @@ export type GeoJSONRegion =
  * `cellPolygon`, `cellParts` and `toGeoJSON` return is one, too.
  *
  * Inside is where a line to infinity crosses the rings an odd number of times (even-odd rule),
- * whatever their directions: holes and islands need no more than to be rings. Rings may cross and
- * touch themselves and each other, repeat points, and overlap, where they cancel.
+ * whatever their directions: holes and islands are rings like any other. Rings may cross and touch
+ * themselves and each other, repeat points, and overlap, where they cancel.
  */
 export type Region = Ring | ArrayLike<Ring> | GeoJSONRegion;
 

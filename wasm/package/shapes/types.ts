@@ -132,8 +132,8 @@ export interface Projection {
 /** What `fitAreas` has reached. */
 export interface FittedAreas extends FitProgress {
   /**
-   * Whether `error` is within the tolerance. If it is not, the weights are those looked for all the
-   * same, up to their last places, and `error` is what rounding leaves.
+   * Whether `error` is within the tolerance. If it is not, the weights are right up to their last
+   * places, and `error` is what rounding leaves.
    */
   converged: boolean;
   /** Why it has not converged. */
@@ -152,7 +152,10 @@ export interface InterpolationOptions {
 export interface AsyncInterpolationOptions extends InterpolationOptions {
   /** Ends the interpolation when it aborts; the promise is rejected with its reason. */
   signal?: AbortSignal | undefined;
-  /** Called after each slice with how much is done, from 0 to 1; at last with 1. It may throw. */
+  /**
+   * Called after each slice with the share that is done, from 0 to 1; the last call gets 1. It may
+   * throw.
+   */
   onProgress?: ((done: number) => void) | undefined;
 }
 
@@ -240,7 +243,7 @@ export type CellPart<Points extends CellRing = Position[]> = Points & { holes: P
 
 /** Options of `cellPolygon`, `cellPolygons` and `cellParts`. */
 export interface PolygonOptions {
-  /** As of a drawing: `DrawOptions`. */
+  /** As in `DrawOptions`. */
   tolerance?: number | undefined;
   /**
    * true: rings are x, y, … in one Float64Array, which is faster. Default: false, [x, y], …, as
@@ -249,9 +252,9 @@ export interface PolygonOptions {
   flat?: boolean | undefined;
 }
 
-/** Those of flat rings. */
+/** `PolygonOptions` for flat rings. */
 export type FlatOptions = PolygonOptions & { flat: true };
-/** Those of rings of pairs. */
+/** `PolygonOptions` for rings of pairs. */
 export type NestedOptions = PolygonOptions & { flat?: false | undefined };
 
 /** Options of `Diagram.render`: with bounds also the rays of the sites on the hull. */

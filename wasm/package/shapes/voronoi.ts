@@ -71,25 +71,26 @@ const [kFirstCells, kMostCells] = [256, 8192];
 
 /**
  * The cells of a diagram inside a window, as shapes, measures and drawings:
- * `diagram.voronoi(bounds)`, or with a window of any shape, `diagram.voronoi(region)`. A view:
- * always of the diagram as it is now; do not change that while a drawing calls the context.
+ * `diagram.voronoi(bounds)`, or with a window of any shape, `diagram.voronoi(region)`. A view
+ * always shows the diagram as it is now; do not change the diagram while a drawing calls the
+ * context.
  *
  * Cells have curved edges, and everything is computed from these: drawings and polygons are within
  * a tolerance of them, measures are those of the curves. A clipped cell can be several *parts*
  * (if its site's centre is outside the window), which have holes where the window does.
  *
- * In a window that is no rectangle, the first call after a change of the diagram finds out where
- * the window's rings pass through the cells, which takes about O(n + (m + c) log d), m being their
+ * In a window that is not a rectangle, the first call after a change of the diagram finds where the
+ * window's rings pass through the cells. That takes about O(n + (m + c) log d), m being their
  * points, c how often they go from cell to cell, and d the largest degree of a cell. (Sides that
  * are about as near to many cells as to the border of theirs cost that number each.) O(d) below is
  * then O(d + what of the rings is in the cell). The window is prepared once, in O(m log m).
  * `dispose` gives the memory back.
  *
- * Everywhere: an id without a site throws "unknown-site"; for a hidden site, which has no cell, and
- * for what a cell has no part of inside the window, there is nothing: null for arrays and objects,
- * nothing drawn. Measures are null for a hidden site, and 0 outside the window. Options throw
- * "not-finite" or "out-of-range", unknown ones "bad-option", as does a context that cannot draw.
- * Names and meaning are d3-delaunay's where it has them.
+ * Everywhere: an id without a site throws "unknown-site"; a hidden site, which has no cell, and a
+ * cell with no part inside the window give nothing: null for arrays and objects, nothing drawn.
+ * Measures are null for a hidden site, and 0 outside the window. Options throw "not-finite" or
+ * "out-of-range", unknown ones "bad-option", as does a context that cannot draw. Names and meaning
+ * are d3-delaunay's where it has them.
  */
 export class Voronoi implements Disposable {
   // --- The view ----------------------------------------------------------------------------------
@@ -303,8 +304,8 @@ export class Voronoi implements Disposable {
   // --- Points and neighbours ---------------------------------------------------------------------
 
   /**
-   * Is this site the nearest one to the point, and within its distance, if there is one? Exact,
-   * ties as in `diagram.find`; the window does not matter. false for a hidden site. Throws
+   * Is this site the nearest one to the point, and within the view's distance, if it has one?
+   * Exact, ties as in `diagram.find`; the window does not matter. false for a hidden site. Throws
    * "unknown-site", "not-finite", "out-of-range".
    */
   contains(id: number, x: number, y: number): boolean {
@@ -327,7 +328,7 @@ export class Voronoi implements Disposable {
    * The largest circle that no site's circle reaches into, with its centre in the window: the place
    * that is farthest from all sites, at a Voronoi vertex, where an edge crosses the border, or at a
    * corner. null without sites. The choice among these is by their distances as rounded, which are
-   * good to the last places of the coordinates. O(n log n).
+   * right up to the last places of the coordinates. O(n log n).
    *
    * With `inside`, the largest such circle that does not cross the window's border: r is at least
    * 0.999 of the largest possible. Each cell at the border that is searched costs O(m) more, m
@@ -391,9 +392,9 @@ export class Voronoi implements Disposable {
 
   /**
    * The natural neighbours of a place, for interpolation (Sibson): the sites from whose cells in
-   * the window a new circle there would take something, and which share of its cell from each.
-   * Where a circle covers it, that one alone. The value of a field at the place is the sum of
-   * weights times values. It is continuous, and that of a site at its centre, if r is at most the
+   * the window a new circle there would take a part, and the share of the new cell that comes from
+   * each. If a circle covers it, that one alone. The value of a field at the place is the sum of
+   * weights times values. It is continuous, and exact at the centres of sites, if r is at most the
    * smallest radius. The diagram stays as it is, and the view's distance does not matter. null
    * without sites, and where the new cell would have no part in the window. Cost: location, and the
    * size of what would change; at the border of a window that is no rectangle also O(its points)
@@ -406,10 +407,10 @@ export class Voronoi implements Disposable {
   /**
    * A field at many points: for each of the flat x, y pairs, what `naturalWeights` says with the
    * sites' `values`, which are given by id. NaN outside of the window, without sites, and next to
-   * sites whose value is NaN. A linear field at sites that are points comes back, wherever the cell
-   * of a new point would end within the window. Cost: as a loop of `naturalWeights`, but without
-   * location, and without a call for each point. Throws "bad-length" (xy; values, one for each id
-   * that was ever used, or for each site), "unknown-site", "not-finite", "out-of-range",
+   * sites whose value is NaN. Among sites that are points, a linear field is reproduced wherever
+   * the cell of a new point would end within the window. Cost: as a loop of `naturalWeights`, but
+   * without location, and without a call for each point. Throws "bad-length" (xy; values, one for
+   * each id that was ever used, or for each site), "unknown-site", "not-finite", "out-of-range",
    * "bad-option".
    */
   interpolate(
@@ -462,10 +463,10 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * Area, centroid and perimeter of the part of a cell within `radius` of its site's centre: what a
-   * site covers at most; with Infinity of all of it, where area and perimeter of a cell without end
-   * are Infinity and its centroid null. The window does not matter. null for a hidden site. Throws
-   * "unknown-site", "not-finite", "out-of-range" (a radius below 0).
+   * Area, centroid and perimeter of the part of a cell within `radius` of its site's centre: the
+   * most that a site can cover. With Infinity it is the whole cell; if that is unbounded, its area
+   * and perimeter are Infinity and its centroid is null. The window does not matter. null for a
+   * hidden site. Throws "unknown-site", "not-finite", "out-of-range" (a radius below 0).
    */
   cellWithin(id: number, radius: number): Measures | null {
     const measures = this.#ofCell(id, (native) => {
@@ -506,13 +507,13 @@ export class Voronoi implements Disposable {
    * proportion to targets. Centres stay, and hidden sites get a cell, too. null if `onIteration`
    * has stopped it.
    *
-   * No two sites may have one centre, and with equal weights each must have a cell in the window,
-   * as it has if its centre is there. All or nothing: the diagram changes at the end, and only if
-   * the tolerance is met, or nothing but rounding is above it (`converged` is false then). Throws
-   * "bad-length", "unknown-site", "bad-target", "bad-option", "not-finite", "out-of-range", "busy",
-   * and "no-convergence", which says what was reached. Cost: for each of
-   * some 20 steps (several times that, where targets differ by orders of magnitude) about that of
-   * building the diagram and of `cellAreas`.
+   * No two sites may share a centre, and with equal weights each must have a cell in the window, as
+   * it does if its centre is inside. All or nothing: the diagram changes at the end, and only if
+   * the tolerance is met, or if only rounding keeps the error above it (`converged` is then false).
+   * Throws "bad-length", "unknown-site", "bad-target", "bad-option", "not-finite", "out-of-range",
+   * "busy", and "no-convergence", which says what was reached. Cost: for each of some 20 steps
+   * (several times that, where targets differ by orders of magnitude) about that of building the
+   * diagram and of `cellAreas`.
    */
   fitAreas(targets: AreaTargets, options?: FitOptions): FittedAreas | null {
     return fitAreas(Voronoi.#living(this, true), () => this.#window, targets, options);
@@ -520,9 +521,9 @@ export class Voronoi implements Disposable {
 
   /**
    * `fitAreas` in slices of some milliseconds, with turns of the event loop between them; no step
-   * is divided. What fits into the first slice has been done when the call returns its promise.
-   * Rejects as that throws; with the reason of `options.signal` once that aborts; with "busy" if
-   * the diagram has changed meanwhile.
+   * is divided. What fits into the first slice is done before the call returns its promise. Rejects
+   * as that throws; with the reason of `options.signal` once that aborts; with "busy" if the
+   * diagram has changed meanwhile.
    */
   async fitAreasAsync(
     targets: AreaTargets,
@@ -532,12 +533,12 @@ export class Voronoi implements Disposable {
     return await fitAreasAsync(Voronoi.#living(this, true), () => this.#window, targets, options);
   }
 
-  // --- Life time ---------------------------------------------------------------------------------
+  // --- Lifetime ----------------------------------------------------------------------------------
 
   /**
-   * Gives back the memory of a window that is no rectangle: what it meets, and up to 10 bytes for
-   * each of the diagram's sites. Later calls throw "disposed". A forgotten view is freed as a
-   * forgotten diagram is. The diagram lives on. O(1).
+   * Frees what a window that is not a rectangle has in memory: where it meets cells, and up to 10
+   * bytes for each of the diagram's sites. Later calls throw "disposed". A forgotten view is freed
+   * as a forgotten diagram is. The diagram lives on. O(1).
    */
   dispose(): void {
     if (this.#isDisposed) return;

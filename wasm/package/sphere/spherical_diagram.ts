@@ -161,9 +161,9 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   }
 
   /**
-   * A diagram of any items, read by accessors (item, index, items); with two of them of points.
-   * Without accessors an item is an object {lon, lat, r}, an array [lon, lat, r] or a point of
-   * GeoJSON, and `items` may be a FeatureCollection; a missing r is 0. Options may come at any
+   * A diagram of any items, read by accessors (item, index, items); with two accessors, items are
+   * points. Without accessors an item is an object {lon, lat, r}, an array [lon, lat, r] or a point
+   * of GeoJSON, and `items` may be a FeatureCollection; a missing r is 0. Options may come at any
    * place. Ids are 0, 1, 2, … in input order. Throws as the constructor, naming the item;
    * "bad-option" if an item without r has a `radius`, `size` or `weight`, which nothing would read.
    */
@@ -234,8 +234,8 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   }
 
   /**
-   * Adds a site and returns its id. Cost: one location and O(size of the change); that of building
-   * when the number of sites has doubled, and for one site in n. Throws "not-finite",
+   * Adds a site and returns its id. Cost: one location and O(size of the change); once in n
+   * insertions, and when the number of sites has doubled, that of building. Throws "not-finite",
    * "out-of-range".
    */
   insert(lon: number, lat: number, r: number = 0): number {
@@ -283,7 +283,10 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
     return { ids, lonLatR: xyr, hidden };
   }
 
-  /** All sites, { id, lon, lat, r, hidden }, ascending by id, as the loop finds them. O(n). */
+  /**
+   * All sites, { id, lon, lat, r, hidden }, ascending by id, as they are when the loop begins.
+   * O(n).
+   */
   *[Symbol.iterator](): Generator<ListedSphericalSite, void> {
     const { ids, lonLatR, hidden } = this.sites();
     for (let k = 0; k < ids.length; ++k) {
@@ -400,9 +403,9 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
 
   /**
    * The natural neighbours of a place, for interpolation (Sibson): the sites from whose cells a new
-   * site of weight r there would take something, and which share of its cell from each. A site that
-   * covers it is the only one. The diagram stays as it is; null without sites. Cost: location, and
-   * the size of what would change. Throws "not-finite", "out-of-range".
+   * site of weight r there would take a part, and the share of the new cell that comes from each.
+   * If a site covers it, that one alone. The diagram stays as it is; null without sites. Cost:
+   * location, and the size of what would change. Throws "not-finite", "out-of-range".
    */
   naturalWeights(lon: number, lat: number, r: number = 0): NaturalWeights | null {
     const asked = sphericalOf(this);

@@ -39,8 +39,8 @@ export interface TreemapFit {
   /** The largest deviation of a child's area from its target, as a share of that. */
   error: number;
   /**
-   * Whether `error` is within what was asked for. If it is not, weights are those looked for up to
-   * their last places, as for `fitAreas`.
+   * Whether `error` is within what was asked for. If it is not, the weights are right up to their
+   * last places, as for `fitAreas`.
    */
   converged: boolean;
 }
@@ -81,7 +81,10 @@ export interface TreemapCell {
 export interface TreemapOptions {
   /** Ends the layout when it aborts; the promise is rejected with its reason. */
   signal?: AbortSignal | undefined;
-  /** Called after each slice with how much is done, from 0 to 1; at last with 1. It may throw. */
+  /**
+   * Called after each slice with the share that is done, from 0 to 1; the last call gets 1. It may
+   * throw.
+   */
   onProgress?: ((done: number) => void) | undefined;
 }
 
