@@ -24,15 +24,16 @@ const known = new Set(
  */
 function documented(className, name) {
   const { members } = described.find((one) => one.name === className);
-  const { text, code } = members.find((member) => member.name === name);
+  const member = members.find((one) => one.name === name);
+  const text = member.text.replace(/\s+/g, " ");
   const codes = new Set(codesOf(text));
   const other = /(?:[Tt]hrows|errors:) as (?:the )?`?(\w+)/.exec(text)?.[1];
   const that = /^`(\w+)`.*Rejects as that throws/s.exec(text)?.[1];
   for (const one of [other, that])
     if (one) documented(className, one).forEach((inherited) => codes.add(inherited));
   if (className === "Voronoi") {
-    if (/\bid: number/.test(code)) codes.add("unknown-site");
-    if (/\boptions\?/.test(code) && !text.includes("Throws"))
+    if (/\bid: number/.test(member.code)) codes.add("unknown-site");
+    if (/\boptions\?/.test(member.code) && !text.includes("Throws"))
       codes.add("not-finite").add("out-of-range").add("bad-option");
   }
   return [...codes].sort();
